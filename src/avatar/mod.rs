@@ -1,0 +1,250 @@
+//! The avatar as plain arrays, with the numbers just as its file stores them.
+//!
+//! Everything that draws reads these arrays: the f64 reference decodes them one by one, the GPU backends upload them. Both therefore
+//! start from the same bits, and what they differ by is arithmetic alone. Symbols are the paper's: N_g Gaussians, N_G parts, N_B
+//! basis functions a part, N_s position nodes, J joints.
+
+pub mod file;
+pub mod motion;
+pub mod pose;
+pub mod skeleton;
+
+use glam::DVec3;
+use half::f16;
+pub use motion::Clip;
+pub use pose::{Pose, Subspace};
+pub use skeleton::Skeleton;
+
+/// The most that any part of the program accepts. The file's reader enforces them; GPU layouts rely on them.
+pub mod limits {
+    pub const GAUSSIANS: usize = 2_000_000;
+    pub const PARTS: usize = 1024;
+    pub const BASIS: usize = 32;
+    /// Node indices are 16-bit.
+    pub const NODES: usize = 65_536;
+    /// Joint indices are 8-bit.
+    pub const JOINTS: usize = 256;
+    pub const EXPRESSION: usize = 64;
+    /// Numbers that enter a part's network: pose and expression.
+    pub const MLP_INPUT: usize = 512;
+    /// Neurons in a hidden layer.
+    pub const MLP_WIDTH: usize = 128;
+    /// Layers of a network, the linear output layer among them.
+    pub const MLP_LAYERS: usize = 8;
+    /// Components of a [`super::Subspace`].
+    pub const SUBSPACE: usize = 64;
+}
+
+/// A trained or baked avatar: what `NAME.avatar` holds. Lengths are metres, y is up, the avatar faces +z.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Avatar {
+    pub name: String,
+    pub skeleton: Skeleton,
+    pub gaussians: Gaussians,
+    pub parts: Parts,
+    pub networks: Networks,
+    /// Correctives of the quaternion, w x y z.
+    pub rotation_rows: Rows<4>,
+    /// Correctives of the log scale.
+    pub scale_rows: Rows<3>,
+    /// Correctives of the colour.
+    pub color_rows: Rows<3>,
+    pub nodes: Nodes,
+    pub inputs: Inputs,
+}
+
+/// An axis-aligned box whose edges 16-bit coordinates divide into 65,535 steps.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bounds {
+    /// Lower corner, metres.
+    pub min: [f32; 3],
+    /// Upper corner, metres; no component is below `min`'s.
+    pub max: [f32; 3],
+}
+
+impl Bounds {
+    /// The point that three 16-bit coordinates stand for: `min + q / 65535 · (max − min)`.
+    pub fn decode(&self, q: [u16; 3]) -> DVec3 {
+        let (min, max) = (DVec3::from(self.min.map(f64::from)), DVec3::from(self.max.map(f64::from)));
+        min + DVec3::from(q.map(f64::from)) / 65535.0 * (max - min)
+    }
+
+    /// The nearest coordinates to a point; points outside go to the box's surface.
+    pub fn encode(&self, p: DVec3) -> [u16; 3] {
+        std::array::from_fn(|k| {
+            let (min, max) = (f64::from(self.min[k]), f64::from(self.max[k]));
+            let t = if max > min { (p[k] - min) / (max - min) } else { 0.0 };
+            (t * 65535.0).round().clamp(0.0, 65535.0) as u16
+        })
+    }
+}
+
+/// The neutral attributes, one entry a Gaussian, in the canonical pose. Ordered by part.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Gaussians {
+    /// The box that `position` and [`Nodes::position`] are coordinates in.
+    pub bounds: Bounds,
+    pub position: Vec<[u16; 3]>,
+    /// Quaternion w x y z, of any length but zero: normalised after its corrective is added.
+    pub rotation: Vec<[f16; 4]>,
+    /// Natural logarithm of the standard deviation along each axis, metres.
+    pub log_scale: Vec<[f16; 3]>,
+    /// Display-referred RGB (sRGB-encoded), 0 to 1. Blending happens in this space, as 3DGS training does.
+    pub color: Vec<[f16; 3]>,
+    /// 255 is opaque.
+    pub opacity: Vec<u8>,
+    /// The four joints that move a Gaussian.
+    pub joint: Vec<[u8; 4]>,
+    /// Their weights; the four sum to 255.
+    pub joint_weight: Vec<[u8; 4]>,
+    /// The three nearest nodes.
+    pub node: Vec<[u16; 3]>,
+}
+
+impl Gaussians {
+    pub fn len(&self) -> usize {
+        self.position.len()
+    }
+
+    pub fn is_empty(&self) -> bool {
+        self.position.is_empty()
+    }
+}
+
+/// Which Gaussians belong to which part, and which parts see the expression.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Parts {
+    /// Part i is Gaussians `start[i]..start[i + 1]`: N_G + 1 entries, from 0 to N_g, never falling.
+    pub start: Vec<u32>,
+    /// Parts before this one are head parts: the expression enters their networks, and is zero for the others.
+    pub head: usize,
+}
+
+impl Parts {
+    pub fn len(&self) -> usize {
+        self.start.len() - 1
+    }
+
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+}
+
+/// What follows every layer of a network but the last.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Activation {
+    /// max(0, x)
+    Relu,
+    /// max(0.01 x, x)
+    LeakyRelu,
+}
+
+/// One small network a part: pose and expression in, feature vector e out. All parts have the same widths.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Networks {
+    pub activation: Activation,
+    pub layers: Vec<Layer>,
+}
+
+impl Networks {
+    /// Length of the feature vector e: N_B, or 2 N_B where nodes have features of their own.
+    pub fn output(&self) -> usize {
+        self.layers.last().map_or(0, |layer| layer.output)
+    }
+}
+
+/// A linear layer of all N_G networks.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Layer {
+    pub input: usize,
+    pub output: usize,
+    /// Shape N_G, output, input.
+    pub weight: Vec<f16>,
+    /// Shape N_G, output.
+    pub bias: Vec<f16>,
+}
+
+/// The basis rows of one attribute with C components, kept only for the Gaussians that need them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Rows<const C: usize> {
+    /// The Gaussian of each row, strictly rising.
+    pub gaussian: Vec<u32>,
+    /// Shape rows, C, N_B.
+    pub basis: Vec<f16>,
+}
+
+/// Points that carry the position correctives; Gaussians interpolate the three nearest.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Nodes {
+    /// In the canonical pose, coordinates in [`Gaussians::bounds`].
+    pub position: Vec<[u16; 3]>,
+    /// The part whose features move the node.
+    pub part: Vec<u16>,
+    /// Learned displacement that no pose changes, metres.
+    pub offset: Vec<[f16; 3]>,
+    /// Shape N_s, 3, N_B; metres a unit of feature.
+    pub basis: Vec<f16>,
+}
+
+impl Nodes {
+    pub fn len(&self) -> usize {
+        self.position.len()
+    }
+
+    pub fn is_empty(&self) -> bool {
+        self.position.is_empty()
+    }
+}
+
+/// What enters the networks: θ_p ⊕ θ_e.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Inputs {
+    /// θ_p is the axis-angle rotations of these joints, in this order (SMPL-X: 1 to 21).
+    pub joint: Vec<u8>,
+    /// Length of θ_e.
+    pub expression: usize,
+    /// The training poses' principal components; θ_p is projected onto them where present.
+    pub pose_space: Option<Subspace>,
+    /// The same of the training expressions.
+    pub expression_space: Option<Subspace>,
+}
+
+impl Inputs {
+    /// Length of θ_p ⊕ θ_e.
+    pub fn len(&self) -> usize {
+        3 * self.joint.len() + self.expression
+    }
+
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+}
+
+impl Avatar {
+    /// N_B. The feature vector is either this long or twice as long.
+    pub fn basis_len(&self) -> usize {
+        if self.nodes.is_empty() { 0 } else { self.nodes.basis.len() / (3 * self.nodes.len()) }
+    }
+
+    /// Where in e the nodes' features begin: 0 when attributes and nodes share them, N_B when each has its own half.
+    pub fn node_feature_start(&self) -> usize {
+        self.networks.output() - self.basis_len()
+    }
+
+    /// x₀ of a Gaussian: canonical pose, metres.
+    pub fn position(&self, gaussian: usize) -> DVec3 {
+        self.gaussians.bounds.decode(self.gaussians.position[gaussian])
+    }
+
+    /// x_s of a node: canonical pose, metres.
+    pub fn node_position(&self, node: usize) -> DVec3 {
+        self.gaussians.bounds.decode(self.nodes.position[node])
+    }
+
+    /// How much each of a Gaussian's three nodes counts: 1 / max(‖x₀ − x_s‖, 1e-6), scaled to a sum of 1.
+    pub fn node_weights(&self, gaussian: usize) -> [f64; 3] {
+        let position = self.position(gaussian);
+        let alpha = self.gaussians.node[gaussian].map(|s| 1.0 / position.distance(self.node_position(s as usize)).max(1e-6));
+        alpha.map(|a| a / alpha.iter().sum::<f64>())
+    }
+}

@@ -1,0 +1,71 @@
+//! A pose, and what of it the networks see: θ_p and θ_e, projected onto the training poses' principal components.
+
+use super::Inputs;
+use glam::DVec3;
+
+/// One pose of a skeleton with J joints.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Pose {
+    /// Axis-angle rotation of each joint relative to its parent, radians. Joint 0 turns the whole body.
+    pub rotation: Vec<DVec3>,
+    /// Added to the root's rest position, metres.
+    pub translation: DVec3,
+    /// θ_e. Shorter than an avatar's expression counts as zeros.
+    pub expression: Vec<f64>,
+}
+
+impl Pose {
+    /// No rotation anywhere.
+    pub fn rest(joints: usize, expression: usize) -> Self {
+        Self { rotation: vec![DVec3::ZERO; joints], translation: DVec3::ZERO, expression: vec![0.0; expression] }
+    }
+}
+
+/// Principal components of a set of vectors of length D.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Subspace {
+    /// Length D.
+    pub mean: Vec<f32>,
+    /// Shape K, D; rows are orthonormal.
+    pub component: Vec<f32>,
+    /// Standard deviation along each component, length K.
+    pub sigma: Vec<f32>,
+}
+
+impl Subspace {
+    /// The nearest point within ±2σ of the mean along each component (model.md, step 0).
+    pub fn project(&self, x: &[f64]) -> Vec<f64> {
+        let mut projected: Vec<f64> = self.mean.iter().map(|&m| f64::from(m)).collect();
+        for (component, &sigma) in self.component.chunks_exact(self.mean.len().max(1)).zip(&self.sigma) {
+            let along: f64 = component.iter().zip(x).zip(&self.mean).map(|((&c, x), &m)| f64::from(c) * (x - f64::from(m))).sum();
+            let kept = along.clamp(-2.0 * f64::from(sigma), 2.0 * f64::from(sigma));
+            projected.iter_mut().zip(component).for_each(|(p, &c)| *p += kept * f64::from(c));
+        }
+        projected
+    }
+}
+
+impl Inputs {
+    /// θ_p ⊕ θ_e of a pose, each projected where the avatar has a subspace for it. Parts outside the head see θ_e as zeros.
+    pub fn of(&self, pose: &Pose) -> Vec<f64> {
+        let theta: Vec<f64> = self.joint.iter().flat_map(|&j| pose.rotation[j as usize].to_array()).collect();
+        let mut expression = pose.expression.clone();
+        expression.resize(self.expression, 0.0);
+        let project = |space: &Option<Subspace>, x: Vec<f64>| space.as_ref().map_or_else(|| x.clone(), |space| space.project(&x));
+        let mut input = project(&self.pose_space, theta);
+        input.extend(project(&self.expression_space, expression));
+        input
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn projection_keeps_the_subspace_and_clamps_at_two_sigma() {
+        let space = Subspace { mean: vec![1.0, 0.0, 0.0], component: vec![0.0, 1.0, 0.0], sigma: vec![0.5] };
+        assert_eq!(space.project(&[7.0, 0.75, 3.0]), [1.0, 0.75, 0.0]);
+        assert_eq!(space.project(&[1.0, -9.0, 0.0]), [1.0, -1.0, 0.0]);
+    }
+}

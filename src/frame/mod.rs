@@ -1,0 +1,41 @@
+//! What a frame is, whatever draws it: where the camera stands, what the pose makes of the skeleton, how far the avatar reaches.
+
+pub mod camera;
+pub mod extent;
+pub mod picture;
+
+use crate::avatar::{Avatar, Pose};
+pub use camera::Camera;
+pub use extent::Extent;
+use glam::DAffine3;
+pub use picture::Picture;
+
+/// Added to both diagonal entries of a projected covariance, px² (model.md, step 8).
+pub const LOW_PASS: f64 = 0.3;
+/// Contributions below this opacity are skipped (model.md, step 10).
+pub const ALPHA_MIN: f64 = 1.0 / 255.0;
+/// No single Gaussian covers more of a pixel than this (model.md, step 10).
+pub const ALPHA_MAX: f64 = 0.99;
+/// The perspective's derivative is taken at most this fraction of the half field of view outside the picture, where it would
+/// otherwise grow without bound.
+pub const DERIVATIVE_MARGIN: f64 = 0.3;
+
+/// A pose worked out for one avatar: all that the stages need of it.
+#[derive(Clone, Debug)]
+pub struct Posed {
+    /// G_j: canonical space to world, one a joint.
+    pub joints: Vec<DAffine3>,
+    /// θ_p ⊕ θ_e, projected.
+    pub input: Vec<f64>,
+}
+
+impl Posed {
+    pub fn new(avatar: &Avatar, pose: &Pose) -> Self {
+        Self { joints: avatar.skeleton.matrices(pose), input: avatar.inputs.of(pose) }
+    }
+}
+
+/// How many standard deviations from its centre a Gaussian of this opacity still reaches 1/255: √(2 ln(255 o)). None where it never does.
+pub fn reach(opacity: u8) -> Option<f64> {
+    (opacity > 1).then(|| (2.0 * f64::from(opacity).ln()).sqrt())
+}

@@ -1,0 +1,24 @@
+//! Effigy draws animatable human avatars made of Gaussians.
+//!
+//! One frame, in the order that the folders, the GPU stages and `vulkan::Renderer::record` follow:
+//!
+//! ```text
+//! pose ─┬→ features   one small network a body part: pose, expression → 16 or 32 numbers
+//!       │      ↓
+//!       │   nodes     position correctives of about 10,000 nodes
+//!       ↓      ↓
+//! joints ─→ splats    sparse correctives, skinning, projection, culling, depth key
+//!              ↓
+//!            sort     stable, far to near
+//!              ↓
+//!           raster    quads, blended
+//!              ↓
+//!           present   over the background, to the window or to a picture
+//! ```
+//!
+//! [`avatar`] is the model as plain arrays and its file; [`frame`] what a frame is, whatever draws it; [`reference`] the stages in
+//! f64, the oracle; [`vulkan`] the stages on the GPU; [`measure`] time and error; [`bake`] makes avatars and clips from a real body
+//! and real motion.
+
+pub mod avatar;
+pub mod frame;
