@@ -21,4 +21,5 @@
 //! and real motion.
 
 pub mod avatar;
+pub mod cli;
 pub mod frame;

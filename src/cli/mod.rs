@@ -1,0 +1,67 @@
+//! The command line: one binary, `effigy`, a subcommand a file.
+
+mod bake;
+mod bench;
+mod devices;
+mod inspect;
+mod render;
+pub mod source;
+mod view;
+
+use clap::{Parser, Subcommand};
+use std::process::ExitCode;
+
+/// Draws animatable human avatars made of Gaussians.
+///
+/// Without a subcommand it opens a window with the built-in demo avatar moving, or, where there is no display, renders a short
+/// turntable of it to PNG files.
+#[derive(Parser)]
+#[command(version, propagate_version = true)]
+struct Cli {
+    #[command(subcommand)]
+    command: Option<Command>,
+    /// Say more about what happens: -v for steps, -vv for details. RUST_LOG overrides it
+    #[arg(short, long, global = true, action = clap::ArgAction::Count)]
+    verbose: u8,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Show an avatar moving in a window
+    View(view::Args),
+    /// Render pictures to PNG files
+    Render(render::Args),
+    /// Measure time, error and memory
+    Bench(bench::Args),
+    /// Say what an avatar or motion file holds
+    Inspect(inspect::Args),
+    /// List the GPUs: what each has, lacks and would use
+    Devices(devices::Args),
+    /// Make an avatar from the MakeHuman body, or a clip from motion capture
+    Bake(bake::Args),
+}
+
+/// Runs the program and says how it ended.
+pub fn main() -> ExitCode {
+    let cli = Cli::parse();
+    let level = ["warn", "info", "debug"][usize::from(cli.verbose).min(2)];
+    let filter = tracing_subscriber::EnvFilter::try_from_default_env()
+        .unwrap_or_else(|_| tracing_subscriber::EnvFilter::new(format!("effigy={level}")));
+    tracing_subscriber::fmt().with_env_filter(filter).with_writer(std::io::stderr).without_time().with_target(false).init();
+    let outcome = match cli.command {
+        None => view::run_default(),
+        Some(Command::View(args)) => view::run(args),
+        Some(Command::Render(args)) => render::run(args),
+        Some(Command::Bench(args)) => bench::run(args),
+        Some(Command::Inspect(args)) => inspect::run(args),
+        Some(Command::Devices(args)) => devices::run(args),
+        Some(Command::Bake(args)) => bake::run(args),
+    };
+    match outcome {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error:#}");
+            ExitCode::FAILURE
+        }
+    }
+}
