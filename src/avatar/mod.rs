@@ -26,7 +26,7 @@ pub mod limits {
     pub const JOINTS: usize = 256;
     pub const EXPRESSION: usize = 64;
     /// Numbers that enter a part's network: pose and expression.
-    pub const MLP_INPUT: usize = 512;
+    pub const MLP_INPUT: usize = 256;
     /// Neurons in a hidden layer.
     pub const MLP_WIDTH: usize = 128;
     /// Layers of a network, the linear output layer among them.

@@ -1,0 +1,13 @@
+// A fragment of a splat (model.md, step 10): premultiplied colour, blended "over" what lies behind.
+#version 450
+layout(location = 0) in vec2 offset;
+layout(location = 1) flat in vec4 color;
+layout(location = 0) out vec4 result;
+
+void main() {
+    float alpha = min(0.99, color.a * exp(-0.5 * dot(offset, offset)));
+    if (!(alpha >= 1.0 / 255.0)) {
+        discard;
+    }
+    result = vec4(color.rgb * alpha, alpha);
+}

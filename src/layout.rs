@@ -1,0 +1,141 @@
+//! Every struct and constant that the GPU reads, once. `shaders/layout.glsl` mirrors the structs; `tests/layout.rs` compares the two
+//! by reflecting the compiled modules; [`MACROS`] hands the constants to the shader compiler, so that no number stands twice.
+//!
+//! Buffers are arrays of 32-bit words, of 16-byte vectors, or of "half quads": four f16 in eight bytes, the same bytes whether a
+//! device reads them as f16 or unpacks words.
+
+use crate::avatar::limits;
+use bytemuck::{Pod, Zeroable};
+
+/// Invocations of a workgroup of `features`: one for each neuron of the paper's layers.
+pub const FEATURES_SIZE: u32 = 64;
+/// Invocations of a workgroup of `nodes`.
+pub const NODES_SIZE: u32 = 64;
+/// Invocations of a workgroup of `splats`.
+pub const SPLATS_SIZE: u32 = 64;
+/// Invocations of a workgroup of the sort: the 128 that every Vulkan device has.
+pub const SORT_SIZE: u32 = 128;
+/// Keys that an invocation of the sort takes.
+pub const SORT_ROUNDS: u32 = 16;
+/// Keys of a workgroup of the sort.
+pub const SORT_TILE: u32 = SORT_SIZE * SORT_ROUNDS;
+/// Values of a sort digit.
+pub const SORT_DIGITS: u32 = 256;
+/// A key that the sort drops: what `splats` writes for a Gaussian that is not drawn.
+pub const SORT_DROPPED: u32 = u32::MAX;
+/// Quads in an instance of the draw. One quad an instance is slow on several drivers (design.md, "Device facts").
+pub const RASTER_QUADS: u32 = 128;
+/// 16-byte vectors of a Gaussian in the model buffer, each in a plane of its own.
+pub const GAUSSIAN_PLANES: u32 = 3;
+/// Bits of a splat's coordinate: a fixed-point number from −guard to guard + size.
+pub const POSITION_BITS: u32 = 20;
+
+/// Vectors for network inputs in [`Frame`].
+pub const INPUT_QUADS: usize = limits::MLP_INPUT / 4;
+
+/// Name and value of the constants that the shaders see as macros.
+pub const MACROS: &[(&str, u32)] = &[
+    ("FEATURES_SIZE", FEATURES_SIZE),
+    ("NODES_SIZE", NODES_SIZE),
+    ("SPLATS_SIZE", SPLATS_SIZE),
+    ("SORT_SIZE", SORT_SIZE),
+    ("SORT_ROUNDS", SORT_ROUNDS),
+    ("SORT_TILE", SORT_TILE),
+    ("SORT_DIGITS", SORT_DIGITS),
+    ("SORT_DROPPED", SORT_DROPPED),
+    ("RASTER_QUADS", RASTER_QUADS),
+    ("GAUSSIAN_PLANES", GAUSSIAN_PLANES),
+    ("POSITION_BITS", POSITION_BITS),
+    ("INPUT_QUADS", INPUT_QUADS as u32),
+    ("MLP_WIDTH", limits::MLP_WIDTH as u32),
+    ("MLP_LAYERS", limits::MLP_LAYERS as u32),
+    ("JOINTS", limits::JOINTS as u32),
+];
+
+/// A layer of the networks, in half quads.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
+pub struct Layer {
+    /// Quads of inputs, the last padded with zeros.
+    pub input_quads: u32,
+    /// Neurons.
+    pub output: u32,
+    /// Where in a part's block the weights start: quad k of neuron o is at `weight + k · output + o`.
+    pub weight: u32,
+    /// Where in a part's block the biases start, four a quad.
+    pub bias: u32,
+}
+
+/// What changes from frame to frame, and the sizes of the model: one uniform block, within the 16 KB that every device has.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct Frame {
+    /// Focal lengths and principal point, px.
+    pub focal: [f32; 2],
+    pub center: [f32; 2],
+    /// Smallest and largest x/z and y/z for the perspective's derivative.
+    pub derivative_min: [f32; 2],
+    pub derivative_max: [f32; 2],
+    /// Width and height, px.
+    pub size: [f32; 2],
+    /// How far outside the picture a centre may lie, px.
+    pub guard: f32,
+    /// Nearest depth drawn, metres.
+    pub near: f32,
+    /// Depth of key 0 (the far end), metres; keys grow towards the camera by `key_scale` a metre up to `key_max`.
+    pub key_far: f32,
+    pub key_scale: f32,
+    pub key_max: u32,
+    /// Steps of a splat's fixed-point coordinate in a pixel.
+    pub fixed_scale: f32,
+    /// Gaussian positions: `position_min + step · 16-bit coordinate`, metres.
+    pub position_min: [f32; 4],
+    pub position_step: [f32; 4],
+    pub gaussians: u32,
+    pub nodes: u32,
+    pub parts: u32,
+    pub head_parts: u32,
+    /// N_B / 4.
+    pub basis_quads: u32,
+    /// Length of e / 4.
+    pub feature_quads: u32,
+    /// Where in e the nodes' features start, in quads.
+    pub node_feature: u32,
+    /// Where in the pose buffer the nodes' displacements start, in vectors; features are before them.
+    pub node_start: u32,
+    /// Where in the row buffer each attribute's rows start, in half quads.
+    pub rotation_start: u32,
+    pub scale_start: u32,
+    pub color_start: u32,
+    /// Factor of negative activations.
+    pub slope: f32,
+    /// Layers of a network.
+    pub layers: u32,
+    /// Half quads of a part's network.
+    pub network_quads: u32,
+    pub unused: [u32; 2],
+    pub layer: [Layer; limits::MLP_LAYERS],
+    /// θ_p ⊕ θ_e as the head parts see it, then as the others do, with zeros for θ_e.
+    pub input: [[[f32; 4]; INPUT_QUADS]; 2],
+    /// Rows of view · G_j, canonical space to camera, three a joint.
+    pub joint: [[[f32; 4]; 3]; limits::JOINTS],
+}
+
+const _: () = assert!(size_of::<Frame>() <= 16384, "a uniform block is at most 16 KB on the smallest devices");
+
+/// Counts that the sort writes and the draw reads. The first five words are a VkDrawIndexedIndirectCommand.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
+pub struct Control {
+    pub index_count: u32,
+    /// `survivors` in groups of [`RASTER_QUADS`], rounded up.
+    pub instance_count: u32,
+    pub first_index: u32,
+    pub vertex_offset: i32,
+    pub first_instance: u32,
+    /// Keys that enter the sort.
+    pub entering: u32,
+    /// Keys that leave it: those that were not [`SORT_DROPPED`].
+    pub survivors: u32,
+    pub unused: u32,
+}

@@ -1,0 +1,81 @@
+//! The compiled shader modules, which live in `shaders/spv` so that a build needs no shader compiler.
+//!
+//! `cargo run --features shaderc --bin compile-shaders` compiles them again after a change; [`fingerprint`] is how a test notices
+//! that someone forgot to.
+
+use crate::layout;
+use std::{fs, io, path::Path};
+
+/// A shader and what it compiles to.
+pub struct Module {
+    /// File in `shaders`.
+    pub file: &'static str,
+    /// SPIR-V that reads packed words.
+    spirv: &'static [u8],
+    /// SPIR-V that reads f16 from storage buffers, for shaders that hold half quads.
+    half: Option<&'static [u8]>,
+}
+
+impl Module {
+    /// SPIR-V for a device, with f16 storage buffers or without.
+    pub fn spirv(&self, half_storage: bool) -> &'static [u8] {
+        self.half.filter(|_| half_storage).unwrap_or(self.spirv)
+    }
+
+    pub fn has_half(&self) -> bool {
+        self.half.is_some()
+    }
+
+    /// Name of the compiled file in `shaders/spv`.
+    pub fn compiled(&self, half: bool) -> String {
+        format!("{}{}.spv", self.file, if half { ".half" } else { "" })
+    }
+}
+
+pub static FEATURES: Module = Module {
+    file: "features.comp",
+    spirv: include_bytes!("../../shaders/spv/features.comp.spv"),
+    half: Some(include_bytes!("../../shaders/spv/features.comp.half.spv")),
+};
+pub static NODES: Module = Module {
+    file: "nodes.comp",
+    spirv: include_bytes!("../../shaders/spv/nodes.comp.spv"),
+    half: Some(include_bytes!("../../shaders/spv/nodes.comp.half.spv")),
+};
+pub static SPLATS: Module = Module {
+    file: "splats.comp",
+    spirv: include_bytes!("../../shaders/spv/splats.comp.spv"),
+    half: Some(include_bytes!("../../shaders/spv/splats.comp.half.spv")),
+};
+pub static SORT_COUNT: Module = Module { file: "sort_count.comp", spirv: include_bytes!("../../shaders/spv/sort_count.comp.spv"), half: None };
+pub static SORT_SCAN: Module = Module { file: "sort_scan.comp", spirv: include_bytes!("../../shaders/spv/sort_scan.comp.spv"), half: None };
+pub static SORT_SCATTER: Module = Module { file: "sort_scatter.comp", spirv: include_bytes!("../../shaders/spv/sort_scatter.comp.spv"), half: None };
+pub static RASTER_VERTEX: Module = Module { file: "raster.vert", spirv: include_bytes!("../../shaders/spv/raster.vert.spv"), half: None };
+pub static RASTER_FRAGMENT: Module = Module { file: "raster.frag", spirv: include_bytes!("../../shaders/spv/raster.frag.spv"), half: None };
+
+/// Every module, for the compiler and the tests.
+pub static MODULES: &[&Module] =
+    &[&FEATURES, &NODES, &SPLATS, &SORT_COUNT, &SORT_SCAN, &SORT_SCATTER, &RASTER_VERTEX, &RASTER_FRAGMENT];
+
+/// File in `shaders/spv` with a line `name fingerprint` for each module.
+pub const FINGERPRINTS: &str = "fingerprints.txt";
+
+/// A number that changes with the text of a shader, of any file it includes, and with the constants it is compiled with (FNV-1a).
+pub fn fingerprint(shaders: &Path, file: &str) -> io::Result<u64> {
+    let mut hash = 0xcbf2_9ce4_8422_2325_u64;
+    let mut add = |text: &str| text.bytes().for_each(|byte| hash = (hash ^ u64::from(byte)).wrapping_mul(0x100_0000_01b3));
+    layout::MACROS.iter().for_each(|(name, value)| add(&format!("{name}={value};")));
+    let mut queue = vec![file.to_string()];
+    let mut seen = 0;
+    while let Some(name) = queue.get(seen).cloned() {
+        seen += 1;
+        let text = fs::read_to_string(shaders.join(&name))?;
+        add(&text);
+        for included in text.lines().filter_map(|line| line.trim().strip_prefix("#include \"")?.strip_suffix('"')) {
+            if !queue.iter().any(|known| known == included) {
+                queue.push(included.to_string());
+            }
+        }
+    }
+    Ok(hash)
+}
