@@ -23,3 +23,5 @@
 pub mod avatar;
 pub mod cli;
 pub mod frame;
+pub mod measure;
+pub mod reference;
