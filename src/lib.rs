@@ -24,4 +24,6 @@ pub mod avatar;
 pub mod cli;
 pub mod frame;
 pub mod layout;
+pub mod measure;
+pub mod reference;
 pub mod vulkan;

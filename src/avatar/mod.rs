@@ -39,6 +39,8 @@ pub mod limits {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Avatar {
     pub name: String,
+    /// Where it comes from and on what terms it may be used; free text, may be empty.
+    pub credit: String,
     pub skeleton: Skeleton,
     pub gaussians: Gaussians,
     pub parts: Parts,
