@@ -5,6 +5,7 @@
 #![allow(dead_code)]
 
 mod body;
+pub mod gpu;
 
 use effigy::avatar::*;
 use glam::{DQuat, DVec3};
