@@ -133,7 +133,8 @@ impl Parts {
 }
 
 /// What follows every layer of a network but the last.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Activation {
     /// max(0, x)
     Relu,
