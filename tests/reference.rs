@@ -31,6 +31,7 @@ fn avatar(dots: &[Dot]) -> Avatar {
     let bounds = Bounds { min: [-1.0; 3], max: [1.0 - 1.0 / 32768.0; 3] };
     Avatar {
         name: "by hand".into(),
+        credit: String::new(),
         skeleton: Skeleton { name: vec!["root".into()], parent: vec![None], rest: vec![[0.0; 3]], canonical: vec![[0.0; 3]] },
         gaussians: Gaussians {
             bounds,

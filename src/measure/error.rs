@@ -88,3 +88,70 @@ impl Sum {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// 10 by 10, the upper half covered with a grey.
+    fn half_covered() -> Picture {
+        let mut picture = Picture::empty([10, 10]);
+        picture.pixels[..50].fill([0.25, 0.25, 0.25, 1.0]);
+        picture
+    }
+
+    fn near(got: f64, expected: f64) {
+        assert!((got - expected).abs() < 1e-5, "got {got}, expected {expected}, tolerance 1e-5");
+    }
+
+    #[test]
+    fn equal_pictures_have_no_error_and_json_says_null() {
+        let error = between(&half_covered(), &half_covered());
+        let none = Region { pixels: 50, psnr_db: f64::INFINITY, max_error: 0.0, within_tolerance: 1.0 };
+        assert_eq!(error, Error { covered: none, whole: Region { pixels: 100, ..none } });
+        assert!(serde_json::to_string(&error).expect("plain numbers").contains(r#""psnr_db":null"#));
+    }
+
+    #[test]
+    fn an_error_of_a_tenth_in_every_covered_pixel_is_20_db_there_and_23_over_the_whole_picture() {
+        let mut picture = half_covered();
+        picture.pixels[..50].fill([0.35, 0.15, 0.35, 1.0]);
+        let Error { covered, whole } = between(&picture, &half_covered());
+        near(covered.psnr_db, 20.0);
+        near(whole.psnr_db, 20.0 + 10.0 * 2f64.log10());
+        near(covered.max_error, 0.1);
+        assert_eq!([covered.within_tolerance, whole.within_tolerance], [0.0, 0.5]);
+    }
+
+    #[test]
+    fn one_channel_out_of_three_counts_a_third_and_spoils_its_pixel() {
+        let mut picture = half_covered();
+        picture.pixels[7] = [0.25 + 5.0 / 255.0, 0.25, 0.25, 1.0];
+        picture.pixels[8] = [0.25 + 3.0 / 255.0, 0.25, 0.25, 1.0];
+        let covered = between(&picture, &half_covered()).covered;
+        near(covered.psnr_db, -10.0 * ((25.0 + 9.0) / 255f64.powi(2) / 150.0).log10());
+        near(covered.within_tolerance, 0.98);
+    }
+
+    #[test]
+    fn coverage_without_colour_is_an_error() {
+        let mut picture = half_covered();
+        picture.pixels[99] = [0.0, 0.0, 0.0, 1.0];
+        let Error { covered, whole } = between(&picture, &half_covered());
+        assert_eq!(covered.max_error, 0.0);
+        near(whole.max_error, 0.5);
+    }
+
+    #[test]
+    fn nan_and_infinity_are_as_wrong_as_can_be_and_what_a_display_clips_is_not_wrong() {
+        let mut white = half_covered();
+        white.pixels.fill([1.0; 4]);
+        let first = |pixel| {
+            let mut picture = white.clone();
+            picture.pixels[0] = pixel;
+            between(&picture, &white).whole.max_error
+        };
+        assert_eq!([first([f32::NAN, 1.0, 1.0, 1.0]), first([1.0, 1.0, 1.0, f32::NAN]), first([f32::NEG_INFINITY; 4])], [1.0; 3]);
+        assert_eq!(first([1.5, 1.0, 1.0, 1.0]), 0.0);
+    }
+}
