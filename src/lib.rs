@@ -22,6 +22,7 @@
 
 pub mod avatar;
 pub mod cli;
+pub mod demo;
 pub mod frame;
 pub mod layout;
 pub mod measure;
