@@ -193,7 +193,7 @@ fn every_tensor_must_be_there_with_its_type_and_shape() {
         };
         let retyped = refuse(&|edit| edit.header[name]["dtype"] = json!(other));
         assert_eq!(retyped, format!("in tensor `{name}` found {other}, expected {dtype}"));
-        let reshaped = refuse(&|edit| edit.header[name]["shape"] = json!([shape, &vec![1]].concat()));
+        let reshaped = refuse(&|edit| edit.header[name]["shape"] = json!([&shape[..], &[1]].concat()));
         assert_eq!(reshaped, format!("in tensor `{name}` found shape {:?}, expected {shape:?}", [&shape[..], &[1]].concat()));
         if dtype.starts_with('F') {
             for (name, not_finite) in [(name, f32::NAN), (name, f32::NEG_INFINITY)] {
@@ -390,7 +390,7 @@ proptest! {
     #[test]
     fn flipped_bytes_do_no_harm(flips in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 1..20), motion: bool, head: bool) {
         let mut bytes = if motion { clip_bytes() } else { tiny_bytes() };
-        let end = if head { 2000 } else { bytes.len() };
+        let end = if head { 1000 } else { bytes.len() };
         flips.iter().for_each(|(at, value)| bytes[at.index(end)] = *value);
         survives(&bytes);
     }

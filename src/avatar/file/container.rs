@@ -1,7 +1,7 @@
 //! The safetensors container: bytes go in, a checked document and its tensors come out, and the way back.
 
 use super::format::{Document, METADATA_KEY, VERSION};
-use super::{Fault, TensorInfo};
+use super::{Fault, TensorInfo, clip};
 use safetensors::tensor::{Metadata, TensorView};
 use std::collections::HashMap;
 
@@ -97,12 +97,6 @@ fn coordinates(mut at: usize, shape: &[usize]) -> Vec<usize> {
     let mut along: Vec<usize> = shape.iter().rev().map(|&n| (at % n.max(1), at /= n.max(1)).0).collect();
     along.reverse();
     along
-}
-
-/// The beginning of a text from a file, on one line.
-fn clip(text: &str) -> String {
-    let line: String = text.chars().take(160).map(|c| if c.is_control() { ' ' } else { c }).collect();
-    if line.len() < text.len() { line + "…" } else { line }
 }
 
 /// The model in a file's bytes.

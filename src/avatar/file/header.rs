@@ -1,9 +1,9 @@
 //! The documents in the files' headers: taken from a model, checked, and made into a model with the tensors.
 
-use super::Fault;
 use super::check::LENGTH_MAX;
 use super::container::Container;
 use super::format::{AVATAR, AVATAR_FORMAT, AvatarHeader, ClipHeader, Document, MOTION, MOTION_FORMAT, Tensor, VERSION};
+use super::{Fault, clip};
 use crate::avatar::{Avatar, Bounds, Clip, Gaussians, Inputs, Layer, Networks, Nodes, Parts, Rows, Skeleton, Subspace, limits};
 use std::collections::HashSet;
 use std::fmt::Display;
@@ -31,7 +31,7 @@ fn ensure(good: bool, field: &str, found: impl Display, expected: impl Display) 
 
 /// A fixed word of the format.
 fn word(field: &str, found: &str, expected: &str) -> Result<(), Fault> {
-    ensure(found == expected, field, format_args!("{found:.40?}"), format_args!("{expected:?}"))
+    ensure(found == expected, field, format_args!("{:?}", clip(found)), format_args!("{expected:?}"))
 }
 
 /// There is a joint, there are not too many, and no two have one name.
@@ -39,7 +39,7 @@ fn joints(names: &[String]) -> Result<(), Fault> {
     count("joints", names.len(), 1..=limits::JOINTS)?;
     let mut seen = HashSet::new();
     match names.iter().find(|name| !seen.insert(name.as_str())) {
-        Some(name) => Err(Fault::metadata("joints", format_args!("{name:.40?} twice"), "names that differ")),
+        Some(name) => Err(Fault::metadata("joints", format_args!("{:?} twice", clip(name)), "names that differ")),
         None => Ok(()),
     }
 }

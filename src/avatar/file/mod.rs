@@ -44,6 +44,12 @@ impl Fault {
     }
 }
 
+/// The beginning of a text from a file, on one line.
+fn clip(text: &str) -> String {
+    let line: String = text.chars().take(100).map(|c| if c.is_control() { ' ' } else { c }).collect();
+    if line.len() < text.len() { line + "…" } else { line }
+}
+
 /// A tensor as a file stores it.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
 pub struct TensorInfo {
