@@ -56,7 +56,7 @@ impl AvatarHeader {
         count("head_parts", self.head_parts, 0..=self.parts)?;
         count("nodes", self.nodes, 1..=limits::NODES)?;
         count("basis", self.basis, 4..=limits::BASIS)?;
-        ensure(self.basis % 4 == 0, "basis", self.basis, "a multiple of 4")?;
+        ensure(self.basis.is_multiple_of(4), "basis", self.basis, "a multiple of 4")?;
         count("rotation_rows", self.rotation_rows, 0..=self.gaussians)?;
         count("scale_rows", self.scale_rows, 0..=self.gaussians)?;
         count("color_rows", self.color_rows, 0..=self.gaussians)?;
@@ -94,7 +94,7 @@ impl AvatarHeader {
         ensure(input == inputs, "widths", format_args!("{input} inputs"), expected)?;
         for &hidden in &self.widths[1..self.widths.len() - 1] {
             count("widths", hidden, 4..=limits::MLP_WIDTH)?;
-            ensure(hidden % 4 == 0, "widths", hidden, "multiples of 4 in the hidden layers")?;
+            ensure(hidden.is_multiple_of(4), "widths", hidden, "multiples of 4 in the hidden layers")?;
         }
         let good = output == self.basis || output == 2 * self.basis;
         ensure(good, "widths", format_args!("{output} outputs"), format_args!("{0} or twice {0}, as `basis` says", self.basis))?;
