@@ -22,7 +22,7 @@ pub struct Args {
 pub fn run(args: Args) -> anyhow::Result<()> {
     let content = match args.file {
         Some(file) => Content::read(&file)?,
-        None => Content::Avatar(Box::new(super::source::demo_avatar()?)),
+        None => Content::Avatar(Box::new(crate::demo::avatar()?)),
     };
     match content {
         Content::Avatar(avatar) => print(&avatar::Summary::new(&avatar), args.json),
