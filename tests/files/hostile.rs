@@ -57,7 +57,7 @@ fn hostile_headers_are_refused_in_little_memory() {
 fn a_header_too_long_is_refused_before_it_is_parsed() {
     let file = edit::raw(&[b'['; 300_000], &[]);
     let (sentence, peak) = memory::peak(|| avatar_fault(&file));
-    assert_eq!(sentence, "found a header of 300000 bytes, expected a safetensors file with at most 262144");
+    assert_eq!(sentence, "found a header of 300000 bytes, expected at most 262144; this is no avatar or motion file");
     assert!(peak < 10_000, "{peak} bytes of memory");
 }
 
