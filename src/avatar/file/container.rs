@@ -23,7 +23,10 @@ impl<'a> Container<'a> {
             bytes.split_first_chunk::<8>().ok_or_else(|| Fault::container(format!("a file of {} bytes", bytes.len()), "at least 8"))?;
         let length = usize::try_from(u64::from_le_bytes(*length)).unwrap_or(usize::MAX);
         if length > HEADER_MAX {
-            return Err(Fault::container(format!("a header of {length} bytes"), format!("a safetensors file with at most {HEADER_MAX}")));
+            return Err(Fault::container(
+                format!("a header of {length} bytes"),
+                format!("at most {HEADER_MAX}; this is no avatar or motion file"),
+            ));
         }
         let (header, data) = rest.split_at_checked(length).ok_or_else(|| {
             Fault::container(format!("a header cut off after {} bytes", rest.len()), format!("{length}; the file is incomplete"))

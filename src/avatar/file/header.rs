@@ -1,6 +1,5 @@
 //! The documents in the files' headers: taken from a model, checked, and made into a model with the tensors.
 
-use super::check::LENGTH_MAX;
 use super::container::Container;
 use super::format::{AVATAR, AVATAR_FORMAT, AvatarHeader, ClipHeader, Document, MOTION, MOTION_FORMAT, Tensor, VERSION};
 use super::{Fault, clip};
@@ -36,7 +35,8 @@ fn word(field: &str, found: &str, expected: &str) -> Result<(), Fault> {
 
 /// There is a joint, there are not too many, and no two have one name.
 fn joints(names: &[String]) -> Result<(), Fault> {
-    count("joints", names.len(), 1..=limits::JOINTS)?;
+    let good = (1..=limits::JOINTS).contains(&names.len());
+    ensure(good, "joints", format_args!("{} names", names.len()), format_args!("1 to {}", limits::JOINTS))?;
     let mut seen = HashSet::new();
     match names.iter().find(|name| !seen.insert(name.as_str())) {
         Some(name) => Err(Fault::metadata("joints", format_args!("{:?} twice", clip(name)), "names that differ")),
@@ -61,8 +61,8 @@ impl AvatarHeader {
         count("scale_rows", self.scale_rows, 0..=self.gaussians)?;
         count("color_rows", self.color_rows, 0..=self.gaussians)?;
         let [min, max] = self.bounds;
-        let good = (0..3).all(|k| min[k] <= max[k] && f64::from(min[k]) >= -LENGTH_MAX && f64::from(max[k]) <= LENGTH_MAX);
-        let expected = format!("a lower and an upper corner within ±{LENGTH_MAX} metres");
+        let good = (0..3).all(|k| min[k] <= max[k] && f64::from(min[k]) >= -limits::LENGTH && f64::from(max[k]) <= limits::LENGTH);
+        let expected = format!("a lower and an upper corner within ±{} metres", limits::LENGTH);
         ensure(good, "bounds", format_args!("{min:?} to {max:?}"), expected)
     }
 
@@ -86,7 +86,9 @@ impl AvatarHeader {
 
     fn check_networks(&self) -> Result<(), Fault> {
         count("expression", self.expression, 0..=limits::EXPRESSION)?;
-        count("widths", self.widths.len(), 2..=limits::MLP_LAYERS + 1)?;
+        let layers = self.widths.len().saturating_sub(1);
+        let expected = format!("1 to {}: one width more than layers", limits::MLP_LAYERS);
+        ensure((1..=limits::MLP_LAYERS).contains(&layers), "widths", format_args!("{layers} layers"), expected)?;
         let (input, output) = (self.widths[0], self.widths[self.widths.len() - 1]);
         count("widths", input, 1..=limits::MLP_INPUT)?;
         let inputs = self.pose_len() + self.expression;
