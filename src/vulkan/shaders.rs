@@ -47,15 +47,16 @@ pub static SPLATS: Module = Module {
     spirv: include_bytes!("../../shaders/spv/splats.comp.spv"),
     half: Some(include_bytes!("../../shaders/spv/splats.comp.half.spv")),
 };
-pub static SORT_COUNT: Module = Module { file: "sort_count.comp", spirv: include_bytes!("../../shaders/spv/sort_count.comp.spv"), half: None };
+pub static SORT_COUNT: Module =
+    Module { file: "sort_count.comp", spirv: include_bytes!("../../shaders/spv/sort_count.comp.spv"), half: None };
 pub static SORT_SCAN: Module = Module { file: "sort_scan.comp", spirv: include_bytes!("../../shaders/spv/sort_scan.comp.spv"), half: None };
-pub static SORT_SCATTER: Module = Module { file: "sort_scatter.comp", spirv: include_bytes!("../../shaders/spv/sort_scatter.comp.spv"), half: None };
+pub static SORT_SCATTER: Module =
+    Module { file: "sort_scatter.comp", spirv: include_bytes!("../../shaders/spv/sort_scatter.comp.spv"), half: None };
 pub static RASTER_VERTEX: Module = Module { file: "raster.vert", spirv: include_bytes!("../../shaders/spv/raster.vert.spv"), half: None };
 pub static RASTER_FRAGMENT: Module = Module { file: "raster.frag", spirv: include_bytes!("../../shaders/spv/raster.frag.spv"), half: None };
 
 /// Every module, for the compiler and the tests.
-pub static MODULES: &[&Module] =
-    &[&FEATURES, &NODES, &SPLATS, &SORT_COUNT, &SORT_SCAN, &SORT_SCATTER, &RASTER_VERTEX, &RASTER_FRAGMENT];
+pub static MODULES: &[&Module] = &[&FEATURES, &NODES, &SPLATS, &SORT_COUNT, &SORT_SCAN, &SORT_SCATTER, &RASTER_VERTEX, &RASTER_FRAGMENT];
 
 /// File in `shaders/spv` with a line `name fingerprint` for each module.
 pub const FINGERPRINTS: &str = "fingerprints.txt";
