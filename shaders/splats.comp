@@ -12,7 +12,7 @@ layout(local_size_x = SPLATS_SIZE) in;
 layout(std430, set = 0, binding = 1) readonly buffer Gaussians { uvec4 gaussians[]; };
 layout(std430, set = 0, binding = 2) readonly buffer Rows { HALF_QUAD rows[]; };
 layout(std430, set = 0, binding = 3) readonly buffer PoseBuffer { vec4 posed[]; };
-// Four words a Gaussian, then a key a Gaussian.
+// Four words a Gaussian, then, from the next multiple of 64 words on, a key a Gaussian.
 layout(std430, set = 0, binding = 4) writeonly buffer Splats { uint words[]; };
 
 float row_dot(uint row, uint feature) {
@@ -99,7 +99,7 @@ void main() {
     if (i >= frame.gaussians) {
         return;
     }
-    uint key_at = 4u * frame.gaussians + i;
+    uint key_at = (4u * frame.gaussians + 63u & ~63u) + i;
     words[key_at] = SORT_DROPPED;
     Gaussian g = load(i);
     if (g.opacity < 2u) {

@@ -26,4 +26,6 @@ pub mod avatar;
 pub mod cli;
 pub mod frame;
 pub mod layout;
+pub mod measure;
+pub mod reference;
 pub mod vulkan;

@@ -39,6 +39,8 @@ pub mod limits {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Avatar {
     pub name: String,
+    /// Where it comes from and on what terms it may be used; free text, may be empty.
+    pub credit: String,
     pub skeleton: Skeleton,
     pub gaussians: Gaussians,
     pub parts: Parts,
@@ -131,7 +133,8 @@ impl Parts {
 }
 
 /// What follows every layer of a network but the last.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Activation {
     /// max(0, x)
     Relu,

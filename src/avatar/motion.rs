@@ -7,6 +7,8 @@ use glam::{DQuat, DVec3};
 #[derive(Clone, Debug, PartialEq)]
 pub struct Clip {
     pub name: String,
+    /// Where it comes from and on what terms it may be used; free text, may be empty.
+    pub credit: String,
     /// Frames a second, above 0.
     pub rate: f64,
     /// The joints that `rotation` is of.

@@ -1,6 +1,67 @@
-#[derive(clap::Args)]
-pub struct Args {}
+//! `effigy devices`: what each GPU has, lacks and would use.
 
-pub fn run(_args: Args) -> anyhow::Result<()> {
-    anyhow::bail!("not built yet")
+use crate::vulkan::{Probe, instance::Instance, probe::version};
+use anyhow::Context;
+use serde_json::json;
+
+#[derive(clap::Args)]
+pub struct Args {
+    /// Print JSON
+    #[arg(long)]
+    json: bool,
+}
+
+pub fn run(args: Args) -> anyhow::Result<()> {
+    let instance = Instance::new(false, &[])?;
+    let probes = Probe::all(&instance)?;
+    if args.json {
+        let devices: Vec<_> = probes.iter().map(describe).collect();
+        println!("{}", serde_json::to_string_pretty(&devices)?);
+        return Ok(());
+    }
+    probes.first().context("no Vulkan device on this machine: install your GPU's driver, or the CPU driver mesa-vulkan-drivers")?;
+    for (number, probe) in probes.iter().enumerate() {
+        print(number, probe);
+    }
+    Ok(())
+}
+
+fn print(number: usize, probe: &Probe) {
+    let limits = &probe.limits;
+    println!("{number}: {}", probe.name);
+    println!("   driver           {}", probe.driver);
+    println!("   Vulkan           {}", version(probe.api_version));
+    println!("   memory           {} MiB", probe.device_memory >> 20);
+    println!("   largest buffer   {} MiB to a shader", limits.max_storage_buffer_range >> 20);
+    println!("   largest picture  {} px a side", limits.max_framebuffer_width.min(limits.max_image_dimension2_d));
+    println!(
+        "   workgroups       {} invocations, {} KiB shared",
+        limits.max_compute_work_group_invocations,
+        limits.max_compute_shared_memory_size >> 10
+    );
+    for (what, has, use_) in probe.optional() {
+        println!("   {what:16} {} → {use_}", if has { "yes" } else { "no " });
+    }
+    match probe.lacks().as_slice() {
+        [] => println!("   can serve\n"),
+        lacks => println!("   can't serve: {}\n", lacks.join("; ")),
+    }
+}
+
+fn describe(probe: &Probe) -> serde_json::Value {
+    let optional: serde_json::Map<_, _> =
+        probe.optional().into_iter().map(|(what, has, use_)| (what.into(), json!({ "has": has, "use": use_ }))).collect();
+    json!({
+        "name": probe.name,
+        "driver": probe.driver,
+        "vulkan": version(probe.api_version),
+        "device_memory_bytes": probe.device_memory,
+        "max_storage_buffer_range": probe.limits.max_storage_buffer_range,
+        "max_picture_side": probe.limits.max_framebuffer_width.min(probe.limits.max_image_dimension2_d),
+        "max_workgroup_invocations": probe.limits.max_compute_work_group_invocations,
+        "max_shared_memory_bytes": probe.limits.max_compute_shared_memory_size,
+        "subgroup_size": probe.subgroup_size,
+        "optional": optional,
+        "lacks": probe.lacks(),
+    })
 }

@@ -4,6 +4,7 @@ mod bake;
 mod bench;
 mod devices;
 mod inspect;
+mod options;
 mod render;
 pub mod source;
 mod view;

@@ -1,6 +1,187 @@
-#[derive(clap::Args)]
-pub struct Args {}
+//! `effigy render`: pictures to PNG files, by the GPU or by the reference.
 
-pub fn run(_args: Args) -> anyhow::Result<()> {
-    anyhow::bail!("not built yet")
+use super::{
+    options::{self, Quality, View},
+    source::Source,
+};
+use crate::{
+    avatar::{Avatar, motion::Player},
+    frame::{Camera, Extent, Picture, Posed},
+    measure::upright,
+    reference,
+    vulkan::{Gpu, Renderer},
+};
+use anyhow::{Context, ensure};
+use indicatif::{ProgressBar, ProgressStyle};
+use std::{
+    fs,
+    path::{Path, PathBuf},
+};
+
+#[derive(clap::Args)]
+pub struct Args {
+    #[command(flatten)]
+    source: Source,
+    /// File to write; with --frames the frame's number goes before the ending
+    #[arg(short, long, default_value = "effigy.png")]
+    out: PathBuf,
+    /// Width and height, px
+    #[arg(long, value_parser = options::size, default_value = "1024x1024")]
+    size: [u32; 2],
+    /// Seconds into the clip
+    #[arg(long, default_value_t = 0.0, conflicts_with = "frames")]
+    time: f64,
+    /// Clip frames to render, the second not included: 0..30
+    #[arg(long, value_name = "A..B", value_parser = frames)]
+    frames: Option<std::ops::Range<usize>>,
+    #[command(flatten)]
+    view: View,
+    /// Colour behind the avatar, or `none` for a transparent picture
+    #[arg(long, default_value = options::BACKGROUND, value_parser = background)]
+    background: Background,
+    /// Draw with the f64 reference on the CPU instead of the GPU
+    #[arg(long)]
+    reference: bool,
+    #[command(flatten)]
+    quality: Quality,
+}
+
+/// What pictures are written over.
+#[derive(Clone, Copy, Debug)]
+enum Background {
+    None,
+    Color([f32; 3]),
+}
+
+fn background(text: &str) -> Result<Background, String> {
+    if text == "none" { Ok(Background::None) } else { options::color(text).map(Background::Color) }
+}
+
+fn frames(text: &str) -> Result<std::ops::Range<usize>, String> {
+    let range = text.split_once("..").and_then(|(start, end)| Some(start.parse().ok()?..end.parse().ok()?));
+    range
+        .filter(|range| !range.is_empty())
+        .ok_or_else(|| format!("`{text}` is no range of frames: write first..last+1, for instance 0..30"))
+}
+
+/// Either of the two that can draw.
+enum Painter<'a> {
+    Gpu(Box<Renderer>),
+    Reference(&'a Avatar),
+}
+
+impl Painter<'_> {
+    fn paint(&mut self, posed: &Posed, camera: &Camera) -> anyhow::Result<Picture> {
+        match self {
+            Self::Reference(avatar) => Ok(reference::render(avatar, posed, camera)),
+            Self::Gpu(renderer) => {
+                renderer.draw(posed, camera, None)?;
+                Ok(renderer.picture()?)
+            }
+        }
+    }
+}
+
+pub fn run(args: Args) -> anyhow::Result<()> {
+    let (avatar, clips) = args.source.load()?;
+    let player = Player::new(clips.into_iter().next().context("there is no clip")?, &avatar.skeleton);
+    let mut painter = if args.reference {
+        Painter::Reference(&avatar)
+    } else {
+        let gpu = Gpu::new(&args.quality.gpu())?;
+        println!("drawing with {}", gpu.probe.name);
+        Painter::Gpu(Box::new(Renderer::new(&gpu, &avatar, args.quality.renderer(args.size))?))
+    };
+    let extent = Extent::new(&avatar);
+    let mut paint = |seconds: f64, out: &Path| -> anyhow::Result<()> {
+        let posed = Posed::new(&avatar, &player.pose(seconds));
+        let camera = args.view.camera(upright(extent.bounds(&posed.joints)), args.size)?;
+        write(&painter.paint(&posed, &camera)?, args.background, out)
+    };
+    let Some(frames) = args.frames else {
+        paint(args.time, &args.out)?;
+        println!("wrote {}", args.out.display());
+        return Ok(());
+    };
+    let clip = player.clip();
+    ensure!(
+        frames.end <= clip.frames(),
+        "frames {}..{} were asked for; the clip `{}` has {}",
+        frames.start,
+        frames.end,
+        clip.name,
+        clip.frames()
+    );
+    let bar = progress(frames.len() as u64, "frames");
+    for frame in frames.clone() {
+        paint(frame as f64 / clip.rate, &numbered(&args.out, frame))?;
+        bar.inc(1);
+    }
+    bar.finish_and_clear();
+    println!("wrote {} to {}", numbered(&args.out, frames.start).display(), numbered(&args.out, frames.end - 1).display());
+    Ok(())
+}
+
+/// Renders a turn of the avatar around itself while it moves, for a machine without a display. Says where the pictures are.
+pub fn turntable(source: &Source, folder: &Path) -> anyhow::Result<()> {
+    const PICTURES: usize = 24;
+    let size = [720, 960];
+    let (avatar, clips) = source.load()?;
+    let player = Player::new(clips.into_iter().next().context("there is no clip")?, &avatar.skeleton);
+    let gpu = Gpu::new(&crate::vulkan::GpuOptions::headless(None))?;
+    println!("no display: drawing a turntable with {}", gpu.probe.name);
+    let color = Default::default();
+    let mut renderer =
+        Renderer::new(&gpu, &avatar, crate::vulkan::RendererOptions { size, color, key_bits: Default::default(), skip: true })?;
+    fs::create_dir_all(folder).with_context(|| format!("{} can't be made", folder.display()))?;
+    let background = Background::Color(options::color(options::BACKGROUND).map_err(anyhow::Error::msg)?);
+    let extent = Extent::new(&avatar);
+    let bar = progress(PICTURES as u64, "pictures");
+    for at in 0..PICTURES {
+        let turn = at as f64 / PICTURES as f64;
+        let posed = Posed::new(&avatar, &player.pose(turn * player.clip().duration().min(6.0)));
+        let bounds = upright(extent.bounds(&posed.joints));
+        let fov = 35f64.to_radians();
+        let distance = Camera::framing_distance(bounds, fov, size);
+        let camera = Camera::orbit((bounds[0] + bounds[1]) / 2.0, turn * std::f64::consts::TAU, 0.09, distance, fov, size);
+        renderer.draw(&posed, &camera, None)?;
+        write(&renderer.picture()?, background, &folder.join(format!("{at:02}.png")))?;
+        bar.inc(1);
+    }
+    bar.finish_and_clear();
+    println!("wrote {PICTURES} pictures to {}", folder.display());
+    Ok(())
+}
+
+fn write(picture: &Picture, background: Background, out: &Path) -> anyhow::Result<()> {
+    let image = match background {
+        Background::None => picture.transparent(),
+        Background::Color(color) => picture.over(color),
+    };
+    image.save_with_format(out, image::ImageFormat::Png).with_context(|| format!("{} can't be written", out.display()))
+}
+
+/// `walk.png` and 7 give `walk-0007.png`.
+fn numbered(out: &Path, frame: usize) -> PathBuf {
+    let stem = out.file_stem().unwrap_or_default().to_string_lossy();
+    let ending = out.extension().map_or("png".into(), |ending| ending.to_string_lossy());
+    out.with_file_name(format!("{stem}-{frame:04}.{ending}"))
+}
+
+/// A bar that shows how far a long job is.
+pub fn progress(length: u64, unit: &str) -> ProgressBar {
+    let style = ProgressStyle::with_template(&format!("{{bar:40}} {{pos}}/{{len}} {unit}, {{eta}} left {{msg}}"));
+    ProgressBar::new(length).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn frames_are_numbered_before_the_ending() {
+        assert_eq!(numbered(Path::new("out/walk.png"), 7), Path::new("out/walk-0007.png"));
+        assert_eq!(frames("3..5"), Ok(3..5));
+        assert!(frames("5..5").is_err() && frames("x").is_err());
+    }
 }

@@ -43,6 +43,15 @@ impl Camera {
         Self::look_at(target + distance * direction, target, fov, size)
     }
 
+    /// How far from the middle of a box to orbit so that all of it is in the picture, whatever the yaw, with a little room.
+    pub fn framing_distance([min, max]: [DVec3; 2], fov: f64, size: [u32; 2]) -> f64 {
+        let half = (max - min) / 2.0;
+        let around = half.x.hypot(half.z);
+        let slope = (0.5 * fov).tan();
+        let aspect = f64::from(size[0]) / f64::from(size[1]);
+        1.05 * (half.y / slope).max(around / (slope * aspect)) + around
+    }
+
     /// Where the camera is in the world.
     pub fn eye(&self) -> DVec3 {
         self.view.inverse().translation
@@ -79,5 +88,22 @@ mod tests {
         let left_and_up = camera.project(camera.view.transform_point3(DVec3::new(0.1, 1.1, 0.0)));
         assert!(left_and_up.x > 320.0 && left_and_up.y < 240.0, "{left_and_up}");
         assert!(camera.eye().distance(DVec3::new(0.0, 1.0, 3.0)) < 1e-12);
+    }
+
+    #[test]
+    fn a_framed_box_is_inside_the_picture_from_every_side() {
+        let bounds = [DVec3::new(-0.8, 0.0, -0.2), DVec3::new(0.9, 1.8, 0.3)];
+        for size in [[640, 480], [300, 1000], [1000, 300]] {
+            for yaw in 0..12 {
+                let distance = Camera::framing_distance(bounds, 0.6, size);
+                let camera = Camera::orbit((bounds[0] + bounds[1]) / 2.0, f64::from(yaw), 0.0, distance, 0.6, size);
+                for corner in 0..8 {
+                    let corner = DVec3::new(bounds[corner & 1].x, bounds[corner >> 1 & 1].y, bounds[corner >> 2].z);
+                    let at = camera.project(camera.view.transform_point3(corner));
+                    let inside = at.cmpge(DVec2::ZERO).all() && at.x <= f64::from(size[0]) && at.y <= f64::from(size[1]);
+                    assert!(inside, "{corner} lands at {at}, outside {size:?}");
+                }
+            }
+        }
     }
 }

@@ -3,12 +3,14 @@
 pub mod camera;
 pub mod extent;
 pub mod picture;
+pub mod plan;
 
 use crate::avatar::{Avatar, Pose};
 pub use camera::Camera;
 pub use extent::Extent;
 use glam::DAffine3;
 pub use picture::Picture;
+pub use plan::{Needed, Plan};
 
 /// Added to both diagonal entries of a projected covariance, px² (model.md, step 8).
 pub const LOW_PASS: f64 = 0.3;
@@ -27,11 +29,13 @@ pub struct Posed {
     pub joints: Vec<DAffine3>,
     /// θ_p ⊕ θ_e, projected.
     pub input: Vec<f64>,
+    /// Length of θ_e, the last of `input`, which parts outside the head see as zeros.
+    pub expression: usize,
 }
 
 impl Posed {
     pub fn new(avatar: &Avatar, pose: &Pose) -> Self {
-        Self { joints: avatar.skeleton.matrices(pose), input: avatar.inputs.of(pose) }
+        Self { joints: avatar.skeleton.matrices(pose), input: avatar.inputs.of(pose), expression: avatar.inputs.expression }
     }
 }
 

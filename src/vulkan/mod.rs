@@ -1,3 +1,26 @@
 //! The stages on the GPU, on Vulkan 1.1 and what each device has beyond it.
+//!
+//! [`Gpu`] is a device; [`Renderer`] draws one avatar with it, headless. The stages have a file each, in the order a frame runs them.
 
+pub mod cache;
+pub mod commands;
+pub mod device;
+pub mod error;
+pub mod features;
+pub mod instance;
+pub mod memory;
+pub mod model;
+pub mod nodes;
+pub mod picture;
+pub mod pipeline;
+pub mod probe;
+pub mod raster;
+pub mod renderer;
 pub mod shaders;
+pub mod sort;
+pub mod splats;
+
+pub use device::{Gpu, GpuOptions};
+pub use error::{Error, Result};
+pub use probe::Probe;
+pub use renderer::{Renderer, RendererOptions};

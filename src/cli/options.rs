@@ -1,0 +1,120 @@
+//! Arguments that several commands share, and how they are written.
+
+use crate::{
+    frame::Camera,
+    vulkan::{GpuOptions, RendererOptions, raster::ColorFormat, sort::KeyBits},
+};
+use clap::ValueEnum;
+use glam::DVec3;
+
+/// Where the camera stands.
+#[derive(clap::Args, Clone, Debug)]
+pub struct View {
+    /// Degrees around the avatar: 0 sees its front, 90 its left side
+    #[arg(long, default_value_t = 20.0, allow_negative_numbers = true)]
+    pub yaw: f64,
+    /// Degrees above the horizon
+    #[arg(long, default_value_t = 5.0, allow_negative_numbers = true)]
+    pub pitch: f64,
+    /// Metres from the avatar's middle [default: all of it in the picture]
+    #[arg(long)]
+    pub distance: Option<f64>,
+    /// Height that the camera looks at, metres above the avatar's middle
+    #[arg(long, default_value_t = 0.0, allow_negative_numbers = true)]
+    pub raise: f64,
+    /// Vertical field of view, degrees
+    #[arg(long, default_value_t = 35.0)]
+    pub fov: f64,
+}
+
+impl View {
+    /// The camera around a box that the avatar fills.
+    pub fn camera(&self, bounds: [DVec3; 2], size: [u32; 2]) -> anyhow::Result<Camera> {
+        anyhow::ensure!((1.0..=170.0).contains(&self.fov), "a field of view of {}° can't be drawn: give --fov from 1 to 170", self.fov);
+        let fov = self.fov.to_radians();
+        let distance = self.distance.unwrap_or_else(|| Camera::framing_distance(bounds, fov, size));
+        let target = (bounds[0] + bounds[1]) / 2.0 + self.raise * DVec3::Y;
+        let (yaw, pitch) = (self.yaw.to_radians(), self.pitch.clamp(-89.0, 89.0).to_radians());
+        Ok(Camera::orbit(target, yaw, pitch, distance, fov, size))
+    }
+}
+
+/// What draws, and how exactly.
+#[derive(clap::Args, Clone, Debug)]
+pub struct Quality {
+    /// GPU to use: part of its name, or its number in `effigy devices` [default: the first that can serve]
+    #[arg(long, value_name = "NAME")]
+    pub device: Option<String>,
+    /// What pictures are blended in
+    #[arg(long, value_enum, default_value_t = Color::Rgba16f)]
+    pub color: Color,
+    /// Bits of the depth key that Gaussians are sorted by
+    #[arg(long, value_enum, default_value_t = Keys::Bits16)]
+    pub keys: Keys,
+}
+
+impl Quality {
+    pub fn gpu(&self) -> GpuOptions {
+        GpuOptions::headless(self.device.clone())
+    }
+
+    pub fn renderer(&self, size: [u32; 2]) -> RendererOptions {
+        RendererOptions { size, color: self.color.into(), key_bits: self.keys.into(), skip: true }
+    }
+}
+
+/// [`ColorFormat`] as the command line has it.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub enum Color {
+    /// 4 bytes a pixel, rounded after every Gaussian
+    Rgba8,
+    /// 8 bytes a pixel
+    Rgba16f,
+}
+
+impl From<Color> for ColorFormat {
+    fn from(color: Color) -> Self {
+        match color {
+            Color::Rgba8 => Self::Rgba8,
+            Color::Rgba16f => Self::Rgba16F,
+        }
+    }
+}
+
+/// [`KeyBits`] as the command line has it.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub enum Keys {
+    /// Two passes; steps of about 20 µm
+    #[value(name = "16")]
+    Bits16,
+    /// Four passes
+    #[value(name = "32")]
+    Bits32,
+}
+
+impl From<Keys> for KeyBits {
+    fn from(keys: Keys) -> Self {
+        match keys {
+            Keys::Bits16 => Self::Sixteen,
+            Keys::Bits32 => Self::ThirtyTwo,
+        }
+    }
+}
+
+/// Reads `WIDTHxHEIGHT`.
+pub fn size(text: &str) -> Result<[u32; 2], String> {
+    let parse = |side: &str| side.trim().parse::<u32>().ok().filter(|&side| side > 0);
+    let sides = text.split_once(['x', 'X', '×']).and_then(|(width, height)| Some([parse(width)?, parse(height)?]));
+    sides.ok_or_else(|| format!("`{text}` is no picture size: write width x height in pixels, for instance 1024x1024"))
+}
+
+/// Reads `RRGGBB`, with or without a leading #.
+pub fn color(text: &str) -> Result<[f32; 3], String> {
+    let hex = text.trim_start_matches('#');
+    let value = u32::from_str_radix(hex, 16).ok().filter(|_| hex.len() == 6);
+    let value = value.ok_or_else(|| format!("`{text}` is no colour: write six hexadecimal digits, for instance d8dde3"))?;
+    Ok([16, 8, 0].map(|shift| (value >> shift & 0xff) as f32 / 255.0))
+}
+
+/// What is behind the avatar unless told otherwise: a light grey.
+pub const BACKGROUND: &str = "d8dde3";

@@ -1,0 +1,14 @@
+//! What the program says about itself in numbers: how far a picture is from the oracle's.
+
+pub mod bench;
+pub mod bytes;
+pub mod error;
+
+use glam::DVec3;
+
+/// A box at least as high and wide as a person, so that pictures of one clip have the same scale whatever the pose.
+pub fn upright([min, max]: [DVec3; 2]) -> [DVec3; 2] {
+    let middle = (min + max) / 2.0;
+    let half = ((max - min) / 2.0).max(DVec3::new(0.6, 0.9, 0.6));
+    [middle - half, middle + half]
+}

@@ -1,0 +1,45 @@
+//! Stage 1, model.md step 1. In: what the networks see of a pose. Out: the feature vector e of every part.
+
+use crate::avatar::{Activation, Avatar, Layer};
+use rayon::prelude::*;
+
+/// e_i = MLP_i(θ_p ⊕ θ_e) for each part i; shape N_G, E, where E is `avatar.networks.output()`.
+///
+/// `input` is θ_p ⊕ θ_e, of length `avatar.inputs.len()`. Parts outside the head see zeros for θ_e. The paper sets "the pose to zero
+/// vector" there, which contradicts the reason that it gives, to reduce the expression's influence on the body.
+pub fn features(avatar: &Avatar, input: &[f64]) -> Vec<f64> {
+    let mut body = input.to_vec();
+    body[3 * avatar.inputs.joint.len()..].fill(0.0);
+    (0..avatar.parts.len())
+        .into_par_iter()
+        .flat_map_iter(|part| network(avatar, part, if part < avatar.parts.head { input } else { &body }))
+        .collect()
+}
+
+/// MLP_i: linear layers with the activation between them, the last one linear.
+fn network(avatar: &Avatar, part: usize, input: &[f64]) -> Vec<f64> {
+    let layers = &avatar.networks.layers;
+    let mut x = input.to_vec();
+    for (l, layer) in layers.iter().enumerate() {
+        x = linear(layer, part, &x);
+        if l + 1 < layers.len() {
+            x.iter_mut().for_each(|x| *x = activate(avatar.networks.activation, *x));
+        }
+    }
+    x
+}
+
+/// W x + b with one part's weights.
+fn linear(layer: &Layer, part: usize, x: &[f64]) -> Vec<f64> {
+    let weight = &layer.weight[part * layer.output * layer.input..][..layer.output * layer.input];
+    let bias = &layer.bias[part * layer.output..][..layer.output];
+    let row = |(row, bias): (&[half::f16], &half::f16)| bias.to_f64() + row.iter().zip(x).map(|(w, x)| w.to_f64() * x).sum::<f64>();
+    weight.chunks_exact(layer.input).zip(bias).map(row).collect()
+}
+
+fn activate(activation: Activation, x: f64) -> f64 {
+    match activation {
+        Activation::Relu => x.max(0.0),
+        Activation::LeakyRelu => x.max(0.01 * x),
+    }
+}

@@ -1,0 +1,57 @@
+//! The oracle: every stage of model.md in f64, in plain Rust, written to be read against the paper's section "Local Linear
+//! Blendshapes". In: an avatar, a pose worked out for it, a camera. Out: a picture, and on request what every stage made.
+//!
+//! It starts from the same stored numbers as the GPU, sorts by exact depth and blends in f64, so what a GPU's stage or picture differs
+//! by is that GPU's arithmetic.
+
+pub mod features;
+pub mod nodes;
+pub mod raster;
+pub mod sort;
+pub mod splats;
+
+use crate::avatar::Avatar;
+use crate::frame::{Camera, Picture, Posed};
+use glam::DVec3;
+use half::f16;
+pub use raster::Canvas;
+pub use splats::{Culled, Gaussian, Splat};
+
+/// What every stage of one frame made.
+#[derive(Clone, Debug)]
+pub struct Stages {
+    /// e; shape N_G, E.
+    pub features: Vec<f64>,
+    /// δx_s, metres; length N_s.
+    pub nodes: Vec<DVec3>,
+    /// The avatar in the posed world; length N_g.
+    pub gaussians: Vec<Gaussian>,
+    /// The same in the picture; length N_g.
+    pub splats: Vec<Result<Splat, Culled>>,
+    /// Indices into `splats`, far to near.
+    pub order: Vec<u32>,
+    pub canvas: Canvas,
+}
+
+impl Stages {
+    /// Runs one frame from the top.
+    pub fn new(avatar: &Avatar, posed: &Posed, camera: &Camera) -> Self {
+        let features = features::features(avatar, &posed.input);
+        let nodes = nodes::nodes(avatar, &features);
+        let gaussians = splats::gaussians(avatar, posed, &features, &nodes);
+        let splats = splats::splats(&gaussians, camera);
+        let order = sort::order(&splats);
+        let canvas = raster::raster(&splats, &order, camera);
+        Self { features, nodes, gaussians, splats, order, canvas }
+    }
+}
+
+/// The picture of a posed avatar.
+pub fn render(avatar: &Avatar, posed: &Posed, camera: &Camera) -> Picture {
+    Stages::new(avatar, posed, camera).canvas.to_picture()
+}
+
+/// B · e: the weighted sum over the basis. `basis` has shape C, N_B, `e` length N_B.
+fn combine<const C: usize>(basis: &[f16], e: &[f64]) -> [f64; C] {
+    std::array::from_fn(|c| basis[c * e.len()..][..e.len()].iter().zip(e).map(|(b, e)| b.to_f64() * e).sum())
+}

@@ -1,0 +1,155 @@
+//! Stage 3, model.md steps 2 and 4 to 8. In: features, node correctives, posed joints, a camera. Out: every Gaussian in the posed
+//! world, and as an ellipse in the picture or the reason why it isn't there.
+
+use crate::avatar::{Avatar, Rows};
+use crate::frame::{self, Camera, Posed};
+use glam::{DAffine3, DMat3, DQuat, DVec2, DVec3};
+use rayon::prelude::*;
+
+/// A Gaussian in the posed world.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Gaussian {
+    /// G x, metres.
+    pub mean: DVec3,
+    /// G₃ₓ₃ R(q) diag(s), metres: the columns are the axes, one standard deviation long as long as G doesn't shear.
+    pub axes: DMat3,
+    /// Display-referred RGB, 0 to 1.
+    pub color: DVec3,
+    /// 255 is opaque.
+    pub opacity: u8,
+}
+
+impl Gaussian {
+    /// World-space covariance, m².
+    pub fn covariance(&self) -> DMat3 {
+        self.axes * self.axes.transpose()
+    }
+}
+
+/// A Gaussian in the picture.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Splat {
+    /// px from the picture's top left corner.
+    pub center: DVec2,
+    /// Distance along the camera's axis, metres.
+    pub depth: f64,
+    /// Σ' = [[a, b], [b, c]] as [a, b, c], px², the low-pass included.
+    pub covariance: [f64; 3],
+    /// Half the sides of the box around the ellipse at which the Gaussian's alpha is 1/255, px.
+    pub extent: DVec2,
+    /// 0 to 1.
+    pub opacity: f64,
+    /// Display-referred RGB, 0 to 1.
+    pub color: DVec3,
+}
+
+/// Why a Gaussian isn't drawn. Reasons are looked for in this order.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Culled {
+    /// Its centre is nearer than the camera's near plane, or behind the camera.
+    Behind,
+    /// Its opacity reaches 1/255 nowhere.
+    Faint,
+    /// Something of it is NaN or infinite.
+    Invalid,
+    /// Its centre is further from the picture than [`Camera::guard`].
+    Guard,
+    /// The box around its ellipse misses the picture.
+    Outside,
+}
+
+/// The avatar in the posed world, before any camera; length N_g.
+///
+/// `features` is of shape N_G, E, `nodes` of length N_s.
+pub fn gaussians(avatar: &Avatar, posed: &Posed, features: &[f64], nodes: &[DVec3]) -> Vec<Gaussian> {
+    let neutral = &avatar.gaussians;
+    (0..neutral.len())
+        .into_par_iter()
+        .map(|k| {
+            // The part that Gaussian k is in: the last that starts at or before it.
+            let part = avatar.parts.start.partition_point(|&start| start as usize <= k) - 1;
+            let e = &features[part * avatar.networks.output()..][..avatar.basis_len()];
+
+            // δr, δs, δc = B · e (model.md step 2, the paper's first equation); x = x₀ + δx (step 4).
+            let dx: DVec3 = avatar.node_weights(k).iter().zip(neutral.node[k]).map(|(&w, s)| w * nodes[usize::from(s)]).sum();
+            let x = avatar.position(k) + dx;
+            // Step 5.
+            let [w, x_, y, z] = plus(neutral.rotation[k].map(f64::from), corrective(&avatar.rotation_rows, k, e));
+            let q = DQuat::from_xyzw(x_, y, z, w).normalize();
+            let s = DVec3::from(plus(neutral.log_scale[k].map(f64::from), corrective(&avatar.scale_rows, k, e))).exp();
+            let c = plus(neutral.color[k].map(f64::from), corrective(&avatar.color_rows, k, e)).map(|c| c.clamp(0.0, 1.0));
+            // Steps 6 and 7.
+            let g = skinning(posed, neutral.joint[k], neutral.joint_weight[k]);
+            Gaussian {
+                mean: g.transform_point3(x),
+                axes: g.matrix3 * DMat3::from_quat(q) * DMat3::from_diagonal(s),
+                color: DVec3::from(c),
+                opacity: neutral.opacity[k],
+            }
+        })
+        .collect()
+}
+
+/// The corrective of one Gaussian: its basis row · e where a row was kept, else zero.
+fn corrective<const C: usize>(rows: &Rows<C>, gaussian: usize, e: &[f64]) -> [f64; C] {
+    match rows.gaussian.binary_search(&(gaussian as u32)) {
+        Ok(row) => super::combine(&rows.basis[row * C * e.len()..][..C * e.len()], e),
+        Err(_) => [0.0; C],
+    }
+}
+
+fn plus<const C: usize>(a: [f64; C], b: [f64; C]) -> [f64; C] {
+    std::array::from_fn(|k| a[k] + b[k])
+}
+
+/// G = Σ w_j G_j over a Gaussian's four joints: linear blend skinning, not orthogonalised.
+fn skinning(posed: &Posed, joint: [u8; 4], weight: [u8; 4]) -> DAffine3 {
+    let mut g = DAffine3::from_mat3_translation(DMat3::ZERO, DVec3::ZERO);
+    for (j, w) in joint.into_iter().zip(weight.map(|w| f64::from(w) / 255.0)) {
+        g.matrix3 += w * posed.joints[usize::from(j)].matrix3;
+        g.translation += w * posed.joints[usize::from(j)].translation;
+    }
+    g
+}
+
+/// Every Gaussian as the camera sees it; same length and order.
+pub fn splats(gaussians: &[Gaussian], camera: &Camera) -> Vec<Result<Splat, Culled>> {
+    gaussians.par_iter().map(|gaussian| project(gaussian, camera)).collect()
+}
+
+/// EWA projection of one Gaussian, with the low-pass, and culling (model.md step 8).
+pub fn project(gaussian: &Gaussian, camera: &Camera) -> Result<Splat, Culled> {
+    let t = camera.view.transform_point3(gaussian.mean);
+    if t.z < camera.near {
+        return Err(Culled::Behind);
+    }
+    let reach = frame::reach(gaussian.opacity).ok_or(Culled::Faint)?;
+    let center = camera.project(t);
+    let [a, b, c] = project_covariance(camera.view.matrix3 * gaussian.axes, t, camera);
+    let extent = reach * DVec2::new(a.sqrt(), c.sqrt());
+    let positive = a * c - b * b > 0.0;
+    if !(t.is_finite() && center.is_finite() && extent.is_finite() && b.is_finite() && gaussian.color.is_finite() && positive) {
+        return Err(Culled::Invalid);
+    }
+    let size = DVec2::from(camera.size.map(f64::from));
+    if (center + camera.guard()).min_element() < 0.0 || (size + camera.guard() - center).min_element() < 0.0 {
+        return Err(Culled::Guard);
+    }
+    if (center + extent).min_element() < 0.0 || (size + extent - center).min_element() < 0.0 {
+        return Err(Culled::Outside);
+    }
+    let opacity = f64::from(gaussian.opacity) / 255.0;
+    Ok(Splat { center, depth: t.z, covariance: [a, b, c], extent, opacity, color: gaussian.color })
+}
+
+/// Σ' = (J M)(J M)ᵀ + low-pass, px², as [a, b, c]. `m` is the axes and `t` the mean, both in camera coordinates.
+///
+/// J is the derivative of [`Camera::project`] at `t`, with x/z and y/z kept within [`Camera::derivative_limits`].
+fn project_covariance(m: DMat3, t: DVec3, camera: &Camera) -> [f64; 3] {
+    let [min, max] = camera.derivative_limits();
+    let slope = (t.truncate() / t.z).clamp(min, max);
+    let f = camera.focal / t.z;
+    let row_x = m.transpose() * DVec3::new(f.x, 0.0, -f.x * slope.x);
+    let row_y = m.transpose() * DVec3::new(0.0, f.y, -f.y * slope.y);
+    [row_x.dot(row_x) + frame::LOW_PASS, row_x.dot(row_y), row_y.dot(row_y) + frame::LOW_PASS]
+}

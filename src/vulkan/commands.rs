@@ -1,0 +1,192 @@
+//! Two frames in flight: a command buffer, a fence and a query pool each, and what a finished frame says about itself.
+
+use super::{
+    device::Gpu,
+    error::{During, Result},
+    memory::{Buffer, to_host},
+};
+use crate::layout::Control;
+use ash::vk;
+use gpu_allocator::MemoryLocation;
+use std::sync::Arc;
+
+/// Frames that may be under way at once.
+pub const SLOTS: usize = 2;
+/// Stages in the order a frame runs them; their names in labels, timestamps, tables and the overlay.
+pub const STAGES: [&str; 6] = ["features", "nodes", "splats", "sort", "raster", "present"];
+
+/// What a finished frame took and drew.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct FrameReport {
+    /// GPU time of each stage that ran, ms. Empty where the device has no timestamps.
+    pub stages: Vec<(&'static str, f64)>,
+    /// Gaussians that survived culling.
+    pub drawn: u32,
+    /// Stages that the frame did not need.
+    pub skipped: Vec<&'static str>,
+}
+
+impl FrameReport {
+    /// Sum over the stages, ms.
+    pub fn gpu_ms(&self) -> f64 {
+        self.stages.iter().map(|(_, ms)| ms).sum()
+    }
+}
+
+/// One of the frames under way.
+pub struct Slot {
+    gpu: Arc<Gpu>,
+    pool: vk::CommandPool,
+    pub commands: vk::CommandBuffer,
+    fence: vk::Fence,
+    queries: Option<vk::QueryPool>,
+    /// The frame's counts, copied here by the device.
+    counts: Buffer,
+    /// Stages with a pair of timestamps in the frame under way.
+    marked: Vec<&'static str>,
+    skipped: Vec<&'static str>,
+    pending: bool,
+}
+
+impl Slot {
+    pub fn new(gpu: &Arc<Gpu>) -> Result<Self> {
+        let counts =
+            Buffer::new(gpu, "frame counts", size_of::<Control>() as u64, vk::BufferUsageFlags::TRANSFER_DST, MemoryLocation::GpuToCpu)?;
+        let mut slot = Self {
+            gpu: gpu.clone(),
+            pool: Default::default(),
+            commands: Default::default(),
+            fence: Default::default(),
+            queries: None,
+            counts,
+            marked: Vec::with_capacity(STAGES.len()),
+            skipped: Vec::with_capacity(STAGES.len()),
+            pending: false,
+        };
+        // SAFETY: every structure outlives its call; what was made before a failure is destroyed by `drop`.
+        unsafe {
+            let info =
+                vk::CommandPoolCreateInfo::default().queue_family_index(gpu.queue_family).flags(vk::CommandPoolCreateFlags::TRANSIENT);
+            slot.pool = gpu.raw.create_command_pool(&info, None).during("vkCreateCommandPool")?;
+            let info = vk::CommandBufferAllocateInfo::default().command_pool(slot.pool).command_buffer_count(1);
+            slot.commands = gpu.raw.allocate_command_buffers(&info).during("vkAllocateCommandBuffers")?[0];
+            slot.fence = gpu.raw.create_fence(&vk::FenceCreateInfo::default(), None).during("vkCreateFence")?;
+            if gpu.probe.timestamp_bits > 0 {
+                let info = vk::QueryPoolCreateInfo::default().query_type(vk::QueryType::TIMESTAMP).query_count(2 * STAGES.len() as u32);
+                slot.queries = Some(gpu.raw.create_query_pool(&info, None).during("vkCreateQueryPool")?);
+            }
+        }
+        Ok(slot)
+    }
+
+    /// Waits until the slot's frame is done, and says what it was. None when none is under way.
+    pub fn finish(&mut self) -> Result<Option<FrameReport>> {
+        if !self.pending {
+            return Ok(None);
+        }
+        self.gpu.wait(self.fence, "a frame")?;
+        self.pending = false;
+        let control: Control = bytemuck::pod_read_unaligned(&self.counts.mapped()[..size_of::<Control>()]);
+        Ok(Some(FrameReport { stages: self.times()?, drawn: control.survivors, skipped: self.skipped.clone() }))
+    }
+
+    fn times(&self) -> Result<Vec<(&'static str, f64)>> {
+        let (Some(queries), false) = (self.queries, self.marked.is_empty()) else { return Ok(Vec::new()) };
+        let mut ticks = [0u64; 2 * STAGES.len()];
+        let ticks = &mut ticks[..2 * self.marked.len()];
+        // SAFETY: the frame is done, so the queries written in it are available.
+        unsafe { self.gpu.raw.get_query_pool_results(queries, 0, ticks, vk::QueryResultFlags::TYPE_64) }.during("vkGetQueryPoolResults")?;
+        let bits = self.gpu.probe.timestamp_bits;
+        let mask = if bits >= 64 { u64::MAX } else { (1 << bits) - 1 };
+        let period = f64::from(self.gpu.probe.limits.timestamp_period) * 1e-6;
+        let ms = |pair: &[u64]| (pair[1].wrapping_sub(pair[0]) & mask) as f64 * period;
+        Ok(self.marked.iter().copied().zip(ticks.chunks_exact(2).map(ms)).collect())
+    }
+
+    /// Starts recording a frame. The slot must be finished.
+    pub fn begin(&mut self) -> Result<vk::CommandBuffer> {
+        self.marked.clear();
+        self.skipped.clear();
+        // SAFETY: the slot's last frame is done, so its pool and fence are free.
+        unsafe {
+            self.gpu.raw.reset_command_pool(self.pool, vk::CommandPoolResetFlags::empty()).during("vkResetCommandPool")?;
+            let info = vk::CommandBufferBeginInfo::default().flags(vk::CommandBufferUsageFlags::ONE_TIME_SUBMIT);
+            self.gpu.raw.begin_command_buffer(self.commands, &info).during("vkBeginCommandBuffer")?;
+            if let Some(queries) = self.queries {
+                self.gpu.raw.cmd_reset_query_pool(self.commands, queries, 0, 2 * STAGES.len() as u32);
+            }
+        }
+        Ok(self.commands)
+    }
+
+    /// Records a stage between two timestamps, under its name in a GPU profiler.
+    pub fn stage(&mut self, name: &'static str, record: impl FnOnce(vk::CommandBuffer)) {
+        let first = 2 * self.marked.len() as u32;
+        self.label(name);
+        self.mark(vk::PipelineStageFlags::TOP_OF_PIPE, first);
+        record(self.commands);
+        self.mark(vk::PipelineStageFlags::BOTTOM_OF_PIPE, first + 1);
+        if let Some(labels) = &self.gpu.labels {
+            // SAFETY: the command buffer is recording, with the label above open.
+            unsafe { labels.cmd_end_debug_utils_label(self.commands) };
+        }
+        self.marked.push(name);
+    }
+
+    /// Notes a stage that this frame does not need.
+    pub fn skip(&mut self, name: &'static str) {
+        self.skipped.push(name);
+    }
+
+    fn label(&self, name: &str) {
+        let (Some(labels), Ok(name)) = (&self.gpu.labels, std::ffi::CString::new(name)) else { return };
+        // SAFETY: the command buffer is recording; the name outlives the call.
+        unsafe { labels.cmd_begin_debug_utils_label(self.commands, &vk::DebugUtilsLabelEXT::default().label_name(&name)) };
+    }
+
+    fn mark(&self, stage: vk::PipelineStageFlags, query: u32) {
+        if let Some(queries) = self.queries {
+            // SAFETY: the command buffer is recording, the query was reset in `begin`.
+            unsafe { self.gpu.raw.cmd_write_timestamp(self.commands, stage, queries, query) };
+        }
+    }
+
+    /// Copies the frame's counts, ends recording and submits. `semaphores`: what to wait for before colour output, and what to signal.
+    pub fn submit(&mut self, control: &Buffer, semaphores: Option<(vk::Semaphore, vk::Semaphore)>) -> Result<()> {
+        let device = &self.gpu.raw;
+        let size = size_of::<Control>() as u64;
+        let (wait, signal): (Vec<_>, Vec<_>) = semaphores.into_iter().unzip();
+        let stages = [vk::PipelineStageFlags::COLOR_ATTACHMENT_OUTPUT];
+        let commands = [self.commands];
+        let submit = vk::SubmitInfo::default()
+            .command_buffers(&commands)
+            .wait_semaphores(&wait)
+            .wait_dst_stage_mask(&stages[..wait.len()])
+            .signal_semaphores(&signal);
+        // SAFETY: the command buffer is recording; buffers, fence and semaphores are alive and free.
+        unsafe {
+            device.cmd_copy_buffer(self.commands, control.raw, self.counts.raw, &[vk::BufferCopy { src_offset: 0, dst_offset: 0, size }]);
+            to_host(&self.gpu, self.commands);
+            device.end_command_buffer(self.commands).during("vkEndCommandBuffer")?;
+            device.reset_fences(&[self.fence]).during("vkResetFences")?;
+            device.queue_submit(self.gpu.queue, &[submit], self.fence).during("vkQueueSubmit")?;
+        }
+        self.pending = true;
+        Ok(())
+    }
+}
+
+impl Drop for Slot {
+    fn drop(&mut self) {
+        if self.pending && self.gpu.wait(self.fence, "the last frame").is_err() {
+            tracing::warn!("the device does not finish its last frame; what belongs to it is not freed");
+            return;
+        }
+        // SAFETY: the slot's frame is done. Destroying null handles does nothing.
+        unsafe {
+            self.gpu.raw.destroy_query_pool(self.queries.unwrap_or_default(), None);
+            self.gpu.raw.destroy_fence(self.fence, None);
+            self.gpu.raw.destroy_command_pool(self.pool, None);
+        }
+    }
+}

@@ -1,0 +1,194 @@
+//! The device in use: its queue, its memory, its pipeline cache, and the one place where commands are submitted and waited for.
+
+use super::{
+    cache::PipelineCache,
+    error::{During, Error, Result},
+    instance::Instance,
+    probe::Probe,
+};
+use ash::{ext, khr, vk};
+use gpu_allocator::vulkan::{Allocator, AllocatorCreateDesc};
+use std::{
+    ffi::CString,
+    mem::ManuallyDrop,
+    sync::{Arc, Mutex},
+    time::Duration,
+};
+
+/// How long any wait for the device may take before it counts as hung.
+pub const PATIENCE: Duration = Duration::from_secs(30);
+
+/// What a program wants of the device it is given.
+#[derive(Clone, Debug, Default)]
+pub struct GpuOptions {
+    /// Part of a device's name, in any case, or its number in `effigy devices`. None: the first that can serve, GPUs before CPUs.
+    pub device: Option<String>,
+    /// Load the validation layer, synchronisation checks included.
+    pub validation: bool,
+    /// Read f16 as words even where the device has 16-bit storage: to compare the two.
+    pub packed_words: bool,
+    /// Instance extensions of a window's surface; empty draws to pictures only.
+    pub surface_extensions: Vec<*const std::ffi::c_char>,
+}
+
+impl GpuOptions {
+    /// Without a window; validation as the environment variable `EFFIGY_VALIDATION` says (anything but 0 turns it on).
+    pub fn headless(device: Option<String>) -> Self {
+        let validation = std::env::var_os("EFFIGY_VALIDATION").is_some_and(|value| value != "0");
+        Self { device, validation, ..Self::default() }
+    }
+}
+
+/// A Vulkan device with one queue for everything.
+pub struct Gpu {
+    pub raw: ash::Device,
+    pub queue: vk::Queue,
+    pub queue_family: u32,
+    pub allocator: ManuallyDrop<Arc<Mutex<Allocator>>>,
+    pub cache: PipelineCache,
+    pub probe: Probe,
+    /// Whether shaders read f16 from storage buffers.
+    pub half_storage: bool,
+    pub labels: Option<ext::debug_utils::Device>,
+    pub swapchain: Option<khr::swapchain::Device>,
+    pub instance: Instance,
+}
+
+impl Gpu {
+    /// Opens a device.
+    pub fn new(options: &GpuOptions) -> Result<Arc<Self>> {
+        let instance = Instance::new(options.validation, &options.surface_extensions)?;
+        let probe = choose(Probe::all(&instance)?, options.device.as_deref())?;
+        let lacks = probe.lacks();
+        let (true, Some(queue_family)) = (lacks.is_empty(), probe.queue_family) else {
+            return Err(Error::Lacks { device: probe.name, lacks: lacks.join("; ") });
+        };
+        let half_storage = probe.half_storage && !options.packed_words;
+        let window = !options.surface_extensions.is_empty() && probe.has(khr::swapchain::NAME);
+        let raw = create_device(&instance, &probe, queue_family, [half_storage, window])?;
+        // SAFETY: the family and the one queue were asked for at creation.
+        let queue = unsafe { raw.get_device_queue(queue_family, 0) };
+        let description = AllocatorCreateDesc {
+            instance: instance.raw.clone(),
+            device: raw.clone(),
+            physical_device: probe.physical,
+            debug_settings: Default::default(),
+            buffer_device_address: false,
+            allocation_sizes: gpu_allocator::AllocationSizes::new(4 << 20, 4 << 20),
+        };
+        let allocator = Allocator::new(&description).map_err(|source| Error::Allocation { what: "the allocator".into(), source })?;
+        Ok(Arc::new(Self {
+            queue,
+            queue_family,
+            allocator: ManuallyDrop::new(Arc::new(Mutex::new(allocator))),
+            cache: PipelineCache::open(&raw, &probe),
+            half_storage,
+            labels: instance.debug_utils.then(|| ext::debug_utils::Device::new(&instance.raw, &raw)),
+            swapchain: window.then(|| khr::swapchain::Device::new(&instance.raw, &raw)),
+            raw,
+            probe,
+            instance,
+        }))
+    }
+
+    /// Gives an object the name that validation messages and GPU profilers show.
+    pub fn name<H: vk::Handle>(&self, object: H, name: &str) {
+        let (Some(labels), Ok(name)) = (&self.labels, CString::new(name)) else { return };
+        let info = vk::DebugUtilsObjectNameInfoEXT::default().object_handle(object).object_name(&name);
+        // SAFETY: the object is alive and of this device. A name that can't be set costs nothing.
+        let _ = unsafe { labels.set_debug_utils_object_name(&info) };
+    }
+
+    /// Bytes that this program holds of the device's memory: what is in use, and what the allocator keeps in blocks.
+    pub fn memory(&self) -> (u64, u64) {
+        let allocator = self.allocator.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
+        let report = allocator.generate_report();
+        (report.total_allocated_bytes, report.total_capacity_bytes)
+    }
+
+    /// Waits for a fence, but not for ever.
+    pub fn wait(&self, fence: vk::Fence, what: &'static str) -> Result<()> {
+        // SAFETY: the fence is alive and of this device.
+        match unsafe { self.raw.wait_for_fences(&[fence], true, PATIENCE.as_nanos() as u64) } {
+            Err(vk::Result::TIMEOUT) => Err(Error::Timeout { what, seconds: PATIENCE.as_secs() }),
+            result => result.during("vkWaitForFences"),
+        }
+    }
+
+    /// Records commands, runs them and waits: for set-up and read-back, never in a frame.
+    pub fn run(&self, what: &'static str, record: impl FnOnce(vk::CommandBuffer)) -> Result<()> {
+        let device = &self.raw;
+        let info = vk::CommandPoolCreateInfo::default().queue_family_index(self.queue_family).flags(vk::CommandPoolCreateFlags::TRANSIENT);
+        // SAFETY: pool, buffer and fence are made, used and destroyed here; a device that timed out keeps them.
+        unsafe {
+            let pool = device.create_command_pool(&info, None).during("vkCreateCommandPool")?;
+            let fence = device.create_fence(&vk::FenceCreateInfo::default(), None).during("vkCreateFence");
+            let outcome = fence.and_then(|fence| {
+                let allocate = vk::CommandBufferAllocateInfo::default().command_pool(pool).command_buffer_count(1);
+                let submitted = device.allocate_command_buffers(&allocate).during("vkAllocateCommandBuffers").and_then(|commands| {
+                    let begin = vk::CommandBufferBeginInfo::default().flags(vk::CommandBufferUsageFlags::ONE_TIME_SUBMIT);
+                    device.begin_command_buffer(commands[0], &begin).during("vkBeginCommandBuffer")?;
+                    record(commands[0]);
+                    device.end_command_buffer(commands[0]).during("vkEndCommandBuffer")?;
+                    let submit = vk::SubmitInfo::default().command_buffers(&commands);
+                    device.queue_submit(self.queue, &[submit], fence).during("vkQueueSubmit")?;
+                    self.wait(fence, what)
+                });
+                if !matches!(submitted, Err(Error::Timeout { .. })) {
+                    device.destroy_fence(fence, None);
+                }
+                submitted
+            });
+            if !matches!(outcome, Err(Error::Timeout { .. })) {
+                device.destroy_command_pool(pool, None);
+            }
+            outcome
+        }
+    }
+}
+
+impl Drop for Gpu {
+    fn drop(&mut self) {
+        self.cache.save(&self.raw);
+        // SAFETY: everything made from the device holds a reference to it, so nothing but the cache and the allocator is left.
+        unsafe {
+            self.cache.destroy(&self.raw);
+            ManuallyDrop::drop(&mut self.allocator);
+            self.raw.destroy_device(None);
+        }
+    }
+}
+
+fn choose(mut probes: Vec<Probe>, wanted: Option<&str>) -> Result<Probe> {
+    let Some(wanted) = wanted else {
+        probes.sort_by_key(|probe| (!probe.lacks().is_empty(), probe.rank()));
+        return probes.into_iter().next().ok_or(Error::NoDevice);
+    };
+    let by_number = wanted.parse().ok().filter(|&number: &usize| number < probes.len());
+    let by_name = || probes.iter().position(|probe| probe.name.to_lowercase().contains(&wanted.to_lowercase()));
+    match by_number.or_else(by_name) {
+        Some(found) => Ok(probes.swap_remove(found)),
+        None => {
+            let found: Vec<_> = probes.iter().map(|probe| format!("`{}`", probe.name)).collect();
+            Err(if found.is_empty() { Error::NoDevice } else { Error::NoSuchDevice { wanted: wanted.into(), found: found.join(", ") } })
+        }
+    }
+}
+
+fn create_device(instance: &Instance, probe: &Probe, queue_family: u32, [half_storage, window]: [bool; 2]) -> Result<ash::Device> {
+    let queues = [vk::DeviceQueueCreateInfo::default().queue_family_index(queue_family).queue_priorities(&[1.0])];
+    let mut extensions = Vec::new();
+    if window {
+        extensions.push(khr::swapchain::NAME.as_ptr());
+    }
+    if probe.has(khr::portability_subset::NAME) {
+        extensions.push(khr::portability_subset::NAME.as_ptr());
+    }
+    let mut storage = vk::PhysicalDevice16BitStorageFeatures::default().storage_buffer16_bit_access(half_storage);
+    let mut info = vk::DeviceCreateInfo::default().queue_create_infos(&queues).enabled_extension_names(&extensions);
+    if half_storage {
+        info = info.push_next(&mut storage);
+    }
+    // SAFETY: the device comes from this instance; `info` and all it points to outlive the call.
+    unsafe { instance.raw.create_device(probe.physical, &info, None) }.during("vkCreateDevice")
+}

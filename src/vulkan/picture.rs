@@ -1,0 +1,61 @@
+//! Brings the picture from the device to the host.
+
+use super::{
+    device::Gpu,
+    error::Result,
+    memory::{Buffer, COLOR, to_host},
+    raster::{ColorFormat, Raster},
+};
+use crate::frame::Picture;
+use ash::vk;
+use gpu_allocator::MemoryLocation;
+use half::f16;
+use std::sync::Arc;
+
+/// Copies a picture that was drawn at least once, and waits.
+pub fn download(gpu: &Arc<Gpu>, raster: &Raster) -> Result<Picture> {
+    let image = raster.image();
+    let [width, height] = image.size;
+    let bytes = width as usize * height as usize * raster.format().bytes();
+    let mut staging = Buffer::new(gpu, "picture", bytes as u64, vk::BufferUsageFlags::TRANSFER_DST, MemoryLocation::GpuToCpu)?;
+    gpu.run("reading a picture", |commands| {
+        let layouts = [vk::ImageLayout::SHADER_READ_ONLY_OPTIMAL, vk::ImageLayout::TRANSFER_SRC_OPTIMAL];
+        transition(gpu, commands, image.raw, layouts);
+        let region = vk::BufferImageCopy::default()
+            .image_subresource(vk::ImageSubresourceLayers {
+                aspect_mask: COLOR.aspect_mask,
+                mip_level: 0,
+                base_array_layer: 0,
+                layer_count: 1,
+            })
+            .image_extent(vk::Extent3D { width, height, depth: 1 });
+        // SAFETY: image and buffer are alive, the region fits both, and `run` waits.
+        unsafe { gpu.raw.cmd_copy_image_to_buffer(commands, image.raw, layouts[1], staging.raw, &[region]) };
+        transition(gpu, commands, image.raw, [layouts[1], layouts[0]]);
+        to_host(gpu, commands);
+    })?;
+    let bytes = &staging.mapped()[..bytes];
+    let pixels = match raster.format() {
+        ColorFormat::Rgba8 => bytes.chunks_exact(4).map(|p| [p[0], p[1], p[2], p[3]].map(|v| f32::from(v) / 255.0)).collect(),
+        ColorFormat::Rgba16F => {
+            let half = |p: &[u8], k: usize| f16::from_le_bytes([p[2 * k], p[2 * k + 1]]).to_f32();
+            bytes.chunks_exact(8).map(|p| std::array::from_fn(|k| half(p, k))).collect()
+        }
+    };
+    Ok(Picture { size: image.size, pixels })
+}
+
+fn transition(gpu: &Gpu, commands: vk::CommandBuffer, image: vk::Image, [from, to]: [vk::ImageLayout; 2]) {
+    let barrier = vk::ImageMemoryBarrier::default()
+        .src_access_mask(vk::AccessFlags::MEMORY_WRITE)
+        .dst_access_mask(vk::AccessFlags::MEMORY_READ | vk::AccessFlags::MEMORY_WRITE)
+        .old_layout(from)
+        .new_layout(to)
+        .src_queue_family_index(vk::QUEUE_FAMILY_IGNORED)
+        .dst_queue_family_index(vk::QUEUE_FAMILY_IGNORED)
+        .image(image)
+        .subresource_range(COLOR);
+    let all = vk::PipelineStageFlags::ALL_COMMANDS;
+    // SAFETY: the command buffer is recording, the image is alive and in the layout it is said to be in.
+    unsafe { gpu.raw.cmd_pipeline_barrier(commands, all, all, vk::DependencyFlags::empty(), &[], &[], &[barrier]) };
+}

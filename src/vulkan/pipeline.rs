@@ -1,0 +1,191 @@
+//! Compute kernels with their descriptor sets, and the parts that they share with the graphics pipelines.
+//!
+//! Every stage binds the same shape: at binding 0 the uniform block of the frame, at a dynamic offset since two frames are in flight,
+//! and from binding 1 on storage buffers, at most four, as many as every device allows in a stage.
+
+use super::{
+    device::Gpu,
+    error::{During, Result},
+    shaders::Module,
+};
+use ash::vk;
+use bytemuck::cast_slice;
+use std::sync::Arc;
+
+/// A part of a buffer that a shader sees.
+#[derive(Clone, Copy)]
+pub struct Slice {
+    pub buffer: vk::Buffer,
+    /// Bytes; a multiple of the device's storage buffer alignment, at most 256.
+    pub offset: u64,
+    /// Bytes.
+    pub size: u64,
+}
+
+impl From<&super::memory::Buffer> for Slice {
+    fn from(buffer: &super::memory::Buffer) -> Self {
+        Self { buffer: buffer.raw, offset: 0, size: buffer.size }
+    }
+}
+
+/// A descriptor set and the layouts that go with it.
+pub struct Bindings {
+    gpu: Arc<Gpu>,
+    set_layout: vk::DescriptorSetLayout,
+    pub layout: vk::PipelineLayout,
+    pool: vk::DescriptorPool,
+    pub set: vk::DescriptorSet,
+    uniform: bool,
+}
+
+impl Bindings {
+    /// `uniform` is the ring of frame blocks; sort kernels have none.
+    pub fn new(gpu: &Arc<Gpu>, stages: vk::ShaderStageFlags, uniform: Option<Slice>, storage: &[Slice]) -> Result<Self> {
+        let bind = |binding: usize, kind| {
+            vk::DescriptorSetLayoutBinding::default().binding(binding as u32).descriptor_type(kind).descriptor_count(1).stage_flags(stages)
+        };
+        let (dynamic, plain) = (vk::DescriptorType::UNIFORM_BUFFER_DYNAMIC, vk::DescriptorType::STORAGE_BUFFER);
+        let mut bindings: Vec<_> = (1..=storage.len()).map(|binding| bind(binding, plain)).collect();
+        bindings.extend(uniform.map(|_| bind(0, dynamic)));
+        let mut new = Self {
+            gpu: gpu.clone(),
+            set_layout: Default::default(),
+            layout: Default::default(),
+            pool: Default::default(),
+            set: Default::default(),
+            uniform: uniform.is_some(),
+        };
+        let sizes = [(dynamic, 1), (plain, storage.len().max(1) as u32)]
+            .map(|(ty, descriptor_count)| vk::DescriptorPoolSize { ty, descriptor_count });
+        // SAFETY: every structure outlives the call it is passed to; what was made before a failure is destroyed by `drop`.
+        unsafe {
+            let info = vk::DescriptorSetLayoutCreateInfo::default().bindings(&bindings);
+            new.set_layout = gpu.raw.create_descriptor_set_layout(&info, None).during("vkCreateDescriptorSetLayout")?;
+            let layouts = [new.set_layout];
+            let info = vk::PipelineLayoutCreateInfo::default().set_layouts(&layouts);
+            new.layout = gpu.raw.create_pipeline_layout(&info, None).during("vkCreatePipelineLayout")?;
+            let info = vk::DescriptorPoolCreateInfo::default().max_sets(1).pool_sizes(&sizes);
+            new.pool = gpu.raw.create_descriptor_pool(&info, None).during("vkCreateDescriptorPool")?;
+            let info = vk::DescriptorSetAllocateInfo::default().descriptor_pool(new.pool).set_layouts(&layouts);
+            new.set = gpu.raw.allocate_descriptor_sets(&info).during("vkAllocateDescriptorSets")?[0];
+        }
+        new.write(uniform, storage);
+        Ok(new)
+    }
+
+    fn write(&self, uniform: Option<Slice>, storage: &[Slice]) {
+        let info = |slice: &Slice| [vk::DescriptorBufferInfo { buffer: slice.buffer, offset: slice.offset, range: slice.size }];
+        let plain = storage.iter().enumerate().map(|(at, slice)| (at as u32 + 1, vk::DescriptorType::STORAGE_BUFFER, info(slice)));
+        let dynamic = uniform.iter().map(|slice| (0, vk::DescriptorType::UNIFORM_BUFFER_DYNAMIC, info(slice)));
+        for (binding, kind, buffer) in plain.chain(dynamic) {
+            let write = vk::WriteDescriptorSet::default().dst_set(self.set).dst_binding(binding).descriptor_type(kind).buffer_info(&buffer);
+            // SAFETY: the set is not in use yet, the buffers are alive.
+            unsafe { self.gpu.raw.update_descriptor_sets(&[write], &[]) };
+        }
+    }
+
+    /// Binds the set; `offset` is where in the ring this frame's block is.
+    pub fn bind(&self, commands: vk::CommandBuffer, point: vk::PipelineBindPoint, offset: u32) {
+        let offsets: &[u32] = if self.uniform { &[offset] } else { &[] };
+        // SAFETY: the command buffer is recording, the set is alive.
+        unsafe { self.gpu.raw.cmd_bind_descriptor_sets(commands, point, self.layout, 0, &[self.set], offsets) };
+    }
+}
+
+impl Drop for Bindings {
+    fn drop(&mut self) {
+        // SAFETY: owners drop bindings only when no submitted work uses them. Destroying null handles does nothing.
+        unsafe {
+            self.gpu.raw.destroy_descriptor_pool(self.pool, None);
+            self.gpu.raw.destroy_pipeline_layout(self.layout, None);
+            self.gpu.raw.destroy_descriptor_set_layout(self.set_layout, None);
+        }
+    }
+}
+
+/// A compute pipeline and what it binds.
+pub struct Kernel {
+    gpu: Arc<Gpu>,
+    pipeline: vk::Pipeline,
+    bindings: Bindings,
+}
+
+impl Kernel {
+    /// `constants` are the specialization constants, 0 upwards.
+    pub fn new(gpu: &Arc<Gpu>, module: &'static Module, constants: &[u32], bindings: Bindings) -> Result<Self> {
+        let shader = ShaderModule::new(gpu, module)?;
+        let entries = specialization_entries(constants);
+        let specialization = vk::SpecializationInfo::default().map_entries(&entries).data(cast_slice(constants));
+        let stage = vk::PipelineShaderStageCreateInfo::default()
+            .stage(vk::ShaderStageFlags::COMPUTE)
+            .module(shader.raw)
+            .name(c"main")
+            .specialization_info(&specialization);
+        let info = vk::ComputePipelineCreateInfo::default().stage(stage).layout(bindings.layout);
+        // SAFETY: `info` and all it points to outlive the call.
+        let created = unsafe { gpu.raw.create_compute_pipelines(gpu.cache.raw, &[info], None) };
+        let pipeline = created.map_err(|(_, result)| result).during("vkCreateComputePipelines")?[0];
+        gpu.name(pipeline, module.file);
+        Ok(Self { gpu: gpu.clone(), pipeline, bindings })
+    }
+
+    /// Runs `groups` workgroups; none for 0.
+    pub fn dispatch(&self, commands: vk::CommandBuffer, offset: u32, groups: u32) {
+        if groups == 0 {
+            return;
+        }
+        let point = vk::PipelineBindPoint::COMPUTE;
+        self.bindings.bind(commands, point, offset);
+        // SAFETY: the command buffer is recording; pipeline and set are alive and match.
+        unsafe {
+            self.gpu.raw.cmd_bind_pipeline(commands, point, self.pipeline);
+            self.gpu.raw.cmd_dispatch(commands, groups, 1, 1);
+        }
+    }
+}
+
+impl Drop for Kernel {
+    fn drop(&mut self) {
+        // SAFETY: owners drop a kernel only when no submitted work uses it.
+        unsafe { self.gpu.raw.destroy_pipeline(self.pipeline, None) };
+    }
+}
+
+/// A shader module that lives while its pipeline is made.
+pub(super) struct ShaderModule<'a> {
+    gpu: &'a Gpu,
+    pub raw: vk::ShaderModule,
+}
+
+impl<'a> ShaderModule<'a> {
+    pub fn new(gpu: &'a Gpu, module: &'static Module) -> Result<Self> {
+        let code: Vec<u32> = bytemuck::pod_collect_to_vec(module.spirv(gpu.half_storage));
+        let info = vk::ShaderModuleCreateInfo::default().code(&code);
+        // SAFETY: `info` outlives the call; the code is compiled and validated when it is committed.
+        let raw = unsafe { gpu.raw.create_shader_module(&info, None) }.during("vkCreateShaderModule")?;
+        Ok(Self { gpu, raw })
+    }
+}
+
+impl Drop for ShaderModule<'_> {
+    fn drop(&mut self) {
+        // SAFETY: pipelines don't need their modules once they are made.
+        unsafe { self.gpu.raw.destroy_shader_module(self.raw, None) };
+    }
+}
+
+pub(super) fn specialization_entries(constants: &[u32]) -> Vec<vk::SpecializationMapEntry> {
+    (0..constants.len() as u32).map(|id| vk::SpecializationMapEntry { constant_id: id, offset: 4 * id, size: 4 }).collect()
+}
+
+/// What a barrier orders: all earlier work of some stages before all later work of others.
+pub fn barrier(
+    gpu: &Gpu,
+    commands: vk::CommandBuffer,
+    from: (vk::PipelineStageFlags, vk::AccessFlags),
+    to: (vk::PipelineStageFlags, vk::AccessFlags),
+) {
+    let memory = vk::MemoryBarrier::default().src_access_mask(from.1).dst_access_mask(to.1);
+    // SAFETY: the command buffer is recording.
+    unsafe { gpu.raw.cmd_pipeline_barrier(commands, from.0, to.0, vk::DependencyFlags::empty(), &[memory], &[], &[]) };
+}

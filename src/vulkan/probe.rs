@@ -1,0 +1,143 @@
+//! What a device has: limits, features and extensions, and what Effigy makes of them. `effigy devices` prints it.
+
+use super::{
+    error::{During, Result},
+    instance::Instance,
+};
+use ash::{ext, khr, vk};
+
+/// A physical device, looked at.
+#[derive(Clone, Debug)]
+pub struct Probe {
+    pub physical: vk::PhysicalDevice,
+    pub name: String,
+    pub kind: vk::PhysicalDeviceType,
+    pub api_version: u32,
+    pub driver: String,
+    /// Identifies the driver's build: what was learned about one driver is not used for another.
+    pub driver_uuid: [u8; 16],
+    /// Changes with anything that makes old pipeline caches useless.
+    pub cache_uuid: [u8; 16],
+    pub vendor: u32,
+    pub device: u32,
+    pub limits: vk::PhysicalDeviceLimits,
+    /// A family that does graphics and compute, and the bits of its timestamps.
+    pub queue_family: Option<u32>,
+    pub timestamp_bits: u32,
+    pub half_storage: bool,
+    pub subgroup_size: u32,
+    pub subgroup_ballot: bool,
+    pub extensions: Vec<String>,
+    /// Bytes of the largest memory heap that is the device's own.
+    pub device_memory: u64,
+}
+
+impl Probe {
+    /// Looks at every device of an instance.
+    pub fn all(instance: &Instance) -> Result<Vec<Self>> {
+        // SAFETY: the instance is alive.
+        let devices = unsafe { instance.raw.enumerate_physical_devices() }.during("vkEnumeratePhysicalDevices")?;
+        devices.into_iter().map(|physical| Self::new(instance, physical)).collect()
+    }
+
+    fn new(instance: &Instance, physical: vk::PhysicalDevice) -> Result<Self> {
+        let raw = &instance.raw;
+        // SAFETY: the device comes from this instance; the structures chained below live to the end of the function.
+        let basic = unsafe { raw.get_physical_device_properties(physical) };
+        let text = |value: std::result::Result<&std::ffi::CStr, _>| value.map_or(String::new(), |s| s.to_string_lossy().into_owned());
+        // SAFETY: as above.
+        let extensions = unsafe { raw.enumerate_device_extension_properties(physical) }.during("vkEnumerateDeviceExtensionProperties")?;
+        let extensions: Vec<String> = extensions.iter().map(|e| text(e.extension_name_as_c_str())).collect();
+        let mut subgroup = vk::PhysicalDeviceSubgroupProperties::default();
+        let mut id = vk::PhysicalDeviceIDProperties::default();
+        let mut driver = vk::PhysicalDeviceDriverProperties::default();
+        let mut storage = vk::PhysicalDevice16BitStorageFeatures::default();
+        if basic.api_version >= vk::API_VERSION_1_1 {
+            let mut properties = vk::PhysicalDeviceProperties2::default().push_next(&mut subgroup).push_next(&mut id);
+            if extensions.iter().any(|e| khr::driver_properties::NAME.to_str() == Ok(e)) || basic.api_version >= vk::API_VERSION_1_2 {
+                properties = properties.push_next(&mut driver);
+            }
+            let mut features = vk::PhysicalDeviceFeatures2::default().push_next(&mut storage);
+            // SAFETY: as above.
+            unsafe {
+                raw.get_physical_device_properties2(physical, &mut properties);
+                raw.get_physical_device_features2(physical, &mut features);
+            }
+        }
+        // SAFETY: as above.
+        let (families, memory) =
+            unsafe { (raw.get_physical_device_queue_family_properties(physical), raw.get_physical_device_memory_properties(physical)) };
+        let wanted = vk::QueueFlags::GRAPHICS | vk::QueueFlags::COMPUTE;
+        let queue_family = families.iter().position(|family| family.queue_flags.contains(wanted));
+        let own = |heap: &&vk::MemoryHeap| heap.flags.contains(vk::MemoryHeapFlags::DEVICE_LOCAL);
+        Ok(Self {
+            physical,
+            name: text(basic.device_name_as_c_str()),
+            kind: basic.device_type,
+            api_version: basic.api_version,
+            driver: format!("{} {}", text(driver.driver_name_as_c_str()), text(driver.driver_info_as_c_str())).trim().to_string(),
+            driver_uuid: id.driver_uuid,
+            cache_uuid: basic.pipeline_cache_uuid,
+            vendor: basic.vendor_id,
+            device: basic.device_id,
+            limits: basic.limits,
+            queue_family: queue_family.map(|family| family as u32),
+            timestamp_bits: queue_family.map_or(0, |family| families[family].timestamp_valid_bits),
+            half_storage: storage.storage_buffer16_bit_access == vk::TRUE,
+            subgroup_size: subgroup.subgroup_size,
+            subgroup_ballot: subgroup.supported_operations.contains(vk::SubgroupFeatureFlags::BALLOT)
+                && subgroup.supported_stages.contains(vk::ShaderStageFlags::COMPUTE),
+            extensions,
+            device_memory: memory.memory_heaps_as_slice().iter().filter(own).map(|heap| heap.size).max().unwrap_or(0),
+        })
+    }
+
+    pub fn has(&self, extension: &std::ffi::CStr) -> bool {
+        self.extensions.iter().any(|e| extension.to_str() == Ok(e))
+    }
+
+    /// What the device would need and does not have; empty where it can serve.
+    pub fn lacks(&self) -> Vec<String> {
+        let mut lacks = Vec::new();
+        if self.api_version < vk::API_VERSION_1_1 {
+            lacks.push(format!("it has Vulkan {}, Vulkan 1.1 is needed", version(self.api_version)));
+        }
+        if self.queue_family.is_none() {
+            lacks.push("no queue does both graphics and compute".into());
+        }
+        lacks
+    }
+
+    /// What Effigy would use of what is optional, as name, whether it is there, and what that decides.
+    pub fn optional(&self) -> Vec<(&'static str, bool, String)> {
+        let choose = |has: bool, yes: &str, no: &str| if has { yes.to_string() } else { no.to_string() };
+        let timestamps = self.timestamp_bits > 0;
+        vec![
+            ("16-bit storage", self.half_storage, choose(self.half_storage, "f16 storage buffers", "f16 unpacked from words, same bytes")),
+            ("timestamps", timestamps, choose(timestamps, "times of each stage", "times of whole frames only")),
+            ("subgroup ballots", self.subgroup_ballot, format!("not needed (subgroups of {})", self.subgroup_size)),
+            ("swapchain", self.has(khr::swapchain::NAME), choose(self.has(khr::swapchain::NAME), "windows", "pictures only")),
+            (
+                "memory budget",
+                self.has(ext::memory_budget::NAME),
+                choose(self.has(ext::memory_budget::NAME), "reported by the driver", "own count only"),
+            ),
+        ]
+    }
+
+    /// Discrete before integrated before virtual before CPU.
+    pub(super) fn rank(&self) -> u32 {
+        match self.kind {
+            vk::PhysicalDeviceType::DISCRETE_GPU => 0,
+            vk::PhysicalDeviceType::INTEGRATED_GPU => 1,
+            vk::PhysicalDeviceType::VIRTUAL_GPU => 2,
+            vk::PhysicalDeviceType::CPU => 3,
+            _ => 4,
+        }
+    }
+}
+
+/// A Vulkan version number as people write it.
+pub fn version(version: u32) -> String {
+    format!("{}.{}.{}", vk::api_version_major(version), vk::api_version_minor(version), vk::api_version_patch(version))
+}

@@ -1,0 +1,229 @@
+//! The `raster` stage: one indirect draw of quads, blended far to near into an off-screen image (model.md, step 10).
+
+use super::{
+    device::Gpu,
+    error::{During, Error, Result},
+    memory::{Buffer, Image},
+    pipeline::{Bindings, ShaderModule, Slice},
+    shaders,
+};
+use crate::layout::RASTER_QUADS;
+use ash::vk;
+use std::sync::Arc;
+
+/// What the picture is blended in.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum ColorFormat {
+    /// 8 bits a channel: 4 bytes a pixel, rounded after every Gaussian.
+    Rgba8,
+    /// 16-bit floating point: 8 bytes a pixel.
+    #[default]
+    Rgba16F,
+}
+
+impl ColorFormat {
+    pub fn vulkan(self) -> vk::Format {
+        match self {
+            Self::Rgba8 => vk::Format::R8G8B8A8_UNORM,
+            Self::Rgba16F => vk::Format::R16G16B16A16_SFLOAT,
+        }
+    }
+
+    /// Bytes of a pixel.
+    pub fn bytes(self) -> usize {
+        match self {
+            Self::Rgba8 => 4,
+            Self::Rgba16F => 8,
+        }
+    }
+}
+
+/// The image and the framebuffer around it; made anew when the picture's size changes.
+struct Target {
+    gpu: Arc<Gpu>,
+    image: Image,
+    framebuffer: vk::Framebuffer,
+}
+
+impl Drop for Target {
+    fn drop(&mut self) {
+        // SAFETY: owners drop a target only when no submitted work uses it.
+        unsafe { self.gpu.raw.destroy_framebuffer(self.framebuffer, None) };
+    }
+}
+
+pub struct Raster {
+    gpu: Arc<Gpu>,
+    format: ColorFormat,
+    render_pass: vk::RenderPass,
+    pipeline: vk::Pipeline,
+    bindings: Bindings,
+    indices: Buffer,
+    target: Target,
+}
+
+impl Raster {
+    /// `order`, `splats` and `control` as the stages before leave them.
+    pub fn new(gpu: &Arc<Gpu>, frame: Slice, inputs: [Slice; 3], format: ColorFormat, size: [u32; 2]) -> Result<Self> {
+        let stages = vk::ShaderStageFlags::VERTEX;
+        let bindings = Bindings::new(gpu, stages, Some(frame), &inputs)?;
+        let quad = |quad: u32| [0, 1, 2, 2, 1, 3].map(|corner| (4 * quad + corner) as u16);
+        let indices: Vec<u16> = (0..RASTER_QUADS).flat_map(quad).collect();
+        let indices = Buffer::with_data(gpu, "quad indices", bytemuck::cast_slice(&indices), vk::BufferUsageFlags::INDEX_BUFFER)?;
+        let render_pass = render_pass(gpu, format)?;
+        let target = Self::target(gpu, render_pass, format, size);
+        let pipeline = pipeline(gpu, render_pass, bindings.layout);
+        match (target, pipeline) {
+            (Ok(target), Ok(pipeline)) => Ok(Self { gpu: gpu.clone(), format, render_pass, pipeline, bindings, indices, target }),
+            (target, pipeline) => {
+                // SAFETY: nothing was submitted that uses either.
+                unsafe {
+                    gpu.raw.destroy_pipeline(pipeline.as_ref().copied().unwrap_or_default(), None);
+                    gpu.raw.destroy_render_pass(render_pass, None);
+                }
+                target.and(pipeline).and_then(|_| Err(Error::Call { call: "vkCreateGraphicsPipelines", result: vk::Result::ERROR_UNKNOWN }))
+            }
+        }
+    }
+
+    fn target(gpu: &Arc<Gpu>, render_pass: vk::RenderPass, format: ColorFormat, size: [u32; 2]) -> Result<Target> {
+        let limits = &gpu.probe.limits;
+        let limit = limits.max_image_dimension2_d.min(limits.max_framebuffer_width).min(limits.max_framebuffer_height);
+        if size.iter().any(|&side| side == 0 || side > limit) {
+            let found = format!("{} × {}", size[0], size[1]);
+            return Err(Error::PictureSize { found, limit, device: gpu.probe.name.clone() });
+        }
+        let usage = vk::ImageUsageFlags::COLOR_ATTACHMENT | vk::ImageUsageFlags::SAMPLED | vk::ImageUsageFlags::TRANSFER_SRC;
+        let image = Image::new(gpu, "target", size, format.vulkan(), usage)?;
+        let views = [image.view];
+        let info =
+            vk::FramebufferCreateInfo::default().render_pass(render_pass).attachments(&views).width(size[0]).height(size[1]).layers(1);
+        // SAFETY: `info` and all it points to outlive the call.
+        let framebuffer = unsafe { gpu.raw.create_framebuffer(&info, None) }.during("vkCreateFramebuffer")?;
+        Ok(Target { gpu: gpu.clone(), image, framebuffer })
+    }
+
+    /// Changes the picture's size. No submitted frame may still use the old one. On failure the old picture stays.
+    pub fn resize(&mut self, size: [u32; 2]) -> Result<()> {
+        self.target = Self::target(&self.gpu, self.render_pass, self.format, size)?;
+        Ok(())
+    }
+
+    /// The picture: premultiplied colour, in `SHADER_READ_ONLY_OPTIMAL` after every frame, visible to fragment shaders and transfers.
+    pub fn image(&self) -> &Image {
+        &self.target.image
+    }
+
+    pub fn format(&self) -> ColorFormat {
+        self.format
+    }
+
+    /// Clears the picture and draws what `control` says; graphics.
+    pub fn record(&self, commands: vk::CommandBuffer, frame: u32, control: vk::Buffer) {
+        let [width, height] = self.target.image.size;
+        let area = vk::Rect2D { offset: vk::Offset2D::default(), extent: vk::Extent2D { width, height } };
+        let viewport = vk::Viewport { x: 0.0, y: 0.0, width: width as f32, height: height as f32, min_depth: 0.0, max_depth: 1.0 };
+        let clear = [vk::ClearValue::default()];
+        let begin = vk::RenderPassBeginInfo::default()
+            .render_pass(self.render_pass)
+            .framebuffer(self.target.framebuffer)
+            .render_area(area)
+            .clear_values(&clear);
+        let device = &self.gpu.raw;
+        self.bindings.bind(commands, vk::PipelineBindPoint::GRAPHICS, frame);
+        // SAFETY: the command buffer is recording; every object is alive and fits the pipeline's layout and the render pass.
+        unsafe {
+            device.cmd_begin_render_pass(commands, &begin, vk::SubpassContents::INLINE);
+            device.cmd_bind_pipeline(commands, vk::PipelineBindPoint::GRAPHICS, self.pipeline);
+            device.cmd_set_viewport(commands, 0, &[viewport]);
+            device.cmd_set_scissor(commands, 0, &[area]);
+            device.cmd_bind_index_buffer(commands, self.indices.raw, 0, vk::IndexType::UINT16);
+            device.cmd_draw_indexed_indirect(commands, control, 0, 1, 0);
+            device.cmd_end_render_pass(commands);
+        }
+    }
+}
+
+impl Drop for Raster {
+    fn drop(&mut self) {
+        // SAFETY: owners drop a stage only when no submitted work uses it.
+        unsafe {
+            self.gpu.raw.destroy_pipeline(self.pipeline, None);
+            self.gpu.raw.destroy_render_pass(self.render_pass, None);
+        }
+    }
+}
+
+/// One colour attachment that is cleared, drawn and kept for whoever reads it next.
+fn render_pass(gpu: &Gpu, format: ColorFormat) -> Result<vk::RenderPass> {
+    let attachments = [vk::AttachmentDescription::default()
+        .format(format.vulkan())
+        .samples(vk::SampleCountFlags::TYPE_1)
+        .load_op(vk::AttachmentLoadOp::CLEAR)
+        .store_op(vk::AttachmentStoreOp::STORE)
+        .stencil_load_op(vk::AttachmentLoadOp::DONT_CARE)
+        .stencil_store_op(vk::AttachmentStoreOp::DONT_CARE)
+        .final_layout(vk::ImageLayout::SHADER_READ_ONLY_OPTIMAL)];
+    let color = [vk::AttachmentReference { attachment: 0, layout: vk::ImageLayout::COLOR_ATTACHMENT_OPTIMAL }];
+    let subpasses = [vk::SubpassDescription::default().pipeline_bind_point(vk::PipelineBindPoint::GRAPHICS).color_attachments(&color)];
+    let readers = vk::PipelineStageFlags::FRAGMENT_SHADER | vk::PipelineStageFlags::TRANSFER;
+    let writer =
+        (vk::PipelineStageFlags::COLOR_ATTACHMENT_OUTPUT, vk::AccessFlags::COLOR_ATTACHMENT_READ | vk::AccessFlags::COLOR_ATTACHMENT_WRITE);
+    let dependencies = [
+        // The frame before may still be read.
+        vk::SubpassDependency::default()
+            .src_subpass(vk::SUBPASS_EXTERNAL)
+            .dst_subpass(0)
+            .src_stage_mask(readers | writer.0)
+            .src_access_mask(vk::AccessFlags::COLOR_ATTACHMENT_WRITE)
+            .dst_stage_mask(writer.0)
+            .dst_access_mask(writer.1),
+        vk::SubpassDependency::default()
+            .src_subpass(0)
+            .dst_subpass(vk::SUBPASS_EXTERNAL)
+            .src_stage_mask(writer.0)
+            .src_access_mask(vk::AccessFlags::COLOR_ATTACHMENT_WRITE)
+            .dst_stage_mask(readers)
+            .dst_access_mask(vk::AccessFlags::SHADER_READ | vk::AccessFlags::TRANSFER_READ),
+    ];
+    let info = vk::RenderPassCreateInfo::default().attachments(&attachments).subpasses(&subpasses).dependencies(&dependencies);
+    // SAFETY: `info` and all it points to outlive the call.
+    unsafe { gpu.raw.create_render_pass(&info, None) }.during("vkCreateRenderPass")
+}
+
+fn pipeline(gpu: &Gpu, render_pass: vk::RenderPass, layout: vk::PipelineLayout) -> Result<vk::Pipeline> {
+    let (vertex, fragment) = (ShaderModule::new(gpu, &shaders::RASTER_VERTEX)?, ShaderModule::new(gpu, &shaders::RASTER_FRAGMENT)?);
+    let stage = |stage, module: &ShaderModule| vk::PipelineShaderStageCreateInfo::default().stage(stage).module(module.raw).name(c"main");
+    let stages = [stage(vk::ShaderStageFlags::VERTEX, &vertex), stage(vk::ShaderStageFlags::FRAGMENT, &fragment)];
+    let vertices = vk::PipelineVertexInputStateCreateInfo::default();
+    let assembly = vk::PipelineInputAssemblyStateCreateInfo::default().topology(vk::PrimitiveTopology::TRIANGLE_LIST);
+    let viewports = vk::PipelineViewportStateCreateInfo::default().viewport_count(1).scissor_count(1);
+    let rasterization = vk::PipelineRasterizationStateCreateInfo::default().cull_mode(vk::CullModeFlags::NONE).line_width(1.0);
+    let samples = vk::PipelineMultisampleStateCreateInfo::default().rasterization_samples(vk::SampleCountFlags::TYPE_1);
+    // Premultiplied "over": C = αc + (1 − α) C, and coverage likewise.
+    let over = [vk::PipelineColorBlendAttachmentState::default()
+        .blend_enable(true)
+        .src_color_blend_factor(vk::BlendFactor::ONE)
+        .dst_color_blend_factor(vk::BlendFactor::ONE_MINUS_SRC_ALPHA)
+        .src_alpha_blend_factor(vk::BlendFactor::ONE)
+        .dst_alpha_blend_factor(vk::BlendFactor::ONE_MINUS_SRC_ALPHA)
+        .color_write_mask(vk::ColorComponentFlags::RGBA)];
+    let blend = vk::PipelineColorBlendStateCreateInfo::default().attachments(&over);
+    let dynamic = vk::PipelineDynamicStateCreateInfo::default().dynamic_states(&[vk::DynamicState::VIEWPORT, vk::DynamicState::SCISSOR]);
+    let info = vk::GraphicsPipelineCreateInfo::default()
+        .stages(&stages)
+        .vertex_input_state(&vertices)
+        .input_assembly_state(&assembly)
+        .viewport_state(&viewports)
+        .rasterization_state(&rasterization)
+        .multisample_state(&samples)
+        .color_blend_state(&blend)
+        .dynamic_state(&dynamic)
+        .layout(layout)
+        .render_pass(render_pass);
+    // SAFETY: `info` and all it points to outlive the call.
+    let created = unsafe { gpu.raw.create_graphics_pipelines(gpu.cache.raw, &[info], None) };
+    let pipeline = created.map_err(|(_, result)| result).during("vkCreateGraphicsPipelines")?[0];
+    gpu.name(pipeline, "raster");
+    Ok(pipeline)
+}

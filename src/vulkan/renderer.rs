@@ -1,0 +1,277 @@
+//! Draws one avatar: a pose and a camera go in, a picture on the device comes out. [`Renderer::record`] is the frame, top to bottom.
+
+use super::{
+    commands::{FrameReport, SLOTS, Slot},
+    device::Gpu,
+    error::Result,
+    features::Features,
+    memory::Buffer,
+    model::Model,
+    nodes::Nodes,
+    pipeline::{Slice, barrier},
+    raster::{ColorFormat, Raster},
+    sort::{KeyBits, Sort},
+    splats::Splats,
+};
+use crate::{
+    avatar::Avatar,
+    frame::{Camera, Extent, Needed, Picture, Plan, Posed},
+    layout::{Control, Frame, POSITION_BITS, RASTER_QUADS},
+};
+use ash::vk::{self, AccessFlags, PipelineStageFlags};
+use bytemuck::{bytes_of, from_bytes_mut};
+use glam::DAffine3;
+use gpu_allocator::MemoryLocation;
+use std::sync::Arc;
+
+/// What a renderer is made with.
+#[derive(Clone, Copy, Debug)]
+pub struct RendererOptions {
+    /// Width and height of the picture, px.
+    pub size: [u32; 2],
+    pub color: ColorFormat,
+    pub key_bits: KeyBits,
+    /// Leave out stages whose inputs did not change since the last frame.
+    pub skip: bool,
+}
+
+/// How a frame reaches a window: what to wait for and signal, and the commands that follow the picture.
+pub struct Presentation<'a> {
+    pub acquired: vk::Semaphore,
+    pub finished: vk::Semaphore,
+    pub record: &'a mut dyn FnMut(vk::CommandBuffer),
+}
+
+/// A stage's buffers read back, for tests.
+pub struct Stages {
+    /// Shape N_G, length of e.
+    pub features: Vec<f32>,
+    /// One displacement a node, metres; the fourth number is unused.
+    pub nodes: Vec<[f32; 4]>,
+    pub splats: Vec<[u32; 4]>,
+    pub keys: Vec<u32>,
+    pub order: Vec<u32>,
+    pub control: Control,
+}
+
+/// An avatar on a device.
+pub struct Renderer {
+    // Slots come first: dropping them waits for the frames that use all else.
+    slots: Vec<Slot>,
+    features: Features,
+    nodes: Nodes,
+    splats: Splats,
+    sort: Sort,
+    raster: Raster,
+    control: Buffer,
+    /// Features, then node displacements.
+    pose: Buffer,
+    frames: Buffer,
+    model: Model,
+    extent: Extent,
+    options: RendererOptions,
+    plan: Plan,
+    next: usize,
+    report: FrameReport,
+    gpu: Arc<Gpu>,
+}
+
+/// Bytes from one frame's uniform block to the next: every device's alignment divides 256.
+const FRAME_STRIDE: usize = size_of::<Frame>().next_multiple_of(256);
+
+impl Renderer {
+    pub fn new(gpu: &Arc<Gpu>, avatar: &Avatar, options: RendererOptions) -> Result<Self> {
+        let model = Model::new(gpu, avatar)?;
+        let constants = &model.constants;
+        let storage = vk::BufferUsageFlags::STORAGE_BUFFER | vk::BufferUsageFlags::TRANSFER_SRC;
+        let vectors = u64::from(constants.node_start) + u64::from(constants.nodes);
+        let pose = Buffer::new(gpu, "pose", 16 * vectors, storage, MemoryLocation::GpuOnly)?;
+        let frames = (SLOTS * FRAME_STRIDE) as u64;
+        let mut frames = Buffer::new(gpu, "frames", frames, vk::BufferUsageFlags::UNIFORM_BUFFER, MemoryLocation::CpuToGpu)?;
+        for slot in 0..SLOTS {
+            frames.mapped()[slot * FRAME_STRIDE..][..size_of::<Frame>()].copy_from_slice(bytes_of(&*model.constants));
+        }
+        let control = Control { index_count: 6 * RASTER_QUADS, entering: constants.gaussians, ..Control::default() };
+        let control = Buffer::with_data(gpu, "control", bytes_of(&control), storage | vk::BufferUsageFlags::INDIRECT_BUFFER)?;
+        let frame = Slice { buffer: frames.raw, offset: 0, size: size_of::<Frame>() as u64 };
+        let splats = Splats::new(gpu, &model, frame, (&pose).into())?;
+        let sort = Sort::new(gpu, splats.keys(), &control, constants.gaussians, options.key_bits)?;
+        let raster = Raster::new(gpu, frame, [sort.order(), splats.splats(), (&control).into()], options.color, options.size)?;
+        Ok(Self {
+            slots: (0..SLOTS).map(|_| Slot::new(gpu)).collect::<Result<_>>()?,
+            features: Features::new(gpu, &model, frame, (&pose).into())?,
+            nodes: Nodes::new(gpu, &model, frame, (&pose).into())?,
+            splats,
+            sort,
+            raster,
+            control,
+            pose,
+            frames,
+            extent: Extent::new(avatar),
+            model,
+            options,
+            plan: Plan::default(),
+            next: 0,
+            report: FrameReport::default(),
+            gpu: gpu.clone(),
+        })
+    }
+
+    pub fn gpu(&self) -> &Arc<Gpu> {
+        &self.gpu
+    }
+
+    /// How far the avatar reaches.
+    pub fn extent(&self) -> &Extent {
+        &self.extent
+    }
+
+    /// The stage that holds the picture.
+    pub fn raster(&self) -> &Raster {
+        &self.raster
+    }
+
+    /// What the last finished frame took and drew: at most two frames old.
+    pub fn report(&self) -> &FrameReport {
+        &self.report
+    }
+
+    /// Submits a frame. Waits only when two frames are still under way. `camera` must have the picture's size.
+    pub fn draw(&mut self, posed: &Posed, camera: &Camera, presentation: Option<Presentation>) -> Result<()> {
+        let slot = self.next;
+        if let Some(report) = self.slots[slot].finish()? {
+            self.report = report;
+        }
+        let needed = self.plan.next(posed, camera, self.options.skip);
+        self.write_frame(slot, posed, camera);
+        self.slots[slot].begin()?;
+        self.record(slot, needed);
+        let semaphores = presentation.map(|presentation| {
+            self.slots[slot].stage("present", presentation.record);
+            (presentation.acquired, presentation.finished)
+        });
+        self.slots[slot].submit(&self.control, semaphores)?;
+        self.next = (slot + 1) % SLOTS;
+        Ok(())
+    }
+
+    /// The frame: which stages run, in which order, and what each waits for.
+    fn record(&mut self, slot: usize, needed: Needed) {
+        let frame = (slot * FRAME_STRIDE) as u32;
+        let Self { slots, features, nodes, splats, sort, raster, control, gpu, .. } = self;
+        let slot = &mut slots[slot];
+        let commands = slot.commands;
+        let compute = PipelineStageFlags::COMPUTE_SHADER;
+        let written = (compute, AccessFlags::SHADER_WRITE);
+        let shared = (compute, AccessFlags::SHADER_READ | AccessFlags::SHADER_WRITE);
+        // The frame before may still read what this one writes.
+        let readers = compute | PipelineStageFlags::VERTEX_SHADER | PipelineStageFlags::DRAW_INDIRECT | PipelineStageFlags::TRANSFER;
+        barrier(gpu, commands, (readers, AccessFlags::SHADER_WRITE), shared);
+        if needed.pose {
+            slot.stage("features", |commands| features.record(commands, frame));
+            barrier(gpu, commands, written, shared);
+            slot.stage("nodes", |commands| nodes.record(commands, frame));
+            barrier(gpu, commands, written, shared);
+        } else {
+            slot.skip("features");
+            slot.skip("nodes");
+        }
+        if needed.view {
+            slot.stage("splats", |commands| splats.record(commands, frame));
+            barrier(gpu, commands, written, shared);
+            slot.stage("sort", |commands| sort.record(commands));
+            let draw = PipelineStageFlags::DRAW_INDIRECT | PipelineStageFlags::VERTEX_SHADER | PipelineStageFlags::TRANSFER;
+            let reads = AccessFlags::INDIRECT_COMMAND_READ | AccessFlags::SHADER_READ | AccessFlags::TRANSFER_READ;
+            barrier(gpu, commands, written, (draw, reads));
+            slot.stage("raster", |commands| raster.record(commands, frame, control.raw));
+        } else {
+            ["splats", "sort", "raster"].into_iter().for_each(|stage| slot.skip(stage));
+        }
+    }
+
+    /// Fills the frame's uniform block.
+    fn write_frame(&mut self, slot: usize, posed: &Posed, camera: &Camera) {
+        let depth = self.extent.depth(&posed.joints, camera);
+        let guard = camera.guard();
+        let [low, high] = camera.derivative_limits();
+        let block = &mut self.frames.mapped()[slot * FRAME_STRIDE..][..size_of::<Frame>()];
+        let block: &mut Frame = from_bytes_mut(block);
+        block.focal = camera.focal.as_vec2().to_array();
+        block.center = camera.center.as_vec2().to_array();
+        block.derivative_min = low.as_vec2().to_array();
+        block.derivative_max = high.as_vec2().to_array();
+        block.size = camera.size.map(|side| side as f32);
+        block.guard = guard as f32;
+        block.near = camera.near as f32;
+        block.key_far = depth[1] as f32;
+        block.key_scale = (1.0 / (depth[1] - depth[0])) as f32;
+        block.key_max = match self.options.key_bits {
+            KeyBits::Sixteen => 0xffff,
+            // The largest below 2³² that f32 holds.
+            KeyBits::ThirtyTwo => 0xffff_ff00,
+        };
+        block.fixed_scale = fixed_scale(guard) as f32;
+        let expression = posed.input.len() - posed.expression;
+        for (at, &value) in posed.input.iter().enumerate() {
+            block.input[0][at / 4][at % 4] = value as f32;
+            block.input[1][at / 4][at % 4] = if at < expression { value as f32 } else { 0.0 };
+        }
+        for (rows, joint) in block.joint.iter_mut().zip(&posed.joints) {
+            *rows = matrix_rows(camera.view * *joint);
+        }
+    }
+
+    /// Waits for every submitted frame.
+    pub fn finish(&mut self) -> Result<()> {
+        for offset in 0..SLOTS {
+            if let Some(report) = self.slots[(self.next + offset) % SLOTS].finish()? {
+                self.report = report;
+            }
+        }
+        Ok(())
+    }
+
+    /// Changes the picture's size. On failure the old picture stays.
+    pub fn resize(&mut self, size: [u32; 2]) -> Result<()> {
+        self.finish()?;
+        self.raster.resize(size)?;
+        self.options.size = size;
+        self.plan = Plan::default();
+        Ok(())
+    }
+
+    /// Waits, and copies the picture of the last frame to the host.
+    pub fn picture(&mut self) -> Result<Picture> {
+        self.finish()?;
+        super::picture::download(&self.gpu, &self.raster)
+    }
+
+    /// Waits, and copies every stage's output of the last frame to the host.
+    pub fn stages(&mut self) -> Result<Stages> {
+        self.finish()?;
+        let constants = &self.model.constants;
+        let features = 16 * constants.node_start as usize;
+        let pose = self.pose.download(features + 16 * constants.nodes as usize)?;
+        let (splats, keys) = self.splats.download()?;
+        let control: Control = bytemuck::pod_read_unaligned(&self.control.download(size_of::<Control>())?);
+        Ok(Stages {
+            features: bytemuck::pod_collect_to_vec(&pose[..features]),
+            nodes: bytemuck::pod_collect_to_vec(&pose[features..]),
+            splats,
+            keys,
+            order: self.sort.download(control.survivors)?,
+            control,
+        })
+    }
+}
+
+/// Rows of the 3 by 4 matrix of an affine map.
+fn matrix_rows(map: DAffine3) -> [[f32; 4]; 3] {
+    let columns = [map.matrix3.x_axis, map.matrix3.y_axis, map.matrix3.z_axis, map.translation];
+    std::array::from_fn(|row| columns.map(|column| column[row] as f32))
+}
+
+/// Steps of a splat's coordinate in a pixel: the power of two with which a picture and its guard on both sides just fit.
+pub fn fixed_scale(guard: f64) -> f64 {
+    (f64::from((1 << POSITION_BITS) - 1) / (3.0 * guard)).log2().floor().exp2()
+}

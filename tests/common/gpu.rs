@@ -1,0 +1,86 @@
+//! A device for tests, and frames drawn with it.
+
+use super::{Sizes, avatar, pose};
+use effigy::{
+    avatar::Avatar,
+    frame::{Camera, Extent, Posed},
+    reference,
+    vulkan::{Gpu, GpuOptions, Renderer, RendererOptions, commands::FrameReport, instance::validation_messages, renderer::Stages},
+};
+use std::sync::Arc;
+
+/// The device that the environment chooses. Without any, tests pass by default with a printed reason, and fail where
+/// `EFFIGY_REQUIRE_GPU` is set, as CI does.
+pub fn gpu() -> Option<Arc<Gpu>> {
+    open(GpuOptions::headless(None))
+}
+
+pub fn open(options: GpuOptions) -> Option<Arc<Gpu>> {
+    match Gpu::new(&options) {
+        Ok(gpu) => Some(gpu),
+        Err(error) if std::env::var_os("EFFIGY_REQUIRE_GPU").is_some() => panic!("a device is required: {error}"),
+        Err(error) => {
+            println!("skipped: {error}");
+            None
+        }
+    }
+}
+
+/// One frame on the device and in the reference.
+pub struct Frame {
+    pub avatar: Avatar,
+    pub posed: Posed,
+    pub camera: Camera,
+    pub gpu: Stages,
+    pub report: FrameReport,
+    pub picture: effigy::frame::Picture,
+    pub oracle: reference::Stages,
+}
+
+/// Sees a whole posed avatar from the front left.
+pub fn camera(avatar: &Avatar, posed: &Posed, size: [u32; 2]) -> Camera {
+    let [min, max] = Extent::new(avatar).bounds(&posed.joints);
+    Camera::orbit((min + max) / 2.0, 0.5, 0.1, 1.3 * (max - min).length(), 0.7, size)
+}
+
+/// Draws a seeded avatar in a seeded pose.
+pub fn frame(gpu: &Arc<Gpu>, seed: u64, sizes: Sizes, options: RendererOptions) -> Frame {
+    let avatar = avatar(seed, sizes);
+    let posed = Posed::new(&avatar, &pose(seed + 1, &avatar));
+    let camera = camera(&avatar, &posed, options.size);
+    draw(gpu, avatar, posed, camera, options)
+}
+
+/// Draws any frame.
+pub fn draw(gpu: &Arc<Gpu>, avatar: Avatar, posed: Posed, camera: Camera, options: RendererOptions) -> Frame {
+    let mut renderer = Renderer::new(gpu, &avatar, options).unwrap();
+    renderer.draw(&posed, &camera, None).unwrap();
+    let picture = renderer.picture().unwrap();
+    let stages = renderer.stages().unwrap();
+    let oracle = reference::Stages::new(&avatar, &posed, &camera);
+    Frame { report: renderer.report().clone(), gpu: stages, picture, oracle, avatar, posed, camera }
+}
+
+pub fn options(size: [u32; 2]) -> RendererOptions {
+    RendererOptions { size, color: Default::default(), key_bits: Default::default(), skip: true }
+}
+
+/// To be called at the end of every test that uses a device.
+pub fn assert_valid() {
+    assert_eq!(validation_messages(), 0, "the validation layer complained, see above");
+}
+
+/// Compares two arrays, and names the worst element where one is further off than allowed.
+pub fn assert_close(what: &str, got: &[f64], expected: &[f64], tolerance: f64) {
+    assert_eq!(got.len(), expected.len(), "{what}: lengths differ");
+    let error = |k: usize| (got[k] - expected[k]).abs();
+    let Some(worst) = (0..got.len()).max_by(|&a, &b| error(a).total_cmp(&error(b))) else { return };
+    assert!(
+        error(worst) <= tolerance,
+        "{what}: element {worst} of {} is {}, expected {}, which is {} off; {tolerance} is allowed",
+        got.len(),
+        got[worst],
+        expected[worst],
+        error(worst)
+    );
+}

@@ -1,0 +1,34 @@
+//! The `nodes` stage against the reference, element by element.
+
+mod common;
+
+use common::{Sizes, gpu};
+use effigy::vulkan::GpuOptions;
+
+fn compare(options: GpuOptions) {
+    let Some(device) = gpu::open(options) else { return };
+    let sizes = [
+        Sizes::default(),
+        Sizes { split_features: true, nodes: 1, ..Sizes::default() },
+        Sizes { basis: 32, nodes: 129, ..Sizes::default() },
+        Sizes { basis: 4, split_features: true, nodes: 64, parts: 1000, ..Sizes::default() },
+    ];
+    for (seed, sizes) in (0..).zip(sizes) {
+        let frame = gpu::frame(&device, seed, sizes, gpu::options([64, 64]));
+        let nodes: Vec<f64> = frame.gpu.nodes.iter().flat_map(|v| [v[0], v[1], v[2]]).map(f64::from).collect();
+        let oracle: Vec<f64> = frame.oracle.nodes.iter().flat_map(|v| v.to_array()).collect();
+        // A micrometre.
+        gpu::assert_close(&format!("δx of the nodes, {sizes:?}"), &nodes, &oracle, 1e-6);
+    }
+    gpu::assert_valid();
+}
+
+#[test]
+fn every_node_moves_as_in_the_reference() {
+    compare(GpuOptions::headless(None));
+}
+
+#[test]
+fn packed_words_give_the_same_as_halves() {
+    compare(GpuOptions { packed_words: true, ..GpuOptions::headless(None) });
+}
