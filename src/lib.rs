@@ -24,6 +24,7 @@
 pub mod app;
 pub mod avatar;
 pub mod cli;
+pub mod demo;
 pub mod frame;
 pub mod layout;
 pub mod measure;

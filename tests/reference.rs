@@ -249,12 +249,13 @@ fn a_gaussian_follows_its_three_nodes_by_inverse_distance() {
     let place = |x: f64| avatar.gaussians.bounds.encode(DVec3::new(x, 0.0, 0.0));
     avatar.nodes = Nodes {
         position: vec![place(0.125), place(-0.25), place(0.5)],
-        part: vec![0; 3],
+        part: vec![0, 1, 0],
         offset: vec![half([0.25, 0.0, 0.0]), half([0.0; 3]), half([0.0, 0.0, 0.5])],
-        // The second feature is 2, and only nodes use it.
+        // Nodes use the second half of the features, which is 2 in the second part.
         basis: halves(&[0.0, 0.0, 0.0, 0.0, 0.25, 0.0, 0.0, 0.0, 0.0]),
     };
-    avatar.networks.layers = vec![layer(1, 2, &[0.0, 0.0], &[1.0, 2.0])];
+    avatar.parts.start = vec![0, 2, 2];
+    avatar.networks.layers = vec![layer(1, 2, &[0.0; 4], &[1.0, 5.0, 1.0, 2.0])];
     avatar.gaussians.node = vec![[0, 1, 2]; 2];
     // Distances 1/8, 1/4, 1/2: weights 4/7, 2/7, 1/7. The node at the second Gaussian has a million times the others' weight.
     let means = gaussians(&avatar);
@@ -263,12 +264,14 @@ fn a_gaussian_follows_its_three_nodes_by_inverse_distance() {
 }
 
 #[test]
-fn only_kept_rows_correct_and_colour_is_clamped_after() {
+fn kept_rows_correct_by_their_parts_features_and_colour_is_clamped_after() {
     let mut avatar = avatar(&[DOT; 3]);
-    avatar.networks.layers = vec![layer(1, 1, &[0.0], &[2.0])];
-    avatar.rotation_rows = Rows { gaussian: vec![1], basis: halves(&[-0.5, 0.0, 0.0, 4.0]) };
-    avatar.scale_rows = Rows { gaussian: vec![0, 2], basis: halves(&[0.5, 0.0, 0.0, 0.0, 0.0, 0.25]) };
-    avatar.color_rows = Rows { gaussian: vec![0, 1], basis: halves(&[0.5, 0.125, -0.25, 0.0, 0.0, 0.25]) };
+    // The middle one of three parts is empty.
+    avatar.parts.start = vec![0, 1, 1, 3];
+    avatar.networks.layers = vec![layer(1, 1, &[0.0; 3], &[2.0, 7.0, -2.0])];
+    avatar.rotation_rows = Rows { gaussian: vec![1], basis: halves(&[0.5, 0.0, 0.0, -4.0]) };
+    avatar.scale_rows = Rows { gaussian: vec![0, 2], basis: halves(&[0.5, 0.0, 0.0, 0.0, 0.0, -0.25]) };
+    avatar.color_rows = Rows { gaussian: vec![0, 1], basis: halves(&[0.5, 0.125, -0.25, 0.0, 0.0, -0.25]) };
     let [first, second, third] = gaussians(&avatar)[..] else { panic!("three Gaussians") };
     let s = (-2.5f64).exp();
     near(&first.axes.to_cols_array(), DMat3::from_diagonal(DVec3::new((-1.5f64).exp(), s, s)).as_ref(), 1e-12);

@@ -33,6 +33,8 @@ pub mod limits {
     pub const MLP_LAYERS: usize = 8;
     /// Components of a [`super::Subspace`].
     pub const SUBSPACE: usize = 64;
+    /// Metres; larger numbers are in some other unit.
+    pub const LENGTH: f64 = 10_000.0;
 }
 
 /// A trained or baked avatar: what `NAME.avatar` holds. Lengths are metres, y is up, the avatar faces +z.

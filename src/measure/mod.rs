@@ -1,8 +1,9 @@
-//! What the program says about itself in numbers: how far a picture is from the oracle's.
+//! What the program says about itself in numbers: how far a picture is from the oracle's, and how visible that is.
 
 pub mod bench;
 pub mod bytes;
 pub mod error;
+pub mod flip;
 
 use glam::DVec3;
 

@@ -74,8 +74,8 @@ pub fn gaussians(avatar: &Avatar, posed: &Posed, features: &[f64], nodes: &[DVec
             let dx: DVec3 = avatar.node_weights(k).iter().zip(neutral.node[k]).map(|(&w, s)| w * nodes[usize::from(s)]).sum();
             let x = avatar.position(k) + dx;
             // Step 5.
-            let [w, x_, y, z] = plus(neutral.rotation[k].map(f64::from), corrective(&avatar.rotation_rows, k, e));
-            let q = DQuat::from_xyzw(x_, y, z, w).normalize();
+            let [q_w, q_x, q_y, q_z] = plus(neutral.rotation[k].map(f64::from), corrective(&avatar.rotation_rows, k, e));
+            let q = DQuat::from_xyzw(q_x, q_y, q_z, q_w).normalize();
             let s = DVec3::from(plus(neutral.log_scale[k].map(f64::from), corrective(&avatar.scale_rows, k, e))).exp();
             let c = plus(neutral.color[k].map(f64::from), corrective(&avatar.color_rows, k, e)).map(|c| c.clamp(0.0, 1.0));
             // Steps 6 and 7.

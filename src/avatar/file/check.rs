@@ -1,11 +1,9 @@
 //! The rules that a tensor's numbers keep: bytes at any alignment go in, the first number that breaks the rule comes out.
 
+use crate::avatar::limits;
 use bytemuck::Pod;
 use half::f16;
 use safetensors::Dtype;
-
-/// Numbers whose absolute value is above this, metres, are in some other unit.
-pub const LENGTH_MAX: f64 = 10_000.0;
 
 /// How far the dot products of a subspace's components may be from 1 and 0.
 const ORTHONORMAL: f64 = 1e-3;
@@ -62,9 +60,9 @@ pub fn finite<T: Element>(bytes: &[u8]) -> Result<(), Bad> {
     each(bytes, |value: T| value.to_f64().is_finite(), || "finite numbers".into())
 }
 
-/// Finite, and no greater than [`LENGTH_MAX`].
+/// Finite, and no greater than [`limits::LENGTH`].
 pub fn length<T: Element>(bytes: &[u8]) -> Result<(), Bad> {
-    each(bytes, |value: T| value.to_f64().abs() <= LENGTH_MAX, || format!("metres, at most {LENGTH_MAX}"))
+    each(bytes, |value: T| value.to_f64().abs() <= limits::LENGTH, || format!("metres, at most {}", limits::LENGTH))
 }
 
 /// Finite and not below 0.

@@ -1,7 +1,7 @@
 //! The safetensors container: bytes go in, a checked document and its tensors come out, and the way back.
 
 use super::format::{Document, METADATA_KEY, VERSION};
-use super::{Fault, TensorInfo};
+use super::{Fault, TensorInfo, clip};
 use safetensors::tensor::{Metadata, TensorView};
 use std::collections::HashMap;
 
@@ -23,7 +23,10 @@ impl<'a> Container<'a> {
             bytes.split_first_chunk::<8>().ok_or_else(|| Fault::container(format!("a file of {} bytes", bytes.len()), "at least 8"))?;
         let length = usize::try_from(u64::from_le_bytes(*length)).unwrap_or(usize::MAX);
         if length > HEADER_MAX {
-            return Err(Fault::container(format!("a header of {length} bytes"), format!("a safetensors file with at most {HEADER_MAX}")));
+            return Err(Fault::container(
+                format!("a header of {length} bytes"),
+                format!("at most {HEADER_MAX}; this is no avatar or motion file"),
+            ));
         }
         let (header, data) = rest.split_at_checked(length).ok_or_else(|| {
             Fault::container(format!("a header cut off after {} bytes", rest.len()), format!("{length}; the file is incomplete"))
@@ -38,19 +41,23 @@ impl<'a> Container<'a> {
         Ok(Self { metadata, data })
     }
 
-    /// Our document in the header.
-    fn document<D: Document>(&self) -> Result<D, Fault> {
+    /// Our document in the header: what it says it is, and its text.
+    fn tag(&self) -> Result<(Tag, &str), Fault> {
         let metadata = self.metadata.metadata().as_ref().and_then(|map| map.get(METADATA_KEY));
-        let text = metadata.ok_or_else(|| Fault::metadata(METADATA_KEY, "nothing", format!("the document of an `{}` file", D::FORMAT)))?;
-        let failed = |error: serde_json::Error| Fault::metadata(METADATA_KEY, clip(&error.to_string()), "a document as version 1 has it");
-        let tag: Tag = serde_json::from_str(text).map_err(failed)?;
+        let text = metadata.ok_or_else(|| Fault::metadata(METADATA_KEY, "nothing", "the document of an avatar or motion file"))?;
+        Ok((parse(text)?, text))
+    }
+
+    /// The same, parsed and checked.
+    fn document<D: Document>(&self) -> Result<D, Fault> {
+        let (tag, text) = self.tag()?;
         if tag.format != D::FORMAT {
             return Err(Fault::metadata("format", format!("`{}`", clip(&tag.format)), format!("`{}`", D::FORMAT)));
         }
         if tag.version != VERSION {
             return Err(Fault::metadata("version", tag.version, format!("{VERSION}, the only one this program reads")));
         }
-        let document: D = serde_json::from_str(text).map_err(failed)?;
+        let document: D = parse(text)?;
         document.check()?;
         Ok(document)
     }
@@ -92,6 +99,11 @@ struct Tag {
     version: u64,
 }
 
+fn parse<T: serde::de::DeserializeOwned>(text: &str) -> Result<T, Fault> {
+    let failed = |error: serde_json::Error| Fault::metadata(METADATA_KEY, clip(&error.to_string()), "a document as version 1 has it");
+    serde_json::from_str(text).map_err(failed)
+}
+
 /// Index of an element along each axis.
 fn coordinates(mut at: usize, shape: &[usize]) -> Vec<usize> {
     let mut along: Vec<usize> = shape.iter().rev().map(|&n| (at % n.max(1), at /= n.max(1)).0).collect();
@@ -99,10 +111,9 @@ fn coordinates(mut at: usize, shape: &[usize]) -> Vec<usize> {
     along
 }
 
-/// The beginning of a text from a file, on one line.
-fn clip(text: &str) -> String {
-    let line: String = text.chars().take(160).map(|c| if c.is_control() { ' ' } else { c }).collect();
-    if line.len() < text.len() { line + "…" } else { line }
+/// Whether a file says that it is of a kind.
+pub fn is_of<D: Document>(bytes: &[u8]) -> Result<bool, Fault> {
+    Ok(Container::open(bytes)?.tag()?.0.format == D::FORMAT)
 }
 
 /// The model in a file's bytes.

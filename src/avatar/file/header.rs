@@ -1,9 +1,8 @@
 //! The documents in the files' headers: taken from a model, checked, and made into a model with the tensors.
 
-use super::Fault;
-use super::check::LENGTH_MAX;
 use super::container::Container;
 use super::format::{AVATAR, AVATAR_FORMAT, AvatarHeader, ClipHeader, Document, MOTION, MOTION_FORMAT, Tensor, VERSION};
+use super::{Fault, clip};
 use crate::avatar::{Avatar, Bounds, Clip, Gaussians, Inputs, Layer, Networks, Nodes, Parts, Rows, Skeleton, Subspace, limits};
 use std::collections::HashSet;
 use std::fmt::Display;
@@ -31,15 +30,16 @@ fn ensure(good: bool, field: &str, found: impl Display, expected: impl Display) 
 
 /// A fixed word of the format.
 fn word(field: &str, found: &str, expected: &str) -> Result<(), Fault> {
-    ensure(found == expected, field, format_args!("{found:.40?}"), format_args!("{expected:?}"))
+    ensure(found == expected, field, format_args!("{:?}", clip(found)), format_args!("{expected:?}"))
 }
 
 /// There is a joint, there are not too many, and no two have one name.
 fn joints(names: &[String]) -> Result<(), Fault> {
-    count("joints", names.len(), 1..=limits::JOINTS)?;
+    let good = (1..=limits::JOINTS).contains(&names.len());
+    ensure(good, "joints", format_args!("{} names", names.len()), format_args!("1 to {}", limits::JOINTS))?;
     let mut seen = HashSet::new();
     match names.iter().find(|name| !seen.insert(name.as_str())) {
-        Some(name) => Err(Fault::metadata("joints", format_args!("{name:.40?} twice"), "names that differ")),
+        Some(name) => Err(Fault::metadata("joints", format_args!("{:?} twice", clip(name)), "names that differ")),
         None => Ok(()),
     }
 }
@@ -56,13 +56,13 @@ impl AvatarHeader {
         count("head_parts", self.head_parts, 0..=self.parts)?;
         count("nodes", self.nodes, 1..=limits::NODES)?;
         count("basis", self.basis, 4..=limits::BASIS)?;
-        ensure(self.basis % 4 == 0, "basis", self.basis, "a multiple of 4")?;
+        ensure(self.basis.is_multiple_of(4), "basis", self.basis, "a multiple of 4")?;
         count("rotation_rows", self.rotation_rows, 0..=self.gaussians)?;
         count("scale_rows", self.scale_rows, 0..=self.gaussians)?;
         count("color_rows", self.color_rows, 0..=self.gaussians)?;
         let [min, max] = self.bounds;
-        let good = (0..3).all(|k| min[k] <= max[k] && f64::from(min[k]) >= -LENGTH_MAX && f64::from(max[k]) <= LENGTH_MAX);
-        let expected = format!("a lower and an upper corner within ±{LENGTH_MAX} metres");
+        let good = (0..3).all(|k| min[k] <= max[k] && f64::from(min[k]) >= -limits::LENGTH && f64::from(max[k]) <= limits::LENGTH);
+        let expected = format!("a lower and an upper corner within ±{} metres", limits::LENGTH);
         ensure(good, "bounds", format_args!("{min:?} to {max:?}"), expected)
     }
 
@@ -86,7 +86,9 @@ impl AvatarHeader {
 
     fn check_networks(&self) -> Result<(), Fault> {
         count("expression", self.expression, 0..=limits::EXPRESSION)?;
-        count("widths", self.widths.len(), 2..=limits::MLP_LAYERS + 1)?;
+        let layers = self.widths.len().saturating_sub(1);
+        let expected = format!("1 to {}: one width more than layers", limits::MLP_LAYERS);
+        ensure((1..=limits::MLP_LAYERS).contains(&layers), "widths", format_args!("{layers} layers"), expected)?;
         let (input, output) = (self.widths[0], self.widths[self.widths.len() - 1]);
         count("widths", input, 1..=limits::MLP_INPUT)?;
         let inputs = self.pose_len() + self.expression;
@@ -94,7 +96,7 @@ impl AvatarHeader {
         ensure(input == inputs, "widths", format_args!("{input} inputs"), expected)?;
         for &hidden in &self.widths[1..self.widths.len() - 1] {
             count("widths", hidden, 4..=limits::MLP_WIDTH)?;
-            ensure(hidden % 4 == 0, "widths", hidden, "multiples of 4 in the hidden layers")?;
+            ensure(hidden.is_multiple_of(4), "widths", hidden, "multiples of 4 in the hidden layers")?;
         }
         let good = output == self.basis || output == 2 * self.basis;
         ensure(good, "widths", format_args!("{output} outputs"), format_args!("{0} or twice {0}, as `basis` says", self.basis))?;

@@ -44,6 +44,12 @@ impl Fault {
     }
 }
 
+/// The beginning of a text from a file, on one line.
+fn clip(text: &str) -> String {
+    let line: String = text.chars().take(100).map(|c| if c.is_control() { ' ' } else { c }).collect();
+    if line.len() < text.len() { line + "…" } else { line }
+}
+
 /// A tensor as a file stores it.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
 pub struct TensorInfo {
@@ -56,8 +62,28 @@ pub struct TensorInfo {
     pub what: &'static str,
 }
 
+/// What a file of either kind holds.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Content {
+    Avatar(Box<Avatar>),
+    Clip(Box<Clip>),
+}
+
+impl Content {
+    /// Reads a file of either kind, told apart by its content.
+    ///
+    /// # Errors
+    /// When the file cannot be opened, is neither, or breaks a rule of [`format`].
+    pub fn read(path: &Path) -> Result<Self, FileError> {
+        read_with(path, |bytes| match container::is_of::<ClipHeader>(bytes)? {
+            true => Ok(Self::Clip(Box::new(container::decode::<ClipHeader>(bytes)?))),
+            false => Ok(Self::Avatar(Box::new(container::decode::<AvatarHeader>(bytes)?))),
+        })
+    }
+}
+
 /// Maps a file and decodes it.
-fn read<D: Document>(path: &Path) -> Result<D::Model, FileError> {
+fn read_with<T>(path: &Path, decode: impl FnOnce(&[u8]) -> Result<T, Fault>) -> Result<T, FileError> {
     let failed = |cause| FileError::Read { file: path.into(), cause };
     let file = File::open(path).map_err(failed)?;
     if !file.metadata().map_err(failed)?.is_file() {
@@ -66,7 +92,7 @@ fn read<D: Document>(path: &Path) -> Result<D::Model, FileError> {
     // SAFETY: the mapping is only read, and every number is copied out before this function returns. Should another program shorten
     // the file meanwhile, the system ends this process; `write` never does, as it replaces files whole.
     let bytes = unsafe { memmap2::Mmap::map(&file) }.map_err(failed)?;
-    container::decode::<D>(&bytes).map_err(|fault| FileError::Content { file: path.into(), fault })
+    decode(&bytes).map_err(|fault| FileError::Content { file: path.into(), fault })
 }
 
 /// Writes beside the target and renames, so that the target is either the old file or the whole new one.
@@ -99,7 +125,7 @@ impl Avatar {
     /// # Errors
     /// When the file cannot be opened, is not an avatar, or breaks a rule.
     pub fn read(path: &Path) -> Result<Self, FileError> {
-        read::<AvatarHeader>(path)
+        read_with(path, Self::from_bytes)
     }
 
     /// The same from the file's bytes, at any alignment.
@@ -138,7 +164,7 @@ impl Clip {
     /// # Errors
     /// When the file cannot be opened, is not a motion, or breaks a rule.
     pub fn read(path: &Path) -> Result<Self, FileError> {
-        read::<ClipHeader>(path)
+        read_with(path, Self::from_bytes)
     }
 
     /// The same from the file's bytes, at any alignment.

@@ -1,0 +1,43 @@
+#!/usr/bin/env bash
+# Gathers the Vulkan drivers and the validation layer that the tests run on, without a GPU, on Debian 12:
+#   mesa25       Mesa 25's lavapipe from Debian's backports, unpacked beside the system's own
+#   swiftshader  the SwiftShader in Debian's chromium: no f16 storage, subgroups of 4
+#   layers       the newer validation layer in Debian's chromium, which finds missing barriers between dispatches
+# usage: tools/drivers.sh [DEST, default target/drivers]    makes DEST/mesa25.json, DEST/swiftshader.json and DEST/layers/
+set -euo pipefail
+cd "$(dirname "$0")/.."
+dest=${1:-target/drivers}
+mkdir -p "$dest/layers"
+dest=$(cd "$dest" && pwd)
+[ -s "$dest/mesa25.json" ] && [ -s "$dest/swiftshader.json" ] && exit 0
+command -v apt-get >/dev/null || { echo "tools/drivers.sh needs Debian's apt-get; elsewhere run \`cargo test\` on your own drivers" >&2; exit 1; }
+
+as_root() { if [ "$(id -u)" = 0 ]; then "$@"; else sudo "$@"; fi; }
+install=(apt-get -o DPkg::Lock::Timeout=300 install -qq -y --no-install-recommends)
+as_root apt-get -o DPkg::Lock::Timeout=300 update -qq
+DEBIAN_FRONTEND=noninteractive as_root "${install[@]}" mesa-vulkan-drivers libvulkan1 chromium vulkan-validationlayers xvfb xdotool >/dev/null
+
+# The lists of the backports suite, kept apart from the system's own.
+mirror=$(apt-get indextargets --format '$(SITE)' 'Created-By: Packages' 'Codename: bookworm' | head -n 1)
+[ -n "$mirror" ] || mirror=$(awk '/^URIs:/{print $2; exit}' /etc/apt/sources.list.d/*.sources)
+apt="$dest/apt"
+mkdir -p "$apt/lists/partial" "$apt/cache/archives/partial" "$dest/mesa25"
+echo "deb [signed-by=/usr/share/keyrings/debian-archive-keyring.gpg] $mirror bookworm-backports main" > "$apt/sources.list"
+options=(-o Dir::Etc::sourcelist="$apt/sources.list" -o Dir::Etc::sourceparts=/nonexistent -o Dir::State::lists="$apt/lists" -o Dir::Cache="$apt/cache" -o APT::Sandbox::User=root)
+apt-get "${options[@]}" update -qq
+(cd "$apt" && apt-get "${options[@]}" download -q mesa-vulkan-drivers/bookworm-backports >/dev/null)
+dpkg -x "$apt"/mesa-vulkan-drivers_*.deb "$dest/mesa25"
+rm -rf "$apt"
+
+icd() { # NAME LIBRARY VERSION
+  [ -s "$2" ] || { echo "$2 is missing" >&2; exit 1; }
+  printf '{"file_format_version": "1.0.1", "ICD": {"api_version": "%s", "library_path": "%s"}}\n' "$3" "$2" > "$dest/$1.json"
+}
+icd mesa25 "$dest/mesa25/usr/lib/x86_64-linux-gnu/libvulkan_lvp.so" 1.4.305
+icd swiftshader /usr/lib/chromium/libvk_swiftshader.so 1.3.0
+cat > "$dest/layers/VkLayer_khronos_validation.json" <<'JSON'
+{"file_format_version": "1.2.0", "layer": {"name": "VK_LAYER_KHRONOS_validation", "type": "GLOBAL",
+ "library_path": "/usr/lib/chromium/libVkLayer_khronos_validation.so", "api_version": "1.4.328", "implementation_version": "1",
+ "description": "Khronos validation layer", "instance_extensions": [{"name": "VK_EXT_debug_report", "spec_version": "9"},
+ {"name": "VK_EXT_debug_utils", "spec_version": "2"}, {"name": "VK_EXT_validation_features", "spec_version": "6"}]}}
+JSON

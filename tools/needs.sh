@@ -1,0 +1,20 @@
+# Sourced by the other tools: installs what is missing, with apt where there is one, and says what to do where there is none.
+
+as_root() { if [ "$(id -u)" = 0 ]; then "$@"; elif command -v sudo >/dev/null; then sudo "$@"; else echo "run as root: $*" >&2; return 1; fi; }
+
+# need TEST PACKAGE...: installs the packages unless the test command succeeds.
+need() {
+  local present=$1; shift
+  eval "$present" >/dev/null 2>&1 && return 0
+  command -v apt-get >/dev/null || { echo "missing: $* (Debian's names); install them with this system's package manager" >&2; return 1; }
+  echo "installing $*"
+  [ -n "${apt_updated:-}" ] || as_root apt-get -o DPkg::Lock::Timeout=300 update -qq
+  apt_updated=1
+  DEBIAN_FRONTEND=noninteractive as_root apt-get -o DPkg::Lock::Timeout=300 install -qq -y --no-install-recommends "$@" >/dev/null
+}
+
+need_rust() {
+  command -v cargo >/dev/null || { [ -r "$HOME/.cargo/env" ] && . "$HOME/.cargo/env"; }
+  command -v cargo >/dev/null || { echo "Rust is missing: install it from https://rustup.rs, open a new shell and run this again" >&2; return 1; }
+  need 'command -v cc' gcc libc6-dev
+}
