@@ -5,10 +5,13 @@ use super::{
     playback::{Playback, Repeat, SPEED},
     times::FrameTimes,
 };
+use crate::vulkan::commands::STAGES;
 use egui::{Align, Color32, Grid, Layout, Pos2, RichText, Sense, Slider, Stroke, Ui, vec2};
 
 /// Width of the panel, points.
 const WIDTH: f32 = 264.0;
+/// Of the bars in graph and table.
+const BAR: Color32 = Color32::from_rgb(110, 180, 220);
 /// Height of the graph, points.
 const GRAPH: f32 = 36.0;
 
@@ -18,10 +21,10 @@ pub struct Facts<'a> {
     pub times: &'a FrameTimes,
     /// Each stage of the last frame that drew the avatar, milliseconds on the GPU.
     pub stages: &'a [(&'static str, f64)],
-    /// Gaussians drawn, where that is known, and all there are.
-    pub gaussians: (Option<u32>, usize),
-    /// What this frame left out, and why it could.
-    pub skipped: &'a [String],
+    /// Gaussians drawn, and all there are.
+    pub gaussians: (u32, usize),
+    /// Stages that the frame could leave out, since their inputs were the same.
+    pub skipped: &'a [&'static str],
     pub device: &'a str,
     pub driver: &'a str,
     /// Bytes of GPU memory in use.
@@ -174,7 +177,7 @@ fn graph(ui: &mut Ui, times: &FrameTimes) {
     let step = rect.width() / 120.0;
     for (place, ms) in times.history_ms().rev().enumerate() {
         let part = ms / (2.0 * mean).max(1e-3);
-        let color = if part > 0.75 { Color32::from_rgb(230, 150, 70) } else { Color32::from_rgb(110, 180, 220) };
+        let color = if part > 0.75 { Color32::from_rgb(230, 150, 70) } else { BAR };
         let x = rect.right() - (place as f32 + 0.5) * step;
         let top = rect.bottom() - part.min(1.0) * rect.height();
         painter.line_segment([Pos2::new(x, rect.bottom()), Pos2::new(x, top)], Stroke::new(step.max(1.0) * 0.8, color));
@@ -182,26 +185,25 @@ fn graph(ui: &mut Ui, times: &FrameTimes) {
 }
 
 fn stages(ui: &mut Ui, facts: &Facts) {
-    if facts.stages.is_empty() {
-        ui.weak("this device has no timestamps");
-    }
     let longest = facts.stages.iter().map(|stage| stage.1).fold(0.0, f64::max);
     Grid::new("stages").num_columns(3).spacing(vec2(8.0, 2.0)).show(ui, |ui| {
-        for (name, ms) in facts.stages {
-            ui.label(*name);
-            ui.with_layout(Layout::right_to_left(Align::Center), |ui| ui.monospace(format!("{ms:8.3} ms")));
+        for name in STAGES {
+            ui.label(name);
+            let ms = facts.stages.iter().find(|stage| stage.0 == name).map(|stage| stage.1);
+            let text = match ms {
+                Some(ms) => format!("{ms:7.2} ms"),
+                None if facts.skipped.contains(&name) => "skipped".into(),
+                None => "unknown".into(),
+            };
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| ui.monospace(text));
             let (rect, _) = ui.allocate_exact_size(vec2(96.0, 8.0), Sense::hover());
-            let filled = rect.with_max_x(rect.left() + rect.width() * (ms / longest.max(1e-9)) as f32);
-            ui.painter().rect_filled(filled, 1.0, Color32::from_rgb(110, 180, 220));
+            let part = ms.map_or(0.0, |ms| ms / longest.max(1e-9)) as f32;
+            ui.painter().rect_filled(rect.with_max_x(rect.left() + rect.width() * part), 1.0, BAR);
             ui.end_row();
         }
     });
     let (drawn, all) = facts.gaussians;
-    let drawn = drawn.map_or("…".to_string(), |drawn| grouped(drawn as usize));
-    ui.label(format!("{drawn} of {} Gaussians drawn", grouped(all)));
-    for skipped in facts.skipped {
-        ui.label(RichText::new(format!("skipped: {skipped}")).weak());
-    }
+    ui.label(format!("{} of {} Gaussians drawn", grouped(drawn as usize), grouped(all)));
 }
 
 fn device(ui: &mut Ui, facts: &Facts) {
@@ -254,8 +256,8 @@ mod tests {
             avatar: "someone",
             times: &FrameTimes::default(),
             stages: &[("features", 0.5), ("sort", 1.0)],
-            gaussians: (Some(1234), 200_000),
-            skipped: &["features: the pose is the same".into()],
+            gaussians: (1234, 200_000),
+            skipped: &["features"],
             device: "a device",
             driver: "a driver",
             memory: 12_000_000,
