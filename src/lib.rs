@@ -20,6 +20,8 @@
 //! f64, the oracle; [`vulkan`] the stages on the GPU; [`measure`] time and error; [`bake`] makes avatars and clips from a real body
 //! and real motion.
 
+#[cfg(feature = "window")]
+pub mod app;
 pub mod avatar;
 pub mod cli;
 pub mod demo;

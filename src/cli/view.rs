@@ -1,10 +1,73 @@
-#[derive(clap::Args)]
-pub struct Args {}
+//! `effigy view`, and what `effigy` does without a subcommand.
 
-pub fn run(_args: Args) -> anyhow::Result<()> {
-    anyhow::bail!("not built yet")
+use super::{
+    options::{self, Quality},
+    render,
+    source::Source,
+};
+use clap::Parser;
+use std::path::Path;
+
+#[derive(clap::Args)]
+#[cfg_attr(feature = "window", command(after_help = crate::app::action::help()))]
+pub struct Args {
+    #[command(flatten)]
+    source: Source,
+    /// Width and height of the window, px
+    #[arg(long, value_parser = options::size, default_value = "1280x800")]
+    size: [u32; 2],
+    /// Fill the screen
+    #[arg(long)]
+    fullscreen: bool,
+    /// Colour behind the avatar
+    #[arg(long, value_name = "RRGGBB", default_value = options::BACKGROUND, value_parser = options::color)]
+    background: [f32; 3],
+    /// Draw without a rest, quit after so many frames and print how long they took
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    frames: Option<u32>,
+    #[command(flatten)]
+    quality: Quality,
 }
 
+/// [`Args`] as a command of its own: the defaults are written down once.
+#[derive(Parser)]
+struct Defaults {
+    #[command(flatten)]
+    args: Args,
+}
+
+#[cfg(feature = "window")]
+pub fn run(args: Args) -> anyhow::Result<()> {
+    use anyhow::Context;
+    let display = crate::app::Display::open().context("a window can't be shown; `effigy render` draws without one")?;
+    show(display, args)
+}
+
+#[cfg(feature = "window")]
+fn show(display: crate::app::Display, args: Args) -> anyhow::Result<()> {
+    let (avatar, clips) = args.source.load()?;
+    let options = crate::app::Options {
+        gpu: args.quality.gpu(),
+        drawing: args.quality.renderer(args.size),
+        full_screen: args.fullscreen,
+        background: args.background,
+        frames: args.frames,
+    };
+    display.show(avatar, clips, options)
+}
+
+#[cfg(not(feature = "window"))]
+pub fn run(_: Args) -> anyhow::Result<()> {
+    anyhow::bail!("this program was built without its window; build it with `--features window`, or use `effigy render`")
+}
+
+/// The demo in a window, or pictures of it where there is no display.
 pub fn run_default() -> anyhow::Result<()> {
-    anyhow::bail!("not built yet")
+    let Defaults { args } = Defaults::parse_from(["effigy"]);
+    #[cfg(feature = "window")]
+    match crate::app::Display::open() {
+        Ok(display) => return show(display, args),
+        Err(error) => println!("{error}: rendering a turn of the demo avatar to pictures instead"),
+    }
+    render::turntable(&args.source, Path::new("effigy-turntable"))
 }

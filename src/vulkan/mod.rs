@@ -13,12 +13,15 @@ pub mod model;
 pub mod nodes;
 pub mod picture;
 pub mod pipeline;
+pub mod present;
 pub mod probe;
 pub mod raster;
 pub mod renderer;
 pub mod shaders;
 pub mod sort;
 pub mod splats;
+#[cfg(feature = "window")]
+pub mod swapchain;
 
 pub use device::{Gpu, GpuOptions};
 pub use error::{Error, Result};

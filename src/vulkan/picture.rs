@@ -12,8 +12,28 @@ use gpu_allocator::MemoryLocation;
 use half::f16;
 use std::sync::Arc;
 
+/// A picture's bytes as the device has them. Turning them into numbers is left to whoever has the time.
+pub struct Copied {
+    size: [u32; 2],
+    format: ColorFormat,
+    bytes: Vec<u8>,
+}
+
+impl Copied {
+    pub fn decode(&self) -> Picture {
+        let pixels = match self.format {
+            ColorFormat::Rgba8 => self.bytes.chunks_exact(4).map(|p| [p[0], p[1], p[2], p[3]].map(|v| f32::from(v) / 255.0)).collect(),
+            ColorFormat::Rgba16F => {
+                let half = |p: &[u8], k: usize| f16::from_le_bytes([p[2 * k], p[2 * k + 1]]).to_f32();
+                self.bytes.chunks_exact(8).map(|p| std::array::from_fn(|k| half(p, k))).collect()
+            }
+        };
+        Picture { size: self.size, pixels }
+    }
+}
+
 /// Copies a picture that was drawn at least once, and waits.
-pub fn download(gpu: &Arc<Gpu>, raster: &Raster) -> Result<Picture> {
+pub fn download(gpu: &Arc<Gpu>, raster: &Raster) -> Result<Copied> {
     let image = raster.image();
     let [width, height] = image.size;
     let bytes = width as usize * height as usize * raster.format().bytes();
@@ -34,15 +54,7 @@ pub fn download(gpu: &Arc<Gpu>, raster: &Raster) -> Result<Picture> {
         transition(gpu, commands, image.raw, [layouts[1], layouts[0]]);
         to_host(gpu, commands);
     })?;
-    let bytes = &staging.mapped()[..bytes];
-    let pixels = match raster.format() {
-        ColorFormat::Rgba8 => bytes.chunks_exact(4).map(|p| [p[0], p[1], p[2], p[3]].map(|v| f32::from(v) / 255.0)).collect(),
-        ColorFormat::Rgba16F => {
-            let half = |p: &[u8], k: usize| f16::from_le_bytes([p[2 * k], p[2 * k + 1]]).to_f32();
-            bytes.chunks_exact(8).map(|p| std::array::from_fn(|k| half(p, k))).collect()
-        }
-    };
-    Ok(Picture { size: image.size, pixels })
+    Ok(Copied { size: image.size, format: raster.format(), bytes: staging.mapped()[..bytes].to_vec() })
 }
 
 fn transition(gpu: &Gpu, commands: vk::CommandBuffer, image: vk::Image, [from, to]: [vk::ImageLayout; 2]) {

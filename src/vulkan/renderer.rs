@@ -8,6 +8,7 @@ use super::{
     memory::Buffer,
     model::Model,
     nodes::Nodes,
+    picture::Copied,
     pipeline::{Slice, barrier},
     raster::{ColorFormat, Raster},
     sort::{KeyBits, Sort},
@@ -242,6 +243,11 @@ impl Renderer {
 
     /// Waits, and copies the picture of the last frame to the host.
     pub fn picture(&mut self) -> Result<Picture> {
+        Ok(self.copy()?.decode())
+    }
+
+    /// The same without the work of decoding it.
+    pub fn copy(&mut self) -> Result<Copied> {
         self.finish()?;
         super::picture::download(&self.gpu, &self.raster)
     }

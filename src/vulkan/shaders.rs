@@ -54,9 +54,24 @@ pub static SORT_SCATTER: Module =
     Module { file: "sort_scatter.comp", spirv: include_bytes!("../../shaders/spv/sort_scatter.comp.spv"), half: None };
 pub static RASTER_VERTEX: Module = Module { file: "raster.vert", spirv: include_bytes!("../../shaders/spv/raster.vert.spv"), half: None };
 pub static RASTER_FRAGMENT: Module = Module { file: "raster.frag", spirv: include_bytes!("../../shaders/spv/raster.frag.spv"), half: None };
+pub static PRESENT_VERTEX: Module =
+    Module { file: "present.vert", spirv: include_bytes!("../../shaders/spv/present.vert.spv"), half: None };
+pub static PRESENT_FRAGMENT: Module =
+    Module { file: "present.frag", spirv: include_bytes!("../../shaders/spv/present.frag.spv"), half: None };
 
 /// Every module, for the compiler and the tests.
-pub static MODULES: &[&Module] = &[&FEATURES, &NODES, &SPLATS, &SORT_COUNT, &SORT_SCAN, &SORT_SCATTER, &RASTER_VERTEX, &RASTER_FRAGMENT];
+pub static MODULES: &[&Module] = &[
+    &FEATURES,
+    &NODES,
+    &SPLATS,
+    &SORT_COUNT,
+    &SORT_SCAN,
+    &SORT_SCATTER,
+    &RASTER_VERTEX,
+    &RASTER_FRAGMENT,
+    &PRESENT_VERTEX,
+    &PRESENT_FRAGMENT,
+];
 
 /// File in `shaders/spv` with a line `name fingerprint` for each module.
 pub const FINGERPRINTS: &str = "fingerprints.txt";

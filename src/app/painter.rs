@@ -1,0 +1,217 @@
+//! Draws frames into a window: a pose, a camera and the overlay's triangles go in; what comes out is on the screen.
+
+use super::scene::Look;
+use crate::{
+    avatar::Avatar,
+    frame::Posed,
+    vulkan::{
+        Error, Gpu, GpuOptions, Renderer, RendererOptions, Result,
+        commands::{FrameReport, SLOTS},
+        error::During,
+        picture::Copied,
+        present::Present,
+        renderer::Presentation,
+        swapchain::{Acquired, Surface, Swapchain, extensions},
+    },
+};
+use ash::vk;
+use egui::{ClippedPrimitive, TexturesDelta};
+use egui_ash_renderer::{Options, RenderMode, Renderer as Egui, RendererError, allocator::GpuAllocator};
+use raw_window_handle::{HandleError, HasDisplayHandle, HasWindowHandle};
+use std::{mem::ManuallyDrop, sync::Arc};
+use winit::window::Window;
+
+/// The overlay of a frame, as egui hands it over.
+#[derive(Default)]
+pub struct Panel {
+    pub triangles: Vec<ClippedPrimitive>,
+    pub pixels_per_point: f32,
+}
+
+/// Everything of the device that a window needs.
+pub struct Painter {
+    // In the order in which they have to go.
+    egui: ManuallyDrop<Egui<GpuAllocator>>,
+    textures: vk::CommandPool,
+    swapchain: Option<Swapchain>,
+    present: Present,
+    surface: Option<Surface>,
+    renderer: Renderer,
+    gpu: Arc<Gpu>,
+    window: Arc<Window>,
+    /// The window's size when the swapchain was made, px.
+    fitted: [u32; 2],
+    stale: bool,
+}
+
+impl Painter {
+    /// Opens a device for a window: the one that `options` names, else the first that can show pictures in it.
+    pub fn new(window: &Arc<Window>, avatar: &Avatar, options: &GpuOptions, drawing: RendererOptions) -> anyhow::Result<Self> {
+        let display = window.display_handle()?;
+        let options = GpuOptions { surface_extensions: extensions(display)?, ..options.clone() };
+        let open = |device: Option<String>| -> anyhow::Result<_> {
+            let gpu = Gpu::new(&GpuOptions { device, ..options.clone() }).map_err(no_window_extension)?;
+            Ok((Self::surface(&gpu, window)?, gpu))
+        };
+        let first = open(options.device.clone());
+        let (surface, gpu) = match first {
+            Err(error) if options.device.is_none() && matches!(error.downcast_ref(), Some(Error::Lacks { .. })) => {
+                // Another device may be the one that the display hangs on. Numbers end where there is none.
+                let others = (0..).map(|number: u32| open(Some(number.to_string())));
+                let mut others =
+                    others.take_while(|other| !matches!(other, Err(e) if matches!(e.downcast_ref(), Some(Error::NoSuchDevice { .. }))));
+                others.find_map(anyhow::Result::ok).ok_or(error)?
+            }
+            first => first?,
+        };
+        let present = Present::new(&gpu, surface.format())?;
+        let renderer = Renderer::new(&gpu, avatar, drawing)?;
+        present.set_picture(renderer.raster().image());
+        let options = Options { in_flight_frames: SLOTS, ..Options::default() };
+        let mode = RenderMode::RenderPass(present.render_pass);
+        let egui = overlay(Egui::with_gpu_allocator(Arc::clone(&gpu.allocator), gpu.raw.clone(), mode, options))?;
+        let info = vk::CommandPoolCreateInfo::default().queue_family_index(gpu.queue_family).flags(vk::CommandPoolCreateFlags::TRANSIENT);
+        // SAFETY: `info` outlives the call.
+        let textures = unsafe { gpu.raw.create_command_pool(&info, None) }.during("vkCreateCommandPool")?;
+        Ok(Self {
+            egui: ManuallyDrop::new(egui),
+            textures,
+            swapchain: None,
+            present,
+            surface: Some(surface),
+            renderer,
+            gpu,
+            window: window.clone(),
+            fitted: [0; 2],
+            stale: true,
+        })
+    }
+
+    fn surface(gpu: &Arc<Gpu>, window: &Window) -> Result<Surface> {
+        let gone = |_: HandleError| Error::SurfaceLost("the window's handle");
+        Surface::new(gpu, window.display_handle().map_err(gone)?, window.window_handle().map_err(gone)?)
+    }
+
+    pub fn gpu(&self) -> &Gpu {
+        &self.gpu
+    }
+
+    /// What the last finished frame took and drew.
+    pub fn report(&self) -> &FrameReport {
+        self.renderer.report()
+    }
+
+    /// Fits the pictures to the window, and says their size, px. None while the window has no area: then there is nothing to draw.
+    pub fn fit(&mut self) -> Result<Option<[u32; 2]>> {
+        let wanted: [u32; 2] = self.window.inner_size().into();
+        if !self.stale && wanted == self.fitted {
+            return Ok(self.swapchain.as_ref().map(|swapchain| swapchain.size));
+        }
+        self.renderer.finish()?;
+        let surface = match self.surface.take() {
+            Some(surface) => surface,
+            None => Self::surface(&self.gpu, &self.window)?,
+        };
+        let made = Swapchain::new(&self.gpu, &surface, self.present.render_pass, (wanted, self.swapchain.take()));
+        self.surface = Some(surface);
+        self.swapchain = made?;
+        (self.fitted, self.stale) = (wanted, self.swapchain.is_none());
+        let Some(size) = self.swapchain.as_ref().map(|swapchain| swapchain.size) else { return Ok(None) };
+        if self.renderer.raster().image().size != size {
+            self.renderer.resize(size)?;
+            self.present.set_picture(self.renderer.raster().image());
+        }
+        Ok(Some(size))
+    }
+
+    /// The surface is gone: the next fit makes another.
+    pub fn lose_surface(&mut self) -> Result<()> {
+        self.renderer.finish()?;
+        self.stale = true;
+        self.swapchain = None;
+        self.surface = None;
+        Ok(())
+    }
+
+    /// Takes in what changed of the overlay's textures. It waits, but only few frames bring new glyphs.
+    pub fn set_textures(&mut self, mut delta: TexturesDelta) -> Result<()> {
+        if delta.is_empty() {
+            return Ok(());
+        }
+        self.renderer.finish()?;
+        for (id, images) in delta.set.drain() {
+            for image in images {
+                overlay(self.egui.set_texture(self.gpu.queue, self.textures, id, &image))?;
+            }
+        }
+        overlay(delta.free.drain().try_for_each(|id| self.egui.free_texture(id)))
+    }
+
+    /// Draws a frame and shows it. False when the window could not take it: it has changed, or has no image to give yet.
+    pub fn paint(&mut self, posed: &Posed, look: &Look, panel: &Panel) -> Result<bool> {
+        let Some(swapchain) = &mut self.swapchain else { return Ok(false) };
+        let (image, acquired) = match swapchain.acquire()? {
+            Acquired::Image(image, acquired) => (image, acquired),
+            Acquired::NotYet => return Ok(false),
+            Acquired::Outdated => {
+                self.stale = true;
+                return Ok(false);
+            }
+        };
+        let (framebuffer, finished) = swapchain.image(image);
+        let [width, height] = swapchain.size;
+        let mut drawn = Ok(());
+        let mut record = |commands| {
+            self.present.record(commands, (framebuffer, [width, height]), look.background, || {
+                drawn = self.egui.cmd_draw(commands, vk::Extent2D { width, height }, panel.pixels_per_point, &panel.triangles);
+            });
+        };
+        self.renderer.draw(posed, &look.camera, Some(Presentation { acquired, finished, record: &mut record }))?;
+        self.window.pre_present_notify();
+        self.stale = !swapchain.present(image)?;
+        overlay(drawn).map(|()| true)
+    }
+
+    /// Copies the picture of the last frame, without overlay and background. It takes no longer than a frame.
+    pub fn copy(&mut self) -> Result<Copied> {
+        self.renderer.copy()
+    }
+}
+
+impl Drop for Painter {
+    fn drop(&mut self) {
+        if let Err(error) = self.renderer.finish() {
+            tracing::debug!("the last frames did not finish: {error}");
+        }
+        // SAFETY: dropped once, here; no submitted frame uses the overlay's objects, or the device is lost.
+        unsafe {
+            ManuallyDrop::drop(&mut self.egui);
+            self.gpu.raw.destroy_command_pool(self.textures, None);
+        }
+    }
+}
+
+/// Drivers without windows have no extension for the display's surfaces either.
+fn no_window_extension(error: Error) -> Error {
+    match error {
+        Error::Call { call: "vkCreateInstance", result: vk::Result::ERROR_EXTENSION_NOT_PRESENT } => Error::Lacks {
+            device: "the Vulkan driver".into(),
+            lacks: "it has no extension for windows of this display; install your GPU's driver, or use `effigy render`".into(),
+        },
+        error => error,
+    }
+}
+
+/// The overlay's errors as the renderer's own.
+fn overlay<T>(result: std::result::Result<T, RendererError>) -> Result<T> {
+    let call = "drawing the overlay";
+    match result {
+        Ok(value) => Ok(value),
+        Err(RendererError::Vulkan(result)) => Err(result).during(call),
+        Err(RendererError::GpuAllocator(source)) => Err(Error::Allocation { what: "the overlay".into(), source }),
+        Err(other) => {
+            tracing::error!("{other}");
+            Err(Error::Call { call, result: vk::Result::ERROR_UNKNOWN })
+        }
+    }
+}

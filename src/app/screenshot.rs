@@ -1,0 +1,70 @@
+//! Screenshots: a picture goes in, a PNG file under a name that was free comes out.
+
+use image::{ImageFormat, RgbaImage};
+use std::{
+    fs::File,
+    io::{self, BufWriter, Write},
+    path::{Path, PathBuf},
+};
+
+/// Names tried in one folder.
+const NAMES: u32 = 10_000;
+
+/// Where screenshots go: the current folder, or the user's pictures where it can't be written to.
+pub fn folders() -> Vec<PathBuf> {
+    let pictures = directories::UserDirs::new().and_then(|dirs| dirs.picture_dir().map(Path::to_path_buf));
+    std::env::current_dir().into_iter().chain(pictures).collect()
+}
+
+/// Writes a picture to `effigy-0001.png`, or the first such name that is free, in the first folder that takes it.
+pub fn save(image: &RgbaImage, folders: &[PathBuf]) -> io::Result<PathBuf> {
+    let mut refused = io::Error::other("there is no folder to write a screenshot to");
+    for folder in folders {
+        match create(folder) {
+            Ok((path, file)) => {
+                let mut writer = BufWriter::new(file);
+                let written = image.write_to(&mut writer, ImageFormat::Png).map_err(io::Error::other).and_then(|()| writer.flush());
+                return written.map(|()| path);
+            }
+            Err(error) => refused = io::Error::new(error.kind(), format!("{}: {error}", folder.display())),
+        }
+    }
+    Err(refused)
+}
+
+/// Makes a file that was not there before, also when two programs look for a name at once.
+fn create(folder: &Path) -> io::Result<(PathBuf, File)> {
+    for number in 1..=NAMES {
+        let path = folder.join(format!("effigy-{number:04}.png"));
+        match File::create_new(&path) {
+            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
+            result => return result.map(|file| (path, file)),
+        }
+    }
+    Err(io::Error::new(io::ErrorKind::AlreadyExists, format!("it holds {NAMES} screenshots already")))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_screenshot_never_overwrites_another_and_reads_back_as_it_was() {
+        let folder = tempfile::tempdir().expect("the system has a temporary folder");
+        let picture = |value| RgbaImage::from_pixel(3, 2, image::Rgba([value, 2, 3, 255]));
+        let folders = [folder.path().join("missing"), folder.path().to_path_buf()];
+        for value in [10, 20, 30] {
+            let path = save(&picture(value), &folders).expect("the folder is writable");
+            assert_eq!(path, folder.path().join(format!("effigy-{:04}.png", value / 10)));
+            assert_eq!(image::open(&path).expect("it is a picture").to_rgba8(), picture(value));
+        }
+    }
+
+    #[test]
+    fn a_folder_that_refuses_is_named() {
+        let missing = PathBuf::from("no-such-folder");
+        let error = save(&RgbaImage::new(1, 1), &[missing]).expect_err("the folder is missing").to_string();
+        assert!(error.contains("no-such-folder"), "{error}");
+        assert!(save(&RgbaImage::new(1, 1), &[]).is_err());
+    }
+}

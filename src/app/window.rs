@@ -1,0 +1,165 @@
+//! The window's events: what winit reports goes in, gestures, wishes and frames of the viewer come out.
+
+use super::{
+    action::action,
+    gesture::{Button, Gesture},
+    viewer::{Message, Options, Viewer},
+};
+use crate::avatar::{Avatar, Clip};
+use anyhow::Context;
+use glam::DVec2;
+use std::time::Instant;
+use winit::{
+    application::ApplicationHandler,
+    event::{ElementState, MouseButton, MouseScrollDelta, StartCause, Touch, TouchPhase, WindowEvent},
+    event_loop::{ActiveEventLoop, ControlFlow, EventLoop},
+    window::WindowId,
+};
+
+/// A display to open windows on.
+pub struct Display(EventLoop<Message>);
+
+impl Display {
+    /// Fails where there is none: no desktop, or a session over a terminal only.
+    pub fn open() -> anyhow::Result<Self> {
+        let event_loop = EventLoop::with_user_event().build().context("there is no display to open a window on")?;
+        Ok(Self(event_loop))
+    }
+
+    /// Shows an avatar until its window is closed.
+    pub fn show(self, avatar: Avatar, clips: Vec<Clip>, options: Options) -> anyhow::Result<()> {
+        let viewer = Viewer::new((avatar, clips), options, self.0.create_proxy());
+        let mut handler = Handler { viewer, failed: None };
+        self.0.run_app(&mut handler).context("the display's connection ended")?;
+        handler.viewer.finish();
+        handler.failed.map_or(Ok(()), Err)
+    }
+}
+
+struct Handler {
+    viewer: Viewer,
+    failed: Option<anyhow::Error>,
+}
+
+impl Handler {
+    /// Ends the program on an error, which [`Display::show`] then returns.
+    fn check(&mut self, result: anyhow::Result<()>, event_loop: &ActiveEventLoop) {
+        if let Err(error) = result {
+            self.failed.get_or_insert(error);
+            event_loop.exit();
+        }
+    }
+
+    /// Events that turn, move and zoom.
+    fn pointer(&mut self, event: &WindowEvent, taken: bool) -> Option<Gesture> {
+        let shift = self.viewer.modifiers.shift_key();
+        let pointers = &mut self.viewer.pointers;
+        match event {
+            WindowEvent::CursorMoved { position, .. } => return Some(pointers.moved(DVec2::new(position.x, position.y), shift)),
+            WindowEvent::MouseInput { state, button, .. } => {
+                let button = match button {
+                    MouseButton::Left => Button::Left,
+                    MouseButton::Middle => Button::Middle,
+                    MouseButton::Right => Button::Right,
+                    _ => return None,
+                };
+                match state {
+                    ElementState::Pressed if !taken => pointers.press(button),
+                    ElementState::Pressed => {}
+                    ElementState::Released => pointers.release(button),
+                }
+            }
+            WindowEvent::MouseWheel { delta, .. } if !taken => {
+                return Some(match delta {
+                    MouseScrollDelta::LineDelta(_, lines) => pointers.wheel(f64::from(*lines)),
+                    MouseScrollDelta::PixelDelta(by) => pointers.scroll(DVec2::new(by.x, by.y), shift),
+                });
+            }
+            WindowEvent::PinchGesture { delta, .. } if !taken => return Some(pointers.pinch(*delta)),
+            WindowEvent::Touch(Touch { phase, location, id, .. }) => {
+                let at = DVec2::new(location.x, location.y);
+                match phase {
+                    TouchPhase::Started if !taken => pointers.finger_down(*id, at),
+                    TouchPhase::Started => {}
+                    TouchPhase::Moved => return Some(pointers.finger_moved(*id, at)),
+                    TouchPhase::Ended | TouchPhase::Cancelled => pointers.finger_up(*id),
+                }
+            }
+            _ => {}
+        }
+        None
+    }
+}
+
+impl ApplicationHandler<Message> for Handler {
+    fn resumed(&mut self, event_loop: &ActiveEventLoop) {
+        let opened = self.viewer.open(event_loop);
+        self.check(opened, event_loop);
+    }
+
+    fn suspended(&mut self, _: &ActiveEventLoop) {
+        self.viewer.close();
+    }
+
+    fn new_events(&mut self, _: &ActiveEventLoop, cause: StartCause) {
+        if matches!(cause, StartCause::ResumeTimeReached { .. }) {
+            self.viewer.dirty = true;
+            self.viewer.wake = None;
+        }
+    }
+
+    fn user_event(&mut self, _: &ActiveEventLoop, Message(message): Message) {
+        self.viewer.say(message);
+    }
+
+    fn window_event(&mut self, event_loop: &ActiveEventLoop, _: WindowId, event: WindowEvent) {
+        let (Some(window), Some(overlay)) = (&self.viewer.window, &mut self.viewer.overlay) else { return };
+        let panel = overlay.event(window, &event);
+        self.viewer.dirty |= panel.changed;
+        if let Some(gesture) = self.pointer(&event, panel.taken) {
+            self.viewer.gesture(&gesture);
+        }
+        match event {
+            WindowEvent::CloseRequested => event_loop.exit(),
+            WindowEvent::RedrawRequested => {
+                // Without a wish of ours the system asks: what it showed of the window is gone.
+                self.viewer.dirty |= !self.viewer.wants_frame();
+                self.viewer.hidden = false;
+                let drawn = self.viewer.frame(event_loop);
+                self.check(drawn, event_loop);
+            }
+            WindowEvent::Resized(_) | WindowEvent::ScaleFactorChanged { .. } => {
+                self.viewer.hidden = false;
+                self.viewer.dirty = true;
+            }
+            WindowEvent::Occluded(hidden) => {
+                self.viewer.hidden = hidden;
+                self.viewer.dirty |= !hidden;
+            }
+            WindowEvent::ModifiersChanged(modifiers) => self.viewer.modifiers = modifiers.state(),
+            WindowEvent::Focused(false) => {
+                self.viewer.pointers.cancel();
+                if let Some(overlay) = &mut self.viewer.overlay {
+                    overlay.release();
+                }
+            }
+            WindowEvent::KeyboardInput { event, is_synthetic: false, .. } if !panel.taken && event.state.is_pressed() => {
+                let (shift, repeat) = (self.viewer.modifiers.shift_key(), self.viewer.scene.playback().repeat());
+                if let Some(action) = action(&event.logical_key, shift, event.repeat, repeat) {
+                    self.viewer.act(action, event_loop);
+                }
+            }
+            _ => {}
+        }
+    }
+
+    fn about_to_wait(&mut self, event_loop: &ActiveEventLoop) {
+        event_loop.set_control_flow(match self.viewer.wake {
+            Some(wake) if !self.viewer.hidden => ControlFlow::WaitUntil(wake.max(Instant::now())),
+            _ => ControlFlow::Wait,
+        });
+        if let Some(window) = self.viewer.window.as_ref().filter(|_| self.viewer.wants_frame()) {
+            window.request_redraw();
+        }
+    }
+}

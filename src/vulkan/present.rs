@@ -1,0 +1,175 @@
+//! The `present` stage: the picture goes in, an image of the window with the picture over a background comes out.
+
+use super::{
+    device::Gpu,
+    error::{During, Result},
+    memory::Image,
+    pipeline::ShaderModule,
+    shaders,
+};
+use ash::vk;
+use bytemuck::cast_slice;
+use std::sync::Arc;
+
+/// Draws pictures over a background, in a render pass that others may draw in afterwards.
+pub struct Present {
+    gpu: Arc<Gpu>,
+    pub render_pass: vk::RenderPass,
+    sampler: vk::Sampler,
+    set_layout: vk::DescriptorSetLayout,
+    layout: vk::PipelineLayout,
+    pool: vk::DescriptorPool,
+    set: vk::DescriptorSet,
+    pipeline: vk::Pipeline,
+}
+
+impl Present {
+    /// For windows of a format whose numbers are shown as they are.
+    pub fn new(gpu: &Arc<Gpu>, format: vk::Format) -> Result<Self> {
+        let mut new = Self {
+            gpu: gpu.clone(),
+            render_pass: Default::default(),
+            sampler: Default::default(),
+            set_layout: Default::default(),
+            layout: Default::default(),
+            pool: Default::default(),
+            set: Default::default(),
+            pipeline: Default::default(),
+        };
+        let stages = vk::ShaderStageFlags::FRAGMENT;
+        let kind = vk::DescriptorType::COMBINED_IMAGE_SAMPLER;
+        let bindings = [vk::DescriptorSetLayoutBinding::default().binding(0).descriptor_type(kind).descriptor_count(1).stage_flags(stages)];
+        let sizes = [vk::DescriptorPoolSize { ty: kind, descriptor_count: 1 }];
+        let constants = [vk::PushConstantRange { stage_flags: stages, offset: 0, size: 16 }];
+        // SAFETY: every structure outlives the call it is passed to; what was made before a failure is destroyed by `drop`.
+        unsafe {
+            new.sampler = gpu.raw.create_sampler(&vk::SamplerCreateInfo::default(), None).during("vkCreateSampler")?;
+            let info = vk::DescriptorSetLayoutCreateInfo::default().bindings(&bindings);
+            new.set_layout = gpu.raw.create_descriptor_set_layout(&info, None).during("vkCreateDescriptorSetLayout")?;
+            let layouts = [new.set_layout];
+            let info = vk::PipelineLayoutCreateInfo::default().set_layouts(&layouts).push_constant_ranges(&constants);
+            new.layout = gpu.raw.create_pipeline_layout(&info, None).during("vkCreatePipelineLayout")?;
+            let info = vk::DescriptorPoolCreateInfo::default().max_sets(1).pool_sizes(&sizes);
+            new.pool = gpu.raw.create_descriptor_pool(&info, None).during("vkCreateDescriptorPool")?;
+            let info = vk::DescriptorSetAllocateInfo::default().descriptor_pool(new.pool).set_layouts(&layouts);
+            new.set = gpu.raw.allocate_descriptor_sets(&info).during("vkAllocateDescriptorSets")?[0];
+        }
+        new.render_pass = render_pass(gpu, format)?;
+        new.pipeline = pipeline(gpu, new.render_pass, new.layout)?;
+        Ok(new)
+    }
+
+    /// Shows this picture from now on. No submitted frame may still show another.
+    pub fn set_picture(&self, image: &Image) {
+        let picture = [vk::DescriptorImageInfo {
+            sampler: self.sampler,
+            image_view: image.view,
+            image_layout: vk::ImageLayout::SHADER_READ_ONLY_OPTIMAL,
+        }];
+        let write = vk::WriteDescriptorSet::default()
+            .dst_set(self.set)
+            .dst_binding(0)
+            .descriptor_type(vk::DescriptorType::COMBINED_IMAGE_SAMPLER)
+            .image_info(&picture);
+        // SAFETY: the caller promises that the set is not in use; view and sampler are alive.
+        unsafe { self.gpu.raw.update_descriptor_sets(&[write], &[]) };
+    }
+
+    /// Draws the picture over a background into a window's framebuffer, then what `then` records.
+    pub fn record(
+        &self,
+        commands: vk::CommandBuffer,
+        (framebuffer, [width, height]): (vk::Framebuffer, [u32; 2]),
+        background: [f32; 3],
+        then: impl FnOnce(),
+    ) {
+        let area = vk::Rect2D { offset: vk::Offset2D::default(), extent: vk::Extent2D { width, height } };
+        let viewport = vk::Viewport { x: 0.0, y: 0.0, width: width as f32, height: height as f32, min_depth: 0.0, max_depth: 1.0 };
+        let begin = vk::RenderPassBeginInfo::default().render_pass(self.render_pass).framebuffer(framebuffer).render_area(area);
+        let [r, g, b] = background;
+        let device = &self.gpu.raw;
+        let point = vk::PipelineBindPoint::GRAPHICS;
+        // SAFETY: the command buffer is recording; every object is alive and fits the pipeline's layout and the render pass.
+        unsafe {
+            device.cmd_begin_render_pass(commands, &begin, vk::SubpassContents::INLINE);
+            device.cmd_bind_pipeline(commands, point, self.pipeline);
+            device.cmd_bind_descriptor_sets(commands, point, self.layout, 0, &[self.set], &[]);
+            device.cmd_push_constants(commands, self.layout, vk::ShaderStageFlags::FRAGMENT, 0, cast_slice(&[r, g, b, 1.0]));
+            device.cmd_set_viewport(commands, 0, &[viewport]);
+            device.cmd_set_scissor(commands, 0, &[area]);
+            device.cmd_draw(commands, 3, 1, 0, 0);
+            then();
+            device.cmd_end_render_pass(commands);
+        }
+    }
+}
+
+impl Drop for Present {
+    fn drop(&mut self) {
+        // SAFETY: owners drop a stage only when no submitted work uses it. Destroying null handles does nothing.
+        unsafe {
+            let device = &self.gpu.raw;
+            device.destroy_pipeline(self.pipeline, None);
+            device.destroy_render_pass(self.render_pass, None);
+            device.destroy_descriptor_pool(self.pool, None);
+            device.destroy_pipeline_layout(self.layout, None);
+            device.destroy_descriptor_set_layout(self.set_layout, None);
+            device.destroy_sampler(self.sampler, None);
+        }
+    }
+}
+
+/// One image of a window, drawn over whole and then shown.
+fn render_pass(gpu: &Gpu, format: vk::Format) -> Result<vk::RenderPass> {
+    let attachments = [vk::AttachmentDescription::default()
+        .format(format)
+        .samples(vk::SampleCountFlags::TYPE_1)
+        .load_op(vk::AttachmentLoadOp::DONT_CARE)
+        .store_op(vk::AttachmentStoreOp::STORE)
+        .stencil_load_op(vk::AttachmentLoadOp::DONT_CARE)
+        .stencil_store_op(vk::AttachmentStoreOp::DONT_CARE)
+        .final_layout(vk::ImageLayout::PRESENT_SRC_KHR)];
+    let color = [vk::AttachmentReference { attachment: 0, layout: vk::ImageLayout::COLOR_ATTACHMENT_OPTIMAL }];
+    let subpasses = [vk::SubpassDescription::default().pipeline_bind_point(vk::PipelineBindPoint::GRAPHICS).color_attachments(&color)];
+    // The submission waits for the image at this stage, so the change of its layout has to wait there too.
+    let output = vk::PipelineStageFlags::COLOR_ATTACHMENT_OUTPUT;
+    let dependencies = [vk::SubpassDependency::default()
+        .src_subpass(vk::SUBPASS_EXTERNAL)
+        .dst_subpass(0)
+        .src_stage_mask(output)
+        .dst_stage_mask(output)
+        .dst_access_mask(vk::AccessFlags::COLOR_ATTACHMENT_READ | vk::AccessFlags::COLOR_ATTACHMENT_WRITE)];
+    let info = vk::RenderPassCreateInfo::default().attachments(&attachments).subpasses(&subpasses).dependencies(&dependencies);
+    // SAFETY: `info` and all it points to outlive the call.
+    unsafe { gpu.raw.create_render_pass(&info, None) }.during("vkCreateRenderPass")
+}
+
+fn pipeline(gpu: &Gpu, render_pass: vk::RenderPass, layout: vk::PipelineLayout) -> Result<vk::Pipeline> {
+    let (vertex, fragment) = (ShaderModule::new(gpu, &shaders::PRESENT_VERTEX)?, ShaderModule::new(gpu, &shaders::PRESENT_FRAGMENT)?);
+    let stage = |stage, module: &ShaderModule| vk::PipelineShaderStageCreateInfo::default().stage(stage).module(module.raw).name(c"main");
+    let stages = [stage(vk::ShaderStageFlags::VERTEX, &vertex), stage(vk::ShaderStageFlags::FRAGMENT, &fragment)];
+    let vertices = vk::PipelineVertexInputStateCreateInfo::default();
+    let assembly = vk::PipelineInputAssemblyStateCreateInfo::default().topology(vk::PrimitiveTopology::TRIANGLE_LIST);
+    let viewports = vk::PipelineViewportStateCreateInfo::default().viewport_count(1).scissor_count(1);
+    let rasterization = vk::PipelineRasterizationStateCreateInfo::default().cull_mode(vk::CullModeFlags::NONE).line_width(1.0);
+    let samples = vk::PipelineMultisampleStateCreateInfo::default().rasterization_samples(vk::SampleCountFlags::TYPE_1);
+    let replace = [vk::PipelineColorBlendAttachmentState::default().color_write_mask(vk::ColorComponentFlags::RGBA)];
+    let blend = vk::PipelineColorBlendStateCreateInfo::default().attachments(&replace);
+    let dynamic = vk::PipelineDynamicStateCreateInfo::default().dynamic_states(&[vk::DynamicState::VIEWPORT, vk::DynamicState::SCISSOR]);
+    let info = vk::GraphicsPipelineCreateInfo::default()
+        .stages(&stages)
+        .vertex_input_state(&vertices)
+        .input_assembly_state(&assembly)
+        .viewport_state(&viewports)
+        .rasterization_state(&rasterization)
+        .multisample_state(&samples)
+        .color_blend_state(&blend)
+        .dynamic_state(&dynamic)
+        .layout(layout)
+        .render_pass(render_pass);
+    // SAFETY: `info` and all it points to outlive the call.
+    let created = unsafe { gpu.raw.create_graphics_pipelines(gpu.cache.raw, &[info], None) };
+    let pipeline = created.map_err(|(_, result)| result).during("vkCreateGraphicsPipelines")?[0];
+    gpu.name(pipeline, "present");
+    Ok(pipeline)
+}
