@@ -21,6 +21,7 @@
 //! and real motion.
 
 pub mod avatar;
+pub mod bake;
 pub mod cli;
 pub mod frame;
 pub mod measure;
