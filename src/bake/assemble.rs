@@ -130,11 +130,11 @@ fn point(dot: &Dot, index: usize, outfit: &Outfit, sky: &Sky, canonical: &[glam:
     let first = (matrix.matrix3 * flow).reject_from_normalized(normal).normalize_or(normal.any_orthonormal_vector());
     let rotation = DQuat::from_mat3(&DMat3::from_cols(first, normal.cross(first), normal)).normalize();
     let lift = if site.material == Material::Hair { random.range(-0.0015, 0.0035) } else { 0.0 };
-    let tangent = 0.66 * dot.radius;
+    let tangent = 0.82 * dot.radius;
     let thin = (0.35 * tangent).min(0.0008);
     let (scale, opacity) = match site.material {
-        Material::Hair => (DVec3::new(2.1 * tangent, 0.62 * tangent, thin), 0.93),
-        Material::Lash => (DVec3::new(1.1 * tangent, 0.5 * tangent, thin), 0.9),
+        Material::Hair => (DVec3::new(1.9 * tangent, 0.6 * tangent, thin), 0.93),
+        Material::Lash => (DVec3::new(0.8 * tangent, 0.35 * tangent, thin), 0.7),
         _ => (DVec3::new(tangent, tangent, thin), 0.96),
     };
     let position = matrix.transform_point3(site.position + lift * site.normal);
@@ -150,7 +150,7 @@ impl Outfit {
         let mut at = site.clone();
         let mut albedo = self.albedo(site) * 2.0;
         for (x, y) in [(1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0)] {
-            at.position = site.position + 0.4 * radius * (x * u + y * v);
+            at.position = site.position + 0.5 * radius * (x * u + y * v);
             albedo += self.albedo(&at);
         }
         let light = sky.light(site.position, if site.material == Material::Eye { DVec3::new(0.0, 0.25, 0.97) } else { normal });

@@ -9,7 +9,7 @@ use super::surface::{Material, Site};
 use glam::DVec3;
 
 /// Period of the shirt's stripes, metres.
-const STRIPE: f64 = 0.0115;
+const STRIPE: f64 = 0.015;
 
 impl Outfit {
     /// Albedo, linear.

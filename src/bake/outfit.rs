@@ -85,9 +85,11 @@ impl Outfit {
         along(p, [self.knee[s], self.ankle[s]])
     }
 
-    /// How far a point is above the neckline, a plane that rises towards the nape.
+    /// How far a point is inside the neckline, a ring around the neck that rises towards the nape; below 0 on the shirt.
     pub fn above_neckline(&self, p: DVec3) -> f64 {
-        p.y - (self.neck.y - 0.045) + 0.55 * (p.z - self.neck.z)
+        let plane = p.y - (self.neck.y - 0.075) + 0.30 * (p.z - self.neck.z);
+        let ring = 0.082 - p.x.hypot(p.z - self.neck.z - 0.010);
+        plane.min(ring.max(plane - 0.06))
     }
 
     /// How far inside the shirt a point is, metres; below 0 outside.
@@ -96,7 +98,7 @@ impl Outfit {
         let arm = site.share(is_arm);
         let sleeve = (SLEEVE - self.upper_arm(p)) * 0.28;
         let torso = (p.y - self.belt + 0.02).min(-self.above_neckline(p));
-        if arm > 0.5 { sleeve } else { torso.min(sleeve.max(0.02 * (1.0 - 2.0 * arm))) }
+        if arm > 0.5 { sleeve } else { torso.min(sleeve.max(0.06 * (1.0 - 2.0 * arm))) }
     }
 
     /// The same for the trousers.
@@ -133,13 +135,12 @@ impl Outfit {
                 let face = self.face.detail(site.position) * site.share(is_head);
                 1.0 + 1.6 * hand + 6.0 * face
             }
-            Material::Eye => 14.0,
-            Material::Lash => 8.0,
+            Material::Eye => 16.0,
+            Material::Lash => 12.0,
             Material::Teeth => 1.0,
             Material::Hair => 2.2,
             Material::Shirt => {
-                let print = super::print::area(self.print_at(site));
-                if print && site.normal.z > 0.2 { 7.0 } else { 1.15 }
+                1.15 + 6.0 * super::print::nearness(self.print_at(site)) * step(0.0, 0.5, site.normal.z)
             }
             Material::Trousers => 0.9,
             Material::Belt => 2.2,

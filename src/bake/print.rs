@@ -36,9 +36,10 @@ fn strokes(letter: char) -> &'static [&'static [(f64, f64)]] {
     }
 }
 
-/// Whether a point is near enough to the print to be sampled finely.
-pub fn area(p: DVec2) -> bool {
-    p.x.abs() < 0.078 && (-0.053..0.05).contains(&p.y)
+/// How near to the print a point is: 1 on it, 0 a little way off.
+pub fn nearness(p: DVec2) -> f64 {
+    let off = (p - DVec2::new(0.0, -0.002)).abs() - DVec2::new(0.075, 0.048);
+    super::math::step(0.02, 0.0, off.max(DVec2::ZERO).length())
 }
 
 fn to_segment(p: DVec2, a: DVec2, b: DVec2) -> f64 {

@@ -7,7 +7,7 @@ use glam::DVec3;
 use rayon::prelude::*;
 
 /// Darts for each point wanted.
-const DARTS: f64 = 5.0;
+const DARTS: f64 = 9.0;
 
 /// A point and how far from it no other of its layer is, metres.
 #[derive(Clone, Debug)]
