@@ -33,6 +33,8 @@ pub mod limits {
     pub const MLP_LAYERS: usize = 8;
     /// Components of a [`super::Subspace`].
     pub const SUBSPACE: usize = 64;
+    /// Metres; larger numbers are in some other unit.
+    pub const LENGTH: f64 = 10_000.0;
 }
 
 /// A trained or baked avatar: what `NAME.avatar` holds. Lengths are metres, y is up, the avatar faces +z.
@@ -133,7 +135,8 @@ impl Parts {
 }
 
 /// What follows every layer of a network but the last.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Activation {
     /// max(0, x)
     Relu,

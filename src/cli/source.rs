@@ -15,7 +15,25 @@ pub struct Source {
 
 impl Source {
     /// Reads the avatar and its clips, of which there is at least one.
+    ///
+    /// # Errors
+    /// When a file cannot be read, is of the other kind, or is malformed.
     pub fn load(&self) -> anyhow::Result<(Avatar, Vec<Clip>)> {
-        anyhow::bail!("not built yet")
+        let avatar = self.avatar.as_deref().map_or_else(demo_avatar, |path| Ok(Avatar::read(path)?))?;
+        let clips = match &self.motion[..] {
+            [] => vec![demo_clip()?],
+            paths => paths.iter().map(|path| Clip::read(path)).collect::<Result<_, _>>()?,
+        };
+        Ok((avatar, clips))
     }
+}
+
+/// The avatar inside the program.
+pub fn demo_avatar() -> anyhow::Result<Avatar> {
+    anyhow::bail!("this build has no demo avatar: name an avatar file")
+}
+
+/// The clip inside the program.
+pub fn demo_clip() -> anyhow::Result<Clip> {
+    anyhow::bail!("this build has no demo clip: name one with --motion")
 }
