@@ -10,7 +10,7 @@ use super::partition::{Partition, partition};
 use super::pca::pca;
 use super::spacing::{Dart, Dot, choose};
 use super::surface::Material;
-use crate::avatar::{Avatar, Bounds, Clip, Gaussians, Inputs, Nodes, Parts};
+use crate::avatar::{Avatar, Bounds, Gaussians, Inputs, Nodes, Parts, Pose};
 use glam::{DMat3, DQuat, DVec3};
 use half::f16;
 use kiddo::{ImmutableKdTree, SquaredEuclidean};
@@ -28,9 +28,9 @@ pub struct Sizes {
     pub seed: u64,
 }
 
-/// Principal components of the clip's poses that the file keeps.
+/// Principal components of the poses that the file keeps.
 const COMPONENTS: usize = 20;
-/// Poses of the clip that the networks' features are measured over.
+/// Poses that the networks' features are measured over.
 const POSES: usize = 160;
 
 /// A dot in the canonical pose with what its Gaussian needs.
@@ -45,8 +45,8 @@ struct Point {
     density: f64,
 }
 
-/// Puts the avatar together; `clip` is the motion whose poses the features, the pruning and the PCA are fitted to.
-pub fn assemble(body: &Body, outfit: &Outfit, sky: &Sky, dots: &[Dot], clip: &Clip, sizes: &Sizes) -> Avatar {
+/// Puts the avatar together; features, pruning and PCA are fitted to `poses`.
+pub fn assemble(body: &Body, outfit: &Outfit, sky: &Sky, dots: &[Dot], poses: &[Pose], sizes: &Sizes) -> Avatar {
     let canonical = body.to_canonical();
     let mut points: Vec<Point> = dots.par_iter().enumerate().map(|(i, dot)| point(dot, i, outfit, sky, &canonical, sizes.seed)).collect();
     let positions: Vec<DVec3> = points.iter().map(|point| point.placed.position).collect();
@@ -73,8 +73,8 @@ pub fn assemble(body: &Body, outfit: &Outfit, sky: &Sky, dots: &[Dot], clip: &Cl
     };
     let points: Vec<Point> = parts.order.iter().map(|&i| slots[i].take().expect("each index stands once in the order")).collect();
     let nearest: Vec<[u16; 3]> = parts.order.iter().map(|&i| nearest[i]).collect();
-    let inputs = inputs(clip);
-    let thetas = thetas(&inputs, clip);
+    let inputs = inputs(poses);
+    let thetas = thetas(&inputs, poses);
     let plan = networks::Plan {
         seed: sizes.seed,
         centers: &parts.center,
@@ -102,17 +102,17 @@ pub fn assemble(body: &Body, outfit: &Outfit, sky: &Sky, dots: &[Dot], clip: &Cl
 }
 
 /// θ_p is joints 1 to 21. The expression has no subspace: clamping a blink, seldom as it is, to 2σ would keep the eyes open.
-fn inputs(clip: &Clip) -> Inputs {
+fn inputs(poses: &[Pose]) -> Inputs {
     let mut inputs = Inputs { joint: (1..=21).collect(), expression: EXPRESSIONS.len(), pose_space: None, expression_space: None };
-    let poses: Vec<Vec<f64>> = (0..clip.frames()).map(|frame| inputs.of(&clip.frame(frame))).map(|mut row| row.drain(..63).collect()).collect();
-    inputs.pose_space = Some(pca(&poses, 63, COMPONENTS));
+    let rows: Vec<Vec<f64>> = poses.iter().map(|pose| inputs.of(pose)).map(|mut row| row.drain(..63).collect()).collect();
+    inputs.pose_space = Some(pca(&rows, 63, COMPONENTS));
     inputs
 }
 
-/// What enters the networks over the clip.
-fn thetas(inputs: &Inputs, clip: &Clip) -> Vec<Vec<f64>> {
-    let stride = clip.frames().div_ceil(POSES).max(1);
-    (0..clip.frames()).step_by(stride).map(|frame| inputs.of(&clip.frame(frame))).collect()
+/// What enters the networks over the clips.
+fn thetas(inputs: &Inputs, poses: &[Pose]) -> Vec<Vec<f64>> {
+    let stride = poses.len().div_ceil(POSES).max(1);
+    poses.iter().step_by(stride).map(|pose| inputs.of(pose)).collect()
 }
 
 fn point(dot: &Dot, index: usize, outfit: &Outfit, sky: &Sky, canonical: &[glam::DAffine3], seed: u64) -> Point {
@@ -130,12 +130,12 @@ fn point(dot: &Dot, index: usize, outfit: &Outfit, sky: &Sky, canonical: &[glam:
     let first = (matrix.matrix3 * flow).reject_from_normalized(normal).normalize_or(normal.any_orthonormal_vector());
     let rotation = DQuat::from_mat3(&DMat3::from_cols(first, normal.cross(first), normal)).normalize();
     let lift = if site.material == Material::Hair { random.range(-0.0015, 0.0035) } else { 0.0 };
-    let tangent = 0.82 * dot.radius;
+    let tangent = 0.86 * dot.radius;
     let thin = (0.35 * tangent).min(0.0008);
     let (scale, opacity) = match site.material {
-        Material::Hair => (DVec3::new(1.9 * tangent, 0.6 * tangent, thin), 0.93),
+        Material::Hair => (DVec3::new(1.9 * tangent, 0.62 * tangent, thin), 0.97),
         Material::Lash => (DVec3::new(0.8 * tangent, 0.35 * tangent, thin), 0.7),
-        _ => (DVec3::new(tangent, tangent, thin), 0.96),
+        _ => (DVec3::new(tangent, tangent, thin), 1.0),
     };
     let position = matrix.transform_point3(site.position + lift * site.normal);
     let placed = Placed { position, normal, rotation, color, material: site.material, expression: site.expression, part: 0, head: false };

@@ -162,7 +162,7 @@ impl Face {
         if !(-0.1..=1.1).contains(&t) || d.z < -0.02 {
             return 0.0;
         }
-        let arch = 0.0195 + 0.0065 * (1.0 - ((t - 0.62) / 0.62).powi(2));
+        let arch = 0.0205 + 0.0045 * (1.0 - ((t - 0.62) / 0.62).powi(2));
         let strand = 0.0011 * rough(18, DVec3::new(p.x * 420.0 + p.y * 500.0, p.y * 90.0, 0.0));
         let half = (0.0046 - 0.0026 * t) * step(-0.08, 0.1, t) * step(1.05, 0.75, t);
         step(half + 0.0012, half - 0.0014, (d.y + strand - arch).abs()) * step(0.0, 0.0005, half)

@@ -35,10 +35,11 @@ pub mod surface;
 pub mod target;
 pub mod text;
 
-use crate::avatar::{Avatar, Clip, Skeleton};
+use crate::avatar::{Avatar, Clip, Pose, Skeleton};
 pub use assemble::Sizes;
 pub use body::{Assets, Body, Shape};
 pub use retarget::Options;
+use glam::DVec3;
 use std::path::Path;
 pub use text::Error;
 
@@ -47,11 +48,12 @@ pub const BODY_CREDIT: &str = "Body, rig, skin weights and expressions: MakeHuma
 /// The sentence that CMU asks for.
 pub const MOTION_CREDIT: &str = "The data used in this project was obtained from mocap.cs.cmu.edu. The database was created with funding from NSF EIA-0196217.";
 
-/// Makes the dressed body; `clip` is the motion whose poses networks, pruning and PCA are fitted to, and `step` hears what begins.
-pub fn body(assets: &Assets, shape: Shape, clip: &Clip, sizes: &Sizes, step: &dyn Fn(&'static str)) -> Result<Avatar, Error> {
+/// Makes the dressed body; networks, pruning and PCA are fitted to the clips' poses, and `step` hears what begins.
+pub fn body(assets: &Assets, shape: Shape, clips: &[Clip], sizes: &Sizes, step: &dyn Fn(&'static str)) -> Result<Avatar, Error> {
     step("reading the body");
     let body = Body::load(assets, shape)?;
     let outfit = outfit::Outfit::new(&body, masks::Masks::load(assets)?, shape);
+    let poses = poses(clips, &body.skeleton)?;
     step("dressing it");
     let sheets = outfit.sheets(&body);
     step("lighting it");
@@ -60,7 +62,25 @@ pub fn body(assets: &Assets, shape: Shape, clip: &Clip, sizes: &Sizes, step: &dy
     step("spacing Gaussians");
     let dots = spacing::scatter(&sheets, &outfit, sizes.gaussians, sizes.seed);
     step("assembling the avatar");
-    Ok(assemble::assemble(&body, &outfit, &sky, &dots, clip, sizes))
+    Ok(assemble::assemble(&body, &outfit, &sky, &dots, &poses, sizes))
+}
+
+/// Every frame of the clips in a skeleton's order of joints.
+fn poses(clips: &[Clip], skeleton: &Skeleton) -> Result<Vec<Pose>, Error> {
+    let mut poses = Vec::new();
+    for clip in clips {
+        let map = clip.map_to(skeleton);
+        if map.iter().all(Option::is_none) {
+            return Err(Error::Content { file: clip.name.clone().into(), found: "none of the body's joints".into(), expected: "Hips and its like".into() });
+        }
+        poses.extend((0..clip.frames()).map(|frame| {
+            let mut pose = clip.frame(frame);
+            pose.rotation = map.iter().map(|joint| joint.map_or(DVec3::ZERO, |j| pose.rotation[j])).collect();
+            pose.expression.resize(body::EXPRESSIONS.len(), 0.0);
+            pose
+        }));
+    }
+    Ok(poses)
 }
 
 /// The steps that [`body`] announces.

@@ -89,7 +89,7 @@ impl Outfit {
     pub fn above_neckline(&self, p: DVec3) -> f64 {
         let plane = p.y - (self.neck.y - 0.075) + 0.30 * (p.z - self.neck.z);
         let ring = 0.082 - p.x.hypot(p.z - self.neck.z - 0.010);
-        plane.min(ring.max(plane - 0.06))
+        plane.min(ring.max(plane - 0.09))
     }
 
     /// How far inside the shirt a point is, metres; below 0 outside.
@@ -159,7 +159,7 @@ impl Outfit {
         let mut sheets = vec![Sheet::of_group(body, "body", Material::Skin)];
         for (groups, material) in [
             (&["helper-l-eye", "helper-r-eye"][..], Material::Eye),
-            (&["helper-l-eyelashes-1", "helper-l-eyelashes-2", "helper-r-eyelashes-1", "helper-r-eyelashes-2"], Material::Lash),
+            (&["helper-l-eyelashes-2", "helper-r-eyelashes-2"], Material::Lash),
             (&["helper-upper-teeth", "helper-lower-teeth"], Material::Teeth),
         ] {
             sheets.extend(groups.iter().map(|group| Sheet::of_group(body, group, material)));
