@@ -130,7 +130,7 @@ fn point(dot: &Dot, index: usize, outfit: &Outfit, sky: &Sky, canonical: &[glam:
     let first = (matrix.matrix3 * flow).reject_from_normalized(normal).normalize_or(normal.any_orthonormal_vector());
     let rotation = DQuat::from_mat3(&DMat3::from_cols(first, normal.cross(first), normal)).normalize();
     let lift = if site.material == Material::Hair { random.range(-0.0015, 0.0035) } else { 0.0 };
-    let tangent = 0.86 * dot.radius;
+    let tangent = 0.92 * dot.radius;
     let thin = (0.35 * tangent).min(0.0008);
     let (scale, opacity) = match site.material {
         Material::Hair => (DVec3::new(1.9 * tangent, 0.62 * tangent, thin), 0.97),
@@ -178,7 +178,7 @@ pub fn quantise(weights: &[(u8, f64)]) -> ([u8; 4], [u8; 4]) {
 
 /// Evenly spaced points, closer together on the head, in the order of the parts.
 fn choose_nodes(points: &[Point], parts: &Partition, count: usize) -> Vec<usize> {
-    let dart = |p: &Point| Dart { position: p.placed.position, density: p.density.sqrt() * if p.placed.head { 2.5 } else { 1.0 }, layer: p.placed.material as u8 };
+    let dart = |p: &Point| Dart { position: p.placed.position, density: p.density.sqrt() * if p.placed.head { 5.0 } else { 1.0 }, layer: p.placed.material as u8 };
     let mut chosen = choose(&points.iter().map(dart).collect::<Vec<_>>(), count.min(points.len())).0;
     let mut rank = vec![0; points.len()];
     parts.order.iter().enumerate().for_each(|(at, &i)| rank[i] = at);

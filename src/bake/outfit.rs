@@ -87,7 +87,8 @@ impl Outfit {
 
     /// How far a point is inside the neckline, a ring around the neck that rises towards the nape; below 0 on the shirt.
     pub fn above_neckline(&self, p: DVec3) -> f64 {
-        let plane = p.y - (self.neck.y - 0.075) + 0.30 * (p.z - self.neck.z);
+        let forward = p.z - self.neck.z;
+        let plane = p.y - (self.neck.y - 0.075) + if forward > 0.0 { 0.30 } else { 0.9 } * forward;
         let ring = 0.082 - p.x.hypot(p.z - self.neck.z - 0.010);
         plane.min(ring.max(plane - 0.09))
     }
