@@ -62,7 +62,8 @@ pub fn assemble(body: &Body, outfit: &Outfit, sky: &Sky, dots: &[Dot], poses: &[
     let mut slots: Vec<Option<Point>> = points.into_iter().map(Some).collect();
     let nearest = nearest_nodes(&slots, &nodes);
     let bounds = bounds(&positions);
-    let joints: Vec<DVec3> = canonical.iter().zip(&body.skeleton.rest).map(|(m, r)| m.transform_point3(DVec3::from(r.map(f64::from)))).collect();
+    let joints: Vec<DVec3> =
+        canonical.iter().zip(&body.skeleton.rest).map(|(m, r)| m.transform_point3(DVec3::from(r.map(f64::from)))).collect();
     let field = Bases::new(sizes.seed, &joints);
     let node_rows = nodes.iter().map(|&i| slots[i].as_ref().expect("still in place"));
     let nodes = Nodes {
@@ -118,6 +119,7 @@ fn thetas(inputs: &Inputs, poses: &[Pose]) -> Vec<Vec<f64>> {
 fn point(dot: &Dot, index: usize, outfit: &Outfit, sky: &Sky, canonical: &[glam::DAffine3], seed: u64) -> Point {
     let mut random = Random::new(seed, (1 << 40) + index as u64);
     let mut site = dot.site.clone();
+    site.footprint = dot.radius;
     let normal = outfit.relief_normal(&site);
     site.position += outfit.relief(&site, site.position) * site.normal;
     let color = outfit.shaded(&site, normal, dot.radius, sky);
@@ -130,7 +132,9 @@ fn point(dot: &Dot, index: usize, outfit: &Outfit, sky: &Sky, canonical: &[glam:
     let first = (matrix.matrix3 * flow).reject_from_normalized(normal).normalize_or(normal.any_orthonormal_vector());
     let rotation = DQuat::from_mat3(&DMat3::from_cols(first, normal.cross(first), normal)).normalize();
     let lift = if site.material == Material::Hair { random.range(-0.0015, 0.0035) } else { 0.0 };
-    let tangent = 0.92 * dot.radius;
+    let density = outfit.density(&site);
+    // Gaps show more than blur does, but on face and print.
+    let tangent = if density > 3.0 { 0.94 } else { 1.06 } * dot.radius;
     let thin = (0.35 * tangent).min(0.0008);
     let (scale, opacity) = match site.material {
         Material::Hair => (DVec3::new(1.9 * tangent, 0.62 * tangent, thin), 0.97),
@@ -139,7 +143,6 @@ fn point(dot: &Dot, index: usize, outfit: &Outfit, sky: &Sky, canonical: &[glam:
     };
     let position = matrix.transform_point3(site.position + lift * site.normal);
     let placed = Placed { position, normal, rotation, color, material: site.material, expression: site.expression, part: 0, head: false };
-    let density = outfit.density(&site);
     Point { placed, scale, opacity, joint, joint_weight, turn: matrix.matrix3, density }
 }
 
@@ -178,7 +181,11 @@ pub fn quantise(weights: &[(u8, f64)]) -> ([u8; 4], [u8; 4]) {
 
 /// Evenly spaced points, closer together on the head, in the order of the parts.
 fn choose_nodes(points: &[Point], parts: &Partition, count: usize) -> Vec<usize> {
-    let dart = |p: &Point| Dart { position: p.placed.position, density: p.density.sqrt() * if p.placed.head { 5.0 } else { 1.0 }, layer: p.placed.material as u8 };
+    let dart = |p: &Point| Dart {
+        position: p.placed.position,
+        density: p.density.sqrt() * if p.placed.head { 5.0 } else { 1.0 },
+        layer: p.placed.material as u8,
+    };
     let mut chosen = choose(&points.iter().map(dart).collect::<Vec<_>>(), count.min(points.len())).0;
     let mut rank = vec![0; points.len()];
     parts.order.iter().enumerate().for_each(|(at, &i)| rank[i] = at);
@@ -216,7 +223,10 @@ fn gaussians(points: &[Point], node: Vec<[u16; 3]>, bounds: Bounds) -> Gaussians
     Gaussians {
         bounds,
         position: points.iter().map(|p| bounds.encode(p.placed.position)).collect(),
-        rotation: points.iter().map(|p| [p.placed.rotation.w, p.placed.rotation.x, p.placed.rotation.y, p.placed.rotation.z].map(f16::from_f64)).collect(),
+        rotation: points
+            .iter()
+            .map(|p| [p.placed.rotation.w, p.placed.rotation.x, p.placed.rotation.y, p.placed.rotation.z].map(f16::from_f64))
+            .collect(),
         log_scale: points.iter().map(|p| half(DVec3::from(p.scale.to_array().map(f64::ln)))).collect(),
         color: points.iter().map(|p| half(p.placed.color)).collect(),
         opacity: points.iter().map(|p| (255.0 * p.opacity).round() as u8).collect(),

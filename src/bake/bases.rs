@@ -113,7 +113,7 @@ impl Bases {
 
     /// Shading of the folds: brighter where they face the light; shape 3, N_B.
     pub fn color(&self, at: &Placed) -> [[f64; BASIS]; 3] {
-        let amplitude = 0.16 * self.liveliness(at) / (0.5 * BASIS as f64).sqrt();
+        let amplitude = 0.10 * self.liveliness(at) / (0.5 * BASIS as f64).sqrt();
         let mut rows = [[0.0; BASIS]; 3];
         for k in self.features(at) {
             let facing = -self.attribute_wave(k, at.position).1.dot(KEY);
@@ -131,7 +131,8 @@ impl Bases {
 /// Keeps the rows whose attribute varies most over the poses (model.md, step 2). What the last kept row has is taken off the others'
 /// variance, so that nothing jumps where rows end. `covariance` is each part's, shape 2 N_B, 2 N_B.
 pub fn keep<const C: usize>(all: &[[[f64; BASIS]; C]], part: &[usize], covariance: &[Vec<f64>], count: usize) -> Rows<C> {
-    let variance: Vec<f64> = all.iter().zip(part).map(|(rows, &part)| rows.iter().map(|row| spread(row, &covariance[part])).sum()).collect();
+    let variance: Vec<f64> =
+        all.iter().zip(part).map(|(rows, &part)| rows.iter().map(|row| spread(row, &covariance[part])).sum()).collect();
     let mut order: Vec<usize> = (0..all.len()).collect();
     order.sort_by(|&a, &b| variance[b].total_cmp(&variance[a]).then(a.cmp(&b)));
     let floor = order.get(count).map_or(0.0, |&i| variance[i]);

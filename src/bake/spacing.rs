@@ -29,7 +29,8 @@ pub struct Dart {
 /// `count` points on the sheets, fewer only where there is too little to see. Points and their order depend on the seed alone.
 pub fn scatter(sheets: &[Sheet], outfit: &Outfit, count: usize, seed: u64) -> Vec<Dot> {
     const CENTER: [f64; 3] = [1.0 / 3.0; 3];
-    let triangles: Vec<(usize, usize)> = sheets.iter().enumerate().flat_map(|(s, sheet)| (0..sheet.triangles.len()).map(move |t| (s, t))).collect();
+    let triangles: Vec<(usize, usize)> =
+        sheets.iter().enumerate().flat_map(|(s, sheet)| (0..sheet.triangles.len()).map(move |t| (s, t))).collect();
     // The most that any of a triangle's points deserves: densities rise smoothly, so four of them with a margin say it.
     let peak = |(s, t): (usize, usize)| {
         let at = |b: [f64; 3]| outfit.density(&sheets[s].site(t, b));
@@ -77,7 +78,7 @@ fn shuffle<T>(list: &mut [T], seed: u64) {
 }
 
 /// `count` of the darts, each further than its radius from every earlier one of its layer; the radius at density 1 is fitted, and
-/// returned. Where darts run short, the remainder is filled with what was turned away.
+/// returned. Never more than fit, for the last ones kept fill the gaps; what is missing is taken from those turned away.
 pub fn choose(darts: &[Dart], count: usize) -> (Vec<usize>, f64) {
     let spread = darts.iter().fold([DVec3::INFINITY, DVec3::NEG_INFINITY], |[a, b], d| [a.min(d.position), b.max(d.position)]);
     let mut radius = 0.3 * (spread[1] - spread[0]).length() / (count.max(1) as f64).sqrt();
@@ -86,16 +87,25 @@ pub fn choose(darts: &[Dart], count: usize) -> (Vec<usize>, f64) {
     for _ in 0..24 {
         let chosen = apart(darts, radius);
         let found = chosen.len();
-        if found >= count {
-            (low, best, best_radius) = (radius, chosen, radius);
-            if found as f64 <= 1.01 * count as f64 + 2.0 {
+        if found <= count {
+            if found > best.len() {
+                (best, best_radius) = (chosen, radius);
+            }
+            high = radius;
+            if found as f64 >= 0.99 * count as f64 - 2.0 {
                 break;
             }
         } else {
-            high = radius;
+            low = radius;
         }
-        let guess = radius * (found as f64 / (1.005 * count as f64)).sqrt();
-        radius = if guess > low && guess < high { guess } else if high.is_finite() { 0.5 * (low + high) } else { 2.0 * radius };
+        let guess = radius * (found as f64 / (0.995 * count as f64)).sqrt();
+        radius = if guess > low && guess < high {
+            guess
+        } else if high.is_finite() {
+            0.5 * (low + high)
+        } else {
+            2.0 * radius
+        };
     }
     if best.len() < count {
         let mut taken = vec![false; darts.len()];
@@ -103,7 +113,6 @@ pub fn choose(darts: &[Dart], count: usize) -> (Vec<usize>, f64) {
         let missing = count - best.len();
         best.extend((0..darts.len()).filter(|i| !taken[*i]).take(missing));
     }
-    best.truncate(count);
     (best, best_radius)
 }
 
