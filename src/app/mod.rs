@@ -17,5 +17,5 @@ pub mod times;
 pub mod viewer;
 pub mod window;
 
-pub use viewer::Options;
+pub use viewer::{Loss, Options};
 pub use window::Display;

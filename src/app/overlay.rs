@@ -57,7 +57,7 @@ pub fn style(ctx: &egui::Context) {
 /// Lays the panel out; what the user asks for is added to `wishes`.
 pub fn show(ctx: &egui::Context, facts: &Facts, wishes: &mut Vec<Action>) {
     let height = (ctx.content_rect().height() - 24.0).max(60.0);
-    egui::Window::new("Effigy").default_pos(Pos2::new(12.0, 12.0)).max_height(height).resizable(false).vscroll(true).show(ctx, |ui| {
+    egui::Window::new("Effigy").default_pos(Pos2::new(12.0, 12.0)).default_height(height).resizable(false).vscroll(true).show(ctx, |ui| {
         ui.set_width(WIDTH);
         clip(ui, facts.playback, wishes);
         ui.separator();

@@ -101,9 +101,8 @@ impl Painter {
         self.renderer.report()
     }
 
-    /// Fits the pictures to the window, and says their size, px. None while the window has no area: then there is nothing to draw.
-    pub fn fit(&mut self) -> Result<Option<[u32; 2]>> {
-        let wanted: [u32; 2] = self.window.inner_size().into();
+    /// Fits the pictures to a window of `wanted` px, and says their size. None while the window has no area: then there is nothing to draw.
+    pub fn fit(&mut self, wanted: [u32; 2]) -> Result<Option<[u32; 2]>> {
         if !self.stale && wanted == self.fitted {
             return Ok(self.swapchain.as_ref().map(|swapchain| swapchain.size));
         }

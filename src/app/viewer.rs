@@ -33,6 +33,15 @@ pub struct Options {
     pub background: [f32; 3],
     /// Draw without a rest, and quit after so many frames.
     pub frames: Option<u32>,
+    /// Losses to go through as if they had happened, each before the frame of that number: no driver loses anything on demand.
+    pub rehearse: Vec<(Loss, u32)>,
+}
+
+/// What a driver can take away while a window is open.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Loss {
+    Surface,
+    Device,
 }
 
 /// Something for the overlay to say, from another thread.
@@ -55,6 +64,8 @@ pub struct Viewer {
     pub(super) window: Option<Arc<Window>>,
     pub(super) pointers: Pointers,
     pub(super) modifiers: ModifiersState,
+    /// The window's size as its events say, px. Asking for it would wait for the display server, and fails once the window is gone.
+    pub(super) window_size: [u32; 2],
     /// The picture's size, px.
     pub(super) size: [u32; 2],
     shown: Option<Look>,
@@ -90,6 +101,7 @@ impl Viewer {
             window: None,
             pointers: Pointers::default(),
             modifiers: ModifiersState::default(),
+            window_size: size,
             size,
             shown: None,
             dirty: true,
@@ -123,12 +135,14 @@ impl Viewer {
                 .with_inner_size(PhysicalSize::new(width, height))
                 .with_fullscreen(self.options.full_screen.then_some(Fullscreen::Borderless(None)));
             let window = Arc::new(event_loop.create_window(attributes).context("the window could not be opened")?);
-            self.overlay = Some(Overlay::new(&window));
+            self.window_size = window.inner_size().into();
             self.window = Some(window);
         }
         let Some(window) = &self.window else { return Ok(()) };
-        let size: [u32; 2] = window.inner_size().into();
-        let drawing = RendererOptions { size: size.map(|side| side.max(1)), ..self.options.drawing };
+        // A new overlay brings all its textures to the new device.
+        let visible = self.overlay.as_ref().is_none_or(|overlay| overlay.visible);
+        self.overlay = Some(Overlay::new(window, visible));
+        let drawing = RendererOptions { size: self.window_size.map(|side| side.max(1)), ..self.options.drawing };
         let painter = Painter::new(window, self.scene.avatar(), &self.options.gpu, drawing)?;
         tracing::info!("showing `{}` with {}", self.scene.avatar().name, painter.gpu().probe.name);
         self.painter = Some(painter);
@@ -218,9 +232,15 @@ impl Viewer {
     }
 
     fn draw(&mut self, wishes: &mut Vec<Action>) -> Result<(), Error> {
+        if let Some(at) = self.options.rehearse.iter().position(|&(_, frame)| frame == self.drawn) {
+            return Err(match self.options.rehearse.remove(at).0 {
+                Loss::Surface => Error::SurfaceLost("a rehearsal"),
+                Loss::Device => Error::DeviceLost("a rehearsal"),
+            });
+        }
         let clock = self.clock();
         let (Some(painter), Some(overlay), Some(window)) = (&mut self.painter, &mut self.overlay, &self.window) else { return Ok(()) };
-        let Some(size) = painter.fit()? else {
+        let Some(size) = painter.fit(self.window_size)? else {
             self.hidden = true;
             return Ok(());
         };
@@ -252,7 +272,7 @@ impl Viewer {
             follow: self.scene.follows(),
             message: self.message.as_deref(),
         };
-        let (panel, textures, wait) = overlay.lay_out(window, &facts, wishes);
+        let (panel, textures, wait) = overlay.lay_out((window, size), &facts, wishes);
         painter.set_textures(textures)?;
         let began = Instant::now();
         if !painter.paint(self.scene.posed(), &look, &panel)? {

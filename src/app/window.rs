@@ -120,7 +120,7 @@ impl ApplicationHandler<Message> for Handler {
             self.viewer.gesture(&gesture);
         }
         match event {
-            WindowEvent::CloseRequested => event_loop.exit(),
+            WindowEvent::CloseRequested | WindowEvent::Destroyed => event_loop.exit(),
             WindowEvent::RedrawRequested => {
                 // Without a wish of ours the system asks: what it showed of the window is gone.
                 self.viewer.dirty |= !self.viewer.wants_frame();
@@ -128,7 +128,8 @@ impl ApplicationHandler<Message> for Handler {
                 let drawn = self.viewer.frame(event_loop);
                 self.check(drawn, event_loop);
             }
-            WindowEvent::Resized(_) | WindowEvent::ScaleFactorChanged { .. } => {
+            WindowEvent::Resized(size) => {
+                self.viewer.window_size = size.into();
                 self.viewer.hidden = false;
                 self.viewer.dirty = true;
             }
