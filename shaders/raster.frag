@@ -9,5 +9,5 @@ void main() {
     if (!(alpha >= 1.0 / 255.0)) {
         discard;
     }
-    result = vec4(color.rgb * alpha, alpha);
+    result = vec4(color.rgb, alpha);
 }

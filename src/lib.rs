@@ -23,6 +23,7 @@
 #[cfg(feature = "window")]
 pub mod app;
 pub mod avatar;
+pub mod bake;
 pub mod cli;
 pub mod demo;
 pub mod frame;

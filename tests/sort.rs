@@ -45,7 +45,7 @@ impl Bench {
             self.control.upload(bytemuck::bytes_of(&control)).unwrap();
             self.run(None);
         }
-        let mask = if self.bits == KeyBits::Sixteen { 0xffff } else { u32::MAX };
+        let mask = u32::MAX >> (32 - 8 * self.bits.passes());
         let mut expected: Vec<u32> = (0..keys.len() as u32).filter(|&i| keys[i as usize] != SORT_DROPPED).collect();
         expected.sort_by_key(|&i| keys[i as usize] & mask);
         let control: Control = bytemuck::pod_read_unaligned(&self.control.download(size_of::<Control>()).unwrap());
@@ -84,7 +84,7 @@ impl Bench {
 
 fn patterns(count: usize, bits: KeyBits) -> Vec<Vec<u32>> {
     let random = &mut Random(count as u64);
-    let top = if bits == KeyBits::Sixteen { 0xffff } else { SORT_DROPPED - 1 };
+    let top = (u32::MAX >> (32 - 8 * bits.passes())).min(SORT_DROPPED - 1);
     let any = |random: &mut Random| (random.next() as u32) & top;
     vec![
         (0..count).map(|_| any(random).min(top)).collect(),
@@ -113,6 +113,11 @@ fn matrix(bits: KeyBits) {
 #[test]
 fn sixteen_bit_keys_come_out_in_stable_order_at_every_count() {
     matrix(KeyBits::Sixteen);
+}
+
+#[test]
+fn twenty_four_bit_keys_come_out_in_stable_order_at_every_count() {
+    matrix(KeyBits::TwentyFour);
 }
 
 #[test]

@@ -84,9 +84,12 @@ impl From<Color> for ColorFormat {
 /// [`KeyBits`] as the command line has it.
 #[derive(Clone, Copy, Debug, ValueEnum)]
 pub enum Keys {
-    /// Two passes; steps of about 20 µm
+    /// Two passes; steps of about 30 µm
     #[value(name = "16")]
     Bits16,
+    /// Three passes; steps of less than a micrometre
+    #[value(name = "24")]
+    Bits24,
     /// Four passes
     #[value(name = "32")]
     Bits32,
@@ -96,6 +99,7 @@ impl From<Keys> for KeyBits {
     fn from(keys: Keys) -> Self {
         match keys {
             Keys::Bits16 => Self::Sixteen,
+            Keys::Bits24 => Self::TwentyFour,
             Keys::Bits32 => Self::ThirtyTwo,
         }
     }

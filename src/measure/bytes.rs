@@ -3,10 +3,7 @@
 //! Blending is counted as one read and one write of the covered picture (what a tiler's memory sees); fragments that blend in cache or
 //! in tile memory cost none. Caches can only make the true figure smaller, except for gathers that fetch a line for a part of it.
 
-use crate::{
-    avatar::Avatar,
-    vulkan::{RendererOptions, sort::KeyBits},
-};
+use crate::{avatar::Avatar, vulkan::RendererOptions};
 
 /// Bytes of each stage for a frame in which everything changed and `drawn` Gaussians survive culling.
 pub fn per_stage(avatar: &Avatar, options: &RendererOptions, drawn: u64) -> [(&'static str, u64); 5] {
@@ -17,10 +14,9 @@ pub fn per_stage(avatar: &Avatar, options: &RendererOptions, drawn: u64) -> [(&'
     let nodes = avatar.nodes.len() as u64;
     let rows = halves(avatar.rotation_rows.basis.len() + avatar.scale_rows.basis.len() + avatar.color_rows.basis.len());
     // Keys of the culled are read by the first pass too; a pass reads entries twice (count, scatter) and writes them once.
-    let sort = match options.key_bits {
-        KeyBits::Sixteen => (2 * 4 * count + 8 * drawn) + (2 * 8 * drawn + 4 * drawn),
-        KeyBits::ThirtyTwo => (2 * 4 * count + 8 * drawn) + 2 * (2 * 8 * drawn + 8 * drawn) + (2 * 8 * drawn + 4 * drawn),
-    };
+    let [key, entry, value] = [4, 8, 4];
+    let between = u64::from(options.key_bits.passes()) - 2;
+    let sort = (2 * key * count + entry * drawn) + between * 3 * entry * drawn + (2 * entry * drawn + value * drawn);
     let pixels = u64::from(options.size[0]) * u64::from(options.size[1]);
     [
         ("features", networks + features),

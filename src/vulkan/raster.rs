@@ -203,7 +203,7 @@ fn pipeline(gpu: &Gpu, render_pass: vk::RenderPass, layout: vk::PipelineLayout) 
     // Premultiplied "over": C = αc + (1 − α) C, and coverage likewise.
     let over = [vk::PipelineColorBlendAttachmentState::default()
         .blend_enable(true)
-        .src_color_blend_factor(vk::BlendFactor::ONE)
+        .src_color_blend_factor(vk::BlendFactor::SRC_ALPHA)
         .dst_color_blend_factor(vk::BlendFactor::ONE_MINUS_SRC_ALPHA)
         .src_alpha_blend_factor(vk::BlendFactor::ONE)
         .dst_alpha_blend_factor(vk::BlendFactor::ONE_MINUS_SRC_ALPHA)

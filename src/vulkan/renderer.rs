@@ -206,11 +206,7 @@ impl Renderer {
         block.near = camera.near as f32;
         block.key_far = depth[1] as f32;
         block.key_scale = (1.0 / (depth[1] - depth[0])) as f32;
-        block.key_max = match self.options.key_bits {
-            KeyBits::Sixteen => 0xffff,
-            // The largest below 2³² that f32 holds.
-            KeyBits::ThirtyTwo => 0xffff_ff00,
-        };
+        block.key_max = self.options.key_bits.largest();
         block.fixed_scale = fixed_scale(guard) as f32;
         let expression = posed.input.len() - posed.expression;
         for (at, &value) in posed.input.iter().enumerate() {

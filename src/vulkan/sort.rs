@@ -20,14 +20,33 @@ use ash::vk;
 use gpu_allocator::MemoryLocation;
 use std::sync::Arc;
 
-/// How much of a key counts.
+/// How much of a key counts: a pass for every 8 bits.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum KeyBits {
-    /// Two passes.
     #[default]
     Sixteen,
-    /// Four passes.
+    TwentyFour,
     ThirtyTwo,
+}
+
+impl KeyBits {
+    /// Passes of the sort.
+    pub fn passes(self) -> u32 {
+        match self {
+            Self::Sixteen => 2,
+            Self::TwentyFour => 3,
+            Self::ThirtyTwo => 4,
+        }
+    }
+
+    /// The largest key that a depth becomes: one that f32 holds, below [`SORT_DROPPED`].
+    pub fn largest(self) -> u32 {
+        match self {
+            Self::Sixteen => 0xffff,
+            Self::TwentyFour => 0xff_ffff,
+            Self::ThirtyTwo => 0xffff_ff00,
+        }
+    }
 }
 
 struct Pass {
@@ -49,7 +68,7 @@ impl Sort {
     /// Sorts at most `capacity` keys; how many is read from `control.entering` when the sort runs, and how many were left after
     /// dropping is written to `control.survivors`.
     pub fn new(gpu: &Arc<Gpu>, keys: Slice, control: &Buffer, capacity: u32, bits: KeyBits) -> Result<Self> {
-        let passes = if bits == KeyBits::Sixteen { 2 } else { 4 };
+        let passes = bits.passes() as usize;
         let tiles = capacity.div_ceil(SORT_TILE).max(1);
         let storage = |name, size| {
             Buffer::new(gpu, name, size, vk::BufferUsageFlags::STORAGE_BUFFER | vk::BufferUsageFlags::TRANSFER_SRC, MemoryLocation::GpuOnly)

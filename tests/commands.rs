@@ -1,0 +1,141 @@
+//! The program as its users run it: what each command writes, and what it says when it can't.
+
+mod common;
+
+use common::gpu;
+use effigy::measure::error;
+use std::{
+    path::Path,
+    process::{Command, Output},
+};
+
+fn effigy(folder: &Path, arguments: &str) -> Output {
+    // Without a display, whatever the machine has.
+    Command::new(env!("CARGO_BIN_EXE_effigy"))
+        .args(arguments.split_whitespace())
+        .current_dir(folder)
+        .env_remove("DISPLAY")
+        .env_remove("WAYLAND_DISPLAY")
+        .output()
+        .unwrap()
+}
+
+/// Runs a command that must work and must not upset the validation layer.
+fn works(folder: &Path, arguments: &str) -> String {
+    let output = effigy(folder, arguments);
+    let (out, err) = (String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
+    assert!(output.status.success(), "effigy {arguments}: {err}");
+    assert!(!err.contains("validation:"), "effigy {arguments}: {err}");
+    out.into_owned()
+}
+
+/// Runs a command that must fail with one sentence.
+fn fails(folder: &Path, arguments: &str) -> String {
+    let output = effigy(folder, arguments);
+    let err = String::from_utf8_lossy(&output.stderr).trim().to_string();
+    assert!(!output.status.success(), "effigy {arguments} should fail");
+    assert_eq!(err.lines().count(), 1, "effigy {arguments}: one sentence expected, got: {err}");
+    assert!(err.starts_with("error: "), "{err}");
+    err
+}
+
+fn picture(path: &Path) -> effigy::frame::Picture {
+    let image = image::open(path).unwrap().to_rgba32f();
+    effigy::frame::Picture { size: [image.width(), image.height()], pixels: image.pixels().map(|p| p.0).collect() }
+}
+
+#[test]
+fn render_writes_the_demo_as_the_reference_draws_it() {
+    if gpu::gpu().is_none() {
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    works(folder.path(), "render --size 320x400 --time 1.5 --out gpu.png");
+    works(folder.path(), "render --size 320x400 --time 1.5 --reference --out oracle.png");
+    let [gpu, oracle] = ["gpu.png", "oracle.png"].map(|name| picture(&folder.path().join(name)));
+    assert_eq!(gpu.size, [320, 400]);
+    let error = error::between(&gpu, &oracle);
+    // Both are rounded to 8 bits once more, over a background.
+    assert!(error.whole.psnr_db > 50.0, "{error:?}");
+    let background = oracle.pixels[0];
+    let drawn = oracle.pixels.iter().filter(|&&pixel| pixel != background).count();
+    assert!(drawn > 320 * 400 / 20, "only {drawn} pixels differ from the background");
+}
+
+#[test]
+fn a_range_of_frames_becomes_numbered_pictures() {
+    if gpu::gpu().is_none() {
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    works(folder.path(), "render --size 64x96 --frames 3..6 --background none --out walk.png");
+    let pictures: Vec<_> = (3..6).map(|frame| picture(&folder.path().join(format!("walk-{frame:04}.png")))).collect();
+    assert!(pictures[0] != pictures[2], "the avatar does not move");
+    assert!(pictures[0].pixels[0][3] == 0.0, "the background is not transparent");
+    let message = fails(folder.path(), "render --size 64x96 --frames 0..9999999");
+    assert!(message.contains("9999999"), "{message}");
+}
+
+#[test]
+fn without_a_display_the_program_renders_a_turntable() {
+    if gpu::gpu().is_none() {
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let said = works(folder.path(), "");
+    assert!(said.contains("effigy-turntable"), "{said}");
+    assert_eq!(std::fs::read_dir(folder.path().join("effigy-turntable")).unwrap().count(), 24);
+}
+
+#[test]
+fn bench_writes_what_it_measured() {
+    if gpu::gpu().is_none() {
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    works(folder.path(), "bench --size 200x200 --frames 4 --check 1 --json out.json");
+    let json: serde_json::Value = serde_json::from_slice(&std::fs::read(folder.path().join("out.json")).unwrap()).unwrap();
+    for field in ["gaussians", "psnr_db", "max_error", "gpu_memory_bytes", "bytes_per_frame", "psnr_db_whole_picture"] {
+        assert!(json[field].as_f64().is_some_and(|value| value > 0.0), "{field}: {}", json[field]);
+    }
+    assert!(json["device"].is_string() && json["driver"].is_string());
+    assert!(json["frame_ms"]["median"].as_f64() > Some(0.0) && json["frame_ms"]["p95"].as_f64() >= json["frame_ms"]["median"].as_f64());
+    let stages: Vec<_> = json["stages"].as_array().unwrap().iter().map(|stage| stage["name"].as_str().unwrap()).collect();
+    assert_eq!(stages, ["features", "nodes", "splats", "sort", "raster"]);
+    assert!(json["psnr_db"].as_f64() > Some(45.0), "{}", json["psnr_db"]);
+}
+
+#[test]
+fn bad_input_is_answered_with_one_sentence() {
+    let folder = tempfile::tempdir().unwrap();
+    let avatar = effigy::demo::avatar().unwrap().to_bytes().unwrap();
+    std::fs::write(folder.path().join("cut.avatar"), &avatar[..100_000]).unwrap();
+    let message = fails(folder.path(), "render cut.avatar");
+    assert!(message.contains("cut.avatar"), "{message}");
+    let message = fails(folder.path(), "render nowhere.avatar");
+    assert!(message.contains("nowhere.avatar"), "{message}");
+    let message = fails(folder.path(), "render --device nonesuch");
+    assert!(message.contains("nonesuch") || message.contains("Vulkan"), "{message}");
+}
+
+#[test]
+fn pictures_that_no_device_draws_are_refused() {
+    if gpu::gpu().is_none() {
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let message = fails(folder.path(), "render --size 100000x10");
+    assert!(message.contains("100000") && message.contains("px a side"), "{message}");
+}
+
+#[test]
+fn devices_lists_every_device_and_its_use() {
+    if gpu::gpu().is_none() {
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let text = works(folder.path(), "devices");
+    assert!(text.contains("16-bit storage") && text.contains("can serve"), "{text}");
+    let json: serde_json::Value = serde_json::from_str(&works(folder.path(), "devices --json")).unwrap();
+    assert!(json[0]["name"].is_string() && json[0]["optional"]["timestamps"]["has"].is_boolean());
+}

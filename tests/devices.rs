@@ -1,0 +1,100 @@
+//! Opening devices, and what happens when one can't be had or can't hold what it is asked to.
+
+mod common;
+
+use common::{Sizes, gpu};
+use effigy::{
+    frame::{Camera, Posed},
+    layout::Control,
+    vulkan::{Error, Gpu, GpuOptions, Renderer, memory::Buffer},
+};
+use glam::DVec3;
+
+#[test]
+fn an_unknown_device_is_answered_with_the_known_ones() {
+    let Some(device) = gpu::gpu() else { return };
+    let options = GpuOptions { device: Some("nonesuch 9000".into()), ..GpuOptions::headless(None) };
+    let message = Gpu::new(&options).err().unwrap().to_string();
+    assert!(message.contains("nonesuch 9000") && message.contains(&device.probe.name), "{message}");
+}
+
+#[test]
+fn a_device_is_found_by_number_and_by_part_of_its_name() {
+    let Some(device) = gpu::gpu() else { return };
+    let part: String = device.probe.name.chars().take(5).collect::<String>().to_uppercase();
+    for wanted in ["0", &part] {
+        let found = Gpu::new(&GpuOptions::headless(Some(wanted.into()))).unwrap();
+        assert_eq!(found.probe.name, device.probe.name, "{wanted}");
+    }
+    gpu::assert_valid();
+}
+
+#[test]
+fn a_buffer_larger_than_the_device_allows_is_refused_by_name() {
+    let Some(device) = gpu::gpu() else { return };
+    let size = u64::from(device.probe.limits.max_storage_buffer_range) + 1;
+    let usage = ash::vk::BufferUsageFlags::STORAGE_BUFFER;
+    let error = Buffer::new(&device, "too much", size, usage, gpu_allocator::MemoryLocation::GpuOnly).err().unwrap();
+    assert!(matches!(error, Error::TooLarge { what: "too much", .. }), "{error}");
+    gpu::assert_valid();
+}
+
+#[test]
+fn memory_is_given_back() {
+    let Some(device) = gpu::gpu() else { return };
+    let avatar = common::avatar(1, Sizes { gaussians: 200, ..Sizes::default() });
+    let before = device.memory().0;
+    for _ in 0..3 {
+        let renderer = Renderer::new(&device, &avatar, gpu::options([300, 300])).unwrap();
+        assert!(device.memory().0 > before + 300 * 300 * 8);
+        drop(renderer);
+        assert_eq!(device.memory().0, before, "bytes in use after dropping a renderer");
+    }
+    gpu::assert_valid();
+}
+
+/// Frames follow each other without waiting, with and without changes; the counts and the skipped stages say so.
+#[test]
+fn stages_whose_inputs_did_not_change_are_skipped() {
+    let Some(device) = gpu::gpu() else { return };
+    let avatar = common::avatar(1, Sizes::default());
+    let posed = Posed::new(&avatar, &common::pose(1, &avatar));
+    let mut renderer = Renderer::new(&device, &avatar, gpu::options([100, 100])).unwrap();
+    let camera = |yaw| Camera::orbit(DVec3::new(0.0, 1.0, 0.0), yaw, 0.0, 4.0, 0.7, [100, 100]);
+    let mut frame = |posed: &Posed, camera: &Camera| {
+        renderer.draw(posed, camera, None).unwrap();
+        renderer.finish().unwrap();
+        (renderer.report().clone(), renderer.picture().unwrap())
+    };
+    let (all, first) = frame(&posed, &camera(0.0));
+    assert!(all.skipped.is_empty() && all.drawn > 100, "{all:?}");
+    let (none, same) = frame(&posed, &camera(0.0));
+    assert_eq!(none.skipped, ["features", "nodes", "splats", "sort", "raster"]);
+    assert!(same == first, "a frame without changes changed the picture");
+    let (view, turned) = frame(&posed, &camera(1.0));
+    assert_eq!(view.skipped, ["features", "nodes"]);
+    assert!(turned != first);
+    let other = Posed::new(&avatar, &common::pose(2, &avatar));
+    assert!(frame(&other, &camera(1.0)).0.skipped.is_empty());
+    gpu::assert_valid();
+}
+
+#[test]
+fn many_frames_in_flight_stay_in_order() {
+    let Some(device) = gpu::gpu() else { return };
+    let avatar = common::avatar(1, Sizes { gaussians: 300, ..Sizes::default() });
+    let posed = Posed::new(&avatar, &common::pose(1, &avatar));
+    let mut renderer = Renderer::new(&device, &avatar, gpu::options([64, 64])).unwrap();
+    for step in 0..50 {
+        let camera = Camera::orbit(DVec3::new(0.0, 1.0, 0.0), f64::from(step), 0.0, 4.0, 0.7, [64, 64]);
+        renderer.draw(&posed, &camera, None).unwrap();
+    }
+    let camera = Camera::orbit(DVec3::new(0.0, 1.0, 0.0), 0.3, 0.0, 4.0, 0.7, [64, 64]);
+    renderer.draw(&posed, &camera, None).unwrap();
+    let oracle = effigy::reference::render(&avatar, &posed, &camera);
+    let error = effigy::measure::error::between(&renderer.picture().unwrap(), &oracle);
+    assert!(error.covered.psnr_db > 54.0, "{:?}", error.covered);
+    let control: Control = renderer.stages().unwrap().control;
+    assert_eq!(control.entering, 300);
+    gpu::assert_valid();
+}
