@@ -19,6 +19,8 @@ const GRAPH: f32 = 36.0;
 pub struct Facts<'a> {
     pub avatar: &'a str,
     pub times: &'a FrameTimes,
+    /// More frames follow without anyone's doing.
+    pub moving: bool,
     /// Each stage of the last frame that drew the avatar, milliseconds on the GPU.
     pub stages: &'a [(&'static str, f64)],
     /// Gaussians drawn, and all there are.
@@ -56,21 +58,24 @@ pub fn style(ctx: &egui::Context) {
 
 /// Lays the panel out; what the user asks for is added to `wishes`.
 pub fn show(ctx: &egui::Context, facts: &Facts, wishes: &mut Vec<Action>) {
-    let height = (ctx.content_rect().height() - 24.0).max(60.0);
-    egui::Window::new("Effigy").default_pos(Pos2::new(12.0, 12.0)).default_height(height).resizable(false).vscroll(true).show(ctx, |ui| {
-        ui.set_width(WIDTH);
-        clip(ui, facts.playback, wishes);
-        ui.separator();
-        view(ui, facts, wishes);
-        ui.separator();
-        timing(ui, facts);
-        egui::CollapsingHeader::new("Stages").default_open(true).show(ui, |ui| stages(ui, facts));
-        egui::CollapsingHeader::new("Device").default_open(true).show(ui, |ui| device(ui, facts));
-        egui::CollapsingHeader::new("Keys").show(ui, keys);
-        if let Some(message) = facts.message {
+    // What the title bar and the window's edges leave.
+    let height = (ctx.content_rect().height() - 72.0).max(40.0);
+    egui::Window::new("Effigy").default_pos(Pos2::new(12.0, 12.0)).auto_sized().show(ctx, |ui| {
+        egui::ScrollArea::vertical().max_height(height).show(ui, |ui| {
+            ui.set_width(WIDTH);
+            clip(ui, facts.playback, wishes);
             ui.separator();
-            ui.label(message);
-        }
+            view(ui, facts, wishes);
+            ui.separator();
+            timing(ui, facts);
+            egui::CollapsingHeader::new("Stages").default_open(true).show(ui, |ui| stages(ui, facts));
+            egui::CollapsingHeader::new("Device").default_open(true).show(ui, |ui| device(ui, facts));
+            egui::CollapsingHeader::new("Keys").show(ui, keys);
+            if let Some(message) = facts.message {
+                ui.separator();
+                ui.label(message);
+            }
+        });
     });
 }
 
@@ -132,9 +137,9 @@ fn view(ui: &mut Ui, facts: &Facts, wishes: &mut Vec<Action>) {
         button(ui, "Screenshot", "a PNG without this panel (S)", Action::Screenshot, wishes);
     });
     ui.horizontal(|ui| {
-        let mut background = facts.background;
-        if ui.color_edit_button_rgb(&mut background).on_hover_text("background (B for the next)").changed() {
-            wishes.push(Action::Background(background));
+        let mut background = facts.background.map(|channel| (255.0 * channel).round() as u8);
+        if ui.color_edit_button_srgb(&mut background).on_hover_text("background (B for the next)").changed() {
+            wishes.push(Action::Background(background.map(|channel| f32::from(channel) / 255.0)));
         }
         ui.label("background");
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
@@ -148,13 +153,13 @@ fn view(ui: &mut Ui, facts: &Facts, wishes: &mut Vec<Action>) {
 
 fn timing(ui: &mut Ui, facts: &Facts) {
     ui.horizontal(|ui| {
-        match facts.times.mean_ms() {
+        match facts.times.mean_ms().filter(|_| facts.moving) {
             Some(ms) => {
                 ui.label(RichText::new(format!("{:.0} fps", 1e3 / ms)).strong());
                 ui.monospace(format!("{ms:.2} ms"));
             }
             None => {
-                ui.label("still: nothing is drawn until something changes");
+                ui.label("still: nothing is drawn");
             }
         }
         if !facts.stages.is_empty() {
@@ -255,6 +260,7 @@ mod tests {
         let facts = Facts {
             avatar: "someone",
             times: &FrameTimes::default(),
+            moving: true,
             stages: &[("features", 0.5), ("sort", 1.0)],
             gaussians: (1234, 200_000),
             skipped: &["features"],

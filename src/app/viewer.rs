@@ -261,6 +261,7 @@ impl Viewer {
         let facts = Facts {
             avatar: &self.scene.avatar().name,
             times: &self.times,
+            moving: self.scene.is_moving(),
             stages: &report.stages,
             gaussians: (report.drawn, self.scene.avatar().gaussians.len()),
             skipped: &report.skipped,

@@ -62,7 +62,8 @@ pub fn assemble(body: &Body, outfit: &Outfit, sky: &Sky, dots: &[Dot], poses: &[
     let mut slots: Vec<Option<Point>> = points.into_iter().map(Some).collect();
     let nearest = nearest_nodes(&slots, &nodes);
     let bounds = bounds(&positions);
-    let joints: Vec<DVec3> = canonical.iter().zip(&body.skeleton.rest).map(|(m, r)| m.transform_point3(DVec3::from(r.map(f64::from)))).collect();
+    let joints: Vec<DVec3> =
+        canonical.iter().zip(&body.skeleton.rest).map(|(m, r)| m.transform_point3(DVec3::from(r.map(f64::from)))).collect();
     let field = Bases::new(sizes.seed, &joints);
     let node_rows = nodes.iter().map(|&i| slots[i].as_ref().expect("still in place"));
     let nodes = Nodes {
@@ -178,7 +179,11 @@ pub fn quantise(weights: &[(u8, f64)]) -> ([u8; 4], [u8; 4]) {
 
 /// Evenly spaced points, closer together on the head, in the order of the parts.
 fn choose_nodes(points: &[Point], parts: &Partition, count: usize) -> Vec<usize> {
-    let dart = |p: &Point| Dart { position: p.placed.position, density: p.density.sqrt() * if p.placed.head { 5.0 } else { 1.0 }, layer: p.placed.material as u8 };
+    let dart = |p: &Point| Dart {
+        position: p.placed.position,
+        density: p.density.sqrt() * if p.placed.head { 5.0 } else { 1.0 },
+        layer: p.placed.material as u8,
+    };
     let mut chosen = choose(&points.iter().map(dart).collect::<Vec<_>>(), count.min(points.len())).0;
     let mut rank = vec![0; points.len()];
     parts.order.iter().enumerate().for_each(|(at, &i)| rank[i] = at);
@@ -216,7 +221,10 @@ fn gaussians(points: &[Point], node: Vec<[u16; 3]>, bounds: Bounds) -> Gaussians
     Gaussians {
         bounds,
         position: points.iter().map(|p| bounds.encode(p.placed.position)).collect(),
-        rotation: points.iter().map(|p| [p.placed.rotation.w, p.placed.rotation.x, p.placed.rotation.y, p.placed.rotation.z].map(f16::from_f64)).collect(),
+        rotation: points
+            .iter()
+            .map(|p| [p.placed.rotation.w, p.placed.rotation.x, p.placed.rotation.y, p.placed.rotation.z].map(f16::from_f64))
+            .collect(),
         log_scale: points.iter().map(|p| half(DVec3::from(p.scale.to_array().map(f64::ln)))).collect(),
         color: points.iter().map(|p| half(p.placed.color)).collect(),
         opacity: points.iter().map(|p| (255.0 * p.opacity).round() as u8).collect(),

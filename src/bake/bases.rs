@@ -131,7 +131,8 @@ impl Bases {
 /// Keeps the rows whose attribute varies most over the poses (model.md, step 2). What the last kept row has is taken off the others'
 /// variance, so that nothing jumps where rows end. `covariance` is each part's, shape 2 N_B, 2 N_B.
 pub fn keep<const C: usize>(all: &[[[f64; BASIS]; C]], part: &[usize], covariance: &[Vec<f64>], count: usize) -> Rows<C> {
-    let variance: Vec<f64> = all.iter().zip(part).map(|(rows, &part)| rows.iter().map(|row| spread(row, &covariance[part])).sum()).collect();
+    let variance: Vec<f64> =
+        all.iter().zip(part).map(|(rows, &part)| rows.iter().map(|row| spread(row, &covariance[part])).sum()).collect();
     let mut order: Vec<usize> = (0..all.len()).collect();
     order.sort_by(|&a, &b| variance[b].total_cmp(&variance[a]).then(a.cmp(&b)));
     let floor = order.get(count).map_or(0.0, |&i| variance[i]);

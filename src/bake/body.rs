@@ -138,7 +138,11 @@ fn ground(obj: &Obj, file: &Path) -> Result<f64, Error> {
     if lowest.is_finite() {
         return Ok(lowest);
     }
-    Err(Error::Content { file: file.to_path_buf(), found: "no faces in group \"body\"".into(), expected: "MakeHuman's base mesh hm08".into() })
+    Err(Error::Content {
+        file: file.to_path_buf(),
+        found: "no faces in group \"body\"".into(),
+        expected: "MakeHuman's base mesh hm08".into(),
+    })
 }
 
 fn group_center(obj: &Obj, group: &str) -> Option<DVec3> {

@@ -40,7 +40,8 @@ impl Bvh {
     pub fn parse(file: &Path, text: &str) -> Result<Self, Error> {
         let mut lines = Line::all(file, text);
         let mut hierarchy = Hierarchy::default();
-        let end = Error::Content { file: file.to_path_buf(), found: "no MOTION section".into(), expected: "one after the HIERARCHY".into() };
+        let end =
+            Error::Content { file: file.to_path_buf(), found: "no MOTION section".into(), expected: "one after the HIERARCHY".into() };
         loop {
             let Some(line) = lines.next() else { return Err(end) };
             if line.text.starts_with("MOTION") {
@@ -50,7 +51,8 @@ impl Bvh {
         }
         let width = hierarchy.width;
         let mut header = |name: &str| -> Result<f64, Error> {
-            let missing = Error::Content { file: file.to_path_buf(), found: "the end of the file".into(), expected: format!("\"{name} number\"") };
+            let missing =
+                Error::Content { file: file.to_path_buf(), found: "the end of the file".into(), expected: format!("\"{name} number\"") };
             let line = lines.next().ok_or(missing)?;
             let value = line.text.strip_prefix(name).ok_or_else(|| line.error(line.text, format!("\"{name} number\"")))?;
             line.real(&mut value.split_whitespace(), "a number")

@@ -74,8 +74,17 @@ impl Face {
 
     /// Height of the hairline above the eyes by the angle from straight ahead, degrees.
     fn hairline(&self, turn: f64) -> f64 {
-        const LINE: [(f64, f64); 9] =
-            [(0.0, 0.066), (25.0, 0.066), (42.0, 0.056), (55.0, 0.030), (66.0, 0.018), (76.0, -0.016), (96.0, -0.010), (122.0, -0.040), (150.0, -0.068)];
+        const LINE: [(f64, f64); 9] = [
+            (0.0, 0.066),
+            (25.0, 0.066),
+            (42.0, 0.056),
+            (55.0, 0.030),
+            (66.0, 0.018),
+            (76.0, -0.016),
+            (96.0, -0.010),
+            (122.0, -0.040),
+            (150.0, -0.068),
+        ];
         let next = LINE.iter().position(|(angle, _)| *angle > turn).unwrap_or(LINE.len() - 1).max(1);
         let ((a, low), (b, high)) = (LINE[next - 1], LINE[next]);
         low + (high - low) * step(a, b, turn)
@@ -135,7 +144,8 @@ impl Face {
         color *= 1.0 - 0.16 * self.beard(p, d);
         color *= 1.0 - 0.22 * step(0.3, 0.9, self.masks.eyelids.at(site.uv)) * step(-0.006, 0.004, d.y);
         let lips = step(0.25, 0.75, self.masks.lips.at(site.uv));
-        color = color.lerp(srgb(if self.shape == Shape::Male { 0xB9756A } else { 0xB85D5A }) * (1.0 + 0.08 * rough(16, p * 300.0)), 0.85 * lips);
+        color = color
+            .lerp(srgb(if self.shape == Shape::Male { 0xB9756A } else { 0xB85D5A }) * (1.0 + 0.08 * rough(16, p * 300.0)), 0.85 * lips);
         color = color.lerp(srgb(0x5A2020), step(0.4, 0.8, self.masks.mouth.at(site.uv)));
         color = color.lerp(hair_color() * 0.85, 0.92 * self.brow(p, d));
         color.lerp(hair_color() * 0.7, step(0.0, 0.004, self.hair(site)))

@@ -32,7 +32,9 @@ fn radiance(d: DVec3) -> DVec3 {
     let sky = DVec3::new(0.86, 0.93, 1.0) * (0.30 + 0.62 * step(-0.25, 0.95, d.y));
     let ground = DVec3::new(1.0, 0.93, 0.85) * 0.16 * step(0.1, -0.8, d.y);
     let key = DVec3::new(-0.45, 0.62, 0.64).normalize();
-    sky + ground + DVec3::new(1.0, 0.93, 0.83) * 2.9 * step(0.55, 1.0, d.dot(key)) + DVec3::new(0.85, 0.93, 1.0) * 0.5 * step(0.5, 1.0, d.dot(DVec3::new(0.8, 0.35, -0.5).normalize()))
+    sky + ground
+        + DVec3::new(1.0, 0.93, 0.83) * 2.9 * step(0.55, 1.0, d.dot(key))
+        + DVec3::new(0.85, 0.93, 1.0) * 0.5 * step(0.5, 1.0, d.dot(DVec3::new(0.8, 0.35, -0.5).normalize()))
 }
 
 /// Evenly spread over the sphere: a Fibonacci spiral.
@@ -51,7 +53,9 @@ impl Sky {
             .enumerate()
             .flat_map(|(s, sheet)| {
                 let shown = &shown;
-                (0..sheet.triangles.len()).filter(move |t| shown(s, *t)).map(|t| sheet.triangles[t].map(|v| sheet.vertices[v as usize].position))
+                (0..sheet.triangles.len())
+                    .filter(move |t| shown(s, *t))
+                    .map(|t| sheet.triangles[t].map(|v| sheet.vertices[v as usize].position))
             })
             .collect();
         Self((0..DIRECTIONS).into_par_iter().map(|i| Depth::new(direction(i), &triangles)).collect())
@@ -84,7 +88,8 @@ impl Depth {
         }
         let corner = low.map(|v| v.floor() - 2.0);
         let size: [usize; 2] = std::array::from_fn(|k| if high[k] >= low[k] { (high[k] - corner[k]).ceil() as usize + 3 } else { 1 });
-        let mut depth = Self { direction, radiance: radiance(direction), axes, corner, size, far: vec![f32::NEG_INFINITY; size[0] * size[1]] };
+        let mut depth =
+            Self { direction, radiance: radiance(direction), axes, corner, size, far: vec![f32::NEG_INFINITY; size[0] * size[1]] };
         triangles.iter().for_each(|triangle| depth.draw(*triangle));
         depth
     }

@@ -91,7 +91,13 @@ impl Outfit {
             let d = glam::DVec2::new(p.x.abs() - 0.075, p.y - self.belt + 0.125).abs() - glam::DVec2::new(0.058, 0.062);
             d.max_element()
         };
-        let pocket = if site.normal.z > 0.1 { front } else if site.normal.z < -0.1 { back } else { 1.0 };
+        let pocket = if site.normal.z > 0.1 {
+            front
+        } else if site.normal.z < -0.1 {
+            back
+        } else {
+            1.0
+        };
         [outer, inner, fly, pocket]
     }
 
@@ -132,12 +138,14 @@ impl Outfit {
             Material::Shirt => {
                 let waist = step(self.belt + 0.22, self.belt, p.y);
                 let pits = step(0.22, 0.06, p.distance(self.shoulder[usize::from(p.x < 0.0)] - DVec3::new(0.0, 0.06, 0.0)));
-                let folds = 0.0035 * waist * rough(81, p * DVec3::new(16.0, 34.0, 16.0)) + 0.0035 * pits * rough(82, p * DVec3::new(24.0, 16.0, 24.0));
+                let folds = 0.0035 * waist * rough(81, p * DVec3::new(16.0, 34.0, 16.0))
+                    + 0.0035 * pits * rough(82, p * DVec3::new(24.0, 16.0, 24.0));
                 folds + 0.0012 * rough(83, p * 18.0)
             }
             Material::Trousers => {
                 let bend = |at: f64, reach: f64| step(reach, 0.0, (p.y - at).abs());
-                let amount = 0.4 * bend(self.hip[0].y - 0.05, 0.16) + 0.8 * bend(self.knee[0].y, 0.16) + 1.2 * bend(self.ankle[0].y + 0.05, 0.2);
+                let amount =
+                    0.4 * bend(self.hip[0].y - 0.05, 0.16) + 0.8 * bend(self.knee[0].y, 0.16) + 1.2 * bend(self.ankle[0].y + 0.05, 0.2);
                 0.0045 * (0.25 + amount) * rough(84, p * DVec3::new(11.0, 26.0, 11.0))
             }
             Material::Hair => 0.0035 * rough(85, p * 75.0),
@@ -149,7 +157,8 @@ impl Outfit {
     /// The normal of the surface with its relief.
     pub fn relief_normal(&self, site: &Site) -> DVec3 {
         const H: f64 = 0.0015;
-        let slope = DVec3::AXES.map(|axis| (self.relief(site, site.position + H * axis) - self.relief(site, site.position - H * axis)) / (2.0 * H));
+        let slope =
+            DVec3::AXES.map(|axis| (self.relief(site, site.position + H * axis) - self.relief(site, site.position - H * axis)) / (2.0 * H));
         let slope = DVec3::from(slope).reject_from_normalized(site.normal);
         (site.normal - slope).normalize_or(site.normal)
     }

@@ -38,15 +38,16 @@ pub mod text;
 use crate::avatar::{Avatar, Clip, Pose, Skeleton};
 pub use assemble::Sizes;
 pub use body::{Assets, Body, Shape};
-pub use retarget::Options;
 use glam::DVec3;
+pub use retarget::Options;
 use std::path::Path;
 pub use text::Error;
 
 /// What an avatar made here owes to whom.
 pub const BODY_CREDIT: &str = "Body, rig, skin weights and expressions: MakeHuman (makehumancommunity.org), released under CC0 1.0. Clothes, hair and colours: Effigy.";
 /// The sentence that CMU asks for.
-pub const MOTION_CREDIT: &str = "The data used in this project was obtained from mocap.cs.cmu.edu. The database was created with funding from NSF EIA-0196217.";
+pub const MOTION_CREDIT: &str =
+    "The data used in this project was obtained from mocap.cs.cmu.edu. The database was created with funding from NSF EIA-0196217.";
 
 /// Makes the dressed body; networks, pruning and PCA are fitted to the clips' poses, and `step` hears what begins.
 pub fn body(assets: &Assets, shape: Shape, clips: &[Clip], sizes: &Sizes, step: &dyn Fn(&'static str)) -> Result<Avatar, Error> {
@@ -71,7 +72,11 @@ fn poses(clips: &[Clip], skeleton: &Skeleton) -> Result<Vec<Pose>, Error> {
     for clip in clips {
         let map = clip.map_to(skeleton);
         if map.iter().all(Option::is_none) {
-            return Err(Error::Content { file: clip.name.clone().into(), found: "none of the body's joints".into(), expected: "Hips and its like".into() });
+            return Err(Error::Content {
+                file: clip.name.clone().into(),
+                found: "none of the body's joints".into(),
+                expected: "Hips and its like".into(),
+            });
         }
         poses.extend((0..clip.frames()).map(|frame| {
             let mut pose = clip.frame(frame);

@@ -44,7 +44,10 @@ pub fn networks(plan: &Plan) -> (Networks, Vec<Vec<f64>>) {
         weight: parts.iter().flat_map(|(layers, _)| layers[l].weight.iter().map(|&w| f16::from_f64(w))).collect(),
         bias: parts.iter().flat_map(|(layers, _)| layers[l].bias.iter().map(|&b| f16::from_f64(b))).collect(),
     });
-    (Networks { activation: Activation::LeakyRelu, layers: layers.collect() }, parts.into_iter().map(|(_, covariance)| covariance).collect())
+    (
+        Networks { activation: Activation::LeakyRelu, layers: layers.collect() },
+        parts.into_iter().map(|(_, covariance)| covariance).collect(),
+    )
 }
 
 /// A linear layer of one part.
@@ -56,7 +59,11 @@ struct Matrix {
 
 impl Matrix {
     fn apply(&self, x: &[f64]) -> Vec<f64> {
-        self.weight.chunks_exact(self.input).zip(&self.bias).map(|(row, bias)| bias + row.iter().zip(x).map(|(w, x)| w * x).sum::<f64>()).collect()
+        self.weight
+            .chunks_exact(self.input)
+            .zip(&self.bias)
+            .map(|(row, bias)| bias + row.iter().zip(x).map(|(w, x)| w * x).sum::<f64>())
+            .collect()
     }
 }
 
@@ -68,7 +75,8 @@ fn network(plan: &Plan, part: usize, sizes: &[(usize, usize)]) -> (Vec<Matrix>, 
     let center = plan.centers[part];
     let mixture: [f64; MIXTURE] = std::array::from_fn(|m| noise(plan.seed + 500 + m as u64, center * 2.2) + if m == 0 { 0.6 } else { 0.0 });
     let norm = mixture.iter().map(|m| m * m).sum::<f64>().sqrt().max(1e-9);
-    let mut layers: Vec<Matrix> = sizes.iter().enumerate().map(|(l, &size)| mixed(plan.seed, l, size, &mixture.map(|m| m / norm))).collect();
+    let mut layers: Vec<Matrix> =
+        sizes.iter().enumerate().map(|(l, &size)| mixed(plan.seed, l, size, &mixture.map(|m| m / norm))).collect();
     for (k, weight) in layers[0].weight.iter_mut().enumerate() {
         let number = k % sizes[0].0;
         *weight *= match plan.joints.get(number / 3) {
@@ -85,7 +93,8 @@ fn network(plan: &Plan, part: usize, sizes: &[(usize, usize)]) -> (Vec<Matrix>, 
         round(&mut layer.bias);
     });
     let inputs = plan.inputs.iter().map(|input| masked(input, plan.expression, head));
-    let hidden: Vec<Vec<f64>> = inputs.map(|x| layers[..3].iter().fold(x, |x, layer| layer.apply(&x).into_iter().map(leaky).collect())).collect();
+    let hidden: Vec<Vec<f64>> =
+        inputs.map(|x| layers[..3].iter().fold(x, |x, layer| layer.apply(&x).into_iter().map(leaky).collect())).collect();
     let carried = if head { BASIS..BASIS + plan.expression.min(BASIS) } else { 0..0 };
     normalise(&mut layers[3], &hidden, carried);
     let covariance = covariance(&layers[3], &hidden);

@@ -37,10 +37,9 @@ impl Obj {
             let mut words = line.words();
             match words.next() {
                 Some("v") => obj.positions.push(line.point(&mut words)?.into()),
-                Some("vt") => obj.uvs.push(DVec2::new(
-                    line.real(&mut words, "two texture coordinates")?,
-                    line.real(&mut words, "two texture coordinates")?,
-                )),
+                Some("vt") => obj
+                    .uvs
+                    .push(DVec2::new(line.real(&mut words, "two texture coordinates")?, line.real(&mut words, "two texture coordinates")?)),
                 Some("g") => group = Some(obj.group_index(words.next().unwrap_or("default"))),
                 Some("f") => {
                     let corners = words.map(|word| obj.corner(line, word)).collect::<Result<Vec<_>, _>>()?;

@@ -115,7 +115,9 @@ impl Outfit {
         match site.material {
             Material::Skin => {
                 let shod = site.share(is_foot) > 0.5 && p.y < shoe::COLLAR - 0.012;
-                let clothed = self.in_shirt(site) > 0.02 || self.in_trousers(site) > 0.02 || (p.y - self.belt).abs() < 0.03 && site.share(is_arm) < 0.3;
+                let clothed = self.in_shirt(site) > 0.02
+                    || self.in_trousers(site) > 0.02
+                    || (p.y - self.belt).abs() < 0.03 && site.share(is_arm) < 0.3;
                 !shod && !clothed && !self.face.inside(site)
             }
             Material::Eye => site.normal.z > -0.1,
@@ -140,9 +142,7 @@ impl Outfit {
             Material::Lash => 12.0,
             Material::Teeth => 1.0,
             Material::Hair => 2.2,
-            Material::Shirt => {
-                1.15 + 6.0 * super::print::nearness(self.print_at(site)) * step(0.0, 0.5, site.normal.z)
-            }
+            Material::Shirt => 1.15 + 6.0 * super::print::nearness(self.print_at(site)) * step(0.0, 0.5, site.normal.z),
             Material::Trousers => 0.9,
             Material::Belt => 2.2,
             Material::Shoe => 1.7,

@@ -50,7 +50,11 @@ fn seeds(positions: &[DVec3], count: usize) -> Vec<DVec3> {
     let mut seeds = vec![*first];
     let mut distance: Vec<f64> = positions.par_iter().map(|p| p.distance_squared(*first)).collect();
     while seeds.len() < count.min(positions.len()) {
-        let furthest = distance.par_iter().enumerate().map(|(i, d)| (*d, i)).reduce(|| (-1.0, 0), |a, b| if b.0 > a.0 || b.0 == a.0 && b.1 < a.1 { b } else { a });
+        let furthest = distance
+            .par_iter()
+            .enumerate()
+            .map(|(i, d)| (*d, i))
+            .reduce(|| (-1.0, 0), |a, b| if b.0 > a.0 || b.0 == a.0 && b.1 < a.1 { b } else { a });
         let seed = positions[furthest.1];
         distance.par_iter_mut().zip(positions).for_each(|(d, p)| *d = d.min(p.distance_squared(seed)));
         seeds.push(seed);

@@ -54,7 +54,11 @@ pub fn retarget(bvh: &Bvh, skeleton: &Skeleton, options: &Options, file: &Path) 
     let to = options.to.unwrap_or(length).min(length);
     let frames = ((to - options.from) * options.rate).floor();
     if !(frames >= 1.0 && options.from >= 0.0) {
-        return Err(content(file, format!("seconds {} to {to} of {length:.2}", options.from), "at least one frame of the clip between them"));
+        return Err(content(
+            file,
+            format!("seconds {} to {to} of {length:.2}", options.from),
+            "at least one frame of the clip between them",
+        ));
     }
     let frames = frames as usize;
     let at = |i: f64| source.pose(options.from + i / options.rate);
@@ -123,7 +127,9 @@ impl<'a> Source<'a> {
     /// The capture's pose at a time, nearest frame.
     fn pose(&self, seconds: f64) -> Pose {
         // A capture's first frame is often its rest pose, no part of the motion.
-        let frame = (seconds / self.bvh.frame_time).round().clamp(1.0_f64.min(self.bvh.frames() as f64 - 1.0), self.bvh.frames() as f64 - 1.0) as usize;
+        let frame = (seconds / self.bvh.frame_time)
+            .round()
+            .clamp(1.0_f64.min(self.bvh.frames() as f64 - 1.0), self.bvh.frames() as f64 - 1.0) as usize;
         let mut global: Vec<DQuat> = Vec::with_capacity(self.bvh.joints.len());
         for (j, joint) in self.bvh.joints.iter().enumerate() {
             let local = self.bvh.rotation(frame, j);
@@ -177,7 +183,9 @@ fn alignment(bvh: &Bvh, skeleton: &Skeleton, name: &str) -> DQuat {
     let between = |end: &str| Some((rest(skeleton, &format!("{side}{end}"))? - rest(skeleton, name)?).try_normalize()?);
     if matches!(bone, "Foot" | "ToeBase") {
         // The soles are flat in both rest poses: only the direction over the ground is aligned.
-        let ours = (|| Some((rest(skeleton, &format!("{side}ToeBase"))? - rest(skeleton, &format!("{side}Foot"))?).with_y(0.0).try_normalize()?))();
+        let ours =
+            (|| Some((rest(skeleton, &format!("{side}ToeBase"))? - rest(skeleton, &format!("{side}Foot"))?).with_y(0.0).try_normalize()?))(
+            );
         let theirs = offset(&format!("{side}ToeBase")).and_then(|o| o.with_y(0.0).try_normalize());
         return ours.zip(theirs).map_or(DQuat::IDENTITY, |(a, b)| DQuat::from_rotation_arc(a, b));
     }

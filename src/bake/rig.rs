@@ -10,8 +10,27 @@ const PREFIX: &str = "mixamorig:";
 
 /// SMPL-X's joints 0 to 21 by the names that the mixamo rig gives them; fingers follow.
 pub const BODY: [&str; 22] = [
-    "Hips", "LeftUpLeg", "RightUpLeg", "Spine", "LeftLeg", "RightLeg", "Spine1", "LeftFoot", "RightFoot", "Spine2", "LeftToeBase",
-    "RightToeBase", "Neck", "LeftShoulder", "RightShoulder", "Head", "LeftArm", "RightArm", "LeftForeArm", "RightForeArm", "LeftHand",
+    "Hips",
+    "LeftUpLeg",
+    "RightUpLeg",
+    "Spine",
+    "LeftLeg",
+    "RightLeg",
+    "Spine1",
+    "LeftFoot",
+    "RightFoot",
+    "Spine2",
+    "LeftToeBase",
+    "RightToeBase",
+    "Neck",
+    "LeftShoulder",
+    "RightShoulder",
+    "Head",
+    "LeftArm",
+    "RightArm",
+    "LeftForeArm",
+    "RightForeArm",
+    "LeftHand",
     "RightHand",
 ];
 
@@ -100,7 +119,9 @@ fn place(file: &Path, name: &str, head: End, vertices: usize) -> Result<Place, E
             Some(vertex) => Err(content(file, format!("vertex {vertex} at bone {name}"), format!("one below {vertices}"))),
             None => Ok(Place::Vertices(list)),
         },
-        (other, ..) => Err(content(file, format!("strategy \"{other}\" at bone {name}"), "CUBE with a cube_name, or MEAN with vertex_indices")),
+        (other, ..) => {
+            Err(content(file, format!("strategy \"{other}\" at bone {name}"), "CUBE with a cube_name, or MEAN with vertex_indices"))
+        }
     }
 }
 
@@ -109,7 +130,10 @@ pub fn weights(file: &Path, text: &str, bones: &[Bone], vertices: usize) -> Resu
     let mut influences: Vec<Influences> = vec![Vec::new(); vertices];
     for (name, list) in json::<WeightFile>(file, text)?.weights {
         let short = name.trim_start_matches(PREFIX);
-        let joint = bones.iter().position(|bone| bone.name == short).ok_or_else(|| content(file, format!("weights of {name}"), "a bone of the rig"))?;
+        let joint = bones
+            .iter()
+            .position(|bone| bone.name == short)
+            .ok_or_else(|| content(file, format!("weights of {name}"), "a bone of the rig"))?;
         for (vertex, weight) in list {
             let slot = influences
                 .get_mut(vertex as usize)

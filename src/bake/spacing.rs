@@ -29,7 +29,8 @@ pub struct Dart {
 /// `count` points on the sheets, fewer only where there is too little to see. Points and their order depend on the seed alone.
 pub fn scatter(sheets: &[Sheet], outfit: &Outfit, count: usize, seed: u64) -> Vec<Dot> {
     const CENTER: [f64; 3] = [1.0 / 3.0; 3];
-    let triangles: Vec<(usize, usize)> = sheets.iter().enumerate().flat_map(|(s, sheet)| (0..sheet.triangles.len()).map(move |t| (s, t))).collect();
+    let triangles: Vec<(usize, usize)> =
+        sheets.iter().enumerate().flat_map(|(s, sheet)| (0..sheet.triangles.len()).map(move |t| (s, t))).collect();
     // The most that any of a triangle's points deserves: densities rise smoothly, so four of them with a margin say it.
     let peak = |(s, t): (usize, usize)| {
         let at = |b: [f64; 3]| outfit.density(&sheets[s].site(t, b));
@@ -95,7 +96,13 @@ pub fn choose(darts: &[Dart], count: usize) -> (Vec<usize>, f64) {
             high = radius;
         }
         let guess = radius * (found as f64 / (1.005 * count as f64)).sqrt();
-        radius = if guess > low && guess < high { guess } else if high.is_finite() { 0.5 * (low + high) } else { 2.0 * radius };
+        radius = if guess > low && guess < high {
+            guess
+        } else if high.is_finite() {
+            0.5 * (low + high)
+        } else {
+            2.0 * radius
+        };
     }
     if best.len() < count {
         let mut taken = vec![false; darts.len()];

@@ -151,8 +151,7 @@ fn motion(args: &MotionArgs) -> anyhow::Result<()> {
     };
     let among = assets.path(&args.capture.to_string_lossy());
     let capture = if !args.capture.exists() && among.exists() { &among } else { &args.capture };
-    let options =
-        Options { rate: f64::from(args.rate), from: args.from, to: args.to, in_place: args.in_place, fade: args.fade };
+    let options = Options { rate: f64::from(args.rate), from: args.from, to: args.to, in_place: args.in_place, fade: args.fade };
     let clip = bake::motion(capture, &skeleton, &options)?;
     clip.write(&args.out)?;
     let (frames, rate) = (clip.frames(), args.rate);
