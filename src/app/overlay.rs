@@ -84,8 +84,8 @@ fn clip(ui: &mut Ui, playback: &Playback, wishes: &mut Vec<Action>) {
     let Some(track) = playback.tracks().get(moment.clip) else { return };
     if playback.tracks().len() > 1 {
         ui.horizontal(|ui| {
-            button(ui, "◀", "previous clip (P)", Action::Next(-1), wishes);
-            button(ui, "▶", "next clip (N)", Action::Next(1), wishes);
+            button(ui, "⏮", "previous clip (P)", Action::Next(-1), wishes);
+            button(ui, "⏭", "next clip (N)", Action::Next(1), wishes);
             egui::ComboBox::from_id_salt("clip").selected_text(&track.name).width(ui.available_width()).show_ui(ui, |ui| {
                 for (number, track) in playback.tracks().iter().enumerate() {
                     if ui.selectable_label(number == moment.clip, &track.name).clicked() {
