@@ -1,52 +1,28 @@
 //! The viewer's work: wishes and gestures change the scene; a frame draws it, where something has changed.
 
 use super::{
+    Loss, Message, Options,
     action::Action,
     gesture::{Gesture, Pointers},
     overlay::Facts,
     painter::Painter,
     panel::Overlay,
     scene::{Look, Scene},
-    screenshot,
+    screenshot::Savers,
     times::FrameTimes,
 };
 use crate::{
     avatar::{Avatar, Clip},
-    vulkan::{Error, GpuOptions, RendererOptions},
+    vulkan::{Error, RendererOptions},
 };
 use anyhow::Context;
-use std::{sync::Arc, thread::JoinHandle, time::Instant};
+use std::{sync::Arc, time::Instant};
 use winit::{
     dpi::PhysicalSize,
     event_loop::{ActiveEventLoop, EventLoopProxy},
     keyboard::ModifiersState,
     window::{Fullscreen, Window},
 };
-
-/// What a viewer is started with.
-pub struct Options {
-    pub gpu: GpuOptions,
-    /// Its size is the window's, px.
-    pub drawing: RendererOptions,
-    pub full_screen: bool,
-    /// Display-referred RGB, 0 to 1.
-    pub background: [f32; 3],
-    /// Draw without a rest, and quit after so many frames.
-    pub frames: Option<u32>,
-    /// Losses to go through as if they had happened, each before the frame of that number: no driver loses anything on demand.
-    pub rehearse: Vec<(Loss, u32)>,
-}
-
-/// What a driver can take away while a window is open.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Loss {
-    Surface,
-    Device,
-}
-
-/// Something for the overlay to say, from another thread.
-#[derive(Debug)]
-pub struct Message(pub String);
 
 /// How often in a row a lost surface may be made anew.
 const SURFACES: u32 = 5;
@@ -78,7 +54,7 @@ pub struct Viewer {
     /// When egui wants to be asked again.
     pub(super) wake: Option<Instant>,
     shoot: bool,
-    savers: Vec<JoinHandle<()>>,
+    savers: Savers,
     message: Option<String>,
     times: FrameTimes,
     memory: (f64, u64),
@@ -109,7 +85,7 @@ impl Viewer {
             resting: true,
             wake: None,
             shoot: false,
-            savers: Vec::new(),
+            savers: Savers::default(),
             message: None,
             times: FrameTimes::default(),
             memory: (f64::NEG_INFINITY, 0),
@@ -298,27 +274,20 @@ impl Viewer {
         let Some(painter) = &mut self.painter else { return Ok(()) };
         let copied = painter.copy()?;
         let proxy = self.proxy.clone();
-        self.savers.retain(|saver| !saver.is_finished());
-        self.savers.push(std::thread::spawn(move || {
-            let message = match screenshot::save(&copied.decode().over(background), &screenshot::folders()) {
-                Ok(path) => format!("saved {}", path.display()),
-                Err(error) => format!("no screenshot was saved: {error}"),
-            };
-            println!("{message}");
-            // The window may be closed already; then there is no one left to tell.
-            let _ = proxy.send_event(Message(message));
-        }));
+        self.savers.start(
+            move || copied.decode().over(background),
+            move |message| {
+                // The window may be closed already; then there is no one left to tell.
+                let _ = proxy.send_event(Message(message));
+            },
+        );
         Ok(())
     }
 
     /// Waits for files that are being written, and prints what was measured.
     pub(super) fn finish(mut self) {
         self.painter = None;
-        for saver in self.savers.drain(..) {
-            if saver.join().is_err() {
-                tracing::warn!("a screenshot was not saved: its thread ended early");
-            }
-        }
+        self.savers.finish();
         self.measured.sort_by(f64::total_cmp);
         if let Some(last) = self.measured.len().checked_sub(1) {
             let at = |part: f64| self.measured[(part * last as f64).round() as usize];

@@ -1,9 +1,10 @@
 //! The window's events: what winit reports goes in, gestures, wishes and frames of the viewer come out.
 
 use super::{
+    Message, Options,
     action::action,
     gesture::{Button, Gesture},
-    viewer::{Message, Options, Viewer},
+    viewer::Viewer,
 };
 use crate::avatar::{Avatar, Clip};
 use anyhow::Context;
