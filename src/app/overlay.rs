@@ -60,7 +60,8 @@ pub fn style(ctx: &egui::Context) {
 pub fn show(ctx: &egui::Context, facts: &Facts, wishes: &mut Vec<Action>) {
     // What the title bar and the window's edges leave.
     let height = (ctx.content_rect().height() - 72.0).max(40.0);
-    egui::Window::new("Effigy").default_pos(Pos2::new(12.0, 12.0)).auto_sized().show(ctx, |ui| {
+    let roomy = ctx.content_rect().width() > 2.5 * WIDTH;
+    egui::Window::new("Effigy").default_pos(Pos2::new(12.0, 12.0)).default_open(roomy).auto_sized().show(ctx, |ui| {
         egui::ScrollArea::vertical().max_height(height).show(ui, |ui| {
             ui.set_width(WIDTH);
             clip(ui, facts.playback, wishes);
@@ -176,9 +177,7 @@ fn graph(ui: &mut Ui, times: &FrameTimes) {
     let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), GRAPH), Sense::hover());
     let painter = ui.painter_at(rect);
     painter.rect_filled(rect, 2.0, Color32::from_white_alpha(10));
-    let history = times.history_ms();
-    let mean = history.len().max(1) as f32;
-    let mean = times.history_ms().sum::<f32>() / mean;
+    let mean = times.history_ms().sum::<f32>() / times.history_ms().len().max(1) as f32;
     let step = rect.width() / 120.0;
     for (place, ms) in times.history_ms().rev().enumerate() {
         let part = ms / (2.0 * mean).max(1e-3);

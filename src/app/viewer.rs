@@ -9,7 +9,7 @@ use super::{
     panel::Overlay,
     scene::{Look, Scene},
     screenshot::Savers,
-    times::FrameTimes,
+    times::{FrameTimes, summary},
 };
 use crate::{
     avatar::{Avatar, Clip},
@@ -127,7 +127,6 @@ impl Viewer {
         Ok(())
     }
 
-    /// The system takes the window's surface away.
     pub(super) fn close(&mut self) {
         self.painter = None;
     }
@@ -233,22 +232,7 @@ impl Viewer {
         if overlay.visible && clock - self.memory.0 > MEMORY {
             self.memory = (clock, painter.gpu().memory().0);
         }
-        let (report, probe) = (painter.report(), &painter.gpu().probe);
-        let facts = Facts {
-            avatar: &self.scene.avatar().name,
-            times: &self.times,
-            moving: self.scene.is_moving(),
-            stages: &report.stages,
-            gaussians: (report.drawn, self.scene.avatar().gaussians.len()),
-            skipped: &report.skipped,
-            device: &probe.name,
-            driver: &probe.driver,
-            memory: self.memory.1,
-            playback: self.scene.playback(),
-            background: self.scene.background(),
-            follow: self.scene.follows(),
-            message: self.message.as_deref(),
-        };
+        let facts = facts(&self.scene, painter, (&self.times, self.memory.1, self.message.as_deref()));
         let (panel, textures, wait) = overlay.lay_out((window, size), &facts, wishes);
         painter.set_textures(textures)?;
         let began = Instant::now();
@@ -288,11 +272,29 @@ impl Viewer {
     pub(super) fn finish(mut self) {
         self.painter = None;
         self.savers.finish();
-        self.measured.sort_by(f64::total_cmp);
-        if let Some(last) = self.measured.len().checked_sub(1) {
-            let at = |part: f64| self.measured[(part * last as f64).round() as usize];
-            println!("{} frames: median {:.2} ms, p95 {:.2} ms", self.drawn, at(0.5), at(0.95));
+        if let Some([median, p95]) = summary(&mut self.measured) {
+            println!("{} frames: median {median:.2} ms, p95 {p95:.2} ms", self.drawn);
         }
         tracing::info!("drew {} frames in {:.1} s", self.drawn, self.start.elapsed().as_secs_f64());
+    }
+}
+
+/// What the panel shows. `said`: the frames' times, the memory in use and the last message.
+fn facts<'a>(scene: &'a Scene, painter: &'a Painter, (times, memory, message): (&'a FrameTimes, u64, Option<&'a str>)) -> Facts<'a> {
+    let (report, probe) = (painter.report(), &painter.gpu().probe);
+    Facts {
+        avatar: &scene.avatar().name,
+        times,
+        moving: scene.is_moving(),
+        stages: &report.stages,
+        gaussians: (report.drawn, scene.avatar().gaussians.len()),
+        skipped: &report.skipped,
+        device: &probe.name,
+        driver: &probe.driver,
+        memory,
+        playback: scene.playback(),
+        background: scene.background(),
+        follow: scene.follows(),
+        message,
     }
 }

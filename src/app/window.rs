@@ -7,7 +7,7 @@ use super::{
     viewer::Viewer,
 };
 use crate::avatar::{Avatar, Clip};
-use anyhow::Context;
+use anyhow::{Context, anyhow};
 use glam::DVec2;
 use std::time::Instant;
 use winit::{
@@ -23,7 +23,10 @@ pub struct Display(EventLoop<Message>);
 impl Display {
     /// Fails where there is none: no desktop, or a session over a terminal only.
     pub fn open() -> anyhow::Result<Self> {
-        let event_loop = EventLoop::with_user_event().build().context("there is no display to open a window on")?;
+        let event_loop = EventLoop::with_user_event().build().map_err(|error| {
+            tracing::debug!("{error}");
+            anyhow!("there is no display to open a window on")
+        })?;
         Ok(Self(event_loop))
     }
 

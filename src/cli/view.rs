@@ -52,9 +52,10 @@ struct Defaults {
 
 #[cfg(feature = "window")]
 pub fn run(args: Args) -> anyhow::Result<()> {
-    use anyhow::Context;
-    let display = crate::app::Display::open().context("a window can't be shown; `effigy render` draws without one")?;
-    show(display, args)
+    match crate::app::Display::open() {
+        Ok(display) => show(display, args),
+        Err(error) => anyhow::bail!("{error}; `effigy render` draws without one"),
+    }
 }
 
 #[cfg(feature = "window")]
