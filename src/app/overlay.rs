@@ -44,7 +44,7 @@ pub fn style(ctx: &egui::Context) {
     ctx.all_styles_mut(|style| {
         style.spacing.item_spacing = vec2(6.0, 4.0);
         style.spacing.slider_width = 132.0;
-        style.visuals.window_fill = Color32::from_black_alpha(205);
+        style.visuals.window_fill = Color32::from_gray(24);
         style.visuals.window_stroke = Stroke::new(1.0, Color32::from_white_alpha(24));
         style.visuals.window_shadow = egui::Shadow::NONE;
         style.visuals.override_text_color = Some(Color32::from_gray(225));
@@ -60,8 +60,9 @@ pub fn style(ctx: &egui::Context) {
 pub fn show(ctx: &egui::Context, facts: &Facts, wishes: &mut Vec<Action>) {
     // What the title bar and the window's edges leave.
     let height = (ctx.content_rect().height() - 72.0).max(40.0);
+    let frame = egui::Frame::window(&ctx.global_style()).fill(Color32::from_black_alpha(205));
     let roomy = ctx.content_rect().width() > 2.5 * WIDTH;
-    egui::Window::new("Effigy").default_pos(Pos2::new(12.0, 12.0)).default_open(roomy).auto_sized().show(ctx, |ui| {
+    egui::Window::new("Effigy").default_pos(Pos2::new(12.0, 12.0)).default_open(roomy).auto_sized().frame(frame).show(ctx, |ui| {
         egui::ScrollArea::vertical().max_height(height).show(ui, |ui| {
             ui.set_width(WIDTH);
             clip(ui, facts.playback, wishes);

@@ -9,7 +9,7 @@ use super::{
 use crate::avatar::{Avatar, Clip};
 use anyhow::{Context, anyhow};
 use glam::DVec2;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 use winit::{
     application::ApplicationHandler,
     event::{ElementState, MouseButton, MouseScrollDelta, StartCause, Touch, TouchPhase, WindowEvent},
@@ -33,15 +33,19 @@ impl Display {
     /// Shows an avatar until its window is closed.
     pub fn show(self, avatar: Avatar, clips: Vec<Clip>, options: Options) -> anyhow::Result<()> {
         let viewer = Viewer::new((avatar, clips), options, self.0.create_proxy());
-        let mut handler = Handler { viewer, failed: None };
+        let mut handler = Handler { viewer, asked: Instant::now(), failed: None };
         self.0.run_app(&mut handler).context("the display's connection ended")?;
         handler.viewer.finish();
         handler.failed.map_or(Ok(()), Err)
     }
 }
 
+/// How often to ask whether the window is minimised, since some systems do not tell. The answer may wait for the display server.
+const ASK: Duration = Duration::from_secs(1);
+
 struct Handler {
     viewer: Viewer,
+    asked: Instant,
     failed: Option<anyhow::Error>,
 }
 
@@ -163,7 +167,12 @@ impl ApplicationHandler<Message> for Handler {
             Some(wake) if !self.viewer.hidden => ControlFlow::WaitUntil(wake.max(Instant::now())),
             _ => ControlFlow::Wait,
         });
-        if let Some(window) = self.viewer.window.as_ref().filter(|_| self.viewer.wants_frame()) {
+        let Some(window) = self.viewer.window.as_ref().filter(|_| self.viewer.wants_frame()) else { return };
+        if self.asked.elapsed() > ASK {
+            self.asked = Instant::now();
+            self.viewer.hidden = window.is_minimized() == Some(true);
+        }
+        if !self.viewer.hidden {
             window.request_redraw();
         }
     }
