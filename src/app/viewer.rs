@@ -102,7 +102,6 @@ impl Viewer {
         self.start.elapsed().as_secs_f64()
     }
 
-    /// Opens the window and the device.
     pub(super) fn open(&mut self, event_loop: &ActiveEventLoop) -> anyhow::Result<()> {
         if self.window.is_none() {
             let [width, height] = self.options.drawing.size;

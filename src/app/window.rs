@@ -145,6 +145,7 @@ impl ApplicationHandler<Message> for Handler {
                 self.viewer.hidden = hidden;
                 self.viewer.dirty |= !hidden;
             }
+            WindowEvent::Focused(true) => self.viewer.hidden = false,
             WindowEvent::ModifiersChanged(modifiers) => self.viewer.modifiers = modifiers.state(),
             WindowEvent::Focused(false) => {
                 self.viewer.pointers.cancel();
