@@ -146,7 +146,9 @@ fn cut_files_never_panic() {
 
 #[test]
 fn quantised_weights_sum_to_255() {
-    for weights in [vec![(3, 1.0)], vec![(1, 0.5), (2, 0.5)], vec![(1, 0.4), (2, 0.3), (3, 0.15), (4, 0.1), (5, 0.05)], vec![(0, 1.0 / 3.0); 3]] {
+    for weights in
+        [vec![(3, 1.0)], vec![(1, 0.5), (2, 0.5)], vec![(1, 0.4), (2, 0.3), (3, 0.15), (4, 0.1), (5, 0.05)], vec![(0, 1.0 / 3.0); 3]]
+    {
         let (joints, bytes) = bake::assemble::quantise(&weights);
         assert_eq!(bytes.iter().map(|&b| u32::from(b)).sum::<u32>(), 255, "{weights:?} became {joints:?} {bytes:?}");
         assert!(bytes.iter().zip(&weights).all(|(b, (_, w))| (f64::from(*b) / 255.0 - w).abs() < 0.06), "{weights:?} became {bytes:?}");
@@ -175,7 +177,7 @@ fn baked() -> Option<&'static Baked> {
 
 fn make(assets: &Assets) -> Baked {
     let skeleton = bake::skeleton(assets, Shape::Male).expect("the assets are whole");
-    let options = Options { rate: 30.0, from: 1.0, to: Some(12.0), in_place: false, fade: 0.0 };
+    let options = Options { rate: 30.0, from: 1.0, to: Some(12.0), in_place: false, start: None, fade: 0.0 };
     let clip = bake::motion(&assets.path("01_01.bvh"), &skeleton, &options).expect("the capture is whole");
     let sizes = Sizes { gaussians: 5000, parts: 32, nodes: 400, rows: 500, seed: 7 };
     let avatar = bake::body(assets, Shape::Male, std::slice::from_ref(&clip), &sizes, &|_| ()).expect("the assets are whole");
@@ -200,7 +202,10 @@ fn head_parts_come_first() {
         let own = avatar.parts.start[part] as usize..avatar.parts.start[part + 1] as usize;
         let (mut of_head, count) = (0, own.len());
         own.for_each(|i| of_head += usize::from(avatar.gaussians.joint[i][0] == head));
-        assert!(part < avatar.parts.head || 2 * of_head <= count, "part {part}, no head part, has {of_head} of {count} Gaussians on the head");
+        assert!(
+            part < avatar.parts.head || 2 * of_head <= count,
+            "part {part}, no head part, has {of_head} of {count} Gaussians on the head"
+        );
     }
     assert!((1..avatar.parts.len()).contains(&avatar.parts.head), "{} head parts", avatar.parts.head);
 }

@@ -113,3 +113,26 @@ fn the_expression_moves_the_head_parts_features_alone() {
     assert_ne!(before[..head], after[..head]);
     assert_eq!(before[head..], after[head..]);
 }
+
+#[test]
+fn the_extent_holds_every_gaussian_and_little_else() {
+    for seed in 0..4 {
+        let avatar = common::avatar(seed, common::Sizes::default());
+        let posed = Posed::new(&avatar, &common::pose(seed, &avatar));
+        let camera = Camera::orbit(glam::DVec3::Y, 1.0, 0.3, 3.0, 0.7, [100, 100]);
+        let stages = effigy::reference::Stages::new(&avatar, &posed, &camera);
+        let extent = effigy::frame::Extent::new(&avatar);
+        let [min, max] = extent.bounds(&posed.joints);
+        let [near, far] = extent.depth(&posed.joints, &camera);
+        let (mut low, mut high) = (max, min);
+        for (k, gaussian) in stages.gaussians.iter().enumerate() {
+            let mean = gaussian.mean;
+            assert!(mean.cmpge(min).all() && mean.cmple(max).all(), "seed {seed}: Gaussian {k} at {mean} is outside {min} to {max}");
+            let depth = camera.view.transform_point3(mean).z;
+            assert!(depth >= near && depth <= far, "seed {seed}: Gaussian {k} at depth {depth} is outside {near} to {far}");
+            (low, high) = (low.min(mean), high.max(mean));
+        }
+        let slack = (max - min) - (high - low);
+        assert!(slack.max_element() < 0.9, "seed {seed}: the extent is {slack} larger than what it holds");
+    }
+}

@@ -119,6 +119,7 @@ fn thetas(inputs: &Inputs, poses: &[Pose]) -> Vec<Vec<f64>> {
 fn point(dot: &Dot, index: usize, outfit: &Outfit, sky: &Sky, canonical: &[glam::DAffine3], seed: u64) -> Point {
     let mut random = Random::new(seed, (1 << 40) + index as u64);
     let mut site = dot.site.clone();
+    site.footprint = dot.radius;
     let normal = outfit.relief_normal(&site);
     site.position += outfit.relief(&site, site.position) * site.normal;
     let color = outfit.shaded(&site, normal, dot.radius, sky);
@@ -131,7 +132,9 @@ fn point(dot: &Dot, index: usize, outfit: &Outfit, sky: &Sky, canonical: &[glam:
     let first = (matrix.matrix3 * flow).reject_from_normalized(normal).normalize_or(normal.any_orthonormal_vector());
     let rotation = DQuat::from_mat3(&DMat3::from_cols(first, normal.cross(first), normal)).normalize();
     let lift = if site.material == Material::Hair { random.range(-0.0015, 0.0035) } else { 0.0 };
-    let tangent = 0.92 * dot.radius;
+    let density = outfit.density(&site);
+    // Gaps show more than blur does, but on face and print.
+    let tangent = if density > 3.0 { 0.94 } else { 1.06 } * dot.radius;
     let thin = (0.35 * tangent).min(0.0008);
     let (scale, opacity) = match site.material {
         Material::Hair => (DVec3::new(1.9 * tangent, 0.62 * tangent, thin), 0.97),
@@ -140,7 +143,6 @@ fn point(dot: &Dot, index: usize, outfit: &Outfit, sky: &Sky, canonical: &[glam:
     };
     let position = matrix.transform_point3(site.position + lift * site.normal);
     let placed = Placed { position, normal, rotation, color, material: site.material, expression: site.expression, part: 0, head: false };
-    let density = outfit.density(&site);
     Point { placed, scale, opacity, joint, joint_weight, turn: matrix.matrix3, density }
 }
 

@@ -113,7 +113,7 @@ impl Bases {
 
     /// Shading of the folds: brighter where they face the light; shape 3, N_B.
     pub fn color(&self, at: &Placed) -> [[f64; BASIS]; 3] {
-        let amplitude = 0.16 * self.liveliness(at) / (0.5 * BASIS as f64).sqrt();
+        let amplitude = 0.10 * self.liveliness(at) / (0.5 * BASIS as f64).sqrt();
         let mut rows = [[0.0; BASIS]; 3];
         for k in self.features(at) {
             let facing = -self.attribute_wave(k, at.position).1.dot(KEY);

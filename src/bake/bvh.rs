@@ -66,7 +66,7 @@ impl Bvh {
             }
             values.extend(row);
         }
-        let found = if width == 0 { 0 } else { values.len() / width };
+        let found = values.len().checked_div(width).unwrap_or(0);
         if found == 0 || found as f64 != frames || frame_time <= 0.0 {
             let expected = "as many as the file announces, at least one, and a frame time above 0".into();
             let found = format!("{found} frames of {frame_time} s where {frames} are announced");

@@ -38,7 +38,7 @@ impl Face {
     }
 
     /// Coordinates relative to the nearer eye's centre: x outwards, y up, z forward.
-    fn from_eye(&self, p: DVec3) -> DVec3 {
+    fn beside_eye(&self, p: DVec3) -> DVec3 {
         DVec3::new(p.x.abs() - self.eye.x, p.y - self.eye.y, p.z - self.eye.z)
     }
 
@@ -138,7 +138,7 @@ impl Face {
         if head == 0.0 {
             return color;
         }
-        let d = self.from_eye(p);
+        let d = self.beside_eye(p);
         color = flush(color, head * self.flush(p, d));
         color = flush(color, 0.5 * self.masks.ears.at(site.uv));
         color *= 1.0 - 0.16 * self.beard(p, d);
@@ -180,7 +180,7 @@ impl Face {
 
     /// The eyeball in linear light: pupil, iris, limbal ring, sclera, a catchlight.
     pub fn eye(&self, site: &Site) -> DVec3 {
-        let d = self.from_eye(site.position);
+        let d = self.beside_eye(site.position);
         let side = site.position.x.signum();
         let radius = DVec2::new(d.x + 0.0004, d.y).length() * 1e3;
         if d.z < 0.0 {

@@ -44,7 +44,8 @@ impl Outfit {
         let hem = if sleeve { (super::outfit::SLEEVE - self.upper_arm(p)) * 0.28 } else { 1.0 };
         let rib = step(-0.020, -0.018, collar).max(step(0.016, 0.014, hem));
         color = color.lerp(srgb(0x1F4C56) * (1.0 + 0.8 * thread), rib);
-        color *= 1.0 - 0.4 * line(collar + 0.0205, 0.0012).max(line(hem - 0.0175, 0.0012)) - 0.3 * line(self.armhole(site), 0.06);
+        color *=
+            1.0 - 0.4 * site.line(collar + 0.0205, 0.0012).max(site.line(hem - 0.0175, 0.0012)) - 0.3 * site.line(self.armhole(site), 0.06);
         if site.normal.z > 0.15 && !sleeve {
             let at = self.print_at(site);
             for (ink, hue) in print::emblem(at).into_iter().zip([0xF2A65A, 0xE4604E, 0xF4D58D]) {
@@ -68,13 +69,14 @@ impl Outfit {
         let knee = step(0.10, 0.0, (self.knee[0].y - p.y).abs()) * step(0.2, 0.9, site.normal.z);
         let mut color = srgb(0x2C3A57).lerp(srgb(0x5B7093), 0.55 * worn + 0.35 * knee) * (1.0 + twill);
         for seam in self.seams(site) {
-            color *= 1.0 - 0.45 * line(seam, 0.0016);
-            let stitch = line(seam.abs() - 0.0045, 0.0009) * step(0.55, 0.45, (p.y * 160.0).rem_euclid(1.0));
+            color *= 1.0 - 0.45 * site.line(seam, 0.0016);
+            let dash = if site.footprint > 0.003 { 0.5 } else { step(0.55, 0.45, (p.y * 160.0).rem_euclid(1.0)) };
+            let stitch = site.line(seam.abs() - 0.0045, 0.0009) * dash;
             color = color.lerp(srgb(0xC98B4A), 0.75 * stitch);
         }
         let hem = (super::outfit::HEM - self.lower_leg(p)) * 0.42;
-        color *= 1.0 - 0.35 * line(hem - 0.022, 0.0013);
-        color.lerp(srgb(0xC98B4A), 0.6 * line(hem - 0.019, 0.0009))
+        color *= 1.0 - 0.35 * site.line(hem - 0.022, 0.0013);
+        color.lerp(srgb(0xC98B4A), 0.6 * site.line(hem - 0.019, 0.0009))
     }
 
     /// Signed distances from the trousers' seams, metres.
@@ -105,7 +107,7 @@ impl Outfit {
         let p = site.position;
         let buckle = (glam::DVec2::new(p.x, p.y - self.belt).abs() - glam::DVec2::new(0.024, 0.0155)).max_element();
         let leather = srgb(0x4A2E1D) * (1.0 + 0.15 * rough(61, p * 120.0));
-        let edge = line((p.y - self.belt).abs() - 0.0125, 0.0012);
+        let edge = site.line((p.y - self.belt).abs() - 0.0125, 0.0012);
         if site.normal.z > 0.2 && buckle < 0.0 {
             return srgb(0xB9B2A2).lerp(srgb(0x3A2417), step(-0.006, -0.0075, buckle));
         }
@@ -117,9 +119,9 @@ impl Outfit {
         let p = site.position;
         let ankle = self.ankle[usize::from(p.x < 0.0)];
         let forward = p.z - ankle.z;
-        let rubber = srgb(0xEDEAE2) * (1.0 - 0.25 * line(p.y - shoe::SOLE + 0.009, 0.0012));
+        let rubber = srgb(0xEDEAE2) * (1.0 - 0.25 * site.line(p.y - shoe::SOLE + 0.009, 0.0012));
         if p.y < shoe::SOLE {
-            return if p.y < 0.004 { srgb(0x4A4640) } else { rubber };
+            return if site.normal.y < -0.75 { srgb(0x4A4640) } else { rubber };
         }
         let weave = 0.12 * noise(65, p * 500.0);
         let mut color = srgb(0x8C3B34) * (1.0 + weave);
@@ -129,7 +131,7 @@ impl Outfit {
         color = color.lerp(srgb(0x74302B) * (1.0 + weave), tongue);
         let lace = step(0.26, 0.18, ((forward / 0.0175).rem_euclid(1.0) - 0.5).abs()) * tongue * step(0.130, 0.125, forward);
         color = color.lerp(srgb(0xF4F1EA), lace);
-        color * (1.0 - 0.5 * line(p.y - shoe::SOLE, 0.0015)) * (1.0 - 0.3 * line(forward + 0.028, 0.0012))
+        color * (1.0 - 0.5 * site.line(p.y - shoe::SOLE, 0.0015)) * (1.0 - 0.3 * site.line(forward + 0.028, 0.0012))
     }
 
     /// Height of folds, ribs and strands above the sheet, metres.
@@ -164,7 +166,10 @@ impl Outfit {
     }
 }
 
-/// 1 on a line at distance 0, 0 beyond `width` of it.
-fn line(distance: f64, width: f64) -> f64 {
-    step(width * 1.5, width * 0.5, distance.abs())
+impl Site {
+    /// How much of a line of half the width `width` is seen at a distance from it: wider and fainter where the footprint is coarser.
+    fn line(&self, distance: f64, width: f64) -> f64 {
+        let blurred = width.max(0.5 * self.footprint);
+        width / blurred * step(blurred * 1.5, blurred * 0.5, distance.abs())
+    }
 }

@@ -115,7 +115,7 @@ impl Outfit {
         match site.material {
             Material::Skin => {
                 let shod = site.share(is_foot) > 0.5 && p.y < shoe::COLLAR - 0.012;
-                let clothed = self.in_shirt(site) > 0.02
+                let clothed = self.in_shirt(site) > 0.012
                     || self.in_trousers(site) > 0.02
                     || (p.y - self.belt).abs() < 0.03 && site.share(is_arm) < 0.3;
                 !shod && !clothed && !self.face.inside(site)
@@ -136,7 +136,7 @@ impl Outfit {
             Material::Skin => {
                 let hand = site.share(|joint| joint >= 20);
                 let face = self.face.detail(site.position) * site.share(is_head);
-                1.0 + 1.6 * hand + 6.0 * face
+                1.4 + 1.4 * hand + 6.0 * face
             }
             Material::Eye => 16.0,
             Material::Lash => 12.0,

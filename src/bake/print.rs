@@ -66,6 +66,6 @@ pub fn word(p: DVec2) -> f64 {
 pub fn emblem(p: DVec2) -> [f64; 3] {
     [(-0.014, 0.008, 0.4), (0.014, 0.008, -0.4), (0.0, 0.027, 1.57)].map(|(x, y, turn)| {
         let d = DVec2::from_angle(-turn).rotate(p - DVec2::new(x, y)) / DVec2::new(0.0125, 0.0085);
-        (-0.5 * d.length_squared() * 1.6).exp() * super::math::step(4.8, 3.6, d.length_squared())
+        (-0.5 * d.length_squared() * 0.8).exp() * super::math::step(3.4, 2.9, d.length_squared())
     })
 }

@@ -10,8 +10,8 @@ use crate::avatar::{Clip, Pose, Skeleton};
 use glam::{DQuat, DVec3};
 use std::path::Path;
 
-/// Joints whose names differ in the capture, trunk only; Neck1 and the hip joints fold into their neighbours.
-const RENAMED: [(&str, &str); 3] = [("Spine", "LowerBack"), ("Spine1", "Spine"), ("Spine2", "Spine1")];
+/// Joints whose names differ in the capture, trunk only; Neck and the hip joints fold into their neighbours.
+const RENAMED: [(&str, &str); 4] = [("Spine", "LowerBack"), ("Spine1", "Spine"), ("Spine2", "Spine1"), ("Neck", "Neck1")];
 /// Bones that are aligned: joint and the joint at its other end, in the skeleton and in the capture.
 const LIMBS: [(&str, &str, &str); 5] = [
     ("UpLeg", "Leg", "Leg"),
@@ -20,6 +20,9 @@ const LIMBS: [(&str, &str, &str); 5] = [
     ("ForeArm", "Hand", "Hand"),
     ("Hand", "HandMiddle1", "Fingers"),
 ];
+
+/// Neck and head turn at most this far each, degrees: 01_01 throws the head back by almost 90 for a moment, its markers' fault.
+const NECK: f64 = 36.0;
 
 /// What part of a capture to take, and how.
 #[derive(Clone, Debug)]
@@ -30,8 +33,10 @@ pub struct Options {
     pub from: f64,
     /// The end of the capture where None.
     pub to: Option<f64>,
-    /// Takes the way walked out: the hips stay near the origin.
+    /// Takes the way walked out: the hips stay near the origin, and the first frame faces +z.
     pub in_place: bool,
+    /// Where a clip that repeats begins, seconds into the capture; `from` where None.
+    pub start: Option<f64>,
     /// Seconds at the end that fade into what comes before the start, so that the clip repeats.
     pub fade: f64,
 }
@@ -76,6 +81,14 @@ pub fn retarget(bvh: &Bvh, skeleton: &Skeleton, options: &Options, file: &Path) 
         pose.translation = pose.translation.lerp(before.translation, share);
         let turn = |a: &DVec3, b: &DVec3| DQuat::from_scaled_axis(*a).slerp(DQuat::from_scaled_axis(*b), share).to_scaled_axis();
         pose.rotation = pose.rotation.iter().zip(&before.rotation).map(|(a, b)| turn(a, b)).collect();
+    }
+    let start = ((options.start.unwrap_or(options.from) - options.from) * options.rate).round();
+    if !(0.0..frames as f64).contains(&start) {
+        return Err(content(file, format!("a start at {:?} s", options.start), "one between from and to"));
+    }
+    poses.rotate_left(start as usize);
+    if options.in_place {
+        source.face_forward(&mut poses);
     }
     let duration = frames as f64 / options.rate;
     Ok(Clip {
@@ -140,11 +153,27 @@ impl<'a> Source<'a> {
         for (j, mapped) in self.map.iter().enumerate() {
             let parent = self.skeleton.parent[j].map_or(DQuat::IDENTITY, |parent| ours[parent as usize]);
             let world = mapped.map_or_else(|| parent * self.curl[j], |(joint, align)| global[joint] * align);
-            rotation.push(upright(parent.inverse() * world).to_scaled_axis());
-            ours.push(world);
+            let mut local = upright(parent.inverse() * world).to_scaled_axis();
+            if matches!(self.skeleton.name[j].as_str(), "Neck" | "Head") {
+                local = local.clamp_length_max(NECK.to_radians());
+            }
+            rotation.push(local);
+            ours.push(parent * DQuat::from_scaled_axis(local));
         }
         let root = DVec3::from(self.skeleton.rest[0].map(f64::from));
         Pose { rotation, translation: self.bvh.position(frame, 0) * self.scale - root, expression: Vec::new() }
+    }
+
+    /// Turns the whole clip about the vertical so that the first frame's hips face +z.
+    fn face_forward(&self, poses: &mut [Pose]) {
+        let root = DVec3::from(self.skeleton.rest[0].map(f64::from));
+        let Some(first) = poses.first() else { return };
+        let forward = DQuat::from_scaled_axis(first.rotation[0]) * DVec3::Z;
+        let turn = DQuat::from_rotation_y(-forward.x.atan2(forward.z));
+        for pose in poses {
+            pose.rotation[0] = upright(turn * DQuat::from_scaled_axis(pose.rotation[0])).to_scaled_axis();
+            pose.translation = turn * (pose.translation + root) - root;
+        }
     }
 
     /// Moves all poses by the same height, so that the soles rest on y = 0 in all but the deepest twentieth of the frames.
@@ -180,12 +209,11 @@ fn alignment(bvh: &Bvh, skeleton: &Skeleton, name: &str) -> DQuat {
     let Some(side) = ["Left", "Right"].into_iter().find(|side| name.starts_with(side)) else { return DQuat::IDENTITY };
     let bone = name.trim_start_matches(side);
     let offset = |name: &str| bvh.joints.iter().find(|joint| joint.name == name).map(|joint| joint.offset);
-    let between = |end: &str| Some((rest(skeleton, &format!("{side}{end}"))? - rest(skeleton, name)?).try_normalize()?);
+    let between = |end: &str| (rest(skeleton, &format!("{side}{end}"))? - rest(skeleton, name)?).try_normalize();
     if matches!(bone, "Foot" | "ToeBase") {
         // The soles are flat in both rest poses: only the direction over the ground is aligned.
-        let ours =
-            (|| Some((rest(skeleton, &format!("{side}ToeBase"))? - rest(skeleton, &format!("{side}Foot"))?).with_y(0.0).try_normalize()?))(
-            );
+        let ends = [format!("{side}Foot"), format!("{side}ToeBase")].map(|name| rest(skeleton, &name).unwrap_or_default());
+        let ours = (ends[1] - ends[0]).with_y(0.0).try_normalize();
         let theirs = offset(&format!("{side}ToeBase")).and_then(|o| o.with_y(0.0).try_normalize());
         return ours.zip(theirs).map_or(DQuat::IDENTITY, |(a, b)| DQuat::from_rotation_arc(a, b));
     }

@@ -2,7 +2,6 @@
 //! flat sole.
 
 use super::body::Body;
-use super::math::step;
 use super::outfit::is_foot;
 use super::surface::{Material, Sheet, Vertex};
 use glam::{DVec2, DVec3, IVec3};
@@ -109,12 +108,6 @@ impl<'a> Foot<'a> {
 
 fn in_foot(body: &Body, vertex: u32) -> bool {
     body.weights[vertex as usize].iter().filter(|(joint, _)| is_foot(*joint)).map(|(_, weight)| weight).sum::<f64>() > 0.1
-}
-
-/// How far up the shoe its laces, tongue and toe cap are: 0 at the toe's tip, 1 at the heel.
-pub fn lengthwise(p: DVec3, ankle: DVec3, toe: DVec3) -> f64 {
-    let axis = (ankle - toe).with_y(0.0);
-    step(-0.4, 1.4, (p - toe).dot(axis) / axis.length_squared().max(1e-9))
 }
 
 /// Where a surface crosses a cell, the mean over its crossed edges, in cells: surface nets.

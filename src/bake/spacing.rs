@@ -78,7 +78,7 @@ fn shuffle<T>(list: &mut [T], seed: u64) {
 }
 
 /// `count` of the darts, each further than its radius from every earlier one of its layer; the radius at density 1 is fitted, and
-/// returned. Where darts run short, the remainder is filled with what was turned away.
+/// returned. Never more than fit, for the last ones kept fill the gaps; what is missing is taken from those turned away.
 pub fn choose(darts: &[Dart], count: usize) -> (Vec<usize>, f64) {
     let spread = darts.iter().fold([DVec3::INFINITY, DVec3::NEG_INFINITY], |[a, b], d| [a.min(d.position), b.max(d.position)]);
     let mut radius = 0.3 * (spread[1] - spread[0]).length() / (count.max(1) as f64).sqrt();
@@ -87,15 +87,18 @@ pub fn choose(darts: &[Dart], count: usize) -> (Vec<usize>, f64) {
     for _ in 0..24 {
         let chosen = apart(darts, radius);
         let found = chosen.len();
-        if found >= count {
-            (low, best, best_radius) = (radius, chosen, radius);
-            if found as f64 <= 1.01 * count as f64 + 2.0 {
+        if found <= count {
+            if found > best.len() {
+                (best, best_radius) = (chosen, radius);
+            }
+            high = radius;
+            if found as f64 >= 0.99 * count as f64 - 2.0 {
                 break;
             }
         } else {
-            high = radius;
+            low = radius;
         }
-        let guess = radius * (found as f64 / (1.005 * count as f64)).sqrt();
+        let guess = radius * (found as f64 / (0.995 * count as f64)).sqrt();
         radius = if guess > low && guess < high {
             guess
         } else if high.is_finite() {
@@ -110,7 +113,6 @@ pub fn choose(darts: &[Dart], count: usize) -> (Vec<usize>, f64) {
         let missing = count - best.len();
         best.extend((0..darts.len()).filter(|i| !taken[*i]).take(missing));
     }
-    best.truncate(count);
     (best, best_radius)
 }
 

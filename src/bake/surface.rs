@@ -49,6 +49,8 @@ pub struct Site {
     /// The largest first; they sum to 1.
     pub weights: Influences,
     pub expression: [DVec3; 10],
+    /// How far the point's colour reaches: finer lines are blurred to this, metres.
+    pub footprint: f64,
 }
 
 impl Site {
@@ -158,6 +160,7 @@ impl Sheet {
             uv: (0..3).map(|k| self.uv[triangle][k] * barycentric[k]).sum(),
             weights,
             expression: std::array::from_fn(|e| sum(&|k| corners[k].expression[e])),
+            footprint: 0.0,
         }
     }
 }

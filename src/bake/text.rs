@@ -6,7 +6,7 @@ use std::str::FromStr;
 /// Why a source file can't be used.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
-    #[error("{}: {source}; run tools/fetch_assets.sh, or name the folder it filled", file.display())]
+    #[error("cannot read {} (tools/fetch_assets.sh gets the source files; --assets names their folder)", file.display())]
     Io { file: PathBuf, source: std::io::Error },
     #[error("{}, line {line}: found {found}, expected {expected}", file.display())]
     Syntax { file: PathBuf, line: usize, found: String, expected: String },

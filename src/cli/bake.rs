@@ -78,9 +78,12 @@ struct MotionArgs {
     /// Seconds into the capture [default: its end]
     #[arg(long, value_name = "SECONDS")]
     to: Option<f64>,
-    /// Keep the hips near the origin
+    /// Keep the hips near the origin, the first frame facing the camera
     #[arg(long)]
     in_place: bool,
+    /// Where a clip that repeats begins, seconds into the capture [default: --from]
+    #[arg(long, value_name = "SECONDS")]
+    start: Option<f64>,
     /// Let this much of the end fade into what comes before the start, so that the clip repeats without a jump
     #[arg(long, value_name = "SECONDS", default_value = "0")]
     fade: f64,
@@ -101,7 +104,7 @@ fn body(args: &BodyArgs) -> anyhow::Result<()> {
     let assets = Assets::new(&args.assets);
     let clips = if args.motion.is_empty() {
         let skeleton = bake::skeleton(&assets, args.shape)?;
-        let options = Options { rate: 30.0, from: 0.0, to: None, in_place: false, fade: 0.0 };
+        let options = Options { rate: 30.0, from: 0.0, to: None, in_place: false, start: None, fade: 0.0 };
         vec![bake::motion(&assets.path("01_01.bvh"), &skeleton, &options)?]
     } else {
         args.motion.iter().map(|path| Ok(Clip::read(path)?)).collect::<anyhow::Result<_>>()?
@@ -151,7 +154,8 @@ fn motion(args: &MotionArgs) -> anyhow::Result<()> {
     };
     let among = assets.path(&args.capture.to_string_lossy());
     let capture = if !args.capture.exists() && among.exists() { &among } else { &args.capture };
-    let options = Options { rate: f64::from(args.rate), from: args.from, to: args.to, in_place: args.in_place, fade: args.fade };
+    let options =
+        Options { rate: f64::from(args.rate), from: args.from, to: args.to, in_place: args.in_place, start: args.start, fade: args.fade };
     let clip = bake::motion(capture, &skeleton, &options)?;
     clip.write(&args.out)?;
     let (frames, rate) = (clip.frames(), args.rate);

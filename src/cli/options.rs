@@ -49,7 +49,7 @@ pub struct Quality {
     #[arg(long, value_enum, default_value_t = Color::Rgba16f)]
     pub color: Color,
     /// Bits of the depth key that Gaussians are sorted by
-    #[arg(long, value_enum, default_value_t = Keys::Bits16)]
+    #[arg(long, value_enum, default_value_t = Keys::Bits24)]
     pub keys: Keys,
 }
 

@@ -1,40 +1,57 @@
-//! How far a posed avatar reaches, from boxes around what each joint moves: bounds that cost a few hundred points a frame, not one a Gaussian.
+//! How far a posed avatar reaches, from boxes around its parts: bounds that cost some thousand points a frame, not one a Gaussian.
 
 use super::Camera;
 use crate::avatar::Avatar;
 use glam::{DAffine3, DVec3};
 
-/// Room for position correctives and for the Gaussians' own size, metres.
+/// Room for position correctives, for the Gaussians' own size, and for the joints that count too little to be looked at; metres.
 const MARGIN: f64 = 0.05;
+/// Joints that move no Gaussian of a part by at least this weight (of 255) are left out: they could only widen the bounds.
+const WEIGHT: u8 = 8;
 
-/// For each joint, the box in canonical space around the Gaussians that it moves.
+/// A part's box in canonical space, and the joints that move it.
+#[derive(Clone, Debug)]
+struct PartBox {
+    min: DVec3,
+    max: DVec3,
+    joints: Vec<u8>,
+}
+
+/// The boxes of all parts.
 ///
-/// A skinned point is a weighted mean of G_j x over the joints that move it, so it lies within the hull of the moved boxes.
+/// A skinned point is a weighted mean of G_j x over the joints that move it, so it lies within the hull of its part's box moved by each.
 #[derive(Clone, Debug)]
 pub struct Extent {
-    boxes: Vec<Option<[DVec3; 2]>>,
+    parts: Vec<PartBox>,
 }
 
 impl Extent {
     pub fn new(avatar: &Avatar) -> Self {
-        let mut boxes: Vec<Option<[DVec3; 2]>> = vec![None; avatar.skeleton.len()];
-        for (i, (joints, weights)) in avatar.gaussians.joint.iter().zip(&avatar.gaussians.joint_weight).enumerate() {
-            let position = avatar.position(i);
-            for (&joint, _) in joints.iter().zip(weights).filter(|(_, weight)| **weight > 0) {
-                let [min, max] = boxes[joint as usize].get_or_insert([position; 2]);
-                *min = min.min(position);
-                *max = max.max(position);
+        let ranges = avatar.parts.start.windows(2).map(|pair| pair[0] as usize..pair[1] as usize);
+        let parts = ranges.filter(|range| !range.is_empty()).map(|range| {
+            let (mut min, mut max) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+            let mut weight = [0u8; 256];
+            for gaussian in range {
+                let position = avatar.position(gaussian);
+                (min, max) = (min.min(position), max.max(position));
+                for (&joint, &w) in avatar.gaussians.joint[gaussian].iter().zip(&avatar.gaussians.joint_weight[gaussian]) {
+                    weight[joint as usize] = weight[joint as usize].max(w);
+                }
             }
-        }
-        Self { boxes }
+            let joints = (0..=255).filter(|&joint| weight[joint as usize] >= WEIGHT).collect();
+            PartBox { min, max, joints }
+        });
+        Self { parts: parts.collect() }
     }
 
     fn corners<'a>(&'a self, joints: &'a [DAffine3]) -> impl Iterator<Item = DVec3> + 'a {
-        self.boxes.iter().zip(joints).filter_map(|(bounds, joint)| bounds.map(|bounds| (bounds, joint))).flat_map(|(bounds, joint)| {
-            (0..8).map(move |corner: usize| {
-                let corner = DVec3::new(bounds[corner & 1].x, bounds[corner >> 1 & 1].y, bounds[corner >> 2].z);
-                joint.transform_point3(corner)
-            })
+        self.parts.iter().flat_map(move |part| {
+            let corner = |k: usize| {
+                let choose = |axis: usize| if k >> axis & 1 == 0 { part.min[axis] } else { part.max[axis] };
+                DVec3::new(choose(0), choose(1), choose(2))
+            };
+            let corners: [DVec3; 8] = std::array::from_fn(corner);
+            part.joints.iter().flat_map(move |&joint| corners.map(|corner| joints[joint as usize].transform_point3(corner)))
         })
     }
 
@@ -47,9 +64,10 @@ impl Extent {
 
     /// Nearest and furthest distance along the camera's axis, from the near plane on; the first is always below the second.
     pub fn depth(&self, joints: &[DAffine3], camera: &Camera) -> [f64; 2] {
-        let view: Vec<DAffine3> = joints.iter().map(|joint| camera.view * *joint).collect();
-        let [min, max] = self.bounds(&view);
-        let near = min.z.max(camera.near);
-        [near, max.z.max(near + 1e-3)]
+        let axis = camera.view.matrix3.transpose().z_axis;
+        let along = |point: DVec3| axis.dot(point) + camera.view.translation.z;
+        let (min, max) = self.corners(joints).map(along).fold((f64::INFINITY, f64::NEG_INFINITY), |(min, max), z| (min.min(z), max.max(z)));
+        let near = if min.is_finite() { (min - MARGIN).max(camera.near) } else { camera.near };
+        [near, (max + MARGIN).max(near + 1e-3)]
     }
 }

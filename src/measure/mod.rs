@@ -10,6 +10,6 @@ use glam::DVec3;
 /// A box at least as high and wide as a person, so that pictures of one clip have the same scale whatever the pose.
 pub fn upright([min, max]: [DVec3; 2]) -> [DVec3; 2] {
     let middle = (min + max) / 2.0;
-    let half = ((max - min) / 2.0).max(DVec3::new(0.6, 0.9, 0.6));
+    let half = ((max - min) / 2.0).max(DVec3::new(0.4, 0.92, 0.4));
     [middle - half, middle + half]
 }
