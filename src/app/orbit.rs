@@ -150,7 +150,6 @@ impl Orbit {
         true
     }
 
-    /// Nothing moves until the next gesture.
     pub fn is_at_rest(&self) -> bool {
         self.shown == self.goal
     }
@@ -168,10 +167,6 @@ mod tests {
 
     const BOX: [DVec3; 2] = [DVec3::new(-0.8, 0.0, -0.2), DVec3::new(0.8, 1.8, 0.3)];
 
-    fn corners() -> impl Iterator<Item = DVec3> {
-        (0..8).map(|k: usize| DVec3::new(BOX[k & 1].x, BOX[k >> 1 & 1].y, BOX[k >> 2].z))
-    }
-
     fn settled(mut orbit: Orbit) -> Orbit {
         while orbit.advance(1.0 / 60.0) {}
         orbit
@@ -182,7 +177,7 @@ mod tests {
         for size in [[1280, 720], [720, 1280], [4000, 100], [100, 4000], [1, 1]] {
             let camera = Orbit::new(BOX, DVec3::ZERO, size).camera(size);
             let (mut min, mut max) = (DVec2::INFINITY, DVec2::NEG_INFINITY);
-            for corner in corners() {
+            for corner in (0..8).map(|k: usize| DVec3::new(BOX[k & 1].x, BOX[k >> 1 & 1].y, BOX[k >> 2].z)) {
                 let at = camera.project(camera.view.transform_point3(corner)) / DVec2::new(f64::from(size[0]), f64::from(size[1]));
                 (min, max) = (min.min(at), max.max(at));
             }

@@ -19,6 +19,8 @@ const GRAPH: f32 = 36.0;
 pub struct Facts<'a> {
     pub avatar: &'a str,
     pub times: &'a FrameTimes,
+    /// More frames follow without anyone's doing.
+    pub moving: bool,
     /// Each stage of the last frame that drew the avatar, milliseconds on the GPU.
     pub stages: &'a [(&'static str, f64)],
     /// Gaussians drawn, and all there are.
@@ -42,7 +44,7 @@ pub fn style(ctx: &egui::Context) {
     ctx.all_styles_mut(|style| {
         style.spacing.item_spacing = vec2(6.0, 4.0);
         style.spacing.slider_width = 132.0;
-        style.visuals.window_fill = Color32::from_black_alpha(205);
+        style.visuals.window_fill = Color32::from_gray(24);
         style.visuals.window_stroke = Stroke::new(1.0, Color32::from_white_alpha(24));
         style.visuals.window_shadow = egui::Shadow::NONE;
         style.visuals.override_text_color = Some(Color32::from_gray(225));
@@ -56,21 +58,26 @@ pub fn style(ctx: &egui::Context) {
 
 /// Lays the panel out; what the user asks for is added to `wishes`.
 pub fn show(ctx: &egui::Context, facts: &Facts, wishes: &mut Vec<Action>) {
-    let height = (ctx.content_rect().height() - 24.0).max(60.0);
-    egui::Window::new("Effigy").default_pos(Pos2::new(12.0, 12.0)).max_height(height).resizable(false).vscroll(true).show(ctx, |ui| {
-        ui.set_width(WIDTH);
-        clip(ui, facts.playback, wishes);
-        ui.separator();
-        view(ui, facts, wishes);
-        ui.separator();
-        timing(ui, facts);
-        egui::CollapsingHeader::new("Stages").default_open(true).show(ui, |ui| stages(ui, facts));
-        egui::CollapsingHeader::new("Device").default_open(true).show(ui, |ui| device(ui, facts));
-        egui::CollapsingHeader::new("Keys").show(ui, keys);
-        if let Some(message) = facts.message {
+    // What the title bar and the window's edges leave.
+    let height = (ctx.content_rect().height() - 72.0).max(40.0);
+    let frame = egui::Frame::window(&ctx.global_style()).fill(Color32::from_black_alpha(205));
+    let roomy = ctx.content_rect().width() > 2.5 * WIDTH;
+    egui::Window::new("Effigy").default_pos(Pos2::new(12.0, 12.0)).default_open(roomy).auto_sized().frame(frame).show(ctx, |ui| {
+        egui::ScrollArea::vertical().max_height(height).show(ui, |ui| {
+            ui.set_width(WIDTH);
+            clip(ui, facts.playback, wishes);
             ui.separator();
-            ui.label(message);
-        }
+            view(ui, facts, wishes);
+            ui.separator();
+            timing(ui, facts);
+            egui::CollapsingHeader::new("Stages").default_open(true).show(ui, |ui| stages(ui, facts));
+            egui::CollapsingHeader::new("Device").default_open(true).show(ui, |ui| device(ui, facts));
+            egui::CollapsingHeader::new("Keys").show(ui, keys);
+            if let Some(message) = facts.message {
+                ui.separator();
+                ui.label(message);
+            }
+        });
     });
 }
 
@@ -79,8 +86,8 @@ fn clip(ui: &mut Ui, playback: &Playback, wishes: &mut Vec<Action>) {
     let Some(track) = playback.tracks().get(moment.clip) else { return };
     if playback.tracks().len() > 1 {
         ui.horizontal(|ui| {
-            button(ui, "◀", "previous clip (P)", Action::Next(-1), wishes);
-            button(ui, "▶", "next clip (N)", Action::Next(1), wishes);
+            button(ui, "⏮", "previous clip (P)", Action::Next(-1), wishes);
+            button(ui, "⏭", "next clip (N)", Action::Next(1), wishes);
             egui::ComboBox::from_id_salt("clip").selected_text(&track.name).width(ui.available_width()).show_ui(ui, |ui| {
                 for (number, track) in playback.tracks().iter().enumerate() {
                     if ui.selectable_label(number == moment.clip, &track.name).clicked() {
@@ -132,9 +139,9 @@ fn view(ui: &mut Ui, facts: &Facts, wishes: &mut Vec<Action>) {
         button(ui, "Screenshot", "a PNG without this panel (S)", Action::Screenshot, wishes);
     });
     ui.horizontal(|ui| {
-        let mut background = facts.background;
-        if ui.color_edit_button_rgb(&mut background).on_hover_text("background (B for the next)").changed() {
-            wishes.push(Action::Background(background));
+        let mut background = facts.background.map(|channel| (255.0 * channel).round() as u8);
+        if ui.color_edit_button_srgb(&mut background).on_hover_text("background (B for the next)").changed() {
+            wishes.push(Action::Background(background.map(|channel| f32::from(channel) / 255.0)));
         }
         ui.label("background");
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
@@ -148,13 +155,13 @@ fn view(ui: &mut Ui, facts: &Facts, wishes: &mut Vec<Action>) {
 
 fn timing(ui: &mut Ui, facts: &Facts) {
     ui.horizontal(|ui| {
-        match facts.times.mean_ms() {
+        match facts.times.mean_ms().filter(|_| facts.moving) {
             Some(ms) => {
                 ui.label(RichText::new(format!("{:.0} fps", 1e3 / ms)).strong());
                 ui.monospace(format!("{ms:.2} ms"));
             }
             None => {
-                ui.label("still: nothing is drawn until something changes");
+                ui.label("still: nothing is drawn");
             }
         }
         if !facts.stages.is_empty() {
@@ -171,9 +178,7 @@ fn graph(ui: &mut Ui, times: &FrameTimes) {
     let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), GRAPH), Sense::hover());
     let painter = ui.painter_at(rect);
     painter.rect_filled(rect, 2.0, Color32::from_white_alpha(10));
-    let history = times.history_ms();
-    let mean = history.len().max(1) as f32;
-    let mean = times.history_ms().sum::<f32>() / mean;
+    let mean = times.history_ms().sum::<f32>() / times.history_ms().len().max(1) as f32;
     let step = rect.width() / 120.0;
     for (place, ms) in times.history_ms().rev().enumerate() {
         let part = ms / (2.0 * mean).max(1e-3);
@@ -255,6 +260,7 @@ mod tests {
         let facts = Facts {
             avatar: "someone",
             times: &FrameTimes::default(),
+            moving: true,
             stages: &[("features", 0.5), ("sort", 1.0)],
             gaussians: (1234, 200_000),
             skipped: &["features"],

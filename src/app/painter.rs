@@ -11,13 +11,13 @@ use crate::{
         picture::Copied,
         present::Present,
         renderer::Presentation,
-        swapchain::{Acquired, Surface, Swapchain, extensions},
+        swapchain::{Acquired, Surface, Swapchain, Target},
     },
 };
 use ash::vk;
 use egui::{ClippedPrimitive, TexturesDelta};
 use egui_ash_renderer::{Options, RenderMode, Renderer as Egui, RendererError, allocator::GpuAllocator};
-use raw_window_handle::{HandleError, HasDisplayHandle, HasWindowHandle};
+use raw_window_handle::{HasDisplayHandle, HasWindowHandle};
 use std::{mem::ManuallyDrop, sync::Arc};
 use winit::window::Window;
 
@@ -38,6 +38,7 @@ pub struct Painter {
     surface: Option<Surface>,
     renderer: Renderer,
     gpu: Arc<Gpu>,
+    target: Target,
     window: Arc<Window>,
     /// The window's size when the swapchain was made, px.
     fitted: [u32; 2],
@@ -47,22 +48,14 @@ pub struct Painter {
 impl Painter {
     /// Opens a device for a window: the one that `options` names, else the first that can show pictures in it.
     pub fn new(window: &Arc<Window>, avatar: &Avatar, options: &GpuOptions, drawing: RendererOptions) -> anyhow::Result<Self> {
-        let display = window.display_handle()?;
-        let options = GpuOptions { surface_extensions: extensions(display)?, ..options.clone() };
-        let open = |device: Option<String>| -> anyhow::Result<_> {
-            let gpu = Gpu::new(&GpuOptions { device, ..options.clone() }).map_err(no_window_extension)?;
-            Ok((Self::surface(&gpu, window)?, gpu))
-        };
-        let first = open(options.device.clone());
-        let (surface, gpu) = match first {
-            Err(error) if options.device.is_none() && matches!(error.downcast_ref(), Some(Error::Lacks { .. })) => {
-                // Another device may be the one that the display hangs on. Numbers end where there is none.
-                let others = (0..).map(|number: u32| open(Some(number.to_string())));
-                let mut others =
-                    others.take_while(|other| !matches!(other, Err(e) if matches!(e.downcast_ref(), Some(Error::NoSuchDevice { .. }))));
-                others.find_map(anyhow::Result::ok).ok_or(error)?
+        let given = Target::new(window.display_handle()?, window.window_handle()?);
+        let (target, surface, gpu) = match open(given, options) {
+            Err(error) if lacks_extension(&error) => {
+                let target = given.through_xcb().ok_or_else(no_windows)?;
+                let (surface, gpu) = open(target, options).map_err(|error| if lacks_extension(&error) { no_windows() } else { error })?;
+                (target, surface, gpu)
             }
-            first => first?,
+            opened => opened.map(|(surface, gpu)| (given, surface, gpu))?,
         };
         let present = Present::new(&gpu, surface.format())?;
         let renderer = Renderer::new(&gpu, avatar, drawing)?;
@@ -81,15 +74,11 @@ impl Painter {
             surface: Some(surface),
             renderer,
             gpu,
+            target,
             window: window.clone(),
             fitted: [0; 2],
             stale: true,
         })
-    }
-
-    fn surface(gpu: &Arc<Gpu>, window: &Window) -> Result<Surface> {
-        let gone = |_: HandleError| Error::SurfaceLost("the window's handle");
-        Surface::new(gpu, window.display_handle().map_err(gone)?, window.window_handle().map_err(gone)?)
     }
 
     pub fn gpu(&self) -> &Gpu {
@@ -101,16 +90,15 @@ impl Painter {
         self.renderer.report()
     }
 
-    /// Fits the pictures to the window, and says their size, px. None while the window has no area: then there is nothing to draw.
-    pub fn fit(&mut self) -> Result<Option<[u32; 2]>> {
-        let wanted: [u32; 2] = self.window.inner_size().into();
+    /// Fits the pictures to a window of `wanted` px, and says their size. None while the window has no area: then there is nothing to draw.
+    pub fn fit(&mut self, wanted: [u32; 2]) -> Result<Option<[u32; 2]>> {
         if !self.stale && wanted == self.fitted {
             return Ok(self.swapchain.as_ref().map(|swapchain| swapchain.size));
         }
         self.renderer.finish()?;
         let surface = match self.surface.take() {
             Some(surface) => surface,
-            None => Self::surface(&self.gpu, &self.window)?,
+            None => Surface::new(&self.gpu, self.target)?,
         };
         let made = Swapchain::new(&self.gpu, &surface, self.present.render_pass, (wanted, self.swapchain.take()));
         self.surface = Some(surface);
@@ -191,14 +179,33 @@ impl Drop for Painter {
     }
 }
 
-/// Drivers without windows have no extension for the display's surfaces either.
-fn no_window_extension(error: Error) -> Error {
-    match error {
-        Error::Call { call: "vkCreateInstance", result: vk::Result::ERROR_EXTENSION_NOT_PRESENT } => Error::Lacks {
-            device: "the Vulkan driver".into(),
-            lacks: "it has no extension for windows of this display; install your GPU's driver, or use `effigy render`".into(),
-        },
-        error => error,
+/// Opens the device that `options` names, else the first that can show pictures in the window.
+fn open(target: Target, options: &GpuOptions) -> Result<(Surface, Arc<Gpu>)> {
+    let options = GpuOptions { surface_extensions: target.extensions()?, ..options.clone() };
+    let open = |device: Option<String>| {
+        let gpu = Gpu::new(&GpuOptions { device, ..options.clone() })?;
+        Ok((Surface::new(&gpu, target)?, gpu))
+    };
+    match open(options.device.clone()) {
+        // Another device may be the one that the display hangs on. Numbers end where there is no device.
+        Err(error @ Error::Lacks { .. }) if options.device.is_none() => {
+            let others = (0u32..).map(|number| open(Some(number.to_string())));
+            let mut others = others.take_while(|other| !matches!(other, Err(Error::NoSuchDevice { .. } | Error::NoDevice)));
+            others.find_map(Result::ok).ok_or(error)
+        }
+        first => first,
+    }
+}
+
+/// No driver on this machine has an extension that the window's surface needs.
+fn lacks_extension(error: &Error) -> bool {
+    matches!(error, Error::Call { call: "vkCreateInstance", result: vk::Result::ERROR_EXTENSION_NOT_PRESENT })
+}
+
+fn no_windows() -> Error {
+    Error::Lacks {
+        device: "the Vulkan driver".into(),
+        lacks: "it has no extension for windows of this display: install your GPU's driver, or use `effigy render`".into(),
     }
 }
 

@@ -5,8 +5,11 @@ use super::{
     overlay::{self, Facts},
     painter::Panel,
 };
-use egui::{Order, Pos2, TexturesDelta, ViewportId};
-use std::{collections::HashSet, time::Duration};
+use egui::{Order, Pos2, Rect, TexturesDelta, ViewportId, vec2};
+use std::{
+    collections::HashSet,
+    time::{Duration, Instant},
+};
 use winit::{
     dpi::PhysicalPosition,
     event::{ElementState, TouchPhase, WindowEvent},
@@ -34,15 +37,16 @@ pub struct Overlay {
     grabbed: bool,
     /// Fingers that came down on the panel.
     fingers: HashSet<u64>,
+    start: Instant,
 }
 
 impl Overlay {
-    pub fn new(window: &Window) -> Self {
+    pub fn new(window: &Window, visible: bool) -> Self {
         let ctx = egui::Context::default();
         overlay::style(&ctx);
         let scale = Some(window.scale_factor() as f32);
         let state = egui_winit::State::new(ctx.clone(), ViewportId::ROOT, window, scale, None, None);
-        Self { ctx, state, visible: true, over: false, grabbed: false, fingers: HashSet::new() }
+        Self { ctx, state, visible, over: false, grabbed: false, fingers: HashSet::new(), start: Instant::now() }
     }
 
     /// Lets go of everything: the panel is hidden, or the window has lost the focus.
@@ -109,12 +113,22 @@ impl Overlay {
         Taken { taken, changed }
     }
 
-    /// Lays the panel out; `wishes` becomes what the user asks for. Also says after how long egui wants to be asked again.
-    pub fn lay_out(&mut self, window: &Window, facts: &Facts, wishes: &mut Vec<Action>) -> (Panel, TexturesDelta, Option<Duration>) {
+    /// Lays the panel out in a picture of `size` px; `wishes` becomes what the user asks for. Also says after how long egui wants to be
+    /// asked again.
+    pub fn lay_out(
+        &mut self,
+        (window, size): (&Window, [u32; 2]),
+        facts: &Facts,
+        wishes: &mut Vec<Action>,
+    ) -> (Panel, TexturesDelta, Option<Duration>) {
         if !self.visible {
             return Default::default();
         }
-        let input = self.state.take_egui_input(window);
+        let scale = egui_winit::pixels_per_point(&self.ctx, window);
+        let input = self.state.egui_input_mut();
+        input.time = Some(self.start.elapsed().as_secs_f64());
+        input.screen_rect = Some(Rect::from_min_size(Pos2::ZERO, vec2(size[0] as f32, size[1] as f32) / scale));
+        let input = input.take();
         let mut output = self.ctx.run_ui(input, |ui| {
             wishes.clear();
             overlay::show(ui.ctx(), facts, wishes);

@@ -5,10 +5,39 @@ use std::{
     fs::File,
     io::{self, BufWriter, Write},
     path::{Path, PathBuf},
+    thread::JoinHandle,
 };
 
 /// Names tried in one folder.
 const NAMES: u32 = 10_000;
+
+/// Threads that write files, so that no frame waits for one.
+#[derive(Default)]
+pub struct Savers(Vec<JoinHandle<()>>);
+
+impl Savers {
+    /// Makes a picture and writes it; prints where it went, and tells.
+    pub fn start(&mut self, picture: impl FnOnce() -> RgbaImage + Send + 'static, tell: impl FnOnce(String) + Send + 'static) {
+        self.0.retain(|saver| !saver.is_finished());
+        self.0.push(std::thread::spawn(move || {
+            let message = match save(&picture(), &folders()) {
+                Ok(path) => format!("saved {}", path.display()),
+                Err(error) => format!("no screenshot was saved: {error}"),
+            };
+            println!("{message}");
+            tell(message);
+        }));
+    }
+
+    /// Waits for files that are being written.
+    pub fn finish(&mut self) {
+        for saver in self.0.drain(..) {
+            if saver.join().is_err() {
+                tracing::warn!("a screenshot was not saved: its thread ended early");
+            }
+        }
+    }
+}
 
 /// Where screenshots go: the current folder, or the user's pictures where it can't be written to.
 pub fn folders() -> Vec<PathBuf> {

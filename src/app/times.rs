@@ -49,6 +49,13 @@ impl FrameTimes {
     }
 }
 
+/// Median and 95th percentile of some times, ms. None of none.
+pub fn summary(ms: &mut [f64]) -> Option<[f64; 2]> {
+    ms.sort_by(f64::total_cmp);
+    let last = ms.len().checked_sub(1)?;
+    Some([0.5, 0.95].map(|part| ms[(part * last as f64).round() as usize]))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -65,5 +72,12 @@ mod tests {
         assert!((mean - 10.0).abs() < 0.01, "{mean} ms instead of 10");
         assert_eq!(times.history_ms().len(), KEPT);
         assert!(times.history_ms().all(|ms| (ms - 10.0).abs() < 0.01));
+    }
+
+    #[test]
+    fn a_summary_is_the_median_and_the_95th_percentile() {
+        let mut ms: Vec<f64> = (0..=100).rev().map(f64::from).collect();
+        assert_eq!(summary(&mut ms), Some([50.0, 95.0]));
+        assert_eq!(summary(&mut []), None);
     }
 }

@@ -1,43 +1,28 @@
 //! The viewer's work: wishes and gestures change the scene; a frame draws it, where something has changed.
 
 use super::{
+    Loss, Message, Options,
     action::Action,
     gesture::{Gesture, Pointers},
     overlay::Facts,
     painter::Painter,
     panel::Overlay,
     scene::{Look, Scene},
-    screenshot,
-    times::FrameTimes,
+    screenshot::Savers,
+    times::{FrameTimes, summary},
 };
 use crate::{
     avatar::{Avatar, Clip},
-    vulkan::{Error, GpuOptions, RendererOptions},
+    vulkan::{Error, RendererOptions},
 };
 use anyhow::Context;
-use std::{sync::Arc, thread::JoinHandle, time::Instant};
+use std::{sync::Arc, time::Instant};
 use winit::{
     dpi::PhysicalSize,
     event_loop::{ActiveEventLoop, EventLoopProxy},
     keyboard::ModifiersState,
     window::{Fullscreen, Window},
 };
-
-/// What a viewer is started with.
-pub struct Options {
-    pub gpu: GpuOptions,
-    /// Its size is the window's, px.
-    pub drawing: RendererOptions,
-    pub full_screen: bool,
-    /// Display-referred RGB, 0 to 1.
-    pub background: [f32; 3],
-    /// Draw without a rest, and quit after so many frames.
-    pub frames: Option<u32>,
-}
-
-/// Something for the overlay to say, from another thread.
-#[derive(Debug)]
-pub struct Message(pub String);
 
 /// How often in a row a lost surface may be made anew.
 const SURFACES: u32 = 5;
@@ -55,6 +40,8 @@ pub struct Viewer {
     pub(super) window: Option<Arc<Window>>,
     pub(super) pointers: Pointers,
     pub(super) modifiers: ModifiersState,
+    /// The window's size as its events say, px. Asking for it would wait for the display server, and fails once the window is gone.
+    pub(super) window_size: [u32; 2],
     /// The picture's size, px.
     pub(super) size: [u32; 2],
     shown: Option<Look>,
@@ -67,7 +54,7 @@ pub struct Viewer {
     /// When egui wants to be asked again.
     pub(super) wake: Option<Instant>,
     shoot: bool,
-    savers: Vec<JoinHandle<()>>,
+    savers: Savers,
     message: Option<String>,
     times: FrameTimes,
     memory: (f64, u64),
@@ -90,6 +77,7 @@ impl Viewer {
             window: None,
             pointers: Pointers::default(),
             modifiers: ModifiersState::default(),
+            window_size: size,
             size,
             shown: None,
             dirty: true,
@@ -97,7 +85,7 @@ impl Viewer {
             resting: true,
             wake: None,
             shoot: false,
-            savers: Vec::new(),
+            savers: Savers::default(),
             message: None,
             times: FrameTimes::default(),
             memory: (f64::NEG_INFINITY, 0),
@@ -114,7 +102,6 @@ impl Viewer {
         self.start.elapsed().as_secs_f64()
     }
 
-    /// Opens the window and the device.
     pub(super) fn open(&mut self, event_loop: &ActiveEventLoop) -> anyhow::Result<()> {
         if self.window.is_none() {
             let [width, height] = self.options.drawing.size;
@@ -123,12 +110,14 @@ impl Viewer {
                 .with_inner_size(PhysicalSize::new(width, height))
                 .with_fullscreen(self.options.full_screen.then_some(Fullscreen::Borderless(None)));
             let window = Arc::new(event_loop.create_window(attributes).context("the window could not be opened")?);
-            self.overlay = Some(Overlay::new(&window));
+            self.window_size = window.inner_size().into();
             self.window = Some(window);
         }
         let Some(window) = &self.window else { return Ok(()) };
-        let size: [u32; 2] = window.inner_size().into();
-        let drawing = RendererOptions { size: size.map(|side| side.max(1)), ..self.options.drawing };
+        // A new overlay brings all its textures to the new device.
+        let visible = self.overlay.as_ref().is_none_or(|overlay| overlay.visible);
+        self.overlay = Some(Overlay::new(window, visible));
+        let drawing = RendererOptions { size: self.window_size.map(|side| side.max(1)), ..self.options.drawing };
         let painter = Painter::new(window, self.scene.avatar(), &self.options.gpu, drawing)?;
         tracing::info!("showing `{}` with {}", self.scene.avatar().name, painter.gpu().probe.name);
         self.painter = Some(painter);
@@ -137,7 +126,6 @@ impl Viewer {
         Ok(())
     }
 
-    /// The system takes the window's surface away.
     pub(super) fn close(&mut self) {
         self.painter = None;
     }
@@ -218,9 +206,15 @@ impl Viewer {
     }
 
     fn draw(&mut self, wishes: &mut Vec<Action>) -> Result<(), Error> {
+        if let Some(at) = self.options.rehearse.iter().position(|&(_, frame)| frame == self.drawn) {
+            return Err(match self.options.rehearse.remove(at).0 {
+                Loss::Surface => Error::SurfaceLost("a rehearsal"),
+                Loss::Device => Error::DeviceLost("a rehearsal"),
+            });
+        }
         let clock = self.clock();
         let (Some(painter), Some(overlay), Some(window)) = (&mut self.painter, &mut self.overlay, &self.window) else { return Ok(()) };
-        let Some(size) = painter.fit()? else {
+        let Some(size) = painter.fit(self.window_size)? else {
             self.hidden = true;
             return Ok(());
         };
@@ -237,22 +231,8 @@ impl Viewer {
         if overlay.visible && clock - self.memory.0 > MEMORY {
             self.memory = (clock, painter.gpu().memory().0);
         }
-        let (report, probe) = (painter.report(), &painter.gpu().probe);
-        let facts = Facts {
-            avatar: &self.scene.avatar().name,
-            times: &self.times,
-            stages: &report.stages,
-            gaussians: (report.drawn, self.scene.avatar().gaussians.len()),
-            skipped: &report.skipped,
-            device: &probe.name,
-            driver: &probe.driver,
-            memory: self.memory.1,
-            playback: self.scene.playback(),
-            background: self.scene.background(),
-            follow: self.scene.follows(),
-            message: self.message.as_deref(),
-        };
-        let (panel, textures, wait) = overlay.lay_out(window, &facts, wishes);
+        let facts = facts(&self.scene, painter, (&self.times, self.memory.1, self.message.as_deref()));
+        let (panel, textures, wait) = overlay.lay_out((window, size), &facts, wishes);
         painter.set_textures(textures)?;
         let began = Instant::now();
         if !painter.paint(self.scene.posed(), &look, &panel)? {
@@ -277,32 +257,43 @@ impl Viewer {
         let Some(painter) = &mut self.painter else { return Ok(()) };
         let copied = painter.copy()?;
         let proxy = self.proxy.clone();
-        self.savers.retain(|saver| !saver.is_finished());
-        self.savers.push(std::thread::spawn(move || {
-            let message = match screenshot::save(&copied.decode().over(background), &screenshot::folders()) {
-                Ok(path) => format!("saved {}", path.display()),
-                Err(error) => format!("no screenshot was saved: {error}"),
-            };
-            println!("{message}");
-            // The window may be closed already; then there is no one left to tell.
-            let _ = proxy.send_event(Message(message));
-        }));
+        self.savers.start(
+            move || copied.decode().over(background),
+            move |message| {
+                // The window may be closed already; then there is no one left to tell.
+                let _ = proxy.send_event(Message(message));
+            },
+        );
         Ok(())
     }
 
     /// Waits for files that are being written, and prints what was measured.
     pub(super) fn finish(mut self) {
         self.painter = None;
-        for saver in self.savers.drain(..) {
-            if saver.join().is_err() {
-                tracing::warn!("a screenshot was not saved: its thread ended early");
-            }
-        }
-        self.measured.sort_by(f64::total_cmp);
-        if let Some(last) = self.measured.len().checked_sub(1) {
-            let at = |part: f64| self.measured[(part * last as f64).round() as usize];
-            println!("{} frames: median {:.2} ms, p95 {:.2} ms", self.drawn, at(0.5), at(0.95));
+        self.savers.finish();
+        if let Some([median, p95]) = summary(&mut self.measured) {
+            println!("{} frames: median {median:.2} ms, p95 {p95:.2} ms", self.drawn);
         }
         tracing::info!("drew {} frames in {:.1} s", self.drawn, self.start.elapsed().as_secs_f64());
+    }
+}
+
+/// What the panel shows. `said`: the frames' times, the memory in use and the last message.
+fn facts<'a>(scene: &'a Scene, painter: &'a Painter, (times, memory, message): (&'a FrameTimes, u64, Option<&'a str>)) -> Facts<'a> {
+    let (report, probe) = (painter.report(), &painter.gpu().probe);
+    Facts {
+        avatar: &scene.avatar().name,
+        times,
+        moving: scene.is_moving(),
+        stages: &report.stages,
+        gaussians: (report.drawn, scene.avatar().gaussians.len()),
+        skipped: &report.skipped,
+        device: &probe.name,
+        driver: &probe.driver,
+        memory,
+        playback: scene.playback(),
+        background: scene.background(),
+        follow: scene.follows(),
+        message,
     }
 }

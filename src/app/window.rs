@@ -1,14 +1,15 @@
 //! The window's events: what winit reports goes in, gestures, wishes and frames of the viewer come out.
 
 use super::{
+    Message, Options,
     action::action,
     gesture::{Button, Gesture},
-    viewer::{Message, Options, Viewer},
+    viewer::Viewer,
 };
 use crate::avatar::{Avatar, Clip};
-use anyhow::Context;
+use anyhow::{Context, anyhow};
 use glam::DVec2;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 use winit::{
     application::ApplicationHandler,
     event::{ElementState, MouseButton, MouseScrollDelta, StartCause, Touch, TouchPhase, WindowEvent},
@@ -22,22 +23,29 @@ pub struct Display(EventLoop<Message>);
 impl Display {
     /// Fails where there is none: no desktop, or a session over a terminal only.
     pub fn open() -> anyhow::Result<Self> {
-        let event_loop = EventLoop::with_user_event().build().context("there is no display to open a window on")?;
+        let event_loop = EventLoop::with_user_event().build().map_err(|error| {
+            tracing::debug!("{error}");
+            anyhow!("there is no display to open a window on")
+        })?;
         Ok(Self(event_loop))
     }
 
     /// Shows an avatar until its window is closed.
     pub fn show(self, avatar: Avatar, clips: Vec<Clip>, options: Options) -> anyhow::Result<()> {
         let viewer = Viewer::new((avatar, clips), options, self.0.create_proxy());
-        let mut handler = Handler { viewer, failed: None };
+        let mut handler = Handler { viewer, asked: Instant::now(), failed: None };
         self.0.run_app(&mut handler).context("the display's connection ended")?;
         handler.viewer.finish();
         handler.failed.map_or(Ok(()), Err)
     }
 }
 
+/// How often to ask whether the window is minimised, since some systems do not tell. The answer may wait for the display server.
+const ASK: Duration = Duration::from_secs(1);
+
 struct Handler {
     viewer: Viewer,
+    asked: Instant,
     failed: Option<anyhow::Error>,
 }
 
@@ -120,7 +128,7 @@ impl ApplicationHandler<Message> for Handler {
             self.viewer.gesture(&gesture);
         }
         match event {
-            WindowEvent::CloseRequested => event_loop.exit(),
+            WindowEvent::CloseRequested | WindowEvent::Destroyed => event_loop.exit(),
             WindowEvent::RedrawRequested => {
                 // Without a wish of ours the system asks: what it showed of the window is gone.
                 self.viewer.dirty |= !self.viewer.wants_frame();
@@ -128,7 +136,8 @@ impl ApplicationHandler<Message> for Handler {
                 let drawn = self.viewer.frame(event_loop);
                 self.check(drawn, event_loop);
             }
-            WindowEvent::Resized(_) | WindowEvent::ScaleFactorChanged { .. } => {
+            WindowEvent::Resized(size) => {
+                self.viewer.window_size = size.into();
                 self.viewer.hidden = false;
                 self.viewer.dirty = true;
             }
@@ -136,6 +145,7 @@ impl ApplicationHandler<Message> for Handler {
                 self.viewer.hidden = hidden;
                 self.viewer.dirty |= !hidden;
             }
+            WindowEvent::Focused(true) => self.viewer.hidden = false,
             WindowEvent::ModifiersChanged(modifiers) => self.viewer.modifiers = modifiers.state(),
             WindowEvent::Focused(false) => {
                 self.viewer.pointers.cancel();
@@ -158,7 +168,12 @@ impl ApplicationHandler<Message> for Handler {
             Some(wake) if !self.viewer.hidden => ControlFlow::WaitUntil(wake.max(Instant::now())),
             _ => ControlFlow::Wait,
         });
-        if let Some(window) = self.viewer.window.as_ref().filter(|_| self.viewer.wants_frame()) {
+        let Some(window) = self.viewer.window.as_ref().filter(|_| self.viewer.wants_frame()) else { return };
+        if self.asked.elapsed() > ASK {
+            self.asked = Instant::now();
+            self.viewer.hidden = window.is_minimized() == Some(true);
+        }
+        if !self.viewer.hidden {
             window.request_redraw();
         }
     }

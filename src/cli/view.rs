@@ -25,8 +25,22 @@ pub struct Args {
     /// Draw without a rest, quit after so many frames and print how long they took
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     frames: Option<u32>,
+    #[cfg(feature = "window")]
+    #[arg(long, value_name = "surface@N or device@N", value_parser = loss, hide = true)]
+    rehearse: Vec<(crate::app::Loss, u32)>,
     #[command(flatten)]
     quality: Quality,
+}
+
+/// Reads `surface@N` or `device@N`: a loss before frame N.
+#[cfg(feature = "window")]
+fn loss(text: &str) -> Result<(crate::app::Loss, u32), String> {
+    use crate::app::Loss;
+    let parsed = text.split_once('@').and_then(|(what, frame)| {
+        let what = [("surface", Loss::Surface), ("device", Loss::Device)].into_iter().find(|known| known.0 == what)?.1;
+        Some((what, frame.parse().ok()?))
+    });
+    parsed.ok_or_else(|| format!("`{text}` is neither surface@N nor device@N"))
 }
 
 /// [`Args`] as a command of its own: the defaults are written down once.
@@ -38,9 +52,10 @@ struct Defaults {
 
 #[cfg(feature = "window")]
 pub fn run(args: Args) -> anyhow::Result<()> {
-    use anyhow::Context;
-    let display = crate::app::Display::open().context("a window can't be shown; `effigy render` draws without one")?;
-    show(display, args)
+    match crate::app::Display::open() {
+        Ok(display) => show(display, args),
+        Err(error) => anyhow::bail!("{error}; `effigy render` draws without one"),
+    }
 }
 
 #[cfg(feature = "window")]
@@ -52,6 +67,7 @@ fn show(display: crate::app::Display, args: Args) -> anyhow::Result<()> {
         full_screen: args.fullscreen,
         background: args.background,
         frames: args.frames,
+        rehearse: args.rehearse,
     };
     display.show(avatar, clips, options)
 }

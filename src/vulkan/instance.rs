@@ -63,7 +63,10 @@ impl Instance {
             info = info.push_next(&mut features).push_next(&mut messages);
         }
         // SAFETY: `info` and all it points to outlive the call.
-        let raw = unsafe { entry.create_instance(&info, None) }.during("vkCreateInstance")?;
+        let raw = match unsafe { entry.create_instance(&info, None) } {
+            Err(vk::Result::ERROR_INCOMPATIBLE_DRIVER) => return Err(Error::NoDevice),
+            created => created.during("vkCreateInstance")?,
+        };
         let messenger = if validation {
             let loader = ext::debug_utils::Instance::new(&entry, &raw);
             // SAFETY: the callback is a function of this program and takes no user data.

@@ -7,15 +7,46 @@ use super::{
     memory::COLOR,
 };
 use ash::{khr, vk};
-use raw_window_handle::{DisplayHandle, WindowHandle};
+use raw_window_handle::{DisplayHandle, RawDisplayHandle, RawWindowHandle, WindowHandle};
 use std::{sync::Arc, time::Duration};
 
 /// How long to wait for an image before the program looks after its other work, and how often.
 const ACQUIRE: (Duration, u32) = (Duration::from_secs(1), 30);
 
-/// The instance extensions that surfaces on a display need.
-pub fn extensions(display: DisplayHandle) -> Result<Vec<*const std::ffi::c_char>> {
-    ash_window::enumerate_required_extensions(display.as_raw()).map(<[_]>::to_vec).during("vkCreateSurface")
+/// A window as drivers know it. The window must outlive it.
+#[derive(Clone, Copy)]
+pub struct Target {
+    display: RawDisplayHandle,
+    window: RawWindowHandle,
+}
+
+impl Target {
+    pub fn new(display: DisplayHandle, window: WindowHandle) -> Self {
+        Self { display: display.as_raw(), window: window.as_raw() }
+    }
+
+    /// The other name of a window of X11, which is the only one that some drivers know. None where there is no other.
+    #[cfg(target_os = "linux")]
+    pub fn through_xcb(&self) -> Option<Self> {
+        use raw_window_handle::{XcbDisplayHandle, XcbWindowHandle};
+        let (RawDisplayHandle::Xlib(display), RawWindowHandle::Xlib(window)) = (self.display, self.window) else { return None };
+        let library = x11_dl::xlib_xcb::Xlib_xcb::open().ok()?;
+        // SAFETY: the display is open while its window lives, and its connection as long as the display.
+        let connection = unsafe { (library.XGetXCBConnection)(display.display?.as_ptr().cast()) };
+        let window = std::num::NonZeroU32::new(u32::try_from(window.window).ok()?)?;
+        let display = XcbDisplayHandle::new(Some(std::ptr::NonNull::new(connection)?), display.screen);
+        Some(Self { display: display.into(), window: XcbWindowHandle::new(window).into() })
+    }
+
+    #[cfg(not(target_os = "linux"))]
+    pub fn through_xcb(&self) -> Option<Self> {
+        None
+    }
+
+    /// The instance extensions that its surface needs.
+    pub fn extensions(&self) -> Result<Vec<*const std::ffi::c_char>> {
+        ash_window::enumerate_required_extensions(self.display).map(<[_]>::to_vec).during("vkCreateSurface")
+    }
 }
 
 /// A window's surface. The window must outlive it.
@@ -28,11 +59,11 @@ pub struct Surface {
 
 impl Surface {
     /// Fails where the device can't show pictures in this window.
-    pub fn new(gpu: &Arc<Gpu>, display: DisplayHandle, window: WindowHandle) -> Result<Self> {
+    pub fn new(gpu: &Arc<Gpu>, target: Target) -> Result<Self> {
         let loader = khr::surface::Instance::new(&gpu.instance.entry, &gpu.instance.raw);
         let (entry, instance) = (&gpu.instance.entry, &gpu.instance.raw);
-        // SAFETY: the handles are borrowed from a window that is alive; the instance has the extensions that `extensions` named.
-        let raw = unsafe { ash_window::create_surface(entry, instance, display.as_raw(), window.as_raw(), None) };
+        // SAFETY: the caller keeps the window alive; the instance has the extensions that `extensions` named.
+        let raw = unsafe { ash_window::create_surface(entry, instance, target.display, target.window, None) };
         let raw = raw.during("vkCreateSurface")?;
         let mut surface = Self { gpu: gpu.clone(), loader, raw, format: Default::default() };
         surface.format = surface.choose_format()?;

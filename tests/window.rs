@@ -1,0 +1,175 @@
+//! The viewer in a real window: the program runs under Xvfb, gets real input, and what its window shows is looked at.
+//!
+//! The driver is the one that the environment chooses. Where Xvfb or a driver is missing, the tests say so and pass, unless
+//! `EFFIGY_REQUIRE_GPU` is set.
+#![cfg(all(feature = "window", target_os = "linux"))]
+
+mod common;
+#[path = "window/session.rs"]
+mod session;
+
+use session::{Session, covered};
+
+/// The background that the tests ask for, and its pixels in a window.
+const BACKGROUND: [u8; 3] = [0, 0, 255];
+
+fn start(arguments: &[&str]) -> Option<Session> {
+    Session::start(&[&["--background", "0000ff"], arguments].concat())
+}
+
+/// Hides the panel and pauses, so that nothing but the avatar is in the window, and that stands still.
+fn still(arguments: &[&str]) -> Option<Session> {
+    let mut session = start(arguments)?;
+    session.key('h');
+    session.key(' ');
+    session.wait_for_rest();
+    Some(session)
+}
+
+#[test]
+fn the_avatar_moves_and_nothing_is_drawn_while_it_is_paused() {
+    let Some(mut session) = start(&["--size", "320x240"]) else { return };
+    session.key('h');
+    session.wait_for_frames(3);
+    let before = session.picture();
+    assert!(covered(&before, BACKGROUND) > 1000, "{} pixels of the window show the avatar", covered(&before, BACKGROUND));
+    session.wait_for_frames(3);
+    assert!(session.picture() != before, "the avatar does not move");
+    session.key(' ');
+    session.wait_for_rest();
+    let (frames, picture) = (session.frames(), session.picture());
+    session.move_mouse([100, 100]);
+    session.sleep(1.0);
+    assert_eq!(session.frames(), frames, "frames were drawn while nothing changed");
+    session.key('n');
+    session.wait_for_rest();
+    assert!(session.frames() > frames, "a new clip was not drawn");
+    assert!(session.picture() != picture, "the new clip looks like the one before");
+    session.quit();
+}
+
+#[test]
+fn the_picture_follows_every_resize() {
+    let Some(mut session) = still(&["--size", "400x300"]) else { return };
+    for size in [[640, 480], [200, 500], [1, 1], [700, 100], [333, 217]] {
+        session.resize(size);
+        session.wait_for_size(size);
+        session.wait_for_rest();
+        let picture = session.picture();
+        assert_eq!([picture.width(), picture.height()], size);
+        if size != [1, 1] {
+            let columns = |from: u32| image::imageops::crop_imm(&picture, from, 0, size[0] / 8, size[1]).to_image();
+            let edges = covered(&columns(0), BACKGROUND) + covered(&columns(size[0] - size[0] / 8), BACKGROUND);
+            let (all, share) = (covered(&picture, BACKGROUND), size[0] * size[1] / 100);
+            assert!(all > share && edges < all / 10, "{size:?}: {all} pixels show the avatar, {edges} of them near the edges");
+        }
+    }
+    (0..40).for_each(|step| session.resize([300 + 7 * step, 500 - 9 * step]));
+    session.resize([420, 310]);
+    session.wait_for_size([420, 310]);
+    session.wait_for_rest();
+    assert!(covered(&session.picture(), BACKGROUND) > 1000, "the avatar is gone after many resizes");
+    session.quit();
+}
+
+#[test]
+fn a_window_that_was_hidden_shows_the_avatar_again() {
+    let Some(mut session) = still(&["--size", "320x240"]) else { return };
+    let before = session.picture();
+    session.map(false);
+    session.key('b');
+    session.sleep(0.5);
+    session.map(true);
+    session.wait_for_rest();
+    assert_eq!(covered(&session.picture(), BACKGROUND), covered(&before, BACKGROUND));
+    session.quit();
+}
+
+#[test]
+fn a_drag_turns_the_avatar_the_wheel_zooms_and_a_key_resets() {
+    let Some(mut session) = still(&["--size", "320x240"]) else { return };
+    session.key('r');
+    session.wait_for_rest();
+    let first = session.picture();
+    session.drag([160, 120], [230, 100]);
+    session.wait_for_rest();
+    let turned = session.picture();
+    assert!(turned != first, "the drag did nothing");
+    session.wheel(4);
+    session.wait_for_rest();
+    let (before, zoomed) = (covered(&turned, BACKGROUND), covered(&session.picture(), BACKGROUND));
+    assert!(zoomed > before + before / 10, "zooming in took the avatar from {before} to {zoomed} pixels");
+    session.key('r');
+    session.wait_for_rest();
+    assert!(session.picture() == first, "the view is not what it was at first");
+    session.quit();
+}
+
+#[test]
+fn a_screenshot_is_the_window_without_the_panel() {
+    let Some(mut session) = still(&["--size", "320x240"]) else { return };
+    let window = session.picture();
+    session.key('h');
+    session.wait_for_rest();
+    assert!(session.picture() != window, "the panel is not shown");
+    session.key('s');
+    let path = session.wait_for_line("saved ");
+    let saved = image::open(&path).unwrap().to_rgb8();
+    assert_eq!(saved.dimensions(), window.dimensions());
+    let off = saved.as_raw().iter().zip(window.as_raw()).map(|(a, b)| a.abs_diff(*b)).max();
+    assert!(off <= Some(1), "{path}: the largest difference to the window is {off:?} of 255");
+    session.quit();
+}
+
+#[test]
+fn a_lost_surface_and_a_lost_device_are_made_anew() {
+    let arguments = ["--size", "320x240", "--rehearse", "surface@2", "--rehearse", "device@4", "--rehearse", "surface@6"];
+    let Some(mut session) = still(&arguments) else { return };
+    session.key('n');
+    session.key('p');
+    (0..8).for_each(|_| {
+        session.key('b');
+        session.wait_for_rest();
+    });
+    assert!(session.frames() > 8);
+    assert!(covered(&session.picture(), BACKGROUND) > 1000, "nothing is shown after the losses");
+    session.quit();
+}
+
+#[test]
+fn a_device_that_is_lost_twice_ends_the_program_with_a_clear_error() {
+    let arguments = ["--size", "200x200", "--rehearse", "device@1", "--rehearse", "device@2"];
+    let Some(session) = start(&arguments) else { return };
+    let (success, text) = session.wait_for_end();
+    assert!(!success && text.contains("error: the device was lost for the second time"), "{text}");
+}
+
+#[test]
+fn a_window_that_another_program_destroys_ends_the_viewer() {
+    let Some(session) = start(&["--size", "200x200"]) else { return };
+    session.destroy();
+    let (_, text) = session.wait_for_end();
+    assert!(!text.contains("panicked"), "{text}");
+}
+
+#[test]
+fn a_number_of_frames_is_drawn_and_timed() {
+    let Some(session) = start(&["--size", "200x200", "--frames", "5"]) else { return };
+    let (success, text) = session.wait_for_end();
+    assert!(success && text.contains("5 frames: median "), "{text}");
+}
+
+#[test]
+fn without_a_display_the_viewer_says_what_to_do() {
+    let (success, text) = session::without_display(&["view"]);
+    assert!(!success && text.contains("effigy render"), "{text}");
+}
+
+#[test]
+fn without_a_display_and_arguments_pictures_are_rendered() {
+    if common::gpu::gpu().is_none() {
+        return;
+    }
+    let (success, text) = session::without_display(&[]);
+    assert!(success && text.contains("effigy-turntable"), "{text}");
+}
