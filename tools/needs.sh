@@ -5,7 +5,7 @@ as_root() { if [ "$(id -u)" = 0 ]; then "$@"; elif command -v sudo >/dev/null; t
 # need TEST PACKAGE...: installs the packages unless the test command succeeds.
 need() {
   local present=$1; shift
-  eval "$present" >/dev/null 2>&1 && return 0
+  (set +o pipefail; eval "$present") >/dev/null 2>&1 && return 0
   command -v apt-get >/dev/null || { echo "missing: $* (Debian's names); install them with this system's package manager" >&2; return 1; }
   echo "installing $*"
   [ -n "${apt_updated:-}" ] || as_root apt-get -o DPkg::Lock::Timeout=300 update -qq

@@ -129,7 +129,7 @@ pub fn turntable(source: &Source, folder: &Path) -> anyhow::Result<()> {
     let (avatar, clips) = source.load()?;
     let player = Player::new(clips.into_iter().next().context("there is no clip")?, &avatar.skeleton);
     let gpu = Gpu::new(&crate::vulkan::GpuOptions::headless(None))?;
-    println!("no display: drawing a turntable with {}", gpu.probe.name);
+    println!("drawing a turntable with {}", gpu.probe.name);
     let color = Default::default();
     let mut renderer =
         Renderer::new(&gpu, &avatar, crate::vulkan::RendererOptions { size, color, key_bits: Default::default(), skip: true })?;
