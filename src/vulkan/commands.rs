@@ -169,8 +169,8 @@ impl Slot {
             to_host(&self.gpu, self.commands);
             device.end_command_buffer(self.commands).during("vkEndCommandBuffer")?;
             device.reset_fences(&[self.fence]).during("vkResetFences")?;
-            device.queue_submit(self.gpu.queue, &[submit], self.fence).during("vkQueueSubmit")?;
         }
+        self.gpu.submit(&[submit], self.fence)?;
         self.pending = true;
         Ok(())
     }

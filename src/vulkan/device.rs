@@ -11,7 +11,10 @@ use gpu_allocator::vulkan::{Allocator, AllocatorCreateDesc};
 use std::{
     ffi::CString,
     mem::ManuallyDrop,
-    sync::{Arc, Mutex},
+    sync::{
+        Arc, Mutex, MutexGuard,
+        atomic::{AtomicBool, Ordering},
+    },
     time::Duration,
 };
 
@@ -51,7 +54,11 @@ pub struct Gpu {
     pub half_storage: bool,
     pub labels: Option<ext::debug_utils::Device>,
     pub swapchain: Option<khr::swapchain::Device>,
-    pub instance: Instance,
+    pub instance: ManuallyDrop<Instance>,
+    /// Vulkan wants one thread at a time at a queue; renderers on one device may be on several.
+    turn: Mutex<()>,
+    /// Set when the device did not finish in time: it may still use what it was given, so nothing of it is destroyed.
+    hangs: AtomicBool,
 }
 
 impl Gpu {
@@ -76,7 +83,11 @@ impl Gpu {
             buffer_device_address: false,
             allocation_sizes: gpu_allocator::AllocationSizes::new(4 << 20, 4 << 20),
         };
-        let allocator = Allocator::new(&description).map_err(|source| Error::Allocation { what: "the allocator".into(), source })?;
+        let allocator = Allocator::new(&description).map_err(|source| {
+            // SAFETY: nothing was made from the device yet.
+            unsafe { raw.destroy_device(None) };
+            Error::Allocation { what: "the allocator".into(), source }
+        })?;
         Ok(Arc::new(Self {
             queue,
             queue_family,
@@ -87,7 +98,9 @@ impl Gpu {
             swapchain: window.then(|| khr::swapchain::Device::new(&instance.raw, &raw)),
             raw,
             probe,
-            instance,
+            instance: ManuallyDrop::new(instance),
+            turn: Mutex::new(()),
+            hangs: AtomicBool::new(false),
         }))
     }
 
@@ -110,8 +123,43 @@ impl Gpu {
     pub fn wait(&self, fence: vk::Fence, what: &'static str) -> Result<()> {
         // SAFETY: the fence is alive and of this device.
         match unsafe { self.raw.wait_for_fences(&[fence], true, PATIENCE.as_nanos() as u64) } {
-            Err(vk::Result::TIMEOUT) => Err(Error::Timeout { what, seconds: PATIENCE.as_secs() }),
+            Err(vk::Result::TIMEOUT) => {
+                self.hangs.store(true, Ordering::Relaxed);
+                Err(Error::Timeout { what, seconds: PATIENCE.as_secs() })
+            }
             result => result.during("vkWaitForFences"),
+        }
+    }
+
+    /// Waits its turn at the queue, for as long as the guard lives.
+    fn at_queue(&self) -> MutexGuard<'_, ()> {
+        self.turn.lock().unwrap_or_else(|poisoned| poisoned.into_inner())
+    }
+
+    /// Submits work and says when it is done through a fence.
+    pub fn submit(&self, work: &[vk::SubmitInfo], fence: vk::Fence) -> Result<()> {
+        let _turn = self.at_queue();
+        // SAFETY: callers pass recorded commands and free fences and semaphores of this device.
+        unsafe { self.raw.queue_submit(self.queue, work, fence) }.during("vkQueueSubmit")
+    }
+
+    /// Hands an image to a window. True where it no longer fits the window well.
+    pub fn present(&self, loader: &khr::swapchain::Device, info: &vk::PresentInfoKHR) -> std::result::Result<bool, vk::Result> {
+        let _turn = self.at_queue();
+        // SAFETY: callers pass an acquired image and a semaphore that submitted work signals.
+        unsafe { loader.queue_present(self.queue, info) }
+    }
+
+    /// Waits until the queue has done all its work, but not for ever.
+    pub fn idle(&self) -> Result<()> {
+        // SAFETY: the fence is made, used and destroyed here; a device that timed out keeps it.
+        unsafe {
+            let fence = self.raw.create_fence(&vk::FenceCreateInfo::default(), None).during("vkCreateFence")?;
+            let outcome = self.submit(&[], fence).and_then(|()| self.wait(fence, "all submitted work"));
+            if !self.hangs.load(Ordering::Relaxed) {
+                self.raw.destroy_fence(fence, None);
+            }
+            outcome
         }
     }
 
@@ -131,7 +179,7 @@ impl Gpu {
                     record(commands[0]);
                     device.end_command_buffer(commands[0]).during("vkEndCommandBuffer")?;
                     let submit = vk::SubmitInfo::default().command_buffers(&commands);
-                    device.queue_submit(self.queue, &[submit], fence).during("vkQueueSubmit")?;
+                    self.submit(&[submit], fence)?;
                     self.wait(fence, what)
                 });
                 if !matches!(submitted, Err(Error::Timeout { .. })) {
@@ -149,12 +197,17 @@ impl Gpu {
 
 impl Drop for Gpu {
     fn drop(&mut self) {
+        if self.hangs.load(Ordering::Relaxed) {
+            // Destroying a device waits for its work on some drivers, for ever: the process's end does it.
+            return;
+        }
         self.cache.save(&self.raw);
-        // SAFETY: everything made from the device holds a reference to it, so nothing but the cache and the allocator is left.
+        // SAFETY: everything made from the device holds a reference to it, so nothing but these is left.
         unsafe {
             self.cache.destroy(&self.raw);
             ManuallyDrop::drop(&mut self.allocator);
             self.raw.destroy_device(None);
+            ManuallyDrop::drop(&mut self.instance);
         }
     }
 }

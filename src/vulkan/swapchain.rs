@@ -232,8 +232,7 @@ impl Swapchain {
     pub fn present(&self, image: u32) -> Result<bool> {
         let (wait, swapchains, images) = ([self.finished[image as usize]], [self.raw], [image]);
         let info = vk::PresentInfoKHR::default().wait_semaphores(&wait).swapchains(&swapchains).image_indices(&images);
-        // SAFETY: the image was acquired, and the frame that signals the semaphore submitted.
-        match unsafe { self.loader.queue_present(self.gpu.queue, &info) } {
+        match self.gpu.present(&self.loader, &info) {
             Ok(suboptimal) => Ok(!suboptimal),
             Err(vk::Result::ERROR_OUT_OF_DATE_KHR) => Ok(false),
             Err(error) => Err(error).during("vkQueuePresentKHR"),
@@ -264,10 +263,13 @@ fn info<'a>(surface: &Surface, capabilities: &vk::SurfaceCapabilitiesKHR, [width
 impl Drop for Swapchain {
     fn drop(&mut self) {
         let device = &self.gpu.raw;
-        // SAFETY: owners drop a swapchain only when no submitted frame uses it. What is left in the queue is at most the wait of the
-        // last presentation for a frame that is done, so that waiting for it is short.
+        // What is left in the queue is at most the wait of the last presentation for a frame that is done.
+        if matches!(self.gpu.idle(), Err(Error::Timeout { .. })) {
+            tracing::warn!("the device does not finish its last frame; what belongs to the window is not freed");
+            return;
+        }
+        // SAFETY: owners drop a swapchain only when no submitted frame uses it.
         unsafe {
-            let _ = device.queue_wait_idle(self.gpu.queue);
             self.framebuffers.iter().for_each(|&framebuffer| device.destroy_framebuffer(framebuffer, None));
             self.views.iter().for_each(|&view| device.destroy_image_view(view, None));
             self.finished.iter().chain(&self.acquired).for_each(|&semaphore| device.destroy_semaphore(semaphore, None));
