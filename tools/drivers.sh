@@ -1,15 +1,16 @@
 #!/usr/bin/env bash
 # Gathers the Vulkan drivers and the validation layer that the tests run on, without a GPU, on Debian 12:
+#   mesa22       the lavapipe of Debian 12 itself
 #   mesa25       Mesa 25's lavapipe from Debian's backports, unpacked beside the system's own
 #   swiftshader  the SwiftShader in Debian's chromium: no f16 storage, subgroups of 4
 #   layers       the newer validation layer in Debian's chromium, which finds missing barriers between dispatches
-# usage: tools/drivers.sh [DEST, default target/drivers]    makes DEST/mesa25.json, DEST/swiftshader.json and DEST/layers/
+# usage: tools/drivers.sh [DEST, default target/drivers]    makes DEST/NAME.json for each, and DEST/layers/
 set -euo pipefail
 cd "$(dirname "$0")/.."
 dest=${1:-target/drivers}
 mkdir -p "$dest/layers"
 dest=$(cd "$dest" && pwd)
-[ -s "$dest/mesa25.json" ] && [ -s "$dest/swiftshader.json" ] && exit 0
+[ -s "$dest/mesa22.json" ] && [ -s "$dest/mesa25.json" ] && [ -s "$dest/swiftshader.json" ] && exit 0
 command -v apt-get >/dev/null || { echo "tools/drivers.sh needs Debian's apt-get; elsewhere run \`cargo test\` on your own drivers" >&2; exit 1; }
 
 as_root() { if [ "$(id -u)" = 0 ]; then "$@"; else sudo "$@"; fi; }
@@ -33,6 +34,7 @@ icd() { # NAME LIBRARY VERSION
   [ -s "$2" ] || { echo "$2 is missing" >&2; exit 1; }
   printf '{"file_format_version": "1.0.1", "ICD": {"api_version": "%s", "library_path": "%s"}}\n' "$3" "$2" > "$dest/$1.json"
 }
+icd mesa22 /usr/lib/x86_64-linux-gnu/libvulkan_lvp.so 1.3.230
 icd mesa25 "$dest/mesa25/usr/lib/x86_64-linux-gnu/libvulkan_lvp.so" 1.4.305
 icd swiftshader /usr/lib/chromium/libvk_swiftshader.so 1.3.0
 cat > "$dest/layers/VkLayer_khronos_validation.json" <<'JSON'

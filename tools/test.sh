@@ -1,13 +1,14 @@
 #!/usr/bin/env bash
 # Installs what the tests need, and runs all of them on every driver, with the validation layer on. Each test has a process and a time
 # limit of its own: a driver that hangs fails one test.
-# usage: tools/test.sh [DRIVER...]      DRIVER: mesa25:128 mesa25:256 mesa25:512 (vector widths) swiftshader system [default: the first four]
+# usage: tools/test.sh [DRIVER...]      DRIVER: mesa25:128 mesa25:256 mesa25:512 (vector widths) mesa22 swiftshader system
+# [default: all but system, which is whatever this machine has]
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . tools/needs.sh
 need_rust
 need 'command -v timeout' coreutils
-drivers=("$@"); [ $# -gt 0 ] || drivers=(mesa25:128 mesa25:256 mesa25:512 swiftshader)
+drivers=("$@"); [ $# -gt 0 ] || drivers=(mesa25:128 mesa25:256 mesa25:512 mesa22 swiftshader)
 tools/drivers.sh
 on_device=' features nodes splats sort raster frame devices commands window '
 limit=${EFFIGY_TEST_SECONDS:-300}
