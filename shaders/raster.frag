@@ -1,4 +1,4 @@
-// A fragment of a splat (model.md, step 10): premultiplied colour, blended "over" what lies behind.
+// A fragment of a splat (model.md, step 10): its colour and opacity, which the blender puts "over" what lies behind.
 #version 450
 layout(location = 0) in vec2 offset;
 layout(location = 1) flat in vec4 color;

@@ -7,6 +7,7 @@ pub mod commands;
 pub mod device;
 pub mod error;
 pub mod features;
+mod graphics;
 pub mod instance;
 pub mod memory;
 pub mod model;

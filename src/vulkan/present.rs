@@ -3,8 +3,8 @@
 use super::{
     device::Gpu,
     error::{During, Result},
+    graphics::{self, Attachment, Drawing},
     memory::Image,
-    pipeline::ShaderModule,
     shaders,
 };
 use ash::vk;
@@ -121,16 +121,6 @@ impl Drop for Present {
 
 /// One image of a window, drawn over whole and then shown.
 fn render_pass(gpu: &Gpu, format: vk::Format) -> Result<vk::RenderPass> {
-    let attachments = [vk::AttachmentDescription::default()
-        .format(format)
-        .samples(vk::SampleCountFlags::TYPE_1)
-        .load_op(vk::AttachmentLoadOp::DONT_CARE)
-        .store_op(vk::AttachmentStoreOp::STORE)
-        .stencil_load_op(vk::AttachmentLoadOp::DONT_CARE)
-        .stencil_store_op(vk::AttachmentStoreOp::DONT_CARE)
-        .final_layout(vk::ImageLayout::PRESENT_SRC_KHR)];
-    let color = [vk::AttachmentReference { attachment: 0, layout: vk::ImageLayout::COLOR_ATTACHMENT_OPTIMAL }];
-    let subpasses = [vk::SubpassDescription::default().pipeline_bind_point(vk::PipelineBindPoint::GRAPHICS).color_attachments(&color)];
     // The submission waits for the image at this stage, so the change of its layout has to wait there too.
     let output = vk::PipelineStageFlags::COLOR_ATTACHMENT_OUTPUT;
     let dependencies = [vk::SubpassDependency::default()
@@ -139,37 +129,12 @@ fn render_pass(gpu: &Gpu, format: vk::Format) -> Result<vk::RenderPass> {
         .src_stage_mask(output)
         .dst_stage_mask(output)
         .dst_access_mask(vk::AccessFlags::COLOR_ATTACHMENT_READ | vk::AccessFlags::COLOR_ATTACHMENT_WRITE)];
-    let info = vk::RenderPassCreateInfo::default().attachments(&attachments).subpasses(&subpasses).dependencies(&dependencies);
-    // SAFETY: `info` and all it points to outlive the call.
-    unsafe { gpu.raw.create_render_pass(&info, None) }.during("vkCreateRenderPass")
+    let attachment = Attachment { format, load: vk::AttachmentLoadOp::DONT_CARE, left: vk::ImageLayout::PRESENT_SRC_KHR };
+    graphics::render_pass(gpu, attachment, &dependencies)
 }
 
 fn pipeline(gpu: &Gpu, render_pass: vk::RenderPass, layout: vk::PipelineLayout) -> Result<vk::Pipeline> {
-    let (vertex, fragment) = (ShaderModule::new(gpu, &shaders::PRESENT_VERTEX)?, ShaderModule::new(gpu, &shaders::PRESENT_FRAGMENT)?);
-    let stage = |stage, module: &ShaderModule| vk::PipelineShaderStageCreateInfo::default().stage(stage).module(module.raw).name(c"main");
-    let stages = [stage(vk::ShaderStageFlags::VERTEX, &vertex), stage(vk::ShaderStageFlags::FRAGMENT, &fragment)];
-    let vertices = vk::PipelineVertexInputStateCreateInfo::default();
-    let assembly = vk::PipelineInputAssemblyStateCreateInfo::default().topology(vk::PrimitiveTopology::TRIANGLE_LIST);
-    let viewports = vk::PipelineViewportStateCreateInfo::default().viewport_count(1).scissor_count(1);
-    let rasterization = vk::PipelineRasterizationStateCreateInfo::default().cull_mode(vk::CullModeFlags::NONE).line_width(1.0);
-    let samples = vk::PipelineMultisampleStateCreateInfo::default().rasterization_samples(vk::SampleCountFlags::TYPE_1);
-    let replace = [vk::PipelineColorBlendAttachmentState::default().color_write_mask(vk::ColorComponentFlags::RGBA)];
-    let blend = vk::PipelineColorBlendStateCreateInfo::default().attachments(&replace);
-    let dynamic = vk::PipelineDynamicStateCreateInfo::default().dynamic_states(&[vk::DynamicState::VIEWPORT, vk::DynamicState::SCISSOR]);
-    let info = vk::GraphicsPipelineCreateInfo::default()
-        .stages(&stages)
-        .vertex_input_state(&vertices)
-        .input_assembly_state(&assembly)
-        .viewport_state(&viewports)
-        .rasterization_state(&rasterization)
-        .multisample_state(&samples)
-        .color_blend_state(&blend)
-        .dynamic_state(&dynamic)
-        .layout(layout)
-        .render_pass(render_pass);
-    // SAFETY: `info` and all it points to outlive the call.
-    let created = unsafe { gpu.raw.create_graphics_pipelines(gpu.cache.raw, &[info], None) };
-    let pipeline = created.map_err(|(_, result)| result).during("vkCreateGraphicsPipelines")?[0];
-    gpu.name(pipeline, "present");
-    Ok(pipeline)
+    let (vertex, fragment) = (&shaders::PRESENT_VERTEX, &shaders::PRESENT_FRAGMENT);
+    let replace = vk::PipelineColorBlendAttachmentState::default();
+    graphics::pipeline(gpu, Drawing { name: "present", vertex, fragment, layout, render_pass, blend: replace })
 }

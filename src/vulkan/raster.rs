@@ -3,8 +3,9 @@
 use super::{
     device::Gpu,
     error::{During, Error, Result},
+    graphics::{self, Attachment, Drawing},
     memory::{Buffer, Image},
-    pipeline::{Bindings, ShaderModule, Slice},
+    pipeline::{Bindings, Slice},
     shaders,
 };
 use crate::layout::RASTER_QUADS;
@@ -154,18 +155,8 @@ impl Drop for Raster {
     }
 }
 
-/// One colour attachment that is cleared, drawn and kept for whoever reads it next.
+/// Cleared, drawn and kept for whoever reads it next.
 fn render_pass(gpu: &Gpu, format: ColorFormat) -> Result<vk::RenderPass> {
-    let attachments = [vk::AttachmentDescription::default()
-        .format(format.vulkan())
-        .samples(vk::SampleCountFlags::TYPE_1)
-        .load_op(vk::AttachmentLoadOp::CLEAR)
-        .store_op(vk::AttachmentStoreOp::STORE)
-        .stencil_load_op(vk::AttachmentLoadOp::DONT_CARE)
-        .stencil_store_op(vk::AttachmentStoreOp::DONT_CARE)
-        .final_layout(vk::ImageLayout::SHADER_READ_ONLY_OPTIMAL)];
-    let color = [vk::AttachmentReference { attachment: 0, layout: vk::ImageLayout::COLOR_ATTACHMENT_OPTIMAL }];
-    let subpasses = [vk::SubpassDescription::default().pipeline_bind_point(vk::PipelineBindPoint::GRAPHICS).color_attachments(&color)];
     let readers = vk::PipelineStageFlags::FRAGMENT_SHADER | vk::PipelineStageFlags::TRANSFER;
     let writer =
         (vk::PipelineStageFlags::COLOR_ATTACHMENT_OUTPUT, vk::AccessFlags::COLOR_ATTACHMENT_READ | vk::AccessFlags::COLOR_ATTACHMENT_WRITE);
@@ -186,44 +177,19 @@ fn render_pass(gpu: &Gpu, format: ColorFormat) -> Result<vk::RenderPass> {
             .dst_stage_mask(readers)
             .dst_access_mask(vk::AccessFlags::SHADER_READ | vk::AccessFlags::TRANSFER_READ),
     ];
-    let info = vk::RenderPassCreateInfo::default().attachments(&attachments).subpasses(&subpasses).dependencies(&dependencies);
-    // SAFETY: `info` and all it points to outlive the call.
-    unsafe { gpu.raw.create_render_pass(&info, None) }.during("vkCreateRenderPass")
+    let left = vk::ImageLayout::SHADER_READ_ONLY_OPTIMAL;
+    graphics::render_pass(gpu, Attachment { format: format.vulkan(), load: vk::AttachmentLoadOp::CLEAR, left }, &dependencies)
 }
 
 fn pipeline(gpu: &Gpu, render_pass: vk::RenderPass, layout: vk::PipelineLayout) -> Result<vk::Pipeline> {
-    let (vertex, fragment) = (ShaderModule::new(gpu, &shaders::RASTER_VERTEX)?, ShaderModule::new(gpu, &shaders::RASTER_FRAGMENT)?);
-    let stage = |stage, module: &ShaderModule| vk::PipelineShaderStageCreateInfo::default().stage(stage).module(module.raw).name(c"main");
-    let stages = [stage(vk::ShaderStageFlags::VERTEX, &vertex), stage(vk::ShaderStageFlags::FRAGMENT, &fragment)];
-    let vertices = vk::PipelineVertexInputStateCreateInfo::default();
-    let assembly = vk::PipelineInputAssemblyStateCreateInfo::default().topology(vk::PrimitiveTopology::TRIANGLE_LIST);
-    let viewports = vk::PipelineViewportStateCreateInfo::default().viewport_count(1).scissor_count(1);
-    let rasterization = vk::PipelineRasterizationStateCreateInfo::default().cull_mode(vk::CullModeFlags::NONE).line_width(1.0);
-    let samples = vk::PipelineMultisampleStateCreateInfo::default().rasterization_samples(vk::SampleCountFlags::TYPE_1);
-    // Premultiplied "over": C = αc + (1 − α) C, and coverage likewise.
-    let over = [vk::PipelineColorBlendAttachmentState::default()
+    let (vertex, fragment) = (&shaders::RASTER_VERTEX, &shaders::RASTER_FRAGMENT);
+    // "Over": C = αc + (1 − α) C, and coverage likewise, which leaves the picture premultiplied. The fragment's colour is not, so that a
+    // blender that rounds uses one rounded alpha for both terms.
+    let over = vk::PipelineColorBlendAttachmentState::default()
         .blend_enable(true)
         .src_color_blend_factor(vk::BlendFactor::SRC_ALPHA)
         .dst_color_blend_factor(vk::BlendFactor::ONE_MINUS_SRC_ALPHA)
         .src_alpha_blend_factor(vk::BlendFactor::ONE)
-        .dst_alpha_blend_factor(vk::BlendFactor::ONE_MINUS_SRC_ALPHA)
-        .color_write_mask(vk::ColorComponentFlags::RGBA)];
-    let blend = vk::PipelineColorBlendStateCreateInfo::default().attachments(&over);
-    let dynamic = vk::PipelineDynamicStateCreateInfo::default().dynamic_states(&[vk::DynamicState::VIEWPORT, vk::DynamicState::SCISSOR]);
-    let info = vk::GraphicsPipelineCreateInfo::default()
-        .stages(&stages)
-        .vertex_input_state(&vertices)
-        .input_assembly_state(&assembly)
-        .viewport_state(&viewports)
-        .rasterization_state(&rasterization)
-        .multisample_state(&samples)
-        .color_blend_state(&blend)
-        .dynamic_state(&dynamic)
-        .layout(layout)
-        .render_pass(render_pass);
-    // SAFETY: `info` and all it points to outlive the call.
-    let created = unsafe { gpu.raw.create_graphics_pipelines(gpu.cache.raw, &[info], None) };
-    let pipeline = created.map_err(|(_, result)| result).during("vkCreateGraphicsPipelines")?[0];
-    gpu.name(pipeline, "raster");
-    Ok(pipeline)
+        .dst_alpha_blend_factor(vk::BlendFactor::ONE_MINUS_SRC_ALPHA);
+    graphics::pipeline(gpu, Drawing { name: "raster", vertex, fragment, layout, render_pass, blend: over })
 }
