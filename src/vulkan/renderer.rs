@@ -143,7 +143,9 @@ impl Renderer {
         if let Some(report) = self.slots[slot].finish()? {
             self.report = report;
         }
-        let needed = self.plan.next(posed, camera, self.options.skip);
+        // Should anything below fail, nothing of this frame counts as drawn.
+        let mut plan = std::mem::take(&mut self.plan);
+        let needed = plan.next(posed, camera, self.options.skip);
         self.write_frame(slot, posed, camera);
         self.slots[slot].begin()?;
         self.record(slot, needed);
@@ -152,6 +154,7 @@ impl Renderer {
             (presentation.acquired, presentation.finished)
         });
         self.slots[slot].submit(&self.control, semaphores)?;
+        self.plan = plan;
         self.next = (slot + 1) % SLOTS;
         Ok(())
     }
