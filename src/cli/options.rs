@@ -1,7 +1,7 @@
 //! Arguments that several commands share, and how they are written.
 
 use crate::{
-    frame::Camera,
+    frame::{Camera, Skip},
     vulkan::{GpuOptions, RendererOptions, raster::ColorFormat, sort::KeyBits},
 };
 use clap::ValueEnum;
@@ -51,6 +51,9 @@ pub struct Quality {
     /// Bits of the depth key that Gaussians are sorted by
     #[arg(long, value_enum, default_value_t = Keys::Bits24)]
     pub keys: Keys,
+    /// What to leave out where the scene doesn't need it: all, none, or names with commas between
+    #[arg(long, default_value = "all", hide_default_value = true)]
+    pub skip: Skip,
 }
 
 impl Quality {
@@ -59,7 +62,7 @@ impl Quality {
     }
 
     pub fn renderer(&self, size: [u32; 2]) -> RendererOptions {
-        RendererOptions { size, color: self.color.into(), key_bits: self.keys.into(), skip: true }
+        RendererOptions { color: self.color.into(), key_bits: self.keys.into(), skip: self.skip, ..RendererOptions::new(size) }
     }
 }
 

@@ -130,9 +130,7 @@ pub fn turntable(source: &Source, folder: &Path) -> anyhow::Result<()> {
     let player = Player::new(clips.into_iter().next().context("there is no clip")?, &avatar.skeleton);
     let gpu = Gpu::new(&crate::vulkan::GpuOptions::headless(None))?;
     println!("drawing a turntable with {}", gpu.probe.name);
-    let color = Default::default();
-    let mut renderer =
-        Renderer::new(&gpu, &avatar, crate::vulkan::RendererOptions { size, color, key_bits: Default::default(), skip: true })?;
+    let mut renderer = Renderer::new(&gpu, &avatar, crate::vulkan::RendererOptions::new(size))?;
     fs::create_dir_all(folder).with_context(|| format!("{} can't be made", folder.display()))?;
     let background = Background::Color(options::color(options::BACKGROUND).map_err(anyhow::Error::msg)?);
     let extent = Extent::new(&avatar);

@@ -4,6 +4,7 @@ pub mod camera;
 pub mod extent;
 pub mod picture;
 pub mod plan;
+pub mod skip;
 
 use crate::avatar::{Avatar, Pose};
 pub use camera::Camera;
@@ -11,6 +12,7 @@ pub use extent::Extent;
 use glam::DAffine3;
 pub use picture::Picture;
 pub use plan::{Needed, Plan};
+pub use skip::Skip;
 
 /// Added to both diagonal entries of a projected covariance, px² (model.md, step 8).
 pub const LOW_PASS: f64 = 0.3;

@@ -6,7 +6,7 @@
 use super::{bytes, error};
 use crate::{
     avatar::{Avatar, motion::Player},
-    frame::{Camera, Extent, Posed},
+    frame::{Camera, Extent, Posed, Skip},
     reference,
     vulkan::{Gpu, Renderer, RendererOptions, Result},
 };
@@ -90,7 +90,7 @@ pub type Progress<'a> = &'a mut dyn FnMut(&'static str, usize, usize);
 
 /// Measures.
 pub fn run(gpu: &Arc<Gpu>, avatar: &Avatar, player: &Player, options: RendererOptions, case: Case, progress: Progress) -> Result<Report> {
-    let mut renderer = Renderer::new(gpu, avatar, RendererOptions { skip: false, ..options })?;
+    let mut renderer = Renderer::new(gpu, avatar, RendererOptions { skip: options.skip - Skip::FRAME, ..options })?;
     let extent = Extent::new(avatar);
     let scenes: Vec<_> = (0..case.frames).map(|frame| scene(avatar, player, &extent, options.size, (frame, case))).collect();
     let (intervals, reports) = time(&mut renderer, &scenes, progress)?;

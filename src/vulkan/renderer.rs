@@ -16,7 +16,7 @@ use super::{
 };
 use crate::{
     avatar::Avatar,
-    frame::{Camera, Extent, Needed, Picture, Plan, Posed},
+    frame::{ALPHA_MIN, Camera, Extent, Needed, Picture, Plan, Posed, Skip},
     layout::{Control, Frame, POSITION_BITS, RASTER_QUADS},
 };
 use ash::vk::{self, AccessFlags, PipelineStageFlags};
@@ -32,8 +32,29 @@ pub struct RendererOptions {
     pub size: [u32; 2],
     pub color: ColorFormat,
     pub key_bits: KeyBits,
-    /// Leave out stages whose inputs did not change since the last frame.
-    pub skip: bool,
+    /// What is left out where the scene doesn't need it.
+    pub skip: Skip,
+    /// Contributions below this opacity are not drawn, at least 1/255 (model.md, step 10).
+    pub cutoff: f64,
+    /// How far behind the depth surface something is hidden, metres.
+    pub margin: f64,
+    /// Standard deviation of the median Gaussian on screen below which fewer, larger ones are drawn, px.
+    pub detail: f64,
+}
+
+impl RendererOptions {
+    /// The defaults at a size.
+    pub fn new(size: [u32; 2]) -> Self {
+        Self {
+            size,
+            color: ColorFormat::default(),
+            key_bits: KeyBits::default(),
+            skip: Skip::all(),
+            cutoff: ALPHA_MIN,
+            margin: 0.005,
+            detail: 0.5,
+        }
+    }
 }
 
 /// How a frame reaches a window: what to wait for and signal, and the commands that follow the picture.
@@ -145,7 +166,7 @@ impl Renderer {
         }
         // Should anything below fail, nothing of this frame counts as drawn.
         let mut plan = std::mem::take(&mut self.plan);
-        let needed = plan.next(posed, camera, self.options.skip);
+        let needed = plan.next(posed, camera, self.options.skip.contains(Skip::POSE));
         self.write_frame(slot, posed, camera);
         self.slots[slot].begin()?;
         self.record(slot, needed);

@@ -62,7 +62,7 @@ pub fn draw(gpu: &Arc<Gpu>, avatar: Avatar, posed: Posed, camera: Camera, option
 }
 
 pub fn options(size: [u32; 2]) -> RendererOptions {
-    RendererOptions { size, color: Default::default(), key_bits: Default::default(), skip: true }
+    RendererOptions::new(size)
 }
 
 /// To be called at the end of every test that uses a device.
