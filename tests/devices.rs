@@ -67,7 +67,7 @@ fn stages_whose_inputs_did_not_change_are_skipped() {
         (renderer.report().clone(), renderer.picture().unwrap())
     };
     let (all, first) = frame(&posed, &camera(0.0));
-    assert!(all.skipped.is_empty() && all.drawn > 100, "{all:?}");
+    assert!(all.skipped.is_empty() && all.counters.drawn > 100, "{all:?}");
     let (none, same) = frame(&posed, &camera(0.0));
     assert_eq!(none.skipped, ["features", "nodes", "splats", "sort", "raster"]);
     assert!(same == first, "a frame without changes changed the picture");

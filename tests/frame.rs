@@ -14,7 +14,7 @@ fn compare(color: ColorFormat, key_bits: KeyBits, psnr: f64, within: f64) {
         let options = RendererOptions { color, key_bits, ..gpu::options([320, 400]) };
         let frame = gpu::frame(&device, seed, Sizes::default(), options);
         let error = error::between(&frame.picture, &frame.oracle.canvas.to_picture());
-        println!("seed {seed}: {:?} drawn {}", error.covered, frame.report.drawn);
+        println!("seed {seed}: {:?} drawn {}", error.covered, frame.report.counters.drawn);
         assert!(error.covered.pixels > 5000, "the avatar is hardly in the picture");
         assert!(error.covered.psnr_db >= psnr, "seed {seed}, {color:?}, {key_bits:?}: {:?}, at least {psnr} dB expected", error.covered);
         assert!(error.covered.within_tolerance >= within, "seed {seed}, {color:?}, {key_bits:?}: {:?}", error.covered);

@@ -24,7 +24,7 @@ pub struct Facts<'a> {
     /// Each stage of the last frame that drew the avatar, milliseconds on the GPU.
     pub stages: &'a [(&'static str, f64)],
     /// Gaussians drawn, and all there are.
-    pub gaussians: (u32, usize),
+    pub gaussians: (u64, usize),
     /// Stages that the frame could leave out, since their inputs were the same.
     pub skipped: &'a [&'static str],
     pub device: &'a str,

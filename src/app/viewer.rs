@@ -286,7 +286,7 @@ fn facts<'a>(scene: &'a Scene, painter: &'a Painter, (times, memory, message): (
         times,
         moving: scene.is_moving(),
         stages: &report.stages,
-        gaussians: (report.drawn, scene.avatar().gaussians.len()),
+        gaussians: (report.counters.drawn, scene.avatar().gaussians.len()),
         skipped: &report.skipped,
         device: &probe.name,
         driver: &probe.driver,

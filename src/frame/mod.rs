@@ -1,6 +1,7 @@
 //! What a frame is, whatever draws it: where the camera stands, what the pose makes of the skeleton, how far the avatar reaches.
 
 pub mod camera;
+pub mod counters;
 pub mod extent;
 pub mod picture;
 pub mod plan;
@@ -8,6 +9,7 @@ pub mod skip;
 
 use crate::avatar::{Avatar, Pose};
 pub use camera::Camera;
+pub use counters::Counters;
 pub use extent::Extent;
 use glam::DAffine3;
 pub use picture::Picture;

@@ -94,9 +94,9 @@ pub fn run(gpu: &Arc<Gpu>, avatar: &Avatar, player: &Player, options: RendererOp
     let extent = Extent::new(avatar);
     let scenes: Vec<_> = (0..case.frames).map(|frame| scene(avatar, player, &extent, options.size, (frame, case))).collect();
     let (intervals, reports) = time(&mut renderer, &scenes, progress)?;
-    let mut drawn: Vec<u32> = reports.iter().map(|report| report.drawn).collect();
+    let mut drawn: Vec<u64> = reports.iter().map(|report| report.counters.drawn).collect();
     drawn.sort_unstable();
-    let drawn = u64::from(drawn[drawn.len() / 2]);
+    let drawn = drawn[drawn.len() / 2];
     let (used, reserved) = gpu.memory();
     let errors = check(avatar, &mut renderer, &scenes, case.checked, progress)?;
     let worst = |of: fn(&error::Error) -> f64, worse: fn(f64, f64) -> f64| errors.iter().map(of).reduce(worse);

@@ -5,7 +5,7 @@ use super::{
     error::{During, Result},
     memory::{Buffer, to_host},
 };
-use crate::layout::Control;
+use crate::{frame::Counters, layout::Control};
 use ash::vk;
 use gpu_allocator::MemoryLocation;
 use std::sync::Arc;
@@ -20,8 +20,8 @@ pub const STAGES: [&str; 6] = ["features", "nodes", "splats", "sort", "raster", 
 pub struct FrameReport {
     /// GPU time of each stage that ran, ms. Empty where the device has no timestamps.
     pub stages: Vec<(&'static str, f64)>,
-    /// Gaussians that survived culling.
-    pub drawn: u32,
+    /// What went in, what was left out and what was drawn.
+    pub counters: Counters,
     /// Stages that the frame did not need.
     pub skipped: Vec<&'static str>,
 }
@@ -87,7 +87,9 @@ impl Slot {
         self.gpu.wait(self.fence, "a frame")?;
         self.pending = false;
         let control: Control = bytemuck::pod_read_unaligned(&self.counts.mapped()[..size_of::<Control>()]);
-        Ok(Some(FrameReport { stages: self.times()?, drawn: control.survivors, skipped: self.skipped.clone() }))
+        let counters =
+            Counters { gaussians: control.entering.into(), drawn: control.survivors.into(), submitted: 1, ..Counters::default() };
+        Ok(Some(FrameReport { stages: self.times()?, counters, skipped: self.skipped.clone() }))
     }
 
     fn times(&self) -> Result<Vec<(&'static str, f64)>> {

@@ -1,0 +1,57 @@
+//! What a frame took in, left out and drew, in numbers that do not depend on how fast a device is.
+
+use serde::{Deserialize, Serialize};
+
+/// Counts of one frame. Every Gaussian that came in is either drawn or left out for one reason, the first that applies in the order of
+/// the fields. A frame that draws nothing anew leaves all counts 0.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Counters {
+    /// Gaussians of all avatars in the scene.
+    pub gaussians: u64,
+    /// Left out: outside the picture, alone or with the part or the avatar they belong to.
+    pub outside: u64,
+    /// Left out: nearer than the near plane, or behind the camera.
+    pub near: u64,
+    /// Left out: never as opaque as the cutoff.
+    pub faint: u64,
+    /// Left out: behind the depth surface.
+    pub hidden: u64,
+    /// Left out by level of detail: too small on screen to be told apart.
+    pub thinned: u64,
+    /// Drawn: sorted and rasterized.
+    pub drawn: u64,
+    /// Fragment shader invocations of the raster stage. None where the device has no pipeline statistics.
+    pub fragments: Option<u64>,
+    /// Pixels that something was drawn into. None where nobody counted them.
+    pub covered: Option<u64>,
+    /// Compute dispatches.
+    pub dispatches: u64,
+    /// Command buffers submitted: 0 for a frame that needed nothing.
+    pub submitted: u64,
+}
+
+impl Counters {
+    /// Gaussians left out, for whatever reason.
+    pub fn culled(&self) -> u64 {
+        self.outside + self.near + self.faint + self.hidden + self.thinned
+    }
+
+    /// Fragments shaded for each covered pixel. None where either is unknown or nothing is covered.
+    pub fn overdraw(&self) -> Option<f64> {
+        let (fragments, covered) = (self.fragments?, self.covered?);
+        (covered > 0).then(|| fragments as f64 / covered as f64)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn overdraw_is_unknown_where_nothing_was_counted_or_covered() {
+        let counted = Counters { fragments: Some(30), covered: Some(12), ..Counters::default() };
+        assert_eq!(counted.overdraw(), Some(2.5));
+        assert_eq!(Counters { covered: Some(0), ..counted }.overdraw(), None);
+        assert_eq!(Counters { fragments: None, ..counted }.overdraw(), None);
+    }
+}
