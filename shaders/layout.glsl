@@ -35,6 +35,12 @@ layout(std140, set = 0, binding = 0) uniform FrameBlock {
     float slope;
     uint layers;
     uint network_quads;
+    uint key_start;
+    float cutoff;
+    float margin;
+    uint surface_start;
+    vec2 surface_origin;
+    vec2 surface_scale;
     uvec2 unused;
     Layer layer[MLP_LAYERS];
     vec4 network_input[2 * INPUT_QUADS];

@@ -6,7 +6,7 @@
 #include "sort_control.glsl"
 
 layout(std430, set = 0, binding = 1) readonly buffer Order { uint order[]; };
-layout(std430, set = 0, binding = 2) readonly buffer Splats { uvec4 splats[]; };
+layout(std430, set = 0, binding = 2) readonly buffer Splats { uvec4 splats[]; };  // then the keys
 layout(std430, set = 0, binding = 3) readonly buffer ControlBuffer { Control control; };
 
 // Where in the quad, in standard deviations.
@@ -22,11 +22,14 @@ void main() {
     if (quad >= control.survivors) {
         return;
     }
-    Splat splat = unpack_splat(splats[order[quad]]);
-    float reach = sqrt(2.0 * log(float(splat.opacity)));
+    uint i = order[quad];
+    Splat splat = unpack_splat(splats[i]);
+    uint key_at = frame.key_start + i;
+    float depth = 1.0 - float(splats[key_at / 4u][key_at & 3u]) / float(frame.key_max);
+    float reach = reach_of(splat.opacity);
     offset = reach * vec2((gl_VertexIndex & 1) == 0 ? -1.0 : 1.0, (gl_VertexIndex & 2) == 0 ? -1.0 : 1.0);
     vec2 across = vec2(-splat.axis.y, splat.axis.x) * inversesqrt(dot(splat.axis, splat.axis)) * splat.shorter;
     vec2 at = splat.center + offset.x * splat.axis + offset.y * across;
-    gl_Position = vec4(2.0 * at / frame.size - 1.0, 0.0, 1.0);
+    gl_Position = vec4(2.0 * at / frame.size - 1.0, depth, 1.0);
     color = vec4(splat.color, float(splat.opacity) / 255.0);
 }

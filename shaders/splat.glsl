@@ -7,6 +7,11 @@
 
 #define LOW_PASS 0.3
 
+// How many standard deviations from its centre a Gaussian reaches the cutoff.
+float reach_of(uint opacity) {
+    return sqrt(2.0 * log(max(float(opacity) / frame.cutoff, 1.0)));
+}
+
 // `covariance` is xx, xy, yy in px²; `determinant` its determinant, worked out without cancellation.
 uvec4 pack_splat(vec2 center, vec3 covariance, float determinant, vec3 color, uint opacity) {
     float half_difference = 0.5 * (covariance.x - covariance.z);

@@ -48,6 +48,8 @@ struct Gaussian {
     vec3 log_scale;
     vec3 color;
     uint opacity;
+    // Longest axis, one standard deviation: a metre is 256, 16 steps an octave.
+    uint radius;
     uint part;
     uvec4 joint;
     vec4 joint_weight;
@@ -62,6 +64,7 @@ Gaussian load(uint i) {
     Gaussian g;
     g.position = frame.position_min.xyz + frame.position_step.xyz * vec3(a.x & 0xffffu, a.x >> 16u, a.y & 0xffffu);
     g.opacity = a.y >> 16u & 0xffu;
+    g.radius = a.y >> 24u;
     g.joint = uvec4(a.z, a.z >> 8u, a.z >> 16u, a.z >> 24u) & 0xffu;
     g.joint_weight = unpackUnorm4x8(a.w);
     g.rotation = vec4(unpackSnorm2x16(b.x), unpackSnorm2x16(b.y));
@@ -94,15 +97,39 @@ void correct(uint i, inout Gaussian g) {
                   g.node_weight.z * posed[frame.node_start + g.node.z].xyz;
 }
 
+// Whether a box on the screen is all behind the depth surface.
+bool hidden(vec2 center, float radius, float depth) {
+    uvec2 low = uvec2(clamp((center - radius - frame.surface_origin) * frame.surface_scale, 0.0, float(SURFACE_FINEST - 1u)));
+    uvec2 high = uvec2(clamp((center + radius - frame.surface_origin) * frame.surface_scale, 0.0, float(SURFACE_FINEST - 1u)));
+    uint span = max(high.x - low.x, high.y - low.y);
+    // The level on which the box meets at most five texels along each side.
+    uint level = span <= 3u ? 0u : uint(findMSB(span - 1u)) - 1u;
+    if (!(level < SURFACE_LEVELS)) {
+        return false;
+    }
+    // Levels before: a quarter less each, SURFACE_FINEST² · (1 + 1/4 + …).
+    uint start = frame.surface_start + SURFACE_FINEST * SURFACE_FINEST / 3u * 4u - (SURFACE_FINEST * SURFACE_FINEST >> (2u * level)) / 3u * 4u;
+    low >>= level;
+    high >>= level;
+    float furthest = 0.0;
+    for (uint y = low.y; y <= high.y; ++y) {
+        for (uint x = low.x; x <= high.x; ++x) {
+            uint at = start + y * (SURFACE_FINEST >> level) + x;
+            furthest = max(furthest, posed[at >> 2u][at & 3u]);
+        }
+    }
+    return depth > furthest;
+}
+
 void main() {
     uint i = gl_GlobalInvocationID.x;
     if (i >= frame.gaussians) {
         return;
     }
-    uint key_at = (4u * frame.gaussians + 63u & ~63u) + i;
+    uint key_at = frame.key_start + i;
     words[key_at] = SORT_DROPPED;
     Gaussian g = load(i);
-    if (g.opacity < 2u) {
+    if (float(g.opacity) <= frame.cutoff) {
         return;
     }
     correct(i, g);
@@ -126,6 +153,12 @@ void main() {
         return;
     }
 
+    float key = clamp((frame.key_far - p.z) * frame.key_scale, 0.0, 1.0);
+    float stretched = exp2(float(g.radius) / 16.0 - 16.0) * length(vec3(p.xy / p.z, 1.0)) * max(frame.focal.x, frame.focal.y) / p.z;
+    if (frame.surface_start > 0u && hidden(center, reach_of(g.opacity) * (stretched + sqrt(LOW_PASS)), 1.0 - key)) {
+        return;
+    }
+
     // Steps 7 and 8: J (view G R diag(s)), two rows; their products are the covariance.
     mat3 turn = rotation_matrix(normalize(g.rotation));
     vec3 scale = exp(g.log_scale);
@@ -138,8 +171,7 @@ void main() {
     // |u × v|² is the determinant of the covariance before the low-pass (Lagrange), free of cancellation for needles.
     vec3 across = cross(mu, mv);
     float determinant = dot(across, across) + LOW_PASS * (covariance.x + covariance.z - LOW_PASS);
-    float reach = sqrt(2.0 * log(float(g.opacity)));
-    vec2 extent = reach * sqrt(covariance.xz);
+    vec2 extent = reach_of(g.opacity) * sqrt(covariance.xz);
     if (!(all(greaterThan(center + extent, vec2(0.0))) && all(lessThan(center - extent, frame.size)))) {
         return;
     }
@@ -148,6 +180,5 @@ void main() {
     for (uint k = 0u; k < 4u; ++k) {
         words[4u * i + k] = packed[k];
     }
-    float key = clamp((frame.key_far - p.z) * frame.key_scale, 0.0, 1.0);
     words[key_at] = min(uint(key * float(frame.key_max)), frame.key_max);
 }

@@ -27,6 +27,14 @@ pub const SORT_DROPPED: u32 = u32::MAX;
 pub const RASTER_QUADS: u32 = 128;
 /// 16-byte vectors of a Gaussian in the model buffer, each in a plane of its own.
 pub const GAUSSIAN_PLANES: u32 = 3;
+/// Texels along each side of the depth surface as it is drawn.
+pub const SURFACE_DRAWN: u32 = 512;
+/// Texels along each side of the pyramid's finest level.
+pub const SURFACE_FINEST: u32 = SURFACE_DRAWN / 2;
+/// Levels of the depth surface's pyramid; each halves the one before.
+pub const SURFACE_LEVELS: u32 = 4;
+/// Texels of the finest level along each side of a workgroup of `surface`.
+pub const SURFACE_SIZE: u32 = 8;
 /// Bits of a splat's coordinate: a fixed-point number from −guard to guard + size.
 pub const POSITION_BITS: u32 = 20;
 
@@ -45,6 +53,10 @@ pub const MACROS: &[(&str, u32)] = &[
     ("SORT_DROPPED", SORT_DROPPED),
     ("RASTER_QUADS", RASTER_QUADS),
     ("GAUSSIAN_PLANES", GAUSSIAN_PLANES),
+    ("SURFACE_DRAWN", SURFACE_DRAWN),
+    ("SURFACE_FINEST", SURFACE_FINEST),
+    ("SURFACE_LEVELS", SURFACE_LEVELS),
+    ("SURFACE_SIZE", SURFACE_SIZE),
     ("POSITION_BITS", POSITION_BITS),
     ("INPUT_QUADS", INPUT_QUADS as u32),
     ("MLP_WIDTH", limits::MLP_WIDTH as u32),
@@ -113,6 +125,18 @@ pub struct Frame {
     pub layers: u32,
     /// Half quads of a part's network.
     pub network_quads: u32,
+    /// Where in the splats' buffer the keys start, in words.
+    pub key_start: u32,
+    /// Opacity under which nothing is drawn, of 255.
+    pub cutoff: f32,
+    /// What the depth surface is pushed back by, metres.
+    pub margin: f32,
+    /// Where in the pose buffer the pyramid starts, in words, its finest level first; 0 without a depth surface.
+    pub surface_start: u32,
+    /// Where in the picture the depth surface starts, px.
+    pub surface_origin: [f32; 2],
+    /// Texels of the pyramid's finest level in a pixel.
+    pub surface_scale: [f32; 2],
     pub unused: [u32; 2],
     pub layer: [Layer; limits::MLP_LAYERS],
     /// θ_p ⊕ θ_e as the head parts see it, then as the others do, with zeros for θ_e.

@@ -6,12 +6,14 @@
 
 pub mod file;
 pub mod motion;
+pub mod occluder;
 pub mod pose;
 pub mod skeleton;
 
 use glam::DVec3;
 use half::f16;
 pub use motion::Clip;
+pub use occluder::Occluder;
 pub use pose::{Pose, Subspace};
 pub use skeleton::Skeleton;
 

@@ -2,7 +2,7 @@
 
 use super::Camera;
 use crate::avatar::Avatar;
-use glam::{DAffine3, DVec3};
+use glam::{DAffine3, DVec2, DVec3, UVec2};
 
 /// Room for position correctives, for the Gaussians' own size, and for the joints that count too little to be looked at; metres.
 const MARGIN: f64 = 0.05;
@@ -60,6 +60,24 @@ impl Extent {
         let none = [DVec3::INFINITY, DVec3::NEG_INFINITY];
         let [min, max] = self.corners(joints).fold(none, |[min, max], corner| [min.min(corner), max.max(corner)]);
         if min.cmple(max).all() { [min - MARGIN, max + MARGIN] } else { [DVec3::ZERO; 2] }
+    }
+
+    /// Lower and upper corner of a box in the picture outside which nothing of the avatar is drawn, px. Empty where it is all outside.
+    pub fn screen(&self, joints: &[DAffine3], camera: &Camera) -> [UVec2; 2] {
+        let size = UVec2::from(camera.size).as_dvec2();
+        let (mut min, mut max) = (size, DVec2::ZERO);
+        for corner in self.corners(joints) {
+            let p = camera.view.transform_point3(corner);
+            if p.z - MARGIN < camera.near {
+                return [UVec2::ZERO, camera.size.into()];
+            }
+            let room = MARGIN * camera.focal / (p.z - MARGIN) * (1.0 + (p.truncate() / p.z).abs()) + 2.0;
+            let at = camera.project(p);
+            (min, max) = (min.min(at - room), max.max(at + room));
+        }
+        let clamp = |at: DVec2| at.clamp(DVec2::ZERO, size).as_uvec2();
+        let [min, max] = [clamp(min.floor()), clamp(max.ceil())];
+        [min.min(max), max]
     }
 
     /// Nearest and furthest distance along the camera's axis, from the near plane on; the first is always below the second.

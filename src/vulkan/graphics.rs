@@ -1,57 +1,117 @@
-//! What the two drawing stages share: a render pass with one colour attachment, and a pipeline that draws triangles to it.
+//! What the drawing stages share: a render pass with a colour attachment, a depth attachment or both, and a pipeline that draws
+//! triangles to it.
 
 use super::{
     device::Gpu,
     error::{During, Result},
-    pipeline::ShaderModule,
+    memory::DEPTH_FORMAT,
+    pipeline::{ShaderModule, specialization_entries},
     shaders::Module,
 };
 use ash::vk;
+use bytemuck::cast_slice;
 
-/// The one colour attachment of a render pass: what it holds at the start, and how it is left for whoever reads it next.
+/// An attachment of a render pass: what it holds at the start, and how it is left for whoever reads it next.
+#[derive(Clone, Copy)]
 pub(super) struct Attachment {
     pub format: vk::Format,
     pub load: vk::AttachmentLoadOp,
-    pub left: vk::ImageLayout,
+    /// None: nobody reads it, and a tiler need not write it out.
+    pub left: Option<vk::ImageLayout>,
 }
 
-pub(super) fn render_pass(gpu: &Gpu, attachment: Attachment, dependencies: &[vk::SubpassDependency]) -> Result<vk::RenderPass> {
-    let attachments = [vk::AttachmentDescription::default()
+/// A depth attachment that is cleared.
+pub(super) fn depth(left: Option<vk::ImageLayout>) -> Attachment {
+    Attachment { format: DEPTH_FORMAT, load: vk::AttachmentLoadOp::CLEAR, left }
+}
+
+fn description(attachment: Attachment, used: vk::ImageLayout) -> vk::AttachmentDescription {
+    let store = if attachment.left.is_some() { vk::AttachmentStoreOp::STORE } else { vk::AttachmentStoreOp::DONT_CARE };
+    vk::AttachmentDescription::default()
         .format(attachment.format)
         .samples(vk::SampleCountFlags::TYPE_1)
         .load_op(attachment.load)
-        .store_op(vk::AttachmentStoreOp::STORE)
+        .store_op(store)
         .stencil_load_op(vk::AttachmentLoadOp::DONT_CARE)
         .stencil_store_op(vk::AttachmentStoreOp::DONT_CARE)
-        .final_layout(attachment.left)];
-    let color = [vk::AttachmentReference { attachment: 0, layout: vk::ImageLayout::COLOR_ATTACHMENT_OPTIMAL }];
-    let subpasses = [vk::SubpassDescription::default().pipeline_bind_point(vk::PipelineBindPoint::GRAPHICS).color_attachments(&color)];
+        .final_layout(attachment.left.unwrap_or(used))
+}
+
+/// Colour comes first among the attachments.
+pub(super) fn render_pass(
+    gpu: &Gpu,
+    color: Option<Attachment>,
+    depth: Option<Attachment>,
+    dependencies: &[vk::SubpassDependency],
+) -> Result<vk::RenderPass> {
+    const COLOR: vk::ImageLayout = vk::ImageLayout::COLOR_ATTACHMENT_OPTIMAL;
+    const DEPTH: vk::ImageLayout = vk::ImageLayout::DEPTH_STENCIL_ATTACHMENT_OPTIMAL;
+    let attachments: Vec<_> =
+        color.into_iter().map(|color| description(color, COLOR)).chain(depth.into_iter().map(|depth| description(depth, DEPTH))).collect();
+    let colors = [vk::AttachmentReference { attachment: 0, layout: COLOR }];
+    let depths = vk::AttachmentReference { attachment: u32::from(color.is_some()), layout: DEPTH };
+    let mut subpass = vk::SubpassDescription::default().pipeline_bind_point(vk::PipelineBindPoint::GRAPHICS);
+    if color.is_some() {
+        subpass = subpass.color_attachments(&colors);
+    }
+    if depth.is_some() {
+        subpass = subpass.depth_stencil_attachment(&depths);
+    }
+    let subpasses = [subpass];
     let info = vk::RenderPassCreateInfo::default().attachments(&attachments).subpasses(&subpasses).dependencies(dependencies);
     // SAFETY: `info` and all it points to outlive the call.
     unsafe { gpu.raw.create_render_pass(&info, None) }.during("vkCreateRenderPass")
 }
 
-/// What a pipeline runs, and where it draws to.
-pub(super) struct Drawing {
-    pub name: &'static str,
-    pub vertex: &'static Module,
-    pub fragment: &'static Module,
-    pub layout: vk::PipelineLayout,
-    pub render_pass: vk::RenderPass,
-    pub blend: vk::PipelineColorBlendAttachmentState,
+/// What a pipeline does with depth.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Depth {
+    /// There is none.
+    Without,
+    /// Keeps the nearest.
+    Write,
+    /// Draws what is no further than what was kept.
+    Test,
 }
 
-/// Triangles of either winding, no vertex buffers, viewport and scissor set while recording.
+/// What a pipeline runs, and where it draws to.
+pub(super) struct Drawing<'a> {
+    pub name: &'static str,
+    pub vertex: &'static Module,
+    /// None draws depth only.
+    pub fragment: Option<&'static Module>,
+    /// The fragment shader's specialization constants, 0 upwards.
+    pub constants: &'a [f32],
+    pub layout: vk::PipelineLayout,
+    pub render_pass: vk::RenderPass,
+    /// None where the render pass has no colour.
+    pub blend: Option<vk::PipelineColorBlendAttachmentState>,
+    pub depth: Depth,
+    pub cull: vk::CullModeFlags,
+}
+
+/// Triangles, no vertex buffers, viewport and scissor set while recording.
 pub(super) fn pipeline(gpu: &Gpu, drawing: Drawing) -> Result<vk::Pipeline> {
-    let (vertex, fragment) = (ShaderModule::new(gpu, drawing.vertex)?, ShaderModule::new(gpu, drawing.fragment)?);
+    let vertex = ShaderModule::new(gpu, drawing.vertex)?;
+    let fragment = drawing.fragment.map(|module| ShaderModule::new(gpu, module)).transpose()?;
+    let entries = specialization_entries(cast_slice(drawing.constants));
+    let specialization = vk::SpecializationInfo::default().map_entries(&entries).data(cast_slice(drawing.constants));
     let stage = |stage, module: &ShaderModule| vk::PipelineShaderStageCreateInfo::default().stage(stage).module(module.raw).name(c"main");
-    let stages = [stage(vk::ShaderStageFlags::VERTEX, &vertex), stage(vk::ShaderStageFlags::FRAGMENT, &fragment)];
+    let mut stages = vec![stage(vk::ShaderStageFlags::VERTEX, &vertex)];
+    stages.extend(fragment.iter().map(|module| stage(vk::ShaderStageFlags::FRAGMENT, module).specialization_info(&specialization)));
     let vertices = vk::PipelineVertexInputStateCreateInfo::default();
     let assembly = vk::PipelineInputAssemblyStateCreateInfo::default().topology(vk::PrimitiveTopology::TRIANGLE_LIST);
     let viewports = vk::PipelineViewportStateCreateInfo::default().viewport_count(1).scissor_count(1);
-    let rasterization = vk::PipelineRasterizationStateCreateInfo::default().cull_mode(vk::CullModeFlags::NONE).line_width(1.0);
+    let rasterization = vk::PipelineRasterizationStateCreateInfo::default()
+        .cull_mode(drawing.cull)
+        .front_face(vk::FrontFace::COUNTER_CLOCKWISE)
+        .line_width(1.0);
     let samples = vk::PipelineMultisampleStateCreateInfo::default().rasterization_samples(vk::SampleCountFlags::TYPE_1);
-    let attachments = [drawing.blend.color_write_mask(vk::ColorComponentFlags::RGBA)];
+    let depth = vk::PipelineDepthStencilStateCreateInfo::default()
+        .depth_test_enable(drawing.depth != Depth::Without)
+        .depth_write_enable(drawing.depth == Depth::Write)
+        .depth_compare_op(vk::CompareOp::LESS_OR_EQUAL);
+    let attachments: Vec<_> = drawing.blend.iter().map(|blend| blend.color_write_mask(vk::ColorComponentFlags::RGBA)).collect();
     let blend = vk::PipelineColorBlendStateCreateInfo::default().attachments(&attachments);
     let dynamic = vk::PipelineDynamicStateCreateInfo::default().dynamic_states(&[vk::DynamicState::VIEWPORT, vk::DynamicState::SCISSOR]);
     let info = vk::GraphicsPipelineCreateInfo::default()
@@ -61,6 +121,7 @@ pub(super) fn pipeline(gpu: &Gpu, drawing: Drawing) -> Result<vk::Pipeline> {
         .viewport_state(&viewports)
         .rasterization_state(&rasterization)
         .multisample_state(&samples)
+        .depth_stencil_state(&depth)
         .color_blend_state(&blend)
         .dynamic_state(&dynamic)
         .layout(drawing.layout)

@@ -142,8 +142,9 @@ impl Image {
         // SAFETY: image and memory are fresh and fit, as the requirements say.
         unsafe { gpu.raw.bind_image_memory(raw, allocation.memory(), allocation.offset()) }.during("vkBindImageMemory")?;
         image.allocation = Some(allocation);
+        let range = if format == DEPTH_FORMAT { DEPTH } else { COLOR };
         let info =
-            vk::ImageViewCreateInfo::default().image(raw).view_type(vk::ImageViewType::TYPE_2D).format(format).subresource_range(COLOR);
+            vk::ImageViewCreateInfo::default().image(raw).view_type(vk::ImageViewType::TYPE_2D).format(format).subresource_range(range);
         // SAFETY: `info` outlives the call.
         image.view = unsafe { gpu.raw.create_image_view(&info, None) }.during("vkCreateImageView")?;
         Ok(image)
@@ -169,6 +170,11 @@ pub const COLOR: vk::ImageSubresourceRange = vk::ImageSubresourceRange {
     base_array_layer: 0,
     layer_count: 1,
 };
+
+/// 16 bits, which every device can draw to and sample.
+pub const DEPTH_FORMAT: vk::Format = vk::Format::D16_UNORM;
+/// The one level and layer of a depth image.
+const DEPTH: vk::ImageSubresourceRange = vk::ImageSubresourceRange { aspect_mask: vk::ImageAspectFlags::DEPTH, ..COLOR };
 
 fn allocate(gpu: &Gpu, name: &str, requirements: vk::MemoryRequirements, location: MemoryLocation, linear: bool) -> Result<Allocation> {
     let description =

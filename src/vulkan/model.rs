@@ -5,7 +5,7 @@
 
 use super::{device::Gpu, error::Result, memory::Buffer};
 use crate::{
-    avatar::{Activation, Avatar, Layer, Rows},
+    avatar::{Activation, Avatar, Layer, Occluder, Rows, occluder::Vertex},
     layout::{self, Frame, GAUSSIAN_PLANES},
 };
 use ash::vk;
@@ -13,27 +13,56 @@ use bytemuck::{Zeroable, cast_slice};
 use half::f16;
 use std::sync::Arc;
 
+/// An [`Occluder`] in device memory; see `shaders/surface.vert`.
+pub struct OccluderMesh {
+    pub corners: Buffer,
+    pub indices: Buffer,
+    /// Of the mesh: three a triangle.
+    pub index_count: u32,
+}
+
+impl OccluderMesh {
+    fn new(gpu: &Arc<Gpu>, avatar: &Avatar, occluder: &Occluder) -> Result<Self> {
+        let corner = |vertex: &Vertex| {
+            let [x, y, z] = avatar.gaussians.bounds.encode(vertex.position);
+            let words = [u32::from(x) | u32::from(y) << 16, u32::from(z)];
+            [words[0], words[1], u32::from_le_bytes(vertex.joint), u32::from_le_bytes(vertex.joint_weight)]
+        };
+        let corners: Vec<[u32; 4]> = occluder.vertices.iter().map(corner).collect();
+        Ok(Self {
+            corners: Buffer::with_data(gpu, "surface corners", cast_slice(&corners), vk::BufferUsageFlags::STORAGE_BUFFER)?,
+            indices: Buffer::with_data(gpu, "surface indices", cast_slice(&occluder.triangles), vk::BufferUsageFlags::INDEX_BUFFER)?,
+            index_count: 3 * occluder.triangles.len() as u32,
+        })
+    }
+}
+
 /// The model in device memory, read-only.
 pub struct Model {
     pub networks: Buffer,
     pub nodes: Buffer,
     pub gaussians: Buffer,
     pub rows: Buffer,
+    /// The avatar's solid inside.
+    pub occluder: OccluderMesh,
     /// The uniform block with all that no frame changes.
     pub constants: Box<Frame>,
 }
 
 impl Model {
-    pub fn new(gpu: &Arc<Gpu>, avatar: &Avatar) -> Result<Self> {
+    /// `occluder`: whether frames will ask for what no one can see.
+    pub fn new(gpu: &Arc<Gpu>, avatar: &Avatar, occluder: bool) -> Result<Self> {
         let mut constants = Box::new(constants(avatar));
         let networks = networks(avatar, &mut constants);
         let rows = rows(avatar, &mut constants);
+        let occluder = if occluder { Occluder::new(avatar) } else { Occluder::default() };
         let storage = vk::BufferUsageFlags::STORAGE_BUFFER;
         Ok(Self {
             networks: Buffer::with_data(gpu, "networks", cast_slice(&networks), storage)?,
             nodes: Buffer::with_data(gpu, "nodes", cast_slice(&nodes(avatar)), storage)?,
             gaussians: Buffer::with_data(gpu, "gaussians", cast_slice(&gaussians(avatar)), storage)?,
             rows: Buffer::with_data(gpu, "rows", cast_slice(&rows), storage)?,
+            occluder: OccluderMesh::new(gpu, avatar, &occluder)?,
             constants,
         })
     }
@@ -139,7 +168,12 @@ fn gaussians(avatar: &Avatar) -> Vec<[u32; 4]> {
     for part in 0..avatar.parts.len() {
         for i in avatar.parts.start[part] as usize..avatar.parts.start[part + 1] as usize {
             let [x, y, z] = g.position[i];
-            data[i] = [pair(x, y), pair(z, u16::from(g.opacity[i])), u32::from_le_bytes(g.joint[i]), u32::from_le_bytes(g.joint_weight[i])];
+            data[i] = [
+                pair(x, y),
+                pair(z, u16::from_le_bytes([g.opacity[i], radius(g.log_scale[i])])),
+                u32::from_le_bytes(g.joint[i]),
+                u32::from_le_bytes(g.joint_weight[i]),
+            ];
             let length = quaternion_length(avatar, i);
             let q = g.rotation[i].map(|v| ((v.to_f64() / length * 32767.0).round() as i16).cast_unsigned());
             let s = g.log_scale[i].map(f16::to_bits);
@@ -155,6 +189,14 @@ fn gaussians(avatar: &Avatar) -> Vec<[u32; 4]> {
     mark(blocks, &avatar.scale_rows, 1, 4);
     mark(blocks, &avatar.color_rows, 2, 5);
     data
+}
+
+/// The longest axis as `shaders/splats.comp` reads it, rounded up, with room for what skinning and correctives add.
+fn radius(log_scale: [f16; 3]) -> u8 {
+    /// A fifth.
+    const ROOM: f64 = 1.2;
+    let longest = log_scale.iter().map(|s| s.to_f64()).fold(f64::NEG_INFINITY, f64::max).exp();
+    (16.0 * (ROOM * longest).log2() + 256.0).ceil().clamp(0.0, 255.0) as u8
 }
 
 /// Sets the bit of every Gaussian that keeps a row, in word `mask` of its block, and in word `base` how many rows come before the block.

@@ -36,17 +36,30 @@ pub struct Bindings {
     pool: vk::DescriptorPool,
     pub set: vk::DescriptorSet,
     uniform: bool,
+    /// Number of the image's binding, where there is one.
+    image: u32,
 }
 
 impl Bindings {
     /// `uniform` is the ring of frame blocks; sort kernels have none.
     pub fn new(gpu: &Arc<Gpu>, stages: vk::ShaderStageFlags, uniform: Option<Slice>, storage: &[Slice]) -> Result<Self> {
+        Self::make(gpu, stages, uniform, storage, false)
+    }
+
+    /// The same, and an image with a sampler behind the buffers, which [`Kernel::set_image`] sets.
+    pub fn with_image(gpu: &Arc<Gpu>, stages: vk::ShaderStageFlags, uniform: Option<Slice>, storage: &[Slice]) -> Result<Self> {
+        Self::make(gpu, stages, uniform, storage, true)
+    }
+
+    fn make(gpu: &Arc<Gpu>, stages: vk::ShaderStageFlags, uniform: Option<Slice>, storage: &[Slice], image: bool) -> Result<Self> {
         let bind = |binding: usize, kind| {
             vk::DescriptorSetLayoutBinding::default().binding(binding as u32).descriptor_type(kind).descriptor_count(1).stage_flags(stages)
         };
         let (dynamic, plain) = (vk::DescriptorType::UNIFORM_BUFFER_DYNAMIC, vk::DescriptorType::STORAGE_BUFFER);
+        let sampled = vk::DescriptorType::COMBINED_IMAGE_SAMPLER;
         let mut bindings: Vec<_> = (1..=storage.len()).map(|binding| bind(binding, plain)).collect();
         bindings.extend(uniform.map(|_| bind(0, dynamic)));
+        bindings.extend(image.then(|| bind(storage.len() + 1, sampled)));
         let mut new = Self {
             gpu: gpu.clone(),
             set_layout: Default::default(),
@@ -54,8 +67,9 @@ impl Bindings {
             pool: Default::default(),
             set: Default::default(),
             uniform: uniform.is_some(),
+            image: storage.len() as u32 + 1,
         };
-        let sizes = [(dynamic, 1), (plain, storage.len().max(1) as u32)]
+        let sizes = [(dynamic, 1), (sampled, 1), (plain, storage.len().max(1) as u32)]
             .map(|(ty, descriptor_count)| vk::DescriptorPoolSize { ty, descriptor_count });
         // SAFETY: every structure outlives the call it is passed to; what was made before a failure is destroyed by `drop`.
         unsafe {
@@ -129,9 +143,26 @@ impl Kernel {
         Ok(Self { gpu: gpu.clone(), pipeline, bindings })
     }
 
+    /// Sets the image of bindings that have one, in `DEPTH_STENCIL_READ_ONLY_OPTIMAL`. No submitted work may use the kernel.
+    pub fn set_image(&self, sampler: vk::Sampler, image_view: vk::ImageView) {
+        let image = [vk::DescriptorImageInfo { sampler, image_view, image_layout: vk::ImageLayout::DEPTH_STENCIL_READ_ONLY_OPTIMAL }];
+        let write = vk::WriteDescriptorSet::default()
+            .dst_set(self.bindings.set)
+            .dst_binding(self.bindings.image)
+            .descriptor_type(vk::DescriptorType::COMBINED_IMAGE_SAMPLER)
+            .image_info(&image);
+        // SAFETY: the caller promises that the set is not in use; view and sampler are alive.
+        unsafe { self.gpu.raw.update_descriptor_sets(&[write], &[]) };
+    }
+
     /// Runs `groups` workgroups; none for 0.
     pub fn dispatch(&self, commands: vk::CommandBuffer, offset: u32, groups: u32) {
-        if groups == 0 {
+        self.dispatch_2d(commands, offset, [groups, 1]);
+    }
+
+    /// The same in two dimensions.
+    pub fn dispatch_2d(&self, commands: vk::CommandBuffer, offset: u32, [x, y]: [u32; 2]) {
+        if x == 0 || y == 0 {
             return;
         }
         let point = vk::PipelineBindPoint::COMPUTE;
@@ -139,7 +170,7 @@ impl Kernel {
         // SAFETY: the command buffer is recording; pipeline and set are alive and match.
         unsafe {
             self.gpu.raw.cmd_bind_pipeline(commands, point, self.pipeline);
-            self.gpu.raw.cmd_dispatch(commands, groups, 1, 1);
+            self.gpu.raw.cmd_dispatch(commands, x, y, 1);
         }
     }
 }

@@ -3,7 +3,7 @@
 use super::{
     device::Gpu,
     error::{During, Result},
-    graphics::{self, Attachment, Drawing},
+    graphics::{self, Attachment, Depth, Drawing},
     memory::Image,
     shaders,
 };
@@ -129,12 +129,21 @@ fn render_pass(gpu: &Gpu, format: vk::Format) -> Result<vk::RenderPass> {
         .src_stage_mask(output)
         .dst_stage_mask(output)
         .dst_access_mask(vk::AccessFlags::COLOR_ATTACHMENT_READ | vk::AccessFlags::COLOR_ATTACHMENT_WRITE)];
-    let attachment = Attachment { format, load: vk::AttachmentLoadOp::DONT_CARE, left: vk::ImageLayout::PRESENT_SRC_KHR };
-    graphics::render_pass(gpu, attachment, &dependencies)
+    let attachment = Attachment { format, load: vk::AttachmentLoadOp::DONT_CARE, left: Some(vk::ImageLayout::PRESENT_SRC_KHR) };
+    graphics::render_pass(gpu, Some(attachment), None, &dependencies)
 }
 
 fn pipeline(gpu: &Gpu, render_pass: vk::RenderPass, layout: vk::PipelineLayout) -> Result<vk::Pipeline> {
-    let (vertex, fragment) = (&shaders::PRESENT_VERTEX, &shaders::PRESENT_FRAGMENT);
-    let replace = vk::PipelineColorBlendAttachmentState::default();
-    graphics::pipeline(gpu, Drawing { name: "present", vertex, fragment, layout, render_pass, blend: replace })
+    let drawing = Drawing {
+        name: "present",
+        vertex: &shaders::PRESENT_VERTEX,
+        fragment: Some(&shaders::PRESENT_FRAGMENT),
+        constants: &[],
+        layout,
+        render_pass,
+        blend: Some(vk::PipelineColorBlendAttachmentState::default()),
+        depth: Depth::Without,
+        cull: vk::CullModeFlags::NONE,
+    };
+    graphics::pipeline(gpu, drawing)
 }

@@ -3,10 +3,13 @@
 use super::{
     device::Gpu,
     error::{During, Error, Result},
-    graphics::{self, Attachment, Drawing},
-    memory::{Buffer, Image},
+    graphics::{self, Attachment, Depth, Drawing},
+    memory::{Buffer, DEPTH_FORMAT, Image},
+    model::OccluderMesh,
     pipeline::{Bindings, Slice},
+    renderer::RendererOptions,
     shaders,
+    surface::SurfaceMesh,
 };
 use crate::layout::RASTER_QUADS;
 use ash::vk;
@@ -43,6 +46,8 @@ impl ColorFormat {
 struct Target {
     gpu: Arc<Gpu>,
     image: Image,
+    /// What is in front of the avatar's solid inside: used within the render pass only.
+    _depth: Image,
     framebuffer: vk::Framebuffer,
 }
 
@@ -60,12 +65,14 @@ pub struct Raster {
     pipeline: vk::Pipeline,
     bindings: Bindings,
     indices: Buffer,
+    surface: SurfaceMesh,
     target: Target,
 }
 
 impl Raster {
-    /// `order`, `splats` and `control` as the stages before leave them.
-    pub fn new(gpu: &Arc<Gpu>, frame: Slice, inputs: [Slice; 3], format: ColorFormat, size: [u32; 2]) -> Result<Self> {
+    /// `order`, `splats` with their keys, and `control` as the stages before leave them.
+    pub fn new(gpu: &Arc<Gpu>, frame: Slice, inputs: [Slice; 3], mesh: &OccluderMesh, options: &RendererOptions) -> Result<Self> {
+        let (format, size) = (options.color, options.size);
         let stages = vk::ShaderStageFlags::VERTEX;
         let bindings = Bindings::new(gpu, stages, Some(frame), &inputs)?;
         let quad = |quad: u32| [0, 1, 2, 2, 1, 3].map(|corner| (4 * quad + corner) as u16);
@@ -73,16 +80,23 @@ impl Raster {
         let indices = Buffer::with_data(gpu, "quad indices", bytemuck::cast_slice(&indices), vk::BufferUsageFlags::INDEX_BUFFER)?;
         let render_pass = render_pass(gpu, format)?;
         let target = Self::target(gpu, render_pass, format, size);
-        let pipeline = pipeline(gpu, render_pass, bindings.layout);
-        match (target, pipeline) {
-            (Ok(target), Ok(pipeline)) => Ok(Self { gpu: gpu.clone(), format, render_pass, pipeline, bindings, indices, target }),
-            (target, pipeline) => {
+        let pipeline = pipeline(gpu, render_pass, bindings.layout, options.cutoff);
+        let surface = SurfaceMesh::new(gpu, frame, mesh, render_pass, true);
+        match (target, pipeline, surface) {
+            (Ok(target), Ok(pipeline), Ok(surface)) => {
+                Ok(Self { gpu: gpu.clone(), format, render_pass, pipeline, bindings, indices, surface, target })
+            }
+            (target, pipeline, surface) => {
                 // SAFETY: nothing was submitted that uses either.
                 unsafe {
                     gpu.raw.destroy_pipeline(pipeline.as_ref().copied().unwrap_or_default(), None);
                     gpu.raw.destroy_render_pass(render_pass, None);
                 }
-                target.and(pipeline).and_then(|_| Err(Error::Call { call: "vkCreateGraphicsPipelines", result: vk::Result::ERROR_UNKNOWN }))
+                target
+                    .map(|_| ())
+                    .and(pipeline.map(|_| ()))
+                    .and(surface.map(|_| ()))
+                    .and_then(|()| Err(Error::Call { call: "vkCreateGraphicsPipelines", result: vk::Result::ERROR_UNKNOWN }))
             }
         }
     }
@@ -96,12 +110,14 @@ impl Raster {
         }
         let usage = vk::ImageUsageFlags::COLOR_ATTACHMENT | vk::ImageUsageFlags::SAMPLED | vk::ImageUsageFlags::TRANSFER_SRC;
         let image = Image::new(gpu, "target", size, format.vulkan(), usage)?;
-        let views = [image.view];
+        let usage = vk::ImageUsageFlags::DEPTH_STENCIL_ATTACHMENT | vk::ImageUsageFlags::TRANSIENT_ATTACHMENT;
+        let depth = Image::new(gpu, "target depth", size, DEPTH_FORMAT, usage)?;
+        let views = [image.view, depth.view];
         let info =
             vk::FramebufferCreateInfo::default().render_pass(render_pass).attachments(&views).width(size[0]).height(size[1]).layers(1);
         // SAFETY: `info` and all it points to outlive the call.
         let framebuffer = unsafe { gpu.raw.create_framebuffer(&info, None) }.during("vkCreateFramebuffer")?;
-        Ok(Target { gpu: gpu.clone(), image, framebuffer })
+        Ok(Target { gpu: gpu.clone(), image, _depth: depth, framebuffer })
     }
 
     /// Changes the picture's size. No submitted frame may still use the old one. On failure the old picture stays.
@@ -119,25 +135,29 @@ impl Raster {
         self.format
     }
 
-    /// Clears the picture and draws what `control` says; graphics.
-    pub fn record(&self, commands: vk::CommandBuffer, frame: u32, control: vk::Buffer) {
+    /// Clears the picture and draws what `control` says; graphics. `surface`: whether the depth surface is drawn first.
+    pub fn record(&self, commands: vk::CommandBuffer, frame: u32, control: vk::Buffer, surface: bool) {
         let [width, height] = self.target.image.size;
         let area = vk::Rect2D { offset: vk::Offset2D::default(), extent: vk::Extent2D { width, height } };
         let viewport = vk::Viewport { x: 0.0, y: 0.0, width: width as f32, height: height as f32, min_depth: 0.0, max_depth: 1.0 };
-        let clear = [vk::ClearValue::default()];
+        let depth = vk::ClearDepthStencilValue { depth: 1.0, stencil: 0 };
+        let clear = [vk::ClearValue::default(), vk::ClearValue { depth_stencil: depth }];
         let begin = vk::RenderPassBeginInfo::default()
             .render_pass(self.render_pass)
             .framebuffer(self.target.framebuffer)
             .render_area(area)
             .clear_values(&clear);
         let device = &self.gpu.raw;
-        self.bindings.bind(commands, vk::PipelineBindPoint::GRAPHICS, frame);
         // SAFETY: the command buffer is recording; every object is alive and fits the pipeline's layout and the render pass.
         unsafe {
             device.cmd_begin_render_pass(commands, &begin, vk::SubpassContents::INLINE);
-            device.cmd_bind_pipeline(commands, vk::PipelineBindPoint::GRAPHICS, self.pipeline);
             device.cmd_set_viewport(commands, 0, &[viewport]);
             device.cmd_set_scissor(commands, 0, &[area]);
+            if surface {
+                self.surface.record(commands, frame);
+            }
+            self.bindings.bind(commands, vk::PipelineBindPoint::GRAPHICS, frame);
+            device.cmd_bind_pipeline(commands, vk::PipelineBindPoint::GRAPHICS, self.pipeline);
             device.cmd_bind_index_buffer(commands, self.indices.raw, 0, vk::IndexType::UINT16);
             device.cmd_draw_indexed_indirect(commands, control, 0, 1, 0);
             device.cmd_end_render_pass(commands);
@@ -160,15 +180,17 @@ fn render_pass(gpu: &Gpu, format: ColorFormat) -> Result<vk::RenderPass> {
     let readers = vk::PipelineStageFlags::FRAGMENT_SHADER | vk::PipelineStageFlags::TRANSFER;
     let writer =
         (vk::PipelineStageFlags::COLOR_ATTACHMENT_OUTPUT, vk::AccessFlags::COLOR_ATTACHMENT_READ | vk::AccessFlags::COLOR_ATTACHMENT_WRITE);
+    let tests = vk::PipelineStageFlags::EARLY_FRAGMENT_TESTS | vk::PipelineStageFlags::LATE_FRAGMENT_TESTS;
+    let depth = vk::AccessFlags::DEPTH_STENCIL_ATTACHMENT_READ | vk::AccessFlags::DEPTH_STENCIL_ATTACHMENT_WRITE;
     let dependencies = [
         // The frame before may still be read.
         vk::SubpassDependency::default()
             .src_subpass(vk::SUBPASS_EXTERNAL)
             .dst_subpass(0)
-            .src_stage_mask(readers | writer.0)
-            .src_access_mask(vk::AccessFlags::COLOR_ATTACHMENT_WRITE)
-            .dst_stage_mask(writer.0)
-            .dst_access_mask(writer.1),
+            .src_stage_mask(readers | writer.0 | tests)
+            .src_access_mask(vk::AccessFlags::COLOR_ATTACHMENT_WRITE | vk::AccessFlags::DEPTH_STENCIL_ATTACHMENT_WRITE)
+            .dst_stage_mask(writer.0 | tests)
+            .dst_access_mask(writer.1 | depth),
         vk::SubpassDependency::default()
             .src_subpass(0)
             .dst_subpass(vk::SUBPASS_EXTERNAL)
@@ -178,11 +200,11 @@ fn render_pass(gpu: &Gpu, format: ColorFormat) -> Result<vk::RenderPass> {
             .dst_access_mask(vk::AccessFlags::SHADER_READ | vk::AccessFlags::TRANSFER_READ),
     ];
     let left = vk::ImageLayout::SHADER_READ_ONLY_OPTIMAL;
-    graphics::render_pass(gpu, Attachment { format: format.vulkan(), load: vk::AttachmentLoadOp::CLEAR, left }, &dependencies)
+    let color = Attachment { format: format.vulkan(), load: vk::AttachmentLoadOp::CLEAR, left: Some(left) };
+    graphics::render_pass(gpu, Some(color), Some(graphics::depth(None)), &dependencies)
 }
 
-fn pipeline(gpu: &Gpu, render_pass: vk::RenderPass, layout: vk::PipelineLayout) -> Result<vk::Pipeline> {
-    let (vertex, fragment) = (&shaders::RASTER_VERTEX, &shaders::RASTER_FRAGMENT);
+fn pipeline(gpu: &Gpu, render_pass: vk::RenderPass, layout: vk::PipelineLayout, cutoff: f64) -> Result<vk::Pipeline> {
     // "Over": C = αc + (1 − α) C, and coverage likewise, which leaves the picture premultiplied. The fragment's colour is not, so that a
     // blender that rounds uses one rounded alpha for both terms.
     let over = vk::PipelineColorBlendAttachmentState::default()
@@ -191,5 +213,16 @@ fn pipeline(gpu: &Gpu, render_pass: vk::RenderPass, layout: vk::PipelineLayout) 
         .dst_color_blend_factor(vk::BlendFactor::ONE_MINUS_SRC_ALPHA)
         .src_alpha_blend_factor(vk::BlendFactor::ONE)
         .dst_alpha_blend_factor(vk::BlendFactor::ONE_MINUS_SRC_ALPHA);
-    graphics::pipeline(gpu, Drawing { name: "raster", vertex, fragment, layout, render_pass, blend: over })
+    let drawing = Drawing {
+        name: "raster",
+        vertex: &shaders::RASTER_VERTEX,
+        fragment: Some(&shaders::RASTER_FRAGMENT),
+        constants: &[cutoff as f32],
+        layout,
+        render_pass,
+        blend: Some(over),
+        depth: Depth::Test,
+        cull: vk::CullModeFlags::NONE,
+    };
+    graphics::pipeline(gpu, drawing)
 }

@@ -12,7 +12,8 @@ use super::{
     pipeline::{Slice, barrier},
     raster::{ColorFormat, Raster},
     sort::{KeyBits, Sort},
-    splats::Splats,
+    splats::{Splats, key_offset},
+    surface::{PYRAMID_WORDS, Place, Surface},
 };
 use crate::{
     avatar::Avatar,
@@ -80,6 +81,7 @@ pub struct Stages {
 pub struct Renderer {
     // Slots come first: dropping them waits for the frames that use all else.
     slots: Vec<Slot>,
+    surface: Surface,
     features: Features,
     nodes: Nodes,
     splats: Splats,
@@ -103,11 +105,12 @@ const FRAME_STRIDE: usize = size_of::<Frame>().next_multiple_of(256);
 
 impl Renderer {
     pub fn new(gpu: &Arc<Gpu>, avatar: &Avatar, options: RendererOptions) -> Result<Self> {
-        let model = Model::new(gpu, avatar)?;
+        let surfaces = options.skip.intersects(Skip::HIDDEN | Skip::DEPTH);
+        let model = Model::new(gpu, avatar, surfaces)?;
         let constants = &model.constants;
         let storage = vk::BufferUsageFlags::STORAGE_BUFFER | vk::BufferUsageFlags::TRANSFER_SRC;
         let vectors = u64::from(constants.node_start) + u64::from(constants.nodes);
-        let pose = Buffer::new(gpu, "pose", 16 * vectors, storage, MemoryLocation::GpuOnly)?;
+        let pose = Buffer::new(gpu, "pose", 16 * vectors + 4 * u64::from(PYRAMID_WORDS), storage, MemoryLocation::GpuOnly)?;
         let frames = (SLOTS * FRAME_STRIDE) as u64;
         let mut frames = Buffer::new(gpu, "frames", frames, vk::BufferUsageFlags::UNIFORM_BUFFER, MemoryLocation::CpuToGpu)?;
         for slot in 0..SLOTS {
@@ -118,9 +121,10 @@ impl Renderer {
         let frame = Slice { buffer: frames.raw, offset: 0, size: size_of::<Frame>() as u64 };
         let splats = Splats::new(gpu, &model, frame, (&pose).into())?;
         let sort = Sort::new(gpu, splats.keys(), &control, constants.gaussians, options.key_bits)?;
-        let raster = Raster::new(gpu, frame, [sort.order(), splats.splats(), (&control).into()], options.color, options.size)?;
+        let raster = Raster::new(gpu, frame, [sort.order(), splats.all(), (&control).into()], &model.occluder, &options)?;
         Ok(Self {
             slots: (0..SLOTS).map(|_| Slot::new(gpu)).collect::<Result<_>>()?,
+            surface: Surface::new(gpu, frame, &model.occluder, (&pose).into())?,
             features: Features::new(gpu, &model, frame, (&pose).into())?,
             nodes: Nodes::new(gpu, &model, frame, (&pose).into())?,
             splats,
@@ -167,9 +171,9 @@ impl Renderer {
         // Should anything below fail, nothing of this frame counts as drawn.
         let mut plan = std::mem::take(&mut self.plan);
         let needed = plan.next(posed, camera, self.options.skip.contains(Skip::POSE));
-        self.write_frame(slot, posed, camera);
+        let surface = self.write_frame(slot, posed, camera);
         self.slots[slot].begin()?;
-        self.record(slot, needed);
+        self.record(slot, needed, surface);
         let semaphores = presentation.map(|presentation| {
             self.slots[slot].stage("present", presentation.record);
             (presentation.acquired, presentation.finished)
@@ -181,9 +185,9 @@ impl Renderer {
     }
 
     /// The frame: which stages run, in which order, and what each waits for.
-    fn record(&mut self, slot: usize, needed: Needed) {
+    fn record(&mut self, slot: usize, needed: Needed, place: Option<Place>) {
         let frame = (slot * FRAME_STRIDE) as u32;
-        let Self { slots, features, nodes, splats, sort, raster, control, gpu, .. } = self;
+        let Self { slots, options, surface, features, nodes, splats, sort, raster, control, gpu, .. } = self;
         let slot = &mut slots[slot];
         let commands = slot.commands;
         let compute = PipelineStageFlags::COMPUTE_SHADER;
@@ -202,20 +206,28 @@ impl Renderer {
             slot.skip("nodes");
         }
         if needed.view {
+            if let Some(place) = place.as_ref().filter(|_| options.skip.contains(Skip::HIDDEN)) {
+                slot.stage("surface", |commands| surface.record(commands, frame, place));
+                barrier(gpu, commands, written, shared);
+            }
             slot.stage("splats", |commands| splats.record(commands, frame));
             barrier(gpu, commands, written, shared);
             slot.stage("sort", |commands| sort.record(commands));
             let draw = PipelineStageFlags::DRAW_INDIRECT | PipelineStageFlags::VERTEX_SHADER | PipelineStageFlags::TRANSFER;
             let reads = AccessFlags::INDIRECT_COMMAND_READ | AccessFlags::SHADER_READ | AccessFlags::TRANSFER_READ;
             barrier(gpu, commands, written, (draw, reads));
-            slot.stage("raster", |commands| raster.record(commands, frame, control.raw));
+            slot.stage("raster", |commands| {
+                raster.record(commands, frame, control.raw, place.is_some() && options.skip.contains(Skip::DEPTH))
+            });
         } else {
             ["splats", "sort", "raster"].into_iter().for_each(|stage| slot.skip(stage));
         }
     }
 
-    /// Fills the frame's uniform block.
-    fn write_frame(&mut self, slot: usize, posed: &Posed, camera: &Camera) {
+    /// Fills the frame's uniform block, and says where the depth surface is worth drawing.
+    fn write_frame(&mut self, slot: usize, posed: &Posed, camera: &Camera) -> Option<Place> {
+        let any = self.model.occluder.index_count > 0 && self.options.skip.intersects(Skip::HIDDEN | Skip::DEPTH);
+        let place = any.then(|| Place::new(camera.size, self.extent.screen(&posed.joints, camera)));
         let depth = self.extent.depth(&posed.joints, camera);
         let guard = camera.guard();
         let [low, high] = camera.derivative_limits();
@@ -231,6 +243,12 @@ impl Renderer {
         block.key_far = depth[1] as f32;
         block.key_scale = (1.0 / (depth[1] - depth[0])) as f32;
         block.key_max = self.options.key_bits.largest();
+        block.key_start = (key_offset(block.gaussians) / 4) as u32;
+        block.cutoff = (255.0 * self.options.cutoff) as f32;
+        block.margin = self.options.margin as f32;
+        let hides = place.filter(|_| self.options.skip.contains(Skip::HIDDEN));
+        block.surface_start = if hides.is_some() { 4 * (block.node_start + block.nodes) } else { 0 };
+        hides.inspect(|place| place.write(block));
         block.fixed_scale = fixed_scale(guard) as f32;
         let expression = posed.input.len() - posed.expression;
         for (at, &value) in posed.input.iter().enumerate() {
@@ -240,6 +258,7 @@ impl Renderer {
         for (rows, joint) in block.joint.iter_mut().zip(&posed.joints) {
             *rows = matrix_rows(camera.view * *joint);
         }
+        place
     }
 
     /// Waits for every submitted frame.

@@ -59,10 +59,16 @@ pub static PRESENT_VERTEX: Module =
 pub static PRESENT_FRAGMENT: Module =
     Module { file: "present.frag", spirv: include_bytes!("../../shaders/spv/present.frag.spv"), half: None };
 
+pub static SURFACE: Module = Module { file: "surface.comp", spirv: include_bytes!("../../shaders/spv/surface.comp.spv"), half: None };
+pub static SURFACE_VERTEX: Module =
+    Module { file: "surface.vert", spirv: include_bytes!("../../shaders/spv/surface.vert.spv"), half: None };
+
 /// Every module, for the compiler and the tests.
 pub static MODULES: &[&Module] = &[
     &FEATURES,
     &NODES,
+    &SURFACE,
+    &SURFACE_VERTEX,
     &SPLATS,
     &SORT_COUNT,
     &SORT_SCAN,

@@ -37,6 +37,11 @@ impl Splats {
         Slice { buffer: self.buffer.raw, offset: 0, size: (16 * u64::from(self.count)).max(16) }
     }
 
+    /// Splats, then the keys.
+    pub fn all(&self) -> Slice {
+        (&self.buffer).into()
+    }
+
     /// A 32-bit key a Gaussian, larger is nearer; `SORT_DROPPED` for those that were culled.
     pub fn keys(&self) -> Slice {
         Slice { buffer: self.buffer.raw, offset: key_offset(self.count), size: (4 * u64::from(self.count)).max(4) }

@@ -1,0 +1,23 @@
+// A corner of the depth surface: the avatar's solid inside, skinned as a Gaussian is (model.md, step 6) and pushed back by the margin.
+// Depth is linear from the nearest key, 0, to the furthest, 1: the same numbers that splats are sorted by.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+#include "layout.glsl"
+
+// A corner: position in 16-bit coordinates (x y, z), joints, weights.
+layout(std430, set = 0, binding = 1) readonly buffer Corners { uvec4 corners[]; };
+
+void main() {
+    uvec4 corner = corners[gl_VertexIndex];
+    vec4 x = vec4(frame.position_min.xyz + frame.position_step.xyz * vec3(corner.x & 0xffffu, corner.x >> 16u, corner.y), 1.0);
+    uvec4 joint = uvec4(corner.z, corner.z >> 8u, corner.z >> 16u, corner.z >> 24u) & 0xffu;
+    vec4 weight = unpackUnorm4x8(corner.w);
+    vec3 p = vec3(0.0);
+    for (uint k = 0u; k < 4u; ++k) {
+        uint at = 3u * joint[k];
+        p += weight[k] * vec3(dot(frame.joint[at], x), dot(frame.joint[at + 1u], x), dot(frame.joint[at + 2u], x));
+    }
+    vec2 at = frame.focal * p.xy + frame.center * p.z;
+    float depth = 1.0 - (frame.key_far - p.z - frame.margin) * frame.key_scale;
+    gl_Position = vec4(2.0 * at / frame.size - p.z, depth * p.z, p.z);
+}
