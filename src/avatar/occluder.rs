@@ -23,6 +23,8 @@ const SHELL: usize = 4;
 const CLOSE: usize = 2;
 /// Voxels that the outside then regains.
 const REACH: usize = 8;
+/// How far from a corner the nearest Gaussian may be, in voxels: the shell's inner half and what peeling rounds.
+const REACHED: f64 = 3.0;
 /// Neighbours that a vertex is put between.
 const NEIGHBORS: usize = 6;
 
@@ -57,8 +59,11 @@ impl Occluder {
         let Some(grid) = Grid::around(&points, spacing(&tree, &points)) else { return Self::default() };
         let solid = grid.solid(&points);
         let (corners, triangles) = grid.surface(&solid);
-        let vertices = corners.iter().map(|&corner| vertex(avatar, &opaque, &points, &tree, corner, grid.side)).collect();
-        Self { vertices, triangles }
+        let vertices: Vec<_> = corners.iter().map(|&corner| vertex(avatar, &opaque, &points, &tree, corner, grid.side)).collect();
+        // A corner with no Gaussian near it covers an opening: nothing is opaque there.
+        let triangles = triangles.into_iter().filter(|corners| corners.iter().all(|&corner| vertices[corner as usize].is_some())).collect();
+        let nowhere = Vertex { position: grid.min, joint: [0; 4], joint_weight: [255, 0, 0, 0], node: [0; 3] };
+        Self { vertices: vertices.into_iter().map(|vertex| vertex.unwrap_or(nowhere)).collect(), triangles }
     }
 }
 
@@ -73,9 +78,12 @@ fn spacing(tree: &ImmutableKdTree<f64, 3>, points: &[[f64; 3]]) -> f64 {
 }
 
 /// Pulls a corner of the mesh to the Gaussians around it, and gives it what moves them.
-fn vertex(avatar: &Avatar, opaque: &[u32], points: &[[f64; 3]], tree: &ImmutableKdTree<f64, 3>, corner: DVec3, side: f64) -> Vertex {
+fn vertex(avatar: &Avatar, opaque: &[u32], points: &[[f64; 3]], tree: &ImmutableKdTree<f64, 3>, corner: DVec3, side: f64) -> Option<Vertex> {
     let count = const { NonZero::new(NEIGHBORS).unwrap() };
     let near = tree.nearest_n::<SquaredEuclidean>(&corner.to_array(), count);
+    if near[0].distance.sqrt() > REACHED * side {
+        return None;
+    }
     let middle = near.iter().map(|found| DVec3::from(points[found.item as usize])).sum::<DVec3>() / near.len() as f64;
     let mut weight = [0u32; limits::JOINTS];
     for found in &near {
@@ -85,9 +93,7 @@ fn vertex(avatar: &Avatar, opaque: &[u32], points: &[[f64; 3]], tree: &Immutable
         }
     }
     let (joint, joint_weight) = strongest(&weight);
-    // Between thin walls the nearest Gaussians may be on both sides: then the corner stays where it is.
-    let position = if middle.distance(corner) < 3.0 * side { middle } else { corner };
-    Vertex { position, joint, joint_weight, node: avatar.gaussians.node[opaque[near[0].item as usize] as usize] }
+    Some(Vertex { position: middle, joint, joint_weight, node: avatar.gaussians.node[opaque[near[0].item as usize] as usize] })
 }
 
 /// The four largest weights, scaled to a sum of 255.
