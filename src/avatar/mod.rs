@@ -7,6 +7,7 @@
 pub mod file;
 pub mod motion;
 pub mod pose;
+pub mod prune;
 pub mod skeleton;
 
 use glam::DVec3;

@@ -15,6 +15,7 @@ pub mod nodes;
 pub mod picture;
 pub mod pipeline;
 pub mod present;
+pub mod preset;
 pub mod probe;
 pub mod raster;
 pub mod renderer;
