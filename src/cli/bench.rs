@@ -41,9 +41,9 @@ pub struct Args {
     /// Draw a sweep's times against its errors, to an .svg or a .png; sweeps all knobs unless --sweep says which
     #[arg(long, value_name = "FILE", value_parser = output::pareto)]
     pareto: Vec<Pareto>,
-    /// Frames to time, spread over the clip
-    #[arg(long, default_value_t = 48)]
-    frames: usize,
+    /// Frames to time, spread over the clip [default: 48, in each round of a sweep 24]
+    #[arg(long)]
+    frames: Option<usize>,
     /// Frames to draw before the clock starts
     #[arg(long, default_value_t = 3)]
     warm_up: usize,
@@ -119,7 +119,7 @@ struct Job {
 
 impl Args {
     fn job(&self) -> anyhow::Result<Job> {
-        ensure!(self.frames > 0 && self.views > 0, "nothing to measure: give --frames and --views of at least 1");
+        ensure!(self.frames != Some(0) && self.views > 0, "nothing to measure: give --frames and --views of at least 1");
         ensure!(self.rounds > 0, "nothing to measure: give --rounds of at least 1");
         ensure!((0.0..=1.0).contains(&self.rows), "--rows {} is no share: give 0 to 1", self.rows);
         let knobs = self.sweep.clone().or((!self.pareto.is_empty()).then(all_knobs)).map_or(Vec::new(), |knobs| knobs.0);
@@ -128,7 +128,7 @@ impl Args {
         if cases.is_empty() && knobs.is_empty() {
             cases.push(Case::Full);
         }
-        for case in cases.iter().filter(|case| case.actors() > Drawer::ACTORS) {
+        if let Some(case) = cases.iter().find(|case| case.actors() > Drawer::ACTORS) {
             anyhow::bail!("the case `{case}` has {} avatars, this renderer draws {} in a scene", case.actors(), Drawer::ACTORS);
         }
         let held = self.pose_rate.is_some_and(|hold| hold > 1) || knobs.contains(&Knob::PoseRate);
@@ -146,7 +146,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     let job = args.job()?;
     let (avatar, clips) = args.source.load()?;
     let player = Player::new(clips.into_iter().next().context("there is no clip")?, &avatar.skeleton);
-    let (frames, views) = (args.frames, args.views);
+    let (frames, views) = (args.frames.unwrap_or(48), args.views);
     let (checked, flip, warm_up) = (args.check, args.flip, args.warm_up);
     let task = Task { avatar: &avatar, player: &player, cameras: &[], frames, views, checked, flip, warm_up };
     let mut devices = Devices::new(args.quality.gpu());
@@ -171,7 +171,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     }
     if !job.knobs.is_empty() {
         let what = Sweep { case: job.sweep_case, knobs: &job.knobs, rounds: args.rounds, base: job.setting };
-        report.sweep = Some(sweep(&mut devices, &task, &what, &mut show)?);
+        report.sweep = Some(sweep(&mut devices, &Task { frames: args.frames.unwrap_or(24), ..task }, &what, &mut show)?);
     }
     bar.finish_and_clear();
     if let Some(sweep) = report.sweep.as_ref().filter(|_| !quiet) {

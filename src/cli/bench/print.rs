@@ -99,12 +99,13 @@ fn error(error: &ErrorReport) {
 /// A sweep's points, those that nothing beats with a star.
 pub fn sweep(sweep: &SweepReport) {
     println!("\nsweep of the case `{}`: {} frames, {} rounds in turn; * on the Pareto front", sweep.case, sweep.frames, sweep.rounds);
-    println!("  {:22}{:>11}{:>9}{:>11}{:>11}{:>9}{:>11}", "", "frame ms", "ratio", "error", "at most", "right", "drawn");
+    println!("  {:22}{:>11}{:>8}{:>15}{:>11}{:>11}{:>9}{:>11}", "", "frame ms", "ratio", "in rounds", "error", "at most", "right", "drawn");
     for point in &sweep.points {
         let name = format!("{} {}", point.knob, point.value);
         let drawn = point.counters.get("drawn").map_or("–".to_owned(), |&drawn| number(drawn.round()));
+        let range = format!("{:.3}–{:.3}", point.time_ratio_range[0], point.time_ratio_range[1]);
         println!(
-            "{} {name:22}{:11.3}{:9.3}{:>11}{:11.4}{:>8.3}%{drawn:>11}",
+            "{} {name:22}{:11.3}{:8.3}{range:>15}{:>11}{:11.4}{:>8.3}%{drawn:>11}",
             if point.on_front { "*" } else { " " },
             point.frame_ms,
             point.time_ratio,

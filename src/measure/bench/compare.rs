@@ -153,6 +153,7 @@ mod tests {
             value: text("16"),
             measured_ms: ms,
             time_ratio: 0.5,
+            time_ratio_range: [0.4, 0.6],
             frame_ms: ms,
             gpu_ms: Some(ms),
             counters,

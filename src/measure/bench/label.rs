@@ -1,11 +1,12 @@
-//! Where to write names beside points so that they can be read. In: the points, the size of each name and the picture. Out: the upper
+//! Where to write names beside points so that they can be read. In: the points, the size of each name, what else is in the way
+//! and the picture. Out: the upper
 //! left corner of each name.
 
 /// Room between a point and its name, px.
-const GAP: i32 = 8;
+const GAP: i32 = 12;
 
 /// A rectangle in a picture: left, top, right, bottom; px.
-type Rectangle = [i32; 4];
+pub type Rectangle = [i32; 4];
 
 /// How many pixels two rectangles share.
 fn shared(a: Rectangle, b: Rectangle) -> i64 {
@@ -17,9 +18,9 @@ fn area(a: Rectangle) -> i64 {
     i64::from(a[2] - a[0]) * i64::from(a[3] - a[1])
 }
 
-/// Places names in the order given: each takes the nearest place around its point, with the least of other names, points and the
-/// outside under it.
-pub fn place(points: &[(i32, i32)], sizes: &[(i32, i32)], frame: Rectangle) -> Vec<(i32, i32)> {
+/// Places names in the order given: each takes the nearest place around its point, with the least of other names, points,
+/// obstacles and the outside under it.
+pub fn place(points: &[(i32, i32)], sizes: &[(i32, i32)], obstacles: &[Rectangle], frame: Rectangle) -> Vec<(i32, i32)> {
     let marks: Vec<Rectangle> = points.iter().map(|&(x, y)| [x - 5, y - 5, x + 6, y + 6]).collect();
     let mut placed: Vec<Rectangle> = Vec::with_capacity(points.len());
     for (&(x, y), &(width, height)) in points.iter().zip(sizes) {
@@ -27,7 +28,7 @@ pub fn place(points: &[(i32, i32)], sizes: &[(i32, i32)], frame: Rectangle) -> V
         let cost = |&(step, (left, top)): &(i32, (i32, i32))| {
             let name = [left, top, left + width, top + height];
             let outside = area(name) - shared(name, frame);
-            let covered: i64 = placed.iter().chain(&marks).map(|&other| shared(name, other)).sum();
+            let covered: i64 = placed.iter().chain(&marks).chain(obstacles).map(|&other| shared(name, other)).sum();
             20 * (covered + outside) + 30 * i64::from(step)
         };
         let (left, top) = candidates.min_by_key(cost).map_or((x + GAP, y - height / 2), |(_, corner)| corner);
@@ -51,8 +52,15 @@ mod tests {
     #[test]
     fn a_lone_name_stands_right_of_its_point_and_at_the_edge_left_of_it() {
         let frame = [0, 0, 200, 100];
-        assert_eq!(place(&[(50, 50)], &[(40, 10)], frame), [(58, 45)]);
-        assert_eq!(place(&[(190, 50)], &[(40, 10)], frame)[0].0 + 40, 190 - GAP);
+        assert_eq!(place(&[(50, 50)], &[(40, 10)], &[], frame), [(62, 45)]);
+        assert_eq!(place(&[(190, 50)], &[(40, 10)], &[], frame)[0].0 + 40, 190 - GAP);
+    }
+
+    #[test]
+    fn a_name_keeps_clear_of_a_line_through_its_point() {
+        let line = [0, 49, 200, 52];
+        let [(left, top)] = place(&[(50, 50)], &[(40, 10)], &[line], [0, 0, 200, 100])[..] else { panic!("one name, one place") };
+        assert_eq!(shared([left, top, left + 40, top + 10], line), 0);
     }
 
     proptest! {
@@ -62,7 +70,7 @@ mod tests {
             points.sort_unstable();
             points.dedup();
             let sizes = vec![(80, 14); points.len()];
-            let corners = place(&points, &sizes, [0, 0, 900, 460]);
+            let corners = place(&points, &sizes, &[], [0, 0, 900, 460]);
             let names: Vec<Rectangle> = corners.iter().map(|&(x, y)| [x, y, x + 80, y + 14]).collect();
             for (at, &name) in names.iter().enumerate() {
                 prop_assert!(names[at + 1..].iter().all(|&other| shared(name, other) == 0), "{names:?}");

@@ -62,7 +62,7 @@ fn report(
         frames,
         frame_ms,
         fps: if frame_ms.mean > 0.0 { 1e3 / frame_ms.mean } else { 0.0 },
-        gpu_ms: Spread::of(reports.iter().map(FrameReport::gpu_ms).collect()).filter(|_| timed),
+        gpu_ms: Spread::of(reports.iter().map(gpu_ms).collect()).filter(|_| timed),
         bytes: mean(|stage| stage.bytes),
         bytes_floor: mean(|stage| stage.bytes_floor),
         covered_pixels: covered,
@@ -73,6 +73,11 @@ fn report(
         gpu_memory_used_bytes: used,
         error: checked.error,
     }
+}
+
+/// GPU time of a frame, ms. The sum over no stages is −0, which reads badly.
+pub fn gpu_ms(report: &FrameReport) -> f64 {
+    report.gpu_ms() + 0.0
 }
 
 /// Each count's mean over the frames. A count that some frame lacks is left out.

@@ -3,7 +3,7 @@
 
 use super::{
     knob::Knob,
-    label,
+    label::{self, Rectangle},
     report::{Point, SweepReport},
     sweep::BASE,
 };
@@ -31,6 +31,8 @@ static COLORS: [RGBColor; Knob::ALL.len()] = [
     RGBColor(150, 150, 20),
     RGBColor(90, 110, 160),
 ];
+/// Points further than this under the best finite PSNR stand at the lower edge, with their PSNR in their name, dB.
+const DEEP: f64 = 20.0;
 /// Added to the best finite PSNR for points that have no error at all, dB.
 const PERFECT: f64 = 3.0;
 
@@ -73,13 +75,14 @@ fn draw<B: DrawingBackend>(area: Area<B>, sweep: &SweepReport, title: &str) -> R
     let mut points: Vec<&Point> = sweep.points.iter().filter(|point| point.error.frames > 0 && point.frame_ms.is_finite()).collect();
     points.sort_by_key(|point| (point.knob != BASE, point.knob != Knob::Preset.name(), !point.on_front));
     let psnr = points.iter().filter_map(|point| point.error.psnr_db);
-    let perfect = psnr.clone().reduce(f64::max).unwrap_or(0.0) + PERFECT;
-    let heights: Vec<f64> = points.iter().map(|point| point.error.psnr_db.unwrap_or(perfect)).collect();
+    let best = psnr.reduce(f64::max).unwrap_or(0.0);
+    let height = |point: &&Point| point.error.psnr_db.unwrap_or(best + PERFECT).max(best - DEEP);
+    let heights: Vec<f64> = points.iter().map(height).collect();
     let (left, right) = range(points.iter().map(|point| point.frame_ms), 0.02).ok_or(Fault::Nothing)?;
     let (bottom, top) = range(heights.iter().copied(), 0.5).ok_or(Fault::Nothing)?;
     area.fill(&WHITE).map_err(drawing)?;
     let heading = TextStyle::from((FONT, 24)).color(&INK);
-    let below = area.titled(title, heading).map_err(drawing)?;
+    let below = area.margin(14, 0, 0, 0).titled(title, heading).map_err(drawing)?;
     let mut chart = ChartBuilder::on(&below)
         .margin(16)
         .x_label_area_size(56)
@@ -99,28 +102,55 @@ fn draw<B: DrawingBackend>(area: Area<B>, sweep: &SweepReport, title: &str) -> R
         .draw()
         .map_err(drawing)?;
     let front = staircase(points.iter().zip(&heights).filter(|(point, _)| point.on_front).map(|(point, &height)| (point.frame_ms, height)));
-    chart.draw_series(LineSeries::new(front, FRONT.stroke_width(2))).map_err(drawing)?;
+    chart.draw_series(LineSeries::new(front.iter().copied(), FRONT.stroke_width(2))).map_err(drawing)?;
     let (frame_x, frame_y) = chart.plotting_area().get_pixel_range();
     let at = |(point, &height): (&&Point, &f64)| chart.plotting_area().map_coordinate(&(point.frame_ms, height));
     let places: Vec<(i32, i32)> = points.iter().zip(&heights).map(at).collect();
-    marks(&area, &points, &places, [frame_x.start, frame_y.start, frame_x.end, frame_y.end])?;
+    let line: Vec<(i32, i32)> = front.iter().map(|point| chart.plotting_area().map_coordinate(point)).collect();
+    let points: Vec<Named> =
+        points.iter().zip(places).map(|(point, place)| Named { name: name(point, best - DEEP), point, place }).collect();
+    marks(&area, &points, &obstacles(&line), [frame_x.start, frame_y.start, frame_x.end, frame_y.end])?;
     area.present().map_err(drawing)
 }
 
-/// The points and their names.
-fn marks<B: DrawingBackend>(area: &Area<B>, points: &[&Point], places: &[(i32, i32)], frame: [i32; 4]) -> Result<(), Fault> {
-    let special = |point: &Point| point.knob == BASE || point.knob == Knob::Preset.name();
-    let style = |point: &Point| TextStyle::from((FONT, if special(point) { 22 } else { 16 })).color(color(point));
-    let name = |point: &Point| match point {
-        point if special(point) && point.error.psnr_db.is_none() => format!("{} {}: no error", point.knob, point.value),
-        point => format!("{} {}", point.knob, point.value).trim().to_owned(),
+/// A point, where it is in the picture and what is written beside it.
+struct Named<'a> {
+    point: &'a Point,
+    place: (i32, i32),
+    name: String,
+}
+
+/// Knob and value, and the PSNR of a point that does not stand at its own height.
+fn name(point: &Point, lowest: f64) -> String {
+    let name = format!("{} {}", point.knob, point.value).trim().to_owned();
+    match point.error.psnr_db {
+        None => name + ": no error",
+        Some(psnr) if psnr < lowest => format!("{name}: {psnr:.1} dB"),
+        Some(_) => name,
+    }
+}
+
+/// A line as narrow rectangles.
+fn obstacles(line: &[(i32, i32)]) -> Vec<Rectangle> {
+    let narrow = |pair: &[(i32, i32)]| {
+        let ((ax, ay), (bx, by)) = (pair[0], pair[1]);
+        [ax.min(bx) - 2, ay.min(by) - 2, ax.max(bx) + 3, ay.max(by) + 3]
     };
-    let size = |point: &&Point| area.estimate_text_size(&name(point), &style(point)).map(|(width, height)| (width as i32, height as i32));
+    line.windows(2).map(narrow).collect()
+}
+
+/// The points and their names.
+fn marks<B: DrawingBackend>(area: &Area<B>, points: &[Named], obstacles: &[Rectangle], frame: Rectangle) -> Result<(), Fault> {
+    let special = |point: &Point| point.knob == BASE || point.knob == Knob::Preset.name();
+    let style = |point: &Point| TextStyle::from((FONT, if special(point) { 22 } else { 17 })).color(color(point));
+    let size =
+        |named: &Named| area.estimate_text_size(&named.name, &style(named.point)).map(|(width, height)| (width as i32, height as i32));
     let sizes = points.iter().map(size).collect::<Result<Vec<_>, _>>().map_err(drawing)?;
-    let corners = label::place(places, &sizes, frame);
-    for (at, point) in points.iter().enumerate() {
-        let ((x, y), color) = (places[at], color(point));
-        let ((left, top), (width, height)) = (corners[at], sizes[at]);
+    let places: Vec<_> = points.iter().map(|named| named.place).collect();
+    let corners = label::place(&places, &sizes, obstacles, frame);
+    for ((named, corner), (width, height)) in points.iter().zip(corners).zip(sizes) {
+        let (point, (x, y), (left, top)) = (named.point, named.place, corner);
+        let color = color(point);
         let nearest = (x.clamp(left, left + width), y.clamp(top, top + height));
         if (nearest.0 - x).abs().max((nearest.1 - y).abs()) > 14 {
             area.draw(&PathElement::new([(x, y), nearest], color.mix(0.4))).map_err(drawing)?;
@@ -134,7 +164,7 @@ fn marks<B: DrawingBackend>(area: &Area<B>, points: &[&Point], places: &[(i32, i
         if point.on_front {
             area.draw(&Circle::new((x, y), if special(point) { 12 } else { 8 }, FRONT.stroke_width(2))).map_err(drawing)?;
         }
-        area.draw_text(&name(point), &style(point), (left, top)).map_err(drawing)?;
+        area.draw_text(&named.name, &style(point), corner).map_err(drawing)?;
     }
     Ok(())
 }
@@ -174,6 +204,7 @@ mod tests {
             value: value.to_owned(),
             measured_ms: frame_ms,
             time_ratio: 1.0,
+            time_ratio_range: [1.0; 2],
             frame_ms,
             gpu_ms: None,
             counters: Default::default(),
@@ -185,22 +216,25 @@ mod tests {
             point("preset", "low", 6.0, Some(48.0), true),
             point("preset", "exact", 20.0, None, true),
             point("cutoff", "8/255", 9.0, Some(45.0), false),
+            point("pose-rate", "5 Hz", 7.0, Some(17.24), false),
         ];
         SweepReport { case: "orbit".to_owned(), frames: 8, rounds: 3, points, failed: vec![] }
     }
 
     #[test]
     fn the_svg_names_every_point() {
-        let text = svg(&sweep(), "a body & a device").expect("four points can be drawn");
+        let text = svg(&sweep(), "a body & a device").expect("some points can be drawn");
         assert!(text.starts_with("<svg") && text.trim_end().ends_with("</svg>"));
-        for name in [BASE, "preset low", "preset exact: no error", "cutoff 8/255", "a body &amp; a device", "polyline"] {
+        for name in
+            [BASE, "preset low", "preset exact: no error", "cutoff 8/255", "pose-rate 5 Hz: 17.2 dB", "a body &amp; a device", "polyline"]
+        {
             assert!(text.contains(name), "{name} is missing");
         }
     }
 
     #[test]
     fn the_png_has_the_front_in_its_colour() {
-        let image = image::load_from_memory(&png(&sweep(), "title").expect("four points can be drawn")).expect("a PNG").to_rgb8();
+        let image = image::load_from_memory(&png(&sweep(), "title").expect("some points can be drawn")).expect("a PNG").to_rgb8();
         assert_eq!(image.dimensions(), SIZE);
         let red = image.pixels().filter(|pixel| pixel.0 == [FRONT.0, FRONT.1, FRONT.2]).count();
         assert!(red > 500, "{red} pixels of the front's line");

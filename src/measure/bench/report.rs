@@ -193,6 +193,8 @@ pub struct Point {
     pub measured_ms: f64,
     /// The same over that of the first point, which had its turns between this one's: what a noisy machine leaves comparable.
     pub time_ratio: f64,
+    /// The smallest and the largest that it was in any one round: how much to trust it.
+    pub time_ratio_range: [f64; 2],
     /// `time_ratio` times the first point's median over all groups, ms: what is plotted and compared.
     pub frame_ms: f64,
     /// GPU time in the same way as `measured_ms`. Null without timestamps.

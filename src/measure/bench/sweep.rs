@@ -62,7 +62,7 @@ pub fn sweep(devices: &mut Devices, task: &Task, sweep: &Sweep, progress: Progre
                 let what = format!("{} {}, round {}", runner.knob, runner.value, round + 1);
                 let all = runner.scenes.len();
                 let samples = run::time(&mut runner.drawer, &runner.scenes, task.warm_up, |done| progress(&what, done, all))?;
-                runner.gpu_times.push(samples.reports.iter().map(FrameReport::gpu_ms).collect());
+                runner.gpu_times.push(samples.reports.iter().map(measured::gpu_ms).collect());
                 runner.times.push(samples.intervals);
                 runner.reports = samples.reports;
             }
@@ -91,17 +91,22 @@ fn runner(devices: &mut Devices, task: &Task, case: Case, (knob, value): (&str, 
 /// The points of one knob, the setting itself first.
 fn group(runners: Vec<Runner>, task: &Task, case: Case, oracle: &mut Oracle, progress: Progress) -> Result<Vec<Point>> {
     let mut points: Vec<Point> = Vec::new();
+    let mut base_rounds: Option<Vec<f64>> = None;
     for mut runner in runners {
         let numbers = scene::checks(case, runner.scenes.len(), task.checked);
         let mut show = |what: &str, done, all| progress(&format!("{} {}: {what}", runner.knob, runner.value), done, all);
         let checked = check::check(&mut runner.drawer, &runner.scenes, &numbers, oracle, task.flip, &mut show)?;
         let measured_ms = mean_of_medians(&runner.times);
         let time_ratio = measured_ms / points.first().map_or(measured_ms, |base| base.measured_ms);
+        let rounds: Vec<f64> = runner.times.iter().map(|round| round.iter().sum::<f64>() / round.len().max(1) as f64).collect();
+        let base = base_rounds.get_or_insert_with(|| rounds.clone());
+        let ratios: Vec<f64> = rounds.iter().zip(base).map(|(ms, base)| ms / *base).collect();
         points.push(Point {
             knob: runner.knob,
             value: runner.value,
             measured_ms,
             time_ratio,
+            time_ratio_range: ratios.iter().fold([time_ratio; 2], |[low, high], &ratio| [low.min(ratio), high.max(ratio)]),
             frame_ms: measured_ms,
             gpu_ms: runner.timestamps.then(|| mean_of_medians(&runner.gpu_times)),
             counters: measured::counters(&runner.reports),
@@ -151,6 +156,7 @@ mod tests {
             value: String::new(),
             measured_ms,
             time_ratio,
+            time_ratio_range: [time_ratio; 2],
             frame_ms: measured_ms,
             gpu_ms: None,
             counters: Default::default(),

@@ -66,6 +66,8 @@ fn point(case: &str, point: &Point) -> Row {
     let mut add = |name: &str, value: f64| cells.push((name.to_owned(), value));
     add("frame_ms_measured", point.measured_ms);
     add("time_ratio", point.time_ratio);
+    add("time_ratio_low", point.time_ratio_range[0]);
+    add("time_ratio_high", point.time_ratio_range[1]);
     add("frame_ms", point.frame_ms);
     point.gpu_ms.into_iter().for_each(|ms| add("gpu_ms_mean", ms));
     point.counters.iter().for_each(|(name, &count)| add(name, count));
