@@ -50,8 +50,8 @@ pub struct Seen {
 }
 
 /// The work of each stage for a frame in which everything changed.
-pub fn per_stage(avatar: &Avatar, options: &RendererOptions, seen: Seen) -> [Work; 5] {
-    [features(avatar), nodes(avatar), splats(avatar, seen), sort(options, seen), raster(options, seen)]
+pub fn per_stage(avatar: &Avatar, options: &RendererOptions, seen: Seen) -> Vec<Work> {
+    vec![features(avatar), nodes(avatar), splats(avatar, seen), sort(options, seen), raster(options, seen)]
 }
 
 fn halves(count: usize) -> u64 {
