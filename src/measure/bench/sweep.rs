@@ -1,7 +1,8 @@
 //! Sweeps: one knob after the other is turned away from a setting, and every value's time and error is measured.
 //!
-//! A knob's values and the setting itself take turns, frame for frame the same scenes, for some rounds: A B C A B C. What a busy
-//! machine does to one it does to its neighbours, so ratios inside a group hold where milliseconds do not.
+//! A knob's values and the setting itself take turns, frame for frame the same scenes, for some rounds, every other one backwards:
+//! A B C, C B A, A B C. What a busy machine does to one it does to its neighbours, and none is always the first, so ratios inside a
+//! group hold where milliseconds do not.
 
 use super::{
     Case, Devices, Setting, Task,
@@ -58,7 +59,10 @@ pub fn sweep(devices: &mut Devices, task: &Task, sweep: &Sweep, progress: Progre
             }
         }
         for round in 0..sweep.rounds {
-            for runner in &mut runners {
+            let forwards = round % 2 == 0;
+            for at in 0..runners.len() {
+                let last = runners.len() - 1;
+                let runner = &mut runners[if forwards { at } else { last - at }];
                 let what = format!("{} {}, round {}", runner.knob, runner.value, round + 1);
                 let all = runner.scenes.len();
                 let samples = run::time(&mut runner.drawer, &runner.scenes, task.warm_up, |done| progress(&what, done, all))?;
