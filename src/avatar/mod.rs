@@ -4,6 +4,7 @@
 //! start from the same bits, and what they differ by is arithmetic alone. Symbols are the paper's: N_g Gaussians, N_G parts, N_B
 //! basis functions a part, N_s position nodes, J joints.
 
+pub mod export;
 pub mod file;
 pub mod import;
 pub mod motion;

@@ -3,10 +3,10 @@
 use super::{
     options::{self, Quality},
     render::progress,
-    source::Source,
+    source::{self, Source},
 };
 use crate::{
-    avatar::motion::Player,
+    avatar::{import::cameras, motion::Player},
     measure::bench::{self, Case, Report},
     vulkan::Gpu,
 };
@@ -17,15 +17,18 @@ use std::path::PathBuf;
 pub struct Args {
     #[command(flatten)]
     source: Source,
-    /// Width and height, px
-    #[arg(long, value_parser = options::size, default_value = "2048x2048")]
-    size: [u32; 2],
+    /// Width and height, px [default: 2048x2048, or the first camera's of --cameras]
+    #[arg(long, value_parser = options::size)]
+    size: Option<[u32; 2]>,
     /// Frames to time, spread over the clip
     #[arg(long, default_value_t = 32)]
     frames: usize,
     /// Views around the avatar, used in turn
     #[arg(long, default_value_t = 4)]
     views: usize,
+    /// Use these cameras in turn, a cameras.json as 3DGS writes it, from top to bottom as it says
+    #[arg(long, value_name = "FILE", conflicts_with = "views")]
+    cameras: Option<PathBuf>,
     /// Frames to compare with the f64 reference, each of which takes seconds
     #[arg(long, default_value_t = 4)]
     check: usize,
@@ -40,6 +43,9 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     ensure!(args.frames > 0 && args.views > 0, "nothing to measure: give --frames and --views of at least 1");
     let (avatar, clips) = args.source.load()?;
     let player = Player::new(clips.into_iter().next().context("there is no clip")?, &avatar.skeleton);
+    let cameras = args.cameras.as_ref().map_or(Ok(vec![]), |path| source::cameras(path, &avatar))?;
+    let size = args.size.or(cameras.first().map(|camera| camera.size)).unwrap_or([2048, 2048]);
+    let cameras: Vec<_> = cameras.iter().map(|camera| cameras::scaled(camera, size)).collect();
     let gpu = Gpu::new(&args.quality.gpu())?;
     let bar = progress(0, "frames");
     let mut show = |what: &'static str, done: usize, all: usize| {
@@ -48,7 +54,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
         bar.set_message(what);
     };
     let case = Case { frames: args.frames, views: args.views, checked: args.check };
-    let report = bench::run(&gpu, &avatar, &player, args.quality.renderer(args.size), case, &mut show)?;
+    let report = bench::run(&gpu, &avatar, &player, args.quality.renderer(size), (case, &cameras), &mut show)?;
     bar.finish_and_clear();
     print(&report);
     if let Some(path) = args.json {

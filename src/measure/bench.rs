@@ -88,11 +88,19 @@ pub struct Report {
 /// Tells how far a measurement is: what is being done, and how many of how many.
 pub type Progress<'a> = &'a mut dyn FnMut(&'static str, usize, usize);
 
-/// Measures.
-pub fn run(gpu: &Arc<Gpu>, avatar: &Avatar, player: &Player, options: RendererOptions, case: Case, progress: Progress) -> Result<Report> {
+/// Measures. `cameras` have the picture's size and are used in turn, instead of views around the avatar; may be empty.
+pub fn run(
+    gpu: &Arc<Gpu>,
+    avatar: &Avatar,
+    player: &Player,
+    options: RendererOptions,
+    (case, cameras): (Case, &[Camera]),
+    progress: Progress,
+) -> Result<Report> {
     let mut renderer = Renderer::new(gpu, avatar, RendererOptions { skip: options.skip - Skip::FRAME, ..options })?;
     let extent = Extent::new(avatar);
-    let scenes: Vec<_> = (0..case.frames).map(|frame| scene(avatar, player, &extent, options.size, (frame, case))).collect();
+    let mut scenes: Vec<_> = (0..case.frames).map(|frame| scene(avatar, player, &extent, options.size, (frame, case))).collect();
+    scenes.iter_mut().zip(cameras.iter().cycle()).for_each(|(scene, camera)| scene.1 = *camera);
     let (intervals, reports) = time(&mut renderer, &scenes, progress)?;
     let mut drawn: Vec<u64> = reports.iter().map(|report| report.counters.drawn).collect();
     drawn.sort_unstable();
@@ -101,7 +109,7 @@ pub fn run(gpu: &Arc<Gpu>, avatar: &Avatar, player: &Player, options: RendererOp
     let errors = check(avatar, &mut renderer, &scenes, case.checked, progress)?;
     let worst = |of: fn(&error::Error) -> f64, worse: fn(f64, f64) -> f64| errors.iter().map(of).reduce(worse);
     let bytes = bytes::per_stage(avatar, &options, drawn);
-    let stages = bytes.into_iter().map(|(name, bytes)| {
+    let stages = bytes.iter().map(|&(name, bytes)| {
         let times =
             reports.iter().filter_map(|report| report.stages.iter().find(|stage| stage.0 == name)).map(|stage| stage.1).collect::<Vec<_>>();
         Stage { name, ms: if times.is_empty() { f64::NAN } else { Spread::of(times).median }, bytes }

@@ -91,6 +91,9 @@ impl Summary {
     }
 
     fn networks(&self) -> String {
+        if self.widths.is_empty() {
+            return "none: nothing moves inside".into();
+        }
         let widths: Vec<String> = self.widths.iter().map(usize::to_string).collect();
         let activation = match self.activation {
             Activation::Relu => "ReLU",
