@@ -296,6 +296,17 @@ fn a_static_avatar_needs_no_clip() {
     assert!(missing.to_string().contains("cannot read"), "{missing}");
 }
 
+#[cfg(feature = "window")]
+#[test]
+fn the_viewer_rests_on_a_static_avatar() {
+    let avatar = Table::new(1, 20, 2).read(Encoding::Little).unwrap();
+    let clips = vec![Clip::still(&avatar.skeleton)];
+    let mut scene = effigy::app::scene::Scene::new(avatar, clips, [0.5; 3], ([300, 200], 0.0));
+    assert!(!scene.is_moving(), "the play bar is idle");
+    let first = scene.advance(0.5, [300, 200]);
+    assert!(scene.advance(3.0, [300, 200]) == first);
+}
+
 /// Pictures of an avatar in motion and of its file agree: the reference draws both.
 #[test]
 fn an_exported_pose_looks_like_the_avatar() {

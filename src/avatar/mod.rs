@@ -125,7 +125,8 @@ impl Gaussians {
 }
 
 /// View-dependent colour as 3DGS has it: real spherical harmonics of the direction from the camera to the Gaussian, in canonical space.
-/// They are added to the neutral colour before its corrective, and the sum is not below 0. Avatar files do not hold them.
+/// They are added to the neutral colour before its corrective, and the sum is not below 0; like every colour it is cut at 1 before it is
+/// blended, which 3DGS does not do. Avatar files do not hold them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Harmonics {
     /// 1, 2 or 3; the functions of degree 0 are [`Gaussians::color`].

@@ -28,6 +28,8 @@ impl Source {
     /// Reads the avatar and its clips, of which there is at least one: an avatar that nothing moves has one of a single pose. Clips that
     /// are given and move nothing of the avatar are an error.
     pub fn load(&self) -> anyhow::Result<(Avatar, Vec<Clip>)> {
+        let turned = self.up.is_none() || self.avatar.as_deref().is_some_and(import::is_ply);
+        ensure!(turned, "--up is for a .ply; what stands up in an avatar file is known: leave it out");
         let avatar = match &self.avatar {
             Some(path) => import::open(path, self.up)?,
             None => demo::avatar()?,

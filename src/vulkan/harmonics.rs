@@ -9,7 +9,7 @@ use super::{
     shaders,
 };
 use crate::{
-    avatar::{Avatar, Harmonics as Coefficients},
+    avatar::{Avatar, Harmonics as Coefficients, limits},
     layout::HARMONICS_SIZE,
 };
 use ash::vk;
@@ -21,6 +21,10 @@ use std::sync::Arc;
 const GROUP: usize = 4;
 /// Groups in the first of the two buffers.
 const SPLIT: usize = 2;
+
+/// Bytes of a group's half quads.
+const GROUP_BYTES: usize = 2 * 3 * GROUP;
+const _: () = assert!(SPLIT * GROUP_BYTES * limits::GAUSSIANS <= 128 << 20, "128 MiB is the range of a storage buffer everywhere");
 
 pub struct Harmonics {
     kernel: Kernel,
@@ -73,5 +77,5 @@ fn planes(avatar: &Avatar, harmonics: &Coefficients, groups: std::ops::Range<usi
 
 /// Device memory that an avatar's harmonics take, bytes.
 pub fn bytes(avatar: &Avatar) -> u64 {
-    avatar.harmonics.as_ref().map_or(0, |harmonics| (24 * groups(harmonics.degree) * avatar.gaussians.len()) as u64)
+    avatar.harmonics.as_ref().map_or(0, |harmonics| (GROUP_BYTES * groups(harmonics.degree) * avatar.gaussians.len()) as u64)
 }

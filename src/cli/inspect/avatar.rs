@@ -104,6 +104,9 @@ impl Summary {
     }
 
     fn inputs(&self) -> String {
+        if self.widths.is_empty() {
+            return "none".into();
+        }
         let space = |components: Option<usize>| components.map_or_else(|| "as it is".into(), |k| format!("{k} principal components"));
         let pose = format!("rotations of {} joints ({})", self.input_joints.len(), space(self.pose_components));
         match self.expression {
