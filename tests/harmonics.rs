@@ -5,7 +5,7 @@ mod common;
 use common::{Random, Sizes, f16s, gpu};
 use effigy::{
     avatar::{Avatar, Harmonics, Parts, Pose},
-    frame::{Camera, Extent, Posed},
+    frame::{Camera, Posed},
     measure::error,
     reference,
     vulkan::{GpuOptions, Renderer, commands::STAGES},
@@ -125,16 +125,16 @@ fn the_stage_runs_when_the_view_changes_and_for_no_other_avatar() {
             renderer.finish().unwrap();
             colors.push(renderer.stages().unwrap().colors);
         }
-        let ran = renderer.report().stages.iter().any(|stage| stage.0 == "harmonics");
-        (colors, ran)
+        let report = renderer.report();
+        let skipped = report.skipped.contains(&"harmonics");
+        (colors, report.stages.iter().any(|stage| stage.0 == "harmonics"), skipped)
     };
     assert!(STAGES.contains(&"harmonics"));
-    let (colors, last) = ran(&with, &[camera, moved]);
+    let (colors, last, _) = ran(&with, &[camera, moved]);
     assert!(colors[0] != colors[1] && (last || device.probe.timestamp_bits == 0), "the camera moved");
-    assert!(!ran(&with, &[camera, camera]).1, "nothing changed");
-    let (colors, last) = ran(&without, &[camera, moved]);
-    assert!(colors[0] == colors[1] && !last, "there are no harmonics");
-    let [min, max] = Extent::new(&with).bounds(&posed.joints);
-    assert!(min.cmplt(max).all());
+    let (_, last, skipped) = ran(&with, &[camera, camera]);
+    assert!(!last && skipped, "nothing changed");
+    let (colors, last, skipped) = ran(&without, &[camera, moved]);
+    assert!(colors[0] == colors[1] && !last && !skipped, "there are no harmonics");
     gpu::assert_valid();
 }

@@ -219,6 +219,7 @@ impl Renderer {
             barrier(gpu, commands, written, (draw, reads));
             slot.stage("raster", |commands| raster.record(commands, frame, control.raw));
         } else {
+            harmonics.iter().for_each(|_| slot.skip("harmonics"));
             ["splats", "sort", "raster"].into_iter().for_each(|stage| slot.skip(stage));
         }
     }
