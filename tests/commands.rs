@@ -165,6 +165,34 @@ fn a_sweep_draws_time_against_error() {
 }
 
 #[test]
+fn an_exported_pose_is_drawn_and_measured_from_its_cameras() {
+    if gpu::gpu().is_none() {
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    works(folder.path(), "export-ply --at 1.5 --out still.ply --cameras cams.json --views 3 --size 200x240");
+    works(folder.path(), "render still.ply --cameras cams.json --out still.png");
+    works(folder.path(), "render --time 1.5 --cameras cams.json --reference --out avatar.png");
+    for number in 0..3 {
+        let [still, avatar] = ["still", "avatar"].map(|name| picture(&folder.path().join(format!("{name}-{number:04}.png"))));
+        assert_eq!(still.size, [200, 240], "the cameras' own size");
+        let error = error::between(&still, &avatar);
+        assert!(error.whole.psnr_db > 50.0, "camera {number}: {error:?}");
+    }
+    works(folder.path(), "render still.ply --cameras cams.json --size 100x60 --out small.png");
+    assert_eq!(picture(&folder.path().join("small-0002.png")).size, [100, 60]);
+    let said = works(folder.path(), "bench still.ply --cameras cams.json --frames 3 --check 1");
+    assert!(said.contains("200 × 240"), "{said}");
+    let said = works(folder.path(), "inspect still.ply");
+    assert!(said.contains("nothing moves inside"), "{said}");
+    works(folder.path(), "export-ply --uniform 0.003,0.9 --out balls.ply");
+    let said = works(folder.path(), "inspect balls.ply");
+    assert!(said.contains("3.00 to 3.00 mm"), "{said}");
+    let message = fails(folder.path(), "render --cameras still.ply");
+    assert!(message.contains("cameras as 3DGS writes them"), "{message}");
+}
+
+#[test]
 fn bad_input_is_answered_with_one_sentence() {
     let folder = tempfile::tempdir().unwrap();
     let avatar = effigy::demo::avatar().unwrap().to_bytes().unwrap();

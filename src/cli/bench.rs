@@ -6,10 +6,10 @@ mod print;
 use super::{
     options::{self, Quality},
     render::progress,
-    source::Source,
+    source::{self, Source},
 };
 use crate::{
-    avatar::motion::Player,
+    avatar::{import::cameras, motion::Player},
     measure::bench::{
         Case, Devices, Knob, Setting, Task, measured,
         run::Drawer,
@@ -25,9 +25,9 @@ use std::path::PathBuf;
 pub struct Args {
     #[command(flatten)]
     source: Source,
-    /// Width and height, px
-    #[arg(long, value_parser = options::size, default_value = "2048x2048")]
-    size: [u32; 2],
+    /// Width and height, px [default: 2048x2048, or the first camera's of --cameras]
+    #[arg(long, value_parser = options::size)]
+    size: Option<[u32; 2]>,
     /// What to draw: all, or some of full, camera, orbit, expression, static, close, far and four [default: full]
     #[arg(long, value_name = "NAME,NAME", value_parser = cases)]
     case: Vec<Cases>,
@@ -50,6 +50,10 @@ pub struct Args {
     /// Views around the avatar, used in turn
     #[arg(long, default_value_t = 4)]
     views: usize,
+    /// Use these cameras in turn, a cameras.json as 3DGS writes it, from top to bottom as it says; the cases close, far and four keep
+    /// their own
+    #[arg(long, value_name = "FILE", conflicts_with = "views")]
+    cameras: Option<PathBuf>,
     /// Frames to compare with the f64 reference, each of which takes seconds
     #[arg(long, default_value_t = 4)]
     check: usize,
@@ -118,7 +122,7 @@ struct Job {
 }
 
 impl Args {
-    fn job(&self) -> anyhow::Result<Job> {
+    fn job(&self, size: [u32; 2]) -> anyhow::Result<Job> {
         ensure!(self.frames != Some(0) && self.views > 0, "nothing to measure: give --frames and --views of at least 1");
         ensure!(self.rounds > 0, "nothing to measure: give --rounds of at least 1");
         ensure!((0.0..=1.0).contains(&self.rows), "--rows {} is no share: give 0 to 1", self.rows);
@@ -137,18 +141,21 @@ impl Args {
         }
         ensure!(knobs.is_empty() || self.check > 0, "a sweep sets time against error: give --check of at least 1");
         let hold = self.pose_rate.unwrap_or(1);
-        let setting = Setting { options: self.quality.renderer(self.size), packed_words: self.words, rows: self.rows, hold };
+        let setting = Setting { options: self.quality.renderer(size), packed_words: self.words, rows: self.rows, hold };
         Ok(Job { cases, knobs, sweep_case, setting })
     }
 }
 
 pub fn run(args: Args) -> anyhow::Result<()> {
-    let job = args.job()?;
     let (avatar, clips) = args.source.load()?;
     let player = Player::new(clips.into_iter().next().context("there is no clip")?, &avatar.skeleton);
+    let cameras = args.cameras.as_ref().map_or(Ok(vec![]), |path| source::cameras(path, &avatar))?;
+    let size = args.size.or(cameras.first().map(|camera| camera.size)).unwrap_or([2048, 2048]);
+    let cameras: Vec<_> = cameras.iter().map(|camera| cameras::scaled(camera, size)).collect();
+    let job = args.job(size)?;
     let (frames, views) = (args.frames.unwrap_or(48), args.views);
     let (checked, flip, warm_up) = (args.check, args.flip, args.warm_up);
-    let task = Task { avatar: &avatar, player: &player, cameras: &[], frames, views, checked, flip, warm_up };
+    let task = Task { avatar: &avatar, player: &player, cameras: &cameras, frames, views, checked, flip, warm_up };
     let mut devices = Devices::new(args.quality.gpu());
     let gpu = devices.get(&job.setting)?;
     let mut report = task.report(&gpu, &job.setting, std::env::args().collect());

@@ -4,6 +4,7 @@ mod bake;
 mod bench;
 mod compare;
 mod devices;
+mod export_ply;
 mod inspect;
 mod options;
 mod render;
@@ -41,6 +42,8 @@ enum Command {
     Inspect(inspect::Args),
     /// List the GPUs: what each has, lacks and would use
     Devices(devices::Args),
+    /// Write an avatar in one pose as a 3DGS .ply, for other viewers
+    ExportPly(export_ply::Args),
     /// Make an avatar from the MakeHuman body, or a clip from motion capture
     Bake(bake::Args),
 }
@@ -60,6 +63,7 @@ pub fn main() -> ExitCode {
         Some(Command::Compare(args)) => compare::run(args),
         Some(Command::Inspect(args)) => inspect::run(args),
         Some(Command::Devices(args)) => devices::run(args),
+        Some(Command::ExportPly(args)) => export_ply::run(args),
         Some(Command::Bake(args)) => bake::run(args),
     };
     match outcome {

@@ -11,7 +11,7 @@
 
 use crate::{
     avatar::{Avatar, Layer},
-    vulkan::RendererOptions,
+    vulkan::{RendererOptions, harmonics},
 };
 
 /// Operations from a Gaussian's numbers to its splat, correctives apart: blend four matrices (96), interpolate nodes (18), transform
@@ -51,7 +51,9 @@ pub struct Seen {
 
 /// The work of each stage for a frame in which everything changed.
 pub fn per_stage(avatar: &Avatar, options: &RendererOptions, seen: Seen) -> Vec<Work> {
-    vec![features(avatar), nodes(avatar), splats(avatar, seen), sort(options, seen), raster(options, seen)]
+    let lit = avatar.harmonics.is_some().then(|| view_colors(avatar, seen));
+    let model = [features(avatar), nodes(avatar)].into_iter().chain(lit);
+    model.chain([splats(avatar, seen), sort(options, seen), raster(options, seen)]).collect()
 }
 
 fn halves(count: usize) -> u64 {
@@ -93,6 +95,15 @@ fn nodes(avatar: &Avatar) -> Work {
         operations,
         operations_floor: operations,
     }
+}
+
+/// Colours of the view's direction, of avatars that have them.
+fn view_colors(avatar: &Avatar, seen: Seen) -> Work {
+    let coefficients = harmonics::bytes(avatar);
+    // Position and joints in, and the colour to and fro; where the colour goes is up to the layout.
+    let bytes = coefficients + (16 + 8 + 8) * seen.gaussians;
+    let bytes_floor = coefficients.min(bytes);
+    Work { stage: "harmonics", bytes, bytes_floor, operations: Some(coefficients), operations_floor: Some(coefficients) }
 }
 
 fn splats(avatar: &Avatar, seen: Seen) -> Work {

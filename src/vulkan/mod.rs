@@ -8,6 +8,7 @@ pub mod device;
 pub mod error;
 pub mod features;
 mod graphics;
+pub mod harmonics;
 pub mod instance;
 pub mod memory;
 pub mod model;

@@ -5,6 +5,7 @@ use super::{
     device::Gpu,
     error::Result,
     features::Features,
+    harmonics::Harmonics,
     memory::Buffer,
     model::Model,
     nodes::Nodes,
@@ -70,6 +71,8 @@ pub struct Stages {
     pub features: Vec<f32>,
     /// One displacement a node, metres; the fourth number is unused.
     pub nodes: Vec<[f32; 4]>,
+    /// RGB of every Gaussian before correctives.
+    pub colors: Vec<[f32; 3]>,
     pub splats: Vec<[u32; 4]>,
     pub keys: Vec<u32>,
     pub order: Vec<u32>,
@@ -82,6 +85,7 @@ pub struct Renderer {
     slots: Vec<Slot>,
     features: Features,
     nodes: Nodes,
+    harmonics: Option<Harmonics>,
     splats: Splats,
     sort: Sort,
     raster: Raster,
@@ -123,6 +127,7 @@ impl Renderer {
             slots: (0..SLOTS).map(|_| Slot::new(gpu)).collect::<Result<_>>()?,
             features: Features::new(gpu, &model, frame, (&pose).into())?,
             nodes: Nodes::new(gpu, &model, frame, (&pose).into())?,
+            harmonics: Harmonics::new(gpu, avatar, &model, frame)?,
             splats,
             sort,
             raster,
@@ -183,7 +188,7 @@ impl Renderer {
     /// The frame: which stages run, in which order, and what each waits for.
     fn record(&mut self, slot: usize, needed: Needed) {
         let frame = (slot * FRAME_STRIDE) as u32;
-        let Self { slots, features, nodes, splats, sort, raster, control, gpu, .. } = self;
+        let Self { slots, features, nodes, harmonics, splats, sort, raster, control, gpu, .. } = self;
         let slot = &mut slots[slot];
         let commands = slot.commands;
         let compute = PipelineStageFlags::COMPUTE_SHADER;
@@ -202,6 +207,10 @@ impl Renderer {
             slot.skip("nodes");
         }
         if needed.view {
+            if let Some(harmonics) = harmonics {
+                slot.stage("harmonics", |commands| harmonics.record(commands, frame));
+                barrier(gpu, commands, written, shared);
+            }
             slot.stage("splats", |commands| splats.record(commands, frame));
             barrier(gpu, commands, written, shared);
             slot.stage("sort", |commands| sort.record(commands));
@@ -210,6 +219,7 @@ impl Renderer {
             barrier(gpu, commands, written, (draw, reads));
             slot.stage("raster", |commands| raster.record(commands, frame, control.raw));
         } else {
+            harmonics.iter().for_each(|_| slot.skip("harmonics"));
             ["splats", "sort", "raster"].into_iter().for_each(|stage| slot.skip(stage));
         }
     }
@@ -283,6 +293,7 @@ impl Renderer {
         Ok(Stages {
             features: bytemuck::pod_collect_to_vec(&pose[..features]),
             nodes: bytemuck::pod_collect_to_vec(&pose[features..]),
+            colors: self.model.colors()?,
             splats,
             keys,
             order: self.sort.download(control.survivors)?,
