@@ -19,6 +19,7 @@ use std::{collections::BTreeMap, sync::Arc};
 
 /// Measures a case.
 pub fn case(gpu: &Arc<Gpu>, task: &Task, setting: &Setting, case: Case, progress: Progress) -> Result<CaseReport> {
+    let setting = &setting.of(case);
     let scenes = scene::scenes(case, &task.set(setting));
     let avatar = setting.fit(task.avatar);
     let mut drawer = Drawer::new(gpu, &avatar, setting)?;

@@ -3,10 +3,10 @@
 //! Two frames are in flight, as in use. Frame time is the time from one frame's hand-over to the next, which in a steady state is what
 //! a frame takes.
 
-use super::scene::Scene;
+use super::{Case, scene::Scene};
 use crate::{
     avatar::Avatar,
-    frame::Picture,
+    frame::{Picture, Skip},
     vulkan::{
         Error, Gpu, GpuOptions, Renderer, RendererOptions, Result,
         commands::{FrameReport, SLOTS},
@@ -30,6 +30,15 @@ pub struct Setting {
 }
 
 impl Setting {
+    /// As a case is drawn: in full motion every frame is, even where an avatar stands still before a single camera.
+    pub fn of(&self, case: Case) -> Self {
+        let mut setting = *self;
+        if case == Case::Full {
+            setting.options.skip -= Skip::FRAME;
+        }
+        setting
+    }
+
     /// The avatar as this setting draws it.
     pub fn fit<'a>(&self, avatar: &'a Avatar) -> Cow<'a, Avatar> {
         if self.rows < 1.0 { Cow::Owned(avatar.keep_rows(self.rows)) } else { Cow::Borrowed(avatar) }

@@ -79,6 +79,7 @@ pub fn sweep(devices: &mut Devices, task: &Task, sweep: &Sweep, progress: Progre
 }
 
 fn runner(devices: &mut Devices, task: &Task, case: Case, (knob, value): (&str, &str), setting: &Setting) -> Result<Runner> {
+    let setting = &setting.of(case);
     let gpu = devices.get(setting)?;
     Ok(Runner {
         knob: knob.to_owned(),
