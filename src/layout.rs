@@ -11,6 +11,8 @@ use bytemuck::{Pod, Zeroable};
 pub const FEATURES_SIZE: u32 = 64;
 /// Invocations of a workgroup of `nodes`.
 pub const NODES_SIZE: u32 = 64;
+/// Invocations of a workgroup of `harmonics`.
+pub const HARMONICS_SIZE: u32 = 64;
 /// Invocations of a workgroup of `splats`.
 pub const SPLATS_SIZE: u32 = 64;
 /// Invocations of a workgroup of the sort: the 128 that every Vulkan device has.
@@ -45,6 +47,7 @@ pub const INPUT_QUADS: usize = limits::MLP_INPUT / 4;
 pub const MACROS: &[(&str, u32)] = &[
     ("FEATURES_SIZE", FEATURES_SIZE),
     ("NODES_SIZE", NODES_SIZE),
+    ("HARMONICS_SIZE", HARMONICS_SIZE),
     ("SPLATS_SIZE", SPLATS_SIZE),
     ("SORT_SIZE", SORT_SIZE),
     ("SORT_ROUNDS", SORT_ROUNDS),

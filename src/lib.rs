@@ -7,7 +7,9 @@
 //!       │      ↓
 //!       │   nodes     position correctives of about 10,000 nodes
 //!       ↓      ↓
-//! joints ─→ splats    sparse correctives, skinning, projection, culling, depth key
+//! joints ─→ harmonics view-dependent colour, for imported avatars that have it
+//!       │      ↓
+//!       └──→ splats    sparse correctives, skinning, projection, culling, depth key
 //!              ↓
 //!            sort     stable, far to near
 //!              ↓

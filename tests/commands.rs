@@ -87,22 +87,109 @@ fn without_a_display_the_program_renders_a_turntable() {
     assert_eq!(std::fs::read_dir(folder.path().join("effigy-turntable")).unwrap().count(), 24);
 }
 
+fn json(path: &Path) -> serde_json::Value {
+    serde_json::from_slice(&std::fs::read(path).unwrap()).unwrap()
+}
+
+/// Writes a small avatar and a clip of its own skeleton: what the benchmark is tested with.
+fn small_avatar(folder: &Path) {
+    let avatar = common::avatar(5, common::Sizes { gaussians: 800, parts: 8, nodes: 60, rows: 100, ..common::Sizes::default() });
+    std::fs::write(folder.join("small.avatar"), avatar.to_bytes().unwrap()).unwrap();
+    std::fs::write(folder.join("small.motion"), common::clip(6, &avatar, 40).to_bytes().unwrap()).unwrap();
+}
+
 #[test]
-fn bench_writes_what_it_measured() {
+fn bench_writes_what_it_measured_of_every_case() {
     if gpu::gpu().is_none() {
         return;
     }
     let folder = tempfile::tempdir().unwrap();
-    works(folder.path(), "bench --size 200x200 --frames 4 --check 1 --json out.json");
-    let json: serde_json::Value = serde_json::from_slice(&std::fs::read(folder.path().join("out.json")).unwrap()).unwrap();
-    for field in ["gaussians", "psnr_db", "max_error", "gpu_memory_bytes", "bytes_per_frame", "psnr_db_whole_picture"] {
-        assert!(json[field].as_f64().is_some_and(|value| value > 0.0), "{field}: {}", json[field]);
+    small_avatar(folder.path());
+    let what = "small.avatar --motion small.motion --size 160x160 --frames 13 --check 1";
+    let said = works(folder.path(), &format!("bench {what} --case all --flip --json out.json --csv out.csv"));
+    let json = json(&folder.path().join("out.json"));
+    assert!(json["device"]["name"].is_string() && json["program"]["date"].is_string() && json["options"]["skip"].is_string());
+    let cases = json["cases"].as_array().unwrap();
+    let names: Vec<_> = cases.iter().map(|case| case["name"].as_str().unwrap()).collect();
+    assert!(names.starts_with(&["full", "camera", "orbit", "expression", "static", "close", "far"]), "{names:?}");
+    for case in cases {
+        let name = case["name"].as_str().unwrap();
+        assert!(said.contains(&format!("\n{name}: ")), "{name} is not printed: {said}");
+        assert!(case["frame_ms"]["median"].as_f64() > Some(0.0) && case["frame_ms"]["p95"].as_f64() >= case["frame_ms"]["median"].as_f64());
+        assert!(case["gpu_memory_bytes"].as_u64() > Some(0) && case["error"]["flip"].as_f64() < Some(0.1), "{name}: {}", case["error"]);
+        assert!(case["error"]["psnr_db"].as_f64() > Some(45.0), "{name}: {}", case["error"]);
     }
-    assert!(json["device"].is_string() && json["driver"].is_string());
-    assert!(json["frame_ms"]["median"].as_f64() > Some(0.0) && json["frame_ms"]["p95"].as_f64() >= json["frame_ms"]["median"].as_f64());
-    let stages: Vec<_> = json["stages"].as_array().unwrap().iter().map(|stage| stage["name"].as_str().unwrap()).collect();
-    assert_eq!(stages, ["features", "nodes", "splats", "sort", "raster"]);
-    assert!(json["psnr_db"].as_f64() > Some(45.0), "{}", json["psnr_db"]);
+    let ran = |case: usize, stage: &str| {
+        let stages = cases[case]["stages"].as_array().unwrap();
+        stages.iter().find(|entry| entry["name"] == stage).and_then(|entry| entry["ran"].as_f64()).unwrap()
+    };
+    for stage in ["features", "nodes", "splats", "sort", "raster"] {
+        assert_eq!([ran(0, stage), ran(4, stage)], [1.0, 0.0], "{stage} in motion and with nothing changed");
+    }
+    assert_eq!([ran(1, "features"), ran(1, "splats")], [0.0, 1.0], "the camera alone moves");
+    assert!(cases[0]["counters"]["drawn"].as_f64() > Some(100.0) && cases[0]["bytes"].as_u64() > cases[0]["bytes_floor"].as_u64());
+    assert_eq!(std::fs::read_to_string(folder.path().join("out.csv")).unwrap().lines().count(), 1 + cases.len());
+    let said = works(folder.path(), "compare out.json out.json");
+    assert!(said.contains("frame_ms_median") && said.contains("1.000×") && !said.contains("note:"), "{said}");
+    std::fs::write(folder.path().join("old.json"), r#"{"device": "x"}"#).unwrap();
+    let message = fails(folder.path(), "compare out.json old.json");
+    assert!(message.contains("old.json") && message.contains("measure again"), "{message}");
+}
+
+#[test]
+fn a_sweep_draws_time_against_error() {
+    if gpu::gpu().is_none() {
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    small_avatar(folder.path());
+    let what = "small.avatar --motion small.motion --size 96x96 --frames 12 --check 1 --rounds 1";
+    let sweep = "--sweep preset,keys,rows,pose-rate,storage --pareto front.svg --pareto front.png";
+    let said = works(folder.path(), &format!("bench {what} {sweep} --json - --csv out.csv"));
+    let json: serde_json::Value = serde_json::from_str(&said).unwrap();
+    let points = json["sweep"]["points"].as_array().unwrap();
+    let psnr = |knob: &str, value: &str| {
+        let point = points.iter().find(|point| point["knob"] == knob && point["value"] == value);
+        point.unwrap_or_else(|| panic!("{knob} {value} is missing: {points:?}"))["error"]["psnr_db"].as_f64().unwrap_or(f64::INFINITY)
+    };
+    let best = psnr("default", "");
+    assert!(best > 45.0 && psnr("preset", "exact") > 45.0 && psnr("storage", "words") > 45.0);
+    assert!(psnr("rows", "0") < best - 3.0, "correctives that are gone are missed by nobody");
+    assert!(psnr("pose-rate", "10 Hz") < psnr("pose-rate", "30 Hz") && psnr("pose-rate", "30 Hz") < best, "old poses are not seen");
+    assert!(points.iter().any(|point| point["on_front"] == true) && points.iter().all(|point| point["frame_ms"].as_f64() > Some(0.0)));
+    let svg = std::fs::read_to_string(folder.path().join("front.svg")).unwrap();
+    assert!(svg.contains("preset low") && svg.contains("keys 32"), "names are missing");
+    assert_eq!(image::open(folder.path().join("front.png")).unwrap().width(), 1400);
+    let message = fails(folder.path(), "bench --case full --sweep pose-rate");
+    assert!(message.contains("`full`") && message.contains("orbit"), "{message}");
+}
+
+#[test]
+fn an_exported_pose_is_drawn_and_measured_from_its_cameras() {
+    if gpu::gpu().is_none() {
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    works(folder.path(), "export-ply --at 1.5 --out still.ply --cameras cams.json --views 3 --size 200x240");
+    works(folder.path(), "render still.ply --cameras cams.json --out still.png");
+    works(folder.path(), "render --time 1.5 --cameras cams.json --reference --out avatar.png");
+    for number in 0..3 {
+        let [still, avatar] = ["still", "avatar"].map(|name| picture(&folder.path().join(format!("{name}-{number:04}.png"))));
+        assert_eq!(still.size, [200, 240], "the cameras' own size");
+        let error = error::between(&still, &avatar);
+        assert!(error.whole.psnr_db > 50.0, "camera {number}: {error:?}");
+    }
+    works(folder.path(), "render still.ply --cameras cams.json --size 100x60 --out small.png");
+    assert_eq!(picture(&folder.path().join("small-0002.png")).size, [100, 60]);
+    let said = works(folder.path(), "bench still.ply --cameras cams.json --frames 3 --check 1");
+    assert!(said.contains("200 × 240"), "{said}");
+    let said = works(folder.path(), "inspect still.ply");
+    assert!(said.contains("nothing moves inside"), "{said}");
+    works(folder.path(), "export-ply --uniform 0.003,0.9 --out balls.ply");
+    let said = works(folder.path(), "inspect balls.ply");
+    assert!(said.contains("3.00 to 3.00 mm"), "{said}");
+    let message = fails(folder.path(), "render --cameras still.ply");
+    assert!(message.contains("cameras as 3DGS writes them"), "{message}");
 }
 
 #[test]

@@ -135,7 +135,7 @@ fn the_frame_block_is_the_same_on_both_sides() {
             seen.set(seen.get() + 1);
         }
     });
-    assert_eq!(seen.get(), 7, "three compute stages in two variants and the vertex shader read the frame block");
+    assert_eq!(seen.get(), 9, "four compute stages in two variants and the vertex shader read the frame block");
 }
 
 #[test]
@@ -184,6 +184,7 @@ fn shaders_need_no_more_than_every_device_has() {
         let expected = match name.split('.').next() {
             Some("features") => Some(layout::FEATURES_SIZE),
             Some("nodes") => Some(layout::NODES_SIZE),
+            Some("harmonics") => Some(layout::HARMONICS_SIZE),
             Some("splats") => Some(layout::SPLATS_SIZE),
             Some("sort_count" | "sort_scan" | "sort_scatter") => Some(layout::SORT_SIZE),
             _ => None,

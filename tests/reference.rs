@@ -51,6 +51,7 @@ fn avatar(dots: &[Dot]) -> Avatar {
         color_rows: Rows { gaussian: vec![], basis: vec![] },
         nodes: Nodes { position: vec![bounds.encode(DVec3::ZERO)], part: vec![0], offset: vec![half([0.0; 3])], basis: halves(&[0.0; 3]) },
         inputs: Inputs { joint: vec![], expression: 1, pose_space: None, expression_space: None },
+        harmonics: None,
     }
 }
 

@@ -4,10 +4,13 @@
 //! start from the same bits, and what they differ by is arithmetic alone. Symbols are the paper's: N_g Gaussians, N_G parts, N_B
 //! basis functions a part, N_s position nodes, J joints.
 
+pub mod export;
 pub mod file;
+pub mod import;
 pub mod motion;
 pub mod occluder;
 pub mod pose;
+pub mod prune;
 pub mod skeleton;
 
 use glam::DVec3;
@@ -57,6 +60,8 @@ pub struct Avatar {
     pub color_rows: Rows<3>,
     pub nodes: Nodes,
     pub inputs: Inputs,
+    /// How colours change with the direction they are seen from; None where they don't, as in all baked avatars.
+    pub harmonics: Option<Harmonics>,
 }
 
 /// An axis-aligned box whose edges 16-bit coordinates divide into 65,535 steps.
@@ -73,6 +78,11 @@ impl Bounds {
     pub fn decode(&self, q: [u16; 3]) -> DVec3 {
         let (min, max) = (DVec3::from(self.min.map(f64::from)), DVec3::from(self.max.map(f64::from)));
         min + DVec3::from(q.map(f64::from)) / 65535.0 * (max - min)
+    }
+
+    /// How far neighbouring coordinates are apart along each axis, metres.
+    pub fn step(&self) -> DVec3 {
+        (DVec3::from(self.max.map(f64::from)) - DVec3::from(self.min.map(f64::from))) / 65535.0
     }
 
     /// The nearest coordinates to a point; points outside go to the box's surface.
@@ -114,6 +124,27 @@ impl Gaussians {
 
     pub fn is_empty(&self) -> bool {
         self.position.is_empty()
+    }
+}
+
+/// View-dependent colour as 3DGS has it: real spherical harmonics of the direction from the camera to the Gaussian, in canonical space.
+/// They are added to the neutral colour before its corrective, and the sum is not below 0; like every colour it is cut at 1 before it is
+/// blended, which 3DGS does not do. Avatar files do not hold them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Harmonics {
+    /// 1, 2 or 3; the functions of degree 0 are [`Gaussians::color`].
+    pub degree: usize,
+    /// RGB of each function from degree 1 up, in 3DGS's order and with its signs; shape N_g, (degree + 1)² − 1.
+    pub coefficients: Vec<[f16; 3]>,
+}
+
+impl Harmonics {
+    /// The function of degree 0, √(1 / 4π): a colour is 0.5 + this · `f_dc`.
+    pub const CONSTANT: f64 = 0.282_094_791_773_878_14;
+
+    /// Coefficients of a Gaussian.
+    pub fn functions(&self) -> usize {
+        (self.degree + 1).pow(2) - 1
     }
 }
 
@@ -231,6 +262,11 @@ impl Avatar {
     /// N_B. The feature vector is either this long or twice as long.
     pub fn basis_len(&self) -> usize {
         if self.nodes.is_empty() { 0 } else { self.nodes.basis.len() / (3 * self.nodes.len()) }
+    }
+
+    /// Nothing moves inside it: it has one joint and no networks, as what is imported from a `.ply`.
+    pub fn is_static(&self) -> bool {
+        self.skeleton.len() == 1 && self.networks.layers.is_empty()
     }
 
     /// Where in e the nodes' features begin: 0 when attributes and nodes share them, N_B when each has its own half.

@@ -23,6 +23,20 @@ pub struct Clip {
 }
 
 impl Clip {
+    /// A single pose of a skeleton, with no rotation anywhere.
+    pub fn still(skeleton: &Skeleton) -> Self {
+        Self {
+            name: "still".into(),
+            credit: String::new(),
+            rate: 1.0,
+            joint: skeleton.name.clone(),
+            rotation: vec![[0.0; 3]; skeleton.len()],
+            translation: vec![[0.0; 3]],
+            expression: vec![],
+            expression_len: 0,
+        }
+    }
+
     /// F.
     pub fn frames(&self) -> usize {
         self.translation.len()

@@ -99,6 +99,7 @@ pub fn assemble(body: &Body, outfit: &Outfit, sky: &Sky, dots: &[Dot], poses: &[
         networks,
         nodes,
         inputs,
+        harmonics: None,
     }
 }
 

@@ -3,7 +3,10 @@
 mod avatar;
 mod motion;
 
-use crate::avatar::file::{Content, TensorInfo};
+use crate::avatar::{
+    file::{Content, TensorInfo},
+    import,
+};
 use anyhow::Context;
 use serde::Serialize;
 use std::fmt;
@@ -12,7 +15,7 @@ use std::path::PathBuf;
 
 #[derive(clap::Args)]
 pub struct Args {
-    /// An avatar or motion file [default: the built-in demo avatar]
+    /// An avatar or motion file, or a 3DGS .ply [default: the built-in demo avatar]
     file: Option<PathBuf>,
     /// Print JSON
     #[arg(long)]
@@ -21,6 +24,7 @@ pub struct Args {
 
 pub fn run(args: Args) -> anyhow::Result<()> {
     let content = match args.file {
+        Some(file) if import::is_ply(&file) => Content::Avatar(Box::new(import::open(&file, None)?)),
         Some(file) => Content::read(&file)?,
         None => Content::Avatar(Box::new(crate::demo::avatar()?)),
     };

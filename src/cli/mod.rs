@@ -2,7 +2,9 @@
 
 mod bake;
 mod bench;
+mod compare;
 mod devices;
+mod export_ply;
 mod inspect;
 mod options;
 mod render;
@@ -34,10 +36,14 @@ enum Command {
     Render(render::Args),
     /// Measure time, error and memory
     Bench(bench::Args),
+    /// Set two measurements against each other
+    Compare(compare::Args),
     /// Say what an avatar or motion file holds
     Inspect(inspect::Args),
     /// List the GPUs: what each has, lacks and would use
     Devices(devices::Args),
+    /// Write an avatar in one pose as a 3DGS .ply, for other viewers
+    ExportPly(export_ply::Args),
     /// Make an avatar from the MakeHuman body, or a clip from motion capture
     Bake(bake::Args),
 }
@@ -54,8 +60,10 @@ pub fn main() -> ExitCode {
         Some(Command::View(args)) => view::run(args),
         Some(Command::Render(args)) => render::run(args),
         Some(Command::Bench(args)) => bench::run(args),
+        Some(Command::Compare(args)) => compare::run(args),
         Some(Command::Inspect(args)) => inspect::run(args),
         Some(Command::Devices(args)) => devices::run(args),
+        Some(Command::ExportPly(args)) => export_ply::run(args),
         Some(Command::Bake(args)) => bake::run(args),
     };
     match outcome {

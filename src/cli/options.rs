@@ -2,7 +2,7 @@
 
 use crate::{
     frame::{Camera, Skip},
-    vulkan::{GpuOptions, RendererOptions, raster::ColorFormat, sort::KeyBits},
+    vulkan::{GpuOptions, RendererOptions, preset::Preset, raster::ColorFormat, sort::KeyBits},
 };
 use clap::ValueEnum;
 use glam::DVec3;
@@ -45,15 +45,27 @@ pub struct Quality {
     /// GPU to use: part of its name, or its number in `effigy devices` [default: the first that can serve]
     #[arg(long, value_name = "NAME")]
     pub device: Option<String>,
+    /// How much error to trade for time: low, balanced, high or exact; the options below override what it says
+    #[arg(long, value_name = "NAME", default_value_t)]
+    pub preset: Preset,
     /// What pictures are blended in
-    #[arg(long, value_enum, default_value_t = Color::Rgba16f)]
-    pub color: Color,
+    #[arg(long, value_enum)]
+    pub color: Option<Color>,
     /// Bits of the depth key that Gaussians are sorted by
-    #[arg(long, value_enum, default_value_t = Keys::Bits24)]
-    pub keys: Keys,
+    #[arg(long, value_enum)]
+    pub keys: Option<Keys>,
     /// What to leave out where the scene doesn't need it: all, none, or names with commas between
-    #[arg(long, default_value = "all", hide_default_value = true)]
-    pub skip: Skip,
+    #[arg(long)]
+    pub skip: Option<Skip>,
+    /// Opacity under which nothing is drawn, in 255ths, 1 or more
+    #[arg(long, value_name = "N", value_parser = cutoff)]
+    pub cutoff: Option<f64>,
+    /// Millimetres behind the avatar's front from which on nothing is drawn
+    #[arg(long, value_name = "MM", value_parser = length)]
+    pub margin: Option<f64>,
+    /// Draw fewer Gaussians where the median one has a smaller standard deviation than this, px; 0 draws all
+    #[arg(long, value_name = "PX", value_parser = length)]
+    pub detail: Option<f64>,
 }
 
 impl Quality {
@@ -62,8 +74,27 @@ impl Quality {
     }
 
     pub fn renderer(&self, size: [u32; 2]) -> RendererOptions {
-        RendererOptions { color: self.color.into(), key_bits: self.keys.into(), skip: self.skip, ..RendererOptions::new(size) }
+        let preset = self.preset.apply(RendererOptions::new(size));
+        RendererOptions {
+            color: self.color.map_or(preset.color, Into::into),
+            key_bits: self.keys.map_or(preset.key_bits, Into::into),
+            skip: self.skip.unwrap_or(preset.skip),
+            cutoff: self.cutoff.map_or(preset.cutoff, |n| n / 255.0),
+            margin: self.margin.map_or(preset.margin, |mm| mm / 1e3),
+            detail: self.detail.unwrap_or(preset.detail),
+            ..preset
+        }
     }
+}
+
+fn cutoff(text: &str) -> Result<f64, String> {
+    let value = text.parse().ok().filter(|n| (1.0..=255.0).contains(n));
+    value.ok_or_else(|| format!("`{text}` is no cutoff: write a number from 1, where nothing that shows is left out, to 255"))
+}
+
+fn length(text: &str) -> Result<f64, String> {
+    let value = text.parse().ok().filter(|value: &f64| value.is_finite() && *value >= 0.0);
+    value.ok_or_else(|| format!("`{text}` is no length: write a number of 0 or more"))
 }
 
 /// [`ColorFormat`] as the command line has it.
@@ -125,3 +156,41 @@ pub fn color(text: &str) -> Result<[f32; 3], String> {
 
 /// What is behind the avatar unless told otherwise: a light grey.
 pub const BACKGROUND: &str = "d8dde3";
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::Parser;
+
+    #[derive(Parser)]
+    struct Only {
+        #[command(flatten)]
+        quality: Quality,
+    }
+
+    fn options(arguments: &str) -> Result<String, clap::Error> {
+        let only = Only::try_parse_from(["effigy"].into_iter().chain(arguments.split_whitespace()))?;
+        Ok(format!("{:?}", only.quality.renderer([8, 8])))
+    }
+
+    #[test]
+    fn an_option_overrides_its_part_of_the_preset() {
+        let of = |preset: Preset| preset.apply(RendererOptions::new([8, 8]));
+        let expect = |arguments, expected: RendererOptions| {
+            assert_eq!(options(arguments).ok(), Some(format!("{expected:?}")), "{arguments}");
+        };
+        expect("", RendererOptions::new([8, 8]));
+        expect("--preset low", of(Preset::Low));
+        expect(
+            "--preset low --keys 32 --color rgba16f",
+            RendererOptions { key_bits: KeyBits::ThirtyTwo, color: ColorFormat::Rgba16F, ..of(Preset::Low) },
+        );
+        expect(
+            "--cutoff 3 --margin 7 --preset exact --detail 2 --skip pose",
+            RendererOptions { cutoff: 3.0 / 255.0, margin: 0.007, detail: 2.0, skip: Skip::POSE, ..of(Preset::Exact) },
+        );
+        for wrong in ["--cutoff 0.5", "--cutoff 300", "--margin -1", "--detail inf", "--preset lowest", "--skip frames"] {
+            assert!(options(wrong).is_err(), "{wrong} is accepted");
+        }
+    }
+}

@@ -2,10 +2,10 @@
 
 use super::{
     options::{self, Quality, View},
-    source::Source,
+    source::{self, Source},
 };
 use crate::{
-    avatar::{Avatar, motion::Player},
+    avatar::{Avatar, import::cameras, motion::Player},
     frame::{Camera, Extent, Picture, Posed},
     measure::upright,
     reference,
@@ -22,18 +22,21 @@ use std::{
 pub struct Args {
     #[command(flatten)]
     source: Source,
-    /// File to write; with --frames the frame's number goes before the ending
+    /// File to write; with --frames or --cameras a number goes before the ending
     #[arg(short, long, default_value = "effigy.png")]
     out: PathBuf,
-    /// Width and height, px
-    #[arg(long, value_parser = options::size, default_value = "1024x1024")]
-    size: [u32; 2],
+    /// Width and height, px [default: 1024x1024, or each camera's own of --cameras]
+    #[arg(long, value_parser = options::size)]
+    size: Option<[u32; 2]>,
     /// Seconds into the clip
     #[arg(long, default_value_t = 0.0, conflicts_with = "frames")]
     time: f64,
     /// Clip frames to render, the second not included: 0..30
     #[arg(long, value_name = "A..B", value_parser = frames)]
     frames: Option<std::ops::Range<usize>>,
+    /// Render a picture from each of these cameras, a cameras.json as 3DGS writes it
+    #[arg(long, value_name = "FILE", conflicts_with = "frames")]
+    cameras: Option<PathBuf>,
     #[command(flatten)]
     view: View,
     /// Colour behind the avatar, or `none` for a transparent picture
@@ -66,7 +69,8 @@ fn frames(text: &str) -> Result<std::ops::Range<usize>, String> {
 
 /// Either of the two that can draw.
 enum Painter<'a> {
-    Gpu(Box<Renderer>),
+    /// With the size of its picture.
+    Gpu(Box<Renderer>, [u32; 2]),
     Reference(&'a Avatar),
 }
 
@@ -74,7 +78,11 @@ impl Painter<'_> {
     fn paint(&mut self, posed: &Posed, camera: &Camera) -> anyhow::Result<Picture> {
         match self {
             Self::Reference(avatar) => Ok(reference::render(avatar, posed, camera)),
-            Self::Gpu(renderer) => {
+            Self::Gpu(renderer, size) => {
+                if camera.size != *size {
+                    renderer.resize(camera.size)?;
+                    *size = camera.size;
+                }
                 renderer.draw(posed, camera, None)?;
                 Ok(renderer.picture()?)
             }
@@ -85,21 +93,31 @@ impl Painter<'_> {
 pub fn run(args: Args) -> anyhow::Result<()> {
     let (avatar, clips) = args.source.load()?;
     let player = Player::new(clips.into_iter().next().context("there is no clip")?, &avatar.skeleton);
+    let size = args.size.unwrap_or([1024, 1024]);
     let mut painter = if args.reference {
         Painter::Reference(&avatar)
     } else {
         let gpu = Gpu::new(&args.quality.gpu())?;
         println!("drawing with {}", gpu.probe.name);
-        Painter::Gpu(Box::new(Renderer::new(&gpu, &avatar, args.quality.renderer(args.size))?))
+        Painter::Gpu(Box::new(Renderer::new(&gpu, &avatar, args.quality.renderer(size))?), size)
     };
     let extent = Extent::new(&avatar);
-    let mut paint = |seconds: f64, out: &Path| -> anyhow::Result<()> {
+    let mut paint = |seconds: f64, camera: Option<&Camera>, out: &Path| -> anyhow::Result<()> {
         let posed = Posed::new(&avatar, &player.pose(seconds));
-        let camera = args.view.camera(upright(extent.bounds(&posed.joints)), args.size)?;
+        let around = || args.view.camera(upright(extent.bounds(&posed.joints)), size);
+        let camera = camera.map_or_else(around, |camera| Ok(cameras::scaled(camera, args.size.unwrap_or(camera.size))))?;
         write(&painter.paint(&posed, &camera)?, args.background, out)
     };
+    if let Some(path) = &args.cameras {
+        let cameras = source::cameras(path, &avatar)?;
+        for (number, camera) in cameras.iter().enumerate() {
+            paint(args.time, Some(camera), &numbered(&args.out, number))?;
+        }
+        println!("wrote {} to {}", numbered(&args.out, 0).display(), numbered(&args.out, cameras.len() - 1).display());
+        return Ok(());
+    }
     let Some(frames) = args.frames else {
-        paint(args.time, &args.out)?;
+        paint(args.time, None, &args.out)?;
         println!("wrote {}", args.out.display());
         return Ok(());
     };
@@ -114,7 +132,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     );
     let bar = progress(frames.len() as u64, "frames");
     for frame in frames.clone() {
-        paint(frame as f64 / clip.rate, &numbered(&args.out, frame))?;
+        paint(frame as f64 / clip.rate, None, &numbered(&args.out, frame))?;
         bar.inc(1);
     }
     bar.finish_and_clear();

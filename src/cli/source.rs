@@ -1,31 +1,41 @@
 //! Where a command's avatar and clips come from: files that the user names, else the demo inside the program.
 
 use crate::{
-    avatar::{Avatar, Clip},
+    avatar::{
+        Avatar, Clip, Pose,
+        import::{self, Up, cameras},
+    },
     demo,
+    frame::Camera,
 };
 use anyhow::ensure;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// The arguments of every command that draws.
 #[derive(clap::Args, Clone, Debug)]
 pub struct Source {
-    /// The avatar to draw [default: the built-in demo]
+    /// The avatar to draw: an .avatar file, or a 3DGS .ply, which stands still [default: the built-in demo]
     pub avatar: Option<PathBuf>,
     /// A clip to move it with; repeat for several [default: the built-in demo clip]
     #[arg(long, value_name = "FILE")]
     pub motion: Vec<PathBuf>,
+    /// The axis that points up in a .ply [default: what the file says, else -y, as 3DGS trains]
+    #[arg(long, value_enum, value_name = "AXIS", allow_hyphen_values = true)]
+    pub up: Option<Up>,
 }
 
 impl Source {
-    /// Reads the avatar and its clips, of which there is at least one. Clips that move nothing of the avatar are an error.
+    /// Reads the avatar and its clips, of which there is at least one: an avatar that nothing moves has one of a single pose. Clips that
+    /// are given and move nothing of the avatar are an error.
     pub fn load(&self) -> anyhow::Result<(Avatar, Vec<Clip>)> {
+        let turned = self.up.is_none() || self.avatar.as_deref().is_some_and(import::is_ply);
+        ensure!(turned, "--up is for a .ply; what stands up in an avatar file is known: leave it out");
         let avatar = match &self.avatar {
-            Some(path) => Avatar::read(path)?,
+            Some(path) => import::open(path, self.up)?,
             None => demo::avatar()?,
         };
         let clips = if self.motion.is_empty() {
-            vec![demo::clip()?]
+            vec![if avatar.is_static() { Clip::still(&avatar.skeleton) } else { demo::clip()? }]
         } else {
             self.motion.iter().map(|path| Clip::read(path)).collect::<Result<_, _>>()?
         };
@@ -43,6 +53,13 @@ impl Source {
         }
         Ok((avatar, clips))
     }
+}
+
+/// Reads `cameras.json` as 3DGS writes it beside a .ply, in the avatar's world.
+pub fn cameras(path: &Path, avatar: &Avatar) -> anyhow::Result<Vec<Camera>> {
+    let rest = Pose::rest(avatar.skeleton.len(), 0);
+    let world = avatar.skeleton.matrices(&rest).first().copied().unwrap_or_default();
+    Ok(cameras::read(path, world)?)
 }
 
 /// The first few of some names.

@@ -36,6 +36,24 @@ impl Counters {
         self.outside + self.near + self.faint + self.hidden + self.thinned
     }
 
+    /// Every count under its name, in the order of the fields; those that nobody counted are left out.
+    pub fn named(&self) -> impl Iterator<Item = (&'static str, u64)> {
+        let all = [
+            ("gaussians", Some(self.gaussians)),
+            ("outside", Some(self.outside)),
+            ("near", Some(self.near)),
+            ("faint", Some(self.faint)),
+            ("hidden", Some(self.hidden)),
+            ("thinned", Some(self.thinned)),
+            ("drawn", Some(self.drawn)),
+            ("fragments", self.fragments),
+            ("covered", self.covered),
+            ("dispatches", Some(self.dispatches)),
+            ("submitted", Some(self.submitted)),
+        ];
+        all.into_iter().filter_map(|(name, count)| Some((name, count?)))
+    }
+
     /// Fragments shaded for each covered pixel. None where either is unknown or nothing is covered.
     pub fn overdraw(&self) -> Option<f64> {
         let (fragments, covered) = (self.fragments?, self.covered?);
@@ -51,6 +69,8 @@ mod tests {
     fn overdraw_is_unknown_where_nothing_was_counted_or_covered() {
         let counted = Counters { fragments: Some(30), covered: Some(12), ..Counters::default() };
         assert_eq!(counted.overdraw(), Some(2.5));
+        assert_eq!(counted.named().count(), 11);
+        assert_eq!(Counters::default().named().count(), 9);
         assert_eq!(Counters { covered: Some(0), ..counted }.overdraw(), None);
         assert_eq!(Counters { fragments: None, ..counted }.overdraw(), None);
     }

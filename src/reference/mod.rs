@@ -5,6 +5,7 @@
 //! by is that GPU's arithmetic.
 
 pub mod features;
+pub mod harmonics;
 pub mod nodes;
 pub mod raster;
 pub mod sort;
@@ -38,7 +39,8 @@ impl Stages {
     pub fn new(avatar: &Avatar, posed: &Posed, camera: &Camera) -> Self {
         let features = features::features(avatar, &posed.input);
         let nodes = nodes::nodes(avatar, &features);
-        let gaussians = splats::gaussians(avatar, posed, &features, &nodes);
+        let mut gaussians = splats::gaussians(avatar, posed, &features, &nodes);
+        harmonics::color(avatar, posed, camera, &features, &mut gaussians);
         let splats = splats::splats(&gaussians, camera);
         let order = sort::order(&splats);
         let canvas = raster::raster(&splats, &order, camera);

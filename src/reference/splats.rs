@@ -91,19 +91,19 @@ pub fn gaussians(avatar: &Avatar, posed: &Posed, features: &[f64], nodes: &[DVec
 }
 
 /// The corrective of one Gaussian: its basis row · e where a row was kept, else zero.
-fn corrective<const C: usize>(rows: &Rows<C>, gaussian: usize, e: &[f64]) -> [f64; C] {
+pub(super) fn corrective<const C: usize>(rows: &Rows<C>, gaussian: usize, e: &[f64]) -> [f64; C] {
     match rows.gaussian.binary_search(&(gaussian as u32)) {
         Ok(row) => super::combine(&rows.basis[row * C * e.len()..][..C * e.len()], e),
         Err(_) => [0.0; C],
     }
 }
 
-fn plus<const C: usize>(a: [f64; C], b: [f64; C]) -> [f64; C] {
+pub(super) fn plus<const C: usize>(a: [f64; C], b: [f64; C]) -> [f64; C] {
     std::array::from_fn(|k| a[k] + b[k])
 }
 
 /// G = Σ w_j G_j over a Gaussian's four joints: linear blend skinning, not orthogonalised.
-fn skinning(posed: &Posed, joint: [u8; 4], weight: [u8; 4]) -> DAffine3 {
+pub(super) fn skinning(posed: &Posed, joint: [u8; 4], weight: [u8; 4]) -> DAffine3 {
     let mut g = DAffine3::from_mat3_translation(DMat3::ZERO, DVec3::ZERO);
     for (j, w) in joint.into_iter().zip(weight.map(|w| f64::from(w) / 255.0)) {
         g.matrix3 += w * posed.joints[usize::from(j)].matrix3;

@@ -60,11 +60,19 @@ impl Model {
         Ok(Self {
             networks: Buffer::with_data(gpu, "networks", cast_slice(&networks), storage)?,
             nodes: Buffer::with_data(gpu, "nodes", cast_slice(&nodes(avatar)), storage)?,
-            gaussians: Buffer::with_data(gpu, "gaussians", cast_slice(&gaussians(avatar)), storage)?,
+            gaussians: Buffer::with_data(gpu, "gaussians", cast_slice(&gaussians(avatar)), storage | vk::BufferUsageFlags::TRANSFER_SRC)?,
             rows: Buffer::with_data(gpu, "rows", cast_slice(&rows), storage)?,
             occluder: OccluderMesh::new(gpu, avatar, &occluder)?,
             constants,
         })
+    }
+
+    /// RGB of every Gaussian as the last frame left them, for tests.
+    pub fn colors(&self) -> Result<Vec<[f32; 3]>> {
+        let count = self.constants.gaussians as usize;
+        let words: Vec<[u32; 4]> = bytemuck::pod_collect_to_vec(&self.gaussians.download(16 * GAUSSIAN_PLANES as usize * count)?);
+        let half = |word: u32| f16::from_bits(word as u16).to_f32();
+        Ok(words[2 * count..].iter().map(|c| [half(c[0]), half(c[0] >> 16), half(c[1])]).collect())
     }
 }
 

@@ -5,6 +5,7 @@ use super::{
     device::Gpu,
     error::Result,
     features::Features,
+    harmonics::Harmonics,
     memory::Buffer,
     model::Model,
     nodes::Nodes,
@@ -71,6 +72,8 @@ pub struct Stages {
     pub features: Vec<f32>,
     /// One displacement a node, metres; the fourth number is unused.
     pub nodes: Vec<[f32; 4]>,
+    /// RGB of every Gaussian before correctives.
+    pub colors: Vec<[f32; 3]>,
     pub splats: Vec<[u32; 4]>,
     pub keys: Vec<u32>,
     pub order: Vec<u32>,
@@ -84,6 +87,7 @@ pub struct Renderer {
     surface: Surface,
     features: Features,
     nodes: Nodes,
+    harmonics: Option<Harmonics>,
     splats: Splats,
     sort: Sort,
     raster: Raster,
@@ -127,6 +131,7 @@ impl Renderer {
             surface: Surface::new(gpu, frame, &model.occluder, (&pose).into())?,
             features: Features::new(gpu, &model, frame, (&pose).into())?,
             nodes: Nodes::new(gpu, &model, frame, (&pose).into())?,
+            harmonics: Harmonics::new(gpu, avatar, &model, frame)?,
             splats,
             sort,
             raster,
@@ -187,7 +192,7 @@ impl Renderer {
     /// The frame: which stages run, in which order, and what each waits for.
     fn record(&mut self, slot: usize, needed: Needed, place: Option<Place>) {
         let frame = (slot * FRAME_STRIDE) as u32;
-        let Self { slots, options, surface, features, nodes, splats, sort, raster, control, gpu, .. } = self;
+        let Self { slots, options, features, nodes, harmonics, surface, splats, sort, raster, control, gpu, .. } = self;
         let slot = &mut slots[slot];
         let commands = slot.commands;
         let compute = PipelineStageFlags::COMPUTE_SHADER;
@@ -206,6 +211,10 @@ impl Renderer {
             slot.skip("nodes");
         }
         if needed.view {
+            if let Some(harmonics) = harmonics {
+                slot.stage("harmonics", |commands| harmonics.record(commands, frame));
+                barrier(gpu, commands, written, shared);
+            }
             if let Some(place) = place.as_ref().filter(|_| options.skip.contains(Skip::HIDDEN)) {
                 slot.stage("surface", |commands| surface.record(commands, frame, place));
                 barrier(gpu, commands, written, shared);
@@ -220,6 +229,7 @@ impl Renderer {
                 raster.record(commands, frame, control.raw, place.is_some() && options.skip.contains(Skip::DEPTH))
             });
         } else {
+            harmonics.iter().for_each(|_| slot.skip("harmonics"));
             ["splats", "sort", "raster"].into_iter().for_each(|stage| slot.skip(stage));
         }
     }
@@ -302,6 +312,7 @@ impl Renderer {
         Ok(Stages {
             features: bytemuck::pod_collect_to_vec(&pose[..features]),
             nodes: bytemuck::pod_collect_to_vec(&pose[features..]),
+            colors: self.model.colors()?,
             splats,
             keys,
             order: self.sort.download(control.survivors)?,

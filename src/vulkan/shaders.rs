@@ -42,6 +42,11 @@ pub static NODES: Module = Module {
     spirv: include_bytes!("../../shaders/spv/nodes.comp.spv"),
     half: Some(include_bytes!("../../shaders/spv/nodes.comp.half.spv")),
 };
+pub static HARMONICS: Module = Module {
+    file: "harmonics.comp",
+    spirv: include_bytes!("../../shaders/spv/harmonics.comp.spv"),
+    half: Some(include_bytes!("../../shaders/spv/harmonics.comp.half.spv")),
+};
 pub static SPLATS: Module = Module {
     file: "splats.comp",
     spirv: include_bytes!("../../shaders/spv/splats.comp.spv"),
@@ -69,6 +74,7 @@ pub static MODULES: &[&Module] = &[
     &NODES,
     &SURFACE,
     &SURFACE_VERTEX,
+    &HARMONICS,
     &SPLATS,
     &SORT_COUNT,
     &SORT_SCAN,

@@ -23,8 +23,8 @@ use std::sync::Arc;
 /// How much of a key counts: a pass for every 8 bits.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum KeyBits {
-    Sixteen,
     #[default]
+    Sixteen,
     TwentyFour,
     ThirtyTwo,
 }

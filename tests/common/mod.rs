@@ -238,6 +238,7 @@ pub fn avatar(seed: u64, sizes: Sizes) -> Avatar {
         skeleton,
         parts,
         inputs,
+        harmonics: None,
     }
 }
 

@@ -220,6 +220,7 @@ impl Document for AvatarHeader {
                 basis: tensors.take("node.basis"),
             },
             inputs: self.inputs(tensors),
+            harmonics: None,
             name: self.name,
             credit: self.credit,
         }

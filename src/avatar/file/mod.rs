@@ -45,7 +45,7 @@ impl Fault {
 }
 
 /// The beginning of a text from a file, on one line.
-fn clip(text: &str) -> String {
+pub(crate) fn clip(text: &str) -> String {
     let line: String = text.chars().take(100).map(|c| if c.is_control() { ' ' } else { c }).collect();
     if line.len() < text.len() { line + "…" } else { line }
 }
@@ -83,7 +83,7 @@ impl Content {
 }
 
 /// Maps a file and decodes it.
-fn read_with<T>(path: &Path, decode: impl FnOnce(&[u8]) -> Result<T, Fault>) -> Result<T, FileError> {
+pub(super) fn read_with<T>(path: &Path, decode: impl FnOnce(&[u8]) -> Result<T, Fault>) -> Result<T, FileError> {
     let failed = |cause| FileError::Read { file: path.into(), cause };
     let file = File::open(path).map_err(failed)?;
     if !file.metadata().map_err(failed)?.is_file() {

@@ -33,12 +33,16 @@ pub struct Summary {
     joints: Vec<Joint>,
     /// Along x, y, z.
     position: [Spread; 3],
+    /// How finely positions are kept along x, y, z.
+    position_step: [f64; 3],
     /// Standard deviations of the Gaussians along their axes.
     scale: Spread,
     /// 0 to 1.
     opacity: Spread,
     /// Red, green, blue.
     color: [Spread; 3],
+    /// Highest degree of view-dependent colour; 0 where it has none.
+    harmonics: usize,
     tensors: Vec<TensorInfo>,
     bytes: usize,
 }
@@ -76,15 +80,20 @@ impl Summary {
             expression_components: inputs.expression_space.as_ref().map(|space| space.sigma.len()),
             joints: skeleton.name.iter().zip(&skeleton.parent).map(joint).collect(),
             position: [0, 1, 2].map(|k| Spread::of((0..gaussians.len()).map(|i| avatar.position(i)[k]))),
+            position_step: gaussians.bounds.step().to_array(),
             scale: Spread::of(gaussians.log_scale.as_flattened().iter().map(|s| s.to_f64().exp())),
             opacity: Spread::of(gaussians.opacity.iter().map(|&o| f64::from(o) / 255.0)),
             color: [0, 1, 2].map(|k| Spread::of(gaussians.color.iter().map(|c| c[k].to_f64()))),
+            harmonics: avatar.harmonics.as_ref().map_or(0, |harmonics| harmonics.degree),
             bytes: tensors.iter().map(|tensor| tensor.bytes).sum(),
             tensors,
         }
     }
 
     fn networks(&self) -> String {
+        if self.widths.is_empty() {
+            return "none: nothing moves inside".into();
+        }
         let widths: Vec<String> = self.widths.iter().map(usize::to_string).collect();
         let activation = match self.activation {
             Activation::Relu => "ReLU",
@@ -95,6 +104,9 @@ impl Summary {
     }
 
     fn inputs(&self) -> String {
+        if self.widths.is_empty() {
+            return "none".into();
+        }
         let space = |components: Option<usize>| components.map_or_else(|| "as it is".into(), |k| format!("{k} principal components"));
         let pose = format!("rotations of {} joints ({})", self.input_joints.len(), space(self.pose_components));
         match self.expression {
@@ -136,12 +148,18 @@ impl fmt::Display for Summary {
         for (name, Spread { min, median, max }) in ["x", "y", "z"].iter().zip(&self.position) {
             line(f, name, format_args!("{min:.3} to {max:.3} m, median {median:.3}"))?;
         }
+        let [x, y, z] = self.position_step.map(|step| 1e3 * step);
+        line(f, "step", format_args!("{x:.4} × {y:.4} × {z:.4} mm between neighbouring positions"))?;
         let Spread { min, median, max } = &self.scale;
         line(f, "deviation", format_args!("{:.2} to {:.2} mm, median {:.2}", min * 1e3, max * 1e3, median * 1e3))?;
         for (name, Spread { min, median, max }) in
             ["opacity", "red", "green", "blue"].iter().zip([&self.opacity].into_iter().chain(&self.color))
         {
             line(f, name, format_args!("{min:.3} to {max:.3}, median {median:.3}"))?;
+        }
+        match self.harmonics {
+            0 => line(f, "harmonics", "none: colours are the same from every side")?,
+            degree => line(f, "harmonics", format_args!("degree {degree}"))?,
         }
         line(f, "skeleton", format_args!("{} joints", self.joints.len()))?;
         for (depth, chain) in chains(&self.joints, 0, 0) {

@@ -1,0 +1,158 @@
+//! One case from the scenes to the report.
+
+use super::{
+    Case, Setting, Task,
+    check::{self, Checked, Oracle},
+    report::{CaseReport, Spread, StageReport},
+    run::{self, Drawer, Progress, Samples},
+    scene,
+};
+use crate::{
+    avatar::Avatar,
+    measure::bytes::{self, Seen, Work},
+    vulkan::{
+        Gpu, Result,
+        commands::{FrameReport, STAGES},
+    },
+};
+use std::{collections::BTreeMap, sync::Arc};
+
+/// Measures a case.
+pub fn case(gpu: &Arc<Gpu>, task: &Task, setting: &Setting, case: Case, progress: Progress) -> Result<CaseReport> {
+    let setting = &setting.of(case);
+    let scenes = scene::scenes(case, &task.set(setting));
+    let avatar = setting.fit(task.avatar);
+    let mut drawer = Drawer::new(gpu, &avatar, setting)?;
+    let samples = run::time(&mut drawer, &scenes, task.warm_up, |done| progress(&format!("{case}: timing"), done, scenes.len()))?;
+    let (used, reserved) = gpu.memory();
+    let cost = Cost { used, reserved, timed: gpu.probe.timestamp_bits > 0 };
+    let numbers = scene::checks(case, scenes.len(), task.checked);
+    let mut oracle = Oracle::new(task.avatar);
+    let mut show = |what: &str, done, all| progress(&format!("{case}: {what}"), done, all);
+    let checked = check::check(&mut drawer, &scenes, &numbers, &mut oracle, task.flip, &mut show)?;
+    Ok(report(case, (&avatar, setting), samples, checked, cost))
+}
+
+/// What the device says besides the frames.
+struct Cost {
+    /// Bytes of its memory in use, and in blocks that the program took.
+    used: u64,
+    reserved: u64,
+    /// Whether it has timestamps.
+    timed: bool,
+}
+
+fn report(
+    case: Case,
+    (avatar, setting): (&Avatar, &Setting),
+    samples: Samples,
+    checked: Checked,
+    Cost { used, reserved, timed }: Cost,
+) -> CaseReport {
+    let Samples { intervals, reports } = samples;
+    let counters = counters(&reports);
+    let work = bytes::per_stage(avatar, &setting.options, seen(&counters, checked.covered));
+    let stages = stages(&reports, &work);
+    let mean = |of: fn(&StageReport) -> u64| stages.iter().map(|stage| stage.ran * of(stage) as f64).sum::<f64>().round() as u64;
+    let frames = intervals.len();
+    let none = Spread { mean: 0.0, median: 0.0, p5: 0.0, p95: 0.0, p99: 0.0 };
+    let frame_ms = Spread::of(intervals).unwrap_or(none);
+    let covered = counters.get("covered").copied().or(checked.covered);
+    CaseReport {
+        name: case.to_string(),
+        frames,
+        frame_ms,
+        fps: if frame_ms.mean > 0.0 { 1e3 / frame_ms.mean } else { 0.0 },
+        gpu_ms: Spread::of(reports.iter().map(gpu_ms).collect()).filter(|_| timed),
+        bytes: mean(|stage| stage.bytes),
+        bytes_floor: mean(|stage| stage.bytes_floor),
+        covered_pixels: covered,
+        fragments_a_pixel: counters.get("fragments").zip(covered).filter(|(_, covered)| *covered > 0.0).map(|(&f, covered)| f / covered),
+        stages,
+        counters,
+        gpu_memory_bytes: reserved,
+        gpu_memory_used_bytes: used,
+        error: checked.error,
+    }
+}
+
+/// GPU time of a frame, ms. The sum over no stages is −0, which reads badly.
+pub fn gpu_ms(report: &FrameReport) -> f64 {
+    report.gpu_ms() + 0.0
+}
+
+/// Each count's mean over the frames. A count that some frame lacks is left out.
+pub fn counters(reports: &[FrameReport]) -> BTreeMap<String, f64> {
+    let mut sums: BTreeMap<String, (usize, u64)> = BTreeMap::new();
+    for (name, count) in reports.iter().flat_map(|report| report.counters.named()) {
+        let sum = sums.entry(name.to_owned()).or_default();
+        *sum = (sum.0 + 1, sum.1 + count);
+    }
+    let all = sums.into_iter().filter(|(_, (frames, _))| *frames == reports.len());
+    all.map(|(name, (frames, sum))| (name, sum as f64 / frames as f64)).collect()
+}
+
+/// What the counted work depends on.
+fn seen(counters: &BTreeMap<String, f64>, covered: Option<f64>) -> Seen {
+    let count = |name: &str| counters.get(name).map(|count| count.round() as u64);
+    Seen {
+        gaussians: count("gaussians").unwrap_or_default(),
+        drawn: count("drawn").unwrap_or_default(),
+        covered: count("covered").or(covered.map(|covered| covered.round() as u64)),
+        fragments: count("fragments"),
+    }
+}
+
+/// The stages that ran in some frame or have work counted, in the order of a frame.
+fn stages(reports: &[FrameReport], work: &[Work]) -> Vec<StageReport> {
+    let stage = |&name: &&'static str| {
+        let times: Vec<f64> =
+            reports.iter().flat_map(|report| &report.stages).filter(|stage| stage.0 == name).map(|stage| stage.1).collect();
+        let ran = reports.iter().filter(|report| report.counters.submitted > 0 && !report.skipped.contains(&name)).count();
+        let counted = work.iter().find(|work| work.stage == name).copied();
+        let nothing = Work { stage: name, bytes: 0, bytes_floor: 0, operations: None, operations_floor: None };
+        let work = counted.or((!times.is_empty()).then_some(nothing))?;
+        Some(StageReport {
+            name: name.to_owned(),
+            ms: Spread::of(times),
+            ran: ran as f64 / reports.len().max(1) as f64,
+            bytes: work.bytes,
+            bytes_floor: work.bytes_floor,
+            operations: work.operations,
+            operations_floor: work.operations_floor,
+        })
+    };
+    STAGES.iter().filter_map(stage).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::frame::Counters;
+
+    fn frame(drawn: u64, fragments: Option<u64>, skipped: &[&'static str]) -> FrameReport {
+        let ran = ["splats", "raster"].into_iter().filter(|stage| !skipped.contains(stage));
+        FrameReport {
+            stages: ran.map(|stage| (stage, drawn as f64)).collect(),
+            counters: Counters { drawn, fragments, submitted: 1, ..Counters::default() },
+            skipped: skipped.to_vec(),
+        }
+    }
+
+    #[test]
+    fn counters_are_means_and_unknown_ones_are_left_out() {
+        let means = counters(&[frame(10, Some(5), &[]), frame(20, None, &[])]);
+        assert_eq!(means["drawn"], 15.0);
+        assert!(!means.contains_key("fragments"));
+        assert_eq!(counters(&[frame(1, Some(4), &[]), frame(1, Some(8), &[])])["fragments"], 6.0);
+    }
+
+    #[test]
+    fn a_stage_says_in_how_many_frames_it_ran_and_how_long_it_took_in_those() {
+        let work = ["splats", "raster"].map(|stage| Work { stage, bytes: 8, bytes_floor: 4, operations: None, operations_floor: None });
+        let stages = stages(&[frame(1, None, &[]), frame(3, None, &["splats"]), frame(5, None, &["splats"]), frame(7, None, &[])], &work);
+        assert_eq!(stages.iter().map(|stage| (stage.name.as_str(), stage.ran)).collect::<Vec<_>>(), [("splats", 0.5), ("raster", 1.0)]);
+        assert_eq!(stages[0].ms.map(|ms| ms.mean), Some(4.0));
+        assert_eq!(stages[1].ms.map(|ms| ms.mean), Some(4.0));
+    }
+}
