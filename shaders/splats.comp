@@ -82,7 +82,9 @@ void correct(uint i, inout Gaussian g) {
     uvec4 tail = gaussians[block + 1u];
     uint bit = 1u << (i & 31u);
     if ((head.x & bit) != 0u) {
-        g.rotation += row_dot4(frame.rotation_start, head.w + bitCount(head.x & (bit - 1u)), feature);
+        vec4 rotation = g.rotation + row_dot4(frame.rotation_start, head.w + bitCount(head.x & (bit - 1u)), feature);
+        // What is left of the neutral quaternion, of length 1, may be too short to have a direction.
+        g.rotation = length(rotation) >= ROTATION_MIN ? rotation : g.rotation;
     }
     if ((head.y & bit) != 0u) {
         g.log_scale += row_dot3(frame.scale_start, tail.x + bitCount(head.y & (bit - 1u)), feature);
@@ -128,7 +130,7 @@ void main() {
 
     // Steps 7 and 8: J (view G R diag(s)), two rows; their products are the covariance.
     mat3 turn = rotation_matrix(normalize(g.rotation));
-    vec3 scale = exp(g.log_scale);
+    vec3 scale = exp(min(g.log_scale, float(LOG_SCALE_MAX)));
     vec2 slope = clamp(p.xy / p.z, frame.derivative_min, frame.derivative_max);
     vec3 u = frame.focal.x / p.z * (r0.xyz - slope.x * r2.xyz);
     vec3 v = frame.focal.y / p.z * (r1.xyz - slope.y * r2.xyz);
@@ -140,6 +142,9 @@ void main() {
     float determinant = dot(across, across) + LOW_PASS * (covariance.x + covariance.z - LOW_PASS);
     float reach = sqrt(2.0 * log(float(g.opacity)));
     vec2 extent = reach * sqrt(covariance.xz);
+    if (!(determinant > 0.0 && covariance.x <= VARIANCE_MAX && covariance.z <= VARIANCE_MAX)) {
+        return;
+    }
     if (!(all(greaterThan(center + extent, vec2(0.0))) && all(lessThan(center - extent, frame.size)))) {
         return;
     }

@@ -7,6 +7,7 @@ mod inspect;
 mod options;
 mod render;
 pub mod source;
+mod stress;
 mod view;
 
 use clap::{Parser, Subcommand};
@@ -34,6 +35,8 @@ enum Command {
     Render(render::Args),
     /// Measure time, error and memory
     Bench(bench::Args),
+    /// Draw hard cases and hold them against the f64 reference
+    Stress(stress::Args),
     /// Say what an avatar or motion file holds
     Inspect(inspect::Args),
     /// List the GPUs: what each has, lacks and would use
@@ -54,6 +57,7 @@ pub fn main() -> ExitCode {
         Some(Command::View(args)) => view::run(args),
         Some(Command::Render(args)) => render::run(args),
         Some(Command::Bench(args)) => bench::run(args),
+        Some(Command::Stress(args)) => stress::run(args),
         Some(Command::Inspect(args)) => inspect::run(args),
         Some(Command::Devices(args)) => devices::run(args),
         Some(Command::Bake(args)) => bake::run(args),

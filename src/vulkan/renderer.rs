@@ -1,6 +1,7 @@
 //! Draws one avatar: a pose and a camera go in, a picture on the device comes out. [`Renderer::record`] is the frame, top to bottom.
 
 use super::{
+    check,
     commands::{FrameReport, SLOTS, Slot},
     device::Gpu,
     error::Result,
@@ -103,6 +104,7 @@ const FRAME_STRIDE: usize = size_of::<Frame>().next_multiple_of(256);
 
 impl Renderer {
     pub fn new(gpu: &Arc<Gpu>, avatar: &Avatar, options: RendererOptions) -> Result<Self> {
+        options.check()?;
         let model = Model::new(gpu, avatar)?;
         let constants = &model.constants;
         let storage = vk::BufferUsageFlags::STORAGE_BUFFER | vk::BufferUsageFlags::TRANSFER_SRC;
@@ -159,7 +161,11 @@ impl Renderer {
     }
 
     /// Submits a frame. Waits only when two frames are still under way. `camera` must have the picture's size.
+    ///
+    /// # Errors
+    /// When the pose or the camera holds a number that can't be drawn, or the device fails.
     pub fn draw(&mut self, posed: &Posed, camera: &Camera, presentation: Option<Presentation>) -> Result<()> {
+        check::frame(posed, camera, (&self.model.constants, &self.extent), self.options.size)?;
         let slot = self.next;
         if let Some(report) = self.slots[slot].finish()? {
             self.report = report;
