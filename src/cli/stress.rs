@@ -14,6 +14,9 @@ pub struct Args {
     /// How many cases to draw
     #[arg(long, default_value_t = 2000)]
     cases: u64,
+    /// Number of the first case
+    #[arg(long, default_value_t = 0)]
+    first: u64,
     /// What all cases are made from: the same seed gives the same cases everywhere
     #[arg(long, default_value_t = 7)]
     seed: u64,
@@ -48,7 +51,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
         return Ok(());
     }
     let bar = progress(args.cases, "cases");
-    let settings = Settings { seed: args.seed, cases: 0..args.cases, large: args.large };
+    let settings = Settings { seed: args.seed, cases: args.first..args.first.saturating_add(args.cases), large: args.large };
     let report = stress::run(&gpu, &settings, &mut |done, _, failed| {
         bar.set_position(done as u64);
         if failed > 0 {
@@ -70,15 +73,15 @@ pub fn run(args: Args) -> anyhow::Result<()> {
 fn print(report: &Report, args: &Args) {
     println!("device   {} ({})", report.device, report.driver);
     println!(
-        "{:15} {:>5} {:>6} {:>19} {:>19} {:>8}  hard because of",
-        "family", "cases", "failed", "worst dB (case)", "error (case)", "time"
+        "{:15} {:>5} {:>6} {:>9} {:>19} {:>19} {:>8}  hard because of",
+        "family", "cases", "failed", "ill-posed", "worst dB (case)", "error (case)", "time"
     );
     for family in &report.families {
-        let FamilyReport { cases, failed, max_error, seconds, what, .. } = family;
+        let FamilyReport { cases, failed, ill_posed, max_error, seconds, what, .. } = family;
         let at = |case: Option<u64>| case.map_or(String::new(), |case| format!(" ({case})"));
         let worst = family.worst_psnr_db.map_or("–".into(), |worst| format!("{worst:.2}{}", at(family.worst_case)));
         let max_error = format!("{max_error:.4}{}", at(family.max_error_case));
-        println!("{:15} {cases:>5} {failed:>6} {worst:>19} {max_error:>19} {seconds:>6.1} s  {what}", family.family.name());
+        println!("{:15} {cases:>5} {failed:>6} {ill_posed:>9} {worst:>19} {max_error:>19} {seconds:>6.1} s  {what}", family.family.name());
     }
     let slowest = report.slowest.map_or(String::new(), |(case, seconds)| format!(", the slowest {seconds:.2} s (case {case})"));
     println!("cases    {} of seed {} in {:.1} s{slowest}", report.cases, report.seed, report.seconds);
@@ -130,6 +133,9 @@ fn print_outcome(outcome: &Outcome) {
         let (covered, bound) = (error.covered, outcome.bound);
         println!("error    {:.2} dB, {:.4} at most, over {} covered pixels", covered.psnr_db, covered.max_error, covered.pixels);
         println!("bound    {:.2} dB, {:.4} at most", bound.psnr_db, bound.max_error);
+    }
+    if let Some(moved) = outcome.conditioned_db {
+        println!("ill-posed: the reference against itself, moved by rounding, {moved:.2} dB");
     }
     println!("time     {:.3} s on the device", outcome.time.as_secs_f64());
     println!("bits     {:016x}", outcome.digest);

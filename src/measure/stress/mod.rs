@@ -34,6 +34,8 @@ pub struct FamilyReport {
     pub what: &'static str,
     pub cases: usize,
     pub failed: usize,
+    /// How many pictures hang on less than f32 can tell, and were held to no more than that.
+    pub ill_posed: usize,
     /// Lowest PSNR over covered pixels, dB, and the case that had it. Null where no case drew anything.
     pub worst_psnr_db: Option<f64>,
     pub worst_case: Option<u64>,
@@ -41,6 +43,20 @@ pub struct FamilyReport {
     pub max_error: f64,
     pub max_error_case: Option<u64>,
     pub seconds: f64,
+}
+
+/// What came of a case.
+#[derive(Clone, Debug, Serialize)]
+pub struct CaseReport {
+    pub case: u64,
+    pub family: Family,
+    pub options: String,
+    pub covered_pixels: usize,
+    pub psnr_db: f64,
+    pub max_error: f64,
+    pub bound: Bound,
+    /// How well the reference itself determines the picture, dB, where that had to be asked.
+    pub conditioned_db: Option<f64>,
 }
 
 /// A case that failed.
@@ -60,6 +76,8 @@ pub struct Report {
     pub cases: usize,
     pub families: Vec<FamilyReport>,
     pub failures: Vec<Failure>,
+    /// Every case that drew a picture.
+    pub all: Vec<CaseReport>,
     /// Of the bits of all pictures, hexadecimal: two runs on one device give the same.
     pub digest: String,
     /// The case that took longest on the device, and how long, s.
@@ -79,6 +97,7 @@ pub fn run(gpu: &Arc<Gpu>, settings: &Settings, progress: &mut dyn FnMut(usize, 
         cases: 0,
         families: Family::ALL.iter().copied().map(FamilyReport::new).collect(),
         failures: vec![],
+        all: vec![],
         digest: String::new(),
         slowest: None,
         seconds: 0.0,
@@ -110,6 +129,7 @@ impl FamilyReport {
             what,
             cases: 0,
             failed: 0,
+            ill_posed: 0,
             worst_psnr_db: None,
             worst_case: None,
             max_error: 0.0,
@@ -122,6 +142,7 @@ impl FamilyReport {
         self.cases += 1;
         self.failed += usize::from(!outcome.faults.is_empty());
         self.seconds += outcome.time.as_secs_f64();
+        self.ill_posed += usize::from(outcome.conditioned_db.is_some() && outcome.faults.is_empty());
         let Some(covered) = outcome.error.map(|error| error.covered).filter(|covered| covered.pixels > 0) else { return };
         if self.worst_psnr_db.is_none_or(|worst| covered.psnr_db < worst) {
             (self.worst_psnr_db, self.worst_case) = (Some(covered.psnr_db), Some(number));
@@ -142,6 +163,16 @@ impl Report {
         if self.slowest.is_none_or(|(_, slowest)| seconds > slowest) {
             self.slowest = Some((case.number, seconds));
         }
+        self.all.extend(outcome.error.map(|error| CaseReport {
+            case: case.number,
+            family: case.family,
+            options: format!("{:?}, {:?}, {}", case.options.color, case.options.key_bits, case.options.skip),
+            covered_pixels: error.covered.pixels,
+            psnr_db: error.covered.psnr_db,
+            max_error: error.covered.max_error,
+            bound: outcome.bound,
+            conditioned_db: outcome.conditioned_db,
+        }));
         if !outcome.faults.is_empty() {
             self.failures.push(Failure { case: case.number, family: case.family, faults: outcome.faults.clone() });
         }
