@@ -96,6 +96,15 @@ void correct(uint i, inout Gaussian g) {
                   g.node_weight.z * posed[frame.node_start + g.node.z].xyz;
 }
 
+// Where in the keys a depth is, 0 to 1: linear over the range that the avatar is expected in, and still rising beyond its ends, where
+// correctives larger than expected may carry a Gaussian.
+float key_of(float depth) {
+    const float tail = 1.0 / 64.0;
+    float at = (frame.key_far - depth) * frame.key_scale;
+    float inside = tail + (1.0 - 2.0 * tail) * clamp(at, 0.0, 1.0);
+    return at < 0.0 ? tail / (1.0 - at) : at > 1.0 ? 1.0 - tail / at : inside;
+}
+
 void main() {
     uint i = gl_GlobalInvocationID.x;
     if (i >= frame.gaussians) {
@@ -153,6 +162,5 @@ void main() {
     for (uint k = 0u; k < 4u; ++k) {
         words[4u * i + k] = packed[k];
     }
-    float key = clamp((frame.key_far - p.z) * frame.key_scale, 0.0, 1.0);
-    words[key_at] = min(uint(key * float(frame.key_max)), frame.key_max);
+    words[key_at] = min(uint(key_of(p.z) * float(frame.key_max)), frame.key_max);
 }
