@@ -111,7 +111,7 @@ impl Family {
             // Depths a kilometre away, or metres outside the body, have too few steps in f32 to keep apart what nearly touches.
             Self::Distant | Self::Poses | Self::Mixed => [36.0, 1.0],
             // Correctives of kilometres: most Gaussians share the few keys beyond the body's range, so this holds them to being finite.
-            Self::Overflow => [5.0, 1.0],
+            Self::Overflow => [0.0, 1.0],
             // Splats lie on a grid of 1/32 px in pictures of 8192 px, of which few pixels are covered.
             Self::Sizes => [30.0, 0.1],
             Self::Views => [42.0, 0.06],
