@@ -11,6 +11,9 @@ layout(std430, set = 0, binding = 2) writeonly buffer PoseOut { float features[]
 
 shared float activation[2 * MLP_WIDTH];
 
+// No weight whatever makes infinity of a feature, nor NaN of two of them.
+float within(float sum) { return clamp(sum, -float(FEATURE_MAX), float(FEATURE_MAX)); }
+
 void main() {
     uint part = gl_WorkGroupID.x;
     uint block = part * frame.network_quads;
@@ -35,8 +38,9 @@ void main() {
                 sum += dot(widen(networks[weight + k * layer.output_count]), x);
             }
             if (last) {
-                features[part * 4u * frame.feature_quads + o] = sum;
+                features[part * 4u * frame.feature_quads + o] = within(sum);
             } else {
+                sum = within(sum);
                 activation[target + o] = max(sum, frame.slope * sum);
             }
         }

@@ -6,6 +6,8 @@
 //   word 3: length of the shorter axis, px, f16; opacity (8 bits); high 8 bits of blue
 
 #define LOW_PASS 0.3
+#define ROTATION_MIN 1e-3
+#define VARIANCE_MAX 1e18
 
 // How many standard deviations from its centre a Gaussian reaches the cutoff.
 float reach_of(uint opacity) {
@@ -20,11 +22,12 @@ uvec4 pack_splat(vec2 center, vec3 covariance, float determinant, vec3 color, ui
     vec2 direction = half_difference >= 0.0 ? vec2(half_difference + root, covariance.y) : vec2(covariance.y, root - half_difference);
     float size = length(direction);
     direction = size > 0.0 ? direction / size : vec2(1.0, 0.0);
-    vec2 axis = sqrt(longer) * direction;
+    // Shortened as a whole where f16 can't hold it, so that it keeps its direction.
+    vec2 axis = min(sqrt(longer), 65504.0) * direction;
     float shorter = sqrt(determinant / longer);
     uvec2 at = uvec2(clamp(round((center + frame.guard) * frame.fixed_scale), 0.0, float((1u << POSITION_BITS) - 1u)));
     uvec3 rgb = uvec3(round(color * 1023.0));
-    return uvec4(at.x | rgb.r << POSITION_BITS | rgb.b << 30u, at.y | rgb.g << POSITION_BITS, packHalf2x16(min(axis, vec2(65504.0))),
+    return uvec4(at.x | rgb.r << POSITION_BITS | rgb.b << 30u, at.y | rgb.g << POSITION_BITS, packHalf2x16(axis),
                  packHalf2x16(vec2(min(shorter, 65504.0), 0.0)) | opacity << 16u | rgb.b >> 2u << 24u);
 }
 

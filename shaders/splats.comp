@@ -5,6 +5,7 @@
 #include "half.glsl"
 #include "layout.glsl"
 #include "splat.glsl"
+#include "depth.glsl"
 
 layout(local_size_x = SPLATS_SIZE) in;
 // GAUSSIAN_PLANES planes of one vector a Gaussian, then two vectors for every 32 Gaussians: which of them keep a row of rotation,
@@ -85,7 +86,9 @@ void correct(uint i, inout Gaussian g) {
     uvec4 tail = gaussians[block + 1u];
     uint bit = 1u << (i & 31u);
     if ((head.x & bit) != 0u) {
-        g.rotation += row_dot4(frame.rotation_start, head.w + bitCount(head.x & (bit - 1u)), feature);
+        vec4 rotation = g.rotation + row_dot4(frame.rotation_start, head.w + bitCount(head.x & (bit - 1u)), feature);
+        // What is left of the neutral quaternion, of length 1, may be too short to have a direction.
+        g.rotation = length(rotation) >= ROTATION_MIN ? rotation : g.rotation;
     }
     if ((head.y & bit) != 0u) {
         g.log_scale += row_dot3(frame.scale_start, tail.x + bitCount(head.y & (bit - 1u)), feature);
@@ -153,7 +156,7 @@ void main() {
         return;
     }
 
-    float key = clamp((frame.key_far - p.z) * frame.key_scale, 0.0, 1.0);
+    float key = key_of(p.z);
     float stretched = exp2(float(g.radius) / 16.0 - 16.0) * length(vec3(p.xy / p.z, 1.0)) * max(frame.focal.x, frame.focal.y) / p.z;
     if (frame.surface_start > 0u && hidden(center, reach_of(g.opacity) * (stretched + sqrt(LOW_PASS)), 1.0 - key)) {
         return;
@@ -161,7 +164,7 @@ void main() {
 
     // Steps 7 and 8: J (view G R diag(s)), two rows; their products are the covariance.
     mat3 turn = rotation_matrix(normalize(g.rotation));
-    vec3 scale = exp(g.log_scale);
+    vec3 scale = exp(min(g.log_scale, float(LOG_SCALE_MAX)));
     vec2 slope = clamp(p.xy / p.z, frame.derivative_min, frame.derivative_max);
     vec3 u = frame.focal.x / p.z * (r0.xyz - slope.x * r2.xyz);
     vec3 v = frame.focal.y / p.z * (r1.xyz - slope.y * r2.xyz);
@@ -172,6 +175,9 @@ void main() {
     vec3 across = cross(mu, mv);
     float determinant = dot(across, across) + LOW_PASS * (covariance.x + covariance.z - LOW_PASS);
     vec2 extent = reach_of(g.opacity) * sqrt(covariance.xz);
+    if (!(determinant > 0.0 && covariance.x <= VARIANCE_MAX && covariance.z <= VARIANCE_MAX)) {
+        return;
+    }
     if (!(all(greaterThan(center + extent, vec2(0.0))) && all(lessThan(center - extent, frame.size)))) {
         return;
     }

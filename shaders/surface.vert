@@ -1,8 +1,9 @@
 // A corner of the depth surface: the avatar's solid inside, skinned as a Gaussian is (model.md, step 6) and pushed back by the margin.
-// Depth is linear from the nearest key, 0, to the furthest, 1: the same numbers that splats are sorted by.
+// Depth is 0 at the nearest key and 1 at the furthest: the same numbers that splats are sorted by.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #include "layout.glsl"
+#include "depth.glsl"
 
 // A corner: position in 16-bit coordinates (x y, z), joints, weights.
 layout(std430, set = 0, binding = 1) readonly buffer Corners { uvec4 corners[]; };
@@ -18,6 +19,6 @@ void main() {
         p += weight[k] * vec3(dot(frame.joint[at], x), dot(frame.joint[at + 1u], x), dot(frame.joint[at + 2u], x));
     }
     vec2 at = frame.focal * p.xy + frame.center * p.z;
-    float depth = 1.0 - (frame.key_far - p.z - frame.margin) * frame.key_scale;
+    float depth = 1.0 - key_of(p.z + frame.margin);
     gl_Position = vec4(2.0 * at / frame.size - p.z, depth * p.z, p.z);
 }

@@ -4,7 +4,7 @@
 //! Buffers are arrays of 32-bit words, of 16-byte vectors, or of "half quads": four f16 in eight bytes, the same bytes whether a
 //! device reads them as f16 or unpacks words.
 
-use crate::avatar::limits;
+use crate::{avatar::limits, frame};
 use bytemuck::{Pod, Zeroable};
 
 /// Invocations of a workgroup of `features`: one for each neuron of the paper's layers.
@@ -65,6 +65,8 @@ pub const MACROS: &[(&str, u32)] = &[
     ("MLP_WIDTH", limits::MLP_WIDTH as u32),
     ("MLP_LAYERS", limits::MLP_LAYERS as u32),
     ("JOINTS", limits::JOINTS as u32),
+    ("FEATURE_MAX", frame::FEATURE_MAX as u32),
+    ("LOG_SCALE_MAX", frame::LOG_SCALE_MAX as u32),
 ];
 
 /// A layer of the networks, in half quads.

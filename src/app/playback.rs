@@ -41,9 +41,19 @@ pub struct Moment {
     pub time: f64,
 }
 
+/// Where playing began.
+#[derive(Clone, Copy, Debug)]
+struct Began {
+    /// The clock then.
+    clock: f64,
+    /// What was drawn then.
+    moment: Moment,
+}
+
 /// Plays one of several clips. Times of the clock are seconds that only rise.
 ///
-/// While it plays, the position is worked out from when playing began, never summed up over frames, so it does not drift.
+/// While it plays, the position is worked out from when playing began, never summed up over frames or over the clip's repetitions: it
+/// does not drift, and depends on the clock alone, not on how many frames were drawn.
 #[derive(Clone, Debug)]
 pub struct Playback {
     tracks: Vec<Track>,
@@ -51,14 +61,16 @@ pub struct Playback {
     time: f64,
     speed: f64,
     repeat: Repeat,
-    /// The clock, and the clip's position at that time; None while paused.
-    since: Option<(f64, f64)>,
+    /// None while paused.
+    began: Option<Began>,
+    /// The clock when it was last told.
+    clock: f64,
 }
 
 impl Playback {
     /// Starts paused at the beginning of the first clip. Without any clip there is one moment.
     pub fn new(tracks: Vec<Track>) -> Self {
-        Self { tracks, clip: 0, time: 0.0, speed: 1.0, repeat: Repeat::default(), since: None }
+        Self { tracks, clip: 0, time: 0.0, speed: 1.0, repeat: Repeat::default(), began: None, clock: 0.0 }
     }
 
     pub fn tracks(&self) -> &[Track] {
@@ -83,7 +95,7 @@ impl Playback {
     }
 
     pub fn is_playing(&self) -> bool {
-        self.since.is_some()
+        self.began.is_some()
     }
 
     /// The moment changes without anyone's doing: frames have to be drawn.
@@ -91,45 +103,48 @@ impl Playback {
         self.is_playing() && self.duration() > 0.0
     }
 
-    /// Moves on to the clock's time.
+    /// Moves on to the clock's time. A clock that is no number changes nothing.
     pub fn advance(&mut self, clock: f64) -> Moment {
-        if let Some((began, from)) = self.since
-            && self.duration() > 0.0
-        {
-            self.time = from + (clock - began).max(0.0) * self.speed;
-            if self.time >= self.duration() {
-                self.end(clock);
+        if clock.is_finite() {
+            self.clock = clock;
+            if let Some(began) = self.began
+                && self.duration() > 0.0
+            {
+                self.follow(began.moment, (clock - began.clock).max(0.0) * self.speed);
             }
         }
         self.moment()
     }
 
-    /// The clip's end has been reached.
-    fn end(&mut self, clock: f64) {
+    /// Goes to where so many seconds of playing lead from a moment.
+    fn follow(&mut self, from: Moment, seconds: f64) {
+        (self.clip, self.time) = (from.clip, from.time + seconds);
+        let duration = self.duration();
+        if self.time < duration {
+            return;
+        }
         match self.repeat {
             Repeat::Off => {
-                self.time = self.duration();
-                self.since = None;
+                self.time = duration;
+                self.began = None;
             }
-            Repeat::Clip => self.set_time(self.time % self.duration(), clock),
+            Repeat::Clip => self.time %= duration,
             Repeat::All => {
                 let all: f64 = self.tracks.iter().map(|track| track.duration).sum();
-                let mut over = (self.time - self.duration()) % all;
-                loop {
+                self.time = (self.time - duration) % all;
+                self.clip = (from.clip + 1) % self.tracks.len();
+                while self.time >= self.duration() {
+                    self.time -= self.duration();
                     self.clip = (self.clip + 1) % self.tracks.len();
-                    if over < self.duration() {
-                        break;
-                    }
-                    over -= self.duration();
                 }
-                self.set_time(over, clock);
             }
         }
     }
 
     fn set_time(&mut self, time: f64, clock: f64) {
         self.time = time;
-        self.since = self.since.map(|_| (clock, time));
+        self.clock = clock;
+        self.began = self.began.map(|_| Began { clock, moment: self.moment() });
     }
 
     /// Plays or pauses. Playing from the end of a clip that does not repeat begins it again.
@@ -138,7 +153,7 @@ impl Playback {
         if play && self.repeat == Repeat::Off && self.time >= self.duration() {
             self.time = 0.0;
         }
-        self.since = play.then_some((clock, self.time));
+        self.began = play.then_some(Began { clock, moment: self.moment() });
     }
 
     /// Goes to a time of the current clip; beyond its ends, to the nearest.
@@ -193,6 +208,8 @@ impl Playback {
     }
 
     pub fn set_repeat(&mut self, repeat: Repeat) {
+        // What was played until now was played the old way.
+        self.set_time(self.time, self.clock);
         self.repeat = repeat;
     }
 }

@@ -58,8 +58,9 @@ impl Clip {
     }
 
     /// The pose at a time, between frames the shortest turn of each joint; before the start and after the end the nearest frame.
+    /// A time that is no number is the start.
     pub fn sample(&self, seconds: f64) -> Pose {
-        let at = (seconds * self.rate).clamp(0.0, (self.frames() - 1) as f64);
+        let at = (seconds * self.rate).max(0.0).min((self.frames() - 1) as f64);
         let (first, t) = (at.floor() as usize, at.fract());
         let (a, b) = (self.frame(first), self.frame((first + 1).min(self.frames() - 1)));
         if t == 0.0 {

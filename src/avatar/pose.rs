@@ -2,11 +2,15 @@
 
 use super::Inputs;
 use glam::DVec3;
+use std::f64::consts::{PI, TAU};
+
+/// Inputs of the networks stay within ±this, the largest number that f16 holds; NaN stays NaN.
+const INPUT_MAX: f64 = 65504.0;
 
 /// One pose of a skeleton with J joints.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pose {
-    /// Axis-angle rotation of each joint relative to its parent, radians. Joint 0 turns the whole body.
+    /// Axis-angle rotation of each joint relative to its parent, radians. Joint 0 turns the whole body. Joints past the end stay at rest.
     pub rotation: Vec<DVec3>,
     /// Added to the root's rest position, metres.
     pub translation: DVec3,
@@ -45,15 +49,23 @@ impl Subspace {
     }
 }
 
+/// The same rotation by at most π: networks were trained on those, and two ways to write one rotation must look alike.
+fn shortest(rotation: DVec3) -> DVec3 {
+    let angle = rotation.length();
+    if angle <= PI { rotation } else { rotation * ((angle - TAU * (angle / TAU).round()) / angle) }
+}
+
 impl Inputs {
     /// θ_p ⊕ θ_e of a pose, each projected where the avatar has a subspace for it. Parts outside the head see θ_e as zeros.
     pub fn of(&self, pose: &Pose) -> Vec<f64> {
-        let theta: Vec<f64> = self.joint.iter().flat_map(|&j| pose.rotation[j as usize].to_array()).collect();
+        let rotation = |&j: &u8| shortest(pose.rotation.get(usize::from(j)).copied().unwrap_or_default()).to_array();
+        let theta: Vec<f64> = self.joint.iter().flat_map(rotation).collect();
         let mut expression = pose.expression.clone();
         expression.resize(self.expression, 0.0);
         let project = |space: &Option<Subspace>, x: Vec<f64>| space.as_ref().map_or_else(|| x.clone(), |space| space.project(&x));
         let mut input = project(&self.pose_space, theta);
         input.extend(project(&self.expression_space, expression));
+        input.iter_mut().for_each(|x| *x = x.clamp(-INPUT_MAX, INPUT_MAX));
         input
     }
 }
@@ -61,6 +73,19 @@ impl Inputs {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_networks_see_a_rotation_and_not_how_it_is_written() {
+        let inputs = Inputs { joint: vec![1, 7], expression: 1, pose_space: None, expression_space: None };
+        let see = |rotation: DVec3| inputs.of(&Pose { rotation: vec![DVec3::ZERO, rotation], expression: vec![1e30], ..Pose::rest(0, 0) });
+        let axis = DVec3::new(2.0, -1.0, 2.0) / 3.0;
+        for turns in [-3.0, -1.0, 0.0, 1.0, 1000.0] {
+            let seen = see(axis * (0.8 + TAU * turns));
+            assert!(seen[..3].iter().zip((axis * 0.8).to_array()).all(|(a, b)| (a - b).abs() < 1e-9), "{turns} turns: {seen:?}");
+            assert_eq!(seen[3..], [0.0, 0.0, 0.0, INPUT_MAX]);
+        }
+        assert!(see(DVec3::NAN)[0].is_nan());
+    }
 
     #[test]
     fn projection_keeps_the_subspace_and_clamps_at_two_sigma() {

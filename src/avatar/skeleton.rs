@@ -44,7 +44,7 @@ impl Skeleton {
 
     /// Where each joint is under a pose, and how it is turned.
     pub fn joints(&self, pose: &Pose) -> Vec<DAffine3> {
-        self.world(|j| DQuat::from_scaled_axis(pose.rotation[j]), pose.translation)
+        self.world(|j| DQuat::from_scaled_axis(pose.rotation.get(j).copied().unwrap_or_default()), pose.translation)
     }
 
     /// G_j = A_j(pose) A_j(canonical)⁻¹: canonical space to world, for each joint (model.md, step 6).

@@ -9,6 +9,7 @@ mod inspect;
 mod options;
 mod render;
 pub mod source;
+mod stress;
 mod view;
 
 use clap::{Parser, Subcommand};
@@ -38,6 +39,8 @@ enum Command {
     Bench(bench::Args),
     /// Set two measurements against each other
     Compare(compare::Args),
+    /// Draw hard cases and hold them against the f64 reference
+    Stress(stress::Args),
     /// Say what an avatar or motion file holds
     Inspect(inspect::Args),
     /// List the GPUs: what each has, lacks and would use
@@ -61,6 +64,7 @@ pub fn main() -> ExitCode {
         Some(Command::Render(args)) => render::run(args),
         Some(Command::Bench(args)) => bench::run(args),
         Some(Command::Compare(args)) => compare::run(args),
+        Some(Command::Stress(args)) => stress::run(args),
         Some(Command::Inspect(args)) => inspect::run(args),
         Some(Command::Devices(args)) => devices::run(args),
         Some(Command::ExportPly(args)) => export_ply::run(args),

@@ -4,6 +4,7 @@ use crate::{
     frame::{Camera, Skip},
     vulkan::{GpuOptions, RendererOptions, preset::Preset, raster::ColorFormat, sort::KeyBits},
 };
+use anyhow::Context;
 use clap::ValueEnum;
 use glam::DVec3;
 
@@ -35,7 +36,9 @@ impl View {
         let distance = self.distance.unwrap_or_else(|| Camera::framing_distance(bounds, fov, size));
         let target = (bounds[0] + bounds[1]) / 2.0 + self.raise * DVec3::Y;
         let (yaw, pitch) = (self.yaw.to_radians(), self.pitch.clamp(-89.0, 89.0).to_radians());
-        Ok(Camera::orbit(target, yaw, pitch, distance, fov, size))
+        let camera = Camera::orbit(target, yaw, pitch, distance, fov, size);
+        camera.check().context("there is no such view: give --yaw, --pitch, --distance and --raise as plain numbers")?;
+        Ok(camera)
     }
 }
 

@@ -91,6 +91,7 @@ impl Painter<'_> {
 }
 
 pub fn run(args: Args) -> anyhow::Result<()> {
+    ensure!(args.time.is_finite(), "a time of {} s is in no clip", args.time);
     let (avatar, clips) = args.source.load()?;
     let player = Player::new(clips.into_iter().next().context("there is no clip")?, &avatar.skeleton);
     let size = args.size.unwrap_or([1024, 1024]);

@@ -4,7 +4,8 @@ use super::Camera;
 use crate::avatar::Avatar;
 use glam::{DAffine3, DVec2, DVec3, UVec2};
 
-/// Room for position correctives, for the Gaussians' own size, and for the joints that count too little to be looked at; metres.
+/// Room for position correctives, for the Gaussians' own size, and for the joints that count too little to be looked at; metres before
+/// the joints move, which may scale them.
 const MARGIN: f64 = 0.05;
 /// Joints that move no Gaussian of a part by at least this weight (of 255) are left out: they could only widen the bounds.
 const WEIGHT: u8 = 8;
@@ -44,6 +45,11 @@ impl Extent {
         Self { parts: parts.collect() }
     }
 
+    /// How many joint matrices a pose must have.
+    pub fn joints(&self) -> usize {
+        self.parts.iter().flat_map(|part| &part.joints).max().map_or(0, |&joint| usize::from(joint) + 1)
+    }
+
     fn corners<'a>(&'a self, joints: &'a [DAffine3]) -> impl Iterator<Item = DVec3> + 'a {
         self.parts.iter().flat_map(move |part| {
             let corner = |k: usize| {
@@ -59,7 +65,8 @@ impl Extent {
     pub fn bounds(&self, joints: &[DAffine3]) -> [DVec3; 2] {
         let none = [DVec3::INFINITY, DVec3::NEG_INFINITY];
         let [min, max] = self.corners(joints).fold(none, |[min, max], corner| [min.min(corner), max.max(corner)]);
-        if min.cmple(max).all() { [min - MARGIN, max + MARGIN] } else { [DVec3::ZERO; 2] }
+        let margin = margin(joints);
+        if min.cmple(max).all() { [min - margin, max + margin] } else { [DVec3::ZERO; 2] }
     }
 
     /// Lower and upper corner of a box in the picture outside which nothing of the avatar is drawn, px. Empty where it is all outside.
@@ -85,7 +92,15 @@ impl Extent {
         let axis = camera.view.matrix3.transpose().z_axis;
         let along = |point: DVec3| axis.dot(point) + camera.view.translation.z;
         let (min, max) = self.corners(joints).map(along).fold((f64::INFINITY, f64::NEG_INFINITY), |(min, max), z| (min.min(z), max.max(z)));
-        let near = if min.is_finite() { (min - MARGIN).max(camera.near) } else { camera.near };
-        [near, (max + MARGIN).max(near + 1e-3)]
+        let margin = margin(joints) * axis.length();
+        let near = if min.is_finite() { (min - margin).max(camera.near) } else { camera.near };
+        // At least a hundredth of the margin deep, and more than f32 can tell.
+        [near, (max + margin).max(near + 0.02 * margin).max(near * (1.0 + 1e-6))]
     }
+}
+
+/// [`MARGIN`] where the joints have moved it.
+fn margin(joints: &[DAffine3]) -> f64 {
+    let columns = joints.iter().flat_map(|joint| [joint.matrix3.x_axis, joint.matrix3.y_axis, joint.matrix3.z_axis]);
+    MARGIN * columns.map(|column| column.length_squared()).fold(0.0, f64::max).sqrt()
 }

@@ -1,6 +1,7 @@
 //! What a frame is, whatever draws it: where the camera stands, what the pose makes of the skeleton, how far the avatar reaches.
 
 pub mod camera;
+pub mod check;
 pub mod counters;
 pub mod extent;
 pub mod picture;
@@ -9,6 +10,7 @@ pub mod skip;
 
 use crate::avatar::{Avatar, Pose};
 pub use camera::Camera;
+pub use check::Unusable;
 pub use counters::Counters;
 pub use extent::Extent;
 use glam::DAffine3;
@@ -25,6 +27,15 @@ pub const ALPHA_MAX: f64 = 0.99;
 /// The perspective's derivative is taken at most this fraction of the half field of view outside the picture, where it would
 /// otherwise grow without bound.
 pub const DERIVATIVE_MARGIN: f64 = 0.3;
+
+/// Activations and features stay within ±this, the largest number that f16 holds, so that no weight whatever makes infinity or NaN of them.
+pub const FEATURE_MAX: f64 = 65504.0;
+/// Standard deviations are at most e to the power of this, 8 km.
+pub const LOG_SCALE_MAX: f64 = 9.0;
+/// A corrected quaternion shorter than this share of the neutral one has no direction of its own: the neutral rotation stays.
+pub const ROTATION_MIN: f64 = 1e-3;
+/// A Gaussian of a larger variance on screen is not drawn, px²: f32 could not tell its shape.
+pub const VARIANCE_MAX: f64 = 1e18;
 
 /// A pose worked out for one avatar: all that the stages need of it.
 #[derive(Clone, Debug)]

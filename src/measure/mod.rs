@@ -4,6 +4,7 @@ pub mod bench;
 pub mod bytes;
 pub mod error;
 pub mod flip;
+pub mod stress;
 
 use glam::DVec3;
 

@@ -1,6 +1,7 @@
 //! Stage 1, model.md step 1. In: what the networks see of a pose. Out: the feature vector e of every part.
 
 use crate::avatar::{Activation, Avatar, Layer};
+use crate::frame::FEATURE_MAX;
 use rayon::prelude::*;
 
 /// e_i = MLP_i(θ_p ⊕ θ_e) for each part i; shape N_G, E, where E is `avatar.networks.output()`.
@@ -16,7 +17,7 @@ pub fn features(avatar: &Avatar, input: &[f64]) -> Vec<f64> {
         .collect()
 }
 
-/// MLP_i: linear layers with the activation between them, the last one linear.
+/// MLP_i: linear layers with the activation between them, the last one linear; what each gives stays within ±[`FEATURE_MAX`].
 fn network(avatar: &Avatar, part: usize, input: &[f64]) -> Vec<f64> {
     let layers = &avatar.networks.layers;
     let mut x = input.to_vec();
@@ -34,6 +35,7 @@ fn linear(layer: &Layer, part: usize, x: &[f64]) -> Vec<f64> {
     let weight = &layer.weight[part * layer.output * layer.input..][..layer.output * layer.input];
     let bias = &layer.bias[part * layer.output..][..layer.output];
     let row = |(row, bias): (&[half::f16], &half::f16)| bias.to_f64() + row.iter().zip(x).map(|(w, x)| w.to_f64() * x).sum::<f64>();
+    let row = |neuron| row(neuron).clamp(-FEATURE_MAX, FEATURE_MAX);
     weight.chunks_exact(layer.input).zip(bias).map(row).collect()
 }
 

@@ -55,7 +55,7 @@ struct Ellipse {
 impl Ellipse {
     fn new(splat: &Splat, camera: &Camera) -> Self {
         let [a, b, c] = splat.covariance;
-        let det = a * c - b * b;
+        let det = splat.determinant;
         let [columns, rows] = std::array::from_fn(|axis| {
             let (center, extent) = (splat.center[axis], splat.extent[axis]);
             // Pixel i has its centre at i + 0.5. The casts take what is below 0 to 0.

@@ -35,6 +35,8 @@ pub struct Splat {
     pub depth: f64,
     /// Σ' = [[a, b], [b, c]] as [a, b, c], px², the low-pass included.
     pub covariance: [f64; 3],
+    /// a c − b², px⁴, worked out without that difference: exact for needles too.
+    pub determinant: f64,
     /// Half the sides of the box around the ellipse at which the Gaussian's alpha is 1/255, px.
     pub extent: DVec2,
     /// 0 to 1.
@@ -50,7 +52,7 @@ pub enum Culled {
     Behind,
     /// Its opacity reaches 1/255 nowhere.
     Faint,
-    /// Something of it is NaN or infinite.
+    /// Something of it is NaN or infinite, or its variance is beyond [`frame::VARIANCE_MAX`].
     Invalid,
     /// Its centre is further from the picture than [`Camera::guard`].
     Guard,
@@ -74,9 +76,9 @@ pub fn gaussians(avatar: &Avatar, posed: &Posed, features: &[f64], nodes: &[DVec
             let dx: DVec3 = avatar.node_weights(k).iter().zip(neutral.node[k]).map(|(&w, s)| w * nodes[usize::from(s)]).sum();
             let x = avatar.position(k) + dx;
             // Step 5.
-            let [q_w, q_x, q_y, q_z] = plus(neutral.rotation[k].map(f64::from), corrective(&avatar.rotation_rows, k, e));
-            let q = DQuat::from_xyzw(q_x, q_y, q_z, q_w).normalize();
-            let s = DVec3::from(plus(neutral.log_scale[k].map(f64::from), corrective(&avatar.scale_rows, k, e))).exp();
+            let q = rotation(neutral.rotation[k].map(f64::from), corrective(&avatar.rotation_rows, k, e));
+            let log_scale = DVec3::from(plus(neutral.log_scale[k].map(f64::from), corrective(&avatar.scale_rows, k, e)));
+            let s = log_scale.min(DVec3::splat(frame::LOG_SCALE_MAX)).exp();
             let c = plus(neutral.color[k].map(f64::from), corrective(&avatar.color_rows, k, e)).map(|c| c.clamp(0.0, 1.0));
             // Steps 6 and 7.
             let g = skinning(posed, neutral.joint[k], neutral.joint_weight[k]);
@@ -96,6 +98,13 @@ pub(super) fn corrective<const C: usize>(rows: &Rows<C>, gaussian: usize, e: &[f
         Ok(row) => super::combine(&rows.basis[row * C * e.len()..][..C * e.len()], e),
         Err(_) => [0.0; C],
     }
+}
+
+/// normalize(q₀ + δr), both as w x y z; q₀'s direction where nearly nothing is left of the sum.
+fn rotation(neutral: [f64; 4], corrective: [f64; 4]) -> DQuat {
+    let quaternion = |[w, x, y, z]: [f64; 4]| DQuat::from_xyzw(x, y, z, w);
+    let (q, q0) = (quaternion(plus(neutral, corrective)), quaternion(neutral));
+    if q.length() >= frame::ROTATION_MIN * q0.length() { q.normalize() } else { q0.normalize() }
 }
 
 pub(super) fn plus<const C: usize>(a: [f64; C], b: [f64; C]) -> [f64; C] {
@@ -125,10 +134,10 @@ pub fn project(gaussian: &Gaussian, camera: &Camera) -> Result<Splat, Culled> {
     }
     let reach = frame::reach(gaussian.opacity).ok_or(Culled::Faint)?;
     let center = camera.project(t);
-    let [a, b, c] = project_covariance(camera.view.matrix3 * gaussian.axes, t, camera);
+    let ([a, b, c], determinant) = project_covariance(camera.view.matrix3 * gaussian.axes, t, camera);
     let extent = reach * DVec2::new(a.sqrt(), c.sqrt());
-    let positive = a * c - b * b > 0.0;
-    if !(t.is_finite() && center.is_finite() && extent.is_finite() && b.is_finite() && gaussian.color.is_finite() && positive) {
+    let shape = determinant > 0.0 && a.max(c) <= frame::VARIANCE_MAX;
+    if !(t.is_finite() && center.is_finite() && extent.is_finite() && b.is_finite() && gaussian.color.is_finite() && shape) {
         return Err(Culled::Invalid);
     }
     let size = DVec2::from(camera.size.map(f64::from));
@@ -139,17 +148,20 @@ pub fn project(gaussian: &Gaussian, camera: &Camera) -> Result<Splat, Culled> {
         return Err(Culled::Outside);
     }
     let opacity = f64::from(gaussian.opacity) / 255.0;
-    Ok(Splat { center, depth: t.z, covariance: [a, b, c], extent, opacity, color: gaussian.color })
+    Ok(Splat { center, depth: t.z, covariance: [a, b, c], determinant, extent, opacity, color: gaussian.color })
 }
 
-/// Σ' = (J M)(J M)ᵀ + low-pass, px², as [a, b, c]. `m` is the axes and `t` the mean, both in camera coordinates.
+/// Σ' = (J M)(J M)ᵀ + low-pass, px², as [a, b, c], and its determinant. `m` is the axes and `t` the mean, both in camera coordinates.
 ///
 /// J is the derivative of [`Camera::project`] at `t`, with x/z and y/z kept within [`Camera::derivative_limits`].
-fn project_covariance(m: DMat3, t: DVec3, camera: &Camera) -> [f64; 3] {
+fn project_covariance(m: DMat3, t: DVec3, camera: &Camera) -> ([f64; 3], f64) {
     let [min, max] = camera.derivative_limits();
     let slope = (t.truncate() / t.z).clamp(min, max);
     let f = camera.focal / t.z;
     let row_x = m.transpose() * DVec3::new(f.x, 0.0, -f.x * slope.x);
     let row_y = m.transpose() * DVec3::new(0.0, f.y, -f.y * slope.y);
-    [row_x.dot(row_x) + frame::LOW_PASS, row_x.dot(row_y), row_y.dot(row_y) + frame::LOW_PASS]
+    let covariance = [row_x.dot(row_x) + frame::LOW_PASS, row_x.dot(row_y), row_y.dot(row_y) + frame::LOW_PASS];
+    // Lagrange's identity: without the low-pass the determinant is |row_x × row_y|².
+    let determinant = row_x.cross(row_y).length_squared() + frame::LOW_PASS * (covariance[0] + covariance[2] - frame::LOW_PASS);
+    (covariance, determinant)
 }

@@ -36,6 +36,8 @@ pub enum Error {
     Timeout { what: &'static str, seconds: u64 },
     #[error("{call} failed: {result}")]
     Call { call: &'static str, result: vk::Result },
+    #[error("this can't be drawn: {0}")]
+    Unusable(#[from] crate::frame::Unusable),
     #[error("allocating {what} failed: {source}")]
     Allocation { what: String, source: gpu_allocator::AllocationError },
 }

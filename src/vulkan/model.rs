@@ -154,6 +154,9 @@ fn rows(avatar: &Avatar, constants: &mut Frame) -> Vec<f16> {
     let mut data = Vec::with_capacity(avatar.rotation_rows.basis.len() + avatar.scale_rows.basis.len() + avatar.color_rows.basis.len());
     for (&gaussian, row) in avatar.rotation_rows.gaussian.iter().zip(avatar.rotation_rows.basis.chunks_exact((4 * basis).max(1))) {
         let length = quaternion_length(avatar, gaussian as usize);
+        // Against a quaternion of nearly no length a corrective may be more than f16 holds. Shrunk as a whole it keeps its direction.
+        let largest = row.iter().fold(0.0, |largest: f64, value| largest.max(value.to_f64().abs()));
+        let length = length.max(largest / f16::MAX.to_f64());
         data.extend(row.iter().map(|value| f16::from_f64(value.to_f64() / length)));
     }
     constants.scale_start = (data.len() / 4) as u32;

@@ -1,6 +1,7 @@
 //! Draws one avatar: a pose and a camera go in, a picture on the device comes out. [`Renderer::record`] is the frame, top to bottom.
 
 use super::{
+    check,
     commands::{FrameReport, SLOTS, Slot},
     device::Gpu,
     error::Result,
@@ -109,6 +110,7 @@ const FRAME_STRIDE: usize = size_of::<Frame>().next_multiple_of(256);
 
 impl Renderer {
     pub fn new(gpu: &Arc<Gpu>, avatar: &Avatar, options: RendererOptions) -> Result<Self> {
+        options.check()?;
         let surfaces = options.skip.intersects(Skip::HIDDEN | Skip::DEPTH);
         let model = Model::new(gpu, avatar, surfaces)?;
         let constants = &model.constants;
@@ -168,7 +170,11 @@ impl Renderer {
     }
 
     /// Submits a frame. Waits only when two frames are still under way. `camera` must have the picture's size.
+    ///
+    /// # Errors
+    /// When the pose or the camera holds a number that can't be drawn, or the device fails.
     pub fn draw(&mut self, posed: &Posed, camera: &Camera, presentation: Option<Presentation>) -> Result<()> {
+        check::frame(posed, camera, (&self.model.constants, &self.extent), self.options.size)?;
         let slot = self.next;
         if let Some(report) = self.slots[slot].finish()? {
             self.report = report;

@@ -1,0 +1,45 @@
+//! What a renderer refuses before it asks anything of the device: options, poses and cameras that can't be drawn go in, an error that
+//! says what was found comes out.
+
+use super::{Error, RendererOptions, Result};
+use crate::{
+    frame::{ALPHA_MIN, Camera, Extent, Posed, Unusable},
+    layout::Frame,
+};
+
+fn unusable(what: &str, found: impl ToString, expected: impl ToString) -> Error {
+    Error::Unusable(Unusable { what: what.into(), found: found.to_string(), expected: expected.to_string() })
+}
+
+impl RendererOptions {
+    /// Whether the numbers are ones that a renderer can be made with; the picture's size is the device's to judge.
+    pub(super) fn check(&self) -> Result<()> {
+        if !(ALPHA_MIN..=1.0).contains(&self.cutoff) {
+            return Err(unusable("the opacity cutoff", self.cutoff, "a number from 1/255 to 1"));
+        }
+        for (what, found) in [("the margin behind the depth surface", self.margin), ("the size of a detail", self.detail)] {
+            if !(found >= 0.0 && found.is_finite()) {
+                return Err(unusable(what, found, "a number from 0 up"));
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Whether a frame can be drawn of the model that `constants` and `extent` describe, in a picture of `size` px.
+pub(super) fn frame(posed: &Posed, camera: &Camera, (constants, extent): (&Frame, &Extent), size: [u32; 2]) -> Result<()> {
+    posed.check()?;
+    camera.check()?;
+    if camera.size != size {
+        let [found, expected] = [camera.size, size].map(|[width, height]| format!("{width} × {height} px"));
+        return Err(unusable("the camera's picture", found, format!("{expected}, the renderer's")));
+    }
+    if posed.joints.len() < extent.joints() {
+        return Err(unusable("the pose", format!("one of {} joints", posed.joints.len()), format!("at least {}", extent.joints())));
+    }
+    let inputs = 4 * constants.layer[0].input_quads as usize;
+    if posed.input.len() > inputs || posed.input.len() < posed.expression {
+        return Err(unusable("the pose's length", posed.input.len(), format!("at most {inputs}: a pose of this avatar")));
+    }
+    Ok(())
+}
