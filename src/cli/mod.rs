@@ -2,6 +2,7 @@
 
 mod bake;
 mod bench;
+mod bench_sort;
 mod devices;
 mod inspect;
 mod options;
@@ -34,6 +35,8 @@ enum Command {
     Render(render::Args),
     /// Measure time, error and memory
     Bench(bench::Args),
+    /// Measure the sort alone: keys a second by count, key bits and variant
+    BenchSort(bench_sort::Args),
     /// Say what an avatar or motion file holds
     Inspect(inspect::Args),
     /// List the GPUs: what each has, lacks and would use
@@ -54,6 +57,7 @@ pub fn main() -> ExitCode {
         Some(Command::View(args)) => view::run(args),
         Some(Command::Render(args)) => render::run(args),
         Some(Command::Bench(args)) => bench::run(args),
+        Some(Command::BenchSort(args)) => bench_sort::run(args),
         Some(Command::Inspect(args)) => inspect::run(args),
         Some(Command::Devices(args)) => devices::run(args),
         Some(Command::Bake(args)) => bake::run(args),

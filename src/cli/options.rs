@@ -2,7 +2,7 @@
 
 use crate::{
     frame::{Camera, Skip},
-    vulkan::{GpuOptions, RendererOptions, raster::ColorFormat, sort::KeyBits},
+    vulkan::{GpuOptions, RendererOptions, raster::ColorFormat, sort::{KeyBits, Variant}},
 };
 use clap::ValueEnum;
 use glam::DVec3;
@@ -49,8 +49,11 @@ pub struct Quality {
     #[arg(long, value_enum, default_value_t = Color::Rgba16f)]
     pub color: Color,
     /// Bits of the depth key that Gaussians are sorted by
-    #[arg(long, value_enum, default_value_t = Keys::Bits24)]
+    #[arg(long, value_enum, default_value_t = Keys::Bits16)]
     pub keys: Keys,
+    /// How to sort
+    #[arg(long, value_enum, default_value_t = SortBy::Auto)]
+    pub sort: SortBy,
     /// What to leave out where the scene doesn't need it: all, none, or names with commas between
     #[arg(long, default_value = "all", hide_default_value = true)]
     pub skip: Skip,
@@ -62,7 +65,7 @@ impl Quality {
     }
 
     pub fn renderer(&self, size: [u32; 2]) -> RendererOptions {
-        RendererOptions { color: self.color.into(), key_bits: self.keys.into(), skip: self.skip, ..RendererOptions::new(size) }
+        RendererOptions { color: self.color.into(), key_bits: self.keys.into(), sort: self.sort.into(), skip: self.skip, ..RendererOptions::new(size) }
     }
 }
 
@@ -104,6 +107,30 @@ impl From<Keys> for KeyBits {
             Keys::Bits16 => Self::Sixteen,
             Keys::Bits24 => Self::TwentyFour,
             Keys::Bits32 => Self::ThirtyTwo,
+        }
+    }
+}
+
+/// [`Variant`] as the command line has it.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub enum SortBy {
+    /// The fastest that a test finds right on the device
+    Auto,
+    /// Look-back over subgroups, for GPUs
+    Onesweep,
+    /// No subgroups, no look-back
+    Selfscan,
+    /// The same with counters for each invocation, for CPUs
+    Lanescan,
+}
+
+impl From<SortBy> for Option<Variant> {
+    fn from(sort: SortBy) -> Self {
+        match sort {
+            SortBy::Auto => None,
+            SortBy::Onesweep => Some(Variant::OneSweep),
+            SortBy::Selfscan => Some(Variant::SelfScan),
+            SortBy::Lanescan => Some(Variant::LaneScan),
         }
     }
 }
