@@ -15,6 +15,8 @@
 layout(local_size_x = THREADS) in;
 // For tests: every STALL-th tile tells nothing. 0: none.
 layout(constant_id = 7) const uint STALL = 0u;
+// Whether loops over an invocation's entries have a length that compilers know: registers on a GPU, seconds of compiling on a CPU.
+layout(constant_id = 8) const bool UNROLLED = true;
 const uint ROUNDS = SORT_CHAIN_TILE / THREADS;
 // Counters of a digit in the tile: a column for each subgroup, or for neighbouring ones where there are more, which then take turns.
 const uint COLUMNS = 16u;
@@ -126,6 +128,17 @@ uint rank_of(bool present, uint digit, uint at) {
 
 void main() {
     uint thread = gl_LocalInvocationID.x;
+    if (WRITES != VALUES) {
+        // For the next pass, which uses the other area.
+        for (uint d = thread; d < SORT_DIGITS; d += THREADS) {
+            counts[STATUS_AT + ((PASS + 1u & 1u) * TILES + gl_WorkGroupID.x) * SORT_DIGITS + d] = 0u;
+        }
+    }
+    uint end = entries();
+    uint tiles = tiles_of(end);
+    if (gl_WorkGroupID.x >= tiles) {
+        return;
+    }
     if (thread == 0u) {
         ticket = FIRST ? gl_WorkGroupID.x : atomicAdd(counts[STATE_AT + PASS], 1u);
         seats = 0u;
@@ -136,18 +149,9 @@ void main() {
     }
     for (uint d = thread; d < SORT_DIGITS; d += THREADS) {
         next[d] = 0u;
-        // For the next pass, which uses the other area.
-        if (WRITES != VALUES) {
-            counts[STATUS_AT + ((PASS + 1u & 1u) * TILES + gl_WorkGroupID.x) * SORT_DIGITS + d] = 0u;
-        }
     }
     barrier();
     uint tile = ticket;
-    uint end = entries();
-    uint tiles = tiles_of(end);
-    if (tile >= tiles) {
-        return;
-    }
     // Each subgroup counts its lanes and takes a seat; the lanes of the seats before it say where its run of entries starts.
     uint lanes = subgroupBallotBitCount(subgroupBallot(true));
     uint lane = subgroupBallotExclusiveBitCount(subgroupBallot(true));
@@ -157,17 +161,18 @@ void main() {
     }
     seat = subgroupBroadcastFirst(seat);
     barrier();
+    uint rounds = UNROLLED ? ROUNDS : TILE / (seats >> 16u);
     uint turns = ((seats & 0xffffu) + COLUMNS - 1u) / COLUMNS;
     uint turn = (seat & 0xffffu) % turns, at_column = (seat & 0xffffu) / turns;
     uint from = tile * TILE + (seat >> 16u) * ROUNDS + lane;
     uint key[ROUNDS], rank[ROUNDS];
-    for (uint r = 0u; r < ROUNDS; ++r) {
+    for (uint r = 0u; r < rounds; ++r) {
         uint at = from + r * lanes;
         key[r] = at < end ? key_at(at) : 0u;
     }
     for (uint now = 0u; now < turns; ++now) {
         if (now == turn) {
-            for (uint r = 0u; r < ROUNDS; ++r) {
+            for (uint r = 0u; r < rounds; ++r) {
                 rank[r] = rank_of(from + r * lanes < end && enters(key[r]), digit_of(key[r]), at_column);
             }
         }
@@ -185,7 +190,7 @@ void main() {
     } else {
         chain(thread, tile, uvec2(total & 0xffffu, total >> 16u));
     }
-    for (uint r = 0u; r < ROUNDS; ++r) {
+    for (uint r = 0u; r < rounds; ++r) {
         if (rank[r] != ABSENT) {
             uint digit = digit_of(key[r]);
             put(start[digit] + counter(at_column, digit) + rank[r], key[r], value_at(from + r * lanes, key[r]));

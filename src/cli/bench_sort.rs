@@ -1,6 +1,6 @@
 //! `effigy bench-sort`: keys a second by count, key bits and variant, each result checked against the CPU first.
 
-use super::options::Keys;
+use super::options::{Keys, SortBy};
 use crate::vulkan::{
     Gpu, GpuOptions,
     sort::{
@@ -27,6 +27,9 @@ pub struct Args {
     /// Bits of the keys, with commas between
     #[arg(long, value_enum, value_delimiter = ',', default_value = "16,24,32")]
     keys: Vec<Keys>,
+    /// Variants, with commas between [default: all that the device can run]
+    #[arg(long, value_enum, value_delimiter = ',', value_name = "VARIANT")]
+    sort: Vec<SortBy>,
     /// Runs of which the median counts
     #[arg(long, default_value_t = 5, value_parser = clap::value_parser!(u16).range(1..))]
     runs: u16,
@@ -39,10 +42,13 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     ensure!(args.smallest <= args.largest, "--smallest {} is more than --largest {}", args.smallest, args.largest);
     let gpu = Gpu::new(&GpuOptions::headless(args.device.clone()))?;
     println!("device   {} ({})", gpu.probe.name, gpu.probe.driver);
-    println!("auto     {}", choose(&gpu)?.variant.name());
+    let auto = choose(&gpu)?.variant;
+    println!("auto     {}", auto.name());
     println!("time     {}", if gpu.probe.timestamp_bits > 0 { "the device's timestamps" } else { "the host's clock" });
     println!("A key and its index are sorted; the order of the indices comes out. Mkeys/s:\n");
-    let variants: Vec<_> = Variant::ALL.into_iter().filter(|variant| variant.lacks(&gpu).is_none()).collect();
+    let wanted: Vec<Variant> = args.sort.iter().map(|&sort| Option::from(sort).unwrap_or(auto)).collect();
+    let able = |variant: &Variant| if wanted.is_empty() { variant.lacks(&gpu).is_none() } else { wanted.contains(variant) };
+    let variants: Vec<_> = Variant::ALL.into_iter().filter(able).collect();
     print!("{:>9} {:>4}", "keys", "bits");
     variants.iter().for_each(|variant| print!(" {:>10}", variant.name()));
     println!();
@@ -66,7 +72,8 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     rows.iter().filter_map(|row| row["failed"].as_str()).for_each(|failed| println!("{failed}"));
     if let Some(path) = args.json {
         let result = json!({ "device": gpu.probe.name, "driver": gpu.probe.driver, "runs": args.runs, "rows": rows });
-        std::fs::write(&path, serde_json::to_string_pretty(&result)? + "\n").with_context(|| format!("{} can't be written", path.display()))?;
+        std::fs::write(&path, serde_json::to_string_pretty(&result)? + "\n")
+            .with_context(|| format!("{} can't be written", path.display()))?;
         println!("wrote {}", path.display());
     }
     ensure!(rows.iter().all(|row| row["failed"].is_null()), "not every sort was right, see above");

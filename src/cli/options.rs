@@ -2,7 +2,11 @@
 
 use crate::{
     frame::{Camera, Skip},
-    vulkan::{GpuOptions, RendererOptions, raster::ColorFormat, sort::{KeyBits, Variant}},
+    vulkan::{
+        GpuOptions, RendererOptions,
+        raster::ColorFormat,
+        sort::{KeyBits, Variant},
+    },
 };
 use clap::ValueEnum;
 use glam::DVec3;
@@ -65,7 +69,13 @@ impl Quality {
     }
 
     pub fn renderer(&self, size: [u32; 2]) -> RendererOptions {
-        RendererOptions { color: self.color.into(), key_bits: self.keys.into(), sort: self.sort.into(), skip: self.skip, ..RendererOptions::new(size) }
+        RendererOptions {
+            color: self.color.into(),
+            key_bits: self.keys.into(),
+            sort: self.sort.into(),
+            skip: self.skip,
+            ..RendererOptions::new(size)
+        }
     }
 }
 

@@ -244,8 +244,7 @@ fn create_device(instance: &Instance, probe: &Probe, queue_family: u32, [half_st
     if probe.subgroup_sizes.is_some() {
         extensions.push(ext::subgroup_size_control::NAME.as_ptr());
     }
-    let mut sizes =
-        vk::PhysicalDeviceSubgroupSizeControlFeatures::default().subgroup_size_control(true).compute_full_subgroups(true);
+    let mut sizes = vk::PhysicalDeviceSubgroupSizeControlFeatures::default().subgroup_size_control(true).compute_full_subgroups(true);
     let mut storage = vk::PhysicalDevice16BitStorageFeatures::default().storage_buffer16_bit_access(half_storage);
     let mut info = vk::DeviceCreateInfo::default().queue_create_infos(&queues).enabled_extension_names(&extensions);
     if half_storage {

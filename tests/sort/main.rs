@@ -1,9 +1,9 @@
 //! The `sort` stage against a stable sort on the CPU, index for index: every variant over a matrix of counts, key patterns and key sizes;
 //! with stalled workgroups; in subgroups of every size; counted by another kernel; and the self-test that chooses.
 
+mod choice;
 #[path = "../common/mod.rs"]
 mod common;
-mod choice;
 mod faults;
 mod fused;
 mod matrix;

@@ -16,10 +16,10 @@ use crate::{
 };
 use std::{path::Path, sync::Arc, time::Duration};
 
-/// Keys of the largest test: enough for every variant to have dozens of tiles.
-const KEYS: u32 = 100_000;
+/// Keys of the largest test: enough for every variant to have many tiles.
+const KEYS: u32 = 60_000;
 /// Runs of which the best counts.
-const TIMED: usize = 4;
+const TIMED: usize = 3;
 /// A sort of so few keys that takes longer is refused.
 const PATIENCE: Duration = Duration::from_secs(2);
 

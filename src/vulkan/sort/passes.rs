@@ -78,8 +78,10 @@ impl Shape {
         let chained = variant == Variant::OneSweep && pass > 0;
         let scanned = !chained && self.tiles > MOST_SUMMED;
         let [reads, writes] = self.forms(pass);
-        let constants =
-            [pass, reads as u32, writes as u32, variant.tile(), self.tiles, self.capacity, u32::from(scanned), self.options.stall];
+        let unrolled = gpu.probe.kind != vk::PhysicalDeviceType::CPU;
+        let entries = [pass, reads as u32, writes as u32];
+        let sizes = [variant.tile(), self.tiles, self.capacity];
+        let constants = [&entries[..], &sizes, &[u32::from(scanned), self.options.stall, u32::from(unrolled)]].concat();
         let kernel = |module: &'static Module, storage: &[Slice], subgroup| {
             let bindings = Bindings::new(gpu, vk::ShaderStageFlags::COMPUTE, None, storage)?;
             Kernel::with_subgroups(gpu, module, &constants, bindings, subgroup)
