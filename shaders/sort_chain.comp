@@ -111,8 +111,10 @@ void chain(uint thread, uint tile, uvec2 total) {
 
 // The rank of an entry among those of its digit in its column so far; all lanes take part.
 uint rank_of(bool present, uint digit, uint at) {
+    // All invocations have a seat, 128 lanes in sum: 8 bits either way, but not for a CPU's compiler to see.
+    uint digit_bits = UNROLLED ? 8u : seats >> 20u;
     uvec4 same = subgroupBallot(present);
-    for (uint b = 0u; b < 8u; ++b) {
+    for (uint b = 0u; b < digit_bits; ++b) {
         bool bit = (digit >> b & 1u) != 0u;
         uvec4 set = subgroupBallot(bit);
         same &= bit ? set : ~set;

@@ -19,12 +19,6 @@ pub struct Module {
 impl Module {
     /// SPIR-V for a device, with f16 storage buffers or without.
     pub fn spirv(&self, half_storage: bool) -> &'static [u8] {
-        /*HACK*/
-        if self.file.starts_with("sort_") {
-            if let Ok(d) = fs::read(format!("/work/wt/sort/shaders/spv/{}.spv", self.file)) {
-                return Box::leak(d.into_boxed_slice());
-            }
-        }
         self.half.filter(|_| half_storage).unwrap_or(self.spirv)
     }
 

@@ -2,7 +2,7 @@
 
 use super::*;
 use effigy::vulkan::sort::{
-    choice::choose_in,
+    choice::{choose_in, test},
     verdict::{Outcome, Verdict},
 };
 use std::{fs, path::PathBuf};
@@ -28,6 +28,20 @@ fn the_self_test_picks_a_variant_that_is_right_and_remembers_it() {
     let text = fs::read_to_string(file(&folder)).unwrap();
     assert_eq!(choose_in(&device, Some(folder.path())).unwrap(), verdict, "the second time it is read, times included");
     assert_eq!(fs::read_to_string(file(&folder)).unwrap(), text);
+    gpu::assert_valid();
+}
+
+#[test]
+fn look_back_is_tested_and_refused_where_it_is_wrong() {
+    let Some(device) = gpu::gpu() else { return };
+    let outcome = test(&device, Variant::OneSweep).unwrap();
+    println!("{outcome}");
+    match Variant::OneSweep.lacks(&device) {
+        Some(_) => assert!(matches!(outcome, Outcome::Lacks(_))),
+        None if looks_back(&device) => assert!(matches!(outcome, Outcome::Right(_)), "{outcome}"),
+        // Wrong or right by chance: what matters is that the test ends with an answer.
+        None => assert!(matches!(outcome, Outcome::Right(_) | Outcome::Refused(_)), "{outcome}"),
+    }
     gpu::assert_valid();
 }
 

@@ -18,7 +18,7 @@ fn counts_of_the_callers_give_the_same_order() {
     let mut keys = random_keys(11, count);
     keys.iter_mut().step_by(7).for_each(|key| *key = SORT_DROPPED);
     for variant in variants(&device).into_iter().filter(|&variant| variant != Variant::OneSweep || looks_back(&device)) {
-        for bits in BITS {
+        for bits in [KeyBits::Sixteen, KeyBits::TwentyFour] {
             let usage = vk::BufferUsageFlags::STORAGE_BUFFER | vk::BufferUsageFlags::TRANSFER_SRC | vk::BufferUsageFlags::TRANSFER_DST;
             let key_bytes = (4 * count as u64).next_multiple_of(256);
             let size = counts_size(count as u32, variant);

@@ -13,7 +13,7 @@ use std::{
 pub enum Outcome {
     /// Right everywhere; the best time for the test's keys, ms.
     Right(f64),
-    /// The device can't run it.
+    /// The device can't run it, or has no use for it.
     Lacks(String),
     /// It gave something else than the CPU, did not finish in time, or failed.
     Refused(String),
@@ -25,7 +25,7 @@ impl fmt::Display for Outcome {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         match self {
             Self::Right(ms) => write!(f, "{ms:.3} ms"),
-            Self::Lacks(why) => write!(f, "not possible: {why}"),
+            Self::Lacks(why) => write!(f, "not used: {why}"),
             Self::Refused(why) => write!(f, "refused: {why}"),
             Self::Unfinished => write!(f, "refused: the program ended during its test"),
         }
