@@ -1,12 +1,35 @@
-// What the three kernels of a radix sort pass share. A pass orders by the 8-bit digit at SHIFT; passes go from the lowest digit up.
-// Before the first pass an entry is a key alone and its value is its index; from then on a key and a value.
+// What the kernels of a radix sort pass share. A pass orders by one 8-bit digit; passes go from the lowest digit up. Entries change
+// their form from pass to pass, to be as few bytes as they can be:
+//
+//   KEYS     a key a word; its value is its index. Before the first pass.
+//   PAIRS    a key and a value in turn.
+//   PACKED   the last digit in the high 8 bits, the value in the others. Before the last pass, where values fit.
+//   VALUES   a value a word. After the last pass.
 #include "sort_control.glsl"
 
-layout(local_size_x = SORT_SIZE) in;
-layout(constant_id = 0) const uint SHIFT = 0u;
-layout(constant_id = 1) const bool FIRST = true;
+const uint KEYS = 0u, PAIRS = 1u, PACKED = 2u, VALUES = 3u;
+layout(constant_id = 0) const uint PASS = 0u;
+layout(constant_id = 1) const uint READS = KEYS;
+layout(constant_id = 2) const uint WRITES = VALUES;
+// Keys of a tile, tiles that there is room for, keys that there is room for.
+layout(constant_id = 3) const uint TILE = 2048u;
+layout(constant_id = 4) const uint TILES = 1u;
+layout(constant_id = 5) const uint CAPACITY = 1u;
+// Whether `sort_scan` has turned the histograms into places.
+layout(constant_id = 6) const bool SCANNED = false;
 
-uint digit_of(uint key) { return key >> SHIFT & (SORT_DIGITS - 1u); }
+const bool FIRST = READS == KEYS;
+const uint SHIFT = 8u * PASS;
+const uint DIGIT_MASK = SORT_DIGITS - 1u;
+const uint VALUE_MASK = 0xffffffu;
 
-// Entries that this pass reads.
-#define ENTRIES (FIRST ? control.entering : control.survivors)
+// Where things start in the counts, in words: the tiles' histograms, the state of a sort, the histograms of groups of tiles, and two
+// areas in which the tiles of a pass tell each other their counts.
+const uint STATE_AT = TILES * SORT_DIGITS;
+const uint AHEAD_AT = STATE_AT + SORT_STATE;
+const uint GROUPS_AT = AHEAD_AT + 3u * SORT_DIGITS;
+const uint STATUS_AT = GROUPS_AT + (TILES + SORT_GROUP - 1u) / SORT_GROUP * SORT_DIGITS;
+
+uint digit_of(uint key) { return READS == PACKED ? key >> 24u : key >> SHIFT & DIGIT_MASK; }
+
+bool enters(uint key) { return !FIRST || key != SORT_DROPPED; }

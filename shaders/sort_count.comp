@@ -1,34 +1,36 @@
-// First kernel of a sort pass: how often each digit occurs in each tile of SORT_TILE entries.
+// How often each digit occurs in each tile. The first pass's also clears the state of the sort.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #include "sort.glsl"
+#include "sort_entries.glsl"
 
-layout(std430, set = 0, binding = 1) readonly buffer Entries { uint entry[]; };
-// Digit-major: counts of digit d are at d · tiles, one a tile.
-layout(std430, set = 0, binding = 2) writeonly buffer Histograms { uint histogram[]; };
-layout(std430, set = 0, binding = 3) readonly buffer ControlBuffer { Control control; };
-
+layout(local_size_x = SORT_SIZE) in;
 shared uint count[SORT_DIGITS];
 
 void main() {
     uint thread = gl_LocalInvocationID.x;
     uint tile = gl_WorkGroupID.x;
+    uint end = entries();
+    if (tile >= tiles_of(end)) {
+        return;
+    }
     for (uint d = thread; d < SORT_DIGITS; d += SORT_SIZE) {
         count[d] = 0u;
     }
+    if (FIRST && tile == 0u) {
+        for (uint w = thread; w < SORT_STATE + 3u * SORT_DIGITS; w += SORT_SIZE) {
+            counts[STATE_AT + w] = 0u;
+        }
+    }
     barrier();
-    uint end = ENTRIES;
-    for (uint round = 0u; round < SORT_ROUNDS; ++round) {
-        uint at = tile * SORT_TILE + round * SORT_SIZE + thread;
-        if (at < end) {
-            uint key = FIRST ? entry[at] : entry[2u * at];
-            if (!FIRST || key != SORT_DROPPED) {
-                atomicAdd(count[digit_of(key)], 1u);
-            }
+    for (uint at = tile * TILE + thread; at < min(end, (tile + 1u) * TILE); at += SORT_SIZE) {
+        uint key = key_at(at);
+        if (enters(key)) {
+            atomicAdd(count[digit_of(key)], 1u);
         }
     }
     barrier();
     for (uint d = thread; d < SORT_DIGITS; d += SORT_SIZE) {
-        histogram[d * gl_NumWorkGroups.x + tile] = count[d];
+        counts[tile * SORT_DIGITS + d] = count[d];
     }
 }

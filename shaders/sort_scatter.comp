@@ -1,76 +1,62 @@
-// Third kernel of a sort pass: moves each entry to its place, keeping the order of equal digits. Needs no subgroup operations: in each
-// round of SORT_SIZE entries a digit's threads mark themselves in a bit mask, and a thread's rank is the number of bits before its own.
+// Moves each entry to its place, keeping the order of equal digits. Needs no subgroup operations: in each round of SORT_SIZE entries a
+// digit's threads mark themselves in a bit mask, and a thread's rank is the number of bits before its own.
 #version 450
 #extension GL_GOOGLE_include_directive : require
+#define THREADS SORT_SIZE
 #include "sort.glsl"
+#include "sort_entries.glsl"
+#include "sort_sorted.glsl"
+#include "sort_starts.glsl"
 
-layout(std430, set = 0, binding = 1) readonly buffer Entries { uint entry[]; };
-layout(std430, set = 0, binding = 2) readonly buffer Histograms { uint histogram[]; };
-layout(std430, set = 0, binding = 3) readonly buffer ControlBuffer { Control control; };
-// Keys and values in turn; after the last pass values alone.
-layout(std430, set = 0, binding = 4) writeonly buffer Sorted { uint sorted[]; };
-layout(constant_id = 3) const bool LAST = false;
-
-const uint MASKS = SORT_SIZE / 32u;
-shared uint mask[MASKS * SORT_DIGITS];
-// Where the next entry of each digit goes.
-shared uint next[SORT_DIGITS];
+layout(local_size_x = THREADS) in;
+const uint MASKS = THREADS / 32u;
+// Two sets, used in turn: one is cleared while the other is filled, which saves a barrier.
+shared uint mask[2u * MASKS * SORT_DIGITS];
 
 void main() {
     uint thread = gl_LocalInvocationID.x;
     uint tile = gl_WorkGroupID.x;
-    for (uint d = thread; d < SORT_DIGITS; d += SORT_SIZE) {
-        next[d] = histogram[d * gl_NumWorkGroups.x + tile];
-        for (uint m = 0u; m < MASKS; ++m) {
-            mask[m * SORT_DIGITS + d] = 0u;
-        }
+    uint end = entries();
+    uint tiles = tiles_of(end);
+    if (tile >= tiles) {
+        return;
     }
-    barrier();
-    uint end = ENTRIES;
-    for (uint round = 0u; round < SORT_ROUNDS; ++round) {
-        uint at = tile * SORT_TILE + round * SORT_SIZE + thread;
-        uint key = 0u, value = 0u, digit = 0u;
-        bool present = at < end;
+    for (uint m = thread; m < 2u * MASKS * SORT_DIGITS; m += THREADS) {
+        mask[m] = 0u;
+    }
+    find_starts(thread, tile, tiles);
+    uint own = thread / 32u;
+    uint lower = (1u << (thread & 31u)) - 1u;
+    uint last = min(end, (tile + 1u) * TILE);
+    for (uint from = tile * TILE, round = 0u; from < last; from += THREADS, ++round) {
+        uint at = from + thread;
+        uint set = (round & 1u) * MASKS * SORT_DIGITS;
+        uint key = 0u, digit = 0u, rank = 0u, total = 0u;
+        bool present = at < last;
         if (present) {
-            key = FIRST ? entry[at] : entry[2u * at];
-            value = FIRST ? at : entry[2u * at + 1u];
-            present = !FIRST || key != SORT_DROPPED;
+            key = key_at(at);
+            present = enters(key);
             digit = digit_of(key);
         }
-        uint own = thread / 32u;
         if (present) {
-            atomicOr(mask[own * SORT_DIGITS + digit], 1u << (thread & 31u));
+            atomicOr(mask[set + own * SORT_DIGITS + digit], 1u << (thread & 31u));
         }
         barrier();
-        uint rank = 0u, total = 0u, place = 0u;
         if (present) {
             for (uint m = 0u; m < MASKS; ++m) {
-                uint bits = mask[m * SORT_DIGITS + digit];
+                uint bits = mask[set + m * SORT_DIGITS + digit];
                 total += bitCount(bits);
-                if (m < own) {
-                    rank += bitCount(bits);
-                } else if (m == own) {
-                    rank += bitCount(bits & ((1u << (thread & 31u)) - 1u));
-                }
+                rank += m < own ? bitCount(bits) : m == own ? bitCount(bits & lower) : 0u;
             }
-            place = next[digit] + rank;
+            put(start[digit] + rank, key, value_at(at, key));
         }
         barrier();
-        if (present) {
-            // The first thread of a digit moves its counter on and clears its masks for the next round.
-            if (rank == 0u) {
-                next[digit] += total;
-                for (uint m = 0u; m < MASKS; ++m) {
-                    mask[m * SORT_DIGITS + digit] = 0u;
-                }
-            }
-            if (LAST) {
-                sorted[place] = value;
-            } else {
-                sorted[2u * place] = key;
-                sorted[2u * place + 1u] = value;
+        // The first thread of a digit moves its place on and clears its masks, before the next round's barrier.
+        if (present && rank == 0u) {
+            start[digit] += total;
+            for (uint m = 0u; m < MASKS; ++m) {
+                mask[set + m * SORT_DIGITS + digit] = 0u;
             }
         }
-        barrier();
     }
 }

@@ -17,10 +17,18 @@ pub const HARMONICS_SIZE: u32 = 64;
 pub const SPLATS_SIZE: u32 = 64;
 /// Invocations of a workgroup of the sort: the 128 that every Vulkan device has.
 pub const SORT_SIZE: u32 = 128;
-/// Keys that an invocation of the sort takes.
-pub const SORT_ROUNDS: u32 = 16;
-/// Keys of a workgroup of the sort.
-pub const SORT_TILE: u32 = SORT_SIZE * SORT_ROUNDS;
+/// Invocations of a workgroup of the sort where each has counters of its own: 8 KB of them.
+pub const SORT_LANES: u32 = 8;
+/// Keys of a tile of OneSweep; the other variants choose theirs when they are made.
+pub const SORT_CHAIN_TILE: u32 = 2048;
+/// Tiles whose histograms are summed in one go where there are too many for every workgroup to sum them all.
+pub const SORT_GROUP: u32 = 64;
+/// Looks at an earlier tile's count before a workgroup of OneSweep counts that tile itself.
+pub const SORT_POLLS: u32 = 1024;
+/// Words of the sort's state: a ticket a pass, and at [`SORT_FALLBACKS`] how often a workgroup counted another's tile.
+pub const SORT_STATE: u32 = 16;
+/// Where in the sort's state its fallbacks are counted.
+pub const SORT_FALLBACKS: u32 = 8;
 /// Values of a sort digit.
 pub const SORT_DIGITS: u32 = 256;
 /// A key that the sort drops: what `splats` writes for a Gaussian that is not drawn.
@@ -50,8 +58,12 @@ pub const MACROS: &[(&str, u32)] = &[
     ("HARMONICS_SIZE", HARMONICS_SIZE),
     ("SPLATS_SIZE", SPLATS_SIZE),
     ("SORT_SIZE", SORT_SIZE),
-    ("SORT_ROUNDS", SORT_ROUNDS),
-    ("SORT_TILE", SORT_TILE),
+    ("SORT_LANES", SORT_LANES),
+    ("SORT_CHAIN_TILE", SORT_CHAIN_TILE),
+    ("SORT_GROUP", SORT_GROUP),
+    ("SORT_POLLS", SORT_POLLS),
+    ("SORT_STATE", SORT_STATE),
+    ("SORT_FALLBACKS", SORT_FALLBACKS),
     ("SORT_DIGITS", SORT_DIGITS),
     ("SORT_DROPPED", SORT_DROPPED),
     ("RASTER_QUADS", RASTER_QUADS),

@@ -161,7 +161,7 @@ fn the_control_block_is_the_same_on_both_sides() {
             }
         }
     });
-    assert_eq!(found.get(), 4, "three sort kernels and the vertex shader read the control block");
+    assert_eq!(found.get(), 8, "seven sort kernels and the vertex shader read the control block");
 }
 
 #[test]
@@ -186,7 +186,8 @@ fn shaders_need_no_more_than_every_device_has() {
             Some("nodes") => Some(layout::NODES_SIZE),
             Some("harmonics") => Some(layout::HARMONICS_SIZE),
             Some("splats") => Some(layout::SPLATS_SIZE),
-            Some("sort_count" | "sort_scan" | "sort_scatter") => Some(layout::SORT_SIZE),
+            Some("sort_lanes_count" | "sort_lanes_scatter") => Some(layout::SORT_LANES),
+            Some(name) if name.starts_with("sort_") => Some(layout::SORT_SIZE),
             _ => None,
         };
         assert_eq!(size, expected, "{name}: invocations of a workgroup");

@@ -78,7 +78,14 @@ fn spacing(tree: &ImmutableKdTree<f64, 3>, points: &[[f64; 3]]) -> f64 {
 }
 
 /// Pulls a corner of the mesh to the Gaussians around it, and gives it what moves them.
-fn vertex(avatar: &Avatar, opaque: &[u32], points: &[[f64; 3]], tree: &ImmutableKdTree<f64, 3>, corner: DVec3, side: f64) -> Option<Vertex> {
+fn vertex(
+    avatar: &Avatar,
+    opaque: &[u32],
+    points: &[[f64; 3]],
+    tree: &ImmutableKdTree<f64, 3>,
+    corner: DVec3,
+    side: f64,
+) -> Option<Vertex> {
     let count = const { NonZero::new(NEIGHBORS).unwrap() };
     let near = tree.nearest_n::<SquaredEuclidean>(&corner.to_array(), count);
     if near[0].distance.sqrt() > REACHED * side {

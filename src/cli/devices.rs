@@ -1,6 +1,11 @@
 //! `effigy devices`: what each GPU has, lacks and would use.
 
-use crate::vulkan::{Probe, instance::Instance, probe::version};
+use crate::vulkan::{
+    Gpu, GpuOptions, Probe, Result,
+    instance::Instance,
+    probe::version,
+    sort::{choice::choose, verdict::Verdict},
+};
 use anyhow::Context;
 use serde_json::json;
 
@@ -15,7 +20,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     let instance = Instance::new(false, &[])?;
     let probes = Probe::all(&instance)?;
     if args.json {
-        let devices: Vec<_> = probes.iter().map(describe).collect();
+        let devices: Vec<_> = probes.iter().enumerate().map(|(number, probe)| describe(number, probe)).collect();
         println!("{}", serde_json::to_string_pretty(&devices)?);
         return Ok(());
     }
@@ -42,13 +47,26 @@ fn print(number: usize, probe: &Probe) {
     for (what, has, use_) in probe.optional() {
         println!("   {what:16} {} → {use_}", if has { "yes" } else { "no " });
     }
+    match sort(number, probe) {
+        Some(Ok(verdict)) => {
+            println!("   sort             {} → the fastest that a test found right", verdict.variant.name());
+            verdict.tried.iter().for_each(|(variant, outcome)| println!("     {:14} {outcome}", variant.name()));
+        }
+        Some(Err(error)) => println!("   sort             {error}"),
+        None => (),
+    }
     match probe.lacks().as_slice() {
         [] => println!("   can serve\n"),
         lacks => println!("   can't serve: {}\n", lacks.join("; ")),
     }
 }
 
-fn describe(probe: &Probe) -> serde_json::Value {
+/// How to sort on a device, from a test where this program has not seen it yet. None where it can't serve.
+fn sort(number: usize, probe: &Probe) -> Option<Result<Verdict>> {
+    probe.lacks().is_empty().then(|| choose(&Gpu::new(&GpuOptions::headless(Some(number.to_string())))?))
+}
+
+fn describe(number: usize, probe: &Probe) -> serde_json::Value {
     let optional: serde_json::Map<_, _> =
         probe.optional().into_iter().map(|(what, has, use_)| (what.into(), json!({ "has": has, "use": use_ }))).collect();
     json!({
@@ -62,6 +80,7 @@ fn describe(probe: &Probe) -> serde_json::Value {
         "max_shared_memory_bytes": probe.limits.max_compute_shared_memory_size,
         "subgroup_size": probe.subgroup_size,
         "optional": optional,
+        "sort": sort(number, probe).map(|verdict| verdict.map_or_else(|error| json!({ "failed": error.to_string() }), |verdict| json!(verdict))),
         "lacks": probe.lacks(),
     })
 }

@@ -2,6 +2,7 @@
 
 mod bake;
 mod bench;
+mod bench_sort;
 mod compare;
 mod devices;
 mod export_ply;
@@ -41,6 +42,8 @@ enum Command {
     Compare(compare::Args),
     /// Draw hard cases and hold them against the f64 reference
     Stress(stress::Args),
+    /// Measure the sort alone: keys a second by count, key bits and variant
+    BenchSort(bench_sort::Args),
     /// Say what an avatar or motion file holds
     Inspect(inspect::Args),
     /// List the GPUs: what each has, lacks and would use
@@ -65,6 +68,7 @@ pub fn main() -> ExitCode {
         Some(Command::Bench(args)) => bench::run(args),
         Some(Command::Compare(args)) => compare::run(args),
         Some(Command::Stress(args)) => stress::run(args),
+        Some(Command::BenchSort(args)) => bench_sort::run(args),
         Some(Command::Inspect(args)) => inspect::run(args),
         Some(Command::Devices(args)) => devices::run(args),
         Some(Command::ExportPly(args)) => export_ply::run(args),

@@ -2,7 +2,12 @@
 
 use crate::{
     frame::{Camera, Skip},
-    vulkan::{GpuOptions, RendererOptions, preset::Preset, raster::ColorFormat, sort::KeyBits},
+    vulkan::{
+        GpuOptions, RendererOptions,
+        preset::Preset,
+        raster::ColorFormat,
+        sort::{KeyBits, Variant},
+    },
 };
 use anyhow::Context;
 use clap::ValueEnum;
@@ -57,6 +62,9 @@ pub struct Quality {
     /// Bits of the depth key that Gaussians are sorted by
     #[arg(long, value_enum)]
     pub keys: Option<Keys>,
+    /// How to sort
+    #[arg(long, value_enum, default_value_t = SortBy::Auto)]
+    pub sort: SortBy,
     /// What to leave out where the scene doesn't need it: all, none, or names with commas between
     #[arg(long)]
     pub skip: Option<Skip>,
@@ -81,6 +89,7 @@ impl Quality {
         RendererOptions {
             color: self.color.map_or(preset.color, Into::into),
             key_bits: self.keys.map_or(preset.key_bits, Into::into),
+            sort: self.sort.into(),
             skip: self.skip.unwrap_or(preset.skip),
             cutoff: self.cutoff.map_or(preset.cutoff, |n| n / 255.0),
             margin: self.margin.map_or(preset.margin, |mm| mm / 1e3),
@@ -138,6 +147,30 @@ impl From<Keys> for KeyBits {
             Keys::Bits16 => Self::Sixteen,
             Keys::Bits24 => Self::TwentyFour,
             Keys::Bits32 => Self::ThirtyTwo,
+        }
+    }
+}
+
+/// [`Variant`] as the command line has it.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub enum SortBy {
+    /// The fastest that a test finds right on the device
+    Auto,
+    /// Look-back over subgroups, for GPUs
+    Onesweep,
+    /// No subgroups, no look-back
+    Selfscan,
+    /// The same with counters for each invocation, for CPUs
+    Lanescan,
+}
+
+impl From<SortBy> for Option<Variant> {
+    fn from(sort: SortBy) -> Self {
+        match sort {
+            SortBy::Auto => None,
+            SortBy::Onesweep => Some(Variant::OneSweep),
+            SortBy::Selfscan => Some(Variant::SelfScan),
+            SortBy::Lanescan => Some(Variant::LaneScan),
         }
     }
 }

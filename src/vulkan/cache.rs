@@ -2,7 +2,29 @@
 
 use super::probe::Probe;
 use ash::vk;
-use std::{fs, io::Write, path::PathBuf};
+use std::{
+    fs,
+    io::{self, Write},
+    path::{Path, PathBuf},
+};
+
+/// The program's cache folder, where the system has such a thing. It may not exist yet.
+pub fn folder() -> Option<PathBuf> {
+    directories::ProjectDirs::from("", "", "effigy").map(|dirs| dirs.cache_dir().to_path_buf())
+}
+
+/// Writes a file that appears whole or not at all, also when two programs write at once.
+pub(super) fn write(path: &Path, data: &[u8]) -> io::Result<()> {
+    let temporary = path.with_extension(format!("{}.tmp", std::process::id()));
+    let written = path.parent().map_or(Ok(()), fs::create_dir_all).and_then(|()| {
+        fs::File::create(&temporary).and_then(|mut file| file.write_all(data).and_then(|()| file.sync_all()))?;
+        fs::rename(&temporary, path)
+    });
+    if written.is_err() {
+        let _ = fs::remove_file(&temporary);
+    }
+    written
+}
 
 /// A pipeline cache and the file that it comes from. Every failure leaves a working, empty cache: it only costs time.
 pub struct PipelineCache {
@@ -16,7 +38,7 @@ impl PipelineCache {
     /// One file a device and driver build. The driver checks the content; its header is compared here too, since not all do.
     pub(super) fn open(device: &ash::Device, probe: &Probe) -> Self {
         let uuid: String = probe.cache_key().iter().map(|byte| format!("{byte:02x}")).collect();
-        let path = directories::ProjectDirs::from("", "", "effigy").map(|dirs| dirs.cache_dir().join(format!("pipelines-{uuid}.bin")));
+        let path = folder().map(|folder| folder.join(format!("pipelines-{uuid}.bin")));
         let data = path.as_ref().and_then(|path| fs::read(path).ok()).filter(|data| probe.wrote(data)).unwrap_or_default();
         let create = |data: &[u8]| {
             let info = vk::PipelineCacheCreateInfo::default().initial_data(data);
@@ -27,7 +49,7 @@ impl PipelineCache {
         Self { raw, path, loaded: data.len() }
     }
 
-    /// Writes what was added. The file appears whole or not at all, also when two programs write at once.
+    /// Writes what was added.
     pub(super) fn save(&self, device: &ash::Device) {
         let Some(path) = &self.path else { return };
         // SAFETY: the cache is of this device.
@@ -35,13 +57,7 @@ impl PipelineCache {
         if data.len() == self.loaded {
             return;
         }
-        let temporary = path.with_extension(format!("{}.tmp", std::process::id()));
-        let written = path.parent().map_or(Ok(()), fs::create_dir_all).and_then(|()| {
-            fs::File::create(&temporary).and_then(|mut file| file.write_all(&data).and_then(|()| file.sync_all()))?;
-            fs::rename(&temporary, path)
-        });
-        if let Err(error) = written {
-            let _ = fs::remove_file(&temporary);
+        if let Err(error) = write(path, &data) {
             tracing::debug!("the pipeline cache was not saved to {}: {error}", path.display());
         }
     }
@@ -54,7 +70,7 @@ impl PipelineCache {
 
 impl Probe {
     /// Names the cache file: driver build and device.
-    fn cache_key(&self) -> Vec<u8> {
+    pub(super) fn cache_key(&self) -> Vec<u8> {
         self.cache_uuid.iter().chain(&self.driver_uuid).copied().collect()
     }
 

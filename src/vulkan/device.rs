@@ -5,6 +5,7 @@ use super::{
     error::{During, Error, Result},
     instance::Instance,
     probe::Probe,
+    sort::verdict::Verdict,
 };
 use ash::{ext, khr, vk};
 use gpu_allocator::vulkan::{Allocator, AllocatorCreateDesc};
@@ -12,7 +13,7 @@ use std::{
     ffi::CString,
     mem::ManuallyDrop,
     sync::{
-        Arc, Mutex, MutexGuard,
+        Arc, Mutex, MutexGuard, OnceLock,
         atomic::{AtomicBool, Ordering},
     },
     time::Duration,
@@ -54,6 +55,8 @@ pub struct Gpu {
     pub half_storage: bool,
     pub labels: Option<ext::debug_utils::Device>,
     pub swapchain: Option<khr::swapchain::Device>,
+    /// How to sort here, once it is known: see [`super::sort::choice::choose`].
+    pub(super) sort: OnceLock<Verdict>,
     pub instance: ManuallyDrop<Instance>,
     /// Vulkan wants one thread at a time at a queue; renderers on one device may be on several.
     turn: Mutex<()>,
@@ -98,6 +101,7 @@ impl Gpu {
             swapchain: window.then(|| khr::swapchain::Device::new(&instance.raw, &raw)),
             raw,
             probe,
+            sort: OnceLock::new(),
             instance: ManuallyDrop::new(instance),
             turn: Mutex::new(()),
             hangs: AtomicBool::new(false),
@@ -237,10 +241,17 @@ fn create_device(instance: &Instance, probe: &Probe, queue_family: u32, [half_st
     if probe.has(khr::portability_subset::NAME) {
         extensions.push(khr::portability_subset::NAME.as_ptr());
     }
+    if probe.subgroup_sizes.is_some() {
+        extensions.push(ext::subgroup_size_control::NAME.as_ptr());
+    }
+    let mut sizes = vk::PhysicalDeviceSubgroupSizeControlFeatures::default().subgroup_size_control(true).compute_full_subgroups(true);
     let mut storage = vk::PhysicalDevice16BitStorageFeatures::default().storage_buffer16_bit_access(half_storage);
     let mut info = vk::DeviceCreateInfo::default().queue_create_infos(&queues).enabled_extension_names(&extensions);
     if half_storage {
         info = info.push_next(&mut storage);
+    }
+    if probe.subgroup_sizes.is_some() {
+        info = info.push_next(&mut sizes);
     }
     // SAFETY: the device comes from this instance; `info` and all it points to outlive the call.
     unsafe { instance.raw.create_device(probe.physical, &info, None) }.during("vkCreateDevice")

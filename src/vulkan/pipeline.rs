@@ -125,16 +125,31 @@ pub struct Kernel {
 }
 
 impl Kernel {
-    /// `constants` are the specialization constants, 0 upwards.
+    /// `constants` are the specialization constants, 0 upwards; a module need not have all of them.
     pub fn new(gpu: &Arc<Gpu>, module: &'static Module, constants: &[u32], bindings: Bindings) -> Result<Self> {
+        Self::with_subgroups(gpu, module, constants, bindings, None)
+    }
+
+    /// The same in full subgroups of a size, which [`super::Probe::subgroup_sizes`] must hold; None leaves it to the driver.
+    pub fn with_subgroups(
+        gpu: &Arc<Gpu>,
+        module: &'static Module,
+        constants: &[u32],
+        bindings: Bindings,
+        subgroup: Option<u32>,
+    ) -> Result<Self> {
         let shader = ShaderModule::new(gpu, module)?;
         let entries = specialization_entries(constants);
         let specialization = vk::SpecializationInfo::default().map_entries(&entries).data(cast_slice(constants));
-        let stage = vk::PipelineShaderStageCreateInfo::default()
+        let mut required = vk::PipelineShaderStageRequiredSubgroupSizeCreateInfo::default().required_subgroup_size(subgroup.unwrap_or(0));
+        let mut stage = vk::PipelineShaderStageCreateInfo::default()
             .stage(vk::ShaderStageFlags::COMPUTE)
             .module(shader.raw)
             .name(c"main")
             .specialization_info(&specialization);
+        if subgroup.is_some() {
+            stage = stage.push_next(&mut required).flags(vk::PipelineShaderStageCreateFlags::REQUIRE_FULL_SUBGROUPS);
+        }
         let info = vk::ComputePipelineCreateInfo::default().stage(stage).layout(bindings.layout);
         // SAFETY: `info` and all it points to outlive the call.
         let created = unsafe { gpu.raw.create_compute_pipelines(gpu.cache.raw, &[info], None) };

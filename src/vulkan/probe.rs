@@ -4,6 +4,7 @@ use super::{
     error::{During, Result},
     instance::Instance,
 };
+use crate::layout::SORT_SIZE;
 use ash::{ext, khr, vk};
 
 /// A physical device, looked at.
@@ -26,7 +27,12 @@ pub struct Probe {
     pub timestamp_bits: u32,
     pub half_storage: bool,
     pub subgroup_size: u32,
+    /// Whether compute shaders have basic subgroup operations and ballots.
     pub subgroup_ballot: bool,
+    /// Smallest and largest subgroup that the sort's workgroups may be made of, in full. None: the driver chooses.
+    pub subgroup_sizes: Option<[u32; 2]>,
+    /// The driver's version number, as it writes it.
+    pub driver_version: u32,
     pub extensions: Vec<String>,
     /// Bytes of the largest memory heap that is the device's own.
     pub device_memory: u64,
@@ -52,12 +58,19 @@ impl Probe {
         let mut id = vk::PhysicalDeviceIDProperties::default();
         let mut driver = vk::PhysicalDeviceDriverProperties::default();
         let mut storage = vk::PhysicalDevice16BitStorageFeatures::default();
+        let mut sizes = vk::PhysicalDeviceSubgroupSizeControlProperties::default();
+        let mut sizes_chosen = vk::PhysicalDeviceSubgroupSizeControlFeatures::default();
+        let has = |name: &std::ffi::CStr| extensions.iter().any(|e| name.to_str() == Ok(e));
         if basic.api_version >= vk::API_VERSION_1_1 {
             let mut properties = vk::PhysicalDeviceProperties2::default().push_next(&mut subgroup).push_next(&mut id);
-            if extensions.iter().any(|e| khr::driver_properties::NAME.to_str() == Ok(e)) || basic.api_version >= vk::API_VERSION_1_2 {
+            if has(khr::driver_properties::NAME) || basic.api_version >= vk::API_VERSION_1_2 {
                 properties = properties.push_next(&mut driver);
             }
             let mut features = vk::PhysicalDeviceFeatures2::default().push_next(&mut storage);
+            if has(ext::subgroup_size_control::NAME) {
+                properties = properties.push_next(&mut sizes);
+                features = features.push_next(&mut sizes_chosen);
+            }
             // SAFETY: as above.
             unsafe {
                 raw.get_physical_device_properties2(physical, &mut properties);
@@ -70,6 +83,10 @@ impl Probe {
         let wanted = vk::QueueFlags::GRAPHICS | vk::QueueFlags::COMPUTE;
         let queue_family = families.iter().position(|family| family.queue_flags.contains(wanted));
         let own = |heap: &&vk::MemoryHeap| heap.flags.contains(vk::MemoryHeapFlags::DEVICE_LOCAL);
+        let subgroup_basics = vk::SubgroupFeatureFlags::BASIC | vk::SubgroupFeatureFlags::BALLOT;
+        let sizes_chosen = sizes_chosen.subgroup_size_control == vk::TRUE
+            && sizes_chosen.compute_full_subgroups == vk::TRUE
+            && sizes.required_subgroup_size_stages.contains(vk::ShaderStageFlags::COMPUTE);
         Ok(Self {
             physical,
             name: text(basic.device_name_as_c_str()),
@@ -85,8 +102,13 @@ impl Probe {
             timestamp_bits: queue_family.map_or(0, |family| families[family].timestamp_valid_bits),
             half_storage: storage.storage_buffer16_bit_access == vk::TRUE,
             subgroup_size: subgroup.subgroup_size,
-            subgroup_ballot: subgroup.supported_operations.contains(vk::SubgroupFeatureFlags::BALLOT)
+            subgroup_ballot: subgroup.supported_operations.contains(subgroup_basics)
                 && subgroup.supported_stages.contains(vk::ShaderStageFlags::COMPUTE),
+            subgroup_sizes: sizes_chosen.then(|| {
+                let fewest = SORT_SIZE.div_ceil(sizes.max_compute_workgroup_subgroups.max(1)).next_power_of_two();
+                [sizes.min_subgroup_size.max(fewest), sizes.max_subgroup_size.min(SORT_SIZE)]
+            }),
+            driver_version: basic.driver_version,
             extensions,
             device_memory: memory.memory_heaps_as_slice().iter().filter(own).map(|heap| heap.size).max().unwrap_or(0),
         })
@@ -115,7 +137,7 @@ impl Probe {
         vec![
             ("16-bit storage", self.half_storage, choose(self.half_storage, "f16 storage buffers", "f16 unpacked from words, same bytes")),
             ("timestamps", timestamps, choose(timestamps, "times of each stage", "times of whole frames only")),
-            ("subgroup ballots", self.subgroup_ballot, format!("not needed (subgroups of {})", self.subgroup_size)),
+            ("subgroup ballots", self.subgroup_ballot, self.subgroups()),
             ("swapchain", self.has(khr::swapchain::NAME), choose(self.has(khr::swapchain::NAME), "windows", "pictures only")),
             (
                 "memory budget",
@@ -123,6 +145,14 @@ impl Probe {
                 choose(self.has(ext::memory_budget::NAME), "reported by the driver", "own count only"),
             ),
         ]
+    }
+
+    fn subgroups(&self) -> String {
+        let use_ = if self.subgroup_ballot { "OneSweep may sort" } else { "sorts without" };
+        match self.subgroup_sizes {
+            Some([low, high]) => format!("{use_} (subgroups of {}; {low} to {high} on request)", self.subgroup_size),
+            None => format!("{use_} (subgroups of {})", self.subgroup_size),
+        }
     }
 
     /// Discrete before integrated before virtual before CPU.

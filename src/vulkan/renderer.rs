@@ -13,7 +13,7 @@ use super::{
     picture::Copied,
     pipeline::{Slice, barrier},
     raster::{ColorFormat, Raster},
-    sort::{KeyBits, Sort},
+    sort::{KeyBits, Sort, SortOptions, Variant, choice},
     splats::{Splats, key_offset},
     surface::{PYRAMID_WORDS, Place, Surface},
 };
@@ -35,6 +35,8 @@ pub struct RendererOptions {
     pub size: [u32; 2],
     pub color: ColorFormat,
     pub key_bits: KeyBits,
+    /// How to sort. None: as the self-test finds best.
+    pub sort: Option<Variant>,
     /// What is left out where the scene doesn't need it.
     pub skip: Skip,
     /// Contributions below this opacity are not drawn, at least 1/255 (model.md, step 10).
@@ -52,6 +54,7 @@ impl RendererOptions {
             size,
             color: ColorFormat::default(),
             key_bits: KeyBits::default(),
+            sort: None,
             skip: Skip::all(),
             cutoff: ALPHA_MIN,
             margin: 0.005,
@@ -126,7 +129,8 @@ impl Renderer {
         let control = Buffer::with_data(gpu, "control", bytes_of(&control), storage | vk::BufferUsageFlags::INDIRECT_BUFFER)?;
         let frame = Slice { buffer: frames.raw, offset: 0, size: size_of::<Frame>() as u64 };
         let splats = Splats::new(gpu, &model, frame, (&pose).into())?;
-        let sort = Sort::new(gpu, splats.keys(), &control, constants.gaussians, options.key_bits)?;
+        let variant = options.sort.map_or_else(|| choice::choose(gpu).map(|verdict| verdict.variant), Ok)?;
+        let sort = Sort::new(gpu, splats.keys(), &control, constants.gaussians, SortOptions::new(options.key_bits, variant))?;
         let raster = Raster::new(gpu, frame, [sort.order(), splats.all(), (&control).into()], &model.occluder, &options)?;
         Ok(Self {
             slots: (0..SLOTS).map(|_| Slot::new(gpu)).collect::<Result<_>>()?,

@@ -54,9 +54,17 @@ pub static SPLATS: Module = Module {
 };
 pub static SORT_COUNT: Module =
     Module { file: "sort_count.comp", spirv: include_bytes!("../../shaders/spv/sort_count.comp.spv"), half: None };
+pub static SORT_REDUCE: Module =
+    Module { file: "sort_reduce.comp", spirv: include_bytes!("../../shaders/spv/sort_reduce.comp.spv"), half: None };
 pub static SORT_SCAN: Module = Module { file: "sort_scan.comp", spirv: include_bytes!("../../shaders/spv/sort_scan.comp.spv"), half: None };
 pub static SORT_SCATTER: Module =
     Module { file: "sort_scatter.comp", spirv: include_bytes!("../../shaders/spv/sort_scatter.comp.spv"), half: None };
+pub static SORT_LANES_COUNT: Module =
+    Module { file: "sort_lanes_count.comp", spirv: include_bytes!("../../shaders/spv/sort_lanes_count.comp.spv"), half: None };
+pub static SORT_LANES_SCATTER: Module =
+    Module { file: "sort_lanes_scatter.comp", spirv: include_bytes!("../../shaders/spv/sort_lanes_scatter.comp.spv"), half: None };
+pub static SORT_CHAIN: Module =
+    Module { file: "sort_chain.comp", spirv: include_bytes!("../../shaders/spv/sort_chain.comp.spv"), half: None };
 pub static RASTER_VERTEX: Module = Module { file: "raster.vert", spirv: include_bytes!("../../shaders/spv/raster.vert.spv"), half: None };
 pub static RASTER_FRAGMENT: Module = Module { file: "raster.frag", spirv: include_bytes!("../../shaders/spv/raster.frag.spv"), half: None };
 pub static PRESENT_VERTEX: Module =
@@ -77,21 +85,37 @@ pub static MODULES: &[&Module] = &[
     &HARMONICS,
     &SPLATS,
     &SORT_COUNT,
+    &SORT_REDUCE,
     &SORT_SCAN,
     &SORT_SCATTER,
+    &SORT_LANES_COUNT,
+    &SORT_LANES_SCATTER,
+    &SORT_CHAIN,
     &RASTER_VERTEX,
     &RASTER_FRAGMENT,
     &PRESENT_VERTEX,
     &PRESENT_FRAGMENT,
 ];
 
+/// Changes with any kernel of the sort: what one build of it did says nothing of another.
+pub fn sort_hash() -> u64 {
+    let kernels = MODULES.iter().filter(|module| module.file.starts_with("sort_"));
+    kernels.flat_map(|module| module.spirv).fold(FNV, |hash, &byte| add(hash, byte))
+}
+
+const FNV: u64 = 0xcbf2_9ce4_8422_2325;
+
+fn add(hash: u64, byte: u8) -> u64 {
+    (hash ^ u64::from(byte)).wrapping_mul(0x100_0000_01b3)
+}
+
 /// File in `shaders/spv` with a line `name fingerprint` for each module.
 pub const FINGERPRINTS: &str = "fingerprints.txt";
 
 /// A number that changes with the text of a shader, of any file it includes, and with the constants it is compiled with (FNV-1a).
 pub fn fingerprint(shaders: &Path, file: &str) -> io::Result<u64> {
-    let mut hash = 0xcbf2_9ce4_8422_2325_u64;
-    let mut add = |text: &str| text.bytes().for_each(|byte| hash = (hash ^ u64::from(byte)).wrapping_mul(0x100_0000_01b3));
+    let mut hash = FNV;
+    let mut add = |text: &str| text.bytes().for_each(|byte| hash = add(hash, byte));
     layout::MACROS.iter().for_each(|(name, value)| add(&format!("{name}={value};")));
     let mut queue = vec![file.to_string()];
     let mut seen = 0;

@@ -1,0 +1,130 @@
+//! The self-test: sorts hostile keys with each variant that a device can run, compares with the CPU, times those that are right, and
+//! picks the fastest. Drivers exist that give wrong orders without a word, and no query tells.
+
+use super::{
+    KeyBits, SortOptions, Variant,
+    trial::Trial,
+    verdict::{Outcome, Record, Verdict},
+};
+use crate::{
+    layout::SORT_DROPPED,
+    vulkan::{
+        cache,
+        device::Gpu,
+        error::{Error, Result},
+    },
+};
+use std::{path::Path, sync::Arc, time::Duration};
+
+/// Keys of the largest test: enough for every variant to have many tiles.
+const KEYS: u32 = 60_000;
+/// Runs of which the best counts.
+const TIMED: usize = 3;
+/// A sort of so few keys that takes longer is refused.
+const PATIENCE: Duration = Duration::from_secs(2);
+
+/// How to sort here. Tests on the first call after a change of driver or program, which takes a part of a second; later calls and
+/// starts know. Fails where no variant is right, or the device is lost or hangs in a test; the next start does not try that variant again.
+pub fn choose(gpu: &Arc<Gpu>) -> Result<Verdict> {
+    if let Some(verdict) = gpu.sort.get() {
+        return Ok(verdict.clone());
+    }
+    let verdict = choose_in(gpu, cache::folder().as_deref())?;
+    Ok(gpu.sort.get_or_init(|| verdict).clone())
+}
+
+/// The same with a folder of the caller's to remember in; None remembers nothing.
+pub fn choose_in(gpu: &Arc<Gpu>, folder: Option<&Path>) -> Result<Verdict> {
+    let record = Record::new(gpu, folder);
+    let mut tried = record.read();
+    let untried: Vec<_> = Variant::ALL.into_iter().filter(|variant| tried.iter().all(|(known, _)| known != variant)).collect();
+    for &variant in &untried {
+        record.write(&tried, Some(variant));
+        let outcome = match needless(gpu, variant) {
+            Some(why) => Outcome::Lacks(why.into()),
+            None => test(gpu, variant)?,
+        };
+        tried.push((variant, outcome));
+    }
+    if !untried.is_empty() {
+        record.write(&tried, None);
+    }
+    Verdict::of(&tried).ok_or_else(|| {
+        let reasons: Vec<_> = tried.iter().map(|(variant, outcome)| format!("{}: {outcome}", variant.name())).collect();
+        Error::Lacks { device: gpu.probe.name.clone(), lacks: format!("no sort is right on it ({})", reasons.join("; ")) }
+    })
+}
+
+/// Why a variant is not even tested: drivers that run on a CPU take a second and more to compile OneSweep, and have no use for it.
+fn needless(gpu: &Gpu, variant: Variant) -> Option<&'static str> {
+    let cpu = gpu.probe.kind == ash::vk::PhysicalDeviceType::CPU;
+    (variant == Variant::OneSweep && cpu).then_some("not tested on a CPU, where it takes longer to compile than it could save")
+}
+
+/// Tests one variant, whatever was found before. Fails only where the device can't go on.
+pub fn test(gpu: &Arc<Gpu>, variant: Variant) -> Result<Outcome> {
+    if let Some(lacks) = variant.lacks(gpu) {
+        return Ok(Outcome::Lacks(lacks.into()));
+    }
+    match run(gpu, variant) {
+        Ok(outcome) => Ok(outcome),
+        Err(error @ (Error::Timeout { .. } | Error::DeviceLost(_) | Error::OutOfMemory { .. })) => Err(error),
+        Err(error) => Ok(Outcome::Refused(error.to_string())),
+    }
+}
+
+fn run(gpu: &Arc<Gpu>, variant: Variant) -> Result<Outcome> {
+    let trial = Trial::new(gpu, KEYS, SortOptions::new(KeyBits::Sixteen, variant))?;
+    // Drivers may compile in the first run, which is therefore not held against the variant.
+    trial.load(&[7])?;
+    trial.run()?;
+    for (name, keys) in hostile(variant.tile()) {
+        trial.load(&keys)?;
+        let times = trial.run()?;
+        if let Some(difference) = trial.difference(&keys)? {
+            return Ok(Outcome::Refused(format!("wrong for {name}: {difference}")));
+        }
+        if times.wall > PATIENCE {
+            return Ok(Outcome::Refused(format!("{:.1} s for {name}", times.wall.as_secs_f64())));
+        }
+    }
+    // The largest keys are still loaded: depths of a body have about that many different values.
+    let mut best = Duration::MAX;
+    let (_, keys) = spread();
+    for _ in 0..TIMED {
+        best = best.min(trial.run()?.device);
+        if let Some(difference) = trial.difference(&keys)? {
+            return Ok(Outcome::Refused(format!("wrong when repeated: {difference}")));
+        }
+    }
+    Ok(Outcome::Right(best.as_secs_f64() * 1e3))
+}
+
+type Keys = (&'static str, Vec<u32>);
+
+/// Keys without pattern (Knuth's multiplicative hash).
+fn scramble(at: u32) -> u32 {
+    at.wrapping_mul(2_654_435_769) >> 16
+}
+
+fn spread() -> Keys {
+    ("spread keys", (0..KEYS).map(scramble).collect())
+}
+
+/// Keys that tempt a sort to fail, the largest set last.
+fn hostile(tile: u32) -> Vec<Keys> {
+    let drop = |at: u32, key: u32| if scramble(at ^ 0x5555) % 3 == 0 { SORT_DROPPED } else { key };
+    let several = 3 * tile;
+    vec![
+        ("one key", vec![7]),
+        ("no survivors", vec![SORT_DROPPED; 1000]),
+        ("a tile less one", (0..tile - 1).map(scramble).collect()),
+        ("a tile and one", (0..=tile).map(scramble).collect()),
+        ("equal keys", vec![0xffff; several as usize]),
+        ("falling keys", (0..several).rev().collect()),
+        ("one digit", (0..several).map(|at| scramble(at) & 0xff00 | 0x7f).collect()),
+        ("alternating keys", (0..several).map(|at| if at % 2 == 0 { 0 } else { 0xffff }).collect()),
+        ("dropped keys", (0..KEYS).map(|at| drop(at, scramble(at))).collect()),
+        spread(),
+    ]
+}

@@ -1,0 +1,94 @@
+//! The self-test and the file that remembers its verdict.
+
+use super::*;
+use effigy::vulkan::sort::{
+    choice::{choose_in, test},
+    verdict::{Outcome, Verdict},
+};
+use std::{fs, path::PathBuf};
+
+fn file(folder: &tempfile::TempDir) -> PathBuf {
+    let mut files: Vec<_> = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
+    assert_eq!(files.len(), 1, "one file: {files:?}");
+    files.remove(0)
+}
+
+fn outcome(verdict: &Verdict, of: Variant) -> &Outcome {
+    &verdict.tried.iter().find(|(variant, _)| *variant == of).unwrap().1
+}
+
+#[test]
+fn the_self_test_picks_a_variant_that_is_right_and_remembers_it() {
+    let Some(device) = gpu::gpu() else { return };
+    let folder = tempfile::tempdir().unwrap();
+    let verdict = choose_in(&device, Some(folder.path())).unwrap();
+    println!("{verdict:?}");
+    assert!(matches!(outcome(&verdict, verdict.variant), Outcome::Right(_)));
+    assert!(matches!(outcome(&verdict, Variant::SelfScan), Outcome::Right(_)), "self-scan is right everywhere");
+    let text = fs::read_to_string(file(&folder)).unwrap();
+    assert_eq!(choose_in(&device, Some(folder.path())).unwrap(), verdict, "the second time it is read, times included");
+    assert_eq!(fs::read_to_string(file(&folder)).unwrap(), text);
+    gpu::assert_valid();
+}
+
+#[test]
+fn look_back_is_tested_and_refused_where_it_is_wrong() {
+    let Some(device) = gpu::gpu() else { return };
+    let outcome = test(&device, Variant::OneSweep).unwrap();
+    println!("{outcome}");
+    match Variant::OneSweep.lacks(&device) {
+        Some(_) => assert!(matches!(outcome, Outcome::Lacks(_))),
+        None if looks_back(&device) => assert!(matches!(outcome, Outcome::Right(_)), "{outcome}"),
+        // Wrong or right by chance: what matters is that the test ends with an answer.
+        None => assert!(matches!(outcome, Outcome::Right(_) | Outcome::Refused(_)), "{outcome}"),
+    }
+    gpu::assert_valid();
+}
+
+#[test]
+fn a_damaged_or_old_file_is_ignored_and_written_again() {
+    let Some(device) = gpu::gpu() else { return };
+    let folder = tempfile::tempdir().unwrap();
+    choose_in(&device, Some(folder.path())).unwrap();
+    let path = file(&folder);
+    let text = fs::read_to_string(&path).unwrap();
+    let damaged = [text[..text.len() / 2].to_string(), String::new(), text.replace("driver_version\": ", "driver_version\": 1")];
+    for text in damaged {
+        fs::write(&path, &text).unwrap();
+        choose_in(&device, Some(folder.path())).unwrap();
+        assert_ne!(fs::read_to_string(&path).unwrap(), text, "not written again");
+        assert!(serde_json::from_str::<serde_json::Value>(&fs::read_to_string(&path).unwrap()).is_ok());
+    }
+    gpu::assert_valid();
+}
+
+#[test]
+fn a_variant_that_ended_the_program_is_not_tried_again() {
+    let Some(device) = gpu::gpu() else { return };
+    let folder = tempfile::tempdir().unwrap();
+    choose_in(&device, Some(folder.path())).unwrap();
+    let path = file(&folder);
+    let mut content: serde_json::Value = serde_json::from_str(&fs::read_to_string(&path).unwrap()).unwrap();
+    // As it would be had the program ended in the first test.
+    content["tried"] = serde_json::json!([]);
+    content["trying"] = serde_json::json!("OneSweep");
+    fs::write(&path, content.to_string()).unwrap();
+    let verdict = choose_in(&device, Some(folder.path())).unwrap();
+    assert_eq!(*outcome(&verdict, Variant::OneSweep), Outcome::Unfinished);
+    assert_ne!(verdict.variant, Variant::OneSweep);
+    assert_eq!(choose_in(&device, Some(folder.path())).unwrap(), verdict, "and it stays so");
+    gpu::assert_valid();
+}
+
+#[test]
+fn the_fastest_right_variant_wins() {
+    let tried = |times: [Option<f64>; 3]| {
+        let outcome = |ms: Option<f64>| ms.map_or(Outcome::Refused("wrong".into()), Outcome::Right);
+        Variant::ALL.into_iter().zip(times.map(outcome)).collect::<Vec<_>>()
+    };
+    let pick = |times| Verdict::of(&tried(times)).map(|verdict| verdict.variant);
+    assert_eq!(pick([Some(1.0), Some(2.0), Some(3.0)]), Some(Variant::OneSweep));
+    assert_eq!(pick([None, Some(2.0), Some(3.0)]), Some(Variant::SelfScan));
+    assert_eq!(pick([None, Some(2.0), Some(0.5)]), Some(Variant::LaneScan));
+    assert_eq!(pick([None; 3]), None);
+}

@@ -1,0 +1,72 @@
+//! The `sort` stage against a stable sort on the CPU, index for index: every variant over a matrix of counts, key patterns and key sizes;
+//! with stalled workgroups; in subgroups of every size; counted by another kernel; and the self-test that chooses.
+
+mod choice;
+#[path = "../common/mod.rs"]
+mod common;
+mod faults;
+mod fused;
+mod matrix;
+
+use common::{Random, gpu};
+use effigy::{
+    layout::SORT_DROPPED,
+    vulkan::{
+        Gpu,
+        sort::{KeyBits, SortOptions, Variant, trial::Trial},
+    },
+};
+use std::sync::Arc;
+
+const BITS: [KeyBits; 3] = [KeyBits::Sixteen, KeyBits::TwentyFour, KeyBits::ThirtyTwo];
+
+/// Variants that a device can run.
+fn variants(gpu: &Gpu) -> Vec<Variant> {
+    Variant::ALL.into_iter().filter(|variant| variant.lacks(gpu).is_none()).collect()
+}
+
+/// Whether a driver is known to give wrong orders with look-back, which the self-test is there for: Mesa's lavapipe before 23.
+fn looks_back(gpu: &Gpu) -> bool {
+    !gpu.probe.driver.contains("Mesa 22.")
+}
+
+/// Sorts, and fails where the order is not what it should be.
+fn check(trial: &Trial, keys: &[u32], name: &str) {
+    trial.load(keys).unwrap();
+    trial.run().unwrap();
+    assert_same(trial, keys, name);
+}
+
+fn assert_same(trial: &Trial, keys: &[u32], name: &str) {
+    if let Some(difference) = trial.difference(keys).unwrap() {
+        panic!("{name}: {difference}");
+    }
+}
+
+fn trial(gpu: &Arc<Gpu>, capacity: usize, options: SortOptions) -> Trial {
+    Trial::new(gpu, capacity as u32, options).unwrap()
+}
+
+/// Keys of all bits, none of them SORT_DROPPED.
+fn random_keys(seed: u64, count: usize) -> Vec<u32> {
+    let random = &mut Random(seed);
+    (0..count).map(|_| (random.next() as u32).min(SORT_DROPPED - 1)).collect()
+}
+
+/// Key patterns that sorts have failed at.
+fn patterns(count: usize, bits: KeyBits) -> Vec<Vec<u32>> {
+    let random = &mut Random(count as u64);
+    let top = (u32::MAX >> (32 - 8 * bits.passes())).min(SORT_DROPPED - 1);
+    let shift = 8 * bits.passes() - 8;
+    vec![
+        random_keys(count as u64 + 1, count),
+        vec![top; count],
+        (0..count as u32).rev().map(|k| k & top).collect(),
+        (0..count).map(|_| random.below(3) as u32 * (top / 3)).collect(),
+        (0..count).map(|k| if k % 2 == 0 { 0 } else { top }).collect(),
+        (0..count).map(|_| (random.next() as u32 & 0xff) << shift & top).collect(),
+        (0..count).map(|_| if random.below(3) == 0 { SORT_DROPPED } else { random.next() as u32 & top & !1 }).collect(),
+        (0..count).map(|k| if k % 1000 == 999 { 5 } else { SORT_DROPPED }).collect(),
+        vec![SORT_DROPPED; count],
+    ]
+}
