@@ -42,7 +42,10 @@ impl Preset {
         match self {
             Self::Low => Values { color: ColorFormat::Rgba8, key_bits: sixteen, skip, cutoff: 4.0 * ALPHA_MIN, margin: 0.003, detail: 1.0 },
             Self::Balanced => Values { color, key_bits: sixteen, skip, cutoff: 2.0 * ALPHA_MIN, margin: 0.004, detail: 0.7 },
-            Self::High => Values { color, key_bits: sixteen, skip, cutoff: ALPHA_MIN, margin: 0.005, detail: 0.5 },
+            // Where a coarse surface comes out of a crease, the depth test shows; culling whole Gaussians by it does not.
+            Self::High => {
+                Values { color, key_bits: sixteen, skip: skip.difference(Skip::DEPTH), cutoff: ALPHA_MIN, margin: 0.005, detail: 0.5 }
+            }
             Self::Exact => Values { color, key_bits: most, skip: skip.difference(lossy), cutoff: ALPHA_MIN, margin: 0.005, detail: 0.0 },
         }
     }

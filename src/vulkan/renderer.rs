@@ -55,7 +55,7 @@ impl RendererOptions {
             color: ColorFormat::default(),
             key_bits: KeyBits::default(),
             sort: None,
-            skip: Skip::all(),
+            skip: Skip::all() - Skip::DEPTH,
             cutoff: ALPHA_MIN,
             margin: 0.005,
             detail: 0.5,
