@@ -118,6 +118,12 @@ fn the_frame_block_is_the_same_on_both_sides() {
         offset_of!(Frame, slope),
         offset_of!(Frame, layers),
         offset_of!(Frame, network_quads),
+        offset_of!(Frame, key_start),
+        offset_of!(Frame, cutoff),
+        offset_of!(Frame, margin),
+        offset_of!(Frame, surface_start),
+        offset_of!(Frame, surface_origin),
+        offset_of!(Frame, surface_scale),
         offset_of!(Frame, unused),
         offset_of!(Frame, layer),
         offset_of!(Frame, input),
@@ -129,13 +135,13 @@ fn the_frame_block_is_the_same_on_both_sides() {
         for (variable, block) in reflection.variables(StorageClass::Uniform) {
             assert_eq!(reflection.decoration(variable, Decoration::Binding), Some(0), "{name}: the only uniform block is the frame's");
             assert_eq!(reflection.member_offsets(block), expected, "{name}: offsets of the frame block");
-            let layers = reflection.operand(block, 28);
+            let layers = reflection.operand(block, 34);
             assert_eq!(reflection.decoration(layers, Decoration::ArrayStride), Some(size_of::<Layer>() as u32), "{name}: stride of layers");
             assert_eq!(reflection.member_offsets(reflection.operand(layers, 0)), layer, "{name}: offsets of a layer");
             seen.set(seen.get() + 1);
         }
     });
-    assert_eq!(seen.get(), 9, "four compute stages in two variants and the vertex shader read the frame block");
+    assert_eq!(seen.get(), 11, "four compute stages in two variants, the surface's two and the vertex shader read the frame block");
 }
 
 #[test]
@@ -185,6 +191,7 @@ fn shaders_need_no_more_than_every_device_has() {
             Some("features") => Some(layout::FEATURES_SIZE),
             Some("nodes") => Some(layout::NODES_SIZE),
             Some("harmonics") => Some(layout::HARMONICS_SIZE),
+            Some("surface") if name.starts_with("surface.comp") => Some(layout::SURFACE_SIZE * layout::SURFACE_SIZE),
             Some("splats") => Some(layout::SPLATS_SIZE),
             Some("sort_lanes_count" | "sort_lanes_scatter") => Some(layout::SORT_LANES),
             Some(name) if name.starts_with("sort_") => Some(layout::SORT_SIZE),

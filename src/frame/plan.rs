@@ -1,6 +1,6 @@
 //! Which stages a frame needs, from what changed since the frame before.
 
-use super::{Camera, Posed};
+use super::{Camera, Posed, Skip};
 use glam::DAffine3;
 
 /// The stages of one frame.
@@ -20,11 +20,11 @@ pub struct Plan {
 }
 
 impl Plan {
-    /// What the next frame needs; everything where `skip` is off.
-    pub fn next(&mut self, posed: &Posed, camera: &Camera, skip: bool) -> Needed {
-        let pose = !skip || self.input.as_ref() != Some(&posed.input);
+    /// What the next frame needs, but for what `skip` lets it leave out.
+    pub fn next(&mut self, posed: &Posed, camera: &Camera, skip: Skip) -> Needed {
+        let pose = !skip.contains(Skip::POSE) || self.input.as_ref() != Some(&posed.input);
         let same = |(joints, before): &(Vec<DAffine3>, Camera)| *joints == posed.joints && before == camera;
-        let view = pose || !self.view.as_ref().is_some_and(same);
+        let view = pose || !skip.contains(Skip::FRAME) || !self.view.as_ref().is_some_and(same);
         if pose {
             self.input = Some(posed.input.clone());
         }
@@ -45,13 +45,15 @@ mod tests {
         let camera = |yaw| Camera::orbit(DVec3::ZERO, yaw, 0.0, 2.0, 0.7, [64, 64]);
         let mut posed = Posed { joints: vec![DAffine3::IDENTITY], input: vec![0.0], expression: 0 };
         let mut plan = Plan::default();
-        assert_eq!(plan.next(&posed, &camera(0.0), true), Needed { pose: true, view: true });
-        assert_eq!(plan.next(&posed, &camera(0.0), true), Needed { pose: false, view: false });
-        assert_eq!(plan.next(&posed, &camera(0.1), true), Needed { pose: false, view: true });
+        assert_eq!(plan.next(&posed, &camera(0.0), Skip::all()), Needed { pose: true, view: true });
+        assert_eq!(plan.next(&posed, &camera(0.0), Skip::all()), Needed { pose: false, view: false });
+        assert_eq!(plan.next(&posed, &camera(0.1), Skip::all()), Needed { pose: false, view: true });
         posed.joints[0] = DAffine3::from_translation(DVec3::X);
-        assert_eq!(plan.next(&posed, &camera(0.1), true), Needed { pose: false, view: true });
+        assert_eq!(plan.next(&posed, &camera(0.1), Skip::all()), Needed { pose: false, view: true });
         posed.input[0] = 1.0;
-        assert_eq!(plan.next(&posed, &camera(0.1), true), Needed { pose: true, view: true });
-        assert_eq!(plan.next(&posed, &camera(0.1), false), Needed { pose: true, view: true });
+        assert_eq!(plan.next(&posed, &camera(0.1), Skip::all()), Needed { pose: true, view: true });
+        assert_eq!(plan.next(&posed, &camera(0.1), Skip::empty()), Needed { pose: true, view: true });
+        assert_eq!(plan.next(&posed, &camera(0.1), Skip::POSE), Needed { pose: false, view: true });
+        assert_eq!(plan.next(&posed, &camera(0.1), Skip::all()), Needed { pose: false, view: false });
     }
 }

@@ -5,7 +5,10 @@ use super::{
     error::{During, Result},
     memory::{Buffer, to_host},
 };
-use crate::{frame::Counters, layout::Control};
+use crate::{
+    frame::{Counters, Needed},
+    layout::Control,
+};
 use ash::vk;
 use gpu_allocator::MemoryLocation;
 use std::sync::Arc;
@@ -27,6 +30,12 @@ pub struct FrameReport {
 }
 
 impl FrameReport {
+    /// Of a frame that needed nothing, and was not submitted.
+    pub fn idle(harmonics: bool) -> Self {
+        let stages = STAGES.into_iter().filter(|&stage| stage != "present" && stage != "surface" && (harmonics || stage != "harmonics"));
+        Self { skipped: stages.collect(), ..Self::default() }
+    }
+
     /// Sum over the stages, ms.
     pub fn gpu_ms(&self) -> f64 {
         self.stages.iter().map(|(_, ms)| ms).sum()
@@ -40,6 +49,10 @@ pub struct Slot {
     pub commands: vk::CommandBuffer,
     fence: vk::Fence,
     queries: Option<vk::QueryPool>,
+    /// Counts fragments.
+    statistics: Option<vk::QueryPool>,
+    counted: bool,
+    dispatches: u64,
     /// The frame's counts, copied here by the device.
     counts: Buffer,
     /// Stages with a pair of timestamps in the frame under way.
@@ -58,6 +71,9 @@ impl Slot {
             commands: Default::default(),
             fence: Default::default(),
             queries: None,
+            statistics: None,
+            counted: false,
+            dispatches: 0,
             counts,
             marked: Vec::with_capacity(STAGES.len()),
             skipped: Vec::with_capacity(STAGES.len()),
@@ -75,6 +91,13 @@ impl Slot {
                 let info = vk::QueryPoolCreateInfo::default().query_type(vk::QueryType::TIMESTAMP).query_count(2 * STAGES.len() as u32);
                 slot.queries = Some(gpu.raw.create_query_pool(&info, None).during("vkCreateQueryPool")?);
             }
+            if gpu.probe.pipeline_statistics {
+                let info = vk::QueryPoolCreateInfo::default()
+                    .query_type(vk::QueryType::PIPELINE_STATISTICS)
+                    .query_count(1)
+                    .pipeline_statistics(vk::QueryPipelineStatisticFlags::FRAGMENT_SHADER_INVOCATIONS);
+                slot.statistics = Some(gpu.raw.create_query_pool(&info, None).during("vkCreateQueryPool")?);
+            }
         }
         Ok(slot)
     }
@@ -87,8 +110,14 @@ impl Slot {
         self.gpu.wait(self.fence, "a frame")?;
         self.pending = false;
         let control: Control = bytemuck::pod_read_unaligned(&self.counts.mapped()[..size_of::<Control>()]);
-        let counters =
-            Counters { gaussians: control.entering.into(), drawn: control.survivors.into(), submitted: 1, ..Counters::default() };
+        let counters = Counters {
+            gaussians: u64::from(control.entering),
+            drawn: u64::from(control.survivors),
+            fragments: self.fragments()?,
+            dispatches: self.dispatches,
+            submitted: 1,
+            ..Counters::default()
+        };
         Ok(Some(FrameReport { stages: self.times()?, counters, skipped: self.skipped.clone() }))
     }
 
@@ -109,6 +138,7 @@ impl Slot {
     pub fn begin(&mut self) -> Result<vk::CommandBuffer> {
         self.marked.clear();
         self.skipped.clear();
+        self.counted = false;
         // SAFETY: the slot's last frame is done, so its pool and fence are free.
         unsafe {
             self.gpu.raw.reset_command_pool(self.pool, vk::CommandPoolResetFlags::empty()).during("vkResetCommandPool")?;
@@ -116,6 +146,9 @@ impl Slot {
             self.gpu.raw.begin_command_buffer(self.commands, &info).during("vkBeginCommandBuffer")?;
             if let Some(queries) = self.queries {
                 self.gpu.raw.cmd_reset_query_pool(self.commands, queries, 0, 2 * STAGES.len() as u32);
+            }
+            if let Some(statistics) = self.statistics {
+                self.gpu.raw.cmd_reset_query_pool(self.commands, statistics, 0, 1);
             }
         }
         Ok(self.commands)
@@ -133,6 +166,35 @@ impl Slot {
             unsafe { labels.cmd_end_debug_utils_label(self.commands) };
         }
         self.marked.push(name);
+    }
+
+    /// The same for a stage that draws, whose fragments are counted where `count` asks for it and the device can.
+    pub fn drawing(&mut self, name: &'static str, count: bool, record: impl FnOnce(vk::CommandBuffer)) {
+        let gpu = self.gpu.clone();
+        let statistics = self.statistics.filter(|_| count);
+        self.counted = statistics.is_some();
+        self.stage(name, |commands| {
+            // SAFETY: the command buffer is recording outside a render pass, the query was reset in `begin`.
+            statistics.inspect(|&pool| unsafe { gpu.raw.cmd_begin_query(commands, pool, 0, vk::QueryControlFlags::empty()) });
+            record(commands);
+            // SAFETY: the query was begun above.
+            statistics.inspect(|&pool| unsafe { gpu.raw.cmd_end_query(commands, pool, 0) });
+        });
+    }
+
+    /// Notes how many dispatches the frame has: one a stage but for the sort's.
+    pub fn count(&mut self, harmonics: bool, needed: Needed, surface: bool, sort: usize) {
+        let view = 1 + u64::from(harmonics) + u64::from(surface) + sort as u64;
+        self.dispatches = 2 * u64::from(needed.pose) + if needed.view { view } else { 0 };
+    }
+
+    fn fragments(&self) -> Result<Option<u64>> {
+        let Some(statistics) = self.statistics.filter(|_| self.counted) else { return Ok(None) };
+        let mut count = [0u64];
+        // SAFETY: the frame is done, so the query written in it is available.
+        unsafe { self.gpu.raw.get_query_pool_results(statistics, 0, &mut count, vk::QueryResultFlags::TYPE_64) }
+            .during("vkGetQueryPoolResults")?;
+        Ok(Some(count[0]))
     }
 
     /// Notes a stage that this frame does not need.
@@ -187,6 +249,7 @@ impl Drop for Slot {
         // SAFETY: the slot's frame is done. Destroying null handles does nothing.
         unsafe {
             self.gpu.raw.destroy_query_pool(self.queries.unwrap_or_default(), None);
+            self.gpu.raw.destroy_query_pool(self.statistics.unwrap_or_default(), None);
             self.gpu.raw.destroy_fence(self.fence, None);
             self.gpu.raw.destroy_command_pool(self.pool, None);
         }

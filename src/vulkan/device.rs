@@ -246,7 +246,9 @@ fn create_device(instance: &Instance, probe: &Probe, queue_family: u32, [half_st
     }
     let mut sizes = vk::PhysicalDeviceSubgroupSizeControlFeatures::default().subgroup_size_control(true).compute_full_subgroups(true);
     let mut storage = vk::PhysicalDevice16BitStorageFeatures::default().storage_buffer16_bit_access(half_storage);
-    let mut info = vk::DeviceCreateInfo::default().queue_create_infos(&queues).enabled_extension_names(&extensions);
+    let features = vk::PhysicalDeviceFeatures::default().pipeline_statistics_query(probe.pipeline_statistics);
+    let mut info =
+        vk::DeviceCreateInfo::default().queue_create_infos(&queues).enabled_extension_names(&extensions).enabled_features(&features);
     if half_storage {
         info = info.push_next(&mut storage);
     }

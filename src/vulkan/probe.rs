@@ -26,6 +26,8 @@ pub struct Probe {
     pub queue_family: Option<u32>,
     pub timestamp_bits: u32,
     pub half_storage: bool,
+    /// Fragments can be counted.
+    pub pipeline_statistics: bool,
     pub subgroup_size: u32,
     /// Whether compute shaders have basic subgroup operations and ballots.
     pub subgroup_ballot: bool,
@@ -100,6 +102,8 @@ impl Probe {
             limits: basic.limits,
             queue_family: queue_family.map(|family| family as u32),
             timestamp_bits: queue_family.map_or(0, |family| families[family].timestamp_valid_bits),
+            // SAFETY: as above.
+            pipeline_statistics: unsafe { raw.get_physical_device_features(physical) }.pipeline_statistics_query == vk::TRUE,
             half_storage: storage.storage_buffer16_bit_access == vk::TRUE,
             subgroup_size: subgroup.subgroup_size,
             subgroup_ballot: subgroup.supported_operations.contains(subgroup_basics)

@@ -45,6 +45,8 @@ pub struct RendererOptions {
     pub margin: f64,
     /// Standard deviation of the median Gaussian on screen below which fewer, larger ones are drawn, px.
     pub detail: f64,
+    /// Count fragments, where the device can: for measurements, since some devices are slower then.
+    pub count: bool,
 }
 
 impl RendererOptions {
@@ -59,6 +61,7 @@ impl RendererOptions {
             cutoff: ALPHA_MIN,
             margin: 0.005,
             detail: 0.5,
+            count: false,
         }
     }
 }
@@ -168,7 +171,7 @@ impl Renderer {
         &self.raster
     }
 
-    /// What the last finished frame took and drew: at most two frames old.
+    /// What the last finished frame took and drew: at most two frames old. A frame that needed nothing is finished at once.
     pub fn report(&self) -> &FrameReport {
         &self.report
     }
@@ -185,7 +188,12 @@ impl Renderer {
         }
         // Should anything below fail, nothing of this frame counts as drawn.
         let mut plan = std::mem::take(&mut self.plan);
-        let needed = plan.next(posed, camera, self.options.skip.contains(Skip::POSE));
+        let needed = plan.next(posed, camera, self.options.skip);
+        if !needed.view && presentation.is_none() {
+            self.plan = plan;
+            self.report = FrameReport::idle(self.harmonics.is_some());
+            return Ok(());
+        }
         let surface = self.write_frame(slot, posed, camera);
         self.slots[slot].begin()?;
         self.record(slot, needed, surface);
@@ -208,6 +216,7 @@ impl Renderer {
         let compute = PipelineStageFlags::COMPUTE_SHADER;
         let written = (compute, AccessFlags::SHADER_WRITE);
         let shared = (compute, AccessFlags::SHADER_READ | AccessFlags::SHADER_WRITE);
+        slot.count(harmonics.is_some(), needed, place.is_some() && options.skip.contains(Skip::HIDDEN), sort.dispatches(false));
         // The frame before may still read what this one writes.
         let readers = compute | PipelineStageFlags::VERTEX_SHADER | PipelineStageFlags::DRAW_INDIRECT | PipelineStageFlags::TRANSFER;
         barrier(gpu, commands, (readers, AccessFlags::SHADER_WRITE), shared);
@@ -235,7 +244,8 @@ impl Renderer {
             let draw = PipelineStageFlags::DRAW_INDIRECT | PipelineStageFlags::VERTEX_SHADER | PipelineStageFlags::TRANSFER;
             let reads = AccessFlags::INDIRECT_COMMAND_READ | AccessFlags::SHADER_READ | AccessFlags::TRANSFER_READ;
             barrier(gpu, commands, written, (draw, reads));
-            slot.stage("raster", |commands| {
+            let count = options.count;
+            slot.drawing("raster", count, |commands| {
                 raster.record(commands, frame, control.raw, place.is_some() && options.skip.contains(Skip::DEPTH))
             });
         } else {

@@ -78,7 +78,7 @@ impl Drawer {
 
     /// `avatar` as the setting fits it.
     pub fn new(gpu: &Arc<Gpu>, avatar: &Avatar, setting: &Setting) -> Result<Self> {
-        Ok(Self { renderer: Renderer::new(gpu, avatar, setting.options)? })
+        Ok(Self { renderer: Renderer::new(gpu, avatar, RendererOptions { count: true, ..setting.options })? })
     }
 
     /// Submits a frame, or finds that none is needed.
