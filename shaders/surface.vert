@@ -1,16 +1,21 @@
-// A corner of the depth surface: the avatar's solid inside, skinned as a Gaussian is (model.md, step 6) and pushed back by the margin.
+// A corner of the depth surface: the avatar's solid inside, moved by its nodes and skinned as a Gaussian is (model.md, steps 4 and 6) and pushed back by the margin.
 // Depth is 0 at the nearest key and 1 at the furthest: the same numbers that splats are sorted by.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #include "layout.glsl"
 #include "depth.glsl"
 
-// A corner: position in 16-bit coordinates (x y, z), joints, weights.
+// Two vectors a corner: position in 16-bit coordinates (x y, z), joints, weights; three nodes (x y, z) and the weights of the first two.
 layout(std430, set = 0, binding = 1) readonly buffer Corners { uvec4 corners[]; };
+layout(std430, set = 0, binding = 2) readonly buffer PoseBuffer { vec4 posed[]; };
 
 void main() {
-    uvec4 corner = corners[gl_VertexIndex];
+    uvec4 corner = corners[2 * gl_VertexIndex];
+    uvec4 near = corners[2 * gl_VertexIndex + 1];
     vec4 x = vec4(frame.position_min.xyz + frame.position_step.xyz * vec3(corner.x & 0xffffu, corner.x >> 16u, corner.y), 1.0);
+    vec2 share = unpackUnorm2x16(near.z);
+    x.xyz += share.x * posed[frame.node_start + (near.x & 0xffffu)].xyz + share.y * posed[frame.node_start + (near.x >> 16u)].xyz +
+             (1.0 - share.x - share.y) * posed[frame.node_start + near.y].xyz;
     uvec4 joint = uvec4(corner.z, corner.z >> 8u, corner.z >> 16u, corner.z >> 24u) & 0xffu;
     vec4 weight = unpackUnorm4x8(corner.w);
     vec3 p = vec3(0.0);

@@ -286,8 +286,12 @@ impl Avatar {
 
     /// How much each of a Gaussian's three nodes counts: 1 / max(‖x₀ − x_s‖, 1e-6), scaled to a sum of 1.
     pub fn node_weights(&self, gaussian: usize) -> [f64; 3] {
-        let position = self.position(gaussian);
-        let alpha = self.gaussians.node[gaussian].map(|s| 1.0 / position.distance(self.node_position(s as usize)).max(1e-6));
+        self.weights_of(self.position(gaussian), self.gaussians.node[gaussian])
+    }
+
+    /// The same for any point and three nodes.
+    pub fn weights_of(&self, position: DVec3, node: [u16; 3]) -> [f64; 3] {
+        let alpha = node.map(|s| 1.0 / position.distance(self.node_position(s as usize)).max(1e-6));
         alpha.map(|a| a / alpha.iter().sum::<f64>())
     }
 }

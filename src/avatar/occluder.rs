@@ -6,7 +6,7 @@
 
 use super::{Avatar, limits};
 use glam::{DVec3, IVec3, UVec3};
-use kiddo::{ImmutableKdTree, SquaredEuclidean};
+use kiddo::{ImmutableKdTree, NearestNeighbour, SquaredEuclidean};
 use std::num::NonZero;
 
 /// Gaussians less opaque than this (of 255) hide nothing.
@@ -25,6 +25,8 @@ const CLOSE: usize = 2;
 const REACH: usize = 8;
 /// How far from a corner the nearest Gaussian may be, in voxels: the shell's inner half and what peeling rounds.
 const REACHED: f64 = 3.0;
+/// How differently neighbours may move, in 255ths of a weight: more, and they are neighbours in the canonical pose only.
+const TOGETHER: i32 = 220;
 /// Neighbours that a vertex is put between.
 const NEIGHBORS: usize = 6;
 
@@ -60,8 +62,13 @@ impl Occluder {
         let solid = grid.solid(&points);
         let (corners, triangles) = grid.surface(&solid);
         let vertices: Vec<_> = corners.iter().map(|&corner| vertex(avatar, &opaque, &points, &tree, corner, grid.side)).collect();
-        // A corner with no Gaussian near it covers an opening: nothing is opaque there.
-        let triangles = triangles.into_iter().filter(|corners| corners.iter().all(|&corner| vertices[corner as usize].is_some())).collect();
+        // A corner with no Gaussian near it covers an opening: nothing is opaque there. A triangle between corners that move differently
+        // spans a gap (between the legs, under an arm) that some pose opens.
+        let whole = |corners: &[u32; 3]| {
+            let [a, b, c] = corners.map(|corner| vertices[corner as usize].map(|vertex| (vertex.joint, vertex.joint_weight)));
+            matches!((a, b, c), (Some(a), Some(b), Some(c)) if apart(a, b).max(apart(b, c)).max(apart(c, a)) <= TOGETHER)
+        };
+        let triangles = triangles.into_iter().filter(whole).collect();
         let nowhere = Vertex { position: grid.min, joint: [0; 4], joint_weight: [255, 0, 0, 0], node: [0; 3] };
         Self { vertices: vertices.into_iter().map(|vertex| vertex.unwrap_or(nowhere)).collect(), triangles }
     }
@@ -92,15 +99,28 @@ fn vertex(
         return None;
     }
     let middle = near.iter().map(|found| DVec3::from(points[found.item as usize])).sum::<DVec3>() / near.len() as f64;
+    let skin = |found: &NearestNeighbour<f64, u64>| {
+        let gaussian = opaque[found.item as usize] as usize;
+        (avatar.gaussians.joint[gaussian], avatar.gaussians.joint_weight[gaussian])
+    };
     let mut weight = [0u32; limits::JOINTS];
     for found in &near {
-        let gaussian = opaque[found.item as usize] as usize;
-        for (&joint, &w) in avatar.gaussians.joint[gaussian].iter().zip(&avatar.gaussians.joint_weight[gaussian]) {
-            weight[usize::from(joint)] += u32::from(w);
-        }
+        let (joint, joint_weight) = skin(found);
+        joint.iter().zip(joint_weight).for_each(|(&joint, w)| weight[usize::from(joint)] += u32::from(w));
     }
     let (joint, joint_weight) = strongest(&weight);
+    if near.iter().any(|found| apart((joint, joint_weight), skin(found)) > TOGETHER) {
+        return None;
+    }
     Some(Vertex { position: middle, joint, joint_weight, node: avatar.gaussians.node[opaque[near[0].item as usize] as usize] })
+}
+
+/// How differently two points move: the sum over the joints of what their weights differ by, 0 to 510.
+fn apart(a: ([u8; 4], [u8; 4]), b: ([u8; 4], [u8; 4])) -> i32 {
+    let mut difference = [0i32; limits::JOINTS];
+    a.0.iter().zip(a.1).for_each(|(&joint, w)| difference[usize::from(joint)] += i32::from(w));
+    b.0.iter().zip(b.1).for_each(|(&joint, w)| difference[usize::from(joint)] -= i32::from(w));
+    difference.iter().map(|d| d.abs()).sum()
 }
 
 /// The four largest weights, scaled to a sum of 255.

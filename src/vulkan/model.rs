@@ -23,12 +23,17 @@ pub struct OccluderMesh {
 
 impl OccluderMesh {
     fn new(gpu: &Arc<Gpu>, avatar: &Avatar, occluder: &Occluder) -> Result<Self> {
-        let corner = |vertex: &Vertex| {
+        let corner = |vertex: &Vertex| -> [[u32; 4]; 2] {
             let [x, y, z] = avatar.gaussians.bounds.encode(vertex.position);
             let words = [u32::from(x) | u32::from(y) << 16, u32::from(z)];
-            [words[0], words[1], u32::from_le_bytes(vertex.joint), u32::from_le_bytes(vertex.joint_weight)]
+            let [a, b, c] = vertex.node.map(u32::from);
+            let [first, second, _] = avatar.weights_of(vertex.position, vertex.node).map(|w| (w * 65535.0).round() as u32);
+            [
+                [words[0], words[1], u32::from_le_bytes(vertex.joint), u32::from_le_bytes(vertex.joint_weight)],
+                [a | b << 16, c, first | second << 16, 0],
+            ]
         };
-        let corners: Vec<[u32; 4]> = occluder.vertices.iter().map(corner).collect();
+        let corners: Vec<[[u32; 4]; 2]> = occluder.vertices.iter().map(corner).collect();
         Ok(Self {
             corners: Buffer::with_data(gpu, "surface corners", cast_slice(&corners), vk::BufferUsageFlags::STORAGE_BUFFER)?,
             indices: Buffer::with_data(gpu, "surface indices", cast_slice(&occluder.triangles), vk::BufferUsageFlags::INDEX_BUFFER)?,

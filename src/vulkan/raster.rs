@@ -71,7 +71,13 @@ pub struct Raster {
 
 impl Raster {
     /// `order`, `splats` with their keys, and `control` as the stages before leave them.
-    pub fn new(gpu: &Arc<Gpu>, frame: Slice, inputs: [Slice; 3], mesh: &OccluderMesh, options: &RendererOptions) -> Result<Self> {
+    pub fn new(
+        gpu: &Arc<Gpu>,
+        frame: Slice,
+        inputs: [Slice; 3],
+        (mesh, pose): (&OccluderMesh, Slice),
+        options: &RendererOptions,
+    ) -> Result<Self> {
         let (format, size) = (options.color, options.size);
         let stages = vk::ShaderStageFlags::VERTEX;
         let bindings = Bindings::new(gpu, stages, Some(frame), &inputs)?;
@@ -81,7 +87,7 @@ impl Raster {
         let render_pass = render_pass(gpu, format)?;
         let target = Self::target(gpu, render_pass, format, size);
         let pipeline = pipeline(gpu, render_pass, bindings.layout, options.cutoff);
-        let surface = SurfaceMesh::new(gpu, frame, mesh, render_pass, true);
+        let surface = SurfaceMesh::new(gpu, frame, mesh, pose, render_pass, true);
         match (target, pipeline, surface) {
             (Ok(target), Ok(pipeline), Ok(surface)) => {
                 Ok(Self { gpu: gpu.clone(), format, render_pass, pipeline, bindings, indices, surface, target })

@@ -134,7 +134,7 @@ impl Renderer {
         let splats = Splats::new(gpu, &model, frame, (&pose).into())?;
         let variant = options.sort.map_or_else(|| choice::choose(gpu).map(|verdict| verdict.variant), Ok)?;
         let sort = Sort::new(gpu, splats.keys(), &control, constants.gaussians, SortOptions::new(options.key_bits, variant))?;
-        let raster = Raster::new(gpu, frame, [sort.order(), splats.all(), (&control).into()], &model.occluder, &options)?;
+        let raster = Raster::new(gpu, frame, [sort.order(), splats.all(), (&control).into()], (&model.occluder, (&pose).into()), &options)?;
         Ok(Self {
             slots: (0..SLOTS).map(|_| Slot::new(gpu)).collect::<Result<_>>()?,
             surface: Surface::new(gpu, frame, &model.occluder, (&pose).into())?,
@@ -224,7 +224,7 @@ impl Renderer {
             slot.stage("features", |commands| features.record(commands, frame));
             barrier(gpu, commands, written, shared);
             slot.stage("nodes", |commands| nodes.record(commands, frame));
-            barrier(gpu, commands, written, shared);
+            barrier(gpu, commands, written, (compute | PipelineStageFlags::VERTEX_SHADER, shared.1));
         } else {
             slot.skip("features");
             slot.skip("nodes");

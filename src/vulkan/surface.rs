@@ -37,8 +37,8 @@ pub struct SurfaceMesh {
 
 impl SurfaceMesh {
     /// `colored`: whether the render pass has a colour attachment, which is left alone.
-    pub fn new(gpu: &Arc<Gpu>, frame: Slice, mesh: &OccluderMesh, render_pass: vk::RenderPass, colored: bool) -> Result<Self> {
-        let bindings = Bindings::new(gpu, vk::ShaderStageFlags::VERTEX, Some(frame), &[(&mesh.corners).into()])?;
+    pub fn new(gpu: &Arc<Gpu>, frame: Slice, mesh: &OccluderMesh, pose: Slice, render_pass: vk::RenderPass, colored: bool) -> Result<Self> {
+        let bindings = Bindings::new(gpu, vk::ShaderStageFlags::VERTEX, Some(frame), &[(&mesh.corners).into(), pose])?;
         let nothing = vk::PipelineColorBlendAttachmentState::default().blend_enable(true).dst_color_blend_factor(vk::BlendFactor::ONE);
         let drawing = Drawing {
             name: "surface",
@@ -111,7 +111,7 @@ impl Surface {
         let info = info.width(SURFACE_DRAWN).height(SURFACE_DRAWN).layers(1);
         // SAFETY: `info` and all it points to outlive the call.
         pass.framebuffer = unsafe { gpu.raw.create_framebuffer(&info, None) }.during("vkCreateFramebuffer")?;
-        let mesh = SurfaceMesh::new(gpu, frame, mesh, pass.render_pass, false)?;
+        let mesh = SurfaceMesh::new(gpu, frame, mesh, pose, pass.render_pass, false)?;
         let bindings = Bindings::with_image(gpu, vk::ShaderStageFlags::COMPUTE, Some(frame), &[pose])?;
         let pyramid = Kernel::new(gpu, &shaders::SURFACE, &[], bindings)?;
         // SAFETY: the structure outlives the call.
