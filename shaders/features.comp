@@ -18,6 +18,7 @@ void main() {
     uint part = gl_WorkGroupID.x;
     uint block = part * frame.network_quads;
     uint input_start = part < frame.head_parts ? 0u : INPUT_QUADS;
+    uint input_quads = part < frame.head_parts ? frame.layer[0].input_quads : frame.body_quads;
     for (uint l = 0u; l < frame.layers; ++l) {
         Layer layer = frame.layer[l];
         uint source = (l & 1u) * MLP_WIDTH;
@@ -27,7 +28,8 @@ void main() {
             vec4 bias = widen(networks[block + layer.bias + o / 4u]);
             float sum = bias[o & 3u];
             uint weight = block + layer.weight + o;
-            for (uint k = 0u; k < layer.input_quads; ++k) {
+            uint quads = l == 0u ? input_quads : layer.input_quads;
+            for (uint k = 0u; k < quads; ++k) {
                 vec4 x;
                 if (l == 0u) {
                     x = frame.network_input[input_start + k];

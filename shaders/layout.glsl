@@ -41,7 +41,8 @@ layout(std140, set = 0, binding = 0) uniform FrameBlock {
     uint surface_start;
     vec2 surface_origin;
     vec2 surface_scale;
-    uvec2 unused;
+    float hull_opacity;
+    uint body_quads;
     Layer layer[MLP_LAYERS];
     vec4 network_input[2 * INPUT_QUADS];
     vec4 joint[3 * JOINTS];

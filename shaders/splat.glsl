@@ -11,7 +11,7 @@
 
 // How many standard deviations from its centre a Gaussian reaches the cutoff.
 float reach_of(uint opacity) {
-    return sqrt(2.0 * log(max(float(opacity) / frame.cutoff, 1.0)));
+    return sqrt(2.0 * log(max(max(float(opacity), frame.hull_opacity) / frame.cutoff, 1.0)));
 }
 
 // `covariance` is xx, xy, yy in px²; `determinant` its determinant, worked out without cancellation.

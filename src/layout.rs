@@ -154,7 +154,10 @@ pub struct Frame {
     pub surface_origin: [f32; 2],
     /// Texels of the pyramid's finest level in a pixel.
     pub surface_scale: [f32; 2],
-    pub unused: [u32; 2],
+    /// Hulls reach as far as for at least this opacity, of 255: 0 fits them to each Gaussian.
+    pub hull_opacity: f32,
+    /// Quads of inputs of the first layer outside the head: those after are zeros.
+    pub body_quads: u32,
     pub layer: [Layer; limits::MLP_LAYERS],
     /// θ_p ⊕ θ_e as the head parts see it, then as the others do, with zeros for θ_e.
     pub input: [[[f32; 4]; INPUT_QUADS]; 2],

@@ -74,9 +74,6 @@ pub struct Quality {
     /// Millimetres behind the avatar's front from which on nothing is drawn
     #[arg(long, value_name = "MM", value_parser = length)]
     pub margin: Option<f64>,
-    /// Draw fewer Gaussians where the median one has a smaller standard deviation than this, px; 0 draws all
-    #[arg(long, value_name = "PX", value_parser = length)]
-    pub detail: Option<f64>,
 }
 
 impl Quality {
@@ -93,7 +90,6 @@ impl Quality {
             skip: self.skip.unwrap_or(preset.skip),
             cutoff: self.cutoff.map_or(preset.cutoff, |n| n / 255.0),
             margin: self.margin.map_or(preset.margin, |mm| mm / 1e3),
-            detail: self.detail.unwrap_or(preset.detail),
             ..preset
         }
     }
@@ -222,10 +218,10 @@ mod tests {
             RendererOptions { key_bits: KeyBits::ThirtyTwo, color: ColorFormat::Rgba16F, ..of(Preset::Low) },
         );
         expect(
-            "--cutoff 3 --margin 7 --preset exact --detail 2 --skip pose",
-            RendererOptions { cutoff: 3.0 / 255.0, margin: 0.007, detail: 2.0, skip: Skip::POSE, ..of(Preset::Exact) },
+            "--cutoff 3 --margin 7 --preset exact --skip pose",
+            RendererOptions { cutoff: 3.0 / 255.0, margin: 0.007, skip: Skip::POSE, ..of(Preset::Exact) },
         );
-        for wrong in ["--cutoff 0.5", "--cutoff 300", "--margin -1", "--detail inf", "--preset lowest", "--skip frames"] {
+        for wrong in ["--cutoff 0.5", "--cutoff 300", "--margin -1", "--margin inf", "--preset lowest", "--skip frames"] {
             assert!(options(wrong).is_err(), "{wrong} is accepted");
         }
     }

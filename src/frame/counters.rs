@@ -2,22 +2,13 @@
 
 use serde::{Deserialize, Serialize};
 
-/// Counts of one frame. Every Gaussian that came in is either drawn or left out for one reason, the first that applies in the order of
-/// the fields. A frame that draws nothing anew leaves all counts 0.
+/// Counts of one frame. Every Gaussian that came in is either drawn or left out. A frame that draws nothing anew leaves all counts 0.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Counters {
     /// Gaussians of all avatars in the scene.
     pub gaussians: u64,
-    /// Left out: outside the picture, alone or with the part or the avatar they belong to.
-    pub outside: u64,
-    /// Left out: nearer than the near plane, or behind the camera.
-    pub near: u64,
-    /// Left out: never as opaque as the cutoff.
-    pub faint: u64,
-    /// Left out: behind the depth surface.
-    pub hidden: u64,
-    /// Left out by level of detail: too small on screen to be told apart.
-    pub thinned: u64,
+    /// Left out: outside the picture, nearer than the near plane, never as opaque as the cutoff, or hidden.
+    pub culled: u64,
     /// Drawn: sorted and rasterized.
     pub drawn: u64,
     /// Fragment shader invocations of the raster stage. None where the device has no pipeline statistics.
@@ -31,20 +22,11 @@ pub struct Counters {
 }
 
 impl Counters {
-    /// Gaussians left out, for whatever reason.
-    pub fn culled(&self) -> u64 {
-        self.outside + self.near + self.faint + self.hidden + self.thinned
-    }
-
     /// Every count under its name, in the order of the fields; those that nobody counted are left out.
     pub fn named(&self) -> impl Iterator<Item = (&'static str, u64)> {
         let all = [
             ("gaussians", Some(self.gaussians)),
-            ("outside", Some(self.outside)),
-            ("near", Some(self.near)),
-            ("faint", Some(self.faint)),
-            ("hidden", Some(self.hidden)),
-            ("thinned", Some(self.thinned)),
+            ("culled", Some(self.culled)),
             ("drawn", Some(self.drawn)),
             ("fragments", self.fragments),
             ("covered", self.covered),
@@ -69,8 +51,8 @@ mod tests {
     fn overdraw_is_unknown_where_nothing_was_counted_or_covered() {
         let counted = Counters { fragments: Some(30), covered: Some(12), ..Counters::default() };
         assert_eq!(counted.overdraw(), Some(2.5));
-        assert_eq!(counted.named().count(), 11);
-        assert_eq!(Counters::default().named().count(), 9);
+        assert_eq!(counted.named().count(), 7);
+        assert_eq!(Counters::default().named().count(), 5);
         assert_eq!(Counters { covered: Some(0), ..counted }.overdraw(), None);
         assert_eq!(Counters { fragments: None, ..counted }.overdraw(), None);
     }

@@ -12,22 +12,14 @@ bitflags::bitflags! {
         const POSE = 1 << 1;
         /// Networks outside the head when only the expression has changed.
         const EXPRESSION = 1 << 2;
-        /// Correctives and skinning when only the camera has moved.
-        const CAMERA = 1 << 3;
-        /// Parts outside the view.
-        const PARTS = 1 << 4;
+        /// Network inputs that are zero: the expression's, outside the head.
+        const INPUTS = 1 << 3;
+        /// Contributions under the opacity cutoff: hulls no larger than a Gaussian's own opacity makes it reach.
+        const FAINT = 1 << 4;
         /// Gaussians behind the depth surface, before they are sorted.
         const HIDDEN = 1 << 5;
         /// Fragments behind the depth surface.
         const DEPTH = 1 << 6;
-        /// Contributions under the opacity cutoff: hulls no larger than a Gaussian's own opacity makes it reach.
-        const FAINT = 1 << 7;
-        /// Network inputs that are zero.
-        const INPUTS = 1 << 8;
-        /// Gaussians that are too small on screen to be told apart.
-        const DETAIL = 1 << 9;
-        /// Avatars outside the view, as wholes.
-        const AVATARS = 1 << 10;
     }
 }
 

@@ -17,10 +17,8 @@ impl RendererOptions {
         if !(ALPHA_MIN..=1.0).contains(&self.cutoff) {
             return Err(unusable("the opacity cutoff", self.cutoff, "a number from 1/255 to 1"));
         }
-        for (what, found) in [("the margin behind the depth surface", self.margin), ("the size of a detail", self.detail)] {
-            if !(found >= 0.0 && found.is_finite()) {
-                return Err(unusable(what, found, "a number from 0 up"));
-            }
+        if !(self.margin >= 0.0 && self.margin.is_finite()) {
+            return Err(unusable("the margin behind the depth surface", self.margin, "a number from 0 up"));
         }
         Ok(())
     }

@@ -112,6 +112,7 @@ impl Slot {
         let control: Control = bytemuck::pod_read_unaligned(&self.counts.mapped()[..size_of::<Control>()]);
         let counters = Counters {
             gaussians: u64::from(control.entering),
+            culled: u64::from(control.entering.saturating_sub(control.survivors)),
             drawn: u64::from(control.survivors),
             fragments: self.fragments()?,
             dispatches: self.dispatches,

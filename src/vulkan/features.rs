@@ -13,17 +13,22 @@ use std::sync::Arc;
 pub struct Features {
     kernel: Kernel,
     parts: u32,
+    head_parts: u32,
 }
 
 impl Features {
     /// Writes to the start of `pose`.
     pub fn new(gpu: &Arc<Gpu>, model: &Model, frame: Slice, pose: Slice) -> Result<Self> {
         let bindings = Bindings::new(gpu, vk::ShaderStageFlags::COMPUTE, Some(frame), &[(&model.networks).into(), pose])?;
-        Ok(Self { kernel: Kernel::new(gpu, &shaders::FEATURES, &[], bindings)?, parts: model.constants.parts })
+        Ok(Self {
+            kernel: Kernel::new(gpu, &shaders::FEATURES, &[], bindings)?,
+            parts: model.constants.parts,
+            head_parts: model.constants.head_parts,
+        })
     }
 
-    /// Reads the frame's input and the networks; compute.
-    pub fn record(&self, commands: vk::CommandBuffer, frame: u32) {
-        self.kernel.dispatch(commands, frame, self.parts);
+    /// Reads the frame's input and the networks; compute. `head`: only the head's, which come first.
+    pub fn record(&self, commands: vk::CommandBuffer, frame: u32, head: bool) {
+        self.kernel.dispatch(commands, frame, if head { self.head_parts } else { self.parts });
     }
 }

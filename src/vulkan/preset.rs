@@ -27,7 +27,6 @@ struct Values {
     skip: Skip,
     cutoff: f64,
     margin: f64,
-    detail: f64,
 }
 
 impl Preset {
@@ -37,23 +36,21 @@ impl Preset {
     const fn values(self) -> Values {
         let (color, skip) = (ColorFormat::Rgba16F, Skip::all());
         // What leaves out something that shows, if only a little.
-        let lossy = Skip::HIDDEN.union(Skip::DEPTH).union(Skip::DETAIL);
+        let lossy = Skip::HIDDEN.union(Skip::DEPTH);
         let (sixteen, most) = (KeyBits::Sixteen, KeyBits::ThirtyTwo);
         match self {
-            Self::Low => Values { color: ColorFormat::Rgba8, key_bits: sixteen, skip, cutoff: 4.0 * ALPHA_MIN, margin: 0.003, detail: 1.0 },
-            Self::Balanced => Values { color, key_bits: sixteen, skip, cutoff: 2.0 * ALPHA_MIN, margin: 0.004, detail: 0.7 },
+            Self::Low => Values { color: ColorFormat::Rgba8, key_bits: sixteen, skip, cutoff: 4.0 * ALPHA_MIN, margin: 0.003 },
+            Self::Balanced => Values { color, key_bits: sixteen, skip, cutoff: 2.0 * ALPHA_MIN, margin: 0.004 },
             // Where a coarse surface comes out of a crease, the depth test shows; culling whole Gaussians by it does not.
-            Self::High => {
-                Values { color, key_bits: sixteen, skip: skip.difference(Skip::DEPTH), cutoff: ALPHA_MIN, margin: 0.005, detail: 0.5 }
-            }
-            Self::Exact => Values { color, key_bits: most, skip: skip.difference(lossy), cutoff: ALPHA_MIN, margin: 0.005, detail: 0.0 },
+            Self::High => Values { color, key_bits: sixteen, skip: skip.difference(Skip::DEPTH), cutoff: ALPHA_MIN, margin: 0.005 },
+            Self::Exact => Values { color, key_bits: most, skip: skip.difference(lossy), cutoff: ALPHA_MIN, margin: 0.005 },
         }
     }
 
     /// Other options with what this preset decides put into them.
     pub fn apply(self, options: RendererOptions) -> RendererOptions {
-        let Values { color, key_bits, skip, cutoff, margin, detail } = self.values();
-        RendererOptions { color, key_bits, skip, cutoff, margin, detail, ..options }
+        let Values { color, key_bits, skip, cutoff, margin } = self.values();
+        RendererOptions { color, key_bits, skip, cutoff, margin, ..options }
     }
 }
 
@@ -92,7 +89,7 @@ mod tests {
     fn each_preset_leaves_out_no_more_than_the_one_before() {
         let all = Preset::ALL.map(|preset| preset.apply(RendererOptions::new([1, 1])));
         for pair in all.windows(2) {
-            assert!(pair[0].cutoff >= pair[1].cutoff && pair[0].margin <= pair[1].margin && pair[0].detail >= pair[1].detail, "{pair:?}");
+            assert!(pair[0].cutoff >= pair[1].cutoff && pair[0].margin <= pair[1].margin, "{pair:?}");
             assert!(pair[0].key_bits.passes() <= pair[1].key_bits.passes() && pair[0].skip.contains(pair[1].skip), "{pair:?}");
         }
         assert!(Preset::ALL.into_iter().all(|preset| preset.to_string().parse() == Ok(preset)));

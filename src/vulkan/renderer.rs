@@ -43,8 +43,6 @@ pub struct RendererOptions {
     pub cutoff: f64,
     /// How far behind the depth surface something is hidden, metres.
     pub margin: f64,
-    /// Standard deviation of the median Gaussian on screen below which fewer, larger ones are drawn, px.
-    pub detail: f64,
     /// Count fragments, where the device can: for measurements, since some devices are slower then.
     pub count: bool,
 }
@@ -60,7 +58,6 @@ impl RendererOptions {
             skip: Skip::all() - Skip::DEPTH,
             cutoff: ALPHA_MIN,
             margin: 0.005,
-            detail: 0.5,
             count: false,
         }
     }
@@ -221,7 +218,7 @@ impl Renderer {
         let readers = compute | PipelineStageFlags::VERTEX_SHADER | PipelineStageFlags::DRAW_INDIRECT | PipelineStageFlags::TRANSFER;
         barrier(gpu, commands, (readers, AccessFlags::SHADER_WRITE), shared);
         if needed.pose {
-            slot.stage("features", |commands| features.record(commands, frame));
+            slot.stage("features", |commands| features.record(commands, frame, needed.expression_only));
             barrier(gpu, commands, written, shared);
             slot.stage("nodes", |commands| nodes.record(commands, frame));
             barrier(gpu, commands, written, (compute | PipelineStageFlags::VERTEX_SHADER, shared.1));
@@ -275,6 +272,10 @@ impl Renderer {
         block.key_max = self.options.key_bits.largest();
         block.key_start = (key_offset(block.gaussians) / 4) as u32;
         block.cutoff = (255.0 * self.options.cutoff) as f32;
+        block.hull_opacity = if self.options.skip.contains(Skip::FAINT) { 0.0 } else { 255.0 };
+        let quads =
+            if self.options.skip.contains(Skip::INPUTS) { (posed.input.len() - posed.expression).div_ceil(4) as u32 } else { u32::MAX };
+        block.body_quads = block.layer[0].input_quads.min(quads);
         block.margin = self.options.margin as f32;
         let hides = place.filter(|_| self.options.skip.contains(Skip::HIDDEN));
         block.surface_start = if hides.is_some() { 4 * (block.node_start + block.nodes) } else { 0 };

@@ -5,7 +5,7 @@ use effigy::layout::SORT_CHAIN_TILE;
 
 fn onesweep() -> Option<Arc<Gpu>> {
     let device = gpu::gpu()?;
-    let able = Variant::OneSweep.lacks(&device).is_none() && looks_back(&device);
+    let able = variants(&device).contains(&Variant::OneSweep) && looks_back(&device);
     if !able {
         println!("skipped: OneSweep is not for this device");
     }

@@ -11,7 +11,7 @@ pub fn heading(report: &Report) {
     println!("device   {} ({}), Vulkan {}", report.device.name, report.device.driver, report.device.vulkan);
     println!("avatar   {}, {} Gaussians, {:?} rows; clip {}", avatar.name, avatar.gaussians, avatar.rows, avatar.clip);
     println!("picture  {} × {}, {}, {}-bit keys", report.size[0], report.size[1], options.color, options.key_bits);
-    println!("error    cutoff {:.1}/255, margin {:.1} mm, detail {} px", 255.0 * options.cutoff, 1e3 * options.margin, options.detail);
+    println!("error    cutoff {:.1}/255, margin {:.1} mm", 255.0 * options.cutoff, 1e3 * options.margin);
     println!("skipped  {}", options.skip);
 }
 
@@ -66,10 +66,7 @@ fn stage(stage: &StageReport) {
 fn counters(report: &CaseReport) {
     let count = |name: &str| report.counters.get(name).map(|count| format!("{name} {}", number(*count)));
     let some = |names: &[&str]| names.iter().filter_map(|name| count(name)).collect::<Vec<_>>().join(", ");
-    println!(
-        "  Gaussians {}",
-        some(&["gaussians", "drawn", "outside", "near", "faint", "hidden", "thinned"]).replacen("gaussians", "in", 1)
-    );
+    println!("  Gaussians {}", some(&["gaussians", "drawn", "culled"]).replacen("gaussians", "in", 1));
     let mut pixels: Vec<String> = some(&["fragments"]).split_terminator('\n').map(str::to_owned).collect();
     pixels.extend(report.covered_pixels.map(|covered| format!("covered {}", number(covered))));
     pixels.extend(report.fragments_a_pixel.map(|ratio| format!("{ratio:.2} fragments a covered pixel")));

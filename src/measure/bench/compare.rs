@@ -179,7 +179,6 @@ mod tests {
                 skip: text("none"),
                 cutoff: 1.0 / 255.0,
                 margin: 0.005,
-                detail: 0.5,
                 storage: text("half"),
                 rows: 1.0,
                 hold: 1,

@@ -23,7 +23,6 @@ pub enum Knob {
     Cutoff,
     Rows,
     Margin,
-    Detail,
     PoseRate,
     Skip,
     /// Everything skipped but one kind of work.
@@ -32,7 +31,7 @@ pub enum Knob {
 
 impl Knob {
     /// Every knob; the last is for looking into the skips and not part of a sweep of all.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 10] = [
         Self::Preset,
         Self::Storage,
         Self::Keys,
@@ -40,7 +39,6 @@ impl Knob {
         Self::Cutoff,
         Self::Rows,
         Self::Margin,
-        Self::Detail,
         Self::PoseRate,
         Self::Skip,
         Self::SkipBut,
@@ -55,7 +53,6 @@ impl Knob {
             Self::Cutoff => "cutoff",
             Self::Rows => "rows",
             Self::Margin => "margin",
-            Self::Detail => "detail",
             Self::PoseRate => "pose-rate",
             Self::Skip => "skip",
             Self::SkipBut => "skip-but",
@@ -87,7 +84,6 @@ impl Knob {
             Self::Margin => {
                 numbers(&[1.0, 2.0, 5.0, 10.0, 20.0, 50.0], 1e3 * options.margin, " mm", |v| of(&|s| s.options.margin = v / 1e3))
             }
-            Self::Detail => numbers(&[0.0, 0.25, 0.5, 1.0, 2.0], options.detail, " px", |v| of(&|s| s.options.detail = v)),
             Self::PoseRate => numbers(&[1.0, 2.0, 3.0, 4.0, 6.0], base.hold as f64, "", |v| of(&|s| s.hold = v as usize))
                 .into_iter()
                 .map(in_hertz)
@@ -174,7 +170,6 @@ mod tests {
                             Knob::Color => options.color = base().options.color,
                             Knob::Cutoff => options.cutoff = base().options.cutoff,
                             Knob::Margin => options.margin = base().options.margin,
-                            Knob::Detail => options.detail = base().options.detail,
                             _ => options.skip = base().options.skip,
                         }
                         Setting { options, ..setting }

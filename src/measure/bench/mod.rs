@@ -106,7 +106,6 @@ fn options(setting: &Setting) -> Options {
         skip: options.skip.to_string(),
         cutoff: options.cutoff,
         margin: options.margin,
-        detail: options.detail,
         storage: if setting.packed_words { "words" } else { "half" }.to_owned(),
         rows: setting.rows,
         hold: setting.hold,

@@ -72,8 +72,6 @@ pub struct Options {
     pub cutoff: f64,
     /// Metres behind the depth surface from which on something is hidden.
     pub margin: f64,
-    /// Standard deviation of the median Gaussian on screen below which fewer are drawn, px.
-    pub detail: f64,
     /// How f16 is read: `half` or, packed in 32-bit words, `words`.
     pub storage: String,
     /// Share of the basis rows kept, 0 to 1.

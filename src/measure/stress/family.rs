@@ -137,8 +137,8 @@ impl Family {
         if options.key_bits == KeyBits::Sixteen {
             psnr_db = psnr_db.min(32.0);
         }
-        // The depth surface and coarser levels of detail are made for bodies, not for clouds.
-        if options.skip.intersects(Skip::HIDDEN | Skip::DEPTH | Skip::DETAIL) {
+        // The depth surface is made for bodies, not for clouds.
+        if options.skip.intersects(Skip::HIDDEN | Skip::DEPTH) {
             psnr_db = psnr_db.min(34.0);
         }
         let max_error = if psnr_db < exact.psnr_db { 1.0 } else { exact.max_error };

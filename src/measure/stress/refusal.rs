@@ -51,7 +51,6 @@ fn bad_options(random: &mut Random, good: RendererOptions) -> Vec<(&'static str,
         ("an opacity cutoff", RendererOptions { cutoff: nan, ..good }),
         ("an opacity cutoff below 1/255", RendererOptions { cutoff: 0.001, ..good }),
         ("a margin", RendererOptions { margin: nan, ..good }),
-        ("a size of a detail", RendererOptions { detail: nan, ..good }),
     ]
 }
 

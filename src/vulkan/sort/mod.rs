@@ -98,8 +98,6 @@ impl Variant {
     pub fn lacks(self, gpu: &Gpu) -> Option<&'static str> {
         match self {
             Self::OneSweep if !gpu.probe.subgroup_ballot => Some("the device has no subgroup ballots in compute shaders"),
-            // With 4 lanes more subgroups than there are columns take turns, and lavapipe's order is wrong then.
-            Self::OneSweep if gpu.probe.subgroup_size < 8 => Some("the device's subgroups have fewer than 8 lanes"),
             _ => None,
         }
     }
