@@ -3,11 +3,14 @@
 
 mod common;
 
-use common::{Random, Sizes};
+#[cfg(feature = "window")]
+use common::Random;
+use common::Sizes;
 #[cfg(feature = "window")]
 use effigy::app::playback::{Playback, Repeat, Track};
 use effigy::avatar::{Pose, motion::Player};
 
+#[cfg(feature = "window")]
 const FRAMES: u64 = 1_000_000;
 
 /// A track whose duration is a whole number of ticks of a clock.

@@ -34,7 +34,8 @@ fn compiles_slowly(gpu: &Gpu) -> bool {
 /// Whether a driver is known to give wrong orders with OneSweep, which the self-test is there for: Mesa's lavapipe before 23, and with
 /// subgroups of 4 (SwiftShader, which has those too, is right).
 fn looks_back(gpu: &Gpu) -> bool {
-    !gpu.probe.driver.contains("Mesa 22.") && !(gpu.probe.driver.contains("llvmpipe") && gpu.probe.subgroup_size == 4)
+    let (old, narrow) = (gpu.probe.driver.contains("Mesa 22."), gpu.probe.driver.contains("llvmpipe") && gpu.probe.subgroup_size == 4);
+    !old && !narrow
 }
 
 /// Sorts, and fails where the order is not what it should be.

@@ -113,7 +113,7 @@ fn spread() -> Keys {
 
 /// Keys that tempt a sort to fail, the largest set last.
 fn hostile(tile: u32) -> Vec<Keys> {
-    let drop = |at: u32, key: u32| if scramble(at ^ 0x5555) % 3 == 0 { SORT_DROPPED } else { key };
+    let drop = |at: u32, key: u32| if scramble(at ^ 0x5555).is_multiple_of(3) { SORT_DROPPED } else { key };
     let several = 3 * tile;
     vec![
         ("one key", vec![7]),
