@@ -8,7 +8,7 @@ use effigy::{
     frame::{Camera, Posed},
     layout::{POSITION_BITS, SORT_DROPPED},
     reference::{Culled, Splat},
-    vulkan::{GpuOptions, renderer::fixed_scale},
+    vulkan::{GpuOptions, block::fixed_scale},
 };
 use glam::{DVec2, DVec3};
 use half::f16;

@@ -2,6 +2,7 @@
 //!
 //! [`Gpu`] is a device; [`Renderer`] draws one avatar with it, headless. The stages have a file each, in the order a frame runs them.
 
+pub mod block;
 pub mod cache;
 mod check;
 pub mod commands;

@@ -1,7 +1,7 @@
 //! Draws one avatar: a pose and a camera go in, a picture on the device comes out. [`Renderer::record`] is the frame, top to bottom.
 
 use super::{
-    check,
+    block, check,
     commands::{FrameReport, SLOTS, Slot},
     device::Gpu,
     error::Result,
@@ -14,17 +14,16 @@ use super::{
     pipeline::{Slice, barrier},
     raster::{ColorFormat, Raster},
     sort::{KeyBits, Sort, SortOptions, Variant, choice},
-    splats::{Splats, key_offset},
+    splats::Splats,
     surface::{PYRAMID_WORDS, Place, Surface},
 };
 use crate::{
     avatar::Avatar,
     frame::{ALPHA_MIN, Camera, Extent, Needed, Picture, Plan, Posed, Skip},
-    layout::{Control, Frame, POSITION_BITS, RASTER_QUADS},
+    layout::{Control, Frame, RASTER_QUADS},
 };
 use ash::vk::{self, AccessFlags, PipelineStageFlags};
 use bytemuck::{bytes_of, from_bytes_mut};
-use glam::DAffine3;
 use gpu_allocator::MemoryLocation;
 use std::sync::Arc;
 
@@ -255,40 +254,9 @@ impl Renderer {
     fn write_frame(&mut self, slot: usize, posed: &Posed, camera: &Camera) -> Option<Place> {
         let any = self.model.occluder.index_count > 0 && self.options.skip.intersects(Skip::HIDDEN | Skip::DEPTH);
         let place = any.then(|| Place::new(camera.size, self.extent.screen(&posed.joints, camera)));
-        let depth = self.extent.depth(&posed.joints, camera);
-        let guard = camera.guard();
-        let [low, high] = camera.derivative_limits();
         let block = &mut self.frames.mapped()[slot * FRAME_STRIDE..][..size_of::<Frame>()];
-        let block: &mut Frame = from_bytes_mut(block);
-        block.focal = camera.focal.as_vec2().to_array();
-        block.center = camera.center.as_vec2().to_array();
-        block.derivative_min = low.as_vec2().to_array();
-        block.derivative_max = high.as_vec2().to_array();
-        block.size = camera.size.map(|side| side as f32);
-        block.guard = guard as f32;
-        block.near = camera.near as f32;
-        block.key_far = depth[1] as f32;
-        block.key_scale = (1.0 / (depth[1] - depth[0])) as f32;
-        block.key_max = self.options.key_bits.largest();
-        block.key_start = (key_offset(block.gaussians) / 4) as u32;
-        block.cutoff = (255.0 * self.options.cutoff) as f32;
-        block.hull_opacity = if self.options.skip.contains(Skip::FAINT) { 0.0 } else { 255.0 };
-        let quads =
-            if self.options.skip.contains(Skip::INPUTS) { (posed.input.len() - posed.expression).div_ceil(4) as u32 } else { u32::MAX };
-        block.body_quads = block.layer[0].input_quads.min(quads);
-        block.margin = self.options.margin as f32;
-        let hides = place.filter(|_| self.options.skip.contains(Skip::HIDDEN));
-        block.surface_start = if hides.is_some() { 4 * (block.node_start + block.nodes) } else { 0 };
-        hides.inspect(|place| place.write(block));
-        block.fixed_scale = fixed_scale(guard) as f32;
-        let expression = posed.input.len() - posed.expression;
-        for (at, &value) in posed.input.iter().enumerate() {
-            block.input[0][at / 4][at % 4] = value as f32;
-            block.input[1][at / 4][at % 4] = if at < expression { value as f32 } else { 0.0 };
-        }
-        for (rows, joint) in block.joint.iter_mut().zip(&posed.joints) {
-            *rows = matrix_rows(camera.view * *joint);
-        }
+        let depth = self.extent.depth(&posed.joints, camera);
+        block::fill(from_bytes_mut(block), &self.options, (depth, place), posed, camera);
         place
     }
 
@@ -340,15 +308,4 @@ impl Renderer {
             control,
         })
     }
-}
-
-/// Rows of the 3 by 4 matrix of an affine map.
-fn matrix_rows(map: DAffine3) -> [[f32; 4]; 3] {
-    let columns = [map.matrix3.x_axis, map.matrix3.y_axis, map.matrix3.z_axis, map.translation];
-    std::array::from_fn(|row| columns.map(|column| column[row] as f32))
-}
-
-/// Steps of a splat's coordinate in a pixel: the power of two with which a picture and its guard on both sides just fit.
-pub fn fixed_scale(guard: f64) -> f64 {
-    (f64::from((1 << POSITION_BITS) - 1) / (3.0 * guard)).log2().floor().exp2()
 }

@@ -10,7 +10,7 @@ fn git(arguments: &[&str]) -> Option<String> {
 
 fn main() {
     // Naming any path at all keeps cargo from watching the whole package, large assets included.
-    println!("cargo::rerun-if-changed=build.rs");
+    println!("cargo::rerun-if-changed=tools/build.rs");
     if std::env::var("PROFILE").as_deref() != Ok("release") {
         return;
     }

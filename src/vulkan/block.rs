@@ -1,0 +1,60 @@
+//! The uniform block of a frame: a posed avatar, a camera and the renderer's options go in, what the shaders read of them comes out.
+
+use super::{renderer::RendererOptions, splats::key_offset, surface::Place};
+use crate::{
+    frame::{Camera, Posed, Skip},
+    layout::{Frame, POSITION_BITS},
+};
+use glam::DAffine3;
+
+/// Writes all that changes from frame to frame into a block that holds the model's constants. `depth`: the nearest and furthest that is
+/// expected, metres. `place`: what the depth surface covers, where there is one.
+pub(super) fn fill(
+    block: &mut Frame,
+    options: &RendererOptions,
+    (depth, place): ([f64; 2], Option<Place>),
+    posed: &Posed,
+    camera: &Camera,
+) {
+    let guard = camera.guard();
+    let [low, high] = camera.derivative_limits();
+    block.focal = camera.focal.as_vec2().to_array();
+    block.center = camera.center.as_vec2().to_array();
+    block.derivative_min = low.as_vec2().to_array();
+    block.derivative_max = high.as_vec2().to_array();
+    block.size = camera.size.map(|side| side as f32);
+    block.guard = guard as f32;
+    block.near = camera.near as f32;
+    block.key_far = depth[1] as f32;
+    block.key_scale = (1.0 / (depth[1] - depth[0])) as f32;
+    block.key_max = options.key_bits.largest();
+    block.key_start = (key_offset(block.gaussians) / 4) as u32;
+    block.cutoff = (255.0 * options.cutoff) as f32;
+    block.hull_opacity = if options.skip.contains(Skip::FAINT) { 0.0 } else { 255.0 };
+    let quads = if options.skip.contains(Skip::INPUTS) { (posed.input.len() - posed.expression).div_ceil(4) as u32 } else { u32::MAX };
+    block.body_quads = block.layer[0].input_quads.min(quads);
+    block.margin = options.margin as f32;
+    let hides = place.filter(|_| options.skip.contains(Skip::HIDDEN));
+    block.surface_start = if hides.is_some() { 4 * (block.node_start + block.nodes) } else { 0 };
+    hides.inspect(|place| place.write(block));
+    block.fixed_scale = fixed_scale(guard) as f32;
+    let expression = posed.input.len() - posed.expression;
+    for (at, &value) in posed.input.iter().enumerate() {
+        block.input[0][at / 4][at % 4] = value as f32;
+        block.input[1][at / 4][at % 4] = if at < expression { value as f32 } else { 0.0 };
+    }
+    for (rows, joint) in block.joint.iter_mut().zip(&posed.joints) {
+        *rows = matrix_rows(camera.view * *joint);
+    }
+}
+
+/// Rows of the 3 by 4 matrix of an affine map.
+fn matrix_rows(map: DAffine3) -> [[f32; 4]; 3] {
+    let columns = [map.matrix3.x_axis, map.matrix3.y_axis, map.matrix3.z_axis, map.translation];
+    std::array::from_fn(|row| columns.map(|column| column[row] as f32))
+}
+
+/// Steps of a splat's coordinate in a pixel: the power of two with which a picture and its guard on both sides just fit.
+pub fn fixed_scale(guard: f64) -> f64 {
+    (f64::from((1 << POSITION_BITS) - 1) / (3.0 * guard)).log2().floor().exp2()
+}
