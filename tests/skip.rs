@@ -49,7 +49,7 @@ fn exact_skips_change_no_bit() {
     // Where in a hull a fragment is comes out a little different for another hull.
     for (number, (with, without)) in frames(&device, &avatar, &poses, Skip::FAINT).iter().zip(&all).enumerate() {
         let difference = error::between(&with.0, &without.0).covered;
-        assert!(difference.psnr_db > 60.0, "picture {number}: {difference:?}");
+        assert!(difference.psnr_db > 50.0, "picture {number}: {difference:?}");
     }
     gpu::assert_valid();
 }
