@@ -7,5 +7,5 @@ struct Control {
     uint first_instance;
     uint entering;
     uint survivors;
-    uint unused;
+    uint fragments;
 };

@@ -45,6 +45,24 @@ pub const SURFACE_FINEST: u32 = SURFACE_DRAWN / 2;
 pub const SURFACE_LEVELS: u32 = 4;
 /// Texels of the finest level along each side of a workgroup of `surface`.
 pub const SURFACE_SIZE: u32 = 8;
+/// Tiles along each side of the picture, at most.
+pub const BINS_SIDE: u32 = 128;
+/// Blocks of the drawing order, an invocation of `bins` each: a bit of a word each.
+pub const BINS_BLOCKS: u32 = 32;
+/// Invocations of a workgroup of `bins`.
+pub const BINS_SIZE: u32 = 8;
+/// Words of a node of a tile's chain: a link, and splats.
+pub const BINS_NODE: u32 = 8;
+/// Tiles that a splat may meet and still be in each one's chain.
+pub const BINS_NARROW: u32 = 16;
+/// Pixels along each side of what an invocation of the compute form of `raster` draws.
+pub const RASTER_SQUARE: u32 = 4;
+/// Pixels along each side of what a workgroup of it draws: 8 by 8 invocations.
+pub const RASTER_REGION: u32 = 8 * RASTER_SQUARE;
+/// Invocations of such a workgroup.
+pub const RASTER_SIZE: u32 = 64;
+/// Pixels along each side of the smallest tile.
+pub const BINS_TILE: u32 = 16;
 /// Bits of a splat's coordinate: a fixed-point number from −guard to guard + size.
 pub const POSITION_BITS: u32 = 20;
 
@@ -72,6 +90,14 @@ pub const MACROS: &[(&str, u32)] = &[
     ("SURFACE_FINEST", SURFACE_FINEST),
     ("SURFACE_LEVELS", SURFACE_LEVELS),
     ("SURFACE_SIZE", SURFACE_SIZE),
+    ("BINS_SIDE", BINS_SIDE),
+    ("BINS_BLOCKS", BINS_BLOCKS),
+    ("BINS_SIZE", BINS_SIZE),
+    ("BINS_NODE", BINS_NODE),
+    ("BINS_NARROW", BINS_NARROW),
+    ("RASTER_SQUARE", RASTER_SQUARE),
+    ("RASTER_REGION", RASTER_REGION),
+    ("RASTER_SIZE", RASTER_SIZE),
     ("POSITION_BITS", POSITION_BITS),
     ("INPUT_QUADS", INPUT_QUADS as u32),
     ("MLP_WIDTH", limits::MLP_WIDTH as u32),
@@ -158,6 +184,9 @@ pub struct Frame {
     pub hull_opacity: f32,
     /// Quads of inputs of the first layer outside the head: those after are zeros.
     pub body_quads: u32,
+    /// Side of a tile, px.
+    pub tile: f32,
+    pub unused: [f32; 3],
     pub layer: [Layer; limits::MLP_LAYERS],
     /// θ_p ⊕ θ_e as the head parts see it, then as the others do, with zeros for θ_e.
     pub input: [[[f32; 4]; INPUT_QUADS]; 2],
@@ -181,5 +210,6 @@ pub struct Control {
     pub entering: u32,
     /// Keys that leave it: those that were not [`SORT_DROPPED`].
     pub survivors: u32,
-    pub unused: u32,
+    /// Pixels that the compute form of `raster` evaluated, where it counts them.
+    pub fragments: u32,
 }

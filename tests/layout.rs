@@ -126,6 +126,7 @@ fn the_frame_block_is_the_same_on_both_sides() {
         offset_of!(Frame, surface_scale),
         offset_of!(Frame, hull_opacity),
         offset_of!(Frame, body_quads),
+        offset_of!(Frame, tile),
         offset_of!(Frame, layer),
         offset_of!(Frame, input),
         offset_of!(Frame, joint),
@@ -136,13 +137,13 @@ fn the_frame_block_is_the_same_on_both_sides() {
         for (variable, block) in reflection.variables(StorageClass::Uniform) {
             assert_eq!(reflection.decoration(variable, Decoration::Binding), Some(0), "{name}: the only uniform block is the frame's");
             assert_eq!(reflection.member_offsets(block), expected, "{name}: offsets of the frame block");
-            let layers = reflection.operand(block, 35);
+            let layers = reflection.operand(block, 36);
             assert_eq!(reflection.decoration(layers, Decoration::ArrayStride), Some(size_of::<Layer>() as u32), "{name}: stride of layers");
             assert_eq!(reflection.member_offsets(reflection.operand(layers, 0)), layer, "{name}: offsets of a layer");
             seen.set(seen.get() + 1);
         }
     });
-    assert_eq!(seen.get(), 11, "four compute stages in two variants, the surface's two and the vertex shader read the frame block");
+    assert_eq!(seen.get(), 16, "four compute stages in two variants, the surface's two, bins and the raster's five read the frame block");
 }
 
 #[test]
@@ -155,7 +156,7 @@ fn the_control_block_is_the_same_on_both_sides() {
         offset_of!(Control, first_instance),
         offset_of!(Control, entering),
         offset_of!(Control, survivors),
-        offset_of!(Control, unused),
+        offset_of!(Control, fragments),
     ];
     let found = std::cell::Cell::new(0);
     each(|name, reflection| {
@@ -168,7 +169,7 @@ fn the_control_block_is_the_same_on_both_sides() {
             }
         }
     });
-    assert_eq!(found.get(), 8, "seven sort kernels and the vertex shader read the control block");
+    assert_eq!(found.get(), 13, "seven sort kernels, bins and the raster's five read the control block");
 }
 
 #[test]
@@ -194,6 +195,8 @@ fn shaders_need_no_more_than_every_device_has() {
             Some("harmonics") => Some(layout::HARMONICS_SIZE),
             Some("surface") if name.starts_with("surface.comp") => Some(layout::SURFACE_SIZE * layout::SURFACE_SIZE),
             Some("splats") => Some(layout::SPLATS_SIZE),
+            Some("bins") => Some(layout::BINS_SIZE),
+            Some(name) if name.starts_with("raster_") => Some(layout::RASTER_SIZE),
             Some("sort_lanes_count" | "sort_lanes_scatter") => Some(layout::SORT_LANES),
             Some(name) if name.starts_with("sort_") => Some(layout::SORT_SIZE),
             _ => None,

@@ -5,7 +5,7 @@ use crate::{
     vulkan::{
         GpuOptions, RendererOptions,
         preset::Preset,
-        raster::ColorFormat,
+        raster::{ColorFormat, Method},
         sort::{KeyBits, Variant},
     },
 };
@@ -59,6 +59,9 @@ pub struct Quality {
     /// What pictures are blended in
     #[arg(long, value_enum)]
     pub color: Option<Color>,
+    /// How to draw
+    #[arg(long, value_enum, default_value_t = DrawBy::Auto)]
+    pub raster: DrawBy,
     /// Bits of the depth key that Gaussians are sorted by
     #[arg(long, value_enum)]
     pub keys: Option<Keys>,
@@ -86,6 +89,7 @@ impl Quality {
         RendererOptions {
             color: self.color.map_or(preset.color, Into::into),
             key_bits: self.keys.map_or(preset.key_bits, Into::into),
+            method: self.raster.into(),
             sort: self.sort.into(),
             skip: self.skip.unwrap_or(preset.skip),
             cutoff: self.cutoff.map_or(preset.cutoff, |n| n / 255.0),
@@ -119,6 +123,27 @@ impl From<Color> for ColorFormat {
         match color {
             Color::Rgba8 => Self::Rgba8,
             Color::Rgba16f => Self::Rgba16F,
+        }
+    }
+}
+
+/// [`Method`] as the command line has it.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub enum DrawBy {
+    /// What is known to be faster on the device's kind
+    Auto,
+    /// Quads through the device's blender, far to near
+    Hulls,
+    /// A compute kernel, near to far until a pixel is full
+    Tiles,
+}
+
+impl From<DrawBy> for Option<Method> {
+    fn from(raster: DrawBy) -> Self {
+        match raster {
+            DrawBy::Auto => None,
+            DrawBy::Hulls => Some(Method::Hulls),
+            DrawBy::Tiles => Some(Method::Tiles),
         }
     }
 }

@@ -18,8 +18,10 @@ bitflags::bitflags! {
         const FAINT = 1 << 4;
         /// Gaussians behind the depth surface, before they are sorted.
         const HIDDEN = 1 << 5;
-        /// Fragments behind the depth surface.
+        /// Fragments behind the depth surface; only where quads are drawn.
         const DEPTH = 1 << 6;
+        /// Splats behind pixels that are full; only where tiles are drawn, since a blender takes all that comes.
+        const FULL = 1 << 7;
     }
 }
 

@@ -1,6 +1,6 @@
 //! The uniform block of a frame: a posed avatar, a camera and the renderer's options go in, what the shaders read of them comes out.
 
-use super::{renderer::RendererOptions, splats::key_offset, surface::Place};
+use super::{raster, renderer::RendererOptions, splats::key_offset, surface::Place};
 use crate::{
     frame::{Camera, Posed, Skip},
     layout::{Frame, POSITION_BITS},
@@ -33,6 +33,7 @@ pub(super) fn fill(
     block.hull_opacity = if options.skip.contains(Skip::FAINT) { 0.0 } else { 255.0 };
     let quads = if options.skip.contains(Skip::INPUTS) { (posed.input.len() - posed.expression).div_ceil(4) as u32 } else { u32::MAX };
     block.body_quads = block.layer[0].input_quads.min(quads);
+    block.tile = raster::tile(camera.size) as f32;
     block.margin = options.margin as f32;
     let hides = place.filter(|_| options.skip.contains(Skip::HIDDEN));
     block.surface_start = if hides.is_some() { 4 * (block.node_start + block.nodes) } else { 0 };

@@ -16,7 +16,7 @@ use std::sync::Arc;
 /// Frames that may be under way at once.
 pub const SLOTS: usize = 2;
 /// Stages in the order a frame runs them; their names in labels, timestamps, tables and the overlay.
-pub const STAGES: [&str; 8] = ["features", "nodes", "harmonics", "surface", "splats", "sort", "raster", "present"];
+pub const STAGES: [&str; 9] = ["features", "nodes", "harmonics", "surface", "splats", "sort", "bins", "raster", "present"];
 
 /// What a finished frame took and drew.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -42,6 +42,16 @@ impl FrameReport {
     }
 }
 
+/// Who counts a frame's fragments.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Counted {
+    No,
+    /// The device's pipeline statistics.
+    Statistics,
+    /// The frame's kernels, in the control.
+    Itself,
+}
+
 /// One of the frames under way.
 pub struct Slot {
     gpu: Arc<Gpu>,
@@ -51,7 +61,7 @@ pub struct Slot {
     queries: Option<vk::QueryPool>,
     /// Counts fragments.
     statistics: Option<vk::QueryPool>,
-    counted: bool,
+    counted: Counted,
     dispatches: u64,
     /// The frame's counts, copied here by the device.
     counts: Buffer,
@@ -72,7 +82,7 @@ impl Slot {
             fence: Default::default(),
             queries: None,
             statistics: None,
-            counted: false,
+            counted: Counted::No,
             dispatches: 0,
             counts,
             marked: Vec::with_capacity(STAGES.len()),
@@ -114,7 +124,7 @@ impl Slot {
             gaussians: u64::from(control.entering),
             culled: u64::from(control.entering.saturating_sub(control.survivors)),
             drawn: u64::from(control.survivors),
-            fragments: self.fragments()?,
+            fragments: self.fragments(&control)?,
             dispatches: self.dispatches,
             submitted: 1,
             ..Counters::default()
@@ -139,7 +149,7 @@ impl Slot {
     pub fn begin(&mut self) -> Result<vk::CommandBuffer> {
         self.marked.clear();
         self.skipped.clear();
-        self.counted = false;
+        self.counted = Counted::No;
         // SAFETY: the slot's last frame is done, so its pool and fence are free.
         unsafe {
             self.gpu.raw.reset_command_pool(self.pool, vk::CommandPoolResetFlags::empty()).during("vkResetCommandPool")?;
@@ -173,7 +183,7 @@ impl Slot {
     pub fn drawing(&mut self, name: &'static str, count: bool, record: impl FnOnce(vk::CommandBuffer)) {
         let gpu = self.gpu.clone();
         let statistics = self.statistics.filter(|_| count);
-        self.counted = statistics.is_some();
+        self.counted = if statistics.is_some() { Counted::Statistics } else { Counted::No };
         self.stage(name, |commands| {
             // SAFETY: the command buffer is recording outside a render pass, the query was reset in `begin`.
             statistics.inspect(|&pool| unsafe { gpu.raw.cmd_begin_query(commands, pool, 0, vk::QueryControlFlags::empty()) });
@@ -189,8 +199,16 @@ impl Slot {
         self.dispatches = 2 * u64::from(needed.pose) + if needed.view { view } else { 0 };
     }
 
-    fn fragments(&self) -> Result<Option<u64>> {
-        let Some(statistics) = self.statistics.filter(|_| self.counted) else { return Ok(None) };
+    /// Notes that the frame's kernels count its fragments.
+    pub fn counts_itself(&mut self) {
+        self.counted = Counted::Itself;
+    }
+
+    fn fragments(&self, control: &Control) -> Result<Option<u64>> {
+        if self.counted == Counted::Itself {
+            return Ok(Some(control.fragments.into()));
+        }
+        let Some(statistics) = self.statistics.filter(|_| self.counted == Counted::Statistics) else { return Ok(None) };
         let mut count = [0u64];
         // SAFETY: the frame is done, so the query written in it is available.
         unsafe { self.gpu.raw.get_query_pool_results(statistics, 0, &mut count, vk::QueryResultFlags::TYPE_64) }

@@ -1,7 +1,7 @@
 //! Compute kernels with their descriptor sets, and the parts that they share with the graphics pipelines.
 //!
 //! Every stage binds the same shape: at binding 0 the uniform block of the frame, at a dynamic offset since two frames are in flight,
-//! and from binding 1 on storage buffers, at most four, as many as every device allows in a stage.
+//! and from binding 1 on storage buffers, at most four, as many as every device allows in a stage; an image may follow them.
 
 use super::{
     device::Gpu,
@@ -28,6 +28,32 @@ impl From<&super::memory::Buffer> for Slice {
     }
 }
 
+/// What a kernel does with its image.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BoundImage {
+    /// Reads a depth image through a sampler.
+    Sampled,
+    /// Writes texels.
+    Written,
+}
+
+impl BoundImage {
+    fn kind(self) -> vk::DescriptorType {
+        match self {
+            Self::Sampled => vk::DescriptorType::COMBINED_IMAGE_SAMPLER,
+            Self::Written => vk::DescriptorType::STORAGE_IMAGE,
+        }
+    }
+
+    /// The layout that the image is in while the kernel runs.
+    pub fn layout(self) -> vk::ImageLayout {
+        match self {
+            Self::Sampled => vk::ImageLayout::DEPTH_STENCIL_READ_ONLY_OPTIMAL,
+            Self::Written => vk::ImageLayout::GENERAL,
+        }
+    }
+}
+
 /// A descriptor set and the layouts that go with it.
 pub struct Bindings {
     gpu: Arc<Gpu>,
@@ -36,30 +62,36 @@ pub struct Bindings {
     pool: vk::DescriptorPool,
     pub set: vk::DescriptorSet,
     uniform: bool,
-    /// Number of the image's binding, where there is one.
-    image: u32,
+    /// Number of the image's binding, where there is one, and what it is.
+    image: Option<(u32, BoundImage)>,
 }
 
 impl Bindings {
     /// `uniform` is the ring of frame blocks; sort kernels have none.
     pub fn new(gpu: &Arc<Gpu>, stages: vk::ShaderStageFlags, uniform: Option<Slice>, storage: &[Slice]) -> Result<Self> {
-        Self::make(gpu, stages, uniform, storage, false)
+        Self::make(gpu, stages, uniform, storage, None)
     }
 
-    /// The same, and an image with a sampler behind the buffers, which [`Kernel::set_image`] sets.
-    pub fn with_image(gpu: &Arc<Gpu>, stages: vk::ShaderStageFlags, uniform: Option<Slice>, storage: &[Slice]) -> Result<Self> {
-        Self::make(gpu, stages, uniform, storage, true)
+    /// The same for compute, and an image behind the buffers, which [`Kernel::set_image`] sets.
+    pub fn with_image(gpu: &Arc<Gpu>, uniform: Option<Slice>, storage: &[Slice], image: BoundImage) -> Result<Self> {
+        Self::make(gpu, vk::ShaderStageFlags::COMPUTE, uniform, storage, Some(image))
     }
 
-    fn make(gpu: &Arc<Gpu>, stages: vk::ShaderStageFlags, uniform: Option<Slice>, storage: &[Slice], image: bool) -> Result<Self> {
+    fn make(
+        gpu: &Arc<Gpu>,
+        stages: vk::ShaderStageFlags,
+        uniform: Option<Slice>,
+        storage: &[Slice],
+        image: Option<BoundImage>,
+    ) -> Result<Self> {
         let bind = |binding: usize, kind| {
             vk::DescriptorSetLayoutBinding::default().binding(binding as u32).descriptor_type(kind).descriptor_count(1).stage_flags(stages)
         };
         let (dynamic, plain) = (vk::DescriptorType::UNIFORM_BUFFER_DYNAMIC, vk::DescriptorType::STORAGE_BUFFER);
-        let sampled = vk::DescriptorType::COMBINED_IMAGE_SAMPLER;
+        let seen = image.unwrap_or(BoundImage::Sampled).kind();
         let mut bindings: Vec<_> = (1..=storage.len()).map(|binding| bind(binding, plain)).collect();
         bindings.extend(uniform.map(|_| bind(0, dynamic)));
-        bindings.extend(image.then(|| bind(storage.len() + 1, sampled)));
+        bindings.extend(image.map(|_| bind(storage.len() + 1, seen)));
         let mut new = Self {
             gpu: gpu.clone(),
             set_layout: Default::default(),
@@ -67,9 +99,9 @@ impl Bindings {
             pool: Default::default(),
             set: Default::default(),
             uniform: uniform.is_some(),
-            image: storage.len() as u32 + 1,
+            image: image.map(|image| (storage.len() as u32 + 1, image)),
         };
-        let sizes = [(dynamic, 1), (sampled, 1), (plain, storage.len().max(1) as u32)]
+        let sizes = [(dynamic, 1), (seen, 1), (plain, storage.len().max(1) as u32)]
             .map(|(ty, descriptor_count)| vk::DescriptorPoolSize { ty, descriptor_count });
         // SAFETY: every structure outlives the call it is passed to; what was made before a failure is destroyed by `drop`.
         unsafe {
@@ -158,13 +190,15 @@ impl Kernel {
         Ok(Self { gpu: gpu.clone(), pipeline, bindings })
     }
 
-    /// Sets the image of bindings that have one, in `DEPTH_STENCIL_READ_ONLY_OPTIMAL`. No submitted work may use the kernel.
+    /// Sets the image of bindings that have one, in [`BoundImage::layout`]; a written one has no sampler. No submitted work may use the
+    /// kernel.
     pub fn set_image(&self, sampler: vk::Sampler, image_view: vk::ImageView) {
-        let image = [vk::DescriptorImageInfo { sampler, image_view, image_layout: vk::ImageLayout::DEPTH_STENCIL_READ_ONLY_OPTIMAL }];
+        let Some((binding, bound)) = self.bindings.image else { return };
+        let image = [vk::DescriptorImageInfo { sampler, image_view, image_layout: bound.layout() }];
         let write = vk::WriteDescriptorSet::default()
             .dst_set(self.bindings.set)
-            .dst_binding(self.bindings.image)
-            .descriptor_type(vk::DescriptorType::COMBINED_IMAGE_SAMPLER)
+            .dst_binding(binding)
+            .descriptor_type(bound.kind())
             .image_info(&image);
         // SAFETY: the caller promises that the set is not in use; view and sampler are alive.
         unsafe { self.gpu.raw.update_descriptor_sets(&[write], &[]) };

@@ -31,6 +31,8 @@ pub struct Probe {
     pub subgroup_size: u32,
     /// Whether compute shaders have basic subgroup operations and ballots.
     pub subgroup_ballot: bool,
+    /// Whether they have votes, sums and shuffles too.
+    pub subgroup_shuffle: bool,
     /// Smallest and largest subgroup that the sort's workgroups may be made of, in full. None: the driver chooses.
     pub subgroup_sizes: Option<[u32; 2]>,
     /// The driver's version number, as it writes it.
@@ -85,6 +87,8 @@ impl Probe {
         let wanted = vk::QueueFlags::GRAPHICS | vk::QueueFlags::COMPUTE;
         let queue_family = families.iter().position(|family| family.queue_flags.contains(wanted));
         let own = |heap: &&vk::MemoryHeap| heap.flags.contains(vk::MemoryHeapFlags::DEVICE_LOCAL);
+        use vk::SubgroupFeatureFlags as Subgroup;
+        let subgroup_all = Subgroup::BASIC | Subgroup::BALLOT | Subgroup::VOTE | Subgroup::ARITHMETIC | Subgroup::SHUFFLE;
         let subgroup_basics = vk::SubgroupFeatureFlags::BASIC | vk::SubgroupFeatureFlags::BALLOT;
         let sizes_chosen = sizes_chosen.subgroup_size_control == vk::TRUE
             && sizes_chosen.compute_full_subgroups == vk::TRUE
@@ -106,6 +110,8 @@ impl Probe {
             pipeline_statistics: unsafe { raw.get_physical_device_features(physical) }.pipeline_statistics_query == vk::TRUE,
             half_storage: storage.storage_buffer16_bit_access == vk::TRUE,
             subgroup_size: subgroup.subgroup_size,
+            subgroup_shuffle: subgroup.supported_operations.contains(subgroup_all)
+                && subgroup.supported_stages.contains(vk::ShaderStageFlags::COMPUTE),
             subgroup_ballot: subgroup.supported_operations.contains(subgroup_basics)
                 && subgroup.supported_stages.contains(vk::ShaderStageFlags::COMPUTE),
             subgroup_sizes: sizes_chosen.then(|| {

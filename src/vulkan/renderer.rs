@@ -12,7 +12,7 @@ use super::{
     nodes::Nodes,
     picture::Copied,
     pipeline::{Slice, barrier},
-    raster::{ColorFormat, Raster},
+    raster::{ColorFormat, Method, Raster},
     sort::{KeyBits, Sort, SortOptions, Variant, choice},
     splats::Splats,
     surface::{PYRAMID_WORDS, Place, Surface},
@@ -33,6 +33,8 @@ pub struct RendererOptions {
     /// Width and height of the picture, px.
     pub size: [u32; 2],
     pub color: ColorFormat,
+    /// How splats are drawn. None: as suits the device.
+    pub method: Option<Method>,
     pub key_bits: KeyBits,
     /// How to sort. None: as the self-test finds best.
     pub sort: Option<Variant>,
@@ -52,6 +54,7 @@ impl RendererOptions {
         Self {
             size,
             color: ColorFormat::default(),
+            method: None,
             key_bits: KeyBits::default(),
             sort: None,
             skip: Skip::all() - Skip::DEPTH,
@@ -130,7 +133,8 @@ impl Renderer {
         let splats = Splats::new(gpu, &model, frame, (&pose).into())?;
         let variant = options.sort.map_or_else(|| choice::choose(gpu).map(|verdict| verdict.variant), Ok)?;
         let sort = Sort::new(gpu, splats.keys(), &control, constants.gaussians, SortOptions::new(options.key_bits, variant))?;
-        let raster = Raster::new(gpu, frame, [sort.order(), splats.all(), (&control).into()], (&model.occluder, (&pose).into()), &options)?;
+        let inputs = ([sort.order(), splats.all(), (&control).into()], constants.gaussians);
+        let raster = Raster::new(gpu, frame, inputs, (&model.occluder, (&pose).into()), &options)?;
         Ok(Self {
             slots: (0..SLOTS).map(|_| Slot::new(gpu)).collect::<Result<_>>()?,
             surface: Surface::new(gpu, frame, &model.occluder, (&pose).into())?,
@@ -212,7 +216,8 @@ impl Renderer {
         let compute = PipelineStageFlags::COMPUTE_SHADER;
         let written = (compute, AccessFlags::SHADER_WRITE);
         let shared = (compute, AccessFlags::SHADER_READ | AccessFlags::SHADER_WRITE);
-        slot.count(harmonics.is_some(), needed, place.is_some() && options.skip.contains(Skip::HIDDEN), sort.dispatches(false));
+        let sorting = sort.dispatches(false) + if raster.method() == Method::Tiles { 2 } else { 0 };
+        slot.count(harmonics.is_some(), needed, place.is_some() && options.skip.contains(Skip::HIDDEN), sorting);
         // The frame before may still read what this one writes.
         let readers = compute | PipelineStageFlags::VERTEX_SHADER | PipelineStageFlags::DRAW_INDIRECT | PipelineStageFlags::TRANSFER;
         barrier(gpu, commands, (readers, AccessFlags::SHADER_WRITE), shared);
@@ -237,13 +242,24 @@ impl Renderer {
             slot.stage("splats", |commands| splats.record(commands, frame));
             barrier(gpu, commands, written, shared);
             slot.stage("sort", |commands| sort.record(commands));
-            let draw = PipelineStageFlags::DRAW_INDIRECT | PipelineStageFlags::VERTEX_SHADER | PipelineStageFlags::TRANSFER;
-            let reads = AccessFlags::INDIRECT_COMMAND_READ | AccessFlags::SHADER_READ | AccessFlags::TRANSFER_READ;
-            barrier(gpu, commands, written, (draw, reads));
-            let count = options.count;
-            slot.drawing("raster", count, |commands| {
-                raster.record(commands, frame, control.raw, place.is_some() && options.skip.contains(Skip::DEPTH))
-            });
+            match raster {
+                Raster::Hulls(hulls) => {
+                    let draw = PipelineStageFlags::DRAW_INDIRECT | PipelineStageFlags::VERTEX_SHADER | PipelineStageFlags::TRANSFER;
+                    let reads = AccessFlags::INDIRECT_COMMAND_READ | AccessFlags::SHADER_READ | AccessFlags::TRANSFER_READ;
+                    barrier(gpu, commands, written, (draw, reads));
+                    let surface = place.is_some() && options.skip.contains(Skip::DEPTH);
+                    slot.drawing("raster", options.count, |commands| hulls.record(commands, frame, control.raw, surface));
+                }
+                Raster::Tiles(tiles) => {
+                    slot.stage("bins", |commands| tiles.record_bins(commands, frame));
+                    barrier(gpu, commands, written, shared);
+                    if options.count {
+                        slot.counts_itself();
+                    }
+                    slot.stage("raster", |commands| tiles.record(commands, frame));
+                    barrier(gpu, commands, written, (PipelineStageFlags::TRANSFER, AccessFlags::TRANSFER_READ));
+                }
+            }
         } else {
             harmonics.iter().for_each(|_| slot.skip("harmonics"));
             ["splats", "sort", "raster"].into_iter().for_each(|stage| slot.skip(stage));

@@ -67,6 +67,18 @@ pub static SORT_CHAIN: Module =
     Module { file: "sort_chain.comp", spirv: include_bytes!("../../shaders/spv/sort_chain.comp.spv"), half: None };
 pub static RASTER_VERTEX: Module = Module { file: "raster.vert", spirv: include_bytes!("../../shaders/spv/raster.vert.spv"), half: None };
 pub static RASTER_FRAGMENT: Module = Module { file: "raster.frag", spirv: include_bytes!("../../shaders/spv/raster.frag.spv"), half: None };
+pub static BINS: Module = Module { file: "bins.comp", spirv: include_bytes!("../../shaders/spv/bins.comp.spv"), half: None };
+pub static RASTER_RGBA8: Module =
+    Module { file: "raster_rgba8.comp", spirv: include_bytes!("../../shaders/spv/raster_rgba8.comp.spv"), half: None };
+pub static RASTER_RGBA16F: Module =
+    Module { file: "raster_rgba16f.comp", spirv: include_bytes!("../../shaders/spv/raster_rgba16f.comp.spv"), half: None };
+pub static RASTER_TOGETHER_RGBA8: Module =
+    Module { file: "raster_together_rgba8.comp", spirv: include_bytes!("../../shaders/spv/raster_together_rgba8.comp.spv"), half: None };
+pub static RASTER_TOGETHER_RGBA16F: Module = Module {
+    file: "raster_together_rgba16f.comp",
+    spirv: include_bytes!("../../shaders/spv/raster_together_rgba16f.comp.spv"),
+    half: None,
+};
 pub static PRESENT_VERTEX: Module =
     Module { file: "present.vert", spirv: include_bytes!("../../shaders/spv/present.vert.spv"), half: None };
 pub static PRESENT_FRAGMENT: Module =
@@ -93,6 +105,11 @@ pub static MODULES: &[&Module] = &[
     &SORT_CHAIN,
     &RASTER_VERTEX,
     &RASTER_FRAGMENT,
+    &BINS,
+    &RASTER_RGBA8,
+    &RASTER_RGBA16F,
+    &RASTER_TOGETHER_RGBA8,
+    &RASTER_TOGETHER_RGBA16F,
     &PRESENT_VERTEX,
     &PRESENT_FRAGMENT,
 ];

@@ -8,7 +8,7 @@ use super::{
     graphics::{self, Depth, Drawing},
     memory::{DEPTH_FORMAT, Image},
     model::OccluderMesh,
-    pipeline::{Bindings, Kernel, Slice},
+    pipeline::{Bindings, BoundImage, Kernel, Slice},
     shaders,
 };
 use crate::layout::{Frame, SURFACE_DRAWN, SURFACE_FINEST, SURFACE_LEVELS, SURFACE_SIZE};
@@ -112,7 +112,7 @@ impl Surface {
         // SAFETY: `info` and all it points to outlive the call.
         pass.framebuffer = unsafe { gpu.raw.create_framebuffer(&info, None) }.during("vkCreateFramebuffer")?;
         let mesh = SurfaceMesh::new(gpu, frame, mesh, pose, pass.render_pass, false)?;
-        let bindings = Bindings::with_image(gpu, vk::ShaderStageFlags::COMPUTE, Some(frame), &[pose])?;
+        let bindings = Bindings::with_image(gpu, Some(frame), &[pose], BoundImage::Sampled)?;
         let pyramid = Kernel::new(gpu, &shaders::SURFACE, &[], bindings)?;
         // SAFETY: the structure outlives the call.
         let sampler = unsafe { gpu.raw.create_sampler(&vk::SamplerCreateInfo::default(), None) }.during("vkCreateSampler")?;

@@ -1,46 +1,22 @@
-//! The `raster` stage: one indirect draw of quads, blended far to near into an off-screen image (model.md, step 10).
+//! The graphics form of `raster`: one indirect draw of quads, blended far to near into an off-screen image.
 
-use super::{
-    device::Gpu,
-    error::{During, Error, Result},
-    graphics::{self, Attachment, Depth, Drawing},
-    memory::{Buffer, DEPTH_FORMAT, Image},
-    model::OccluderMesh,
-    pipeline::{Bindings, Slice},
-    renderer::RendererOptions,
-    shaders,
-    surface::SurfaceMesh,
+use super::{ColorFormat, check_size};
+use crate::{
+    layout::RASTER_QUADS,
+    vulkan::{
+        device::Gpu,
+        error::{During, Error, Result},
+        graphics::{self, Attachment, Depth, Drawing},
+        memory::{Buffer, DEPTH_FORMAT, Image},
+        model::OccluderMesh,
+        pipeline::{Bindings, Slice},
+        renderer::RendererOptions,
+        shaders,
+        surface::SurfaceMesh,
+    },
 };
-use crate::layout::RASTER_QUADS;
 use ash::vk;
 use std::sync::Arc;
-
-/// What the picture is blended in.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum ColorFormat {
-    /// 8 bits a channel: 4 bytes a pixel, rounded after every Gaussian.
-    Rgba8,
-    /// 16-bit floating point: 8 bytes a pixel.
-    #[default]
-    Rgba16F,
-}
-
-impl ColorFormat {
-    pub fn vulkan(self) -> vk::Format {
-        match self {
-            Self::Rgba8 => vk::Format::R8G8B8A8_UNORM,
-            Self::Rgba16F => vk::Format::R16G16B16A16_SFLOAT,
-        }
-    }
-
-    /// Bytes of a pixel.
-    pub fn bytes(self) -> usize {
-        match self {
-            Self::Rgba8 => 4,
-            Self::Rgba16F => 8,
-        }
-    }
-}
 
 /// The image and the framebuffer around it; made anew when the picture's size changes.
 struct Target {
@@ -58,7 +34,7 @@ impl Drop for Target {
     }
 }
 
-pub struct Raster {
+pub struct Hulls {
     gpu: Arc<Gpu>,
     format: ColorFormat,
     render_pass: vk::RenderPass,
@@ -69,7 +45,7 @@ pub struct Raster {
     target: Target,
 }
 
-impl Raster {
+impl Hulls {
     /// `order`, `splats` with their keys, and `control` as the stages before leave them.
     pub fn new(
         gpu: &Arc<Gpu>,
@@ -110,10 +86,7 @@ impl Raster {
     fn target(gpu: &Arc<Gpu>, render_pass: vk::RenderPass, format: ColorFormat, size: [u32; 2]) -> Result<Target> {
         let limits = &gpu.probe.limits;
         let limit = limits.max_image_dimension2_d.min(limits.max_framebuffer_width).min(limits.max_framebuffer_height);
-        if size.iter().any(|&side| side == 0 || side > limit) {
-            let found = format!("{} × {}", size[0], size[1]);
-            return Err(Error::PictureSize { found, limit, device: gpu.probe.name.clone() });
-        }
+        check_size(gpu, size, limit)?;
         let usage = vk::ImageUsageFlags::COLOR_ATTACHMENT | vk::ImageUsageFlags::SAMPLED | vk::ImageUsageFlags::TRANSFER_SRC;
         let image = Image::new(gpu, "target", size, format.vulkan(), usage)?;
         let usage = vk::ImageUsageFlags::DEPTH_STENCIL_ATTACHMENT | vk::ImageUsageFlags::TRANSIENT_ATTACHMENT;
@@ -126,13 +99,11 @@ impl Raster {
         Ok(Target { gpu: gpu.clone(), image, _depth: depth, framebuffer })
     }
 
-    /// Changes the picture's size. No submitted frame may still use the old one. On failure the old picture stays.
     pub fn resize(&mut self, size: [u32; 2]) -> Result<()> {
         self.target = Self::target(&self.gpu, self.render_pass, self.format, size)?;
         Ok(())
     }
 
-    /// The picture: premultiplied colour, in `SHADER_READ_ONLY_OPTIMAL` after every frame, visible to fragment shaders and transfers.
     pub fn image(&self) -> &Image {
         &self.target.image
     }
@@ -171,7 +142,7 @@ impl Raster {
     }
 }
 
-impl Drop for Raster {
+impl Drop for Hulls {
     fn drop(&mut self) {
         // SAFETY: owners drop a stage only when no submitted work uses it.
         unsafe {

@@ -1,0 +1,79 @@
+// The `bins` stage: the order and the splats go in, which of them meet which tile comes out (bins.glsl). An invocation takes a block.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+#include "layout.glsl"
+#include "splat.glsl"
+#include "sort_control.glsl"
+#include "bins.glsl"
+
+layout(local_size_x = BINS_SIZE) in;
+layout(std430, set = 0, binding = 1) readonly buffer Order { uint order[]; };
+layout(std430, set = 0, binding = 2) readonly buffer Splats { uvec4 splats[]; };
+layout(std430, set = 0, binding = 3) buffer ControlBuffer { Control control; };
+layout(std430, set = 0, binding = 4) buffer Bins { uint bins[]; };
+// Nodes for the tiles. After them come those for the chains of the whole picture, as many as every block can need.
+layout(constant_id = 0) const uint NODES = 1u;
+
+bool full(uint chain) {
+    return chain == 0u || (chain & BINS_HELD) == BINS_HELD;
+}
+
+// Puts a splat in front of a chain. `node` is taken where the chain's first is full.
+void put(uint splat, uint head, uint chain, uint node) {
+    if (full(chain)) {
+        bins[BINS_NODES + BINS_NODE * node] = chain;
+        chain = BINS_NODE * node;
+    }
+    ++chain;
+    bins[BINS_NODES + chain] = splat;
+    bins[head] = chain;
+}
+
+void main() {
+    uint block = gl_GlobalInvocationID.x;
+    if (block == 0u) {
+        control.fragments = 0u;
+    }
+    uint length = (control.survivors + BINS_BLOCKS - 1u) / BINS_BLOCKS;
+    uint end = min((block + 1u) * length, control.survivors);
+    uint wide = NODES + 1u + block * ((length + BINS_HELD - 1u) / BINS_HELD);
+    uint wide_chain = 0u;
+    // From far to near: what is put in front of a chain last is the nearest.
+    for (uint number = block * length; number < end; ++number) {
+        uint i = order[number];
+        Splat splat = unpack_splat(splats[i]);
+        vec2 reach = half_box(splat, reach_of(splat.opacity));
+        uvec2 low = uvec2(clamp((splat.center - reach) / frame.tile, 0.0, float(BINS_SIDE - 1u)));
+        uvec2 high = uvec2(clamp((splat.center + reach) / frame.tile, 0.0, float(BINS_SIDE - 1u)));
+        uint needed = 0u;
+        bool narrow = (high.x - low.x + 1u) * (high.y - low.y + 1u) <= BINS_NARROW;
+        for (uint y = low.y; narrow && y <= high.y; ++y) {
+            for (uint x = low.x; x <= high.x; ++x) {
+                needed += full(bins[BINS_HEADS + (y * BINS_SIDE + x) * BINS_BLOCKS + block]) ? 1u : 0u;
+            }
+        }
+        uint node = needed > 0u ? atomicAdd(bins[0], needed) + 1u : 1u;
+        if (!narrow || node + needed > NODES + 1u) {
+            bool next = full(wide_chain);
+            put(i, BINS_WIDE + block, wide_chain, wide);
+            wide_chain = bins[BINS_WIDE + block];
+            wide += next ? 1u : 0u;
+            continue;
+        }
+        for (uint y = low.y; y <= high.y; ++y) {
+            for (uint x = low.x; x <= high.x; ++x) {
+                uint tile = y * BINS_SIDE + x;
+                uint head = BINS_HEADS + tile * BINS_BLOCKS + block;
+                uint chain = bins[head];
+                if (chain == 0u) {
+                    atomicOr(bins[BINS_MET + tile], 1u << block);
+                }
+                put(i, head, chain, node);
+                node += full(chain) ? 1u : 0u;
+            }
+        }
+    }
+    if (wide_chain != 0u) {
+        atomicOr(bins[1], 1u << block);
+    }
+}

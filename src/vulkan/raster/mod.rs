@@ -1,0 +1,135 @@
+//! The `raster` stage: splats in drawing order go in, a picture comes out (model.md, step 10).
+//!
+//! | method | how | fragments |
+//! |---|---|---|
+//! | [`Method::Hulls`] | a quad a splat, blended far to near by the device's blender | all that a quad covers |
+//! | [`Method::Tiles`] | `bins` notes which splats meet which tile, a kernel blends each pixel near to far | none behind a full pixel |
+
+mod hulls;
+mod tiles;
+
+use super::{
+    device::Gpu,
+    error::{Error, Result},
+    memory::Image,
+    model::OccluderMesh,
+    pipeline::Slice,
+    renderer::RendererOptions,
+};
+use ash::vk;
+use hulls::Hulls;
+use std::sync::Arc;
+pub use tiles::{bins_size, tile};
+
+/// What the picture is blended or stored in.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum ColorFormat {
+    /// 8 bits a channel: 4 bytes a pixel, rounded after every Gaussian by [`Method::Hulls`], once by [`Method::Tiles`].
+    Rgba8,
+    /// 16-bit floating point: 8 bytes a pixel.
+    #[default]
+    Rgba16F,
+}
+
+impl ColorFormat {
+    pub fn vulkan(self) -> vk::Format {
+        match self {
+            Self::Rgba8 => vk::Format::R8G8B8A8_UNORM,
+            Self::Rgba16F => vk::Format::R16G16B16A16_SFLOAT,
+        }
+    }
+
+    /// Bytes of a pixel.
+    pub fn bytes(self) -> usize {
+        match self {
+            Self::Rgba8 => 4,
+            Self::Rgba16F => 8,
+        }
+    }
+}
+
+/// How splats become a picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Method {
+    /// Quads through the graphics pipeline: tilers blend them in their tile memory.
+    Hulls,
+    /// A compute kernel over tiles of the picture, which stops where a pixel is full.
+    Tiles,
+}
+
+impl Method {
+    pub const ALL: [Self; 2] = [Self::Hulls, Self::Tiles];
+
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Hulls => "hulls",
+            Self::Tiles => "tiles",
+        }
+    }
+
+    /// What is faster on a kind of device, as far as it was measured (NOTES.md): processors gain from every fragment that is left out.
+    pub fn suited(gpu: &Gpu) -> Self {
+        if gpu.probe.kind == vk::PhysicalDeviceType::CPU { Self::Tiles } else { Self::Hulls }
+    }
+}
+
+/// Draws by one of the methods.
+pub enum Raster {
+    Hulls(Hulls),
+    Tiles(tiles::Tiles),
+}
+
+impl Raster {
+    /// `inputs`: order, splats with their keys, and control as the stages before leave them. `capacity`: splats at most.
+    pub fn new(
+        gpu: &Arc<Gpu>,
+        frame: Slice,
+        (inputs, capacity): ([Slice; 3], u32),
+        surface: (&OccluderMesh, Slice),
+        options: &RendererOptions,
+    ) -> Result<Self> {
+        Ok(match options.method.unwrap_or_else(|| Method::suited(gpu)) {
+            Method::Hulls => Self::Hulls(Hulls::new(gpu, frame, inputs, surface, options)?),
+            Method::Tiles => Self::Tiles(tiles::Tiles::new(gpu, frame, (inputs, capacity), options)?),
+        })
+    }
+
+    pub fn method(&self) -> Method {
+        match self {
+            Self::Hulls(_) => Method::Hulls,
+            Self::Tiles(_) => Method::Tiles,
+        }
+    }
+
+    /// The picture: premultiplied colour, in `SHADER_READ_ONLY_OPTIMAL` after every frame, visible to fragment shaders and transfers.
+    pub fn image(&self) -> &Image {
+        match self {
+            Self::Hulls(hulls) => hulls.image(),
+            Self::Tiles(tiles) => tiles.image(),
+        }
+    }
+
+    pub fn format(&self) -> ColorFormat {
+        match self {
+            Self::Hulls(hulls) => hulls.format(),
+            Self::Tiles(tiles) => tiles.format(),
+        }
+    }
+
+    /// Changes the picture's size. No submitted frame may still use the old one. On failure the old picture stays.
+    pub fn resize(&mut self, size: [u32; 2]) -> Result<()> {
+        match self {
+            Self::Hulls(hulls) => hulls.resize(size),
+            Self::Tiles(tiles) => tiles.resize(size),
+        }
+    }
+}
+
+/// Whether a device can have a picture of a size.
+fn check_size(gpu: &Gpu, size: [u32; 2], limit: u32) -> Result<()> {
+    if size.iter().any(|&side| side == 0 || side > limit) {
+        let found = format!("{} × {}", size[0], size[1]);
+        return Err(Error::PictureSize { found, limit, device: gpu.probe.name.clone() });
+    }
+    Ok(())
+}

@@ -1,0 +1,153 @@
+//! The `bins` stage and the compute form of `raster`: order, splats and control go in, a picture comes out.
+
+use super::{super::memory::COLOR, ColorFormat, check_size};
+use crate::{
+    frame::Skip,
+    layout::{BINS_BLOCKS, BINS_NODE, BINS_SIDE, BINS_SIZE, BINS_TILE, RASTER_REGION},
+    vulkan::{
+        device::Gpu,
+        error::Result,
+        memory::{Buffer, Image},
+        pipeline::{Bindings, BoundImage, Kernel, Slice, barrier},
+        renderer::RendererOptions,
+        shaders,
+    },
+};
+use ash::vk::{self, AccessFlags, ImageLayout, PipelineStageFlags};
+use gpu_allocator::MemoryLocation;
+use std::sync::Arc;
+
+/// Nodes of the tiles' chains for so many splats, and all nodes. A 200K body 2000 pixels high takes a node for every second splat.
+fn nodes(capacity: u32) -> [u32; 2] {
+    let narrow = capacity.saturating_add(4096);
+    [narrow, narrow.saturating_add(BINS_BLOCKS * capacity.div_ceil(BINS_BLOCKS).div_ceil(BINS_NODE - 1))]
+}
+
+/// The side of a tile in a picture, px: the smallest power of two that makes at most [`BINS_SIDE`] tiles along each side.
+pub fn tile(size: [u32; 2]) -> u32 {
+    size[0].max(size[1]).div_ceil(BINS_SIDE).max(BINS_TILE).next_power_of_two()
+}
+
+/// Bytes of the bins before their nodes, and of all (`shaders/bins.glsl`).
+pub fn bins_size(capacity: u32) -> [u64; 2] {
+    let tiles = u64::from(BINS_SIDE * BINS_SIDE);
+    let blocks = u64::from(BINS_BLOCKS);
+    let heads = 4 * (2 + blocks + tiles + tiles * blocks);
+    [heads, heads + 4 * u64::from(BINS_NODE) * u64::from(nodes(capacity)[1])]
+}
+
+pub struct Tiles {
+    gpu: Arc<Gpu>,
+    bins: Kernel,
+    raster: Kernel,
+    buffer: Buffer,
+    format: ColorFormat,
+    image: Image,
+}
+
+impl Tiles {
+    pub fn new(gpu: &Arc<Gpu>, frame: Slice, (inputs, capacity): ([Slice; 3], u32), options: &RendererOptions) -> Result<Self> {
+        let usage = vk::BufferUsageFlags::STORAGE_BUFFER | vk::BufferUsageFlags::TRANSFER_SRC | vk::BufferUsageFlags::TRANSFER_DST;
+        let buffer = Buffer::new(gpu, "bins", bins_size(capacity)[1], usage, MemoryLocation::GpuOnly)?;
+        let [order, splats, control] = inputs;
+        let storage = [order, splats, control, (&buffer).into()];
+        let bindings = Bindings::new(gpu, vk::ShaderStageFlags::COMPUTE, Some(frame), &storage)?;
+        let bins = Kernel::new(gpu, &shaders::BINS, &[nodes(capacity)[0]], bindings)?;
+        let module = match (together(gpu), options.color) {
+            (false, ColorFormat::Rgba8) => &shaders::RASTER_RGBA8,
+            (false, ColorFormat::Rgba16F) => &shaders::RASTER_RGBA16F,
+            (true, ColorFormat::Rgba8) => &shaders::RASTER_TOGETHER_RGBA8,
+            (true, ColorFormat::Rgba16F) => &shaders::RASTER_TOGETHER_RGBA16F,
+        };
+        let full = if options.skip.contains(Skip::FULL) { options.cutoff as f32 } else { 0.0 };
+        let constants = [(options.cutoff as f32).to_bits(), full.to_bits(), options.count.into()];
+        let storage = [splats, control, (&buffer).into()];
+        let bindings = Bindings::with_image(gpu, Some(frame), &storage, BoundImage::Written)?;
+        let raster = Kernel::with_subgroups(gpu, module, &constants, bindings, full_subgroups(gpu))?;
+        let image = picture(gpu, options.color, options.size)?;
+        raster.set_image(vk::Sampler::null(), image.view);
+        Ok(Self { gpu: gpu.clone(), bins, raster, buffer, format: options.color, image })
+    }
+
+    pub fn image(&self) -> &Image {
+        &self.image
+    }
+
+    pub fn format(&self) -> ColorFormat {
+        self.format
+    }
+
+    /// The bins as they are, for tests.
+    pub fn download(&self) -> Result<Vec<u32>> {
+        Ok(bytemuck::pod_collect_to_vec(&self.buffer.download(self.buffer.size as usize)?))
+    }
+
+    pub fn resize(&mut self, size: [u32; 2]) -> Result<()> {
+        self.image = picture(&self.gpu, self.format, size)?;
+        self.raster.set_image(vk::Sampler::null(), self.image.view);
+        Ok(())
+    }
+
+    /// Notes which splats meet which tile. Reads what the sort left; a transfer and compute.
+    pub fn record_bins(&self, commands: vk::CommandBuffer, frame: u32) {
+        let compute = PipelineStageFlags::COMPUTE_SHADER;
+        let written = (PipelineStageFlags::TRANSFER, AccessFlags::TRANSFER_WRITE);
+        barrier(&self.gpu, commands, (compute, AccessFlags::SHADER_WRITE), written);
+        // SAFETY: the command buffer is recording, the range lies in the buffer, which is alive.
+        unsafe { self.gpu.raw.cmd_fill_buffer(commands, self.buffer.raw, 0, bins_size(0)[0], 0) };
+        barrier(&self.gpu, commands, written, (compute, AccessFlags::SHADER_READ | AccessFlags::SHADER_WRITE));
+        self.bins.dispatch(commands, frame, BINS_BLOCKS / BINS_SIZE);
+    }
+
+    /// Draws the picture, every pixel of it. Reads what `bins` left; compute.
+    pub fn record(&self, commands: vk::CommandBuffer, frame: u32) {
+        let compute = (PipelineStageFlags::COMPUTE_SHADER, AccessFlags::SHADER_WRITE);
+        let readers = PipelineStageFlags::FRAGMENT_SHADER | PipelineStageFlags::TRANSFER;
+        self.hand_over(commands, [(readers, AccessFlags::empty()), compute], [ImageLayout::UNDEFINED, ImageLayout::GENERAL]);
+        self.raster.dispatch_2d(commands, frame, self.image.size.map(|side| side.div_ceil(RASTER_REGION)));
+        let readers = (readers, AccessFlags::SHADER_READ | AccessFlags::TRANSFER_READ);
+        self.hand_over(commands, [compute, readers], [ImageLayout::GENERAL, ImageLayout::SHADER_READ_ONLY_OPTIMAL]);
+    }
+
+    fn hand_over(&self, commands: vk::CommandBuffer, [from, to]: [(PipelineStageFlags, AccessFlags); 2], layouts: [ImageLayout; 2]) {
+        let barrier = vk::ImageMemoryBarrier::default()
+            .src_access_mask(from.1)
+            .dst_access_mask(to.1)
+            .old_layout(layouts[0])
+            .new_layout(layouts[1])
+            .src_queue_family_index(vk::QUEUE_FAMILY_IGNORED)
+            .dst_queue_family_index(vk::QUEUE_FAMILY_IGNORED)
+            .image(self.image.raw)
+            .subresource_range(COLOR);
+        // SAFETY: the command buffer is recording, the image is alive and in the layout it is said to be in.
+        unsafe { self.gpu.raw.cmd_pipeline_barrier(commands, from.0, to.0, vk::DependencyFlags::empty(), &[], &[], &[barrier]) };
+    }
+}
+
+/// Whether each subgroup lies in one tile and can hand splats round: 8 or 16 invocations, of 4 by 4 pixels each, in tiles of at least 16.
+fn together(gpu: &Gpu) -> bool {
+    gpu.probe.subgroup_shuffle && [8, 16].contains(&gpu.probe.subgroup_size)
+}
+
+/// Full subgroups of the size that the device reports, where it can be asked for that.
+fn full_subgroups(gpu: &Gpu) -> Option<u32> {
+    let [low, high] = gpu.probe.subgroup_sizes?;
+    (together(gpu) && (low..=high).contains(&gpu.probe.subgroup_size)).then_some(gpu.probe.subgroup_size)
+}
+
+fn picture(gpu: &Arc<Gpu>, format: ColorFormat, size: [u32; 2]) -> Result<Image> {
+    check_size(gpu, size, gpu.probe.limits.max_image_dimension2_d)?;
+    let usage = vk::ImageUsageFlags::STORAGE | vk::ImageUsageFlags::SAMPLED | vk::ImageUsageFlags::TRANSFER_SRC;
+    Image::new(gpu, "target", size, format.vulkan(), usage)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn tiles_are_as_small_as_their_number_allows() {
+        let sides = [1, 1024, 1025, 2048, 2049, 8192].map(|side| tile([1, side]));
+        assert_eq!(sides, [16, 16, 16, 16, 32, 64]);
+    }
+}
