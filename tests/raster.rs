@@ -5,10 +5,21 @@ mod common;
 use common::{Sizes, gpu};
 use effigy::{
     frame::{Camera, Posed},
+    layout::BINS_SIDE,
     measure::error,
-    vulkan::{Renderer, RendererOptions, sort::KeyBits},
+    reference::bins,
+    vulkan::{
+        Renderer, RendererOptions,
+        raster::{self, Method},
+        sort::KeyBits,
+    },
 };
 use glam::DVec3;
+
+/// Options for each way to draw.
+fn methods(size: [u32; 2]) -> [RendererOptions; 2] {
+    Method::ALL.map(|method| RendererOptions { method: Some(method), ..gpu::options(size) })
+}
 
 #[test]
 fn the_order_is_the_references_but_for_depths_closer_than_a_key() {
@@ -37,16 +48,16 @@ fn the_order_is_the_references_but_for_depths_closer_than_a_key() {
 #[test]
 fn few_gaussians_agree_pixel_by_pixel() {
     let Some(device) = gpu::gpu() else { return };
-    for seed in 0..6 {
+    for (seed, options) in (0..6).flat_map(|seed| methods([240, 160]).map(|options| (seed, options))) {
         let sizes = Sizes { gaussians: 1 + seed as usize * 3, parts: 1, nodes: 1, rows: 1, ..Sizes::default() };
         let avatar = common::avatar(seed, sizes);
         let posed = Posed::new(&avatar, &common::pose(seed, &avatar));
         let target = effigy::reference::Stages::new(&avatar, &posed, &gpu::camera(&avatar, &posed, [64, 64])).gaussians[0].mean;
         let camera = Camera::orbit(target, 0.2, 0.1, 0.3, 0.6, [240, 160]);
-        let frame = gpu::draw(&device, avatar, posed, camera, gpu::options([240, 160]));
+        let frame = gpu::draw(&device, avatar, posed, camera, options);
         let error = error::between(&frame.picture, &frame.oracle.canvas.to_picture());
         assert!(error.covered.pixels > 100, "seed {seed}: nothing in the picture");
-        assert!(error.covered.max_error < 4.0 / 255.0 && error.covered.psnr_db > 54.0, "seed {seed}: {:?}", error.covered);
+        assert!(error.covered.max_error < 4.0 / 255.0 && error.covered.psnr_db > 54.0, "seed {seed}, {options:?}: {:?}", error.covered);
     }
     gpu::assert_valid();
 }
@@ -57,9 +68,11 @@ fn nothing_in_view_is_an_empty_picture() {
     let avatar = common::avatar(1, Sizes::default());
     let posed = Posed::new(&avatar, &common::pose(1, &avatar));
     let away = Camera::look_at(DVec3::new(0.0, 1.0, 5.0), DVec3::new(0.0, 1.0, 9.0), 0.7, [50, 40]);
-    let frame = gpu::draw(&device, avatar, posed, away, gpu::options([50, 40]));
-    assert_eq!(frame.gpu.control.survivors, 0);
-    assert!(frame.picture.pixels.iter().all(|&pixel| pixel == [0.0; 4]));
+    for options in methods([50, 40]) {
+        let frame = gpu::draw(&device, avatar.clone(), posed.clone(), away, options);
+        assert_eq!(frame.gpu.control.survivors, 0);
+        assert!(frame.picture.pixels.iter().all(|&pixel| pixel == [0.0; 4]), "{options:?}");
+    }
     gpu::assert_valid();
 }
 
@@ -68,25 +81,91 @@ fn pictures_of_any_size_follow_a_resize() {
     let Some(device) = gpu::gpu() else { return };
     let avatar = common::avatar(2, Sizes { gaussians: 500, ..Sizes::default() });
     let posed = Posed::new(&avatar, &common::pose(2, &avatar));
-    let mut renderer = Renderer::new(&device, &avatar, gpu::options([64, 64])).unwrap();
-    for size in [[1, 1], [7, 300], [640, 3], [200, 200]] {
-        renderer.resize(size).unwrap();
-        let camera = gpu::camera(&avatar, &posed, size);
-        renderer.draw(&posed, &camera, None).unwrap();
-        let oracle = effigy::reference::render(&avatar, &posed, &camera);
-        let error = error::between(&renderer.picture().unwrap(), &oracle);
-        assert!(error.whole.psnr_db > 54.0, "{size:?}: {:?}", error.whole);
+    for options in methods([64, 64]) {
+        let mut renderer = Renderer::new(&device, &avatar, options).unwrap();
+        for size in [[1, 1], [7, 300], [640, 3], [200, 200]] {
+            renderer.resize(size).unwrap();
+            let camera = gpu::camera(&avatar, &posed, size);
+            renderer.draw(&posed, &camera, None).unwrap();
+            let oracle = effigy::reference::render(&avatar, &posed, &camera);
+            let error = error::between(&renderer.picture().unwrap(), &oracle);
+            assert!(error.whole.psnr_db > 54.0, "{size:?}, {options:?}: {:?}", error.whole);
+        }
+        let message = renderer.resize([0, 5]).unwrap_err().to_string();
+        assert!(message.contains("0 × 5"), "{message}");
+        assert_eq!(renderer.raster().image().size, [200, 200], "the old picture stays");
     }
-    let message = renderer.resize([0, 5]).unwrap_err().to_string();
-    assert!(message.contains("0 × 5"), "{message}");
-    assert_eq!(renderer.raster().image().size, [200, 200], "the old picture stays");
+    gpu::assert_valid();
+}
+
+#[test]
+fn each_tile_has_the_splats_that_meet_it_nearest_first() {
+    let Some(device) = gpu::gpu() else { return };
+    // From far, and so near that some Gaussians, then most, meet more tiles than a chain each is made for.
+    for (distance, some_wide) in [(4.0, false), (0.6, true), (0.3, true)] {
+        let avatar = common::avatar(4, Sizes { gaussians: 700, ..Sizes::default() });
+        let posed = Posed::new(&avatar, &common::pose(4, &avatar));
+        let target = effigy::reference::Stages::new(&avatar, &posed, &gpu::camera(&avatar, &posed, [64, 64])).gaussians[0].mean;
+        let size = [300, 200];
+        let camera = Camera::orbit(target, 0.3, 0.1, distance, 0.7, size);
+        let options = RendererOptions { method: Some(Method::Tiles), key_bits: KeyBits::ThirtyTwo, ..gpu::options(size) };
+        let mut renderer = Renderer::new(&device, &avatar, options).unwrap();
+        renderer.draw(&posed, &camera, None).unwrap();
+        let bins = renderer.raster().bins().unwrap().unwrap();
+        let order = renderer.stages().unwrap().order;
+        let oracle = effigy::reference::Stages::new(&avatar, &posed, &camera);
+        let place = |splat: &u32| order.iter().position(|other| other == splat).unwrap();
+        assert_eq!(!bins.wide.is_empty(), some_wide, "{} wide from {distance} m", bins.wide.len());
+        let side = raster::tile(size);
+        let mut met = 0;
+        for tile in (0..size[1].div_ceil(side)).flat_map(|row| (0..size[0].div_ceil(side)).map(move |column| [column, row])) {
+            let mut chain = bins.tiles[(tile[1] * BINS_SIDE + tile[0]) as usize].clone();
+            assert!(chain.windows(2).all(|pair| place(&pair[0]) > place(&pair[1])), "tile {tile:?} is not near to far");
+            let narrow = |splat: &u32| !bins.wide.contains(splat);
+            chain.sort_unstable();
+            let within = |slack: f64| bins::bin(&oracle.splats, &order, tile, side, slack);
+            let missing: Vec<_> = within(-0.02).into_iter().filter(narrow).filter(|splat| chain.binary_search(splat).is_err()).collect();
+            assert!(missing.is_empty(), "tile {tile:?} from {distance} m lacks {missing:?}");
+            let most = within(0.02);
+            // The outermost tiles of the bins have what lies outside too; the picture's own edges do not matter here.
+            let surplus: Vec<_> = chain.iter().filter(|splat| tile[0] > 0 && tile[1] > 0 && !most.contains(splat)).collect();
+            assert!(surplus.is_empty(), "tile {tile:?} from {distance} m need not have {surplus:?}");
+            met += chain.len();
+        }
+        assert!(met > 300 || some_wide, "{met} splats in the tiles from {distance} m");
+    }
+    gpu::assert_valid();
+}
+
+#[test]
+fn frames_in_flight_do_not_show_in_each_other() {
+    let Some(device) = gpu::gpu() else { return };
+    let avatar = common::avatar(6, Sizes { gaussians: 3000, ..Sizes::default() });
+    let posed: Vec<_> = (0..5).map(|seed| Posed::new(&avatar, &common::pose(seed, &avatar))).collect();
+    let size = [220, 220];
+    for options in methods(size) {
+        let alone = |posed| {
+            let mut renderer = Renderer::new(&device, &avatar, options).unwrap();
+            renderer.draw(posed, &gpu::camera(&avatar, posed, size), None).unwrap();
+            renderer.picture().unwrap()
+        };
+        let mut renderer = Renderer::new(&device, &avatar, options).unwrap();
+        for last in 0..posed.len() {
+            for posed in posed.iter().cycle().skip(last).take(posed.len() + 1) {
+                renderer.draw(posed, &gpu::camera(&avatar, posed, size), None).unwrap();
+            }
+            assert!(renderer.picture().unwrap() == alone(&posed[last]), "picture {last} depends on those before it, {options:?}");
+        }
+    }
     gpu::assert_valid();
 }
 
 #[test]
 fn two_runs_give_the_same_bits() {
     let Some(device) = gpu::gpu() else { return };
-    let [first, second] = [0, 1].map(|_| gpu::frame(&device, 9, Sizes::default(), gpu::options([160, 160])));
-    assert!(first.picture == second.picture, "two runs differ");
+    for options in methods([160, 160]) {
+        let [first, second] = [0, 1].map(|_| gpu::frame(&device, 9, Sizes::default(), options));
+        assert!(first.picture == second.picture, "two runs differ, {options:?}");
+    }
     gpu::assert_valid();
 }

@@ -8,7 +8,7 @@ use effigy::{
     demo,
     frame::{Camera, Picture, Posed, Skip},
     measure::error,
-    vulkan::{Renderer, RendererOptions},
+    vulkan::{Renderer, RendererOptions, raster::Method},
 };
 use glam::DVec3;
 
@@ -96,5 +96,28 @@ fn hidden_gaussians_are_left_out_within_the_budget() {
         let difference = error::between(&picture, &exact);
         assert!(difference.covered.psnr_db > 50.0, "{:?} at {seconds} s", difference.covered);
     }
+    gpu::assert_valid();
+}
+
+/// What lies behind full pixels is left out where tiles are drawn, within the picture's budget.
+#[test]
+fn full_pixels_take_no_more_within_the_budget() {
+    let Some(device) = gpu::gpu() else { return };
+    let avatar = demo::avatar().unwrap();
+    let posed = Posed::new(&avatar, &Player::new(demo::clip().unwrap(), &avatar.skeleton).pose(1.0));
+    let bounds = effigy::frame::Extent::new(&avatar).bounds(&posed.joints);
+    let size = [480, 760];
+    let camera = Camera::orbit((bounds[0] + bounds[1]) / 2.0, 0.3, 0.1, Camera::framing_distance(bounds, 0.6, size), 0.6, size);
+    let draw = |skip| {
+        let options = RendererOptions { skip, method: Some(Method::Tiles), count: true, ..RendererOptions::new(size) };
+        let mut renderer = Renderer::new(&device, &avatar, options).unwrap();
+        renderer.draw(&posed, &camera, None).unwrap();
+        let picture = renderer.picture().unwrap();
+        (picture, renderer.report().counters.fragments.unwrap())
+    };
+    let ((exact, all), (picture, shaded)) = (draw(Skip::empty()), draw(Skip::FULL));
+    assert!(shaded * 10 < all * 9, "{shaded} of {all} shaded");
+    let difference = error::between(&picture, &exact);
+    assert!(difference.covered.psnr_db > 56.0 && difference.whole.max_error < 2.0 / 255.0, "{:?}", difference.covered);
     gpu::assert_valid();
 }

@@ -4,6 +4,7 @@
 //! It starts from the same stored numbers as the GPU, sorts by exact depth and blends in f64, so what a GPU's stage or picture differs
 //! by is that GPU's arithmetic.
 
+pub mod bins;
 pub mod features;
 pub mod harmonics;
 pub mod nodes;

@@ -19,7 +19,7 @@ use super::{
 use ash::vk;
 use hulls::Hulls;
 use std::sync::Arc;
-pub use tiles::{bins_size, tile};
+pub use tiles::{Bins, bins_size, tile};
 
 /// What the picture is blended or stored in.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -113,6 +113,14 @@ impl Raster {
         match self {
             Self::Hulls(hulls) => hulls.format(),
             Self::Tiles(tiles) => tiles.format(),
+        }
+    }
+
+    /// What the `bins` stage of the last frame left, for tests. None without that stage.
+    pub fn bins(&self) -> Result<Option<Bins>> {
+        match self {
+            Self::Hulls(_) => Ok(None),
+            Self::Tiles(tiles) => tiles.download().map(Some),
         }
     }
 

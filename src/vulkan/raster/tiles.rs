@@ -36,6 +36,14 @@ pub fn bins_size(capacity: u32) -> [u64; 2] {
     [heads, heads + 4 * u64::from(BINS_NODE) * u64::from(nodes(capacity)[1])]
 }
 
+/// What the `bins` stage left, read back.
+pub struct Bins {
+    /// Of each tile, row by row from the top left, [`BINS_SIDE`] in a row: numbers of splats.
+    pub tiles: Vec<Vec<u32>>,
+    /// Splats that every tile has.
+    pub wide: Vec<u32>,
+}
+
 pub struct Tiles {
     gpu: Arc<Gpu>,
     bins: Kernel,
@@ -77,9 +85,26 @@ impl Tiles {
         self.format
     }
 
-    /// The bins as they are, for tests.
-    pub fn download(&self) -> Result<Vec<u32>> {
-        Ok(bytemuck::pod_collect_to_vec(&self.buffer.download(self.buffer.size as usize)?))
+    /// The bins of the last frame, for tests: the splats of each tile, nearest first, and those of chains for the whole picture, which go
+    /// between them by their place in the order.
+    pub fn download(&self) -> Result<Bins> {
+        let words: Vec<u32> = bytemuck::pod_collect_to_vec(&self.buffer.download(self.buffer.size as usize)?);
+        let wide = BINS_BLOCKS as usize;
+        let heads = 2 + wide + (BINS_SIDE * BINS_SIDE) as usize;
+        let nodes = heads + (BINS_SIDE * BINS_SIDE * BINS_BLOCKS) as usize - BINS_NODE as usize;
+        let chain = |at: usize| {
+            let mut splats = Vec::new();
+            let mut chain = words[at] as usize;
+            while chain != 0 {
+                let held = chain % BINS_NODE as usize;
+                splats.extend((chain - held + 1..=chain).rev().map(|slot| words[nodes + slot]));
+                chain = words[nodes + chain - held] as usize;
+            }
+            splats
+        };
+        let tile = |tile: usize| (0..wide).rev().flat_map(|block| chain(heads + tile * wide + block)).collect();
+        let tiles = (0..(BINS_SIDE * BINS_SIDE) as usize).map(tile).collect();
+        Ok(Bins { tiles, wide: (0..wide).rev().flat_map(|block| chain(2 + block)).collect() })
     }
 
     pub fn resize(&mut self, size: [u32; 2]) -> Result<()> {
