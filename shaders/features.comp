@@ -40,7 +40,7 @@ void main() {
                 sum += dot(widen(networks[weight + k * layer.output_count]), x);
             }
             if (last) {
-                features[part * 4u * frame.feature_quads + o] = within(sum);
+                features[4u * (frame.feature_start + part * frame.feature_quads) + o] = within(sum);
             } else {
                 sum = within(sum);
                 activation[target + o] = max(sum, frame.slope * sum);

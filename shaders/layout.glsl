@@ -43,6 +43,8 @@ layout(std140, set = 0, binding = 0) uniform FrameBlock {
     vec2 surface_scale;
     float hull_opacity;
     uint body_quads;
+    uint feature_start;
+    uint first;
     Layer layer[MLP_LAYERS];
     vec4 network_input[2 * INPUT_QUADS];
     vec4 joint[3 * JOINTS];

@@ -16,7 +16,7 @@ void main() {
         return;
     }
     vec4 displacement = widen(nodes[3u * frame.basis_quads * frame.nodes + node]);
-    uint feature = uint(displacement.w) * frame.feature_quads + frame.node_feature;
+    uint feature = frame.feature_start + uint(displacement.w) * frame.feature_quads + frame.node_feature;
     displacement.w = 0.0;
     for (uint b = 0u; b < frame.basis_quads; ++b) {
         vec4 e = posed[feature + b];

@@ -13,8 +13,9 @@ layout(local_size_x = SPLATS_SIZE) in;
 layout(std430, set = 0, binding = 1) readonly buffer Gaussians { uvec4 gaussians[]; };
 layout(std430, set = 0, binding = 2) readonly buffer Rows { HALF_QUAD rows[]; };
 layout(std430, set = 0, binding = 3) readonly buffer PoseBuffer { vec4 posed[]; };
-// Four words a Gaussian, then, from the next multiple of 64 words on, a key a Gaussian.
-layout(std430, set = 0, binding = 4) writeonly buffer Splats { uint words[]; };
+// Four words a Gaussian of the scene, then, from the next multiple of 64 words on, a key a Gaussian, then what left_out.glsl counts.
+layout(std430, set = 0, binding = 4) buffer Splats { uint words[]; };
+#include "left_out.glsl"
 
 float row_dot(uint row, uint feature) {
     float sum = 0.0;
@@ -80,7 +81,7 @@ Gaussian load(uint i) {
 
 // Steps 2, 4 and 5: the correctives of the rows that were kept, and of the three nodes.
 void correct(uint i, inout Gaussian g) {
-    uint feature = g.part * frame.feature_quads;
+    uint feature = frame.feature_start + g.part * frame.feature_quads;
     uint block = GAUSSIAN_PLANES * frame.gaussians + 2u * (i / 32u);
     uvec4 head = gaussians[block];
     uvec4 tail = gaussians[block + 1u];
@@ -129,10 +130,12 @@ void main() {
     if (i >= frame.gaussians) {
         return;
     }
-    uint key_at = frame.key_start + i;
+    uint slot = frame.first + i;
+    uint key_at = frame.key_start + slot;
     words[key_at] = SORT_DROPPED;
     Gaussian g = load(i);
     if (float(g.opacity) <= frame.cutoff) {
+        left_out(FAINT);
         return;
     }
     correct(i, g);
@@ -149,16 +152,19 @@ void main() {
     vec3 p = vec3(dot(r0, x), dot(r1, x), dot(r2, x));
     // Comparisons here and below are written so that NaN fails them.
     if (!(p.z >= frame.near)) {
+        left_out(OUTSIDE);
         return;
     }
     vec2 center = frame.focal * p.xy / p.z + frame.center;
     if (!(all(greaterThanEqual(center, vec2(-frame.guard))) && all(lessThanEqual(center, frame.size + frame.guard)))) {
+        left_out(OUTSIDE);
         return;
     }
 
     float key = key_of(p.z);
     float stretched = exp2(float(g.radius) / 16.0 - 16.0) * length(vec3(p.xy / p.z, 1.0)) * max(frame.focal.x, frame.focal.y) / p.z;
     if (frame.surface_start > 0u && hidden(center, reach_of(g.opacity) * (stretched + sqrt(LOW_PASS)), 1.0 - key)) {
+        left_out(HIDDEN);
         return;
     }
 
@@ -176,15 +182,17 @@ void main() {
     float determinant = dot(across, across) + LOW_PASS * (covariance.x + covariance.z - LOW_PASS);
     vec2 extent = reach_of(g.opacity) * sqrt(covariance.xz);
     if (!(determinant > 0.0 && covariance.x <= VARIANCE_MAX && covariance.z <= VARIANCE_MAX)) {
+        left_out(DEGENERATE);
         return;
     }
     if (!(all(greaterThan(center + extent, vec2(0.0))) && all(lessThan(center - extent, frame.size)))) {
+        left_out(OUTSIDE);
         return;
     }
 
     uvec4 packed = pack_splat(center, covariance, determinant, clamp(g.color, 0.0, 1.0), g.opacity);
     for (uint k = 0u; k < 4u; ++k) {
-        words[4u * i + k] = packed[k];
+        words[4u * slot + k] = packed[k];
     }
     words[key_at] = min(uint(key * float(frame.key_max)), frame.key_max);
 }

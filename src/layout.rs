@@ -130,7 +130,7 @@ pub struct Frame {
     pub feature_quads: u32,
     /// Where in e the nodes' features start, in quads.
     pub node_feature: u32,
-    /// Where in the pose buffer the nodes' displacements start, in vectors; features are before them.
+    /// Where in the pose buffer the nodes' displacements start, in vectors.
     pub node_start: u32,
     /// Where in the row buffer each attribute's rows start, in half quads.
     pub rotation_start: u32,
@@ -158,6 +158,11 @@ pub struct Frame {
     pub hull_opacity: f32,
     /// Quads of inputs of the first layer outside the head: those after are zeros.
     pub body_quads: u32,
+    /// Where in the pose buffer this avatar's features start, in vectors.
+    pub feature_start: u32,
+    /// Where in the scene's splats and keys this avatar's start.
+    pub first: u32,
+    pub unused: [u32; 2],
     pub layer: [Layer; limits::MLP_LAYERS],
     /// θ_p ⊕ θ_e as the head parts see it, then as the others do, with zeros for θ_e.
     pub input: [[[f32; 4]; INPUT_QUADS]; 2],

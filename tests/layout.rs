@@ -126,6 +126,8 @@ fn the_frame_block_is_the_same_on_both_sides() {
         offset_of!(Frame, surface_scale),
         offset_of!(Frame, hull_opacity),
         offset_of!(Frame, body_quads),
+        offset_of!(Frame, feature_start),
+        offset_of!(Frame, first),
         offset_of!(Frame, layer),
         offset_of!(Frame, input),
         offset_of!(Frame, joint),
@@ -136,7 +138,7 @@ fn the_frame_block_is_the_same_on_both_sides() {
         for (variable, block) in reflection.variables(StorageClass::Uniform) {
             assert_eq!(reflection.decoration(variable, Decoration::Binding), Some(0), "{name}: the only uniform block is the frame's");
             assert_eq!(reflection.member_offsets(block), expected, "{name}: offsets of the frame block");
-            let layers = reflection.operand(block, 35);
+            let layers = reflection.operand(block, 37);
             assert_eq!(reflection.decoration(layers, Decoration::ArrayStride), Some(size_of::<Layer>() as u32), "{name}: stride of layers");
             assert_eq!(reflection.member_offsets(reflection.operand(layers, 0)), layer, "{name}: offsets of a layer");
             seen.set(seen.get() + 1);

@@ -5,10 +5,10 @@ mod common;
 use common::{Sizes, gpu};
 use effigy::{
     avatar::Avatar,
-    frame::{Camera, Posed},
+    frame::{Camera, Posed, Reasons, Skip},
     layout::{POSITION_BITS, SORT_DROPPED},
     reference::{Culled, Splat},
-    vulkan::{GpuOptions, block::fixed_scale},
+    vulkan::{GpuOptions, RendererOptions, block::fixed_scale},
 };
 use glam::{DVec2, DVec3};
 use half::f16;
@@ -80,10 +80,39 @@ fn check(frame: &gpu::Frame) {
     }
     let survivors = frame.gpu.keys.iter().filter(|&&key| key != SORT_DROPPED).count();
     assert_eq!(frame.gpu.control.survivors as usize, survivors, "survivors");
+    check_reasons(frame);
 }
 
-fn compare(options: GpuOptions) {
-    let Some(device) = gpu::open(options) else { return };
+/// Every Gaussian that is not drawn is counted once, for the reference's reason but for opacity, which the device looks at first.
+fn check_reasons(frame: &gpu::Frame) {
+    let counters = &frame.report.counters;
+    let got = counters.reasons.expect("they were asked for");
+    assert_eq!(got.outside + got.hidden + got.faint + got.degenerate, counters.culled);
+    let culled =
+        frame.oracle.splats.iter().zip(&frame.oracle.gaussians).filter_map(|(splat, gaussian)| Some((splat.as_ref().err()?, gaussian)));
+    let mut expected = Reasons::default();
+    for (reason, gaussian) in culled {
+        let count = match reason {
+            _ if effigy::frame::reach(gaussian.opacity).is_none() => &mut expected.faint,
+            Culled::Behind | Culled::Guard | Culled::Outside | Culled::Faint => &mut expected.outside,
+            Culled::Invalid => &mut expected.degenerate,
+        };
+        *count += 1;
+    }
+    let close = (0..frame.oracle.splats.len()).filter(|&at| close_call(frame, at)).count() as u64;
+    for (got, expected) in [(got.outside, expected.outside), (got.degenerate, expected.degenerate)] {
+        assert!(got.abs_diff(expected) <= close, "{got} counted, {expected} expected, {close} hang on less than f32 can tell");
+    }
+    assert_eq!((got.faint, got.hidden), (expected.faint, 0));
+}
+
+/// Nothing is left out as a whole, and all that is left out is counted.
+fn options(size: [u32; 2]) -> RendererOptions {
+    RendererOptions { count: true, skip: Skip::all() - Skip::AVATARS - Skip::HIDDEN, ..gpu::options(size) }
+}
+
+fn compare(device: GpuOptions) {
+    let Some(device) = gpu::open(device) else { return };
     let sizes = [
         Sizes::default(),
         Sizes { split_features: true, rows: 3000, basis: 32, ..Sizes::default() },
@@ -91,7 +120,7 @@ fn compare(options: GpuOptions) {
         Sizes { gaussians: 1, rows: 1, nodes: 1, parts: 1, ..Sizes::default() },
     ];
     for (seed, sizes) in (0..).zip(sizes) {
-        check(&gpu::frame(&device, seed, sizes, gpu::options([500, 300])));
+        check(&gpu::frame(&device, seed, sizes, options([500, 300])));
     }
     gpu::assert_valid();
 }
@@ -138,7 +167,7 @@ fn hostile_gaussians_and_cameras_agree_too() {
         let target = (min + max) / 2.0;
         for (distance, fov) in CAMERAS {
             let camera = Camera::orbit(target, 0.3, 0.1, distance, fov, [300, 200]);
-            check(&gpu::draw(&device, avatar.clone(), posed.clone(), camera, gpu::options([300, 200])));
+            check(&gpu::draw(&device, avatar.clone(), posed.clone(), camera, options([300, 200])));
         }
     }
     gpu::assert_valid();

@@ -11,7 +11,7 @@ pub mod skip;
 use crate::avatar::{Avatar, Pose};
 pub use camera::Camera;
 pub use check::Unusable;
-pub use counters::Counters;
+pub use counters::{Counters, Reasons};
 pub use extent::Extent;
 use glam::DAffine3;
 pub use picture::Picture;
@@ -51,6 +51,12 @@ pub struct Posed {
 impl Posed {
     pub fn new(avatar: &Avatar, pose: &Pose) -> Self {
         Self { joints: avatar.skeleton.matrices(pose), input: avatar.inputs.of(pose), expression: avatar.inputs.expression }
+    }
+
+    /// The same somewhere else: `place` goes from this world to the one that it stands in.
+    pub fn placed(mut self, place: DAffine3) -> Self {
+        self.joints.iter_mut().for_each(|joint| *joint = place * *joint);
+        self
     }
 }
 

@@ -20,6 +20,8 @@ bitflags::bitflags! {
         const HIDDEN = 1 << 5;
         /// Fragments behind the depth surface.
         const DEPTH = 1 << 6;
+        /// Avatars that are all outside the view: every stage of theirs.
+        const AVATARS = 1 << 8;
     }
 }
 
@@ -66,6 +68,6 @@ mod tests {
         }
         assert_eq!("all".parse(), Ok(Skip::all()));
         assert_eq!("hidden, depth".parse(), Ok(Skip::HIDDEN | Skip::DEPTH));
-        assert!("everything".parse::<Skip>().is_err_and(|error| error.contains("hidden,depth")));
+        assert!("everything".parse::<Skip>().is_err_and(|error| error.contains("hidden,depth,avatars")));
     }
 }

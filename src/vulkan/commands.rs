@@ -4,9 +4,11 @@ use super::{
     device::Gpu,
     error::{During, Result},
     memory::{Buffer, to_host},
+    pipeline::Slice,
+    splats::REASONS,
 };
 use crate::{
-    frame::{Counters, Needed},
+    frame::{Counters, Reasons},
     layout::Control,
 };
 use ash::vk;
@@ -52,7 +54,9 @@ pub struct Slot {
     /// Counts fragments.
     statistics: Option<vk::QueryPool>,
     counted: bool,
-    dispatches: u64,
+    /// What was known of the frame before it was drawn.
+    known: Counters,
+    reasons: bool,
     /// The frame's counts, copied here by the device.
     counts: Buffer,
     /// Stages with a pair of timestamps in the frame under way.
@@ -63,8 +67,8 @@ pub struct Slot {
 
 impl Slot {
     pub fn new(gpu: &Arc<Gpu>) -> Result<Self> {
-        let counts =
-            Buffer::new(gpu, "frame counts", size_of::<Control>() as u64, vk::BufferUsageFlags::TRANSFER_DST, MemoryLocation::GpuToCpu)?;
+        let size = size_of::<Control>() as u64 + REASONS;
+        let counts = Buffer::new(gpu, "frame counts", size, vk::BufferUsageFlags::TRANSFER_DST, MemoryLocation::GpuToCpu)?;
         let mut slot = Self {
             gpu: gpu.clone(),
             pool: Default::default(),
@@ -73,7 +77,8 @@ impl Slot {
             queries: None,
             statistics: None,
             counted: false,
-            dispatches: 0,
+            known: Counters::default(),
+            reasons: false,
             counts,
             marked: Vec::with_capacity(STAGES.len()),
             skipped: Vec::with_capacity(STAGES.len()),
@@ -109,15 +114,16 @@ impl Slot {
         }
         self.gpu.wait(self.fence, "a frame")?;
         self.pending = false;
-        let control: Control = bytemuck::pod_read_unaligned(&self.counts.mapped()[..size_of::<Control>()]);
+        let (control, reasons) = self.counts.mapped().split_at(size_of::<Control>());
+        let control: Control = bytemuck::pod_read_unaligned(control);
+        let [outside, hidden, faint, degenerate] = bytemuck::pod_read_unaligned::<[u32; 4]>(&reasons[..REASONS as usize]).map(u64::from);
+        let drawn = u64::from(control.survivors);
         let counters = Counters {
-            gaussians: u64::from(control.entering),
-            culled: u64::from(control.entering.saturating_sub(control.survivors)),
-            drawn: u64::from(control.survivors),
+            culled: self.known.gaussians.saturating_sub(drawn),
+            drawn,
+            reasons: self.reasons.then_some(Reasons { outside, hidden, faint, degenerate }),
             fragments: self.fragments()?,
-            dispatches: self.dispatches,
-            submitted: 1,
-            ..Counters::default()
+            ..self.known
         };
         Ok(Some(FrameReport { stages: self.times()?, counters, skipped: self.skipped.clone() }))
     }
@@ -183,10 +189,9 @@ impl Slot {
         });
     }
 
-    /// Notes how many dispatches the frame has: one a stage but for the sort's.
-    pub fn count(&mut self, harmonics: bool, needed: Needed, surface: bool, sort: usize) {
-        let view = 1 + u64::from(harmonics) + u64::from(surface) + sort as u64;
-        self.dispatches = 2 * u64::from(needed.pose) + if needed.view { view } else { 0 };
+    /// Notes what is known of the frame before it is drawn.
+    pub fn note(&mut self, known: Counters) {
+        self.known = known;
     }
 
     fn fragments(&self) -> Result<Option<u64>> {
@@ -216,8 +221,9 @@ impl Slot {
         }
     }
 
-    /// Copies the frame's counts, ends recording and submits. `semaphores`: what to wait for before colour output, and what to signal.
-    pub fn submit(&mut self, control: &Buffer, semaphores: Option<(vk::Semaphore, vk::Semaphore)>) -> Result<()> {
+    /// Copies the frame's counts, ends recording and submits. `reasons`: why Gaussians were left out, where that was counted.
+    /// `semaphores`: what to wait for before colour output, and what to signal.
+    pub fn submit(&mut self, control: &Buffer, reasons: Option<Slice>, semaphores: Option<(vk::Semaphore, vk::Semaphore)>) -> Result<()> {
         let device = &self.gpu.raw;
         let size = size_of::<Control>() as u64;
         let (wait, signal): (Vec<_>, Vec<_>) = semaphores.into_iter().unzip();
@@ -231,11 +237,16 @@ impl Slot {
         // SAFETY: the command buffer is recording; buffers, fence and semaphores are alive and free.
         unsafe {
             device.cmd_copy_buffer(self.commands, control.raw, self.counts.raw, &[vk::BufferCopy { src_offset: 0, dst_offset: 0, size }]);
+            if let Some(reasons) = reasons {
+                let region = vk::BufferCopy { src_offset: reasons.offset, dst_offset: size, size: reasons.size };
+                device.cmd_copy_buffer(self.commands, reasons.buffer, self.counts.raw, &[region]);
+            }
             to_host(&self.gpu, self.commands);
             device.end_command_buffer(self.commands).during("vkEndCommandBuffer")?;
             device.reset_fences(&[self.fence]).during("vkResetFences")?;
         }
         self.gpu.submit(&[submit], self.fence)?;
+        self.reasons = reasons.is_some();
         self.pending = true;
         Ok(())
     }

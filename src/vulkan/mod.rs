@@ -1,11 +1,12 @@
 //! The stages on the GPU, on Vulkan 1.1 and what each device has beyond it.
 //!
-//! [`Gpu`] is a device; [`Renderer`] draws one avatar with it, headless. The stages have a file each, in the order a frame runs them.
+//! [`Gpu`] is a device; [`Renderer`] draws an avatar, or several copies of it, with it, headless. The stages have a file each, in the order a frame runs them.
 
 pub mod block;
 pub mod cache;
 mod check;
 pub mod commands;
+mod control;
 pub mod device;
 pub mod error;
 pub mod features;
@@ -15,6 +16,7 @@ pub mod instance;
 pub mod memory;
 pub mod model;
 pub mod nodes;
+pub mod options;
 pub mod picture;
 pub mod pipeline;
 pub mod present;
@@ -22,6 +24,7 @@ pub mod preset;
 pub mod probe;
 pub mod raster;
 pub mod renderer;
+mod scene;
 pub mod shaders;
 pub mod sort;
 pub mod splats;
@@ -31,5 +34,6 @@ pub mod swapchain;
 
 pub use device::{Gpu, GpuOptions};
 pub use error::{Error, Result};
+pub use options::RendererOptions;
 pub use probe::Probe;
-pub use renderer::{Renderer, RendererOptions};
+pub use renderer::Renderer;

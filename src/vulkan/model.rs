@@ -96,7 +96,6 @@ fn constants(avatar: &Avatar) -> Frame {
         basis_quads: avatar.basis_len() as u32 / 4,
         feature_quads: features as u32,
         node_feature: avatar.node_feature_start() as u32 / 4,
-        node_start: (avatar.parts.len() * features) as u32,
         layers: avatar.networks.layers.len() as u32,
         slope: match avatar.networks.activation {
             Activation::Relu => 0.0,

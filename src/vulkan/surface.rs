@@ -120,8 +120,8 @@ impl Surface {
         Ok(Self { gpu: gpu.clone(), mesh, pyramid, pass, sampler, _image: image })
     }
 
-    /// Draws what `frame` says at `place`; graphics, then compute.
-    pub fn record(&self, commands: vk::CommandBuffer, frame: u32, place: &Place) {
+    /// Draws the mesh of each of `frames`, at least one, at `place`; graphics, then compute.
+    pub fn record(&self, commands: vk::CommandBuffer, frames: &[u32], place: &Place) {
         let whole = vk::Rect2D { offset: vk::Offset2D::default(), extent: vk::Extent2D { width: SURFACE_DRAWN, height: SURFACE_DRAWN } };
         let clear = [vk::ClearValue { depth_stencil: vk::ClearDepthStencilValue { depth: 1.0, stencil: 0 } }];
         let begin = vk::RenderPassBeginInfo::default()
@@ -135,11 +135,11 @@ impl Surface {
             device.cmd_begin_render_pass(commands, &begin, vk::SubpassContents::INLINE);
             device.cmd_set_viewport(commands, 0, &[place.viewport()]);
             device.cmd_set_scissor(commands, 0, &[whole]);
-            self.mesh.record(commands, frame);
+            frames.iter().for_each(|&frame| self.mesh.record(commands, frame));
             device.cmd_end_render_pass(commands);
         }
         let groups = SURFACE_FINEST / SURFACE_SIZE;
-        self.pyramid.dispatch_2d(commands, frame, [groups, groups]);
+        self.pyramid.dispatch_2d(commands, frames[0], [groups, groups]);
     }
 }
 

@@ -22,7 +22,7 @@ pub fn case(gpu: &Arc<Gpu>, task: &Task, setting: &Setting, case: Case, progress
     let setting = &setting.of(case);
     let scenes = scene::scenes(case, &task.set(setting));
     let avatar = setting.fit(task.avatar);
-    let mut drawer = Drawer::new(gpu, &avatar, setting)?;
+    let mut drawer = Drawer::new(gpu, &avatar, setting, case, false)?;
     let samples = run::time(&mut drawer, &scenes, task.warm_up, |done| progress(&format!("{case}: timing"), done, scenes.len()))?;
     let (used, reserved) = gpu.memory();
     let cost = Cost { used, reserved, timed: gpu.probe.timestamp_bits > 0 };
@@ -30,7 +30,11 @@ pub fn case(gpu: &Arc<Gpu>, task: &Task, setting: &Setting, case: Case, progress
     let mut oracle = Oracle::new(task.avatar);
     let mut show = |what: &str, done, all| progress(&format!("{case}: {what}"), done, all);
     let checked = check::check(&mut drawer, &scenes, &numbers, &mut oracle, task.flip, &mut show)?;
-    Ok(report(case, (&avatar, setting), samples, checked, cost))
+    // Counting takes time, so it has a turn of its own.
+    drop(drawer);
+    let mut drawer = Drawer::new(gpu, &avatar, setting, case, true)?;
+    let counted = run::count(&mut drawer, &scenes, |done| progress(&format!("{case}: counting"), done, scenes.len()))?;
+    Ok(report(case, (&avatar, setting), samples, (counters(&counted), checked), cost))
 }
 
 /// What the device says besides the frames.
@@ -46,12 +50,11 @@ fn report(
     case: Case,
     (avatar, setting): (&Avatar, &Setting),
     samples: Samples,
-    checked: Checked,
+    (counters, checked): (BTreeMap<String, f64>, Checked),
     Cost { used, reserved, timed }: Cost,
 ) -> CaseReport {
     let Samples { intervals, reports } = samples;
-    let counters = counters(&reports);
-    let work = bytes::per_stage(avatar, &setting.options, seen(&counters, checked.covered));
+    let work = work(avatar, setting, &counters, checked.covered);
     let stages = stages(&reports, &work);
     let mean = |of: fn(&StageReport) -> u64| stages.iter().map(|stage| stage.ran * of(stage) as f64).sum::<f64>().round() as u64;
     let frames = intervals.len();
@@ -90,6 +93,32 @@ pub fn counters(reports: &[FrameReport]) -> BTreeMap<String, f64> {
     }
     let all = sums.into_iter().filter(|(_, (frames, _))| *frames == reports.len());
     all.map(|(name, (frames, sum))| (name, sum as f64 / frames as f64)).collect()
+}
+
+/// The work of a frame: what each avatar in view costs, and what all cost together.
+fn work(avatar: &Avatar, setting: &Setting, counters: &BTreeMap<String, f64>, covered: Option<f64>) -> Vec<Work> {
+    let count = |name: &str| counters.get(name).copied().unwrap_or_default();
+    let (all, culled) = (count("avatars"), count("avatars_culled"));
+    let in_view = (all - culled).max(0.0);
+    let mut together = seen(counters, covered);
+    if all > 0.0 {
+        together.gaussians = (count("gaussians") * in_view / all).round() as u64;
+    }
+    let share = |of: u64| if in_view > 0.0 { (of as f64 / in_view).round() as u64 } else { 0 };
+    let each = Seen { gaussians: share(together.gaussians), drawn: share(together.drawn), ..together };
+    let times = |of: u64| (of as f64 * in_view).round() as u64;
+    let scaled = |work: &Work| Work {
+        bytes: times(work.bytes),
+        bytes_floor: times(work.bytes_floor),
+        operations: work.operations.map(times),
+        operations_floor: work.operations_floor.map(times),
+        ..*work
+    };
+    let [each, mut together] = [each, together].map(|seen| bytes::per_stage(avatar, &setting.options, seen));
+    for (one, all) in each.iter().zip(&mut together).filter(|(one, _)| !matches!(one.stage, "sort" | "raster")) {
+        *all = scaled(one);
+    }
+    together
 }
 
 /// What the counted work depends on.

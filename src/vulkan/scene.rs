@@ -1,0 +1,89 @@
+//! What a frame is made of, before anything is asked of the device: posed avatars and a camera go in; which of them are in view, what
+//! each needs, and what all of them share come out.
+
+use super::{options::RendererOptions, surface::Place};
+use crate::frame::{Camera, Counters, Extent, Needed, Plan, Posed, Skip};
+use glam::UVec2;
+
+/// An avatar in view.
+pub(super) struct Actor<'a> {
+    /// Which of the renderer's places it has: that of its pose in what [`Scene::next`] was given.
+    pub number: usize,
+    pub posed: &'a Posed,
+    pub needed: Needed,
+}
+
+/// What one frame draws.
+pub(super) struct Staged<'a> {
+    pub actors: Vec<Actor<'a>>,
+    /// `splats`, `sort` and `raster`: something in the picture has changed.
+    pub view: bool,
+    /// Nearest and furthest that is expected, metres.
+    pub depth: [f64; 2],
+    /// What the depth surface covers, where one is worth drawing.
+    pub place: Option<Place>,
+    /// Avatars in the scene, whether in view or not.
+    pub avatars: usize,
+}
+
+/// Remembers what the last frame showed.
+#[derive(Clone, Default)]
+pub(super) struct Scene {
+    plans: Vec<Plan>,
+    /// Those that it drew.
+    in_view: Option<Vec<usize>>,
+}
+
+impl Scene {
+    /// What the next frame needs, but for what `options` let it leave out. `surface`: whether there is a depth surface to draw.
+    pub fn next<'a>(
+        &mut self,
+        poses: &[&'a Posed],
+        camera: &Camera,
+        (extent, options, surface): (&Extent, &RendererOptions, bool),
+    ) -> Staged<'a> {
+        self.plans.resize(options.actors, Plan::default());
+        let skip = options.skip;
+        let numbered = poses.iter().copied().enumerate();
+        let seen = numbered.filter(|(_, posed)| !skip.contains(Skip::AVATARS) || extent.in_view(&posed.joints, camera));
+        let actors: Vec<_> =
+            seen.map(|(number, posed)| Actor { number, posed, needed: self.plans[number].next(posed, camera, skip) }).collect();
+        let in_view: Vec<_> = actors.iter().map(|actor| actor.number).collect();
+        let others = !skip.contains(Skip::FRAME) || self.in_view.as_ref() != Some(&in_view);
+        let view = others || actors.iter().any(|actor| actor.needed.view);
+        self.in_view = Some(in_view);
+        let place = (surface && !actors.is_empty()).then(|| Place::new(camera.size, screen(&actors, extent, camera)));
+        Staged { depth: depth(&actors, extent, camera), actors, view, place, avatars: poses.len() }
+    }
+}
+
+impl Staged<'_> {
+    /// What is known of the frame before it is drawn. `harmonics`, `surface`: whether it has those stages; `sort`: dispatches of the sort.
+    pub fn counters(&self, gaussians: u32, (harmonics, surface, sort): (bool, bool, usize)) -> Counters {
+        let drawn = self.actors.len() as u64;
+        let posed = self.actors.iter().filter(|actor| actor.needed.pose).count() as u64;
+        let view = drawn * (1 + u64::from(harmonics)) + if drawn > 0 { u64::from(surface) + sort as u64 } else { 0 };
+        Counters {
+            avatars: self.avatars as u64,
+            avatars_culled: self.avatars as u64 - drawn,
+            gaussians: self.avatars as u64 * u64::from(gaussians),
+            dispatches: 2 * posed + if self.view { view } else { 0 },
+            submitted: 1,
+            ..Counters::default()
+        }
+    }
+}
+
+/// A box in the picture around all of them.
+fn screen(actors: &[Actor], extent: &Extent, camera: &Camera) -> [UVec2; 2] {
+    let boxes = actors.iter().map(|actor| extent.screen(&actor.posed.joints, camera));
+    // Those that are empty lie anywhere.
+    let full = boxes.filter(|[min, max]| min.cmplt(*max).all());
+    full.reduce(|[low, high], [min, max]| [low.min(min), high.max(max)]).unwrap_or_default()
+}
+
+/// A range of depths around all of them; any where there are none.
+fn depth(actors: &[Actor], extent: &Extent, camera: &Camera) -> [f64; 2] {
+    let ranges = actors.iter().map(|actor| extent.depth(&actor.posed.joints, camera));
+    ranges.reduce(|[low, high], [near, far]| [low.min(near), high.max(far)]).unwrap_or([camera.near, 2.0 * camera.near])
+}
