@@ -147,7 +147,7 @@ fn camera(case: Case, set: &Set, extent: &Extent, frame: usize) -> Camera {
 /// picture.
 fn looked_at(case: Case, frame: usize) -> Range<usize> {
     let all = case.actors();
-    0..if frame / TAKE % 2 == 0 { all.div_ceil(2) } else { all }
+    0..if (frame / TAKE).is_multiple_of(2) { all.div_ceil(2) } else { all }
 }
 
 /// Straight in front of the face: of the joint `head`, else of what would be the head of the bounds.
@@ -247,7 +247,7 @@ mod tests {
             let extent = Extent::new(set.avatar);
             let in_view = |scene: &Scene| scene.actors.iter().filter(|actor| extent.in_view(&actor.shown.joints, &scene.camera)).count();
             assert_eq!([in_view(&scenes[0]), in_view(&scenes[TAKE])], [3, 4]);
-            let stand = |actor: &Actor| (|[min, max]: [DVec3; 2]| (min + max) / 2.0)(extent.bounds(&actor.shown.joints));
+            let stand = |actor: &Actor| extent.bounds(&actor.shown.joints).into_iter().sum::<DVec3>() / 2.0;
             for pair in scenes[0].actors.windows(2) {
                 let apart = (stand(&pair[1]) - stand(&pair[0])).length();
                 assert!(apart > 0.4 && pair[0].shown.input != pair[1].shown.input, "{apart} m apart");
