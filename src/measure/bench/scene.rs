@@ -143,11 +143,11 @@ fn camera(case: Case, set: &Set, extent: &Extent, frame: usize) -> Camera {
     Camera::orbit((min + max) / 2.0, yaw, PITCH, distance, FOV, set.size)
 }
 
-/// The avatars that the camera is for: of several, in every other take only half, so that others are partly or all outside the
+/// The avatars that the camera is for: of several, in every other take only the first, so that others are partly or all outside the
 /// picture.
 fn looked_at(case: Case, frame: usize) -> Range<usize> {
     let all = case.actors();
-    0..if (frame / TAKE).is_multiple_of(2) { all.div_ceil(2) } else { all }
+    0..if (frame / TAKE).is_multiple_of(2) { all.div_ceil(4) } else { all }
 }
 
 /// Straight in front of the face: of the joint `head`, else of what would be the head of the bounds.
@@ -246,7 +246,8 @@ mod tests {
             let scenes = scenes(Case::Four, &Set { frames: 2 * TAKE, ..set });
             let extent = Extent::new(set.avatar);
             let in_view = |scene: &Scene| scene.actors.iter().filter(|actor| extent.in_view(&actor.shown.joints, &scene.camera)).count();
-            assert_eq!([in_view(&scenes[0]), in_view(&scenes[TAKE])], [3, 4]);
+            let seen = [in_view(&scenes[0]), in_view(&scenes[TAKE])];
+            assert!(seen[0] < 4 && seen[1] == 4, "{seen:?}");
             let stand = |actor: &Actor| extent.bounds(&actor.shown.joints).into_iter().sum::<DVec3>() / 2.0;
             for pair in scenes[0].actors.windows(2) {
                 let apart = (stand(&pair[1]) - stand(&pair[0])).length();
