@@ -20,6 +20,10 @@ bitflags::bitflags! {
         const HIDDEN = 1 << 5;
         /// Fragments behind the depth surface.
         const DEPTH = 1 << 6;
+        /// Correctives and skinning when only the camera has moved: what they gave before is kept, rounded.
+        const SKINNING = 1 << 7;
+        /// Parts outside the view: their Gaussians, and their networks until they are seen.
+        const PARTS = 1 << 8;
     }
 }
 

@@ -1,6 +1,6 @@
 //! The uniform block of a frame: a posed avatar, a camera and the renderer's options go in, what the shaders read of them comes out.
 
-use super::{renderer::RendererOptions, splats::key_offset, surface::Place};
+use super::{renderer::RendererOptions, surface::Place};
 use crate::{
     frame::{Camera, Posed, Skip},
     layout::{Frame, POSITION_BITS},
@@ -28,7 +28,6 @@ pub(super) fn fill(
     block.key_far = depth[1] as f32;
     block.key_scale = (1.0 / (depth[1] - depth[0])) as f32;
     block.key_max = options.key_bits.largest();
-    block.key_start = (key_offset(block.gaussians) / 4) as u32;
     block.cutoff = (255.0 * options.cutoff) as f32;
     block.hull_opacity = if options.skip.contains(Skip::FAINT) { 0.0 } else { 255.0 };
     let quads = if options.skip.contains(Skip::INPUTS) { (posed.input.len() - posed.expression).div_ceil(4) as u32 } else { u32::MAX };
@@ -49,7 +48,7 @@ pub(super) fn fill(
 }
 
 /// Rows of the 3 by 4 matrix of an affine map.
-fn matrix_rows(map: DAffine3) -> [[f32; 4]; 3] {
+pub(super) fn matrix_rows(map: DAffine3) -> [[f32; 4]; 3] {
     let columns = [map.matrix3.x_axis, map.matrix3.y_axis, map.matrix3.z_axis, map.translation];
     std::array::from_fn(|row| columns.map(|column| column[row] as f32))
 }

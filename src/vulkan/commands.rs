@@ -5,10 +5,7 @@ use super::{
     error::{During, Result},
     memory::{Buffer, to_host},
 };
-use crate::{
-    frame::{Counters, Needed},
-    layout::Control,
-};
+use crate::{frame::Counters, layout::Control};
 use ash::vk;
 use gpu_allocator::MemoryLocation;
 use std::sync::Arc;
@@ -16,7 +13,7 @@ use std::sync::Arc;
 /// Frames that may be under way at once.
 pub const SLOTS: usize = 2;
 /// Stages in the order a frame runs them; their names in labels, timestamps, tables and the overlay.
-pub const STAGES: [&str; 8] = ["features", "nodes", "harmonics", "surface", "splats", "sort", "raster", "present"];
+pub const STAGES: [&str; 7] = ["features", "harmonics", "surface", "splats", "sort", "raster", "present"];
 
 /// What a finished frame took and drew.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -52,7 +49,8 @@ pub struct Slot {
     /// Counts fragments.
     statistics: Option<vk::QueryPool>,
     counted: bool,
-    dispatches: u64,
+    /// The counts that the host knows.
+    known: Counters,
     /// The frame's counts, copied here by the device.
     counts: Buffer,
     /// Stages with a pair of timestamps in the frame under way.
@@ -73,7 +71,7 @@ impl Slot {
             queries: None,
             statistics: None,
             counted: false,
-            dispatches: 0,
+            known: Counters::default(),
             counts,
             marked: Vec::with_capacity(STAGES.len()),
             skipped: Vec::with_capacity(STAGES.len()),
@@ -115,9 +113,8 @@ impl Slot {
             culled: u64::from(control.entering.saturating_sub(control.survivors)),
             drawn: u64::from(control.survivors),
             fragments: self.fragments()?,
-            dispatches: self.dispatches,
             submitted: 1,
-            ..Counters::default()
+            ..self.known
         };
         Ok(Some(FrameReport { stages: self.times()?, counters, skipped: self.skipped.clone() }))
     }
@@ -183,10 +180,9 @@ impl Slot {
         });
     }
 
-    /// Notes how many dispatches the frame has: one a stage but for the sort's.
-    pub fn count(&mut self, harmonics: bool, needed: Needed, surface: bool, sort: usize) {
-        let view = 1 + u64::from(harmonics) + u64::from(surface) + sort as u64;
-        self.dispatches = 2 * u64::from(needed.pose) + if needed.view { view } else { 0 };
+    /// Notes what the host knows of the frame's counts before it runs. Dispatches are one a stage but for the sort's.
+    pub fn count(&mut self, counts: Counters) {
+        self.known = counts;
     }
 
     fn fragments(&self) -> Result<Option<u64>> {

@@ -7,9 +7,9 @@ use super::{
     error::Result,
     features::Features,
     harmonics::Harmonics,
+    keeper::Keeper,
     memory::Buffer,
     model::Model,
-    nodes::Nodes,
     picture::Copied,
     pipeline::{Slice, barrier},
     raster::{ColorFormat, Raster},
@@ -19,7 +19,7 @@ use super::{
 };
 use crate::{
     avatar::Avatar,
-    frame::{ALPHA_MIN, Camera, Extent, Needed, Picture, Plan, Posed, Skip},
+    frame::{ALPHA_MIN, Body, Camera, Counters, Extent, Needed, Needs, PartSet, Picture, Plan, Posed, Skip},
     layout::{Control, Frame, RASTER_QUADS},
 };
 use ash::vk::{self, AccessFlags, PipelineStageFlags};
@@ -83,13 +83,19 @@ pub struct Stages {
     pub control: Control,
 }
 
+/// What a frame does with the avatar's parts.
+struct Parts {
+    outside: PartSet,
+    /// Those that run.
+    networks: PartSet,
+}
+
 /// An avatar on a device.
 pub struct Renderer {
     // Slots come first: dropping them waits for the frames that use all else.
     slots: Vec<Slot>,
     surface: Surface,
     features: Features,
-    nodes: Nodes,
     harmonics: Option<Harmonics>,
     splats: Splats,
     sort: Sort,
@@ -100,6 +106,9 @@ pub struct Renderer {
     frames: Buffer,
     model: Model,
     extent: Extent,
+    needs: Needs,
+    /// What was kept where only the camera moves.
+    keeper: Keeper,
     options: RendererOptions,
     plan: Plan,
     next: usize,
@@ -127,15 +136,18 @@ impl Renderer {
         let control = Control { index_count: 6 * RASTER_QUADS, entering: constants.gaussians, ..Control::default() };
         let control = Buffer::with_data(gpu, "control", bytes_of(&control), storage | vk::BufferUsageFlags::INDIRECT_BUFFER)?;
         let frame = Slice { buffer: frames.raw, offset: 0, size: size_of::<Frame>() as u64 };
-        let splats = Splats::new(gpu, &model, frame, (&pose).into())?;
         let variant = options.sort.map_or_else(|| choice::choose(gpu).map(|verdict| verdict.variant), Ok)?;
-        let sort = Sort::new(gpu, splats.keys(), &control, constants.gaussians, SortOptions::new(options.key_bits, variant))?;
+        // Where colours change with the view, nothing is kept.
+        let options = RendererOptions { skip: if avatar.harmonics.is_some() { options.skip - Skip::SKINNING } else { options.skip }, ..options };
+        let keep = options.skip.contains(Skip::SKINNING);
+        let splats = Splats::new(gpu, &model, frame, (&pose).into(), (options.key_bits, variant), keep)?;
+        let sort_options = SortOptions { counts: Some(splats.counts()), ..SortOptions::new(options.key_bits, variant) };
+        let sort = Sort::new(gpu, splats.keys(), &control, constants.gaussians, sort_options)?;
         let raster = Raster::new(gpu, frame, [sort.order(), splats.all(), (&control).into()], (&model.occluder, (&pose).into()), &options)?;
         Ok(Self {
             slots: (0..SLOTS).map(|_| Slot::new(gpu)).collect::<Result<_>>()?,
             surface: Surface::new(gpu, frame, &model.occluder, (&pose).into())?,
             features: Features::new(gpu, &model, frame, (&pose).into())?,
-            nodes: Nodes::new(gpu, &model, frame, (&pose).into())?,
             harmonics: Harmonics::new(gpu, avatar, &model, frame)?,
             splats,
             sort,
@@ -144,6 +156,8 @@ impl Renderer {
             pose,
             frames,
             extent: Extent::new(avatar),
+            needs: Needs::new(avatar),
+            keeper: Keeper::default(),
             model,
             options,
             plan: Plan::default(),
@@ -190,9 +204,16 @@ impl Renderer {
             self.report = FrameReport::idle(self.harmonics.is_some());
             return Ok(());
         }
-        let surface = self.write_frame(slot, posed, camera);
+        let seen = if self.options.skip.contains(Skip::PARTS) && needed.body != Body::Keep {
+            self.extent.visible(&posed.joints, camera)
+        } else {
+            PartSet::ALL
+        };
+        let networks = plan.networks(&needed, &self.needs, &seen);
+        let parts = Parts { outside: self.needs.all() - seen, networks };
+        let surface = self.write_frame(slot, posed, camera, (needed.body, &parts));
         self.slots[slot].begin()?;
-        self.record(slot, needed, surface);
+        self.record(slot, needed, &parts, surface);
         let semaphores = presentation.map(|presentation| {
             self.slots[slot].stage("present", presentation.record);
             (presentation.acquired, presentation.finished)
@@ -204,39 +225,50 @@ impl Renderer {
     }
 
     /// The frame: which stages run, in which order, and what each waits for.
-    fn record(&mut self, slot: usize, needed: Needed, place: Option<Place>) {
+    fn record(&mut self, slot: usize, needed: Needed, parts: &Parts, place: Option<Place>) {
         let frame = (slot * FRAME_STRIDE) as u32;
-        let Self { slots, options, features, nodes, harmonics, surface, splats, sort, raster, control, gpu, .. } = self;
+        let Self { slots, options, features, harmonics, surface, splats, sort, raster, control, gpu, model, .. } = self;
+        let constants = &model.constants;
         let slot = &mut slots[slot];
         let commands = slot.commands;
         let compute = PipelineStageFlags::COMPUTE_SHADER;
         let written = (compute, AccessFlags::SHADER_WRITE);
         let shared = (compute, AccessFlags::SHADER_READ | AccessFlags::SHADER_WRITE);
-        slot.count(harmonics.is_some(), needed, place.is_some() && options.skip.contains(Skip::HIDDEN), sort.dispatches(false));
+        let place = place.as_ref();
+        let hides = place.filter(|_| options.skip.contains(Skip::HIDDEN));
+        let networks = parts.networks;
+        let view = 1 + u64::from(harmonics.is_some()) + u64::from(hides.is_some()) + sort.dispatches(true) as u64;
+        slot.count(Counters {
+            networks: networks.len() as u64,
+            parts_outside: parts.outside.len() as u64,
+            kept: if needed.view && needed.body == Body::Kept { constants.gaussians.into() } else { 0 },
+            dispatches: u64::from(!networks.is_empty()) + if needed.view { view } else { 0 },
+            ..Counters::default()
+        });
         // The frame before may still read what this one writes.
         let readers = compute | PipelineStageFlags::VERTEX_SHADER | PipelineStageFlags::DRAW_INDIRECT | PipelineStageFlags::TRANSFER;
-        barrier(gpu, commands, (readers, AccessFlags::SHADER_WRITE), shared);
-        if needed.pose {
-            slot.stage("features", |commands| features.record(commands, frame, needed.expression_only));
-            barrier(gpu, commands, written, shared);
-            slot.stage("nodes", |commands| nodes.record(commands, frame));
-            barrier(gpu, commands, written, (compute | PipelineStageFlags::VERTEX_SHADER, shared.1));
-        } else {
+        let cleared = (PipelineStageFlags::TRANSFER, AccessFlags::TRANSFER_WRITE);
+        barrier(gpu, commands, (readers, AccessFlags::SHADER_WRITE), (compute | cleared.0, shared.1 | cleared.1));
+        if networks.is_empty() {
             slot.skip("features");
-            slot.skip("nodes");
+        } else {
+            slot.stage("features", |commands| features.record(commands, frame, networks.end() as u32));
+            barrier(gpu, commands, written, (compute | PipelineStageFlags::VERTEX_SHADER, shared.1));
         }
         if needed.view {
+            sort.clear(commands);
             if let Some(harmonics) = harmonics {
                 slot.stage("harmonics", |commands| harmonics.record(commands, frame));
                 barrier(gpu, commands, written, shared);
             }
-            if let Some(place) = place.as_ref().filter(|_| options.skip.contains(Skip::HIDDEN)) {
+            if let Some(place) = hides {
                 slot.stage("surface", |commands| surface.record(commands, frame, place));
                 barrier(gpu, commands, written, shared);
             }
-            slot.stage("splats", |commands| splats.record(commands, frame));
+            barrier(gpu, commands, cleared, shared);
+            slot.stage("splats", |commands| splats.record(commands, frame, needed.body));
             barrier(gpu, commands, written, shared);
-            slot.stage("sort", |commands| sort.record(commands));
+            slot.stage("sort", |commands| sort.record_counted(commands));
             let draw = PipelineStageFlags::DRAW_INDIRECT | PipelineStageFlags::VERTEX_SHADER | PipelineStageFlags::TRANSFER;
             let reads = AccessFlags::INDIRECT_COMMAND_READ | AccessFlags::SHADER_READ | AccessFlags::TRANSFER_READ;
             barrier(gpu, commands, written, (draw, reads));
@@ -251,12 +283,20 @@ impl Renderer {
     }
 
     /// Fills the frame's uniform block, and says where the depth surface is worth drawing.
-    fn write_frame(&mut self, slot: usize, posed: &Posed, camera: &Camera) -> Option<Place> {
+    fn write_frame(&mut self, slot: usize, posed: &Posed, camera: &Camera, (body, parts): (Body, &Parts)) -> Option<Place> {
         let any = self.model.occluder.index_count > 0 && self.options.skip.intersects(Skip::HIDDEN | Skip::DEPTH);
         let place = any.then(|| Place::new(camera.size, self.extent.screen(&posed.joints, camera)));
-        let block = &mut self.frames.mapped()[slot * FRAME_STRIDE..][..size_of::<Frame>()];
+        let block: &mut Frame = from_bytes_mut(&mut self.frames.mapped()[slot * FRAME_STRIDE..][..size_of::<Frame>()]);
         let depth = self.extent.depth(&posed.joints, camera);
-        block::fill(from_bytes_mut(block), &self.options, (depth, place), posed, camera);
+        block::fill(block, &self.options, (depth, place), posed, camera);
+        self.splats.fill(block);
+        block.count_tile = self.sort.tile();
+        block.idle = parts.networks.others().bits();
+        block.outside = parts.outside.bits();
+        if body == Body::Keep {
+            self.keeper = Keeper::new(&self.extent, posed, camera);
+        }
+        self.keeper.fill(block, camera);
         place
     }
 
@@ -296,11 +336,12 @@ impl Renderer {
         let constants = &self.model.constants;
         let features = 16 * constants.node_start as usize;
         let pose = self.pose.download(features + 16 * constants.nodes as usize)?;
+        let nodes: Vec<[f32; 4]> = bytemuck::pod_collect_to_vec(&pose[features..]);
         let (splats, keys) = self.splats.download()?;
         let control: Control = bytemuck::pod_read_unaligned(&self.control.download(size_of::<Control>())?);
         Ok(Stages {
             features: bytemuck::pod_collect_to_vec(&pose[..features]),
-            nodes: bytemuck::pod_collect_to_vec(&pose[features..]),
+            nodes: self.model.node_places.iter().map(|&place| nodes[usize::from(place)]).collect(),
             colors: self.model.colors()?,
             splats,
             keys,
