@@ -1,4 +1,5 @@
-// The network of each part (model.md, step 1): one workgroup a part, one invocation a neuron; θ_p ⊕ θ_e goes in, e comes out.
+// The network of each part (model.md, step 1): one workgroup a part, one invocation a neuron; θ_p ⊕ θ_e goes in, e comes out. Then the
+// displacement of each of the part's nodes (step 3): offset + B_s e, one invocation a node.
 // Weights stream through once; activations stay in shared memory, sums are f32.
 #version 450
 #extension GL_GOOGLE_include_directive : require
@@ -7,15 +8,40 @@
 
 layout(local_size_x = FEATURES_SIZE) in;
 layout(std430, set = 0, binding = 1) readonly buffer Networks { HALF_QUAD networks[]; };
-layout(std430, set = 0, binding = 2) writeonly buffer PoseOut { float features[]; };
+// Planes of half quads, one entry a node: basis_quads planes for each of x, y, z, then the offset. Nodes are in the order of their parts.
+layout(std430, set = 0, binding = 2) readonly buffer Nodes { HALF_QUAD nodes[]; };
+// Each part's first node, and their number.
+layout(std430, set = 0, binding = 3) readonly buffer NodeStarts { uint node_starts[]; };
+// Features of each part, then a vector for each node.
+layout(std430, set = 0, binding = 4) writeonly buffer PoseOut { float features[]; };
 
 shared float activation[2 * MLP_WIDTH];
 
 // No weight whatever makes infinity of a feature, nor NaN of two of them.
 float within(float sum) { return clamp(sum, -float(FEATURE_MAX), float(FEATURE_MAX)); }
 
+// `e`: where in activation the nodes' features start.
+void move_nodes(uint part, uint e) {
+    for (uint node = node_starts[part] + gl_LocalInvocationID.x; node < node_starts[part + 1u]; node += FEATURES_SIZE) {
+        vec3 moved = widen(nodes[3u * frame.basis_quads * frame.nodes + node]).xyz;
+        for (uint b = 0u; b < frame.basis_quads; ++b) {
+            uint at = e + 4u * b;
+            vec4 x = vec4(activation[at], activation[at + 1u], activation[at + 2u], activation[at + 3u]);
+            moved.x += dot(widen(nodes[b * frame.nodes + node]), x);
+            moved.y += dot(widen(nodes[(frame.basis_quads + b) * frame.nodes + node]), x);
+            moved.z += dot(widen(nodes[(2u * frame.basis_quads + b) * frame.nodes + node]), x);
+        }
+        for (uint k = 0u; k < 3u; ++k) {
+            features[4u * (frame.node_start + node) + k] = moved[k];
+        }
+    }
+}
+
 void main() {
     uint part = gl_WorkGroupID.x;
+    if ((frame.idle[part / 128u][part / 32u & 3u] >> (part & 31u) & 1u) != 0u) {
+        return;
+    }
     uint block = part * frame.network_quads;
     uint input_start = part < frame.head_parts ? 0u : INPUT_QUADS;
     uint input_quads = part < frame.head_parts ? frame.layer[0].input_quads : frame.body_quads;
@@ -39,13 +65,16 @@ void main() {
                 }
                 sum += dot(widen(networks[weight + k * layer.output_count]), x);
             }
+            sum = within(sum);
             if (last) {
-                features[4u * (frame.feature_start + part * frame.feature_quads) + o] = within(sum);
+                features[4u * (frame.feature_start + part * frame.feature_quads) + o] = sum;
+                activation[target + o] = sum;
             } else {
-                sum = within(sum);
                 activation[target + o] = max(sum, frame.slope * sum);
             }
         }
         barrier();
     }
+    // Where the last layer wrote.
+    move_nodes(part, (frame.layers & 1u) * MLP_WIDTH + 4u * frame.node_feature);
 }

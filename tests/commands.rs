@@ -146,7 +146,7 @@ fn bench_writes_what_it_measured_of_every_case() {
         let stages = cases[case]["stages"].as_array().unwrap();
         stages.iter().find(|entry| entry["name"] == stage).and_then(|entry| entry["ran"].as_f64()).unwrap()
     };
-    for stage in ["features", "nodes", "splats", "sort", "raster"] {
+    for stage in ["features", "splats", "sort", "raster"] {
         assert_eq!([ran(0, stage), ran(4, stage)], [1.0, 0.0], "{stage} in motion and with nothing changed");
     }
     let count = |case: usize, name: &str| cases[case]["counters"][name].as_f64().unwrap();

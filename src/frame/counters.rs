@@ -17,6 +17,12 @@ pub struct Counters {
     pub reasons: Option<Reasons>,
     /// Drawn: sorted and rasterized.
     pub drawn: u64,
+    /// Networks that ran.
+    pub networks: u64,
+    /// Parts all outside the view.
+    pub parts_outside: u64,
+    /// Gaussians that were projected from what an earlier frame kept: all of them or none.
+    pub kept: u64,
     /// Fragment shader invocations of the raster stage. None where the device has no pipeline statistics.
     pub fragments: Option<u64>,
     /// Pixels that something was drawn into. None where nobody counted them.
@@ -53,6 +59,9 @@ impl Counters {
             ("faint", self.reasons.map(|reasons| reasons.faint)),
             ("degenerate", self.reasons.map(|reasons| reasons.degenerate)),
             ("drawn", Some(self.drawn)),
+            ("networks", Some(self.networks)),
+            ("parts_outside", Some(self.parts_outside)),
+            ("kept", Some(self.kept)),
             ("fragments", self.fragments),
             ("covered", self.covered),
             ("dispatches", Some(self.dispatches)),
@@ -76,9 +85,9 @@ mod tests {
     fn overdraw_is_unknown_where_nothing_was_counted_or_covered() {
         let counted = Counters { fragments: Some(30), covered: Some(12), ..Counters::default() };
         assert_eq!(counted.overdraw(), Some(2.5));
-        assert_eq!(counted.named().count(), 9);
-        assert_eq!(Counters { reasons: Some(Reasons::default()), ..counted }.named().count(), 13);
-        assert_eq!(Counters::default().named().count(), 7);
+        assert_eq!(counted.named().count(), 12);
+        assert_eq!(Counters { reasons: Some(Reasons::default()), ..counted }.named().count(), 16);
+        assert_eq!(Counters::default().named().count(), 10);
         assert_eq!(Counters { covered: Some(0), ..counted }.overdraw(), None);
         assert_eq!(Counters { fragments: None, ..counted }.overdraw(), None);
     }

@@ -1,6 +1,6 @@
 //! How far a posed avatar reaches, from boxes around its parts: bounds that cost some thousand points a frame, not one a Gaussian.
 
-use super::{Camera, reach};
+use super::{Camera, LOG_SCALE_MAX, PartSet};
 use crate::avatar::Avatar;
 use glam::{DAffine3, DVec2, DVec3, UVec2};
 
@@ -9,17 +9,16 @@ use glam::{DAffine3, DVec2, DVec3, UVec2};
 const MARGIN: f64 = 0.05;
 /// Joints that move no Gaussian of a part by at least this weight (of 255) are left out: they could only widen the bounds.
 const WEIGHT: u8 = 8;
-/// What scale correctives may add to a Gaussian's size: a half.
-const GROWTH: f64 = 1.5;
 
 /// A part's box in canonical space, and the joints that move it.
 #[derive(Clone, Debug)]
 struct PartBox {
+    part: usize,
+    /// How far its Gaussians reach around their centres, metres: where they are an opaque one's least visible, with room for correctives.
+    reach: f64,
     min: DVec3,
     max: DVec3,
     joints: Vec<u8>,
-    /// How far its Gaussians reach from their centres, metres.
-    reach: f64,
 }
 
 /// The boxes of all parts.
@@ -33,21 +32,21 @@ pub struct Extent {
 impl Extent {
     pub fn new(avatar: &Avatar) -> Self {
         let ranges = avatar.parts.start.windows(2).map(|pair| pair[0] as usize..pair[1] as usize);
-        let parts = ranges.filter(|range| !range.is_empty()).map(|range| {
+        let parts = ranges.enumerate().filter(|(_, range)| !range.is_empty()).map(|(part, range)| {
+            let scales = avatar.gaussians.log_scale[range.clone()].iter().flatten();
+            let longest = scales.map(|s| s.to_f64()).fold(f64::NEG_INFINITY, f64::max).min(LOG_SCALE_MAX).exp();
+            let reach = 1.2 * longest * super::reach(255).unwrap_or_default();
             let (mut min, mut max) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
             let mut weight = [0u8; 256];
-            let mut reaches = 0f64;
             for gaussian in range {
                 let position = avatar.position(gaussian);
                 (min, max) = (min.min(position), max.max(position));
-                let longest = avatar.gaussians.log_scale[gaussian].iter().map(|s| s.to_f64()).fold(f64::NEG_INFINITY, f64::max);
-                reaches = reaches.max(reach(avatar.gaussians.opacity[gaussian]).unwrap_or(0.0) * longest.exp());
                 for (&joint, &w) in avatar.gaussians.joint[gaussian].iter().zip(&avatar.gaussians.joint_weight[gaussian]) {
                     weight[joint as usize] = weight[joint as usize].max(w);
                 }
             }
             let joints = (0..=255).filter(|&joint| weight[joint as usize] >= WEIGHT).collect();
-            PartBox { min, max, joints, reach: GROWTH * reaches }
+            PartBox { part, reach, min, max, joints }
         });
         Self { parts: parts.collect() }
     }
@@ -58,13 +57,30 @@ impl Extent {
     }
 
     fn corners<'a>(&'a self, joints: &'a [DAffine3]) -> impl Iterator<Item = DVec3> + 'a {
-        self.parts.iter().flat_map(|part| part.corners(joints))
+        self.parts.iter().flat_map(move |part| part.corners(joints))
     }
 
-    /// Whether anything of the posed avatar may be in the picture.
-    pub fn in_view(&self, joints: &[DAffine3], camera: &Camera) -> bool {
-        let stretch = stretch(joints) * camera.view.matrix3.transpose().z_axis.length();
-        self.parts.iter().any(|part| part.in_view(joints, camera, stretch * (MARGIN + part.reach)))
+    /// The parts that may be in the picture. A part is outside it when its box is, with room for correctives and its Gaussians' size.
+    pub fn visible(&self, joints: &[DAffine3], camera: &Camera) -> PartSet {
+        let scale = enlargement(joints);
+        let mut visible = PartSet::EMPTY;
+        let seen = |part: &&PartBox| {
+            let room = scale * (MARGIN + part.reach);
+            let [mut before, mut behind] = [false, true];
+            let (mut min, mut max) = (DVec2::INFINITY, DVec2::NEG_INFINITY);
+            for corner in part.corners(joints) {
+                let p = camera.view.transform_point3(corner);
+                before |= p.z - room < camera.near;
+                behind &= p.z + room < camera.near;
+                let at = camera.project(p);
+                let room = room * camera.focal / (p.z - room) * (1.0 + (p.truncate() / p.z).abs()) + 2.0;
+                (min, max) = (min.min(at - room), max.max(at + room));
+            }
+            let outside = max.cmplt(DVec2::ZERO).any() || min.cmpgt(UVec2::from(camera.size).as_dvec2()).any();
+            if before { !behind } else { !outside }
+        };
+        self.parts.iter().filter(seen).for_each(|part| visible.insert(part.part));
+        visible
     }
 
     /// Lower and upper corner of a box around the posed avatar, in the space the joint matrices lead to.
@@ -106,6 +122,7 @@ impl Extent {
 }
 
 impl PartBox {
+    /// Its corners as each of its joints moves them.
     fn corners<'a>(&'a self, joints: &'a [DAffine3]) -> impl Iterator<Item = DVec3> + 'a {
         let corner = |k: usize| {
             let choose = |axis: usize| if k >> axis & 1 == 0 { self.min[axis] } else { self.max[axis] };
@@ -114,35 +131,15 @@ impl PartBox {
         let corners: [DVec3; 8] = std::array::from_fn(corner);
         self.joints.iter().flat_map(move |&joint| corners.map(|corner| joints[joint as usize].transform_point3(corner)))
     }
-
-    /// Whether a ball of radius `room`, metres, around any point between the corners may be in the picture.
-    fn in_view(&self, joints: &[DAffine3], camera: &Camera, room: f64) -> bool {
-        let seen = || self.corners(joints).map(|corner| camera.view.transform_point3(corner));
-        let [near, far] = seen().fold([f64::INFINITY, f64::NEG_INFINITY], |[near, far], p| [near.min(p.z), far.max(p.z)]);
-        if far + room < camera.near {
-            return false;
-        }
-        if near - room < camera.near {
-            return true;
-        }
-        let (mut min, mut max) = (DVec2::INFINITY, DVec2::NEG_INFINITY);
-        for p in seen() {
-            // Two pixels more than the low-pass adds.
-            let around = room * camera.focal / (p.z - room) * (1.0 + (p.truncate() / p.z).abs()) + 4.0;
-            let at = camera.project(p);
-            (min, max) = (min.min(at - around), max.max(at + around));
-        }
-        max.cmpgt(DVec2::ZERO).all() && min.cmplt(UVec2::from(camera.size).as_dvec2()).all()
-    }
 }
 
-/// The most that any joint stretches a length.
-fn stretch(joints: &[DAffine3]) -> f64 {
-    let columns = joints.iter().flat_map(|joint| [joint.matrix3.x_axis, joint.matrix3.y_axis, joint.matrix3.z_axis]);
-    columns.map(|column| column.length_squared()).fold(0.0, f64::max).sqrt()
+/// How much the joints enlarge lengths, at most.
+pub fn enlargement(joints: &[DAffine3]) -> f64 {
+    margin(joints) / MARGIN
 }
 
 /// [`MARGIN`] where the joints have moved it.
 fn margin(joints: &[DAffine3]) -> f64 {
-    MARGIN * stretch(joints)
+    let columns = joints.iter().flat_map(|joint| [joint.matrix3.x_axis, joint.matrix3.y_axis, joint.matrix3.z_axis]);
+    MARGIN * columns.map(|column| column.length_squared()).fold(0.0, f64::max).sqrt()
 }

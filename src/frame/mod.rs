@@ -4,6 +4,7 @@ pub mod camera;
 pub mod check;
 pub mod counters;
 pub mod extent;
+pub mod parts;
 pub mod picture;
 pub mod plan;
 pub mod skip;
@@ -14,8 +15,9 @@ pub use check::Unusable;
 pub use counters::{Counters, Reasons};
 pub use extent::Extent;
 use glam::DAffine3;
+pub use parts::{Needs, PartSet};
 pub use picture::Picture;
-pub use plan::{Needed, Plan};
+pub use plan::{Body, Needed, Plan};
 pub use skip::Skip;
 
 /// Added to both diagonal entries of a projected covariance, px² (model.md, step 8).

@@ -20,8 +20,12 @@ bitflags::bitflags! {
         const HIDDEN = 1 << 5;
         /// Fragments behind the depth surface.
         const DEPTH = 1 << 6;
+        /// Correctives and skinning when only the camera has moved: what they gave before is kept, rounded.
+        const SKINNING = 1 << 7;
+        /// Parts outside the view: their Gaussians, and their networks until they are seen.
+        const PARTS = 1 << 8;
         /// Avatars that are all outside the view: every stage of theirs.
-        const AVATARS = 1 << 8;
+        const AVATARS = 1 << 9;
     }
 }
 
@@ -68,6 +72,6 @@ mod tests {
         }
         assert_eq!("all".parse(), Ok(Skip::all()));
         assert_eq!("hidden, depth".parse(), Ok(Skip::HIDDEN | Skip::DEPTH));
-        assert!("everything".parse::<Skip>().is_err_and(|error| error.contains("hidden,depth,avatars")));
+        assert!("everything".parse::<Skip>().is_err_and(|error| error.contains("hidden,depth,skinning,parts,avatars")));
     }
 }

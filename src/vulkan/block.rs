@@ -4,7 +4,6 @@
 use super::{
     options::RendererOptions,
     scene::{Actor, Staged},
-    splats::key_offset,
 };
 use crate::{
     frame::{Camera, Skip},
@@ -27,22 +26,21 @@ pub(super) fn fill_shared(block: &mut Frame, options: &RendererOptions, staged: 
     block.key_far = depth[1] as f32;
     block.key_scale = (1.0 / (depth[1] - depth[0])) as f32;
     block.key_max = options.key_bits.largest();
-    let actors = options.actors as u32;
-    block.key_start = (key_offset(actors * block.gaussians) / 4) as u32;
     block.cutoff = (255.0 * options.cutoff) as f32;
     block.hull_opacity = if options.skip.contains(Skip::FAINT) { 0.0 } else { 255.0 };
     block.margin = options.margin as f32;
     let hides = place.filter(|_| options.skip.contains(Skip::HIDDEN));
-    block.surface_start = if hides.is_some() { 4 * actors * vectors(block) } else { 0 };
+    block.surface_start = if hides.is_some() { 4 * options.actors as u32 * vectors(block) } else { 0 };
     hides.inspect(|place| place.write(block));
     block.fixed_scale = fixed_scale(guard) as f32;
 }
 
-/// Writes the rest: an avatar's own. `first`: where its splats and keys start.
-pub(super) fn fill_actor(block: &mut Frame, options: &RendererOptions, actor: &Actor, first: u32, camera: &Camera) {
+/// Writes an avatar's own.
+pub(super) fn fill_actor(block: &mut Frame, options: &RendererOptions, actor: &Actor, camera: &Camera) {
     let posed = actor.posed;
-    block.first = first;
     block.feature_start = actor.number as u32 * vectors(block);
+    block.idle = actor.networks.others().bits();
+    block.outside = actor.outside.bits();
     block.node_start = block.feature_start + block.parts * block.feature_quads;
     let quads = if options.skip.contains(Skip::INPUTS) { (posed.input.len() - posed.expression).div_ceil(4) as u32 } else { u32::MAX };
     block.body_quads = block.layer[0].input_quads.min(quads);
@@ -62,7 +60,7 @@ pub(super) fn vectors(constants: &Frame) -> u32 {
 }
 
 /// Rows of the 3 by 4 matrix of an affine map.
-fn matrix_rows(map: DAffine3) -> [[f32; 4]; 3] {
+pub(super) fn matrix_rows(map: DAffine3) -> [[f32; 4]; 3] {
     let columns = [map.matrix3.x_axis, map.matrix3.y_axis, map.matrix3.z_axis, map.translation];
     std::array::from_fn(|row| columns.map(|column| column[row] as f32))
 }

@@ -18,7 +18,7 @@ use std::sync::Arc;
 /// Frames that may be under way at once.
 pub const SLOTS: usize = 2;
 /// Stages in the order a frame runs them; their names in labels, timestamps, tables and the overlay.
-pub const STAGES: [&str; 8] = ["features", "nodes", "harmonics", "surface", "splats", "sort", "raster", "present"];
+pub const STAGES: [&str; 7] = ["features", "harmonics", "surface", "splats", "sort", "raster", "present"];
 
 /// What a finished frame took and drew.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -1,6 +1,6 @@
 //! What the stages of a frame wait for, and the counts that they start from.
 
-use super::{device::Gpu, memory::Buffer, pipeline::barrier};
+use super::{device::Gpu, pipeline::barrier};
 use crate::layout::{Control, RASTER_QUADS};
 use ash::vk::{self, AccessFlags, PipelineStageFlags};
 use bytemuck::bytes_of;
@@ -43,11 +43,13 @@ pub(super) fn control(entering: u32) -> Control {
     Control { index_count: 6 * RASTER_QUADS, entering, ..Control::default() }
 }
 
-/// Tells the control how many keys enter the sort, and clears what else is counted: transfers between barriers.
-pub(super) fn prepare(gpu: &Gpu, commands: vk::CommandBuffer, buffer: &Buffer, entering: u32, clear: impl FnOnce(vk::CommandBuffer)) {
+/// Tells the control how many keys enter the sort, where it has to be told, and clears what is counted: transfers between barriers.
+pub(super) fn prepare(gpu: &Gpu, commands: vk::CommandBuffer, told: Option<(vk::Buffer, u32)>, clear: impl FnOnce(vk::CommandBuffer)) {
     barrier(gpu, commands, BEFORE, TRANSFERRED);
-    // SAFETY: the command buffer is recording outside a render pass; the buffer is alive and holds a control.
-    unsafe { gpu.raw.cmd_update_buffer(commands, buffer.raw, 0, bytes_of(&control(entering))) };
+    if let Some((buffer, entering)) = told {
+        // SAFETY: the command buffer is recording outside a render pass; the buffer is alive and holds a control.
+        unsafe { gpu.raw.cmd_update_buffer(commands, buffer, 0, bytes_of(&control(entering))) };
+    }
     clear(commands);
     let drawn = (PipelineStageFlags::DRAW_INDIRECT, AccessFlags::INDIRECT_COMMAND_READ);
     barrier(gpu, commands, TRANSFERRED, (COMPUTE | drawn.0 | PipelineStageFlags::VERTEX_SHADER, SHARED.1 | drawn.1));

@@ -9,21 +9,21 @@ use super::{
     error::Result,
     features::Features,
     harmonics::Harmonics,
+    keeper::Keeper,
     memory::Buffer,
     model::Model,
-    nodes::Nodes,
     options::RendererOptions,
     picture::Copied,
     pipeline::{Slice, barrier},
     raster::Raster,
     scene::{Actor, Scene, Staged},
     sort::{Sort, SortOptions, choice},
-    splats::Splats,
+    splats::{Splats, slots as slots_of},
     surface::{PYRAMID_WORDS, Surface},
 };
 use crate::{
     avatar::Avatar,
-    frame::{Camera, Extent, Picture, Posed, Skip},
+    frame::{Body, Camera, Extent, Needs, Picture, Posed, Skip},
     layout::{Control, Frame},
 };
 use ash::vk::{self, AccessFlags, PipelineStageFlags};
@@ -59,7 +59,6 @@ pub struct Renderer {
     slots: Vec<Slot>,
     surface: Surface,
     features: Features,
-    nodes: Nodes,
     harmonics: Option<Harmonics>,
     splats: Splats,
     sort: Sort,
@@ -71,6 +70,9 @@ pub struct Renderer {
     frames: Buffer,
     model: Model,
     extent: Extent,
+    needs: Needs,
+    /// One an avatar.
+    keepers: Vec<Keeper>,
     options: RendererOptions,
     scene: Scene,
     /// Keys that the control says enter the sort, once it was told.
@@ -106,15 +108,19 @@ impl Renderer {
         }
         let control = Buffer::with_data(gpu, "control", bytes_of(&control(0)), storage | vk::BufferUsageFlags::INDIRECT_BUFFER)?;
         let frame = Slice { buffer: frames.raw, offset: 0, size: size_of::<Frame>() as u64 };
-        let splats = Splats::new(gpu, &model, (frame, (&pose).into()), actors, options.count)?;
         let variant = options.sort.map_or_else(|| choice::choose(gpu).map(|verdict| verdict.variant), Ok)?;
-        let sort = Sort::new(gpu, splats.keys(), &control, actors * constants.gaussians, SortOptions::new(options.key_bits, variant))?;
+        // Where colours change with the view, nothing is kept.
+        let options =
+            RendererOptions { skip: if avatar.harmonics.is_some() { options.skip - Skip::SKINNING } else { options.skip }, ..options };
+        let keep = options.skip.contains(Skip::SKINNING);
+        let splats = Splats::new(gpu, &model, (frame, (&pose).into()), variant, (&options, keep))?;
+        let sort_options = SortOptions { counts: Some(splats.counts()), ..SortOptions::new(options.key_bits, variant) };
+        let sort = Sort::new(gpu, splats.keys(), &control, actors * slots_of(constants.gaussians), sort_options)?;
         let raster = Raster::new(gpu, frame, [sort.order(), splats.all(), (&control).into()], (&model.occluder, (&pose).into()), &options)?;
         Ok(Self {
             slots: (0..SLOTS).map(|_| Slot::new(gpu)).collect::<Result<_>>()?,
             surface: Surface::new(gpu, frame, &model.occluder, (&pose).into())?,
             features: Features::new(gpu, &model, frame, (&pose).into())?,
-            nodes: Nodes::new(gpu, &model, frame, (&pose).into())?,
             harmonics: Harmonics::new(gpu, avatar, &model, frame)?,
             splats,
             sort,
@@ -123,6 +129,8 @@ impl Renderer {
             pose,
             frames,
             extent: Extent::new(avatar),
+            needs: Needs::new(avatar),
+            keepers: (0..options.actors).map(|_| Keeper::default()).collect(),
             model,
             options,
             scene: Scene::default(),
@@ -174,7 +182,7 @@ impl Renderer {
         let mut scene = std::mem::take(&mut self.scene);
         let entering = self.entering.take();
         let surface = self.model.occluder.index_count > 0 && self.options.skip.intersects(Skip::HIDDEN | Skip::DEPTH);
-        let staged = scene.next(poses, camera, (&self.extent, &self.options, surface));
+        let staged = scene.next(poses, camera, (&self.extent, &self.needs, &self.options), (surface, presentation.is_some()));
         if !staged.view && presentation.is_none() {
             (self.scene, self.entering) = (scene, entering);
             self.report = FrameReport::idle(self.harmonics.is_some());
@@ -199,28 +207,30 @@ impl Renderer {
         let actors = self.options.actors;
         let at = |number: usize| frame_at(slot, number, actors) as u32;
         let views: Vec<u32> = staged.actors.iter().map(|actor| at(actor.number)).collect();
-        let Self { slots, options, features, nodes, harmonics, surface, splats, sort, raster, control, gpu, model, .. } = self;
+        let Self { slots, options, features, harmonics, surface, splats, sort, raster, control, gpu, model, .. } = self;
         let slot = &mut slots[slot];
         let commands = slot.commands;
         let hides = staged.place.filter(|_| options.skip.contains(Skip::HIDDEN));
-        slot.note(staged.counters(model.constants.gaussians, (harmonics.is_some(), hides.is_some(), sort.dispatches(false))));
-        let keys = if staged.view { views.len() as u32 * model.constants.gaussians } else { entering.unwrap_or(0) };
+        slot.note(staged.counters(model.constants.gaussians, (harmonics.is_some(), hides.is_some(), sort.dispatches(true))));
+        let keys = if staged.view { views.len() as u32 * slots_of(model.constants.gaussians) } else { entering.unwrap_or(0) };
         // The frame before may still read what this one writes.
         barrier(gpu, commands, BEFORE, SHARED);
-        if entering != Some(keys) || (staged.view && splats.reasons().is_some()) {
-            prepare(gpu, commands, control, keys, |commands| splats.clear(commands));
+        if entering != Some(keys) || staged.view {
+            prepare(gpu, commands, (entering != Some(keys)).then_some((control.raw, keys)), |commands| {
+                if staged.view {
+                    sort.clear(commands);
+                    splats.clear(commands);
+                }
+            });
         }
-        let posed = || staged.actors.iter().filter(|actor| actor.needed.pose);
+        let posed = || staged.actors.iter().filter(|actor| !actor.networks.is_empty());
         if posed().next().is_some() {
             slot.stage("features", |commands| {
-                in_turn(gpu, commands, posed(), |actor| features.record(commands, at(actor.number), actor.needed.expression_only));
+                in_turn(gpu, commands, posed(), |actor| features.record(commands, at(actor.number), actor.networks.end() as u32));
             });
-            barrier(gpu, commands, WRITTEN, SHARED);
-            slot.stage("nodes", |commands| in_turn(gpu, commands, posed(), |actor| nodes.record(commands, at(actor.number))));
             barrier(gpu, commands, WRITTEN, (COMPUTE | PipelineStageFlags::VERTEX_SHADER, SHARED.1));
         } else {
             slot.skip("features");
-            slot.skip("nodes");
         }
         if !staged.view {
             harmonics.iter().for_each(|_| slot.skip("harmonics"));
@@ -237,17 +247,18 @@ impl Renderer {
                 barrier(gpu, commands, WRITTEN, SHARED);
             }
             slot.stage("splats", |commands| {
-                in_turn(gpu, commands, views.iter(), |&frame| {
+                in_turn(gpu, commands, staged.actors.iter(), |actor| {
+                    let frame = at(actor.number);
                     // All share the model's colours: one avatar's give way to the next's once they are used.
                     if let Some(harmonics) = harmonics.as_ref().filter(|_| frame != first) {
                         harmonics.record(commands, frame);
                         barrier(gpu, commands, WRITTEN, SHARED);
                     }
-                    splats.record(commands, frame);
+                    splats.record(commands, frame, actor.needed.body);
                 });
             });
             barrier(gpu, commands, WRITTEN, SHARED);
-            slot.stage("sort", |commands| sort.record(commands));
+            slot.stage("sort", |commands| sort.record_counted(commands));
         } else {
             ["splats", "sort"].into_iter().for_each(|stage| slot.skip(stage));
         }
@@ -264,16 +275,25 @@ impl Renderer {
 
     /// Fills the uniform blocks of a frame.
     fn write_frame(&mut self, slot: usize, staged: &Staged, camera: &Camera) {
+        for actor in staged.actors.iter().filter(|actor| staged.view && actor.needed.body == Body::Keep) {
+            self.keepers[actor.number] = Keeper::new(&self.extent, actor.posed, camera);
+        }
         let blocks = self.frames.mapped();
         let mut fill = |number: usize, actor: Option<(&Actor, u32)>| {
             let block: &mut Frame = from_bytes_mut(&mut blocks[frame_at(slot, number, self.options.actors)..][..size_of::<Frame>()]);
             block::fill_shared(block, &self.options, staged, camera);
-            actor.inspect(|(actor, first)| block::fill_actor(block, &self.options, actor, *first, camera));
+            self.splats.fill(block);
+            block.count_tile = self.sort.tile();
+            if let Some((actor, before)) = actor {
+                block::fill_actor(block, &self.options, actor, camera);
+                self.splats.fill_actor(block, number as u32, before);
+                self.keepers[number].fill(block, camera);
+            }
         };
         // An empty picture has a size too.
         fill(0, None);
-        for (actor, first) in staged.actors.iter().zip((0..).step_by(self.model.constants.gaussians as usize)) {
-            fill(actor.number, Some((actor, first)));
+        for (actor, before) in staged.actors.iter().zip(0..) {
+            fill(actor.number, Some((actor, before)));
         }
     }
 
@@ -313,11 +333,12 @@ impl Renderer {
         let constants = &self.model.constants;
         let pose = self.pose.download(16 * block::vectors(constants) as usize)?;
         let features = pose.len() - 16 * constants.nodes as usize;
+        let nodes: Vec<[f32; 4]> = bytemuck::pod_collect_to_vec(&pose[features..]);
         let control: Control = bytemuck::pod_read_unaligned(&self.control.download(size_of::<Control>())?);
         let (splats, keys) = self.splats.download(control.entering)?;
         Ok(Stages {
             features: bytemuck::pod_collect_to_vec(&pose[..features]),
-            nodes: bytemuck::pod_collect_to_vec(&pose[features..]),
+            nodes: self.model.node_places.iter().map(|&place| nodes[usize::from(place)]).collect(),
             colors: self.model.colors()?,
             splats,
             keys,

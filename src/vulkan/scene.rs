@@ -2,7 +2,7 @@
 //! each needs, and what all of them share come out.
 
 use super::{options::RendererOptions, surface::Place};
-use crate::frame::{Camera, Counters, Extent, Needed, Plan, Posed, Skip};
+use crate::frame::{Body, Camera, Counters, Extent, Needed, Needs, PartSet, Plan, Posed, Skip};
 use glam::UVec2;
 
 /// An avatar in view.
@@ -11,6 +11,10 @@ pub(super) struct Actor<'a> {
     pub number: usize,
     pub posed: &'a Posed,
     pub needed: Needed,
+    /// Parts all outside the view.
+    pub outside: PartSet,
+    /// Networks that run.
+    pub networks: PartSet,
 }
 
 /// What one frame draws.
@@ -35,23 +39,40 @@ pub(super) struct Scene {
 }
 
 impl Scene {
-    /// What the next frame needs, but for what `options` let it leave out. `surface`: whether there is a depth surface to draw.
+    /// What the next frame needs, but for what `options` let it leave out. `surface`: whether there is a depth surface to draw;
+    /// `presented`: whether the frame is submitted even where it needs nothing.
     pub fn next<'a>(
         &mut self,
         poses: &[&'a Posed],
         camera: &Camera,
-        (extent, options, surface): (&Extent, &RendererOptions, bool),
+        (extent, needs, options): (&Extent, &Needs, &RendererOptions),
+        (surface, presented): (bool, bool),
     ) -> Staged<'a> {
         self.plans.resize(options.actors, Plan::default());
         let skip = options.skip;
-        let numbered = poses.iter().copied().enumerate();
-        let seen = numbered.filter(|(_, posed)| !skip.contains(Skip::AVATARS) || extent.in_view(&posed.joints, camera));
-        let actors: Vec<_> =
-            seen.map(|(number, posed)| Actor { number, posed, needed: self.plans[number].next(posed, camera, skip) }).collect();
+        let mut actors = Vec::with_capacity(poses.len());
+        for (number, &posed) in poses.iter().enumerate() {
+            let looks = skip.intersects(Skip::AVATARS | Skip::PARTS);
+            let seen = if looks { extent.visible(&posed.joints, camera) } else { PartSet::ALL };
+            if skip.contains(Skip::AVATARS) && seen.is_empty() {
+                continue;
+            }
+            let needed = self.plans[number].next(posed, camera, skip);
+            let hides = skip.contains(Skip::PARTS) && needed.body != Body::Keep;
+            let outside = if hides { needs.all() - seen } else { PartSet::EMPTY };
+            actors.push(Actor { number, posed, needed, outside, networks: PartSet::EMPTY });
+        }
         let in_view: Vec<_> = actors.iter().map(|actor| actor.number).collect();
         let others = !skip.contains(Skip::FRAME) || self.in_view.as_ref() != Some(&in_view);
         let view = others || actors.iter().any(|actor| actor.needed.view);
         self.in_view = Some(in_view);
+        for actor in actors.iter_mut().filter(|_| view || presented) {
+            let plan = &mut self.plans[actor.number];
+            actor.networks = plan.networks(&actor.needed, needs, &(needs.all() - actor.outside));
+            if view {
+                plan.shown(&actor.needed);
+            }
+        }
         let place = (surface && !actors.is_empty()).then(|| Place::new(camera.size, screen(&actors, extent, camera)));
         Staged { depth: depth(&actors, extent, camera), actors, view, place, avatars: poses.len() }
     }
@@ -61,13 +82,18 @@ impl Staged<'_> {
     /// What is known of the frame before it is drawn. `harmonics`, `surface`: whether it has those stages; `sort`: dispatches of the sort.
     pub fn counters(&self, gaussians: u32, (harmonics, surface, sort): (bool, bool, usize)) -> Counters {
         let drawn = self.actors.len() as u64;
-        let posed = self.actors.iter().filter(|actor| actor.needed.pose).count() as u64;
+        let sum = |of: &dyn Fn(&Actor) -> usize| self.actors.iter().map(of).sum::<usize>() as u64;
+        let posed = sum(&|actor| usize::from(!actor.networks.is_empty()));
+        let kept = sum(&|actor| usize::from(self.view && actor.needed.body == Body::Kept));
         let view = drawn * (1 + u64::from(harmonics)) + if drawn > 0 { u64::from(surface) + sort as u64 } else { 0 };
         Counters {
             avatars: self.avatars as u64,
             avatars_culled: self.avatars as u64 - drawn,
             gaussians: self.avatars as u64 * u64::from(gaussians),
-            dispatches: 2 * posed + if self.view { view } else { 0 },
+            networks: sum(&|actor| actor.networks.len()),
+            parts_outside: sum(&|actor| actor.outside.len()),
+            kept: kept * u64::from(gaussians),
+            dispatches: posed + if self.view { view } else { 0 },
             submitted: 1,
             ..Counters::default()
         }

@@ -28,6 +28,7 @@ pub fn open(options: GpuOptions) -> Option<Arc<Gpu>> {
 
 /// One frame on the device and in the reference.
 pub struct Frame {
+    /// As the device has it: its oracle starts from the same numbers, but for the nodes' weights.
     pub avatar: Avatar,
     pub posed: Posed,
     pub camera: Camera,
@@ -57,6 +58,7 @@ pub fn draw(gpu: &Arc<Gpu>, avatar: Avatar, posed: Posed, camera: Camera, option
     renderer.draw(&posed, &camera, None).unwrap();
     let picture = renderer.picture().unwrap();
     let stages = renderer.stages().unwrap();
+    let avatar = avatar.compact();
     let oracle = reference::Stages::new(&avatar, &posed, &camera);
     Frame { report: renderer.report().clone(), gpu: stages, picture, oracle, avatar, posed, camera }
 }
