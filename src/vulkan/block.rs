@@ -34,7 +34,7 @@ pub(super) fn fill(
     block.body_quads = block.layer[0].input_quads.min(quads);
     block.margin = options.margin as f32;
     let hides = place.filter(|_| options.skip.contains(Skip::HIDDEN));
-    block.surface_start = if hides.is_some() { 4 * (block.node_start + block.nodes) } else { 0 };
+    block.surface_start = if hides.is_some() { 4 * block.node_start + 2 * block.nodes } else { 0 };
     hides.inspect(|place| place.write(block));
     block.fixed_scale = fixed_scale(guard) as f32;
     let expression = posed.input.len() - posed.expression;

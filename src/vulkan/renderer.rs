@@ -25,6 +25,7 @@ use crate::{
 use ash::vk::{self, AccessFlags, PipelineStageFlags};
 use bytemuck::{bytes_of, from_bytes_mut};
 use gpu_allocator::MemoryLocation;
+use half::f16;
 use std::sync::Arc;
 
 /// What a renderer is made with.
@@ -101,7 +102,7 @@ pub struct Renderer {
     sort: Sort,
     raster: Raster,
     control: Buffer,
-    /// Features, then node displacements.
+    /// Features, then node displacements, then the depth surface's pyramid.
     pose: Buffer,
     frames: Buffer,
     model: Model,
@@ -126,8 +127,9 @@ impl Renderer {
         let model = Model::new(gpu, avatar, surfaces)?;
         let constants = &model.constants;
         let storage = vk::BufferUsageFlags::STORAGE_BUFFER | vk::BufferUsageFlags::TRANSFER_SRC;
-        let vectors = u64::from(constants.node_start) + u64::from(constants.nodes);
-        let pose = Buffer::new(gpu, "pose", 16 * vectors + 4 * u64::from(PYRAMID_WORDS), storage, MemoryLocation::GpuOnly)?;
+        let words = 4 * u64::from(constants.node_start) + 2 * u64::from(constants.nodes) + u64::from(PYRAMID_WORDS);
+        // Zeros: a corner of the depth surface may follow a node of a part that no frame has shown yet.
+        let pose = Buffer::with_data(gpu, "pose", &vec![0; 4 * words.next_multiple_of(2) as usize], storage)?;
         let frames = (SLOTS * FRAME_STRIDE) as u64;
         let mut frames = Buffer::new(gpu, "frames", frames, vk::BufferUsageFlags::UNIFORM_BUFFER, MemoryLocation::CpuToGpu)?;
         for slot in 0..SLOTS {
@@ -174,6 +176,12 @@ impl Renderer {
     /// How far the avatar reaches.
     pub fn extent(&self) -> &Extent {
         &self.extent
+    }
+
+    /// Corners and triangles of the depth surface.
+    pub fn surface_size(&self) -> [u64; 2] {
+        let mesh = &self.model.occluder;
+        [mesh.corners.size / 32, u64::from(mesh.index_count / 3)]
     }
 
     /// The stage that holds the picture.
@@ -335,13 +343,13 @@ impl Renderer {
         self.finish()?;
         let constants = &self.model.constants;
         let features = 16 * constants.node_start as usize;
-        let pose = self.pose.download(features + 16 * constants.nodes as usize)?;
-        let nodes: Vec<[f32; 4]> = bytemuck::pod_collect_to_vec(&pose[features..]);
+        let pose = self.pose.download(features + 8 * constants.nodes as usize)?;
+        let nodes: Vec<[f16; 4]> = bytemuck::pod_collect_to_vec(&pose[features..]);
         let (splats, keys) = self.splats.download()?;
         let control: Control = bytemuck::pod_read_unaligned(&self.control.download(size_of::<Control>())?);
         Ok(Stages {
             features: bytemuck::pod_collect_to_vec(&pose[..features]),
-            nodes: self.model.node_places.iter().map(|&place| nodes[usize::from(place)]).collect(),
+            nodes: self.model.node_places.iter().map(|&place| nodes[usize::from(place)].map(f16::to_f32)).collect(),
             colors: self.model.colors()?,
             splats,
             keys,

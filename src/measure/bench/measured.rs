@@ -25,7 +25,7 @@ pub fn case(gpu: &Arc<Gpu>, task: &Task, setting: &Setting, case: Case, progress
     let mut drawer = Drawer::new(gpu, &avatar, setting)?;
     let samples = run::time(&mut drawer, &scenes, task.warm_up, |done| progress(&format!("{case}: timing"), done, scenes.len()))?;
     let (used, reserved) = gpu.memory();
-    let cost = Cost { used, reserved, timed: gpu.probe.timestamp_bits > 0 };
+    let cost = Cost { used, reserved, timed: gpu.probe.timestamp_bits > 0, surface: drawer.surface() };
     let numbers = scene::checks(case, scenes.len(), task.checked);
     let mut oracle = Oracle::new(task.avatar);
     let mut show = |what: &str, done, all| progress(&format!("{case}: {what}"), done, all);
@@ -40,6 +40,8 @@ struct Cost {
     reserved: u64,
     /// Whether it has timestamps.
     timed: bool,
+    /// Corners and triangles of the depth surface.
+    surface: [u64; 2],
 }
 
 fn report(
@@ -47,11 +49,12 @@ fn report(
     (avatar, setting): (&Avatar, &Setting),
     samples: Samples,
     checked: Checked,
-    Cost { used, reserved, timed }: Cost,
+    Cost { used, reserved, timed, surface }: Cost,
 ) -> CaseReport {
     let Samples { intervals, reports } = samples;
     let counters = counters(&reports);
-    let work = bytes::per_stage(avatar, &setting.options, seen(&counters, checked.covered));
+    let seen = Seen { surface, networks: networks(&reports), ..seen(&counters, checked.covered) };
+    let work = bytes::per_stage(avatar, &setting.options, seen);
     let stages = stages(&reports, &work);
     let mean = |of: fn(&StageReport) -> u64| stages.iter().map(|stage| stage.ran * of(stage) as f64).sum::<f64>().round() as u64;
     let frames = intervals.len();
@@ -98,9 +101,17 @@ fn seen(counters: &BTreeMap<String, f64>, covered: Option<f64>) -> Seen {
     Seen {
         gaussians: count("gaussians").unwrap_or_default(),
         drawn: count("drawn").unwrap_or_default(),
+        kept: count("kept") > Some(0),
         covered: count("covered").or(covered.map(|covered| covered.round() as u64)),
         fragments: count("fragments"),
+        ..Seen::default()
     }
+}
+
+/// The mean number of networks, of frames in which some ran.
+fn networks(reports: &[FrameReport]) -> Option<u64> {
+    let ran: Vec<u64> = reports.iter().map(|report| report.counters.networks).filter(|&networks| networks > 0).collect();
+    (!ran.is_empty()).then(|| ran.iter().sum::<u64>() / ran.len() as u64)
 }
 
 /// The stages that ran in some frame or have work counted, in the order of a frame.

@@ -81,6 +81,11 @@ impl Drawer {
         Ok(Self { renderer: Renderer::new(gpu, avatar, RendererOptions { count: true, ..setting.options })? })
     }
 
+    /// Corners and triangles of the depth surface.
+    pub fn surface(&self) -> [u64; 2] {
+        self.renderer.surface_size()
+    }
+
     /// Submits a frame, or finds that none is needed.
     pub fn draw(&mut self, scene: &Scene) -> Result<()> {
         self.renderer.draw(&scene.actors[0].shown, &scene.camera, None)
