@@ -8,12 +8,13 @@
 
 layout(local_size_x = FEATURES_SIZE) in;
 layout(std430, set = 0, binding = 1) readonly buffer Networks { HALF_QUAD networks[]; };
-// Planes of half quads, one entry a node: basis_quads planes for each of x, y, z, then the offset. Nodes are in the order of their parts.
-layout(std430, set = 0, binding = 2) readonly buffer Nodes { HALF_QUAD nodes[]; };
+// Planes of words, one entry a node: basis_quads planes for each of x, y, z, four basis functions a word; then, two words a node, the
+// offset and the worth of a step, four f16. Nodes are in the order of their parts.
+layout(std430, set = 0, binding = 2) readonly buffer Nodes { uint nodes[]; };
 // Each part's first node, and their number.
 layout(std430, set = 0, binding = 3) readonly buffer NodeStarts { uint node_starts[]; };
-// Features of each part, then a vector for each node.
-layout(std430, set = 0, binding = 4) writeonly buffer PoseOut { float features[]; };
+// Features of each part, then for each node three f16 and a spare.
+layout(std430, set = 0, binding = 4) writeonly buffer PoseOut { uint posed[]; };
 
 shared float activation[2 * MLP_WIDTH];
 
@@ -23,17 +24,22 @@ float within(float sum) { return clamp(sum, -float(FEATURE_MAX), float(FEATURE_M
 // `e`: where in activation the nodes' features start.
 void move_nodes(uint part, uint e) {
     for (uint node = node_starts[part] + gl_LocalInvocationID.x; node < node_starts[part + 1u]; node += FEATURES_SIZE) {
-        vec3 moved = widen(nodes[3u * frame.basis_quads * frame.nodes + node]).xyz;
+        vec3 moved = vec3(0.0);
         for (uint b = 0u; b < frame.basis_quads; ++b) {
             uint at = e + 4u * b;
             vec4 x = vec4(activation[at], activation[at + 1u], activation[at + 2u], activation[at + 3u]);
-            moved.x += dot(widen(nodes[b * frame.nodes + node]), x);
-            moved.y += dot(widen(nodes[(frame.basis_quads + b) * frame.nodes + node]), x);
-            moved.z += dot(widen(nodes[(2u * frame.basis_quads + b) * frame.nodes + node]), x);
+            for (uint k = 0u; k < 3u; ++k) {
+                moved[k] += dot(unpackSnorm4x8(nodes[(k * frame.basis_quads + b) * frame.nodes + node]), x);
+            }
         }
-        for (uint k = 0u; k < 3u; ++k) {
-            features[4u * (frame.node_start + node) + k] = moved[k];
-        }
+        uint last = 3u * frame.basis_quads * frame.nodes + 2u * node;
+        vec2 high = unpackHalf2x16(nodes[last + 1u]);
+        // What unpackSnorm4x8 makes 1 of is 127 steps.
+        moved = vec3(unpackHalf2x16(nodes[last]), high.x) + 127.0 * high.y * moved;
+        moved = clamp(moved, -float(FEATURE_MAX), float(FEATURE_MAX));
+        uint at = 4u * frame.node_start + 2u * node;
+        posed[at] = packHalf2x16(moved.xy);
+        posed[at + 1u] = packHalf2x16(vec2(moved.z, 0.0));
     }
 }
 
@@ -67,7 +73,7 @@ void main() {
             }
             sum = within(sum);
             if (last) {
-                features[4u * (frame.feature_start + part * frame.feature_quads) + o] = sum;
+                posed[4u * (frame.feature_start + part * frame.feature_quads) + o] = floatBitsToUint(sum);
                 activation[target + o] = sum;
             } else {
                 activation[target + o] = max(sum, frame.slope * sum);

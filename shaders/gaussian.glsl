@@ -2,7 +2,7 @@
 // of GAUSSIAN_PAIRS pairs in all:
 //
 //   two for each Gaussian   x y | z, log scales 0..16 | four joints | three weights, log scales 16..24
-//   one for each Gaussian   nodes a b | node c, weights of a and b (5 bits each), log scales 24..30
+//   one for each Gaussian   nodes a b | node c, shares (5 bits each), log scales 24..30
 //   one for each Gaussian   quaternion | RGB, opacity
 //   four for 32 Gaussians   which of them keep a row of rotation | scale | colour, how many rows of rotation | scale | colour come
 //                           before, their first and last part, nothing
@@ -30,11 +30,14 @@ vec3 gaussian_log_scale(uvec2 place, uvec2 skin, uvec2 near) {
     return frame.log_scale_min + frame.log_scale_step * vec3(codes & 1023u, codes >> 10u & 1023u, codes >> 20u);
 }
 
-// The nodes that move it, and their weights.
+// The nodes that move it, those that count most first, and their weights: the first's share of what is above a third, and the second's
+// of what is above half of the rest.
 uvec3 gaussian_nodes(uvec2 words) { return uvec3(words.x & 0xffffu, words.x >> 16u, words.y & 0xffffu); }
 vec3 gaussian_node_weights(uvec2 words) {
-    uvec2 first = uvec2(words.y >> 16u, words.y >> 21u) & 31u;
-    return vec3(first, NODE_STEPS - float(first.x + first.y)) / NODE_STEPS;
+    vec2 share = vec2(words.y >> 16u & 31u, words.y >> 21u & 31u) / NODE_STEPS;
+    float first = (1.0 + 2.0 * share.x) / 3.0;
+    float second = (1.0 - first) * (0.5 + 0.5 * share.y);
+    return vec3(first, second, 1.0 - first - second);
 }
 
 // w x y z, in (x, y, z, w) of the vector; length 1.

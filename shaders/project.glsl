@@ -6,6 +6,7 @@
 #define SORT_FIRST_TILE frame.count_tile
 #include "sort_fused.glsl"
 #include "left_out.glsl"
+#include "pose.glsl"
 
 shared uint key_of_lane[SPLATS_SIZE];
 
@@ -20,14 +21,13 @@ bool hidden(vec2 center, float radius, float depth) {
         return false;
     }
     // Levels before: a quarter less each, SURFACE_FINEST² · (1 + 1/4 + …).
-    uint start = frame.surface_start + SURFACE_FINEST * SURFACE_FINEST / 3u * 4u - (SURFACE_FINEST * SURFACE_FINEST >> (2u * level)) / 3u * 4u;
+    uint start = SURFACE_FINEST * SURFACE_FINEST / 3u * 4u - (SURFACE_FINEST * SURFACE_FINEST >> (2u * level)) / 3u * 4u;
     low >>= level;
     high >>= level;
     float furthest = 0.0;
     for (uint y = low.y; y <= high.y; ++y) {
         for (uint x = low.x; x <= high.x; ++x) {
-            uint at = start + y * (SURFACE_FINEST >> level) + x;
-            furthest = max(furthest, posed[at >> 2u][at & 3u]);
+            furthest = max(furthest, furthest_of(start + y * (SURFACE_FINEST >> level) + x));
         }
     }
     return depth > furthest;

@@ -18,14 +18,14 @@ layout(std430, set = 0, binding = 1) readonly buffer Gaussians { uvec2 gaussians
 // A row: a word with the worth of a step (f16) and the part; for colours two with the neutral colour, three f16; then components, four
 // basis functions a word.
 layout(std430, set = 0, binding = 2) readonly buffer Rows { uint rows[]; };
-layout(std430, set = 0, binding = 3) readonly buffer PoseBuffer { vec4 posed[]; };
+layout(std430, set = 0, binding = 3) readonly buffer PoseBuffer { uvec2 posed[]; };
 layout(std430, set = 0, binding = 4) buffer Splats { uint words[]; };
 #include "project.glsl"
 
 float row_dot(uint at, uint feature) {
     float sum = 0.0;
     for (uint b = 0u; b < frame.basis_quads; ++b) {
-        sum += dot(unpackSnorm4x8(rows[at + b]), posed[feature + b]);
+        sum += dot(unpackSnorm4x8(rows[at + b]), features_of(feature + b));
     }
     return sum;
 }
@@ -93,8 +93,9 @@ uint splat_of(uint i) {
     }
     uvec2 place = gaussians[2u * i], skin = gaussians[2u * i + 1u], near = gaussians[2u * n + i];
     vec3 weight = gaussian_node_weights(near);
-    uvec3 node = frame.node_start + gaussian_nodes(near);
-    vec4 x = vec4(gaussian_position(place) + weight.x * posed[node.x].xyz + weight.y * posed[node.y].xyz + weight.z * posed[node.z].xyz, 1.0);
+    uvec3 node = gaussian_nodes(near);
+    vec4 x = vec4(gaussian_position(place) + weight.x * displacement_of(node.x) + weight.y * displacement_of(node.y) +
+                      weight.z * displacement_of(node.z), 1.0);
     vec3 log_scale = gaussian_log_scale(place, skin, near);
 
     // Step 6, with the view folded into the joints: rows of the 3 by 4 matrix from canonical space to the camera.

@@ -7,7 +7,7 @@
 #include "posed.glsl"
 
 layout(local_size_x = SPLATS_SIZE) in;
-layout(std430, set = 0, binding = 1) readonly buffer PoseBuffer { vec4 posed[]; };
+layout(std430, set = 0, binding = 1) readonly buffer PoseBuffer { uvec2 posed[]; };
 layout(std430, set = 0, binding = 2) buffer Splats { uint words[]; };
 #include "project.glsl"
 

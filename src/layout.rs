@@ -42,13 +42,14 @@ pub const POSED_WORDS: u32 = 5;
 /// Vectors in which every part has a bit.
 pub const PART_BITS: usize = limits::PARTS / 128;
 /// Texels along each side of the depth surface as it is drawn.
-pub const SURFACE_DRAWN: u32 = 512;
+pub const SURFACE_DRAWN: u32 = 384;
 /// Texels along each side of the pyramid's finest level.
 pub const SURFACE_FINEST: u32 = SURFACE_DRAWN / 2;
 /// Levels of the depth surface's pyramid; each halves the one before.
 pub const SURFACE_LEVELS: u32 = 4;
-/// Texels of the finest level along each side of a workgroup of `surface`.
-pub const SURFACE_SIZE: u32 = 8;
+/// Texels of the finest level along the sides of a workgroup of `surface`: two or more of the coarsest level across, which share a word.
+pub const SURFACE_WIDTH: u32 = 16;
+pub const SURFACE_HEIGHT: u32 = 8;
 /// Bits of a splat's coordinate: a fixed-point number from −guard to guard + size.
 pub const POSITION_BITS: u32 = 20;
 
@@ -76,7 +77,8 @@ pub const MACROS: &[(&str, u32)] = &[
     ("SURFACE_DRAWN", SURFACE_DRAWN),
     ("SURFACE_FINEST", SURFACE_FINEST),
     ("SURFACE_LEVELS", SURFACE_LEVELS),
-    ("SURFACE_SIZE", SURFACE_SIZE),
+    ("SURFACE_WIDTH", SURFACE_WIDTH),
+    ("SURFACE_HEIGHT", SURFACE_HEIGHT),
     ("POSITION_BITS", POSITION_BITS),
     ("INPUT_QUADS", INPUT_QUADS as u32),
     ("MLP_WIDTH", limits::MLP_WIDTH as u32),
@@ -135,7 +137,7 @@ pub struct Frame {
     pub feature_quads: u32,
     /// Where in e the nodes' features start, in quads.
     pub node_feature: u32,
-    /// Where in the pose buffer the nodes' displacements start, in vectors.
+    /// Where in the pose buffer the nodes' displacements start, in vectors. A node takes half a vector.
     pub node_start: u32,
     /// Where in the row buffer each attribute's rows start, in words.
     pub rotation_start: u32,

@@ -210,7 +210,7 @@ fn shaders_need_no_more_than_every_device_has() {
         let expected = match name.split('.').next() {
             Some("features") => Some(layout::FEATURES_SIZE),
             Some("harmonics") => Some(layout::HARMONICS_SIZE),
-            Some("surface") if name.starts_with("surface.comp") => Some(layout::SURFACE_SIZE * layout::SURFACE_SIZE),
+            Some("surface") if name.starts_with("surface.comp") => Some(layout::SURFACE_WIDTH * layout::SURFACE_HEIGHT),
             Some("splats" | "splats_posed") => Some(layout::SPLATS_SIZE),
             Some("sort_lanes_count" | "sort_lanes_scatter") => Some(layout::SORT_LANES),
             Some(name) if name.starts_with("sort_") => Some(layout::SORT_SIZE),

@@ -56,7 +56,7 @@ pub(super) fn fill_actor(block: &mut Frame, options: &RendererOptions, actor: &A
 
 /// Vectors of an avatar in the pose buffer: its features, then its nodes' displacements.
 pub(super) fn vectors(constants: &Frame) -> u32 {
-    constants.parts * constants.feature_quads + constants.nodes
+    constants.parts * constants.feature_quads + constants.nodes.div_ceil(2)
 }
 
 /// Rows of the 3 by 4 matrix of an affine map.

@@ -1,9 +1,10 @@
 //! The numbers of an avatar as the GPU's model keeps them: an [`Avatar`] goes in, the nearest one whose Gaussians fit 32 bytes and whose
-//! correctives fit a byte comes out.
+//! correctives, of attributes and of nodes, fit a byte a number comes out.
 //!
 //! What is rounded, and by how much at most: quaternions (30 bits: 0.0007 a component), log scales (10 bits over the avatar's own range,
 //! 1/256 for up to 8 octaves and a half), colours (8 bits, kept whole where a corrective is added), correctives (8 bits of the largest in
-//! their row), and the weights of nodes ([`node_weights`], 5 bits). Networks, nodes, positions, joints and opacities stay as they are.
+//! their row), and the weights of nodes ([`node_shares`]: 0.016). Networks, positions, joints, opacities
+//! and the nodes' offsets stay as they are.
 
 use crate::{
     avatar::{Avatar, Rows},
@@ -13,7 +14,7 @@ use half::f16;
 
 /// Steps of a quaternion's three smaller components in 1: none of them is above √½, which is 509 of the 511 steps that fit.
 pub const QUATERNION_STEPS: f64 = 720.0;
-/// Steps of a node's weight in 1.
+/// Steps of a node's share in 1.
 pub const NODE_STEPS: f64 = 31.0;
 /// The smallest log scale, a tenth of a micrometre; smaller ones are drawn like it.
 const LOG_SCALE_MIN: f64 = -16.0;
@@ -74,11 +75,16 @@ pub fn decode_quaternion(word: u32) -> [f64; 4] {
     q
 }
 
-/// How much a Gaussian's first two nodes count, in [`NODE_STEPS`]; the third has the rest.
-pub fn node_weights(avatar: &Avatar, gaussian: usize) -> [u32; 2] {
-    let [a, b, _] = avatar.node_weights(gaussian);
-    let first = (a * NODE_STEPS).round() as u32;
-    [first, ((b * NODE_STEPS).round() as u32).min(NODE_STEPS as u32 - first)]
+/// A Gaussian's nodes, those that count most first, and the shares that say how much: the first's of what is above a third, and the
+/// second's of what is above half of the rest, in [`NODE_STEPS`].
+pub fn node_shares(avatar: &Avatar, gaussian: usize) -> ([u16; 3], [u32; 2]) {
+    let weights = avatar.node_weights(gaussian);
+    let mut order = [0, 1, 2];
+    order.sort_by(|&a, &b| weights[b].total_cmp(&weights[a]));
+    let [a, b, c] = order.map(|k| weights[k]);
+    let code = |share: f64| (share * NODE_STEPS).round().clamp(0.0, NODE_STEPS) as u32;
+    let second = if b + c > 0.0 { 2.0 * b / (b + c) - 1.0 } else { 0.0 };
+    (order.map(|k| avatar.gaussians.node[gaussian][k]), [code((3.0 * a - 1.0) / 2.0), code(second)])
 }
 
 /// What one step of a row's bytes is worth: a number of four significant bits, so that f16 holds each of its multiples by up to 127.
@@ -112,16 +118,18 @@ impl Avatar {
             let plain = g.color.iter_mut().enumerate().filter(|(gaussian, _)| !kept(*gaussian));
             plain.flat_map(|(_, color)| color).for_each(|c| *c = f16::from_f64((c.to_f64().clamp(0.0, 1.0) * 255.0).round() / 255.0));
         }
-        compact.rotation_rows = rounded(&self.rotation_rows, rotation_rows(self), self.basis_len());
-        compact.scale_rows = rounded(&self.scale_rows, rows(&self.scale_rows, self.basis_len()), self.basis_len());
-        compact.color_rows = rounded(&self.color_rows, rows(&self.color_rows, self.basis_len()), self.basis_len());
+        compact.rotation_rows = rounded(&self.rotation_rows, rotation_rows(self));
+        compact.scale_rows = rounded(&self.scale_rows, rows(&self.scale_rows, self.basis_len()));
+        compact.color_rows = rounded(&self.color_rows, rows(&self.color_rows, self.basis_len()));
+        compact.nodes.basis = numbers(node_rows(self));
         compact
     }
 }
 
 /// A row of a corrective in bytes.
 pub struct Row {
-    pub gaussian: u32,
+    /// Its Gaussian or node.
+    pub of: u32,
     /// What one step is worth, exact in f16.
     pub scale: f64,
     /// Shape C, N_B.
@@ -131,6 +139,14 @@ pub struct Row {
 /// The rows of log scales and of colours.
 pub fn rows<const C: usize>(rows: &Rows<C>, basis: usize) -> impl Iterator<Item = Row> {
     divided(rows, basis, |_| 1.0)
+}
+
+/// A row for each node.
+pub fn node_rows(avatar: &Avatar) -> impl Iterator<Item = Row> {
+    avatar.nodes.basis.chunks_exact((3 * avatar.basis_len()).max(1)).enumerate().map(|(node, row)| {
+        let scale = row_scale(row.iter().map(|v| v.to_f64()));
+        Row { of: node as u32, scale, codes: row.iter().map(|v| row_code(v.to_f64(), scale)).collect() }
+    })
 }
 
 /// The rows of quaternions, divided by what [`encode_quaternion`] divides the quaternion by, which changes nothing after normalisation. A
@@ -149,14 +165,16 @@ fn divided<const C: usize>(rows: &Rows<C>, basis: usize, divisor: impl Fn(u32) -
         let largest = row.iter().fold(0.0, |most: f64, v| most.max((v.to_f64() / divisor).abs()));
         let divisor = divisor * (largest / f16::MAX.to_f64()).max(1.0);
         let scale = row_scale(row.iter().map(|v| v.to_f64() / divisor));
-        Row { gaussian, scale, codes: row.iter().map(|v| row_code(v.to_f64() / divisor, scale)).collect() }
+        Row { of: gaussian, scale, codes: row.iter().map(|v| row_code(v.to_f64() / divisor, scale)).collect() }
     })
 }
 
-fn rounded<const C: usize>(from: &Rows<C>, rows: impl Iterator<Item = Row>, basis: usize) -> Rows<C> {
-    let mut data = Vec::with_capacity(C * basis * from.gaussian.len());
-    rows.for_each(|row| data.extend(row.codes.iter().map(|&code| f16::from_f64(row.scale * f64::from(code)))));
-    Rows { gaussian: from.gaussian.clone(), basis: data }
+fn rounded<const C: usize>(from: &Rows<C>, rows: impl Iterator<Item = Row>) -> Rows<C> {
+    Rows { gaussian: from.gaussian.clone(), basis: numbers(rows) }
+}
+
+fn numbers(rows: impl Iterator<Item = Row>) -> Vec<f16> {
+    rows.flat_map(|row| row.codes.into_iter().map(move |code| f16::from_f64(row.scale * f64::from(code)))).collect()
 }
 
 #[cfg(test)]
@@ -200,6 +218,22 @@ mod tests {
         let again = compact.compact();
         assert_eq!(again.gaussians.log_scale, compact.gaussians.log_scale);
         assert_eq!(again.gaussians.color, compact.gaussians.color);
+    }
+
+    #[test]
+    fn weights_of_nodes_are_as_near_as_said() {
+        let avatar = demo::avatar().unwrap();
+        for gaussian in 0..avatar.gaussians.len() {
+            let (nodes, [first, second]) = node_shares(&avatar, gaussian);
+            let first = (1.0 + 2.0 * f64::from(first) / NODE_STEPS) / 3.0;
+            let second = (1.0 - first) * (0.5 + 0.5 * f64::from(second) / NODE_STEPS);
+            let coded = [first, second, 1.0 - first - second];
+            for (node, coded) in nodes.iter().zip(coded) {
+                let at = avatar.gaussians.node[gaussian].iter().position(|other| other == node).unwrap();
+                let exact = avatar.node_weights(gaussian)[at];
+                assert!((coded - exact).abs() < 0.0165, "Gaussian {gaussian}: {exact} became {coded}");
+            }
+        }
     }
 
     #[test]

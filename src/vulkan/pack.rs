@@ -82,19 +82,26 @@ pub fn node_places(avatar: &Avatar) -> (Vec<u16>, Vec<u32>) {
     (places, (0..=avatar.parts.len()).map(start).collect())
 }
 
-/// Planes of half quads, one entry a node; see `shaders/features.comp`.
-pub fn nodes(avatar: &Avatar, places: &[u16]) -> Vec<f16> {
-    let (count, basis) = (avatar.nodes.len(), avatar.basis_len());
-    let mut data = vec![f16::ZERO; (3 * basis + 4) * count];
+/// Planes of words, one entry a node; see `shaders/features.comp`.
+pub fn nodes(avatar: &Avatar, places: &[u16]) -> Vec<u32> {
+    let (count, quads) = (avatar.nodes.len(), 3 * avatar.basis_len() / 4);
+    let mut data = vec![0; (quads + 2) * count];
     for (node, &place) in places.iter().enumerate() {
-        let place = usize::from(place);
-        let row = &avatar.nodes.basis[node * 3 * basis..][..3 * basis];
-        for (k, &value) in row.iter().enumerate() {
-            data[(k / 4 * count + place) * 4 + k % 4] = value;
-        }
-        data[(3 * basis / 4 * count + place) * 4..][..3].copy_from_slice(&avatar.nodes.offset[node]);
+        let [x, y, z] = avatar.nodes.offset[node].map(f16::to_bits);
+        data[quads * count + 2 * usize::from(place)] = pair(x, y);
+        data[quads * count + 2 * usize::from(place) + 1] = u32::from(z);
+    }
+    for row in compact::node_rows(avatar) {
+        let place = usize::from(places[row.of as usize]);
+        row.codes.chunks_exact(4).enumerate().for_each(|(quad, codes)| data[quad * count + place] = word(codes));
+        data[quads * count + 2 * place + 1] |= u32::from(f16::from_f64(row.scale).to_bits()) << 16;
     }
     data
+}
+
+/// Four steps.
+fn word(codes: &[i8]) -> u32 {
+    u32::from_le_bytes(std::array::from_fn(|k| codes[k].cast_unsigned()))
 }
 
 /// Rows of rotation, scale and colour, one after the other; see `shaders/splats.comp`.
@@ -106,17 +113,17 @@ pub fn rows(avatar: &Avatar, constants: &mut Frame) -> Vec<u32> {
     compact::rows(&avatar.scale_rows, basis).for_each(|row| push(&mut data, avatar, &row, &[]));
     constants.color_start = data.len() as u32;
     for row in compact::rows(&avatar.color_rows, basis) {
-        let [red, green, blue] = avatar.gaussians.color[row.gaussian as usize].map(f16::to_bits);
+        let [red, green, blue] = avatar.gaussians.color[row.of as usize].map(f16::to_bits);
         push(&mut data, avatar, &row, &[pair(red, green), u32::from(blue)]);
     }
     data
 }
 
 fn push(data: &mut Vec<u32>, avatar: &Avatar, row: &Row, neutral: &[u32]) {
-    let part = avatar.parts.start.partition_point(|&start| start <= row.gaussian) - 1;
+    let part = avatar.parts.start.partition_point(|&start| start <= row.of) - 1;
     data.push(pair(f16::from_f64(row.scale).to_bits(), part as u16));
     data.extend_from_slice(neutral);
-    data.extend(row.codes.chunks_exact(4).map(|codes| u32::from_le_bytes(std::array::from_fn(|k| codes[k].cast_unsigned()))));
+    data.extend(row.codes.chunks_exact(4).map(word));
 }
 
 fn pair(low: u16, high: u16) -> u32 {
@@ -138,8 +145,8 @@ pub fn gaussians(avatar: &Avatar, node_places: &[u16]) -> Vec<[u32; 2]> {
         let [x, y, z] = g.position[i];
         let scale = (0..3).fold(0, |word, k| word | scales.encode(g.log_scale[i][k].to_f64()) << (10 * k));
         let [a, b, c, _] = g.joint_weight[i];
-        let n = g.node[i].map(|node| node_places.get(usize::from(node)).copied().unwrap_or_default());
-        let [first, second] = compact::node_weights(avatar, i);
+        let (nodes, [first, second]) = compact::node_shares(avatar, i);
+        let n = nodes.map(|node| node_places.get(usize::from(node)).copied().unwrap_or_default());
         data[2 * i] = [pair(x, y), pair(z, scale as u16)];
         data[2 * i + 1] = [u32::from_le_bytes(g.joint[i]), u32::from_le_bytes([a, b, c, (scale >> 16) as u8])];
         data[2 * count + i] = [pair(n[0], n[1]), u32::from(n[2]) | first << 16 | second << 21 | scale >> 24 << 26];

@@ -29,6 +29,7 @@ use crate::{
 use ash::vk::{self, AccessFlags, PipelineStageFlags};
 use bytemuck::{bytes_of, from_bytes_mut};
 use gpu_allocator::MemoryLocation;
+use half::f16;
 use std::sync::Arc;
 
 /// How a frame reaches a window: what to wait for and signal, and the commands that follow the picture.
@@ -98,8 +99,9 @@ impl Renderer {
         let constants = &model.constants;
         let storage = vk::BufferUsageFlags::STORAGE_BUFFER | vk::BufferUsageFlags::TRANSFER_SRC;
         let actors = options.actors as u32;
-        let vectors = u64::from(actors) * u64::from(block::vectors(constants));
-        let pose = Buffer::new(gpu, "pose", 16 * vectors + 4 * u64::from(PYRAMID_WORDS), storage, MemoryLocation::GpuOnly)?;
+        let words = 4 * u64::from(actors) * u64::from(block::vectors(constants)) + u64::from(PYRAMID_WORDS);
+        // Zeros: a corner of the depth surface may follow a node of a part that no frame has shown yet.
+        let pose = Buffer::with_data(gpu, "pose", &vec![0; 4 * words.next_multiple_of(2) as usize], storage)?;
         let blocks = SLOTS * options.actors;
         let frames = (blocks * FRAME_STRIDE) as u64;
         let mut frames = Buffer::new(gpu, "frames", frames, vk::BufferUsageFlags::UNIFORM_BUFFER, MemoryLocation::CpuToGpu)?;
@@ -148,6 +150,12 @@ impl Renderer {
     /// How far the avatar reaches.
     pub fn extent(&self) -> &Extent {
         &self.extent
+    }
+
+    /// Corners and triangles of the depth surface.
+    pub fn surface_size(&self) -> [u64; 2] {
+        let mesh = &self.model.occluder;
+        [mesh.corners.size / 32, u64::from(mesh.index_count / 3)]
     }
 
     /// The stage that holds the picture.
@@ -331,14 +339,14 @@ impl Renderer {
     pub fn stages(&mut self) -> Result<Stages> {
         self.finish()?;
         let constants = &self.model.constants;
-        let pose = self.pose.download(16 * block::vectors(constants) as usize)?;
-        let features = pose.len() - 16 * constants.nodes as usize;
-        let nodes: Vec<[f32; 4]> = bytemuck::pod_collect_to_vec(&pose[features..]);
+        let features = 16 * (constants.parts * constants.feature_quads) as usize;
+        let pose = self.pose.download(features + 8 * constants.nodes as usize)?;
+        let nodes: Vec<[f16; 4]> = bytemuck::pod_collect_to_vec(&pose[features..]);
         let control: Control = bytemuck::pod_read_unaligned(&self.control.download(size_of::<Control>())?);
         let (splats, keys) = self.splats.download(control.entering)?;
         Ok(Stages {
             features: bytemuck::pod_collect_to_vec(&pose[..features]),
-            nodes: self.model.node_places.iter().map(|&place| nodes[usize::from(place)]).collect(),
+            nodes: self.model.node_places.iter().map(|&place| nodes[usize::from(place)].map(f16::to_f32)).collect(),
             colors: self.model.colors()?,
             splats,
             keys,

@@ -11,16 +11,16 @@ use super::{
     pipeline::{Bindings, Kernel, Slice},
     shaders,
 };
-use crate::layout::{Frame, SURFACE_DRAWN, SURFACE_FINEST, SURFACE_LEVELS, SURFACE_SIZE};
+use crate::layout::{Frame, SURFACE_DRAWN, SURFACE_FINEST, SURFACE_HEIGHT, SURFACE_LEVELS, SURFACE_WIDTH};
 use ash::vk;
 use glam::{DVec2, UVec2};
 use std::sync::Arc;
 
-/// Words of the pyramid in the pose buffer.
+/// Words of the pyramid in the pose buffer, two texels each.
 pub const PYRAMID_WORDS: u32 = {
     let (mut words, mut level) = (0, 0);
     while level < SURFACE_LEVELS {
-        words += (SURFACE_FINEST >> level) * (SURFACE_FINEST >> level);
+        words += (SURFACE_FINEST >> level) * (SURFACE_FINEST >> level) / 2;
         level += 1;
     }
     words
@@ -61,7 +61,7 @@ impl SurfaceMesh {
         // SAFETY: the command buffer is recording inside the pipeline's render pass; pipeline and buffers are alive.
         unsafe {
             self.gpu.raw.cmd_bind_pipeline(commands, vk::PipelineBindPoint::GRAPHICS, self.pipeline);
-            self.gpu.raw.cmd_bind_index_buffer(commands, self.indices, 0, vk::IndexType::UINT32);
+            self.gpu.raw.cmd_bind_index_buffer(commands, self.indices, 0, vk::IndexType::UINT16);
             self.gpu.raw.cmd_draw_indexed(commands, self.index_count, 1, 0, 0, 0);
         }
     }
@@ -138,8 +138,8 @@ impl Surface {
             frames.iter().for_each(|&frame| self.mesh.record(commands, frame));
             device.cmd_end_render_pass(commands);
         }
-        let groups = SURFACE_FINEST / SURFACE_SIZE;
-        self.pyramid.dispatch_2d(commands, frames[0], [groups, groups]);
+        let groups = [SURFACE_FINEST / SURFACE_WIDTH, SURFACE_FINEST / SURFACE_HEIGHT];
+        self.pyramid.dispatch_2d(commands, frames[0], groups);
     }
 }
 

@@ -54,8 +54,13 @@ pub fn frame(gpu: &Arc<Gpu>, seed: u64, sizes: Sizes, options: RendererOptions) 
 
 /// Draws any frame.
 pub fn draw(gpu: &Arc<Gpu>, avatar: Avatar, posed: Posed, camera: Camera, options: RendererOptions) -> Frame {
+    draw_after(gpu, avatar, posed, &[], camera, options)
+}
+
+/// Draws any frame after those of some other cameras.
+pub fn draw_after(gpu: &Arc<Gpu>, avatar: Avatar, posed: Posed, before: &[Camera], camera: Camera, options: RendererOptions) -> Frame {
     let mut renderer = Renderer::new(gpu, &avatar, options).unwrap();
-    renderer.draw(&posed, &camera, None).unwrap();
+    before.iter().chain([&camera]).for_each(|camera| renderer.draw(&posed, camera, None).unwrap());
     let picture = renderer.picture().unwrap();
     let stages = renderer.stages().unwrap();
     let avatar = avatar.compact();

@@ -25,7 +25,7 @@ pub fn case(gpu: &Arc<Gpu>, task: &Task, setting: &Setting, case: Case, progress
     let mut drawer = Drawer::new(gpu, &avatar, setting, case, false)?;
     let samples = run::time(&mut drawer, &scenes, task.warm_up, |done| progress(&format!("{case}: timing"), done, scenes.len()))?;
     let (used, reserved) = gpu.memory();
-    let cost = Cost { used, reserved, timed: gpu.probe.timestamp_bits > 0 };
+    let cost = Cost { used, reserved, timed: gpu.probe.timestamp_bits > 0, surface: drawer.surface() };
     let numbers = scene::checks(case, scenes.len(), task.checked);
     let mut oracle = Oracle::new(task.avatar);
     let mut show = |what: &str, done, all| progress(&format!("{case}: {what}"), done, all);
@@ -44,6 +44,8 @@ struct Cost {
     reserved: u64,
     /// Whether it has timestamps.
     timed: bool,
+    /// Corners and triangles of the depth surface.
+    surface: [u64; 2],
 }
 
 fn report(
@@ -51,10 +53,11 @@ fn report(
     (avatar, setting): (&Avatar, &Setting),
     samples: Samples,
     (counters, checked): (BTreeMap<String, f64>, Checked),
-    Cost { used, reserved, timed }: Cost,
+    Cost { used, reserved, timed, surface }: Cost,
 ) -> CaseReport {
     let Samples { intervals, reports } = samples;
-    let work = work(avatar, setting, &counters, checked.covered);
+    let seen = Seen { surface, networks: networks(&reports), ..seen(&counters, checked.covered) };
+    let work = work(avatar, setting, &counters, seen);
     let stages = stages(&reports, &work);
     let mean = |of: fn(&StageReport) -> u64| stages.iter().map(|stage| stage.ran * of(stage) as f64).sum::<f64>().round() as u64;
     let frames = intervals.len();
@@ -96,16 +99,17 @@ pub fn counters(reports: &[FrameReport]) -> BTreeMap<String, f64> {
 }
 
 /// The work of a frame: what each avatar in view costs, and what all cost together.
-fn work(avatar: &Avatar, setting: &Setting, counters: &BTreeMap<String, f64>, covered: Option<f64>) -> Vec<Work> {
+fn work(avatar: &Avatar, setting: &Setting, counters: &BTreeMap<String, f64>, seen: Seen) -> Vec<Work> {
     let count = |name: &str| counters.get(name).copied().unwrap_or_default();
     let (all, culled) = (count("avatars"), count("avatars_culled"));
     let in_view = (all - culled).max(0.0);
-    let mut together = seen(counters, covered);
+    let mut together = seen;
     if all > 0.0 {
         together.gaussians = (count("gaussians") * in_view / all).round() as u64;
     }
     let share = |of: u64| if in_view > 0.0 { (of as f64 / in_view).round() as u64 } else { 0 };
-    let each = Seen { gaussians: share(together.gaussians), drawn: share(together.drawn), ..together };
+    let networks = together.networks.map(share);
+    let each = Seen { gaussians: share(together.gaussians), drawn: share(together.drawn), networks, ..together };
     let times = |of: u64| (of as f64 * in_view).round() as u64;
     let scaled = |work: &Work| Work {
         bytes: times(work.bytes),
@@ -127,9 +131,17 @@ fn seen(counters: &BTreeMap<String, f64>, covered: Option<f64>) -> Seen {
     Seen {
         gaussians: count("gaussians").unwrap_or_default(),
         drawn: count("drawn").unwrap_or_default(),
+        kept: count("kept") > Some(0),
         covered: count("covered").or(covered.map(|covered| covered.round() as u64)),
         fragments: count("fragments"),
+        ..Seen::default()
     }
+}
+
+/// The mean number of networks, of frames in which some ran.
+fn networks(reports: &[FrameReport]) -> Option<u64> {
+    let ran: Vec<u64> = reports.iter().map(|report| report.counters.networks).filter(|&networks| networks > 0).collect();
+    (!ran.is_empty()).then(|| ran.iter().sum::<u64>() / ran.len() as u64)
 }
 
 /// The stages that ran in some frame or have work counted, in the order of a frame.

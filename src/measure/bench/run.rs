@@ -79,6 +79,11 @@ impl Drawer {
         Ok(Self { renderer: Renderer::new(gpu, avatar, options)? })
     }
 
+    /// Corners and triangles of the depth surface.
+    pub fn surface(&self) -> [u64; 2] {
+        self.renderer.surface_size()
+    }
+
     /// Submits a frame, or finds that none is needed.
     pub fn draw(&mut self, scene: &Scene) -> Result<()> {
         let shown: Vec<_> = scene.actors.iter().map(|actor| &actor.shown).collect();
