@@ -155,7 +155,11 @@ fn the_frame_block_is_the_same_on_both_sides() {
             seen.set(seen.get() + 1);
         }
     });
-    assert_eq!(seen.get(), 9, "features and harmonics in two variants, two of splats, the surface's two and the vertex shader read the frame block");
+    assert_eq!(
+        seen.get(),
+        9,
+        "features and harmonics in two variants, two of splats, the surface's two and the vertex shader read the frame block"
+    );
 }
 
 #[test]

@@ -195,7 +195,11 @@ fn what_is_kept_lands_where_the_reference_puts_it() {
     let Some(device) = gpu::gpu() else { return };
     for (avatar, scale) in [(common::avatar(1, Sizes::default()), 1.0), (hostile(1), 1.0), (hostile(0), 1e-3), (hostile(0), 500.0)] {
         let mut posed = Posed::new(&avatar, &common::pose(3, &avatar));
-        let placed = DAffine3::from_scale_rotation_translation(DVec3::splat(scale), DQuat::from_rotation_x(1.0), DVec3::new(40.0, -7.0, 90.0) * scale);
+        let placed = DAffine3::from_scale_rotation_translation(
+            DVec3::splat(scale),
+            DQuat::from_rotation_x(1.0),
+            DVec3::new(40.0, -7.0, 90.0) * scale,
+        );
         posed.joints.iter_mut().for_each(|joint| *joint = placed * *joint);
         let [min, max] = effigy::frame::Extent::new(&avatar).bounds(&posed.joints);
         let camera = |yaw, distance| {

@@ -32,10 +32,14 @@ impl OccluderMesh {
         };
         let corners: Vec<[[u32; 4]; 2]> = occluder.vertices.iter().map(corner).collect();
         // A corner that 16 bits don't reach is none that an avatar's coarse mesh has: its triangle hides nothing.
-        let indices: Vec<[u16; 3]> = occluder.triangles.iter().filter_map(|corners| {
-            let [a, b, c] = corners.map(|corner| u16::try_from(corner).ok());
-            Some([a?, b?, c?])
-        }).collect();
+        let indices: Vec<[u16; 3]> = occluder
+            .triangles
+            .iter()
+            .filter_map(|corners| {
+                let [a, b, c] = corners.map(|corner| u16::try_from(corner).ok());
+                Some([a?, b?, c?])
+            })
+            .collect();
         Ok(Self {
             corners: Buffer::with_data(gpu, "surface corners", cast_slice(&corners), vk::BufferUsageFlags::STORAGE_BUFFER)?,
             indices: Buffer::with_data(gpu, "surface indices", cast_slice(&indices), vk::BufferUsageFlags::INDEX_BUFFER)?,

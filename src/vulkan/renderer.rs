@@ -140,7 +140,8 @@ impl Renderer {
         let frame = Slice { buffer: frames.raw, offset: 0, size: size_of::<Frame>() as u64 };
         let variant = options.sort.map_or_else(|| choice::choose(gpu).map(|verdict| verdict.variant), Ok)?;
         // Where colours change with the view, nothing is kept.
-        let options = RendererOptions { skip: if avatar.harmonics.is_some() { options.skip - Skip::SKINNING } else { options.skip }, ..options };
+        let options =
+            RendererOptions { skip: if avatar.harmonics.is_some() { options.skip - Skip::SKINNING } else { options.skip }, ..options };
         let keep = options.skip.contains(Skip::SKINNING);
         let splats = Splats::new(gpu, &model, frame, (&pose).into(), (options.key_bits, variant), keep)?;
         let sort_options = SortOptions { counts: Some(splats.counts()), ..SortOptions::new(options.key_bits, variant) };
@@ -212,13 +213,10 @@ impl Renderer {
             self.report = FrameReport::idle(self.harmonics.is_some());
             return Ok(());
         }
-        let seen = if self.options.skip.contains(Skip::PARTS) && needed.body != Body::Keep {
-            self.extent.visible(&posed.joints, camera)
-        } else {
-            PartSet::ALL
-        };
-        let networks = plan.networks(&needed, &self.needs, &seen);
-        let parts = Parts { outside: self.needs.all() - seen, networks };
+        let seen = self.options.skip.contains(Skip::PARTS).then(|| self.extent.visible(&posed.joints, camera));
+        let networks = plan.networks(&needed, &self.needs, seen.as_ref());
+        let outside = seen.filter(|_| needed.body != Body::Keep).map_or(PartSet::EMPTY, |seen| self.needs.all() - seen);
+        let parts = Parts { outside, networks };
         let surface = self.write_frame(slot, posed, camera, (needed.body, &parts));
         self.slots[slot].begin()?;
         self.record(slot, needed, &parts, surface);

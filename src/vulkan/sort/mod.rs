@@ -30,7 +30,7 @@ pub mod verdict;
 use super::{device::Gpu, error::Result, memory::Buffer, pipeline::Slice};
 #[cfg(doc)]
 use crate::layout::Control;
-use crate::layout::{SORT_DROPPED, SORT_CHAIN_TILE, SORT_DIGITS, SORT_FALLBACKS, SORT_GROUP, SORT_LANES, SORT_STATE};
+use crate::layout::{SORT_CHAIN_TILE, SORT_DIGITS, SORT_DROPPED, SORT_FALLBACKS, SORT_GROUP, SORT_LANES, SORT_STATE};
 use ash::vk;
 use gpu_allocator::MemoryLocation;
 use passes::Pass;
