@@ -80,7 +80,7 @@ impl Sub for PartSet {
 
 /// What each part needs to be drawn.
 pub struct Needs {
-    /// For each part those whose networks move it: its own, and those of the nodes that its Gaussians follow.
+    /// For each part those whose networks move it: its own, and those of the nodes that its Gaussians follow. None where it has none.
     of: Vec<PartSet>,
     /// Those that see the expression.
     pub head: PartSet,
@@ -90,7 +90,9 @@ impl Needs {
     pub fn new(avatar: &Avatar) -> Self {
         let of = avatar.parts.start.windows(2).enumerate().map(|(part, range)| {
             let mut needs = PartSet::EMPTY;
-            needs.insert(part);
+            if range[0] < range[1] {
+                needs.insert(part);
+            }
             let nodes = avatar.gaussians.node[range[0] as usize..range[1] as usize].iter().flatten();
             nodes.filter_map(|&node| avatar.nodes.part.get(usize::from(node))).for_each(|&part| needs.insert(usize::from(part)));
             needs

@@ -74,14 +74,18 @@ impl Plan {
     }
 
     /// The networks that run in a frame that shows `seen`, of those that what has changed since they ran concerns. The others wait until
-    /// they are seen; a frame that keeps the body needs them all.
-    pub fn networks(&mut self, needed: &Needed, needs: &Needs, seen: &PartSet) -> PartSet {
+    /// they are seen; a frame that keeps the body needs all that move something. None: all run that something has changed for.
+    pub fn networks(&mut self, needed: &Needed, needs: &Needs, seen: Option<&PartSet>) -> PartSet {
         match (needed.pose, needed.expression_only) {
             (true, true) => self.stale = self.stale | needs.head,
             (true, false) => self.stale = needs.all(),
             (false, _) => {}
         }
-        let drawn = if needed.body == Body::Compute { needs.networks(seen) } else { needs.all() };
+        let drawn = match seen {
+            None => needs.all(),
+            Some(seen) if needed.body == Body::Compute => needs.networks(seen),
+            Some(_) => needs.networks(&PartSet::ALL),
+        };
         let run = self.stale & drawn;
         self.stale = self.stale - run;
         run
@@ -131,15 +135,16 @@ mod tests {
         let (all, one) = (needs.all(), PartSet::first(1));
         let mut plan = Plan::default();
         let needed = |pose, expression_only, body| Needed { pose, expression_only, view: true, body };
-        assert_eq!(plan.networks(&needed(true, false, Body::Compute), &needs, &one), needs.networks(&one));
-        assert!(plan.networks(&needed(false, false, Body::Compute), &needs, &one).is_empty());
-        assert_eq!(plan.networks(&needed(false, false, Body::Compute), &needs, &all), all - needs.networks(&one));
-        assert!(plan.networks(&needed(false, false, Body::Keep), &needs, &one).is_empty());
-        assert_eq!(plan.networks(&needed(true, true, Body::Compute), &needs, &all), needs.head);
+        assert_eq!(plan.networks(&needed(true, false, Body::Compute), &needs, Some(&one)), needs.networks(&one));
+        assert!(plan.networks(&needed(false, false, Body::Compute), &needs, Some(&one)).is_empty());
+        assert_eq!(plan.networks(&needed(false, false, Body::Compute), &needs, Some(&all)), all - needs.networks(&one));
+        assert!(plan.networks(&needed(false, false, Body::Keep), &needs, Some(&one)).is_empty());
+        assert_eq!(plan.networks(&needed(true, true, Body::Compute), &needs, Some(&all)), needs.head);
         // The expression changes while some of the body waits.
-        plan.networks(&needed(true, false, Body::Compute), &needs, &one);
-        assert_eq!(plan.networks(&needed(true, true, Body::Compute), &needs, &all), needs.head | (all - needs.networks(&one)));
-        plan.networks(&needed(true, false, Body::Compute), &needs, &one);
-        assert_eq!(plan.networks(&needed(false, false, Body::Keep), &needs, &one), all - needs.networks(&one));
+        plan.networks(&needed(true, false, Body::Compute), &needs, Some(&one));
+        assert_eq!(plan.networks(&needed(true, true, Body::Compute), &needs, Some(&all)), needs.head | (all - needs.networks(&one)));
+        plan.networks(&needed(true, false, Body::Compute), &needs, Some(&one));
+        assert_eq!(plan.networks(&needed(false, false, Body::Keep), &needs, Some(&one)), all - needs.networks(&one));
+        assert_eq!(plan.networks(&needed(true, false, Body::Compute), &needs, None), all);
     }
 }

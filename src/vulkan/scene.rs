@@ -11,6 +11,8 @@ pub(super) struct Actor<'a> {
     pub number: usize,
     pub posed: &'a Posed,
     pub needed: Needed,
+    /// Parts that may be in the view, where it matters.
+    seen: Option<PartSet>,
     /// Parts all outside the view.
     pub outside: PartSet,
     /// Networks that run.
@@ -53,14 +55,14 @@ impl Scene {
         let mut actors = Vec::with_capacity(poses.len());
         for (number, &posed) in poses.iter().enumerate() {
             let looks = skip.intersects(Skip::AVATARS | Skip::PARTS);
-            let seen = if looks { extent.visible(&posed.joints, camera) } else { PartSet::ALL };
-            if skip.contains(Skip::AVATARS) && seen.is_empty() {
+            let seen = looks.then(|| extent.visible(&posed.joints, camera));
+            if skip.contains(Skip::AVATARS) && seen.is_some_and(|seen| seen.is_empty()) {
                 continue;
             }
+            let seen = seen.filter(|_| skip.contains(Skip::PARTS));
             let needed = self.plans[number].next(posed, camera, skip);
-            let hides = skip.contains(Skip::PARTS) && needed.body != Body::Keep;
-            let outside = if hides { needs.all() - seen } else { PartSet::EMPTY };
-            actors.push(Actor { number, posed, needed, outside, networks: PartSet::EMPTY });
+            let outside = seen.filter(|_| needed.body != Body::Keep).map_or(PartSet::EMPTY, |seen| needs.all() - seen);
+            actors.push(Actor { number, posed, needed, seen, outside, networks: PartSet::EMPTY });
         }
         let in_view: Vec<_> = actors.iter().map(|actor| actor.number).collect();
         let others = !skip.contains(Skip::FRAME) || self.in_view.as_ref() != Some(&in_view);
@@ -68,7 +70,7 @@ impl Scene {
         self.in_view = Some(in_view);
         for actor in actors.iter_mut().filter(|_| view || presented) {
             let plan = &mut self.plans[actor.number];
-            actor.networks = plan.networks(&actor.needed, needs, &(needs.all() - actor.outside));
+            actor.networks = plan.networks(&actor.needed, needs, actor.seen.as_ref());
             if view {
                 plan.shown(&actor.needed);
             }
