@@ -1,4 +1,5 @@
-// The network of each part (model.md, step 1): one workgroup a part, one invocation a neuron; θ_p ⊕ θ_e goes in, e comes out.
+// The network of each part (model.md, step 1): one workgroup a part, one invocation a neuron; θ_p ⊕ θ_e goes in, e comes out. Then the
+// displacement of each of the part's nodes (step 3): offset + B_s e, one invocation a node.
 // Weights stream through once; activations stay in shared memory, sums are f32.
 #version 450
 #extension GL_GOOGLE_include_directive : require
@@ -7,15 +8,46 @@
 
 layout(local_size_x = FEATURES_SIZE) in;
 layout(std430, set = 0, binding = 1) readonly buffer Networks { HALF_QUAD networks[]; };
-layout(std430, set = 0, binding = 2) writeonly buffer PoseOut { float features[]; };
+// Planes of words, one entry a node: basis_quads planes for each of x, y, z, four basis functions a word; then, two words a node, the
+// offset and the worth of a step, four f16. Nodes are in the order of their parts.
+layout(std430, set = 0, binding = 2) readonly buffer Nodes { uint nodes[]; };
+// Each part's first node, and their number.
+layout(std430, set = 0, binding = 3) readonly buffer NodeStarts { uint node_starts[]; };
+// Features of each part, then for each node three f16 and a spare.
+layout(std430, set = 0, binding = 4) writeonly buffer PoseOut { uint posed[]; };
 
 shared float activation[2 * MLP_WIDTH];
 
 // No weight whatever makes infinity of a feature, nor NaN of two of them.
 float within(float sum) { return clamp(sum, -float(FEATURE_MAX), float(FEATURE_MAX)); }
 
+// `e`: where in activation the nodes' features start.
+void move_nodes(uint part, uint e) {
+    for (uint node = node_starts[part] + gl_LocalInvocationID.x; node < node_starts[part + 1u]; node += FEATURES_SIZE) {
+        vec3 moved = vec3(0.0);
+        for (uint b = 0u; b < frame.basis_quads; ++b) {
+            uint at = e + 4u * b;
+            vec4 x = vec4(activation[at], activation[at + 1u], activation[at + 2u], activation[at + 3u]);
+            for (uint k = 0u; k < 3u; ++k) {
+                moved[k] += dot(unpackSnorm4x8(nodes[(k * frame.basis_quads + b) * frame.nodes + node]), x);
+            }
+        }
+        uint last = 3u * frame.basis_quads * frame.nodes + 2u * node;
+        vec2 high = unpackHalf2x16(nodes[last + 1u]);
+        // What unpackSnorm4x8 makes 1 of is 127 steps.
+        moved = vec3(unpackHalf2x16(nodes[last]), high.x) + 127.0 * high.y * moved;
+        moved = clamp(moved, -float(FEATURE_MAX), float(FEATURE_MAX));
+        uint at = 4u * frame.node_start + 2u * node;
+        posed[at] = packHalf2x16(moved.xy);
+        posed[at + 1u] = packHalf2x16(vec2(moved.z, 0.0));
+    }
+}
+
 void main() {
     uint part = gl_WorkGroupID.x;
+    if ((frame.idle[part / 128u][part / 32u & 3u] >> (part & 31u) & 1u) != 0u) {
+        return;
+    }
     uint block = part * frame.network_quads;
     uint input_start = part < frame.head_parts ? 0u : INPUT_QUADS;
     uint input_quads = part < frame.head_parts ? frame.layer[0].input_quads : frame.body_quads;
@@ -39,13 +71,16 @@ void main() {
                 }
                 sum += dot(widen(networks[weight + k * layer.output_count]), x);
             }
+            sum = within(sum);
             if (last) {
-                features[part * 4u * frame.feature_quads + o] = within(sum);
+                posed[4u * (frame.feature_start + part * frame.feature_quads) + o] = floatBitsToUint(sum);
+                activation[target + o] = sum;
             } else {
-                sum = within(sum);
                 activation[target + o] = max(sum, frame.slope * sum);
             }
         }
         barrier();
     }
+    // Where the last layer wrote.
+    move_nodes(part, (frame.layers & 1u) * MLP_WIDTH + 4u * frame.node_feature);
 }

@@ -1,5 +1,5 @@
-// The colour of each Gaussian as seen from the camera, for avatars that have harmonics: one invocation a Gaussian. It replaces the
-// neutral colour in the model, which `splats` adds the corrective to.
+// The colour of each Gaussian as seen from the camera, for avatars that have harmonics: one invocation a Gaussian. It takes the
+// place of the neutral colour, which `splats` adds the corrective to.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #include "half.glsl"
@@ -7,7 +7,7 @@
 #include "gaussian.glsl"
 
 layout(local_size_x = HARMONICS_SIZE) in;
-layout(std430, set = 0, binding = 1) buffer Gaussians { uvec4 gaussians[]; };
+layout(std430, set = 0, binding = 1) buffer Gaussians { uvec2 gaussians[]; };
 // Planes of half quads, one entry a Gaussian, three planes for each group of four functions: RGB of one function after the other, the
 // neutral colour as that of the first. Two buffers, so that the largest avatar's fit the range that every device has.
 layout(std430, set = 0, binding = 2) readonly buffer Low { HALF_QUAD low[]; };
@@ -29,9 +29,9 @@ vec3 from_high(uint group, uint i, vec4 function) {
 }
 
 // From the camera to the Gaussian's neutral position, turned back to canonical space, length 1. The camera is the origin of its space.
-vec3 direction(uvec4 words) {
-    uvec4 joint = gaussian_joints(words);
-    vec4 weight = gaussian_weights(words);
+vec3 direction(uvec2 place, uvec2 skin) {
+    uvec4 joint = gaussian_joints(skin);
+    vec4 weight = gaussian_weights(skin);
     vec4 r0 = vec4(0.0), r1 = vec4(0.0), r2 = vec4(0.0);
     for (uint k = 0u; k < 4u; ++k) {
         uint at = 3u * joint[k];
@@ -39,7 +39,7 @@ vec3 direction(uvec4 words) {
         r1 += weight[k] * frame.joint[at + 1u];
         r2 += weight[k] * frame.joint[at + 2u];
     }
-    vec4 x = vec4(gaussian_position(words), 1.0);
+    vec4 x = vec4(gaussian_position(place), 1.0);
     vec3 d = dot(r0, x) * r0.xyz + dot(r1, x) * r1.xyz + dot(r2, x) * r2.xyz;
     float size = length(d);
     return size > 0.0 ? d / size : vec3(0.0);
@@ -50,7 +50,7 @@ void main() {
     if (i >= frame.gaussians) {
         return;
     }
-    vec3 d = direction(gaussians[i]);
+    vec3 d = direction(gaussians[2u * i], gaussians[2u * i + 1u]);
     float x = d.x, y = d.y, z = d.z;
     float xx = x * x, yy = y * y, zz = z * z;
     vec3 color = from_low(0u, i, vec4(1.0, 0.48860251190 * vec3(-y, z, -x)));
@@ -65,6 +65,6 @@ void main() {
         }
         color += from_high(0u, i, function);
     }
-    uint at = 2u * frame.gaussians + i;
-    gaussians[at].xy = gaussian_color(gaussians[at].xy, clamp(color, 0.0, 65504.0));
+    color = clamp(color, 0.0, 65504.0);
+    gaussians[frame.lit_start + i] = uvec2(packHalf2x16(color.rg), packHalf2x16(vec2(color.b, 0.0)));
 }

@@ -83,12 +83,16 @@ void blend(Ready splat) {
     open = most >= FULL;
 }
 
+uint key_at(uint i) {
+    uint word = frame.key_start + (frame.half_keys != 0u ? i / 2u : i);
+    uint keys = splats[word / 4u][word & 3u];
+    return frame.half_keys != 0u ? keys >> (16u * (i & 1u)) & 0xffffu : keys;
+}
+
 // Whether splat `a` is drawn after splat `b` in the order: larger keys are nearer.
 bool nearer(uint a, uint b) {
-    uint at = frame.key_start + a;
-    uint other = frame.key_start + b;
-    uint key = splats[at / 4u][at & 3u];
-    uint than = splats[other / 4u][other & 3u];
+    uint key = key_at(a);
+    uint than = key_at(b);
     return key > than || (key == than && a > b);
 }
 

@@ -24,8 +24,10 @@ void main() {
     }
     uint i = order[quad];
     Splat splat = unpack_splat(splats[i]);
-    uint key_at = frame.key_start + i;
-    float depth = 1.0 - float(splats[key_at / 4u][key_at & 3u]) / float(frame.key_max);
+    uint key_at = frame.key_start + (frame.half_keys > 0u ? i / 2u : i);
+    uint key = splats[key_at / 4u][key_at & 3u];
+    key = frame.half_keys > 0u ? key >> 16u * (i & 1u) & 0xffffu : key;
+    float depth = 1.0 - float(key) / float(frame.key_max);
     float reach = reach_of(splat.opacity);
     offset = reach * vec2((gl_VertexIndex & 1) == 0 ? -1.0 : 1.0, (gl_VertexIndex & 2) == 0 ? -1.0 : 1.0);
     vec2 across = vec2(-splat.axis.y, splat.axis.x) * inversesqrt(dot(splat.axis, splat.axis)) * splat.shorter;

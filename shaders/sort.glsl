@@ -2,12 +2,13 @@
 // their form from pass to pass, to be as few bytes as they can be:
 //
 //   KEYS     a key a word; its value is its index. Before the first pass.
+//   HALVES   the same with two keys of 16 bits a word; the largest is SORT_DROPPED.
 //   PAIRS    a key and a value in turn.
 //   PACKED   the last digit in the high 8 bits, the value in the others. Before the last pass, where values fit.
 //   VALUES   a value a word. After the last pass.
 #include "sort_control.glsl"
 
-const uint KEYS = 0u, PAIRS = 1u, PACKED = 2u, VALUES = 3u;
+const uint KEYS = 0u, PAIRS = 1u, PACKED = 2u, VALUES = 3u, HALVES = 4u;
 layout(constant_id = 0) const uint PASS = 0u;
 layout(constant_id = 1) const uint READS = KEYS;
 layout(constant_id = 2) const uint WRITES = VALUES;
@@ -18,7 +19,7 @@ layout(constant_id = 5) const uint CAPACITY = 1u;
 // Whether `sort_scan` has turned the histograms into places.
 layout(constant_id = 6) const bool SCANNED = false;
 
-const bool FIRST = READS == KEYS;
+const bool FIRST = READS == KEYS || READS == HALVES;
 const uint SHIFT = 8u * PASS;
 const uint DIGIT_MASK = SORT_DIGITS - 1u;
 const uint VALUE_MASK = 0xffffffu;

@@ -10,6 +10,12 @@ uint entries() { return min(FIRST ? control.entering : control.survivors, CAPACI
 // Tiles that have entries; one where none has.
 uint tiles_of(uint end) { return max((end + TILE - 1u) / TILE, 1u); }
 
-uint key_at(uint at) { return READS == PAIRS ? entry[2u * at] : entry[at]; }
+uint key_at(uint at) {
+    if (READS == HALVES) {
+        uint key = entry[at / 2u] >> 16u * (at & 1u) & 0xffffu;
+        return key == 0xffffu ? SORT_DROPPED : key;
+    }
+    return READS == PAIRS ? entry[2u * at] : entry[at];
+}
 
 uint value_at(uint at, uint key) { return FIRST ? at : READS == PAIRS ? entry[2u * at + 1u] : key & VALUE_MASK; }

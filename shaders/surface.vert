@@ -7,15 +7,16 @@
 
 // Two vectors a corner: position in 16-bit coordinates (x y, z), joints, weights; three nodes (x y, z) and the weights of the first two.
 layout(std430, set = 0, binding = 1) readonly buffer Corners { uvec4 corners[]; };
-layout(std430, set = 0, binding = 2) readonly buffer PoseBuffer { vec4 posed[]; };
+layout(std430, set = 0, binding = 2) readonly buffer PoseBuffer { uvec2 posed[]; };
+#include "pose.glsl"
 
 void main() {
     uvec4 corner = corners[2 * gl_VertexIndex];
     uvec4 near = corners[2 * gl_VertexIndex + 1];
     vec4 x = vec4(frame.position_min.xyz + frame.position_step.xyz * vec3(corner.x & 0xffffu, corner.x >> 16u, corner.y), 1.0);
     vec2 share = unpackUnorm2x16(near.z);
-    x.xyz += share.x * posed[frame.node_start + (near.x & 0xffffu)].xyz + share.y * posed[frame.node_start + (near.x >> 16u)].xyz +
-             (1.0 - share.x - share.y) * posed[frame.node_start + near.y].xyz;
+    x.xyz += share.x * displacement_of(near.x & 0xffffu) + share.y * displacement_of(near.x >> 16u) +
+             (1.0 - share.x - share.y) * displacement_of(near.y);
     uvec4 joint = uvec4(corner.z, corner.z >> 8u, corner.z >> 16u, corner.z >> 24u) & 0xffu;
     vec4 weight = unpackUnorm4x8(corner.w);
     vec3 p = vec3(0.0);

@@ -9,8 +9,6 @@ use bytemuck::{Pod, Zeroable};
 
 /// Invocations of a workgroup of `features`: one for each neuron of the paper's layers.
 pub const FEATURES_SIZE: u32 = 64;
-/// Invocations of a workgroup of `nodes`.
-pub const NODES_SIZE: u32 = 64;
 /// Invocations of a workgroup of `harmonics`.
 pub const HARMONICS_SIZE: u32 = 64;
 /// Invocations of a workgroup of `splats`.
@@ -35,16 +33,23 @@ pub const SORT_DIGITS: u32 = 256;
 pub const SORT_DROPPED: u32 = u32::MAX;
 /// Quads in an instance of the draw. One quad an instance is slow on several drivers (design.md, "Device facts").
 pub const RASTER_QUADS: u32 = 128;
-/// 16-byte vectors of a Gaussian in the model buffer, each in a plane of its own.
-pub const GAUSSIAN_PLANES: u32 = 3;
+/// Pairs of words of a Gaussian in the model buffer.
+pub const GAUSSIAN_PAIRS: u32 = 4;
+/// Pairs of words that every 32 Gaussians have together.
+pub const BLOCK_PAIRS: u32 = 4;
+/// Words of a Gaussian that are kept where only the camera moves.
+pub const POSED_WORDS: u32 = 5;
+/// Vectors in which every part has a bit.
+pub const PART_BITS: usize = limits::PARTS / 128;
 /// Texels along each side of the depth surface as it is drawn.
-pub const SURFACE_DRAWN: u32 = 512;
+pub const SURFACE_DRAWN: u32 = 384;
 /// Texels along each side of the pyramid's finest level.
 pub const SURFACE_FINEST: u32 = SURFACE_DRAWN / 2;
 /// Levels of the depth surface's pyramid; each halves the one before.
 pub const SURFACE_LEVELS: u32 = 4;
-/// Texels of the finest level along each side of a workgroup of `surface`.
-pub const SURFACE_SIZE: u32 = 8;
+/// Texels of the finest level along the sides of a workgroup of `surface`: two or more of the coarsest level across, which share a word.
+pub const SURFACE_WIDTH: u32 = 16;
+pub const SURFACE_HEIGHT: u32 = 8;
 /// Tiles along each side of the picture, at most.
 pub const BINS_SIDE: u32 = 128;
 /// Blocks of the drawing order, an invocation of `bins` each: a bit of a word each.
@@ -72,7 +77,6 @@ pub const INPUT_QUADS: usize = limits::MLP_INPUT / 4;
 /// Name and value of the constants that the shaders see as macros.
 pub const MACROS: &[(&str, u32)] = &[
     ("FEATURES_SIZE", FEATURES_SIZE),
-    ("NODES_SIZE", NODES_SIZE),
     ("HARMONICS_SIZE", HARMONICS_SIZE),
     ("SPLATS_SIZE", SPLATS_SIZE),
     ("SORT_SIZE", SORT_SIZE),
@@ -85,11 +89,14 @@ pub const MACROS: &[(&str, u32)] = &[
     ("SORT_DIGITS", SORT_DIGITS),
     ("SORT_DROPPED", SORT_DROPPED),
     ("RASTER_QUADS", RASTER_QUADS),
-    ("GAUSSIAN_PLANES", GAUSSIAN_PLANES),
+    ("GAUSSIAN_PAIRS", GAUSSIAN_PAIRS),
+    ("BLOCK_PAIRS", BLOCK_PAIRS),
+    ("PART_BITS", PART_BITS as u32),
     ("SURFACE_DRAWN", SURFACE_DRAWN),
     ("SURFACE_FINEST", SURFACE_FINEST),
     ("SURFACE_LEVELS", SURFACE_LEVELS),
-    ("SURFACE_SIZE", SURFACE_SIZE),
+    ("SURFACE_WIDTH", SURFACE_WIDTH),
+    ("SURFACE_HEIGHT", SURFACE_HEIGHT),
     ("BINS_SIDE", BINS_SIDE),
     ("BINS_BLOCKS", BINS_BLOCKS),
     ("BINS_SIZE", BINS_SIZE),
@@ -156,9 +163,9 @@ pub struct Frame {
     pub feature_quads: u32,
     /// Where in e the nodes' features start, in quads.
     pub node_feature: u32,
-    /// Where in the pose buffer the nodes' displacements start, in vectors; features are before them.
+    /// Where in the pose buffer the nodes' displacements start, in vectors. A node takes half a vector.
     pub node_start: u32,
-    /// Where in the row buffer each attribute's rows start, in half quads.
+    /// Where in the row buffer each attribute's rows start, in words.
     pub rotation_start: u32,
     pub scale_start: u32,
     pub color_start: u32,
@@ -184,9 +191,36 @@ pub struct Frame {
     pub hull_opacity: f32,
     /// Quads of inputs of the first layer outside the head: those after are zeros.
     pub body_quads: u32,
+    /// Log scales: `log_scale_min + log_scale_step · 10-bit code`.
+    pub log_scale_min: f32,
+    pub log_scale_step: f32,
+    /// Where in the model the colours that the camera sees start, in pairs; 0 where no harmonics make any.
+    pub lit_start: u32,
+    /// Whether two keys share a word.
+    pub half_keys: u32,
+    /// Where in the splats' buffer the sort's first counts start, in words, and how many keys share a row of them.
+    pub count_start: u32,
+    pub count_tile: u32,
+    /// Where in the splats' buffer this avatar's posed Gaussians start, in words.
+    pub posed_start: u32,
+    /// What their longest axes are counted in, metres.
+    pub posed_unit: f32,
+    /// Where in the pose buffer this avatar's features start, in vectors.
+    pub feature_start: u32,
+    /// Where in the scene's splats and keys this avatar's start.
+    pub first: u32,
     /// Side of a tile, px.
     pub tile: f32,
-    pub unused: [f32; 3],
+    pub unused: u32,
+    /// The box that their positions are coordinates in: its lower corner and its sides, metres.
+    pub posed_min: [f32; 4],
+    pub posed_size: [f32; 4],
+    /// Rows of the map from the space that they are in to the camera's.
+    pub turn: [[f32; 4]; 3],
+    /// A bit for each part whose network need not run.
+    pub idle: [[u32; 4]; PART_BITS],
+    /// A bit for each part that is all outside the view.
+    pub outside: [[u32; 4]; PART_BITS],
     pub layer: [Layer; limits::MLP_LAYERS],
     /// θ_p ⊕ θ_e as the head parts see it, then as the others do, with zeros for θ_e.
     pub input: [[[f32; 4]; INPUT_QUADS]; 2],

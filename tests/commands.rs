@@ -39,6 +39,13 @@ fn fails(folder: &Path, arguments: &str) -> String {
     err
 }
 
+/// Runs a command whose arguments must be refused, in as many lines as it takes.
+fn fails_usage(folder: &Path, arguments: &str) -> String {
+    let output = effigy(folder, arguments);
+    assert!(!output.status.success(), "effigy {arguments} should fail");
+    String::from_utf8_lossy(&output.stderr).into_owned()
+}
+
 fn picture(path: &Path) -> effigy::frame::Picture {
     let image = image::open(path).unwrap().to_rgba32f();
     effigy::frame::Picture { size: [image.width(), image.height()], pixels: image.pixels().map(|p| p.0).collect() }
@@ -60,6 +67,22 @@ fn render_writes_the_demo_as_the_reference_draws_it() {
     let background = oracle.pixels[0];
     let drawn = oracle.pixels.iter().filter(|&&pixel| pixel != background).count();
     assert!(drawn > 320 * 400 / 20, "only {drawn} pixels differ from the background");
+}
+
+#[test]
+fn render_draws_several_as_the_reference_does() {
+    if gpu::gpu().is_none() {
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    small_avatar(folder.path());
+    let what = "render small.avatar --motion small.motion --size 240x160 --time 0.4 --yaw 60";
+    works(folder.path(), &format!("{what} --count 3 --out gpu.png"));
+    works(folder.path(), &format!("{what} --count 3 --reference --out oracle.png"));
+    works(folder.path(), &format!("{what} --out one.png"));
+    let [gpu, oracle, one] = ["gpu.png", "oracle.png", "one.png"].map(|name| picture(&folder.path().join(name)));
+    assert!(error::between(&gpu, &oracle).whole.psnr_db > 50.0 && error::between(&one, &oracle).whole.psnr_db < 30.0);
+    assert!(fails_usage(folder.path(), "render --count 0").contains("--count"));
 }
 
 #[test]
@@ -111,7 +134,7 @@ fn bench_writes_what_it_measured_of_every_case() {
     assert!(json["device"]["name"].is_string() && json["program"]["date"].is_string() && json["options"]["skip"].is_string());
     let cases = json["cases"].as_array().unwrap();
     let names: Vec<_> = cases.iter().map(|case| case["name"].as_str().unwrap()).collect();
-    assert!(names.starts_with(&["full", "camera", "orbit", "expression", "static", "close", "far"]), "{names:?}");
+    assert!(names.starts_with(&["full", "camera", "orbit", "expression", "static", "close", "far", "four"]), "{names:?}");
     for case in cases {
         let name = case["name"].as_str().unwrap();
         assert!(said.contains(&format!("\n{name}: ")), "{name} is not printed: {said}");
@@ -123,9 +146,16 @@ fn bench_writes_what_it_measured_of_every_case() {
         let stages = cases[case]["stages"].as_array().unwrap();
         stages.iter().find(|entry| entry["name"] == stage).and_then(|entry| entry["ran"].as_f64()).unwrap()
     };
-    for stage in ["features", "nodes", "splats", "sort", "raster"] {
+    for stage in ["features", "splats", "sort", "raster"] {
         assert_eq!([ran(0, stage), ran(4, stage)], [1.0, 0.0], "{stage} in motion and with nothing changed");
     }
+    let count = |case: usize, name: &str| cases[case]["counters"][name].as_f64().unwrap();
+    for case in [0, 5, 7] {
+        let reasons: f64 = ["outside", "hidden", "faint", "degenerate"].iter().map(|name| count(case, name)).sum();
+        let whole = count(case, "gaussians") * count(case, "avatars_culled") / count(case, "avatars");
+        assert!((reasons + whole - count(case, "culled")).abs() < 1e-6, "{reasons} and {whole} in whole avatars");
+    }
+    assert_eq!([count(0, "avatars"), count(7, "avatars")], [1.0, 4.0]);
     assert_eq!([ran(1, "features"), ran(1, "splats")], [0.0, 1.0], "the camera alone moves");
     assert!(cases[0]["counters"]["drawn"].as_f64() > Some(100.0) && cases[0]["bytes"].as_u64() > cases[0]["bytes_floor"].as_u64());
     assert_eq!(std::fs::read_to_string(folder.path().join("out.csv")).unwrap().lines().count(), 1 + cases.len());

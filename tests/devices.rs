@@ -69,10 +69,10 @@ fn stages_whose_inputs_did_not_change_are_skipped() {
     let (all, first) = frame(&posed, &camera(0.0));
     assert!(all.skipped.is_empty() && all.counters.drawn > 100, "{all:?}");
     let (none, same) = frame(&posed, &camera(0.0));
-    assert_eq!(none.skipped, ["features", "nodes", "splats", "sort", "raster"]);
+    assert_eq!(none.skipped, ["features", "splats", "sort", "raster"]);
     assert!(same == first, "a frame without changes changed the picture");
     let (view, turned) = frame(&posed, &camera(1.0));
-    assert_eq!(view.skipped, ["features", "nodes"]);
+    assert_eq!(view.skipped, ["features"]);
     assert!(turned != first);
     let other = Posed::new(&avatar, &common::pose(2, &avatar));
     assert!(frame(&other, &camera(1.0)).0.skipped.is_empty());

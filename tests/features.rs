@@ -3,7 +3,11 @@
 mod common;
 
 use common::{Sizes, gpu};
-use effigy::{avatar::Activation, vulkan::GpuOptions};
+use effigy::{
+    avatar::Activation,
+    frame::Skip,
+    vulkan::{GpuOptions, RendererOptions},
+};
 
 fn compare(options: GpuOptions) {
     let Some(device) = gpu::open(options) else { return };
@@ -14,7 +18,7 @@ fn compare(options: GpuOptions) {
         Sizes { hidden: 4, basis: 4, expression: 0, parts: 1, joints: 1, ..Sizes::default() },
     ];
     for (seed, sizes) in (0..).zip(sizes) {
-        let frame = gpu::frame(&device, seed, sizes, gpu::options([64, 64]));
+        let frame = gpu::frame(&device, seed, sizes, RendererOptions { skip: Skip::all() - Skip::PARTS, ..gpu::options([64, 64]) });
         let features: Vec<f64> = frame.gpu.features.iter().map(|&e| f64::from(e)).collect();
         let scale = frame.oracle.features.iter().fold(1.0, |max: f64, e| max.max(e.abs()));
         gpu::assert_close(&format!("e, {sizes:?}"), &features, &frame.oracle.features, 1e-5 * scale);

@@ -126,7 +126,22 @@ fn the_frame_block_is_the_same_on_both_sides() {
         offset_of!(Frame, surface_scale),
         offset_of!(Frame, hull_opacity),
         offset_of!(Frame, body_quads),
+        offset_of!(Frame, log_scale_min),
+        offset_of!(Frame, log_scale_step),
+        offset_of!(Frame, lit_start),
+        offset_of!(Frame, half_keys),
+        offset_of!(Frame, count_start),
+        offset_of!(Frame, count_tile),
+        offset_of!(Frame, posed_start),
+        offset_of!(Frame, posed_unit),
+        offset_of!(Frame, feature_start),
+        offset_of!(Frame, first),
         offset_of!(Frame, tile),
+        offset_of!(Frame, posed_min),
+        offset_of!(Frame, posed_size),
+        offset_of!(Frame, turn),
+        offset_of!(Frame, idle),
+        offset_of!(Frame, outside),
         offset_of!(Frame, layer),
         offset_of!(Frame, input),
         offset_of!(Frame, joint),
@@ -137,13 +152,17 @@ fn the_frame_block_is_the_same_on_both_sides() {
         for (variable, block) in reflection.variables(StorageClass::Uniform) {
             assert_eq!(reflection.decoration(variable, Decoration::Binding), Some(0), "{name}: the only uniform block is the frame's");
             assert_eq!(reflection.member_offsets(block), expected, "{name}: offsets of the frame block");
-            let layers = reflection.operand(block, 36);
+            let layers = reflection.operand(block, 51);
             assert_eq!(reflection.decoration(layers, Decoration::ArrayStride), Some(size_of::<Layer>() as u32), "{name}: stride of layers");
             assert_eq!(reflection.member_offsets(reflection.operand(layers, 0)), layer, "{name}: offsets of a layer");
             seen.set(seen.get() + 1);
         }
     });
-    assert_eq!(seen.get(), 16, "four compute stages in two variants, the surface's two, bins and the raster's five read the frame block");
+    assert_eq!(
+        seen.get(),
+        14,
+        "features and harmonics in two variants, two of splats, the surface's two, bins and the raster's five read the frame block"
+    );
 }
 
 #[test]
@@ -191,10 +210,9 @@ fn shaders_need_no_more_than_every_device_has() {
         });
         let expected = match name.split('.').next() {
             Some("features") => Some(layout::FEATURES_SIZE),
-            Some("nodes") => Some(layout::NODES_SIZE),
             Some("harmonics") => Some(layout::HARMONICS_SIZE),
-            Some("surface") if name.starts_with("surface.comp") => Some(layout::SURFACE_SIZE * layout::SURFACE_SIZE),
-            Some("splats") => Some(layout::SPLATS_SIZE),
+            Some("surface") if name.starts_with("surface.comp") => Some(layout::SURFACE_WIDTH * layout::SURFACE_HEIGHT),
+            Some("splats" | "splats_posed") => Some(layout::SPLATS_SIZE),
             Some("bins") => Some(layout::BINS_SIZE),
             Some(name) if name.starts_with("raster_") => Some(layout::RASTER_SIZE),
             Some("sort_lanes_count" | "sort_lanes_scatter") => Some(layout::SORT_LANES),

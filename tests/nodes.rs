@@ -17,8 +17,9 @@ fn compare(options: GpuOptions) {
         let frame = gpu::frame(&device, seed, sizes, gpu::options([64, 64]));
         let nodes: Vec<f64> = frame.gpu.nodes.iter().flat_map(|v| [v[0], v[1], v[2]]).map(f64::from).collect();
         let oracle: Vec<f64> = frame.oracle.nodes.iter().flat_map(|v| v.to_array()).collect();
-        // A micrometre.
-        gpu::assert_close(&format!("δx of the nodes, {sizes:?}"), &nodes, &oracle, 1e-6);
+        // A micrometre, and half a step of f16 for the largest.
+        let largest = oracle.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
+        gpu::assert_close(&format!("δx of the nodes, {sizes:?}"), &nodes, &oracle, 1e-6 + largest / 2048.0);
     }
     gpu::assert_valid();
 }

@@ -6,7 +6,7 @@ use common::{Sizes, gpu};
 use effigy::{
     avatar::{Avatar, motion::Player},
     demo,
-    frame::{Camera, Picture, Posed, Skip},
+    frame::{Camera, Counters, Picture, Posed, Skip},
     measure::error,
     vulkan::{Renderer, RendererOptions, raster::Method},
 };
@@ -41,7 +41,7 @@ fn exact_skips_change_no_bit() {
     let poses = [first.clone(), smile, first.clone(), first];
     let all = frames(&device, &avatar, &poses, Skip::empty());
     assert!(all[0].0 != all[1].0, "the expression shows nowhere");
-    for skip in [Skip::INPUTS, Skip::EXPRESSION, Skip::POSE, Skip::FRAME | Skip::POSE] {
+    for skip in [Skip::INPUTS, Skip::EXPRESSION, Skip::POSE, Skip::FRAME | Skip::POSE, Skip::PARTS, Skip::PARTS | Skip::POSE] {
         for (number, (with, without)) in frames(&device, &avatar, &poses, skip).iter().zip(&all).enumerate() {
             assert!(with.0 == without.0, "picture {number} changes when {skip} is left out");
         }
@@ -119,5 +119,76 @@ fn full_pixels_take_no_more_within_the_budget() {
     assert!(shaded * 10 < all * 9, "{shaded} of {all} shaded");
     let difference = error::between(&picture, &exact);
     assert!(difference.covered.psnr_db > 56.0 && difference.whole.max_error < 2.0 / 255.0, "{:?}", difference.covered);
+    gpu::assert_valid();
+}
+
+/// A frame of every camera, one after the other, of the demo in one pose or in those given.
+fn turn(device: &std::sync::Arc<effigy::vulkan::Gpu>, poses: &[Posed], cameras: &[Camera], skip: Skip) -> Vec<(Picture, Counters)> {
+    let avatar = demo::avatar().unwrap();
+    let options = RendererOptions { skip, ..RendererOptions::new(cameras[0].size) };
+    let mut renderer = Renderer::new(device, &avatar, options).unwrap();
+    let draw = |(posed, camera)| {
+        renderer.draw(posed, camera, None).unwrap();
+        let picture = renderer.picture().unwrap();
+        (picture, renderer.report().counters)
+    };
+    poses.iter().cycle().zip(cameras).map(draw).collect()
+}
+
+fn demo_poses(seconds: &[f64]) -> Vec<Posed> {
+    let avatar = demo::avatar().unwrap();
+    let player = Player::new(demo::clip().unwrap(), &avatar.skeleton);
+    seconds.iter().map(|&seconds| Posed::new(&avatar, &player.pose(seconds))).collect()
+}
+
+/// What no camera changes is kept: the picture it gives is the same but for rounding, and a new pose makes it anew.
+#[test]
+fn a_still_body_is_kept_and_does_not_jump() {
+    let Some(device) = gpu::gpu() else { return };
+    let size = [480, 760];
+    let orbit = |yaw| Camera::orbit(DVec3::new(0.0, 0.9, 0.0), yaw, 0.1, 2.6, 0.7, size);
+    let cameras = [0.0, 0.4, 0.4001, 2.5, 0.4, 2.5].map(orbit);
+    let poses = demo_poses(&[0.5, 0.5, 0.5, 0.5, 0.5, 2.0]);
+    let computed = turn(&device, &poses, &cameras, Skip::empty());
+    let kept = turn(&device, &poses, &cameras, Skip::SKINNING | Skip::POSE);
+    let counts: Vec<bool> = kept.iter().map(|(_, counters)| counters.kept == counters.gaussians).collect();
+    assert_eq!(counts, [false, false, true, true, true, false]);
+    assert!(computed.iter().all(|(_, counters)| counters.kept == 0));
+    for (number, (a, b)) in kept.iter().zip(&computed).enumerate() {
+        if counts[number] {
+            let difference = error::between(&a.0, &b.0);
+            println!("picture {number}: {:?}", difference.covered);
+            assert!(difference.covered.psnr_db > 55.0, "picture {number}: {:?}", difference.covered);
+        } else {
+            assert!(a.0 == b.0, "picture {number} draws what it has just computed");
+        }
+    }
+    // The same frame both ways: what it was computed from, and what was kept of that.
+    let jump = error::between(&kept[4].0, &kept[1].0).covered;
+    assert!(jump.psnr_db > 55.0 && kept[4].0 != kept[1].0, "{jump:?}");
+    gpu::assert_valid();
+}
+
+/// Parts outside the view are left out without changing a bit, and their networks run when they come into it.
+#[test]
+fn parts_outside_the_view_wait_for_it() {
+    let Some(device) = gpu::gpu() else { return };
+    let size = [300, 200];
+    let at = |height, yaw| Camera::orbit(DVec3::new(0.0, height, 0.0), yaw, 0.0, 0.7, 0.5, size);
+    // The head; the pose changes; the camera turns, and moves on to the feet, then back far enough to see all.
+    let cameras = [at(1.6, 0.0), at(1.6, 0.0), at(1.6, 0.1), at(0.1, 0.1), Camera::orbit(DVec3::Y, 0.3, 0.0, 5.0, 0.7, size)];
+    let poses = demo_poses(&[0.5, 2.0, 2.0, 2.0, 2.0]);
+    for skip in [Skip::POSE, Skip::POSE | Skip::SKINNING, Skip::POSE | Skip::HIDDEN] {
+        let (all, some) = (turn(&device, &poses, &cameras, skip), turn(&device, &poses, &cameras, skip | Skip::PARTS));
+        for (number, (a, b)) in some.iter().zip(&all).enumerate() {
+            assert!(a.0 == b.0, "picture {number} with {skip}: {:?} {:?} {:?}", error::between(&a.0, &b.0).covered, a.1, b.1);
+        }
+        let networks = |frames: &[(Picture, Counters)]| frames.iter().map(|(_, counters)| counters.networks).collect::<Vec<_>>();
+        let parts = demo::avatar().unwrap().parts.len() as u64;
+        assert_eq!(networks(&all), [parts, parts, 0, 0, 0]);
+        let ran = networks(&some);
+        assert!(ran[0] > 0 && ran[0] < parts && ran[1] < parts && ran[2..].iter().sum::<u64>() + ran[1] == parts, "{ran:?}");
+        assert!(some[0].1.parts_outside > parts / 4 && some[4].1.parts_outside == 0 && all[0].1.parts_outside == 0);
+    }
     gpu::assert_valid();
 }

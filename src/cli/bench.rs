@@ -12,7 +12,6 @@ use crate::{
     avatar::{import::cameras, motion::Player},
     measure::bench::{
         Case, Devices, Knob, Setting, Task, measured,
-        run::Drawer,
         scene::RATE,
         sweep::{Sweep, sweep},
     },
@@ -87,10 +86,10 @@ struct Cases(Vec<Case>);
 #[derive(Clone)]
 struct Knobs(Vec<Knob>);
 
-/// Reads `all` or some names; `all` are those that this renderer can draw.
+/// Reads `all` or some names.
 fn cases(text: &str) -> Result<Cases, String> {
     if text == "all" {
-        return Ok(Cases(Case::ALL.into_iter().filter(|case| case.actors() <= Drawer::ACTORS).collect()));
+        return Ok(Cases(Case::ALL.into()));
     }
     text.split(',').map(|name| name.trim().parse()).collect::<Result<_, _>>().map(Cases)
 }
@@ -131,9 +130,6 @@ impl Args {
         let sweep_case = cases.first().copied().unwrap_or(Case::Orbit);
         if cases.is_empty() && knobs.is_empty() {
             cases.push(Case::Full);
-        }
-        if let Some(case) = cases.iter().find(|case| case.actors() > Drawer::ACTORS) {
-            anyhow::bail!("the case `{case}` has {} avatars, this renderer draws {} in a scene", case.actors(), Drawer::ACTORS);
         }
         let held = self.pose_rate.is_some_and(|hold| hold > 1) || knobs.contains(&Knob::PoseRate);
         if let Some(case) = cases.iter().chain(Some(&sweep_case).filter(|_| !knobs.is_empty())).find(|case| held && !case.in_real_time()) {

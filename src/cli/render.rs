@@ -7,9 +7,9 @@ use super::{
 use crate::{
     avatar::{Avatar, import::cameras, motion::Player},
     frame::{Camera, Extent, Picture, Posed},
-    measure::upright,
+    measure::{in_a_row, upright},
     reference,
-    vulkan::{Gpu, Renderer},
+    vulkan::{Gpu, Renderer, RendererOptions},
 };
 use anyhow::{Context, ensure};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -39,6 +39,9 @@ pub struct Args {
     cameras: Option<PathBuf>,
     #[command(flatten)]
     view: View,
+    /// Copies of the avatar, in a row a metre apart, each further on in the clip
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..=64))]
+    count: u16,
     /// Colour behind the avatar, or `none` for a transparent picture
     #[arg(long, default_value = options::BACKGROUND, value_parser = background)]
     background: Background,
@@ -75,15 +78,15 @@ enum Painter<'a> {
 }
 
 impl Painter<'_> {
-    fn paint(&mut self, posed: &Posed, camera: &Camera) -> anyhow::Result<Picture> {
+    fn paint(&mut self, poses: &[&Posed], camera: &Camera) -> anyhow::Result<Picture> {
         match self {
-            Self::Reference(avatar) => Ok(reference::render(avatar, posed, camera)),
+            Self::Reference(avatar) => Ok(reference::render_scene(avatar, poses, camera)),
             Self::Gpu(renderer, size) => {
                 if camera.size != *size {
                     renderer.resize(camera.size)?;
                     *size = camera.size;
                 }
-                renderer.draw(posed, camera, None)?;
+                renderer.draw_scene(poses, camera, None)?;
                 Ok(renderer.picture()?)
             }
         }
@@ -100,14 +103,21 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     } else {
         let gpu = Gpu::new(&args.quality.gpu())?;
         println!("drawing with {}", gpu.probe.name);
-        Painter::Gpu(Box::new(Renderer::new(&gpu, &avatar, args.quality.renderer(size))?), size)
+        Painter::Gpu(
+            Box::new(Renderer::new(&gpu, &avatar, RendererOptions { actors: args.count.into(), ..args.quality.renderer(size) })?),
+            size,
+        )
     };
     let extent = Extent::new(&avatar);
     let mut paint = |seconds: f64, camera: Option<&Camera>, out: &Path| -> anyhow::Result<()> {
-        let posed = Posed::new(&avatar, &player.pose(seconds));
-        let around = || args.view.camera(upright(extent.bounds(&posed.joints)), size);
+        let poses = row(&avatar, &player, seconds, args.count.into());
+        let around = || {
+            let boxes = poses.iter().map(|posed| upright(extent.bounds(&posed.joints)));
+            let all = boxes.reduce(|[low, high], [min, max]| [low.min(min), high.max(max)]);
+            args.view.camera(all.unwrap_or_default(), size)
+        };
         let camera = camera.map_or_else(around, |camera| Ok(cameras::scaled(camera, args.size.unwrap_or(camera.size))))?;
-        write(&painter.paint(&posed, &camera)?, args.background, out)
+        write(&painter.paint(&poses.iter().collect::<Vec<_>>(), &camera)?, args.background, out)
     };
     if let Some(path) = &args.cameras {
         let cameras = source::cameras(path, &avatar)?;
@@ -141,6 +151,17 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     Ok(())
 }
 
+/// Copies of an avatar, spread over the clip from a time on.
+fn row(avatar: &Avatar, player: &Player, seconds: f64, count: usize) -> Vec<Posed> {
+    let duration = player.clip().duration();
+    let pose = |number: usize| {
+        let at = seconds + duration * number as f64 / count as f64;
+        let at = if number > 0 && duration > 0.0 { at % duration } else { at };
+        Posed::new(avatar, &player.pose(at)).placed(in_a_row(number, count))
+    };
+    (0..count).map(pose).collect()
+}
+
 /// Renders a turn of the avatar around itself while it moves, for a machine without a display. Says where the pictures are.
 pub fn turntable(source: &Source, folder: &Path) -> anyhow::Result<()> {
     const PICTURES: usize = 24;
@@ -149,7 +170,7 @@ pub fn turntable(source: &Source, folder: &Path) -> anyhow::Result<()> {
     let player = Player::new(clips.into_iter().next().context("there is no clip")?, &avatar.skeleton);
     let gpu = Gpu::new(&crate::vulkan::GpuOptions::headless(None))?;
     println!("drawing a turntable with {}", gpu.probe.name);
-    let mut renderer = Renderer::new(&gpu, &avatar, crate::vulkan::RendererOptions::new(size))?;
+    let mut renderer = Renderer::new(&gpu, &avatar, RendererOptions::new(size))?;
     fs::create_dir_all(folder).with_context(|| format!("{} can't be made", folder.display()))?;
     let background = Background::Color(options::color(options::BACKGROUND).map_err(anyhow::Error::msg)?);
     let extent = Extent::new(&avatar);

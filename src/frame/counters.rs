@@ -5,12 +5,24 @@ use serde::{Deserialize, Serialize};
 /// Counts of one frame. Every Gaussian that came in is either drawn or left out. A frame that draws nothing anew leaves all counts 0.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Counters {
+    /// Avatars in the scene.
+    pub avatars: u64,
+    /// Avatars all outside the view, for which nothing was done.
+    pub avatars_culled: u64,
     /// Gaussians of all avatars in the scene.
     pub gaussians: u64,
-    /// Left out: outside the picture, nearer than the near plane, never as opaque as the cutoff, or hidden.
+    /// Left out: those of avatars that were left out, and for the reasons below.
     pub culled: u64,
+    /// Why Gaussians of the other avatars were left out. None where nobody counted.
+    pub reasons: Option<Reasons>,
     /// Drawn: sorted and rasterized.
     pub drawn: u64,
+    /// Networks that ran.
+    pub networks: u64,
+    /// Parts all outside the view.
+    pub parts_outside: u64,
+    /// Gaussians that were projected from what an earlier frame kept: all of them or none.
+    pub kept: u64,
     /// Fragment shader invocations of the raster stage. None where the device has no pipeline statistics.
     pub fragments: Option<u64>,
     /// Pixels that something was drawn into. None where nobody counted them.
@@ -21,13 +33,35 @@ pub struct Counters {
     pub submitted: u64,
 }
 
+/// Gaussians left out one by one, by the first reason that was found.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Reasons {
+    /// Nearer than the near plane, or nowhere in the picture.
+    pub outside: u64,
+    /// Behind the depth surface.
+    pub hidden: u64,
+    /// Never as opaque as the cutoff.
+    pub faint: u64,
+    /// Of a shape that is no number, or beyond what f32 can tell.
+    pub degenerate: u64,
+}
+
 impl Counters {
     /// Every count under its name, in the order of the fields; those that nobody counted are left out.
     pub fn named(&self) -> impl Iterator<Item = (&'static str, u64)> {
         let all = [
+            ("avatars", Some(self.avatars)),
+            ("avatars_culled", Some(self.avatars_culled)),
             ("gaussians", Some(self.gaussians)),
             ("culled", Some(self.culled)),
+            ("outside", self.reasons.map(|reasons| reasons.outside)),
+            ("hidden", self.reasons.map(|reasons| reasons.hidden)),
+            ("faint", self.reasons.map(|reasons| reasons.faint)),
+            ("degenerate", self.reasons.map(|reasons| reasons.degenerate)),
             ("drawn", Some(self.drawn)),
+            ("networks", Some(self.networks)),
+            ("parts_outside", Some(self.parts_outside)),
+            ("kept", Some(self.kept)),
             ("fragments", self.fragments),
             ("covered", self.covered),
             ("dispatches", Some(self.dispatches)),
@@ -51,8 +85,9 @@ mod tests {
     fn overdraw_is_unknown_where_nothing_was_counted_or_covered() {
         let counted = Counters { fragments: Some(30), covered: Some(12), ..Counters::default() };
         assert_eq!(counted.overdraw(), Some(2.5));
-        assert_eq!(counted.named().count(), 7);
-        assert_eq!(Counters::default().named().count(), 5);
+        assert_eq!(counted.named().count(), 12);
+        assert_eq!(Counters { reasons: Some(Reasons::default()), ..counted }.named().count(), 16);
+        assert_eq!(Counters::default().named().count(), 10);
         assert_eq!(Counters { covered: Some(0), ..counted }.overdraw(), None);
         assert_eq!(Counters { fragments: None, ..counted }.overdraw(), None);
     }

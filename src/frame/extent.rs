@@ -1,6 +1,6 @@
 //! How far a posed avatar reaches, from boxes around its parts: bounds that cost some thousand points a frame, not one a Gaussian.
 
-use super::Camera;
+use super::{Camera, LOG_SCALE_MAX, PartSet};
 use crate::avatar::Avatar;
 use glam::{DAffine3, DVec2, DVec3, UVec2};
 
@@ -13,6 +13,9 @@ const WEIGHT: u8 = 8;
 /// A part's box in canonical space, and the joints that move it.
 #[derive(Clone, Debug)]
 struct PartBox {
+    part: usize,
+    /// How far its Gaussians reach around their centres, metres: where they are an opaque one's least visible, with room for correctives.
+    reach: f64,
     min: DVec3,
     max: DVec3,
     joints: Vec<u8>,
@@ -29,7 +32,10 @@ pub struct Extent {
 impl Extent {
     pub fn new(avatar: &Avatar) -> Self {
         let ranges = avatar.parts.start.windows(2).map(|pair| pair[0] as usize..pair[1] as usize);
-        let parts = ranges.filter(|range| !range.is_empty()).map(|range| {
+        let parts = ranges.enumerate().filter(|(_, range)| !range.is_empty()).map(|(part, range)| {
+            let scales = avatar.gaussians.log_scale[range.clone()].iter().flatten();
+            let longest = scales.map(|s| s.to_f64()).fold(f64::NEG_INFINITY, f64::max).min(LOG_SCALE_MAX).exp();
+            let reach = 1.2 * longest * super::reach(255).unwrap_or_default();
             let (mut min, mut max) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
             let mut weight = [0u8; 256];
             for gaussian in range {
@@ -40,7 +46,7 @@ impl Extent {
                 }
             }
             let joints = (0..=255).filter(|&joint| weight[joint as usize] >= WEIGHT).collect();
-            PartBox { min, max, joints }
+            PartBox { part, reach, min, max, joints }
         });
         Self { parts: parts.collect() }
     }
@@ -51,14 +57,30 @@ impl Extent {
     }
 
     fn corners<'a>(&'a self, joints: &'a [DAffine3]) -> impl Iterator<Item = DVec3> + 'a {
-        self.parts.iter().flat_map(move |part| {
-            let corner = |k: usize| {
-                let choose = |axis: usize| if k >> axis & 1 == 0 { part.min[axis] } else { part.max[axis] };
-                DVec3::new(choose(0), choose(1), choose(2))
-            };
-            let corners: [DVec3; 8] = std::array::from_fn(corner);
-            part.joints.iter().flat_map(move |&joint| corners.map(|corner| joints[joint as usize].transform_point3(corner)))
-        })
+        self.parts.iter().flat_map(move |part| part.corners(joints))
+    }
+
+    /// The parts that may be in the picture. A part is outside it when its box is, with room for correctives and its Gaussians' size.
+    pub fn visible(&self, joints: &[DAffine3], camera: &Camera) -> PartSet {
+        let scale = enlargement(joints);
+        let mut visible = PartSet::EMPTY;
+        let seen = |part: &&PartBox| {
+            let room = scale * (MARGIN + part.reach);
+            let [mut before, mut behind] = [false, true];
+            let (mut min, mut max) = (DVec2::INFINITY, DVec2::NEG_INFINITY);
+            for corner in part.corners(joints) {
+                let p = camera.view.transform_point3(corner);
+                before |= p.z - room < camera.near;
+                behind &= p.z + room < camera.near;
+                let at = camera.project(p);
+                let room = room * camera.focal / (p.z - room) * (1.0 + (p.truncate() / p.z).abs()) + 2.0;
+                (min, max) = (min.min(at - room), max.max(at + room));
+            }
+            let outside = max.cmplt(DVec2::ZERO).any() || min.cmpgt(UVec2::from(camera.size).as_dvec2()).any();
+            if before { !behind } else { !outside }
+        };
+        self.parts.iter().filter(seen).for_each(|part| visible.insert(part.part));
+        visible
     }
 
     /// Lower and upper corner of a box around the posed avatar, in the space the joint matrices lead to.
@@ -97,6 +119,23 @@ impl Extent {
         // At least a hundredth of the margin deep, and more than f32 can tell.
         [near, (max + margin).max(near + 0.02 * margin).max(near * (1.0 + 1e-6))]
     }
+}
+
+impl PartBox {
+    /// Its corners as each of its joints moves them.
+    fn corners<'a>(&'a self, joints: &'a [DAffine3]) -> impl Iterator<Item = DVec3> + 'a {
+        let corner = |k: usize| {
+            let choose = |axis: usize| if k >> axis & 1 == 0 { self.min[axis] } else { self.max[axis] };
+            DVec3::new(choose(0), choose(1), choose(2))
+        };
+        let corners: [DVec3; 8] = std::array::from_fn(corner);
+        self.joints.iter().flat_map(move |&joint| corners.map(|corner| joints[joint as usize].transform_point3(corner)))
+    }
+}
+
+/// How much the joints enlarge lengths, at most.
+pub fn enlargement(joints: &[DAffine3]) -> f64 {
+    margin(joints) / MARGIN
 }
 
 /// [`MARGIN`] where the joints have moved it.

@@ -4,6 +4,7 @@ pub mod camera;
 pub mod check;
 pub mod counters;
 pub mod extent;
+pub mod parts;
 pub mod picture;
 pub mod plan;
 pub mod skip;
@@ -11,11 +12,12 @@ pub mod skip;
 use crate::avatar::{Avatar, Pose};
 pub use camera::Camera;
 pub use check::Unusable;
-pub use counters::Counters;
+pub use counters::{Counters, Reasons};
 pub use extent::Extent;
 use glam::DAffine3;
+pub use parts::{Needs, PartSet};
 pub use picture::Picture;
-pub use plan::{Needed, Plan};
+pub use plan::{Body, Needed, Plan};
 pub use skip::Skip;
 
 /// Added to both diagonal entries of a projected covariance, px² (model.md, step 8).
@@ -51,6 +53,12 @@ pub struct Posed {
 impl Posed {
     pub fn new(avatar: &Avatar, pose: &Pose) -> Self {
         Self { joints: avatar.skeleton.matrices(pose), input: avatar.inputs.of(pose), expression: avatar.inputs.expression }
+    }
+
+    /// The same somewhere else: `place` goes from this world to the one that it stands in.
+    pub fn placed(mut self, place: DAffine3) -> Self {
+        self.joints.iter_mut().for_each(|joint| *joint = place * *joint);
+        self
     }
 }
 

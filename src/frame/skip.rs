@@ -22,6 +22,12 @@ bitflags::bitflags! {
         const DEPTH = 1 << 6;
         /// Splats behind pixels that are full; only where tiles are drawn, since a blender takes all that comes.
         const FULL = 1 << 7;
+        /// Correctives and skinning when only the camera has moved: what they gave before is kept, rounded.
+        const SKINNING = 1 << 8;
+        /// Parts outside the view: their Gaussians, and their networks until they are seen.
+        const PARTS = 1 << 9;
+        /// Avatars that are all outside the view: every stage of theirs.
+        const AVATARS = 1 << 10;
     }
 }
 
@@ -68,6 +74,6 @@ mod tests {
         }
         assert_eq!("all".parse(), Ok(Skip::all()));
         assert_eq!("hidden, depth".parse(), Ok(Skip::HIDDEN | Skip::DEPTH));
-        assert!("everything".parse::<Skip>().is_err_and(|error| error.contains("hidden,depth")));
+        assert!("everything".parse::<Skip>().is_err_and(|error| error.contains("hidden,depth,skinning,parts,avatars")));
     }
 }

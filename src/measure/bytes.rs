@@ -11,6 +11,8 @@
 
 use crate::{
     avatar::{Avatar, Layer},
+    frame::Skip,
+    layout::{SURFACE_DRAWN, SURFACE_FINEST, SURFACE_LEVELS},
     vulkan::{RendererOptions, harmonics},
 };
 
@@ -19,11 +21,23 @@ use crate::{
 const SPLAT: u64 = 420;
 /// The first three of these: as far as to know where a Gaussian is.
 const PLACE: u64 = 132;
-/// Bytes of a Gaussian when every number is as small as can be: position 6, quaternion 4, scales 3, colour 3, opacity 1, joints 4,
-/// weights 3, nodes 6, their weights 2.
-const GAUSSIAN_FLOOR: u64 = 32;
+/// Where the body is kept: a transform in place of the first three, and three axes less to make.
+const KEPT: u64 = 250;
+/// Bytes of a Gaussian as the model has it, of which all but the last 8 say where it is, and those that 32 Gaussians share, a Gaussian.
+const GAUSSIAN: [u64; 3] = [24, 8, 1];
+/// The same when every number is as small as can be: position 6, joints 4, weights 3, nodes 6, their weights 2; then quaternion 4,
+/// scales 3, colour 3, opacity 1.
+const GAUSSIAN_FLOOR: [u64; 2] = [21, 11];
+/// Bytes of a Gaussian as it is kept, where it is and then how it looks; and when these are as small as can be.
+const POSED: [u64; 2] = [8, 12];
+const POSED_FLOOR: [u64; 2] = [6, 11];
 /// Bytes of a splat as handed to the raster stage.
 const SPLAT_BYTES: u64 = 16;
+/// Bytes of a node's displacement as handed on.
+const NODE_BYTES: u64 = 8;
+/// Bytes of an index of the depth surface, and of a texel of its pyramid.
+const INDEX_BYTES: u64 = 2;
+const PYRAMID_BYTES: u64 = 2;
 /// Operations of a fragment: offset from the centre (2), exponent (5), exponential, opacity (2) and blending of four channels (8).
 const FRAGMENT: u64 = 18;
 
@@ -44,20 +58,24 @@ pub struct Seen {
     /// Gaussians that came in, and those that were drawn.
     pub gaussians: u64,
     pub drawn: u64,
+    /// Networks that ran; all where that is not known.
+    pub networks: Option<u64>,
+    /// Whether what no camera changes came from an earlier frame.
+    pub kept: bool,
+    /// Corners and triangles of the depth surface.
+    pub surface: [u64; 2],
     /// Pixels covered; all of the picture where that is not known.
     pub covered: Option<u64>,
     pub fragments: Option<u64>,
 }
 
-/// The work of each stage for a frame in which everything changed.
+/// The work of each stage of a frame that it runs in.
 pub fn per_stage(avatar: &Avatar, options: &RendererOptions, seen: Seen) -> Vec<Work> {
     let lit = avatar.harmonics.is_some().then(|| view_colors(avatar, seen));
-    let model = [features(avatar), nodes(avatar)].into_iter().chain(lit);
-    model.chain([splats(avatar, seen), sort(options, seen), raster(options, seen)]).collect()
-}
-
-fn halves(count: usize) -> u64 {
-    2 * count as u64
+    let hides = options.skip.contains(Skip::HIDDEN) && seen.surface[1] > 0;
+    let surface = hides.then(|| surface(avatar, seen));
+    let model = std::iter::once(features(avatar, options, seen)).chain(lit).chain(surface);
+    model.chain([splats(avatar, options, seen, hides), sort(options, seen), raster(options, seen)]).collect()
 }
 
 /// Numbers in the feature vectors of all parts.
@@ -65,66 +83,102 @@ fn feature_count(avatar: &Avatar) -> u64 {
     (avatar.parts.len() * avatar.networks.output()) as u64
 }
 
-fn features(avatar: &Avatar) -> Work {
+/// Networks, and the nodes that follow them.
+fn features(avatar: &Avatar, options: &RendererOptions, seen: Seen) -> Work {
     let layers = &avatar.networks.layers;
-    let networks: u64 = layers.iter().map(|layer| halves(layer.weight.len() + layer.bias.len())).sum();
     let parts = avatar.parts.len() as u64;
-    let of = |layer: &Layer, input: u64| 2 * input * layer.output as u64;
-    let operations: u64 = layers.iter().map(|layer| parts * of(layer, layer.input.next_multiple_of(4) as u64)).sum();
-    let all: u64 = layers.iter().map(|layer| parts * of(layer, layer.input as u64)).sum();
+    let head = (avatar.parts.head as u64).min(parts);
+    let run = seen.networks.unwrap_or(parts).min(parts);
     // Parts outside the head see the expression as zeros.
-    let body = parts - (avatar.parts.head as u64).min(parts);
-    let zeros = layers.first().map_or(0, |layer| body * of(layer, avatar.inputs.expression as u64));
+    let body_input = |layer: &Layer| (layer.input - avatar.inputs.expression.min(layer.input)) as u64;
+    let zeros: u64 = layers.first().map_or(0, |layer| (layer.input as u64 - body_input(layer)) * layer.output as u64);
+    let padded = |numbers: u64| numbers.next_multiple_of(4);
+    let read_zeros = layers.first().filter(|_| options.skip.contains(Skip::INPUTS));
+    let unread = read_zeros.map_or(0, |layer| (padded(layer.input as u64) - padded(body_input(layer))) * layer.output as u64);
+    let sum = |of: fn(&Layer) -> u64| layers.iter().map(of).sum::<u64>();
+    let weights = sum(|layer| layer.input.next_multiple_of(4) as u64 * layer.output as u64);
+    let biases = sum(|layer| layer.output.next_multiple_of(4) as u64);
+    let needed = sum(|layer| layer.input as u64 * layer.output as u64);
+    let (nodes, basis) = (avatar.nodes.len() as u64, avatar.nodes.basis.len() as u64);
+    // Of all parts; of those that ran their share.
+    let share = |all: u64| (u128::from(all) * u128::from(run)).checked_div(u128::from(parts)).unwrap_or_default() as u64;
+    let bytes = 2 * (parts * (weights + biases) - (parts - head) * unread) + 4 * feature_count(avatar);
+    let bytes_floor = 2 * (parts * (needed + sum(|layer| layer.output as u64)) - (parts - head) * zeros) + 2 * feature_count(avatar);
     Work {
         stage: "features",
-        bytes: networks + 4 * feature_count(avatar),
-        bytes_floor: networks + 2 * feature_count(avatar),
-        operations: Some(operations),
-        operations_floor: Some(all - zeros),
-    }
-}
-
-fn nodes(avatar: &Avatar) -> Work {
-    let (nodes, basis) = (avatar.nodes.len() as u64, halves(avatar.nodes.basis.len()));
-    let operations = Some(basis);
-    Work {
-        stage: "nodes",
-        bytes: basis + 8 * nodes + 4 * feature_count(avatar) + 16 * nodes,
-        // An offset in, a displacement out; nodes in the order of their parts need no index.
-        bytes_floor: basis + 6 * nodes + 2 * feature_count(avatar) + 6 * nodes,
-        operations,
-        operations_floor: operations,
+        // An offset in, a displacement out.
+        bytes: share(bytes + basis + (8 + NODE_BYTES) * nodes + 4 * parts),
+        bytes_floor: share(bytes_floor + basis + (6 + 6) * nodes),
+        operations: Some(share(2 * (parts * weights - (parts - head) * unread) + 2 * basis)),
+        operations_floor: Some(share(2 * (parts * needed - (parts - head) * zeros) + 2 * basis)),
     }
 }
 
 /// Colours of the view's direction, of avatars that have them.
 fn view_colors(avatar: &Avatar, seen: Seen) -> Work {
     let coefficients = harmonics::bytes(avatar);
-    // Position and joints in, and the colour to and fro; where the colour goes is up to the layout.
-    let bytes = coefficients + (16 + 8 + 8) * seen.gaussians;
+    // Position and joints in, the colour out; where the colour goes is up to the layout.
+    let bytes = coefficients + (16 + 8) * seen.gaussians;
     let bytes_floor = coefficients.min(bytes);
     Work { stage: "harmonics", bytes, bytes_floor, operations: Some(coefficients), operations_floor: Some(coefficients) }
 }
 
-fn splats(avatar: &Avatar, seen: Seen) -> Work {
-    let rows = halves(avatar.rotation_rows.basis.len() + avatar.scale_rows.basis.len() + avatar.color_rows.basis.len());
-    let (features, nodes) = (feature_count(avatar), avatar.nodes.len() as u64);
+/// Texels of the depth surface's pyramid.
+fn pyramid() -> u64 {
+    (0..SURFACE_LEVELS).map(|level| u64::from(SURFACE_FINEST >> level).pow(2)).sum()
+}
+
+/// The depth image is written and read once, and then reduced.
+fn surface(avatar: &Avatar, seen: Seen) -> Work {
+    let [corners, triangles] = seen.surface;
+    let (nodes, drawn) = (avatar.nodes.len() as u64, u64::from(SURFACE_DRAWN).pow(2));
+    Work {
+        stage: "surface",
+        bytes: 32 * corners + 3 * INDEX_BYTES * triangles + NODE_BYTES * nodes + 2 * 2 * drawn + PYRAMID_BYTES * pyramid(),
+        bytes_floor: GAUSSIAN_FLOOR[0] * corners + 3 * 2 * triangles + 6 * nodes + 2 * 2 * drawn + 2 * pyramid(),
+        operations: None,
+        operations_floor: None,
+    }
+}
+
+fn splats(avatar: &Avatar, options: &RendererOptions, seen: Seen, hides: bool) -> Work {
     let Seen { gaussians, drawn, .. } = seen;
+    let drawn = drawn.min(gaussians);
+    let numbers = (avatar.rotation_rows.basis.len() + avatar.scale_rows.basis.len() + avatar.color_rows.basis.len()) as u64;
+    let heads = 4 * (avatar.rotation_rows.gaussian.len() + avatar.scale_rows.gaussian.len() + 3 * avatar.color_rows.gaussian.len()) as u64;
+    // Those that are not drawn read no rows; which have some is taken to be the same among both.
+    let share = |all: u64| (u128::from(all) * u128::from(drawn)).checked_div(u128::from(gaussians)).unwrap_or_default() as u64;
+    let out = SPLAT_BYTES * drawn + options.key_bits.bytes(gaussians) + if hides { PYRAMID_BYTES * pyramid() } else { 0 };
+    // What is not drawn needs no key.
+    let out_floor = (SPLAT_BYTES + 2) * drawn;
+    if seen.kept {
+        return Work {
+            stage: "splats",
+            bytes: POSED[0] * gaussians + POSED[1] * drawn + out,
+            bytes_floor: POSED_FLOOR[0] * gaussians + POSED_FLOOR[1] * drawn + out_floor,
+            operations: Some(18 * gaussians + KEPT * drawn),
+            operations_floor: Some(18 * gaussians + KEPT * drawn),
+        };
+    }
+    let (features, nodes) = (feature_count(avatar), avatar.nodes.len() as u64);
+    let [place, look, block] = GAUSSIAN;
+    let operations = PLACE * (gaussians - drawn) + SPLAT * drawn + share(2 * numbers);
     Work {
         stage: "splats",
-        bytes: 48 * gaussians + gaussians + rows + 4 * features + 16 * nodes + SPLAT_BYTES * drawn + 4 * gaussians,
-        bytes_floor: GAUSSIAN_FLOOR * gaussians + rows + 2 * features + 6 * nodes + (SPLAT_BYTES + 2) * drawn,
-        operations: Some(SPLAT * gaussians + rows),
-        operations_floor: Some(PLACE * (gaussians - drawn.min(gaussians)) + SPLAT * drawn + rows),
+        bytes: (place + block) * gaussians + look * drawn + share(numbers + heads) + 4 * features + NODE_BYTES * nodes + out,
+        bytes_floor: GAUSSIAN_FLOOR[0] * gaussians + GAUSSIAN_FLOOR[1] * drawn + share(numbers) + 2 * features + 6 * nodes + out_floor,
+        operations: Some(operations),
+        operations_floor: Some(operations),
     }
 }
 
 fn sort(options: &RendererOptions, seen: Seen) -> Work {
-    // Keys of the culled are read by the first pass too; a pass reads entries twice (count, scatter) and writes them once.
-    let [key, entry, value] = [4, 8, 4];
     let Seen { gaussians, drawn, .. } = seen;
-    let passes = u64::from(options.key_bits.passes());
-    let bytes = (2 * key * gaussians + entry * drawn) + (passes - 2) * 3 * entry * drawn + (2 * entry * drawn + value * drawn);
+    let (passes, value) = (u64::from(options.key_bits.passes()), 4);
+    // Keys of the culled are read by the first pass too, counted already. A later pass reads entries twice (count, scatter); the last
+    // finds a digit and a value in one word.
+    let entry = |pass: u64| if pass + 1 == passes { 4 } else { 8 };
+    let bytes = options.key_bits.bytes(gaussians) + drawn * ((1..passes).map(|pass| 3 * entry(pass)).sum::<u64>() + value);
     // Histograms come for free with the keys. A pass reads what is left of the key, and the value but for the first, which knows it.
     let pass = |left: u64| if left == passes { left + (left - 1 + value) } else { (left + value) + (left - 1 + value) };
     let bytes_floor = drawn * (1..=passes).map(pass).sum::<u64>();
@@ -156,14 +210,28 @@ mod tests {
         for key_bits in [KeyBits::Sixteen, KeyBits::TwentyFour, KeyBits::ThirtyTwo] {
             let options = RendererOptions { key_bits, ..RendererOptions::new([256, 256]) };
             for drawn in [0, gaussians / 2, gaussians] {
-                let seen = Seen { gaussians, drawn, covered: Some(9000), fragments: Some(100_000) };
-                for work in per_stage(&avatar, &options, seen) {
-                    assert!(work.bytes_floor <= work.bytes, "{work:?}");
-                    assert!(work.operations_floor <= work.operations, "{work:?}");
-                    assert!(work.stage == "sort" || work.stage == "raster" || work.operations_floor > Some(0), "{work:?}");
+                let seen = Seen { gaussians, drawn, covered: Some(9000), fragments: Some(100_000), ..Seen::default() };
+                for (kept, surface) in [(false, [0; 2]), (true, [500, 900])] {
+                    for work in per_stage(&avatar, &options, Seen { kept, surface, ..seen }) {
+                        assert!(work.bytes_floor <= work.bytes, "{work:?}");
+                        assert!(work.operations_floor <= work.operations, "{work:?}");
+                        let none = ["sort", "raster", "surface"].contains(&work.stage);
+                        assert!(none || work.operations_floor > Some(0), "{work:?}");
+                    }
                 }
             }
         }
+    }
+
+    #[test]
+    fn networks_that_did_not_run_move_nothing() {
+        let avatar = demo::avatar().expect("inside the program");
+        let options = RendererOptions::new([1, 1]);
+        let of = |networks| features(&avatar, &options, Seen { networks, ..Seen::default() });
+        let (all, half) = (of(None), of(Some(avatar.parts.len() as u64 / 2)));
+        assert!(half.bytes < all.bytes * 11 / 20 && of(Some(0)).bytes == 0 && of(Some(1 << 40)) == all);
+        let zeros = RendererOptions { skip: Skip::empty(), ..options };
+        assert!(features(&avatar, &zeros, Seen::default()).bytes > all.bytes, "the expression's columns are read outside the head too");
     }
 
     #[test]
@@ -171,7 +239,8 @@ mod tests {
         let seen = Seen { gaussians: 1000, drawn: 1000, ..Seen::default() };
         let of = |key_bits| sort(&RendererOptions { key_bits, ..RendererOptions::new([1, 1]) }, seen);
         let (two, three) = (of(KeyBits::Sixteen), of(KeyBits::TwentyFour));
-        assert_eq!(three.bytes - two.bytes, 24 * 1000);
+        // Two keys a word and one pass between words; a key a word, one pass between pairs and one between words.
+        assert_eq!([two.bytes, three.bytes], [(2 + 3 * 4 + 4) * 1000, (4 + 3 * 8 + 3 * 4 + 4) * 1000]);
         // 2 in, 1 + 4 out, 1 + 4 in, 4 out; then 3 in, 2 + 4 out, 2 + 4 in, 1 + 4 out, 1 + 4 in, 4 out.
         assert_eq!([two.bytes_floor, three.bytes_floor], [16 * 1000, 29 * 1000]);
     }

@@ -38,10 +38,7 @@ pub struct Stages {
 impl Stages {
     /// Runs one frame from the top.
     pub fn new(avatar: &Avatar, posed: &Posed, camera: &Camera) -> Self {
-        let features = features::features(avatar, &posed.input);
-        let nodes = nodes::nodes(avatar, &features);
-        let mut gaussians = splats::gaussians(avatar, posed, &features, &nodes);
-        harmonics::color(avatar, posed, camera, &features, &mut gaussians);
+        let (features, nodes, gaussians) = world(avatar, posed, camera);
         let splats = splats::splats(&gaussians, camera);
         let order = sort::order(&splats);
         let canvas = raster::raster(&splats, &order, camera);
@@ -52,6 +49,22 @@ impl Stages {
 /// The picture of a posed avatar.
 pub fn render(avatar: &Avatar, posed: &Posed, camera: &Camera) -> Picture {
     Stages::new(avatar, posed, camera).canvas.to_picture()
+}
+
+/// The picture of one avatar in several poses, sorted together.
+pub fn render_scene(avatar: &Avatar, actors: &[&Posed], camera: &Camera) -> Picture {
+    let gaussians: Vec<Gaussian> = actors.iter().flat_map(|posed| world(avatar, posed, camera).2).collect();
+    let splats = splats::splats(&gaussians, camera);
+    raster::raster(&splats, &sort::order(&splats), camera).to_picture()
+}
+
+/// Features, displacements of the nodes, and the avatar in the posed world, coloured as the camera sees it.
+fn world(avatar: &Avatar, posed: &Posed, camera: &Camera) -> (Vec<f64>, Vec<DVec3>, Vec<Gaussian>) {
+    let features = features::features(avatar, &posed.input);
+    let nodes = nodes::nodes(avatar, &features);
+    let mut gaussians = splats::gaussians(avatar, posed, &features, &nodes);
+    harmonics::color(avatar, posed, camera, &features, &mut gaussians);
+    (features, nodes, gaussians)
 }
 
 /// B · e: the weighted sum over the basis. `basis` has shape C, N_B, `e` length N_B.

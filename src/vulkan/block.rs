@@ -1,21 +1,20 @@
-//! The uniform block of a frame: a posed avatar, a camera and the renderer's options go in, what the shaders read of them comes out.
+//! The uniform blocks of a frame, one an avatar: posed avatars, a camera and the renderer's options go in, what the shaders read of them
+//! comes out.
 
-use super::{raster, renderer::RendererOptions, splats::key_offset, surface::Place};
+use super::{
+    options::RendererOptions,
+    raster,
+    scene::{Actor, Staged},
+};
 use crate::{
-    frame::{Camera, Posed, Skip},
+    frame::{Camera, Skip},
     layout::{Frame, POSITION_BITS},
 };
 use glam::DAffine3;
 
-/// Writes all that changes from frame to frame into a block that holds the model's constants. `depth`: the nearest and furthest that is
-/// expected, metres. `place`: what the depth surface covers, where there is one.
-pub(super) fn fill(
-    block: &mut Frame,
-    options: &RendererOptions,
-    (depth, place): ([f64; 2], Option<Place>),
-    posed: &Posed,
-    camera: &Camera,
-) {
+/// Writes what all avatars of a frame share into a block that holds the model's constants.
+pub(super) fn fill_shared(block: &mut Frame, options: &RendererOptions, staged: &Staged, camera: &Camera) {
+    let Staged { depth, place, .. } = *staged;
     let guard = camera.guard();
     let [low, high] = camera.derivative_limits();
     block.focal = camera.focal.as_vec2().to_array();
@@ -28,17 +27,25 @@ pub(super) fn fill(
     block.key_far = depth[1] as f32;
     block.key_scale = (1.0 / (depth[1] - depth[0])) as f32;
     block.key_max = options.key_bits.largest();
-    block.key_start = (key_offset(block.gaussians) / 4) as u32;
     block.cutoff = (255.0 * options.cutoff) as f32;
     block.hull_opacity = if options.skip.contains(Skip::FAINT) { 0.0 } else { 255.0 };
-    let quads = if options.skip.contains(Skip::INPUTS) { (posed.input.len() - posed.expression).div_ceil(4) as u32 } else { u32::MAX };
-    block.body_quads = block.layer[0].input_quads.min(quads);
     block.tile = raster::tile(camera.size) as f32;
     block.margin = options.margin as f32;
     let hides = place.filter(|_| options.skip.contains(Skip::HIDDEN));
-    block.surface_start = if hides.is_some() { 4 * (block.node_start + block.nodes) } else { 0 };
+    block.surface_start = if hides.is_some() { 4 * options.actors as u32 * vectors(block) } else { 0 };
     hides.inspect(|place| place.write(block));
     block.fixed_scale = fixed_scale(guard) as f32;
+}
+
+/// Writes an avatar's own.
+pub(super) fn fill_actor(block: &mut Frame, options: &RendererOptions, actor: &Actor, camera: &Camera) {
+    let posed = actor.posed;
+    block.feature_start = actor.number as u32 * vectors(block);
+    block.idle = actor.networks.others().bits();
+    block.outside = actor.outside.bits();
+    block.node_start = block.feature_start + block.parts * block.feature_quads;
+    let quads = if options.skip.contains(Skip::INPUTS) { (posed.input.len() - posed.expression).div_ceil(4) as u32 } else { u32::MAX };
+    block.body_quads = block.layer[0].input_quads.min(quads);
     let expression = posed.input.len() - posed.expression;
     for (at, &value) in posed.input.iter().enumerate() {
         block.input[0][at / 4][at % 4] = value as f32;
@@ -49,8 +56,13 @@ pub(super) fn fill(
     }
 }
 
+/// Vectors of an avatar in the pose buffer: its features, then its nodes' displacements.
+pub(super) fn vectors(constants: &Frame) -> u32 {
+    constants.parts * constants.feature_quads + constants.nodes.div_ceil(2)
+}
+
 /// Rows of the 3 by 4 matrix of an affine map.
-fn matrix_rows(map: DAffine3) -> [[f32; 4]; 3] {
+pub(super) fn matrix_rows(map: DAffine3) -> [[f32; 4]; 3] {
     let columns = [map.matrix3.x_axis, map.matrix3.y_axis, map.matrix3.z_axis, map.translation];
     std::array::from_fn(|row| columns.map(|column| column[row] as f32))
 }

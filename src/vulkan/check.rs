@@ -7,6 +7,9 @@ use crate::{
     layout::Frame,
 };
 
+/// Avatars that a renderer may be made for: their Gaussians are then fewer than a sort takes.
+const ACTORS: usize = 256;
+
 fn unusable(what: &str, found: impl ToString, expected: impl ToString) -> Error {
     Error::Unusable(Unusable { what: what.into(), found: found.to_string(), expected: expected.to_string() })
 }
@@ -17,6 +20,9 @@ impl RendererOptions {
         if !(ALPHA_MIN..=1.0).contains(&self.cutoff) {
             return Err(unusable("the opacity cutoff", self.cutoff, "a number from 1/255 to 1"));
         }
+        if !(1..=ACTORS).contains(&self.actors) {
+            return Err(unusable("the number of avatars in a scene", self.actors, format!("a number from 1 to {ACTORS}")));
+        }
         if !(self.margin >= 0.0 && self.margin.is_finite()) {
             return Err(unusable("the margin behind the depth surface", self.margin, "a number from 0 up"));
         }
@@ -24,14 +30,21 @@ impl RendererOptions {
     }
 }
 
-/// Whether a frame can be drawn of the model that `constants` and `extent` describe, in a picture of `size` px.
-pub(super) fn frame(posed: &Posed, camera: &Camera, (constants, extent): (&Frame, &Extent), size: [u32; 2]) -> Result<()> {
-    posed.check()?;
+/// Whether a frame can be drawn of these poses of the model that `constants` and `extent` describe.
+pub(super) fn frame(poses: &[&Posed], camera: &Camera, model: (&Frame, &Extent), options: &RendererOptions) -> Result<()> {
     camera.check()?;
-    if camera.size != size {
-        let [found, expected] = [camera.size, size].map(|[width, height]| format!("{width} × {height} px"));
+    if camera.size != options.size {
+        let [found, expected] = [camera.size, options.size].map(|[width, height]| format!("{width} × {height} px"));
         return Err(unusable("the camera's picture", found, format!("{expected}, the renderer's")));
     }
+    if poses.len() > options.actors {
+        return Err(unusable("the number of avatars", poses.len(), format!("at most {}, as the renderer was made for", options.actors)));
+    }
+    poses.iter().try_for_each(|posed| pose(posed, model))
+}
+
+fn pose(posed: &Posed, (constants, extent): (&Frame, &Extent)) -> Result<()> {
+    posed.check()?;
     if posed.joints.len() < extent.joints() {
         return Err(unusable("the pose", format!("one of {} joints", posed.joints.len()), format!("at least {}", extent.joints())));
     }

@@ -4,9 +4,11 @@ use super::{
     device::Gpu,
     error::{During, Result},
     memory::{Buffer, to_host},
+    pipeline::Slice,
+    splats::REASONS,
 };
 use crate::{
-    frame::{Counters, Needed},
+    frame::{Counters, Reasons},
     layout::Control,
 };
 use ash::vk;
@@ -16,7 +18,7 @@ use std::sync::Arc;
 /// Frames that may be under way at once.
 pub const SLOTS: usize = 2;
 /// Stages in the order a frame runs them; their names in labels, timestamps, tables and the overlay.
-pub const STAGES: [&str; 9] = ["features", "nodes", "harmonics", "surface", "splats", "sort", "bins", "raster", "present"];
+pub const STAGES: [&str; 8] = ["features", "harmonics", "surface", "splats", "sort", "bins", "raster", "present"];
 
 /// What a finished frame took and drew.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -32,7 +34,8 @@ pub struct FrameReport {
 impl FrameReport {
     /// Of a frame that needed nothing, and was not submitted.
     pub fn idle(harmonics: bool) -> Self {
-        let stages = STAGES.into_iter().filter(|&stage| stage != "present" && stage != "surface" && (harmonics || stage != "harmonics"));
+        let stages =
+            STAGES.into_iter().filter(|&stage| !["present", "surface", "bins"].contains(&stage) && (harmonics || stage != "harmonics"));
         Self { skipped: stages.collect(), ..Self::default() }
     }
 
@@ -62,7 +65,9 @@ pub struct Slot {
     /// Counts fragments.
     statistics: Option<vk::QueryPool>,
     counted: Counted,
-    dispatches: u64,
+    /// What was known of the frame before it was drawn.
+    known: Counters,
+    reasons: bool,
     /// The frame's counts, copied here by the device.
     counts: Buffer,
     /// Stages with a pair of timestamps in the frame under way.
@@ -73,8 +78,8 @@ pub struct Slot {
 
 impl Slot {
     pub fn new(gpu: &Arc<Gpu>) -> Result<Self> {
-        let counts =
-            Buffer::new(gpu, "frame counts", size_of::<Control>() as u64, vk::BufferUsageFlags::TRANSFER_DST, MemoryLocation::GpuToCpu)?;
+        let size = size_of::<Control>() as u64 + REASONS;
+        let counts = Buffer::new(gpu, "frame counts", size, vk::BufferUsageFlags::TRANSFER_DST, MemoryLocation::GpuToCpu)?;
         let mut slot = Self {
             gpu: gpu.clone(),
             pool: Default::default(),
@@ -83,7 +88,8 @@ impl Slot {
             queries: None,
             statistics: None,
             counted: Counted::No,
-            dispatches: 0,
+            known: Counters::default(),
+            reasons: false,
             counts,
             marked: Vec::with_capacity(STAGES.len()),
             skipped: Vec::with_capacity(STAGES.len()),
@@ -119,15 +125,16 @@ impl Slot {
         }
         self.gpu.wait(self.fence, "a frame")?;
         self.pending = false;
-        let control: Control = bytemuck::pod_read_unaligned(&self.counts.mapped()[..size_of::<Control>()]);
+        let (control, reasons) = self.counts.mapped().split_at(size_of::<Control>());
+        let control: Control = bytemuck::pod_read_unaligned(control);
+        let [outside, hidden, faint, degenerate] = bytemuck::pod_read_unaligned::<[u32; 4]>(&reasons[..REASONS as usize]).map(u64::from);
+        let drawn = u64::from(control.survivors);
         let counters = Counters {
-            gaussians: u64::from(control.entering),
-            culled: u64::from(control.entering.saturating_sub(control.survivors)),
-            drawn: u64::from(control.survivors),
+            culled: self.known.gaussians.saturating_sub(drawn),
+            drawn,
+            reasons: self.reasons.then_some(Reasons { outside, hidden, faint, degenerate }),
             fragments: self.fragments(&control)?,
-            dispatches: self.dispatches,
-            submitted: 1,
-            ..Counters::default()
+            ..self.known
         };
         Ok(Some(FrameReport { stages: self.times()?, counters, skipped: self.skipped.clone() }))
     }
@@ -193,10 +200,9 @@ impl Slot {
         });
     }
 
-    /// Notes how many dispatches the frame has: one a stage but for the sort's.
-    pub fn count(&mut self, harmonics: bool, needed: Needed, surface: bool, sort: usize) {
-        let view = 1 + u64::from(harmonics) + u64::from(surface) + sort as u64;
-        self.dispatches = 2 * u64::from(needed.pose) + if needed.view { view } else { 0 };
+    /// Notes what is known of the frame before it is drawn.
+    pub fn note(&mut self, known: Counters) {
+        self.known = known;
     }
 
     /// Notes that the frame's kernels count its fragments.
@@ -234,8 +240,9 @@ impl Slot {
         }
     }
 
-    /// Copies the frame's counts, ends recording and submits. `semaphores`: what to wait for before colour output, and what to signal.
-    pub fn submit(&mut self, control: &Buffer, semaphores: Option<(vk::Semaphore, vk::Semaphore)>) -> Result<()> {
+    /// Copies the frame's counts, ends recording and submits. `reasons`: why Gaussians were left out, where that was counted.
+    /// `semaphores`: what to wait for before colour output, and what to signal.
+    pub fn submit(&mut self, control: &Buffer, reasons: Option<Slice>, semaphores: Option<(vk::Semaphore, vk::Semaphore)>) -> Result<()> {
         let device = &self.gpu.raw;
         let size = size_of::<Control>() as u64;
         let (wait, signal): (Vec<_>, Vec<_>) = semaphores.into_iter().unzip();
@@ -249,11 +256,16 @@ impl Slot {
         // SAFETY: the command buffer is recording; buffers, fence and semaphores are alive and free.
         unsafe {
             device.cmd_copy_buffer(self.commands, control.raw, self.counts.raw, &[vk::BufferCopy { src_offset: 0, dst_offset: 0, size }]);
+            if let Some(reasons) = reasons {
+                let region = vk::BufferCopy { src_offset: reasons.offset, dst_offset: size, size: reasons.size };
+                device.cmd_copy_buffer(self.commands, reasons.buffer, self.counts.raw, &[region]);
+            }
             to_host(&self.gpu, self.commands);
             device.end_command_buffer(self.commands).during("vkEndCommandBuffer")?;
             device.reset_fences(&[self.fence]).during("vkResetFences")?;
         }
         self.gpu.submit(&[submit], self.fence)?;
+        self.reasons = reasons.is_some();
         self.pending = true;
         Ok(())
     }

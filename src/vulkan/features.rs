@@ -1,4 +1,4 @@
-//! The `features` stage: each part's network, θ_p ⊕ θ_e to e (model.md, step 1).
+//! The `features` stage: each part's network, θ_p ⊕ θ_e to e, and its nodes' displacements (model.md, steps 1 and 3).
 
 use super::{
     device::Gpu,
@@ -12,23 +12,18 @@ use std::sync::Arc;
 
 pub struct Features {
     kernel: Kernel,
-    parts: u32,
-    head_parts: u32,
 }
 
 impl Features {
-    /// Writes to the start of `pose`.
+    /// Writes to `pose`: features, then nodes in the order of their parts.
     pub fn new(gpu: &Arc<Gpu>, model: &Model, frame: Slice, pose: Slice) -> Result<Self> {
-        let bindings = Bindings::new(gpu, vk::ShaderStageFlags::COMPUTE, Some(frame), &[(&model.networks).into(), pose])?;
-        Ok(Self {
-            kernel: Kernel::new(gpu, &shaders::FEATURES, &[], bindings)?,
-            parts: model.constants.parts,
-            head_parts: model.constants.head_parts,
-        })
+        let storage = [(&model.networks).into(), (&model.nodes).into(), (&model.node_starts).into(), pose];
+        let bindings = Bindings::new(gpu, vk::ShaderStageFlags::COMPUTE, Some(frame), &storage)?;
+        Ok(Self { kernel: Kernel::new(gpu, &shaders::FEATURES, &[], bindings)? })
     }
 
-    /// Reads the frame's input and the networks; compute. `head`: only the head's, which come first.
-    pub fn record(&self, commands: vk::CommandBuffer, frame: u32, head: bool) {
-        self.kernel.dispatch(commands, frame, if head { self.head_parts } else { self.parts });
+    /// Reads the frame's input and the networks; compute. `parts`: how many of the first parts hold all that the frame says is not idle.
+    pub fn record(&self, commands: vk::CommandBuffer, frame: u32, parts: u32) {
+        self.kernel.dispatch(commands, frame, parts);
     }
 }

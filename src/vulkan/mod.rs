@@ -1,20 +1,24 @@
 //! The stages on the GPU, on Vulkan 1.1 and what each device has beyond it.
 //!
-//! [`Gpu`] is a device; [`Renderer`] draws one avatar with it, headless. The stages have a file each, in the order a frame runs them.
+//! [`Gpu`] is a device; [`Renderer`] draws an avatar, or several copies of it, with it, headless. The stages have a file each, in the order a frame runs them.
 
 pub mod block;
 pub mod cache;
 mod check;
 pub mod commands;
+pub mod compact;
+mod control;
 pub mod device;
 pub mod error;
 pub mod features;
 mod graphics;
 pub mod harmonics;
 pub mod instance;
+mod keeper;
 pub mod memory;
 pub mod model;
-pub mod nodes;
+pub mod options;
+mod pack;
 pub mod picture;
 pub mod pipeline;
 pub mod present;
@@ -22,6 +26,7 @@ pub mod preset;
 pub mod probe;
 pub mod raster;
 pub mod renderer;
+mod scene;
 pub mod shaders;
 pub mod sort;
 pub mod splats;
@@ -31,5 +36,6 @@ pub mod swapchain;
 
 pub use device::{Gpu, GpuOptions};
 pub use error::{Error, Result};
+pub use options::RendererOptions;
 pub use probe::Probe;
-pub use renderer::{Renderer, RendererOptions};
+pub use renderer::Renderer;

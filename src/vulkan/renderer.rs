@@ -1,69 +1,36 @@
-//! Draws one avatar: a pose and a camera go in, a picture on the device comes out. [`Renderer::record`] is the frame, top to bottom.
+//! Draws an avatar, or several copies of it in one scene: poses and a camera go in, a picture on the device comes out.
+//! [`Renderer::record`] is the frame, top to bottom.
 
 use super::{
     block, check,
     commands::{FrameReport, SLOTS, Slot},
+    control::{BEFORE, COMPUTE, SHARED, WRITTEN, control, in_turn, prepare},
     device::Gpu,
     error::Result,
     features::Features,
     harmonics::Harmonics,
+    keeper::Keeper,
     memory::Buffer,
     model::Model,
-    nodes::Nodes,
+    options::RendererOptions,
     picture::Copied,
     pipeline::{Slice, barrier},
-    raster::{ColorFormat, Method, Raster},
-    sort::{KeyBits, Sort, SortOptions, Variant, choice},
-    splats::Splats,
-    surface::{PYRAMID_WORDS, Place, Surface},
+    raster::Raster,
+    scene::{Actor, Scene, Staged},
+    sort::{Sort, SortOptions, choice},
+    splats::{Splats, slots as slots_of},
+    surface::{PYRAMID_WORDS, Surface},
 };
 use crate::{
     avatar::Avatar,
-    frame::{ALPHA_MIN, Camera, Extent, Needed, Picture, Plan, Posed, Skip},
-    layout::{Control, Frame, RASTER_QUADS},
+    frame::{Body, Camera, Extent, Needs, Picture, Posed, Skip},
+    layout::{Control, Frame},
 };
-use ash::vk::{self, AccessFlags, PipelineStageFlags};
+use ash::vk::{self, PipelineStageFlags};
 use bytemuck::{bytes_of, from_bytes_mut};
 use gpu_allocator::MemoryLocation;
+use half::f16;
 use std::sync::Arc;
-
-/// What a renderer is made with.
-#[derive(Clone, Copy, Debug)]
-pub struct RendererOptions {
-    /// Width and height of the picture, px.
-    pub size: [u32; 2],
-    pub color: ColorFormat,
-    /// How splats are drawn. None: as suits the device.
-    pub method: Option<Method>,
-    pub key_bits: KeyBits,
-    /// How to sort. None: as the self-test finds best.
-    pub sort: Option<Variant>,
-    /// What is left out where the scene doesn't need it.
-    pub skip: Skip,
-    /// Contributions below this opacity are not drawn, at least 1/255 (model.md, step 10).
-    pub cutoff: f64,
-    /// How far behind the depth surface something is hidden, metres.
-    pub margin: f64,
-    /// Count fragments, where the device can: for measurements, since some devices are slower then.
-    pub count: bool,
-}
-
-impl RendererOptions {
-    /// The defaults at a size.
-    pub fn new(size: [u32; 2]) -> Self {
-        Self {
-            size,
-            color: ColorFormat::default(),
-            method: None,
-            key_bits: KeyBits::default(),
-            sort: None,
-            skip: Skip::all() - Skip::DEPTH,
-            cutoff: ALPHA_MIN,
-            margin: 0.005,
-            count: false,
-        }
-    }
-}
 
 /// How a frame reaches a window: what to wait for and signal, and the commands that follow the picture.
 pub struct Presentation<'a> {
@@ -74,37 +41,43 @@ pub struct Presentation<'a> {
 
 /// A stage's buffers read back, for tests.
 pub struct Stages {
-    /// Shape N_G, length of e.
+    /// The first avatar's; shape N_G, length of e.
     pub features: Vec<f32>,
-    /// One displacement a node, metres; the fourth number is unused.
+    /// The first avatar's, one displacement a node, metres; the fourth number is unused.
     pub nodes: Vec<[f32; 4]>,
     /// RGB of every Gaussian before correctives.
     pub colors: Vec<[f32; 3]>,
+    /// Those of the avatars in view, one after the other, as `keys` are.
     pub splats: Vec<[u32; 4]>,
     pub keys: Vec<u32>,
     pub order: Vec<u32>,
     pub control: Control,
 }
 
-/// An avatar on a device.
+/// An avatar on a device, in as many poses as it was made for.
 pub struct Renderer {
     // Slots come first: dropping them waits for the frames that use all else.
     slots: Vec<Slot>,
     surface: Surface,
     features: Features,
-    nodes: Nodes,
     harmonics: Option<Harmonics>,
     splats: Splats,
     sort: Sort,
     raster: Raster,
     control: Buffer,
-    /// Features, then node displacements.
+    /// Features, then node displacements, of one avatar after the other; then the depth surface's pyramid.
     pose: Buffer,
+    /// A block for each avatar of each frame under way.
     frames: Buffer,
     model: Model,
     extent: Extent,
+    needs: Needs,
+    /// One an avatar.
+    keepers: Vec<Keeper>,
     options: RendererOptions,
-    plan: Plan,
+    scene: Scene,
+    /// Keys that the control says enter the sort, once it was told.
+    entering: Option<u32>,
     next: usize,
     report: FrameReport,
     gpu: Arc<Gpu>,
@@ -113,6 +86,11 @@ pub struct Renderer {
 /// Bytes from one frame's uniform block to the next: every device's alignment divides 256.
 const FRAME_STRIDE: usize = size_of::<Frame>().next_multiple_of(256);
 
+/// Where in the ring of uniform blocks an avatar's is, bytes.
+fn frame_at(slot: usize, number: usize, actors: usize) -> usize {
+    (slot * actors + number) * FRAME_STRIDE
+}
+
 impl Renderer {
     pub fn new(gpu: &Arc<Gpu>, avatar: &Avatar, options: RendererOptions) -> Result<Self> {
         options.check()?;
@@ -120,26 +98,32 @@ impl Renderer {
         let model = Model::new(gpu, avatar, surfaces)?;
         let constants = &model.constants;
         let storage = vk::BufferUsageFlags::STORAGE_BUFFER | vk::BufferUsageFlags::TRANSFER_SRC;
-        let vectors = u64::from(constants.node_start) + u64::from(constants.nodes);
-        let pose = Buffer::new(gpu, "pose", 16 * vectors + 4 * u64::from(PYRAMID_WORDS), storage, MemoryLocation::GpuOnly)?;
-        let frames = (SLOTS * FRAME_STRIDE) as u64;
+        let actors = options.actors as u32;
+        let words = 4 * u64::from(actors) * u64::from(block::vectors(constants)) + u64::from(PYRAMID_WORDS);
+        // Zeros: a corner of the depth surface may follow a node of a part that no frame has shown yet.
+        let pose = Buffer::with_data(gpu, "pose", &vec![0; 4 * words.next_multiple_of(2) as usize], storage)?;
+        let blocks = SLOTS * options.actors;
+        let frames = (blocks * FRAME_STRIDE) as u64;
         let mut frames = Buffer::new(gpu, "frames", frames, vk::BufferUsageFlags::UNIFORM_BUFFER, MemoryLocation::CpuToGpu)?;
-        for slot in 0..SLOTS {
-            frames.mapped()[slot * FRAME_STRIDE..][..size_of::<Frame>()].copy_from_slice(bytes_of(&*model.constants));
+        for block in 0..blocks {
+            frames.mapped()[block * FRAME_STRIDE..][..size_of::<Frame>()].copy_from_slice(bytes_of(&*model.constants));
         }
-        let control = Control { index_count: 6 * RASTER_QUADS, entering: constants.gaussians, ..Control::default() };
-        let control = Buffer::with_data(gpu, "control", bytes_of(&control), storage | vk::BufferUsageFlags::INDIRECT_BUFFER)?;
+        let control = Buffer::with_data(gpu, "control", bytes_of(&control(0)), storage | vk::BufferUsageFlags::INDIRECT_BUFFER)?;
         let frame = Slice { buffer: frames.raw, offset: 0, size: size_of::<Frame>() as u64 };
-        let splats = Splats::new(gpu, &model, frame, (&pose).into())?;
         let variant = options.sort.map_or_else(|| choice::choose(gpu).map(|verdict| verdict.variant), Ok)?;
-        let sort = Sort::new(gpu, splats.keys(), &control, constants.gaussians, SortOptions::new(options.key_bits, variant))?;
-        let inputs = ([sort.order(), splats.all(), (&control).into()], constants.gaussians);
+        // Where colours change with the view, nothing is kept.
+        let options =
+            RendererOptions { skip: if avatar.harmonics.is_some() { options.skip - Skip::SKINNING } else { options.skip }, ..options };
+        let keep = options.skip.contains(Skip::SKINNING);
+        let splats = Splats::new(gpu, &model, (frame, (&pose).into()), variant, (&options, keep))?;
+        let sort_options = SortOptions { counts: Some(splats.counts()), ..SortOptions::new(options.key_bits, variant) };
+        let sort = Sort::new(gpu, splats.keys(), &control, actors * slots_of(constants.gaussians), sort_options)?;
+        let inputs = ([sort.order(), splats.all(), (&control).into()], actors * slots_of(constants.gaussians));
         let raster = Raster::new(gpu, frame, inputs, (&model.occluder, (&pose).into()), &options)?;
         Ok(Self {
             slots: (0..SLOTS).map(|_| Slot::new(gpu)).collect::<Result<_>>()?,
             surface: Surface::new(gpu, frame, &model.occluder, (&pose).into())?,
             features: Features::new(gpu, &model, frame, (&pose).into())?,
-            nodes: Nodes::new(gpu, &model, frame, (&pose).into())?,
             harmonics: Harmonics::new(gpu, avatar, &model, frame)?,
             splats,
             sort,
@@ -148,9 +132,12 @@ impl Renderer {
             pose,
             frames,
             extent: Extent::new(avatar),
+            needs: Needs::new(avatar),
+            keepers: (0..options.actors).map(|_| Keeper::default()).collect(),
             model,
             options,
-            plan: Plan::default(),
+            scene: Scene::default(),
+            entering: None,
             next: 0,
             report: FrameReport::default(),
             gpu: gpu.clone(),
@@ -166,6 +153,12 @@ impl Renderer {
         &self.extent
     }
 
+    /// Corners and triangles of the depth surface.
+    pub fn surface_size(&self) -> [u64; 2] {
+        let mesh = &self.model.occluder;
+        [mesh.corners.size / 32, u64::from(mesh.index_count / 3)]
+    }
+
     /// The stage that holds the picture.
     pub fn raster(&self) -> &Raster {
         &self.raster
@@ -176,104 +169,140 @@ impl Renderer {
         &self.report
     }
 
-    /// Submits a frame. Waits only when two frames are still under way. `camera` must have the picture's size.
+    /// Submits a frame of one avatar. Waits only when two frames are still under way. `camera` must have the picture's size.
     ///
     /// # Errors
     /// When the pose or the camera holds a number that can't be drawn, or the device fails.
     pub fn draw(&mut self, posed: &Posed, camera: &Camera, presentation: Option<Presentation>) -> Result<()> {
-        check::frame(posed, camera, (&self.model.constants, &self.extent), self.options.size)?;
+        self.draw_scene(&[posed], camera, presentation)
+    }
+
+    /// The same of several, at most [`RendererOptions::actors`], sorted together. What is kept from frame to frame goes by place in `poses`.
+    ///
+    /// # Errors
+    /// As [`Self::draw`], and when there are more poses than the renderer was made for.
+    pub fn draw_scene(&mut self, poses: &[&Posed], camera: &Camera, presentation: Option<Presentation>) -> Result<()> {
+        check::frame(poses, camera, (&self.model.constants, &self.extent), &self.options)?;
         let slot = self.next;
         if let Some(report) = self.slots[slot].finish()? {
             self.report = report;
         }
         // Should anything below fail, nothing of this frame counts as drawn.
-        let mut plan = std::mem::take(&mut self.plan);
-        let needed = plan.next(posed, camera, self.options.skip);
-        if !needed.view && presentation.is_none() {
-            self.plan = plan;
+        let mut scene = std::mem::take(&mut self.scene);
+        let entering = self.entering.take();
+        let surface = self.model.occluder.index_count > 0 && self.options.skip.intersects(Skip::HIDDEN | Skip::DEPTH);
+        let staged = scene.next(poses, camera, (&self.extent, &self.needs, &self.options), (surface, presentation.is_some()));
+        if !staged.view && presentation.is_none() {
+            (self.scene, self.entering) = (scene, entering);
             self.report = FrameReport::idle(self.harmonics.is_some());
             return Ok(());
         }
-        let surface = self.write_frame(slot, posed, camera);
+        self.write_frame(slot, &staged, camera);
         self.slots[slot].begin()?;
-        self.record(slot, needed, surface);
+        let entering = self.record(slot, &staged, entering);
         let semaphores = presentation.map(|presentation| {
             self.slots[slot].stage("present", presentation.record);
             (presentation.acquired, presentation.finished)
         });
-        self.slots[slot].submit(&self.control, semaphores)?;
-        self.plan = plan;
+        self.slots[slot].submit(&self.control, self.splats.reasons(), semaphores)?;
+        (self.scene, self.entering) = (scene, Some(entering));
         self.next = (slot + 1) % SLOTS;
         Ok(())
     }
 
-    /// The frame: which stages run, in which order, and what each waits for.
-    fn record(&mut self, slot: usize, needed: Needed, place: Option<Place>) {
-        let frame = (slot * FRAME_STRIDE) as u32;
-        let Self { slots, options, features, nodes, harmonics, surface, splats, sort, raster, control, gpu, .. } = self;
+    /// The frame: which stages run, in which order, and what each waits for. `entering`: what the control says; what it says after the
+    /// frame comes out.
+    fn record(&mut self, slot: usize, staged: &Staged, entering: Option<u32>) -> u32 {
+        let actors = self.options.actors;
+        let at = |number: usize| frame_at(slot, number, actors) as u32;
+        let views: Vec<u32> = staged.actors.iter().map(|actor| at(actor.number)).collect();
+        let Self { slots, options, features, harmonics, surface, splats, sort, raster, control, gpu, model, .. } = self;
         let slot = &mut slots[slot];
         let commands = slot.commands;
-        let compute = PipelineStageFlags::COMPUTE_SHADER;
-        let written = (compute, AccessFlags::SHADER_WRITE);
-        let shared = (compute, AccessFlags::SHADER_READ | AccessFlags::SHADER_WRITE);
-        let sorting = sort.dispatches(false) + if raster.method() == Method::Tiles { 2 } else { 0 };
-        slot.count(harmonics.is_some(), needed, place.is_some() && options.skip.contains(Skip::HIDDEN), sorting);
+        let hides = staged.place.filter(|_| options.skip.contains(Skip::HIDDEN));
+        slot.note(staged.counters(
+            model.constants.gaussians,
+            (harmonics.is_some(), hides.is_some(), sort.dispatches(true)),
+            raster.dispatches(),
+        ));
+        let keys = if staged.view { views.len() as u32 * slots_of(model.constants.gaussians) } else { entering.unwrap_or(0) };
         // The frame before may still read what this one writes.
-        let readers = compute | PipelineStageFlags::VERTEX_SHADER | PipelineStageFlags::DRAW_INDIRECT | PipelineStageFlags::TRANSFER;
-        barrier(gpu, commands, (readers, AccessFlags::SHADER_WRITE), shared);
-        if needed.pose {
-            slot.stage("features", |commands| features.record(commands, frame, needed.expression_only));
-            barrier(gpu, commands, written, shared);
-            slot.stage("nodes", |commands| nodes.record(commands, frame));
-            barrier(gpu, commands, written, (compute | PipelineStageFlags::VERTEX_SHADER, shared.1));
+        barrier(gpu, commands, BEFORE, SHARED);
+        if entering != Some(keys) || staged.view {
+            prepare(gpu, commands, (entering != Some(keys)).then_some((control.raw, keys)), |commands| {
+                if staged.view {
+                    sort.clear(commands);
+                    splats.clear(commands);
+                }
+            });
+        }
+        let posed = || staged.actors.iter().filter(|actor| !actor.networks.is_empty());
+        if posed().next().is_some() {
+            slot.stage("features", |commands| {
+                in_turn(gpu, commands, posed(), |actor| features.record(commands, at(actor.number), actor.networks.end() as u32));
+            });
+            barrier(gpu, commands, WRITTEN, (COMPUTE | PipelineStageFlags::VERTEX_SHADER, SHARED.1));
         } else {
             slot.skip("features");
-            slot.skip("nodes");
         }
-        if needed.view {
-            if let Some(harmonics) = harmonics {
-                slot.stage("harmonics", |commands| harmonics.record(commands, frame));
-                barrier(gpu, commands, written, shared);
-            }
-            if let Some(place) = place.as_ref().filter(|_| options.skip.contains(Skip::HIDDEN)) {
-                slot.stage("surface", |commands| surface.record(commands, frame, place));
-                barrier(gpu, commands, written, shared);
-            }
-            slot.stage("splats", |commands| splats.record(commands, frame));
-            barrier(gpu, commands, written, shared);
-            slot.stage("sort", |commands| sort.record(commands));
-            match raster {
-                Raster::Hulls(hulls) => {
-                    let draw = PipelineStageFlags::DRAW_INDIRECT | PipelineStageFlags::VERTEX_SHADER | PipelineStageFlags::TRANSFER;
-                    let reads = AccessFlags::INDIRECT_COMMAND_READ | AccessFlags::SHADER_READ | AccessFlags::TRANSFER_READ;
-                    barrier(gpu, commands, written, (draw, reads));
-                    let surface = place.is_some() && options.skip.contains(Skip::DEPTH);
-                    slot.drawing("raster", options.count, |commands| hulls.record(commands, frame, control.raw, surface));
-                }
-                Raster::Tiles(tiles) => {
-                    slot.stage("bins", |commands| tiles.record_bins(commands, frame));
-                    barrier(gpu, commands, written, shared);
-                    if options.count {
-                        slot.counts_itself();
-                    }
-                    slot.stage("raster", |commands| tiles.record(commands, frame));
-                    barrier(gpu, commands, written, (PipelineStageFlags::TRANSFER, AccessFlags::TRANSFER_READ));
-                }
-            }
-        } else {
+        if !staged.view {
             harmonics.iter().for_each(|_| slot.skip("harmonics"));
             ["splats", "sort", "raster"].into_iter().for_each(|stage| slot.skip(stage));
+            return keys;
         }
+        if let Some(&first) = views.first() {
+            if let Some(harmonics) = harmonics {
+                slot.stage("harmonics", |commands| harmonics.record(commands, first));
+                barrier(gpu, commands, WRITTEN, SHARED);
+            }
+            if let Some(place) = hides {
+                slot.stage("surface", |commands| surface.record(commands, &views, &place));
+                barrier(gpu, commands, WRITTEN, SHARED);
+            }
+            slot.stage("splats", |commands| {
+                in_turn(gpu, commands, staged.actors.iter(), |actor| {
+                    let frame = at(actor.number);
+                    // All share the model's colours: one avatar's give way to the next's once they are used.
+                    if let Some(harmonics) = harmonics.as_ref().filter(|_| frame != first) {
+                        harmonics.record(commands, frame);
+                        barrier(gpu, commands, WRITTEN, SHARED);
+                    }
+                    splats.record(commands, frame, actor.needed.body);
+                });
+            });
+            barrier(gpu, commands, WRITTEN, SHARED);
+            slot.stage("sort", |commands| sort.record_counted(commands));
+        } else {
+            ["splats", "sort"].into_iter().for_each(|stage| slot.skip(stage));
+        }
+        let covers = staged.place.is_some() && options.skip.contains(Skip::DEPTH);
+        let frame = views.first().copied().unwrap_or(at(0));
+        raster.record(gpu, slot, (frame, if covers { &views } else { &[] }), control.raw, options.count);
+        keys
     }
 
-    /// Fills the frame's uniform block, and says where the depth surface is worth drawing.
-    fn write_frame(&mut self, slot: usize, posed: &Posed, camera: &Camera) -> Option<Place> {
-        let any = self.model.occluder.index_count > 0 && self.options.skip.intersects(Skip::HIDDEN | Skip::DEPTH);
-        let place = any.then(|| Place::new(camera.size, self.extent.screen(&posed.joints, camera)));
-        let block = &mut self.frames.mapped()[slot * FRAME_STRIDE..][..size_of::<Frame>()];
-        let depth = self.extent.depth(&posed.joints, camera);
-        block::fill(from_bytes_mut(block), &self.options, (depth, place), posed, camera);
-        place
+    /// Fills the uniform blocks of a frame.
+    fn write_frame(&mut self, slot: usize, staged: &Staged, camera: &Camera) {
+        for actor in staged.actors.iter().filter(|actor| staged.view && actor.needed.body == Body::Keep) {
+            self.keepers[actor.number] = Keeper::new(&self.extent, actor.posed, camera);
+        }
+        let blocks = self.frames.mapped();
+        let mut fill = |number: usize, actor: Option<(&Actor, u32)>| {
+            let block: &mut Frame = from_bytes_mut(&mut blocks[frame_at(slot, number, self.options.actors)..][..size_of::<Frame>()]);
+            block::fill_shared(block, &self.options, staged, camera);
+            self.splats.fill(block);
+            block.count_tile = self.sort.tile();
+            if let Some((actor, before)) = actor {
+                block::fill_actor(block, &self.options, actor, camera);
+                self.splats.fill_actor(block, number as u32, before);
+                self.keepers[number].fill(block, camera);
+            }
+        };
+        // An empty picture has a size too.
+        fill(0, None);
+        for (actor, before) in staged.actors.iter().zip(0..) {
+            fill(actor.number, Some((actor, before)));
+        }
     }
 
     /// Waits for every submitted frame.
@@ -291,7 +320,7 @@ impl Renderer {
         self.finish()?;
         self.raster.resize(size)?;
         self.options.size = size;
-        self.plan = Plan::default();
+        self.scene = Scene::default();
         Ok(())
     }
 
@@ -310,13 +339,14 @@ impl Renderer {
     pub fn stages(&mut self) -> Result<Stages> {
         self.finish()?;
         let constants = &self.model.constants;
-        let features = 16 * constants.node_start as usize;
-        let pose = self.pose.download(features + 16 * constants.nodes as usize)?;
-        let (splats, keys) = self.splats.download()?;
+        let features = 16 * (constants.parts * constants.feature_quads) as usize;
+        let pose = self.pose.download(features + 8 * constants.nodes as usize)?;
+        let nodes: Vec<[f16; 4]> = bytemuck::pod_collect_to_vec(&pose[features..]);
         let control: Control = bytemuck::pod_read_unaligned(&self.control.download(size_of::<Control>())?);
+        let (splats, keys) = self.splats.download(control.entering)?;
         Ok(Stages {
             features: bytemuck::pod_collect_to_vec(&pose[..features]),
-            nodes: bytemuck::pod_collect_to_vec(&pose[features..]),
+            nodes: self.model.node_places.iter().map(|&place| nodes[usize::from(place)].map(f16::to_f32)).collect(),
             colors: self.model.colors()?,
             splats,
             keys,

@@ -37,21 +37,14 @@ pub static FEATURES: Module = Module {
     spirv: include_bytes!("../../shaders/spv/features.comp.spv"),
     half: Some(include_bytes!("../../shaders/spv/features.comp.half.spv")),
 };
-pub static NODES: Module = Module {
-    file: "nodes.comp",
-    spirv: include_bytes!("../../shaders/spv/nodes.comp.spv"),
-    half: Some(include_bytes!("../../shaders/spv/nodes.comp.half.spv")),
-};
 pub static HARMONICS: Module = Module {
     file: "harmonics.comp",
     spirv: include_bytes!("../../shaders/spv/harmonics.comp.spv"),
     half: Some(include_bytes!("../../shaders/spv/harmonics.comp.half.spv")),
 };
-pub static SPLATS: Module = Module {
-    file: "splats.comp",
-    spirv: include_bytes!("../../shaders/spv/splats.comp.spv"),
-    half: Some(include_bytes!("../../shaders/spv/splats.comp.half.spv")),
-};
+pub static SPLATS: Module = Module { file: "splats.comp", spirv: include_bytes!("../../shaders/spv/splats.comp.spv"), half: None };
+pub static SPLATS_POSED: Module =
+    Module { file: "splats_posed.comp", spirv: include_bytes!("../../shaders/spv/splats_posed.comp.spv"), half: None };
 pub static SORT_COUNT: Module =
     Module { file: "sort_count.comp", spirv: include_bytes!("../../shaders/spv/sort_count.comp.spv"), half: None };
 pub static SORT_REDUCE: Module =
@@ -91,11 +84,11 @@ pub static SURFACE_VERTEX: Module =
 /// Every module, for the compiler and the tests.
 pub static MODULES: &[&Module] = &[
     &FEATURES,
-    &NODES,
     &SURFACE,
     &SURFACE_VERTEX,
     &HARMONICS,
     &SPLATS,
+    &SPLATS_POSED,
     &SORT_COUNT,
     &SORT_REDUCE,
     &SORT_SCAN,

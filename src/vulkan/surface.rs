@@ -11,16 +11,16 @@ use super::{
     pipeline::{Bindings, BoundImage, Kernel, Slice},
     shaders,
 };
-use crate::layout::{Frame, SURFACE_DRAWN, SURFACE_FINEST, SURFACE_LEVELS, SURFACE_SIZE};
+use crate::layout::{Frame, SURFACE_DRAWN, SURFACE_FINEST, SURFACE_HEIGHT, SURFACE_LEVELS, SURFACE_WIDTH};
 use ash::vk;
 use glam::{DVec2, UVec2};
 use std::sync::Arc;
 
-/// Words of the pyramid in the pose buffer.
+/// Words of the pyramid in the pose buffer, two texels each.
 pub const PYRAMID_WORDS: u32 = {
     let (mut words, mut level) = (0, 0);
     while level < SURFACE_LEVELS {
-        words += (SURFACE_FINEST >> level) * (SURFACE_FINEST >> level);
+        words += (SURFACE_FINEST >> level) * (SURFACE_FINEST >> level) / 2;
         level += 1;
     }
     words
@@ -61,7 +61,7 @@ impl SurfaceMesh {
         // SAFETY: the command buffer is recording inside the pipeline's render pass; pipeline and buffers are alive.
         unsafe {
             self.gpu.raw.cmd_bind_pipeline(commands, vk::PipelineBindPoint::GRAPHICS, self.pipeline);
-            self.gpu.raw.cmd_bind_index_buffer(commands, self.indices, 0, vk::IndexType::UINT32);
+            self.gpu.raw.cmd_bind_index_buffer(commands, self.indices, 0, vk::IndexType::UINT16);
             self.gpu.raw.cmd_draw_indexed(commands, self.index_count, 1, 0, 0, 0);
         }
     }
@@ -120,8 +120,8 @@ impl Surface {
         Ok(Self { gpu: gpu.clone(), mesh, pyramid, pass, sampler, _image: image })
     }
 
-    /// Draws what `frame` says at `place`; graphics, then compute.
-    pub fn record(&self, commands: vk::CommandBuffer, frame: u32, place: &Place) {
+    /// Draws the mesh of each of `frames`, at least one, at `place`; graphics, then compute.
+    pub fn record(&self, commands: vk::CommandBuffer, frames: &[u32], place: &Place) {
         let whole = vk::Rect2D { offset: vk::Offset2D::default(), extent: vk::Extent2D { width: SURFACE_DRAWN, height: SURFACE_DRAWN } };
         let clear = [vk::ClearValue { depth_stencil: vk::ClearDepthStencilValue { depth: 1.0, stencil: 0 } }];
         let begin = vk::RenderPassBeginInfo::default()
@@ -135,11 +135,11 @@ impl Surface {
             device.cmd_begin_render_pass(commands, &begin, vk::SubpassContents::INLINE);
             device.cmd_set_viewport(commands, 0, &[place.viewport()]);
             device.cmd_set_scissor(commands, 0, &[whole]);
-            self.mesh.record(commands, frame);
+            frames.iter().for_each(|&frame| self.mesh.record(commands, frame));
             device.cmd_end_render_pass(commands);
         }
-        let groups = SURFACE_FINEST / SURFACE_SIZE;
-        self.pyramid.dispatch_2d(commands, frame, [groups, groups]);
+        let groups = [SURFACE_FINEST / SURFACE_WIDTH, SURFACE_FINEST / SURFACE_HEIGHT];
+        self.pyramid.dispatch_2d(commands, frames[0], groups);
     }
 }
 

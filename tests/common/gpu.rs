@@ -28,6 +28,7 @@ pub fn open(options: GpuOptions) -> Option<Arc<Gpu>> {
 
 /// One frame on the device and in the reference.
 pub struct Frame {
+    /// As the device has it: its oracle starts from the same numbers, but for the nodes' weights.
     pub avatar: Avatar,
     pub posed: Posed,
     pub camera: Camera,
@@ -53,10 +54,16 @@ pub fn frame(gpu: &Arc<Gpu>, seed: u64, sizes: Sizes, options: RendererOptions) 
 
 /// Draws any frame.
 pub fn draw(gpu: &Arc<Gpu>, avatar: Avatar, posed: Posed, camera: Camera, options: RendererOptions) -> Frame {
+    draw_after(gpu, avatar, posed, &[], camera, options)
+}
+
+/// Draws any frame after those of some other cameras.
+pub fn draw_after(gpu: &Arc<Gpu>, avatar: Avatar, posed: Posed, before: &[Camera], camera: Camera, options: RendererOptions) -> Frame {
     let mut renderer = Renderer::new(gpu, &avatar, options).unwrap();
-    renderer.draw(&posed, &camera, None).unwrap();
+    before.iter().chain([&camera]).for_each(|camera| renderer.draw(&posed, camera, None).unwrap());
     let picture = renderer.picture().unwrap();
     let stages = renderer.stages().unwrap();
+    let avatar = avatar.compact();
     let oracle = reference::Stages::new(&avatar, &posed, &camera);
     Frame { report: renderer.report().clone(), gpu: stages, picture, oracle, avatar, posed, camera }
 }

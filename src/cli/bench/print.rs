@@ -67,6 +67,13 @@ fn counters(report: &CaseReport) {
     let count = |name: &str| report.counters.get(name).map(|count| format!("{name} {}", number(*count)));
     let some = |names: &[&str]| names.iter().filter_map(|name| count(name)).collect::<Vec<_>>().join(", ");
     println!("  Gaussians {}", some(&["gaussians", "drawn", "culled"]).replacen("gaussians", "in", 1));
+    let reasons = some(&["outside", "hidden", "faint", "degenerate"]);
+    if !reasons.is_empty() {
+        println!("  culled    {reasons}");
+    }
+    if report.counters.get("avatars").is_some_and(|&avatars| avatars > 1.0) {
+        println!("  avatars   {}", some(&["avatars", "avatars_culled"]).replacen("avatars_", "", 1).replacen("avatars", "in", 1));
+    }
     let mut pixels: Vec<String> = some(&["fragments"]).split_terminator('\n').map(str::to_owned).collect();
     pixels.extend(report.covered_pixels.map(|covered| format!("covered {}", number(covered))));
     pixels.extend(report.fragments_a_pixel.map(|ratio| format!("{ratio:.2} fragments a covered pixel")));

@@ -42,7 +42,7 @@ impl Case {
             Self::Static => "nothing changes",
             Self::Close => "motion in real time, the camera a forearm from the face",
             Self::Far => "motion in real time, the avatar 60 px tall",
-            Self::Four => "four avatars in motion, a slowly orbiting camera",
+            Self::Four => "four avatars in motion a metre apart, a slowly orbiting camera on all or one of them",
         }
     }
 

@@ -29,7 +29,10 @@ impl<'a> Oracle<'a> {
 
     /// The picture of the scene with this number: the truth, not what a held pose shows.
     fn picture(&mut self, number: usize, scene: &Scene) -> &Picture {
-        self.pictures.entry(number).or_insert_with(|| reference::render(self.avatar, &scene.actors[0].truth, &scene.camera))
+        self.pictures.entry(number).or_insert_with(|| {
+            let truth: Vec<_> = scene.actors.iter().map(|actor| &actor.truth).collect();
+            reference::render_scene(self.avatar, &truth, &scene.camera)
+        })
     }
 }
 

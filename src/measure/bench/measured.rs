@@ -22,15 +22,19 @@ pub fn case(gpu: &Arc<Gpu>, task: &Task, setting: &Setting, case: Case, progress
     let setting = &setting.of(case);
     let scenes = scene::scenes(case, &task.set(setting));
     let avatar = setting.fit(task.avatar);
-    let mut drawer = Drawer::new(gpu, &avatar, setting)?;
+    let mut drawer = Drawer::new(gpu, &avatar, setting, case, false)?;
     let samples = run::time(&mut drawer, &scenes, task.warm_up, |done| progress(&format!("{case}: timing"), done, scenes.len()))?;
     let (used, reserved) = gpu.memory();
-    let cost = Cost { used, reserved, timed: gpu.probe.timestamp_bits > 0 };
+    let cost = Cost { used, reserved, timed: gpu.probe.timestamp_bits > 0, surface: drawer.surface() };
     let numbers = scene::checks(case, scenes.len(), task.checked);
     let mut oracle = Oracle::new(task.avatar);
     let mut show = |what: &str, done, all| progress(&format!("{case}: {what}"), done, all);
     let checked = check::check(&mut drawer, &scenes, &numbers, &mut oracle, task.flip, &mut show)?;
-    Ok(report(case, (&avatar, setting), samples, checked, cost))
+    // Counting takes time, so it has a turn of its own.
+    drop(drawer);
+    let mut drawer = Drawer::new(gpu, &avatar, setting, case, true)?;
+    let counted = run::count(&mut drawer, &scenes, |done| progress(&format!("{case}: counting"), done, scenes.len()))?;
+    Ok(report(case, (&avatar, setting), samples, (counters(&counted), checked), cost))
 }
 
 /// What the device says besides the frames.
@@ -40,18 +44,20 @@ struct Cost {
     reserved: u64,
     /// Whether it has timestamps.
     timed: bool,
+    /// Corners and triangles of the depth surface.
+    surface: [u64; 2],
 }
 
 fn report(
     case: Case,
     (avatar, setting): (&Avatar, &Setting),
     samples: Samples,
-    checked: Checked,
-    Cost { used, reserved, timed }: Cost,
+    (counters, checked): (BTreeMap<String, f64>, Checked),
+    Cost { used, reserved, timed, surface }: Cost,
 ) -> CaseReport {
     let Samples { intervals, reports } = samples;
-    let counters = counters(&reports);
-    let work = bytes::per_stage(avatar, &setting.options, seen(&counters, checked.covered));
+    let seen = Seen { surface, networks: networks(&reports), ..seen(&counters, checked.covered) };
+    let work = work(avatar, setting, &counters, seen);
     let stages = stages(&reports, &work);
     let mean = |of: fn(&StageReport) -> u64| stages.iter().map(|stage| stage.ran * of(stage) as f64).sum::<f64>().round() as u64;
     let frames = intervals.len();
@@ -92,15 +98,50 @@ pub fn counters(reports: &[FrameReport]) -> BTreeMap<String, f64> {
     all.map(|(name, (frames, sum))| (name, sum as f64 / frames as f64)).collect()
 }
 
+/// The work of a frame: what each avatar in view costs, and what all cost together.
+fn work(avatar: &Avatar, setting: &Setting, counters: &BTreeMap<String, f64>, seen: Seen) -> Vec<Work> {
+    let count = |name: &str| counters.get(name).copied().unwrap_or_default();
+    let (all, culled) = (count("avatars"), count("avatars_culled"));
+    let in_view = (all - culled).max(0.0);
+    let mut together = seen;
+    if all > 0.0 {
+        together.gaussians = (count("gaussians") * in_view / all).round() as u64;
+    }
+    let share = |of: u64| if in_view > 0.0 { (of as f64 / in_view).round() as u64 } else { 0 };
+    let networks = together.networks.map(share);
+    let each = Seen { gaussians: share(together.gaussians), drawn: share(together.drawn), networks, ..together };
+    let times = |of: u64| (of as f64 * in_view).round() as u64;
+    let scaled = |work: &Work| Work {
+        bytes: times(work.bytes),
+        bytes_floor: times(work.bytes_floor),
+        operations: work.operations.map(times),
+        operations_floor: work.operations_floor.map(times),
+        ..*work
+    };
+    let [each, mut together] = [each, together].map(|seen| bytes::per_stage(avatar, &setting.options, seen));
+    for (one, all) in each.iter().zip(&mut together).filter(|(one, _)| !matches!(one.stage, "sort" | "raster")) {
+        *all = scaled(one);
+    }
+    together
+}
+
 /// What the counted work depends on.
 fn seen(counters: &BTreeMap<String, f64>, covered: Option<f64>) -> Seen {
     let count = |name: &str| counters.get(name).map(|count| count.round() as u64);
     Seen {
         gaussians: count("gaussians").unwrap_or_default(),
         drawn: count("drawn").unwrap_or_default(),
+        kept: count("kept") > Some(0),
         covered: count("covered").or(covered.map(|covered| covered.round() as u64)),
         fragments: count("fragments"),
+        ..Seen::default()
     }
+}
+
+/// The mean number of networks, of frames in which some ran.
+fn networks(reports: &[FrameReport]) -> Option<u64> {
+    let ran: Vec<u64> = reports.iter().map(|report| report.counters.networks).filter(|&networks| networks > 0).collect();
+    (!ran.is_empty()).then(|| ran.iter().sum::<u64>() / ran.len() as u64)
 }
 
 /// The stages that ran in some frame or have work counted, in the order of a frame.

@@ -73,17 +73,21 @@ pub struct Drawer {
 }
 
 impl Drawer {
-    /// The most avatars that a scene may have.
-    pub const ACTORS: usize = 1;
+    /// `avatar` as the setting fits it. `count`: whether to count what costs time to count.
+    pub fn new(gpu: &Arc<Gpu>, avatar: &Avatar, setting: &Setting, case: Case, count: bool) -> Result<Self> {
+        let options = RendererOptions { actors: case.actors(), count, ..setting.options };
+        Ok(Self { renderer: Renderer::new(gpu, avatar, options)? })
+    }
 
-    /// `avatar` as the setting fits it.
-    pub fn new(gpu: &Arc<Gpu>, avatar: &Avatar, setting: &Setting) -> Result<Self> {
-        Ok(Self { renderer: Renderer::new(gpu, avatar, RendererOptions { count: true, ..setting.options })? })
+    /// Corners and triangles of the depth surface.
+    pub fn surface(&self) -> [u64; 2] {
+        self.renderer.surface_size()
     }
 
     /// Submits a frame, or finds that none is needed.
     pub fn draw(&mut self, scene: &Scene) -> Result<()> {
-        self.renderer.draw(&scene.actors[0].shown, &scene.camera, None)
+        let shown: Vec<_> = scene.actors.iter().map(|actor| &actor.shown).collect();
+        self.renderer.draw_scene(&shown, &scene.camera, None)
     }
 
     /// Waits for every submitted frame.
@@ -127,6 +131,21 @@ pub fn time(drawer: &mut Drawer, scenes: &[Scene], warm_up: usize, mut tick: imp
     }
     drawer.finish()?;
     Ok(samples)
+}
+
+/// Draws the scenes once without a clock, and says what each took in, left out and drew.
+pub fn count(drawer: &mut Drawer, scenes: &[Scene], mut tick: impl FnMut(usize)) -> Result<Vec<FrameReport>> {
+    // What is kept from the frame before is kept in the first one too, as where frames are timed.
+    scenes.last().map_or(Ok(()), |scene| drawer.draw(scene))?;
+    let mut reports = Vec::with_capacity(scenes.len());
+    for scene in scenes {
+        drawer.finish()?;
+        drawer.draw(scene)?;
+        drawer.finish()?;
+        reports.push(drawer.renderer.report().clone());
+        tick(reports.len());
+    }
+    Ok(reports)
 }
 
 /// Whether an error is the setting's fault, so that another setting may still be drawn with this device.

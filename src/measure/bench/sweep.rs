@@ -84,7 +84,7 @@ fn runner(devices: &mut Devices, task: &Task, case: Case, (knob, value): (&str, 
     Ok(Runner {
         knob: knob.to_owned(),
         value: value.to_owned(),
-        drawer: Drawer::new(&gpu, &setting.fit(task.avatar), setting)?,
+        drawer: Drawer::new(&gpu, &setting.fit(task.avatar), setting, case, true)?,
         scenes: scene::scenes(case, &task.set(setting)),
         times: Vec::new(),
         gpu_times: Vec::new(),

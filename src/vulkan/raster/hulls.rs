@@ -9,8 +9,8 @@ use crate::{
         graphics::{self, Attachment, Depth, Drawing},
         memory::{Buffer, DEPTH_FORMAT, Image},
         model::OccluderMesh,
+        options::RendererOptions,
         pipeline::{Bindings, Slice},
-        renderer::RendererOptions,
         shaders,
         surface::SurfaceMesh,
     },
@@ -112,8 +112,9 @@ impl Hulls {
         self.format
     }
 
-    /// Clears the picture and draws what `control` says; graphics. `surface`: whether the depth surface is drawn first.
-    pub fn record(&self, commands: vk::CommandBuffer, frame: u32, control: vk::Buffer, surface: bool) {
+    /// Clears the picture and draws what `control` says; graphics. `surfaces`: the blocks of those whose depth surface is drawn
+    /// first.
+    pub fn record(&self, commands: vk::CommandBuffer, frame: u32, control: vk::Buffer, surfaces: &[u32]) {
         let [width, height] = self.target.image.size;
         let area = vk::Rect2D { offset: vk::Offset2D::default(), extent: vk::Extent2D { width, height } };
         let viewport = vk::Viewport { x: 0.0, y: 0.0, width: width as f32, height: height as f32, min_depth: 0.0, max_depth: 1.0 };
@@ -130,9 +131,7 @@ impl Hulls {
             device.cmd_begin_render_pass(commands, &begin, vk::SubpassContents::INLINE);
             device.cmd_set_viewport(commands, 0, &[viewport]);
             device.cmd_set_scissor(commands, 0, &[area]);
-            if surface {
-                self.surface.record(commands, frame);
-            }
+            surfaces.iter().for_each(|&frame| self.surface.record(commands, frame));
             self.bindings.bind(commands, vk::PipelineBindPoint::GRAPHICS, frame);
             device.cmd_bind_pipeline(commands, vk::PipelineBindPoint::GRAPHICS, self.pipeline);
             device.cmd_bind_index_buffer(commands, self.indices.raw, 0, vk::IndexType::UINT16);

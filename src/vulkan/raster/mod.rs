@@ -9,14 +9,16 @@ mod hulls;
 mod tiles;
 
 use super::{
+    commands::Slot,
+    control::{SHARED, WRITTEN},
     device::Gpu,
     error::{Error, Result},
     memory::Image,
     model::OccluderMesh,
-    pipeline::Slice,
-    renderer::RendererOptions,
+    options::RendererOptions,
+    pipeline::{Slice, barrier},
 };
-use ash::vk;
+use ash::vk::{self, AccessFlags, PipelineStageFlags};
 use hulls::Hulls;
 use std::sync::Arc;
 pub use tiles::{Bins, bins_size, tile};
@@ -113,6 +115,36 @@ impl Raster {
         match self {
             Self::Hulls(hulls) => hulls.format(),
             Self::Tiles(tiles) => tiles.format(),
+        }
+    }
+
+    /// Dispatches of a frame.
+    pub fn dispatches(&self) -> u64 {
+        match self {
+            Self::Hulls(_) => 0,
+            Self::Tiles(_) => 2,
+        }
+    }
+
+    /// Draws what the sort left. `frame` is the block with the picture's size; the surfaces that are drawn first are those of the blocks in
+    /// `surfaces`. `count`: whether to count fragments.
+    pub(super) fn record(&self, gpu: &Gpu, slot: &mut Slot, (frame, surfaces): (u32, &[u32]), control: vk::Buffer, count: bool) {
+        match self {
+            Self::Hulls(hulls) => {
+                let draw = PipelineStageFlags::DRAW_INDIRECT | PipelineStageFlags::VERTEX_SHADER | PipelineStageFlags::TRANSFER;
+                let reads = AccessFlags::INDIRECT_COMMAND_READ | AccessFlags::SHADER_READ | AccessFlags::TRANSFER_READ;
+                barrier(gpu, slot.commands, WRITTEN, (draw, reads));
+                slot.drawing("raster", count, |commands| hulls.record(commands, frame, control, surfaces));
+            }
+            Self::Tiles(tiles) => {
+                slot.stage("bins", |commands| tiles.record_bins(commands, frame));
+                barrier(gpu, slot.commands, WRITTEN, SHARED);
+                if count {
+                    slot.counts_itself();
+                }
+                slot.stage("raster", |commands| tiles.record(commands, frame));
+                barrier(gpu, slot.commands, WRITTEN, (PipelineStageFlags::TRANSFER, AccessFlags::TRANSFER_READ));
+            }
         }
     }
 

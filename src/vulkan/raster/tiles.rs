@@ -8,8 +8,8 @@ use crate::{
         device::Gpu,
         error::Result,
         memory::{Buffer, Image},
+        options::RendererOptions,
         pipeline::{Bindings, BoundImage, Kernel, Slice, barrier},
-        renderer::RendererOptions,
         shaders,
     },
 };

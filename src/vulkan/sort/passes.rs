@@ -24,6 +24,7 @@ enum Form {
     Pairs = 1,
     Packed = 2,
     Values = 3,
+    Halves = 4,
 }
 
 /// What the passes of a sort follow from.
@@ -44,6 +45,7 @@ impl Shape {
     fn forms(&self, pass: u32) -> [Form; 2] {
         let passes = self.options.bits.passes();
         let before = |pass: u32| match passes - pass {
+            _ if pass == 0 && self.options.bits.halves() => Form::Halves,
             _ if pass == 0 => Form::Keys,
             0 => Form::Values,
             1 if self.capacity <= 1 << 24 => Form::Packed,

@@ -3,7 +3,7 @@
 
 use super::{KeyBits, Sort, SortOptions};
 use crate::{
-    layout::{Control, RASTER_QUADS, SORT_DROPPED},
+    layout::{Control, RASTER_QUADS},
     vulkan::{
         device::Gpu,
         error::{During, Result},
@@ -63,7 +63,7 @@ impl Trial {
 
     /// Hands over keys, at most as many as there is room for.
     pub fn load(&self, keys: &[u32]) -> Result<()> {
-        self.keys.upload(bytemuck::cast_slice(keys))?;
+        self.keys.upload(bytemuck::cast_slice(&self.bits.pack(keys)))?;
         // Survivors that no sort gives show a sort that writes none.
         let control = Control { entering: keys.len() as u32, survivors: u32::MAX, ..Control::default() };
         self.control.upload(bytemuck::bytes_of(&control))
@@ -139,7 +139,7 @@ impl Drop for Trial {
 /// The order that a sort of so many bits must give.
 pub fn expected(keys: &[u32], bits: KeyBits) -> Vec<u32> {
     let mask = u32::MAX >> (32 - 8 * bits.passes());
-    let mut order: Vec<u32> = (0..keys.len() as u32).filter(|&i| keys[i as usize] != SORT_DROPPED).collect();
+    let mut order: Vec<u32> = (0..keys.len() as u32).filter(|&i| !bits.drops(keys[i as usize])).collect();
     order.sort_by_key(|&i| keys[i as usize] & mask);
     order
 }

@@ -1,0 +1,17 @@
+// The pose buffer, `posed`, for kernels that read it: features (f32), then the nodes' displacements (three f16 and a spare), then, from
+// word frame.surface_start on, the depth surface's pyramid, two texels a word.
+
+// Four features, counted in quads.
+vec4 features_of(uint quad) { return uintBitsToFloat(uvec4(posed[2u * quad], posed[2u * quad + 1u])); }
+
+// Metres.
+vec3 displacement_of(uint node) {
+    uvec2 words = posed[2u * frame.node_start + node];
+    return vec3(unpackHalf2x16(words.x), unpackHalf2x16(words.y).x);
+}
+
+// A texel of the pyramid, 0 to 1.
+float furthest_of(uint texel) {
+    uint word = frame.surface_start + texel / 2u;
+    return float(posed[word / 2u][word & 1u] >> 16u * (texel & 1u) & 0xffffu) / 65535.0;
+}

@@ -1,0 +1,103 @@
+// Step 8 (model.md), once a Gaussian is in the camera's space: culling, projection, the splat and its key. For kernels that have `posed`,
+// the pose buffer, and `words`, the splats' buffer: four words a Gaussian, then from frame.key_start on the keys, two a word where
+// frame.half_keys says so, then from frame.count_start on the sort's first counts.
+#define SORT_FIRST_COUNTS words
+#define SORT_FIRST_AT frame.count_start
+#define SORT_FIRST_TILE frame.count_tile
+#include "sort_fused.glsl"
+#include "left_out.glsl"
+#include "pose.glsl"
+
+shared uint key_of_lane[SPLATS_SIZE];
+
+// Whether a box on the screen is all behind the depth surface.
+bool hidden(vec2 center, float radius, float depth) {
+    uvec2 low = uvec2(clamp((center - radius - frame.surface_origin) * frame.surface_scale, 0.0, float(SURFACE_FINEST - 1u)));
+    uvec2 high = uvec2(clamp((center + radius - frame.surface_origin) * frame.surface_scale, 0.0, float(SURFACE_FINEST - 1u)));
+    uint span = max(high.x - low.x, high.y - low.y);
+    // The level on which the box meets at most five texels along each side.
+    uint level = span <= 3u ? 0u : uint(findMSB(span - 1u)) - 1u;
+    if (!(level < SURFACE_LEVELS)) {
+        return false;
+    }
+    // Levels before: a quarter less each, SURFACE_FINEST² · (1 + 1/4 + …).
+    uint start = SURFACE_FINEST * SURFACE_FINEST / 3u * 4u - (SURFACE_FINEST * SURFACE_FINEST >> (2u * level)) / 3u * 4u;
+    low >>= level;
+    high >>= level;
+    float furthest = 0.0;
+    for (uint y = low.y; y <= high.y; ++y) {
+        for (uint x = low.x; x <= high.x; ++x) {
+            furthest = max(furthest, furthest_of(start + y * (SURFACE_FINEST >> level) + x));
+        }
+    }
+    return depth > furthest;
+}
+
+// Where a Gaussian at `p`, camera space, lands in the picture and in the keys (0 to 1). False: nothing of it shows. `longest` is no less
+// than its longest axis, metres. Comparisons are written so that NaN fails them.
+bool lands(vec3 p, float longest, out vec2 center, out float key) {
+    center = vec2(0.0);
+    key = 0.0;
+    if (!(p.z >= frame.near)) {
+        left_out(OUTSIDE);
+        return false;
+    }
+    center = frame.focal * p.xy / p.z + frame.center;
+    if (!(all(greaterThanEqual(center, vec2(-frame.guard))) && all(lessThanEqual(center, frame.size + frame.guard)))) {
+        left_out(OUTSIDE);
+        return false;
+    }
+    key = key_of(p.z);
+    float stretched = longest * length(vec3(p.xy / p.z, 1.0)) * max(frame.focal.x, frame.focal.y) / p.z;
+    // Its opacity is not known yet: as far as an opaque one reaches.
+    if (frame.surface_start > 0u && hidden(center, reach_of(255u) * (stretched + sqrt(LOW_PASS)), 1.0 - key)) {
+        left_out(HIDDEN);
+        return false;
+    }
+    return true;
+}
+
+// Writes the splat of a Gaussian whose axes are the columns of `axes` in a space that the rows r0, r1, r2 turn to the camera's. Gives its
+// key, SORT_DROPPED where it covers nothing.
+uint draw(uint i, vec3 p, vec2 center, float key, mat3 rows, mat3 axes, vec3 color, uint opacity) {
+    vec2 slope = clamp(p.xy / p.z, frame.derivative_min, frame.derivative_max);
+    vec3 mu = frame.focal.x / p.z * (rows[0] - slope.x * rows[2]) * axes;
+    vec3 mv = frame.focal.y / p.z * (rows[1] - slope.y * rows[2]) * axes;
+    vec3 covariance = vec3(dot(mu, mu) + LOW_PASS, dot(mu, mv), dot(mv, mv) + LOW_PASS);
+    // |u × v|² is the determinant of the covariance before the low-pass (Lagrange), free of cancellation for needles.
+    vec3 across = cross(mu, mv);
+    float determinant = dot(across, across) + LOW_PASS * (covariance.x + covariance.z - LOW_PASS);
+    if (!(determinant > 0.0 && covariance.x <= VARIANCE_MAX && covariance.z <= VARIANCE_MAX)) {
+        left_out(DEGENERATE);
+        return SORT_DROPPED;
+    }
+    vec2 extent = reach_of(opacity) * sqrt(covariance.xz);
+    if (!(all(greaterThan(center + extent, vec2(0.0))) && all(lessThan(center - extent, frame.size)))) {
+        left_out(OUTSIDE);
+        return SORT_DROPPED;
+    }
+    uvec4 packed = pack_splat(center, covariance, determinant, clamp(color, 0.0, 1.0), opacity);
+    for (uint k = 0u; k < 4u; ++k) {
+        words[4u * (frame.first + i) + k] = packed[k];
+    }
+    return min(uint(key * float(frame.key_max)), frame.key_max);
+}
+
+// Writes and counts a workgroup's keys; every invocation must come here.
+void write_key(uint i, uint key) {
+    uint lane = gl_LocalInvocationID.x;
+    uint slot = frame.first + i;
+    sort_count_first(key, key != SORT_DROPPED, slot);
+    if (frame.half_keys == 0u) {
+        // An odd number is made even: two keys of a word are of one avatar.
+        if (i < frame.gaussians + (frame.gaussians & 1u)) {
+            words[frame.key_start + slot] = key;
+        }
+        return;
+    }
+    key_of_lane[lane] = key;
+    barrier();
+    if ((lane & 1u) == 0u && i < frame.gaussians) {
+        words[frame.key_start + slot / 2u] = key & 0xffffu | key_of_lane[lane + 1u] << 16u;
+    }
+}

@@ -1,0 +1,258 @@
+//! The numbers of an avatar as the GPU's model keeps them: an [`Avatar`] goes in, the nearest one whose Gaussians fit 32 bytes and whose
+//! correctives, of attributes and of nodes, fit a byte a number comes out.
+//!
+//! What is rounded, and by how much at most: quaternions (30 bits: 0.0007 a component), log scales (10 bits over the avatar's own range,
+//! 1/256 for up to 8 octaves and a half), colours (8 bits, kept whole where a corrective is added), correctives (8 bits of the largest in
+//! their row), and the weights of nodes ([`node_shares`]: 0.016). Networks, positions, joints, opacities
+//! and the nodes' offsets stay as they are.
+
+use crate::{
+    avatar::{Avatar, Rows},
+    frame::LOG_SCALE_MAX,
+};
+use half::f16;
+
+/// Steps of a quaternion's three smaller components in 1: none of them is above √½, which is 509 of the 511 steps that fit.
+pub const QUATERNION_STEPS: f64 = 720.0;
+/// Steps of a node's share in 1.
+pub const NODE_STEPS: f64 = 31.0;
+/// The smallest log scale, a tenth of a micrometre; smaller ones are drawn like it.
+const LOG_SCALE_MIN: f64 = -16.0;
+/// Largest code of a log scale.
+const LOG_SCALE_CODES: f64 = 1023.0;
+
+/// Log scales as 10-bit codes: `min + step · code`. Both are short enough in binary that f16 holds every one of them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LogScales {
+    pub min: f64,
+    pub step: f64,
+}
+
+impl LogScales {
+    /// The finest codes that reach from the smallest to the largest.
+    pub fn of(avatar: &Avatar) -> Self {
+        let all = avatar.gaussians.log_scale.iter().flatten().map(|s| clamp(s.to_f64()));
+        let (low, high) = all.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), s| (low.min(s), high.max(s)));
+        let (low, high) = if low <= high { (low, high) } else { (0.0, 0.0) };
+        let mut step = 1.0 / 128.0;
+        while (high - (low / step).floor() * step) / step > LOG_SCALE_CODES {
+            step *= 2.0;
+        }
+        Self { min: (low / step).floor() * step, step }
+    }
+
+    pub fn encode(self, log_scale: f64) -> u32 {
+        ((clamp(log_scale) - self.min) / self.step).round().clamp(0.0, LOG_SCALE_CODES) as u32
+    }
+
+    pub fn decode(self, code: u32) -> f64 {
+        self.min + self.step * f64::from(code)
+    }
+}
+
+/// NaN is the smallest.
+fn clamp(log_scale: f64) -> f64 {
+    log_scale.max(LOG_SCALE_MIN).min(LOG_SCALE_MAX)
+}
+
+/// A quaternion in 32 bits: which component is the largest (2 bits, the highest), and the others in [`QUATERNION_STEPS`], 10 bits each.
+/// It comes out of length 1 and with the largest positive: the sign to get there is the second number.
+pub fn encode_quaternion(q: [f64; 4]) -> (u32, f64) {
+    let length = q.iter().map(|v| v * v).sum::<f64>().sqrt();
+    let q = if length > 0.0 { q.map(|v| v / length) } else { [1.0, 0.0, 0.0, 0.0] };
+    let largest = (0..4).max_by(|&a, &b| q[a].abs().total_cmp(&q[b].abs())).unwrap_or(0);
+    let sign = if q[largest] < 0.0 { -1.0 } else { 1.0 };
+    let code = |v: f64| (sign * v * QUATERNION_STEPS + 512.0).round().clamp(1.0, 1023.0) as u32;
+    let others = (0..4).filter(|&k| k != largest).enumerate();
+    (others.fold((largest as u32) << 30, |word, (at, k)| word | code(q[k]) << (10 * at)), sign)
+}
+
+pub fn decode_quaternion(word: u32) -> [f64; 4] {
+    let mut others = (0..3).map(|at| (f64::from(word >> (10 * at) & 1023) - 512.0) / QUATERNION_STEPS);
+    let largest = word as usize >> 30;
+    let mut q: [f64; 4] = std::array::from_fn(|k| if k == largest { 0.0 } else { others.next().unwrap_or_default() });
+    q[largest] = (1.0 - q.iter().map(|v| v * v).sum::<f64>()).max(0.0).sqrt();
+    q
+}
+
+/// A Gaussian's nodes, those that count most first, and the shares that say how much: the first's of what is above a third, and the
+/// second's of what is above half of the rest, in [`NODE_STEPS`].
+pub fn node_shares(avatar: &Avatar, gaussian: usize) -> ([u16; 3], [u32; 2]) {
+    let weights = avatar.node_weights(gaussian);
+    let mut order = [0, 1, 2];
+    order.sort_by(|&a, &b| weights[b].total_cmp(&weights[a]));
+    let [a, b, c] = order.map(|k| weights[k]);
+    let code = |share: f64| (share * NODE_STEPS).round().clamp(0.0, NODE_STEPS) as u32;
+    let second = if b + c > 0.0 { 2.0 * b / (b + c) - 1.0 } else { 0.0 };
+    (order.map(|k| avatar.gaussians.node[gaussian][k]), [code((3.0 * a - 1.0) / 2.0), code(second)])
+}
+
+/// What one step of a row's bytes is worth: a number of four significant bits, so that f16 holds each of its multiples by up to 127.
+pub fn row_scale(values: impl Iterator<Item = f64>) -> f64 {
+    /// The largest of which 127 fit f16.
+    const MOST: f64 = 512.0;
+    let least = values.fold(0.0, |most: f64, v| most.max(v.abs())) / 127.0;
+    if least <= 0.0 {
+        return 0.0;
+    }
+    let step = (least.log2().floor() - 3.0).max(-24.0).exp2();
+    ((least / step).ceil() * step).min(MOST)
+}
+
+/// A row's number in steps of its scale.
+pub fn row_code(value: f64, scale: f64) -> i8 {
+    if scale > 0.0 { (value / scale).round().clamp(-127.0, 127.0) as i8 } else { 0 }
+}
+
+impl Avatar {
+    /// The avatar that the GPU draws in this one's place, but for the weights of its nodes.
+    pub fn compact(&self) -> Self {
+        let mut compact = self.clone();
+        let scales = LogScales::of(self);
+        let g = &mut compact.gaussians;
+        let turned: Vec<(u32, f64)> = g.rotation.iter().map(|q| encode_quaternion(q.map(f64::from))).collect();
+        g.rotation.iter_mut().zip(&turned).for_each(|(q, (word, _))| *q = decode_quaternion(*word).map(f16::from_f64));
+        g.log_scale.iter_mut().flatten().for_each(|s| *s = f16::from_f64(scales.decode(scales.encode(s.to_f64()))));
+        let kept = |gaussian: usize| self.color_rows.gaussian.binary_search(&(gaussian as u32)).is_ok();
+        if self.harmonics.is_none() {
+            let plain = g.color.iter_mut().enumerate().filter(|(gaussian, _)| !kept(*gaussian));
+            plain.flat_map(|(_, color)| color).for_each(|c| *c = f16::from_f64((c.to_f64().clamp(0.0, 1.0) * 255.0).round() / 255.0));
+        }
+        compact.rotation_rows = rounded(&self.rotation_rows, rotation_rows(self));
+        compact.scale_rows = rounded(&self.scale_rows, rows(&self.scale_rows, self.basis_len()));
+        compact.color_rows = rounded(&self.color_rows, rows(&self.color_rows, self.basis_len()));
+        compact.nodes.basis = numbers(node_rows(self));
+        compact
+    }
+}
+
+/// A row of a corrective in bytes.
+pub struct Row {
+    /// Its Gaussian or node.
+    pub of: u32,
+    /// What one step is worth, exact in f16.
+    pub scale: f64,
+    /// Shape C, N_B.
+    pub codes: Vec<i8>,
+}
+
+/// The rows of log scales and of colours.
+pub fn rows<const C: usize>(rows: &Rows<C>, basis: usize) -> impl Iterator<Item = Row> {
+    divided(rows, basis, |_| 1.0)
+}
+
+/// A row for each node.
+pub fn node_rows(avatar: &Avatar) -> impl Iterator<Item = Row> {
+    avatar.nodes.basis.chunks_exact((3 * avatar.basis_len()).max(1)).enumerate().map(|(node, row)| {
+        let scale = row_scale(row.iter().map(|v| v.to_f64()));
+        Row { of: node as u32, scale, codes: row.iter().map(|v| row_code(v.to_f64(), scale)).collect() }
+    })
+}
+
+/// The rows of quaternions, divided by what [`encode_quaternion`] divides the quaternion by, which changes nothing after normalisation. A
+/// corrective of one of nearly no length may become more than f16 holds: shrunk as a whole it keeps its direction.
+pub fn rotation_rows(avatar: &Avatar) -> impl Iterator<Item = Row> {
+    divided(&avatar.rotation_rows, avatar.basis_len(), |gaussian| {
+        let q = avatar.gaussians.rotation[gaussian as usize].map(f64::from);
+        let length = q.iter().map(|v| v * v).sum::<f64>().sqrt();
+        encode_quaternion(q).1 * if length > 0.0 { length } else { 1.0 }
+    })
+}
+
+fn divided<const C: usize>(rows: &Rows<C>, basis: usize, divisor: impl Fn(u32) -> f64) -> impl Iterator<Item = Row> {
+    rows.gaussian.iter().zip(rows.basis.chunks_exact((C * basis).max(1))).map(move |(&gaussian, row)| {
+        let divisor = divisor(gaussian);
+        let largest = row.iter().fold(0.0, |most: f64, v| most.max((v.to_f64() / divisor).abs()));
+        let divisor = divisor * (largest / f16::MAX.to_f64()).max(1.0);
+        let scale = row_scale(row.iter().map(|v| v.to_f64() / divisor));
+        Row { of: gaussian, scale, codes: row.iter().map(|v| row_code(v.to_f64() / divisor, scale)).collect() }
+    })
+}
+
+fn rounded<const C: usize>(from: &Rows<C>, rows: impl Iterator<Item = Row>) -> Rows<C> {
+    Rows { gaussian: from.gaussian.clone(), basis: numbers(rows) }
+}
+
+fn numbers(rows: impl Iterator<Item = Row>) -> Vec<f16> {
+    rows.flat_map(|row| row.codes.into_iter().map(move |code| f16::from_f64(row.scale * f64::from(code)))).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{bake::math::Random, demo};
+
+    #[test]
+    fn quaternions_keep_their_direction_to_a_thousandth() {
+        let random = &mut Random::new(1, 0);
+        for _ in 0..10_000 {
+            let q: [f64; 4] = std::array::from_fn(|_| random.normal());
+            let length = q.iter().map(|v| v * v).sum::<f64>().sqrt();
+            let (word, sign) = encode_quaternion(q);
+            let back = decode_quaternion(word);
+            assert!((back.iter().map(|v| v * v).sum::<f64>() - 1.0).abs() < 1e-12);
+            let off = q.iter().zip(back).map(|(a, b)| (sign * a / length - b).powi(2)).sum::<f64>().sqrt();
+            assert!(off < 2e-3, "{q:?} comes back as {back:?}");
+        }
+        for axis in 0..4 {
+            let q: [f64; 4] = std::array::from_fn(|k| if k == axis { -1.0 } else { 0.0 });
+            assert_eq!(decode_quaternion(encode_quaternion(q).0).map(f64::abs), q.map(f64::abs));
+        }
+    }
+
+    #[test]
+    fn rounding_is_as_small_as_said_and_f16_holds_it() {
+        let avatar = demo::avatar().unwrap();
+        let compact = avatar.compact();
+        for (a, b) in avatar.gaussians.log_scale.iter().flatten().zip(compact.gaussians.log_scale.iter().flatten()) {
+            assert!((a.to_f64() - b.to_f64()).abs() <= 1.0 / 256.0 + 1e-9, "{a} became {b}");
+        }
+        for (a, b) in avatar.gaussians.color.iter().flatten().zip(compact.gaussians.color.iter().flatten()) {
+            assert!((a.to_f64().clamp(0.0, 1.0) - b.to_f64()).abs() <= 0.5 / 255.0 + 2.5e-4, "{a} became {b}");
+        }
+        let length = 3 * avatar.basis_len();
+        for (a, b) in avatar.scale_rows.basis.chunks(length).zip(compact.scale_rows.basis.chunks(length)) {
+            let most = a.iter().fold(0.0, |most: f64, v| most.max(v.to_f64().abs()));
+            assert!(a.iter().zip(b).all(|(a, b)| (a.to_f64() - b.to_f64()).abs() <= most / 220.0), "{a:?} became {b:?}");
+        }
+        let again = compact.compact();
+        assert_eq!(again.gaussians.log_scale, compact.gaussians.log_scale);
+        assert_eq!(again.gaussians.color, compact.gaussians.color);
+    }
+
+    #[test]
+    fn weights_of_nodes_are_as_near_as_said() {
+        let avatar = demo::avatar().unwrap();
+        for gaussian in 0..avatar.gaussians.len() {
+            let (nodes, [first, second]) = node_shares(&avatar, gaussian);
+            let first = (1.0 + 2.0 * f64::from(first) / NODE_STEPS) / 3.0;
+            let second = (1.0 - first) * (0.5 + 0.5 * f64::from(second) / NODE_STEPS);
+            let coded = [first, second, 1.0 - first - second];
+            for (node, coded) in nodes.iter().zip(coded) {
+                let at = avatar.gaussians.node[gaussian].iter().position(|other| other == node).unwrap();
+                let exact = avatar.node_weights(gaussian)[at];
+                assert!((coded - exact).abs() < 0.0165, "Gaussian {gaussian}: {exact} became {coded}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_smallest_and_the_largest_numbers_survive() {
+        for value in [6e-8, 1e-6, 3.7e-3, 1.0, 77.0, 65504.0] {
+            let scale = row_scale([value, -value / 3.0].into_iter());
+            for k in -127..=127 {
+                let exact = f64::from(k) * scale;
+                assert_eq!(f16::from_f64(exact).to_f64(), exact, "{k} steps of {scale}");
+            }
+            let back = scale * f64::from(row_code(value, scale));
+            // Or half of the smallest step that there is.
+            assert!((back - value).abs() <= (0.01 * value).max(0.5 * 2f64.powi(-24)), "{value} became {back}");
+        }
+        assert_eq!((row_scale([0.0].into_iter()), row_code(0.0, 0.0)), (0.0, 0));
+        let mut avatar = demo::avatar().unwrap();
+        avatar.gaussians.log_scale[0] = [f16::MIN, f16::MAX, f16::from_f64(-5.0)];
+        let scales = LogScales::of(&avatar);
+        assert_eq!(scales, LogScales { min: -16.0, step: 1.0 / 32.0 });
+        assert_eq!([-16.0, 9.0, -5.0].map(|s| scales.decode(scales.encode(s))), [-16.0, 9.0, -5.0]);
+    }
+}

@@ -1,0 +1,178 @@
+//! An avatar's arrays as the shaders read them: an [`Avatar`] goes in, words and halves come out. What it rounds is in
+//! [`super::compact`]; all else keeps the bits that the file has.
+
+use super::compact::{self, LogScales, Row};
+use crate::{
+    avatar::{Activation, Avatar, Layer, Rows},
+    layout::{self, BLOCK_PAIRS, Frame, GAUSSIAN_PAIRS},
+};
+use bytemuck::Zeroable;
+use half::f16;
+
+/// Gaussians that share a block.
+const BLOCK: usize = 32;
+
+pub fn constants(avatar: &Avatar) -> Frame {
+    let bounds = &avatar.gaussians.bounds;
+    let [x, y, z] = bounds.min;
+    let step: [f32; 3] = std::array::from_fn(|k| ((f64::from(bounds.max[k]) - f64::from(bounds.min[k])) / 65535.0) as f32);
+    let features = avatar.networks.output() / 4;
+    let scales = LogScales::of(avatar);
+    Frame {
+        position_min: [x, y, z, 0.0],
+        position_step: [step[0], step[1], step[2], 0.0],
+        gaussians: avatar.gaussians.len() as u32,
+        nodes: avatar.nodes.len() as u32,
+        parts: avatar.parts.len() as u32,
+        head_parts: avatar.parts.head as u32,
+        basis_quads: avatar.basis_len() as u32 / 4,
+        feature_quads: features as u32,
+        node_feature: avatar.node_feature_start() as u32 / 4,
+        node_start: (avatar.parts.len() * features) as u32,
+        layers: avatar.networks.layers.len() as u32,
+        log_scale_min: scales.min as f32,
+        log_scale_step: scales.step as f32,
+        lit_start: avatar.harmonics.as_ref().map_or(0, |_| pairs(avatar) as u32),
+        slope: match avatar.networks.activation {
+            Activation::Relu => 0.0,
+            Activation::LeakyRelu => 0.01,
+        },
+        ..Frame::zeroed()
+    }
+}
+
+/// Weights and biases, a block a part; inside it each layer's weights by quad of inputs, then by neuron, so that neighbouring
+/// invocations read neighbouring quads.
+pub fn networks(avatar: &Avatar, constants: &mut Frame) -> Vec<f16> {
+    let mut quads = 0;
+    for (layer, place) in avatar.networks.layers.iter().zip(&mut constants.layer) {
+        let input_quads = layer.input.div_ceil(4);
+        let weight = quads;
+        let bias = weight + input_quads * layer.output;
+        quads = bias + layer.output.div_ceil(4);
+        *place = layout::Layer { input_quads: input_quads as u32, output: layer.output as u32, weight: weight as u32, bias: bias as u32 };
+    }
+    constants.network_quads = quads as u32;
+    let mut data = vec![f16::ZERO; avatar.parts.len() * quads * 4];
+    for (part, block) in data.chunks_exact_mut((quads * 4).max(1)).enumerate() {
+        for (layer, place) in avatar.networks.layers.iter().zip(&constants.layer) {
+            network_layer(layer, place, part, block);
+        }
+    }
+    data
+}
+
+fn network_layer(layer: &Layer, place: &layout::Layer, part: usize, block: &mut [f16]) {
+    for neuron in 0..layer.output {
+        let row = &layer.weight[(part * layer.output + neuron) * layer.input..][..layer.input];
+        for (k, &weight) in row.iter().enumerate() {
+            block[(place.weight as usize + k / 4 * layer.output + neuron) * 4 + k % 4] = weight;
+        }
+        block[place.bias as usize * 4 + neuron] = layer.bias[part * layer.output + neuron];
+    }
+}
+
+/// Where each node is when nodes are in the order of their parts, and each part's first, and their number.
+pub fn node_places(avatar: &Avatar) -> (Vec<u16>, Vec<u32>) {
+    let mut order: Vec<usize> = (0..avatar.nodes.len()).collect();
+    order.sort_by_key(|&node| avatar.nodes.part[node]);
+    let mut places = vec![0; order.len()];
+    order.iter().enumerate().for_each(|(place, &node)| places[node] = place as u16);
+    let start = |part: usize| order.partition_point(|&node| usize::from(avatar.nodes.part[node]) < part) as u32;
+    (places, (0..=avatar.parts.len()).map(start).collect())
+}
+
+/// Planes of words, one entry a node; see `shaders/features.comp`.
+pub fn nodes(avatar: &Avatar, places: &[u16]) -> Vec<u32> {
+    let (count, quads) = (avatar.nodes.len(), 3 * avatar.basis_len() / 4);
+    let mut data = vec![0; (quads + 2) * count];
+    for (node, &place) in places.iter().enumerate() {
+        let [x, y, z] = avatar.nodes.offset[node].map(f16::to_bits);
+        data[quads * count + 2 * usize::from(place)] = pair(x, y);
+        data[quads * count + 2 * usize::from(place) + 1] = u32::from(z);
+    }
+    for row in compact::node_rows(avatar) {
+        let place = usize::from(places[row.of as usize]);
+        row.codes.chunks_exact(4).enumerate().for_each(|(quad, codes)| data[quad * count + place] = word(codes));
+        data[quads * count + 2 * place + 1] |= u32::from(f16::from_f64(row.scale).to_bits()) << 16;
+    }
+    data
+}
+
+/// Four steps.
+fn word(codes: &[i8]) -> u32 {
+    u32::from_le_bytes(std::array::from_fn(|k| codes[k].cast_unsigned()))
+}
+
+/// Rows of rotation, scale and colour, one after the other; see `shaders/splats.comp`.
+pub fn rows(avatar: &Avatar, constants: &mut Frame) -> Vec<u32> {
+    let basis = avatar.basis_len();
+    let mut data = Vec::new();
+    compact::rotation_rows(avatar).for_each(|row| push(&mut data, avatar, &row, &[]));
+    constants.scale_start = data.len() as u32;
+    compact::rows(&avatar.scale_rows, basis).for_each(|row| push(&mut data, avatar, &row, &[]));
+    constants.color_start = data.len() as u32;
+    for row in compact::rows(&avatar.color_rows, basis) {
+        let [red, green, blue] = avatar.gaussians.color[row.of as usize].map(f16::to_bits);
+        push(&mut data, avatar, &row, &[pair(red, green), u32::from(blue)]);
+    }
+    data
+}
+
+fn push(data: &mut Vec<u32>, avatar: &Avatar, row: &Row, neutral: &[u32]) {
+    let part = avatar.parts.start.partition_point(|&start| start <= row.of) - 1;
+    data.push(pair(f16::from_f64(row.scale).to_bits(), part as u16));
+    data.extend_from_slice(neutral);
+    data.extend(row.codes.chunks_exact(4).map(word));
+}
+
+fn pair(low: u16, high: u16) -> u32 {
+    u32::from(low) | u32::from(high) << 16
+}
+
+/// Pairs of words of the Gaussians and their blocks.
+fn pairs(avatar: &Avatar) -> usize {
+    GAUSSIAN_PAIRS as usize * avatar.gaussians.len() + BLOCK_PAIRS as usize * avatar.gaussians.len().div_ceil(BLOCK)
+}
+
+/// Pairs of words; see `shaders/gaussian.glsl`.
+pub fn gaussians(avatar: &Avatar, node_places: &[u16]) -> Vec<[u32; 2]> {
+    let g = &avatar.gaussians;
+    let (count, scales) = (g.len(), LogScales::of(avatar));
+    let lit = if avatar.harmonics.is_some() { count } else { 0 };
+    let mut data = vec![[0; 2]; pairs(avatar) + lit];
+    for i in 0..count {
+        let [x, y, z] = g.position[i];
+        let scale = (0..3).fold(0, |word, k| word | scales.encode(g.log_scale[i][k].to_f64()) << (10 * k));
+        let [a, b, c, _] = g.joint_weight[i];
+        let (nodes, [first, second]) = compact::node_shares(avatar, i);
+        let n = nodes.map(|node| node_places.get(usize::from(node)).copied().unwrap_or_default());
+        data[2 * i] = [pair(x, y), pair(z, scale as u16)];
+        data[2 * i + 1] = [u32::from_le_bytes(g.joint[i]), u32::from_le_bytes([a, b, c, (scale >> 16) as u8])];
+        data[2 * count + i] = [pair(n[0], n[1]), u32::from(n[2]) | first << 16 | second << 21 | scale >> 24 << 26];
+        let [red, green, blue] = g.color[i].map(|c| (c.to_f64().clamp(0.0, 1.0) * 255.0).round() as u8);
+        let (rotation, _) = compact::encode_quaternion(g.rotation[i].map(f64::from));
+        data[3 * count + i] = [rotation, u32::from_le_bytes([red, green, blue, g.opacity[i]])];
+    }
+    let blocks = &mut data[GAUSSIAN_PAIRS as usize * count..pairs(avatar)];
+    mark(blocks, &avatar.rotation_rows, 0, 3);
+    mark(blocks, &avatar.scale_rows, 1, 4);
+    mark(blocks, &avatar.color_rows, 2, 5);
+    let part = |gaussian: usize| (avatar.parts.start.partition_point(|&start| start as usize <= gaussian) - 1) as u16;
+    for (at, block) in blocks.chunks_exact_mut(BLOCK_PAIRS as usize).enumerate() {
+        block[3][0] = pair(part(at * BLOCK), part((at * BLOCK + BLOCK).min(count) - 1));
+    }
+    data
+}
+
+/// Sets the bit of every Gaussian that keeps a row, in word `mask` of its block, and in word `base` how many rows come before the block.
+fn mark<const C: usize>(blocks: &mut [[u32; 2]], rows: &Rows<C>, mask: usize, base: usize) {
+    for &gaussian in &rows.gaussian {
+        blocks[BLOCK_PAIRS as usize * (gaussian as usize / BLOCK) + mask / 2][mask % 2] |= 1 << (gaussian as usize % BLOCK);
+    }
+    let mut before = 0;
+    for block in blocks.chunks_exact_mut(BLOCK_PAIRS as usize) {
+        block[base / 2][base % 2] = before;
+        before += block[mask / 2][mask % 2].count_ones();
+    }
+}
