@@ -52,7 +52,7 @@ impl LogScales {
 
 /// NaN is the smallest.
 fn clamp(log_scale: f64) -> f64 {
-    log_scale.max(LOG_SCALE_MIN).min(LOG_SCALE_MAX)
+    if log_scale.is_nan() { LOG_SCALE_MIN } else { log_scale.clamp(LOG_SCALE_MIN, LOG_SCALE_MAX) }
 }
 
 /// A quaternion in 32 bits: which component is the largest (2 bits, the highest), and the others in [`QUATERNION_STEPS`], 10 bits each.
