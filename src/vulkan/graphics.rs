@@ -115,6 +115,7 @@ pub(super) fn pipeline(gpu: &Gpu, drawing: Drawing) -> Result<vk::Pipeline> {
     let blend = vk::PipelineColorBlendStateCreateInfo::default().attachments(&attachments);
     let dynamic = vk::PipelineDynamicStateCreateInfo::default().dynamic_states(&[vk::DynamicState::VIEWPORT, vk::DynamicState::SCISSOR]);
     let info = vk::GraphicsPipelineCreateInfo::default()
+        .flags(gpu.pipeline_flags())
         .stages(&stages)
         .vertex_input_state(&vertices)
         .input_assembly_state(&assembly)
@@ -126,9 +127,12 @@ pub(super) fn pipeline(gpu: &Gpu, drawing: Drawing) -> Result<vk::Pipeline> {
         .dynamic_state(&dynamic)
         .layout(drawing.layout)
         .render_pass(drawing.render_pass);
+    let modules: Vec<_> = std::iter::once(drawing.vertex).chain(drawing.fragment).collect();
+    let constants = drawing.constants.iter().map(f32::to_string).collect::<Vec<_>>().join(" ");
+    let files = modules.iter().map(|module| module.file).collect::<Vec<_>>().join("+");
+    tracing::debug!("compiling {files} [{constants}]");
     // SAFETY: `info` and all it points to outlive the call.
     let created = unsafe { gpu.raw.create_graphics_pipelines(gpu.cache.raw, &[info], None) };
     let pipeline = created.map_err(|(_, result)| result).during("vkCreateGraphicsPipelines")?[0];
-    gpu.name(pipeline, drawing.name);
-    Ok(pipeline)
+    gpu.made(pipeline, drawing.name, &modules, &constants)
 }

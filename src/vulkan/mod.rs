@@ -25,6 +25,7 @@ pub mod renderer;
 pub mod shaders;
 pub mod sort;
 pub mod splats;
+pub mod statistics;
 pub mod surface;
 #[cfg(feature = "window")]
 pub mod swapchain;
