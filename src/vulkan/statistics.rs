@@ -58,7 +58,7 @@ pub struct Statistic {
 /// One of the programs that a driver makes of a pipeline: at least one for each stage.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Executable {
-    /// File in `shaders`.
+    /// File in `shaders`; the pipeline's name for a program that the driver adds.
     pub shader: String,
     /// Its specialization constants, 0 upwards.
     pub constants: String,
@@ -80,7 +80,7 @@ impl Statistics {
         Self { loader: khr::pipeline_executable_properties::Device::new(instance, device), found: Mutex::default() }
     }
 
-    fn ask(&self, pipeline: vk::Pipeline, modules: &[&Module], constants: &str) -> Result<()> {
+    fn ask(&self, pipeline: vk::Pipeline, name: &str, modules: &[&Module], constants: &str) -> Result<()> {
         let info = vk::PipelineInfoKHR::default().pipeline(pipeline);
         // SAFETY: the pipeline is alive and was made to be asked.
         let executables =
@@ -90,9 +90,10 @@ impl Statistics {
             // SAFETY: as above, and there is such an executable.
             let statistics =
                 unsafe { self.loader.get_pipeline_executable_statistics(&info) }.during("vkGetPipelineExecutableStatisticsKHR")?;
-            let module = modules.iter().find(|module| executable.stages.contains(module.stage())).or(modules.first());
+            // Drivers have a fragment program for pipelines without a fragment shader too.
+            let module = modules.iter().find(|module| executable.stages.contains(module.stage()));
             let new = Executable {
-                shader: module.map_or(String::new(), |module| module.file.into()),
+                shader: module.map_or(name, |module| module.file).into(),
                 constants: constants.into(),
                 executable: text(executable.name_as_c_str()),
                 subgroup: executable.subgroup_size,
@@ -134,7 +135,7 @@ impl Gpu {
     /// Names a pipeline that was just made of these modules, and asks about it on a device that was opened for that.
     pub(super) fn made(&self, pipeline: vk::Pipeline, name: &str, modules: &[&Module], constants: &str) -> Result<vk::Pipeline> {
         self.name(pipeline, name);
-        let asked = self.statistics.as_ref().map_or(Ok(()), |statistics| statistics.ask(pipeline, modules, constants));
+        let asked = self.statistics.as_ref().map_or(Ok(()), |statistics| statistics.ask(pipeline, name, modules, constants));
         asked.map(|()| pipeline).inspect_err(|_| {
             // SAFETY: nobody else knows of the pipeline yet.
             unsafe { self.raw.destroy_pipeline(pipeline, None) }
