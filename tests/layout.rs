@@ -104,6 +104,7 @@ fn the_frame_block_is_the_same_on_both_sides() {
         offset_of!(Frame, fixed_scale),
         offset_of!(Frame, position_min),
         offset_of!(Frame, position_step),
+        offset_of!(Frame, clip),
         offset_of!(Frame, gaussians),
         offset_of!(Frame, nodes),
         offset_of!(Frame, parts),

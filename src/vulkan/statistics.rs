@@ -160,9 +160,11 @@ pub fn all(options: &GpuOptions, avatar: &Avatar) -> Result<(Arc<Gpu>, Vec<Execu
 /// A renderer for every choice that leads to pipelines of its own.
 fn renderers(gpu: &Arc<Gpu>, avatar: &Avatar) -> Result<()> {
     let any = Variant::ALL.into_iter().find(|variant| variant.lacks(gpu).is_none());
-    let options = RendererOptions { skip: Skip::all(), sort: any, ..RendererOptions::new([64, 64]) };
+    let options = RendererOptions { sort: any, ..RendererOptions::new([64, 64]) };
     for color in [ColorFormat::Rgba8, ColorFormat::Rgba16F] {
-        Renderer::new(gpu, avatar, RendererOptions { color, ..options })?;
+        for skip in [options.skip, Skip::all(), Skip::empty()] {
+            Renderer::new(gpu, avatar, RendererOptions { color, skip, ..options })?;
+        }
     }
     for degree in 1..=3 {
         let functions = (degree + 1) * (degree + 1) - 1;
