@@ -4,7 +4,7 @@
 #include "raster.glsl"
 
 layout(early_fragment_tests) in;
-layout(location = 0) in vec2 offset;
+layout(location = 0) in mediump vec2 offset;
 layout(location = 1) flat in uvec2 color;
 layout(location = 0) out vec4 result;
 
