@@ -1,7 +1,7 @@
 // A fragment of a splat (model.md, step 10): its colour and opacity, which the blender puts "over" what lies behind.
 #version 450
 #extension GL_GOOGLE_include_directive : require
-#include "raster.glsl"
+#include "hulls.glsl"
 
 layout(early_fragment_tests) in;
 layout(location = 0) in mediump vec2 offset;

@@ -5,7 +5,7 @@
 #include "layout.glsl"
 #include "splat.glsl"
 #include "sort_control.glsl"
-#include "raster.glsl"
+#include "hulls.glsl"
 
 // Hulls reach as far as for at least this exponent, which is no less than LEAST.
 layout(constant_id = 1) const float HULL = -7.994353;
