@@ -21,6 +21,7 @@ layout(std140, set = 0, binding = 0) uniform FrameBlock {
     float fixed_scale;
     vec4 position_min;
     vec4 position_step;
+    vec4 clip;
     uint gaussians;
     uint nodes;
     uint parts;

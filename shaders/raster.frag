@@ -1,16 +1,18 @@
 // A fragment of a splat (model.md, step 10): its colour and opacity, which the blender puts "over" what lies behind.
 #version 450
+#extension GL_GOOGLE_include_directive : require
+#include "hulls.glsl"
+
 layout(early_fragment_tests) in;
-// Opacity under which nothing is drawn.
-layout(constant_id = 0) const float CUTOFF = 1.0 / 255.0;
-layout(location = 0) in vec2 offset;
-layout(location = 1) flat in vec4 color;
+layout(location = 0) in mediump vec2 offset;
+layout(location = 1) flat in uvec2 color;
 layout(location = 0) out vec4 result;
 
 void main() {
-    float alpha = min(0.99, color.a * exp(-0.5 * dot(offset, offset)));
-    if (!(alpha >= CUTOFF)) {
+    vec2 red_green = unpackHalf2x16(color.x), blue_opacity = unpackHalf2x16(color.y);
+    float exponent = blue_opacity.y - dot(offset, offset);
+    if (exponent < LEAST) {
         discard;
     }
-    result = vec4(color.rgb, alpha);
+    result = vec4(red_green, blue_opacity.x, min(0.99, exp2(exponent)));
 }

@@ -26,7 +26,7 @@ shared uint column[COLUMNS * WORDS];
 shared uint next[SORT_DIGITS];
 shared uint seats, ticket, waiting;
 
-const uint ABSENT = 0xffffffffu;
+const uint ABSENT = 0xffffu;
 const uint COUNTED = 1u << 30u, SUMMED = 2u << 30u, NUMBER = COUNTED - 1u;
 
 uint status_at(uint tile, uint digit) { return STATUS_AT + ((PASS & 1u) * TILES + tile) * SORT_DIGITS + digit; }
@@ -167,7 +167,8 @@ void main() {
     uint turns = ((seats & 0xffffu) + COLUMNS - 1u) / COLUMNS;
     uint turn = (seat & 0xffffu) % turns, at_column = (seat & 0xffffu) / turns;
     uint from = tile * TILE + (seat >> 16u) * ROUNDS + lane;
-    uint key[ROUNDS], rank[ROUNDS];
+    // Two ranks a word: with a word each, Mali's 64 registers don't hold them all.
+    uint key[ROUNDS], ranks[ROUNDS / 2u];
     for (uint r = 0u; r < rounds; ++r) {
         uint at = from + r * lanes;
         key[r] = at < end ? key_at(at) : 0u;
@@ -175,7 +176,8 @@ void main() {
     for (uint now = 0u; now < turns; ++now) {
         if (now == turn) {
             for (uint r = 0u; r < rounds; ++r) {
-                rank[r] = rank_of(from + r * lanes < end && enters(key[r]), digit_of(key[r]), at_column);
+                uint rank = rank_of(from + r * lanes < end && enters(key[r]), digit_of(key[r]), at_column);
+                ranks[r / 2u] = (r & 1u) == 0u ? rank : ranks[r / 2u] | rank << 16u;
             }
         }
         barrier();
@@ -193,9 +195,10 @@ void main() {
         chain(thread, tile, uvec2(total & 0xffffu, total >> 16u));
     }
     for (uint r = 0u; r < rounds; ++r) {
-        if (rank[r] != ABSENT) {
+        uint rank = ranks[r / 2u] >> 16u * (r & 1u) & 0xffffu;
+        if (rank != ABSENT) {
             uint digit = digit_of(key[r]);
-            put(start[digit] + counter(at_column, digit) + rank[r], key[r], value_at(from + r * lanes, key[r]));
+            put(start[digit] + counter(at_column, digit) + rank, key[r], value_at(from + r * lanes, key[r]));
             if (WRITES != VALUES) {
                 atomicAdd(next[key[r] >> SHIFT + 8u & DIGIT_MASK], 1u);
             }

@@ -39,10 +39,12 @@ struct Splat {
     uint opacity;
 };
 
+// A splat's coordinates as they are kept.
+vec2 steps_of(uvec4 words) { return vec2(words.xy & (1u << POSITION_BITS) - 1u); }
+
 Splat unpack_splat(uvec4 words) {
-    const uint mask = (1u << POSITION_BITS) - 1u;
     Splat splat;
-    splat.center = vec2(words.x & mask, words.y & mask) / frame.fixed_scale - frame.guard;
+    splat.center = steps_of(words) / frame.fixed_scale - frame.guard;
     splat.axis = unpackHalf2x16(words.z);
     splat.shorter = unpackHalf2x16(words.w).x;
     uint blue = words.w >> 24u << 2u | words.x >> 30u;

@@ -153,6 +153,8 @@ pub struct Frame {
     /// Gaussian positions: `position_min + step · 16-bit coordinate`, metres.
     pub position_min: [f32; 4],
     pub position_step: [f32; 4],
+    /// From a splat's coordinates to the clip space: `(steps − z) · xy − 1`; w is what a standard deviation of √(2 ln 2) is, steps.
+    pub clip: [f32; 4],
     pub gaussians: u32,
     pub nodes: u32,
     pub parts: u32,

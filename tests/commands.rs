@@ -256,3 +256,21 @@ fn devices_lists_every_device_and_its_use() {
     let json: serde_json::Value = serde_json::from_str(&works(folder.path(), "devices --json")).unwrap();
     assert!(json[0]["name"].is_string() && json[0]["optional"]["timestamps"]["has"].is_boolean());
 }
+
+#[test]
+fn shader_statistics_are_a_table_or_a_sentence() {
+    let Some(device) = gpu::gpu() else { return };
+    let folder = tempfile::tempdir().unwrap();
+    if !device.probe.shader_statistics {
+        let message = fails(folder.path(), "devices --shader-stats --csv stats.csv");
+        assert!(message.contains("VK_KHR_pipeline_executable_properties"), "{message}");
+        assert!(!folder.path().join("stats.csv").exists());
+        return;
+    }
+    let table = works(folder.path(), "devices --shader-stats --csv stats.csv");
+    assert!(table.starts_with(&device.probe.name), "{table}");
+    let rows = std::fs::read_to_string(folder.path().join("stats.csv")).unwrap();
+    for shader in ["raster.vert", "raster.frag", "splats.comp"] {
+        assert!(table.lines().any(|line| line.starts_with(shader)) && rows.contains(shader), "nothing on {shader}: {table}");
+    }
+}

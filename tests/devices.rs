@@ -6,7 +6,13 @@ use common::{Sizes, gpu};
 use effigy::{
     frame::{Camera, Posed},
     layout::Control,
-    vulkan::{Error, Gpu, GpuOptions, Renderer, memory::Buffer},
+    vulkan::{
+        Error, Gpu, GpuOptions, Renderer,
+        memory::Buffer,
+        shaders::MODULES,
+        sort::Variant,
+        statistics::{self, Executable},
+    },
 };
 use glam::DVec3;
 
@@ -26,6 +32,40 @@ fn a_device_is_found_by_number_and_by_part_of_its_name() {
         let found = Gpu::new(&GpuOptions::headless(Some(wanted.into()))).unwrap();
         assert_eq!(found.probe.name, device.probe.name, "{wanted}");
     }
+    gpu::assert_valid();
+}
+
+/// What must be true of the statistics of all pipelines on any driver that has them.
+fn assert_whole(device: &Gpu, executables: &[Executable]) {
+    let onesweep = Variant::OneSweep.lacks(device).is_none();
+    for module in MODULES.iter().filter(|module| onesweep || module.file != "sort_chain.comp") {
+        let of_module: Vec<_> = executables.iter().filter(|made| made.shader == module.file).collect();
+        assert!(!of_module.is_empty(), "nothing on {}", module.file);
+        for made in of_module {
+            assert!(!made.statistics.is_empty() && !made.executable.is_empty(), "{made:?}");
+            assert!(made.statistics.iter().all(|statistic| !statistic.name.is_empty()), "{made:?}");
+        }
+    }
+    for sort in executables.iter().filter(|made| made.shader.starts_with("sort_")) {
+        assert_eq!(sort.constants.split(' ').count(), 9, "the sort's constants are not all there: {sort:?}");
+    }
+}
+
+#[test]
+fn a_device_tells_what_became_of_every_shader_or_that_it_does_not() {
+    let Some(device) = gpu::gpu() else { return };
+    let avatar = common::avatar(1, Sizes { gaussians: 100, ..Sizes::default() });
+    let told = statistics::all(&GpuOptions::headless(None), &avatar);
+    if !device.probe.shader_statistics {
+        let message = told.err().unwrap().to_string();
+        assert!(message.contains(&device.probe.name) && message.contains("VK_KHR_pipeline_executable_properties"), "{message}");
+        println!("skipped in part: {message}");
+        return gpu::assert_valid();
+    }
+    let (asked, executables) = told.unwrap();
+    assert_whole(&asked, &executables);
+    let refused = asked.idle().unwrap_err();
+    assert!(matches!(refused, Error::AskedOnly { .. }), "work is run on a device that was opened to be asked: {refused}");
     gpu::assert_valid();
 }
 

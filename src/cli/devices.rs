@@ -1,5 +1,7 @@
 //! `effigy devices`: what each GPU has, lacks and would use.
 
+mod shaders;
+
 use crate::vulkan::{
     Gpu, GpuOptions, Probe, Result,
     instance::Instance,
@@ -8,15 +10,28 @@ use crate::vulkan::{
 };
 use anyhow::Context;
 use serde_json::json;
+use std::path::PathBuf;
 
 #[derive(clap::Args)]
 pub struct Args {
     /// Print JSON
     #[arg(long)]
     json: bool,
+    /// Print what a device's driver makes of every shader, in place of the list: instructions, registers, spills, as the driver counts
+    #[arg(long)]
+    shader_stats: bool,
+    /// GPU whose driver is asked: part of its name, or its number in the list [default: the first that can serve]
+    #[arg(long, value_name = "NAME", requires = "shader_stats")]
+    device: Option<String>,
+    /// Write the statistics as comma-separated values too
+    #[arg(long, value_name = "FILE", requires = "shader_stats")]
+    csv: Option<PathBuf>,
 }
 
 pub fn run(args: Args) -> anyhow::Result<()> {
+    if args.shader_stats {
+        return shaders::run(args.device, args.json, args.csv.as_deref());
+    }
     let instance = Instance::new(false, &[])?;
     let probes = Probe::all(&instance)?;
     if args.json {

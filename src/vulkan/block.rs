@@ -34,7 +34,10 @@ pub(super) fn fill_shared(block: &mut Frame, options: &RendererOptions, staged: 
     let hides = place.filter(|_| options.skip.contains(Skip::HIDDEN));
     block.surface_start = if hides.is_some() { 4 * options.actors as u32 * vectors(block) } else { 0 };
     hides.inspect(|place| place.write(block));
-    block.fixed_scale = fixed_scale(guard) as f32;
+    let steps = fixed_scale(guard);
+    block.fixed_scale = steps as f32;
+    let [x, y] = camera.size.map(|side| 2.0 / (steps * f64::from(side)));
+    block.clip = [x, y, steps * guard, steps * (2.0 * std::f64::consts::LN_2).sqrt()].map(|value| value as f32);
 }
 
 /// Writes an avatar's own.

@@ -35,6 +35,11 @@ pub struct PipelineCache {
 }
 
 impl PipelineCache {
+    /// No cache at all.
+    pub(super) fn none() -> Self {
+        Self { raw: vk::PipelineCache::null(), path: None, loaded: 0 }
+    }
+
     /// One file a device and driver build. The driver checks the content; its header is compared here too, since not all do.
     pub(super) fn open(device: &ash::Device, probe: &Probe) -> Self {
         let uuid: String = probe.cache_key().iter().map(|byte| format!("{byte:02x}")).collect();

@@ -6,6 +6,7 @@ use super::{
     instance::Instance,
     probe::Probe,
     sort::verdict::Verdict,
+    statistics::Statistics,
 };
 use ash::{ext, khr, vk};
 use gpu_allocator::vulkan::{Allocator, AllocatorCreateDesc};
@@ -31,6 +32,8 @@ pub struct GpuOptions {
     pub validation: bool,
     /// Read f16 as words even where the device has 16-bit storage: to compare the two.
     pub packed_words: bool,
+    /// Ask what the driver's compiler makes of each pipeline. Nothing ever runs on a device opened so.
+    pub statistics: bool,
     /// Instance extensions of a window's surface; empty draws to pictures only.
     pub surface_extensions: Vec<*const std::ffi::c_char>,
 }
@@ -57,6 +60,8 @@ pub struct Gpu {
     pub swapchain: Option<khr::swapchain::Device>,
     /// How to sort here, once it is known: see [`super::sort::choice::choose`].
     pub(super) sort: OnceLock<Verdict>,
+    /// Where the device was opened for [`GpuOptions::statistics`].
+    pub(super) statistics: Option<Statistics>,
     pub instance: ManuallyDrop<Instance>,
     /// Vulkan wants one thread at a time at a queue; renderers on one device may be on several.
     turn: Mutex<()>,
@@ -73,9 +78,12 @@ impl Gpu {
         let (true, Some(queue_family)) = (lacks.is_empty(), probe.queue_family) else {
             return Err(Error::Lacks { device: probe.name, lacks: lacks.join("; ") });
         };
+        if options.statistics && !probe.shader_statistics {
+            return Err(Error::NoStatistics { device: probe.name });
+        }
         let half_storage = probe.half_storage && !options.packed_words;
         let window = !options.surface_extensions.is_empty() && probe.has(khr::swapchain::NAME);
-        let raw = create_device(&instance, &probe, queue_family, [half_storage, window])?;
+        let raw = create_device(&instance, &probe, queue_family, [half_storage, window, options.statistics])?;
         // SAFETY: the family and the one queue were asked for at creation.
         let queue = unsafe { raw.get_device_queue(queue_family, 0) };
         let description = AllocatorCreateDesc {
@@ -95,7 +103,9 @@ impl Gpu {
             queue,
             queue_family,
             allocator: ManuallyDrop::new(Arc::new(Mutex::new(allocator))),
-            cache: PipelineCache::open(&raw, &probe),
+            // What comes from a cache has no statistics on some drivers.
+            cache: if options.statistics { PipelineCache::none() } else { PipelineCache::open(&raw, &probe) },
+            statistics: options.statistics.then(|| Statistics::new(&instance.raw, &raw)),
             half_storage,
             labels: instance.debug_utils.then(|| ext::debug_utils::Device::new(&instance.raw, &raw)),
             swapchain: window.then(|| khr::swapchain::Device::new(&instance.raw, &raw)),
@@ -142,6 +152,9 @@ impl Gpu {
 
     /// Submits work and says when it is done through a fence.
     pub fn submit(&self, work: &[vk::SubmitInfo], fence: vk::Fence) -> Result<()> {
+        if self.statistics.is_some() {
+            return Err(Error::AskedOnly { device: self.probe.name.clone() });
+        }
         let _turn = self.at_queue();
         // SAFETY: callers pass recorded commands and free fences and semaphores of this device.
         unsafe { self.raw.queue_submit(self.queue, work, fence) }.during("vkQueueSubmit")
@@ -167,8 +180,12 @@ impl Gpu {
         }
     }
 
-    /// Records commands, runs them and waits: for set-up and read-back, never in a frame.
+    /// Records commands, runs them and waits: for set-up and read-back, never in a frame. Leaves it all out on a device that was opened
+    /// for [`GpuOptions::statistics`], since pipelines don't depend on what is in buffers.
     pub fn run(&self, what: &'static str, record: impl FnOnce(vk::CommandBuffer)) -> Result<()> {
+        if self.statistics.is_some() {
+            return Ok(());
+        }
         let device = &self.raw;
         let info = vk::CommandPoolCreateInfo::default().queue_family_index(self.queue_family).flags(vk::CommandPoolCreateFlags::TRANSIENT);
         // SAFETY: pool, buffer and fence are made, used and destroyed here; a device that timed out keeps them.
@@ -232,7 +249,12 @@ fn choose(mut probes: Vec<Probe>, wanted: Option<&str>) -> Result<Probe> {
     }
 }
 
-fn create_device(instance: &Instance, probe: &Probe, queue_family: u32, [half_storage, window]: [bool; 2]) -> Result<ash::Device> {
+fn create_device(
+    instance: &Instance,
+    probe: &Probe,
+    queue_family: u32,
+    [half_storage, window, statistics]: [bool; 3],
+) -> Result<ash::Device> {
     let queues = [vk::DeviceQueueCreateInfo::default().queue_family_index(queue_family).queue_priorities(&[1.0])];
     let mut extensions = Vec::new();
     if window {
@@ -244,6 +266,10 @@ fn create_device(instance: &Instance, probe: &Probe, queue_family: u32, [half_st
     if probe.subgroup_sizes.is_some() {
         extensions.push(ext::subgroup_size_control::NAME.as_ptr());
     }
+    if statistics {
+        extensions.push(khr::pipeline_executable_properties::NAME.as_ptr());
+    }
+    let mut executables = vk::PhysicalDevicePipelineExecutablePropertiesFeaturesKHR::default().pipeline_executable_info(true);
     let mut sizes = vk::PhysicalDeviceSubgroupSizeControlFeatures::default().subgroup_size_control(true).compute_full_subgroups(true);
     let mut storage = vk::PhysicalDevice16BitStorageFeatures::default().storage_buffer16_bit_access(half_storage);
     let features = vk::PhysicalDeviceFeatures::default().pipeline_statistics_query(probe.pipeline_statistics);
@@ -251,6 +277,9 @@ fn create_device(instance: &Instance, probe: &Probe, queue_family: u32, [half_st
         vk::DeviceCreateInfo::default().queue_create_infos(&queues).enabled_extension_names(&extensions).enabled_features(&features);
     if half_storage {
         info = info.push_next(&mut storage);
+    }
+    if statistics {
+        info = info.push_next(&mut executables);
     }
     if probe.subgroup_sizes.is_some() {
         info = info.push_next(&mut sizes);

@@ -16,6 +16,12 @@ pub enum Error {
     NoDevice,
     #[error("no Vulkan device is called `{wanted}`; found {found}")]
     NoSuchDevice { wanted: String, found: String },
+    #[error(
+        "{device} does not tell what its compiler makes of shaders: its driver lacks VK_KHR_pipeline_executable_properties; choose another device of `effigy devices` with --device"
+    )]
+    NoStatistics { device: String },
+    #[error("{device} was opened to be asked about its shaders, so nothing can run on it")]
+    AskedOnly { device: String },
     #[error("{device} can't serve: {lacks}; `effigy devices` lists every device and what it lacks")]
     Lacks { device: String, lacks: String },
     #[error(

@@ -80,8 +80,8 @@ pub(super) struct Drawing<'a> {
     pub vertex: &'static Module,
     /// None draws depth only.
     pub fragment: Option<&'static Module>,
-    /// The fragment shader's specialization constants, 0 upwards.
-    pub constants: &'a [f32],
+    /// Specialization constants, 0 upwards; a module need not have all of them.
+    pub constants: &'a [u32],
     pub layout: vk::PipelineLayout,
     pub render_pass: vk::RenderPass,
     /// None where the render pass has no colour.
@@ -94,11 +94,14 @@ pub(super) struct Drawing<'a> {
 pub(super) fn pipeline(gpu: &Gpu, drawing: Drawing) -> Result<vk::Pipeline> {
     let vertex = ShaderModule::new(gpu, drawing.vertex)?;
     let fragment = drawing.fragment.map(|module| ShaderModule::new(gpu, module)).transpose()?;
-    let entries = specialization_entries(cast_slice(drawing.constants));
+    let entries = specialization_entries(drawing.constants);
     let specialization = vk::SpecializationInfo::default().map_entries(&entries).data(cast_slice(drawing.constants));
-    let stage = |stage, module: &ShaderModule| vk::PipelineShaderStageCreateInfo::default().stage(stage).module(module.raw).name(c"main");
+    let stage = |stage, module: &ShaderModule| {
+        let info = vk::PipelineShaderStageCreateInfo::default().stage(stage).module(module.raw);
+        info.name(c"main").specialization_info(&specialization)
+    };
     let mut stages = vec![stage(vk::ShaderStageFlags::VERTEX, &vertex)];
-    stages.extend(fragment.iter().map(|module| stage(vk::ShaderStageFlags::FRAGMENT, module).specialization_info(&specialization)));
+    stages.extend(fragment.iter().map(|module| stage(vk::ShaderStageFlags::FRAGMENT, module)));
     let vertices = vk::PipelineVertexInputStateCreateInfo::default();
     let assembly = vk::PipelineInputAssemblyStateCreateInfo::default().topology(vk::PrimitiveTopology::TRIANGLE_LIST);
     let viewports = vk::PipelineViewportStateCreateInfo::default().viewport_count(1).scissor_count(1);
@@ -115,6 +118,7 @@ pub(super) fn pipeline(gpu: &Gpu, drawing: Drawing) -> Result<vk::Pipeline> {
     let blend = vk::PipelineColorBlendStateCreateInfo::default().attachments(&attachments);
     let dynamic = vk::PipelineDynamicStateCreateInfo::default().dynamic_states(&[vk::DynamicState::VIEWPORT, vk::DynamicState::SCISSOR]);
     let info = vk::GraphicsPipelineCreateInfo::default()
+        .flags(gpu.pipeline_flags())
         .stages(&stages)
         .vertex_input_state(&vertices)
         .input_assembly_state(&assembly)
@@ -126,9 +130,12 @@ pub(super) fn pipeline(gpu: &Gpu, drawing: Drawing) -> Result<vk::Pipeline> {
         .dynamic_state(&dynamic)
         .layout(drawing.layout)
         .render_pass(drawing.render_pass);
+    let modules: Vec<_> = std::iter::once(drawing.vertex).chain(drawing.fragment).collect();
+    let constants = drawing.constants.iter().map(u32::to_string).collect::<Vec<_>>().join(" ");
+    let files = modules.iter().map(|module| module.file).collect::<Vec<_>>().join("+");
+    tracing::debug!("compiling {files} [{constants}]");
     // SAFETY: `info` and all it points to outlive the call.
     let created = unsafe { gpu.raw.create_graphics_pipelines(gpu.cache.raw, &[info], None) };
     let pipeline = created.map_err(|(_, result)| result).during("vkCreateGraphicsPipelines")?[0];
-    gpu.name(pipeline, drawing.name);
-    Ok(pipeline)
+    gpu.made(pipeline, drawing.name, &modules, &constants)
 }

@@ -30,6 +30,7 @@ mod scene;
 pub mod shaders;
 pub mod sort;
 pub mod splats;
+pub mod statistics;
 pub mod surface;
 #[cfg(feature = "window")]
 pub mod swapchain;

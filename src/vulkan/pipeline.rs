@@ -182,11 +182,13 @@ impl Kernel {
         if subgroup.is_some() {
             stage = stage.push_next(&mut required).flags(vk::PipelineShaderStageCreateFlags::REQUIRE_FULL_SUBGROUPS);
         }
-        let info = vk::ComputePipelineCreateInfo::default().stage(stage).layout(bindings.layout);
+        let info = vk::ComputePipelineCreateInfo::default().stage(stage).layout(bindings.layout).flags(gpu.pipeline_flags());
+        let constants = constants.iter().map(u32::to_string).collect::<Vec<_>>().join(" ");
+        tracing::debug!("compiling {} [{constants}]", module.file);
         // SAFETY: `info` and all it points to outlive the call.
         let created = unsafe { gpu.raw.create_compute_pipelines(gpu.cache.raw, &[info], None) };
         let pipeline = created.map_err(|(_, result)| result).during("vkCreateComputePipelines")?[0];
-        gpu.name(pipeline, module.file);
+        let pipeline = gpu.made(pipeline, module.file, &[module], &constants)?;
         Ok(Self { gpu: gpu.clone(), pipeline, bindings })
     }
 

@@ -26,6 +26,8 @@ pub struct Probe {
     pub queue_family: Option<u32>,
     pub timestamp_bits: u32,
     pub half_storage: bool,
+    /// The driver tells what its compiler makes of shaders.
+    pub shader_statistics: bool,
     /// Fragments can be counted.
     pub pipeline_statistics: bool,
     pub subgroup_size: u32,
@@ -63,6 +65,7 @@ impl Probe {
         let mut driver = vk::PhysicalDeviceDriverProperties::default();
         let mut storage = vk::PhysicalDevice16BitStorageFeatures::default();
         let mut sizes = vk::PhysicalDeviceSubgroupSizeControlProperties::default();
+        let mut executables = vk::PhysicalDevicePipelineExecutablePropertiesFeaturesKHR::default();
         let mut sizes_chosen = vk::PhysicalDeviceSubgroupSizeControlFeatures::default();
         let has = |name: &std::ffi::CStr| extensions.iter().any(|e| name.to_str() == Ok(e));
         if basic.api_version >= vk::API_VERSION_1_1 {
@@ -74,6 +77,9 @@ impl Probe {
             if has(ext::subgroup_size_control::NAME) {
                 properties = properties.push_next(&mut sizes);
                 features = features.push_next(&mut sizes_chosen);
+            }
+            if has(khr::pipeline_executable_properties::NAME) {
+                features = features.push_next(&mut executables);
             }
             // SAFETY: as above.
             unsafe {
@@ -108,6 +114,7 @@ impl Probe {
             timestamp_bits: queue_family.map_or(0, |family| families[family].timestamp_valid_bits),
             // SAFETY: as above.
             pipeline_statistics: unsafe { raw.get_physical_device_features(physical) }.pipeline_statistics_query == vk::TRUE,
+            shader_statistics: executables.pipeline_executable_info == vk::TRUE,
             half_storage: storage.storage_buffer16_bit_access == vk::TRUE,
             subgroup_size: subgroup.subgroup_size,
             subgroup_shuffle: subgroup.supported_operations.contains(subgroup_all)
@@ -149,6 +156,11 @@ impl Probe {
             ("timestamps", timestamps, choose(timestamps, "times of each stage", "times of whole frames only")),
             ("subgroup ballots", self.subgroup_ballot, self.subgroups()),
             ("swapchain", self.has(khr::swapchain::NAME), choose(self.has(khr::swapchain::NAME), "windows", "pictures only")),
+            (
+                "shader statistics",
+                self.shader_statistics,
+                choose(self.shader_statistics, "`effigy devices --shader-stats` prints them", "no way to see what became of shaders"),
+            ),
             (
                 "memory budget",
                 self.has(ext::memory_budget::NAME),

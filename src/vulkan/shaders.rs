@@ -4,6 +4,7 @@
 //! that someone forgot to.
 
 use crate::layout;
+use ash::vk;
 use std::{fs, io, path::Path};
 
 /// A shader and what it compiles to.
@@ -20,6 +21,15 @@ impl Module {
     /// SPIR-V for a device, with f16 storage buffers or without.
     pub fn spirv(&self, half_storage: bool) -> &'static [u8] {
         self.half.filter(|_| half_storage).unwrap_or(self.spirv)
+    }
+
+    /// The stage that it is for, by its file's extension.
+    pub fn stage(&self) -> vk::ShaderStageFlags {
+        match self.file.rsplit('.').next() {
+            Some("vert") => vk::ShaderStageFlags::VERTEX,
+            Some("frag") => vk::ShaderStageFlags::FRAGMENT,
+            _ => vk::ShaderStageFlags::COMPUTE,
+        }
     }
 
     pub fn has_half(&self) -> bool {

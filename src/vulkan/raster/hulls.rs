@@ -2,6 +2,7 @@
 
 use super::{ColorFormat, check_size};
 use crate::{
+    frame::Skip,
     layout::RASTER_QUADS,
     vulkan::{
         device::Gpu,
@@ -22,8 +23,8 @@ use std::sync::Arc;
 struct Target {
     gpu: Arc<Gpu>,
     image: Image,
-    /// What is in front of the avatar's solid inside: used within the render pass only.
-    _depth: Image,
+    /// Where fragments are tested: what is in front of the avatar's solid inside, used within the render pass only.
+    _depth: Option<Image>,
     framebuffer: vk::Framebuffer,
 }
 
@@ -41,7 +42,8 @@ pub struct Hulls {
     pipeline: vk::Pipeline,
     bindings: Bindings,
     indices: Buffer,
-    surface: SurfaceMesh,
+    /// Where fragments are tested against it.
+    surface: Option<SurfaceMesh>,
     target: Target,
 }
 
@@ -54,16 +56,16 @@ impl Hulls {
         (mesh, pose): (&OccluderMesh, Slice),
         options: &RendererOptions,
     ) -> Result<Self> {
-        let (format, size) = (options.color, options.size);
+        let (format, size, depth) = (options.color, options.size, options.skip.contains(Skip::DEPTH));
         let stages = vk::ShaderStageFlags::VERTEX;
         let bindings = Bindings::new(gpu, stages, Some(frame), &inputs)?;
         let quad = |quad: u32| [0, 1, 2, 2, 1, 3].map(|corner| (4 * quad + corner) as u16);
         let indices: Vec<u16> = (0..RASTER_QUADS).flat_map(quad).collect();
         let indices = Buffer::with_data(gpu, "quad indices", bytemuck::cast_slice(&indices), vk::BufferUsageFlags::INDEX_BUFFER)?;
-        let render_pass = render_pass(gpu, format)?;
-        let target = Self::target(gpu, render_pass, format, size);
-        let pipeline = pipeline(gpu, render_pass, bindings.layout, options.cutoff);
-        let surface = SurfaceMesh::new(gpu, frame, mesh, pose, render_pass, true);
+        let render_pass = render_pass(gpu, format, depth)?;
+        let target = Self::target(gpu, render_pass, format, depth, size);
+        let pipeline = pipeline(gpu, render_pass, bindings.layout, options);
+        let surface = depth.then(|| SurfaceMesh::new(gpu, frame, mesh, pose, render_pass, true)).transpose();
         match (target, pipeline, surface) {
             (Ok(target), Ok(pipeline), Ok(surface)) => {
                 Ok(Self { gpu: gpu.clone(), format, render_pass, pipeline, bindings, indices, surface, target })
@@ -83,15 +85,15 @@ impl Hulls {
         }
     }
 
-    fn target(gpu: &Arc<Gpu>, render_pass: vk::RenderPass, format: ColorFormat, size: [u32; 2]) -> Result<Target> {
+    fn target(gpu: &Arc<Gpu>, render_pass: vk::RenderPass, format: ColorFormat, depth: bool, size: [u32; 2]) -> Result<Target> {
         let limits = &gpu.probe.limits;
         let limit = limits.max_image_dimension2_d.min(limits.max_framebuffer_width).min(limits.max_framebuffer_height);
         check_size(gpu, size, limit)?;
         let usage = vk::ImageUsageFlags::COLOR_ATTACHMENT | vk::ImageUsageFlags::SAMPLED | vk::ImageUsageFlags::TRANSFER_SRC;
         let image = Image::new(gpu, "target", size, format.vulkan(), usage)?;
         let usage = vk::ImageUsageFlags::DEPTH_STENCIL_ATTACHMENT | vk::ImageUsageFlags::TRANSIENT_ATTACHMENT;
-        let depth = Image::new(gpu, "target depth", size, DEPTH_FORMAT, usage)?;
-        let views = [image.view, depth.view];
+        let depth = depth.then(|| Image::new(gpu, "target depth", size, DEPTH_FORMAT, usage)).transpose()?;
+        let views: Vec<_> = std::iter::once(&image).chain(&depth).map(|image| image.view).collect();
         let info =
             vk::FramebufferCreateInfo::default().render_pass(render_pass).attachments(&views).width(size[0]).height(size[1]).layers(1);
         // SAFETY: `info` and all it points to outlive the call.
@@ -100,7 +102,7 @@ impl Hulls {
     }
 
     pub fn resize(&mut self, size: [u32; 2]) -> Result<()> {
-        self.target = Self::target(&self.gpu, self.render_pass, self.format, size)?;
+        self.target = Self::target(&self.gpu, self.render_pass, self.format, self.surface.is_some(), size)?;
         Ok(())
     }
 
@@ -112,8 +114,8 @@ impl Hulls {
         self.format
     }
 
-    /// Clears the picture and draws what `control` says; graphics. `surfaces`: the blocks of those whose depth surface is drawn
-    /// first.
+    /// Clears the picture and draws what `control` says; graphics. `surfaces`: the blocks of those whose depth surface is drawn first, where
+    /// fragments are tested against it at all.
     pub fn record(&self, commands: vk::CommandBuffer, frame: u32, control: vk::Buffer, surfaces: &[u32]) {
         let [width, height] = self.target.image.size;
         let area = vk::Rect2D { offset: vk::Offset2D::default(), extent: vk::Extent2D { width, height } };
@@ -131,7 +133,7 @@ impl Hulls {
             device.cmd_begin_render_pass(commands, &begin, vk::SubpassContents::INLINE);
             device.cmd_set_viewport(commands, 0, &[viewport]);
             device.cmd_set_scissor(commands, 0, &[area]);
-            surfaces.iter().for_each(|&frame| self.surface.record(commands, frame));
+            surfaces.iter().zip(self.surface.iter().cycle()).for_each(|(&frame, mesh)| mesh.record(commands, frame));
             self.bindings.bind(commands, vk::PipelineBindPoint::GRAPHICS, frame);
             device.cmd_bind_pipeline(commands, vk::PipelineBindPoint::GRAPHICS, self.pipeline);
             device.cmd_bind_index_buffer(commands, self.indices.raw, 0, vk::IndexType::UINT16);
@@ -152,7 +154,7 @@ impl Drop for Hulls {
 }
 
 /// Cleared, drawn and kept for whoever reads it next.
-fn render_pass(gpu: &Gpu, format: ColorFormat) -> Result<vk::RenderPass> {
+fn render_pass(gpu: &Gpu, format: ColorFormat, depth_tested: bool) -> Result<vk::RenderPass> {
     let readers = vk::PipelineStageFlags::FRAGMENT_SHADER | vk::PipelineStageFlags::TRANSFER;
     let writer =
         (vk::PipelineStageFlags::COLOR_ATTACHMENT_OUTPUT, vk::AccessFlags::COLOR_ATTACHMENT_READ | vk::AccessFlags::COLOR_ATTACHMENT_WRITE);
@@ -177,10 +179,10 @@ fn render_pass(gpu: &Gpu, format: ColorFormat) -> Result<vk::RenderPass> {
     ];
     let left = vk::ImageLayout::SHADER_READ_ONLY_OPTIMAL;
     let color = Attachment { format: format.vulkan(), load: vk::AttachmentLoadOp::CLEAR, left: Some(left) };
-    graphics::render_pass(gpu, Some(color), Some(graphics::depth(None)), &dependencies)
+    graphics::render_pass(gpu, Some(color), depth_tested.then(|| graphics::depth(None)), &dependencies)
 }
 
-fn pipeline(gpu: &Gpu, render_pass: vk::RenderPass, layout: vk::PipelineLayout, cutoff: f64) -> Result<vk::Pipeline> {
+fn pipeline(gpu: &Gpu, render_pass: vk::RenderPass, layout: vk::PipelineLayout, options: &RendererOptions) -> Result<vk::Pipeline> {
     // "Over": C = αc + (1 − α) C, and coverage likewise, which leaves the picture premultiplied. The fragment's colour is not, so that a
     // blender that rounds uses one rounded alpha for both terms.
     let over = vk::PipelineColorBlendAttachmentState::default()
@@ -189,15 +191,18 @@ fn pipeline(gpu: &Gpu, render_pass: vk::RenderPass, layout: vk::PipelineLayout, 
         .dst_color_blend_factor(vk::BlendFactor::ONE_MINUS_SRC_ALPHA)
         .src_alpha_blend_factor(vk::BlendFactor::ONE)
         .dst_alpha_blend_factor(vk::BlendFactor::ONE_MINUS_SRC_ALPHA);
+    let least = options.cutoff.log2() as f32;
+    let hull = if options.skip.contains(Skip::FAINT) { least } else { 0.0 };
+    let tested = options.skip.contains(Skip::DEPTH);
     let drawing = Drawing {
         name: "raster",
         vertex: &shaders::RASTER_VERTEX,
         fragment: Some(&shaders::RASTER_FRAGMENT),
-        constants: &[cutoff as f32],
+        constants: &[least.to_bits(), hull.to_bits(), tested.into()],
         layout,
         render_pass,
         blend: Some(over),
-        depth: Depth::Test,
+        depth: if tested { Depth::Test } else { Depth::Without },
         cull: vk::CullModeFlags::NONE,
     };
     graphics::pipeline(gpu, drawing)
