@@ -11,7 +11,7 @@ use effigy::{
 fn compare(color: ColorFormat, key_bits: KeyBits, psnr: f64, within: f64) {
     let Some(device) = gpu::gpu() else { return };
     for seed in 0..3 {
-        let options = RendererOptions { color, key_bits, ..gpu::options([320, 400]) };
+        let options = RendererOptions { color: Some(color), key_bits, ..gpu::options([320, 400]) };
         let frame = gpu::frame(&device, seed, Sizes::default(), options);
         let error = error::between(&frame.picture, &frame.oracle.canvas.to_picture());
         println!("seed {seed}: {:?} drawn {}", error.covered, frame.report.counters.drawn);

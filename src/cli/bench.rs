@@ -30,8 +30,8 @@ pub struct Args {
     /// What to draw: all, or some of full, camera, orbit, expression, static, close, far and four [default: full]
     #[arg(long, value_name = "NAME,NAME", value_parser = cases)]
     case: Vec<Cases>,
-    /// Turn knobs one at a time and measure what each value gains and loses: all, or some of preset, storage, keys, color, cutoff,
-    /// rows, margin, pose-rate, skip and skip-but
+    /// Turn knobs one at a time and measure what each value gains and loses: all, or some of preset, storage, keys, color, raster,
+    /// cutoff, rows, margin, pose-rate, skip and skip-but
     #[arg(long, value_name = "NAME,NAME", value_parser = knobs)]
     sweep: Option<Knobs>,
     /// Turns that each value of a sweep has
@@ -148,12 +148,13 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     let cameras = args.cameras.as_ref().map_or(Ok(vec![]), |path| source::cameras(path, &avatar))?;
     let size = args.size.or(cameras.first().map(|camera| camera.size)).unwrap_or([2048, 2048]);
     let cameras: Vec<_> = cameras.iter().map(|camera| cameras::scaled(camera, size)).collect();
-    let job = args.job(size)?;
+    let mut job = args.job(size)?;
     let (frames, views) = (args.frames.unwrap_or(48), args.views);
     let (checked, flip, warm_up) = (args.check, args.flip, args.warm_up);
     let task = Task { avatar: &avatar, player: &player, cameras: &cameras, frames, views, checked, flip, warm_up };
     let mut devices = Devices::new(args.quality.gpu());
     let gpu = devices.get(&job.setting)?;
+    job.setting.options = job.setting.options.settled(&gpu);
     let mut report = task.report(&gpu, &job.setting, std::env::args().collect());
     let bar = progress(0, "frames");
     let mut show = |what: &str, done: usize, all: usize| {

@@ -87,7 +87,7 @@ impl Quality {
     pub fn renderer(&self, size: [u32; 2]) -> RendererOptions {
         let preset = self.preset.apply(RendererOptions::new(size));
         RendererOptions {
-            color: self.color.map_or(preset.color, Into::into),
+            color: self.color.map(Into::into).or(preset.color),
             key_bits: self.keys.map_or(preset.key_bits, Into::into),
             method: self.raster.into(),
             sort: self.sort.into(),
@@ -240,7 +240,7 @@ mod tests {
         expect("--preset low", of(Preset::Low));
         expect(
             "--preset low --keys 32 --color rgba16f",
-            RendererOptions { key_bits: KeyBits::ThirtyTwo, color: ColorFormat::Rgba16F, ..of(Preset::Low) },
+            RendererOptions { key_bits: KeyBits::ThirtyTwo, color: Some(ColorFormat::Rgba16F), ..of(Preset::Low) },
         );
         expect(
             "--cutoff 3 --margin 7 --preset exact --skip pose",

@@ -74,6 +74,6 @@ mod tests {
         }
         assert_eq!("all".parse(), Ok(Skip::all()));
         assert_eq!("hidden, depth".parse(), Ok(Skip::HIDDEN | Skip::DEPTH));
-        assert!("everything".parse::<Skip>().is_err_and(|error| error.contains("hidden,depth,skinning,parts,avatars")));
+        assert!("everything".parse::<Skip>().is_err_and(|error| error.contains("hidden,depth,full,skinning,parts,avatars")));
     }
 }

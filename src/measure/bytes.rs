@@ -13,7 +13,10 @@ use crate::{
     avatar::{Avatar, Layer},
     frame::Skip,
     layout::{SURFACE_DRAWN, SURFACE_FINEST, SURFACE_LEVELS},
-    vulkan::{RendererOptions, harmonics},
+    vulkan::{
+        RendererOptions, harmonics,
+        raster::{Method, bins_size},
+    },
 };
 
 /// Operations from a Gaussian's numbers to its splat, correctives apart: blend four matrices (96), interpolate nodes (18), transform
@@ -75,7 +78,8 @@ pub fn per_stage(avatar: &Avatar, options: &RendererOptions, seen: Seen) -> Vec<
     let hides = options.skip.contains(Skip::HIDDEN) && seen.surface[1] > 0;
     let surface = hides.then(|| surface(avatar, seen));
     let model = std::iter::once(features(avatar, options, seen)).chain(lit).chain(surface);
-    model.chain([splats(avatar, options, seen, hides), sort(options, seen), raster(options, seen)]).collect()
+    let bins = (options.method == Some(Method::Tiles)).then(|| bins(seen));
+    model.chain([splats(avatar, options, seen, hides), sort(options, seen)]).chain(bins).chain([raster(options, seen)]).collect()
 }
 
 /// Numbers in the feature vectors of all parts.
@@ -185,13 +189,24 @@ fn sort(options: &RendererOptions, seen: Seen) -> Work {
     Work { stage: "sort", bytes, bytes_floor, operations: None, operations_floor: None }
 }
 
+/// Tiles that a splat meets, about: 3 to 4 of a body 2000 pixels high.
+const MET: u64 = 3;
+
+/// Chains of tiles: their heads are cleared; an entry reads and writes a head, and writes itself.
+fn bins(seen: Seen) -> Work {
+    let bytes = bins_size(0)[0] + (4 + SPLAT_BYTES + 12 * MET) * seen.drawn;
+    Work { stage: "bins", bytes, bytes_floor: (4 + SPLAT_BYTES + 4 * MET) * seen.drawn, operations: None, operations_floor: None }
+}
+
 fn raster(options: &RendererOptions, seen: Seen) -> Work {
     let picture = u64::from(options.size[0]) * u64::from(options.size[1]);
-    let pixel = options.color.bytes() as u64;
+    let pixel = options.color.unwrap_or_default().bytes() as u64;
     let splats = (4 + SPLAT_BYTES) * seen.drawn;
+    // Quads are blended over a picture that was cleared; tiles read their splats anew, and write once.
+    let (splats_read, written) = if options.method == Some(Method::Tiles) { (MET * splats, 1) } else { (splats, 2) };
     Work {
         stage: "raster",
-        bytes: splats + 2 * picture * pixel,
+        bytes: splats_read + written * picture * pixel,
         bytes_floor: splats + seen.covered.unwrap_or(picture) * pixel,
         operations: seen.fragments.map(|fragments| FRAGMENT * fragments),
         operations_floor: None,

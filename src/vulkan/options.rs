@@ -1,6 +1,7 @@
 //! What a renderer is made with: everything that trades time or memory for something else.
 
 use super::{
+    device::Gpu,
     raster::{ColorFormat, Method},
     sort::{KeyBits, Variant},
 };
@@ -11,7 +12,8 @@ use crate::frame::{ALPHA_MIN, Skip};
 pub struct RendererOptions {
     /// Width and height of the picture, px.
     pub size: [u32; 2],
-    pub color: ColorFormat,
+    /// What the picture is stored in. None: as suits the method, 8 bits where each pixel is rounded once.
+    pub color: Option<ColorFormat>,
     /// How splats are drawn. None: as suits the device.
     pub method: Option<Method>,
     pub key_bits: KeyBits,
@@ -34,7 +36,7 @@ impl RendererOptions {
     pub fn new(size: [u32; 2]) -> Self {
         Self {
             size,
-            color: ColorFormat::default(),
+            color: None,
             method: None,
             key_bits: KeyBits::default(),
             sort: None,
@@ -44,5 +46,11 @@ impl RendererOptions {
             actors: 1,
             count: false,
         }
+    }
+
+    /// The same with what suits a device in place of what was left open.
+    pub fn settled(self, gpu: &Gpu) -> Self {
+        let method = self.method.unwrap_or_else(|| Method::suited(gpu));
+        Self { method: Some(method), color: Some(self.color.unwrap_or_else(|| method.color())), ..self }
     }
 }

@@ -22,7 +22,7 @@ pub enum Preset {
 
 /// Everything that a preset decides.
 struct Values {
-    color: ColorFormat,
+    color: Option<ColorFormat>,
     key_bits: KeyBits,
     skip: Skip,
     cutoff: f64,
@@ -34,16 +34,18 @@ impl Preset {
 
     /// The table.
     const fn values(self) -> Values {
-        let (color, skip) = (ColorFormat::Rgba16F, Skip::all());
+        let (color, skip) = (None, Skip::all());
         // What leaves out something that shows, if only a little.
         let lossy = Skip::HIDDEN.union(Skip::DEPTH);
         let (sixteen, most) = (KeyBits::Sixteen, KeyBits::ThirtyTwo);
         match self {
-            Self::Low => Values { color: ColorFormat::Rgba8, key_bits: sixteen, skip, cutoff: 4.0 * ALPHA_MIN, margin: 0.003 },
+            Self::Low => Values { color: Some(ColorFormat::Rgba8), key_bits: sixteen, skip, cutoff: 4.0 * ALPHA_MIN, margin: 0.003 },
             Self::Balanced => Values { color, key_bits: sixteen, skip, cutoff: 2.0 * ALPHA_MIN, margin: 0.004 },
             // Where a coarse surface comes out of a crease, the depth test shows; culling whole Gaussians by it does not.
             Self::High => Values { color, key_bits: sixteen, skip: skip.difference(Skip::DEPTH), cutoff: ALPHA_MIN, margin: 0.005 },
-            Self::Exact => Values { color, key_bits: most, skip: skip.difference(lossy), cutoff: ALPHA_MIN, margin: 0.005 },
+            Self::Exact => {
+                Values { color: Some(ColorFormat::Rgba16F), key_bits: most, skip: skip.difference(lossy), cutoff: ALPHA_MIN, margin: 0.005 }
+            }
         }
     }
 

@@ -94,6 +94,7 @@ fn frame_at(slot: usize, number: usize, actors: usize) -> usize {
 impl Renderer {
     pub fn new(gpu: &Arc<Gpu>, avatar: &Avatar, options: RendererOptions) -> Result<Self> {
         options.check()?;
+        let options = options.settled(gpu);
         let surfaces = options.skip.intersects(Skip::HIDDEN | Skip::DEPTH);
         let model = Model::new(gpu, avatar, surfaces)?;
         let constants = &model.constants;

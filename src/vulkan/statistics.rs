@@ -164,9 +164,9 @@ fn renderers(gpu: &Arc<Gpu>, avatar: &Avatar) -> Result<()> {
     let options = RendererOptions { sort: any, ..RendererOptions::new([64, 64]) };
     for color in [ColorFormat::Rgba8, ColorFormat::Rgba16F] {
         for skip in [options.skip, Skip::all(), Skip::empty()] {
-            Renderer::new(gpu, avatar, RendererOptions { color, skip, method: Some(Method::Hulls), ..options })?;
+            Renderer::new(gpu, avatar, RendererOptions { color: Some(color), skip, method: Some(Method::Hulls), ..options })?;
         }
-        Renderer::new(gpu, avatar, RendererOptions { color, method: Some(Method::Tiles), ..options })?;
+        Renderer::new(gpu, avatar, RendererOptions { color: Some(color), method: Some(Method::Tiles), ..options })?;
     }
     for degree in 1..=3 {
         let functions = (degree + 1) * (degree + 1) - 1;

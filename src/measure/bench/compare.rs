@@ -175,6 +175,7 @@ mod tests {
             size: [640, 480],
             options: Options {
                 color: text("rgba16f"),
+                raster: text("hulls"),
                 key_bits: 16,
                 skip: text("none"),
                 cutoff: 1.0 / 255.0,

@@ -3,7 +3,11 @@
 use super::{Setting, key_bits, scene::RATE};
 use crate::{
     frame::Skip,
-    vulkan::{preset::Preset, raster::ColorFormat, sort::KeyBits},
+    vulkan::{
+        preset::Preset,
+        raster::{ColorFormat, Method},
+        sort::KeyBits,
+    },
 };
 use std::{fmt, str::FromStr};
 
@@ -20,6 +24,7 @@ pub enum Knob {
     Storage,
     Keys,
     Color,
+    Raster,
     Cutoff,
     Rows,
     Margin,
@@ -31,11 +36,12 @@ pub enum Knob {
 
 impl Knob {
     /// Every knob; the last is for looking into the skips and not part of a sweep of all.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 11] = [
         Self::Preset,
         Self::Storage,
         Self::Keys,
         Self::Color,
+        Self::Raster,
         Self::Cutoff,
         Self::Rows,
         Self::Margin,
@@ -50,6 +56,7 @@ impl Knob {
             Self::Storage => "storage",
             Self::Keys => "keys",
             Self::Color => "color",
+            Self::Raster => "raster",
             Self::Cutoff => "cutoff",
             Self::Rows => "rows",
             Self::Margin => "margin",
@@ -76,8 +83,12 @@ impl Knob {
                 other.map(|keys| (key_bits(keys).to_string(), of(&|s| s.options.key_bits = keys))).collect()
             }
             Self::Color => {
-                let other = COLORS.into_iter().filter(|&color| color != options.color);
-                other.map(|color| (format!("{color:?}").to_lowercase(), of(&|s| s.options.color = color))).collect()
+                let other = COLORS.into_iter().filter(|&color| Some(color) != options.color);
+                other.map(|color| (format!("{color:?}").to_lowercase(), of(&|s| s.options.color = Some(color)))).collect()
+            }
+            Self::Raster => {
+                let other = Method::ALL.into_iter().filter(|&method| Some(method) != options.method);
+                other.map(|method| (method.name().to_owned(), of(&|s| s.options.method = Some(method)))).collect()
             }
             Self::Cutoff => numbers(&[1.0, 2.0, 4.0, 8.0], 255.0 * options.cutoff, "/255", |v| of(&|s| s.options.cutoff = v / 255.0)),
             Self::Rows => numbers(&[1.0, 0.75, 0.5, 0.25, 0.0], base.rows, "", |v| of(&|s| s.rows = v)),
@@ -168,6 +179,7 @@ mod tests {
                         match knob {
                             Knob::Keys => options.key_bits = base().options.key_bits,
                             Knob::Color => options.color = base().options.color,
+                            Knob::Raster => options.method = base().options.method,
                             Knob::Cutoff => options.cutoff = base().options.cutoff,
                             Knob::Margin => options.margin = base().options.margin,
                             _ => options.skip = base().options.skip,

@@ -101,7 +101,8 @@ fn subject(avatar: &Avatar, player: &Player) -> Subject {
 fn options(setting: &Setting) -> Options {
     let options = &setting.options;
     Options {
-        color: format!("{:?}", options.color).to_lowercase(),
+        color: format!("{:?}", options.color.unwrap_or_default()).to_lowercase(),
+        raster: options.method.map_or("", |method| method.name()).to_owned(),
         key_bits: key_bits(options.key_bits),
         skip: options.skip.to_string(),
         cutoff: options.cutoff,

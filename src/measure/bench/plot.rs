@@ -22,6 +22,7 @@ static COLORS: [RGBColor; Knob::ALL.len()] = [
     RGBColor(20, 20, 20),
     RGBColor(127, 127, 127),
     RGBColor(31, 119, 180),
+    RGBColor(174, 199, 232),
     RGBColor(255, 127, 14),
     RGBColor(44, 160, 44),
     RGBColor(148, 103, 189),

@@ -66,6 +66,9 @@ pub struct Subject {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Options {
     pub color: String,
+    /// How splats are drawn: `hulls` or `tiles`. Empty in reports from before there was a choice.
+    #[serde(default)]
+    pub raster: String,
     pub key_bits: u32,
     pub skip: String,
     /// Opacity under which nothing is drawn.

@@ -102,7 +102,7 @@ fn options(random: &mut Random, size: [u32; 2]) -> RendererOptions {
         _ => Skip::from_bits_truncate(random.bits() as u32),
     };
     RendererOptions {
-        color: if below(random, 4) == 0 { ColorFormat::Rgba8 } else { ColorFormat::Rgba16F },
+        color: Some(if below(random, 4) == 0 { ColorFormat::Rgba8 } else { ColorFormat::Rgba16F }),
         key_bits: [KeyBits::Sixteen, KeyBits::TwentyFour, KeyBits::TwentyFour, KeyBits::ThirtyTwo][below(random, 4)],
         skip,
         ..RendererOptions::new(size)

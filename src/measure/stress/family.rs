@@ -131,7 +131,7 @@ impl Family {
         let mut psnr_db = exact.psnr_db;
         let options = &case.options;
         // Every faint layer is rounded, always the same way where it is fainter than a step.
-        if options.color == ColorFormat::Rgba8 {
+        if options.color == Some(ColorFormat::Rgba8) {
             psnr_db = psnr_db.min(if matches!(self, Self::Sizes | Self::Views | Self::Mixed) { 26.0 } else { 34.0 });
         }
         // What is closer than a step of the keys changes places: micrometres to millimetres, by how deep the avatar is.

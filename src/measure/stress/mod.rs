@@ -166,7 +166,7 @@ impl Report {
         self.all.extend(outcome.error.map(|error| CaseReport {
             case: case.number,
             family: case.family,
-            options: format!("{:?}, {:?}, {}", case.options.color, case.options.key_bits, case.options.skip),
+            options: format!("{:?}, {:?}, {}", case.options.color.unwrap_or_default(), case.options.key_bits, case.options.skip),
             covered_pixels: error.covered.pixels,
             psnr_db: error.covered.psnr_db,
             max_error: error.covered.max_error,

@@ -1,6 +1,6 @@
 //! The graphics form of `raster`: one indirect draw of quads, blended far to near into an off-screen image.
 
-use super::{ColorFormat, check_size};
+use super::{ColorFormat, Method, check_size};
 use crate::{
     frame::Skip,
     layout::RASTER_QUADS,
@@ -56,7 +56,7 @@ impl Hulls {
         (mesh, pose): (&OccluderMesh, Slice),
         options: &RendererOptions,
     ) -> Result<Self> {
-        let (format, size, depth) = (options.color, options.size, options.skip.contains(Skip::DEPTH));
+        let (format, size, depth) = (options.color.unwrap_or(Method::Hulls.color()), options.size, options.skip.contains(Skip::DEPTH));
         let stages = vk::ShaderStageFlags::VERTEX;
         let bindings = Bindings::new(gpu, stages, Some(frame), &inputs)?;
         let quad = |quad: u32| [0, 1, 2, 2, 1, 3].map(|corner| (4 * quad + corner) as u16);

@@ -69,6 +69,14 @@ impl Method {
         }
     }
 
+    /// What the picture is stored in unless told otherwise.
+    pub fn color(self) -> ColorFormat {
+        match self {
+            Self::Hulls => ColorFormat::Rgba16F,
+            Self::Tiles => ColorFormat::Rgba8,
+        }
+    }
+
     /// What is faster on a kind of device, as far as it was measured (NOTES.md): processors gain from every fragment that is left out.
     pub fn suited(gpu: &Gpu) -> Self {
         if gpu.probe.kind == vk::PhysicalDeviceType::CPU { Self::Tiles } else { Self::Hulls }

@@ -1,6 +1,6 @@
 //! The `bins` stage and the compute form of `raster`: order, splats and control go in, a picture comes out.
 
-use super::{super::memory::COLOR, ColorFormat, check_size};
+use super::{super::memory::COLOR, ColorFormat, Method, check_size};
 use crate::{
     frame::Skip,
     layout::{BINS_BLOCKS, BINS_NODE, BINS_SIDE, BINS_SIZE, BINS_TILE, RASTER_REGION},
@@ -61,7 +61,8 @@ impl Tiles {
         let storage = [order, splats, control, (&buffer).into()];
         let bindings = Bindings::new(gpu, vk::ShaderStageFlags::COMPUTE, Some(frame), &storage)?;
         let bins = Kernel::new(gpu, &shaders::BINS, &[nodes(capacity)[0]], bindings)?;
-        let module = match (together(gpu), options.color) {
+        let color = options.color.unwrap_or(Method::Tiles.color());
+        let module = match (together(gpu), color) {
             (false, ColorFormat::Rgba8) => &shaders::RASTER_RGBA8,
             (false, ColorFormat::Rgba16F) => &shaders::RASTER_RGBA16F,
             (true, ColorFormat::Rgba8) => &shaders::RASTER_TOGETHER_RGBA8,
@@ -72,9 +73,9 @@ impl Tiles {
         let storage = [splats, control, (&buffer).into()];
         let bindings = Bindings::with_image(gpu, Some(frame), &storage, BoundImage::Written)?;
         let raster = Kernel::with_subgroups(gpu, module, &constants, bindings, full_subgroups(gpu))?;
-        let image = picture(gpu, options.color, options.size)?;
+        let image = picture(gpu, color, options.size)?;
         raster.set_image(vk::Sampler::null(), image.view);
-        Ok(Self { gpu: gpu.clone(), bins, raster, buffer, format: options.color, image })
+        Ok(Self { gpu: gpu.clone(), bins, raster, buffer, format: color, image })
     }
 
     pub fn image(&self) -> &Image {
