@@ -10,10 +10,10 @@
 
 shared uint key_of_lane[SPLATS_SIZE];
 
-// Whether a box on the screen is all behind the depth surface.
+// Whether a box on the screen is all behind the depth surface, by half a texel to spare: a texel's depth is that of its middle.
 bool hidden(vec2 center, float radius, float depth) {
-    uvec2 low = uvec2(clamp((center - radius - frame.surface_origin) * frame.surface_scale, 0.0, float(SURFACE_FINEST - 1u)));
-    uvec2 high = uvec2(clamp((center + radius - frame.surface_origin) * frame.surface_scale, 0.0, float(SURFACE_FINEST - 1u)));
+    uvec2 low = uvec2(clamp((center - radius - frame.surface_origin) * frame.surface_scale - 0.5, 0.0, float(SURFACE_FINEST - 1u)));
+    uvec2 high = uvec2(clamp((center + radius - frame.surface_origin) * frame.surface_scale + 0.5, 0.0, float(SURFACE_FINEST - 1u)));
     uint span = max(high.x - low.x, high.y - low.y);
     // The level on which the box meets at most five texels along each side.
     uint level = span <= 3u ? 0u : uint(findMSB(span - 1u)) - 1u;
