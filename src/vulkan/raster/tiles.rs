@@ -150,9 +150,10 @@ impl Tiles {
     }
 }
 
-/// Whether each subgroup lies in one tile and can hand splats round: 8 or 16 invocations, of 4 by 4 pixels each, in tiles of at least 16.
+/// Whether each subgroup lies in one tile and can hand splats round: 8 invocations, of 4 by 4 pixels each, in tiles of at least 16.
+/// Processors alone: Mali's compiler spills 700 registers there; and not 16 invocations, with which lavapipe draws wrongly (NOTES.md).
 fn together(gpu: &Gpu) -> bool {
-    gpu.probe.subgroup_shuffle && [8, 16].contains(&gpu.probe.subgroup_size)
+    gpu.probe.kind == vk::PhysicalDeviceType::CPU && gpu.probe.subgroup_shuffle && gpu.probe.subgroup_size == 8
 }
 
 /// Full subgroups of the size that the device reports, where it can be asked for that.
