@@ -143,6 +143,11 @@ impl Session {
         self.wait("a frame", |s| (s.frames() >= wanted).then_some(()));
     }
 
+    /// Waits until more frames than `drawn` have been drawn.
+    pub fn wait_for_frames_after(&mut self, drawn: usize) {
+        self.wait("a frame", |s| (s.frames() > drawn).then_some(()));
+    }
+
     /// Waits until no frame has been drawn for a while.
     pub fn wait_for_rest(&mut self) {
         self.sleep(0.3);
