@@ -62,11 +62,13 @@ impl Tiles {
         let bindings = Bindings::new(gpu, vk::ShaderStageFlags::COMPUTE, Some(frame), &storage)?;
         let bins = Kernel::new(gpu, &shaders::BINS, &[nodes(capacity)[0]], bindings)?;
         let color = options.color.unwrap_or(Method::Tiles.color());
-        let module = match (together(gpu), color) {
-            (false, ColorFormat::Rgba8) => &shaders::RASTER_RGBA8,
-            (false, ColorFormat::Rgba16F) => &shaders::RASTER_RGBA16F,
-            (true, ColorFormat::Rgba8) => &shaders::RASTER_TOGETHER_RGBA8,
-            (true, ColorFormat::Rgba16F) => &shaders::RASTER_TOGETHER_RGBA16F,
+        let module = match (Variant::suited(gpu), color) {
+            (Variant::Plain, ColorFormat::Rgba8) => &shaders::RASTER_RGBA8,
+            (Variant::Plain, ColorFormat::Rgba16F) => &shaders::RASTER_RGBA16F,
+            (Variant::Loops, ColorFormat::Rgba8) => &shaders::RASTER_LOOPS_RGBA8,
+            (Variant::Loops, ColorFormat::Rgba16F) => &shaders::RASTER_LOOPS_RGBA16F,
+            (Variant::Together, ColorFormat::Rgba8) => &shaders::RASTER_TOGETHER_RGBA8,
+            (Variant::Together, ColorFormat::Rgba16F) => &shaders::RASTER_TOGETHER_RGBA16F,
         };
         let full = if options.skip.contains(Skip::FULL) { options.cutoff as f32 } else { 0.0 };
         let constants = [(options.cutoff as f32).to_bits(), full.to_bits(), options.count.into()];
@@ -150,16 +152,33 @@ impl Tiles {
     }
 }
 
-/// Whether each subgroup lies in one tile and can hand splats round: 8 invocations, of 4 by 4 pixels each, in tiles of at least 16.
-/// Processors alone: Mali's compiler spills 700 registers there; and not 16 invocations, half of which lavapipe's compiler loses (NOTES.md).
-fn together(gpu: &Gpu) -> bool {
-    gpu.probe.kind == vk::PhysicalDeviceType::CPU && gpu.probe.subgroup_shuffle && gpu.probe.subgroup_size == 8
+/// What the kernel is compiled as.
+#[derive(PartialEq)]
+enum Variant {
+    Plain,
+    /// Its loops left as they are: SwiftShader takes seven seconds to compile them unrolled. Elsewhere, lavapipe loses squares with them.
+    Loops,
+    /// Each subgroup lies in one tile and hands splats round: 8 invocations, of 4 by 4 pixels each, in tiles of at least 16. Processors
+    /// alone: Mali's compiler spills 700 registers there; and not 16 invocations, half of which lavapipe's compiler loses (NOTES.md).
+    Together,
+}
+
+impl Variant {
+    fn suited(gpu: &Gpu) -> Self {
+        if gpu.probe.driver.starts_with("SwiftShader") {
+            Self::Loops
+        } else if gpu.probe.kind == vk::PhysicalDeviceType::CPU && gpu.probe.subgroup_shuffle && gpu.probe.subgroup_size == 8 {
+            Self::Together
+        } else {
+            Self::Plain
+        }
+    }
 }
 
 /// Full subgroups of the size that the device reports, where it can be asked for that.
 fn full_subgroups(gpu: &Gpu) -> Option<u32> {
     let [low, high] = gpu.probe.subgroup_sizes?;
-    (together(gpu) && (low..=high).contains(&gpu.probe.subgroup_size)).then_some(gpu.probe.subgroup_size)
+    (Variant::suited(gpu) == Variant::Together && (low..=high).contains(&gpu.probe.subgroup_size)).then_some(gpu.probe.subgroup_size)
 }
 
 fn picture(gpu: &Arc<Gpu>, format: ColorFormat, size: [u32; 2]) -> Result<Image> {
