@@ -1,12 +1,23 @@
-// The picture over the background, pixel by pixel. All colours are display-referred, and so is the window's format.
+// The picture over the background, pixel by pixel, or stretched where the screen has more of them. All colours are display-referred, and so
+// is the screen's format.
 #version 450
-layout(set = 0, binding = 0) uniform sampler2D picture;
-layout(push_constant) uniform Background {
+layout(set = 0, binding = 0) uniform sampler2D image;
+layout(push_constant) uniform Screen {
     vec4 background;
+    // Width and height, px: of the picture, in the image's upper left corner, and of the screen.
+    vec2 picture;
+    vec2 screen;
 };
 layout(location = 0) out vec4 result;
 
 void main() {
-    vec4 color = texelFetch(picture, ivec2(gl_FragCoord.xy), 0);
+    vec4 color;
+    if (picture == screen) {
+        color = texelFetch(image, ivec2(gl_FragCoord.xy), 0);
+    } else {
+        // Half a pixel from the picture's edge on, what is outside it would be mixed in.
+        vec2 at = clamp(gl_FragCoord.xy * picture / screen, vec2(0.5), picture - 0.5);
+        color = textureLod(image, at / vec2(textureSize(image, 0)), 0.0);
+    }
     result = vec4(color.rgb + (1.0 - color.a) * background.rgb, 1.0);
 }

@@ -27,6 +27,7 @@ pub mod probe;
 pub mod raster;
 pub mod renderer;
 mod scene;
+pub mod screen;
 pub mod shaders;
 pub mod sort;
 pub mod splats;
@@ -34,6 +35,7 @@ pub mod statistics;
 pub mod surface;
 #[cfg(feature = "window")]
 pub mod swapchain;
+pub mod watch;
 
 pub use device::{Gpu, GpuOptions};
 pub use error::{Error, Result};
