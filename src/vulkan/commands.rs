@@ -13,12 +13,27 @@ use crate::{
 };
 use ash::vk;
 use gpu_allocator::MemoryLocation;
-use std::sync::Arc;
+use std::{sync::Arc, time::Instant};
 
 /// Frames that may be under way at once.
 pub const SLOTS: usize = 2;
 /// Stages in the order a frame runs them; their names in labels, timestamps, tables and the overlay.
 pub const STAGES: [&str; 8] = ["features", "harmonics", "surface", "splats", "sort", "bins", "raster", "present"];
+
+/// What the host did for a frame, and when.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HostTimes {
+    /// It was asked for.
+    pub began: Instant,
+    /// An older frame has made room for it.
+    pub waited: Instant,
+    /// Its commands are written.
+    pub recorded: Instant,
+    /// The device has them.
+    pub submitted: Instant,
+    /// The host knows that it is done.
+    pub finished: Instant,
+}
 
 /// What a finished frame took and drew.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -27,6 +42,8 @@ pub struct FrameReport {
     pub stages: Vec<(&'static str, f64)>,
     /// When each of them began and ended, in the device's ticks, of which [`super::Probe::timestamp_bits`] count.
     pub ticks: Vec<[u64; 2]>,
+    /// None of a frame that was not submitted.
+    pub host: Option<HostTimes>,
     /// What went in, what was left out and what was drawn.
     pub counters: Counters,
     /// Stages that the frame did not need.
@@ -75,6 +92,8 @@ pub struct Slot {
     /// Stages with a pair of timestamps in the frame under way.
     marked: Vec<&'static str>,
     skipped: Vec<&'static str>,
+    /// Of the frame under way; it is not finished yet.
+    host: Option<HostTimes>,
     pending: bool,
 }
 
@@ -95,6 +114,7 @@ impl Slot {
             counts,
             marked: Vec::with_capacity(STAGES.len()),
             skipped: Vec::with_capacity(STAGES.len()),
+            host: None,
             pending: false,
         };
         // SAFETY: every structure outlives its call; what was made before a failure is destroyed by `drop`.
@@ -126,6 +146,7 @@ impl Slot {
             return Ok(None);
         }
         self.gpu.wait(self.fence, "a frame")?;
+        let finished = Instant::now();
         self.pending = false;
         let (control, reasons) = self.counts.mapped().split_at(size_of::<Control>());
         let control: Control = bytemuck::pod_read_unaligned(control);
@@ -139,7 +160,8 @@ impl Slot {
             ..self.known
         };
         let (stages, ticks) = self.times()?;
-        Ok(Some(FrameReport { stages, ticks, counters, skipped: self.skipped.clone() }))
+        let host = self.host.map(|host| HostTimes { finished, ..host });
+        Ok(Some(FrameReport { stages, ticks, host, counters, skipped: self.skipped.clone() }))
     }
 
     /// The time of each stage, ms, and when it began and ended, ticks.
@@ -224,6 +246,12 @@ impl Slot {
         unsafe { self.gpu.raw.get_query_pool_results(statistics, 0, &mut count, vk::QueryResultFlags::TYPE_64) }
             .during("vkGetQueryPoolResults")?;
         Ok(Some(count[0]))
+    }
+
+    /// Notes when the host began the frame, got the slot, and had its commands written; it has just submitted them.
+    pub fn timed(&mut self, [began, waited, recorded]: [Instant; 3]) {
+        let submitted = Instant::now();
+        self.host = Some(HostTimes { began, waited, recorded, submitted, finished: submitted });
     }
 
     /// Notes a stage that this frame does not need.

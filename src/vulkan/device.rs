@@ -2,6 +2,7 @@
 
 use super::{
     cache::PipelineCache,
+    calibration::Calibration,
     error::{During, Error, Result},
     instance::Instance,
     probe::Probe,
@@ -57,6 +58,8 @@ pub struct Gpu {
     /// Whether shaders read f16 from storage buffers.
     pub half_storage: bool,
     pub labels: Option<ext::debug_utils::Device>,
+    /// Reads the device's clock.
+    pub(super) calibration: Option<Calibration>,
     pub swapchain: Option<khr::swapchain::Device>,
     /// How to sort here, once it is known: see [`super::sort::choice::choose`].
     pub(super) sort: OnceLock<Verdict>,
@@ -108,6 +111,7 @@ impl Gpu {
             statistics: options.statistics.then(|| Statistics::new(&instance.raw, &raw)),
             half_storage,
             labels: instance.debug_utils.then(|| ext::debug_utils::Device::new(&instance.raw, &raw)),
+            calibration: Calibration::new(&instance, &probe, &raw),
             swapchain: window.then(|| khr::swapchain::Device::new(&instance.raw, &raw)),
             raw,
             probe,
@@ -266,6 +270,7 @@ fn create_device(
     if probe.subgroup_sizes.is_some() {
         extensions.push(ext::subgroup_size_control::NAME.as_ptr());
     }
+    extensions.extend(Calibration::extension(probe).map(std::ffi::CStr::as_ptr));
     if statistics {
         extensions.push(khr::pipeline_executable_properties::NAME.as_ptr());
     }

@@ -4,6 +4,7 @@
 
 pub mod block;
 pub mod cache;
+pub mod calibration;
 mod check;
 pub mod commands;
 pub mod compact;

@@ -32,7 +32,7 @@ use ash::vk::{self, PipelineStageFlags};
 use bytemuck::{bytes_of, from_bytes_mut};
 use gpu_allocator::MemoryLocation;
 use half::f16;
-use std::sync::Arc;
+use std::{sync::Arc, time::Instant};
 
 /// How a frame reaches a screen: what to wait for and signal, and the commands that follow the picture.
 pub struct Presentation<'a> {
@@ -187,9 +187,11 @@ impl Renderer {
     pub fn draw_scene(&mut self, poses: &[&Posed], camera: &Camera, presentation: Option<Presentation>) -> Result<()> {
         check::frame(poses, camera, (&self.model.constants, &self.extent), &self.options)?;
         let slot = self.next;
+        let began = Instant::now();
         if let Some(report) = self.slots[slot].finish()? {
             self.report = report;
         }
+        let waited = Instant::now();
         // Should anything below fail, nothing of this frame counts as drawn.
         let mut scene = std::mem::take(&mut self.scene);
         let entering = self.entering.take();
@@ -207,7 +209,9 @@ impl Renderer {
             self.slots[slot].stage("present", presentation.record);
             presentation.semaphores
         });
+        let recorded = Instant::now();
         self.slots[slot].submit(&self.control, self.splats.reasons(), semaphores)?;
+        self.slots[slot].timed([began, waited, recorded]);
         (self.scene, self.entering) = (scene, Some(entering));
         self.next = (slot + 1) % SLOTS;
         Ok(())
