@@ -3,6 +3,7 @@
 mod bake;
 mod bench;
 mod bench_sort;
+mod capture;
 mod compare;
 mod devices;
 mod export_ply;
@@ -41,6 +42,8 @@ enum Command {
     Bench(bench::Args),
     /// Set two measurements against each other
     Compare(compare::Args),
+    /// Have RenderDoc capture a frame
+    Capture(capture::Args),
     /// Draw for minutes on end at a promised rate, and watch rate, heat and memory
     Soak(soak::Args),
     /// Draw hard cases and hold them against the f64 reference
@@ -70,6 +73,7 @@ pub fn main() -> ExitCode {
         Some(Command::Render(args)) => render::run(args),
         Some(Command::Bench(args)) => bench::run(args),
         Some(Command::Compare(args)) => compare::run(args),
+        Some(Command::Capture(args)) => capture::run(args),
         Some(Command::Soak(args)) => soak::run(args),
         Some(Command::Stress(args)) => stress::run(args),
         Some(Command::BenchSort(args)) => bench_sort::run(args),

@@ -92,6 +92,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     if let Some(files) = &args.compare {
         return set_against(&files[0], &files[1]);
     }
+    let stop = interrupts()?;
     let (avatar, clips) = args.source.load()?;
     let player = Player::new(clips.into_iter().next().context("there is no clip")?, &avatar.skeleton);
     let gpu = Gpu::new(&args.quality.gpu())?;
@@ -100,7 +101,6 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     let settings = Settings { rate, governed: args.governor == Switch::On, seconds: 60.0 * args.minutes };
     let bounds = Bounds { dropped: args.late / 100.0, growth: (args.growth * f64::from(1 << 20)) as u64 };
     let mut thermals = thermals(&args)?;
-    let stop = interrupts()?;
     let command = std::env::args().collect();
     let task = Task { avatar: &avatar, player: &player, setting, settings, bounds, check: !args.no_check, command };
     let [width, height] = args.size;

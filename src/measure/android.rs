@@ -7,6 +7,7 @@ use libloading::Library;
 use std::{
     ffi::{CStr, c_char, c_int, c_void},
     ptr::NonNull,
+    sync::OnceLock,
     time::Duration,
 };
 
@@ -149,6 +150,22 @@ fn nanoseconds(time: Duration) -> i64 {
 type IsEnabled = unsafe extern "C" fn() -> bool;
 type Begin = unsafe extern "C" fn(*const c_char);
 type End = unsafe extern "C" fn();
+
+/// A section of this thread's time, until it is dropped, for the system's tracer where someone traces.
+pub fn section(name: &CStr) -> Section {
+    static SECTIONS: OnceLock<Option<Sections>> = OnceLock::new();
+    let sections = SECTIONS.get_or_init(Sections::open).as_ref();
+    Section(sections.filter(|sections| sections.begin(name)))
+}
+
+/// See [`section`].
+pub struct Section(Option<&'static Sections>);
+
+impl Drop for Section {
+    fn drop(&mut self) {
+        self.0.inspect(|sections| sections.end());
+    }
+}
 
 /// `ATrace`: sections that the system's tracer, Perfetto, shows on the thread that begins and ends them.
 pub struct Sections {

@@ -3,6 +3,7 @@
 pub mod android;
 pub mod bench;
 pub mod bytes;
+pub mod capture;
 pub mod error;
 pub mod flip;
 pub mod governor;

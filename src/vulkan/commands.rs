@@ -122,19 +122,26 @@ impl Slot {
             let info =
                 vk::CommandPoolCreateInfo::default().queue_family_index(gpu.queue_family).flags(vk::CommandPoolCreateFlags::TRANSIENT);
             slot.pool = gpu.raw.create_command_pool(&info, None).during("vkCreateCommandPool")?;
+            gpu.name(slot.pool, "frame");
             let info = vk::CommandBufferAllocateInfo::default().command_pool(slot.pool).command_buffer_count(1);
             slot.commands = gpu.raw.allocate_command_buffers(&info).during("vkAllocateCommandBuffers")?[0];
+            gpu.name(slot.commands, "frame");
             slot.fence = gpu.raw.create_fence(&vk::FenceCreateInfo::default(), None).during("vkCreateFence")?;
+            gpu.name(slot.fence, "frame done");
             if gpu.probe.timestamp_bits > 0 {
                 let info = vk::QueryPoolCreateInfo::default().query_type(vk::QueryType::TIMESTAMP).query_count(2 * STAGES.len() as u32);
-                slot.queries = Some(gpu.raw.create_query_pool(&info, None).during("vkCreateQueryPool")?);
+                let queries = gpu.raw.create_query_pool(&info, None).during("vkCreateQueryPool")?;
+                gpu.name(queries, "times of stages");
+                slot.queries = Some(queries);
             }
             if gpu.probe.pipeline_statistics {
                 let info = vk::QueryPoolCreateInfo::default()
                     .query_type(vk::QueryType::PIPELINE_STATISTICS)
                     .query_count(1)
                     .pipeline_statistics(vk::QueryPipelineStatisticFlags::FRAGMENT_SHADER_INVOCATIONS);
-                slot.statistics = Some(gpu.raw.create_query_pool(&info, None).during("vkCreateQueryPool")?);
+                let statistics = gpu.raw.create_query_pool(&info, None).during("vkCreateQueryPool")?;
+                gpu.name(statistics, "fragments");
+                slot.statistics = Some(statistics);
             }
         }
         Ok(slot)

@@ -102,7 +102,7 @@ impl Gpu {
             unsafe { raw.destroy_device(None) };
             Error::Allocation { what: "the allocator".into(), source }
         })?;
-        Ok(Arc::new(Self {
+        let gpu = Arc::new(Self {
             queue,
             queue_family,
             allocator: ManuallyDrop::new(Arc::new(Mutex::new(allocator))),
@@ -119,12 +119,15 @@ impl Gpu {
             instance: ManuallyDrop::new(instance),
             turn: Mutex::new(()),
             hangs: AtomicBool::new(false),
-        }))
+        });
+        gpu.name(gpu.queue, "frames");
+        gpu.name(gpu.cache.raw, "pipelines");
+        Ok(gpu)
     }
 
     /// Gives an object the name that validation messages and GPU profilers show.
-    pub fn name<H: vk::Handle>(&self, object: H, name: &str) {
-        let (Some(labels), Ok(name)) = (&self.labels, CString::new(name)) else { return };
+    pub fn name<H: vk::Handle + Copy>(&self, object: H, name: &str) {
+        let (Some(labels), Ok(name), false) = (&self.labels, CString::new(name), object.as_raw() == 0) else { return };
         let info = vk::DebugUtilsObjectNameInfoEXT::default().object_handle(object).object_name(&name);
         // SAFETY: the object is alive and of this device. A name that can't be set costs nothing.
         let _ = unsafe { labels.set_debug_utils_object_name(&info) };
@@ -176,6 +179,7 @@ impl Gpu {
         // SAFETY: the fence is made, used and destroyed here; a device that timed out keeps it.
         unsafe {
             let fence = self.raw.create_fence(&vk::FenceCreateInfo::default(), None).during("vkCreateFence")?;
+            self.name(fence, "idle");
             let outcome = self.submit(&[], fence).and_then(|()| self.wait(fence, "all submitted work"));
             if !self.hangs.load(Ordering::Relaxed) {
                 self.raw.destroy_fence(fence, None);
@@ -195,10 +199,13 @@ impl Gpu {
         // SAFETY: pool, buffer and fence are made, used and destroyed here; a device that timed out keeps them.
         unsafe {
             let pool = device.create_command_pool(&info, None).during("vkCreateCommandPool")?;
+            self.name(pool, what);
             let fence = device.create_fence(&vk::FenceCreateInfo::default(), None).during("vkCreateFence");
+            fence.iter().for_each(|&fence| self.name(fence, what));
             let outcome = fence.and_then(|fence| {
                 let allocate = vk::CommandBufferAllocateInfo::default().command_pool(pool).command_buffer_count(1);
                 let submitted = device.allocate_command_buffers(&allocate).during("vkAllocateCommandBuffers").and_then(|commands| {
+                    self.name(commands[0], what);
                     let begin = vk::CommandBufferBeginInfo::default().flags(vk::CommandBufferUsageFlags::ONE_TIME_SUBMIT);
                     device.begin_command_buffer(commands[0], &begin).during("vkBeginCommandBuffer")?;
                     record(commands[0]);

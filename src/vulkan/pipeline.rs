@@ -119,6 +119,14 @@ impl Bindings {
         Ok(new)
     }
 
+    /// Names all of it, for GPU profilers.
+    pub fn label(&self, name: &str) {
+        self.gpu.name(self.set_layout, name);
+        self.gpu.name(self.layout, name);
+        self.gpu.name(self.pool, name);
+        self.gpu.name(self.set, name);
+    }
+
     fn write(&self, uniform: Option<Slice>, storage: &[Slice]) {
         let info = |slice: &Slice| [vk::DescriptorBufferInfo { buffer: slice.buffer, offset: slice.offset, range: slice.size }];
         let plain = storage.iter().enumerate().map(|(at, slice)| (at as u32 + 1, vk::DescriptorType::STORAGE_BUFFER, info(slice)));
@@ -171,6 +179,7 @@ impl Kernel {
         bindings: Bindings,
         subgroup: Option<u32>,
     ) -> Result<Self> {
+        bindings.label(module.file);
         let pipeline = compute_pipeline(gpu, module, constants, (bindings.layout, subgroup))?;
         Ok(Self { gpu: gpu.clone(), module, pipeline, bindings })
     }
@@ -265,6 +274,7 @@ impl<'a> ShaderModule<'a> {
         let info = vk::ShaderModuleCreateInfo::default().code(&code);
         // SAFETY: `info` outlives the call; the code is compiled and validated when it is committed.
         let raw = unsafe { gpu.raw.create_shader_module(&info, None) }.during("vkCreateShaderModule")?;
+        gpu.name(raw, module.file);
         Ok(Self { gpu, raw })
     }
 }

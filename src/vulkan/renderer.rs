@@ -27,6 +27,7 @@ use crate::{
     avatar::Avatar,
     frame::{Body, Camera, Extent, Needs, Picture, Posed, Skip},
     layout::{Control, Frame},
+    measure::android::section,
 };
 use ash::vk::{self, PipelineStageFlags};
 use bytemuck::{bytes_of, from_bytes_mut};
@@ -188,9 +189,11 @@ impl Renderer {
         check::frame(poses, camera, (&self.model.constants, &self.extent), &self.options)?;
         let slot = self.next;
         let began = Instant::now();
+        let waiting = section(c"wait");
         if let Some(report) = self.slots[slot].finish()? {
             self.report = report;
         }
+        drop(waiting);
         let waited = Instant::now();
         // Should anything below fail, nothing of this frame counts as drawn.
         let mut scene = std::mem::take(&mut self.scene);
@@ -202,6 +205,7 @@ impl Renderer {
             self.report = FrameReport::idle(self.harmonics.is_some());
             return Ok(());
         }
+        let recording = section(c"record");
         self.write_frame(slot, &staged, camera);
         self.slots[slot].begin()?;
         let entering = self.record(slot, &staged, entering);
@@ -209,7 +213,9 @@ impl Renderer {
             self.slots[slot].stage("present", presentation.record);
             presentation.semaphores
         });
+        drop(recording);
         let recorded = Instant::now();
+        let _submitting = section(c"submit");
         self.slots[slot].submit(&self.control, self.splats.reasons(), semaphores)?;
         self.slots[slot].timed([began, waited, recorded]);
         (self.scene, self.entering) = (scene, Some(entering));
