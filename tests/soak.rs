@@ -69,8 +69,7 @@ fn a_rate_out_of_reach_is_told() {
     }
     let folder = tempfile::tempdir().unwrap();
     for (switch, expected) in [("on", "the governor is at its last step: promise less"), ("off", "the governor is off: turn it on")] {
-        let arguments =
-            format!("soak --minutes 0.15 --fps 1000 --size 256x256 --growth 1000 --no-check --governor {switch} --out {switch}");
+        let arguments = format!("soak --minutes 0.1 --fps 1000 --size 64x80 --growth 1000 --no-check --governor {switch} --out {switch}");
         let soak = effigy(folder.path(), &arguments).output().unwrap();
         assert!(!soak.status.success() && text(&soak).contains(expected), "{}", text(&soak));
         let report = report(folder.path(), &format!("{switch}.json"));
@@ -86,7 +85,7 @@ fn simulated_heat_slows_frames_and_the_governor_gives_way() {
     }
     let folder = tempfile::tempdir().unwrap();
     let rate = 2;
-    let arguments = format!("soak --minutes 0.3 --fps {rate} {SMALL} --no-check --simulate-heat --out hot");
+    let arguments = format!("soak --minutes 0.1 --fps {rate} {SMALL} --no-check --simulate-heat --out hot");
     let soak = effigy(folder.path(), &arguments).output().unwrap();
     assert!(soak.status.success(), "{}", text(&soak));
     let report = report(folder.path(), "hot.json");

@@ -8,7 +8,7 @@ use crate::{
     avatar::motion::Player,
     measure::{
         bench::Setting,
-        soak::{self, Report, Session, Settings, Task, compare, plot, table, verdict::Bounds},
+        soak::{self, Report, Session, Settings, Task, compare, files, verdict::Bounds},
         thermals::{Phone, Recorded, Simulated, System, Thermals},
         trace::Trace,
     },
@@ -110,9 +110,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     let mut trace = args.trace.as_ref().map(|_| Trace::new(&gpu));
     let report = soak::run(&gpu, &task, (&mut thermals, trace.as_mut()), &stop, &mut tick)?;
     args.trace.iter().zip(&trace).try_for_each(|(path, trace)| super::options::write_trace(path, trace, &gpu))?;
-    for (name, path) in write(&report, &args.out)? {
-        println!("{name:7} {}", path.display());
-    }
+    files::write(&report, &args.out)?.iter().for_each(|path| println!("wrote {}", path.display()));
     conclude(&report)
 }
 
@@ -163,25 +161,6 @@ fn say(session: &Session, (said, rung): &mut (f64, usize)) {
         session.totals().dropped,
         ladder[now].name,
     );
-}
-
-/// The files that a report becomes, with what they are.
-pub fn write(report: &Report, out: &Path) -> anyhow::Result<Vec<(&'static str, PathBuf)>> {
-    let mut files =
-        vec![("JSON", "json", (serde_json::to_string_pretty(report)? + "\n").into_bytes()), ("CSV", "csv", table::csv(report)?)];
-    if !report.each.is_empty() {
-        files.push(("chart", "svg", plot::svg(report)?.into_bytes()));
-        files.push(("chart", "png", plot::png(report)?));
-    }
-    let mut written = Vec::new();
-    for (name, ending, bytes) in files {
-        let mut path = out.as_os_str().to_owned();
-        path.push(format!(".{ending}"));
-        let path = PathBuf::from(path);
-        std::fs::write(&path, bytes).with_context(|| format!("{} can't be written", path.display()))?;
-        written.push((name, path));
-    }
-    Ok(written)
 }
 
 fn conclude(report: &Report) -> anyhow::Result<()> {

@@ -2,10 +2,11 @@
 //!
 //! [`session`] is the book-keeping, whatever draws: frames go in, the quality to draw at and a [`report::Second`] each second come out.
 //! [`run`] draws without a window; the viewer keeps the same books where it is told to soak. [`verdict`] says what is wrong with a run,
-//! [`table`] and [`plot`] make its CSV and its chart, [`compare`] sets two against each other.
+//! [`files`] writes its JSON, CSV ([`table`]) and chart ([`plot`]), [`compare`] sets two against each other.
 
 pub mod cadence;
 pub mod compare;
+pub mod files;
 pub mod memory;
 pub mod plot;
 pub mod report;
