@@ -20,6 +20,8 @@ pub enum Action {
     Next(i32),
     /// A clip by its number.
     Choose(usize),
+    /// An avatar of the shelf by its number.
+    Avatar(usize),
     Speed(f64),
     Repeat(Repeat),
     ResetView,
@@ -51,8 +53,12 @@ pub const KEYS: [(&str, &str); 12] = [
 ];
 
 /// What mouse, trackpad and fingers do.
-pub const POINTERS: [(&str, &str); 3] =
-    [("drag", "orbit: left button, one finger"), ("pan", "right or middle button, Shift, two fingers"), ("zoom", "wheel, trackpad, pinch")];
+pub const POINTERS: [(&str, &str); 4] = [
+    ("drag", "orbit: left button, one finger"),
+    ("pan", "right or middle button, Shift, two fingers"),
+    ("zoom", "wheel, trackpad, pinch"),
+    ("taps", "two reset the view, a long one shows or hides this panel"),
+];
 
 /// Keys and pointers as a help page.
 pub fn help() -> String {
@@ -71,6 +77,7 @@ pub fn action(key: &Key, shift: bool, again: bool, repeat: Repeat) -> Option<Act
             NamedKey::ArrowRight => Action::Step(1),
             NamedKey::F1 => Action::Overlay,
             NamedKey::F11 => Action::FullScreen,
+            NamedKey::BrowserBack if cfg!(target_os = "android") => Action::Quit,
             NamedKey::Escape => Action::LeaveFullScreenOrQuit,
             _ => return None,
         },

@@ -1,11 +1,16 @@
 //! The viewer: an avatar and its clips go in, a window that shows it moving comes out.
 //!
-//! The logic stands apart from the window: [`gesture`] makes gestures of pointers, [`orbit`] a camera of gestures, [`playback`] a moment
+//! The logic stands apart from the window: [`gesture`] makes gestures of pointers, [`taps`] taps of fingers, [`orbit`] a camera of gestures, [`playback`] a moment
 //! of the clock, [`action`] wishes of keys, [`overlay`] wishes of the panel, [`scene`] what to draw of them all. [`window`] takes the events,
 //! [`viewer`] decides when a frame is drawn, [`painter`] draws it.
 
 pub mod action;
+#[cfg(target_os = "android")]
+mod android;
 pub mod gesture;
+#[cfg(any(target_os = "android", test))]
+mod letters;
+mod lifecycle;
 pub mod orbit;
 pub mod overlay;
 pub mod painter;
@@ -13,6 +18,8 @@ pub mod panel;
 pub mod playback;
 pub mod scene;
 pub mod screenshot;
+pub mod shelf;
+pub mod taps;
 pub mod times;
 pub mod viewer;
 pub mod window;
@@ -20,6 +27,8 @@ pub mod window;
 pub use window::Display;
 
 use crate::vulkan::{GpuOptions, RendererOptions};
+use shelf::{Shelf, Show};
+use std::path::PathBuf;
 
 /// What a viewer is started with.
 pub struct Options {
@@ -33,6 +42,12 @@ pub struct Options {
     pub frames: Option<u32>,
     /// Losses to go through as if they had happened, each before the frame of that number: no driver loses anything on demand.
     pub rehearse: Vec<(Loss, u32)>,
+    /// Avatars to choose from in the panel.
+    pub shelf: Shelf,
+    /// Where screenshots go: the first that takes one.
+    pub folders: Vec<PathBuf>,
+    /// Something for the panel to say at first.
+    pub said: Option<String>,
 }
 
 /// What a driver can take away while a window is open.
@@ -42,6 +57,10 @@ pub enum Loss {
     Device,
 }
 
-/// Something for the overlay to say, from another thread.
-#[derive(Debug)]
-pub struct Message(pub String);
+/// What another thread has to tell the viewer.
+pub enum Message {
+    /// Something for the panel to say.
+    Say(String),
+    /// An avatar of the shelf, by its number, has been read.
+    Show(usize, Box<Show>),
+}

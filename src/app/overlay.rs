@@ -3,6 +3,7 @@
 use super::{
     action::{Action, KEYS, POINTERS},
     playback::{Playback, Repeat, SPEED},
+    shelf::Shelf,
     times::FrameTimes,
 };
 use crate::vulkan::commands::STAGES;
@@ -32,6 +33,7 @@ pub struct Facts<'a> {
     /// Bytes of GPU memory in use.
     pub memory: u64,
     pub playback: &'a Playback,
+    pub shelf: &'a Shelf,
     pub background: [f32; 3],
     pub follow: bool,
     /// The last thing there was to say: where a screenshot went, for example.
@@ -65,6 +67,7 @@ pub fn show(ctx: &egui::Context, facts: &Facts, wishes: &mut Vec<Action>) {
     egui::Window::new("Effigy").default_pos(Pos2::new(12.0, 12.0)).default_open(roomy).auto_sized().frame(frame).show(ctx, |ui| {
         egui::ScrollArea::vertical().max_height(height).show(ui, |ui| {
             ui.set_width(WIDTH);
+            avatar(ui, facts.shelf, wishes);
             clip(ui, facts.playback, wishes);
             ui.separator();
             view(ui, facts, wishes);
@@ -78,6 +81,20 @@ pub fn show(ctx: &egui::Context, facts: &Facts, wishes: &mut Vec<Action>) {
                 ui.label(message);
             }
         });
+    });
+}
+
+fn avatar(ui: &mut Ui, shelf: &Shelf, wishes: &mut Vec<Action>) {
+    if shelf.names.len() < 2 {
+        return;
+    }
+    let shown = shelf.names.get(shelf.shown).map_or("", |name| name);
+    egui::ComboBox::from_id_salt("avatar").selected_text(shown).width(ui.available_width()).show_ui(ui, |ui| {
+        for (number, name) in shelf.names.iter().enumerate() {
+            if ui.selectable_label(number == shelf.shown, name).clicked() {
+                wishes.push(Action::Avatar(number));
+            }
+        }
     });
 }
 
@@ -135,7 +152,9 @@ fn button(ui: &mut Ui, text: &str, hint: &str, action: Action, wishes: &mut Vec<
 fn view(ui: &mut Ui, facts: &Facts, wishes: &mut Vec<Action>) {
     ui.horizontal(|ui| {
         button(ui, "Reset view", "frame the avatar (R)", Action::ResetView, wishes);
-        button(ui, "Full screen", "F or F11", Action::FullScreen, wishes);
+        if cfg!(not(target_os = "android")) {
+            button(ui, "Full screen", "F or F11", Action::FullScreen, wishes);
+        }
         button(ui, "Screenshot", "a PNG without this panel (S)", Action::Screenshot, wishes);
     });
     ui.horizontal(|ui| {
@@ -268,6 +287,7 @@ mod tests {
             driver: "a driver",
             memory: 12_000_000,
             playback: &playback,
+            shelf: &Shelf::new(vec!["someone".into(), "else".into()], 0, |_| anyhow::bail!("never asked for")),
             background: [0.5; 3],
             follow: true,
             message: Some("saved"),

@@ -12,11 +12,13 @@ use crate::{
         present::Present,
         renderer::Presentation,
         swapchain::{Acquired, Surface, Swapchain, Target},
+        turn::Turn,
     },
 };
 use ash::vk;
-use egui::{ClippedPrimitive, TexturesDelta};
+use egui::{ClippedPrimitive, Pos2, Rect, TexturesDelta, epaint::Primitive};
 use egui_ash_renderer::{Options, RenderMode, Renderer as Egui, RendererError, allocator::GpuAllocator};
+use glam::Vec2;
 use raw_window_handle::{HasDisplayHandle, HasWindowHandle};
 use std::{mem::ManuallyDrop, sync::Arc};
 use winit::window::Window;
@@ -26,6 +28,23 @@ use winit::window::Window;
 pub struct Panel {
     pub triangles: Vec<ClippedPrimitive>,
     pub pixels_per_point: f32,
+}
+
+impl Panel {
+    /// The same as it lies in the images of a window of `size` px.
+    fn turned(&mut self, turn: Turn, size: [u32; 2]) {
+        if turn == Turn::default() {
+            return;
+        }
+        let size = Vec2::new(size[0] as f32, size[1] as f32) / self.pixels_per_point;
+        let place = |point: Pos2| Pos2::from(turn.place(Vec2::new(point.x, point.y), size).to_array());
+        for part in &mut self.triangles {
+            part.clip_rect = Rect::from_two_pos(place(part.clip_rect.min), place(part.clip_rect.max));
+            if let Primitive::Mesh(mesh) = &mut part.primitive {
+                mesh.vertices.iter_mut().for_each(|vertex| vertex.pos = place(vertex.pos));
+            }
+        }
+    }
 }
 
 /// Everything of the device that a window needs.
@@ -112,6 +131,21 @@ impl Painter {
         Ok(Some(size))
     }
 
+    /// The window is going away; everything that is not its own stays. The next [`Self::resume`] and fit bring another.
+    pub fn suspend(&mut self) -> Result<()> {
+        self.lose_surface()
+    }
+
+    /// There is a window again. False where its pictures are of another format: then all has to be made anew.
+    pub fn resume(&mut self, window: &Arc<Window>) -> anyhow::Result<bool> {
+        let given = Target::new(window.display_handle()?, window.window_handle()?);
+        let (before, surface) = (self.present.format, Surface::new(&self.gpu, given)?);
+        self.target = given;
+        let fits = surface.format() == before;
+        self.surface = Some(surface);
+        Ok(fits)
+    }
+
     /// The surface is gone: the next fit makes another.
     pub fn lose_surface(&mut self) -> Result<()> {
         self.renderer.finish()?;
@@ -135,8 +169,8 @@ impl Painter {
         overlay(delta.free.drain().try_for_each(|id| self.egui.free_texture(id)))
     }
 
-    /// Draws a frame and shows it. False when the window could not take it: it has changed, or has no image to give yet.
-    pub fn paint(&mut self, posed: &Posed, look: &Look, panel: &Panel) -> Result<bool> {
+    /// Draws a frame and shows it; the panel is used up. False when the window could not take it: it has changed, or has no image to give yet.
+    pub fn paint(&mut self, posed: &Posed, look: &Look, panel: &mut Panel) -> Result<bool> {
         let Some(swapchain) = &mut self.swapchain else { return Ok(false) };
         let (image, acquired) = match swapchain.acquire()? {
             Acquired::Image(image, acquired) => (image, acquired),
@@ -147,10 +181,12 @@ impl Painter {
             }
         };
         let (framebuffer, finished) = swapchain.image(image);
-        let [width, height] = swapchain.size;
+        let (size, turn) = (swapchain.size, swapchain.turn);
+        let [width, height] = turn.extent(size);
+        panel.turned(turn, size);
         let mut drawn = Ok(());
         let mut record = |commands| {
-            self.present.record(commands, (framebuffer, [width, height]), look.background, || {
+            self.present.record(commands, (framebuffer, size, turn), look.background, || {
                 drawn = self.egui.cmd_draw(commands, vk::Extent2D { width, height }, panel.pixels_per_point, &panel.triangles);
             });
         };

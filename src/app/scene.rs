@@ -13,6 +13,8 @@ use crate::{
 };
 use glam::DVec3;
 
+/// What is behind the avatar unless someone says otherwise: a light grey.
+pub const BACKGROUND: [f32; 3] = BACKGROUNDS[0];
 /// Backgrounds that the key goes through, display-referred RGB: light grey, white, black, dark blue.
 const BACKGROUNDS: [[f32; 3]; 4] = [[0.847, 0.867, 0.890], [1.0; 3], [0.0; 3], [0.10, 0.12, 0.17]];
 /// A frame after a rest, or after a long one, counts as this long at most, seconds: the view glides from where it was.
@@ -136,7 +138,12 @@ impl Scene {
                 let next = BACKGROUNDS.iter().position(|known| close(known, &self.background)).map_or(0, |at| at + 1);
                 self.background = BACKGROUNDS[next % BACKGROUNDS.len()];
             }
-            Action::FullScreen | Action::LeaveFullScreenOrQuit | Action::Screenshot | Action::Overlay | Action::Quit => {}
+            Action::Avatar(_)
+            | Action::FullScreen
+            | Action::LeaveFullScreenOrQuit
+            | Action::Screenshot
+            | Action::Overlay
+            | Action::Quit => {}
         }
     }
 }

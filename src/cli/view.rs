@@ -68,6 +68,9 @@ fn show(display: crate::app::Display, args: Args) -> anyhow::Result<()> {
         background: args.background,
         frames: args.frames,
         rehearse: args.rehearse,
+        shelf: Default::default(),
+        folders: crate::app::screenshot::folders(),
+        said: None,
     };
     display.show(avatar, clips, options)
 }

@@ -34,6 +34,7 @@ pub mod statistics;
 pub mod surface;
 #[cfg(feature = "window")]
 pub mod swapchain;
+pub mod turn;
 
 pub use device::{Gpu, GpuOptions};
 pub use error::{Error, Result};

@@ -6,15 +6,21 @@ use super::{
     graphics::{self, Attachment, Depth, Drawing},
     memory::Image,
     shaders,
+    turn::Turn,
 };
 use ash::vk;
 use bytemuck::cast_slice;
 use std::sync::Arc;
 
+/// Bytes that the shader is told: the background, the turn's matrix and what is added.
+const PUSHED: u32 = 4 * 10;
+
 /// Draws pictures over a background, in a render pass that others may draw in afterwards.
 pub struct Present {
     gpu: Arc<Gpu>,
     pub render_pass: vk::RenderPass,
+    /// Of the windows that it draws into.
+    pub format: vk::Format,
     sampler: vk::Sampler,
     set_layout: vk::DescriptorSetLayout,
     layout: vk::PipelineLayout,
@@ -29,6 +35,7 @@ impl Present {
         let mut new = Self {
             gpu: gpu.clone(),
             render_pass: Default::default(),
+            format,
             sampler: Default::default(),
             set_layout: Default::default(),
             layout: Default::default(),
@@ -40,7 +47,7 @@ impl Present {
         let kind = vk::DescriptorType::COMBINED_IMAGE_SAMPLER;
         let bindings = [vk::DescriptorSetLayoutBinding::default().binding(0).descriptor_type(kind).descriptor_count(1).stage_flags(stages)];
         let sizes = [vk::DescriptorPoolSize { ty: kind, descriptor_count: 1 }];
-        let constants = [vk::PushConstantRange { stage_flags: stages, offset: 0, size: 16 }];
+        let constants = [vk::PushConstantRange { stage_flags: stages, offset: 0, size: PUSHED }];
         // SAFETY: every structure outlives the call it is passed to; what was made before a failure is destroyed by `drop`.
         unsafe {
             new.sampler = gpu.raw.create_sampler(&vk::SamplerCreateInfo::default(), None).during("vkCreateSampler")?;
@@ -75,18 +82,21 @@ impl Present {
         unsafe { self.gpu.raw.update_descriptor_sets(&[write], &[]) };
     }
 
-    /// Draws the picture over a background into a window's framebuffer, then what `then` records.
+    /// Draws the picture, which has a size, px, over a background into a window's framebuffer as it lies there, then what `then` records.
     pub fn record(
         &self,
         commands: vk::CommandBuffer,
-        (framebuffer, [width, height]): (vk::Framebuffer, [u32; 2]),
+        (framebuffer, size, turn): (vk::Framebuffer, [u32; 2], Turn),
         background: [f32; 3],
         then: impl FnOnce(),
     ) {
+        let [width, height] = turn.extent(size);
         let area = vk::Rect2D { offset: vk::Offset2D::default(), extent: vk::Extent2D { width, height } };
         let viewport = vk::Viewport { x: 0.0, y: 0.0, width: width as f32, height: height as f32, min_depth: 0.0, max_depth: 1.0 };
         let begin = vk::RenderPassBeginInfo::default().render_pass(self.render_pass).framebuffer(framebuffer).render_area(area);
         let [r, g, b] = background;
+        let (matrix, origin) = turn.back(size);
+        let ([xx, xy, yx, yy], [x, y]) = (matrix.to_cols_array(), origin.to_array());
         let device = &self.gpu.raw;
         let point = vk::PipelineBindPoint::GRAPHICS;
         // SAFETY: the command buffer is recording; every object is alive and fits the pipeline's layout and the render pass.
@@ -94,7 +104,13 @@ impl Present {
             device.cmd_begin_render_pass(commands, &begin, vk::SubpassContents::INLINE);
             device.cmd_bind_pipeline(commands, point, self.pipeline);
             device.cmd_bind_descriptor_sets(commands, point, self.layout, 0, &[self.set], &[]);
-            device.cmd_push_constants(commands, self.layout, vk::ShaderStageFlags::FRAGMENT, 0, cast_slice(&[r, g, b, 1.0]));
+            device.cmd_push_constants(
+                commands,
+                self.layout,
+                vk::ShaderStageFlags::FRAGMENT,
+                0,
+                cast_slice(&[r, g, b, 1.0, xx, xy, yx, yy, x, y]),
+            );
             device.cmd_set_viewport(commands, 0, &[viewport]);
             device.cmd_set_scissor(commands, 0, &[area]);
             device.cmd_draw(commands, 3, 1, 0, 0);
