@@ -184,13 +184,14 @@ impl Painter {
         let (size, turn) = (swapchain.size, swapchain.turn);
         let [width, height] = turn.extent(size);
         panel.turned(turn, size);
+        let picture = self.renderer.raster().drawn();
         let mut drawn = Ok(());
         let mut record = |commands| {
-            self.present.record(commands, (framebuffer, size, turn), look.background, || {
+            self.present.record(commands, (framebuffer, size, turn), (picture, look.background), || {
                 drawn = self.egui.cmd_draw(commands, vk::Extent2D { width, height }, panel.pixels_per_point, &panel.triangles);
             });
         };
-        self.renderer.draw(posed, &look.camera, Some(Presentation { acquired, finished, record: &mut record }))?;
+        self.renderer.draw(posed, &look.camera, Some(Presentation { semaphores: Some((acquired, finished)), record: &mut record }))?;
         self.window.pre_present_notify();
         self.stale = !swapchain.present(image)?;
         overlay(drawn).map(|()| true)

@@ -4,7 +4,10 @@ pub mod bench;
 pub mod bytes;
 pub mod error;
 pub mod flip;
+pub mod governor;
+pub mod soak;
 pub mod stress;
+pub mod thermals;
 
 use glam::{DAffine3, DVec3};
 

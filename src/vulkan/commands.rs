@@ -25,6 +25,8 @@ pub const STAGES: [&str; 8] = ["features", "harmonics", "surface", "splats", "so
 pub struct FrameReport {
     /// GPU time of each stage that ran, ms. Empty where the device has no timestamps.
     pub stages: Vec<(&'static str, f64)>,
+    /// When each of them began and ended, in the device's ticks, of which [`super::Probe::timestamp_bits`] count.
+    pub ticks: Vec<[u64; 2]>,
     /// What went in, what was left out and what was drawn.
     pub counters: Counters,
     /// Stages that the frame did not need.
@@ -136,20 +138,22 @@ impl Slot {
             fragments: self.fragments(&control)?,
             ..self.known
         };
-        Ok(Some(FrameReport { stages: self.times()?, counters, skipped: self.skipped.clone() }))
+        let (stages, ticks) = self.times()?;
+        Ok(Some(FrameReport { stages, ticks, counters, skipped: self.skipped.clone() }))
     }
 
-    fn times(&self) -> Result<Vec<(&'static str, f64)>> {
-        let (Some(queries), false) = (self.queries, self.marked.is_empty()) else { return Ok(Vec::new()) };
+    /// The time of each stage, ms, and when it began and ended, ticks.
+    fn times(&self) -> Result<(Vec<(&'static str, f64)>, Vec<[u64; 2]>)> {
+        let (Some(queries), false) = (self.queries, self.marked.is_empty()) else { return Ok(Default::default()) };
         let mut ticks = [0u64; 2 * STAGES.len()];
         let ticks = &mut ticks[..2 * self.marked.len()];
         // SAFETY: the frame is done, so the queries written in it are available.
         unsafe { self.gpu.raw.get_query_pool_results(queries, 0, ticks, vk::QueryResultFlags::TYPE_64) }.during("vkGetQueryPoolResults")?;
-        let bits = self.gpu.probe.timestamp_bits;
-        let mask = if bits >= 64 { u64::MAX } else { (1 << bits) - 1 };
+        let mask = self.gpu.probe.tick_mask();
         let period = f64::from(self.gpu.probe.limits.timestamp_period) * 1e-6;
-        let ms = |pair: &[u64]| (pair[1].wrapping_sub(pair[0]) & mask) as f64 * period;
-        Ok(self.marked.iter().copied().zip(ticks.chunks_exact(2).map(ms)).collect())
+        let ticks: Vec<_> = ticks.chunks_exact(2).map(|pair| [pair[0] & mask, pair[1] & mask]).collect();
+        let ms = |[began, ended]: &[u64; 2]| (ended.wrapping_sub(*began) & mask) as f64 * period;
+        Ok((self.marked.iter().copied().zip(ticks.iter().map(ms)).collect(), ticks))
     }
 
     /// Starts recording a frame. The slot must be finished.

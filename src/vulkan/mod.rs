@@ -27,6 +27,7 @@ pub mod probe;
 pub mod raster;
 pub mod renderer;
 mod scene;
+pub mod screen;
 pub mod shaders;
 pub mod sort;
 pub mod splats;
@@ -35,6 +36,7 @@ pub mod surface;
 #[cfg(feature = "window")]
 pub mod swapchain;
 pub mod turn;
+pub mod watch;
 
 pub use device::{Gpu, GpuOptions};
 pub use error::{Error, Result};

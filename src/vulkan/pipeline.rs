@@ -152,6 +152,7 @@ impl Drop for Bindings {
 /// A compute pipeline and what it binds.
 pub struct Kernel {
     gpu: Arc<Gpu>,
+    module: &'static Module,
     pipeline: vk::Pipeline,
     bindings: Bindings,
 }
@@ -170,26 +171,17 @@ impl Kernel {
         bindings: Bindings,
         subgroup: Option<u32>,
     ) -> Result<Self> {
-        let shader = ShaderModule::new(gpu, module)?;
-        let entries = specialization_entries(constants);
-        let specialization = vk::SpecializationInfo::default().map_entries(&entries).data(cast_slice(constants));
-        let mut required = vk::PipelineShaderStageRequiredSubgroupSizeCreateInfo::default().required_subgroup_size(subgroup.unwrap_or(0));
-        let mut stage = vk::PipelineShaderStageCreateInfo::default()
-            .stage(vk::ShaderStageFlags::COMPUTE)
-            .module(shader.raw)
-            .name(c"main")
-            .specialization_info(&specialization);
-        if subgroup.is_some() {
-            stage = stage.push_next(&mut required).flags(vk::PipelineShaderStageCreateFlags::REQUIRE_FULL_SUBGROUPS);
-        }
-        let info = vk::ComputePipelineCreateInfo::default().stage(stage).layout(bindings.layout).flags(gpu.pipeline_flags());
-        let constants = constants.iter().map(u32::to_string).collect::<Vec<_>>().join(" ");
-        tracing::debug!("compiling {} [{constants}]", module.file);
-        // SAFETY: `info` and all it points to outlive the call.
-        let created = unsafe { gpu.raw.create_compute_pipelines(gpu.cache.raw, &[info], None) };
-        let pipeline = created.map_err(|(_, result)| result).during("vkCreateComputePipelines")?[0];
-        let pipeline = gpu.made(pipeline, module.file, &[module], &constants)?;
-        Ok(Self { gpu: gpu.clone(), pipeline, bindings })
+        let pipeline = compute_pipeline(gpu, module, constants, (bindings.layout, subgroup))?;
+        Ok(Self { gpu: gpu.clone(), module, pipeline, bindings })
+    }
+
+    /// Gives it other constants. No submitted work may use it.
+    pub fn specialize(&mut self, constants: &[u32], subgroup: Option<u32>) -> Result<()> {
+        let new = compute_pipeline(&self.gpu, self.module, constants, (self.bindings.layout, subgroup))?;
+        let old = std::mem::replace(&mut self.pipeline, new);
+        // SAFETY: the caller promises that no submitted work uses it.
+        unsafe { self.gpu.raw.destroy_pipeline(old, None) };
+        Ok(())
     }
 
     /// Sets the image of bindings that have one, in [`BoundImage::layout`]; a written one has no sampler. No submitted work may use the
@@ -231,6 +223,34 @@ impl Drop for Kernel {
         // SAFETY: owners drop a kernel only when no submitted work uses it.
         unsafe { self.gpu.raw.destroy_pipeline(self.pipeline, None) };
     }
+}
+
+/// The pipeline of a kernel.
+fn compute_pipeline(
+    gpu: &Gpu,
+    module: &'static Module,
+    constants: &[u32],
+    (layout, subgroup): (vk::PipelineLayout, Option<u32>),
+) -> Result<vk::Pipeline> {
+    let shader = ShaderModule::new(gpu, module)?;
+    let entries = specialization_entries(constants);
+    let specialization = vk::SpecializationInfo::default().map_entries(&entries).data(cast_slice(constants));
+    let mut required = vk::PipelineShaderStageRequiredSubgroupSizeCreateInfo::default().required_subgroup_size(subgroup.unwrap_or(0));
+    let mut stage = vk::PipelineShaderStageCreateInfo::default()
+        .stage(vk::ShaderStageFlags::COMPUTE)
+        .module(shader.raw)
+        .name(c"main")
+        .specialization_info(&specialization);
+    if subgroup.is_some() {
+        stage = stage.push_next(&mut required).flags(vk::PipelineShaderStageCreateFlags::REQUIRE_FULL_SUBGROUPS);
+    }
+    let info = vk::ComputePipelineCreateInfo::default().stage(stage).layout(layout).flags(gpu.pipeline_flags());
+    let constants = constants.iter().map(u32::to_string).collect::<Vec<_>>().join(" ");
+    tracing::debug!("compiling {} [{constants}]", module.file);
+    // SAFETY: `info` and all it points to outlive the call.
+    let created = unsafe { gpu.raw.create_compute_pipelines(gpu.cache.raw, &[info], None) };
+    let pipeline = created.map_err(|(_, result)| result).during("vkCreateComputePipelines")?[0];
+    gpu.made(pipeline, module.file, &[module], &constants)
 }
 
 /// A shader module that lives while its pipeline is made.

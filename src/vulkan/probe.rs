@@ -131,6 +131,11 @@ impl Probe {
         })
     }
 
+    /// The bits of a timestamp that count.
+    pub fn tick_mask(&self) -> u64 {
+        if self.timestamp_bits >= 64 { u64::MAX } else { (1 << self.timestamp_bits) - 1 }
+    }
+
     pub fn has(&self, extension: &std::ffi::CStr) -> bool {
         self.extensions.iter().any(|e| extension.to_str() == Ok(e))
     }

@@ -1,6 +1,8 @@
 //! Draws an avatar, or several copies of it in one scene: poses and a camera go in, a picture on the device comes out.
 //! [`Renderer::record`] is the frame, top to bottom.
 
+mod adjust;
+
 use super::{
     block, check,
     commands::{FrameReport, SLOTS, Slot},
@@ -32,10 +34,10 @@ use gpu_allocator::MemoryLocation;
 use half::f16;
 use std::sync::Arc;
 
-/// How a frame reaches a window: what to wait for and signal, and the commands that follow the picture.
+/// How a frame reaches a screen: what to wait for and signal, and the commands that follow the picture.
 pub struct Presentation<'a> {
-    pub acquired: vk::Semaphore,
-    pub finished: vk::Semaphore,
+    /// Signalled when there is something to draw to, and when it is drawn. None where nobody else waits.
+    pub semaphores: Option<(vk::Semaphore, vk::Semaphore)>,
     pub record: &'a mut dyn FnMut(vk::CommandBuffer),
 }
 
@@ -201,9 +203,9 @@ impl Renderer {
         self.write_frame(slot, &staged, camera);
         self.slots[slot].begin()?;
         let entering = self.record(slot, &staged, entering);
-        let semaphores = presentation.map(|presentation| {
+        let semaphores = presentation.and_then(|presentation| {
             self.slots[slot].stage("present", presentation.record);
-            (presentation.acquired, presentation.finished)
+            presentation.semaphores
         });
         self.slots[slot].submit(&self.control, self.splats.reasons(), semaphores)?;
         (self.scene, self.entering) = (scene, Some(entering));

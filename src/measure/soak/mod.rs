@@ -1,0 +1,3 @@
+//! Draws for minutes on end, and says every second how it goes.
+
+pub mod cadence;
