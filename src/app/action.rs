@@ -29,6 +29,8 @@ pub enum Action {
     FullScreen,
     LeaveFullScreenOrQuit,
     Screenshot,
+    /// Hand what is left of a crash to another app.
+    Share,
     Overlay,
     NextBackground,
     /// Display-referred RGB, 0 to 1.

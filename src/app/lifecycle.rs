@@ -28,6 +28,8 @@ impl Viewer {
         }
         let Some(window) = &self.window else { return Ok(()) };
         self.window_size = window.inner_size().into();
+        #[cfg(target_os = "android")]
+        super::android::ask_rate(super::viewer::app(event_loop));
         if let Some(painter) = &mut self.painter
             && painter.resume(window)?
         {

@@ -48,6 +48,8 @@ pub struct Options {
     pub folders: Vec<PathBuf>,
     /// Something for the panel to say at first.
     pub said: Option<String>,
+    /// What is left of a crash, for the panel to offer to share.
+    pub report: Option<String>,
 }
 
 /// What a driver can take away while a window is open.

@@ -139,6 +139,7 @@ impl Scene {
                 self.background = BACKGROUNDS[next % BACKGROUNDS.len()];
             }
             Action::Avatar(_)
+            | Action::Share
             | Action::FullScreen
             | Action::LeaveFullScreenOrQuit
             | Action::Screenshot

@@ -9,7 +9,6 @@ use super::{
     panel::Overlay,
     scene::{Look, Scene},
     screenshot::Savers,
-    shelf::Shelf,
     taps::Taps,
     times::FrameTimes,
 };
@@ -138,6 +137,8 @@ impl Viewer {
             Action::LeaveFullScreenOrQuit if is_full => window.set_fullscreen(None),
             Action::LeaveFullScreenOrQuit | Action::Quit => quit(event_loop),
             Action::Avatar(number) => self.fetch(number),
+            #[cfg(target_os = "android")]
+            Action::Share => super::android::share(app(event_loop), self.options.report.clone().unwrap_or_default()),
             Action::Screenshot => self.shoot = true,
             Action::Overlay => {
                 if let Some(overlay) = &mut self.overlay {
@@ -191,7 +192,7 @@ impl Viewer {
         if overlay.visible && clock - self.memory.0 > MEMORY {
             self.memory = (clock, painter.gpu().memory().0);
         }
-        let facts = facts(&self.scene, (painter, &self.options.shelf), (&self.times, self.memory.1, self.message.as_deref()));
+        let facts = facts(&self.scene, (painter, &self.options), (&self.times, self.memory.1, self.message.as_deref()));
         let (mut panel, textures, wait) = overlay.lay_out((window, size), &facts, wishes);
         painter.set_textures(textures)?;
         let began = Instant::now();
@@ -226,10 +227,16 @@ impl Viewer {
     }
 }
 
+/// The activity that the windows belong to.
+#[cfg(target_os = "android")]
+pub(super) fn app(event_loop: &ActiveEventLoop) -> &winit::platform::android::activity::AndroidApp {
+    winit::platform::android::ActiveEventLoopExtAndroid::android_app(event_loop)
+}
+
 /// Ends the program; on a phone that is the system's to do.
 fn quit(event_loop: &ActiveEventLoop) {
     #[cfg(target_os = "android")]
-    super::android::back(winit::platform::android::ActiveEventLoopExtAndroid::android_app(event_loop));
+    super::android::back(app(event_loop));
     #[cfg(not(target_os = "android"))]
     event_loop.exit();
 }
@@ -237,7 +244,7 @@ fn quit(event_loop: &ActiveEventLoop) {
 /// What the panel shows. `said`: the frames' times, the memory in use and the last message.
 fn facts<'a>(
     scene: &'a Scene,
-    (painter, shelf): (&'a Painter, &'a Shelf),
+    (painter, options): (&'a Painter, &'a Options),
     (times, memory, message): (&'a FrameTimes, u64, Option<&'a str>),
 ) -> Facts<'a> {
     let (report, probe) = (painter.report(), &painter.gpu().probe);
@@ -252,7 +259,8 @@ fn facts<'a>(
         driver: &probe.driver,
         memory,
         playback: scene.playback(),
-        shelf,
+        shelf: &options.shelf,
+        report: options.report.is_some(),
         background: scene.background(),
         follow: scene.follows(),
         message,

@@ -7,7 +7,7 @@ use super::{
     viewer::Viewer,
 };
 use crate::avatar::{Avatar, Clip};
-use anyhow::{Context, anyhow};
+use anyhow::Context;
 use glam::DVec2;
 use std::time::{Duration, Instant};
 use winit::{
@@ -34,7 +34,7 @@ impl Display {
     pub fn open() -> anyhow::Result<Self> {
         let event_loop = EventLoop::with_user_event().build().map_err(|error| {
             tracing::debug!("{error}");
-            anyhow!("there is no display to open a window on")
+            anyhow::anyhow!("there is no display to open a window on")
         })?;
         Ok(Self(event_loop))
     }
@@ -202,9 +202,7 @@ impl ApplicationHandler<Message> for Handler {
 
     fn about_to_wait(&mut self, event_loop: &ActiveEventLoop) {
         #[cfg(target_os = "android")]
-        if self.viewer.suspended
-            && super::android::is_destroyed(winit::platform::android::ActiveEventLoopExtAndroid::android_app(event_loop))
-        {
+        if self.viewer.suspended && super::android::is_destroyed(super::viewer::app(event_loop)) {
             event_loop.exit();
         }
         event_loop.set_control_flow(match self.viewer.wake_at() {

@@ -59,6 +59,9 @@ pub struct Quality {
     /// What pictures are blended in
     #[arg(long, value_enum)]
     pub color: Option<Color>,
+    /// Use no more of the device than the least one has that can run this
+    #[arg(long)]
+    pub least: bool,
     /// How to draw
     #[arg(long, value_enum, default_value_t = DrawBy::Auto)]
     pub raster: DrawBy,
@@ -81,7 +84,7 @@ pub struct Quality {
 
 impl Quality {
     pub fn gpu(&self) -> GpuOptions {
-        GpuOptions::headless(self.device.clone())
+        GpuOptions { least: self.least, ..GpuOptions::headless(self.device.clone()) }
     }
 
     pub fn renderer(&self, size: [u32; 2]) -> RendererOptions {

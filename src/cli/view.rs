@@ -71,6 +71,7 @@ fn show(display: crate::app::Display, args: Args) -> anyhow::Result<()> {
         shelf: Default::default(),
         folders: crate::app::screenshot::folders(),
         said: None,
+        report: None,
     };
     display.show(avatar, clips, options)
 }

@@ -32,6 +32,8 @@ pub struct GpuOptions {
     pub validation: bool,
     /// Read f16 as words even where the device has 16-bit storage: to compare the two.
     pub packed_words: bool,
+    /// Use no more than every Vulkan 1.1 device has, as if the device were the least of them.
+    pub least: bool,
     /// Ask what the driver's compiler makes of each pipeline. Nothing ever runs on a device opened so.
     pub statistics: bool,
     /// Instance extensions of a window's surface; empty draws to pictures only.
@@ -74,6 +76,7 @@ impl Gpu {
     pub fn new(options: &GpuOptions) -> Result<Arc<Self>> {
         let instance = Instance::new(options.validation, &options.surface_extensions)?;
         let probe = choose(Probe::all(&instance)?, options.device.as_deref())?;
+        let probe = if options.least { probe.least() } else { probe };
         let lacks = probe.lacks();
         let (true, Some(queue_family)) = (lacks.is_empty(), probe.queue_family) else {
             return Err(Error::Lacks { device: probe.name, lacks: lacks.join("; ") });

@@ -4,7 +4,7 @@ use jni::{
     Env, JavaVM,
     errors::Result,
     jni_sig, jni_str,
-    objects::{JObject, JString, JValue},
+    objects::{JObject, JObjectArray, JString, JValue},
     refs::Global,
 };
 use std::{
@@ -57,6 +57,23 @@ pub fn hide_bars(app: &AndroidApp) {
         let view = env.call_method(&window, jni_str!("getDecorView"), jni_sig!("()Landroid/view/View;"), &[])?.l()?;
         env.call_method(&view, jni_str!("setSystemUiVisibility"), jni_sig!("(I)V"), &[JValue::Int(IMMERSIVE)])?.v()
     });
+}
+
+/// The highest refresh rate of the activity's display, Hz.
+pub fn highest_rate(app: &AndroidApp) -> Option<f32> {
+    let rate = with(app, "asking for the display's rates", |env, activity| {
+        let manager = env.call_method(activity, jni_str!("getWindowManager"), jni_sig!("()Landroid/view/WindowManager;"), &[])?.l()?;
+        let display = env.call_method(&manager, jni_str!("getDefaultDisplay"), jni_sig!("()Landroid/view/Display;"), &[])?.l()?;
+        let modes = env.call_method(&display, jni_str!("getSupportedModes"), jni_sig!("()[Landroid/view/Display$Mode;"), &[])?.l()?;
+        let modes = env.cast_local::<JObjectArray>(modes)?;
+        let mut highest = 0.0_f32;
+        for number in 0..modes.len(env)? {
+            let mode = modes.get_element(env, number)?;
+            highest = highest.max(env.call_method(&mode, jni_str!("getRefreshRate"), jni_sig!("()F"), &[])?.f()?);
+        }
+        Ok(highest)
+    });
+    rate.filter(|&rate| rate > 0.0)
 }
 
 /// The file that another app wants us to show: the intent that started the activity names it.

@@ -7,10 +7,12 @@ mod java;
 mod log;
 mod notice;
 mod panics;
+mod rate;
 
 use super::{Display, Options, scene::BACKGROUND};
 use crate::vulkan::{GpuOptions, RendererOptions, cache};
-pub(super) use java::{back, is_destroyed};
+pub(super) use java::{back, is_destroyed, share};
+pub(super) use rate::ask as ask_rate;
 use std::{
     path::PathBuf,
     sync::atomic::{AtomicBool, Ordering},
@@ -33,8 +35,7 @@ fn android_main(app: AndroidApp) {
         cache::set_folder(folder);
     }
     if let Err(error) = show(&app, folders, last) {
-        tracing::error!("{error:#}");
-        notice::show(&app, &format!("Effigy can't run here.\n\n{error:#}"));
+        notice::show(&app, &notice::words(&error));
     }
     // What is left is the end of the activity: its destruction waits for this thread, and returns to a system that no longer needs us.
     end();
@@ -46,7 +47,7 @@ fn show(app: &AndroidApp, folders: Vec<PathBuf>, last: Option<panics::Report>) -
     let files = files::Files::new(app.asset_manager(), folders.first().cloned());
     let (first, complaint) = files.first(java::opened_file(app));
     let display = Display::of(app)?;
-    let said = last.map(|report| report.summary()).or(complaint);
+    let said = last.as_ref().map(panics::Report::summary).or(complaint);
     let options = Options {
         gpu: GpuOptions::headless(None),
         drawing: RendererOptions::new([1; 2]),
@@ -57,6 +58,7 @@ fn show(app: &AndroidApp, folders: Vec<PathBuf>, last: Option<panics::Report>) -
         shelf: files.shelf(),
         folders,
         said,
+        report: last.map(|report| report.text),
     };
     let (avatar, clips) = first?;
     display.show(avatar, clips, options)
@@ -64,6 +66,7 @@ fn show(app: &AndroidApp, folders: Vec<PathBuf>, last: Option<panics::Report>) -
 
 /// Ends the process at once: the graphics driver's threads and the system's own may be running, so nothing is torn down under them.
 fn end() -> ! {
+    log::write(tracing::Level::INFO, "the activity is over, and so is the process");
     // SAFETY: it takes no pointers and does not return.
     unsafe { libc::_exit(0) }
 }

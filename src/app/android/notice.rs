@@ -15,6 +15,17 @@ const ASK: Duration = Duration::from_millis(500);
 /// Pixels an inch of a screen of density 1.
 const DENSITY: f32 = 160.0;
 
+/// What to tell the phone's owner of an error: advice for desktops is of no use here.
+pub fn words(error: &anyhow::Error) -> String {
+    use crate::vulkan::Error;
+    let why = match error.downcast_ref::<Error>() {
+        Some(Error::NoLoader(_) | Error::NoDevice) => "This device has no Vulkan driver. Effigy needs Vulkan 1.1.".into(),
+        Some(Error::Lacks { device, lacks }) => format!("{device} can't draw it: {lacks}."),
+        _ => format!("{error:#}"),
+    };
+    format!("Effigy can't run here.\n\n{why}\n\nAn update of the system may help. The log has more: adb logcat -s effigy")
+}
+
 /// Shows a text until the activity is destroyed.
 pub fn show(app: &AndroidApp, text: &str) {
     log::write(Level::ERROR, text);

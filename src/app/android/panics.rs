@@ -13,7 +13,8 @@ const READ: &str = "crash-last.txt";
 
 /// What an earlier run left.
 pub struct Report {
-    text: String,
+    /// All of it, to be shared.
+    pub text: String,
     path: PathBuf,
 }
 
