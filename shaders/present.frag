@@ -4,19 +4,23 @@
 layout(set = 0, binding = 0) uniform sampler2D image;
 layout(push_constant) uniform Screen {
     vec4 background;
-    // Width and height, px: of the picture, in the image's upper left corner, and of the screen.
+    // From a point of the screen's image to one of the screen as it is seen, columns first: a display may be mounted another way round.
+    vec4 turn;
+    vec2 origin;
+    // Width and height, px: of the picture, in the image's upper left corner, and of the screen as it is seen.
     vec2 picture;
     vec2 screen;
 };
 layout(location = 0) out vec4 result;
 
 void main() {
+    vec2 seen = mat2(turn.xy, turn.zw) * gl_FragCoord.xy + origin;
     vec4 color;
     if (picture == screen) {
-        color = texelFetch(image, ivec2(gl_FragCoord.xy), 0);
+        color = texelFetch(image, ivec2(seen), 0);
     } else {
         // Half a pixel from the picture's edge on, what is outside it would be mixed in.
-        vec2 at = clamp(gl_FragCoord.xy * picture / screen, vec2(0.5), picture - 0.5);
+        vec2 at = clamp(seen * picture / screen, vec2(0.5), picture - 0.5);
         color = textureLod(image, at / vec2(textureSize(image, 0)), 0.0);
     }
     result = vec4(color.rgb + (1.0 - color.a) * background.rgb, 1.0);

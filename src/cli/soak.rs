@@ -26,10 +26,10 @@ pub struct Args {
     #[command(flatten)]
     source: Source,
     /// How long to draw
-    #[arg(long, default_value_t = 20.0, value_parser = minutes)]
+    #[arg(long, default_value_t = 20.0, value_parser = options::minutes)]
     minutes: f64,
     /// The rate to hold, frames a second [default: the highest usual one that a short test holds with time to spare]
-    #[arg(long, value_name = "N", value_parser = rate)]
+    #[arg(long, value_name = "N", value_parser = options::rate)]
     fps: Option<f64>,
     /// Width and height, px
     #[arg(long, value_parser = options::size, default_value = "1024x1024")]
@@ -71,21 +71,8 @@ enum Switch {
     Off,
 }
 
-fn number(text: &str, low: f64, high: f64, what: &str) -> Result<f64, String> {
-    let value = text.parse().ok().filter(|value| (low..=high).contains(value));
-    value.ok_or_else(|| format!("`{text}` is no {what}: write a number from {low} to {high}"))
-}
-
-fn minutes(text: &str) -> Result<f64, String> {
-    number(text, 0.01, 10_000.0, "number of minutes")
-}
-
-fn rate(text: &str) -> Result<f64, String> {
-    number(text, 0.5, 1000.0, "frame rate")
-}
-
 fn amount(text: &str) -> Result<f64, String> {
-    number(text, 0.0, 1e6, "amount")
+    options::number(text, 0.0, 1e6, "amount")
 }
 
 pub fn run(args: Args) -> anyhow::Result<()> {
@@ -212,8 +199,8 @@ mod tests {
 
     #[test]
     fn amounts_out_of_range_are_refused_with_the_range() {
-        assert_eq!((minutes("0.5"), rate("120")), (Ok(0.5), Ok(120.0)));
-        for refused in [minutes("0"), minutes("NaN"), rate("0"), rate("fast"), amount("-1")] {
+        assert_eq!((options::minutes("0.5"), options::rate("120")), (Ok(0.5), Ok(120.0)));
+        for refused in [options::minutes("0"), options::minutes("NaN"), options::rate("0"), options::rate("fast"), amount("-1")] {
             assert!(refused.is_err_and(|error| error.contains("write a number from")));
         }
     }

@@ -12,7 +12,6 @@ use super::{
 use ash::{ext, khr, vk};
 use gpu_allocator::vulkan::{Allocator, AllocatorCreateDesc};
 use std::{
-    ffi::CString,
     mem::ManuallyDrop,
     sync::{
         Arc, Mutex, MutexGuard, OnceLock,
@@ -33,6 +32,8 @@ pub struct GpuOptions {
     pub validation: bool,
     /// Read f16 as words even where the device has 16-bit storage: to compare the two.
     pub packed_words: bool,
+    /// Use no more than every Vulkan 1.1 device has, as if the device were the least of them.
+    pub least: bool,
     /// Ask what the driver's compiler makes of each pipeline. Nothing ever runs on a device opened so.
     pub statistics: bool,
     /// Instance extensions of a window's surface; empty draws to pictures only.
@@ -77,6 +78,7 @@ impl Gpu {
     pub fn new(options: &GpuOptions) -> Result<Arc<Self>> {
         let instance = Instance::new(options.validation, &options.surface_extensions)?;
         let probe = choose(Probe::all(&instance)?, options.device.as_deref())?;
+        let probe = if options.least { probe.least() } else { probe };
         let lacks = probe.lacks();
         let (true, Some(queue_family)) = (lacks.is_empty(), probe.queue_family) else {
             return Err(Error::Lacks { device: probe.name, lacks: lacks.join("; ") });
@@ -123,14 +125,6 @@ impl Gpu {
         gpu.name(gpu.queue, "frames");
         gpu.name(gpu.cache.raw, "pipelines");
         Ok(gpu)
-    }
-
-    /// Gives an object the name that validation messages and GPU profilers show.
-    pub fn name<H: vk::Handle + Copy>(&self, object: H, name: &str) {
-        let (Some(labels), Ok(name), false) = (&self.labels, CString::new(name), object.as_raw() == 0) else { return };
-        let info = vk::DebugUtilsObjectNameInfoEXT::default().object_handle(object).object_name(&name);
-        // SAFETY: the object is alive and of this device. A name that can't be set costs nothing.
-        let _ = unsafe { labels.set_debug_utils_object_name(&info) };
     }
 
     /// Bytes that this program holds of the device's memory: what is in use, and what the allocator keeps in blocks.

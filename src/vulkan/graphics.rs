@@ -5,7 +5,7 @@ use super::{
     device::Gpu,
     error::{During, Result},
     memory::DEPTH_FORMAT,
-    pipeline::{ShaderModule, specialization_entries},
+    module::{ShaderModule, specialization_entries},
     shaders::Module,
 };
 use ash::vk;

@@ -18,6 +18,8 @@ pub mod instance;
 mod keeper;
 pub mod memory;
 pub mod model;
+mod module;
+mod name;
 pub mod options;
 mod pack;
 pub mod picture;
@@ -27,6 +29,7 @@ pub mod preset;
 pub mod probe;
 pub mod raster;
 pub mod renderer;
+pub mod report;
 mod scene;
 pub mod screen;
 pub mod shaders;
@@ -36,6 +39,7 @@ pub mod statistics;
 pub mod surface;
 #[cfg(feature = "window")]
 pub mod swapchain;
+pub mod turn;
 pub mod watch;
 
 pub use device::{Gpu, GpuOptions};

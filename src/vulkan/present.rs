@@ -6,15 +6,21 @@ use super::{
     graphics::{self, Attachment, Depth, Drawing},
     memory::Image,
     shaders,
+    turn::Turn,
 };
 use ash::vk;
 use bytemuck::cast_slice;
 use std::sync::Arc;
 
+/// Bytes that the shader is told: the background, how the screen is turned, the picture's size and the screen's.
+const PUSHED: u32 = 4 * 14;
+
 /// Draws pictures over a background, in a render pass that others may draw in afterwards.
 pub struct Present {
     gpu: Arc<Gpu>,
     pub render_pass: vk::RenderPass,
+    /// Of the windows that it draws into.
+    pub format: vk::Format,
     sampler: vk::Sampler,
     set_layout: vk::DescriptorSetLayout,
     layout: vk::PipelineLayout,
@@ -34,6 +40,7 @@ impl Present {
         let mut new = Self {
             gpu: gpu.clone(),
             render_pass: Default::default(),
+            format,
             sampler: Default::default(),
             set_layout: Default::default(),
             layout: Default::default(),
@@ -45,7 +52,7 @@ impl Present {
         let kind = vk::DescriptorType::COMBINED_IMAGE_SAMPLER;
         let bindings = [vk::DescriptorSetLayoutBinding::default().binding(0).descriptor_type(kind).descriptor_count(1).stage_flags(stages)];
         let sizes = [vk::DescriptorPoolSize { ty: kind, descriptor_count: 1 }];
-        let constants = [vk::PushConstantRange { stage_flags: stages, offset: 0, size: 32 }];
+        let constants = [vk::PushConstantRange { stage_flags: stages, offset: 0, size: PUSHED }];
         // SAFETY: every structure outlives the call it is passed to; what was made before a failure is destroyed by `drop`.
         unsafe {
             let edge = vk::SamplerAddressMode::CLAMP_TO_EDGE;
@@ -97,20 +104,23 @@ impl Present {
         unsafe { self.gpu.raw.update_descriptor_sets(&[write], &[]) };
     }
 
-    /// Draws the picture over a background into a screen's framebuffer, then what `then` records. `picture`: how much of the image is the
-    /// picture, px from its upper left corner.
+    /// Draws the picture over a background into a screen's framebuffer, then what `then` records. The screen has a size as it is seen, px, and
+    /// lies turned in its framebuffer. `picture`: how much of the image is the picture, px from its upper left corner.
     pub fn record(
         &self,
         commands: vk::CommandBuffer,
-        (framebuffer, [width, height]): (vk::Framebuffer, [u32; 2]),
+        (framebuffer, size, turn): (vk::Framebuffer, [u32; 2], Turn),
         (picture, background): ([u32; 2], [f32; 3]),
         then: impl FnOnce(),
     ) {
+        let [width, height] = turn.extent(size);
         let area = vk::Rect2D { offset: vk::Offset2D::default(), extent: vk::Extent2D { width, height } };
         let viewport = vk::Viewport { x: 0.0, y: 0.0, width: width as f32, height: height as f32, min_depth: 0.0, max_depth: 1.0 };
         let begin = vk::RenderPassBeginInfo::default().render_pass(self.render_pass).framebuffer(framebuffer).render_area(area);
-        let ([r, g, b], [x, y]) = (background, picture.map(|side| side as f32));
-        let constants = [r, g, b, 1.0, x, y, width as f32, height as f32];
+        let [[x, y], [w, h]] = [picture, size].map(|size| size.map(|side| side as f32));
+        let ([r, g, b], (matrix, origin)) = (background, turn.back(size));
+        let [xx, xy, yx, yy] = matrix.to_cols_array();
+        let constants = [r, g, b, 1.0, xx, xy, yx, yy, origin.x, origin.y, x, y, w, h];
         let device = &self.gpu.raw;
         let point = vk::PipelineBindPoint::GRAPHICS;
         // SAFETY: the command buffer is recording; every object is alive and fits the pipeline's layout and the render pass.

@@ -48,7 +48,7 @@ impl Screen {
 
     /// Stretches the picture (`drawn` px of its image) over the screen, over a background: display-referred RGB, 0 to 1.
     pub fn record(&self, commands: vk::CommandBuffer, drawn: [u32; 2], background: [f32; 3]) {
-        self.present.record(commands, (self.framebuffer, self.image.size), (drawn, background), || ());
+        self.present.record(commands, (self.framebuffer, self.image.size, Default::default()), (drawn, background), || ());
     }
 
     /// Copies what it shows, RGBA row by row from the top left, and waits. Every submitted frame must be done.

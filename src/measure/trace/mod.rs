@@ -14,7 +14,7 @@ use crate::vulkan::{
 use align::{Alignment, Bracket, Clock, since};
 use event::{DEVICE, Event, HOST};
 use serde_json::json;
-use std::{collections::VecDeque, time::Instant};
+use std::{collections::VecDeque, fs, io, path::Path, time::Instant};
 
 /// Frames that are kept: the last ones. As many counters.
 const KEPT: usize = 3000;
@@ -98,6 +98,14 @@ impl Trace {
                 "frames_left_out": self.seen - self.frames.len() as u64,
             },
         })
+    }
+
+    /// Writes the file.
+    ///
+    /// # Errors
+    /// When it can't be written.
+    pub fn write(&self, path: &Path, gpu: &Gpu) -> io::Result<()> {
+        fs::write(path, self.json(gpu).to_string())
     }
 
     fn brackets(&self) -> Vec<Bracket> {
