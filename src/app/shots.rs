@@ -14,7 +14,10 @@ impl Viewer {
                 renderdoc.trigger();
                 "RenderDoc captures the next frame".into()
             }
-            None => ATTACH.into(),
+            None => {
+                tracing::warn!("{ATTACH}");
+                ATTACH.into()
+            }
         });
     }
 

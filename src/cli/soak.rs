@@ -37,7 +37,7 @@ pub struct Args {
     /// Whether to give up quality to hold the rate
     #[arg(long, value_enum, default_value_t = Switch::On)]
     governor: Switch,
-    /// Slow this device down as a phone that heats: one that would throttle halfway through
+    /// Slow this device down as a phone that heats: left alone, the paper's would throttle halfway through
     #[arg(long)]
     simulate_heat: bool,
     /// Give the governor the headroom that another soak has recorded, its .csv
@@ -87,7 +87,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     let rate = args.fps.map_or_else(|| soak::run::suited_rate(&gpu, &avatar, &player, &setting), Ok)?;
     let settings = Settings { rate, governed: args.governor == Switch::On, seconds: 60.0 * args.minutes };
     let bounds = Bounds { dropped: args.late / 100.0, growth: (args.growth * f64::from(1 << 20)) as u64 };
-    let mut thermals = thermals(&args)?;
+    let mut thermals = thermals(&args, rate)?;
     let command = std::env::args().collect();
     let task = Task { avatar: &avatar, player: &player, setting, settings, bounds, check: !args.no_check, command };
     let [width, height] = args.size;
@@ -101,11 +101,11 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     conclude(&report)
 }
 
-fn thermals(args: &Args) -> anyhow::Result<Thermals> {
+fn thermals(args: &Args, rate: f64) -> anyhow::Result<Thermals> {
     /// How long the phone takes for what a simulated run shows: ten minutes cool, ten hot; seconds.
     const CURVE: f64 = 1200.0;
     Ok(match &args.replay_heat {
-        _ if args.simulate_heat => Thermals::Simulated(Simulated::new(Phone::default(), (CURVE / (60.0 * args.minutes)).max(1.0))),
+        _ if args.simulate_heat => Thermals::Simulated(Simulated::new(Phone::default(), (CURVE / (60.0 * args.minutes)).max(1.0), rate)),
         Some(path) => {
             let text = std::fs::read_to_string(path).with_context(|| format!("{} can't be read", path.display()))?;
             let recorded = Recorded::read(&text).map_err(anyhow::Error::msg);

@@ -47,8 +47,8 @@ fn rates<B: DrawingBackend>(area: &DrawingArea<B, Shift>, report: &Report, end: 
         .margin(12)
         .x_label_area_size(34)
         .y_label_area_size(70)
-        .right_y_label_area_size(70)
-        .build_cartesian_2d(0.0..end, 0.0..1.12 * most)
+        .margin_right(82)
+        .build_cartesian_2d(0.0..end, 0.0..1.4 * most)
         .map_err(drawing)?;
     let label = TextStyle::from((FONT, 16)).color(&INK);
     chart
@@ -79,7 +79,7 @@ fn rates<B: DrawingBackend>(area: &DrawingArea<B, Shift>, report: &Report, end: 
         .legend(|(x, y)| Circle::new((x + 9, y), 3, DROPPED.filled()));
     chart
         .configure_series_labels()
-        .position(SeriesLabelPosition::LowerLeft)
+        .position(SeriesLabelPosition::UpperLeft)
         .label_font(label)
         .background_style(WHITE.mix(0.85))
         .border_style(FAINT)
@@ -94,9 +94,9 @@ fn steps<B: DrawingBackend>(area: &DrawingArea<B, Shift>, report: &Report, end: 
         .x_label_area_size(44)
         .y_label_area_size(70)
         .right_y_label_area_size(70)
-        .build_cartesian_2d(0.0..end, -0.5..lowest + 0.5)
+        .build_cartesian_2d(0.0..end, -0.5..1.35 * lowest)
         .map_err(drawing)?
-        .set_secondary_coord(0.0..end, 0.0..1.2);
+        .set_secondary_coord(0.0..end, 0.0..1.4);
     let label = TextStyle::from((FONT, 16)).color(&INK);
     chart
         .configure_mesh()
