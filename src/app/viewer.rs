@@ -36,7 +36,7 @@ pub struct Viewer {
     pub(super) start: Instant,
     // The painter goes before the window.
     pub(super) painter: Option<Painter>,
-    /// The system has taken the window away for a while.
+    /// There is no window yet, or the system has taken it away for a while.
     pub(super) suspended: bool,
     pub(super) overlay: Option<Overlay>,
     pub(super) window: Option<Arc<Window>>,
@@ -76,7 +76,7 @@ impl Viewer {
             proxy,
             start: Instant::now(),
             painter: None,
-            suspended: false,
+            suspended: true,
             overlay: None,
             window: None,
             pointers: Pointers::default(),
