@@ -201,6 +201,9 @@ impl Viewer {
             return Ok(());
         }
         tracing::debug!("frame {} at {clock:.3} s, {} × {}", self.drawn, size[0], size[1]);
+        if self.drawn == 0 {
+            tracing::info!("the first frame, {clock:.2} s after the avatar was read");
+        }
         self.drawn += 1;
         if self.options.frames.is_some() {
             self.measured.push(1e3 * (self.start.elapsed().as_secs_f64() - clock));
