@@ -274,3 +274,14 @@ fn shader_statistics_are_a_table_or_a_sentence() {
         assert!(table.lines().any(|line| line.starts_with(shader)) && rows.contains(shader), "nothing on {shader}: {table}");
     }
 }
+
+#[test]
+fn a_capture_without_renderdoc_says_how_to_attach_it() {
+    if gpu::gpu().is_none() {
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let error = fails(folder.path(), "capture --size 64x64");
+    assert!(error.contains("RenderDoc is not attached") && error.contains("renderdoccmd capture effigy capture"), "{error}");
+    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
+}

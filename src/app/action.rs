@@ -29,6 +29,8 @@ pub enum Action {
     FullScreen,
     LeaveFullScreenOrQuit,
     Screenshot,
+    /// By RenderDoc, where it is attached.
+    Capture,
     /// Hand what is left of a crash to another app.
     Share,
     Overlay,
@@ -39,7 +41,7 @@ pub enum Action {
 }
 
 /// The keys and what they do, for the overlay and `effigy view --help`.
-pub const KEYS: [(&str, &str); 12] = [
+pub const KEYS: [(&str, &str); 13] = [
     ("Space", "play or pause"),
     ("← →", "a frame back or on"),
     ("Shift ← →", "a second back or on"),
@@ -48,6 +50,7 @@ pub const KEYS: [(&str, &str); 12] = [
     ("R", "reset the view"),
     ("B", "next background"),
     ("S", "screenshot"),
+    ("C", "capture a frame by RenderDoc"),
     ("H F1", "show or hide this panel"),
     ("F F11", "full screen"),
     ("Q", "quit"),
@@ -94,6 +97,7 @@ pub fn action(key: &Key, shift: bool, again: bool, repeat: Repeat) -> Option<Act
             "r" => Action::ResetView,
             "b" => Action::NextBackground,
             "s" => Action::Screenshot,
+            "c" => Action::Capture,
             "h" => Action::Overlay,
             "f" => Action::FullScreen,
             "q" => Action::Quit,

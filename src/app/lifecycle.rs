@@ -1,7 +1,12 @@
 //! What keeps a viewer going while the system takes things away and gives them back: windows, surfaces, devices, memory; and what it shows.
 
-use super::{Message, action::Action, painter::Painter, panel::Overlay, scene::Scene, shelf::Show, times::summary, viewer::Viewer};
-use crate::vulkan::{Error, RendererOptions};
+use super::{
+    Message, action::Action, painter::Painter, panel::Overlay, scene::Scene, shelf::Show, steady::Pace, times::summary, viewer::Viewer,
+};
+use crate::{
+    measure::trace::Trace,
+    vulkan::{Error, RendererOptions},
+};
 use anyhow::Context;
 use std::sync::Arc;
 use winit::{
@@ -48,6 +53,11 @@ impl Viewer {
         let drawing = RendererOptions { size: self.window_size.map(|side| side.max(1)), ..self.options.drawing };
         let painter = Painter::new(window, self.scene.avatar(), &self.options.gpu, drawing)?;
         tracing::info!("showing `{}` with {}", self.scene.avatar().name, painter.gpu().probe.name);
+        self.trace = self.options.trace.as_ref().map(|_| Trace::new(painter.gpu()));
+        if self.pace.is_none() {
+            let display = window.current_monitor().and_then(|monitor| monitor.refresh_rate_millihertz());
+            self.pace = self.options.steady.as_ref().map(|steady| Pace::new(steady, display.map(|rate| f64::from(rate) / 1e3)));
+        }
         self.painter = Some(painter);
         (self.shown, self.dirty) = (None, true);
         Ok(())
@@ -55,7 +65,7 @@ impl Viewer {
 
     /// The window is about to go: what is its own goes first, the rest waits for the next one.
     pub(super) fn suspend(&mut self) {
-        self.suspended = true;
+        (self.suspended, self.resting) = (true, true);
         self.pointers.cancel();
         self.taps.forget();
         if let Some(overlay) = &mut self.overlay {
@@ -101,6 +111,10 @@ impl Viewer {
             Err(error) => return Err(error.into()),
         }
         wishes.into_iter().for_each(|wish| self.act(wish, event_loop));
+        if let (Some(pace), Some(painter)) = (self.pace.as_ref().filter(|pace| pace.is_over()), &self.painter) {
+            event_loop.exit();
+            return pace.conclude(&self.scene, painter);
+        }
         if self.options.frames.is_some_and(|frames| self.drawn >= frames) {
             event_loop.exit();
         }
@@ -149,8 +163,13 @@ impl Viewer {
         self.act(if twice { Action::ResetView } else { Action::Overlay }, event_loop);
     }
 
-    /// Waits for files that are being written, and prints what was measured.
+    /// Waits for files that are being written, and writes and prints what was measured.
     pub(super) fn finish(mut self) {
+        if let (Some(path), Some(trace), Some(painter)) = (&self.options.trace, &self.trace, &self.painter)
+            && let Err(error) = trace.write(path, painter.gpu())
+        {
+            tracing::error!("{} can't be written: {error}", path.display());
+        }
         self.painter = None;
         self.savers.finish();
         if let Some([median, p95]) = summary(&mut self.measured) {

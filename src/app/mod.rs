@@ -2,11 +2,12 @@
 //!
 //! The logic stands apart from the window: [`gesture`] makes gestures of pointers, [`taps`] taps of fingers, [`orbit`] a camera of gestures, [`playback`] a moment
 //! of the clock, [`action`] wishes of keys, [`overlay`] wishes of the panel, [`scene`] what to draw of them all. [`window`] takes the events,
-//! [`viewer`] decides when a frame is drawn, [`painter`] draws it.
+//! [`viewer`] decides when a frame is drawn, [`steady`] at which quality, [`painter`] draws it.
 
 pub mod action;
 #[cfg(target_os = "android")]
 mod android;
+mod device;
 pub mod gesture;
 #[cfg(any(target_os = "android", test))]
 mod letters;
@@ -19,6 +20,8 @@ pub mod playback;
 pub mod scene;
 pub mod screenshot;
 pub mod shelf;
+mod shots;
+pub mod steady;
 pub mod taps;
 pub mod times;
 pub mod viewer;
@@ -29,6 +32,7 @@ pub use window::Display;
 use crate::vulkan::{GpuOptions, RendererOptions};
 use shelf::{Shelf, Show};
 use std::path::PathBuf;
+use steady::Steady;
 
 /// What a viewer is started with.
 pub struct Options {
@@ -50,6 +54,10 @@ pub struct Options {
     pub said: Option<String>,
     /// What is left of a crash, for the panel to offer to share.
     pub report: Option<String>,
+    /// Whether and how to hold a frame rate. None draws at the whole quality, come what may.
+    pub steady: Option<Steady>,
+    /// Where to write a timeline of host and device at the end.
+    pub trace: Option<PathBuf>,
 }
 
 /// What a driver can take away while a window is open.

@@ -1,9 +1,10 @@
 //! Draws frames into a window: a pose, a camera and the overlay's triangles go in; what comes out is on the screen.
 
-use super::scene::Look;
+use super::{device, scene::Look};
 use crate::{
     avatar::Avatar,
     frame::Posed,
+    measure::governor::Quality,
     vulkan::{
         Error, Gpu, GpuOptions, Renderer, RendererOptions, Result,
         commands::{FrameReport, SLOTS},
@@ -13,6 +14,7 @@ use crate::{
         renderer::Presentation,
         swapchain::{Acquired, Surface, Swapchain, Target},
         turn::Turn,
+        watch::{Seen, Watch},
     },
 };
 use ash::vk;
@@ -56,6 +58,11 @@ pub struct Painter {
     present: Present,
     surface: Option<Surface>,
     renderer: Renderer,
+    /// What the whole quality is drawn with.
+    drawing: RendererOptions,
+    /// Looks at pictures, once one was to be looked at.
+    watch: Option<Watch>,
+    look: bool,
     gpu: Arc<Gpu>,
     target: Target,
     window: Arc<Window>,
@@ -67,15 +74,7 @@ pub struct Painter {
 impl Painter {
     /// Opens a device for a window: the one that `options` names, else the first that can show pictures in it.
     pub fn new(window: &Arc<Window>, avatar: &Avatar, options: &GpuOptions, drawing: RendererOptions) -> anyhow::Result<Self> {
-        let given = Target::new(window.display_handle()?, window.window_handle()?);
-        let (target, surface, gpu) = match open(given, options) {
-            Err(error) if lacks_extension(&error) => {
-                let target = given.through_xcb().ok_or_else(no_windows)?;
-                let (surface, gpu) = open(target, options).map_err(|error| if lacks_extension(&error) { no_windows() } else { error })?;
-                (target, surface, gpu)
-            }
-            opened => opened.map(|(surface, gpu)| (given, surface, gpu))?,
-        };
+        let (target, surface, gpu) = device::open(window, options)?;
         let present = Present::new(&gpu, surface.format())?;
         let renderer = Renderer::new(&gpu, avatar, drawing)?;
         present.set_picture(renderer.raster().image());
@@ -92,6 +91,9 @@ impl Painter {
             present,
             surface: Some(surface),
             renderer,
+            drawing,
+            watch: None,
+            look: false,
             gpu,
             target,
             window: window.clone(),
@@ -102,6 +104,31 @@ impl Painter {
 
     pub fn gpu(&self) -> &Gpu {
         &self.gpu
+    }
+
+    /// What it draws with now.
+    pub fn options(&self) -> &RendererOptions {
+        self.renderer.options()
+    }
+
+    /// Width and height of the whole picture, px.
+    pub fn size(&self) -> [u32; 2] {
+        self.renderer.raster().image().size
+    }
+
+    /// Draws at this quality from now on. Waits for submitted frames where it is another.
+    pub fn set_quality(&mut self, quality: &Quality) -> Result<()> {
+        self.renderer.adjust(quality.size(self.size()), quality.cutoff(&self.drawing))
+    }
+
+    /// Has the next frame's picture looked at, if the last one was. [`Self::seen`] says what was seen some frames later.
+    pub fn look(&mut self) {
+        self.look = true;
+    }
+
+    /// To be called after every frame.
+    pub fn seen(&mut self) -> Option<Seen> {
+        self.watch.as_mut()?.step()
     }
 
     /// What the last finished frame took and drew.
@@ -126,6 +153,7 @@ impl Painter {
         let Some(size) = self.swapchain.as_ref().map(|swapchain| swapchain.size) else { return Ok(None) };
         if self.renderer.raster().image().size != size {
             self.renderer.resize(size)?;
+            self.watch = None;
             self.present.set_picture(self.renderer.raster().image());
         }
         Ok(Some(size))
@@ -185,14 +213,24 @@ impl Painter {
         let (size, turn) = (swapchain.size, swapchain.turn);
         let [width, height] = turn.extent(size);
         panel.turned(turn, size);
-        let picture = self.renderer.raster().drawn();
+        let (picture, taken) = (self.renderer.raster().drawn(), self.renderer.raster().image().raw);
+        let look_at_it = std::mem::take(&mut self.look);
+        if look_at_it && self.watch.is_none() {
+            self.watch = Some(Watch::new(&self.gpu, self.renderer.raster())?);
+        }
+        let mut watch = self.watch.as_mut().filter(|watch| look_at_it && watch.is_idle());
         let mut drawn = Ok(());
         let mut record = |commands| {
             self.present.record(commands, (framebuffer, size, turn), (picture, look.background), || {
                 drawn = self.egui.cmd_draw(commands, vk::Extent2D { width, height }, panel.pixels_per_point, &panel.triangles);
             });
+            watch.take().into_iter().for_each(|watch| watch.record(commands, taken, picture));
         };
-        self.renderer.draw(posed, &look.camera, Some(Presentation { semaphores: Some((acquired, finished)), record: &mut record }))?;
+        self.renderer.draw(
+            posed,
+            &look.camera.stretched(picture),
+            Some(Presentation { semaphores: Some((acquired, finished)), record: &mut record }),
+        )?;
         self.window.pre_present_notify();
         self.stale = !swapchain.present(image)?;
         overlay(drawn).map(|()| true)
@@ -214,36 +252,6 @@ impl Drop for Painter {
             ManuallyDrop::drop(&mut self.egui);
             self.gpu.raw.destroy_command_pool(self.textures, None);
         }
-    }
-}
-
-/// Opens the device that `options` names, else the first that can show pictures in the window.
-fn open(target: Target, options: &GpuOptions) -> Result<(Surface, Arc<Gpu>)> {
-    let options = GpuOptions { surface_extensions: target.extensions()?, ..options.clone() };
-    let open = |device: Option<String>| {
-        let gpu = Gpu::new(&GpuOptions { device, ..options.clone() })?;
-        Ok((Surface::new(&gpu, target)?, gpu))
-    };
-    match open(options.device.clone()) {
-        // Another device may be the one that the display hangs on. Numbers end where there is no device.
-        Err(error @ Error::Lacks { .. }) if options.device.is_none() => {
-            let others = (0u32..).map(|number| open(Some(number.to_string())));
-            let mut others = others.take_while(|other| !matches!(other, Err(Error::NoSuchDevice { .. } | Error::NoDevice)));
-            others.find_map(Result::ok).ok_or(error)
-        }
-        first => first,
-    }
-}
-
-/// No driver on this machine has an extension that the window's surface needs.
-fn lacks_extension(error: &Error) -> bool {
-    matches!(error, Error::Call { call: "vkCreateInstance", result: vk::Result::ERROR_EXTENSION_NOT_PRESENT })
-}
-
-fn no_windows() -> Error {
-    Error::Lacks {
-        device: "the Vulkan driver".into(),
-        lacks: "it has no extension for windows of this display: install your GPU's driver, or use `effigy render`".into(),
     }
 }
 

@@ -83,11 +83,26 @@ impl Scene {
         self.playback.is_moving() || !self.orbit.is_at_rest()
     }
 
+    /// The clip that plays; None without any.
+    pub fn player(&self) -> Option<&Player> {
+        self.players.get(self.moment.clip)
+    }
+
     /// Moves on to the clock's time, and says what that looks like in a picture of `size` px.
     pub fn advance(&mut self, clock: f64, size: [u32; 2]) -> Look {
+        let moment = self.playback.advance(clock);
+        self.look(clock, size, moment)
+    }
+
+    /// The same but for what plays: its pose stays as it was last shown.
+    pub fn hold(&mut self, clock: f64, size: [u32; 2]) -> Look {
+        let moment = if self.playback.is_moving() { self.moment } else { self.playback.moment() };
+        self.look(clock, size, moment)
+    }
+
+    fn look(&mut self, clock: f64, size: [u32; 2], moment: Moment) -> Look {
         self.orbit.advance((clock - self.clock).clamp(0.0, LONGEST));
         self.clock = clock;
-        let moment = self.playback.advance(clock);
         if moment != self.moment {
             self.posed = pose(&self.avatar, &self.players, moment);
             self.moment = moment;
@@ -143,6 +158,7 @@ impl Scene {
             | Action::FullScreen
             | Action::LeaveFullScreenOrQuit
             | Action::Screenshot
+            | Action::Capture
             | Action::Overlay
             | Action::Quit => {}
         }

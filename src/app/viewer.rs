@@ -9,11 +9,13 @@ use super::{
     panel::Overlay,
     scene::{Look, Scene},
     screenshot::Savers,
+    steady::Pace,
     taps::Taps,
     times::FrameTimes,
 };
 use crate::{
     avatar::{Avatar, Clip},
+    measure::trace::Trace,
     vulkan::Error,
 };
 use std::{
@@ -53,17 +55,19 @@ pub struct Viewer {
     /// There is no area to draw to, or none of it is seen.
     pub(super) hidden: bool,
     /// The last chance to draw was not used: nothing had changed.
-    resting: bool,
+    pub(super) resting: bool,
     /// When egui wants to be asked again.
     pub(super) wake: Option<Instant>,
     shoot: bool,
     pub(super) savers: Savers,
-    message: Option<String>,
+    pub(super) message: Option<String>,
     times: FrameTimes,
     memory: (f64, u64),
     /// Frames drawn, and their times where they are wanted, ms.
     pub(super) drawn: u32,
     pub(super) measured: Vec<f64>,
+    pub(super) pace: Option<Pace>,
+    pub(super) trace: Option<Trace>,
     pub(super) lost_device: bool,
     pub(super) lost_surfaces: u32,
 }
@@ -96,6 +100,8 @@ impl Viewer {
             memory: (f64::NEG_INFINITY, 0),
             drawn: 0,
             measured: Vec::with_capacity(options.frames.unwrap_or(0).min(1 << 20) as usize),
+            pace: None,
+            trace: None,
             lost_device: false,
             lost_surfaces: 0,
             options,
@@ -109,13 +115,22 @@ impl Viewer {
 
     /// A frame should be drawn as soon as the display takes it.
     pub(super) fn wants_frame(&self) -> bool {
-        self.painter.is_some() && !self.suspended && !self.hidden && (self.dirty || self.scene.is_moving() || self.options.frames.is_some())
+        let early = self.pace.as_ref().and_then(Pace::next).is_some_and(|next| self.clock() < next);
+        self.painter.is_some() && !self.suspended && !self.hidden && !early && (self.dirty || self.scene.is_moving() || self.is_restless())
+    }
+
+    /// Frames are drawn even where nothing changes.
+    fn is_restless(&self) -> bool {
+        self.options.frames.is_some() || self.pace.as_ref().is_some_and(Pace::soaks)
     }
 
     /// When something is to be done without anyone's doing: egui asks for a frame, or a finger has pressed for long.
     pub(super) fn wake_at(&self) -> Option<Instant> {
         let pressed = self.taps.due().map(|due| self.start + Duration::from_secs_f64(due));
-        [self.wake.filter(|_| !self.hidden && !self.suspended), pressed].into_iter().flatten().min()
+        let next = self.pace.as_ref().and_then(Pace::next).filter(|_| self.scene.is_moving());
+        let next = next.map(|due| self.start + Duration::from_secs_f64(due.max(0.0)));
+        let shown = [self.wake, next].map(|due| due.filter(|_| !self.hidden && !self.suspended));
+        shown.into_iter().chain([pressed]).flatten().min()
     }
 
     pub(super) fn gesture(&mut self, gesture: &Gesture) {
@@ -140,6 +155,7 @@ impl Viewer {
             #[cfg(target_os = "android")]
             Action::Share => super::android::share(app(event_loop), self.options.report.clone().unwrap_or_default()),
             Action::Screenshot => self.shoot = true,
+            Action::Capture => self.capture(),
             Action::Overlay => {
                 if let Some(overlay) = &mut self.overlay {
                     overlay.visible = !overlay.visible;
@@ -169,7 +185,7 @@ impl Viewer {
                 Loss::Device => Error::DeviceLost("a rehearsal"),
             });
         }
-        let clock = self.clock();
+        let (clock, restless) = (self.clock(), self.is_restless());
         let (Some(painter), Some(overlay), Some(window)) = (&mut self.painter, &mut self.overlay, &self.window) else { return Ok(()) };
         if cfg!(target_os = "android") {
             // While the activity is paused its window's events are lost.
@@ -183,8 +199,17 @@ impl Viewer {
             self.size = size;
             self.scene.resize(size);
         }
-        let look = self.scene.advance(clock, size);
-        if self.shown == Some(look) && !self.dirty && self.options.frames.is_none() {
+        let mut held = false;
+        if let Some(pace) = &mut self.pace {
+            painter.set_quality(&pace.quality())?;
+            // A held pose is shown once more, for it is showing frames that keeps the display's time.
+            held = pace.holds();
+            if self.resting {
+                pace.rest(clock);
+            }
+        }
+        let look = if held { self.scene.hold(clock, size) } else { self.scene.advance(clock, size) };
+        if self.shown == Some(look) && !self.dirty && !held && !restless {
             self.resting = true;
             return Ok(());
         }
@@ -205,6 +230,11 @@ impl Viewer {
             tracing::info!("the first frame, {clock:.2} s after the avatar was read");
         }
         self.drawn += 1;
+        let (seen, now) = (painter.seen(), self.start.elapsed().as_secs_f64());
+        if self.pace.as_mut().is_some_and(|pace| pace.frame(now, painter, seen)) {
+            painter.look();
+        }
+        self.trace.iter_mut().for_each(|trace| trace.frame(painter.report()));
         if self.options.frames.is_some() {
             self.measured.push(1e3 * (self.start.elapsed().as_secs_f64() - clock));
         }
@@ -213,19 +243,6 @@ impl Viewer {
         if std::mem::take(&mut self.shoot) {
             self.save_screenshot(look.background)?;
         }
-        Ok(())
-    }
-
-    /// Copies the picture; another thread makes a file of it.
-    fn save_screenshot(&mut self, background: [f32; 3]) -> Result<(), Error> {
-        let Some(painter) = &mut self.painter else { return Ok(()) };
-        let copied = painter.copy()?;
-        let proxy = self.proxy.clone();
-        let tell = move |message| {
-            // The window may be closed already; then there is no one left to tell.
-            let _ = proxy.send_event(Message::Say(message));
-        };
-        self.savers.start(move || copied.decode().over(background), (self.options.folders.clone(), tell));
         Ok(())
     }
 }

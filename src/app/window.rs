@@ -179,6 +179,7 @@ impl ApplicationHandler<Message> for Handler {
             }
             WindowEvent::Occluded(hidden) => {
                 self.viewer.hidden = hidden;
+                self.viewer.resting |= hidden;
                 self.viewer.dirty |= !hidden;
             }
             WindowEvent::Focused(true) => self.viewer.hidden = false,

@@ -1,5 +1,7 @@
 //! Two frames in flight: a command buffer, a fence and a query pool each, and what a finished frame says about itself.
 
+pub use super::report::{FrameReport, HostTimes};
+
 use super::{
     device::Gpu,
     error::{During, Result},
@@ -13,39 +15,12 @@ use crate::{
 };
 use ash::vk;
 use gpu_allocator::MemoryLocation;
-use std::sync::Arc;
+use std::{sync::Arc, time::Instant};
 
 /// Frames that may be under way at once.
 pub const SLOTS: usize = 2;
 /// Stages in the order a frame runs them; their names in labels, timestamps, tables and the overlay.
 pub const STAGES: [&str; 8] = ["features", "harmonics", "surface", "splats", "sort", "bins", "raster", "present"];
-
-/// What a finished frame took and drew.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct FrameReport {
-    /// GPU time of each stage that ran, ms. Empty where the device has no timestamps.
-    pub stages: Vec<(&'static str, f64)>,
-    /// When each of them began and ended, in the device's ticks, of which [`super::Probe::timestamp_bits`] count.
-    pub ticks: Vec<[u64; 2]>,
-    /// What went in, what was left out and what was drawn.
-    pub counters: Counters,
-    /// Stages that the frame did not need.
-    pub skipped: Vec<&'static str>,
-}
-
-impl FrameReport {
-    /// Of a frame that needed nothing, and was not submitted.
-    pub fn idle(harmonics: bool) -> Self {
-        let stages =
-            STAGES.into_iter().filter(|&stage| !["present", "surface", "bins"].contains(&stage) && (harmonics || stage != "harmonics"));
-        Self { skipped: stages.collect(), ..Self::default() }
-    }
-
-    /// Sum over the stages, ms.
-    pub fn gpu_ms(&self) -> f64 {
-        self.stages.iter().map(|(_, ms)| ms).sum()
-    }
-}
 
 /// Who counts a frame's fragments.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -75,6 +50,8 @@ pub struct Slot {
     /// Stages with a pair of timestamps in the frame under way.
     marked: Vec<&'static str>,
     skipped: Vec<&'static str>,
+    /// Of the frame under way; it is not finished yet.
+    host: Option<HostTimes>,
     pending: bool,
 }
 
@@ -95,6 +72,7 @@ impl Slot {
             counts,
             marked: Vec::with_capacity(STAGES.len()),
             skipped: Vec::with_capacity(STAGES.len()),
+            host: None,
             pending: false,
         };
         // SAFETY: every structure outlives its call; what was made before a failure is destroyed by `drop`.
@@ -102,19 +80,26 @@ impl Slot {
             let info =
                 vk::CommandPoolCreateInfo::default().queue_family_index(gpu.queue_family).flags(vk::CommandPoolCreateFlags::TRANSIENT);
             slot.pool = gpu.raw.create_command_pool(&info, None).during("vkCreateCommandPool")?;
+            gpu.name(slot.pool, "frame");
             let info = vk::CommandBufferAllocateInfo::default().command_pool(slot.pool).command_buffer_count(1);
             slot.commands = gpu.raw.allocate_command_buffers(&info).during("vkAllocateCommandBuffers")?[0];
+            gpu.name(slot.commands, "frame");
             slot.fence = gpu.raw.create_fence(&vk::FenceCreateInfo::default(), None).during("vkCreateFence")?;
+            gpu.name(slot.fence, "frame done");
             if gpu.probe.timestamp_bits > 0 {
                 let info = vk::QueryPoolCreateInfo::default().query_type(vk::QueryType::TIMESTAMP).query_count(2 * STAGES.len() as u32);
-                slot.queries = Some(gpu.raw.create_query_pool(&info, None).during("vkCreateQueryPool")?);
+                let queries = gpu.raw.create_query_pool(&info, None).during("vkCreateQueryPool")?;
+                gpu.name(queries, "times of stages");
+                slot.queries = Some(queries);
             }
             if gpu.probe.pipeline_statistics {
                 let info = vk::QueryPoolCreateInfo::default()
                     .query_type(vk::QueryType::PIPELINE_STATISTICS)
                     .query_count(1)
                     .pipeline_statistics(vk::QueryPipelineStatisticFlags::FRAGMENT_SHADER_INVOCATIONS);
-                slot.statistics = Some(gpu.raw.create_query_pool(&info, None).during("vkCreateQueryPool")?);
+                let statistics = gpu.raw.create_query_pool(&info, None).during("vkCreateQueryPool")?;
+                gpu.name(statistics, "fragments");
+                slot.statistics = Some(statistics);
             }
         }
         Ok(slot)
@@ -126,6 +111,7 @@ impl Slot {
             return Ok(None);
         }
         self.gpu.wait(self.fence, "a frame")?;
+        let finished = Instant::now();
         self.pending = false;
         let (control, reasons) = self.counts.mapped().split_at(size_of::<Control>());
         let control: Control = bytemuck::pod_read_unaligned(control);
@@ -139,7 +125,8 @@ impl Slot {
             ..self.known
         };
         let (stages, ticks) = self.times()?;
-        Ok(Some(FrameReport { stages, ticks, counters, skipped: self.skipped.clone() }))
+        let host = self.host.map(|host| HostTimes { finished, ..host });
+        Ok(Some(FrameReport { stages, ticks, host, counters, skipped: self.skipped.clone() }))
     }
 
     /// The time of each stage, ms, and when it began and ended, ticks.
@@ -224,6 +211,12 @@ impl Slot {
         unsafe { self.gpu.raw.get_query_pool_results(statistics, 0, &mut count, vk::QueryResultFlags::TYPE_64) }
             .during("vkGetQueryPoolResults")?;
         Ok(Some(count[0]))
+    }
+
+    /// Notes when the host began the frame, got the slot, and had its commands written; it has just submitted them.
+    pub fn timed(&mut self, [began, waited, recorded]: [Instant; 3]) {
+        let submitted = Instant::now();
+        self.host = Some(HostTimes { began, waited, recorded, submitted, finished: submitted });
     }
 
     /// Notes a stage that this frame does not need.

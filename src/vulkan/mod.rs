@@ -4,6 +4,7 @@
 
 pub mod block;
 pub mod cache;
+pub mod calibration;
 mod check;
 pub mod commands;
 pub mod compact;
@@ -17,6 +18,8 @@ pub mod instance;
 mod keeper;
 pub mod memory;
 pub mod model;
+mod module;
+mod name;
 pub mod options;
 mod pack;
 pub mod picture;
@@ -26,6 +29,7 @@ pub mod preset;
 pub mod probe;
 pub mod raster;
 pub mod renderer;
+pub mod report;
 mod scene;
 pub mod screen;
 pub mod shaders;

@@ -6,6 +6,7 @@
 use super::{
     device::Gpu,
     error::{During, Result},
+    module::{ShaderModule, specialization_entries},
     shaders::Module,
 };
 use ash::vk;
@@ -119,6 +120,14 @@ impl Bindings {
         Ok(new)
     }
 
+    /// Names all of it, for GPU profilers.
+    pub fn label(&self, name: &str) {
+        self.gpu.name(self.set_layout, name);
+        self.gpu.name(self.layout, name);
+        self.gpu.name(self.pool, name);
+        self.gpu.name(self.set, name);
+    }
+
     fn write(&self, uniform: Option<Slice>, storage: &[Slice]) {
         let info = |slice: &Slice| [vk::DescriptorBufferInfo { buffer: slice.buffer, offset: slice.offset, range: slice.size }];
         let plain = storage.iter().enumerate().map(|(at, slice)| (at as u32 + 1, vk::DescriptorType::STORAGE_BUFFER, info(slice)));
@@ -171,6 +180,7 @@ impl Kernel {
         bindings: Bindings,
         subgroup: Option<u32>,
     ) -> Result<Self> {
+        bindings.label(module.file);
         let pipeline = compute_pipeline(gpu, module, constants, (bindings.layout, subgroup))?;
         Ok(Self { gpu: gpu.clone(), module, pipeline, bindings })
     }
@@ -251,33 +261,6 @@ fn compute_pipeline(
     let created = unsafe { gpu.raw.create_compute_pipelines(gpu.cache.raw, &[info], None) };
     let pipeline = created.map_err(|(_, result)| result).during("vkCreateComputePipelines")?[0];
     gpu.made(pipeline, module.file, &[module], &constants)
-}
-
-/// A shader module that lives while its pipeline is made.
-pub(super) struct ShaderModule<'a> {
-    gpu: &'a Gpu,
-    pub raw: vk::ShaderModule,
-}
-
-impl<'a> ShaderModule<'a> {
-    pub fn new(gpu: &'a Gpu, module: &'static Module) -> Result<Self> {
-        let code: Vec<u32> = bytemuck::pod_collect_to_vec(module.spirv(gpu.half_storage));
-        let info = vk::ShaderModuleCreateInfo::default().code(&code);
-        // SAFETY: `info` outlives the call; the code is compiled and validated when it is committed.
-        let raw = unsafe { gpu.raw.create_shader_module(&info, None) }.during("vkCreateShaderModule")?;
-        Ok(Self { gpu, raw })
-    }
-}
-
-impl Drop for ShaderModule<'_> {
-    fn drop(&mut self) {
-        // SAFETY: pipelines don't need their modules once they are made.
-        unsafe { self.gpu.raw.destroy_shader_module(self.raw, None) };
-    }
-}
-
-pub(super) fn specialization_entries(constants: &[u32]) -> Vec<vk::SpecializationMapEntry> {
-    (0..constants.len() as u32).map(|id| vk::SpecializationMapEntry { constant_id: id, offset: 4 * id, size: 4 }).collect()
 }
 
 /// What a barrier orders: all earlier work of some stages before all later work of others.

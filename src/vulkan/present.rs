@@ -72,9 +72,20 @@ impl Present {
             let info = vk::DescriptorSetAllocateInfo::default().descriptor_pool(new.pool).set_layouts(&layouts);
             new.set = gpu.raw.allocate_descriptor_sets(&info).during("vkAllocateDescriptorSets")?[0];
         }
+        new.label();
         new.render_pass = render_pass(gpu, format, layout)?;
         new.pipeline = pipeline(gpu, new.render_pass, new.layout)?;
         Ok(new)
+    }
+
+    /// Names what no other function names.
+    fn label(&self) {
+        let (gpu, name) = (&self.gpu, "present");
+        gpu.name(self.sampler, name);
+        gpu.name(self.set_layout, name);
+        gpu.name(self.layout, name);
+        gpu.name(self.pool, name);
+        gpu.name(self.set, name);
     }
 
     /// Shows this picture from now on. No submitted frame may still show another.
@@ -154,7 +165,7 @@ fn render_pass(gpu: &Gpu, format: vk::Format, layout: vk::ImageLayout) -> Result
         .dst_stage_mask(output)
         .dst_access_mask(vk::AccessFlags::COLOR_ATTACHMENT_READ | vk::AccessFlags::COLOR_ATTACHMENT_WRITE)];
     let attachment = Attachment { format, load: vk::AttachmentLoadOp::DONT_CARE, left: Some(layout) };
-    graphics::render_pass(gpu, Some(attachment), None, &dependencies)
+    graphics::render_pass(gpu, "present", Some(attachment), None, &dependencies)
 }
 
 fn pipeline(gpu: &Gpu, render_pass: vk::RenderPass, layout: vk::PipelineLayout) -> Result<vk::Pipeline> {

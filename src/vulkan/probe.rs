@@ -1,6 +1,7 @@
 //! What a device has: limits, features and extensions, and what Effigy makes of them. `effigy devices` prints it.
 
 use super::{
+    calibration::Calibration,
     error::{During, Result},
     instance::Instance,
 };
@@ -190,6 +191,24 @@ impl Probe {
                 "shader statistics",
                 self.shader_statistics,
                 choose(self.shader_statistics, "`effigy devices --shader-stats` prints them", "no way to see what became of shaders"),
+            ),
+            (
+                "calibrated clock",
+                Calibration::extension(self).is_some(),
+                choose(
+                    Calibration::extension(self).is_some(),
+                    "`--trace` aligns both clocks by it",
+                    "`--trace` fits the clocks to each other",
+                ),
+            ),
+            (
+                "performance query",
+                self.has(khr::performance_query::NAME),
+                choose(
+                    self.has(khr::performance_query::NAME),
+                    "profilers read its counters",
+                    "profilers have counters of their own or none",
+                ),
             ),
             (
                 "memory budget",

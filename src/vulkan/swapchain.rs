@@ -191,6 +191,8 @@ impl Swapchain {
                     .format(format)
                     .subresource_range(COLOR);
                 let view = device.create_image_view(&info, None).during("vkCreateImageView")?;
+                self.gpu.name(image, "window");
+                self.gpu.name(view, "window");
                 self.views.push(view);
                 let [width, height] = self.turn.extent(self.size);
                 let views = [view];
@@ -199,9 +201,13 @@ impl Swapchain {
                 self.framebuffers.push(device.create_framebuffer(&info, None).during("vkCreateFramebuffer")?);
                 self.finished.push(device.create_semaphore(&semaphore, None).during("vkCreateSemaphore")?);
             }
+            self.gpu.name(self.raw, "window");
+            self.framebuffers.iter().for_each(|&framebuffer| self.gpu.name(framebuffer, "window"));
+            self.finished.iter().for_each(|&semaphore| self.gpu.name(semaphore, "frame drawn"));
             for _ in 0..=SLOTS {
                 self.acquired.push(device.create_semaphore(&semaphore, None).during("vkCreateSemaphore")?);
             }
+            self.acquired.iter().for_each(|&semaphore| self.gpu.name(semaphore, "image acquired"));
         }
         Ok(())
     }

@@ -9,7 +9,7 @@ mod notice;
 mod panics;
 mod rate;
 
-use super::{Display, Options, scene::BACKGROUND};
+use super::{Display, Options, scene::BACKGROUND, steady::Steady};
 use crate::vulkan::{GpuOptions, RendererOptions, cache};
 pub(super) use java::{back, is_destroyed, share};
 pub(super) use rate::ask as ask_rate;
@@ -59,6 +59,8 @@ fn show(app: &AndroidApp, folders: Vec<PathBuf>, last: Option<panics::Report>) -
         folders,
         said,
         report: last.map(|report| report.text),
+        steady: Some(Steady { rate: None, governed: true, soak: None }),
+        trace: None,
     };
     let (avatar, clips) = first?;
     display.show(avatar, clips, options)

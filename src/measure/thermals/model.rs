@@ -31,7 +31,7 @@ impl Default for Phone {
         Self {
             air: 25.0,
             kelvin_a_watt: 8.0,
-            time_constant: 985.0,
+            time_constant: 1430.0,
             idle: 1.0,
             busy: 5.0,
             limit: 44.9,

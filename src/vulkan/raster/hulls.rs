@@ -61,6 +61,7 @@ impl Hulls {
         let (format, size, depth) = (options.color.unwrap_or(Method::Hulls.color()), options.size, options.skip.contains(Skip::DEPTH));
         let stages = vk::ShaderStageFlags::VERTEX;
         let bindings = Bindings::new(gpu, stages, Some(frame), &inputs)?;
+        bindings.label("raster");
         let quad = |quad: u32| [0, 1, 2, 2, 1, 3].map(|corner| (4 * quad + corner) as u16);
         let indices: Vec<u16> = (0..RASTER_QUADS).flat_map(quad).collect();
         let indices = Buffer::with_data(gpu, "quad indices", bytemuck::cast_slice(&indices), vk::BufferUsageFlags::INDEX_BUFFER)?;
@@ -100,6 +101,7 @@ impl Hulls {
             vk::FramebufferCreateInfo::default().render_pass(render_pass).attachments(&views).width(size[0]).height(size[1]).layers(1);
         // SAFETY: `info` and all it points to outlive the call.
         let framebuffer = unsafe { gpu.raw.create_framebuffer(&info, None) }.during("vkCreateFramebuffer")?;
+        gpu.name(framebuffer, "raster");
         Ok(Target { gpu: gpu.clone(), image, _depth: depth, framebuffer })
     }
 
@@ -199,7 +201,7 @@ fn render_pass(gpu: &Gpu, format: ColorFormat, depth_tested: bool) -> Result<vk:
     ];
     let left = vk::ImageLayout::SHADER_READ_ONLY_OPTIMAL;
     let color = Attachment { format: format.vulkan(), load: vk::AttachmentLoadOp::CLEAR, left: Some(left) };
-    graphics::render_pass(gpu, Some(color), depth_tested.then(|| graphics::depth(None)), &dependencies)
+    graphics::render_pass(gpu, "raster", Some(color), depth_tested.then(|| graphics::depth(None)), &dependencies)
 }
 
 fn pipeline(gpu: &Gpu, render_pass: vk::RenderPass, layout: vk::PipelineLayout, options: &RendererOptions) -> Result<vk::Pipeline> {
