@@ -25,7 +25,7 @@ need 'command -v python3' python3
 need 'command -v readelf' binutils
 rm -rf "$work"; mkdir -p "$work/lib" "$work/assets" "$(dirname "$out")"
 
-tools/apk/libraries.sh "$work/lib" "${targets[@]}"
+tools/apk/libraries.sh $mode "$work/lib" "${targets[@]}"
 
 if [ -n "${ANDROID_HOME:-}" ]; then
   tools_at=$(ls -d "$ANDROID_HOME"/build-tools/*/ | sort -V | tail -n 1)

@@ -86,6 +86,10 @@ impl Viewer {
 
     /// Draws a frame where something has changed. Errors that a new surface or a new device can heal are healed.
     pub(super) fn frame(&mut self, event_loop: &ActiveEventLoop) -> anyhow::Result<()> {
+        // The system's last wish for a frame may come when the window has gone.
+        if self.suspended {
+            return Ok(());
+        }
         let mut wishes = Vec::new();
         match self.draw(&mut wishes) {
             Ok(()) => self.lost_surfaces = 0,

@@ -161,6 +161,7 @@ impl Painter {
 
     /// The window is going away; everything that is not its own stays. The next [`Self::resume`] and fit bring another.
     pub fn suspend(&mut self) -> Result<()> {
+        self.gpu.save_pipelines();
         self.lose_surface()
     }
 

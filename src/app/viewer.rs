@@ -38,7 +38,7 @@ pub struct Viewer {
     pub(super) start: Instant,
     // The painter goes before the window.
     pub(super) painter: Option<Painter>,
-    /// The system has taken the window away for a while.
+    /// There is no window yet, or the system has taken it away for a while.
     pub(super) suspended: bool,
     pub(super) overlay: Option<Overlay>,
     pub(super) window: Option<Arc<Window>>,
@@ -80,7 +80,7 @@ impl Viewer {
             proxy,
             start: Instant::now(),
             painter: None,
-            suspended: false,
+            suspended: true,
             overlay: None,
             window: None,
             pointers: Pointers::default(),
@@ -226,6 +226,9 @@ impl Viewer {
             return Ok(());
         }
         tracing::debug!("frame {} at {clock:.3} s, {} × {}", self.drawn, size[0], size[1]);
+        if self.drawn == 0 {
+            tracing::info!("the first frame, {clock:.2} s after the avatar was read");
+        }
         self.drawn += 1;
         let (seen, now) = (painter.seen(), self.start.elapsed().as_secs_f64());
         if self.pace.as_mut().is_some_and(|pace| pace.frame(now, painter, seen)) {

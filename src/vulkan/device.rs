@@ -134,6 +134,11 @@ impl Gpu {
         (report.total_allocated_bytes, report.total_capacity_bytes)
     }
 
+    /// Writes what the driver has compiled to disk, where something is new: a program that is killed has no later chance.
+    pub fn save_pipelines(&self) {
+        self.cache.save(&self.raw);
+    }
+
     /// Waits for a fence, but not for ever.
     pub fn wait(&self, fence: vk::Fence, what: &'static str) -> Result<()> {
         // SAFETY: the fence is alive and of this device.

@@ -76,6 +76,22 @@ pub fn highest_rate(app: &AndroidApp) -> Option<f32> {
     rate.filter(|&rate| rate > 0.0)
 }
 
+/// Minutes of the soak that the activity was started for: `adb shell am start -n … --ef soak 20`.
+pub fn soak_minutes(app: &AndroidApp) -> Option<f64> {
+    with(app, "reading the intent", |env, activity| {
+        let intent = env.call_method(activity, jni_str!("getIntent"), jni_sig!("()Landroid/content/Intent;"), &[])?.l()?;
+        let name = env.new_string("soak")?;
+        if !env.call_method(&intent, jni_str!("hasExtra"), jni_sig!("(Ljava/lang/String;)Z"), &[JValue::Object(&name)])?.z()? {
+            return Ok(None);
+        }
+        let arguments = [JValue::Object(&name), JValue::Float(20.0)];
+        let minutes = env.call_method(&intent, jni_str!("getFloatExtra"), jni_sig!("(Ljava/lang/String;F)F"), &arguments)?.f()?;
+        Ok(Some(f64::from(minutes)))
+    })
+    .flatten()
+    .filter(|minutes| minutes.is_finite() && *minutes > 0.0)
+}
+
 /// The file that another app wants us to show: the intent that started the activity names it.
 pub fn opened_file(app: &AndroidApp) -> Option<File> {
     with(app, "opening the file of the intent", |env, activity| {

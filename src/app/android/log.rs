@@ -10,7 +10,7 @@ const TAG: &std::ffi::CStr = c"effigy";
 
 /// Sends everything that the program says to the log.
 pub fn start() {
-    let filter = EnvFilter::try_from_default_env().unwrap_or_else(|_| EnvFilter::new("warn,effigy=info"));
+    let filter = EnvFilter::try_from_default_env().unwrap_or_else(|_| EnvFilter::new("warn,winit=error,effigy=info"));
     let lines = tracing_subscriber::fmt().with_env_filter(filter).with_writer(Logcat).with_ansi(false).without_time();
     // A logger that is there already stays.
     let _ = lines.with_level(false).with_target(false).try_init();

@@ -9,8 +9,15 @@ mod notice;
 mod panics;
 mod rate;
 
-use super::{Display, Options, scene::BACKGROUND, steady::Steady};
-use crate::vulkan::{GpuOptions, RendererOptions, cache};
+use super::{
+    Display, Options,
+    scene::BACKGROUND,
+    steady::{Soak, Steady},
+};
+use crate::{
+    measure::soak::verdict::Bounds,
+    vulkan::{GpuOptions, RendererOptions, cache},
+};
 pub(super) use java::{back, is_destroyed, share};
 pub(super) use rate::ask as ask_rate;
 use std::{
@@ -34,8 +41,13 @@ fn android_main(app: AndroidApp) {
     if let Some(folder) = app.internal_data_path() {
         cache::set_folder(folder);
     }
-    if let Err(error) = show(&app, folders, last) {
-        notice::show(&app, &notice::words(&error));
+    match show(&app, folders, last) {
+        Err(error) => notice::show(&app, &notice::words(&error)),
+        Ok(()) if java::is_destroyed(&app) => {}
+        Ok(()) => notice::show(
+            &app,
+            "The soak is over, and nothing was wrong. Its results are in the app's folder: the README says how to get them.",
+        ),
     }
     // What is left is the end of the activity: its destruction waits for this thread, and returns to a system that no longer needs us.
     end();
@@ -48,6 +60,9 @@ fn show(app: &AndroidApp, folders: Vec<PathBuf>, last: Option<panics::Report>) -
     let (first, complaint) = files.first(java::opened_file(app));
     let display = Display::of(app)?;
     let said = last.as_ref().map(panics::Report::summary).or(complaint);
+    let minutes = java::soak_minutes(app);
+    let out = folders.first().map_or_else(|| "soak".into(), |folder| folder.join("soak"));
+    let soak = minutes.map(|minutes| Soak { seconds: 60.0 * minutes, out, bounds: Bounds::default() });
     let options = Options {
         gpu: GpuOptions::headless(None),
         drawing: RendererOptions::new([1; 2]),
@@ -59,7 +74,7 @@ fn show(app: &AndroidApp, folders: Vec<PathBuf>, last: Option<panics::Report>) -
         folders,
         said,
         report: last.map(|report| report.text),
-        steady: Some(Steady { rate: None, governed: true, soak: None }),
+        steady: Some(Steady { rate: java::highest_rate(app).map(f64::from), governed: true, soak }),
         trace: None,
     };
     let (avatar, clips) = first?;

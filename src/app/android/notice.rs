@@ -21,7 +21,7 @@ pub fn words(error: &anyhow::Error) -> String {
     let why = match error.downcast_ref::<Error>() {
         Some(Error::NoLoader(_) | Error::NoDevice) => "This device has no Vulkan driver. Effigy needs Vulkan 1.1.".into(),
         Some(Error::Lacks { device, lacks }) => format!("{device} can't draw it: {lacks}."),
-        _ => format!("{error:#}"),
+        _ => return format!("Effigy has stopped.\n\n{error:#}\n\nThe log has more: adb logcat -s effigy"),
     };
     format!("Effigy can't run here.\n\n{why}\n\nAn update of the system may help. The log has more: adb logcat -s effigy")
 }
