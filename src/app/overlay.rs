@@ -66,27 +66,32 @@ pub fn show(ctx: &egui::Context, facts: &Facts, wishes: &mut Vec<Action>) {
     let height = (ctx.content_rect().height() - 72.0).max(40.0);
     let frame = egui::Frame::window(&ctx.global_style()).fill(Color32::from_black_alpha(205));
     let roomy = ctx.content_rect().width() > 2.5 * WIDTH;
-    egui::Window::new("Effigy").default_pos(Pos2::new(12.0, 12.0)).default_open(roomy).auto_sized().frame(frame).show(ctx, |ui| {
-        egui::ScrollArea::vertical().max_height(height).show(ui, |ui| {
-            ui.set_width(WIDTH);
-            avatar(ui, facts.shelf, wishes);
-            clip(ui, facts.playback, wishes);
-            ui.separator();
-            view(ui, facts, wishes);
-            ui.separator();
-            timing(ui, facts);
-            egui::CollapsingHeader::new("Stages").default_open(true).show(ui, |ui| stages(ui, facts));
-            egui::CollapsingHeader::new("Device").default_open(true).show(ui, |ui| device(ui, facts));
-            egui::CollapsingHeader::new("Keys").show(ui, keys);
-            if let Some(message) = facts.message {
+    egui::Window::new("Effigy")
+        .default_pos(Pos2::new(12.0, 12.0))
+        .default_open(roomy || facts.message.is_some())
+        .auto_sized()
+        .frame(frame)
+        .show(ctx, |ui| {
+            egui::ScrollArea::vertical().max_height(height).show(ui, |ui| {
+                ui.set_width(WIDTH);
+                if facts.report {
+                    button(ui, "Share the crash", "hand what was noted of it to another app", Action::Share, wishes);
+                }
+                avatar(ui, facts.shelf, wishes);
+                clip(ui, facts.playback, wishes);
                 ui.separator();
-                ui.label(message);
-            }
-            if facts.report {
-                button(ui, "Share the crash", "hand what was noted of it to another app", Action::Share, wishes);
-            }
+                view(ui, facts, wishes);
+                ui.separator();
+                timing(ui, facts);
+                egui::CollapsingHeader::new("Stages").default_open(true).show(ui, |ui| stages(ui, facts));
+                egui::CollapsingHeader::new("Device").default_open(true).show(ui, |ui| device(ui, facts));
+                egui::CollapsingHeader::new("Keys").show(ui, keys);
+                if let Some(message) = facts.message {
+                    ui.separator();
+                    ui.label(message);
+                }
+            });
         });
-    });
 }
 
 fn avatar(ui: &mut Ui, shelf: &Shelf, wishes: &mut Vec<Action>) {
