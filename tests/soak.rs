@@ -74,7 +74,7 @@ fn a_rate_out_of_reach_is_told() {
     }
     let folder = tempfile::tempdir().unwrap();
     for (switch, expected) in [("on", "the governor is at its last step: promise less"), ("off", "the governor is off: turn it on")] {
-        let arguments = format!("--minutes 0.1 --fps 1000 --size 64x80 --growth 1000 --no-check --governor {switch} --out {switch}");
+        let arguments = format!("--minutes 0.15 --fps 1000 --size 256x320 --growth 1000 --no-check --governor {switch} --out {switch}");
         let ended = soak(folder.path(), &arguments).output().unwrap();
         assert!(!ended.status.success() && text(&ended).contains(expected), "{}", text(&ended));
         let report = report(folder.path(), &format!("{switch}.json"));
