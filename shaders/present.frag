@@ -1,12 +1,27 @@
-// The picture over the background, pixel by pixel. All colours are display-referred, and so is the window's format.
+// The picture over the background, pixel by pixel, or stretched where the screen has more of them. All colours are display-referred, and so
+// is the screen's format.
 #version 450
-layout(set = 0, binding = 0) uniform sampler2D picture;
-layout(push_constant) uniform Background {
+layout(set = 0, binding = 0) uniform sampler2D image;
+layout(push_constant) uniform Screen {
     vec4 background;
+    // From a point of the screen's image to one of the screen as it is seen, columns first: a display may be mounted another way round.
+    vec4 turn;
+    vec2 origin;
+    // Width and height, px: of the picture, in the image's upper left corner, and of the screen as it is seen.
+    vec2 picture;
+    vec2 screen;
 };
 layout(location = 0) out vec4 result;
 
 void main() {
-    vec4 color = texelFetch(picture, ivec2(gl_FragCoord.xy), 0);
+    vec2 seen = mat2(turn.xy, turn.zw) * gl_FragCoord.xy + origin;
+    vec4 color;
+    if (picture == screen) {
+        color = texelFetch(image, ivec2(seen), 0);
+    } else {
+        // Half a pixel from the picture's edge on, what is outside it would be mixed in.
+        vec2 at = clamp(seen * picture / screen, vec2(0.5), picture - 0.5);
+        color = textureLod(image, at / vec2(textureSize(image, 0)), 0.0);
+    }
     result = vec4(color.rgb + (1.0 - color.a) * background.rgb, 1.0);
 }

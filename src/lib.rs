@@ -26,6 +26,7 @@
 pub mod app;
 pub mod avatar;
 pub mod bake;
+#[cfg(not(target_os = "android"))]
 pub mod cli;
 pub mod demo;
 pub mod frame;

@@ -4,6 +4,7 @@
 
 pub mod block;
 pub mod cache;
+pub mod calibration;
 mod check;
 pub mod commands;
 pub mod compact;
@@ -17,6 +18,8 @@ pub mod instance;
 mod keeper;
 pub mod memory;
 pub mod model;
+mod module;
+mod name;
 pub mod options;
 mod pack;
 pub mod picture;
@@ -26,7 +29,9 @@ pub mod preset;
 pub mod probe;
 pub mod raster;
 pub mod renderer;
+pub mod report;
 mod scene;
+pub mod screen;
 pub mod shaders;
 pub mod sort;
 pub mod splats;
@@ -34,6 +39,8 @@ pub mod statistics;
 pub mod surface;
 #[cfg(feature = "window")]
 pub mod swapchain;
+pub mod turn;
+pub mod watch;
 
 pub use device::{Gpu, GpuOptions};
 pub use error::{Error, Result};

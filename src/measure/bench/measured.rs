@@ -9,7 +9,10 @@ use super::{
 };
 use crate::{
     avatar::Avatar,
-    measure::bytes::{self, Seen, Work},
+    measure::{
+        bytes::{self, Seen, Work},
+        trace::Trace,
+    },
     vulkan::{
         Gpu, Result,
         commands::{FrameReport, STAGES},
@@ -17,13 +20,20 @@ use crate::{
 };
 use std::{collections::BTreeMap, sync::Arc};
 
-/// Measures a case.
-pub fn case(gpu: &Arc<Gpu>, task: &Task, setting: &Setting, case: Case, progress: Progress) -> Result<CaseReport> {
+/// Measures a case. `trace` takes in the frames that are timed.
+pub fn case(
+    gpu: &Arc<Gpu>,
+    task: &Task,
+    (setting, case): (&Setting, Case),
+    trace: Option<&mut Trace>,
+    progress: Progress,
+) -> Result<CaseReport> {
     let setting = &setting.of(case);
     let scenes = scene::scenes(case, &task.set(setting));
     let avatar = setting.fit(task.avatar);
     let mut drawer = Drawer::new(gpu, &avatar, setting, case, false)?;
     let samples = run::time(&mut drawer, &scenes, task.warm_up, |done| progress(&format!("{case}: timing"), done, scenes.len()))?;
+    trace.into_iter().for_each(|trace| samples.reports.iter().for_each(|report| trace.frame(report)));
     let (used, reserved) = gpu.memory();
     let cost = Cost { used, reserved, timed: gpu.probe.timestamp_bits > 0, surface: drawer.surface() };
     let numbers = scene::checks(case, scenes.len(), task.checked);
@@ -177,6 +187,7 @@ mod tests {
             stages: ran.map(|stage| (stage, drawn as f64)).collect(),
             counters: Counters { drawn, fragments, submitted: 1, ..Counters::default() },
             skipped: skipped.to_vec(),
+            ..FrameReport::default()
         }
     }
 

@@ -60,24 +60,10 @@ impl<'a> Task<'a> {
 
     /// A report without any case yet. `command` is the command line.
     pub fn report(&self, gpu: &Gpu, setting: &Setting, command: Vec<String>) -> Report {
-        let version = gpu.probe.api_version;
-        let part = |shift: u32, mask: u32| version >> shift & mask;
         Report {
             schema: SCHEMA.to_owned(),
-            program: Program {
-                version: env!("CARGO_PKG_VERSION").to_owned(),
-                commit: option_env!("EFFIGY_COMMIT").map(str::to_owned),
-                date: humantime::format_rfc3339_seconds(std::time::SystemTime::now()).to_string(),
-                command,
-            },
-            device: Device {
-                name: gpu.probe.name.clone(),
-                driver: gpu.probe.driver.clone(),
-                vulkan: format!("{}.{}.{}", part(22, 0x7f), part(12, 0x3ff), part(0, 0xfff)),
-                half_storage: gpu.half_storage,
-                subgroup_size: gpu.probe.subgroup_size,
-                timestamps: gpu.probe.timestamp_bits > 0,
-            },
+            program: program(command),
+            device: device(gpu),
             avatar: subject(self.avatar, self.player),
             size: setting.options.size,
             options: options(setting),
@@ -87,7 +73,30 @@ impl<'a> Task<'a> {
     }
 }
 
-fn subject(avatar: &Avatar, player: &Player) -> Subject {
+/// This program. `command` is the command line.
+pub(super) fn program(command: Vec<String>) -> Program {
+    Program {
+        version: env!("CARGO_PKG_VERSION").to_owned(),
+        commit: option_env!("EFFIGY_COMMIT").map(str::to_owned),
+        date: humantime::format_rfc3339_seconds(std::time::SystemTime::now()).to_string(),
+        command,
+    }
+}
+
+pub(super) fn device(gpu: &Gpu) -> Device {
+    let version = gpu.probe.api_version;
+    let part = |shift: u32, mask: u32| version >> shift & mask;
+    Device {
+        name: gpu.probe.name.clone(),
+        driver: gpu.probe.driver.clone(),
+        vulkan: format!("{}.{}.{}", part(22, 0x7f), part(12, 0x3ff), part(0, 0xfff)),
+        half_storage: gpu.half_storage,
+        subgroup_size: gpu.probe.subgroup_size,
+        timestamps: gpu.probe.timestamp_bits > 0,
+    }
+}
+
+pub(super) fn subject(avatar: &Avatar, player: &Player) -> Subject {
     Subject {
         name: avatar.name.clone(),
         clip: player.clip().name.clone(),
@@ -98,7 +107,7 @@ fn subject(avatar: &Avatar, player: &Player) -> Subject {
     }
 }
 
-fn options(setting: &Setting) -> Options {
+pub(super) fn options(setting: &Setting) -> Options {
     let options = &setting.options;
     Options {
         color: format!("{:?}", options.color.unwrap_or_default()).to_lowercase(),

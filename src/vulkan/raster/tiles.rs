@@ -51,6 +51,8 @@ pub struct Tiles {
     buffer: Buffer,
     format: ColorFormat,
     image: Image,
+    /// The part of the image that is drawn, from its upper left corner, px.
+    drawn: [u32; 2],
 }
 
 impl Tiles {
@@ -70,18 +72,20 @@ impl Tiles {
             (Variant::Together, ColorFormat::Rgba8) => &shaders::RASTER_TOGETHER_RGBA8,
             (Variant::Together, ColorFormat::Rgba16F) => &shaders::RASTER_TOGETHER_RGBA16F,
         };
-        let full = if options.skip.contains(Skip::FULL) { options.cutoff as f32 } else { 0.0 };
-        let constants = [(options.cutoff as f32).to_bits(), full.to_bits(), options.count.into()];
         let storage = [splats, control, (&buffer).into()];
         let bindings = Bindings::with_image(gpu, Some(frame), &storage, BoundImage::Written)?;
-        let raster = Kernel::with_subgroups(gpu, module, &constants, bindings, full_subgroups(gpu))?;
+        let raster = Kernel::with_subgroups(gpu, module, &constants(options), bindings, full_subgroups(gpu))?;
         let image = picture(gpu, color, options.size)?;
         raster.set_image(vk::Sampler::null(), image.view);
-        Ok(Self { gpu: gpu.clone(), bins, raster, buffer, format: color, image })
+        Ok(Self { gpu: gpu.clone(), bins, raster, buffer, format: color, image, drawn: options.size })
     }
 
     pub fn image(&self) -> &Image {
         &self.image
+    }
+
+    pub fn drawn(&self) -> [u32; 2] {
+        self.drawn
     }
 
     pub fn format(&self) -> ColorFormat {
@@ -113,7 +117,17 @@ impl Tiles {
     pub fn resize(&mut self, size: [u32; 2]) -> Result<()> {
         self.image = picture(&self.gpu, self.format, size)?;
         self.raster.set_image(vk::Sampler::null(), self.image.view);
+        self.drawn = size;
         Ok(())
+    }
+
+    pub fn draw_within(&mut self, size: [u32; 2]) {
+        self.drawn = size;
+    }
+
+    /// Changes the cutoff to that of `options`, which are otherwise those that it was made with. No submitted frame may still draw.
+    pub fn set_cutoff(&mut self, options: &RendererOptions) -> Result<()> {
+        self.raster.specialize(&constants(options), full_subgroups(&self.gpu))
     }
 
     /// Notes which splats meet which tile. Reads what the sort left; a transfer and compute.
@@ -132,7 +146,7 @@ impl Tiles {
         let compute = (PipelineStageFlags::COMPUTE_SHADER, AccessFlags::SHADER_WRITE);
         let readers = PipelineStageFlags::FRAGMENT_SHADER | PipelineStageFlags::TRANSFER;
         self.hand_over(commands, [(readers, AccessFlags::empty()), compute], [ImageLayout::UNDEFINED, ImageLayout::GENERAL]);
-        self.raster.dispatch_2d(commands, frame, self.image.size.map(|side| side.div_ceil(RASTER_REGION)));
+        self.raster.dispatch_2d(commands, frame, self.drawn.map(|side| side.div_ceil(RASTER_REGION)));
         let readers = (readers, AccessFlags::SHADER_READ | AccessFlags::TRANSFER_READ);
         self.hand_over(commands, [compute, readers], [ImageLayout::GENERAL, ImageLayout::SHADER_READ_ONLY_OPTIMAL]);
     }
@@ -150,6 +164,12 @@ impl Tiles {
         // SAFETY: the command buffer is recording, the image is alive and in the layout it is said to be in.
         unsafe { self.gpu.raw.cmd_pipeline_barrier(commands, from.0, to.0, vk::DependencyFlags::empty(), &[], &[], &[barrier]) };
     }
+}
+
+/// Of the raster kernel: the cutoff, what is left where a pixel counts as full, and whether to count.
+fn constants(options: &RendererOptions) -> [u32; 3] {
+    let full = if options.skip.contains(Skip::FULL) { options.cutoff as f32 } else { 0.0 };
+    [(options.cutoff as f32).to_bits(), full.to_bits(), options.count.into()]
 }
 
 /// What the kernel is compiled as.
