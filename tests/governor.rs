@@ -130,6 +130,44 @@ fn a_load_between_two_rungs_settles() {
     }
 }
 
+/// Headroom as systems report it, whatever the governor does: smooth, in coarse steps, with noise, with readings that are missing.
+#[test]
+fn headroom_is_followed_down_and_up_however_it_is_reported() {
+    /// Warms for ten minutes, stays hot for five, cools for five, stays cool.
+    fn curve(at: f64) -> f64 {
+        match at {
+            at if at < 600.0 => 0.5 + 0.6 * at / 600.0,
+            at if at < 900.0 => 1.1,
+            at if at < 1200.0 => 1.1 - 0.7 * (at - 900.0) / 300.0,
+            _ => 0.4,
+        }
+    }
+    let noise = |at: f64| 0.03 * (((at * 7.3).sin() * 43_758.5).fract());
+    let reports: [(&str, &dyn Fn(f64) -> f64); 4] = [
+        ("smooth", &curve),
+        ("coarse", &|at| (curve(at) * 20.0).floor() / 20.0),
+        ("noisy", &|at| curve(at) + noise(at)),
+        ("missing", &|at| if (at as u64).is_multiple_of(3) { curve(at) } else { f64::NAN }),
+    ];
+    for (name, report) in reports {
+        let mut governor = Governor::new(RATE);
+        let mut run = Run::default();
+        for second in 0..3600 {
+            let at = f64::from(second);
+            let before = governor.rung();
+            drive(&mut governor, 1, at, Some(5.0), 0, Some(report(at)));
+            if governor.rung() != before {
+                run.steps.push((at, governor.rung()));
+            }
+        }
+        let downs: Vec<f64> = run.steps.windows(2).filter(|pair| pair[1].1 > pair[0].1).map(|pair| pair[1].0 - pair[0].0).collect();
+        let lowest = governor.ladder().lowest();
+        assert!(run.steps.first().is_some_and(|step| (300.0..560.0).contains(&step.0)), "{name}: {run:?}");
+        assert!(run.rung_at(890.0) == lowest && downs.iter().all(|wait| *wait >= 14.0), "{name}: steps for heat come too fast: {run:?}");
+        assert!(governor.rung() == 0 && run.turns() <= 3, "{name}: {run:?}");
+    }
+}
+
 /// Frames of a second each: time, busy and dropped as given.
 fn drive(governor: &mut Governor, seconds: usize, from: f64, busy: Option<f64>, dropped: u32, headroom: Option<f64>) -> Vec<usize> {
     let mut rungs = Vec::new();

@@ -18,6 +18,12 @@ use std::{
 
 const SMALL: &str = "--size 64x80 --late 100 --growth 1000";
 
+/// A soak of a small avatar in a folder.
+fn soak(folder: &Path, arguments: &str) -> Command {
+    common::small_files(folder);
+    effigy(folder, &format!("soak small.avatar --motion small.motion {arguments}"))
+}
+
 fn effigy(folder: &Path, arguments: &str) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_effigy"));
     command.args(arguments.split_whitespace()).current_dir(folder);
@@ -38,9 +44,9 @@ fn a_short_soak_writes_all_its_files_and_they_compare() {
         return;
     }
     let folder = tempfile::tempdir().unwrap();
-    let soak = effigy(folder.path(), &format!("soak --minutes 0.1 --fps 5 {SMALL} --out a")).output().unwrap();
-    let said = text(&soak);
-    assert!(soak.status.success() && !said.contains("validation:"), "{said}");
+    let ended = soak(folder.path(), &format!("--minutes 0.1 --fps 5 {SMALL} --out a")).output().unwrap();
+    let said = text(&ended);
+    assert!(ended.status.success() && !said.contains("validation:"), "{said}");
     let report = report(folder.path(), "a.json");
     assert!(report.each.len() >= 4 && report.frames > 4 && report.faults.is_empty(), "{said}");
     assert!(report.lasted_seconds >= 5.9 && report.pictures > 0 && report.broken_pixels == 0 && report.empty_pictures == 0, "{said}");
@@ -54,8 +60,7 @@ fn a_short_soak_writes_all_its_files_and_they_compare() {
     let compared = effigy(folder.path(), "soak --compare a.json a.json").output().unwrap();
     assert!(compared.status.success() && text(&compared).contains("dropped_share"), "{}", text(&compared));
     // What it recorded can be played back to the governor; this machine may have recorded nothing.
-    let replayed =
-        effigy(folder.path(), &format!("soak --minutes 0.02 --fps 5 --no-check {SMALL} --replay-heat a.csv --out b")).output().unwrap();
+    let replayed = soak(folder.path(), &format!("--minutes 0.02 --fps 5 --no-check {SMALL} --replay-heat a.csv --out b")).output().unwrap();
     let hot = report.each.iter().any(|second| second.headroom.is_some());
     assert_eq!(replayed.status.success(), hot, "{}", text(&replayed));
     assert!(hot || text(&replayed).contains("a.csv can't be replayed: it has no reading of headroom"), "{}", text(&replayed));
@@ -69,9 +74,9 @@ fn a_rate_out_of_reach_is_told() {
     }
     let folder = tempfile::tempdir().unwrap();
     for (switch, expected) in [("on", "the governor is at its last step: promise less"), ("off", "the governor is off: turn it on")] {
-        let arguments = format!("soak --minutes 0.1 --fps 1000 --size 64x80 --growth 1000 --no-check --governor {switch} --out {switch}");
-        let soak = effigy(folder.path(), &arguments).output().unwrap();
-        assert!(!soak.status.success() && text(&soak).contains(expected), "{}", text(&soak));
+        let arguments = format!("--minutes 0.1 --fps 1000 --size 64x80 --growth 1000 --no-check --governor {switch} --out {switch}");
+        let ended = soak(folder.path(), &arguments).output().unwrap();
+        assert!(!ended.status.success() && text(&ended).contains(expected), "{}", text(&ended));
         let report = report(folder.path(), &format!("{switch}.json"));
         assert_eq!((report.lowest_rung == report.ladder.len() - 1, report.faults.len()), (switch == "on", 1), "{:?}", report.faults);
     }
@@ -85,9 +90,9 @@ fn simulated_heat_slows_frames_and_the_governor_gives_way() {
     }
     let folder = tempfile::tempdir().unwrap();
     let rate = 2;
-    let arguments = format!("soak --minutes 0.1 --fps {rate} {SMALL} --no-check --simulate-heat --out hot");
-    let soak = effigy(folder.path(), &arguments).output().unwrap();
-    assert!(soak.status.success(), "{}", text(&soak));
+    let arguments = format!("--minutes 0.1 --fps {rate} {SMALL} --no-check --simulate-heat --out hot");
+    let ended = soak(folder.path(), &arguments).output().unwrap();
+    assert!(ended.status.success(), "{}", text(&ended));
     let report = report(folder.path(), "hot.json");
     let headroom: Vec<f64> = report.each.iter().filter_map(|second| second.headroom).collect();
     let clocks: Vec<f64> = report.each.iter().filter_map(|second| second.clock).collect();
@@ -106,11 +111,8 @@ fn an_interrupted_soak_keeps_its_results() {
         return;
     }
     let folder = tempfile::tempdir().unwrap();
-    let mut child = effigy(folder.path(), &format!("soak --minutes 100 --fps 5 {SMALL}"))
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap();
+    let mut child =
+        soak(folder.path(), &format!("--minutes 100 --fps 5 {SMALL}")).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
     let mut said = BufReader::new(child.stdout.take().unwrap());
     let mut first = String::new();
     said.read_line(&mut first).unwrap();

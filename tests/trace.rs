@@ -8,6 +8,7 @@ use std::{collections::BTreeMap, fs, path::Path, process::Command};
 
 /// Runs the program, and reads the trace that it writes.
 fn trace(folder: &Path, arguments: &str) -> Value {
+    common::small_files(folder);
     let output = Command::new(env!("CARGO_BIN_EXE_effigy"))
         .args(arguments.split_whitespace())
         .args(["--trace", "trace.json"])
@@ -71,7 +72,7 @@ fn check(trace: &Value, least: usize) {
     let within = said["alignment_within_us"].as_f64().unwrap();
     println!("{}: within {within} us, {} frames", said["alignment"], device.len());
     assert!(track.iter().any(|slice| slice.0 == "splats") && track.iter().any(|slice| slice.0 == "raster"));
-    // Calibrated clocks are read at once; fitted ones are known to what a frame's submission takes on a busy machine.
+    // Calibrated clocks are read at once; others to what a submission takes on a busy machine.
     let bound = if said["alignment"] == "calibrated timestamps" { 1000.0 } else { 50_000.0 };
     assert!((0.0..bound).contains(&within), "{said}");
     let begins: BTreeMap<_, _> = host.iter().map(|frame| (&frame.0, frame)).collect();
@@ -95,7 +96,7 @@ fn a_benchmarks_trace_has_every_frame_on_both_tracks() {
         return;
     }
     let folder = tempfile::tempdir().unwrap();
-    check(&trace(folder.path(), "bench --size 96x128 --frames 12 --warm-up 1 --check 0"), 12);
+    check(&trace(folder.path(), "bench small.avatar --motion small.motion --size 96x128 --frames 12 --warm-up 1 --check 0"), 12);
 }
 
 #[test]
@@ -104,8 +105,11 @@ fn a_soaks_trace_has_frames_and_the_governors_steps() {
         return;
     }
     let folder = tempfile::tempdir().unwrap();
-    let trace = trace(folder.path(), "soak --minutes 0.05 --fps 4 --late 100 --growth 1000 --no-check --size 64x80");
-    check(&trace, 8);
+    let trace = trace(
+        folder.path(),
+        "soak small.avatar --motion small.motion --minutes 0.05 --fps 4 --late 100 --growth 1000 --no-check --size 64x80",
+    );
+    check(&trace, 5);
     let counters = trace["traceEvents"].as_array().unwrap().iter().filter(|event| event["ph"] == "C" && event["name"] == "governor's step");
     assert!(counters.count() >= 2);
 }

@@ -12,7 +12,7 @@ use crate::{
             run,
             verdict::{self, Bounds},
         },
-        thermals::{System, Thermals},
+        thermals::Thermals,
     },
     vulkan::watch::Seen,
 };
@@ -62,7 +62,7 @@ impl Pace {
         let seconds = options.soak.as_ref().map_or(f64::INFINITY, |soak| soak.seconds);
         Self {
             session: Session::new(Settings { rate, governed: options.governed, seconds }),
-            thermals: Thermals::System(Box::new(System::new())),
+            thermals: Thermals::System(Box::default()),
             hints: thread().and_then(|thread| Hints::open(&[thread], Duration::from_secs_f64(1.0 / rate))),
             soak: options.soak.clone(),
             held: 0,

@@ -9,7 +9,7 @@ use crate::{
     measure::{
         bench::Setting,
         soak::{self, Report, Session, Settings, Task, compare, files, verdict::Bounds},
-        thermals::{Phone, Recorded, Simulated, System, Thermals},
+        thermals::{Phone, Recorded, Simulated, Thermals},
         trace::Trace,
     },
     vulkan::Gpu,
@@ -111,7 +111,7 @@ fn thermals(args: &Args, rate: f64) -> anyhow::Result<Thermals> {
             let recorded = Recorded::read(&text).map_err(anyhow::Error::msg);
             Thermals::Recorded(recorded.with_context(|| format!("{} can't be replayed", path.display()))?)
         }
-        None => Thermals::System(Box::new(System::new())),
+        None => Thermals::System(Box::default()),
     })
 }
 

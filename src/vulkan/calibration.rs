@@ -1,6 +1,12 @@
-//! What the device's clock says at a moment of the host's, where the driver has calibrated timestamps.
+//! What the device's clock says at a moment of the host's: by calibrated timestamps where the driver has them, else by a timestamp that is
+//! submitted alone and waited for.
 
-use super::{device::Gpu, instance::Instance, probe::Probe};
+use super::{
+    device::Gpu,
+    error::{During, Result},
+    instance::Instance,
+    probe::Probe,
+};
 use ash::{ext, khr, vk};
 use std::{
     ffi::CStr,
@@ -18,6 +24,8 @@ pub struct Moment {
     pub tick: u64,
     /// How far the two may be apart.
     pub within: Duration,
+    /// Whether the driver has read both clocks at once.
+    pub calibrated: bool,
 }
 
 /// The extension under either of its names.
@@ -65,15 +73,52 @@ impl Calibration {
 }
 
 impl Gpu {
-    /// Reads both clocks. None where the driver can't.
+    /// Reads both clocks. Without calibrated timestamps the queue should be idle, or it takes as long as what is under way. None where the
+    /// device has no timestamps.
     pub fn moment(&self) -> Option<Moment> {
-        let calibration = self.calibration.as_ref()?;
-        let read = || {
+        if self.probe.timestamp_bits == 0 {
+            return None;
+        }
+        match &self.calibration {
+            Some(calibration) => self.nearest(true, || calibration.tick()),
+            None => self.submitted().inspect_err(|error| tracing::debug!("the device's clock can't be read: {error}")).ok()?,
+        }
+    }
+
+    /// The best of some readings.
+    fn nearest(&self, calibrated: bool, mut tick: impl FnMut() -> Option<u64>) -> Option<Moment> {
+        let mut read = || {
             let before = Instant::now();
-            let tick = calibration.tick()?;
+            let tick = tick()?;
             let within = before.elapsed() / 2;
-            Some(Moment { host: before + within, tick: tick & self.probe.tick_mask(), within })
+            Some(Moment { host: before + within, tick: tick & self.probe.tick_mask(), within, calibrated })
         };
         (0..TRIES).filter_map(|_| read()).min_by_key(|moment| moment.within)
+    }
+
+    /// Has the device write its clock, and waits for that.
+    fn submitted(&self) -> Result<Option<Moment>> {
+        let device = &self.raw;
+        let info = vk::QueryPoolCreateInfo::default().query_type(vk::QueryType::TIMESTAMP).query_count(1);
+        // SAFETY: `info` outlives the call.
+        let pool = unsafe { device.create_query_pool(&info, None) }.during("vkCreateQueryPool")?;
+        self.name(pool, "clock");
+        let mut failed = Ok(());
+        let moment = self.nearest(false, || {
+            // SAFETY: the command buffer is recording; the pool is alive, and `run` waits.
+            failed = self.run("reading the device's clock", |commands| unsafe {
+                device.cmd_reset_query_pool(commands, pool, 0, 1);
+                device.cmd_write_timestamp(commands, vk::PipelineStageFlags::BOTTOM_OF_PIPE, pool, 0);
+            });
+            let mut tick = [0u64];
+            // SAFETY: the query was written, or the call says that it is not ready.
+            let read = unsafe { device.get_query_pool_results(pool, 0, &mut tick, vk::QueryResultFlags::TYPE_64) };
+            (failed.is_ok() && read.is_ok()).then_some(tick[0])
+        });
+        if !matches!(failed, Err(super::Error::Timeout { .. })) {
+            // SAFETY: nothing uses it any more: what was submitted is done.
+            unsafe { device.destroy_query_pool(pool, None) };
+        }
+        failed.map(|()| moment)
     }
 }

@@ -22,6 +22,9 @@ pub const SLOTS: usize = 2;
 /// Stages in the order a frame runs them; their names in labels, timestamps, tables and the overlay.
 pub const STAGES: [&str; 8] = ["features", "harmonics", "surface", "splats", "sort", "bins", "raster", "present"];
 
+/// [`FrameReport::stages`] and [`FrameReport::ticks`].
+type Times = (Vec<(&'static str, f64)>, Vec<[u64; 2]>);
+
 /// Who counts a frame's fragments.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Counted {
@@ -130,7 +133,7 @@ impl Slot {
     }
 
     /// The time of each stage, ms, and when it began and ended, ticks.
-    fn times(&self) -> Result<(Vec<(&'static str, f64)>, Vec<[u64; 2]>)> {
+    fn times(&self) -> Result<Times> {
         let (Some(queries), false) = (self.queries, self.marked.is_empty()) else { return Ok(Default::default()) };
         let mut ticks = [0u64; 2 * STAGES.len()];
         let ticks = &mut ticks[..2 * self.marked.len()];

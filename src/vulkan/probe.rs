@@ -198,7 +198,7 @@ impl Probe {
                 choose(
                     Calibration::extension(self).is_some(),
                     "`--trace` aligns both clocks by it",
-                    "`--trace` fits the clocks to each other",
+                    "`--trace` aligns both clocks by timestamps that it waits for",
                 ),
             ),
             (

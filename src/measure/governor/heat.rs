@@ -4,6 +4,8 @@ use std::collections::VecDeque;
 
 /// Readings further back than this are forgotten, seconds.
 const SPAN: f64 = 20.0;
+/// A slope over less is mostly noise, seconds.
+const SHORT: f64 = 8.0;
 /// How far ahead to look, seconds.
 const AHEAD: f64 = 20.0;
 
@@ -30,10 +32,11 @@ impl Heat {
         self.readings.back().filter(|&&(at, _)| seconds - at <= SPAN).map(|&(_, headroom)| headroom)
     }
 
-    /// Change a second, by least squares. 0 of fewer than three readings.
+    /// Change a second, by least squares. 0 of readings too few or too near each other.
     pub fn slope(&self) -> f64 {
         let count = self.readings.len() as f64;
-        if self.readings.len() < 3 {
+        let span = self.readings.back().zip(self.readings.front()).map_or(0.0, |(last, first)| last.0 - first.0);
+        if self.readings.len() < 3 || span < SHORT {
             return 0.0;
         }
         let mean = |of: fn(&(f64, f64)) -> f64| self.readings.iter().map(of).sum::<f64>() / count;

@@ -27,7 +27,7 @@ const CLIMB: f64 = 0.9;
 /// Headroom from which on to step down, as it is or as it soon will be, and below which to climb.
 const HOT: f64 = 0.95;
 const COOL: f64 = 0.8;
-/// Between two steps down for heat, seconds: it takes that long to see what the first has done.
+/// After any step, until one down for heat, seconds: it takes that long to see what the first has done.
 const HEAT_DWELL: f64 = 15.0;
 /// Calm before a climb, seconds: at first, and at most.
 const CALM: [f64; 2] = [10.0, 600.0];
@@ -81,7 +81,8 @@ pub struct Governor {
     calm: Option<f64>,
     wait: f64,
     climbed: Option<f64>,
-    cooled: f64,
+    /// When the rung was changed last, seconds.
+    changed: f64,
 }
 
 impl Governor {
@@ -97,7 +98,7 @@ impl Governor {
             calm: None,
             wait: CALM[0],
             climbed: None,
-            cooled: f64::NEG_INFINITY,
+            changed: f64::NEG_INFINITY,
         }
     }
 
@@ -157,7 +158,7 @@ impl Governor {
         let (headroom, soon) = (self.heat.now(now), self.heat.soon(now));
         let heats = headroom.is_some_and(|now| now >= 1.0) && self.heat.slope() >= 0.0
             || soon.is_some_and(|soon| soon >= HOT) && self.heat.slope() > 0.0;
-        if heats && now - self.cooled >= HEAT_DWELL {
+        if heats && now - self.changed >= HEAT_DWELL {
             return self.step_down(1, Reason::Heat, now);
         }
         let cool = headroom.is_none_or(|headroom| headroom <= COOL) && soon.is_none_or(|soon| soon <= COOL);
@@ -200,22 +201,19 @@ impl Governor {
         if self.climbed.take().is_some_and(|climbed| now - climbed <= within) {
             self.wait = (2.0 * self.wait).min(CALM[1]);
         }
-        if reason == Reason::Heat {
-            self.cooled = now;
-        }
-        self.change(to);
+        self.change(to, now);
         true
     }
 
     fn climb(&mut self, now: f64) -> bool {
         self.climbed = Some(now);
         self.calm = None;
-        self.change(self.rung - 1);
+        self.change(self.rung - 1, now);
         true
     }
 
-    fn change(&mut self, to: usize) {
-        self.rung = to;
+    fn change(&mut self, to: usize, now: f64) {
+        (self.rung, self.changed) = (to, now);
         self.settling = SETTLE;
         self.heat.changed();
     }

@@ -221,7 +221,7 @@ mod tests {
         let (each, totals) = (session.each(), session.totals());
         assert_eq!((each.len(), totals.late, totals.dropped, totals.changes), (10, 0, 0, 0));
         assert!(each.iter().all(|second| (99.0..101.0).contains(&second.fps) && (second.frame_ms_p99 - 10.0).abs() < 1e-6), "{each:?}");
-        assert!((each[9].seconds - 10.0).abs() < 0.02 && each[9].busy_ms == Some(5.0) && each[9].resident_bytes == Some(2));
+        assert!((each[9].seconds - 10.0).abs() < 0.2 && each[9].busy_ms == Some(5.0) && each[9].resident_bytes == Some(2));
     }
 
     #[test]

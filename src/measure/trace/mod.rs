@@ -1,7 +1,7 @@
 //! Timelines of host and device on one clock: frames' reports go in, a file that Perfetto and Chrome's tracer show comes out.
 //!
-//! The device's clock is put on the host's by calibrated timestamps where the driver has them, else by what must have come before what;
-//! the file says which, and how far off it may be ([`align`]). [`event`] is the format.
+//! The device's clock is put on the host's by calibrated timestamps where the driver has them, else by timestamps that are waited for, at the
+//! start and the end; the file says which, and how far off it may be ([`align`]). [`event`] is the format.
 
 pub mod align;
 mod event;
@@ -11,7 +11,7 @@ use crate::vulkan::{
     calibration::Moment,
     commands::{FrameReport, HostTimes},
 };
-use align::{Alignment, Bracket, Clock, since};
+use align::{Alignment, Clock, since};
 use event::{DEVICE, Event, HOST};
 use serde_json::json;
 use std::{collections::VecDeque, fs, io, path::Path, time::Instant};
@@ -68,10 +68,8 @@ impl Trace {
     pub fn json(&self, gpu: &Gpu) -> serde_json::Value {
         let probe = &gpu.probe;
         let clock = Clock { mask: probe.tick_mask(), period: f64::from(probe.limits.timestamp_period) };
-        let alignment = match (self.first, gpu.moment()) {
-            (Some(first), Some(last)) => Some(Alignment::calibrated(clock, self.start, [first, last])),
-            _ => Alignment::fitted(clock, &self.brackets()),
-        };
+        let moments = self.first.zip(gpu.moment());
+        let alignment = moments.map(|(first, last)| Alignment::new(clock, self.start, [first, last]));
         let mut events = event::names(&probe.name);
         for frame in &self.frames {
             self.host(frame, &mut events);
@@ -82,8 +80,8 @@ impl Trace {
         }
         let (method, within) = match alignment {
             Some(alignment) if alignment.calibrated => ("calibrated timestamps", Some(alignment.within)),
-            Some(alignment) => ("fitted: frames begin after they are submitted and end before they are seen to", Some(alignment.within)),
-            None => ("none: the device has no timestamps, or no frame was finished", None),
+            Some(alignment) => ("a timestamp that was submitted alone and waited for", Some(alignment.within)),
+            None => ("none: the device has no timestamps", None),
         };
         json!({
             "displayTimeUnit": "ms",
@@ -106,15 +104,6 @@ impl Trace {
     /// When it can't be written.
     pub fn write(&self, path: &Path, gpu: &Gpu) -> io::Result<()> {
         fs::write(path, self.json(gpu).to_string())
-    }
-
-    fn brackets(&self) -> Vec<Bracket> {
-        let bracket = |frame: &Frame| {
-            let ((_, first), (_, last)) = (frame.stages.first()?, frame.stages.last()?);
-            let [submitted, finished] = [frame.host.recorded, frame.host.finished].map(|at| since(self.start, at));
-            Some(Bracket { submitted, finished, began: first[0], ended: last[1] })
-        };
-        self.frames.iter().filter_map(bracket).collect()
     }
 
     fn host(&self, frame: &Frame, events: &mut Vec<Event>) {
@@ -158,8 +147,8 @@ mod tests {
         let stages = vec![("splats", [100, 300]), ("sort", [250, 400]), ("raster", [390, 395])];
         let frame = Frame { number: 3, host, stages, skipped: vec![] };
         let clock = Clock { mask: u64::MAX, period: 1.0 };
-        let bracket = Bracket { submitted: 90.0, finished: 410.0, began: 100, ended: 400 };
-        let Some(alignment) = Alignment::fitted(clock, &[bracket]) else { panic!("there is a frame") };
+        let moment = Moment { host: now, tick: 0, within: Default::default(), calibrated: true };
+        let alignment = Alignment::new(clock, now, [moment; 2]);
         let mut events = Vec::new();
         device(&frame, &alignment, 90.0, &mut events);
         let slices: Vec<[f64; 2]> =
