@@ -48,7 +48,7 @@ python3 tools/apk/pack.py "$work/bare.apk" "$work/lib" "$work/unsigned.apk"
 key=${KEYSTORE:-target/apk/test.keystore} pass=${KEYSTORE_PASS:-android}
 if [ ! -s "$key" ]; then
   keytool -genkeypair -keystore "$key" -storepass "$pass" -keypass "$pass" -alias effigy -keyalg RSA -keysize 2048 -validity 10000 \
-    -dname 'CN=Effigy, for tests' 2>/dev/null
+    -dname 'CN=Effigy for tests' 2>/dev/null
 fi
 [ $mode = debug ] || [ -n "${KEYSTORE:-}" ] || echo "signed with a key for tests; a store wants yours: KEYSTORE and KEYSTORE_PASS"
 "${tools_at}apksigner" sign --ks "$key" --ks-pass "pass:$pass" --min-sdk-version $api --v1-signing-enabled false --v2-signing-enabled true \

@@ -14,9 +14,26 @@ command -v apt-get >/dev/null || { echo "no apt-get here: set ANDROID_NDK_HOME t
 
 as_root() { if [ "$(id -u)" = 0 ]; then "$@"; else sudo "$@"; fi; }
 say() { echo "  [$SECONDS s] $1"; }
-recipe=$(cat "$0" "$here"/android-symbols.txt "$here"/unwind/Cargo.toml "$here"/unwind/src/lib.rs | sha256sum | cut -c1-16)
-key="$recipe $*"
-[ "$(cat "$dest/made" 2>/dev/null)" != "$key" ] || exit 0
+target_lib() { echo "$dest/ndk/toolchains/llvm/prebuilt/linux-x86_64/sysroot/usr/lib/$1/$api"; }
+emulation() { case $1 in aarch64-*) echo aarch64linux ;; x86_64-*) echo elf_x86_64 ;; *) echo "no linker for $1" >&2; return 1 ;; esac; }
+
+# The system's libraries, with the names that the list allows.
+system_libraries() {
+  local target library
+  for target; do
+    for library in $(sed -n 's/^\(lib[a-z]*\.so\):.*/\1/p' "$here/android-symbols.txt" | sort -u); do
+      sed -n "s/^$library: *//p" "$here/android-symbols.txt" | tr ' ' '\n' | sed '/^$/d;s/$/ = 0;/' > "$dest/exports.ld"
+      "$dest/bin/ld.lld" -m "$(emulation "$target")" -shared -soname "$library" -o "$(target_lib "$target")/$library" "$dest/exports.ld"
+    done
+  done
+  rm "$dest/exports.ld"
+}
+
+key="$(cat "$0" "$here"/link.sh "$here"/unwind/Cargo.toml "$here"/unwind/src/lib.rs | sha256sum | cut -c1-16) $*"
+if [ "$(cat "$dest/made" 2>/dev/null)" = "$key" ]; then
+  [ "$dest/made" -nt "$here/android-symbols.txt" ] || { system_libraries "$@"; touch "$dest/made"; }
+  exit 0
+fi
 rm -rf "$dest"; mkdir -p "$dest/bin" "$dest/packages"
 
 say "packages"
@@ -53,23 +70,15 @@ targets=(); for target; do targets+=(--target "$target"); done
 for target; do
   lib="$dest/usr/lib/rustlib/$target/lib"; mkdir -p "$lib"
   find "$dest/std/target/$target/release/deps" \( -name '*.rlib' -o -name '*.rmeta' \) ! -name 'libempty-*' -exec cp {} "$lib" \;
-  case $target in
-    aarch64-*) emulation=aarch64linux ;;
-    x86_64-*) emulation=elf_x86_64 ;;
-    *) echo "no linker for $target" >&2; exit 1 ;;
-  esac
-  tools="$dest/ndk/toolchains/llvm/prebuilt/linux-x86_64"; system="$tools/sysroot/usr/lib/$target/$api"; mkdir -p "$tools/bin" "$system"
-  for library in $(sed -n 's/^\(lib[a-z]*\.so\):.*/\1/p' "$here/android-symbols.txt" | sort -u); do
-    sed -n "s/^$library: *//p" "$here/android-symbols.txt" | tr ' ' '\n' | sed '/^$/d;s/$/ = 0;/' > "$dest/exports.ld"
-    "$dest/bin/ld.lld" -m $emulation -shared -soname "$library" -o "$system/$library" "$dest/exports.ld"
-  done
+  tools="$dest/ndk/toolchains/llvm/prebuilt/linux-x86_64"; system=$(target_lib "$target"); mkdir -p "$tools/bin" "$system"
   rm -rf "$dest/unwind"; cp -r "$here/unwind" "$dest/unwind"
   (cd "$dest/unwind" && RUSTC="$dest/bin/rustc" CARGO_TARGET_DIR="$dest/unwind/target" cargo build --quiet --release --target "$target")
   cp "$dest/unwind/target/$target/release/libunwind.a" "$system/"
-  sed -e "s|@DEST@|$dest|;s|@EMULATION@|$emulation|;s|@SYSTEM@|$system|" "$here/link.sh" > "$tools/bin/$target$api-clang"
+  sed -e "s|@DEST@|$dest|;s|@EMULATION@|$(emulation "$target")|;s|@SYSTEM@|$system|" "$here/link.sh" > "$tools/bin/$target$api-clang"
   chmod +x "$tools/bin/$target$api-clang"
 done
-rm -rf "$dest/std" "$dest/unwind" "$dest/exports.ld" "$dest"/usr/share "$dest"/usr/src "$dest"/usr/lib/rustlib/src
+system_libraries "$@"
+rm -rf "$dest/std" "$dest/unwind" "$dest"/usr/share "$dest"/usr/src "$dest"/usr/lib/rustlib/src
 printf 'export RUSTC="%s/bin/rustc" RUSTDOC="%s/bin/rustdoc" ANDROID_NDK_HOME="%s/ndk"\n' "$dest" "$dest" "$dest" > "$dest/env.sh"
 echo "$key" > "$dest/made"
 say "done, $(du -sh "$dest" | cut -f1)"
