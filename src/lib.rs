@@ -33,3 +33,4 @@ pub mod layout;
 pub mod measure;
 pub mod reference;
 pub mod vulkan;
+pub mod webgpu;

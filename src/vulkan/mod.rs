@@ -2,11 +2,8 @@
 //!
 //! [`Gpu`] is a device; [`Renderer`] draws an avatar, or several copies of it, with it, headless. The stages have a file each, in the order a frame runs them.
 
-pub mod block;
 pub mod cache;
-mod check;
 pub mod commands;
-pub mod compact;
 mod control;
 pub mod device;
 pub mod error;
@@ -14,19 +11,15 @@ pub mod features;
 mod graphics;
 pub mod harmonics;
 pub mod instance;
-mod keeper;
 pub mod memory;
 pub mod model;
 pub mod options;
-mod pack;
 pub mod picture;
 pub mod pipeline;
 pub mod present;
-pub mod preset;
 pub mod probe;
 pub mod raster;
 pub mod renderer;
-mod scene;
 pub mod shaders;
 pub mod sort;
 pub mod splats;
@@ -35,8 +28,8 @@ pub mod surface;
 #[cfg(feature = "window")]
 pub mod swapchain;
 
+pub use crate::frame::{RendererOptions, preset};
 pub use device::{Gpu, GpuOptions};
 pub use error::{Error, Result};
-pub use options::RendererOptions;
 pub use probe::Probe;
 pub use renderer::Renderer;

@@ -2,29 +2,30 @@
 //! [`Renderer::record`] is the frame, top to bottom.
 
 use super::{
-    block, check,
     commands::{FrameReport, SLOTS, Slot},
     control::{BEFORE, COMPUTE, SHARED, WRITTEN, control, in_turn, prepare},
     device::Gpu,
     error::Result,
     features::Features,
     harmonics::Harmonics,
-    keeper::Keeper,
     memory::Buffer,
     model::Model,
-    options::RendererOptions,
     picture::Copied,
     pipeline::{Slice, barrier},
     raster::Raster,
-    scene::{Actor, Scene, Staged},
     sort::{Sort, SortOptions, choice},
     splats::{Splats, slots as slots_of},
-    surface::{PYRAMID_WORDS, Surface},
+    surface::Surface,
 };
 use crate::{
     avatar::Avatar,
-    frame::{Body, Camera, Extent, Needs, Picture, Posed, Skip},
-    layout::{Control, Frame},
+    frame::{
+        Body, Camera, Extent, Needs, Picture, Posed, RendererOptions, Skip, block,
+        keeper::Keeper,
+        refuse,
+        scene::{Actor, Scene, Staged},
+    },
+    layout::{Control, Frame, PYRAMID_WORDS},
 };
 use ash::vk::{self, PipelineStageFlags};
 use bytemuck::{bytes_of, from_bytes_mut};
@@ -183,7 +184,7 @@ impl Renderer {
     /// # Errors
     /// As [`Self::draw`], and when there are more poses than the renderer was made for.
     pub fn draw_scene(&mut self, poses: &[&Posed], camera: &Camera, presentation: Option<Presentation>) -> Result<()> {
-        check::frame(poses, camera, (&self.model.constants, &self.extent), &self.options)?;
+        refuse::frame(poses, camera, (&self.model.constants, &self.extent), &self.options)?;
         let slot = self.next;
         if let Some(report) = self.slots[slot].finish()? {
             self.report = report;
