@@ -1,6 +1,5 @@
 // The `raster` stage as a compute kernel (model.md, step 10): each invocation blends a square of pixels near to far and stops when they
 // are full, which a blender, taking all that comes, cannot. A workgroup takes a square of RASTER_REGION pixels.
-#extension GL_EXT_control_flow_attributes : require
 #include "layout.glsl"
 #include "splat.glsl"
 #include "sort_control.glsl"
@@ -69,13 +68,14 @@ void blend(Ready splat) {
     vec2 deviation = vec2(dot(from, splat.along), dot(from, splat.across));
     vec2 right = vec2(splat.along.x, splat.across.x);
     float most = 0.0;
-    [[unroll]] for (uint y = 0u; y < SIDE; ++y) {
+    // Compilers unroll this where that pays. Unrolled here, SwiftShader compiles for seven seconds.
+    for (uint y = 0u; y < SIDE; ++y) {
         // From a pixel to the next the Gaussian changes by a factor, which itself changes by a constant one. The low-pass lets no
         // Gaussian fall faster than from its cutoff to 2^−56 over a row of four: what starts lower does not count.
         float weight = exp2(-dot(deviation, deviation));
         float alpha = weight >= 1e-17 ? splat.color.a * weight : 0.0;
         float factor = exp2(min(-dot(2.0 * deviation + right, right), 60.0));
-        [[unroll]] for (uint x = 0u; x < SIDE; ++x) {
+        for (uint x = 0u; x < SIDE; ++x) {
             uint k = y * SIDE + x;
             float covers = min(alpha, 0.99);
             float share = covers >= CUTOFF ? covers * pixels[k].a : 0.0;
@@ -152,10 +152,6 @@ void blend_chain(uint chain) {
         chain = subgroupShuffle(word, 0u);
     }
 }
-#else
-void blend_chain(uint chain) {
-    blend_both(chain, 0u);
-}
 #endif
 
 void blend_tile(uint tile) {
@@ -169,16 +165,20 @@ void blend_tile(uint tile) {
         uint block = uint(findMSB(blocks));
         blocks ^= 1u << block;
         uint here = bins[BINS_HEADS + tile * BINS_BLOCKS + block];
-        if ((wide >> block & 1u) == 0u) {
+        bool mixed = (wide >> block & 1u) != 0u;
+#ifdef TOGETHER
+        if (!mixed) {
             blend_chain(here);
-        } else {
-            blend_both(here, bins[BINS_WIDE + block]);
+            continue;
         }
+#endif
+        // Once in the text: drivers copy what is called.
+        blend_both(here, mixed ? bins[BINS_WIDE + block] : 0u);
     }
 }
 
 void main() {
-    [[unroll]] for (uint k = 0u; k < SIDE * SIDE; ++k) {
+    for (uint k = 0u; k < SIDE * SIDE; ++k) {
         pixels[k] = vec4(0.0, 0.0, 0.0, 1.0);
     }
 #ifdef TOGETHER
@@ -192,7 +192,7 @@ void main() {
     middle = vec2(first) + 0.5 * float(SIDE);
     uvec2 tile = first / uint(frame.tile);
     blend_tile(tile.y * BINS_SIDE + tile.x);
-    [[unroll]] for (uint k = 0u; k < SIDE * SIDE; ++k) {
+    for (uint k = 0u; k < SIDE * SIDE; ++k) {
         uvec2 pixel = first + uvec2(k % SIDE, k / SIDE);
         if (all(lessThan(vec2(pixel), frame.size))) {
             imageStore(picture, ivec2(pixel), vec4(pixels[k].rgb, 1.0 - pixels[k].a));

@@ -165,19 +165,19 @@ fn blend_u0028_struct_u002d_Ready_u002d_vf2_u002d_vf2_u002d_vf2_u002d_vf2_u002d_
     var covers: f32;
     var share: f32;
     var local_1: f32;
-    var phi_319_: bool;
+    var phi_316_: bool;
 
     let _e78 = middle;
     let _e80 = (*splat).center;
     from_ = (_e78 - _e80);
     let _e82 = open;
-    phi_319_ = _e82;
+    phi_316_ = _e82;
     if _e82 {
         let _e83 = from_;
         let _e86 = (*splat).reach;
-        phi_319_ = all((abs(_e83) < (_e86 + vec2(1.5f))));
+        phi_316_ = all((abs(_e83) < (_e86 + vec2(1.5f))));
     }
-    let _e92 = phi_319_;
+    let _e92 = phi_316_;
     if !(_e92) {
         return;
     }
@@ -442,7 +442,7 @@ fn nearer_u0028_u1_u003b_u1_u003b(a: ptr<function, u32>, b: ptr<function, u32>) 
     var param_5: u32;
     var than: u32;
     var param_6: u32;
-    var phi_543_: bool;
+    var phi_540_: bool;
 
     let _e69 = (*a);
     param_5 = _e69;
@@ -455,15 +455,15 @@ fn nearer_u0028_u1_u003b_u1_u003b(a: ptr<function, u32>, b: ptr<function, u32>) 
     let _e73 = key;
     let _e74 = than;
     let _e75 = (_e73 > _e74);
-    phi_543_ = _e75;
+    phi_540_ = _e75;
     if !(_e75) {
         let _e77 = key;
         let _e78 = than;
         let _e80 = (*a);
         let _e81 = (*b);
-        phi_543_ = ((_e77 == _e78) && (_e80 > _e81));
+        phi_540_ = ((_e77 == _e78) && (_e80 > _e81));
     }
-    let _e85 = phi_543_;
+    let _e85 = phi_540_;
     return _e85;
 }
 
@@ -479,19 +479,19 @@ fn blend_both_u0028_u1_u003b_u1_u003b(here: ptr<function, u32>, everywhere: ptr<
     var param_10: u32;
     var param_11: vec4<u32>;
     var param_12: Ready;
-    var phi_581_: bool;
-    var phi_622_: bool;
-    var phi_623_: bool;
+    var phi_578_: bool;
+    var phi_619_: bool;
+    var phi_620_: bool;
 
     loop {
         let _e76 = open;
-        phi_581_ = _e76;
+        phi_578_ = _e76;
         if _e76 {
             let _e77 = (*here);
             let _e78 = (*everywhere);
-            phi_581_ = ((_e77 | _e78) != 0u);
+            phi_578_ = ((_e77 | _e78) != 0u);
         }
-        let _e82 = phi_581_;
+        let _e82 = phi_578_;
         if _e82 {
             let _e83 = (*here);
             if (_e83 == 0u) {
@@ -515,23 +515,23 @@ fn blend_both_u0028_u1_u003b_u1_u003b(here: ptr<function, u32>, everywhere: ptr<
             other = _e98;
             let _e99 = (*here);
             let _e100 = (_e99 == 0u);
-            phi_623_ = _e100;
+            phi_620_ = _e100;
             if !(_e100) {
                 let _e102 = (*everywhere);
                 let _e103 = (_e102 != 0u);
-                phi_622_ = _e103;
+                phi_619_ = _e103;
                 if _e103 {
                     let _e104 = other;
                     param_7 = _e104;
                     let _e105 = near;
                     param_8 = _e105;
                     let _e106 = nearer_u0028_u1_u003b_u1_u003b((&param_7), (&param_8));
-                    phi_622_ = _e106;
+                    phi_619_ = _e106;
                 }
-                let _e108 = phi_622_;
-                phi_623_ = _e108;
+                let _e108 = phi_619_;
+                phi_620_ = _e108;
             }
-            let _e110 = phi_623_;
+            let _e110 = phi_620_;
             wide = _e110;
             let _e111 = wide;
             if _e111 {
@@ -561,59 +561,51 @@ fn blend_both_u0028_u1_u003b_u1_u003b(here: ptr<function, u32>, everywhere: ptr<
     return;
 }
 
-fn blend_chain_u0028_u1_u003b(chain_1: ptr<function, u32>) {
-    var param_13: u32;
-    var param_14: u32;
-
-    let _e66 = (*chain_1);
-    param_13 = _e66;
-    param_14 = 0u;
-    blend_both_u0028_u1_u003b_u1_u003b((&param_13), (&param_14));
-    return;
-}
-
 fn blend_tile_u0028_u1_u003b(tile: ptr<function, u32>) {
     var wide_1: u32;
     var blocks: u32;
     var block: u32;
     var here_1: u32;
-    var param_15: u32;
-    var param_16: u32;
-    var param_17: u32;
+    var mixed: bool;
+    var local_7: u32;
+    var param_13: u32;
+    var param_14: u32;
 
-    let _e73 = unnamed_1.bins[1i];
-    wide_1 = _e73;
-    let _e74 = (*tile);
-    let _e78 = unnamed_1.bins[(34u + _e74)];
-    let _e79 = wide_1;
-    blocks = (_e78 | _e79);
+    let _e74 = unnamed_1.bins[1i];
+    wide_1 = _e74;
+    let _e75 = (*tile);
+    let _e79 = unnamed_1.bins[(34u + _e75)];
+    let _e80 = wide_1;
+    blocks = (_e79 | _e80);
     loop {
-        let _e81 = blocks;
-        let _e83 = open;
-        if ((_e81 != 0u) && _e83) {
-            let _e85 = blocks;
-            block = bitcast<u32>(firstLeadingBit(_e85));
-            let _e88 = block;
-            let _e91 = blocks;
-            blocks = (_e91 ^ (1u << bitcast<u32>(_e88)));
-            let _e93 = (*tile);
-            let _e96 = block;
-            let _e100 = unnamed_1.bins[((16418u + (_e93 * 32u)) + _e96)];
-            here_1 = _e100;
-            let _e101 = wide_1;
-            let _e102 = block;
-            if (((_e101 >> bitcast<u32>(_e102)) & 1u) == 0u) {
-                let _e107 = here_1;
-                param_15 = _e107;
-                blend_chain_u0028_u1_u003b((&param_15));
+        let _e82 = blocks;
+        let _e84 = open;
+        if ((_e82 != 0u) && _e84) {
+            let _e86 = blocks;
+            block = bitcast<u32>(firstLeadingBit(_e86));
+            let _e89 = block;
+            let _e92 = blocks;
+            blocks = (_e92 ^ (1u << bitcast<u32>(_e89)));
+            let _e94 = (*tile);
+            let _e97 = block;
+            let _e101 = unnamed_1.bins[((16418u + (_e94 * 32u)) + _e97)];
+            here_1 = _e101;
+            let _e102 = wide_1;
+            let _e103 = block;
+            mixed = (((_e102 >> bitcast<u32>(_e103)) & 1u) != 0u);
+            let _e108 = mixed;
+            if _e108 {
+                let _e109 = block;
+                let _e113 = unnamed_1.bins[(2u + _e109)];
+                local_7 = _e113;
             } else {
-                let _e108 = block;
-                let _e110 = here_1;
-                param_16 = _e110;
-                let _e113 = unnamed_1.bins[(2u + _e108)];
-                param_17 = _e113;
-                blend_both_u0028_u1_u003b_u1_u003b((&param_16), (&param_17));
+                local_7 = 0u;
             }
+            let _e114 = here_1;
+            param_13 = _e114;
+            let _e115 = local_7;
+            param_14 = _e115;
+            blend_both_u0028_u1_u003b_u1_u003b((&param_13), (&param_14));
             continue;
         } else {
             break;
@@ -628,7 +620,7 @@ fn main_1() {
     var place: vec2<u32>;
     var first: vec2<u32>;
     var tile_1: vec2<u32>;
-    var param_18: u32;
+    var param_15: u32;
     var k_2: u32;
     var pixel: vec2<u32>;
 
@@ -666,8 +658,8 @@ fn main_1() {
     tile_1 = (_e108 / vec2(u32(_e110)));
     let _e115 = tile_1[1u];
     let _e118 = tile_1[0u];
-    param_18 = ((_e115 * 128u) + _e118);
-    blend_tile_u0028_u1_u003b((&param_18));
+    param_15 = ((_e115 * 128u) + _e118);
+    blend_tile_u0028_u1_u003b((&param_15));
     k_2 = 0u;
     loop {
         let _e120 = k_2;

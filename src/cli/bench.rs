@@ -4,7 +4,7 @@ mod output;
 mod print;
 
 use super::{
-    options::{self, Quality},
+    options::{self, Quality, Through},
     render::progress,
     source::{self, Source},
 };
@@ -74,6 +74,9 @@ pub struct Args {
     /// Write the result as a table of comma-separated values too
     #[arg(long, value_name = "FILE")]
     csv: Option<PathBuf>,
+    /// What to draw through
+    #[arg(long, value_enum, default_value_t = Through::Vulkan)]
+    backend: Through,
     #[command(flatten)]
     quality: Quality,
 }
@@ -152,9 +155,9 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     let (frames, views) = (args.frames.unwrap_or(48), args.views);
     let (checked, flip, warm_up) = (args.check, args.flip, args.warm_up);
     let task = Task { avatar: &avatar, player: &player, cameras: &cameras, frames, views, checked, flip, warm_up };
-    let mut devices = Devices::new(args.quality.gpu());
+    let mut devices = Devices::new(args.backend.try_into()?, args.quality.gpu());
     let gpu = devices.get(&job.setting)?;
-    job.setting.options = job.setting.options.settled(&gpu);
+    job.setting.options = gpu.settled(job.setting.options);
     let mut report = task.report(&gpu, &job.setting, std::env::args().collect());
     let bar = progress(0, "frames");
     let mut show = |what: &str, done: usize, all: usize| {

@@ -23,7 +23,7 @@ pub use block::fixed_scale;
 pub use camera::Camera;
 pub use check::Unusable;
 pub use counters::{Counters, Reasons};
-pub use extent::Extent;
+pub use extent::{Extent, upright};
 use glam::DAffine3;
 pub use keys::KeyBits;
 pub use options::{ColorFormat, Method, RendererOptions, Variant};

@@ -2,6 +2,7 @@
 
 use super::{
     Case, Setting, Task,
+    backend::{Opened, Result},
     check::{self, Checked, Oracle},
     report::{CaseReport, Spread, StageReport},
     run::{self, Drawer, Progress, Samples},
@@ -9,23 +10,20 @@ use super::{
 };
 use crate::{
     avatar::Avatar,
+    frame::{FrameReport, report::STAGES},
     measure::bytes::{self, Seen, Work},
-    vulkan::{
-        Gpu, Result,
-        commands::{FrameReport, STAGES},
-    },
 };
-use std::{collections::BTreeMap, sync::Arc};
+use std::collections::BTreeMap;
 
 /// Measures a case.
-pub fn case(gpu: &Arc<Gpu>, task: &Task, setting: &Setting, case: Case, progress: Progress) -> Result<CaseReport> {
+pub fn case(gpu: &Opened, task: &Task, setting: &Setting, case: Case, progress: Progress) -> Result<CaseReport> {
     let setting = &setting.of(case);
     let scenes = scene::scenes(case, &task.set(setting));
     let avatar = setting.fit(task.avatar);
     let mut drawer = Drawer::new(gpu, &avatar, setting, case, false)?;
     let samples = run::time(&mut drawer, &scenes, task.warm_up, |done| progress(&format!("{case}: timing"), done, scenes.len()))?;
     let (used, reserved) = gpu.memory();
-    let cost = Cost { used, reserved, timed: gpu.probe.timestamp_bits > 0, surface: drawer.surface() };
+    let cost = Cost { used, reserved, timed: gpu.is_timed(), surface: drawer.surface() };
     let numbers = scene::checks(case, scenes.len(), task.checked);
     let mut oracle = Oracle::new(task.avatar);
     let mut show = |what: &str, done, all| progress(&format!("{case}: {what}"), done, all);

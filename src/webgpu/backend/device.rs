@@ -88,6 +88,12 @@ impl Gpu {
         names.into_iter().find(|name| !name.is_empty()).map_or("the browser's device", |name| name)
     }
 
+    /// Bytes of its memory in use, and in blocks that the program took; zeros where nobody tells.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub fn memory(&self) -> (u64, u64) {
+        self.device.generate_allocator_report().map_or((0, 0), |report| (report.total_allocated_bytes, report.total_reserved_bytes))
+    }
+
     /// Why nothing can be drawn any more, or what the device refused since the last call.
     ///
     /// # Errors
