@@ -1,11 +1,11 @@
-struct type_11 {
+struct type_9 {
     member: u32,
     member_1: u32,
     member_2: u32,
     member_3: u32,
 }
 
-struct type_15 {
+struct type_13 {
     member: vec2<f32>,
     member_1: vec2<f32>,
     member_2: vec2<f32>,
@@ -58,24 +58,24 @@ struct type_15 {
     member_49: array<vec4<f32>, 3>,
     member_50: array<vec4<u32>, 8>,
     member_51: array<vec4<u32>, 8>,
-    member_52: array<type_11, 8>,
+    member_52: array<type_9, 8>,
     member_53: array<vec4<f32>, 128>,
     member_54: array<vec4<f32>, 768>,
 }
 
-struct type_23 {
+struct type_17 {
     member: array<vec2<u32>>,
 }
 
 @group(0) @binding(0) 
-var<uniform> global: type_15;
+var<uniform> global: type_13;
 @group(0) @binding(2) 
-var<storage> global_1: type_23;
-var<private> global_2: vec3<u32>;
+var<storage> global_1: type_17;
 @group(0) @binding(1) 
-var<storage, read_write> global_3: type_23;
+var<storage, read_write> global_2: type_17;
 
-fn function_() {
+@compute @workgroup_size(64, 1, 1) 
+fn main(@builtin(global_invocation_id) param: vec3<u32>) {
     var local: vec4<u32>;
     var local_1: vec4<f32>;
     var phi_937_: vec4<f32>;
@@ -95,95 +95,89 @@ fn function_() {
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e40 = global_2[0u];
-            let _e42 = global.member_14;
-            if (_e40 >= _e42) {
+            let _e28 = bitcast<u32>(param[0u]);
+            let _e30 = global.member_14;
+            if (_e28 >= _e30) {
                 break;
             }
-            let _e44 = (2u * _e40);
-            let _e48 = global_3.member[_e44];
-            let _e51 = global_3.member[(_e44 + 1u)];
-            local = (vec4<u32>(_e51.x, (_e51.x >> bitcast<u32>(8u)), (_e51.x >> bitcast<u32>(16u)), (_e51.x >> bitcast<u32>(24u))) & vec4<u32>(255u, 255u, 255u, 255u));
-            let _e67 = (vec3<u32>(_e51.y, (_e51.y >> bitcast<u32>(8u)), (_e51.y >> bitcast<u32>(16u))) & vec3<u32>(255u, 255u, 255u));
-            let _e68 = vec3<f32>(_e67);
-            local_1 = (vec4<f32>(_e68.x, _e68.y, _e68.z, f32((((255u - _e67.x) - _e67.y) - _e67.z))) * vec4<f32>(0.003921569f, 0.003921569f, 0.003921569f, 0.003921569f));
+            let _e32 = (2u * _e28);
+            let _e36 = global_2.member[_e32];
+            let _e39 = global_2.member[(_e32 + 1u)];
+            local = (vec4<u32>(_e39.x, (_e39.x >> bitcast<u32>(8u)), (_e39.x >> bitcast<u32>(16u)), (_e39.x >> bitcast<u32>(24u))) & vec4<u32>(255u, 255u, 255u, 255u));
+            let _e55 = (vec3<u32>(_e39.y, (_e39.y >> bitcast<u32>(8u)), (_e39.y >> bitcast<u32>(16u))) & vec3<u32>(255u, 255u, 255u));
+            let _e56 = vec3<f32>(_e55);
+            local_1 = (vec4<f32>(_e56.x, _e56.y, _e56.z, f32((((255u - _e55.x) - _e55.y) - _e55.z))) * vec4<f32>(0.003921569f, 0.003921569f, 0.003921569f, 0.003921569f));
             phi_937_ = vec4<f32>(0f, 0f, 0f, 0f);
             phi_936_ = vec4<f32>(0f, 0f, 0f, 0f);
             phi_935_ = vec4<f32>(0f, 0f, 0f, 0f);
             phi_934_ = 0u;
             loop {
-                let _e82 = phi_937_;
-                let _e84 = phi_936_;
-                let _e86 = phi_935_;
-                let _e88 = phi_934_;
-                local_2 = _e86;
-                local_3 = _e86;
-                local_4 = _e86;
-                local_5 = _e84;
-                local_6 = _e84;
-                local_7 = _e84;
-                local_8 = _e82;
-                local_9 = _e82;
-                local_10 = _e82;
-                if (_e88 < 4u) {
+                let _e70 = phi_937_;
+                let _e72 = phi_936_;
+                let _e74 = phi_935_;
+                let _e76 = phi_934_;
+                local_2 = _e74;
+                local_3 = _e74;
+                local_4 = _e74;
+                local_5 = _e72;
+                local_6 = _e72;
+                local_7 = _e72;
+                local_8 = _e70;
+                local_9 = _e70;
+                local_10 = _e70;
+                if (_e76 < 4u) {
                     continue;
                 } else {
                     break;
                 }
                 continuing {
-                    let _e91 = local[_e88];
-                    let _e92 = (3u * _e91);
-                    let _e94 = local_1[_e88];
-                    let _e97 = global.member_54[_e92];
-                    let _e100 = local_1[_e88];
-                    let _e104 = global.member_54[(_e92 + 1u)];
-                    let _e107 = local_1[_e88];
-                    let _e111 = global.member_54[(_e92 + 2u)];
-                    phi_937_ = (_e82 + (_e111 * _e107));
-                    phi_936_ = (_e84 + (_e104 * _e100));
-                    phi_935_ = (_e86 + (_e97 * _e94));
-                    phi_934_ = (_e88 + bitcast<u32>(1i));
+                    let _e79 = local[_e76];
+                    let _e80 = (3u * _e79);
+                    let _e82 = local_1[_e76];
+                    let _e85 = global.member_54[_e80];
+                    let _e88 = local_1[_e76];
+                    let _e92 = global.member_54[(_e80 + 1u)];
+                    let _e95 = local_1[_e76];
+                    let _e99 = global.member_54[(_e80 + 2u)];
+                    phi_937_ = (_e70 + (_e99 * _e95));
+                    phi_936_ = (_e72 + (_e92 * _e88));
+                    phi_935_ = (_e74 + (_e85 * _e82));
+                    phi_934_ = (_e76 + bitcast<u32>(1i));
                 }
             }
-            let _e117 = global.member_11;
-            let _e120 = global.member_12;
-            let _e133 = (_e117.xyz + (_e120.xyz * vec3<f32>(f32((_e48.x & 65535u)), f32((_e48.x >> bitcast<u32>(16u))), f32((_e48.y & 65535u)))));
-            let _e137 = vec4<f32>(_e133.x, _e133.y, _e133.z, 1f);
-            let _e139 = local_2;
-            let _e142 = local_3;
-            let _e148 = local_5;
-            let _e151 = local_6;
-            let _e158 = local_8;
-            let _e161 = local_9;
-            let _e166 = (((_e142.xyz * dot(_e139, _e137)) + (_e151.xyz * dot(_e148, _e137))) + (_e161.xyz * dot(_e158, _e137)));
-            let _e167 = length(_e166);
-            if (_e167 > 0f) {
-                phi_938_ = (_e166 / vec3(_e167));
+            let _e105 = global.member_11;
+            let _e108 = global.member_12;
+            let _e121 = (_e105.xyz + (_e108.xyz * vec3<f32>(f32((_e36.x & 65535u)), f32((_e36.x >> bitcast<u32>(16u))), f32((_e36.y & 65535u)))));
+            let _e125 = vec4<f32>(_e121.x, _e121.y, _e121.z, 1f);
+            let _e127 = local_2;
+            let _e130 = local_3;
+            let _e134 = local_5;
+            let _e137 = local_6;
+            let _e142 = local_8;
+            let _e145 = local_9;
+            let _e148 = (((_e130.xyz * dot(_e127, _e125)) + (_e137.xyz * dot(_e134, _e125))) + (_e145.xyz * dot(_e142, _e125)));
+            let _e149 = length(_e148);
+            if (_e149 > 0f) {
+                phi_938_ = (_e148 / vec3(_e149));
             } else {
                 phi_938_ = vec3<f32>(0f, 0f, 0f);
             }
-            let _e172 = phi_938_;
-            let _e179 = (vec3<f32>(-(_e172.y), _e172.z, -(_e172.x)) * 0.48860252f);
-            let _e185 = global_1.member[_e40];
-            let _e187 = unpack2x16float(_e185.x);
-            let _e189 = unpack2x16float(_e185.y);
-            let _e198 = global_1.member[(_e40 + _e42)];
-            let _e200 = unpack2x16float(_e198.x);
-            let _e202 = unpack2x16float(_e198.y);
-            let _e211 = global_1.member[(_e40 + (2u * _e42))];
-            let _e213 = unpack2x16float(_e211.x);
-            let _e215 = unpack2x16float(_e211.y);
-            let _e232 = clamp(((((vec4<f32>(_e187.x, _e187.y, _e189.x, _e189.y).xyz * 1f) + (vec3<f32>(_e189.y, _e200.x, _e200.y) * _e179.x)) + (vec3<f32>(_e202.x, _e202.y, _e213.x) * _e179.y)) + (vec4<f32>(_e213.x, _e213.y, _e215.x, _e215.y).yzw * _e179.z)), vec3<f32>(0f, 0f, 0f), vec3<f32>(65504f, 65504f, 65504f));
-            let _e234 = global.member_38;
-            global_3.member[(_e234 + _e40)] = vec2<u32>(pack2x16float(_e232.xy), pack2x16float(vec2<f32>(_e232.z, 0f)));
+            let _e154 = phi_938_;
+            let _e161 = (vec3<f32>(-(_e154.y), _e154.z, -(_e154.x)) * 0.48860252f);
+            let _e167 = global_1.member[_e28];
+            let _e169 = unpack2x16float(_e167.x);
+            let _e171 = unpack2x16float(_e167.y);
+            let _e180 = global_1.member[(_e28 + _e30)];
+            let _e182 = unpack2x16float(_e180.x);
+            let _e184 = unpack2x16float(_e180.y);
+            let _e193 = global_1.member[(_e28 + (2u * _e30))];
+            let _e195 = unpack2x16float(_e193.x);
+            let _e197 = unpack2x16float(_e193.y);
+            let _e214 = clamp(((((vec4<f32>(_e169.x, _e169.y, _e171.x, _e171.y).xyz * 1f) + (vec3<f32>(_e171.y, _e182.x, _e182.y) * _e161.x)) + (vec3<f32>(_e184.x, _e184.y, _e195.x) * _e161.y)) + (vec4<f32>(_e195.x, _e195.y, _e197.x, _e197.y).yzw * _e161.z)), vec3<f32>(0f, 0f, 0f), vec3<f32>(65504f, 65504f, 65504f));
+            let _e216 = global.member_38;
+            global_2.member[(_e216 + _e28)] = vec2<u32>(pack2x16float(_e214.xy), pack2x16float(vec2<f32>(_e214.z, 0f)));
             break;
         }
     }
     return;
-}
-
-@compute @workgroup_size(64, 1, 1) 
-fn main(@builtin(global_invocation_id) param: vec3<u32>) {
-    global_2 = param;
-    function_();
 }

@@ -1,11 +1,11 @@
-struct type_11 {
+struct type_9 {
     member: u32,
     member_1: u32,
     member_2: u32,
     member_3: u32,
 }
 
-struct type_15 {
+struct type_13 {
     member: vec2<f32>,
     member_1: vec2<f32>,
     member_2: vec2<f32>,
@@ -58,26 +58,26 @@ struct type_15 {
     member_49: array<vec4<f32>, 3>,
     member_50: array<vec4<u32>, 8>,
     member_51: array<vec4<u32>, 8>,
-    member_52: array<type_11, 8>,
+    member_52: array<type_9, 8>,
     member_53: array<vec4<f32>, 128>,
     member_54: array<vec4<f32>, 768>,
 }
 
-struct type_23 {
+struct type_17 {
     member: array<vec2<u32>>,
 }
 
 @group(0) @binding(0) 
-var<uniform> global: type_15;
+var<uniform> global: type_13;
 @group(0) @binding(2) 
-var<storage> global_1: type_23;
+var<storage> global_1: type_17;
 @group(0) @binding(3) 
-var<storage> global_2: type_23;
-var<private> global_3: vec3<u32>;
+var<storage> global_2: type_17;
 @group(0) @binding(1) 
-var<storage, read_write> global_4: type_23;
+var<storage, read_write> global_3: type_17;
 
-fn function_() {
+@compute @workgroup_size(64, 1, 1) 
+fn main(@builtin(global_invocation_id) param: vec3<u32>) {
     var local: vec4<u32>;
     var local_1: vec4<f32>;
     var phi_1185_: vec4<f32>;
@@ -97,110 +97,104 @@ fn function_() {
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e47 = global_3[0u];
-            let _e49 = global.member_14;
-            if (_e47 >= _e49) {
+            let _e35 = bitcast<u32>(param[0u]);
+            let _e37 = global.member_14;
+            if (_e35 >= _e37) {
                 break;
             }
-            let _e51 = (2u * _e47);
-            let _e55 = global_4.member[_e51];
-            let _e58 = global_4.member[(_e51 + 1u)];
-            local = (vec4<u32>(_e58.x, (_e58.x >> bitcast<u32>(8u)), (_e58.x >> bitcast<u32>(16u)), (_e58.x >> bitcast<u32>(24u))) & vec4<u32>(255u, 255u, 255u, 255u));
-            let _e74 = (vec3<u32>(_e58.y, (_e58.y >> bitcast<u32>(8u)), (_e58.y >> bitcast<u32>(16u))) & vec3<u32>(255u, 255u, 255u));
-            let _e75 = vec3<f32>(_e74);
-            local_1 = (vec4<f32>(_e75.x, _e75.y, _e75.z, f32((((255u - _e74.x) - _e74.y) - _e74.z))) * vec4<f32>(0.003921569f, 0.003921569f, 0.003921569f, 0.003921569f));
+            let _e39 = (2u * _e35);
+            let _e43 = global_3.member[_e39];
+            let _e46 = global_3.member[(_e39 + 1u)];
+            local = (vec4<u32>(_e46.x, (_e46.x >> bitcast<u32>(8u)), (_e46.x >> bitcast<u32>(16u)), (_e46.x >> bitcast<u32>(24u))) & vec4<u32>(255u, 255u, 255u, 255u));
+            let _e62 = (vec3<u32>(_e46.y, (_e46.y >> bitcast<u32>(8u)), (_e46.y >> bitcast<u32>(16u))) & vec3<u32>(255u, 255u, 255u));
+            let _e63 = vec3<f32>(_e62);
+            local_1 = (vec4<f32>(_e63.x, _e63.y, _e63.z, f32((((255u - _e62.x) - _e62.y) - _e62.z))) * vec4<f32>(0.003921569f, 0.003921569f, 0.003921569f, 0.003921569f));
             phi_1185_ = vec4<f32>(0f, 0f, 0f, 0f);
             phi_1184_ = vec4<f32>(0f, 0f, 0f, 0f);
             phi_1183_ = vec4<f32>(0f, 0f, 0f, 0f);
             phi_1182_ = 0u;
             loop {
-                let _e89 = phi_1185_;
-                let _e91 = phi_1184_;
-                let _e93 = phi_1183_;
-                let _e95 = phi_1182_;
-                local_2 = _e93;
-                local_3 = _e93;
-                local_4 = _e93;
-                local_5 = _e91;
-                local_6 = _e91;
-                local_7 = _e91;
-                local_8 = _e89;
-                local_9 = _e89;
-                local_10 = _e89;
-                if (_e95 < 4u) {
+                let _e77 = phi_1185_;
+                let _e79 = phi_1184_;
+                let _e81 = phi_1183_;
+                let _e83 = phi_1182_;
+                local_2 = _e81;
+                local_3 = _e81;
+                local_4 = _e81;
+                local_5 = _e79;
+                local_6 = _e79;
+                local_7 = _e79;
+                local_8 = _e77;
+                local_9 = _e77;
+                local_10 = _e77;
+                if (_e83 < 4u) {
                     continue;
                 } else {
                     break;
                 }
                 continuing {
-                    let _e98 = local[_e95];
-                    let _e99 = (3u * _e98);
-                    let _e101 = local_1[_e95];
-                    let _e104 = global.member_54[_e99];
-                    let _e107 = local_1[_e95];
-                    let _e111 = global.member_54[(_e99 + 1u)];
-                    let _e114 = local_1[_e95];
-                    let _e118 = global.member_54[(_e99 + 2u)];
-                    phi_1185_ = (_e89 + (_e118 * _e114));
-                    phi_1184_ = (_e91 + (_e111 * _e107));
-                    phi_1183_ = (_e93 + (_e104 * _e101));
-                    phi_1182_ = (_e95 + bitcast<u32>(1i));
+                    let _e86 = local[_e83];
+                    let _e87 = (3u * _e86);
+                    let _e89 = local_1[_e83];
+                    let _e92 = global.member_54[_e87];
+                    let _e95 = local_1[_e83];
+                    let _e99 = global.member_54[(_e87 + 1u)];
+                    let _e102 = local_1[_e83];
+                    let _e106 = global.member_54[(_e87 + 2u)];
+                    phi_1185_ = (_e77 + (_e106 * _e102));
+                    phi_1184_ = (_e79 + (_e99 * _e95));
+                    phi_1183_ = (_e81 + (_e92 * _e89));
+                    phi_1182_ = (_e83 + bitcast<u32>(1i));
                 }
             }
-            let _e124 = global.member_11;
-            let _e127 = global.member_12;
-            let _e140 = (_e124.xyz + (_e127.xyz * vec3<f32>(f32((_e55.x & 65535u)), f32((_e55.x >> bitcast<u32>(16u))), f32((_e55.y & 65535u)))));
-            let _e144 = vec4<f32>(_e140.x, _e140.y, _e140.z, 1f);
-            let _e146 = local_2;
-            let _e149 = local_3;
-            let _e155 = local_5;
-            let _e158 = local_6;
-            let _e165 = local_8;
-            let _e168 = local_9;
-            let _e173 = (((_e149.xyz * dot(_e146, _e144)) + (_e158.xyz * dot(_e155, _e144))) + (_e168.xyz * dot(_e165, _e144)));
-            let _e174 = length(_e173);
-            if (_e174 > 0f) {
-                phi_1186_ = (_e173 / vec3(_e174));
+            let _e112 = global.member_11;
+            let _e115 = global.member_12;
+            let _e128 = (_e112.xyz + (_e115.xyz * vec3<f32>(f32((_e43.x & 65535u)), f32((_e43.x >> bitcast<u32>(16u))), f32((_e43.y & 65535u)))));
+            let _e132 = vec4<f32>(_e128.x, _e128.y, _e128.z, 1f);
+            let _e134 = local_2;
+            let _e137 = local_3;
+            let _e141 = local_5;
+            let _e144 = local_6;
+            let _e149 = local_8;
+            let _e152 = local_9;
+            let _e155 = (((_e137.xyz * dot(_e134, _e132)) + (_e144.xyz * dot(_e141, _e132))) + (_e152.xyz * dot(_e149, _e132)));
+            let _e156 = length(_e155);
+            if (_e156 > 0f) {
+                phi_1186_ = (_e155 / vec3(_e156));
             } else {
                 phi_1186_ = vec3<f32>(0f, 0f, 0f);
             }
-            let _e179 = phi_1186_;
-            let _e183 = (_e179.x * _e179.x);
-            let _e184 = (_e179.y * _e179.y);
-            let _e189 = (vec3<f32>(-(_e179.y), _e179.z, -(_e179.x)) * 0.48860252f);
-            let _e195 = global_1.member[_e47];
-            let _e197 = unpack2x16float(_e195.x);
-            let _e199 = unpack2x16float(_e195.y);
-            let _e208 = global_1.member[(_e47 + _e49)];
-            let _e210 = unpack2x16float(_e208.x);
-            let _e212 = unpack2x16float(_e208.y);
-            let _e217 = (2u * _e49);
-            let _e221 = global_1.member[(_e47 + _e217)];
-            let _e223 = unpack2x16float(_e221.x);
-            let _e225 = unpack2x16float(_e221.y);
-            let _e253 = ((3u * _e49) + _e47);
-            let _e256 = global_1.member[_e253];
-            let _e258 = unpack2x16float(_e256.x);
-            let _e260 = unpack2x16float(_e256.y);
-            let _e269 = global_1.member[(_e253 + _e49)];
-            let _e271 = unpack2x16float(_e269.x);
-            let _e273 = unpack2x16float(_e269.y);
-            let _e281 = global_1.member[(_e253 + _e217)];
-            let _e283 = unpack2x16float(_e281.x);
-            let _e285 = unpack2x16float(_e281.y);
-            let _e307 = global_2.member[_e47];
-            let _e309 = unpack2x16float(_e307.x);
-            let _e319 = clamp(((((((vec4<f32>(_e197.x, _e197.y, _e199.x, _e199.y).xyz * 1f) + (vec3<f32>(_e199.y, _e210.x, _e210.y) * _e189.x)) + (vec3<f32>(_e212.x, _e212.y, _e223.x) * _e189.y)) + (vec4<f32>(_e223.x, _e223.y, _e225.x, _e225.y).yzw * _e189.z)) + ((((vec4<f32>(_e258.x, _e258.y, _e260.x, _e260.y).xyz * ((1.0925485f * _e179.x) * _e179.y)) + (vec3<f32>(_e260.y, _e271.x, _e271.y) * ((-1.0925485f * _e179.y) * _e179.z))) + (vec3<f32>(_e273.x, _e273.y, _e283.x) * (0.31539157f * (((2f * (_e179.z * _e179.z)) - _e183) - _e184)))) + (vec4<f32>(_e283.x, _e283.y, _e285.x, _e285.y).yzw * ((-1.0925485f * _e179.x) * _e179.z)))) + (vec4<f32>(_e309.x, _e309.y, unpack2x16float(_e307.y).x, f32()).xyz * (0.54627424f * (_e183 - _e184)))), vec3<f32>(0f, 0f, 0f), vec3<f32>(65504f, 65504f, 65504f));
-            let _e321 = global.member_38;
-            global_4.member[(_e321 + _e47)] = vec2<u32>(pack2x16float(_e319.xy), pack2x16float(vec2<f32>(_e319.z, 0f)));
+            let _e161 = phi_1186_;
+            let _e165 = (_e161.x * _e161.x);
+            let _e166 = (_e161.y * _e161.y);
+            let _e171 = (vec3<f32>(-(_e161.y), _e161.z, -(_e161.x)) * 0.48860252f);
+            let _e177 = global_1.member[_e35];
+            let _e179 = unpack2x16float(_e177.x);
+            let _e181 = unpack2x16float(_e177.y);
+            let _e190 = global_1.member[(_e35 + _e37)];
+            let _e192 = unpack2x16float(_e190.x);
+            let _e194 = unpack2x16float(_e190.y);
+            let _e199 = (2u * _e37);
+            let _e203 = global_1.member[(_e35 + _e199)];
+            let _e205 = unpack2x16float(_e203.x);
+            let _e207 = unpack2x16float(_e203.y);
+            let _e235 = ((3u * _e37) + _e35);
+            let _e238 = global_1.member[_e235];
+            let _e240 = unpack2x16float(_e238.x);
+            let _e242 = unpack2x16float(_e238.y);
+            let _e251 = global_1.member[(_e235 + _e37)];
+            let _e253 = unpack2x16float(_e251.x);
+            let _e255 = unpack2x16float(_e251.y);
+            let _e263 = global_1.member[(_e235 + _e199)];
+            let _e265 = unpack2x16float(_e263.x);
+            let _e267 = unpack2x16float(_e263.y);
+            let _e289 = global_2.member[_e35];
+            let _e291 = unpack2x16float(_e289.x);
+            let _e301 = clamp(((((((vec4<f32>(_e179.x, _e179.y, _e181.x, _e181.y).xyz * 1f) + (vec3<f32>(_e181.y, _e192.x, _e192.y) * _e171.x)) + (vec3<f32>(_e194.x, _e194.y, _e205.x) * _e171.y)) + (vec4<f32>(_e205.x, _e205.y, _e207.x, _e207.y).yzw * _e171.z)) + ((((vec4<f32>(_e240.x, _e240.y, _e242.x, _e242.y).xyz * ((1.0925485f * _e161.x) * _e161.y)) + (vec3<f32>(_e242.y, _e253.x, _e253.y) * ((-1.0925485f * _e161.y) * _e161.z))) + (vec3<f32>(_e255.x, _e255.y, _e265.x) * (0.31539157f * (((2f * (_e161.z * _e161.z)) - _e165) - _e166)))) + (vec4<f32>(_e265.x, _e265.y, _e267.x, _e267.y).yzw * ((-1.0925485f * _e161.x) * _e161.z)))) + (vec4<f32>(_e291.x, _e291.y, unpack2x16float(_e289.y).x, f32()).xyz * (0.54627424f * (_e165 - _e166)))), vec3<f32>(0f, 0f, 0f), vec3<f32>(65504f, 65504f, 65504f));
+            let _e303 = global.member_38;
+            global_3.member[(_e303 + _e35)] = vec2<u32>(pack2x16float(_e301.xy), pack2x16float(vec2<f32>(_e301.z, 0f)));
             break;
         }
     }
     return;
-}
-
-@compute @workgroup_size(64, 1, 1) 
-fn main(@builtin(global_invocation_id) param: vec3<u32>) {
-    global_3 = param;
-    function_();
 }

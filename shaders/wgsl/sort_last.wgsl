@@ -11,7 +11,7 @@ struct type_3 {
     member_9: u32,
 }
 
-struct type_7 {
+struct type_5 {
     member: u32,
     member_1: u32,
     member_2: u32,
@@ -22,31 +22,30 @@ struct type_7 {
     member_7: u32,
 }
 
-struct type_8 {
-    member: type_7,
+struct type_6 {
+    member: type_5,
 }
 
-struct type_12 {
+struct type_8 {
     member: array<u32>,
 }
 
 @group(0) @binding(7) 
 var<uniform> global: type_3;
 @group(0) @binding(3) 
-var<storage> global_1: type_8;
+var<storage> global_1: type_6;
 @group(0) @binding(1) 
-var<storage> global_2: type_12;
+var<storage> global_2: type_8;
 @group(0) @binding(4) 
-var<storage, read_write> global_3: type_12;
+var<storage, read_write> global_3: type_8;
 var<workgroup> global_4: array<u32, 128>;
 var<workgroup> global_5: array<u32, 256>;
 @group(0) @binding(2) 
-var<storage> global_6: type_12;
-var<private> global_7: vec3<u32>;
-var<private> global_8: vec3<u32>;
-var<workgroup> global_9: array<atomic<u32>, 2048>;
+var<storage> global_6: type_8;
+var<workgroup> global_7: array<atomic<u32>, 2048>;
 
-fn function_() {
+@compute @workgroup_size(128, 1, 1) 
+fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) param_1: vec3<u32>) {
     var phi_876_: u32;
     var phi_879_: u32;
     var phi_878_: u32;
@@ -84,239 +83,239 @@ fn function_() {
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e33 = global_7[0u];
-            let _e35 = global_8[0u];
-            let _e38 = global_1.member.member_6;
-            let _e40 = global.member_5;
-            let _e41 = min(_e38, _e40);
-            let _e44 = max(((_e41 + 4095u) / 4096u), 1u);
-            if (_e35 >= _e44) {
+            let _e28 = bitcast<u32>(param[0u]);
+            let _e30 = bitcast<u32>(param_1[0u]);
+            let _e33 = global_1.member.member_6;
+            let _e35 = global.member_5;
+            let _e36 = min(_e33, _e35);
+            let _e39 = max(((_e36 + 4095u) / 4096u), 1u);
+            if (_e30 >= _e39) {
                 break;
             }
-            phi_876_ = _e33;
+            phi_876_ = _e28;
             loop {
-                let _e47 = phi_876_;
-                if (_e47 < 2048u) {
+                let _e42 = phi_876_;
+                if (_e42 < 2048u) {
                     continue;
                 } else {
                     break;
                 }
                 continuing {
-                    atomicStore((&global_9[_e47]), 0u);
-                    phi_876_ = (_e47 + 128u);
+                    atomicStore((&global_7[_e42]), 0u);
+                    phi_876_ = (_e42 + 128u);
                 }
             }
             switch bitcast<i32>(0u) {
                 default: {
-                    let _e53 = global.member_6;
-                    if !((_e53 != 0u)) {
+                    let _e48 = global.member_6;
+                    if !((_e48 != 0u)) {
                         phi_879_ = 0u;
                         phi_878_ = 0u;
                         loop {
-                            let _e57 = phi_879_;
-                            let _e59 = phi_878_;
-                            local_3 = _e57;
-                            if (_e59 < 2u) {
-                                let _e62 = ((_e33 * 2u) + _e59);
+                            let _e52 = phi_879_;
+                            let _e54 = phi_878_;
+                            local_3 = _e52;
+                            if (_e54 < 2u) {
+                                let _e57 = ((_e28 * 2u) + _e54);
                                 phi_929_ = 0u;
                                 phi_926_ = 0u;
                                 loop {
-                                    let _e64 = phi_929_;
-                                    let _e66 = phi_926_;
-                                    local = _e64;
-                                    local_1 = _e64;
-                                    if (_e66 < _e35) {
+                                    let _e59 = phi_929_;
+                                    let _e61 = phi_926_;
+                                    local = _e59;
+                                    local_1 = _e59;
+                                    if (_e61 < _e30) {
                                         continue;
                                     } else {
                                         break;
                                     }
                                     continuing {
-                                        let _e72 = global_6.member[((_e66 * 256u) + _e62)];
-                                        phi_929_ = (_e64 + _e72);
-                                        phi_926_ = (_e66 + bitcast<u32>(1i));
+                                        let _e67 = global_6.member[((_e61 * 256u) + _e57)];
+                                        phi_929_ = (_e59 + _e67);
+                                        phi_926_ = (_e61 + bitcast<u32>(1i));
                                     }
                                 }
                                 phi_932_ = 0u;
-                                phi_927_ = _e35;
+                                phi_927_ = _e30;
                                 loop {
-                                    let _e77 = phi_932_;
-                                    let _e79 = phi_927_;
-                                    local_2 = _e77;
-                                    if (_e79 < _e44) {
+                                    let _e72 = phi_932_;
+                                    let _e74 = phi_927_;
+                                    local_2 = _e72;
+                                    if (_e74 < _e39) {
                                         continue;
                                     } else {
                                         break;
                                     }
                                     continuing {
-                                        let _e85 = global_6.member[((_e79 * 256u) + _e62)];
-                                        phi_932_ = (_e77 + _e85);
-                                        phi_927_ = (_e79 + bitcast<u32>(1i));
+                                        let _e80 = global_6.member[((_e74 * 256u) + _e57)];
+                                        phi_932_ = (_e72 + _e80);
+                                        phi_927_ = (_e74 + bitcast<u32>(1i));
                                     }
                                 }
-                                let _e90 = local;
-                                global_5[_e62] = (_e90 + _e57);
-                                let _e94 = local_1;
-                                let _e96 = local_2;
-                                local_6 = (_e57 + (_e94 + _e96));
+                                let _e85 = local;
+                                global_5[_e57] = (_e85 + _e52);
+                                let _e89 = local_1;
+                                let _e91 = local_2;
+                                local_6 = (_e52 + (_e89 + _e91));
                                 continue;
                             } else {
                                 break;
                             }
                             continuing {
-                                let _e228 = local_6;
-                                phi_879_ = _e228;
-                                phi_878_ = (_e59 + bitcast<u32>(1i));
+                                let _e223 = local_6;
+                                phi_879_ = _e223;
+                                phi_878_ = (_e54 + bitcast<u32>(1i));
                             }
                         }
-                        let _e103 = local_3;
-                        global_4[_e33] = _e103;
+                        let _e98 = local_3;
+                        global_4[_e28] = _e98;
                         workgroupBarrier();
                         phi_883_ = 0u;
                         phi_880_ = 0u;
                         loop {
-                            let _e105 = phi_883_;
-                            let _e107 = phi_880_;
-                            local_4 = _e105;
-                            if (_e107 < _e33) {
+                            let _e100 = phi_883_;
+                            let _e102 = phi_880_;
+                            local_4 = _e100;
+                            if (_e102 < _e28) {
                                 continue;
                             } else {
                                 break;
                             }
                             continuing {
-                                let _e110 = global_4[_e107];
-                                phi_883_ = (_e105 + _e110);
-                                phi_880_ = (_e107 + bitcast<u32>(1i));
+                                let _e105 = global_4[_e102];
+                                phi_883_ = (_e100 + _e105);
+                                phi_880_ = (_e102 + bitcast<u32>(1i));
                             }
                         }
                         phi_881_ = 0u;
                         loop {
-                            let _e115 = phi_881_;
-                            if (_e115 < 2u) {
+                            let _e110 = phi_881_;
+                            if (_e110 < 2u) {
                                 continue;
                             } else {
                                 break;
                             }
                             continuing {
-                                let _e120 = global_5[((_e33 * 2u) + _e115)];
-                                let _e122 = local_4;
-                                global_5[((_e33 * 2u) + _e115)] = (_e120 + _e122);
-                                phi_881_ = (_e115 + bitcast<u32>(1i));
+                                let _e115 = global_5[((_e28 * 2u) + _e110)];
+                                let _e117 = local_4;
+                                global_5[((_e28 * 2u) + _e110)] = (_e115 + _e117);
+                                phi_881_ = (_e110 + bitcast<u32>(1i));
                             }
                         }
                         workgroupBarrier();
                         break;
                     }
-                    phi_877_ = _e33;
+                    phi_877_ = _e28;
                     loop {
-                        let _e127 = phi_877_;
-                        if (_e127 < 256u) {
+                        let _e122 = phi_877_;
+                        if (_e122 < 256u) {
                             continue;
                         } else {
                             break;
                         }
                         continuing {
-                            let _e133 = global_6.member[((_e35 * 256u) + _e127)];
-                            global_5[_e127] = _e133;
-                            phi_877_ = (_e127 + 128u);
+                            let _e128 = global_6.member[((_e30 * 256u) + _e122)];
+                            global_5[_e122] = _e128;
+                            phi_877_ = (_e122 + 128u);
                         }
                     }
                     workgroupBarrier();
                     break;
                 }
             }
-            let _e136 = (_e33 / 32u);
-            let _e139 = (1u << bitcast<u32>((_e33 & 31u)));
-            let _e143 = min(_e41, ((_e35 + 1u) * 4096u));
+            let _e131 = (_e28 / 32u);
+            let _e134 = (1u << bitcast<u32>((_e28 & 31u)));
+            let _e138 = min(_e36, ((_e30 + 1u) * 4096u));
             phi_885_ = 0u;
-            phi_884_ = (_e35 * 4096u);
+            phi_884_ = (_e30 * 4096u);
             loop {
-                let _e146 = phi_885_;
-                let _e148 = phi_884_;
-                if (_e148 < _e143) {
-                    let _e150 = (_e148 + _e33);
-                    let _e152 = ((_e146 & 1u) * 1024u);
-                    let _e153 = (_e150 < _e143);
+                let _e141 = phi_885_;
+                let _e143 = phi_884_;
+                if (_e143 < _e138) {
+                    let _e145 = (_e143 + _e28);
+                    let _e147 = ((_e141 & 1u) * 1024u);
+                    let _e148 = (_e145 < _e138);
                     phi_897_ = 0u;
                     phi_887_ = 0u;
-                    if _e153 {
-                        let _e156 = global_2.member[_e150];
-                        phi_897_ = _e156;
-                        phi_887_ = (_e156 >> bitcast<u32>(24u));
+                    if _e148 {
+                        let _e151 = global_2.member[_e145];
+                        phi_897_ = _e151;
+                        phi_887_ = (_e151 >> bitcast<u32>(24u));
                     }
-                    let _e160 = phi_897_;
-                    let _e162 = phi_887_;
-                    let _e163 = select(_e153, true, _e153);
-                    if _e163 {
-                        let _e168 = atomicOr((&global_9[((_e152 + (_e136 * 256u)) + _e162)]), _e139);
+                    let _e155 = phi_897_;
+                    let _e157 = phi_887_;
+                    let _e158 = select(_e148, true, _e148);
+                    if _e158 {
+                        let _e163 = atomicOr((&global_7[((_e147 + (_e131 * 256u)) + _e157)]), _e134);
                     }
                     workgroupBarrier();
                     phi_902_ = 0u;
                     phi_900_ = 0u;
-                    if _e163 {
+                    if _e158 {
                         phi_905_ = 0u;
                         phi_892_ = 0u;
                         phi_889_ = 0u;
                         loop {
-                            let _e170 = phi_905_;
-                            let _e172 = phi_892_;
-                            let _e174 = phi_889_;
-                            local_5 = _e172;
-                            local_9 = _e170;
-                            local_10 = _e172;
-                            if (_e174 < 4u) {
-                                let _e180 = atomicLoad((&global_9[((_e152 + (_e174 * 256u)) + _e162)]));
-                                let _e182 = bitcast<u32>(countOneBits(_e180));
-                                local_7 = (_e170 + _e182);
-                                if (_e174 < _e136) {
-                                    phi_921_ = _e182;
+                            let _e165 = phi_905_;
+                            let _e167 = phi_892_;
+                            let _e169 = phi_889_;
+                            local_5 = _e167;
+                            local_9 = _e165;
+                            local_10 = _e167;
+                            if (_e169 < 4u) {
+                                let _e175 = atomicLoad((&global_7[((_e147 + (_e169 * 256u)) + _e157)]));
+                                let _e177 = bitcast<u32>(countOneBits(_e175));
+                                local_7 = (_e165 + _e177);
+                                if (_e169 < _e131) {
+                                    phi_921_ = _e177;
                                 } else {
-                                    if (_e174 == _e136) {
-                                        phi_920_ = bitcast<u32>(countOneBits((_e180 & (_e139 - 1u))));
+                                    if (_e169 == _e131) {
+                                        phi_920_ = bitcast<u32>(countOneBits((_e175 & (_e134 - 1u))));
                                     } else {
                                         phi_920_ = 0u;
                                     }
-                                    let _e190 = phi_920_;
-                                    phi_921_ = _e190;
+                                    let _e185 = phi_920_;
+                                    phi_921_ = _e185;
                                 }
-                                let _e192 = phi_921_;
-                                local_8 = (_e172 + _e192);
+                                let _e187 = phi_921_;
+                                local_8 = (_e167 + _e187);
                                 continue;
                             } else {
                                 break;
                             }
                             continuing {
-                                let _e249 = local_7;
-                                phi_905_ = _e249;
-                                let _e252 = local_8;
-                                phi_892_ = _e252;
-                                phi_889_ = (_e174 + bitcast<u32>(1i));
+                                let _e244 = local_7;
+                                phi_905_ = _e244;
+                                let _e247 = local_8;
+                                phi_892_ = _e247;
+                                phi_889_ = (_e169 + bitcast<u32>(1i));
                             }
                         }
-                        let _e197 = global_5[_e162];
-                        let _e199 = local_5;
-                        global_3.member[(_e197 + _e199)] = (_e160 & 16777215u);
-                        let _e259 = local_9;
-                        phi_902_ = _e259;
-                        let _e262 = local_10;
-                        phi_900_ = _e262;
+                        let _e192 = global_5[_e157];
+                        let _e194 = local_5;
+                        global_3.member[(_e192 + _e194)] = (_e155 & 16777215u);
+                        let _e254 = local_9;
+                        phi_902_ = _e254;
+                        let _e257 = local_10;
+                        phi_900_ = _e257;
                     }
-                    let _e205 = phi_902_;
-                    let _e207 = phi_900_;
+                    let _e200 = phi_902_;
+                    let _e202 = phi_900_;
                     workgroupBarrier();
-                    if (_e163 && (_e207 == 0u)) {
-                        let _e211 = global_5[_e162];
-                        global_5[_e162] = (_e211 + _e205);
+                    if (_e158 && (_e202 == 0u)) {
+                        let _e206 = global_5[_e157];
+                        global_5[_e157] = (_e206 + _e200);
                         phi_906_ = 0u;
                         loop {
-                            let _e214 = phi_906_;
-                            if (_e214 < 4u) {
+                            let _e209 = phi_906_;
+                            if (_e209 < 4u) {
                                 continue;
                             } else {
                                 break;
                             }
                             continuing {
-                                atomicStore((&global_9[((_e152 + (_e214 * 256u)) + _e162)]), 0u);
-                                phi_906_ = (_e214 + bitcast<u32>(1i));
+                                atomicStore((&global_7[((_e147 + (_e209 * 256u)) + _e157)]), 0u);
+                                phi_906_ = (_e209 + bitcast<u32>(1i));
                             }
                         }
                     }
@@ -325,19 +324,12 @@ fn function_() {
                     break;
                 }
                 continuing {
-                    phi_885_ = (_e146 + bitcast<u32>(1i));
-                    phi_884_ = (_e148 + 128u);
+                    phi_885_ = (_e141 + bitcast<u32>(1i));
+                    phi_884_ = (_e143 + 128u);
                 }
             }
             break;
         }
     }
     return;
-}
-
-@compute @workgroup_size(128, 1, 1) 
-fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) param_1: vec3<u32>) {
-    global_7 = param;
-    global_8 = param_1;
-    function_();
 }

@@ -1,11 +1,11 @@
-struct type_15 {
+struct type_12 {
     member: u32,
     member_1: u32,
     member_2: u32,
     member_3: u32,
 }
 
-struct type_19 {
+struct type_16 {
     member: vec2<f32>,
     member_1: vec2<f32>,
     member_2: vec2<f32>,
@@ -58,16 +58,16 @@ struct type_19 {
     member_49: array<vec4<f32>, 3>,
     member_50: array<vec4<u32>, 8>,
     member_51: array<vec4<u32>, 8>,
-    member_52: array<type_15, 8>,
+    member_52: array<type_12, 8>,
     member_53: array<vec4<f32>, 128>,
     member_54: array<vec4<f32>, 768>,
 }
 
-struct type_26 {
+struct type_19 {
     member: array<u32>,
 }
 
-struct type_30 {
+struct type_20 {
     member: f32,
     member_1: f32,
     member_2: f32,
@@ -80,33 +80,32 @@ struct type_30 {
     member_9: u32,
 }
 
-struct type_33 {
+struct type_22 {
     member: array<vec2<u32>>,
 }
 
-struct type_47 {
+struct type_26 {
     member: array<atomic<u32>>,
 }
 
 @group(0) @binding(0) 
-var<uniform> global: type_19;
+var<uniform> global: type_16;
 @group(0) @binding(6) 
-var<storage, read_write> global_1: type_47;
+var<storage, read_write> global_1: type_26;
 @group(0) @binding(7) 
-var<uniform> global_2: type_30;
+var<uniform> global_2: type_20;
 @group(0) @binding(3) 
-var<storage> global_3: type_33;
+var<storage> global_3: type_22;
 @group(0) @binding(4) 
-var<storage, read_write> global_4: type_26;
-var<private> global_5: vec3<u32>;
-var<workgroup> global_6: array<u32, 64>;
+var<storage, read_write> global_4: type_19;
+var<workgroup> global_5: array<u32, 64>;
 @group(0) @binding(2) 
-var<storage> global_7: type_26;
+var<storage> global_6: type_19;
 @group(0) @binding(1) 
-var<storage> global_8: type_33;
-var<private> global_9: vec3<u32>;
+var<storage> global_7: type_22;
 
-fn function_() {
+@compute @workgroup_size(64, 1, 1) 
+fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocation_id) param_1: vec3<u32>) {
     var local: vec4<u32>;
     var local_1: vec4<u32>;
     var local_2: vec4<f32>;
@@ -199,218 +198,218 @@ fn function_() {
     var phi_5375_: u32;
     var local_32: f32;
 
-    let _e138 = global_9[0u];
-    let _e140 = global.member_14;
-    let _e141 = (_e138 < _e140);
-    if _e141 {
+    let _e85 = bitcast<u32>(param_1[0u]);
+    let _e87 = global.member_14;
+    let _e88 = (_e85 < _e87);
+    if _e88 {
         switch bitcast<i32>(0u) {
             default: {
-                let _e145 = (4u * (_e140 + (_e138 / 32u)));
-                let _e146 = (2u * _e138);
-                let _e149 = global_8.member[_e146];
-                let _e153 = global_8.member[(_e146 + 1u)];
-                let _e154 = (2u * _e140);
-                let _e158 = global_8.member[(_e154 + _e138)];
-                let _e169 = (vec2<f32>(f32(((_e158.y >> bitcast<u32>(16u)) & 31u)), f32(((_e158.y >> bitcast<u32>(21u)) & 31u))) * vec2<f32>(0.032258064f, 0.032258064f));
-                let _e173 = ((1f + (2f * _e169.x)) * 0.33333334f);
-                let _e174 = (1f - _e173);
-                let _e178 = (_e174 * (0.5f + (0.5f * _e169.y)));
-                let _e186 = global.member_11;
-                let _e189 = global.member_12;
-                let _e204 = global.member_21;
-                let _e205 = (2u * _e204);
-                let _e209 = global_3.member[(_e205 + (_e158.x & 65535u))];
-                let _e211 = unpack2x16float(_e209.x);
-                let _e223 = global_3.member[(_e205 + (_e158.x >> bitcast<u32>(16u)))];
-                let _e225 = unpack2x16float(_e223.x);
-                let _e237 = global_3.member[(_e205 + (_e158.y & 65535u))];
-                let _e239 = unpack2x16float(_e237.x);
-                let _e247 = ((((_e186.xyz + (_e189.xyz * vec3<f32>(f32((_e149.x & 65535u)), f32((_e149.x >> bitcast<u32>(16u))), f32((_e149.y & 65535u))))) + (vec3<f32>(_e211.x, _e211.y, unpack2x16float(_e209.y).x) * _e173)) + (vec3<f32>(_e225.x, _e225.y, unpack2x16float(_e223.y).x) * _e178)) + (vec3<f32>(_e239.x, _e239.y, unpack2x16float(_e237.y).x) * (_e174 - _e178)));
-                let _e251 = vec4<f32>(_e247.x, _e247.y, _e247.z, 1f);
-                let _e264 = (((_e149.y >> bitcast<u32>(16u)) | ((_e153.y >> bitcast<u32>(24u)) << bitcast<u32>(16u))) | ((_e158.y >> bitcast<u32>(26u)) << bitcast<u32>(24u)));
-                let _e266 = global.member_36;
-                let _e268 = global.member_37;
-                let _e281 = (vec3(_e266) + (vec3<f32>(f32((_e264 & 1023u)), f32(((_e264 >> bitcast<u32>(10u)) & 1023u)), f32((_e264 >> bitcast<u32>(20u)))) * _e268));
-                local_1 = (vec4<u32>(_e153.x, (_e153.x >> bitcast<u32>(8u)), (_e153.x >> bitcast<u32>(16u)), (_e153.x >> bitcast<u32>(24u))) & vec4<u32>(255u, 255u, 255u, 255u));
-                let _e296 = (vec3<u32>(_e153.y, (_e153.y >> bitcast<u32>(8u)), (_e153.y >> bitcast<u32>(16u))) & vec3<u32>(255u, 255u, 255u));
-                let _e297 = vec3<f32>(_e296);
-                local_2 = (vec4<f32>(_e297.x, _e297.y, _e297.z, f32((((255u - _e296.x) - _e296.y) - _e296.z))) * vec4<f32>(0.003921569f, 0.003921569f, 0.003921569f, 0.003921569f));
+                let _e92 = (4u * (_e87 + (_e85 / 32u)));
+                let _e93 = (2u * _e85);
+                let _e96 = global_7.member[_e93];
+                let _e100 = global_7.member[(_e93 + 1u)];
+                let _e101 = (2u * _e87);
+                let _e105 = global_7.member[(_e101 + _e85)];
+                let _e116 = (vec2<f32>(f32(((_e105.y >> bitcast<u32>(16u)) & 31u)), f32(((_e105.y >> bitcast<u32>(21u)) & 31u))) * vec2<f32>(0.032258064f, 0.032258064f));
+                let _e120 = ((1f + (2f * _e116.x)) * 0.33333334f);
+                let _e121 = (1f - _e120);
+                let _e125 = (_e121 * (0.5f + (0.5f * _e116.y)));
+                let _e133 = global.member_11;
+                let _e136 = global.member_12;
+                let _e151 = global.member_21;
+                let _e152 = (2u * _e151);
+                let _e156 = global_3.member[(_e152 + (_e105.x & 65535u))];
+                let _e158 = unpack2x16float(_e156.x);
+                let _e170 = global_3.member[(_e152 + (_e105.x >> bitcast<u32>(16u)))];
+                let _e172 = unpack2x16float(_e170.x);
+                let _e184 = global_3.member[(_e152 + (_e105.y & 65535u))];
+                let _e186 = unpack2x16float(_e184.x);
+                let _e194 = ((((_e133.xyz + (_e136.xyz * vec3<f32>(f32((_e96.x & 65535u)), f32((_e96.x >> bitcast<u32>(16u))), f32((_e96.y & 65535u))))) + (vec3<f32>(_e158.x, _e158.y, unpack2x16float(_e156.y).x) * _e120)) + (vec3<f32>(_e172.x, _e172.y, unpack2x16float(_e170.y).x) * _e125)) + (vec3<f32>(_e186.x, _e186.y, unpack2x16float(_e184.y).x) * (_e121 - _e125)));
+                let _e198 = vec4<f32>(_e194.x, _e194.y, _e194.z, 1f);
+                let _e211 = (((_e96.y >> bitcast<u32>(16u)) | ((_e100.y >> bitcast<u32>(24u)) << bitcast<u32>(16u))) | ((_e105.y >> bitcast<u32>(26u)) << bitcast<u32>(24u)));
+                let _e213 = global.member_36;
+                let _e215 = global.member_37;
+                let _e228 = (vec3(_e213) + (vec3<f32>(f32((_e211 & 1023u)), f32(((_e211 >> bitcast<u32>(10u)) & 1023u)), f32((_e211 >> bitcast<u32>(20u)))) * _e215));
+                local_1 = (vec4<u32>(_e100.x, (_e100.x >> bitcast<u32>(8u)), (_e100.x >> bitcast<u32>(16u)), (_e100.x >> bitcast<u32>(24u))) & vec4<u32>(255u, 255u, 255u, 255u));
+                let _e243 = (vec3<u32>(_e100.y, (_e100.y >> bitcast<u32>(8u)), (_e100.y >> bitcast<u32>(16u))) & vec3<u32>(255u, 255u, 255u));
+                let _e244 = vec3<f32>(_e243);
+                local_2 = (vec4<f32>(_e244.x, _e244.y, _e244.z, f32((((255u - _e243.x) - _e243.y) - _e243.z))) * vec4<f32>(0.003921569f, 0.003921569f, 0.003921569f, 0.003921569f));
                 phi_5239_ = vec4<f32>(0f, 0f, 0f, 0f);
                 phi_5238_ = vec4<f32>(0f, 0f, 0f, 0f);
                 phi_5237_ = vec4<f32>(0f, 0f, 0f, 0f);
                 phi_5236_ = 0u;
                 loop {
-                    let _e311 = phi_5239_;
-                    let _e313 = phi_5238_;
-                    let _e315 = phi_5237_;
-                    let _e317 = phi_5236_;
-                    local_3 = _e315;
-                    local_4 = _e313;
-                    local_5 = _e311;
-                    local_6 = _e315;
-                    local_7 = _e315;
-                    local_8 = _e313;
-                    local_9 = _e313;
-                    local_10 = _e311;
-                    local_11 = _e311;
-                    local_12 = _e315;
-                    local_13 = _e315;
-                    local_14 = _e315;
-                    local_15 = _e313;
-                    local_16 = _e313;
-                    local_17 = _e313;
-                    local_18 = _e311;
-                    local_19 = _e311;
-                    local_20 = _e311;
-                    if (_e317 < 4u) {
+                    let _e258 = phi_5239_;
+                    let _e260 = phi_5238_;
+                    let _e262 = phi_5237_;
+                    let _e264 = phi_5236_;
+                    local_3 = _e262;
+                    local_4 = _e260;
+                    local_5 = _e258;
+                    local_6 = _e262;
+                    local_7 = _e262;
+                    local_8 = _e260;
+                    local_9 = _e260;
+                    local_10 = _e258;
+                    local_11 = _e258;
+                    local_12 = _e262;
+                    local_13 = _e262;
+                    local_14 = _e262;
+                    local_15 = _e260;
+                    local_16 = _e260;
+                    local_17 = _e260;
+                    local_18 = _e258;
+                    local_19 = _e258;
+                    local_20 = _e258;
+                    if (_e264 < 4u) {
                         continue;
                     } else {
                         break;
                     }
                     continuing {
-                        let _e320 = local_1[_e317];
-                        let _e321 = (3u * _e320);
-                        let _e323 = local_2[_e317];
-                        let _e326 = global.member_54[_e321];
-                        let _e329 = local_2[_e317];
-                        let _e333 = global.member_54[(_e321 + 1u)];
-                        let _e336 = local_2[_e317];
-                        let _e340 = global.member_54[(_e321 + 2u)];
-                        phi_5239_ = (_e311 + (_e340 * _e336));
-                        phi_5238_ = (_e313 + (_e333 * _e329));
-                        phi_5237_ = (_e315 + (_e326 * _e323));
-                        phi_5236_ = (_e317 + bitcast<u32>(1i));
+                        let _e267 = local_1[_e264];
+                        let _e268 = (3u * _e267);
+                        let _e270 = local_2[_e264];
+                        let _e273 = global.member_54[_e268];
+                        let _e276 = local_2[_e264];
+                        let _e280 = global.member_54[(_e268 + 1u)];
+                        let _e283 = local_2[_e264];
+                        let _e287 = global.member_54[(_e268 + 2u)];
+                        phi_5239_ = (_e258 + (_e287 * _e283));
+                        phi_5238_ = (_e260 + (_e280 * _e276));
+                        phi_5237_ = (_e262 + (_e273 * _e270));
+                        phi_5236_ = (_e264 + bitcast<u32>(1i));
                     }
                 }
-                let _e346 = local_3;
-                let _e349 = local_4;
-                let _e352 = local_5;
-                let _e353 = dot(_e352, _e251);
-                let _e354 = vec3<f32>(dot(_e346, _e251), dot(_e349, _e251), _e353);
-                let _e356 = local_6;
-                let _e359 = _e356.xyz;
-                let _e361 = local_8;
-                let _e364 = _e361.xyz;
-                let _e366 = local_10;
-                let _e369 = _e366.xyz;
-                let _e371 = local_12;
-                let _e374 = local_13;
-                let _e377 = local_14;
-                let _e380 = local_15;
-                let _e383 = local_16;
-                let _e386 = local_17;
-                let _e389 = local_18;
-                let _e392 = local_19;
-                let _e395 = local_20;
-                let _e397 = vec3<f32>(_e371.x, _e374.y, _e377.z);
-                let _e398 = vec3<f32>(_e380.x, _e383.y, _e386.z);
-                let _e399 = vec3<f32>(_e389.x, _e392.y, _e395.z);
-                let _e415 = ((1.2f * exp(min(max(max(_e281.x, _e281.y), _e281.z), 9f))) * sqrt(max(max(dot(_e359, _e359), dot(_e364, _e364)), dot(_e369, _e369))));
+                let _e293 = local_3;
+                let _e296 = local_4;
+                let _e299 = local_5;
+                let _e300 = dot(_e299, _e198);
+                let _e301 = vec3<f32>(dot(_e293, _e198), dot(_e296, _e198), _e300);
+                let _e303 = local_6;
+                let _e304 = _e303.xyz;
+                let _e306 = local_8;
+                let _e307 = _e306.xyz;
+                let _e309 = local_10;
+                let _e310 = _e309.xyz;
+                let _e312 = local_12;
+                let _e315 = local_13;
+                let _e318 = local_14;
+                let _e321 = local_15;
+                let _e324 = local_16;
+                let _e327 = local_17;
+                let _e330 = local_18;
+                let _e333 = local_19;
+                let _e336 = local_20;
+                let _e338 = vec3<f32>(_e312.x, _e315.y, _e318.z);
+                let _e339 = vec3<f32>(_e321.x, _e324.y, _e327.z);
+                let _e340 = vec3<f32>(_e330.x, _e333.y, _e336.z);
+                let _e356 = ((1.2f * exp(min(max(max(_e228.x, _e228.y), _e228.z), 9f))) * sqrt(max(max(dot(_e304, _e304), dot(_e307, _e307)), dot(_e310, _e310))));
                 switch bitcast<i32>(0u) {
                     default: {
-                        let _e418 = global.member_6;
-                        if !((_e353 >= _e418)) {
-                            let _e422 = global_2.member_9;
-                            if (_e422 != 0u) {
-                                let _e426 = atomicAdd((&global_1.member[0u]), 1u);
+                        let _e359 = global.member_6;
+                        if !((_e300 >= _e359)) {
+                            let _e363 = global_2.member_9;
+                            if (_e363 != 0u) {
+                                let _e367 = atomicAdd((&global_1.member[0u]), 1u);
                             }
                             phi_5268_ = 0f;
                             phi_5259_ = vec2<f32>(0f, 0f);
                             phi_5258_ = false;
                             break;
                         }
-                        let _e428 = global.member;
-                        let _e429 = _e354.xy;
-                        let _e431 = vec2(_e353);
-                        let _e434 = global.member_1;
-                        let _e435 = (((_e428 * _e429) / _e431) + _e434);
-                        let _e437 = global.member_5;
-                        let _e441 = all((_e435 >= vec2(-(_e437))));
-                        phi_3138_ = _e441;
-                        if _e441 {
-                            let _e443 = global.member_4;
-                            phi_3138_ = all((_e435 <= (_e443 + vec2(_e437))));
+                        let _e369 = global.member;
+                        let _e370 = _e301.xy;
+                        let _e372 = vec2(_e300);
+                        let _e375 = global.member_1;
+                        let _e376 = (((_e369 * _e370) / _e372) + _e375);
+                        let _e378 = global.member_5;
+                        let _e382 = all((_e376 >= vec2(-(_e378))));
+                        phi_3138_ = _e382;
+                        if _e382 {
+                            let _e384 = global.member_4;
+                            phi_3138_ = all((_e376 <= (_e384 + vec2(_e378))));
                         }
-                        let _e449 = phi_3138_;
-                        if !(_e449) {
-                            let _e452 = global_2.member_9;
-                            if (_e452 != 0u) {
-                                let _e456 = atomicAdd((&global_1.member[0u]), 1u);
+                        let _e390 = phi_3138_;
+                        if !(_e390) {
+                            let _e393 = global_2.member_9;
+                            if (_e393 != 0u) {
+                                let _e397 = atomicAdd((&global_1.member[0u]), 1u);
                             }
                             phi_5268_ = 0f;
-                            phi_5259_ = _e435;
+                            phi_5259_ = _e376;
                             phi_5258_ = false;
                             break;
                         }
-                        let _e458 = global.member_7;
-                        let _e461 = global.member_8;
-                        let _e462 = ((_e458 - _e353) * _e461);
-                        if (_e462 < 0f) {
-                            phi_5242_ = (0.015625f / (1f - _e462));
+                        let _e399 = global.member_7;
+                        let _e402 = global.member_8;
+                        let _e403 = ((_e399 - _e300) * _e402);
+                        if (_e403 < 0f) {
+                            phi_5242_ = (0.015625f / (1f - _e403));
                         } else {
-                            if (_e462 > 1f) {
-                                phi_5241_ = (1f - (0.015625f / _e462));
+                            if (_e403 > 1f) {
+                                phi_5241_ = (1f - (0.015625f / _e403));
                             } else {
-                                phi_5241_ = (0.015625f + (0.96875f * clamp(_e462, 0f, 1f)));
+                                phi_5241_ = (0.015625f + (0.96875f * clamp(_e403, 0f, 1f)));
                             }
-                            let _e471 = phi_5241_;
-                            phi_5242_ = _e471;
+                            let _e412 = phi_5241_;
+                            phi_5242_ = _e412;
                         }
-                        let _e475 = phi_5242_;
-                        let _e476 = (_e429 / _e431);
-                        let _e484 = global.member[0u];
-                        let _e487 = global.member[1u];
-                        let _e492 = global.member_31;
-                        let _e493 = (_e492 > 0u);
-                        phi_3180_ = _e493;
-                        if _e493 {
-                            let _e495 = global.member_34;
-                            let _e498 = global.member_29;
+                        let _e416 = phi_5242_;
+                        let _e417 = (_e370 / _e372);
+                        let _e425 = global.member[0u];
+                        let _e428 = global.member[1u];
+                        let _e433 = global.member_31;
+                        let _e434 = (_e433 > 0u);
+                        phi_3180_ = _e434;
+                        if _e434 {
+                            let _e436 = global.member_34;
+                            let _e439 = global.member_29;
                             switch bitcast<i32>(0u) {
                                 default: {
-                                    let _e508 = vec2((sqrt((2f * log(max((max(255f, _e495) / _e498), 1f)))) * ((((_e415 * length(vec3<f32>(_e476.x, _e476.y, 1f))) * max(_e484, _e487)) / _e353) + 0.5477226f)));
-                                    let _e511 = global.member_32;
-                                    let _e514 = global.member_33;
-                                    let _e518 = vec2<u32>(clamp(((((_e435 - _e508) - _e511) * _e514) - vec2<f32>(0.5f, 0.5f)), vec2<f32>(0f, 0f), vec2<f32>(191f, 191f)));
-                                    let _e524 = vec2<u32>(clamp(((((_e435 + _e508) - _e511) * _e514) + vec2<f32>(0.5f, 0.5f)), vec2<f32>(0f, 0f), vec2<f32>(191f, 191f)));
-                                    let _e531 = max((_e524.x - _e518.x), (_e524.y - _e518.y));
-                                    if (_e531 <= 3u) {
+                                    let _e449 = vec2((sqrt((2f * log(max((max(255f, _e436) / _e439), 1f)))) * ((((_e356 * length(vec3<f32>(_e417.x, _e417.y, 1f))) * max(_e425, _e428)) / _e300) + 0.5477226f)));
+                                    let _e452 = global.member_32;
+                                    let _e455 = global.member_33;
+                                    let _e459 = vec2<u32>(clamp(((((_e376 - _e449) - _e452) * _e455) - vec2<f32>(0.5f, 0.5f)), vec2<f32>(0f, 0f), vec2<f32>(191f, 191f)));
+                                    let _e465 = vec2<u32>(clamp(((((_e376 + _e449) - _e452) * _e455) + vec2<f32>(0.5f, 0.5f)), vec2<f32>(0f, 0f), vec2<f32>(191f, 191f)));
+                                    let _e472 = max((_e465.x - _e459.x), (_e465.y - _e459.y));
+                                    if (_e472 <= 3u) {
                                         phi_5246_ = 0u;
                                     } else {
-                                        phi_5246_ = (bitcast<u32>(firstLeadingBit((_e531 - 1u))) - 1u);
+                                        phi_5246_ = (bitcast<u32>(firstLeadingBit((_e472 - 1u))) - 1u);
                                     }
-                                    let _e538 = phi_5246_;
-                                    if !((_e538 < 4u)) {
+                                    let _e479 = phi_5246_;
+                                    if !((_e479 < 4u)) {
                                         phi_5257_ = false;
                                         break;
                                     }
-                                    let _e547 = vec2(_e538);
-                                    let _e549 = (_e518 >> bitcast<vec2<u32>>(_e547));
-                                    let _e551 = (_e524 >> bitcast<vec2<u32>>(_e547));
+                                    let _e488 = vec2(_e479);
+                                    let _e490 = (_e459 >> bitcast<vec2<u32>>(_e488));
+                                    let _e492 = (_e465 >> bitcast<vec2<u32>>(_e488));
                                     phi_5251_ = 0f;
-                                    phi_5249_ = _e549.y;
+                                    phi_5249_ = _e490.y;
                                     loop {
-                                        let _e554 = phi_5251_;
-                                        let _e556 = phi_5249_;
-                                        local_21 = _e554;
-                                        if (_e556 <= _e551.y) {
-                                            phi_5256_ = _e554;
-                                            phi_5253_ = _e549.x;
+                                        let _e495 = phi_5251_;
+                                        let _e497 = phi_5249_;
+                                        local_21 = _e495;
+                                        if (_e497 <= _e492.y) {
+                                            phi_5256_ = _e495;
+                                            phi_5253_ = _e490.x;
                                             loop {
-                                                let _e561 = phi_5256_;
-                                                let _e563 = phi_5253_;
-                                                local_32 = _e561;
-                                                if (_e563 <= _e551.x) {
+                                                let _e502 = phi_5256_;
+                                                let _e504 = phi_5253_;
+                                                local_32 = _e502;
+                                                if (_e504 <= _e492.x) {
                                                     continue;
                                                 } else {
                                                     break;
                                                 }
                                                 continuing {
-                                                    let _e570 = (((49152u - (((36864u >> bitcast<u32>((2u * _e538))) / 3u) * 4u)) + (_e556 * (192u >> bitcast<u32>(_e538)))) + _e563);
-                                                    let _e572 = (_e492 + (_e570 / 2u));
-                                                    let _e578 = global_3.member[(_e572 / 2u)][(_e572 & 1u)];
-                                                    phi_5256_ = max(_e561, (f32(((_e578 >> bitcast<u32>((16u * (_e570 & 1u)))) & 65535u)) * 0.000015259022f));
-                                                    phi_5253_ = (_e563 + bitcast<u32>(1i));
+                                                    let _e511 = (((49152u - (((36864u >> bitcast<u32>((2u * _e479))) / 3u) * 4u)) + (_e497 * (192u >> bitcast<u32>(_e479)))) + _e504);
+                                                    let _e513 = (_e433 + (_e511 / 2u));
+                                                    let _e519 = global_3.member[(_e513 / 2u)][(_e513 & 1u)];
+                                                    phi_5256_ = max(_e502, (f32(((_e519 >> bitcast<u32>((16u * (_e511 & 1u)))) & 65535u)) * 0.000015259022f));
+                                                    phi_5253_ = (_e504 + bitcast<u32>(1i));
                                                 }
                                             }
                                             continue;
@@ -418,550 +417,543 @@ fn function_() {
                                             break;
                                         }
                                         continuing {
-                                            let _e1633 = local_32;
-                                            phi_5251_ = _e1633;
-                                            phi_5249_ = (_e556 + bitcast<u32>(1i));
+                                            let _e1574 = local_32;
+                                            phi_5251_ = _e1574;
+                                            phi_5249_ = (_e497 + bitcast<u32>(1i));
                                         }
                                     }
-                                    let _e592 = local_21;
-                                    phi_5257_ = ((1f - _e475) > _e592);
+                                    let _e533 = local_21;
+                                    phi_5257_ = ((1f - _e416) > _e533);
                                     break;
                                 }
                             }
-                            let _e595 = phi_5257_;
-                            phi_3180_ = _e595;
+                            let _e536 = phi_5257_;
+                            phi_3180_ = _e536;
                         }
-                        let _e597 = phi_3180_;
-                        if _e597 {
-                            let _e599 = global_2.member_9;
-                            if (_e599 != 0u) {
-                                let _e603 = atomicAdd((&global_1.member[1u]), 1u);
+                        let _e538 = phi_3180_;
+                        if _e538 {
+                            let _e540 = global_2.member_9;
+                            if (_e540 != 0u) {
+                                let _e544 = atomicAdd((&global_1.member[1u]), 1u);
                             }
-                            phi_5268_ = _e475;
-                            phi_5259_ = _e435;
+                            phi_5268_ = _e416;
+                            phi_5259_ = _e376;
                             phi_5258_ = false;
                             break;
                         }
-                        phi_5268_ = _e475;
-                        phi_5259_ = _e435;
+                        phi_5268_ = _e416;
+                        phi_5259_ = _e376;
                         phi_5258_ = true;
                         break;
                     }
                 }
-                let _e605 = phi_5268_;
-                let _e607 = phi_5259_;
-                let _e609 = phi_5258_;
-                let _e614 = global_8.member[((3u * _e140) + _e138)];
-                let _e617 = (_e614.y >> bitcast<u32>(24u));
-                let _e631 = ((vec3<f32>(f32((_e614.x & 1023u)), f32(((_e614.x >> bitcast<u32>(10u)) & 1023u)), f32(((_e614.x >> bitcast<u32>(20u)) & 1023u))) - vec3<f32>(512f, 512f, 512f)) * vec3<f32>(0.0013888889f, 0.0013888889f, 0.0013888889f));
-                let _e635 = sqrt(max((1f - dot(_e631, _e631)), 0f));
-                let _e637 = (_e614.x >> bitcast<u32>(30u));
-                if (_e637 == 0u) {
-                    phi_5280_ = vec4<f32>(_e635, _e631.x, _e631.y, _e631.z);
+                let _e546 = phi_5268_;
+                let _e548 = phi_5259_;
+                let _e550 = phi_5258_;
+                let _e555 = global_7.member[((3u * _e87) + _e85)];
+                let _e558 = (_e555.y >> bitcast<u32>(24u));
+                let _e572 = ((vec3<f32>(f32((_e555.x & 1023u)), f32(((_e555.x >> bitcast<u32>(10u)) & 1023u)), f32(((_e555.x >> bitcast<u32>(20u)) & 1023u))) - vec3<f32>(512f, 512f, 512f)) * vec3<f32>(0.0013888889f, 0.0013888889f, 0.0013888889f));
+                let _e576 = sqrt(max((1f - dot(_e572, _e572)), 0f));
+                let _e578 = (_e555.x >> bitcast<u32>(30u));
+                if (_e578 == 0u) {
+                    phi_5280_ = vec4<f32>(_e576, _e572.x, _e572.y, _e572.z);
                 } else {
-                    if (_e637 == 1u) {
-                        phi_5279_ = vec4<f32>(_e631.x, _e635, _e631.y, _e631.z);
+                    if (_e578 == 1u) {
+                        phi_5279_ = vec4<f32>(_e572.x, _e576, _e572.y, _e572.z);
                     } else {
-                        if (_e637 == 2u) {
-                            phi_5278_ = vec4<f32>(_e631.x, _e631.y, _e635, _e631.z);
+                        if (_e578 == 2u) {
+                            phi_5278_ = vec4<f32>(_e572.x, _e572.y, _e576, _e572.z);
                         } else {
-                            phi_5278_ = vec4<f32>(_e631.x, _e631.y, _e631.z, _e635);
+                            phi_5278_ = vec4<f32>(_e572.x, _e572.y, _e572.z, _e576);
                         }
-                        let _e650 = phi_5278_;
-                        phi_5279_ = _e650;
+                        let _e591 = phi_5278_;
+                        phi_5279_ = _e591;
                     }
-                    let _e656 = phi_5279_;
-                    phi_5280_ = _e656;
+                    let _e597 = phi_5279_;
+                    phi_5280_ = _e597;
                 }
-                let _e662 = phi_5280_;
-                let _e666 = global.member_38;
-                let _e667 = (_e666 > 0u);
-                phi_5298_ = unpack4x8unorm(_e614.y).xyz;
-                if _e667 {
-                    let _e671 = global_8.member[(_e666 + _e138)];
-                    let _e673 = unpack2x16float(_e671.x);
-                    phi_5298_ = vec3<f32>(_e673.x, _e673.y, unpack2x16float(_e671.y).x);
+                let _e603 = phi_5280_;
+                let _e607 = global.member_38;
+                let _e608 = (_e607 > 0u);
+                phi_5298_ = unpack4x8unorm(_e555.y).xyz;
+                if _e608 {
+                    let _e612 = global_7.member[(_e607 + _e85)];
+                    let _e614 = unpack2x16float(_e612.x);
+                    phi_5298_ = vec3<f32>(_e614.x, _e614.y, unpack2x16float(_e612.y).x);
                 }
-                let _e681 = phi_5298_;
-                let _e684 = (1u << bitcast<u32>((_e138 & 31u)));
-                let _e687 = global_8.member[_e145];
-                let _e691 = global_8.member[(_e145 + 1u)];
-                let _e695 = global_8.member[(_e145 + 2u)];
-                phi_5342_ = _e662;
-                if ((_e687.x & _e684) != 0u) {
-                    let _e700 = global.member_22;
-                    let _e708 = global.member_18;
-                    let _e712 = (_e700 + ((_e691.y + bitcast<u32>(countOneBits((_e687.x & (_e684 - 1u))))) * (1u + (4u * _e708))));
-                    let _e713 = (_e712 + 1u);
-                    let _e716 = global_7.member[_e712];
-                    let _e718 = global.member_44;
-                    let _e722 = global.member_19;
-                    let _e724 = (_e718 + ((_e716 >> bitcast<u32>(16u)) * _e722));
-                    let _e727 = (127f * unpack2x16float(_e716).x);
+                let _e622 = phi_5298_;
+                let _e625 = (1u << bitcast<u32>((_e85 & 31u)));
+                let _e628 = global_7.member[_e92];
+                let _e632 = global_7.member[(_e92 + 1u)];
+                let _e636 = global_7.member[(_e92 + 2u)];
+                phi_5342_ = _e603;
+                if ((_e628.x & _e625) != 0u) {
+                    let _e641 = global.member_22;
+                    let _e649 = global.member_18;
+                    let _e653 = (_e641 + ((_e632.y + bitcast<u32>(countOneBits((_e628.x & (_e625 - 1u))))) * (1u + (4u * _e649))));
+                    let _e654 = (_e653 + 1u);
+                    let _e657 = global_6.member[_e653];
+                    let _e659 = global.member_44;
+                    let _e663 = global.member_19;
+                    let _e665 = (_e659 + ((_e657 >> bitcast<u32>(16u)) * _e663));
+                    let _e668 = (127f * unpack2x16float(_e657).x);
                     phi_5300_ = 0f;
                     phi_5299_ = 0u;
                     loop {
-                        let _e729 = phi_5300_;
-                        let _e731 = phi_5299_;
-                        local_22 = _e729;
-                        if (_e731 < _e708) {
+                        let _e670 = phi_5300_;
+                        let _e672 = phi_5299_;
+                        local_22 = _e670;
+                        if (_e672 < _e649) {
                             continue;
                         } else {
                             break;
                         }
                         continuing {
-                            let _e736 = global_7.member[(_e713 + _e731)];
-                            let _e739 = (2u * (_e724 + _e731));
-                            let _e742 = global_3.member[_e739];
-                            let _e746 = global_3.member[(_e739 + 1u)];
-                            phi_5300_ = (_e729 + dot(unpack4x8snorm(_e736), bitcast<vec4<f32>>(vec4<u32>(_e742.x, _e742.y, _e746.x, _e746.y))));
-                            phi_5299_ = (_e731 + bitcast<u32>(1i));
+                            let _e677 = global_6.member[(_e654 + _e672)];
+                            let _e680 = (2u * (_e665 + _e672));
+                            let _e683 = global_3.member[_e680];
+                            let _e687 = global_3.member[(_e680 + 1u)];
+                            phi_5300_ = (_e670 + dot(unpack4x8snorm(_e677), bitcast<vec4<f32>>(vec4<u32>(_e683.x, _e683.y, _e687.x, _e687.y))));
+                            phi_5299_ = (_e672 + bitcast<u32>(1i));
                         }
                     }
                     phi_5302_ = 0f;
                     phi_5301_ = 0u;
                     loop {
-                        let _e759 = phi_5302_;
-                        let _e761 = phi_5301_;
-                        local_23 = _e759;
-                        if (_e761 < _e708) {
+                        let _e700 = phi_5302_;
+                        let _e702 = phi_5301_;
+                        local_23 = _e700;
+                        if (_e702 < _e649) {
                             continue;
                         } else {
                             break;
                         }
                         continuing {
-                            let _e766 = global_7.member[((_e713 + _e708) + _e761)];
-                            let _e769 = (2u * (_e724 + _e761));
-                            let _e772 = global_3.member[_e769];
-                            let _e776 = global_3.member[(_e769 + 1u)];
-                            phi_5302_ = (_e759 + dot(unpack4x8snorm(_e766), bitcast<vec4<f32>>(vec4<u32>(_e772.x, _e772.y, _e776.x, _e776.y))));
-                            phi_5301_ = (_e761 + bitcast<u32>(1i));
+                            let _e707 = global_6.member[((_e654 + _e649) + _e702)];
+                            let _e710 = (2u * (_e665 + _e702));
+                            let _e713 = global_3.member[_e710];
+                            let _e717 = global_3.member[(_e710 + 1u)];
+                            phi_5302_ = (_e700 + dot(unpack4x8snorm(_e707), bitcast<vec4<f32>>(vec4<u32>(_e713.x, _e713.y, _e717.x, _e717.y))));
+                            phi_5301_ = (_e702 + bitcast<u32>(1i));
                         }
                     }
                     phi_5304_ = 0f;
                     phi_5303_ = 0u;
                     loop {
-                        let _e790 = phi_5304_;
-                        let _e792 = phi_5303_;
-                        local_24 = _e790;
-                        if (_e792 < _e708) {
+                        let _e731 = phi_5304_;
+                        let _e733 = phi_5303_;
+                        local_24 = _e731;
+                        if (_e733 < _e649) {
                             continue;
                         } else {
                             break;
                         }
                         continuing {
-                            let _e797 = global_7.member[((_e713 + (2u * _e708)) + _e792)];
-                            let _e800 = (2u * (_e724 + _e792));
-                            let _e803 = global_3.member[_e800];
-                            let _e807 = global_3.member[(_e800 + 1u)];
-                            phi_5304_ = (_e790 + dot(unpack4x8snorm(_e797), bitcast<vec4<f32>>(vec4<u32>(_e803.x, _e803.y, _e807.x, _e807.y))));
-                            phi_5303_ = (_e792 + bitcast<u32>(1i));
+                            let _e738 = global_6.member[((_e654 + (2u * _e649)) + _e733)];
+                            let _e741 = (2u * (_e665 + _e733));
+                            let _e744 = global_3.member[_e741];
+                            let _e748 = global_3.member[(_e741 + 1u)];
+                            phi_5304_ = (_e731 + dot(unpack4x8snorm(_e738), bitcast<vec4<f32>>(vec4<u32>(_e744.x, _e744.y, _e748.x, _e748.y))));
+                            phi_5303_ = (_e733 + bitcast<u32>(1i));
                         }
                     }
-                    let _e819 = local_22;
-                    let _e821 = local_23;
-                    let _e823 = local_24;
-                    let _e825 = (vec3<f32>(_e819, _e821, _e823) * _e727);
+                    let _e760 = local_22;
+                    let _e762 = local_23;
+                    let _e764 = local_24;
+                    let _e766 = (vec3<f32>(_e760, _e762, _e764) * _e668);
                     phi_5306_ = 0f;
                     phi_5305_ = 0u;
                     loop {
-                        let _e829 = phi_5306_;
-                        let _e831 = phi_5305_;
-                        local_25 = _e829;
-                        if (_e831 < _e708) {
+                        let _e770 = phi_5306_;
+                        let _e772 = phi_5305_;
+                        local_25 = _e770;
+                        if (_e772 < _e649) {
                             continue;
                         } else {
                             break;
                         }
                         continuing {
-                            let _e836 = global_7.member[((_e713 + (3u * _e708)) + _e831)];
-                            let _e839 = (2u * (_e724 + _e831));
-                            let _e842 = global_3.member[_e839];
-                            let _e846 = global_3.member[(_e839 + 1u)];
-                            phi_5306_ = (_e829 + dot(unpack4x8snorm(_e836), bitcast<vec4<f32>>(vec4<u32>(_e842.x, _e842.y, _e846.x, _e846.y))));
-                            phi_5305_ = (_e831 + bitcast<u32>(1i));
+                            let _e777 = global_6.member[((_e654 + (3u * _e649)) + _e772)];
+                            let _e780 = (2u * (_e665 + _e772));
+                            let _e783 = global_3.member[_e780];
+                            let _e787 = global_3.member[(_e780 + 1u)];
+                            phi_5306_ = (_e770 + dot(unpack4x8snorm(_e777), bitcast<vec4<f32>>(vec4<u32>(_e783.x, _e783.y, _e787.x, _e787.y))));
+                            phi_5305_ = (_e772 + bitcast<u32>(1i));
                         }
                     }
-                    let _e858 = local_25;
-                    let _e864 = (_e662 + vec4<f32>(_e825.x, _e825.y, _e825.z, (_e727 * _e858)));
-                    phi_5342_ = select(_e662, _e864, vec4((length(_e864) >= 0.001f)));
+                    let _e799 = local_25;
+                    let _e805 = (_e603 + vec4<f32>(_e766.x, _e766.y, _e766.z, (_e668 * _e799)));
+                    phi_5342_ = select(_e603, _e805, vec4((length(_e805) >= 0.001f)));
                 }
-                let _e870 = phi_5342_;
-                phi_5350_ = _e281;
-                if ((_e687.y & _e684) != 0u) {
-                    let _e875 = global.member_23;
-                    let _e883 = global.member_18;
-                    let _e887 = (_e875 + ((_e695.x + bitcast<u32>(countOneBits((_e687.y & (_e684 - 1u))))) * (1u + (3u * _e883))));
-                    let _e888 = (_e887 + 1u);
-                    let _e891 = global_7.member[_e887];
-                    let _e893 = global.member_44;
-                    let _e897 = global.member_19;
-                    let _e899 = (_e893 + ((_e891 >> bitcast<u32>(16u)) * _e897));
+                let _e811 = phi_5342_;
+                phi_5350_ = _e228;
+                if ((_e628.y & _e625) != 0u) {
+                    let _e816 = global.member_23;
+                    let _e824 = global.member_18;
+                    let _e828 = (_e816 + ((_e636.x + bitcast<u32>(countOneBits((_e628.y & (_e625 - 1u))))) * (1u + (3u * _e824))));
+                    let _e829 = (_e828 + 1u);
+                    let _e832 = global_6.member[_e828];
+                    let _e834 = global.member_44;
+                    let _e838 = global.member_19;
+                    let _e840 = (_e834 + ((_e832 >> bitcast<u32>(16u)) * _e838));
                     phi_5312_ = 0f;
                     phi_5311_ = 0u;
                     loop {
-                        let _e904 = phi_5312_;
-                        let _e906 = phi_5311_;
-                        local_26 = _e904;
-                        if (_e906 < _e883) {
+                        let _e845 = phi_5312_;
+                        let _e847 = phi_5311_;
+                        local_26 = _e845;
+                        if (_e847 < _e824) {
                             continue;
                         } else {
                             break;
                         }
                         continuing {
-                            let _e911 = global_7.member[(_e888 + _e906)];
-                            let _e914 = (2u * (_e899 + _e906));
-                            let _e917 = global_3.member[_e914];
-                            let _e921 = global_3.member[(_e914 + 1u)];
-                            phi_5312_ = (_e904 + dot(unpack4x8snorm(_e911), bitcast<vec4<f32>>(vec4<u32>(_e917.x, _e917.y, _e921.x, _e921.y))));
-                            phi_5311_ = (_e906 + bitcast<u32>(1i));
+                            let _e852 = global_6.member[(_e829 + _e847)];
+                            let _e855 = (2u * (_e840 + _e847));
+                            let _e858 = global_3.member[_e855];
+                            let _e862 = global_3.member[(_e855 + 1u)];
+                            phi_5312_ = (_e845 + dot(unpack4x8snorm(_e852), bitcast<vec4<f32>>(vec4<u32>(_e858.x, _e858.y, _e862.x, _e862.y))));
+                            phi_5311_ = (_e847 + bitcast<u32>(1i));
                         }
                     }
                     phi_5314_ = 0f;
                     phi_5313_ = 0u;
                     loop {
-                        let _e934 = phi_5314_;
-                        let _e936 = phi_5313_;
-                        local_27 = _e934;
-                        if (_e936 < _e883) {
+                        let _e875 = phi_5314_;
+                        let _e877 = phi_5313_;
+                        local_27 = _e875;
+                        if (_e877 < _e824) {
                             continue;
                         } else {
                             break;
                         }
                         continuing {
-                            let _e941 = global_7.member[((_e888 + _e883) + _e936)];
-                            let _e944 = (2u * (_e899 + _e936));
-                            let _e947 = global_3.member[_e944];
-                            let _e951 = global_3.member[(_e944 + 1u)];
-                            phi_5314_ = (_e934 + dot(unpack4x8snorm(_e941), bitcast<vec4<f32>>(vec4<u32>(_e947.x, _e947.y, _e951.x, _e951.y))));
-                            phi_5313_ = (_e936 + bitcast<u32>(1i));
+                            let _e882 = global_6.member[((_e829 + _e824) + _e877)];
+                            let _e885 = (2u * (_e840 + _e877));
+                            let _e888 = global_3.member[_e885];
+                            let _e892 = global_3.member[(_e885 + 1u)];
+                            phi_5314_ = (_e875 + dot(unpack4x8snorm(_e882), bitcast<vec4<f32>>(vec4<u32>(_e888.x, _e888.y, _e892.x, _e892.y))));
+                            phi_5313_ = (_e877 + bitcast<u32>(1i));
                         }
                     }
                     phi_5316_ = 0f;
                     phi_5315_ = 0u;
                     loop {
-                        let _e965 = phi_5316_;
-                        let _e967 = phi_5315_;
-                        local_28 = _e965;
-                        if (_e967 < _e883) {
+                        let _e906 = phi_5316_;
+                        let _e908 = phi_5315_;
+                        local_28 = _e906;
+                        if (_e908 < _e824) {
                             continue;
                         } else {
                             break;
                         }
                         continuing {
-                            let _e972 = global_7.member[((_e888 + (2u * _e883)) + _e967)];
-                            let _e975 = (2u * (_e899 + _e967));
-                            let _e978 = global_3.member[_e975];
-                            let _e982 = global_3.member[(_e975 + 1u)];
-                            phi_5316_ = (_e965 + dot(unpack4x8snorm(_e972), bitcast<vec4<f32>>(vec4<u32>(_e978.x, _e978.y, _e982.x, _e982.y))));
-                            phi_5315_ = (_e967 + bitcast<u32>(1i));
+                            let _e913 = global_6.member[((_e829 + (2u * _e824)) + _e908)];
+                            let _e916 = (2u * (_e840 + _e908));
+                            let _e919 = global_3.member[_e916];
+                            let _e923 = global_3.member[(_e916 + 1u)];
+                            phi_5316_ = (_e906 + dot(unpack4x8snorm(_e913), bitcast<vec4<f32>>(vec4<u32>(_e919.x, _e919.y, _e923.x, _e923.y))));
+                            phi_5315_ = (_e908 + bitcast<u32>(1i));
                         }
                     }
-                    let _e994 = local_26;
-                    let _e996 = local_27;
-                    let _e998 = local_28;
-                    phi_5350_ = (_e281 + (vec3<f32>(_e994, _e996, _e998) * (127f * unpack2x16float(_e891).x)));
+                    let _e935 = local_26;
+                    let _e937 = local_27;
+                    let _e939 = local_28;
+                    phi_5350_ = (_e228 + (vec3<f32>(_e935, _e937, _e939) * (127f * unpack2x16float(_e832).x)));
                 }
-                let _e1003 = phi_5350_;
-                phi_5354_ = _e681;
-                if ((_e691.x & _e684) != 0u) {
-                    let _e1008 = global.member_24;
-                    let _e1016 = global.member_18;
-                    let _e1020 = (_e1008 + ((_e695.y + bitcast<u32>(countOneBits((_e691.x & (_e684 - 1u))))) * (3u + (3u * _e1016))));
-                    let _e1024 = global_7.member[(_e1020 + 1u)];
-                    let _e1025 = unpack2x16float(_e1024);
-                    let _e1029 = global_7.member[(_e1020 + 2u)];
-                    let _e1037 = (_e1020 + 3u);
-                    let _e1040 = global_7.member[_e1020];
-                    let _e1042 = global.member_44;
-                    let _e1046 = global.member_19;
-                    let _e1048 = (_e1042 + ((_e1040 >> bitcast<u32>(16u)) * _e1046));
+                let _e944 = phi_5350_;
+                phi_5354_ = _e622;
+                if ((_e632.x & _e625) != 0u) {
+                    let _e949 = global.member_24;
+                    let _e957 = global.member_18;
+                    let _e961 = (_e949 + ((_e636.y + bitcast<u32>(countOneBits((_e632.x & (_e625 - 1u))))) * (3u + (3u * _e957))));
+                    let _e965 = global_6.member[(_e961 + 1u)];
+                    let _e966 = unpack2x16float(_e965);
+                    let _e970 = global_6.member[(_e961 + 2u)];
+                    let _e978 = (_e961 + 3u);
+                    let _e981 = global_6.member[_e961];
+                    let _e983 = global.member_44;
+                    let _e987 = global.member_19;
+                    let _e989 = (_e983 + ((_e981 >> bitcast<u32>(16u)) * _e987));
                     phi_5335_ = 0f;
                     phi_5334_ = 0u;
                     loop {
-                        let _e1053 = phi_5335_;
-                        let _e1055 = phi_5334_;
-                        local_29 = _e1053;
-                        if (_e1055 < _e1016) {
+                        let _e994 = phi_5335_;
+                        let _e996 = phi_5334_;
+                        local_29 = _e994;
+                        if (_e996 < _e957) {
                             continue;
                         } else {
                             break;
                         }
                         continuing {
-                            let _e1060 = global_7.member[(_e1037 + _e1055)];
-                            let _e1063 = (2u * (_e1048 + _e1055));
-                            let _e1066 = global_3.member[_e1063];
-                            let _e1070 = global_3.member[(_e1063 + 1u)];
-                            phi_5335_ = (_e1053 + dot(unpack4x8snorm(_e1060), bitcast<vec4<f32>>(vec4<u32>(_e1066.x, _e1066.y, _e1070.x, _e1070.y))));
-                            phi_5334_ = (_e1055 + bitcast<u32>(1i));
+                            let _e1001 = global_6.member[(_e978 + _e996)];
+                            let _e1004 = (2u * (_e989 + _e996));
+                            let _e1007 = global_3.member[_e1004];
+                            let _e1011 = global_3.member[(_e1004 + 1u)];
+                            phi_5335_ = (_e994 + dot(unpack4x8snorm(_e1001), bitcast<vec4<f32>>(vec4<u32>(_e1007.x, _e1007.y, _e1011.x, _e1011.y))));
+                            phi_5334_ = (_e996 + bitcast<u32>(1i));
                         }
                     }
                     phi_5337_ = 0f;
                     phi_5336_ = 0u;
                     loop {
-                        let _e1083 = phi_5337_;
-                        let _e1085 = phi_5336_;
-                        local_30 = _e1083;
-                        if (_e1085 < _e1016) {
+                        let _e1024 = phi_5337_;
+                        let _e1026 = phi_5336_;
+                        local_30 = _e1024;
+                        if (_e1026 < _e957) {
                             continue;
                         } else {
                             break;
                         }
                         continuing {
-                            let _e1090 = global_7.member[((_e1037 + _e1016) + _e1085)];
-                            let _e1093 = (2u * (_e1048 + _e1085));
-                            let _e1096 = global_3.member[_e1093];
-                            let _e1100 = global_3.member[(_e1093 + 1u)];
-                            phi_5337_ = (_e1083 + dot(unpack4x8snorm(_e1090), bitcast<vec4<f32>>(vec4<u32>(_e1096.x, _e1096.y, _e1100.x, _e1100.y))));
-                            phi_5336_ = (_e1085 + bitcast<u32>(1i));
+                            let _e1031 = global_6.member[((_e978 + _e957) + _e1026)];
+                            let _e1034 = (2u * (_e989 + _e1026));
+                            let _e1037 = global_3.member[_e1034];
+                            let _e1041 = global_3.member[(_e1034 + 1u)];
+                            phi_5337_ = (_e1024 + dot(unpack4x8snorm(_e1031), bitcast<vec4<f32>>(vec4<u32>(_e1037.x, _e1037.y, _e1041.x, _e1041.y))));
+                            phi_5336_ = (_e1026 + bitcast<u32>(1i));
                         }
                     }
                     phi_5339_ = 0f;
                     phi_5338_ = 0u;
                     loop {
-                        let _e1114 = phi_5339_;
-                        let _e1116 = phi_5338_;
-                        local_31 = _e1114;
-                        if (_e1116 < _e1016) {
+                        let _e1055 = phi_5339_;
+                        let _e1057 = phi_5338_;
+                        local_31 = _e1055;
+                        if (_e1057 < _e957) {
                             continue;
                         } else {
                             break;
                         }
                         continuing {
-                            let _e1121 = global_7.member[((_e1037 + (2u * _e1016)) + _e1116)];
-                            let _e1124 = (2u * (_e1048 + _e1116));
-                            let _e1127 = global_3.member[_e1124];
-                            let _e1131 = global_3.member[(_e1124 + 1u)];
-                            phi_5339_ = (_e1114 + dot(unpack4x8snorm(_e1121), bitcast<vec4<f32>>(vec4<u32>(_e1127.x, _e1127.y, _e1131.x, _e1131.y))));
-                            phi_5338_ = (_e1116 + bitcast<u32>(1i));
+                            let _e1062 = global_6.member[((_e978 + (2u * _e957)) + _e1057)];
+                            let _e1065 = (2u * (_e989 + _e1057));
+                            let _e1068 = global_3.member[_e1065];
+                            let _e1072 = global_3.member[(_e1065 + 1u)];
+                            phi_5339_ = (_e1055 + dot(unpack4x8snorm(_e1062), bitcast<vec4<f32>>(vec4<u32>(_e1068.x, _e1068.y, _e1072.x, _e1072.y))));
+                            phi_5338_ = (_e1057 + bitcast<u32>(1i));
                         }
                     }
-                    let _e1143 = local_29;
-                    let _e1145 = local_30;
-                    let _e1147 = local_31;
-                    phi_5354_ = (select(vec3<f32>(_e1025.x, _e1025.y, unpack2x16float(_e1029).x), _e681, vec3(_e667)) + (vec3<f32>(_e1143, _e1145, _e1147) * (127f * unpack2x16float(_e1040).x)));
+                    let _e1084 = local_29;
+                    let _e1086 = local_30;
+                    let _e1088 = local_31;
+                    phi_5354_ = (select(vec3<f32>(_e966.x, _e966.y, unpack2x16float(_e970).x), _e622, vec3(_e608)) + (vec3<f32>(_e1084, _e1086, _e1088) * (127f * unpack2x16float(_e981).x)));
                 }
-                let _e1152 = phi_5354_;
-                let _e1153 = normalize(_e870);
-                let _e1158 = (_e1153.z * _e1153.z);
-                let _e1159 = (_e1153.w * _e1153.w);
-                let _e1163 = (_e1153.y * _e1153.z);
-                let _e1164 = (_e1153.x * _e1153.w);
-                let _e1167 = (_e1153.y * _e1153.w);
-                let _e1168 = (_e1153.x * _e1153.z);
-                let _e1173 = (_e1153.y * _e1153.y);
-                let _e1177 = (_e1153.z * _e1153.w);
-                let _e1178 = (_e1153.x * _e1153.y);
-                let _e1192 = exp(min(_e1003, vec3<f32>(9f, 9f, 9f)));
-                let _e1199 = mat3x3<f32>((vec3<f32>((1f - (2f * (_e1158 + _e1159))), (2f * (_e1163 + _e1164)), (2f * (_e1167 - _e1168))) * _e1192.x), (vec3<f32>((2f * (_e1163 - _e1164)), (1f - (2f * (_e1173 + _e1159))), (2f * (_e1177 + _e1178))) * _e1192.y), (vec3<f32>((2f * (_e1167 + _e1168)), (2f * (_e1177 - _e1178)), (1f - (2f * (_e1173 + _e1158)))) * _e1192.z));
-                let _e1201 = (transpose(mat3x3<f32>(_e397, _e398, _e399)) * _e1199);
-                let _e1203 = global.member_42;
-                let _e1204 = (_e1203 + _e146);
-                let _e1205 = transpose(_e1201);
-                let _e1215 = max(_e415, sqrt(max(max(dot(_e1205[0], _e1205[0]), dot(_e1205[1], _e1205[1])), dot(_e1205[2], _e1205[2]))));
-                let _e1217 = global.member_43;
-                let _e1228 = (all((abs(_e354) < vec3<f32>(1000000000000000000000000000000f, 1000000000000000000000000000000f, 1000000000000000000000000000000f))) && (_e1215 <= 1000000000000000000f));
-                if _e1228 {
-                    let _e1230 = global.member_47;
-                    let _e1234 = global.member_48;
-                    phi_5355_ = ((_e354 - _e1230.xyz) / _e1234.xyz);
+                let _e1093 = phi_5354_;
+                let _e1094 = normalize(_e811);
+                let _e1099 = (_e1094.z * _e1094.z);
+                let _e1100 = (_e1094.w * _e1094.w);
+                let _e1104 = (_e1094.y * _e1094.z);
+                let _e1105 = (_e1094.x * _e1094.w);
+                let _e1108 = (_e1094.y * _e1094.w);
+                let _e1109 = (_e1094.x * _e1094.z);
+                let _e1114 = (_e1094.y * _e1094.y);
+                let _e1118 = (_e1094.z * _e1094.w);
+                let _e1119 = (_e1094.x * _e1094.y);
+                let _e1133 = exp(min(_e944, vec3<f32>(9f, 9f, 9f)));
+                let _e1140 = mat3x3<f32>((vec3<f32>((1f - (2f * (_e1099 + _e1100))), (2f * (_e1104 + _e1105)), (2f * (_e1108 - _e1109))) * _e1133.x), (vec3<f32>((2f * (_e1104 - _e1105)), (1f - (2f * (_e1114 + _e1100))), (2f * (_e1118 + _e1119))) * _e1133.y), (vec3<f32>((2f * (_e1108 + _e1109)), (2f * (_e1118 - _e1119)), (1f - (2f * (_e1114 + _e1099)))) * _e1133.z));
+                let _e1142 = (transpose(mat3x3<f32>(_e338, _e339, _e340)) * _e1140);
+                let _e1144 = global.member_42;
+                let _e1145 = (_e1144 + _e93);
+                let _e1146 = transpose(_e1142);
+                let _e1156 = max(_e356, sqrt(max(max(dot(_e1146[0], _e1146[0]), dot(_e1146[1], _e1146[1])), dot(_e1146[2], _e1146[2]))));
+                let _e1158 = global.member_43;
+                let _e1169 = (all((abs(_e301) < vec3<f32>(1000000000000000000000000000000f, 1000000000000000000000000000000f, 1000000000000000000000000000000f))) && (_e1156 <= 1000000000000000000f));
+                if _e1169 {
+                    let _e1171 = global.member_47;
+                    let _e1175 = global.member_48;
+                    phi_5355_ = ((_e301 - _e1171.xyz) / _e1175.xyz);
                 } else {
                     phi_5355_ = vec3<f32>(0f, 0f, 0f);
                 }
-                let _e1238 = phi_5355_;
-                let _e1255 = vec3<u32>(round((clamp(select(select((vec3<f32>(0.015625f, 0.015625f, 0.015625f) + (clamp(_e1238, vec3<f32>(0f, 0f, 0f), vec3<f32>(1f, 1f, 1f)) * 0.96875f)), (vec3<f32>(0.015625f, 0.015625f, 0.015625f) / (vec3<f32>(1f, 1f, 1f) - min(_e1238, vec3<f32>(0f, 0f, 0f)))), (_e1238 < vec3<f32>(0f, 0f, 0f))), (vec3<f32>(1f, 1f, 1f) - (vec3<f32>(0.015625f, 0.015625f, 0.015625f) / max(_e1238, vec3<f32>(1f, 1f, 1f)))), (_e1238 > vec3<f32>(1f, 1f, 1f))), vec3<f32>(0f, 0f, 0f), vec3<f32>(1f, 1f, 1f)) * 65535f)));
-                let _e1271 = ((_e1255.z | (u32(clamp(select(0f, ceil(((8f * log2(max((_e1215 / _e1217), 0.000000000000000000000000000001f))) + 152f)), _e1228), 0f, 255f)) << bitcast<u32>(16u))) | (select(0u, _e617, _e1228) << bitcast<u32>(24u)));
-                let _e1279 = vec3<f32>(_e1201[0].x, _e1201[1].x, _e1201[2].x);
-                let _e1286 = vec3<f32>(_e1201[0].y, _e1201[1].y, _e1201[2].y);
-                let _e1293 = vec3<f32>(_e1201[0].z, _e1201[1].z, _e1201[2].z);
-                let _e1294 = length(_e1279);
-                if (_e1294 > 0f) {
-                    phi_5357_ = (_e1279 / vec3(_e1294));
+                let _e1179 = phi_5355_;
+                let _e1196 = vec3<u32>(round((clamp(select(select((vec3<f32>(0.015625f, 0.015625f, 0.015625f) + (clamp(_e1179, vec3<f32>(0f, 0f, 0f), vec3<f32>(1f, 1f, 1f)) * 0.96875f)), (vec3<f32>(0.015625f, 0.015625f, 0.015625f) / (vec3<f32>(1f, 1f, 1f) - min(_e1179, vec3<f32>(0f, 0f, 0f)))), (_e1179 < vec3<f32>(0f, 0f, 0f))), (vec3<f32>(1f, 1f, 1f) - (vec3<f32>(0.015625f, 0.015625f, 0.015625f) / max(_e1179, vec3<f32>(1f, 1f, 1f)))), (_e1179 > vec3<f32>(1f, 1f, 1f))), vec3<f32>(0f, 0f, 0f), vec3<f32>(1f, 1f, 1f)) * 65535f)));
+                let _e1212 = ((_e1196.z | (u32(clamp(select(0f, ceil(((8f * log2(max((_e1156 / _e1158), 0.000000000000000000000000000001f))) + 152f)), _e1169), 0f, 255f)) << bitcast<u32>(16u))) | (select(0u, _e558, _e1169) << bitcast<u32>(24u)));
+                let _e1220 = vec3<f32>(_e1142[0].x, _e1142[1].x, _e1142[2].x);
+                let _e1227 = vec3<f32>(_e1142[0].y, _e1142[1].y, _e1142[2].y);
+                let _e1234 = vec3<f32>(_e1142[0].z, _e1142[1].z, _e1142[2].z);
+                let _e1235 = length(_e1220);
+                if (_e1235 > 0f) {
+                    phi_5357_ = (_e1220 / vec3(_e1235));
                 } else {
                     phi_5357_ = vec3<f32>(0f, 0f, 0f);
                 }
-                let _e1299 = phi_5357_;
-                let _e1300 = dot(_e1286, _e1299);
-                let _e1302 = (_e1286 - (_e1299 * _e1300));
-                let _e1303 = length(_e1302);
-                if (_e1303 > 0f) {
-                    phi_5359_ = (_e1302 / vec3(_e1303));
+                let _e1240 = phi_5357_;
+                let _e1241 = dot(_e1227, _e1240);
+                let _e1243 = (_e1227 - (_e1240 * _e1241));
+                let _e1244 = length(_e1243);
+                if (_e1244 > 0f) {
+                    phi_5359_ = (_e1243 / vec3(_e1244));
                 } else {
                     phi_5359_ = vec3<f32>(0f, 0f, 0f);
                 }
-                let _e1308 = phi_5359_;
-                let _e1309 = dot(_e1293, _e1299);
-                let _e1310 = dot(_e1293, _e1308);
-                let _e1324 = (1023f / (_e1217 * exp2(((f32(((_e1271 >> bitcast<u32>(16u)) & 255u)) * 0.125f) - 19f))));
-                let _e1342 = vec3<u32>(round((clamp(_e1152, vec3<f32>(0f, 0f, 0f), vec3<f32>(1f, 1f, 1f)) * 1023f)));
-                let _e1345 = ((vec3<u32>(clamp((round((vec3<f32>(_e1294, _e1303, _e1310) * _e1324)) + vec3<f32>(1023f, 1023f, 1023f)), vec3<f32>(0f, 0f, 0f), vec3<f32>(2046f, 2046f, 2046f))) | (vec3<u32>(clamp((round((vec3<f32>(_e1300, _e1309, length(((_e1293 - (_e1299 * _e1309)) - (_e1308 * _e1310)))) * _e1324)) + vec3<f32>(1023f, 1023f, 1023f)), vec3<f32>(0f, 0f, 0f), vec3<f32>(2046f, 2046f, 2046f))) << bitcast<vec3<u32>>(vec3<u32>(11u, 11u, 11u)))) | (_e1342 << bitcast<vec3<u32>>(vec3<u32>(22u, 22u, 22u))));
-                global_4.member[_e1204] = (_e1255.x | (_e1255.y << bitcast<u32>(16u)));
-                global_4.member[(_e1204 + 1u)] = _e1271;
-                let _e1353 = ((_e1203 + _e154) + (3u * _e138));
-                global_4.member[_e1353] = _e1345.x;
-                global_4.member[(_e1353 + 1u)] = _e1345.y;
-                global_4.member[(_e1353 + 2u)] = _e1345.z;
-                phi_2832_ = _e609;
-                if _e609 {
-                    let _e1367 = global.member_29;
-                    phi_2832_ = (f32(_e617) <= _e1367);
+                let _e1249 = phi_5359_;
+                let _e1250 = dot(_e1234, _e1240);
+                let _e1251 = dot(_e1234, _e1249);
+                let _e1265 = (1023f / (_e1158 * exp2(((f32(((_e1212 >> bitcast<u32>(16u)) & 255u)) * 0.125f) - 19f))));
+                let _e1283 = vec3<u32>(round((clamp(_e1093, vec3<f32>(0f, 0f, 0f), vec3<f32>(1f, 1f, 1f)) * 1023f)));
+                let _e1286 = ((vec3<u32>(clamp((round((vec3<f32>(_e1235, _e1244, _e1251) * _e1265)) + vec3<f32>(1023f, 1023f, 1023f)), vec3<f32>(0f, 0f, 0f), vec3<f32>(2046f, 2046f, 2046f))) | (vec3<u32>(clamp((round((vec3<f32>(_e1241, _e1250, length(((_e1234 - (_e1240 * _e1250)) - (_e1249 * _e1251)))) * _e1265)) + vec3<f32>(1023f, 1023f, 1023f)), vec3<f32>(0f, 0f, 0f), vec3<f32>(2046f, 2046f, 2046f))) << bitcast<vec3<u32>>(vec3<u32>(11u, 11u, 11u)))) | (_e1283 << bitcast<vec3<u32>>(vec3<u32>(22u, 22u, 22u))));
+                global_4.member[_e1145] = (_e1196.x | (_e1196.y << bitcast<u32>(16u)));
+                global_4.member[(_e1145 + 1u)] = _e1212;
+                let _e1294 = ((_e1144 + _e101) + (3u * _e85));
+                global_4.member[_e1294] = _e1286.x;
+                global_4.member[(_e1294 + 1u)] = _e1286.y;
+                global_4.member[(_e1294 + 2u)] = _e1286.z;
+                phi_2832_ = _e550;
+                if _e550 {
+                    let _e1308 = global.member_29;
+                    phi_2832_ = (f32(_e558) <= _e1308);
                 }
-                let _e1370 = phi_2832_;
-                if _e1370 {
-                    let _e1372 = global_2.member_9;
-                    if (_e1372 != 0u) {
-                        let _e1376 = atomicAdd((&global_1.member[2u]), 1u);
+                let _e1311 = phi_2832_;
+                if _e1311 {
+                    let _e1313 = global_2.member_9;
+                    if (_e1313 != 0u) {
+                        let _e1317 = atomicAdd((&global_1.member[2u]), 1u);
                     }
                 }
-                let _e1377 = !(_e609);
-                phi_2846_ = _e1377;
-                if !(_e1377) {
-                    let _e1381 = global.member_29;
-                    phi_2846_ = (f32(_e617) <= _e1381);
+                let _e1318 = !(_e550);
+                phi_2846_ = _e1318;
+                if !(_e1318) {
+                    let _e1322 = global.member_29;
+                    phi_2846_ = (f32(_e558) <= _e1322);
                 }
-                let _e1384 = phi_2846_;
-                if _e1384 {
+                let _e1325 = phi_2846_;
+                if _e1325 {
                     phi_5374_ = 4294967295u;
                     break;
                 }
                 switch bitcast<i32>(0u) {
                     default: {
-                        let _e1390 = global.member_2;
-                        let _e1392 = global.member_3;
-                        let _e1393 = clamp((_e354.xy / vec2(_e353)), _e1390, _e1392);
-                        let _e1396 = global.member[0u];
-                        let _e1402 = (((_e397 - (_e399 * _e1393.x)) * (_e1396 / _e353)) * _e1199);
-                        let _e1405 = global.member[1u];
-                        let _e1411 = (((_e398 - (_e399 * _e1393.y)) * (_e1405 / _e353)) * _e1199);
-                        let _e1413 = (dot(_e1402, _e1402) + 0.3f);
-                        let _e1414 = dot(_e1402, _e1411);
-                        let _e1416 = (dot(_e1411, _e1411) + 0.3f);
-                        let _e1418 = cross(_e1402, _e1411);
-                        let _e1420 = (_e1413 + _e1416);
-                        let _e1423 = (dot(_e1418, _e1418) + (0.3f * (_e1420 - 0.3f)));
-                        let _e1424 = (_e1423 > 0f);
-                        phi_4787_ = _e1424;
-                        if _e1424 {
-                            phi_4787_ = (_e1413 <= 1000000000000000000f);
+                        let _e1331 = global.member_2;
+                        let _e1333 = global.member_3;
+                        let _e1334 = clamp((_e301.xy / vec2(_e300)), _e1331, _e1333);
+                        let _e1337 = global.member[0u];
+                        let _e1343 = (((_e338 - (_e340 * _e1334.x)) * (_e1337 / _e300)) * _e1140);
+                        let _e1346 = global.member[1u];
+                        let _e1352 = (((_e339 - (_e340 * _e1334.y)) * (_e1346 / _e300)) * _e1140);
+                        let _e1354 = (dot(_e1343, _e1343) + 0.3f);
+                        let _e1355 = dot(_e1343, _e1352);
+                        let _e1357 = (dot(_e1352, _e1352) + 0.3f);
+                        let _e1359 = cross(_e1343, _e1352);
+                        let _e1361 = (_e1354 + _e1357);
+                        let _e1364 = (dot(_e1359, _e1359) + (0.3f * (_e1361 - 0.3f)));
+                        let _e1365 = (_e1364 > 0f);
+                        phi_4787_ = _e1365;
+                        if _e1365 {
+                            phi_4787_ = (_e1354 <= 1000000000000000000f);
                         }
-                        let _e1427 = phi_4787_;
-                        phi_4793_ = _e1427;
-                        if _e1427 {
-                            phi_4793_ = (_e1416 <= 1000000000000000000f);
+                        let _e1368 = phi_4787_;
+                        phi_4793_ = _e1368;
+                        if _e1368 {
+                            phi_4793_ = (_e1357 <= 1000000000000000000f);
                         }
-                        let _e1430 = phi_4793_;
-                        if !(_e1430) {
-                            let _e1433 = global_2.member_9;
-                            if (_e1433 != 0u) {
-                                let _e1437 = atomicAdd((&global_1.member[3u]), 1u);
+                        let _e1371 = phi_4793_;
+                        if !(_e1371) {
+                            let _e1374 = global_2.member_9;
+                            if (_e1374 != 0u) {
+                                let _e1378 = atomicAdd((&global_1.member[3u]), 1u);
                             }
                             phi_5373_ = 4294967295u;
                             break;
                         }
-                        let _e1440 = global.member_34;
-                        let _e1443 = global.member_29;
-                        let _e1451 = (sqrt(vec3<f32>(_e1413, _e1414, _e1416).xz) * sqrt((2f * log(max((max(f32(_e617), _e1440) / _e1443), 1f)))));
-                        let _e1454 = all(((_e607 + _e1451) > vec2<f32>(0f, 0f)));
-                        phi_4818_ = _e1454;
-                        if _e1454 {
-                            let _e1457 = global.member_4;
-                            phi_4818_ = all(((_e607 - _e1451) < _e1457));
+                        let _e1381 = global.member_34;
+                        let _e1384 = global.member_29;
+                        let _e1392 = (sqrt(vec3<f32>(_e1354, _e1355, _e1357).xz) * sqrt((2f * log(max((max(f32(_e558), _e1381) / _e1384), 1f)))));
+                        let _e1395 = all(((_e548 + _e1392) > vec2<f32>(0f, 0f)));
+                        phi_4818_ = _e1395;
+                        if _e1395 {
+                            let _e1398 = global.member_4;
+                            phi_4818_ = all(((_e548 - _e1392) < _e1398));
                         }
-                        let _e1461 = phi_4818_;
-                        if !(_e1461) {
-                            let _e1464 = global_2.member_9;
-                            if (_e1464 != 0u) {
-                                let _e1468 = atomicAdd((&global_1.member[0u]), 1u);
+                        let _e1402 = phi_4818_;
+                        if !(_e1402) {
+                            let _e1405 = global_2.member_9;
+                            if (_e1405 != 0u) {
+                                let _e1409 = atomicAdd((&global_1.member[0u]), 1u);
                             }
                             phi_5373_ = 4294967295u;
                             break;
                         }
-                        let _e1470 = (0.5f * (_e1413 - _e1416));
-                        let _e1474 = sqrt(((_e1470 * _e1470) + (_e1414 * _e1414)));
-                        let _e1476 = ((0.5f * _e1420) + _e1474);
-                        if (_e1470 >= 0f) {
-                            phi_5370_ = vec2<f32>((_e1470 + _e1474), _e1414);
+                        let _e1411 = (0.5f * (_e1354 - _e1357));
+                        let _e1415 = sqrt(((_e1411 * _e1411) + (_e1355 * _e1355)));
+                        let _e1417 = ((0.5f * _e1361) + _e1415);
+                        if (_e1411 >= 0f) {
+                            phi_5370_ = vec2<f32>((_e1411 + _e1415), _e1355);
                         } else {
-                            phi_5370_ = vec2<f32>(_e1414, (_e1474 - _e1470));
+                            phi_5370_ = vec2<f32>(_e1355, (_e1415 - _e1411));
                         }
-                        let _e1483 = phi_5370_;
-                        let _e1484 = length(_e1483);
-                        if (_e1484 > 0f) {
-                            phi_5371_ = (_e1483 / vec2(_e1484));
+                        let _e1424 = phi_5370_;
+                        let _e1425 = length(_e1424);
+                        if (_e1425 > 0f) {
+                            phi_5371_ = (_e1424 / vec2(_e1425));
                         } else {
                             phi_5371_ = vec2<f32>(1f, 0f);
                         }
-                        let _e1489 = phi_5371_;
-                        let _e1496 = global.member_5;
-                        let _e1500 = global.member_10;
-                        let _e1504 = vec2<u32>(clamp(round(((_e607 + vec2(_e1496)) * _e1500)), vec2<f32>(0f, 0f), vec2<f32>(1048575f, 1048575f)));
-                        local = vec4<u32>(((_e1504.x | (_e1342.x << bitcast<u32>(20u))) | (_e1342.z << bitcast<u32>(30u))), (_e1504.y | (_e1342.y << bitcast<u32>(20u))), pack2x16float((_e1489 * min(sqrt(_e1476), 65504f))), ((pack2x16float(vec2<f32>(min(sqrt((_e1423 / _e1476)), 65504f), 0f)) | (_e617 << bitcast<u32>(16u))) | ((_e1342.z >> bitcast<u32>(2u)) << bitcast<u32>(24u))));
+                        let _e1430 = phi_5371_;
+                        let _e1437 = global.member_5;
+                        let _e1441 = global.member_10;
+                        let _e1445 = vec2<u32>(clamp(round(((_e548 + vec2(_e1437)) * _e1441)), vec2<f32>(0f, 0f), vec2<f32>(1048575f, 1048575f)));
+                        local = vec4<u32>(((_e1445.x | (_e1283.x << bitcast<u32>(20u))) | (_e1283.z << bitcast<u32>(30u))), (_e1445.y | (_e1283.y << bitcast<u32>(20u))), pack2x16float((_e1430 * min(sqrt(_e1417), 65504f))), ((pack2x16float(vec2<f32>(min(sqrt((_e1364 / _e1417)), 65504f), 0f)) | (_e558 << bitcast<u32>(16u))) | ((_e1283.z >> bitcast<u32>(2u)) << bitcast<u32>(24u))));
                         phi_5372_ = 0u;
                         loop {
-                            let _e1533 = phi_5372_;
-                            if (_e1533 < 4u) {
+                            let _e1474 = phi_5372_;
+                            if (_e1474 < 4u) {
                                 continue;
                             } else {
                                 break;
                             }
                             continuing {
-                                let _e1536 = global.member_45;
-                                let _e1541 = local[_e1533];
-                                global_4.member[((4u * (_e1536 + _e138)) + _e1533)] = _e1541;
-                                phi_5372_ = (_e1533 + bitcast<u32>(1i));
+                                let _e1477 = global.member_45;
+                                let _e1482 = local[_e1474];
+                                global_4.member[((4u * (_e1477 + _e85)) + _e1474)] = _e1482;
+                                phi_5372_ = (_e1474 + bitcast<u32>(1i));
                             }
                         }
-                        let _e1547 = global.member_9;
-                        phi_5373_ = min(u32((_e605 * f32(_e1547))), _e1547);
+                        let _e1488 = global.member_9;
+                        phi_5373_ = min(u32((_e546 * f32(_e1488))), _e1488);
                         break;
                     }
                 }
-                let _e1553 = phi_5373_;
-                phi_5374_ = _e1553;
+                let _e1494 = phi_5373_;
+                phi_5374_ = _e1494;
                 break;
             }
         }
-        let _e1555 = phi_5374_;
-        phi_5375_ = _e1555;
+        let _e1496 = phi_5374_;
+        phi_5375_ = _e1496;
     } else {
         phi_5375_ = 4294967295u;
     }
-    let _e1557 = phi_5375_;
+    let _e1498 = phi_5375_;
     switch bitcast<i32>(0u) {
         default: {
-            let _e1560 = global_5[0u];
-            let _e1562 = global.member_45;
-            let _e1563 = (_e1562 + _e138);
-            if (_e1557 != 4294967295u) {
-                let _e1566 = global.member_40;
-                let _e1568 = global.member_41;
-                let _e1576 = atomicAdd((&global_1.member[((_e1566 + ((_e1563 / _e1568) * 256u)) + (_e1557 & 255u))]), 1u);
+            let _e1501 = bitcast<u32>(param[0u]);
+            let _e1503 = global.member_45;
+            let _e1504 = (_e1503 + _e85);
+            if (_e1498 != 4294967295u) {
+                let _e1507 = global.member_40;
+                let _e1509 = global.member_41;
+                let _e1517 = atomicAdd((&global_1.member[((_e1507 + ((_e1504 / _e1509) * 256u)) + (_e1498 & 255u))]), 1u);
             }
-            let _e1578 = global.member_39;
-            if (_e1578 == 0u) {
-                if (_e138 < (_e140 + (_e140 & 1u))) {
-                    let _e1584 = global.member_28;
-                    global_4.member[(_e1584 + _e1563)] = _e1557;
+            let _e1519 = global.member_39;
+            if (_e1519 == 0u) {
+                if (_e85 < (_e87 + (_e87 & 1u))) {
+                    let _e1525 = global.member_28;
+                    global_4.member[(_e1525 + _e1504)] = _e1498;
                 }
                 break;
             }
-            global_6[_e1560] = _e1557;
+            global_5[_e1501] = _e1498;
             workgroupBarrier();
-            let _e1590 = ((_e1560 & 1u) == 0u);
-            if select(_e1590, _e141, _e1590) {
-                let _e1593 = global.member_28;
-                let _e1599 = global_6[(_e1560 + 1u)];
-                global_4.member[(_e1593 + (_e1563 / 2u))] = ((_e1557 & 65535u) | (_e1599 << bitcast<u32>(16u)));
+            let _e1531 = ((_e1501 & 1u) == 0u);
+            if select(_e1531, _e88, _e1531) {
+                let _e1534 = global.member_28;
+                let _e1540 = global_5[(_e1501 + 1u)];
+                global_4.member[(_e1534 + (_e1504 / 2u))] = ((_e1498 & 65535u) | (_e1540 << bitcast<u32>(16u)));
             }
             break;
         }
     }
     return;
-}
-
-@compute @workgroup_size(64, 1, 1) 
-fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocation_id) param_1: vec3<u32>) {
-    global_5 = param;
-    global_9 = param_1;
-    function_();
 }

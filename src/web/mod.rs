@@ -56,6 +56,16 @@ pub struct Stage {
     stale: bool,
 }
 
+/// What came of a call to draw.
+#[wasm_bindgen]
+pub enum Drawn {
+    /// Nothing has changed.
+    Nothing,
+    Frame,
+    /// The device has enough to do: ask again.
+    Later,
+}
+
 /// An error as JavaScript has it.
 fn thrown(error: impl std::fmt::Display) -> JsError {
     JsError::new(&error.to_string())
@@ -95,7 +105,7 @@ impl Stage {
     /// Opens a device for a canvas of its own.
     pub async fn create(canvas: HtmlCanvasElement) -> Result<Stage, JsError> {
         let screen = screen(&canvas).await.map_err(thrown)?;
-        let view = View { target: DVec3::Y, yaw: 0.35, pitch: 0.09, distance: 3.2, fov: 0.61, background: [0.847, 0.867, 0.89] };
+        let view = View { target: DVec3::Y, yaw: 0.35, pitch: 0.09, distance: 3.2, fov: 0.61, background: [216.0 / 255.0, 221.0 / 255.0, 227.0 / 255.0] };
         let size = [canvas.width().max(1), canvas.height().max(1)];
         screen.configure(size);
         Ok(Stage { canvas, screen, shown: None, view, size, stale: true })
@@ -159,32 +169,33 @@ impl Stage {
         Ok(())
     }
 
-    /// Draws what has changed by `now`, milliseconds. False: nothing has, or the device has enough to do.
-    pub fn draw(&mut self, now: f64) -> Result<bool, JsError> {
-        let Some(Shown { avatar, renderer, present, motion }) = &mut self.shown else { return Ok(false) };
+    /// Draws what has changed by `now`, milliseconds, and says what came of it.
+    pub fn draw(&mut self, now: f64) -> Result<Drawn, JsError> {
+        let Some(Shown { avatar, renderer, present, motion }) = &mut self.shown else { return Ok(Drawn::Nothing) };
         self.screen.gpu.check().map_err(thrown)?;
         if !renderer.ready() {
-            return Ok(false);
+            return Ok(Drawn::Later);
         }
         let View { target, yaw, pitch, distance, fov, background } = self.view;
         let camera = Camera::orbit(target, yaw, pitch.clamp(-1.55, 1.55), distance, fov, self.size);
         let posed = Posed::new(avatar, &motion.pose(now));
-        if !(renderer.draw(&posed, &camera).map_err(thrown)? || self.stale) {
-            return Ok(false);
+        self.stale |= renderer.draw(&posed, &camera).map_err(thrown)?;
+        if !self.stale {
+            return Ok(Drawn::Nothing);
         }
         use wgpu::CurrentSurfaceTexture::{Lost, Outdated, Suboptimal, Success};
         let texture = match self.screen.surface.get_current_texture() {
             Success(texture) | Suboptimal(texture) => texture,
             Lost | Outdated => {
                 self.screen.configure(self.size);
-                return Ok(false);
+                return Ok(Drawn::Later);
             }
-            _ => return Ok(false),
+            _ => return Ok(Drawn::Later),
         };
         present.draw(&self.screen.gpu, &texture.texture.create_view(&Default::default()), background);
         self.screen.gpu.queue.present(texture);
         self.stale = false;
-        Ok(true)
+        Ok(Drawn::Frame)
     }
 
     /// Whether the device is gone, and nothing is drawn before [`Self::recover`].

@@ -1,7 +1,7 @@
 //! How the avatar stands: clips and the time in them, or poses as they come, between which it moves smoothly.
 
 use crate::avatar::{Avatar, Clip, Pose, motion::Player};
-use glam::{DQuat, DVec3};
+use glam::DVec3;
 
 /// Poses that come at some rate. A pose is shown fully once as much time has passed as lay between it and the one before.
 struct Live {
@@ -77,19 +77,8 @@ impl Motion {
     pub fn pose(&self, now: f64) -> Pose {
         match &self.source {
             Source::Clip { number, seconds } => self.players.get(*number).map_or_else(|| self.rest.clone(), |player| player.pose(*seconds)),
-            Source::Live(live) => between(live, if live.takes > 0.0 { ((now - live.since) / live.takes).clamp(0.0, 1.0) } else { 1.0 }),
+            Source::Live(Live { from, to, since, takes }) if now - since < *takes => from.between(to, ((now - since) / takes).max(0.0)),
+            Source::Live(live) => live.to.clone(),
         }
-    }
-}
-
-fn between(Live { from, to, .. }: &Live, share: f64) -> Pose {
-    if share >= 1.0 {
-        return to.clone();
-    }
-    let turn = |(a, b): (&DVec3, &DVec3)| DQuat::from_scaled_axis(*a).slerp(DQuat::from_scaled_axis(*b), share).to_scaled_axis();
-    Pose {
-        rotation: from.rotation.iter().zip(&to.rotation).map(turn).collect(),
-        translation: from.translation.lerp(to.translation, share),
-        expression: from.expression.iter().zip(&to.expression).map(|(a, b)| a + share * (b - a)).collect(),
     }
 }

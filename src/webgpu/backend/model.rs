@@ -29,6 +29,7 @@ pub struct Model {
     /// Each part's first node, and their number.
     pub node_starts: wgpu::Buffer,
     /// Where each of the avatar's nodes is among those of the device, which are in the order of their parts.
+    #[cfg(not(target_arch = "wasm32"))]
     pub node_places: Vec<u16>,
     pub gaussians: wgpu::Buffer,
     pub rows: wgpu::Buffer,
@@ -59,6 +60,7 @@ impl Model {
                 index_count: 3 * indices.len() as u32,
                 size: [corners.len() as u64, indices.len() as u64],
             },
+            #[cfg(not(target_arch = "wasm32"))]
             node_places,
             constants,
         })

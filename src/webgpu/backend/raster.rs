@@ -83,6 +83,7 @@ impl Raster {
     }
 
     /// The picture: premultiplied colour.
+    #[cfg(not(target_arch = "wasm32"))]
     pub fn image(&self) -> &wgpu::Texture {
         &self.image
     }
@@ -91,6 +92,7 @@ impl Raster {
         &self.view
     }
 
+    #[cfg(not(target_arch = "wasm32"))]
     pub fn format(&self) -> ColorFormat {
         self.format
     }

@@ -39,6 +39,7 @@ pub struct Renderer {
     raster: Raster,
     control: wgpu::Buffer,
     /// Features, then node displacements, of one avatar after the other; then the depth surface's pyramid.
+    #[cfg(not(target_arch = "wasm32"))]
     pose: wgpu::Buffer,
     blocks: Blocks,
     settings: Settings,
@@ -117,6 +118,7 @@ impl Renderer {
             sort,
             raster,
             control,
+            #[cfg(not(target_arch = "wasm32"))]
             pose,
             blocks,
             settings,
