@@ -105,7 +105,14 @@ impl Stage {
     /// Opens a device for a canvas of its own.
     pub async fn create(canvas: HtmlCanvasElement) -> Result<Stage, JsError> {
         let screen = screen(&canvas).await.map_err(thrown)?;
-        let view = View { target: DVec3::Y, yaw: 0.35, pitch: 0.09, distance: 3.2, fov: 0.61, background: [216.0 / 255.0, 221.0 / 255.0, 227.0 / 255.0] };
+        let view = View {
+            target: DVec3::Y,
+            yaw: 0.35,
+            pitch: 0.09,
+            distance: 3.2,
+            fov: 0.61,
+            background: [216.0 / 255.0, 221.0 / 255.0, 227.0 / 255.0],
+        };
         let size = [canvas.width().max(1), canvas.height().max(1)];
         screen.configure(size);
         Ok(Stage { canvas, screen, shown: None, view, size, stale: true })
