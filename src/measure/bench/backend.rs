@@ -47,7 +47,7 @@ impl Opened {
         match self {
             Self::Vulkan(gpu) => options.settled(gpu),
             #[cfg(feature = "webgpu")]
-            Self::WebGpu(gpu) => webgpu::renderer::settled(gpu, options),
+            Self::WebGpu(gpu) => webgpu::options::settled(gpu, options),
         }
     }
 

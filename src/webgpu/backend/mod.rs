@@ -7,10 +7,13 @@ mod features;
 mod harmonics;
 mod kernel;
 mod model;
+pub mod options;
 #[cfg(not(target_arch = "wasm32"))]
 mod picture;
 pub mod present;
 mod raster;
+#[cfg(not(target_arch = "wasm32"))]
+pub mod readback;
 pub mod renderer;
 mod slot;
 mod sort;

@@ -4,21 +4,22 @@
 use super::{
     buffer::{STORAGE, empty},
     device::Gpu,
-    error::{Error, Result},
+    error::Result,
     features::Features,
     harmonics::Harmonics,
     kernel::{Blocks, FRAME_STRIDE},
     model::Model,
+    options::accepted,
     raster::{Inputs, Raster},
     slot::{SLOTS, Slot},
-    sort::{self, Sort},
+    sort::Sort,
     splats::{Splats, slots as slots_of},
     surface::Surface,
 };
 use crate::{
     avatar::Avatar,
     frame::{
-        Body, Camera, Extent, FrameReport, KeyBits, Method, Needs, Posed, RendererOptions, Skip, block,
+        Body, Camera, Extent, FrameReport, Needs, Posed, RendererOptions, Skip, block,
         keeper::Keeper,
         refuse,
         scene::{Actor, Scene, Staged},
@@ -30,22 +31,22 @@ use std::sync::Arc;
 
 /// An avatar on a device, in as many poses as it was made for.
 pub struct Renderer {
-    slots: Vec<Slot>,
+    pub(super) slots: Vec<Slot>,
     surface: Option<Surface>,
     features: Features,
     harmonics: Option<Harmonics>,
-    splats: Splats,
-    sort: Sort,
-    raster: Raster,
-    control: wgpu::Buffer,
+    pub(super) splats: Splats,
+    pub(super) sort: Sort,
+    pub(super) raster: Raster,
+    pub(super) control: wgpu::Buffer,
     /// Features, then node displacements, of one avatar after the other; then the depth surface's pyramid.
     #[cfg(not(target_arch = "wasm32"))]
-    pose: wgpu::Buffer,
+    pub(super) pose: wgpu::Buffer,
     blocks: Blocks,
     settings: Settings,
     /// What is written to an avatar's block.
     frame: Box<Frame>,
-    model: Model,
+    pub(super) model: Model,
     extent: Extent,
     needs: Needs,
     /// One an avatar.
@@ -54,9 +55,9 @@ pub struct Renderer {
     scene: Scene,
     /// Keys that the control says enter the sort, once it was told.
     entering: Option<u32>,
-    next: usize,
-    report: FrameReport,
-    gpu: Arc<Gpu>,
+    pub(super) next: usize,
+    pub(super) report: FrameReport,
+    pub(super) gpu: Arc<Gpu>,
 }
 
 /// Where an avatar's uniform block is, bytes.
@@ -64,40 +65,15 @@ fn frame_at(number: usize) -> u32 {
     (number as u64 * FRAME_STRIDE) as u32
 }
 
-/// The options with what suits a device, and this backend, in place of what was left open.
-pub fn settled(gpu: &Gpu, options: RendererOptions) -> RendererOptions {
-    let method = options.method.unwrap_or(if gpu.is_cpu() { Method::Tiles } else { Method::Hulls });
-    // Fragments are not tested against the depth surface here.
-    let skip = options.skip - Skip::DEPTH;
-    RendererOptions { method: Some(method), color: Some(options.color.unwrap_or(method.color())), skip, ..options }
-}
-
 impl Renderer {
     /// # Errors
     /// When the options can't be drawn with, or the device has no room.
     pub fn new(gpu: &Arc<Gpu>, avatar: &Avatar, options: RendererOptions) -> Result<Self> {
-        options.check()?;
-        if options.key_bits != KeyBits::Sixteen {
-            return Err(Error::KeyBits(8 * options.key_bits.passes()));
-        }
-        let mut options = settled(gpu, options);
-        // Where colours change with the view, nothing is kept.
-        if avatar.harmonics.is_some() {
-            options.skip -= Skip::SKINNING;
-        }
+        let options = accepted(gpu, avatar, options)?;
         let hides = options.skip.contains(Skip::HIDDEN);
         let model = Model::new(gpu, avatar, hides)?;
         let constants = &model.constants;
         let actors = options.actors as u32;
-        let keys = u64::from(actors) * u64::from(slots_of(constants.gaussians));
-        if keys > u64::from(sort::MOST) {
-            return Err(Error::TooLarge {
-                what: "sort keys",
-                found: 4 * keys,
-                limit: 4 * u64::from(sort::MOST),
-                device: gpu.name().into(),
-            });
-        }
         let words = 4 * u64::from(actors) * u64::from(block::vectors(constants)) + u64::from(PYRAMID_WORDS);
         let pose = empty(gpu, "pose", 4 * words.next_multiple_of(4), STORAGE)?;
         let control = empty(gpu, "control", size_of::<Control>() as u64, STORAGE | wgpu::BufferUsages::INDIRECT)?;
@@ -304,80 +280,5 @@ impl Renderer {
         self.options.size = size;
         self.scene = Scene::default();
         self.gpu.check()
-    }
-}
-
-#[cfg(not(target_arch = "wasm32"))]
-pub use native::Stages;
-
-/// What waits.
-#[cfg(not(target_arch = "wasm32"))]
-mod native {
-    use super::*;
-    use crate::{frame::Picture, layout::SORT_DROPPED};
-    use half::f16;
-
-    /// Stages' buffers read back, for tests.
-    pub struct Stages {
-        /// The first avatar's; shape N_G, length of e.
-        pub features: Vec<f32>,
-        /// The first avatar's, one displacement a node, metres; the fourth number is unused.
-        pub nodes: Vec<[f32; 4]>,
-        /// Those of the avatars in view, one after the other, as `keys` are.
-        pub splats: Vec<[u32; 4]>,
-        pub keys: Vec<u32>,
-        pub order: Vec<u32>,
-        pub control: Control,
-    }
-
-    impl Renderer {
-        /// Waits for every submitted frame.
-        ///
-        /// # Errors
-        /// When the device is lost or hangs.
-        pub fn finish(&mut self) -> Result<()> {
-            self.gpu.wait(None, "the last frame")?;
-            for offset in 0..SLOTS {
-                if let Some(report) = self.slots[(self.next + offset) % SLOTS].finish() {
-                    self.report = report;
-                }
-            }
-            Ok(())
-        }
-
-        /// Waits, and copies the picture of the last frame to the host.
-        ///
-        /// # Errors
-        /// When the device is lost or hangs.
-        pub fn picture(&mut self) -> Result<Picture> {
-            self.finish()?;
-            super::super::picture::download(&self.gpu, &self.raster)
-        }
-
-        /// Waits, and copies every stage's output of the last frame to the host.
-        ///
-        /// # Errors
-        /// When the device is lost or hangs.
-        pub fn stages(&mut self) -> Result<Stages> {
-            self.finish()?;
-            let download = |slice| super::super::buffer::download(&self.gpu, slice);
-            let constants = &self.model.constants;
-            let features = 16 * (constants.parts * constants.feature_quads) as usize;
-            let pose = download((&self.pose).into())?;
-            let nodes: Vec<[f16; 4]> = bytemuck::pod_collect_to_vec(&pose[features..][..8 * constants.nodes as usize]);
-            let control: Control = bytemuck::pod_read_unaligned(&download((&self.control).into())?[..size_of::<Control>()]);
-            let count = control.entering as usize;
-            let splats = download(self.splats.all())?;
-            let keys: Vec<u16> = bytemuck::pod_collect_to_vec(&download(self.splats.keys())?);
-            let order = download(self.sort.order())?;
-            Ok(Stages {
-                features: bytemuck::pod_collect_to_vec(&pose[..features]),
-                nodes: self.model.node_places.iter().map(|&place| nodes[usize::from(place)].map(f16::to_f32)).collect(),
-                splats: bytemuck::pod_collect_to_vec(&splats[..16 * count]),
-                keys: keys[..count].iter().map(|&key| if key == u16::MAX { SORT_DROPPED } else { u32::from(key) }).collect(),
-                order: bytemuck::pod_collect_to_vec(&order[..4 * control.survivors as usize]),
-                control,
-            })
-        }
     }
 }
