@@ -5,7 +5,7 @@
 #include "sort_control.glsl"
 #include "bins.glsl"
 
-layout(local_size_x = RASTER_SIZE) in;
+layout(local_size_x = 4, local_size_y = RASTER_SIZE / 4) in;
 layout(std430, set = 0, binding = 1) readonly buffer Splats { uvec4 splats[]; };  // then the keys
 layout(std430, set = 0, binding = 2) buffer ControlBuffer { Control control; };
 layout(std430, set = 0, binding = 3) readonly buffer Bins { uint bins[]; };
@@ -152,6 +152,10 @@ void blend_chain(uint chain) {
         chain = subgroupShuffle(word, 0u);
     }
 }
+#else
+void blend_chain(uint chain) {
+    blend_both(chain, 0u);
+}
 #endif
 
 void blend_tile(uint tile) {
@@ -165,15 +169,11 @@ void blend_tile(uint tile) {
         uint block = uint(findMSB(blocks));
         blocks ^= 1u << block;
         uint here = bins[BINS_HEADS + tile * BINS_BLOCKS + block];
-        bool mixed = (wide >> block & 1u) != 0u;
-#ifdef TOGETHER
-        if (!mixed) {
+        if ((wide >> block & 1u) == 0u) {
             blend_chain(here);
-            continue;
+        } else {
+            blend_both(here, bins[BINS_WIDE + block]);
         }
-#endif
-        // Once in the text: drivers copy what is called.
-        blend_both(here, mixed ? bins[BINS_WIDE + block] : 0u);
     }
 }
 
@@ -181,13 +181,10 @@ void main() {
     for (uint k = 0u; k < SIDE * SIDE; ++k) {
         pixels[k] = vec4(0.0, 0.0, 0.0, 1.0);
     }
-#ifdef TOGETHER
-    uint lane = gl_SubgroupID * gl_SubgroupSize + gl_SubgroupInvocationID;
-#else
-    uint lane = gl_LocalInvocationIndex;
-#endif
-    // Neighbours in a subgroup of any size are neighbours in the picture: bits of the lane are, from the lowest, x x y y x y.
-    uvec2 place = uvec2((lane & 3u) | (lane >> 2u & 4u), (lane >> 2u & 3u) | (lane >> 3u & 4u));
+    // Neighbours in a subgroup of any size are neighbours in the picture: four in a row, rows below each other, and from the half on a second
+    // column. Not by the bits of the index: LLVM 15, in lavapipe, lost one of them.
+    uvec2 place = gl_LocalInvocationID.xy;
+    place = uvec2(place.x + 4u * (place.y / 8u), place.y % 8u);
     uvec2 first = gl_WorkGroupID.xy * RASTER_REGION + SIDE * place;
     middle = vec2(first) + 0.5 * float(SIDE);
     uvec2 tile = first / uint(frame.tile);

@@ -18,26 +18,32 @@ built=$(cargo test --no-run --features webgpu 2>&1) || { echo "$built" >&2; exit
 mapfile -t binaries < <(echo "$built" | sed -n 's/^ *Executable .*(\(.*\))$/\1/p')
 [ ${#binaries[@]} -gt 0 ] || { echo "no test binaries in cargo's output:" >&2; echo "$built" >&2; exit 1; }
 
-passed=0 failed=()
-run() { # DRIVER BINARY
-  local name log test; name=$(basename "$2" | sed 's/-[0-9a-f]*$//'); log=$(mktemp)
-  while read -r test; do
-    if timeout -k 5 "$limit" "$2" --exact "$test" --nocapture >"$log" 2>&1 </dev/null; then
-      passed=$((passed + 1)); grep -h '^skipped' "$log" | sed "s/^/  $1 $name::$test /" || true
-    else
-      failed+=("$1 $name::$test"); echo "FAILED $1 $name::$test"; tail -n 30 "$log"
-    fi
-  done < <("$2" --list --format terse 2>/dev/null </dev/null | sed -n 's/: test$//p')
+results=$(mktemp -d); trap 'rm -rf "$results"' EXIT
+export limit results
+one() { # DRIVER BINARY TEST: a line of $results/all is: what came of it, seconds, driver, test
+  local name log from=$EPOCHREALTIME end=ok; name=$(basename "$2" | sed 's/-[0-9a-f]*$//'); log=$(mktemp "$results/XXXXXX")
+  timeout -k 5 "$limit" "$2" --exact "$3" --nocapture >"$log" 2>&1 </dev/null || end=FAILED
+  echo "$end $(( (${EPOCHREALTIME/[.,]/} - ${from/[.,]/}) / 1000000 )) $1 $name::$3" >>"$results/all"
+  if [ $end = ok ]; then grep -h '^skipped' "$log" | sed "s/^/  $1 $name::$3 /" || true
+  else echo "FAILED $1 $name::$3"$'\n'"$(tail -n 30 "$log")"; fi
   rm -f "$log"
 }
+export -f one
+run() { # DRIVER BINARY...: as many tests at once as there are processors, for much of each is on one
+  local driver=$1 binary; shift
+  for binary in "$@"; do "$binary" --list --format terse 2>/dev/null </dev/null | sed -n "s|^\(.*\): test$|$driver $binary \1|p"; done |
+    xargs -r -P "$(nproc)" -L 1 bash -c 'one "$@"' _
+}
+passed() { grep -c "^ok [0-9]* $1 " "$results/all" || true; }
 
+host=() device=()
 for binary in "${binaries[@]}"; do
   name=$(basename "$binary" | sed 's/-[0-9a-f]*$//')
-  case "$on_device" in *" $name "*) ;; *) run host "$binary" ;; esac
+  case "$on_device" in *" $name "*) device+=("$binary") ;; *) host+=("$binary") ;; esac
 done
-echo "without a device: $passed passed"
+run host "${host[@]}"
+echo "without a device: $(passed host) passed ($SECONDS s)"
 for driver in "${drivers[@]}"; do
-  before=$passed
   unset VK_DRIVER_FILES VK_ICD_FILENAMES LP_NATIVE_VECTOR_WIDTH
   if [ "$driver" != system ]; then
     icd="$PWD/target/drivers/${driver%%:*}.json"
@@ -46,11 +52,10 @@ for driver in "${drivers[@]}"; do
     case $driver in *:*) export LP_NATIVE_VECTOR_WIDTH=${driver##*:} ;; esac
   fi
   export EFFIGY_REQUIRE_GPU=1 EFFIGY_VALIDATION=1 VK_LAYER_PATH=$PWD/target/drivers/layers VK_LAYER_SYNCVAL_SHADER_ACCESSES_HEURISTIC=1
-  for binary in "${binaries[@]}"; do
-    name=$(basename "$binary" | sed 's/-[0-9a-f]*$//')
-    case "$on_device" in *" $name "*) run "$driver" "$binary" ;; esac
-  done
-  echo "$driver: $((passed - before)) passed"
+  run "$driver" "${device[@]}"
+  echo "$driver: $(passed "$driver") passed ($SECONDS s)"
 done
-[ ${#failed[@]} = 0 ] || { echo "${#failed[@]} failed:"; printf '  %s\n' "${failed[@]}"; exit 1; }
-echo "all $passed passed"
+echo "the slowest:"; sort -k2,2nr "$results/all" | head -n 8 | sed 's/^[a-zA-Z]* \([0-9]*\)/  \1 s/'
+failed=$(grep -c '^FAILED' "$results/all" || true)
+[ "$failed" = 0 ] || { echo "$failed failed:"; sed -n 's/^FAILED [0-9]*/ /p' "$results/all"; exit 1; }
+echo "all $(grep -c '^ok' "$results/all") passed"

@@ -135,7 +135,7 @@ impl Tiles {
 }
 
 /// Whether each subgroup lies in one tile and can hand splats round: 8 invocations, of 4 by 4 pixels each, in tiles of at least 16.
-/// Processors alone: Mali's compiler spills 700 registers there; and not 16 invocations, with which lavapipe draws wrongly (NOTES.md).
+/// Processors alone: Mali's compiler spills 700 registers there; and not 16 invocations, half of which lavapipe's compiler loses (NOTES.md).
 fn together(gpu: &Gpu) -> bool {
     gpu.probe.kind == vk::PhysicalDeviceType::CPU && gpu.probe.subgroup_shuffle && gpu.probe.subgroup_size == 8
 }
