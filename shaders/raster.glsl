@@ -1,11 +1,17 @@
 // The `raster` stage as a compute kernel (model.md, step 10): each invocation blends a square of pixels near to far and stops when they
 // are full, which a blender, taking all that comes, cannot. A workgroup takes a square of RASTER_REGION pixels.
+#ifdef LOOPS
+#define UNROLL
+#else
+#extension GL_EXT_control_flow_attributes : require
+#define UNROLL [[unroll]]
+#endif
 #include "layout.glsl"
 #include "splat.glsl"
 #include "sort_control.glsl"
 #include "bins.glsl"
 
-layout(local_size_x = 4, local_size_y = RASTER_SIZE / 4) in;
+layout(local_size_x = RASTER_SIZE) in;
 layout(std430, set = 0, binding = 1) readonly buffer Splats { uvec4 splats[]; };  // then the keys
 layout(std430, set = 0, binding = 2) buffer ControlBuffer { Control control; };
 layout(std430, set = 0, binding = 3) readonly buffer Bins { uint bins[]; };
@@ -68,14 +74,13 @@ void blend(Ready splat) {
     vec2 deviation = vec2(dot(from, splat.along), dot(from, splat.across));
     vec2 right = vec2(splat.along.x, splat.across.x);
     float most = 0.0;
-    // Compilers unroll this where that pays. Unrolled here, SwiftShader compiles for seven seconds.
-    for (uint y = 0u; y < SIDE; ++y) {
+    UNROLL for (uint y = 0u; y < SIDE; ++y) {
         // From a pixel to the next the Gaussian changes by a factor, which itself changes by a constant one. The low-pass lets no
         // Gaussian fall faster than from its cutoff to 2^−56 over a row of four: what starts lower does not count.
         float weight = exp2(-dot(deviation, deviation));
         float alpha = weight >= 1e-17 ? splat.color.a * weight : 0.0;
         float factor = exp2(min(-dot(2.0 * deviation + right, right), 60.0));
-        for (uint x = 0u; x < SIDE; ++x) {
+        UNROLL for (uint x = 0u; x < SIDE; ++x) {
             uint k = y * SIDE + x;
             float covers = min(alpha, 0.99);
             float share = covers >= CUTOFF ? covers * pixels[k].a : 0.0;
@@ -178,18 +183,21 @@ void blend_tile(uint tile) {
 }
 
 void main() {
-    for (uint k = 0u; k < SIDE * SIDE; ++k) {
+    UNROLL for (uint k = 0u; k < SIDE * SIDE; ++k) {
         pixels[k] = vec4(0.0, 0.0, 0.0, 1.0);
     }
-    // Neighbours in a subgroup of any size are neighbours in the picture: four in a row, rows below each other, and from the half on a second
-    // column. Not by the bits of the index: LLVM 15, in lavapipe, lost one of them.
-    uvec2 place = gl_LocalInvocationID.xy;
-    place = uvec2(place.x + 4u * (place.y / 8u), place.y % 8u);
+#ifdef TOGETHER
+    uint lane = gl_SubgroupID * gl_SubgroupSize + gl_SubgroupInvocationID;
+#else
+    uint lane = gl_LocalInvocationIndex;
+#endif
+    // Neighbours in a subgroup of any size are neighbours in the picture: bits of the lane are, from the lowest, x x y y x y.
+    uvec2 place = uvec2((lane & 3u) | (lane >> 2u & 4u), (lane >> 2u & 3u) | (lane >> 3u & 4u));
     uvec2 first = gl_WorkGroupID.xy * RASTER_REGION + SIDE * place;
     middle = vec2(first) + 0.5 * float(SIDE);
     uvec2 tile = first / uint(frame.tile);
     blend_tile(tile.y * BINS_SIDE + tile.x);
-    for (uint k = 0u; k < SIDE * SIDE; ++k) {
+    UNROLL for (uint k = 0u; k < SIDE * SIDE; ++k) {
         uvec2 pixel = first + uvec2(k % SIDE, k / SIDE);
         if (all(lessThan(vec2(pixel), frame.size))) {
             imageStore(picture, ivec2(pixel), vec4(pixels[k].rgb, 1.0 - pixels[k].a));

@@ -27,7 +27,7 @@ pub mod app;
 pub mod avatar;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod bake;
-#[cfg(not(target_arch = "wasm32"))]
+#[cfg(not(any(target_arch = "wasm32", target_os = "android")))]
 pub mod cli;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod demo;

@@ -75,7 +75,7 @@ fn render_draws_several_as_the_reference_does() {
         return;
     }
     let folder = tempfile::tempdir().unwrap();
-    small_avatar(folder.path());
+    common::small_files(folder.path());
     let what = "render small.avatar --motion small.motion --size 240x160 --time 0.4 --yaw 60";
     works(folder.path(), &format!("{what} --count 3 --out gpu.png"));
     works(folder.path(), &format!("{what} --count 3 --reference --out oracle.png"));
@@ -114,20 +114,13 @@ fn json(path: &Path) -> serde_json::Value {
     serde_json::from_slice(&std::fs::read(path).unwrap()).unwrap()
 }
 
-/// Writes a small avatar and a clip of its own skeleton: what the benchmark is tested with.
-fn small_avatar(folder: &Path) {
-    let avatar = common::avatar(5, common::Sizes { gaussians: 800, parts: 8, nodes: 60, rows: 100, ..common::Sizes::default() });
-    std::fs::write(folder.join("small.avatar"), avatar.to_bytes().unwrap()).unwrap();
-    std::fs::write(folder.join("small.motion"), common::clip(6, &avatar, 40).to_bytes().unwrap()).unwrap();
-}
-
 #[test]
 fn bench_writes_what_it_measured_of_every_case() {
     if gpu::gpu().is_none() {
         return;
     }
     let folder = tempfile::tempdir().unwrap();
-    small_avatar(folder.path());
+    common::small_files(folder.path());
     let what = "small.avatar --motion small.motion --size 160x160 --frames 13 --check 1";
     let said = works(folder.path(), &format!("bench {what} --case all --flip --json out.json --csv out.csv"));
     let json = json(&folder.path().join("out.json"));
@@ -172,7 +165,7 @@ fn a_sweep_draws_time_against_error() {
         return;
     }
     let folder = tempfile::tempdir().unwrap();
-    small_avatar(folder.path());
+    common::small_files(folder.path());
     let what = "small.avatar --motion small.motion --size 96x96 --frames 12 --check 1 --rounds 1";
     let sweep = "--sweep preset,keys,rows,pose-rate,storage --pareto front.svg --pareto front.png";
     let said = works(folder.path(), &format!("bench {what} {sweep} --json - --csv out.csv"));
@@ -273,4 +266,15 @@ fn shader_statistics_are_a_table_or_a_sentence() {
     for shader in ["raster.vert", "raster.frag", "splats.comp"] {
         assert!(table.lines().any(|line| line.starts_with(shader)) && rows.contains(shader), "nothing on {shader}: {table}");
     }
+}
+
+#[test]
+fn a_capture_without_renderdoc_says_how_to_attach_it() {
+    if gpu::gpu().is_none() {
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let error = fails(folder.path(), "capture --size 64x64");
+    assert!(error.contains("RenderDoc is not attached") && error.contains("renderdoccmd capture effigy capture"), "{error}");
+    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
 }

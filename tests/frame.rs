@@ -5,14 +5,19 @@ mod common;
 use common::{Sizes, gpu};
 use effigy::{
     measure::error,
-    vulkan::{RendererOptions, raster::ColorFormat, sort::KeyBits},
+    vulkan::{Gpu, GpuOptions, RendererOptions, raster::ColorFormat, sort::KeyBits},
 };
+use std::sync::Arc;
 
 fn compare(color: ColorFormat, key_bits: KeyBits, psnr: f64, within: f64) {
     let Some(device) = gpu::gpu() else { return };
+    compare_on(&device, (color, key_bits), psnr, within);
+}
+
+fn compare_on(device: &Arc<Gpu>, (color, key_bits): (ColorFormat, KeyBits), psnr: f64, within: f64) {
     for seed in 0..3 {
         let options = RendererOptions { color: Some(color), key_bits, ..gpu::options([320, 400]) };
-        let frame = gpu::frame(&device, seed, Sizes::default(), options);
+        let frame = gpu::frame(device, seed, Sizes::default(), options);
         let error = error::between(&frame.picture, &frame.oracle.canvas.to_picture());
         println!("seed {seed}: {:?} drawn {}", error.covered, frame.report.counters.drawn);
         assert!(error.covered.pixels > 5000, "the avatar is hardly in the picture");
@@ -32,4 +37,11 @@ fn eight_bit_pictures_agree_with_the_reference() {
 fn floating_point_pictures_agree_with_the_reference() {
     compare(ColorFormat::Rgba16F, KeyBits::Sixteen, 54.0, 0.999);
     compare(ColorFormat::Rgba16F, KeyBits::ThirtyTwo, 54.0, 0.999);
+}
+
+#[test]
+fn the_least_device_that_can_serve_draws_the_same_within_the_budget() {
+    let Some(device) = gpu::open(GpuOptions { least: true, ..GpuOptions::headless(None) }) else { return };
+    assert_eq!((device.half_storage, device.probe.timestamp_bits, device.probe.subgroup_sizes), (false, 0, None));
+    compare_on(&device, (ColorFormat::Rgba8, KeyBits::TwentyFour), 48.0, 0.995);
 }

@@ -149,6 +149,20 @@ fn a_scene_at_rest_looks_the_same_at_every_time() {
 }
 
 #[test]
+fn a_held_pose_stays_while_the_view_moves_and_falls_behind_nothing() {
+    let mut scene = scene();
+    let shown = scene.advance(0.5, SIZE);
+    scene.gesture(&Gesture { orbit: DVec2::new(200.0, 0.0), ..Gesture::default() }, SIZE);
+    let held = scene.hold(0.6, SIZE);
+    assert!(held.moment == shown.moment && held.camera != shown.camera);
+    assert!((scene.advance(0.7, SIZE).moment.time - 0.7).abs() < 1e-9, "the clip goes by the clock, not by frames");
+    scene.act(Action::PlayOrPause, 0.7, SIZE);
+    scene.act(Action::Step(1), 0.7, SIZE);
+    let stepped = scene.hold(0.8, SIZE).moment;
+    assert_eq!(stepped, scene.advance(0.8, SIZE).moment, "what the user asks for is shown at once");
+}
+
+#[test]
 fn a_gesture_after_a_long_rest_glides_and_does_not_jump() {
     let mut scene = scene();
     scene.act(Action::PlayOrPause, 0.0, SIZE);

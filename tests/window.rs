@@ -162,6 +162,29 @@ fn a_number_of_frames_is_drawn_and_timed() {
 }
 
 #[test]
+fn a_soak_in_the_window_writes_its_files_and_ends() {
+    let arguments = ["--size", "200x200", "--soak", "0.08", "--fps", "1", "--governor", "--trace", "trace.json"];
+    let Some(mut session) = start(&arguments) else { return };
+    let text = std::fs::read_to_string(session.wait_for_line("wrote ")).unwrap();
+    let report = effigy::measure::soak::compare::read(&text).unwrap();
+    assert!(report.governed && report.rate == 1.0 && report.frames > 2 && report.size == [200, 200] && report.lasted_seconds >= 4.8);
+    let trace = session.wait_for_file("trace.json");
+    let (success, said) = session.wait_for_end();
+    assert!(success, "{said}");
+    let trace: serde_json::Value = serde_json::from_str(&trace).unwrap();
+    let slices = trace["traceEvents"].as_array().unwrap().iter().filter(|event| event["ph"] == "X" && event["name"] == "present");
+    assert!(slices.count() > 2 || trace["otherData"]["alignment"].as_str().unwrap().starts_with("none"));
+}
+
+#[test]
+fn a_capture_without_renderdoc_says_how_to_attach_it() {
+    let Some(mut session) = still(&["--size", "200x200"]) else { return };
+    session.key('c');
+    session.wait_for_text("RenderDoc is not attached: start the program from it");
+    session.quit();
+}
+
+#[test]
 fn without_a_display_the_viewer_says_what_to_do() {
     let (success, text) = session::without_display(&["view"]);
     assert!(!success && text.contains("effigy render"), "{text}");

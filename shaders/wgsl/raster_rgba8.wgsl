@@ -143,7 +143,7 @@ var<private> pixels: array<vec4<f32>, 16>;
 var<storage> unnamed: Splats;
 @group(0) @binding(3) 
 var<storage> unnamed_1: Bins;
-var<private> gl_LocalInvocationID_1: vec3<u32>;
+var<private> gl_LocalInvocationIndex_1: u32;
 var<private> gl_WorkGroupID_1: vec3<u32>;
 @group(0) @binding(4) 
 var picture: texture_storage_2d<rgba8unorm,write>;
@@ -167,150 +167,150 @@ fn blend_u0028_struct_u002d_Ready_u002d_vf2_u002d_vf2_u002d_vf2_u002d_vf2_u002d_
     var local_1: f32;
     var phi_319_: bool;
 
-    let _e77 = middle;
-    let _e79 = (*splat).center;
-    from_ = (_e77 - _e79);
-    let _e81 = open;
-    phi_319_ = _e81;
-    if _e81 {
-        let _e82 = from_;
-        let _e85 = (*splat).reach;
-        phi_319_ = all((abs(_e82) < (_e85 + vec2(1.5f))));
+    let _e78 = middle;
+    let _e80 = (*splat).center;
+    from_ = (_e78 - _e80);
+    let _e82 = open;
+    phi_319_ = _e82;
+    if _e82 {
+        let _e83 = from_;
+        let _e86 = (*splat).reach;
+        phi_319_ = all((abs(_e83) < (_e86 + vec2(1.5f))));
     }
-    let _e91 = phi_319_;
-    if !(_e91) {
+    let _e92 = phi_319_;
+    if !(_e92) {
         return;
     }
-    let _e93 = from_;
-    from_ = (_e93 - vec2(1.5f));
-    let _e96 = from_;
-    let _e98 = (*splat).along;
-    let _e100 = from_;
-    let _e102 = (*splat).across;
-    deviation = vec2<f32>(dot(_e96, _e98), dot(_e100, _e102));
-    let _e107 = (*splat).along[0u];
-    let _e110 = (*splat).across[0u];
-    right = vec2<f32>(_e107, _e110);
+    let _e94 = from_;
+    from_ = (_e94 - vec2(1.5f));
+    let _e97 = from_;
+    let _e99 = (*splat).along;
+    let _e101 = from_;
+    let _e103 = (*splat).across;
+    deviation = vec2<f32>(dot(_e97, _e99), dot(_e101, _e103));
+    let _e108 = (*splat).along[0u];
+    let _e111 = (*splat).across[0u];
+    right = vec2<f32>(_e108, _e111);
     most = 0f;
     y = 0u;
     loop {
-        let _e112 = y;
-        if (_e112 < 4u) {
-            let _e114 = deviation;
+        let _e113 = y;
+        if (_e113 < 4u) {
             let _e115 = deviation;
-            weight = exp2(-(dot(_e114, _e115)));
-            let _e119 = weight;
-            if (_e119 >= 0.00000000000000001f) {
-                let _e123 = (*splat).color[3u];
-                let _e124 = weight;
-                local = (_e123 * _e124);
+            let _e116 = deviation;
+            weight = exp2(-(dot(_e115, _e116)));
+            let _e120 = weight;
+            if (_e120 >= 0.00000000000000001f) {
+                let _e124 = (*splat).color[3u];
+                let _e125 = weight;
+                local = (_e124 * _e125);
             } else {
                 local = 0f;
             }
-            let _e126 = local;
-            alpha = _e126;
-            let _e127 = deviation;
-            let _e129 = right;
-            let _e131 = right;
-            factor = exp2(min(-(dot(((_e127 * 2f) + _e129), _e131)), 60f));
+            let _e127 = local;
+            alpha = _e127;
+            let _e128 = deviation;
+            let _e130 = right;
+            let _e132 = right;
+            factor = exp2(min(-(dot(((_e128 * 2f) + _e130), _e132)), 60f));
             x = 0u;
             loop {
-                let _e136 = x;
-                if (_e136 < 4u) {
-                    let _e138 = y;
-                    let _e140 = x;
-                    k = ((_e138 * 4u) + _e140);
-                    let _e142 = alpha;
-                    covers = min(_e142, 0.99f);
-                    let _e144 = covers;
-                    let _e146 = settings.cutoff;
-                    if (_e144 >= _e146) {
-                        let _e148 = covers;
-                        let _e149 = k;
-                        let _e152 = pixels[_e149][3u];
-                        local_1 = (_e148 * _e152);
+                let _e137 = x;
+                if (_e137 < 4u) {
+                    let _e139 = y;
+                    let _e141 = x;
+                    k = ((_e139 * 4u) + _e141);
+                    let _e143 = alpha;
+                    covers = min(_e143, 0.99f);
+                    let _e145 = covers;
+                    let _e147 = settings.cutoff;
+                    if (_e145 >= _e147) {
+                        let _e149 = covers;
+                        let _e150 = k;
+                        let _e153 = pixels[_e150][3u];
+                        local_1 = (_e149 * _e153);
                     } else {
                         local_1 = 0f;
                     }
-                    let _e154 = local_1;
-                    share = _e154;
-                    let _e155 = k;
+                    let _e155 = local_1;
+                    share = _e155;
                     let _e156 = k;
-                    let _e158 = pixels[_e156];
-                    let _e160 = share;
-                    let _e162 = (*splat).color;
-                    let _e165 = (_e158.xyz + (_e162.xyz * _e160));
-                    let _e166 = k;
-                    let _e169 = pixels[_e166][3u];
-                    let _e170 = share;
-                    pixels[_e155] = vec4<f32>(_e165.x, _e165.y, _e165.z, (_e169 - _e170));
-                    let _e177 = most;
-                    let _e178 = k;
-                    let _e181 = pixels[_e178][3u];
-                    most = max(_e177, _e181);
-                    let _e183 = factor;
-                    let _e184 = alpha;
-                    alpha = (_e184 * _e183);
-                    let _e187 = (*splat).bend;
-                    let _e188 = factor;
-                    factor = (_e188 * _e187);
+                    let _e157 = k;
+                    let _e159 = pixels[_e157];
+                    let _e161 = share;
+                    let _e163 = (*splat).color;
+                    let _e166 = (_e159.xyz + (_e163.xyz * _e161));
+                    let _e167 = k;
+                    let _e170 = pixels[_e167][3u];
+                    let _e171 = share;
+                    pixels[_e156] = vec4<f32>(_e166.x, _e166.y, _e166.z, (_e170 - _e171));
+                    let _e178 = most;
+                    let _e179 = k;
+                    let _e182 = pixels[_e179][3u];
+                    most = max(_e178, _e182);
+                    let _e184 = factor;
+                    let _e185 = alpha;
+                    alpha = (_e185 * _e184);
+                    let _e188 = (*splat).bend;
+                    let _e189 = factor;
+                    factor = (_e189 * _e188);
                     continue;
                 } else {
                     break;
                 }
                 continuing {
-                    let _e190 = x;
-                    x = (_e190 + bitcast<u32>(1i));
+                    let _e191 = x;
+                    x = (_e191 + bitcast<u32>(1i));
                 }
             }
-            let _e195 = (*splat).along[1u];
-            let _e198 = (*splat).across[1u];
-            let _e200 = deviation;
-            deviation = (_e200 + vec2<f32>(_e195, _e198));
+            let _e196 = (*splat).along[1u];
+            let _e199 = (*splat).across[1u];
+            let _e201 = deviation;
+            deviation = (_e201 + vec2<f32>(_e196, _e199));
             continue;
         } else {
             break;
         }
         continuing {
-            let _e202 = y;
-            y = (_e202 + bitcast<u32>(1i));
+            let _e203 = y;
+            y = (_e203 + bitcast<u32>(1i));
         }
     }
-    let _e205 = shaded;
-    shaded = (_e205 + 16u);
-    let _e207 = most;
-    let _e209 = settings.full;
-    open = (_e207 >= _e209);
+    let _e206 = shaded;
+    shaded = (_e206 + 16u);
+    let _e208 = most;
+    let _e210 = settings.full;
+    open = (_e208 >= _e210);
     return;
 }
 
 fn half_box_u0028_struct_u002d_Splat_u002d_vf2_u002d_vf2_u002d_f1_u002d_vf3_u002d_u11_u003b_f1_u003b(splat_1: ptr<function, Splat>, reach: ptr<function, f32>) -> vec2<f32> {
     var steep: f32;
 
-    let _e66 = (*splat_1).shorter;
-    let _e68 = (*splat_1).axis;
-    let _e70 = (*splat_1).axis;
-    steep = (_e66 * inverseSqrt(dot(_e68, _e70)));
-    let _e74 = (*reach);
-    let _e76 = (*splat_1).axis;
-    let _e78 = (*splat_1).axis;
-    let _e80 = steep;
+    let _e67 = (*splat_1).shorter;
+    let _e69 = (*splat_1).axis;
+    let _e71 = (*splat_1).axis;
+    steep = (_e67 * inverseSqrt(dot(_e69, _e71)));
+    let _e75 = (*reach);
+    let _e77 = (*splat_1).axis;
+    let _e79 = (*splat_1).axis;
     let _e81 = steep;
-    let _e84 = (*splat_1).axis;
-    let _e88 = (*splat_1).axis;
-    return (sqrt(((_e76 * _e78) + ((_e84.yx * (_e80 * _e81)) * _e88.yx))) * _e74);
+    let _e82 = steep;
+    let _e85 = (*splat_1).axis;
+    let _e89 = (*splat_1).axis;
+    return (sqrt(((_e77 * _e79) + ((_e85.yx * (_e81 * _e82)) * _e89.yx))) * _e75);
 }
 
 fn reach_of_u0028_u1_u003b(opacity: ptr<function, u32>) -> f32 {
-    let _e63 = (*opacity);
-    let _e66 = frame.hull_opacity;
-    let _e69 = frame.cutoff;
-    return sqrt((2f * log(max((max(f32(_e63), _e66) / _e69), 1f))));
+    let _e64 = (*opacity);
+    let _e67 = frame.hull_opacity;
+    let _e70 = frame.cutoff;
+    return sqrt((2f * log(max((max(f32(_e64), _e67) / _e70), 1f))));
 }
 
 fn steps_of_u0028_vu4_u003b(words: ptr<function, vec4<u32>>) -> vec2<f32> {
-    let _e63 = (*words);
-    return vec2<f32>((_e63.xy & vec2(1048575u)));
+    let _e64 = (*words);
+    return vec2<f32>((_e64.xy & vec2(1048575u)));
 }
 
 fn unpack_splat_u0028_vu4_u003b(words_1: ptr<function, vec4<u32>>) -> Splat {
@@ -318,27 +318,27 @@ fn unpack_splat_u0028_vu4_u003b(words_1: ptr<function, vec4<u32>>) -> Splat {
     var param: vec4<u32>;
     var blue: u32;
 
-    let _e66 = (*words_1);
-    param = _e66;
-    let _e67 = steps_of_u0028_vu4_u003b((&param));
-    let _e69 = frame.fixed_scale;
-    let _e73 = frame.guard;
-    splat_2.center = ((_e67 / vec2(_e69)) - vec2(_e73));
-    let _e78 = (*words_1)[2u];
-    splat_2.axis = unpack2x16float(_e78);
-    let _e82 = (*words_1)[3u];
-    splat_2.shorter = unpack2x16float(_e82).x;
-    let _e87 = (*words_1)[3u];
-    let _e93 = (*words_1)[0u];
-    blue = (((_e87 >> bitcast<u32>(24u)) << bitcast<u32>(2u)) | (_e93 >> bitcast<u32>(30u)));
-    let _e98 = (*words_1)[0u];
-    let _e104 = (*words_1)[1u];
-    let _e109 = blue;
-    splat_2.color = (vec3<f32>(f32(((_e98 >> bitcast<u32>(20u)) & 1023u)), f32(((_e104 >> bitcast<u32>(20u)) & 1023u)), f32(_e109)) / vec3(1023f));
-    let _e116 = (*words_1)[3u];
-    splat_2.opacity = ((_e116 >> bitcast<u32>(16u)) & 255u);
-    let _e121 = splat_2;
-    return _e121;
+    let _e67 = (*words_1);
+    param = _e67;
+    let _e68 = steps_of_u0028_vu4_u003b((&param));
+    let _e70 = frame.fixed_scale;
+    let _e74 = frame.guard;
+    splat_2.center = ((_e68 / vec2(_e70)) - vec2(_e74));
+    let _e79 = (*words_1)[2u];
+    splat_2.axis = unpack2x16float(_e79);
+    let _e83 = (*words_1)[3u];
+    splat_2.shorter = unpack2x16float(_e83).x;
+    let _e88 = (*words_1)[3u];
+    let _e94 = (*words_1)[0u];
+    blue = (((_e88 >> bitcast<u32>(24u)) << bitcast<u32>(2u)) | (_e94 >> bitcast<u32>(30u)));
+    let _e99 = (*words_1)[0u];
+    let _e105 = (*words_1)[1u];
+    let _e110 = blue;
+    splat_2.color = (vec3<f32>(f32(((_e99 >> bitcast<u32>(20u)) & 1023u)), f32(((_e105 >> bitcast<u32>(20u)) & 1023u)), f32(_e110)) / vec3(1023f));
+    let _e117 = (*words_1)[3u];
+    splat_2.opacity = ((_e117 >> bitcast<u32>(16u)) & 255u);
+    let _e122 = splat_2;
+    return _e122;
 }
 
 fn ready_u0028_vu4_u003b(words_2: ptr<function, vec4<u32>>) -> Ready {
@@ -350,57 +350,57 @@ fn ready_u0028_vu4_u003b(words_2: ptr<function, vec4<u32>>) -> Ready {
     var param_3: Splat;
     var param_4: f32;
 
-    let _e70 = (*words_2);
-    param_1 = _e70;
-    let _e71 = unpack_splat_u0028_vu4_u003b((&param_1));
-    splat_3 = _e71;
-    let _e73 = splat_3.axis;
-    let _e75 = splat_3.axis;
-    inverse = (1f / dot(_e73, _e75));
-    let _e79 = splat_3.center;
-    r.center = _e79;
-    let _e82 = splat_3.opacity;
-    param_2 = _e82;
-    let _e83 = reach_of_u0028_u1_u003b((&param_2));
-    let _e84 = splat_3;
-    param_3 = _e84;
-    param_4 = _e83;
-    let _e85 = half_box_u0028_struct_u002d_Splat_u002d_vf2_u002d_vf2_u002d_f1_u002d_vf3_u002d_u11_u003b_f1_u003b((&param_3), (&param_4));
-    r.reach = _e85;
-    let _e87 = inverse;
-    let _e90 = splat_3.axis;
-    r.along = (_e90 * (0.8493218f * _e87));
-    let _e93 = inverse;
-    let _e97 = splat_3.shorter;
-    let _e101 = splat_3.axis[1u];
-    let _e105 = splat_3.axis[0u];
-    r.across = (vec2<f32>(-(_e101), _e105) * ((0.8493218f * sqrt(_e93)) / _e97));
-    let _e110 = splat_3.color;
-    let _e112 = splat_3.opacity;
-    r.color = vec4<f32>(_e110.x, _e110.y, _e110.z, (f32(_e112) / 255f));
-    let _e122 = r.along[0u];
-    let _e125 = r.along[0u];
-    let _e129 = r.across[0u];
-    let _e132 = r.across[0u];
-    r.bend = exp2((-2f * ((_e122 * _e125) + (_e129 * _e132))));
-    let _e138 = r;
-    return _e138;
+    let _e71 = (*words_2);
+    param_1 = _e71;
+    let _e72 = unpack_splat_u0028_vu4_u003b((&param_1));
+    splat_3 = _e72;
+    let _e74 = splat_3.axis;
+    let _e76 = splat_3.axis;
+    inverse = (1f / dot(_e74, _e76));
+    let _e80 = splat_3.center;
+    r.center = _e80;
+    let _e83 = splat_3.opacity;
+    param_2 = _e83;
+    let _e84 = reach_of_u0028_u1_u003b((&param_2));
+    let _e85 = splat_3;
+    param_3 = _e85;
+    param_4 = _e84;
+    let _e86 = half_box_u0028_struct_u002d_Splat_u002d_vf2_u002d_vf2_u002d_f1_u002d_vf3_u002d_u11_u003b_f1_u003b((&param_3), (&param_4));
+    r.reach = _e86;
+    let _e88 = inverse;
+    let _e91 = splat_3.axis;
+    r.along = (_e91 * (0.8493218f * _e88));
+    let _e94 = inverse;
+    let _e98 = splat_3.shorter;
+    let _e102 = splat_3.axis[1u];
+    let _e106 = splat_3.axis[0u];
+    r.across = (vec2<f32>(-(_e102), _e106) * ((0.8493218f * sqrt(_e94)) / _e98));
+    let _e111 = splat_3.color;
+    let _e113 = splat_3.opacity;
+    r.color = vec4<f32>(_e111.x, _e111.y, _e111.z, (f32(_e113) / 255f));
+    let _e123 = r.along[0u];
+    let _e126 = r.along[0u];
+    let _e130 = r.across[0u];
+    let _e133 = r.across[0u];
+    r.bend = exp2((-2f * ((_e123 * _e126) + (_e130 * _e133))));
+    let _e139 = r;
+    return _e139;
 }
 
 fn step_back_u0028_u1_u003b(chain: ptr<function, u32>) -> u32 {
     var local_2: u32;
 
-    let _e64 = (*chain);
-    if ((_e64 & 7u) > 1u) {
-        let _e67 = (*chain);
-        local_2 = (_e67 - 1u);
+    let _e65 = (*chain);
+    if ((_e65 & 7u) > 1u) {
+        let _e68 = (*chain);
+        local_2 = (_e68 - 1u);
     } else {
-        let _e69 = (*chain);
-        let _e74 = unnamed_1.bins[((540698u + _e69) - 1u)];
-        local_2 = _e74;
+        let _e70 = (*chain);
+        let _e75 = unnamed_1.bins[((540698u + _e70) - 1u)];
+        local_2 = _e75;
     }
-    let _e75 = local_2;
-    return _e75;
+    let _e76 = local_2;
+    return _e76;
 }
 
 fn key_at_u0028_u1_u003b(i: ptr<function, u32>) -> u32 {
@@ -409,32 +409,32 @@ fn key_at_u0028_u1_u003b(i: ptr<function, u32>) -> u32 {
     var keys: u32;
     var local_4: u32;
 
-    let _e68 = frame.key_start;
-    let _e70 = frame.half_keys;
-    if (_e70 != 0u) {
-        let _e72 = (*i);
-        local_3 = (_e72 / 2u);
+    let _e69 = frame.key_start;
+    let _e71 = frame.half_keys;
+    if (_e71 != 0u) {
+        let _e73 = (*i);
+        local_3 = (_e73 / 2u);
     } else {
-        let _e74 = (*i);
-        local_3 = _e74;
+        let _e75 = (*i);
+        local_3 = _e75;
     }
-    let _e75 = local_3;
-    word = (_e68 + _e75);
-    let _e77 = word;
-    let _e79 = word;
-    let _e84 = unnamed.splats[(_e77 / 4u)][(_e79 & 3u)];
-    keys = _e84;
-    let _e86 = frame.half_keys;
-    if (_e86 != 0u) {
-        let _e88 = keys;
-        let _e89 = (*i);
-        local_4 = ((_e88 >> bitcast<u32>((16u * (_e89 & 1u)))) & 65535u);
+    let _e76 = local_3;
+    word = (_e69 + _e76);
+    let _e78 = word;
+    let _e80 = word;
+    let _e85 = unnamed.splats[(_e78 / 4u)][(_e80 & 3u)];
+    keys = _e85;
+    let _e87 = frame.half_keys;
+    if (_e87 != 0u) {
+        let _e89 = keys;
+        let _e90 = (*i);
+        local_4 = ((_e89 >> bitcast<u32>((16u * (_e90 & 1u)))) & 65535u);
     } else {
-        let _e95 = keys;
-        local_4 = _e95;
+        let _e96 = keys;
+        local_4 = _e96;
     }
-    let _e96 = local_4;
-    return _e96;
+    let _e97 = local_4;
+    return _e97;
 }
 
 fn nearer_u0028_u1_u003b_u1_u003b(a: ptr<function, u32>, b: ptr<function, u32>) -> bool {
@@ -444,27 +444,27 @@ fn nearer_u0028_u1_u003b_u1_u003b(a: ptr<function, u32>, b: ptr<function, u32>) 
     var param_6: u32;
     var phi_543_: bool;
 
-    let _e68 = (*a);
-    param_5 = _e68;
-    let _e69 = key_at_u0028_u1_u003b((&param_5));
-    key = _e69;
-    let _e70 = (*b);
-    param_6 = _e70;
-    let _e71 = key_at_u0028_u1_u003b((&param_6));
-    than = _e71;
-    let _e72 = key;
-    let _e73 = than;
-    let _e74 = (_e72 > _e73);
-    phi_543_ = _e74;
-    if !(_e74) {
-        let _e76 = key;
-        let _e77 = than;
-        let _e79 = (*a);
-        let _e80 = (*b);
-        phi_543_ = ((_e76 == _e77) && (_e79 > _e80));
+    let _e69 = (*a);
+    param_5 = _e69;
+    let _e70 = key_at_u0028_u1_u003b((&param_5));
+    key = _e70;
+    let _e71 = (*b);
+    param_6 = _e71;
+    let _e72 = key_at_u0028_u1_u003b((&param_6));
+    than = _e72;
+    let _e73 = key;
+    let _e74 = than;
+    let _e75 = (_e73 > _e74);
+    phi_543_ = _e75;
+    if !(_e75) {
+        let _e77 = key;
+        let _e78 = than;
+        let _e80 = (*a);
+        let _e81 = (*b);
+        phi_543_ = ((_e77 == _e78) && (_e80 > _e81));
     }
-    let _e84 = phi_543_;
-    return _e84;
+    let _e85 = phi_543_;
+    return _e85;
 }
 
 fn blend_both_u0028_u1_u003b_u1_u003b(here: ptr<function, u32>, everywhere: ptr<function, u32>) {
@@ -484,74 +484,74 @@ fn blend_both_u0028_u1_u003b_u1_u003b(here: ptr<function, u32>, everywhere: ptr<
     var phi_623_: bool;
 
     loop {
-        let _e75 = open;
-        phi_581_ = _e75;
-        if _e75 {
-            let _e76 = (*here);
-            let _e77 = (*everywhere);
-            phi_581_ = ((_e76 | _e77) != 0u);
+        let _e76 = open;
+        phi_581_ = _e76;
+        if _e76 {
+            let _e77 = (*here);
+            let _e78 = (*everywhere);
+            phi_581_ = ((_e77 | _e78) != 0u);
         }
-        let _e81 = phi_581_;
-        if _e81 {
-            let _e82 = (*here);
-            if (_e82 == 0u) {
+        let _e82 = phi_581_;
+        if _e82 {
+            let _e83 = (*here);
+            if (_e83 == 0u) {
                 local_5 = 0u;
             } else {
-                let _e84 = (*here);
-                let _e88 = unnamed_1.bins[(540698u + _e84)];
-                local_5 = _e88;
+                let _e85 = (*here);
+                let _e89 = unnamed_1.bins[(540698u + _e85)];
+                local_5 = _e89;
             }
-            let _e89 = local_5;
-            near = _e89;
-            let _e90 = (*everywhere);
-            if (_e90 == 0u) {
+            let _e90 = local_5;
+            near = _e90;
+            let _e91 = (*everywhere);
+            if (_e91 == 0u) {
                 local_6 = 0u;
             } else {
-                let _e92 = (*everywhere);
-                let _e96 = unnamed_1.bins[(540698u + _e92)];
-                local_6 = _e96;
+                let _e93 = (*everywhere);
+                let _e97 = unnamed_1.bins[(540698u + _e93)];
+                local_6 = _e97;
             }
-            let _e97 = local_6;
-            other = _e97;
-            let _e98 = (*here);
-            let _e99 = (_e98 == 0u);
-            phi_623_ = _e99;
-            if !(_e99) {
-                let _e101 = (*everywhere);
-                let _e102 = (_e101 != 0u);
-                phi_622_ = _e102;
-                if _e102 {
-                    let _e103 = other;
-                    param_7 = _e103;
-                    let _e104 = near;
-                    param_8 = _e104;
-                    let _e105 = nearer_u0028_u1_u003b_u1_u003b((&param_7), (&param_8));
-                    phi_622_ = _e105;
+            let _e98 = local_6;
+            other = _e98;
+            let _e99 = (*here);
+            let _e100 = (_e99 == 0u);
+            phi_623_ = _e100;
+            if !(_e100) {
+                let _e102 = (*everywhere);
+                let _e103 = (_e102 != 0u);
+                phi_622_ = _e103;
+                if _e103 {
+                    let _e104 = other;
+                    param_7 = _e104;
+                    let _e105 = near;
+                    param_8 = _e105;
+                    let _e106 = nearer_u0028_u1_u003b_u1_u003b((&param_7), (&param_8));
+                    phi_622_ = _e106;
                 }
-                let _e107 = phi_622_;
-                phi_623_ = _e107;
+                let _e108 = phi_622_;
+                phi_623_ = _e108;
             }
-            let _e109 = phi_623_;
-            wide = _e109;
-            let _e110 = wide;
-            if _e110 {
-                let _e111 = (*everywhere);
-                param_9 = _e111;
-                let _e112 = step_back_u0028_u1_u003b((&param_9));
-                (*everywhere) = _e112;
+            let _e110 = phi_623_;
+            wide = _e110;
+            let _e111 = wide;
+            if _e111 {
+                let _e112 = (*everywhere);
+                param_9 = _e112;
+                let _e113 = step_back_u0028_u1_u003b((&param_9));
+                (*everywhere) = _e113;
             } else {
-                let _e113 = (*here);
-                param_10 = _e113;
-                let _e114 = step_back_u0028_u1_u003b((&param_10));
-                (*here) = _e114;
+                let _e114 = (*here);
+                param_10 = _e114;
+                let _e115 = step_back_u0028_u1_u003b((&param_10));
+                (*here) = _e115;
             }
-            let _e115 = wide;
-            let _e116 = other;
-            let _e117 = near;
-            let _e121 = unnamed.splats[select(_e117, _e116, _e115)];
-            param_11 = _e121;
-            let _e122 = ready_u0028_vu4_u003b((&param_11));
-            param_12 = _e122;
+            let _e116 = wide;
+            let _e117 = other;
+            let _e118 = near;
+            let _e122 = unnamed.splats[select(_e118, _e117, _e116)];
+            param_11 = _e122;
+            let _e123 = ready_u0028_vu4_u003b((&param_11));
+            param_12 = _e123;
             blend_u0028_struct_u002d_Ready_u002d_vf2_u002d_vf2_u002d_vf2_u002d_vf2_u002d_vf4_u002d_f11_u003b((&param_12));
             continue;
         } else {
@@ -565,8 +565,8 @@ fn blend_chain_u0028_u1_u003b(chain_1: ptr<function, u32>) {
     var param_13: u32;
     var param_14: u32;
 
-    let _e65 = (*chain_1);
-    param_13 = _e65;
+    let _e66 = (*chain_1);
+    param_13 = _e66;
     param_14 = 0u;
     blend_both_u0028_u1_u003b_u1_u003b((&param_13), (&param_14));
     return;
@@ -581,37 +581,37 @@ fn blend_tile_u0028_u1_u003b(tile: ptr<function, u32>) {
     var param_16: u32;
     var param_17: u32;
 
-    let _e72 = unnamed_1.bins[1i];
-    wide_1 = _e72;
-    let _e73 = (*tile);
-    let _e77 = unnamed_1.bins[(34u + _e73)];
-    let _e78 = wide_1;
-    blocks = (_e77 | _e78);
+    let _e73 = unnamed_1.bins[1i];
+    wide_1 = _e73;
+    let _e74 = (*tile);
+    let _e78 = unnamed_1.bins[(34u + _e74)];
+    let _e79 = wide_1;
+    blocks = (_e78 | _e79);
     loop {
-        let _e80 = blocks;
-        let _e82 = open;
-        if ((_e80 != 0u) && _e82) {
-            let _e84 = blocks;
-            block = bitcast<u32>(firstLeadingBit(_e84));
-            let _e87 = block;
-            let _e90 = blocks;
-            blocks = (_e90 ^ (1u << bitcast<u32>(_e87)));
-            let _e92 = (*tile);
-            let _e95 = block;
-            let _e99 = unnamed_1.bins[((16418u + (_e92 * 32u)) + _e95)];
-            here_1 = _e99;
-            let _e100 = wide_1;
-            let _e101 = block;
-            if (((_e100 >> bitcast<u32>(_e101)) & 1u) == 0u) {
-                let _e106 = here_1;
-                param_15 = _e106;
+        let _e81 = blocks;
+        let _e83 = open;
+        if ((_e81 != 0u) && _e83) {
+            let _e85 = blocks;
+            block = bitcast<u32>(firstLeadingBit(_e85));
+            let _e88 = block;
+            let _e91 = blocks;
+            blocks = (_e91 ^ (1u << bitcast<u32>(_e88)));
+            let _e93 = (*tile);
+            let _e96 = block;
+            let _e100 = unnamed_1.bins[((16418u + (_e93 * 32u)) + _e96)];
+            here_1 = _e100;
+            let _e101 = wide_1;
+            let _e102 = block;
+            if (((_e101 >> bitcast<u32>(_e102)) & 1u) == 0u) {
+                let _e107 = here_1;
+                param_15 = _e107;
                 blend_chain_u0028_u1_u003b((&param_15));
             } else {
-                let _e107 = block;
-                let _e109 = here_1;
-                param_16 = _e109;
-                let _e112 = unnamed_1.bins[(2u + _e107)];
-                param_17 = _e112;
+                let _e108 = block;
+                let _e110 = here_1;
+                param_16 = _e110;
+                let _e113 = unnamed_1.bins[(2u + _e108)];
+                param_17 = _e113;
                 blend_both_u0028_u1_u003b_u1_u003b((&param_16), (&param_17));
             }
             continue;
@@ -624,6 +624,7 @@ fn blend_tile_u0028_u1_u003b(tile: ptr<function, u32>) {
 
 fn main_1() {
     var k_1: u32;
+    var lane: u32;
     var place: vec2<u32>;
     var first: vec2<u32>;
     var tile_1: vec2<u32>;
@@ -635,77 +636,78 @@ fn main_1() {
     open = true;
     k_1 = 0u;
     loop {
-        let _e69 = k_1;
-        if (_e69 < 16u) {
-            let _e71 = k_1;
-            pixels[_e71] = vec4<f32>(0f, 0f, 0f, 1f);
+        let _e71 = k_1;
+        if (_e71 < 16u) {
+            let _e73 = k_1;
+            pixels[_e73] = vec4<f32>(0f, 0f, 0f, 1f);
             continue;
         } else {
             break;
         }
         continuing {
-            let _e73 = k_1;
-            k_1 = (_e73 + bitcast<u32>(1i));
+            let _e75 = k_1;
+            k_1 = (_e75 + bitcast<u32>(1i));
         }
     }
-    let _e76 = gl_LocalInvocationID_1;
-    place = _e76.xy;
-    let _e79 = place[0u];
-    let _e81 = place[1u];
-    let _e86 = place[1u];
-    place = vec2<u32>((_e79 + (4u * (_e81 / 8u))), (_e86 % 8u));
-    let _e89 = gl_WorkGroupID_1;
-    let _e93 = place;
-    first = ((_e89.xy * vec2(32u)) + (vec2(4u) * _e93));
-    let _e97 = first;
-    middle = (vec2<f32>(_e97) + vec2(2f));
-    let _e101 = first;
-    let _e103 = frame.tile;
-    tile_1 = (_e101 / vec2(u32(_e103)));
-    let _e108 = tile_1[1u];
-    let _e111 = tile_1[0u];
-    param_18 = ((_e108 * 128u) + _e111);
+    let _e78 = gl_LocalInvocationIndex_1;
+    lane = _e78;
+    let _e79 = lane;
+    let _e81 = lane;
+    let _e86 = lane;
+    let _e90 = lane;
+    place = vec2<u32>(((_e79 & 3u) | ((_e81 >> bitcast<u32>(2u)) & 4u)), (((_e86 >> bitcast<u32>(2u)) & 3u) | ((_e90 >> bitcast<u32>(3u)) & 4u)));
+    let _e96 = gl_WorkGroupID_1;
+    let _e100 = place;
+    first = ((_e96.xy * vec2(32u)) + (vec2(4u) * _e100));
+    let _e104 = first;
+    middle = (vec2<f32>(_e104) + vec2(2f));
+    let _e108 = first;
+    let _e110 = frame.tile;
+    tile_1 = (_e108 / vec2(u32(_e110)));
+    let _e115 = tile_1[1u];
+    let _e118 = tile_1[0u];
+    param_18 = ((_e115 * 128u) + _e118);
     blend_tile_u0028_u1_u003b((&param_18));
     k_2 = 0u;
     loop {
-        let _e113 = k_2;
-        if (_e113 < 16u) {
-            let _e115 = first;
-            let _e116 = k_2;
-            let _e118 = k_2;
-            pixel = (_e115 + vec2<u32>((_e116 % 4u), (_e118 / 4u)));
-            let _e122 = pixel;
-            let _e125 = frame.size;
-            if all((vec2<f32>(_e122) < _e125)) {
-                let _e128 = pixel;
-                let _e130 = k_2;
-                let _e132 = pixels[_e130];
-                let _e133 = _e132.xyz;
-                let _e134 = k_2;
-                let _e137 = pixels[_e134][3u];
-                textureStore(picture, bitcast<vec2<i32>>(_e128), vec4<f32>(_e133.x, _e133.y, _e133.z, (1f - _e137)));
+        let _e120 = k_2;
+        if (_e120 < 16u) {
+            let _e122 = first;
+            let _e123 = k_2;
+            let _e125 = k_2;
+            pixel = (_e122 + vec2<u32>((_e123 % 4u), (_e125 / 4u)));
+            let _e129 = pixel;
+            let _e132 = frame.size;
+            if all((vec2<f32>(_e129) < _e132)) {
+                let _e135 = pixel;
+                let _e137 = k_2;
+                let _e139 = pixels[_e137];
+                let _e140 = _e139.xyz;
+                let _e141 = k_2;
+                let _e144 = pixels[_e141][3u];
+                textureStore(picture, bitcast<vec2<i32>>(_e135), vec4<f32>(_e140.x, _e140.y, _e140.z, (1f - _e144)));
             }
             continue;
         } else {
             break;
         }
         continuing {
-            let _e143 = k_2;
-            k_2 = (_e143 + bitcast<u32>(1i));
+            let _e150 = k_2;
+            k_2 = (_e150 + bitcast<u32>(1i));
         }
     }
-    let _e147 = settings.count;
-    let _e149 = shaded;
-    if ((_e147 != 0u) && (_e149 > 0u)) {
-        let _e154 = shaded;
-        let _e155 = atomicAdd((&unnamed_2.control.fragments), _e154);
+    let _e154 = settings.count;
+    let _e156 = shaded;
+    if ((_e154 != 0u) && (_e156 > 0u)) {
+        let _e161 = shaded;
+        let _e162 = atomicAdd((&unnamed_2.control.fragments), _e161);
     }
     return;
 }
 
-@compute @workgroup_size(4, 16, 1) 
-fn main(@builtin(local_invocation_id) gl_LocalInvocationID: vec3<u32>, @builtin(workgroup_id) gl_WorkGroupID: vec3<u32>) {
-    gl_LocalInvocationID_1 = gl_LocalInvocationID;
+@compute @workgroup_size(64, 1, 1) 
+fn main(@builtin(local_invocation_index) gl_LocalInvocationIndex: u32, @builtin(workgroup_id) gl_WorkGroupID: vec3<u32>) {
+    gl_LocalInvocationIndex_1 = gl_LocalInvocationIndex;
     gl_WorkGroupID_1 = gl_WorkGroupID;
     main_1();
 }

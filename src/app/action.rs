@@ -20,6 +20,8 @@ pub enum Action {
     Next(i32),
     /// A clip by its number.
     Choose(usize),
+    /// An avatar of the shelf by its number.
+    Avatar(usize),
     Speed(f64),
     Repeat(Repeat),
     ResetView,
@@ -27,6 +29,10 @@ pub enum Action {
     FullScreen,
     LeaveFullScreenOrQuit,
     Screenshot,
+    /// By RenderDoc, where it is attached.
+    Capture,
+    /// Hand what is left of a crash to another app.
+    Share,
     Overlay,
     NextBackground,
     /// Display-referred RGB, 0 to 1.
@@ -35,7 +41,7 @@ pub enum Action {
 }
 
 /// The keys and what they do, for the overlay and `effigy view --help`.
-pub const KEYS: [(&str, &str); 12] = [
+pub const KEYS: [(&str, &str); 13] = [
     ("Space", "play or pause"),
     ("← →", "a frame back or on"),
     ("Shift ← →", "a second back or on"),
@@ -44,6 +50,7 @@ pub const KEYS: [(&str, &str); 12] = [
     ("R", "reset the view"),
     ("B", "next background"),
     ("S", "screenshot"),
+    ("C", "capture a frame by RenderDoc"),
     ("H F1", "show or hide this panel"),
     ("F F11", "full screen"),
     ("Q", "quit"),
@@ -51,8 +58,12 @@ pub const KEYS: [(&str, &str); 12] = [
 ];
 
 /// What mouse, trackpad and fingers do.
-pub const POINTERS: [(&str, &str); 3] =
-    [("drag", "orbit: left button, one finger"), ("pan", "right or middle button, Shift, two fingers"), ("zoom", "wheel, trackpad, pinch")];
+pub const POINTERS: [(&str, &str); 4] = [
+    ("drag", "orbit: left button, one finger"),
+    ("pan", "right or middle button, Shift, two fingers"),
+    ("zoom", "wheel, trackpad, pinch"),
+    ("taps", "two reset the view, a long one shows or hides this panel"),
+];
 
 /// Keys and pointers as a help page.
 pub fn help() -> String {
@@ -71,6 +82,7 @@ pub fn action(key: &Key, shift: bool, again: bool, repeat: Repeat) -> Option<Act
             NamedKey::ArrowRight => Action::Step(1),
             NamedKey::F1 => Action::Overlay,
             NamedKey::F11 => Action::FullScreen,
+            NamedKey::BrowserBack if cfg!(target_os = "android") => Action::Quit,
             NamedKey::Escape => Action::LeaveFullScreenOrQuit,
             _ => return None,
         },
@@ -85,6 +97,7 @@ pub fn action(key: &Key, shift: bool, again: bool, repeat: Repeat) -> Option<Act
             "r" => Action::ResetView,
             "b" => Action::NextBackground,
             "s" => Action::Screenshot,
+            "c" => Action::Capture,
             "h" => Action::Overlay,
             "f" => Action::FullScreen,
             "q" => Action::Quit,

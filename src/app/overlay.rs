@@ -3,6 +3,7 @@
 use super::{
     action::{Action, KEYS, POINTERS},
     playback::{Playback, Repeat, SPEED},
+    shelf::Shelf,
     times::FrameTimes,
 };
 use crate::vulkan::commands::STAGES;
@@ -32,6 +33,9 @@ pub struct Facts<'a> {
     /// Bytes of GPU memory in use.
     pub memory: u64,
     pub playback: &'a Playback,
+    pub shelf: &'a Shelf,
+    /// There is a crash to share.
+    pub report: bool,
     pub background: [f32; 3],
     pub follow: bool,
     /// The last thing there was to say: where a screenshot went, for example.
@@ -62,22 +66,45 @@ pub fn show(ctx: &egui::Context, facts: &Facts, wishes: &mut Vec<Action>) {
     let height = (ctx.content_rect().height() - 72.0).max(40.0);
     let frame = egui::Frame::window(&ctx.global_style()).fill(Color32::from_black_alpha(205));
     let roomy = ctx.content_rect().width() > 2.5 * WIDTH;
-    egui::Window::new("Effigy").default_pos(Pos2::new(12.0, 12.0)).default_open(roomy).auto_sized().frame(frame).show(ctx, |ui| {
-        egui::ScrollArea::vertical().max_height(height).show(ui, |ui| {
-            ui.set_width(WIDTH);
-            clip(ui, facts.playback, wishes);
-            ui.separator();
-            view(ui, facts, wishes);
-            ui.separator();
-            timing(ui, facts);
-            egui::CollapsingHeader::new("Stages").default_open(true).show(ui, |ui| stages(ui, facts));
-            egui::CollapsingHeader::new("Device").default_open(true).show(ui, |ui| device(ui, facts));
-            egui::CollapsingHeader::new("Keys").show(ui, keys);
-            if let Some(message) = facts.message {
+    egui::Window::new("Effigy")
+        .default_pos(Pos2::new(12.0, 12.0))
+        .default_open(roomy || facts.message.is_some())
+        .auto_sized()
+        .frame(frame)
+        .show(ctx, |ui| {
+            egui::ScrollArea::vertical().max_height(height).show(ui, |ui| {
+                ui.set_width(WIDTH);
+                if facts.report {
+                    button(ui, "Share the crash", "hand what was noted of it to another app", Action::Share, wishes);
+                }
+                avatar(ui, facts.shelf, wishes);
+                clip(ui, facts.playback, wishes);
                 ui.separator();
-                ui.label(message);
-            }
+                view(ui, facts, wishes);
+                ui.separator();
+                timing(ui, facts);
+                egui::CollapsingHeader::new("Stages").default_open(true).show(ui, |ui| stages(ui, facts));
+                egui::CollapsingHeader::new("Device").default_open(true).show(ui, |ui| device(ui, facts));
+                egui::CollapsingHeader::new("Keys").show(ui, keys);
+                if let Some(message) = facts.message {
+                    ui.separator();
+                    ui.label(message);
+                }
+            });
         });
+}
+
+fn avatar(ui: &mut Ui, shelf: &Shelf, wishes: &mut Vec<Action>) {
+    if shelf.names.len() < 2 {
+        return;
+    }
+    let shown = shelf.names.get(shelf.shown).map_or("", |name| name);
+    egui::ComboBox::from_id_salt("avatar").selected_text(shown).width(ui.available_width()).show_ui(ui, |ui| {
+        for (number, name) in shelf.names.iter().enumerate() {
+            if ui.selectable_label(number == shelf.shown, name).clicked() {
+                wishes.push(Action::Avatar(number));
+            }
+        }
     });
 }
 
@@ -135,7 +162,9 @@ fn button(ui: &mut Ui, text: &str, hint: &str, action: Action, wishes: &mut Vec<
 fn view(ui: &mut Ui, facts: &Facts, wishes: &mut Vec<Action>) {
     ui.horizontal(|ui| {
         button(ui, "Reset view", "frame the avatar (R)", Action::ResetView, wishes);
-        button(ui, "Full screen", "F or F11", Action::FullScreen, wishes);
+        if cfg!(not(target_os = "android")) {
+            button(ui, "Full screen", "F or F11", Action::FullScreen, wishes);
+        }
         button(ui, "Screenshot", "a PNG without this panel (S)", Action::Screenshot, wishes);
     });
     ui.horizontal(|ui| {
@@ -238,62 +267,4 @@ fn grouped(number: usize) -> String {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::app::playback::Track;
-
-    #[test]
-    fn numbers_are_grouped_by_three_digits() {
-        for (number, expected) in [(0, "0"), (999, "999"), (1000, "1 000"), (2_000_000, "2 000 000")] {
-            assert_eq!(grouped(number), expected);
-        }
-    }
-
-    /// Runs the panel headless, clicking at each place of a grid, and gathers what it asks for.
-    #[test]
-    fn every_control_of_the_panel_asks_for_something() {
-        let ctx = egui::Context::default();
-        style(&ctx);
-        let track = |name: &str| Track { name: name.into(), duration: 2.0, rate: 30.0 };
-        let mut playback = Playback::new(vec![track("walk"), track("run")]);
-        playback.play(true, 0.0);
-        let facts = Facts {
-            avatar: "someone",
-            times: &FrameTimes::default(),
-            moving: true,
-            stages: &[("features", 0.5), ("sort", 1.0)],
-            gaussians: (1234, 200_000),
-            skipped: &["features"],
-            device: "a device",
-            driver: "a driver",
-            memory: 12_000_000,
-            playback: &playback,
-            background: [0.5; 3],
-            follow: true,
-            message: Some("saved"),
-        };
-        let mut wishes = Vec::new();
-        let mut pass = |events: Vec<egui::Event>| {
-            let screen_rect = Some(egui::Rect::from_min_size(Pos2::ZERO, vec2(1280.0, 900.0)));
-            let output = ctx.run_ui(egui::RawInput { screen_rect, events, ..Default::default() }, |ui| show(ui.ctx(), &facts, &mut wishes));
-            output.drop_without_applying_deltas();
-        };
-        for (row, column) in (5..30).flat_map(|row| (2..45).map(move |column| (row, column))) {
-            let pos = Pos2::new(6.0 * column as f32, 6.0 * row as f32);
-            pass(vec![egui::Event::PointerMoved(pos)]);
-            for pressed in [true, false] {
-                let modifiers = egui::Modifiers::NONE;
-                pass(vec![egui::Event::PointerButton { pos, button: egui::PointerButton::Primary, pressed, modifiers }]);
-            }
-        }
-        let wants = |wanted: fn(&Action) -> bool| wishes.iter().any(wanted);
-        assert!(wants(|w| matches!(w, Action::PlayOrPause)), "play");
-        assert!(wants(|w| matches!(w, Action::Seek(_))), "seek");
-        assert!(wants(|w| matches!(w, Action::Next(1))) && wants(|w| matches!(w, Action::Next(-1))), "next");
-        assert!(wants(|w| matches!(w, Action::Repeat(Repeat::All))), "repeat");
-        assert!(wants(|w| matches!(w, Action::ResetView)), "reset");
-        assert!(wants(|w| matches!(w, Action::FullScreen)), "full screen");
-        assert!(wants(|w| matches!(w, Action::Screenshot)), "screenshot");
-        assert!(wants(|w| matches!(w, Action::Follow(false))), "follow");
-    }
-}
+mod tests;

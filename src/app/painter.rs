@@ -1,9 +1,10 @@
 //! Draws frames into a window: a pose, a camera and the overlay's triangles go in; what comes out is on the screen.
 
-use super::scene::Look;
+use super::{device, scene::Look};
 use crate::{
     avatar::Avatar,
     frame::Posed,
+    measure::governor::Quality,
     vulkan::{
         Error, Gpu, GpuOptions, Renderer, RendererOptions, Result,
         commands::{FrameReport, SLOTS},
@@ -12,11 +13,14 @@ use crate::{
         present::Present,
         renderer::Presentation,
         swapchain::{Acquired, Surface, Swapchain, Target},
+        turn::Turn,
+        watch::{Seen, Watch},
     },
 };
 use ash::vk;
-use egui::{ClippedPrimitive, TexturesDelta};
+use egui::{ClippedPrimitive, Pos2, Rect, TexturesDelta, epaint::Primitive};
 use egui_ash_renderer::{Options, RenderMode, Renderer as Egui, RendererError, allocator::GpuAllocator};
+use glam::Vec2;
 use raw_window_handle::{HasDisplayHandle, HasWindowHandle};
 use std::{mem::ManuallyDrop, sync::Arc};
 use winit::window::Window;
@@ -28,6 +32,23 @@ pub struct Panel {
     pub pixels_per_point: f32,
 }
 
+impl Panel {
+    /// The same as it lies in the images of a window of `size` px.
+    fn turned(&mut self, turn: Turn, size: [u32; 2]) {
+        if turn == Turn::default() {
+            return;
+        }
+        let size = Vec2::new(size[0] as f32, size[1] as f32) / self.pixels_per_point;
+        let place = |point: Pos2| Pos2::from(turn.place(Vec2::new(point.x, point.y), size).to_array());
+        for part in &mut self.triangles {
+            part.clip_rect = Rect::from_two_pos(place(part.clip_rect.min), place(part.clip_rect.max));
+            if let Primitive::Mesh(mesh) = &mut part.primitive {
+                mesh.vertices.iter_mut().for_each(|vertex| vertex.pos = place(vertex.pos));
+            }
+        }
+    }
+}
+
 /// Everything of the device that a window needs.
 pub struct Painter {
     // In the order in which they have to go.
@@ -37,6 +58,11 @@ pub struct Painter {
     present: Present,
     surface: Option<Surface>,
     renderer: Renderer,
+    /// What the whole quality is drawn with.
+    drawing: RendererOptions,
+    /// Looks at pictures, once one was to be looked at.
+    watch: Option<Watch>,
+    look: bool,
     gpu: Arc<Gpu>,
     target: Target,
     window: Arc<Window>,
@@ -48,15 +74,7 @@ pub struct Painter {
 impl Painter {
     /// Opens a device for a window: the one that `options` names, else the first that can show pictures in it.
     pub fn new(window: &Arc<Window>, avatar: &Avatar, options: &GpuOptions, drawing: RendererOptions) -> anyhow::Result<Self> {
-        let given = Target::new(window.display_handle()?, window.window_handle()?);
-        let (target, surface, gpu) = match open(given, options) {
-            Err(error) if lacks_extension(&error) => {
-                let target = given.through_xcb().ok_or_else(no_windows)?;
-                let (surface, gpu) = open(target, options).map_err(|error| if lacks_extension(&error) { no_windows() } else { error })?;
-                (target, surface, gpu)
-            }
-            opened => opened.map(|(surface, gpu)| (given, surface, gpu))?,
-        };
+        let (target, surface, gpu) = device::open(window, options)?;
         let present = Present::new(&gpu, surface.format())?;
         let renderer = Renderer::new(&gpu, avatar, drawing)?;
         present.set_picture(renderer.raster().image());
@@ -73,6 +91,9 @@ impl Painter {
             present,
             surface: Some(surface),
             renderer,
+            drawing,
+            watch: None,
+            look: false,
             gpu,
             target,
             window: window.clone(),
@@ -83,6 +104,31 @@ impl Painter {
 
     pub fn gpu(&self) -> &Gpu {
         &self.gpu
+    }
+
+    /// What it draws with now.
+    pub fn options(&self) -> &RendererOptions {
+        self.renderer.options()
+    }
+
+    /// Width and height of the whole picture, px.
+    pub fn size(&self) -> [u32; 2] {
+        self.renderer.raster().image().size
+    }
+
+    /// Draws at this quality from now on. Waits for submitted frames where it is another.
+    pub fn set_quality(&mut self, quality: &Quality) -> Result<()> {
+        self.renderer.adjust(quality.size(self.size()), quality.cutoff(&self.drawing))
+    }
+
+    /// Has the next frame's picture looked at, if the last one was. [`Self::seen`] says what was seen some frames later.
+    pub fn look(&mut self) {
+        self.look = true;
+    }
+
+    /// To be called after every frame.
+    pub fn seen(&mut self) -> Option<Seen> {
+        self.watch.as_mut()?.step()
     }
 
     /// What the last finished frame took and drew.
@@ -107,9 +153,26 @@ impl Painter {
         let Some(size) = self.swapchain.as_ref().map(|swapchain| swapchain.size) else { return Ok(None) };
         if self.renderer.raster().image().size != size {
             self.renderer.resize(size)?;
+            self.watch = None;
             self.present.set_picture(self.renderer.raster().image());
         }
         Ok(Some(size))
+    }
+
+    /// The window is going away; everything that is not its own stays. The next [`Self::resume`] and fit bring another.
+    pub fn suspend(&mut self) -> Result<()> {
+        self.gpu.save_pipelines();
+        self.lose_surface()
+    }
+
+    /// There is a window again. False where its pictures are of another format: then all has to be made anew.
+    pub fn resume(&mut self, window: &Arc<Window>) -> anyhow::Result<bool> {
+        let given = Target::new(window.display_handle()?, window.window_handle()?);
+        let (before, surface) = (self.present.format, Surface::new(&self.gpu, given)?);
+        self.target = given;
+        let fits = surface.format() == before;
+        self.surface = Some(surface);
+        Ok(fits)
     }
 
     /// The surface is gone: the next fit makes another.
@@ -135,8 +198,8 @@ impl Painter {
         overlay(delta.free.drain().try_for_each(|id| self.egui.free_texture(id)))
     }
 
-    /// Draws a frame and shows it. False when the window could not take it: it has changed, or has no image to give yet.
-    pub fn paint(&mut self, posed: &Posed, look: &Look, panel: &Panel) -> Result<bool> {
+    /// Draws a frame and shows it; the panel is used up. False when the window could not take it: it has changed, or has no image to give yet.
+    pub fn paint(&mut self, posed: &Posed, look: &Look, panel: &mut Panel) -> Result<bool> {
         let Some(swapchain) = &mut self.swapchain else { return Ok(false) };
         let (image, acquired) = match swapchain.acquire()? {
             Acquired::Image(image, acquired) => (image, acquired),
@@ -147,14 +210,27 @@ impl Painter {
             }
         };
         let (framebuffer, finished) = swapchain.image(image);
-        let [width, height] = swapchain.size;
+        let (size, turn) = (swapchain.size, swapchain.turn);
+        let [width, height] = turn.extent(size);
+        panel.turned(turn, size);
+        let (picture, taken) = (self.renderer.raster().drawn(), self.renderer.raster().image().raw);
+        let look_at_it = std::mem::take(&mut self.look);
+        if look_at_it && self.watch.is_none() {
+            self.watch = Some(Watch::new(&self.gpu, self.renderer.raster())?);
+        }
+        let mut watch = self.watch.as_mut().filter(|watch| look_at_it && watch.is_idle());
         let mut drawn = Ok(());
         let mut record = |commands| {
-            self.present.record(commands, (framebuffer, [width, height]), look.background, || {
+            self.present.record(commands, (framebuffer, size, turn), (picture, look.background), || {
                 drawn = self.egui.cmd_draw(commands, vk::Extent2D { width, height }, panel.pixels_per_point, &panel.triangles);
             });
+            watch.take().into_iter().for_each(|watch| watch.record(commands, taken, picture));
         };
-        self.renderer.draw(posed, &look.camera, Some(Presentation { acquired, finished, record: &mut record }))?;
+        self.renderer.draw(
+            posed,
+            &look.camera.stretched(picture),
+            Some(Presentation { semaphores: Some((acquired, finished)), record: &mut record }),
+        )?;
         self.window.pre_present_notify();
         self.stale = !swapchain.present(image)?;
         overlay(drawn).map(|()| true)
@@ -176,36 +252,6 @@ impl Drop for Painter {
             ManuallyDrop::drop(&mut self.egui);
             self.gpu.raw.destroy_command_pool(self.textures, None);
         }
-    }
-}
-
-/// Opens the device that `options` names, else the first that can show pictures in the window.
-fn open(target: Target, options: &GpuOptions) -> Result<(Surface, Arc<Gpu>)> {
-    let options = GpuOptions { surface_extensions: target.extensions()?, ..options.clone() };
-    let open = |device: Option<String>| {
-        let gpu = Gpu::new(&GpuOptions { device, ..options.clone() })?;
-        Ok((Surface::new(&gpu, target)?, gpu))
-    };
-    match open(options.device.clone()) {
-        // Another device may be the one that the display hangs on. Numbers end where there is no device.
-        Err(error @ Error::Lacks { .. }) if options.device.is_none() => {
-            let others = (0u32..).map(|number| open(Some(number.to_string())));
-            let mut others = others.take_while(|other| !matches!(other, Err(Error::NoSuchDevice { .. } | Error::NoDevice)));
-            others.find_map(Result::ok).ok_or(error)
-        }
-        first => first,
-    }
-}
-
-/// No driver on this machine has an extension that the window's surface needs.
-fn lacks_extension(error: &Error) -> bool {
-    matches!(error, Error::Call { call: "vkCreateInstance", result: vk::Result::ERROR_EXTENSION_NOT_PRESENT })
-}
-
-fn no_windows() -> Error {
-    Error::Lacks {
-        device: "the Vulkan driver".into(),
-        lacks: "it has no extension for windows of this display: install your GPU's driver, or use `effigy render`".into(),
     }
 }
 

@@ -13,6 +13,8 @@ use crate::{
 };
 use glam::DVec3;
 
+/// What is behind the avatar unless someone says otherwise: a light grey.
+pub const BACKGROUND: [f32; 3] = BACKGROUNDS[0];
 /// Backgrounds that the key goes through, display-referred RGB: light grey, white, black, dark blue.
 const BACKGROUNDS: [[f32; 3]; 4] = [[0.847, 0.867, 0.890], [1.0; 3], [0.0; 3], [0.10, 0.12, 0.17]];
 /// A frame after a rest, or after a long one, counts as this long at most, seconds: the view glides from where it was.
@@ -81,11 +83,26 @@ impl Scene {
         self.playback.is_moving() || !self.orbit.is_at_rest()
     }
 
+    /// The clip that plays; None without any.
+    pub fn player(&self) -> Option<&Player> {
+        self.players.get(self.moment.clip)
+    }
+
     /// Moves on to the clock's time, and says what that looks like in a picture of `size` px.
     pub fn advance(&mut self, clock: f64, size: [u32; 2]) -> Look {
+        let moment = self.playback.advance(clock);
+        self.look(clock, size, moment)
+    }
+
+    /// The same but for what plays: its pose stays as it was last shown.
+    pub fn hold(&mut self, clock: f64, size: [u32; 2]) -> Look {
+        let moment = if self.playback.is_moving() { self.moment } else { self.playback.moment() };
+        self.look(clock, size, moment)
+    }
+
+    fn look(&mut self, clock: f64, size: [u32; 2], moment: Moment) -> Look {
         self.orbit.advance((clock - self.clock).clamp(0.0, LONGEST));
         self.clock = clock;
-        let moment = self.playback.advance(clock);
         if moment != self.moment {
             self.posed = pose(&self.avatar, &self.players, moment);
             self.moment = moment;
@@ -136,7 +153,14 @@ impl Scene {
                 let next = BACKGROUNDS.iter().position(|known| close(known, &self.background)).map_or(0, |at| at + 1);
                 self.background = BACKGROUNDS[next % BACKGROUNDS.len()];
             }
-            Action::FullScreen | Action::LeaveFullScreenOrQuit | Action::Screenshot | Action::Overlay | Action::Quit => {}
+            Action::Avatar(_)
+            | Action::Share
+            | Action::FullScreen
+            | Action::LeaveFullScreenOrQuit
+            | Action::Screenshot
+            | Action::Capture
+            | Action::Overlay
+            | Action::Quit => {}
         }
     }
 }

@@ -17,10 +17,14 @@ pub struct Savers(Vec<JoinHandle<()>>);
 
 impl Savers {
     /// Makes a picture and writes it; prints where it went, and tells.
-    pub fn start(&mut self, picture: impl FnOnce() -> RgbaImage + Send + 'static, tell: impl FnOnce(String) + Send + 'static) {
+    pub fn start(
+        &mut self,
+        picture: impl FnOnce() -> RgbaImage + Send + 'static,
+        (folders, tell): (Vec<PathBuf>, impl FnOnce(String) + Send + 'static),
+    ) {
         self.0.retain(|saver| !saver.is_finished());
         self.0.push(std::thread::spawn(move || {
-            let message = match save(&picture(), &folders()) {
+            let message = match save(&picture(), &folders) {
                 Ok(path) => format!("saved {}", path.display()),
                 Err(error) => format!("no screenshot was saved: {error}"),
             };

@@ -7,7 +7,7 @@ use super::{
     viewer::Viewer,
 };
 use crate::avatar::{Avatar, Clip};
-use anyhow::{Context, anyhow};
+use anyhow::Context;
 use glam::DVec2;
 use std::time::{Duration, Instant};
 use winit::{
@@ -21,11 +21,20 @@ use winit::{
 pub struct Display(EventLoop<Message>);
 
 impl Display {
+    /// A phone's: its windows come from the activity.
+    #[cfg(target_os = "android")]
+    pub(super) fn of(app: &winit::platform::android::activity::AndroidApp) -> anyhow::Result<Self> {
+        use winit::platform::android::EventLoopBuilderExtAndroid;
+        let event_loop = EventLoop::with_user_event().with_android_app(app.clone()).build();
+        Ok(Self(event_loop.context("the activity can't be listened to")?))
+    }
+
+    #[cfg(not(target_os = "android"))]
     /// Fails where there is none: no desktop, or a session over a terminal only.
     pub fn open() -> anyhow::Result<Self> {
         let event_loop = EventLoop::with_user_event().build().map_err(|error| {
             tracing::debug!("{error}");
-            anyhow!("there is no display to open a window on")
+            anyhow::anyhow!("there is no display to open a window on")
         })?;
         Ok(Self(event_loop))
     }
@@ -56,6 +65,21 @@ impl Handler {
             self.failed.get_or_insert(error);
             event_loop.exit();
         }
+    }
+
+    /// Whether a touch makes a double tap. `taken`: it is the panel's.
+    fn tap(&mut self, touch: &Touch, taken: bool) -> bool {
+        let (at, clock) = (DVec2::new(touch.location.x, touch.location.y), self.viewer.clock());
+        let scale = self.viewer.window.as_ref().map_or(1.0, |window| window.scale_factor());
+        let taps = &mut self.viewer.taps;
+        match touch.phase {
+            TouchPhase::Started if !taken => taps.finger_down(touch.id, at, clock),
+            TouchPhase::Started => taps.cancel(),
+            TouchPhase::Moved => taps.finger_moved(touch.id, at, scale),
+            TouchPhase::Ended => return taps.finger_up(touch.id, clock, scale),
+            TouchPhase::Cancelled => taps.forget(),
+        }
+        false
     }
 
     /// Events that turn, move and zoom.
@@ -106,24 +130,36 @@ impl ApplicationHandler<Message> for Handler {
     }
 
     fn suspended(&mut self, _: &ActiveEventLoop) {
-        self.viewer.close();
+        self.viewer.suspend();
     }
 
-    fn new_events(&mut self, _: &ActiveEventLoop, cause: StartCause) {
-        if matches!(cause, StartCause::ResumeTimeReached { .. }) {
+    fn memory_warning(&mut self, _: &ActiveEventLoop) {
+        self.viewer.save_memory();
+    }
+
+    fn new_events(&mut self, event_loop: &ActiveEventLoop, _: StartCause) {
+        if self.viewer.wake.take_if(|wake| *wake <= Instant::now()).is_some() {
             self.viewer.dirty = true;
-            self.viewer.wake = None;
+        }
+        if self.viewer.taps.held(self.viewer.clock()) {
+            self.viewer.tapped(event_loop, false);
         }
     }
 
-    fn user_event(&mut self, _: &ActiveEventLoop, Message(message): Message) {
-        self.viewer.say(message);
+    fn user_event(&mut self, event_loop: &ActiveEventLoop, message: Message) {
+        let heard = self.viewer.hear(message);
+        self.check(heard, event_loop);
     }
 
     fn window_event(&mut self, event_loop: &ActiveEventLoop, _: WindowId, event: WindowEvent) {
         let (Some(window), Some(overlay)) = (&self.viewer.window, &mut self.viewer.overlay) else { return };
         let panel = overlay.event(window, &event);
         self.viewer.dirty |= panel.changed;
+        if let WindowEvent::Touch(touch) = &event
+            && self.tap(touch, panel.taken)
+        {
+            self.viewer.tapped(event_loop, true);
+        }
         if let Some(gesture) = self.pointer(&event, panel.taken) {
             self.viewer.gesture(&gesture);
         }
@@ -143,12 +179,14 @@ impl ApplicationHandler<Message> for Handler {
             }
             WindowEvent::Occluded(hidden) => {
                 self.viewer.hidden = hidden;
+                self.viewer.resting |= hidden;
                 self.viewer.dirty |= !hidden;
             }
             WindowEvent::Focused(true) => self.viewer.hidden = false,
             WindowEvent::ModifiersChanged(modifiers) => self.viewer.modifiers = modifiers.state(),
             WindowEvent::Focused(false) => {
                 self.viewer.pointers.cancel();
+                self.viewer.taps.forget();
                 if let Some(overlay) = &mut self.viewer.overlay {
                     overlay.release();
                 }
@@ -164,9 +202,13 @@ impl ApplicationHandler<Message> for Handler {
     }
 
     fn about_to_wait(&mut self, event_loop: &ActiveEventLoop) {
-        event_loop.set_control_flow(match self.viewer.wake {
-            Some(wake) if !self.viewer.hidden => ControlFlow::WaitUntil(wake.max(Instant::now())),
-            _ => ControlFlow::Wait,
+        #[cfg(target_os = "android")]
+        if self.viewer.suspended && super::android::is_destroyed(super::viewer::app(event_loop)) {
+            event_loop.exit();
+        }
+        event_loop.set_control_flow(match self.viewer.wake_at() {
+            Some(wake) => ControlFlow::WaitUntil(wake.max(Instant::now())),
+            None => ControlFlow::Wait,
         });
         let Some(window) = self.viewer.window.as_ref().filter(|_| self.viewer.wants_frame()) else { return };
         if self.asked.elapsed() > ASK {

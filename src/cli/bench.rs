@@ -10,10 +10,13 @@ use super::{
 };
 use crate::{
     avatar::{import::cameras, motion::Player},
-    measure::bench::{
-        Case, Devices, Knob, Setting, Task, measured,
-        scene::RATE,
-        sweep::{Sweep, sweep},
+    measure::{
+        bench::{
+            Case, Devices, Knob, Setting, Task, measured,
+            scene::RATE,
+            sweep::{Sweep, sweep},
+        },
+        trace::Trace,
     },
 };
 use anyhow::{Context, ensure};
@@ -74,6 +77,9 @@ pub struct Args {
     /// Write the result as a table of comma-separated values too
     #[arg(long, value_name = "FILE")]
     csv: Option<PathBuf>,
+    /// Write a timeline of host and device too, for Perfetto: a .json
+    #[arg(long, value_name = "FILE", value_parser = options::trace)]
+    trace: Option<PathBuf>,
     /// What to draw through
     #[arg(long, value_enum, default_value_t = Through::Vulkan)]
     backend: Through,
@@ -138,6 +144,7 @@ impl Args {
         if let Some(case) = cases.iter().chain(Some(&sweep_case).filter(|_| !knobs.is_empty())).find(|case| held && !case.in_real_time()) {
             anyhow::bail!("the frames of the case `{case}` do not follow each other in time, so it has no pose rate: use `orbit`");
         }
+        ensure!(self.trace.is_none() || !cases.is_empty(), "a trace is of cases, and a sweep alone has none: name some with --case");
         ensure!(knobs.is_empty() || self.check > 0, "a sweep sets time against error: give --check of at least 1");
         let hold = self.pose_rate.unwrap_or(1);
         let setting = Setting { options: self.quality.renderer(size), packed_words: self.words, rows: self.rows, hold };
@@ -169,8 +176,11 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     if !quiet {
         print::heading(&report);
     }
+    let traced = args.trace.as_ref().map(|_| gpu.vulkan().context("only Vulkan tells when stages ran: leave out --trace or --backend"));
+    let traced = traced.transpose()?;
+    let mut trace = traced.map(|gpu| Trace::new(gpu));
     for &case in &job.cases {
-        let measured = measured::case(&gpu, &task, &job.setting, case, &mut show)?;
+        let measured = measured::case(&gpu, &task, (&job.setting, case), trace.as_mut(), &mut show)?;
         if !quiet {
             bar.suspend(|| print::case(case, &measured));
         }
@@ -181,6 +191,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
         report.sweep = Some(sweep(&mut devices, &Task { frames: args.frames.unwrap_or(24), ..task }, &what, &mut show)?);
     }
     bar.finish_and_clear();
+    args.trace.iter().zip(&trace).zip(traced).try_for_each(|((path, trace), gpu)| options::write_trace(path, trace, gpu))?;
     if let Some(sweep) = report.sweep.as_ref().filter(|_| !quiet) {
         print::sweep(sweep);
     }

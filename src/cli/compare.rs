@@ -54,7 +54,7 @@ fn change(change: Change) -> String {
 }
 
 /// Five digits that count, or all of a whole number.
-fn number(value: f64) -> String {
+pub(super) fn number(value: f64) -> String {
     if !value.is_finite() {
         return "exact".to_owned();
     }

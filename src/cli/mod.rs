@@ -3,12 +3,14 @@
 mod bake;
 mod bench;
 mod bench_sort;
+mod capture;
 mod compare;
 mod devices;
 mod export_ply;
 mod inspect;
 mod options;
 mod render;
+mod soak;
 pub mod source;
 mod stress;
 mod view;
@@ -40,6 +42,10 @@ enum Command {
     Bench(bench::Args),
     /// Set two measurements against each other
     Compare(compare::Args),
+    /// Have RenderDoc capture a frame
+    Capture(capture::Args),
+    /// Draw for minutes on end at a promised rate, and watch rate, heat and memory
+    Soak(soak::Args),
     /// Draw hard cases and hold them against the f64 reference
     Stress(stress::Args),
     /// Measure the sort alone: keys a second by count, key bits and variant
@@ -67,6 +73,8 @@ pub fn main() -> ExitCode {
         Some(Command::Render(args)) => render::run(args),
         Some(Command::Bench(args)) => bench::run(args),
         Some(Command::Compare(args)) => compare::run(args),
+        Some(Command::Capture(args)) => capture::run(args),
+        Some(Command::Soak(args)) => soak::run(args),
         Some(Command::Stress(args)) => stress::run(args),
         Some(Command::BenchSort(args)) => bench_sort::run(args),
         Some(Command::Inspect(args)) => inspect::run(args),

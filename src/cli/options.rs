@@ -2,9 +2,9 @@
 
 use crate::{
     frame::{Camera, Skip},
-    measure::bench::Backend,
+    measure::{bench::Backend, trace::Trace},
     vulkan::{
-        GpuOptions, RendererOptions,
+        Gpu, GpuOptions, RendererOptions,
         preset::Preset,
         raster::{ColorFormat, Method},
         sort::{KeyBits, Variant},
@@ -13,6 +13,7 @@ use crate::{
 use anyhow::Context;
 use clap::ValueEnum;
 use glam::DVec3;
+use std::path::{Path, PathBuf};
 
 /// Where the camera stands.
 #[derive(clap::Args, Clone, Debug)]
@@ -60,6 +61,9 @@ pub struct Quality {
     /// What pictures are blended in
     #[arg(long, value_enum)]
     pub color: Option<Color>,
+    /// Use no more of the device than the least one has that can run this
+    #[arg(long)]
+    pub least: bool,
     /// How to draw
     #[arg(long, value_enum, default_value_t = DrawBy::Auto)]
     pub raster: DrawBy,
@@ -82,7 +86,7 @@ pub struct Quality {
 
 impl Quality {
     pub fn gpu(&self) -> GpuOptions {
-        GpuOptions::headless(self.device.clone())
+        GpuOptions { least: self.least, ..GpuOptions::headless(self.device.clone()) }
     }
 
     pub fn renderer(&self, size: [u32; 2]) -> RendererOptions {
@@ -227,6 +231,36 @@ pub fn size(text: &str) -> Result<[u32; 2], String> {
     let parse = |side: &str| side.trim().parse::<u32>().ok().filter(|&side| side > 0);
     let sides = text.split_once(['x', 'X', '×']).and_then(|(width, height)| Some([parse(width)?, parse(height)?]));
     sides.ok_or_else(|| format!("`{text}` is no picture size: write width x height in pixels, for instance 1024x1024"))
+}
+
+/// Reads a number of a range.
+pub fn number(text: &str, low: f64, high: f64, what: &str) -> Result<f64, String> {
+    let value = text.parse().ok().filter(|value| (low..=high).contains(value));
+    value.ok_or_else(|| format!("`{text}` is no {what}: write a number from {low} to {high}"))
+}
+
+/// Reads how long to go on.
+pub fn minutes(text: &str) -> Result<f64, String> {
+    number(text, 0.01, 10_000.0, "number of minutes")
+}
+
+/// Reads frames a second.
+pub fn rate(text: &str) -> Result<f64, String> {
+    number(text, 0.5, 1000.0, "frame rate")
+}
+
+/// Reads the name of a trace's file. It must end in `.json`, lest an avatar be written over.
+pub fn trace(text: &str) -> Result<PathBuf, String> {
+    let path = PathBuf::from(text);
+    let fits = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("json"));
+    fits.then_some(path).ok_or_else(|| format!("`{text}` does not end in .json"))
+}
+
+/// Writes a trace, and says so.
+pub fn write_trace(path: &Path, trace: &Trace, gpu: &Gpu) -> anyhow::Result<()> {
+    trace.write(path, gpu).with_context(|| format!("{} can't be written", path.display()))?;
+    eprintln!("wrote {}: open it at https://ui.perfetto.dev", path.display());
+    Ok(())
 }
 
 /// Reads `RRGGBB`, with or without a leading #.

@@ -6,7 +6,7 @@ use super::{
     source::Source,
 };
 use clap::Parser;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 #[derive(clap::Args)]
 #[cfg_attr(feature = "window", command(after_help = crate::app::action::help()))]
@@ -28,6 +28,18 @@ pub struct Args {
     #[cfg(feature = "window")]
     #[arg(long, value_name = "surface@N or device@N", value_parser = loss, hide = true)]
     rehearse: Vec<(crate::app::Loss, u32)>,
+    /// Give up quality where it takes that to hold the display's rate, or that of --fps
+    #[arg(long)]
+    governor: bool,
+    /// The rate to hold, frames a second [default: the display's]
+    #[arg(long, value_name = "N", value_parser = options::rate)]
+    fps: Option<f64>,
+    /// Soak in the window for so many minutes, then write effigy-soak.json, .csv, .svg and .png and quit
+    #[arg(long, value_name = "MINUTES", value_parser = options::minutes)]
+    soak: Option<f64>,
+    /// Write a timeline of host and device at the end, for Perfetto: a .json
+    #[arg(long, value_name = "FILE", value_parser = options::trace)]
+    trace: Option<PathBuf>,
     #[command(flatten)]
     quality: Quality,
 }
@@ -59,7 +71,21 @@ pub fn run(args: Args) -> anyhow::Result<()> {
 }
 
 #[cfg(feature = "window")]
+impl Args {
+    fn steady(&self) -> Option<crate::app::steady::Steady> {
+        use crate::{
+            app::steady::{Soak, Steady},
+            measure::soak::verdict::Bounds,
+        };
+        let soak = self.soak.map(|minutes| Soak { seconds: 60.0 * minutes, out: "effigy-soak".into(), bounds: Bounds::default() });
+        (self.governor || soak.is_some()).then_some(Steady { rate: self.fps, governed: self.governor, soak })
+    }
+}
+
+#[cfg(feature = "window")]
 fn show(display: crate::app::Display, args: Args) -> anyhow::Result<()> {
+    let steady = args.steady();
+    anyhow::ensure!(args.fps.is_none() || steady.is_some(), "--fps is a rate to hold: give --governor or --soak with it");
     let (avatar, clips) = args.source.load()?;
     let options = crate::app::Options {
         gpu: args.quality.gpu(),
@@ -68,6 +94,12 @@ fn show(display: crate::app::Display, args: Args) -> anyhow::Result<()> {
         background: args.background,
         frames: args.frames,
         rehearse: args.rehearse,
+        shelf: Default::default(),
+        folders: crate::app::screenshot::folders(),
+        said: None,
+        report: None,
+        steady,
+        trace: args.trace,
     };
     display.show(avatar, clips, options)
 }

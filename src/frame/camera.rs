@@ -52,6 +52,12 @@ impl Camera {
         1.05 * (half.y / slope).max(around / (slope * aspect)) + around
     }
 
+    /// The same view in a picture of another size, stretched to it.
+    pub fn stretched(&self, size: [u32; 2]) -> Self {
+        let ratio = DVec2::new(f64::from(size[0]) / f64::from(self.size[0]), f64::from(size[1]) / f64::from(self.size[1]));
+        Self { focal: self.focal * ratio, center: self.center * ratio, size, ..*self }
+    }
+
     /// Where the camera is in the world.
     pub fn eye(&self) -> DVec3 {
         self.view.inverse().translation

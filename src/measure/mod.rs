@@ -1,10 +1,16 @@
 //! What the program says about itself in numbers: how far a picture is from the oracle's, and how visible that is.
 
+pub mod android;
 pub mod bench;
 pub mod bytes;
+pub mod capture;
 pub mod error;
 pub mod flip;
+pub mod governor;
+pub mod soak;
 pub mod stress;
+pub mod thermals;
+pub mod trace;
 
 pub use crate::frame::upright;
 use glam::{DAffine3, DVec3};

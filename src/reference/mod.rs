@@ -8,6 +8,7 @@ pub mod bins;
 pub mod features;
 pub mod harmonics;
 pub mod nodes;
+pub mod present;
 pub mod raster;
 pub mod sort;
 pub mod splats;

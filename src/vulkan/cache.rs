@@ -6,11 +6,20 @@ use std::{
     fs,
     io::{self, Write},
     path::{Path, PathBuf},
+    sync::OnceLock,
 };
+
+/// A folder that is to be used in place of the system's.
+static FOLDER: OnceLock<PathBuf> = OnceLock::new();
+
+/// Keeps caches in a folder from now on, where the system says only to the app itself which one is its own. The first call counts.
+pub fn set_folder(folder: PathBuf) {
+    let _ = FOLDER.set(folder);
+}
 
 /// The program's cache folder, where the system has such a thing. It may not exist yet.
 pub fn folder() -> Option<PathBuf> {
-    directories::ProjectDirs::from("", "", "effigy").map(|dirs| dirs.cache_dir().to_path_buf())
+    FOLDER.get().cloned().or_else(|| directories::ProjectDirs::from("", "", "effigy").map(|dirs| dirs.cache_dir().to_path_buf()))
 }
 
 /// Writes a file that appears whole or not at all, also when two programs write at once.

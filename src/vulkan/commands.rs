@@ -7,17 +7,21 @@ use super::{
     pipeline::Slice,
     splats::REASONS,
 };
-pub use crate::frame::report::{FrameReport, STAGES};
+pub use crate::frame::report::{FrameReport, HostTimes, STAGES};
 use crate::{
     frame::{Counters, Reasons},
     layout::Control,
 };
 use ash::vk;
 use gpu_allocator::MemoryLocation;
-use std::sync::Arc;
+use std::{sync::Arc, time::Instant};
 
 /// Frames that may be under way at once.
 pub const SLOTS: usize = 2;
+
+/// [`FrameReport::stages`] and [`FrameReport::ticks`].
+type Times = (Vec<(&'static str, f64)>, Vec<[u64; 2]>);
+
 /// Who counts a frame's fragments.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Counted {
@@ -46,6 +50,8 @@ pub struct Slot {
     /// Stages with a pair of timestamps in the frame under way.
     marked: Vec<&'static str>,
     skipped: Vec<&'static str>,
+    /// Of the frame under way; it is not finished yet.
+    host: Option<HostTimes>,
     pending: bool,
 }
 
@@ -66,6 +72,7 @@ impl Slot {
             counts,
             marked: Vec::with_capacity(STAGES.len()),
             skipped: Vec::with_capacity(STAGES.len()),
+            host: None,
             pending: false,
         };
         // SAFETY: every structure outlives its call; what was made before a failure is destroyed by `drop`.
@@ -73,19 +80,26 @@ impl Slot {
             let info =
                 vk::CommandPoolCreateInfo::default().queue_family_index(gpu.queue_family).flags(vk::CommandPoolCreateFlags::TRANSIENT);
             slot.pool = gpu.raw.create_command_pool(&info, None).during("vkCreateCommandPool")?;
+            gpu.name(slot.pool, "frame");
             let info = vk::CommandBufferAllocateInfo::default().command_pool(slot.pool).command_buffer_count(1);
             slot.commands = gpu.raw.allocate_command_buffers(&info).during("vkAllocateCommandBuffers")?[0];
+            gpu.name(slot.commands, "frame");
             slot.fence = gpu.raw.create_fence(&vk::FenceCreateInfo::default(), None).during("vkCreateFence")?;
+            gpu.name(slot.fence, "frame done");
             if gpu.probe.timestamp_bits > 0 {
                 let info = vk::QueryPoolCreateInfo::default().query_type(vk::QueryType::TIMESTAMP).query_count(2 * STAGES.len() as u32);
-                slot.queries = Some(gpu.raw.create_query_pool(&info, None).during("vkCreateQueryPool")?);
+                let queries = gpu.raw.create_query_pool(&info, None).during("vkCreateQueryPool")?;
+                gpu.name(queries, "times of stages");
+                slot.queries = Some(queries);
             }
             if gpu.probe.pipeline_statistics {
                 let info = vk::QueryPoolCreateInfo::default()
                     .query_type(vk::QueryType::PIPELINE_STATISTICS)
                     .query_count(1)
                     .pipeline_statistics(vk::QueryPipelineStatisticFlags::FRAGMENT_SHADER_INVOCATIONS);
-                slot.statistics = Some(gpu.raw.create_query_pool(&info, None).during("vkCreateQueryPool")?);
+                let statistics = gpu.raw.create_query_pool(&info, None).during("vkCreateQueryPool")?;
+                gpu.name(statistics, "fragments");
+                slot.statistics = Some(statistics);
             }
         }
         Ok(slot)
@@ -97,6 +111,7 @@ impl Slot {
             return Ok(None);
         }
         self.gpu.wait(self.fence, "a frame")?;
+        let finished = Instant::now();
         self.pending = false;
         let (control, reasons) = self.counts.mapped().split_at(size_of::<Control>());
         let control: Control = bytemuck::pod_read_unaligned(control);
@@ -109,20 +124,23 @@ impl Slot {
             fragments: self.fragments(&control)?,
             ..self.known
         };
-        Ok(Some(FrameReport { stages: self.times()?, counters, skipped: self.skipped.clone() }))
+        let (stages, ticks) = self.times()?;
+        let host = self.host.map(|host| HostTimes { finished, ..host });
+        Ok(Some(FrameReport { stages, ticks, host, counters, skipped: self.skipped.clone() }))
     }
 
-    fn times(&self) -> Result<Vec<(&'static str, f64)>> {
-        let (Some(queries), false) = (self.queries, self.marked.is_empty()) else { return Ok(Vec::new()) };
+    /// The time of each stage, ms, and when it began and ended, ticks.
+    fn times(&self) -> Result<Times> {
+        let (Some(queries), false) = (self.queries, self.marked.is_empty()) else { return Ok(Default::default()) };
         let mut ticks = [0u64; 2 * STAGES.len()];
         let ticks = &mut ticks[..2 * self.marked.len()];
         // SAFETY: the frame is done, so the queries written in it are available.
         unsafe { self.gpu.raw.get_query_pool_results(queries, 0, ticks, vk::QueryResultFlags::TYPE_64) }.during("vkGetQueryPoolResults")?;
-        let bits = self.gpu.probe.timestamp_bits;
-        let mask = if bits >= 64 { u64::MAX } else { (1 << bits) - 1 };
+        let mask = self.gpu.probe.tick_mask();
         let period = f64::from(self.gpu.probe.limits.timestamp_period) * 1e-6;
-        let ms = |pair: &[u64]| (pair[1].wrapping_sub(pair[0]) & mask) as f64 * period;
-        Ok(self.marked.iter().copied().zip(ticks.chunks_exact(2).map(ms)).collect())
+        let ticks: Vec<_> = ticks.chunks_exact(2).map(|pair| [pair[0] & mask, pair[1] & mask]).collect();
+        let ms = |[began, ended]: &[u64; 2]| (ended.wrapping_sub(*began) & mask) as f64 * period;
+        Ok((self.marked.iter().copied().zip(ticks.iter().map(ms)).collect(), ticks))
     }
 
     /// Starts recording a frame. The slot must be finished.
@@ -193,6 +211,12 @@ impl Slot {
         unsafe { self.gpu.raw.get_query_pool_results(statistics, 0, &mut count, vk::QueryResultFlags::TYPE_64) }
             .during("vkGetQueryPoolResults")?;
         Ok(Some(count[0]))
+    }
+
+    /// Notes when the host began the frame, got the slot, and had its commands written; it has just submitted them.
+    pub fn timed(&mut self, [began, waited, recorded]: [Instant; 3]) {
+        let submitted = Instant::now();
+        self.host = Some(HostTimes { began, waited, recorded, submitted, finished: submitted });
     }
 
     /// Notes a stage that this frame does not need.

@@ -2,6 +2,7 @@
 
 use super::{
     cache::PipelineCache,
+    calibration::Calibration,
     error::{During, Error, Result},
     instance::Instance,
     probe::Probe,
@@ -11,7 +12,6 @@ use super::{
 use ash::{ext, khr, vk};
 use gpu_allocator::vulkan::{Allocator, AllocatorCreateDesc};
 use std::{
-    ffi::CString,
     mem::ManuallyDrop,
     sync::{
         Arc, Mutex, MutexGuard, OnceLock,
@@ -32,6 +32,8 @@ pub struct GpuOptions {
     pub validation: bool,
     /// Read f16 as words even where the device has 16-bit storage: to compare the two.
     pub packed_words: bool,
+    /// Use no more than every Vulkan 1.1 device has, as if the device were the least of them.
+    pub least: bool,
     /// Ask what the driver's compiler makes of each pipeline. Nothing ever runs on a device opened so.
     pub statistics: bool,
     /// Instance extensions of a window's surface; empty draws to pictures only.
@@ -57,6 +59,8 @@ pub struct Gpu {
     /// Whether shaders read f16 from storage buffers.
     pub half_storage: bool,
     pub labels: Option<ext::debug_utils::Device>,
+    /// Reads the device's clock.
+    pub(super) calibration: Option<Calibration>,
     pub swapchain: Option<khr::swapchain::Device>,
     /// How to sort here, once it is known: see [`super::sort::choice::choose`].
     pub(super) sort: OnceLock<Verdict>,
@@ -74,6 +78,7 @@ impl Gpu {
     pub fn new(options: &GpuOptions) -> Result<Arc<Self>> {
         let instance = Instance::new(options.validation, &options.surface_extensions)?;
         let probe = choose(Probe::all(&instance)?, options.device.as_deref())?;
+        let probe = if options.least { probe.least() } else { probe };
         let lacks = probe.lacks();
         let (true, Some(queue_family)) = (lacks.is_empty(), probe.queue_family) else {
             return Err(Error::Lacks { device: probe.name, lacks: lacks.join("; ") });
@@ -99,7 +104,7 @@ impl Gpu {
             unsafe { raw.destroy_device(None) };
             Error::Allocation { what: "the allocator".into(), source }
         })?;
-        Ok(Arc::new(Self {
+        let gpu = Arc::new(Self {
             queue,
             queue_family,
             allocator: ManuallyDrop::new(Arc::new(Mutex::new(allocator))),
@@ -108,6 +113,7 @@ impl Gpu {
             statistics: options.statistics.then(|| Statistics::new(&instance.raw, &raw)),
             half_storage,
             labels: instance.debug_utils.then(|| ext::debug_utils::Device::new(&instance.raw, &raw)),
+            calibration: Calibration::new(&instance, &probe, &raw),
             swapchain: window.then(|| khr::swapchain::Device::new(&instance.raw, &raw)),
             raw,
             probe,
@@ -115,15 +121,10 @@ impl Gpu {
             instance: ManuallyDrop::new(instance),
             turn: Mutex::new(()),
             hangs: AtomicBool::new(false),
-        }))
-    }
-
-    /// Gives an object the name that validation messages and GPU profilers show.
-    pub fn name<H: vk::Handle>(&self, object: H, name: &str) {
-        let (Some(labels), Ok(name)) = (&self.labels, CString::new(name)) else { return };
-        let info = vk::DebugUtilsObjectNameInfoEXT::default().object_handle(object).object_name(&name);
-        // SAFETY: the object is alive and of this device. A name that can't be set costs nothing.
-        let _ = unsafe { labels.set_debug_utils_object_name(&info) };
+        });
+        gpu.name(gpu.queue, "frames");
+        gpu.name(gpu.cache.raw, "pipelines");
+        Ok(gpu)
     }
 
     /// Bytes that this program holds of the device's memory: what is in use, and what the allocator keeps in blocks.
@@ -131,6 +132,11 @@ impl Gpu {
         let allocator = self.allocator.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
         let report = allocator.generate_report();
         (report.total_allocated_bytes, report.total_capacity_bytes)
+    }
+
+    /// Writes what the driver has compiled to disk, where something is new: a program that is killed has no later chance.
+    pub fn save_pipelines(&self) {
+        self.cache.save(&self.raw);
     }
 
     /// Waits for a fence, but not for ever.
@@ -172,6 +178,7 @@ impl Gpu {
         // SAFETY: the fence is made, used and destroyed here; a device that timed out keeps it.
         unsafe {
             let fence = self.raw.create_fence(&vk::FenceCreateInfo::default(), None).during("vkCreateFence")?;
+            self.name(fence, "idle");
             let outcome = self.submit(&[], fence).and_then(|()| self.wait(fence, "all submitted work"));
             if !self.hangs.load(Ordering::Relaxed) {
                 self.raw.destroy_fence(fence, None);
@@ -191,10 +198,13 @@ impl Gpu {
         // SAFETY: pool, buffer and fence are made, used and destroyed here; a device that timed out keeps them.
         unsafe {
             let pool = device.create_command_pool(&info, None).during("vkCreateCommandPool")?;
+            self.name(pool, what);
             let fence = device.create_fence(&vk::FenceCreateInfo::default(), None).during("vkCreateFence");
+            fence.iter().for_each(|&fence| self.name(fence, what));
             let outcome = fence.and_then(|fence| {
                 let allocate = vk::CommandBufferAllocateInfo::default().command_pool(pool).command_buffer_count(1);
                 let submitted = device.allocate_command_buffers(&allocate).during("vkAllocateCommandBuffers").and_then(|commands| {
+                    self.name(commands[0], what);
                     let begin = vk::CommandBufferBeginInfo::default().flags(vk::CommandBufferUsageFlags::ONE_TIME_SUBMIT);
                     device.begin_command_buffer(commands[0], &begin).during("vkBeginCommandBuffer")?;
                     record(commands[0]);
@@ -266,6 +276,7 @@ fn create_device(
     if probe.subgroup_sizes.is_some() {
         extensions.push(ext::subgroup_size_control::NAME.as_ptr());
     }
+    extensions.extend(Calibration::extension(probe).map(std::ffi::CStr::as_ptr));
     if statistics {
         extensions.push(khr::pipeline_executable_properties::NAME.as_ptr());
     }

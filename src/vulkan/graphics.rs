@@ -5,7 +5,7 @@ use super::{
     device::Gpu,
     error::{During, Result},
     memory::DEPTH_FORMAT,
-    pipeline::{ShaderModule, specialization_entries},
+    module::{ShaderModule, specialization_entries},
     shaders::Module,
 };
 use ash::vk;
@@ -40,6 +40,7 @@ fn description(attachment: Attachment, used: vk::ImageLayout) -> vk::AttachmentD
 /// Colour comes first among the attachments.
 pub(super) fn render_pass(
     gpu: &Gpu,
+    name: &str,
     color: Option<Attachment>,
     depth: Option<Attachment>,
     dependencies: &[vk::SubpassDependency],
@@ -60,7 +61,9 @@ pub(super) fn render_pass(
     let subpasses = [subpass];
     let info = vk::RenderPassCreateInfo::default().attachments(&attachments).subpasses(&subpasses).dependencies(dependencies);
     // SAFETY: `info` and all it points to outlive the call.
-    unsafe { gpu.raw.create_render_pass(&info, None) }.during("vkCreateRenderPass")
+    let render_pass = unsafe { gpu.raw.create_render_pass(&info, None) }.during("vkCreateRenderPass")?;
+    gpu.name(render_pass, name);
+    Ok(render_pass)
 }
 
 /// What a pipeline does with depth.

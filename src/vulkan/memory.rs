@@ -147,6 +147,7 @@ impl Image {
             vk::ImageViewCreateInfo::default().image(raw).view_type(vk::ImageViewType::TYPE_2D).format(format).subresource_range(range);
         // SAFETY: `info` outlives the call.
         image.view = unsafe { gpu.raw.create_image_view(&info, None) }.during("vkCreateImageView")?;
+        gpu.name(image.view, name);
         Ok(image)
     }
 }
@@ -180,10 +181,13 @@ fn allocate(gpu: &Gpu, name: &str, requirements: vk::MemoryRequirements, locatio
     let description =
         AllocationCreateDesc { name, requirements, location, linear, allocation_scheme: AllocationScheme::GpuAllocatorManaged };
     let mut allocator = gpu.allocator.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
-    allocator.allocate(&description).map_err(|source| match source {
+    let allocation = allocator.allocate(&description).map_err(|source| match source {
         gpu_allocator::AllocationError::OutOfMemory => Error::OutOfMemory { memory: "device", call: "vkAllocateMemory" },
         source => Error::Allocation { what: name.into(), source },
-    })
+    })?;
+    // SAFETY: the memory is only named.
+    gpu.name(unsafe { allocation.memory() }, &format!("block, {location:?}"));
+    Ok(allocation)
 }
 
 fn free(gpu: &Gpu, allocation: Option<Allocation>) {

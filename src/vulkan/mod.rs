@@ -3,6 +3,7 @@
 //! [`Gpu`] is a device; [`Renderer`] draws an avatar, or several copies of it, with it, headless. The stages have a file each, in the order a frame runs them.
 
 pub mod cache;
+pub mod calibration;
 pub mod commands;
 mod control;
 pub mod device;
@@ -13,6 +14,8 @@ pub mod harmonics;
 pub mod instance;
 pub mod memory;
 pub mod model;
+mod module;
+mod name;
 pub mod options;
 pub mod picture;
 pub mod pipeline;
@@ -20,6 +23,7 @@ pub mod present;
 pub mod probe;
 pub mod raster;
 pub mod renderer;
+pub mod screen;
 pub mod shaders;
 pub mod sort;
 pub mod splats;
@@ -27,6 +31,8 @@ pub mod statistics;
 pub mod surface;
 #[cfg(feature = "window")]
 pub mod swapchain;
+pub mod turn;
+pub mod watch;
 
 pub use crate::frame::{RendererOptions, preset};
 pub use device::{Gpu, GpuOptions};

@@ -35,26 +35,34 @@ impl Copied {
 /// Copies a picture that was drawn at least once, and waits.
 pub fn download(gpu: &Arc<Gpu>, raster: &Raster) -> Result<Copied> {
     let image = raster.image();
-    let [width, height] = image.size;
+    let [width, height] = raster.drawn();
     let bytes = width as usize * height as usize * raster.format().bytes();
     let mut staging = Buffer::new(gpu, "picture", bytes as u64, vk::BufferUsageFlags::TRANSFER_DST, MemoryLocation::GpuToCpu)?;
     gpu.run("reading a picture", |commands| {
-        let layouts = [vk::ImageLayout::SHADER_READ_ONLY_OPTIMAL, vk::ImageLayout::TRANSFER_SRC_OPTIMAL];
-        transition(gpu, commands, image.raw, layouts);
-        let region = vk::BufferImageCopy::default()
-            .image_subresource(vk::ImageSubresourceLayers {
-                aspect_mask: COLOR.aspect_mask,
-                mip_level: 0,
-                base_array_layer: 0,
-                layer_count: 1,
-            })
-            .image_extent(vk::Extent3D { width, height, depth: 1 });
-        // SAFETY: image and buffer are alive, the region fits both, and `run` waits.
-        unsafe { gpu.raw.cmd_copy_image_to_buffer(commands, image.raw, layouts[1], staging.raw, &[region]) };
-        transition(gpu, commands, image.raw, [layouts[1], layouts[0]]);
+        copy(gpu, commands, (image.raw, [width, height], READY), staging.raw);
         to_host(gpu, commands);
     })?;
-    Ok(Copied { size: image.size, format: raster.format(), bytes: staging.mapped()[..bytes].to_vec() })
+    Ok(Copied { size: [width, height], format: raster.format(), bytes: staging.mapped()[..bytes].to_vec() })
+}
+
+/// How a picture is left after every frame.
+pub(super) const READY: vk::ImageLayout = vk::ImageLayout::SHADER_READ_ONLY_OPTIMAL;
+
+/// Records a copy of an image's upper left corner, of a size in px, to the start of a buffer. The image is in a layout, and stays in it.
+pub(super) fn copy(
+    gpu: &Gpu,
+    commands: vk::CommandBuffer,
+    (image, [width, height], layout): (vk::Image, [u32; 2], vk::ImageLayout),
+    to: vk::Buffer,
+) {
+    let source = vk::ImageLayout::TRANSFER_SRC_OPTIMAL;
+    transition(gpu, commands, image, [layout, source]);
+    let region = vk::BufferImageCopy::default()
+        .image_subresource(vk::ImageSubresourceLayers { aspect_mask: COLOR.aspect_mask, mip_level: 0, base_array_layer: 0, layer_count: 1 })
+        .image_extent(vk::Extent3D { width, height, depth: 1 });
+    // SAFETY: the command buffer is recording; image and buffer are alive, the region fits both.
+    unsafe { gpu.raw.cmd_copy_image_to_buffer(commands, image, source, to, &[region]) };
+    transition(gpu, commands, image, [source, layout]);
 }
 
 fn transition(gpu: &Gpu, commands: vk::CommandBuffer, image: vk::Image, [from, to]: [vk::ImageLayout; 2]) {

@@ -6,6 +6,7 @@
 use super::{
     device::Gpu,
     error::{During, Result},
+    module::{ShaderModule, specialization_entries},
     shaders::Module,
 };
 use ash::vk;
@@ -119,6 +120,14 @@ impl Bindings {
         Ok(new)
     }
 
+    /// Names all of it, for GPU profilers.
+    pub fn label(&self, name: &str) {
+        self.gpu.name(self.set_layout, name);
+        self.gpu.name(self.layout, name);
+        self.gpu.name(self.pool, name);
+        self.gpu.name(self.set, name);
+    }
+
     fn write(&self, uniform: Option<Slice>, storage: &[Slice]) {
         let info = |slice: &Slice| [vk::DescriptorBufferInfo { buffer: slice.buffer, offset: slice.offset, range: slice.size }];
         let plain = storage.iter().enumerate().map(|(at, slice)| (at as u32 + 1, vk::DescriptorType::STORAGE_BUFFER, info(slice)));
@@ -152,6 +161,7 @@ impl Drop for Bindings {
 /// A compute pipeline and what it binds.
 pub struct Kernel {
     gpu: Arc<Gpu>,
+    module: &'static Module,
     pipeline: vk::Pipeline,
     bindings: Bindings,
 }
@@ -170,26 +180,18 @@ impl Kernel {
         bindings: Bindings,
         subgroup: Option<u32>,
     ) -> Result<Self> {
-        let shader = ShaderModule::new(gpu, module)?;
-        let entries = specialization_entries(constants);
-        let specialization = vk::SpecializationInfo::default().map_entries(&entries).data(cast_slice(constants));
-        let mut required = vk::PipelineShaderStageRequiredSubgroupSizeCreateInfo::default().required_subgroup_size(subgroup.unwrap_or(0));
-        let mut stage = vk::PipelineShaderStageCreateInfo::default()
-            .stage(vk::ShaderStageFlags::COMPUTE)
-            .module(shader.raw)
-            .name(c"main")
-            .specialization_info(&specialization);
-        if subgroup.is_some() {
-            stage = stage.push_next(&mut required).flags(vk::PipelineShaderStageCreateFlags::REQUIRE_FULL_SUBGROUPS);
-        }
-        let info = vk::ComputePipelineCreateInfo::default().stage(stage).layout(bindings.layout).flags(gpu.pipeline_flags());
-        let constants = constants.iter().map(u32::to_string).collect::<Vec<_>>().join(" ");
-        tracing::debug!("compiling {} [{constants}]", module.file);
-        // SAFETY: `info` and all it points to outlive the call.
-        let created = unsafe { gpu.raw.create_compute_pipelines(gpu.cache.raw, &[info], None) };
-        let pipeline = created.map_err(|(_, result)| result).during("vkCreateComputePipelines")?[0];
-        let pipeline = gpu.made(pipeline, module.file, &[module], &constants)?;
-        Ok(Self { gpu: gpu.clone(), pipeline, bindings })
+        bindings.label(module.file);
+        let pipeline = compute_pipeline(gpu, module, constants, (bindings.layout, subgroup))?;
+        Ok(Self { gpu: gpu.clone(), module, pipeline, bindings })
+    }
+
+    /// Gives it other constants. No submitted work may use it.
+    pub fn specialize(&mut self, constants: &[u32], subgroup: Option<u32>) -> Result<()> {
+        let new = compute_pipeline(&self.gpu, self.module, constants, (self.bindings.layout, subgroup))?;
+        let old = std::mem::replace(&mut self.pipeline, new);
+        // SAFETY: the caller promises that no submitted work uses it.
+        unsafe { self.gpu.raw.destroy_pipeline(old, None) };
+        Ok(())
     }
 
     /// Sets the image of bindings that have one, in [`BoundImage::layout`]; a written one has no sampler. No submitted work may use the
@@ -233,31 +235,32 @@ impl Drop for Kernel {
     }
 }
 
-/// A shader module that lives while its pipeline is made.
-pub(super) struct ShaderModule<'a> {
-    gpu: &'a Gpu,
-    pub raw: vk::ShaderModule,
-}
-
-impl<'a> ShaderModule<'a> {
-    pub fn new(gpu: &'a Gpu, module: &'static Module) -> Result<Self> {
-        let code: Vec<u32> = bytemuck::pod_collect_to_vec(module.spirv(gpu.half_storage));
-        let info = vk::ShaderModuleCreateInfo::default().code(&code);
-        // SAFETY: `info` outlives the call; the code is compiled and validated when it is committed.
-        let raw = unsafe { gpu.raw.create_shader_module(&info, None) }.during("vkCreateShaderModule")?;
-        Ok(Self { gpu, raw })
+/// The pipeline of a kernel.
+fn compute_pipeline(
+    gpu: &Gpu,
+    module: &'static Module,
+    constants: &[u32],
+    (layout, subgroup): (vk::PipelineLayout, Option<u32>),
+) -> Result<vk::Pipeline> {
+    let shader = ShaderModule::new(gpu, module)?;
+    let entries = specialization_entries(constants);
+    let specialization = vk::SpecializationInfo::default().map_entries(&entries).data(cast_slice(constants));
+    let mut required = vk::PipelineShaderStageRequiredSubgroupSizeCreateInfo::default().required_subgroup_size(subgroup.unwrap_or(0));
+    let mut stage = vk::PipelineShaderStageCreateInfo::default()
+        .stage(vk::ShaderStageFlags::COMPUTE)
+        .module(shader.raw)
+        .name(c"main")
+        .specialization_info(&specialization);
+    if subgroup.is_some() {
+        stage = stage.push_next(&mut required).flags(vk::PipelineShaderStageCreateFlags::REQUIRE_FULL_SUBGROUPS);
     }
-}
-
-impl Drop for ShaderModule<'_> {
-    fn drop(&mut self) {
-        // SAFETY: pipelines don't need their modules once they are made.
-        unsafe { self.gpu.raw.destroy_shader_module(self.raw, None) };
-    }
-}
-
-pub(super) fn specialization_entries(constants: &[u32]) -> Vec<vk::SpecializationMapEntry> {
-    (0..constants.len() as u32).map(|id| vk::SpecializationMapEntry { constant_id: id, offset: 4 * id, size: 4 }).collect()
+    let info = vk::ComputePipelineCreateInfo::default().stage(stage).layout(layout).flags(gpu.pipeline_flags());
+    let constants = constants.iter().map(u32::to_string).collect::<Vec<_>>().join(" ");
+    tracing::debug!("compiling {} [{constants}]", module.file);
+    // SAFETY: `info` and all it points to outlive the call.
+    let created = unsafe { gpu.raw.create_compute_pipelines(gpu.cache.raw, &[info], None) };
+    let pipeline = created.map_err(|(_, result)| result).during("vkCreateComputePipelines")?[0];
+    gpu.made(pipeline, module.file, &[module], &constants)
 }
 
 /// What a barrier orders: all earlier work of some stages before all later work of others.

@@ -1,6 +1,7 @@
 //! What a device has: limits, features and extensions, and what Effigy makes of them. `effigy devices` prints it.
 
 use super::{
+    calibration::Calibration,
     error::{During, Result},
     instance::Instance,
 };
@@ -131,8 +132,38 @@ impl Probe {
         })
     }
 
+    /// The bits of a timestamp that count.
+    pub fn tick_mask(&self) -> u64 {
+        if self.timestamp_bits >= 64 { u64::MAX } else { (1 << self.timestamp_bits) - 1 }
+    }
+
     pub fn has(&self, extension: &std::ffi::CStr) -> bool {
         self.extensions.iter().any(|e| extension.to_str() == Ok(e))
+    }
+
+    /// The same device with nothing that Vulkan 1.1 does not promise of every device.
+    pub fn least(mut self) -> Self {
+        let limits = &mut self.limits;
+        limits.max_storage_buffer_range = limits.max_storage_buffer_range.min(1 << 27);
+        limits.max_compute_shared_memory_size = limits.max_compute_shared_memory_size.min(16 << 10);
+        limits.max_compute_work_group_invocations = limits.max_compute_work_group_invocations.min(128);
+        limits.max_compute_work_group_size = [128, 128, 64];
+        limits.max_image_dimension2_d = limits.max_image_dimension2_d.min(4096);
+        limits.max_framebuffer_width = limits.max_framebuffer_width.min(4096);
+        limits.max_framebuffer_height = limits.max_framebuffer_height.min(4096);
+        let needed = [khr::swapchain::NAME, khr::portability_subset::NAME];
+        self.extensions.retain(|extension| needed.iter().any(|name| name.to_str() == Ok(extension)));
+        Self {
+            api_version: vk::API_VERSION_1_1.min(self.api_version),
+            timestamp_bits: 0,
+            half_storage: false,
+            shader_statistics: false,
+            pipeline_statistics: false,
+            subgroup_ballot: false,
+            subgroup_shuffle: false,
+            subgroup_sizes: None,
+            ..self
+        }
     }
 
     /// What the device would need and does not have; empty where it can serve.
@@ -160,6 +191,24 @@ impl Probe {
                 "shader statistics",
                 self.shader_statistics,
                 choose(self.shader_statistics, "`effigy devices --shader-stats` prints them", "no way to see what became of shaders"),
+            ),
+            (
+                "calibrated clock",
+                Calibration::extension(self).is_some(),
+                choose(
+                    Calibration::extension(self).is_some(),
+                    "`--trace` aligns both clocks by it",
+                    "`--trace` aligns both clocks by timestamps that it waits for",
+                ),
+            ),
+            (
+                "performance query",
+                self.has(khr::performance_query::NAME),
+                choose(
+                    self.has(khr::performance_query::NAME),
+                    "profilers read its counters",
+                    "profilers have counters of their own or none",
+                ),
             ),
             (
                 "memory budget",

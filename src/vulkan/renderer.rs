@@ -1,6 +1,14 @@
 //! Draws an avatar, or several copies of it in one scene: poses and a camera go in, a picture on the device comes out.
 //! [`Renderer::record`] is the frame, top to bottom.
 
+mod adjust;
+mod blocks;
+mod readback;
+
+pub use readback::Stages;
+
+use blocks::{FRAME_STRIDE, frame_at};
+
 use super::{
     commands::{FrameReport, SLOTS, Slot},
     control::{BEFORE, COMPUTE, SHARED, WRITTEN, control, in_turn, prepare},
@@ -10,7 +18,6 @@ use super::{
     harmonics::Harmonics,
     memory::Buffer,
     model::Model,
-    picture::Copied,
     pipeline::{Slice, barrier},
     raster::Raster,
     sort::{Sort, SortOptions, choice},
@@ -20,39 +27,24 @@ use super::{
 use crate::{
     avatar::Avatar,
     frame::{
-        Body, Camera, Extent, Needs, Picture, Posed, RendererOptions, Skip, block,
+        Camera, Extent, Needs, Posed, RendererOptions, Skip, block,
         keeper::Keeper,
         refuse,
-        scene::{Actor, Scene, Staged},
+        scene::{Scene, Staged},
     },
-    layout::{Control, Frame, PYRAMID_WORDS},
+    layout::{Frame, PYRAMID_WORDS},
+    measure::android::section,
 };
 use ash::vk::{self, PipelineStageFlags};
-use bytemuck::{bytes_of, from_bytes_mut};
+use bytemuck::bytes_of;
 use gpu_allocator::MemoryLocation;
-use half::f16;
-use std::sync::Arc;
+use std::{sync::Arc, time::Instant};
 
-/// How a frame reaches a window: what to wait for and signal, and the commands that follow the picture.
+/// How a frame reaches a screen: what to wait for and signal, and the commands that follow the picture.
 pub struct Presentation<'a> {
-    pub acquired: vk::Semaphore,
-    pub finished: vk::Semaphore,
+    /// Signalled when there is something to draw to, and when it is drawn. None where nobody else waits.
+    pub semaphores: Option<(vk::Semaphore, vk::Semaphore)>,
     pub record: &'a mut dyn FnMut(vk::CommandBuffer),
-}
-
-/// A stage's buffers read back, for tests.
-pub struct Stages {
-    /// The first avatar's; shape N_G, length of e.
-    pub features: Vec<f32>,
-    /// The first avatar's, one displacement a node, metres; the fourth number is unused.
-    pub nodes: Vec<[f32; 4]>,
-    /// RGB of every Gaussian before correctives.
-    pub colors: Vec<[f32; 3]>,
-    /// Those of the avatars in view, one after the other, as `keys` are.
-    pub splats: Vec<[u32; 4]>,
-    pub keys: Vec<u32>,
-    pub order: Vec<u32>,
-    pub control: Control,
 }
 
 /// An avatar on a device, in as many poses as it was made for.
@@ -82,14 +74,6 @@ pub struct Renderer {
     next: usize,
     report: FrameReport,
     gpu: Arc<Gpu>,
-}
-
-/// Bytes from one frame's uniform block to the next: every device's alignment divides 256.
-const FRAME_STRIDE: usize = size_of::<Frame>().next_multiple_of(256);
-
-/// Where in the ring of uniform blocks an avatar's is, bytes.
-fn frame_at(slot: usize, number: usize, actors: usize) -> usize {
-    (slot * actors + number) * FRAME_STRIDE
 }
 
 impl Renderer {
@@ -186,9 +170,13 @@ impl Renderer {
     pub fn draw_scene(&mut self, poses: &[&Posed], camera: &Camera, presentation: Option<Presentation>) -> Result<()> {
         refuse::frame(poses, camera, (&self.model.constants, &self.extent), &self.options)?;
         let slot = self.next;
+        let began = Instant::now();
+        let waiting = section(c"wait");
         if let Some(report) = self.slots[slot].finish()? {
             self.report = report;
         }
+        drop(waiting);
+        let waited = Instant::now();
         // Should anything below fail, nothing of this frame counts as drawn.
         let mut scene = std::mem::take(&mut self.scene);
         let entering = self.entering.take();
@@ -199,14 +187,19 @@ impl Renderer {
             self.report = FrameReport::idle(self.harmonics.is_some());
             return Ok(());
         }
+        let recording = section(c"record");
         self.write_frame(slot, &staged, camera);
         self.slots[slot].begin()?;
         let entering = self.record(slot, &staged, entering);
-        let semaphores = presentation.map(|presentation| {
+        let semaphores = presentation.and_then(|presentation| {
             self.slots[slot].stage("present", presentation.record);
-            (presentation.acquired, presentation.finished)
+            presentation.semaphores
         });
+        drop(recording);
+        let recorded = Instant::now();
+        let _submitting = section(c"submit");
         self.slots[slot].submit(&self.control, self.splats.reasons(), semaphores)?;
+        self.slots[slot].timed([began, waited, recorded]);
         (self.scene, self.entering) = (scene, Some(entering));
         self.next = (slot + 1) % SLOTS;
         Ok(())
@@ -283,30 +276,6 @@ impl Renderer {
         keys
     }
 
-    /// Fills the uniform blocks of a frame.
-    fn write_frame(&mut self, slot: usize, staged: &Staged, camera: &Camera) {
-        for actor in staged.actors.iter().filter(|actor| staged.view && actor.needed.body == Body::Keep) {
-            self.keepers[actor.number] = Keeper::new(&self.extent, actor.posed, camera);
-        }
-        let blocks = self.frames.mapped();
-        let mut fill = |number: usize, actor: Option<(&Actor, u32)>| {
-            let block: &mut Frame = from_bytes_mut(&mut blocks[frame_at(slot, number, self.options.actors)..][..size_of::<Frame>()]);
-            block::fill_shared(block, &self.options, staged, camera);
-            self.splats.fill(block);
-            block.count_tile = self.sort.tile();
-            if let Some((actor, before)) = actor {
-                block::fill_actor(block, &self.options, actor, camera);
-                self.splats.fill_actor(block, number as u32, before);
-                self.keepers[number].fill(block, camera);
-            }
-        };
-        // An empty picture has a size too.
-        fill(0, None);
-        for (actor, before) in staged.actors.iter().zip(0..) {
-            fill(actor.number, Some((actor, before)));
-        }
-    }
-
     /// Waits for every submitted frame.
     pub fn finish(&mut self) -> Result<()> {
         for offset in 0..SLOTS {
@@ -324,36 +293,5 @@ impl Renderer {
         self.options.size = size;
         self.scene = Scene::default();
         Ok(())
-    }
-
-    /// Waits, and copies the picture of the last frame to the host.
-    pub fn picture(&mut self) -> Result<Picture> {
-        Ok(self.copy()?.decode())
-    }
-
-    /// The same without the work of decoding it.
-    pub fn copy(&mut self) -> Result<Copied> {
-        self.finish()?;
-        super::picture::download(&self.gpu, &self.raster)
-    }
-
-    /// Waits, and copies every stage's output of the last frame to the host.
-    pub fn stages(&mut self) -> Result<Stages> {
-        self.finish()?;
-        let constants = &self.model.constants;
-        let features = 16 * (constants.parts * constants.feature_quads) as usize;
-        let pose = self.pose.download(features + 8 * constants.nodes as usize)?;
-        let nodes: Vec<[f16; 4]> = bytemuck::pod_collect_to_vec(&pose[features..]);
-        let control: Control = bytemuck::pod_read_unaligned(&self.control.download(size_of::<Control>())?);
-        let (splats, keys) = self.splats.download(control.entering)?;
-        Ok(Stages {
-            features: bytemuck::pod_collect_to_vec(&pose[..features]),
-            nodes: self.model.node_places.iter().map(|&place| nodes[usize::from(place)].map(f16::to_f32)).collect(),
-            colors: self.model.colors()?,
-            splats,
-            keys,
-            order: self.sort.download(control.survivors)?,
-            control,
-        })
     }
 }

@@ -31,6 +31,7 @@ impl SurfaceMesh {
     /// `colored`: whether the render pass has a colour attachment, which is left alone.
     pub fn new(gpu: &Arc<Gpu>, frame: Slice, mesh: &OccluderMesh, pose: Slice, render_pass: vk::RenderPass, colored: bool) -> Result<Self> {
         let bindings = Bindings::new(gpu, vk::ShaderStageFlags::VERTEX, Some(frame), &[(&mesh.corners).into(), pose])?;
+        bindings.label("surface");
         let nothing = vk::PipelineColorBlendAttachmentState::default().blend_enable(true).dst_color_blend_factor(vk::BlendFactor::ONE);
         let drawing = Drawing {
             name: "surface",
@@ -103,11 +104,13 @@ impl Surface {
         let info = info.width(SURFACE_DRAWN).height(SURFACE_DRAWN).layers(1);
         // SAFETY: `info` and all it points to outlive the call.
         pass.framebuffer = unsafe { gpu.raw.create_framebuffer(&info, None) }.during("vkCreateFramebuffer")?;
+        gpu.name(pass.framebuffer, "surface");
         let mesh = SurfaceMesh::new(gpu, frame, mesh, pose, pass.render_pass, false)?;
         let bindings = Bindings::with_image(gpu, Some(frame), &[pose], BoundImage::Sampled)?;
         let pyramid = Kernel::new(gpu, &shaders::SURFACE, &[], bindings)?;
         // SAFETY: the structure outlives the call.
         let sampler = unsafe { gpu.raw.create_sampler(&vk::SamplerCreateInfo::default(), None) }.during("vkCreateSampler")?;
+        gpu.name(sampler, "surface");
         pyramid.set_image(sampler, image.view);
         Ok(Self { gpu: gpu.clone(), mesh, pyramid, pass, sampler, _image: image })
     }
@@ -168,5 +171,11 @@ fn render_pass(gpu: &Gpu) -> Result<vk::RenderPass> {
             .dst_stage_mask(compute)
             .dst_access_mask(vk::AccessFlags::SHADER_READ),
     ];
-    graphics::render_pass(gpu, None, Some(graphics::depth(Some(vk::ImageLayout::DEPTH_STENCIL_READ_ONLY_OPTIMAL))), &dependencies)
+    graphics::render_pass(
+        gpu,
+        "surface",
+        None,
+        Some(graphics::depth(Some(vk::ImageLayout::DEPTH_STENCIL_READ_ONLY_OPTIMAL))),
+        &dependencies,
+    )
 }

@@ -5,6 +5,7 @@ use super::{
     device::Gpu,
     error::{During, Error, Result},
     memory::COLOR,
+    turn::Turn,
 };
 use ash::{khr, vk};
 use raw_window_handle::{DisplayHandle, RawDisplayHandle, RawWindowHandle, WindowHandle};
@@ -124,8 +125,10 @@ pub struct Swapchain {
     acquired: Vec<vk::Semaphore>,
     next: usize,
     waited: u32,
-    /// Width and height, px.
+    /// Width and height of the picture as it is seen, px.
     pub size: [u32; 2],
+    /// How it lies in the images.
+    pub turn: Turn,
 }
 
 impl Swapchain {
@@ -151,7 +154,10 @@ impl Swapchain {
         if size.contains(&0) || wanted.contains(&0) {
             return Ok(None);
         }
-        let info = info(surface, &capabilities, size).old_swapchain(old.as_ref().map_or(vk::SwapchainKHR::null(), |old| old.raw));
+        let transforms = (capabilities.supported_transforms, capabilities.current_transform);
+        let turn = Turn::asked(transforms.1).filter(|_| transforms.0.contains(transforms.1));
+        let info = info(surface, &capabilities, turn.unwrap_or_default().extent(size), turn.is_some())
+            .old_swapchain(old.as_ref().map_or(vk::SwapchainKHR::null(), |old| old.raw));
         // SAFETY: `info` and all it points to outlive the call.
         let raw = unsafe { loader.create_swapchain(&info, None) }.during("vkCreateSwapchainKHR")?;
         drop(old);
@@ -166,6 +172,7 @@ impl Swapchain {
             next: 0,
             waited: 0,
             size,
+            turn: turn.unwrap_or_default(),
         };
         new.fill(surface.format.format, render_pass)?;
         Ok(Some(new))
@@ -184,17 +191,23 @@ impl Swapchain {
                     .format(format)
                     .subresource_range(COLOR);
                 let view = device.create_image_view(&info, None).during("vkCreateImageView")?;
+                self.gpu.name(image, "window");
+                self.gpu.name(view, "window");
                 self.views.push(view);
-                let [width, height] = self.size;
+                let [width, height] = self.turn.extent(self.size);
                 let views = [view];
                 let info =
                     vk::FramebufferCreateInfo::default().render_pass(render_pass).attachments(&views).width(width).height(height).layers(1);
                 self.framebuffers.push(device.create_framebuffer(&info, None).during("vkCreateFramebuffer")?);
                 self.finished.push(device.create_semaphore(&semaphore, None).during("vkCreateSemaphore")?);
             }
+            self.gpu.name(self.raw, "window");
+            self.framebuffers.iter().for_each(|&framebuffer| self.gpu.name(framebuffer, "window"));
+            self.finished.iter().for_each(|&semaphore| self.gpu.name(semaphore, "frame drawn"));
             for _ in 0..=SLOTS {
                 self.acquired.push(device.create_semaphore(&semaphore, None).during("vkCreateSemaphore")?);
             }
+            self.acquired.iter().for_each(|&semaphore| self.gpu.name(semaphore, "image acquired"));
         }
         Ok(())
     }
@@ -240,12 +253,17 @@ impl Swapchain {
     }
 }
 
-/// First in, first out: no tearing, at the display's rate, and on every device.
-fn info<'a>(surface: &Surface, capabilities: &vk::SurfaceCapabilitiesKHR, [width, height]: [u32; 2]) -> vk::SwapchainCreateInfoKHR<'a> {
+/// First in, first out: no tearing, at the display's rate, and on every device. `turned`: pictures are drawn the way the display is mounted.
+fn info<'a>(
+    surface: &Surface,
+    capabilities: &vk::SurfaceCapabilitiesKHR,
+    [width, height]: [u32; 2],
+    turned: bool,
+) -> vk::SwapchainCreateInfoKHR<'a> {
     let most = if capabilities.max_image_count == 0 { u32::MAX } else { capabilities.max_image_count };
     let alpha = [vk::CompositeAlphaFlagsKHR::OPAQUE, vk::CompositeAlphaFlagsKHR::INHERIT, vk::CompositeAlphaFlagsKHR::PRE_MULTIPLIED];
     let alpha = alpha.into_iter().find(|&alpha| capabilities.supported_composite_alpha.contains(alpha));
-    let upright = capabilities.supported_transforms.contains(vk::SurfaceTransformFlagsKHR::IDENTITY);
+    let upright = !turned && capabilities.supported_transforms.contains(vk::SurfaceTransformFlagsKHR::IDENTITY);
     vk::SwapchainCreateInfoKHR::default()
         .surface(surface.raw)
         .min_image_count((capabilities.min_image_count + 1).min(most))

@@ -273,3 +273,10 @@ pub fn clip(seed: u64, avatar: &Avatar, frames: usize) -> Clip {
         expression_len: expression.len(),
     }
 }
+
+/// Writes a small avatar and a clip for it, `small.avatar` and `small.motion`, to a folder.
+pub fn small_files(folder: &std::path::Path) {
+    let avatar = avatar(5, Sizes { gaussians: 800, parts: 8, nodes: 60, rows: 100, ..Sizes::default() });
+    avatar.write(&folder.join("small.avatar")).unwrap();
+    clip(6, &avatar, 40).write(&folder.join("small.motion")).unwrap();
+}

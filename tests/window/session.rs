@@ -174,6 +174,17 @@ impl Session {
         self._folder.path().join(path).to_string_lossy().into_owned()
     }
 
+    /// Waits until the program has said something.
+    pub fn wait_for_text(&mut self, text: &str) {
+        self.wait(text, |s| s.log.lock().unwrap().iter().any(|line| line.contains(text)).then_some(()));
+    }
+
+    /// Waits until the program has ended, and gives the text of a file that it wrote.
+    pub fn wait_for_file(&mut self, name: &str) -> String {
+        self.wait(name, |s| s.program.try_wait().unwrap().map(|_| ()));
+        std::fs::read_to_string(self._folder.path().join(name)).unwrap()
+    }
+
     pub fn sleep(&self, seconds: f64) {
         thread::sleep(Duration::from_secs_f64(seconds));
     }

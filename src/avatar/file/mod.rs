@@ -75,10 +75,18 @@ impl Content {
     /// # Errors
     /// When the file cannot be opened, is neither, or breaks a rule of [`format`].
     pub fn read(path: &Path) -> Result<Self, FileError> {
-        read_with(path, |bytes| match container::is_of::<ClipHeader>(bytes)? {
+        read_with(path, Self::from_bytes)
+    }
+
+    /// The same from the file's bytes, at any alignment.
+    ///
+    /// # Errors
+    /// When the bytes are neither, or break a rule.
+    pub fn from_bytes(bytes: &[u8]) -> Result<Self, Fault> {
+        match container::is_of::<ClipHeader>(bytes)? {
             true => Ok(Self::Clip(Box::new(container::decode::<ClipHeader>(bytes)?))),
             false => Ok(Self::Avatar(Box::new(container::decode::<AvatarHeader>(bytes)?))),
-        })
+        }
     }
 }
 

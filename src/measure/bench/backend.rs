@@ -51,6 +51,15 @@ impl Opened {
         }
     }
 
+    /// The device, if it is one of Vulkan's.
+    pub fn vulkan(&self) -> Option<&Arc<vulkan::Gpu>> {
+        match self {
+            Self::Vulkan(gpu) => Some(gpu),
+            #[cfg(feature = "webgpu")]
+            Self::WebGpu(_) => None,
+        }
+    }
+
     /// Whether stages are timed.
     pub fn is_timed(&self) -> bool {
         match self {
@@ -72,18 +81,7 @@ impl Opened {
     /// What a report says of it.
     pub fn describe(&self) -> Device {
         match self {
-            Self::Vulkan(gpu) => {
-                let part = |shift: u32, mask: u32| gpu.probe.api_version >> shift & mask;
-                Device {
-                    name: gpu.probe.name.clone(),
-                    driver: gpu.probe.driver.clone(),
-                    vulkan: format!("{}.{}.{}", part(22, 0x7f), part(12, 0x3ff), part(0, 0xfff)),
-                    half_storage: gpu.half_storage,
-                    subgroup_size: gpu.probe.subgroup_size,
-                    timestamps: self.is_timed(),
-                    backend: "vulkan".into(),
-                }
-            }
+            Self::Vulkan(gpu) => device(gpu),
             #[cfg(feature = "webgpu")]
             Self::WebGpu(gpu) => Device {
                 name: gpu.info.name.clone(),
@@ -95,6 +93,20 @@ impl Opened {
                 backend: "webgpu".into(),
             },
         }
+    }
+}
+
+/// What a report says of a device of Vulkan's.
+pub(in crate::measure) fn device(gpu: &vulkan::Gpu) -> Device {
+    let part = |shift: u32, mask: u32| gpu.probe.api_version >> shift & mask;
+    Device {
+        name: gpu.probe.name.clone(),
+        driver: gpu.probe.driver.clone(),
+        vulkan: format!("{}.{}.{}", part(22, 0x7f), part(12, 0x3ff), part(0, 0xfff)),
+        half_storage: gpu.half_storage,
+        subgroup_size: gpu.probe.subgroup_size,
+        timestamps: gpu.probe.timestamp_bits > 0,
+        backend: "vulkan".into(),
     }
 }
 

@@ -70,7 +70,8 @@ pub fn check(
     Ok(checked)
 }
 
-fn report(error: &error::Error, flip: Option<f64>) -> ErrorReport {
+/// In the report's words.
+pub(in crate::measure) fn report(error: &error::Error, flip: Option<f64>) -> ErrorReport {
     let finite = |db: f64| db.is_finite().then_some(db);
     ErrorReport {
         frames: 1,

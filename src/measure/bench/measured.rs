@@ -11,17 +11,27 @@ use super::{
 use crate::{
     avatar::Avatar,
     frame::{FrameReport, report::STAGES},
-    measure::bytes::{self, Seen, Work},
+    measure::{
+        bytes::{self, Seen, Work},
+        trace::Trace,
+    },
 };
 use std::collections::BTreeMap;
 
-/// Measures a case.
-pub fn case(gpu: &Opened, task: &Task, setting: &Setting, case: Case, progress: Progress) -> Result<CaseReport> {
+/// Measures a case. `trace` takes in the frames that are timed.
+pub fn case(
+    gpu: &Opened,
+    task: &Task,
+    (setting, case): (&Setting, Case),
+    trace: Option<&mut Trace>,
+    progress: Progress,
+) -> Result<CaseReport> {
     let setting = &setting.of(case);
     let scenes = scene::scenes(case, &task.set(setting));
     let avatar = setting.fit(task.avatar);
     let mut drawer = Drawer::new(gpu, &avatar, setting, case, false)?;
     let samples = run::time(&mut drawer, &scenes, task.warm_up, |done| progress(&format!("{case}: timing"), done, scenes.len()))?;
+    trace.into_iter().for_each(|trace| samples.reports.iter().for_each(|report| trace.frame(report)));
     let (used, reserved) = gpu.memory();
     let cost = Cost { used, reserved, timed: gpu.is_timed(), surface: drawer.surface() };
     let numbers = scene::checks(case, scenes.len(), task.checked);
@@ -175,6 +185,7 @@ mod tests {
             stages: ran.map(|stage| (stage, drawn as f64)).collect(),
             counters: Counters { drawn, fragments, submitted: 1, ..Counters::default() },
             skipped: skipped.to_vec(),
+            ..FrameReport::default()
         }
     }
 

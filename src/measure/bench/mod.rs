@@ -64,12 +64,7 @@ impl<'a> Task<'a> {
     pub fn report(&self, gpu: &Opened, setting: &Setting, command: Vec<String>) -> Report {
         Report {
             schema: SCHEMA.to_owned(),
-            program: Program {
-                version: env!("CARGO_PKG_VERSION").to_owned(),
-                commit: option_env!("EFFIGY_COMMIT").map(str::to_owned),
-                date: humantime::format_rfc3339_seconds(std::time::SystemTime::now()).to_string(),
-                command,
-            },
+            program: program(command),
             device: gpu.describe(),
             avatar: subject(self.avatar, self.player),
             size: setting.options.size,
@@ -80,7 +75,17 @@ impl<'a> Task<'a> {
     }
 }
 
-fn subject(avatar: &Avatar, player: &Player) -> Subject {
+/// This program. `command` is the command line.
+pub(super) fn program(command: Vec<String>) -> Program {
+    Program {
+        version: env!("CARGO_PKG_VERSION").to_owned(),
+        commit: option_env!("EFFIGY_COMMIT").map(str::to_owned),
+        date: humantime::format_rfc3339_seconds(std::time::SystemTime::now()).to_string(),
+        command,
+    }
+}
+
+pub(super) fn subject(avatar: &Avatar, player: &Player) -> Subject {
     Subject {
         name: avatar.name.clone(),
         clip: player.clip().name.clone(),
@@ -91,7 +96,7 @@ fn subject(avatar: &Avatar, player: &Player) -> Subject {
     }
 }
 
-fn options(setting: &Setting) -> Options {
+pub(super) fn options(setting: &Setting) -> Options {
     let options = &setting.options;
     Options {
         color: format!("{:?}", options.color.unwrap_or_default()).to_lowercase(),

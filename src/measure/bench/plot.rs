@@ -13,7 +13,7 @@ use std::io::Cursor;
 /// Width and height, px.
 const SIZE: (u32, u32) = (1400, 900);
 /// What the letters are called; viewers of the SVG have some under that name.
-const FONT: &str = "sans-serif";
+pub(in crate::measure) const FONT: &str = "sans-serif";
 const INK: RGBColor = RGBColor(40, 44, 52);
 const FAINT: RGBColor = RGBColor(226, 229, 233);
 const FRONT: RGBColor = RGBColor(208, 52, 44);
@@ -39,7 +39,7 @@ const PERFECT: f64 = 3.0;
 /// Why there is no picture.
 #[derive(Debug, thiserror::Error)]
 pub enum Fault {
-    #[error("there is nothing to draw: no setting was both timed and compared with the reference")]
+    #[error("there is nothing to draw: nothing was measured to the end")]
     Nothing,
     #[error("it can't be drawn: {0}")]
     Drawing(String),
@@ -54,23 +54,32 @@ pub fn svg(sweep: &SweepReport, title: &str) -> Result<String, Fault> {
 
 /// As PNG.
 pub fn png(sweep: &SweepReport, title: &str) -> Result<Vec<u8>, Fault> {
-    let (width, height) = SIZE;
+    png_of(SIZE, |pixels| draw(BitMapBackend::with_buffer(pixels, SIZE).into_drawing_area(), sweep, title))
+}
+
+/// The PNG of what is drawn into pixels of three bytes.
+pub(in crate::measure) fn png_of((width, height): (u32, u32), draw: impl FnOnce(&mut [u8]) -> Result<(), Fault>) -> Result<Vec<u8>, Fault> {
     let mut pixels = vec![0; (3 * width * height) as usize];
-    draw(BitMapBackend::with_buffer(&mut pixels, SIZE).into_drawing_area(), sweep, title)?;
+    draw(&mut pixels)?;
     let image = image::RgbImage::from_raw(width, height, pixels).ok_or_else(|| Fault::Drawing("its size is wrong".to_owned()))?;
     let mut bytes = Cursor::new(Vec::new());
     image.write_to(&mut bytes, image::ImageFormat::Png).map_err(drawing)?;
     Ok(bytes.into_inner())
 }
 
-fn drawing(error: impl std::fmt::Display) -> Fault {
+/// The letters of every chart.
+pub(in crate::measure) fn register() -> Result<(), Fault> {
+    register_font(FONT, FontStyle::Normal, epaint_default_fonts::UBUNTU_LIGHT).map_err(|_| drawing("the letters can't be read"))
+}
+
+pub(in crate::measure) fn drawing(error: impl std::fmt::Display) -> Fault {
     Fault::Drawing(error.to_string())
 }
 
 type Area<B> = DrawingArea<B, Shift>;
 
 fn draw<B: DrawingBackend>(area: Area<B>, sweep: &SweepReport, title: &str) -> Result<(), Fault> {
-    register_font(FONT, FontStyle::Normal, epaint_default_fonts::UBUNTU_LIGHT).map_err(|_| drawing("the letters can't be read"))?;
+    register()?;
     // The most important names choose their place first.
     let mut points: Vec<&Point> = sweep.points.iter().filter(|point| point.error.frames > 0 && point.frame_ms.is_finite()).collect();
     points.sort_by_key(|point| (point.knob != BASE, point.knob != Knob::Preset.name(), !point.on_front));

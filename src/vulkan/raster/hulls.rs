@@ -45,6 +45,8 @@ pub struct Hulls {
     /// Where fragments are tested against it.
     surface: Option<SurfaceMesh>,
     target: Target,
+    /// The part of the target that is drawn, from its upper left corner, px.
+    drawn: [u32; 2],
 }
 
 impl Hulls {
@@ -59,6 +61,7 @@ impl Hulls {
         let (format, size, depth) = (options.color.unwrap_or(Method::Hulls.color()), options.size, options.skip.contains(Skip::DEPTH));
         let stages = vk::ShaderStageFlags::VERTEX;
         let bindings = Bindings::new(gpu, stages, Some(frame), &inputs)?;
+        bindings.label("raster");
         let quad = |quad: u32| [0, 1, 2, 2, 1, 3].map(|corner| (4 * quad + corner) as u16);
         let indices: Vec<u16> = (0..RASTER_QUADS).flat_map(quad).collect();
         let indices = Buffer::with_data(gpu, "quad indices", bytemuck::cast_slice(&indices), vk::BufferUsageFlags::INDEX_BUFFER)?;
@@ -68,7 +71,7 @@ impl Hulls {
         let surface = depth.then(|| SurfaceMesh::new(gpu, frame, mesh, pose, render_pass, true)).transpose();
         match (target, pipeline, surface) {
             (Ok(target), Ok(pipeline), Ok(surface)) => {
-                Ok(Self { gpu: gpu.clone(), format, render_pass, pipeline, bindings, indices, surface, target })
+                Ok(Self { gpu: gpu.clone(), format, render_pass, pipeline, bindings, indices, surface, target, drawn: size })
             }
             (target, pipeline, surface) => {
                 // SAFETY: nothing was submitted that uses either.
@@ -98,16 +101,35 @@ impl Hulls {
             vk::FramebufferCreateInfo::default().render_pass(render_pass).attachments(&views).width(size[0]).height(size[1]).layers(1);
         // SAFETY: `info` and all it points to outlive the call.
         let framebuffer = unsafe { gpu.raw.create_framebuffer(&info, None) }.during("vkCreateFramebuffer")?;
+        gpu.name(framebuffer, "raster");
         Ok(Target { gpu: gpu.clone(), image, _depth: depth, framebuffer })
     }
 
     pub fn resize(&mut self, size: [u32; 2]) -> Result<()> {
         self.target = Self::target(&self.gpu, self.render_pass, self.format, self.surface.is_some(), size)?;
+        self.drawn = size;
+        Ok(())
+    }
+
+    pub fn draw_within(&mut self, size: [u32; 2]) {
+        self.drawn = size;
+    }
+
+    /// Changes the cutoff to that of `options`, which are otherwise those that it was made with. No submitted frame may still draw.
+    pub fn set_cutoff(&mut self, options: &RendererOptions) -> Result<()> {
+        let new = pipeline(&self.gpu, self.render_pass, self.bindings.layout, options)?;
+        let old = std::mem::replace(&mut self.pipeline, new);
+        // SAFETY: the caller promises that no submitted work uses it.
+        unsafe { self.gpu.raw.destroy_pipeline(old, None) };
         Ok(())
     }
 
     pub fn image(&self) -> &Image {
         &self.target.image
+    }
+
+    pub fn drawn(&self) -> [u32; 2] {
+        self.drawn
     }
 
     pub fn format(&self) -> ColorFormat {
@@ -117,7 +139,7 @@ impl Hulls {
     /// Clears the picture and draws what `control` says; graphics. `surfaces`: the blocks of those whose depth surface is drawn first, where
     /// fragments are tested against it at all.
     pub fn record(&self, commands: vk::CommandBuffer, frame: u32, control: vk::Buffer, surfaces: &[u32]) {
-        let [width, height] = self.target.image.size;
+        let [width, height] = self.drawn;
         let area = vk::Rect2D { offset: vk::Offset2D::default(), extent: vk::Extent2D { width, height } };
         let viewport = vk::Viewport { x: 0.0, y: 0.0, width: width as f32, height: height as f32, min_depth: 0.0, max_depth: 1.0 };
         let depth = vk::ClearDepthStencilValue { depth: 1.0, stencil: 0 };
@@ -179,7 +201,7 @@ fn render_pass(gpu: &Gpu, format: ColorFormat, depth_tested: bool) -> Result<vk:
     ];
     let left = vk::ImageLayout::SHADER_READ_ONLY_OPTIMAL;
     let color = Attachment { format: format.vulkan(), load: vk::AttachmentLoadOp::CLEAR, left: Some(left) };
-    graphics::render_pass(gpu, Some(color), depth_tested.then(|| graphics::depth(None)), &dependencies)
+    graphics::render_pass(gpu, "raster", Some(color), depth_tested.then(|| graphics::depth(None)), &dependencies)
 }
 
 fn pipeline(gpu: &Gpu, render_pass: vk::RenderPass, layout: vk::PipelineLayout, options: &RendererOptions) -> Result<vk::Pipeline> {

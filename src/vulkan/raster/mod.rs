@@ -79,6 +79,14 @@ impl Raster {
         }
     }
 
+    /// Width and height of what is drawn, in the picture's upper left corner, px: all of it unless told otherwise.
+    pub fn drawn(&self) -> [u32; 2] {
+        match self {
+            Self::Hulls(hulls) => hulls.drawn(),
+            Self::Tiles(tiles) => tiles.drawn(),
+        }
+    }
+
     pub fn format(&self) -> ColorFormat {
         match self {
             Self::Hulls(hulls) => hulls.format(),
@@ -129,6 +137,22 @@ impl Raster {
         match self {
             Self::Hulls(hulls) => hulls.resize(size),
             Self::Tiles(tiles) => tiles.resize(size),
+        }
+    }
+
+    /// Draws that much of the picture from now on. It must fit.
+    pub(super) fn draw_within(&mut self, size: [u32; 2]) {
+        match self {
+            Self::Hulls(hulls) => hulls.draw_within(size),
+            Self::Tiles(tiles) => tiles.draw_within(size),
+        }
+    }
+
+    /// Changes the cutoff to that of `options`, which are otherwise those that it was made with. No submitted frame may still draw.
+    pub(super) fn set_cutoff(&mut self, options: &RendererOptions) -> Result<()> {
+        match self {
+            Self::Hulls(hulls) => hulls.set_cutoff(options),
+            Self::Tiles(tiles) => tiles.set_cutoff(options),
         }
     }
 }

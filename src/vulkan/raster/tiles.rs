@@ -35,6 +35,8 @@ pub struct Tiles {
     buffer: Buffer,
     format: ColorFormat,
     image: Image,
+    /// The part of the image that is drawn, from its upper left corner, px.
+    drawn: [u32; 2],
 }
 
 impl Tiles {
@@ -46,24 +48,28 @@ impl Tiles {
         let bindings = Bindings::new(gpu, vk::ShaderStageFlags::COMPUTE, Some(frame), &storage)?;
         let bins = Kernel::new(gpu, &shaders::BINS, &[nodes(capacity)[0]], bindings)?;
         let color = options.color.unwrap_or(Method::Tiles.color());
-        let module = match (together(gpu), color) {
-            (false, ColorFormat::Rgba8) => &shaders::RASTER_RGBA8,
-            (false, ColorFormat::Rgba16F) => &shaders::RASTER_RGBA16F,
-            (true, ColorFormat::Rgba8) => &shaders::RASTER_TOGETHER_RGBA8,
-            (true, ColorFormat::Rgba16F) => &shaders::RASTER_TOGETHER_RGBA16F,
+        let module = match (Variant::suited(gpu), color) {
+            (Variant::Plain, ColorFormat::Rgba8) => &shaders::RASTER_RGBA8,
+            (Variant::Plain, ColorFormat::Rgba16F) => &shaders::RASTER_RGBA16F,
+            (Variant::Loops, ColorFormat::Rgba8) => &shaders::RASTER_LOOPS_RGBA8,
+            (Variant::Loops, ColorFormat::Rgba16F) => &shaders::RASTER_LOOPS_RGBA16F,
+            (Variant::Together, ColorFormat::Rgba8) => &shaders::RASTER_TOGETHER_RGBA8,
+            (Variant::Together, ColorFormat::Rgba16F) => &shaders::RASTER_TOGETHER_RGBA16F,
         };
-        let full = if options.skip.contains(Skip::FULL) { options.cutoff as f32 } else { 0.0 };
-        let constants = [(options.cutoff as f32).to_bits(), full.to_bits(), options.count.into()];
         let storage = [splats, control, (&buffer).into()];
         let bindings = Bindings::with_image(gpu, Some(frame), &storage, BoundImage::Written)?;
-        let raster = Kernel::with_subgroups(gpu, module, &constants, bindings, full_subgroups(gpu))?;
+        let raster = Kernel::with_subgroups(gpu, module, &constants(options), bindings, full_subgroups(gpu))?;
         let image = picture(gpu, color, options.size)?;
         raster.set_image(vk::Sampler::null(), image.view);
-        Ok(Self { gpu: gpu.clone(), bins, raster, buffer, format: color, image })
+        Ok(Self { gpu: gpu.clone(), bins, raster, buffer, format: color, image, drawn: options.size })
     }
 
     pub fn image(&self) -> &Image {
         &self.image
+    }
+
+    pub fn drawn(&self) -> [u32; 2] {
+        self.drawn
     }
 
     pub fn format(&self) -> ColorFormat {
@@ -95,7 +101,17 @@ impl Tiles {
     pub fn resize(&mut self, size: [u32; 2]) -> Result<()> {
         self.image = picture(&self.gpu, self.format, size)?;
         self.raster.set_image(vk::Sampler::null(), self.image.view);
+        self.drawn = size;
         Ok(())
+    }
+
+    pub fn draw_within(&mut self, size: [u32; 2]) {
+        self.drawn = size;
+    }
+
+    /// Changes the cutoff to that of `options`, which are otherwise those that it was made with. No submitted frame may still draw.
+    pub fn set_cutoff(&mut self, options: &RendererOptions) -> Result<()> {
+        self.raster.specialize(&constants(options), full_subgroups(&self.gpu))
     }
 
     /// Notes which splats meet which tile. Reads what the sort left; a transfer and compute.
@@ -114,7 +130,7 @@ impl Tiles {
         let compute = (PipelineStageFlags::COMPUTE_SHADER, AccessFlags::SHADER_WRITE);
         let readers = PipelineStageFlags::FRAGMENT_SHADER | PipelineStageFlags::TRANSFER;
         self.hand_over(commands, [(readers, AccessFlags::empty()), compute], [ImageLayout::UNDEFINED, ImageLayout::GENERAL]);
-        self.raster.dispatch_2d(commands, frame, self.image.size.map(|side| side.div_ceil(RASTER_REGION)));
+        self.raster.dispatch_2d(commands, frame, self.drawn.map(|side| side.div_ceil(RASTER_REGION)));
         let readers = (readers, AccessFlags::SHADER_READ | AccessFlags::TRANSFER_READ);
         self.hand_over(commands, [compute, readers], [ImageLayout::GENERAL, ImageLayout::SHADER_READ_ONLY_OPTIMAL]);
     }
@@ -134,16 +150,39 @@ impl Tiles {
     }
 }
 
-/// Whether each subgroup lies in one tile and can hand splats round: 8 invocations, of 4 by 4 pixels each, in tiles of at least 16.
-/// Processors alone: Mali's compiler spills 700 registers there; and not 16 invocations, half of which lavapipe's compiler loses (NOTES.md).
-fn together(gpu: &Gpu) -> bool {
-    gpu.probe.kind == vk::PhysicalDeviceType::CPU && gpu.probe.subgroup_shuffle && gpu.probe.subgroup_size == 8
+/// Of the raster kernel: the cutoff, what is left where a pixel counts as full, and whether to count.
+fn constants(options: &RendererOptions) -> [u32; 3] {
+    let full = if options.skip.contains(Skip::FULL) { options.cutoff as f32 } else { 0.0 };
+    [(options.cutoff as f32).to_bits(), full.to_bits(), options.count.into()]
+}
+
+/// What the kernel is compiled as.
+#[derive(PartialEq)]
+enum Variant {
+    Plain,
+    /// Its loops left as they are: SwiftShader takes seven seconds to compile them unrolled. Elsewhere, lavapipe loses squares with them.
+    Loops,
+    /// Each subgroup lies in one tile and hands splats round: 8 invocations, of 4 by 4 pixels each, in tiles of at least 16. Processors
+    /// alone: Mali's compiler spills 700 registers there; and not 16 invocations, half of which lavapipe's compiler loses (NOTES.md).
+    Together,
+}
+
+impl Variant {
+    fn suited(gpu: &Gpu) -> Self {
+        if gpu.probe.driver.starts_with("SwiftShader") {
+            Self::Loops
+        } else if gpu.probe.kind == vk::PhysicalDeviceType::CPU && gpu.probe.subgroup_shuffle && gpu.probe.subgroup_size == 8 {
+            Self::Together
+        } else {
+            Self::Plain
+        }
+    }
 }
 
 /// Full subgroups of the size that the device reports, where it can be asked for that.
 fn full_subgroups(gpu: &Gpu) -> Option<u32> {
     let [low, high] = gpu.probe.subgroup_sizes?;
-    (together(gpu) && (low..=high).contains(&gpu.probe.subgroup_size)).then_some(gpu.probe.subgroup_size)
+    (Variant::suited(gpu) == Variant::Together && (low..=high).contains(&gpu.probe.subgroup_size)).then_some(gpu.probe.subgroup_size)
 }
 
 fn picture(gpu: &Arc<Gpu>, format: ColorFormat, size: [u32; 2]) -> Result<Image> {

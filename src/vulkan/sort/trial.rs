@@ -47,7 +47,8 @@ impl Trial {
         let queries = match gpu.probe.timestamp_bits {
             0 => None,
             // SAFETY: `info` outlives the call.
-            _ => Some(unsafe { gpu.raw.create_query_pool(&info, None) }.during("vkCreateQueryPool")?),
+            _ => Some(unsafe { gpu.raw.create_query_pool(&info, None) }.during("vkCreateQueryPool")?)
+                .inspect(|&pool| gpu.name(pool, "sort trial")),
         };
         Ok(Self { gpu: gpu.clone(), keys, control, sort, bits: options.bits, queries })
     }

@@ -113,7 +113,7 @@ impl Slot {
         let ms = |pair: &[u64]| pair[1].saturating_sub(pair[0]) as f64 * self.period;
         let timed = if self.queries.is_some() { self.marked.len() } else { 0 };
         let stages = self.marked.iter().copied().zip(ticks.chunks_exact(2).map(ms)).take(timed).collect();
-        FrameReport { stages, counters, skipped: self.skipped.clone() }
+        FrameReport { stages, counters, skipped: self.skipped.clone(), ..FrameReport::default() }
     }
 
     /// Starts a frame. The slot must be free. `counted`: whether its kernels count what costs time to count.

@@ -1,0 +1,130 @@
+//! What only the Java side knows and can: asked over JNI. Every question has an answer for a system that gives none.
+
+use jni::{
+    Env, JavaVM,
+    errors::Result,
+    jni_sig, jni_str,
+    objects::{JObject, JObjectArray, JString, JValue},
+    refs::Global,
+};
+use std::{
+    fs::File,
+    os::fd::{FromRawFd, OwnedFd},
+};
+use winit::platform::android::activity::AndroidApp;
+
+/// SYSTEM_UI_FLAG_: IMMERSIVE_STICKY, FULLSCREEN, HIDE_NAVIGATION, and LAYOUT_STABLE, _FULLSCREEN and _HIDE_NAVIGATION.
+const IMMERSIVE: i32 = 0x1000 | 0x4 | 0x2 | 0x100 | 0x400 | 0x200;
+
+/// Calls into Java on this thread, with the activity. What fails there is said in the log.
+fn with<T>(app: &AndroidApp, what: &str, call: impl FnOnce(&mut Env, &JObject) -> Result<T>) -> Option<T> {
+    let activity = app.activity_as_ptr().cast();
+    // SAFETY: the glue hands out the process's own virtual machine.
+    let machine = unsafe { JavaVM::from_raw(app.vm_as_ptr().cast()) };
+    let done = machine.attach_current_thread(|env| {
+        // SAFETY: the glue keeps this global reference for as long as there is an `AndroidApp`.
+        let activity = unsafe { env.as_cast_raw::<Global<JObject>>(&activity)? };
+        call(env, &activity)
+    });
+    done.map_err(|error: jni::errors::Error| tracing::warn!("{what} failed: {error}")).ok()
+}
+
+/// The same on the thread that owns the activity's views, some time later.
+fn on_main(app: &AndroidApp, what: &'static str, call: impl FnOnce(&mut Env, &JObject) -> Result<()> + Send + 'static) {
+    let later = app.clone();
+    app.run_on_java_main_thread(Box::new(move || {
+        with(&later, what, call);
+    }));
+}
+
+/// The system is destroying the activity and waits for us to end: winit does not pass that on.
+pub fn is_destroyed(app: &AndroidApp) -> bool {
+    with(app, "asking for the activity's end", |env, activity| {
+        env.call_method(activity, jni_str!("isDestroyed"), jni_sig!("()Z"), &[])?.z()
+    })
+    .unwrap_or(false)
+}
+
+/// Does what the system's back button does with an app that has nothing of its own for it.
+pub fn back(app: &AndroidApp) {
+    on_main(app, "going back", |env, activity| env.call_method(activity, jni_str!("onBackPressed"), jni_sig!("()V"), &[])?.v());
+}
+
+/// Fills the screen: the system's bars come back for a moment when they are swiped in.
+pub fn hide_bars(app: &AndroidApp) {
+    on_main(app, "hiding the system's bars", |env, activity| {
+        let window = env.call_method(activity, jni_str!("getWindow"), jni_sig!("()Landroid/view/Window;"), &[])?.l()?;
+        let view = env.call_method(&window, jni_str!("getDecorView"), jni_sig!("()Landroid/view/View;"), &[])?.l()?;
+        env.call_method(&view, jni_str!("setSystemUiVisibility"), jni_sig!("(I)V"), &[JValue::Int(IMMERSIVE)])?.v()
+    });
+}
+
+/// The highest refresh rate of the activity's display, Hz.
+pub fn highest_rate(app: &AndroidApp) -> Option<f32> {
+    let rate = with(app, "asking for the display's rates", |env, activity| {
+        let manager = env.call_method(activity, jni_str!("getWindowManager"), jni_sig!("()Landroid/view/WindowManager;"), &[])?.l()?;
+        let display = env.call_method(&manager, jni_str!("getDefaultDisplay"), jni_sig!("()Landroid/view/Display;"), &[])?.l()?;
+        let modes = env.call_method(&display, jni_str!("getSupportedModes"), jni_sig!("()[Landroid/view/Display$Mode;"), &[])?.l()?;
+        let modes = env.cast_local::<JObjectArray>(modes)?;
+        let mut highest = 0.0_f32;
+        for number in 0..modes.len(env)? {
+            let mode = modes.get_element(env, number)?;
+            highest = highest.max(env.call_method(&mode, jni_str!("getRefreshRate"), jni_sig!("()F"), &[])?.f()?);
+        }
+        Ok(highest)
+    });
+    rate.filter(|&rate| rate > 0.0)
+}
+
+/// Minutes of the soak that the activity was started for: `adb shell am start -n … --ef soak 20`.
+pub fn soak_minutes(app: &AndroidApp) -> Option<f64> {
+    with(app, "reading the intent", |env, activity| {
+        let intent = env.call_method(activity, jni_str!("getIntent"), jni_sig!("()Landroid/content/Intent;"), &[])?.l()?;
+        let name = env.new_string("soak")?;
+        if !env.call_method(&intent, jni_str!("hasExtra"), jni_sig!("(Ljava/lang/String;)Z"), &[JValue::Object(&name)])?.z()? {
+            return Ok(None);
+        }
+        let arguments = [JValue::Object(&name), JValue::Float(20.0)];
+        let minutes = env.call_method(&intent, jni_str!("getFloatExtra"), jni_sig!("(Ljava/lang/String;F)F"), &arguments)?.f()?;
+        Ok(Some(f64::from(minutes)))
+    })
+    .flatten()
+    .filter(|minutes| minutes.is_finite() && *minutes > 0.0)
+}
+
+/// The file that another app wants us to show: the intent that started the activity names it.
+pub fn opened_file(app: &AndroidApp) -> Option<File> {
+    with(app, "opening the file of the intent", |env, activity| {
+        let intent = env.call_method(activity, jni_str!("getIntent"), jni_sig!("()Landroid/content/Intent;"), &[])?.l()?;
+        let action = env.call_method(&intent, jni_str!("getAction"), jni_sig!("()Ljava/lang/String;"), &[])?.l()?;
+        if action.is_null() || env.cast_local::<JString>(action)?.try_to_string(env)? != "android.intent.action.VIEW" {
+            return Ok(None);
+        }
+        let uri = env.call_method(&intent, jni_str!("getData"), jni_sig!("()Landroid/net/Uri;"), &[])?.l()?;
+        let resolver = jni_sig!("()Landroid/content/ContentResolver;");
+        let resolver = env.call_method(activity, jni_str!("getContentResolver"), resolver, &[])?.l()?;
+        let mode = env.new_string("r")?;
+        let open = jni_sig!("(Landroid/net/Uri;Ljava/lang/String;)Landroid/os/ParcelFileDescriptor;");
+        let arguments = [JValue::Object(&uri), JValue::Object(&mode)];
+        let file = env.call_method(&resolver, jni_str!("openFileDescriptor"), open, &arguments)?.l()?;
+        let number = env.call_method(&file, jni_str!("detachFd"), jni_sig!("()I"), &[])?.i()?;
+        // SAFETY: detached from its Java object, the descriptor is ours alone.
+        Ok(Some(File::from(unsafe { OwnedFd::from_raw_fd(number) })))
+    })
+    .flatten()
+}
+
+/// Offers a text to the apps that take one.
+pub fn share(app: &AndroidApp, text: String) {
+    on_main(app, "sharing", move |env, activity| {
+        let action = env.new_string("android.intent.action.SEND")?;
+        let intent = env.new_object(jni_str!("android/content/Intent"), jni_sig!("(Ljava/lang/String;)V"), &[JValue::Object(&action)])?;
+        let kind = env.new_string("text/plain")?;
+        let set = jni_sig!("(Ljava/lang/String;)Landroid/content/Intent;");
+        env.call_method(&intent, jni_str!("setType"), set, &[JValue::Object(&kind)])?;
+        let (name, text) = (env.new_string("android.intent.extra.TEXT")?, env.new_string(&text)?);
+        let put = jni_sig!("(Ljava/lang/String;Ljava/lang/String;)Landroid/content/Intent;");
+        env.call_method(&intent, jni_str!("putExtra"), put, &[JValue::Object(&name), JValue::Object(&text)])?;
+        env.call_method(activity, jni_str!("startActivity"), jni_sig!("(Landroid/content/Intent;)V"), &[JValue::Object(&intent)])?.v()
+    });
+}

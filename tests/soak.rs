@@ -1,0 +1,156 @@
+//! The soak on a device: what it writes, what it says when it fails, and that nothing grows.
+
+mod common;
+
+use common::{Sizes, gpu};
+use effigy::{
+    frame::{ALPHA_MIN, Posed},
+    measure::soak::{Report, compare, memory::resident},
+    vulkan::{Renderer, RendererOptions},
+};
+use std::{
+    fs,
+    io::{BufRead, BufReader, Read},
+    path::Path,
+    process::{Command, Output, Stdio},
+    time::Duration,
+};
+
+const SMALL: &str = "--size 64x80 --late 100 --growth 1000";
+
+/// A soak of a small avatar in a folder.
+fn soak(folder: &Path, arguments: &str) -> Command {
+    common::small_files(folder);
+    effigy(folder, &format!("soak small.avatar --motion small.motion {arguments}"))
+}
+
+fn effigy(folder: &Path, arguments: &str) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_effigy"));
+    command.args(arguments.split_whitespace()).current_dir(folder);
+    command
+}
+
+fn text(output: &Output) -> String {
+    format!("{}{}", String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr))
+}
+
+fn report(folder: &Path, name: &str) -> Report {
+    compare::read(&fs::read_to_string(folder.join(name)).unwrap()).unwrap()
+}
+
+#[test]
+fn a_short_soak_writes_all_its_files_and_they_compare() {
+    if gpu::gpu().is_none() {
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let ended = soak(folder.path(), &format!("--minutes 0.1 --fps 5 {SMALL} --out a")).output().unwrap();
+    let said = text(&ended);
+    assert!(ended.status.success() && !said.contains("validation:"), "{said}");
+    let report = report(folder.path(), "a.json");
+    assert!(report.each.len() >= 4 && report.frames > 4 && report.faults.is_empty(), "{said}");
+    assert!(report.lasted_seconds >= 5.9 && report.pictures > 0 && report.broken_pixels == 0 && report.empty_pictures == 0, "{said}");
+    assert!(report.each.iter().all(|second| second.device_bytes == report.each[0].device_bytes && second.frames > 0), "{:?}", report.each);
+    let drift = report.drift.expect("the run was not interrupted");
+    assert!(drift.same && drift.before == drift.after && drift.after.psnr_db.is_none_or(|db| db > 40.0), "{drift:?}");
+    let csv = fs::read_to_string(folder.path().join("a.csv")).unwrap();
+    assert_eq!(csv.lines().count(), 1 + report.each.len());
+    assert!(fs::read_to_string(folder.path().join("a.svg")).unwrap().contains("frames a second"));
+    assert!(image::open(folder.path().join("a.png")).is_ok());
+    let compared = effigy(folder.path(), "soak --compare a.json a.json").output().unwrap();
+    assert!(compared.status.success() && text(&compared).contains("dropped_share"), "{}", text(&compared));
+    // What it recorded can be played back to the governor; this machine may have recorded nothing.
+    let replayed = soak(folder.path(), &format!("--minutes 0.02 --fps 5 --no-check {SMALL} --replay-heat a.csv --out b")).output().unwrap();
+    let hot = report.each.iter().any(|second| second.headroom.is_some());
+    assert_eq!(replayed.status.success(), hot, "{}", text(&replayed));
+    assert!(hot || text(&replayed).contains("a.csv can't be replayed: it has no reading of headroom"), "{}", text(&replayed));
+}
+
+/// A rate that no one can hold: the governor goes to its last step, and the program says so and fails.
+#[test]
+fn a_rate_out_of_reach_is_told() {
+    if gpu::gpu().is_none() {
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    for (switch, expected) in [("on", "the governor is at its last step: promise less"), ("off", "the governor is off: turn it on")] {
+        let arguments = format!("--minutes 0.15 --fps 1000 --size 256x320 --growth 1000 --no-check --governor {switch} --out {switch}");
+        let ended = soak(folder.path(), &arguments).output().unwrap();
+        assert!(!ended.status.success() && text(&ended).contains(expected), "{}", text(&ended));
+        let report = report(folder.path(), &format!("{switch}.json"));
+        assert_eq!((report.lowest_rung == report.ladder.len() - 1, report.faults.len()), (switch == "on", 1), "{:?}", report.faults);
+    }
+}
+
+/// Simulated heat throttles this device as it would a phone, and the governor answers.
+#[test]
+fn simulated_heat_slows_frames_and_the_governor_gives_way() {
+    if gpu::gpu().is_none() {
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let rate = 2;
+    let arguments = format!("--minutes 0.1 --fps {rate} {SMALL} --no-check --simulate-heat --out hot");
+    let ended = soak(folder.path(), &arguments).output().unwrap();
+    assert!(ended.status.success(), "{}", text(&ended));
+    let report = report(folder.path(), "hot.json");
+    let headroom: Vec<f64> = report.each.iter().filter_map(|second| second.headroom).collect();
+    let clocks: Vec<f64> = report.each.iter().filter_map(|second| second.clock).collect();
+    assert!(
+        report.simulated_heat && headroom.len() == report.each.len() && clocks.iter().all(|clock| (0.3..=1.0).contains(clock)),
+        "{headroom:?}"
+    );
+    assert!(headroom.iter().all(|headroom| (-0.5..1.5).contains(headroom)), "{headroom:?}");
+}
+
+/// Ctrl-C ends a soak, which still writes what it has.
+#[test]
+#[cfg(unix)]
+fn an_interrupted_soak_keeps_its_results() {
+    if gpu::gpu().is_none() {
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let mut child =
+        soak(folder.path(), &format!("--minutes 100 --fps 5 {SMALL}")).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+    let mut said = BufReader::new(child.stdout.take().unwrap());
+    let mut first = String::new();
+    said.read_line(&mut first).unwrap();
+    assert!(first.starts_with("soaking "), "{first}");
+    std::thread::sleep(Duration::from_secs(5));
+    assert!(Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap().success());
+    let mut rest = String::new();
+    said.read_to_string(&mut rest).unwrap();
+    let output = child.wait_with_output().unwrap();
+    let said = format!("{rest}{}", text(&output));
+    assert!(output.status.success() && said.contains("interrupted after"), "{said}");
+    let report = report(folder.path(), "effigy-soak.json");
+    assert!(report.frames > 0 && report.drift.is_none() && report.lasted_seconds < 100.0);
+}
+
+/// Hundreds of frames of new poses at changing sizes and cutoffs hold the memory that the first ones took.
+#[test]
+fn memory_does_not_grow_with_frames_and_steps() {
+    let Some(device) = gpu::gpu() else { return };
+    let avatar = common::avatar(11, Sizes { gaussians: 1000, ..Sizes::default() });
+    let size = [96, 120];
+    let mut renderer = Renderer::new(&device, &avatar, RendererOptions::new(size)).unwrap();
+    let poses: Vec<_> = (0..20).map(|seed| Posed::new(&avatar, &common::pose(seed, &avatar))).collect();
+    let camera = gpu::camera(&avatar, &poses[0], size);
+    let mut draw = |frames: usize| {
+        for frame in 0..frames {
+            let part = if frame / 50 % 2 == 0 { size } else { [48, 60] };
+            renderer.adjust(part, if frame / 100 % 2 == 0 { ALPHA_MIN } else { 2.0 * ALPHA_MIN }).unwrap();
+            renderer.draw(&poses[frame % poses.len()], &camera.stretched(part), None).unwrap();
+        }
+        renderer.finish().unwrap();
+        (device.memory(), resident())
+    };
+    draw(400);
+    let (held, before) = draw(400);
+    let (now, after) = draw(800);
+    assert_eq!(now, held, "the device's memory: in use, and in blocks");
+    let gained = before.zip(after).map_or(0, |(before, after)| after as i64 - before as i64);
+    assert!(gained < 8 << 20, "the process gained {gained} bytes in 800 frames");
+    gpu::assert_valid();
+}

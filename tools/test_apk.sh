@@ -1,0 +1,57 @@
+#!/usr/bin/env bash
+# Makes both packages, checks them, and plays Android to the app's own library: on this machine, without a phone.
+# usage: tools/test_apk.sh [SEEDS]     random orders of events to play [default: 8]
+# The player is ../shared/android-host, with tools/android-host/more.patch on it; where it is not, only the packages are checked.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+. tools/needs.sh
+seeds=${1:-8}
+most_apk=12000000 most_library=6000000
+tools/apk.sh --release target/apk/effigy.apk
+tools/apk.sh --targets x86_64-linux-android target/apk/effigy-x86_64.apk
+[ "$(stat -c %s target/apk/effigy.apk)" -le $most_apk ] || { echo "the package is larger than $most_apk bytes" >&2; exit 1; }
+library=target/apk/release/lib/arm64-v8a/libmain.so
+[ "$(stat -c %s $library)" -le $most_library ] || { echo "$library is larger than $most_library bytes" >&2; exit 1; }
+
+host=../shared/android-host
+if [ ! -d $host ]; then
+  echo "no $host: the packages are checked, the app was not run"
+  exit 0
+fi
+need 'command -v patch' patch
+need 'command -v gcc && [ -s /usr/include/vulkan/vulkan.h ]' gcc libvulkan-dev libvulkan1
+tools/drivers.sh
+work=target/apk/host
+rm -rf $work; mkdir -p $work/scripts
+cp -r $host $work/player; chmod -R u+w $work/player
+patch -s -d $work/player -p1 < tools/android-host/more.patch
+for seed in $(seq 1 "$seeds"); do python3 tools/android-host/orders.py "$seed" 60 > "$work/scripts/orders-$seed.txt"; done
+
+failed=0
+play() { # SCRIPT [VARIABLE=VALUE...]: plays a script in a folder of its own
+  local name; name=$(basename "$1" .txt)
+  if env "${@:2}" bash $work/player/run.sh target/apk/debug/lib/x86_64/libmain.so target/drivers/mesa25.json target/apk/debug/assets "$work/$name" "$1" \
+    > "$work/$name.log" 2>&1 && ! grep -qE "panicked|validation:|${refusal:-E/effigy}" "$work/$name.log" && grep -q 'the activity is over' "$work/$name.log"; then
+    echo "  $name"
+  else
+    echo "FAILED $name: $work/$name.log"; tail -n 25 "$work/$name.log"; failed=1
+  fi
+}
+export EFFIGY_VALIDATION=1 VK_LAYER_PATH=$PWD/target/drivers/layers VK_LAYER_SYNCVAL_SHADER_ACCESSES_HEURISTIC=1
+for script in early destroy lifecycle picture touch; do play tools/android-host/scripts/$script.txt; done
+for seed in $(seq 1 "$seeds"); do play "$work/scripts/orders-$seed.txt"; done
+unset EFFIGY_VALIDATION
+refusal="F/effigy" play tools/android-host/scripts/refuse.txt HOST_VULKAN_10=1
+grep -q "Vulkan 1.1 is needed" $work/refuse.log || { echo "FAILED refuse: it does not say what the device lacks"; failed=1; }
+[ $failed = 0 ] || exit 1
+VK_DRIVER_FILES=$PWD/target/drivers/mesa25.json VK_ICD_FILENAMES=$PWD/target/drivers/mesa25.json \
+  tools/start.sh render --size 540x960 --out $work/rendered.png
+python3 tools/android-host/compare.py $work $work/rendered.png
+# Once for the caches, once for the time from the activity's creation to its first frame.
+mkdir -p $work/start/data
+for run in first second; do
+  bash $work/player/run.sh target/apk/debug/lib/x86_64/libmain.so target/drivers/mesa25.json target/apk/debug/assets $work/start \
+    tools/android-host/scripts/start.txt > $work/start.log 2>&1 || { tail -n 25 $work/start.log; exit 1; }
+  awk -v run=$run '/H\/host: onCreate$/ { from = $1 } /the first frame/ { printf "  the %s start takes %.2f s to the first frame\n", run, $1 - from }' \
+    $work/start.log
+done
