@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Makes the page: the library for browsers, its JavaScript, the demo, and what shows them. Any static host serves the result.
 # usage: tools/web.sh [--serve] [OUT_DIR]      [default: target/web]      --serve: at http://localhost:8000 (PORT) afterwards
-# Without rustup's target wasm32-unknown-unknown, set EFFIGY_CROSS to the env.sh of a toolchain that has it.
+# It takes rustup's target wasm32-unknown-unknown, or adds it; where rustup can't, it makes it (tools/cross/targets.sh).
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . tools/needs.sh
@@ -25,9 +25,11 @@ build=target/web-build
 mkdir -p "$out"
 (
   if [ ! -d "$(rustc --print sysroot)/lib/rustlib/$target" ]; then
-    if [ -n "${EFFIGY_CROSS:-}" ]; then . "$EFFIGY_CROSS"
-    else rustup target add $target || { echo "no $target here: see the top of tools/web.sh" >&2; exit 1; }
-    fi
+    rustup target add $target 2>/dev/null || {
+      echo "rustup has no $target here: making it"
+      tools/cross/targets.sh target/cross-web $target
+      . target/cross-web/env.sh
+    }
   fi
   CARGO_TARGET_DIR=$build cargo rustc --profile web --lib --no-default-features --target $target --crate-type cdylib
 )

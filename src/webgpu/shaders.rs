@@ -49,8 +49,6 @@ modules! {
     BINS = "bins", "bins.comp";
     RASTER_RGBA8 = "raster_rgba8", "raster_rgba8.comp";
     RASTER_RGBA16F = "raster_rgba16f", "raster_rgba16f.comp";
-    RASTER_LOOPS_RGBA8 = "raster_loops_rgba8", "raster_loops_rgba8.comp";
-    RASTER_LOOPS_RGBA16F = "raster_loops_rgba16f", "raster_loops_rgba16f.comp";
     PRESENT_VERTEX = "present_vertex", "present.vert";
     PRESENT_FRAGMENT = "present_fragment", "present.frag";
 }

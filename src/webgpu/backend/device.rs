@@ -79,13 +79,7 @@ impl Gpu {
 
     /// Whether a processor plays the device.
     pub fn is_cpu(&self) -> bool {
-        self.info.device_type == DeviceType::Cpu || self.is_swiftshader()
-    }
-
-    /// Whether SwiftShader does, which in browsers is what says no more than that it is a processor.
-    pub fn is_swiftshader(&self) -> bool {
-        let nameless = self.info.name.is_empty() && self.info.device_type == DeviceType::Cpu;
-        nameless || self.info.name.to_ascii_lowercase().contains("swiftshader")
+        self.info.device_type == DeviceType::Cpu || self.info.name.to_ascii_lowercase().contains("swiftshader")
     }
 
     /// Its name, as far as it gives one.

@@ -223,12 +223,9 @@ fn tiles(gpu: &Gpu, blocks: &Blocks, inputs: Inputs, picture: (ColorFormat, &wgp
         blocks.settings(),
     ];
     let bins = Kernel::new(gpu, &shaders::BINS, &bound);
-    // As of `vulkan::raster`: SwiftShader takes seconds to compile loops that are unrolled, lavapipe loses squares with those that are not.
-    let module = match (gpu.is_swiftshader(), picture.0) {
-        (false, ColorFormat::Rgba8) => &shaders::RASTER_RGBA8,
-        (false, ColorFormat::Rgba16F) => &shaders::RASTER_RGBA16F,
-        (true, ColorFormat::Rgba8) => &shaders::RASTER_LOOPS_RGBA8,
-        (true, ColorFormat::Rgba16F) => &shaders::RASTER_LOOPS_RGBA16F,
+    let module = match picture.0 {
+        ColorFormat::Rgba8 => &shaders::RASTER_RGBA8,
+        ColorFormat::Rgba16F => &shaders::RASTER_RGBA16F,
     };
     let raster = Box::new(Kernel::new(gpu, module, &tile_bindings(blocks, inputs, &buffer, picture)));
     Ok(Way::Tiles { bins, raster, buffer })
