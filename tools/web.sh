@@ -23,14 +23,14 @@ bind() { # IN OUT: the JavaScript around the library
 
 build=target/web-build
 mkdir -p "$out"
+if [ ! -d "$(rustc --print sysroot)/lib/rustlib/$target" ] && ! rustup target add $target 2>/dev/null; then
+  echo "rustup has no $target here: making it"
+  tools/cross/targets.sh target/cross-web $target
+  # What was built with another standard library, of a target made anew for instance, does not fit.
+  build=target/cross-web/build
+fi
 (
-  if [ ! -d "$(rustc --print sysroot)/lib/rustlib/$target" ]; then
-    rustup target add $target 2>/dev/null || {
-      echo "rustup has no $target here: making it"
-      tools/cross/targets.sh target/cross-web $target
-      . target/cross-web/env.sh
-    }
-  fi
+  [ $build = target/web-build ] || . target/cross-web/env.sh
   CARGO_TARGET_DIR=$build cargo rustc --profile web --lib --no-default-features --target $target --crate-type cdylib
 )
 bind "$build/$target/web/effigy.wasm" "$out"
