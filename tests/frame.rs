@@ -44,4 +44,5 @@ fn the_least_device_that_can_serve_draws_the_same_within_the_budget() {
     let Some(device) = gpu::open(GpuOptions { least: true, ..GpuOptions::headless(None) }) else { return };
     assert_eq!((device.half_storage, device.probe.timestamp_bits, device.probe.subgroup_sizes), (false, 0, None));
     compare_on(&device, (ColorFormat::Rgba8, KeyBits::TwentyFour), 48.0, 0.995);
+    compare_on(&device, (ColorFormat::Rgba16F, KeyBits::Sixteen), 54.0, 0.999);
 }
