@@ -4,9 +4,10 @@ mod output;
 mod print;
 
 use super::{
-    options::{self, Quality, Through},
+    options::{self, Quality},
     render::progress,
     source::{self, Source},
+    through::Through,
 };
 use crate::{
     avatar::{import::cameras, motion::Player},

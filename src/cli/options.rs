@@ -2,7 +2,7 @@
 
 use crate::{
     frame::{Camera, Skip},
-    measure::{bench::Backend, trace::Trace},
+    measure::trace::Trace,
     vulkan::{
         Gpu, GpuOptions, RendererOptions,
         preset::Preset,
@@ -112,31 +112,6 @@ fn cutoff(text: &str) -> Result<f64, String> {
 fn length(text: &str) -> Result<f64, String> {
     let value = text.parse().ok().filter(|value: &f64| value.is_finite() && *value >= 0.0);
     value.ok_or_else(|| format!("`{text}` is no length: write a number of 0 or more"))
-}
-
-/// [`Backend`] as the command line has it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum Through {
-    /// The renderer written for it
-    Vulkan,
-    /// What browsers use; in programs built with `--features webgpu`
-    Webgpu,
-}
-
-impl TryFrom<Through> for Backend {
-    type Error = anyhow::Error;
-
-    fn try_from(through: Through) -> anyhow::Result<Self> {
-        match through {
-            Through::Vulkan => Ok(Self::Vulkan),
-            #[cfg(feature = "webgpu")]
-            Through::Webgpu => Ok(Self::WebGpu),
-            #[cfg(not(feature = "webgpu"))]
-            Through::Webgpu => {
-                anyhow::bail!("this program was built without WebGPU: build it with `cargo build --release --features webgpu`")
-            }
-        }
-    }
 }
 
 /// [`ColorFormat`] as the command line has it.

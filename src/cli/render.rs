@@ -1,8 +1,9 @@
 //! `effigy render`: pictures to PNG files, by the GPU or by the reference.
 
 use super::{
-    options::{self, Quality, Through, View},
+    options::{self, Quality, View},
     source::{self, Source},
+    through::Through,
 };
 #[cfg(feature = "webgpu")]
 use crate::webgpu;
