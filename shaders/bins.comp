@@ -12,7 +12,12 @@ layout(std430, set = 0, binding = 2) readonly buffer Splats { uvec4 splats[]; };
 layout(std430, set = 0, binding = 3) buffer ControlBuffer { Control control; };
 layout(std430, set = 0, binding = 4) buffer Bins { uint bins[]; };
 // Nodes for the tiles. After them come those for the chains of the whole picture, as many as every block can need.
+#ifdef WEB
+#include "settings.glsl"
+#define NODES settings.nodes
+#else
 layout(constant_id = 0) const uint NODES = 1u;
+#endif
 
 bool full(uint chain) {
     return chain == 0u || (chain & BINS_HELD) == BINS_HELD;

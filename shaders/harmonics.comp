@@ -12,7 +12,9 @@ layout(std430, set = 0, binding = 1) buffer Gaussians { uvec2 gaussians[]; };
 // neutral colour as that of the first. Two buffers, so that the largest avatar's fit the range that every device has.
 layout(std430, set = 0, binding = 2) readonly buffer Low { HALF_QUAD low[]; };
 layout(std430, set = 0, binding = 3) readonly buffer High { HALF_QUAD high[]; };
+#ifndef DEGREE
 layout(constant_id = 0) const uint DEGREE = 3u;
+#endif
 
 vec3 weigh(vec4 a, vec4 b, vec4 c, vec4 function) {
     return function.x * a.xyz + function.y * vec3(a.w, b.xy) + function.z * vec3(b.zw, c.x) + function.w * c.yzw;

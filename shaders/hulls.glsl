@@ -6,4 +6,9 @@ precision highp float;
 precision highp int;
 
 // Exponent of the opacity under which nothing is drawn.
+#ifdef WEB
+#include "settings.glsl"
+#define LEAST settings.least
+#else
 layout(constant_id = 0) const float LEAST = -7.994353;
+#endif

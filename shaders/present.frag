@@ -1,6 +1,14 @@
 // The picture over the background, pixel by pixel, or stretched where the screen has more of them. All colours are display-referred, and so
 // is the screen's format.
 #version 450
+#ifdef WEB
+#extension GL_EXT_samplerless_texture_functions : require
+// Of the canvas's size, and the right way up.
+layout(set = 0, binding = 0) uniform texture2D image;
+layout(set = 0, binding = 1) uniform Screen {
+    vec4 background;
+};
+#else
 layout(set = 0, binding = 0) uniform sampler2D image;
 layout(push_constant) uniform Screen {
     vec4 background;
@@ -11,17 +19,24 @@ layout(push_constant) uniform Screen {
     vec2 picture;
     vec2 screen;
 };
+#endif
 layout(location = 0) out vec4 result;
 
-void main() {
+vec4 color_here() {
+#ifdef WEB
+    return texelFetch(image, ivec2(gl_FragCoord.xy), 0);
+#else
     vec2 seen = mat2(turn.xy, turn.zw) * gl_FragCoord.xy + origin;
-    vec4 color;
     if (picture == screen) {
-        color = texelFetch(image, ivec2(seen), 0);
-    } else {
-        // Half a pixel from the picture's edge on, what is outside it would be mixed in.
-        vec2 at = clamp(seen * picture / screen, vec2(0.5), picture - 0.5);
-        color = textureLod(image, at / vec2(textureSize(image, 0)), 0.0);
+        return texelFetch(image, ivec2(seen), 0);
     }
+    // Half a pixel from the picture's edge on, what is outside it would be mixed in.
+    vec2 at = clamp(seen * picture / screen, vec2(0.5), picture - 0.5);
+    return textureLod(image, at / vec2(textureSize(image, 0)), 0.0);
+#endif
+}
+
+void main() {
+    vec4 color = color_here();
     result = vec4(color.rgb + (1.0 - color.a) * background.rgb, 1.0);
 }

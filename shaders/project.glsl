@@ -1,7 +1,13 @@
 // Step 8 (model.md), once a Gaussian is in the camera's space: culling, projection, the splat and its key. For kernels that have `posed`,
 // the pose buffer, and `words`, the splats' buffer: four words a Gaussian, then from frame.key_start on the keys, two a word where
 // frame.half_keys says so, then from frame.count_start on the sort's first counts.
+#ifdef WEB
+// What is added to by atomics is read by them alone, which the splats are not to pay for.
+layout(std430, set = 0, binding = 6) buffer Counts { uint counts[]; };
+#define SORT_FIRST_COUNTS counts
+#else
 #define SORT_FIRST_COUNTS words
+#endif
 #define SORT_FIRST_AT frame.count_start
 #define SORT_FIRST_TILE frame.count_tile
 #include "sort_fused.glsl"

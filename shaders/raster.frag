@@ -3,7 +3,9 @@
 #extension GL_GOOGLE_include_directive : require
 #include "hulls.glsl"
 
+#ifndef WEB
 layout(early_fragment_tests) in;
+#endif
 layout(location = 0) in mediump vec2 offset;
 layout(location = 1) flat in uvec2 color;
 layout(location = 0) out vec4 result;

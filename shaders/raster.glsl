@@ -15,11 +15,18 @@ layout(local_size_x = RASTER_SIZE) in;
 layout(std430, set = 0, binding = 1) readonly buffer Splats { uvec4 splats[]; };  // then the keys
 layout(std430, set = 0, binding = 2) buffer ControlBuffer { Control control; };
 layout(std430, set = 0, binding = 3) readonly buffer Bins { uint bins[]; };
+#ifdef WEB
+#include "settings.glsl"
+#define CUTOFF settings.cutoff
+#define FULL settings.full
+#define COUNT settings.count
+#else
 // Opacity under which nothing is drawn.
 layout(constant_id = 0) const float CUTOFF = 1.0 / 255.0;
 // A pixel is full when what lies behind would show by less than this.
 layout(constant_id = 1) const float FULL = 1.0 / 512.0;
 layout(constant_id = 2) const uint COUNT = 0u;
+#endif
 
 const uint SIDE = RASTER_SQUARE;
 // Premultiplied colour, and how much of what lies behind shows.

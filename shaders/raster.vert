@@ -8,9 +8,15 @@
 #include "hulls.glsl"
 
 // Hulls reach as far as for at least this exponent, which is no less than LEAST.
+#ifdef WEB
+#define HULL settings.hull
+#else
 layout(constant_id = 1) const float HULL = -7.994353;
+#endif
 // Whether fragments are tested against a depth surface.
+#ifndef DEPTH
 layout(constant_id = 2) const bool DEPTH = false;
+#endif
 
 layout(std430, set = 0, binding = 1) readonly buffer Order { uint order[]; };
 layout(std430, set = 0, binding = 2) readonly buffer Splats { uvec4 splats[]; };  // then the keys

@@ -9,6 +9,15 @@
 #include "sort_control.glsl"
 
 const uint KEYS = 0u, PAIRS = 1u, PACKED = 2u, VALUES = 3u, HALVES = 4u;
+#ifdef WEB
+// PASS, READS, WRITES and TILE are macros there. A buffer that is written to can't tell how many keys enter: barriers wait for that.
+#include "settings.glsl"
+#define TILES settings.tiles
+#define CAPACITY settings.capacity
+#define SCANNED (settings.scanned != 0u)
+#define ENTERING settings.entering
+#define PLACE uint
+#else
 layout(constant_id = 0) const uint PASS = 0u;
 layout(constant_id = 1) const uint READS = KEYS;
 layout(constant_id = 2) const uint WRITES = VALUES;
@@ -18,6 +27,9 @@ layout(constant_id = 4) const uint TILES = 1u;
 layout(constant_id = 5) const uint CAPACITY = 1u;
 // Whether `sort_scan` has turned the histograms into places.
 layout(constant_id = 6) const bool SCANNED = false;
+#define ENTERING control.entering
+#define PLACE const uint
+#endif
 
 const bool FIRST = READS == KEYS || READS == HALVES;
 const uint SHIFT = 8u * PASS;
@@ -26,10 +38,10 @@ const uint VALUE_MASK = 0xffffffu;
 
 // Where things start in the counts, in words: the tiles' histograms, the state of a sort, the histograms of groups of tiles, and two
 // areas in which the tiles of a pass tell each other their counts.
-const uint STATE_AT = TILES * SORT_DIGITS;
-const uint AHEAD_AT = STATE_AT + SORT_STATE;
-const uint GROUPS_AT = AHEAD_AT + 3u * SORT_DIGITS;
-const uint STATUS_AT = GROUPS_AT + (TILES + SORT_GROUP - 1u) / SORT_GROUP * SORT_DIGITS;
+PLACE STATE_AT = TILES * SORT_DIGITS;
+PLACE AHEAD_AT = STATE_AT + SORT_STATE;
+PLACE GROUPS_AT = AHEAD_AT + 3u * SORT_DIGITS;
+PLACE STATUS_AT = GROUPS_AT + (TILES + SORT_GROUP - 1u) / SORT_GROUP * SORT_DIGITS;
 
 uint digit_of(uint key) { return READS == PACKED ? key >> 24u : key >> SHIFT & DIGIT_MASK; }
 

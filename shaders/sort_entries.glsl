@@ -5,7 +5,7 @@ layout(std430, set = 0, binding = 2) buffer Counts { uint counts[]; };
 layout(std430, set = 0, binding = 3) buffer ControlBuffer { Control control; };
 
 // Entries that this pass reads.
-uint entries() { return min(FIRST ? control.entering : control.survivors, CAPACITY); }
+uint entries() { return min(FIRST ? ENTERING : control.survivors, CAPACITY); }
 
 // Tiles that have entries; one where none has.
 uint tiles_of(uint end) { return max((end + TILE - 1u) / TILE, 1u); }

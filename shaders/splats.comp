@@ -13,7 +13,9 @@
 #define LONGEST_ROOM 1.2
 
 layout(local_size_x = SPLATS_SIZE) in;
+#ifndef KEEP
 layout(constant_id = 0) const bool KEEP = false;
+#endif
 layout(std430, set = 0, binding = 1) readonly buffer Gaussians { uvec2 gaussians[]; };
 // A row: a word with the worth of a step (f16) and the part; for colours two with the neutral colour, three f16; then components, four
 // basis functions a word.

@@ -6,7 +6,12 @@
 layout(local_size_x = SURFACE_WIDTH, local_size_y = SURFACE_HEIGHT) in;
 // See pose.glsl.
 layout(std430, set = 0, binding = 1) writeonly buffer PoseBuffer { uint pyramid[]; };
+#ifdef WEB
+#extension GL_EXT_samplerless_texture_functions : require
+layout(set = 0, binding = 2) uniform texture2D surface;
+#else
 layout(set = 0, binding = 2) uniform sampler2D surface;
+#endif
 
 // In 65535ths, the depth image's own steps.
 shared uint furthest[SURFACE_WIDTH * SURFACE_HEIGHT];

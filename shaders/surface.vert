@@ -26,5 +26,11 @@ void main() {
     }
     vec2 at = frame.focal * p.xy + frame.center * p.z;
     float depth = 1.0 - key_of(p.z + frame.margin);
+#ifdef WEB
+    // No viewport reaches out of its image there.
+    at = (at - frame.surface_origin * p.z) * frame.surface_scale;
+    gl_Position = vec4(2.0 * at / float(SURFACE_FINEST) - p.z, depth * p.z, p.z);
+#else
     gl_Position = vec4(2.0 * at / frame.size - p.z, depth * p.z, p.z);
+#endif
 }

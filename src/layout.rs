@@ -4,6 +4,11 @@
 //! Buffers are arrays of 32-bit words, of 16-byte vectors, or of "half quads": four f16 in eight bytes, the same bytes whether a
 //! device reads them as f16 or unpacks words.
 
+pub mod bins;
+pub mod compact;
+pub mod harmonics;
+pub mod pack;
+
 use crate::{avatar::limits, frame};
 use bytemuck::{Pod, Zeroable};
 
@@ -15,6 +20,8 @@ pub const HARMONICS_SIZE: u32 = 64;
 pub const SPLATS_SIZE: u32 = 64;
 /// Invocations of a workgroup of the sort: the 128 that every Vulkan device has.
 pub const SORT_SIZE: u32 = 128;
+/// Keys of a tile of the sort that needs no subgroups.
+pub const SORT_TILE: u32 = 4096;
 /// Invocations of a workgroup of the sort where each has counters of its own: 8 KB of them.
 pub const SORT_LANES: u32 = 8;
 /// Keys of a tile of OneSweep; the other variants choose theirs when they are made.
@@ -47,6 +54,15 @@ pub const SURFACE_DRAWN: u32 = 384;
 pub const SURFACE_FINEST: u32 = SURFACE_DRAWN / 2;
 /// Levels of the depth surface's pyramid; each halves the one before.
 pub const SURFACE_LEVELS: u32 = 4;
+/// Words of the pyramid in the pose buffer, two texels each.
+pub const PYRAMID_WORDS: u32 = {
+    let (mut words, mut level) = (0, 0);
+    while level < SURFACE_LEVELS {
+        words += (SURFACE_FINEST >> level) * (SURFACE_FINEST >> level) / 2;
+        level += 1;
+    }
+    words
+};
 /// Texels of the finest level along the sides of a workgroup of `surface`: two or more of the coarsest level across, which share a word.
 pub const SURFACE_WIDTH: u32 = 16;
 pub const SURFACE_HEIGHT: u32 = 8;
@@ -80,6 +96,7 @@ pub const MACROS: &[(&str, u32)] = &[
     ("HARMONICS_SIZE", HARMONICS_SIZE),
     ("SPLATS_SIZE", SPLATS_SIZE),
     ("SORT_SIZE", SORT_SIZE),
+    ("SORT_TILE", SORT_TILE),
     ("SORT_LANES", SORT_LANES),
     ("SORT_CHAIN_TILE", SORT_CHAIN_TILE),
     ("SORT_GROUP", SORT_GROUP),
@@ -231,6 +248,32 @@ pub struct Frame {
 }
 
 const _: () = assert!(size_of::<Frame>() <= 16384, "a uniform block is at most 16 KB on the smallest devices");
+
+/// What Vulkan takes as specialization constants, for shaders in WGSL: `shaders/settings.glsl`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+pub struct Settings {
+    /// Exponent of two of the opacity under which nothing is drawn.
+    pub least: f32,
+    /// Hulls reach as far as for at least this exponent.
+    pub hull: f32,
+    /// Opacity under which nothing is drawn.
+    pub cutoff: f32,
+    /// A pixel is full when what lies behind would show by less than this.
+    pub full: f32,
+    /// Tiles and keys that the sort has room for.
+    pub tiles: u32,
+    pub capacity: u32,
+    /// Whether the tiles are too many for every workgroup to sum their histograms.
+    pub scanned: u32,
+    /// Keys that enter the sort.
+    pub entering: u32,
+    /// Nodes for the tiles of the picture.
+    pub nodes: u32,
+    /// Whether fragments and Gaussians left out are counted.
+    pub count: u32,
+    pub unused: [u32; 2],
+}
 
 /// Counts that the sort writes and the draw reads. The first five words are a VkDrawIndexedIndirectCommand.
 #[repr(C)]

@@ -25,12 +25,20 @@
 #[cfg(feature = "window")]
 pub mod app;
 pub mod avatar;
+#[cfg(not(target_arch = "wasm32"))]
 pub mod bake;
-#[cfg(not(target_os = "android"))]
+#[cfg(not(any(target_arch = "wasm32", target_os = "android")))]
 pub mod cli;
+#[cfg(not(target_arch = "wasm32"))]
 pub mod demo;
 pub mod frame;
 pub mod layout;
+#[cfg(not(target_arch = "wasm32"))]
 pub mod measure;
+#[cfg(not(target_arch = "wasm32"))]
 pub mod reference;
+#[cfg(not(target_arch = "wasm32"))]
 pub mod vulkan;
+#[cfg(target_arch = "wasm32")]
+pub mod web;
+pub mod webgpu;

@@ -5,10 +5,10 @@ mod common;
 use common::{Sizes, gpu};
 use effigy::{
     avatar::Avatar,
-    frame::{Camera, Posed, Reasons, Skip},
+    frame::{Camera, Posed, Reasons, Skip, fixed_scale},
     layout::{POSITION_BITS, SORT_DROPPED},
     reference::{Culled, Gaussian, Splat},
-    vulkan::{GpuOptions, RendererOptions, block::fixed_scale},
+    vulkan::{GpuOptions, RendererOptions},
 };
 use glam::{DAffine3, DQuat, DVec2, DVec3};
 use half::f16;

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Makes the Android package and checks it as a store would.
 # usage: tools/apk.sh [--release] [--targets TARGET,...] OUT.apk     TARGET: aarch64-linux-android (default), x86_64-linux-android
-# With ANDROID_NDK_HOME set it uses that NDK and rustup's targets (`rustup target add aarch64-linux-android`), else tools/cross/android.sh.
+# With ANDROID_NDK_HOME set it uses that NDK and rustup's targets (`rustup target add aarch64-linux-android`), else tools/cross/targets.sh.
 # With ANDROID_HOME set it uses that SDK's newest build-tools and platform, else Debian's packages.
 # Signed with KEYSTORE (its password in KEYSTORE_PASS), else with a key for tests that it makes.
 set -euo pipefail

@@ -10,11 +10,11 @@ need_rust
 need 'command -v timeout' coreutils
 drivers=("$@"); [ $# -gt 0 ] || drivers=(mesa25:128 mesa25:256 mesa25:512 mesa22 swiftshader)
 tools/drivers.sh
-on_device=' features nodes harmonics splats sort raster present soak trace frame skip scene devices stress commands window '
+on_device=' features nodes harmonics splats sort raster present soak trace frame skip scene devices stress commands window webgpu '
 limit=${EFFIGY_TEST_SECONDS:-300}
 
 echo "building the tests"
-built=$(cargo test --no-run 2>&1) || { echo "$built" >&2; exit 1; }
+built=$(cargo test --no-run --features webgpu 2>&1) || { echo "$built" >&2; exit 1; }
 mapfile -t binaries < <(echo "$built" | sed -n 's/^ *Executable .*(\(.*\))$/\1/p')
 [ ${#binaries[@]} -gt 0 ] || { echo "no test binaries in cargo's output:" >&2; echo "$built" >&2; exit 1; }
 

@@ -4,8 +4,10 @@
 //! start from the same bits, and what they differ by is arithmetic alone. Symbols are the paper's: N_g Gaussians, N_G parts, N_B
 //! basis functions a part, N_s position nodes, J joints.
 
+#[cfg(not(target_arch = "wasm32"))]
 pub mod export;
 pub mod file;
+#[cfg(not(target_arch = "wasm32"))]
 pub mod import;
 pub mod motion;
 pub mod occluder;

@@ -1,7 +1,7 @@
 //! Clips of motion: poses at a fixed rate, sampled at any time.
 
 use super::{Pose, Skeleton};
-use glam::{DQuat, DVec3};
+use glam::DVec3;
 
 /// A clip of a skeleton with J joints and F frames, at least one.
 #[derive(Clone, Debug, PartialEq)]
@@ -66,12 +66,7 @@ impl Clip {
         if t == 0.0 {
             return a;
         }
-        let turn = |(a, b): (&DVec3, &DVec3)| DQuat::from_scaled_axis(*a).slerp(DQuat::from_scaled_axis(*b), t).to_scaled_axis();
-        Pose {
-            rotation: a.rotation.iter().zip(&b.rotation).map(turn).collect(),
-            translation: a.translation.lerp(b.translation, t),
-            expression: a.expression.iter().zip(&b.expression).map(|(a, b)| a + (b - a) * t).collect(),
-        }
+        a.between(&b, t)
     }
 
     /// Where in [`Clip::joint`] each joint of a skeleton is, by name; joints that the clip lacks stay at rest.

@@ -1,7 +1,7 @@
 //! A pose, and what of it the networks see: θ_p and θ_e, projected onto the training poses' principal components.
 
 use super::Inputs;
-use glam::DVec3;
+use glam::{DQuat, DVec3};
 use std::f64::consts::{PI, TAU};
 
 /// Inputs of the networks stay within ±this, the largest number that f16 holds; NaN stays NaN.
@@ -22,6 +22,18 @@ impl Pose {
     /// No rotation anywhere.
     pub fn rest(joints: usize, expression: usize) -> Self {
         Self { rotation: vec![DVec3::ZERO; joints], translation: DVec3::ZERO, expression: vec![0.0; expression] }
+    }
+}
+
+impl Pose {
+    /// A pose of as many joints on the way to another, each joint's turn the shortest: `share` 0 is this one, 1 the other.
+    pub fn between(&self, other: &Self, share: f64) -> Self {
+        let turn = |(a, b): (&DVec3, &DVec3)| DQuat::from_scaled_axis(*a).slerp(DQuat::from_scaled_axis(*b), share).to_scaled_axis();
+        Self {
+            rotation: self.rotation.iter().zip(&other.rotation).map(turn).collect(),
+            translation: self.translation.lerp(other.translation, share),
+            expression: self.expression.iter().zip(&other.expression).map(|(a, b)| a + (b - a) * share).collect(),
+        }
     }
 }
 

@@ -7,6 +7,7 @@ use super::{
     options::{self, Quality},
     render::progress,
     source::{self, Source},
+    through::Through,
 };
 use crate::{
     avatar::{import::cameras, motion::Player},
@@ -80,6 +81,9 @@ pub struct Args {
     /// Write a timeline of host and device too, for Perfetto: a .json
     #[arg(long, value_name = "FILE", value_parser = options::trace)]
     trace: Option<PathBuf>,
+    /// What to draw through
+    #[arg(long, value_enum, default_value_t = Through::Vulkan)]
+    backend: Through,
     #[command(flatten)]
     quality: Quality,
 }
@@ -159,9 +163,9 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     let (frames, views) = (args.frames.unwrap_or(48), args.views);
     let (checked, flip, warm_up) = (args.check, args.flip, args.warm_up);
     let task = Task { avatar: &avatar, player: &player, cameras: &cameras, frames, views, checked, flip, warm_up };
-    let mut devices = Devices::new(args.quality.gpu());
+    let mut devices = Devices::new(args.backend.try_into()?, args.quality.gpu());
     let gpu = devices.get(&job.setting)?;
-    job.setting.options = job.setting.options.settled(&gpu);
+    job.setting.options = gpu.settled(job.setting.options);
     let mut report = task.report(&gpu, &job.setting, std::env::args().collect());
     let bar = progress(0, "frames");
     let mut show = |what: &str, done: usize, all: usize| {
@@ -173,7 +177,9 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     if !quiet {
         print::heading(&report);
     }
-    let mut trace = args.trace.as_ref().map(|_| Trace::new(&gpu));
+    let traced = args.trace.as_ref().map(|_| gpu.vulkan().context("only Vulkan tells when stages ran: leave out --trace or --backend"));
+    let traced = traced.transpose()?;
+    let mut trace = traced.map(|gpu| Trace::new(gpu));
     for &case in &job.cases {
         let measured = measured::case(&gpu, &task, (&job.setting, case), trace.as_mut(), &mut show)?;
         if !quiet {
@@ -186,7 +192,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
         report.sweep = Some(sweep(&mut devices, &Task { frames: args.frames.unwrap_or(24), ..task }, &what, &mut show)?);
     }
     bar.finish_and_clear();
-    args.trace.iter().zip(&trace).try_for_each(|(path, trace)| options::write_trace(path, trace, &gpu))?;
+    args.trace.iter().zip(&trace).zip(traced).try_for_each(|((path, trace), gpu)| options::write_trace(path, trace, gpu))?;
     if let Some(sweep) = report.sweep.as_ref().filter(|_| !quiet) {
         print::sweep(sweep);
     }

@@ -13,6 +13,7 @@ mod render;
 mod soak;
 pub mod source;
 mod stress;
+mod through;
 mod view;
 
 use clap::{Parser, Subcommand};

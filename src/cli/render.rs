@@ -3,11 +3,14 @@
 use super::{
     options::{self, Quality, View},
     source::{self, Source},
+    through::Through,
 };
+#[cfg(feature = "webgpu")]
+use crate::webgpu;
 use crate::{
     avatar::{Avatar, import::cameras, motion::Player},
     frame::{Camera, Extent, Picture, Posed},
-    measure::{in_a_row, upright},
+    measure::{bench::Backend, in_a_row, upright},
     reference,
     vulkan::{Gpu, Renderer, RendererOptions},
 };
@@ -48,6 +51,9 @@ pub struct Args {
     /// Draw with the f64 reference on the CPU instead of the GPU
     #[arg(long)]
     reference: bool,
+    /// What to draw through
+    #[arg(long, value_enum, default_value_t = Through::Vulkan)]
+    backend: Through,
     #[command(flatten)]
     quality: Quality,
 }
@@ -70,10 +76,12 @@ fn frames(text: &str) -> Result<std::ops::Range<usize>, String> {
         .ok_or_else(|| format!("`{text}` is no range of frames: write first..last+1, for instance 0..30"))
 }
 
-/// Either of the two that can draw.
+/// Any of those that can draw.
 enum Painter<'a> {
     /// With the size of its picture.
     Gpu(Box<Renderer>, [u32; 2]),
+    #[cfg(feature = "webgpu")]
+    WebGpu(Box<webgpu::Renderer>, [u32; 2]),
     Reference(&'a Avatar),
 }
 
@@ -89,6 +97,15 @@ impl Painter<'_> {
                 renderer.draw_scene(poses, camera, None)?;
                 Ok(renderer.picture()?)
             }
+            #[cfg(feature = "webgpu")]
+            Self::WebGpu(renderer, size) => {
+                if camera.size != *size {
+                    renderer.resize(camera.size)?;
+                    *size = camera.size;
+                }
+                renderer.draw_scene(poses, camera)?;
+                Ok(renderer.picture()?)
+            }
         }
     }
 }
@@ -98,16 +115,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     let (avatar, clips) = args.source.load()?;
     let player = Player::new(clips.into_iter().next().context("there is no clip")?, &avatar.skeleton);
     let size = args.size.unwrap_or([1024, 1024]);
-    let mut painter = if args.reference {
-        Painter::Reference(&avatar)
-    } else {
-        let gpu = Gpu::new(&args.quality.gpu())?;
-        println!("drawing with {}", gpu.probe.name);
-        Painter::Gpu(
-            Box::new(Renderer::new(&gpu, &avatar, RendererOptions { actors: args.count.into(), ..args.quality.renderer(size) })?),
-            size,
-        )
-    };
+    let mut painter = if args.reference { Painter::Reference(&avatar) } else { painter(&args, &avatar, size)? };
     let extent = Extent::new(&avatar);
     let mut paint = |seconds: f64, camera: Option<&Camera>, out: &Path| -> anyhow::Result<()> {
         let poses = row(&avatar, &player, seconds, args.count.into());
@@ -149,6 +157,24 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     bar.finish_and_clear();
     println!("wrote {} to {}", numbered(&args.out, frames.start).display(), numbered(&args.out, frames.end - 1).display());
     Ok(())
+}
+
+fn painter<'a>(args: &Args, avatar: &Avatar, size: [u32; 2]) -> anyhow::Result<Painter<'a>> {
+    let options = RendererOptions { actors: args.count.into(), ..args.quality.renderer(size) };
+    let gpu = args.quality.gpu();
+    Ok(match args.backend.try_into()? {
+        Backend::Vulkan => {
+            let gpu = Gpu::new(&gpu)?;
+            println!("drawing with {}", gpu.probe.name);
+            Painter::Gpu(Box::new(Renderer::new(&gpu, avatar, options)?), size)
+        }
+        #[cfg(feature = "webgpu")]
+        Backend::WebGpu => {
+            let gpu = webgpu::Gpu::open(gpu.device.as_deref())?;
+            println!("drawing with {} through WebGPU", gpu.name());
+            Painter::WebGpu(Box::new(webgpu::Renderer::new(&gpu, avatar, options)?), size)
+        }
+    })
 }
 
 /// Copies of an avatar, spread over the clip from a time on.

@@ -133,6 +133,13 @@ impl PartBox {
     }
 }
 
+/// A box at least as high and wide as a person, so that pictures of one clip have the same scale whatever the pose.
+pub fn upright([min, max]: [DVec3; 2]) -> [DVec3; 2] {
+    let middle = (min + max) / 2.0;
+    let half = ((max - min) / 2.0).max(DVec3::new(0.4, 0.92, 0.4));
+    [middle - half, middle + half]
+}
+
 /// How much the joints enlarge lengths, at most.
 pub fn enlargement(joints: &[DAffine3]) -> f64 {
     margin(joints) / MARGIN

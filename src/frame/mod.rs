@@ -1,23 +1,37 @@
 //! What a frame is, whatever draws it: where the camera stands, what the pose makes of the skeleton, how far the avatar reaches.
 
+pub(crate) mod block;
 pub mod camera;
 pub mod check;
 pub mod counters;
 pub mod extent;
+pub(crate) mod keeper;
+pub mod keys;
+pub mod options;
 pub mod parts;
 pub mod picture;
+pub mod place;
 pub mod plan;
+pub mod preset;
+pub(crate) mod refuse;
+pub mod report;
+pub(crate) mod scene;
 pub mod skip;
 
 use crate::avatar::{Avatar, Pose};
+pub use block::fixed_scale;
 pub use camera::Camera;
 pub use check::Unusable;
 pub use counters::{Counters, Reasons};
-pub use extent::Extent;
+pub use extent::{Extent, upright};
 use glam::DAffine3;
+pub use keys::KeyBits;
+pub use options::{ColorFormat, Method, RendererOptions, Variant};
 pub use parts::{Needs, PartSet};
 pub use picture::Picture;
+pub use place::Place;
 pub use plan::{Body, Needed, Plan};
+pub use report::FrameReport;
 pub use skip::Skip;
 
 /// Added to both diagonal entries of a projected covariance, px² (model.md, step 8).

@@ -1,5 +1,6 @@
 //! A picture as every backend and the reference hand it over: premultiplied colour and coverage, before any background.
 
+#[cfg(not(target_arch = "wasm32"))]
 use image::{ImageBuffer, Rgba, RgbaImage};
 
 /// Premultiplied display-referred RGBA, row by row from the top left.
@@ -14,7 +15,10 @@ impl Picture {
     pub fn empty(size: [u32; 2]) -> Self {
         Self { size, pixels: vec![[0.0; 4]; size[0] as usize * size[1] as usize] }
     }
+}
 
+#[cfg(not(target_arch = "wasm32"))]
+impl Picture {
     /// Over a background colour, 8 bits a channel.
     pub fn over(&self, background: [f32; 3]) -> RgbaImage {
         self.to_image(|p| {

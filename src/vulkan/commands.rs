@@ -1,7 +1,5 @@
 //! Two frames in flight: a command buffer, a fence and a query pool each, and what a finished frame says about itself.
 
-pub use super::report::{FrameReport, HostTimes};
-
 use super::{
     device::Gpu,
     error::{During, Result},
@@ -9,6 +7,7 @@ use super::{
     pipeline::Slice,
     splats::REASONS,
 };
+pub use crate::frame::report::{FrameReport, HostTimes, STAGES};
 use crate::{
     frame::{Counters, Reasons},
     layout::Control,
@@ -19,8 +18,6 @@ use std::{sync::Arc, time::Instant};
 
 /// Frames that may be under way at once.
 pub const SLOTS: usize = 2;
-/// Stages in the order a frame runs them; their names in labels, timestamps, tables and the overlay.
-pub const STAGES: [&str; 8] = ["features", "harmonics", "surface", "splats", "sort", "bins", "raster", "present"];
 
 /// [`FrameReport::stages`] and [`FrameReport::ticks`].
 type Times = (Vec<(&'static str, f64)>, Vec<[u64; 2]>);

@@ -8,23 +8,12 @@ use super::{
     pipeline::{Bindings, Kernel, Slice},
     shaders,
 };
-use crate::{
-    avatar::{Avatar, Harmonics as Coefficients, limits},
-    layout::HARMONICS_SIZE,
-};
+pub use crate::layout::harmonics::bytes;
+use crate::layout::harmonics::{SPLIT, groups, planes};
+use crate::{avatar::Avatar, layout::HARMONICS_SIZE};
 use ash::vk;
 use bytemuck::cast_slice;
-use half::f16;
 use std::sync::Arc;
-
-/// Functions that three half quads hold the RGB of.
-const GROUP: usize = 4;
-/// Groups in the first of the two buffers.
-const SPLIT: usize = 2;
-
-/// Bytes of a group's half quads.
-const GROUP_BYTES: usize = 2 * 3 * GROUP;
-const _: () = assert!(SPLIT * GROUP_BYTES * limits::GAUSSIANS <= 128 << 20, "128 MiB is the range of a storage buffer everywhere");
 
 pub struct Harmonics {
     kernel: Kernel,
@@ -54,28 +43,3 @@ impl Harmonics {
 }
 
 const USAGE: vk::BufferUsageFlags = vk::BufferUsageFlags::STORAGE_BUFFER;
-
-/// Groups of functions up to a degree, the constant one among them.
-fn groups(degree: usize) -> usize {
-    (degree + 1).pow(2).div_ceil(GROUP)
-}
-
-/// Planes of half quads, one entry a Gaussian; see `shaders/harmonics.comp`.
-fn planes(avatar: &Avatar, harmonics: &Coefficients, groups: std::ops::Range<usize>) -> Vec<[f16; 4]> {
-    let (count, functions) = (avatar.gaussians.len(), harmonics.functions());
-    let mut data = vec![[f16::ZERO; 4]; 3 * groups.len() * count];
-    for gaussian in 0..count {
-        let neutral = std::iter::once(&avatar.gaussians.color[gaussian]);
-        let all = neutral.chain(&harmonics.coefficients[gaussian * functions..][..functions]);
-        let within = all.skip(GROUP * groups.start).take(GROUP * groups.len());
-        for (at, &value) in within.flatten().enumerate() {
-            data[at / 4 * count + gaussian][at % 4] = value;
-        }
-    }
-    data
-}
-
-/// Device memory that an avatar's harmonics take, bytes.
-pub fn bytes(avatar: &Avatar) -> u64 {
-    avatar.harmonics.as_ref().map_or(0, |harmonics| (GROUP_BYTES * groups(harmonics.degree) * avatar.gaussians.len()) as u64)
-}

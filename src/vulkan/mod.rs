@@ -2,12 +2,9 @@
 //!
 //! [`Gpu`] is a device; [`Renderer`] draws an avatar, or several copies of it, with it, headless. The stages have a file each, in the order a frame runs them.
 
-pub mod block;
 pub mod cache;
 pub mod calibration;
-mod check;
 pub mod commands;
-pub mod compact;
 mod control;
 pub mod device;
 pub mod error;
@@ -15,22 +12,17 @@ pub mod features;
 mod graphics;
 pub mod harmonics;
 pub mod instance;
-mod keeper;
 pub mod memory;
 pub mod model;
 mod module;
 mod name;
 pub mod options;
-mod pack;
 pub mod picture;
 pub mod pipeline;
 pub mod present;
-pub mod preset;
 pub mod probe;
 pub mod raster;
 pub mod renderer;
-pub mod report;
-mod scene;
 pub mod screen;
 pub mod shaders;
 pub mod sort;
@@ -42,8 +34,8 @@ pub mod swapchain;
 pub mod turn;
 pub mod watch;
 
+pub use crate::frame::{RendererOptions, preset};
 pub use device::{Gpu, GpuOptions};
 pub use error::{Error, Result};
-pub use options::RendererOptions;
 pub use probe::Probe;
 pub use renderer::Renderer;

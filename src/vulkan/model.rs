@@ -1,9 +1,9 @@
 //! An avatar on the device: an [`Avatar`] goes in, its buffers and the constant part of the uniform block come out.
 
-use super::{device::Gpu, error::Result, memory::Buffer, pack};
+use super::{device::Gpu, error::Result, memory::Buffer};
 use crate::{
-    avatar::{Avatar, Occluder, occluder::Vertex},
-    layout::{Frame, GAUSSIAN_PAIRS},
+    avatar::{Avatar, Occluder},
+    layout::{Frame, GAUSSIAN_PAIRS, pack},
 };
 use ash::vk;
 use bytemuck::cast_slice;
@@ -20,26 +20,7 @@ pub struct OccluderMesh {
 
 impl OccluderMesh {
     fn new(gpu: &Arc<Gpu>, avatar: &Avatar, occluder: &Occluder, node_places: &[u16]) -> Result<Self> {
-        let corner = |vertex: &Vertex| -> [[u32; 4]; 2] {
-            let [x, y, z] = avatar.gaussians.bounds.encode(vertex.position);
-            let words = [u32::from(x) | u32::from(y) << 16, u32::from(z)];
-            let [a, b, c] = vertex.node.map(|node| u32::from(node_places.get(usize::from(node)).copied().unwrap_or_default()));
-            let [first, second, _] = avatar.weights_of(vertex.position, vertex.node).map(|w| (w * 65535.0).round() as u32);
-            [
-                [words[0], words[1], u32::from_le_bytes(vertex.joint), u32::from_le_bytes(vertex.joint_weight)],
-                [a | b << 16, c, first | second << 16, 0],
-            ]
-        };
-        let corners: Vec<[[u32; 4]; 2]> = occluder.vertices.iter().map(corner).collect();
-        // A corner that 16 bits don't reach is none that an avatar's coarse mesh has: its triangle hides nothing.
-        let indices: Vec<[u16; 3]> = occluder
-            .triangles
-            .iter()
-            .filter_map(|corners| {
-                let [a, b, c] = corners.map(|corner| u16::try_from(corner).ok());
-                Some([a?, b?, c?])
-            })
-            .collect();
+        let (corners, indices) = pack::occluder(avatar, occluder, node_places);
         Ok(Self {
             corners: Buffer::with_data(gpu, "surface corners", cast_slice(&corners), vk::BufferUsageFlags::STORAGE_BUFFER)?,
             indices: Buffer::with_data(gpu, "surface indices", cast_slice(&indices), vk::BufferUsageFlags::INDEX_BUFFER)?,

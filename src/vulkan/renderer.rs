@@ -10,28 +10,29 @@ pub use readback::Stages;
 use blocks::{FRAME_STRIDE, frame_at};
 
 use super::{
-    block, check,
     commands::{FrameReport, SLOTS, Slot},
     control::{BEFORE, COMPUTE, SHARED, WRITTEN, control, in_turn, prepare},
     device::Gpu,
     error::Result,
     features::Features,
     harmonics::Harmonics,
-    keeper::Keeper,
     memory::Buffer,
     model::Model,
-    options::RendererOptions,
     pipeline::{Slice, barrier},
     raster::Raster,
-    scene::{Actor, Scene, Staged},
     sort::{Sort, SortOptions, choice},
     splats::{Splats, slots as slots_of},
-    surface::{PYRAMID_WORDS, Surface},
+    surface::Surface,
 };
 use crate::{
     avatar::Avatar,
-    frame::{Camera, Extent, Needs, Posed, Skip},
-    layout::Frame,
+    frame::{
+        Camera, Extent, Needs, Posed, RendererOptions, Skip, block,
+        keeper::Keeper,
+        refuse,
+        scene::{Scene, Staged},
+    },
+    layout::{Frame, PYRAMID_WORDS},
     measure::android::section,
 };
 use ash::vk::{self, PipelineStageFlags};
@@ -167,7 +168,7 @@ impl Renderer {
     /// # Errors
     /// As [`Self::draw`], and when there are more poses than the renderer was made for.
     pub fn draw_scene(&mut self, poses: &[&Posed], camera: &Camera, presentation: Option<Presentation>) -> Result<()> {
-        check::frame(poses, camera, (&self.model.constants, &self.extent), &self.options)?;
+        refuse::frame(poses, camera, (&self.model.constants, &self.extent), &self.options)?;
         let slot = self.next;
         let began = Instant::now();
         let waiting = section(c"wait");

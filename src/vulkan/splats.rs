@@ -4,11 +4,11 @@
 //! after it only project. `shaders/posed.glsl` has the 20 bytes a Gaussian.
 
 use super::{
+    RendererOptions,
     device::Gpu,
     error::Result,
     memory::Buffer,
     model::Model,
-    options::RendererOptions,
     pipeline::{Bindings, Kernel, Slice},
     shaders,
     sort::{KeyBits, Variant, counts_size},

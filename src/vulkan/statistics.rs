@@ -3,10 +3,10 @@
 //! Every pipeline tells [`Gpu::made`], which asks the driver; so [`all`] has no list of shaders to keep, only one of what can be made.
 
 use super::{
+    RendererOptions,
     device::{Gpu, GpuOptions},
     error::{During, Error, Result},
     memory::Buffer,
-    options::RendererOptions,
     present::Present,
     raster::{ColorFormat, Method},
     renderer::Renderer,

@@ -11,20 +11,12 @@ use super::{
     pipeline::{Bindings, BoundImage, Kernel, Slice},
     shaders,
 };
-use crate::layout::{Frame, SURFACE_DRAWN, SURFACE_FINEST, SURFACE_HEIGHT, SURFACE_LEVELS, SURFACE_WIDTH};
-use ash::vk;
-use glam::{DVec2, UVec2};
-use std::sync::Arc;
-
-/// Words of the pyramid in the pose buffer, two texels each.
-pub const PYRAMID_WORDS: u32 = {
-    let (mut words, mut level) = (0, 0);
-    while level < SURFACE_LEVELS {
-        words += (SURFACE_FINEST >> level) * (SURFACE_FINEST >> level) / 2;
-        level += 1;
-    }
-    words
+use crate::{
+    frame::place::Place,
+    layout::{SURFACE_DRAWN, SURFACE_FINEST, SURFACE_HEIGHT, SURFACE_WIDTH},
 };
+use ash::vk;
+use std::sync::Arc;
 
 /// Draws the mesh into one render pass.
 pub struct SurfaceMesh {
@@ -136,7 +128,7 @@ impl Surface {
         // SAFETY: the command buffer is recording, render pass and framebuffer are alive.
         unsafe {
             device.cmd_begin_render_pass(commands, &begin, vk::SubpassContents::INLINE);
-            device.cmd_set_viewport(commands, 0, &[place.viewport()]);
+            device.cmd_set_viewport(commands, 0, &[viewport(place)]);
             device.cmd_set_scissor(commands, 0, &[whole]);
             frames.iter().for_each(|&frame| self.mesh.record(commands, frame));
             device.cmd_end_render_pass(commands);
@@ -153,33 +145,9 @@ impl Drop for Surface {
     }
 }
 
-/// Which part of the picture the depth surface covers.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Place {
-    picture: DVec2,
-    origin: DVec2,
-    /// Drawn texels in a pixel, at most 1.
-    scale: DVec2,
-}
-
-impl Place {
-    /// Covers a box of a picture: lower and upper corner, px.
-    pub fn new(picture: [u32; 2], [min, max]: [UVec2; 2]) -> Self {
-        let drawn = f64::from(SURFACE_DRAWN);
-        let scale = (drawn / (max - min).max(UVec2::ONE).as_dvec2()).min(DVec2::ONE);
-        Self { picture: UVec2::from(picture).as_dvec2(), origin: min.as_dvec2(), scale }
-    }
-
-    /// Tells `splats` where to look.
-    pub fn write(&self, frame: &mut Frame) {
-        frame.surface_origin = self.origin.as_vec2().to_array();
-        frame.surface_scale = (self.scale * f64::from(SURFACE_FINEST) / f64::from(SURFACE_DRAWN)).as_vec2().to_array();
-    }
-
-    fn viewport(&self) -> vk::Viewport {
-        let (at, size) = ((-self.origin * self.scale).as_vec2(), (self.picture * self.scale).as_vec2());
-        vk::Viewport { x: at.x, y: at.y, width: size.x, height: size.y, min_depth: 0.0, max_depth: 1.0 }
-    }
+fn viewport(place: &Place) -> vk::Viewport {
+    let [at, size] = place.viewport();
+    vk::Viewport { x: at.x, y: at.y, width: size.x, height: size.y, min_depth: 0.0, max_depth: 1.0 }
 }
 
 fn render_pass(gpu: &Gpu) -> Result<vk::RenderPass> {

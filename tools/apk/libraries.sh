@@ -13,7 +13,7 @@ if [ -n "${ANDROID_NDK_HOME:-}" ]; then
   done
 else
   # What a library needs is found out for both: making one of them later would take as long again.
-  tools/cross/android.sh target/cross aarch64-linux-android x86_64-linux-android
+  tools/cross/targets.sh target/cross aarch64-linux-android x86_64-linux-android
   . target/cross/env.sh
 fi
 bin=$(echo "$ANDROID_NDK_HOME"/toolchains/llvm/prebuilt/*/bin)

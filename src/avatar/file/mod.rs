@@ -99,7 +99,10 @@ pub(super) fn read_with<T>(path: &Path, decode: impl FnOnce(&[u8]) -> Result<T, 
     }
     // SAFETY: the mapping is only read, and every number is copied out before this function returns. Should another program shorten
     // the file meanwhile, the system ends this process; `write` never does, as it replaces files whole.
+    #[cfg(not(target_arch = "wasm32"))]
     let bytes = unsafe { memmap2::Mmap::map(&file) }.map_err(failed)?;
+    #[cfg(target_arch = "wasm32")]
+    let bytes = fs::read(path).map_err(failed)?;
     decode(&bytes).map_err(|fault| FileError::Content { file: path.into(), fault })
 }
 

@@ -8,7 +8,8 @@ use crate::measure::bench::{
 /// What is measured on what.
 pub fn heading(report: &Report) {
     let (avatar, options) = (&report.avatar, &report.options);
-    println!("device   {} ({}), Vulkan {}", report.device.name, report.device.driver, report.device.vulkan);
+    let through = if report.device.vulkan.is_empty() { "WebGPU".to_owned() } else { format!("Vulkan {}", report.device.vulkan) };
+    println!("device   {} ({}), {through}", report.device.name, report.device.driver);
     println!("avatar   {}, {} Gaussians, {:?} rows; clip {}", avatar.name, avatar.gaussians, avatar.rows, avatar.clip);
     println!("picture  {} × {}, {}, {}, {}-bit keys", report.size[0], report.size[1], options.raster, options.color, options.key_bits);
     println!("error    cutoff {:.1}/255, margin {:.1} mm", 255.0 * options.cutoff, 1e3 * options.margin);

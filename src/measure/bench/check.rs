@@ -2,6 +2,7 @@
 //! of the picture the avatar covers.
 
 use super::{
+    backend::Result,
     report::ErrorReport,
     run::{Drawer, Progress},
     scene::Scene,
@@ -11,7 +12,6 @@ use crate::{
     frame::{ALPHA_MIN, Picture},
     measure::{error, flip},
     reference,
-    vulkan::Result,
 };
 use std::collections::HashMap;
 

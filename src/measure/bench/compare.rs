@@ -102,6 +102,7 @@ fn warnings(a: &Report, b: &Report) -> Vec<String> {
     let facts = [
         ("device", a.device.name.clone(), b.device.name.clone()),
         ("driver", a.device.driver.clone(), b.device.driver.clone()),
+        ("backend", a.device.backend.clone(), b.device.backend.clone()),
         ("16-bit storage", a.device.half_storage.to_string(), b.device.half_storage.to_string()),
         ("avatar", subject(a), subject(b)),
         ("clip", a.avatar.clip.clone(), b.avatar.clip.clone()),
@@ -169,6 +170,7 @@ mod tests {
                 vulkan: text("1.3.0"),
                 half_storage: true,
                 subgroup_size: 8,
+                backend: "vulkan".into(),
                 timestamps: true,
             },
             avatar: Subject { name: text("body"), clip: text("walk"), gaussians: 10, parts: 1, nodes: 2, rows: [1, 2, 3] },

@@ -2,6 +2,7 @@
 
 use super::{
     Case, Setting, Task,
+    backend::{Opened, Result},
     check::{self, Checked, Oracle},
     report::{CaseReport, Spread, StageReport},
     run::{self, Drawer, Progress, Samples},
@@ -9,20 +10,17 @@ use super::{
 };
 use crate::{
     avatar::Avatar,
+    frame::{FrameReport, report::STAGES},
     measure::{
         bytes::{self, Seen, Work},
         trace::Trace,
     },
-    vulkan::{
-        Gpu, Result,
-        commands::{FrameReport, STAGES},
-    },
 };
-use std::{collections::BTreeMap, sync::Arc};
+use std::collections::BTreeMap;
 
 /// Measures a case. `trace` takes in the frames that are timed.
 pub fn case(
-    gpu: &Arc<Gpu>,
+    gpu: &Opened,
     task: &Task,
     (setting, case): (&Setting, Case),
     trace: Option<&mut Trace>,
@@ -35,7 +33,7 @@ pub fn case(
     let samples = run::time(&mut drawer, &scenes, task.warm_up, |done| progress(&format!("{case}: timing"), done, scenes.len()))?;
     trace.into_iter().for_each(|trace| samples.reports.iter().for_each(|report| trace.frame(report)));
     let (used, reserved) = gpu.memory();
-    let cost = Cost { used, reserved, timed: gpu.probe.timestamp_bits > 0, surface: drawer.surface() };
+    let cost = Cost { used, reserved, timed: gpu.is_timed(), surface: drawer.surface() };
     let numbers = scene::checks(case, scenes.len(), task.checked);
     let mut oracle = Oracle::new(task.avatar);
     let mut show = |what: &str, done, all| progress(&format!("{case}: {what}"), done, all);

@@ -5,6 +5,7 @@
 //! time, [`pareto`] finds which settings nothing beats and [`plot`] draws them. [`report`] is the JSON, [`table`] the CSV; [`compare`] sets
 //! two reports against each other.
 
+pub mod backend;
 pub mod case;
 pub mod check;
 pub mod compare;
@@ -27,10 +28,11 @@ pub use scene::Set;
 
 use crate::{
     avatar::{Avatar, motion::Player},
-    frame::Camera,
-    vulkan::{Gpu, sort::KeyBits},
+    frame::{Camera, KeyBits},
 };
-use report::{Device, Options, Program, SCHEMA, Subject};
+use backend::Opened;
+use report::{Options, Program, SCHEMA, Subject};
+pub use run::Backend;
 
 /// What to draw and how long, whatever the case.
 #[derive(Clone, Copy)]
@@ -59,11 +61,11 @@ impl<'a> Task<'a> {
     }
 
     /// A report without any case yet. `command` is the command line.
-    pub fn report(&self, gpu: &Gpu, setting: &Setting, command: Vec<String>) -> Report {
+    pub fn report(&self, gpu: &Opened, setting: &Setting, command: Vec<String>) -> Report {
         Report {
             schema: SCHEMA.to_owned(),
             program: program(command),
-            device: device(gpu),
+            device: gpu.describe(),
             avatar: subject(self.avatar, self.player),
             size: setting.options.size,
             options: options(setting),
@@ -80,19 +82,6 @@ pub(super) fn program(command: Vec<String>) -> Program {
         commit: option_env!("EFFIGY_COMMIT").map(str::to_owned),
         date: humantime::format_rfc3339_seconds(std::time::SystemTime::now()).to_string(),
         command,
-    }
-}
-
-pub(super) fn device(gpu: &Gpu) -> Device {
-    let version = gpu.probe.api_version;
-    let part = |shift: u32, mask: u32| version >> shift & mask;
-    Device {
-        name: gpu.probe.name.clone(),
-        driver: gpu.probe.driver.clone(),
-        vulkan: format!("{}.{}.{}", part(22, 0x7f), part(12, 0x3ff), part(0, 0xfff)),
-        half_storage: gpu.half_storage,
-        subgroup_size: gpu.probe.subgroup_size,
-        timestamps: gpu.probe.timestamp_bits > 0,
     }
 }
 

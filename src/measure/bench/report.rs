@@ -41,13 +41,16 @@ pub struct Device {
     pub name: String,
     /// Name and version.
     pub driver: String,
-    /// Vulkan version: 1.3.0.
+    /// Vulkan version: 1.3.0. Empty behind WebGPU.
     pub vulkan: String,
     /// Whether shaders read f16 from storage buffers.
     pub half_storage: bool,
     pub subgroup_size: u32,
     /// Whether the device has timestamps; without them there are no GPU times.
     pub timestamps: bool,
+    /// `vulkan` or `webgpu`. Empty in reports from before there was a choice.
+    #[serde(default)]
+    pub backend: String,
 }
 
 /// What was drawn.

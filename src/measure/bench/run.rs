@@ -3,16 +3,19 @@
 //! Two frames are in flight, as in use. Frame time is the time from one frame's hand-over to the next, which in a steady state is what
 //! a frame takes.
 
-use super::{Case, scene::Scene};
+use super::{
+    Case,
+    backend::{Opened, Renderer, Result},
+    scene::Scene,
+};
+#[cfg(feature = "webgpu")]
+use crate::webgpu;
 use crate::{
     avatar::Avatar,
-    frame::{Picture, Skip},
-    vulkan::{
-        Error, Gpu, GpuOptions, Renderer, RendererOptions, Result,
-        commands::{FrameReport, SLOTS},
-    },
+    frame::{FrameReport, Picture, RendererOptions, Skip},
+    vulkan::{Gpu, GpuOptions, commands::SLOTS},
 };
-use std::{borrow::Cow, sync::Arc, time::Instant};
+use std::{borrow::Cow, time::Instant};
 
 /// Tells how far a measurement is: what is being done, and how many of how many.
 pub type Progress<'a> = &'a mut dyn FnMut(&str, usize, usize);
@@ -47,34 +50,48 @@ impl Setting {
 
 /// One device opened in as many ways as settings need: opened when first asked for.
 pub struct Devices {
+    backend: Backend,
     options: GpuOptions,
-    open: [Option<Arc<Gpu>>; 2],
+    open: [Option<Opened>; 2],
+}
+
+/// Which of the backends draws.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Backend {
+    #[default]
+    Vulkan,
+    #[cfg(feature = "webgpu")]
+    WebGpu,
 }
 
 impl Devices {
-    pub fn new(options: GpuOptions) -> Self {
-        Self { options, open: [None, None] }
+    pub fn new(backend: Backend, options: GpuOptions) -> Self {
+        Self { backend, options, open: [None, None] }
     }
 
     /// The device as a setting wants it.
-    pub fn get(&mut self, setting: &Setting) -> Result<Arc<Gpu>> {
+    pub fn get(&mut self, setting: &Setting) -> Result<Opened> {
         let place = &mut self.open[usize::from(setting.packed_words)];
         if let Some(gpu) = place {
             return Ok(gpu.clone());
         }
-        let gpu = Gpu::new(&GpuOptions { packed_words: setting.packed_words, ..self.options.clone() })?;
+        let gpu = match self.backend {
+            Backend::Vulkan => Opened::Vulkan(Gpu::new(&GpuOptions { packed_words: setting.packed_words, ..self.options.clone() })?),
+            #[cfg(feature = "webgpu")]
+            Backend::WebGpu => Opened::WebGpu(webgpu::Gpu::open(self.options.device.as_deref())?),
+        };
         Ok(place.insert(gpu).clone())
     }
 }
 
-/// What draws scenes; the one place of the benchmark that knows how the renderer is called.
+/// What draws scenes.
 pub struct Drawer {
     renderer: Renderer,
 }
 
 impl Drawer {
     /// `avatar` as the setting fits it. `count`: whether to count what costs time to count.
-    pub fn new(gpu: &Arc<Gpu>, avatar: &Avatar, setting: &Setting, case: Case, count: bool) -> Result<Self> {
+    pub fn new(gpu: &Opened, avatar: &Avatar, setting: &Setting, case: Case, count: bool) -> Result<Self> {
         let options = RendererOptions { actors: case.actors(), count, ..setting.options };
         Ok(Self { renderer: Renderer::new(gpu, avatar, options)? })
     }
@@ -86,8 +103,7 @@ impl Drawer {
 
     /// Submits a frame, or finds that none is needed.
     pub fn draw(&mut self, scene: &Scene) -> Result<()> {
-        let shown: Vec<_> = scene.actors.iter().map(|actor| &actor.shown).collect();
-        self.renderer.draw_scene(&shown, &scene.camera, None)
+        self.renderer.draw(scene)
     }
 
     /// Waits for every submitted frame.
@@ -146,9 +162,4 @@ pub fn count(drawer: &mut Drawer, scenes: &[Scene], mut tick: impl FnMut(usize))
         tick(reports.len());
     }
     Ok(reports)
-}
-
-/// Whether an error is the setting's fault, so that another setting may still be drawn with this device.
-pub fn is_refusal(error: &Error) -> bool {
-    !matches!(error, Error::Timeout { .. } | Error::DeviceLost(_))
 }

@@ -6,6 +6,7 @@
 
 use super::{
     Case, Devices, Setting, Task,
+    backend::Result,
     check::{self, Oracle},
     knob::Knob,
     measured,
@@ -14,7 +15,7 @@ use super::{
     run::{self, Drawer, Progress},
     scene::{self, Scene},
 };
-use crate::vulkan::{Result, commands::FrameReport};
+use crate::frame::FrameReport;
 
 /// Name of the point that is the setting itself.
 pub const BASE: &str = "default";
@@ -54,7 +55,7 @@ pub fn sweep(devices: &mut Devices, task: &Task, sweep: &Sweep, progress: Progre
         for (name, value, setting) in base.chain(knob.values(&sweep.base).into_iter().map(|(value, s)| (knob.to_string(), value, s))) {
             match runner(devices, task, sweep.case, (&name, &value), &setting) {
                 Ok(runner) => runners.push(runner),
-                Err(error) if name != BASE && run::is_refusal(&error) => failed.push(format!("{name} {value}: {error}")),
+                Err(error) if name != BASE && error.is_refusal() => failed.push(format!("{name} {value}: {error}")),
                 Err(error) => return Err(error),
             }
         }
@@ -89,7 +90,7 @@ fn runner(devices: &mut Devices, task: &Task, case: Case, (knob, value): (&str, 
         times: Vec::new(),
         gpu_times: Vec::new(),
         reports: Vec::new(),
-        timestamps: gpu.probe.timestamp_bits > 0,
+        timestamps: gpu.is_timed(),
     })
 }
 

@@ -139,7 +139,7 @@ pub fn report(gpu: &Gpu, task: &Task, session: &Session, simulated_heat: bool) -
     Report {
         schema: SCHEMA.to_owned(),
         program: bench::program(task.command.clone()),
-        device: bench::device(gpu),
+        device: bench::backend::device(gpu),
         avatar: bench::subject(task.avatar, task.player),
         size: task.setting.options.size,
         options: bench::options(&task.setting),

@@ -105,6 +105,7 @@ pub(super) mod tests {
                 half_storage: true,
                 subgroup_size: 8,
                 timestamps: true,
+                backend: "vulkan".into(),
             },
             avatar: Subject { name: text("body"), clip: text("walk"), gaussians: 10, parts: 1, nodes: 2, rows: [1, 2, 3] },
             size: [640, 480],

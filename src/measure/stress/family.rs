@@ -115,7 +115,7 @@ impl Family {
             // Splats lie on a grid of 1/32 px in pictures of 8192 px, of which few pixels are covered.
             Self::Sizes => [30.0, 0.1],
             Self::Views => [42.0, 0.06],
-            // The model in device memory is rounded (vulkan::compact): a dB or two in clouds of a few hundred pixels.
+            // The model in device memory is rounded (layout::compact): a dB or two in clouds of a few hundred pixels.
             Self::Quaternions => [42.0, 0.08],
             Self::Placed | Self::Needles | Self::Opacity | Self::Colors | Self::SubPixel | Self::Refused => [44.0, 0.12],
             Self::Inside => [50.0, 0.03],

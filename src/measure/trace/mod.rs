@@ -6,10 +6,9 @@
 pub mod align;
 mod event;
 
-use crate::vulkan::{
-    Gpu,
-    calibration::Moment,
-    commands::{FrameReport, HostTimes},
+use crate::{
+    frame::report::{FrameReport, HostTimes},
+    vulkan::{Gpu, calibration::Moment},
 };
 use align::{Alignment, Clock, since};
 use event::{DEVICE, Event, HOST};

@@ -5,12 +5,12 @@ use crate::{
     frame::Skip,
     layout::RASTER_QUADS,
     vulkan::{
+        RendererOptions,
         device::Gpu,
         error::{During, Error, Result},
         graphics::{self, Attachment, Depth, Drawing},
         memory::{Buffer, DEPTH_FORMAT, Image},
         model::OccluderMesh,
-        options::RendererOptions,
         pipeline::{Bindings, Slice},
         shaders,
         surface::SurfaceMesh,

@@ -9,29 +9,23 @@ mod hulls;
 mod tiles;
 
 use super::{
+    RendererOptions,
     commands::Slot,
     control::{SHARED, WRITTEN},
     device::Gpu,
     error::{Error, Result},
     memory::Image,
     model::OccluderMesh,
-    options::RendererOptions,
     pipeline::{Slice, barrier},
+};
+pub use crate::{
+    frame::{ColorFormat, Method},
+    layout::bins::{bins_size, tile},
 };
 use ash::vk::{self, AccessFlags, PipelineStageFlags};
 use hulls::Hulls;
 use std::sync::Arc;
-pub use tiles::{Bins, bins_size, tile};
-
-/// What the picture is blended or stored in.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum ColorFormat {
-    /// 8 bits a channel: 4 bytes a pixel, rounded after every Gaussian by [`Method::Hulls`], once by [`Method::Tiles`].
-    Rgba8,
-    /// 16-bit floating point: 8 bytes a pixel.
-    #[default]
-    Rgba16F,
-}
+pub use tiles::Bins;
 
 impl ColorFormat {
     pub fn vulkan(self) -> vk::Format {
@@ -40,43 +34,9 @@ impl ColorFormat {
             Self::Rgba16F => vk::Format::R16G16B16A16_SFLOAT,
         }
     }
-
-    /// Bytes of a pixel.
-    pub fn bytes(self) -> usize {
-        match self {
-            Self::Rgba8 => 4,
-            Self::Rgba16F => 8,
-        }
-    }
-}
-
-/// How splats become a picture.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Method {
-    /// Quads through the graphics pipeline: tilers blend them in their tile memory.
-    Hulls,
-    /// A compute kernel over tiles of the picture, which stops where a pixel is full.
-    Tiles,
 }
 
 impl Method {
-    pub const ALL: [Self; 2] = [Self::Hulls, Self::Tiles];
-
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Hulls => "hulls",
-            Self::Tiles => "tiles",
-        }
-    }
-
-    /// What the picture is stored in unless told otherwise.
-    pub fn color(self) -> ColorFormat {
-        match self {
-            Self::Hulls => ColorFormat::Rgba16F,
-            Self::Tiles => ColorFormat::Rgba8,
-        }
-    }
-
     /// What is faster on a kind of device, as far as it was measured (NOTES.md): processors gain from every fragment that is left out.
     pub fn suited(gpu: &Gpu) -> Self {
         if gpu.probe.kind == vk::PhysicalDeviceType::CPU { Self::Tiles } else { Self::Hulls }

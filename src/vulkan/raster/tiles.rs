@@ -3,12 +3,15 @@
 use super::{super::memory::COLOR, ColorFormat, Method, check_size};
 use crate::{
     frame::Skip,
-    layout::{BINS_BLOCKS, BINS_NODE, BINS_SIDE, BINS_SIZE, BINS_TILE, RASTER_REGION},
+    layout::{
+        BINS_BLOCKS, BINS_NODE, BINS_SIDE, BINS_SIZE, RASTER_REGION,
+        bins::{bins_size, nodes},
+    },
     vulkan::{
+        RendererOptions,
         device::Gpu,
         error::Result,
         memory::{Buffer, Image},
-        options::RendererOptions,
         pipeline::{Bindings, BoundImage, Kernel, Slice, barrier},
         shaders,
     },
@@ -16,25 +19,6 @@ use crate::{
 use ash::vk::{self, AccessFlags, ImageLayout, PipelineStageFlags};
 use gpu_allocator::MemoryLocation;
 use std::sync::Arc;
-
-/// Nodes of the tiles' chains for so many splats, and all nodes. A 200K body 2000 pixels high takes a node for every second splat.
-fn nodes(capacity: u32) -> [u32; 2] {
-    let narrow = capacity.saturating_add(4096);
-    [narrow, narrow.saturating_add(BINS_BLOCKS * capacity.div_ceil(BINS_BLOCKS).div_ceil(BINS_NODE - 1))]
-}
-
-/// The side of a tile in a picture, px: the smallest power of two that makes at most [`BINS_SIDE`] tiles along each side.
-pub fn tile(size: [u32; 2]) -> u32 {
-    size[0].max(size[1]).div_ceil(BINS_SIDE).max(BINS_TILE).next_power_of_two()
-}
-
-/// Bytes of the bins before their nodes, and of all (`shaders/bins.glsl`).
-pub fn bins_size(capacity: u32) -> [u64; 2] {
-    let tiles = u64::from(BINS_SIDE * BINS_SIDE);
-    let blocks = u64::from(BINS_BLOCKS);
-    let heads = 4 * (2 + blocks + tiles + tiles * blocks);
-    [heads, heads + 4 * u64::from(BINS_NODE) * u64::from(nodes(capacity)[1])]
-}
 
 /// What the `bins` stage left, read back.
 pub struct Bins {
@@ -205,15 +189,4 @@ fn picture(gpu: &Arc<Gpu>, format: ColorFormat, size: [u32; 2]) -> Result<Image>
     check_size(gpu, size, gpu.probe.limits.max_image_dimension2_d)?;
     let usage = vk::ImageUsageFlags::STORAGE | vk::ImageUsageFlags::SAMPLED | vk::ImageUsageFlags::TRANSFER_SRC;
     Image::new(gpu, "target", size, format.vulkan(), usage)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn tiles_are_as_small_as_their_number_allows() {
-        let sides = [1, 1024, 1025, 2048, 2049, 8192].map(|side| tile([1, side]));
-        assert_eq!(sides, [16, 16, 16, 16, 32, 64]);
-    }
 }

@@ -1,10 +1,13 @@
 //! The uniform blocks of frames under way: one an avatar.
 
-use super::{Actor, Renderer, Staged};
+use super::Renderer;
 use crate::{
-    frame::{Body, Camera},
+    frame::{
+        Body, Camera, block,
+        keeper::Keeper,
+        scene::{Actor, Staged},
+    },
     layout::Frame,
-    vulkan::{block, keeper::Keeper},
 };
 use bytemuck::from_bytes_mut;
 

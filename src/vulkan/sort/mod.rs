@@ -28,96 +28,18 @@ pub mod trial;
 pub mod verdict;
 
 use super::{device::Gpu, error::Result, memory::Buffer, pipeline::Slice};
+pub use crate::frame::{KeyBits, Variant};
 #[cfg(doc)]
 use crate::layout::Control;
-use crate::layout::{SORT_CHAIN_TILE, SORT_DIGITS, SORT_DROPPED, SORT_FALLBACKS, SORT_GROUP, SORT_LANES, SORT_STATE};
+#[cfg(doc)]
+use crate::layout::SORT_DROPPED;
+use crate::layout::{SORT_DIGITS, SORT_FALLBACKS, SORT_GROUP, SORT_STATE};
 use ash::vk;
 use gpu_allocator::MemoryLocation;
 use passes::Pass;
-use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
-/// How much of a key counts: a pass for every 8 bits.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum KeyBits {
-    #[default]
-    Sixteen,
-    TwentyFour,
-    ThirtyTwo,
-}
-
-impl KeyBits {
-    /// Passes of the sort.
-    pub fn passes(self) -> u32 {
-        match self {
-            Self::Sixteen => 2,
-            Self::TwentyFour => 3,
-            Self::ThirtyTwo => 4,
-        }
-    }
-
-    /// Whether two keys share a word, the first in its low half. The largest that 16 bits hold is then [`SORT_DROPPED`].
-    pub fn halves(self) -> bool {
-        self == Self::Sixteen
-    }
-
-    /// Bytes of some keys, in whole words.
-    pub fn bytes(self, keys: u64) -> u64 {
-        if self.halves() { (2 * keys).next_multiple_of(4) } else { 4 * keys }
-    }
-
-    /// Keys as the sort reads them.
-    pub fn pack(self, keys: &[u32]) -> Vec<u32> {
-        if !self.halves() {
-            return keys.to_vec();
-        }
-        let half = |key: u32| key & 0xffff;
-        keys.chunks(2).map(|pair| half(pair[0]) | pair.get(1).map_or(0, |&key| half(key) << 16)).collect()
-    }
-
-    /// Whether the sort drops a key.
-    pub fn drops(self, key: u32) -> bool {
-        if self.halves() { key & 0xffff == 0xffff } else { key == SORT_DROPPED }
-    }
-
-    /// The largest key that a depth becomes: one that f32 holds, below [`SORT_DROPPED`].
-    pub fn largest(self) -> u32 {
-        match self {
-            Self::Sixteen => 0xfffe,
-            Self::TwentyFour => 0xff_ffff,
-            Self::ThirtyTwo => 0xffff_ff00,
-        }
-    }
-}
-
-/// How to sort.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
-pub enum Variant {
-    OneSweep,
-    SelfScan,
-    LaneScan,
-}
-
 impl Variant {
-    pub const ALL: [Self; 3] = [Self::OneSweep, Self::SelfScan, Self::LaneScan];
-
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::OneSweep => "OneSweep",
-            Self::SelfScan => "self-scan",
-            Self::LaneScan => "lane-scan",
-        }
-    }
-
-    /// Keys of a tile, which a workgroup takes.
-    pub fn tile(self) -> u32 {
-        match self {
-            Self::OneSweep => SORT_CHAIN_TILE,
-            Self::SelfScan => 4096,
-            Self::LaneScan => 1024 * SORT_LANES,
-        }
-    }
-
     /// Why a device can't run it at all.
     pub fn lacks(self, gpu: &Gpu) -> Option<&'static str> {
         match self {

@@ -3,7 +3,7 @@
 
 use super::compact::{self, LogScales, Row};
 use crate::{
-    avatar::{Activation, Avatar, Layer, Rows},
+    avatar::{Activation, Avatar, Layer, Occluder, Rows, occluder::Vertex},
     layout::{self, BLOCK_PAIRS, Frame, GAUSSIAN_PAIRS},
 };
 use bytemuck::Zeroable;
@@ -175,4 +175,29 @@ fn mark<const C: usize>(blocks: &mut [[u32; 2]], rows: &Rows<C>, mask: usize, ba
         block[base / 2][base % 2] = before;
         before += block[mask / 2][mask % 2].count_ones();
     }
+}
+
+/// The corners and the triangles of an avatar's solid inside; see `shaders/surface.vert`.
+pub fn occluder(avatar: &Avatar, occluder: &Occluder, node_places: &[u16]) -> (Vec<[[u32; 4]; 2]>, Vec<[u16; 3]>) {
+    let corner = |vertex: &Vertex| -> [[u32; 4]; 2] {
+        let [x, y, z] = avatar.gaussians.bounds.encode(vertex.position);
+        let words = [u32::from(x) | u32::from(y) << 16, u32::from(z)];
+        let [a, b, c] = vertex.node.map(|node| u32::from(node_places.get(usize::from(node)).copied().unwrap_or_default()));
+        let [first, second, _] = avatar.weights_of(vertex.position, vertex.node).map(|w| (w * 65535.0).round() as u32);
+        [
+            [words[0], words[1], u32::from_le_bytes(vertex.joint), u32::from_le_bytes(vertex.joint_weight)],
+            [a | b << 16, c, first | second << 16, 0],
+        ]
+    };
+    let corners: Vec<[[u32; 4]; 2]> = occluder.vertices.iter().map(corner).collect();
+    // A corner that 16 bits don't reach is none that an avatar's coarse mesh has: its triangle hides nothing.
+    let indices: Vec<[u16; 3]> = occluder
+        .triangles
+        .iter()
+        .filter_map(|corners| {
+            let [a, b, c] = corners.map(|corner| u16::try_from(corner).ok());
+            Some([a?, b?, c?])
+        })
+        .collect();
+    (corners, indices)
 }

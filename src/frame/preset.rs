@@ -2,8 +2,7 @@
 //!
 //! `effigy bench --sweep preset` measures them; the README has the numbers.
 
-use super::{RendererOptions, raster::ColorFormat, sort::KeyBits};
-use crate::frame::{ALPHA_MIN, Skip};
+use super::{ALPHA_MIN, ColorFormat, KeyBits, RendererOptions, Skip};
 use std::{fmt, str::FromStr};
 
 /// How much error a picture may have for the sake of time.

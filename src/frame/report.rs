@@ -1,8 +1,10 @@
 //! What a finished frame says about itself: times on device and host, and counts.
 
-use super::commands::STAGES;
-use crate::frame::Counters;
+use super::Counters;
 use std::time::Instant;
+
+/// Stages in the order a frame runs them; their names in labels, timestamps, tables and the overlay.
+pub const STAGES: [&str; 8] = ["features", "harmonics", "surface", "splats", "sort", "bins", "raster", "present"];
 
 /// What the host did for a frame, and when.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -24,9 +26,10 @@ pub struct HostTimes {
 pub struct FrameReport {
     /// GPU time of each stage that ran, ms. Empty where the device has no timestamps.
     pub stages: Vec<(&'static str, f64)>,
-    /// When each of them began and ended, in the device's ticks, of which [`super::Probe::timestamp_bits`] count.
+    /// When each of them began and ended, in the device's ticks, of which `vulkan::Probe::timestamp_bits` count. Empty where ticks of
+    /// different frames can't be compared.
     pub ticks: Vec<[u64; 2]>,
-    /// None of a frame that was not submitted.
+    /// None of a frame that was not submitted, or whose backend keeps none.
     pub host: Option<HostTimes>,
     /// What went in, what was left out and what was drawn.
     pub counters: Counters,

@@ -1,10 +1,7 @@
 //! The space in which `splats` keeps what no camera changes: that of the camera that saw it, within a box around the posed avatar.
 
-use super::block::matrix_rows;
-use crate::{
-    frame::{Camera, Extent, Posed, extent::enlargement},
-    layout::Frame,
-};
+use super::{Camera, Extent, Posed, block::matrix_rows, extent::enlargement};
+use crate::layout::Frame;
 use glam::{DAffine3, DVec3};
 
 /// What is needed to read what a frame kept.

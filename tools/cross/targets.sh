@@ -1,16 +1,18 @@
 #!/usr/bin/env bash
-# Makes what building for Android takes on a Debian 12 machine that has neither rustup's Android targets nor an NDK:
+# Makes what building for Android or browsers takes on a Debian 12 machine that has neither rustup's targets for them nor an NDK:
 #   - a Rust compiler with its source (Debian's rustc-web, unpacked, not installed), and from that source the targets' standard library;
-#   - a folder laid out as an NDK, with LLVM's linker behind the names of its compilers, and system libraries that export
+#   - for Android a folder laid out as an NDK, with LLVM's linker behind the names of its compilers, and system libraries that export
 #     what android-symbols.txt lists and nothing else.
-# It links but compiles no C: every dependency has to be Rust. tools/apk.sh calls it where ANDROID_NDK_HOME is not set.
-# usage: tools/cross/android.sh DEST TARGET...     TARGET: aarch64-linux-android, x86_64-linux-android. Then: . DEST/env.sh
+# It links but compiles no C: every dependency has to be Rust. tools/apk.sh calls it where ANDROID_NDK_HOME is not set, tools/web.sh where
+# Rust has no wasm32-unknown-unknown.
+# usage: tools/cross/targets.sh DEST TARGET...     TARGET: aarch64-linux-android, x86_64-linux-android, wasm32-unknown-unknown
+# Then: . DEST/env.sh
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 mkdir -p "$1"; dest=$(cd "$1" && pwd); shift
 [ $# -gt 0 ] || set -- aarch64-linux-android
 api=28
-command -v apt-get >/dev/null || { echo "no apt-get here: set ANDROID_NDK_HOME to an NDK, and add the targets with rustup" >&2; exit 1; }
+command -v apt-get >/dev/null || { echo "no apt-get here: add $* with rustup, and for Android set ANDROID_NDK_HOME to an NDK" >&2; exit 1; }
 
 as_root() { if [ "$(id -u)" = 0 ]; then "$@"; else sudo "$@"; fi; }
 say() { echo "  [$SECONDS s] $1"; }
@@ -26,12 +28,13 @@ system_libraries() {
       "$dest/bin/ld.lld" -m "$(emulation "$target")" -shared -soname "$library" -o "$(target_lib "$target")/$library" "$dest/exports.ld"
     done
   done
-  rm "$dest/exports.ld"
+  rm -f "$dest/exports.ld"
 }
 
+phones=(); for target; do case $target in *-android) phones+=("$target") ;; esac; done
 key="$(cat "$0" "$here"/link.sh "$here"/unwind/Cargo.toml "$here"/unwind/src/lib.rs | sha256sum | cut -c1-16) $*"
 if [ "$(cat "$dest/made" 2>/dev/null)" = "$key" ]; then
-  [ "$dest/made" -nt "$here/android-symbols.txt" ] || { system_libraries "$@"; touch "$dest/made"; }
+  [ "$dest/made" -nt "$here/android-symbols.txt" ] || { system_libraries ${phones[@]+"${phones[@]}"}; touch "$dest/made"; }
   exit 0
 fi
 rm -rf "$dest"; mkdir -p "$dest/bin" "$dest/packages"
@@ -56,6 +59,7 @@ wrap() { # NAME PROGRAM: a script that finds its own libraries
 wrap rustc "$dest/usr/bin/rustc"
 wrap rustdoc "$dest/usr/bin/rustdoc"
 wrap ld.lld "$dest/usr/lib/llvm-$version/bin/ld.lld"
+ln -sfn "../lib/llvm-$version/bin/lld" "$dest/usr/bin/rust-lld"
 # The crate that aborts has to be built so that it aborts, as Rust's own build does.
 printf '#!/bin/sh\ncase " $* " in *" --crate-name panic_abort "*) set -- "$@" -C panic=abort ;; esac\nexec "%s/bin/rustc" "$@"\n' "$dest" > "$dest/bin/rustc-std"
 chmod +x "$dest/bin/rustc-std"
@@ -70,6 +74,8 @@ targets=(); for target; do targets+=(--target "$target"); done
 for target; do
   lib="$dest/usr/lib/rustlib/$target/lib"; mkdir -p "$lib"
   find "$dest/std/target/$target/release/deps" \( -name '*.rlib' -o -name '*.rmeta' \) ! -name 'libempty-*' -exec cp {} "$lib" \;
+done
+for target in ${phones[@]+"${phones[@]}"}; do
   tools="$dest/ndk/toolchains/llvm/prebuilt/linux-x86_64"; system=$(target_lib "$target"); mkdir -p "$tools/bin" "$system"
   rm -rf "$dest/unwind"; cp -r "$here/unwind" "$dest/unwind"
   (cd "$dest/unwind" && RUSTC="$dest/bin/rustc" CARGO_TARGET_DIR="$dest/unwind/target" cargo build --quiet --release --target "$target")
@@ -77,8 +83,9 @@ for target; do
   sed -e "s|@DEST@|$dest|;s|@EMULATION@|$(emulation "$target")|;s|@SYSTEM@|$system|" "$here/link.sh" > "$tools/bin/$target$api-clang"
   chmod +x "$tools/bin/$target$api-clang"
 done
-system_libraries "$@"
+system_libraries ${phones[@]+"${phones[@]}"}
 rm -rf "$dest/std" "$dest/unwind" "$dest"/usr/share "$dest"/usr/src "$dest"/usr/lib/rustlib/src
-printf 'export RUSTC="%s/bin/rustc" RUSTDOC="%s/bin/rustdoc" ANDROID_NDK_HOME="%s/ndk"\n' "$dest" "$dest" "$dest" > "$dest/env.sh"
+printf 'export RUSTC="%s/bin/rustc" RUSTDOC="%s/bin/rustdoc"\n' "$dest" "$dest" > "$dest/env.sh"
+[ ${#phones[@]} = 0 ] || printf 'export ANDROID_NDK_HOME="%s/ndk"\n' "$dest" >> "$dest/env.sh"
 echo "$key" > "$dest/made"
 say "done, $(du -sh "$dest" | cut -f1)"

@@ -2,18 +2,14 @@
 //! comes out.
 
 use super::{
-    options::RendererOptions,
-    raster,
+    Camera, RendererOptions, Skip,
     scene::{Actor, Staged},
 };
-use crate::{
-    frame::{Camera, Skip},
-    layout::{Frame, POSITION_BITS},
-};
+use crate::layout::{Frame, POSITION_BITS, bins};
 use glam::DAffine3;
 
 /// Writes what all avatars of a frame share into a block that holds the model's constants.
-pub(super) fn fill_shared(block: &mut Frame, options: &RendererOptions, staged: &Staged, camera: &Camera) {
+pub fn fill_shared(block: &mut Frame, options: &RendererOptions, staged: &Staged, camera: &Camera) {
     let Staged { depth, place, .. } = *staged;
     let guard = camera.guard();
     let [low, high] = camera.derivative_limits();
@@ -29,7 +25,7 @@ pub(super) fn fill_shared(block: &mut Frame, options: &RendererOptions, staged: 
     block.key_max = options.key_bits.largest();
     block.cutoff = (255.0 * options.cutoff) as f32;
     block.hull_opacity = if options.skip.contains(Skip::FAINT) { 0.0 } else { 255.0 };
-    block.tile = raster::tile(camera.size) as f32;
+    block.tile = bins::tile(camera.size) as f32;
     block.margin = options.margin as f32;
     let hides = place.filter(|_| options.skip.contains(Skip::HIDDEN));
     block.surface_start = if hides.is_some() { 4 * options.actors as u32 * vectors(block) } else { 0 };
@@ -41,7 +37,7 @@ pub(super) fn fill_shared(block: &mut Frame, options: &RendererOptions, staged: 
 }
 
 /// Writes an avatar's own.
-pub(super) fn fill_actor(block: &mut Frame, options: &RendererOptions, actor: &Actor, camera: &Camera) {
+pub fn fill_actor(block: &mut Frame, options: &RendererOptions, actor: &Actor, camera: &Camera) {
     let posed = actor.posed;
     block.feature_start = actor.number as u32 * vectors(block);
     block.idle = actor.networks.others().bits();
@@ -60,12 +56,12 @@ pub(super) fn fill_actor(block: &mut Frame, options: &RendererOptions, actor: &A
 }
 
 /// Vectors of an avatar in the pose buffer: its features, then its nodes' displacements.
-pub(super) fn vectors(constants: &Frame) -> u32 {
+pub fn vectors(constants: &Frame) -> u32 {
     constants.parts * constants.feature_quads + constants.nodes.div_ceil(2)
 }
 
 /// Rows of the 3 by 4 matrix of an affine map.
-pub(super) fn matrix_rows(map: DAffine3) -> [[f32; 4]; 3] {
+pub fn matrix_rows(map: DAffine3) -> [[f32; 4]; 3] {
     let columns = [map.matrix3.x_axis, map.matrix3.y_axis, map.matrix3.z_axis, map.translation];
     std::array::from_fn(|row| columns.map(|column| column[row] as f32))
 }

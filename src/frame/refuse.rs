@@ -1,22 +1,19 @@
 //! What a renderer refuses before it asks anything of the device: options, poses and cameras that can't be drawn go in, an error that
 //! says what was found comes out.
 
-use super::{Error, RendererOptions, Result};
-use crate::{
-    frame::{ALPHA_MIN, Camera, Extent, Posed, Unusable},
-    layout::Frame,
-};
+use super::{ALPHA_MIN, Camera, Extent, Posed, RendererOptions, Unusable};
+use crate::layout::Frame;
 
 /// Avatars that a renderer may be made for: their Gaussians are then fewer than a sort takes.
 const ACTORS: usize = 256;
 
-fn unusable(what: &str, found: impl ToString, expected: impl ToString) -> Error {
-    Error::Unusable(Unusable { what: what.into(), found: found.to_string(), expected: expected.to_string() })
+fn unusable(what: &str, found: impl ToString, expected: impl ToString) -> Unusable {
+    Unusable { what: what.into(), found: found.to_string(), expected: expected.to_string() }
 }
 
 impl RendererOptions {
     /// Whether the numbers are ones that a renderer can be made with; the picture's size is the device's to judge.
-    pub(super) fn check(&self) -> Result<()> {
+    pub fn check(&self) -> Result<(), Unusable> {
         if !(ALPHA_MIN..=1.0).contains(&self.cutoff) {
             return Err(unusable("the opacity cutoff", self.cutoff, "a number from 1/255 to 1"));
         }
@@ -31,7 +28,7 @@ impl RendererOptions {
 }
 
 /// Whether a frame can be drawn of these poses of the model that `constants` and `extent` describe.
-pub(super) fn frame(poses: &[&Posed], camera: &Camera, model: (&Frame, &Extent), options: &RendererOptions) -> Result<()> {
+pub fn frame(poses: &[&Posed], camera: &Camera, model: (&Frame, &Extent), options: &RendererOptions) -> Result<(), Unusable> {
     camera.check()?;
     if camera.size != options.size {
         let [found, expected] = [camera.size, options.size].map(|[width, height]| format!("{width} × {height} px"));
@@ -43,7 +40,7 @@ pub(super) fn frame(poses: &[&Posed], camera: &Camera, model: (&Frame, &Extent),
     poses.iter().try_for_each(|posed| pose(posed, model))
 }
 
-fn pose(posed: &Posed, (constants, extent): (&Frame, &Extent)) -> Result<()> {
+fn pose(posed: &Posed, (constants, extent): (&Frame, &Extent)) -> Result<(), Unusable> {
     posed.check()?;
     if posed.joints.len() < extent.joints() {
         return Err(unusable("the pose", format!("one of {} joints", posed.joints.len()), format!("at least {}", extent.joints())));

@@ -1,12 +1,11 @@
 //! What a frame is made of, before anything is asked of the device: posed avatars and a camera go in; which of them are in view, what
 //! each needs, and what all of them share come out.
 
-use super::{options::RendererOptions, surface::Place};
-use crate::frame::{Body, Camera, Counters, Extent, Needed, Needs, PartSet, Plan, Posed, Skip};
+use super::{Body, Camera, Counters, Extent, Needed, Needs, PartSet, Place, Plan, Posed, RendererOptions, Skip};
 use glam::UVec2;
 
 /// An avatar in view.
-pub(super) struct Actor<'a> {
+pub struct Actor<'a> {
     /// Which of the renderer's places it has: that of its pose in what [`Scene::next`] was given.
     pub number: usize,
     pub posed: &'a Posed,
@@ -20,7 +19,7 @@ pub(super) struct Actor<'a> {
 }
 
 /// What one frame draws.
-pub(super) struct Staged<'a> {
+pub struct Staged<'a> {
     pub actors: Vec<Actor<'a>>,
     /// `splats`, `sort` and `raster`: something in the picture has changed.
     pub view: bool,
@@ -34,7 +33,7 @@ pub(super) struct Staged<'a> {
 
 /// Remembers what the last frame showed.
 #[derive(Clone, Default)]
-pub(super) struct Scene {
+pub struct Scene {
     plans: Vec<Plan>,
     /// Those that it drew.
     in_view: Option<Vec<usize>>,

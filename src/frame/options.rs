@@ -1,0 +1,124 @@
+//! What a renderer is made with: everything that trades time or memory for something else.
+
+use super::{ALPHA_MIN, KeyBits, Skip};
+use crate::layout::{SORT_CHAIN_TILE, SORT_LANES, SORT_TILE};
+use serde::{Deserialize, Serialize};
+
+/// What a renderer is made with.
+#[derive(Clone, Copy, Debug)]
+pub struct RendererOptions {
+    /// Width and height of the picture, px.
+    pub size: [u32; 2],
+    /// What the picture is stored in. None: as suits the method, 8 bits where each pixel is rounded once.
+    pub color: Option<ColorFormat>,
+    /// How splats are drawn. None: as suits the device.
+    pub method: Option<Method>,
+    pub key_bits: KeyBits,
+    /// How to sort. None: as the self-test finds best.
+    pub sort: Option<Variant>,
+    /// What is left out where the scene doesn't need it.
+    pub skip: Skip,
+    /// Contributions below this opacity are not drawn, at least 1/255 (model.md, step 10).
+    pub cutoff: f64,
+    /// How far behind the depth surface something is hidden, metres.
+    pub margin: f64,
+    /// Copies of the avatar that a scene may have, at least 1: memory grows with it.
+    pub actors: usize,
+    /// Count fragments, where the device can, and why Gaussians are left out: for measurements, since some devices are slower then.
+    pub count: bool,
+}
+
+impl RendererOptions {
+    /// The defaults at a size.
+    pub fn new(size: [u32; 2]) -> Self {
+        Self {
+            size,
+            color: None,
+            method: None,
+            key_bits: KeyBits::default(),
+            sort: None,
+            skip: Skip::all() - Skip::DEPTH,
+            cutoff: ALPHA_MIN,
+            margin: 0.005,
+            actors: 1,
+            count: false,
+        }
+    }
+}
+
+/// What the picture is blended or stored in.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum ColorFormat {
+    /// 8 bits a channel: 4 bytes a pixel, rounded after every Gaussian by [`Method::Hulls`], once by [`Method::Tiles`].
+    Rgba8,
+    /// 16-bit floating point: 8 bytes a pixel.
+    #[default]
+    Rgba16F,
+}
+
+impl ColorFormat {
+    /// Bytes of a pixel.
+    pub fn bytes(self) -> usize {
+        match self {
+            Self::Rgba8 => 4,
+            Self::Rgba16F => 8,
+        }
+    }
+}
+
+/// How splats become a picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Method {
+    /// Quads through the graphics pipeline: tilers blend them in their tile memory.
+    Hulls,
+    /// A compute kernel over tiles of the picture, which stops where a pixel is full.
+    Tiles,
+}
+
+impl Method {
+    pub const ALL: [Self; 2] = [Self::Hulls, Self::Tiles];
+
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Hulls => "hulls",
+            Self::Tiles => "tiles",
+        }
+    }
+
+    /// What the picture is stored in unless told otherwise.
+    pub fn color(self) -> ColorFormat {
+        match self {
+            Self::Hulls => ColorFormat::Rgba16F,
+            Self::Tiles => ColorFormat::Rgba8,
+        }
+    }
+}
+
+/// How to sort.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+pub enum Variant {
+    OneSweep,
+    SelfScan,
+    LaneScan,
+}
+
+impl Variant {
+    pub const ALL: [Self; 3] = [Self::OneSweep, Self::SelfScan, Self::LaneScan];
+
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::OneSweep => "OneSweep",
+            Self::SelfScan => "self-scan",
+            Self::LaneScan => "lane-scan",
+        }
+    }
+
+    /// Keys of a tile, which a workgroup takes.
+    pub fn tile(self) -> u32 {
+        match self {
+            Self::OneSweep => SORT_CHAIN_TILE,
+            Self::SelfScan => SORT_TILE,
+            Self::LaneScan => 1024 * SORT_LANES,
+        }
+    }
+}

@@ -1,0 +1,153 @@
+//! A WebGPU device with the default limits, and what it said since.
+
+use super::error::{Error, Result};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use wgpu::{DeviceType, Features, Limits};
+
+/// What was heard from a device behind the program's back.
+#[derive(Debug, Default)]
+struct Heard {
+    lost: Option<String>,
+    /// The first complaint that nobody has been told of.
+    error: Option<String>,
+}
+
+/// A device, shared by all that is made with it.
+pub struct Gpu {
+    pub instance: wgpu::Instance,
+    pub adapter: wgpu::Adapter,
+    pub device: wgpu::Device,
+    pub queue: wgpu::Queue,
+    pub info: wgpu::AdapterInfo,
+    /// Whether passes can be timed.
+    pub timestamps: bool,
+    heard: Arc<Mutex<Heard>>,
+}
+
+/// A poisoned lock holds what it held: no writer leaves it half written.
+fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+impl Gpu {
+    /// Opens a device of an instance, which in a browser may belong to a page. `wanted`: part of its name; None takes the fastest.
+    ///
+    /// # Errors
+    /// Without such a device.
+    pub async fn new(instance: wgpu::Instance, wanted: Option<&str>) -> Result<Arc<Self>> {
+        let adapter = adapter(&instance, wanted).await?;
+        let timestamps = adapter.features().contains(Features::TIMESTAMP_QUERY);
+        let descriptor = wgpu::DeviceDescriptor {
+            label: Some("effigy"),
+            required_features: if timestamps { Features::TIMESTAMP_QUERY } else { Features::empty() },
+            required_limits: limits(&adapter),
+            ..Default::default()
+        };
+        let opened = adapter.request_device(&descriptor).await;
+        let (device, queue) = opened.map_err(|error| Error::NoDevice(error.to_string()))?;
+        let heard = Arc::new(Mutex::new(Heard::default()));
+        let told = heard.clone();
+        device.set_device_lost_callback(move |reason, message| {
+            locked(&told).lost = Some(if message.is_empty() { format!("{reason:?}") } else { message });
+        });
+        let told = heard.clone();
+        device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| {
+            tracing::error!("{error}");
+            locked(&told).error.get_or_insert_with(|| error.to_string());
+        }));
+        let info = adapter.get_info();
+        Ok(Arc::new(Self { instance, adapter, device, queue, info, timestamps, heard }))
+    }
+
+    /// Opens a device without a browser.
+    ///
+    /// # Errors
+    /// Without such a device.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub fn open(wanted: Option<&str>) -> Result<Arc<Self>> {
+        let instance = wgpu::Instance::new(wgpu::InstanceDescriptor {
+            backends: wgpu::Backends::VULKAN,
+            flags: if std::env::var_os("EFFIGY_VALIDATION").is_some() {
+                wgpu::InstanceFlags::debugging()
+            } else {
+                wgpu::InstanceFlags::empty()
+            },
+            ..wgpu::InstanceDescriptor::new_without_display_handle()
+        });
+        pollster::block_on(Self::new(instance, wanted))
+    }
+
+    /// Whether a processor plays the device.
+    pub fn is_cpu(&self) -> bool {
+        self.info.device_type == DeviceType::Cpu || self.info.name.to_ascii_lowercase().contains("swiftshader")
+    }
+
+    /// Its name, as far as it gives one.
+    pub fn name(&self) -> &str {
+        let names = [&self.info.name, &self.info.driver];
+        names.into_iter().find(|name| !name.is_empty()).map_or("the browser's device", |name| name)
+    }
+
+    /// Bytes of its memory in use, and in blocks that the program took; zeros where nobody tells.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub fn memory(&self) -> (u64, u64) {
+        self.device.generate_allocator_report().map_or((0, 0), |report| (report.total_allocated_bytes, report.total_reserved_bytes))
+    }
+
+    /// Why nothing can be drawn any more, or what the device refused since the last call.
+    ///
+    /// # Errors
+    /// When it was lost or refused something.
+    pub fn check(&self) -> Result<()> {
+        let mut heard = locked(&self.heard);
+        let error = heard.error.take();
+        match (&heard.lost, error) {
+            (Some(reason), _) => Err(Error::DeviceLost(reason.clone())),
+            (None, Some(error)) => Err(Error::Refused(error)),
+            (None, None) => Ok(()),
+        }
+    }
+
+    /// Waits for what was submitted so far, or for all of it, but not forever.
+    ///
+    /// # Errors
+    /// When the device is lost, refused something, or hangs.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub fn wait(&self, submission: Option<wgpu::SubmissionIndex>, what: &'static str) -> Result<()> {
+        /// A frame of the largest picture takes a CPU driver some seconds.
+        const LIMIT: std::time::Duration = std::time::Duration::from_secs(60);
+        let waited = self.device.poll(wgpu::PollType::Wait { submission_index: submission, timeout: Some(LIMIT) });
+        self.check()?;
+        waited.map(|_| ()).map_err(|_| Error::Timeout { what, seconds: LIMIT.as_secs() })
+    }
+}
+
+#[cfg(not(target_arch = "wasm32"))]
+async fn adapter(instance: &wgpu::Instance, wanted: Option<&str>) -> Result<wgpu::Adapter> {
+    let adapters = instance.enumerate_adapters(wgpu::Backends::VULKAN).await;
+    let names: Vec<String> = adapters.iter().map(|adapter| format!("`{}`", adapter.get_info().name)).collect();
+    let Some(wanted) = wanted else {
+        let best = adapters.into_iter().min_by_key(|adapter| match adapter.get_info().device_type {
+            DeviceType::DiscreteGpu => 0,
+            DeviceType::IntegratedGpu => 1,
+            DeviceType::VirtualGpu | DeviceType::Other => 2,
+            DeviceType::Cpu => 3,
+        });
+        return best.ok_or_else(|| Error::NoDevice("none of this machine's drivers offers one".into()));
+    };
+    let fits = |adapter: &wgpu::Adapter| adapter.get_info().name.to_lowercase().contains(&wanted.to_lowercase());
+    let found = adapters.into_iter().find(fits);
+    found.ok_or_else(|| Error::NoSuchDevice { wanted: wanted.into(), found: names.join(", ") })
+}
+
+#[cfg(target_arch = "wasm32")]
+async fn adapter(instance: &wgpu::Instance, _: Option<&str>) -> Result<wgpu::Adapter> {
+    let options = wgpu::RequestAdapterOptions { power_preference: wgpu::PowerPreference::HighPerformance, ..Default::default() };
+    instance.request_adapter(&options).await.map_err(|error| Error::NoDevice(error.to_string()))
+}
+
+/// WebGPU's defaults, but for the size of pictures, of which a device may allow more.
+fn limits(adapter: &wgpu::Adapter) -> Limits {
+    let side = adapter.limits().max_texture_dimension_2d;
+    Limits { max_texture_dimension_2d: side.max(Limits::default().max_texture_dimension_2d), ..Limits::default() }
+}

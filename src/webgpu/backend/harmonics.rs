@@ -1,0 +1,52 @@
+//! The `harmonics` stage: the colour of each Gaussian as the camera sees it, for avatars whose colours depend on that.
+
+use super::{
+    buffer::{STORAGE, filled},
+    device::Gpu,
+    error::Result,
+    kernel::{Blocks, Bound, Kernel},
+    model::Model,
+};
+use crate::{
+    avatar::Avatar,
+    layout::{
+        HARMONICS_SIZE,
+        harmonics::{SPLIT, groups, planes},
+    },
+    webgpu::shaders,
+};
+use bytemuck::cast_slice;
+
+pub struct Harmonics {
+    kernel: Kernel,
+    groups: u32,
+}
+
+impl Harmonics {
+    /// Writes to the colours in `model`. None for an avatar without harmonics.
+    pub fn new(gpu: &Gpu, avatar: &Avatar, model: &Model, blocks: &Blocks) -> Result<Option<Self>> {
+        let Some(coefficients) = &avatar.harmonics else { return Ok(None) };
+        let groups = groups(coefficients.degree);
+        let buffer = |name, range| filled(gpu, name, cast_slice(&planes(avatar, coefficients, range)), STORAGE);
+        let low = buffer("low harmonics", 0..groups.min(SPLIT))?;
+        let high = buffer("high harmonics", SPLIT..groups.max(SPLIT))?;
+        let (module, both) = match coefficients.degree {
+            0 | 1 => (&shaders::HARMONICS_1, false),
+            2 => (&shaders::HARMONICS_2, true),
+            _ => (&shaders::HARMONICS_3, true),
+        };
+        let bound = [
+            blocks.frame(),
+            (1, Bound::Write((&model.gaussians).into())),
+            (2, Bound::Read((&low).into())),
+            (3, Bound::Read((&high).into())),
+        ];
+        let kernel = Kernel::new(gpu, module, if both { &bound } else { &bound[..3] });
+        Ok(Some(Self { kernel, groups: model.constants.gaussians.div_ceil(HARMONICS_SIZE) }))
+    }
+
+    /// Reads the frame's joints and the model, writes the model's colours.
+    pub fn record(&self, pass: &mut wgpu::ComputePass, frame: u32) {
+        self.kernel.dispatch(pass, frame, [self.groups, 1]);
+    }
+}

@@ -1,0 +1,166 @@
+//! Bindings and compute pipelines.
+
+use super::{buffer::Slice, device::Gpu};
+use crate::{
+    layout::{Frame, Settings},
+    webgpu::shaders::Module,
+};
+use wgpu::{
+    BindGroupEntry, BindGroupLayoutEntry, BindingResource, BindingType, BufferBinding, BufferBindingType, ShaderStages,
+    StorageTextureAccess, TextureFormat, TextureSampleType, TextureViewDimension,
+};
+
+/// Bytes from one avatar's uniform block to the next.
+pub const FRAME_STRIDE: u64 = (size_of::<Frame>() as u64).next_multiple_of(256);
+/// Binding of the settings: `shaders/settings.glsl`.
+const SETTINGS: u32 = 7;
+
+/// What a shader sees under a number.
+#[derive(Clone, Copy)]
+pub enum Bound<'a> {
+    /// The blocks of all avatars, of which a dispatch names one by its offset.
+    Frame(&'a wgpu::Buffer),
+    Uniform(&'a wgpu::Buffer),
+    Read(Slice<'a>),
+    Write(Slice<'a>),
+    Texture(&'a wgpu::TextureView),
+    /// A picture that is written, and its format.
+    Picture(&'a wgpu::TextureView, TextureFormat),
+}
+
+impl<'a> Bound<'a> {
+    fn kind(self) -> BindingType {
+        let buffer = |ty, dynamic| BindingType::Buffer { ty, has_dynamic_offset: dynamic, min_binding_size: None };
+        match self {
+            Self::Frame(_) => buffer(BufferBindingType::Uniform, true),
+            Self::Uniform(_) => buffer(BufferBindingType::Uniform, false),
+            Self::Read(_) => buffer(BufferBindingType::Storage { read_only: true }, false),
+            Self::Write(_) => buffer(BufferBindingType::Storage { read_only: false }, false),
+            Self::Texture(_) => BindingType::Texture {
+                sample_type: TextureSampleType::Float { filterable: false },
+                view_dimension: TextureViewDimension::D2,
+                multisampled: false,
+            },
+            Self::Picture(_, format) => {
+                BindingType::StorageTexture { access: StorageTextureAccess::WriteOnly, format, view_dimension: TextureViewDimension::D2 }
+            }
+        }
+    }
+
+    fn resource(self) -> BindingResource<'a> {
+        let range = |buffer, offset, size| BindingResource::Buffer(BufferBinding { buffer, offset, size: std::num::NonZero::new(size) });
+        match self {
+            Self::Frame(buffer) => range(buffer, 0, size_of::<Frame>() as u64),
+            Self::Uniform(buffer) => buffer.as_entire_binding(),
+            Self::Read(slice) | Self::Write(slice) => range(slice.buffer, slice.offset, slice.size.next_multiple_of(4)),
+            Self::Texture(view) | Self::Picture(view, _) => BindingResource::TextureView(view),
+        }
+    }
+}
+
+/// The uniform buffers that the stages share.
+pub struct Blocks {
+    /// One [`Frame`] an avatar, [`FRAME_STRIDE`] apart.
+    pub frames: wgpu::Buffer,
+    /// One [`Settings`].
+    pub settings: wgpu::Buffer,
+}
+
+impl Blocks {
+    /// For as many avatars.
+    pub fn new(gpu: &Gpu, actors: usize) -> super::Result<Self> {
+        let uniform = wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST;
+        Ok(Self {
+            frames: super::buffer::empty(gpu, "frames", actors as u64 * FRAME_STRIDE, uniform)?,
+            settings: super::buffer::empty(gpu, "settings", size_of::<Settings>() as u64, uniform)?,
+        })
+    }
+
+    pub fn frame(&self) -> (u32, Bound<'_>) {
+        (0, Bound::Frame(&self.frames))
+    }
+
+    pub fn settings(&self) -> (u32, Bound<'_>) {
+        (SETTINGS, Bound::Uniform(&self.settings))
+    }
+}
+
+/// What a shader's numbers stand for.
+pub struct Bindings {
+    pub layout: wgpu::BindGroupLayout,
+    group: wgpu::BindGroup,
+    /// Whether a dispatch names a frame's block.
+    framed: bool,
+}
+
+impl Bindings {
+    pub fn new(gpu: &Gpu, stages: ShaderStages, bound: &[(u32, Bound)]) -> Self {
+        let entry = |&(binding, bound): &(u32, Bound)| BindGroupLayoutEntry { binding, visibility: stages, ty: bound.kind(), count: None };
+        let entries: Vec<_> = bound.iter().map(entry).collect();
+        let layout = gpu.device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: None, entries: &entries });
+        let group = group(gpu, &layout, bound);
+        Self { layout, group, framed: bound.iter().any(|(_, bound)| matches!(bound, Bound::Frame(_))) }
+    }
+
+    /// Other resources under the same numbers.
+    pub fn set(&mut self, gpu: &Gpu, bound: &[(u32, Bound)]) {
+        self.group = group(gpu, &self.layout, bound);
+    }
+
+    pub fn pipeline_layout(&self, gpu: &Gpu) -> wgpu::PipelineLayout {
+        let layouts = [Some(&self.layout)];
+        gpu.device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor { label: None, bind_group_layouts: &layouts, immediate_size: 0 })
+    }
+
+    pub fn bind_compute(&self, pass: &mut wgpu::ComputePass, frame: u32) {
+        pass.set_bind_group(0, &self.group, &[frame][..usize::from(self.framed)]);
+    }
+
+    pub fn bind_draw(&self, pass: &mut wgpu::RenderPass, frame: u32) {
+        pass.set_bind_group(0, &self.group, &[frame][..usize::from(self.framed)]);
+    }
+}
+
+fn group(gpu: &Gpu, layout: &wgpu::BindGroupLayout, bound: &[(u32, Bound)]) -> wgpu::BindGroup {
+    let entries: Vec<_> = bound.iter().map(|&(binding, bound)| BindGroupEntry { binding, resource: bound.resource() }).collect();
+    gpu.device.create_bind_group(&wgpu::BindGroupDescriptor { label: None, layout, entries: &entries })
+}
+
+/// A module on a device.
+pub fn module(gpu: &Gpu, module: &Module) -> wgpu::ShaderModule {
+    let descriptor = wgpu::ShaderModuleDescriptor { label: Some(module.name), source: wgpu::ShaderSource::Wgsl(module.wgsl.into()) };
+    // SAFETY: these are the shaders that the Vulkan backend runs without such checks, within the bounds that `Model` and `refuse` see to;
+    // browsers check on their own.
+    unsafe { gpu.device.create_shader_module_trusted(descriptor, wgpu::ShaderRuntimeChecks::unchecked()) }
+}
+
+/// A compute pipeline and what it is bound to.
+pub struct Kernel {
+    pipeline: wgpu::ComputePipeline,
+    pub bindings: Bindings,
+}
+
+impl Kernel {
+    pub fn new(gpu: &Gpu, shader: &Module, bound: &[(u32, Bound)]) -> Self {
+        let bindings = Bindings::new(gpu, ShaderStages::COMPUTE, bound);
+        let pipeline = gpu.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+            label: Some(shader.name),
+            layout: Some(&bindings.pipeline_layout(gpu)),
+            module: &module(gpu, shader),
+            entry_point: None,
+            compilation_options: wgpu::PipelineCompilationOptions { zero_initialize_workgroup_memory: false, ..Default::default() },
+            cache: None,
+        });
+        Self { pipeline, bindings }
+    }
+
+    /// `frame`: where in the frames' buffer the block is, bytes.
+    pub fn dispatch(&self, pass: &mut wgpu::ComputePass, frame: u32, [x, y]: [u32; 2]) {
+        if x == 0 || y == 0 {
+            return;
+        }
+        pass.set_pipeline(&self.pipeline);
+        self.bindings.bind_compute(pass, frame);
+        pass.dispatch_workgroups(x, y, 1);
+    }
+}

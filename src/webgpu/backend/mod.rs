@@ -1,0 +1,25 @@
+//! All that needs `wgpu`.
+
+mod buffer;
+pub mod device;
+pub mod error;
+mod features;
+mod harmonics;
+mod kernel;
+mod model;
+pub mod options;
+#[cfg(not(target_arch = "wasm32"))]
+mod picture;
+pub mod present;
+mod raster;
+#[cfg(not(target_arch = "wasm32"))]
+pub mod readback;
+pub mod renderer;
+mod slot;
+mod sort;
+mod splats;
+mod surface;
+
+pub use device::Gpu;
+pub use error::{Error, Result};
+pub use renderer::Renderer;

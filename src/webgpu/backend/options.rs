@@ -1,0 +1,38 @@
+//! What this backend and a device make of a renderer's options.
+
+use super::{
+    device::Gpu,
+    error::{Error, Result},
+    sort,
+    splats::slots as slots_of,
+};
+use crate::{
+    avatar::Avatar,
+    frame::{KeyBits, Method, RendererOptions, Skip},
+};
+
+/// The options with what suits a device, and this backend, in place of what was left open.
+pub fn settled(gpu: &Gpu, options: RendererOptions) -> RendererOptions {
+    let method = options.method.unwrap_or(if gpu.is_cpu() { Method::Tiles } else { Method::Hulls });
+    // Fragments are not tested against the depth surface here.
+    let skip = options.skip - Skip::DEPTH;
+    RendererOptions { method: Some(method), color: Some(options.color.unwrap_or(method.color())), skip, ..options }
+}
+
+/// Those options for an avatar, unless they can't be drawn with.
+pub fn accepted(gpu: &Gpu, avatar: &Avatar, options: RendererOptions) -> Result<RendererOptions> {
+    options.check()?;
+    if options.key_bits != KeyBits::Sixteen {
+        return Err(Error::KeyBits(8 * options.key_bits.passes()));
+    }
+    let keys = options.actors as u64 * u64::from(slots_of(avatar.gaussians.len() as u32));
+    if keys > u64::from(sort::MOST) {
+        return Err(Error::TooLarge { what: "sort keys", found: 4 * keys, limit: 4 * u64::from(sort::MOST), device: gpu.name().into() });
+    }
+    let mut options = settled(gpu, options);
+    // Where colours change with the view, nothing is kept.
+    if avatar.harmonics.is_some() {
+        options.skip -= Skip::SKINNING;
+    }
+    Ok(options)
+}

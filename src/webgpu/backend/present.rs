@@ -1,0 +1,60 @@
+//! The `present` stage: the picture goes in, a canvas or window with the picture over a background comes out.
+
+use super::{
+    buffer,
+    device::Gpu,
+    error::Result,
+    kernel::{Bindings, Bound},
+    raster::draw_pipeline,
+};
+use crate::webgpu::shaders;
+use wgpu::{BufferUsages, ShaderStages, TextureFormat};
+
+/// Draws pictures over a background.
+pub struct Present {
+    background: wgpu::Buffer,
+    bindings: Bindings,
+    pipeline: wgpu::RenderPipeline,
+}
+
+impl Present {
+    /// For targets of a format whose numbers are shown as they are.
+    pub fn new(gpu: &Gpu, picture: &wgpu::TextureView, format: TextureFormat) -> Result<Self> {
+        let background = buffer::empty(gpu, "background", 16, BufferUsages::UNIFORM | BufferUsages::COPY_DST)?;
+        let bindings = Bindings::new(gpu, ShaderStages::FRAGMENT, &bound(picture, &background));
+        let target = wgpu::ColorTargetState { format, blend: None, write_mask: wgpu::ColorWrites::ALL };
+        let pipeline = draw_pipeline(gpu, "present", &bindings, [&shaders::PRESENT_VERTEX, &shaders::PRESENT_FRAGMENT], target);
+        Ok(Self { background, bindings, pipeline })
+    }
+
+    /// Shows this picture from now on.
+    pub fn set_picture(&mut self, gpu: &Gpu, picture: &wgpu::TextureView) {
+        self.bindings.set(gpu, &bound(picture, &self.background));
+    }
+
+    /// Draws the picture over a background, display-referred RGB.
+    pub fn draw(&self, gpu: &Gpu, target: &wgpu::TextureView, [r, g, b]: [f32; 3]) {
+        gpu.queue.write_buffer(&self.background, 0, bytemuck::cast_slice(&[r, g, b, 1.0]));
+        let mut encoder = gpu.device.create_command_encoder(&Default::default());
+        {
+            let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+                label: Some("present"),
+                color_attachments: &[Some(wgpu::RenderPassColorAttachment {
+                    view: target,
+                    depth_slice: None,
+                    resolve_target: None,
+                    ops: wgpu::Operations { load: wgpu::LoadOp::Clear(wgpu::Color::BLACK), store: wgpu::StoreOp::Store },
+                })],
+                ..Default::default()
+            });
+            pass.set_pipeline(&self.pipeline);
+            self.bindings.bind_draw(&mut pass, 0);
+            pass.draw(0..3, 0..1);
+        }
+        gpu.queue.submit([encoder.finish()]);
+    }
+}
+
+fn bound<'a>(picture: &'a wgpu::TextureView, background: &'a wgpu::Buffer) -> [(u32, Bound<'a>); 2] {
+    [(0, Bound::Texture(picture)), (1, Bound::Uniform(background))]
+}

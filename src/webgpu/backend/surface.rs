@@ -1,0 +1,84 @@
+//! The `surface` stage: what no one can see. The avatar's solid inside is drawn, seen from the camera, into a small depth image, and
+//! reduced to a pyramid whose texels hold the furthest depth of what they cover: `splats` leaves out what lies behind that.
+
+use super::{
+    device::Gpu,
+    kernel::{Bindings, Blocks, Bound, Kernel, module},
+    model::Model,
+    slot::Slot,
+};
+use crate::{
+    layout::{SURFACE_DRAWN, SURFACE_FINEST, SURFACE_HEIGHT, SURFACE_WIDTH},
+    webgpu::shaders,
+};
+use wgpu::{Face, LoadOp, Operations, RenderPassDepthStencilAttachment, ShaderStages, StoreOp, TextureFormat, TextureUsages};
+
+const FORMAT: TextureFormat = TextureFormat::Depth16Unorm;
+
+pub struct Surface {
+    mesh: Bindings,
+    pipeline: wgpu::RenderPipeline,
+    pyramid: Kernel,
+    image: wgpu::TextureView,
+}
+
+impl Surface {
+    /// Writes the pyramid to `pose`, from the word on that the frame says.
+    pub fn new(gpu: &Gpu, model: &Model, blocks: &Blocks, pose: &wgpu::Buffer) -> Self {
+        let bound = [blocks.frame(), (1, Bound::Read((&model.occluder.corners).into())), (2, Bound::Read(pose.into()))];
+        let mesh = Bindings::new(gpu, ShaderStages::VERTEX, &bound);
+        let usage = TextureUsages::RENDER_ATTACHMENT | TextureUsages::TEXTURE_BINDING;
+        let image = super::raster::texture(gpu, "surface", [SURFACE_DRAWN; 2], FORMAT, usage);
+        let image = image.create_view(&Default::default());
+        let bound = [blocks.frame(), (1, Bound::Write(pose.into())), (2, Bound::Texture(&image))];
+        let pyramid = Kernel::new(gpu, &shaders::SURFACE, &bound);
+        let pipeline = gpu.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+            label: Some("surface"),
+            layout: Some(&mesh.pipeline_layout(gpu)),
+            vertex: wgpu::VertexState {
+                module: &module(gpu, &shaders::SURFACE_VERTEX),
+                entry_point: None,
+                compilation_options: Default::default(),
+                buffers: &[],
+            },
+            primitive: wgpu::PrimitiveState { cull_mode: Some(Face::Back), ..Default::default() },
+            depth_stencil: Some(wgpu::DepthStencilState {
+                format: FORMAT,
+                depth_write_enabled: Some(true),
+                depth_compare: Some(wgpu::CompareFunction::LessEqual),
+                stencil: Default::default(),
+                bias: Default::default(),
+            }),
+            multisample: Default::default(),
+            fragment: None,
+            multiview_mask: None,
+            cache: None,
+        });
+        Self { mesh, pipeline, pyramid, image }
+    }
+
+    /// Draws the mesh of each of `frames`, at least one, where their blocks say.
+    pub fn record(&self, slot: &mut Slot, encoder: &mut wgpu::CommandEncoder, model: &Model, frames: &[u32]) {
+        let [first, second] = slot.split("surface");
+        {
+            let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+                label: Some("surface"),
+                depth_stencil_attachment: Some(RenderPassDepthStencilAttachment {
+                    view: &self.image,
+                    depth_ops: Some(Operations { load: LoadOp::Clear(1.0), store: StoreOp::Store }),
+                    stencil_ops: None,
+                }),
+                timestamp_writes: slot.draw_writes(first),
+                ..Default::default()
+            });
+            pass.set_pipeline(&self.pipeline);
+            pass.set_index_buffer(model.occluder.indices.slice(..), wgpu::IndexFormat::Uint16);
+            for &frame in frames {
+                self.mesh.bind_draw(&mut pass, frame);
+                pass.draw_indexed(0..model.occluder.index_count, 0, 0..1);
+            }
+        }
+        let mut pass = slot.pass(encoder, "surface", second);
+        self.pyramid.dispatch(&mut pass, frames[0], [SURFACE_FINEST / SURFACE_WIDTH, SURFACE_FINEST / SURFACE_HEIGHT]);
+    }
+}

@@ -1,0 +1,229 @@
+//! The WebGPU backend, natively: its stages and pictures against the reference and against the Vulkan backend.
+
+mod common;
+
+use common::{Sizes, gpu};
+use effigy::{
+    avatar::{Avatar, Harmonics},
+    demo,
+    frame::{Body, Camera, Method, Posed, RendererOptions, Skip},
+    layout::SORT_DROPPED,
+    measure::{error, in_a_row},
+    reference,
+    webgpu::{Error, Gpu, Renderer},
+};
+use glam::DVec3;
+use std::sync::Arc;
+
+fn open() -> Option<Arc<Gpu>> {
+    match Gpu::open(None) {
+        Ok(gpu) => Some(gpu),
+        Err(error) if std::env::var_os("EFFIGY_REQUIRE_GPU").is_some() => panic!("a device is required: {error}"),
+        Err(error) => {
+            println!("skipped: {error}");
+            None
+        }
+    }
+}
+
+/// Options for each way to draw.
+fn methods(size: [u32; 2]) -> [RendererOptions; 2] {
+    Method::ALL.map(|method| RendererOptions { method: Some(method), ..gpu::options(size) })
+}
+
+fn body(seed: u64, gaussians: usize) -> (Avatar, Posed) {
+    let avatar = common::avatar(seed, Sizes { gaussians, ..Sizes::default() });
+    let posed = Posed::new(&avatar, &common::pose(seed + 1, &avatar));
+    (avatar, posed)
+}
+
+/// The demo in the middle of its clip, from the front left.
+fn scene(size: [u32; 2]) -> (Avatar, Posed, Camera) {
+    let avatar = demo::avatar().unwrap();
+    let player = effigy::avatar::motion::Player::new(demo::clip().unwrap(), &avatar.skeleton);
+    let posed = Posed::new(&avatar, &player.pose(1.3));
+    let camera = gpu::camera(&avatar, &posed, size);
+    (avatar, posed, camera)
+}
+
+#[test]
+fn pictures_agree_with_the_reference() {
+    let Some(device) = open() else { return };
+    for (seed, options) in (0..3).flat_map(|seed| methods([200, 260]).map(|options| (seed, options))) {
+        let (avatar, posed) = body(seed, 4000);
+        let camera = gpu::camera(&avatar, &posed, options.size);
+        let mut renderer = Renderer::new(&device, &avatar, options).unwrap();
+        assert_eq!(renderer.draw(&posed, &camera), Ok(true));
+        let error = error::between(&renderer.picture().unwrap(), &reference::render(&avatar.compact(), &posed, &camera));
+        assert!(error.covered.psnr_db > 50.0, "seed {seed}, {options:?}: {:?}", error.covered);
+    }
+    device.check().unwrap();
+}
+
+#[test]
+fn pictures_are_those_of_the_vulkan_backend() {
+    let (Some(device), Some(vulkan)) = (open(), gpu::gpu()) else { return };
+    let (avatar, posed, camera) = scene([512, 512]);
+    for options in methods(camera.size) {
+        let mut ours = Renderer::new(&device, &avatar, options).unwrap();
+        ours.draw(&posed, &camera).unwrap();
+        let mut theirs = effigy::vulkan::Renderer::new(&vulkan, &avatar, options).unwrap();
+        theirs.draw(&posed, &camera, None).unwrap();
+        let [ours, theirs] = [ours.picture().unwrap(), theirs.picture().unwrap()];
+        let off = |(a, b): (&[f32; 4], &[f32; 4])| a.iter().zip(b).any(|(a, b)| (a - b).abs() > 2.0 / 255.0);
+        let covered = theirs.pixels.iter().filter(|pixel| pixel[3] > 0.0).count();
+        let off = ours.pixels.iter().zip(&theirs.pixels).filter(|&pair| off(pair)).count();
+        assert!(covered > 10_000 && off as f64 <= 1e-3 * covered as f64, "{off} of {covered} pixels differ, {options:?}");
+    }
+}
+
+#[test]
+fn stages_are_those_of_the_vulkan_backend() {
+    let (Some(device), Some(vulkan)) = (open(), gpu::gpu()) else { return };
+    let (avatar, posed) = body(11, 3000);
+    let options = RendererOptions { skip: Skip::empty(), ..gpu::options([300, 300]) };
+    let camera = gpu::camera(&avatar, &posed, options.size);
+    let mut ours = Renderer::new(&device, &avatar, options).unwrap();
+    ours.draw(&posed, &camera).unwrap();
+    let mut theirs = effigy::vulkan::Renderer::new(&vulkan, &avatar, options).unwrap();
+    theirs.draw(&posed, &camera, None).unwrap();
+    let (ours, theirs) = (ours.stages().unwrap(), theirs.stages().unwrap());
+    let close = |what: &str, a: &[f32], b: &[f32], tolerance: f64| {
+        let [a, b] = [a, b].map(|all| all.iter().map(|&x| f64::from(x)).collect::<Vec<_>>());
+        gpu::assert_close(what, &a, &b, tolerance);
+    };
+    close("features", &ours.features, &theirs.features, 1e-4);
+    close("nodes", ours.nodes.as_flattened(), theirs.nodes.as_flattened(), 1e-5);
+    assert_eq!(ours.keys.len(), theirs.keys.len());
+    for (i, (a, b)) in ours.keys.iter().zip(&theirs.keys).enumerate() {
+        assert!(a.abs_diff(*b) <= 1, "key {i} is {a}, expected {b}");
+    }
+    let drawn = (0..ours.keys.len()).filter(|&i| ours.keys[i] != SORT_DROPPED && theirs.keys[i] != SORT_DROPPED);
+    for i in drawn {
+        // A step of a coordinate is far below a pixel; colours and opacities are of 8 to 10 bits.
+        let place = |words: [u32; 4]| [words[0] & 0xf_ffff, words[1] & 0xf_ffff];
+        let color =
+            |words: [u32; 4]| [words[0] >> 20 & 1023, words[1] >> 20 & 1023, words[3] >> 24 << 2 | words[0] >> 30, words[3] >> 16 & 255];
+        let (a, b) = (ours.splats[i], theirs.splats[i]);
+        let near = |a: &[u32], b: &[u32], most| a.iter().zip(b).all(|(a, b)| a.abs_diff(*b) <= most);
+        assert!(near(&place(a), &place(b), 4) && near(&color(a), &color(b), 1), "splat {i} is {a:x?}, expected {b:x?}");
+    }
+}
+
+#[test]
+fn the_order_is_that_of_a_stable_sort() {
+    let Some(device) = open() else { return };
+    // More tiles than each workgroup sums.
+    let (avatar, _, camera) = scene([64, 64]);
+    let player = effigy::avatar::motion::Player::new(demo::clip().unwrap(), &avatar.skeleton);
+    for actors in [1, 10] {
+        let poses: Vec<_> = (0..actors).map(|k| Posed::new(&avatar, &player.pose(0.3 * k as f64)).placed(in_a_row(k % 3, 3))).collect();
+        let options = RendererOptions { actors, skip: Skip::empty(), ..gpu::options([64, 64]) };
+        let mut renderer = Renderer::new(&device, &avatar, options).unwrap();
+        renderer.draw_scene(&poses.iter().collect::<Vec<_>>(), &camera).unwrap();
+        let stages = renderer.stages().unwrap();
+        let mut expected: Vec<u32> = (0..stages.keys.len() as u32).filter(|&i| stages.keys[i as usize] != SORT_DROPPED).collect();
+        expected.sort_by_key(|&i| stages.keys[i as usize]);
+        assert!(expected.len() > 10_000 * actors, "{} of {} actors are drawn", expected.len(), actors);
+        assert_eq!(stages.control.survivors as usize, expected.len());
+        assert!(stages.order == expected, "{actors} actors");
+    }
+}
+
+#[test]
+fn only_what_changed_is_drawn_again() {
+    let Some(device) = open() else { return };
+    let (avatar, posed, camera) = scene([320, 320]);
+    for options in methods(camera.size) {
+        let mut renderer = Renderer::new(&device, &avatar, RendererOptions { count: true, ..options }).unwrap();
+        let cameras: Vec<_> = (0..3).map(|k| Camera { center: camera.center + f64::from(k) * DVec3::X.truncate(), ..camera }).collect();
+        assert_eq!(renderer.draw(&posed, &cameras[0]), Ok(true));
+        assert_eq!(renderer.draw(&posed, &cameras[0]), Ok(false), "nothing has changed");
+        assert!(renderer.report().skipped.contains(&"raster"));
+        for camera in &cameras[1..] {
+            assert_eq!(renderer.draw(&posed, camera), Ok(true));
+        }
+        let picture = renderer.picture().unwrap();
+        let counters = renderer.report().counters;
+        assert_eq!((counters.kept, counters.networks), (counters.gaussians, 0), "{:?}", Body::Kept);
+        let reasons = counters.reasons.unwrap();
+        assert!(reasons.hidden > 1000, "{reasons:?}");
+        assert_eq!(
+            reasons.outside + reasons.hidden + reasons.faint + reasons.degenerate + counters.drawn,
+            counters.gaussians,
+            "{reasons:?}"
+        );
+        let error = error::between(&picture, &reference::render(&avatar, &posed, &cameras[2]));
+        assert!(error.covered.psnr_db > 48.0, "{options:?}: {:?}", error.covered);
+    }
+}
+
+#[test]
+fn scenes_of_several_leave_out_who_is_not_seen() {
+    let Some(device) = open() else { return };
+    let (avatar, posed, camera) = scene([200, 200]);
+    let far = posed.clone().placed(glam::DAffine3::from_translation(DVec3::new(50.0, 0.0, 0.0)));
+    let mut renderer = Renderer::new(&device, &avatar, RendererOptions { actors: 3, ..gpu::options([200, 200]) }).unwrap();
+    renderer.draw_scene(&[&far, &posed], &camera).unwrap();
+    let both = renderer.picture().unwrap();
+    assert_eq!(renderer.report().counters.avatars_culled, 1);
+    let mut alone = Renderer::new(&device, &avatar, gpu::options([200, 200])).unwrap();
+    alone.draw(&posed, &camera).unwrap();
+    assert!(both == alone.picture().unwrap());
+    renderer.draw_scene(&[&far, &far], &camera).unwrap();
+    assert!(renderer.picture().unwrap().pixels.iter().all(|&pixel| pixel == [0.0; 4]), "nobody is in view");
+    assert!(matches!(renderer.draw_scene(&[&posed; 4], &camera), Err(Error::Unusable(_))));
+}
+
+#[test]
+fn pictures_of_any_size_follow_a_resize() {
+    let Some(device) = open() else { return };
+    let (avatar, posed) = body(2, 500);
+    for options in methods([64, 64]) {
+        let mut renderer = Renderer::new(&device, &avatar, options).unwrap();
+        for size in [[1, 1], [7, 300], [640, 3], [200, 200]] {
+            renderer.resize(size).unwrap();
+            let camera = gpu::camera(&avatar, &posed, size);
+            renderer.draw(&posed, &camera).unwrap();
+            let error = error::between(&renderer.picture().unwrap(), &reference::render(&avatar, &posed, &camera));
+            assert!(error.whole.psnr_db > 54.0, "{size:?}, {options:?}: {:?}", error.whole);
+        }
+        let message = renderer.resize([0, 5]).unwrap_err().to_string();
+        assert!(message.contains("0 × 5"), "{message}");
+    }
+}
+
+#[test]
+fn colours_that_follow_the_camera_agree_with_the_reference() {
+    let Some(device) = open() else { return };
+    for degree in 1..=3usize {
+        let (mut avatar, posed) = body(20 + degree as u64, 1500);
+        let functions = (degree + 1).pow(2) - 1;
+        let random = &mut common::Random(degree as u64);
+        let coefficients = (0..functions * avatar.gaussians.len()).map(|_| common::f16s(random.vector(0.2).to_array())).collect();
+        avatar.harmonics = Some(Harmonics { degree, coefficients });
+        let camera = gpu::camera(&avatar, &posed, [200, 200]);
+        let mut renderer = Renderer::new(&device, &avatar, gpu::options([200, 200])).unwrap();
+        renderer.draw(&posed, &camera).unwrap();
+        let error = error::between(&renderer.picture().unwrap(), &reference::render(&avatar.compact(), &posed, &camera));
+        assert!(error.covered.psnr_db > 50.0, "degree {degree}: {:?}", error.covered);
+    }
+}
+
+#[test]
+fn a_lost_device_says_so_and_another_goes_on() {
+    let Some(device) = open() else { return };
+    let (avatar, posed) = body(3, 800);
+    let options = gpu::options([120, 120]);
+    let camera = gpu::camera(&avatar, &posed, options.size);
+    let mut renderer = Renderer::new(&device, &avatar, options).unwrap();
+    renderer.draw(&posed, &camera).unwrap();
+    let before = renderer.picture().unwrap();
+    device.device.destroy();
+    let lost = renderer.draw(&posed, &Camera { focal: 1.01 * camera.focal, ..camera }).and_then(|_| renderer.finish());
+    assert!(matches!(lost, Err(Error::DeviceLost(_))), "{lost:?}");
+    let again = Gpu::open(None).unwrap();
+    let mut renderer = Renderer::new(&again, &avatar, options).unwrap();
+    renderer.draw(&posed, &camera).unwrap();
+    assert!(renderer.picture().unwrap() == before);
+}

@@ -1,0 +1,16 @@
+#!/usr/bin/env bash
+# Makes the page and tests it in Chromium, on its software adapter. Pictures are left in target/web-tests.
+# usage: tools/test_web.sh [PAGE_DIR]      [default: one that it makes]      CHROMIUM: which one
+set -euo pipefail
+cd "$(dirname "$0")/.."
+. tools/needs.sh
+page=${1:-target/web} out=target/web-tests
+export CHROMIUM=${CHROMIUM:-$(command -v chromium || command -v chromium-browser || command -v google-chrome || true)}
+[ -n "$CHROMIUM" ] || { need 'command -v chromium' chromium; CHROMIUM=$(command -v chromium); }
+need 'command -v npm' npm
+[ $# -gt 0 ] || tools/web.sh "$page"
+mkdir -p "$out"
+[ -d "$out/node_modules/playwright-core" ] || npm install --prefix "$out" --no-save --no-package-lock --no-audit --no-fund playwright-core@1.65.1 >/dev/null
+cargo run --quiet -- render --reference --size 512x512 --time 1.3 --out "$out/reference.png"
+cp tests/web/page.mjs "$out/"
+timeout -k 10 900 node "$out/page.mjs" "$page" "$out/reference.png" "$out"

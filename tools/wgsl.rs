@@ -1,0 +1,78 @@
+//! SPIR-V goes in, the same shader in WGSL comes out.
+
+use anyhow::Context;
+use naga::{
+    AddressSpace, Expression, Module, ScalarKind, ShaderStage, Statement, StorageAccess,
+    back::wgsl::{self, WriterFlags},
+    front::spv,
+    valid::{Capabilities, GlobalUse, ValidationFlags, Validator},
+};
+
+/// Rewrites a module with one entry point.
+pub fn translate(spirv: &[u8]) -> anyhow::Result<String> {
+    let mut module = spv::parse_u8_slice(spirv, &spv::Options::default())?;
+    pass_built_ins(&mut module);
+    let validate = |module: &Module| {
+        let info = Validator::new(ValidationFlags::all(), Capabilities::SHADER_FLOAT16_IN_FLOAT32).validate(module);
+        info.map_err(|error| anyhow::anyhow!(error.emit_to_string("")))
+    };
+    // What WebGPU has no word for.
+    for (_, variable) in module.global_variables.iter_mut() {
+        if let AddressSpace::Storage { access } = &mut variable.space {
+            *access = StorageAccess::LOAD | StorageAccess::STORE;
+        }
+    }
+    let info = validate(&module)?;
+    let used = info.get_entry_point(0);
+    // Vertex shaders may not see what they could write, and barriers may not depend on it; SPIR-V says of both only that they don't.
+    for (handle, variable) in module.global_variables.iter_mut() {
+        if let AddressSpace::Storage { access } = &mut variable.space
+            && !used[handle].intersects(GlobalUse::WRITE | GlobalUse::ATOMIC)
+        {
+            *access = StorageAccess::LOAD;
+        }
+    }
+    let info = validate(&module)?;
+    wgsl::write_string(&module, &info, WriterFlags::empty()).context("naga can't write it as WGSL")
+}
+
+/// Hands a compute shader its workgroup's number as an argument: read from a variable, as naga does, it is none that barriers may depend on.
+fn pass_built_ins(module: &mut Module) {
+    let Module { entry_points, functions, .. } = module;
+    let [entry] = entry_points.as_mut_slice() else { return };
+    let Some((_, body)) = functions.iter().next().filter(|_| functions.len() == 1 && entry.stage == ShaderStage::Compute) else { return };
+    let outer = &entry.function;
+    // Which variable each argument is put into before the body is called.
+    let stores = outer.body.iter().filter_map(|statement| match *statement {
+        Statement::Store { pointer, value } => match (&outer.expressions[pointer], &outer.expressions[value]) {
+            (Expression::GlobalVariable(variable), Expression::FunctionArgument(argument)) => Some((*variable, *argument)),
+            _ => None,
+        },
+        _ => None,
+    });
+    let stores: Vec<_> = stores.collect();
+    let mut inner = body.clone();
+    inner.arguments.clone_from(&outer.arguments);
+    let mut values = vec![false; inner.expressions.len()];
+    for (handle, expression) in inner.expressions.iter_mut() {
+        let known = |base: naga::Handle<Expression>, values: &[bool]| values[base.index()];
+        values[handle.index()] = match *expression {
+            Expression::GlobalVariable(variable) => match stores.iter().find(|store| store.0 == variable) {
+                Some(&(_, argument)) => {
+                    *expression = Expression::FunctionArgument(argument);
+                    true
+                }
+                None => false,
+            },
+            Expression::AccessIndex { base, .. } | Expression::Access { base, .. } => known(base, &values),
+            // A value needs no loading: the same bits once more.
+            Expression::Load { pointer } if known(pointer, &values) => {
+                *expression = Expression::As { expr: pointer, kind: ScalarKind::Uint, convert: None };
+                false
+            }
+            _ => false,
+        };
+    }
+    entry.function = inner;
+    naga::compact::compact(module, naga::compact::KeepUnused::No);
+}
