@@ -34,6 +34,10 @@ void put(uint splat, uint head, uint chain, uint node) {
     bins[head] = chain;
 }
 
+uint head_of(uint level, uvec2 at, uint block) {
+    return BINS_HEADS + bins_tile(level, at) * BINS_BLOCKS + block;
+}
+
 void main() {
     uint block = gl_GlobalInvocationID.x;
     if (block == 0u) {
@@ -41,44 +45,52 @@ void main() {
     }
     uint length = (control.survivors + BINS_BLOCKS - 1u) / BINS_BLOCKS;
     uint end = min((block + 1u) * length, control.survivors);
-    uint wide = NODES + 1u + block * ((length + BINS_HELD - 1u) / BINS_HELD);
-    uint wide_chain = 0u;
+    // The nodes of the block's own chain for the whole picture.
+    uint whole = NODES + 1u + block * ((length + BINS_HELD - 1u) / BINS_HELD);
     // From far to near: what is put in front of a chain last is the nearest.
     for (uint number = block * length; number < end; ++number) {
         uint i = order[number];
         Splat splat = unpack_splat(splats[i]);
         vec2 reach = half_box(splat, reach_of(splat.opacity));
-        uvec2 low = uvec2(clamp((splat.center - reach) / frame.tile, 0.0, float(BINS_SIDE - 1u)));
-        uvec2 high = uvec2(clamp((splat.center + reach) / frame.tile, 0.0, float(BINS_SIDE - 1u)));
-        uint needed = 0u;
-        bool narrow = (high.x - low.x + 1u) * (high.y - low.y + 1u) <= BINS_NARROW;
-        for (uint y = low.y; narrow && y <= high.y; ++y) {
-            for (uint x = low.x; x <= high.x; ++x) {
-                needed += full(bins[BINS_HEADS + (y * BINS_SIDE + x) * BINS_BLOCKS + block]) ? 1u : 0u;
+        uvec2 low = uvec2(0u);
+        uvec2 high = uvec2(0u);
+        uint node = 0u;
+        uint level = 0u;
+        for (; level < BINS_WHOLE; ++level) {
+            float side = frame.tile * float(1u << 2u * level);
+            float last = float((BINS_SIDE >> 2u * level) - 1u);
+            low = uvec2(clamp((splat.center - reach) / side, 0.0, last));
+            high = uvec2(clamp((splat.center + reach) / side, 0.0, last));
+            if ((high.x - low.x + 1u) * (high.y - low.y + 1u) > BINS_NARROW) {
+                continue;
+            }
+            uint needed = 0u;
+            for (uint y = low.y; y <= high.y; ++y) {
+                for (uint x = low.x; x <= high.x; ++x) {
+                    needed += full(bins[head_of(level, uvec2(x, y), block)]) ? 1u : 0u;
+                }
+            }
+            node = needed > 0u ? atomicAdd(bins[0], needed) + 1u : 1u;
+            if (node + needed <= NODES + 1u) {
+                break;
             }
         }
-        uint node = needed > 0u ? atomicAdd(bins[0], needed) + 1u : 1u;
-        if (!narrow || node + needed > NODES + 1u) {
-            bool next = full(wide_chain);
-            put(i, BINS_WIDE + block, wide_chain, wide);
-            wide_chain = bins[BINS_WIDE + block];
-            wide += next ? 1u : 0u;
-            continue;
+        if (level == BINS_WHOLE) {
+            low = uvec2(0u);
+            high = uvec2(0u);
+            node = whole;
+            whole += full(bins[head_of(BINS_WHOLE, low, block)]) ? 1u : 0u;
         }
         for (uint y = low.y; y <= high.y; ++y) {
             for (uint x = low.x; x <= high.x; ++x) {
-                uint tile = y * BINS_SIDE + x;
-                uint head = BINS_HEADS + tile * BINS_BLOCKS + block;
+                uint head = head_of(level, uvec2(x, y), block);
                 uint chain = bins[head];
                 if (chain == 0u) {
-                    atomicOr(bins[BINS_MET + tile], 1u << block);
+                    atomicOr(bins[BINS_MET + bins_tile(level, uvec2(x, y))], 1u << block);
                 }
                 put(i, head, chain, node);
                 node += full(chain) ? 1u : 0u;
             }
         }
-    }
-    if (wide_chain != 0u) {
-        atomicOr(bins[1], 1u << block);
     }
 }

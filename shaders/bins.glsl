@@ -1,24 +1,29 @@
 // Which splats meet which tile of the picture: what `bins` writes and the compute form of `raster` reads.
 //
-// The picture is cut into at most BINS_SIDE by BINS_SIDE tiles, the drawing order into BINS_BLOCKS blocks of neighbours. A tile has a
-// chain of nodes for each block. Splats that meet many tiles, and those for which there are no nodes left, go to a chain that the block
-// has for the whole picture. So the memory has a bound whatever the splats are like, and nothing is left out.
+// The picture is cut into at most BINS_SIDE by BINS_SIDE tiles, those into coarser ones of four by four, those again, and last comes one
+// tile that is the whole picture: BINS_LEVELS levels. A splat is put into the tiles that it meets at the first level where they are few.
+// The drawing order is cut into BINS_BLOCKS blocks of neighbours, and a tile has a chain of nodes for each block. Where there are no
+// nodes left, the next level needs fewer, and the last has its own. So the memory has a bound whatever the splats are like, a tile has
+// few splats that do not meet it, and nothing is left out.
 //
 //   word 0            nodes taken
-//   word 1            blocks with a chain for the whole picture, a bit each
-//   BINS_WIDE         where those chains start, a block each
 //   BINS_MET          blocks that the tile has a chain of, a bit each
 //   BINS_HEADS        where those chains start, tile by tile
 //   BINS_NODES        nodes of BINS_NODE words: where the chain goes on, and splats, the nearest last
 //
 // Where a chain starts or goes on is the number of a node, from 1 up, times BINS_NODE, and how many splats the node has; 0 at the end.
-const uint BINS_TILES = BINS_SIDE * BINS_SIDE;
-const uint BINS_WIDE = 2u;
-const uint BINS_MET = BINS_WIDE + BINS_BLOCKS;
+const uint BINS_MET = 1u;
 const uint BINS_HEADS = BINS_MET + BINS_TILES;
 // Node 0 is none.
 const uint BINS_NODES = BINS_HEADS + BINS_TILES * BINS_BLOCKS - BINS_NODE;
 const uint BINS_HELD = BINS_NODE - 1u;
+const uint BINS_WHOLE = BINS_LEVELS - 1u;
+
+// The number of a level's tile, at its column and row there. Each level has a sixteenth of the tiles of the one before.
+uint bins_tile(uint level, uvec2 at) {
+    const uint finest = BINS_SIDE * BINS_SIDE;
+    return (finest - (finest >> 4u * level)) / 15u * 16u + at.y * (BINS_SIDE >> 2u * level) + at.x;
+}
 
 // Half the sides of the box around a splat's ellipse, px. It reaches `reach` standard deviations.
 vec2 half_box(Splat splat, float reach) {

@@ -101,29 +101,42 @@ uint key_at(uint i) {
     return frame.half_keys != 0u ? keys >> (16u * (i & 1u)) & 0xffffu : keys;
 }
 
-// Whether splat `a` is drawn after splat `b` in the order: larger keys are nearer.
-bool nearer(uint a, uint b) {
-    uint key = key_at(a);
-    uint than = key_at(b);
-    return key > than || (key == than && a > b);
-}
-
 uint step_back(uint chain) {
     return (chain & BINS_HELD) > 1u ? chain - 1u : bins[BINS_NODES + chain - 1u];
 }
 
-// Blends two chains as one.
-void blend_both(uint here, uint everywhere) {
-    while (open && (here | everywhere) != 0u) {
-        uint near = here == 0u ? 0u : bins[BINS_NODES + here];
-        uint other = everywhere == 0u ? 0u : bins[BINS_NODES + everywhere];
-        bool wide = here == 0u || (everywhere != 0u && nearer(other, near));
-        if (wide) {
-            everywhere = step_back(everywhere);
-        } else {
-            here = step_back(here);
+// Blends a block's chains of all levels as one: larger keys are nearer, of equal ones larger numbers.
+void blend_merged(uvec4 chains) {
+    uvec4 first = uvec4(0u);
+    uvec4 keys = uvec4(0u);
+    UNROLL for (uint level = 0u; level < BINS_LEVELS; ++level) {
+        if (chains[level] != 0u) {
+            first[level] = bins[BINS_NODES + chains[level]];
+            keys[level] = key_at(first[level]);
         }
-        blend(ready(splats[wide ? other : near]));
+    }
+    while (open && chains != uvec4(0u)) {
+        uint take = BINS_LEVELS;
+        uint splat = 0u;
+        uint key = 0u;
+        UNROLL for (uint level = 0u; level < BINS_LEVELS; ++level) {
+            bool ahead = take == BINS_LEVELS || keys[level] > key || (keys[level] == key && first[level] > splat);
+            if (chains[level] != 0u && ahead) {
+                take = level;
+                splat = first[level];
+                key = keys[level];
+            }
+        }
+        blend(ready(splats[splat]));
+        UNROLL for (uint level = 0u; level < BINS_LEVELS; ++level) {
+            if (level == take) {
+                chains[level] = step_back(chains[level]);
+                if (chains[level] != 0u) {
+                    first[level] = bins[BINS_NODES + chains[level]];
+                    keys[level] = key_at(first[level]);
+                }
+            }
+        }
     }
 }
 
@@ -159,13 +172,22 @@ void blend_chain(uint chain) {
 }
 #else
 void blend_chain(uint chain) {
-    blend_both(chain, 0u);
+    while (open && chain != 0u) {
+        uint splat = bins[BINS_NODES + chain];
+        chain = step_back(chain);
+        blend(ready(splats[splat]));
+    }
 }
 #endif
 
-void blend_tile(uint tile) {
-    uint wide = bins[1];
-    uint blocks = bins[BINS_MET + tile] | wide;
+// The tiles of all levels at a place, columns and rows of the finest.
+void blend_tiles(uvec2 at) {
+    uvec4 tiles;
+    uint blocks = 0u;
+    UNROLL for (uint level = 0u; level < BINS_LEVELS; ++level) {
+        tiles[level] = bins_tile(level, level < BINS_WHOLE ? at >> 2u * level : uvec2(0u));
+        blocks |= bins[BINS_MET + tiles[level]];
+    }
 #ifdef TOGETHER
     while (blocks != 0u && subgroupAny(open)) {
 #else
@@ -173,11 +195,18 @@ void blend_tile(uint tile) {
 #endif
         uint block = uint(findMSB(blocks));
         blocks ^= 1u << block;
-        uint here = bins[BINS_HEADS + tile * BINS_BLOCKS + block];
-        if ((wide >> block & 1u) == 0u) {
-            blend_chain(here);
+        uvec4 chains;
+        uint all = 0u;
+        bool one = true;
+        UNROLL for (uint level = 0u; level < BINS_LEVELS; ++level) {
+            chains[level] = bins[BINS_HEADS + tiles[level] * BINS_BLOCKS + block];
+            one = one && (all == 0u || chains[level] == 0u);
+            all |= chains[level];
+        }
+        if (one) {
+            blend_chain(all);
         } else {
-            blend_both(here, bins[BINS_WIDE + block]);
+            blend_merged(chains);
         }
     }
 }
@@ -195,8 +224,7 @@ void main() {
     uvec2 place = uvec2((lane & 3u) | (lane >> 2u & 4u), (lane >> 2u & 3u) | (lane >> 3u & 4u));
     uvec2 first = gl_WorkGroupID.xy * RASTER_REGION + SIDE * place;
     middle = vec2(first) + 0.5 * float(SIDE);
-    uvec2 tile = first / uint(frame.tile);
-    blend_tile(tile.y * BINS_SIDE + tile.x);
+    blend_tiles(uvec2(middle / frame.tile));
     UNROLL for (uint k = 0u; k < SIDE * SIDE; ++k) {
         uvec2 pixel = first + uvec2(k % SIDE, k / SIDE);
         if (all(lessThan(vec2(pixel), frame.size))) {

@@ -68,6 +68,10 @@ pub const SURFACE_WIDTH: u32 = 16;
 pub const SURFACE_HEIGHT: u32 = 8;
 /// Tiles along each side of the picture, at most.
 pub const BINS_SIDE: u32 = 128;
+/// Levels of tiles, each of a sixteenth of the tiles before it; the last is one tile, the whole picture.
+pub const BINS_LEVELS: u32 = 4;
+/// Tiles of all levels.
+pub const BINS_TILES: u32 = (BINS_SIDE * BINS_SIDE - (BINS_SIDE * BINS_SIDE >> 12)) / 15 * 16 + 1;
 /// Blocks of the drawing order, an invocation of `bins` each: a bit of a word each.
 pub const BINS_BLOCKS: u32 = 32;
 /// Invocations of a workgroup of `bins`.
@@ -115,6 +119,8 @@ pub const MACROS: &[(&str, u32)] = &[
     ("SURFACE_WIDTH", SURFACE_WIDTH),
     ("SURFACE_HEIGHT", SURFACE_HEIGHT),
     ("BINS_SIDE", BINS_SIDE),
+    ("BINS_LEVELS", BINS_LEVELS),
+    ("BINS_TILES", BINS_TILES),
     ("BINS_BLOCKS", BINS_BLOCKS),
     ("BINS_SIZE", BINS_SIZE),
     ("BINS_NODE", BINS_NODE),

@@ -5,7 +5,7 @@ mod common;
 use common::{Sizes, gpu};
 use effigy::{
     frame::{Camera, Posed, Skip},
-    layout::BINS_SIDE,
+    layout::BINS_LEVELS,
     measure::error,
     reference::bins,
     vulkan::{
@@ -125,12 +125,12 @@ fn pictures_of_any_size_follow_a_resize() {
 #[test]
 fn each_tile_has_the_splats_that_meet_it_nearest_first() {
     let Some(device) = gpu::gpu() else { return };
-    // From far, and so near that some Gaussians, then most, meet more tiles than a chain each is made for.
-    for (distance, some_wide) in [(4.0, false), (0.6, true), (0.3, true)] {
+    // From far, and so near that some Gaussians, then most, meet too many of the finest tiles, and of coarser ones.
+    for (distance, coarsest) in [(4.0, 0), (0.6, 1), (0.1, 2)] {
         let avatar = common::avatar(4, Sizes { gaussians: 700, ..Sizes::default() });
         let posed = Posed::new(&avatar, &common::pose(4, &avatar));
         let target = effigy::reference::Stages::new(&avatar, &posed, &gpu::camera(&avatar, &posed, [64, 64])).gaussians[0].mean;
-        let size = [300, 200];
+        let size = [600, 400];
         let camera = Camera::orbit(target, 0.3, 0.1, distance, 0.7, size);
         let options = RendererOptions { method: Some(Method::Tiles), key_bits: KeyBits::ThirtyTwo, ..gpu::options(size) };
         let mut renderer = Renderer::new(&device, &avatar, options).unwrap();
@@ -139,24 +139,28 @@ fn each_tile_has_the_splats_that_meet_it_nearest_first() {
         let order = renderer.stages().unwrap().order;
         let oracle = effigy::reference::Stages::new(&avatar, &posed, &camera);
         let place = |splat: &u32| order.iter().position(|other| other == splat).unwrap();
-        assert_eq!(!bins.wide.is_empty(), some_wide, "{} wide from {distance} m", bins.wide.len());
         let side = raster::tile(size);
-        let mut met = 0;
+        let mut met = [0; BINS_LEVELS as usize];
         for tile in (0..size[1].div_ceil(side)).flat_map(|row| (0..size[0].div_ceil(side)).map(move |column| [column, row])) {
-            let mut chain = bins.tiles[(tile[1] * BINS_SIDE + tile[0]) as usize].clone();
-            assert!(chain.windows(2).all(|pair| place(&pair[0]) > place(&pair[1])), "tile {tile:?} is not near to far");
-            let narrow = |splat: &u32| !bins.wide.contains(splat);
-            chain.sort_unstable();
-            let within = |slack: f64| bins::bin(&oracle.splats, &order, tile, side, slack);
-            let missing: Vec<_> = within(-0.02).into_iter().filter(narrow).filter(|splat| chain.binary_search(splat).is_err()).collect();
+            let levels = bins.at(tile);
+            for (level, chain) in levels.iter().enumerate() {
+                assert!(chain.windows(2).all(|pair| place(&pair[0]) > place(&pair[1])), "tile {tile:?}, level {level}: not near to far");
+                let (coarse, side) = (tile.map(|v| v >> (2 * level)), side << (2 * level));
+                let most = bins::bin(&oracle.splats, &order, coarse, side, 0.05);
+                // The outermost tiles of the bins have what lies outside too; the picture's own edges do not matter here.
+                let inner = coarse[0] > 0 && coarse[1] > 0;
+                let surplus: Vec<_> = chain.iter().filter(|splat| inner && !most.contains(splat)).collect();
+                assert!(surplus.is_empty(), "tile {tile:?}, level {level}, from {distance} m: need not have {surplus:?}");
+                met[level] += chain.len();
+            }
+            let mut all = levels.concat();
+            all.sort_unstable();
+            assert!(all.windows(2).all(|pair| pair[0] != pair[1]), "tile {tile:?} from {distance} m has a splat twice");
+            let least = bins::bin(&oracle.splats, &order, tile, side, -0.05);
+            let missing: Vec<_> = least.into_iter().filter(|splat| all.binary_search(splat).is_err()).collect();
             assert!(missing.is_empty(), "tile {tile:?} from {distance} m lacks {missing:?}");
-            let most = within(0.02);
-            // The outermost tiles of the bins have what lies outside too; the picture's own edges do not matter here.
-            let surplus: Vec<_> = chain.iter().filter(|splat| tile[0] > 0 && tile[1] > 0 && !most.contains(splat)).collect();
-            assert!(surplus.is_empty(), "tile {tile:?} from {distance} m need not have {surplus:?}");
-            met += chain.len();
         }
-        assert!(met > 300 || some_wide, "{met} splats in the tiles from {distance} m");
+        assert!(met[coarsest] > 100 && met[coarsest + 1..].iter().all(|&met| met == 0), "from {distance} m: {met:?} at the levels");
     }
     gpu::assert_valid();
 }

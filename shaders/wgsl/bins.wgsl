@@ -130,330 +130,378 @@ var<storage> unnamed_2: Order;
 var<storage> unnamed_3: Splats;
 
 fn full_u0028_u1_u003b(chain: ptr<function, u32>) -> bool {
-    var phi_204_: bool;
+    var phi_237_: bool;
 
-    let _e47 = (*chain);
-    let _e48 = (_e47 == 0u);
-    phi_204_ = _e48;
-    if !(_e48) {
-        let _e50 = (*chain);
-        phi_204_ = ((_e50 & 7u) == 7u);
+    let _e48 = (*chain);
+    let _e49 = (_e48 == 0u);
+    phi_237_ = _e49;
+    if !(_e49) {
+        let _e51 = (*chain);
+        phi_237_ = ((_e51 & 7u) == 7u);
     }
-    let _e54 = phi_204_;
-    return _e54;
+    let _e55 = phi_237_;
+    return _e55;
 }
 
 fn put_u0028_u1_u003b_u1_u003b_u1_u003b_u1_u003b(splat: ptr<function, u32>, head: ptr<function, u32>, chain_1: ptr<function, u32>, node: ptr<function, u32>) {
     var param: u32;
 
-    let _e51 = (*chain_1);
-    param = _e51;
-    let _e52 = full_u0028_u1_u003b((&param));
-    if _e52 {
-        let _e53 = (*node);
-        let _e56 = (*chain_1);
-        atomicStore((&unnamed.bins[(540698u + (8u * _e53))]), _e56);
-        let _e59 = (*node);
-        (*chain_1) = (8u * _e59);
+    let _e52 = (*chain_1);
+    param = _e52;
+    let _e53 = full_u0028_u1_u003b((&param));
+    if _e53 {
+        let _e54 = (*node);
+        let _e57 = (*chain_1);
+        atomicStore((&unnamed.bins[(576602u + (8u * _e54))]), _e57);
+        let _e60 = (*node);
+        (*chain_1) = (8u * _e60);
     }
-    let _e61 = (*chain_1);
-    (*chain_1) = (_e61 + bitcast<u32>(1i));
-    let _e64 = (*chain_1);
-    let _e66 = (*splat);
-    atomicStore((&unnamed.bins[(540698u + _e64)]), _e66);
-    let _e69 = (*head);
-    let _e70 = (*chain_1);
-    atomicStore((&unnamed.bins[_e69]), _e70);
+    let _e62 = (*chain_1);
+    (*chain_1) = (_e62 + bitcast<u32>(1i));
+    let _e65 = (*chain_1);
+    let _e67 = (*splat);
+    atomicStore((&unnamed.bins[(576602u + _e65)]), _e67);
+    let _e70 = (*head);
+    let _e71 = (*chain_1);
+    atomicStore((&unnamed.bins[_e70]), _e71);
     return;
+}
+
+fn bins_tile_u0028_u1_u003b_vu2_u003b(level: ptr<function, u32>, at: ptr<function, vec2<u32>>) -> u32 {
+    let _e49 = (*level);
+    let _e57 = (*at)[1u];
+    let _e58 = (*level);
+    let _e65 = (*at)[0u];
+    return (((((16384u - (16384u >> bitcast<u32>((4u * _e49)))) / 15u) * 16u) + (_e57 * (128u >> bitcast<u32>((2u * _e58))))) + _e65);
+}
+
+fn head_of_u0028_u1_u003b_vu2_u003b_u1_u003b(level_1: ptr<function, u32>, at_1: ptr<function, vec2<u32>>, block: ptr<function, u32>) -> u32 {
+    var param_1: u32;
+    var param_2: vec2<u32>;
+
+    let _e52 = (*level_1);
+    param_1 = _e52;
+    let _e53 = (*at_1);
+    param_2 = _e53;
+    let _e54 = bins_tile_u0028_u1_u003b_vu2_u003b((&param_1), (&param_2));
+    let _e57 = (*block);
+    return ((17474u + (_e54 * 32u)) + _e57);
 }
 
 fn half_box_u0028_struct_u002d_Splat_u002d_vf2_u002d_vf2_u002d_f1_u002d_vf3_u002d_u11_u003b_f1_u003b(splat_1: ptr<function, Splat>, reach: ptr<function, f32>) -> vec2<f32> {
     var steep: f32;
 
-    let _e50 = (*splat_1).shorter;
-    let _e52 = (*splat_1).axis;
-    let _e54 = (*splat_1).axis;
-    steep = (_e50 * inverseSqrt(dot(_e52, _e54)));
-    let _e58 = (*reach);
-    let _e60 = (*splat_1).axis;
-    let _e62 = (*splat_1).axis;
-    let _e64 = steep;
+    let _e51 = (*splat_1).shorter;
+    let _e53 = (*splat_1).axis;
+    let _e55 = (*splat_1).axis;
+    steep = (_e51 * inverseSqrt(dot(_e53, _e55)));
+    let _e59 = (*reach);
+    let _e61 = (*splat_1).axis;
+    let _e63 = (*splat_1).axis;
     let _e65 = steep;
-    let _e68 = (*splat_1).axis;
-    let _e72 = (*splat_1).axis;
-    return (sqrt(((_e60 * _e62) + ((_e68.yx * (_e64 * _e65)) * _e72.yx))) * _e58);
+    let _e66 = steep;
+    let _e69 = (*splat_1).axis;
+    let _e73 = (*splat_1).axis;
+    return (sqrt(((_e61 * _e63) + ((_e69.yx * (_e65 * _e66)) * _e73.yx))) * _e59);
 }
 
 fn reach_of_u0028_u1_u003b(opacity: ptr<function, u32>) -> f32 {
-    let _e47 = (*opacity);
-    let _e50 = frame.hull_opacity;
-    let _e53 = frame.cutoff;
-    return sqrt((2f * log(max((max(f32(_e47), _e50) / _e53), 1f))));
+    let _e48 = (*opacity);
+    let _e51 = frame.hull_opacity;
+    let _e54 = frame.cutoff;
+    return sqrt((2f * log(max((max(f32(_e48), _e51) / _e54), 1f))));
 }
 
 fn steps_of_u0028_vu4_u003b(words: ptr<function, vec4<u32>>) -> vec2<f32> {
-    let _e47 = (*words);
-    return vec2<f32>((_e47.xy & vec2(1048575u)));
+    let _e48 = (*words);
+    return vec2<f32>((_e48.xy & vec2(1048575u)));
 }
 
 fn unpack_splat_u0028_vu4_u003b(words_1: ptr<function, vec4<u32>>) -> Splat {
     var splat_2: Splat;
-    var param_1: vec4<u32>;
+    var param_3: vec4<u32>;
     var blue: u32;
 
-    let _e50 = (*words_1);
-    param_1 = _e50;
-    let _e51 = steps_of_u0028_vu4_u003b((&param_1));
-    let _e53 = frame.fixed_scale;
-    let _e57 = frame.guard;
-    splat_2.center = ((_e51 / vec2(_e53)) - vec2(_e57));
-    let _e62 = (*words_1)[2u];
-    splat_2.axis = unpack2x16float(_e62);
-    let _e66 = (*words_1)[3u];
-    splat_2.shorter = unpack2x16float(_e66).x;
-    let _e71 = (*words_1)[3u];
-    let _e77 = (*words_1)[0u];
-    blue = (((_e71 >> bitcast<u32>(24u)) << bitcast<u32>(2u)) | (_e77 >> bitcast<u32>(30u)));
-    let _e82 = (*words_1)[0u];
-    let _e88 = (*words_1)[1u];
-    let _e93 = blue;
-    splat_2.color = (vec3<f32>(f32(((_e82 >> bitcast<u32>(20u)) & 1023u)), f32(((_e88 >> bitcast<u32>(20u)) & 1023u)), f32(_e93)) / vec3(1023f));
-    let _e100 = (*words_1)[3u];
-    splat_2.opacity = ((_e100 >> bitcast<u32>(16u)) & 255u);
-    let _e105 = splat_2;
-    return _e105;
+    let _e51 = (*words_1);
+    param_3 = _e51;
+    let _e52 = steps_of_u0028_vu4_u003b((&param_3));
+    let _e54 = frame.fixed_scale;
+    let _e58 = frame.guard;
+    splat_2.center = ((_e52 / vec2(_e54)) - vec2(_e58));
+    let _e63 = (*words_1)[2u];
+    splat_2.axis = unpack2x16float(_e63);
+    let _e67 = (*words_1)[3u];
+    splat_2.shorter = unpack2x16float(_e67).x;
+    let _e72 = (*words_1)[3u];
+    let _e78 = (*words_1)[0u];
+    blue = (((_e72 >> bitcast<u32>(24u)) << bitcast<u32>(2u)) | (_e78 >> bitcast<u32>(30u)));
+    let _e83 = (*words_1)[0u];
+    let _e89 = (*words_1)[1u];
+    let _e94 = blue;
+    splat_2.color = (vec3<f32>(f32(((_e83 >> bitcast<u32>(20u)) & 1023u)), f32(((_e89 >> bitcast<u32>(20u)) & 1023u)), f32(_e94)) / vec3(1023f));
+    let _e101 = (*words_1)[3u];
+    splat_2.opacity = ((_e101 >> bitcast<u32>(16u)) & 255u);
+    let _e106 = splat_2;
+    return _e106;
 }
 
 fn main_1() {
-    var block: u32;
+    var block_1: u32;
     var length_: u32;
     var end: u32;
-    var wide: u32;
-    var wide_chain: u32;
+    var whole: u32;
     var number: u32;
     var i: u32;
     var splat_3: Splat;
-    var param_2: vec4<u32>;
+    var param_4: vec4<u32>;
     var reach_1: vec2<f32>;
-    var param_3: u32;
-    var param_4: Splat;
-    var param_5: f32;
+    var param_5: u32;
+    var param_6: Splat;
+    var param_7: f32;
     var low: vec2<u32>;
     var high: vec2<u32>;
+    var node_1: u32;
+    var level_2: u32;
+    var side: f32;
+    var last: f32;
     var needed: u32;
-    var narrow: bool;
     var y: u32;
     var x: u32;
-    var param_6: u32;
-    var node_1: u32;
-    var local: u32;
-    var next: bool;
-    var param_7: u32;
     var param_8: u32;
-    var param_9: u32;
+    var param_9: vec2<u32>;
     var param_10: u32;
     var param_11: u32;
-    var y_1: u32;
-    var x_1: u32;
-    var tile: u32;
-    var head_1: u32;
-    var chain_2: u32;
+    var local: u32;
     var param_12: u32;
-    var param_13: u32;
+    var param_13: vec2<u32>;
     var param_14: u32;
     var param_15: u32;
+    var y_1: u32;
+    var x_1: u32;
+    var head_1: u32;
     var param_16: u32;
-    var phi_386_: bool;
-    var phi_443_: bool;
+    var param_17: vec2<u32>;
+    var param_18: u32;
+    var chain_2: u32;
+    var param_19: u32;
+    var param_20: vec2<u32>;
+    var param_21: u32;
+    var param_22: u32;
+    var param_23: u32;
+    var param_24: u32;
+    var param_25: u32;
 
-    let _e85 = gl_GlobalInvocationID_1[0u];
-    block = _e85;
-    let _e86 = block;
-    if (_e86 == 0u) {
+    let _e92 = gl_GlobalInvocationID_1[0u];
+    block_1 = _e92;
+    let _e93 = block_1;
+    if (_e93 == 0u) {
         unnamed_1.control.fragments = 0u;
     }
-    let _e92 = unnamed_1.control.survivors;
-    length_ = (((_e92 + 32u) - 1u) / 32u);
-    let _e96 = block;
-    let _e98 = length_;
-    let _e102 = unnamed_1.control.survivors;
-    end = min(((_e96 + 1u) * _e98), _e102);
-    let _e105 = settings.nodes;
-    let _e107 = block;
-    let _e108 = length_;
-    wide = ((_e105 + 1u) + (_e107 * (((_e108 + 7u) - 1u) / 7u)));
-    wide_chain = 0u;
-    let _e114 = block;
+    let _e99 = unnamed_1.control.survivors;
+    length_ = (((_e99 + 32u) - 1u) / 32u);
+    let _e103 = block_1;
+    let _e105 = length_;
+    let _e109 = unnamed_1.control.survivors;
+    end = min(((_e103 + 1u) * _e105), _e109);
+    let _e112 = settings.nodes;
+    let _e114 = block_1;
     let _e115 = length_;
-    number = (_e114 * _e115);
+    whole = ((_e112 + 1u) + (_e114 * (((_e115 + 7u) - 1u) / 7u)));
+    let _e121 = block_1;
+    let _e122 = length_;
+    number = (_e121 * _e122);
     loop {
-        let _e117 = number;
-        let _e118 = end;
-        if (_e117 < _e118) {
-            let _e120 = number;
-            let _e123 = unnamed_2.order[_e120];
-            i = _e123;
-            let _e124 = i;
-            let _e127 = unnamed_3.splats[_e124];
-            param_2 = _e127;
-            let _e128 = unpack_splat_u0028_vu4_u003b((&param_2));
-            splat_3 = _e128;
-            let _e130 = splat_3.opacity;
-            param_3 = _e130;
-            let _e131 = reach_of_u0028_u1_u003b((&param_3));
-            let _e132 = splat_3;
-            param_4 = _e132;
-            param_5 = _e131;
-            let _e133 = half_box_u0028_struct_u002d_Splat_u002d_vf2_u002d_vf2_u002d_f1_u002d_vf3_u002d_u11_u003b_f1_u003b((&param_4), (&param_5));
-            reach_1 = _e133;
-            let _e135 = splat_3.center;
-            let _e136 = reach_1;
-            let _e139 = frame.tile;
-            low = vec2<u32>(clamp(((_e135 - _e136) / vec2(_e139)), vec2(0f), vec2(127f)));
-            let _e147 = splat_3.center;
-            let _e148 = reach_1;
-            let _e151 = frame.tile;
-            high = vec2<u32>(clamp(((_e147 + _e148) / vec2(_e151)), vec2(0f), vec2(127f)));
-            needed = 0u;
-            let _e159 = high[0u];
-            let _e161 = low[0u];
-            let _e165 = high[1u];
-            let _e167 = low[1u];
-            narrow = ((((_e159 - _e161) + 1u) * ((_e165 - _e167) + 1u)) <= 16u);
-            let _e173 = low[1u];
-            y = _e173;
+        let _e124 = number;
+        let _e125 = end;
+        if (_e124 < _e125) {
+            let _e127 = number;
+            let _e130 = unnamed_2.order[_e127];
+            i = _e130;
+            let _e131 = i;
+            let _e134 = unnamed_3.splats[_e131];
+            param_4 = _e134;
+            let _e135 = unpack_splat_u0028_vu4_u003b((&param_4));
+            splat_3 = _e135;
+            let _e137 = splat_3.opacity;
+            param_5 = _e137;
+            let _e138 = reach_of_u0028_u1_u003b((&param_5));
+            let _e139 = splat_3;
+            param_6 = _e139;
+            param_7 = _e138;
+            let _e140 = half_box_u0028_struct_u002d_Splat_u002d_vf2_u002d_vf2_u002d_f1_u002d_vf3_u002d_u11_u003b_f1_u003b((&param_6), (&param_7));
+            reach_1 = _e140;
+            low = vec2<u32>(0u, 0u);
+            high = vec2<u32>(0u, 0u);
+            node_1 = 0u;
+            level_2 = 0u;
             loop {
-                let _e174 = narrow;
-                phi_386_ = _e174;
-                if _e174 {
-                    let _e175 = y;
-                    let _e177 = high[1u];
-                    phi_386_ = (_e175 <= _e177);
-                }
-                let _e180 = phi_386_;
-                if _e180 {
-                    let _e182 = low[0u];
-                    x = _e182;
-                    loop {
-                        let _e183 = x;
-                        let _e185 = high[0u];
-                        if (_e183 <= _e185) {
-                            let _e187 = y;
-                            let _e189 = x;
-                            let _e193 = block;
-                            let _e197 = atomicLoad((&unnamed.bins[((16418u + (((_e187 * 128u) + _e189) * 32u)) + _e193)]));
-                            param_6 = _e197;
-                            let _e198 = full_u0028_u1_u003b((&param_6));
-                            let _e200 = needed;
-                            needed = (_e200 + select(0u, 1u, _e198));
-                            continue;
-                        } else {
-                            break;
-                        }
-                        continuing {
-                            let _e202 = x;
-                            x = (_e202 + bitcast<u32>(1i));
-                        }
+                let _e141 = level_2;
+                if (_e141 < 3u) {
+                    let _e144 = frame.tile;
+                    let _e145 = level_2;
+                    side = (_e144 * f32((1u << bitcast<u32>((2u * _e145)))));
+                    let _e151 = level_2;
+                    last = f32(((128u >> bitcast<u32>((2u * _e151))) - 1u));
+                    let _e158 = splat_3.center;
+                    let _e159 = reach_1;
+                    let _e161 = side;
+                    let _e164 = last;
+                    low = vec2<u32>(clamp(((_e158 - _e159) / vec2(_e161)), vec2(0f), vec2(_e164)));
+                    let _e170 = splat_3.center;
+                    let _e171 = reach_1;
+                    let _e173 = side;
+                    let _e176 = last;
+                    high = vec2<u32>(clamp(((_e170 + _e171) / vec2(_e173)), vec2(0f), vec2(_e176)));
+                    let _e182 = high[0u];
+                    let _e184 = low[0u];
+                    let _e188 = high[1u];
+                    let _e190 = low[1u];
+                    if ((((_e182 - _e184) + 1u) * ((_e188 - _e190) + 1u)) > 16u) {
+                        continue;
                     }
-                    continue;
-                } else {
-                    break;
-                }
-                continuing {
-                    let _e205 = y;
-                    y = (_e205 + bitcast<u32>(1i));
-                }
-            }
-            let _e208 = needed;
-            if (_e208 > 0u) {
-                let _e212 = needed;
-                let _e213 = atomicAdd((&unnamed.bins[0i]), _e212);
-                local = (_e213 + 1u);
-            } else {
-                local = 1u;
-            }
-            let _e215 = local;
-            node_1 = _e215;
-            let _e216 = narrow;
-            let _e217 = !(_e216);
-            phi_443_ = _e217;
-            if !(_e217) {
-                let _e219 = node_1;
-                let _e220 = needed;
-                let _e223 = settings.nodes;
-                phi_443_ = ((_e219 + _e220) > (_e223 + 1u));
-            }
-            let _e227 = phi_443_;
-            if _e227 {
-                let _e228 = wide_chain;
-                param_7 = _e228;
-                let _e229 = full_u0028_u1_u003b((&param_7));
-                next = _e229;
-                let _e230 = block;
-                let _e232 = i;
-                param_8 = _e232;
-                param_9 = (2u + _e230);
-                let _e233 = wide_chain;
-                param_10 = _e233;
-                let _e234 = wide;
-                param_11 = _e234;
-                put_u0028_u1_u003b_u1_u003b_u1_u003b_u1_u003b((&param_8), (&param_9), (&param_10), (&param_11));
-                let _e235 = block;
-                let _e239 = atomicLoad((&unnamed.bins[(2u + _e235)]));
-                wide_chain = _e239;
-                let _e240 = next;
-                let _e242 = wide;
-                wide = (_e242 + select(0u, 1u, _e240));
-                continue;
-            }
-            let _e245 = low[1u];
-            y_1 = _e245;
-            loop {
-                let _e246 = y_1;
-                let _e248 = high[1u];
-                if (_e246 <= _e248) {
-                    let _e251 = low[0u];
-                    x_1 = _e251;
+                    needed = 0u;
+                    let _e196 = low[1u];
+                    y = _e196;
                     loop {
-                        let _e252 = x_1;
-                        let _e254 = high[0u];
-                        if (_e252 <= _e254) {
-                            let _e256 = y_1;
-                            let _e258 = x_1;
-                            tile = ((_e256 * 128u) + _e258);
-                            let _e260 = tile;
-                            let _e263 = block;
-                            head_1 = ((16418u + (_e260 * 32u)) + _e263);
-                            let _e265 = head_1;
-                            let _e268 = atomicLoad((&unnamed.bins[_e265]));
-                            chain_2 = _e268;
-                            let _e269 = chain_2;
-                            if (_e269 == 0u) {
-                                let _e271 = tile;
-                                let _e275 = block;
-                                let _e278 = atomicOr((&unnamed.bins[(34u + _e271)]), (1u << bitcast<u32>(_e275)));
+                        let _e197 = y;
+                        let _e199 = high[1u];
+                        if (_e197 <= _e199) {
+                            let _e202 = low[0u];
+                            x = _e202;
+                            loop {
+                                let _e203 = x;
+                                let _e205 = high[0u];
+                                if (_e203 <= _e205) {
+                                    let _e207 = x;
+                                    let _e208 = y;
+                                    let _e210 = level_2;
+                                    param_8 = _e210;
+                                    param_9 = vec2<u32>(_e207, _e208);
+                                    let _e211 = block_1;
+                                    param_10 = _e211;
+                                    let _e212 = head_of_u0028_u1_u003b_vu2_u003b_u1_u003b((&param_8), (&param_9), (&param_10));
+                                    let _e215 = atomicLoad((&unnamed.bins[_e212]));
+                                    param_11 = _e215;
+                                    let _e216 = full_u0028_u1_u003b((&param_11));
+                                    let _e218 = needed;
+                                    needed = (_e218 + select(0u, 1u, _e216));
+                                    continue;
+                                } else {
+                                    break;
+                                }
+                                continuing {
+                                    let _e220 = x;
+                                    x = (_e220 + bitcast<u32>(1i));
+                                }
                             }
-                            let _e279 = i;
-                            param_12 = _e279;
-                            let _e280 = head_1;
-                            param_13 = _e280;
-                            let _e281 = chain_2;
-                            param_14 = _e281;
-                            let _e282 = node_1;
-                            param_15 = _e282;
-                            put_u0028_u1_u003b_u1_u003b_u1_u003b_u1_u003b((&param_12), (&param_13), (&param_14), (&param_15));
-                            let _e283 = chain_2;
-                            param_16 = _e283;
-                            let _e284 = full_u0028_u1_u003b((&param_16));
-                            let _e286 = node_1;
-                            node_1 = (_e286 + select(0u, 1u, _e284));
                             continue;
                         } else {
                             break;
                         }
                         continuing {
-                            let _e288 = x_1;
-                            x_1 = (_e288 + bitcast<u32>(1i));
+                            let _e223 = y;
+                            y = (_e223 + bitcast<u32>(1i));
+                        }
+                    }
+                    let _e226 = needed;
+                    if (_e226 > 0u) {
+                        let _e230 = needed;
+                        let _e231 = atomicAdd((&unnamed.bins[0i]), _e230);
+                        local = (_e231 + 1u);
+                    } else {
+                        local = 1u;
+                    }
+                    let _e233 = local;
+                    node_1 = _e233;
+                    let _e234 = node_1;
+                    let _e235 = needed;
+                    let _e238 = settings.nodes;
+                    if ((_e234 + _e235) <= (_e238 + 1u)) {
+                        break;
+                    }
+                    continue;
+                } else {
+                    break;
+                }
+                continuing {
+                    let _e241 = level_2;
+                    level_2 = (_e241 + bitcast<u32>(1i));
+                }
+            }
+            let _e244 = level_2;
+            if (_e244 == 3u) {
+                low = vec2<u32>(0u, 0u);
+                high = vec2<u32>(0u, 0u);
+                let _e246 = whole;
+                node_1 = _e246;
+                param_12 = 3u;
+                let _e247 = low;
+                param_13 = _e247;
+                let _e248 = block_1;
+                param_14 = _e248;
+                let _e249 = head_of_u0028_u1_u003b_vu2_u003b_u1_u003b((&param_12), (&param_13), (&param_14));
+                let _e252 = atomicLoad((&unnamed.bins[_e249]));
+                param_15 = _e252;
+                let _e253 = full_u0028_u1_u003b((&param_15));
+                let _e255 = whole;
+                whole = (_e255 + select(0u, 1u, _e253));
+            }
+            let _e258 = low[1u];
+            y_1 = _e258;
+            loop {
+                let _e259 = y_1;
+                let _e261 = high[1u];
+                if (_e259 <= _e261) {
+                    let _e264 = low[0u];
+                    x_1 = _e264;
+                    loop {
+                        let _e265 = x_1;
+                        let _e267 = high[0u];
+                        if (_e265 <= _e267) {
+                            let _e269 = x_1;
+                            let _e270 = y_1;
+                            let _e272 = level_2;
+                            param_16 = _e272;
+                            param_17 = vec2<u32>(_e269, _e270);
+                            let _e273 = block_1;
+                            param_18 = _e273;
+                            let _e274 = head_of_u0028_u1_u003b_vu2_u003b_u1_u003b((&param_16), (&param_17), (&param_18));
+                            head_1 = _e274;
+                            let _e275 = head_1;
+                            let _e278 = atomicLoad((&unnamed.bins[_e275]));
+                            chain_2 = _e278;
+                            let _e279 = chain_2;
+                            if (_e279 == 0u) {
+                                let _e281 = x_1;
+                                let _e282 = y_1;
+                                let _e284 = level_2;
+                                param_19 = _e284;
+                                param_20 = vec2<u32>(_e281, _e282);
+                                let _e285 = bins_tile_u0028_u1_u003b_vu2_u003b((&param_19), (&param_20));
+                                let _e289 = block_1;
+                                let _e292 = atomicOr((&unnamed.bins[(1u + _e285)]), (1u << bitcast<u32>(_e289)));
+                            }
+                            let _e293 = i;
+                            param_21 = _e293;
+                            let _e294 = head_1;
+                            param_22 = _e294;
+                            let _e295 = chain_2;
+                            param_23 = _e295;
+                            let _e296 = node_1;
+                            param_24 = _e296;
+                            put_u0028_u1_u003b_u1_u003b_u1_u003b_u1_u003b((&param_21), (&param_22), (&param_23), (&param_24));
+                            let _e297 = chain_2;
+                            param_25 = _e297;
+                            let _e298 = full_u0028_u1_u003b((&param_25));
+                            let _e300 = node_1;
+                            node_1 = (_e300 + select(0u, 1u, _e298));
+                            continue;
+                        } else {
+                            break;
+                        }
+                        continuing {
+                            let _e302 = x_1;
+                            x_1 = (_e302 + bitcast<u32>(1i));
                         }
                     }
                     continue;
@@ -461,8 +509,8 @@ fn main_1() {
                     break;
                 }
                 continuing {
-                    let _e291 = y_1;
-                    y_1 = (_e291 + bitcast<u32>(1i));
+                    let _e305 = y_1;
+                    y_1 = (_e305 + bitcast<u32>(1i));
                 }
             }
             continue;
@@ -470,14 +518,9 @@ fn main_1() {
             break;
         }
         continuing {
-            let _e294 = number;
-            number = (_e294 + bitcast<u32>(1i));
+            let _e308 = number;
+            number = (_e308 + bitcast<u32>(1i));
         }
-    }
-    let _e297 = wide_chain;
-    if (_e297 != 0u) {
-        let _e301 = block;
-        let _e304 = atomicOr((&unnamed.bins[1i]), (1u << bitcast<u32>(_e301)));
     }
     return;
 }

@@ -150,6 +150,22 @@ var picture: texture_storage_2d<rgba16float,write>;
 @group(0) @binding(2) 
 var<storage, read_write> unnamed_2: ControlBuffer_1;
 
+fn step_back_u0028_u1_u003b(chain: ptr<function, u32>) -> u32 {
+    var local: u32;
+
+    let _e67 = (*chain);
+    if ((_e67 & 7u) > 1u) {
+        let _e70 = (*chain);
+        local = (_e70 - 1u);
+    } else {
+        let _e72 = (*chain);
+        let _e77 = unnamed_1.bins[((576602u + _e72) - 1u)];
+        local = _e77;
+    }
+    let _e78 = local;
+    return _e78;
+}
+
 fn blend_u0028_struct_u002d_Ready_u002d_vf2_u002d_vf2_u002d_vf2_u002d_vf2_u002d_vf4_u002d_f11_u003b(splat: ptr<function, Ready>) {
     var from_: vec2<f32>;
     var deviation: vec2<f32>;
@@ -158,159 +174,159 @@ fn blend_u0028_struct_u002d_Ready_u002d_vf2_u002d_vf2_u002d_vf2_u002d_vf2_u002d_
     var y: u32;
     var weight: f32;
     var alpha: f32;
-    var local: f32;
+    var local_1: f32;
     var factor: f32;
     var x: u32;
     var k: u32;
     var covers: f32;
     var share: f32;
-    var local_1: f32;
-    var phi_319_: bool;
+    var local_2: f32;
+    var phi_341_: bool;
 
-    let _e78 = middle;
-    let _e80 = (*splat).center;
-    from_ = (_e78 - _e80);
-    let _e82 = open;
-    phi_319_ = _e82;
-    if _e82 {
-        let _e83 = from_;
-        let _e86 = (*splat).reach;
-        phi_319_ = all((abs(_e83) < (_e86 + vec2(1.5f))));
+    let _e80 = middle;
+    let _e82 = (*splat).center;
+    from_ = (_e80 - _e82);
+    let _e84 = open;
+    phi_341_ = _e84;
+    if _e84 {
+        let _e85 = from_;
+        let _e88 = (*splat).reach;
+        phi_341_ = all((abs(_e85) < (_e88 + vec2(1.5f))));
     }
-    let _e92 = phi_319_;
-    if !(_e92) {
+    let _e94 = phi_341_;
+    if !(_e94) {
         return;
     }
-    let _e94 = from_;
-    from_ = (_e94 - vec2(1.5f));
-    let _e97 = from_;
-    let _e99 = (*splat).along;
-    let _e101 = from_;
-    let _e103 = (*splat).across;
-    deviation = vec2<f32>(dot(_e97, _e99), dot(_e101, _e103));
-    let _e108 = (*splat).along[0u];
-    let _e111 = (*splat).across[0u];
-    right = vec2<f32>(_e108, _e111);
+    let _e96 = from_;
+    from_ = (_e96 - vec2(1.5f));
+    let _e99 = from_;
+    let _e101 = (*splat).along;
+    let _e103 = from_;
+    let _e105 = (*splat).across;
+    deviation = vec2<f32>(dot(_e99, _e101), dot(_e103, _e105));
+    let _e110 = (*splat).along[0u];
+    let _e113 = (*splat).across[0u];
+    right = vec2<f32>(_e110, _e113);
     most = 0f;
     y = 0u;
     loop {
-        let _e113 = y;
-        if (_e113 < 4u) {
-            let _e115 = deviation;
-            let _e116 = deviation;
-            weight = exp2(-(dot(_e115, _e116)));
-            let _e120 = weight;
-            if (_e120 >= 0.00000000000000001f) {
-                let _e124 = (*splat).color[3u];
-                let _e125 = weight;
-                local = (_e124 * _e125);
+        let _e115 = y;
+        if (_e115 < 4u) {
+            let _e117 = deviation;
+            let _e118 = deviation;
+            weight = exp2(-(dot(_e117, _e118)));
+            let _e122 = weight;
+            if (_e122 >= 0.00000000000000001f) {
+                let _e126 = (*splat).color[3u];
+                let _e127 = weight;
+                local_1 = (_e126 * _e127);
             } else {
-                local = 0f;
+                local_1 = 0f;
             }
-            let _e127 = local;
-            alpha = _e127;
-            let _e128 = deviation;
-            let _e130 = right;
+            let _e129 = local_1;
+            alpha = _e129;
+            let _e130 = deviation;
             let _e132 = right;
-            factor = exp2(min(-(dot(((_e128 * 2f) + _e130), _e132)), 60f));
+            let _e134 = right;
+            factor = exp2(min(-(dot(((_e130 * 2f) + _e132), _e134)), 60f));
             x = 0u;
             loop {
-                let _e137 = x;
-                if (_e137 < 4u) {
-                    let _e139 = y;
-                    let _e141 = x;
-                    k = ((_e139 * 4u) + _e141);
-                    let _e143 = alpha;
-                    covers = min(_e143, 0.99f);
-                    let _e145 = covers;
-                    let _e147 = settings.cutoff;
-                    if (_e145 >= _e147) {
-                        let _e149 = covers;
-                        let _e150 = k;
-                        let _e153 = pixels[_e150][3u];
-                        local_1 = (_e149 * _e153);
+                let _e139 = x;
+                if (_e139 < 4u) {
+                    let _e141 = y;
+                    let _e143 = x;
+                    k = ((_e141 * 4u) + _e143);
+                    let _e145 = alpha;
+                    covers = min(_e145, 0.99f);
+                    let _e147 = covers;
+                    let _e149 = settings.cutoff;
+                    if (_e147 >= _e149) {
+                        let _e151 = covers;
+                        let _e152 = k;
+                        let _e155 = pixels[_e152][3u];
+                        local_2 = (_e151 * _e155);
                     } else {
-                        local_1 = 0f;
+                        local_2 = 0f;
                     }
-                    let _e155 = local_1;
-                    share = _e155;
-                    let _e156 = k;
-                    let _e157 = k;
-                    let _e159 = pixels[_e157];
-                    let _e161 = share;
-                    let _e163 = (*splat).color;
-                    let _e166 = (_e159.xyz + (_e163.xyz * _e161));
-                    let _e167 = k;
-                    let _e170 = pixels[_e167][3u];
-                    let _e171 = share;
-                    pixels[_e156] = vec4<f32>(_e166.x, _e166.y, _e166.z, (_e170 - _e171));
-                    let _e178 = most;
-                    let _e179 = k;
-                    let _e182 = pixels[_e179][3u];
-                    most = max(_e178, _e182);
-                    let _e184 = factor;
-                    let _e185 = alpha;
-                    alpha = (_e185 * _e184);
-                    let _e188 = (*splat).bend;
-                    let _e189 = factor;
-                    factor = (_e189 * _e188);
+                    let _e157 = local_2;
+                    share = _e157;
+                    let _e158 = k;
+                    let _e159 = k;
+                    let _e161 = pixels[_e159];
+                    let _e163 = share;
+                    let _e165 = (*splat).color;
+                    let _e168 = (_e161.xyz + (_e165.xyz * _e163));
+                    let _e169 = k;
+                    let _e172 = pixels[_e169][3u];
+                    let _e173 = share;
+                    pixels[_e158] = vec4<f32>(_e168.x, _e168.y, _e168.z, (_e172 - _e173));
+                    let _e180 = most;
+                    let _e181 = k;
+                    let _e184 = pixels[_e181][3u];
+                    most = max(_e180, _e184);
+                    let _e186 = factor;
+                    let _e187 = alpha;
+                    alpha = (_e187 * _e186);
+                    let _e190 = (*splat).bend;
+                    let _e191 = factor;
+                    factor = (_e191 * _e190);
                     continue;
                 } else {
                     break;
                 }
                 continuing {
-                    let _e191 = x;
-                    x = (_e191 + bitcast<u32>(1i));
+                    let _e193 = x;
+                    x = (_e193 + bitcast<u32>(1i));
                 }
             }
-            let _e196 = (*splat).along[1u];
-            let _e199 = (*splat).across[1u];
-            let _e201 = deviation;
-            deviation = (_e201 + vec2<f32>(_e196, _e199));
+            let _e198 = (*splat).along[1u];
+            let _e201 = (*splat).across[1u];
+            let _e203 = deviation;
+            deviation = (_e203 + vec2<f32>(_e198, _e201));
             continue;
         } else {
             break;
         }
         continuing {
-            let _e203 = y;
-            y = (_e203 + bitcast<u32>(1i));
+            let _e205 = y;
+            y = (_e205 + bitcast<u32>(1i));
         }
     }
-    let _e206 = shaded;
-    shaded = (_e206 + 16u);
-    let _e208 = most;
-    let _e210 = settings.full;
-    open = (_e208 >= _e210);
+    let _e208 = shaded;
+    shaded = (_e208 + 16u);
+    let _e210 = most;
+    let _e212 = settings.full;
+    open = (_e210 >= _e212);
     return;
 }
 
 fn half_box_u0028_struct_u002d_Splat_u002d_vf2_u002d_vf2_u002d_f1_u002d_vf3_u002d_u11_u003b_f1_u003b(splat_1: ptr<function, Splat>, reach: ptr<function, f32>) -> vec2<f32> {
     var steep: f32;
 
-    let _e67 = (*splat_1).shorter;
-    let _e69 = (*splat_1).axis;
+    let _e69 = (*splat_1).shorter;
     let _e71 = (*splat_1).axis;
-    steep = (_e67 * inverseSqrt(dot(_e69, _e71)));
-    let _e75 = (*reach);
-    let _e77 = (*splat_1).axis;
+    let _e73 = (*splat_1).axis;
+    steep = (_e69 * inverseSqrt(dot(_e71, _e73)));
+    let _e77 = (*reach);
     let _e79 = (*splat_1).axis;
-    let _e81 = steep;
-    let _e82 = steep;
-    let _e85 = (*splat_1).axis;
-    let _e89 = (*splat_1).axis;
-    return (sqrt(((_e77 * _e79) + ((_e85.yx * (_e81 * _e82)) * _e89.yx))) * _e75);
+    let _e81 = (*splat_1).axis;
+    let _e83 = steep;
+    let _e84 = steep;
+    let _e87 = (*splat_1).axis;
+    let _e91 = (*splat_1).axis;
+    return (sqrt(((_e79 * _e81) + ((_e87.yx * (_e83 * _e84)) * _e91.yx))) * _e77);
 }
 
 fn reach_of_u0028_u1_u003b(opacity: ptr<function, u32>) -> f32 {
-    let _e64 = (*opacity);
-    let _e67 = frame.hull_opacity;
-    let _e70 = frame.cutoff;
-    return sqrt((2f * log(max((max(f32(_e64), _e67) / _e70), 1f))));
+    let _e66 = (*opacity);
+    let _e69 = frame.hull_opacity;
+    let _e72 = frame.cutoff;
+    return sqrt((2f * log(max((max(f32(_e66), _e69) / _e72), 1f))));
 }
 
 fn steps_of_u0028_vu4_u003b(words: ptr<function, vec4<u32>>) -> vec2<f32> {
-    let _e64 = (*words);
-    return vec2<f32>((_e64.xy & vec2(1048575u)));
+    let _e66 = (*words);
+    return vec2<f32>((_e66.xy & vec2(1048575u)));
 }
 
 fn unpack_splat_u0028_vu4_u003b(words_1: ptr<function, vec4<u32>>) -> Splat {
@@ -318,27 +334,27 @@ fn unpack_splat_u0028_vu4_u003b(words_1: ptr<function, vec4<u32>>) -> Splat {
     var param: vec4<u32>;
     var blue: u32;
 
-    let _e67 = (*words_1);
-    param = _e67;
-    let _e68 = steps_of_u0028_vu4_u003b((&param));
-    let _e70 = frame.fixed_scale;
-    let _e74 = frame.guard;
-    splat_2.center = ((_e68 / vec2(_e70)) - vec2(_e74));
-    let _e79 = (*words_1)[2u];
-    splat_2.axis = unpack2x16float(_e79);
-    let _e83 = (*words_1)[3u];
-    splat_2.shorter = unpack2x16float(_e83).x;
-    let _e88 = (*words_1)[3u];
-    let _e94 = (*words_1)[0u];
-    blue = (((_e88 >> bitcast<u32>(24u)) << bitcast<u32>(2u)) | (_e94 >> bitcast<u32>(30u)));
-    let _e99 = (*words_1)[0u];
-    let _e105 = (*words_1)[1u];
-    let _e110 = blue;
-    splat_2.color = (vec3<f32>(f32(((_e99 >> bitcast<u32>(20u)) & 1023u)), f32(((_e105 >> bitcast<u32>(20u)) & 1023u)), f32(_e110)) / vec3(1023f));
-    let _e117 = (*words_1)[3u];
-    splat_2.opacity = ((_e117 >> bitcast<u32>(16u)) & 255u);
-    let _e122 = splat_2;
-    return _e122;
+    let _e69 = (*words_1);
+    param = _e69;
+    let _e70 = steps_of_u0028_vu4_u003b((&param));
+    let _e72 = frame.fixed_scale;
+    let _e76 = frame.guard;
+    splat_2.center = ((_e70 / vec2(_e72)) - vec2(_e76));
+    let _e81 = (*words_1)[2u];
+    splat_2.axis = unpack2x16float(_e81);
+    let _e85 = (*words_1)[3u];
+    splat_2.shorter = unpack2x16float(_e85).x;
+    let _e90 = (*words_1)[3u];
+    let _e96 = (*words_1)[0u];
+    blue = (((_e90 >> bitcast<u32>(24u)) << bitcast<u32>(2u)) | (_e96 >> bitcast<u32>(30u)));
+    let _e101 = (*words_1)[0u];
+    let _e107 = (*words_1)[1u];
+    let _e112 = blue;
+    splat_2.color = (vec3<f32>(f32(((_e101 >> bitcast<u32>(20u)) & 1023u)), f32(((_e107 >> bitcast<u32>(20u)) & 1023u)), f32(_e112)) / vec3(1023f));
+    let _e119 = (*words_1)[3u];
+    splat_2.opacity = ((_e119 >> bitcast<u32>(16u)) & 255u);
+    let _e124 = splat_2;
+    return _e124;
 }
 
 fn ready_u0028_vu4_u003b(words_2: ptr<function, vec4<u32>>) -> Ready {
@@ -350,57 +366,41 @@ fn ready_u0028_vu4_u003b(words_2: ptr<function, vec4<u32>>) -> Ready {
     var param_3: Splat;
     var param_4: f32;
 
-    let _e71 = (*words_2);
-    param_1 = _e71;
-    let _e72 = unpack_splat_u0028_vu4_u003b((&param_1));
-    splat_3 = _e72;
-    let _e74 = splat_3.axis;
+    let _e73 = (*words_2);
+    param_1 = _e73;
+    let _e74 = unpack_splat_u0028_vu4_u003b((&param_1));
+    splat_3 = _e74;
     let _e76 = splat_3.axis;
-    inverse = (1f / dot(_e74, _e76));
-    let _e80 = splat_3.center;
-    r.center = _e80;
-    let _e83 = splat_3.opacity;
-    param_2 = _e83;
-    let _e84 = reach_of_u0028_u1_u003b((&param_2));
-    let _e85 = splat_3;
-    param_3 = _e85;
-    param_4 = _e84;
-    let _e86 = half_box_u0028_struct_u002d_Splat_u002d_vf2_u002d_vf2_u002d_f1_u002d_vf3_u002d_u11_u003b_f1_u003b((&param_3), (&param_4));
-    r.reach = _e86;
-    let _e88 = inverse;
-    let _e91 = splat_3.axis;
-    r.along = (_e91 * (0.8493218f * _e88));
-    let _e94 = inverse;
-    let _e98 = splat_3.shorter;
-    let _e102 = splat_3.axis[1u];
-    let _e106 = splat_3.axis[0u];
-    r.across = (vec2<f32>(-(_e102), _e106) * ((0.8493218f * sqrt(_e94)) / _e98));
-    let _e111 = splat_3.color;
-    let _e113 = splat_3.opacity;
-    r.color = vec4<f32>(_e111.x, _e111.y, _e111.z, (f32(_e113) / 255f));
-    let _e123 = r.along[0u];
-    let _e126 = r.along[0u];
-    let _e130 = r.across[0u];
-    let _e133 = r.across[0u];
-    r.bend = exp2((-2f * ((_e123 * _e126) + (_e130 * _e133))));
-    let _e139 = r;
-    return _e139;
-}
-
-fn step_back_u0028_u1_u003b(chain: ptr<function, u32>) -> u32 {
-    var local_2: u32;
-
-    let _e65 = (*chain);
-    if ((_e65 & 7u) > 1u) {
-        let _e68 = (*chain);
-        local_2 = (_e68 - 1u);
-    } else {
-        let _e70 = (*chain);
-        let _e75 = unnamed_1.bins[((540698u + _e70) - 1u)];
-        local_2 = _e75;
-    }
-    let _e76 = local_2;
-    return _e76;
+    let _e78 = splat_3.axis;
+    inverse = (1f / dot(_e76, _e78));
+    let _e82 = splat_3.center;
+    r.center = _e82;
+    let _e85 = splat_3.opacity;
+    param_2 = _e85;
+    let _e86 = reach_of_u0028_u1_u003b((&param_2));
+    let _e87 = splat_3;
+    param_3 = _e87;
+    param_4 = _e86;
+    let _e88 = half_box_u0028_struct_u002d_Splat_u002d_vf2_u002d_vf2_u002d_f1_u002d_vf3_u002d_u11_u003b_f1_u003b((&param_3), (&param_4));
+    r.reach = _e88;
+    let _e90 = inverse;
+    let _e93 = splat_3.axis;
+    r.along = (_e93 * (0.8493218f * _e90));
+    let _e96 = inverse;
+    let _e100 = splat_3.shorter;
+    let _e104 = splat_3.axis[1u];
+    let _e108 = splat_3.axis[0u];
+    r.across = (vec2<f32>(-(_e104), _e108) * ((0.8493218f * sqrt(_e96)) / _e100));
+    let _e113 = splat_3.color;
+    let _e115 = splat_3.opacity;
+    r.color = vec4<f32>(_e113.x, _e113.y, _e113.z, (f32(_e115) / 255f));
+    let _e125 = r.along[0u];
+    let _e128 = r.along[0u];
+    let _e132 = r.across[0u];
+    let _e135 = r.across[0u];
+    r.bend = exp2((-2f * ((_e125 * _e128) + (_e132 * _e135))));
+    let _e141 = r;
+    return _e141;
 }
 
 fn key_at_u0028_u1_u003b(i: ptr<function, u32>) -> u32 {
@@ -409,150 +409,188 @@ fn key_at_u0028_u1_u003b(i: ptr<function, u32>) -> u32 {
     var keys: u32;
     var local_4: u32;
 
-    let _e69 = frame.key_start;
-    let _e71 = frame.half_keys;
-    if (_e71 != 0u) {
-        let _e73 = (*i);
-        local_3 = (_e73 / 2u);
-    } else {
+    let _e71 = frame.key_start;
+    let _e73 = frame.half_keys;
+    if (_e73 != 0u) {
         let _e75 = (*i);
-        local_3 = _e75;
-    }
-    let _e76 = local_3;
-    word = (_e69 + _e76);
-    let _e78 = word;
-    let _e80 = word;
-    let _e85 = unnamed.splats[(_e78 / 4u)][(_e80 & 3u)];
-    keys = _e85;
-    let _e87 = frame.half_keys;
-    if (_e87 != 0u) {
-        let _e89 = keys;
-        let _e90 = (*i);
-        local_4 = ((_e89 >> bitcast<u32>((16u * (_e90 & 1u)))) & 65535u);
+        local_3 = (_e75 / 2u);
     } else {
-        let _e96 = keys;
-        local_4 = _e96;
+        let _e77 = (*i);
+        local_3 = _e77;
     }
-    let _e97 = local_4;
-    return _e97;
+    let _e78 = local_3;
+    word = (_e71 + _e78);
+    let _e80 = word;
+    let _e82 = word;
+    let _e87 = unnamed.splats[(_e80 / 4u)][(_e82 & 3u)];
+    keys = _e87;
+    let _e89 = frame.half_keys;
+    if (_e89 != 0u) {
+        let _e91 = keys;
+        let _e92 = (*i);
+        local_4 = ((_e91 >> bitcast<u32>((16u * (_e92 & 1u)))) & 65535u);
+    } else {
+        let _e98 = keys;
+        local_4 = _e98;
+    }
+    let _e99 = local_4;
+    return _e99;
 }
 
-fn nearer_u0028_u1_u003b_u1_u003b(a: ptr<function, u32>, b: ptr<function, u32>) -> bool {
-    var key: u32;
+fn blend_merged_u0028_vu4_u003b(chains: ptr<function, vec4<u32>>) {
+    var first: vec4<u32>;
+    var keys_1: vec4<u32>;
+    var level: u32;
     var param_5: u32;
-    var than: u32;
-    var param_6: u32;
-    var phi_543_: bool;
-
-    let _e69 = (*a);
-    param_5 = _e69;
-    let _e70 = key_at_u0028_u1_u003b((&param_5));
-    key = _e70;
-    let _e71 = (*b);
-    param_6 = _e71;
-    let _e72 = key_at_u0028_u1_u003b((&param_6));
-    than = _e72;
-    let _e73 = key;
-    let _e74 = than;
-    let _e75 = (_e73 > _e74);
-    phi_543_ = _e75;
-    if !(_e75) {
-        let _e77 = key;
-        let _e78 = than;
-        let _e80 = (*a);
-        let _e81 = (*b);
-        phi_543_ = ((_e77 == _e78) && (_e80 > _e81));
-    }
-    let _e85 = phi_543_;
-    return _e85;
-}
-
-fn blend_both_u0028_u1_u003b_u1_u003b(here: ptr<function, u32>, everywhere: ptr<function, u32>) {
-    var near: u32;
-    var local_5: u32;
-    var other: u32;
-    var local_6: u32;
-    var wide: bool;
-    var param_7: u32;
+    var take: u32;
+    var splat_4: u32;
+    var key: u32;
+    var level_1: u32;
+    var ahead: bool;
+    var param_6: vec4<u32>;
+    var param_7: Ready;
+    var level_2: u32;
     var param_8: u32;
     var param_9: u32;
-    var param_10: u32;
-    var param_11: vec4<u32>;
-    var param_12: Ready;
-    var phi_581_: bool;
-    var phi_622_: bool;
-    var phi_623_: bool;
+    var phi_634_: bool;
+    var phi_650_: bool;
+    var phi_651_: bool;
 
+    first = vec4<u32>(0u, 0u, 0u, 0u);
+    keys_1 = vec4<u32>(0u, 0u, 0u, 0u);
+    level = 0u;
     loop {
-        let _e76 = open;
-        phi_581_ = _e76;
-        if _e76 {
-            let _e77 = (*here);
-            let _e78 = (*everywhere);
-            phi_581_ = ((_e77 | _e78) != 0u);
+        let _e80 = level;
+        if (_e80 < 4u) {
+            let _e82 = level;
+            let _e84 = (*chains)[_e82];
+            if (_e84 != 0u) {
+                let _e86 = level;
+                let _e87 = level;
+                let _e89 = (*chains)[_e87];
+                let _e93 = unnamed_1.bins[(576602u + _e89)];
+                first[_e86] = _e93;
+                let _e95 = level;
+                let _e96 = level;
+                let _e98 = first[_e96];
+                param_5 = _e98;
+                let _e99 = key_at_u0028_u1_u003b((&param_5));
+                keys_1[_e95] = _e99;
+            }
+            continue;
+        } else {
+            break;
         }
-        let _e82 = phi_581_;
-        if _e82 {
-            let _e83 = (*here);
-            if (_e83 == 0u) {
-                local_5 = 0u;
-            } else {
-                let _e85 = (*here);
-                let _e89 = unnamed_1.bins[(540698u + _e85)];
-                local_5 = _e89;
-            }
-            let _e90 = local_5;
-            near = _e90;
-            let _e91 = (*everywhere);
-            if (_e91 == 0u) {
-                local_6 = 0u;
-            } else {
-                let _e93 = (*everywhere);
-                let _e97 = unnamed_1.bins[(540698u + _e93)];
-                local_6 = _e97;
-            }
-            let _e98 = local_6;
-            other = _e98;
-            let _e99 = (*here);
-            let _e100 = (_e99 == 0u);
-            phi_623_ = _e100;
-            if !(_e100) {
-                let _e102 = (*everywhere);
-                let _e103 = (_e102 != 0u);
-                phi_622_ = _e103;
-                if _e103 {
-                    let _e104 = other;
-                    param_7 = _e104;
-                    let _e105 = near;
-                    param_8 = _e105;
-                    let _e106 = nearer_u0028_u1_u003b_u1_u003b((&param_7), (&param_8));
-                    phi_622_ = _e106;
+        continuing {
+            let _e101 = level;
+            level = (_e101 + bitcast<u32>(1i));
+        }
+    }
+    loop {
+        let _e104 = open;
+        let _e105 = (*chains);
+        if (_e104 && any((_e105 != vec4<u32>(0u, 0u, 0u, 0u)))) {
+            take = 4u;
+            splat_4 = 0u;
+            key = 0u;
+            level_1 = 0u;
+            loop {
+                let _e109 = level_1;
+                if (_e109 < 4u) {
+                    let _e111 = take;
+                    let _e112 = (_e111 == 4u);
+                    phi_634_ = _e112;
+                    if !(_e112) {
+                        let _e114 = level_1;
+                        let _e116 = keys_1[_e114];
+                        let _e117 = key;
+                        phi_634_ = (_e116 > _e117);
+                    }
+                    let _e120 = phi_634_;
+                    phi_651_ = _e120;
+                    if !(_e120) {
+                        let _e122 = level_1;
+                        let _e124 = keys_1[_e122];
+                        let _e125 = key;
+                        let _e126 = (_e124 == _e125);
+                        phi_650_ = _e126;
+                        if _e126 {
+                            let _e127 = level_1;
+                            let _e129 = first[_e127];
+                            let _e130 = splat_4;
+                            phi_650_ = (_e129 > _e130);
+                        }
+                        let _e133 = phi_650_;
+                        phi_651_ = _e133;
+                    }
+                    let _e135 = phi_651_;
+                    ahead = _e135;
+                    let _e136 = level_1;
+                    let _e138 = (*chains)[_e136];
+                    let _e140 = ahead;
+                    if ((_e138 != 0u) && _e140) {
+                        let _e142 = level_1;
+                        take = _e142;
+                        let _e143 = level_1;
+                        let _e145 = first[_e143];
+                        splat_4 = _e145;
+                        let _e146 = level_1;
+                        let _e148 = keys_1[_e146];
+                        key = _e148;
+                    }
+                    continue;
+                } else {
+                    break;
                 }
-                let _e108 = phi_622_;
-                phi_623_ = _e108;
+                continuing {
+                    let _e149 = level_1;
+                    level_1 = (_e149 + bitcast<u32>(1i));
+                }
             }
-            let _e110 = phi_623_;
-            wide = _e110;
-            let _e111 = wide;
-            if _e111 {
-                let _e112 = (*everywhere);
-                param_9 = _e112;
-                let _e113 = step_back_u0028_u1_u003b((&param_9));
-                (*everywhere) = _e113;
-            } else {
-                let _e114 = (*here);
-                param_10 = _e114;
-                let _e115 = step_back_u0028_u1_u003b((&param_10));
-                (*here) = _e115;
+            let _e152 = splat_4;
+            let _e155 = unnamed.splats[_e152];
+            param_6 = _e155;
+            let _e156 = ready_u0028_vu4_u003b((&param_6));
+            param_7 = _e156;
+            blend_u0028_struct_u002d_Ready_u002d_vf2_u002d_vf2_u002d_vf2_u002d_vf2_u002d_vf4_u002d_f11_u003b((&param_7));
+            level_2 = 0u;
+            loop {
+                let _e157 = level_2;
+                if (_e157 < 4u) {
+                    let _e159 = level_2;
+                    let _e160 = take;
+                    if (_e159 == _e160) {
+                        let _e162 = level_2;
+                        let _e163 = level_2;
+                        let _e165 = (*chains)[_e163];
+                        param_8 = _e165;
+                        let _e166 = step_back_u0028_u1_u003b((&param_8));
+                        (*chains)[_e162] = _e166;
+                        let _e168 = level_2;
+                        let _e170 = (*chains)[_e168];
+                        if (_e170 != 0u) {
+                            let _e172 = level_2;
+                            let _e173 = level_2;
+                            let _e175 = (*chains)[_e173];
+                            let _e179 = unnamed_1.bins[(576602u + _e175)];
+                            first[_e172] = _e179;
+                            let _e181 = level_2;
+                            let _e182 = level_2;
+                            let _e184 = first[_e182];
+                            param_9 = _e184;
+                            let _e185 = key_at_u0028_u1_u003b((&param_9));
+                            keys_1[_e181] = _e185;
+                        }
+                    }
+                    continue;
+                } else {
+                    break;
+                }
+                continuing {
+                    let _e187 = level_2;
+                    level_2 = (_e187 + bitcast<u32>(1i));
+                }
             }
-            let _e116 = wide;
-            let _e117 = other;
-            let _e118 = near;
-            let _e122 = unnamed.splats[select(_e118, _e117, _e116)];
-            param_11 = _e122;
-            let _e123 = ready_u0028_vu4_u003b((&param_11));
-            param_12 = _e123;
-            blend_u0028_struct_u002d_Ready_u002d_vf2_u002d_vf2_u002d_vf2_u002d_vf2_u002d_vf4_u002d_f11_u003b((&param_12));
             continue;
         } else {
             break;
@@ -562,57 +600,154 @@ fn blend_both_u0028_u1_u003b_u1_u003b(here: ptr<function, u32>, everywhere: ptr<
 }
 
 fn blend_chain_u0028_u1_u003b(chain_1: ptr<function, u32>) {
-    var param_13: u32;
-    var param_14: u32;
+    var splat_5: u32;
+    var param_10: u32;
+    var param_11: vec4<u32>;
+    var param_12: Ready;
 
-    let _e66 = (*chain_1);
-    param_13 = _e66;
-    param_14 = 0u;
-    blend_both_u0028_u1_u003b_u1_u003b((&param_13), (&param_14));
+    loop {
+        let _e70 = open;
+        let _e71 = (*chain_1);
+        if (_e70 && (_e71 != 0u)) {
+            let _e74 = (*chain_1);
+            let _e78 = unnamed_1.bins[(576602u + _e74)];
+            splat_5 = _e78;
+            let _e79 = (*chain_1);
+            param_10 = _e79;
+            let _e80 = step_back_u0028_u1_u003b((&param_10));
+            (*chain_1) = _e80;
+            let _e81 = splat_5;
+            let _e84 = unnamed.splats[_e81];
+            param_11 = _e84;
+            let _e85 = ready_u0028_vu4_u003b((&param_11));
+            param_12 = _e85;
+            blend_u0028_struct_u002d_Ready_u002d_vf2_u002d_vf2_u002d_vf2_u002d_vf2_u002d_vf4_u002d_f11_u003b((&param_12));
+            continue;
+        } else {
+            break;
+        }
+    }
     return;
 }
 
-fn blend_tile_u0028_u1_u003b(tile: ptr<function, u32>) {
-    var wide_1: u32;
-    var blocks: u32;
-    var block: u32;
-    var here_1: u32;
-    var param_15: u32;
-    var param_16: u32;
-    var param_17: u32;
+fn bins_tile_u0028_u1_u003b_vu2_u003b(level_3: ptr<function, u32>, at: ptr<function, vec2<u32>>) -> u32 {
+    let _e67 = (*level_3);
+    let _e75 = (*at)[1u];
+    let _e76 = (*level_3);
+    let _e83 = (*at)[0u];
+    return (((((16384u - (16384u >> bitcast<u32>((4u * _e67)))) / 15u) * 16u) + (_e75 * (128u >> bitcast<u32>((2u * _e76))))) + _e83);
+}
 
-    let _e73 = unnamed_1.bins[1i];
-    wide_1 = _e73;
-    let _e74 = (*tile);
-    let _e78 = unnamed_1.bins[(34u + _e74)];
-    let _e79 = wide_1;
-    blocks = (_e78 | _e79);
+fn blend_tiles_u0028_vu2_u003b(at_1: ptr<function, vec2<u32>>) {
+    var blocks: u32;
+    var level_4: u32;
+    var tiles: vec4<u32>;
+    var local_5: vec2<u32>;
+    var param_13: u32;
+    var param_14: vec2<u32>;
+    var block: u32;
+    var all_: u32;
+    var one: bool;
+    var level_5: u32;
+    var chains_1: vec4<u32>;
+    var param_15: u32;
+    var param_16: vec4<u32>;
+    var phi_836_: bool;
+    var phi_837_: bool;
+
+    blocks = 0u;
+    level_4 = 0u;
     loop {
-        let _e81 = blocks;
-        let _e83 = open;
-        if ((_e81 != 0u) && _e83) {
-            let _e85 = blocks;
-            block = bitcast<u32>(firstLeadingBit(_e85));
-            let _e88 = block;
-            let _e91 = blocks;
-            blocks = (_e91 ^ (1u << bitcast<u32>(_e88)));
-            let _e93 = (*tile);
-            let _e96 = block;
-            let _e100 = unnamed_1.bins[((16418u + (_e93 * 32u)) + _e96)];
-            here_1 = _e100;
-            let _e101 = wide_1;
-            let _e102 = block;
-            if (((_e101 >> bitcast<u32>(_e102)) & 1u) == 0u) {
-                let _e107 = here_1;
-                param_15 = _e107;
+        let _e79 = level_4;
+        if (_e79 < 4u) {
+            let _e81 = level_4;
+            let _e82 = level_4;
+            if (_e82 < 3u) {
+                let _e84 = (*at_1);
+                let _e85 = level_4;
+                local_5 = (_e84 >> bitcast<vec2<u32>>(vec2((2u * _e85))));
+            } else {
+                local_5 = vec2<u32>(0u, 0u);
+            }
+            let _e90 = level_4;
+            param_13 = _e90;
+            let _e91 = local_5;
+            param_14 = _e91;
+            let _e92 = bins_tile_u0028_u1_u003b_vu2_u003b((&param_13), (&param_14));
+            tiles[_e81] = _e92;
+            let _e94 = level_4;
+            let _e96 = tiles[_e94];
+            let _e100 = unnamed_1.bins[(1u + _e96)];
+            let _e101 = blocks;
+            blocks = (_e101 | _e100);
+            continue;
+        } else {
+            break;
+        }
+        continuing {
+            let _e103 = level_4;
+            level_4 = (_e103 + bitcast<u32>(1i));
+        }
+    }
+    loop {
+        let _e106 = blocks;
+        let _e108 = open;
+        if ((_e106 != 0u) && _e108) {
+            let _e110 = blocks;
+            block = bitcast<u32>(firstLeadingBit(_e110));
+            let _e113 = block;
+            let _e116 = blocks;
+            blocks = (_e116 ^ (1u << bitcast<u32>(_e113)));
+            all_ = 0u;
+            one = true;
+            level_5 = 0u;
+            loop {
+                let _e118 = level_5;
+                if (_e118 < 4u) {
+                    let _e120 = level_5;
+                    let _e121 = level_5;
+                    let _e123 = tiles[_e121];
+                    let _e126 = block;
+                    let _e130 = unnamed_1.bins[((17474u + (_e123 * 32u)) + _e126)];
+                    chains_1[_e120] = _e130;
+                    let _e132 = one;
+                    phi_837_ = _e132;
+                    if _e132 {
+                        let _e133 = all_;
+                        let _e134 = (_e133 == 0u);
+                        phi_836_ = _e134;
+                        if !(_e134) {
+                            let _e136 = level_5;
+                            let _e138 = chains_1[_e136];
+                            phi_836_ = (_e138 == 0u);
+                        }
+                        let _e141 = phi_836_;
+                        phi_837_ = _e141;
+                    }
+                    let _e143 = phi_837_;
+                    one = _e143;
+                    let _e144 = level_5;
+                    let _e146 = chains_1[_e144];
+                    let _e147 = all_;
+                    all_ = (_e147 | _e146);
+                    continue;
+                } else {
+                    break;
+                }
+                continuing {
+                    let _e149 = level_5;
+                    level_5 = (_e149 + bitcast<u32>(1i));
+                }
+            }
+            let _e152 = one;
+            if _e152 {
+                let _e153 = all_;
+                param_15 = _e153;
                 blend_chain_u0028_u1_u003b((&param_15));
             } else {
-                let _e108 = block;
-                let _e110 = here_1;
-                param_16 = _e110;
-                let _e113 = unnamed_1.bins[(2u + _e108)];
-                param_17 = _e113;
-                blend_both_u0028_u1_u003b_u1_u003b((&param_16), (&param_17));
+                let _e154 = chains_1;
+                param_16 = _e154;
+                blend_merged_u0028_vu4_u003b((&param_16));
             }
             continue;
         } else {
@@ -626,9 +761,8 @@ fn main_1() {
     var k_1: u32;
     var lane: u32;
     var place: vec2<u32>;
-    var first: vec2<u32>;
-    var tile_1: vec2<u32>;
-    var param_18: u32;
+    var first_1: vec2<u32>;
+    var param_17: vec2<u32>;
     var k_2: u32;
     var pixel: vec2<u32>;
 
@@ -636,71 +770,68 @@ fn main_1() {
     open = true;
     k_1 = 0u;
     loop {
-        let _e71 = k_1;
-        if (_e71 < 16u) {
-            let _e73 = k_1;
-            pixels[_e73] = vec4<f32>(0f, 0f, 0f, 1f);
+        let _e72 = k_1;
+        if (_e72 < 16u) {
+            let _e74 = k_1;
+            pixels[_e74] = vec4<f32>(0f, 0f, 0f, 1f);
             continue;
         } else {
             break;
         }
         continuing {
-            let _e75 = k_1;
-            k_1 = (_e75 + bitcast<u32>(1i));
+            let _e76 = k_1;
+            k_1 = (_e76 + bitcast<u32>(1i));
         }
     }
-    let _e78 = gl_LocalInvocationIndex_1;
-    lane = _e78;
-    let _e79 = lane;
-    let _e81 = lane;
-    let _e86 = lane;
-    let _e90 = lane;
-    place = vec2<u32>(((_e79 & 3u) | ((_e81 >> bitcast<u32>(2u)) & 4u)), (((_e86 >> bitcast<u32>(2u)) & 3u) | ((_e90 >> bitcast<u32>(3u)) & 4u)));
-    let _e96 = gl_WorkGroupID_1;
-    let _e100 = place;
-    first = ((_e96.xy * vec2(32u)) + (vec2(4u) * _e100));
-    let _e104 = first;
-    middle = (vec2<f32>(_e104) + vec2(2f));
-    let _e108 = first;
-    let _e110 = frame.tile;
-    tile_1 = (_e108 / vec2(u32(_e110)));
-    let _e115 = tile_1[1u];
-    let _e118 = tile_1[0u];
-    param_18 = ((_e115 * 128u) + _e118);
-    blend_tile_u0028_u1_u003b((&param_18));
+    let _e79 = gl_LocalInvocationIndex_1;
+    lane = _e79;
+    let _e80 = lane;
+    let _e82 = lane;
+    let _e87 = lane;
+    let _e91 = lane;
+    place = vec2<u32>(((_e80 & 3u) | ((_e82 >> bitcast<u32>(2u)) & 4u)), (((_e87 >> bitcast<u32>(2u)) & 3u) | ((_e91 >> bitcast<u32>(3u)) & 4u)));
+    let _e97 = gl_WorkGroupID_1;
+    let _e101 = place;
+    first_1 = ((_e97.xy * vec2(32u)) + (vec2(4u) * _e101));
+    let _e105 = first_1;
+    middle = (vec2<f32>(_e105) + vec2(2f));
+    let _e109 = middle;
+    let _e111 = frame.tile;
+    param_17 = vec2<u32>((_e109 / vec2(_e111)));
+    blend_tiles_u0028_vu2_u003b((&param_17));
     k_2 = 0u;
     loop {
-        let _e120 = k_2;
-        if (_e120 < 16u) {
-            let _e122 = first;
-            let _e123 = k_2;
-            let _e125 = k_2;
-            pixel = (_e122 + vec2<u32>((_e123 % 4u), (_e125 / 4u)));
-            let _e129 = pixel;
-            let _e132 = frame.size;
-            if all((vec2<f32>(_e129) < _e132)) {
-                let _e135 = pixel;
-                let _e137 = k_2;
-                let _e139 = pixels[_e137];
-                let _e140 = _e139.xyz;
-                let _e141 = k_2;
-                let _e144 = pixels[_e141][3u];
-                textureStore(picture, bitcast<vec2<i32>>(_e135), vec4<f32>(_e140.x, _e140.y, _e140.z, (1f - _e144)));
+        let _e115 = k_2;
+        if (_e115 < 16u) {
+            let _e117 = first_1;
+            let _e118 = k_2;
+            let _e120 = k_2;
+            pixel = (_e117 + vec2<u32>((_e118 % 4u), (_e120 / 4u)));
+            let _e124 = pixel;
+            let _e127 = frame.size;
+            if all((vec2<f32>(_e124) < _e127)) {
+                let _e130 = pixel;
+                let _e132 = k_2;
+                let _e134 = pixels[_e132];
+                let _e135 = _e134.xyz;
+                let _e136 = k_2;
+                let _e139 = pixels[_e136][3u];
+                textureStore(picture, bitcast<vec2<i32>>(_e130), vec4<f32>(_e135.x, _e135.y, _e135.z, (1f - _e139)));
             }
             continue;
         } else {
             break;
         }
         continuing {
-            let _e150 = k_2;
-            k_2 = (_e150 + bitcast<u32>(1i));
+            let _e145 = k_2;
+            k_2 = (_e145 + bitcast<u32>(1i));
         }
     }
-    let _e154 = settings.count;
-    let _e156 = shaded;
-    if ((_e154 != 0u) && (_e156 > 0u)) {
-        let _e161 = shaded;
-        let _e162 = atomicAdd((&unnamed_2.control.fragments), _e161);
+    let _e149 = settings.count;
+    let _e151 = shaded;
+    if ((_e149 != 0u) && (_e151 > 0u)) {
+        let _e156 = shaded;
+        let _e157 = atomicAdd((&unnamed_2.control.fragments), _e156);
     }
     return;
 }

@@ -247,6 +247,9 @@ impl Drop for Painter {
         if let Err(error) = self.renderer.finish() {
             tracing::debug!("the last frames did not finish: {error}");
         }
+        if self.gpu.hangs() {
+            return;
+        }
         // SAFETY: dropped once, here; no submitted frame uses the overlay's objects, or the device is lost.
         unsafe {
             ManuallyDrop::drop(&mut self.egui);

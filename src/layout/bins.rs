@@ -1,6 +1,6 @@
 //! How the picture is cut into tiles, and the memory that their chains of splats take.
 
-use super::{BINS_BLOCKS, BINS_NODE, BINS_SIDE, BINS_TILE};
+use super::{BINS_BLOCKS, BINS_NODE, BINS_SIDE, BINS_TILE, BINS_TILES};
 
 /// Nodes of the tiles' chains for so many splats, and all nodes. A 200K body 2000 pixels high takes a node for every second splat.
 pub fn nodes(capacity: u32) -> [u32; 2] {
@@ -15,9 +15,8 @@ pub fn tile(size: [u32; 2]) -> u32 {
 
 /// Bytes of the bins before their nodes, and of all (`shaders/bins.glsl`).
 pub fn bins_size(capacity: u32) -> [u64; 2] {
-    let tiles = u64::from(BINS_SIDE * BINS_SIDE);
-    let blocks = u64::from(BINS_BLOCKS);
-    let heads = 4 * (2 + blocks + tiles + tiles * blocks);
+    let (tiles, blocks) = (u64::from(BINS_TILES), u64::from(BINS_BLOCKS));
+    let heads = 4 * (1 + tiles + tiles * blocks);
     [heads, heads + 4 * u64::from(BINS_NODE) * u64::from(nodes(capacity)[1])]
 }
 

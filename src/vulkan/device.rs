@@ -139,6 +139,11 @@ impl Gpu {
         self.cache.save(&self.raw);
     }
 
+    /// Whether it left a wait unanswered. What it may still use is then not destroyed: the process's end does that.
+    pub(crate) fn hangs(&self) -> bool {
+        self.hangs.load(Ordering::Relaxed)
+    }
+
     /// Waits for a fence, but not for ever.
     pub fn wait(&self, fence: vk::Fence, what: &'static str) -> Result<()> {
         // SAFETY: the fence is alive and of this device.
@@ -180,7 +185,7 @@ impl Gpu {
             let fence = self.raw.create_fence(&vk::FenceCreateInfo::default(), None).during("vkCreateFence")?;
             self.name(fence, "idle");
             let outcome = self.submit(&[], fence).and_then(|()| self.wait(fence, "all submitted work"));
-            if !self.hangs.load(Ordering::Relaxed) {
+            if !self.hangs() {
                 self.raw.destroy_fence(fence, None);
             }
             outcome
@@ -228,7 +233,7 @@ impl Gpu {
 
 impl Drop for Gpu {
     fn drop(&mut self) {
-        if self.hangs.load(Ordering::Relaxed) {
+        if self.hangs() {
             // Destroying a device waits for its work on some drivers, for ever: the process's end does it.
             return;
         }

@@ -105,6 +105,9 @@ pub(super) fn to_host(gpu: &Gpu, commands: vk::CommandBuffer) {
 
 impl Drop for Buffer {
     fn drop(&mut self) {
+        if self.gpu.hangs() {
+            return;
+        }
         // SAFETY: owners drop a buffer only when no submitted work uses it.
         unsafe { self.gpu.raw.destroy_buffer(self.raw, None) };
         free(&self.gpu, self.allocation.take());
@@ -154,6 +157,9 @@ impl Image {
 
 impl Drop for Image {
     fn drop(&mut self) {
+        if self.gpu.hangs() {
+            return;
+        }
         // SAFETY: owners drop an image only when no submitted work uses it. Destroying a null view does nothing.
         unsafe {
             self.gpu.raw.destroy_image_view(self.view, None);

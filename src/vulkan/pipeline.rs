@@ -149,6 +149,9 @@ impl Bindings {
 
 impl Drop for Bindings {
     fn drop(&mut self) {
+        if self.gpu.hangs() {
+            return;
+        }
         // SAFETY: owners drop bindings only when no submitted work uses them. Destroying null handles does nothing.
         unsafe {
             self.gpu.raw.destroy_descriptor_pool(self.pool, None);
@@ -230,6 +233,9 @@ impl Kernel {
 
 impl Drop for Kernel {
     fn drop(&mut self) {
+        if self.gpu.hangs() {
+            return;
+        }
         // SAFETY: owners drop a kernel only when no submitted work uses it.
         unsafe { self.gpu.raw.destroy_pipeline(self.pipeline, None) };
     }

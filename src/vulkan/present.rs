@@ -140,6 +140,9 @@ impl Present {
 
 impl Drop for Present {
     fn drop(&mut self) {
+        if self.gpu.hangs() {
+            return;
+        }
         // SAFETY: owners drop a stage only when no submitted work uses it. Destroying null handles does nothing.
         unsafe {
             let device = &self.gpu.raw;

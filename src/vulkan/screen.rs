@@ -67,6 +67,9 @@ impl Screen {
 
 impl Drop for Screen {
     fn drop(&mut self) {
+        if self.gpu.hangs() {
+            return;
+        }
         // SAFETY: owners drop a screen only when no submitted frame uses it.
         unsafe { self.gpu.raw.destroy_framebuffer(self.framebuffer, None) };
     }

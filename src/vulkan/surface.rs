@@ -62,6 +62,9 @@ impl SurfaceMesh {
 
 impl Drop for SurfaceMesh {
     fn drop(&mut self) {
+        if self.gpu.hangs() {
+            return;
+        }
         // SAFETY: owners drop a stage only when no submitted work uses it.
         unsafe { self.gpu.raw.destroy_pipeline(self.pipeline, None) };
     }
@@ -85,6 +88,9 @@ struct Pass {
 
 impl Drop for Pass {
     fn drop(&mut self) {
+        if self.gpu.hangs() {
+            return;
+        }
         // SAFETY: owners drop a stage only when no submitted work uses it. Destroying null handles does nothing.
         unsafe {
             self.gpu.raw.destroy_framebuffer(self.framebuffer, None);
@@ -140,6 +146,9 @@ impl Surface {
 
 impl Drop for Surface {
     fn drop(&mut self) {
+        if self.gpu.hangs() {
+            return;
+        }
         // SAFETY: owners drop a stage only when no submitted work uses it.
         unsafe { self.gpu.raw.destroy_sampler(self.sampler, None) };
     }

@@ -30,6 +30,9 @@ struct Target {
 
 impl Drop for Target {
     fn drop(&mut self) {
+        if self.gpu.hangs() {
+            return;
+        }
         // SAFETY: owners drop a target only when no submitted work uses it.
         unsafe { self.gpu.raw.destroy_framebuffer(self.framebuffer, None) };
     }
@@ -167,6 +170,9 @@ impl Hulls {
 
 impl Drop for Hulls {
     fn drop(&mut self) {
+        if self.gpu.hangs() {
+            return;
+        }
         // SAFETY: owners drop a stage only when no submitted work uses it.
         unsafe {
             self.gpu.raw.destroy_pipeline(self.pipeline, None);

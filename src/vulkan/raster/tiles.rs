@@ -4,7 +4,7 @@ use super::{super::memory::COLOR, ColorFormat, Method, check_size};
 use crate::{
     frame::Skip,
     layout::{
-        BINS_BLOCKS, BINS_NODE, BINS_SIDE, BINS_SIZE, RASTER_REGION,
+        BINS_BLOCKS, BINS_LEVELS, BINS_NODE, BINS_SIDE, BINS_SIZE, BINS_TILES, RASTER_REGION,
         bins::{bins_size, nodes},
     },
     vulkan::{
@@ -20,12 +20,25 @@ use ash::vk::{self, AccessFlags, ImageLayout, PipelineStageFlags};
 use gpu_allocator::MemoryLocation;
 use std::sync::Arc;
 
-/// What the `bins` stage left, read back.
+/// What the `bins` stage left, read back: numbers of splats, nearest first, of each tile of each level, row by row from the top left.
 pub struct Bins {
-    /// Of each tile, row by row from the top left, [`BINS_SIDE`] in a row: numbers of splats.
-    pub tiles: Vec<Vec<u32>>,
-    /// Splats that every tile has.
-    pub wide: Vec<u32>,
+    tiles: Vec<Vec<u32>>,
+}
+
+impl Bins {
+    /// Those of a level's tile, the finest being level 0. Column and row of that level.
+    pub fn tile(&self, level: u32, [column, row]: [u32; 2]) -> &[u32] {
+        let finest = BINS_SIDE * BINS_SIDE;
+        let start = (finest - (finest >> (4 * level))) / 15 * 16;
+        &self.tiles[(start + row * (BINS_SIDE >> (2 * level)) + column) as usize]
+    }
+
+    /// Those of all levels that a finest tile lies in, level by level.
+    pub fn at(&self, [column, row]: [u32; 2]) -> [&[u32]; BINS_LEVELS as usize] {
+        let whole = BINS_LEVELS - 1;
+        std::array::from_fn(|k| k as u32)
+            .map(|level| self.tile(level, if level < whole { [column, row].map(|v| v >> (2 * level)) } else { [0; 2] }))
+    }
 }
 
 pub struct Tiles {
@@ -76,26 +89,24 @@ impl Tiles {
         self.format
     }
 
-    /// The bins of the last frame, for tests: the splats of each tile, nearest first, and those of chains for the whole picture, which go
-    /// between them by their place in the order.
+    /// The bins of the last frame, for tests.
     pub fn download(&self) -> Result<Bins> {
         let words: Vec<u32> = bytemuck::pod_collect_to_vec(&self.buffer.download(self.buffer.size as usize)?);
-        let wide = BINS_BLOCKS as usize;
-        let heads = 2 + wide + (BINS_SIDE * BINS_SIDE) as usize;
-        let nodes = heads + (BINS_SIDE * BINS_SIDE * BINS_BLOCKS) as usize - BINS_NODE as usize;
+        let [tiles, blocks, node] = [BINS_TILES, BINS_BLOCKS, BINS_NODE].map(|number| number as usize);
+        let heads = 1 + tiles;
+        let nodes = heads + tiles * blocks - node;
         let chain = |at: usize| {
             let mut splats = Vec::new();
             let mut chain = words[at] as usize;
             while chain != 0 {
-                let held = chain % BINS_NODE as usize;
+                let held = chain % node;
                 splats.extend((chain - held + 1..=chain).rev().map(|slot| words[nodes + slot]));
                 chain = words[nodes + chain - held] as usize;
             }
             splats
         };
-        let tile = |tile: usize| (0..wide).rev().flat_map(|block| chain(heads + tile * wide + block)).collect();
-        let tiles = (0..(BINS_SIDE * BINS_SIDE) as usize).map(tile).collect();
-        Ok(Bins { tiles, wide: (0..wide).rev().flat_map(|block| chain(2 + block)).collect() })
+        let tile = |tile: usize| (0..blocks).rev().flat_map(|block| chain(heads + tile * blocks + block)).collect();
+        Ok(Bins { tiles: (0..tiles).map(tile).collect() })
     }
 
     pub fn resize(&mut self, size: [u32; 2]) -> Result<()> {
