@@ -9,11 +9,13 @@ pub mod action;
 mod android;
 mod device;
 pub mod gesture;
+pub mod icons;
 #[cfg(any(target_os = "android", test))]
 mod letters;
 mod lifecycle;
 pub mod orbit;
 pub mod overlay;
+pub mod pacing;
 pub mod painter;
 pub mod panel;
 pub mod playback;

@@ -2,6 +2,7 @@
 
 use super::{
     action::{Action, KEYS, POINTERS},
+    icons::{self, Icon},
     playback::{Playback, Repeat, SPEED},
     shelf::Shelf,
     times::FrameTimes,
@@ -44,6 +45,7 @@ pub struct Facts<'a> {
 
 /// Small text on a dark, translucent panel.
 pub fn style(ctx: &egui::Context) {
+    ctx.set_fonts(icons::fonts());
     ctx.set_theme(egui::Theme::Dark);
     ctx.all_styles_mut(|style| {
         style.spacing.item_spacing = vec2(6.0, 4.0);
@@ -113,8 +115,8 @@ fn clip(ui: &mut Ui, playback: &Playback, wishes: &mut Vec<Action>) {
     let Some(track) = playback.tracks().get(moment.clip) else { return };
     if playback.tracks().len() > 1 {
         ui.horizontal(|ui| {
-            button(ui, "⏮", "previous clip (P)", Action::Next(-1), wishes);
-            button(ui, "⏭", "next clip (N)", Action::Next(1), wishes);
+            sign(ui, Icon::Previous, "previous clip (P)", Action::Next(-1), wishes);
+            sign(ui, Icon::Next, "next clip (N)", Action::Next(1), wishes);
             egui::ComboBox::from_id_salt("clip").selected_text(&track.name).width(ui.available_width()).show_ui(ui, |ui| {
                 for (number, track) in playback.tracks().iter().enumerate() {
                     if ui.selectable_label(number == moment.clip, &track.name).clicked() {
@@ -127,8 +129,8 @@ fn clip(ui: &mut Ui, playback: &Playback, wishes: &mut Vec<Action>) {
         ui.strong(&track.name);
     }
     ui.horizontal(|ui| {
-        let symbol = if playback.is_playing() { "⏸" } else { "▶" };
-        button(ui, symbol, "play or pause (Space)", Action::PlayOrPause, wishes);
+        let icon = if playback.is_playing() { Icon::Pause } else { Icon::Play };
+        sign(ui, icon, "play or pause (Space)", Action::PlayOrPause, wishes);
         let mut time = moment.time;
         ui.spacing_mut().slider_width = ui.available_width() - 92.0;
         let slider = Slider::new(&mut time, 0.0..=track.duration.max(1e-6)).show_value(false);
@@ -155,6 +157,12 @@ fn clip(ui: &mut Ui, playback: &Playback, wishes: &mut Vec<Action>) {
 
 fn button(ui: &mut Ui, text: &str, hint: &str, action: Action, wishes: &mut Vec<Action>) {
     if ui.button(text).on_hover_text(hint).clicked() {
+        wishes.push(action);
+    }
+}
+
+fn sign(ui: &mut Ui, icon: Icon, hint: &str, action: Action, wishes: &mut Vec<Action>) {
+    if icons::button(ui, icon).on_hover_text(hint).clicked() {
         wishes.push(action);
     }
 }
