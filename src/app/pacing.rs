@@ -24,6 +24,8 @@ const FADE: f64 = 0.98;
 #[derive(Clone, Debug, Default)]
 pub struct Pacing {
     ticks: VecDeque<f64>,
+    /// They are the times at which images were shown.
+    exact: bool,
     /// From one refresh to the next, where the display says so itself.
     told: Option<f64>,
     /// The time that the last frame is a picture of, and when it is to be shown.
@@ -35,8 +37,29 @@ pub struct Pacing {
 }
 
 impl Pacing {
-    /// A refresh began. One that is no later than the last one known, or no number, says nothing.
+    /// The system says that a refresh began. That has another phase than what the display shows: while the display tells of its images, it
+    /// says nothing.
     pub fn tick(&mut self, at: f64) {
+        if self.exact && self.ticks.back().is_none_or(|&last| at - last > STALE) {
+            self.exact = false;
+            self.ticks.clear();
+        }
+        if !self.exact {
+            self.hear(at);
+        }
+    }
+
+    /// The display says that an image was shown.
+    pub fn shown(&mut self, at: f64) {
+        if !self.exact {
+            self.exact = true;
+            self.ticks.clear();
+        }
+        self.hear(at);
+    }
+
+    /// One that is no later than the last one known, or no number, says nothing.
+    fn hear(&mut self, at: f64) {
         if !at.is_finite() || self.ticks.back().is_some_and(|&last| at <= last) {
             return;
         }
@@ -224,8 +247,16 @@ mod tests {
         (0..9).for_each(|number| pacing.tick(30.0 + f64::from(number) / 144.0));
         let times = [30.06, 30.066].map(|now| pacing.frame(now, 1));
         assert!((times[1] - times[0] - 1.0 / 144.0).abs() < 1e-9, "{times:?}");
+        pacing.shown(30.075);
+        pacing.tick(30.07);
+        assert_eq!(pacing.frame(30.08, 1), 30.08, "one image is no beat yet");
         pacing.rest();
         pacing.set_period(1.0 / 90.0);
-        assert!((pacing.frame(30.2, 1) - 30.2).abs() <= 0.5 / 90.0);
+        let off = |beats: f64| (beats - beats.round()).abs();
+        assert!(off((pacing.frame(30.2, 1) - 30.075) * 90.0) < 1e-6, "on the images' beat");
+        pacing.tick(31.0);
+        pacing.tick(31.0 + 1.0 / 90.0);
+        pacing.rest();
+        assert!(off((pacing.frame(31.1, 1) - 31.0) * 90.0) < 1e-6, "the display no longer tells of images");
     }
 }

@@ -1,10 +1,11 @@
 //! The viewer's work: wishes and gestures change the scene; a frame draws it, where something has changed.
 
 use super::{
-    Loss, Message, Options,
+    Message, Options,
     action::Action,
     gesture::{Gesture, Pointers},
     overlay::Facts,
+    pacing::Pacing,
     painter::Painter,
     panel::Overlay,
     scene::{Look, Scene},
@@ -67,6 +68,7 @@ pub struct Viewer {
     pub(super) drawn: u32,
     pub(super) measured: Vec<f64>,
     pub(super) pace: Option<Pace>,
+    pub(super) pacing: Pacing,
     pub(super) trace: Option<Trace>,
     pub(super) lost_device: bool,
     pub(super) lost_surfaces: u32,
@@ -101,6 +103,7 @@ impl Viewer {
             drawn: 0,
             measured: Vec::with_capacity(options.frames.unwrap_or(0).min(1 << 20) as usize),
             pace: None,
+            pacing: Pacing::default(),
             trace: None,
             lost_device: false,
             lost_surfaces: 0,
@@ -115,7 +118,7 @@ impl Viewer {
 
     /// A frame should be drawn as soon as the display takes it.
     pub(super) fn wants_frame(&self) -> bool {
-        let early = self.pace.as_ref().and_then(Pace::next).is_some_and(|next| self.clock() < next);
+        let early = self.next_frame().is_some_and(|next| self.clock() < next);
         self.painter.is_some() && !self.suspended && !self.hidden && !early && (self.dirty || self.scene.is_moving() || self.is_restless())
     }
 
@@ -127,7 +130,7 @@ impl Viewer {
     /// When something is to be done without anyone's doing: egui asks for a frame, or a finger has pressed for long.
     pub(super) fn wake_at(&self) -> Option<Instant> {
         let pressed = self.taps.due().map(|due| self.start + Duration::from_secs_f64(due));
-        let next = self.pace.as_ref().and_then(Pace::next).filter(|_| self.scene.is_moving());
+        let next = self.next_frame().filter(|_| self.scene.is_moving());
         let next = next.map(|due| self.start + Duration::from_secs_f64(due.max(0.0)));
         let shown = [self.wake, next].map(|due| due.filter(|_| !self.hidden && !self.suspended));
         shown.into_iter().chain([pressed]).flatten().min()
@@ -179,13 +182,9 @@ impl Viewer {
     }
 
     pub(super) fn draw(&mut self, wishes: &mut Vec<Action>) -> Result<(), Error> {
-        if let Some(at) = self.options.rehearse.iter().position(|&(_, frame)| frame == self.drawn) {
-            return Err(match self.options.rehearse.remove(at).0 {
-                Loss::Surface => Error::SurfaceLost("a rehearsal"),
-                Loss::Device => Error::DeviceLost("a rehearsal"),
-            });
-        }
+        self.rehearse()?;
         let (clock, restless) = (self.clock(), self.is_restless());
+        let moment = self.in_step(clock);
         let (Some(painter), Some(overlay), Some(window)) = (&mut self.painter, &mut self.overlay, &self.window) else { return Ok(()) };
         if cfg!(target_os = "android") {
             // While the activity is paused its window's events are lost.
@@ -208,7 +207,7 @@ impl Viewer {
                 pace.rest(clock);
             }
         }
-        let look = if held { self.scene.hold(clock, size) } else { self.scene.advance(clock, size) };
+        let look = if held { self.scene.hold(moment, size) } else { self.scene.advance(moment, size) };
         if self.shown == Some(look) && !self.dirty && !held && !restless {
             self.resting = true;
             return Ok(());
@@ -235,6 +234,7 @@ impl Viewer {
             painter.look();
         }
         self.trace.iter_mut().for_each(|trace| trace.frame(painter.report()));
+        self.stepped(clock, began);
         if self.options.frames.is_some() {
             self.measured.push(1e3 * (self.start.elapsed().as_secs_f64() - clock));
         }

@@ -2,6 +2,7 @@
 //!
 //! The system calls `android_main` on a thread of ours for every activity that it creates in the process.
 
+pub(super) mod beat;
 mod files;
 mod java;
 mod log;

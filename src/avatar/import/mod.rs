@@ -19,7 +19,8 @@ pub use header::UP_COMMENT;
 use std::{f64::consts::FRAC_PI_2, fs::File, io::Read, path::Path};
 
 /// The axis of a file that points up.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(not(target_os = "android"), derive(clap::ValueEnum))]
 pub enum Up {
     #[value(name = "y")]
     Y,
