@@ -37,14 +37,18 @@ pub struct Pacing {
 }
 
 impl Pacing {
-    /// The system says that a refresh began. That has another phase than what the display shows: while the display tells of its images, it
-    /// says nothing.
+    /// Whether the system is to tell of refreshes: its have another phase than what the display shows, so they are of no use while the
+    /// display tells of its images.
+    pub fn wants_ticks(&self, now: f64) -> bool {
+        !self.exact || self.ticks.back().is_none_or(|&last| now - last > STALE)
+    }
+
+    /// The system says that a refresh began.
     pub fn tick(&mut self, at: f64) {
-        if self.exact && self.ticks.back().is_none_or(|&last| at - last > STALE) {
-            self.exact = false;
-            self.ticks.clear();
-        }
-        if !self.exact {
+        if self.wants_ticks(at) {
+            if std::mem::take(&mut self.exact) {
+                self.ticks.clear();
+            }
             self.hear(at);
         }
     }

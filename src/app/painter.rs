@@ -87,6 +87,7 @@ impl Painter {
         let info = vk::CommandPoolCreateInfo::default().queue_family_index(gpu.queue_family).flags(vk::CommandPoolCreateFlags::TRANSIENT);
         // SAFETY: `info` outlives the call.
         let textures = unsafe { gpu.raw.create_command_pool(&info, None) }.during("vkCreateCommandPool")?;
+        gpu.name(textures, "panel's textures");
         Ok(Self {
             egui: ManuallyDrop::new(egui),
             textures,

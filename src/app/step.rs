@@ -21,22 +21,24 @@ impl Viewer {
     #[cfg(target_os = "android")]
     fn listen(&mut self, clock: f64) {
         use super::android::beat;
-        let now = beat::now();
-        let seconds = |at: u64| clock - (now as f64 - at as f64) / 1e9;
+        let (here, now) = (self.clock(), beat::now());
+        let seconds = |at: u64| here - (now as f64 - at as f64) / 1e9;
         let told = self.painter.as_ref().and_then(|painter| painter.told()).unwrap_or_default();
         told.period.iter().for_each(|period| self.pacing.set_period(period.as_secs_f64()));
         told.shown.iter().for_each(|&at| self.pacing.shown(seconds(at)));
-        beat::take().iter().for_each(|&at| self.pacing.tick(seconds(at)));
-        beat::ask();
+        if self.pacing.wants_ticks(clock) {
+            beat::take().iter().for_each(|&at| self.pacing.tick(seconds(at)));
+            beat::ask();
+        }
     }
 
     /// Tells the display when to show the frame that began.
     #[cfg(target_os = "android")]
     fn tell(&mut self, clock: f64) {
         let show = self.pacing.show(clock, self.refreshes());
-        let now = super::android::beat::now();
+        let (here, now) = (self.clock(), super::android::beat::now());
         if let Some(painter) = &mut self.painter {
-            painter.show_at(show.map(|show| now.saturating_add_signed(((show - clock) * 1e9) as i64)));
+            painter.show_at(show.map(|show| now.saturating_add_signed(((show - here) * 1e9) as i64)));
         }
     }
 

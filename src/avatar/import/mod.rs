@@ -22,13 +22,13 @@ use std::{f64::consts::FRAC_PI_2, fs::File, io::Read, path::Path};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(not(target_os = "android"), derive(clap::ValueEnum))]
 pub enum Up {
-    #[value(name = "y")]
+    #[cfg_attr(not(target_os = "android"), value(name = "y"))]
     Y,
-    #[value(name = "-y")]
+    #[cfg_attr(not(target_os = "android"), value(name = "-y"))]
     MinusY,
-    #[value(name = "z")]
+    #[cfg_attr(not(target_os = "android"), value(name = "z"))]
     Z,
-    #[value(name = "-z")]
+    #[cfg_attr(not(target_os = "android"), value(name = "-z"))]
     MinusZ,
 }
 
