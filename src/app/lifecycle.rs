@@ -5,7 +5,7 @@ use super::{
     viewer::Viewer,
 };
 use crate::{
-    measure::trace::Trace,
+    measure::{capture::RenderDoc, trace::Trace},
     vulkan::{Error, RendererOptions},
 };
 use anyhow::Context;
@@ -60,6 +60,7 @@ impl Viewer {
             self.pace = self.options.steady.as_ref().map(|steady| Pace::new(steady, display.map(|rate| f64::from(rate) / 1e3)));
         }
         self.painter = Some(painter);
+        self.capturable = RenderDoc::attached().is_some();
         (self.shown, self.dirty) = (None, true);
         Ok(())
     }

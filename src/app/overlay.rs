@@ -37,6 +37,8 @@ pub struct Facts<'a> {
     pub shelf: &'a Shelf,
     /// There is a crash to share.
     pub report: bool,
+    /// RenderDoc is attached.
+    pub capture: bool,
     pub background: [f32; 3],
     pub follow: bool,
     /// The last thing there was to say: where a screenshot went, for example.
@@ -175,6 +177,9 @@ fn view(ui: &mut Ui, facts: &Facts, wishes: &mut Vec<Action>) {
         }
         button(ui, "Screenshot", "a PNG without this panel (S)", Action::Screenshot, wishes);
     });
+    if facts.capture {
+        button(ui, "Capture a frame", "by RenderDoc, which is attached (C)", Action::Capture, wishes);
+    }
     ui.horizontal(|ui| {
         let mut background = facts.background.map(|channel| (255.0 * channel).round() as u8);
         if ui.color_edit_button_srgb(&mut background).on_hover_text("background (B for the next)").changed() {

@@ -70,6 +70,8 @@ pub struct Viewer {
     pub(super) pace: Option<Pace>,
     pub(super) pacing: Pacing,
     pub(super) trace: Option<Trace>,
+    /// RenderDoc was attached when the device was opened.
+    pub(super) capturable: bool,
     pub(super) lost_device: bool,
     pub(super) lost_surfaces: u32,
 }
@@ -105,6 +107,7 @@ impl Viewer {
             pace: None,
             pacing: Pacing::default(),
             trace: None,
+            capturable: false,
             lost_device: false,
             lost_surfaces: 0,
             options,
@@ -216,7 +219,7 @@ impl Viewer {
         if overlay.visible && clock - self.memory.0 > MEMORY {
             self.memory = (clock, painter.gpu().memory().0);
         }
-        let facts = facts(&self.scene, (painter, &self.options), (&self.times, self.memory.1, self.message.as_deref()));
+        let facts = facts(&self.scene, (painter, &self.options, self.capturable), (&self.times, self.memory.1, self.message.as_deref()));
         let (mut panel, textures, wait) = overlay.lay_out((window, size), &facts, wishes);
         painter.set_textures(textures)?;
         let began = Instant::now();
@@ -264,7 +267,7 @@ fn quit(event_loop: &ActiveEventLoop) {
 /// What the panel shows. `said`: the frames' times, the memory in use and the last message.
 fn facts<'a>(
     scene: &'a Scene,
-    (painter, options): (&'a Painter, &'a Options),
+    (painter, options, capture): (&'a Painter, &'a Options, bool),
     (times, memory, message): (&'a FrameTimes, u64, Option<&'a str>),
 ) -> Facts<'a> {
     let (report, probe) = (painter.report(), &painter.gpu().probe);
@@ -281,6 +284,7 @@ fn facts<'a>(
         playback: scene.playback(),
         shelf: &options.shelf,
         report: options.report.is_some(),
+        capture,
         background: scene.background(),
         follow: scene.follows(),
         message,

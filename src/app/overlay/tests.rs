@@ -34,6 +34,7 @@ fn every_control_of_the_panel_asks_for_something() {
         follow: true,
         message: Some("saved"),
         report: true,
+        capture: true,
     };
     let mut wishes = Vec::new();
     let mut pass = |events: Vec<egui::Event>| {
@@ -58,5 +59,6 @@ fn every_control_of_the_panel_asks_for_something() {
     assert!(wants(|w| matches!(w, Action::FullScreen)), "full screen");
     assert!(wants(|w| matches!(w, Action::Screenshot)), "screenshot");
     assert!(wants(|w| matches!(w, Action::Share)), "share");
+    assert!(wants(|w| matches!(w, Action::Capture)), "capture");
     assert!(wants(|w| matches!(w, Action::Follow(false))), "follow");
 }
