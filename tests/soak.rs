@@ -50,6 +50,7 @@ fn a_short_soak_writes_all_its_files_and_they_compare() {
     let report = report(folder.path(), "a.json");
     assert!(report.each.len() >= 4 && report.frames > 4 && report.faults.is_empty(), "{said}");
     assert!(report.lasted_seconds >= 5.9 && report.pictures > 0 && report.broken_pixels == 0 && report.empty_pictures == 0, "{said}");
+    assert_eq!(report.broken_gaussians, Some(0));
     assert!(report.each.iter().all(|second| second.device_bytes == report.each[0].device_bytes && second.frames > 0), "{:?}", report.each);
     let drift = report.drift.expect("the run was not interrupted");
     assert!(drift.same && drift.before == drift.after && drift.after.psnr_db.is_none_or(|db| db > 40.0), "{drift:?}");

@@ -43,8 +43,8 @@ pub enum Action {
 /// The keys and what they do, for the overlay and `effigy view --help`.
 pub const KEYS: [(&str, &str); 13] = [
     ("Space", "play or pause"),
-    ("← →", "a frame back or on"),
-    ("Shift ← →", "a second back or on"),
+    ("Left Right", "a frame back or on"),
+    ("Shift+Left", "a second back, or on with Right"),
     ("P N", "previous or next clip"),
     ("L", "repeat: off, clip, all"),
     ("R", "reset the view"),
@@ -67,7 +67,7 @@ pub const POINTERS: [(&str, &str); 4] = [
 
 /// Keys and pointers as a help page.
 pub fn help() -> String {
-    let lines = POINTERS.iter().chain(&KEYS).map(|(key, what)| format!("  {key:<10} {what}\n"));
+    let lines = POINTERS.iter().chain(&KEYS).map(|(key, what)| format!("  {key:<12} {what}\n"));
     format!("In the window:\n{}", lines.collect::<String>())
 }
 

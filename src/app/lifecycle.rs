@@ -1,10 +1,11 @@
 //! What keeps a viewer going while the system takes things away and gives them back: windows, surfaces, devices, memory; and what it shows.
 
 use super::{
-    Message, action::Action, painter::Painter, panel::Overlay, scene::Scene, shelf::Show, steady::Pace, times::summary, viewer::Viewer,
+    Loss, Message, action::Action, painter::Painter, panel::Overlay, scene::Scene, shelf::Show, steady::Pace, times::summary,
+    viewer::Viewer,
 };
 use crate::{
-    measure::trace::Trace,
+    measure::{capture::RenderDoc, trace::Trace},
     vulkan::{Error, RendererOptions},
 };
 use anyhow::Context;
@@ -59,6 +60,7 @@ impl Viewer {
             self.pace = self.options.steady.as_ref().map(|steady| Pace::new(steady, display.map(|rate| f64::from(rate) / 1e3)));
         }
         self.painter = Some(painter);
+        self.capturable = RenderDoc::attached().is_some();
         (self.shown, self.dirty) = (None, true);
         Ok(())
     }
@@ -119,6 +121,15 @@ impl Viewer {
             event_loop.exit();
         }
         Ok(())
+    }
+
+    /// Fails as if something had been lost, where that is to be rehearsed now.
+    pub(super) fn rehearse(&mut self) -> Result<(), Error> {
+        let Some(at) = self.options.rehearse.iter().position(|&(_, frame)| frame == self.drawn) else { return Ok(()) };
+        Err(match self.options.rehearse.remove(at).0 {
+            Loss::Surface => Error::SurfaceLost("a rehearsal"),
+            Loss::Device => Error::DeviceLost("a rehearsal"),
+        })
     }
 
     /// Takes what another thread has to say.

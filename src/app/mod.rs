@@ -2,18 +2,20 @@
 //!
 //! The logic stands apart from the window: [`gesture`] makes gestures of pointers, [`taps`] taps of fingers, [`orbit`] a camera of gestures, [`playback`] a moment
 //! of the clock, [`action`] wishes of keys, [`overlay`] wishes of the panel, [`scene`] what to draw of them all. [`window`] takes the events,
-//! [`viewer`] decides when a frame is drawn, [`steady`] at which quality, [`painter`] draws it.
+//! [`viewer`] decides when a frame is drawn, [`steady`] at which quality, [`pacing`] for which refresh of the display, [`painter`] draws it.
 
 pub mod action;
 #[cfg(target_os = "android")]
 mod android;
 mod device;
 pub mod gesture;
+pub mod icons;
 #[cfg(any(target_os = "android", test))]
 mod letters;
 mod lifecycle;
 pub mod orbit;
 pub mod overlay;
+pub mod pacing;
 pub mod painter;
 pub mod panel;
 pub mod playback;
@@ -22,6 +24,7 @@ pub mod screenshot;
 pub mod shelf;
 mod shots;
 pub mod steady;
+mod step;
 pub mod taps;
 pub mod times;
 pub mod viewer;

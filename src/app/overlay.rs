@@ -2,6 +2,7 @@
 
 use super::{
     action::{Action, KEYS, POINTERS},
+    icons::{self, Icon},
     playback::{Playback, Repeat, SPEED},
     shelf::Shelf,
     times::FrameTimes,
@@ -36,6 +37,8 @@ pub struct Facts<'a> {
     pub shelf: &'a Shelf,
     /// There is a crash to share.
     pub report: bool,
+    /// RenderDoc is attached.
+    pub capture: bool,
     pub background: [f32; 3],
     pub follow: bool,
     /// The last thing there was to say: where a screenshot went, for example.
@@ -44,6 +47,7 @@ pub struct Facts<'a> {
 
 /// Small text on a dark, translucent panel.
 pub fn style(ctx: &egui::Context) {
+    ctx.set_fonts(icons::fonts());
     ctx.set_theme(egui::Theme::Dark);
     ctx.all_styles_mut(|style| {
         style.spacing.item_spacing = vec2(6.0, 4.0);
@@ -113,8 +117,8 @@ fn clip(ui: &mut Ui, playback: &Playback, wishes: &mut Vec<Action>) {
     let Some(track) = playback.tracks().get(moment.clip) else { return };
     if playback.tracks().len() > 1 {
         ui.horizontal(|ui| {
-            button(ui, "⏮", "previous clip (P)", Action::Next(-1), wishes);
-            button(ui, "⏭", "next clip (N)", Action::Next(1), wishes);
+            sign(ui, Icon::Previous, "previous clip (P)", Action::Next(-1), wishes);
+            sign(ui, Icon::Next, "next clip (N)", Action::Next(1), wishes);
             egui::ComboBox::from_id_salt("clip").selected_text(&track.name).width(ui.available_width()).show_ui(ui, |ui| {
                 for (number, track) in playback.tracks().iter().enumerate() {
                     if ui.selectable_label(number == moment.clip, &track.name).clicked() {
@@ -127,8 +131,8 @@ fn clip(ui: &mut Ui, playback: &Playback, wishes: &mut Vec<Action>) {
         ui.strong(&track.name);
     }
     ui.horizontal(|ui| {
-        let symbol = if playback.is_playing() { "⏸" } else { "▶" };
-        button(ui, symbol, "play or pause (Space)", Action::PlayOrPause, wishes);
+        let icon = if playback.is_playing() { Icon::Pause } else { Icon::Play };
+        sign(ui, icon, "play or pause (Space)", Action::PlayOrPause, wishes);
         let mut time = moment.time;
         ui.spacing_mut().slider_width = ui.available_width() - 92.0;
         let slider = Slider::new(&mut time, 0.0..=track.duration.max(1e-6)).show_value(false);
@@ -159,6 +163,12 @@ fn button(ui: &mut Ui, text: &str, hint: &str, action: Action, wishes: &mut Vec<
     }
 }
 
+fn sign(ui: &mut Ui, icon: Icon, hint: &str, action: Action, wishes: &mut Vec<Action>) {
+    if icons::button(ui, icon).on_hover_text(hint).clicked() {
+        wishes.push(action);
+    }
+}
+
 fn view(ui: &mut Ui, facts: &Facts, wishes: &mut Vec<Action>) {
     ui.horizontal(|ui| {
         button(ui, "Reset view", "frame the avatar (R)", Action::ResetView, wishes);
@@ -167,6 +177,9 @@ fn view(ui: &mut Ui, facts: &Facts, wishes: &mut Vec<Action>) {
         }
         button(ui, "Screenshot", "a PNG without this panel (S)", Action::Screenshot, wishes);
     });
+    if facts.capture {
+        button(ui, "Capture a frame", "by RenderDoc, which is attached (C)", Action::Capture, wishes);
+    }
     ui.horizontal(|ui| {
         let mut background = facts.background.map(|channel| (255.0 * channel).round() as u8);
         if ui.color_edit_button_srgb(&mut background).on_hover_text("background (B for the next)").changed() {

@@ -13,6 +13,7 @@ use crate::{
         present::Present,
         renderer::Presentation,
         swapchain::{Acquired, Surface, Swapchain, Target},
+        timing::Told,
         turn::Turn,
         watch::{Seen, Watch},
     },
@@ -63,6 +64,8 @@ pub struct Painter {
     /// Looks at pictures, once one was to be looked at.
     watch: Option<Watch>,
     look: bool,
+    /// Before when the next frame is not to be shown, nanoseconds of the system's monotonic clock.
+    show: Option<u64>,
     gpu: Arc<Gpu>,
     target: Target,
     window: Arc<Window>,
@@ -84,6 +87,7 @@ impl Painter {
         let info = vk::CommandPoolCreateInfo::default().queue_family_index(gpu.queue_family).flags(vk::CommandPoolCreateFlags::TRANSIENT);
         // SAFETY: `info` outlives the call.
         let textures = unsafe { gpu.raw.create_command_pool(&info, None) }.during("vkCreateCommandPool")?;
+        gpu.name(textures, "panel's textures");
         Ok(Self {
             egui: ManuallyDrop::new(egui),
             textures,
@@ -94,6 +98,7 @@ impl Painter {
             drawing,
             watch: None,
             look: false,
+            show: None,
             gpu,
             target,
             window: window.clone(),
@@ -124,6 +129,16 @@ impl Painter {
     /// Has the next frame's picture looked at, if the last one was. [`Self::seen`] says what was seen some frames later.
     pub fn look(&mut self) {
         self.look = true;
+    }
+
+    /// The next frame is not to be shown before a time, where the display can be told: nanoseconds of the system's monotonic clock.
+    pub fn show_at(&mut self, at: Option<u64>) {
+        self.show = at;
+    }
+
+    /// What the display has told of its refreshes since the last frame. None where it never does.
+    pub fn told(&self) -> Option<Told> {
+        self.swapchain.as_ref()?.told()
     }
 
     /// To be called after every frame.
@@ -232,7 +247,7 @@ impl Painter {
             Some(Presentation { semaphores: Some((acquired, finished)), record: &mut record }),
         )?;
         self.window.pre_present_notify();
-        self.stale = !swapchain.present(image)?;
+        self.stale = !swapchain.present(image, self.show.take())?;
         overlay(drawn).map(|()| true)
     }
 

@@ -109,6 +109,7 @@ impl Pace {
         self.last = clock;
         let event = self.session.frame(clock, busy_ms);
         seen.into_iter().for_each(|seen| self.session.seen(seen));
+        self.session.counted(&report.counters);
         if event.changed {
             let (ladder, rung) = self.session.ladder();
             tracing::info!("the governor goes to step {rung}: {}", ladder[rung].name);

@@ -1,10 +1,11 @@
 //! The viewer's work: wishes and gestures change the scene; a frame draws it, where something has changed.
 
 use super::{
-    Loss, Message, Options,
+    Message, Options,
     action::Action,
     gesture::{Gesture, Pointers},
     overlay::Facts,
+    pacing::Pacing,
     painter::Painter,
     panel::Overlay,
     scene::{Look, Scene},
@@ -67,7 +68,10 @@ pub struct Viewer {
     pub(super) drawn: u32,
     pub(super) measured: Vec<f64>,
     pub(super) pace: Option<Pace>,
+    pub(super) pacing: Pacing,
     pub(super) trace: Option<Trace>,
+    /// RenderDoc was attached when the device was opened.
+    pub(super) capturable: bool,
     pub(super) lost_device: bool,
     pub(super) lost_surfaces: u32,
 }
@@ -101,7 +105,9 @@ impl Viewer {
             drawn: 0,
             measured: Vec::with_capacity(options.frames.unwrap_or(0).min(1 << 20) as usize),
             pace: None,
+            pacing: Pacing::default(),
             trace: None,
+            capturable: false,
             lost_device: false,
             lost_surfaces: 0,
             options,
@@ -115,7 +121,7 @@ impl Viewer {
 
     /// A frame should be drawn as soon as the display takes it.
     pub(super) fn wants_frame(&self) -> bool {
-        let early = self.pace.as_ref().and_then(Pace::next).is_some_and(|next| self.clock() < next);
+        let early = self.next_frame().is_some_and(|next| self.clock() < next);
         self.painter.is_some() && !self.suspended && !self.hidden && !early && (self.dirty || self.scene.is_moving() || self.is_restless())
     }
 
@@ -127,7 +133,7 @@ impl Viewer {
     /// When something is to be done without anyone's doing: egui asks for a frame, or a finger has pressed for long.
     pub(super) fn wake_at(&self) -> Option<Instant> {
         let pressed = self.taps.due().map(|due| self.start + Duration::from_secs_f64(due));
-        let next = self.pace.as_ref().and_then(Pace::next).filter(|_| self.scene.is_moving());
+        let next = self.next_frame().filter(|_| self.scene.is_moving());
         let next = next.map(|due| self.start + Duration::from_secs_f64(due.max(0.0)));
         let shown = [self.wake, next].map(|due| due.filter(|_| !self.hidden && !self.suspended));
         shown.into_iter().chain([pressed]).flatten().min()
@@ -179,13 +185,9 @@ impl Viewer {
     }
 
     pub(super) fn draw(&mut self, wishes: &mut Vec<Action>) -> Result<(), Error> {
-        if let Some(at) = self.options.rehearse.iter().position(|&(_, frame)| frame == self.drawn) {
-            return Err(match self.options.rehearse.remove(at).0 {
-                Loss::Surface => Error::SurfaceLost("a rehearsal"),
-                Loss::Device => Error::DeviceLost("a rehearsal"),
-            });
-        }
+        self.rehearse()?;
         let (clock, restless) = (self.clock(), self.is_restless());
+        let moment = self.in_step(clock);
         let (Some(painter), Some(overlay), Some(window)) = (&mut self.painter, &mut self.overlay, &self.window) else { return Ok(()) };
         if cfg!(target_os = "android") {
             // While the activity is paused its window's events are lost.
@@ -208,7 +210,7 @@ impl Viewer {
                 pace.rest(clock);
             }
         }
-        let look = if held { self.scene.hold(clock, size) } else { self.scene.advance(clock, size) };
+        let look = if held { self.scene.hold(moment, size) } else { self.scene.advance(moment, size) };
         if self.shown == Some(look) && !self.dirty && !held && !restless {
             self.resting = true;
             return Ok(());
@@ -217,7 +219,7 @@ impl Viewer {
         if overlay.visible && clock - self.memory.0 > MEMORY {
             self.memory = (clock, painter.gpu().memory().0);
         }
-        let facts = facts(&self.scene, (painter, &self.options), (&self.times, self.memory.1, self.message.as_deref()));
+        let facts = facts(&self.scene, (painter, &self.options, self.capturable), (&self.times, self.memory.1, self.message.as_deref()));
         let (mut panel, textures, wait) = overlay.lay_out((window, size), &facts, wishes);
         painter.set_textures(textures)?;
         let began = Instant::now();
@@ -235,6 +237,7 @@ impl Viewer {
             painter.look();
         }
         self.trace.iter_mut().for_each(|trace| trace.frame(painter.report()));
+        self.stepped(clock, began);
         if self.options.frames.is_some() {
             self.measured.push(1e3 * (self.start.elapsed().as_secs_f64() - clock));
         }
@@ -264,7 +267,7 @@ fn quit(event_loop: &ActiveEventLoop) {
 /// What the panel shows. `said`: the frames' times, the memory in use and the last message.
 fn facts<'a>(
     scene: &'a Scene,
-    (painter, options): (&'a Painter, &'a Options),
+    (painter, options, capture): (&'a Painter, &'a Options, bool),
     (times, memory, message): (&'a FrameTimes, u64, Option<&'a str>),
 ) -> Facts<'a> {
     let (report, probe) = (painter.report(), &painter.gpu().probe);
@@ -281,6 +284,7 @@ fn facts<'a>(
         playback: scene.playback(),
         shelf: &options.shelf,
         report: options.report.is_some(),
+        capture,
         background: scene.background(),
         follow: scene.follows(),
         message,

@@ -16,7 +16,8 @@ const SOLE: f64 = 0.14;
 const CANONICAL_HIPS: f64 = 25.0;
 
 /// Which of the body's shapes to bake.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(not(target_os = "android"), derive(clap::ValueEnum))]
 pub enum Shape {
     Male,
     Female,

@@ -5,6 +5,8 @@ use super::{
     render,
     source::Source,
 };
+#[cfg(feature = "window")]
+use crate::vulkan::RendererOptions;
 use clap::Parser;
 use std::path::{Path, PathBuf};
 
@@ -89,7 +91,7 @@ fn show(display: crate::app::Display, args: Args) -> anyhow::Result<()> {
     let (avatar, clips) = args.source.load()?;
     let options = crate::app::Options {
         gpu: args.quality.gpu(),
-        drawing: args.quality.renderer(args.size),
+        drawing: RendererOptions { count: args.soak.is_some(), ..args.quality.renderer(args.size) },
         full_screen: args.fullscreen,
         background: args.background,
         frames: args.frames,

@@ -8,6 +8,7 @@ use super::{
     probe::Probe,
     sort::verdict::Verdict,
     statistics::Statistics,
+    timing,
 };
 use ash::{ext, khr, vk};
 use gpu_allocator::vulkan::{Allocator, AllocatorCreateDesc};
@@ -273,11 +274,9 @@ fn create_device(
     let queues = [vk::DeviceQueueCreateInfo::default().queue_family_index(queue_family).queue_priorities(&[1.0])];
     let mut extensions = Vec::new();
     if window {
-        extensions.push(khr::swapchain::NAME.as_ptr());
+        extensions.extend(timing::extensions(probe));
     }
-    if probe.has(khr::portability_subset::NAME) {
-        extensions.push(khr::portability_subset::NAME.as_ptr());
-    }
+    extensions.extend(probe.has(khr::portability_subset::NAME).then(|| khr::portability_subset::NAME.as_ptr()));
     if probe.subgroup_sizes.is_some() {
         extensions.push(ext::subgroup_size_control::NAME.as_ptr());
     }

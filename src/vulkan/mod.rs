@@ -31,6 +31,9 @@ pub mod statistics;
 pub mod surface;
 #[cfg(feature = "window")]
 pub mod swapchain;
+#[cfg(feature = "window")]
+mod target;
+pub mod timing;
 pub mod turn;
 pub mod watch;
 

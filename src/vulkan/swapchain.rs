@@ -1,54 +1,19 @@
 //! A window's surface and the images that it shows in turn.
 
+pub use super::target::Target;
 use super::{
     commands::SLOTS,
     device::Gpu,
     error::{During, Error, Result},
     memory::COLOR,
+    timing::{Timing, Told},
     turn::Turn,
 };
 use ash::{khr, vk};
-use raw_window_handle::{DisplayHandle, RawDisplayHandle, RawWindowHandle, WindowHandle};
 use std::{sync::Arc, time::Duration};
 
 /// How long to wait for an image before the program looks after its other work, and how often.
 const ACQUIRE: (Duration, u32) = (Duration::from_secs(1), 30);
-
-/// A window as drivers know it. The window must outlive it.
-#[derive(Clone, Copy)]
-pub struct Target {
-    display: RawDisplayHandle,
-    window: RawWindowHandle,
-}
-
-impl Target {
-    pub fn new(display: DisplayHandle, window: WindowHandle) -> Self {
-        Self { display: display.as_raw(), window: window.as_raw() }
-    }
-
-    /// The other name of a window of X11, which is the only one that some drivers know. None where there is no other.
-    #[cfg(target_os = "linux")]
-    pub fn through_xcb(&self) -> Option<Self> {
-        use raw_window_handle::{XcbDisplayHandle, XcbWindowHandle};
-        let (RawDisplayHandle::Xlib(display), RawWindowHandle::Xlib(window)) = (self.display, self.window) else { return None };
-        let library = x11_dl::xlib_xcb::Xlib_xcb::open().ok()?;
-        // SAFETY: the display is open while its window lives, and its connection as long as the display.
-        let connection = unsafe { (library.XGetXCBConnection)(display.display?.as_ptr().cast()) };
-        let window = std::num::NonZeroU32::new(u32::try_from(window.window).ok()?)?;
-        let display = XcbDisplayHandle::new(Some(std::ptr::NonNull::new(connection)?), display.screen);
-        Some(Self { display: display.into(), window: XcbWindowHandle::new(window).into() })
-    }
-
-    #[cfg(not(target_os = "linux"))]
-    pub fn through_xcb(&self) -> Option<Self> {
-        None
-    }
-
-    /// The instance extensions that its surface needs.
-    pub fn extensions(&self) -> Result<Vec<*const std::ffi::c_char>> {
-        ash_window::enumerate_required_extensions(self.display).map(<[_]>::to_vec).during("vkCreateSurface")
-    }
-}
 
 /// A window's surface. The window must outlive it.
 pub struct Surface {
@@ -125,6 +90,8 @@ pub struct Swapchain {
     acquired: Vec<vk::Semaphore>,
     next: usize,
     waited: u32,
+    /// When its images are shown, where the display tells.
+    timing: Option<Timing>,
     /// Width and height of the picture as it is seen, px.
     pub size: [u32; 2],
     /// How it lies in the images.
@@ -171,6 +138,7 @@ impl Swapchain {
             acquired: Vec::new(),
             next: 0,
             waited: 0,
+            timing: Timing::new(gpu),
             size,
             turn: turn.unwrap_or_default(),
         };
@@ -241,10 +209,21 @@ impl Swapchain {
         (self.framebuffers[image as usize], self.finished[image as usize])
     }
 
-    /// Shows an image once it is drawn. True where the swapchain still fits the window.
-    pub fn present(&self, image: u32) -> Result<bool> {
+    /// What the display tells of its refreshes. None where it never does.
+    pub fn told(&self) -> Option<Told> {
+        self.timing.as_ref().map(|timing| timing.told(self.raw))
+    }
+
+    /// Shows an image once it is drawn, and not before a time where the display can be told: nanoseconds of the system's monotonic clock.
+    /// True where the swapchain still fits the window.
+    pub fn present(&mut self, image: u32, at: Option<u64>) -> Result<bool> {
         let (wait, swapchains, images) = ([self.finished[image as usize]], [self.raw], [image]);
-        let info = vk::PresentInfoKHR::default().wait_semaphores(&wait).swapchains(&swapchains).image_indices(&images);
+        let wishes: Vec<_> = self.timing.iter_mut().map(|timing| timing.wish(at)).collect();
+        let mut times = vk::PresentTimesInfoGOOGLE::default().times(&wishes);
+        let mut info = vk::PresentInfoKHR::default().wait_semaphores(&wait).swapchains(&swapchains).image_indices(&images);
+        if !wishes.is_empty() {
+            info = info.push_next(&mut times);
+        }
         match self.gpu.present(&self.loader, &info) {
             Ok(suboptimal) => Ok(!suboptimal),
             Err(vk::Result::ERROR_OUT_OF_DATE_KHR) => Ok(false),

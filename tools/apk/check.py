@@ -86,7 +86,8 @@ def check_manifest(apk, tools, mode):
         if wanted in badging:
             fail(f"it asks for a permission, and needs none:\n{badging}")
     tree = said(f"{tools}aapt2", "dump", "xmltree", "--file", "AndroidManifest.xml", apk)
-    for wanted in ("configChanges", "android.app.lib_name", "extractNativeLibs", "android.intent.action.VIEW", "stateNotNeeded"):
+    for wanted in ("configChanges", "android.app.lib_name", "extractNativeLibs", "android.intent.action.VIEW", "stateNotNeeded",
+                   "com.android.graphics.injectLayers.enable"):
         if wanted not in tree:
             fail(f"its manifest lacks {wanted}")
 

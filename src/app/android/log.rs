@@ -2,7 +2,12 @@
 
 use std::{ffi::CString, io};
 use tracing::{Level, Metadata};
-use tracing_subscriber::{EnvFilter, fmt::MakeWriter};
+use tracing_subscriber::{
+    filter::Targets,
+    fmt::{self, MakeWriter},
+    layer::SubscriberExt,
+    util::SubscriberInitExt,
+};
 use winit::platform::android::activity::ndk_sys;
 
 /// What lines begin with in the log.
@@ -10,10 +15,11 @@ const TAG: &std::ffi::CStr = c"effigy";
 
 /// Sends everything that the program says to the log.
 pub fn start() {
-    let filter = EnvFilter::try_from_default_env().unwrap_or_else(|_| EnvFilter::new("warn,winit=error,effigy=info"));
-    let lines = tracing_subscriber::fmt().with_env_filter(filter).with_writer(Logcat).with_ansi(false).without_time();
+    // No one sets an app's environment; a filter that reads it would bring regular expressions along.
+    let filter = Targets::new().with_default(Level::WARN).with_target("winit", Level::ERROR).with_target("effigy", Level::INFO);
+    let lines = fmt::layer().with_writer(Logcat).with_ansi(false).without_time().with_level(false).with_target(false);
     // A logger that is there already stays.
-    let _ = lines.with_level(false).with_target(false).try_init();
+    let _ = tracing_subscriber::registry().with(filter).with(lines).try_init();
 }
 
 /// Writes text to the log, a line at a time.

@@ -2,6 +2,7 @@
 //!
 //! The system calls `android_main` on a thread of ours for every activity that it creates in the process.
 
+pub(super) mod beat;
 mod files;
 mod java;
 mod log;
@@ -65,7 +66,7 @@ fn show(app: &AndroidApp, folders: Vec<PathBuf>, last: Option<panics::Report>) -
     let soak = minutes.map(|minutes| Soak { seconds: 60.0 * minutes, out, bounds: Bounds::default() });
     let options = Options {
         gpu: GpuOptions::headless(None),
-        drawing: RendererOptions::new([1; 2]),
+        drawing: RendererOptions { count: soak.is_some(), ..RendererOptions::new([1; 2]) },
         full_screen: false,
         background: BACKGROUND,
         frames: None,

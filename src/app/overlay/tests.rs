@@ -34,6 +34,7 @@ fn every_control_of_the_panel_asks_for_something() {
         follow: true,
         message: Some("saved"),
         report: true,
+        capture: true,
     };
     let mut wishes = Vec::new();
     let mut pass = |events: Vec<egui::Event>| {
@@ -41,7 +42,7 @@ fn every_control_of_the_panel_asks_for_something() {
         let output = ctx.run_ui(egui::RawInput { screen_rect, events, ..Default::default() }, |ui| show(ui.ctx(), &facts, &mut wishes));
         output.drop_without_applying_deltas();
     };
-    for (row, column) in (5..36).flat_map(|row| (2..45).map(move |column| (row, column))) {
+    for (row, column) in (5..42).flat_map(|row| (2..45).map(move |column| (row, column))) {
         let pos = Pos2::new(6.0 * column as f32, 6.0 * row as f32);
         pass(vec![egui::Event::PointerMoved(pos)]);
         for pressed in [true, false] {
@@ -58,5 +59,6 @@ fn every_control_of_the_panel_asks_for_something() {
     assert!(wants(|w| matches!(w, Action::FullScreen)), "full screen");
     assert!(wants(|w| matches!(w, Action::Screenshot)), "screenshot");
     assert!(wants(|w| matches!(w, Action::Share)), "share");
+    assert!(wants(|w| matches!(w, Action::Capture)), "capture");
     assert!(wants(|w| matches!(w, Action::Follow(false))), "follow");
 }

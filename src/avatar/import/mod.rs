@@ -19,15 +19,16 @@ pub use header::UP_COMMENT;
 use std::{f64::consts::FRAC_PI_2, fs::File, io::Read, path::Path};
 
 /// The axis of a file that points up.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(not(target_os = "android"), derive(clap::ValueEnum))]
 pub enum Up {
-    #[value(name = "y")]
+    #[cfg_attr(not(target_os = "android"), value(name = "y"))]
     Y,
-    #[value(name = "-y")]
+    #[cfg_attr(not(target_os = "android"), value(name = "-y"))]
     MinusY,
-    #[value(name = "z")]
+    #[cfg_attr(not(target_os = "android"), value(name = "z"))]
     Z,
-    #[value(name = "-z")]
+    #[cfg_attr(not(target_os = "android"), value(name = "-z"))]
     MinusZ,
 }
 

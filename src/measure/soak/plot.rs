@@ -65,9 +65,10 @@ fn rates<B: DrawingBackend>(area: &DrawingArea<B, Shift>, report: &Report, end: 
         .map_err(drawing)?
         .label(format!("promised: {}", report.rate))
         .legend(|(x, y)| PathElement::new([(x, y), (x + 18, y)], PROMISE));
-    let line = report.each.iter().map(|second| (second.seconds / 60.0, second.fps));
+    let line: Vec<_> = report.each.iter().map(|second| (second.seconds / 60.0, second.fps)).collect();
+    // Piece by piece: the joint of one line's sharp corner would reach far beyond it.
     chart
-        .draw_series(LineSeries::new(line, RATE.stroke_width(2)))
+        .draw_series(line.windows(2).map(|piece| PathElement::new(piece.to_vec(), RATE.stroke_width(2))))
         .map_err(drawing)?
         .label(format!("drawn: {:.1} on average", report.fps))
         .legend(|(x, y)| PathElement::new([(x, y), (x + 18, y)], RATE.stroke_width(2)));

@@ -46,6 +46,10 @@ pub struct Report {
     /// Pictures that were looked at, and pixels in them that were no numbers.
     pub pictures: u64,
     pub broken_pixels: u64,
+    /// The most Gaussians of one frame that were left out since their place or shape is no number, or beyond what f32 can tell. None where
+    /// nobody counted.
+    #[serde(default)]
+    pub broken_gaussians: Option<u64>,
     /// Pictures without anything in them.
     pub empty_pictures: u64,
     /// Null where it was not asked for, or the run ended before.

@@ -105,6 +105,7 @@ fn soak(
         wait(done - 1.0 / session.settings().rate);
         let event = session.frame(clock(), stretched);
         stage.seen().into_iter().for_each(|seen| session.seen(seen));
+        session.counted(&stage.report().counters);
         if event.full {
             let reading = thermals.read(clock());
             let rung = session.close(&reading, (gpu.memory().0, memory::resident())).rung;
@@ -160,6 +161,7 @@ pub fn report(gpu: &Gpu, task: &Task, session: &Session, simulated_heat: bool) -
         pictures: totals.pictures,
         broken_pixels: totals.broken_pixels,
         empty_pictures: totals.empty_pictures,
+        broken_gaussians: totals.broken_gaussians,
         drift: None,
         faults: Vec::new(),
         each: each.to_vec(),

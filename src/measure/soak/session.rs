@@ -2,6 +2,7 @@
 
 use super::{cadence::Cadence, report::Second};
 use crate::{
+    frame::Counters,
     measure::{
         governor::{Governor, Quality, Rung, Sample},
         thermals::Reading,
@@ -40,6 +41,8 @@ pub struct Totals {
     pub pictures: u64,
     pub broken_pixels: u64,
     pub empty_pictures: u64,
+    /// The most Gaussians of one frame whose place or shape is no number, or beyond what f32 can tell. None where nobody counted.
+    pub broken_gaussians: Option<u64>,
 }
 
 /// A soak under way.
@@ -147,6 +150,11 @@ impl Session {
             self.cadence.set_period(f64::from(self.quality().refreshes) / self.settings.rate);
         }
         Event { changed, full: at - start >= 1.0 && !self.intervals.is_empty() }
+    }
+
+    /// A frame's counts are known, where reasons were counted in it.
+    pub fn counted(&mut self, counters: &Counters) {
+        self.totals.broken_gaussians = self.totals.broken_gaussians.max(counters.reasons.map(|reasons| reasons.degenerate));
     }
 
     /// A picture was looked at.

@@ -40,6 +40,8 @@ pub struct Stage<'a> {
 
 impl<'a> Stage<'a> {
     pub fn new(gpu: &Arc<Gpu>, (avatar, player): (&'a Avatar, &'a Player), options: RendererOptions) -> Result<Self> {
+        // Those whose place or shape is no number are counted among what is left out.
+        let options = RendererOptions { count: true, ..options };
         let renderer = Renderer::new(gpu, avatar, options)?;
         let screen = Screen::new(gpu, options.size)?;
         screen.set_picture(renderer.raster().image());

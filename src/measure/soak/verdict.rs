@@ -50,6 +50,11 @@ pub fn faults(report: &Report, bounds: &Bounds) -> Vec<String> {
     if report.broken_pixels > 0 {
         faults.push(format!("{} pixels of the {} pictures looked at are NaN or infinite", report.broken_pixels, report.pictures));
     }
+    if let Some(broken) = report.broken_gaussians.filter(|&broken| broken > 0) {
+        let all = report.avatar.gaussians;
+        faults
+            .push(format!("{broken} of {all} Gaussians had a place or shape that is no number, or beyond what f32 can tell, in one frame"));
+    }
     if report.empty_pictures > 0 {
         faults.push(format!("{} of the {} pictures looked at show nothing", report.empty_pictures, report.pictures));
     }
@@ -137,6 +142,7 @@ pub(super) mod tests {
             pictures: 60,
             broken_pixels: 0,
             empty_pictures: 0,
+            broken_gaussians: Some(0),
             drift: Some(Drift {
                 before: ErrorReport { psnr_db: Some(50.0), ..ErrorReport::NONE },
                 after: ErrorReport { psnr_db: Some(50.0), ..ErrorReport::NONE },
@@ -158,6 +164,7 @@ pub(super) mod tests {
         assert_eq!(told(|_| ()), "");
         assert!(told(|r| r.broken_pixels = 3).contains("3 pixels of the 60 pictures"));
         assert!(told(|r| r.empty_pictures = 1).contains("show nothing"));
+        assert!(told(|r| r.broken_gaussians = Some(2)).contains("2 of 10 Gaussians"));
         let grown = |r: &mut Report| r.growth = Some(Growth { from_seconds: 60.0, device_bytes: 0, resident_bytes: Some(3 << 20) });
         assert!(told(grown).contains("the process's memory grew by 3.00 MiB"));
         assert!(told(|r| r.dropped_share = 0.02).contains("something else holds frames up"));

@@ -4,7 +4,7 @@
 //! gives up takes as much less as it does on this device.
 
 use super::{Model, Phone, Reading};
-use std::time::Duration;
+use std::{collections::VecDeque, time::Duration};
 
 /// The model lets pass at least this time at once, seconds: the load is a mean over it.
 const STEP: f64 = 0.25;
@@ -16,6 +16,9 @@ const LOAD: f64 = 0.89;
 /// A clock that follows the load goes up all the way where the device is busy for longer than this share of the time.
 const BUSY: f64 = 0.95;
 
+/// Of so many frames the median counts: what others on this machine take from single ones is not the phone's.
+const CALM: usize = 7;
+
 /// A phone that heats so many times as fast as a real one.
 #[derive(Clone, Debug)]
 pub struct Simulated {
@@ -25,6 +28,8 @@ pub struct Simulated {
     period: f64,
     /// Of the first frames, seconds.
     learned: Vec<f64>,
+    /// Of the last frames, seconds.
+    recent: VecDeque<f64>,
     /// The phone's time a time of ours, once it is known.
     scale: Option<f64>,
     since: Option<f64>,
@@ -37,7 +42,17 @@ impl Simulated {
     /// `speed`: seconds of the phone's a second of ours; `rate`: frames a second that it is to draw.
     pub fn new(phone: Phone, speed: f64, rate: f64) -> Self {
         let model = Model::new(phone);
-        Self { model, speed, period: 1.0 / rate, learned: Vec::with_capacity(LEARN), scale: None, since: None, work: 0.0, took: 0.0 }
+        Self {
+            model,
+            speed,
+            period: 1.0 / rate,
+            learned: Vec::with_capacity(LEARN),
+            recent: VecDeque::new(),
+            scale: None,
+            since: None,
+            work: 0.0,
+            took: 0.0,
+        }
     }
 
     pub fn read(&self) -> Reading {
@@ -56,10 +71,21 @@ impl Simulated {
             self.model.pass(Duration::from_secs_f64(self.speed * passed), wanted);
             (self.since, self.work, self.took) = (Some(seconds), 0.0, 0.0);
         }
-        let work = scale * busy;
+        let work = scale * self.usual(busy);
         let took = work / self.model.clock();
         (self.work, self.took) = (self.work + work, self.took + took);
         took
+    }
+
+    /// The median of the last frames, this one among them.
+    fn usual(&mut self, busy: f64) -> f64 {
+        self.recent.push_back(busy);
+        if self.recent.len() > CALM {
+            self.recent.pop_front();
+        }
+        let mut sorted: Vec<f64> = self.recent.iter().copied().collect();
+        sorted.sort_unstable_by(f64::total_cmp);
+        sorted[sorted.len() / 2]
     }
 
     fn learn(&mut self, busy: f64) -> Option<f64> {
@@ -77,6 +103,14 @@ impl Simulated {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// One frame of four takes three times as long, by nobody's doing.
+    #[test]
+    fn a_machine_that_others_disturb_heats_the_phone_no_more() {
+        let mut phone = Simulated::new(Phone::default(), 20.0, 30.0);
+        let late = (0..600).filter(|frame| phone.frame(f64::from(*frame) / 30.0, if frame % 4 == 3 { 0.03 } else { 0.01 }) > 1.0 / 30.0);
+        assert!(late.count() <= LEARN / 4, "frames that were disturbed are late on the phone too");
+    }
 
     /// Twenty minutes of the phone's in one: half of it cool, the rest throttled; and cool throughout where the work is halved.
     #[test]
