@@ -227,7 +227,7 @@ void main() {
     blend_tiles(uvec2(middle / frame.tile));
     UNROLL for (uint k = 0u; k < SIDE * SIDE; ++k) {
         uvec2 pixel = first + uvec2(k % SIDE, k / SIDE);
-        if (all(lessThan(vec2(pixel), frame.size))) {
+        if (all(lessThan(pixel, uvec2(frame.size)))) {
             imageStore(picture, ivec2(pixel), vec4(pixels[k].rgb, 1.0 - pixels[k].a));
         }
     }

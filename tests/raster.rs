@@ -126,7 +126,7 @@ fn pictures_of_any_size_follow_a_resize() {
 fn each_tile_has_the_splats_that_meet_it_nearest_first() {
     let Some(device) = gpu::gpu() else { return };
     // From far, and so near that some Gaussians, then most, meet too many of the finest tiles, and of coarser ones.
-    for (distance, coarsest) in [(4.0, 0), (0.6, 1), (0.1, 2)] {
+    for (distance, coarsest) in [(4.0, 0), (1.5, 1), (0.6, 2), (0.1, 2)] {
         let avatar = common::avatar(4, Sizes { gaussians: 700, ..Sizes::default() });
         let posed = Posed::new(&avatar, &common::pose(4, &avatar));
         let target = effigy::reference::Stages::new(&avatar, &posed, &gpu::camera(&avatar, &posed, [64, 64])).gaussians[0].mean;

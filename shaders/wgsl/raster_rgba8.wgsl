@@ -808,8 +808,8 @@ fn main_1() {
             let _e120 = k_2;
             pixel = (_e117 + vec2<u32>((_e118 % 4u), (_e120 / 4u)));
             let _e124 = pixel;
-            let _e127 = frame.size;
-            if all((vec2<f32>(_e124) < _e127)) {
+            let _e126 = frame.size;
+            if all((_e124 < vec2<u32>(_e126))) {
                 let _e130 = pixel;
                 let _e132 = k_2;
                 let _e134 = pixels[_e132];
