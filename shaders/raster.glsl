@@ -1,6 +1,7 @@
 // The `raster` stage as a compute kernel (model.md, step 10): each invocation blends a square of pixels near to far and stops when they
 // are full, which a blender, taking all that comes, cannot. A workgroup takes a square of RASTER_REGION pixels.
-#ifdef LOOPS
+#if defined(LOOPS) || defined(WEB)
+#define NARROW
 #define UNROLL
 #else
 #extension GL_EXT_control_flow_attributes : require
@@ -16,6 +17,7 @@ layout(std430, set = 0, binding = 1) readonly buffer Splats { uvec4 splats[]; };
 layout(std430, set = 0, binding = 2) buffer ControlBuffer { Control control; };
 layout(std430, set = 0, binding = 3) readonly buffer Bins { uint bins[]; };
 #ifdef WEB
+layout(std430, set = 0, binding = 5) readonly buffer Keys { uint keys[]; };
 #include "settings.glsl"
 #define CUTOFF settings.cutoff
 #define FULL settings.full
@@ -37,6 +39,9 @@ bool open = true;
 // Centre of the square, px.
 vec2 middle;
 
+#ifdef NARROW
+#include "raster_narrow.glsl"
+#else
 // A splat, ready to be put on pixels. Standard deviations are times √(½ log₂ e): the Gaussian is 2^−|deviation|².
 struct Ready {
     vec2 center;
@@ -94,12 +99,17 @@ void blend(Ready splat) {
     shaded += SIDE * SIDE;
     open = most >= FULL;
 }
+#endif
 
+#ifdef WEB
+uint key_at(uint i) { return keys[i >> 1u] >> 16u * (i & 1u) & 0xffffu; }
+#else
 uint key_at(uint i) {
-    uint word = frame.key_start + (frame.half_keys != 0u ? i / 2u : i);
-    uint keys = splats[word / 4u][word & 3u];
+    uint word = frame.key_start + (frame.half_keys != 0u ? i >> 1u : i);
+    uint keys = splats[word >> 2u][word & 3u];
     return frame.half_keys != 0u ? keys >> (16u * (i & 1u)) & 0xffffu : keys;
 }
+#endif
 
 // Whether splat `a` is drawn after splat `b` in the order: larger keys are nearer.
 bool nearer(uint a, uint b) {
@@ -112,6 +122,33 @@ uint step_back(uint chain) {
     return (chain & BINS_HELD) > 1u ? chain - 1u : bins[BINS_NODES + chain - 1u];
 }
 
+#ifdef NARROW
+// One loop, since a loop takes as many turns as the lane that needs most, and what no lane needs is played all the same.
+void blend_tile(uint tile) {
+    uint wide = bins[1];
+    uint blocks = bins[BINS_MET + tile] | wide;
+    uint here = 0u, everywhere = 0u;
+    bool going = blocks != 0u;
+    do {
+        if (going) {
+            if ((here | everywhere) == 0u) {
+                uint block = uint(findMSB(blocks));
+                blocks ^= 1u << block;
+                here = bins[BINS_HEADS + tile * BINS_BLOCKS + block];
+                everywhere = (wide >> block & 1u) == 0u ? 0u : bins[BINS_WIDE + block];
+            }
+            uint near = here == 0u ? 0u : bins[BINS_NODES + here];
+            uint other = everywhere == 0u ? 0u : bins[BINS_NODES + everywhere];
+            bool wider = here == 0u || (everywhere != 0u && nearer(other, near));
+            uint rest = step_back(wider ? everywhere : here);
+            here = wider ? here : rest;
+            everywhere = wider ? rest : everywhere;
+            put(splats[wider ? other : near]);
+        }
+        going = open && (blocks | here | everywhere) != 0u;
+    } while (going);
+}
+#else
 // Blends two chains as one.
 void blend_both(uint here, uint everywhere) {
     while (open && (here | everywhere) != 0u) {
@@ -181,6 +218,7 @@ void blend_tile(uint tile) {
         }
     }
 }
+#endif
 
 void main() {
     UNROLL for (uint k = 0u; k < SIDE * SIDE; ++k) {
@@ -191,8 +229,11 @@ void main() {
 #else
     uint lane = gl_LocalInvocationIndex;
 #endif
-    // Neighbours in a subgroup of any size are neighbours in the picture: bits of the lane are, from the lowest, x x y y x y.
-    uvec2 place = uvec2((lane & 3u) | (lane >> 2u & 4u), (lane >> 2u & 3u) | (lane >> 3u & 4u));
+    // Neighbours in a subgroup of any size are neighbours in the picture: bits of the lane are, from the lowest, x y x y x y.
+    uvec2 place = uvec2((lane & 1u) | (lane >> 1u & 2u) | (lane >> 2u & 4u), (lane >> 1u & 1u) | (lane >> 2u & 2u) | (lane >> 3u & 4u));
+#ifdef NARROW
+    read_uniforms();
+#endif
     uvec2 first = gl_WorkGroupID.xy * RASTER_REGION + SIDE * place;
     middle = vec2(first) + 0.5 * float(SIDE);
     uvec2 tile = first / uint(frame.tile);

@@ -80,7 +80,8 @@ impl Renderer {
         let blocks = Blocks::new(gpu, options.actors)?;
         let splats = Splats::new(gpu, &model, (&blocks, &pose), actors, options.skip.contains(Skip::SKINNING))?;
         let sort = Sort::new(gpu, &blocks, (splats.keys(), splats.counts()), &control, splats.capacity())?;
-        let inputs = Inputs { order: sort.order(), splats: splats.all(), control: &control, capacity: splats.capacity() };
+        let inputs =
+            Inputs { order: sort.order(), splats: splats.all(), keys: splats.keys(), control: &control, capacity: splats.capacity() };
         let raster = Raster::new(gpu, &blocks, inputs, &options)?;
         let mut settings = Settings::default();
         sort.fill(&mut settings);
@@ -275,7 +276,7 @@ impl Renderer {
     /// When the device does not draw that size.
     pub fn resize(&mut self, size: [u32; 2]) -> Result<()> {
         let Self { splats, sort, control, raster, blocks, .. } = self;
-        let inputs = Inputs { order: sort.order(), splats: splats.all(), control, capacity: splats.capacity() };
+        let inputs = Inputs { order: sort.order(), splats: splats.all(), keys: splats.keys(), control, capacity: splats.capacity() };
         raster.resize(&self.gpu, blocks, inputs, size)?;
         self.options.size = size;
         self.scene = Scene::default();

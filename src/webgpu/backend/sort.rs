@@ -1,5 +1,6 @@
 //! The `sort` stage: a stable radix sort of 16-bit keys in two passes, lowest first, without subgroups: each workgroup sums the
-//! histograms of the tiles before its own. Keys go in, the order comes out, and in the control the number of survivors.
+//! histograms of the tiles before its own; on processors each invocation has a run of keys to itself. Keys go in, the order comes out,
+//! and in the control the number of survivors.
 
 use super::{
     buffer::{STORAGE, Slice, empty},
@@ -53,6 +54,11 @@ impl Sort {
         let (between, control) = (Slice::from(&between), Slice::from(control));
         let kernel = |module, bound: &[(u32, Bound)]| Kernel::new(gpu, module, &[bound, &[blocks.settings()]].concat());
         let scanned = tiles(capacity) > MOST_SUMMED;
+        let [first, last_count, last] = if gpu.is_cpu() {
+            [&shaders::SORT_LANES_FIRST, &shaders::SORT_LANES_LAST_COUNT, &shaders::SORT_LANES_LAST]
+        } else {
+            [&shaders::SORT_FIRST, &shaders::SORT_LAST_COUNT, &shaders::SORT_LAST]
+        };
         let first_scan = || {
             [
                 kernel(&shaders::SORT_FIRST_REDUCE, &[(2, write(counts))]),
@@ -67,10 +73,10 @@ impl Sort {
         };
         Ok(Self {
             first_scan: scanned.then(first_scan),
-            first: kernel(&shaders::SORT_FIRST, &[(1, read(keys)), (2, read(counts)), (3, write(control)), (4, write(between))]),
-            last_count: kernel(&shaders::SORT_LAST_COUNT, &[(1, read(between)), (2, write(counts)), (3, read(control))]),
+            first: kernel(first, &[(1, read(keys)), (2, read(counts)), (3, write(control)), (4, write(between))]),
+            last_count: kernel(last_count, &[(1, read(between)), (2, write(counts)), (3, read(control))]),
             last_scan: scanned.then(last_scan),
-            last: kernel(&shaders::SORT_LAST, &[(1, read(between)), (2, read(counts)), (3, read(control)), (4, write((&order).into()))]),
+            last: kernel(last, &[(1, read(between)), (2, read(counts)), (3, read(control)), (4, write((&order).into()))]),
             tiles: tiles(capacity),
             capacity,
             order,
