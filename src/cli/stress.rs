@@ -3,6 +3,7 @@
 use super::render::progress;
 use crate::{
     frame::Picture,
+    measure::error::Error,
     measure::stress::{self, Case, FamilyReport, Outcome, Report, Settings},
     vulkan::{Gpu, GpuOptions},
 };
@@ -73,15 +74,18 @@ pub fn run(args: Args) -> anyhow::Result<()> {
 fn print(report: &Report, args: &Args) {
     println!("device   {} ({})", report.device, report.driver);
     println!(
-        "{:15} {:>5} {:>6} {:>9} {:>19} {:>19} {:>8}  hard because of",
-        "family", "cases", "failed", "ill-posed", "worst dB (case)", "error (case)", "time"
+        "{:15} {:>5} {:>6} {:>9} {:>19} {:>19} {:>19} {:>8}  hard because of",
+        "family", "cases", "failed", "ill-posed", "worst dB (case)", "device dB (case)", "its most (case)", "time"
     );
     for family in &report.families {
         let FamilyReport { cases, failed, ill_posed, max_error, seconds, what, .. } = family;
         let at = |case: Option<u64>| case.map_or(String::new(), |case| format!(" ({case})"));
-        let worst = family.worst_psnr_db.map_or("–".into(), |worst| format!("{worst:.2}{}", at(family.worst_case)));
+        let least = |psnr: Option<f64>, case| psnr.map_or("–".into(), |psnr| format!("{psnr:.2}{}", at(case)));
+        let worst = least(family.worst_psnr_db, family.worst_case);
+        let device = least(family.arithmetic_worst_psnr_db, family.arithmetic_worst_case);
         let max_error = format!("{max_error:.4}{}", at(family.max_error_case));
-        println!("{:15} {cases:>5} {failed:>6} {ill_posed:>9} {worst:>19} {max_error:>19} {seconds:>6.1} s  {what}", family.family.name());
+        let name = family.family.name();
+        println!("{name:15} {cases:>5} {failed:>6} {ill_posed:>9} {worst:>19} {device:>19} {max_error:>19} {seconds:>6.1} s  {what}");
     }
     let slowest = report.slowest.map_or(String::new(), |(case, seconds)| format!(", the slowest {seconds:.2} s (case {case})"));
     println!("cases    {} of seed {} in {:.1} s{slowest}", report.cases, report.seed, report.seconds);
@@ -129,11 +133,14 @@ fn describe(case: &Case) -> String {
 }
 
 fn print_outcome(outcome: &Outcome) {
-    if let Some(error) = outcome.error {
-        let (covered, bound) = (error.covered, outcome.bound);
-        println!("error    {:.2} dB, {:.4} at most, over {} covered pixels", covered.psnr_db, covered.max_error, covered.pixels);
-        println!("bound    {:.2} dB, {:.4} at most", bound.psnr_db, bound.max_error);
+    let bound = outcome.bound;
+    for (what, error, least) in [("error", outcome.error, bound.model_db.min(bound.psnr_db)), ("device", outcome.arithmetic, bound.psnr_db)]
+    {
+        let Some(Error { covered, .. }) = error else { continue };
+        let (psnr, most, pixels) = (covered.psnr_db, covered.max_error, covered.pixels);
+        println!("{what:8} {psnr:.2} dB, {least:.2} is the bound; {most:.4} at most; over {pixels} covered pixels");
     }
+    println!("         against the reference; the device's arithmetic alone, of which {:.4} is the bound", bound.max_error);
     if let Some(moved) = outcome.conditioned_db {
         println!("ill-posed: the reference against itself, moved by rounding, {moved:.2} dB");
     }

@@ -92,6 +92,19 @@ impl Method {
             Self::Tiles => ColorFormat::Rgba8,
         }
     }
+
+    /// What is faster on a kind of device, as far as it was measured (NOTES.md): processors gain from every fragment that is left out.
+    /// `driver`: its name and build as it tells them. Some play the tiles' kernels wrongly.
+    pub fn suited(is_cpu: bool, driver: &str) -> Self {
+        if is_cpu && !leaves_loops(driver) { Self::Tiles } else { Self::Hulls }
+    }
+}
+
+/// Whether a driver leaves an invocation's loops after 65,535 rounds of all of them together, as llvmpipe did. Seen with Mesa 22.3, not with
+/// 25.0; between them it was not tried.
+fn leaves_loops(driver: &str) -> bool {
+    let number = |text: &str| text.split(|c: char| !c.is_ascii_digit()).next().and_then(|digits| digits.parse::<u32>().ok());
+    driver.starts_with("llvmpipe") && driver.split_once("Mesa ").and_then(|(_, version)| number(version)).is_none_or(|version| version < 25)
 }
 
 /// How to sort.
@@ -120,5 +133,24 @@ impl Variant {
             Self::SelfScan => SORT_TILE,
             Self::LaneScan => 1024 * SORT_LANES,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn tiles_are_for_processors_whose_driver_plays_them() {
+        for (driver, method) in [
+            ("llvmpipe Mesa 25.0.7 (LLVM 15.0.6)", Method::Tiles),
+            ("llvmpipe Mesa 26.1.0-devel (git-0123456789)", Method::Tiles),
+            ("llvmpipe Mesa 22.3.6 (LLVM 15.0.6)", Method::Hulls),
+            ("llvmpipe", Method::Hulls),
+            ("SwiftShader driver", Method::Tiles),
+        ] {
+            assert_eq!(Method::suited(true, driver), method, "{driver}");
+        }
+        assert_eq!(Method::suited(false, "NVIDIA 570.1"), Method::Hulls);
     }
 }

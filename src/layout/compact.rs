@@ -78,13 +78,29 @@ pub fn decode_quaternion(word: u32) -> [f64; 4] {
 /// A Gaussian's nodes, those that count most first, and the shares that say how much: the first's of what is above a third, and the
 /// second's of what is above half of the rest, in [`NODE_STEPS`].
 pub fn node_shares(avatar: &Avatar, gaussian: usize) -> ([u16; 3], [u32; 2]) {
+    let (order, shares) = coded_weights(avatar, gaussian);
+    (order.map(|k| avatar.gaussians.node[gaussian][k]), shares)
+}
+
+/// The weights that those shares stand for, in the order of [`Avatar::node_weights`].
+pub fn stored_node_weights(avatar: &Avatar, gaussian: usize) -> [f64; 3] {
+    let (order, [first, second]) = coded_weights(avatar, gaussian);
+    let first = (1.0 + 2.0 * f64::from(first) / NODE_STEPS) / 3.0;
+    let second = (1.0 - first) * (0.5 + 0.5 * f64::from(second) / NODE_STEPS);
+    let mut weights = [0.0; 3];
+    order.into_iter().zip([first, second, 1.0 - first - second]).for_each(|(k, weight)| weights[k] = weight);
+    weights
+}
+
+/// Which node counts most, which next and which least, and the shares.
+fn coded_weights(avatar: &Avatar, gaussian: usize) -> ([usize; 3], [u32; 2]) {
     let weights = avatar.node_weights(gaussian);
     let mut order = [0, 1, 2];
     order.sort_by(|&a, &b| weights[b].total_cmp(&weights[a]));
     let [a, b, c] = order.map(|k| weights[k]);
     let code = |share: f64| (share * NODE_STEPS).round().clamp(0.0, NODE_STEPS) as u32;
     let second = if b + c > 0.0 { 2.0 * b / (b + c) - 1.0 } else { 0.0 };
-    (order.map(|k| avatar.gaussians.node[gaussian][k]), [code((3.0 * a - 1.0) / 2.0), code(second)])
+    (order, [code((3.0 * a - 1.0) / 2.0), code(second)])
 }
 
 /// What one step of a row's bytes is worth: a number of four significant bits, so that f16 holds each of its multiples by up to 127.
@@ -224,13 +240,7 @@ mod tests {
     fn weights_of_nodes_are_as_near_as_said() {
         let avatar = demo::avatar().unwrap();
         for gaussian in 0..avatar.gaussians.len() {
-            let (nodes, [first, second]) = node_shares(&avatar, gaussian);
-            let first = (1.0 + 2.0 * f64::from(first) / NODE_STEPS) / 3.0;
-            let second = (1.0 - first) * (0.5 + 0.5 * f64::from(second) / NODE_STEPS);
-            let coded = [first, second, 1.0 - first - second];
-            for (node, coded) in nodes.iter().zip(coded) {
-                let at = avatar.gaussians.node[gaussian].iter().position(|other| other == node).unwrap();
-                let exact = avatar.node_weights(gaussian)[at];
+            for (coded, exact) in stored_node_weights(&avatar, gaussian).into_iter().zip(avatar.node_weights(gaussian)) {
                 assert!((coded - exact).abs() < 0.0165, "Gaussian {gaussian}: {exact} became {coded}");
             }
         }

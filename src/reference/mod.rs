@@ -15,6 +15,7 @@ pub mod splats;
 
 use crate::avatar::Avatar;
 use crate::frame::{Camera, Picture, Posed};
+use crate::layout::compact::stored_node_weights;
 use glam::DVec3;
 use half::f16;
 pub use raster::Canvas;
@@ -50,6 +51,20 @@ impl Stages {
 /// The picture of a posed avatar.
 pub fn render(avatar: &Avatar, posed: &Posed, camera: &Camera) -> Picture {
     Stages::new(avatar, posed, camera).canvas.to_picture()
+}
+
+/// The picture that exact arithmetic makes of what a device holds in place of the avatar: rows, scales, rotations and weights of nodes
+/// rounded as [`crate::layout::compact`] says, displacements of nodes to f16. What is left between it and a device's picture is that
+/// device's arithmetic.
+pub fn render_stored(avatar: &Avatar, posed: &Posed, camera: &Camera) -> Picture {
+    let stored = avatar.compact();
+    let features = features::features(&stored, &posed.input);
+    let half = |v: f64| f16::from_f64(v).to_f64();
+    let nodes: Vec<DVec3> = nodes::nodes(&stored, &features).into_iter().map(|node| DVec3::from(node.to_array().map(half))).collect();
+    let mut gaussians = splats::weighted(&stored, posed, &features, &nodes, |k| stored_node_weights(avatar, k));
+    harmonics::color(&stored, posed, camera, &features, &mut gaussians);
+    let splats = splats::splats(&gaussians, camera);
+    raster::raster(&splats, &sort::order(&splats), camera).to_picture()
 }
 
 /// The picture of one avatar in several poses, sorted together.

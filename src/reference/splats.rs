@@ -64,6 +64,17 @@ pub enum Culled {
 ///
 /// `features` is of shape N_G, E, `nodes` of length N_s.
 pub fn gaussians(avatar: &Avatar, posed: &Posed, features: &[f64], nodes: &[DVec3]) -> Vec<Gaussian> {
+    weighted(avatar, posed, features, nodes, |k| avatar.node_weights(k))
+}
+
+/// The same with weights of a Gaussian's nodes that are given.
+pub fn weighted(
+    avatar: &Avatar,
+    posed: &Posed,
+    features: &[f64],
+    nodes: &[DVec3],
+    weights: impl Fn(usize) -> [f64; 3] + Sync,
+) -> Vec<Gaussian> {
     let neutral = &avatar.gaussians;
     (0..neutral.len())
         .into_par_iter()
@@ -73,7 +84,7 @@ pub fn gaussians(avatar: &Avatar, posed: &Posed, features: &[f64], nodes: &[DVec
             let e = &features[part * avatar.networks.output()..][..avatar.basis_len()];
 
             // δr, δs, δc = B · e (model.md step 2, the paper's first equation); x = x₀ + δx (step 4).
-            let dx: DVec3 = avatar.node_weights(k).iter().zip(neutral.node[k]).map(|(&w, s)| w * nodes[usize::from(s)]).sum();
+            let dx: DVec3 = weights(k).iter().zip(neutral.node[k]).map(|(&w, s)| w * nodes[usize::from(s)]).sum();
             let x = avatar.position(k) + dx;
             // Step 5.
             let q = rotation(neutral.rotation[k].map(f64::from), corrective(&avatar.rotation_rows, k, e));

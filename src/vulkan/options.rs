@@ -6,7 +6,7 @@ use crate::frame::RendererOptions;
 impl RendererOptions {
     /// The same with what suits a device in place of what was left open.
     pub fn settled(self, gpu: &Gpu) -> Self {
-        let method = self.method.unwrap_or_else(|| Method::suited(gpu));
+        let method = self.method.unwrap_or_else(|| Method::suited(gpu.probe.is_cpu(), &gpu.probe.driver));
         Self { method: Some(method), color: Some(self.color.unwrap_or_else(|| method.color())), ..self }
     }
 }

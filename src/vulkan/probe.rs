@@ -46,6 +46,11 @@ pub struct Probe {
 }
 
 impl Probe {
+    /// Whether a processor plays the device.
+    pub fn is_cpu(&self) -> bool {
+        self.kind == vk::PhysicalDeviceType::CPU
+    }
+
     /// Looks at every device of an instance.
     pub fn all(instance: &Instance) -> Result<Vec<Self>> {
         // SAFETY: the instance is alive.

@@ -2,7 +2,7 @@
 //!
 //! Each case is an avatar, a pose, a camera and options made to be hard ([`Family`] says how), drawn on the device and by the f64
 //! reference. No pixel may be NaN or out of range, the same frame must give the same bits again, nothing may hang or be complained
-//! about, and the picture stays within its family's [`Bound`]. A case is made from the seed and its number alone.
+//! about, and the picture stays within its family's [`Bound`], with the model's rounding and without. A case is made from the seed and its number alone.
 
 mod body;
 mod case;
@@ -11,7 +11,7 @@ mod hostile;
 mod refusal;
 mod trial;
 
-use crate::vulkan::Gpu;
+use crate::{measure::error::Error, vulkan::Gpu};
 pub use case::Case;
 pub use family::{Bound, Family};
 use serde::Serialize;
@@ -39,7 +39,10 @@ pub struct FamilyReport {
     /// Lowest PSNR over covered pixels, dB, and the case that had it. Null where no case drew anything.
     pub worst_psnr_db: Option<f64>,
     pub worst_case: Option<u64>,
-    /// Largest error of any channel, and the case that had it.
+    /// The same of the device's arithmetic alone, without the model's rounding.
+    pub arithmetic_worst_psnr_db: Option<f64>,
+    pub arithmetic_worst_case: Option<u64>,
+    /// Largest error of any channel by the arithmetic, and the case that had it.
     pub max_error: f64,
     pub max_error_case: Option<u64>,
     pub seconds: f64,
@@ -54,6 +57,9 @@ pub struct CaseReport {
     pub covered_pixels: usize,
     pub psnr_db: f64,
     pub max_error: f64,
+    /// The same two of the device's arithmetic alone: against the reference's picture of the model as device memory holds it.
+    pub arithmetic_psnr_db: f64,
+    pub arithmetic_max_error: f64,
     pub bound: Bound,
     /// How well the reference itself determines the picture, dB, where that had to be asked.
     pub conditioned_db: Option<f64>,
@@ -132,6 +138,8 @@ impl FamilyReport {
             ill_posed: 0,
             worst_psnr_db: None,
             worst_case: None,
+            arithmetic_worst_psnr_db: None,
+            arithmetic_worst_case: None,
             max_error: 0.0,
             max_error_case: None,
             seconds: 0.0,
@@ -143,12 +151,16 @@ impl FamilyReport {
         self.failed += usize::from(!outcome.faults.is_empty());
         self.seconds += outcome.time.as_secs_f64();
         self.ill_posed += usize::from(outcome.conditioned_db.is_some() && outcome.faults.is_empty());
-        let Some(covered) = outcome.error.map(|error| error.covered).filter(|covered| covered.pixels > 0) else { return };
-        if self.worst_psnr_db.is_none_or(|worst| covered.psnr_db < worst) {
-            (self.worst_psnr_db, self.worst_case) = (Some(covered.psnr_db), Some(number));
+        let drew = |error: Option<Error>| error.map(|error| error.covered).filter(|covered| covered.pixels > 0);
+        let (Some(all), Some(arithmetic)) = (drew(outcome.error), drew(outcome.arithmetic)) else { return };
+        if self.worst_psnr_db.is_none_or(|worst| all.psnr_db < worst) {
+            (self.worst_psnr_db, self.worst_case) = (Some(all.psnr_db), Some(number));
         }
-        if covered.max_error > self.max_error {
-            (self.max_error, self.max_error_case) = (covered.max_error, Some(number));
+        if self.arithmetic_worst_psnr_db.is_none_or(|worst| arithmetic.psnr_db < worst) {
+            (self.arithmetic_worst_psnr_db, self.arithmetic_worst_case) = (Some(arithmetic.psnr_db), Some(number));
+        }
+        if arithmetic.max_error > self.max_error {
+            (self.max_error, self.max_error_case) = (arithmetic.max_error, Some(number));
         }
     }
 }
@@ -163,13 +175,15 @@ impl Report {
         if self.slowest.is_none_or(|(_, slowest)| seconds > slowest) {
             self.slowest = Some((case.number, seconds));
         }
-        self.all.extend(outcome.error.map(|error| CaseReport {
+        self.all.extend(outcome.error.zip(outcome.arithmetic).map(|(error, arithmetic)| CaseReport {
             case: case.number,
             family: case.family,
             options: format!("{:?}, {:?}, {}", case.options.color.unwrap_or_default(), case.options.key_bits, case.options.skip),
             covered_pixels: error.covered.pixels,
             psnr_db: error.covered.psnr_db,
             max_error: error.covered.max_error,
+            arithmetic_psnr_db: arithmetic.covered.psnr_db,
+            arithmetic_max_error: arithmetic.covered.max_error,
             bound: outcome.bound,
             conditioned_db: outcome.conditioned_db,
         }));

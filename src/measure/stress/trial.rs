@@ -34,8 +34,10 @@ pub struct Outcome {
     pub time: Duration,
     /// Against the reference; none where drawing was to be refused or failed.
     pub error: Option<Error>,
+    /// Of the device's arithmetic alone: against the reference's picture of the model as device memory holds it.
+    pub arithmetic: Option<Error>,
     pub bound: Bound,
-    /// Of the reference against itself with its numbers moved by [`ROUNDING`], dB, where the picture left its bound: what is no better
+    /// Of the reference against itself with its numbers moved by [`ROUNDING`], dB, where the arithmetic left its bound: what is no better
     /// determined than that has no picture to be compared with, and is only held to [`ILL_POSED`] dB below it.
     pub conditioned_db: Option<f64>,
     /// Everything that was wrong, a sentence each.
@@ -54,6 +56,7 @@ pub fn run(gpu: &Arc<Gpu>, case: &Case) -> Outcome {
     let mut outcome = Outcome {
         time: Duration::ZERO,
         error: None,
+        arithmetic: None,
         bound: case.family.bound(case),
         conditioned_db: None,
         faults: vec![],
@@ -116,23 +119,29 @@ fn judge(case: &Case, [first, second]: [Picture; 2], outcome: &mut Outcome) {
         faults.push(format!("drawn again, pixel {:?} is {:?} instead of {:?}", place(at), second.pixels[at], first.pixels[at]));
     }
     let error = error::between(&first, &oracle);
-    let inside = |bound: &Bound| error.covered.psnr_db >= bound.psnr_db && error.covered.max_error <= bound.max_error;
+    let stored = reference::render_stored(&case.avatar, &case.posed, &case.camera);
+    let arithmetic = error::between(&first, &stored);
+    let inside = |bound: &Bound| arithmetic.covered.psnr_db >= bound.psnr_db && arithmetic.covered.max_error <= bound.max_error;
     if !inside(bound) {
         let moved = conditioned(case, &oracle);
         *conditioned_db = Some(moved);
-        *bound = if moved - ILL_POSED < bound.psnr_db { Bound { psnr_db: moved - ILL_POSED, max_error: 1.0 } } else { *bound };
+        *bound = if moved - ILL_POSED < bound.psnr_db { Bound { psnr_db: moved - ILL_POSED, max_error: 1.0, ..*bound } } else { *bound };
     }
     if !inside(bound) {
         faults.push(format!(
-            "{:.2} dB and {:.4} at most over {} covered pixels; {:.2} dB and {:.4} are the bounds",
-            error.covered.psnr_db, error.covered.max_error, error.covered.pixels, bound.psnr_db, bound.max_error
+            "arithmetic: {:.2} dB and {:.4} at most over {} covered pixels; {:.2} dB and {:.4} are the bounds",
+            arithmetic.covered.psnr_db, arithmetic.covered.max_error, arithmetic.covered.pixels, bound.psnr_db, bound.max_error
         ));
+    }
+    if error.covered.psnr_db < bound.model_db.min(bound.psnr_db) {
+        faults.push(format!("with the model's rounding: {:.2} dB, {:.2} dB is the bound", error.covered.psnr_db, bound.model_db));
     }
     let empty = oracle.pixels.iter().all(|pixel| *pixel == [0.0; 4]);
     if empty && error.whole.max_error > UNCOVERED {
         faults.push(format!("the reference's picture is empty and this one differs by {:.4}", error.whole.max_error));
     }
     outcome.error = Some(error);
+    outcome.arithmetic = Some(arithmetic);
     outcome.pictures = Some([first, oracle]);
 }
 

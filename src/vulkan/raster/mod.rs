@@ -36,13 +36,6 @@ impl ColorFormat {
     }
 }
 
-impl Method {
-    /// What is faster on a kind of device, as far as it was measured (NOTES.md): processors gain from every fragment that is left out.
-    pub fn suited(gpu: &Gpu) -> Self {
-        if gpu.probe.kind == vk::PhysicalDeviceType::CPU { Self::Tiles } else { Self::Hulls }
-    }
-}
-
 /// Draws by one of the methods.
 pub enum Raster {
     Hulls(Hulls),
@@ -58,9 +51,14 @@ impl Raster {
         surface: (&OccluderMesh, Slice),
         options: &RendererOptions,
     ) -> Result<Self> {
-        Ok(match options.method.unwrap_or_else(|| Method::suited(gpu)) {
+        Ok(match options.method.unwrap_or_else(|| Method::suited(gpu.probe.is_cpu(), &gpu.probe.driver)) {
             Method::Hulls => Self::Hulls(Hulls::new(gpu, frame, inputs, surface, options)?),
-            Method::Tiles => Self::Tiles(tiles::Tiles::new(gpu, frame, (inputs, capacity), options)?),
+            Method::Tiles => {
+                if gpu.probe.is_cpu() && Method::suited(true, &gpu.probe.driver) == Method::Hulls {
+                    tracing::warn!("{} leaves long loops early: tiles may lose parts of large scenes; hulls don't", gpu.probe.driver);
+                }
+                Self::Tiles(tiles::Tiles::new(gpu, frame, (inputs, capacity), options)?)
+            }
         })
     }
 

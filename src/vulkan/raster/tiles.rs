@@ -171,7 +171,7 @@ impl Variant {
     fn suited(gpu: &Gpu) -> Self {
         if gpu.probe.driver.starts_with("SwiftShader") {
             Self::Loops
-        } else if gpu.probe.kind == vk::PhysicalDeviceType::CPU && gpu.probe.subgroup_shuffle && gpu.probe.subgroup_size == 8 {
+        } else if gpu.probe.is_cpu() && gpu.probe.subgroup_shuffle && gpu.probe.subgroup_size == 8 {
             Self::Together
         } else {
             Self::Plain

@@ -57,7 +57,7 @@ pub fn choose_in(gpu: &Arc<Gpu>, folder: Option<&Path>) -> Result<Verdict> {
 
 /// Why a variant is not even tested: drivers that run on a CPU take a second and more to compile OneSweep, and have no use for it.
 fn needless(gpu: &Gpu, variant: Variant) -> Option<&'static str> {
-    let cpu = gpu.probe.kind == ash::vk::PhysicalDeviceType::CPU;
+    let cpu = gpu.probe.is_cpu();
     (variant == Variant::OneSweep && cpu).then_some("not tested on a CPU, where it takes longer to compile than it could save")
 }
 

@@ -80,7 +80,7 @@ impl Shape {
         let chained = variant == Variant::OneSweep && pass > 0;
         let scanned = !chained && self.tiles > MOST_SUMMED;
         let [reads, writes] = self.forms(pass);
-        let unrolled = gpu.probe.kind != vk::PhysicalDeviceType::CPU;
+        let unrolled = !gpu.probe.is_cpu();
         let entries = [pass, reads as u32, writes as u32];
         let sizes = [variant.tile(), self.tiles, self.capacity];
         let constants = [&entries[..], &sizes, &[u32::from(scanned), self.options.stall, u32::from(unrolled)]].concat();

@@ -82,6 +82,11 @@ impl Gpu {
         self.info.device_type == DeviceType::Cpu || self.info.name.to_ascii_lowercase().contains("swiftshader")
     }
 
+    /// Its driver and that one's build, as far as they are told.
+    pub fn driver(&self) -> String {
+        format!("{} {}", self.info.driver, self.info.driver_info).trim().to_string()
+    }
+
     /// Its name, as far as it gives one.
     pub fn name(&self) -> &str {
         let names = [&self.info.name, &self.info.driver];

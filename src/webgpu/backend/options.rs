@@ -13,7 +13,7 @@ use crate::{
 
 /// The options with what suits a device, and this backend, in place of what was left open.
 pub fn settled(gpu: &Gpu, options: RendererOptions) -> RendererOptions {
-    let method = options.method.unwrap_or(if gpu.is_cpu() { Method::Tiles } else { Method::Hulls });
+    let method = options.method.unwrap_or_else(|| Method::suited(gpu.is_cpu(), &gpu.driver()));
     // Fragments are not tested against the depth surface here.
     let skip = options.skip - Skip::DEPTH;
     RendererOptions { method: Some(method), color: Some(options.color.unwrap_or(method.color())), skip, ..options }
