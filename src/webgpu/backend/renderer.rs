@@ -19,7 +19,7 @@ use super::{
 use crate::{
     avatar::Avatar,
     frame::{
-        Body, Camera, Extent, FrameReport, Needs, Posed, RendererOptions, Skip, block,
+        Body, Camera, Extent, FrameReport, Needs, Posed, RendererOptions, Skip, Variant, block,
         keeper::Keeper,
         refuse,
         scene::{Actor, Scene, Staged},
@@ -79,7 +79,8 @@ impl Renderer {
         let control = empty(gpu, "control", size_of::<Control>() as u64, STORAGE | wgpu::BufferUsages::INDIRECT)?;
         let blocks = Blocks::new(gpu, options.actors)?;
         let splats = Splats::new(gpu, &model, (&blocks, &pose), actors, options.skip.contains(Skip::SKINNING))?;
-        let sort = Sort::new(gpu, &blocks, (splats.keys(), splats.counts()), &control, splats.capacity())?;
+        let lanes = options.sort == Some(Variant::LaneScan);
+        let sort = Sort::new(gpu, &blocks, (splats.keys(), splats.counts()), &control, (splats.capacity(), lanes))?;
         let inputs =
             Inputs { order: sort.order(), splats: splats.all(), keys: splats.keys(), control: &control, capacity: splats.capacity() };
         let raster = Raster::new(gpu, &blocks, inputs, &options)?;

@@ -46,15 +46,21 @@ pub struct Sort {
 }
 
 impl Sort {
-    /// Sorts at most `capacity` keys. `counts`: where their lowest digits are counted.
-    pub fn new(gpu: &Gpu, blocks: &Blocks, (keys, counts): (Slice, Slice), control: &wgpu::Buffer, capacity: u32) -> Result<Self> {
+    /// Sorts at most `capacity` keys. `counts`: where their lowest digits are counted; `lanes`: with a run of keys an invocation.
+    pub fn new(
+        gpu: &Gpu,
+        blocks: &Blocks,
+        (keys, counts): (Slice, Slice),
+        control: &wgpu::Buffer,
+        (capacity, lanes): (u32, bool),
+    ) -> Result<Self> {
         let between = empty(gpu, "sort entries", 4 * u64::from(capacity), STORAGE)?;
         let order = empty(gpu, "order", 4 * u64::from(capacity), STORAGE)?;
         let (read, write) = (|slice| Bound::Read(slice), |slice| Bound::Write(slice));
         let (between, control) = (Slice::from(&between), Slice::from(control));
         let kernel = |module, bound: &[(u32, Bound)]| Kernel::new(gpu, module, &[bound, &[blocks.settings()]].concat());
         let scanned = tiles(capacity) > MOST_SUMMED;
-        let [first, last_count, last] = if gpu.is_cpu() {
+        let [first, last_count, last] = if lanes {
             [&shaders::SORT_LANES_FIRST, &shaders::SORT_LANES_LAST_COUNT, &shaders::SORT_LANES_LAST]
         } else {
             [&shaders::SORT_FIRST, &shaders::SORT_LAST_COUNT, &shaders::SORT_LAST]
