@@ -15,7 +15,10 @@ layout(std430, set = 0, binding = 4) buffer Bins { uint bins[]; };
 #ifdef WEB
 #include "settings.glsl"
 #define NODES settings.nodes
+// Every tile of the picture pays for a splat of the chains of the whole picture, also those that it does not meet.
+#define NARROW 1024u
 #else
+#define NARROW BINS_NARROW
 layout(constant_id = 0) const uint NODES = 1u;
 #endif
 
@@ -51,7 +54,7 @@ void main() {
         uvec2 low = uvec2(clamp((splat.center - reach) / frame.tile, 0.0, float(BINS_SIDE - 1u)));
         uvec2 high = uvec2(clamp((splat.center + reach) / frame.tile, 0.0, float(BINS_SIDE - 1u)));
         uint needed = 0u;
-        bool narrow = (high.x - low.x + 1u) * (high.y - low.y + 1u) <= BINS_NARROW;
+        bool narrow = (high.x - low.x + 1u) * (high.y - low.y + 1u) <= NARROW;
         for (uint y = low.y; narrow && y <= high.y; ++y) {
             for (uint x = low.x; x <= high.x; ++x) {
                 needed += full(bins[BINS_HEADS + (y * BINS_SIDE + x) * BINS_BLOCKS + block]) ? 1u : 0u;

@@ -144,68 +144,68 @@ var<storage> unnamed_3: Splats_1;
 fn full_u0028_u1_u003b(chain: ptr<function, u32>) -> bool {
     var phi_204_: bool;
 
-    let _e47 = (*chain);
-    let _e48 = (_e47 == 0u);
-    phi_204_ = _e48;
-    if !(_e48) {
-        let _e50 = (*chain);
-        phi_204_ = ((_e50 & 7u) == 7u);
+    let _e48 = (*chain);
+    let _e49 = (_e48 == 0u);
+    phi_204_ = _e49;
+    if !(_e49) {
+        let _e51 = (*chain);
+        phi_204_ = ((_e51 & 7u) == 7u);
     }
-    let _e54 = phi_204_;
-    return _e54;
+    let _e55 = phi_204_;
+    return _e55;
 }
 
 fn put_u0028_u1_u003b_u1_u003b_u1_u003b_u1_u003b(splat: ptr<function, u32>, head: ptr<function, u32>, chain_1: ptr<function, u32>, node: ptr<function, u32>) {
     var param: u32;
 
-    let _e51 = (*chain_1);
-    param = _e51;
-    let _e52 = full_u0028_u1_u003b((&param));
-    if _e52 {
-        let _e53 = (*node);
-        let _e56 = (*chain_1);
-        atomicStore((&unnamed.bins[(540698u + (8u * _e53))]), _e56);
-        let _e59 = (*node);
-        (*chain_1) = (8u * _e59);
+    let _e52 = (*chain_1);
+    param = _e52;
+    let _e53 = full_u0028_u1_u003b((&param));
+    if _e53 {
+        let _e54 = (*node);
+        let _e57 = (*chain_1);
+        atomicStore((&unnamed.bins[(540698u + (8u * _e54))]), _e57);
+        let _e60 = (*node);
+        (*chain_1) = (8u * _e60);
     }
-    let _e61 = (*chain_1);
-    (*chain_1) = (_e61 + bitcast<u32>(1i));
-    let _e64 = (*chain_1);
-    let _e66 = (*splat);
-    atomicStore((&unnamed.bins[(540698u + _e64)]), _e66);
-    let _e69 = (*head);
-    let _e70 = (*chain_1);
-    atomicStore((&unnamed.bins[_e69]), _e70);
+    let _e62 = (*chain_1);
+    (*chain_1) = (_e62 + bitcast<u32>(1i));
+    let _e65 = (*chain_1);
+    let _e67 = (*splat);
+    atomicStore((&unnamed.bins[(540698u + _e65)]), _e67);
+    let _e70 = (*head);
+    let _e71 = (*chain_1);
+    atomicStore((&unnamed.bins[_e70]), _e71);
     return;
 }
 
 fn half_box_u0028_struct_u002d_Splat_u002d_vf2_u002d_vf2_u002d_f1_u002d_vf3_u002d_u11_u003b_f1_u003b(splat_1: ptr<function, Splat>, reach: ptr<function, f32>) -> vec2<f32> {
     var steep: f32;
 
-    let _e50 = (*splat_1).shorter;
-    let _e52 = (*splat_1).axis;
-    let _e54 = (*splat_1).axis;
-    steep = (_e50 * inverseSqrt(dot(_e52, _e54)));
-    let _e58 = (*reach);
-    let _e60 = (*splat_1).axis;
-    let _e62 = (*splat_1).axis;
-    let _e64 = steep;
+    let _e51 = (*splat_1).shorter;
+    let _e53 = (*splat_1).axis;
+    let _e55 = (*splat_1).axis;
+    steep = (_e51 * inverseSqrt(dot(_e53, _e55)));
+    let _e59 = (*reach);
+    let _e61 = (*splat_1).axis;
+    let _e63 = (*splat_1).axis;
     let _e65 = steep;
-    let _e68 = (*splat_1).axis;
-    let _e72 = (*splat_1).axis;
-    return (sqrt(((_e60 * _e62) + ((_e68.yx * (_e64 * _e65)) * _e72.yx))) * _e58);
+    let _e66 = steep;
+    let _e69 = (*splat_1).axis;
+    let _e73 = (*splat_1).axis;
+    return (sqrt(((_e61 * _e63) + ((_e69.yx * (_e65 * _e66)) * _e73.yx))) * _e59);
 }
 
 fn reach_of_u0028_u1_u003b(opacity: ptr<function, u32>) -> f32 {
-    let _e47 = (*opacity);
-    let _e50 = frame.hull_opacity;
-    let _e53 = frame.cutoff;
-    return sqrt((2f * log(max((max(f32(_e47), _e50) / _e53), 1f))));
+    let _e48 = (*opacity);
+    let _e51 = frame.hull_opacity;
+    let _e54 = frame.cutoff;
+    return sqrt((2f * log(max((max(f32(_e48), _e51) / _e54), 1f))));
 }
 
 fn steps_of_u0028_vu4_u003b(words: ptr<function, vec4<u32>>) -> vec2<f32> {
-    let _e47 = (*words);
-    return vec2<f32>((_e47.xy & vec2(1048575u)));
+    let _e48 = (*words);
+    return vec2<f32>((_e48.xy & vec2(1048575u)));
 }
 
 fn unpack_splat_u0028_vu4_u003b(words_1: ptr<function, vec4<u32>>) -> Splat {
@@ -213,27 +213,27 @@ fn unpack_splat_u0028_vu4_u003b(words_1: ptr<function, vec4<u32>>) -> Splat {
     var param_1: vec4<u32>;
     var blue: u32;
 
-    let _e50 = (*words_1);
-    param_1 = _e50;
-    let _e51 = steps_of_u0028_vu4_u003b((&param_1));
-    let _e53 = frame.fixed_scale;
-    let _e57 = frame.guard;
-    splat_2.center = ((_e51 / vec2(_e53)) - vec2(_e57));
-    let _e62 = (*words_1)[2u];
-    splat_2.axis = unpack2x16float(_e62);
-    let _e66 = (*words_1)[3u];
-    splat_2.shorter = unpack2x16float(_e66).x;
-    let _e71 = (*words_1)[3u];
-    let _e77 = (*words_1)[0u];
-    blue = (((_e71 >> bitcast<u32>(24u)) << bitcast<u32>(2u)) | (_e77 >> bitcast<u32>(30u)));
-    let _e82 = (*words_1)[0u];
-    let _e88 = (*words_1)[1u];
-    let _e93 = blue;
-    splat_2.color = (vec3<f32>(f32(((_e82 >> bitcast<u32>(20u)) & 1023u)), f32(((_e88 >> bitcast<u32>(20u)) & 1023u)), f32(_e93)) / vec3(1023f));
-    let _e100 = (*words_1)[3u];
-    splat_2.opacity = ((_e100 >> bitcast<u32>(16u)) & 255u);
-    let _e105 = splat_2;
-    return _e105;
+    let _e51 = (*words_1);
+    param_1 = _e51;
+    let _e52 = steps_of_u0028_vu4_u003b((&param_1));
+    let _e54 = frame.fixed_scale;
+    let _e58 = frame.guard;
+    splat_2.center = ((_e52 / vec2(_e54)) - vec2(_e58));
+    let _e63 = (*words_1)[2u];
+    splat_2.axis = unpack2x16float(_e63);
+    let _e67 = (*words_1)[3u];
+    splat_2.shorter = unpack2x16float(_e67).x;
+    let _e72 = (*words_1)[3u];
+    let _e78 = (*words_1)[0u];
+    blue = (((_e72 >> bitcast<u32>(24u)) << bitcast<u32>(2u)) | (_e78 >> bitcast<u32>(30u)));
+    let _e83 = (*words_1)[0u];
+    let _e89 = (*words_1)[1u];
+    let _e94 = blue;
+    splat_2.color = (vec3<f32>(f32(((_e83 >> bitcast<u32>(20u)) & 1023u)), f32(((_e89 >> bitcast<u32>(20u)) & 1023u)), f32(_e94)) / vec3(1023f));
+    let _e101 = (*words_1)[3u];
+    splat_2.opacity = ((_e101 >> bitcast<u32>(16u)) & 255u);
+    let _e106 = splat_2;
+    return _e106;
 }
 
 fn main_1() {
@@ -275,96 +275,96 @@ fn main_1() {
     var param_14: u32;
     var param_15: u32;
     var param_16: u32;
-    var phi_386_: bool;
-    var phi_443_: bool;
+    var phi_387_: bool;
+    var phi_444_: bool;
 
-    let _e85 = gl_GlobalInvocationID_1[0u];
-    block = _e85;
-    let _e86 = block;
-    if (_e86 == 0u) {
+    let _e86 = gl_GlobalInvocationID_1[0u];
+    block = _e86;
+    let _e87 = block;
+    if (_e87 == 0u) {
         unnamed_1.control.fragments = 0u;
     }
-    let _e92 = unnamed_1.control.survivors;
-    length_ = (((_e92 + 32u) - 1u) / 32u);
-    let _e96 = block;
-    let _e98 = length_;
-    let _e102 = unnamed_1.control.survivors;
-    end = min(((_e96 + 1u) * _e98), _e102);
-    let _e105 = settings.nodes;
-    let _e107 = block;
-    let _e108 = length_;
-    wide = ((_e105 + 1u) + (_e107 * (((_e108 + 7u) - 1u) / 7u)));
+    let _e93 = unnamed_1.control.survivors;
+    length_ = (((_e93 + 32u) - 1u) / 32u);
+    let _e97 = block;
+    let _e99 = length_;
+    let _e103 = unnamed_1.control.survivors;
+    end = min(((_e97 + 1u) * _e99), _e103);
+    let _e106 = settings.nodes;
+    let _e108 = block;
+    let _e109 = length_;
+    wide = ((_e106 + 1u) + (_e108 * (((_e109 + 7u) - 1u) / 7u)));
     wide_chain = 0u;
-    let _e114 = block;
-    let _e115 = length_;
-    number = (_e114 * _e115);
+    let _e115 = block;
+    let _e116 = length_;
+    number = (_e115 * _e116);
     loop {
-        let _e117 = number;
-        let _e118 = end;
-        if (_e117 < _e118) {
-            let _e120 = number;
-            let _e123 = unnamed_2.order[_e120];
-            i = _e123;
-            let _e124 = i;
-            let _e127 = unnamed_3.splats[_e124];
-            param_2 = _e127;
-            let _e128 = unpack_splat_u0028_vu4_u003b((&param_2));
-            splat_3 = _e128;
-            let _e130 = splat_3.opacity;
-            param_3 = _e130;
-            let _e131 = reach_of_u0028_u1_u003b((&param_3));
-            let _e132 = splat_3;
-            param_4 = _e132;
-            param_5 = _e131;
-            let _e133 = half_box_u0028_struct_u002d_Splat_u002d_vf2_u002d_vf2_u002d_f1_u002d_vf3_u002d_u11_u003b_f1_u003b((&param_4), (&param_5));
-            reach_1 = _e133;
-            let _e135 = splat_3.center;
-            let _e136 = reach_1;
-            let _e139 = frame.tile;
-            low = vec2<u32>(clamp(((_e135 - _e136) / vec2(_e139)), vec2(0f), vec2(127f)));
-            let _e147 = splat_3.center;
-            let _e148 = reach_1;
-            let _e151 = frame.tile;
-            high = vec2<u32>(clamp(((_e147 + _e148) / vec2(_e151)), vec2(0f), vec2(127f)));
+        let _e118 = number;
+        let _e119 = end;
+        if (_e118 < _e119) {
+            let _e121 = number;
+            let _e124 = unnamed_2.order[_e121];
+            i = _e124;
+            let _e125 = i;
+            let _e128 = unnamed_3.splats[_e125];
+            param_2 = _e128;
+            let _e129 = unpack_splat_u0028_vu4_u003b((&param_2));
+            splat_3 = _e129;
+            let _e131 = splat_3.opacity;
+            param_3 = _e131;
+            let _e132 = reach_of_u0028_u1_u003b((&param_3));
+            let _e133 = splat_3;
+            param_4 = _e133;
+            param_5 = _e132;
+            let _e134 = half_box_u0028_struct_u002d_Splat_u002d_vf2_u002d_vf2_u002d_f1_u002d_vf3_u002d_u11_u003b_f1_u003b((&param_4), (&param_5));
+            reach_1 = _e134;
+            let _e136 = splat_3.center;
+            let _e137 = reach_1;
+            let _e140 = frame.tile;
+            low = vec2<u32>(clamp(((_e136 - _e137) / vec2(_e140)), vec2(0f), vec2(127f)));
+            let _e148 = splat_3.center;
+            let _e149 = reach_1;
+            let _e152 = frame.tile;
+            high = vec2<u32>(clamp(((_e148 + _e149) / vec2(_e152)), vec2(0f), vec2(127f)));
             needed = 0u;
-            let _e159 = high[0u];
-            let _e161 = low[0u];
-            let _e165 = high[1u];
-            let _e167 = low[1u];
-            narrow = ((((_e159 - _e161) + 1u) * ((_e165 - _e167) + 1u)) <= 16u);
-            let _e173 = low[1u];
-            y = _e173;
+            let _e160 = high[0u];
+            let _e162 = low[0u];
+            let _e166 = high[1u];
+            let _e168 = low[1u];
+            narrow = ((((_e160 - _e162) + 1u) * ((_e166 - _e168) + 1u)) <= 1024u);
+            let _e174 = low[1u];
+            y = _e174;
             loop {
-                let _e174 = narrow;
-                phi_386_ = _e174;
-                if _e174 {
-                    let _e175 = y;
-                    let _e177 = high[1u];
-                    phi_386_ = (_e175 <= _e177);
+                let _e175 = narrow;
+                phi_387_ = _e175;
+                if _e175 {
+                    let _e176 = y;
+                    let _e178 = high[1u];
+                    phi_387_ = (_e176 <= _e178);
                 }
-                let _e180 = phi_386_;
-                if _e180 {
-                    let _e182 = low[0u];
-                    x = _e182;
+                let _e181 = phi_387_;
+                if _e181 {
+                    let _e183 = low[0u];
+                    x = _e183;
                     loop {
-                        let _e183 = x;
-                        let _e185 = high[0u];
-                        if (_e183 <= _e185) {
-                            let _e187 = y;
-                            let _e189 = x;
-                            let _e193 = block;
-                            let _e197 = atomicLoad((&unnamed.bins[((16418u + (((_e187 * 128u) + _e189) * 32u)) + _e193)]));
-                            param_6 = _e197;
-                            let _e198 = full_u0028_u1_u003b((&param_6));
-                            let _e200 = needed;
-                            needed = (_e200 + select(0u, 1u, _e198));
+                        let _e184 = x;
+                        let _e186 = high[0u];
+                        if (_e184 <= _e186) {
+                            let _e188 = y;
+                            let _e190 = x;
+                            let _e194 = block;
+                            let _e198 = atomicLoad((&unnamed.bins[((16418u + (((_e188 * 128u) + _e190) * 32u)) + _e194)]));
+                            param_6 = _e198;
+                            let _e199 = full_u0028_u1_u003b((&param_6));
+                            let _e201 = needed;
+                            needed = (_e201 + select(0u, 1u, _e199));
                             continue;
                         } else {
                             break;
                         }
                         continuing {
-                            let _e202 = x;
-                            x = (_e202 + bitcast<u32>(1i));
+                            let _e203 = x;
+                            x = (_e203 + bitcast<u32>(1i));
                         }
                     }
                     continue;
@@ -372,100 +372,100 @@ fn main_1() {
                     break;
                 }
                 continuing {
-                    let _e205 = y;
-                    y = (_e205 + bitcast<u32>(1i));
+                    let _e206 = y;
+                    y = (_e206 + bitcast<u32>(1i));
                 }
             }
-            let _e208 = needed;
-            if (_e208 > 0u) {
-                let _e212 = needed;
-                let _e213 = atomicAdd((&unnamed.bins[0i]), _e212);
-                local = (_e213 + 1u);
+            let _e209 = needed;
+            if (_e209 > 0u) {
+                let _e213 = needed;
+                let _e214 = atomicAdd((&unnamed.bins[0i]), _e213);
+                local = (_e214 + 1u);
             } else {
                 local = 1u;
             }
-            let _e215 = local;
-            node_1 = _e215;
-            let _e216 = narrow;
-            let _e217 = !(_e216);
-            phi_443_ = _e217;
-            if !(_e217) {
-                let _e219 = node_1;
-                let _e220 = needed;
-                let _e223 = settings.nodes;
-                phi_443_ = ((_e219 + _e220) > (_e223 + 1u));
+            let _e216 = local;
+            node_1 = _e216;
+            let _e217 = narrow;
+            let _e218 = !(_e217);
+            phi_444_ = _e218;
+            if !(_e218) {
+                let _e220 = node_1;
+                let _e221 = needed;
+                let _e224 = settings.nodes;
+                phi_444_ = ((_e220 + _e221) > (_e224 + 1u));
             }
-            let _e227 = phi_443_;
-            if _e227 {
-                let _e228 = wide_chain;
-                param_7 = _e228;
-                let _e229 = full_u0028_u1_u003b((&param_7));
-                next = _e229;
-                let _e230 = block;
-                let _e232 = i;
-                param_8 = _e232;
-                param_9 = (2u + _e230);
-                let _e233 = wide_chain;
-                param_10 = _e233;
-                let _e234 = wide;
-                param_11 = _e234;
+            let _e228 = phi_444_;
+            if _e228 {
+                let _e229 = wide_chain;
+                param_7 = _e229;
+                let _e230 = full_u0028_u1_u003b((&param_7));
+                next = _e230;
+                let _e231 = block;
+                let _e233 = i;
+                param_8 = _e233;
+                param_9 = (2u + _e231);
+                let _e234 = wide_chain;
+                param_10 = _e234;
+                let _e235 = wide;
+                param_11 = _e235;
                 put_u0028_u1_u003b_u1_u003b_u1_u003b_u1_u003b((&param_8), (&param_9), (&param_10), (&param_11));
-                let _e235 = block;
-                let _e239 = atomicLoad((&unnamed.bins[(2u + _e235)]));
-                wide_chain = _e239;
-                let _e240 = next;
-                let _e242 = wide;
-                wide = (_e242 + select(0u, 1u, _e240));
+                let _e236 = block;
+                let _e240 = atomicLoad((&unnamed.bins[(2u + _e236)]));
+                wide_chain = _e240;
+                let _e241 = next;
+                let _e243 = wide;
+                wide = (_e243 + select(0u, 1u, _e241));
                 continue;
             }
-            let _e245 = low[1u];
-            y_1 = _e245;
+            let _e246 = low[1u];
+            y_1 = _e246;
             loop {
-                let _e246 = y_1;
-                let _e248 = high[1u];
-                if (_e246 <= _e248) {
-                    let _e251 = low[0u];
-                    x_1 = _e251;
+                let _e247 = y_1;
+                let _e249 = high[1u];
+                if (_e247 <= _e249) {
+                    let _e252 = low[0u];
+                    x_1 = _e252;
                     loop {
-                        let _e252 = x_1;
-                        let _e254 = high[0u];
-                        if (_e252 <= _e254) {
-                            let _e256 = y_1;
-                            let _e258 = x_1;
-                            tile = ((_e256 * 128u) + _e258);
-                            let _e260 = tile;
-                            let _e263 = block;
-                            head_1 = ((16418u + (_e260 * 32u)) + _e263);
-                            let _e265 = head_1;
-                            let _e268 = atomicLoad((&unnamed.bins[_e265]));
-                            chain_2 = _e268;
-                            let _e269 = chain_2;
-                            if (_e269 == 0u) {
-                                let _e271 = tile;
-                                let _e275 = block;
-                                let _e278 = atomicOr((&unnamed.bins[(34u + _e271)]), (1u << bitcast<u32>(_e275)));
+                        let _e253 = x_1;
+                        let _e255 = high[0u];
+                        if (_e253 <= _e255) {
+                            let _e257 = y_1;
+                            let _e259 = x_1;
+                            tile = ((_e257 * 128u) + _e259);
+                            let _e261 = tile;
+                            let _e264 = block;
+                            head_1 = ((16418u + (_e261 * 32u)) + _e264);
+                            let _e266 = head_1;
+                            let _e269 = atomicLoad((&unnamed.bins[_e266]));
+                            chain_2 = _e269;
+                            let _e270 = chain_2;
+                            if (_e270 == 0u) {
+                                let _e272 = tile;
+                                let _e276 = block;
+                                let _e279 = atomicOr((&unnamed.bins[(34u + _e272)]), (1u << bitcast<u32>(_e276)));
                             }
-                            let _e279 = i;
-                            param_12 = _e279;
-                            let _e280 = head_1;
-                            param_13 = _e280;
-                            let _e281 = chain_2;
-                            param_14 = _e281;
-                            let _e282 = node_1;
-                            param_15 = _e282;
+                            let _e280 = i;
+                            param_12 = _e280;
+                            let _e281 = head_1;
+                            param_13 = _e281;
+                            let _e282 = chain_2;
+                            param_14 = _e282;
+                            let _e283 = node_1;
+                            param_15 = _e283;
                             put_u0028_u1_u003b_u1_u003b_u1_u003b_u1_u003b((&param_12), (&param_13), (&param_14), (&param_15));
-                            let _e283 = chain_2;
-                            param_16 = _e283;
-                            let _e284 = full_u0028_u1_u003b((&param_16));
-                            let _e286 = node_1;
-                            node_1 = (_e286 + select(0u, 1u, _e284));
+                            let _e284 = chain_2;
+                            param_16 = _e284;
+                            let _e285 = full_u0028_u1_u003b((&param_16));
+                            let _e287 = node_1;
+                            node_1 = (_e287 + select(0u, 1u, _e285));
                             continue;
                         } else {
                             break;
                         }
                         continuing {
-                            let _e288 = x_1;
-                            x_1 = (_e288 + bitcast<u32>(1i));
+                            let _e289 = x_1;
+                            x_1 = (_e289 + bitcast<u32>(1i));
                         }
                     }
                     continue;
@@ -473,8 +473,8 @@ fn main_1() {
                     break;
                 }
                 continuing {
-                    let _e291 = y_1;
-                    y_1 = (_e291 + bitcast<u32>(1i));
+                    let _e292 = y_1;
+                    y_1 = (_e292 + bitcast<u32>(1i));
                 }
             }
             continue;
@@ -482,14 +482,14 @@ fn main_1() {
             break;
         }
         continuing {
-            let _e294 = number;
-            number = (_e294 + bitcast<u32>(1i));
+            let _e295 = number;
+            number = (_e295 + bitcast<u32>(1i));
         }
     }
-    let _e297 = wide_chain;
-    if (_e297 != 0u) {
-        let _e301 = block;
-        let _e304 = atomicOr((&unnamed.bins[1i]), (1u << bitcast<u32>(_e301)));
+    let _e298 = wide_chain;
+    if (_e298 != 0u) {
+        let _e302 = block;
+        let _e305 = atomicOr((&unnamed.bins[1i]), (1u << bitcast<u32>(_e302)));
     }
     return;
 }

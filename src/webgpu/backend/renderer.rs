@@ -24,7 +24,7 @@ use crate::{
         refuse,
         scene::{Actor, Scene, Staged},
     },
-    layout::{Control, Frame, PYRAMID_WORDS, RASTER_QUADS, SORT_TILE, Settings},
+    layout::{Control, Frame, PYRAMID_WORDS, RASTER_QUADS, RASTER_SQUARE, SORT_TILE, Settings, bins},
 };
 use bytemuck::bytes_of;
 use std::sync::Arc;
@@ -262,6 +262,8 @@ impl Renderer {
             block.surface_start = 0;
         }
         self.splats.fill(block);
+        // What four lanes of a processor blend: each splat of a tile costs them the same, whether it meets them or not.
+        block.tile = bins::tile_of_at_least(2 * RASTER_SQUARE, camera.size) as f32;
         block.count_tile = SORT_TILE;
         if let Some((actor, before)) = actor {
             block::fill_actor(block, &self.options, actor, camera);
