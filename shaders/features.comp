@@ -45,7 +45,7 @@ void move_nodes(uint part, uint e) {
 
 void main() {
     uint part = gl_WorkGroupID.x;
-    if ((frame.idle[part / 128u][part / 32u & 3u] >> (part & 31u) & 1u) != 0u) {
+    if ((frame.idle[part >> 7u][part >> 5u & 3u] >> (part & 31u) & 1u) != 0u) {
         return;
     }
     uint block = part * frame.network_quads;
@@ -57,7 +57,7 @@ void main() {
         uint target = MLP_WIDTH - source;
         bool last = l + 1u == frame.layers;
         for (uint o = gl_LocalInvocationID.x; o < layer.output_count; o += FEATURES_SIZE) {
-            vec4 bias = widen(networks[block + layer.bias + o / 4u]);
+            vec4 bias = widen(networks[block + layer.bias + (o >> 2u)]);
             float sum = bias[o & 3u];
             uint weight = block + layer.weight + o;
             uint quads = l == 0u ? input_quads : layer.input_quads;

@@ -10,8 +10,8 @@ vec3 displacement_of(uint node) {
     return vec3(unpackHalf2x16(words.x), unpackHalf2x16(words.y).x);
 }
 
-// A texel of the pyramid, 0 to 1.
-float furthest_of(uint texel) {
-    uint word = frame.surface_start + texel / 2u;
-    return float(posed[word / 2u][word & 1u] >> 16u * (texel & 1u) & 0xffffu) / 65535.0;
+// Four texels of the pyramid in a row, 0 to 1; the first's number is a multiple of four.
+vec4 furthest_of(uint texel) {
+    uvec2 words = posed[(frame.surface_start >> 1u) + (texel >> 2u)];
+    return vec4(unpackUnorm2x16(words.x), unpackUnorm2x16(words.y));
 }

@@ -27,15 +27,22 @@ bool hidden(vec2 center, float radius, float depth) {
         return false;
     }
     // Levels before: a quarter less each, SURFACE_FINEST² · (1 + 1/4 + …).
-    uint start = SURFACE_FINEST * SURFACE_FINEST / 3u * 4u - (SURFACE_FINEST * SURFACE_FINEST >> (2u * level)) / 3u * 4u;
+    const uint third = SURFACE_FINEST * SURFACE_FINEST / 3u;
+    uint width = SURFACE_FINEST >> level;
+    uint start = 4u * (third - (third >> 2u * level));
     low >>= level;
     high >>= level;
     float furthest = 0.0;
-    for (uint y = low.y; y <= high.y; ++y) {
-        for (uint x = low.x; x <= high.x; ++x) {
-            furthest = max(furthest, furthest_of(start + y * (SURFACE_FINEST >> level) + x));
-        }
-    }
+    uint x = low.x & ~3u, y = low.y;
+    do {
+        vec4 columns = float(x) + vec4(0.0, 1.0, 2.0, 3.0);
+        bvec4 left = lessThan(columns, vec4(low.x)), right = greaterThan(columns, vec4(high.x));
+        vec4 four = mix(mix(furthest_of(start + y * width + x), vec4(0.0), left), vec4(0.0), right);
+        furthest = max(furthest, max(max(four.x, four.y), max(four.z, four.w)));
+        bool next = x + 4u > high.x;
+        x = next ? low.x & ~3u : x + 4u;
+        y += next ? 1u : 0u;
+    } while (y <= high.y);
     return depth > furthest;
 }
 
@@ -83,9 +90,11 @@ uint draw(uint i, vec3 p, vec2 center, float key, mat3 rows, mat3 axes, vec3 col
         return SORT_DROPPED;
     }
     uvec4 packed = pack_splat(center, covariance, determinant, clamp(color, 0.0, 1.0), opacity);
-    for (uint k = 0u; k < 4u; ++k) {
-        words[4u * (frame.first + i) + k] = packed[k];
-    }
+    uint at = 4u * (frame.first + i);
+    words[at] = packed.x;
+    words[at + 1u] = packed.y;
+    words[at + 2u] = packed.z;
+    words[at + 3u] = packed.w;
     return min(uint(key * float(frame.key_max)), frame.key_max);
 }
 
@@ -104,6 +113,6 @@ void write_key(uint i, uint key) {
     key_of_lane[lane] = key;
     barrier();
     if ((lane & 1u) == 0u && i < frame.gaussians) {
-        words[frame.key_start + slot / 2u] = key & 0xffffu | key_of_lane[lane + 1u] << 16u;
+        words[frame.key_start + (slot >> 1u)] = key & 0xffffu | key_of_lane[lane + 1u] << 16u;
     }
 }

@@ -1,10 +1,10 @@
 // The `raster` stage as a compute kernel (model.md, step 10): each invocation blends a square of pixels near to far and stops when they
 // are full, which a blender, taking all that comes, cannot. A workgroup takes a square of RASTER_REGION pixels.
-#ifdef LOOPS
-#define UNROLL
-#else
+#ifdef TOGETHER
 #extension GL_EXT_control_flow_attributes : require
 #define UNROLL [[unroll]]
+#else
+#define UNROLL
 #endif
 #include "layout.glsl"
 #include "splat.glsl"
@@ -16,6 +16,7 @@ layout(std430, set = 0, binding = 1) readonly buffer Splats { uvec4 splats[]; };
 layout(std430, set = 0, binding = 2) buffer ControlBuffer { Control control; };
 layout(std430, set = 0, binding = 3) readonly buffer Bins { uint bins[]; };
 #ifdef WEB
+layout(std430, set = 0, binding = 5) readonly buffer Keys { uint keys[]; };
 #include "settings.glsl"
 #define CUTOFF settings.cutoff
 #define FULL settings.full
@@ -37,6 +38,9 @@ bool open = true;
 // Centre of the square, px.
 vec2 middle;
 
+#ifndef TOGETHER
+#include "raster_alone.glsl"
+#else
 // A splat, ready to be put on pixels. Standard deviations are times √(½ log₂ e): the Gaussian is 2^−|deviation|².
 struct Ready {
     vec2 center;
@@ -94,17 +98,72 @@ void blend(Ready splat) {
     shaded += SIDE * SIDE;
     open = most >= FULL;
 }
+#endif
 
+#ifdef WEB
+uint key_at(uint i) { return keys[i >> 1u] >> 16u * (i & 1u) & 0xffffu; }
+#else
 uint key_at(uint i) {
-    uint word = frame.key_start + (frame.half_keys != 0u ? i / 2u : i);
-    uint keys = splats[word / 4u][word & 3u];
+    uint word = frame.key_start + (frame.half_keys != 0u ? i >> 1u : i);
+    uint keys = splats[word >> 2u][word & 3u];
     return frame.half_keys != 0u ? keys >> (16u * (i & 1u)) & 0xffffu : keys;
 }
+#endif
 
 uint step_back(uint chain) {
     return (chain & BINS_HELD) > 1u ? chain - 1u : bins[BINS_NODES + chain - 1u];
 }
 
+#ifndef TOGETHER
+#define FIRST(level) \
+    if (chains.level != 0u) { \
+        first.level = bins[BINS_NODES + chains.level]; \
+        keys.level = key_at(first.level); \
+    }
+#define NEARER(level) \
+    if (chains.level != 0u && (!some || keys.level > key || (keys.level == key && first.level > splat))) { \
+        splat = first.level; \
+        key = keys.level; \
+        some = true; \
+    }
+#define STEP(level) \
+    if (chains.level != 0u && first.level == splat) { \
+        chains.level = step_back(chains.level); \
+        FIRST(level) \
+    }
+
+// One loop, since a loop takes as many turns as the lane that needs most, and what no lane needs is played all the same. `at`: column and
+// row of the finest tile.
+void blend_tiles(uvec2 at) {
+    uvec4 tiles = uvec4(bins_tile(0u, at), bins_tile(1u, at >> 2u), bins_tile(2u, at >> 4u), bins_tile(BINS_WHOLE, uvec2(0u)));
+    uint blocks = bins[BINS_MET + tiles.x] | bins[BINS_MET + tiles.y] | bins[BINS_MET + tiles.z] | bins[BINS_MET + tiles.w];
+    // Where the block's chains are at each level, the splats that come first there, and their keys.
+    uvec4 chains = uvec4(0u);
+    uvec4 first = uvec4(0u);
+    uvec4 keys = uvec4(0u);
+    bool going = blocks != 0u;
+    do {
+        if (going) {
+            if (chains == uvec4(0u)) {
+                uint block = uint(findMSB(blocks));
+                blocks ^= 1u << block;
+                chains.x = bins[BINS_HEADS + tiles.x * BINS_BLOCKS + block];
+                chains.y = bins[BINS_HEADS + tiles.y * BINS_BLOCKS + block];
+                chains.z = bins[BINS_HEADS + tiles.z * BINS_BLOCKS + block];
+                chains.w = bins[BINS_HEADS + tiles.w * BINS_BLOCKS + block];
+                FIRST(x) FIRST(y) FIRST(z) FIRST(w)
+            }
+            uint splat = 0u;
+            uint key = 0u;
+            bool some = false;
+            NEARER(x) NEARER(y) NEARER(z) NEARER(w)
+            STEP(x) STEP(y) STEP(z) STEP(w)
+            put(splats[splat]);
+        }
+        going = open && (blocks != 0u || chains != uvec4(0u));
+    } while (going);
+}
+#else
 // Blends a block's chains of all levels as one: larger keys are nearer, of equal ones larger numbers.
 void blend_merged(uvec4 chains) {
     uvec4 first = uvec4(0u);
@@ -140,7 +199,6 @@ void blend_merged(uvec4 chains) {
     }
 }
 
-#ifdef TOGETHER
 // A subgroup lies in one tile: its invocations read a node together, a splat each, and hand round those that meet the subgroup's pixels.
 // They stay together until all are done.
 void blend_chain(uint chain) {
@@ -170,15 +228,6 @@ void blend_chain(uint chain) {
         chain = subgroupShuffle(word, 0u);
     }
 }
-#else
-void blend_chain(uint chain) {
-    while (open && chain != 0u) {
-        uint splat = bins[BINS_NODES + chain];
-        chain = step_back(chain);
-        blend(ready(splats[splat]));
-    }
-}
-#endif
 
 // The tiles of all levels at a place, columns and rows of the finest.
 void blend_tiles(uvec2 at) {
@@ -188,11 +237,7 @@ void blend_tiles(uvec2 at) {
         tiles[level] = bins_tile(level, level < BINS_WHOLE ? at >> 2u * level : uvec2(0u));
         blocks |= bins[BINS_MET + tiles[level]];
     }
-#ifdef TOGETHER
     while (blocks != 0u && subgroupAny(open)) {
-#else
-    while (blocks != 0u && open) {
-#endif
         uint block = uint(findMSB(blocks));
         blocks ^= 1u << block;
         uvec4 chains;
@@ -210,6 +255,7 @@ void blend_tiles(uvec2 at) {
         }
     }
 }
+#endif
 
 void main() {
     UNROLL for (uint k = 0u; k < SIDE * SIDE; ++k) {
@@ -220,8 +266,11 @@ void main() {
 #else
     uint lane = gl_LocalInvocationIndex;
 #endif
-    // Neighbours in a subgroup of any size are neighbours in the picture: bits of the lane are, from the lowest, x x y y x y.
-    uvec2 place = uvec2((lane & 3u) | (lane >> 2u & 4u), (lane >> 2u & 3u) | (lane >> 3u & 4u));
+    // Neighbours in a subgroup of any size are neighbours in the picture: bits of the lane are, from the lowest, x y x y x y.
+    uvec2 place = uvec2((lane & 1u) | (lane >> 1u & 2u) | (lane >> 2u & 4u), (lane >> 1u & 1u) | (lane >> 2u & 2u) | (lane >> 3u & 4u));
+#ifndef TOGETHER
+    read_uniforms();
+#endif
     uvec2 first = gl_WorkGroupID.xy * RASTER_REGION + SIDE * place;
     middle = vec2(first) + 0.5 * float(SIDE);
     blend_tiles(uvec2(middle / frame.tile));

@@ -12,7 +12,7 @@ uint tiles_of(uint end) { return max((end + TILE - 1u) / TILE, 1u); }
 
 uint key_at(uint at) {
     if (READS == HALVES) {
-        uint key = entry[at / 2u] >> 16u * (at & 1u) & 0xffffu;
+        uint key = entry[at >> 1u] >> 16u * (at & 1u) & 0xffffu;
         return key == 0xffffu ? SORT_DROPPED : key;
     }
     return READS == PAIRS ? entry[2u * at] : entry[at];

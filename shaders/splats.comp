@@ -24,26 +24,35 @@ layout(std430, set = 0, binding = 3) readonly buffer PoseBuffer { uvec2 posed[];
 layout(std430, set = 0, binding = 4) buffer Splats { uint words[]; };
 #include "project.glsl"
 
-float row_dot(uint at, uint feature) {
-    float sum = 0.0;
-    for (uint b = 0u; b < frame.basis_quads; ++b) {
-        sum += dot(unpackSnorm4x8(rows[at + b]), features_of(feature + b));
-    }
-    return sum;
-}
-
 uint feature_of(uint head) { return frame.feature_start + (head >> 16u) * frame.feature_quads; }
 
 // What unpackSnorm4x8 makes 1 of is 127 steps.
 float worth_of(uint head) { return 127.0 * unpackHalf2x16(head).x; }
 
+// What rows next to each other make of their part's features.
 vec3 row_dot3(uint head, uint at) {
-    uint feature = feature_of(head);
-    return worth_of(head) *
-           vec3(row_dot(at, feature), row_dot(at + frame.basis_quads, feature), row_dot(at + 2u * frame.basis_quads, feature));
+    uint feature = feature_of(head), quads = frame.basis_quads;
+    vec3 sum = vec3(0.0);
+    uint b = 0u;
+    do {
+        vec4 features = features_of(feature + b);
+        sum += vec3(dot(unpackSnorm4x8(rows[at + b]), features), dot(unpackSnorm4x8(rows[at + quads + b]), features),
+                    dot(unpackSnorm4x8(rows[at + 2u * quads + b]), features));
+    } while (++b < quads);
+    return worth_of(head) * sum;
 }
 
-vec4 row_dot4(uint head, uint at) { return vec4(row_dot3(head, at), worth_of(head) * row_dot(at + 3u * frame.basis_quads, feature_of(head))); }
+vec4 row_dot4(uint head, uint at) {
+    uint feature = feature_of(head), quads = frame.basis_quads;
+    vec4 sum = vec4(0.0);
+    uint b = 0u;
+    do {
+        vec4 features = features_of(feature + b);
+        sum += vec4(dot(unpackSnorm4x8(rows[at + b]), features), dot(unpackSnorm4x8(rows[at + quads + b]), features),
+                    dot(unpackSnorm4x8(rows[at + 2u * quads + b]), features), dot(unpackSnorm4x8(rows[at + 3u * quads + b]), features));
+    } while (++b < quads);
+    return worth_of(head) * sum;
+}
 
 // Columns of the rotation matrix of a unit quaternion w x y z, here held as (w, x, y, z) in (x, y, z, w) of the vector.
 mat3 rotation_matrix(vec4 q) {
@@ -55,13 +64,13 @@ mat3 rotation_matrix(vec4 q) {
 
 // Whether all parts that the Gaussians around this one are of lie outside the view.
 bool outside(uint block) {
-    uint parts = gaussians[block + 3u].x;
-    for (uint part = parts & 0xffffu; part <= parts >> 16u; ++part) {
-        if ((frame.outside[part / 128u][part / 32u & 3u] >> (part & 31u) & 1u) == 0u) {
-            return false;
-        }
-    }
-    return true;
+    uint parts = gaussians[block + 3u].x, part = parts & 0xffffu;
+    bool all_outside = true;
+    do {
+        all_outside = (frame.outside[part >> 7u][part >> 5u & 3u] >> (part & 31u) & 1u) != 0u;
+        ++part;
+    } while (all_outside && part <= parts >> 16u);
+    return all_outside;
 }
 
 // Steps 2 and 5: the correctives of the rows that were kept.
@@ -85,10 +94,19 @@ void correct(uint i, uint block, inout vec4 rotation, inout vec3 log_scale, inou
     }
 }
 
+// Written out: what is named by a variable is looked for in each invocation.
+#define JOINT(k) \
+    { \
+        uint at = 3u * joint.k; \
+        r0 += joint_weight.k * frame.joint[at]; \
+        r1 += joint_weight.k * frame.joint[at + 1u]; \
+        r2 += joint_weight.k * frame.joint[at + 2u]; \
+    }
+
 // Gives the key.
 uint splat_of(uint i) {
     uint n = frame.gaussians;
-    uint block = GAUSSIAN_PAIRS * n + BLOCK_PAIRS * (i / 32u);
+    uint block = GAUSSIAN_PAIRS * n + BLOCK_PAIRS * (i >> 5u);
     if (!KEEP && outside(block)) {
         left_out(OUTSIDE);
         return SORT_DROPPED;
@@ -104,12 +122,7 @@ uint splat_of(uint i) {
     uvec4 joint = gaussian_joints(skin);
     vec4 joint_weight = gaussian_weights(skin);
     vec4 r0 = vec4(0.0), r1 = vec4(0.0), r2 = vec4(0.0);
-    for (uint k = 0u; k < 4u; ++k) {
-        uint at = 3u * joint[k];
-        r0 += joint_weight[k] * frame.joint[at];
-        r1 += joint_weight[k] * frame.joint[at + 1u];
-        r2 += joint_weight[k] * frame.joint[at + 2u];
-    }
+    JOINT(x) JOINT(y) JOINT(z) JOINT(w)
     vec3 p = vec3(dot(r0, x), dot(r1, x), dot(r2, x));
     mat3 turned = mat3(r0.xyz, r1.xyz, r2.xyz);
     float longest = LONGEST_ROOM * exp(min(max(max(log_scale.x, log_scale.y), log_scale.z), float(LOG_SCALE_MAX))) *

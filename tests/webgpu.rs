@@ -6,7 +6,7 @@ use common::{Sizes, gpu};
 use effigy::{
     avatar::{Avatar, Harmonics},
     demo,
-    frame::{Body, Camera, Method, Posed, RendererOptions, Skip},
+    frame::{Body, Camera, Method, Posed, RendererOptions, Skip, Variant},
     layout::SORT_DROPPED,
     measure::{error, in_a_row},
     reference,
@@ -116,9 +116,9 @@ fn the_order_is_that_of_a_stable_sort() {
     // More tiles than each workgroup sums.
     let (avatar, _, camera) = scene([64, 64]);
     let player = effigy::avatar::motion::Player::new(demo::clip().unwrap(), &avatar.skeleton);
-    for actors in [1, 10] {
+    for (actors, variant) in [(1, Variant::LaneScan), (1, Variant::SelfScan), (10, Variant::LaneScan), (10, Variant::SelfScan)] {
         let poses: Vec<_> = (0..actors).map(|k| Posed::new(&avatar, &player.pose(0.3 * k as f64)).placed(in_a_row(k % 3, 3))).collect();
-        let options = RendererOptions { actors, skip: Skip::empty(), ..gpu::options([64, 64]) };
+        let options = RendererOptions { actors, sort: Some(variant), skip: Skip::empty(), ..gpu::options([64, 64]) };
         let mut renderer = Renderer::new(&device, &avatar, options).unwrap();
         renderer.draw_scene(&poses.iter().collect::<Vec<_>>(), &camera).unwrap();
         let stages = renderer.stages().unwrap();
@@ -126,7 +126,7 @@ fn the_order_is_that_of_a_stable_sort() {
         expected.sort_by_key(|&i| stages.keys[i as usize]);
         assert!(expected.len() > 10_000 * actors, "{} of {} actors are drawn", expected.len(), actors);
         assert_eq!(stages.control.survivors as usize, expected.len());
-        assert!(stages.order == expected, "{actors} actors");
+        assert!(stages.order == expected, "{actors} actors, {variant:?}");
     }
 }
 

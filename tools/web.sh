@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Makes the page: the library for browsers, its JavaScript, the demo, and what shows them. Any static host serves the result.
 # usage: tools/web.sh [--serve] [OUT_DIR]      [default: target/web]      --serve: at http://localhost:8000 (PORT) afterwards
-# It takes rustup's target wasm32-unknown-unknown, or adds it; where rustup can't, it makes it (tools/cross/targets.sh).
+# It takes Rust's target wasm32-unknown-unknown where that is installed, and makes it where it isn't (tools/cross/targets.sh).
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . tools/needs.sh
@@ -23,9 +23,9 @@ bind() { # IN OUT: the JavaScript around the library
 
 build=target/web-build
 mkdir -p "$out"
-if [ ! -d "$(rustc --print sysroot)/lib/rustlib/$target" ] && ! rustup target add $target 2>/dev/null; then
-  echo "rustup has no $target here: making it"
-  tools/cross/targets.sh target/cross-web $target
+if [ ! -d "$(rustc --print sysroot)/lib/rustlib/$target" ]; then
+  echo "Rust has no $target here: making it"
+  tools/cross/targets.sh target/cross-web $target || { echo "it can't be made here: 'rustup target add $target' installs it" >&2; exit 1; }
   # What was built with another standard library, of a target made anew for instance, does not fit.
   build=target/cross-web/build
 fi

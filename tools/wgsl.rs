@@ -2,7 +2,7 @@
 
 use anyhow::Context;
 use naga::{
-    AddressSpace, Expression, Module, ScalarKind, ShaderStage, Statement, StorageAccess,
+    AddressSpace, ArraySize, Expression, Module, ScalarKind, ShaderStage, Statement, StorageAccess, Type, TypeInner,
     back::wgsl::{self, WriterFlags},
     front::spv,
     valid::{Capabilities, GlobalUse, ValidationFlags, Validator},
@@ -32,8 +32,33 @@ pub fn translate(spirv: &[u8]) -> anyhow::Result<String> {
             *access = StorageAccess::LOAD;
         }
     }
+    let lengths = name_lengths(&mut module);
     let info = validate(&module)?;
-    wgsl::write_string(&module, &info, WriterFlags::empty()).context("naga can't write it as WGSL")
+    let text = wgsl::write_string(&module, &info, WriterFlags::empty()).context("naga can't write it as WGSL")?;
+    Ok(lengths.iter().fold(text, |text, (number, name)| text.replace(&number.to_string(), name)))
+}
+
+/// Gives arrays of storage buffers constants for lengths, which whoever makes the module has to say (src/webgpu/backend/kernel.rs): what
+/// browsers check every access against is then known, where a processor would divide to find it. Numbers that stand for the names come back.
+fn name_lengths(module: &mut Module) -> Vec<(u32, String)> {
+    /// Like no other number in the shaders.
+    const FIRST: u32 = 40_000_000;
+    let mut lengths = Vec::new();
+    let Module { types, global_variables, .. } = module;
+    for (_, variable) in global_variables.iter_mut() {
+        let (AddressSpace::Storage { .. }, Some(binding)) = (variable.space, &variable.binding) else { continue };
+        let mut sized = types[variable.ty].clone();
+        let TypeInner::Struct { members, span } = &mut sized.inner else { continue };
+        let Some(last) = members.last_mut() else { continue };
+        let TypeInner::Array { base, size: ArraySize::Dynamic, stride } = types[last.ty].inner else { continue };
+        let Some(size) = std::num::NonZero::new(FIRST + binding.binding) else { continue };
+        let array = Type { name: None, inner: TypeInner::Array { base, size: ArraySize::Constant(size), stride } };
+        last.ty = types.insert(array, naga::Span::UNDEFINED);
+        *span = last.offset + stride * size.get();
+        variable.ty = types.insert(sized, naga::Span::UNDEFINED);
+        lengths.push((size.get(), format!("LENGTH_{}_{stride}", binding.binding)));
+    }
+    lengths
 }
 
 /// Hands a compute shader its workgroup's number as an argument: read from a variable, as naga does, it is none that barriers may depend on.

@@ -115,19 +115,31 @@ struct Bins_1 {
     bins: array<atomic<u32>>,
 }
 
+struct Bins_2 {
+    bins: array<atomic<u32>, LENGTH_4_4>,
+}
+
+struct Order_1 {
+    order: array<u32, LENGTH_1_4>,
+}
+
+struct Splats_1 {
+    splats: array<vec4<u32>, LENGTH_2_16>,
+}
+
 @group(0) @binding(0) 
 var<uniform> frame: FrameBlock;
 @group(0) @binding(4) 
-var<storage, read_write> unnamed: Bins_1;
+var<storage, read_write> unnamed: Bins_2;
 var<private> gl_GlobalInvocationID_1: vec3<u32>;
 @group(0) @binding(3) 
 var<storage, read_write> unnamed_1: ControlBuffer;
 @group(0) @binding(7) 
 var<uniform> settings: SettingsBlock;
 @group(0) @binding(1) 
-var<storage> unnamed_2: Order;
+var<storage> unnamed_2: Order_1;
 @group(0) @binding(2) 
-var<storage> unnamed_3: Splats;
+var<storage> unnamed_3: Splats_1;
 
 fn full_u0028_u1_u003b(chain: ptr<function, u32>) -> bool {
     var phi_237_: bool;

@@ -71,124 +71,140 @@ struct type_20 {
     member: array<vec2<u32>>,
 }
 
+struct type_22 {
+    member: array<u32, LENGTH_3_4>,
+}
+
+struct type_24 {
+    member: array<u32, LENGTH_2_4>,
+}
+
+struct type_26 {
+    member: array<u32, LENGTH_4_4>,
+}
+
+struct type_28 {
+    member: array<vec2<u32>, LENGTH_1_8>,
+}
+
 @group(0) @binding(3) 
-var<storage> global: type_6;
+var<storage> global: type_22;
 @group(0) @binding(0) 
 var<uniform> global_1: type_17;
 var<workgroup> global_2: array<f32, 256>;
 @group(0) @binding(2) 
-var<storage> global_3: type_6;
+var<storage> global_3: type_24;
 @group(0) @binding(4) 
-var<storage, read_write> global_4: type_6;
+var<storage, read_write> global_4: type_26;
 @group(0) @binding(1) 
-var<storage> global_5: type_20;
+var<storage> global_5: type_28;
 
 @compute @workgroup_size(64, 1, 1) 
 fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) param_1: vec3<u32>) {
     var local: vec3<f32>;
     var local_1: vec4<f32>;
-    var phi_691_: u32;
     var phi_692_: u32;
-    var phi_699_: u32;
-    var phi_703_: f32;
-    var phi_702_: u32;
-    var phi_711_: vec4<f32>;
+    var phi_693_: u32;
+    var phi_700_: u32;
+    var phi_704_: f32;
+    var phi_703_: u32;
+    var phi_712_: vec4<f32>;
     var local_2: f32;
     var local_3: u32;
-    var phi_693_: u32;
     var phi_694_: u32;
-    var phi_696_: u32;
+    var phi_695_: u32;
+    var phi_697_: u32;
     var local_4: u32;
     var local_5: f32;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e30 = bitcast<u32>(param_1[0u]);
-            let _e37 = global_1.member_50[(_e30 / 128u)][((_e30 / 32u) & 3u)];
-            if (((_e37 >> bitcast<u32>((_e30 & 31u))) & 1u) != 0u) {
+            let _e31 = bitcast<u32>(param_1[0u]);
+            let _e40 = global_1.member_50[(_e31 >> bitcast<u32>(7u))][((_e31 >> bitcast<u32>(5u)) & 3u)];
+            if (((_e40 >> bitcast<u32>((_e31 & 31u))) & 1u) != 0u) {
                 break;
             }
-            let _e44 = global_1.member_27;
-            let _e45 = (_e30 * _e44);
-            let _e47 = global_1.member_17;
-            let _e48 = (_e30 < _e47);
-            if _e48 {
-                let _e53 = global_1.member_52[0i].member;
-                phi_691_ = _e53;
+            let _e47 = global_1.member_27;
+            let _e48 = (_e31 * _e47);
+            let _e50 = global_1.member_17;
+            let _e51 = (_e31 < _e50);
+            if _e51 {
+                let _e56 = global_1.member_52[0i].member;
+                phi_692_ = _e56;
             } else {
-                let _e55 = global_1.member_35;
-                phi_691_ = _e55;
+                let _e58 = global_1.member_35;
+                phi_692_ = _e58;
             }
-            let _e57 = phi_691_;
-            phi_692_ = 0u;
+            let _e60 = phi_692_;
+            phi_693_ = 0u;
             loop {
-                let _e59 = phi_692_;
-                let _e61 = global_1.member_26;
-                local_3 = _e61;
-                if (_e59 < _e61) {
-                    let _e65 = global_1.member_52[_e59];
-                    let _e71 = ((_e59 & 1u) * 128u);
-                    let _e72 = (128u - _e71);
-                    phi_699_ = bitcast<u32>(param[0u]);
+                let _e62 = phi_693_;
+                let _e64 = global_1.member_26;
+                local_3 = _e64;
+                if (_e62 < _e64) {
+                    let _e68 = global_1.member_52[_e62];
+                    let _e74 = ((_e62 & 1u) * 128u);
+                    let _e75 = (128u - _e74);
+                    phi_700_ = bitcast<u32>(param[0u]);
                     loop {
-                        let _e78 = phi_699_;
-                        if (_e78 < _e65.member_1) {
-                            let _e85 = global_5.member[((_e45 + _e65.member_3) + (_e78 / 4u))];
-                            let _e87 = unpack2x16float(_e85.x);
-                            let _e89 = unpack2x16float(_e85.y);
-                            local_1 = vec4<f32>(_e87.x, _e87.y, _e89.x, _e89.y);
-                            let _e97 = local_1[(_e78 & 3u)];
-                            let _e100 = (_e59 == 0u);
-                            phi_703_ = _e97;
-                            phi_702_ = 0u;
+                        let _e81 = phi_700_;
+                        if (_e81 < _e68.member_1) {
+                            let _e89 = global_5.member[((_e48 + _e68.member_3) + (_e81 >> bitcast<u32>(2u)))];
+                            let _e91 = unpack2x16float(_e89.x);
+                            let _e93 = unpack2x16float(_e89.y);
+                            local_1 = vec4<f32>(_e91.x, _e91.y, _e93.x, _e93.y);
+                            let _e101 = local_1[(_e81 & 3u)];
+                            let _e104 = (_e62 == 0u);
+                            phi_704_ = _e101;
+                            phi_703_ = 0u;
                             loop {
-                                let _e103 = phi_703_;
-                                let _e105 = phi_702_;
-                                local_2 = _e103;
-                                if (_e105 < select(_e65.member, _e57, _e100)) {
-                                    if _e100 {
-                                        let _e110 = global_1.member_53[(select(64u, 0u, _e48) + _e105)];
-                                        phi_711_ = _e110;
+                                let _e107 = phi_704_;
+                                let _e109 = phi_703_;
+                                local_2 = _e107;
+                                if (_e109 < select(_e68.member, _e60, _e104)) {
+                                    if _e104 {
+                                        let _e114 = global_1.member_53[(select(64u, 0u, _e51) + _e109)];
+                                        phi_712_ = _e114;
                                     } else {
-                                        let _e112 = (_e71 + (4u * _e105));
-                                        let _e114 = global_2[_e112];
-                                        let _e117 = global_2[(_e112 + 1u)];
-                                        let _e120 = global_2[(_e112 + 2u)];
-                                        let _e123 = global_2[(_e112 + 3u)];
-                                        phi_711_ = vec4<f32>(_e114, _e117, _e120, _e123);
+                                        let _e116 = (_e74 + (4u * _e109));
+                                        let _e118 = global_2[_e116];
+                                        let _e121 = global_2[(_e116 + 1u)];
+                                        let _e124 = global_2[(_e116 + 2u)];
+                                        let _e127 = global_2[(_e116 + 3u)];
+                                        phi_712_ = vec4<f32>(_e118, _e121, _e124, _e127);
                                     }
-                                    let _e126 = phi_711_;
-                                    let _e131 = global_5.member[(((_e45 + _e65.member_2) + _e78) + (_e105 * _e65.member_1))];
-                                    let _e133 = unpack2x16float(_e131.x);
-                                    let _e135 = unpack2x16float(_e131.y);
-                                    local_5 = (_e103 + dot(vec4<f32>(_e133.x, _e133.y, _e135.x, _e135.y), _e126));
+                                    let _e130 = phi_712_;
+                                    let _e135 = global_5.member[(((_e48 + _e68.member_2) + _e81) + (_e109 * _e68.member_1))];
+                                    let _e137 = unpack2x16float(_e135.x);
+                                    let _e139 = unpack2x16float(_e135.y);
+                                    local_5 = (_e107 + dot(vec4<f32>(_e137.x, _e137.y, _e139.x, _e139.y), _e130));
                                     continue;
                                 } else {
                                     break;
                                 }
                                 continuing {
-                                    let _e279 = local_5;
-                                    phi_703_ = _e279;
-                                    phi_702_ = (_e105 + bitcast<u32>(1i));
+                                    let _e283 = local_5;
+                                    phi_704_ = _e283;
+                                    phi_703_ = (_e109 + bitcast<u32>(1i));
                                 }
                             }
-                            let _e146 = local_2;
-                            let _e147 = clamp(_e146, -65504f, 65504f);
-                            if ((_e59 + 1u) == _e61) {
-                                let _e149 = global_1.member_44;
-                                let _e151 = global_1.member_19;
-                                global_4.member[((4u * (_e149 + (_e30 * _e151))) + _e78)] = bitcast<u32>(_e147);
-                                global_2[(_e72 + _e78)] = _e147;
+                            let _e150 = local_2;
+                            let _e151 = clamp(_e150, -65504f, 65504f);
+                            if ((_e62 + 1u) == _e64) {
+                                let _e153 = global_1.member_44;
+                                let _e155 = global_1.member_19;
+                                global_4.member[((4u * (_e153 + (_e31 * _e155))) + _e81)] = bitcast<u32>(_e151);
+                                global_2[(_e75 + _e81)] = _e151;
                             } else {
-                                let _e163 = global_1.member_25;
-                                global_2[(_e72 + _e78)] = max(_e147, (_e163 * _e147));
+                                let _e167 = global_1.member_25;
+                                global_2[(_e75 + _e81)] = max(_e151, (_e167 * _e151));
                             }
                             continue;
                         } else {
                             break;
                         }
                         continuing {
-                            phi_699_ = (_e78 + 64u);
+                            phi_700_ = (_e81 + 64u);
                         }
                     }
                     workgroupBarrier();
@@ -197,43 +213,43 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                     break;
                 }
                 continuing {
-                    phi_692_ = (_e59 + bitcast<u32>(1i));
+                    phi_693_ = (_e62 + bitcast<u32>(1i));
                 }
             }
-            let _e171 = local_3;
-            let _e175 = global_1.member_20;
-            let _e180 = global.member[_e30];
-            phi_693_ = (_e180 + bitcast<u32>(param[0u]));
+            let _e175 = local_3;
+            let _e179 = global_1.member_20;
+            let _e184 = global.member[_e31];
+            phi_694_ = (_e184 + bitcast<u32>(param[0u]));
             loop {
-                let _e185 = phi_693_;
-                let _e189 = global.member[(_e30 + 1u)];
-                if (_e185 < _e189) {
+                let _e189 = phi_694_;
+                let _e193 = global.member[(_e31 + 1u)];
+                if (_e189 < _e193) {
                     local = vec3<f32>(0f, 0f, 0f);
-                    phi_694_ = 0u;
+                    phi_695_ = 0u;
                     loop {
-                        let _e192 = phi_694_;
-                        let _e194 = global_1.member_18;
-                        local_4 = _e194;
-                        if (_e192 < _e194) {
-                            let _e197 = ((((_e171 & 1u) * 128u) + (4u * _e175)) + (4u * _e192));
-                            let _e199 = global_2[_e197];
-                            let _e202 = global_2[(_e197 + 1u)];
-                            let _e205 = global_2[(_e197 + 2u)];
-                            let _e208 = global_2[(_e197 + 3u)];
-                            phi_696_ = 0u;
+                        let _e196 = phi_695_;
+                        let _e198 = global_1.member_18;
+                        local_4 = _e198;
+                        if (_e196 < _e198) {
+                            let _e201 = ((((_e175 & 1u) * 128u) + (4u * _e179)) + (4u * _e196));
+                            let _e203 = global_2[_e201];
+                            let _e206 = global_2[(_e201 + 1u)];
+                            let _e209 = global_2[(_e201 + 2u)];
+                            let _e212 = global_2[(_e201 + 3u)];
+                            phi_697_ = 0u;
                             loop {
-                                let _e211 = phi_696_;
-                                if (_e211 < 3u) {
+                                let _e215 = phi_697_;
+                                if (_e215 < 3u) {
                                     continue;
                                 } else {
                                     break;
                                 }
                                 continuing {
-                                    let _e216 = global_1.member_15;
-                                    let _e221 = global_3.member[((((_e211 * _e194) + _e192) * _e216) + _e185)];
-                                    let _e225 = local[_e211];
-                                    local[_e211] = (_e225 + dot(unpack4x8snorm(_e221), vec4<f32>(_e199, _e202, _e205, _e208)));
-                                    phi_696_ = (_e211 + bitcast<u32>(1i));
+                                    let _e220 = global_1.member_15;
+                                    let _e225 = global_3.member[((((_e215 * _e198) + _e196) * _e220) + _e189)];
+                                    let _e229 = local[_e215];
+                                    local[_e215] = (_e229 + dot(unpack4x8snorm(_e225), vec4<f32>(_e203, _e206, _e209, _e212)));
+                                    phi_697_ = (_e215 + bitcast<u32>(1i));
                                 }
                             }
                             continue;
@@ -241,31 +257,31 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                             break;
                         }
                         continuing {
-                            phi_694_ = (_e192 + bitcast<u32>(1i));
+                            phi_695_ = (_e196 + bitcast<u32>(1i));
                         }
                     }
-                    let _e232 = local_4;
-                    let _e235 = global_1.member_15;
-                    let _e237 = (2u * _e185);
-                    let _e238 = (((3u * _e232) * _e235) + _e237);
-                    let _e242 = global_3.member[(_e238 + 1u)];
-                    let _e243 = unpack2x16float(_e242);
-                    let _e246 = global_3.member[_e238];
+                    let _e236 = local_4;
+                    let _e239 = global_1.member_15;
+                    let _e241 = (2u * _e189);
+                    let _e242 = (((3u * _e236) * _e239) + _e241);
+                    let _e246 = global_3.member[(_e242 + 1u)];
                     let _e247 = unpack2x16float(_e246);
-                    let _e254 = local;
-                    let _e257 = clamp((vec3<f32>(_e247.x, _e247.y, _e243.x) + (_e254 * (127f * _e243.y))), vec3<f32>(-65504f, -65504f, -65504f), vec3<f32>(65504f, 65504f, 65504f));
-                    local = _e257;
-                    let _e259 = global_1.member_21;
-                    let _e261 = ((4u * _e259) + _e237);
-                    global_4.member[_e261] = pack2x16float(_e257.xy);
-                    let _e268 = local[2u];
-                    global_4.member[(_e261 + 1u)] = pack2x16float(vec2<f32>(_e268, 0f));
+                    let _e250 = global_3.member[_e242];
+                    let _e251 = unpack2x16float(_e250);
+                    let _e258 = local;
+                    let _e261 = clamp((vec3<f32>(_e251.x, _e251.y, _e247.x) + (_e258 * (127f * _e247.y))), vec3<f32>(-65504f, -65504f, -65504f), vec3<f32>(65504f, 65504f, 65504f));
+                    local = _e261;
+                    let _e263 = global_1.member_21;
+                    let _e265 = ((4u * _e263) + _e241);
+                    global_4.member[_e265] = pack2x16float(_e261.xy);
+                    let _e272 = local[2u];
+                    global_4.member[(_e265 + 1u)] = pack2x16float(vec2<f32>(_e272, 0f));
                     continue;
                 } else {
                     break;
                 }
                 continuing {
-                    phi_693_ = (_e185 + 64u);
+                    phi_694_ = (_e189 + 64u);
                 }
             }
             break;

@@ -67,14 +67,26 @@ struct type_17 {
     member: array<vec2<u32>>,
 }
 
+struct type_19 {
+    member: array<vec2<u32>, LENGTH_2_8>,
+}
+
+struct type_21 {
+    member: array<vec2<u32>, LENGTH_3_8>,
+}
+
+struct type_23 {
+    member: array<vec2<u32>, LENGTH_1_8>,
+}
+
 @group(0) @binding(0) 
 var<uniform> global: type_13;
 @group(0) @binding(2) 
-var<storage> global_1: type_17;
+var<storage> global_1: type_19;
 @group(0) @binding(3) 
-var<storage> global_2: type_17;
+var<storage> global_2: type_21;
 @group(0) @binding(1) 
-var<storage, read_write> global_3: type_17;
+var<storage, read_write> global_3: type_23;
 
 @compute @workgroup_size(64, 1, 1) 
 fn main(@builtin(global_invocation_id) param: vec3<u32>) {

@@ -112,6 +112,14 @@ struct VertexOutput {
     @location(1) @interpolate(flat) member_2: vec2<u32>,
 }
 
+struct type_41 {
+    member: array<u32, LENGTH_1_4>,
+}
+
+struct type_43 {
+    member: array<vec4<u32>, LENGTH_2_16>,
+}
+
 @group(0) @binding(0) 
 var<uniform> global: type_14;
 var<private> global_1: i32;
@@ -120,9 +128,9 @@ var<private> global_3: type_19 = type_19(vec4<f32>(0f, 0f, 0f, 1f), 1f, array<f3
 @group(0) @binding(3) 
 var<storage> global_4: type_23;
 @group(0) @binding(1) 
-var<storage> global_5: type_28;
+var<storage> global_5: type_41;
 @group(0) @binding(2) 
-var<storage> global_6: type_31;
+var<storage> global_6: type_43;
 @group(0) @binding(7) 
 var<uniform> global_7: type_34;
 var<private> global_8: vec2<f32>;

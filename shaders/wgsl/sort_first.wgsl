@@ -30,18 +30,30 @@ struct type_8 {
     member: array<u32>,
 }
 
+struct type_15 {
+    member: array<u32, LENGTH_1_4>,
+}
+
+struct type_17 {
+    member: array<u32, LENGTH_4_4>,
+}
+
+struct type_19 {
+    member: array<u32, LENGTH_2_4>,
+}
+
 @group(0) @binding(7) 
 var<uniform> global: type_3;
 @group(0) @binding(3) 
 var<storage, read_write> global_1: type_6;
 @group(0) @binding(1) 
-var<storage> global_2: type_8;
+var<storage> global_2: type_15;
 @group(0) @binding(4) 
-var<storage, read_write> global_3: type_8;
+var<storage, read_write> global_3: type_17;
 var<workgroup> global_4: array<u32, 128>;
 var<workgroup> global_5: array<u32, 256>;
 @group(0) @binding(2) 
-var<storage> global_6: type_8;
+var<storage> global_6: type_19;
 var<workgroup> global_7: array<atomic<u32>, 2048>;
 
 @compute @workgroup_size(128, 1, 1) 
@@ -166,8 +178,8 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                                 break;
                             }
                             continuing {
-                                let _e258 = local_8;
-                                phi_890_ = _e258;
+                                let _e259 = local_8;
+                                phi_890_ = _e259;
                                 phi_889_ = (_e59 + bitcast<u32>(1i));
                             }
                         }
@@ -251,87 +263,87 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                     phi_898_ = 0u;
                     phi_897_ = _e168;
                     if _e168 {
-                        let _e172 = global_2.member[(_e165 / 2u)];
-                        let _e177 = ((_e172 >> bitcast<u32>((16u * (_e165 & 1u)))) & 65535u);
-                        let _e179 = select(_e177, 4294967295u, (_e177 == 65535u));
-                        phi_908_ = _e179;
-                        phi_898_ = (_e179 & 255u);
-                        phi_897_ = (false || (_e179 != 4294967295u));
+                        let _e173 = global_2.member[(_e165 >> bitcast<u32>(1u))];
+                        let _e178 = ((_e173 >> bitcast<u32>((16u * (_e165 & 1u)))) & 65535u);
+                        let _e180 = select(_e178, 4294967295u, (_e178 == 65535u));
+                        phi_908_ = _e180;
+                        phi_898_ = (_e180 & 255u);
+                        phi_897_ = (false || (_e180 != 4294967295u));
                     }
-                    let _e184 = phi_908_;
-                    let _e186 = phi_898_;
-                    let _e188 = phi_897_;
-                    if _e188 {
-                        let _e193 = atomicOr((&global_7[((_e167 + (_e151 * 256u)) + _e186)]), _e154);
+                    let _e185 = phi_908_;
+                    let _e187 = phi_898_;
+                    let _e189 = phi_897_;
+                    if _e189 {
+                        let _e194 = atomicOr((&global_7[((_e167 + (_e151 * 256u)) + _e187)]), _e154);
                     }
                     workgroupBarrier();
                     phi_913_ = 0u;
                     phi_911_ = 0u;
-                    if _e188 {
+                    if _e189 {
                         phi_916_ = 0u;
                         phi_903_ = 0u;
                         phi_900_ = 0u;
                         loop {
-                            let _e195 = phi_916_;
-                            let _e197 = phi_903_;
-                            let _e199 = phi_900_;
-                            local_7 = _e197;
-                            local_11 = _e195;
-                            local_12 = _e197;
-                            if (_e199 < 4u) {
-                                let _e205 = atomicLoad((&global_7[((_e167 + (_e199 * 256u)) + _e186)]));
-                                let _e207 = bitcast<u32>(countOneBits(_e205));
-                                local_9 = (_e195 + _e207);
-                                if (_e199 < _e151) {
-                                    phi_932_ = _e207;
+                            let _e196 = phi_916_;
+                            let _e198 = phi_903_;
+                            let _e200 = phi_900_;
+                            local_7 = _e198;
+                            local_11 = _e196;
+                            local_12 = _e198;
+                            if (_e200 < 4u) {
+                                let _e206 = atomicLoad((&global_7[((_e167 + (_e200 * 256u)) + _e187)]));
+                                let _e208 = bitcast<u32>(countOneBits(_e206));
+                                local_9 = (_e196 + _e208);
+                                if (_e200 < _e151) {
+                                    phi_932_ = _e208;
                                 } else {
-                                    if (_e199 == _e151) {
-                                        phi_931_ = bitcast<u32>(countOneBits((_e205 & (_e154 - 1u))));
+                                    if (_e200 == _e151) {
+                                        phi_931_ = bitcast<u32>(countOneBits((_e206 & (_e154 - 1u))));
                                     } else {
                                         phi_931_ = 0u;
                                     }
-                                    let _e215 = phi_931_;
-                                    phi_932_ = _e215;
+                                    let _e216 = phi_931_;
+                                    phi_932_ = _e216;
                                 }
-                                let _e217 = phi_932_;
-                                local_10 = (_e197 + _e217);
+                                let _e218 = phi_932_;
+                                local_10 = (_e198 + _e218);
                                 continue;
                             } else {
                                 break;
                             }
                             continuing {
-                                let _e282 = local_9;
-                                phi_916_ = _e282;
-                                let _e285 = local_10;
-                                phi_903_ = _e285;
-                                phi_900_ = (_e199 + bitcast<u32>(1i));
+                                let _e283 = local_9;
+                                phi_916_ = _e283;
+                                let _e286 = local_10;
+                                phi_903_ = _e286;
+                                phi_900_ = (_e200 + bitcast<u32>(1i));
                             }
                         }
-                        let _e222 = global_5[_e186];
-                        let _e224 = local_7;
-                        global_3.member[(_e222 + _e224)] = ((((_e184 >> bitcast<u32>(8u)) & 255u) << bitcast<u32>(24u)) | _e165);
-                        let _e292 = local_11;
-                        phi_913_ = _e292;
-                        let _e295 = local_12;
-                        phi_911_ = _e295;
+                        let _e223 = global_5[_e187];
+                        let _e225 = local_7;
+                        global_3.member[(_e223 + _e225)] = ((((_e185 >> bitcast<u32>(8u)) & 255u) << bitcast<u32>(24u)) | _e165);
+                        let _e293 = local_11;
+                        phi_913_ = _e293;
+                        let _e296 = local_12;
+                        phi_911_ = _e296;
                     }
-                    let _e235 = phi_913_;
-                    let _e237 = phi_911_;
+                    let _e236 = phi_913_;
+                    let _e238 = phi_911_;
                     workgroupBarrier();
-                    if (_e188 && (_e237 == 0u)) {
-                        let _e241 = global_5[_e186];
-                        global_5[_e186] = (_e241 + _e235);
+                    if (_e189 && (_e238 == 0u)) {
+                        let _e242 = global_5[_e187];
+                        global_5[_e187] = (_e242 + _e236);
                         phi_917_ = 0u;
                         loop {
-                            let _e244 = phi_917_;
-                            if (_e244 < 4u) {
+                            let _e245 = phi_917_;
+                            if (_e245 < 4u) {
                                 continue;
                             } else {
                                 break;
                             }
                             continuing {
-                                atomicStore((&global_7[((_e167 + (_e244 * 256u)) + _e186)]), 0u);
-                                phi_917_ = (_e244 + bitcast<u32>(1i));
+                                atomicStore((&global_7[((_e167 + (_e245 * 256u)) + _e187)]), 0u);
+                                phi_917_ = (_e245 + bitcast<u32>(1i));
                             }
                         }
                     }

@@ -30,6 +30,10 @@ struct type_10 {
     member: array<u32>,
 }
 
+struct type_13 {
+    member: array<u32, LENGTH_2_4>,
+}
+
 @group(0) @binding(7) 
 var<uniform> global: type_2;
 @group(0) @binding(3) 
@@ -37,7 +41,7 @@ var<storage, read_write> global_1: type_6;
 var<workgroup> global_2: array<u32, 128>;
 var<workgroup> global_3: array<u32, 256>;
 @group(0) @binding(2) 
-var<storage, read_write> global_4: type_10;
+var<storage, read_write> global_4: type_13;
 
 @compute @workgroup_size(128, 1, 1) 
 fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) param_1: vec3<u32>) {

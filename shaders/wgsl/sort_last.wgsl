@@ -30,18 +30,30 @@ struct type_8 {
     member: array<u32>,
 }
 
+struct type_15 {
+    member: array<u32, LENGTH_1_4>,
+}
+
+struct type_17 {
+    member: array<u32, LENGTH_4_4>,
+}
+
+struct type_19 {
+    member: array<u32, LENGTH_2_4>,
+}
+
 @group(0) @binding(7) 
 var<uniform> global: type_3;
 @group(0) @binding(3) 
 var<storage> global_1: type_6;
 @group(0) @binding(1) 
-var<storage> global_2: type_8;
+var<storage> global_2: type_15;
 @group(0) @binding(4) 
-var<storage, read_write> global_3: type_8;
+var<storage, read_write> global_3: type_17;
 var<workgroup> global_4: array<u32, 128>;
 var<workgroup> global_5: array<u32, 256>;
 @group(0) @binding(2) 
-var<storage> global_6: type_8;
+var<storage> global_6: type_19;
 var<workgroup> global_7: array<atomic<u32>, 2048>;
 
 @compute @workgroup_size(128, 1, 1) 

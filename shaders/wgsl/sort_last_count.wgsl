@@ -30,15 +30,23 @@ struct type_7 {
     member: array<u32>,
 }
 
+struct type_12 {
+    member: array<u32, LENGTH_1_4>,
+}
+
+struct type_14 {
+    member: array<u32, LENGTH_2_4>,
+}
+
 @group(0) @binding(7) 
 var<uniform> global: type_2;
 @group(0) @binding(3) 
 var<storage> global_1: type_5;
 @group(0) @binding(1) 
-var<storage> global_2: type_7;
+var<storage> global_2: type_12;
 var<workgroup> global_3: array<atomic<u32>, 256>;
 @group(0) @binding(2) 
-var<storage, read_write> global_4: type_7;
+var<storage, read_write> global_4: type_14;
 
 @compute @workgroup_size(128, 1, 1) 
 fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) param_1: vec3<u32>) {

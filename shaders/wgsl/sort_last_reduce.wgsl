@@ -30,12 +30,16 @@ struct type_8 {
     member: array<u32>,
 }
 
+struct type_10 {
+    member: array<u32, LENGTH_2_4>,
+}
+
 @group(0) @binding(7) 
 var<uniform> global: type_2;
 @group(0) @binding(3) 
 var<storage> global_1: type_5;
 @group(0) @binding(2) 
-var<storage, read_write> global_2: type_8;
+var<storage, read_write> global_2: type_10;
 
 @compute @workgroup_size(128, 1, 1) 
 fn main(@builtin(workgroup_id) param: vec3<u32>, @builtin(local_invocation_id) param_1: vec3<u32>) {

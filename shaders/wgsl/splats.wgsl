@@ -88,850 +88,602 @@ struct type_26 {
     member: array<atomic<u32>>,
 }
 
+struct type_28 {
+    member: array<atomic<u32>, LENGTH_6_4>,
+}
+
+struct type_30 {
+    member: array<vec2<u32>, LENGTH_3_8>,
+}
+
+struct type_32 {
+    member: array<u32, LENGTH_4_4>,
+}
+
+struct type_34 {
+    member: array<u32, LENGTH_2_4>,
+}
+
+struct type_36 {
+    member: array<vec2<u32>, LENGTH_1_8>,
+}
+
 @group(0) @binding(0) 
 var<uniform> global: type_16;
 @group(0) @binding(6) 
-var<storage, read_write> global_1: type_26;
+var<storage, read_write> global_1: type_28;
 @group(0) @binding(7) 
 var<uniform> global_2: type_20;
 @group(0) @binding(3) 
-var<storage> global_3: type_22;
+var<storage> global_3: type_30;
 @group(0) @binding(4) 
-var<storage, read_write> global_4: type_19;
+var<storage, read_write> global_4: type_32;
 var<workgroup> global_5: array<u32, 64>;
 @group(0) @binding(2) 
-var<storage> global_6: type_19;
+var<storage> global_6: type_34;
 @group(0) @binding(1) 
-var<storage> global_7: type_22;
+var<storage> global_7: type_36;
 
 @compute @workgroup_size(64, 1, 1) 
 fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocation_id) param_1: vec3<u32>) {
-    var local: vec4<u32>;
-    var local_1: vec4<u32>;
+    var phi_4867_: u32;
+    var phi_3074_: bool;
+    var local: bool;
+    var phi_3354_: bool;
+    var phi_4869_: f32;
+    var phi_4870_: f32;
+    var phi_4874_: u32;
+    var phi_4881_: f32;
+    var phi_4880_: u32;
+    var phi_4877_: u32;
+    var local_1: f32;
+    var phi_4886_: bool;
+    var phi_3396_: bool;
+    var phi_4897_: f32;
+    var phi_4888_: vec2<f32>;
+    var phi_4887_: bool;
+    var phi_4907_: vec4<f32>;
+    var phi_4908_: vec4<f32>;
+    var phi_4909_: vec4<f32>;
+    var phi_4927_: vec3<f32>;
+    var phi_4929_: vec4<f32>;
+    var phi_4928_: u32;
     var local_2: vec4<f32>;
-    var phi_4916_: u32;
-    var phi_4920_: bool;
-    var phi_4917_: bool;
-    var phi_4919_: bool;
-    var phi_4926_: vec4<f32>;
-    var phi_4925_: vec4<f32>;
-    var phi_4924_: vec4<f32>;
-    var phi_4923_: u32;
-    var local_3: vec4<f32>;
-    var local_4: vec4<f32>;
-    var local_5: vec4<f32>;
-    var local_6: vec4<f32>;
-    var local_7: vec4<f32>;
-    var local_8: vec4<f32>;
-    var local_9: vec4<f32>;
-    var local_10: vec4<f32>;
-    var local_11: vec4<f32>;
-    var local_12: vec4<f32>;
-    var local_13: vec4<f32>;
-    var local_14: vec4<f32>;
-    var local_15: vec4<f32>;
-    var local_16: vec4<f32>;
-    var local_17: vec4<f32>;
-    var local_18: vec4<f32>;
-    var local_19: vec4<f32>;
-    var local_20: vec4<f32>;
-    var phi_3118_: bool;
-    var phi_4928_: f32;
-    var phi_4929_: f32;
-    var phi_4933_: u32;
-    var phi_4938_: f32;
-    var phi_4936_: u32;
-    var phi_4943_: f32;
+    var phi_4944_: vec4<f32>;
+    var phi_4932_: vec3<f32>;
+    var phi_4931_: u32;
+    var local_3: vec3<f32>;
+    var phi_4948_: vec3<f32>;
+    var phi_4941_: vec3<f32>;
     var phi_4940_: u32;
-    var local_21: f32;
-    var phi_4944_: bool;
-    var phi_3160_: bool;
-    var phi_4955_: f32;
-    var phi_4946_: vec2<f32>;
-    var phi_4945_: bool;
-    var phi_4965_: vec4<f32>;
-    var phi_4966_: vec4<f32>;
-    var phi_4967_: vec4<f32>;
-    var phi_4985_: vec3<f32>;
-    var phi_4987_: f32;
-    var phi_4986_: u32;
-    var phi_4989_: f32;
-    var phi_4988_: u32;
-    var phi_4991_: f32;
-    var phi_4990_: u32;
-    var local_22: f32;
-    var local_23: f32;
-    var local_24: f32;
-    var phi_4993_: f32;
-    var phi_4992_: u32;
-    var local_25: f32;
-    var phi_5029_: vec4<f32>;
-    var phi_4999_: f32;
-    var phi_4998_: u32;
-    var phi_5001_: f32;
-    var phi_5000_: u32;
-    var phi_5003_: f32;
-    var phi_5002_: u32;
-    var local_26: f32;
-    var local_27: f32;
-    var local_28: f32;
-    var phi_5037_: vec3<f32>;
-    var phi_5022_: f32;
-    var phi_5021_: u32;
-    var phi_5024_: f32;
-    var phi_5023_: u32;
-    var phi_5026_: f32;
-    var phi_5025_: u32;
-    var local_29: f32;
-    var local_30: f32;
-    var local_31: f32;
-    var phi_5041_: vec3<f32>;
-    var phi_4491_: bool;
-    var phi_4497_: bool;
-    var phi_4522_: bool;
-    var phi_5042_: vec2<f32>;
-    var phi_5043_: vec2<f32>;
-    var phi_5044_: u32;
-    var phi_5045_: u32;
-    var phi_5046_: u32;
-    var phi_5047_: u32;
-    var local_32: f32;
+    var local_4: vec3<f32>;
+    var phi_4950_: vec3<f32>;
+    var phi_4409_: bool;
+    var phi_4415_: bool;
+    var phi_4440_: bool;
+    var phi_4951_: vec2<f32>;
+    var phi_4952_: vec2<f32>;
+    var phi_4953_: u32;
+    var phi_4954_: u32;
+    var phi_4955_: u32;
 
-    let _e75 = bitcast<u32>(param_1[0u]);
-    let _e77 = global.member_14;
-    let _e78 = (_e75 < _e77);
-    if _e78 {
+    let _e71 = bitcast<u32>(param_1[0u]);
+    let _e73 = global.member_14;
+    let _e74 = (_e71 < _e73);
+    if _e74 {
         switch bitcast<i32>(0u) {
             default: {
-                let _e82 = (4u * (_e77 + (_e75 / 32u)));
-                switch bitcast<i32>(0u) {
-                    default: {
-                        let _e88 = global_7.member[(_e82 + 3u)][0u];
-                        phi_4916_ = (_e88 & 65535u);
-                        loop {
-                            let _e91 = phi_4916_;
-                            phi_4920_ = bool();
-                            phi_4917_ = false;
-                            if (_e91 <= (_e88 >> bitcast<u32>(16u))) {
-                                let _e101 = global.member_51[(_e91 / 128u)][((_e91 / 32u) & 3u)];
-                                if (((_e101 >> bitcast<u32>((_e91 & 31u))) & 1u) == 0u) {
-                                    phi_4920_ = false;
-                                    phi_4917_ = true;
-                                    break;
-                                }
-                                continue;
-                            } else {
-                                break;
-                            }
-                            continuing {
-                                phi_4916_ = (_e91 + bitcast<u32>(1i));
-                            }
+                let _e79 = (4u * (_e73 + (_e71 >> bitcast<u32>(5u))));
+                let _e84 = global_7.member[(_e79 + 3u)][0u];
+                phi_4867_ = (_e84 & 65535u);
+                loop {
+                    let _e87 = phi_4867_;
+                    let _e96 = global.member_51[(_e87 >> bitcast<u32>(7u))][((_e87 >> bitcast<u32>(5u)) & 3u)];
+                    let _e101 = (((_e96 >> bitcast<u32>((_e87 & 31u))) & 1u) != 0u);
+                    let _e103 = (_e87 + bitcast<u32>(1i));
+                    local = _e101;
+                    continue;
+                    continuing {
+                        phi_3074_ = _e101;
+                        if _e101 {
+                            phi_3074_ = (_e103 <= (_e84 >> bitcast<u32>(16u)));
                         }
-                        let _e110 = phi_4920_;
-                        let _e112 = phi_4917_;
-                        phi_4919_ = _e110;
-                        if _e112 {
-                            break;
-                        }
-                        phi_4919_ = true;
-                        break;
+                        let _e108 = phi_3074_;
+                        phi_4867_ = _e103;
+                        break if !(_e108);
                     }
                 }
-                let _e114 = phi_4919_;
-                if _e114 {
-                    let _e116 = global_2.member_9;
-                    if (_e116 != 0u) {
-                        let _e120 = atomicAdd((&global_1.member[0u]), 1u);
+                let _e111 = local;
+                if _e111 {
+                    let _e113 = global_2.member_9;
+                    if (_e113 != 0u) {
+                        let _e117 = atomicAdd((&global_1.member[0u]), 1u);
                     }
-                    phi_5046_ = 4294967295u;
+                    phi_4954_ = 4294967295u;
                     break;
                 }
-                let _e121 = (2u * _e75);
-                let _e124 = global_7.member[_e121];
-                let _e128 = global_7.member[(_e121 + 1u)];
-                let _e133 = global_7.member[((2u * _e77) + _e75)];
-                let _e144 = (vec2<f32>(f32(((_e133.y >> bitcast<u32>(16u)) & 31u)), f32(((_e133.y >> bitcast<u32>(21u)) & 31u))) * vec2<f32>(0.032258064f, 0.032258064f));
-                let _e148 = ((1f + (2f * _e144.x)) * 0.33333334f);
-                let _e149 = (1f - _e148);
-                let _e153 = (_e149 * (0.5f + (0.5f * _e144.y)));
-                let _e161 = global.member_11;
-                let _e164 = global.member_12;
-                let _e179 = global.member_21;
-                let _e180 = (2u * _e179);
-                let _e184 = global_3.member[(_e180 + (_e133.x & 65535u))];
-                let _e186 = unpack2x16float(_e184.x);
-                let _e198 = global_3.member[(_e180 + (_e133.x >> bitcast<u32>(16u)))];
-                let _e200 = unpack2x16float(_e198.x);
-                let _e212 = global_3.member[(_e180 + (_e133.y & 65535u))];
-                let _e214 = unpack2x16float(_e212.x);
-                let _e222 = ((((_e161.xyz + (_e164.xyz * vec3<f32>(f32((_e124.x & 65535u)), f32((_e124.x >> bitcast<u32>(16u))), f32((_e124.y & 65535u))))) + (vec3<f32>(_e186.x, _e186.y, unpack2x16float(_e184.y).x) * _e148)) + (vec3<f32>(_e200.x, _e200.y, unpack2x16float(_e198.y).x) * _e153)) + (vec3<f32>(_e214.x, _e214.y, unpack2x16float(_e212.y).x) * (_e149 - _e153)));
-                let _e226 = vec4<f32>(_e222.x, _e222.y, _e222.z, 1f);
-                let _e239 = (((_e124.y >> bitcast<u32>(16u)) | ((_e128.y >> bitcast<u32>(24u)) << bitcast<u32>(16u))) | ((_e133.y >> bitcast<u32>(26u)) << bitcast<u32>(24u)));
-                let _e241 = global.member_36;
-                let _e243 = global.member_37;
-                let _e256 = (vec3(_e241) + (vec3<f32>(f32((_e239 & 1023u)), f32(((_e239 >> bitcast<u32>(10u)) & 1023u)), f32((_e239 >> bitcast<u32>(20u)))) * _e243));
-                local_1 = (vec4<u32>(_e128.x, (_e128.x >> bitcast<u32>(8u)), (_e128.x >> bitcast<u32>(16u)), (_e128.x >> bitcast<u32>(24u))) & vec4<u32>(255u, 255u, 255u, 255u));
-                let _e271 = (vec3<u32>(_e128.y, (_e128.y >> bitcast<u32>(8u)), (_e128.y >> bitcast<u32>(16u))) & vec3<u32>(255u, 255u, 255u));
-                let _e272 = vec3<f32>(_e271);
-                local_2 = (vec4<f32>(_e272.x, _e272.y, _e272.z, f32((((255u - _e271.x) - _e271.y) - _e271.z))) * vec4<f32>(0.003921569f, 0.003921569f, 0.003921569f, 0.003921569f));
-                phi_4926_ = vec4<f32>(0f, 0f, 0f, 0f);
-                phi_4925_ = vec4<f32>(0f, 0f, 0f, 0f);
-                phi_4924_ = vec4<f32>(0f, 0f, 0f, 0f);
-                phi_4923_ = 0u;
-                loop {
-                    let _e286 = phi_4926_;
-                    let _e288 = phi_4925_;
-                    let _e290 = phi_4924_;
-                    let _e292 = phi_4923_;
-                    local_3 = _e290;
-                    local_4 = _e288;
-                    local_5 = _e286;
-                    local_6 = _e290;
-                    local_7 = _e290;
-                    local_8 = _e288;
-                    local_9 = _e288;
-                    local_10 = _e286;
-                    local_11 = _e286;
-                    local_12 = _e290;
-                    local_13 = _e290;
-                    local_14 = _e290;
-                    local_15 = _e288;
-                    local_16 = _e288;
-                    local_17 = _e288;
-                    local_18 = _e286;
-                    local_19 = _e286;
-                    local_20 = _e286;
-                    if (_e292 < 4u) {
-                        continue;
-                    } else {
-                        break;
-                    }
-                    continuing {
-                        let _e295 = local_1[_e292];
-                        let _e296 = (3u * _e295);
-                        let _e298 = local_2[_e292];
-                        let _e301 = global.member_54[_e296];
-                        let _e304 = local_2[_e292];
-                        let _e308 = global.member_54[(_e296 + 1u)];
-                        let _e311 = local_2[_e292];
-                        let _e315 = global.member_54[(_e296 + 2u)];
-                        phi_4926_ = (_e286 + (_e315 * _e311));
-                        phi_4925_ = (_e288 + (_e308 * _e304));
-                        phi_4924_ = (_e290 + (_e301 * _e298));
-                        phi_4923_ = (_e292 + bitcast<u32>(1i));
-                    }
-                }
-                let _e321 = local_3;
-                let _e324 = local_4;
-                let _e327 = local_5;
-                let _e328 = dot(_e327, _e226);
-                let _e329 = vec3<f32>(dot(_e321, _e226), dot(_e324, _e226), _e328);
-                let _e331 = local_6;
-                let _e332 = _e331.xyz;
-                let _e334 = local_8;
-                let _e335 = _e334.xyz;
-                let _e337 = local_10;
-                let _e338 = _e337.xyz;
-                let _e340 = local_12;
-                let _e343 = local_13;
-                let _e346 = local_14;
-                let _e349 = local_15;
-                let _e352 = local_16;
-                let _e355 = local_17;
-                let _e358 = local_18;
-                let _e361 = local_19;
-                let _e364 = local_20;
-                let _e368 = vec3<f32>(_e358.x, _e361.y, _e364.z);
+                let _e118 = (2u * _e71);
+                let _e121 = global_7.member[_e118];
+                let _e125 = global_7.member[(_e118 + 1u)];
+                let _e130 = global_7.member[((2u * _e73) + _e71)];
+                let _e141 = (vec2<f32>(f32(((_e130.y >> bitcast<u32>(16u)) & 31u)), f32(((_e130.y >> bitcast<u32>(21u)) & 31u))) * vec2<f32>(0.032258064f, 0.032258064f));
+                let _e145 = ((1f + (2f * _e141.x)) * 0.33333334f);
+                let _e146 = (1f - _e145);
+                let _e150 = (_e146 * (0.5f + (0.5f * _e141.y)));
+                let _e158 = global.member_11;
+                let _e161 = global.member_12;
+                let _e176 = global.member_21;
+                let _e177 = (2u * _e176);
+                let _e181 = global_3.member[(_e177 + (_e130.x & 65535u))];
+                let _e183 = unpack2x16float(_e181.x);
+                let _e195 = global_3.member[(_e177 + (_e130.x >> bitcast<u32>(16u)))];
+                let _e197 = unpack2x16float(_e195.x);
+                let _e209 = global_3.member[(_e177 + (_e130.y & 65535u))];
+                let _e211 = unpack2x16float(_e209.x);
+                let _e219 = ((((_e158.xyz + (_e161.xyz * vec3<f32>(f32((_e121.x & 65535u)), f32((_e121.x >> bitcast<u32>(16u))), f32((_e121.y & 65535u))))) + (vec3<f32>(_e183.x, _e183.y, unpack2x16float(_e181.y).x) * _e145)) + (vec3<f32>(_e197.x, _e197.y, unpack2x16float(_e195.y).x) * _e150)) + (vec3<f32>(_e211.x, _e211.y, unpack2x16float(_e209.y).x) * (_e146 - _e150)));
+                let _e223 = vec4<f32>(_e219.x, _e219.y, _e219.z, 1f);
+                let _e236 = (((_e121.y >> bitcast<u32>(16u)) | ((_e125.y >> bitcast<u32>(24u)) << bitcast<u32>(16u))) | ((_e130.y >> bitcast<u32>(26u)) << bitcast<u32>(24u)));
+                let _e238 = global.member_36;
+                let _e240 = global.member_37;
+                let _e253 = (vec3(_e238) + (vec3<f32>(f32((_e236 & 1023u)), f32(((_e236 >> bitcast<u32>(10u)) & 1023u)), f32((_e236 >> bitcast<u32>(20u)))) * _e240));
+                let _e262 = (vec4<u32>(_e125.x, (_e125.x >> bitcast<u32>(8u)), (_e125.x >> bitcast<u32>(16u)), (_e125.x >> bitcast<u32>(24u))) & vec4<u32>(255u, 255u, 255u, 255u));
+                let _e268 = (vec3<u32>(_e125.y, (_e125.y >> bitcast<u32>(8u)), (_e125.y >> bitcast<u32>(16u))) & vec3<u32>(255u, 255u, 255u));
+                let _e269 = vec3<f32>(_e268);
+                let _e281 = (vec4<f32>(_e269.x, _e269.y, _e269.z, f32((((255u - _e268.x) - _e268.y) - _e268.z))) * vec4<f32>(0.003921569f, 0.003921569f, 0.003921569f, 0.003921569f));
+                let _e283 = (3u * _e262.x);
+                let _e287 = global.member_54[_e283];
+                let _e292 = global.member_54[(_e283 + 1u)];
+                let _e297 = global.member_54[(_e283 + 2u)];
+                let _e300 = (3u * _e262.y);
+                let _e304 = global.member_54[_e300];
+                let _e310 = global.member_54[(_e300 + 1u)];
+                let _e316 = global.member_54[(_e300 + 2u)];
+                let _e320 = (3u * _e262.z);
+                let _e324 = global.member_54[_e320];
+                let _e330 = global.member_54[(_e320 + 1u)];
+                let _e336 = global.member_54[(_e320 + 2u)];
+                let _e340 = (3u * _e262.w);
+                let _e344 = global.member_54[_e340];
+                let _e346 = ((((_e287 * _e281.x) + (_e304 * _e281.y)) + (_e324 * _e281.z)) + (_e344 * _e281.w));
+                let _e350 = global.member_54[(_e340 + 1u)];
+                let _e352 = ((((_e292 * _e281.x) + (_e310 * _e281.y)) + (_e330 * _e281.z)) + (_e350 * _e281.w));
+                let _e356 = global.member_54[(_e340 + 2u)];
+                let _e358 = ((((_e297 * _e281.x) + (_e316 * _e281.y)) + (_e336 * _e281.z)) + (_e356 * _e281.w));
+                let _e361 = dot(_e358, _e223);
+                let _e362 = vec3<f32>(dot(_e346, _e223), dot(_e352, _e223), _e361);
+                let _e363 = _e346.xyz;
+                let _e364 = _e352.xyz;
+                let _e365 = _e358.xyz;
+                let _e377 = vec3<f32>(_e358.x, _e358.y, _e358.z);
                 switch bitcast<i32>(0u) {
                     default: {
-                        let _e386 = global.member_6;
-                        if !((_e328 >= _e386)) {
-                            let _e390 = global_2.member_9;
-                            if (_e390 != 0u) {
-                                let _e394 = atomicAdd((&global_1.member[0u]), 1u);
+                        let _e395 = global.member_6;
+                        if !((_e361 >= _e395)) {
+                            let _e399 = global_2.member_9;
+                            if (_e399 != 0u) {
+                                let _e403 = atomicAdd((&global_1.member[0u]), 1u);
                             }
-                            phi_4955_ = 0f;
-                            phi_4946_ = vec2<f32>(0f, 0f);
-                            phi_4945_ = false;
+                            phi_4897_ = 0f;
+                            phi_4888_ = vec2<f32>(0f, 0f);
+                            phi_4887_ = false;
                             break;
                         }
-                        let _e396 = global.member;
-                        let _e397 = _e329.xy;
-                        let _e399 = vec2(_e328);
-                        let _e402 = global.member_1;
-                        let _e403 = (((_e396 * _e397) / _e399) + _e402);
-                        let _e405 = global.member_5;
-                        let _e409 = all((_e403 >= vec2(-(_e405))));
-                        phi_3118_ = _e409;
-                        if _e409 {
-                            let _e411 = global.member_4;
-                            phi_3118_ = all((_e403 <= (_e411 + vec2(_e405))));
+                        let _e405 = global.member;
+                        let _e406 = _e362.xy;
+                        let _e408 = vec2(_e361);
+                        let _e411 = global.member_1;
+                        let _e412 = (((_e405 * _e406) / _e408) + _e411);
+                        let _e414 = global.member_5;
+                        let _e418 = all((_e412 >= vec2(-(_e414))));
+                        phi_3354_ = _e418;
+                        if _e418 {
+                            let _e420 = global.member_4;
+                            phi_3354_ = all((_e412 <= (_e420 + vec2(_e414))));
                         }
-                        let _e417 = phi_3118_;
-                        if !(_e417) {
-                            let _e420 = global_2.member_9;
-                            if (_e420 != 0u) {
-                                let _e424 = atomicAdd((&global_1.member[0u]), 1u);
+                        let _e426 = phi_3354_;
+                        if !(_e426) {
+                            let _e429 = global_2.member_9;
+                            if (_e429 != 0u) {
+                                let _e433 = atomicAdd((&global_1.member[0u]), 1u);
                             }
-                            phi_4955_ = 0f;
-                            phi_4946_ = _e403;
-                            phi_4945_ = false;
+                            phi_4897_ = 0f;
+                            phi_4888_ = _e412;
+                            phi_4887_ = false;
                             break;
                         }
-                        let _e426 = global.member_7;
-                        let _e429 = global.member_8;
-                        let _e430 = ((_e426 - _e328) * _e429);
-                        if (_e430 < 0f) {
-                            phi_4929_ = (0.015625f / (1f - _e430));
+                        let _e435 = global.member_7;
+                        let _e438 = global.member_8;
+                        let _e439 = ((_e435 - _e361) * _e438);
+                        if (_e439 < 0f) {
+                            phi_4870_ = (0.015625f / (1f - _e439));
                         } else {
-                            if (_e430 > 1f) {
-                                phi_4928_ = (1f - (0.015625f / _e430));
+                            if (_e439 > 1f) {
+                                phi_4869_ = (1f - (0.015625f / _e439));
                             } else {
-                                phi_4928_ = (0.015625f + (0.96875f * clamp(_e430, 0f, 1f)));
+                                phi_4869_ = (0.015625f + (0.96875f * clamp(_e439, 0f, 1f)));
                             }
-                            let _e439 = phi_4928_;
-                            phi_4929_ = _e439;
+                            let _e448 = phi_4869_;
+                            phi_4870_ = _e448;
                         }
-                        let _e443 = phi_4929_;
-                        let _e444 = (_e397 / _e399);
-                        let _e452 = global.member[0u];
-                        let _e455 = global.member[1u];
-                        let _e460 = global.member_31;
-                        let _e461 = (_e460 > 0u);
-                        phi_3160_ = _e461;
-                        if _e461 {
-                            let _e463 = global.member_34;
-                            let _e466 = global.member_29;
+                        let _e452 = phi_4870_;
+                        let _e453 = (_e406 / _e408);
+                        let _e461 = global.member[0u];
+                        let _e464 = global.member[1u];
+                        let _e469 = global.member_31;
+                        let _e470 = (_e469 > 0u);
+                        phi_3396_ = _e470;
+                        if _e470 {
+                            let _e472 = global.member_34;
+                            let _e475 = global.member_29;
                             switch bitcast<i32>(0u) {
                                 default: {
-                                    let _e476 = vec2((sqrt((2f * log(max((max(255f, _e463) / _e466), 1f)))) * ((((((1.2f * exp(min(max(max(_e256.x, _e256.y), _e256.z), 9f))) * sqrt(max(max(dot(_e332, _e332), dot(_e335, _e335)), dot(_e338, _e338)))) * length(vec3<f32>(_e444.x, _e444.y, 1f))) * max(_e452, _e455)) / _e328) + 0.5477226f)));
-                                    let _e479 = global.member_32;
-                                    let _e482 = global.member_33;
-                                    let _e486 = vec2<u32>(clamp(((((_e403 - _e476) - _e479) * _e482) - vec2<f32>(0.5f, 0.5f)), vec2<f32>(0f, 0f), vec2<f32>(191f, 191f)));
-                                    let _e492 = vec2<u32>(clamp(((((_e403 + _e476) - _e479) * _e482) + vec2<f32>(0.5f, 0.5f)), vec2<f32>(0f, 0f), vec2<f32>(191f, 191f)));
-                                    let _e499 = max((_e492.x - _e486.x), (_e492.y - _e486.y));
-                                    if (_e499 <= 3u) {
-                                        phi_4933_ = 0u;
+                                    let _e485 = vec2((sqrt((2f * log(max((max(255f, _e472) / _e475), 1f)))) * ((((((1.2f * exp(min(max(max(_e253.x, _e253.y), _e253.z), 9f))) * sqrt(max(max(dot(_e363, _e363), dot(_e364, _e364)), dot(_e365, _e365)))) * length(vec3<f32>(_e453.x, _e453.y, 1f))) * max(_e461, _e464)) / _e361) + 0.5477226f)));
+                                    let _e488 = global.member_32;
+                                    let _e491 = global.member_33;
+                                    let _e495 = vec2<u32>(clamp(((((_e412 - _e485) - _e488) * _e491) - vec2<f32>(0.5f, 0.5f)), vec2<f32>(0f, 0f), vec2<f32>(191f, 191f)));
+                                    let _e501 = vec2<u32>(clamp(((((_e412 + _e485) - _e488) * _e491) + vec2<f32>(0.5f, 0.5f)), vec2<f32>(0f, 0f), vec2<f32>(191f, 191f)));
+                                    let _e508 = max((_e501.x - _e495.x), (_e501.y - _e495.y));
+                                    if (_e508 <= 3u) {
+                                        phi_4874_ = 0u;
                                     } else {
-                                        phi_4933_ = (bitcast<u32>(firstLeadingBit((_e499 - 1u))) - 1u);
+                                        phi_4874_ = (bitcast<u32>(firstLeadingBit((_e508 - 1u))) - 1u);
                                     }
-                                    let _e506 = phi_4933_;
-                                    if !((_e506 < 4u)) {
-                                        phi_4944_ = false;
+                                    let _e515 = phi_4874_;
+                                    if !((_e515 < 4u)) {
+                                        phi_4886_ = false;
                                         break;
                                     }
-                                    let _e515 = vec2(_e506);
-                                    let _e517 = (_e486 >> bitcast<vec2<u32>>(_e515));
-                                    let _e519 = (_e492 >> bitcast<vec2<u32>>(_e515));
-                                    phi_4938_ = 0f;
-                                    phi_4936_ = _e517.y;
+                                    let _e525 = vec2(_e515);
+                                    let _e527 = (_e495 >> bitcast<vec2<u32>>(_e525));
+                                    let _e529 = (_e501 >> bitcast<vec2<u32>>(_e525));
+                                    let _e531 = (_e527.x & 4294967292u);
+                                    phi_4881_ = 0f;
+                                    phi_4880_ = _e527.y;
+                                    phi_4877_ = _e531;
                                     loop {
-                                        let _e522 = phi_4938_;
-                                        let _e524 = phi_4936_;
-                                        local_21 = _e522;
-                                        if (_e524 <= _e519.y) {
-                                            phi_4943_ = _e522;
-                                            phi_4940_ = _e517.x;
-                                            loop {
-                                                let _e529 = phi_4943_;
-                                                let _e531 = phi_4940_;
-                                                local_32 = _e529;
-                                                if (_e531 <= _e519.x) {
-                                                    continue;
-                                                } else {
-                                                    break;
-                                                }
-                                                continuing {
-                                                    let _e538 = (((49152u - (((36864u >> bitcast<u32>((2u * _e506))) / 3u) * 4u)) + (_e524 * (192u >> bitcast<u32>(_e506)))) + _e531);
-                                                    let _e540 = (_e460 + (_e538 / 2u));
-                                                    let _e546 = global_3.member[(_e540 / 2u)][(_e540 & 1u)];
-                                                    phi_4943_ = max(_e529, (f32(((_e546 >> bitcast<u32>((16u * (_e538 & 1u)))) & 65535u)) * 0.000015259022f));
-                                                    phi_4940_ = (_e531 + bitcast<u32>(1i));
-                                                }
-                                            }
+                                        let _e534 = phi_4881_;
+                                        let _e536 = phi_4880_;
+                                        let _e538 = phi_4877_;
+                                        let _e541 = (vec4(f32(_e538)) + vec4<f32>(0f, 1f, 2f, 3f));
+                                        let _e559 = global_3.member[((_e469 >> bitcast<u32>(1u)) + ((((4u * (12288u - (12288u >> bitcast<u32>((2u * _e515))))) + (_e536 * (192u >> bitcast<u32>(_e515)))) + _e538) >> bitcast<u32>(2u)))];
+                                        let _e561 = unpack2x16unorm(_e559.x);
+                                        let _e563 = unpack2x16unorm(_e559.y);
+                                        let _e570 = select(select(vec4<f32>(_e561.x, _e561.y, _e563.x, _e563.y), vec4<f32>(0f, 0f, 0f, 0f), (_e541 < vec4(f32(_e527.x)))), vec4<f32>(0f, 0f, 0f, 0f), (_e541 > vec4(f32(_e529.x))));
+                                        let _e578 = max(_e534, max(max(_e570.x, _e570.y), max(_e570.z, _e570.w)));
+                                        let _e579 = (_e538 + 4u);
+                                        let _e580 = (_e579 > _e529.x);
+                                        let _e583 = (_e536 + select(0u, 1u, _e580));
+                                        phi_4881_ = _e578;
+                                        phi_4880_ = _e583;
+                                        phi_4877_ = select(_e579, _e531, _e580);
+                                        local_1 = _e578;
+                                        if (_e583 <= _e529.y) {
                                             continue;
                                         } else {
                                             break;
                                         }
-                                        continuing {
-                                            let _e1433 = local_32;
-                                            phi_4938_ = _e1433;
-                                            phi_4936_ = (_e524 + bitcast<u32>(1i));
-                                        }
                                     }
-                                    let _e560 = local_21;
-                                    phi_4944_ = ((1f - _e443) > _e560);
+                                    let _e587 = local_1;
+                                    phi_4886_ = ((1f - _e452) > _e587);
                                     break;
                                 }
                             }
-                            let _e563 = phi_4944_;
-                            phi_3160_ = _e563;
+                            let _e590 = phi_4886_;
+                            phi_3396_ = _e590;
                         }
-                        let _e565 = phi_3160_;
-                        if _e565 {
-                            let _e567 = global_2.member_9;
-                            if (_e567 != 0u) {
-                                let _e571 = atomicAdd((&global_1.member[1u]), 1u);
+                        let _e592 = phi_3396_;
+                        if _e592 {
+                            let _e594 = global_2.member_9;
+                            if (_e594 != 0u) {
+                                let _e598 = atomicAdd((&global_1.member[1u]), 1u);
                             }
-                            phi_4955_ = _e443;
-                            phi_4946_ = _e403;
-                            phi_4945_ = false;
+                            phi_4897_ = _e452;
+                            phi_4888_ = _e412;
+                            phi_4887_ = false;
                             break;
                         }
-                        phi_4955_ = _e443;
-                        phi_4946_ = _e403;
-                        phi_4945_ = true;
+                        phi_4897_ = _e452;
+                        phi_4888_ = _e412;
+                        phi_4887_ = true;
                         break;
                     }
                 }
-                let _e573 = phi_4955_;
-                let _e575 = phi_4946_;
-                let _e577 = phi_4945_;
-                if (true && !(_e577)) {
-                    phi_5046_ = 4294967295u;
+                let _e600 = phi_4897_;
+                let _e602 = phi_4888_;
+                let _e604 = phi_4887_;
+                if (true && !(_e604)) {
+                    phi_4954_ = 4294967295u;
                     break;
                 }
-                let _e584 = global_7.member[((3u * _e77) + _e75)];
-                let _e587 = (_e584.y >> bitcast<u32>(24u));
-                let _e588 = f32(_e587);
-                let _e590 = global.member_29;
-                if (_e588 <= _e590) {
-                    let _e593 = global_2.member_9;
-                    if (_e593 != 0u) {
-                        let _e597 = atomicAdd((&global_1.member[2u]), 1u);
+                let _e611 = global_7.member[((3u * _e73) + _e71)];
+                let _e614 = (_e611.y >> bitcast<u32>(24u));
+                let _e615 = f32(_e614);
+                let _e617 = global.member_29;
+                if (_e615 <= _e617) {
+                    let _e620 = global_2.member_9;
+                    if (_e620 != 0u) {
+                        let _e624 = atomicAdd((&global_1.member[2u]), 1u);
                     }
-                    phi_5046_ = 4294967295u;
+                    phi_4954_ = 4294967295u;
                     break;
                 }
-                let _e611 = ((vec3<f32>(f32((_e584.x & 1023u)), f32(((_e584.x >> bitcast<u32>(10u)) & 1023u)), f32(((_e584.x >> bitcast<u32>(20u)) & 1023u))) - vec3<f32>(512f, 512f, 512f)) * vec3<f32>(0.0013888889f, 0.0013888889f, 0.0013888889f));
-                let _e615 = sqrt(max((1f - dot(_e611, _e611)), 0f));
-                let _e617 = (_e584.x >> bitcast<u32>(30u));
-                if (_e617 == 0u) {
-                    phi_4967_ = vec4<f32>(_e615, _e611.x, _e611.y, _e611.z);
+                let _e638 = ((vec3<f32>(f32((_e611.x & 1023u)), f32(((_e611.x >> bitcast<u32>(10u)) & 1023u)), f32(((_e611.x >> bitcast<u32>(20u)) & 1023u))) - vec3<f32>(512f, 512f, 512f)) * vec3<f32>(0.0013888889f, 0.0013888889f, 0.0013888889f));
+                let _e642 = sqrt(max((1f - dot(_e638, _e638)), 0f));
+                let _e644 = (_e611.x >> bitcast<u32>(30u));
+                if (_e644 == 0u) {
+                    phi_4909_ = vec4<f32>(_e642, _e638.x, _e638.y, _e638.z);
                 } else {
-                    if (_e617 == 1u) {
-                        phi_4966_ = vec4<f32>(_e611.x, _e615, _e611.y, _e611.z);
+                    if (_e644 == 1u) {
+                        phi_4908_ = vec4<f32>(_e638.x, _e642, _e638.y, _e638.z);
                     } else {
-                        if (_e617 == 2u) {
-                            phi_4965_ = vec4<f32>(_e611.x, _e611.y, _e615, _e611.z);
+                        if (_e644 == 2u) {
+                            phi_4907_ = vec4<f32>(_e638.x, _e638.y, _e642, _e638.z);
                         } else {
-                            phi_4965_ = vec4<f32>(_e611.x, _e611.y, _e611.z, _e615);
+                            phi_4907_ = vec4<f32>(_e638.x, _e638.y, _e638.z, _e642);
                         }
-                        let _e630 = phi_4965_;
-                        phi_4966_ = _e630;
+                        let _e657 = phi_4907_;
+                        phi_4908_ = _e657;
                     }
-                    let _e636 = phi_4966_;
-                    phi_4967_ = _e636;
+                    let _e663 = phi_4908_;
+                    phi_4909_ = _e663;
                 }
-                let _e642 = phi_4967_;
-                let _e646 = global.member_38;
-                let _e647 = (_e646 > 0u);
-                phi_4985_ = unpack4x8unorm(_e584.y).xyz;
-                if _e647 {
-                    let _e651 = global_7.member[(_e646 + _e75)];
-                    let _e653 = unpack2x16float(_e651.x);
-                    phi_4985_ = vec3<f32>(_e653.x, _e653.y, unpack2x16float(_e651.y).x);
+                let _e669 = phi_4909_;
+                let _e673 = global.member_38;
+                let _e674 = (_e673 > 0u);
+                phi_4927_ = unpack4x8unorm(_e611.y).xyz;
+                if _e674 {
+                    let _e678 = global_7.member[(_e673 + _e71)];
+                    let _e680 = unpack2x16float(_e678.x);
+                    phi_4927_ = vec3<f32>(_e680.x, _e680.y, unpack2x16float(_e678.y).x);
                 }
-                let _e661 = phi_4985_;
-                let _e664 = (1u << bitcast<u32>((_e75 & 31u)));
-                let _e667 = global_7.member[_e82];
-                let _e671 = global_7.member[(_e82 + 1u)];
-                let _e675 = global_7.member[(_e82 + 2u)];
-                phi_5029_ = _e642;
-                if ((_e667.x & _e664) != 0u) {
-                    let _e680 = global.member_22;
-                    let _e688 = global.member_18;
-                    let _e692 = (_e680 + ((_e671.y + bitcast<u32>(countOneBits((_e667.x & (_e664 - 1u))))) * (1u + (4u * _e688))));
-                    let _e693 = (_e692 + 1u);
-                    let _e696 = global_6.member[_e692];
-                    let _e698 = global.member_44;
-                    let _e702 = global.member_19;
-                    let _e704 = (_e698 + ((_e696 >> bitcast<u32>(16u)) * _e702));
-                    let _e707 = (127f * unpack2x16float(_e696).x);
-                    phi_4987_ = 0f;
-                    phi_4986_ = 0u;
+                let _e688 = phi_4927_;
+                let _e691 = (1u << bitcast<u32>((_e71 & 31u)));
+                let _e694 = global_7.member[_e79];
+                let _e698 = global_7.member[(_e79 + 1u)];
+                let _e702 = global_7.member[(_e79 + 2u)];
+                phi_4944_ = _e669;
+                if ((_e694.x & _e691) != 0u) {
+                    let _e707 = global.member_22;
+                    let _e715 = global.member_18;
+                    let _e719 = (_e707 + ((_e698.y + bitcast<u32>(countOneBits((_e694.x & (_e691 - 1u))))) * (1u + (4u * _e715))));
+                    let _e720 = (_e719 + 1u);
+                    let _e723 = global_6.member[_e719];
+                    let _e725 = global.member_44;
+                    let _e729 = global.member_19;
+                    phi_4929_ = vec4<f32>(0f, 0f, 0f, 0f);
+                    phi_4928_ = 0u;
                     loop {
-                        let _e709 = phi_4987_;
-                        let _e711 = phi_4986_;
-                        local_22 = _e709;
-                        if (_e711 < _e688) {
+                        let _e733 = phi_4929_;
+                        let _e735 = phi_4928_;
+                        let _e737 = (2u * ((_e725 + ((_e723 >> bitcast<u32>(16u)) * _e729)) + _e735));
+                        let _e740 = global_3.member[_e737];
+                        let _e744 = global_3.member[(_e737 + 1u)];
+                        let _e750 = bitcast<vec4<f32>>(vec4<u32>(_e740.x, _e740.y, _e744.x, _e744.y));
+                        let _e754 = global_6.member[(_e720 + _e735)];
+                        let _e761 = global_6.member[((_e720 + _e715) + _e735)];
+                        let _e769 = global_6.member[((_e720 + (2u * _e715)) + _e735)];
+                        let _e777 = global_6.member[((_e720 + (3u * _e715)) + _e735)];
+                        let _e781 = (_e733 + vec4<f32>(dot(unpack4x8snorm(_e754), _e750), dot(unpack4x8snorm(_e761), _e750), dot(unpack4x8snorm(_e769), _e750), dot(unpack4x8snorm(_e777), _e750)));
+                        let _e783 = (_e735 + bitcast<u32>(1i));
+                        phi_4929_ = _e781;
+                        phi_4928_ = _e783;
+                        local_2 = _e781;
+                        if (_e783 < _e715) {
                             continue;
                         } else {
                             break;
                         }
-                        continuing {
-                            let _e716 = global_6.member[(_e693 + _e711)];
-                            let _e719 = (2u * (_e704 + _e711));
-                            let _e722 = global_3.member[_e719];
-                            let _e726 = global_3.member[(_e719 + 1u)];
-                            phi_4987_ = (_e709 + dot(unpack4x8snorm(_e716), bitcast<vec4<f32>>(vec4<u32>(_e722.x, _e722.y, _e726.x, _e726.y))));
-                            phi_4986_ = (_e711 + bitcast<u32>(1i));
-                        }
                     }
-                    phi_4989_ = 0f;
-                    phi_4988_ = 0u;
-                    loop {
-                        let _e739 = phi_4989_;
-                        let _e741 = phi_4988_;
-                        local_23 = _e739;
-                        if (_e741 < _e688) {
-                            continue;
-                        } else {
-                            break;
-                        }
-                        continuing {
-                            let _e746 = global_6.member[((_e693 + _e688) + _e741)];
-                            let _e749 = (2u * (_e704 + _e741));
-                            let _e752 = global_3.member[_e749];
-                            let _e756 = global_3.member[(_e749 + 1u)];
-                            phi_4989_ = (_e739 + dot(unpack4x8snorm(_e746), bitcast<vec4<f32>>(vec4<u32>(_e752.x, _e752.y, _e756.x, _e756.y))));
-                            phi_4988_ = (_e741 + bitcast<u32>(1i));
-                        }
-                    }
-                    phi_4991_ = 0f;
-                    phi_4990_ = 0u;
-                    loop {
-                        let _e770 = phi_4991_;
-                        let _e772 = phi_4990_;
-                        local_24 = _e770;
-                        if (_e772 < _e688) {
-                            continue;
-                        } else {
-                            break;
-                        }
-                        continuing {
-                            let _e777 = global_6.member[((_e693 + (2u * _e688)) + _e772)];
-                            let _e780 = (2u * (_e704 + _e772));
-                            let _e783 = global_3.member[_e780];
-                            let _e787 = global_3.member[(_e780 + 1u)];
-                            phi_4991_ = (_e770 + dot(unpack4x8snorm(_e777), bitcast<vec4<f32>>(vec4<u32>(_e783.x, _e783.y, _e787.x, _e787.y))));
-                            phi_4990_ = (_e772 + bitcast<u32>(1i));
-                        }
-                    }
-                    let _e799 = local_22;
-                    let _e801 = local_23;
-                    let _e803 = local_24;
-                    let _e805 = (vec3<f32>(_e799, _e801, _e803) * _e707);
-                    phi_4993_ = 0f;
-                    phi_4992_ = 0u;
-                    loop {
-                        let _e809 = phi_4993_;
-                        let _e811 = phi_4992_;
-                        local_25 = _e809;
-                        if (_e811 < _e688) {
-                            continue;
-                        } else {
-                            break;
-                        }
-                        continuing {
-                            let _e816 = global_6.member[((_e693 + (3u * _e688)) + _e811)];
-                            let _e819 = (2u * (_e704 + _e811));
-                            let _e822 = global_3.member[_e819];
-                            let _e826 = global_3.member[(_e819 + 1u)];
-                            phi_4993_ = (_e809 + dot(unpack4x8snorm(_e816), bitcast<vec4<f32>>(vec4<u32>(_e822.x, _e822.y, _e826.x, _e826.y))));
-                            phi_4992_ = (_e811 + bitcast<u32>(1i));
-                        }
-                    }
-                    let _e838 = local_25;
-                    let _e844 = (_e642 + vec4<f32>(_e805.x, _e805.y, _e805.z, (_e707 * _e838)));
-                    phi_5029_ = select(_e642, _e844, vec4((length(_e844) >= 0.001f)));
+                    let _e789 = local_2;
+                    let _e791 = (_e669 + (_e789 * (127f * unpack2x16float(_e723).x)));
+                    phi_4944_ = select(_e669, _e791, vec4((length(_e791) >= 0.001f)));
                 }
-                let _e850 = phi_5029_;
-                phi_5037_ = _e256;
-                if ((_e667.y & _e664) != 0u) {
-                    let _e855 = global.member_23;
-                    let _e863 = global.member_18;
-                    let _e867 = (_e855 + ((_e675.x + bitcast<u32>(countOneBits((_e667.y & (_e664 - 1u))))) * (1u + (3u * _e863))));
-                    let _e868 = (_e867 + 1u);
-                    let _e871 = global_6.member[_e867];
-                    let _e873 = global.member_44;
-                    let _e877 = global.member_19;
-                    let _e879 = (_e873 + ((_e871 >> bitcast<u32>(16u)) * _e877));
-                    phi_4999_ = 0f;
-                    phi_4998_ = 0u;
+                let _e797 = phi_4944_;
+                phi_4948_ = _e253;
+                if ((_e694.y & _e691) != 0u) {
+                    let _e802 = global.member_23;
+                    let _e810 = global.member_18;
+                    let _e814 = (_e802 + ((_e702.x + bitcast<u32>(countOneBits((_e694.y & (_e691 - 1u))))) * (1u + (3u * _e810))));
+                    let _e815 = (_e814 + 1u);
+                    let _e818 = global_6.member[_e814];
+                    let _e820 = global.member_44;
+                    let _e824 = global.member_19;
+                    phi_4932_ = vec3<f32>(0f, 0f, 0f);
+                    phi_4931_ = 0u;
                     loop {
-                        let _e884 = phi_4999_;
-                        let _e886 = phi_4998_;
-                        local_26 = _e884;
-                        if (_e886 < _e863) {
+                        let _e828 = phi_4932_;
+                        let _e830 = phi_4931_;
+                        let _e832 = (2u * ((_e820 + ((_e818 >> bitcast<u32>(16u)) * _e824)) + _e830));
+                        let _e835 = global_3.member[_e832];
+                        let _e839 = global_3.member[(_e832 + 1u)];
+                        let _e845 = bitcast<vec4<f32>>(vec4<u32>(_e835.x, _e835.y, _e839.x, _e839.y));
+                        let _e849 = global_6.member[(_e815 + _e830)];
+                        let _e856 = global_6.member[((_e815 + _e810) + _e830)];
+                        let _e864 = global_6.member[((_e815 + (2u * _e810)) + _e830)];
+                        let _e868 = (_e828 + vec3<f32>(dot(unpack4x8snorm(_e849), _e845), dot(unpack4x8snorm(_e856), _e845), dot(unpack4x8snorm(_e864), _e845)));
+                        let _e870 = (_e830 + bitcast<u32>(1i));
+                        phi_4932_ = _e868;
+                        phi_4931_ = _e870;
+                        local_3 = _e868;
+                        if (_e870 < _e810) {
                             continue;
                         } else {
                             break;
                         }
-                        continuing {
-                            let _e891 = global_6.member[(_e868 + _e886)];
-                            let _e894 = (2u * (_e879 + _e886));
-                            let _e897 = global_3.member[_e894];
-                            let _e901 = global_3.member[(_e894 + 1u)];
-                            phi_4999_ = (_e884 + dot(unpack4x8snorm(_e891), bitcast<vec4<f32>>(vec4<u32>(_e897.x, _e897.y, _e901.x, _e901.y))));
-                            phi_4998_ = (_e886 + bitcast<u32>(1i));
-                        }
                     }
-                    phi_5001_ = 0f;
-                    phi_5000_ = 0u;
-                    loop {
-                        let _e914 = phi_5001_;
-                        let _e916 = phi_5000_;
-                        local_27 = _e914;
-                        if (_e916 < _e863) {
-                            continue;
-                        } else {
-                            break;
-                        }
-                        continuing {
-                            let _e921 = global_6.member[((_e868 + _e863) + _e916)];
-                            let _e924 = (2u * (_e879 + _e916));
-                            let _e927 = global_3.member[_e924];
-                            let _e931 = global_3.member[(_e924 + 1u)];
-                            phi_5001_ = (_e914 + dot(unpack4x8snorm(_e921), bitcast<vec4<f32>>(vec4<u32>(_e927.x, _e927.y, _e931.x, _e931.y))));
-                            phi_5000_ = (_e916 + bitcast<u32>(1i));
-                        }
-                    }
-                    phi_5003_ = 0f;
-                    phi_5002_ = 0u;
-                    loop {
-                        let _e945 = phi_5003_;
-                        let _e947 = phi_5002_;
-                        local_28 = _e945;
-                        if (_e947 < _e863) {
-                            continue;
-                        } else {
-                            break;
-                        }
-                        continuing {
-                            let _e952 = global_6.member[((_e868 + (2u * _e863)) + _e947)];
-                            let _e955 = (2u * (_e879 + _e947));
-                            let _e958 = global_3.member[_e955];
-                            let _e962 = global_3.member[(_e955 + 1u)];
-                            phi_5003_ = (_e945 + dot(unpack4x8snorm(_e952), bitcast<vec4<f32>>(vec4<u32>(_e958.x, _e958.y, _e962.x, _e962.y))));
-                            phi_5002_ = (_e947 + bitcast<u32>(1i));
-                        }
-                    }
-                    let _e974 = local_26;
-                    let _e976 = local_27;
-                    let _e978 = local_28;
-                    phi_5037_ = (_e256 + (vec3<f32>(_e974, _e976, _e978) * (127f * unpack2x16float(_e871).x)));
+                    let _e876 = local_3;
+                    phi_4948_ = (_e253 + (_e876 * (127f * unpack2x16float(_e818).x)));
                 }
-                let _e983 = phi_5037_;
-                phi_5041_ = _e661;
-                if ((_e671.x & _e664) != 0u) {
-                    let _e988 = global.member_24;
-                    let _e996 = global.member_18;
-                    let _e1000 = (_e988 + ((_e675.y + bitcast<u32>(countOneBits((_e671.x & (_e664 - 1u))))) * (3u + (3u * _e996))));
-                    let _e1004 = global_6.member[(_e1000 + 1u)];
-                    let _e1005 = unpack2x16float(_e1004);
-                    let _e1009 = global_6.member[(_e1000 + 2u)];
-                    let _e1017 = (_e1000 + 3u);
-                    let _e1020 = global_6.member[_e1000];
-                    let _e1022 = global.member_44;
-                    let _e1026 = global.member_19;
-                    let _e1028 = (_e1022 + ((_e1020 >> bitcast<u32>(16u)) * _e1026));
-                    phi_5022_ = 0f;
-                    phi_5021_ = 0u;
+                let _e880 = phi_4948_;
+                phi_4950_ = _e688;
+                if ((_e698.x & _e691) != 0u) {
+                    let _e885 = global.member_24;
+                    let _e893 = global.member_18;
+                    let _e897 = (_e885 + ((_e702.y + bitcast<u32>(countOneBits((_e698.x & (_e691 - 1u))))) * (3u + (3u * _e893))));
+                    let _e901 = global_6.member[(_e897 + 1u)];
+                    let _e902 = unpack2x16float(_e901);
+                    let _e906 = global_6.member[(_e897 + 2u)];
+                    let _e914 = (_e897 + 3u);
+                    let _e917 = global_6.member[_e897];
+                    let _e919 = global.member_44;
+                    let _e923 = global.member_19;
+                    phi_4941_ = vec3<f32>(0f, 0f, 0f);
+                    phi_4940_ = 0u;
                     loop {
-                        let _e1033 = phi_5022_;
-                        let _e1035 = phi_5021_;
-                        local_29 = _e1033;
-                        if (_e1035 < _e996) {
+                        let _e927 = phi_4941_;
+                        let _e929 = phi_4940_;
+                        let _e931 = (2u * ((_e919 + ((_e917 >> bitcast<u32>(16u)) * _e923)) + _e929));
+                        let _e934 = global_3.member[_e931];
+                        let _e938 = global_3.member[(_e931 + 1u)];
+                        let _e944 = bitcast<vec4<f32>>(vec4<u32>(_e934.x, _e934.y, _e938.x, _e938.y));
+                        let _e948 = global_6.member[(_e914 + _e929)];
+                        let _e955 = global_6.member[((_e914 + _e893) + _e929)];
+                        let _e963 = global_6.member[((_e914 + (2u * _e893)) + _e929)];
+                        let _e967 = (_e927 + vec3<f32>(dot(unpack4x8snorm(_e948), _e944), dot(unpack4x8snorm(_e955), _e944), dot(unpack4x8snorm(_e963), _e944)));
+                        let _e969 = (_e929 + bitcast<u32>(1i));
+                        phi_4941_ = _e967;
+                        phi_4940_ = _e969;
+                        local_4 = _e967;
+                        if (_e969 < _e893) {
                             continue;
                         } else {
                             break;
                         }
-                        continuing {
-                            let _e1040 = global_6.member[(_e1017 + _e1035)];
-                            let _e1043 = (2u * (_e1028 + _e1035));
-                            let _e1046 = global_3.member[_e1043];
-                            let _e1050 = global_3.member[(_e1043 + 1u)];
-                            phi_5022_ = (_e1033 + dot(unpack4x8snorm(_e1040), bitcast<vec4<f32>>(vec4<u32>(_e1046.x, _e1046.y, _e1050.x, _e1050.y))));
-                            phi_5021_ = (_e1035 + bitcast<u32>(1i));
-                        }
                     }
-                    phi_5024_ = 0f;
-                    phi_5023_ = 0u;
-                    loop {
-                        let _e1063 = phi_5024_;
-                        let _e1065 = phi_5023_;
-                        local_30 = _e1063;
-                        if (_e1065 < _e996) {
-                            continue;
-                        } else {
-                            break;
-                        }
-                        continuing {
-                            let _e1070 = global_6.member[((_e1017 + _e996) + _e1065)];
-                            let _e1073 = (2u * (_e1028 + _e1065));
-                            let _e1076 = global_3.member[_e1073];
-                            let _e1080 = global_3.member[(_e1073 + 1u)];
-                            phi_5024_ = (_e1063 + dot(unpack4x8snorm(_e1070), bitcast<vec4<f32>>(vec4<u32>(_e1076.x, _e1076.y, _e1080.x, _e1080.y))));
-                            phi_5023_ = (_e1065 + bitcast<u32>(1i));
-                        }
-                    }
-                    phi_5026_ = 0f;
-                    phi_5025_ = 0u;
-                    loop {
-                        let _e1094 = phi_5026_;
-                        let _e1096 = phi_5025_;
-                        local_31 = _e1094;
-                        if (_e1096 < _e996) {
-                            continue;
-                        } else {
-                            break;
-                        }
-                        continuing {
-                            let _e1101 = global_6.member[((_e1017 + (2u * _e996)) + _e1096)];
-                            let _e1104 = (2u * (_e1028 + _e1096));
-                            let _e1107 = global_3.member[_e1104];
-                            let _e1111 = global_3.member[(_e1104 + 1u)];
-                            phi_5026_ = (_e1094 + dot(unpack4x8snorm(_e1101), bitcast<vec4<f32>>(vec4<u32>(_e1107.x, _e1107.y, _e1111.x, _e1111.y))));
-                            phi_5025_ = (_e1096 + bitcast<u32>(1i));
-                        }
-                    }
-                    let _e1123 = local_29;
-                    let _e1125 = local_30;
-                    let _e1127 = local_31;
-                    phi_5041_ = (select(vec3<f32>(_e1005.x, _e1005.y, unpack2x16float(_e1009).x), _e661, vec3(_e647)) + (vec3<f32>(_e1123, _e1125, _e1127) * (127f * unpack2x16float(_e1020).x)));
+                    let _e975 = local_4;
+                    phi_4950_ = (select(vec3<f32>(_e902.x, _e902.y, unpack2x16float(_e906).x), _e688, vec3(_e674)) + (_e975 * (127f * unpack2x16float(_e917).x)));
                 }
-                let _e1132 = phi_5041_;
-                let _e1133 = normalize(_e850);
-                let _e1138 = (_e1133.z * _e1133.z);
-                let _e1139 = (_e1133.w * _e1133.w);
-                let _e1143 = (_e1133.y * _e1133.z);
-                let _e1144 = (_e1133.x * _e1133.w);
-                let _e1147 = (_e1133.y * _e1133.w);
-                let _e1148 = (_e1133.x * _e1133.z);
-                let _e1153 = (_e1133.y * _e1133.y);
-                let _e1157 = (_e1133.z * _e1133.w);
-                let _e1158 = (_e1133.x * _e1133.y);
-                let _e1172 = exp(min(_e983, vec3<f32>(9f, 9f, 9f)));
-                let _e1179 = mat3x3<f32>((vec3<f32>((1f - (2f * (_e1138 + _e1139))), (2f * (_e1143 + _e1144)), (2f * (_e1147 - _e1148))) * _e1172.x), (vec3<f32>((2f * (_e1143 - _e1144)), (1f - (2f * (_e1153 + _e1139))), (2f * (_e1157 + _e1158))) * _e1172.y), (vec3<f32>((2f * (_e1147 + _e1148)), (2f * (_e1157 - _e1158)), (1f - (2f * (_e1153 + _e1138)))) * _e1172.z));
+                let _e979 = phi_4950_;
+                let _e980 = normalize(_e797);
+                let _e985 = (_e980.z * _e980.z);
+                let _e986 = (_e980.w * _e980.w);
+                let _e990 = (_e980.y * _e980.z);
+                let _e991 = (_e980.x * _e980.w);
+                let _e994 = (_e980.y * _e980.w);
+                let _e995 = (_e980.x * _e980.z);
+                let _e1000 = (_e980.y * _e980.y);
+                let _e1004 = (_e980.z * _e980.w);
+                let _e1005 = (_e980.x * _e980.y);
+                let _e1019 = exp(min(_e880, vec3<f32>(9f, 9f, 9f)));
+                let _e1026 = mat3x3<f32>((vec3<f32>((1f - (2f * (_e985 + _e986))), (2f * (_e990 + _e991)), (2f * (_e994 - _e995))) * _e1019.x), (vec3<f32>((2f * (_e990 - _e991)), (1f - (2f * (_e1000 + _e986))), (2f * (_e1004 + _e1005))) * _e1019.y), (vec3<f32>((2f * (_e994 + _e995)), (2f * (_e1004 - _e1005)), (1f - (2f * (_e1000 + _e985)))) * _e1019.z));
                 switch bitcast<i32>(0u) {
                     default: {
-                        let _e1185 = global.member_2;
-                        let _e1187 = global.member_3;
-                        let _e1188 = clamp((_e329.xy / vec2(_e328)), _e1185, _e1187);
-                        let _e1191 = global.member[0u];
-                        let _e1197 = (((vec3<f32>(_e340.x, _e343.y, _e346.z) - (_e368 * _e1188.x)) * (_e1191 / _e328)) * _e1179);
-                        let _e1200 = global.member[1u];
-                        let _e1206 = (((vec3<f32>(_e349.x, _e352.y, _e355.z) - (_e368 * _e1188.y)) * (_e1200 / _e328)) * _e1179);
-                        let _e1208 = (dot(_e1197, _e1197) + 0.3f);
-                        let _e1209 = dot(_e1197, _e1206);
-                        let _e1211 = (dot(_e1206, _e1206) + 0.3f);
-                        let _e1213 = cross(_e1197, _e1206);
-                        let _e1215 = (_e1208 + _e1211);
-                        let _e1218 = (dot(_e1213, _e1213) + (0.3f * (_e1215 - 0.3f)));
-                        let _e1219 = (_e1218 > 0f);
-                        phi_4491_ = _e1219;
-                        if _e1219 {
-                            phi_4491_ = (_e1208 <= 1000000000000000000f);
+                        let _e1032 = global.member_2;
+                        let _e1034 = global.member_3;
+                        let _e1035 = clamp((_e362.xy / vec2(_e361)), _e1032, _e1034);
+                        let _e1038 = global.member[0u];
+                        let _e1044 = (((vec3<f32>(_e346.x, _e346.y, _e346.z) - (_e377 * _e1035.x)) * (_e1038 / _e361)) * _e1026);
+                        let _e1047 = global.member[1u];
+                        let _e1053 = (((vec3<f32>(_e352.x, _e352.y, _e352.z) - (_e377 * _e1035.y)) * (_e1047 / _e361)) * _e1026);
+                        let _e1055 = (dot(_e1044, _e1044) + 0.3f);
+                        let _e1056 = dot(_e1044, _e1053);
+                        let _e1058 = (dot(_e1053, _e1053) + 0.3f);
+                        let _e1060 = cross(_e1044, _e1053);
+                        let _e1062 = (_e1055 + _e1058);
+                        let _e1065 = (dot(_e1060, _e1060) + (0.3f * (_e1062 - 0.3f)));
+                        let _e1066 = (_e1065 > 0f);
+                        phi_4409_ = _e1066;
+                        if _e1066 {
+                            phi_4409_ = (_e1055 <= 1000000000000000000f);
                         }
-                        let _e1222 = phi_4491_;
-                        phi_4497_ = _e1222;
-                        if _e1222 {
-                            phi_4497_ = (_e1211 <= 1000000000000000000f);
+                        let _e1069 = phi_4409_;
+                        phi_4415_ = _e1069;
+                        if _e1069 {
+                            phi_4415_ = (_e1058 <= 1000000000000000000f);
                         }
-                        let _e1225 = phi_4497_;
-                        if !(_e1225) {
-                            let _e1228 = global_2.member_9;
-                            if (_e1228 != 0u) {
-                                let _e1232 = atomicAdd((&global_1.member[3u]), 1u);
+                        let _e1072 = phi_4415_;
+                        if !(_e1072) {
+                            let _e1075 = global_2.member_9;
+                            if (_e1075 != 0u) {
+                                let _e1079 = atomicAdd((&global_1.member[3u]), 1u);
                             }
-                            phi_5045_ = 4294967295u;
+                            phi_4953_ = 4294967295u;
                             break;
                         }
-                        let _e1234 = global.member_34;
-                        let _e1243 = (sqrt(vec3<f32>(_e1208, _e1209, _e1211).xz) * sqrt((2f * log(max((max(_e588, _e1234) / _e590), 1f)))));
-                        let _e1246 = all(((_e575 + _e1243) > vec2<f32>(0f, 0f)));
-                        phi_4522_ = _e1246;
-                        if _e1246 {
-                            let _e1249 = global.member_4;
-                            phi_4522_ = all(((_e575 - _e1243) < _e1249));
+                        let _e1081 = global.member_34;
+                        let _e1090 = (sqrt(vec3<f32>(_e1055, _e1056, _e1058).xz) * sqrt((2f * log(max((max(_e615, _e1081) / _e617), 1f)))));
+                        let _e1093 = all(((_e602 + _e1090) > vec2<f32>(0f, 0f)));
+                        phi_4440_ = _e1093;
+                        if _e1093 {
+                            let _e1096 = global.member_4;
+                            phi_4440_ = all(((_e602 - _e1090) < _e1096));
                         }
-                        let _e1253 = phi_4522_;
-                        if !(_e1253) {
-                            let _e1256 = global_2.member_9;
-                            if (_e1256 != 0u) {
-                                let _e1260 = atomicAdd((&global_1.member[0u]), 1u);
+                        let _e1100 = phi_4440_;
+                        if !(_e1100) {
+                            let _e1103 = global_2.member_9;
+                            if (_e1103 != 0u) {
+                                let _e1107 = atomicAdd((&global_1.member[0u]), 1u);
                             }
-                            phi_5045_ = 4294967295u;
+                            phi_4953_ = 4294967295u;
                             break;
                         }
-                        let _e1263 = (0.5f * (_e1208 - _e1211));
-                        let _e1267 = sqrt(((_e1263 * _e1263) + (_e1209 * _e1209)));
-                        let _e1269 = ((0.5f * _e1215) + _e1267);
-                        if (_e1263 >= 0f) {
-                            phi_5042_ = vec2<f32>((_e1263 + _e1267), _e1209);
+                        let _e1110 = (0.5f * (_e1055 - _e1058));
+                        let _e1114 = sqrt(((_e1110 * _e1110) + (_e1056 * _e1056)));
+                        let _e1116 = ((0.5f * _e1062) + _e1114);
+                        if (_e1110 >= 0f) {
+                            phi_4951_ = vec2<f32>((_e1110 + _e1114), _e1056);
                         } else {
-                            phi_5042_ = vec2<f32>(_e1209, (_e1267 - _e1263));
+                            phi_4951_ = vec2<f32>(_e1056, (_e1114 - _e1110));
                         }
-                        let _e1276 = phi_5042_;
-                        let _e1277 = length(_e1276);
-                        if (_e1277 > 0f) {
-                            phi_5043_ = (_e1276 / vec2(_e1277));
+                        let _e1123 = phi_4951_;
+                        let _e1124 = length(_e1123);
+                        if (_e1124 > 0f) {
+                            phi_4952_ = (_e1123 / vec2(_e1124));
                         } else {
-                            phi_5043_ = vec2<f32>(1f, 0f);
+                            phi_4952_ = vec2<f32>(1f, 0f);
                         }
-                        let _e1282 = phi_5043_;
-                        let _e1289 = global.member_5;
-                        let _e1293 = global.member_10;
-                        let _e1297 = vec2<u32>(clamp(round(((_e575 + vec2(_e1289)) * _e1293)), vec2<f32>(0f, 0f), vec2<f32>(1048575f, 1048575f)));
-                        let _e1300 = vec3<u32>(round((clamp(_e1132, vec3<f32>(0f, 0f, 0f), vec3<f32>(1f, 1f, 1f)) * 1023f)));
-                        local = vec4<u32>(((_e1297.x | (_e1300.x << bitcast<u32>(20u))) | (_e1300.z << bitcast<u32>(30u))), (_e1297.y | (_e1300.y << bitcast<u32>(20u))), pack2x16float((_e1282 * min(sqrt(_e1269), 65504f))), ((pack2x16float(vec2<f32>(min(sqrt((_e1218 / _e1269)), 65504f), 0f)) | (_e587 << bitcast<u32>(16u))) | ((_e1300.z >> bitcast<u32>(2u)) << bitcast<u32>(24u))));
-                        phi_5044_ = 0u;
-                        loop {
-                            let _e1329 = phi_5044_;
-                            if (_e1329 < 4u) {
-                                continue;
-                            } else {
-                                break;
-                            }
-                            continuing {
-                                let _e1332 = global.member_45;
-                                let _e1337 = local[_e1329];
-                                global_4.member[((4u * (_e1332 + _e75)) + _e1329)] = _e1337;
-                                phi_5044_ = (_e1329 + bitcast<u32>(1i));
-                            }
-                        }
-                        let _e1343 = global.member_9;
-                        phi_5045_ = min(u32((_e573 * f32(_e1343))), _e1343);
+                        let _e1129 = phi_4952_;
+                        let _e1136 = global.member_5;
+                        let _e1140 = global.member_10;
+                        let _e1144 = vec2<u32>(clamp(round(((_e602 + vec2(_e1136)) * _e1140)), vec2<f32>(0f, 0f), vec2<f32>(1048575f, 1048575f)));
+                        let _e1147 = vec3<u32>(round((clamp(_e979, vec3<f32>(0f, 0f, 0f), vec3<f32>(1f, 1f, 1f)) * 1023f)));
+                        let _e1175 = global.member_45;
+                        let _e1177 = (4u * (_e1175 + _e71));
+                        global_4.member[_e1177] = ((_e1144.x | (_e1147.x << bitcast<u32>(20u))) | (_e1147.z << bitcast<u32>(30u)));
+                        global_4.member[(_e1177 + 1u)] = (_e1144.y | (_e1147.y << bitcast<u32>(20u)));
+                        global_4.member[(_e1177 + 2u)] = pack2x16float((_e1129 * min(sqrt(_e1116), 65504f)));
+                        global_4.member[(_e1177 + 3u)] = ((pack2x16float(vec2<f32>(min(sqrt((_e1065 / _e1116)), 65504f), 0f)) | (_e614 << bitcast<u32>(16u))) | ((_e1147.z >> bitcast<u32>(2u)) << bitcast<u32>(24u)));
+                        let _e1190 = global.member_9;
+                        phi_4953_ = min(u32((_e600 * f32(_e1190))), _e1190);
                         break;
                     }
                 }
-                let _e1349 = phi_5045_;
-                phi_5046_ = _e1349;
+                let _e1196 = phi_4953_;
+                phi_4954_ = _e1196;
                 break;
             }
         }
-        let _e1351 = phi_5046_;
-        phi_5047_ = _e1351;
+        let _e1198 = phi_4954_;
+        phi_4955_ = _e1198;
     } else {
-        phi_5047_ = 4294967295u;
+        phi_4955_ = 4294967295u;
     }
-    let _e1353 = phi_5047_;
+    let _e1200 = phi_4955_;
     switch bitcast<i32>(0u) {
         default: {
-            let _e1356 = bitcast<u32>(param[0u]);
-            let _e1358 = global.member_45;
-            let _e1359 = (_e1358 + _e75);
-            if (_e1353 != 4294967295u) {
-                let _e1362 = global.member_40;
-                let _e1364 = global.member_41;
-                let _e1372 = atomicAdd((&global_1.member[((_e1362 + ((_e1359 / _e1364) * 256u)) + (_e1353 & 255u))]), 1u);
+            let _e1203 = bitcast<u32>(param[0u]);
+            let _e1205 = global.member_45;
+            let _e1206 = (_e1205 + _e71);
+            if (_e1200 != 4294967295u) {
+                let _e1209 = global.member_40;
+                let _e1211 = global.member_41;
+                let _e1219 = atomicAdd((&global_1.member[((_e1209 + ((_e1206 / _e1211) * 256u)) + (_e1200 & 255u))]), 1u);
             }
-            let _e1374 = global.member_39;
-            if (_e1374 == 0u) {
-                if (_e75 < (_e77 + (_e77 & 1u))) {
-                    let _e1380 = global.member_28;
-                    global_4.member[(_e1380 + _e1359)] = _e1353;
+            let _e1221 = global.member_39;
+            if (_e1221 == 0u) {
+                if (_e71 < (_e73 + (_e73 & 1u))) {
+                    let _e1227 = global.member_28;
+                    global_4.member[(_e1227 + _e1206)] = _e1200;
                 }
                 break;
             }
-            global_5[_e1356] = _e1353;
+            global_5[_e1203] = _e1200;
             workgroupBarrier();
-            let _e1386 = ((_e1356 & 1u) == 0u);
-            if select(_e1386, _e78, _e1386) {
-                let _e1389 = global.member_28;
-                let _e1395 = global_5[(_e1356 + 1u)];
-                global_4.member[(_e1389 + (_e1359 / 2u))] = ((_e1353 & 65535u) | (_e1395 << bitcast<u32>(16u)));
+            let _e1233 = ((_e1203 & 1u) == 0u);
+            if select(_e1233, _e74, _e1233) {
+                let _e1236 = global.member_28;
+                let _e1243 = global_5[(_e1203 + 1u)];
+                global_4.member[(_e1236 + (_e1206 >> bitcast<u32>(1u)))] = ((_e1200 & 65535u) | (_e1243 << bitcast<u32>(16u)));
             }
             break;
         }

@@ -67,11 +67,15 @@ struct type_19 {
     member_54: array<vec4<f32>, 768>,
 }
 
+struct type_21 {
+    member: array<u32, LENGTH_1_4>,
+}
+
 @group(0) @binding(2) 
 var global: texture_2d<f32>;
 var<workgroup> global_1: array<u32, 128>;
 @group(0) @binding(1) 
-var<storage, read_write> global_2: type_11;
+var<storage, read_write> global_2: type_21;
 @group(0) @binding(0) 
 var<uniform> global_3: type_19;
 

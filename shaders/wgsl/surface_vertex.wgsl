@@ -78,12 +78,20 @@ struct type_35 {
     member_3: array<f32, 1>,
 }
 
+struct type_39 {
+    member: array<vec2<u32>, LENGTH_2_8>,
+}
+
+struct type_41 {
+    member: array<vec4<u32>, LENGTH_1_16>,
+}
+
 @group(0) @binding(0) 
 var<uniform> global: type_14;
 @group(0) @binding(2) 
-var<storage> global_1: type_21;
+var<storage> global_1: type_39;
 @group(0) @binding(1) 
-var<storage> global_2: type_27;
+var<storage> global_2: type_41;
 var<private> global_3: i32;
 var<private> global_4: type_35 = type_35(vec4<f32>(0f, 0f, 0f, 1f), 1f, array<f32, 1>(), array<f32, 1>());
 

@@ -10,7 +10,12 @@ pub fn nodes(capacity: u32) -> [u32; 2] {
 
 /// The side of a tile in a picture, px: the smallest power of two that makes at most [`BINS_SIDE`] tiles along each side.
 pub fn tile(size: [u32; 2]) -> u32 {
-    size[0].max(size[1]).div_ceil(BINS_SIDE).max(BINS_TILE).next_power_of_two()
+    tile_of_at_least(BINS_TILE, size)
+}
+
+/// The same with another smallest side, px.
+pub fn tile_of_at_least(least: u32, size: [u32; 2]) -> u32 {
+    size[0].max(size[1]).div_ceil(BINS_SIDE).max(least).next_power_of_two()
 }
 
 /// Bytes of the bins before their nodes, and of all (`shaders/bins.glsl`).
@@ -28,5 +33,6 @@ mod tests {
     fn tiles_are_as_small_as_their_number_allows() {
         let sides = [1, 1024, 1025, 2048, 2049, 8192].map(|side| tile([1, side]));
         assert_eq!(sides, [16, 16, 16, 16, 32, 64]);
+        assert_eq!([1024, 1025, 2049].map(|side| tile_of_at_least(8, [1, side])), [8, 16, 32]);
     }
 }

@@ -75,10 +75,6 @@ pub static RASTER_RGBA8: Module =
     Module { file: "raster_rgba8.comp", spirv: include_bytes!("../../shaders/spv/raster_rgba8.comp.spv"), half: None };
 pub static RASTER_RGBA16F: Module =
     Module { file: "raster_rgba16f.comp", spirv: include_bytes!("../../shaders/spv/raster_rgba16f.comp.spv"), half: None };
-pub static RASTER_LOOPS_RGBA8: Module =
-    Module { file: "raster_loops_rgba8.comp", spirv: include_bytes!("../../shaders/spv/raster_loops_rgba8.comp.spv"), half: None };
-pub static RASTER_LOOPS_RGBA16F: Module =
-    Module { file: "raster_loops_rgba16f.comp", spirv: include_bytes!("../../shaders/spv/raster_loops_rgba16f.comp.spv"), half: None };
 pub static RASTER_TOGETHER_RGBA8: Module =
     Module { file: "raster_together_rgba8.comp", spirv: include_bytes!("../../shaders/spv/raster_together_rgba8.comp.spv"), half: None };
 pub static RASTER_TOGETHER_RGBA16F: Module = Module {
@@ -115,8 +111,6 @@ pub static MODULES: &[&Module] = &[
     &BINS,
     &RASTER_RGBA8,
     &RASTER_RGBA16F,
-    &RASTER_LOOPS_RGBA8,
-    &RASTER_LOOPS_RGBA16F,
     &RASTER_TOGETHER_RGBA8,
     &RASTER_TOGETHER_RGBA16F,
     &PRESENT_VERTEX,

@@ -10,6 +10,7 @@ pub struct Module {
     pub file: &'static str,
     /// What Vulkan has as specialization constants.
     pub macros: &'static [(&'static str, &'static str)],
+    /// Without the constants of [`Self::lengths`].
     pub wgsl: &'static str,
 }
 
@@ -38,6 +39,9 @@ modules! {
     SPLATS_KEEP = "splats_keep", "splats.comp", KEEP = "true";
     SPLATS_POSED = "splats_posed", "splats_posed.comp";
     SORT_FIRST = "sort_first", "sort_scatter.comp", PASS = "0u", READS = "HALVES", WRITES = "PACKED", TILE = "SORT_TILE";
+    SORT_LANES_FIRST = "sort_lanes_first", "sort_lanes_scatter.comp", PASS = "0u", READS = "HALVES", WRITES = "PACKED", TILE = "SORT_TILE";
+    SORT_LANES_LAST_COUNT = "sort_lanes_last_count", "sort_lanes_count.comp", PASS = "1u", READS = "PACKED", WRITES = "VALUES", TILE = "SORT_TILE";
+    SORT_LANES_LAST = "sort_lanes_last", "sort_lanes_scatter.comp", PASS = "1u", READS = "PACKED", WRITES = "VALUES", TILE = "SORT_TILE";
     SORT_FIRST_REDUCE = "sort_first_reduce", "sort_reduce.comp", PASS = "0u", READS = "HALVES", WRITES = "PACKED", TILE = "SORT_TILE";
     SORT_FIRST_SCAN = "sort_first_scan", "sort_scan.comp", PASS = "0u", READS = "HALVES", WRITES = "PACKED", TILE = "SORT_TILE";
     SORT_LAST_COUNT = "sort_last_count", "sort_count.comp", PASS = "1u", READS = "PACKED", WRITES = "VALUES", TILE = "SORT_TILE";
@@ -57,6 +61,17 @@ modules! {
 pub const FINGERPRINTS: &str = "fingerprints.txt";
 
 impl Module {
+    /// The constants that say how many elements the arrays of storage buffers have, from the buffers' bindings and bytes.
+    pub fn lengths(&self, buffers: impl Iterator<Item = (u32, u64)>) -> String {
+        let constant = |(binding, bytes): (u32, u64)| {
+            [4, 8, 16].into_iter().find_map(|stride| {
+                let name = format!("LENGTH_{binding}_{stride}");
+                self.wgsl.contains(&name).then(|| format!("const {name}: u32 = {}u;\n", bytes / stride))
+            })
+        };
+        buffers.filter_map(constant).collect()
+    }
+
     /// Changes with the source, whose own fingerprint is given, with the macros, and with the text that came of them.
     pub fn fingerprint(&self, source: u64, wgsl: &str) -> u64 {
         let macros = self.macros.iter().map(|(name, value)| format!("{name}={value};")).collect::<String>();

@@ -62,10 +62,8 @@ impl Tiles {
         let bins = Kernel::new(gpu, &shaders::BINS, &[nodes(capacity)[0]], bindings)?;
         let color = options.color.unwrap_or(Method::Tiles.color());
         let module = match (Variant::suited(gpu), color) {
-            (Variant::Plain, ColorFormat::Rgba8) => &shaders::RASTER_RGBA8,
-            (Variant::Plain, ColorFormat::Rgba16F) => &shaders::RASTER_RGBA16F,
-            (Variant::Loops, ColorFormat::Rgba8) => &shaders::RASTER_LOOPS_RGBA8,
-            (Variant::Loops, ColorFormat::Rgba16F) => &shaders::RASTER_LOOPS_RGBA16F,
+            (Variant::Alone, ColorFormat::Rgba8) => &shaders::RASTER_RGBA8,
+            (Variant::Alone, ColorFormat::Rgba16F) => &shaders::RASTER_RGBA16F,
             (Variant::Together, ColorFormat::Rgba8) => &shaders::RASTER_TOGETHER_RGBA8,
             (Variant::Together, ColorFormat::Rgba16F) => &shaders::RASTER_TOGETHER_RGBA16F,
         };
@@ -170,9 +168,8 @@ fn constants(options: &RendererOptions) -> [u32; 3] {
 /// What the kernel is compiled as.
 #[derive(PartialEq)]
 enum Variant {
-    Plain,
-    /// Its loops left as they are: SwiftShader takes seven seconds to compile them unrolled. Elsewhere, lavapipe loses squares with them.
-    Loops,
+    /// Each invocation walks its tiles' chains by itself.
+    Alone,
     /// Each subgroup lies in one tile and hands splats round: 8 invocations, of 4 by 4 pixels each, in tiles of at least 16. Processors
     /// alone: Mali's compiler spills 700 registers there; and not 16 invocations, half of which lavapipe's compiler loses (NOTES.md).
     Together,
@@ -180,13 +177,8 @@ enum Variant {
 
 impl Variant {
     fn suited(gpu: &Gpu) -> Self {
-        if gpu.probe.driver.starts_with("SwiftShader") {
-            Self::Loops
-        } else if gpu.probe.is_cpu() && gpu.probe.subgroup_shuffle && gpu.probe.subgroup_size == 8 {
-            Self::Together
-        } else {
-            Self::Plain
-        }
+        let eight = gpu.probe.subgroup_shuffle && gpu.probe.subgroup_size == 8;
+        if gpu.probe.is_cpu() && eight && !gpu.probe.driver.starts_with("SwiftShader") { Self::Together } else { Self::Alone }
     }
 }
 

@@ -14,6 +14,8 @@ pub enum Error {
     PictureSize { found: String, limit: u32, device: String },
     #[error("the WebGPU backend sorts keys of 16 bits, not of {0}: leave out --keys, or use the Vulkan backend")]
     KeyBits(u32),
+    #[error("the WebGPU backend has no OneSweep, which needs subgroups: leave out --sort, or use the Vulkan backend")]
+    Sort,
     #[error("the device was lost: {0}; open it again")]
     DeviceLost(String),
     #[error("{what} did not finish within {seconds} s: the device or its driver hangs")]

@@ -5,6 +5,7 @@ use crate::{
     layout::{Frame, Settings},
     webgpu::shaders::Module,
 };
+use std::sync::OnceLock;
 use wgpu::{
     BindGroupEntry, BindGroupLayoutEntry, BindingResource, BindingType, BufferBinding, BufferBindingType, ShaderStages,
     StorageTextureAccess, TextureFormat, TextureSampleType, TextureViewDimension,
@@ -126,32 +127,68 @@ fn group(gpu: &Gpu, layout: &wgpu::BindGroupLayout, bound: &[(u32, Bound)]) -> w
     gpu.device.create_bind_group(&wgpu::BindGroupDescriptor { label: None, layout, entries: &entries })
 }
 
-/// A module on a device.
-pub fn module(gpu: &Gpu, module: &Module) -> wgpu::ShaderModule {
-    let descriptor = wgpu::ShaderModuleDescriptor { label: Some(module.name), source: wgpu::ShaderSource::Wgsl(module.wgsl.into()) };
+/// The source of a module, for what it is bound to.
+fn source(module: &Module, bound: &[(u32, Bound)]) -> String {
+    let buffers = bound.iter().filter_map(|&(binding, bound)| match bound {
+        Bound::Read(slice) | Bound::Write(slice) => Some((binding, slice.size.next_multiple_of(4))),
+        _ => None,
+    });
+    module.lengths(buffers) + module.wgsl
+}
+
+fn made(device: &wgpu::Device, name: &str, source: &str) -> wgpu::ShaderModule {
+    let descriptor = wgpu::ShaderModuleDescriptor { label: Some(name), source: wgpu::ShaderSource::Wgsl(source.into()) };
     // SAFETY: these are the shaders that the Vulkan backend runs without such checks, within the bounds that `Model` and `refuse` see to;
     // browsers check on their own.
-    unsafe { gpu.device.create_shader_module_trusted(descriptor, wgpu::ShaderRuntimeChecks::unchecked()) }
+    unsafe { device.create_shader_module_trusted(descriptor, wgpu::ShaderRuntimeChecks::unchecked()) }
+}
+
+/// A module on a device, for what it is bound to.
+pub fn module(gpu: &Gpu, module: &Module, bound: &[(u32, Bound)]) -> wgpu::ShaderModule {
+    made(&gpu.device, module.name, &source(module, bound))
 }
 
 /// A compute pipeline and what it is bound to.
 pub struct Kernel {
-    pipeline: wgpu::ComputePipeline,
+    pipeline: OnceLock<wgpu::ComputePipeline>,
     pub bindings: Bindings,
+    device: wgpu::Device,
+    layout: wgpu::PipelineLayout,
+    name: &'static str,
+    source: String,
 }
 
 impl Kernel {
     pub fn new(gpu: &Gpu, shader: &Module, bound: &[(u32, Bound)]) -> Self {
+        let new = Self::when_needed(gpu, shader, bound);
+        new.pipeline();
+        new
+    }
+
+    /// Compiled by the first dispatch: for what the first frame does without.
+    pub fn when_needed(gpu: &Gpu, shader: &Module, bound: &[(u32, Bound)]) -> Self {
         let bindings = Bindings::new(gpu, ShaderStages::COMPUTE, bound);
-        let pipeline = gpu.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
-            label: Some(shader.name),
-            layout: Some(&bindings.pipeline_layout(gpu)),
-            module: &module(gpu, shader),
-            entry_point: None,
-            compilation_options: wgpu::PipelineCompilationOptions { zero_initialize_workgroup_memory: false, ..Default::default() },
-            cache: None,
-        });
-        Self { pipeline, bindings }
+        Self {
+            pipeline: OnceLock::new(),
+            layout: bindings.pipeline_layout(gpu),
+            bindings,
+            device: gpu.device.clone(),
+            name: shader.name,
+            source: source(shader, bound),
+        }
+    }
+
+    fn pipeline(&self) -> &wgpu::ComputePipeline {
+        self.pipeline.get_or_init(|| {
+            self.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+                label: Some(self.name),
+                layout: Some(&self.layout),
+                module: &made(&self.device, self.name, &self.source),
+                entry_point: None,
+                compilation_options: wgpu::PipelineCompilationOptions { zero_initialize_workgroup_memory: false, ..Default::default() },
+                cache: None,
+            })
+        })
     }
 
     /// `frame`: where in the frames' buffer the block is, bytes.
@@ -159,7 +196,7 @@ impl Kernel {
         if x == 0 || y == 0 {
             return;
         }
-        pass.set_pipeline(&self.pipeline);
+        pass.set_pipeline(self.pipeline());
         self.bindings.bind_compute(pass, frame);
         pass.dispatch_workgroups(x, y, 1);
     }

@@ -8,7 +8,7 @@ use super::{
 };
 use crate::{
     avatar::Avatar,
-    frame::{KeyBits, Method, RendererOptions, Skip},
+    frame::{KeyBits, Method, RendererOptions, Skip, Variant},
 };
 
 /// The options with what suits a device, and this backend, in place of what was left open.
@@ -16,7 +16,8 @@ pub fn settled(gpu: &Gpu, options: RendererOptions) -> RendererOptions {
     let method = options.method.unwrap_or_else(|| Method::suited(gpu.is_cpu(), &gpu.driver()));
     // Fragments are not tested against the depth surface here.
     let skip = options.skip - Skip::DEPTH;
-    RendererOptions { method: Some(method), color: Some(options.color.unwrap_or(method.color())), skip, ..options }
+    let sort = options.sort.unwrap_or(if gpu.is_cpu() { Variant::LaneScan } else { Variant::SelfScan });
+    RendererOptions { method: Some(method), color: Some(options.color.unwrap_or(method.color())), sort: Some(sort), skip, ..options }
 }
 
 /// Those options for an avatar, unless they can't be drawn with.
@@ -24,6 +25,9 @@ pub fn accepted(gpu: &Gpu, avatar: &Avatar, options: RendererOptions) -> Result<
     options.check()?;
     if options.key_bits != KeyBits::Sixteen {
         return Err(Error::KeyBits(8 * options.key_bits.passes()));
+    }
+    if options.sort == Some(Variant::OneSweep) {
+        return Err(Error::Sort);
     }
     let keys = options.actors as u64 * u64::from(slots_of(avatar.gaussians.len() as u32));
     if keys > u64::from(sort::MOST) {

@@ -21,9 +21,10 @@ impl Present {
     /// For targets of a format whose numbers are shown as they are.
     pub fn new(gpu: &Gpu, picture: &wgpu::TextureView, format: TextureFormat) -> Result<Self> {
         let background = buffer::empty(gpu, "background", 16, BufferUsages::UNIFORM | BufferUsages::COPY_DST)?;
-        let bindings = Bindings::new(gpu, ShaderStages::FRAGMENT, &bound(picture, &background));
+        let bound = bound(picture, &background);
+        let bindings = Bindings::new(gpu, ShaderStages::FRAGMENT, &bound);
         let target = wgpu::ColorTargetState { format, blend: None, write_mask: wgpu::ColorWrites::ALL };
-        let pipeline = draw_pipeline(gpu, "present", &bindings, [&shaders::PRESENT_VERTEX, &shaders::PRESENT_FRAGMENT], target);
+        let pipeline = draw_pipeline(gpu, "present", (&bindings, &bound), [&shaders::PRESENT_VERTEX, &shaders::PRESENT_FRAGMENT], target);
         Ok(Self { background, bindings, pipeline })
     }
 

@@ -40,6 +40,7 @@ fn wgpu_format(format: ColorFormat) -> TextureFormat {
 pub struct Inputs<'a> {
     pub order: Slice<'a>,
     pub splats: Slice<'a>,
+    pub keys: Slice<'a>,
     pub control: &'a wgpu::Buffer,
     /// Splats at most.
     pub capacity: u32,
@@ -177,7 +178,7 @@ fn hulls(gpu: &Gpu, blocks: &Blocks, inputs: Inputs, format: ColorFormat) -> Res
     let over = |src_factor| BlendComponent { src_factor, dst_factor: BlendFactor::OneMinusSrcAlpha, operation: BlendOperation::Add };
     let blend = Some(BlendState { color: over(BlendFactor::SrcAlpha), alpha: over(BlendFactor::One) });
     let target = wgpu::ColorTargetState { format: wgpu_format(format), blend, write_mask: wgpu::ColorWrites::ALL };
-    let pipeline = draw_pipeline(gpu, "raster", &bindings, [&shaders::RASTER_VERTEX, &shaders::RASTER_FRAGMENT], target);
+    let pipeline = draw_pipeline(gpu, "raster", (&bindings, &bound), [&shaders::RASTER_VERTEX, &shaders::RASTER_FRAGMENT], target);
     Ok(Way::Hulls { bindings, pipeline, indices })
 }
 
@@ -185,7 +186,7 @@ fn hulls(gpu: &Gpu, blocks: &Blocks, inputs: Inputs, format: ColorFormat) -> Res
 pub fn draw_pipeline(
     gpu: &Gpu,
     label: &'static str,
-    bindings: &Bindings,
+    (bindings, bound): (&Bindings, &[(u32, Bound)]),
     [vertex, fragment]: [&shaders::Module; 2],
     target: wgpu::ColorTargetState,
 ) -> wgpu::RenderPipeline {
@@ -193,7 +194,7 @@ pub fn draw_pipeline(
         label: Some(label),
         layout: Some(&bindings.pipeline_layout(gpu)),
         vertex: wgpu::VertexState {
-            module: &module(gpu, vertex),
+            module: &module(gpu, vertex, bound),
             entry_point: None,
             compilation_options: Default::default(),
             buffers: &[],
@@ -202,7 +203,7 @@ pub fn draw_pipeline(
         depth_stencil: None,
         multisample: Default::default(),
         fragment: Some(wgpu::FragmentState {
-            module: &module(gpu, fragment),
+            module: &module(gpu, fragment, bound),
             entry_point: None,
             compilation_options: Default::default(),
             targets: &[Some(target)],
@@ -236,13 +237,14 @@ fn tile_bindings<'a>(
     inputs: Inputs<'a>,
     buffer: &'a wgpu::Buffer,
     (format, view): (ColorFormat, &'a wgpu::TextureView),
-) -> [(u32, Bound<'a>); 6] {
+) -> [(u32, Bound<'a>); 7] {
     [
         blocks.frame(),
         (1, Bound::Read(inputs.splats)),
         (2, Bound::Write(inputs.control.into())),
         (3, Bound::Read(buffer.into())),
         (4, Bound::Picture(view, wgpu_format(format))),
+        (5, Bound::Read(inputs.keys)),
         blocks.settings(),
     ]
 }

@@ -19,12 +19,12 @@ use super::{
 use crate::{
     avatar::Avatar,
     frame::{
-        Body, Camera, Extent, FrameReport, Needs, Posed, RendererOptions, Skip, block,
+        Body, Camera, Extent, FrameReport, Needs, Posed, RendererOptions, Skip, Variant, block,
         keeper::Keeper,
         refuse,
         scene::{Actor, Scene, Staged},
     },
-    layout::{Control, Frame, PYRAMID_WORDS, RASTER_QUADS, SORT_TILE, Settings},
+    layout::{Control, Frame, PYRAMID_WORDS, RASTER_QUADS, RASTER_SQUARE, SORT_TILE, Settings, bins},
 };
 use bytemuck::bytes_of;
 use std::sync::Arc;
@@ -79,8 +79,10 @@ impl Renderer {
         let control = empty(gpu, "control", size_of::<Control>() as u64, STORAGE | wgpu::BufferUsages::INDIRECT)?;
         let blocks = Blocks::new(gpu, options.actors)?;
         let splats = Splats::new(gpu, &model, (&blocks, &pose), actors, options.skip.contains(Skip::SKINNING))?;
-        let sort = Sort::new(gpu, &blocks, (splats.keys(), splats.counts()), &control, splats.capacity())?;
-        let inputs = Inputs { order: sort.order(), splats: splats.all(), control: &control, capacity: splats.capacity() };
+        let lanes = options.sort == Some(Variant::LaneScan);
+        let sort = Sort::new(gpu, &blocks, (splats.keys(), splats.counts()), &control, (splats.capacity(), lanes))?;
+        let inputs =
+            Inputs { order: sort.order(), splats: splats.all(), keys: splats.keys(), control: &control, capacity: splats.capacity() };
         let raster = Raster::new(gpu, &blocks, inputs, &options)?;
         let mut settings = Settings::default();
         sort.fill(&mut settings);
@@ -260,6 +262,8 @@ impl Renderer {
             block.surface_start = 0;
         }
         self.splats.fill(block);
+        // What four lanes of a processor blend: each splat of a tile costs them the same, whether it meets them or not.
+        block.tile = bins::tile_of_at_least(2 * RASTER_SQUARE, camera.size) as f32;
         block.count_tile = SORT_TILE;
         if let Some((actor, before)) = actor {
             block::fill_actor(block, &self.options, actor, camera);
@@ -275,7 +279,7 @@ impl Renderer {
     /// When the device does not draw that size.
     pub fn resize(&mut self, size: [u32; 2]) -> Result<()> {
         let Self { splats, sort, control, raster, blocks, .. } = self;
-        let inputs = Inputs { order: sort.order(), splats: splats.all(), control, capacity: splats.capacity() };
+        let inputs = Inputs { order: sort.order(), splats: splats.all(), keys: splats.keys(), control, capacity: splats.capacity() };
         raster.resize(&self.gpu, blocks, inputs, size)?;
         self.options.size = size;
         self.scene = Scene::default();

@@ -1,5 +1,6 @@
 //! The `sort` stage: a stable radix sort of 16-bit keys in two passes, lowest first, without subgroups: each workgroup sums the
-//! histograms of the tiles before its own. Keys go in, the order comes out, and in the control the number of survivors.
+//! histograms of the tiles before its own; on processors each invocation has a run of keys to itself. Keys go in, the order comes out,
+//! and in the control the number of survivors.
 
 use super::{
     buffer::{STORAGE, Slice, empty},
@@ -45,14 +46,25 @@ pub struct Sort {
 }
 
 impl Sort {
-    /// Sorts at most `capacity` keys. `counts`: where their lowest digits are counted.
-    pub fn new(gpu: &Gpu, blocks: &Blocks, (keys, counts): (Slice, Slice), control: &wgpu::Buffer, capacity: u32) -> Result<Self> {
+    /// Sorts at most `capacity` keys. `counts`: where their lowest digits are counted; `lanes`: with a run of keys an invocation.
+    pub fn new(
+        gpu: &Gpu,
+        blocks: &Blocks,
+        (keys, counts): (Slice, Slice),
+        control: &wgpu::Buffer,
+        (capacity, lanes): (u32, bool),
+    ) -> Result<Self> {
         let between = empty(gpu, "sort entries", 4 * u64::from(capacity), STORAGE)?;
         let order = empty(gpu, "order", 4 * u64::from(capacity), STORAGE)?;
         let (read, write) = (|slice| Bound::Read(slice), |slice| Bound::Write(slice));
         let (between, control) = (Slice::from(&between), Slice::from(control));
         let kernel = |module, bound: &[(u32, Bound)]| Kernel::new(gpu, module, &[bound, &[blocks.settings()]].concat());
         let scanned = tiles(capacity) > MOST_SUMMED;
+        let [first, last_count, last] = if lanes {
+            [&shaders::SORT_LANES_FIRST, &shaders::SORT_LANES_LAST_COUNT, &shaders::SORT_LANES_LAST]
+        } else {
+            [&shaders::SORT_FIRST, &shaders::SORT_LAST_COUNT, &shaders::SORT_LAST]
+        };
         let first_scan = || {
             [
                 kernel(&shaders::SORT_FIRST_REDUCE, &[(2, write(counts))]),
@@ -67,10 +79,10 @@ impl Sort {
         };
         Ok(Self {
             first_scan: scanned.then(first_scan),
-            first: kernel(&shaders::SORT_FIRST, &[(1, read(keys)), (2, read(counts)), (3, write(control)), (4, write(between))]),
-            last_count: kernel(&shaders::SORT_LAST_COUNT, &[(1, read(between)), (2, write(counts)), (3, read(control))]),
+            first: kernel(first, &[(1, read(keys)), (2, read(counts)), (3, write(control)), (4, write(between))]),
+            last_count: kernel(last_count, &[(1, read(between)), (2, write(counts)), (3, read(control))]),
             last_scan: scanned.then(last_scan),
-            last: kernel(&shaders::SORT_LAST, &[(1, read(between)), (2, read(counts)), (3, read(control)), (4, write((&order).into()))]),
+            last: kernel(last, &[(1, read(between)), (2, read(counts)), (3, read(control)), (4, write((&order).into()))]),
             tiles: tiles(capacity),
             capacity,
             order,

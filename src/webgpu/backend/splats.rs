@@ -54,7 +54,7 @@ impl Splats {
             blocks.frame(),
             blocks.settings(),
         ];
-        let keeping = || [Kernel::new(gpu, &shaders::SPLATS_KEEP, &all), Kernel::new(gpu, &shaders::SPLATS_POSED, &kept)];
+        let keeping = || [Kernel::when_needed(gpu, &shaders::SPLATS_KEEP, &all), Kernel::when_needed(gpu, &shaders::SPLATS_POSED, &kept)];
         Ok(Self {
             computing: Kernel::new(gpu, &shaders::SPLATS, &all),
             keeping: keep.then(keeping),

@@ -25,8 +25,8 @@ pub struct Surface {
 impl Surface {
     /// Writes the pyramid to `pose`, from the word on that the frame says.
     pub fn new(gpu: &Gpu, model: &Model, blocks: &Blocks, pose: &wgpu::Buffer) -> Self {
-        let bound = [blocks.frame(), (1, Bound::Read((&model.occluder.corners).into())), (2, Bound::Read(pose.into()))];
-        let mesh = Bindings::new(gpu, ShaderStages::VERTEX, &bound);
+        let drawn = [blocks.frame(), (1, Bound::Read((&model.occluder.corners).into())), (2, Bound::Read(pose.into()))];
+        let mesh = Bindings::new(gpu, ShaderStages::VERTEX, &drawn);
         let usage = TextureUsages::RENDER_ATTACHMENT | TextureUsages::TEXTURE_BINDING;
         let image = super::raster::texture(gpu, "surface", [SURFACE_DRAWN; 2], FORMAT, usage);
         let image = image.create_view(&Default::default());
@@ -36,7 +36,7 @@ impl Surface {
             label: Some("surface"),
             layout: Some(&mesh.pipeline_layout(gpu)),
             vertex: wgpu::VertexState {
-                module: &module(gpu, &shaders::SURFACE_VERTEX),
+                module: &module(gpu, &shaders::SURFACE_VERTEX, &drawn),
                 entry_point: None,
                 compilation_options: Default::default(),
                 buffers: &[],

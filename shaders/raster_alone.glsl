@@ -1,0 +1,88 @@
+// Blending where each invocation walks its chains by itself, written for devices that play lanes a few at a time on a processor,
+// SwiftShader above all. There a uniform costs a hundred instructions wherever it is named, a shift by a constant and `min` as much as two
+// pixels' arithmetic, an array that is asked for by a variable a walk over the lanes. So uniforms are read once, numbers are unpacked by
+// masks and products, and pixels are written out.
+
+// What the frame says of splats.
+float fixed_scale, guard, hull_opacity, cutoff;
+// Of pixels.
+float least, full;
+
+void read_uniforms() {
+    fixed_scale = frame.fixed_scale;
+    guard = frame.guard;
+    hull_opacity = frame.hull_opacity;
+    cutoff = frame.cutoff;
+    least = CUTOFF;
+    full = FULL;
+}
+
+float larger(float a, float b) { return mix(a, b, b > a); }
+float smaller(float a, float b) { return mix(a, b, b < a); }
+
+// The f16 in the lower half of a word: its bits are moved to where f32 has them, and its exponent is that of f32 less 112.
+float lower_half(uint word) {
+    return uintBitsToFloat((word & 0x7fffu) * 8192u | (word & 0x8000u) * 65536u) * 5.192296858534828e33;
+}
+
+float upper_half(uint word) {
+    return uintBitsToFloat((word & 0x7fffffffu) >> 3u & 0x0fffe000u | word & 0x80000000u) * 5.192296858534828e33;
+}
+
+// The bits of a mask, none of them the highest.
+float number(uint word, uint mask) { return float(int(word & mask)); }
+
+// From a pixel to the next the Gaussian changes by a factor, which itself changes by a constant one. The low-pass lets no Gaussian fall
+// faster than from its cutoff to 2^−56 over a row of four: what starts lower does not count.
+#define PIXEL(k) \
+    { \
+        float covers = smaller(alpha, 0.99); \
+        vec4 pixel = pixels[k]; \
+        float share = mix(0.0, covers * pixel.a, covers >= least); \
+        pixel = vec4(pixel.rgb + share * color, pixel.a - share); \
+        pixels[k] = pixel; \
+        most = larger(most, pixel.a); \
+        alpha *= factor; \
+        factor *= bend; \
+    }
+#define ROW(k) \
+    { \
+        float weight = exp2(-dot(deviation, deviation)); \
+        float alpha = mix(0.0, opacity * weight, weight >= 1e-17); \
+        float factor = exp2(smaller(-dot(2.0 * deviation + right, right), 60.0)); \
+        PIXEL(k) PIXEL(k + 1u) PIXEL(k + 2u) PIXEL(k + 3u) \
+        deviation += vec2(along.y, across.y); \
+    }
+
+// Puts a splat behind what the pixels hold. Standard deviations are times √(½ log₂ e): the Gaussian is 2^−|deviation|².
+void put(uvec4 words) {
+    const float half_side = 0.5 * float(SIDE - 1u);
+    const uint place = (1u << POSITION_BITS) - 1u;
+    vec2 from = middle - (vec2(number(words.x, place), number(words.y, place)) / fixed_scale - guard);
+    vec2 axis = vec2(lower_half(words.z), upper_half(words.z));
+    float shorter = lower_half(words.w);
+    float opacity = number(words.w, 0xffu << 16u) / 65536.0;
+    float inverse = 1.0 / dot(axis, axis);
+    float reach = 2.0 * log(larger(larger(opacity, hull_opacity) / cutoff, 1.0));
+    vec2 box = sqrt(reach * (axis * axis + shorter * shorter * inverse * axis.yx * axis.yx));
+    if (!(open && abs(from.x) < box.x + half_side && abs(from.y) < box.y + half_side)) {
+        return;
+    }
+    const float unit = 0.84932180;
+    vec2 along = unit * inverse * axis;
+    vec2 across = unit * sqrt(inverse) / shorter * vec2(-axis.y, axis.x);
+    vec2 right = vec2(along.x, across.x);
+    float bend = exp2(-2.0 * dot(right, right));
+    float low = number(words.x, 1u << 30u) / float(1u << 30u) + mix(0.0, 2.0, int(words.x) < 0);
+    float high = number(words.w, 0x7fu << 24u) / float(1u << 24u) + mix(0.0, 128.0, int(words.w) < 0);
+    const float share_of = 1.0 / (1023.0 * float(1u << POSITION_BITS));
+    vec3 color = vec3(number(words.x, 1023u << POSITION_BITS) * share_of, number(words.y, 1023u << POSITION_BITS) * share_of,
+                      (4.0 * high + low) / 1023.0);
+    opacity /= 255.0;
+    from -= half_side;
+    vec2 deviation = vec2(dot(from, along), dot(from, across));
+    float most = 0.0;
+    ROW(0u) ROW(4u) ROW(8u) ROW(12u)
+    shaded += SIDE * SIDE;
+    open = most >= full;
+}
