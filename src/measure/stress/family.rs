@@ -1,6 +1,6 @@
 //! The families of stress cases: what each is hard on, and how far its pictures may be from the reference's.
 //!
-//! The bounds are measured, not wished for: the worst of 2,000 cases of seed 7 on lavapipe and of some hundred on SwiftShader, with room.
+//! The bounds are measured, not wished for: the worst of the first 500 cases of seed 7 on lavapipe and of some hundred on SwiftShader, with room.
 
 use super::case::Case;
 use crate::{frame::Skip, vulkan::raster::ColorFormat, vulkan::sort::KeyBits};
@@ -110,21 +110,25 @@ impl Family {
     /// With nothing left out, keys of 24 bits or more and floating-point pictures.
     fn exact(self) -> Bound {
         let [psnr_db, max_error] = match self {
-            // Depths a kilometre away, or metres outside the body, have too few steps in f32 to keep apart what nearly touches.
-            Self::Distant | Self::Poses | Self::Mixed => [36.0, 1.0],
             // Correctives of kilometres: most Gaussians share the few keys beyond the body's range, so this holds them to being finite.
             Self::Overflow => [0.0, 1.0],
+            // Depths a kilometre away have too few steps in f32 to keep apart what nearly touches.
+            Self::Distant => [44.0, 0.2],
             // Splats lie on a grid of 1/32 px in pictures of 8192 px, of which few pixels are covered.
-            Self::Sizes => [30.0, 0.1],
-            Self::Views => [42.0, 0.06],
-            // The model in device memory is rounded (layout::compact): a dB or two in clouds of a few hundred pixels.
-            Self::Quaternions => [42.0, 0.08],
-            Self::Placed | Self::Needles | Self::Opacity | Self::Colors | Self::SubPixel | Self::Refused => [44.0, 0.12],
-            Self::Inside => [50.0, 0.03],
-            Self::ScreenFilling => [54.0, 0.02],
+            Self::Sizes => [44.0, 0.1],
+            Self::Poses | Self::Mixed | Self::Quaternions => [46.0, 0.1],
+            Self::Views => [48.0, 0.06],
+            Self::Placed | Self::Needles | Self::Opacity | Self::Colors | Self::SubPixel | Self::Refused => [50.0, 0.06],
+            Self::Inside | Self::ScreenFilling => [54.0, 0.03],
             Self::NearPlane => [65.0, 0.01],
         };
-        Bound { psnr_db, model_db: 10.0, max_error }
+        // What the model's rounding (layout::compact) moves by micrometres shows most through a lens of 1°, and changes places in clouds.
+        let model_db = match self {
+            Self::Overflow => 0.0,
+            Self::Views => 16.0,
+            _ => 24.0,
+        };
+        Bound { psnr_db, model_db, max_error }
     }
 
     /// What a case's picture must keep.
