@@ -55,7 +55,7 @@ for driver in "${drivers[@]}"; do
   run "$driver" "${device[@]}"
   echo "$driver: $(passed "$driver") passed ($SECONDS s)"
 done
-echo "the slowest:"; sort -k2,2nr "$results/all" | head -n 8 | sed 's/^[a-zA-Z]* \([0-9]*\)/  \1 s/'
+echo "the slowest:"; sort -k2,2nr "$results/all" | sed -n '1,8s/^[a-zA-Z]* \([0-9]*\)/  \1 s/p'
 failed=$(grep -c '^FAILED' "$results/all" || true)
 [ "$failed" = 0 ] || { echo "$failed failed:"; sed -n 's/^FAILED [0-9]*/ /p' "$results/all"; exit 1; }
 echo "all $(grep -c '^ok' "$results/all") passed"
