@@ -19,7 +19,7 @@ as_root apt-get -o DPkg::Lock::Timeout=300 update -qq
 DEBIAN_FRONTEND=noninteractive as_root "${install[@]}" mesa-vulkan-drivers libvulkan1 chromium vulkan-validationlayers xvfb xdotool >/dev/null
 
 # The lists of the backports suite, kept apart from the system's own.
-mirror=$(apt-get indextargets --format '$(SITE)' 'Created-By: Packages' 'Codename: bookworm' | head -n 1)
+mirror=$(apt-get indextargets --format '$(SITE)' 'Created-By: Packages' 'Codename: bookworm' | sed -n 1p)
 [ -n "$mirror" ] || mirror=$(awk '/^URIs:/{print $2; exit}' /etc/apt/sources.list.d/*.sources)
 apt="$dest/apt"
 mkdir -p "$apt/lists/partial" "$apt/cache/archives/partial" "$dest/mesa25"

@@ -41,7 +41,7 @@ rm -rf "$dest"; mkdir -p "$dest/bin" "$dest/packages"
 
 say "packages"
 as_root apt-get -o DPkg::Lock::Timeout=300 update -qq
-needs() { apt-cache show --no-all-versions "$1" | sed -n 's/^Depends: //p' | tr ',|' '\n\n' | awk '{print $1}' | grep -E "$2" | head -n 1; }
+needs() { apt-cache show --no-all-versions "$1" | sed -n 's/^Depends: //p' | tr ',|' '\n\n' | awk '{print $1}' | grep -E "$2" | sed -n 1p; }
 std=$(needs libstd-rust-web-dev '^libstd-rust-web-[0-9.]+$')
 llvm=$(needs "$std" '^libllvm[0-9]+$'); version=${llvm#libllvm}
 (cd "$dest/packages" && for try in 1 2 3; do
