@@ -121,15 +121,16 @@ uint step_back(uint chain) {
         keys.level = key_at(first.level); \
     }
 #define NEARER(level) \
-    if (chains.level != 0u && (!some || keys.level > key || (keys.level == key && first.level > splat))) { \
+    if (chains.level != 0u && (chain == 0u || keys.level > key || (keys.level == key && first.level > splat))) { \
+        chain = chains.level; \
         splat = first.level; \
         key = keys.level; \
-        some = true; \
     }
 #define STEP(level) \
-    if (chains.level != 0u && first.level == splat) { \
-        chains.level = step_back(chains.level); \
-        FIRST(level) \
+    if (take.level) { \
+        chains.level = rest; \
+        first.level = next; \
+        keys.level = after; \
     }
 
 // One loop, since a loop takes as many turns as the lane that needs most, and what no lane needs is played all the same. `at`: column and
@@ -155,8 +156,12 @@ void blend_tiles(uvec2 at) {
             }
             uint splat = 0u;
             uint key = 0u;
-            bool some = false;
+            uint chain = 0u;
             NEARER(x) NEARER(y) NEARER(z) NEARER(w)
+            bvec4 take = equal(chains, uvec4(chain));
+            uint rest = step_back(chain);
+            uint next = rest == 0u ? 0u : bins[BINS_NODES + rest];
+            uint after = rest == 0u ? 0u : key_at(next);
             STEP(x) STEP(y) STEP(z) STEP(w)
             put(splats[splat]);
         }
