@@ -105,11 +105,8 @@ pub(super) fn to_host(gpu: &Gpu, commands: vk::CommandBuffer) {
 
 impl Drop for Buffer {
     fn drop(&mut self) {
-        if self.gpu.hangs() {
-            return;
-        }
         // SAFETY: owners drop a buffer only when no submitted work uses it.
-        unsafe { self.gpu.raw.destroy_buffer(self.raw, None) };
+        self.gpu.destroy(|device| unsafe { device.destroy_buffer(self.raw, None) });
         free(&self.gpu, self.allocation.take());
     }
 }
@@ -157,14 +154,11 @@ impl Image {
 
 impl Drop for Image {
     fn drop(&mut self) {
-        if self.gpu.hangs() {
-            return;
-        }
         // SAFETY: owners drop an image only when no submitted work uses it. Destroying a null view does nothing.
-        unsafe {
-            self.gpu.raw.destroy_image_view(self.view, None);
-            self.gpu.raw.destroy_image(self.raw, None);
-        }
+        self.gpu.destroy(|device| unsafe {
+            device.destroy_image_view(self.view, None);
+            device.destroy_image(self.raw, None);
+        });
         free(&self.gpu, self.allocation.take());
     }
 }
@@ -197,7 +191,7 @@ fn allocate(gpu: &Gpu, name: &str, requirements: vk::MemoryRequirements, locatio
 }
 
 fn free(gpu: &Gpu, allocation: Option<Allocation>) {
-    let Some(allocation) = allocation else { return };
+    let Some(allocation) = allocation.filter(|_| !gpu.hangs()) else { return };
     let mut allocator = gpu.allocator.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
     if let Err(error) = allocator.free(allocation) {
         tracing::warn!("freeing device memory failed: {error}");
