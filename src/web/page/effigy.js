@@ -1,260 +1,322 @@
 // Effigy in a page: `const effigy = await Effigy.create(canvas); await effigy.loadAvatar("demo.avatar");`. effigy.d.ts says all of it.
-import init, { Drawn, Stage } from "./effigy_core.js";
+import { Drawn, Stage } from "./effigy_core.js";
+import { firstScreen, isBroken, loaded, told, Unsupported } from "./core.js";
+import { Devices } from "./devices.js";
+import { Playback } from "./playback.js";
+import { aborted, bytesOf, within } from "./source.js";
+import { Times } from "./times.js";
+import { VIEW, checkedCamera, fit, framing } from "./view.js";
+import { Watched } from "./watched.js";
 
-let ready;
+export { Unsupported };
 
 /** Whether this browser can draw at all. */
 export const isSupported = () => "gpu" in navigator;
 
-/** What is thrown where there is no WebGPU. */
-export class Unsupported extends Error {
-  constructor() {
-    super("This browser has no WebGPU. Chrome and Edge from 113 on have it, Safari from 26, and Firefox from 141 on Windows, from 145 on Macs.");
-    this.name = "Unsupported";
-  }
-}
-
-async function download(url, onProgress, signal) {
-  const response = await fetch(url, { signal });
-  if (!response.ok) throw new Error(`${url} can't be loaded: the server says ${response.status} ${response.statusText}`);
-  const length = Number(response.headers.get("content-length"));
-  // What is compressed on the way is longer than the header says.
-  const total = length > 0 && !response.headers.get("content-encoding") ? length : undefined;
-  const reader = response.body.getReader();
-  let bytes = new Uint8Array(total ?? 1 << 20), loaded = 0;
-  for (;;) {
-    const { done, value } = await reader.read();
-    if (done) break;
-    if (loaded + value.length > bytes.length) {
-      const more = new Uint8Array(Math.max(2 * bytes.length, loaded + value.length));
-      more.set(bytes.subarray(0, loaded));
-      bytes = more;
-    }
-    bytes.set(value, loaded);
-    loaded += value.length;
-    onProgress?.(loaded, total);
-  }
-  return bytes.subarray(0, loaded);
-}
-
-async function bytesOf(source, onProgress, signal) {
-  if (typeof source === "string" || source instanceof URL) return download(String(source), onProgress, signal);
-  if (source instanceof Blob) return new Uint8Array(await source.arrayBuffer());
-  return source instanceof Uint8Array ? source : new Uint8Array(source);
-}
-
 export class Effigy extends EventTarget {
-  #stage; #canvas; #observer; #pixels; #request = 0; #last; #clip = 0; #time = 0; #playing = false; #loop = true; #rate = 1;
-  #described = {}; #camera; #frames = []; #recovering = false; #failed; #disposed = false; #live = 0;
-  #onVisible = () => this.#wake();
+  #stage; #canvas; #pixels; #longest = 8192; #camera; #described = {}; #disposed = false;
+  #playback = new Playback(); #live = 0;
+  #request = 0; #timer = 0; #watched; #times = new Times(); #shots = []; #drew = new Event("frame");
+  // The last avatar asked for, the one that is shown, and what is under way.
+  #ticket = 0; #shown = 0; #loading; #abort;
+  #devices; #recovery; #failed; #gone = false;
+
+  // Bound once: a frame makes no functions.
+  #onFrame = (now) => { this.#request = 0; this.#frame(now); };
+  #onTimer = () => { this.#timer = 0; this.#frame(performance.now()); };
 
   /** Makes a device for a canvas that nothing else draws on. The canvas's size on the page decides its pixels. */
   static async create(canvas, options = {}) {
     if (!isSupported()) throw new Unsupported();
-    await (ready ??= init({ module_or_path: new URL("effigy_core_bg.wasm", import.meta.url) }));
     const effigy = new Effigy();
     effigy.#canvas = canvas;
-    effigy.#pixels = options.maxPixelRatio ?? 2;
-    effigy.#fit();
-    effigy.#stage = await Stage.create(canvas);
-    effigy.camera = { target: [0, 1, 0], yaw: 0.35, pitch: 0.09, distance: 3.2, fov: 0.61, ...options.camera };
-    effigy.#observer = new ResizeObserver(() => effigy.#wake());
-    effigy.#observer.observe(canvas);
-    document.addEventListener("visibilitychange", effigy.#onVisible);
+    effigy.#pixels = within("maxPixelRatio", options.maxPixelRatio ?? 2, 0.01, 16);
+    effigy.#camera = checkedCamera({ ...VIEW, ...options.camera });
+    await loaded();
+    effigy.#begin(await firstScreen(canvas));
     return effigy;
   }
 
-  /** Takes an avatar from a URL, a File or bytes. Where that fails the old one stays. */
-  async loadAvatar(source, { onProgress, signal, frame = true } = {}) {
-    const bytes = await bytesOf(source, onProgress, signal);
-    this.#open();
+  #begin(screen) {
+    this.#longest = screen.longest();
     this.#fit();
-    this.#stage.resize();
-    this.#stage.load(bytes);
-    [this.#clip, this.#time, this.#playing, this.#live] = [0, 0, false, 0];
+    this.#devices = new Devices(this.#canvas, () => this.#recover());
+    this.#stage = new Stage(this.#devices.follow(screen));
+    this.#look();
+    this.#watched = new Watched(this.#canvas, (seen) => {
+      if (seen) this.#times.idle();
+      this.#wake();
+    });
+    this.#wake();
+  }
+
+  /** Takes an avatar from a URL, a File or bytes. Where that fails the old one stays; of several the last asked for is shown. */
+  async loadAvatar(source, { onProgress, signal, frame = true } = {}) {
+    this.#open();
+    const ticket = ++this.#ticket, abort = new AbortController(), before = this.#abort;
+    this.#abort = abort;
+    before?.abort(aborted("another avatar was asked for"));
+    if (signal?.aborted) abort.abort(signal.reason);
+    signal?.addEventListener("abort", () => abort.abort(signal.reason), { once: true });
+    const shown = this.#bring(source, { onProgress, signal: abort.signal, frame }, ticket);
+    const loading = this.#loading = { ticket, shown };
+    try {
+      await shown;
+      return this.description;
+    } catch (error) {
+      throw told(error);
+    } finally {
+      if (this.#loading === loading) this.#loading = undefined;
+    }
+  }
+
+  async #bring(source, { onProgress, signal, frame }, ticket) {
+    const bytes = await bytesOf(source, onProgress, signal);
+    if (this.#gone) {
+      [this.#gone, this.#failed] = [false, undefined];
+      this.#devices.forgive();
+      this.#recover();
+    }
+    while (!(await this.#replace(bytes, signal)));
+    [this.#shown, this.#live, this.#failed] = [ticket, 0, undefined];
+    const { playing } = this.#playback;
+    this.#playback.reset();
+    if (playing) this.pause();
     this.#describe();
     if (frame) this.frameAvatar();
     this.#wake();
-    return this.description;
   }
 
-  /** Adds a clip from a URL, a File or bytes, and plays it. Gives its number. */
-  async loadMotion(source, { onProgress, signal, play = true } = {}) {
-    const bytes = await bytesOf(source, onProgress, signal);
+  /** Shows what is in some bytes; false where the device was lost on the way. */
+  async #replace(bytes, signal) {
+    await this.#recovery;
     this.#open();
-    const number = this.#stage.add_clip(bytes);
+    signal.throwIfAborted();
+    if (this.#gone) throw this.#failed;
+    let candidate;
+    try {
+      this.#fit();
+      this.#stage.resize();
+      candidate = this.#stage.prepare(bytes);
+      await candidate.made();
+      this.#open();
+      signal.throwIfAborted();
+    } catch (error) {
+      if (!isBroken() && !(error instanceof WebAssembly.RuntimeError)) candidate?.free();
+      if (this.#disposed || !this.#recover()) throw error;
+      return false;
+    }
+    return this.#stage.show(candidate);
+  }
+
+  /** Adds a clip from a URL, a File or bytes to the avatar asked for last, and plays it. Gives its number. */
+  async loadMotion(source, { onProgress, signal, play = true } = {}) {
+    this.#open();
+    const ticket = this.#loading?.ticket ?? this.#shown, avatar = this.#loading?.shown;
+    const bytes = await bytesOf(source, onProgress, signal);
+    await avatar?.catch(() => { throw aborted("the avatar that this clip was for is not there"); });
+    this.#open();
+    signal?.throwIfAborted();
+    if (this.#shown !== ticket) throw aborted("another avatar has come meanwhile");
+    const number = this.#call(() => this.#stage.add_clip(bytes));
     this.#describe();
     if (play) this.play(number);
     return number;
   }
 
-  #open() { if (this.#disposed) throw new Error("this avatar's canvas was disposed of"); }
-  #describe() { this.#described = JSON.parse(this.#stage.describe()); }
+  #open() {
+    if (this.#disposed) throw new Error("this avatar's canvas was disposed of");
+    if (isBroken()) throw isBroken();
+  }
+  #call(act) { try { return act(); } catch (error) { throw told(error); } }
+  #describe() { this.#described = JSON.parse(this.#call(() => this.#stage.describe())); }
 
   get description() { return this.#described; }
   get clips() { return this.#described.clips ?? []; }
-  get clip() { return this.#clip; }
-  get duration() { return this.clips[this.#clip]?.duration ?? 0; }
-  get playing() { return this.#playing; }
-  get time() { return this.#time; }
+  get clip() { return this.#playback.clip; }
+  get duration() { return this.#described.clips?.[this.#playback.clip]?.duration ?? 0; }
+  get playing() { return this.#playback.playing; }
+  get time() { return this.#playback.time; }
   set time(seconds) {
-    this.#time = seconds;
-    this.#stage.seek(this.#clip, seconds);
+    this.#open();
+    this.#playback.time = within("the time", seconds, -1e9, 1e9);
+    this.#stage.seek(this.clip, seconds);
     this.#live = 0;
-    this.#wake();
+    this.#changed();
   }
-  get loop() { return this.#loop; }
-  set loop(loop) { this.#loop = loop; }
-  get rate() { return this.#rate; }
-  set rate(rate) { this.#rate = rate; }
+  get loop() { return this.#playback.loop; }
+  set loop(loop) { this.#playback.loop = Boolean(loop); }
+  get rate() { return this.#playback.rate; }
+  set rate(rate) { this.#playback.rate = within("the rate", rate, -1000, 1000); }
 
   /** Plays a clip from where it stands, or another from its start. */
-  play(clip = this.#clip) {
+  play(clip = this.clip) {
+    this.#open();
     if (!(clip in this.clips)) throw new RangeError(`there is no clip ${clip}: ${this.clips.length} are loaded`);
-    if (clip !== this.#clip || (!this.#loop && this.#time >= this.duration)) this.#time = 0;
-    this.#clip = clip;
-    this.time = this.#time;
-    this.#playing = true;
-    this.#last = undefined;
+    const again = clip !== this.clip || (!this.loop && this.time >= this.duration);
+    this.#playback.clip = clip;
+    this.time = again ? 0 : this.time;
+    this.#playback.start();
     this.dispatchEvent(new Event("play"));
   }
 
   pause() {
-    this.#playing = false;
+    this.#playback.playing = false;
     this.dispatchEvent(new Event("pause"));
   }
 
   /** Drives the avatar live, at any rate: three numbers a joint, in the order of `description.joints`. */
   setPose({ rotation, translation = [0, 0, 0], expression = [] }) {
     this.#open();
-    const numbers = (list) => (list instanceof Float32Array ? list : Float32Array.from(list));
-    this.#stage.set_pose(performance.now(), numbers(rotation), numbers(translation), numbers(expression));
-    this.#playing = false;
-    this.#live = performance.now();
-    this.#wake();
+    const numbers = (list) => (list instanceof Float32Array ? list : Float32Array.from(list)), now = performance.now();
+    this.#call(() => this.#stage.set_pose(now, numbers(rotation), numbers(translation), numbers(expression)));
+    this.#live = now;
+    if (this.playing) this.pause();
+    this.#changed();
   }
 
   get camera() { return { ...this.#camera, target: [...this.#camera.target] }; }
   set camera(camera) {
-    this.#camera = { ...this.#camera, ...camera };
+    this.#open();
+    this.#camera = checkedCamera({ ...this.#camera, ...camera });
+    this.#look();
+    this.#changed();
+  }
+  #look() {
     const { target: [x, y, z], yaw, pitch, distance, fov } = this.#camera;
-    this.#stage?.set_camera(x, y, z, yaw, pitch, distance, fov);
-    this.#wake();
+    this.#stage.set_camera(x, y, z, yaw, pitch, distance, fov);
   }
 
   /** Looks at all of the avatar. */
   frameAvatar() {
+    this.#open();
     this.#describe();
-    const [min, max] = this.#described.bounds ?? [[-0.5, 0, -0.5], [0.5, 1.8, 0.5]];
-    const half = max.map((high, axis) => (high - min[axis]) / 2), around = Math.hypot(half[0], half[2]);
-    const slope = Math.tan(this.#camera.fov / 2), aspect = this.#canvas.width / this.#canvas.height;
-    const distance = 1.05 * Math.max(half[1] / slope, around / (slope * aspect)) + around;
-    this.camera = { target: min.map((low, axis) => low + half[axis]), distance };
+    const bounds = this.#described.bounds ?? [[-0.5, 0, -0.5], [0.5, 1.8, 0.5]];
+    this.camera = framing(bounds, this.#camera.fov, this.#canvas.width / this.#canvas.height);
   }
 
   /** What lies behind: three numbers from 0 to 1. */
-  set background([red, green, blue]) {
-    this.#over = [red, green, blue];
-    this.#stage.set_background(red, green, blue);
-    this.#wake();
+  set background(color) {
+    this.#open();
+    const [red, green, blue] = Array.from(color, (channel) => within("the background", channel, 0, 1));
+    this.#stage.set_background(red, green, within("the background", blue, 0, 1));
+    this.#changed();
   }
 
   /** Frames a second and times, ms, of the last frames drawn, and what the last one was made of. */
   get statistics() {
-    const times = [...this.#frames].sort((a, b) => a - b), at = (share) => times[Math.floor(share * (times.length - 1))];
-    const mean = times.reduce((sum, time) => sum + time, 0) / times.length;
-    return { frameMs: at(0.5), p95Ms: at(0.95), fps: mean > 0 ? 1000 / mean : 0, ...JSON.parse(this.#stage.statistics()) };
+    const core = this.#disposed || isBroken() ? {} : JSON.parse(this.#stage.statistics());
+    return { ...this.#times.summary, ...core };
   }
 
   /** The canvas as a PNG. */
-  async screenshot() {
+  screenshot() {
     return new Promise((resolve, reject) => {
-      this.#shot = () => this.#canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new Error("the browser made no picture"))));
-      this.#stage.set_background(...this.#over);
+      this.#open();
+      if (this.#failed) throw this.#failed;
+      if (!this.#shown) throw new Error("there is no avatar yet to take a picture of: load one first");
+      this.#shots.push({ resolve, reject });
+      this.#stage.redraw();
       this.#wake();
     });
   }
-  #shot; #over = [216 / 255, 221 / 255, 227 / 255];
+  #shoot() {
+    const shots = this.#shots.splice(0);
+    const missing = new Error("the browser made no picture of the canvas");
+    this.#canvas.toBlob((blob) => shots.forEach(({ resolve, reject }) => (blob ? resolve(blob) : reject(missing))));
+  }
 
   /** For tests: loses the device, which is then opened again. */
   loseDevice() {
+    this.#open();
     this.#stage.lose();
-    this.#wake();
   }
 
   dispose() {
     if (this.#disposed) return;
     this.#disposed = true;
     cancelAnimationFrame(this.#request);
-    this.#observer.disconnect();
-    document.removeEventListener("visibilitychange", this.#onVisible);
+    clearTimeout(this.#timer);
+    this.#watched.stop();
+    const error = new Error("this avatar's canvas was disposed of");
+    this.#shots.splice(0).forEach(({ reject }) => reject(error));
+    this.#abort?.abort(aborted(error.message));
+    if (isBroken()) return;
+    this.#stage.lose();
     this.#stage.free();
   }
 
-  #wake() {
-    if (!this.#disposed && !this.#request && !document.hidden && this.#stage) {
-      this.#request = requestAnimationFrame((now) => this.#frame(now));
-    }
+  /** Something is other than what a frame failed with. */
+  #changed() {
+    if (!this.#gone) this.#failed = undefined;
+    this.#wake();
   }
 
-  #fit() {
-    const ratio = Math.min(window.devicePixelRatio || 1, this.#pixels), { clientWidth, clientHeight } = this.#canvas;
-    const [width, height] = [clientWidth, clientHeight].map((side) => Math.max(1, Math.round(side * ratio)));
-    if (this.#canvas.width !== width) this.#canvas.width = width;
-    if (this.#canvas.height !== height) this.#canvas.height = height;
+  #wake() {
+    if (this.#request || this.#timer || this.#disposed || this.#recovery || this.#failed || isBroken()) return;
+    this.#times.wake();
+    if (this.#watched.seen) this.#request = requestAnimationFrame(this.#onFrame);
+    // A picture that was asked for is made all the same.
+    else if (this.#shots.length > 0) this.#timer = setTimeout(this.#onTimer, 20);
   }
+
+  #fit() { fit(this.#canvas, this.#pixels, this.#longest); }
 
   #advance(now) {
-    if (!this.#playing) return;
-    this.#time += this.#last === undefined ? 0 : (this.#rate * Math.min(now - this.#last, 250)) / 1000;
-    this.#last = now;
-    const length = this.duration;
-    if (this.#time > length || this.#time < 0) {
-      this.#time = this.#loop && length > 0 ? ((this.#time % length) + length) % length : Math.min(Math.max(this.#time, 0), length);
-      if (!this.#loop) this.pause();
-    }
-    this.#stage.seek(this.#clip, this.#time);
+    const playback = this.#playback;
+    if (!playback.playing) return;
+    if (playback.advance(now, this.duration)) this.pause();
+    if (!this.#disposed) this.#stage.seek(playback.clip, playback.time);
   }
 
   #frame(now) {
-    this.#request = 0;
-    if (this.#recovering || this.#failed) return;
+    if (this.#disposed || this.#recovery || this.#failed || isBroken()) return;
+    if (!this.#watched.seen && this.#shots.length === 0) return;
     try {
-      if (this.#stage.is_lost()) return void this.#recover();
+      if (this.#recover()) return;
       this.#fit();
       this.#stage.resize();
       this.#advance(now);
+      if (this.#disposed) return;
       const drawn = this.#stage.draw(performance.now());
       if (drawn === Drawn.Frame) {
-        if (this.#drawn !== undefined && now - this.#drawn < 1000) this.#frames.push(now - this.#drawn);
-        if (this.#frames.length > 240) this.#frames.shift();
-        this.#drawn = now;
-        this.#shot?.();
-        this.#shot = undefined;
-        this.dispatchEvent(new Event("frame"));
-      }
-      if (this.#playing || now - this.#live < 300 || drawn === Drawn.Later) this.#wake();
+        this.#times.drew(now);
+        if (this.#shots.length > 0) this.#shoot();
+        this.dispatchEvent(this.#drew);
+      } else if (drawn === Drawn.Nothing) this.#times.idle();
+      if (this.playing || now - this.#live < 300 || drawn === Drawn.Later) this.#wake();
+      if (!this.#request) this.#times.rest();
     } catch (error) {
-      if (this.#stage.is_lost()) return void this.#recover();
-      this.#failed = error;
-      this.dispatchEvent(new CustomEvent("error", { detail: error }));
+      const reason = told(error);
+      if (isBroken() || !this.#recover()) this.#fail(reason);
     }
   }
-  #drawn;
 
-  async #recover() {
-    this.#recovering = true;
+  #fail(error) {
+    this.#failed = error;
+    this.#shots.splice(0).forEach(({ reject }) => reject(error));
+    this.dispatchEvent(new CustomEvent("error", { detail: error }));
+  }
+
+  /** Whether the device is lost: then another is on its way. */
+  #recover() {
+    if (this.#disposed || isBroken() || !this.#stage?.is_lost()) return false;
+    if (!this.#gone) this.#recovery ??= this.#reopen().finally(() => { this.#recovery = undefined; this.#wake(); });
+    return true;
+  }
+
+  async #reopen() {
     this.dispatchEvent(new Event("lost"));
-    try {
-      await this.#stage.recover();
-      const { target: [x, y, z], yaw, pitch, distance, fov } = this.#camera;
-      this.#stage.set_camera(x, y, z, yaw, pitch, distance, fov);
+    const adopt = (screen) => {
+      this.#longest = screen.longest();
+      this.#stage.adopt(screen);
       this.dispatchEvent(new Event("restored"));
+    };
+    try {
+      await this.#devices.reopen(adopt, () => !this.#disposed);
     } catch (error) {
-      this.#failed = error;
-      this.dispatchEvent(new CustomEvent("error", { detail: error }));
+      this.#gone = true;
+      if (!this.#disposed) this.#fail(told(error));
     }
-    this.#recovering = false;
-    this.#wake();
   }
 }

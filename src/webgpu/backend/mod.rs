@@ -8,6 +8,7 @@ mod harmonics;
 mod kernel;
 mod model;
 pub mod options;
+pub mod owned;
 #[cfg(not(target_arch = "wasm32"))]
 mod picture;
 pub mod present;
