@@ -67,7 +67,7 @@ impl Screen {
 
     /// Gives the device and all that it holds back.
     pub fn close(&self) {
-        self.gpu.device.destroy();
+        self.gpu.close();
     }
 
     /// Pixels that a side of a picture may have.

@@ -5,7 +5,7 @@ use super::{
     screen::{Candidate, Screen, Shown, out_of_range, thrown},
 };
 use crate::{
-    avatar::{Avatar, Clip},
+    avatar::{Avatar, Clip, file::Neutral},
     frame::{Camera, Posed, RendererOptions},
     webgpu::Error,
 };
@@ -32,10 +32,18 @@ struct View {
 pub struct Stage {
     screen: Screen,
     shown: Option<Shown>,
+    /// What was shown, if anything, before an avatar of which the correctives are still to come.
+    before: Option<Option<Shown>>,
     view: View,
     size: [u32; 2],
     /// What the canvas shows is not what it should.
     stale: bool,
+}
+
+/// How many of a file's bytes are needed to draw an avatar without its correctives, as far as the first ones tell.
+#[wasm_bindgen]
+pub fn neutral_needs(bytes: &[u8]) -> Result<usize, JsValue> {
+    Avatar::neutral_needs(bytes).map_err(thrown)
 }
 
 /// What came of a call to draw.
@@ -62,7 +70,7 @@ impl Stage {
         };
         let size = screen.size();
         screen.configure(size);
-        Self { screen, shown: None, view, size, stale: true }
+        Self { screen, shown: None, before: None, view, size, stale: true }
     }
 
     /// Makes what will draw the avatar in a file's bytes. What is shown stays.
@@ -71,16 +79,55 @@ impl Stage {
         self.screen.candidate(avatar).map_err(thrown)
     }
 
-    /// Shows a candidate in place of the avatar there is; false where another device has come since it was prepared.
-    pub fn show(&mut self, candidate: Candidate) -> Result<bool, JsValue> {
+    /// The same from the beginning of a file of `length` bytes, for an avatar without its correctives.
+    pub fn prepare_neutral(&self, bytes: &[u8], length: usize) -> Result<Candidate, JsValue> {
+        match Avatar::neutral(bytes, length).map_err(thrown)? {
+            Neutral::Avatar(avatar) => self.screen.candidate(*avatar).map_err(thrown),
+            Neutral::Needs(needs) => Err(thrown(format!("{needs} bytes are needed"))),
+        }
+    }
+
+    /// Shows a candidate in place of the avatar there is; false where another device has come since it was prepared. `keep`: the avatar there
+    /// is may come back, until [`Self::complete`].
+    pub fn show(&mut self, candidate: Candidate, keep: bool) -> Result<bool, JsValue> {
         if !Arc::ptr_eq(&candidate.gpu, &self.screen.gpu) {
             return Ok(false);
         }
         let mut shown = candidate.shown;
         self.fit(&mut shown).map_err(thrown)?;
-        self.shown = Some(shown);
+        let before = self.shown.replace(shown);
+        self.before = keep.then_some(before);
         self.stale = true;
         Ok(true)
+    }
+
+    /// Gives the avatar that is shown its correctives: the bytes are the whole of the file that it is the beginning of.
+    pub fn complete(&mut self, bytes: &[u8]) -> Result<(), JsValue> {
+        let avatar = Avatar::from_bytes(bytes).map_err(thrown)?;
+        let Some(shown) = &mut self.shown else { return Ok(()) };
+        match shown.renderer.fill(&avatar) {
+            Ok(false) => return Err(thrown("the file has changed while it was loaded: load it again")),
+            // The next device will have it.
+            Ok(true) | Err(Error::DeviceLost(_)) => {}
+            Err(error) => return Err(thrown(error)),
+        }
+        shown.avatar = avatar;
+        (self.before, self.stale) = (None, true);
+        Ok(())
+    }
+
+    /// Shows again what was shown before.
+    pub fn revert(&mut self) -> Result<(), JsValue> {
+        let Some(before) = self.before.take() else { return Ok(()) };
+        self.stale = true;
+        self.shown = None;
+        let Some(mut shown) = before else { return Ok(()) };
+        if !Arc::ptr_eq(shown.renderer.gpu(), &self.screen.gpu) {
+            (shown.renderer, shown.present) = self.screen.renderer(&shown.avatar, self.size).map_err(thrown)?;
+        }
+        self.fit(&mut shown).map_err(thrown)?;
+        self.shown = Some(shown);
+        Ok(())
     }
 
     /// Adds the bytes of a motion file to the clips; gives its number.

@@ -15,9 +15,33 @@ const made = {
   "/two.html": () => `${style}<canvas id=a></canvas><canvas id=b></canvas>`,
   "/none.avatar": () => "this is no avatar",
   "/reference.png": () => readFile(reference),
-  // The demo by another name.
-  "/other.avatar": async () => Buffer.from((await readFile(join(root, "demo.avatar"))).toString("latin1").replace(/(\\"name\\":\\")./, "$1~"), "latin1"),
+  "/release": () => { release(); return ""; },
+  // The demo by another name, and both with what is drawn first in front.
+  "/other.avatar": async () => renamed(await readFile(join(root, "demo.avatar"))),
+  "/early.avatar": async () => reordered(await readFile(join(root, "demo.avatar"))),
+  "/early-other.avatar": async () => renamed(reordered(await readFile(join(root, "demo.avatar")))),
 };
+
+let release = () => {};
+
+function renamed(file) {
+  return Buffer.from(file.toString("latin1").replace(/(\\"name\\":\\")./, "$1~"), "latin1");
+}
+
+function reordered(file) {
+  const start = 8 + Number(file.readBigUInt64LE()), header = JSON.parse(file.subarray(8, start));
+  const late = (name) => /^mlp\.|\.row$|^(rotation|scale|color|node)\.basis$/.test(name);
+  const names = Object.keys(header).filter((name) => name !== "__metadata__").sort((a, b) => late(a) - late(b)), tensors = [];
+  let end = 0;
+  for (const name of names) {
+    const [from, to] = header[name].data_offsets;
+    tensors.push(file.subarray(start + from, start + to));
+    header[name].data_offsets = [end, (end += to - from)];
+  }
+  const text = Buffer.from(JSON.stringify(header)), length = Buffer.alloc(8);
+  length.writeBigUInt64LE(BigInt(text.length));
+  return Buffer.concat([length, text, ...tensors]);
+}
 
 async function send(request, response) {
   const url = new URL(request.url, "http://localhost"), path = decodeURIComponent(url.pathname);
@@ -31,8 +55,11 @@ async function send(request, response) {
   for (let piece = 0; piece < pieces && !response.destroyed; ++piece) {
     response.write(body.subarray(piece * size, (piece + 1) * size));
     if (pieces > 1) await new Promise((resolve) => setTimeout(resolve, Number(url.searchParams.get("ms")) / pieces));
-    // `?cut=`: and the line breaks there.
-    if (piece === Number(url.searchParams.get("cut") ?? pieces)) return response.destroy();
+    // `?hold=`: from there on when /release is asked for; `&cut`: or never.
+    if (piece === Number(url.searchParams.get("hold") ?? pieces)) {
+      await new Promise((resolve) => { release = resolve; });
+      if (url.searchParams.has("cut")) return response.destroy();
+    }
   }
   response.end();
 }
@@ -48,7 +75,7 @@ export const browser = await chromium.launch({ executablePath, args: [...quiet, 
 
 /** Collects what a page complains of. What it may, a test says. */
 export function watched(page) {
-  page.setDefaultTimeout(60_000);
+  page.setDefaultTimeout(120_000);
   page.complaints = [];
   page.allowed = /powerPreference/;
   page.on("pageerror", (error) => page.complaints.push(String(error)));

@@ -11,6 +11,9 @@ export class Unsupported extends Error {
   }
 }
 
+/** Whether this browser can draw at all. */
+export const isSupported = () => "gpu" in navigator;
+
 /** Loads the module; after a failure it can be tried again. */
 export function loaded() {
   return (ready ??= init({ module_or_path: new URL("effigy_core_bg.wasm", import.meta.url) }).catch((error) => {

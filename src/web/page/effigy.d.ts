@@ -89,6 +89,8 @@ export class Effigy extends EventTarget {
   /**
    * Takes the place of the avatar there is, which stays where loading fails, and pauses. Of several the last asked for is shown, the others
    * fail with an AbortError. Clips go with the avatar. `frame: false` leaves the camera.
+   * Of a URL whose file comes slowly the avatar is shown without its correctives as soon as it can be, then as a whole, with clip, time and
+   * camera kept; should the rest not come, the avatar from before comes back.
    */
   loadAvatar(source: Source, options?: LoadOptions & { frame?: boolean }): Promise<Description>;
   /**

@@ -1,31 +1,35 @@
 // Effigy in a page: `const effigy = await Effigy.create(canvas); await effigy.loadAvatar("demo.avatar");`. effigy.d.ts says all of it.
 import { Drawn, Stage } from "./effigy_core.js";
-import { firstScreen, isBroken, loaded, told, Unsupported } from "./core.js";
+import { Unsupported, firstScreen, isBroken, isSupported, loaded, told } from "./core.js";
 import { Devices } from "./devices.js";
+import { Loader } from "./loader.js";
 import { Playback } from "./playback.js";
 import { aborted, bytesOf, within } from "./source.js";
+import { Shots } from "./shots.js";
 import { Times } from "./times.js";
 import { VIEW, checkedCamera, fit, framing } from "./view.js";
 import { Watched } from "./watched.js";
 
-export { Unsupported };
+export { Unsupported, isSupported };
 
-/** Whether this browser can draw at all. */
-export const isSupported = () => "gpu" in navigator;
+const GONE = "this avatar's canvas was disposed of";
 
 export class Effigy extends EventTarget {
   #stage; #canvas; #pixels; #longest = 8192; #camera; #described = {}; #disposed = false;
   #playback = new Playback(); #live = 0;
-  #request = 0; #timer = 0; #watched; #times = new Times(); #shots = []; #drew = new Event("frame");
-  // The last avatar asked for, the one that is shown, and what is under way.
-  #ticket = 0; #shown = 0; #loading; #abort;
+  #request = 0; #timer = 0; #watched; #times = new Times(); #shots = new Shots(); #drew = new Event("frame");
+  // The ticket of the avatar that is shown.
+  #shown = 0; #loader = new Loader({
+    open: () => this.#open(), ready: () => this.#ready(), lost: () => this.#recover(), stage: () => this.#fitted(),
+    save: () => [this.#shown, this.#playback, this.#camera], revert: (ticket, before) => this.#revert(ticket, before),
+    arrived: (ticket, frame) => this.#arrived(ticket, frame), completed: () => { this.#describe(); this.#changed(); },
+  });
   #devices; #recovery; #failed; #gone = false;
 
   // Bound once: a frame makes no functions.
   #onFrame = (now) => { this.#request = 0; this.#frame(now); };
   #onTimer = () => { this.#timer = 0; this.#frame(performance.now()); };
 
-  /** Makes a device for a canvas that nothing else draws on. The canvas's size on the page decides its pixels. */
   static async create(canvas, options = {}) {
     if (!isSupported()) throw new Unsupported();
     const effigy = new Effigy();
@@ -39,80 +43,61 @@ export class Effigy extends EventTarget {
 
   #begin(screen) {
     this.#longest = screen.longest();
-    this.#fit();
+    this.#fitted();
     this.#devices = new Devices(this.#canvas, () => this.#recover());
     this.#stage = new Stage(this.#devices.follow(screen));
     this.#look();
-    this.#watched = new Watched(this.#canvas, (seen) => {
-      if (seen) this.#times.idle();
-      this.#wake();
-    });
+    this.#watched = new Watched(this.#canvas, (seen) => this.#see(seen));
     this.#wake();
   }
 
-  /** Takes an avatar from a URL, a File or bytes. Where that fails the old one stays; of several the last asked for is shown. */
-  async loadAvatar(source, { onProgress, signal, frame = true } = {}) {
+  async loadAvatar(source, options) {
     this.#open();
-    const ticket = ++this.#ticket, abort = new AbortController(), before = this.#abort;
-    this.#abort = abort;
-    before?.abort(aborted("another avatar was asked for"));
-    if (signal?.aborted) abort.abort(signal.reason);
-    signal?.addEventListener("abort", () => abort.abort(signal.reason), { once: true });
-    const shown = this.#bring(source, { onProgress, signal: abort.signal, frame }, ticket);
-    const loading = this.#loading = { ticket, shown };
-    try {
-      await shown;
-      return this.description;
-    } catch (error) {
-      throw told(error);
-    } finally {
-      if (this.#loading === loading) this.#loading = undefined;
-    }
+    await this.#loader.load(source, options);
+    return this.description;
   }
 
-  async #bring(source, { onProgress, signal, frame }, ticket) {
-    const bytes = await bytesOf(source, onProgress, signal);
+  /** Kept once there is a device; one that was given up is asked for again. */
+  async #ready() {
     if (this.#gone) {
       [this.#gone, this.#failed] = [false, undefined];
       this.#devices.forgive();
       this.#recover();
     }
-    while (!(await this.#replace(bytes, signal)));
-    [this.#shown, this.#live, this.#failed] = [ticket, 0, undefined];
-    const { playing } = this.#playback;
-    this.#playback.reset();
+    await this.#recovery;
+    if (this.#gone) throw this.#failed;
+  }
+
+  #fitted() {
+    fit(this.#canvas, this.#pixels, this.#longest);
+    this.#stage?.resize();
+    return this.#stage;
+  }
+
+  /** An avatar was put in the place of another. */
+  #arrived(ticket, frame) {
+    const { playing, loop, rate } = this.#playback;
+    this.#playback = Object.assign(new Playback(), { loop, rate });
+    [this.#shown, this.#live] = [ticket, 0];
     if (playing) this.pause();
     this.#describe();
     if (frame) this.frameAvatar();
-    this.#wake();
+    this.#changed();
   }
 
-  /** Shows what is in some bytes; false where the device was lost on the way. */
-  async #replace(bytes, signal) {
-    await this.#recovery;
-    this.#open();
-    signal.throwIfAborted();
-    if (this.#gone) throw this.#failed;
-    let candidate;
-    try {
-      this.#fit();
-      this.#stage.resize();
-      candidate = this.#stage.prepare(bytes);
-      await candidate.made();
-      this.#open();
-      signal.throwIfAborted();
-    } catch (error) {
-      if (!isBroken() && !(error instanceof WebAssembly.RuntimeError)) candidate?.free();
-      if (this.#disposed || !this.#recover()) throw error;
-      return false;
-    }
-    return this.#stage.show(candidate);
+  /** The rest of an avatar did not come: the one from before does. */
+  #revert(ticket, [shown, playback, camera]) {
+    if (this.#disposed || this.#shown !== ticket) return;
+    this.#stage.revert();
+    [this.#shown, this.#playback, this.#live] = [shown, playback, 0];
+    this.#describe();
+    this.camera = camera;
+    this.dispatchEvent(new Event(playback.playing ? "play" : "pause"));
   }
 
-  /** Adds a clip from a URL, a File or bytes to the avatar asked for last, and plays it. Gives its number. */
   async loadMotion(source, { onProgress, signal, play = true } = {}) {
     this.#open();
-    const ticket = this.#loading?.ticket ?? this.#shown, avatar = this.#loading?.shown;
+    const { ticket, shown: avatar } = this.#loader.loading ?? { ticket: this.#shown };
     const bytes = await bytesOf(source, onProgress, signal);
     await avatar?.catch(() => { throw aborted("the avatar that this clip was for is not there"); });
     this.#open();
@@ -125,7 +110,7 @@ export class Effigy extends EventTarget {
   }
 
   #open() {
-    if (this.#disposed) throw new Error("this avatar's canvas was disposed of");
+    if (this.#disposed) throw new Error(GONE);
     if (isBroken()) throw isBroken();
   }
   #call(act) { try { return act(); } catch (error) { throw told(error); } }
@@ -149,7 +134,6 @@ export class Effigy extends EventTarget {
   get rate() { return this.#playback.rate; }
   set rate(rate) { this.#playback.rate = within("the rate", rate, -1000, 1000); }
 
-  /** Plays a clip from where it stands, or another from its start. */
   play(clip = this.clip) {
     this.#open();
     if (!(clip in this.clips)) throw new RangeError(`there is no clip ${clip}: ${this.clips.length} are loaded`);
@@ -165,7 +149,6 @@ export class Effigy extends EventTarget {
     this.dispatchEvent(new Event("pause"));
   }
 
-  /** Drives the avatar live, at any rate: three numbers a joint, in the order of `description.joints`. */
   setPose({ rotation, translation = [0, 0, 0], expression = [] }) {
     this.#open();
     const numbers = (list) => (list instanceof Float32Array ? list : Float32Array.from(list)), now = performance.now();
@@ -187,7 +170,6 @@ export class Effigy extends EventTarget {
     this.#stage.set_camera(x, y, z, yaw, pitch, distance, fov);
   }
 
-  /** Looks at all of the avatar. */
   frameAvatar() {
     this.#open();
     this.#describe();
@@ -195,7 +177,6 @@ export class Effigy extends EventTarget {
     this.camera = framing(bounds, this.#camera.fov, this.#canvas.width / this.#canvas.height);
   }
 
-  /** What lies behind: three numbers from 0 to 1. */
   set background(color) {
     this.#open();
     const [red, green, blue] = Array.from(color, (channel) => within("the background", channel, 0, 1));
@@ -203,30 +184,21 @@ export class Effigy extends EventTarget {
     this.#changed();
   }
 
-  /** Frames a second and times, ms, of the last frames drawn, and what the last one was made of. */
   get statistics() {
     const core = this.#disposed || isBroken() ? {} : JSON.parse(this.#stage.statistics());
     return { ...this.#times.summary, ...core };
   }
 
-  /** The canvas as a PNG. */
-  screenshot() {
-    return new Promise((resolve, reject) => {
-      this.#open();
-      if (this.#failed) throw this.#failed;
-      if (!this.#shown) throw new Error("there is no avatar yet to take a picture of: load one first");
-      this.#shots.push({ resolve, reject });
-      this.#stage.redraw();
-      this.#wake();
-    });
-  }
-  #shoot() {
-    const shots = this.#shots.splice(0);
-    const missing = new Error("the browser made no picture of the canvas");
-    this.#canvas.toBlob((blob) => shots.forEach(({ resolve, reject }) => (blob ? resolve(blob) : reject(missing))));
+  async screenshot() {
+    this.#open();
+    if (this.#failed) throw this.#failed;
+    if (!this.#shown) throw new Error("there is no avatar yet to take a picture of: load one first");
+    const shot = this.#shots.next();
+    this.#stage.redraw();
+    this.#wake();
+    return shot;
   }
 
-  /** For tests: loses the device, which is then opened again. */
   loseDevice() {
     this.#open();
     this.#stage.lose();
@@ -238,12 +210,21 @@ export class Effigy extends EventTarget {
     cancelAnimationFrame(this.#request);
     clearTimeout(this.#timer);
     this.#watched.stop();
-    const error = new Error("this avatar's canvas was disposed of");
-    this.#shots.splice(0).forEach(({ reject }) => reject(error));
-    this.#abort?.abort(aborted(error.message));
+    this.#shots.refuse(new Error(GONE));
+    this.#loader.stop(GONE);
     if (isBroken()) return;
     this.#stage.lose();
     this.#stage.free();
+  }
+
+  #see(other) {
+    if (other) {
+      // Where nobody sees it no frame is called for: pictures must not wait for one.
+      cancelAnimationFrame(this.#request);
+      this.#request = 0;
+      this.#times.idle();
+    }
+    this.#wake();
   }
 
   /** Something is other than what a frame failed with. */
@@ -257,31 +238,26 @@ export class Effigy extends EventTarget {
     this.#times.wake();
     if (this.#watched.seen) this.#request = requestAnimationFrame(this.#onFrame);
     // A picture that was asked for is made all the same.
-    else if (this.#shots.length > 0) this.#timer = setTimeout(this.#onTimer, 20);
+    else if (this.#shots.wanted) this.#timer = setTimeout(this.#onTimer, 20);
   }
 
-  #fit() { fit(this.#canvas, this.#pixels, this.#longest); }
-
   #advance(now) {
-    const playback = this.#playback;
-    if (!playback.playing) return;
-    if (playback.advance(now, this.duration)) this.pause();
-    if (!this.#disposed) this.#stage.seek(playback.clip, playback.time);
+    if (this.#playback.advance(now, this.duration)) this.pause();
+    if (!this.#disposed) this.#stage.seek(this.clip, this.time);
   }
 
   #frame(now) {
     if (this.#disposed || this.#recovery || this.#failed || isBroken()) return;
-    if (!this.#watched.seen && this.#shots.length === 0) return;
+    if (!this.#watched.seen && !this.#shots.wanted) return;
     try {
       if (this.#recover()) return;
-      this.#fit();
-      this.#stage.resize();
-      this.#advance(now);
+      this.#fitted();
+      if (this.playing) this.#advance(now);
       if (this.#disposed) return;
       const drawn = this.#stage.draw(performance.now());
       if (drawn === Drawn.Frame) {
         this.#times.drew(now);
-        if (this.#shots.length > 0) this.#shoot();
+        if (this.#shots.wanted) this.#shots.take(this.#canvas);
         this.dispatchEvent(this.#drew);
       } else if (drawn === Drawn.Nothing) this.#times.idle();
       if (this.playing || now - this.#live < 300 || drawn === Drawn.Later) this.#wake();
@@ -294,7 +270,7 @@ export class Effigy extends EventTarget {
 
   #fail(error) {
     this.#failed = error;
-    this.#shots.splice(0).forEach(({ reject }) => reject(error));
+    this.#shots.refuse(error);
     this.dispatchEvent(new CustomEvent("error", { detail: error }));
   }
 

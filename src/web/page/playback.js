@@ -9,9 +9,6 @@ export class Playback {
   /** From here on time passes. */
   start() { [this.playing, this.#last] = [true, 0]; }
 
-  /** The beginning of the first clip, and nothing plays. */
-  reset() { [this.clip, this.time, this.playing] = [0, 0, false]; }
-
   /** Moves on to `now`, ms, in a clip of so many seconds; says whether that ended it. */
   advance(now, length) {
     if (this.#last > 0) this.time += (this.rate * Math.min(now - this.#last, STEP)) / 1000;

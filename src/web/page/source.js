@@ -8,7 +8,7 @@ export function within(what, value, least, most) {
   throw new RangeError(`${what} is ${value}, expected a number from ${least} to ${most}`);
 }
 
-async function download(url, onProgress, signal) {
+async function download(url, onProgress, signal, onBytes) {
   const failed = (error) => {
     throw error.name === "AbortError" ? error : new Error(`${url} can't be loaded: ${error.message}`, { cause: error });
   };
@@ -30,14 +30,15 @@ async function download(url, onProgress, signal) {
     bytes.set(value, loaded);
     loaded += value.length;
     onProgress?.(loaded, total);
+    onBytes?.(bytes, loaded, total);
   }
   return bytes.subarray(0, loaded);
 }
 
-/** The bytes of a URL, a Blob or some bytes. */
-export async function bytesOf(source, onProgress, signal) {
+/** The bytes of a URL, a Blob or some bytes. `onBytes` sees those of a URL as they come. */
+export async function bytesOf(source, onProgress, signal, onBytes) {
   signal?.throwIfAborted();
-  if (typeof source === "string" || source instanceof URL) return download(String(source), onProgress, signal);
+  if (typeof source === "string" || source instanceof URL) return download(String(source), onProgress, signal, onBytes);
   if (source instanceof Blob) return new Uint8Array(await source.arrayBuffer());
   return source instanceof Uint8Array ? source : new Uint8Array(source);
 }

@@ -121,6 +121,12 @@ impl Gpu {
         }
     }
 
+    /// Gives the device and all that was made with it back: it is lost from now on.
+    pub fn close(&self) {
+        locked(&self.heard).lost.get_or_insert_with(|| "it was given back".into());
+        self.device.destroy();
+    }
+
     /// Ends when the device is lost, and says why. It does not keep the device.
     pub fn lost(&self) -> impl Future<Output = String> + use<> {
         let heard = self.heard.clone();

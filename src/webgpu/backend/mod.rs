@@ -15,6 +15,7 @@ pub mod present;
 mod raster;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod readback;
+mod refill;
 pub mod renderer;
 mod slot;
 mod sort;

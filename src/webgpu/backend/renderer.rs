@@ -46,14 +46,14 @@ pub struct Renderer {
     blocks: Blocks,
     settings: Settings,
     /// What is written to an avatar's block.
-    frame: Box<Frame>,
+    pub(super) frame: Box<Frame>,
     pub(super) model: Model,
-    extent: Extent,
-    needs: Needs,
+    pub(super) extent: Extent,
+    pub(super) needs: Needs,
     /// One an avatar.
-    keepers: Vec<Keeper>,
+    pub(super) keepers: Vec<Keeper>,
     options: RendererOptions,
-    scene: Scene,
+    pub(super) scene: Scene,
     /// Keys that the control says enter the sort, once it was told.
     entering: Option<u32>,
     pub(super) next: usize,
