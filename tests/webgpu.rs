@@ -245,7 +245,7 @@ fn what_a_device_refuses_while_it_is_watched_is_the_watchs_error() {
     let Some(device) = open() else { return };
     let watch = device.watch();
     let usage = wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::MAP_WRITE | wgpu::BufferUsages::STORAGE;
-    device.device.create_buffer(&wgpu::BufferDescriptor { label: None, size: 16, usage, mapped_at_creation: false });
+    let _ = device.device.create_buffer(&wgpu::BufferDescriptor { label: None, size: 16, usage, mapped_at_creation: false });
     assert!(matches!(pollster::block_on(watch.end()), Err(Error::Refused(_))));
     assert_eq!((device.check(), pollster::block_on(device.watch().end())), (Ok(()), Ok(())));
 }
