@@ -22,7 +22,10 @@ const made = {
   "/early-other.avatar": async () => renamed(reordered(await readFile(join(root, "demo.avatar")))),
 };
 
-let release = () => {};
+// One /release lets one `?hold=` go on, whichever comes first.
+let released, release;
+const latch = () => { released = new Promise((resolve) => { release = resolve; }); };
+latch();
 
 function renamed(file) {
   return Buffer.from(file.toString("latin1").replace(/(\\"name\\":\\")./, "$1~"), "latin1");
@@ -57,7 +60,8 @@ async function send(request, response) {
     if (pieces > 1) await new Promise((resolve) => setTimeout(resolve, Number(url.searchParams.get("ms")) / pieces));
     // `?hold=`: from there on when /release is asked for; `&cut`: or never.
     if (piece === Number(url.searchParams.get("hold") ?? pieces)) {
-      await new Promise((resolve) => { release = resolve; });
+      await released;
+      latch();
       if (url.searchParams.has("cut")) return response.destroy();
     }
   }

@@ -18,11 +18,12 @@ export class Early {
   came(bytes, loaded, total) {
     if (!total || loaded < this.#needs) return;
     try {
-      const needs = neutral_needs(bytes.subarray(0, Math.min(loaded, HEAD)));
+      this.#needs = neutral_needs(bytes.subarray(0, Math.min(loaded, HEAD)));
       const rest = ((total - loaded) * (performance.now() - this.#since)) / loaded;
-      const enough = needs === this.#needs && rest > SOON;
-      this.#needs = enough ? Infinity : needs;
-      if (enough) this.shown = this.#begin(bytes.slice(0, needs), total).catch(() => false);
+      if (loaded < Math.max(this.#needs, HEAD) || rest <= SOON) return;
+      const enough = bytes.slice(0, this.#needs);
+      this.#needs = Infinity;
+      this.shown = this.#begin(enough, total).catch(() => false);
     } catch {
       // What is wrong with the file is said when all of it is there.
       this.#needs = Infinity;
