@@ -9,7 +9,7 @@ use std::collections::HashMap;
 compile_error!("the files are little-endian, and so must the host be");
 
 /// The longest header that is parsed, bytes. The largest avatar's is a tenth of it; parsing takes a multiple of it in memory.
-const HEADER_MAX: usize = 256 << 10;
+pub const HEADER_MAX: usize = 256 << 10;
 
 /// An opened container: its header, and the bytes of all tensors.
 pub struct Container<'a> {
@@ -145,7 +145,7 @@ where
     }
     let text = serde_json::to_string(&document).expect("strings and numbers always have a JSON form");
     let metadata = HashMap::from([(METADATA_KEY.to_owned(), text)]);
-    let bytes = safetensors::serialize(views, Some(metadata)).map_err(|error| Fault::container(error, "tensors that fit a file"))?;
+    let bytes = super::order::serialize(views, metadata)?;
     if decode::<D>(&bytes)? != *model {
         return Err(Fault::container("arrays that contradict each other", "lengths and widths that agree"));
     }

@@ -5,6 +5,8 @@ mod check;
 mod container;
 pub mod format;
 mod header;
+mod order;
+pub use order::Neutral;
 
 use super::{Avatar, Clip};
 use format::{AvatarHeader, ClipHeader, Document};
@@ -145,6 +147,24 @@ impl Avatar {
     /// When the bytes are not an avatar or break a rule.
     pub fn from_bytes(bytes: &[u8]) -> Result<Self, Fault> {
         container::decode::<AvatarHeader>(bytes)
+    }
+
+    /// How many bytes of an avatar's file [`Avatar::neutral`] needs, as far as its first ones tell: those of the header, once that is there
+    /// those of what is drawn.
+    ///
+    /// # Errors
+    /// When the bytes are not the beginning of a file.
+    pub fn neutral_needs(bytes: &[u8]) -> Result<usize, Fault> {
+        order::needs(bytes)
+    }
+
+    /// The avatar without its correctives, from the beginning of a file that is `length` bytes long: it moves with its joints alone. Its
+    /// arrays have the lengths of the whole avatar's.
+    ///
+    /// # Errors
+    /// When the bytes are not the beginning of an avatar's file, or break a rule.
+    pub fn neutral(bytes: &[u8], length: usize) -> Result<Neutral, Fault> {
+        order::neutral(bytes, length)
     }
 
     /// Writes an avatar file; on failure what was at `path` stays as it was.
