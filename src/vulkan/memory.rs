@@ -36,9 +36,11 @@ impl Buffer {
         // SAFETY: the buffer was made above.
         let requirements = unsafe { gpu.raw.get_buffer_memory_requirements(raw) };
         let allocation = allocate(gpu, name, requirements, location, true)?;
-        // SAFETY: buffer and memory are fresh and fit, as the requirements say.
-        unsafe { gpu.raw.bind_buffer_memory(raw, allocation.memory(), allocation.offset()) }.during("vkBindBufferMemory")?;
+        // SAFETY: the allocation is kept, and freed after what is bound to it.
+        let (memory, offset) = (unsafe { allocation.memory() }, allocation.offset());
         buffer.allocation = Some(allocation);
+        // SAFETY: buffer and memory are fresh and fit, as the requirements say.
+        unsafe { gpu.raw.bind_buffer_memory(raw, memory, offset) }.during("vkBindBufferMemory")?;
         Ok(buffer)
     }
 
@@ -139,9 +141,11 @@ impl Image {
         // SAFETY: the image was made above.
         let requirements = unsafe { gpu.raw.get_image_memory_requirements(raw) };
         let allocation = allocate(gpu, name, requirements, MemoryLocation::GpuOnly, false)?;
-        // SAFETY: image and memory are fresh and fit, as the requirements say.
-        unsafe { gpu.raw.bind_image_memory(raw, allocation.memory(), allocation.offset()) }.during("vkBindImageMemory")?;
+        // SAFETY: the allocation is kept, and freed after what is bound to it.
+        let (memory, offset) = (unsafe { allocation.memory() }, allocation.offset());
         image.allocation = Some(allocation);
+        // SAFETY: image and memory are fresh and fit, as the requirements say.
+        unsafe { gpu.raw.bind_image_memory(raw, memory, offset) }.during("vkBindImageMemory")?;
         let range = if format == DEPTH_FORMAT { DEPTH } else { COLOR };
         let info =
             vk::ImageViewCreateInfo::default().image(raw).view_type(vk::ImageViewType::TYPE_2D).format(format).subresource_range(range);
