@@ -84,7 +84,7 @@ mod tests {
 
     /// A quarter of an hour in which the governor comes to two steps that are new, each worth a MiB to the driver, and goes between them.
     fn heated(leak: f64) -> Vec<Second> {
-        let rung = |at: usize| if at < 400 { 0 } else { 1 + usize::from(at >= 600 && at / 20 % 2 == 0) };
+        let rung = |at: usize| if at < 400 { 0 } else { 1 + usize::from(at >= 600 && (at / 20).is_multiple_of(2)) };
         let mib = |at: usize| u64::from(at >= 405) + u64::from(at >= 645);
         let bytes = |at: usize| (mib(at) << 20) + (leak * at as f64) as u64;
         (1..=900).map(|at| Second { seconds: at as f64, rung: rung(at), resident_bytes: Some(bytes(at)), ..Second::default() }).collect()
