@@ -228,11 +228,11 @@ proptest! {
     }
 }
 
-/// Seconds of a soak on the simulated phone, 66 times as fast as a real one, in virtual time; and how often its governor stepped.
+/// Seconds of a soak on the simulated phone, 33 times as fast as a real one, in virtual time; and how often its governor stepped.
 fn heated(governed: bool) -> (Vec<Second>, usize) {
     const RATE: f64 = 30.0;
-    let mut phone = Simulated::new(Phone::default(), 66.0, RATE);
-    let mut session = Session::new(Settings { rate: RATE, governed, seconds: 40.0 });
+    let mut phone = Simulated::new(Phone::default(), 33.0, RATE);
+    let mut session = Session::new(Settings { rate: RATE, governed, seconds: 60.0 });
     let mut now = 0.0;
     while !session.is_over() {
         let took = phone.frame(now, 0.004 * (0.25 + 0.75 * session.quality().scale.powi(2)));
