@@ -143,7 +143,7 @@ impl Viewer {
                     }
                 }
                 Some(Error::DeviceLost(_)) => {
-                    if !self.losses.device(self.start.elapsed().as_secs_f64()) {
+                    if !self.losses.device() {
                         return Err(error.context("the device was lost for the second time in a row; is its driver up to date?"));
                     }
                     tracing::warn!("{error}; opening it again");

@@ -2,7 +2,7 @@
 
 /// How often in a row a lost surface may be made anew.
 const SURFACES: u32 = 5;
-/// A device that draws for so long after it was lost is as good as one that never was, seconds.
+/// A device that has drawn for so long since it was lost is as good as one that never was, seconds.
 const FORGIVEN: f64 = 5.0;
 
 /// What was lost of late.
@@ -11,8 +11,18 @@ pub struct Losses {
     surfaces: u32,
     /// Devices that were opened.
     opened: u32,
-    /// When the device was lost, on a clock that only rises, seconds.
-    device: Option<f64>,
+    device: Device,
+}
+
+/// How the device has fared.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+enum Device {
+    #[default]
+    Well,
+    /// It was lost, and nothing has been drawn since.
+    Lost,
+    /// It was lost, and has drawn since a time, on a clock that only rises, seconds.
+    Drawing(f64),
 }
 
 impl Losses {
@@ -28,15 +38,19 @@ impl Losses {
         self.surfaces <= SURFACES
     }
 
-    /// The device was lost at a time. True where it may be opened again.
-    pub fn device(&mut self, clock: f64) -> bool {
-        self.device.replace(clock).is_none()
+    /// The device was lost. True where it may be opened again.
+    pub fn device(&mut self) -> bool {
+        std::mem::replace(&mut self.device, Device::Lost) == Device::Well
     }
 
     /// A frame was drawn at a time.
     pub fn drawn(&mut self, clock: f64) {
         self.surfaces = 0;
-        self.device = self.device.filter(|lost| clock - lost < FORGIVEN);
+        self.device = match self.device {
+            Device::Lost => Device::Drawing(clock),
+            Device::Drawing(since) if clock - since >= FORGIVEN => Device::Well,
+            device => device,
+        };
     }
 }
 
@@ -47,17 +61,18 @@ mod tests {
     #[test]
     fn a_device_may_be_lost_once_in_a_while_but_not_twice_in_a_row() {
         let mut losses = Losses::default();
-        assert!(losses.device(10.0) && !losses.device(10.1));
+        assert!(losses.device() && !losses.device());
         let mut losses = Losses::default();
         for loss in 0..100 {
-            let at = 10.0 * f64::from(loss);
-            assert!(losses.device(at), "loss {loss}");
-            (0..7).for_each(|second| losses.drawn(at + f64::from(second)));
+            assert!(losses.device(), "loss {loss}");
+            (0..7).for_each(|second| losses.drawn(10.0 * f64::from(loss) + f64::from(second)));
         }
-        assert!(losses.device(2000.0));
+        assert!(losses.device());
+        losses.drawn(2000.0);
         losses.drawn(2004.0);
-        assert!(!losses.device(2004.1), "four seconds of frames are not enough");
-        assert!(!losses.device(9000.0), "time without a frame says nothing");
+        assert!(!losses.device(), "four seconds of frames are not enough");
+        losses.drawn(9000.0);
+        assert!(!losses.device(), "time without a frame says nothing");
     }
 
     #[test]
