@@ -4,7 +4,7 @@ mod common;
 
 use common::{Sizes, gpu};
 use effigy::{
-    avatar::{Avatar, Harmonics},
+    avatar::{Avatar, Harmonics, pack::Quality},
     demo,
     frame::{Body, Camera, Method, Posed, RendererOptions, Skip, Variant},
     layout::SORT_DROPPED,
@@ -80,7 +80,17 @@ fn pictures_are_those_of_the_vulkan_backend() {
 #[test]
 fn stages_are_those_of_the_vulkan_backend() {
     let (Some(device), Some(vulkan)) = (open(), gpu::gpu()) else { return };
+    for quality in [None, Some(Quality::Small)] {
+        stages_agree((&device, &vulkan), quality);
+    }
+    device.check().unwrap();
+    gpu::assert_valid();
+}
+
+/// `quality`: of a packed avatar.
+fn stages_agree((device, vulkan): (&Arc<Gpu>, &Arc<effigy::vulkan::Gpu>), quality: Option<Quality>) {
     let (avatar, posed) = body(11, 3000);
+    let avatar = quality.map_or_else(|| avatar.clone(), |quality| avatar.packed(quality));
     let options = RendererOptions { skip: Skip::empty(), ..gpu::options([300, 300]) };
     let camera = gpu::camera(&avatar, &posed, options.size);
     let mut ours = Renderer::new(&device, &avatar, options).unwrap();

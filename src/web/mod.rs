@@ -54,6 +54,8 @@ pub struct Stage {
     size: [u32; 2],
     /// What the canvas shows is not what it should.
     stale: bool,
+    /// Networks see poses as the nearest ones that the avatar knows.
+    project: bool,
 }
 
 /// What came of a call to draw.
@@ -115,7 +117,7 @@ impl Stage {
         };
         let size = [canvas.width().max(1), canvas.height().max(1)];
         screen.configure(size);
-        Ok(Stage { canvas, screen, shown: None, view, size, stale: true })
+        Ok(Stage { canvas, screen, shown: None, view, size, stale: true, project: true })
     }
 
     /// Takes the bytes of an avatar file in place of the avatar there is, which stays where they are none.
@@ -161,6 +163,11 @@ impl Stage {
         self.stale = true;
     }
 
+    /// Whether networks see poses as the nearest ones that the avatar knows; else as they are.
+    pub fn set_projection(&mut self, on: bool) {
+        self.project = on;
+    }
+
     /// Follows the canvas's width and height.
     pub fn resize(&mut self) -> Result<(), JsError> {
         let size = [self.canvas.width().max(1), self.canvas.height().max(1)];
@@ -185,7 +192,7 @@ impl Stage {
         }
         let View { target, yaw, pitch, distance, fov, background } = self.view;
         let camera = Camera::orbit(target, yaw, pitch.clamp(-1.55, 1.55), distance, fov, self.size);
-        let posed = Posed::new(avatar, &motion.pose(now));
+        let posed = Posed::of(avatar, &motion.pose(now), self.project);
         self.stale |= renderer.draw(&posed, &camera).map_err(thrown)?;
         if !self.stale {
             return Ok(Drawn::Nothing);

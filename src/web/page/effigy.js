@@ -152,6 +152,12 @@ export class Effigy extends EventTarget {
     this.camera = { target: min.map((low, axis) => low + half[axis]), distance };
   }
 
+  /** Whether networks see poses as the nearest ones that the avatar knows (as at first), or as they are. */
+  set projection(on) {
+    this.#stage.set_projection(on);
+    this.#wake();
+  }
+
   /** What lies behind: three numbers from 0 to 1. */
   set background([red, green, blue]) {
     this.#over = [red, green, blue];
