@@ -13,10 +13,10 @@ fn compare(options: GpuOptions) {
         Sizes { basis: 32, nodes: 129, ..Sizes::default() },
         Sizes { basis: 4, split_features: true, nodes: 64, parts: 1000, ..Sizes::default() },
     ];
-    for (seed, sizes) in (0..).zip(sizes.into_iter().flat_map(|sizes| [sizes; 2])) {
+    let cases = sizes.map(|sizes| (sizes, false)).into_iter().chain(sizes[1..3].iter().map(|&sizes| (sizes, true)));
+    for (seed, (sizes, packed)) in (0..).zip(cases) {
         let avatar = common::avatar(seed, sizes);
-        // Every other one as a packed file has it.
-        let avatar = if seed % 2 == 1 { avatar.packed(Quality::Small) } else { avatar };
+        let avatar = if packed { avatar.packed(Quality::Small) } else { avatar };
         let frame = gpu::frame_of(&device, avatar, seed, gpu::options([64, 64]));
         let nodes: Vec<f64> = frame.gpu.nodes.iter().flat_map(|v| [v[0], v[1], v[2]]).map(f64::from).collect();
         let oracle: Vec<f64> = frame.oracle.nodes.iter().flat_map(|v| v.to_array()).collect();

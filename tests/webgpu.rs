@@ -93,9 +93,9 @@ fn stages_agree((device, vulkan): (&Arc<Gpu>, &Arc<effigy::vulkan::Gpu>), qualit
     let avatar = quality.map_or_else(|| avatar.clone(), |quality| avatar.packed(quality));
     let options = RendererOptions { skip: Skip::empty(), ..gpu::options([300, 300]) };
     let camera = gpu::camera(&avatar, &posed, options.size);
-    let mut ours = Renderer::new(&device, &avatar, options).unwrap();
+    let mut ours = Renderer::new(device, &avatar, options).unwrap();
     ours.draw(&posed, &camera).unwrap();
-    let mut theirs = effigy::vulkan::Renderer::new(&vulkan, &avatar, options).unwrap();
+    let mut theirs = effigy::vulkan::Renderer::new(vulkan, &avatar, options).unwrap();
     theirs.draw(&posed, &camera, None).unwrap();
     let (ours, theirs) = (ours.stages().unwrap(), theirs.stages().unwrap());
     let close = |what: &str, a: &[f32], b: &[f32], tolerance: f64| {

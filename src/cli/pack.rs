@@ -48,7 +48,7 @@ enum By {
     Lossless,
     /// What the renderers round anyway: quaternions, log scales, colours and bases in fewer bits; they draw the same pictures
     High,
-    /// Weights of networks with 8 bits that count too
+    /// Weights of networks with 10 bits that count in place of 11 too
     Medium,
     /// Weights of networks in bytes, also in the device's memory, and log scales in 8 bits too
     Small,

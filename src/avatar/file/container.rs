@@ -1,14 +1,11 @@
-//! The safetensors container: bytes go in, a checked document and its tensors come out, and the way back.
+//! The safetensors container: bytes go in, a checked document and its tensors come out. [`super::encode`] is the way back.
 
 use super::deflate::{self, EXPANSION, EXPANSION_FREE, Kind};
 use super::format::{Document, METADATA_KEY, Order, Tensor};
 use super::{Fault, TensorInfo, clip};
 use safetensors::Dtype;
-use safetensors::tensor::{Metadata, TensorView};
-use std::{
-    borrow::Cow,
-    collections::{BTreeMap, HashMap},
-};
+use safetensors::tensor::Metadata;
+use std::collections::HashMap;
 
 #[cfg(target_endian = "big")]
 compile_error!("the files are little-endian, and so must the host be");
@@ -49,11 +46,11 @@ impl<D: Document> Called<'_, D> {
 }
 
 /// Bytes of a number.
-fn width(dtype: Dtype) -> usize {
+pub fn width(dtype: Dtype) -> usize {
     dtype.bitsize() / 8
 }
 
-fn kind(dtype: Dtype, shape: &[usize]) -> Kind {
+pub fn kind(dtype: Dtype, shape: &[usize]) -> Kind {
     Kind { width: width(dtype), columns: shape.iter().skip(1).product() }
 }
 
@@ -225,69 +222,6 @@ fn info<D: Document>(called: &Called<D>, stored: usize) -> TensorInfo {
         deflated: called.order,
         what: called.row.what,
     }
-}
-
-/// A model's file with a document that says how its numbers are stored; `deflated`: whether tensors are, where it makes them shorter. What
-/// could not be read back as it was is refused.
-pub fn encode<D: Document>(model: &D::Model, mut document: D, deflated: bool) -> Result<Vec<u8>, Fault>
-where
-    D::Model: PartialEq,
-{
-    document.check()?;
-    let mut orders = BTreeMap::new();
-    let mut stored = Vec::new();
-    let mut length = 0;
-    for row in D::TENSORS {
-        for k in 0..(row.count)(&document) {
-            let (name, shape, bytes) = (row.name(k), (row.shape)(&document, k), (row.bytes)(&document, model, k));
-            length += bytes.len();
-            let fits = shape.iter().product::<usize>() * width(row.dtype) == bytes.len();
-            let packed = if deflated && fits { deflate::pack(&bytes, kind(row.dtype, &shape), useful(row.dtype)) } else { None };
-            stored.push(match packed {
-                Some((order, packed)) => {
-                    orders.insert(name.clone(), order);
-                    (name, Dtype::U8, vec![packed.len()], Cow::Owned(packed))
-                }
-                None => (name, row.dtype, shape, bytes),
-            });
-        }
-    }
-    let short: usize = stored.iter().map(|(.., bytes)| bytes.len()).sum();
-    if length > EXPANSION * short + EXPANSION_FREE {
-        // More than a reader would trust.
-        return encode(model, document, false);
-    }
-    if deflated {
-        document.set_deflated(orders);
-    }
-    let bytes = write(&document, &stored)?;
-    if decode::<D>(&bytes)? != *model {
-        return Err(Fault::container("arrays that contradict each other", "lengths and widths that agree"));
-    }
-    Ok(bytes)
-}
-
-/// The orders that may be worth it: differences of floating-point numbers' bits, and of codes, tell nothing.
-fn useful(dtype: Dtype) -> &'static [Order] {
-    match dtype {
-        Dtype::U8 | Dtype::U16 | Dtype::U32 => &[Order::Planes, Order::Deltas],
-        _ => &[Order::Planes],
-    }
-}
-
-fn write<D: Document>(document: &D, stored: &[(String, Dtype, Vec<usize>, Cow<[u8]>)]) -> Result<Vec<u8>, Fault> {
-    let mut views = Vec::new();
-    for (name, dtype, shape, bytes) in stored {
-        let view = TensorView::new(*dtype, shape.clone(), bytes).map_err(|_| Fault::Tensor {
-            tensor: name.clone(),
-            found: format!("{} bytes", bytes.len()),
-            expected: format!("{dtype} of shape {shape:?}"),
-        })?;
-        views.push((name.clone(), view));
-    }
-    let text = serde_json::to_string(document).expect("strings and numbers always have a JSON form");
-    let metadata = HashMap::from([(METADATA_KEY.to_owned(), text)]);
-    safetensors::serialize(views, Some(metadata)).map_err(|error| Fault::container(error, "tensors that fit a file"))
 }
 
 /// What a model's plain file holds.

@@ -90,26 +90,6 @@ pub struct AvatarHeader {
     pub deflated: BTreeMap<String, Order>,
 }
 
-impl AvatarHeader {
-    /// How many tensors there are of what is coded or not.
-    fn coded(&self, what: Coded) -> usize {
-        usize::from(self.coded.contains(&what))
-    }
-
-    fn plain(&self, what: Coded) -> usize {
-        1 - self.coded(what)
-    }
-
-    /// How many tensors there are of log scales in so many bits.
-    fn log_scales_of(&self, bits: u32) -> usize {
-        usize::from(self.log_scales.is_some_and(|codes| codes.bits == bits))
-    }
-
-    fn layers(&self) -> usize {
-        self.widths.len().saturating_sub(1)
-    }
-}
-
 /// The document of a motion file.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct ClipHeader {

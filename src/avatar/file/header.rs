@@ -60,6 +60,24 @@ impl AvatarHeader {
         Self { version: VERSION_PACKED, coded, log_scales, ..Self::of(avatar) }
     }
 
+    /// Tensors of what is coded, 0 or 1.
+    pub(super) fn coded(&self, what: Coded) -> usize {
+        usize::from(self.coded.contains(&what))
+    }
+
+    pub(super) fn plain(&self, what: Coded) -> usize {
+        1 - self.coded(what)
+    }
+
+    /// How many tensors there are of log scales in so many bits.
+    pub(super) fn log_scales_of(&self, bits: u32) -> usize {
+        usize::from(self.log_scales.is_some_and(|codes| codes.bits == bits))
+    }
+
+    pub(super) fn layers(&self) -> usize {
+        self.widths.len().saturating_sub(1)
+    }
+
     fn check_codes(&self) -> Result<(), Fault> {
         let plain = self.coded.is_empty() && self.log_scales.is_none() && self.deflated.is_empty();
         ensure(plain || self.version == VERSION_PACKED, "version", self.version, format_args!("{VERSION_PACKED}, as there are codes"))?;

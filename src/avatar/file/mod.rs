@@ -6,6 +6,7 @@ mod check;
 mod coding;
 mod container;
 mod deflate;
+mod encode;
 pub mod format;
 mod header;
 
@@ -183,7 +184,7 @@ impl Avatar {
     /// # Errors
     /// When the avatar breaks a rule of [`format`].
     pub fn to_bytes(&self) -> Result<Vec<u8>, Fault> {
-        container::encode(self, AvatarHeader::of(self), false)
+        encode::encode(self, AvatarHeader::of(self), false)
     }
 
     /// A file as small as holds the same avatar: codes where they lose nothing, and what is worth it deflated. What is rounded first so
@@ -192,7 +193,7 @@ impl Avatar {
     /// # Errors
     /// When the avatar breaks a rule of [`format`].
     pub fn to_packed_bytes(&self) -> Result<Vec<u8>, Fault> {
-        container::encode(self, AvatarHeader::packed(self), true)
+        encode::encode(self, AvatarHeader::packed(self), true)
     }
 
     /// Writes such a file; on failure what was at `path` stays as it was.
@@ -239,7 +240,7 @@ impl Clip {
     /// # Errors
     /// When the clip breaks a rule of [`format`].
     pub fn to_bytes(&self) -> Result<Vec<u8>, Fault> {
-        container::encode(self, ClipHeader::of(self), false)
+        encode::encode(self, ClipHeader::of(self), false)
     }
 
     /// The tensors that its file holds.
