@@ -13,6 +13,7 @@ pub mod import;
 pub mod matrix;
 pub mod motion;
 pub mod occluder;
+#[cfg(not(target_arch = "wasm32"))]
 pub mod pack;
 pub mod pose;
 pub mod prune;

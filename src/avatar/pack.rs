@@ -2,7 +2,7 @@
 //! are, and in which order they are worth it, is here; how the file stores what comes out is in [`super::file`].
 
 use super::{Avatar, file::format::LogScaleCodes};
-use crate::layout::compact;
+use crate::{frame::FEATURE_MAX, layout::compact, reference::features};
 use half::f16;
 
 /// Something that takes fewer bits afterwards.
@@ -21,10 +21,8 @@ pub enum Step {
     Bases,
     /// Weights of the networks with 10 bits that count in place of f16's 11: it is the file that gets smaller.
     Weights,
-    /// Weights of the networks in bytes, with a step a neuron.
+    /// Weights of the networks in bytes, with a step a neuron; the last biases make up for what that changes in the mean.
     Networks,
-    /// Log scales in 8 bits.
-    LogScaleBytes,
 }
 
 impl Step {
@@ -38,7 +36,6 @@ impl Step {
             Self::Bases => "the other bases in bytes",
             Self::Weights => "networks in 10 bits that count",
             Self::Networks => "networks in bytes",
-            Self::LogScaleBytes => "log scales in 8 bits",
         }
     }
 }
@@ -52,7 +49,7 @@ pub enum Quality {
     High,
     /// Weights of networks less exactly too.
     Medium,
-    /// Networks in bytes, which take half the memory, and log scales too.
+    /// Networks in bytes, which take half the memory.
     Small,
 }
 
@@ -61,12 +58,12 @@ impl Quality {
 
     /// The steps of it, in their order.
     pub fn steps(self) -> &'static [Step] {
-        use Step::{Bases, Colors, LogScaleBytes, LogScales, Networks, Rotations, Unused, Weights};
+        use Step::{Bases, Colors, LogScales, Networks, Rotations, Unused, Weights};
         match self {
             Self::Lossless => &[Unused],
             Self::High => &[Unused, Rotations, LogScales, Colors, Bases],
             Self::Medium => &[Unused, Rotations, LogScales, Colors, Bases, Weights],
-            Self::Small => &[Unused, Rotations, LogScales, Colors, Bases, Networks, LogScaleBytes],
+            Self::Small => &[Unused, Rotations, LogScales, Colors, Bases, Networks],
         }
     }
 }
@@ -87,8 +84,8 @@ impl Avatar {
                 let unit = |q: &[f16; 4]| compact::decode_quaternion(compact::encode_quaternion(q.map(f64::from)).0).map(f16::from_f64);
                 after.gaussians.rotation = self.gaussians.rotation.iter().map(unit).collect();
             }
-            Step::LogScales | Step::LogScaleBytes => {
-                let codes = LogScaleCodes::of(self)[usize::from(step == Step::LogScaleBytes)];
+            Step::LogScales => {
+                let [codes, _] = LogScaleCodes::of(self);
                 after.gaussians.log_scale.iter_mut().flatten().for_each(|s| *s = codes.decode(codes.encode(*s)));
             }
             Step::Colors => after.round_colors(),
@@ -101,7 +98,11 @@ impl Avatar {
                 let halves = after.networks.layers.iter_mut().filter(|layer| !layer.weight.is_bytes());
                 halves.flat_map(|layer| layer.weight.halves_mut()).for_each(|w| *w = fewer_bits(*w));
             }
-            Step::Networks => after.networks.layers.iter_mut().for_each(|layer| layer.weight = layer.weight.bytes(layer.input)),
+            Step::Networks if self.networks.in_bytes() => {}
+            Step::Networks => {
+                after.networks.layers.iter_mut().for_each(|layer| layer.weight = layer.weight.bytes(layer.input));
+                after.center_features(self);
+            }
         }
         after
     }
@@ -115,6 +116,23 @@ impl Avatar {
         let g = &mut self.gaussians;
         for (joints, weights) in g.joint.iter_mut().zip(&g.joint_weight) {
             joints.iter_mut().zip(weights).filter(|(_, weight)| **weight == 0).for_each(|(joint, _)| *joint = 0);
+        }
+    }
+
+    /// Gives the last layer the biases with which features are, in the mean over the training poses, what they are of another avatar. The
+    /// poses are the mean and one σ along each principal component: what is left is noise around it, and no shift of whole parts.
+    fn center_features(&mut self, exact: &Self) {
+        let inputs = exact.inputs.typical();
+        let mut shift = vec![0.0; self.parts.len() * self.networks.output()];
+        for input in &inputs {
+            let [now, then] = [&*self, exact].map(|avatar| features::features(avatar, input));
+            shift.iter_mut().zip(then.iter().zip(now)).for_each(|(shift, (then, now))| *shift += (then - now) / inputs.len() as f64);
+        }
+        if let Some(last) = self.networks.layers.last_mut() {
+            last.bias
+                .iter_mut()
+                .zip(shift)
+                .for_each(|(bias, shift)| *bias = f16::from_f64((bias.to_f64() + shift).clamp(-FEATURE_MAX, FEATURE_MAX)));
         }
     }
 
@@ -168,6 +186,25 @@ mod tests {
         assert!(medium.color_rows == high.color_rows && medium.networks != high.networks);
         let small = avatar.packed(Quality::Small);
         assert!(small.networks.in_bytes() && small.packed(Quality::Small) == small, "twice is not once");
+    }
+
+    #[test]
+    fn features_of_networks_in_bytes_are_right_in_the_mean() {
+        let avatar = demo::avatar().expect("inside the program");
+        let mut plain = avatar.clone();
+        plain.networks.layers.iter_mut().for_each(|layer| layer.weight = layer.weight.bytes(layer.input));
+        let mean = |other: &Avatar| -> f64 {
+            let inputs = avatar.inputs.typical();
+            assert!(inputs.len() > 20, "{} poses", inputs.len());
+            let of = |avatar: &Avatar| {
+                let sum = |sum: Vec<f64>, e: Vec<f64>| if sum.is_empty() { e } else { sum.iter().zip(e).map(|(a, b)| a + b).collect() };
+                inputs.iter().map(|input| features::features(avatar, input)).fold(vec![], sum)
+            };
+            let off = of(&avatar).iter().zip(of(other)).map(|(a, b)| ((a - b) / inputs.len() as f64).powi(2)).sum::<f64>();
+            off.sqrt()
+        };
+        let (before, after) = (mean(&plain), mean(&avatar.after(Step::Networks)));
+        assert!(after < 0.2 * before, "off by {before} before, by {after} after");
     }
 
     #[test]

@@ -83,6 +83,24 @@ impl Inputs {
         within(input)
     }
 
+    /// θ_p ⊕ θ_e of the poses that stand for those of the training: their mean, and one σ to both sides of it along each component; no
+    /// rotation anywhere where none are known.
+    pub fn typical(&self) -> Vec<Vec<f64>> {
+        let mut mean: Vec<f64> = self.pose_space.as_ref().map_or(vec![], |space| space.mean.iter().map(|&m| f64::from(m)).collect());
+        mean.resize(self.len(), 0.0);
+        let mut all = vec![mean.clone()];
+        for (component, &sigma) in
+            self.pose_space.iter().flat_map(|space| space.component.chunks_exact(space.mean.len().max(1)).zip(&space.sigma))
+        {
+            for side in [f64::from(sigma), -f64::from(sigma)] {
+                let mut x = mean.clone();
+                x.iter_mut().zip(component).for_each(|(x, &c)| *x += side * f64::from(c));
+                all.push(x);
+            }
+        }
+        all
+    }
+
     /// θ_p ⊕ θ_e of a pose as it is.
     pub fn unprojected(&self, pose: &Pose) -> Vec<f64> {
         let rotation = |&j: &u8| shortest(pose.rotation.get(usize::from(j)).copied().unwrap_or_default()).to_array();

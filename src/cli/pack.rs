@@ -50,7 +50,7 @@ enum By {
     High,
     /// Weights of networks with 10 bits that count in place of 11 too
     Medium,
-    /// Weights of networks in bytes, also in the device's memory, and log scales in 8 bits too
+    /// Weights of networks in bytes, also in the device's memory
     Small,
 }
 
