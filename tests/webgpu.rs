@@ -4,7 +4,7 @@ mod common;
 
 use common::{Sizes, gpu};
 use effigy::{
-    avatar::{Avatar, Harmonics, file::Neutral},
+    avatar::{Avatar, Harmonics, file::Neutral, pack::Quality},
     demo,
     frame::{Body, Camera, Method, Posed, RendererOptions, Skip, Variant},
     layout::SORT_DROPPED,
@@ -80,12 +80,22 @@ fn pictures_are_those_of_the_vulkan_backend() {
 #[test]
 fn stages_are_those_of_the_vulkan_backend() {
     let (Some(device), Some(vulkan)) = (open(), gpu::gpu()) else { return };
+    for quality in [None, Some(Quality::Small)] {
+        stages_agree((&device, &vulkan), quality);
+    }
+    device.check().unwrap();
+    gpu::assert_valid();
+}
+
+/// `quality`: of a packed avatar.
+fn stages_agree((device, vulkan): (&Arc<Gpu>, &Arc<effigy::vulkan::Gpu>), quality: Option<Quality>) {
     let (avatar, posed) = body(11, 3000);
+    let avatar = quality.map_or_else(|| avatar.clone(), |quality| avatar.packed(quality));
     let options = RendererOptions { skip: Skip::empty(), ..gpu::options([300, 300]) };
     let camera = gpu::camera(&avatar, &posed, options.size);
-    let mut ours = Renderer::new(&device, &avatar, options).unwrap();
+    let mut ours = Renderer::new(device, &avatar, options).unwrap();
     ours.draw(&posed, &camera).unwrap();
-    let mut theirs = effigy::vulkan::Renderer::new(&vulkan, &avatar, options).unwrap();
+    let mut theirs = effigy::vulkan::Renderer::new(vulkan, &avatar, options).unwrap();
     theirs.draw(&posed, &camera, None).unwrap();
     let (ours, theirs) = (ours.stages().unwrap(), theirs.stages().unwrap());
     let close = |what: &str, a: &[f32], b: &[f32], tolerance: f64| {

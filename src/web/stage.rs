@@ -38,6 +38,8 @@ pub struct Stage {
     size: [u32; 2],
     /// What the canvas shows is not what it should.
     stale: bool,
+    /// Networks see poses as the nearest ones that the avatar knows.
+    project: bool,
 }
 
 /// How many of a file's bytes are needed to draw an avatar without its correctives, as far as the first ones tell.
@@ -70,7 +72,7 @@ impl Stage {
         };
         let size = screen.size();
         screen.configure(size);
-        Self { screen, shown: None, before: None, view, size, stale: true }
+        Self { screen, shown: None, before: None, view, size, stale: true, project: true }
     }
 
     /// Makes what will draw the avatar in a file's bytes. What is shown stays.
@@ -163,6 +165,11 @@ impl Stage {
         self.stale = true;
     }
 
+    /// Whether networks see poses as the nearest ones that the avatar knows; else as they are.
+    pub fn set_projection(&mut self, on: bool) {
+        self.project = on;
+    }
+
     /// Follows the canvas's width and height.
     pub fn resize(&mut self) -> Result<(), JsValue> {
         let size = self.screen.size();
@@ -192,7 +199,7 @@ impl Stage {
         }
         let View { target, yaw, pitch, distance, fov, background } = self.view;
         let camera = Camera::orbit(target, yaw, pitch.clamp(-1.55, 1.55), distance, fov, self.size);
-        let posed = Posed::new(avatar, &motion.pose(now));
+        let posed = Posed::of(avatar, &motion.pose(now), self.project);
         self.stale |= renderer.draw(&posed, &camera).map_err(thrown)?;
         if !self.stale {
             return Ok(Drawn::Nothing);

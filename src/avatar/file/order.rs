@@ -3,7 +3,10 @@
 
 use super::{Fault, clip, container, format::AvatarHeader};
 use crate::avatar::Avatar;
-use safetensors::tensor::{Metadata, TensorInfo, TensorView};
+use safetensors::{
+    Dtype,
+    tensor::{Metadata, TensorInfo, TensorView},
+};
 use std::collections::HashMap;
 
 /// What the beginning of a file is enough for.
@@ -58,10 +61,12 @@ fn header(bytes: &[u8]) -> Result<Result<(Metadata, usize), usize>, Fault> {
     Ok(Ok((metadata, 8 + length)))
 }
 
-/// Where the last tensor ends that is no corrective.
+/// Where the last tensor ends that is no corrective; of a packed file, whose zeros mean something else, the last of all.
 fn neutral_end(metadata: &Metadata, start: usize) -> usize {
     let tensors = metadata.tensors();
-    let ends = tensors.iter().filter(|(name, _)| !is_corrective(name)).map(|(_, info)| info.data_offsets.1);
+    let plain = tensors.iter().all(|(name, info)| !is_rows(name) || info.dtype == Dtype::U32)
+        && tensors.iter().all(|(name, info)| !is_corrective(name) || is_rows(name) || info.dtype == Dtype::F16);
+    let ends = tensors.iter().filter(|(name, _)| !(plain && is_corrective(name))).map(|(_, info)| info.data_offsets.1);
     start.saturating_add(ends.max().unwrap_or(0))
 }
 

@@ -125,6 +125,8 @@ export class Effigy extends EventTarget {
   rate: number;
   get camera(): Camera;
   set camera(camera: Partial<Camera>);
+  /** Whether networks see poses as the nearest ones that the avatar knows (as at first), or as they are. */
+  set projection(on: boolean);
   /** Red, green and blue behind the avatar, 0 to 1. */
   set background(color: [number, number, number]);
   readonly statistics: Statistics;

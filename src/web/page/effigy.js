@@ -177,6 +177,12 @@ export class Effigy extends EventTarget {
     this.camera = framing(bounds, this.#camera.fov, this.#canvas.width / this.#canvas.height);
   }
 
+  set projection(on) {
+    this.#open();
+    this.#stage.set_projection(Boolean(on));
+    this.#changed();
+  }
+
   set background(color) {
     this.#open();
     const [red, green, blue] = Array.from(color, (channel) => within("the background", channel, 0, 1));

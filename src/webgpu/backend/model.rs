@@ -25,6 +25,7 @@ pub struct OccluderMesh {
 
 /// The model in device memory, read-only.
 pub struct Model {
+    /// Words; see `shaders/features.glsl`.
     pub networks: Buffer,
     pub nodes: Buffer,
     /// Each part's first node, and their number.
@@ -37,6 +38,8 @@ pub struct Model {
     pub occluder: OccluderMesh,
     /// The uniform block with all that no frame changes.
     pub constants: Box<Frame>,
+    /// Whether the networks' weights are bytes.
+    pub networks_in_bytes: bool,
 }
 
 impl Model {
@@ -64,6 +67,7 @@ impl Model {
             #[cfg(not(target_arch = "wasm32"))]
             node_places,
             constants,
+            networks_in_bytes: avatar.networks.in_bytes(),
         })
     }
 }
