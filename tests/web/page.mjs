@@ -32,12 +32,14 @@ const tests = {
     await frames(page, 3);
     assert.notEqual(await page.evaluate(() => effigy.time), before);
     await page.click("#play");
-    await page.waitForTimeout(1500);
-    const drawn = page.evaluate(() => new Promise((resolve) => {
+    // Frames that were under way may still come: on a busy machine for some seconds.
+    const drawn = () => page.evaluate(() => new Promise((resolve) => {
       effigy.addEventListener("frame", () => resolve(true), { once: true });
-      setTimeout(resolve, 1500, false);
+      setTimeout(resolve, 3000, false);
     }));
-    assert.equal(await drawn, false, "frames are drawn though nothing changes");
+    let more = 4;
+    while (more > 0 && (await drawn())) --more;
+    assert.ok(more > 0, "frames are drawn though nothing changes");
     await page.screenshot({ path: join(out, "page.png") });
     return page;
   },
