@@ -4,8 +4,12 @@ use super::bake::{bar, count};
 use super::{fit::fits, options};
 use crate::avatar::{Avatar, file::replace};
 use crate::fit::Dataset;
-use crate::fit::evaluate::{Plan, Score, Way, scores, some};
-use std::path::PathBuf;
+use crate::fit::analyse::kept::beside;
+use crate::fit::evaluate::{Plan, Score, Way, camera, scores, some, truth};
+use crate::frame::{Extent, Posed};
+use crate::reference;
+use anyhow::Context;
+use std::path::{Path, PathBuf};
 
 #[derive(clap::Args)]
 pub struct Args {
@@ -22,6 +26,9 @@ pub struct Args {
     /// Frames of each clip that are drawn, of those held out and of the others
     #[arg(long, default_value = "12", value_parser = count(1, 100_000))]
     frames: usize,
+    /// Write a picture of each drawn frame to this folder: without correctives, with them, and the truth, side by side
+    #[arg(long, value_name = "DIR")]
+    pictures: Option<PathBuf>,
     /// Write the table as JSON too
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
@@ -39,13 +46,37 @@ pub fn run(args: Args) -> anyhow::Result<()> {
             frames.extend(some(&own, args.frames));
         }
     }
+    if let Some(folder) = &args.pictures {
+        pictures(&dataset, &avatar, &frames, &args, folder)?;
+    }
     let bar = bar(frames.len() as u64)?;
-    let plan = Plan { frames, yaws: args.yaw, size: args.size };
+    let plan = Plan { frames, yaws: args.yaw.clone(), size: args.size };
     let scores = scores(&dataset, &avatar, &Way::ALL, &plan, &|done| bar.set_position(done as u64));
     bar.finish_and_clear();
     print!("{}", table(&scores));
-    if let Some(path) = args.json {
-        replace(&path, serde_json::to_string_pretty(&scores)?.as_bytes())?;
+    if let Some(path) = &args.json {
+        replace(path, serde_json::to_string_pretty(&scores)?.as_bytes())?;
+    }
+    Ok(())
+}
+
+fn pictures(dataset: &Dataset, avatar: &Avatar, frames: &[usize], args: &Args, folder: &Path) -> anyhow::Result<()> {
+    std::fs::create_dir_all(folder).with_context(|| format!("cannot make {}", folder.display()))?;
+    let neutral = Way::Neutral.avatar(avatar);
+    let extent = Extent::new(&dataset.avatar);
+    let background = options::color(options::BACKGROUND).map_err(anyhow::Error::msg)?;
+    for &frame in frames {
+        let posed = Posed::new(avatar, &dataset.poses[frame]);
+        for &yaw in &args.yaw {
+            let camera = camera(&extent, &posed, yaw, args.size);
+            let row = [
+                reference::render(&neutral, &posed, &camera),
+                reference::render(avatar, &posed, &camera),
+                truth(dataset, frame, &posed, &camera),
+            ];
+            let path = folder.join(format!("frame-{frame:05}-{yaw}.png"));
+            beside(&row).over(background).save(&path).with_context(|| format!("{} can't be written", path.display()))?;
+        }
     }
     Ok(())
 }

@@ -170,7 +170,7 @@ fn write(common: &Common, fitted: Fitted, start: Instant) -> anyhow::Result<()> 
     let rows = [avatar.rotation_rows.gaussian.len(), avatar.scale_rows.gaussian.len(), avatar.color_rows.gaussian.len()];
     let last = curve.last().map_or(0.0, |point| 100.0 * point.training);
     println!(
-        "{}: {} Gaussians, correctives of rotation, scale and colour for {}, {} and {}; {last:.1} % of the kept rows' spread left; {:.1} MB; {:.0} s",
+        "{}: {} Gaussians, {} rows of rotation, {} of scale, {} of colour; {last:.1} % of the training frames' spread left; {:.1} MB; {:.0} s",
         common.out.display(),
         avatar.gaussians.len(),
         rows[0],

@@ -1,5 +1,6 @@
 //! The command line: one binary, `effigy`, a subcommand a file.
 
+mod analyse;
 mod bake;
 mod bench;
 mod bench_sort;
@@ -70,6 +71,8 @@ enum Command {
     Prune(fit::PruneArgs),
     /// Draw a learned avatar and its dataset, and say how alike they are
     Evaluate(evaluate::Args),
+    /// Make the paper's tables and curves of a dataset
+    Analyse(analyse::Args),
 }
 
 /// Runs the program and says how it ended.
@@ -97,6 +100,7 @@ pub fn main() -> ExitCode {
         Some(Command::Fit(args)) => fit::run(args),
         Some(Command::Prune(args)) => fit::run_prune(args),
         Some(Command::Evaluate(args)) => evaluate::run(args),
+        Some(Command::Analyse(args)) => analyse::run(args),
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,

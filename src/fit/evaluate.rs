@@ -1,5 +1,5 @@
-//! An avatar and a dataset in; how alike their pictures are out, drawn by the f64 reference: training frames, held-out frames and clips, with
-//! the correctives, without them, and without the projection of poses.
+//! An avatar and a dataset in; how alike their pictures are out, drawn by the f64 reference: training frames, held-out frames and
+//! clips, with the correctives, without them, and without the projection of poses.
 
 use super::dataset::Dataset;
 use crate::avatar::{Avatar, Inputs, Rows};

@@ -11,6 +11,7 @@
 //! All of it runs on processors, parts side by side. What comes out depends on the dataset, the options and the seed alone, on one kind of
 //! machine: neither on the number of threads nor on interruptions.
 
+pub mod analyse;
 pub mod basis;
 pub mod block;
 pub mod checkpoint;
