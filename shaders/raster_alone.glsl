@@ -3,18 +3,22 @@
 // pixels' arithmetic, an array that is asked for by a variable a walk over the lanes. So uniforms are read once, numbers are unpacked by
 // masks and products, and pixels are written out.
 
+#define UNROLL
+
 // What the frame says of splats.
 float fixed_scale, guard, hull_opacity, cutoff;
 // Of pixels.
 float least, full;
 
-void read_uniforms() {
+// The invocation's number, once the uniforms are read.
+uint begin() {
     fixed_scale = frame.fixed_scale;
     guard = frame.guard;
     hull_opacity = frame.hull_opacity;
     cutoff = frame.cutoff;
     least = CUTOFF;
     full = FULL;
+    return gl_LocalInvocationIndex;
 }
 
 float larger(float a, float b) { return mix(a, b, b > a); }
@@ -85,4 +89,58 @@ void put(uvec4 words) {
     ROW(0u) ROW(4u) ROW(8u) ROW(12u)
     shaded += SIDE * SIDE;
     open = most >= full;
+}
+
+#define FIRST(level) \
+    if (chains.level != 0u) { \
+        first.level = bins[BINS_NODES + chains.level]; \
+        keys.level = key_at(first.level); \
+    }
+#define NEARER(level) \
+    if (chains.level != 0u && (chain == 0u || keys.level > key || (keys.level == key && first.level > splat))) { \
+        chain = chains.level; \
+        splat = first.level; \
+        key = keys.level; \
+    }
+#define STEP(level) \
+    if (take.level) { \
+        chains.level = rest; \
+        first.level = next; \
+        keys.level = after; \
+    }
+
+// One loop, since a loop takes as many turns as the lane that needs most, and what no lane needs is played all the same. `at`: column and
+// row of the finest tile.
+void blend_tiles(uvec2 at) {
+    uvec4 tiles = uvec4(bins_tile(0u, at), bins_tile(1u, at >> 2u), bins_tile(2u, at >> 4u), bins_tile(BINS_WHOLE, uvec2(0u)));
+    uint blocks = bins[BINS_MET + tiles.x] | bins[BINS_MET + tiles.y] | bins[BINS_MET + tiles.z] | bins[BINS_MET + tiles.w];
+    // Where the block's chains are at each level, the splats that come first there, and their keys.
+    uvec4 chains = uvec4(0u);
+    uvec4 first = uvec4(0u);
+    uvec4 keys = uvec4(0u);
+    bool going = blocks != 0u;
+    do {
+        if (going) {
+            if (chains == uvec4(0u)) {
+                uint block = uint(findMSB(blocks));
+                blocks ^= 1u << block;
+                chains.x = bins[BINS_HEADS + tiles.x * BINS_BLOCKS + block];
+                chains.y = bins[BINS_HEADS + tiles.y * BINS_BLOCKS + block];
+                chains.z = bins[BINS_HEADS + tiles.z * BINS_BLOCKS + block];
+                chains.w = bins[BINS_HEADS + tiles.w * BINS_BLOCKS + block];
+                FIRST(x) FIRST(y) FIRST(z) FIRST(w)
+            }
+            uint splat = 0u;
+            uint key = 0u;
+            uint chain = 0u;
+            NEARER(x) NEARER(y) NEARER(z) NEARER(w)
+            bvec4 take = equal(chains, uvec4(chain));
+            uint rest = step_back(chain);
+            uint next = rest == 0u ? 0u : bins[BINS_NODES + rest];
+            uint after = rest == 0u ? 0u : key_at(next);
+            STEP(x) STEP(y) STEP(z) STEP(w)
+            put(splats[splat]);
+        }
+        going = open && (blocks != 0u || chains != uvec4(0u));
+    } while (going);
 }

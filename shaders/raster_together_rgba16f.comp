@@ -1,5 +1,6 @@
 // `raster` as a compute kernel whose subgroups lie in one tile, into a picture of format rgba16f.
 #version 450
+#extension GL_EXT_control_flow_attributes : require
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_arithmetic : require
 #extension GL_KHR_shader_subgroup_ballot : require

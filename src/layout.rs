@@ -71,7 +71,7 @@ pub const BINS_SIDE: u32 = 128;
 /// Levels of tiles, each of a sixteenth of the tiles before it; the last is one tile, the whole picture.
 pub const BINS_LEVELS: u32 = 4;
 /// Tiles of all levels.
-pub const BINS_TILES: u32 = (BINS_SIDE * BINS_SIDE - ((BINS_SIDE * BINS_SIDE) >> 12)) / 15 * 16 + 1;
+pub const BINS_TILES: u32 = bins::first_tile(BINS_LEVELS - 1) + 1;
 /// Blocks of the drawing order, an invocation of `bins` each: a bit of a word each.
 pub const BINS_BLOCKS: u32 = 32;
 /// Invocations of a workgroup of `bins`.

@@ -17,14 +17,14 @@ fn camera(size: [u32; 2], yaw: f64) -> Camera {
 }
 
 /// A frame of some poses, one after the other, with what is given left out.
-fn frames(device: &std::sync::Arc<effigy::vulkan::Gpu>, avatar: &Avatar, poses: &[Posed], skip: Skip) -> Vec<(Picture, u64)> {
+fn frames(device: &std::sync::Arc<effigy::vulkan::Gpu>, avatar: &Avatar, poses: &[Posed], skip: Skip) -> Vec<(Picture, Counters)> {
     let size = [160, 200];
     let options = RendererOptions { skip, ..RendererOptions::new(size) };
     let mut renderer = Renderer::new(device, avatar, options).unwrap();
     let draw = |posed| {
         renderer.draw(posed, &camera(size, 0.4), None).unwrap();
         let picture = renderer.picture().unwrap();
-        (picture, renderer.report().counters.drawn)
+        (picture, renderer.report().counters)
     };
     poses.iter().map(draw).collect()
 }
@@ -42,8 +42,13 @@ fn exact_skips_change_no_bit() {
     let all = frames(&device, &avatar, &poses, Skip::empty());
     assert!(all[0].0 != all[1].0, "the expression shows nowhere");
     for skip in [Skip::INPUTS, Skip::EXPRESSION, Skip::POSE, Skip::FRAME | Skip::POSE, Skip::PARTS, Skip::PARTS | Skip::POSE] {
-        for (number, (with, without)) in frames(&device, &avatar, &poses, skip).iter().zip(&all).enumerate() {
+        let some = frames(&device, &avatar, &poses, skip);
+        for (number, (with, without)) in some.iter().zip(&all).enumerate() {
             assert!(with.0 == without.0, "picture {number} changes when {skip} is left out");
+        }
+        if skip == Skip::EXPRESSION {
+            let ran = |at: usize| some[at].1.networks as usize;
+            assert!(ran(1) == avatar.parts.head && ran(1) < ran(0), "{} networks see a smile, {} a new pose", ran(1), ran(0));
         }
     }
     // Where in a hull a fragment is comes out a little different for another hull.
@@ -96,6 +101,29 @@ fn hidden_gaussians_are_left_out_within_the_budget() {
         let difference = error::between(&picture, &exact);
         assert!(difference.covered.psnr_db > 50.0, "{:?} at {seconds} s", difference.covered);
     }
+    gpu::assert_valid();
+}
+
+/// With hulls, fragments behind the solid body fail the depth test, within the budget of the presets that have it switched on.
+#[test]
+fn hidden_fragments_are_left_out_within_the_budget() {
+    let Some(device) = gpu::gpu() else { return };
+    let avatar = demo::avatar().unwrap();
+    let posed = &demo_poses(&[1.0])[0];
+    let bounds = effigy::frame::Extent::new(&avatar).bounds(&posed.joints);
+    let size = [480, 760];
+    let camera = Camera::orbit((bounds[0] + bounds[1]) / 2.0, 0.3, 0.1, Camera::framing_distance(bounds, 0.6, size), 0.6, size);
+    let draw = |skip| {
+        let options = RendererOptions { skip, method: Some(Method::Hulls), count: true, ..RendererOptions::new(size) };
+        let mut renderer = Renderer::new(&device, &avatar, options).unwrap();
+        renderer.draw(posed, &camera, None).unwrap();
+        (renderer.picture().unwrap(), renderer.report().counters.fragments)
+    };
+    let ((exact, all), (picture, shaded)) = (draw(Skip::empty()), draw(Skip::DEPTH));
+    // Some devices don't count fragments.
+    all.zip(shaded).inspect(|(all, shaded)| assert!(shaded * 20 < all * 19, "{shaded} of {all} shaded"));
+    let difference = error::between(&picture, &exact);
+    assert!(difference.covered.psnr_db > 44.0 && picture != exact, "{:?}", difference.covered);
     gpu::assert_valid();
 }
 

@@ -4,7 +4,7 @@ mod common;
 
 use common::gpu;
 use effigy::{
-    avatar::Avatar,
+    avatar::{Avatar, Occluder},
     frame::{Camera, Posed, Skip},
     measure::stress::{self, Case, Family, Settings},
     vulkan::{GpuOptions, RendererOptions},
@@ -68,6 +68,7 @@ fn cases_are_as_hard_as_they_say() {
     any(Family::Overflow, &|case| case.avatar.networks.layers.iter().any(|layer| layer.weight.contains(&f16::MAX)));
     any(Family::Sizes, &|case| case.camera.size.iter().any(|&side| side > 1000) && case.camera.size.contains(&1));
     any(Family::Views, &|case| case.camera.focal.y < 0.1 * f64::from(case.camera.size[1]));
+    any(Family::Solid, &|case| !Occluder::new(&case.avatar).triangles.is_empty());
     let near = of(Family::NearPlane).next().unwrap();
     let stages = effigy::reference::Stages::new(&near.avatar, &near.posed, &near.camera);
     let depth = |mean| near.camera.view.transform_point3(mean).z;
@@ -77,6 +78,19 @@ fn cases_are_as_hard_as_they_say() {
         let avatar = Case::new(6, number, false).avatar;
         assert!(Avatar::from_bytes(&avatar.to_bytes().unwrap()).unwrap() == avatar, "case {number} is no avatar that a file could hold");
     }
+}
+
+/// A shell that light passes, for its Gaussians are small or see-through, leaves nothing out.
+#[test]
+fn what_light_passes_hides_nothing() {
+    let closed = (0..).find(|&n| Family::of(n) == Family::Solid).map(|n| Case::new(5, n, false)).unwrap().avatar;
+    assert!(!Occluder::new(&closed).triangles.is_empty());
+    let mut small = closed.clone();
+    small.gaussians.log_scale.iter_mut().flatten().for_each(|s| *s = f16::from_f64(s.to_f64() - 1.0));
+    assert_eq!(Occluder::new(&small), Occluder::default());
+    let mut faint = closed;
+    faint.gaussians.opacity.fill(128);
+    assert_eq!(Occluder::new(&faint), Occluder::default());
 }
 
 #[test]

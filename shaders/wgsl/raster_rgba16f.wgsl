@@ -1,3 +1,11 @@
+struct Keys {
+    keys: array<u32>,
+}
+
+struct Bins {
+    bins: array<u32>,
+}
+
 struct Layer {
     input_quads: u32,
     output_count: u32,
@@ -76,14 +84,6 @@ struct SettingsBlock {
     count: u32,
 }
 
-struct Keys {
-    keys: array<u32>,
-}
-
-struct Bins {
-    bins: array<u32>,
-}
-
 struct Splats {
     splats: array<vec4<u32>>,
 }
@@ -132,6 +132,10 @@ struct Splats_1 {
 
 var<private> shaded: u32;
 var<private> open: bool;
+@group(0) @binding(5) 
+var<storage> unnamed: Keys_1;
+@group(0) @binding(3) 
+var<storage> unnamed_1: Bins_1;
 var<private> fixed_scale: f32;
 @group(0) @binding(0) 
 var<uniform> frame: FrameBlock;
@@ -142,15 +146,11 @@ var<private> least: f32;
 @group(0) @binding(7) 
 var<uniform> settings: SettingsBlock;
 var<private> full: f32;
+var<private> gl_LocalInvocationIndex_1: u32;
 var<private> middle: vec2<f32>;
 var<private> pixels: array<vec4<f32>, 16>;
-@group(0) @binding(5) 
-var<storage> unnamed: Keys_1;
-@group(0) @binding(3) 
-var<storage> unnamed_1: Bins_1;
 @group(0) @binding(1) 
 var<storage> unnamed_2: Splats_1;
-var<private> gl_LocalInvocationIndex_1: u32;
 var<private> gl_WorkGroupID_1: vec3<u32>;
 @group(0) @binding(4) 
 var picture: texture_storage_2d<rgba16float,write>;
@@ -361,8 +361,8 @@ fn put_u0028_vu4_u003b(words: ptr<function, vec4<u32>>) {
     var share_15: f32;
     var param_91: f32;
     var param_92: f32;
-    var phi_285_: bool;
-    var phi_295_: bool;
+    var phi_332_: bool;
+    var phi_342_: bool;
 
     let _e260 = middle;
     let _e262 = (*words)[0u];
@@ -415,20 +415,20 @@ fn put_u0028_vu4_u003b(words: ptr<function, vec4<u32>>) {
     let _e313 = axis;
     box = sqrt((((_e302 * _e303) + ((_e310.yx * ((_e305 * _e306) * _e308)) * _e313.yx)) * _e301));
     let _e319 = open;
-    phi_285_ = _e319;
+    phi_332_ = _e319;
     if _e319 {
         let _e321 = from_[0u];
         let _e324 = box[0u];
-        phi_285_ = (abs(_e321) < (_e324 + 1.5f));
+        phi_332_ = (abs(_e321) < (_e324 + 1.5f));
     }
-    let _e328 = phi_285_;
-    phi_295_ = _e328;
+    let _e328 = phi_332_;
+    phi_342_ = _e328;
     if _e328 {
         let _e330 = from_[1u];
         let _e333 = box[1u];
-        phi_295_ = (abs(_e330) < (_e333 + 1.5f));
+        phi_342_ = (abs(_e330) < (_e333 + 1.5f));
     }
-    let _e337 = phi_295_;
+    let _e337 = phi_342_;
     if !(_e337) {
         return;
     }
@@ -1150,23 +1150,23 @@ fn blend_tiles_u0028_vu2_u003b(at_1: ptr<function, vec2<u32>>) {
     var local_2: u32;
     var param_106: u32;
     var param_107: vec4<u32>;
-    var phi_1511_: bool;
-    var phi_1525_: bool;
-    var phi_1526_: bool;
-    var phi_1527_: bool;
-    var phi_1550_: bool;
-    var phi_1564_: bool;
-    var phi_1565_: bool;
-    var phi_1566_: bool;
-    var phi_1589_: bool;
-    var phi_1603_: bool;
-    var phi_1604_: bool;
-    var phi_1605_: bool;
-    var phi_1628_: bool;
-    var phi_1642_: bool;
-    var phi_1643_: bool;
-    var phi_1644_: bool;
-    var phi_1745_: bool;
+    var phi_1517_: bool;
+    var phi_1531_: bool;
+    var phi_1532_: bool;
+    var phi_1533_: bool;
+    var phi_1556_: bool;
+    var phi_1570_: bool;
+    var phi_1571_: bool;
+    var phi_1572_: bool;
+    var phi_1595_: bool;
+    var phi_1609_: bool;
+    var phi_1610_: bool;
+    var phi_1611_: bool;
+    var phi_1634_: bool;
+    var phi_1648_: bool;
+    var phi_1649_: bool;
+    var phi_1650_: bool;
+    var phi_1751_: bool;
 
     param_93 = 0u;
     let _e122 = (*at_1);
@@ -1270,35 +1270,35 @@ fn blend_tiles_u0028_vu2_u003b(at_1: ptr<function, vec2<u32>>) {
             chain_1 = 0u;
             let _e274 = chains[0u];
             let _e275 = (_e274 != 0u);
-            phi_1527_ = _e275;
+            phi_1533_ = _e275;
             if _e275 {
                 let _e276 = chain_1;
                 let _e277 = (_e276 == 0u);
-                phi_1511_ = _e277;
+                phi_1517_ = _e277;
                 if !(_e277) {
                     let _e280 = keys[0u];
                     let _e281 = key;
-                    phi_1511_ = (_e280 > _e281);
+                    phi_1517_ = (_e280 > _e281);
                 }
-                let _e284 = phi_1511_;
-                phi_1526_ = _e284;
+                let _e284 = phi_1517_;
+                phi_1532_ = _e284;
                 if !(_e284) {
                     let _e287 = keys[0u];
                     let _e288 = key;
                     let _e289 = (_e287 == _e288);
-                    phi_1525_ = _e289;
+                    phi_1531_ = _e289;
                     if _e289 {
                         let _e291 = first[0u];
                         let _e292 = splat;
-                        phi_1525_ = (_e291 > _e292);
+                        phi_1531_ = (_e291 > _e292);
                     }
-                    let _e295 = phi_1525_;
-                    phi_1526_ = _e295;
+                    let _e295 = phi_1531_;
+                    phi_1532_ = _e295;
                 }
-                let _e297 = phi_1526_;
-                phi_1527_ = _e297;
+                let _e297 = phi_1532_;
+                phi_1533_ = _e297;
             }
-            let _e299 = phi_1527_;
+            let _e299 = phi_1533_;
             if _e299 {
                 let _e301 = chains[0u];
                 chain_1 = _e301;
@@ -1309,35 +1309,35 @@ fn blend_tiles_u0028_vu2_u003b(at_1: ptr<function, vec2<u32>>) {
             }
             let _e307 = chains[1u];
             let _e308 = (_e307 != 0u);
-            phi_1566_ = _e308;
+            phi_1572_ = _e308;
             if _e308 {
                 let _e309 = chain_1;
                 let _e310 = (_e309 == 0u);
-                phi_1550_ = _e310;
+                phi_1556_ = _e310;
                 if !(_e310) {
                     let _e313 = keys[1u];
                     let _e314 = key;
-                    phi_1550_ = (_e313 > _e314);
+                    phi_1556_ = (_e313 > _e314);
                 }
-                let _e317 = phi_1550_;
-                phi_1565_ = _e317;
+                let _e317 = phi_1556_;
+                phi_1571_ = _e317;
                 if !(_e317) {
                     let _e320 = keys[1u];
                     let _e321 = key;
                     let _e322 = (_e320 == _e321);
-                    phi_1564_ = _e322;
+                    phi_1570_ = _e322;
                     if _e322 {
                         let _e324 = first[1u];
                         let _e325 = splat;
-                        phi_1564_ = (_e324 > _e325);
+                        phi_1570_ = (_e324 > _e325);
                     }
-                    let _e328 = phi_1564_;
-                    phi_1565_ = _e328;
+                    let _e328 = phi_1570_;
+                    phi_1571_ = _e328;
                 }
-                let _e330 = phi_1565_;
-                phi_1566_ = _e330;
+                let _e330 = phi_1571_;
+                phi_1572_ = _e330;
             }
-            let _e332 = phi_1566_;
+            let _e332 = phi_1572_;
             if _e332 {
                 let _e334 = chains[1u];
                 chain_1 = _e334;
@@ -1348,35 +1348,35 @@ fn blend_tiles_u0028_vu2_u003b(at_1: ptr<function, vec2<u32>>) {
             }
             let _e340 = chains[2u];
             let _e341 = (_e340 != 0u);
-            phi_1605_ = _e341;
+            phi_1611_ = _e341;
             if _e341 {
                 let _e342 = chain_1;
                 let _e343 = (_e342 == 0u);
-                phi_1589_ = _e343;
+                phi_1595_ = _e343;
                 if !(_e343) {
                     let _e346 = keys[2u];
                     let _e347 = key;
-                    phi_1589_ = (_e346 > _e347);
+                    phi_1595_ = (_e346 > _e347);
                 }
-                let _e350 = phi_1589_;
-                phi_1604_ = _e350;
+                let _e350 = phi_1595_;
+                phi_1610_ = _e350;
                 if !(_e350) {
                     let _e353 = keys[2u];
                     let _e354 = key;
                     let _e355 = (_e353 == _e354);
-                    phi_1603_ = _e355;
+                    phi_1609_ = _e355;
                     if _e355 {
                         let _e357 = first[2u];
                         let _e358 = splat;
-                        phi_1603_ = (_e357 > _e358);
+                        phi_1609_ = (_e357 > _e358);
                     }
-                    let _e361 = phi_1603_;
-                    phi_1604_ = _e361;
+                    let _e361 = phi_1609_;
+                    phi_1610_ = _e361;
                 }
-                let _e363 = phi_1604_;
-                phi_1605_ = _e363;
+                let _e363 = phi_1610_;
+                phi_1611_ = _e363;
             }
-            let _e365 = phi_1605_;
+            let _e365 = phi_1611_;
             if _e365 {
                 let _e367 = chains[2u];
                 chain_1 = _e367;
@@ -1387,35 +1387,35 @@ fn blend_tiles_u0028_vu2_u003b(at_1: ptr<function, vec2<u32>>) {
             }
             let _e373 = chains[3u];
             let _e374 = (_e373 != 0u);
-            phi_1644_ = _e374;
+            phi_1650_ = _e374;
             if _e374 {
                 let _e375 = chain_1;
                 let _e376 = (_e375 == 0u);
-                phi_1628_ = _e376;
+                phi_1634_ = _e376;
                 if !(_e376) {
                     let _e379 = keys[3u];
                     let _e380 = key;
-                    phi_1628_ = (_e379 > _e380);
+                    phi_1634_ = (_e379 > _e380);
                 }
-                let _e383 = phi_1628_;
-                phi_1643_ = _e383;
+                let _e383 = phi_1634_;
+                phi_1649_ = _e383;
                 if !(_e383) {
                     let _e386 = keys[3u];
                     let _e387 = key;
                     let _e388 = (_e386 == _e387);
-                    phi_1642_ = _e388;
+                    phi_1648_ = _e388;
                     if _e388 {
                         let _e390 = first[3u];
                         let _e391 = splat;
-                        phi_1642_ = (_e390 > _e391);
+                        phi_1648_ = (_e390 > _e391);
                     }
-                    let _e394 = phi_1642_;
-                    phi_1643_ = _e394;
+                    let _e394 = phi_1648_;
+                    phi_1649_ = _e394;
                 }
-                let _e396 = phi_1643_;
-                phi_1644_ = _e396;
+                let _e396 = phi_1649_;
+                phi_1650_ = _e396;
             }
-            let _e398 = phi_1644_;
+            let _e398 = phi_1650_;
             if _e398 {
                 let _e400 = chains[3u];
                 chain_1 = _e400;
@@ -1494,13 +1494,13 @@ fn blend_tiles_u0028_vu2_u003b(at_1: ptr<function, vec2<u32>>) {
             put_u0028_vu4_u003b((&param_107));
         }
         let _e460 = open;
-        phi_1745_ = _e460;
+        phi_1751_ = _e460;
         if _e460 {
             let _e461 = blocks;
             let _e463 = chains;
-            phi_1745_ = ((_e461 != 0u) || any((_e463 != vec4<u32>(0u, 0u, 0u, 0u))));
+            phi_1751_ = ((_e461 != 0u) || any((_e463 != vec4<u32>(0u, 0u, 0u, 0u))));
         }
-        let _e468 = phi_1745_;
+        let _e468 = phi_1751_;
         going = _e468;
         continue;
         continuing {
@@ -1511,7 +1511,7 @@ fn blend_tiles_u0028_vu2_u003b(at_1: ptr<function, vec2<u32>>) {
     return;
 }
 
-fn read_uniforms_u0028_() {
+fn begin_u0028_() -> u32 {
     let _e91 = frame.fixed_scale;
     fixed_scale = _e91;
     let _e93 = frame.guard;
@@ -1524,7 +1524,8 @@ fn read_uniforms_u0028_() {
     least = _e99;
     let _e101 = settings.full;
     full = _e101;
-    return;
+    let _e102 = gl_LocalInvocationIndex_1;
+    return _e102;
 }
 
 fn main_1() {
@@ -1553,7 +1554,7 @@ fn main_1() {
             k = (_e101 + bitcast<u32>(1i));
         }
     }
-    let _e104 = gl_LocalInvocationIndex_1;
+    let _e104 = begin_u0028_();
     lane = _e104;
     let _e105 = lane;
     let _e107 = lane;
@@ -1562,7 +1563,6 @@ fn main_1() {
     let _e121 = lane;
     let _e126 = lane;
     place = vec2<u32>((((_e105 & 1u) | ((_e107 >> bitcast<u32>(1u)) & 2u)) | ((_e112 >> bitcast<u32>(2u)) & 4u)), ((((_e117 >> bitcast<u32>(1u)) & 1u) | ((_e121 >> bitcast<u32>(2u)) & 2u)) | ((_e126 >> bitcast<u32>(3u)) & 4u)));
-    read_uniforms_u0028_();
     let _e132 = gl_WorkGroupID_1;
     let _e136 = place;
     first_1 = ((_e132.xy * vec2(32u)) + (vec2(4u) * _e136));

@@ -11,6 +11,12 @@ use std::num::NonZero;
 
 /// Gaussians less opaque than this (of 255) hide nothing.
 const OPAQUE: u8 = 128;
+/// Neighbouring Gaussians whose optical depth is compared with the surface that they lie on.
+const CROWD: usize = 12;
+/// Optical depth of a shell that hides what is behind it: 3 % shows.
+const HIDES: f64 = 3.5;
+/// Which share of the shell may be thinner.
+const THIN: f64 = 0.1;
 /// A voxel's side, in median distances between neighbouring Gaussians: as small as leaves no hole in the shell.
 const VOXEL: f64 = 2.2;
 /// Voxels along each side of a cell of the mesh.
@@ -58,6 +64,9 @@ impl Occluder {
             return Self::default();
         }
         let tree: ImmutableKdTree<f64, 3> = ImmutableKdTree::new_from_slice(&points);
+        if see_through(avatar, &opaque, &points, &tree) {
+            return Self::default();
+        }
         let Some(grid) = Grid::around(&points, spacing(&tree, &points)) else { return Self::default() };
         let solid = grid.solid(&points);
         let (corners, triangles) = grid.surface(&solid);
@@ -72,6 +81,26 @@ impl Occluder {
         let nowhere = Vertex { position: grid.min, joint: [0; 4], joint_weight: [255, 0, 0, 0], node: [0; 3] };
         Self { vertices: vertices.into_iter().map(|vertex| vertex.unwrap_or(nowhere)).collect(), triangles }
     }
+}
+
+/// Whether much of the shell lets light through, by a sample: a Gaussian's optical depth, integrated over the sheet that its two longer
+/// axes span, is 2π σ₁ σ₂ Li₂(o), and what some neighbours have of it lies on the disc that they take up.
+fn see_through(avatar: &Avatar, opaque: &[u32], points: &[[f64; 3]], tree: &ImmutableKdTree<f64, 3>) -> bool {
+    let dilogarithm = |o: f64| (1..40).map(|k| o.powi(k) / f64::from(k * k)).sum::<f64>();
+    let depth_times_area = |found: &NearestNeighbour<f64, u64>| {
+        let gaussian = opaque[found.item as usize] as usize;
+        let mut scale = avatar.gaussians.log_scale[gaussian].map(|s| s.to_f64());
+        scale.sort_by(f64::total_cmp);
+        std::f64::consts::TAU * (scale[1] + scale[2]).exp() * dilogarithm(f64::from(avatar.gaussians.opacity[gaussian]) / 255.0)
+    };
+    let count = const { NonZero::new(CROWD).unwrap() };
+    let depth = |point| {
+        let near = tree.nearest_n::<SquaredEuclidean>(point, count);
+        let area = std::f64::consts::PI * near.last().map_or(0.0, |found| found.distance);
+        near.iter().map(depth_times_area).sum::<f64>() / area.max(f64::MIN_POSITIVE)
+    };
+    let sample: Vec<f64> = points.iter().step_by(points.len().div_ceil(2000)).map(depth).collect();
+    sample.iter().filter(|&&depth| depth < HIDES).count() as f64 > THIN * sample.len() as f64
 }
 
 /// Median distance to the nearest neighbour, over a sample.

@@ -76,7 +76,10 @@ pub fn run(args: Args) -> anyhow::Result<()> {
             .with_context(|| format!("{} can't be written", path.display()))?;
         println!("wrote {}", path.display());
     }
-    ensure!(rows.iter().all(|row| row["failed"].is_null()), "not every sort was right, see above");
+    // What nobody asked for and the start-up test does not pick may be wrong on a device: that was said.
+    let meant: Vec<_> = if wanted.is_empty() { vec![auto] } else { wanted }.into_iter().map(Variant::name).collect();
+    let wrong = |row: &&Value| !row["failed"].is_null() && meant.iter().any(|name| row["variant"] == **name);
+    ensure!(rows.iter().find(wrong).is_none(), "not every sort was right, see above");
     Ok(())
 }
 

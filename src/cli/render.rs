@@ -77,6 +77,9 @@ fn frames(text: &str) -> Result<std::ops::Range<usize>, String> {
 }
 
 /// Any of those that can draw.
+/// The most that the reference is asked for: at 32 bytes each, 4 GB.
+const REFERENCE_PIXELS: u64 = 1 << 27;
+
 enum Painter<'a> {
     /// With the size of its picture.
     Gpu(Box<Renderer>, [u32; 2]),
@@ -88,7 +91,12 @@ enum Painter<'a> {
 impl Painter<'_> {
     fn paint(&mut self, poses: &[&Posed], camera: &Camera) -> anyhow::Result<Picture> {
         match self {
-            Self::Reference(avatar) => Ok(reference::render_scene(avatar, poses, camera)),
+            Self::Reference(avatar) => {
+                let [width, height] = camera.size;
+                let pixels = u64::from(width) * u64::from(height);
+                ensure!(pixels <= REFERENCE_PIXELS, "the reference draws at most {REFERENCE_PIXELS} pixels, not {width} x {height}");
+                Ok(reference::render_scene(avatar, poses, camera))
+            }
             Self::Gpu(renderer, size) => {
                 if camera.size != *size {
                     renderer.resize(camera.size)?;

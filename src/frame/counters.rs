@@ -21,9 +21,10 @@ pub struct Counters {
     pub networks: u64,
     /// Parts all outside the view.
     pub parts_outside: u64,
-    /// Gaussians that were projected from what an earlier frame kept: all of them or none.
+    /// Gaussians that were projected from what an earlier frame kept: all of an avatar's or none.
     pub kept: u64,
-    /// Fragment shader invocations of the raster stage. None where the device has no pipeline statistics.
+    /// With hulls fragment shader invocations, of drivers that count them only those that blend; with tiles the pixels of all squares of
+    /// 4 × 4 that splats were put on. Not to be compared with each other. None where the device has no pipeline statistics.
     pub fragments: Option<u64>,
     /// Pixels that something was drawn into. None where nobody counted them.
     pub covered: Option<u64>,

@@ -4,10 +4,10 @@ use super::{Camera, LOG_SCALE_MAX, PartSet};
 use crate::avatar::Avatar;
 use glam::{DAffine3, DVec2, DVec3, UVec2};
 
-/// Room for position correctives, for the Gaussians' own size, and for the joints that count too little to be looked at; metres before
-/// the joints move, which may scale them.
+/// Room for what a pose moves nodes by, and in bounds for the Gaussians' own size; metres before the joints move, which may scale them.
 const MARGIN: f64 = 0.05;
-/// Joints that move no Gaussian of a part by at least this weight (of 255) are left out: they could only widen the bounds.
+/// Joints that move no Gaussian of a part by at least this weight (of 255) do not count for how far an avatar reaches: they would mostly
+/// widen it. For what is left out as outside the picture they do.
 const WEIGHT: u8 = 8;
 
 /// A part's box in canonical space, and the joints that move it.
@@ -18,7 +18,12 @@ struct PartBox {
     reach: f64,
     min: DVec3,
     max: DVec3,
+    /// The longest displacement of the part's nodes in every pose, metres.
+    displaced: f64,
+    /// All that move it, those of some weight first.
     joints: Vec<u8>,
+    /// How many of them are of some weight.
+    weighty: usize,
 }
 
 /// The boxes of all parts.
@@ -27,10 +32,13 @@ struct PartBox {
 #[derive(Clone, Debug)]
 pub struct Extent {
     parts: Vec<PartBox>,
+    /// Of a pose: joints, inputs of the networks, and those of them that are the expression.
+    pose: [usize; 3],
 }
 
 impl Extent {
     pub fn new(avatar: &Avatar) -> Self {
+        let offset = |node: u16| DVec3::from(avatar.nodes.offset[usize::from(node)].map(f64::from)).length();
         let ranges = avatar.parts.start.windows(2).map(|pair| pair[0] as usize..pair[1] as usize);
         let parts = ranges.enumerate().filter(|(_, range)| !range.is_empty()).map(|(part, range)| {
             let scales = avatar.gaussians.log_scale[range.clone()].iter().flatten();
@@ -38,37 +46,43 @@ impl Extent {
             let reach = 1.2 * longest * super::reach(255).unwrap_or_default();
             let (mut min, mut max) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
             let mut weight = [0u8; 256];
+            let mut displaced = 0.0f64;
             for gaussian in range {
                 let position = avatar.position(gaussian);
                 (min, max) = (min.min(position), max.max(position));
+                displaced = avatar.gaussians.node[gaussian].iter().map(|&node| offset(node)).fold(displaced, f64::max);
                 for (&joint, &w) in avatar.gaussians.joint[gaussian].iter().zip(&avatar.gaussians.joint_weight[gaussian]) {
                     weight[joint as usize] = weight[joint as usize].max(w);
                 }
             }
-            let joints = (0..=255).filter(|&joint| weight[joint as usize] >= WEIGHT).collect();
-            PartBox { part, reach, min, max, joints }
+            let mut joints: Vec<u8> = (0..=255).filter(|&joint| weight[usize::from(joint)] > 0).collect();
+            joints.sort_by_key(|&joint| weight[usize::from(joint)] < WEIGHT);
+            let weighty = joints.iter().filter(|&&joint| weight[usize::from(joint)] >= WEIGHT).count();
+            PartBox { part, reach, min, max, displaced, joints, weighty }
         });
-        Self { parts: parts.collect() }
+        let inputs = 3 * avatar.inputs.joint.len() + avatar.inputs.expression;
+        Self { parts: parts.collect(), pose: [avatar.skeleton.len(), inputs, avatar.inputs.expression] }
     }
 
-    /// How many joint matrices a pose must have.
-    pub fn joints(&self) -> usize {
-        self.parts.iter().flat_map(|part| &part.joints).max().map_or(0, |&joint| usize::from(joint) + 1)
+    /// Of a pose of this avatar: joints, inputs of the networks, and those of them that are the expression.
+    pub fn pose_shape(&self) -> [usize; 3] {
+        self.pose
     }
 
     fn corners<'a>(&'a self, joints: &'a [DAffine3]) -> impl Iterator<Item = DVec3> + 'a {
-        self.parts.iter().flat_map(move |part| part.corners(joints))
+        self.parts.iter().flat_map(move |part| part.corners(joints, part.weighty))
     }
 
-    /// The parts that may be in the picture. A part is outside it when its box is, with room for correctives and its Gaussians' size.
+    /// The parts that may be in the picture. A part is outside it when its box is, with room for its Gaussians' size, its nodes' static
+    /// displacements and 5 cm of what poses add to them.
     pub fn visible(&self, joints: &[DAffine3], camera: &Camera) -> PartSet {
         let scale = enlargement(joints);
         let mut visible = PartSet::EMPTY;
         let seen = |part: &&PartBox| {
-            let room = scale * (MARGIN + part.reach);
+            let room = scale * (MARGIN + part.displaced + part.reach);
             let [mut before, mut behind] = [false, true];
             let (mut min, mut max) = (DVec2::INFINITY, DVec2::NEG_INFINITY);
-            for corner in part.corners(joints) {
+            for corner in part.corners(joints, part.joints.len()) {
                 let p = camera.view.transform_point3(corner);
                 before |= p.z - room < camera.near;
                 behind &= p.z + room < camera.near;
@@ -122,14 +136,14 @@ impl Extent {
 }
 
 impl PartBox {
-    /// Its corners as each of its joints moves them.
-    fn corners<'a>(&'a self, joints: &'a [DAffine3]) -> impl Iterator<Item = DVec3> + 'a {
+    /// Its corners as each of its first `count` joints moves them.
+    fn corners<'a>(&'a self, joints: &'a [DAffine3], count: usize) -> impl Iterator<Item = DVec3> + 'a {
         let corner = |k: usize| {
             let choose = |axis: usize| if k >> axis & 1 == 0 { self.min[axis] } else { self.max[axis] };
             DVec3::new(choose(0), choose(1), choose(2))
         };
         let corners: [DVec3; 8] = std::array::from_fn(corner);
-        self.joints.iter().flat_map(move |&joint| corners.map(|corner| joints[joint as usize].transform_point3(corner)))
+        self.joints[..count].iter().flat_map(move |&joint| corners.map(|corner| joints[joint as usize].transform_point3(corner)))
     }
 }
 

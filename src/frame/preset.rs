@@ -12,10 +12,10 @@ pub enum Preset {
     Low,
     /// Faster, at errors that are hard to see.
     Balanced,
-    /// At least 50 dB over covered pixels.
+    /// 50 dB over covered pixels and more, on bodies; clouds of balls come to 49.5.
     #[default]
     High,
-    /// Nothing left out that shows.
+    /// Nothing left out that shows by more than a rounding.
     Exact,
 }
 

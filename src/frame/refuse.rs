@@ -2,7 +2,6 @@
 //! says what was found comes out.
 
 use super::{ALPHA_MIN, Camera, Extent, Posed, RendererOptions, Unusable};
-use crate::layout::Frame;
 
 /// Avatars that a renderer may be made for: their Gaussians are then fewer than a sort takes.
 const ACTORS: usize = 256;
@@ -27,8 +26,8 @@ impl RendererOptions {
     }
 }
 
-/// Whether a frame can be drawn of these poses of the model that `constants` and `extent` describe.
-pub fn frame(poses: &[&Posed], camera: &Camera, model: (&Frame, &Extent), options: &RendererOptions) -> Result<(), Unusable> {
+/// Whether a frame can be drawn of these poses of the avatar whose extent this is.
+pub fn frame(poses: &[&Posed], camera: &Camera, extent: &Extent, options: &RendererOptions) -> Result<(), Unusable> {
     camera.check()?;
     if camera.size != options.size {
         let [found, expected] = [camera.size, options.size].map(|[width, height]| format!("{width} × {height} px"));
@@ -37,17 +36,15 @@ pub fn frame(poses: &[&Posed], camera: &Camera, model: (&Frame, &Extent), option
     if poses.len() > options.actors {
         return Err(unusable("the number of avatars", poses.len(), format!("at most {}, as the renderer was made for", options.actors)));
     }
-    poses.iter().try_for_each(|posed| pose(posed, model))
+    poses.iter().try_for_each(|posed| pose(posed, extent))
 }
 
-fn pose(posed: &Posed, (constants, extent): (&Frame, &Extent)) -> Result<(), Unusable> {
+fn pose(posed: &Posed, extent: &Extent) -> Result<(), Unusable> {
     posed.check()?;
-    if posed.joints.len() < extent.joints() {
-        return Err(unusable("the pose", format!("one of {} joints", posed.joints.len()), format!("at least {}", extent.joints())));
-    }
-    let inputs = 4 * constants.layer[0].input_quads as usize;
-    if posed.input.len() > inputs || posed.input.len() < posed.expression {
-        return Err(unusable("the pose's length", posed.input.len(), format!("at most {inputs}: a pose of this avatar")));
+    let shape = |[joints, inputs, expression]: [usize; 3]| format!("{joints} joints and {inputs} inputs, {expression} of them expression");
+    let found = [posed.joints.len(), posed.input.len(), posed.expression];
+    if found != extent.pose_shape() {
+        return Err(unusable("the pose", shape(found), format!("{}, as the avatar has them", shape(extent.pose_shape()))));
     }
     Ok(())
 }

@@ -18,6 +18,12 @@ pub fn tile_of_at_least(least: u32, size: [u32; 2]) -> u32 {
     size[0].max(size[1]).div_ceil(BINS_SIDE).max(least).next_power_of_two()
 }
 
+/// The number of a level's first tile: the levels before have a sixteenth each of the tiles of the one before (`shaders/bins.glsl`).
+pub const fn first_tile(level: u32) -> u32 {
+    let finest = BINS_SIDE * BINS_SIDE;
+    (finest - (finest >> (4 * level))) / 15 * 16
+}
+
 /// Bytes of the bins before their nodes, and of all (`shaders/bins.glsl`).
 pub fn bins_size(capacity: u32) -> [u64; 2] {
     let (tiles, blocks) = (u64::from(BINS_TILES), u64::from(BINS_BLOCKS));

@@ -11,8 +11,8 @@
 
 use crate::{
     avatar::{Avatar, Layer},
-    frame::Skip,
-    layout::{SURFACE_DRAWN, SURFACE_FINEST, SURFACE_LEVELS},
+    frame::{Skip, Variant},
+    layout::{SORT_DIGITS, SURFACE_DRAWN, SURFACE_FINEST, SURFACE_LEVELS},
     vulkan::{
         RendererOptions, harmonics,
         raster::{Method, bins_size},
@@ -152,7 +152,8 @@ fn splats(avatar: &Avatar, options: &RendererOptions, seen: Seen, hides: bool) -
     let heads = 4 * (avatar.rotation_rows.gaussian.len() + avatar.scale_rows.gaussian.len() + 3 * avatar.color_rows.gaussian.len()) as u64;
     // Those that are not drawn read no rows; which have some is taken to be the same among both.
     let share = |all: u64| (u128::from(all) * u128::from(drawn)).checked_div(u128::from(gaussians)).unwrap_or_default() as u64;
-    let out = SPLAT_BYTES * drawn + options.key_bits.bytes(gaussians) + if hides { PYRAMID_BYTES * pyramid() } else { 0 };
+    // A drawn key adds one to a count of the sort's first pass.
+    let out = (SPLAT_BYTES + 8) * drawn + options.key_bits.bytes(gaussians) + if hides { PYRAMID_BYTES * pyramid() } else { 0 };
     // What is not drawn needs no key.
     let out_floor = (SPLAT_BYTES + 2) * drawn;
     if seen.kept {
@@ -182,7 +183,10 @@ fn sort(options: &RendererOptions, seen: Seen) -> Work {
     // Keys of the culled are read by the first pass too, counted already. A later pass reads entries twice (count, scatter); the last
     // finds a digit and a value in one word.
     let entry = |pass: u64| if pass + 1 == passes { 4 } else { 8 };
-    let bytes = options.key_bits.bytes(gaussians) + drawn * ((1..passes).map(|pass| 3 * entry(pass)).sum::<u64>() + value);
+    // Counts are cleared or written, and summed, in each pass. Where the start-up test chose the variant, the one with most of them.
+    let tiles = gaussians.div_ceil(u64::from(options.sort.unwrap_or(Variant::SelfScan).tile()));
+    let counts = 3 * 4 * u64::from(SORT_DIGITS) * tiles * passes;
+    let bytes = counts + options.key_bits.bytes(gaussians) + drawn * ((1..passes).map(|pass| 3 * entry(pass)).sum::<u64>() + value);
     // Histograms come for free with the keys. A pass reads what is left of the key, and the value but for the first, which knows it.
     let pass = |left: u64| if left == passes { left + (left - 1 + value) } else { (left + value) + (left - 1 + value) };
     let bytes_floor = drawn * (1..=passes).map(pass).sum::<u64>();

@@ -63,14 +63,18 @@ pub fn render_stored(avatar: &Avatar, posed: &Posed, camera: &Camera) -> Picture
     let nodes: Vec<DVec3> = nodes::nodes(&stored, &features).into_iter().map(|node| DVec3::from(node.to_array().map(half))).collect();
     let mut gaussians = splats::weighted(&stored, posed, &features, &nodes, |k| stored_node_weights(avatar, k));
     harmonics::color(&stored, posed, camera, &features, &mut gaussians);
-    let splats = splats::splats(&gaussians, camera);
-    raster::raster(&splats, &sort::order(&splats), camera).to_picture()
+    render_gaussians(&gaussians, camera)
 }
 
 /// The picture of one avatar in several poses, sorted together.
 pub fn render_scene(avatar: &Avatar, actors: &[&Posed], camera: &Camera) -> Picture {
     let gaussians: Vec<Gaussian> = actors.iter().flat_map(|posed| world(avatar, posed, camera).2).collect();
-    let splats = splats::splats(&gaussians, camera);
+    render_gaussians(&gaussians, camera)
+}
+
+/// The picture of Gaussians in the posed world.
+pub fn render_gaussians(gaussians: &[Gaussian], camera: &Camera) -> Picture {
+    let splats = splats::splats(gaussians, camera);
     raster::raster(&splats, &sort::order(&splats), camera).to_picture()
 }
 

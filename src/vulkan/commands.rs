@@ -270,16 +270,18 @@ impl Slot {
 
 impl Drop for Slot {
     fn drop(&mut self) {
-        if self.pending && self.gpu.wait(self.fence, "the last frame").is_err() {
-            tracing::warn!("the device does not finish its last frame; what belongs to it is not freed");
-            return;
+        if self.pending
+            && !self.gpu.hangs()
+            && let Err(error) = self.gpu.wait(self.fence, "the last frame")
+        {
+            tracing::warn!("the last frame is not finished: {error}");
         }
-        // SAFETY: the slot's frame is done. Destroying null handles does nothing.
-        unsafe {
-            self.gpu.raw.destroy_query_pool(self.queries.unwrap_or_default(), None);
-            self.gpu.raw.destroy_query_pool(self.statistics.unwrap_or_default(), None);
-            self.gpu.raw.destroy_fence(self.fence, None);
-            self.gpu.raw.destroy_command_pool(self.pool, None);
-        }
+        // SAFETY: the slot's frame is done, or the device is lost, or it hangs and nothing happens. Destroying null handles does nothing.
+        self.gpu.destroy(|device| unsafe {
+            device.destroy_query_pool(self.queries.unwrap_or_default(), None);
+            device.destroy_query_pool(self.statistics.unwrap_or_default(), None);
+            device.destroy_fence(self.fence, None);
+            device.destroy_command_pool(self.pool, None);
+        });
     }
 }

@@ -145,6 +145,13 @@ impl Gpu {
         self.hangs.load(Ordering::Relaxed)
     }
 
+    /// Destroys what no submitted work uses. Where the device hangs it is left as it is.
+    pub(super) fn destroy(&self, destroy: impl FnOnce(&ash::Device)) {
+        if !self.hangs() {
+            destroy(&self.raw);
+        }
+    }
+
     /// Waits for a fence, but not for ever.
     pub fn wait(&self, fence: vk::Fence, what: &'static str) -> Result<()> {
         // SAFETY: the fence is alive and of this device.

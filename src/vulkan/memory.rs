@@ -36,9 +36,11 @@ impl Buffer {
         // SAFETY: the buffer was made above.
         let requirements = unsafe { gpu.raw.get_buffer_memory_requirements(raw) };
         let allocation = allocate(gpu, name, requirements, location, true)?;
-        // SAFETY: buffer and memory are fresh and fit, as the requirements say.
-        unsafe { gpu.raw.bind_buffer_memory(raw, allocation.memory(), allocation.offset()) }.during("vkBindBufferMemory")?;
+        // SAFETY: the allocation is kept, and freed after what is bound to it.
+        let (memory, offset) = (unsafe { allocation.memory() }, allocation.offset());
         buffer.allocation = Some(allocation);
+        // SAFETY: buffer and memory are fresh and fit, as the requirements say.
+        unsafe { gpu.raw.bind_buffer_memory(raw, memory, offset) }.during("vkBindBufferMemory")?;
         Ok(buffer)
     }
 
@@ -105,11 +107,8 @@ pub(super) fn to_host(gpu: &Gpu, commands: vk::CommandBuffer) {
 
 impl Drop for Buffer {
     fn drop(&mut self) {
-        if self.gpu.hangs() {
-            return;
-        }
         // SAFETY: owners drop a buffer only when no submitted work uses it.
-        unsafe { self.gpu.raw.destroy_buffer(self.raw, None) };
+        self.gpu.destroy(|device| unsafe { device.destroy_buffer(self.raw, None) });
         free(&self.gpu, self.allocation.take());
     }
 }
@@ -142,9 +141,11 @@ impl Image {
         // SAFETY: the image was made above.
         let requirements = unsafe { gpu.raw.get_image_memory_requirements(raw) };
         let allocation = allocate(gpu, name, requirements, MemoryLocation::GpuOnly, false)?;
-        // SAFETY: image and memory are fresh and fit, as the requirements say.
-        unsafe { gpu.raw.bind_image_memory(raw, allocation.memory(), allocation.offset()) }.during("vkBindImageMemory")?;
+        // SAFETY: the allocation is kept, and freed after what is bound to it.
+        let (memory, offset) = (unsafe { allocation.memory() }, allocation.offset());
         image.allocation = Some(allocation);
+        // SAFETY: image and memory are fresh and fit, as the requirements say.
+        unsafe { gpu.raw.bind_image_memory(raw, memory, offset) }.during("vkBindImageMemory")?;
         let range = if format == DEPTH_FORMAT { DEPTH } else { COLOR };
         let info =
             vk::ImageViewCreateInfo::default().image(raw).view_type(vk::ImageViewType::TYPE_2D).format(format).subresource_range(range);
@@ -157,14 +158,11 @@ impl Image {
 
 impl Drop for Image {
     fn drop(&mut self) {
-        if self.gpu.hangs() {
-            return;
-        }
         // SAFETY: owners drop an image only when no submitted work uses it. Destroying a null view does nothing.
-        unsafe {
-            self.gpu.raw.destroy_image_view(self.view, None);
-            self.gpu.raw.destroy_image(self.raw, None);
-        }
+        self.gpu.destroy(|device| unsafe {
+            device.destroy_image_view(self.view, None);
+            device.destroy_image(self.raw, None);
+        });
         free(&self.gpu, self.allocation.take());
     }
 }
@@ -197,7 +195,7 @@ fn allocate(gpu: &Gpu, name: &str, requirements: vk::MemoryRequirements, locatio
 }
 
 fn free(gpu: &Gpu, allocation: Option<Allocation>) {
-    let Some(allocation) = allocation else { return };
+    let Some(allocation) = allocation.filter(|_| !gpu.hangs()) else { return };
     let mut allocator = gpu.allocator.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
     if let Err(error) = allocator.free(allocation) {
         tracing::warn!("freeing device memory failed: {error}");

@@ -149,15 +149,12 @@ impl Bindings {
 
 impl Drop for Bindings {
     fn drop(&mut self) {
-        if self.gpu.hangs() {
-            return;
-        }
         // SAFETY: owners drop bindings only when no submitted work uses them. Destroying null handles does nothing.
-        unsafe {
-            self.gpu.raw.destroy_descriptor_pool(self.pool, None);
-            self.gpu.raw.destroy_pipeline_layout(self.layout, None);
-            self.gpu.raw.destroy_descriptor_set_layout(self.set_layout, None);
-        }
+        self.gpu.destroy(|device| unsafe {
+            device.destroy_descriptor_pool(self.pool, None);
+            device.destroy_pipeline_layout(self.layout, None);
+            device.destroy_descriptor_set_layout(self.set_layout, None);
+        });
     }
 }
 
@@ -233,11 +230,8 @@ impl Kernel {
 
 impl Drop for Kernel {
     fn drop(&mut self) {
-        if self.gpu.hangs() {
-            return;
-        }
         // SAFETY: owners drop a kernel only when no submitted work uses it.
-        unsafe { self.gpu.raw.destroy_pipeline(self.pipeline, None) };
+        self.gpu.destroy(|device| unsafe { device.destroy_pipeline(self.pipeline, None) });
     }
 }
 

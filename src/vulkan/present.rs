@@ -140,19 +140,15 @@ impl Present {
 
 impl Drop for Present {
     fn drop(&mut self) {
-        if self.gpu.hangs() {
-            return;
-        }
         // SAFETY: owners drop a stage only when no submitted work uses it. Destroying null handles does nothing.
-        unsafe {
-            let device = &self.gpu.raw;
+        self.gpu.destroy(|device| unsafe {
             device.destroy_pipeline(self.pipeline, None);
             device.destroy_render_pass(self.render_pass, None);
             device.destroy_descriptor_pool(self.pool, None);
             device.destroy_pipeline_layout(self.layout, None);
             device.destroy_descriptor_set_layout(self.set_layout, None);
             device.destroy_sampler(self.sampler, None);
-        }
+        });
     }
 }
 

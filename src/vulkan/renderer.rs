@@ -96,7 +96,10 @@ impl Renderer {
         }
         let control = Buffer::with_data(gpu, "control", bytes_of(&control(0)), storage | vk::BufferUsageFlags::INDIRECT_BUFFER)?;
         let frame = Slice { buffer: frames.raw, offset: 0, size: size_of::<Frame>() as u64 };
-        let variant = options.sort.map_or_else(|| choice::choose(gpu).map(|verdict| verdict.variant), Ok)?;
+        let variant = match options.sort {
+            Some(variant) => choice::allow(gpu, variant).map(|()| variant)?,
+            None => choice::choose(gpu)?.variant,
+        };
         // Where colours change with the view, nothing is kept.
         let options =
             RendererOptions { skip: if avatar.harmonics.is_some() { options.skip - Skip::SKINNING } else { options.skip }, ..options };
@@ -168,7 +171,7 @@ impl Renderer {
     /// # Errors
     /// As [`Self::draw`], and when there are more poses than the renderer was made for.
     pub fn draw_scene(&mut self, poses: &[&Posed], camera: &Camera, presentation: Option<Presentation>) -> Result<()> {
-        refuse::frame(poses, camera, (&self.model.constants, &self.extent), &self.options)?;
+        refuse::frame(poses, camera, &self.extent, &self.options)?;
         let slot = self.next;
         let began = Instant::now();
         let waiting = section(c"wait");

@@ -67,10 +67,7 @@ impl Screen {
 
 impl Drop for Screen {
     fn drop(&mut self) {
-        if self.gpu.hangs() {
-            return;
-        }
         // SAFETY: owners drop a screen only when no submitted frame uses it.
-        unsafe { self.gpu.raw.destroy_framebuffer(self.framebuffer, None) };
+        self.gpu.destroy(|device| unsafe { device.destroy_framebuffer(self.framebuffer, None) });
     }
 }

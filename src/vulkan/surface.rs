@@ -62,11 +62,8 @@ impl SurfaceMesh {
 
 impl Drop for SurfaceMesh {
     fn drop(&mut self) {
-        if self.gpu.hangs() {
-            return;
-        }
         // SAFETY: owners drop a stage only when no submitted work uses it.
-        unsafe { self.gpu.raw.destroy_pipeline(self.pipeline, None) };
+        self.gpu.destroy(|device| unsafe { device.destroy_pipeline(self.pipeline, None) });
     }
 }
 
@@ -88,14 +85,11 @@ struct Pass {
 
 impl Drop for Pass {
     fn drop(&mut self) {
-        if self.gpu.hangs() {
-            return;
-        }
         // SAFETY: owners drop a stage only when no submitted work uses it. Destroying null handles does nothing.
-        unsafe {
-            self.gpu.raw.destroy_framebuffer(self.framebuffer, None);
-            self.gpu.raw.destroy_render_pass(self.render_pass, None);
-        }
+        self.gpu.destroy(|device| unsafe {
+            device.destroy_framebuffer(self.framebuffer, None);
+            device.destroy_render_pass(self.render_pass, None);
+        });
     }
 }
 
@@ -146,11 +140,8 @@ impl Surface {
 
 impl Drop for Surface {
     fn drop(&mut self) {
-        if self.gpu.hangs() {
-            return;
-        }
         // SAFETY: owners drop a stage only when no submitted work uses it.
-        unsafe { self.gpu.raw.destroy_sampler(self.sampler, None) };
+        self.gpu.destroy(|device| unsafe { device.destroy_sampler(self.sampler, None) });
     }
 }
 

@@ -66,7 +66,7 @@ fn a_damaged_or_old_file_is_ignored_and_written_again() {
 }
 
 #[test]
-fn a_variant_that_ended_the_program_is_not_tried_again() {
+fn a_variant_that_ended_the_program_twice_is_not_tried_again() {
     let Some(device) = gpu::gpu() else { return };
     let folder = tempfile::tempdir().unwrap();
     choose_in(&device, Some(folder.path())).unwrap();
@@ -74,7 +74,11 @@ fn a_variant_that_ended_the_program_is_not_tried_again() {
     let mut content: serde_json::Value = serde_json::from_str(&fs::read_to_string(&path).unwrap()).unwrap();
     // As it would be had the program ended in the first test.
     content["tried"] = serde_json::json!([]);
-    content["trying"] = serde_json::json!("OneSweep");
+    content["trying"] = serde_json::json!(["OneSweep", 1]);
+    fs::write(&path, content.to_string()).unwrap();
+    let again = choose_in(&device, Some(folder.path())).unwrap();
+    assert_ne!(*outcome(&again, Variant::OneSweep), Outcome::Unfinished, "the user may have ended it");
+    content["trying"] = serde_json::json!(["OneSweep", 2]);
     fs::write(&path, content.to_string()).unwrap();
     let verdict = choose_in(&device, Some(folder.path())).unwrap();
     assert_eq!(*outcome(&verdict, Variant::OneSweep), Outcome::Unfinished);

@@ -88,7 +88,15 @@ impl Knob {
             }
             Self::Raster => {
                 let other = Method::ALL.into_iter().filter(|&method| Some(method) != options.method);
-                other.map(|method| (method.name().to_owned(), of(&|s| s.options.method = Some(method)))).collect()
+                // A format that the method before brought with it goes with it.
+                let brought = options.color == options.method.map(Method::color);
+                let with = |method: Method| {
+                    of(&|s| {
+                        s.options.method = Some(method);
+                        s.options.color = if brought { Some(method.color()) } else { options.color };
+                    })
+                };
+                other.map(|method| (method.name().to_owned(), with(method))).collect()
             }
             Self::Cutoff => numbers(&[1.0, 2.0, 4.0, 8.0], 255.0 * options.cutoff, "/255", |v| of(&|s| s.options.cutoff = v / 255.0)),
             Self::Rows => numbers(&[1.0, 0.75, 0.5, 0.25, 0.0], base.rows, "", |v| of(&|s| s.rows = v)),

@@ -127,7 +127,7 @@ fn work(avatar: &Avatar, setting: &Setting, counters: &BTreeMap<String, f64>, se
         ..*work
     };
     let [each, mut together] = [each, together].map(|seen| bytes::per_stage(avatar, &setting.options, seen));
-    for (one, all) in each.iter().zip(&mut together).filter(|(one, _)| !matches!(one.stage, "sort" | "raster")) {
+    for (one, all) in each.iter().zip(&mut together).filter(|(one, _)| !matches!(one.stage, "sort" | "bins" | "raster")) {
         *all = scaled(one);
     }
     together

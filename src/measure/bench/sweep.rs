@@ -15,7 +15,6 @@ use super::{
     run::{self, Drawer, Progress},
     scene::{self, Scene},
 };
-use crate::frame::FrameReport;
 
 /// Name of the point that is the setting itself.
 pub const BASE: &str = "default";
@@ -40,7 +39,7 @@ struct Runner {
     /// Time of each frame in each round, ms, and the GPU's.
     times: Vec<Vec<f64>>,
     gpu_times: Vec<Vec<f64>>,
-    reports: Vec<FrameReport>,
+    setting: Setting,
     timestamps: bool,
 }
 
@@ -69,10 +68,9 @@ pub fn sweep(devices: &mut Devices, task: &Task, sweep: &Sweep, progress: Progre
                 let samples = run::time(&mut runner.drawer, &runner.scenes, task.warm_up, |done| progress(&what, done, all))?;
                 runner.gpu_times.push(samples.reports.iter().map(measured::gpu_ms).collect());
                 runner.times.push(samples.intervals);
-                runner.reports = samples.reports;
             }
         }
-        groups.push(group(runners, task, sweep.case, &mut oracle, progress)?);
+        groups.push(group(runners, (devices, task), sweep.case, &mut oracle, progress)?);
     }
     let mut points = gather(groups);
     mark_front(&mut points);
@@ -85,23 +83,34 @@ fn runner(devices: &mut Devices, task: &Task, case: Case, (knob, value): (&str, 
     Ok(Runner {
         knob: knob.to_owned(),
         value: value.to_owned(),
-        drawer: Drawer::new(&gpu, &setting.fit(task.avatar), setting, case, true)?,
+        drawer: Drawer::new(&gpu, &setting.fit(task.avatar), setting, case, false)?,
         scenes: scene::scenes(case, &task.set(setting)),
         times: Vec::new(),
         gpu_times: Vec::new(),
-        reports: Vec::new(),
+        setting: *setting,
         timestamps: gpu.is_timed(),
     })
 }
 
 /// The points of one knob, the setting itself first.
-fn group(runners: Vec<Runner>, task: &Task, case: Case, oracle: &mut Oracle, progress: Progress) -> Result<Vec<Point>> {
+fn group(
+    runners: Vec<Runner>,
+    (devices, task): (&mut Devices, &Task),
+    case: Case,
+    oracle: &mut Oracle,
+    progress: Progress,
+) -> Result<Vec<Point>> {
     let mut points: Vec<Point> = Vec::new();
     let mut base_rounds: Option<Vec<f64>> = None;
     for mut runner in runners {
         let numbers = scene::checks(case, runner.scenes.len(), task.checked);
         let mut show = |what: &str, done, all| progress(&format!("{} {}: {what}", runner.knob, runner.value), done, all);
         let checked = check::check(&mut runner.drawer, &runner.scenes, &numbers, oracle, task.flip, &mut show)?;
+        // Counting takes time, so it has a turn of its own.
+        drop(runner.drawer);
+        let gpu = devices.get(&runner.setting)?;
+        let mut counter = Drawer::new(&gpu, &runner.setting.fit(task.avatar), &runner.setting, case, true)?;
+        let counted = run::count(&mut counter, &runner.scenes, |done| show("counting", done, runner.scenes.len()))?;
         let measured_ms = mean_of_medians(&runner.times);
         let time_ratio = measured_ms / points.first().map_or(measured_ms, |base| base.measured_ms);
         let rounds: Vec<f64> = runner.times.iter().map(|round| round.iter().sum::<f64>() / round.len().max(1) as f64).collect();
@@ -115,7 +124,7 @@ fn group(runners: Vec<Runner>, task: &Task, case: Case, oracle: &mut Oracle, pro
             time_ratio_range: ratios.iter().fold([time_ratio; 2], |[low, high], &ratio| [low.min(ratio), high.max(ratio)]),
             frame_ms: measured_ms,
             gpu_ms: runner.timestamps.then(|| mean_of_medians(&runner.gpu_times)),
-            counters: measured::counters(&runner.reports),
+            counters: measured::counters(&counted),
             error: checked.error.unwrap_or(ErrorReport::NONE),
             on_front: false,
         });

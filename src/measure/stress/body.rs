@@ -137,12 +137,29 @@ fn subspace(random: &mut Random, dimensions: usize) -> Option<Subspace> {
 
 /// A valid avatar of the given sizes, about the size of a person.
 pub fn avatar(random: &mut Random, sizes: &Sizes) -> Avatar {
+    let around =
+        |random: &mut Random, joints: &[DVec3]| joints[below(random, joints.len())] + random.direction() * random.range(0.02, 0.12);
+    of_points(random, sizes, around)
+}
+
+/// The same with a closed surface, an ellipsoid that no light passes: what is inside it and behind it can be left out.
+pub fn solid(random: &mut Random, sizes: &Sizes) -> Avatar {
+    let half = DVec3::new(random.range(0.2, 0.35), random.range(0.4, 0.7), random.range(0.2, 0.35));
+    let mut avatar = of_points(random, sizes, |random, _| DVec3::Y + half * random.direction());
+    // An ellipsoid's surface, about; deviations of half of what each Gaussian has to itself overlap enough.
+    let area = 4.0 * std::f64::consts::PI * ((half.x * half.y + half.x * half.z + half.y * half.z) / 3.0);
+    let log_scale = f16::from_f64((area / sizes.gaussians as f64).sqrt().ln());
+    avatar.gaussians.log_scale.fill([log_scale; 3]);
+    avatar.gaussians.opacity.fill(250);
+    avatar
+}
+
+fn of_points(random: &mut Random, sizes: &Sizes, point: impl Fn(&mut Random, &[DVec3]) -> DVec3) -> Avatar {
     let skeleton = skeleton(random, sizes.joints);
     let rotation = skeleton.canonical.iter().map(|r| DVec3::from(r.map(f64::from))).collect();
     let joints: Vec<DVec3> = skeleton.joints(&Pose { rotation, ..Pose::rest(0, 0) }).iter().map(|joint| joint.translation).collect();
     let bounds = Bounds { min: [-1.5, -0.5, -1.0], max: [1.5, 2.5, 1.0] };
-    let mut points: Vec<DVec3> =
-        (0..sizes.gaussians).map(|_| joints[below(random, joints.len())] + random.direction() * random.range(0.02, 0.12)).collect();
+    let mut points: Vec<DVec3> = (0..sizes.gaussians).map(|_| point(random, &joints)).collect();
     points.sort_by(|a, b| a.y.total_cmp(&b.y));
     let nodes: Vec<DVec3> = (0..sizes.nodes).map(|_| points[below(random, points.len())] + vector(random, 0.01)).collect();
     let mut start: Vec<u32> = (1..sizes.parts).map(|_| below(random, sizes.gaussians + 1) as u32).collect();

@@ -11,7 +11,11 @@ use crate::{
     bake::math::Random,
     frame::{Camera, Extent, Posed, Skip},
     reference::{self, Culled, splats::Gaussian},
-    vulkan::{RendererOptions, raster::ColorFormat, sort::KeyBits},
+    vulkan::{
+        RendererOptions,
+        raster::{ColorFormat, Method},
+        sort::KeyBits,
+    },
 };
 use glam::{DAffine3, DMat3, DQuat, DVec3};
 
@@ -103,6 +107,7 @@ fn options(random: &mut Random, size: [u32; 2]) -> RendererOptions {
     };
     RendererOptions {
         color: Some(if below(random, 4) == 0 { ColorFormat::Rgba8 } else { ColorFormat::Rgba16F }),
+        method: Some(Method::ALL[below(random, Method::ALL.len())]),
         key_bits: [KeyBits::Sixteen, KeyBits::TwentyFour, KeyBits::TwentyFour, KeyBits::ThirtyTwo][below(random, 4)],
         skip,
         ..RendererOptions::new(size)

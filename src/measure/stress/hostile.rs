@@ -29,6 +29,7 @@ fn half(value: f64) -> f16 {
 pub fn apply(random: &mut Random, draft: &mut Draft, family: Family, large: bool) {
     match family {
         Family::Poses => poses(random, draft),
+        Family::Solid => solid(random, draft),
         Family::Placed => draft.placed = placement(random),
         Family::Distant => distant(random, draft),
         Family::Quaternions => quaternions(random, &mut draft.avatar),
@@ -194,6 +195,13 @@ fn mixed(random: &mut Random, draft: &mut Draft) {
         }
     }
     draft.note = notes.join(", ");
+}
+
+fn solid(random: &mut Random, draft: &mut Draft) {
+    let mut sizes = draft.sizes;
+    sizes.gaussians = 3000 + 2 * sizes.gaussians;
+    *draft = Draft { avatar: body::solid(random, &sizes), sizes, ..Draft::of(random, sizes) };
+    draft.note = format!("{} Gaussians on an ellipsoid", sizes.gaussians);
 }
 
 /// Gaussians exactly on the near plane, and one step before and behind it, where every number on the way to their depth is exact in

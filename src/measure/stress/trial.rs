@@ -156,9 +156,7 @@ fn conditioned(case: &Case, oracle: &Picture) -> f64 {
         moved(&mut features);
         let nodes = reference::nodes::nodes(&case.avatar, &features);
         let gaussians = reference::splats::gaussians(&case.avatar, &posed, &features, &nodes);
-        let splats = reference::splats::splats(&gaussians, &case.camera);
-        let canvas = reference::raster::raster(&splats, &reference::sort::order(&splats), &case.camera);
-        error::between(&canvas.to_picture(), oracle).covered.psnr_db
+        error::between(&reference::render_gaussians(&gaussians, &case.camera), oracle).covered.psnr_db
     });
     worst.fold(f64::INFINITY, f64::min)
 }

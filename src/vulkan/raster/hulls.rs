@@ -30,11 +30,8 @@ struct Target {
 
 impl Drop for Target {
     fn drop(&mut self) {
-        if self.gpu.hangs() {
-            return;
-        }
         // SAFETY: owners drop a target only when no submitted work uses it.
-        unsafe { self.gpu.raw.destroy_framebuffer(self.framebuffer, None) };
+        self.gpu.destroy(|device| unsafe { device.destroy_framebuffer(self.framebuffer, None) });
     }
 }
 
@@ -170,14 +167,11 @@ impl Hulls {
 
 impl Drop for Hulls {
     fn drop(&mut self) {
-        if self.gpu.hangs() {
-            return;
-        }
         // SAFETY: owners drop a stage only when no submitted work uses it.
-        unsafe {
-            self.gpu.raw.destroy_pipeline(self.pipeline, None);
-            self.gpu.raw.destroy_render_pass(self.render_pass, None);
-        }
+        self.gpu.destroy(|device| unsafe {
+            device.destroy_pipeline(self.pipeline, None);
+            device.destroy_render_pass(self.render_pass, None);
+        });
     }
 }
 

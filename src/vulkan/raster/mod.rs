@@ -51,7 +51,7 @@ impl Raster {
         surface: (&OccluderMesh, Slice),
         options: &RendererOptions,
     ) -> Result<Self> {
-        Ok(match options.method.unwrap_or_else(|| Method::suited(gpu.probe.is_cpu(), &gpu.probe.driver)) {
+        Ok(match options.method_on(gpu) {
             Method::Hulls => Self::Hulls(Hulls::new(gpu, frame, inputs, surface, options)?),
             Method::Tiles => {
                 if gpu.probe.is_cpu() && Method::suited(true, &gpu.probe.driver) == Method::Hulls {

@@ -5,7 +5,7 @@ use crate::{
     frame::Skip,
     layout::{
         BINS_BLOCKS, BINS_LEVELS, BINS_NODE, BINS_SIDE, BINS_SIZE, BINS_TILES, RASTER_REGION,
-        bins::{bins_size, nodes},
+        bins::{bins_size, first_tile, nodes},
     },
     vulkan::{
         RendererOptions,
@@ -28,9 +28,7 @@ pub struct Bins {
 impl Bins {
     /// Those of a level's tile, the finest being level 0. Column and row of that level.
     pub fn tile(&self, level: u32, [column, row]: [u32; 2]) -> &[u32] {
-        let finest = BINS_SIDE * BINS_SIDE;
-        let start = (finest - (finest >> (4 * level))) / 15 * 16;
-        &self.tiles[(start + row * (BINS_SIDE >> (2 * level)) + column) as usize]
+        &self.tiles[(first_tile(level) + row * (BINS_SIDE >> (2 * level)) + column) as usize]
     }
 
     /// Those of all levels that a finest tile lies in, level by level.

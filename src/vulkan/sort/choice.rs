@@ -7,7 +7,7 @@ use super::{
     verdict::{Outcome, Record, Verdict},
 };
 use crate::{
-    layout::SORT_DROPPED,
+    layout::{SORT_DROPPED, SORT_GROUP},
     vulkan::{
         cache,
         device::Gpu,
@@ -20,11 +20,13 @@ use std::{path::Path, sync::Arc, time::Duration};
 const KEYS: u32 = 60_000;
 /// Runs of which the best counts.
 const TIMED: usize = 3;
-/// A sort of so few keys that takes longer is refused.
+/// Tiles of the test of long keys: enough for the scans to have groups of groups.
+const LONG_TILES: u32 = 2 * SORT_GROUP + 3;
+/// A sort of so few keys that takes longer, twice, is refused.
 const PATIENCE: Duration = Duration::from_secs(2);
 
 /// How to sort here. Tests on the first call after a change of driver or program, which takes a part of a second; later calls and
-/// starts know. Fails where no variant is right, or the device is lost or hangs in a test; the next start does not try that variant again.
+/// starts know. Fails where no variant is right, or the device is lost or hangs in a test, which later starts do not try again.
 pub fn choose(gpu: &Arc<Gpu>) -> Result<Verdict> {
     if let Some(verdict) = gpu.sort.get() {
         return Ok(verdict.clone());
@@ -39,20 +41,48 @@ pub fn choose_in(gpu: &Arc<Gpu>, folder: Option<&Path>) -> Result<Verdict> {
     let mut tried = record.read();
     let untried: Vec<_> = Variant::ALL.into_iter().filter(|variant| tried.iter().all(|(known, _)| known != variant)).collect();
     for &variant in &untried {
-        record.write(&tried, Some(variant));
+        record.begin(&tried, variant);
         let outcome = match needless(gpu, variant) {
-            Some(why) => Outcome::Lacks(why.into()),
-            None => test(gpu, variant)?,
+            Some(why) => Ok(Outcome::Lacks(why.into())),
+            None => test(gpu, variant),
         };
+        let outcome = outcome.inspect_err(|error| {
+            // Memory may be there next time; a device that the test brought down is not asked again.
+            let fault = !matches!(error, Error::OutOfMemory { .. });
+            tried.extend(fault.then(|| (variant, Outcome::Refused(error.to_string()))));
+            record.write(&tried);
+        })?;
         tried.push((variant, outcome));
     }
     if !untried.is_empty() {
-        record.write(&tried, None);
+        record.write(&tried);
     }
     Verdict::of(&tried).ok_or_else(|| {
         let reasons: Vec<_> = tried.iter().map(|(variant, outcome)| format!("{}: {outcome}", variant.name())).collect();
-        Error::Lacks { device: gpu.probe.name.clone(), lacks: format!("no sort is right on it ({})", reasons.join("; ")) }
+        let again = record.path().map_or(String::new(), |path| format!("; to test again, delete {}", path.display()));
+        Error::Lacks { device: gpu.probe.name.clone(), lacks: format!("no sort is right on it ({}{again})", reasons.join("; ")) }
     })
+}
+
+/// Whether a variant that somebody asked for may be used: what was found of it stands, and what was never tested is tested now.
+pub fn allow(gpu: &Arc<Gpu>, variant: Variant) -> Result<()> {
+    if gpu.statistics.is_some() {
+        // Who asks what a compiler makes of the shaders may have nothing that runs them.
+        return Ok(());
+    }
+    let known = gpu.sort.get().map(|verdict| verdict.tried.clone());
+    let known = known.unwrap_or_else(|| Record::new(gpu, cache::folder().as_deref()).read());
+    let found = known.into_iter().find(|(known, _)| *known == variant).map(|(_, outcome)| outcome);
+    let outcome = match found {
+        Some(outcome @ (Outcome::Right(_) | Outcome::Refused(_) | Outcome::Unfinished)) => outcome,
+        Some(Outcome::Lacks(_)) | None => test(gpu, variant)?,
+    };
+    let lacks = |why| Error::Lacks { device: gpu.probe.name.clone(), lacks: format!("for {}: {why}", variant.name()) };
+    match outcome {
+        Outcome::Right(_) => Ok(()),
+        Outcome::Lacks(why) => Err(lacks(why)),
+        outcome => Err(lacks(format!("its test says {outcome}"))),
+    }
 }
 
 /// Why a variant is not even tested: drivers that run on a CPU take a second and more to compile OneSweep, and have no use for it.
@@ -80,9 +110,13 @@ fn run(gpu: &Arc<Gpu>, variant: Variant) -> Result<Outcome> {
     trial.run()?;
     for (name, keys) in hostile(variant.tile()) {
         trial.load(&keys)?;
-        let times = trial.run()?;
+        let mut times = trial.run()?;
         if let Some(difference) = trial.difference(&keys)? {
             return Ok(Outcome::Refused(format!("wrong for {name}: {difference}")));
+        }
+        if times.wall > PATIENCE {
+            // The machine may have been busy, or asleep.
+            times = trial.run()?;
         }
         if times.wall > PATIENCE {
             return Ok(Outcome::Refused(format!("{:.1} s for {name}", times.wall.as_secs_f64())));
@@ -97,7 +131,20 @@ fn run(gpu: &Arc<Gpu>, variant: Variant) -> Result<Outcome> {
             return Ok(Outcome::Refused(format!("wrong when repeated: {difference}")));
         }
     }
-    Ok(Outcome::Right(best.as_secs_f64() * 1e3))
+    Ok(match long(gpu, variant)? {
+        Some(difference) => Outcome::Refused(format!("wrong for keys of 32 bits: {difference}")),
+        None => Outcome::Right(best.as_secs_f64() * 1e3),
+    })
+}
+
+/// What is wrong in a sort of so many long keys that every kernel has its part: pairs, all four passes, sums of sums.
+fn long(gpu: &Arc<Gpu>, variant: Variant) -> Result<Option<String>> {
+    let count = LONG_TILES * variant.tile();
+    let trial = Trial::new(gpu, count, SortOptions::new(KeyBits::ThirtyTwo, variant))?;
+    let keys: Vec<u32> = (0..count).map(|at| at.wrapping_mul(2_654_435_769)).collect();
+    trial.load(&keys)?;
+    trial.run()?;
+    trial.difference(&keys)
 }
 
 type Keys = (&'static str, Vec<u32>);

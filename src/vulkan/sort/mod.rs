@@ -13,7 +13,7 @@
 //! All give the same order on any device that does what Vulkan says, at any subgroup size, and none can hang: see `choice`, which
 //! finds out what a device really does.
 //!
-//! **Storage**, for capacity n: the order, 4n bytes; between passes 4n (16-bit keys), 12n (24) or 16n (32), 16n above 2²⁴ keys; and the
+//! **Storage**, for capacity n: the order, 4n bytes; between passes 4n (16-bit keys), 12n (24) or 16n (32), above 2²⁴ keys 8n, 16n and 16n; and the
 //! counts, [`counts_size`], which the caller may provide inside a buffer of its own, so that a kernel that makes keys can count them too
 //! without one more binding (`shaders/sort_fused.glsl`). Every kernel binds at most 4 storage buffers and shares at most 16 KB.
 //!
@@ -102,6 +102,11 @@ impl Sort {
         }
         if capacity >= 1 << 30 {
             let (found, limit) = (4 * u64::from(capacity), 4 << 30);
+            return Err(Error::TooLarge { what: "sort keys", found, limit, device: gpu.probe.name.clone() });
+        }
+        let (groups, limit) = (tiles(capacity, variant), gpu.probe.limits.max_compute_work_group_count[0]);
+        if groups > limit {
+            let [found, limit] = [groups, limit].map(|count| 4 * u64::from(count) * u64::from(variant.tile()));
             return Err(Error::TooLarge { what: "sort keys", found, limit, device: gpu.probe.name.clone() });
         }
         let storage = |name, size| {

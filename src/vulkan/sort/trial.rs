@@ -132,11 +132,8 @@ impl Trial {
 
 impl Drop for Trial {
     fn drop(&mut self) {
-        if self.gpu.hangs() {
-            return;
-        }
         // SAFETY: every run was waited for. Destroying a null handle does nothing.
-        unsafe { self.gpu.raw.destroy_query_pool(self.queries.unwrap_or_default(), None) };
+        self.gpu.destroy(|device| unsafe { device.destroy_query_pool(self.queries.unwrap_or_default(), None) });
     }
 }
 

@@ -17,7 +17,7 @@ pub enum Outcome {
     Lacks(String),
     /// It gave something else than the CPU, did not finish in time, or failed.
     Refused(String),
-    /// The program was in its test when it ended.
+    /// The program ended in its test, more than once.
     Unfinished,
 }
 
@@ -27,7 +27,7 @@ impl fmt::Display for Outcome {
             Self::Right(ms) => write!(f, "{ms:.3} ms"),
             Self::Lacks(why) => write!(f, "not used: {why}"),
             Self::Refused(why) => write!(f, "refused: {why}"),
-            Self::Unfinished => write!(f, "refused: the program ended during its test"),
+            Self::Unfinished => write!(f, "refused: the program ended during its test, {ATTEMPTS} times"),
         }
     }
 }
@@ -49,6 +49,9 @@ impl Verdict {
         Some(Self { variant, tried: tried.to_vec() })
     }
 }
+
+/// How often a variant is tested whose test was never heard of again: it may have brought the program down, or the user ended that.
+const ATTEMPTS: u32 = 2;
 
 /// What a verdict depends on: with any of it changed, an old one says nothing.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -86,8 +89,8 @@ impl Identity {
 #[derive(Serialize, Deserialize)]
 struct Content {
     identity: Identity,
-    /// The variant under test when this was written.
-    trying: Option<Variant>,
+    /// The variant under test when this was written, and how many such tests were begun.
+    trying: Option<(Variant, u32)>,
     tried: Vec<(Variant, Outcome)>,
 }
 
@@ -104,17 +107,36 @@ impl Record {
         Self { path: folder.map(|folder| folder.join(format!("sort-{uuid}.json"))), identity: Identity::of(gpu) }
     }
 
+    fn content(&self) -> Option<Content> {
+        let text = fs::read(self.path.as_ref()?).ok()?;
+        serde_json::from_slice::<Content>(&text).ok().filter(|content| content.identity == self.identity)
+    }
+
     /// How each variant did that was tested before, here and by this program.
     pub fn read(&self) -> Vec<(Variant, Outcome)> {
-        let text = self.path.as_ref().and_then(|path| fs::read(path).ok());
-        let content = text.and_then(|text| serde_json::from_slice::<Content>(&text).ok());
-        let Some(mut content) = content.filter(|content| content.identity == self.identity) else { return Vec::new() };
-        content.tried.extend(content.trying.map(|variant| (variant, Outcome::Unfinished)));
+        let Some(mut content) = self.content() else { return Vec::new() };
+        let ended = content.trying.filter(|&(_, attempts)| attempts >= ATTEMPTS);
+        content.tried.extend(ended.map(|(variant, _)| (variant, Outcome::Unfinished)));
         content.tried
     }
 
-    /// Notes what was found so far, and which variant is tested next.
-    pub fn write(&self, tried: &[(Variant, Outcome)], trying: Option<Variant>) {
+    /// Notes that a variant's test begins. What is not followed by [`Self::write`] counts against it, after a second time.
+    pub fn begin(&self, tried: &[(Variant, Outcome)], variant: Variant) {
+        let before = self.content().and_then(|content| content.trying).filter(|&(trying, _)| trying == variant);
+        self.save(tried, Some((variant, 1 + before.map_or(0, |(_, attempts)| attempts))));
+    }
+
+    /// Notes what was found so far.
+    pub fn write(&self, tried: &[(Variant, Outcome)]) {
+        self.save(tried, None);
+    }
+
+    /// Where it is kept, for a message.
+    pub fn path(&self) -> Option<&Path> {
+        self.path.as_deref()
+    }
+
+    fn save(&self, tried: &[(Variant, Outcome)], trying: Option<(Variant, u32)>) {
         let Some(path) = &self.path else { return };
         let content = Content { identity: self.identity.clone(), trying, tried: tried.to_vec() };
         let written = serde_json::to_vec_pretty(&content).map_err(std::io::Error::other).and_then(|text| cache::write(path, &text));

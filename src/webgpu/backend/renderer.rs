@@ -160,7 +160,7 @@ impl Renderer {
     /// # Errors
     /// When a pose or the camera holds a number that can't be drawn, there are too many poses, or the device is lost.
     pub fn draw_scene(&mut self, poses: &[&Posed], camera: &Camera) -> Result<bool> {
-        refuse::frame(poses, camera, (&self.model.constants, &self.extent), &self.options)?;
+        refuse::frame(poses, camera, &self.extent, &self.options)?;
         self.gpu.check()?;
         #[cfg(not(target_arch = "wasm32"))]
         if let Some(submission) = self.slots[self.next].submission() {
