@@ -5,7 +5,7 @@ use super::dataset::Dataset;
 use crate::avatar::{Avatar, Inputs, Rows};
 use crate::frame::{Camera, Extent, Picture, Posed, upright};
 use crate::measure::similarity::{Similarity, similarity};
-use crate::reference::{self, raster, sort, splats};
+use crate::reference::{self, splats};
 use glam::{DMat3, DVec3};
 use half::f16;
 use rayon::prelude::*;
@@ -91,8 +91,7 @@ pub fn truth(dataset: &Dataset, frame: usize, posed: &Posed, camera: &Camera) ->
         }
     };
     let gaussians: Vec<_> = (0..avatar.gaussians.len()).into_par_iter().map(gaussian).collect();
-    let splats = splats::splats(&gaussians, camera);
-    raster::raster(&splats, &sort::order(&splats), camera).to_picture()
+    reference::render_gaussians(&gaussians, camera)
 }
 
 /// Pictures a group of frames is judged by, for each way.

@@ -53,7 +53,7 @@ fn draw<B: DrawingBackend>(area: DrawingArea<B, Shift>, chart: &Chart) -> Result
     let points = || chart.lines.iter().flat_map(|line| &line.points);
     let ends = |of: &dyn Fn(&(f64, f64)) -> f64| {
         let (low, high) = points().map(of).fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
-        (low.is_finite() && high.is_finite()).then(|| (low, if high > low { high } else { low + 1.0 }))
+        (low.is_finite() && high.is_finite()).then_some((low, if high > low { high } else { low + 1.0 }))
     };
     let ((left, right), (bottom, top)) = (ends(&|p| p.0).ok_or(Fault::Nothing)?, ends(&|p| height(p.1)).ok_or(Fault::Nothing)?);
     let room = 0.06 * (top - bottom);

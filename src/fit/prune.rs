@@ -32,9 +32,9 @@ impl Stream {
         let n = self.mean.len();
         let before: Vec<f64> = x.iter().zip(&self.mean).map(|(&x, m)| f64::from(x) - m).collect();
         self.mean.iter_mut().zip(&before).for_each(|(m, d)| *m += d / self.count);
-        for i in 0..n {
-            let after = f64::from(x[i]) - self.mean[i];
-            (0..n).for_each(|j| self.products[i * n + j] += after * before[j]);
+        for ((row, &x), mean) in self.products.chunks_exact_mut(n.max(1)).zip(x).zip(&self.mean) {
+            let after = f64::from(x) - mean;
+            row.iter_mut().zip(&before).for_each(|(sum, before)| *sum += after * before);
         }
     }
 
