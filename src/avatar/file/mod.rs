@@ -133,14 +133,17 @@ pub(super) fn read_with<T>(path: &Path, decode: impl FnOnce(&[u8]) -> Result<T, 
     decode(&bytes).map_err(|fault| FileError::Content { file: path.into(), fault })
 }
 
-/// Writes beside the target and renames, so that the target is either the old file or the whole new one.
 fn write(bytes: Result<Vec<u8>, Fault>, path: &Path) -> Result<(), FileError> {
-    let bytes = bytes.map_err(|fault| FileError::Content { file: path.into(), fault })?;
+    replace(path, &bytes.map_err(|fault| FileError::Content { file: path.into(), fault })?)
+}
+
+/// Writes beside the target and renames, so that the target is either the old file or the whole new one.
+fn replace(path: &Path, bytes: &[u8]) -> Result<(), FileError> {
     let mut name = std::ffi::OsString::from(".");
     name.push(path.file_name().unwrap_or_default());
     name.push(format!(".{}.part", std::process::id()));
     let part = path.with_file_name(name);
-    let outcome = fill(&part, &bytes).and_then(|()| fs::rename(&part, path));
+    let outcome = fill(&part, bytes).and_then(|()| fs::rename(&part, path));
     outcome.map_err(|cause| {
         // What remains of a failed write is of no use, and the failure itself is what the user must hear of.
         fs::remove_file(&part).ok();
