@@ -20,7 +20,7 @@
 //!
 //! [`avatar`] is the model as plain arrays and its file; [`frame`] what a frame is, whatever draws it; [`reference`] the stages in
 //! f64, the oracle; [`vulkan`] the stages on the GPU; [`measure`] time and error; [`bake`] makes avatars and clips from a real body
-//! and real motion.
+//! and real motion; `fit` learns an avatar's correctives from what its Gaussians should look like in each frame.
 
 #[cfg(feature = "window")]
 pub mod app;
@@ -31,6 +31,8 @@ pub mod bake;
 pub mod cli;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod demo;
+#[cfg(not(any(target_arch = "wasm32", target_os = "android")))]
+pub mod fit;
 pub mod frame;
 pub mod layout;
 #[cfg(not(target_arch = "wasm32"))]
@@ -39,6 +41,6 @@ pub mod measure;
 pub mod reference;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod vulkan;
-#[cfg(target_arch = "wasm32")]
+#[cfg(any(target_arch = "wasm32", test))]
 pub mod web;
 pub mod webgpu;

@@ -9,7 +9,7 @@ use super::outfit::Outfit;
 use super::partition::{Partition, partition};
 use super::pca::pca;
 use super::spacing::{Dart, Dot, choose};
-use super::surface::Material;
+use super::surface::{Material, Site};
 use crate::avatar::{Avatar, Bounds, Gaussians, Inputs, Nodes, Parts, Pose};
 use glam::{DMat3, DQuat, DVec3};
 use half::f16;
@@ -45,8 +45,8 @@ struct Point {
     density: f64,
 }
 
-/// Puts the avatar together; features, pruning and PCA are fitted to `poses`.
-pub fn assemble(body: &Body, outfit: &Outfit, sky: &Sky, dots: &[Dot], poses: &[Pose], sizes: &Sizes) -> Avatar {
+/// Puts the avatar together; features, pruning and PCA are fitted to `poses`. Also which dot each of its Gaussians is.
+pub fn assemble(body: &Body, outfit: &Outfit, sky: &Sky, dots: &[Dot], poses: &[Pose], sizes: &Sizes) -> (Avatar, Vec<usize>) {
     let canonical = body.to_canonical();
     let mut points: Vec<Point> = dots.par_iter().enumerate().map(|(i, dot)| point(dot, i, outfit, sky, &canonical, sizes.seed)).collect();
     let positions: Vec<DVec3> = points.iter().map(|point| point.placed.position).collect();
@@ -87,7 +87,7 @@ pub fn assemble(body: &Body, outfit: &Outfit, sky: &Sky, dots: &[Dot], poses: &[
     let (networks, covariance) = networks(&plan);
     let part: Vec<usize> = points.iter().map(|p| p.placed.part).collect();
     let rows = sizes.rows.min(points.len());
-    Avatar {
+    let avatar = Avatar {
         name: "MakeHuman body, dressed".into(),
         credit: super::BODY_CREDIT.into(),
         skeleton: body.skeleton.clone(),
@@ -100,7 +100,8 @@ pub fn assemble(body: &Body, outfit: &Outfit, sky: &Sky, dots: &[Dot], poses: &[
         nodes,
         inputs,
         harmonics: None,
-    }
+    };
+    (avatar, parts.order)
 }
 
 /// θ_p is joints 1 to 21. The expression has no subspace: clamping a blink, seldom as it is, to 2σ would keep the eyes open.
@@ -148,8 +149,14 @@ fn point(dot: &Dot, index: usize, outfit: &Outfit, sky: &Sky, canonical: &[glam:
 }
 
 impl Outfit {
-    /// Display-referred colour: what the material reflects, the mean over the Gaussian's extent, of the light that the place sees.
-    fn shaded(&self, site: &super::surface::Site, normal: DVec3, radius: f64, sky: &Sky) -> DVec3 {
+    /// Display-referred colour: what the material reflects of the light that the place sees.
+    fn shaded(&self, site: &Site, normal: DVec3, radius: f64, sky: &Sky) -> DVec3 {
+        let light = sky.light(site.position, site.material.facing().unwrap_or(normal));
+        encode_srgb(self.reflects(site, radius) * site.material.scattered(light))
+    }
+
+    /// What a Gaussian's material reflects: the mean over its extent, linear.
+    pub fn reflects(&self, site: &Site, radius: f64) -> DVec3 {
         let [u, v] = super::math::frame(site.normal);
         let mut at = site.clone();
         let mut albedo = self.albedo(site) * 2.0;
@@ -157,13 +164,23 @@ impl Outfit {
             at.position = site.position + 0.5 * radius * (x * u + y * v);
             albedo += self.albedo(&at);
         }
-        let light = sky.light(site.position, if site.material == Material::Eye { DVec3::new(0.0, 0.25, 0.97) } else { normal });
-        let even = match site.material {
+        albedo / 6.0
+    }
+}
+
+impl Material {
+    /// The normal that light is taken for, where it isn't the surface's: eyes are lit evenly.
+    pub fn facing(self) -> Option<DVec3> {
+        (self == Self::Eye).then_some(DVec3::new(0.0, 0.25, 0.97))
+    }
+
+    /// Light as it leaves the material again.
+    pub fn scattered(self, light: DVec3) -> DVec3 {
+        match self {
             // Light enters skin and comes out elsewhere: shadows are soft and red.
-            Material::Skin => light.lerp(DVec3::new(1.0, 0.80, 0.72) * 0.75, 0.14),
+            Self::Skin => light.lerp(DVec3::new(1.0, 0.80, 0.72) * 0.75, 0.14),
             _ => light.lerp(DVec3::splat(0.7), 0.06),
-        };
-        encode_srgb(albedo / 6.0 * even)
+        }
     }
 }
 

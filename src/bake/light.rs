@@ -28,7 +28,7 @@ struct Depth {
 pub struct Sky(Vec<Depth>);
 
 /// Cool from above, a warm key from the front and the avatar's upper right, a little from the ground.
-fn radiance(d: DVec3) -> DVec3 {
+pub fn radiance(d: DVec3) -> DVec3 {
     let sky = DVec3::new(0.86, 0.93, 1.0) * (0.30 + 0.62 * step(-0.25, 0.95, d.y));
     let ground = DVec3::new(1.0, 0.93, 0.85) * 0.16 * step(0.1, -0.8, d.y);
     let key = DVec3::new(-0.45, 0.62, 0.64).normalize();
@@ -37,9 +37,9 @@ fn radiance(d: DVec3) -> DVec3 {
         + DVec3::new(0.85, 0.93, 1.0) * 0.5 * step(0.5, 1.0, d.dot(DVec3::new(0.8, 0.35, -0.5).normalize()))
 }
 
-/// Evenly spread over the sphere: a Fibonacci spiral.
-fn direction(i: usize) -> DVec3 {
-    let y = 1.0 - 2.0 * (i as f64 + 0.5) / DIRECTIONS as f64;
+/// The i-th of `count` directions spread evenly over the sphere: a Fibonacci spiral.
+pub fn direction(i: usize, count: usize) -> DVec3 {
+    let y = 1.0 - 2.0 * (i as f64 + 0.5) / count as f64;
     let turn = i as f64 * std::f64::consts::PI * (3.0 - 5f64.sqrt());
     let radius = (1.0 - y * y).sqrt();
     DVec3::new(radius * turn.cos(), y, radius * turn.sin())
@@ -58,7 +58,7 @@ impl Sky {
                     .map(|t| sheet.triangles[t].map(|v| sheet.vertices[v as usize].position))
             })
             .collect();
-        Self((0..DIRECTIONS).into_par_iter().map(|i| Depth::new(direction(i), &triangles)).collect())
+        Self((0..DIRECTIONS).into_par_iter().map(|i| Depth::new(direction(i, DIRECTIONS), &triangles)).collect())
     }
 
     /// Light at a point, linear; about 1 where nothing is in the way.

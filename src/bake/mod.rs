@@ -49,8 +49,24 @@ pub const BODY_CREDIT: &str = "Body, rig, skin weights and expressions: MakeHuma
 pub const MOTION_CREDIT: &str =
     "The data used in this project was obtained from mocap.cs.cmu.edu. The database was created with funding from NSF EIA-0196217.";
 
+/// A dressed body with all that it was made from.
+pub struct Dressed {
+    pub body: Body,
+    pub outfit: outfit::Outfit,
+    /// Skin and garments, the innermost first.
+    pub sheets: Vec<surface::Sheet>,
+    /// Where on the sheets each of the avatar's Gaussians is.
+    pub dots: Vec<spacing::Dot>,
+    pub avatar: Avatar,
+}
+
 /// Makes the dressed body; networks, pruning and PCA are fitted to the clips' poses, and `step` hears what begins.
 pub fn body(assets: &Assets, shape: Shape, clips: &[Clip], sizes: &Sizes, step: &dyn Fn(&'static str)) -> Result<Avatar, Error> {
+    Ok(dressed(assets, shape, clips, sizes, step)?.avatar)
+}
+
+/// The same, with the surfaces that the avatar stands for.
+pub fn dressed(assets: &Assets, shape: Shape, clips: &[Clip], sizes: &Sizes, step: &dyn Fn(&'static str)) -> Result<Dressed, Error> {
     step("reading the body");
     let body = Body::load(assets, shape)?;
     let outfit = outfit::Outfit::new(&body, masks::Masks::load(assets)?, shape);
@@ -63,11 +79,13 @@ pub fn body(assets: &Assets, shape: Shape, clips: &[Clip], sizes: &Sizes, step: 
     step("spacing Gaussians");
     let dots = spacing::scatter(&sheets, &outfit, sizes.gaussians, sizes.seed);
     step("assembling the avatar");
-    Ok(assemble::assemble(&body, &outfit, &sky, &dots, &poses, sizes))
+    let (avatar, order) = assemble::assemble(&body, &outfit, &sky, &dots, &poses, sizes);
+    let dots = order.into_iter().map(|dot| dots[dot].clone()).collect();
+    Ok(Dressed { body, outfit, sheets, dots, avatar })
 }
 
 /// Every frame of the clips in a skeleton's order of joints.
-fn poses(clips: &[Clip], skeleton: &Skeleton) -> Result<Vec<Pose>, Error> {
+pub fn poses(clips: &[Clip], skeleton: &Skeleton) -> Result<Vec<Pose>, Error> {
     let mut poses = Vec::new();
     for clip in clips {
         let map = clip.map_to(skeleton);
@@ -88,7 +106,7 @@ fn poses(clips: &[Clip], skeleton: &Skeleton) -> Result<Vec<Pose>, Error> {
     Ok(poses)
 }
 
-/// The steps that [`body`] announces.
+/// The steps that [`body`] and [`dressed`] announce.
 pub const STEPS: u64 = 5;
 
 /// The skeleton alone.

@@ -45,7 +45,8 @@ pub fn partition(positions: &[DVec3], sites: &[&Site], count: usize) -> Partitio
     result
 }
 
-fn seeds(positions: &[DVec3], count: usize) -> Vec<DVec3> {
+/// Seeds of so many parts.
+pub fn seeds(positions: &[DVec3], count: usize) -> Vec<DVec3> {
     let Some(first) = positions.first() else { return Vec::new() };
     let mut seeds = vec![*first];
     let mut distance: Vec<f64> = positions.par_iter().map(|p| p.distance_squared(*first)).collect();

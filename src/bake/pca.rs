@@ -25,7 +25,7 @@ pub fn pca(rows: &[Vec<f64>], width: usize, count: usize) -> Subspace {
 }
 
 /// Eigenvalues of a symmetric matrix and its eigenvectors as columns: cyclic Jacobi rotations, enough for tens of rows.
-fn eigen(mut a: Vec<Vec<f64>>) -> (Vec<f64>, Vec<Vec<f64>>) {
+pub fn eigen(mut a: Vec<Vec<f64>>) -> (Vec<f64>, Vec<Vec<f64>>) {
     let n = a.len();
     let mut v: Vec<Vec<f64>> = (0..n).map(|i| (0..n).map(|j| f64::from(u8::from(i == j))).collect()).collect();
     for _ in 0..60 {

@@ -13,6 +13,10 @@ const DARTS: f64 = 9.0;
 #[derive(Clone, Debug)]
 pub struct Dot {
     pub site: Site,
+    /// Where on which sheet the site is.
+    pub sheet: usize,
+    pub triangle: usize,
+    pub barycentric: [f64; 3],
     pub radius: f64,
 }
 
@@ -57,7 +61,7 @@ pub fn scatter(sheets: &[Sheet], outfit: &Outfit, count: usize, seed: u64) -> Ve
     let (chosen, base) = choose(&places, count);
     let dot = |&i: &usize| {
         let ((s, t, b), dart) = darts[i];
-        Dot { site: sheets[s].site(t, b), radius: base / dart.density.sqrt() }
+        Dot { site: sheets[s].site(t, b), sheet: s, triangle: t, barycentric: b, radius: base / dart.density.sqrt() }
     };
     chosen.par_iter().map(dot).collect()
 }

@@ -22,7 +22,7 @@ enum What {
     Motion(MotionArgs),
 }
 
-fn count(low: usize, high: usize) -> RangedU64ValueParser<usize> {
+pub(super) fn count(low: usize, high: usize) -> RangedU64ValueParser<usize> {
     RangedU64ValueParser::new().range(low as u64..=high as u64)
 }
 
@@ -96,6 +96,12 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     }
 }
 
+/// A progress bar of so many steps.
+pub(super) fn bar(steps: u64) -> anyhow::Result<ProgressBar> {
+    let style = ProgressStyle::with_template("{bar:30} {pos}/{len} {msg} {elapsed}").context("the bar's template is wrong")?;
+    Ok(ProgressBar::new(steps).with_style(style))
+}
+
 fn body(args: &BodyArgs) -> anyhow::Result<()> {
     let start = Instant::now();
     if args.parts > args.gaussians || args.nodes > args.gaussians || args.rows > args.gaussians {
@@ -110,8 +116,7 @@ fn body(args: &BodyArgs) -> anyhow::Result<()> {
         args.motion.iter().map(|path| Ok(Clip::read(path)?)).collect::<anyhow::Result<_>>()?
     };
     let sizes = Sizes { gaussians: args.gaussians, parts: args.parts, nodes: args.nodes, rows: args.rows, seed: args.seed };
-    let style = ProgressStyle::with_template("{bar:30} {pos}/{len} {msg} {elapsed}").context("the bar's template is wrong")?;
-    let bar = ProgressBar::new(bake::STEPS).with_style(style);
+    let bar = bar(bake::STEPS)?;
     let begun = std::cell::Cell::new(0);
     let step = |name: &'static str| {
         bar.set_position(begun.get());

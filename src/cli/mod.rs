@@ -1,12 +1,16 @@
 //! The command line: one binary, `effigy`, a subcommand a file.
 
+mod analyse;
 mod bake;
 mod bench;
 mod bench_sort;
 mod capture;
 mod compare;
+mod dataset;
 mod devices;
+mod evaluate;
 mod export_ply;
+mod fit;
 mod inspect;
 mod options;
 mod pack;
@@ -62,6 +66,16 @@ enum Command {
     Pack(pack::Args),
     /// Make an avatar from the MakeHuman body, or a clip from motion capture
     Bake(bake::Args),
+    /// Work out what every Gaussian of the baked body should look like in the frames of some clips
+    Dataset(dataset::Args),
+    /// Learn an avatar's correctives from a dataset
+    Fit(fit::FitArgs),
+    /// Keep the correctives that vary most, and fine-tune them
+    Prune(fit::PruneArgs),
+    /// Draw a learned avatar and its dataset, and say how alike they are
+    Evaluate(evaluate::Args),
+    /// Make the paper's tables and curves of a dataset
+    Analyse(analyse::Args),
 }
 
 /// Runs the program and says how it ended.
@@ -86,6 +100,11 @@ pub fn main() -> ExitCode {
         Some(Command::ExportPly(args)) => export_ply::run(args),
         Some(Command::Pack(args)) => pack::run(args),
         Some(Command::Bake(args)) => bake::run(args),
+        Some(Command::Dataset(args)) => dataset::run(args),
+        Some(Command::Fit(args)) => fit::run(args),
+        Some(Command::Prune(args)) => fit::run_prune(args),
+        Some(Command::Evaluate(args)) => evaluate::run(args),
+        Some(Command::Analyse(args)) => analyse::run(args),
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,

@@ -37,6 +37,18 @@ pub enum Project {
 }
 
 impl Source {
+    /// The same for another avatar: a .ply has no use for clips, and nothing else for an axis.
+    #[cfg(feature = "window")]
+    pub fn of(&self, path: &Path) -> Self {
+        let mut source = Self { avatar: Some(path.to_owned()), ..self.clone() };
+        if import::is_ply(path) {
+            source.motion.clear()
+        } else {
+            source.up = None
+        }
+        source
+    }
+
     /// Reads the avatar and its clips, of which there is at least one: an avatar that nothing moves has one of a single pose. Clips that
     /// are given and move nothing of the avatar are an error.
     pub fn load(&self) -> anyhow::Result<(Avatar, Vec<Clip>)> {

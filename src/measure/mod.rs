@@ -8,6 +8,7 @@ pub mod error;
 pub mod flip;
 pub mod governor;
 pub mod packing;
+pub mod similarity;
 pub mod soak;
 pub mod stress;
 pub mod thermals;

@@ -40,7 +40,7 @@ pub fn colors(avatar: &Avatar, posed: &Posed, camera: &Camera) -> Option<Vec<DVe
     let harmonics = avatar.harmonics.as_ref()?;
     let eye = camera.eye();
     let color = |k: usize| {
-        let g = skinning(posed, avatar.gaussians.joint[k], avatar.gaussians.joint_weight[k]);
+        let g = skinning(&posed.joints, avatar.gaussians.joint[k], avatar.gaussians.joint_weight[k]);
         let seen = g.transform_point3(avatar.position(k)) - eye;
         sum(harmonics, k, DVec3::from(avatar.gaussians.color[k].map(f64::from)), (g.matrix3.transpose() * seen).normalize_or_zero())
     };

@@ -92,7 +92,7 @@ pub fn weighted(
             let s = log_scale.min(DVec3::splat(frame::LOG_SCALE_MAX)).exp();
             let c = plus(neutral.color[k].map(f64::from), corrective(&avatar.color_rows, k, e)).map(|c| c.clamp(0.0, 1.0));
             // Steps 6 and 7.
-            let g = skinning(posed, neutral.joint[k], neutral.joint_weight[k]);
+            let g = skinning(&posed.joints, neutral.joint[k], neutral.joint_weight[k]);
             Gaussian {
                 mean: g.transform_point3(x),
                 axes: g.matrix3 * DMat3::from_quat(q) * DMat3::from_diagonal(s),
@@ -112,7 +112,7 @@ pub(super) fn corrective<const C: usize>(rows: &Rows<C>, gaussian: usize, e: &[f
 }
 
 /// normalize(q₀ + δr), both as w x y z; q₀'s direction where nearly nothing is left of the sum.
-fn rotation(neutral: [f64; 4], corrective: [f64; 4]) -> DQuat {
+pub(crate) fn rotation(neutral: [f64; 4], corrective: [f64; 4]) -> DQuat {
     let quaternion = |[w, x, y, z]: [f64; 4]| DQuat::from_xyzw(x, y, z, w);
     let (q, q0) = (quaternion(plus(neutral, corrective)), quaternion(neutral));
     if q.length() >= frame::ROTATION_MIN * q0.length() { q.normalize() } else { q0.normalize() }
@@ -123,11 +123,11 @@ pub(super) fn plus<const C: usize>(a: [f64; C], b: [f64; C]) -> [f64; C] {
 }
 
 /// G = Σ w_j G_j over a Gaussian's four joints: linear blend skinning, not orthogonalised.
-pub(super) fn skinning(posed: &Posed, joint: [u8; 4], weight: [u8; 4]) -> DAffine3 {
+pub(crate) fn skinning(joints: &[DAffine3], joint: [u8; 4], weight: [u8; 4]) -> DAffine3 {
     let mut g = DAffine3::from_mat3_translation(DMat3::ZERO, DVec3::ZERO);
     for (j, w) in joint.into_iter().zip(weight.map(|w| f64::from(w) / 255.0)) {
-        g.matrix3 += w * posed.joints[usize::from(j)].matrix3;
-        g.translation += w * posed.joints[usize::from(j)].translation;
+        g.matrix3 += w * joints[usize::from(j)].matrix3;
+        g.translation += w * joints[usize::from(j)].translation;
     }
     g
 }

@@ -11,7 +11,7 @@ use std::collections::HashMap;
 compile_error!("the files are little-endian, and so must the host be");
 
 /// The longest header that is parsed, bytes. The largest avatar's is a tenth of it; parsing takes a multiple of it in memory.
-const HEADER_MAX: usize = 256 << 10;
+pub const HEADER_MAX: usize = 256 << 10;
 
 /// An opened container: its header, and the bytes of all tensors.
 pub struct Container<'a> {

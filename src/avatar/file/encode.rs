@@ -1,9 +1,9 @@
 //! The way to a file: a model and a document that says how its numbers are stored go in, bytes come out.
 
-use super::Fault;
 use super::container::{decode, kind, width};
 use super::deflate::{self, EXPANSION, EXPANSION_FREE};
 use super::format::{Document, METADATA_KEY, Order};
+use super::{Fault, order};
 use safetensors::{Dtype, tensor::TensorView};
 use std::{
     borrow::Cow,
@@ -78,5 +78,5 @@ fn write<D: Document>(document: &D, stored: &[Stored]) -> Result<Vec<u8>, Fault>
     }
     let text = serde_json::to_string(document).expect("strings and numbers always have a JSON form");
     let metadata = HashMap::from([(METADATA_KEY.to_owned(), text)]);
-    safetensors::serialize(views, Some(metadata)).map_err(|error| Fault::container(error, "tensors that fit a file"))
+    order::serialize(views, metadata)
 }

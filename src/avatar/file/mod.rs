@@ -9,6 +9,8 @@ mod deflate;
 mod encode;
 pub mod format;
 mod header;
+mod order;
+pub use order::Neutral;
 
 use super::{Avatar, Clip};
 use format::{AvatarHeader, ClipHeader, Document, Order};
@@ -134,11 +136,15 @@ pub(super) fn read_with<T>(path: &Path, decode: impl FnOnce(&[u8]) -> Result<T, 
 }
 
 fn write(bytes: Result<Vec<u8>, Fault>, path: &Path) -> Result<(), FileError> {
-    replace(path, &bytes.map_err(|fault| FileError::Content { file: path.into(), fault })?)
+    let bytes = bytes.map_err(|fault| FileError::Content { file: path.into(), fault })?;
+    replace(path, &bytes)
 }
 
 /// Writes beside the target and renames, so that the target is either the old file or the whole new one.
-fn replace(path: &Path, bytes: &[u8]) -> Result<(), FileError> {
+///
+/// # Errors
+/// When the file cannot be written: the disk is full, say. What was at `path` stays as it was.
+pub fn replace(path: &Path, bytes: &[u8]) -> Result<(), FileError> {
     let mut name = std::ffi::OsString::from(".");
     name.push(path.file_name().unwrap_or_default());
     name.push(format!(".{}.part", std::process::id()));
@@ -172,6 +178,24 @@ impl Avatar {
     /// When the bytes are not an avatar or break a rule.
     pub fn from_bytes(bytes: &[u8]) -> Result<Self, Fault> {
         container::decode::<AvatarHeader>(bytes)
+    }
+
+    /// How many bytes of an avatar's file [`Avatar::neutral`] needs, as far as its first ones tell: those of the header, once that is there
+    /// those of what is drawn.
+    ///
+    /// # Errors
+    /// When the bytes are not the beginning of a file.
+    pub fn neutral_needs(bytes: &[u8]) -> Result<usize, Fault> {
+        order::needs(bytes)
+    }
+
+    /// The avatar without its correctives, from the beginning of a file that is `length` bytes long: it moves with its joints alone. Its
+    /// arrays have the lengths of the whole avatar's.
+    ///
+    /// # Errors
+    /// When the bytes are not the beginning of an avatar's file, or break a rule.
+    pub fn neutral(bytes: &[u8], length: usize) -> Result<Neutral, Fault> {
+        order::neutral(bytes, length)
     }
 
     /// Writes an avatar file; on failure what was at `path` stays as it was.

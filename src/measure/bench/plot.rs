@@ -13,7 +13,7 @@ use std::io::Cursor;
 /// Width and height, px.
 const SIZE: (u32, u32) = (1400, 900);
 /// What the letters are called; viewers of the SVG have some under that name.
-pub(in crate::measure) const FONT: &str = "sans-serif";
+pub(crate) const FONT: &str = "sans-serif";
 const INK: RGBColor = RGBColor(40, 44, 52);
 const FAINT: RGBColor = RGBColor(226, 229, 233);
 const FRONT: RGBColor = RGBColor(208, 52, 44);
@@ -58,7 +58,7 @@ pub fn png(sweep: &SweepReport, title: &str) -> Result<Vec<u8>, Fault> {
 }
 
 /// The PNG of what is drawn into pixels of three bytes.
-pub(in crate::measure) fn png_of((width, height): (u32, u32), draw: impl FnOnce(&mut [u8]) -> Result<(), Fault>) -> Result<Vec<u8>, Fault> {
+pub(crate) fn png_of((width, height): (u32, u32), draw: impl FnOnce(&mut [u8]) -> Result<(), Fault>) -> Result<Vec<u8>, Fault> {
     let mut pixels = vec![0; (3 * width * height) as usize];
     draw(&mut pixels)?;
     let image = image::RgbImage::from_raw(width, height, pixels).ok_or_else(|| Fault::Drawing("its size is wrong".to_owned()))?;
@@ -68,11 +68,11 @@ pub(in crate::measure) fn png_of((width, height): (u32, u32), draw: impl FnOnce(
 }
 
 /// The letters of every chart.
-pub(in crate::measure) fn register() -> Result<(), Fault> {
+pub(crate) fn register() -> Result<(), Fault> {
     register_font(FONT, FontStyle::Normal, epaint_default_fonts::UBUNTU_LIGHT).map_err(|_| drawing("the letters can't be read"))
 }
 
-pub(in crate::measure) fn drawing(error: impl std::fmt::Display) -> Fault {
+pub(crate) fn drawing(error: impl std::fmt::Display) -> Fault {
     Fault::Drawing(error.to_string())
 }
 

@@ -1,0 +1,100 @@
+//! `effigy dataset`: clips go in; a folder with what every Gaussian of the baked body looks like in each of their frames comes out.
+
+use super::bake::{bar, count};
+use crate::avatar::{Clip, limits};
+use crate::bake::{self, Assets, Shape, Sizes};
+use crate::fit::dataset::{Writer, plan};
+use crate::fit::truth::Truth;
+use anyhow::ensure;
+use std::path::PathBuf;
+use std::time::Instant;
+
+#[derive(clap::Args)]
+pub struct Args {
+    /// Clips of the baked body, as `effigy bake motion` makes them
+    #[arg(required = true)]
+    motion: Vec<PathBuf>,
+    /// The folder to write; by custom its name ends in .dataset
+    #[arg(long, value_name = "DIR")]
+    out: PathBuf,
+    /// Folder that tools/fetch_assets.sh filled
+    #[arg(long, value_name = "DIR", default_value = Assets::DEFAULT)]
+    assets: PathBuf,
+    #[arg(long, value_enum, default_value = "male")]
+    shape: Shape,
+    #[arg(long, default_value = "200000", value_parser = count(1000, limits::GAUSSIANS))]
+    gaussians: usize,
+    /// Body parts, each with a network of its own
+    #[arg(long, default_value = "256", value_parser = count(1, limits::PARTS))]
+    parts: usize,
+    /// Points that carry the position correctives
+    #[arg(long, default_value = "10000", value_parser = count(3, limits::NODES))]
+    nodes: usize,
+    /// Frames, evenly spaced over the clips
+    #[arg(long, default_value = "300", value_parser = count(2, 100_000))]
+    frames: usize,
+    /// Seconds of a block; of each clip every fifth block is held out
+    #[arg(long, value_name = "SECONDS", default_value = "1")]
+    block: f64,
+    /// Directions around each vertex that are asked for light
+    #[arg(long, default_value = "192", value_parser = count(16, 10_000))]
+    rays: usize,
+    #[arg(long, default_value = "1")]
+    seed: u64,
+}
+
+pub fn run(args: Args) -> anyhow::Result<()> {
+    let start = Instant::now();
+    ensure!(
+        args.parts <= args.gaussians && args.nodes <= args.gaussians,
+        "--parts and --nodes can't be above --gaussians, {}",
+        args.gaussians
+    );
+    let clips = args.motion.iter().map(|path| named(path)).collect::<anyhow::Result<Vec<_>>>()?;
+    let assets = Assets::new(&args.assets);
+    let sizes = Sizes { gaussians: args.gaussians, parts: args.parts, nodes: args.nodes, rows: 0, seed: args.seed };
+    let dressed = bake::dressed(&assets, args.shape, &clips, &sizes, &|step| tracing::info!("{step}"))?;
+    let truth = Truth::new(&dressed, args.rays);
+    let shots = plan(&clips, args.frames, args.block);
+    let poses = poses(&clips, &shots, &dressed.avatar.skeleton);
+    let bar = bar(shots.len() as u64)?;
+    let writer = Writer::new(&args.out, &dressed.avatar, &poses, shots.iter().map(|(_, shot)| shot.clone()).collect())?;
+    for frame in 0..shots.len() {
+        writer.frame(frame, &truth.frame(&poses.frame(frame)))?;
+        bar.inc(1);
+    }
+    writer.finish()?;
+    bar.finish_and_clear();
+    let held = shots.iter().filter(|(_, shot)| shot.held).count();
+    println!(
+        "{}: {} frames of {} Gaussians, {held} of them held out; {:.0} s",
+        args.out.display(),
+        shots.len(),
+        dressed.avatar.gaussians.len(),
+        start.elapsed().as_secs_f64()
+    );
+    Ok(())
+}
+
+/// A clip under its file's name, by which frames say where they are from.
+fn named(path: &std::path::Path) -> anyhow::Result<Clip> {
+    let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+    Ok(Clip { name, ..Clip::read(path)? })
+}
+
+/// The frames' poses as a clip of the skeleton's joints.
+fn poses(clips: &[Clip], shots: &[(usize, crate::fit::dataset::Shot)], skeleton: &crate::avatar::Skeleton) -> Clip {
+    let mut all = Clip { name: "poses".into(), expression_len: 10, ..Clip::still(skeleton) };
+    all.credit = clips.first().map(|clip| clip.credit.clone()).unwrap_or_default();
+    all.rotation.clear();
+    all.translation.clear();
+    for (clip, shot) in shots {
+        let (clip, map) = (&clips[*clip], clips[*clip].map_to(skeleton));
+        let pose = clip.sample(shot.seconds);
+        let turn = |joint: &Option<usize>| joint.map_or([0.0; 3], |joint| pose.rotation[joint].as_vec3().to_array());
+        all.rotation.extend(map.iter().map(turn));
+        all.translation.push(pose.translation.as_vec3().to_array());
+        all.expression.extend((0..10).map(|e| pose.expression.get(e).copied().unwrap_or(0.0) as f32));
+    }
+    all
+}

@@ -1,0 +1,127 @@
+//! Which Gaussians keep their correctives: those whose correctives vary most over the training poses (the paper's section 3.2).
+
+use super::block::Kept;
+use super::learner::Learner;
+use super::solve::Ground;
+use crate::avatar::{Avatar, Rows};
+use rayon::prelude::*;
+
+/// How many keep them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Budget {
+    /// N_P of each of rotation, scale and colour.
+    Rows(usize),
+    /// As many of each as it takes to keep this share of its variance, 0 to 1.
+    Variance(f64),
+}
+
+/// Sums over poses that arrive one after another (Welford's): means and covariance of N numbers.
+struct Stream {
+    count: f64,
+    mean: Vec<f64>,
+    products: Vec<f64>,
+}
+
+impl Stream {
+    fn new(n: usize) -> Self {
+        Self { count: 0.0, mean: vec![0.0; n], products: vec![0.0; n * n] }
+    }
+
+    fn add(&mut self, x: &[f32]) {
+        self.count += 1.0;
+        let n = self.mean.len();
+        let before: Vec<f64> = x.iter().zip(&self.mean).map(|(&x, m)| f64::from(x) - m).collect();
+        self.mean.iter_mut().zip(&before).for_each(|(m, d)| *m += d / self.count);
+        for ((row, &x), mean) in self.products.chunks_exact_mut(n.max(1)).zip(x).zip(&self.mean) {
+            let after = f64::from(x) - mean;
+            row.iter_mut().zip(&before).for_each(|(sum, before)| *sum += after * before);
+        }
+    }
+
+    fn covariance(&self) -> Vec<f64> {
+        self.products.iter().map(|p| p / self.count.max(1.0)).collect()
+    }
+}
+
+/// The variance of each row's corrective, summed over its components. Features stream by, pose after pose; a row's variance is bᵀ Σ b of
+/// their covariance, so that no corrective of any pose is ever stored.
+pub fn variances<const C: usize>(rows: &Rows<C>, starts: &[u32], basis: usize, covariance: &[Vec<f64>]) -> Vec<f64> {
+    let row = |(at, &k): (usize, &u32)| {
+        let sigma = &covariance[starts.partition_point(|&start| start <= k) - 1];
+        let component = |c: usize| {
+            let b: Vec<f64> = rows.basis.row(at, C * basis).piece(c * basis, basis).iter().collect();
+            (0..basis * basis).map(|i| b[i / basis] * sigma[i] * b[i % basis]).sum::<f64>()
+        };
+        (0..C).map(component).sum()
+    };
+    rows.gaussian.par_iter().enumerate().map(row).collect()
+}
+
+/// The Gaussians that a budget keeps, rising; of equal ones the first.
+fn keep(gaussians: &[u32], variances: &[f64], budget: Budget) -> Vec<u32> {
+    let mut order: Vec<usize> = (0..variances.len()).collect();
+    order.sort_by(|&a, &b| variances[b].total_cmp(&variances[a]).then(a.cmp(&b)));
+    let count = match budget {
+        Budget::Rows(count) => count,
+        Budget::Variance(share) => {
+            let enough = share * variances.iter().sum::<f64>();
+            let sums = order.iter().scan(0.0, |sum, &k| Some(std::mem::replace(sum, *sum + variances[k])));
+            sums.take_while(|&before| before < enough).count()
+        }
+    };
+    order.truncate(count);
+    let mut kept: Vec<u32> = order.iter().map(|&k| gaussians[k]).collect();
+    kept.sort_unstable();
+    kept
+}
+
+/// What of an avatar's rows a budget keeps, by its networks' features over the training poses.
+pub fn select(ground: &Ground, learner: &Learner, avatar: &Avatar, budget: Budget) -> Kept {
+    let (n, width) = (ground.basis, 2 * ground.basis);
+    let covariance = |part: usize| {
+        let features = learner.features(part, &ground.seen);
+        let mut stream = Stream::new(n);
+        ground.training.iter().for_each(|&f| stream.add(&features[f * width..][..n]));
+        stream.covariance()
+    };
+    let covariance: Vec<Vec<f64>> = (0..avatar.parts.len()).into_par_iter().map(covariance).collect();
+    let starts = &avatar.parts.start;
+    Kept(Some([
+        keep(&avatar.rotation_rows.gaussian, &variances(&avatar.rotation_rows, starts, n, &covariance), budget),
+        keep(&avatar.scale_rows.gaussian, &variances(&avatar.scale_rows, starts, n, &covariance), budget),
+        keep(&avatar.color_rows.gaussian, &variances(&avatar.color_rows, starts, n, &covariance), budget),
+    ]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use half::f16;
+
+    #[test]
+    fn budgets_keep_the_rows_that_vary_most() {
+        let (gaussians, variances) = ([2, 5, 7, 11], [1.0, 6.0, 0.5, 2.5]);
+        assert_eq!(keep(&gaussians, &variances, Budget::Rows(2)), [5, 11]);
+        assert_eq!(keep(&gaussians, &variances, Budget::Rows(9)), gaussians);
+        assert_eq!(keep(&gaussians, &variances, Budget::Variance(0.85)), [5, 11]);
+        assert_eq!(keep(&gaussians, &variances, Budget::Variance(0.86)), [2, 5, 11]);
+        assert!(keep(&gaussians, &variances, Budget::Variance(0.0)).is_empty());
+    }
+
+    #[test]
+    fn a_rows_variance_is_that_of_its_correctives() {
+        let features = [[1.0, 0.0], [-1.0, 2.0], [3.0, 1.0f32]];
+        let mut stream = Stream::new(2);
+        features.iter().for_each(|e| stream.add(e));
+        let rows = Rows::<3> { gaussian: vec![4], basis: [1.0, -2.0, 0.0, 0.5, 0.0, 0.0].map(f16::from_f64).into_iter().collect() };
+        let correctives: Vec<[f64; 2]> = features.iter().map(|e| [f64::from(e[0] - 2.0 * e[1]), f64::from(0.5 * e[1])]).collect();
+        let expected: f64 = (0..2)
+            .map(|c| {
+                let mean = correctives.iter().map(|d| d[c]).sum::<f64>() / 3.0;
+                correctives.iter().map(|d| (d[c] - mean).powi(2)).sum::<f64>() / 3.0
+            })
+            .sum();
+        let got = variances(&rows, &[0, 3, 9], 2, &[vec![0.0; 4], stream.covariance()])[0];
+        assert!((got - expected).abs() < 1e-9, "{got}, expected {expected}");
+    }
+}
