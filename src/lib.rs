@@ -41,6 +41,6 @@ pub mod measure;
 pub mod reference;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod vulkan;
-#[cfg(target_arch = "wasm32")]
+#[cfg(any(target_arch = "wasm32", test))]
 pub mod web;
 pub mod webgpu;

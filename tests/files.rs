@@ -8,6 +8,8 @@ mod edit;
 mod hostile;
 #[path = "files/memory.rs"]
 mod memory;
+#[path = "files/packed.rs"]
+mod packed;
 #[path = "files/rules.rs"]
 mod rules;
 
@@ -101,7 +103,7 @@ fn extreme_but_finite_numbers_read_back_the_same() {
     avatar.gaussians.rotation[0] = [f16::ZERO, f16::from_bits(1), f16::ZERO, f16::NEG_ZERO];
     avatar.gaussians.bounds.min = [0.1, 1.0e-40, -9999.999];
     avatar.gaussians.bounds.max[0] = 0.1;
-    avatar.networks.layers[0].weight[1] = f16::MAX;
+    avatar.networks.layers[0].weight.halves_mut()[1] = f16::MAX;
     assert_eq!(Avatar::from_bytes(&avatar.to_bytes().unwrap()).unwrap(), avatar);
 }
 

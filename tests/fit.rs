@@ -30,8 +30,8 @@ fn frame(avatar: &Avatar, posed: &Posed) -> Frame {
     let part = |k: usize| avatar.parts.start.partition_point(|&start| start as usize <= k) - 1;
     fn changed<const C: usize>(avatar: &Avatar, rows: &Rows<C>, neutral: [f16; C], k: usize, e: &[f64]) -> [f64; C] {
         let n = avatar.basis_len();
-        let row = rows.gaussian.binary_search(&(k as u32)).expect("all have a row");
-        let along = |c: usize| rows.basis[(row * C + c) * n..][..n].iter().zip(e).map(|(b, e)| b.to_f64() * e).sum::<f64>();
+        let row = rows.basis.row(rows.gaussian.binary_search(&(k as u32)).expect("all have a row"), C * n);
+        let along = |c: usize| row.piece(c * n, n).dot(e);
         std::array::from_fn(|c| neutral[c].to_f64() + along(c))
     }
     let half = |v: [f64; 3]| v.map(f16::from_f64);
@@ -130,7 +130,7 @@ fn the_constraint_makes_correctives_smaller() {
     let size = |constraint: f32| {
         let avatar =
             fit(&dataset, &Options { epochs: 40, budget: None, constraint, ..Options::default() }, &quiet).expect("the fit runs").avatar;
-        avatar.color_rows.basis.iter().map(|b| b.to_f64().abs()).sum::<f64>()
+        avatar.color_rows.basis.halves().iter().map(|b| b.to_f64().abs()).sum::<f64>()
     };
     let (free, held) = (size(0.0), size(40.0));
     assert!(held < 0.8 * free, "{held} with the constraint, {free} without");

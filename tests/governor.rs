@@ -2,8 +2,8 @@
 
 use effigy::measure::{
     governor::{Governor, Quality, Sample},
-    soak::cadence::Cadence,
-    thermals::{Model, Phone},
+    soak::{Session, Settings, cadence::Cadence, report::Second},
+    thermals::{Model, Phone, Simulated},
 };
 use proptest::prelude::*;
 use std::time::Duration;
@@ -226,4 +226,31 @@ proptest! {
         drive(&mut governor, 1200, 60.0, None, 0, None);
         prop_assert_eq!(governor.rung(), 0);
     }
+}
+
+/// Seconds of a soak on the simulated phone, 33 times as fast as a real one, in virtual time; and how often its governor stepped.
+fn heated(governed: bool) -> (Vec<Second>, usize) {
+    const RATE: f64 = 30.0;
+    let mut phone = Simulated::new(Phone::default(), 33.0, RATE);
+    let mut session = Session::new(Settings { rate: RATE, governed, seconds: 60.0 });
+    let mut now = 0.0;
+    while !session.is_over() {
+        let took = phone.frame(now, 0.004 * (0.25 + 0.75 * session.quality().scale.powi(2)));
+        now += took.max(1.0 / RATE);
+        if session.frame(now, Some(1e3 * took)).full {
+            session.close(&phone.read(), (0, None));
+        }
+    }
+    (session.each().to_vec(), session.totals().changes)
+}
+
+#[test]
+fn simulated_heat_takes_the_clock_and_the_rate_and_a_governor_gives_both_back() {
+    let (alone, steps) = heated(false);
+    let dropped = |each: &[Second]| each[each.len() / 2..].iter().map(|second| second.dropped).sum::<u32>();
+    assert!(steps == 0 && dropped(&alone[..alone.len() / 4]) == 0, "{alone:?}");
+    assert!(alone.iter().any(|second| second.headroom > Some(1.0) && second.clock < Some(0.8)) && dropped(&alone) > 50, "{alone:?}");
+    let (governed, steps) = heated(true);
+    assert!(steps > 0 && governed.iter().any(|second| second.rung > 0 && second.clock < Some(1.0)), "{governed:?}");
+    assert!(dropped(&governed) < dropped(&alone) / 4, "{} of {}", dropped(&governed), dropped(&alone));
 }

@@ -24,7 +24,7 @@ fn with_harmonics(mut avatar: Avatar, seed: u64, degree: usize) -> Avatar {
 fn still(seed: u64, gaussians: usize, degree: usize) -> Avatar {
     let mut avatar = common::avatar(seed, Sizes { gaussians, parts: 1, nodes: 1, rows: 0, joints: 1, ..Sizes::default() });
     avatar.networks.layers.clear();
-    avatar.nodes.basis.clear();
+    avatar.nodes.basis.halves_mut().clear();
     avatar.parts = Parts { start: vec![0, gaussians as u32], head: 0 };
     avatar.inputs = effigy::avatar::Inputs { joint: vec![], expression: 0, pose_space: None, expression_space: None };
     if degree > 0 { with_harmonics(avatar, seed, degree) } else { avatar }

@@ -162,8 +162,8 @@ fn the_frame_block_is_the_same_on_both_sides() {
     });
     assert_eq!(
         seen.get(),
-        14,
-        "features and harmonics in two variants, two of splats, the surface's two, bins and the raster's five read the frame block"
+        15,
+        "features in three variants, harmonics in two, two of splats, the surface's two, bins and the raster's five read the frame block"
     );
 }
 
@@ -211,7 +211,7 @@ fn shaders_need_no_more_than_every_device_has() {
             _ => None,
         });
         let expected = match name.split('.').next() {
-            Some("features") => Some(layout::FEATURES_SIZE),
+            Some("features" | "features_bytes") => Some(layout::FEATURES_SIZE),
             Some("harmonics") => Some(layout::HARMONICS_SIZE),
             Some("surface") if name.starts_with("surface.comp") => Some(layout::SURFACE_WIDTH * layout::SURFACE_HEIGHT),
             Some("splats" | "splats_posed") => Some(layout::SPLATS_SIZE),

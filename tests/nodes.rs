@@ -3,7 +3,7 @@
 mod common;
 
 use common::{Sizes, gpu};
-use effigy::vulkan::GpuOptions;
+use effigy::{avatar::pack::Quality, vulkan::GpuOptions};
 
 fn compare(options: GpuOptions) {
     let Some(device) = gpu::open(options) else { return };
@@ -13,8 +13,11 @@ fn compare(options: GpuOptions) {
         Sizes { basis: 32, nodes: 129, ..Sizes::default() },
         Sizes { basis: 4, split_features: true, nodes: 64, parts: 1000, ..Sizes::default() },
     ];
-    for (seed, sizes) in (0..).zip(sizes) {
-        let frame = gpu::frame(&device, seed, sizes, gpu::options([64, 64]));
+    let cases = sizes.map(|sizes| (sizes, false)).into_iter().chain(sizes[1..3].iter().map(|&sizes| (sizes, true)));
+    for (seed, (sizes, packed)) in (0..).zip(cases) {
+        let avatar = common::avatar(seed, sizes);
+        let avatar = if packed { avatar.packed(Quality::Small) } else { avatar };
+        let frame = gpu::frame_of(&device, avatar, seed, gpu::options([64, 64]));
         let nodes: Vec<f64> = frame.gpu.nodes.iter().flat_map(|v| [v[0], v[1], v[2]]).map(f64::from).collect();
         let oracle: Vec<f64> = frame.oracle.nodes.iter().flat_map(|v| v.to_array()).collect();
         // A micrometre, and half a step of f16 for the largest.

@@ -104,12 +104,13 @@ fn a_static_avatar_needs_no_clip() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("scene.ply");
     std::fs::write(&path, Table::new(1, 20, 2).bytes(Encoding::Little)).unwrap();
-    let (avatar, clips) = Source { avatar: Some(path), motion: vec![], up: Some(Up::Y) }.load().unwrap();
+    let (avatar, clips) = Source { avatar: Some(path), motion: vec![], up: Some(Up::Y), project: Default::default() }.load().unwrap();
     assert!(avatar.is_static() && avatar.name == "scene");
     assert_eq!((clips.len(), clips[0].frames(), clips[0].duration()), (1, 1, 0.0));
     let posed = Posed::new(&avatar, &clips[0].sample(0.0));
     assert!(posed.joints[0].abs_diff_eq(DAffine3::IDENTITY, 1e-12));
-    let missing = Source { avatar: Some(folder.path().join("none.ply")), motion: vec![], up: None }.load().unwrap_err();
+    let missing =
+        Source { avatar: Some(folder.path().join("none.ply")), motion: vec![], up: None, project: Default::default() }.load().unwrap_err();
     assert!(missing.to_string().contains("cannot read"), "{missing}");
 }
 

@@ -28,7 +28,7 @@ fn the_order_is_the_references_but_for_depths_closer_than_a_key() {
     for key_bits in [KeyBits::Sixteen, KeyBits::ThirtyTwo] {
         // Without displacements of nodes, which the device rounds.
         let mut avatar = common::avatar(5, Sizes::default());
-        avatar.nodes.basis.fill(f16::ZERO);
+        avatar.nodes.basis.halves_mut().fill(f16::ZERO);
         avatar.nodes.offset.fill([f16::ZERO; 3]);
         let posed = Posed::new(&avatar, &common::pose(6, &avatar));
         let camera = gpu::camera(&avatar, &posed, [200, 200]);

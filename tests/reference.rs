@@ -46,17 +46,22 @@ fn avatar(dots: &[Dot]) -> Avatar {
         },
         parts: Parts { start: vec![0, dots.len() as u32], head: 0 },
         networks: Networks { activation: Activation::Relu, layers: vec![layer(1, 1, &[0.0], &[1.0])] },
-        rotation_rows: Rows { gaussian: vec![], basis: vec![] },
-        scale_rows: Rows { gaussian: vec![], basis: vec![] },
-        color_rows: Rows { gaussian: vec![], basis: vec![] },
-        nodes: Nodes { position: vec![bounds.encode(DVec3::ZERO)], part: vec![0], offset: vec![half([0.0; 3])], basis: halves(&[0.0; 3]) },
+        rotation_rows: Rows { gaussian: vec![], basis: Matrix::default() },
+        scale_rows: Rows { gaussian: vec![], basis: Matrix::default() },
+        color_rows: Rows { gaussian: vec![], basis: Matrix::default() },
+        nodes: Nodes {
+            position: vec![bounds.encode(DVec3::ZERO)],
+            part: vec![0],
+            offset: vec![half([0.0; 3])],
+            basis: halves(&[0.0; 3]).into(),
+        },
         inputs: Inputs { joint: vec![], expression: 1, pose_space: None, expression_space: None },
         harmonics: None,
     }
 }
 
 fn layer(input: usize, output: usize, weight: &[f64], bias: &[f64]) -> Layer {
-    Layer { input, output, weight: halves(weight), bias: halves(bias) }
+    Layer { input, output, weight: halves(weight).into(), bias: halves(bias) }
 }
 
 /// Two metres from the origin along +z, not turned: camera x, y and z are the world's. Pixel 32, 32 has the origin at its centre.
@@ -253,7 +258,7 @@ fn a_gaussian_follows_its_three_nodes_by_inverse_distance() {
         part: vec![0, 1, 0],
         offset: vec![half([0.25, 0.0, 0.0]), half([0.0; 3]), half([0.0, 0.0, 0.5])],
         // Nodes use the second half of the features, which is 2 in the second part.
-        basis: halves(&[0.0, 0.0, 0.0, 0.0, 0.25, 0.0, 0.0, 0.0, 0.0]),
+        basis: halves(&[0.0, 0.0, 0.0, 0.0, 0.25, 0.0, 0.0, 0.0, 0.0]).into(),
     };
     avatar.parts.start = vec![0, 2, 2];
     avatar.networks.layers = vec![layer(1, 2, &[0.0; 4], &[1.0, 5.0, 1.0, 2.0])];
@@ -270,9 +275,9 @@ fn kept_rows_correct_by_their_parts_features_and_colour_is_clamped_after() {
     // The middle one of three parts is empty.
     avatar.parts.start = vec![0, 1, 1, 3];
     avatar.networks.layers = vec![layer(1, 1, &[0.0; 3], &[2.0, 7.0, -2.0])];
-    avatar.rotation_rows = Rows { gaussian: vec![1], basis: halves(&[0.5, 0.0, 0.0, -4.0]) };
-    avatar.scale_rows = Rows { gaussian: vec![0, 2], basis: halves(&[0.5, 0.0, 0.0, 0.0, 0.0, -0.25]) };
-    avatar.color_rows = Rows { gaussian: vec![0, 1], basis: halves(&[0.5, 0.125, -0.25, 0.0, 0.0, -0.25]) };
+    avatar.rotation_rows = Rows { gaussian: vec![1], basis: halves(&[0.5, 0.0, 0.0, -4.0]).into() };
+    avatar.scale_rows = Rows { gaussian: vec![0, 2], basis: halves(&[0.5, 0.0, 0.0, 0.0, 0.0, -0.25]).into() };
+    avatar.color_rows = Rows { gaussian: vec![0, 1], basis: halves(&[0.5, 0.125, -0.25, 0.0, 0.0, -0.25]).into() };
     let [first, second, third] = gaussians(&avatar)[..] else { panic!("three Gaussians") };
     let s = (-2.5f64).exp();
     near(&first.axes.to_cols_array(), DMat3::from_diagonal(DVec3::new((-1.5f64).exp(), s, s)).as_ref(), 1e-12);

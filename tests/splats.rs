@@ -4,7 +4,7 @@ mod common;
 
 use common::{Sizes, gpu};
 use effigy::{
-    avatar::Avatar,
+    avatar::{Avatar, pack::Quality},
     frame::{Camera, Posed, Reasons, Skip, fixed_scale},
     layout::{POSITION_BITS, SORT_DROPPED},
     reference::{Culled, Gaussian, Splat},
@@ -178,6 +178,23 @@ fn compare(device: GpuOptions) {
     ];
     for (seed, sizes) in (0..).zip(sizes) {
         check(&gpu::frame(&device, seed, sizes, options(seed, [500, 300])));
+    }
+    gpu::assert_valid();
+}
+
+/// What a packed file holds is drawn as it is: the oracle's numbers are those of the file.
+#[test]
+fn packed_avatars_land_where_the_reference_puts_them() {
+    let Some(device) = gpu::gpu() else { return };
+    let sizes = [Sizes { rows: 1500, ..Sizes::default() }, Sizes { split_features: true, rows: 3000, basis: 8, ..Sizes::default() }];
+    for ((seed, sizes), quality) in (0..).zip(sizes).zip([Quality::High, Quality::Small]) {
+        let packed = common::avatar(seed, sizes).packed(quality);
+        let read = Avatar::from_bytes(&packed.to_packed_bytes().unwrap()).unwrap();
+        let held = read.compact();
+        assert!(held.gaussians == read.gaussians, "{quality:?}: the device rounds what the file has rounded");
+        assert!(held.rotation_rows == read.rotation_rows && held.scale_rows == read.scale_rows, "{quality:?}: another row");
+        assert!(held.color_rows == read.color_rows && held.nodes == read.nodes, "{quality:?}: another row");
+        check(&gpu::frame_of(&device, read, seed, options(seed, [500, 300])));
     }
     gpu::assert_valid();
 }

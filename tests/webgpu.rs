@@ -4,7 +4,7 @@ mod common;
 
 use common::{Sizes, gpu};
 use effigy::{
-    avatar::{Avatar, Harmonics},
+    avatar::{Avatar, Harmonics, file::Neutral, pack::Quality},
     demo,
     frame::{Body, Camera, Method, Posed, RendererOptions, Skip, Variant},
     layout::SORT_DROPPED,
@@ -80,12 +80,22 @@ fn pictures_are_those_of_the_vulkan_backend() {
 #[test]
 fn stages_are_those_of_the_vulkan_backend() {
     let (Some(device), Some(vulkan)) = (open(), gpu::gpu()) else { return };
+    for quality in [None, Some(Quality::Small)] {
+        stages_agree((&device, &vulkan), quality);
+    }
+    device.check().unwrap();
+    gpu::assert_valid();
+}
+
+/// `quality`: of a packed avatar.
+fn stages_agree((device, vulkan): (&Arc<Gpu>, &Arc<effigy::vulkan::Gpu>), quality: Option<Quality>) {
     let (avatar, posed) = body(11, 3000);
+    let avatar = quality.map_or_else(|| avatar.clone(), |quality| avatar.packed(quality));
     let options = RendererOptions { skip: Skip::empty(), ..gpu::options([300, 300]) };
     let camera = gpu::camera(&avatar, &posed, options.size);
-    let mut ours = Renderer::new(&device, &avatar, options).unwrap();
+    let mut ours = Renderer::new(device, &avatar, options).unwrap();
     ours.draw(&posed, &camera).unwrap();
-    let mut theirs = effigy::vulkan::Renderer::new(&vulkan, &avatar, options).unwrap();
+    let mut theirs = effigy::vulkan::Renderer::new(vulkan, &avatar, options).unwrap();
     theirs.draw(&posed, &camera, None).unwrap();
     let (ours, theirs) = (ours.stages().unwrap(), theirs.stages().unwrap());
     let close = |what: &str, a: &[f32], b: &[f32], tolerance: f64| {
@@ -211,6 +221,46 @@ fn colours_that_follow_the_camera_agree_with_the_reference() {
 }
 
 #[test]
+fn an_avatar_is_drawn_before_its_correctives_are_there() {
+    let Some(device) = open() else { return };
+    let (avatar, posed) = body(31, 2000);
+    let file = avatar.to_bytes().unwrap();
+    let needs = |bytes: &[u8]| match Avatar::neutral(bytes, file.len()) {
+        Ok(Neutral::Needs(bytes)) => bytes,
+        other => panic!("{other:?}"),
+    };
+    let header = needs(&file[..8]);
+    assert!(needs(&[]) == 8 && needs(&file[..header - 1]) == header);
+    let end = needs(&file[..header]);
+    assert!(end < file.len() / 2 && needs(&file[..end - 1]) == end, "{end} of {} bytes", file.len());
+    let Ok(Neutral::Avatar(neutral)) = Avatar::neutral(&file[..end], file.len()) else { panic!("{end} bytes are enough") };
+    assert!(Avatar::neutral(&file[..end], file.len() + 1).is_err_and(|fault| fault.to_string().contains("as the server says")));
+    for options in methods([160, 160]) {
+        let camera = gpu::camera(&avatar, &posed, options.size);
+        let mut renderer = Renderer::new(&device, &neutral, options).unwrap();
+        renderer.draw(&posed, &camera).unwrap();
+        let error = error::between(&renderer.picture().unwrap(), &reference::render(&neutral.compact(), &posed, &camera));
+        assert!(error.covered.psnr_db > 50.0, "{options:?}: {:?}", error.covered);
+        assert_eq!(renderer.fill(&avatar), Ok(true));
+        assert_eq!(renderer.draw(&posed, &camera), Ok(true), "the avatar is another");
+        let mut whole = Renderer::new(&device, &avatar, options).unwrap();
+        whole.draw(&posed, &camera).unwrap();
+        assert!(renderer.picture().unwrap() == whole.picture().unwrap(), "{options:?}");
+        assert_eq!(renderer.fill(&common::avatar(32, Sizes { gaussians: 1999, ..Sizes::default() })), Ok(false));
+    }
+}
+
+#[test]
+fn what_a_device_refuses_while_it_is_watched_is_the_watchs_error() {
+    let Some(device) = open() else { return };
+    let watch = device.watch();
+    let usage = wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::MAP_WRITE | wgpu::BufferUsages::STORAGE;
+    let _ = device.device.create_buffer(&wgpu::BufferDescriptor { label: None, size: 16, usage, mapped_at_creation: false });
+    assert!(matches!(pollster::block_on(watch.end()), Err(Error::Refused(_))));
+    assert_eq!((device.check(), pollster::block_on(device.watch().end())), (Ok(()), Ok(())));
+}
+
+#[test]
 fn a_lost_device_says_so_and_another_goes_on() {
     let Some(device) = open() else { return };
     let (avatar, posed) = body(3, 800);
@@ -219,7 +269,8 @@ fn a_lost_device_says_so_and_another_goes_on() {
     let mut renderer = Renderer::new(&device, &avatar, options).unwrap();
     renderer.draw(&posed, &camera).unwrap();
     let before = renderer.picture().unwrap();
-    device.device.destroy();
+    device.close();
+    assert!(!pollster::block_on(device.lost()).is_empty());
     let lost = renderer.draw(&posed, &Camera { focal: 1.01 * camera.focal, ..camera }).and_then(|_| renderer.finish());
     assert!(matches!(lost, Err(Error::DeviceLost(_))), "{lost:?}");
     let again = Gpu::open(None).unwrap();

@@ -123,8 +123,8 @@ fn a_screenshot_is_the_window_without_the_panel() {
 
 #[test]
 fn a_lost_surface_and_a_lost_device_are_made_anew() {
-    let arguments = ["--size", "320x240", "--rehearse", "surface@2", "--rehearse", "device@4", "--rehearse", "surface@6"];
-    let Some(mut session) = still(&arguments) else { return };
+    let losses = ["surface@2", "device@4", "surface@6", "device@40"].map(|loss| ["--rehearse", loss]).concat();
+    let Some(mut session) = still(&[&["--size", "320x240"], losses.as_slice()].concat()) else { return };
     session.key('n');
     session.key('p');
     for _ in 0..8 {
@@ -134,6 +134,14 @@ fn a_lost_surface_and_a_lost_device_are_made_anew() {
         session.wait_for_frames_after(drawn);
         session.wait_for_rest();
     }
+    // So long after the first one another loss is no longer the second in a row.
+    session.sleep(5.0);
+    while session.frames() < 45 {
+        let drawn = session.frames();
+        session.key('b');
+        session.wait_for_frames_after(drawn);
+    }
+    session.wait_for_rest();
     assert!(covered(&session.picture(), BACKGROUND) > 1000, "nothing is shown after the losses");
     session.quit();
 }
@@ -144,6 +152,23 @@ fn a_device_that_is_lost_twice_ends_the_program_with_a_clear_error() {
     let Some(session) = start(&arguments) else { return };
     let (success, text) = session.wait_for_end();
     assert!(!success && text.contains("error: the device was lost for the second time"), "{text}");
+}
+
+#[test]
+fn an_avatar_that_does_not_fit_leaves_the_one_that_is_shown() {
+    let Some(mut session) = still(&["--size", "320x240", "--also", "other.avatar", "--rehearse", "memory@1"]) else { return };
+    let before = session.picture();
+    session.key('a');
+    session.wait_for_text("can't be shown: out of device memory");
+    session.wait_for_rest();
+    assert!(session.picture() == before, "what was shown before is not what it was");
+    session.key('a');
+    let changed = (0..600).any(|_| {
+        session.sleep(0.1);
+        session.picture() != before
+    });
+    assert!(changed && covered(&session.picture(), BACKGROUND) > 1000, "the other avatar is not shown where there is room for it");
+    session.quit();
 }
 
 #[test]
@@ -168,12 +193,25 @@ fn a_soak_in_the_window_writes_its_files_and_ends() {
     let text = std::fs::read_to_string(session.wait_for_line("wrote ")).unwrap();
     let report = effigy::measure::soak::compare::read(&text).unwrap();
     assert!(report.governed && report.rate == 1.0 && report.frames > 2 && report.size == [200, 200] && report.lasted_seconds >= 4.8);
+    let still = report.still.expect("the window is what it was");
+    assert!(still.size == [200, 200] && still.error.psnr_db.is_none_or(|db| db > 50.0), "{still:?}");
     let trace = session.wait_for_file("trace.json");
     let (success, said) = session.wait_for_end();
     assert!(success, "{said}");
     let trace: serde_json::Value = serde_json::from_str(&trace).unwrap();
     let slices = trace["traceEvents"].as_array().unwrap().iter().filter(|event| event["ph"] == "X" && event["name"] == "present");
     assert!(slices.count() > 2 || trace["otherData"]["alignment"].as_str().unwrap().starts_with("none"));
+}
+
+#[test]
+fn a_soak_whose_window_is_closed_keeps_its_results() {
+    let Some(mut session) = start(&["--size", "200x200", "--soak", "60", "--fps", "1"]) else { return };
+    session.wait_for_text("soak: ");
+    session.key('q');
+    let text = session.wait_for_file("effigy-soak.json");
+    session.wait_for_text("soak: interrupted after");
+    let report = effigy::measure::soak::compare::read(&text).unwrap();
+    assert!(report.frames > 0 && report.lasted_seconds < report.planned_seconds && report.still.is_none(), "{report:?}");
 }
 
 #[test]

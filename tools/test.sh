@@ -10,7 +10,7 @@ need_rust
 need 'command -v timeout' coreutils
 drivers=("$@"); [ $# -gt 0 ] || drivers=(mesa25:128 mesa25:256 mesa25:512 mesa22 swiftshader)
 tools/drivers.sh
-on_device=' features nodes harmonics splats sort raster present soak trace frame skip scene devices stress commands window webgpu '
+on_device=' pack features nodes harmonics splats sort raster present soak trace frame skip scene devices stress commands window webgpu '
 limit=${EFFIGY_TEST_SECONDS:-300}
 
 echo "building the tests"

@@ -36,9 +36,11 @@ fi
 bind "$build/$target/web/effigy.wasm" "$out"
 cp src/web/page/* android/assets/demo.avatar android/assets/demo.motion "$out/"
 # The names and the contents of all that a page needs, so that what is kept for use offline is what belongs together.
-stamp=$(cd "$out" && cat effigy_core.js effigy_core_bg.wasm effigy.js page.js orbit.js bench.js index.html page.css demo.avatar demo.motion | sha256sum | cut -c1-12)
-sed -i "s/@STAMP@/$stamp/" "$out/sw.js"
-size=$(cat "$out/effigy_core_bg.wasm" "$out/effigy_core.js" "$out"/{effigy,page,orbit,bench,sw}.js | gzip -9 | wc -c)
+kept=(index.html page.css demo.avatar demo.motion effigy_core_bg.wasm)
+for script in "$out"/*.js; do [ "${script##*/}" = sw.js ] || kept+=("${script##*/}"); done
+stamp=$(cd "$out" && cat "${kept[@]}" | sha256sum | cut -c1-12)
+sed -i "s/@STAMP@/$stamp/; s/@FILES@/$(printf '"%s", ' "${kept[@]}" | sed 's/, $//')/" "$out/sw.js"
+size=$(cat "$out"/effigy_core_bg.wasm "$out"/*.js | gzip -9 | wc -c)
 echo "$out: wasm and JavaScript are $size bytes gzipped"
 [ "$size" -le 700000 ] || { echo "that is more than 700,000" >&2; exit 1; }
 [ -z "$serve" ] || exec python3 -m http.server --directory "$out" "${PORT:-8000}"

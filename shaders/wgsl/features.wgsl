@@ -1,15 +1,19 @@
 struct type_6 {
+    member: array<vec2<u32>>,
+}
+
+struct type_9 {
     member: array<u32>,
 }
 
-struct type_13 {
+struct type_15 {
     member: u32,
     member_1: u32,
     member_2: u32,
     member_3: u32,
 }
 
-struct type_17 {
+struct type_19 {
     member: vec2<f32>,
     member_1: vec2<f32>,
     member_2: vec2<f32>,
@@ -62,119 +66,115 @@ struct type_17 {
     member_49: array<vec4<f32>, 3>,
     member_50: array<vec4<u32>, 8>,
     member_51: array<vec4<u32>, 8>,
-    member_52: array<type_13, 8>,
+    member_52: array<type_15, 8>,
     member_53: array<vec4<f32>, 128>,
     member_54: array<vec4<f32>, 768>,
 }
 
-struct type_20 {
-    member: array<vec2<u32>>,
-}
-
 struct type_22 {
-    member: array<u32, LENGTH_3_4>,
-}
-
-struct type_24 {
-    member: array<u32, LENGTH_2_4>,
-}
-
-struct type_26 {
-    member: array<u32, LENGTH_4_4>,
-}
-
-struct type_28 {
     member: array<vec2<u32>, LENGTH_1_8>,
 }
 
-@group(0) @binding(3) 
-var<storage> global: type_22;
-@group(0) @binding(0) 
-var<uniform> global_1: type_17;
-var<workgroup> global_2: array<f32, 256>;
-@group(0) @binding(2) 
-var<storage> global_3: type_24;
-@group(0) @binding(4) 
-var<storage, read_write> global_4: type_26;
+struct type_24 {
+    member: array<u32, LENGTH_3_4>,
+}
+
+struct type_26 {
+    member: array<u32, LENGTH_2_4>,
+}
+
+struct type_28 {
+    member: array<u32, LENGTH_4_4>,
+}
+
 @group(0) @binding(1) 
-var<storage> global_5: type_28;
+var<storage> global: type_22;
+@group(0) @binding(3) 
+var<storage> global_1: type_24;
+@group(0) @binding(0) 
+var<uniform> global_2: type_19;
+var<workgroup> global_3: array<f32, 256>;
+@group(0) @binding(2) 
+var<storage> global_4: type_26;
+@group(0) @binding(4) 
+var<storage, read_write> global_5: type_28;
 
 @compute @workgroup_size(64, 1, 1) 
 fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) param_1: vec3<u32>) {
     var local: vec3<f32>;
     var local_1: vec4<f32>;
-    var phi_692_: u32;
-    var phi_693_: u32;
-    var phi_700_: u32;
-    var phi_704_: f32;
-    var phi_703_: u32;
-    var phi_712_: vec4<f32>;
+    var phi_756_: u32;
+    var phi_757_: u32;
+    var phi_764_: u32;
+    var phi_768_: f32;
+    var phi_767_: u32;
+    var phi_776_: vec4<f32>;
     var local_2: f32;
     var local_3: u32;
-    var phi_694_: u32;
-    var phi_695_: u32;
-    var phi_697_: u32;
+    var phi_758_: u32;
+    var phi_759_: u32;
+    var phi_761_: u32;
     var local_4: u32;
     var local_5: f32;
 
     switch bitcast<i32>(0u) {
         default: {
             let _e31 = bitcast<u32>(param_1[0u]);
-            let _e40 = global_1.member_50[(_e31 >> bitcast<u32>(7u))][((_e31 >> bitcast<u32>(5u)) & 3u)];
+            let _e40 = global_2.member_50[(_e31 >> bitcast<u32>(7u))][((_e31 >> bitcast<u32>(5u)) & 3u)];
             if (((_e40 >> bitcast<u32>((_e31 & 31u))) & 1u) != 0u) {
                 break;
             }
-            let _e47 = global_1.member_27;
+            let _e47 = global_2.member_27;
             let _e48 = (_e31 * _e47);
-            let _e50 = global_1.member_17;
+            let _e50 = global_2.member_17;
             let _e51 = (_e31 < _e50);
             if _e51 {
-                let _e56 = global_1.member_52[0i].member;
-                phi_692_ = _e56;
+                let _e56 = global_2.member_52[0i].member;
+                phi_756_ = _e56;
             } else {
-                let _e58 = global_1.member_35;
-                phi_692_ = _e58;
+                let _e58 = global_2.member_35;
+                phi_756_ = _e58;
             }
-            let _e60 = phi_692_;
-            phi_693_ = 0u;
+            let _e60 = phi_756_;
+            phi_757_ = 0u;
             loop {
-                let _e62 = phi_693_;
-                let _e64 = global_1.member_26;
+                let _e62 = phi_757_;
+                let _e64 = global_2.member_26;
                 local_3 = _e64;
                 if (_e62 < _e64) {
-                    let _e68 = global_1.member_52[_e62];
+                    let _e68 = global_2.member_52[_e62];
                     let _e74 = ((_e62 & 1u) * 128u);
                     let _e75 = (128u - _e74);
-                    phi_700_ = bitcast<u32>(param[0u]);
+                    phi_764_ = bitcast<u32>(param[0u]);
                     loop {
-                        let _e81 = phi_700_;
+                        let _e81 = phi_764_;
                         if (_e81 < _e68.member_1) {
-                            let _e89 = global_5.member[((_e48 + _e68.member_3) + (_e81 >> bitcast<u32>(2u)))];
+                            let _e89 = global.member[((_e48 + _e68.member_3) + (_e81 >> bitcast<u32>(2u)))];
                             let _e91 = unpack2x16float(_e89.x);
                             let _e93 = unpack2x16float(_e89.y);
                             local_1 = vec4<f32>(_e91.x, _e91.y, _e93.x, _e93.y);
                             let _e101 = local_1[(_e81 & 3u)];
                             let _e104 = (_e62 == 0u);
-                            phi_704_ = _e101;
-                            phi_703_ = 0u;
+                            phi_768_ = _e101;
+                            phi_767_ = 0u;
                             loop {
-                                let _e107 = phi_704_;
-                                let _e109 = phi_703_;
+                                let _e107 = phi_768_;
+                                let _e109 = phi_767_;
                                 local_2 = _e107;
                                 if (_e109 < select(_e68.member, _e60, _e104)) {
                                     if _e104 {
-                                        let _e114 = global_1.member_53[(select(64u, 0u, _e51) + _e109)];
-                                        phi_712_ = _e114;
+                                        let _e114 = global_2.member_53[(select(64u, 0u, _e51) + _e109)];
+                                        phi_776_ = _e114;
                                     } else {
                                         let _e116 = (_e74 + (4u * _e109));
-                                        let _e118 = global_2[_e116];
-                                        let _e121 = global_2[(_e116 + 1u)];
-                                        let _e124 = global_2[(_e116 + 2u)];
-                                        let _e127 = global_2[(_e116 + 3u)];
-                                        phi_712_ = vec4<f32>(_e118, _e121, _e124, _e127);
+                                        let _e118 = global_3[_e116];
+                                        let _e121 = global_3[(_e116 + 1u)];
+                                        let _e124 = global_3[(_e116 + 2u)];
+                                        let _e127 = global_3[(_e116 + 3u)];
+                                        phi_776_ = vec4<f32>(_e118, _e121, _e124, _e127);
                                     }
-                                    let _e130 = phi_712_;
-                                    let _e135 = global_5.member[(((_e48 + _e68.member_2) + _e81) + (_e109 * _e68.member_1))];
+                                    let _e130 = phi_776_;
+                                    let _e135 = global.member[(((_e48 + _e68.member_2) + _e81) + (_e109 * _e68.member_1))];
                                     let _e137 = unpack2x16float(_e135.x);
                                     let _e139 = unpack2x16float(_e135.y);
                                     local_5 = (_e107 + dot(vec4<f32>(_e137.x, _e137.y, _e139.x, _e139.y), _e130));
@@ -184,27 +184,27 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                                 }
                                 continuing {
                                     let _e283 = local_5;
-                                    phi_704_ = _e283;
-                                    phi_703_ = (_e109 + bitcast<u32>(1i));
+                                    phi_768_ = _e283;
+                                    phi_767_ = (_e109 + bitcast<u32>(1i));
                                 }
                             }
                             let _e150 = local_2;
                             let _e151 = clamp(_e150, -65504f, 65504f);
                             if ((_e62 + 1u) == _e64) {
-                                let _e153 = global_1.member_44;
-                                let _e155 = global_1.member_19;
-                                global_4.member[((4u * (_e153 + (_e31 * _e155))) + _e81)] = bitcast<u32>(_e151);
-                                global_2[(_e75 + _e81)] = _e151;
+                                let _e153 = global_2.member_44;
+                                let _e155 = global_2.member_19;
+                                global_5.member[((4u * (_e153 + (_e31 * _e155))) + _e81)] = bitcast<u32>(_e151);
+                                global_3[(_e75 + _e81)] = _e151;
                             } else {
-                                let _e167 = global_1.member_25;
-                                global_2[(_e75 + _e81)] = max(_e151, (_e167 * _e151));
+                                let _e167 = global_2.member_25;
+                                global_3[(_e75 + _e81)] = max(_e151, (_e167 * _e151));
                             }
                             continue;
                         } else {
                             break;
                         }
                         continuing {
-                            phi_700_ = (_e81 + 64u);
+                            phi_764_ = (_e81 + 64u);
                         }
                     }
                     workgroupBarrier();
@@ -213,43 +213,43 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                     break;
                 }
                 continuing {
-                    phi_693_ = (_e62 + bitcast<u32>(1i));
+                    phi_757_ = (_e62 + bitcast<u32>(1i));
                 }
             }
             let _e175 = local_3;
-            let _e179 = global_1.member_20;
-            let _e184 = global.member[_e31];
-            phi_694_ = (_e184 + bitcast<u32>(param[0u]));
+            let _e179 = global_2.member_20;
+            let _e184 = global_1.member[_e31];
+            phi_758_ = (_e184 + bitcast<u32>(param[0u]));
             loop {
-                let _e189 = phi_694_;
-                let _e193 = global.member[(_e31 + 1u)];
+                let _e189 = phi_758_;
+                let _e193 = global_1.member[(_e31 + 1u)];
                 if (_e189 < _e193) {
                     local = vec3<f32>(0f, 0f, 0f);
-                    phi_695_ = 0u;
+                    phi_759_ = 0u;
                     loop {
-                        let _e196 = phi_695_;
-                        let _e198 = global_1.member_18;
+                        let _e196 = phi_759_;
+                        let _e198 = global_2.member_18;
                         local_4 = _e198;
                         if (_e196 < _e198) {
                             let _e201 = ((((_e175 & 1u) * 128u) + (4u * _e179)) + (4u * _e196));
-                            let _e203 = global_2[_e201];
-                            let _e206 = global_2[(_e201 + 1u)];
-                            let _e209 = global_2[(_e201 + 2u)];
-                            let _e212 = global_2[(_e201 + 3u)];
-                            phi_697_ = 0u;
+                            let _e203 = global_3[_e201];
+                            let _e206 = global_3[(_e201 + 1u)];
+                            let _e209 = global_3[(_e201 + 2u)];
+                            let _e212 = global_3[(_e201 + 3u)];
+                            phi_761_ = 0u;
                             loop {
-                                let _e215 = phi_697_;
+                                let _e215 = phi_761_;
                                 if (_e215 < 3u) {
                                     continue;
                                 } else {
                                     break;
                                 }
                                 continuing {
-                                    let _e220 = global_1.member_15;
-                                    let _e225 = global_3.member[((((_e215 * _e198) + _e196) * _e220) + _e189)];
+                                    let _e220 = global_2.member_15;
+                                    let _e225 = global_4.member[((((_e215 * _e198) + _e196) * _e220) + _e189)];
                                     let _e229 = local[_e215];
                                     local[_e215] = (_e229 + dot(unpack4x8snorm(_e225), vec4<f32>(_e203, _e206, _e209, _e212)));
-                                    phi_697_ = (_e215 + bitcast<u32>(1i));
+                                    phi_761_ = (_e215 + bitcast<u32>(1i));
                                 }
                             }
                             continue;
@@ -257,31 +257,31 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                             break;
                         }
                         continuing {
-                            phi_695_ = (_e196 + bitcast<u32>(1i));
+                            phi_759_ = (_e196 + bitcast<u32>(1i));
                         }
                     }
                     let _e236 = local_4;
-                    let _e239 = global_1.member_15;
+                    let _e239 = global_2.member_15;
                     let _e241 = (2u * _e189);
                     let _e242 = (((3u * _e236) * _e239) + _e241);
-                    let _e246 = global_3.member[(_e242 + 1u)];
+                    let _e246 = global_4.member[(_e242 + 1u)];
                     let _e247 = unpack2x16float(_e246);
-                    let _e250 = global_3.member[_e242];
+                    let _e250 = global_4.member[_e242];
                     let _e251 = unpack2x16float(_e250);
                     let _e258 = local;
                     let _e261 = clamp((vec3<f32>(_e251.x, _e251.y, _e247.x) + (_e258 * (127f * _e247.y))), vec3<f32>(-65504f, -65504f, -65504f), vec3<f32>(65504f, 65504f, 65504f));
                     local = _e261;
-                    let _e263 = global_1.member_21;
+                    let _e263 = global_2.member_21;
                     let _e265 = ((4u * _e263) + _e241);
-                    global_4.member[_e265] = pack2x16float(_e261.xy);
+                    global_5.member[_e265] = pack2x16float(_e261.xy);
                     let _e272 = local[2u];
-                    global_4.member[(_e265 + 1u)] = pack2x16float(vec2<f32>(_e272, 0f));
+                    global_5.member[(_e265 + 1u)] = pack2x16float(vec2<f32>(_e272, 0f));
                     continue;
                 } else {
                     break;
                 }
                 continuing {
-                    phi_694_ = (_e189 + 64u);
+                    phi_758_ = (_e189 + 64u);
                 }
             }
             break;

@@ -22,6 +22,8 @@ pub enum Action {
     Choose(usize),
     /// An avatar of the shelf by its number.
     Avatar(usize),
+    /// The one after the one that is shown.
+    NextAvatar,
     Speed(f64),
     Repeat(Repeat),
     ResetView,
@@ -41,11 +43,12 @@ pub enum Action {
 }
 
 /// The keys and what they do, for the overlay and `effigy view --help`.
-pub const KEYS: [(&str, &str); 13] = [
+pub const KEYS: [(&str, &str); 14] = [
     ("Space", "play or pause"),
     ("Left Right", "a frame back or on"),
     ("Shift+Left", "a second back, or on with Right"),
     ("P N", "previous or next clip"),
+    ("A", "next avatar"),
     ("L", "repeat: off, clip, all"),
     ("R", "reset the view"),
     ("B", "next background"),
@@ -87,6 +90,7 @@ pub fn action(key: &Key, shift: bool, again: bool, repeat: Repeat) -> Option<Act
             _ => return None,
         },
         Key::Character(character) => match character.to_lowercase().as_str() {
+            "a" => Action::NextAvatar,
             "n" => Action::Next(1),
             "p" => Action::Next(-1),
             "l" => Action::Repeat(match repeat {

@@ -16,8 +16,9 @@ use winit::{
     window::{Fullscreen, Window},
 };
 
-/// How often in a row a lost surface may be made anew.
-const SURFACES: u32 = 5;
+/// How often a phone's display is asked for its rate, seconds: it changes that as it sees fit.
+#[cfg(target_os = "android")]
+const ASK: f64 = 1.0;
 
 impl Viewer {
     /// There is a window to draw in, for the first time or again. What was kept of the device while there was none is used again.
@@ -32,32 +33,51 @@ impl Viewer {
                 .with_fullscreen(self.options.full_screen.then_some(Fullscreen::Borderless(None)));
             self.window = Some(Arc::new(event_loop.create_window(attributes).context("the window could not be opened")?));
         }
-        let Some(window) = &self.window else { return Ok(()) };
+        let Some(window) = self.window.clone() else { return Ok(()) };
         self.window_size = window.inner_size().into();
         #[cfg(target_os = "android")]
         super::android::ask_rate(super::viewer::app(event_loop));
-        if let Some(painter) = &mut self.painter
-            && painter.resume(window)?
-        {
-            return Ok(());
+        self.see_display(event_loop);
+        match self.painter.as_mut().map(|painter| painter.resume(&window)).transpose() {
+            Ok(Some(true)) => Ok(()),
+            Ok(_) => {
+                self.painter = None;
+                self.equip().or_else(|error| self.heal(error))
+            }
+            Err(error) => self.heal(error),
         }
-        self.painter = None;
-        self.equip()
+    }
+
+    /// Asks how often the display shows something new: that is the rate to hold, where the user did not name one.
+    pub(super) fn see_display(&mut self, event_loop: &ActiveEventLoop) {
+        #[cfg(target_os = "android")]
+        let rate = super::android::rate(super::viewer::app(event_loop)).into_iter().chain(self.pacing.rate()).reduce(f64::min);
+        #[cfg(not(target_os = "android"))]
+        let rate = self.window.as_ref().and_then(|window| {
+            let monitor = window.current_monitor().or_else(|| event_loop.primary_monitor())?;
+            Some(f64::from(monitor.refresh_rate_millihertz()?) / 1e3)
+        });
+        self.display = (rate, self.clock());
+        if let (Some(pace), Some(rate)) = (&mut self.pace, rate) {
+            pace.display(rate);
+        }
     }
 
     /// Opens a device for the window, and all that the avatar needs on it.
-    fn equip(&mut self) -> anyhow::Result<()> {
-        let Some(window) = &self.window else { return Ok(()) };
+    pub(super) fn equip(&mut self) -> anyhow::Result<()> {
+        let Some(window) = self.window.clone() else { return Ok(()) };
+        let window = &window;
         // A new overlay brings all its textures to the new device.
         let visible = self.overlay.as_ref().is_none_or(|overlay| overlay.visible);
         self.overlay = Some(Overlay::new(window, visible));
+        let number = self.losses.open();
+        self.rehearse(&[Loss::Memory], number)?;
         let drawing = RendererOptions { size: self.window_size.map(|side| side.max(1)), ..self.options.drawing };
         let painter = Painter::new(window, self.scene.avatar(), &self.options.gpu, drawing)?;
         tracing::info!("showing `{}` with {}", self.scene.avatar().name, painter.gpu().probe.name);
         self.trace = self.options.trace.as_ref().map(|_| Trace::new(painter.gpu()));
         if self.pace.is_none() {
-            let display = window.current_monitor().and_then(|monitor| monitor.refresh_rate_millihertz());
-            self.pace = self.options.steady.as_ref().map(|steady| Pace::new(steady, display.map(|rate| f64::from(rate) / 1e3)));
+            self.pace = self.options.steady.as_ref().map(|steady| Pace::new(steady, self.display.0));
         }
         self.painter = Some(painter);
         self.capturable = RenderDoc::attached().is_some();
@@ -92,30 +112,16 @@ impl Viewer {
         if self.suspended {
             return Ok(());
         }
-        let mut wishes = Vec::new();
-        match self.draw(&mut wishes) {
-            Ok(()) => self.lost_surfaces = 0,
-            Err(Error::SurfaceLost(call)) if self.lost_surfaces < SURFACES => {
-                tracing::warn!("the window's surface was lost at {call}; making another");
-                self.lost_surfaces += 1;
-                self.dirty = true;
-                self.painter.as_mut().map_or(Ok(()), Painter::lose_surface)?;
-            }
-            Err(error @ Error::DeviceLost(_)) if !self.lost_device => {
-                tracing::warn!("{error}; opening it again");
-                self.lost_device = true;
-                self.painter = None;
-                self.equip().context("after the device was lost, it could not be opened again")?;
-            }
-            Err(error @ Error::DeviceLost(_)) => {
-                return Err(error).context("the device was lost for the second time; is its driver up to date?");
-            }
-            Err(error) => return Err(error.into()),
+        #[cfg(target_os = "android")]
+        if self.clock() - self.display.1 > ASK {
+            self.see_display(event_loop);
         }
+        let mut wishes = Vec::new();
+        self.draw(&mut wishes).or_else(|error| self.heal(error.into()))?;
         wishes.into_iter().for_each(|wish| self.act(wish, event_loop));
-        if let (Some(pace), Some(painter)) = (self.pace.as_ref().filter(|pace| pace.is_over()), &self.painter) {
+        if let Some(pace) = self.pace.as_mut().filter(|pace| pace.is_over()) {
             event_loop.exit();
-            return pace.conclude(&self.scene, painter);
+            return pace.conclude(&self.scene, self.painter.as_mut());
         }
         if self.options.frames.is_some_and(|frames| self.drawn >= frames) {
             event_loop.exit();
@@ -123,12 +129,55 @@ impl Viewer {
         Ok(())
     }
 
-    /// Fails as if something had been lost, where that is to be rehearsed now.
-    pub(super) fn rehearse(&mut self) -> Result<(), Error> {
-        let Some(at) = self.options.rehearse.iter().position(|&(_, frame)| frame == self.drawn) else { return Ok(()) };
+    /// Makes anew what was lost, and goes back to what was shown before where the device can't draw what is to be shown now. What neither heals
+    /// is handed back.
+    pub(super) fn heal(&mut self, mut error: anyhow::Error) -> anyhow::Result<()> {
+        loop {
+            let healed = match error.downcast_ref::<Error>() {
+                Some(Error::SurfaceLost(call)) if self.losses.surface() => {
+                    tracing::warn!("the window's surface was lost at {call}; making another");
+                    self.dirty = true;
+                    match &mut self.painter {
+                        Some(painter) => painter.lose_surface().map_err(Into::into),
+                        None => self.equip(),
+                    }
+                }
+                Some(Error::DeviceLost(_)) => {
+                    if !self.losses.device() {
+                        return Err(error.context("the device was lost for the second time in a row; is its driver up to date?"));
+                    }
+                    tracing::warn!("{error}; opening it again");
+                    self.painter = None;
+                    self.equip().context("after the device was lost, it could not be opened again")
+                }
+                _ => match self.before.take() {
+                    Some((scene, shown)) => {
+                        let said = format!("`{}` can't be shown: {error:#}", self.scene.avatar().name);
+                        tracing::warn!("{said}");
+                        self.painter = None;
+                        (self.scene, self.options.shelf.shown) = (scene, shown);
+                        self.scene.rest(self.clock());
+                        self.say(said);
+                        self.equip()
+                    }
+                    None => return Err(error),
+                },
+            };
+            match healed {
+                Ok(()) => return Ok(()),
+                Err(next) => error = next,
+            }
+        }
+    }
+
+    /// Fails as if something had been lost, where one of these losses is to be rehearsed at that number.
+    pub(super) fn rehearse(&mut self, losses: &[Loss], number: u32) -> Result<(), Error> {
+        let due = |&(loss, at): &(Loss, u32)| at == number && losses.contains(&loss);
+        let Some(at) = self.options.rehearse.iter().position(due) else { return Ok(()) };
         Err(match self.options.rehearse.remove(at).0 {
             Loss::Surface => Error::SurfaceLost("a rehearsal"),
             Loss::Device => Error::DeviceLost("a rehearsal"),
+            Loss::Memory => Error::OutOfMemory { memory: "device", call: "a rehearsal" },
         })
     }
 
@@ -136,22 +185,21 @@ impl Viewer {
     pub(super) fn hear(&mut self, message: Message) -> anyhow::Result<()> {
         match message {
             Message::Say(text) => self.say(text),
-            Message::Show(number, show) => {
-                self.options.shelf.shown = number;
-                return self.show(*show);
-            }
+            Message::Show(number, show) => return self.show(number, *show),
         }
         Ok(())
     }
 
     /// Shows another avatar.
-    fn show(&mut self, (avatar, clips): Show) -> anyhow::Result<()> {
-        let background = self.scene.background();
-        self.scene = Scene::new(avatar, clips, background, (self.size, self.clock()));
+    fn show(&mut self, number: usize, (avatar, clips): Show) -> anyhow::Result<()> {
+        let scene = Scene::new(avatar, clips, self.scene.background(), (self.size, self.clock()));
+        let before = (std::mem::replace(&mut self.scene, scene), std::mem::replace(&mut self.options.shelf.shown, number));
+        self.before.get_or_insert(before);
+        self.pace.iter_mut().for_each(Pace::forget_still);
         (self.shown, self.dirty) = (None, true);
         // Its memory is free before the next one takes more.
         match self.painter.take() {
-            Some(_) if !self.suspended => self.equip(),
+            Some(_) if !self.suspended => self.equip().or_else(|error| self.heal(error)),
             _ => Ok(()),
         }
     }
@@ -162,7 +210,10 @@ impl Viewer {
         self.options.shelf.fetch(number, move |read| {
             let message = match read {
                 Ok(show) => Message::Show(number, Box::new(show)),
-                Err(error) => Message::Say(format!("{error:#}")),
+                Err(error) => {
+                    tracing::warn!("{error:#}");
+                    Message::Say(format!("{error:#}"))
+                }
             };
             // The window may be closed already; then there is no one left to tell.
             let _ = proxy.send_event(message);
@@ -174,8 +225,19 @@ impl Viewer {
         self.act(if twice { Action::ResetView } else { Action::Overlay }, event_loop);
     }
 
+    /// A soak's results are written down while there is no window, for the system may end what no one sees without a word.
+    pub(super) fn keep_books(&mut self) {
+        if let Some(pace) = self.pace.as_mut().filter(|_| self.suspended) {
+            pace.keep(&self.scene);
+        }
+    }
+
     /// Waits for files that are being written, and writes and prints what was measured.
-    pub(super) fn finish(mut self) {
+    ///
+    /// # Errors
+    /// When a soak that was not over did not hold what it promised, or its files can't be written.
+    pub(super) fn finish(mut self) -> anyhow::Result<()> {
+        let concluded = self.pace.as_mut().map_or(Ok(()), |pace| pace.conclude(&self.scene, None));
         if let (Some(path), Some(trace), Some(painter)) = (&self.options.trace, &self.trace, &self.painter)
             && let Err(error) = trace.write(path, painter.gpu())
         {
@@ -187,5 +249,6 @@ impl Viewer {
             println!("{} frames: median {median:.2} ms, p95 {p95:.2} ms", self.drawn);
         }
         tracing::info!("drew {} frames in {:.1} s", self.drawn, self.start.elapsed().as_secs_f64());
+        concluded
     }
 }

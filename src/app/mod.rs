@@ -13,6 +13,7 @@ pub mod icons;
 #[cfg(any(target_os = "android", test))]
 mod letters;
 mod lifecycle;
+mod losses;
 pub mod orbit;
 pub mod overlay;
 pub mod pacing;
@@ -25,6 +26,7 @@ pub mod shelf;
 mod shots;
 pub mod steady;
 mod step;
+mod still;
 pub mod taps;
 pub mod times;
 pub mod viewer;
@@ -47,10 +49,13 @@ pub struct Options {
     pub background: [f32; 3],
     /// Draw without a rest, and quit after so many frames.
     pub frames: Option<u32>,
-    /// Losses to go through as if they had happened, each before the frame of that number: no driver loses anything on demand.
+    /// Losses to go through as if they had happened, each before the frame of that number, of memory when the device of that number is opened:
+    /// no driver loses anything on demand.
     pub rehearse: Vec<(Loss, u32)>,
     /// Avatars to choose from in the panel.
     pub shelf: Shelf,
+    /// The one of them to read and show once the viewer runs.
+    pub first: Option<usize>,
     /// Where screenshots go: the first that takes one.
     pub folders: Vec<PathBuf>,
     /// Something for the panel to say at first.
@@ -63,11 +68,13 @@ pub struct Options {
     pub trace: Option<PathBuf>,
 }
 
-/// What a driver can take away while a window is open.
+/// What a driver can take away or refuse while a window is open.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Loss {
     Surface,
     Device,
+    /// Not lost, but too little of it for an avatar.
+    Memory,
 }
 
 /// What another thread has to tell the viewer.

@@ -81,6 +81,11 @@ impl Pacing {
         self.told = Some(period).filter(|period| (PERIODS[0]..=PERIODS[1]).contains(period));
     }
 
+    /// Refreshes a second, where the display says so itself.
+    pub fn rate(&self) -> Option<f64> {
+        self.told.map(|period| 1.0 / period)
+    }
+
     /// Nothing was to be drawn for a while.
     pub fn rest(&mut self) {
         self.last = None;

@@ -3,7 +3,7 @@
 use super::{device, scene::Look};
 use crate::{
     avatar::Avatar,
-    frame::Posed,
+    frame::{Camera, Posed},
     measure::governor::Quality,
     vulkan::{
         Error, Gpu, GpuOptions, Renderer, RendererOptions, Result,
@@ -183,8 +183,8 @@ impl Painter {
     /// There is a window again. False where its pictures are of another format: then all has to be made anew.
     pub fn resume(&mut self, window: &Arc<Window>) -> anyhow::Result<bool> {
         let given = Target::new(window.display_handle()?, window.window_handle()?);
-        let (before, surface) = (self.present.format, Surface::new(&self.gpu, given)?);
         self.target = given;
+        let (before, surface) = (self.present.format, Surface::new(&self.gpu, given)?);
         let fits = surface.format() == before;
         self.surface = Some(surface);
         Ok(fits)
@@ -249,6 +249,13 @@ impl Painter {
         self.window.pre_present_notify();
         self.stale = !swapchain.present(image, self.show.take())?;
         overlay(drawn).map(|()| true)
+    }
+
+    /// A frame at the whole quality that is not shown: what it makes of a pose, as a camera sees it.
+    pub fn still(&mut self, posed: &Posed, camera: &Camera) -> Result<Copied> {
+        self.set_quality(&Quality::FULL)?;
+        self.renderer.draw(posed, camera, None)?;
+        self.renderer.copy()
     }
 
     /// Copies the picture of the last frame, without overlay and background. It takes no longer than a frame.

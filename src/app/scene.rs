@@ -88,6 +88,11 @@ impl Scene {
         self.players.get(self.moment.clip)
     }
 
+    /// The first of its clips.
+    pub fn first_player(&self) -> Option<&Player> {
+        self.players.first()
+    }
+
     /// Moves on to the clock's time, and says what that looks like in a picture of `size` px.
     pub fn advance(&mut self, clock: f64, size: [u32; 2]) -> Look {
         let moment = self.playback.advance(clock);
@@ -154,6 +159,7 @@ impl Scene {
                 self.background = BACKGROUNDS[next % BACKGROUNDS.len()];
             }
             Action::Avatar(_)
+            | Action::NextAvatar
             | Action::Share
             | Action::FullScreen
             | Action::LeaveFullScreenOrQuit

@@ -1,20 +1,20 @@
 //! Holds a frame rate in a window, and keeps the books of a soak where one was asked for: frames go in, the quality to draw at comes out.
 
-use super::{painter::Painter, scene::Scene};
+use super::{painter::Painter, scene::Scene, still::Still};
 use crate::{
     measure::{
         android::Hints,
-        bench::Setting,
+        bench::{self, Setting, report::Device},
         governor::Quality,
         soak::{
-            Session, Settings, Task, files,
+            Report, Session, Settings, Task, files,
             memory::resident,
-            run,
+            report, run,
             verdict::{self, Bounds},
         },
         thermals::Thermals,
     },
-    vulkan::watch::Seen,
+    vulkan::{RendererOptions, Result, watch::Seen},
 };
 use std::{
     path::{Path, PathBuf},
@@ -27,14 +27,14 @@ const USUAL: f64 = 60.0;
 /// How to hold a frame rate.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Steady {
-    /// The promised rate, frames a second. None: the display's.
+    /// The promised rate, frames a second. None: the display's, whatever that is at the time.
     pub rate: Option<f64>,
     /// Whether the governor may give up quality for it.
     pub governed: bool,
     pub soak: Option<Soak>,
 }
 
-/// A soak in the window: when it is over, its results are written and the viewer ends.
+/// A soak in the window: when it is over, its results are written and the viewer ends. Where the viewer ends before, what there is is written.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Soak {
     pub seconds: f64,
@@ -53,6 +53,14 @@ pub(super) struct Pace {
     held: u32,
     /// When the last frame was handed over, seconds.
     last: f64,
+    /// The promised rate is the display's.
+    follows: bool,
+    /// What it was drawn with last: the device is lost where a soak may end by that.
+    drawn: Option<(Device, RendererOptions, [u32; 2])>,
+    /// To compare with at the end: None where that makes no sense any more, outside None before the first frame.
+    still: Option<Option<Still>>,
+    /// Frames of which all is in the files.
+    written: u64,
 }
 
 impl Pace {
@@ -67,7 +75,39 @@ impl Pace {
             soak: options.soak.clone(),
             held: 0,
             last: f64::NEG_INFINITY,
+            follows: options.rate.is_none(),
+            drawn: None,
+            still: None,
+            written: 0,
         }
+    }
+
+    /// How often the display shows something new, a second, has been asked again.
+    pub fn display(&mut self, rate: f64) {
+        if self.follows && self.session.set_rate(rate) {
+            tracing::info!("the display shows {rate:.0} frames a second: that is promised from now on");
+            self.hint();
+        }
+    }
+
+    /// Tells the system how long a frame may take.
+    fn hint(&self) {
+        if let Some(hints) = &self.hints {
+            hints.set_frame(Duration::from_secs_f64(f64::from(self.quality().refreshes) / self.session.settings().rate));
+        }
+    }
+
+    /// A frame is about to be drawn. Before a soak's first one, draws what will be compared at its end.
+    pub fn prepare(&mut self, painter: &mut Painter, scene: &Scene) -> Result<()> {
+        if self.soaks() && self.still.is_none() {
+            self.still = Some(Still::take(painter, scene)?);
+        }
+        painter.set_quality(&self.quality())
+    }
+
+    /// Another avatar is shown from now on.
+    pub fn forget_still(&mut self) {
+        self.still = self.still.as_ref().map(|_| None);
     }
 
     pub fn quality(&self) -> Quality {
@@ -113,11 +153,10 @@ impl Pace {
         if event.changed {
             let (ladder, rung) = self.session.ladder();
             tracing::info!("the governor goes to step {rung}: {}", ladder[rung].name);
-            if let Some(hints) = &self.hints {
-                hints.set_frame(Duration::from_secs_f64(f64::from(self.quality().refreshes) / self.session.settings().rate));
-            }
+            self.hint();
         }
         if event.full {
+            self.drawn = Some((bench::backend::device(painter.gpu()), *painter.options(), painter.size()));
             let second = *self.session.close(&self.thermals.read(clock), (painter.gpu().memory().0, resident()));
             match self.soak {
                 Some(_) => {
@@ -134,32 +173,56 @@ impl Pace {
         self.soaks() && self.session.is_over()
     }
 
-    /// Writes what the soak has found, and says what is wrong with it.
+    /// Ends a soak: writes what it has found, and says what is wrong with it. `painter`: where the still frame can be drawn again.
     ///
     /// # Errors
     /// When a file can't be written, or the promise was not held.
-    pub fn conclude(&self, scene: &Scene, painter: &Painter) -> anyhow::Result<()> {
-        let (Some(soak), Some(player)) = (&self.soak, scene.player()) else { return Ok(()) };
-        let setting = Setting { options: *painter.options(), packed_words: false, rows: 1.0, hold: 1 };
+    pub fn conclude(&mut self, scene: &Scene, painter: Option<&mut Painter>) -> anyhow::Result<()> {
+        let again = |still: &Still| painter.map(|painter| still.again(painter));
+        let compared = self.still.as_ref().and_then(|still| again(still.as_ref()?)).transpose().unwrap_or_else(|error| {
+            tracing::warn!("the frame of the start can't be drawn again: {error}");
+            None
+        });
+        let Some(report) = self.write(scene, compared.flatten())? else { return Ok(()) };
+        anyhow::ensure!(report.faults.is_empty(), "{}", report.faults.join("; "));
+        tracing::info!("soak: {:.1} frames a second of {} promised, nothing wrong", report.fps, report.rate);
+        Ok(())
+    }
+
+    /// Writes what a soak has found so far, where that is more than what was written before: nothing says whether the system lets us go on.
+    pub fn keep(&mut self, scene: &Scene) {
+        if let Err(error) = self.write(scene, None) {
+            tracing::error!("the soak's results are lost: {error:#}");
+        }
+    }
+
+    /// None where there is nothing to write.
+    fn write(&mut self, scene: &Scene, still: Option<report::Still>) -> anyhow::Result<Option<Report>> {
+        let frames = self.session.totals().frames;
+        let (Some(soak), Some(player), Some((device, options, size))) = (&self.soak, scene.player(), &self.drawn) else { return Ok(None) };
+        if std::mem::replace(&mut self.written, frames) == frames {
+            return Ok(None);
+        }
         let task = Task {
             avatar: scene.avatar(),
             player,
-            setting,
+            setting: Setting { options: *options, packed_words: false, rows: 1.0, hold: 1 },
             settings: *self.session.settings(),
             bounds: soak.bounds,
             check: false,
             command: std::env::args().collect(),
         };
-        let mut report = run::report(painter.gpu(), &task, &self.session, false);
-        report.size = painter.size();
+        let mut report = run::report(device.clone(), &task, &self.session, false);
+        (report.size, report.still) = (*size, still);
         report.faults = verdict::faults(&report, &soak.bounds);
+        if !self.session.is_over() {
+            tracing::info!("soak: interrupted after {:.0} s of {:.0} s", report.lasted_seconds, report.planned_seconds);
+        }
         for path in files::write(&report, &soak.out)? {
             tracing::info!("soak: wrote {}", path.display());
             println!("wrote {}", path.display());
         }
-        anyhow::ensure!(report.faults.is_empty(), "{}", report.faults.join("; "));
-        tracing::info!("soak: {:.1} frames a second of {} promised, nothing wrong", report.fps, report.rate);
-        Ok(())
+        Ok(Some(report))
     }
 }
 
@@ -187,5 +250,10 @@ mod tests {
         assert_eq!(of(None, Some(144.0)), (144.0, None, false));
         assert_eq!(of(Some(30.0), Some(144.0)).0, 30.0);
         assert_eq!(of(None, None).0, USUAL);
+        for (rate, followed) in [(None, 60.0), (Some(30.0), 30.0)] {
+            let mut pace = Pace::new(&Steady { rate, governed: true, soak: None }, Some(120.0));
+            pace.display(60.0);
+            assert_eq!(pace.session.settings().rate, followed, "what the user asks for stays");
+        }
     }
 }

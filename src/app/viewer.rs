@@ -1,9 +1,10 @@
 //! The viewer's work: wishes and gestures change the scene; a frame draws it, where something has changed.
 
 use super::{
-    Message, Options,
+    Loss, Message, Options,
     action::Action,
     gesture::{Gesture, Pointers},
+    losses::Losses,
     overlay::Facts,
     pacing::Pacing,
     painter::Painter,
@@ -72,8 +73,11 @@ pub struct Viewer {
     pub(super) trace: Option<Trace>,
     /// RenderDoc was attached when the device was opened.
     pub(super) capturable: bool,
-    pub(super) lost_device: bool,
-    pub(super) lost_surfaces: u32,
+    pub(super) losses: Losses,
+    /// What was shown before, and its number on the shelf, until a frame of what is shown now has been drawn.
+    pub(super) before: Option<(Scene, usize)>,
+    /// How often the display shows something new, a second, where it says so; and when it was asked, seconds.
+    pub(super) display: (Option<f64>, f64),
 }
 
 impl Viewer {
@@ -108,8 +112,9 @@ impl Viewer {
             pacing: Pacing::default(),
             trace: None,
             capturable: false,
-            lost_device: false,
-            lost_surfaces: 0,
+            losses: Losses::default(),
+            before: None,
+            display: (None, f64::NEG_INFINITY),
             options,
         }
     }
@@ -158,6 +163,7 @@ impl Viewer {
             Action::LeaveFullScreenOrQuit if is_full => window.set_fullscreen(None),
             Action::LeaveFullScreenOrQuit | Action::Quit => quit(event_loop),
             Action::Avatar(number) => self.fetch(number),
+            Action::NextAvatar => self.fetch((self.options.shelf.shown + 1) % self.options.shelf.names.len().max(1)),
             #[cfg(target_os = "android")]
             Action::Share => super::android::share(app(event_loop), self.options.report.clone().unwrap_or_default()),
             Action::Screenshot => self.shoot = true,
@@ -185,7 +191,7 @@ impl Viewer {
     }
 
     pub(super) fn draw(&mut self, wishes: &mut Vec<Action>) -> Result<(), Error> {
-        self.rehearse()?;
+        self.rehearse(&[Loss::Surface, Loss::Device], self.drawn)?;
         let (clock, restless) = (self.clock(), self.is_restless());
         let moment = self.in_step(clock);
         let (Some(painter), Some(overlay), Some(window)) = (&mut self.painter, &mut self.overlay, &self.window) else { return Ok(()) };
@@ -203,7 +209,7 @@ impl Viewer {
         }
         let mut held = false;
         if let Some(pace) = &mut self.pace {
-            painter.set_quality(&pace.quality())?;
+            pace.prepare(painter, &self.scene)?;
             // A held pose is shown once more, for it is showing frames that keeps the display's time.
             held = pace.holds();
             if self.resting {
@@ -231,7 +237,8 @@ impl Viewer {
         if self.drawn == 0 {
             tracing::info!("the first frame, {clock:.2} s after the avatar was read");
         }
-        self.drawn += 1;
+        (self.drawn, self.before) = (self.drawn + 1, None);
+        self.losses.drawn(clock);
         let (seen, now) = (painter.seen(), self.start.elapsed().as_secs_f64());
         if self.pace.as_mut().is_some_and(|pace| pace.frame(now, painter, seen)) {
             painter.look();

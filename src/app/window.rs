@@ -41,11 +41,13 @@ impl Display {
 
     /// Shows an avatar until its window is closed.
     pub fn show(self, avatar: Avatar, clips: Vec<Clip>, options: Options) -> anyhow::Result<()> {
-        let viewer = Viewer::new((avatar, clips), options, self.0.create_proxy());
+        let first = options.first;
+        let mut viewer = Viewer::new((avatar, clips), options, self.0.create_proxy());
+        first.into_iter().for_each(|number| viewer.fetch(number));
         let mut handler = Handler { viewer, asked: Instant::now(), failed: None };
         self.0.run_app(&mut handler).context("the display's connection ended")?;
-        handler.viewer.finish();
-        handler.failed.map_or(Ok(()), Err)
+        let finished = handler.viewer.finish();
+        handler.failed.map_or(finished, Err)
     }
 }
 
@@ -182,6 +184,8 @@ impl ApplicationHandler<Message> for Handler {
                 self.viewer.resting |= hidden;
                 self.viewer.dirty |= !hidden;
             }
+            // Another display, or this one in another mode.
+            WindowEvent::ScaleFactorChanged { .. } => self.viewer.see_display(event_loop),
             WindowEvent::Focused(true) => self.viewer.hidden = false,
             WindowEvent::ModifiersChanged(modifiers) => self.viewer.modifiers = modifiers.state(),
             WindowEvent::Focused(false) => {
@@ -206,6 +210,7 @@ impl ApplicationHandler<Message> for Handler {
         if self.viewer.suspended && super::android::is_destroyed(super::viewer::app(event_loop)) {
             event_loop.exit();
         }
+        self.viewer.keep_books();
         event_loop.set_control_flow(match self.viewer.wake_at() {
             Some(wake) => ControlFlow::WaitUntil(wake.max(Instant::now())),
             None => ControlFlow::Wait,

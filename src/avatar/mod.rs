@@ -4,19 +4,25 @@
 //! start from the same bits, and what they differ by is arithmetic alone. Symbols are the paper's: N_g Gaussians, N_G parts, N_B
 //! basis functions a part, N_s position nodes, J joints.
 
+pub mod bounds;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod export;
 pub mod file;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod import;
+pub mod matrix;
 pub mod motion;
 pub mod occluder;
+#[cfg(not(target_arch = "wasm32"))]
+pub mod pack;
 pub mod pose;
 pub mod prune;
 pub mod skeleton;
 
+pub use bounds::Bounds;
 use glam::DVec3;
 use half::f16;
+pub use matrix::Matrix;
 pub use motion::Clip;
 pub use occluder::Occluder;
 pub use pose::{Pose, Subspace};
@@ -64,37 +70,6 @@ pub struct Avatar {
     pub inputs: Inputs,
     /// How colours change with the direction they are seen from; None where they don't, as in all baked avatars.
     pub harmonics: Option<Harmonics>,
-}
-
-/// An axis-aligned box whose edges 16-bit coordinates divide into 65,535 steps.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Bounds {
-    /// Lower corner, metres.
-    pub min: [f32; 3],
-    /// Upper corner, metres; no component is below `min`'s.
-    pub max: [f32; 3],
-}
-
-impl Bounds {
-    /// The point that three 16-bit coordinates stand for: `min + q / 65535 · (max − min)`.
-    pub fn decode(&self, q: [u16; 3]) -> DVec3 {
-        let (min, max) = (DVec3::from(self.min.map(f64::from)), DVec3::from(self.max.map(f64::from)));
-        min + DVec3::from(q.map(f64::from)) / 65535.0 * (max - min)
-    }
-
-    /// How far neighbouring coordinates are apart along each axis, metres.
-    pub fn step(&self) -> DVec3 {
-        (DVec3::from(self.max.map(f64::from)) - DVec3::from(self.min.map(f64::from))) / 65535.0
-    }
-
-    /// The nearest coordinates to a point; points outside go to the box's surface.
-    pub fn encode(&self, p: DVec3) -> [u16; 3] {
-        std::array::from_fn(|k| {
-            let (min, max) = (f64::from(self.min[k]), f64::from(self.max[k]));
-            let t = if max > min { (p[k] - min) / (max - min) } else { 0.0 };
-            (t * 65535.0).round().clamp(0.0, 65535.0) as u16
-        })
-    }
 }
 
 /// The neutral attributes, one entry a Gaussian, in the canonical pose. Ordered by part.
@@ -191,6 +166,11 @@ impl Networks {
     pub fn output(&self) -> usize {
         self.layers.last().map_or(0, |layer| layer.output)
     }
+
+    /// Whether all weights are bytes.
+    pub fn in_bytes(&self) -> bool {
+        !self.layers.is_empty() && self.layers.iter().all(|layer| layer.weight.is_bytes())
+    }
 }
 
 /// A linear layer of all N_G networks.
@@ -198,8 +178,8 @@ impl Networks {
 pub struct Layer {
     pub input: usize,
     pub output: usize,
-    /// Shape N_G, output, input.
-    pub weight: Vec<f16>,
+    /// Shape N_G, output, input; where it is bytes, a neuron has a step.
+    pub weight: Matrix,
     /// Shape N_G, output.
     pub bias: Vec<f16>,
 }
@@ -209,8 +189,8 @@ pub struct Layer {
 pub struct Rows<const C: usize> {
     /// The Gaussian of each row, strictly rising.
     pub gaussian: Vec<u32>,
-    /// Shape rows, C, N_B.
-    pub basis: Vec<f16>,
+    /// Shape rows, C, N_B; where it is bytes, a row has a step.
+    pub basis: Matrix,
 }
 
 /// Points that carry the position correctives; Gaussians interpolate the three nearest.
@@ -222,8 +202,8 @@ pub struct Nodes {
     pub part: Vec<u16>,
     /// Learned displacement that no pose changes, metres.
     pub offset: Vec<[f16; 3]>,
-    /// Shape N_s, 3, N_B; metres a unit of feature.
-    pub basis: Vec<f16>,
+    /// Shape N_s, 3, N_B; metres a unit of feature. Where it is bytes, a node has a step.
+    pub basis: Matrix,
 }
 
 impl Nodes {

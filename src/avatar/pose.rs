@@ -67,18 +67,47 @@ fn shortest(rotation: DVec3) -> DVec3 {
     if angle <= PI { rotation } else { rotation * ((angle - TAU * (angle / TAU).round()) / angle) }
 }
 
+fn within(mut input: Vec<f64>) -> Vec<f64> {
+    input.iter_mut().for_each(|x| *x = x.clamp(-INPUT_MAX, INPUT_MAX));
+    input
+}
+
 impl Inputs {
     /// θ_p ⊕ θ_e of a pose, each projected where the avatar has a subspace for it. Parts outside the head see θ_e as zeros.
     pub fn of(&self, pose: &Pose) -> Vec<f64> {
-        let rotation = |&j: &u8| shortest(pose.rotation.get(usize::from(j)).copied().unwrap_or_default()).to_array();
-        let theta: Vec<f64> = self.joint.iter().flat_map(rotation).collect();
-        let mut expression = pose.expression.clone();
-        expression.resize(self.expression, 0.0);
-        let project = |space: &Option<Subspace>, x: Vec<f64>| space.as_ref().map_or_else(|| x.clone(), |space| space.project(&x));
+        let raw = self.unprojected(pose);
+        let (theta, expression) = raw.split_at(3 * self.joint.len());
+        let project = |space: &Option<Subspace>, x: &[f64]| space.as_ref().map_or_else(|| x.to_vec(), |space| space.project(x));
         let mut input = project(&self.pose_space, theta);
         input.extend(project(&self.expression_space, expression));
-        input.iter_mut().for_each(|x| *x = x.clamp(-INPUT_MAX, INPUT_MAX));
-        input
+        within(input)
+    }
+
+    /// θ_p ⊕ θ_e of the poses that stand for those of the training: their mean, and one σ to both sides of it along each component; no
+    /// rotation anywhere where none are known.
+    pub fn typical(&self) -> Vec<Vec<f64>> {
+        let mut mean: Vec<f64> = self.pose_space.as_ref().map_or(vec![], |space| space.mean.iter().map(|&m| f64::from(m)).collect());
+        mean.resize(self.len(), 0.0);
+        let mut all = vec![mean.clone()];
+        for (component, &sigma) in
+            self.pose_space.iter().flat_map(|space| space.component.chunks_exact(space.mean.len().max(1)).zip(&space.sigma))
+        {
+            for side in [f64::from(sigma), -f64::from(sigma)] {
+                let mut x = mean.clone();
+                x.iter_mut().zip(component).for_each(|(x, &c)| *x += side * f64::from(c));
+                all.push(x);
+            }
+        }
+        all
+    }
+
+    /// θ_p ⊕ θ_e of a pose as it is.
+    pub fn unprojected(&self, pose: &Pose) -> Vec<f64> {
+        let rotation = |&j: &u8| shortest(pose.rotation.get(usize::from(j)).copied().unwrap_or_default()).to_array();
+        let mut input: Vec<f64> = self.joint.iter().flat_map(rotation).collect();
+        input.extend(&pose.expression[..self.expression.min(pose.expression.len())]);
+        input.resize(self.len(), 0.0);
+        within(input)
     }
 }
 

@@ -23,20 +23,19 @@ impl Avatar {
 impl<const C: usize> Rows<C> {
     fn largest(&self, share: f64, basis: usize) -> Self {
         let length = C * basis;
-        let row = |at: usize| &self.basis[at * length..][..length];
-        let squares: Vec<f64> = (0..self.gaussian.len()).map(|at| row(at).iter().map(|v| v.to_f64().powi(2)).sum()).collect();
+        let squares: Vec<f64> = self.basis.rows(length).map(|row| row.iter().map(|v| v.powi(2)).sum()).collect();
         let mut kept: Vec<usize> = (0..squares.len()).collect();
         kept.sort_by(|&a, &b| squares[b].total_cmp(&squares[a]));
         kept.truncate((share.clamp(0.0, 1.0) * squares.len() as f64).round() as usize);
         kept.sort_unstable();
-        Self { gaussian: kept.iter().map(|&at| self.gaussian[at]).collect(), basis: kept.iter().flat_map(|&at| row(at)).copied().collect() }
+        Self { gaussian: kept.iter().map(|&at| self.gaussian[at]).collect(), basis: self.basis.pick(&kept, length) }
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::demo;
+    use crate::{avatar::Matrix, demo};
     use half::f16;
 
     fn rows(norms: &[f32]) -> Rows<3> {
@@ -50,9 +49,9 @@ mod tests {
         assert_eq!(all.largest(1.0, 2), all);
         let half = all.largest(0.5, 2);
         assert_eq!(half.gaussian, [10, 30]);
-        assert_eq!(half.basis, [rows(&[2.0]).basis, rows(&[1.0]).basis].concat());
+        assert_eq!(half.basis, rows(&[2.0, 1.0]).basis);
         assert_eq!(rows(&[1.0, 1.0]).largest(0.5, 2).gaussian, [0]);
-        assert_eq!(all.largest(0.0, 2), Rows { gaussian: vec![], basis: vec![] });
+        assert_eq!(all.largest(0.0, 2), Rows { gaussian: vec![], basis: Matrix::default() });
     }
 
     #[test]

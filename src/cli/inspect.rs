@@ -4,7 +4,7 @@ mod avatar;
 mod motion;
 
 use crate::avatar::{
-    file::{Content, TensorInfo},
+    file::{Content, TensorInfo, format::Order, tensors},
     import,
 };
 use anyhow::Context;
@@ -23,13 +23,17 @@ pub struct Args {
 }
 
 pub fn run(args: Args) -> anyhow::Result<()> {
-    let content = match args.file {
-        Some(file) if import::is_ply(&file) => Content::Avatar(Box::new(import::open(&file, None)?)),
-        Some(file) => Content::read(&file)?,
+    let content = match &args.file {
+        Some(file) if import::is_ply(file) => Content::Avatar(Box::new(import::open(file, None)?)),
+        Some(file) => Content::read(file)?,
         None => Content::Avatar(Box::new(crate::demo::avatar()?)),
     };
+    let stored = match &args.file {
+        Some(file) if !import::is_ply(file) => Some(tensors(file)?),
+        _ => None,
+    };
     match content {
-        Content::Avatar(avatar) => print(&avatar::Summary::new(&avatar), args.json),
+        Content::Avatar(avatar) => print(&avatar::Summary::new(&avatar, stored.unwrap_or_else(|| avatar.tensors())), args.json),
         Content::Clip(clip) => print(&motion::Summary::new(&clip), args.json),
     }
 }
@@ -76,12 +80,19 @@ fn line(f: &mut fmt::Formatter, heading: &str, text: impl fmt::Display) -> fmt::
 
 /// The tensors of a file and their sum.
 fn table(f: &mut fmt::Formatter, tensors: &[TensorInfo]) -> fmt::Result {
-    writeln!(f, "\n{:<26} {:<5} {:<18} {:>12}", "tensor", "type", "shape", "bytes")?;
+    writeln!(f, "\n{:<26} {:<5} {:<18} {:>12} {:>12}", "tensor", "type", "shape", "bytes", "in the file")?;
     for tensor in tensors {
         let shape = tensor.shape.iter().map(usize::to_string).collect::<Vec<_>>().join(" × ");
-        writeln!(f, "{:<26} {:<5} {shape:<18} {:>12}  {}", tensor.name, tensor.dtype, thousands(tensor.bytes), tensor.what)?;
+        let [bytes, stored] = [tensor.bytes, tensor.stored].map(thousands);
+        let how = match tensor.deflated {
+            None => "",
+            Some(Order::Planes) => ", deflated",
+            Some(Order::Deltas) => ", differences deflated",
+        };
+        writeln!(f, "{:<26} {:<5} {shape:<18} {bytes:>12} {stored:>12}  {}{how}", tensor.name, tensor.dtype, tensor.what)?;
     }
-    writeln!(f, "{:<51} {:>12}", "sum", thousands(tensors.iter().map(|tensor| tensor.bytes).sum()))
+    let sum = |of: fn(&TensorInfo) -> usize| thousands(tensors.iter().map(of).sum());
+    writeln!(f, "{:<51} {:>12} {:>12}", "sum", sum(|tensor| tensor.bytes), sum(|tensor| tensor.stored))
 }
 
 #[cfg(test)]

@@ -13,6 +13,7 @@ mod export_ply;
 mod fit;
 mod inspect;
 mod options;
+mod pack;
 mod render;
 mod soak;
 pub mod source;
@@ -61,6 +62,8 @@ enum Command {
     Devices(devices::Args),
     /// Write an avatar in one pose as a 3DGS .ply, for other viewers
     ExportPly(export_ply::Args),
+    /// Make an avatar's file smaller, and say what each step saved and cost
+    Pack(pack::Args),
     /// Make an avatar from the MakeHuman body, or a clip from motion capture
     Bake(bake::Args),
     /// Work out what every Gaussian of the baked body should look like in the frames of some clips
@@ -95,6 +98,7 @@ pub fn main() -> ExitCode {
         Some(Command::Inspect(args)) => inspect::run(args),
         Some(Command::Devices(args)) => devices::run(args),
         Some(Command::ExportPly(args)) => export_ply::run(args),
+        Some(Command::Pack(args)) => pack::run(args),
         Some(Command::Bake(args)) => bake::run(args),
         Some(Command::Dataset(args)) => dataset::run(args),
         Some(Command::Fit(args)) => fit::run(args),

@@ -163,7 +163,10 @@ fn conclude(report: &Report) -> anyhow::Result<()> {
     );
     if let Some(growth) = &report.growth {
         let resident = growth.resident_bytes.map_or("unknown".into(), |bytes| format!("{:+.2} MiB", bytes as f64 / f64::from(1 << 20)));
-        println!("memory from second {:.0} on: process {resident}, device {:+} bytes", growth.from_seconds, growth.device_bytes);
+        let (judged, from, device) = (growth.judged_seconds, growth.from_seconds, growth.device_bytes);
+        println!(
+            "memory in {judged:.0} s from second {from:.0} on, new steps' first minutes left out: process {resident}, device {device:+} bytes"
+        );
     }
     if let Some(drift) = &report.drift {
         let db = |error: &crate::measure::bench::report::ErrorReport| error.psnr_db.map_or("no error".into(), |db| format!("{db:.2} dB"));

@@ -22,18 +22,45 @@ pub struct Source {
     /// The axis that points up in a .ply [default: what the file says, else -y, as 3DGS trains]
     #[arg(long, value_enum, value_name = "AXIS", allow_hyphen_values = true)]
     pub up: Option<Up>,
+    /// Whether networks see a pose as the nearest one that the avatar knows, within 2σ along each principal component of its training
+    /// poses; off: as it is
+    #[arg(long, value_enum, default_value_t = Project::On)]
+    pub project: Project,
+}
+
+/// [`Posed::of`](crate::frame::Posed::of)'s projection as the command line has it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
+pub enum Project {
+    #[default]
+    On,
+    Off,
 }
 
 impl Source {
+    /// The same for another avatar: a .ply has no use for clips, and nothing else for an axis.
+    #[cfg(feature = "window")]
+    pub fn of(&self, path: &Path) -> Self {
+        let mut source = Self { avatar: Some(path.to_owned()), ..self.clone() };
+        if import::is_ply(path) {
+            source.motion.clear()
+        } else {
+            source.up = None
+        }
+        source
+    }
+
     /// Reads the avatar and its clips, of which there is at least one: an avatar that nothing moves has one of a single pose. Clips that
     /// are given and move nothing of the avatar are an error.
     pub fn load(&self) -> anyhow::Result<(Avatar, Vec<Clip>)> {
         let turned = self.up.is_none() || self.avatar.as_deref().is_some_and(import::is_ply);
         ensure!(turned, "--up is for a .ply; what stands up in an avatar file is known: leave it out");
-        let avatar = match &self.avatar {
+        let mut avatar = match &self.avatar {
             Some(path) => import::open(path, self.up)?,
             None => demo::avatar()?,
         };
+        if self.project == Project::Off {
+            (avatar.inputs.pose_space, avatar.inputs.expression_space) = (None, None);
+        }
         let clips = if self.motion.is_empty() {
             vec![if avatar.is_static() { Clip::still(&avatar.skeleton) } else { demo::clip()? }]
         } else {

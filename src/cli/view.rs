@@ -15,6 +15,9 @@ use std::path::{Path, PathBuf};
 pub struct Args {
     #[command(flatten)]
     source: Source,
+    /// Another avatar, for the panel's list and the key A; repeat for several
+    #[arg(long, value_name = "FILE")]
+    also: Vec<PathBuf>,
     /// Width and height of the window, px
     #[arg(long, value_parser = options::size, default_value = "1280x800")]
     size: [u32; 2],
@@ -28,7 +31,7 @@ pub struct Args {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     frames: Option<u32>,
     #[cfg(feature = "window")]
-    #[arg(long, value_name = "surface@N or device@N", value_parser = loss, hide = true)]
+    #[arg(long, value_name = "surface@N, device@N or memory@N", value_parser = loss, hide = true)]
     rehearse: Vec<(crate::app::Loss, u32)>,
     /// Give up quality where it takes that to hold the display's rate, or that of --fps
     #[arg(long)]
@@ -46,15 +49,16 @@ pub struct Args {
     quality: Quality,
 }
 
-/// Reads `surface@N` or `device@N`: a loss before frame N.
+/// Reads `surface@N` or `device@N`, a loss before frame N, or `memory@N`, too little of it for what the Nth device is opened for.
 #[cfg(feature = "window")]
 fn loss(text: &str) -> Result<(crate::app::Loss, u32), String> {
     use crate::app::Loss;
     let parsed = text.split_once('@').and_then(|(what, frame)| {
-        let what = [("surface", Loss::Surface), ("device", Loss::Device)].into_iter().find(|known| known.0 == what)?.1;
+        let what =
+            [("surface", Loss::Surface), ("device", Loss::Device), ("memory", Loss::Memory)].into_iter().find(|known| known.0 == what)?.1;
         Some((what, frame.parse().ok()?))
     });
-    parsed.ok_or_else(|| format!("`{text}` is neither surface@N nor device@N"))
+    parsed.ok_or_else(|| format!("`{text}` is none of surface@N, device@N and memory@N"))
 }
 
 /// [`Args`] as a command of its own: the defaults are written down once.
@@ -74,6 +78,20 @@ pub fn run(args: Args) -> anyhow::Result<()> {
 
 #[cfg(feature = "window")]
 impl Args {
+    /// The avatar by this name, which is shown at first, and those to choose besides.
+    fn shelf(&self, name: &str) -> crate::app::shelf::Shelf {
+        if self.also.is_empty() {
+            return Default::default();
+        }
+        let stem = |path: &PathBuf| path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        let names = std::iter::once(name.to_owned()).chain(self.also.iter().map(stem)).collect();
+        let (source, also) = (self.source.clone(), self.also.clone());
+        crate::app::shelf::Shelf::new(names, 0, move |number| match number.checked_sub(1).and_then(|number| also.get(number)) {
+            Some(path) => source.of(path).load(),
+            None => source.load(),
+        })
+    }
+
     fn steady(&self) -> Option<crate::app::steady::Steady> {
         use crate::{
             app::steady::{Soak, Steady},
@@ -89,6 +107,7 @@ fn show(display: crate::app::Display, args: Args) -> anyhow::Result<()> {
     let steady = args.steady();
     anyhow::ensure!(args.fps.is_none() || steady.is_some(), "--fps is a rate to hold: give --governor or --soak with it");
     let (avatar, clips) = args.source.load()?;
+    let shelf = args.shelf(&avatar.name);
     let options = crate::app::Options {
         gpu: args.quality.gpu(),
         drawing: RendererOptions { count: args.soak.is_some(), ..args.quality.renderer(args.size) },
@@ -96,7 +115,8 @@ fn show(display: crate::app::Display, args: Args) -> anyhow::Result<()> {
         background: args.background,
         frames: args.frames,
         rehearse: args.rehearse,
-        shelf: Default::default(),
+        shelf,
+        first: None,
         folders: crate::app::screenshot::folders(),
         said: None,
         report: None,

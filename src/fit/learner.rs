@@ -54,7 +54,8 @@ impl Learner {
             for (l, layer) in avatar.networks.layers.iter().enumerate() {
                 let at = start(&network.sizes, l);
                 let count = layer.input * layer.output;
-                let numbers = layer.weight[part * count..][..count].iter().chain(&layer.bias[part * layer.output..][..layer.output]);
+                let weights = layer.weight.halves();
+                let numbers = weights[part * count..][..count].iter().chain(&layer.bias[part * layer.output..][..layer.output]);
                 network.weights[at..at + count + layer.output].iter_mut().zip(numbers).for_each(|(w, n)| *w = n.to_f32());
             }
             let (width, hidden) = (network.sizes[0], network.sizes[1]);

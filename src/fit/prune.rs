@@ -48,8 +48,9 @@ impl Stream {
 pub fn variances<const C: usize>(rows: &Rows<C>, starts: &[u32], basis: usize, covariance: &[Vec<f64>]) -> Vec<f64> {
     let row = |(at, &k): (usize, &u32)| {
         let sigma = &covariance[starts.partition_point(|&start| start <= k) - 1];
-        let component = |b: &[half::f16]| (0..basis * basis).map(|i| b[i / basis].to_f64() * sigma[i] * b[i % basis].to_f64()).sum::<f64>();
-        rows.basis[at * C * basis..][..C * basis].chunks_exact(basis).map(component).sum()
+        let component = |b: &[f64]| (0..basis * basis).map(|i| b[i / basis] * sigma[i] * b[i % basis]).sum::<f64>();
+        let numbers: Vec<f64> = rows.basis.row(at, C * basis).iter().collect();
+        numbers.chunks_exact(basis).map(component).sum()
     };
     rows.gaussian.par_iter().enumerate().map(row).collect()
 }
@@ -110,7 +111,7 @@ mod tests {
         let features = [[1.0, 0.0], [-1.0, 2.0], [3.0, 1.0f32]];
         let mut stream = Stream::new(2);
         features.iter().for_each(|e| stream.add(e));
-        let rows = Rows::<3> { gaussian: vec![4], basis: [1.0, -2.0, 0.0, 0.5, 0.0, 0.0].map(f16::from_f64).to_vec() };
+        let rows = Rows::<3> { gaussian: vec![4], basis: [1.0, -2.0, 0.0, 0.5, 0.0, 0.0].map(f16::from_f64).into_iter().collect() };
         let correctives: Vec<[f64; 2]> = features.iter().map(|e| [f64::from(e[0] - 2.0 * e[1]), f64::from(0.5 * e[1])]).collect();
         let expected: f64 = (0..2)
             .map(|c| {

@@ -58,7 +58,7 @@ pub const VARIANCE_MAX: f64 = 1e18;
 pub struct Posed {
     /// G_j: canonical space to world, one a joint.
     pub joints: Vec<DAffine3>,
-    /// θ_p ⊕ θ_e, projected.
+    /// θ_p ⊕ θ_e as the networks see it, projected unless told otherwise.
     pub input: Vec<f64>,
     /// Length of θ_e, the last of `input`, which parts outside the head see as zeros.
     pub expression: usize,
@@ -66,7 +66,14 @@ pub struct Posed {
 
 impl Posed {
     pub fn new(avatar: &Avatar, pose: &Pose) -> Self {
-        Self { joints: avatar.skeleton.matrices(pose), input: avatar.inputs.of(pose), expression: avatar.inputs.expression }
+        Self::of(avatar, pose, true)
+    }
+
+    /// The same, where `project` is false with networks that see the pose as it is, however far from those that they know.
+    pub fn of(avatar: &Avatar, pose: &Pose, project: bool) -> Self {
+        let inputs = &avatar.inputs;
+        let input = if project { inputs.of(pose) } else { inputs.unprojected(pose) };
+        Self { joints: avatar.skeleton.matrices(pose), input, expression: inputs.expression }
     }
 
     /// The same somewhere else: `place` goes from this world to the one that it stands in.

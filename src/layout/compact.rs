@@ -7,7 +7,10 @@
 //! and the nodes' offsets stay as they are.
 
 use crate::{
-    avatar::{Avatar, Rows},
+    avatar::{
+        Avatar, Matrix, Rows,
+        matrix::{self, Row as Numbers},
+    },
     frame::LOG_SCALE_MAX,
 };
 use half::f16;
@@ -59,12 +62,24 @@ fn clamp(log_scale: f64) -> f64 {
 /// It comes out of length 1 and with the largest positive: the sign to get there is the second number.
 pub fn encode_quaternion(q: [f64; 4]) -> (u32, f64) {
     let length = q.iter().map(|v| v * v).sum::<f64>().sqrt();
-    let q = if length > 0.0 { q.map(|v| v / length) } else { [1.0, 0.0, 0.0, 0.0] };
-    let largest = (0..4).max_by(|&a, &b| q[a].abs().total_cmp(&q[b].abs())).unwrap_or(0);
-    let sign = if q[largest] < 0.0 { -1.0 } else { 1.0 };
+    let unit = if length > 0.0 { q.map(|v| v / length) } else { [1.0, 0.0, 0.0, 0.0] };
+    let largest = (0..4).max_by(|&a, &b| unit[a].abs().total_cmp(&unit[b].abs())).unwrap_or(0);
+    // f16 may have made others as large as the one that was: of these, the one by which the same f16 come out.
+    let tied = |&k: &usize| k != largest && unit[k].abs() > unit[largest].abs() - 3e-3;
+    let same = |(word, _): &(u32, f64)| decode_quaternion(*word).map(|v| f16::from_f64(v).to_f64()) == q;
+    let first = encode_by(largest, unit);
+    if (0..4).any(|k| tied(&k)) && !same(&first) {
+        return (0..4).filter(tied).map(|k| encode_by(k, unit)).find(same).unwrap_or(first);
+    }
+    first
+}
+
+/// By the component that is left out.
+fn encode_by(largest: usize, unit: [f64; 4]) -> (u32, f64) {
+    let sign = if unit[largest] < 0.0 { -1.0 } else { 1.0 };
     let code = |v: f64| (sign * v * QUATERNION_STEPS + 512.0).round().clamp(1.0, 1023.0) as u32;
     let others = (0..4).filter(|&k| k != largest).enumerate();
-    (others.fold((largest as u32) << 30, |word, (at, k)| word | code(q[k]) << (10 * at)), sign)
+    (others.fold((largest as u32) << 30, |word, (at, k)| word | code(unit[k]) << (10 * at)), sign)
 }
 
 pub fn decode_quaternion(word: u32) -> [f64; 4] {
@@ -115,11 +130,6 @@ pub fn row_scale(values: impl Iterator<Item = f64>) -> f64 {
     ((least / step).ceil() * step).min(MOST)
 }
 
-/// A row's number in steps of its scale.
-pub fn row_code(value: f64, scale: f64) -> i8 {
-    if scale > 0.0 { (value / scale).round().clamp(-127.0, 127.0) as i8 } else { 0 }
-}
-
 impl Avatar {
     /// The avatar that the GPU draws in this one's place, but for the weights of its nodes.
     pub fn compact(&self) -> Self {
@@ -137,7 +147,7 @@ impl Avatar {
         compact.rotation_rows = rounded(&self.rotation_rows, rotation_rows(self));
         compact.scale_rows = rounded(&self.scale_rows, rows(&self.scale_rows, self.basis_len()));
         compact.color_rows = rounded(&self.color_rows, rows(&self.color_rows, self.basis_len()));
-        compact.nodes.basis = numbers(node_rows(self));
+        compact.nodes.basis = matrix_of(node_rows(self));
         compact
     }
 }
@@ -152,6 +162,22 @@ pub struct Row {
     pub codes: Vec<i8>,
 }
 
+impl Row {
+    /// A row divided by a number. What has steps already keeps them, and its codes.
+    fn of(of: u32, row: Numbers, divisor: f64) -> Self {
+        if let Numbers::Bytes { codes, step } = row {
+            let codes = codes.iter().map(|code| if divisor < 0.0 { -code } else { *code });
+            let scale = (step.to_f64() / divisor.abs()).min(matrix::STEP_MAX);
+            return Self { of, scale: f16::from_f64(scale).to_f64(), codes: codes.collect() };
+        }
+        // Shrunk as a whole, a row that f16 can't hold keeps its direction.
+        let largest = row.iter().fold(0.0, |most: f64, v| most.max((v / divisor).abs()));
+        let divisor = divisor * (largest / f16::MAX.to_f64()).max(1.0);
+        let scale = row_scale(row.iter().map(|v| v / divisor));
+        Self { of, scale, codes: row.iter().map(|v| matrix::code(v / divisor, scale)).collect() }
+    }
+}
+
 /// The rows of log scales and of colours.
 pub fn rows<const C: usize>(rows: &Rows<C>, basis: usize) -> impl Iterator<Item = Row> {
     divided(rows, basis, |_| 1.0)
@@ -159,38 +185,37 @@ pub fn rows<const C: usize>(rows: &Rows<C>, basis: usize) -> impl Iterator<Item 
 
 /// A row for each node.
 pub fn node_rows(avatar: &Avatar) -> impl Iterator<Item = Row> {
-    avatar.nodes.basis.chunks_exact((3 * avatar.basis_len()).max(1)).enumerate().map(|(node, row)| {
-        let scale = row_scale(row.iter().map(|v| v.to_f64()));
-        Row { of: node as u32, scale, codes: row.iter().map(|v| row_code(v.to_f64(), scale)).collect() }
-    })
+    avatar.nodes.basis.rows(3 * avatar.basis_len()).enumerate().map(|(node, row)| Row::of(node as u32, row, 1.0))
 }
 
 /// The rows of quaternions, divided by what [`encode_quaternion`] divides the quaternion by, which changes nothing after normalisation. A
-/// corrective of one of nearly no length may become more than f16 holds: shrunk as a whole it keeps its direction.
+/// corrective of one of nearly no length may become more than f16 holds.
 pub fn rotation_rows(avatar: &Avatar) -> impl Iterator<Item = Row> {
     divided(&avatar.rotation_rows, avatar.basis_len(), |gaussian| {
         let q = avatar.gaussians.rotation[gaussian as usize].map(f64::from);
         let length = q.iter().map(|v| v * v).sum::<f64>().sqrt();
-        encode_quaternion(q).1 * if length > 0.0 { length } else { 1.0 }
+        // As far from 1 as f16 makes what is 1.
+        let unit = length == 0.0 || (length - 1.0).abs() < 1e-3 && avatar.rotation_rows.basis.is_bytes();
+        encode_quaternion(q).1 * if unit { 1.0 } else { length }
     })
 }
 
 fn divided<const C: usize>(rows: &Rows<C>, basis: usize, divisor: impl Fn(u32) -> f64) -> impl Iterator<Item = Row> {
-    rows.gaussian.iter().zip(rows.basis.chunks_exact((C * basis).max(1))).map(move |(&gaussian, row)| {
-        let divisor = divisor(gaussian);
-        let largest = row.iter().fold(0.0, |most: f64, v| most.max((v.to_f64() / divisor).abs()));
-        let divisor = divisor * (largest / f16::MAX.to_f64()).max(1.0);
-        let scale = row_scale(row.iter().map(|v| v.to_f64() / divisor));
-        Row { of: gaussian, scale, codes: row.iter().map(|v| row_code(v.to_f64() / divisor, scale)).collect() }
-    })
+    rows.gaussian.iter().zip(rows.basis.rows(C * basis)).map(move |(&gaussian, row)| Row::of(gaussian, row, divisor(gaussian)))
 }
 
 fn rounded<const C: usize>(from: &Rows<C>, rows: impl Iterator<Item = Row>) -> Rows<C> {
-    Rows { gaussian: from.gaussian.clone(), basis: numbers(rows) }
+    Rows { gaussian: from.gaussian.clone(), basis: matrix_of(rows) }
 }
 
-fn numbers(rows: impl Iterator<Item = Row>) -> Vec<f16> {
-    rows.flat_map(|row| row.codes.into_iter().map(move |code| f16::from_f64(row.scale * f64::from(code)))).collect()
+/// The rows as a matrix.
+pub fn matrix_of(rows: impl Iterator<Item = Row>) -> Matrix {
+    let (mut codes, mut steps) = (vec![], vec![]);
+    for row in rows {
+        codes.extend(row.codes);
+        steps.push(f16::from_f64(row.scale));
+    }
+    Matrix::Bytes { codes, steps }
 }
 
 #[cfg(test)]
@@ -227,11 +252,14 @@ mod tests {
             assert!((a.to_f64().clamp(0.0, 1.0) - b.to_f64()).abs() <= 0.5 / 255.0 + 2.5e-4, "{a} became {b}");
         }
         let length = 3 * avatar.basis_len();
-        for (a, b) in avatar.scale_rows.basis.chunks(length).zip(compact.scale_rows.basis.chunks(length)) {
-            let most = a.iter().fold(0.0, |most: f64, v| most.max(v.to_f64().abs()));
-            assert!(a.iter().zip(b).all(|(a, b)| (a.to_f64() - b.to_f64()).abs() <= most / 220.0), "{a:?} became {b:?}");
+        for (a, b) in avatar.scale_rows.basis.rows(length).zip(compact.scale_rows.basis.rows(length)) {
+            let most = a.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
+            assert!(a.iter().zip(b.iter()).all(|(a, b)| (a - b).abs() <= most / 220.0), "{a:?} became {b:?}");
         }
         let again = compact.compact();
+        assert_eq!([again.scale_rows, again.color_rows], [compact.scale_rows, compact.color_rows]);
+        assert_eq!(again.nodes, compact.nodes);
+        assert_eq!(again.rotation_rows.gaussian, compact.rotation_rows.gaussian);
         assert_eq!(again.gaussians.log_scale, compact.gaussians.log_scale);
         assert_eq!(again.gaussians.color, compact.gaussians.color);
     }
@@ -254,11 +282,11 @@ mod tests {
                 let exact = f64::from(k) * scale;
                 assert_eq!(f16::from_f64(exact).to_f64(), exact, "{k} steps of {scale}");
             }
-            let back = scale * f64::from(row_code(value, scale));
+            let back = scale * f64::from(matrix::code(value, scale));
             // Or half of the smallest step that there is.
             assert!((back - value).abs() <= (0.01 * value).max(0.5 * 2f64.powi(-24)), "{value} became {back}");
         }
-        assert_eq!((row_scale([0.0].into_iter()), row_code(0.0, 0.0)), (0.0, 0));
+        assert_eq!((row_scale([0.0].into_iter()), matrix::code(0.0, 0.0)), (0.0, 0));
         let mut avatar = demo::avatar().unwrap();
         avatar.gaussians.log_scale[0] = [f16::MIN, f16::MAX, f16::from_f64(-5.0)];
         let scales = LogScales::of(&avatar);

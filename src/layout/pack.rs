@@ -3,7 +3,7 @@
 
 use super::compact::{self, LogScales, Row};
 use crate::{
-    avatar::{Activation, Avatar, Layer, Occluder, Rows, occluder::Vertex},
+    avatar::{Activation, Avatar, Layer, Occluder, Rows, matrix, occluder::Vertex},
     layout::{self, BLOCK_PAIRS, Frame, GAUSSIAN_PAIRS},
 };
 use bytemuck::Zeroable;
@@ -41,35 +41,56 @@ pub fn constants(avatar: &Avatar) -> Frame {
     }
 }
 
-/// Weights and biases, a block a part; inside it each layer's weights by quad of inputs, then by neuron, so that neighbouring
-/// invocations read neighbouring quads.
-pub fn networks(avatar: &Avatar, constants: &mut Frame) -> Vec<f16> {
-    let mut quads = 0;
+/// Weights and biases, a block a part, as words; inside it each layer's weights by quad of inputs, then by neuron, so that neighbouring
+/// invocations read neighbouring quads. A quad is two words of four f16; of networks in bytes it is one word, and so is what follows the
+/// layer's weights for each neuron: bias and step, f16.
+pub fn networks(avatar: &Avatar, constants: &mut Frame) -> Vec<u32> {
+    let (mut quads, bytes) = (0, avatar.networks.in_bytes());
     for (layer, place) in avatar.networks.layers.iter().zip(&mut constants.layer) {
         let input_quads = layer.input.div_ceil(4);
         let weight = quads;
         let bias = weight + input_quads * layer.output;
-        quads = bias + layer.output.div_ceil(4);
+        quads = bias + if bytes { layer.output } else { layer.output.div_ceil(4) };
         *place = layout::Layer { input_quads: input_quads as u32, output: layer.output as u32, weight: weight as u32, bias: bias as u32 };
     }
     constants.network_quads = quads as u32;
-    let mut data = vec![f16::ZERO; avatar.parts.len() * quads * 4];
-    for (part, block) in data.chunks_exact_mut((quads * 4).max(1)).enumerate() {
+    let words = if bytes { quads } else { 2 * quads };
+    let mut data = vec![0; avatar.parts.len() * words];
+    for (part, block) in data.chunks_exact_mut(words.max(1)).enumerate() {
         for (layer, place) in avatar.networks.layers.iter().zip(&constants.layer) {
-            network_layer(layer, place, part, block);
+            network_layer(layer, place, part, block, bytes);
         }
     }
     data
 }
 
-fn network_layer(layer: &Layer, place: &layout::Layer, part: usize, block: &mut [f16]) {
+fn network_layer(layer: &Layer, place: &layout::Layer, part: usize, block: &mut [u32], bytes: bool) {
+    let (weights, biases) = (place.weight as usize, place.bias as usize);
     for neuron in 0..layer.output {
-        let row = &layer.weight[(part * layer.output + neuron) * layer.input..][..layer.input];
-        for (k, &weight) in row.iter().enumerate() {
-            block[(place.weight as usize + k / 4 * layer.output + neuron) * 4 + k % 4] = weight;
+        let row = part * layer.output + neuron;
+        let bias = u32::from(layer.bias[row].to_bits());
+        match layer.weight.row(row, layer.input) {
+            matrix::Row::Bytes { codes, step } if bytes => {
+                codes.chunks(4).enumerate().for_each(|(k, codes)| block[weights + k * layer.output + neuron] = word(codes));
+                block[biases + neuron] = bias | u32::from(step.to_bits()) << 16;
+            }
+            numbers => {
+                for (k, weight) in numbers.iter().enumerate() {
+                    let at = 2 * (weights + k / 4 * layer.output + neuron) + k % 4 / 2;
+                    block[at] |= u32::from(f16::from_f64(weight).to_bits()) << (16 * (k % 2));
+                }
+                block[2 * biases + neuron / 2] |= bias << (16 * (neuron % 2));
+            }
         }
-        block[place.bias as usize * 4 + neuron] = layer.bias[part * layer.output + neuron];
     }
+}
+
+/// Bytes of device memory that an avatar's networks, bases and Gaussians take.
+pub fn size(avatar: &Avatar) -> usize {
+    let constants = &mut constants(avatar);
+    let (places, starts) = node_places(avatar);
+    let words = networks(avatar, constants).len() + nodes(avatar, &places).len() + starts.len() + rows(avatar, constants).len();
+    4 * words + 8 * gaussians(avatar, &places).len()
 }
 
 /// Where each node is when nodes are in the order of their parts, and each part's first, and their number.
@@ -99,9 +120,9 @@ pub fn nodes(avatar: &Avatar, places: &[u16]) -> Vec<u32> {
     data
 }
 
-/// Four steps.
+/// Four steps, or fewer and zeros.
 fn word(codes: &[i8]) -> u32 {
-    u32::from_le_bytes(std::array::from_fn(|k| codes[k].cast_unsigned()))
+    u32::from_le_bytes(std::array::from_fn(|k| codes.get(k).copied().unwrap_or_default().cast_unsigned()))
 }
 
 /// Rows of rotation, scale and colour, one after the other; see `shaders/splats.comp`.

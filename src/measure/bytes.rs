@@ -101,13 +101,17 @@ fn features(avatar: &Avatar, options: &RendererOptions, seen: Seen) -> Work {
     let unread = read_zeros.map_or(0, |layer| (padded(layer.input as u64) - padded(body_input(layer))) * layer.output as u64);
     let sum = |of: fn(&Layer) -> u64| layers.iter().map(of).sum::<u64>();
     let weights = sum(|layer| layer.input.next_multiple_of(4) as u64 * layer.output as u64);
-    let biases = sum(|layer| layer.output.next_multiple_of(4) as u64);
+    // Of a weight; of a bias, and its step where there is one.
+    let [weight, bias] = if avatar.networks.in_bytes() { [1, 4] } else { [2, 2] };
+    let padding = if avatar.networks.in_bytes() { 1 } else { 4 };
+    let biases = layers.iter().map(|layer| layer.output.next_multiple_of(padding) as u64).sum::<u64>();
+    let neurons = sum(|layer| layer.output as u64);
     let needed = sum(|layer| layer.input as u64 * layer.output as u64);
     let (nodes, basis) = (avatar.nodes.len() as u64, avatar.nodes.basis.len() as u64);
     // Of all parts; of those that ran their share.
     let share = |all: u64| (u128::from(all) * u128::from(run)).checked_div(u128::from(parts)).unwrap_or_default() as u64;
-    let bytes = 2 * (parts * (weights + biases) - (parts - head) * unread) + 4 * feature_count(avatar);
-    let bytes_floor = 2 * (parts * (needed + sum(|layer| layer.output as u64)) - (parts - head) * zeros) + 2 * feature_count(avatar);
+    let bytes = weight * (parts * weights - (parts - head) * unread) + bias * parts * biases + 4 * feature_count(avatar);
+    let bytes_floor = weight * (parts * needed - (parts - head) * zeros) + bias * parts * neurons + 2 * feature_count(avatar);
     Work {
         stage: "features",
         // An offset in, a displacement out.
@@ -220,7 +224,7 @@ fn raster(options: &RendererOptions, seen: Seen) -> Work {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{demo, vulkan::sort::KeyBits};
+    use crate::{avatar::pack::Step, demo, vulkan::sort::KeyBits};
 
     #[test]
     fn no_floor_is_above_what_is_counted() {
@@ -240,6 +244,18 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn networks_in_bytes_move_half() {
+        let avatar = demo::avatar().expect("inside the program");
+        let small = avatar.after(Step::Networks);
+        let of = |avatar: &Avatar| features(avatar, &RendererOptions::new([1, 1]), Seen::default());
+        let saved = avatar.networks.layers.iter().map(|layer| layer.weight.len() as u64).sum::<u64>();
+        let gained = of(&avatar).bytes - of(&small).bytes;
+        assert!(gained > saved * 8 / 10 && gained < saved, "{gained} of {saved} weights");
+        assert_eq!(of(&avatar).operations, of(&small).operations);
+        assert!(of(&small).bytes_floor <= of(&small).bytes);
     }
 
     #[test]

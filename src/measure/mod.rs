@@ -7,6 +7,7 @@ pub mod capture;
 pub mod error;
 pub mod flip;
 pub mod governor;
+pub mod packing;
 pub mod similarity;
 pub mod soak;
 pub mod stress;

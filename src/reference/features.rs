@@ -32,11 +32,9 @@ fn network(avatar: &Avatar, part: usize, input: &[f64]) -> Vec<f64> {
 
 /// W x + b with one part's weights.
 fn linear(layer: &Layer, part: usize, x: &[f64]) -> Vec<f64> {
-    let weight = &layer.weight[part * layer.output * layer.input..][..layer.output * layer.input];
     let bias = &layer.bias[part * layer.output..][..layer.output];
-    let row = |(row, bias): (&[half::f16], &half::f16)| bias.to_f64() + row.iter().zip(x).map(|(w, x)| w.to_f64() * x).sum::<f64>();
-    let row = |neuron| row(neuron).clamp(-FEATURE_MAX, FEATURE_MAX);
-    weight.chunks_exact(layer.input).zip(bias).map(row).collect()
+    let neuron = |k: usize| bias[k].to_f64() + layer.weight.row(part * layer.output + k, layer.input).dot(x);
+    (0..layer.output).map(|k| neuron(k).clamp(-FEATURE_MAX, FEATURE_MAX)).collect()
 }
 
 fn activate(activation: Activation, x: f64) -> f64 {

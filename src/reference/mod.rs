@@ -13,7 +13,7 @@ pub mod raster;
 pub mod sort;
 pub mod splats;
 
-use crate::avatar::Avatar;
+use crate::avatar::{Avatar, matrix::Row};
 use crate::frame::{Camera, Picture, Posed};
 use crate::layout::compact::stored_node_weights;
 use glam::DVec3;
@@ -88,6 +88,6 @@ fn world(avatar: &Avatar, posed: &Posed, camera: &Camera) -> (Vec<f64>, Vec<DVec
 }
 
 /// B · e: the weighted sum over the basis. `basis` has shape C, N_B, `e` length N_B.
-fn combine<const C: usize>(basis: &[f16], e: &[f64]) -> [f64; C] {
-    std::array::from_fn(|c| basis[c * e.len()..][..e.len()].iter().zip(e).map(|(b, e)| b.to_f64() * e).sum())
+fn combine<const C: usize>(basis: Row, e: &[f64]) -> [f64; C] {
+    std::array::from_fn(|c| basis.piece(c * e.len(), e.len()).dot(e))
 }

@@ -12,8 +12,7 @@ pub fn nodes(avatar: &Avatar, features: &[f64]) -> Vec<DVec3> {
         .map(|node| {
             let part = usize::from(avatar.nodes.part[node]);
             let e = &features[part * avatar.networks.output()..][avatar.node_feature_start()..][..basis_len];
-            let basis = &avatar.nodes.basis[node * 3 * basis_len..][..3 * basis_len];
-            let moved: [f64; 3] = super::combine(basis, e);
+            let moved: [f64; 3] = super::combine(avatar.nodes.basis.row(node, 3 * basis_len), e);
             DVec3::from(avatar.nodes.offset[node].map(f64::from)) + DVec3::from(moved)
         })
         .collect()

@@ -106,7 +106,7 @@ pub fn weighted(
 /// The corrective of one Gaussian: its basis row · e where a row was kept, else zero.
 pub(super) fn corrective<const C: usize>(rows: &Rows<C>, gaussian: usize, e: &[f64]) -> [f64; C] {
     match rows.gaussian.binary_search(&(gaussian as u32)) {
-        Ok(row) => super::combine(&rows.basis[row * C * e.len()..][..C * e.len()], e),
+        Ok(row) => super::combine(rows.basis.row(row, C * e.len()), e),
         Err(_) => [0.0; C],
     }
 }

@@ -19,7 +19,9 @@ impl Features {
     pub fn new(gpu: &Arc<Gpu>, model: &Model, frame: Slice, pose: Slice) -> Result<Self> {
         let storage = [(&model.networks).into(), (&model.nodes).into(), (&model.node_starts).into(), pose];
         let bindings = Bindings::new(gpu, vk::ShaderStageFlags::COMPUTE, Some(frame), &storage)?;
-        Ok(Self { kernel: Kernel::new(gpu, &shaders::FEATURES, &[], bindings)? })
+        Ok(Self {
+            kernel: Kernel::new(gpu, if model.networks_in_bytes { &shaders::FEATURES_BYTES } else { &shaders::FEATURES }, &[], bindings)?,
+        })
     }
 
     /// Reads the frame's input and the networks; compute. `parts`: how many of the first parts hold all that the frame says is not idle.

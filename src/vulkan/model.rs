@@ -31,6 +31,7 @@ impl OccluderMesh {
 
 /// The model in device memory, read-only.
 pub struct Model {
+    /// Words; see `shaders/features.glsl`.
     pub networks: Buffer,
     pub nodes: Buffer,
     /// Each part's first node, and their number.
@@ -43,6 +44,8 @@ pub struct Model {
     pub occluder: OccluderMesh,
     /// The uniform block with all that no frame changes.
     pub constants: Box<Frame>,
+    /// Whether the networks' weights are bytes.
+    pub networks_in_bytes: bool,
 }
 
 impl Model {
@@ -64,6 +67,7 @@ impl Model {
             occluder: OccluderMesh::new(gpu, avatar, &occluder, &node_places)?,
             node_places,
             constants,
+            networks_in_bytes: avatar.networks.in_bytes(),
         })
     }
 

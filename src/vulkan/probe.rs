@@ -211,7 +211,7 @@ impl Probe {
                 self.has(khr::performance_query::NAME),
                 choose(
                     self.has(khr::performance_query::NAME),
-                    "profilers read its counters",
+                    "profilers may read its counters; nothing here does",
                     "profilers have counters of their own or none",
                 ),
             ),

@@ -47,6 +47,8 @@ pub static FEATURES: Module = Module {
     spirv: include_bytes!("../../shaders/spv/features.comp.spv"),
     half: Some(include_bytes!("../../shaders/spv/features.comp.half.spv")),
 };
+pub static FEATURES_BYTES: Module =
+    Module { file: "features_bytes.comp", spirv: include_bytes!("../../shaders/spv/features_bytes.comp.spv"), half: None };
 pub static HARMONICS: Module = Module {
     file: "harmonics.comp",
     spirv: include_bytes!("../../shaders/spv/harmonics.comp.spv"),
@@ -94,6 +96,7 @@ pub static SURFACE_VERTEX: Module =
 /// Every module, for the compiler and the tests.
 pub static MODULES: &[&Module] = &[
     &FEATURES,
+    &FEATURES_BYTES,
     &SURFACE,
     &SURFACE_VERTEX,
     &HARMONICS,

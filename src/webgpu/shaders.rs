@@ -30,6 +30,7 @@ macro_rules! modules {
 
 modules! {
     FEATURES = "features", "features.comp";
+    FEATURES_BYTES = "features_bytes", "features_bytes.comp";
     HARMONICS_1 = "harmonics_1", "harmonics.comp", DEGREE = "1u";
     HARMONICS_2 = "harmonics_2", "harmonics.comp", DEGREE = "2u";
     HARMONICS_3 = "harmonics_3", "harmonics.comp", DEGREE = "3u";

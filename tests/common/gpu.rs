@@ -46,7 +46,11 @@ pub fn camera(avatar: &Avatar, posed: &Posed, size: [u32; 2]) -> Camera {
 
 /// Draws a seeded avatar in a seeded pose.
 pub fn frame(gpu: &Arc<Gpu>, seed: u64, sizes: Sizes, options: RendererOptions) -> Frame {
-    let avatar = avatar(seed, sizes);
+    frame_of(gpu, avatar(seed, sizes), seed, options)
+}
+
+/// Draws an avatar in a seeded pose.
+pub fn frame_of(gpu: &Arc<Gpu>, avatar: Avatar, seed: u64, options: RendererOptions) -> Frame {
     let posed = Posed::new(&avatar, &pose(seed + 1, &avatar));
     let camera = camera(&avatar, &posed, options.size);
     draw(gpu, avatar, posed, camera, options)

@@ -123,12 +123,12 @@ fn basis(waves: &[(DVec3, f64)], size: f64, basis_len: usize, at: DVec3) -> impl
 fn rows<const C: usize>(random: &mut Random, sizes: &Sizes, points: &[DVec3], size: f64) -> Rows<C> {
     let wave_of = waves(random, C * sizes.basis);
     let mut left = sizes.rows.min(points.len());
-    let mut rows = Rows { gaussian: vec![], basis: vec![] };
+    let mut rows = Rows { gaussian: vec![], basis: Matrix::default() };
     for (i, &point) in points.iter().enumerate() {
         if random.below(points.len() - i) < left {
             left -= 1;
             rows.gaussian.push(i as u32);
-            rows.basis.extend(basis(&wave_of, size, sizes.basis, point));
+            rows.basis.halves_mut().extend(basis(&wave_of, size, sizes.basis, point));
         }
     }
     rows

@@ -38,6 +38,26 @@ impl Edit {
         self.data[start + at * size..][..bytes.len()].copy_from_slice(bytes);
     }
 
+    /// What the file has of a tensor.
+    pub fn stored(&self, tensor: &str) -> Vec<u8> {
+        let offset = |k: usize| self.header[tensor]["data_offsets"][k].as_u64().unwrap() as usize;
+        self.data[offset(0)..offset(1)].to_vec()
+    }
+
+    /// Puts another tensor in a tensor's place.
+    pub fn replace(&mut self, tensor: &str, dtype: &str, shape: &[usize], bytes: &[u8]) {
+        let info = self.header.as_object_mut().unwrap().remove(tensor).unwrap();
+        let [start, end] = [0, 1].map(|k| info["data_offsets"][k].as_u64().unwrap() as usize);
+        self.data.drain(start..end);
+        for (_, other) in self.header.as_object_mut().unwrap().iter_mut().filter(|(name, _)| *name != "__metadata__") {
+            for offset in other["data_offsets"].as_array_mut().unwrap() {
+                let at = offset.as_u64().unwrap() as usize;
+                *offset = json!(if at >= end { at - (end - start) } else { at });
+            }
+        }
+        self.append(tensor, dtype, shape, bytes);
+    }
+
     pub fn rename(&mut self, from: &str, to: &str) {
         let info = self.header.as_object_mut().unwrap().remove(from).unwrap();
         self.header[to] = info;

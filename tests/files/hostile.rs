@@ -2,6 +2,7 @@
 
 use super::common::{self, Random, Sizes};
 use super::edit::{self, Edit};
+use super::packed::packed_bytes;
 use super::{avatar_fault, clip_bytes, memory, tiny_bytes};
 use effigy::avatar::{Avatar, Clip};
 use proptest::prelude::*;
@@ -9,7 +10,7 @@ use serde_json::{Value, json};
 
 #[test]
 fn a_file_cut_at_any_length_is_refused() {
-    for bytes in [tiny_bytes(), clip_bytes()] {
+    for bytes in [tiny_bytes(), clip_bytes(), packed_bytes()] {
         for length in 0..bytes.len() {
             let (result, peak) = memory::peak(|| (Avatar::from_bytes(&bytes[..length]).err(), Clip::from_bytes(&bytes[..length]).err()));
             assert!(result.0.is_some() && result.1.is_some(), "cut to {length} of {}", bytes.len());
@@ -75,7 +76,8 @@ fn reading_takes_no_more_memory_than_the_file_is_long() {
 /// Whatever the bytes, reading ends with a model that can be written again or with one sentence, and takes little memory.
 fn survives(bytes: &[u8]) {
     let (results, peak) = memory::peak(|| (Avatar::from_bytes(bytes), Clip::from_bytes(bytes)));
-    assert!(peak <= 4 * bytes.len() + 100_000, "{} bytes took {peak} bytes of memory", bytes.len());
+    // What is deflated may be 16 times as long in memory, and is there twice for a moment; what it is expanded from is 64 KiB more.
+    assert!(peak <= 40 * bytes.len() + 250_000, "{} bytes took {peak} bytes of memory", bytes.len());
     if let Ok(avatar) = &results.0 {
         assert!(Avatar::from_bytes(&avatar.to_bytes().unwrap()).unwrap() == *avatar);
     }
@@ -114,20 +116,29 @@ fn scramble(value: &mut Value, random: &mut Random) {
     };
 }
 
+/// A file of each kind.
+fn file(kind: i32) -> Vec<u8> {
+    match kind {
+        0 => tiny_bytes(),
+        1 => clip_bytes(),
+        _ => packed_bytes(),
+    }
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 1000, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
-    fn flipped_bytes_do_no_harm(flips in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 1..20), motion: bool, head: bool) {
-        let mut bytes = if motion { clip_bytes() } else { tiny_bytes() };
+    fn flipped_bytes_do_no_harm(flips in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 1..20), kind in 0..3, head: bool) {
+        let mut bytes = file(kind);
         let end = if head { 1000 } else { bytes.len() };
         flips.iter().for_each(|(at, value)| bytes[at.index(end)] = *value);
         survives(&bytes);
     }
 
     #[test]
-    fn edited_headers_do_no_harm(seed: u64, edits in 1..4usize, motion: bool) {
-        let (random, mut edit) = (&mut Random(seed), Edit::open(&if motion { clip_bytes() } else { tiny_bytes() }));
+    fn edited_headers_do_no_harm(seed: u64, edits in 1..4usize, kind in 0..3) {
+        let (random, mut edit) = (&mut Random(seed), Edit::open(&file(kind)));
         for _ in 0..edits {
             scramble(if random.below(2) == 0 { &mut edit.header } else { &mut edit.document }, random);
         }

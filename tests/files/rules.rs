@@ -78,7 +78,7 @@ fn numbers_that_break_a_rule_are_named() {
 fn metadata_that_breaks_a_rule_is_named() {
     let cases: &[(&str, Value, &str)] = &[
         ("/format", json!("effigy.motion"), "`format` found `effigy.motion`, expected `effigy.avatar`"),
-        ("/version", json!(2), "`version` found 2, expected 1, the only one this program reads"),
+        ("/version", json!(3), "`version` found 3, expected 1 or 2, the only ones this program reads"),
         ("/units", json!("inch"), "`units` found \"inch\", expected \"metre\""),
         ("/up", json!("z"), "`up` found \"z\", expected \"y\""),
         ("/color_space", json!("linear"), "`color_space` found \"linear\", expected \"srgb\""),

@@ -1,53 +1,11 @@
-// The page in a real browser. usage: node page.mjs PAGE_DIR REFERENCE.png OUT_DIR     (tools/test_web.sh makes all three)
+// The page and its API (api.mjs) in a real browser. usage: node page.mjs PAGE_DIR REFERENCE.png OUT_DIR     (tools/test_web.sh makes all three)
 // REFERENCE.png is the demo at 1.3 s by `effigy render --reference --size 512x512 --time 1.3`.
 import assert from "node:assert/strict";
-import { createServer } from "node:http";
 import { readFile, writeFile } from "node:fs/promises";
-import { extname, join, normalize } from "node:path";
-import { chromium } from "playwright-core";
+import { join } from "node:path";
+import { api } from "./api.mjs";
+import { browser, frames, home, moving, opened, out, watched } from "./harness.mjs";
 
-const [root, reference, out] = process.argv.slice(2);
-const types = { ".html": "text/html", ".js": "text/javascript", ".wasm": "application/wasm", ".css": "text/css", ".png": "image/png" };
-const pages = {
-  "/two.html": `<!doctype html><style>canvas{width:200px;height:260px}</style><canvas id=a></canvas><canvas id=b></canvas>`,
-  "/none.avatar": "this is no avatar",
-};
-const server = createServer(async (request, response) => {
-  const path = decodeURIComponent(new URL(request.url, "http://localhost").pathname);
-  try {
-    const body = pages[path] ?? (path === "/reference.png" ? await readFile(reference) : await readFile(join(root, normalize(path === "/" ? "/index.html" : path))));
-    response.writeHead(200, { "content-type": types[extname(path)] ?? (path.endsWith("/") ? "text/html" : "application/octet-stream") }).end(body);
-  } catch {
-    response.writeHead(404).end();
-  }
-});
-await new Promise((resolve) => server.listen(0, "127.0.0.1", resolve));
-const home = `http://127.0.0.1:${server.address().port}/`;
-const swiftshader = ["--enable-unsafe-webgpu", "--use-webgpu-adapter=swiftshader", "--enable-features=Vulkan", "--use-vulkan=swiftshader", "--use-angle=swiftshader"];
-const quiet = ["--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync", "--disable-dev-shm-usage"];
-const executablePath = process.env.CHROMIUM ?? "/usr/bin/chromium";
-const browser = await chromium.launch({ executablePath, args: [...quiet, ...swiftshader], timeout: 60_000 });
-
-async function opened(path = "", size = { width: 640, height: 640 }) {
-  const page = await browser.newPage({ viewport: size });
-  page.setDefaultTimeout(60_000);
-  page.complaints = [];
-  page.on("pageerror", (error) => page.complaints.push(String(error)));
-  page.on("console", (message) => message.type() === "error" && page.complaints.push(message.text()));
-  await page.goto(home + path);
-  return page;
-}
-
-/** Waits for some more frames. */
-const frames = (page, count = 2) => page.evaluate(async (count) => {
-  for (let k = 0; k < count; ++k) await new Promise((resolve) => effigy.addEventListener("frame", resolve, { once: true }));
-}, count);
-const moving = async (path, size) => {
-  const page = await opened(path, size);
-  await page.waitForFunction(() => globalThis.effigy?.playing);
-  await frames(page);
-  return page;
-};
 /** Distance of the canvas from a picture over what is not background, dB. */
 const decibels = (page, url) => page.evaluate(async (url) => {
   const pixels = async (blob) => {
@@ -67,18 +25,21 @@ const decibels = (page, url) => page.evaluate(async (url) => {
 }, url);
 
 const tests = {
+  ...api,
   async "the demo moves at once, and stops when told to"() {
     const page = await moving();
     const before = await page.evaluate(() => effigy.time);
     await frames(page, 3);
     assert.notEqual(await page.evaluate(() => effigy.time), before);
     await page.click("#play");
-    await page.waitForTimeout(1500);
-    const drawn = page.evaluate(() => new Promise((resolve) => {
+    // Frames that were under way may still come: on a busy machine for some seconds.
+    const drawn = () => page.evaluate(() => new Promise((resolve) => {
       effigy.addEventListener("frame", () => resolve(true), { once: true });
-      setTimeout(resolve, 1500, false);
+      setTimeout(resolve, 3000, false);
     }));
-    assert.equal(await drawn, false, "frames are drawn though nothing changes");
+    let more = 4;
+    while (more > 0 && (await drawn())) --more;
+    assert.ok(more > 0, "frames are drawn though nothing changes");
     await page.screenshot({ path: join(out, "page.png") });
     return page;
   },
@@ -127,35 +88,12 @@ const tests = {
     return page;
   },
   async "a page whose files are missing says which"() {
-    const page = await opened("?avatar=missing.avatar");
+    const page = await opened("?avatar=missing.avatar&bench=1");
     await page.waitForSelector("#message:not([hidden])");
     assert.match(await page.textContent("#text"), /missing\.avatar.*404/);
-    page.complaints.length = 0;
-    return page;
-  },
-  async "two on one page, one driven live"() {
-    const page = await opened("two.html");
-    const drawn = await page.evaluate(async () => {
-      const { Effigy } = await import("./effigy.js");
-      const both = await Promise.all(["a", "b"].map((id) => Effigy.create(document.getElementById(id))));
-      await Promise.all(both.map((one) => one.loadAvatar("demo.avatar")));
-      await both[0].loadMotion("demo.motion");
-      const joints = both[1].description.joints.length, turns = [0, 0];
-      both.forEach((one, k) => one.addEventListener("frame", () => ++turns[k]));
-      // Software adapters take their time.
-      for (let k = 0; k < 200 && turns.some((count) => count < 2); ++k) {
-        const rotation = new Float32Array(3 * joints);
-        rotation[1] = 0.1 * k;
-        both[1].setPose({ rotation });
-        await new Promise((resolve) => setTimeout(resolve, 300));
-      }
-      let refused = "";
-      try { both[1].setPose({ rotation: [1, 2] }); } catch (error) { refused = error.message; }
-      both[0].dispose();
-      return { turns, refused };
-    });
-    assert.ok(drawn.turns.every((turns) => turns >= 2), `${drawn.turns}`);
-    assert.match(drawn.refused, /expected/);
+    await page.waitForSelector("#bench");
+    assert.match(await page.textContent("#bench"), /nothing to measure/);
+    page.allowed = /404/;
     return page;
   },
   async "keys turn it, and the wheel comes nearer"() {
@@ -163,6 +101,8 @@ const tests = {
     const before = await page.evaluate(() => effigy.camera);
     await page.focus("#canvas");
     await page.keyboard.press("ArrowLeft");
+    await page.keyboard.press("Shift+ArrowUp");
+    assert.ok(await page.evaluate((before) => effigy.camera.target[1] < before.target[1], before), "shift and an arrow key move it");
     await page.mouse.move(300, 300);
     await page.mouse.wheel(0, -300);
     await page.waitForFunction((before) => effigy.camera.yaw !== before.yaw && effigy.camera.distance < before.distance, before);
@@ -170,22 +110,50 @@ const tests = {
     assert.equal(await page.evaluate(() => effigy.playing), false);
     return page;
   },
-  async "without WebGPU it says which browsers have it"() {
-    const page = await browser.newPage();
-    await page.addInitScript(() => Object.defineProperty(Navigator.prototype, "gpu", { get: undefined, configurable: true }) && delete Navigator.prototype.gpu);
-    page.complaints = [];
+  async "a module that does not come is no missing WebGPU"() {
+    const page = watched(await browser.newPage());
+    await page.route("**/effigy_core_bg.wasm", (route) => route.abort());
     await page.goto(home);
+    await page.waitForSelector("#message:not([hidden])");
+    assert.match(await page.textContent("#text"), /effigy_core_bg\.wasm/);
+    assert.ok(await page.isHidden("#unsupported"));
+    page.allowed = /ERR_FAILED/;
+    return page;
+  },
+  async "controls say what is, by ear too"() {
+    const page = await moving();
+    assert.equal(await page.textContent("#play"), "Pause");
+    assert.match(await page.getAttribute("#time", "aria-valuetext"), /^\d+\.\d of \d+\.\d seconds$/);
+    assert.notEqual(await page.getAttribute("#canvas", "role"), "img");
+    assert.equal(await page.locator("output, [aria-live]").count(), 0, "nothing is read out every frame");
+    const file = { name: "demo.avatar", mimeType: "application/octet-stream", buffer: await readFile(join(process.argv[2], "demo.avatar")) };
+    for (let turn = 0; turn < 2; ++turn) {
+      await page.setInputFiles("#file", file);
+      await page.waitForFunction(() => effigy.clips.length === 0);
+      assert.equal(await page.textContent("#play"), "Play", "an avatar without a clip is not playing");
+      await page.evaluate(() => effigy.loadMotion("demo.motion"));
+    }
+    return page;
+  },
+  async "a measurement is one that effigy compare reads"() {
+    const page = await opened("?bench=1&frames=2", { width: 200, height: 200 });
+    const text = await (await page.waitForSelector("#bench")).textContent();
+    assert.ok(JSON.parse(text).cases[0].frame_ms.mean > 0, text);
+    // tools/test_web.sh hands it to `effigy compare`.
+    await writeFile(join(out, "bench.json"), text);
+    return page;
+  },
+  async "without WebGPU it says which browsers have it"() {
+    const page = await opened("", undefined, () => { delete Navigator.prototype.gpu; });
     await page.waitForSelector("#unsupported:not([hidden])");
     assert.match(await page.textContent("#unsupported"), /Chrome/);
     return page;
   },
   async "it works without a network after the first time"() {
     const context = await browser.newContext({ viewport: { width: 300, height: 300 } });
-    const page = await context.newPage();
-    page.complaints = [];
+    const page = watched(await context.newPage());
     await page.goto(home);
     await page.evaluate(() => navigator.serviceWorker.ready);
-    await page.waitForTimeout(500);
     await context.setOffline(true);
     await page.reload();
     await page.waitForFunction(() => globalThis.effigy?.playing);
@@ -194,12 +162,14 @@ const tests = {
 };
 
 let failed = 0;
+const limit = Number(process.env.EFFIGY_TEST_SECONDS ?? 240);
 for (const [name, test] of Object.entries(tests).filter(([name]) => name.includes(process.env.ONLY ?? ""))) {
   const started = Date.now();
   let page;
   try {
-    page = await Promise.race([test(), new Promise((_, reject) => setTimeout(reject, 120_000, new Error("took longer than 2 minutes")))]);
-    assert.deepEqual(page.complaints.filter((text) => !/powerPreference|404/.test(text)), [], "the page complained");
+    const late = new Promise((_, reject) => setTimeout(reject, 1000 * limit, new Error(`took longer than ${limit} s`)));
+    page = await Promise.race([test(), late]);
+    assert.deepEqual(page.complaints.filter((text) => !page.allowed.test(text)), [], "the page complained");
     console.log(`ok ${name} (${((Date.now() - started) / 1000).toFixed(1)} s)`);
   } catch (error) {
     ++failed;

@@ -78,6 +78,7 @@ fn follow(stream: impl Read + Send + 'static, log: &Log) {
 fn files(folder: &Path) {
     let avatar = common::avatar(1, Sizes::default());
     avatar.write(&folder.join("body.avatar")).unwrap();
+    common::avatar(2, Sizes::default()).write(&folder.join("other.avatar")).unwrap();
     for seed in [1, 2] {
         common::clip(seed, &avatar, 60).write(&folder.join(format!("{seed}.motion"))).unwrap();
     }

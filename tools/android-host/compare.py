@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""compare.py FOLDER RENDERED.png: looks at the pictures that the app presented while its scripts were played (FOLDER/SCRIPT/NAME.ppm), and holds
-them against what `effigy render` makes of the same frame."""
+"""compare.py FOLDER RENDERED.png REFERENCE.png: looks at the pictures that the app presented while its scripts were played (FOLDER/SCRIPT/NAME.ppm), and holds
+them against what `effigy render` makes of the same frame on the device and by the f64 reference."""
+import math
 import pathlib
 import struct
 import sys
@@ -48,19 +49,29 @@ def covered(picture):
     return sum(1 for at in range(0, len(data), 3) if max(abs(data[at + i] - PAPER[i]) for i in range(3)) > 4)
 
 
+def psnr(picture, truth):
+    """dB over the pixels in which the truth is not the background."""
+    assert picture[0] == truth[0], f"{picture[0]} px against {truth[0]} px"
+    inside = [at for at in range(0, len(truth[1]), 3) if tuple(truth[1][at : at + 3]) != PAPER]
+    squares = sum((picture[1][at + i] - truth[1][at + i]) ** 2 for at in inside for i in range(3))
+    return 10 * math.log10(255**2 * 3 * len(inside) / squares) if squares else math.inf
+
+
 def check(holds, text):
     print(f"  {text}")
     if not holds:
         sys.exit(f"FAILED: {text}")
 
 
-def main(folder, rendered):
+def main(folder, rendered, reference):
     folder = pathlib.Path(folder)
     still = {name: read(folder / "picture" / f"{name}.ppm") for name in ("none", "quarter", "half", "threequarters")}
     area = covered(still["none"])
     check(area > 10000, f"the avatar covers {area} px of an upright screen of {still['none'][0]}")
     off = difference(still["none"], read_png(pathlib.Path(rendered)))
     check(off <= 2, f"it is what `effigy render` draws: {off} of 255 off")
+    db = psnr(still["none"], read_png(pathlib.Path(reference)))
+    check(db >= 48, f"it is {db:.2f} dB from the f64 reference where the avatar is, of 48 that it must be")
     off = difference(still["half"], read_png(folder / "picture" / "data" / "effigy-0001.png"))
     check(off <= 1, f"it is what its screenshot shows: {off} of 255 off")
     off = difference(still["none"], still["half"])

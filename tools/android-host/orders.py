@@ -1,13 +1,20 @@
 #!/usr/bin/env python3
-"""orders.py SEED EVENTS: a script for the host with a random order of what a system may do to an app, always one that is allowed."""
+"""orders.py SEED ORDERS EVENTS: a script for the host with random orders of what a system may do to an app, always such that are allowed. All are
+played to one activity, which is in the background for good after each; the last ends with its destruction."""
 import random
 import sys
 
 
-def script(seed, events):
-    pick = random.Random(seed)
-    size = [pick.randrange(60, 400), pick.randrange(60, 400)]
+def script(seed, orders, events):
     lines = [f"# seed {seed}", "vsync 0", "create"]
+    for number in range(orders):
+        lines += [f"# order {number}"] + order(random.Random(f"{seed} {number}"), events)
+    return "\n".join(lines + ["destroy"]) + "\n"
+
+
+def order(pick, events):
+    size = [pick.randrange(60, 400), pick.randrange(60, 400)]
+    lines = ["turn 0"]
     started = resumed = window = queue = False
     turn = 0
     for _ in range(events):
@@ -56,14 +63,13 @@ def script(seed, events):
             what = f"focus {pick.randrange(2)}"
         elif what == "frames":
             # A touch may have paused the clip, so there may be none: time for a few.
-            what = f"sleep {pick.randrange(10, 200)}"
+            what = f"sleep {pick.randrange(5, 80)}"
         elif what == "touch":
             finger = pick.randrange(3)
             what = f"touch2 {finger} {pick.choice(['down', 'move', 'up'])} {pick.randrange(400)} {pick.randrange(400)}"
         lines.append(what)
-    lines += ["focus 0"] * window + ["pause"] * resumed + ["nowindow"] * window + ["noqueue"] * queue + ["stop"] * started + ["destroy"]
-    return "\n".join(lines) + "\n"
+    return lines + ["focus 0"] * window + ["pause"] * resumed + ["nowindow"] * window + ["noqueue"] * queue + ["stop"] * started
 
 
 if __name__ == "__main__":
-    sys.stdout.write(script(int(sys.argv[1]), int(sys.argv[2])))
+    sys.stdout.write(script(*map(int, sys.argv[1:])))

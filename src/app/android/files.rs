@@ -1,5 +1,6 @@
 //! The avatars and clips that a phone has: the demo in the package, files in the app's folder, and one that another app opens with us.
 
+use super::java;
 use crate::{
     app::shelf::{Shelf, Show},
     avatar::{Avatar, Clip, file::Content, import},
@@ -11,57 +12,59 @@ use std::{
     io::Read,
     path::{Path, PathBuf},
 };
-use winit::platform::android::activity::ndk::asset::AssetManager;
+use winit::platform::android::activity::AndroidApp;
 
 const DEMO: &CStr = c"demo.avatar";
 const DEMO_CLIP: &CStr = c"demo.motion";
 
 /// Where avatars and clips are looked for.
 pub struct Files {
-    assets: AssetManager,
+    app: AndroidApp,
     /// The app's folder that `adb push` writes to.
     folder: Option<PathBuf>,
     /// Files that were in the folder when the app started, by name.
     avatars: Vec<PathBuf>,
+    /// Another app wants us to show a file.
+    opened: bool,
 }
 
 impl Files {
-    pub fn new(assets: AssetManager, folder: Option<PathBuf>) -> Self {
+    pub fn new(app: &AndroidApp, folder: Option<PathBuf>) -> Self {
         let avatars = listed(folder.as_deref(), &["avatar", "ply"]);
-        Self { assets, folder, avatars }
+        Self { app: app.clone(), folder, avatars, opened: java::has_opened(app) }
     }
 
-    /// What the panel offers: the demo first.
-    pub fn shelf(&self) -> Shelf {
+    /// What the panel offers: the demo first, last what another app wants us to show. Also the number of that, where there is such a thing.
+    pub fn shelf(self) -> (Shelf, Option<usize>) {
         let stem = |path: &PathBuf| path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-        let names = std::iter::once("demo".to_string()).chain(self.avatars.iter().map(stem)).collect();
-        let files = Self {
-            // SAFETY: the glue keeps the manager for as long as the process lives.
-            assets: unsafe { AssetManager::from_ptr(self.assets.ptr()) },
-            folder: self.folder.clone(),
-            avatars: self.avatars.clone(),
-        };
-        Shelf::new(names, 0, move |number| files.load(number))
+        let mut names: Vec<String> = std::iter::once("demo".to_string()).chain(self.avatars.iter().map(stem)).collect();
+        let opened = self.opened.then_some(names.len());
+        names.extend(opened.map(|_| "opened file".into()));
+        (Shelf::new(names, 0, move |number| self.load(number)), opened)
+    }
+
+    /// What to begin with: the demo, for it takes no time.
+    pub fn first(&self) -> anyhow::Result<Show> {
+        Ok(self.with_clips(self.demo()?, None))
     }
 
     fn load(&self, number: usize) -> anyhow::Result<Show> {
-        let avatar = match number.checked_sub(1).and_then(|file| self.avatars.get(file)) {
-            Some(path) => import::open(path, None)?,
+        let avatar = match number.checked_sub(1) {
             None => self.demo()?,
+            Some(file) => match self.avatars.get(file) {
+                Some(path) => import::open(path, None)?,
+                None => return self.opened().context("the file that was opened can't be shown"),
+            },
         };
         Ok(self.with_clips(avatar, None))
     }
 
-    /// What to begin with: what `opened` holds, else the demo. Also says what is wrong with what was opened.
-    pub fn first(&self, opened: Option<File>) -> (anyhow::Result<Show>, Option<String>) {
-        let given = opened.map(|file| read(file).context("the file that was opened can't be shown"));
-        let (avatar, clip, complaint) = match given {
-            Some(Ok(Content::Avatar(avatar))) => return (Ok(self.with_clips(*avatar, None)), None),
-            Some(Ok(Content::Clip(clip))) => (self.demo(), Some(*clip), None),
-            Some(Err(error)) => (self.demo(), None, Some(format!("{error:#}"))),
-            None => (self.demo(), None, None),
-        };
-        (avatar.map(|avatar| self.with_clips(avatar, clip)), complaint)
+    /// What another app wants us to show; a clip moves the demo.
+    fn opened(&self) -> anyhow::Result<Show> {
+        Ok(match read(java::opened_file(&self.app)?)? {
+            Content::Avatar(avatar) => self.with_clips(*avatar, None),
+            Content::Clip(clip) => self.with_clips(self.demo()?, Some(*clip)),
+        })
     }
 
     /// Adds the clips that move something of the avatar, `first` in front.
@@ -89,7 +92,7 @@ impl Files {
 
     fn asset(&self, name: &CStr) -> anyhow::Result<Vec<u8>> {
         let named = || format!("{} in the package", name.to_string_lossy());
-        let mut asset = self.assets.open(name).ok_or_else(|| anyhow!("{} is missing: install Effigy anew", named()))?;
+        let mut asset = self.app.asset_manager().open(name).ok_or_else(|| anyhow!("{} is missing: install Effigy anew", named()))?;
         Ok(asset.buffer().with_context(named)?.to_vec())
     }
 }

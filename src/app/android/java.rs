@@ -1,8 +1,9 @@
 //! What only the Java side knows and can: asked over JNI. Every question has an answer for a system that gives none.
 
+use anyhow::bail;
 use jni::{
     Env, JavaVM,
-    errors::Result,
+    errors::{Error, Result},
     jni_sig, jni_str,
     objects::{JObject, JObjectArray, JString, JValue},
     refs::Global,
@@ -16,17 +17,21 @@ use winit::platform::android::activity::AndroidApp;
 /// SYSTEM_UI_FLAG_: IMMERSIVE_STICKY, FULLSCREEN, HIDE_NAVIGATION, and LAYOUT_STABLE, _FULLSCREEN and _HIDE_NAVIGATION.
 const IMMERSIVE: i32 = 0x1000 | 0x4 | 0x2 | 0x100 | 0x400 | 0x200;
 
-/// Calls into Java on this thread, with the activity. What fails there is said in the log.
-fn with<T>(app: &AndroidApp, what: &str, call: impl FnOnce(&mut Env, &JObject) -> Result<T>) -> Option<T> {
+/// Calls into Java on this thread, with the activity. An exception is caught and becomes the error.
+fn call<T>(app: &AndroidApp, call: impl FnOnce(&mut Env, &JObject) -> Result<T>) -> Result<T> {
     let activity = app.activity_as_ptr().cast();
     // SAFETY: the glue hands out the process's own virtual machine.
     let machine = unsafe { JavaVM::from_raw(app.vm_as_ptr().cast()) };
-    let done = machine.attach_current_thread(|env| {
+    machine.attach_current_thread(|env| {
         // SAFETY: the glue keeps this global reference for as long as there is an `AndroidApp`.
         let activity = unsafe { env.as_cast_raw::<Global<JObject>>(&activity)? };
         call(env, &activity)
-    });
-    done.map_err(|error: jni::errors::Error| tracing::warn!("{what} failed: {error}")).ok()
+    })
+}
+
+/// The same where an answer is not needed: what fails is said in the log.
+fn with<T>(app: &AndroidApp, what: &str, ask: impl FnOnce(&mut Env, &JObject) -> Result<T>) -> Option<T> {
+    call(app, ask).map_err(|error| tracing::warn!("{what} failed: {error}")).ok()
 }
 
 /// The same on the thread that owns the activity's views, some time later.
@@ -76,7 +81,18 @@ pub fn highest_rate(app: &AndroidApp) -> Option<f32> {
     rate.filter(|&rate| rate > 0.0)
 }
 
-/// Minutes of the soak that the activity was started for: `adb shell am start -n … --ef soak 20`.
+/// How often the activity's display shows something new to it now, Hz: of its modes the one that it is in, and less where the system keeps an
+/// app below that.
+pub fn rate(app: &AndroidApp) -> Option<f64> {
+    let rate = with(app, "asking for the display's rate", |env, activity| {
+        let manager = env.call_method(activity, jni_str!("getWindowManager"), jni_sig!("()Landroid/view/WindowManager;"), &[])?.l()?;
+        let display = env.call_method(&manager, jni_str!("getDefaultDisplay"), jni_sig!("()Landroid/view/Display;"), &[])?.l()?;
+        env.call_method(&display, jni_str!("getRefreshRate"), jni_sig!("()F"), &[])?.f()
+    });
+    rate.map(f64::from).filter(|rate| rate.is_finite() && *rate > 0.0)
+}
+
+/// Minutes of the soak that the activity was started for: `adb shell am start -S -n … --ef soak 20`.
 pub fn soak_minutes(app: &AndroidApp) -> Option<f64> {
     with(app, "reading the intent", |env, activity| {
         let intent = env.call_method(activity, jni_str!("getIntent"), jni_sig!("()Landroid/content/Intent;"), &[])?.l()?;
@@ -92,14 +108,21 @@ pub fn soak_minutes(app: &AndroidApp) -> Option<f64> {
     .filter(|minutes| minutes.is_finite() && *minutes > 0.0)
 }
 
-/// The file that another app wants us to show: the intent that started the activity names it.
-pub fn opened_file(app: &AndroidApp) -> Option<File> {
-    with(app, "opening the file of the intent", |env, activity| {
+/// Whether another app wants us to show a file.
+pub fn has_opened(app: &AndroidApp) -> bool {
+    with(app, "reading the intent's action", |env, activity| {
         let intent = env.call_method(activity, jni_str!("getIntent"), jni_sig!("()Landroid/content/Intent;"), &[])?.l()?;
         let action = env.call_method(&intent, jni_str!("getAction"), jni_sig!("()Ljava/lang/String;"), &[])?.l()?;
-        if action.is_null() || env.cast_local::<JString>(action)?.try_to_string(env)? != "android.intent.action.VIEW" {
-            return Ok(None);
-        }
+        Ok(!action.is_null() && env.cast_local::<JString>(action)?.try_to_string(env)? == "android.intent.action.VIEW")
+    })
+    .unwrap_or(false)
+}
+
+/// The file that another app wants us to show: the intent that started the activity names it. It may have to be fetched from a network first,
+/// so this is for a thread that may wait.
+pub fn opened_file(app: &AndroidApp) -> anyhow::Result<File> {
+    let file = call(app, |env, activity| {
+        let intent = env.call_method(activity, jni_str!("getIntent"), jni_sig!("()Landroid/content/Intent;"), &[])?.l()?;
         let uri = env.call_method(&intent, jni_str!("getData"), jni_sig!("()Landroid/net/Uri;"), &[])?.l()?;
         let resolver = jni_sig!("()Landroid/content/ContentResolver;");
         let resolver = env.call_method(activity, jni_str!("getContentResolver"), resolver, &[])?.l()?;
@@ -107,11 +130,19 @@ pub fn opened_file(app: &AndroidApp) -> Option<File> {
         let open = jni_sig!("(Landroid/net/Uri;Ljava/lang/String;)Landroid/os/ParcelFileDescriptor;");
         let arguments = [JValue::Object(&uri), JValue::Object(&mode)];
         let file = env.call_method(&resolver, jni_str!("openFileDescriptor"), open, &arguments)?.l()?;
+        if file.is_null() {
+            return Ok(None);
+        }
         let number = env.call_method(&file, jni_str!("detachFd"), jni_sig!("()I"), &[])?.i()?;
         // SAFETY: detached from its Java object, the descriptor is ours alone.
         Ok(Some(File::from(unsafe { OwnedFd::from_raw_fd(number) })))
-    })
-    .flatten()
+    });
+    match file {
+        Ok(Some(file)) => Ok(file),
+        Ok(None) => bail!("the app that it is from gives no file: save it on the phone first, and open that"),
+        Err(Error::CaughtJavaException { name, msg, .. }) => bail!("the system says {name}: {msg}"),
+        Err(error) => bail!("{error}"),
+    }
 }
 
 /// Offers a text to the apps that take one.

@@ -19,13 +19,13 @@ use crate::{
     measure::soak::verdict::Bounds,
     vulkan::{GpuOptions, RendererOptions, cache},
 };
-pub(super) use java::{back, is_destroyed, share};
+pub(super) use java::{back, is_destroyed, rate, share};
 pub(super) use rate::ask as ask_rate;
 use std::{
     path::PathBuf,
     sync::atomic::{AtomicBool, Ordering},
 };
-use winit::platform::android::activity::AndroidApp;
+use winit::platform::android::activity::{AndroidApp, WindowManagerFlags};
 
 /// An event loop can be made once in a process, so the process ends with its activity.
 static STARTED: AtomicBool = AtomicBool::new(false);
@@ -57,13 +57,18 @@ fn android_main(app: AndroidApp) {
 /// Shows what the phone has until the activity is destroyed.
 fn show(app: &AndroidApp, folders: Vec<PathBuf>, last: Option<panics::Report>) -> anyhow::Result<()> {
     java::hide_bars(app);
-    let files = files::Files::new(app.asset_manager(), folders.first().cloned());
-    let (first, complaint) = files.first(java::opened_file(app));
+    let files = files::Files::new(app, folders.first().cloned());
+    let (avatar, clips) = files.first()?;
     let display = Display::of(app)?;
-    let said = last.as_ref().map(panics::Report::summary).or(complaint);
+    let (shelf, first) = files.shelf();
+    let said = last.as_ref().map(panics::Report::summary);
     let minutes = java::soak_minutes(app);
     let out = folders.first().map_or_else(|| "soak".into(), |folder| folder.join("soak"));
     let soak = minutes.map(|minutes| Soak { seconds: 60.0 * minutes, out, bounds: Bounds::default() });
+    if soak.is_some() {
+        // Nobody touches the screen for as long as that takes.
+        app.set_window_flags(WindowManagerFlags::KEEP_SCREEN_ON, WindowManagerFlags::empty());
+    }
     let options = Options {
         gpu: GpuOptions::headless(None),
         drawing: RendererOptions { count: soak.is_some(), ..RendererOptions::new([1; 2]) },
@@ -71,15 +76,19 @@ fn show(app: &AndroidApp, folders: Vec<PathBuf>, last: Option<panics::Report>) -
         background: BACKGROUND,
         frames: None,
         rehearse: Vec::new(),
-        shelf: files.shelf(),
+        shelf,
+        first,
         folders,
         said,
         report: last.map(|report| report.text),
-        steady: Some(Steady { rate: java::highest_rate(app).map(f64::from), governed: true, soak }),
+        steady: Some(Steady { rate: None, governed: true, soak }),
         trace: None,
     };
-    let (avatar, clips) = first?;
-    display.show(avatar, clips, options)
+    let shown = display.show(avatar, clips, options);
+    if !java::is_destroyed(app) {
+        app.set_window_flags(WindowManagerFlags::empty(), WindowManagerFlags::KEEP_SCREEN_ON);
+    }
+    shown
 }
 
 /// Ends the process at once: the graphics driver's threads and the system's own may be running, so nothing is torn down under them.

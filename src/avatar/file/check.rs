@@ -1,6 +1,9 @@
 //! The rules that a tensor's numbers keep: bytes at any alignment go in, the first number that breaks the rule comes out.
 
-use crate::avatar::limits;
+use crate::avatar::{
+    limits,
+    matrix::{CODE_MAX, STEP_MAX},
+};
 use bytemuck::Pod;
 use half::f16;
 use safetensors::Dtype;
@@ -34,6 +37,7 @@ macro_rules! element {
 }
 
 element!(u8, U8);
+element!(i8, I8);
 element!(u16, U16);
 element!(u32, U32);
 element!(f16, F16);
@@ -92,6 +96,27 @@ pub fn weights<T: Element>(bytes: &[u8]) -> Result<(), Bad> {
         Some((row, sum)) => Err(Bad { at: 4 * row, found: format!("weights that sum to {sum}"), expected: "a sum of 255".into() }),
         None => Ok(()),
     }
+}
+
+/// Three weights sum to 255 at most.
+pub fn weights_but_one<T: Element>(bytes: &[u8]) -> Result<(), Bad> {
+    let sum = |row: [T; 3]| row.iter().map(|&v| v.to_f64()).sum::<f64>();
+    match values(bytes).map(sum).enumerate().find(|&(_, sum)| sum > 255.0) {
+        Some((row, sum)) => {
+            Err(Bad { at: 3 * row, found: format!("three weights that sum to {sum}"), expected: "a sum of 255 at most".into() })
+        }
+        None => Ok(()),
+    }
+}
+
+/// Codes of a [`Matrix`](crate::avatar::Matrix).
+pub fn code<T: Element>(bytes: &[u8]) -> Result<(), Bad> {
+    each(bytes, |value: T| value.to_f64() >= -f64::from(CODE_MAX), || format!("codes from -{CODE_MAX} to {CODE_MAX}"))
+}
+
+/// Steps of a [`Matrix`](crate::avatar::Matrix).
+pub fn step<T: Element>(bytes: &[u8]) -> Result<(), Bad> {
+    each(bytes, |value: T| (0.0..=STEP_MAX).contains(&value.to_f64()), || format!("steps from 0 to {STEP_MAX}"))
 }
 
 /// From 0 to `end`, never falling.

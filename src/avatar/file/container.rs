@@ -1,20 +1,67 @@
-//! The safetensors container: bytes go in, a checked document and its tensors come out, and the way back.
+//! The safetensors container: bytes go in, a checked document and its tensors come out. [`super::encode`] is the way back.
 
-use super::format::{Document, METADATA_KEY, VERSION};
+use super::deflate::{self, EXPANSION, EXPANSION_FREE, Kind};
+use super::format::{Document, METADATA_KEY, Order, Tensor};
 use super::{Fault, TensorInfo, clip};
-use safetensors::tensor::{Metadata, TensorView};
+use safetensors::Dtype;
+use safetensors::tensor::Metadata;
 use std::collections::HashMap;
 
 #[cfg(target_endian = "big")]
 compile_error!("the files are little-endian, and so must the host be");
 
 /// The longest header that is parsed, bytes. The largest avatar's is a tenth of it; parsing takes a multiple of it in memory.
-const HEADER_MAX: usize = 256 << 10;
+pub const HEADER_MAX: usize = 256 << 10;
 
 /// An opened container: its header, and the bytes of all tensors.
 pub struct Container<'a> {
     metadata: Metadata,
     data: &'a [u8],
+    /// Tensors that were deflated.
+    expanded: HashMap<String, Vec<u8>>,
+}
+
+/// A tensor that a document calls for.
+struct Called<'d, D: Document> {
+    row: &'d Tensor<D, D::Model>,
+    name: String,
+    shape: Vec<usize>,
+    /// How it is arranged, where it is deflated.
+    order: Option<Order>,
+}
+
+impl<D: Document> Called<'_, D> {
+    fn fault(&self, found: impl ToString, expected: impl ToString) -> Fault {
+        Fault::Tensor { tensor: self.name.clone(), found: found.to_string(), expected: expected.to_string() }
+    }
+
+    /// Bytes, of which there may be none that a computer could count.
+    fn bytes(&self) -> Option<usize> {
+        self.shape.iter().try_fold(width(self.row.dtype), |bytes, &n| bytes.checked_mul(n))
+    }
+
+    fn kind(&self) -> Kind {
+        kind(self.row.dtype, &self.shape)
+    }
+}
+
+/// Bytes of a number.
+pub fn width(dtype: Dtype) -> usize {
+    dtype.bitsize() / 8
+}
+
+pub fn kind(dtype: Dtype, shape: &[usize]) -> Kind {
+    Kind { width: width(dtype), columns: shape.iter().skip(1).product() }
+}
+
+/// All tensors that a document calls for.
+fn called<D: Document>(document: &D) -> impl Iterator<Item = Called<'static, D>> {
+    let rows = D::TENSORS.iter().flat_map(|row| (0..(row.count)(document)).map(move |k| (row, k)));
+    rows.map(|(row, k)| {
+        let name = row.name(k);
+        let order = document.deflated().and_then(|deflated| deflated.get(&name)).copied();
+        Called { row, shape: (row.shape)(document, k), name, order }
+    })
 }
 
 impl<'a> Container<'a> {
@@ -38,7 +85,7 @@ impl<'a> Container<'a> {
             let complete = if data.len() < metadata.data_len() { "; the file is incomplete" } else { "" };
             return Err(Fault::container(found, format!("{} as the header says{complete}", metadata.data_len())));
         }
-        Ok(Self { metadata, data })
+        Ok(Self { metadata, data, expanded: HashMap::new() })
     }
 
     /// Our document in the header: what it says it is, and its text.
@@ -54,16 +101,23 @@ impl<'a> Container<'a> {
         if tag.format != D::FORMAT {
             return Err(Fault::metadata("format", format!("`{}`", clip(&tag.format)), format!("`{}`", D::FORMAT)));
         }
-        if tag.version != VERSION {
-            return Err(Fault::metadata("version", tag.version, format!("{VERSION}, the only one this program reads")));
+        let [first, last] = D::VERSIONS;
+        if !(first..=last).contains(&tag.version) {
+            let all = if first == last { format!("{first}, the only one") } else { format!("{first} or {last}, the only ones") };
+            return Err(Fault::metadata("version", tag.version, all + " this program reads"));
         }
         let document: D = parse(text)?;
         document.check()?;
         Ok(document)
     }
 
-    fn bytes(&self, name: &str) -> &'a [u8] {
+    /// What the file has under a name.
+    fn stored(&self, name: &str) -> &'a [u8] {
         self.metadata.info(name).map_or(&[], |info| &self.data[info.data_offsets.0..info.data_offsets.1])
+    }
+
+    fn bytes(&self, name: &str) -> &[u8] {
+        self.expanded.get(name).map_or_else(|| self.stored(name), Vec::as_slice)
     }
 
     /// A checked tensor's numbers; nothing where the file has none of this name.
@@ -71,25 +125,51 @@ impl<'a> Container<'a> {
         bytemuck::pod_collect_to_vec(self.bytes(name))
     }
 
-    /// Holds every tensor that the document calls for against its row in the table.
-    fn check<D: Document>(&self, document: &D) -> Result<(), Fault> {
-        for row in D::TENSORS {
-            for k in 0..(row.count)(document) {
-                let name = row.name(k);
-                let fault = |found: String, expected: String| Fault::Tensor { tensor: name.clone(), found, expected };
-                let (dtype, shape) = (row.dtype, (row.shape)(document, k));
-                let info = self.metadata.info(&name).ok_or_else(|| fault("nothing".into(), format!("{dtype} of shape {shape:?}")))?;
-                if info.dtype != dtype {
-                    return Err(fault(info.dtype.to_string(), dtype.to_string()));
-                }
-                if info.shape != shape {
-                    return Err(fault(format!("shape {}", clip(&format!("{:?}", info.shape))), format!("{shape:?}")));
-                }
-                (row.rule)(document, self.bytes(&name))
-                    .map_err(|bad| fault(format!("{} at {:?}", bad.found, coordinates(bad.at, &shape)), bad.expected))?;
+    /// Holds every tensor that the document calls for against its row in the table, and expands those that are deflated.
+    fn check<D: Document>(&mut self, document: &D) -> Result<(), Fault> {
+        let all: Vec<Called<D>> = called(document).collect();
+        all.iter().try_for_each(|called| self.check_shape(called))?;
+        self.check_expansion(&all)?;
+        for called in &all {
+            if let Some(order) = called.order {
+                let length = called.bytes().unwrap_or_default();
+                let bytes = deflate::unpack(self.stored(&called.name), length, called.kind(), order)
+                    .map_err(|found| called.fault(found, format!("{} of shape {:?}, {length} bytes", called.row.dtype, called.shape)))?;
+                self.expanded.insert(called.name.clone(), bytes);
             }
+            (called.row.rule)(document, self.bytes(&called.name))
+                .map_err(|bad| called.fault(format!("{} at {:?}", bad.found, coordinates(bad.at, &called.shape)), bad.expected))?;
         }
         Ok(())
+    }
+
+    fn check_shape<D: Document>(&self, called: &Called<D>) -> Result<(), Fault> {
+        let (dtype, shape) = match called.order {
+            Some(_) => (Dtype::U8, vec![self.stored(&called.name).len()]),
+            None => (called.row.dtype, called.shape.clone()),
+        };
+        let info = self.metadata.info(&called.name);
+        let info = info.ok_or_else(|| called.fault("nothing", format!("{} of shape {:?}", called.row.dtype, called.shape)))?;
+        if info.dtype != dtype {
+            return Err(called.fault(info.dtype, dtype));
+        }
+        if info.shape != shape {
+            return Err(called.fault(format!("shape {}", clip(&format!("{:?}", info.shape))), format!("{shape:?}")));
+        }
+        Ok(())
+    }
+
+    /// What is deflated stays within [`EXPANSION`] before any of it is expanded.
+    fn check_expansion<D: Document>(&self, all: &[Called<D>]) -> Result<(), Fault> {
+        let expanded = || all.iter().filter(|called| called.order.is_some());
+        let length = expanded().try_fold(0usize, |sum, called| sum.checked_add(called.bytes()?)).unwrap_or(usize::MAX);
+        let most = EXPANSION.saturating_mul(self.data.len()).saturating_add(EXPANSION_FREE);
+        match expanded().max_by_key(|called| called.bytes()) {
+            Some(largest) if length > most => {
+                Err(largest.fault(format!("the largest of deflated tensors of {length} bytes"), format!("{most} bytes at most in all")))
+            }
+            _ => Ok(()),
+        }
     }
 }
 
@@ -118,50 +198,33 @@ pub fn is_of<D: Document>(bytes: &[u8]) -> Result<bool, Fault> {
 
 /// The model in a file's bytes.
 pub fn decode<D: Document>(bytes: &[u8]) -> Result<D::Model, Fault> {
-    let container = Container::open(bytes)?;
+    let mut container = Container::open(bytes)?;
     let document: D = container.document()?;
     container.check(&document)?;
     Ok(document.build(&container))
 }
 
-/// A model's file. What could not be read back as it was is refused.
-pub fn encode<D: Document>(model: &D::Model) -> Result<Vec<u8>, Fault>
-where
-    D::Model: PartialEq,
-{
-    let document = D::of(model);
-    document.check()?;
-    let mut views = Vec::new();
-    for row in D::TENSORS {
-        for k in 0..(row.count)(&document) {
-            let (name, shape, bytes) = (row.name(k), (row.shape)(&document, k), (row.bytes)(model, k));
-            let view = TensorView::new(row.dtype, shape.clone(), bytes).map_err(|_| Fault::Tensor {
-                tensor: name.clone(),
-                found: format!("{} bytes", bytes.len()),
-                expected: format!("{} of shape {shape:?}", row.dtype),
-            })?;
-            views.push((name, view));
-        }
-    }
-    let text = serde_json::to_string(&document).expect("strings and numbers always have a JSON form");
-    let metadata = HashMap::from([(METADATA_KEY.to_owned(), text)]);
-    let bytes = safetensors::serialize(views, Some(metadata)).map_err(|error| Fault::container(error, "tensors that fit a file"))?;
-    if decode::<D>(&bytes)? != *model {
-        return Err(Fault::container("arrays that contradict each other", "lengths and widths that agree"));
-    }
-    Ok(bytes)
+/// What a file of a kind holds, as it stores it.
+pub fn list<D: Document>(bytes: &[u8]) -> Result<Vec<TensorInfo>, Fault> {
+    let mut container = Container::open(bytes)?;
+    let document: D = container.document()?;
+    container.check(&document)?;
+    Ok(called(&document).map(|called| info(&called, container.stored(&called.name).len())).collect())
 }
 
-/// What a model's file holds.
-pub fn list<D: Document>(model: &D::Model) -> Vec<TensorInfo> {
-    let document = D::of(model);
-    let rows = D::TENSORS.iter().flat_map(|row| (0..(row.count)(&document)).map(move |k| (row, k)));
-    rows.map(|(row, k)| TensorInfo {
-        name: row.name(k),
-        dtype: row.dtype.to_string(),
-        shape: (row.shape)(&document, k),
-        bytes: (row.bytes)(model, k).len(),
-        what: row.what,
-    })
-    .collect()
+fn info<D: Document>(called: &Called<D>, stored: usize) -> TensorInfo {
+    TensorInfo {
+        name: called.name.clone(),
+        dtype: called.row.dtype.to_string(),
+        shape: called.shape.clone(),
+        bytes: called.bytes().unwrap_or_default(),
+        stored,
+        deflated: called.order,
+        what: called.row.what,
+    }
+}
+
+/// What a model's plain file holds.
+pub fn list_plain<D: Document>(model: &D::Model) -> Vec<TensorInfo> {
+    called(&D::of(model)).map(|called| info(&called, called.bytes().unwrap_or_default())).collect()
 }

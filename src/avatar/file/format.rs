@@ -1,4 +1,4 @@
-//! The format of `NAME.avatar` and `NAME.motion`, version 1, in one place: [`AvatarHeader`] and [`ClipHeader`] are the metadata,
+//! The format of `NAME.avatar`, versions 1 and 2, and `NAME.motion`, version 1, in one place: [`AvatarHeader`] and [`ClipHeader`] are the metadata,
 //! [`AVATAR`] and [`MOTION`] the tensors. The writer, the reader's checks and `effigy inspect` all follow these tables.
 //!
 //! Both are [safetensors](https://github.com/huggingface/safetensors) files: the header's length as a 64-bit number, the header as
@@ -6,20 +6,31 @@
 //! document with names, counts and scalars. Readers ignore metadata and tensors that they do not know, and reject any other
 //! `version`. The header is at most 256 KiB long; [`limits`](crate::avatar::limits) holds for all counts.
 //!
+//! Version 2 of an avatar file is version 1 with some numbers in fewer bits, which `coded` and `log_scales` name and the tables below
+//! have as alternatives of one name, and with some tensors deflated, which `deflated` names: such a tensor is of type U8, in the file of
+//! one dimension, and holds a zlib stream of its bytes, arranged as [`Order`] says. All tensors together are at most
+//! [`EXPANSION`](super::deflate::EXPANSION) times as long as what the file has of them.
+//!
 //! Symbols: N_g `gaussians`, N_G `parts`, N_s `nodes`, N_B `basis` (a multiple of 4), J the number of `joints`, F `frames`.
 
 use super::check::{self, Bad, Element};
+use super::coding::{self, Stored, codes, halves, steps};
+pub use super::coding::{Coded, LogScaleCodes};
 use super::container::Container;
+pub use super::deflate::Order;
 use super::{Fault, header::subspace};
 use crate::avatar::{Activation, Avatar, Clip};
 use half::f16;
 use safetensors::Dtype;
 use serde::{Deserialize, Serialize, de::DeserializeOwned};
+use std::{borrow::Cow, collections::BTreeMap};
 
 /// Where in the header's metadata the document is.
 pub const METADATA_KEY: &str = "effigy";
-/// The version that is written, and the only one read.
+/// The version that has no codes and deflates nothing.
 pub const VERSION: u64 = 1;
+/// The version of avatar files that has, or does.
+pub const VERSION_PACKED: u64 = 2;
 /// `format` of an avatar file.
 pub const AVATAR_FORMAT: &str = "effigy.avatar";
 /// `format` of a motion file.
@@ -68,6 +79,15 @@ pub struct AvatarHeader {
     /// Principal components of the pose and of the expression; absent or null without such a space.
     pub pose_components: Option<usize>,
     pub expression_components: Option<usize>,
+    /// What is stored as codes; none in version 1.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub coded: Vec<Coded>,
+    /// How codes of log scales are read; absent where log scales are f16.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub log_scales: Option<LogScaleCodes>,
+    /// The tensors that are deflated, and how their bytes are arranged; none in version 1.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub deflated: BTreeMap<String, Order>,
 }
 
 /// The document of a motion file.
@@ -97,9 +117,17 @@ pub struct ClipHeader {
 pub trait Document: Serialize + DeserializeOwned + 'static {
     type Model;
     const FORMAT: &'static str;
+    /// Versions that are read, the first to the last.
+    const VERSIONS: [u64; 2];
     const TENSORS: &'static [Tensor<Self, Self::Model>];
-    /// The document of a model.
+    /// The document of a model, as plain as its arrays are.
     fn of(model: &Self::Model) -> Self;
+    /// The tensors that are deflated.
+    fn deflated(&self) -> Option<&BTreeMap<String, Order>> {
+        None
+    }
+    /// Says that these are.
+    fn set_deflated(&mut self, _: BTreeMap<String, Order>) {}
     /// Holds the document itself against the format; the tensors' shapes follow from what passes.
     fn check(&self) -> Result<(), Fault>;
     /// The model, from tensors that passed their checks.
@@ -116,7 +144,7 @@ pub struct Tensor<H, M> {
     pub shape: fn(&H, usize) -> Vec<usize>,
     /// Checks the numbers.
     pub rule: fn(&H, &[u8]) -> Result<(), Bad>,
-    pub bytes: fn(&M, usize) -> &[u8],
+    pub bytes: for<'a> fn(&H, &'a M, usize) -> Cow<'a, [u8]>,
     /// What the numbers are.
     pub what: &'static str,
 }
@@ -138,62 +166,119 @@ macro_rules! table {
             count: |$h: &$header| { let _ = $h; $count },
             shape: |$h: &$header, $k: usize| { let _ = ($h, $k); vec![$($dim),*] },
             rule: |$h: &$header, bytes: &[u8]| { let _ = $h; check::$rule::<$type>(bytes $(, $limit)*) },
-            bytes: |$m: &$model, $k: usize| { let _ = $k; bytemuck::cast_slice(&$data[..]) },
+            bytes: |$h: &$header, $m: &$model, $k: usize| { let _ = ($h, $k); Stored::stored($data) },
             what: $what,
         },)*)*]
     };
 }
 
-/// The tensors of an avatar file. After `=` stands the array that a tensor is read into.
+/// The tensors of an avatar file. After `=` stands the array that a tensor is read into, or what makes its codes of one.
 pub const AVATAR: &[Tensor<AvatarHeader, Avatar>] = table! { h: AvatarHeader, a: Avatar, k;
     1 => {
-        "position":       u16 [h.gaussians, 3] any() = a.gaussians.position, "coordinates in the bounds, canonical pose";
-        "rotation":       f16 [h.gaussians, 4] quaternion() = a.gaussians.rotation, "quaternion w x y z, any length but 0";
-        "log_scale":      f16 [h.gaussians, 3] finite() = a.gaussians.log_scale, "ln of the standard deviations, metres";
-        "color":          f16 [h.gaussians, 3] finite() = a.gaussians.color, "red, green, blue, 0 to 1";
-        "opacity":        u8 [h.gaussians] any() = a.gaussians.opacity, "255 is opaque";
-        "joint":          u8 [h.gaussians, 4] below(h.joints.len()) = a.gaussians.joint, "the joints that move a Gaussian";
-        "joint_weight":   u8 [h.gaussians, 4] weights() = a.gaussians.joint_weight, "their weights, which sum to 255";
-        "node":           u16 [h.gaussians, 3] below(h.nodes) = a.gaussians.node, "the nearest nodes";
-        "part_start":     u32 [h.parts + 1] starts(h.gaussians) = a.parts.start, "part i is Gaussians start[i] to start[i + 1]";
-        "rotation.row":   u32 [h.rotation_rows] rising(h.gaussians) = a.rotation_rows.gaussian, "the Gaussian of each row";
-        "rotation.basis": f16 [h.rotation_rows, 4, h.basis] finite() = a.rotation_rows.basis, "quaternion a unit of feature";
-        "scale.row":      u32 [h.scale_rows] rising(h.gaussians) = a.scale_rows.gaussian, "the Gaussian of each row";
-        "scale.basis":    f16 [h.scale_rows, 3, h.basis] finite() = a.scale_rows.basis, "log scale a unit of feature";
-        "color.row":      u32 [h.color_rows] rising(h.gaussians) = a.color_rows.gaussian, "the Gaussian of each row";
-        "color.basis":    f16 [h.color_rows, 3, h.basis] finite() = a.color_rows.basis, "colour a unit of feature";
-        "node.position":  u16 [h.nodes, 3] any() = a.nodes.position, "coordinates in the bounds, canonical pose";
-        "node.part":      u16 [h.nodes] below(h.parts) = a.nodes.part, "the part whose features move the node";
-        "node.offset":    f16 [h.nodes, 3] length() = a.nodes.offset, "displacement that no pose changes, metres";
-        "node.basis":     f16 [h.nodes, 3, h.basis] finite() = a.nodes.basis, "metres a unit of feature";
-        "skeleton.rest":  f32 [h.joints.len(), 3] length() = a.skeleton.rest, "joints in the rest pose, metres";
-        "skeleton.canonical": f32 [h.joints.len(), 3] finite() = a.skeleton.canonical, "the canonical pose, axis-angle, radians";
+        "position":       u16 [h.gaussians, 3] any() = &a.gaussians.position, "coordinates in the bounds, canonical pose";
+        "opacity":        u8 [h.gaussians] any() = &a.gaussians.opacity, "255 is opaque";
+        "joint":          u8 [h.gaussians, 4] below(h.joints.len()) = &a.gaussians.joint, "the joints that move a Gaussian";
+        "node":           u16 [h.gaussians, 3] below(h.nodes) = &a.gaussians.node, "the nearest nodes";
+        "part_start":     u32 [h.parts + 1] starts(h.gaussians) = &a.parts.start, "part i is Gaussians start[i] to start[i + 1]";
+        "rotation.row":   u32 [h.rotation_rows] rising(h.gaussians) = &a.rotation_rows.gaussian, "the Gaussian of each row";
+        "scale.row":      u32 [h.scale_rows] rising(h.gaussians) = &a.scale_rows.gaussian, "the Gaussian of each row";
+        "color.row":      u32 [h.color_rows] rising(h.gaussians) = &a.color_rows.gaussian, "the Gaussian of each row";
+        "node.position":  u16 [h.nodes, 3] any() = &a.nodes.position, "coordinates in the bounds, canonical pose";
+        "node.part":      u16 [h.nodes] below(h.parts) = &a.nodes.part, "the part whose features move the node";
+        "node.offset":    f16 [h.nodes, 3] length() = &a.nodes.offset, "displacement that no pose changes, metres";
+        "skeleton.rest":  f32 [h.joints.len(), 3] length() = &a.skeleton.rest, "joints in the rest pose, metres";
+        "skeleton.canonical": f32 [h.joints.len(), 3] finite() = &a.skeleton.canonical, "the canonical pose, axis-angle, radians";
     }
-    h.widths.len().saturating_sub(1) => {
-        "mlp.#.weight": f16 [h.parts, h.widths[k + 1], h.widths[k]] finite() = a.networks.layers[k].weight, "a layer of every part";
-        "mlp.#.bias":   f16 [h.parts, h.widths[k + 1]] finite() = a.networks.layers[k].bias, "its biases";
+    h.plain(Coded::Rotation) => {
+        "rotation": f16 [h.gaussians, 4] quaternion() = &a.gaussians.rotation, "quaternion w x y z, any length but 0";
+    }
+    h.coded(Coded::Rotation) => {
+        "rotation": u32 [h.gaussians] any() = coding::rotations(a), "quaternion of length 1: three components and which is left out";
+    }
+    usize::from(h.log_scales.is_none()) => {
+        "log_scale": f16 [h.gaussians, 3] finite() = &a.gaussians.log_scale, "ln of the standard deviations, metres";
+    }
+    h.log_scales_of(8) => {
+        "log_scale": u8 [h.gaussians, 3] any() = coding::log_scales::<u8>(a, h.log_scales), "codes of ln of the standard deviations";
+    }
+    h.log_scales_of(16) => {
+        "log_scale": u16 [h.gaussians, 3] below(LogScaleCodes::MOST + 1) = coding::log_scales::<u16>(a, h.log_scales),
+            "codes of ln of the standard deviations";
+    }
+    h.plain(Coded::Color) => {
+        "color": f16 [h.gaussians, 3] finite() = &a.gaussians.color, "red, green, blue, 0 to 1";
+    }
+    h.coded(Coded::Color) => {
+        "color":      u8 [h.gaussians, 3] any() = coding::colors(a), "red, green, blue, 0 to 255";
+        "color.kept": f16 [h.color_rows, 3] finite() = coding::kept_colors(a), "the same of those with a row, 0 to 1";
+    }
+    h.plain(Coded::JointWeight) => {
+        "joint_weight": u8 [h.gaussians, 4] weights() = &a.gaussians.joint_weight, "their weights, which sum to 255";
+    }
+    h.coded(Coded::JointWeight) => {
+        "joint_weight": u8 [h.gaussians, 3] weights_but_one() = coding::joint_weights(a), "their weights but the last, of 255";
+    }
+    h.plain(Coded::RotationBasis) => {
+        "rotation.basis": f16 [h.rotation_rows, 4, h.basis] finite() = halves(&a.rotation_rows.basis), "quaternion a unit of feature";
+    }
+    h.coded(Coded::RotationBasis) => {
+        "rotation.basis": i8 [h.rotation_rows, 4, h.basis] code() = codes(&a.rotation_rows.basis), "steps of quaternion a unit of feature";
+        "rotation.step":  f16 [h.rotation_rows] step() = steps(&a.rotation_rows.basis), "the step of each row";
+    }
+    h.plain(Coded::ScaleBasis) => {
+        "scale.basis": f16 [h.scale_rows, 3, h.basis] finite() = halves(&a.scale_rows.basis), "log scale a unit of feature";
+    }
+    h.coded(Coded::ScaleBasis) => {
+        "scale.basis": i8 [h.scale_rows, 3, h.basis] code() = codes(&a.scale_rows.basis), "steps of log scale a unit of feature";
+        "scale.step":  f16 [h.scale_rows] step() = steps(&a.scale_rows.basis), "the step of each row";
+    }
+    h.plain(Coded::ColorBasis) => {
+        "color.basis": f16 [h.color_rows, 3, h.basis] finite() = halves(&a.color_rows.basis), "colour a unit of feature";
+    }
+    h.coded(Coded::ColorBasis) => {
+        "color.basis": i8 [h.color_rows, 3, h.basis] code() = codes(&a.color_rows.basis), "steps of colour a unit of feature";
+        "color.step":  f16 [h.color_rows] step() = steps(&a.color_rows.basis), "the step of each row";
+    }
+    h.plain(Coded::NodeBasis) => {
+        "node.basis": f16 [h.nodes, 3, h.basis] finite() = halves(&a.nodes.basis), "metres a unit of feature";
+    }
+    h.coded(Coded::NodeBasis) => {
+        "node.basis": i8 [h.nodes, 3, h.basis] code() = codes(&a.nodes.basis), "steps of metres a unit of feature";
+        "node.step":  f16 [h.nodes] step() = steps(&a.nodes.basis), "the step of each node";
+    }
+    h.layers() * h.plain(Coded::Networks) => {
+        "mlp.#.weight": f16 [h.parts, h.widths[k + 1], h.widths[k]] finite() = halves(&a.networks.layers[k].weight),
+            "a layer of every part";
+    }
+    h.layers() * h.coded(Coded::Networks) => {
+        "mlp.#.weight": i8 [h.parts, h.widths[k + 1], h.widths[k]] code() = codes(&a.networks.layers[k].weight),
+            "steps of a layer of every part";
+        "mlp.#.step":   f16 [h.parts, h.widths[k + 1]] step() = steps(&a.networks.layers[k].weight), "the step of each neuron";
+    }
+    h.layers() => {
+        "mlp.#.bias": f16 [h.parts, h.widths[k + 1]] finite() = &a.networks.layers[k].bias, "its biases";
     }
     usize::from(h.pose_components.is_some()) => {
-        "pose_space.mean":      f32 [h.pose_len()] finite() = subspace(&a.inputs.pose_space).mean, "mean of the training poses";
+        "pose_space.mean":      f32 [h.pose_len()] finite() = &subspace(&a.inputs.pose_space).mean, "mean of the training poses";
         "pose_space.component": f32 [h.pose_components.unwrap_or(0), h.pose_len()] orthonormal(h.pose_len())
-            = subspace(&a.inputs.pose_space).component, "their principal components";
+            = &subspace(&a.inputs.pose_space).component, "their principal components";
         "pose_space.sigma":     f32 [h.pose_components.unwrap_or(0)] deviation()
-            = subspace(&a.inputs.pose_space).sigma, "standard deviation along each";
+            = &subspace(&a.inputs.pose_space).sigma, "standard deviation along each";
     }
     usize::from(h.expression_components.is_some()) => {
-        "expression_space.mean": f32 [h.expression] finite() = subspace(&a.inputs.expression_space).mean, "mean of the expressions";
+        "expression_space.mean": f32 [h.expression] finite() = &subspace(&a.inputs.expression_space).mean, "mean of the expressions";
         "expression_space.component": f32 [h.expression_components.unwrap_or(0), h.expression] orthonormal(h.expression)
-            = subspace(&a.inputs.expression_space).component, "their principal components";
+            = &subspace(&a.inputs.expression_space).component, "their principal components";
         "expression_space.sigma": f32 [h.expression_components.unwrap_or(0)] deviation()
-            = subspace(&a.inputs.expression_space).sigma, "standard deviation along each";
+            = &subspace(&a.inputs.expression_space).sigma, "standard deviation along each";
     }
 };
 
 /// The tensors of a motion file.
 pub const MOTION: &[Tensor<ClipHeader, Clip>] = table! { h: ClipHeader, c: Clip, k;
     1 => {
-        "rotation":    f32 [h.frames, h.joints.len(), 3] finite() = c.rotation, "axis-angle relative to the parent, radians";
-        "translation": f32 [h.frames, 3] length() = c.translation, "of the root from its rest position, metres";
-        "expression":  f32 [h.frames, h.expression] finite() = c.expression, "expression coefficients";
+        "rotation":    f32 [h.frames, h.joints.len(), 3] finite() = &c.rotation, "axis-angle relative to the parent, radians";
+        "translation": f32 [h.frames, 3] length() = &c.translation, "of the root from its rest position, metres";
+        "expression":  f32 [h.frames, h.expression] finite() = &c.expression, "expression coefficients";
     }
 };

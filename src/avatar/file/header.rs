@@ -1,10 +1,14 @@
 //! The documents in the files' headers: taken from a model, checked, and made into a model with the tensors.
 
+use super::arrays::{basis, rows};
+use super::coding::{self, Coded, LogScaleCodes};
 use super::container::Container;
-use super::format::{AVATAR, AVATAR_FORMAT, AvatarHeader, ClipHeader, Document, MOTION, MOTION_FORMAT, Tensor, VERSION};
+use super::format::{
+    AVATAR, AVATAR_FORMAT, AvatarHeader, ClipHeader, Document, MOTION, MOTION_FORMAT, Order, Tensor, VERSION, VERSION_PACKED,
+};
 use super::{Fault, clip};
-use crate::avatar::{Avatar, Bounds, Clip, Gaussians, Inputs, Layer, Networks, Nodes, Parts, Rows, Skeleton, Subspace, limits};
-use std::collections::HashSet;
+use crate::avatar::{Avatar, Clip, Nodes, Parts, Subspace, limits};
+use std::collections::{BTreeMap, HashSet};
 use std::fmt::Display;
 use std::ops::RangeInclusive;
 
@@ -48,6 +52,40 @@ impl AvatarHeader {
     /// Length of θ_p.
     pub fn pose_len(&self) -> usize {
         3 * self.inputs.len()
+    }
+
+    /// The document of an avatar in as few bits as hold it.
+    pub fn packed(avatar: &Avatar) -> Self {
+        let (coded, log_scales) = coding::exact(avatar);
+        Self { version: VERSION_PACKED, coded, log_scales, ..Self::of(avatar) }
+    }
+
+    /// Tensors of what is coded, 0 or 1.
+    pub(super) fn coded(&self, what: Coded) -> usize {
+        usize::from(self.coded.contains(&what))
+    }
+
+    pub(super) fn plain(&self, what: Coded) -> usize {
+        1 - self.coded(what)
+    }
+
+    /// How many tensors there are of log scales in so many bits.
+    pub(super) fn log_scales_of(&self, bits: u32) -> usize {
+        usize::from(self.log_scales.is_some_and(|codes| codes.bits == bits))
+    }
+
+    pub(super) fn layers(&self) -> usize {
+        self.widths.len().saturating_sub(1)
+    }
+
+    fn check_codes(&self) -> Result<(), Fault> {
+        let plain = self.coded.is_empty() && self.log_scales.is_none() && self.deflated.is_empty();
+        ensure(plain || self.version == VERSION_PACKED, "version", self.version, format_args!("{VERSION_PACKED}, as there are codes"))?;
+        let Some(LogScaleCodes { min, step, bits }) = self.log_scales else { return Ok(()) };
+        let [[least, most], [finest, coarsest]] = LogScaleCodes::RANGE;
+        let good = (least..=most).contains(&min) && (finest..=coarsest).contains(&step) && [8, 16].contains(&bits);
+        let expected = format!("a min from {least} to {most}, a step from {finest} to {coarsest}, 8 or 16 bits");
+        ensure(good, "log_scales", format_args!("min {min}, step {step}, {bits} bits"), expected)
     }
 
     fn check_counts(&self) -> Result<(), Fault> {
@@ -103,73 +141,22 @@ impl AvatarHeader {
         count("pose_components", self.pose_components.unwrap_or(0), 0..=limits::SUBSPACE.min(self.pose_len()))?;
         count("expression_components", self.expression_components.unwrap_or(0), 0..=limits::SUBSPACE.min(self.expression))
     }
-
-    fn skeleton(&self, tensors: &Container) -> Skeleton {
-        Skeleton {
-            name: self.joints.clone(),
-            parent: self.parents.clone(),
-            rest: tensors.take("skeleton.rest"),
-            canonical: tensors.take("skeleton.canonical"),
-        }
-    }
-
-    fn gaussians(&self, tensors: &Container) -> Gaussians {
-        Gaussians {
-            bounds: Bounds { min: self.bounds[0], max: self.bounds[1] },
-            position: tensors.take("position"),
-            rotation: tensors.take("rotation"),
-            log_scale: tensors.take("log_scale"),
-            color: tensors.take("color"),
-            opacity: tensors.take("opacity"),
-            joint: tensors.take("joint"),
-            joint_weight: tensors.take("joint_weight"),
-            node: tensors.take("node"),
-        }
-    }
-
-    fn networks(&self, tensors: &Container) -> Networks {
-        let layer = |(k, width): (usize, &[usize])| Layer {
-            input: width[0],
-            output: width[1],
-            weight: tensors.take(&format!("mlp.{k}.weight")),
-            bias: tensors.take(&format!("mlp.{k}.bias")),
-        };
-        Networks { activation: self.activation, layers: self.widths.windows(2).enumerate().map(layer).collect() }
-    }
-
-    fn inputs(&self, tensors: &Container) -> Inputs {
-        let space = |name: &str, components: Option<usize>| {
-            components.map(|_| Subspace {
-                mean: tensors.take(&format!("{name}.mean")),
-                component: tensors.take(&format!("{name}.component")),
-                sigma: tensors.take(&format!("{name}.sigma")),
-            })
-        };
-        Inputs {
-            joint: self.inputs.clone(),
-            expression: self.expression,
-            pose_space: space("pose_space", self.pose_components),
-            expression_space: space("expression_space", self.expression_components),
-        }
-    }
-}
-
-fn rows<const C: usize>(name: &str, tensors: &Container) -> Rows<C> {
-    Rows { gaussian: tensors.take(&format!("{name}.row")), basis: tensors.take(&format!("{name}.basis")) }
 }
 
 impl Document for AvatarHeader {
     type Model = Avatar;
     const FORMAT: &'static str = AVATAR_FORMAT;
+    const VERSIONS: [u64; 2] = [VERSION, VERSION_PACKED];
     const TENSORS: &'static [Tensor<Self, Avatar>] = AVATAR;
 
     fn of(avatar: &Avatar) -> Self {
         let layers = &avatar.networks.layers;
         let bounds = avatar.gaussians.bounds;
         let components = |space: &Option<Subspace>| space.as_ref().map(|space| space.sigma.len());
+        let coded: Vec<Coded> = coding::matrices(avatar).collect();
         Self {
             format: AVATAR_FORMAT.into(),
-            version: VERSION,
+            version: if coded.is_empty() { VERSION } else { VERSION_PACKED },
             name: avatar.name.clone(),
             credit: avatar.credit.clone(),
             units: UNITS.into(),
@@ -192,32 +179,45 @@ impl Document for AvatarHeader {
             expression: avatar.inputs.expression,
             pose_components: components(&avatar.inputs.pose_space),
             expression_components: components(&avatar.inputs.expression_space),
+            coded,
+            log_scales: None,
+            deflated: BTreeMap::new(),
         }
+    }
+
+    fn deflated(&self) -> Option<&BTreeMap<String, Order>> {
+        Some(&self.deflated)
+    }
+
+    fn set_deflated(&mut self, deflated: BTreeMap<String, Order>) {
+        (self.version, self.deflated) = (VERSION_PACKED, deflated);
     }
 
     fn check(&self) -> Result<(), Fault> {
         word("units", &self.units, UNITS)?;
         word("up", &self.up, UP)?;
         word("color_space", &self.color_space, COLOR_SPACE)?;
+        self.check_codes()?;
         self.check_counts()?;
         self.check_skeleton()?;
         self.check_networks()
     }
 
     fn build(self, tensors: &Container) -> Avatar {
+        let bytes = |what| self.coded.contains(&what);
         Avatar {
             skeleton: self.skeleton(tensors),
             gaussians: self.gaussians(tensors),
             parts: Parts { start: tensors.take("part_start"), head: self.head_parts },
             networks: self.networks(tensors),
-            rotation_rows: rows("rotation", tensors),
-            scale_rows: rows("scale", tensors),
-            color_rows: rows("color", tensors),
+            rotation_rows: rows("rotation", bytes(Coded::RotationBasis), tensors),
+            scale_rows: rows("scale", bytes(Coded::ScaleBasis), tensors),
+            color_rows: rows("color", bytes(Coded::ColorBasis), tensors),
             nodes: Nodes {
                 position: tensors.take("node.position"),
                 part: tensors.take("node.part"),
                 offset: tensors.take("node.offset"),
-                basis: tensors.take("node.basis"),
+                basis: basis("node", bytes(Coded::NodeBasis), tensors),
             },
             inputs: self.inputs(tensors),
             harmonics: None,
@@ -230,6 +230,7 @@ impl Document for AvatarHeader {
 impl Document for ClipHeader {
     type Model = Clip;
     const FORMAT: &'static str = MOTION_FORMAT;
+    const VERSIONS: [u64; 2] = [VERSION; 2];
     const TENSORS: &'static [Tensor<Self, Clip>] = MOTION;
 
     fn of(clip: &Clip) -> Self {

@@ -1,13 +1,19 @@
 //! `NAME.avatar` and `NAME.motion`: a path or bytes go in, an [`Avatar`] or a [`Clip`] comes out, or one sentence on what is wrong
 //! with the file; and the way back. [`format`] says what the files hold.
 
+mod arrays;
 mod check;
+mod coding;
 mod container;
+mod deflate;
+mod encode;
 pub mod format;
 mod header;
+mod order;
+pub use order::Neutral;
 
 use super::{Avatar, Clip};
-use format::{AvatarHeader, ClipHeader, Document};
+use format::{AvatarHeader, ClipHeader, Document, Order};
 use std::fs::{self, File};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -54,10 +60,14 @@ pub(crate) fn clip(text: &str) -> String {
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
 pub struct TensorInfo {
     pub name: String,
-    /// U8, U16, U32, F16 or F32.
+    /// U8, I8, U16, U32, F16 or F32.
     pub dtype: String,
     pub shape: Vec<usize>,
     pub bytes: usize,
+    /// Bytes in the file.
+    pub stored: usize,
+    /// How its bytes are arranged, where they are deflated.
+    pub deflated: Option<Order>,
     /// What the numbers are.
     pub what: &'static str,
 }
@@ -90,6 +100,25 @@ impl Content {
     }
 }
 
+/// The tensors of a file of either kind, as it stores them.
+///
+/// # Errors
+/// When the file cannot be opened, is neither, or breaks a rule.
+pub fn tensors(path: &Path) -> Result<Vec<TensorInfo>, FileError> {
+    read_with(path, tensors_of)
+}
+
+/// The same from the file's bytes, at any alignment.
+///
+/// # Errors
+/// When the bytes are neither, or break a rule.
+pub fn tensors_of(bytes: &[u8]) -> Result<Vec<TensorInfo>, Fault> {
+    match container::is_of::<ClipHeader>(bytes)? {
+        true => container::list::<ClipHeader>(bytes),
+        false => container::list::<AvatarHeader>(bytes),
+    }
+}
+
 /// Maps a file and decodes it.
 pub(super) fn read_with<T>(path: &Path, decode: impl FnOnce(&[u8]) -> Result<T, Fault>) -> Result<T, FileError> {
     let failed = |cause| FileError::Read { file: path.into(), cause };
@@ -106,12 +135,8 @@ pub(super) fn read_with<T>(path: &Path, decode: impl FnOnce(&[u8]) -> Result<T, 
     decode(&bytes).map_err(|fault| FileError::Content { file: path.into(), fault })
 }
 
-fn write<D: Document>(model: &D::Model, path: &Path) -> Result<(), FileError>
-where
-    D::Model: PartialEq,
-{
-    let bytes = container::encode::<D>(model).map_err(|fault| FileError::Content { file: path.into(), fault })?;
-    replace(path, &bytes)
+fn write(bytes: Result<Vec<u8>, Fault>, path: &Path) -> Result<(), FileError> {
+    replace(path, &bytes.map_err(|fault| FileError::Content { file: path.into(), fault })?)
 }
 
 /// Writes beside the target and renames, so that the target is either the old file or the whole new one.
@@ -154,12 +179,30 @@ impl Avatar {
         container::decode::<AvatarHeader>(bytes)
     }
 
+    /// How many bytes of an avatar's file [`Avatar::neutral`] needs, as far as its first ones tell: those of the header, once that is there
+    /// those of what is drawn.
+    ///
+    /// # Errors
+    /// When the bytes are not the beginning of a file.
+    pub fn neutral_needs(bytes: &[u8]) -> Result<usize, Fault> {
+        order::needs(bytes)
+    }
+
+    /// The avatar without its correctives, from the beginning of a file that is `length` bytes long: it moves with its joints alone. Its
+    /// arrays have the lengths of the whole avatar's.
+    ///
+    /// # Errors
+    /// When the bytes are not the beginning of an avatar's file, or break a rule.
+    pub fn neutral(bytes: &[u8], length: usize) -> Result<Neutral, Fault> {
+        order::neutral(bytes, length)
+    }
+
     /// Writes an avatar file; on failure what was at `path` stays as it was.
     ///
     /// # Errors
     /// When the avatar breaks a rule of [`format`], or the file cannot be written.
     pub fn write(&self, path: &Path) -> Result<(), FileError> {
-        write::<AvatarHeader>(self, path)
+        write(self.to_bytes(), path)
     }
 
     /// The bytes that [`Avatar::write`] writes.
@@ -167,12 +210,29 @@ impl Avatar {
     /// # Errors
     /// When the avatar breaks a rule of [`format`].
     pub fn to_bytes(&self) -> Result<Vec<u8>, Fault> {
-        container::encode::<AvatarHeader>(self)
+        encode::encode(self, AvatarHeader::of(self), false)
     }
 
-    /// The tensors that its file holds.
+    /// A file as small as holds the same avatar: codes where they lose nothing, and what is worth it deflated. What is rounded first so
+    /// that more can be codes is in [`super::pack`].
+    ///
+    /// # Errors
+    /// When the avatar breaks a rule of [`format`].
+    pub fn to_packed_bytes(&self) -> Result<Vec<u8>, Fault> {
+        encode::encode(self, AvatarHeader::packed(self), true)
+    }
+
+    /// Writes such a file; on failure what was at `path` stays as it was.
+    ///
+    /// # Errors
+    /// When the avatar breaks a rule of [`format`], or the file cannot be written.
+    pub fn write_packed(&self, path: &Path) -> Result<(), FileError> {
+        write(self.to_packed_bytes(), path)
+    }
+
+    /// The tensors that its plain file holds.
     pub fn tensors(&self) -> Vec<TensorInfo> {
-        container::list::<AvatarHeader>(self)
+        container::list_plain::<AvatarHeader>(self)
     }
 }
 
@@ -198,7 +258,7 @@ impl Clip {
     /// # Errors
     /// When the clip breaks a rule of [`format`], or the file cannot be written.
     pub fn write(&self, path: &Path) -> Result<(), FileError> {
-        write::<ClipHeader>(self, path)
+        write(self.to_bytes(), path)
     }
 
     /// The bytes that [`Clip::write`] writes.
@@ -206,11 +266,11 @@ impl Clip {
     /// # Errors
     /// When the clip breaks a rule of [`format`].
     pub fn to_bytes(&self) -> Result<Vec<u8>, Fault> {
-        container::encode::<ClipHeader>(self)
+        encode::encode(self, ClipHeader::of(self), false)
     }
 
     /// The tensors that its file holds.
     pub fn tensors(&self) -> Vec<TensorInfo> {
-        container::list::<ClipHeader>(self)
+        container::list_plain::<ClipHeader>(self)
     }
 }

@@ -32,12 +32,13 @@ pub fn case(case: Case, report: &CaseReport) {
     if report.stages.iter().any(|stage| stage.ran > 0.0) {
         println!("  {:9}{:>12}{:>8}{:>11}{:>10}{:>7}{:>12}{:>12}", "stage", "ms", "ran", "MB", "floor", "ratio", "Mop", "floor");
         report.stages.iter().for_each(stage);
-        let (bytes, floor) = (report.bytes, report.bytes_floor);
+        let [bytes, floor] = [report.bytes, report.bytes_floor].map(Option::unwrap_or_default);
         println!("  {:9}{:>20}{:11.2}{:10.2}{:>7}   a mean frame", "all", "", mega(bytes), mega(floor), ratio(bytes, floor));
     }
     counters(report);
-    let memory = (mega(report.gpu_memory_bytes), mega(report.gpu_memory_used_bytes));
-    println!("  memory    {:.1} MB of the device's, {:.1} MB in use", memory.0, memory.1);
+    if let (Some(all), Some(used)) = (report.gpu_memory_bytes, report.gpu_memory_used_bytes) {
+        println!("  memory    {:.1} MB of the device's, {:.1} MB in use", mega(all), mega(used));
+    }
     report.error.iter().for_each(error);
 }
 
@@ -51,14 +52,15 @@ fn ratio(counted: u64, floor: u64) -> String {
 
 fn stage(stage: &StageReport) {
     let ms = stage.ms.map_or("–".to_owned(), |ms| format!("{:.3}", ms.median));
+    let [bytes, floor] = [stage.bytes, stage.bytes_floor].map(Option::unwrap_or_default);
     let operations = |count: Option<u64>| count.map_or("–".to_owned(), |count| format!("{:.2}", mega(count)));
     println!(
         "  {:9}{ms:>12}{:>7.0}%{:11.2}{:10.2}{:>7}{:>12}{:>12}",
         stage.name,
         100.0 * stage.ran,
-        mega(stage.bytes),
-        mega(stage.bytes_floor),
-        ratio(stage.bytes, stage.bytes_floor),
+        mega(bytes),
+        mega(floor),
+        ratio(bytes, floor),
         operations(stage.operations),
         operations(stage.operations_floor),
     );

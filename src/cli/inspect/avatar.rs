@@ -45,6 +45,10 @@ pub struct Summary {
     harmonics: usize,
     tensors: Vec<TensorInfo>,
     bytes: usize,
+    /// Bytes of the file but for its header.
+    stored: usize,
+    /// Weights of networks in bytes.
+    byte_networks: bool,
 }
 
 #[derive(Serialize)]
@@ -54,9 +58,9 @@ struct Joint {
 }
 
 impl Summary {
-    pub fn new(avatar: &Avatar) -> Self {
+    /// `tensors`: of its file.
+    pub fn new(avatar: &Avatar, tensors: Vec<TensorInfo>) -> Self {
         let (gaussians, skeleton, inputs, layers) = (&avatar.gaussians, &avatar.skeleton, &avatar.inputs, &avatar.networks.layers);
-        let tensors = avatar.tensors();
         let joint = |(name, parent): (&String, &Option<u8>)| Joint { name: name.clone(), parent: *parent };
         Self {
             kind: "avatar",
@@ -86,6 +90,8 @@ impl Summary {
             color: [0, 1, 2].map(|k| Spread::of(gaussians.color.iter().map(|c| c[k].to_f64()))),
             harmonics: avatar.harmonics.as_ref().map_or(0, |harmonics| harmonics.degree),
             bytes: tensors.iter().map(|tensor| tensor.bytes).sum(),
+            stored: tensors.iter().map(|tensor| tensor.stored).sum(),
+            byte_networks: avatar.networks.in_bytes(),
             tensors,
         }
     }
@@ -100,7 +106,8 @@ impl Summary {
             Activation::LeakyRelu => "leaky ReLU",
         };
         let features = if self.split_features { "nodes have features of their own" } else { "nodes share the features" };
-        format!("{}, {activation}; {} basis functions, {features}", widths.join(" → "), self.basis)
+        let weights = if self.byte_networks { "bytes" } else { "f16" };
+        format!("{}, {activation}, in {weights}; {} basis functions, {features}", widths.join(" → "), self.basis)
     }
 
     fn inputs(&self) -> String {

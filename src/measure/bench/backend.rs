@@ -97,7 +97,7 @@ impl Opened {
 }
 
 /// What a report says of a device of Vulkan's.
-pub(in crate::measure) fn device(gpu: &vulkan::Gpu) -> Device {
+pub(crate) fn device(gpu: &vulkan::Gpu) -> Device {
     let part = |shift: u32, mask: u32| gpu.probe.api_version >> shift & mask;
     Device {
         name: gpu.probe.name.clone(),

@@ -71,7 +71,7 @@ pub fn check(
 }
 
 /// In the report's words.
-pub(in crate::measure) fn report(error: &error::Error, flip: Option<f64>) -> ErrorReport {
+pub(crate) fn report(error: &error::Error, flip: Option<f64>) -> ErrorReport {
     let finite = |db: f64| db.is_finite().then_some(db);
     ErrorReport {
         frames: 1,

@@ -128,8 +128,8 @@ mod tests {
             name: text("splats"),
             ms: Some(spread),
             ran: 1.0,
-            bytes: 100,
-            bytes_floor: 50,
+            bytes: Some(100),
+            bytes_floor: Some(50),
             operations: Some(7),
             operations_floor: None,
         };
@@ -140,13 +140,13 @@ mod tests {
             fps: 1e3 / ms,
             gpu_ms: None,
             stages: vec![stage],
-            bytes: 100,
-            bytes_floor: 50,
+            bytes: Some(100),
+            bytes_floor: Some(50),
             counters: counters.clone(),
             covered_pixels: Some(9.5),
             fragments_a_pixel: None,
-            gpu_memory_bytes: 1 << 40,
-            gpu_memory_used_bytes: 3,
+            gpu_memory_bytes: Some(1 << 40),
+            gpu_memory_used_bytes: Some(3),
             error: Some(error),
         };
         let point = Point {

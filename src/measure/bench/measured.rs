@@ -67,7 +67,8 @@ fn report(
     let seen = Seen { surface, networks: networks(&reports), ..seen(&counters, checked.covered) };
     let work = work(avatar, setting, &counters, seen);
     let stages = stages(&reports, &work);
-    let mean = |of: fn(&StageReport) -> u64| stages.iter().map(|stage| stage.ran * of(stage) as f64).sum::<f64>().round() as u64;
+    let part = |stage: &StageReport, of: fn(&StageReport) -> Option<u64>| stage.ran * of(stage).unwrap_or_default() as f64;
+    let mean = |of| Some(stages.iter().map(|stage| part(stage, of)).sum::<f64>().round() as u64);
     let frames = intervals.len();
     let none = Spread { mean: 0.0, median: 0.0, p5: 0.0, p95: 0.0, p99: 0.0 };
     let frame_ms = Spread::of(intervals).unwrap_or(none);
@@ -84,8 +85,8 @@ fn report(
         fragments_a_pixel: counters.get("fragments").zip(covered).filter(|(_, covered)| *covered > 0.0).map(|(&f, covered)| f / covered),
         stages,
         counters,
-        gpu_memory_bytes: reserved,
-        gpu_memory_used_bytes: used,
+        gpu_memory_bytes: Some(reserved),
+        gpu_memory_used_bytes: Some(used),
         error: checked.error,
     }
 }
@@ -165,8 +166,8 @@ fn stages(reports: &[FrameReport], work: &[Work]) -> Vec<StageReport> {
             name: name.to_owned(),
             ms: Spread::of(times),
             ran: ran as f64 / reports.len().max(1) as f64,
-            bytes: work.bytes,
-            bytes_floor: work.bytes_floor,
+            bytes: Some(work.bytes),
+            bytes_floor: Some(work.bytes_floor),
             operations: work.operations,
             operations_floor: work.operations_floor,
         })

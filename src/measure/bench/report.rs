@@ -119,19 +119,19 @@ pub struct CaseReport {
     /// GPU time of all stages together. Null without timestamps.
     pub gpu_ms: Option<Spread>,
     pub stages: Vec<StageReport>,
-    /// Bytes of a mean frame, counted, and the fewest that would do.
-    pub bytes: u64,
-    pub bytes_floor: u64,
+    /// Bytes of a mean frame, counted, and the fewest that would do. Null where nobody counted, as in a browser.
+    pub bytes: Option<u64>,
+    pub bytes_floor: Option<u64>,
     /// Mean of a frame, by the names in [`Counters`](crate::frame::Counters); those that nobody counted are left out.
     pub counters: BTreeMap<String, f64>,
     /// Pixels with an alpha of at least 1/255, in the mean of the checked frames.
     pub covered_pixels: Option<f64>,
     /// Fragments shaded for each of them.
     pub fragments_a_pixel: Option<f64>,
-    /// Blocks that the program took from the driver.
-    pub gpu_memory_bytes: u64,
+    /// Blocks that the program took from the driver. Null where nobody tells.
+    pub gpu_memory_bytes: Option<u64>,
     /// What of them is in use.
-    pub gpu_memory_used_bytes: u64,
+    pub gpu_memory_used_bytes: Option<u64>,
     /// Against the f64 reference. Null when no frame was compared.
     pub error: Option<ErrorReport>,
 }
@@ -145,8 +145,8 @@ pub struct StageReport {
     pub ms: Option<Spread>,
     /// Share of the frames that it ran in, 0 to 1.
     pub ran: f64,
-    pub bytes: u64,
-    pub bytes_floor: u64,
+    pub bytes: Option<u64>,
+    pub bytes_floor: Option<u64>,
     pub operations: Option<u64>,
     pub operations_floor: Option<u64>,
 }

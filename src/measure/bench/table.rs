@@ -43,20 +43,20 @@ fn case(case: &CaseReport) -> Row {
         add("gpu_ms_p95", gpu.p95);
     }
     for stage in &case.stages {
-        let optional = [("operations", stage.operations), ("operations_floor", stage.operations_floor)];
+        let [bytes, floor] = [stage.bytes, stage.bytes_floor];
+        let optional =
+            [("bytes", bytes), ("bytes_floor", floor), ("operations", stage.operations), ("operations_floor", stage.operations_floor)];
         add(&format!("{}_ran", stage.name), stage.ran);
         stage.ms.into_iter().for_each(|ms| add(&format!("{}_ms_median", stage.name), ms.median));
-        add(&format!("{}_bytes", stage.name), stage.bytes as f64);
-        add(&format!("{}_bytes_floor", stage.name), stage.bytes_floor as f64);
         optional.into_iter().for_each(|(name, count)| count.into_iter().for_each(|n| add(&format!("{}_{name}", stage.name), n as f64)));
     }
-    add("bytes", case.bytes as f64);
-    add("bytes_floor", case.bytes_floor as f64);
+    case.bytes.into_iter().for_each(|bytes| add("bytes", bytes as f64));
+    case.bytes_floor.into_iter().for_each(|bytes| add("bytes_floor", bytes as f64));
     case.counters.iter().for_each(|(name, &count)| add(name, count));
     let optional = [("covered_pixels", case.covered_pixels), ("fragments_a_pixel", case.fragments_a_pixel)];
     optional.into_iter().for_each(|(name, value)| value.into_iter().for_each(|value| add(name, value)));
-    add("gpu_memory_bytes", case.gpu_memory_bytes as f64);
-    add("gpu_memory_used_bytes", case.gpu_memory_used_bytes as f64);
+    case.gpu_memory_bytes.into_iter().for_each(|bytes| add("gpu_memory_bytes", bytes as f64));
+    case.gpu_memory_used_bytes.into_iter().for_each(|bytes| add("gpu_memory_used_bytes", bytes as f64));
     case.error.iter().for_each(|error| self::error(error, &mut add));
     Row { case: case.name.clone(), knob: String::new(), value: String::new(), cells }
 }

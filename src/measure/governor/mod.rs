@@ -102,6 +102,11 @@ impl Governor {
         }
     }
 
+    /// Another rate is promised from now on. It begins anew at the whole quality; what is known of heat stays.
+    pub fn set_rate(&mut self, rate: f64) {
+        *self = Self { heat: std::mem::take(&mut self.heat), changed: self.changed, ..Self::new(rate) };
+    }
+
     pub fn ladder(&self) -> &Ladder {
         &self.ladder
     }

@@ -19,3 +19,4 @@ pub mod verdict;
 pub use report::Report;
 pub use run::{Task, run};
 pub use session::{Session, Settings};
+pub use stage::middle;

@@ -20,7 +20,7 @@ pub struct Report {
     /// Width and height of the screen, px.
     pub size: [u32; 2],
     pub options: Options,
-    /// The promised rate, frames a second.
+    /// The promised rate, frames a second: what it was at the end, where a window's display changed its own.
     pub rate: f64,
     /// Whether the governor was on, and heat simulated.
     pub governed: bool,
@@ -52,8 +52,11 @@ pub struct Report {
     pub broken_gaussians: Option<u64>,
     /// Pictures without anything in them.
     pub empty_pictures: u64,
-    /// Null where it was not asked for, or the run ended before.
+    /// Null where it was not asked for, or the run ended before, and in windows.
     pub drift: Option<Drift>,
+    /// In windows: null where the run ended before, or the window or its avatar is not what it was at first.
+    #[serde(default)]
+    pub still: Option<Still>,
     /// What is wrong with the run, a sentence each; empty where it held what was promised.
     pub faults: Vec<String>,
     pub each: Vec<Second>,
@@ -77,10 +80,14 @@ impl From<&Rung> for Step {
     }
 }
 
-/// What was gained from some time on.
+/// What was gained from some time on, but for the first minute after each step of the governor that was new
+/// ([`growth`](super::memory::growth)).
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Growth {
     pub from_seconds: f64,
+    /// How long the parts of the run were together that were looked at.
+    #[serde(default)]
+    pub judged_seconds: f64,
     /// In use of the device's memory.
     pub device_bytes: i64,
     /// Of the process's memory in the machine's; null where the system does not tell.
@@ -94,6 +101,17 @@ pub struct Drift {
     pub after: ErrorReport,
     /// Whether the two pictures are the same to the bit.
     pub same: bool,
+}
+
+/// The same frame before and after, against each other: in a window, where nobody waits for the reference.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Still {
+    /// Width and height, px.
+    pub size: [u32; 2],
+    /// Whether the two pictures are the same to the bit.
+    pub same: bool,
+    /// How far the one after is from the one before.
+    pub error: ErrorReport,
 }
 
 /// One second of it; a frame that takes longer makes it longer.

@@ -10,7 +10,10 @@ use super::{
 use crate::{
     avatar::{Avatar, motion::Player},
     measure::{
-        bench::{self, Setting, check, report::ErrorReport},
+        bench::{
+            self, Setting, check,
+            report::{Device, ErrorReport},
+        },
         error,
         thermals::Thermals,
         trace::Trace,
@@ -76,7 +79,7 @@ pub fn run(
     let mut session = Session::new(task.settings);
     soak((gpu, &mut stage, trace), &mut session, (thermals, stop), tick)?;
     let drift = before.filter(|_| session.is_over()).map(|before| drift(task.avatar, &mut stage, &before)).transpose()?;
-    let mut report = report(gpu, task, &session, matches!(thermals, Thermals::Simulated(_)));
+    let mut report = report(bench::backend::device(gpu), task, &session, matches!(thermals, Thermals::Simulated(_)));
     report.drift = drift;
     report.faults = verdict::faults(&report, &task.bounds);
     Ok(report)
@@ -133,14 +136,14 @@ fn drift(avatar: &Avatar, stage: &mut Stage, before: &Copied) -> Result<Drift> {
     Ok(Drift { before: of(&before), after: of(&after), same: before == after })
 }
 
-/// The report of what a session has written down; drift and faults are left open.
-pub fn report(gpu: &Gpu, task: &Task, session: &Session, simulated_heat: bool) -> Report {
+/// The report of what a session has written down; drift, still and faults are left open.
+pub fn report(device: Device, task: &Task, session: &Session, simulated_heat: bool) -> Report {
     let (totals, each) = (session.totals(), session.each());
     let lasted = session.lasted();
     Report {
         schema: SCHEMA.to_owned(),
         program: bench::program(task.command.clone()),
-        device: bench::backend::device(gpu),
+        device,
         avatar: bench::subject(task.avatar, task.player),
         size: task.setting.options.size,
         options: bench::options(&task.setting),
@@ -163,6 +166,7 @@ pub fn report(gpu: &Gpu, task: &Task, session: &Session, simulated_heat: bool) -
         empty_pictures: totals.empty_pictures,
         broken_gaussians: totals.broken_gaussians,
         drift: None,
+        still: None,
         faults: Vec::new(),
         each: each.to_vec(),
     }

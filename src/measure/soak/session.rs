@@ -10,6 +10,9 @@ use crate::{
     vulkan::watch::Seen,
 };
 
+/// Rates that differ by a smaller share are the same.
+const SAME_RATE: f64 = 0.02;
+
 /// What is asked of a soak.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settings {
@@ -80,6 +83,18 @@ impl Session {
 
     pub fn settings(&self) -> &Settings {
         &self.settings
+    }
+
+    /// The display shows so many frames a second from now on: that is promised instead. False where it is what was promised before, or within
+    /// the little by which displays are off.
+    pub fn set_rate(&mut self, rate: f64) -> bool {
+        if !(rate.is_finite() && rate > 0.0) || (rate / self.settings.rate - 1.0).abs() < SAME_RATE {
+            return false;
+        }
+        self.settings.rate = rate;
+        self.governor.set_rate(rate);
+        self.cadence = Cadence::new(1.0 / rate);
+        true
     }
 
     pub fn quality(&self) -> Quality {
@@ -243,6 +258,29 @@ mod tests {
                 (session.totals().changes > 0, session.ladder().1 > 0, session.quality() != Quality::FULL),
                 (governed, governed, governed)
             );
+        }
+    }
+
+    /// A display that was asked for 120 refreshes a second and makes 60 holds frames up by itself: that is no reason to draw less.
+    #[test]
+    fn a_display_at_half_the_rate_it_was_asked_for_costs_no_quality() {
+        for busy in [None, Some(7.5)] {
+            let run = |follow: bool| {
+                let mut session = Session::new(Settings { rate: 120.0, governed: true, seconds: 20.0 });
+                for frame in 0..1200 {
+                    if follow && frame == 20 {
+                        assert!(session.set_rate(60.0) && !session.set_rate(59.94) && !session.set_rate(f64::NAN));
+                    }
+                    if session.frame(f64::from(frame) / 60.0, busy).full {
+                        session.close(&Reading::default(), (0, None));
+                    }
+                }
+                session
+            };
+            let (followed, promised) = (run(true), run(false));
+            assert_eq!((followed.quality(), followed.ladder().1), (Quality::FULL, 0), "{busy:?}");
+            assert!(followed.settings().rate == 60.0 && followed.each()[1..].iter().all(|second| second.dropped == 0), "{busy:?}");
+            assert!(promised.ladder().1 > 0, "{busy:?}: without that it falls, and this test shows nothing");
         }
     }
 

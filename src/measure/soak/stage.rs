@@ -38,6 +38,15 @@ pub struct Stage<'a> {
     held: u32,
 }
 
+/// The middle of a clip, and the camera that a soak stands at, for a picture of `size` px: what is drawn before and after, to be compared.
+pub fn middle(avatar: &Avatar, player: &Player, size: [u32; 2]) -> (Posed, Camera) {
+    let posed = Posed::new(avatar, &player.pose(0.5 * player.clip().duration()));
+    let bounds = upright(Extent::new(avatar).bounds(&posed.joints));
+    let distance = Camera::framing_distance(bounds, FOV, size);
+    let camera = Camera::orbit((bounds[0] + bounds[1]) / 2.0, YAW, PITCH, distance, FOV, size);
+    (posed, camera)
+}
+
 impl<'a> Stage<'a> {
     pub fn new(gpu: &Arc<Gpu>, (avatar, player): (&'a Avatar, &'a Player), options: RendererOptions) -> Result<Self> {
         // Those whose place or shape is no number are counted among what is left out.
@@ -45,10 +54,7 @@ impl<'a> Stage<'a> {
         let renderer = Renderer::new(gpu, avatar, options)?;
         let screen = Screen::new(gpu, options.size)?;
         screen.set_picture(renderer.raster().image());
-        let posed = Posed::new(avatar, &player.pose(0.5 * player.clip().duration()));
-        let bounds = upright(Extent::new(avatar).bounds(&posed.joints));
-        let distance = Camera::framing_distance(bounds, FOV, options.size);
-        let camera = Camera::orbit((bounds[0] + bounds[1]) / 2.0, YAW, PITCH, distance, FOV, options.size);
+        let (posed, camera) = middle(avatar, player, options.size);
         let watch = Watch::new(gpu, renderer.raster())?;
         Ok(Self { avatar, player, screen, watch, camera, options, quality: Quality::FULL, posed, held: 0, renderer })
     }

@@ -6,6 +6,8 @@ use super::report::{Drift, Report, Second};
 pub const SETTLED: (f64, f64) = (10.0, 0.2);
 /// A picture may be as much worse than the first, dB.
 const DRIFT: f64 = 0.05;
+/// A picture must be as near the first, dB: a GPU may blend what is equally far away in another order.
+const STILL: f64 = 50.0;
 
 /// What a soak must keep within.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -40,9 +42,9 @@ pub fn faults(report: &Report, bounds: &Bounds) -> Vec<String> {
         let all = [("the device's memory", Some(growth.device_bytes)), ("the process's memory", growth.resident_bytes)];
         for (what, gained) in all.into_iter().filter_map(|(what, gained)| Some((what, gained?))) {
             if gained > bounds.growth as i64 {
-                let (gained, bound, from) = (mib(gained), mib(bounds.growth as i64), growth.from_seconds);
+                let (gained, bound, judged) = (mib(gained), mib(bounds.growth as i64), growth.judged_seconds);
                 faults.push(format!(
-                    "{what} grew by {gained:.2} MiB from second {from:.0} on, more than the {bound:.2} MiB allowed: something is not freed"
+                    "{what} grew by {gained:.2} MiB in the {judged:.0} s that are judged, more than the {bound:.2} MiB allowed: something is not freed"
                 ));
             }
         }
@@ -59,6 +61,10 @@ pub fn faults(report: &Report, bounds: &Bounds) -> Vec<String> {
         faults.push(format!("{} of the {} pictures looked at show nothing", report.empty_pictures, report.pictures));
     }
     faults.extend(report.drift.as_ref().and_then(drift));
+    let still = report.still.and_then(|still| still.error.psnr_db).filter(|&db| db < STILL);
+    faults.extend(
+        still.map(|db| format!("the frame of the start, drawn again at the end, is {db:.2} dB from what it was: {STILL} dB are allowed")),
+    );
     faults
 }
 
@@ -92,7 +98,7 @@ pub(super) mod tests {
     use crate::measure::{
         bench::report::{Device, ErrorReport, Options, Program, Subject},
         governor::Ladder,
-        soak::report::{Growth, SCHEMA},
+        soak::report::{Growth, SCHEMA, Still},
     };
 
     /// A run of a minute at 60 frames a second that is all right.
@@ -138,7 +144,7 @@ pub(super) mod tests {
             dropped_share: 0.0,
             changes: 0,
             lowest_rung: 0,
-            growth: Some(Growth { from_seconds: 24.0, device_bytes: 0, resident_bytes: Some(4096) }),
+            growth: Some(Growth { from_seconds: 24.0, judged_seconds: 36.0, device_bytes: 0, resident_bytes: Some(4096) }),
             pictures: 60,
             broken_pixels: 0,
             empty_pictures: 0,
@@ -148,6 +154,7 @@ pub(super) mod tests {
                 after: ErrorReport { psnr_db: Some(50.0), ..ErrorReport::NONE },
                 same: true,
             }),
+            still: None,
             faults: vec![],
             each: (1..=60).map(second).collect(),
         }
@@ -165,7 +172,9 @@ pub(super) mod tests {
         assert!(told(|r| r.broken_pixels = 3).contains("3 pixels of the 60 pictures"));
         assert!(told(|r| r.empty_pictures = 1).contains("show nothing"));
         assert!(told(|r| r.broken_gaussians = Some(2)).contains("2 of 10 Gaussians"));
-        let grown = |r: &mut Report| r.growth = Some(Growth { from_seconds: 60.0, device_bytes: 0, resident_bytes: Some(3 << 20) });
+        let grown = |r: &mut Report| {
+            r.growth = Some(Growth { from_seconds: 60.0, judged_seconds: 1.0, device_bytes: 0, resident_bytes: Some(3 << 20) })
+        };
         assert!(told(grown).contains("the process's memory grew by 3.00 MiB"));
         assert!(told(|r| r.dropped_share = 0.02).contains("something else holds frames up"));
         assert!(told(|r| (r.dropped_share, r.governed) = (0.02, false)).contains("the governor is off"));
@@ -173,6 +182,9 @@ pub(super) mod tests {
         assert!(told(|r| r.lowest_rung = r.ladder.len() - 1).contains("last step"), "half the rate is not the rate");
         let drifted =
             |r: &mut Report| r.drift = r.drift.map(|drift| Drift { after: ErrorReport { psnr_db: Some(48.0), ..drift.after }, ..drift });
+        let error = ErrorReport { psnr_db: Some(40.0), ..ErrorReport::NONE };
+        assert!(told(|r| r.still = Some(Still { size: r.size, same: false, error })).contains("40.00 dB from what it was"));
+        assert_eq!(told(|r| r.still = Some(Still { size: r.size, same: true, error: ErrorReport::NONE })), "");
         assert!(told(drifted).contains("50.00 dB from the reference at first and is 48.00"));
     }
 

@@ -72,7 +72,7 @@ fn quaternions(random: &mut Random, avatar: &mut Avatar) {
     }
     for (row, &i) in avatar.rotation_rows.gaussian.iter().enumerate() {
         let size = any(random, &[0.0, 1.0, 1e-3, 100.0]);
-        let row = &mut avatar.rotation_rows.basis[row * 4 * basis..][..4 * basis];
+        let row = &mut avatar.rotation_rows.basis.halves_mut()[row * 4 * basis..][..4 * basis];
         row.iter_mut().for_each(|v| *v = half(v.to_f64() * size));
         if below(random, 4) == 0 {
             // With features of 1, what remains of the quaternion is nothing or next to it.
@@ -83,7 +83,7 @@ fn quaternions(random: &mut Random, avatar: &mut Avatar) {
     }
     // Features are their biases, which are 1: rows can be made to cancel quaternions.
     if let Some(Layer { weight, bias, .. }) = avatar.networks.layers.last_mut() {
-        weight.fill(f16::ZERO);
+        weight.halves_mut().fill(f16::ZERO);
         bias.fill(f16::ONE);
     }
 }
@@ -120,7 +120,7 @@ fn colors(random: &mut Random, avatar: &mut Avatar) {
     let color = |random: &mut Random| half(any(random, &[-65504.0, -3.0, 0.0, 0.5, 1.0, 1.001, 7.0, 65504.0]));
     avatar.gaussians.color.iter_mut().for_each(|c| *c = std::array::from_fn(|_| color(random)));
     let size = any(random, &[1.0, 1e3]);
-    avatar.color_rows.basis.iter_mut().for_each(|v| *v = half(v.to_f64() * size));
+    avatar.color_rows.basis.halves_mut().iter_mut().for_each(|v| *v = half(v.to_f64() * size));
 }
 
 fn overflow(random: &mut Random, draft: &mut Draft) {
@@ -136,17 +136,17 @@ fn overflow(random: &mut Random, draft: &mut Draft) {
     };
     for layer in &mut draft.avatar.networks.layers {
         if all || what == "weights" {
-            blow(&mut layer.weight, 0.9);
+            blow(layer.weight.halves_mut(), 0.9);
         }
         if all || what == "biases" {
             blow(&mut layer.bias, 0.9);
         }
     }
     if all || what == "bases" {
-        blow(&mut draft.avatar.nodes.basis, 0.01);
-        blow(&mut draft.avatar.rotation_rows.basis, 0.2);
-        blow(&mut draft.avatar.scale_rows.basis, 0.2);
-        blow(&mut draft.avatar.color_rows.basis, 0.2);
+        blow(draft.avatar.nodes.basis.halves_mut(), 0.01);
+        blow(draft.avatar.rotation_rows.basis.halves_mut(), 0.2);
+        blow(draft.avatar.scale_rows.basis.halves_mut(), 0.2);
+        blow(draft.avatar.color_rows.basis.halves_mut(), 0.2);
     }
     draft.pose.expression.iter_mut().for_each(|e| *e *= 1e30);
 }
@@ -213,7 +213,7 @@ pub fn near_plane(random: &mut Random, number: u64, options: RendererOptions) ->
     let width = (65535.0 * STEP) as f32;
     avatar.gaussians.bounds = Bounds { min: [-2.0; 3], max: [width - 2.0; 3] };
     avatar.nodes.offset.iter_mut().for_each(|offset| *offset = [f16::ZERO; 3]);
-    avatar.nodes.basis.fill(f16::ZERO);
+    avatar.nodes.basis.halves_mut().fill(f16::ZERO);
     avatar.skeleton.canonical = vec![[0.0; 3]];
     avatar.skeleton.rest = vec![[0.0; 3]];
     let near = any(random, &[0.125, 0.25, 1.0]);

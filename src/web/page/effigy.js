@@ -1,260 +1,304 @@
 // Effigy in a page: `const effigy = await Effigy.create(canvas); await effigy.loadAvatar("demo.avatar");`. effigy.d.ts says all of it.
-import init, { Drawn, Stage } from "./effigy_core.js";
+import { Drawn, Stage } from "./effigy_core.js";
+import { Unsupported, firstScreen, isBroken, isSupported, loaded, told } from "./core.js";
+import { Devices } from "./devices.js";
+import { Loader } from "./loader.js";
+import { Playback } from "./playback.js";
+import { aborted, bytesOf, within } from "./source.js";
+import { Shots } from "./shots.js";
+import { Times } from "./times.js";
+import { VIEW, checkedCamera, fit, framing } from "./view.js";
+import { Watched } from "./watched.js";
 
-let ready;
+export { Unsupported, isSupported };
 
-/** Whether this browser can draw at all. */
-export const isSupported = () => "gpu" in navigator;
-
-/** What is thrown where there is no WebGPU. */
-export class Unsupported extends Error {
-  constructor() {
-    super("This browser has no WebGPU. Chrome and Edge from 113 on have it, Safari from 26, and Firefox from 141 on Windows, from 145 on Macs.");
-    this.name = "Unsupported";
-  }
-}
-
-async function download(url, onProgress, signal) {
-  const response = await fetch(url, { signal });
-  if (!response.ok) throw new Error(`${url} can't be loaded: the server says ${response.status} ${response.statusText}`);
-  const length = Number(response.headers.get("content-length"));
-  // What is compressed on the way is longer than the header says.
-  const total = length > 0 && !response.headers.get("content-encoding") ? length : undefined;
-  const reader = response.body.getReader();
-  let bytes = new Uint8Array(total ?? 1 << 20), loaded = 0;
-  for (;;) {
-    const { done, value } = await reader.read();
-    if (done) break;
-    if (loaded + value.length > bytes.length) {
-      const more = new Uint8Array(Math.max(2 * bytes.length, loaded + value.length));
-      more.set(bytes.subarray(0, loaded));
-      bytes = more;
-    }
-    bytes.set(value, loaded);
-    loaded += value.length;
-    onProgress?.(loaded, total);
-  }
-  return bytes.subarray(0, loaded);
-}
-
-async function bytesOf(source, onProgress, signal) {
-  if (typeof source === "string" || source instanceof URL) return download(String(source), onProgress, signal);
-  if (source instanceof Blob) return new Uint8Array(await source.arrayBuffer());
-  return source instanceof Uint8Array ? source : new Uint8Array(source);
-}
+const GONE = "this avatar's canvas was disposed of";
 
 export class Effigy extends EventTarget {
-  #stage; #canvas; #observer; #pixels; #request = 0; #last; #clip = 0; #time = 0; #playing = false; #loop = true; #rate = 1;
-  #described = {}; #camera; #frames = []; #recovering = false; #failed; #disposed = false; #live = 0;
-  #onVisible = () => this.#wake();
+  #stage; #canvas; #pixels; #longest = 8192; #camera; #described = {}; #disposed = false;
+  #playback = new Playback(); #live = 0;
+  #request = 0; #timer = 0; #watched; #times = new Times(); #shots = new Shots(); #drew = new Event("frame");
+  // The ticket of the avatar that is shown.
+  #shown = 0; #loader = new Loader({
+    open: () => this.#open(), ready: () => this.#ready(), lost: () => this.#recover(), stage: () => this.#fitted(),
+    save: () => [this.#shown, this.#playback, this.#camera], revert: (ticket, before) => this.#revert(ticket, before),
+    arrived: (ticket, frame) => this.#arrived(ticket, frame), completed: () => { this.#describe(); this.#changed(); },
+  });
+  #devices; #recovery; #failed; #gone = false;
 
-  /** Makes a device for a canvas that nothing else draws on. The canvas's size on the page decides its pixels. */
+  // Bound once: a frame makes no functions.
+  #onFrame = (now) => { this.#request = 0; this.#frame(now); };
+  #onTimer = () => { this.#timer = 0; this.#frame(performance.now()); };
+
   static async create(canvas, options = {}) {
     if (!isSupported()) throw new Unsupported();
-    await (ready ??= init({ module_or_path: new URL("effigy_core_bg.wasm", import.meta.url) }));
     const effigy = new Effigy();
     effigy.#canvas = canvas;
-    effigy.#pixels = options.maxPixelRatio ?? 2;
-    effigy.#fit();
-    effigy.#stage = await Stage.create(canvas);
-    effigy.camera = { target: [0, 1, 0], yaw: 0.35, pitch: 0.09, distance: 3.2, fov: 0.61, ...options.camera };
-    effigy.#observer = new ResizeObserver(() => effigy.#wake());
-    effigy.#observer.observe(canvas);
-    document.addEventListener("visibilitychange", effigy.#onVisible);
+    effigy.#pixels = within("maxPixelRatio", options.maxPixelRatio ?? 2, 0.01, 16);
+    effigy.#camera = checkedCamera({ ...VIEW, ...options.camera });
+    await loaded();
+    effigy.#begin(await firstScreen(canvas));
     return effigy;
   }
 
-  /** Takes an avatar from a URL, a File or bytes. Where that fails the old one stays. */
-  async loadAvatar(source, { onProgress, signal, frame = true } = {}) {
-    const bytes = await bytesOf(source, onProgress, signal);
-    this.#open();
-    this.#fit();
-    this.#stage.resize();
-    this.#stage.load(bytes);
-    [this.#clip, this.#time, this.#playing, this.#live] = [0, 0, false, 0];
-    this.#describe();
-    if (frame) this.frameAvatar();
+  #begin(screen) {
+    this.#longest = screen.longest();
+    this.#fitted();
+    this.#devices = new Devices(this.#canvas, () => this.#recover());
+    this.#stage = new Stage(this.#devices.follow(screen));
+    this.#look();
+    this.#watched = new Watched(this.#canvas, (seen) => this.#see(seen));
     this.#wake();
+  }
+
+  async loadAvatar(source, options) {
+    this.#open();
+    await this.#loader.load(source, options);
     return this.description;
   }
 
-  /** Adds a clip from a URL, a File or bytes, and plays it. Gives its number. */
+  /** Kept once there is a device; one that was given up is asked for again. */
+  async #ready() {
+    if (this.#gone) {
+      [this.#gone, this.#failed] = [false, undefined];
+      this.#devices.forgive();
+      this.#recover();
+    }
+    await this.#recovery;
+    if (this.#gone) throw this.#failed;
+  }
+
+  #fitted() {
+    fit(this.#canvas, this.#pixels, this.#longest);
+    this.#stage?.resize();
+    return this.#stage;
+  }
+
+  /** An avatar was put in the place of another. */
+  #arrived(ticket, frame) {
+    const { playing, loop, rate } = this.#playback;
+    this.#playback = Object.assign(new Playback(), { loop, rate });
+    [this.#shown, this.#live] = [ticket, 0];
+    if (playing) this.pause();
+    this.#describe();
+    if (frame) this.frameAvatar();
+    this.#changed();
+  }
+
+  /** The rest of an avatar did not come: the one from before does. */
+  #revert(ticket, [shown, playback, camera]) {
+    if (this.#disposed || this.#shown !== ticket) return;
+    this.#stage.revert();
+    [this.#shown, this.#playback, this.#live] = [shown, playback, 0];
+    this.#describe();
+    this.camera = camera;
+    this.dispatchEvent(new Event(playback.playing ? "play" : "pause"));
+  }
+
   async loadMotion(source, { onProgress, signal, play = true } = {}) {
-    const bytes = await bytesOf(source, onProgress, signal);
     this.#open();
-    const number = this.#stage.add_clip(bytes);
+    const { ticket, shown: avatar } = this.#loader.loading ?? { ticket: this.#shown };
+    const bytes = await bytesOf(source, onProgress, signal);
+    await avatar?.catch(() => { throw aborted("the avatar that this clip was for is not there"); });
+    this.#open();
+    signal?.throwIfAborted();
+    if (this.#shown !== ticket) throw aborted("another avatar has come meanwhile");
+    const number = this.#call(() => this.#stage.add_clip(bytes));
     this.#describe();
     if (play) this.play(number);
     return number;
   }
 
-  #open() { if (this.#disposed) throw new Error("this avatar's canvas was disposed of"); }
-  #describe() { this.#described = JSON.parse(this.#stage.describe()); }
+  #open() {
+    if (this.#disposed) throw new Error(GONE);
+    if (isBroken()) throw isBroken();
+  }
+  #call(act) { try { return act(); } catch (error) { throw told(error); } }
+  #describe() { this.#described = JSON.parse(this.#call(() => this.#stage.describe())); }
 
   get description() { return this.#described; }
   get clips() { return this.#described.clips ?? []; }
-  get clip() { return this.#clip; }
-  get duration() { return this.clips[this.#clip]?.duration ?? 0; }
-  get playing() { return this.#playing; }
-  get time() { return this.#time; }
+  get clip() { return this.#playback.clip; }
+  get duration() { return this.#described.clips?.[this.#playback.clip]?.duration ?? 0; }
+  get playing() { return this.#playback.playing; }
+  get time() { return this.#playback.time; }
   set time(seconds) {
-    this.#time = seconds;
-    this.#stage.seek(this.#clip, seconds);
+    this.#open();
+    this.#playback.time = within("the time", seconds, -1e9, 1e9);
+    this.#stage.seek(this.clip, seconds);
     this.#live = 0;
-    this.#wake();
+    this.#changed();
   }
-  get loop() { return this.#loop; }
-  set loop(loop) { this.#loop = loop; }
-  get rate() { return this.#rate; }
-  set rate(rate) { this.#rate = rate; }
+  get loop() { return this.#playback.loop; }
+  set loop(loop) { this.#playback.loop = Boolean(loop); }
+  get rate() { return this.#playback.rate; }
+  set rate(rate) { this.#playback.rate = within("the rate", rate, -1000, 1000); }
 
-  /** Plays a clip from where it stands, or another from its start. */
-  play(clip = this.#clip) {
+  play(clip = this.clip) {
+    this.#open();
     if (!(clip in this.clips)) throw new RangeError(`there is no clip ${clip}: ${this.clips.length} are loaded`);
-    if (clip !== this.#clip || (!this.#loop && this.#time >= this.duration)) this.#time = 0;
-    this.#clip = clip;
-    this.time = this.#time;
-    this.#playing = true;
-    this.#last = undefined;
+    const again = clip !== this.clip || (!this.loop && this.time >= this.duration);
+    this.#playback.clip = clip;
+    this.time = again ? 0 : this.time;
+    this.#playback.start();
     this.dispatchEvent(new Event("play"));
   }
 
   pause() {
-    this.#playing = false;
+    this.#playback.playing = false;
     this.dispatchEvent(new Event("pause"));
   }
 
-  /** Drives the avatar live, at any rate: three numbers a joint, in the order of `description.joints`. */
   setPose({ rotation, translation = [0, 0, 0], expression = [] }) {
     this.#open();
-    const numbers = (list) => (list instanceof Float32Array ? list : Float32Array.from(list));
-    this.#stage.set_pose(performance.now(), numbers(rotation), numbers(translation), numbers(expression));
-    this.#playing = false;
-    this.#live = performance.now();
-    this.#wake();
+    const numbers = (list) => (list instanceof Float32Array ? list : Float32Array.from(list)), now = performance.now();
+    this.#call(() => this.#stage.set_pose(now, numbers(rotation), numbers(translation), numbers(expression)));
+    this.#live = now;
+    if (this.playing) this.pause();
+    this.#changed();
   }
 
   get camera() { return { ...this.#camera, target: [...this.#camera.target] }; }
   set camera(camera) {
-    this.#camera = { ...this.#camera, ...camera };
+    this.#open();
+    this.#camera = checkedCamera({ ...this.#camera, ...camera });
+    this.#look();
+    this.#changed();
+  }
+  #look() {
     const { target: [x, y, z], yaw, pitch, distance, fov } = this.#camera;
-    this.#stage?.set_camera(x, y, z, yaw, pitch, distance, fov);
-    this.#wake();
+    this.#stage.set_camera(x, y, z, yaw, pitch, distance, fov);
   }
 
-  /** Looks at all of the avatar. */
   frameAvatar() {
+    this.#open();
     this.#describe();
-    const [min, max] = this.#described.bounds ?? [[-0.5, 0, -0.5], [0.5, 1.8, 0.5]];
-    const half = max.map((high, axis) => (high - min[axis]) / 2), around = Math.hypot(half[0], half[2]);
-    const slope = Math.tan(this.#camera.fov / 2), aspect = this.#canvas.width / this.#canvas.height;
-    const distance = 1.05 * Math.max(half[1] / slope, around / (slope * aspect)) + around;
-    this.camera = { target: min.map((low, axis) => low + half[axis]), distance };
+    const bounds = this.#described.bounds ?? [[-0.5, 0, -0.5], [0.5, 1.8, 0.5]];
+    this.camera = framing(bounds, this.#camera.fov, this.#canvas.width / this.#canvas.height);
   }
 
-  /** What lies behind: three numbers from 0 to 1. */
-  set background([red, green, blue]) {
-    this.#over = [red, green, blue];
-    this.#stage.set_background(red, green, blue);
-    this.#wake();
+  set projection(on) {
+    this.#open();
+    this.#stage.set_projection(Boolean(on));
+    this.#changed();
   }
 
-  /** Frames a second and times, ms, of the last frames drawn, and what the last one was made of. */
+  set background(color) {
+    this.#open();
+    const [red, green, blue] = Array.from(color, (channel) => within("the background", channel, 0, 1));
+    this.#stage.set_background(red, green, within("the background", blue, 0, 1));
+    this.#changed();
+  }
+
   get statistics() {
-    const times = [...this.#frames].sort((a, b) => a - b), at = (share) => times[Math.floor(share * (times.length - 1))];
-    const mean = times.reduce((sum, time) => sum + time, 0) / times.length;
-    return { frameMs: at(0.5), p95Ms: at(0.95), fps: mean > 0 ? 1000 / mean : 0, ...JSON.parse(this.#stage.statistics()) };
+    const core = this.#disposed || isBroken() ? {} : JSON.parse(this.#stage.statistics());
+    return { ...this.#times.summary, ...core };
   }
 
-  /** The canvas as a PNG. */
   async screenshot() {
-    return new Promise((resolve, reject) => {
-      this.#shot = () => this.#canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new Error("the browser made no picture"))));
-      this.#stage.set_background(...this.#over);
-      this.#wake();
-    });
-  }
-  #shot; #over = [216 / 255, 221 / 255, 227 / 255];
-
-  /** For tests: loses the device, which is then opened again. */
-  loseDevice() {
-    this.#stage.lose();
+    this.#open();
+    if (this.#failed) throw this.#failed;
+    if (!this.#shown) throw new Error("there is no avatar yet to take a picture of: load one first");
+    const shot = this.#shots.next();
+    this.#stage.redraw();
     this.#wake();
+    return shot;
+  }
+
+  loseDevice() {
+    this.#open();
+    this.#stage.lose();
   }
 
   dispose() {
     if (this.#disposed) return;
     this.#disposed = true;
     cancelAnimationFrame(this.#request);
-    this.#observer.disconnect();
-    document.removeEventListener("visibilitychange", this.#onVisible);
+    clearTimeout(this.#timer);
+    this.#watched.stop();
+    this.#shots.refuse(new Error(GONE));
+    this.#loader.stop(GONE);
+    if (isBroken()) return;
+    this.#stage.lose();
     this.#stage.free();
   }
 
-  #wake() {
-    if (!this.#disposed && !this.#request && !document.hidden && this.#stage) {
-      this.#request = requestAnimationFrame((now) => this.#frame(now));
+  #see(other) {
+    if (other) {
+      // Where nobody sees it no frame is called for: pictures must not wait for one.
+      cancelAnimationFrame(this.#request);
+      this.#request = 0;
+      this.#times.idle();
     }
+    this.#wake();
   }
 
-  #fit() {
-    const ratio = Math.min(window.devicePixelRatio || 1, this.#pixels), { clientWidth, clientHeight } = this.#canvas;
-    const [width, height] = [clientWidth, clientHeight].map((side) => Math.max(1, Math.round(side * ratio)));
-    if (this.#canvas.width !== width) this.#canvas.width = width;
-    if (this.#canvas.height !== height) this.#canvas.height = height;
+  /** Something is other than what a frame failed with. */
+  #changed() {
+    if (!this.#gone) this.#failed = undefined;
+    this.#wake();
+  }
+
+  #wake() {
+    if (this.#request || this.#timer || this.#disposed || this.#recovery || this.#failed || isBroken()) return;
+    this.#times.wake();
+    if (this.#watched.seen) this.#request = requestAnimationFrame(this.#onFrame);
+    // A picture that was asked for is made all the same.
+    else if (this.#shots.wanted) this.#timer = setTimeout(this.#onTimer, 20);
   }
 
   #advance(now) {
-    if (!this.#playing) return;
-    this.#time += this.#last === undefined ? 0 : (this.#rate * Math.min(now - this.#last, 250)) / 1000;
-    this.#last = now;
-    const length = this.duration;
-    if (this.#time > length || this.#time < 0) {
-      this.#time = this.#loop && length > 0 ? ((this.#time % length) + length) % length : Math.min(Math.max(this.#time, 0), length);
-      if (!this.#loop) this.pause();
-    }
-    this.#stage.seek(this.#clip, this.#time);
+    if (this.#playback.advance(now, this.duration)) this.pause();
+    if (!this.#disposed) this.#stage.seek(this.clip, this.time);
   }
 
   #frame(now) {
-    this.#request = 0;
-    if (this.#recovering || this.#failed) return;
+    if (this.#disposed || this.#recovery || this.#failed || isBroken()) return;
+    if (!this.#watched.seen && !this.#shots.wanted) return;
     try {
-      if (this.#stage.is_lost()) return void this.#recover();
-      this.#fit();
-      this.#stage.resize();
-      this.#advance(now);
+      if (this.#recover()) return;
+      this.#fitted();
+      if (this.playing) this.#advance(now);
+      if (this.#disposed) return;
       const drawn = this.#stage.draw(performance.now());
       if (drawn === Drawn.Frame) {
-        if (this.#drawn !== undefined && now - this.#drawn < 1000) this.#frames.push(now - this.#drawn);
-        if (this.#frames.length > 240) this.#frames.shift();
-        this.#drawn = now;
-        this.#shot?.();
-        this.#shot = undefined;
-        this.dispatchEvent(new Event("frame"));
-      }
-      if (this.#playing || now - this.#live < 300 || drawn === Drawn.Later) this.#wake();
+        this.#times.drew(now);
+        if (this.#shots.wanted) this.#shots.take(this.#canvas);
+        this.dispatchEvent(this.#drew);
+      } else if (drawn === Drawn.Nothing) this.#times.idle();
+      if (this.playing || now - this.#live < 300 || drawn === Drawn.Later) this.#wake();
+      if (!this.#request) this.#times.rest();
     } catch (error) {
-      if (this.#stage.is_lost()) return void this.#recover();
-      this.#failed = error;
-      this.dispatchEvent(new CustomEvent("error", { detail: error }));
+      const reason = told(error);
+      if (isBroken() || !this.#recover()) this.#fail(reason);
     }
   }
-  #drawn;
 
-  async #recover() {
-    this.#recovering = true;
+  #fail(error) {
+    this.#failed = error;
+    this.#shots.refuse(error);
+    this.dispatchEvent(new CustomEvent("error", { detail: error }));
+  }
+
+  /** Whether the device is lost: then another is on its way. */
+  #recover() {
+    if (this.#disposed || isBroken() || !this.#stage?.is_lost()) return false;
+    if (!this.#gone) this.#recovery ??= this.#reopen().finally(() => { this.#recovery = undefined; this.#wake(); });
+    return true;
+  }
+
+  async #reopen() {
     this.dispatchEvent(new Event("lost"));
-    try {
-      await this.#stage.recover();
-      const { target: [x, y, z], yaw, pitch, distance, fov } = this.#camera;
-      this.#stage.set_camera(x, y, z, yaw, pitch, distance, fov);
+    const adopt = (screen) => {
+      this.#longest = screen.longest();
+      this.#stage.adopt(screen);
       this.dispatchEvent(new Event("restored"));
+    };
+    try {
+      await this.#devices.reopen(adopt, () => !this.#disposed);
     } catch (error) {
-      this.#failed = error;
-      this.dispatchEvent(new CustomEvent("error", { detail: error }));
+      this.#gone = true;
+      if (!this.#disposed) this.#fail(told(error));
     }
-    this.#recovering = false;
-    this.#wake();
   }
 }

@@ -39,13 +39,14 @@ export function orbit(effigy, canvas) {
     event.preventDefault();
     zoom(Math.exp(event.deltaY * (event.deltaMode === 1 ? 0.03 : 0.001)));
   }, { passive: false });
+  const arrow = (right, down) => (shift) => (shift ? pan(40 * right, 40 * down) : turn(-40 * right, -40 * down));
   const keys = {
-    ArrowLeft: () => turn(40, 0), ArrowRight: () => turn(-40, 0), ArrowUp: () => turn(0, 40), ArrowDown: () => turn(0, -40),
+    ArrowLeft: arrow(-1, 0), ArrowRight: arrow(1, 0), ArrowUp: arrow(0, -1), ArrowDown: arrow(0, 1),
     "+": () => zoom(0.9), "=": () => zoom(0.9), "-": () => zoom(1 / 0.9), r: () => effigy.frameAvatar(),
   };
   canvas.addEventListener("keydown", (event) => {
     if (!keys[event.key] || event.ctrlKey || event.metaKey || event.altKey) return;
-    keys[event.key]();
+    keys[event.key](event.shiftKey);
     event.preventDefault();
   });
 }

@@ -1,12 +1,15 @@
 // Keeps the page for use without a network. The stamp changes with what is kept.
-const KEPT = "effigy-@STAMP@";
-const FILES = ["./", "index.html", "page.css", "page.js", "orbit.js", "bench.js", "effigy.js", "effigy_core.js", "effigy_core_bg.wasm", "demo.avatar", "demo.motion"];
+const OURS = `effigy ${registration.scope} `, KEPT = `${OURS}@STAMP@`;
+const FILES = ["./", @FILES@];
 
 self.addEventListener("install", (event) => {
-  event.waitUntil(caches.open(KEPT).then((cache) => cache.addAll(FILES)).then(() => self.skipWaiting()));
+  // Of one version all: what the browser kept on its own may be older.
+  const files = FILES.map((file) => new Request(file, { cache: "reload" }));
+  event.waitUntil(caches.open(KEPT).then((cache) => cache.addAll(files)).then(() => self.skipWaiting()));
 });
 self.addEventListener("activate", (event) => {
-  const old = (name) => name.startsWith("effigy-") && name !== KEPT;
+  // Other folders of this host may hold an Effigy of their own.
+  const old = (name) => name.startsWith(OURS) && name !== KEPT;
   event.waitUntil(caches.keys().then((names) => Promise.all(names.filter(old).map((name) => caches.delete(name)))).then(() => self.clients.claim()));
 });
 self.addEventListener("fetch", (event) => {

@@ -3,6 +3,7 @@
 use super::{
     device::Gpu,
     error::{Error, Result},
+    owned::{Buffer, Owned},
 };
 use wgpu::BufferUsages;
 
@@ -10,7 +11,7 @@ use wgpu::BufferUsages;
 pub const STORAGE: BufferUsages = BufferUsages::STORAGE.union(BufferUsages::COPY_SRC).union(BufferUsages::COPY_DST);
 
 /// A buffer of at least some bytes, zeros.
-pub fn empty(gpu: &Gpu, name: &'static str, size: u64, usage: BufferUsages) -> Result<wgpu::Buffer> {
+pub fn empty(gpu: &Gpu, name: &'static str, size: u64, usage: BufferUsages) -> Result<Buffer> {
     let limits = gpu.device.limits();
     let bound = if usage.contains(BufferUsages::STORAGE) { limits.max_storage_buffer_binding_size } else { limits.max_buffer_size };
     let limit = bound.min(limits.max_buffer_size);
@@ -18,11 +19,11 @@ pub fn empty(gpu: &Gpu, name: &'static str, size: u64, usage: BufferUsages) -> R
         return Err(Error::TooLarge { what: name, found: size, limit, device: gpu.name().into() });
     }
     let size = size.next_multiple_of(4).max(16);
-    Ok(gpu.device.create_buffer(&wgpu::BufferDescriptor { label: Some(name), size, usage, mapped_at_creation: false }))
+    Ok(Owned(gpu.device.create_buffer(&wgpu::BufferDescriptor { label: Some(name), size, usage, mapped_at_creation: false })))
 }
 
 /// A buffer with something in it.
-pub fn filled(gpu: &Gpu, name: &'static str, data: &[u8], usage: BufferUsages) -> Result<wgpu::Buffer> {
+pub fn filled(gpu: &Gpu, name: &'static str, data: &[u8], usage: BufferUsages) -> Result<Buffer> {
     let buffer = empty(gpu, name, data.len() as u64, usage | BufferUsages::COPY_DST)?;
     let whole = data.len() & !3;
     gpu.queue.write_buffer(&buffer, 0, &data[..whole]);
@@ -45,6 +46,12 @@ pub struct Slice<'a> {
 impl<'a> From<&'a wgpu::Buffer> for Slice<'a> {
     fn from(buffer: &'a wgpu::Buffer) -> Self {
         Self { buffer, offset: 0, size: buffer.size() }
+    }
+}
+
+impl<'a> From<&'a Buffer> for Slice<'a> {
+    fn from(buffer: &'a Buffer) -> Self {
+        (&**buffer).into()
     }
 }
 

@@ -1,13 +1,19 @@
 //! A WebGPU device with the default limits, and what it said since.
 
 use super::error::{Error, Result};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::{
+    future::poll_fn,
+    sync::{Arc, Mutex, MutexGuard, PoisonError},
+    task::{Poll, Waker},
+};
 use wgpu::{DeviceType, Features, Limits};
 
 /// What was heard from a device behind the program's back.
 #[derive(Debug, Default)]
 struct Heard {
     lost: Option<String>,
+    /// Who waits for the loss.
+    waiting: Vec<Waker>,
     /// The first complaint that nobody has been told of.
     error: Option<String>,
 }
@@ -48,7 +54,9 @@ impl Gpu {
         let heard = Arc::new(Mutex::new(Heard::default()));
         let told = heard.clone();
         device.set_device_lost_callback(move |reason, message| {
-            locked(&told).lost = Some(if message.is_empty() { format!("{reason:?}") } else { message });
+            let mut heard = locked(&told);
+            heard.lost = Some(if message.is_empty() { format!("{reason:?}") } else { message });
+            heard.waiting.drain(..).for_each(Waker::wake);
         });
         let told = heard.clone();
         device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| {
@@ -113,6 +121,31 @@ impl Gpu {
         }
     }
 
+    /// Gives the device and all that was made with it back: it is lost from now on.
+    pub fn close(&self) {
+        locked(&self.heard).lost.get_or_insert_with(|| "it was given back".into());
+        self.device.destroy();
+    }
+
+    /// Ends when the device is lost, and says why. It does not keep the device.
+    pub fn lost(&self) -> impl Future<Output = String> + use<> {
+        let heard = self.heard.clone();
+        poll_fn(move |context| {
+            let mut heard = locked(&heard);
+            if let Some(reason) = &heard.lost {
+                return Poll::Ready(reason.clone());
+            }
+            heard.waiting.push(context.waker().clone());
+            Poll::Pending
+        })
+    }
+
+    /// From here on what the device refuses is not an error of [`Self::check`], but of the [`Watch`].
+    pub fn watch(&self) -> Watch {
+        use wgpu::ErrorFilter::{Internal, OutOfMemory, Validation};
+        Watch([Internal, OutOfMemory, Validation].map(|filter| self.device.push_error_scope(filter)))
+    }
+
     /// Waits for what was submitted so far, or for all of it, but not forever.
     ///
     /// # Errors
@@ -124,6 +157,22 @@ impl Gpu {
         let waited = self.device.poll(wgpu::PollType::Wait { submission_index: submission, timeout: Some(LIMIT) });
         self.check()?;
         waited.map(|_| ()).map_err(|_| Error::Timeout { what, seconds: LIMIT.as_secs() })
+    }
+}
+
+/// Something that is watched while it is made: browsers tell of errors later.
+pub struct Watch([wgpu::ErrorScopeGuard; 3]);
+
+impl Watch {
+    /// It is made; ends once the device has told whether it could.
+    pub fn end(self) -> impl Future<Output = Result<()>> + use<> {
+        // The last scope opened is the first to be closed.
+        let [internal, memory, validation] = self.0;
+        let told = (validation.pop(), memory.pop(), internal.pop());
+        async move {
+            let errors = [told.0.await, told.1.await, told.2.await];
+            errors.into_iter().flatten().next().map_or(Ok(()), |error| Err(Error::Refused(error.to_string())))
+        }
     }
 }
 

@@ -21,7 +21,8 @@ impl Features {
             (3, Bound::Read((&model.node_starts).into())),
             (4, Bound::Write(pose.into())),
         ];
-        Self { kernel: Kernel::new(gpu, &shaders::FEATURES, &bound) }
+        let shader = if model.networks_in_bytes { &shaders::FEATURES_BYTES } else { &shaders::FEATURES };
+        Self { kernel: Kernel::new(gpu, shader, &bound) }
     }
 
     /// `parts`: how many of the first parts hold all that the frame says is not idle.

@@ -6,6 +6,7 @@ use super::{
     error::Result,
     kernel::{Blocks, Bound, Kernel},
     model::Model,
+    owned::Buffer,
 };
 use crate::{
     avatar::Avatar,
@@ -20,6 +21,7 @@ use bytemuck::cast_slice;
 pub struct Harmonics {
     kernel: Kernel,
     groups: u32,
+    _coefficients: [Buffer; 2],
 }
 
 impl Harmonics {
@@ -42,7 +44,7 @@ impl Harmonics {
             (3, Bound::Read((&high).into())),
         ];
         let kernel = Kernel::new(gpu, module, if both { &bound } else { &bound[..3] });
-        Ok(Some(Self { kernel, groups: model.constants.gaussians.div_ceil(HARMONICS_SIZE) }))
+        Ok(Some(Self { kernel, groups: model.constants.gaussians.div_ceil(HARMONICS_SIZE), _coefficients: [low, high] }))
     }
 
     /// Reads the frame's joints and the model, writes the model's colours.

@@ -1,6 +1,6 @@
 //! Bindings and compute pipelines.
 
-use super::{buffer::Slice, device::Gpu};
+use super::{buffer::Slice, device::Gpu, owned::Buffer};
 use crate::{
     layout::{Frame, Settings},
     webgpu::shaders::Module,
@@ -62,9 +62,9 @@ impl<'a> Bound<'a> {
 /// The uniform buffers that the stages share.
 pub struct Blocks {
     /// One [`Frame`] an avatar, [`FRAME_STRIDE`] apart.
-    pub frames: wgpu::Buffer,
+    pub frames: Buffer,
     /// One [`Settings`].
-    pub settings: wgpu::Buffer,
+    pub settings: Buffer,
 }
 
 impl Blocks {

@@ -8,12 +8,14 @@ mod harmonics;
 mod kernel;
 mod model;
 pub mod options;
+pub mod owned;
 #[cfg(not(target_arch = "wasm32"))]
 mod picture;
 pub mod present;
 mod raster;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod readback;
+mod refill;
 pub mod renderer;
 mod slot;
 mod sort;

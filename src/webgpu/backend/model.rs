@@ -4,6 +4,7 @@ use super::{
     buffer::{STORAGE, filled},
     device::Gpu,
     error::Result,
+    owned::Buffer,
 };
 use crate::{
     avatar::{Avatar, Occluder},
@@ -14,8 +15,8 @@ use wgpu::BufferUsages;
 
 /// The avatar's solid inside; see `shaders/surface.vert`.
 pub struct OccluderMesh {
-    pub corners: wgpu::Buffer,
-    pub indices: wgpu::Buffer,
+    pub corners: Buffer,
+    pub indices: Buffer,
     /// Three a triangle.
     pub index_count: u32,
     /// Corners and triangles.
@@ -24,18 +25,21 @@ pub struct OccluderMesh {
 
 /// The model in device memory, read-only.
 pub struct Model {
-    pub networks: wgpu::Buffer,
-    pub nodes: wgpu::Buffer,
+    /// Words; see `shaders/features.glsl`.
+    pub networks: Buffer,
+    pub nodes: Buffer,
     /// Each part's first node, and their number.
-    pub node_starts: wgpu::Buffer,
+    pub node_starts: Buffer,
     /// Where each of the avatar's nodes is among those of the device, which are in the order of their parts.
     #[cfg(not(target_arch = "wasm32"))]
     pub node_places: Vec<u16>,
-    pub gaussians: wgpu::Buffer,
-    pub rows: wgpu::Buffer,
+    pub gaussians: Buffer,
+    pub rows: Buffer,
     pub occluder: OccluderMesh,
     /// The uniform block with all that no frame changes.
     pub constants: Box<Frame>,
+    /// Whether the networks' weights are bytes.
+    pub networks_in_bytes: bool,
 }
 
 impl Model {
@@ -63,6 +67,7 @@ impl Model {
             #[cfg(not(target_arch = "wasm32"))]
             node_places,
             constants,
+            networks_in_bytes: avatar.networks.in_bytes(),
         })
     }
 }

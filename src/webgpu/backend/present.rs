@@ -5,6 +5,7 @@ use super::{
     device::Gpu,
     error::Result,
     kernel::{Bindings, Bound},
+    owned::Buffer,
     raster::draw_pipeline,
 };
 use crate::webgpu::shaders;
@@ -12,7 +13,7 @@ use wgpu::{BufferUsages, ShaderStages, TextureFormat};
 
 /// Draws pictures over a background.
 pub struct Present {
-    background: wgpu::Buffer,
+    background: Buffer,
     bindings: Bindings,
     pipeline: wgpu::RenderPipeline,
 }

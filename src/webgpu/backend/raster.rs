@@ -5,6 +5,7 @@ use super::{
     device::Gpu,
     error::{Error, Result},
     kernel::{Bindings, Blocks, Bound, Kernel, module},
+    owned::{Buffer, Owned, Texture},
     slot::Slot,
 };
 use crate::{
@@ -15,8 +16,8 @@ use crate::{
 use wgpu::{BlendComponent, BlendFactor, BlendOperation, BlendState, ShaderStages, TextureFormat, TextureUsages};
 
 /// What a picture's texture is made as.
-pub fn texture(gpu: &Gpu, label: &'static str, [width, height]: [u32; 2], format: TextureFormat, usage: TextureUsages) -> wgpu::Texture {
-    gpu.device.create_texture(&wgpu::TextureDescriptor {
+pub fn texture(gpu: &Gpu, label: &'static str, [width, height]: [u32; 2], format: TextureFormat, usage: TextureUsages) -> Texture {
+    Owned(gpu.device.create_texture(&wgpu::TextureDescriptor {
         label: Some(label),
         size: wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
         mip_level_count: 1,
@@ -25,7 +26,7 @@ pub fn texture(gpu: &Gpu, label: &'static str, [width, height]: [u32; 2], format
         format,
         usage,
         view_formats: &[],
-    })
+    }))
 }
 
 fn wgpu_format(format: ColorFormat) -> TextureFormat {
@@ -48,14 +49,14 @@ pub struct Inputs<'a> {
 
 /// Draws by one of the methods.
 enum Way {
-    Hulls { bindings: Bindings, pipeline: wgpu::RenderPipeline, indices: wgpu::Buffer },
-    Tiles { bins: Kernel, raster: Box<Kernel>, buffer: wgpu::Buffer },
+    Hulls { bindings: Bindings, pipeline: wgpu::RenderPipeline, indices: Buffer },
+    Tiles { bins: Kernel, raster: Box<Kernel>, buffer: Buffer },
 }
 
 pub struct Raster {
     way: Way,
     format: ColorFormat,
-    image: wgpu::Texture,
+    image: Texture,
     view: wgpu::TextureView,
 }
 
@@ -150,7 +151,7 @@ impl Raster {
     }
 }
 
-fn picture(gpu: &Gpu, format: ColorFormat, size: [u32; 2]) -> Result<wgpu::Texture> {
+fn picture(gpu: &Gpu, format: ColorFormat, size: [u32; 2]) -> Result<Texture> {
     let limit = gpu.device.limits().max_texture_dimension_2d;
     if size.iter().any(|&side| side == 0 || side > limit) {
         let found = format!("{} × {}", size[0], size[1]);

@@ -10,6 +10,7 @@ use super::{
     kernel::{Blocks, FRAME_STRIDE},
     model::Model,
     options::accepted,
+    owned::Buffer,
     raster::{Inputs, Raster},
     slot::{SLOTS, Slot},
     sort::Sort,
@@ -38,21 +39,21 @@ pub struct Renderer {
     pub(super) splats: Splats,
     pub(super) sort: Sort,
     pub(super) raster: Raster,
-    pub(super) control: wgpu::Buffer,
+    pub(super) control: Buffer,
     /// Features, then node displacements, of one avatar after the other; then the depth surface's pyramid.
-    #[cfg(not(target_arch = "wasm32"))]
-    pub(super) pose: wgpu::Buffer,
+    #[cfg_attr(target_arch = "wasm32", expect(dead_code, reason = "it is kept for the stages"))]
+    pub(super) pose: Buffer,
     blocks: Blocks,
     settings: Settings,
     /// What is written to an avatar's block.
-    frame: Box<Frame>,
+    pub(super) frame: Box<Frame>,
     pub(super) model: Model,
-    extent: Extent,
-    needs: Needs,
+    pub(super) extent: Extent,
+    pub(super) needs: Needs,
     /// One an avatar.
-    keepers: Vec<Keeper>,
+    pub(super) keepers: Vec<Keeper>,
     options: RendererOptions,
-    scene: Scene,
+    pub(super) scene: Scene,
     /// Keys that the control says enter the sort, once it was told.
     entering: Option<u32>,
     pub(super) next: usize,
@@ -96,7 +97,6 @@ impl Renderer {
             sort,
             raster,
             control,
-            #[cfg(not(target_arch = "wasm32"))]
             pose,
             blocks,
             settings,

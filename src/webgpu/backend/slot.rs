@@ -4,6 +4,7 @@ use super::{
     buffer::empty,
     device::Gpu,
     error::Result,
+    owned::{Buffer, Owned, QuerySet},
     splats::{REASONS, Splats},
 };
 use crate::{
@@ -34,9 +35,9 @@ pub type Writes = [Option<u32>; 2];
 
 /// One of the frames under way.
 pub struct Slot {
-    queries: Option<(wgpu::QuerySet, wgpu::Buffer)>,
+    queries: Option<(QuerySet, Buffer)>,
     period: f64,
-    staging: wgpu::Buffer,
+    staging: Buffer,
     state: Arc<AtomicU8>,
     submission: Option<wgpu::SubmissionIndex>,
     known: Counters,
@@ -54,7 +55,7 @@ impl Slot {
                 count: QUERIES,
             });
             let usage = BufferUsages::QUERY_RESOLVE | BufferUsages::COPY_SRC;
-            Ok((set, empty(gpu, "timestamps", 8 * u64::from(QUERIES), usage)?))
+            Ok((Owned(set), empty(gpu, "timestamps", 8 * u64::from(QUERIES), usage)?))
         };
         Ok(Self {
             queries: gpu.timestamps.then(queries).transpose()?,

@@ -7,6 +7,7 @@ use super::{
     device::Gpu,
     error::Result,
     kernel::{Blocks, Bound, Kernel},
+    owned::Buffer,
 };
 use crate::{
     layout::{SORT_DIGITS, SORT_GROUP, SORT_STATE, SORT_TILE, Settings},
@@ -42,7 +43,9 @@ pub struct Sort {
     last: Kernel,
     tiles: u32,
     capacity: u32,
-    order: wgpu::Buffer,
+    order: Buffer,
+    /// Entries between the passes.
+    _between: Buffer,
 }
 
 impl Sort {
@@ -57,7 +60,7 @@ impl Sort {
         let between = empty(gpu, "sort entries", 4 * u64::from(capacity), STORAGE)?;
         let order = empty(gpu, "order", 4 * u64::from(capacity), STORAGE)?;
         let (read, write) = (|slice| Bound::Read(slice), |slice| Bound::Write(slice));
-        let (between, control) = (Slice::from(&between), Slice::from(control));
+        let (entries, control) = (Slice::from(&between), Slice::from(control));
         let kernel = |module, bound: &[(u32, Bound)]| Kernel::new(gpu, module, &[bound, &[blocks.settings()]].concat());
         let scanned = tiles(capacity) > MOST_SUMMED;
         let [first, last_count, last] = if lanes {
@@ -79,13 +82,14 @@ impl Sort {
         };
         Ok(Self {
             first_scan: scanned.then(first_scan),
-            first: kernel(first, &[(1, read(keys)), (2, read(counts)), (3, write(control)), (4, write(between))]),
-            last_count: kernel(last_count, &[(1, read(between)), (2, write(counts)), (3, read(control))]),
+            first: kernel(first, &[(1, read(keys)), (2, read(counts)), (3, write(control)), (4, write(entries))]),
+            last_count: kernel(last_count, &[(1, read(entries)), (2, write(counts)), (3, read(control))]),
             last_scan: scanned.then(last_scan),
-            last: kernel(last, &[(1, read(between)), (2, read(counts)), (3, read(control)), (4, write((&order).into()))]),
+            last: kernel(last, &[(1, read(entries)), (2, read(counts)), (3, read(control)), (4, write((&order).into()))]),
             tiles: tiles(capacity),
             capacity,
             order,
+            _between: between,
         })
     }
 

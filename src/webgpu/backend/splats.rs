@@ -6,6 +6,7 @@ use super::{
     error::Result,
     kernel::{Blocks, Bound, Kernel},
     model::Model,
+    owned::Buffer,
     sort,
 };
 use crate::{
@@ -28,9 +29,9 @@ pub struct Splats {
     capacity: u32,
     posed_start: u32,
     /// Splats, keys, and what is kept of the pose.
-    buffer: wgpu::Buffer,
+    buffer: Buffer,
     /// Reasons, then the sort's counts: all that atomics add to.
-    counts: wgpu::Buffer,
+    counts: Buffer,
 }
 
 impl Splats {

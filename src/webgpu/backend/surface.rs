@@ -5,6 +5,7 @@ use super::{
     device::Gpu,
     kernel::{Bindings, Blocks, Bound, Kernel, module},
     model::Model,
+    owned::Texture,
     slot::Slot,
 };
 use crate::{
@@ -19,7 +20,8 @@ pub struct Surface {
     mesh: Bindings,
     pipeline: wgpu::RenderPipeline,
     pyramid: Kernel,
-    image: wgpu::TextureView,
+    _image: Texture,
+    view: wgpu::TextureView,
 }
 
 impl Surface {
@@ -29,8 +31,8 @@ impl Surface {
         let mesh = Bindings::new(gpu, ShaderStages::VERTEX, &drawn);
         let usage = TextureUsages::RENDER_ATTACHMENT | TextureUsages::TEXTURE_BINDING;
         let image = super::raster::texture(gpu, "surface", [SURFACE_DRAWN; 2], FORMAT, usage);
-        let image = image.create_view(&Default::default());
-        let bound = [blocks.frame(), (1, Bound::Write(pose.into())), (2, Bound::Texture(&image))];
+        let view = image.create_view(&Default::default());
+        let bound = [blocks.frame(), (1, Bound::Write(pose.into())), (2, Bound::Texture(&view))];
         let pyramid = Kernel::new(gpu, &shaders::SURFACE, &bound);
         let pipeline = gpu.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
             label: Some("surface"),
@@ -54,7 +56,7 @@ impl Surface {
             multiview_mask: None,
             cache: None,
         });
-        Self { mesh, pipeline, pyramid, image }
+        Self { mesh, pipeline, pyramid, _image: image, view }
     }
 
     /// Draws the mesh of each of `frames`, at least one, where their blocks say.
@@ -64,7 +66,7 @@ impl Surface {
             let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
                 label: Some("surface"),
                 depth_stencil_attachment: Some(RenderPassDepthStencilAttachment {
-                    view: &self.image,
+                    view: &self.view,
                     depth_ops: Some(Operations { load: LoadOp::Clear(1.0), store: StoreOp::Store }),
                     stencil_ops: None,
                 }),

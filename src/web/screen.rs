@@ -1,0 +1,123 @@
+//! A canvas and a device that draws on it, and avatars that a device is asked to make room for.
+
+use super::motion::Motion;
+use crate::{
+    avatar::Avatar,
+    frame::RendererOptions,
+    webgpu::{Error, Gpu, Renderer, present::Present},
+};
+use std::sync::Arc;
+use wasm_bindgen::prelude::*;
+use wasm_bindgen_futures::future_to_promise;
+use web_sys::HtmlCanvasElement;
+
+/// An avatar and what draws it.
+pub struct Shown {
+    pub avatar: Avatar,
+    pub renderer: Renderer,
+    pub present: Present,
+    pub motion: Motion,
+}
+
+/// A canvas that is drawn on.
+#[wasm_bindgen]
+pub struct Screen {
+    pub(super) canvas: HtmlCanvasElement,
+    pub(super) gpu: Arc<Gpu>,
+    pub(super) surface: wgpu::Surface<'static>,
+    format: wgpu::TextureFormat,
+}
+
+/// An error as JavaScript has it.
+pub fn thrown(error: impl std::fmt::Display) -> JsValue {
+    js_sys::Error::new(&error.to_string()).into()
+}
+
+/// The error of an argument that is none.
+pub fn out_of_range(error: impl std::fmt::Display) -> JsValue {
+    js_sys::RangeError::new(&error.to_string()).into()
+}
+
+async fn opened(canvas: HtmlCanvasElement) -> Result<Screen, Error> {
+    let instance = wgpu::Instance::new(wgpu::InstanceDescriptor {
+        backends: wgpu::Backends::BROWSER_WEBGPU,
+        ..wgpu::InstanceDescriptor::new_without_display_handle()
+    });
+    let surface = instance.create_surface(wgpu::SurfaceTarget::Canvas(canvas.clone()));
+    let surface = surface.map_err(|error| Error::NoDevice(error.to_string()))?;
+    let gpu = Gpu::new(instance, None).await?;
+    let formats = surface.get_capabilities(&gpu.adapter).formats;
+    // Colours are display-referred: numbers that are shown as they are.
+    let format = formats.iter().copied().find(|format| !format.is_srgb()).unwrap_or(wgpu::TextureFormat::Bgra8Unorm);
+    Ok(Screen { canvas, gpu, surface, format })
+}
+
+#[wasm_bindgen]
+impl Screen {
+    /// Opens a device for a canvas of its own.
+    pub async fn open(canvas: HtmlCanvasElement) -> Result<Screen, JsValue> {
+        opened(canvas).await.map_err(thrown)
+    }
+
+    /// A promise that is kept when the device is lost, whoever lost it: it says why.
+    pub fn lost(&self) -> js_sys::Promise {
+        let lost = self.gpu.lost();
+        future_to_promise(async { Ok(lost.await.into()) })
+    }
+
+    /// Gives the device and all that it holds back.
+    pub fn close(&self) {
+        self.gpu.close();
+    }
+
+    /// Pixels that a side of a picture may have.
+    pub fn longest(&self) -> u32 {
+        self.gpu.device.limits().max_texture_dimension_2d
+    }
+}
+
+impl Screen {
+    pub fn size(&self) -> [u32; 2] {
+        [self.canvas.width().max(1), self.canvas.height().max(1)]
+    }
+
+    pub fn configure(&self, [width, height]: [u32; 2]) {
+        if let Some(config) = self.surface.get_default_config(&self.gpu.adapter, width, height) {
+            let alpha_mode = wgpu::CompositeAlphaMode::Opaque;
+            self.surface.configure(&self.gpu.device, &wgpu::SurfaceConfiguration { format: self.format, alpha_mode, ..config });
+        }
+    }
+
+    pub fn renderer(&self, avatar: &Avatar, size: [u32; 2]) -> Result<(Renderer, Present), Error> {
+        let renderer = Renderer::new(&self.gpu, avatar, RendererOptions::new(size))?;
+        let present = Present::new(&self.gpu, renderer.picture_view(), self.format)?;
+        Ok((renderer, present))
+    }
+
+    /// Makes what draws an avatar, and asks the device whether it could.
+    pub fn candidate(&self, avatar: Avatar) -> Result<Candidate, Error> {
+        let watch = self.gpu.watch();
+        let made = self.renderer(&avatar, self.size());
+        let refused = watch.end();
+        let (renderer, present) = made?;
+        let motion = Motion::new(&avatar);
+        let refused = future_to_promise(async { refused.await.map(|()| JsValue::UNDEFINED).map_err(thrown) });
+        Ok(Candidate { gpu: self.gpu.clone(), shown: Shown { avatar, renderer, present, motion }, refused })
+    }
+}
+
+/// An avatar that may take the place of another.
+#[wasm_bindgen]
+pub struct Candidate {
+    pub(super) gpu: Arc<Gpu>,
+    pub(super) shown: Shown,
+    refused: js_sys::Promise,
+}
+
+#[wasm_bindgen]
+impl Candidate {
+    /// A promise that is kept when the device has made all of it, and broken when it can't.
+    pub fn made(&self) -> js_sys::Promise {
+        self.refused.clone()
+    }
+}
