@@ -30,8 +30,8 @@ fn frame(avatar: &Avatar, posed: &Posed) -> Frame {
     let part = |k: usize| avatar.parts.start.partition_point(|&start| start as usize <= k) - 1;
     fn changed<const C: usize>(avatar: &Avatar, rows: &Rows<C>, neutral: [f16; C], k: usize, e: &[f64]) -> [f64; C] {
         let n = avatar.basis_len();
-        let row = rows.gaussian.binary_search(&(k as u32)).expect("all have a row");
-        let along = |c: usize| rows.basis.row(row, C * n).piece(c * n, n).dot(e);
+        let row = rows.basis.row(rows.gaussian.binary_search(&(k as u32)).expect("all have a row"), C * n);
+        let along = |c: usize| row.piece(c * n, n).dot(e);
         std::array::from_fn(|c| neutral[c].to_f64() + along(c))
     }
     let half = |v: [f64; 3]| v.map(f16::from_f64);

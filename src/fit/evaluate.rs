@@ -37,8 +37,8 @@ impl Way {
             Self::Learned => {}
             Self::Unprojected => avatar.inputs = Inputs { pose_space: None, expression_space: None, ..avatar.inputs },
             Self::Neutral => {
-                avatar.rotation_rows = Rows { gaussian: vec![], basis: Matrix::default() };
-                avatar.scale_rows = Rows { gaussian: vec![], basis: Matrix::default() };
+                (avatar.rotation_rows, avatar.scale_rows) =
+                    (Rows { gaussian: vec![], basis: Matrix::default() }, Rows { gaussian: vec![], basis: Matrix::default() });
                 avatar.color_rows = Rows { gaussian: vec![], basis: Matrix::default() };
                 avatar.nodes.basis.halves_mut().fill(f16::ZERO);
             }

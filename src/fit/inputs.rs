@@ -32,7 +32,7 @@ pub struct Seen {
 /// So their σ is at least half of the furthest training expression.
 pub fn spaces(inputs: &Inputs, poses: &[&Pose]) -> Inputs {
     let plain = Inputs { pose_space: None, expression_space: None, ..inputs.clone() };
-    let rows: Vec<Vec<f64>> = poses.iter().map(|pose| plain.of(pose)).collect();
+    let rows: Vec<Vec<f64>> = poses.iter().map(|pose| plain.unprojected(pose)).collect();
     let split = 3 * plain.joint.len();
     let [theta, face]: [Vec<Vec<f64>>; 2] =
         [rows.iter().map(|row| row[..split].to_vec()).collect(), rows.iter().map(|row| row[split..].to_vec()).collect()];
@@ -56,9 +56,9 @@ fn along(space: &Subspace, k: usize, x: &[f64]) -> f64 {
 impl Seen {
     /// `training`: the frames that mean and deviation are taken over.
     pub fn new(inputs: &Inputs, poses: &[Pose], training: &[usize]) -> Self {
-        let plain = Inputs { pose_space: None, expression_space: None, ..inputs.clone() };
-        let all = |inputs: &Inputs| poses.iter().flat_map(|pose| inputs.of(pose)).map(|x| x as f32).collect::<Vec<f32>>();
-        let (projected, raw, width) = (all(inputs), all(&plain), inputs.len());
+        let projected = poses.iter().flat_map(|pose| inputs.of(pose)).map(|x| x as f32).collect();
+        let raw: Vec<f32> = poses.iter().flat_map(|pose| inputs.unprojected(pose)).map(|x| x as f32).collect();
+        let width = inputs.len();
         let count = training.len().max(1) as f64;
         let column = |k: usize| training.iter().map(move |f| f * width + k).map(|at| f64::from(raw[at]));
         let mean: Vec<f64> = (0..width).map(|k| column(k).sum::<f64>() / count).collect();

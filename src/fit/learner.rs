@@ -54,10 +54,9 @@ impl Learner {
             for (l, layer) in avatar.networks.layers.iter().enumerate() {
                 let at = start(&network.sizes, l);
                 let count = layer.input * layer.output;
-                let rows = (0..layer.output).flat_map(|neuron| layer.weight.row(part * layer.output + neuron, layer.input).iter());
-                let biases = layer.bias[part * layer.output..][..layer.output].iter().map(|bias| bias.to_f64());
-                let weights = &mut network.weights[at..at + count + layer.output];
-                weights.iter_mut().zip(rows.chain(biases)).for_each(|(w, number)| *w = number as f32);
+                let weights = layer.weight.halves();
+                let numbers = weights[part * count..][..count].iter().chain(&layer.bias[part * layer.output..][..layer.output]);
+                network.weights[at..at + count + layer.output].iter_mut().zip(numbers).for_each(|(w, n)| *w = n.to_f32());
             }
             let (width, hidden) = (network.sizes[0], network.sizes[1]);
             for neuron in 0..hidden {

@@ -48,11 +48,9 @@ impl Stream {
 pub fn variances<const C: usize>(rows: &Rows<C>, starts: &[u32], basis: usize, covariance: &[Vec<f64>]) -> Vec<f64> {
     let row = |(at, &k): (usize, &u32)| {
         let sigma = &covariance[starts.partition_point(|&start| start <= k) - 1];
-        let component = |c: usize| {
-            let b: Vec<f64> = rows.basis.row(at, C * basis).piece(c * basis, basis).iter().collect();
-            (0..basis * basis).map(|i| b[i / basis] * sigma[i] * b[i % basis]).sum::<f64>()
-        };
-        (0..C).map(component).sum()
+        let component = |b: &[f64]| (0..basis * basis).map(|i| b[i / basis] * sigma[i] * b[i % basis]).sum::<f64>();
+        let numbers: Vec<f64> = rows.basis.row(at, C * basis).iter().collect();
+        numbers.chunks_exact(basis).map(component).sum()
     };
     rows.gaussian.par_iter().enumerate().map(row).collect()
 }

@@ -7,7 +7,7 @@ use super::inputs::Seen;
 use super::learner::Learner;
 use super::network::Target;
 use super::nodes::Moves;
-use crate::avatar::{Avatar, Rows};
+use crate::avatar::{Avatar, Matrix, Rows};
 use half::f16;
 use rayon::prelude::*;
 
@@ -116,7 +116,7 @@ impl Ground<'_> {
         let rows = |a: usize| solved.iter().flat_map(move |part| part.kept[a].iter().copied()).collect::<Vec<u32>>();
         let basis = |a: usize| {
             let own = |part: &'_ Solved| part.attributes.basis[part.start[a] * self.basis..part.start[a + 1] * self.basis].to_vec();
-            solved.iter().flat_map(own).collect::<Vec<f16>>()
+            solved.iter().flat_map(own).collect::<Matrix>()
         };
         for part in solved {
             for (a, attribute) in ATTRIBUTES.into_iter().enumerate() {
@@ -130,19 +130,19 @@ impl Ground<'_> {
         avatar.gaussians.rotation = neutral[0].as_chunks::<4>().0.to_vec();
         avatar.gaussians.log_scale = neutral[1].as_chunks::<3>().0.to_vec();
         avatar.gaussians.color = neutral[2].as_chunks::<3>().0.to_vec();
-        avatar.rotation_rows = Rows { gaussian: rows(0), basis: basis(0).into() };
-        avatar.scale_rows = Rows { gaussian: rows(1), basis: basis(1).into() };
-        avatar.color_rows = Rows { gaussian: rows(2), basis: basis(2).into() };
-        let mut bases = vec![f16::ZERO; 3 * self.basis * avatar.nodes.len()];
+        avatar.rotation_rows = Rows { gaussian: rows(0), basis: basis(0) };
+        avatar.scale_rows = Rows { gaussian: rows(1), basis: basis(1) };
+        avatar.color_rows = Rows { gaussian: rows(2), basis: basis(2) };
+        let mut node_basis = vec![f16::ZERO; 3 * self.basis * avatar.nodes.len()];
         for (part, nodes) in self.nodes.iter().enumerate() {
             for (at, &s) in nodes.iter().enumerate() {
                 let own = &solved[part].nodes;
                 avatar.nodes.offset[s] = std::array::from_fn(|c| own.neutral[3 * at + c]);
                 let length = 3 * self.basis;
-                bases[s * length..][..length].copy_from_slice(&own.basis[at * length..][..length]);
+                node_basis[s * length..][..length].copy_from_slice(&own.basis[at * length..][..length]);
             }
         }
-        avatar.nodes.basis = bases.into();
+        avatar.nodes.basis = node_basis.into();
         avatar
     }
 }

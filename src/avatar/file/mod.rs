@@ -136,8 +136,7 @@ pub(super) fn read_with<T>(path: &Path, decode: impl FnOnce(&[u8]) -> Result<T, 
 }
 
 fn write(bytes: Result<Vec<u8>, Fault>, path: &Path) -> Result<(), FileError> {
-    let bytes = bytes.map_err(|fault| FileError::Content { file: path.into(), fault })?;
-    replace(path, &bytes)
+    replace(path, &bytes.map_err(|fault| FileError::Content { file: path.into(), fault })?)
 }
 
 /// Writes beside the target and renames, so that the target is either the old file or the whole new one.
