@@ -51,11 +51,14 @@ impl Matrix {
         }
     }
 
-    /// A row of so many numbers.
+    /// A row of so many numbers; rows of none need no step.
     pub fn row(&self, at: usize, length: usize) -> Row<'_> {
         match self {
             Self::Halves(numbers) => Row::Halves(&numbers[at * length..][..length]),
-            Self::Bytes { codes, steps } => Row::Bytes { codes: &codes[at * length..][..length], step: steps[at] },
+            Self::Bytes { codes, steps } => {
+                let step = if length == 0 { f16::ZERO } else { steps[at] };
+                Row::Bytes { codes: &codes[at * length..][..length], step }
+            }
         }
     }
 

@@ -275,7 +275,9 @@ mod tests {
         let of = |key_bits| sort(&RendererOptions { key_bits, ..RendererOptions::new([1, 1]) }, seen);
         let (two, three) = (of(KeyBits::Sixteen), of(KeyBits::TwentyFour));
         // Two keys a word and one pass between words; a key a word, one pass between pairs and one between words.
-        assert_eq!([two.bytes, three.bytes], [(2 + 3 * 4 + 4) * 1000, (4 + 3 * 8 + 3 * 4 + 4) * 1000]);
+        let counts = |passes| 3 * 4 * u64::from(SORT_DIGITS) * passes;
+        let expected = [(2 + 3 * 4 + 4) * 1000 + counts(2), (4 + 3 * 8 + 3 * 4 + 4) * 1000 + counts(3)];
+        assert_eq!([two.bytes, three.bytes], expected);
         // 2 in, 1 + 4 out, 1 + 4 in, 4 out; then 3 in, 2 + 4 out, 2 + 4 in, 1 + 4 out, 1 + 4 in, 4 out.
         assert_eq!([two.bytes_floor, three.bytes_floor], [16 * 1000, 29 * 1000]);
     }

@@ -89,7 +89,7 @@ impl Knob {
             Self::Raster => {
                 let other = Method::ALL.into_iter().filter(|&method| Some(method) != options.method);
                 // A format that the method before brought with it goes with it.
-                let brought = options.color == options.method.map(Method::color);
+                let brought = options.color.is_some() && options.color == options.method.map(Method::color);
                 let with = |method: Method| {
                     of(&|s| {
                         s.options.method = Some(method);
