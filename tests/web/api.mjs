@@ -189,9 +189,11 @@ export const api = {
       let drawn = 0;
       effigy.addEventListener("frame", () => ++drawn);
       const quiet = async () => {
-        await new Promise((resolve) => setTimeout(resolve, 500));
-        drawn = 0;
-        await new Promise((resolve) => setTimeout(resolve, 1500));
+        // Frames under way may still come; what is drawn on and on never rests.
+        for (let k = 0; k < 6 && (k === 0 || drawn > 0); ++k) {
+          drawn = 0;
+          await new Promise((resolve) => setTimeout(resolve, 1500));
+        }
         return [drawn, (await effigy.screenshot()).size > 1000];
       };
       scrollTo(0, 2000);
