@@ -41,6 +41,12 @@ play() { # SCRIPT [VARIABLE=VALUE...]: plays a script in a folder of its own
 export EFFIGY_VALIDATION=1 VK_LAYER_PATH=$PWD/target/drivers/layers VK_LAYER_SYNCVAL_SHADER_ACCESSES_HEURISTIC=1
 for script in early destroy lifecycle picture touch pace; do play tools/android-host/scripts/$script.txt; done
 play tools/android-host/scripts/timed.txt HOST_TIMING=1
+play tools/android-host/scripts/soak.txt HOST_SOAK=5
+for file in json csv svg png; do [ -s $work/soak/data/soak.$file ] || { echo "FAILED soak: it left no soak.$file"; failed=1; }; done
+play tools/android-host/scripts/open.txt HOST_OPEN="$PWD/android/assets/demo.avatar"
+[ "$(grep -c 'showing `' $work/open.log)" = 2 ] || { echo "FAILED open: the file that was opened is not shown"; failed=1; }
+play tools/android-host/scripts/refused.txt HOST_OPEN="$PWD/README.md"
+grep -q "the file that was opened can't be shown" $work/refused.log || { echo "FAILED refused: nothing is said of a file that can't be shown"; failed=1; }
 for seed in $(seq 1 "$seeds"); do play "$work/scripts/orders-$seed.txt"; done
 unset EFFIGY_VALIDATION
 refusal="F/effigy" play tools/android-host/scripts/refuse.txt HOST_VULKAN_10=1
@@ -55,6 +61,6 @@ mkdir -p $work/start/data
 for run in first second; do
   bash $work/player/run.sh target/apk/debug/lib/x86_64/libmain.so target/drivers/mesa25.json target/apk/debug/assets $work/start \
     tools/android-host/scripts/start.txt > $work/start.log 2>&1 || { tail -n 25 $work/start.log; exit 1; }
-  awk -v run=$run '/H\/host: onCreate$/ { from = $1 } /the first frame/ { printf "  the %s start takes %.2f s to the first frame%s\n", run, $1 - from, $1 - from > 1 ? ": MORE THAN THE 1 s that it is to take; was this machine busy?" : "" }' \
+  awk -v run=$run '/H\/host: onCreate$/ { from = $1 } /the first frame/ { printf "  the %s start takes %.2f s to the first frame%s\n", run, $1 - from, ($1 - from > 1 ? ": MORE THAN THE 1 s that it is to take; was this machine busy?" : "") }' \
     $work/start.log
 done

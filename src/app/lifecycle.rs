@@ -197,11 +197,9 @@ impl Viewer {
         self.before.get_or_insert(before);
         self.pace.iter_mut().for_each(Pace::forget_still);
         (self.shown, self.dirty) = (None, true);
-        // Its memory is free before the next one takes more.
-        match self.painter.take() {
-            Some(_) if !self.suspended => self.equip().or_else(|error| self.heal(error)),
-            _ => Ok(()),
-        }
+        // Its memory and the window are free before the next one takes them: Android gives a window to one surface at a time.
+        let painted = self.painter.take().is_some();
+        if painted && !self.suspended { self.equip().or_else(|error| self.heal(error)) } else { Ok(()) }
     }
 
     /// Gets an avatar of the shelf; the one that is shown stays until it is read.
