@@ -69,16 +69,20 @@ fn test_avatars_have_their_three_nearest_nodes() {
     }
 }
 
-#[test]
-fn avatars_of_every_size_read_back_the_same() {
-    let sizes = [
+/// The least, the usual, and what is at a limit.
+fn sizes() -> [Sizes; 5] {
+    [
         TINY,
         Sizes::default(),
         Sizes { gaussians: 1, parts: 1, nodes: 1, joints: 1, rows: 0, expression: 0, subspace: 0, ..TINY },
         Sizes { parts: 1024, gaussians: 2000, joints: 256, basis: 32, ..TINY },
         Sizes { nodes: 65_536, rows: 40, subspace: 64, ..TINY },
-    ];
-    for (seed, sizes) in sizes.into_iter().enumerate() {
+    ]
+}
+
+#[test]
+fn avatars_of_every_size_read_back_the_same() {
+    for (seed, sizes) in sizes().into_iter().enumerate() {
         let avatar = common::avatar(seed as u64, sizes);
         assert!(Avatar::from_bytes(&avatar.to_bytes().unwrap()).unwrap() == avatar, "{sizes:?}");
     }

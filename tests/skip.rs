@@ -89,7 +89,7 @@ fn hidden_gaussians_are_left_out_within_the_budget() {
     for (seconds, yaw) in [(0.5, 0.3), (2.0, 3.4)] {
         let posed = Posed::new(&avatar, &player.pose(seconds));
         let bounds = effigy::frame::Extent::new(&avatar).bounds(&posed.joints);
-        let camera = Camera::orbit((bounds[0] + bounds[1]) / 2.0, yaw, 0.1, Camera::framing_distance(bounds, 0.6, size), 0.6, size);
+        let camera = Camera::around(bounds, yaw, 0.1, 0.6, size);
         let draw = |skip| {
             let mut renderer = Renderer::new(&device, &avatar, RendererOptions { skip, ..RendererOptions::new(size) }).unwrap();
             renderer.draw(&posed, &camera, None).unwrap();
@@ -112,7 +112,7 @@ fn hidden_fragments_are_left_out_within_the_budget() {
     let posed = &demo_poses(&[1.0])[0];
     let bounds = effigy::frame::Extent::new(&avatar).bounds(&posed.joints);
     let size = [480, 760];
-    let camera = Camera::orbit((bounds[0] + bounds[1]) / 2.0, 0.3, 0.1, Camera::framing_distance(bounds, 0.6, size), 0.6, size);
+    let camera = Camera::around(bounds, 0.3, 0.1, 0.6, size);
     let draw = |skip| {
         let options = RendererOptions { skip, method: Some(Method::Hulls), count: true, ..RendererOptions::new(size) };
         let mut renderer = Renderer::new(&device, &avatar, options).unwrap();
@@ -122,7 +122,9 @@ fn hidden_fragments_are_left_out_within_the_budget() {
     let ((exact, all), (picture, shaded)) = (draw(Skip::empty()), draw(Skip::DEPTH));
     // Some devices don't count fragments.
     if device.probe.driver.contains("Mesa 22.") {
-        println!("skipped in part: Mesa 22.3's lavapipe counts whole blocks of fragments, 3.8 times Mesa 25's number, before the depth test");
+        println!(
+            "skipped in part: Mesa 22.3's lavapipe counts whole blocks of fragments, 3.8 times Mesa 25's number, before the depth test"
+        );
     } else {
         all.zip(shaded).inspect(|(all, shaded)| assert!(shaded * 20 < all * 19, "{shaded} of {all} shaded"));
     }
@@ -139,7 +141,7 @@ fn full_pixels_take_no_more_within_the_budget() {
     let posed = Posed::new(&avatar, &Player::new(demo::clip().unwrap(), &avatar.skeleton).pose(1.0));
     let bounds = effigy::frame::Extent::new(&avatar).bounds(&posed.joints);
     let size = [480, 760];
-    let camera = Camera::orbit((bounds[0] + bounds[1]) / 2.0, 0.3, 0.1, Camera::framing_distance(bounds, 0.6, size), 0.6, size);
+    let camera = Camera::around(bounds, 0.3, 0.1, 0.6, size);
     let draw = |skip| {
         let options = RendererOptions { skip, method: Some(Method::Tiles), count: true, ..RendererOptions::new(size) };
         let mut renderer = Renderer::new(&device, &avatar, options).unwrap();

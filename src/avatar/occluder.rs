@@ -87,11 +87,12 @@ impl Occluder {
 /// axes span, is 2π σ₁ σ₂ Li₂(o), and what some neighbours have of it lies on the disc that they take up.
 fn see_through(avatar: &Avatar, opaque: &[u32], points: &[[f64; 3]], tree: &ImmutableKdTree<f64, 3>) -> bool {
     let dilogarithm = |o: f64| (1..40).map(|k| o.powi(k) / f64::from(k * k)).sum::<f64>();
+    let of_opacity: [f64; 256] = std::array::from_fn(|o| dilogarithm(o as f64 / 255.0));
     let depth_times_area = |found: &NearestNeighbour<f64, u64>| {
         let gaussian = opaque[found.item as usize] as usize;
         let mut scale = avatar.gaussians.log_scale[gaussian].map(|s| s.to_f64());
         scale.sort_by(f64::total_cmp);
-        std::f64::consts::TAU * (scale[1] + scale[2]).exp() * dilogarithm(f64::from(avatar.gaussians.opacity[gaussian]) / 255.0)
+        std::f64::consts::TAU * (scale[1] + scale[2]).exp() * of_opacity[usize::from(avatar.gaussians.opacity[gaussian])]
     };
     let count = const { NonZero::new(CROWD).unwrap() };
     let depth = |point| {

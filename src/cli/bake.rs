@@ -2,7 +2,7 @@
 
 use crate::avatar::{Avatar, Clip, Skeleton, limits};
 use crate::bake::{self, Assets, Options, Shape, Sizes};
-use anyhow::{Context, bail};
+use anyhow::{Context, ensure};
 use clap::builder::RangedU64ValueParser;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::path::{Path, PathBuf};
@@ -26,16 +26,14 @@ pub(super) fn count(low: usize, high: usize) -> RangedU64ValueParser<usize> {
     RangedU64ValueParser::new().range(low as u64..=high as u64)
 }
 
+/// The body that the assets make.
 #[derive(clap::Args)]
-struct BodyArgs {
-    /// The avatar file to write
-    #[arg(long, value_name = "FILE")]
-    out: PathBuf,
+pub(super) struct Body {
     /// Folder that tools/fetch_assets.sh filled
     #[arg(long, value_name = "DIR", default_value = Assets::DEFAULT)]
     assets: PathBuf,
     #[arg(long, value_enum, default_value = "male")]
-    shape: Shape,
+    pub shape: Shape,
     #[arg(long, default_value = "200000", value_parser = count(1000, limits::GAUSSIANS))]
     gaussians: usize,
     /// Body parts, each with a network of its own
@@ -44,11 +42,33 @@ struct BodyArgs {
     /// Points that carry the position correctives
     #[arg(long, default_value = "10000", value_parser = count(3, limits::NODES))]
     nodes: usize,
+    #[arg(long, default_value = "1")]
+    seed: u64,
+}
+
+impl Body {
+    pub fn assets(&self) -> Assets {
+        Assets::new(&self.assets)
+    }
+
+    /// With so many rows of correctives.
+    pub fn sizes(&self, rows: usize) -> anyhow::Result<Sizes> {
+        let &Self { gaussians, parts, nodes, seed, .. } = self;
+        ensure!(parts.max(nodes).max(rows) <= gaussians, "--parts, --nodes and --rows can't be above --gaussians, {gaussians}");
+        Ok(Sizes { gaussians, parts, nodes, rows, seed })
+    }
+}
+
+#[derive(clap::Args)]
+struct BodyArgs {
+    /// The avatar file to write
+    #[arg(long, value_name = "FILE")]
+    out: PathBuf,
+    #[command(flatten)]
+    body: Body,
     /// Gaussians that keep a corrective, for each of rotation, scale and colour
     #[arg(long, default_value = "20000", value_parser = count(0, limits::GAUSSIANS))]
     rows: usize,
-    #[arg(long, default_value = "1")]
-    seed: u64,
     /// A clip whose poses decide the pose components and which correctives are kept; repeat for several [default: the assets' 01_01.bvh]
     #[arg(long, value_name = "FILE")]
     motion: Vec<PathBuf>,
@@ -104,18 +124,14 @@ pub(super) fn bar(steps: u64) -> anyhow::Result<ProgressBar> {
 
 fn body(args: &BodyArgs) -> anyhow::Result<()> {
     let start = Instant::now();
-    if args.parts > args.gaussians || args.nodes > args.gaussians || args.rows > args.gaussians {
-        bail!("--parts, --nodes and --rows can't be above --gaussians, {}", args.gaussians);
-    }
-    let assets = Assets::new(&args.assets);
+    let (assets, shape, sizes) = (args.body.assets(), args.body.shape, args.body.sizes(args.rows)?);
     let clips = if args.motion.is_empty() {
-        let skeleton = bake::skeleton(&assets, args.shape)?;
+        let skeleton = bake::skeleton(&assets, shape)?;
         let options = Options { rate: 30.0, from: 0.0, to: None, in_place: false, start: None, fade: 0.0 };
         vec![bake::motion(&assets.path("01_01.bvh"), &skeleton, &options)?]
     } else {
         args.motion.iter().map(|path| Ok(Clip::read(path)?)).collect::<anyhow::Result<_>>()?
     };
-    let sizes = Sizes { gaussians: args.gaussians, parts: args.parts, nodes: args.nodes, rows: args.rows, seed: args.seed };
     let bar = bar(bake::STEPS)?;
     let begun = std::cell::Cell::new(0);
     let step = |name: &'static str| {
@@ -123,7 +139,7 @@ fn body(args: &BodyArgs) -> anyhow::Result<()> {
         bar.set_message(name);
         begun.set(begun.get() + 1);
     };
-    let avatar = bake::body(&assets, args.shape, &clips, &sizes, &step)?;
+    let avatar = bake::body(&assets, shape, &clips, &sizes, &step)?;
     bar.finish_and_clear();
     avatar.write(&args.out)?;
     summarise(&avatar, &args.out, start)

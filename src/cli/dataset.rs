@@ -1,11 +1,10 @@
 //! `effigy dataset`: clips go in; a folder with what every Gaussian of the baked body looks like in each of their frames comes out.
 
-use super::bake::{bar, count};
-use crate::avatar::{Clip, limits};
-use crate::bake::{self, Assets, Shape, Sizes};
+use super::bake::{Body, bar, count};
+use crate::avatar::Clip;
+use crate::bake;
 use crate::fit::dataset::{Writer, plan};
 use crate::fit::truth::Truth;
-use anyhow::ensure;
 use std::path::PathBuf;
 use std::time::Instant;
 
@@ -17,19 +16,8 @@ pub struct Args {
     /// The folder to write; by custom its name ends in .dataset
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
-    /// Folder that tools/fetch_assets.sh filled
-    #[arg(long, value_name = "DIR", default_value = Assets::DEFAULT)]
-    assets: PathBuf,
-    #[arg(long, value_enum, default_value = "male")]
-    shape: Shape,
-    #[arg(long, default_value = "200000", value_parser = count(1000, limits::GAUSSIANS))]
-    gaussians: usize,
-    /// Body parts, each with a network of its own
-    #[arg(long, default_value = "256", value_parser = count(1, limits::PARTS))]
-    parts: usize,
-    /// Points that carry the position correctives
-    #[arg(long, default_value = "10000", value_parser = count(3, limits::NODES))]
-    nodes: usize,
+    #[command(flatten)]
+    body: Body,
     /// Frames, evenly spaced over the clips
     #[arg(long, default_value = "300", value_parser = count(2, 100_000))]
     frames: usize,
@@ -39,21 +27,13 @@ pub struct Args {
     /// Directions around each vertex that are asked for light
     #[arg(long, default_value = "192", value_parser = count(16, 10_000))]
     rays: usize,
-    #[arg(long, default_value = "1")]
-    seed: u64,
 }
 
 pub fn run(args: Args) -> anyhow::Result<()> {
     let start = Instant::now();
-    ensure!(
-        args.parts <= args.gaussians && args.nodes <= args.gaussians,
-        "--parts and --nodes can't be above --gaussians, {}",
-        args.gaussians
-    );
+    let (assets, sizes) = (args.body.assets(), args.body.sizes(0)?);
     let clips = args.motion.iter().map(|path| named(path)).collect::<anyhow::Result<Vec<_>>>()?;
-    let assets = Assets::new(&args.assets);
-    let sizes = Sizes { gaussians: args.gaussians, parts: args.parts, nodes: args.nodes, rows: 0, seed: args.seed };
-    let dressed = bake::dressed(&assets, args.shape, &clips, &sizes, &|step| tracing::info!("{step}"))?;
+    let dressed = bake::dressed(&assets, args.body.shape, &clips, &sizes, &|step| tracing::info!("{step}"))?;
     let truth = Truth::new(&dressed, args.rays);
     let shots = plan(&clips, args.frames, args.block);
     let poses = poses(&clips, &shots, &dressed.avatar.skeleton);

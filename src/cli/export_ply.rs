@@ -80,10 +80,8 @@ fn posed_ply(avatar: &Avatar, posed: &Posed, uniform: Option<Uniform>) -> anyhow
 /// Cameras that frame the avatar from all around, as the benchmark's do.
 fn views(avatar: &Avatar, posed: &Posed, count: usize, size: [u32; 2]) -> Vec<Camera> {
     let bounds = upright(Extent::new(avatar).bounds(&posed.joints));
-    let fov = 35f64.to_radians();
-    let (target, distance) = ((bounds[0] + bounds[1]) / 2.0, Camera::framing_distance(bounds, fov, size));
     let yaw = |view: usize| TAU * (0.05 + view as f64 / count as f64);
-    (0..count).map(|view| Camera::orbit(target, yaw(view), 0.09, distance, fov, size)).collect()
+    (0..count).map(|view| Camera::around(bounds, yaw(view), 0.09, 35f64.to_radians(), size)).collect()
 }
 
 #[cfg(test)]

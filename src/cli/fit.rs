@@ -106,13 +106,7 @@ pub fn run(args: FitArgs) -> anyhow::Result<()> {
     if args.unpruned {
         options.budget = None;
     }
-    let bar = bar(options.epochs as u64)?;
-    let hear = |done: usize, what: &str| {
-        bar.set_position(done as u64);
-        bar.set_message(what.to_owned());
-    };
-    let fitted = fit::fit(&dataset, &options, &hear)?;
-    bar.finish_and_clear();
+    let fitted = watched(options.epochs, |hear| fit::fit(&dataset, &options, hear))?;
     write(&args.common, fitted, start)
 }
 
@@ -125,14 +119,19 @@ pub fn run_prune(args: PruneArgs) -> anyhow::Result<()> {
     let learnt = avatar.networks.output() == 2 * avatar.basis_len() && avatar.networks.layers.len() == 4;
     ensure!(learnt, "{}: found networks of another make, expected those of `effigy fit`", args.avatar.display());
     let options = args.common.options(avatar.gaussians.len())?;
-    let bar = bar(options.epochs as u64 / 4)?;
-    let hear = |done: usize, what: &str| {
+    let fitted = watched(options.epochs / 4, |hear| fit::prune(&dataset, &avatar, &options, hear))?;
+    write(&args.common, fitted, start)
+}
+
+/// Runs so many epochs under a progress bar.
+fn watched(epochs: usize, run: impl FnOnce(fit::run::Hear) -> Result<Fitted, fit::Error>) -> anyhow::Result<Fitted> {
+    let bar = bar(epochs as u64)?;
+    let fitted = run(&|done: usize, what: &str| {
         bar.set_position(done as u64);
         bar.set_message(what.to_owned());
-    };
-    let fitted = fit::prune(&dataset, &avatar, &options, &hear)?;
+    })?;
     bar.finish_and_clear();
-    write(&args.common, fitted, start)
+    Ok(fitted)
 }
 
 /// An avatar is of a dataset's body.

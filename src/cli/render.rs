@@ -213,9 +213,7 @@ pub fn turntable(source: &Source, folder: &Path) -> anyhow::Result<()> {
         let turn = at as f64 / PICTURES as f64;
         let posed = Posed::new(&avatar, &player.pose(turn * player.clip().duration().min(6.0)));
         let bounds = upright(extent.bounds(&posed.joints));
-        let fov = 35f64.to_radians();
-        let distance = Camera::framing_distance(bounds, fov, size);
-        let camera = Camera::orbit((bounds[0] + bounds[1]) / 2.0, turn * std::f64::consts::TAU, 0.09, distance, fov, size);
+        let camera = Camera::around(bounds, turn * std::f64::consts::TAU, 0.09, 35f64.to_radians(), size);
         renderer.draw(&posed, &camera, None)?;
         write(&renderer.picture()?, background, &folder.join(format!("{at:02}.png")))?;
         bar.inc(1);

@@ -70,10 +70,7 @@ pub struct Score {
 
 /// The camera at a yaw (degrees) that has all of a posed avatar in its picture.
 pub fn camera(extent: &Extent, posed: &Posed, yaw: f64, size: [u32; 2]) -> Camera {
-    let bounds = upright(extent.bounds(&posed.joints));
-    let fov = 35f64.to_radians();
-    let distance = Camera::framing_distance(bounds, fov, size);
-    Camera::orbit((bounds[0] + bounds[1]) / 2.0, yaw.to_radians(), 0.09, distance, fov, size)
+    Camera::around(upright(extent.bounds(&posed.joints)), yaw.to_radians(), 0.09, 35f64.to_radians(), size)
 }
 
 /// The picture of a frame's own attributes.

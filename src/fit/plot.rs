@@ -1,13 +1,11 @@
 //! Charts of lines: what a fit and its analysis show. In: named lines. Out: an SVG's text or a PNG's bytes.
 
 pub use crate::measure::bench::plot::Fault;
-use crate::measure::bench::plot::{FONT, drawing, png_of, register};
+use crate::measure::bench::plot::{FAINT, FONT, INK, drawing, png_of, register};
 use plotters::{coord::Shift, prelude::*};
 
 /// Width and height, px.
 const SIZE: (u32, u32) = (1000, 640);
-const INK: RGBColor = RGBColor(40, 44, 52);
-const FAINT: RGBColor = RGBColor(226, 229, 233);
 const COLORS: [RGBColor; 6] = [
     RGBColor(31, 119, 180),
     RGBColor(255, 127, 14),

@@ -52,6 +52,11 @@ impl Camera {
         1.05 * (half.y / slope).max(around / (slope * aspect)) + around
     }
 
+    /// Looks at the middle of a box from where all of it is in the picture. Radians, as for [`Self::orbit`].
+    pub fn around(bounds: [DVec3; 2], yaw: f64, pitch: f64, fov: f64, size: [u32; 2]) -> Self {
+        Self::orbit((bounds[0] + bounds[1]) / 2.0, yaw, pitch, Self::framing_distance(bounds, fov, size), fov, size)
+    }
+
     /// The same view in a picture of another size, stretched to it.
     pub fn stretched(&self, size: [u32; 2]) -> Self {
         let ratio = DVec2::new(f64::from(size[0]) / f64::from(self.size[0]), f64::from(size[1]) / f64::from(self.size[1]));
@@ -101,8 +106,7 @@ mod tests {
         let bounds = [DVec3::new(-0.8, 0.0, -0.2), DVec3::new(0.9, 1.8, 0.3)];
         for size in [[640, 480], [300, 1000], [1000, 300]] {
             for yaw in 0..12 {
-                let distance = Camera::framing_distance(bounds, 0.6, size);
-                let camera = Camera::orbit((bounds[0] + bounds[1]) / 2.0, f64::from(yaw), 0.0, distance, 0.6, size);
+                let camera = Camera::around(bounds, f64::from(yaw), 0.0, 0.6, size);
                 for corner in 0..8 {
                     let corner = DVec3::new(bounds[corner & 1].x, bounds[corner >> 1 & 1].y, bounds[corner >> 2].z);
                     let at = camera.project(camera.view.transform_point3(corner));

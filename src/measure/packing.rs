@@ -111,8 +111,7 @@ fn scene(avatar: &Avatar, views: &Views, number: usize) -> Scene {
     let bounds = upright(Extent::new(avatar).bounds(&posed.joints));
     // Neighbouring pictures are of sides that are far apart.
     let yaw = TAU * (0.05 + 0.618 * number as f64);
-    let distance = Camera::framing_distance(bounds, FOV, views.size);
-    let camera = Camera::orbit((bounds[0] + bounds[1]) / 2.0, yaw, PITCH, distance, FOV, views.size);
+    let camera = Camera::around(bounds, yaw, PITCH, FOV, views.size);
     Scene { truth: reference::render(avatar, &posed, &camera), pose, camera }
 }
 

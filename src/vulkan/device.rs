@@ -6,7 +6,10 @@ use super::{
     error::{During, Error, Result},
     instance::Instance,
     probe::Probe,
-    sort::verdict::Verdict,
+    sort::{
+        Variant,
+        verdict::{Outcome, Verdict},
+    },
     statistics::Statistics,
     timing,
 };
@@ -65,6 +68,8 @@ pub struct Gpu {
     pub swapchain: Option<khr::swapchain::Device>,
     /// How to sort here, once it is known: see [`super::sort::choice::choose`].
     pub(super) sort: OnceLock<Verdict>,
+    /// How the variants did that somebody asked for by name: see [`super::sort::choice::allow`].
+    pub(super) asked: Mutex<Vec<(Variant, Outcome)>>,
     /// Where the device was opened for [`GpuOptions::statistics`].
     pub(super) statistics: Option<Statistics>,
     pub instance: ManuallyDrop<Instance>,
@@ -119,6 +124,7 @@ impl Gpu {
             raw,
             probe,
             sort: OnceLock::new(),
+            asked: Mutex::default(),
             instance: ManuallyDrop::new(instance),
             turn: Mutex::new(()),
             hangs: AtomicBool::new(false),

@@ -2,7 +2,7 @@
 
 use super::common::{self, Sizes};
 use super::edit::{self, Edit};
-use super::{TINY, avatar_fault, memory, tiny};
+use super::{TINY, avatar_fault, memory, sizes, tiny};
 use effigy::avatar::{Avatar, Matrix, file, pack::Quality};
 use half::f16;
 use serde_json::{Value, json};
@@ -13,14 +13,7 @@ pub fn packed_bytes() -> Vec<u8> {
 
 #[test]
 fn packed_avatars_of_every_size_read_back_the_same() {
-    let sizes = [
-        TINY,
-        Sizes::default(),
-        Sizes { gaussians: 1, parts: 1, nodes: 1, joints: 1, rows: 0, expression: 0, subspace: 0, ..TINY },
-        Sizes { parts: 1024, gaussians: 2000, joints: 256, basis: 32, ..TINY },
-        Sizes { nodes: 65_536, rows: 40, subspace: 64, ..TINY },
-    ];
-    for (seed, sizes) in sizes.into_iter().enumerate() {
+    for (seed, sizes) in sizes().into_iter().enumerate() {
         let plain = common::avatar(seed as u64, sizes);
         let mut length = plain.to_bytes().unwrap().len();
         assert!(Avatar::from_bytes(&plain.to_packed_bytes().unwrap()).unwrap() == plain, "{sizes:?}");

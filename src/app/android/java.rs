@@ -42,6 +42,17 @@ fn on_main(app: &AndroidApp, what: &'static str, call: impl FnOnce(&mut Env, &JO
     }));
 }
 
+/// What the activity was started with.
+fn intent<'e>(env: &mut Env<'e>, activity: &JObject) -> Result<JObject<'e>> {
+    env.call_method(activity, jni_str!("getIntent"), jni_sig!("()Landroid/content/Intent;"), &[])?.l()
+}
+
+/// The display that the activity is on.
+fn display<'e>(env: &mut Env<'e>, activity: &JObject) -> Result<JObject<'e>> {
+    let manager = env.call_method(activity, jni_str!("getWindowManager"), jni_sig!("()Landroid/view/WindowManager;"), &[])?.l()?;
+    env.call_method(&manager, jni_str!("getDefaultDisplay"), jni_sig!("()Landroid/view/Display;"), &[])?.l()
+}
+
 /// The system is destroying the activity and waits for us to end: winit does not pass that on.
 pub fn is_destroyed(app: &AndroidApp) -> bool {
     with(app, "asking for the activity's end", |env, activity| {
@@ -67,8 +78,7 @@ pub fn hide_bars(app: &AndroidApp) {
 /// The highest refresh rate of the activity's display, Hz.
 pub fn highest_rate(app: &AndroidApp) -> Option<f32> {
     let rate = with(app, "asking for the display's rates", |env, activity| {
-        let manager = env.call_method(activity, jni_str!("getWindowManager"), jni_sig!("()Landroid/view/WindowManager;"), &[])?.l()?;
-        let display = env.call_method(&manager, jni_str!("getDefaultDisplay"), jni_sig!("()Landroid/view/Display;"), &[])?.l()?;
+        let display = display(env, activity)?;
         let modes = env.call_method(&display, jni_str!("getSupportedModes"), jni_sig!("()[Landroid/view/Display$Mode;"), &[])?.l()?;
         let modes = env.cast_local::<JObjectArray>(modes)?;
         let mut highest = 0.0_f32;
@@ -85,8 +95,7 @@ pub fn highest_rate(app: &AndroidApp) -> Option<f32> {
 /// app below that.
 pub fn rate(app: &AndroidApp) -> Option<f64> {
     let rate = with(app, "asking for the display's rate", |env, activity| {
-        let manager = env.call_method(activity, jni_str!("getWindowManager"), jni_sig!("()Landroid/view/WindowManager;"), &[])?.l()?;
-        let display = env.call_method(&manager, jni_str!("getDefaultDisplay"), jni_sig!("()Landroid/view/Display;"), &[])?.l()?;
+        let display = display(env, activity)?;
         env.call_method(&display, jni_str!("getRefreshRate"), jni_sig!("()F"), &[])?.f()
     });
     rate.map(f64::from).filter(|rate| rate.is_finite() && *rate > 0.0)
@@ -95,7 +104,7 @@ pub fn rate(app: &AndroidApp) -> Option<f64> {
 /// Minutes of the soak that the activity was started for: `adb shell am start -S -n … --ef soak 20`.
 pub fn soak_minutes(app: &AndroidApp) -> Option<f64> {
     with(app, "reading the intent", |env, activity| {
-        let intent = env.call_method(activity, jni_str!("getIntent"), jni_sig!("()Landroid/content/Intent;"), &[])?.l()?;
+        let intent = intent(env, activity)?;
         let name = env.new_string("soak")?;
         if !env.call_method(&intent, jni_str!("hasExtra"), jni_sig!("(Ljava/lang/String;)Z"), &[JValue::Object(&name)])?.z()? {
             return Ok(None);
@@ -111,7 +120,7 @@ pub fn soak_minutes(app: &AndroidApp) -> Option<f64> {
 /// Whether another app wants us to show a file.
 pub fn has_opened(app: &AndroidApp) -> bool {
     with(app, "reading the intent's action", |env, activity| {
-        let intent = env.call_method(activity, jni_str!("getIntent"), jni_sig!("()Landroid/content/Intent;"), &[])?.l()?;
+        let intent = intent(env, activity)?;
         let action = env.call_method(&intent, jni_str!("getAction"), jni_sig!("()Ljava/lang/String;"), &[])?.l()?;
         Ok(!action.is_null() && env.cast_local::<JString>(action)?.try_to_string(env)? == "android.intent.action.VIEW")
     })
@@ -122,7 +131,7 @@ pub fn has_opened(app: &AndroidApp) -> bool {
 /// so this is for a thread that may wait.
 pub fn opened_file(app: &AndroidApp) -> anyhow::Result<File> {
     let file = call(app, |env, activity| {
-        let intent = env.call_method(activity, jni_str!("getIntent"), jni_sig!("()Landroid/content/Intent;"), &[])?.l()?;
+        let intent = intent(env, activity)?;
         let uri = env.call_method(&intent, jni_str!("getData"), jni_sig!("()Landroid/net/Uri;"), &[])?.l()?;
         let resolver = jni_sig!("()Landroid/content/ContentResolver;");
         let resolver = env.call_method(activity, jni_str!("getContentResolver"), resolver, &[])?.l()?;

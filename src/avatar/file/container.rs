@@ -64,22 +64,29 @@ fn called<D: Document>(document: &D) -> impl Iterator<Item = Called<'static, D>>
     })
 }
 
+/// A file's header where all of it is there, and where its tensors start; else how many bytes it takes.
+pub fn header(bytes: &[u8]) -> Result<Result<(Metadata, usize), usize>, Fault> {
+    let Some(first) = bytes.first_chunk::<8>() else { return Ok(Err(8)) };
+    let length = usize::try_from(u64::from_le_bytes(*first)).unwrap_or(usize::MAX);
+    if length > HEADER_MAX {
+        let expected = format!("at most {HEADER_MAX}; this is no avatar or motion file");
+        return Err(Fault::container(format!("a header of {length} bytes"), expected));
+    }
+    let Some(text) = bytes.get(8..8 + length) else { return Ok(Err(8 + length)) };
+    let metadata = serde_json::from_slice(text);
+    let metadata = metadata.map_err(|error| Fault::container(clip(&error.to_string()), "a safetensors header"))?;
+    Ok(Ok((metadata, 8 + length)))
+}
+
 impl<'a> Container<'a> {
     fn open(bytes: &'a [u8]) -> Result<Self, Fault> {
-        let (length, rest) =
-            bytes.split_first_chunk::<8>().ok_or_else(|| Fault::container(format!("a file of {} bytes", bytes.len()), "at least 8"))?;
-        let length = usize::try_from(u64::from_le_bytes(*length)).unwrap_or(usize::MAX);
-        if length > HEADER_MAX {
-            return Err(Fault::container(
-                format!("a header of {length} bytes"),
-                format!("at most {HEADER_MAX}; this is no avatar or motion file"),
-            ));
-        }
-        let (header, data) = rest.split_at_checked(length).ok_or_else(|| {
-            Fault::container(format!("a header cut off after {} bytes", rest.len()), format!("{length}; the file is incomplete"))
+        let (metadata, start) = header(bytes)?.map_err(|needs| match bytes.len().checked_sub(8) {
+            None => Fault::container(format!("a file of {} bytes", bytes.len()), "at least 8"),
+            Some(rest) => {
+                Fault::container(format!("a header cut off after {rest} bytes"), format!("{}; the file is incomplete", needs - 8))
+            }
         })?;
-        let metadata: Metadata =
-            serde_json::from_slice(header).map_err(|error| Fault::container(clip(&error.to_string()), "a safetensors header"))?;
+        let data = &bytes[start..];
         if metadata.data_len() != data.len() {
             let found = format!("{} bytes of tensors", data.len());
             let complete = if data.len() < metadata.data_len() { "; the file is incomplete" } else { "" };

@@ -126,13 +126,19 @@ pub(super) fn read_with<T>(path: &Path, decode: impl FnOnce(&[u8]) -> Result<T, 
     if !file.metadata().map_err(failed)?.is_file() {
         return Err(failed(io::Error::other("found a folder or device, expected a file")));
     }
-    // SAFETY: the mapping is only read, and every number is copied out before this function returns. Should another program shorten
-    // the file meanwhile, the system ends this process; `write` never does, as it replaces files whole.
     #[cfg(not(target_arch = "wasm32"))]
-    let bytes = unsafe { memmap2::Mmap::map(&file) }.map_err(failed)?;
+    let bytes = map(&file).map_err(failed)?;
     #[cfg(target_arch = "wasm32")]
     let bytes = fs::read(path).map_err(failed)?;
     decode(&bytes).map_err(|fault| FileError::Content { file: path.into(), fault })
+}
+
+/// The bytes of a file, read as they are asked for.
+#[cfg(not(target_arch = "wasm32"))]
+pub(crate) fn map(file: &File) -> io::Result<memmap2::Mmap> {
+    // SAFETY: the mapping is only read. Should another program shorten the file meanwhile, the system ends this process; this one never
+    // does, as it replaces files whole.
+    unsafe { memmap2::Mmap::map(file) }
 }
 
 fn write(bytes: Result<Vec<u8>, Fault>, path: &Path) -> Result<(), FileError> {

@@ -1,7 +1,7 @@
 //! The order of a file's tensors: what an avatar can be drawn with at first stands before its correctives, so that a page shows it
 //! while the rest still comes.
 
-use super::{Fault, clip, container, format::AvatarHeader};
+use super::{Fault, container, format::AvatarHeader};
 use crate::avatar::Avatar;
 use safetensors::{
     Dtype,
@@ -48,19 +48,6 @@ pub fn serialize(mut views: Vec<(String, TensorView)>, text: HashMap<String, Str
     Ok(bytes)
 }
 
-/// A file's header where all of it is there, and where its tensors start; else how many bytes it takes.
-fn header(bytes: &[u8]) -> Result<Result<(Metadata, usize), usize>, Fault> {
-    let Some(first) = bytes.first_chunk::<8>() else { return Ok(Err(8)) };
-    let length = usize::try_from(u64::from_le_bytes(*first)).unwrap_or(usize::MAX);
-    if length > container::HEADER_MAX {
-        return Err(Fault::container(format!("a header of {length} bytes"), format!("at most {}", container::HEADER_MAX)));
-    }
-    let Some(text) = bytes.get(8..8 + length) else { return Ok(Err(8 + length)) };
-    let metadata = serde_json::from_slice(text);
-    let metadata = metadata.map_err(|error| Fault::container(clip(&error.to_string()), "a safetensors header"))?;
-    Ok(Ok((metadata, 8 + length)))
-}
-
 /// Where the last tensor ends that is no corrective; of a packed file, whose zeros mean something else, the last of all.
 fn neutral_end(metadata: &Metadata, start: usize) -> usize {
     let tensors = metadata.tensors();
@@ -72,12 +59,12 @@ fn neutral_end(metadata: &Metadata, start: usize) -> usize {
 
 /// How many bytes of a file are needed before anything of it can be drawn, as far as its first bytes tell.
 pub fn needs(bytes: &[u8]) -> Result<usize, Fault> {
-    Ok(header(bytes)?.map_or_else(|needs| needs, |(metadata, start)| neutral_end(&metadata, start)))
+    Ok(container::header(bytes)?.map_or_else(|needs| needs, |(metadata, start)| neutral_end(&metadata, start)))
 }
 
 /// The avatar that the first bytes of a file of `length` hold, with zeros for its correctives.
 pub fn neutral(bytes: &[u8], length: usize) -> Result<Neutral, Fault> {
-    let (metadata, start) = match header(bytes)? {
+    let (metadata, start) = match container::header(bytes)? {
         Ok(header) => header,
         Err(needs) => return Ok(Neutral::Needs(needs)),
     };

@@ -1,8 +1,7 @@
 //! A dataset's folder in; its header and mapped frames out, or one sentence that names the file and the frame that are wrong.
 
 use super::{Attribute, Error, FORMAT, Header, Mapped, VERSION, frame_name};
-use crate::avatar::{Avatar, Clip};
-use memmap2::Mmap;
+use crate::avatar::{Avatar, Clip, file::map as map_file};
 use rayon::prelude::*;
 use safetensors::{Dtype, SafeTensors};
 use std::fs::File;
@@ -77,9 +76,7 @@ fn map(folder: &Path, gaussians: usize, frame: usize) -> Result<Mapped, Error> {
         }
         other => other.map_err(|cause| Error::Read { file: file.clone(), cause })?,
     };
-    // SAFETY: the mapping is only read. Should another program shorten the file meanwhile, the system ends this process; the writer here
-    // replaces files whole.
-    let bytes = unsafe { Mmap::map(&opened) }.map_err(|cause| Error::Read { file: file.clone(), cause })?;
+    let bytes = map_file(&opened).map_err(|cause| Error::Read { file: file.clone(), cause })?;
     let tensors = SafeTensors::deserialize(&bytes).map_err(|error| wrong(error.to_string(), "a whole safetensors file".into()))?;
     let mut start = [0; 4];
     for attribute in Attribute::ALL {

@@ -14,8 +14,9 @@ use std::io::Cursor;
 const SIZE: (u32, u32) = (1400, 900);
 /// What the letters are called; viewers of the SVG have some under that name.
 pub(crate) const FONT: &str = "sans-serif";
-const INK: RGBColor = RGBColor(40, 44, 52);
-const FAINT: RGBColor = RGBColor(226, 229, 233);
+/// What charts are written in, and their grids.
+pub(crate) const INK: RGBColor = RGBColor(40, 44, 52);
+pub(crate) const FAINT: RGBColor = RGBColor(226, 229, 233);
 const FRONT: RGBColor = RGBColor(208, 52, 44);
 /// A colour a knob, in the order of [`Knob::ALL`].
 static COLORS: [RGBColor; Knob::ALL.len()] = [

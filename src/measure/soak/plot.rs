@@ -2,14 +2,11 @@
 //! In: a report. Out: an SVG's text or a PNG's bytes.
 
 use super::report::Report;
-use crate::measure::bench::plot::{Fault, drawing, png_of, register};
+use crate::measure::bench::plot::{FAINT, FONT, Fault, INK, drawing, png_of, register};
 use plotters::{coord::Shift, prelude::*};
 
 /// Width and height, px.
 const SIZE: (u32, u32) = (1200, 800);
-const FONT: &str = crate::measure::bench::plot::FONT;
-const INK: RGBColor = RGBColor(40, 44, 52);
-const FAINT: RGBColor = RGBColor(226, 229, 233);
 const RATE: RGBColor = RGBColor(31, 119, 180);
 const PROMISE: RGBColor = RGBColor(120, 124, 130);
 const DROPPED: RGBColor = RGBColor(208, 52, 44);

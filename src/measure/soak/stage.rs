@@ -41,9 +41,7 @@ pub struct Stage<'a> {
 /// The middle of a clip, and the camera that a soak stands at, for a picture of `size` px: what is drawn before and after, to be compared.
 pub fn middle(avatar: &Avatar, player: &Player, size: [u32; 2]) -> (Posed, Camera) {
     let posed = Posed::new(avatar, &player.pose(0.5 * player.clip().duration()));
-    let bounds = upright(Extent::new(avatar).bounds(&posed.joints));
-    let distance = Camera::framing_distance(bounds, FOV, size);
-    let camera = Camera::orbit((bounds[0] + bounds[1]) / 2.0, YAW, PITCH, distance, FOV, size);
+    let camera = Camera::around(upright(Extent::new(avatar).bounds(&posed.joints)), YAW, PITCH, FOV, size);
     (posed, camera)
 }
 

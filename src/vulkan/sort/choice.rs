@@ -14,7 +14,11 @@ use crate::{
         error::{Error, Result},
     },
 };
-use std::{path::Path, sync::Arc, time::Duration};
+use std::{
+    path::Path,
+    sync::{Arc, PoisonError},
+    time::Duration,
+};
 
 /// Keys of the largest test: enough for every variant to have many tiles.
 const KEYS: u32 = 60_000;
@@ -70,12 +74,19 @@ pub fn allow(gpu: &Arc<Gpu>, variant: Variant) -> Result<()> {
         // Who asks what a compiler makes of the shaders may have nothing that runs them.
         return Ok(());
     }
-    let known = gpu.sort.get().map(|verdict| verdict.tried.clone());
-    let known = known.unwrap_or_else(|| Record::new(gpu, cache::folder().as_deref()).read());
-    let found = known.into_iter().find(|(known, _)| *known == variant).map(|(_, outcome)| outcome);
-    let outcome = match found {
-        Some(outcome @ (Outcome::Right(_) | Outcome::Refused(_) | Outcome::Unfinished)) => outcome,
-        Some(Outcome::Lacks(_)) | None => test(gpu, variant)?,
+    let mut asked = gpu.asked.lock().unwrap_or_else(PoisonError::into_inner);
+    let outcome = match asked.iter().find(|(known, _)| *known == variant) {
+        Some((_, outcome)) => outcome.clone(),
+        None => {
+            let known = gpu.sort.get().map(|verdict| verdict.tried.clone());
+            let known = known.unwrap_or_else(|| Record::new(gpu, cache::folder().as_deref()).read());
+            let outcome = match known.into_iter().find(|(known, _)| *known == variant) {
+                Some((_, outcome @ (Outcome::Right(_) | Outcome::Refused(_) | Outcome::Unfinished))) => outcome,
+                Some((_, Outcome::Lacks(_))) | None => test(gpu, variant)?,
+            };
+            asked.push((variant, outcome.clone()));
+            outcome
+        }
     };
     let lacks = |why| Error::Lacks { device: gpu.probe.name.clone(), lacks: format!("for {}: {why}", variant.name()) };
     match outcome {
