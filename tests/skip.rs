@@ -226,3 +226,43 @@ fn parts_outside_the_view_wait_for_it() {
     }
     gpu::assert_valid();
 }
+
+/// Where nothing is and nothing was, the picture is not touched, and is the same: while the avatar crosses it, comes near, leaves it, and
+/// when the picture's drawn part changes.
+#[test]
+fn only_a_box_around_the_avatar_is_drawn() {
+    let Some(device) = gpu::gpu() else { return };
+    let avatar = common::avatar(3, Sizes::default());
+    let posed = Posed::new(&avatar, &common::pose(1, &avatar));
+    let (whole, part) = ([300, 200], [230, 150]);
+    let bounds = effigy::frame::Extent::new(&avatar).bounds(&posed.joints);
+    // Metres to the left, and of the framing distance how much.
+    let views = [(0.0, 3.0), (0.9, 3.0), (-0.9, 3.0), (0.0, 0.8), (0.1, 6.0), (90.0, 3.0), (0.2, 4.0)];
+    for method in [Method::Hulls, Method::Tiles] {
+        let draw = |skip: Skip| {
+            let options = RendererOptions { skip, method: Some(method), ..RendererOptions::new(whole) };
+            let mut renderer = Renderer::new(&device, &avatar, options).unwrap();
+            let mut pictures = Vec::new();
+            for size in [whole, part, whole] {
+                renderer.adjust(size, options.cutoff).unwrap();
+                for (left, far) in views {
+                    let target = (bounds[0] + bounds[1]) / 2.0 + DVec3::new(left, 0.0, 0.0);
+                    let camera = Camera::orbit(target, 0.0, 0.0, far * Camera::framing_distance(bounds, 0.6, size), 0.6, size);
+                    renderer.draw(&posed, &camera, None).unwrap();
+                    pictures.push((renderer.picture().unwrap(), renderer.report().counters.area));
+                }
+            }
+            pictures
+        };
+        let (all, some) = (draw(Skip::empty()), draw(Skip::AREA));
+        for (k, ((exact, every), (picture, area))) in all.iter().zip(&some).enumerate() {
+            let pixels = exact.pixels.len() as u64;
+            assert!(picture == exact, "{method:?}, picture {k}");
+            let covered = exact.pixels.iter().filter(|pixel| pixel[3] > 0.0).count() as u64;
+            assert!(*every == pixels && *area >= covered, "{method:?}, picture {k}: {area} of {every}, {covered} covered");
+        }
+        // In the middle, and outside the view.
+        assert!(2 * some[0].1 < all[0].1 && some[5].1 == 0, "{method:?}: {} and {}", some[0].1, some[5].1);
+    }
+    gpu::assert_valid();
+}

@@ -28,6 +28,8 @@ pub struct Counters {
     pub fragments: Option<u64>,
     /// Pixels that something was drawn into. None where nobody counted them.
     pub covered: Option<u64>,
+    /// Pixels of the box around the avatars in view: only there, and where it was before, is the picture touched.
+    pub area: u64,
     /// Compute dispatches.
     pub dispatches: u64,
     /// Command buffers submitted: 0 for a frame that needed nothing.
@@ -65,6 +67,7 @@ impl Counters {
             ("kept", Some(self.kept)),
             ("fragments", self.fragments),
             ("covered", self.covered),
+            ("area", Some(self.area)),
             ("dispatches", Some(self.dispatches)),
             ("submitted", Some(self.submitted)),
         ];
@@ -86,9 +89,9 @@ mod tests {
     fn overdraw_is_unknown_where_nothing_was_counted_or_covered() {
         let counted = Counters { fragments: Some(30), covered: Some(12), ..Counters::default() };
         assert_eq!(counted.overdraw(), Some(2.5));
-        assert_eq!(counted.named().count(), 12);
-        assert_eq!(Counters { reasons: Some(Reasons::default()), ..counted }.named().count(), 16);
-        assert_eq!(Counters::default().named().count(), 10);
+        assert_eq!(counted.named().count(), 13);
+        assert_eq!(Counters { reasons: Some(Reasons::default()), ..counted }.named().count(), 17);
+        assert_eq!(Counters::default().named().count(), 11);
         assert_eq!(Counters { covered: Some(0), ..counted }.overdraw(), None);
         assert_eq!(Counters { fragments: None, ..counted }.overdraw(), None);
     }

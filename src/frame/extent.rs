@@ -26,6 +26,22 @@ struct PartBox {
     weighty: usize,
 }
 
+/// What of an avatar may be in a picture.
+#[derive(Clone, Debug)]
+pub struct Visible {
+    pub parts: PartSet,
+    /// Lower and upper corner of a box around them in the picture, px; [`NOWHERE`] where there are none.
+    pub area: [UVec2; 2],
+}
+
+/// The box that is around nothing.
+pub const NOWHERE: [UVec2; 2] = [UVec2::MAX, UVec2::ZERO];
+
+/// The box around two.
+pub fn around([low, high]: [UVec2; 2], [min, max]: [UVec2; 2]) -> [UVec2; 2] {
+    [low.min(min), high.max(max)]
+}
+
 /// The boxes of all parts.
 ///
 /// A skinned point is a weighted mean of G_j x over the joints that move it, so it lies within the hull of its part's box moved by each.
@@ -73,12 +89,13 @@ impl Extent {
         self.parts.iter().flat_map(move |part| part.corners(joints, part.weighty))
     }
 
-    /// The parts that may be in the picture. A part is outside it when its box is, with room for its Gaussians' size, its nodes' static
-    /// displacements and 5 cm of what poses add to them.
-    pub fn visible(&self, joints: &[DAffine3], camera: &Camera) -> PartSet {
+    /// The parts that may be in the picture, and where. A part is outside it when its box is, with room for its Gaussians' size, its nodes'
+    /// static displacements and 5 cm of what poses add to them.
+    pub fn visible(&self, joints: &[DAffine3], camera: &Camera) -> Visible {
         let scale = enlargement(joints);
-        let mut visible = PartSet::EMPTY;
-        let seen = |part: &&PartBox| {
+        let size = UVec2::from(camera.size);
+        let mut visible = Visible { parts: PartSet::EMPTY, area: NOWHERE };
+        for part in &self.parts {
             let room = scale * (MARGIN + part.displaced + part.reach);
             let [mut before, mut behind] = [false, true];
             let (mut min, mut max) = (DVec2::INFINITY, DVec2::NEG_INFINITY);
@@ -90,10 +107,17 @@ impl Extent {
                 let room = room * camera.focal / (p.z - room) * (1.0 + (p.truncate() / p.z).abs()) + 2.0;
                 (min, max) = (min.min(at - room), max.max(at + room));
             }
-            let outside = max.cmplt(DVec2::ZERO).any() || min.cmpgt(UVec2::from(camera.size).as_dvec2()).any();
-            if before { !behind } else { !outside }
-        };
-        self.parts.iter().filter(seen).for_each(|part| visible.insert(part.part));
+            let outside = max.cmplt(DVec2::ZERO).any() || min.cmpgt(size.as_dvec2()).any();
+            if if before { behind } else { outside } {
+                continue;
+            }
+            visible.parts.insert(part.part);
+            let clamp = |at: DVec2| at.clamp(DVec2::ZERO, size.as_dvec2()).as_uvec2();
+            // What reaches through the near plane may be anywhere, and so may what no number tells.
+            let known = !before && min.is_finite() && max.is_finite();
+            let area = if known { [clamp(min.floor()), clamp(max.ceil())] } else { [UVec2::ZERO, size] };
+            visible.area = around(visible.area, area);
+        }
         visible
     }
 

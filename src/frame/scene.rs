@@ -1,7 +1,7 @@
 //! What a frame is made of, before anything is asked of the device: posed avatars and a camera go in; which of them are in view, what
 //! each needs, and what all of them share come out.
 
-use super::{Body, Camera, Counters, Extent, Needed, Needs, PartSet, Place, Plan, Posed, RendererOptions, Skip};
+use super::{Body, Camera, Counters, Extent, Needed, Needs, PartSet, Place, Plan, Posed, RendererOptions, Skip, extent};
 use glam::UVec2;
 
 /// An avatar in view.
@@ -29,6 +29,8 @@ pub struct Staged<'a> {
     pub place: Option<Place>,
     /// Avatars in the scene, whether in view or not.
     pub avatars: usize,
+    /// Lower and upper corner of a box in the picture outside which nothing is drawn, px: all of it where nobody looked.
+    pub area: [UVec2; 2],
 }
 
 /// Remembers what the last frame showed.
@@ -52,13 +54,16 @@ impl Scene {
         self.plans.resize(options.actors, Plan::default());
         let skip = options.skip;
         let mut actors = Vec::with_capacity(poses.len());
+        let whole = [UVec2::ZERO, camera.size.into()];
+        let mut area = if skip.contains(Skip::AREA) { extent::NOWHERE } else { whole };
         for (number, &posed) in poses.iter().enumerate() {
-            let looks = skip.intersects(Skip::AVATARS | Skip::PARTS);
-            let seen = looks.then(|| extent.visible(&posed.joints, camera));
-            if skip.contains(Skip::AVATARS) && seen.is_some_and(|seen| seen.is_empty()) {
+            let looks = skip.intersects(Skip::AVATARS | Skip::PARTS | Skip::AREA);
+            let visible = looks.then(|| extent.visible(&posed.joints, camera));
+            if skip.contains(Skip::AVATARS) && visible.as_ref().is_some_and(|visible| visible.parts.is_empty()) {
                 continue;
             }
-            let seen = seen.filter(|_| skip.contains(Skip::PARTS));
+            area = extent::around(area, visible.as_ref().filter(|_| skip.contains(Skip::AREA)).map_or(whole, |visible| visible.area));
+            let seen = visible.filter(|_| skip.contains(Skip::PARTS)).map(|visible| visible.parts);
             let needed = self.plans[number].next(posed, camera, skip);
             let outside = seen.filter(|_| needed.body != Body::Keep).map_or(PartSet::EMPTY, |seen| needs.all() - seen);
             actors.push(Actor { number, posed, needed, seen, outside, networks: PartSet::EMPTY });
@@ -75,7 +80,7 @@ impl Scene {
             }
         }
         let place = (surface && !actors.is_empty()).then(|| Place::new(camera.size, screen(&actors, extent, camera)));
-        Staged { depth: depth(&actors, extent, camera), actors, view, place, avatars: poses.len() }
+        Staged { depth: depth(&actors, extent, camera), actors, view, place, avatars: poses.len(), area }
     }
 }
 
@@ -94,6 +99,7 @@ impl Staged<'_> {
             networks: sum(&|actor| actor.networks.len()),
             parts_outside: sum(&|actor| actor.outside.len()),
             kept: kept * u64::from(gaussians),
+            area: if self.view { (self.area[1].as_u64vec2().saturating_sub(self.area[0].as_u64vec2())).element_product() } else { 0 },
             dispatches: posed + if self.view { view + raster } else { 0 },
             submitted: 1,
             ..Counters::default()

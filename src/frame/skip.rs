@@ -28,6 +28,8 @@ bitflags::bitflags! {
         const PARTS = 1 << 9;
         /// Avatars that are all outside the view: every stage of theirs.
         const AVATARS = 1 << 10;
+        /// Pixels outside a box around what is in view, and around what was there before.
+        const AREA = 1 << 11;
     }
 }
 

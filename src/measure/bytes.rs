@@ -69,6 +69,8 @@ pub struct Seen {
     pub surface: [u64; 2],
     /// Pixels covered; all of the picture where that is not known.
     pub covered: Option<u64>,
+    /// Pixels that may be touched; all of the picture where that is not known.
+    pub area: Option<u64>,
     pub fragments: Option<u64>,
 }
 
@@ -207,7 +209,7 @@ fn bins(seen: Seen) -> Work {
 }
 
 fn raster(options: &RendererOptions, seen: Seen) -> Work {
-    let picture = u64::from(options.size[0]) * u64::from(options.size[1]);
+    let picture = seen.area.unwrap_or_else(|| options.size.into_iter().map(u64::from).product());
     let pixel = options.color.unwrap_or_default().bytes() as u64;
     let splats = (4 + SPLAT_BYTES) * seen.drawn;
     // Quads are blended over a picture that was cleared; tiles read their splats anew, and write once.

@@ -16,13 +16,15 @@ use bytemuck::cast_slice;
 pub(super) struct Attachment {
     pub format: vk::Format,
     pub load: vk::AttachmentLoadOp,
+    /// The layout that it is in; of what is `UNDEFINED`, nothing is kept, nor is it outside of what is drawn.
+    pub found: vk::ImageLayout,
     /// None: nobody reads it, and a tiler need not write it out.
     pub left: Option<vk::ImageLayout>,
 }
 
 /// A depth attachment that is cleared.
 pub(super) fn depth(left: Option<vk::ImageLayout>) -> Attachment {
-    Attachment { format: DEPTH_FORMAT, load: vk::AttachmentLoadOp::CLEAR, left }
+    Attachment { format: DEPTH_FORMAT, load: vk::AttachmentLoadOp::CLEAR, found: vk::ImageLayout::UNDEFINED, left }
 }
 
 fn description(attachment: Attachment, used: vk::ImageLayout) -> vk::AttachmentDescription {
@@ -34,6 +36,7 @@ fn description(attachment: Attachment, used: vk::ImageLayout) -> vk::AttachmentD
         .store_op(store)
         .stencil_load_op(vk::AttachmentLoadOp::DONT_CARE)
         .stencil_store_op(vk::AttachmentStoreOp::DONT_CARE)
+        .initial_layout(attachment.found)
         .final_layout(attachment.left.unwrap_or(used))
 }
 

@@ -158,6 +158,15 @@ impl Drop for Bindings {
     }
 }
 
+/// What a kernel's pipeline is asked for besides its code.
+#[derive(Clone, Copy, Default)]
+pub struct Launch {
+    /// Full subgroups of a size, which [`super::Probe::subgroup_sizes`] must hold; None leaves it to the driver.
+    pub subgroup: Option<u32>,
+    /// Whether a dispatch may start at another workgroup than the first: see [`Kernel::dispatch_within`].
+    pub anywhere: bool,
+}
+
 /// A compute pipeline and what it binds.
 pub struct Kernel {
     gpu: Arc<Gpu>,
@@ -169,25 +178,18 @@ pub struct Kernel {
 impl Kernel {
     /// `constants` are the specialization constants, 0 upwards; a module need not have all of them.
     pub fn new(gpu: &Arc<Gpu>, module: &'static Module, constants: &[u32], bindings: Bindings) -> Result<Self> {
-        Self::with_subgroups(gpu, module, constants, bindings, None)
+        Self::with_launch(gpu, module, constants, bindings, Launch::default())
     }
 
-    /// The same in full subgroups of a size, which [`super::Probe::subgroup_sizes`] must hold; None leaves it to the driver.
-    pub fn with_subgroups(
-        gpu: &Arc<Gpu>,
-        module: &'static Module,
-        constants: &[u32],
-        bindings: Bindings,
-        subgroup: Option<u32>,
-    ) -> Result<Self> {
+    pub fn with_launch(gpu: &Arc<Gpu>, module: &'static Module, constants: &[u32], bindings: Bindings, launch: Launch) -> Result<Self> {
         bindings.label(module.file);
-        let pipeline = compute_pipeline(gpu, module, constants, (bindings.layout, subgroup))?;
+        let pipeline = compute_pipeline(gpu, module, constants, (bindings.layout, launch))?;
         Ok(Self { gpu: gpu.clone(), module, pipeline, bindings })
     }
 
     /// Gives it other constants. No submitted work may use it.
-    pub fn specialize(&mut self, constants: &[u32], subgroup: Option<u32>) -> Result<()> {
-        let new = compute_pipeline(&self.gpu, self.module, constants, (self.bindings.layout, subgroup))?;
+    pub fn specialize(&mut self, constants: &[u32], launch: Launch) -> Result<()> {
+        let new = compute_pipeline(&self.gpu, self.module, constants, (self.bindings.layout, launch))?;
         let old = std::mem::replace(&mut self.pipeline, new);
         // SAFETY: the caller promises that no submitted work uses it.
         unsafe { self.gpu.raw.destroy_pipeline(old, None) };
@@ -218,13 +220,27 @@ impl Kernel {
         if x == 0 || y == 0 {
             return;
         }
+        self.bind(commands, offset);
+        // SAFETY: the command buffer is recording; pipeline and set are bound.
+        unsafe { self.gpu.raw.cmd_dispatch(commands, x, y, 1) };
+    }
+
+    /// Runs the workgroups of a rectangle of a kernel that may start anywhere: its first column and row, and the first beyond it.
+    pub fn dispatch_within(&self, commands: vk::CommandBuffer, offset: u32, [first, end]: [[u32; 2]; 2]) {
+        let [x, y] = [0, 1].map(|axis| end[axis].saturating_sub(first[axis]));
+        if x == 0 || y == 0 {
+            return;
+        }
+        self.bind(commands, offset);
+        // SAFETY: the command buffer is recording; pipeline and set are bound, and the pipeline may start at other workgroups than 0.
+        unsafe { self.gpu.raw.cmd_dispatch_base(commands, first[0], first[1], 0, x, y, 1) };
+    }
+
+    fn bind(&self, commands: vk::CommandBuffer, offset: u32) {
         let point = vk::PipelineBindPoint::COMPUTE;
         self.bindings.bind(commands, point, offset);
-        // SAFETY: the command buffer is recording; pipeline and set are alive and match.
-        unsafe {
-            self.gpu.raw.cmd_bind_pipeline(commands, point, self.pipeline);
-            self.gpu.raw.cmd_dispatch(commands, x, y, 1);
-        }
+        // SAFETY: the command buffer is recording; the pipeline is alive and matches the set's layout.
+        unsafe { self.gpu.raw.cmd_bind_pipeline(commands, point, self.pipeline) };
     }
 }
 
@@ -240,21 +256,23 @@ fn compute_pipeline(
     gpu: &Gpu,
     module: &'static Module,
     constants: &[u32],
-    (layout, subgroup): (vk::PipelineLayout, Option<u32>),
+    (layout, launch): (vk::PipelineLayout, Launch),
 ) -> Result<vk::Pipeline> {
     let shader = ShaderModule::new(gpu, module)?;
     let entries = specialization_entries(constants);
     let specialization = vk::SpecializationInfo::default().map_entries(&entries).data(cast_slice(constants));
-    let mut required = vk::PipelineShaderStageRequiredSubgroupSizeCreateInfo::default().required_subgroup_size(subgroup.unwrap_or(0));
+    let mut required =
+        vk::PipelineShaderStageRequiredSubgroupSizeCreateInfo::default().required_subgroup_size(launch.subgroup.unwrap_or(0));
     let mut stage = vk::PipelineShaderStageCreateInfo::default()
         .stage(vk::ShaderStageFlags::COMPUTE)
         .module(shader.raw)
         .name(c"main")
         .specialization_info(&specialization);
-    if subgroup.is_some() {
+    if launch.subgroup.is_some() {
         stage = stage.push_next(&mut required).flags(vk::PipelineShaderStageCreateFlags::REQUIRE_FULL_SUBGROUPS);
     }
-    let info = vk::ComputePipelineCreateInfo::default().stage(stage).layout(layout).flags(gpu.pipeline_flags());
+    let anywhere = if launch.anywhere { vk::PipelineCreateFlags::DISPATCH_BASE } else { vk::PipelineCreateFlags::empty() };
+    let info = vk::ComputePipelineCreateInfo::default().stage(stage).layout(layout).flags(gpu.pipeline_flags() | anywhere);
     let constants = constants.iter().map(u32::to_string).collect::<Vec<_>>().join(" ");
     tracing::debug!("compiling {} [{constants}]", module.file);
     // SAFETY: `info` and all it points to outlive the call.

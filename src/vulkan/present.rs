@@ -163,7 +163,7 @@ fn render_pass(gpu: &Gpu, format: vk::Format, layout: vk::ImageLayout) -> Result
         .src_access_mask(vk::AccessFlags::COLOR_ATTACHMENT_WRITE)
         .dst_stage_mask(output)
         .dst_access_mask(vk::AccessFlags::COLOR_ATTACHMENT_READ | vk::AccessFlags::COLOR_ATTACHMENT_WRITE)];
-    let attachment = Attachment { format, load: vk::AttachmentLoadOp::DONT_CARE, left: Some(layout) };
+    let attachment = Attachment { format, load: vk::AttachmentLoadOp::DONT_CARE, found: vk::ImageLayout::UNDEFINED, left: Some(layout) };
     graphics::render_pass(gpu, "present", Some(attachment), None, &dependencies)
 }
 

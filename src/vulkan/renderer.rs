@@ -19,7 +19,7 @@ use super::{
     memory::Buffer,
     model::Model,
     pipeline::{Slice, barrier},
-    raster::Raster,
+    raster::{Raster, Touched},
     sort::{Sort, SortOptions, choice},
     splats::{Splats, slots as slots_of},
     surface::Surface,
@@ -37,6 +37,7 @@ use crate::{
 };
 use ash::vk::{self, PipelineStageFlags};
 use bytemuck::bytes_of;
+use glam::UVec2;
 use gpu_allocator::MemoryLocation;
 use std::{sync::Arc, time::Instant};
 
@@ -71,6 +72,8 @@ pub struct Renderer {
     scene: Scene,
     /// Keys that the control says enter the sort, once it was told.
     entering: Option<u32>,
+    /// A box in the picture around all that frames have left there; None where that is not known.
+    filled: Option<[UVec2; 2]>,
     next: usize,
     report: FrameReport,
     gpu: Arc<Gpu>,
@@ -127,6 +130,7 @@ impl Renderer {
             options,
             scene: Scene::default(),
             entering: None,
+            filled: None,
             next: 0,
             report: FrameReport::default(),
             gpu: gpu.clone(),
@@ -182,18 +186,18 @@ impl Renderer {
         let waited = Instant::now();
         // Should anything below fail, nothing of this frame counts as drawn.
         let mut scene = std::mem::take(&mut self.scene);
-        let entering = self.entering.take();
+        let (entering, filled) = (self.entering.take(), self.filled.take());
         let surface = self.model.occluder.index_count > 0 && self.options.skip.intersects(Skip::HIDDEN | Skip::DEPTH);
         let staged = scene.next(poses, camera, (&self.extent, &self.needs, &self.options), (surface, presentation.is_some()));
         if !staged.view && presentation.is_none() {
-            (self.scene, self.entering) = (scene, entering);
+            (self.scene, self.entering, self.filled) = (scene, entering, filled);
             self.report = FrameReport::idle(self.harmonics.is_some());
             return Ok(());
         }
         let recording = section(c"record");
         self.write_frame(slot, &staged, camera);
         self.slots[slot].begin()?;
-        let entering = self.record(slot, &staged, entering);
+        let entering = self.record(slot, &staged, entering, filled);
         let semaphores = presentation.and_then(|presentation| {
             self.slots[slot].stage("present", presentation.record);
             presentation.semaphores
@@ -204,13 +208,14 @@ impl Renderer {
         self.slots[slot].submit(&self.control, self.splats.reasons(), semaphores)?;
         self.slots[slot].timed([began, waited, recorded]);
         (self.scene, self.entering) = (scene, Some(entering));
+        self.filled = if staged.view { Some(staged.area) } else { filled };
         self.next = (slot + 1) % SLOTS;
         Ok(())
     }
 
     /// The frame: which stages run, in which order, and what each waits for. `entering`: what the control says; what it says after the
-    /// frame comes out.
-    fn record(&mut self, slot: usize, staged: &Staged, entering: Option<u32>) -> u32 {
+    /// frame comes out. `filled`: where the picture may hold something.
+    fn record(&mut self, slot: usize, staged: &Staged, entering: Option<u32>, filled: Option<[UVec2; 2]>) -> u32 {
         let actors = self.options.actors;
         let at = |number: usize| frame_at(slot, number, actors) as u32;
         let views: Vec<u32> = staged.actors.iter().map(|actor| at(actor.number)).collect();
@@ -275,7 +280,8 @@ impl Renderer {
         }
         let covers = staged.place.is_some() && options.skip.contains(Skip::DEPTH);
         let frame = views.first().copied().unwrap_or(at(0));
-        raster.record(gpu, slot, (frame, if covers { &views } else { &[] }), control.raw, options.count);
+        let touched = Touched::new(staged.area, filled, raster.drawn());
+        raster.record(gpu, slot, (frame, if covers { &views } else { &[] }), control.raw, (&touched, options.count));
         keys
     }
 
@@ -294,7 +300,7 @@ impl Renderer {
         self.finish()?;
         self.raster.resize(size)?;
         self.options.size = size;
-        self.scene = Scene::default();
+        (self.scene, self.filled) = (Scene::default(), None);
         Ok(())
     }
 }

@@ -142,6 +142,7 @@ fn seen(counters: &BTreeMap<String, f64>, covered: Option<f64>) -> Seen {
         drawn: count("drawn").unwrap_or_default(),
         kept: count("kept") > Some(0),
         covered: count("covered").or(covered.map(|covered| covered.round() as u64)),
+        area: count("area").filter(|&area| area > 0),
         fragments: count("fragments"),
         ..Seen::default()
     }

@@ -245,8 +245,9 @@ mod tests {
         with_demo(4, 1, |set| {
             let scenes = scenes(Case::Four, &Set { frames: 2 * TAKE, ..set });
             let extent = Extent::new(set.avatar);
-            let in_view =
-                |scene: &Scene| scene.actors.iter().filter(|actor| !extent.visible(&actor.shown.joints, &scene.camera).is_empty()).count();
+            let in_view = |scene: &Scene| {
+                scene.actors.iter().filter(|actor| !extent.visible(&actor.shown.joints, &scene.camera).parts.is_empty()).count()
+            };
             let seen = [in_view(&scenes[0]), in_view(&scenes[TAKE])];
             assert!(seen[0] < 4 && seen[1] == 4, "{seen:?}");
             let stand = |actor: &Actor| extent.bounds(&actor.shown.joints).into_iter().sum::<DVec3>() / 2.0;

@@ -1,6 +1,6 @@
 //! The graphics form of `raster`: one indirect draw of quads, blended far to near into an off-screen image.
 
-use super::{ColorFormat, Method, check_size};
+use super::{ColorFormat, LEFT, Method, Touched, check_size, hand_over};
 use crate::{
     frame::Skip,
     layout::RASTER_QUADS,
@@ -136,11 +136,19 @@ impl Hulls {
         self.format
     }
 
-    /// Clears the picture and draws what `control` says; graphics. `surfaces`: the blocks of those whose depth surface is drawn first, where
-    /// fragments are tested against it at all.
-    pub fn record(&self, commands: vk::CommandBuffer, frame: u32, control: vk::Buffer, surfaces: &[u32]) {
+    /// Clears what of the picture is to be drawn, and draws there what `control` says; graphics. `surfaces`: the blocks of those whose depth
+    /// surface is drawn first, where fragments are tested against it at all.
+    pub fn record(&self, commands: vk::CommandBuffer, frame: u32, control: vk::Buffer, surfaces: &[u32], touched: &Touched) {
         let [width, height] = self.drawn;
-        let area = vk::Rect2D { offset: vk::Offset2D::default(), extent: vk::Extent2D { width, height } };
+        let ([x, y], [right, bottom]) = (touched.min, touched.max);
+        let area =
+            vk::Rect2D { offset: vk::Offset2D { x: x as i32, y: y as i32 }, extent: vk::Extent2D { width: right - x, height: bottom - y } };
+        if touched.anew {
+            let readers = vk::PipelineStageFlags::FRAGMENT_SHADER | vk::PipelineStageFlags::TRANSFER;
+            let write = vk::PipelineStageFlags::COLOR_ATTACHMENT_OUTPUT;
+            let scopes = [(readers | write, vk::AccessFlags::COLOR_ATTACHMENT_WRITE), (write, vk::AccessFlags::COLOR_ATTACHMENT_WRITE)];
+            hand_over(&self.gpu, commands, &self.target.image, scopes, [vk::ImageLayout::UNDEFINED, LEFT]);
+        }
         let viewport = vk::Viewport { x: 0.0, y: 0.0, width: width as f32, height: height as f32, min_depth: 0.0, max_depth: 1.0 };
         let depth = vk::ClearDepthStencilValue { depth: 1.0, stencil: 0 };
         let clear = [vk::ClearValue::default(), vk::ClearValue { depth_stencil: depth }];
@@ -199,8 +207,7 @@ fn render_pass(gpu: &Gpu, format: ColorFormat, depth_tested: bool) -> Result<vk:
             .dst_stage_mask(readers)
             .dst_access_mask(vk::AccessFlags::SHADER_READ | vk::AccessFlags::TRANSFER_READ),
     ];
-    let left = vk::ImageLayout::SHADER_READ_ONLY_OPTIMAL;
-    let color = Attachment { format: format.vulkan(), load: vk::AttachmentLoadOp::CLEAR, left: Some(left) };
+    let color = Attachment { format: format.vulkan(), load: vk::AttachmentLoadOp::CLEAR, found: LEFT, left: Some(LEFT) };
     graphics::render_pass(gpu, "raster", Some(color), depth_tested.then(|| graphics::depth(None)), &dependencies)
 }
 

@@ -14,15 +14,17 @@ use super::{
     control::{SHARED, WRITTEN},
     device::Gpu,
     error::{Error, Result},
-    memory::Image,
+    memory::{COLOR, Image},
     model::OccluderMesh,
     pipeline::{Slice, barrier},
 };
+use crate::{frame::extent::around, layout::RASTER_REGION};
 pub use crate::{
     frame::{ColorFormat, Method},
     layout::bins::{bins_size, tile},
 };
 use ash::vk::{self, AccessFlags, PipelineStageFlags};
+use glam::UVec2;
 use hulls::Hulls;
 use std::sync::Arc;
 pub use tiles::Bins;
@@ -33,6 +35,30 @@ impl ColorFormat {
             Self::Rgba8 => vk::Format::R8G8B8A8_UNORM,
             Self::Rgba16F => vk::Format::R16G16B16A16_SFLOAT,
         }
+    }
+}
+
+/// How every frame leaves the picture.
+const LEFT: vk::ImageLayout = vk::ImageLayout::SHADER_READ_ONLY_OPTIMAL;
+
+/// What of the picture a frame draws: whole regions of [`RASTER_REGION`] px, but for the picture's edges, and at least one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Touched {
+    min: [u32; 2],
+    max: [u32; 2],
+    /// Nothing that the picture held is kept.
+    anew: bool,
+}
+
+impl Touched {
+    /// Where something is, and was: `before` is where something may be left of earlier frames, None where that is not known. Corners of
+    /// boxes in a picture of `size` px.
+    pub fn new(now: [UVec2; 2], before: Option<[UVec2; 2]>, size: [u32; 2]) -> Self {
+        let whole = [UVec2::ZERO, size.into()];
+        let [min, max] = around(now, before.unwrap_or(whole));
+        let min = min.min(whole[1] - 1) / RASTER_REGION * RASTER_REGION;
+        let max = (max.max(min + 1).map(|side| side.next_multiple_of(RASTER_REGION))).min(whole[1]);
+        Self { min: min.into(), max: max.into(), anew: before.is_none() }
     }
 }
 
@@ -102,13 +128,20 @@ impl Raster {
 
     /// Draws what the sort left. `frame` is the block with the picture's size; the surfaces that are drawn first are those of the blocks in
     /// `surfaces`. `count`: whether to count fragments.
-    pub(super) fn record(&self, gpu: &Gpu, slot: &mut Slot, (frame, surfaces): (u32, &[u32]), control: vk::Buffer, count: bool) {
+    pub(super) fn record(
+        &self,
+        gpu: &Gpu,
+        slot: &mut Slot,
+        (frame, surfaces): (u32, &[u32]),
+        control: vk::Buffer,
+        (touched, count): (&Touched, bool),
+    ) {
         match self {
             Self::Hulls(hulls) => {
                 let draw = PipelineStageFlags::DRAW_INDIRECT | PipelineStageFlags::VERTEX_SHADER | PipelineStageFlags::TRANSFER;
                 let reads = AccessFlags::INDIRECT_COMMAND_READ | AccessFlags::SHADER_READ | AccessFlags::TRANSFER_READ;
                 barrier(gpu, slot.commands, WRITTEN, (draw, reads));
-                slot.drawing("raster", count, |commands| hulls.record(commands, frame, control, surfaces));
+                slot.drawing("raster", count, |commands| hulls.record(commands, frame, control, surfaces, touched));
             }
             Self::Tiles(tiles) => {
                 slot.stage("bins", |commands| tiles.record_bins(commands, frame));
@@ -116,7 +149,7 @@ impl Raster {
                 if count {
                     slot.counts_itself();
                 }
-                slot.stage("raster", |commands| tiles.record(commands, frame));
+                slot.stage("raster", |commands| tiles.record(commands, frame, touched));
                 barrier(gpu, slot.commands, WRITTEN, (PipelineStageFlags::TRANSFER, AccessFlags::TRANSFER_READ));
             }
         }
@@ -153,6 +186,27 @@ impl Raster {
             Self::Tiles(tiles) => tiles.set_cutoff(options),
         }
     }
+}
+
+/// Orders what is done to a picture, and changes its layout.
+fn hand_over(
+    gpu: &Gpu,
+    commands: vk::CommandBuffer,
+    image: &Image,
+    [from, to]: [(PipelineStageFlags, AccessFlags); 2],
+    layouts: [vk::ImageLayout; 2],
+) {
+    let barrier = vk::ImageMemoryBarrier::default()
+        .src_access_mask(from.1)
+        .dst_access_mask(to.1)
+        .old_layout(layouts[0])
+        .new_layout(layouts[1])
+        .src_queue_family_index(vk::QUEUE_FAMILY_IGNORED)
+        .dst_queue_family_index(vk::QUEUE_FAMILY_IGNORED)
+        .image(image.raw)
+        .subresource_range(COLOR);
+    // SAFETY: the command buffer is recording, the image is alive and in the layout it is said to be in.
+    unsafe { gpu.raw.cmd_pipeline_barrier(commands, from.0, to.0, vk::DependencyFlags::empty(), &[], &[], &[barrier]) };
 }
 
 /// Whether a device can have a picture of a size.

@@ -1,6 +1,6 @@
 //! The `bins` stage and the compute form of `raster`: order, splats and control go in, a picture comes out.
 
-use super::{super::memory::COLOR, ColorFormat, Method, check_size};
+use super::{ColorFormat, LEFT, Method, Touched, check_size, hand_over};
 use crate::{
     frame::Skip,
     layout::{
@@ -12,7 +12,7 @@ use crate::{
         device::Gpu,
         error::Result,
         memory::{Buffer, Image},
-        pipeline::{Bindings, BoundImage, Kernel, Slice, barrier},
+        pipeline::{Bindings, BoundImage, Kernel, Launch, Slice, barrier},
         shaders,
     },
 };
@@ -67,7 +67,7 @@ impl Tiles {
         };
         let storage = [splats, control, (&buffer).into()];
         let bindings = Bindings::with_image(gpu, Some(frame), &storage, BoundImage::Written)?;
-        let raster = Kernel::with_subgroups(gpu, module, &constants(options), bindings, full_subgroups(gpu))?;
+        let raster = Kernel::with_launch(gpu, module, &constants(options), bindings, launch(gpu))?;
         let image = picture(gpu, color, options.size)?;
         raster.set_image(vk::Sampler::null(), image.view);
         Ok(Self { gpu: gpu.clone(), bins, raster, buffer, format: color, image, drawn: options.size })
@@ -118,7 +118,7 @@ impl Tiles {
 
     /// Changes the cutoff to that of `options`, which are otherwise those that it was made with. No submitted frame may still draw.
     pub fn set_cutoff(&mut self, options: &RendererOptions) -> Result<()> {
-        self.raster.specialize(&constants(options), full_subgroups(&self.gpu))
+        self.raster.specialize(&constants(options), launch(&self.gpu))
     }
 
     /// Notes which splats meet which tile. Reads what the sort left; a transfer and compute.
@@ -132,28 +132,19 @@ impl Tiles {
         self.bins.dispatch(commands, frame, BINS_BLOCKS / BINS_SIZE);
     }
 
-    /// Draws the picture, every pixel of it. Reads what `bins` left; compute.
-    pub fn record(&self, commands: vk::CommandBuffer, frame: u32) {
+    /// Draws what of the picture is to be drawn, every pixel there. Reads what `bins` left; compute.
+    pub fn record(&self, commands: vk::CommandBuffer, frame: u32, touched: &Touched) {
         let compute = (PipelineStageFlags::COMPUTE_SHADER, AccessFlags::SHADER_WRITE);
         let readers = PipelineStageFlags::FRAGMENT_SHADER | PipelineStageFlags::TRANSFER;
-        self.hand_over(commands, [(readers, AccessFlags::empty()), compute], [ImageLayout::UNDEFINED, ImageLayout::GENERAL]);
-        self.raster.dispatch_2d(commands, frame, self.drawn.map(|side| side.div_ceil(RASTER_REGION)));
+        let found = if touched.anew { ImageLayout::UNDEFINED } else { LEFT };
+        hand_over(&self.gpu, commands, &self.image, [(readers, AccessFlags::empty()), compute], [found, ImageLayout::GENERAL]);
+        self.raster.dispatch_within(
+            commands,
+            frame,
+            [touched.min.map(|at| at / RASTER_REGION), touched.max.map(|at| at.div_ceil(RASTER_REGION))],
+        );
         let readers = (readers, AccessFlags::SHADER_READ | AccessFlags::TRANSFER_READ);
-        self.hand_over(commands, [compute, readers], [ImageLayout::GENERAL, ImageLayout::SHADER_READ_ONLY_OPTIMAL]);
-    }
-
-    fn hand_over(&self, commands: vk::CommandBuffer, [from, to]: [(PipelineStageFlags, AccessFlags); 2], layouts: [ImageLayout; 2]) {
-        let barrier = vk::ImageMemoryBarrier::default()
-            .src_access_mask(from.1)
-            .dst_access_mask(to.1)
-            .old_layout(layouts[0])
-            .new_layout(layouts[1])
-            .src_queue_family_index(vk::QUEUE_FAMILY_IGNORED)
-            .dst_queue_family_index(vk::QUEUE_FAMILY_IGNORED)
-            .image(self.image.raw)
-            .subresource_range(COLOR);
-        // SAFETY: the command buffer is recording, the image is alive and in the layout it is said to be in.
-        unsafe { self.gpu.raw.cmd_pipeline_barrier(commands, from.0, to.0, vk::DependencyFlags::empty(), &[], &[], &[barrier]) };
+        hand_over(&self.gpu, commands, &self.image, [compute, readers], [ImageLayout::GENERAL, LEFT]);
     }
 }
 
@@ -181,9 +172,9 @@ impl Variant {
 }
 
 /// Full subgroups of the size that the device reports, where it can be asked for that.
-fn full_subgroups(gpu: &Gpu) -> Option<u32> {
-    let [low, high] = gpu.probe.subgroup_sizes?;
-    (Variant::suited(gpu) == Variant::Together && (low..=high).contains(&gpu.probe.subgroup_size)).then_some(gpu.probe.subgroup_size)
+fn launch(gpu: &Gpu) -> Launch {
+    let together = |[low, high]: &[u32; 2]| Variant::suited(gpu) == Variant::Together && (*low..=*high).contains(&gpu.probe.subgroup_size);
+    Launch { subgroup: gpu.probe.subgroup_sizes.filter(together).map(|_| gpu.probe.subgroup_size), anywhere: true }
 }
 
 fn picture(gpu: &Arc<Gpu>, format: ColorFormat, size: [u32; 2]) -> Result<Image> {

@@ -38,7 +38,7 @@ impl Renderer {
         }
         self.raster.draw_within(size);
         self.options = options;
-        self.scene = Scene::default();
+        (self.scene, self.filled) = (Scene::default(), None);
         Ok(())
     }
 }

@@ -7,7 +7,7 @@ use crate::{
         device::Gpu,
         error::Result,
         memory::Buffer,
-        pipeline::{Bindings, Kernel, Slice, barrier},
+        pipeline::{Bindings, Kernel, Launch, Slice, barrier},
         shaders::{self, Module},
     },
 };
@@ -86,7 +86,7 @@ impl Shape {
         let constants = [&entries[..], &sizes, &[u32::from(scanned), self.options.stall, u32::from(unrolled)]].concat();
         let kernel = |module: &'static Module, storage: &[Slice], subgroup| {
             let bindings = Bindings::new(gpu, vk::ShaderStageFlags::COMPUTE, None, storage)?;
-            Kernel::with_subgroups(gpu, module, &constants, bindings, subgroup)
+            Kernel::with_launch(gpu, module, &constants, bindings, Launch { subgroup, ..Launch::default() })
         };
         let (count, scatter) = match variant {
             Variant::OneSweep => (&shaders::SORT_COUNT, &shaders::SORT_CHAIN),

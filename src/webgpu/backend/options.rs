@@ -14,8 +14,8 @@ use crate::{
 /// The options with what suits a device, and this backend, in place of what was left open.
 pub fn settled(gpu: &Gpu, options: RendererOptions) -> RendererOptions {
     let method = options.method.unwrap_or_else(|| Method::suited(gpu.is_cpu(), &gpu.driver()));
-    // Fragments are not tested against the depth surface here.
-    let skip = options.skip - Skip::DEPTH;
+    // Here fragments are not tested against the depth surface, and all of the picture is drawn.
+    let skip = options.skip - Skip::DEPTH - Skip::AREA;
     let sort = options.sort.unwrap_or(if gpu.is_cpu() { Variant::LaneScan } else { Variant::SelfScan });
     RendererOptions { method: Some(method), color: Some(options.color.unwrap_or(method.color())), sort: Some(sort), skip, ..options }
 }
