@@ -43,7 +43,7 @@ pub(super) struct Body {
     #[arg(long, default_value = "10000", value_parser = count(3, limits::NODES))]
     nodes: usize,
     #[arg(long, default_value = "1")]
-    seed: u64,
+    pub seed: u64,
 }
 
 impl Body {

@@ -59,7 +59,7 @@ pub struct PruneArgs {
     common: Common,
 }
 
-fn share(text: &str) -> Result<f64, String> {
+pub(super) fn share(text: &str) -> Result<f64, String> {
     super::options::number(text, 0.0, 1.0, "share")
 }
 

@@ -38,10 +38,11 @@ impl LogScales {
         let (low, high) = all.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), s| (low.min(s), high.max(s)));
         let (low, high) = if low <= high { (low, high) } else { (0.0, 0.0) };
         let mut step = 1.0 / 128.0;
-        while (high - (low / step).floor() * step) / step > LOG_SCALE_CODES {
+        while (high - (low / step).round() * step) / step > LOG_SCALE_CODES {
             step *= 2.0;
         }
-        Self { min: (low / step).floor() * step, step }
+        // So that the smallest has the first code, and codes of numbers that were rounded to codes before are the same.
+        Self { min: (low / step).round() * step, step }
     }
 
     pub fn encode(self, log_scale: f64) -> u32 {
