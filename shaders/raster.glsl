@@ -15,12 +15,14 @@ layout(std430, set = 0, binding = 5) readonly buffer Keys { uint keys[]; };
 #define CUTOFF settings.cutoff
 #define FULL settings.full
 #define COUNT settings.count
+#define REGION (settings.first_region + gl_WorkGroupID.xy)
 #else
 // Opacity under which nothing is drawn.
 layout(constant_id = 0) const float CUTOFF = 1.0 / 255.0;
 // A pixel is full when what lies behind would show by less than this.
 layout(constant_id = 1) const float FULL = 1.0 / 512.0;
 layout(constant_id = 2) const uint COUNT = 0u;
+#define REGION gl_WorkGroupID.xy
 #endif
 
 const uint SIDE = RASTER_SQUARE;
@@ -59,7 +61,7 @@ void main() {
     uint lane = begin();
     // Neighbours in a subgroup of any size are neighbours in the picture: bits of the lane are, from the lowest, x y x y x y.
     uvec2 place = uvec2((lane & 1u) | (lane >> 1u & 2u) | (lane >> 2u & 4u), (lane >> 1u & 1u) | (lane >> 2u & 2u) | (lane >> 3u & 4u));
-    uvec2 first = gl_WorkGroupID.xy * RASTER_REGION + SIDE * place;
+    uvec2 first = REGION * RASTER_REGION + SIDE * place;
     middle = vec2(first) + 0.5 * float(SIDE);
     blend_tiles(uvec2(middle / frame.tile));
     UNROLL for (uint k = 0u; k < SIDE * SIDE; ++k) {

@@ -10,4 +10,5 @@ layout(std140, set = 0, binding = 7) uniform SettingsBlock {
     uint entering;
     uint nodes;
     uint count;
+    uvec2 first_region;
 } settings;

@@ -278,7 +278,8 @@ pub struct Settings {
     pub nodes: u32,
     /// Whether fragments and Gaussians left out are counted.
     pub count: u32,
-    pub unused: [u32; 2],
+    /// Column and row of the first region that is drawn.
+    pub first_region: [u32; 2],
 }
 
 /// Counts that the sort writes and the draw reads. The first five words are a VkDrawIndexedIndirectCommand.

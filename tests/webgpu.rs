@@ -250,6 +250,34 @@ fn an_avatar_is_drawn_before_its_correctives_are_there() {
     }
 }
 
+/// Where nothing is and nothing was, tiles leave the picture as it is: while the avatar crosses it, comes near, leaves it and comes again.
+#[test]
+fn only_a_box_around_the_avatar_is_drawn() {
+    let Some(device) = open() else { return };
+    let (avatar, posed) = body(3, 3000);
+    let size = [300, 200];
+    let bounds = effigy::frame::Extent::new(&avatar).bounds(&posed.joints);
+    let draw = |skip| {
+        let options = RendererOptions { skip, method: Some(Method::Tiles), ..RendererOptions::new(size) };
+        let mut renderer = Renderer::new(&device, &avatar, options).unwrap();
+        let views = [(90.0, 3.0), (0.0, 3.0), (0.9, 3.0), (0.0, 0.8), (0.1, 6.0), (90.0, 3.0), (0.2, 4.0)];
+        views.map(|(left, far)| {
+            let target = (bounds[0] + bounds[1]) / 2.0 + DVec3::new(left, 0.0, 0.0);
+            let camera = Camera::orbit(target, 0.0, 0.0, far * Camera::framing_distance(bounds, 0.6, size), 0.6, size);
+            renderer.draw(&posed, &camera).unwrap();
+            let picture = renderer.picture().unwrap();
+            renderer.ready();
+            (picture, renderer.report().counters.area)
+        })
+    };
+    let (all, some) = (draw(Skip::empty()), draw(Skip::AREA));
+    for (k, ((exact, _), (picture, _))) in all.iter().zip(&some).enumerate() {
+        assert!(picture == exact, "picture {k}");
+    }
+    assert!(some.iter().all(|(_, area)| *area < 300 * 200) && some.iter().any(|(_, area)| *area > 0));
+    device.check().unwrap();
+}
+
 #[test]
 fn what_a_device_refuses_while_it_is_watched_is_the_watchs_error() {
     let Some(device) = open() else { return };

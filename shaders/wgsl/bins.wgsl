@@ -101,6 +101,7 @@ struct SettingsBlock {
     entering: u32,
     nodes: u32,
     count: u32,
+    first_region: vec2<u32>,
 }
 
 struct Order {

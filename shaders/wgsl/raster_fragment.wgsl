@@ -9,6 +9,7 @@ struct type_7 {
     member_7: u32,
     member_8: u32,
     member_9: u32,
+    member_10: vec2<u32>,
 }
 
 var<private> global: vec2<u32>;

@@ -82,6 +82,7 @@ struct SettingsBlock {
     entering: u32,
     nodes: u32,
     count: u32,
+    first_region: vec2<u32>,
 }
 
 struct Splats {
@@ -1563,48 +1564,49 @@ fn main_1() {
     let _e121 = lane;
     let _e126 = lane;
     place = vec2<u32>((((_e105 & 1u) | ((_e107 >> bitcast<u32>(1u)) & 2u)) | ((_e112 >> bitcast<u32>(2u)) & 4u)), ((((_e117 >> bitcast<u32>(1u)) & 1u) | ((_e121 >> bitcast<u32>(2u)) & 2u)) | ((_e126 >> bitcast<u32>(3u)) & 4u)));
-    let _e132 = gl_WorkGroupID_1;
-    let _e136 = place;
-    first_1 = ((_e132.xy * vec2(32u)) + (vec2(4u) * _e136));
-    let _e140 = first_1;
-    middle = (vec2<f32>(_e140) + vec2(2f));
-    let _e144 = middle;
-    let _e146 = frame.tile;
-    param_108 = vec2<u32>((_e144 / vec2(_e146)));
+    let _e133 = settings.first_region;
+    let _e134 = gl_WorkGroupID_1;
+    let _e139 = place;
+    first_1 = (((_e133 + _e134.xy) * vec2(32u)) + (vec2(4u) * _e139));
+    let _e143 = first_1;
+    middle = (vec2<f32>(_e143) + vec2(2f));
+    let _e147 = middle;
+    let _e149 = frame.tile;
+    param_108 = vec2<u32>((_e147 / vec2(_e149)));
     blend_tiles_u0028_vu2_u003b((&param_108));
     k_1 = 0u;
     loop {
-        let _e150 = k_1;
-        if (_e150 < 16u) {
-            let _e152 = first_1;
-            let _e153 = k_1;
-            let _e155 = k_1;
-            pixel_16 = (_e152 + vec2<u32>((_e153 % 4u), (_e155 / 4u)));
-            let _e159 = pixel_16;
-            let _e161 = frame.size;
-            if all((_e159 < vec2<u32>(_e161))) {
-                let _e165 = pixel_16;
-                let _e167 = k_1;
-                let _e169 = pixels[_e167];
-                let _e170 = _e169.xyz;
-                let _e171 = k_1;
-                let _e174 = pixels[_e171][3u];
-                textureStore(picture, bitcast<vec2<i32>>(_e165), vec4<f32>(_e170.x, _e170.y, _e170.z, (1f - _e174)));
+        let _e153 = k_1;
+        if (_e153 < 16u) {
+            let _e155 = first_1;
+            let _e156 = k_1;
+            let _e158 = k_1;
+            pixel_16 = (_e155 + vec2<u32>((_e156 % 4u), (_e158 / 4u)));
+            let _e162 = pixel_16;
+            let _e164 = frame.size;
+            if all((_e162 < vec2<u32>(_e164))) {
+                let _e168 = pixel_16;
+                let _e170 = k_1;
+                let _e172 = pixels[_e170];
+                let _e173 = _e172.xyz;
+                let _e174 = k_1;
+                let _e177 = pixels[_e174][3u];
+                textureStore(picture, bitcast<vec2<i32>>(_e168), vec4<f32>(_e173.x, _e173.y, _e173.z, (1f - _e177)));
             }
             continue;
         } else {
             break;
         }
         continuing {
-            let _e180 = k_1;
-            k_1 = (_e180 + bitcast<u32>(1i));
+            let _e183 = k_1;
+            k_1 = (_e183 + bitcast<u32>(1i));
         }
     }
-    let _e184 = settings.count;
-    let _e186 = shaded;
-    if ((_e184 != 0u) && (_e186 > 0u)) {
-        let _e191 = shaded;
-        let _e192 = atomicAdd((&unnamed_3.control.fragments), _e191);
+    let _e187 = settings.count;
+    let _e189 = shaded;
+    if ((_e187 != 0u) && (_e189 > 0u)) {
+        let _e194 = shaded;
+        let _e195 = atomicAdd((&unnamed_3.control.fragments), _e194);
     }
     return;
 }

@@ -104,6 +104,7 @@ struct type_34 {
     member_7: u32,
     member_8: u32,
     member_9: u32,
+    member_10: vec2<u32>,
 }
 
 struct VertexOutput {

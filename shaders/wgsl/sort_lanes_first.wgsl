@@ -1,4 +1,4 @@
-struct type_3 {
+struct type_4 {
     member: f32,
     member_1: f32,
     member_2: f32,
@@ -9,9 +9,10 @@ struct type_3 {
     member_7: u32,
     member_8: u32,
     member_9: u32,
+    member_10: vec2<u32>,
 }
 
-struct type_5 {
+struct type_6 {
     member: u32,
     member_1: u32,
     member_2: u32,
@@ -22,65 +23,65 @@ struct type_5 {
     member_7: u32,
 }
 
-struct type_6 {
-    member: type_5,
+struct type_7 {
+    member: type_6,
 }
 
-struct type_8 {
+struct type_9 {
     member: array<u32>,
 }
 
-struct type_14 {
+struct type_15 {
     member: array<u32, LENGTH_1_4>,
 }
 
-struct type_16 {
+struct type_17 {
     member: array<u32, LENGTH_4_4>,
 }
 
-struct type_18 {
+struct type_19 {
     member: array<u32, LENGTH_2_4>,
 }
 
 @group(0) @binding(7) 
-var<uniform> global: type_3;
+var<uniform> global: type_4;
 @group(0) @binding(3) 
-var<storage, read_write> global_1: type_6;
+var<storage, read_write> global_1: type_7;
 @group(0) @binding(1) 
-var<storage> global_2: type_14;
+var<storage> global_2: type_15;
 @group(0) @binding(4) 
-var<storage, read_write> global_3: type_16;
+var<storage, read_write> global_3: type_17;
 var<workgroup> global_4: array<u32, 8>;
 var<workgroup> global_5: array<u32, 256>;
 @group(0) @binding(2) 
-var<storage> global_6: type_18;
+var<storage> global_6: type_19;
 var<workgroup> global_7: array<u32, 2048>;
 
 @compute @workgroup_size(8, 1, 1) 
 fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) param_1: vec3<u32>) {
-    var phi_965_: u32;
     var phi_966_: u32;
+    var phi_967_: u32;
+    var phi_970_: u32;
     var phi_969_: u32;
-    var phi_968_: u32;
-    var phi_983_: u32;
-    var phi_980_: u32;
-    var phi_986_: u32;
+    var phi_984_: u32;
     var phi_981_: u32;
+    var phi_987_: u32;
+    var phi_982_: u32;
     var local: u32;
     var local_1: u32;
     var local_2: u32;
     var local_3: u32;
-    var phi_973_: u32;
-    var phi_970_: u32;
+    var phi_974_: u32;
     var phi_971_: u32;
+    var phi_972_: u32;
     var local_4: u32;
     var local_5: u32;
     var local_6: u32;
-    var phi_967_: u32;
-    var phi_974_: u32;
-    var phi_979_: u32;
-    var phi_977_: u32;
+    var phi_968_: u32;
     var phi_975_: u32;
+    var phi_980_: u32;
+    var phi_978_: u32;
+    var phi_976_: u32;
     var local_7: u32;
     var local_8: u32;
 
@@ -95,9 +96,9 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
             if (_e33 >= _e41) {
                 break;
             }
-            phi_965_ = 0u;
+            phi_966_ = 0u;
             loop {
-                let _e44 = phi_965_;
+                let _e44 = phi_966_;
                 if (_e44 < 256u) {
                     continue;
                 } else {
@@ -105,13 +106,13 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                 }
                 continuing {
                     global_7[((_e44 * 8u) + _e31)] = 0u;
-                    phi_965_ = (_e44 + bitcast<u32>(1i));
+                    phi_966_ = (_e44 + bitcast<u32>(1i));
                 }
             }
             let _e53 = ((_e33 * 4096u) + (_e31 * 512u));
-            phi_966_ = _e53;
+            phi_967_ = _e53;
             loop {
-                let _e55 = phi_966_;
+                let _e55 = phi_967_;
                 let _e57 = min(_e38, (_e53 + 512u));
                 local_7 = _e57;
                 if (_e55 < _e57) {
@@ -127,27 +128,27 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                     break;
                 }
                 continuing {
-                    phi_966_ = (_e55 + bitcast<u32>(1i));
+                    phi_967_ = (_e55 + bitcast<u32>(1i));
                 }
             }
             switch bitcast<i32>(0u) {
                 default: {
                     let _e83 = global.member_6;
                     if !((_e83 != 0u)) {
+                        phi_970_ = 0u;
                         phi_969_ = 0u;
-                        phi_968_ = 0u;
                         loop {
-                            let _e87 = phi_969_;
-                            let _e89 = phi_968_;
+                            let _e87 = phi_970_;
+                            let _e89 = phi_969_;
                             local_3 = _e87;
                             local_6 = _e87;
                             if (_e89 < 32u) {
                                 let _e92 = ((_e31 * 32u) + _e89);
-                                phi_983_ = 0u;
-                                phi_980_ = 0u;
+                                phi_984_ = 0u;
+                                phi_981_ = 0u;
                                 loop {
-                                    let _e94 = phi_983_;
-                                    let _e96 = phi_980_;
+                                    let _e94 = phi_984_;
+                                    let _e96 = phi_981_;
                                     local = _e94;
                                     local_1 = _e94;
                                     if (_e96 < _e33) {
@@ -157,15 +158,15 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                                     }
                                     continuing {
                                         let _e102 = global_6.member[((_e96 * 256u) + _e92)];
-                                        phi_983_ = (_e94 + _e102);
-                                        phi_980_ = (_e96 + bitcast<u32>(1i));
+                                        phi_984_ = (_e94 + _e102);
+                                        phi_981_ = (_e96 + bitcast<u32>(1i));
                                     }
                                 }
-                                phi_986_ = 0u;
-                                phi_981_ = _e33;
+                                phi_987_ = 0u;
+                                phi_982_ = _e33;
                                 loop {
-                                    let _e107 = phi_986_;
-                                    let _e109 = phi_981_;
+                                    let _e107 = phi_987_;
+                                    let _e109 = phi_982_;
                                     local_2 = _e107;
                                     if (_e109 < _e41) {
                                         continue;
@@ -174,8 +175,8 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                                     }
                                     continuing {
                                         let _e115 = global_6.member[((_e109 * 256u) + _e92)];
-                                        phi_986_ = (_e107 + _e115);
-                                        phi_981_ = (_e109 + bitcast<u32>(1i));
+                                        phi_987_ = (_e107 + _e115);
+                                        phi_982_ = (_e109 + bitcast<u32>(1i));
                                     }
                                 }
                                 let _e120 = local;
@@ -189,18 +190,18 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                             }
                             continuing {
                                 let _e238 = local_8;
-                                phi_969_ = _e238;
-                                phi_968_ = (_e89 + bitcast<u32>(1i));
+                                phi_970_ = _e238;
+                                phi_969_ = (_e89 + bitcast<u32>(1i));
                             }
                         }
                         let _e133 = local_3;
                         global_4[_e31] = _e133;
                         workgroupBarrier();
-                        phi_973_ = 0u;
-                        phi_970_ = 0u;
+                        phi_974_ = 0u;
+                        phi_971_ = 0u;
                         loop {
-                            let _e135 = phi_973_;
-                            let _e137 = phi_970_;
+                            let _e135 = phi_974_;
+                            let _e137 = phi_971_;
                             local_4 = _e135;
                             local_5 = _e135;
                             if (_e137 < _e31) {
@@ -210,13 +211,13 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                             }
                             continuing {
                                 let _e140 = global_4[_e137];
-                                phi_973_ = (_e135 + _e140);
-                                phi_970_ = (_e137 + bitcast<u32>(1i));
+                                phi_974_ = (_e135 + _e140);
+                                phi_971_ = (_e137 + bitcast<u32>(1i));
                             }
                         }
-                        phi_971_ = 0u;
+                        phi_972_ = 0u;
                         loop {
-                            let _e145 = phi_971_;
+                            let _e145 = phi_972_;
                             if (_e145 < 32u) {
                                 continue;
                             } else {
@@ -226,7 +227,7 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                                 let _e150 = global_5[((_e31 * 32u) + _e145)];
                                 let _e152 = local_4;
                                 global_5[((_e31 * 32u) + _e145)] = (_e150 + _e152);
-                                phi_971_ = (_e145 + bitcast<u32>(1i));
+                                phi_972_ = (_e145 + bitcast<u32>(1i));
                             }
                         }
                         workgroupBarrier();
@@ -239,9 +240,9 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                         }
                         break;
                     }
-                    phi_967_ = _e31;
+                    phi_968_ = _e31;
                     loop {
-                        let _e172 = phi_967_;
+                        let _e172 = phi_968_;
                         if (_e172 < 256u) {
                             continue;
                         } else {
@@ -250,23 +251,23 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                         continuing {
                             let _e178 = global_6.member[((_e33 * 256u) + _e172)];
                             global_5[_e172] = _e178;
-                            phi_967_ = (_e172 + 8u);
+                            phi_968_ = (_e172 + 8u);
                         }
                     }
                     workgroupBarrier();
                     break;
                 }
             }
-            phi_974_ = _e31;
+            phi_975_ = _e31;
             loop {
-                let _e182 = phi_974_;
+                let _e182 = phi_975_;
                 if (_e182 < 256u) {
                     let _e185 = global_5[_e182];
-                    phi_979_ = _e185;
-                    phi_977_ = 0u;
+                    phi_980_ = _e185;
+                    phi_978_ = 0u;
                     loop {
-                        let _e187 = phi_979_;
-                        let _e189 = phi_977_;
+                        let _e187 = phi_980_;
+                        let _e189 = phi_978_;
                         if (_e189 < 8u) {
                             continue;
                         } else {
@@ -275,8 +276,8 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                         continuing {
                             let _e194 = global_7[((_e182 * 8u) + _e189)];
                             global_7[((_e182 * 8u) + _e189)] = _e187;
-                            phi_979_ = (_e187 + _e194);
-                            phi_977_ = (_e189 + bitcast<u32>(1i));
+                            phi_980_ = (_e187 + _e194);
+                            phi_978_ = (_e189 + bitcast<u32>(1i));
                         }
                     }
                     continue;
@@ -284,13 +285,13 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                     break;
                 }
                 continuing {
-                    phi_974_ = (_e182 + 8u);
+                    phi_975_ = (_e182 + 8u);
                 }
             }
             workgroupBarrier();
-            phi_975_ = _e53;
+            phi_976_ = _e53;
             loop {
-                let _e200 = phi_975_;
+                let _e200 = phi_976_;
                 let _e202 = local_7;
                 if (_e200 < _e202) {
                     let _e208 = global_2.member[(_e200 >> bitcast<u32>(1u))];
@@ -306,7 +307,7 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                     break;
                 }
                 continuing {
-                    phi_975_ = (_e200 + bitcast<u32>(1i));
+                    phi_976_ = (_e200 + bitcast<u32>(1i));
                 }
             }
             break;

@@ -1,4 +1,4 @@
-struct type_2 {
+struct type_3 {
     member: f32,
     member_1: f32,
     member_2: f32,
@@ -9,9 +9,10 @@ struct type_2 {
     member_7: u32,
     member_8: u32,
     member_9: u32,
+    member_10: vec2<u32>,
 }
 
-struct type_4 {
+struct type_5 {
     member: u32,
     member_1: u32,
     member_2: u32,
@@ -22,39 +23,39 @@ struct type_4 {
     member_7: u32,
 }
 
-struct type_5 {
-    member: type_4,
+struct type_6 {
+    member: type_5,
 }
 
-struct type_7 {
+struct type_8 {
     member: array<u32>,
 }
 
-struct type_11 {
+struct type_12 {
     member: array<u32, LENGTH_1_4>,
 }
 
-struct type_13 {
+struct type_14 {
     member: array<u32, LENGTH_2_4>,
 }
 
 @group(0) @binding(7) 
-var<uniform> global: type_2;
+var<uniform> global: type_3;
 @group(0) @binding(3) 
-var<storage> global_1: type_5;
+var<storage> global_1: type_6;
 @group(0) @binding(1) 
-var<storage> global_2: type_11;
+var<storage> global_2: type_12;
 var<workgroup> global_3: array<u32, 2048>;
 @group(0) @binding(2) 
-var<storage, read_write> global_4: type_13;
+var<storage, read_write> global_4: type_14;
 
 @compute @workgroup_size(8, 1, 1) 
 fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) param_1: vec3<u32>) {
-    var phi_421_: u32;
     var phi_422_: u32;
     var phi_423_: u32;
-    var phi_426_: u32;
     var phi_424_: u32;
+    var phi_427_: u32;
+    var phi_425_: u32;
     var local: u32;
 
     switch bitcast<i32>(0u) {
@@ -67,9 +68,9 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
             if (_e20 >= max(((_e26 + 4095u) / 4096u), 1u)) {
                 break;
             }
-            phi_421_ = 0u;
+            phi_422_ = 0u;
             loop {
-                let _e32 = phi_421_;
+                let _e32 = phi_422_;
                 if (_e32 < 256u) {
                     continue;
                 } else {
@@ -77,13 +78,13 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                 }
                 continuing {
                     global_3[((_e32 * 8u) + _e18)] = 0u;
-                    phi_421_ = (_e32 + bitcast<u32>(1i));
+                    phi_422_ = (_e32 + bitcast<u32>(1i));
                 }
             }
             let _e41 = ((_e20 * 4096u) + (_e18 * 512u));
-            phi_422_ = _e41;
+            phi_423_ = _e41;
             loop {
-                let _e43 = phi_422_;
+                let _e43 = phi_423_;
                 if (_e43 < min(_e26, (_e41 + 512u))) {
                     continue;
                 } else {
@@ -93,19 +94,19 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                     let _e49 = global_2.member[_e43];
                     let _e55 = global_3[(((_e49 >> bitcast<u32>(24u)) * 8u) + _e18)];
                     global_3[(((_e49 >> bitcast<u32>(24u)) * 8u) + _e18)] = (_e55 + 1u);
-                    phi_422_ = (_e43 + bitcast<u32>(1i));
+                    phi_423_ = (_e43 + bitcast<u32>(1i));
                 }
             }
             workgroupBarrier();
-            phi_423_ = _e18;
+            phi_424_ = _e18;
             loop {
-                let _e60 = phi_423_;
+                let _e60 = phi_424_;
                 if (_e60 < 256u) {
-                    phi_426_ = 0u;
-                    phi_424_ = 0u;
+                    phi_427_ = 0u;
+                    phi_425_ = 0u;
                     loop {
-                        let _e63 = phi_426_;
-                        let _e65 = phi_424_;
+                        let _e63 = phi_427_;
+                        let _e65 = phi_425_;
                         local = _e63;
                         if (_e65 < 8u) {
                             continue;
@@ -114,8 +115,8 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                         }
                         continuing {
                             let _e70 = global_3[((_e60 * 8u) + _e65)];
-                            phi_426_ = (_e63 + _e70);
-                            phi_424_ = (_e65 + bitcast<u32>(1i));
+                            phi_427_ = (_e63 + _e70);
+                            phi_425_ = (_e65 + bitcast<u32>(1i));
                         }
                     }
                     let _e79 = local;
@@ -125,7 +126,7 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                     break;
                 }
                 continuing {
-                    phi_423_ = (_e60 + 8u);
+                    phi_424_ = (_e60 + 8u);
                 }
             }
             break;

@@ -1,4 +1,4 @@
-struct type_2 {
+struct type_3 {
     member: f32,
     member_1: f32,
     member_2: f32,
@@ -9,9 +9,10 @@ struct type_2 {
     member_7: u32,
     member_8: u32,
     member_9: u32,
+    member_10: vec2<u32>,
 }
 
-struct type_4 {
+struct type_5 {
     member: u32,
     member_1: u32,
     member_2: u32,
@@ -22,37 +23,37 @@ struct type_4 {
     member_7: u32,
 }
 
-struct type_5 {
-    member: type_4,
+struct type_6 {
+    member: type_5,
 }
 
-struct type_7 {
+struct type_8 {
     member: array<u32>,
 }
 
-struct type_12 {
+struct type_13 {
     member: array<u32, LENGTH_1_4>,
 }
 
-struct type_14 {
+struct type_15 {
     member: array<u32, LENGTH_2_4>,
 }
 
 @group(0) @binding(7) 
-var<uniform> global: type_2;
+var<uniform> global: type_3;
 @group(0) @binding(3) 
-var<storage> global_1: type_5;
+var<storage> global_1: type_6;
 @group(0) @binding(1) 
-var<storage> global_2: type_12;
+var<storage> global_2: type_13;
 var<workgroup> global_3: array<atomic<u32>, 256>;
 @group(0) @binding(2) 
-var<storage, read_write> global_4: type_14;
+var<storage, read_write> global_4: type_15;
 
 @compute @workgroup_size(128, 1, 1) 
 fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) param_1: vec3<u32>) {
-    var phi_317_: u32;
-    var phi_319_: u32;
+    var phi_318_: u32;
     var phi_320_: u32;
+    var phi_321_: u32;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -64,9 +65,9 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
             if (_e18 >= max(((_e24 + 4095u) / 4096u), 1u)) {
                 break;
             }
-            phi_317_ = _e16;
+            phi_318_ = _e16;
             loop {
-                let _e30 = phi_317_;
+                let _e30 = phi_318_;
                 if (_e30 < 256u) {
                     continue;
                 } else {
@@ -74,13 +75,13 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                 }
                 continuing {
                     atomicStore((&global_3[_e30]), 0u);
-                    phi_317_ = (_e30 + 128u);
+                    phi_318_ = (_e30 + 128u);
                 }
             }
             workgroupBarrier();
-            phi_319_ = ((_e18 * 4096u) + _e16);
+            phi_320_ = ((_e18 * 4096u) + _e16);
             loop {
-                let _e37 = phi_319_;
+                let _e37 = phi_320_;
                 if (_e37 < min(_e24, ((_e18 + 1u) * 4096u))) {
                     continue;
                 } else {
@@ -89,13 +90,13 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                 continuing {
                     let _e44 = global_2.member[_e37];
                     let _e48 = atomicAdd((&global_3[(_e44 >> bitcast<u32>(24u))]), 1u);
-                    phi_319_ = (_e37 + 128u);
+                    phi_320_ = (_e37 + 128u);
                 }
             }
             workgroupBarrier();
-            phi_320_ = _e16;
+            phi_321_ = _e16;
             loop {
-                let _e51 = phi_320_;
+                let _e51 = phi_321_;
                 if (_e51 < 256u) {
                     continue;
                 } else {
@@ -104,7 +105,7 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                 continuing {
                     let _e56 = atomicLoad((&global_3[_e51]));
                     global_4.member[((_e18 * 256u) + _e51)] = _e56;
-                    phi_320_ = (_e51 + 128u);
+                    phi_321_ = (_e51 + 128u);
                 }
             }
             break;

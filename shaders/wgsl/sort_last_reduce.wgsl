@@ -1,4 +1,4 @@
-struct type_2 {
+struct type_3 {
     member: f32,
     member_1: f32,
     member_2: f32,
@@ -9,9 +9,10 @@ struct type_2 {
     member_7: u32,
     member_8: u32,
     member_9: u32,
+    member_10: vec2<u32>,
 }
 
-struct type_4 {
+struct type_5 {
     member: u32,
     member_1: u32,
     member_2: u32,
@@ -22,45 +23,45 @@ struct type_4 {
     member_7: u32,
 }
 
-struct type_5 {
-    member: type_4,
+struct type_6 {
+    member: type_5,
 }
 
-struct type_8 {
+struct type_9 {
     member: array<u32>,
 }
 
-struct type_10 {
+struct type_11 {
     member: array<u32, LENGTH_2_4>,
 }
 
 @group(0) @binding(7) 
-var<uniform> global: type_2;
+var<uniform> global: type_3;
 @group(0) @binding(3) 
-var<storage> global_1: type_5;
+var<storage> global_1: type_6;
 @group(0) @binding(2) 
-var<storage, read_write> global_2: type_10;
+var<storage, read_write> global_2: type_11;
 
 @compute @workgroup_size(128, 1, 1) 
 fn main(@builtin(workgroup_id) param: vec3<u32>, @builtin(local_invocation_id) param_1: vec3<u32>) {
-    var phi_174_: u32;
-    var phi_177_: u32;
     var phi_175_: u32;
+    var phi_178_: u32;
+    var phi_176_: u32;
     var local: u32;
 
     let _e15 = global.member_4;
     let _e19 = bitcast<u32>(param[0u]);
     let _e22 = global_1.member.member_6;
     let _e24 = global.member_5;
-    phi_174_ = bitcast<u32>(param_1[0u]);
+    phi_175_ = bitcast<u32>(param_1[0u]);
     loop {
-        let _e32 = phi_174_;
+        let _e32 = phi_175_;
         if (_e32 < 256u) {
-            phi_177_ = 0u;
-            phi_175_ = (_e19 * 64u);
+            phi_178_ = 0u;
+            phi_176_ = (_e19 * 64u);
             loop {
-                let _e36 = phi_177_;
-                let _e38 = phi_175_;
+                let _e36 = phi_178_;
+                let _e38 = phi_176_;
                 local = _e36;
                 if (_e38 < min(max(((min(_e22, _e24) + 4095u) / 4096u), 1u), ((_e19 + 1u) * 64u))) {
                     continue;
@@ -69,8 +70,8 @@ fn main(@builtin(workgroup_id) param: vec3<u32>, @builtin(local_invocation_id) p
                 }
                 continuing {
                     let _e47 = global_2.member[((_e38 * 256u) + _e32)];
-                    phi_177_ = (_e36 + _e47);
-                    phi_175_ = (_e38 + bitcast<u32>(1i));
+                    phi_178_ = (_e36 + _e47);
+                    phi_176_ = (_e38 + bitcast<u32>(1i));
                 }
             }
             let _e57 = local;
@@ -80,7 +81,7 @@ fn main(@builtin(workgroup_id) param: vec3<u32>, @builtin(local_invocation_id) p
             break;
         }
         continuing {
-            phi_174_ = (_e32 + 128u);
+            phi_175_ = (_e32 + 128u);
         }
     }
     return;

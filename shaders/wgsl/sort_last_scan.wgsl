@@ -1,4 +1,4 @@
-struct type_2 {
+struct type_3 {
     member: f32,
     member_1: f32,
     member_2: f32,
@@ -9,9 +9,10 @@ struct type_2 {
     member_7: u32,
     member_8: u32,
     member_9: u32,
+    member_10: vec2<u32>,
 }
 
-struct type_4 {
+struct type_5 {
     member: u32,
     member_1: u32,
     member_2: u32,
@@ -22,46 +23,46 @@ struct type_4 {
     member_7: u32,
 }
 
-struct type_5 {
-    member: type_4,
+struct type_6 {
+    member: type_5,
 }
 
-struct type_9 {
+struct type_10 {
     member: array<u32>,
 }
 
-struct type_12 {
+struct type_13 {
     member: array<u32, LENGTH_2_4>,
 }
 
 @group(0) @binding(7) 
-var<uniform> global: type_2;
+var<uniform> global: type_3;
 @group(0) @binding(3) 
-var<storage> global_1: type_5;
+var<storage> global_1: type_6;
 var<workgroup> global_2: array<u32, 128>;
 var<workgroup> global_3: array<u32, 256>;
 @group(0) @binding(2) 
-var<storage, read_write> global_4: type_12;
+var<storage, read_write> global_4: type_13;
 
 @compute @workgroup_size(128, 1, 1) 
 fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) param_1: vec3<u32>) {
+    var phi_500_: u32;
     var phi_499_: u32;
-    var phi_498_: u32;
-    var phi_511_: u32;
-    var phi_508_: u32;
-    var phi_514_: u32;
+    var phi_512_: u32;
     var phi_509_: u32;
+    var phi_515_: u32;
+    var phi_510_: u32;
     var local: u32;
     var local_1: u32;
     var local_2: u32;
     var local_3: u32;
-    var phi_503_: u32;
-    var phi_500_: u32;
-    var phi_501_: u32;
-    var local_4: u32;
     var phi_504_: u32;
-    var phi_507_: u32;
+    var phi_501_: u32;
+    var phi_502_: u32;
+    var local_4: u32;
     var phi_505_: u32;
+    var phi_508_: u32;
+    var phi_506_: u32;
     var local_5: u32;
 
     switch bitcast<i32>(0u) {
@@ -77,19 +78,19 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
             if (_e26 >= _e37) {
                 break;
             }
+            phi_500_ = 0u;
             phi_499_ = 0u;
-            phi_498_ = 0u;
             loop {
-                let _e40 = phi_499_;
-                let _e42 = phi_498_;
+                let _e40 = phi_500_;
+                let _e42 = phi_499_;
                 local_3 = _e40;
                 if (_e42 < 2u) {
                     let _e45 = ((_e24 * 2u) + _e42);
-                    phi_511_ = 0u;
-                    phi_508_ = 0u;
+                    phi_512_ = 0u;
+                    phi_509_ = 0u;
                     loop {
-                        let _e47 = phi_511_;
-                        let _e49 = phi_508_;
+                        let _e47 = phi_512_;
+                        let _e49 = phi_509_;
                         local = _e47;
                         local_1 = _e47;
                         if (_e49 < _e26) {
@@ -99,15 +100,15 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                         }
                         continuing {
                             let _e56 = global_4.member[((_e22 + (_e49 * 256u)) + _e45)];
-                            phi_511_ = (_e47 + _e56);
-                            phi_508_ = (_e49 + bitcast<u32>(1i));
+                            phi_512_ = (_e47 + _e56);
+                            phi_509_ = (_e49 + bitcast<u32>(1i));
                         }
                     }
-                    phi_514_ = 0u;
-                    phi_509_ = _e26;
+                    phi_515_ = 0u;
+                    phi_510_ = _e26;
                     loop {
-                        let _e61 = phi_514_;
-                        let _e63 = phi_509_;
+                        let _e61 = phi_515_;
+                        let _e63 = phi_510_;
                         local_2 = _e61;
                         if (_e63 < _e37) {
                             continue;
@@ -116,8 +117,8 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                         }
                         continuing {
                             let _e70 = global_4.member[((_e22 + (_e63 * 256u)) + _e45)];
-                            phi_514_ = (_e61 + _e70);
-                            phi_509_ = (_e63 + bitcast<u32>(1i));
+                            phi_515_ = (_e61 + _e70);
+                            phi_510_ = (_e63 + bitcast<u32>(1i));
                         }
                     }
                     let _e75 = local;
@@ -131,18 +132,18 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                 }
                 continuing {
                     let _e136 = local_5;
-                    phi_499_ = _e136;
-                    phi_498_ = (_e42 + bitcast<u32>(1i));
+                    phi_500_ = _e136;
+                    phi_499_ = (_e42 + bitcast<u32>(1i));
                 }
             }
             let _e88 = local_3;
             global_2[_e24] = _e88;
             workgroupBarrier();
-            phi_503_ = 0u;
-            phi_500_ = 0u;
+            phi_504_ = 0u;
+            phi_501_ = 0u;
             loop {
-                let _e90 = phi_503_;
-                let _e92 = phi_500_;
+                let _e90 = phi_504_;
+                let _e92 = phi_501_;
                 local_4 = _e90;
                 if (_e92 < _e24) {
                     continue;
@@ -151,13 +152,13 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                 }
                 continuing {
                     let _e95 = global_2[_e92];
-                    phi_503_ = (_e90 + _e95);
-                    phi_500_ = (_e92 + bitcast<u32>(1i));
+                    phi_504_ = (_e90 + _e95);
+                    phi_501_ = (_e92 + bitcast<u32>(1i));
                 }
             }
-            phi_501_ = 0u;
+            phi_502_ = 0u;
             loop {
-                let _e100 = phi_501_;
+                let _e100 = phi_502_;
                 if (_e100 < 2u) {
                     continue;
                 } else {
@@ -167,20 +168,20 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                     let _e105 = global_3[((_e24 * 2u) + _e100)];
                     let _e107 = local_4;
                     global_3[((_e24 * 2u) + _e100)] = (_e105 + _e107);
-                    phi_501_ = (_e100 + bitcast<u32>(1i));
+                    phi_502_ = (_e100 + bitcast<u32>(1i));
                 }
             }
             workgroupBarrier();
-            phi_504_ = _e24;
+            phi_505_ = _e24;
             loop {
-                let _e112 = phi_504_;
+                let _e112 = phi_505_;
                 if (_e112 < 256u) {
                     let _e115 = global_3[_e112];
-                    phi_507_ = _e115;
-                    phi_505_ = (_e26 * 64u);
+                    phi_508_ = _e115;
+                    phi_506_ = (_e26 * 64u);
                     loop {
-                        let _e118 = phi_507_;
-                        let _e120 = phi_505_;
+                        let _e118 = phi_508_;
+                        let _e120 = phi_506_;
                         if (_e120 < min(_e35, ((_e26 + 1u) * 64u))) {
                             continue;
                         } else {
@@ -189,8 +190,8 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                         continuing {
                             let _e129 = global_4.member[((_e120 * 256u) + _e112)];
                             global_4.member[((_e120 * 256u) + _e112)] = _e118;
-                            phi_507_ = (_e118 + _e129);
-                            phi_505_ = (_e120 + bitcast<u32>(1i));
+                            phi_508_ = (_e118 + _e129);
+                            phi_506_ = (_e120 + bitcast<u32>(1i));
                         }
                     }
                     continue;
@@ -198,7 +199,7 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                     break;
                 }
                 continuing {
-                    phi_504_ = (_e112 + 128u);
+                    phi_505_ = (_e112 + 128u);
                 }
             }
             break;

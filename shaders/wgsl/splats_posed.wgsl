@@ -78,6 +78,7 @@ struct type_20 {
     member_7: u32,
     member_8: u32,
     member_9: u32,
+    member_10: vec2<u32>,
 }
 
 struct type_22 {

@@ -17,6 +17,7 @@ pub(crate) mod refuse;
 pub mod report;
 pub(crate) mod scene;
 pub mod skip;
+pub mod touched;
 
 use crate::avatar::{Avatar, Pose};
 pub use block::fixed_scale;
@@ -33,6 +34,7 @@ pub use place::Place;
 pub use plan::{Body, Needed, Plan};
 pub use report::FrameReport;
 pub use skip::Skip;
+pub use touched::Touched;
 
 /// Added to both diagonal entries of a projected covariance, px² (model.md, step 8).
 pub const LOW_PASS: f64 = 0.3;

@@ -18,13 +18,11 @@ use super::{
     model::OccluderMesh,
     pipeline::{Slice, barrier},
 };
-use crate::{frame::extent::around, layout::RASTER_REGION};
 pub use crate::{
-    frame::{ColorFormat, Method},
+    frame::{ColorFormat, Method, Touched},
     layout::bins::{bins_size, tile},
 };
 use ash::vk::{self, AccessFlags, PipelineStageFlags};
-use glam::UVec2;
 use hulls::Hulls;
 use std::sync::Arc;
 pub use tiles::Bins;
@@ -40,27 +38,6 @@ impl ColorFormat {
 
 /// How every frame leaves the picture.
 const LEFT: vk::ImageLayout = vk::ImageLayout::SHADER_READ_ONLY_OPTIMAL;
-
-/// What of the picture a frame draws: whole regions of [`RASTER_REGION`] px, but for the picture's edges, and at least one.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Touched {
-    min: [u32; 2],
-    max: [u32; 2],
-    /// Nothing that the picture held is kept.
-    anew: bool,
-}
-
-impl Touched {
-    /// Where something is, and was: `before` is where something may be left of earlier frames, None where that is not known. Corners of
-    /// boxes in a picture of `size` px.
-    pub fn new(now: [UVec2; 2], before: Option<[UVec2; 2]>, size: [u32; 2]) -> Self {
-        let whole = [UVec2::ZERO, size.into()];
-        let [min, max] = around(now, before.unwrap_or(whole));
-        let min = min.min(whole[1] - 1) / RASTER_REGION * RASTER_REGION;
-        let max = (max.max(min + 1).map(|side| side.next_multiple_of(RASTER_REGION))).min(whole[1]);
-        Self { min: min.into(), max: max.into(), anew: before.is_none() }
-    }
-}
 
 /// Draws by one of the methods.
 pub enum Raster {

@@ -4,7 +4,7 @@ use super::{ColorFormat, LEFT, Method, Touched, check_size, hand_over};
 use crate::{
     frame::Skip,
     layout::{
-        BINS_BLOCKS, BINS_LEVELS, BINS_NODE, BINS_SIDE, BINS_SIZE, BINS_TILES, RASTER_REGION,
+        BINS_BLOCKS, BINS_LEVELS, BINS_NODE, BINS_SIDE, BINS_SIZE, BINS_TILES,
         bins::{bins_size, first_tile, nodes},
     },
     vulkan::{
@@ -138,11 +138,7 @@ impl Tiles {
         let readers = PipelineStageFlags::FRAGMENT_SHADER | PipelineStageFlags::TRANSFER;
         let found = if touched.anew { ImageLayout::UNDEFINED } else { LEFT };
         hand_over(&self.gpu, commands, &self.image, [(readers, AccessFlags::empty()), compute], [found, ImageLayout::GENERAL]);
-        self.raster.dispatch_within(
-            commands,
-            frame,
-            [touched.min.map(|at| at / RASTER_REGION), touched.max.map(|at| at.div_ceil(RASTER_REGION))],
-        );
+        self.raster.dispatch_within(commands, frame, touched.regions());
         let readers = (readers, AccessFlags::SHADER_READ | AccessFlags::TRANSFER_READ);
         hand_over(&self.gpu, commands, &self.image, [compute, readers], [ImageLayout::GENERAL, LEFT]);
     }

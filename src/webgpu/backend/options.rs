@@ -14,8 +14,9 @@ use crate::{
 /// The options with what suits a device, and this backend, in place of what was left open.
 pub fn settled(gpu: &Gpu, options: RendererOptions) -> RendererOptions {
     let method = options.method.unwrap_or_else(|| Method::suited(gpu.is_cpu(), &gpu.driver()));
-    // Here fragments are not tested against the depth surface, and all of the picture is drawn.
-    let skip = options.skip - Skip::DEPTH - Skip::AREA;
+    // Here fragments are not tested against the depth surface, and a pass that draws draws all of the picture.
+    let whole = if method == Method::Hulls { Skip::AREA } else { Skip::empty() };
+    let skip = options.skip - Skip::DEPTH - whole;
     let sort = options.sort.unwrap_or(if gpu.is_cpu() { Variant::LaneScan } else { Variant::SelfScan });
     RendererOptions { method: Some(method), color: Some(options.color.unwrap_or(method.color())), sort: Some(sort), skip, ..options }
 }

@@ -9,8 +9,8 @@ use super::{
     slot::Slot,
 };
 use crate::{
-    frame::{ColorFormat, Method, RendererOptions, Skip},
-    layout::{BINS_BLOCKS, BINS_SIZE, RASTER_QUADS, RASTER_REGION, Settings, bins},
+    frame::{ColorFormat, Method, RendererOptions, Skip, Touched},
+    layout::{BINS_BLOCKS, BINS_SIZE, RASTER_QUADS, Settings, bins},
     webgpu::shaders,
 };
 use wgpu::{BlendComponent, BlendFactor, BlendOperation, BlendState, ShaderStages, TextureFormat, TextureUsages};
@@ -118,8 +118,8 @@ impl Raster {
         Ok(())
     }
 
-    /// Draws what the sort left, every pixel of it. `frame` is a block with the picture's size.
-    pub fn record(&self, slot: &mut Slot, encoder: &mut wgpu::CommandEncoder, frame: u32, control: &wgpu::Buffer) {
+    /// Draws what the sort left: tiles every pixel that is to be drawn, quads every one. `frame` is a block with the picture's size.
+    pub fn record(&self, slot: &mut Slot, encoder: &mut wgpu::CommandEncoder, frame: u32, (control, touched): (&wgpu::Buffer, &Touched)) {
         match &self.way {
             Way::Hulls { bindings, pipeline, indices } => {
                 let writes = slot.stage("raster");
@@ -144,7 +144,8 @@ impl Raster {
                 let writes = slot.stage("bins");
                 kernel.dispatch(&mut slot.pass(encoder, "bins", writes), frame, [BINS_BLOCKS / BINS_SIZE, 1]);
                 let writes = slot.stage("raster");
-                let groups = [self.image.width(), self.image.height()].map(|side| side.div_ceil(RASTER_REGION));
+                let [first, end] = touched.regions();
+                let groups = [end[0] - first[0], end[1] - first[1]];
                 raster.dispatch(&mut slot.pass(encoder, "raster", writes), frame, groups);
             }
         }

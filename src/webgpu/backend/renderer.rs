@@ -20,7 +20,7 @@ use super::{
 use crate::{
     avatar::Avatar,
     frame::{
-        Body, Camera, Extent, FrameReport, Needs, Posed, RendererOptions, Skip, Variant, block,
+        Body, Camera, Extent, FrameReport, Needs, Posed, RendererOptions, Skip, Touched, Variant, block,
         keeper::Keeper,
         refuse,
         scene::{Actor, Scene, Staged},
@@ -28,6 +28,7 @@ use crate::{
     layout::{Control, Frame, PYRAMID_WORDS, RASTER_QUADS, RASTER_SQUARE, SORT_TILE, Settings, bins},
 };
 use bytemuck::bytes_of;
+use glam::UVec2;
 use std::sync::Arc;
 
 /// An avatar on a device, in as many poses as it was made for.
@@ -56,6 +57,8 @@ pub struct Renderer {
     pub(super) scene: Scene,
     /// Keys that the control says enter the sort, once it was told.
     entering: Option<u32>,
+    /// A box in the picture around all that frames have left there; None where that is not known.
+    filled: Option<[UVec2; 2]>,
     pub(super) next: usize,
     pub(super) report: FrameReport,
     pub(super) gpu: Arc<Gpu>,
@@ -108,6 +111,7 @@ impl Renderer {
             options,
             scene: Scene::default(),
             entering: None,
+            filled: None,
             next: 0,
             report: FrameReport::default(),
             gpu: gpu.clone(),
@@ -174,8 +178,10 @@ impl Renderer {
             self.report = FrameReport::idle(self.harmonics.is_some());
             return Ok(false);
         }
-        self.write_frame(&staged, camera);
-        self.record(&staged);
+        let touched = Touched::new(staged.area, self.filled, self.options.size);
+        self.filled = Some(staged.area);
+        self.write_frame(&staged, camera, &touched);
+        self.record(&staged, &touched);
         self.next = (self.next + 1) % SLOTS;
         Ok(true)
     }
@@ -189,7 +195,7 @@ impl Renderer {
     }
 
     /// The frame: which stages run, in which order.
-    fn record(&mut self, staged: &Staged) {
+    fn record(&mut self, staged: &Staged, touched: &Touched) {
         let Self { slots, options, features, harmonics, surface, splats, sort, raster, control, model, .. } = self;
         let views: Vec<u32> = staged.actors.iter().map(|actor| frame_at(actor.number)).collect();
         let slot = &mut slots[self.next];
@@ -229,19 +235,22 @@ impl Renderer {
         } else {
             ["splats", "sort"].into_iter().for_each(|stage| slot.skip(stage));
         }
-        raster.record(slot, &mut encoder, views.first().copied().unwrap_or(0), control);
+        raster.record(slot, &mut encoder, views.first().copied().unwrap_or(0), (control, touched));
         slot.submit(&self.gpu, encoder, control, splats);
     }
 
     /// Fills the uniform blocks of a frame.
-    fn write_frame(&mut self, staged: &Staged, camera: &Camera) {
+    fn write_frame(&mut self, staged: &Staged, camera: &Camera, touched: &Touched) {
         let keys = staged.actors.len() as u32 * slots_of(self.model.constants.gaussians);
+        let settings = Settings { entering: keys, first_region: touched.regions()[0], ..self.settings };
+        if self.entering.is_none() || self.settings != settings {
+            self.settings = settings;
+            self.gpu.queue.write_buffer(&self.blocks.settings, 0, bytes_of(&settings));
+        }
         if self.entering != Some(keys) {
             self.entering = Some(keys);
-            self.settings.entering = keys;
             let control = Control { index_count: 6 * RASTER_QUADS, entering: keys, ..Control::default() };
             self.gpu.queue.write_buffer(&self.control, 0, bytes_of(&control));
-            self.gpu.queue.write_buffer(&self.blocks.settings, 0, bytes_of(&self.settings));
         }
         for actor in staged.actors.iter().filter(|actor| actor.needed.body == Body::Keep) {
             self.keepers[actor.number] = Keeper::new(&self.extent, actor.posed, camera);
@@ -282,7 +291,7 @@ impl Renderer {
         let inputs = Inputs { order: sort.order(), splats: splats.all(), keys: splats.keys(), control, capacity: splats.capacity() };
         raster.resize(&self.gpu, blocks, inputs, size)?;
         self.options.size = size;
-        self.scene = Scene::default();
+        (self.scene, self.filled) = (Scene::default(), None);
         self.gpu.check()
     }
 }
