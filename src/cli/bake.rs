@@ -54,7 +54,9 @@ impl Body {
     /// With so many rows of correctives.
     pub fn sizes(&self, rows: usize) -> anyhow::Result<Sizes> {
         let &Self { gaussians, parts, nodes, seed, .. } = self;
-        ensure!(parts.max(nodes).max(rows) <= gaussians, "--parts, --nodes and --rows can't be above --gaussians, {gaussians}");
+        for (name, number) in [("parts", parts), ("nodes", nodes), ("rows", rows)] {
+            ensure!(number <= gaussians, "--{name} {number} can't be above --gaussians, {gaussians}");
+        }
         Ok(Sizes { gaussians, parts, nodes, rows, seed })
     }
 }

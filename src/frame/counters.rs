@@ -28,7 +28,7 @@ pub struct Counters {
     pub fragments: Option<u64>,
     /// Pixels that something was drawn into. None where nobody counted them.
     pub covered: Option<u64>,
-    /// Pixels of the box around the avatars in view: only there, and where it was before, is the picture touched.
+    /// Pixels of the picture that were drawn, empty ones too: a box around the avatars in view and where they were before, or all.
     pub area: u64,
     /// Compute dispatches.
     pub dispatches: u64,

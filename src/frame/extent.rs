@@ -6,6 +6,9 @@ use glam::{DAffine3, DVec2, DVec3, UVec2};
 
 /// Room for what a pose moves nodes by, and in bounds for the Gaussians' own size; metres before the joints move, which may scale them.
 const MARGIN: f64 = 0.05;
+/// Room around what is in view, where the picture is drawn: several times what learned correctives move nodes by (the demo's by 5 cm in its own
+/// clip, by 11 where every input is at its furthest), and so for their Gaussians' size. What a model's correctives move further is cut off.
+const AREA_MARGIN: f64 = 0.15;
 /// Joints that move no Gaussian of a part by at least this weight (of 255) do not count for how far an avatar reaches: they would mostly
 /// widen it. For what is left out as outside the picture they do.
 const WEIGHT: u8 = 8;
@@ -30,7 +33,8 @@ struct PartBox {
 #[derive(Clone, Debug)]
 pub struct Visible {
     pub parts: PartSet,
-    /// Lower and upper corner of a box around them in the picture, px; [`NOWHERE`] where there are none.
+    /// Lower and upper corner of a box around them in the picture, px, with more room than it takes to see them; [`NOWHERE`] where there are
+    /// none.
     pub area: [UVec2; 2],
 }
 
@@ -92,20 +96,25 @@ impl Extent {
     /// The parts that may be in the picture, and where. A part is outside it when its box is, with room for its Gaussians' size, its nodes'
     /// static displacements and 5 cm of what poses add to them.
     pub fn visible(&self, joints: &[DAffine3], camera: &Camera) -> Visible {
-        let scale = enlargement(joints);
+        let scale = enlargement(joints) * enlargement(&[camera.view]);
         let size = UVec2::from(camera.size);
         let mut visible = Visible { parts: PartSet::EMPTY, area: NOWHERE };
         for part in &self.parts {
             let room = scale * (MARGIN + part.displaced + part.reach);
+            let wide = scale * (AREA_MARGIN + part.displaced + 2.0 * part.reach);
             let [mut before, mut behind] = [false, true];
             let (mut min, mut max) = (DVec2::INFINITY, DVec2::NEG_INFINITY);
+            let (mut low, mut high) = (DVec2::INFINITY, DVec2::NEG_INFINITY);
             for corner in part.corners(joints, part.joints.len()) {
                 let p = camera.view.transform_point3(corner);
                 before |= p.z - room < camera.near;
                 behind &= p.z + room < camera.near;
                 let at = camera.project(p);
-                let room = room * camera.focal / (p.z - room) * (1.0 + (p.truncate() / p.z).abs()) + 2.0;
-                (min, max) = (min.min(at - room), max.max(at + room));
+                let around = |room: f64| room * camera.focal / (p.z - room) * (1.0 + (p.truncate() / p.z).abs()) + 2.0;
+                (min, max) = (min.min(at - around(room)), max.max(at + around(room)));
+                // Nearer than the room is wide, it may be anywhere.
+                let far = if p.z - wide < camera.near { DVec2::INFINITY } else { around(wide) };
+                (low, high) = (low.min(at - far), high.max(at + far));
             }
             let outside = max.cmplt(DVec2::ZERO).any() || min.cmpgt(size.as_dvec2()).any();
             if if before { behind } else { outside } {
@@ -114,8 +123,8 @@ impl Extent {
             visible.parts.insert(part.part);
             let clamp = |at: DVec2| at.clamp(DVec2::ZERO, size.as_dvec2()).as_uvec2();
             // What reaches through the near plane may be anywhere, and so may what no number tells.
-            let known = !before && min.is_finite() && max.is_finite();
-            let area = if known { [clamp(min.floor()), clamp(max.ceil())] } else { [UVec2::ZERO, size] };
+            let known = !before && low.is_finite() && high.is_finite();
+            let area = if known { [clamp(low.floor()), clamp(high.ceil())] } else { [UVec2::ZERO, size] };
             visible.area = around(visible.area, area);
         }
         visible

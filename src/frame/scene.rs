@@ -29,7 +29,8 @@ pub struct Staged<'a> {
     pub place: Option<Place>,
     /// Avatars in the scene, whether in view or not.
     pub avatars: usize,
-    /// Lower and upper corner of a box in the picture outside which nothing is drawn, px: all of it where nobody looked.
+    /// Lower and upper corner of a box in the picture around all that is drawn, but for correctives beyond what [`Extent::visible`] expects,
+    /// px: all of the picture where nobody looked.
     pub area: [UVec2; 2],
 }
 
@@ -99,7 +100,6 @@ impl Staged<'_> {
             networks: sum(&|actor| actor.networks.len()),
             parts_outside: sum(&|actor| actor.outside.len()),
             kept: kept * u64::from(gaussians),
-            area: if self.view { (self.area[1].as_u64vec2().saturating_sub(self.area[0].as_u64vec2())).element_product() } else { 0 },
             dispatches: posed + if self.view { view + raster } else { 0 },
             submitted: 1,
             ..Counters::default()

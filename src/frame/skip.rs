@@ -28,7 +28,7 @@ bitflags::bitflags! {
         const PARTS = 1 << 9;
         /// Avatars that are all outside the view: every stage of theirs.
         const AVATARS = 1 << 10;
-        /// Pixels outside a box around what is in view, and around what was there before.
+        /// Pixels outside a box around what is in view, and around what was there before; with WebGPU only where tiles are drawn.
         const AREA = 1 << 11;
     }
 }

@@ -11,7 +11,7 @@ pub struct Touched {
     pub min: [u32; 2],
     /// Of the first that is beyond.
     pub max: [u32; 2],
-    /// Nothing that the picture held is kept.
+    /// Nothing that the picture held is kept: it is not known, or all of it is drawn.
     pub anew: bool,
 }
 
@@ -23,7 +23,11 @@ impl Touched {
         let [min, max] = around(now, before.unwrap_or(whole));
         let min = min.min(whole[1] - 1) / RASTER_REGION * RASTER_REGION;
         let max = max.max(min + 1).map(|side| side.next_multiple_of(RASTER_REGION)).min(whole[1]);
-        Self { min: min.into(), max: max.into(), anew: before.is_none() }
+        Self { min: min.into(), max: max.into(), anew: before.is_none() || [min, max] == whole }
+    }
+
+    pub fn pixels(&self) -> u64 {
+        (0..2).map(|axis| u64::from(self.max[axis] - self.min[axis])).product()
     }
 
     /// Column and row of the first region, and of the first that is beyond.
@@ -48,6 +52,6 @@ mod tests {
         let one = touched([region.into(), at(region[0] + 1, region[1] + 1)], Some(NOWHERE));
         assert_eq!((one.min, one.max, one.anew), (region, region.map(|side| 2 * side), false));
         let both = touched([at(1, 1), at(2, 2)], Some([region.into(), size.into()]));
-        assert_eq!((both.min, both.max), ([0, 0], size));
+        assert_eq!((both.min, both.max, both.anew, both.pixels()), ([0, 0], size, true, u64::from(size[0] * size[1])));
     }
 }

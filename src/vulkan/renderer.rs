@@ -27,7 +27,7 @@ use super::{
 use crate::{
     avatar::Avatar,
     frame::{
-        Camera, Extent, Needs, Posed, RendererOptions, Skip, block,
+        Camera, Counters, Extent, Needs, Posed, RendererOptions, Skip, block,
         keeper::Keeper,
         refuse,
         scene::{Scene, Staged},
@@ -223,11 +223,10 @@ impl Renderer {
         let slot = &mut slots[slot];
         let commands = slot.commands;
         let hides = staged.place.filter(|_| options.skip.contains(Skip::HIDDEN));
-        slot.note(staged.counters(
-            model.constants.gaussians,
-            (harmonics.is_some(), hides.is_some(), sort.dispatches(true)),
-            raster.dispatches(),
-        ));
+        let touched = Touched::new(staged.area, filled, raster.drawn());
+        let stages = (harmonics.is_some(), hides.is_some(), sort.dispatches(true));
+        let counters = staged.counters(model.constants.gaussians, stages, raster.dispatches());
+        slot.note(Counters { area: if staged.view { touched.pixels() } else { 0 }, ..counters });
         let keys = if staged.view { views.len() as u32 * slots_of(model.constants.gaussians) } else { entering.unwrap_or(0) };
         // The frame before may still read what this one writes.
         barrier(gpu, commands, BEFORE, SHARED);
@@ -280,7 +279,6 @@ impl Renderer {
         }
         let covers = staged.place.is_some() && options.skip.contains(Skip::DEPTH);
         let frame = views.first().copied().unwrap_or(at(0));
-        let touched = Touched::new(staged.area, filled, raster.drawn());
         raster.record(gpu, slot, (frame, if covers { &views } else { &[] }), control.raw, (&touched, options.count));
         keys
     }

@@ -77,7 +77,7 @@ fn counters(report: &CaseReport) {
     if report.counters.get("avatars").is_some_and(|&avatars| avatars > 1.0) {
         println!("  avatars   {}", some(&["avatars", "avatars_culled"]).replacen("avatars_", "", 1).replacen("avatars", "in", 1));
     }
-    let mut pixels: Vec<String> = some(&["fragments"]).split_terminator('\n').map(str::to_owned).collect();
+    let mut pixels: Vec<String> = some(&["area", "fragments"]).split_terminator('\n').map(str::to_owned).collect();
     pixels.extend(report.covered_pixels.map(|covered| format!("covered {}", number(covered))));
     pixels.extend(report.fragments_a_pixel.map(|ratio| format!("{ratio:.2} fragments a covered pixel")));
     if !pixels.is_empty() {

@@ -64,7 +64,7 @@ pub struct Header {
 /// What is known of a frame besides its pose.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Shot {
-    /// The clip that it is from.
+    /// The clip that it is from; `poses.motion` may have another expression there than the clip (`effigy dataset --faces`).
     pub clip: String,
     /// Into the clip.
     pub seconds: f64,

@@ -80,12 +80,14 @@ pub fn allow(gpu: &Arc<Gpu>, variant: Variant) -> Result<()> {
         None => {
             let known = gpu.sort.get().map(|verdict| verdict.tried.clone());
             let known = known.unwrap_or_else(|| Record::new(gpu, cache::folder().as_deref()).read());
-            let outcome = match known.into_iter().find(|(known, _)| *known == variant) {
+            match known.into_iter().find(|(known, _)| *known == variant) {
                 Some((_, outcome @ (Outcome::Right(_) | Outcome::Refused(_) | Outcome::Unfinished))) => outcome,
-                Some((_, Outcome::Lacks(_))) | None => test(gpu, variant)?,
-            };
-            asked.push((variant, outcome.clone()));
-            outcome
+                Some((_, Outcome::Lacks(_))) | None => {
+                    let outcome = test(gpu, variant)?;
+                    asked.push((variant, outcome.clone()));
+                    outcome
+                }
+            }
         }
     };
     let lacks = |why| Error::Lacks { device: gpu.probe.name.clone(), lacks: format!("for {}: {why}", variant.name()) };

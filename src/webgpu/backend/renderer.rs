@@ -20,7 +20,7 @@ use super::{
 use crate::{
     avatar::Avatar,
     frame::{
-        Body, Camera, Extent, FrameReport, Needs, Posed, RendererOptions, Skip, Touched, Variant, block,
+        Body, Camera, Counters, Extent, FrameReport, Needs, Posed, RendererOptions, Skip, Touched, Variant, block,
         keeper::Keeper,
         refuse,
         scene::{Actor, Scene, Staged},
@@ -201,7 +201,8 @@ impl Renderer {
         let slot = &mut slots[self.next];
         let hides = surface.as_ref().filter(|_| staged.place.is_some());
         let stages = (harmonics.is_some(), hides.is_some(), sort.dispatches());
-        slot.begin(staged.counters(model.constants.gaussians, stages, raster.dispatches()), options.count);
+        let counters = staged.counters(model.constants.gaussians, stages, raster.dispatches());
+        slot.begin(Counters { area: touched.pixels(), ..counters }, options.count);
         let mut encoder = self.gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("frame") });
         splats.clear(&mut encoder);
         if staged.actors.iter().any(|actor| !actor.networks.is_empty()) {
