@@ -50,6 +50,8 @@ for driver in "${drivers[@]}"; do
     [ -s "$icd" ] || { echo "no driver called $driver" >&2; exit 2; }
     export VK_DRIVER_FILES=$icd VK_ICD_FILENAMES=$icd
     case $driver in *:*) export LP_NATIVE_VECTOR_WIDTH=${driver##*:} ;; esac
+    # Mesa keeps what it compiled without minding for which width: with another one, half of the invocations are lost.
+    export MESA_SHADER_CACHE_DIR=$PWD/target/drivers/cache/$driver
   fi
   export EFFIGY_REQUIRE_GPU=1 EFFIGY_VALIDATION=1 VK_LAYER_PATH=$PWD/target/drivers/layers VK_LAYER_SYNCVAL_SHADER_ACCESSES_HEURISTIC=1
   run "$driver" "${device[@]}"

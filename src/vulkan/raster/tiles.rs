@@ -156,7 +156,7 @@ enum Variant {
     /// Each invocation walks its tiles' chains by itself.
     Alone,
     /// Each subgroup lies in one tile and hands splats round: 8 invocations, of 4 by 4 pixels each, in tiles of at least 16. Processors
-    /// alone: Mali's compiler spills 700 registers there; and not 16 invocations, half of which lavapipe's compiler loses (NOTES.md).
+    /// alone: Mali's compiler spills 700 registers there; and not 16 invocations, which was not timed.
     Together,
 }
 
