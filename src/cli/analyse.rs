@@ -2,10 +2,11 @@
 
 use super::bake::count;
 use super::{fit::check_clips, options};
-use crate::avatar::file::replace;
+use crate::avatar::{Avatar, file::replace};
 use crate::fit::analyse::components::{Outcome, SETTINGS, outcomes};
 use crate::fit::analyse::kept;
 use crate::fit::analyse::sweep::{Tried, Tries, sweep};
+use crate::fit::analyse::timing;
 use crate::fit::block::ATTRIBUTES;
 use crate::fit::plot::{self, Chart, Line};
 use crate::fit::{Dataset, Options};
@@ -40,6 +41,9 @@ pub struct Args {
     /// Width and height of the pictures, px
     #[arg(long, default_value = "384x512", value_parser = options::size, requires = "fits")]
     size: [u32; 2],
+    /// Width and height of the frames that are timed, where there is a GPU, px
+    #[arg(long, default_value = "1024x1024", value_parser = options::size, requires = "fits")]
+    timed: [u32; 2],
     #[arg(long, default_value = "1", requires = "fits")]
     seed: u64,
 }
@@ -105,16 +109,8 @@ fn fits(args: &Args) -> anyhow::Result<String> {
         size: args.size,
     };
     let (tried, pruned) = sweep(&args.dataset, &tries, &|what| tracing::info!("{what}"))?;
-    let mut text = format!(
-        "\nheld-out frames\n{:28}{:>7}{:>7}{:>9}{:>9}{:>10}{:>9}{:>9}\n",
-        "", "parts", "basis", "rows", "MB", "PSNR, dB", "L1", "SSIM"
-    );
-    let mut csv = String::from("what,parts,basis,rows,bytes,psnr_db,l1,ssim\n");
-    for t in &tried {
-        let Tried { what, parts, basis, rows, bytes, psnr_db, l1, ssim } = t;
-        text += &format!("{what:28}{parts:>7}{basis:>7}{rows:>9}{:>9.2}{psnr_db:>10.2}{l1:>9.5}{ssim:>9.4}\n", *bytes as f64 / 1e6);
-        csv += &format!("{},{parts},{basis},{rows},{bytes},{psnr_db:.4},{l1:.6},{ssim:.6}\n", what.replace(',', ""));
-    }
+    let dataset = Dataset::open(&args.dataset)?;
+    let (text, csv) = fits_table(&tried, &times(&tried, &dataset, args.timed));
     print!("{text}");
     replace(&args.out.join("fits.csv"), csv.as_bytes())?;
     let swept = |word: &str, of: &dyn Fn(&Tried) -> f64| {
@@ -132,10 +128,40 @@ fn fits(args: &Args) -> anyhow::Result<String> {
         let chart = Chart { title: "likeness of held-out frames", x, y: "PSNR inside the mask's box, dB", log: false, lines };
         replace(&args.out.join(format!("{name}.svg")), plot::svg(&chart)?.as_bytes())?;
     }
-    let dataset = Dataset::open(&args.dataset)?;
     let picture = kept::picture(&pruned, &dataset.poses[dataset.len() / 2], 25.0, args.size);
     let mut bytes = Cursor::new(Vec::new());
     picture.over(options::color(options::BACKGROUND).unwrap_or_default()).write_to(&mut bytes, image::ImageFormat::Png)?;
     replace(&args.out.join("kept.png"), bytes.get_ref())?;
     Ok(text)
+}
+
+/// What a frame of each takes, ms; none where no device draws it.
+fn times(tried: &[Tried], dataset: &Dataset, size: [u32; 2]) -> Vec<Option<f64>> {
+    let avatars: Vec<&Avatar> = tried.iter().map(|t| &t.avatar).collect();
+    match timing::frame_ms(&avatars, &dataset.poses, size) {
+        Ok((device, times)) => {
+            tracing::info!("frames of {} × {} px timed on {device}", size[0], size[1]);
+            times
+        }
+        Err(error) => {
+            tracing::warn!("no frame was timed: {error}");
+            vec![None; tried.len()]
+        }
+    }
+}
+
+/// The tries as a table for people, and as CSV.
+fn fits_table(tried: &[Tried], times: &[Option<f64>]) -> (String, String) {
+    let mut text = format!(
+        "\nheld-out frames\n{:28}{:>7}{:>7}{:>9}{:>9}{:>10}{:>9}{:>9}{:>10}\n",
+        "", "parts", "basis", "rows", "MB", "PSNR, dB", "L1", "SSIM", "frame, ms"
+    );
+    let mut csv = String::from("what,parts,basis,rows,bytes,psnr_db,l1,ssim,frame_ms\n");
+    for (t, ms) in tried.iter().zip(times) {
+        let Tried { what, parts, basis, rows, bytes, psnr_db, l1, ssim, .. } = t;
+        let [ms, csv_ms] = ["–", ""].map(|none| ms.map_or(none.to_owned(), |ms| format!("{ms:.2}")));
+        text += &format!("{what:28}{parts:>7}{basis:>7}{rows:>9}{:>9.2}{psnr_db:>10.2}{l1:>9.5}{ssim:>9.4}{ms:>10}\n", *bytes as f64 / 1e6);
+        csv += &format!("{},{parts},{basis},{rows},{bytes},{psnr_db:.4},{l1:.6},{ssim:.6},{csv_ms}\n", what.replace(',', ""));
+    }
+    (text, csv)
 }

@@ -78,8 +78,21 @@ enum Command {
     Analyse(analyse::Args),
 }
 
+/// Where nobody reads on, as in `effigy devices | head -3`, there is nothing to report: the program ends as others do.
+fn end_quietly() {
+    let report = std::panic::take_hook();
+    std::panic::set_hook(Box::new(move |panic| {
+        let said = panic.payload().downcast_ref::<String>().map_or("", String::as_str);
+        if said.starts_with("failed printing to stdout: Broken pipe") {
+            std::process::exit(141);
+        }
+        report(panic);
+    }));
+}
+
 /// Runs the program and says how it ended.
 pub fn main() -> ExitCode {
+    end_quietly();
     let cli = Cli::parse();
     let level = ["warn", "info", "debug"][usize::from(cli.verbose).min(2)];
     let filter = tracing_subscriber::EnvFilter::try_from_default_env()

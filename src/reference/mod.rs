@@ -57,13 +57,19 @@ pub fn render(avatar: &Avatar, posed: &Posed, camera: &Camera) -> Picture {
 /// rounded as [`crate::layout::compact`] says, displacements of nodes to f16. What is left between it and a device's picture is that
 /// device's arithmetic.
 pub fn render_stored(avatar: &Avatar, posed: &Posed, camera: &Camera) -> Picture {
+    let (stored, features, mut gaussians) = stored(avatar, posed);
+    harmonics::color(&stored, posed, camera, &features, &mut gaussians);
+    render_gaussians(&gaussians, camera)
+}
+
+/// The model as device memory holds it, its features in a pose, and its Gaussians, whose colours no camera has changed yet.
+pub fn stored(avatar: &Avatar, posed: &Posed) -> (Avatar, Vec<f64>, Vec<Gaussian>) {
     let stored = avatar.compact();
     let features = features::features(&stored, &posed.input);
     let half = |v: f64| f16::from_f64(v).to_f64();
     let nodes: Vec<DVec3> = nodes::nodes(&stored, &features).into_iter().map(|node| DVec3::from(node.to_array().map(half))).collect();
-    let mut gaussians = splats::weighted(&stored, posed, &features, &nodes, |k| stored_node_weights(avatar, k));
-    harmonics::color(&stored, posed, camera, &features, &mut gaussians);
-    render_gaussians(&gaussians, camera)
+    let gaussians = splats::weighted(&stored, posed, &features, &nodes, |k| stored_node_weights(avatar, k));
+    (stored, features, gaussians)
 }
 
 /// The picture of one avatar in several poses, sorted together.

@@ -109,8 +109,8 @@ impl Renderer {
         let keep = options.skip.contains(Skip::SKINNING);
         let splats = Splats::new(gpu, &model, (frame, (&pose).into()), variant, (&options, keep))?;
         let sort_options = SortOptions { counts: Some(splats.counts()), ..SortOptions::new(options.key_bits, variant) };
-        let sort = Sort::new(gpu, splats.keys(), &control, actors * slots_of(constants.gaussians), sort_options)?;
-        let inputs = ([sort.order(), splats.all(), (&control).into()], actors * slots_of(constants.gaussians));
+        let sort = Sort::new(gpu, splats.keys(), &control, splats.capacity(), sort_options)?;
+        let inputs = ([sort.order(), splats.all(), (&control).into()], splats.capacity());
         let raster = Raster::new(gpu, frame, inputs, (&model.occluder, (&pose).into()), &options)?;
         Ok(Self {
             slots: (0..SLOTS).map(|_| Slot::new(gpu)).collect::<Result<_>>()?,

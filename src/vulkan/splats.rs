@@ -23,6 +23,8 @@ use std::sync::Arc;
 
 /// Bytes of what counts the Gaussians left out for each reason (`shaders/left_out.glsl`).
 pub const REASONS: u64 = 16;
+/// There is room for a multiple of so many Gaussians: pipelines are compiled for that number, and avatars of about one size share them.
+const ROOM: u32 = 4096;
 
 pub struct Splats {
     gpu: Arc<Gpu>,
@@ -69,8 +71,9 @@ impl Splats {
         (options, keep): (&RendererOptions, bool),
     ) -> Result<Self> {
         let count = model.constants.gaussians;
-        let areas = Areas::new(options.actors as u32 * slots(count), options.key_bits, variant);
-        let counting = [u32::from(options.count), (areas.reasons / 4) as u32];
+        let capacity = (options.actors as u32 * slots(count)).next_multiple_of(ROOM);
+        let areas = Areas::new(capacity, options.key_bits, variant);
+        let counting = if options.count { [1, (areas.reasons / 4) as u32] } else { [0, 0] };
         let usage = vk::BufferUsageFlags::STORAGE_BUFFER | vk::BufferUsageFlags::TRANSFER_SRC | vk::BufferUsageFlags::TRANSFER_DST;
         let size = areas.posed + if keep { 4 * u64::from(POSED_WORDS) * areas.count } else { 0 };
         let buffer = Buffer::new(gpu, "splats", size, usage, MemoryLocation::GpuOnly)?;
@@ -102,6 +105,11 @@ impl Splats {
         block.key_start = (key_offset(self.areas.count as u32) / 4) as u32;
         block.half_keys = u32::from(self.areas.bits.halves());
         block.count_start = (self.areas.counts[0] / 4) as u32;
+    }
+
+    /// Splats that there is room for.
+    pub fn capacity(&self) -> u32 {
+        self.areas.count as u32
     }
 
     /// Splats, then the keys, then more.

@@ -5,7 +5,7 @@ use super::format::{Document, METADATA_KEY, Order, Tensor};
 use super::{Fault, TensorInfo, clip};
 use safetensors::Dtype;
 use safetensors::tensor::Metadata;
-use std::collections::HashMap;
+use std::{collections::HashMap, ops::Range};
 
 #[cfg(target_endian = "big")]
 compile_error!("the files are little-endian, and so must the host be");
@@ -16,8 +16,11 @@ pub const HEADER_MAX: usize = 256 << 10;
 /// An opened container: its header, and the bytes of all tensors.
 pub struct Container<'a> {
     metadata: Metadata,
+    /// Of a file that is not whole yet, the beginning.
     data: &'a [u8],
-    /// Tensors that were deflated.
+    /// Names of tensors that are zeros, whatever the file has or will have.
+    without: fn(&str) -> bool,
+    /// Tensors that were deflated, and those that are zeros.
     expanded: HashMap<String, Vec<u8>>,
 }
 
@@ -80,19 +83,27 @@ pub fn header(bytes: &[u8]) -> Result<Result<(Metadata, usize), usize>, Fault> {
 
 impl<'a> Container<'a> {
     fn open(bytes: &'a [u8]) -> Result<Self, Fault> {
+        let container = Self::begin(bytes, |_| false)?;
+        let (found, expected) = (container.data.len(), container.metadata.data_len());
+        if expected != found {
+            let complete = if found < expected { "; the file is incomplete" } else { "" };
+            return Err(Fault::container(
+                format!("{found} bytes of tensors"),
+                format!("{expected} as the header says{complete}"),
+            ));
+        }
+        Ok(container)
+    }
+
+    /// The beginning of a file, at least up to the last tensor that `without` does not name.
+    fn begin(bytes: &'a [u8], without: fn(&str) -> bool) -> Result<Self, Fault> {
         let (metadata, start) = header(bytes)?.map_err(|needs| match bytes.len().checked_sub(8) {
             None => Fault::container(format!("a file of {} bytes", bytes.len()), "at least 8"),
             Some(rest) => {
                 Fault::container(format!("a header cut off after {rest} bytes"), format!("{}; the file is incomplete", needs - 8))
             }
         })?;
-        let data = &bytes[start..];
-        if metadata.data_len() != data.len() {
-            let found = format!("{} bytes of tensors", data.len());
-            let complete = if data.len() < metadata.data_len() { "; the file is incomplete" } else { "" };
-            return Err(Fault::container(found, format!("{} as the header says{complete}", metadata.data_len())));
-        }
-        Ok(Self { metadata, data, expanded: HashMap::new() })
+        Ok(Self { metadata, data: &bytes[start..], without, expanded: HashMap::new() })
     }
 
     /// Our document in the header: what it says it is, and its text.
@@ -118,9 +129,13 @@ impl<'a> Container<'a> {
         Ok(document)
     }
 
-    /// What the file has under a name.
+    /// Where the file has what is under a name.
+    fn place(&self, name: &str) -> Range<usize> {
+        self.metadata.info(name).map_or(0..0, |info| info.data_offsets.0..info.data_offsets.1)
+    }
+
     fn stored(&self, name: &str) -> &'a [u8] {
-        self.metadata.info(name).map_or(&[], |info| &self.data[info.data_offsets.0..info.data_offsets.1])
+        self.data.get(self.place(name)).unwrap_or_default()
     }
 
     fn bytes(&self, name: &str) -> &[u8] {
@@ -138,8 +153,10 @@ impl<'a> Container<'a> {
         all.iter().try_for_each(|called| self.check_shape(called))?;
         self.check_expansion(&all)?;
         for called in &all {
-            if let Some(order) = called.order {
-                let length = called.bytes().unwrap_or_default();
+            let length = called.bytes().unwrap_or_default();
+            if (self.without)(&called.name) {
+                self.expanded.insert(called.name.clone(), vec![0; length]);
+            } else if let Some(order) = called.order {
                 let bytes = deflate::unpack(self.stored(&called.name), length, called.kind(), order)
                     .map_err(|found| called.fault(found, format!("{} of shape {:?}, {length} bytes", called.row.dtype, called.shape)))?;
                 self.expanded.insert(called.name.clone(), bytes);
@@ -152,7 +169,7 @@ impl<'a> Container<'a> {
 
     fn check_shape<D: Document>(&self, called: &Called<D>) -> Result<(), Fault> {
         let (dtype, shape) = match called.order {
-            Some(_) => (Dtype::U8, vec![self.stored(&called.name).len()]),
+            Some(_) => (Dtype::U8, vec![self.place(&called.name).len()]),
             None => (called.row.dtype, called.shape.clone()),
         };
         let info = self.metadata.info(&called.name);
@@ -163,6 +180,10 @@ impl<'a> Container<'a> {
         if info.shape != shape {
             return Err(called.fault(format!("shape {}", clip(&format!("{:?}", info.shape))), format!("{shape:?}")));
         }
+        let end = self.place(&called.name).end;
+        if end > self.data.len() && !(self.without)(&called.name) {
+            return Err(called.fault(format!("{} bytes of tensors", self.data.len()), format!("{end} at least")));
+        }
         Ok(())
     }
 
@@ -170,7 +191,7 @@ impl<'a> Container<'a> {
     fn check_expansion<D: Document>(&self, all: &[Called<D>]) -> Result<(), Fault> {
         let expanded = || all.iter().filter(|called| called.order.is_some());
         let length = expanded().try_fold(0usize, |sum, called| sum.checked_add(called.bytes()?)).unwrap_or(usize::MAX);
-        let most = EXPANSION.saturating_mul(self.data.len()).saturating_add(EXPANSION_FREE);
+        let most = EXPANSION.saturating_mul(self.metadata.data_len()).saturating_add(EXPANSION_FREE);
         match expanded().max_by_key(|called| called.bytes()) {
             Some(largest) if length > most => {
                 Err(largest.fault(format!("the largest of deflated tensors of {length} bytes"), format!("{most} bytes at most in all")))
@@ -205,7 +226,15 @@ pub fn is_of<D: Document>(bytes: &[u8]) -> Result<bool, Fault> {
 
 /// The model in a file's bytes.
 pub fn decode<D: Document>(bytes: &[u8]) -> Result<D::Model, Fault> {
-    let mut container = Container::open(bytes)?;
+    build::<D>(Container::open(bytes)?)
+}
+
+/// The same of a file's beginning, which holds at least the tensors that `without` does not name: those that it names are zeros.
+pub fn decode_without<D: Document>(bytes: &[u8], without: fn(&str) -> bool) -> Result<D::Model, Fault> {
+    build::<D>(Container::begin(bytes, without)?)
+}
+
+fn build<D: Document>(mut container: Container) -> Result<D::Model, Fault> {
     let document: D = container.document()?;
     container.check(&document)?;
     Ok(document.build(&container))

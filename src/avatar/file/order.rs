@@ -3,10 +3,7 @@
 
 use super::{Fault, container, format::AvatarHeader};
 use crate::avatar::Avatar;
-use safetensors::{
-    Dtype,
-    tensor::{Metadata, TensorInfo, TensorView},
-};
+use safetensors::tensor::{Metadata, TensorInfo, TensorView};
 use std::collections::HashMap;
 
 /// What the beginning of a file is enough for.
@@ -17,14 +14,9 @@ pub enum Neutral {
     Avatar(Box<Avatar>),
 }
 
-/// The Gaussians that keep a corrective.
-fn is_rows(name: &str) -> bool {
-    matches!(name, "rotation.row" | "scale.row" | "color.row")
-}
-
 /// Whether a tensor only says how an avatar departs from its neutral look.
 fn is_corrective(name: &str) -> bool {
-    is_rows(name) || name.starts_with("mlp.") || matches!(name, "rotation.basis" | "scale.basis" | "color.basis" | "node.basis")
+    name.starts_with("mlp.") || name.ends_with(".basis") || name.ends_with(".step")
 }
 
 /// A safetensors file whose tensors are in that order; else larger numbers come first, as they do with the library's own writer.
@@ -48,12 +40,10 @@ pub fn serialize(mut views: Vec<(String, TensorView)>, text: HashMap<String, Str
     Ok(bytes)
 }
 
-/// Where the last tensor ends that is no corrective; of a packed file, whose zeros mean something else, the last of all.
+/// Where the last tensor ends that is no corrective.
 fn neutral_end(metadata: &Metadata, start: usize) -> usize {
     let tensors = metadata.tensors();
-    let plain = tensors.iter().all(|(name, info)| !is_rows(name) || info.dtype == Dtype::U32)
-        && tensors.iter().all(|(name, info)| !is_corrective(name) || is_rows(name) || info.dtype == Dtype::F16);
-    let ends = tensors.iter().filter(|(name, _)| !(plain && is_corrective(name))).map(|(_, info)| info.data_offsets.1);
+    let ends = tensors.iter().filter(|(name, _)| !is_corrective(name)).map(|(_, info)| info.data_offsets.1);
     start.saturating_add(ends.max().unwrap_or(0))
 }
 
@@ -76,13 +66,5 @@ pub fn neutral(bytes: &[u8], length: usize) -> Result<Neutral, Fault> {
     if bytes.len() < end {
         return Ok(Neutral::Needs(end));
     }
-    let mut whole = bytes[..end].to_vec();
-    whole.resize(length, 0);
-    let tensors = metadata.tensors();
-    for (_, info) in tensors.iter().filter(|(name, info)| is_rows(name) && start + info.data_offsets.0 >= end) {
-        // Which Gaussians those are is not known yet; of rows of zeros all are as good.
-        let rows = whole[start + info.data_offsets.0..start + info.data_offsets.1].chunks_exact_mut(4);
-        rows.zip(0u32..).for_each(|(row, gaussian)| row.copy_from_slice(&gaussian.to_le_bytes()));
-    }
-    container::decode::<AvatarHeader>(&whole).map(|avatar| Neutral::Avatar(Box::new(avatar)))
+    container::decode_without::<AvatarHeader>(bytes, is_corrective).map(|avatar| Neutral::Avatar(Box::new(avatar)))
 }

@@ -38,6 +38,9 @@ pub struct Tried {
     pub psnr_db: f64,
     pub l1: f64,
     pub ssim: f64,
+    /// The avatar as it was drawn.
+    #[serde(skip)]
+    pub avatar: Avatar,
 }
 
 /// Judges an avatar on held-out frames of the clips that it was fitted to.
@@ -63,6 +66,7 @@ fn judge(dataset: &Dataset, avatar: &Avatar, tries: &Tries, way: Way, what: Stri
         psnr_db: mean(&|s| s.psnr_db),
         l1: mean(&|s| s.l1),
         ssim: mean(&|s| s.ssim),
+        avatar: drawn,
     }
 }
 
