@@ -13,8 +13,8 @@ use std::num::NonZero;
 const OPAQUE: u8 = 128;
 /// Neighbouring Gaussians whose optical depth is compared with the surface that they lie on.
 const CROWD: usize = 12;
-/// Optical depth of a shell that hides what is behind it: 3 % shows.
-const HIDES: f64 = 3.5;
+/// Optical depth of a shell that hides what is behind it: 1 % shows.
+const HIDES: f64 = 4.6;
 /// Which share of the shell may be thinner.
 const THIN: f64 = 0.1;
 /// A voxel's side, in median distances between neighbouring Gaussians: as small as leaves no hole in the shell.

@@ -25,7 +25,9 @@ use std::{
 };
 
 /// How long any wait for the device may take before it counts as hung.
-pub const PATIENCE: Duration = Duration::from_secs(30);
+const PATIENCE: Duration = Duration::from_secs(30);
+/// The same where a processor plays the device: it compiles while it is waited for, and others may keep it busy.
+const PATIENCE_CPU: Duration = Duration::from_secs(120);
 
 /// What a program wants of the device it is given.
 #[derive(Clone, Debug, Default)]
@@ -160,11 +162,12 @@ impl Gpu {
 
     /// Waits for a fence, but not for ever.
     pub fn wait(&self, fence: vk::Fence, what: &'static str) -> Result<()> {
+        let patience = if self.probe.is_cpu() { PATIENCE_CPU } else { PATIENCE };
         // SAFETY: the fence is alive and of this device.
-        match unsafe { self.raw.wait_for_fences(&[fence], true, PATIENCE.as_nanos() as u64) } {
+        match unsafe { self.raw.wait_for_fences(&[fence], true, patience.as_nanos() as u64) } {
             Err(vk::Result::TIMEOUT) => {
                 self.hangs.store(true, Ordering::Relaxed);
-                Err(Error::Timeout { what, seconds: PATIENCE.as_secs() })
+                Err(Error::Timeout { what, seconds: patience.as_secs() })
             }
             result => result.during("vkWaitForFences"),
         }

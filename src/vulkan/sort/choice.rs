@@ -51,8 +51,12 @@ pub fn choose_in(gpu: &Arc<Gpu>, folder: Option<&Path>) -> Result<Verdict> {
             None => test(gpu, variant),
         };
         let outcome = outcome.inspect_err(|error| {
-            // Memory may be there next time; a device that the test brought down is not asked again.
-            let fault = !matches!(error, Error::OutOfMemory { .. });
+            // Memory may be there next time, and a processor less busy; a device that the test brought down is not asked again.
+            let fault = match error {
+                Error::OutOfMemory { .. } => false,
+                Error::Timeout { .. } => !gpu.probe.is_cpu(),
+                _ => true,
+            };
             tried.extend(fault.then(|| (variant, Outcome::Refused(error.to_string()))));
             record.write(&tried);
         })?;
