@@ -87,10 +87,7 @@ impl<'a> Container<'a> {
         let (found, expected) = (container.data.len(), container.metadata.data_len());
         if expected != found {
             let complete = if found < expected { "; the file is incomplete" } else { "" };
-            return Err(Fault::container(
-                format!("{found} bytes of tensors"),
-                format!("{expected} as the header says{complete}"),
-            ));
+            return Err(Fault::container(format!("{found} bytes of tensors"), format!("{expected} as the header says{complete}")));
         }
         Ok(container)
     }
