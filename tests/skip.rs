@@ -82,7 +82,7 @@ fn a_frame_that_needs_nothing_is_not_submitted() {
 /// Gaussians behind the solid body are left out before the sort, within the picture's budget.
 #[test]
 fn hidden_gaussians_are_left_out_within_the_budget() {
-    let Some(device) = gpu::gpu() else { return };
+    let Some(device) = gpu::drawing() else { return };
     let avatar = demo::avatar().unwrap();
     let player = Player::new(demo::clip().unwrap(), &avatar.skeleton);
     let size = [480, 760];
@@ -107,7 +107,7 @@ fn hidden_gaussians_are_left_out_within_the_budget() {
 /// With hulls, fragments behind the solid body fail the depth test, within the budget of the presets that have it switched on.
 #[test]
 fn hidden_fragments_are_left_out_within_the_budget() {
-    let Some(device) = gpu::gpu() else { return };
+    let Some(device) = gpu::drawing() else { return };
     let avatar = demo::avatar().unwrap();
     let posed = &demo_poses(&[1.0])[0];
     let bounds = effigy::frame::Extent::new(&avatar).bounds(&posed.joints);
@@ -238,7 +238,7 @@ fn only_a_box_around_the_avatar_is_drawn() {
     let bounds = effigy::frame::Extent::new(&avatar).bounds(&posed.joints);
     // Metres to the left, and of the framing distance how much.
     let views = [(0.0, 3.0), (0.9, 3.0), (-0.9, 3.0), (0.0, 0.8), (0.1, 6.0), (90.0, 3.0), (0.2, 4.0)];
-    for method in [Method::Hulls, Method::Tiles] {
+    for method in gpu::methods(&device.probe.name) {
         let draw = |skip: Skip| {
             let options = RendererOptions { skip, method: Some(method), ..RendererOptions::new(whole) };
             let mut renderer = Renderer::new(&device, &avatar, options).unwrap();

@@ -39,7 +39,7 @@ fn report(folder: &Path, name: &str) -> Report {
 
 #[test]
 fn a_short_soak_writes_all_its_files_and_they_compare() {
-    if gpu::gpu().is_none() {
+    if gpu::drawing().is_none() {
         return;
     }
     let folder = tempfile::tempdir().unwrap();
@@ -87,7 +87,7 @@ fn soak_until(folder: &Path, arguments: &str, word: &str) -> (bool, String) {
 #[test]
 #[cfg(unix)]
 fn a_rate_out_of_reach_is_told() {
-    if gpu::gpu().is_none() {
+    if gpu::drawing().is_none() {
         return;
     }
     let folder = tempfile::tempdir().unwrap();
@@ -106,7 +106,7 @@ fn a_rate_out_of_reach_is_told() {
 /// that is heat and how much other work of this machine is not told here: `tests/governor.rs` has the same without a device.
 #[test]
 fn simulated_heat_slows_frames_and_the_governor_gives_way() {
-    if gpu::gpu().is_none() {
+    if gpu::drawing().is_none() {
         return;
     }
     let folder = tempfile::tempdir().unwrap();
@@ -133,7 +133,7 @@ fn simulated_heat_slows_frames_and_the_governor_gives_way() {
 #[test]
 #[cfg(unix)]
 fn an_interrupted_soak_keeps_its_results() {
-    if gpu::gpu().is_none() {
+    if gpu::drawing().is_none() {
         return;
     }
     let folder = tempfile::tempdir().unwrap();

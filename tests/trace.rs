@@ -101,7 +101,7 @@ fn a_benchmarks_trace_has_every_frame_on_both_tracks() {
 
 #[test]
 fn a_soaks_trace_has_frames_and_the_governors_steps() {
-    if gpu::gpu().is_none() {
+    if gpu::drawing().is_none() {
         return;
     }
     let folder = tempfile::tempdir().unwrap();

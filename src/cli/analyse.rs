@@ -2,7 +2,7 @@
 
 use super::bake::count;
 use super::{fit::check_clips, options};
-use crate::avatar::{Avatar, file::replace};
+use crate::avatar::{Avatar, file::replace, motion::Player};
 use crate::fit::analyse::components::{Outcome, SETTINGS, outcomes};
 use crate::fit::analyse::kept;
 use crate::fit::analyse::sweep::{Tried, Tries, sweep};
@@ -108,7 +108,7 @@ fn fits(args: &Args) -> anyhow::Result<String> {
         yaws: vec![25.0, 205.0],
         size: args.size,
     };
-    let (tried, pruned) = sweep(&args.dataset, &tries, &|what| tracing::info!("{what}"))?;
+    let (tried, shown) = sweep(&args.dataset, &tries, &|what| tracing::info!("{what}"))?;
     let dataset = Dataset::open(&args.dataset)?;
     let (text, csv) = fits_table(&tried, &times(&tried, &dataset, args.timed));
     print!("{text}");
@@ -128,7 +128,7 @@ fn fits(args: &Args) -> anyhow::Result<String> {
         let chart = Chart { title: "likeness of held-out frames", x, y: "PSNR inside the mask's box, dB", log: false, lines };
         replace(&args.out.join(format!("{name}.svg")), plot::svg(&chart)?.as_bytes())?;
     }
-    let picture = kept::picture(&pruned, &dataset.poses[dataset.len() / 2], 25.0, args.size);
+    let picture = kept::picture(&tried[shown].avatar, &dataset.poses[dataset.len() / 2], 25.0, args.size);
     let mut bytes = Cursor::new(Vec::new());
     picture.over(options::color(options::BACKGROUND).unwrap_or_default()).write_to(&mut bytes, image::ImageFormat::Png)?;
     replace(&args.out.join("kept.png"), bytes.get_ref())?;
@@ -138,7 +138,8 @@ fn fits(args: &Args) -> anyhow::Result<String> {
 /// What a frame of each takes, ms; none where no device draws it.
 fn times(tried: &[Tried], dataset: &Dataset, size: [u32; 2]) -> Vec<Option<f64>> {
     let avatars: Vec<&Avatar> = tried.iter().map(|t| &t.avatar).collect();
-    match timing::frame_ms(&avatars, &dataset.poses, size) {
+    let player = Player::new(dataset.clip.clone(), &dataset.avatar.skeleton);
+    match timing::frame_ms(&avatars, &player, size) {
         Ok((device, times)) => {
             tracing::info!("frames of {} × {} px timed on {device}", size[0], size[1]);
             times

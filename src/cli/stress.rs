@@ -41,7 +41,7 @@ pub struct Args {
 pub fn run(args: Args) -> anyhow::Result<()> {
     let gpu = Gpu::new(&GpuOptions::headless(args.device.clone()))?;
     if let Some(number) = args.case {
-        let case = Case::new(args.seed, number, args.large);
+        let case = Case::new(args.seed, number, args.large).on(&gpu.probe);
         println!("{}", describe(&case));
         let outcome = stress::try_case(&gpu, &case);
         print_outcome(&outcome);

@@ -94,11 +94,19 @@ impl Method {
     }
 
     /// What is faster on a kind of device, as far as it was measured (NOTES.md): processors gain from every fragment that is left out.
-    /// `driver`: its name and build as it tells them. Some play the tiles' kernels wrongly.
-    pub fn suited(is_cpu: bool, driver: &str) -> Self {
-        if is_cpu && !leaves_loops(driver) { Self::Tiles } else { Self::Hulls }
+    /// `device`: its name, see [`draws_triangles`]. `driver`: its name and build as it tells them. Some play the tiles' kernels wrongly.
+    pub fn suited(is_cpu: bool, device: &str, driver: &str) -> Self {
+        if (is_cpu && !leaves_loops(driver)) || !draws_triangles(device) { Self::Tiles } else { Self::Hulls }
     }
 }
+
+/// Whether a device draws triangles, by its name. llvmpipe at 512 bits ends the program that does: any program, with Mesa 22.3 and 25.0.
+pub fn draws_triangles(device: &str) -> bool {
+    !(device.starts_with("llvmpipe") && device.contains(" 512 bits"))
+}
+
+/// What a device lacks, and what to do, where [`draws_triangles`] is false.
+pub(crate) const NO_TRIANGLES: &str = "its driver crashes when it draws triangles with vectors of 512 bits: set LP_NATIVE_VECTOR_WIDTH=256, or use `--raster tiles` and no window";
 
 /// Whether a driver leaves an invocation's loops after 65,535 rounds of all of them together, as llvmpipe did. Seen with Mesa 22.3, not with
 /// 25.0; between them it was not tried.
@@ -149,8 +157,9 @@ mod tests {
             ("llvmpipe", Method::Hulls),
             ("SwiftShader driver", Method::Tiles),
         ] {
-            assert_eq!(Method::suited(true, driver), method, "{driver}");
+            assert_eq!(Method::suited(true, "llvmpipe (LLVM 15.0.6, 256 bits)", driver), method, "{driver}");
         }
-        assert_eq!(Method::suited(false, "NVIDIA 570.1"), Method::Hulls);
+        assert_eq!(Method::suited(false, "NVIDIA H200", "NVIDIA 570.1"), Method::Hulls);
+        assert_eq!(Method::suited(true, "llvmpipe (LLVM 15.0.6, 512 bits)", "llvmpipe Mesa 22.3.6 (LLVM 15.0.6)"), Method::Tiles);
     }
 }

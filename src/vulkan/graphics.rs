@@ -3,11 +3,12 @@
 
 use super::{
     device::Gpu,
-    error::{During, Result},
+    error::{During, Error, Result},
     memory::DEPTH_FORMAT,
     module::{ShaderModule, specialization_entries},
     shaders::Module,
 };
+use crate::frame::options::NO_TRIANGLES;
 use ash::vk;
 use bytemuck::cast_slice;
 
@@ -97,7 +98,13 @@ pub(super) struct Drawing<'a> {
 }
 
 /// Triangles, no vertex buffers, viewport and scissor set while recording.
+///
+/// # Errors
+/// When the device fails, or its driver would not survive drawing.
 pub(super) fn pipeline(gpu: &Gpu, drawing: Drawing) -> Result<vk::Pipeline> {
+    if !gpu.probe.draws_triangles() {
+        return Err(Error::Lacks { device: gpu.probe.name.clone(), lacks: NO_TRIANGLES.into() });
+    }
     let vertex = ShaderModule::new(gpu, drawing.vertex)?;
     let fragment = drawing.fragment.map(|module| ShaderModule::new(gpu, module)).transpose()?;
     let entries = specialization_entries(drawing.constants);

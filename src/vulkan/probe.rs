@@ -5,7 +5,7 @@ use super::{
     error::{During, Result},
     instance::Instance,
 };
-use crate::layout::SORT_SIZE;
+use crate::{frame::options, layout::SORT_SIZE};
 use ash::{ext, khr, vk};
 
 /// A physical device, looked at.
@@ -49,6 +49,11 @@ impl Probe {
     /// Whether a processor plays the device.
     pub fn is_cpu(&self) -> bool {
         self.kind == vk::PhysicalDeviceType::CPU
+    }
+
+    /// Whether the driver survives drawing triangles.
+    pub fn draws_triangles(&self) -> bool {
+        options::draws_triangles(&self.name)
     }
 
     /// Looks at every device of an instance.
@@ -191,6 +196,7 @@ impl Probe {
             ("16-bit storage", self.half_storage, choose(self.half_storage, "f16 storage buffers", "f16 unpacked from words, same bytes")),
             ("timestamps", timestamps, choose(timestamps, "times of each stage", "times of whole frames only")),
             ("subgroup ballots", self.subgroup_ballot, self.subgroups()),
+            ("triangles", self.draws_triangles(), choose(self.draws_triangles(), "hulls, windows, depth surfaces", options::NO_TRIANGLES)),
             ("swapchain", self.has(khr::swapchain::NAME), choose(self.has(khr::swapchain::NAME), "windows", "pictures only")),
             (
                 "shader statistics",

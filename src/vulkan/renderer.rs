@@ -52,7 +52,8 @@ pub struct Presentation<'a> {
 pub struct Renderer {
     // Slots come first: dropping them waits for the frames that use all else.
     slots: Vec<Slot>,
-    surface: Surface,
+    /// None where nothing is left out behind it.
+    surface: Option<Surface>,
     features: Features,
     harmonics: Option<Harmonics>,
     splats: Splats,
@@ -114,7 +115,7 @@ impl Renderer {
         let raster = Raster::new(gpu, frame, inputs, (&model.occluder, (&pose).into()), &options)?;
         Ok(Self {
             slots: (0..SLOTS).map(|_| Slot::new(gpu)).collect::<Result<_>>()?,
-            surface: Surface::new(gpu, frame, &model.occluder, (&pose).into())?,
+            surface: surfaces.then(|| Surface::new(gpu, frame, &model.occluder, (&pose).into())).transpose()?,
             features: Features::new(gpu, &model, frame, (&pose).into())?,
             harmonics: Harmonics::new(gpu, avatar, &model, frame)?,
             splats,
@@ -187,7 +188,7 @@ impl Renderer {
         // Should anything below fail, nothing of this frame counts as drawn.
         let mut scene = std::mem::take(&mut self.scene);
         let (entering, filled) = (self.entering.take(), self.filled.take());
-        let surface = self.model.occluder.index_count > 0 && self.options.skip.intersects(Skip::HIDDEN | Skip::DEPTH);
+        let surface = self.model.occluder.index_count > 0 && self.surface.is_some();
         let staged = scene.next(poses, camera, (&self.extent, &self.needs, &self.options), (surface, presentation.is_some()));
         if !staged.view && presentation.is_none() {
             (self.scene, self.entering, self.filled) = (scene, entering, filled);
@@ -222,7 +223,7 @@ impl Renderer {
         let Self { slots, options, features, harmonics, surface, splats, sort, raster, control, gpu, model, .. } = self;
         let slot = &mut slots[slot];
         let commands = slot.commands;
-        let hides = staged.place.filter(|_| options.skip.contains(Skip::HIDDEN));
+        let hides = surface.as_ref().zip(staged.place).filter(|_| options.skip.contains(Skip::HIDDEN));
         let touched = Touched::new(staged.area, filled, raster.drawn());
         let stages = (harmonics.is_some(), hides.is_some(), sort.dispatches(true));
         let counters = staged.counters(model.constants.gaussians, stages, raster.dispatches());
@@ -257,7 +258,7 @@ impl Renderer {
                 slot.stage("harmonics", |commands| harmonics.record(commands, first));
                 barrier(gpu, commands, WRITTEN, SHARED);
             }
-            if let Some(place) = hides {
+            if let Some((surface, place)) = hides {
                 slot.stage("surface", |commands| surface.record(commands, &views, &place));
                 barrier(gpu, commands, WRITTEN, SHARED);
             }

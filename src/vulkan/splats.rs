@@ -102,7 +102,7 @@ impl Splats {
 
     /// Says in a frame's block where things are that are all avatars'.
     pub fn fill(&self, block: &mut Frame) {
-        block.key_start = (key_offset(self.areas.count as u32) / 4) as u32;
+        block.key_start = (key_offset(self.capacity()) / 4) as u32;
         block.half_keys = u32::from(self.areas.bits.halves());
         block.count_start = (self.areas.counts[0] / 4) as u32;
     }

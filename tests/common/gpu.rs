@@ -3,7 +3,7 @@
 use super::{Sizes, avatar, pose};
 use effigy::{
     avatar::Avatar,
-    frame::{Camera, Extent, Posed},
+    frame::{Camera, Extent, Method, Posed, options::draws_triangles},
     reference,
     vulkan::{Gpu, GpuOptions, Renderer, RendererOptions, commands::FrameReport, instance::validation_messages, renderer::Stages},
 };
@@ -13,6 +13,25 @@ use std::sync::Arc;
 /// `EFFIGY_REQUIRE_GPU` is set, as CI does.
 pub fn gpu() -> Option<Arc<Gpu>> {
     open(GpuOptions::headless(None))
+}
+
+/// The same where that device draws triangles, and their tests are for it.
+pub fn drawing() -> Option<Arc<Gpu>> {
+    gpu().filter(|gpu| {
+        if !gpu.probe.draws_triangles() {
+            println!("skipped: {} does not survive drawing triangles", gpu.probe.name);
+        }
+        gpu.probe.draws_triangles()
+    })
+}
+
+/// The ways to draw that are for a device.
+pub fn methods(device: &str) -> Vec<Method> {
+    if draws_triangles(device) {
+        return Method::ALL.to_vec();
+    }
+    println!("skipped in part: {device} does not survive drawing triangles");
+    vec![Method::Tiles]
 }
 
 pub fn open(options: GpuOptions) -> Option<Arc<Gpu>> {

@@ -87,7 +87,7 @@ fn files(folder: &Path) {
 impl Session {
     /// Starts `effigy view` with these arguments, and waits for its first frame. None, with a printed reason, where something is missing.
     pub fn start(arguments: &[&str]) -> Option<Self> {
-        drop(common::gpu::gpu()?);
+        drop(common::gpu::drawing()?);
         let (xvfb, display) = xvfb()?;
         let folder = tempfile::tempdir().unwrap();
         files(folder.path());

@@ -70,11 +70,11 @@ fn judge(dataset: &Dataset, avatar: &Avatar, tries: &Tries, way: Way, what: Stri
     }
 }
 
-/// All tries, each told to `hear` when it begins.
+/// All tries, each told to `hear` when it begins; and which of them shows what is kept: a tenth of the rows, or all where that is not tried.
 ///
 /// # Errors
 /// When the dataset cannot be read again.
-pub fn sweep(folder: &Path, tries: &Tries, hear: &(dyn Fn(&str) + Sync)) -> Result<(Vec<Tried>, Avatar), Error> {
+pub fn sweep(folder: &Path, tries: &Tries, hear: &(dyn Fn(&str) + Sync)) -> Result<(Vec<Tried>, usize), Error> {
     let dataset = Dataset::open(folder)?;
     let mut tried = Vec::new();
     let whole = Options { budget: None, ..tries.options.clone() };
@@ -86,14 +86,16 @@ pub fn sweep(folder: &Path, tries: &Tries, hear: &(dyn Fn(&str) + Sync)) -> Resu
     tried.push(judge(&dataset, &local, tries, Way::Neutral, "no correctives".into()));
     tried.push(judge(&dataset, &local, tries, Way::Learned, format!("local {}, unpruned", whole.basis)));
     let count = dataset.avatar.gaussians.len();
-    let mut tenth = None;
+    let mut shown = tried.len() - 1;
     for &share in &tries.rows {
         let rows = (share * count as f64).round() as usize;
         hear(&format!("{rows} rows"));
         let options = Options { budget: Some(Budget::Rows(rows)), ..tries.options.clone() };
         let pruned = prune(&dataset, &local, &options, &|_, _| ())?.avatar;
+        if share == 0.1 {
+            shown = tried.len();
+        }
         tried.push(judge(&dataset, &pruned, tries, Way::Learned, format!("local {}, {:.0} % of rows", whole.basis, 100.0 * share)));
-        tenth = tenth.or((share == 0.1).then_some(pruned));
     }
     for basis in [16, 64] {
         let dataset = regroup(Dataset::open(folder)?, 1);
@@ -105,5 +107,5 @@ pub fn sweep(folder: &Path, tries: &Tries, hear: &(dyn Fn(&str) + Sync)) -> Resu
         let avatar = fitted(&dataset, &whole, &format!("{parts} parts"))?.avatar;
         tried.push(judge(&dataset, &avatar, tries, Way::Learned, format!("{parts} parts, unpruned")));
     }
-    Ok((tried, tenth.unwrap_or(local)))
+    Ok((tried, shown))
 }

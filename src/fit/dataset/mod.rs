@@ -109,6 +109,8 @@ pub struct Dataset {
     pub header: Header,
     /// What stands at its head; with another order of Gaussians after [`Dataset::regrouped`].
     pub avatar: Avatar,
+    /// The poses as the file has them.
+    pub clip: Clip,
     /// Of each frame, in the skeleton's order of joints.
     pub poses: Vec<Pose>,
     frames: Vec<Mapped>,
@@ -144,7 +146,7 @@ impl Dataset {
             Pose { rotation: map.iter().map(|joint| joint.map_or(DVec3::ZERO, |joint| pose.rotation[joint])).collect(), ..pose }
         };
         let poses = (0..clip.frames()).map(pose).collect();
-        Ok(Self { header, avatar, poses, frames, order: None })
+        Ok(Self { header, avatar, clip, poses, frames, order: None })
     }
 
     /// F.

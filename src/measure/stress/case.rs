@@ -1,5 +1,5 @@
 //! A stress case: a seed and a number go in, an avatar, a pose, a camera and options come out. Nothing else decides about it, so a
-//! number replays it anywhere.
+//! number replays it anywhere, but for devices that draw no triangles.
 
 use super::{
     body::{self, Sizes, below, vector},
@@ -13,6 +13,7 @@ use crate::{
     reference::{self, Culled, splats::Gaussian},
     vulkan::{
         RendererOptions,
+        probe::Probe,
         raster::{ColorFormat, Method},
         sort::KeyBits,
     },
@@ -135,6 +136,14 @@ impl Case {
             Self { number, family, note: draft.note, avatar: draft.avatar, pose: draft.pose, placed: draft.placed, posed, camera, options };
         case.settle();
         case
+    }
+
+    /// As a device can draw it: by tiles where it does not survive drawing triangles.
+    pub fn on(mut self, probe: &Probe) -> Self {
+        if !probe.draws_triangles() {
+            self.options.method = Some(Method::Tiles);
+        }
+        self
     }
 
     /// Moves the near plane and the picture by a hair until no Gaussian's centre is so close to where it would be culled that f32 can't

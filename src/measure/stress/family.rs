@@ -9,6 +9,9 @@ use crate::{
 };
 use serde::Serialize;
 
+/// So many times its own size away, an avatar's depths have too few steps in f32 to keep any order among Gaussians that overlap.
+const FAR: f64 = 2000.0;
+
 /// What a case is hard on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
 #[serde(rename_all = "kebab-case")]
@@ -164,9 +167,6 @@ impl Family {
         Bound { psnr_db, max_error, ..exact }
     }
 }
-
-/// So many times its own size away, an avatar's depths have too few steps in f32 to keep any order among Gaussians that overlap.
-const FAR: f64 = 2000.0;
 
 /// How many times its own size the avatar is away from the camera.
 fn times_away(case: &Case) -> f64 {

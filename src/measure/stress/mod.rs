@@ -111,7 +111,7 @@ pub fn run(gpu: &Arc<Gpu>, settings: &Settings, progress: &mut dyn FnMut(usize, 
     };
     let (total, mut digest) = ((settings.cases.end - settings.cases.start) as usize, 0);
     for number in settings.cases.clone() {
-        let case = Case::new(settings.seed, number, settings.large);
+        let case = Case::new(settings.seed, number, settings.large).on(&gpu.probe);
         let outcome = try_case(gpu, &case);
         digest = crate::bake::math::hash(digest ^ outcome.digest);
         report.add(&case, &outcome);

@@ -57,7 +57,7 @@ impl Raster {
         Ok(match options.method_on(gpu) {
             Method::Hulls => Self::Hulls(Hulls::new(gpu, frame, inputs, surface, options)?),
             Method::Tiles => {
-                if gpu.probe.is_cpu() && Method::suited(true, &gpu.probe.driver) == Method::Hulls {
+                if gpu.probe.is_cpu() && Method::suited(true, "", &gpu.probe.driver) == Method::Hulls {
                     tracing::warn!("{} leaves long loops early: tiles may lose parts of large scenes; hulls don't", gpu.probe.driver);
                 }
                 Self::Tiles(tiles::Tiles::new(gpu, frame, (inputs, capacity), options)?)

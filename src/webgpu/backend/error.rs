@@ -12,6 +12,8 @@ pub enum Error {
     TooLarge { what: &'static str, found: u64, limit: u64, device: String },
     #[error("a picture of {found} px is outside what {device} draws: 1 to {limit} px a side")]
     PictureSize { found: String, limit: u32, device: String },
+    #[error("{device} can't serve: {lacks}")]
+    Lacks { device: String, lacks: &'static str },
     #[error("the WebGPU backend sorts keys of 16 bits, not of {0}: leave out --keys, or use the Vulkan backend")]
     KeyBits(u32),
     #[error("the WebGPU backend has no OneSweep, which needs subgroups: leave out --sort, or use the Vulkan backend")]

@@ -8,15 +8,16 @@ use super::{
 };
 use crate::{
     avatar::Avatar,
-    frame::{KeyBits, Method, RendererOptions, Skip, Variant},
+    frame::{KeyBits, Method, RendererOptions, Skip, Variant, options::draws_triangles},
 };
 
 /// The options with what suits a device, and this backend, in place of what was left open.
 pub fn settled(gpu: &Gpu, options: RendererOptions) -> RendererOptions {
-    let method = options.method.unwrap_or_else(|| Method::suited(gpu.is_cpu(), &gpu.driver()));
+    let method = options.method.unwrap_or_else(|| Method::suited(gpu.is_cpu(), gpu.name(), &gpu.driver()));
     // Here fragments are not tested against the depth surface, and a pass that draws draws all of the picture.
     let whole = if method == Method::Hulls { Skip::AREA } else { Skip::empty() };
-    let skip = options.skip - Skip::DEPTH - whole;
+    let hidden = if draws_triangles(gpu.name()) { Skip::empty() } else { Skip::HIDDEN };
+    let skip = options.skip - Skip::DEPTH - whole - hidden;
     let sort = options.sort.unwrap_or(if gpu.is_cpu() { Variant::LaneScan } else { Variant::SelfScan });
     RendererOptions { method: Some(method), color: Some(options.color.unwrap_or(method.color())), sort: Some(sort), skip, ..options }
 }

@@ -25,7 +25,7 @@ impl Present {
         let bound = bound(picture, &background);
         let bindings = Bindings::new(gpu, ShaderStages::FRAGMENT, &bound);
         let target = wgpu::ColorTargetState { format, blend: None, write_mask: wgpu::ColorWrites::ALL };
-        let pipeline = draw_pipeline(gpu, "present", (&bindings, &bound), [&shaders::PRESENT_VERTEX, &shaders::PRESENT_FRAGMENT], target);
+        let pipeline = draw_pipeline(gpu, "present", (&bindings, &bound), [&shaders::PRESENT_VERTEX, &shaders::PRESENT_FRAGMENT], target)?;
         Ok(Self { background, bindings, pipeline })
     }
 

@@ -9,7 +9,10 @@ use super::{
     slot::Slot,
 };
 use crate::{
-    frame::{ColorFormat, Method, RendererOptions, Skip, Touched},
+    frame::{
+        ColorFormat, Method, RendererOptions, Skip, Touched,
+        options::{NO_TRIANGLES, draws_triangles},
+    },
     layout::{BINS_BLOCKS, BINS_SIZE, RASTER_QUADS, Settings, bins},
     webgpu::shaders,
 };
@@ -180,19 +183,25 @@ fn hulls(gpu: &Gpu, blocks: &Blocks, inputs: Inputs, format: ColorFormat) -> Res
     let over = |src_factor| BlendComponent { src_factor, dst_factor: BlendFactor::OneMinusSrcAlpha, operation: BlendOperation::Add };
     let blend = Some(BlendState { color: over(BlendFactor::SrcAlpha), alpha: over(BlendFactor::One) });
     let target = wgpu::ColorTargetState { format: wgpu_format(format), blend, write_mask: wgpu::ColorWrites::ALL };
-    let pipeline = draw_pipeline(gpu, "raster", (&bindings, &bound), [&shaders::RASTER_VERTEX, &shaders::RASTER_FRAGMENT], target);
+    let pipeline = draw_pipeline(gpu, "raster", (&bindings, &bound), [&shaders::RASTER_VERTEX, &shaders::RASTER_FRAGMENT], target)?;
     Ok(Way::Hulls { bindings, pipeline, indices })
 }
 
 /// A pipeline of triangles without depth.
+///
+/// # Errors
+/// Where the driver would not survive drawing.
 pub fn draw_pipeline(
     gpu: &Gpu,
     label: &'static str,
     (bindings, bound): (&Bindings, &[(u32, Bound)]),
     [vertex, fragment]: [&shaders::Module; 2],
     target: wgpu::ColorTargetState,
-) -> wgpu::RenderPipeline {
-    gpu.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+) -> Result<wgpu::RenderPipeline> {
+    if !draws_triangles(gpu.name()) {
+        return Err(Error::Lacks { device: gpu.name().into(), lacks: NO_TRIANGLES });
+    }
+    Ok(gpu.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
         label: Some(label),
         layout: Some(&bindings.pipeline_layout(gpu)),
         vertex: wgpu::VertexState {
@@ -212,7 +221,7 @@ pub fn draw_pipeline(
         }),
         multiview_mask: None,
         cache: None,
-    })
+    }))
 }
 
 fn tiles(gpu: &Gpu, blocks: &Blocks, inputs: Inputs, picture: (ColorFormat, &wgpu::TextureView)) -> Result<Way> {
