@@ -21,11 +21,12 @@ void main() {
     }
     count_own_run(lane, tile, end);
     barrier();
-    for (uint d = lane; d < SORT_DIGITS; d += SORT_LANES) {
-        uint sum = 0u;
+    for (uint pair = lane; pair < DIGIT_PAIRS; pair += SORT_LANES) {
+        uint sums = 0u;
         for (uint l = 0u; l < SORT_LANES; ++l) {
-            sum += next[d * SORT_LANES + l];
+            sums += next[pair * SORT_LANES + l];
         }
-        counts[tile * SORT_DIGITS + d] = sum;
+        counts[tile * SORT_DIGITS + 2u * pair] = sums & 0xffffu;
+        counts[tile * SORT_DIGITS + 2u * pair + 1u] = sums >> 16u;
     }
 }

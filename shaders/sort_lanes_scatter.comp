@@ -20,13 +20,13 @@ void main() {
     }
     count_own_run(lane, tile, end);
     find_starts(lane, tile, tiles);
-    // Counts become places: an invocation's entries of a digit follow those of the invocations before it.
-    for (uint d = lane; d < SORT_DIGITS; d += THREADS) {
-        uint place = start[d];
+    // Counts become places after the digit's start: an invocation's entries of a digit follow those of the invocations before it.
+    for (uint pair = lane; pair < DIGIT_PAIRS; pair += THREADS) {
+        uint places = 0u;
         for (uint l = 0u; l < THREADS; ++l) {
-            uint count = next[d * SORT_LANES + l];
-            next[d * SORT_LANES + l] = place;
-            place += count;
+            uint counted = next[pair * SORT_LANES + l];
+            next[pair * SORT_LANES + l] = places;
+            places += counted;
         }
     }
     barrier();
@@ -35,10 +35,9 @@ void main() {
     for (uint at = from; at < min(end, from + run); ++at) {
         uint key = key_at(at);
         if (enters(key)) {
-            uint slot = digit_of(key) * SORT_LANES + lane;
-            uint place = next[slot];
-            next[slot] = place + 1u;
-            put(place, key, value_at(at, key));
+            uint digit = digit_of(key), word = word_of(digit, lane), places = next[word];
+            next[word] = places + (1u << shift_of(digit));
+            put(start[digit] + (places >> shift_of(digit) & 0xffffu), key, value_at(at, key));
         }
     }
 }

@@ -55,33 +55,33 @@ var<workgroup> global_4: array<u32, 8>;
 var<workgroup> global_5: array<u32, 256>;
 @group(0) @binding(2) 
 var<storage> global_6: type_19;
-var<workgroup> global_7: array<u32, 2048>;
+var<workgroup> global_7: array<u32, 1024>;
 
 @compute @workgroup_size(8, 1, 1) 
 fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) param_1: vec3<u32>) {
-    var phi_966_: u32;
-    var phi_967_: u32;
-    var phi_970_: u32;
-    var phi_969_: u32;
-    var phi_984_: u32;
-    var phi_981_: u32;
-    var phi_987_: u32;
-    var phi_982_: u32;
+    var phi_1041_: u32;
+    var phi_1042_: u32;
+    var phi_1045_: u32;
+    var phi_1044_: u32;
+    var phi_1059_: u32;
+    var phi_1056_: u32;
+    var phi_1062_: u32;
+    var phi_1057_: u32;
     var local: u32;
     var local_1: u32;
     var local_2: u32;
     var local_3: u32;
-    var phi_974_: u32;
-    var phi_971_: u32;
-    var phi_972_: u32;
+    var phi_1049_: u32;
+    var phi_1046_: u32;
+    var phi_1047_: u32;
     var local_4: u32;
     var local_5: u32;
     var local_6: u32;
-    var phi_968_: u32;
-    var phi_975_: u32;
-    var phi_980_: u32;
-    var phi_978_: u32;
-    var phi_976_: u32;
+    var phi_1043_: u32;
+    var phi_1050_: u32;
+    var phi_1055_: u32;
+    var phi_1053_: u32;
+    var phi_1051_: u32;
     var local_7: u32;
     var local_8: u32;
 
@@ -96,23 +96,23 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
             if (_e33 >= _e41) {
                 break;
             }
-            phi_966_ = 0u;
+            phi_1041_ = 0u;
             loop {
-                let _e44 = phi_966_;
-                if (_e44 < 256u) {
+                let _e44 = phi_1041_;
+                if (_e44 < 128u) {
                     continue;
                 } else {
                     break;
                 }
                 continuing {
                     global_7[((_e44 * 8u) + _e31)] = 0u;
-                    phi_966_ = (_e44 + bitcast<u32>(1i));
+                    phi_1041_ = (_e44 + bitcast<u32>(1i));
                 }
             }
             let _e53 = ((_e33 * 4096u) + (_e31 * 512u));
-            phi_967_ = _e53;
+            phi_1042_ = _e53;
             loop {
-                let _e55 = phi_967_;
+                let _e55 = phi_1042_;
                 let _e57 = min(_e38, (_e53 + 512u));
                 local_7 = _e57;
                 if (_e55 < _e57) {
@@ -120,164 +120,164 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                     let _e68 = ((_e63 >> bitcast<u32>((16u * (_e55 & 1u)))) & 65535u);
                     let _e70 = select(_e68, 4294967295u, (_e68 == 65535u));
                     if (false || (_e70 != 4294967295u)) {
-                        let _e77 = global_7[(((_e70 & 255u) * 8u) + _e31)];
-                        global_7[(((_e70 & 255u) * 8u) + _e31)] = (_e77 + 1u);
+                        let _e73 = (_e70 & 255u);
+                        let _e83 = global_7[(((_e73 >> bitcast<u32>(1u)) * 8u) + _e31)];
+                        global_7[(((_e73 >> bitcast<u32>(1u)) * 8u) + _e31)] = (_e83 + (1u << bitcast<u32>((16u * (_e73 & 1u)))));
                     }
                     continue;
                 } else {
                     break;
                 }
                 continuing {
-                    phi_967_ = (_e55 + bitcast<u32>(1i));
+                    phi_1042_ = (_e55 + bitcast<u32>(1i));
                 }
             }
             switch bitcast<i32>(0u) {
                 default: {
-                    let _e83 = global.member_6;
-                    if !((_e83 != 0u)) {
-                        phi_970_ = 0u;
-                        phi_969_ = 0u;
+                    let _e89 = global.member_6;
+                    if !((_e89 != 0u)) {
+                        phi_1045_ = 0u;
+                        phi_1044_ = 0u;
                         loop {
-                            let _e87 = phi_970_;
-                            let _e89 = phi_969_;
-                            local_3 = _e87;
-                            local_6 = _e87;
-                            if (_e89 < 32u) {
-                                let _e92 = ((_e31 * 32u) + _e89);
-                                phi_984_ = 0u;
-                                phi_981_ = 0u;
+                            let _e93 = phi_1045_;
+                            let _e95 = phi_1044_;
+                            local_3 = _e93;
+                            local_6 = _e93;
+                            if (_e95 < 32u) {
+                                let _e98 = ((_e31 * 32u) + _e95);
+                                phi_1059_ = 0u;
+                                phi_1056_ = 0u;
                                 loop {
-                                    let _e94 = phi_984_;
-                                    let _e96 = phi_981_;
-                                    local = _e94;
-                                    local_1 = _e94;
-                                    if (_e96 < _e33) {
+                                    let _e100 = phi_1059_;
+                                    let _e102 = phi_1056_;
+                                    local = _e100;
+                                    local_1 = _e100;
+                                    if (_e102 < _e33) {
                                         continue;
                                     } else {
                                         break;
                                     }
                                     continuing {
-                                        let _e102 = global_6.member[((_e96 * 256u) + _e92)];
-                                        phi_984_ = (_e94 + _e102);
-                                        phi_981_ = (_e96 + bitcast<u32>(1i));
+                                        let _e108 = global_6.member[((_e102 * 256u) + _e98)];
+                                        phi_1059_ = (_e100 + _e108);
+                                        phi_1056_ = (_e102 + bitcast<u32>(1i));
                                     }
                                 }
-                                phi_987_ = 0u;
-                                phi_982_ = _e33;
+                                phi_1062_ = 0u;
+                                phi_1057_ = _e33;
                                 loop {
-                                    let _e107 = phi_987_;
-                                    let _e109 = phi_982_;
-                                    local_2 = _e107;
-                                    if (_e109 < _e41) {
+                                    let _e113 = phi_1062_;
+                                    let _e115 = phi_1057_;
+                                    local_2 = _e113;
+                                    if (_e115 < _e41) {
                                         continue;
                                     } else {
                                         break;
                                     }
                                     continuing {
-                                        let _e115 = global_6.member[((_e109 * 256u) + _e92)];
-                                        phi_987_ = (_e107 + _e115);
-                                        phi_982_ = (_e109 + bitcast<u32>(1i));
+                                        let _e121 = global_6.member[((_e115 * 256u) + _e98)];
+                                        phi_1062_ = (_e113 + _e121);
+                                        phi_1057_ = (_e115 + bitcast<u32>(1i));
                                     }
                                 }
-                                let _e120 = local;
-                                global_5[_e92] = (_e120 + _e87);
-                                let _e124 = local_1;
-                                let _e126 = local_2;
-                                local_8 = (_e87 + (_e124 + _e126));
+                                let _e126 = local;
+                                global_5[_e98] = (_e126 + _e93);
+                                let _e130 = local_1;
+                                let _e132 = local_2;
+                                local_8 = (_e93 + (_e130 + _e132));
                                 continue;
                             } else {
                                 break;
                             }
                             continuing {
-                                let _e238 = local_8;
-                                phi_970_ = _e238;
-                                phi_969_ = (_e89 + bitcast<u32>(1i));
+                                let _e254 = local_8;
+                                phi_1045_ = _e254;
+                                phi_1044_ = (_e95 + bitcast<u32>(1i));
                             }
                         }
-                        let _e133 = local_3;
-                        global_4[_e31] = _e133;
+                        let _e139 = local_3;
+                        global_4[_e31] = _e139;
                         workgroupBarrier();
-                        phi_974_ = 0u;
-                        phi_971_ = 0u;
+                        phi_1049_ = 0u;
+                        phi_1046_ = 0u;
                         loop {
-                            let _e135 = phi_974_;
-                            let _e137 = phi_971_;
-                            local_4 = _e135;
-                            local_5 = _e135;
-                            if (_e137 < _e31) {
+                            let _e141 = phi_1049_;
+                            let _e143 = phi_1046_;
+                            local_4 = _e141;
+                            local_5 = _e141;
+                            if (_e143 < _e31) {
                                 continue;
                             } else {
                                 break;
                             }
                             continuing {
-                                let _e140 = global_4[_e137];
-                                phi_974_ = (_e135 + _e140);
-                                phi_971_ = (_e137 + bitcast<u32>(1i));
+                                let _e146 = global_4[_e143];
+                                phi_1049_ = (_e141 + _e146);
+                                phi_1046_ = (_e143 + bitcast<u32>(1i));
                             }
                         }
-                        phi_972_ = 0u;
+                        phi_1047_ = 0u;
                         loop {
-                            let _e145 = phi_972_;
-                            if (_e145 < 32u) {
+                            let _e151 = phi_1047_;
+                            if (_e151 < 32u) {
                                 continue;
                             } else {
                                 break;
                             }
                             continuing {
-                                let _e150 = global_5[((_e31 * 32u) + _e145)];
-                                let _e152 = local_4;
-                                global_5[((_e31 * 32u) + _e145)] = (_e150 + _e152);
-                                phi_972_ = (_e145 + bitcast<u32>(1i));
+                                let _e156 = global_5[((_e31 * 32u) + _e151)];
+                                let _e158 = local_4;
+                                global_5[((_e31 * 32u) + _e151)] = (_e156 + _e158);
+                                phi_1047_ = (_e151 + bitcast<u32>(1i));
                             }
                         }
                         workgroupBarrier();
-                        let _e157 = local_5;
-                        let _e159 = local_6;
-                        let _e160 = (_e157 + _e159);
+                        let _e163 = local_5;
+                        let _e165 = local_6;
+                        let _e166 = (_e163 + _e165);
                         if ((true && (_e33 == 0u)) && (_e31 == 7u)) {
-                            global_1.member.member_6 = _e160;
-                            global_1.member.member_1 = ((_e160 + 127u) / 128u);
+                            global_1.member.member_6 = _e166;
+                            global_1.member.member_1 = ((_e166 + 127u) / 128u);
                         }
                         break;
                     }
-                    phi_968_ = _e31;
+                    phi_1043_ = _e31;
                     loop {
-                        let _e172 = phi_968_;
-                        if (_e172 < 256u) {
+                        let _e178 = phi_1043_;
+                        if (_e178 < 256u) {
                             continue;
                         } else {
                             break;
                         }
                         continuing {
-                            let _e178 = global_6.member[((_e33 * 256u) + _e172)];
-                            global_5[_e172] = _e178;
-                            phi_968_ = (_e172 + 8u);
+                            let _e184 = global_6.member[((_e33 * 256u) + _e178)];
+                            global_5[_e178] = _e184;
+                            phi_1043_ = (_e178 + 8u);
                         }
                     }
                     workgroupBarrier();
                     break;
                 }
             }
-            phi_975_ = _e31;
+            phi_1050_ = _e31;
             loop {
-                let _e182 = phi_975_;
-                if (_e182 < 256u) {
-                    let _e185 = global_5[_e182];
-                    phi_980_ = _e185;
-                    phi_978_ = 0u;
+                let _e188 = phi_1050_;
+                if (_e188 < 128u) {
+                    phi_1055_ = 0u;
+                    phi_1053_ = 0u;
                     loop {
-                        let _e187 = phi_980_;
-                        let _e189 = phi_978_;
-                        if (_e189 < 8u) {
+                        let _e191 = phi_1055_;
+                        let _e193 = phi_1053_;
+                        if (_e193 < 8u) {
                             continue;
                         } else {
                             break;
                         }
                         continuing {
-                            let _e194 = global_7[((_e182 * 8u) + _e189)];
-                            global_7[((_e182 * 8u) + _e189)] = _e187;
-                            phi_980_ = (_e187 + _e194);
-                            phi_978_ = (_e189 + bitcast<u32>(1i));
+                            let _e198 = global_7[((_e188 * 8u) + _e193)];
+                            global_7[((_e188 * 8u) + _e193)] = _e191;
+                            phi_1055_ = (_e191 + _e198);
+                            phi_1053_ = (_e193 + bitcast<u32>(1i));
                         }
                     }
                     continue;
@@ -285,29 +285,32 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                     break;
                 }
                 continuing {
-                    phi_975_ = (_e182 + 8u);
+                    phi_1050_ = (_e188 + 8u);
                 }
             }
             workgroupBarrier();
-            phi_976_ = _e53;
+            phi_1051_ = _e53;
             loop {
-                let _e200 = phi_976_;
-                let _e202 = local_7;
-                if (_e200 < _e202) {
-                    let _e208 = global_2.member[(_e200 >> bitcast<u32>(1u))];
-                    let _e213 = ((_e208 >> bitcast<u32>((16u * (_e200 & 1u)))) & 65535u);
-                    let _e215 = select(_e213, 4294967295u, (_e213 == 65535u));
-                    if (false || (_e215 != 4294967295u)) {
-                        let _e222 = global_7[(((_e215 & 255u) * 8u) + _e31)];
-                        global_7[(((_e215 & 255u) * 8u) + _e31)] = (_e222 + 1u);
-                        global_3.member[_e222] = ((((_e215 >> bitcast<u32>(8u)) & 255u) << bitcast<u32>(24u)) | _e200);
+                let _e204 = phi_1051_;
+                let _e206 = local_7;
+                if (_e204 < _e206) {
+                    let _e212 = global_2.member[(_e204 >> bitcast<u32>(1u))];
+                    let _e217 = ((_e212 >> bitcast<u32>((16u * (_e204 & 1u)))) & 65535u);
+                    let _e219 = select(_e217, 4294967295u, (_e217 == 65535u));
+                    if (false || (_e219 != 4294967295u)) {
+                        let _e222 = (_e219 & 255u);
+                        let _e228 = global_7[(((_e222 >> bitcast<u32>(1u)) * 8u) + _e31)];
+                        let _e230 = (16u * (_e222 & 1u));
+                        global_7[(((_e222 >> bitcast<u32>(1u)) * 8u) + _e31)] = (_e228 + (1u << bitcast<u32>(_e230)));
+                        let _e235 = global_5[_e222];
+                        global_3.member[(_e235 + ((_e228 >> bitcast<u32>(_e230)) & 65535u))] = ((((_e219 >> bitcast<u32>(8u)) & 255u) << bitcast<u32>(24u)) | _e204);
                     }
                     continue;
                 } else {
                     break;
                 }
                 continuing {
-                    phi_976_ = (_e200 + bitcast<u32>(1i));
+                    phi_1051_ = (_e204 + bitcast<u32>(1i));
                 }
             }
             break;

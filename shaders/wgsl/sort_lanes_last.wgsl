@@ -55,214 +55,214 @@ var<workgroup> global_4: array<u32, 8>;
 var<workgroup> global_5: array<u32, 256>;
 @group(0) @binding(2) 
 var<storage> global_6: type_18;
-var<workgroup> global_7: array<u32, 2048>;
+var<workgroup> global_7: array<u32, 1024>;
 
 @compute @workgroup_size(8, 1, 1) 
 fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) param_1: vec3<u32>) {
-    var phi_947_: u32;
-    var phi_948_: u32;
-    var phi_951_: u32;
-    var phi_950_: u32;
-    var phi_965_: u32;
-    var phi_962_: u32;
-    var phi_968_: u32;
-    var phi_963_: u32;
+    var phi_1022_: u32;
+    var phi_1023_: u32;
+    var phi_1026_: u32;
+    var phi_1025_: u32;
+    var phi_1040_: u32;
+    var phi_1037_: u32;
+    var phi_1043_: u32;
+    var phi_1038_: u32;
     var local: u32;
     var local_1: u32;
     var local_2: u32;
     var local_3: u32;
-    var phi_955_: u32;
-    var phi_952_: u32;
-    var phi_953_: u32;
+    var phi_1030_: u32;
+    var phi_1027_: u32;
+    var phi_1028_: u32;
     var local_4: u32;
-    var phi_949_: u32;
-    var phi_956_: u32;
-    var phi_961_: u32;
-    var phi_959_: u32;
-    var phi_957_: u32;
+    var phi_1024_: u32;
+    var phi_1031_: u32;
+    var phi_1036_: u32;
+    var phi_1034_: u32;
+    var phi_1032_: u32;
     var local_5: u32;
     var local_6: u32;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e23 = bitcast<u32>(param[0u]);
-            let _e25 = bitcast<u32>(param_1[0u]);
-            let _e28 = global_1.member.member_6;
-            let _e30 = global.member_5;
-            let _e31 = min(_e28, _e30);
-            let _e34 = max(((_e31 + 4095u) / 4096u), 1u);
-            if (_e25 >= _e34) {
+            let _e26 = bitcast<u32>(param[0u]);
+            let _e28 = bitcast<u32>(param_1[0u]);
+            let _e31 = global_1.member.member_6;
+            let _e33 = global.member_5;
+            let _e34 = min(_e31, _e33);
+            let _e37 = max(((_e34 + 4095u) / 4096u), 1u);
+            if (_e28 >= _e37) {
                 break;
             }
-            phi_947_ = 0u;
+            phi_1022_ = 0u;
             loop {
-                let _e37 = phi_947_;
-                if (_e37 < 256u) {
+                let _e40 = phi_1022_;
+                if (_e40 < 128u) {
                     continue;
                 } else {
                     break;
                 }
                 continuing {
-                    global_7[((_e37 * 8u) + _e23)] = 0u;
-                    phi_947_ = (_e37 + bitcast<u32>(1i));
+                    global_7[((_e40 * 8u) + _e26)] = 0u;
+                    phi_1022_ = (_e40 + bitcast<u32>(1i));
                 }
             }
-            let _e46 = ((_e25 * 4096u) + (_e23 * 512u));
-            phi_948_ = _e46;
+            let _e49 = ((_e28 * 4096u) + (_e26 * 512u));
+            phi_1023_ = _e49;
             loop {
-                let _e48 = phi_948_;
-                let _e50 = min(_e31, (_e46 + 512u));
-                local_5 = _e50;
-                if (_e48 < _e50) {
+                let _e51 = phi_1023_;
+                let _e53 = min(_e34, (_e49 + 512u));
+                local_5 = _e53;
+                if (_e51 < _e53) {
                     continue;
                 } else {
                     break;
                 }
                 continuing {
-                    let _e54 = global_2.member[_e48];
-                    let _e60 = global_7[(((_e54 >> bitcast<u32>(24u)) * 8u) + _e23)];
-                    global_7[(((_e54 >> bitcast<u32>(24u)) * 8u) + _e23)] = (_e60 + 1u);
-                    phi_948_ = (_e48 + bitcast<u32>(1i));
+                    let _e57 = global_2.member[_e51];
+                    let _e59 = (_e57 >> bitcast<u32>(24u));
+                    let _e69 = global_7[(((_e59 >> bitcast<u32>(1u)) * 8u) + _e26)];
+                    global_7[(((_e59 >> bitcast<u32>(1u)) * 8u) + _e26)] = (_e69 + (1u << bitcast<u32>((16u * (_e59 & 1u)))));
+                    phi_1023_ = (_e51 + bitcast<u32>(1i));
                 }
             }
             switch bitcast<i32>(0u) {
                 default: {
-                    let _e66 = global.member_6;
-                    if !((_e66 != 0u)) {
-                        phi_951_ = 0u;
-                        phi_950_ = 0u;
+                    let _e75 = global.member_6;
+                    if !((_e75 != 0u)) {
+                        phi_1026_ = 0u;
+                        phi_1025_ = 0u;
                         loop {
-                            let _e70 = phi_951_;
-                            let _e72 = phi_950_;
-                            local_3 = _e70;
-                            if (_e72 < 32u) {
-                                let _e75 = ((_e23 * 32u) + _e72);
-                                phi_965_ = 0u;
-                                phi_962_ = 0u;
+                            let _e79 = phi_1026_;
+                            let _e81 = phi_1025_;
+                            local_3 = _e79;
+                            if (_e81 < 32u) {
+                                let _e84 = ((_e26 * 32u) + _e81);
+                                phi_1040_ = 0u;
+                                phi_1037_ = 0u;
                                 loop {
-                                    let _e77 = phi_965_;
-                                    let _e79 = phi_962_;
-                                    local = _e77;
-                                    local_1 = _e77;
-                                    if (_e79 < _e25) {
+                                    let _e86 = phi_1040_;
+                                    let _e88 = phi_1037_;
+                                    local = _e86;
+                                    local_1 = _e86;
+                                    if (_e88 < _e28) {
                                         continue;
                                     } else {
                                         break;
                                     }
                                     continuing {
-                                        let _e85 = global_6.member[((_e79 * 256u) + _e75)];
-                                        phi_965_ = (_e77 + _e85);
-                                        phi_962_ = (_e79 + bitcast<u32>(1i));
+                                        let _e94 = global_6.member[((_e88 * 256u) + _e84)];
+                                        phi_1040_ = (_e86 + _e94);
+                                        phi_1037_ = (_e88 + bitcast<u32>(1i));
                                     }
                                 }
-                                phi_968_ = 0u;
-                                phi_963_ = _e25;
+                                phi_1043_ = 0u;
+                                phi_1038_ = _e28;
                                 loop {
-                                    let _e90 = phi_968_;
-                                    let _e92 = phi_963_;
-                                    local_2 = _e90;
-                                    if (_e92 < _e34) {
+                                    let _e99 = phi_1043_;
+                                    let _e101 = phi_1038_;
+                                    local_2 = _e99;
+                                    if (_e101 < _e37) {
                                         continue;
                                     } else {
                                         break;
                                     }
                                     continuing {
-                                        let _e98 = global_6.member[((_e92 * 256u) + _e75)];
-                                        phi_968_ = (_e90 + _e98);
-                                        phi_963_ = (_e92 + bitcast<u32>(1i));
+                                        let _e107 = global_6.member[((_e101 * 256u) + _e84)];
+                                        phi_1043_ = (_e99 + _e107);
+                                        phi_1038_ = (_e101 + bitcast<u32>(1i));
                                     }
                                 }
-                                let _e103 = local;
-                                global_5[_e75] = (_e103 + _e70);
-                                let _e107 = local_1;
-                                let _e109 = local_2;
-                                local_6 = (_e70 + (_e107 + _e109));
+                                let _e112 = local;
+                                global_5[_e84] = (_e112 + _e79);
+                                let _e116 = local_1;
+                                let _e118 = local_2;
+                                local_6 = (_e79 + (_e116 + _e118));
                                 continue;
                             } else {
                                 break;
                             }
                             continuing {
-                                let _e191 = local_6;
-                                phi_951_ = _e191;
-                                phi_950_ = (_e72 + bitcast<u32>(1i));
+                                let _e210 = local_6;
+                                phi_1026_ = _e210;
+                                phi_1025_ = (_e81 + bitcast<u32>(1i));
                             }
                         }
-                        let _e116 = local_3;
-                        global_4[_e23] = _e116;
+                        let _e125 = local_3;
+                        global_4[_e26] = _e125;
                         workgroupBarrier();
-                        phi_955_ = 0u;
-                        phi_952_ = 0u;
+                        phi_1030_ = 0u;
+                        phi_1027_ = 0u;
                         loop {
-                            let _e118 = phi_955_;
-                            let _e120 = phi_952_;
-                            local_4 = _e118;
-                            if (_e120 < _e23) {
+                            let _e127 = phi_1030_;
+                            let _e129 = phi_1027_;
+                            local_4 = _e127;
+                            if (_e129 < _e26) {
                                 continue;
                             } else {
                                 break;
                             }
                             continuing {
-                                let _e123 = global_4[_e120];
-                                phi_955_ = (_e118 + _e123);
-                                phi_952_ = (_e120 + bitcast<u32>(1i));
+                                let _e132 = global_4[_e129];
+                                phi_1030_ = (_e127 + _e132);
+                                phi_1027_ = (_e129 + bitcast<u32>(1i));
                             }
                         }
-                        phi_953_ = 0u;
+                        phi_1028_ = 0u;
                         loop {
-                            let _e128 = phi_953_;
-                            if (_e128 < 32u) {
+                            let _e137 = phi_1028_;
+                            if (_e137 < 32u) {
                                 continue;
                             } else {
                                 break;
                             }
                             continuing {
-                                let _e133 = global_5[((_e23 * 32u) + _e128)];
-                                let _e135 = local_4;
-                                global_5[((_e23 * 32u) + _e128)] = (_e133 + _e135);
-                                phi_953_ = (_e128 + bitcast<u32>(1i));
+                                let _e142 = global_5[((_e26 * 32u) + _e137)];
+                                let _e144 = local_4;
+                                global_5[((_e26 * 32u) + _e137)] = (_e142 + _e144);
+                                phi_1028_ = (_e137 + bitcast<u32>(1i));
                             }
                         }
                         workgroupBarrier();
                         break;
                     }
-                    phi_949_ = _e23;
+                    phi_1024_ = _e26;
                     loop {
-                        let _e140 = phi_949_;
-                        if (_e140 < 256u) {
+                        let _e149 = phi_1024_;
+                        if (_e149 < 256u) {
                             continue;
                         } else {
                             break;
                         }
                         continuing {
-                            let _e146 = global_6.member[((_e25 * 256u) + _e140)];
-                            global_5[_e140] = _e146;
-                            phi_949_ = (_e140 + 8u);
+                            let _e155 = global_6.member[((_e28 * 256u) + _e149)];
+                            global_5[_e149] = _e155;
+                            phi_1024_ = (_e149 + 8u);
                         }
                     }
                     workgroupBarrier();
                     break;
                 }
             }
-            phi_956_ = _e23;
+            phi_1031_ = _e26;
             loop {
-                let _e150 = phi_956_;
-                if (_e150 < 256u) {
-                    let _e153 = global_5[_e150];
-                    phi_961_ = _e153;
-                    phi_959_ = 0u;
+                let _e159 = phi_1031_;
+                if (_e159 < 128u) {
+                    phi_1036_ = 0u;
+                    phi_1034_ = 0u;
                     loop {
-                        let _e155 = phi_961_;
-                        let _e157 = phi_959_;
-                        if (_e157 < 8u) {
+                        let _e162 = phi_1036_;
+                        let _e164 = phi_1034_;
+                        if (_e164 < 8u) {
                             continue;
                         } else {
                             break;
                         }
                         continuing {
-                            let _e162 = global_7[((_e150 * 8u) + _e157)];
-                            global_7[((_e150 * 8u) + _e157)] = _e155;
-                            phi_961_ = (_e155 + _e162);
-                            phi_959_ = (_e157 + bitcast<u32>(1i));
+                            let _e169 = global_7[((_e159 * 8u) + _e164)];
+                            global_7[((_e159 * 8u) + _e164)] = _e162;
+                            phi_1036_ = (_e162 + _e169);
+                            phi_1034_ = (_e164 + bitcast<u32>(1i));
                         }
                     }
                     continue;
@@ -270,25 +270,28 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                     break;
                 }
                 continuing {
-                    phi_956_ = (_e150 + 8u);
+                    phi_1031_ = (_e159 + 8u);
                 }
             }
             workgroupBarrier();
-            phi_957_ = _e46;
+            phi_1032_ = _e49;
             loop {
-                let _e168 = phi_957_;
-                let _e170 = local_5;
-                if (_e168 < _e170) {
+                let _e175 = phi_1032_;
+                let _e177 = local_5;
+                if (_e175 < _e177) {
                     continue;
                 } else {
                     break;
                 }
                 continuing {
-                    let _e174 = global_2.member[_e168];
-                    let _e180 = global_7[(((_e174 >> bitcast<u32>(24u)) * 8u) + _e23)];
-                    global_7[(((_e174 >> bitcast<u32>(24u)) * 8u) + _e23)] = (_e180 + 1u);
-                    global_3.member[_e180] = (_e174 & 16777215u);
-                    phi_957_ = (_e168 + bitcast<u32>(1i));
+                    let _e181 = global_2.member[_e175];
+                    let _e183 = (_e181 >> bitcast<u32>(24u));
+                    let _e189 = global_7[(((_e183 >> bitcast<u32>(1u)) * 8u) + _e26)];
+                    let _e191 = (16u * (_e183 & 1u));
+                    global_7[(((_e183 >> bitcast<u32>(1u)) * 8u) + _e26)] = (_e189 + (1u << bitcast<u32>(_e191)));
+                    let _e196 = global_5[_e183];
+                    global_3.member[(_e196 + ((_e189 >> bitcast<u32>(_e191)) & 65535u))] = (_e181 & 16777215u);
+                    phi_1032_ = (_e175 + bitcast<u32>(1i));
                 }
             }
             break;

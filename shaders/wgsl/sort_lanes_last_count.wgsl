@@ -45,88 +45,94 @@ var<uniform> global: type_3;
 var<storage> global_1: type_6;
 @group(0) @binding(1) 
 var<storage> global_2: type_12;
-var<workgroup> global_3: array<u32, 2048>;
+var<workgroup> global_3: array<u32, 1024>;
 @group(0) @binding(2) 
 var<storage, read_write> global_4: type_14;
 
 @compute @workgroup_size(8, 1, 1) 
 fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) param_1: vec3<u32>) {
-    var phi_422_: u32;
-    var phi_423_: u32;
-    var phi_424_: u32;
-    var phi_427_: u32;
-    var phi_425_: u32;
+    var phi_480_: u32;
+    var phi_481_: u32;
+    var phi_482_: u32;
+    var phi_485_: u32;
+    var phi_483_: u32;
     var local: u32;
+    var local_1: u32;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e18 = bitcast<u32>(param[0u]);
-            let _e20 = bitcast<u32>(param_1[0u]);
-            let _e23 = global_1.member.member_6;
-            let _e25 = global.member_5;
-            let _e26 = min(_e23, _e25);
-            if (_e20 >= max(((_e26 + 4095u) / 4096u), 1u)) {
+            let _e22 = bitcast<u32>(param[0u]);
+            let _e24 = bitcast<u32>(param_1[0u]);
+            let _e27 = global_1.member.member_6;
+            let _e29 = global.member_5;
+            let _e30 = min(_e27, _e29);
+            if (_e24 >= max(((_e30 + 4095u) / 4096u), 1u)) {
                 break;
             }
-            phi_422_ = 0u;
+            phi_480_ = 0u;
             loop {
-                let _e32 = phi_422_;
-                if (_e32 < 256u) {
+                let _e36 = phi_480_;
+                if (_e36 < 128u) {
                     continue;
                 } else {
                     break;
                 }
                 continuing {
-                    global_3[((_e32 * 8u) + _e18)] = 0u;
-                    phi_422_ = (_e32 + bitcast<u32>(1i));
+                    global_3[((_e36 * 8u) + _e22)] = 0u;
+                    phi_480_ = (_e36 + bitcast<u32>(1i));
                 }
             }
-            let _e41 = ((_e20 * 4096u) + (_e18 * 512u));
-            phi_423_ = _e41;
+            let _e45 = ((_e24 * 4096u) + (_e22 * 512u));
+            phi_481_ = _e45;
             loop {
-                let _e43 = phi_423_;
-                if (_e43 < min(_e26, (_e41 + 512u))) {
+                let _e47 = phi_481_;
+                if (_e47 < min(_e30, (_e45 + 512u))) {
                     continue;
                 } else {
                     break;
                 }
                 continuing {
-                    let _e49 = global_2.member[_e43];
-                    let _e55 = global_3[(((_e49 >> bitcast<u32>(24u)) * 8u) + _e18)];
-                    global_3[(((_e49 >> bitcast<u32>(24u)) * 8u) + _e18)] = (_e55 + 1u);
-                    phi_423_ = (_e43 + bitcast<u32>(1i));
+                    let _e53 = global_2.member[_e47];
+                    let _e55 = (_e53 >> bitcast<u32>(24u));
+                    let _e65 = global_3[(((_e55 >> bitcast<u32>(1u)) * 8u) + _e22)];
+                    global_3[(((_e55 >> bitcast<u32>(1u)) * 8u) + _e22)] = (_e65 + (1u << bitcast<u32>((16u * (_e55 & 1u)))));
+                    phi_481_ = (_e47 + bitcast<u32>(1i));
                 }
             }
             workgroupBarrier();
-            phi_424_ = _e18;
+            phi_482_ = _e22;
             loop {
-                let _e60 = phi_424_;
-                if (_e60 < 256u) {
-                    phi_427_ = 0u;
-                    phi_425_ = 0u;
+                let _e70 = phi_482_;
+                if (_e70 < 128u) {
+                    phi_485_ = 0u;
+                    phi_483_ = 0u;
                     loop {
-                        let _e63 = phi_427_;
-                        let _e65 = phi_425_;
-                        local = _e63;
-                        if (_e65 < 8u) {
+                        let _e73 = phi_485_;
+                        let _e75 = phi_483_;
+                        local = _e73;
+                        local_1 = _e73;
+                        if (_e75 < 8u) {
                             continue;
                         } else {
                             break;
                         }
                         continuing {
-                            let _e70 = global_3[((_e60 * 8u) + _e65)];
-                            phi_427_ = (_e63 + _e70);
-                            phi_425_ = (_e65 + bitcast<u32>(1i));
+                            let _e80 = global_3[((_e70 * 8u) + _e75)];
+                            phi_485_ = (_e73 + _e80);
+                            phi_483_ = (_e75 + bitcast<u32>(1i));
                         }
                     }
-                    let _e79 = local;
-                    global_4.member[((_e20 * 256u) + _e60)] = _e79;
+                    let _e86 = ((_e24 * 256u) + (2u * _e70));
+                    let _e88 = local;
+                    global_4.member[_e86] = (_e88 & 65535u);
+                    let _e94 = local_1;
+                    global_4.member[(_e86 + 1u)] = (_e94 >> bitcast<u32>(16u));
                     continue;
                 } else {
                     break;
                 }
                 continuing {
-                    phi_424_ = (_e60 + 8u);
+                    phi_482_ = (_e70 + 8u);
                 }
             }
             break;
