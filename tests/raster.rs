@@ -17,11 +17,6 @@ use effigy::{
 use glam::DVec3;
 use half::f16;
 
-/// Options for each way to draw that is for a device.
-fn methods(device: &str, size: [u32; 2]) -> Vec<RendererOptions> {
-    gpu::methods(device).into_iter().map(|method| RendererOptions { method: Some(method), ..gpu::options(size) }).collect()
-}
-
 #[test]
 fn the_order_is_the_references_but_for_depths_closer_than_a_key() {
     let Some(device) = gpu::gpu() else { return };
@@ -55,7 +50,9 @@ fn the_order_is_the_references_but_for_depths_closer_than_a_key() {
 #[test]
 fn few_gaussians_agree_pixel_by_pixel() {
     let Some(device) = gpu::gpu() else { return };
-    for (seed, options) in (0..6).flat_map(|seed| methods(&device.probe.name, [240, 160]).into_iter().map(move |options| (seed, options))) {
+    for (seed, options) in
+        (0..6).flat_map(|seed| gpu::each_way(&device.probe.name, [240, 160]).into_iter().map(move |options| (seed, options)))
+    {
         let sizes = Sizes { gaussians: 1 + seed as usize * 3, parts: 1, nodes: 1, rows: 1, ..Sizes::default() };
         let avatar = common::avatar(seed, sizes);
         let posed = Posed::new(&avatar, &common::pose(seed, &avatar));
@@ -105,7 +102,7 @@ fn nothing_in_view_is_an_empty_picture() {
     let avatar = common::avatar(1, Sizes::default());
     let posed = Posed::new(&avatar, &common::pose(1, &avatar));
     let away = Camera::look_at(DVec3::new(0.0, 1.0, 5.0), DVec3::new(0.0, 1.0, 9.0), 0.7, [50, 40]);
-    for options in methods(&device.probe.name, [50, 40]) {
+    for options in gpu::each_way(&device.probe.name, [50, 40]) {
         let frame = gpu::draw(&device, avatar.clone(), posed.clone(), away, options);
         assert_eq!(frame.gpu.control.survivors, 0);
         assert!(frame.picture.pixels.iter().all(|&pixel| pixel == [0.0; 4]), "{options:?}");
@@ -118,7 +115,7 @@ fn pictures_of_any_size_follow_a_resize() {
     let Some(device) = gpu::gpu() else { return };
     let avatar = common::avatar(2, Sizes { gaussians: 500, ..Sizes::default() });
     let posed = Posed::new(&avatar, &common::pose(2, &avatar));
-    for options in methods(&device.probe.name, [64, 64]) {
+    for options in gpu::each_way(&device.probe.name, [64, 64]) {
         let mut renderer = Renderer::new(&device, &avatar, options).unwrap();
         for size in [[1, 1], [7, 300], [640, 3], [200, 200]] {
             renderer.resize(size).unwrap();
@@ -184,7 +181,7 @@ fn frames_in_flight_do_not_show_in_each_other() {
     let avatar = common::avatar(6, Sizes { gaussians: 3000, ..Sizes::default() });
     let posed: Vec<_> = (0..5).map(|seed| Posed::new(&avatar, &common::pose(seed, &avatar))).collect();
     let size = [220, 220];
-    for options in methods(&device.probe.name, size) {
+    for options in gpu::each_way(&device.probe.name, size) {
         let alone = |posed| {
             let mut renderer = Renderer::new(&device, &avatar, options).unwrap();
             renderer.draw(posed, &gpu::camera(&avatar, posed, size), None).unwrap();
@@ -204,7 +201,7 @@ fn frames_in_flight_do_not_show_in_each_other() {
 #[test]
 fn two_runs_give_the_same_bits() {
     let Some(device) = gpu::gpu() else { return };
-    for options in methods(&device.probe.name, [160, 160]) {
+    for options in gpu::each_way(&device.probe.name, [160, 160]) {
         let [first, second] = [0, 1].map(|_| gpu::frame(&device, 9, Sizes::default(), options));
         assert!(first.picture == second.picture, "two runs differ, {options:?}");
     }

@@ -26,11 +26,6 @@ fn open() -> Option<Arc<Gpu>> {
     }
 }
 
-/// Options for each way to draw that is for a device.
-fn methods(device: &str, size: [u32; 2]) -> Vec<RendererOptions> {
-    gpu::methods(device).into_iter().map(|method| RendererOptions { method: Some(method), ..gpu::options(size) }).collect()
-}
-
 fn body(seed: u64, gaussians: usize) -> (Avatar, Posed) {
     let avatar = common::avatar(seed, Sizes { gaussians, ..Sizes::default() });
     let posed = Posed::new(&avatar, &common::pose(seed + 1, &avatar));
@@ -49,7 +44,8 @@ fn scene(size: [u32; 2]) -> (Avatar, Posed, Camera) {
 #[test]
 fn pictures_agree_with_the_reference() {
     let Some(device) = open() else { return };
-    for (seed, options) in (0..3).flat_map(|seed| methods(device.name(), [200, 260]).into_iter().map(move |options| (seed, options))) {
+    for (seed, options) in (0..3).flat_map(|seed| gpu::each_way(device.name(), [200, 260]).into_iter().map(move |options| (seed, options)))
+    {
         let (avatar, posed) = body(seed, 4000);
         let camera = gpu::camera(&avatar, &posed, options.size);
         let mut renderer = Renderer::new(&device, &avatar, options).unwrap();
@@ -64,7 +60,7 @@ fn pictures_agree_with_the_reference() {
 fn pictures_are_those_of_the_vulkan_backend() {
     let (Some(device), Some(vulkan)) = (open(), gpu::gpu()) else { return };
     let (avatar, posed, camera) = scene([512, 512]);
-    for options in methods(device.name(), camera.size) {
+    for options in gpu::each_way(device.name(), camera.size) {
         let mut ours = Renderer::new(&device, &avatar, options).unwrap();
         ours.draw(&posed, &camera).unwrap();
         let mut theirs = effigy::vulkan::Renderer::new(&vulkan, &avatar, options).unwrap();
@@ -144,7 +140,7 @@ fn the_order_is_that_of_a_stable_sort() {
 fn only_what_changed_is_drawn_again() {
     let Some(device) = open() else { return };
     let (avatar, posed, camera) = scene([320, 320]);
-    for options in methods(device.name(), camera.size) {
+    for options in gpu::each_way(device.name(), camera.size) {
         let mut renderer = Renderer::new(&device, &avatar, RendererOptions { count: true, ..options }).unwrap();
         let cameras: Vec<_> = (0..3).map(|k| Camera { center: camera.center + f64::from(k) * DVec3::X.truncate(), ..camera }).collect();
         assert_eq!(renderer.draw(&posed, &cameras[0]), Ok(true));
@@ -189,7 +185,7 @@ fn scenes_of_several_leave_out_who_is_not_seen() {
 fn pictures_of_any_size_follow_a_resize() {
     let Some(device) = open() else { return };
     let (avatar, posed) = body(2, 500);
-    for options in methods(device.name(), [64, 64]) {
+    for options in gpu::each_way(device.name(), [64, 64]) {
         let mut renderer = Renderer::new(&device, &avatar, options).unwrap();
         for size in [[1, 1], [7, 300], [640, 3], [200, 200]] {
             renderer.resize(size).unwrap();
@@ -229,7 +225,7 @@ fn an_avatar_is_drawn_before_its_correctives_are_there() {
     for (avatar, file) in files {
         let file = file.unwrap();
         let neutral = neutral(&file);
-        for options in methods(device.name(), [160, 160]) {
+        for options in gpu::each_way(device.name(), [160, 160]) {
             let camera = gpu::camera(avatar, &posed, options.size);
             let mut renderer = Renderer::new(&device, &neutral, options).unwrap();
             renderer.draw(&posed, &camera).unwrap();

@@ -110,7 +110,7 @@ pub(crate) const NO_TRIANGLES: &str = "its driver crashes when it draws triangle
 
 /// Whether a driver leaves an invocation's loops after 65,535 rounds of all of them together, as llvmpipe did. Seen with Mesa 22.3, not with
 /// 25.0; between them it was not tried.
-fn leaves_loops(driver: &str) -> bool {
+pub(crate) fn leaves_loops(driver: &str) -> bool {
     let number = |text: &str| text.split(|c: char| !c.is_ascii_digit()).next().and_then(|digits| digits.parse::<u32>().ok());
     driver.starts_with("llvmpipe") && driver.split_once("Mesa ").and_then(|(_, version)| number(version)).is_none_or(|version| version < 25)
 }

@@ -115,7 +115,9 @@ impl Renderer {
         let raster = Raster::new(gpu, frame, inputs, (&model.occluder, (&pose).into()), &options)?;
         Ok(Self {
             slots: (0..SLOTS).map(|_| Slot::new(gpu)).collect::<Result<_>>()?,
-            surface: surfaces.then(|| Surface::new(gpu, frame, &model.occluder, (&pose).into())).transpose()?,
+            surface: (surfaces && model.occluder.index_count > 0)
+                .then(|| Surface::new(gpu, frame, &model.occluder, (&pose).into()))
+                .transpose()?,
             features: Features::new(gpu, &model, frame, (&pose).into())?,
             harmonics: Harmonics::new(gpu, avatar, &model, frame)?,
             splats,
@@ -188,8 +190,8 @@ impl Renderer {
         // Should anything below fail, nothing of this frame counts as drawn.
         let mut scene = std::mem::take(&mut self.scene);
         let (entering, filled) = (self.entering.take(), self.filled.take());
-        let surface = self.model.occluder.index_count > 0 && self.surface.is_some();
-        let staged = scene.next(poses, camera, (&self.extent, &self.needs, &self.options), (surface, presentation.is_some()));
+        let staged =
+            scene.next(poses, camera, (&self.extent, &self.needs, &self.options), (self.surface.is_some(), presentation.is_some()));
         if !staged.view && presentation.is_none() {
             (self.scene, self.entering, self.filled) = (scene, entering, filled);
             self.report = FrameReport::idle(self.harmonics.is_some());

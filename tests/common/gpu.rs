@@ -34,6 +34,11 @@ pub fn methods(device: &str) -> Vec<Method> {
     vec![Method::Tiles]
 }
 
+/// Options for each of those ways.
+pub fn each_way(device: &str, size: [u32; 2]) -> Vec<RendererOptions> {
+    methods(device).into_iter().map(|method| RendererOptions { method: Some(method), ..options(size) }).collect()
+}
+
 pub fn open(options: GpuOptions) -> Option<Arc<Gpu>> {
     match Gpu::new(&options) {
         Ok(gpu) => Some(gpu),

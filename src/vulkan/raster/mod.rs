@@ -18,6 +18,7 @@ use super::{
     model::OccluderMesh,
     pipeline::{Slice, barrier},
 };
+use crate::frame::options::leaves_loops;
 pub use crate::{
     frame::{ColorFormat, Method, Touched},
     layout::bins::{bins_size, tile},
@@ -57,7 +58,7 @@ impl Raster {
         Ok(match options.method_on(gpu) {
             Method::Hulls => Self::Hulls(Hulls::new(gpu, frame, inputs, surface, options)?),
             Method::Tiles => {
-                if gpu.probe.is_cpu() && Method::suited(true, "", &gpu.probe.driver) == Method::Hulls {
+                if leaves_loops(&gpu.probe.driver) {
                     tracing::warn!("{} leaves long loops early: tiles may lose parts of large scenes; hulls don't", gpu.probe.driver);
                 }
                 Self::Tiles(tiles::Tiles::new(gpu, frame, (inputs, capacity), options)?)
