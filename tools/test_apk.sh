@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Makes the package and checks it, then makes one for this processor and plays Android to its library: on this machine, without a phone.
 # usage: tools/test_apk.sh [LIVES [ORDERS]]     lives of the app to play [default: 8], each of so many random orders of 60 events [default: 4]
-# A life has 120 s.
+# A life has 300 s, and 60 to bring the frames that a script waits for: other programs may be at work here too. What must answer at once (`limit`) must.
 # The player is ../shared/android-host, with tools/android-host/more.patch on it. Whoever has none gets the package checked and nothing played.
 set -euo pipefail
 cd "$(dirname "$0")/.."
