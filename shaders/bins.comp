@@ -58,7 +58,7 @@ void main() {
         uint level = 0u;
         for (; level < BINS_WHOLE; ++level) {
             float side = frame.tile * float(1u << 2u * level);
-            float last = float((BINS_SIDE >> 2u * level) - 1u);
+            float last = float((FINEST >> 2u * level) - 1u);
             low = uvec2(clamp((splat.center - reach) / side, 0.0, last));
             high = uvec2(clamp((splat.center + reach) / side, 0.0, last));
             if ((high.x - low.x + 1u) * (high.y - low.y + 1u) > BINS_NARROW) {

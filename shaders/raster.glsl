@@ -26,13 +26,16 @@ layout(constant_id = 2) const uint COUNT = 0u;
 #endif
 
 const uint SIDE = RASTER_SQUARE;
-// Premultiplied colour, and how much of what lies behind shows.
-vec4 pixels[SIDE * SIDE];
-uint shaded = 0u;
-// Whether some pixel is not full.
-bool open = true;
-// Centre of the square, px.
-vec2 middle;
+// The square of pixels that an invocation blends.
+struct Square {
+    // Premultiplied colour, and how much of what lies behind shows.
+    vec4 pixels[SIDE * SIDE];
+    // Whether some pixel is not full.
+    bool open;
+    uint shaded;
+    // px
+    vec2 middle;
+};
 
 #ifdef WEB
 uint key_at(uint i) { return keys[i >> 1u] >> 16u * (i & 1u) & 0xffffu; }
@@ -54,23 +57,26 @@ uint step_back(uint chain) {
 #include "raster_alone.glsl"
 #endif
 
-void main() {
-    UNROLL for (uint k = 0u; k < SIDE * SIDE; ++k) {
-        pixels[k] = vec4(0.0, 0.0, 0.0, 1.0);
+void store(uvec2 at, uvec2 size, vec4 pixel) {
+    if (all(lessThan(at, size))) {
+        imageStore(picture, ivec2(at), vec4(pixel.rgb, 1.0 - pixel.a));
     }
-    uint lane = begin();
+}
+
+void main() {
+    uint lane = lane_of_group();
     // Neighbours in a subgroup of any size are neighbours in the picture: bits of the lane are, from the lowest, x y x y x y.
     uvec2 place = uvec2((lane & 1u) | (lane >> 1u & 2u) | (lane >> 2u & 4u), (lane >> 1u & 1u) | (lane >> 2u & 2u) | (lane >> 3u & 4u));
     uvec2 first = REGION * RASTER_REGION + SIDE * place;
-    middle = vec2(first) + 0.5 * float(SIDE);
-    blend_tiles(uvec2(middle / frame.tile));
-    UNROLL for (uint k = 0u; k < SIDE * SIDE; ++k) {
-        uvec2 pixel = first + uvec2(k % SIDE, k / SIDE);
-        if (all(lessThan(pixel, uvec2(frame.size)))) {
-            imageStore(picture, ivec2(pixel), vec4(pixels[k].rgb, 1.0 - pixels[k].a));
-        }
-    }
-    if (COUNT != 0u && shaded > 0u) {
-        atomicAdd(control.fragments, shaded);
+    Square square;
+    square.open = true;
+    square.shaded = 0u;
+    square.middle = vec2(first) + 0.5 * float(SIDE);
+    EACH_PIXEL(square.pixels[k] = vec4(0.0, 0.0, 0.0, 1.0))
+    blend_tiles(square, uvec2(square.middle / frame.tile));
+    uvec2 size = uvec2(frame.size);
+    EACH_PIXEL(store(first + uvec2(k % SIDE, k / SIDE), size, square.pixels[k]))
+    if (COUNT != 0u && square.shaded > 0u) {
+        atomicAdd(control.fragments, square.shaded);
     }
 }

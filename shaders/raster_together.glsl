@@ -1,9 +1,13 @@
 // Blending where a subgroup walks the chains together: it reads a node of splats at once and hands round those that meet its pixels. For
 // processors whose subgroups are narrow and keep step (lavapipe's of 8): a splat is unpacked once a subgroup.
 #define UNROLL [[unroll]]
+#define EACH_PIXEL(does) \
+    UNROLL for (uint k = 0u; k < SIDE * SIDE; ++k) { \
+        does; \
+    }
 
-// The invocation's number, which counts a subgroup's lanes in turn.
-uint begin() { return gl_SubgroupID * gl_SubgroupSize + gl_SubgroupInvocationID; }
+// The invocation's number, counting a subgroup's lanes in turn.
+uint lane_of_group() { return gl_SubgroupID * gl_SubgroupSize + gl_SubgroupInvocationID; }
 
 // A splat, ready to be put on pixels. Standard deviations are times √(½ log₂ e): the Gaussian is 2^−|deviation|².
 struct Ready {
@@ -32,10 +36,10 @@ Ready ready(uvec4 words) {
 }
 
 // Puts a splat behind what the pixels hold.
-void blend(Ready splat) {
+void blend(inout Square square, Ready splat) {
     const float half_side = 0.5 * float(SIDE - 1u);
-    vec2 from = middle - splat.center;
-    if (!(open && all(lessThan(abs(from), splat.reach + half_side)))) {
+    vec2 from = square.middle - splat.center;
+    if (!(square.open && all(lessThan(abs(from), splat.reach + half_side)))) {
         return;
     }
     from -= half_side;
@@ -51,20 +55,22 @@ void blend(Ready splat) {
         UNROLL for (uint x = 0u; x < SIDE; ++x) {
             uint k = y * SIDE + x;
             float covers = min(alpha, 0.99);
-            float share = covers >= CUTOFF ? covers * pixels[k].a : 0.0;
-            pixels[k] = vec4(pixels[k].rgb + share * splat.color.rgb, pixels[k].a - share);
-            most = max(most, pixels[k].a);
+            vec4 pixel = square.pixels[k];
+            float share = covers >= CUTOFF ? covers * pixel.a : 0.0;
+            pixel = vec4(pixel.rgb + share * splat.color.rgb, pixel.a - share);
+            square.pixels[k] = pixel;
+            most = max(most, pixel.a);
             alpha *= factor;
             factor *= splat.bend;
         }
         deviation += vec2(splat.along.y, splat.across.y);
     }
-    shaded += SIDE * SIDE;
-    open = most >= FULL;
+    square.shaded += SIDE * SIDE;
+    square.open = most >= FULL;
 }
 
 // Blends a block's chains of all levels as one: larger keys are nearer, of equal ones larger numbers.
-void blend_merged(uvec4 chains) {
+void blend_merged(inout Square square, uvec4 chains) {
     uvec4 first = uvec4(0u);
     uvec4 keys = uvec4(0u);
     UNROLL for (uint level = 0u; level < BINS_LEVELS; ++level) {
@@ -73,7 +79,7 @@ void blend_merged(uvec4 chains) {
             keys[level] = key_at(first[level]);
         }
     }
-    while (open && chains != uvec4(0u)) {
+    while (square.open && chains != uvec4(0u)) {
         uint take = BINS_LEVELS;
         uint splat = 0u;
         uint key = 0u;
@@ -85,7 +91,7 @@ void blend_merged(uvec4 chains) {
                 key = keys[level];
             }
         }
-        blend(ready(splats[splat]));
+        blend(square, ready(splats[splat]));
         UNROLL for (uint level = 0u; level < BINS_LEVELS; ++level) {
             if (level == take) {
                 chains[level] = step_back(chains[level]);
@@ -100,13 +106,13 @@ void blend_merged(uvec4 chains) {
 
 // A subgroup lies in one tile: its invocations read a node together, a splat each, and hand round those that meet the subgroup's pixels.
 // They stay together until all are done.
-void blend_chain(uint chain) {
+void blend_chain(inout Square square, uint chain) {
     uint lane = gl_SubgroupInvocationID;
-    vec2 low = subgroupMin(middle);
-    vec2 high = subgroupMax(middle);
+    vec2 low = subgroupMin(square.middle);
+    vec2 high = subgroupMax(square.middle);
     vec2 center = 0.5 * (low + high);
     vec2 box = 0.5 * (high - low) + 0.5 * float(SIDE - 1u);
-    while (chain != 0u && subgroupAny(open)) {
+    while (chain != 0u && subgroupAny(square.open)) {
         uint held = chain & BINS_HELD;
         uint word = lane < BINS_NODE ? bins[BINS_NODES + chain - held + lane] : 0u;
         bool mine = lane > 0u && lane <= held;
@@ -122,21 +128,21 @@ void blend_chain(uint chain) {
             next.across = subgroupShuffle(splat.across, from);
             next.color = subgroupShuffle(splat.color, from);
             next.bend = subgroupShuffle(splat.bend, from);
-            blend(next);
+            blend(square, next);
         }
         chain = subgroupShuffle(word, 0u);
     }
 }
 
 // The tiles of all levels at a place, columns and rows of the finest.
-void blend_tiles(uvec2 at) {
+void blend_tiles(inout Square square, uvec2 at) {
     uvec4 tiles;
     uint blocks = 0u;
     UNROLL for (uint level = 0u; level < BINS_LEVELS; ++level) {
         tiles[level] = bins_tile(level, level < BINS_WHOLE ? at >> 2u * level : uvec2(0u));
         blocks |= bins[BINS_MET + tiles[level]];
     }
-    while (blocks != 0u && subgroupAny(open)) {
+    while (blocks != 0u && subgroupAny(square.open)) {
         uint block = uint(findMSB(blocks));
         blocks ^= 1u << block;
         uvec4 chains;
@@ -148,9 +154,9 @@ void blend_tiles(uvec2 at) {
             all |= chains[level];
         }
         if (one) {
-            blend_chain(all);
+            blend_chain(square, all);
         } else {
-            blend_merged(chains);
+            blend_merged(square, chains);
         }
     }
 }

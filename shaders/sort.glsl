@@ -36,12 +36,14 @@ const uint SHIFT = 8u * PASS;
 const uint DIGIT_MASK = SORT_DIGITS - 1u;
 const uint VALUE_MASK = 0xffffffu;
 
-// Where things start in the counts, in words: the tiles' histograms, the state of a sort, the histograms of groups of tiles, and two
-// areas in which the tiles of a pass tell each other their counts.
+// Where things start in the counts, in words: the tiles' histograms, the state of a sort, the histograms of groups of tiles, and then
+// either two areas in which the tiles of a pass tell each other their counts or the counters of the lanes.
 PLACE STATE_AT = TILES * SORT_DIGITS;
 PLACE AHEAD_AT = STATE_AT + SORT_STATE;
 PLACE GROUPS_AT = AHEAD_AT + 3u * SORT_DIGITS;
 PLACE STATUS_AT = GROUPS_AT + (TILES + SORT_GROUP - 1u) / SORT_GROUP * SORT_DIGITS;
+PLACE LANES_AT = STATUS_AT;
+const uint LANE_ROW = SORT_DIGITS * (SORT_LANES + 1u);
 
 uint digit_of(uint key) { return READS == PACKED ? key >> 24u : key >> SHIFT & DIGIT_MASK; }
 

@@ -1,7 +1,13 @@
 // The entries that a pass reads, and their counts.
 layout(std430, set = 0, binding = 1) readonly buffer Entries { uint entry[]; };
 // A row of SORT_DIGITS counts a tile, then what sort.glsl says.
-layout(std430, set = 0, binding = 2) buffer Counts { uint counts[]; };
+// Lanes read each other's counters; WGSL has no word for that and needs none.
+#if defined(LANES) && !defined(WEB)
+#define COUNTS coherent buffer
+#else
+#define COUNTS buffer
+#endif
+layout(std430, set = 0, binding = 2) COUNTS Counts { uint counts[]; };
 layout(std430, set = 0, binding = 3) buffer ControlBuffer { Control control; };
 
 // Entries that this pass reads.

@@ -1,25 +1,22 @@
 // A tile cut into one run of neighbouring entries an invocation, each with counters of its own: nothing is atomic and nearly nothing
 // waits, which is what processors that run invocations one after another want.
 //
-// Two digits' counters share a word, 16 bits each, which hold a tile: browsers fill shared memory with zeros, and SwiftShader compiles a
-// store for every word of it.
-const uint DIGIT_PAIRS = SORT_DIGITS / 2u;
-shared uint next[DIGIT_PAIRS * SORT_LANES];
+// The counters are in storage, which on a processor is as near as shared memory: browsers fill that with zeros, and SwiftShader
+// compiles a store for every word of it. And the kernel that moves finds there what the one that counts has left.
 
-uint word_of(uint digit, uint lane) { return (digit >> 1u) * SORT_LANES + lane; }
-uint shift_of(uint digit) { return 16u * (digit & 1u); }
+// Where an invocation's counter of a digit is: each tile has a row of them, and behind them where its digits start.
+uint counter(uint digit, uint lane) { return LANES_AT + gl_WorkGroupID.x * LANE_ROW + digit * SORT_LANES + lane; }
 
 void count_own_run(uint lane, uint tile, uint end) {
-    for (uint pair = 0u; pair < DIGIT_PAIRS; ++pair) {
-        next[pair * SORT_LANES + lane] = 0u;
+    for (uint digit = 0u; digit < SORT_DIGITS; ++digit) {
+        counts[counter(digit, lane)] = 0u;
     }
     uint run = TILE / SORT_LANES;
     uint from = tile * TILE + lane * run;
     for (uint at = from; at < min(end, from + run); ++at) {
         uint key = key_at(at);
         if (enters(key)) {
-            uint digit = digit_of(key);
-            next[word_of(digit, lane)] += 1u << shift_of(digit);
+            counts[counter(digit_of(key), lane)] += 1u;
         }
     }
 }

@@ -1,6 +1,7 @@
 // `sort_count` with counters of their own for each invocation.
 #version 450
 #extension GL_GOOGLE_include_directive : require
+#define LANES
 #include "sort.glsl"
 #include "sort_entries.glsl"
 #include "sort_lanes.glsl"
@@ -20,13 +21,15 @@ void main() {
         }
     }
     count_own_run(lane, tile, end);
+    memoryBarrierBuffer();
     barrier();
-    for (uint pair = lane; pair < DIGIT_PAIRS; pair += SORT_LANES) {
-        uint sums = 0u;
-        for (uint l = 0u; l < SORT_LANES; ++l) {
-            sums += next[pair * SORT_LANES + l];
+    // Which compilers are not to see, as in the kernel that moves.
+    uint lanes = min(SORT_LANES, end | SORT_LANES);
+    for (uint digit = lane; digit < SORT_DIGITS; digit += SORT_LANES) {
+        uint sum = 0u;
+        for (uint l = 0u; l < lanes; ++l) {
+            sum += counts[counter(digit, l)];
         }
-        counts[tile * SORT_DIGITS + 2u * pair] = sums & 0xffffu;
-        counts[tile * SORT_DIGITS + 2u * pair + 1u] = sums >> 16u;
+        counts[tile * SORT_DIGITS + digit] = sum;
     }
 }

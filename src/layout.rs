@@ -66,12 +66,13 @@ pub const PYRAMID_WORDS: u32 = {
 /// Texels of the finest level along the sides of a workgroup of `surface`: two or more of the coarsest level across, which share a word.
 pub const SURFACE_WIDTH: u32 = 16;
 pub const SURFACE_HEIGHT: u32 = 8;
-/// Tiles along each side of the picture, at most.
-pub const BINS_SIDE: u32 = 128;
+/// How the Vulkan backend cuts pictures into tiles.
+pub const BINS: bins::Tiling = bins::Tiling { side: 128, least: 16, nodes: 1 };
+/// How the WebGPU backend does. Four lanes of a processor blend 8 by 8 pixels: each splat of a tile costs them the same, whether it meets
+/// them or not.
+pub const BINS_WEB: bins::Tiling = bins::Tiling { side: 256, least: 2 * RASTER_SQUARE, nodes: 2 };
 /// Levels of tiles, each of a sixteenth of the tiles before it; the last is one tile, the whole picture.
 pub const BINS_LEVELS: u32 = 4;
-/// Tiles of all levels.
-pub const BINS_TILES: u32 = bins::first_tile(BINS_LEVELS - 1) + 1;
 /// Blocks of the drawing order, an invocation of `bins` each: a bit of a word each.
 pub const BINS_BLOCKS: u32 = 32;
 /// Invocations of a workgroup of `bins`.
@@ -86,8 +87,6 @@ pub const RASTER_SQUARE: u32 = 4;
 pub const RASTER_REGION: u32 = 8 * RASTER_SQUARE;
 /// Invocations of such a workgroup.
 pub const RASTER_SIZE: u32 = 64;
-/// Pixels along each side of the smallest tile.
-pub const BINS_TILE: u32 = 16;
 /// Bits of a splat's coordinate: a fixed-point number from −guard to guard + size.
 pub const POSITION_BITS: u32 = 20;
 
@@ -118,9 +117,11 @@ pub const MACROS: &[(&str, u32)] = &[
     ("SURFACE_LEVELS", SURFACE_LEVELS),
     ("SURFACE_WIDTH", SURFACE_WIDTH),
     ("SURFACE_HEIGHT", SURFACE_HEIGHT),
-    ("BINS_SIDE", BINS_SIDE),
+    ("BINS_SIDE", BINS.side),
+    ("BINS_WEB_SIDE", BINS_WEB.side),
     ("BINS_LEVELS", BINS_LEVELS),
-    ("BINS_TILES", BINS_TILES),
+    ("BINS_TILES", BINS.tiles()),
+    ("BINS_WEB_TILES", BINS_WEB.tiles()),
     ("BINS_BLOCKS", BINS_BLOCKS),
     ("BINS_SIZE", BINS_SIZE),
     ("BINS_NODE", BINS_NODE),

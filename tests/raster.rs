@@ -5,14 +5,10 @@ mod common;
 use common::{Sizes, gpu};
 use effigy::{
     frame::{Camera, Posed, Skip},
-    layout::BINS_LEVELS,
+    layout::{BINS, BINS_LEVELS},
     measure::error,
     reference::bins,
-    vulkan::{
-        Renderer, RendererOptions,
-        raster::{self, Method},
-        sort::KeyBits,
-    },
+    vulkan::{Renderer, RendererOptions, raster::Method, sort::KeyBits},
 };
 use glam::DVec3;
 use half::f16;
@@ -149,7 +145,7 @@ fn each_tile_has_the_splats_that_meet_it_nearest_first() {
         let order = renderer.stages().unwrap().order;
         let oracle = effigy::reference::Stages::new(&avatar, &posed, &camera);
         let place = |splat: &u32| order.iter().position(|other| other == splat).unwrap();
-        let side = raster::tile(size);
+        let side = BINS.tile(size);
         let mut met = [0; BINS_LEVELS as usize];
         for tile in (0..size[1].div_ceil(side)).flat_map(|row| (0..size[0].div_ceil(side)).map(move |column| [column, row])) {
             let levels = bins.at(tile);

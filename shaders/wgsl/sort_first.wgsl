@@ -59,38 +59,38 @@ var<workgroup> global_7: array<atomic<u32>, 2048>;
 
 @compute @workgroup_size(128, 1, 1) 
 fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) param_1: vec3<u32>) {
-    var phi_888_: u32;
-    var phi_891_: u32;
-    var phi_890_: u32;
-    var phi_941_: u32;
-    var phi_938_: u32;
-    var phi_944_: u32;
-    var phi_939_: u32;
+    var phi_913_: u32;
+    var phi_916_: u32;
+    var phi_915_: u32;
+    var phi_968_: u32;
+    var phi_963_: u32;
+    var phi_971_: u32;
+    var phi_964_: u32;
     var local: u32;
     var local_1: u32;
     var local_2: u32;
     var local_3: u32;
-    var phi_895_: u32;
-    var phi_892_: u32;
-    var phi_893_: u32;
+    var phi_920_: u32;
+    var phi_917_: u32;
+    var phi_918_: u32;
     var local_4: u32;
     var local_5: u32;
     var local_6: u32;
-    var phi_889_: u32;
-    var phi_897_: u32;
-    var phi_896_: u32;
-    var phi_909_: u32;
-    var phi_899_: u32;
-    var phi_898_: bool;
-    var phi_917_: u32;
-    var phi_904_: u32;
-    var phi_901_: u32;
-    var phi_932_: u32;
-    var phi_933_: u32;
-    var local_7: u32;
     var phi_914_: u32;
-    var phi_912_: u32;
-    var phi_918_: u32;
+    var phi_922_: u32;
+    var phi_921_: u32;
+    var phi_934_: u32;
+    var phi_924_: u32;
+    var phi_923_: bool;
+    var phi_942_: u32;
+    var phi_929_: u32;
+    var phi_926_: u32;
+    var phi_957_: u32;
+    var phi_958_: u32;
+    var local_7: u32;
+    var phi_939_: u32;
+    var phi_937_: u32;
+    var phi_943_: u32;
     var local_8: u32;
     var local_9: u32;
     var local_10: u32;
@@ -108,9 +108,9 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
             if (_e36 >= _e44) {
                 break;
             }
-            phi_888_ = _e34;
+            phi_913_ = _e34;
             loop {
-                let _e47 = phi_888_;
+                let _e47 = phi_913_;
                 if (_e47 < 2048u) {
                     continue;
                 } else {
@@ -118,27 +118,27 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                 }
                 continuing {
                     atomicStore((&global_7[_e47]), 0u);
-                    phi_888_ = (_e47 + 128u);
+                    phi_913_ = (_e47 + 128u);
                 }
             }
             switch bitcast<i32>(0u) {
                 default: {
                     let _e53 = global.member_6;
                     if !((_e53 != 0u)) {
-                        phi_891_ = 0u;
-                        phi_890_ = 0u;
+                        phi_916_ = 0u;
+                        phi_915_ = 0u;
                         loop {
-                            let _e57 = phi_891_;
-                            let _e59 = phi_890_;
+                            let _e57 = phi_916_;
+                            let _e59 = phi_915_;
                             local_3 = _e57;
                             local_6 = _e57;
                             if (_e59 < 2u) {
                                 let _e62 = ((_e34 * 2u) + _e59);
-                                phi_941_ = 0u;
-                                phi_938_ = 0u;
+                                phi_968_ = 0u;
+                                phi_963_ = 0u;
                                 loop {
-                                    let _e64 = phi_941_;
-                                    let _e66 = phi_938_;
+                                    let _e64 = phi_968_;
+                                    let _e66 = phi_963_;
                                     local = _e64;
                                     local_1 = _e64;
                                     if (_e66 < _e36) {
@@ -148,15 +148,15 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                                     }
                                     continuing {
                                         let _e72 = global_6.member[((_e66 * 256u) + _e62)];
-                                        phi_941_ = (_e64 + _e72);
-                                        phi_938_ = (_e66 + bitcast<u32>(1i));
+                                        phi_968_ = (_e64 + _e72);
+                                        phi_963_ = (_e66 + bitcast<u32>(1i));
                                     }
                                 }
-                                phi_944_ = 0u;
-                                phi_939_ = _e36;
+                                phi_971_ = 0u;
+                                phi_964_ = _e36;
                                 loop {
-                                    let _e77 = phi_944_;
-                                    let _e79 = phi_939_;
+                                    let _e77 = phi_971_;
+                                    let _e79 = phi_964_;
                                     local_2 = _e77;
                                     if (_e79 < _e44) {
                                         continue;
@@ -165,8 +165,8 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                                     }
                                     continuing {
                                         let _e85 = global_6.member[((_e79 * 256u) + _e62)];
-                                        phi_944_ = (_e77 + _e85);
-                                        phi_939_ = (_e79 + bitcast<u32>(1i));
+                                        phi_971_ = (_e77 + _e85);
+                                        phi_964_ = (_e79 + bitcast<u32>(1i));
                                     }
                                 }
                                 let _e90 = local;
@@ -179,19 +179,19 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                                 break;
                             }
                             continuing {
-                                let _e259 = local_8;
-                                phi_891_ = _e259;
-                                phi_890_ = (_e59 + bitcast<u32>(1i));
+                                let _e263 = local_8;
+                                phi_916_ = _e263;
+                                phi_915_ = (_e59 + bitcast<u32>(1i));
                             }
                         }
                         let _e103 = local_3;
                         global_4[_e34] = _e103;
                         workgroupBarrier();
-                        phi_895_ = 0u;
-                        phi_892_ = 0u;
+                        phi_920_ = 0u;
+                        phi_917_ = 0u;
                         loop {
-                            let _e105 = phi_895_;
-                            let _e107 = phi_892_;
+                            let _e105 = phi_920_;
+                            let _e107 = phi_917_;
                             local_4 = _e105;
                             local_5 = _e105;
                             if (_e107 < _e34) {
@@ -201,13 +201,13 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                             }
                             continuing {
                                 let _e110 = global_4[_e107];
-                                phi_895_ = (_e105 + _e110);
-                                phi_892_ = (_e107 + bitcast<u32>(1i));
+                                phi_920_ = (_e105 + _e110);
+                                phi_917_ = (_e107 + bitcast<u32>(1i));
                             }
                         }
-                        phi_893_ = 0u;
+                        phi_918_ = 0u;
                         loop {
-                            let _e115 = phi_893_;
+                            let _e115 = phi_918_;
                             if (_e115 < 2u) {
                                 continue;
                             } else {
@@ -217,7 +217,7 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                                 let _e120 = global_5[((_e34 * 2u) + _e115)];
                                 let _e122 = local_4;
                                 global_5[((_e34 * 2u) + _e115)] = (_e120 + _e122);
-                                phi_893_ = (_e115 + bitcast<u32>(1i));
+                                phi_918_ = (_e115 + bitcast<u32>(1i));
                             }
                         }
                         workgroupBarrier();
@@ -230,121 +230,122 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                         }
                         break;
                     }
-                    phi_889_ = _e34;
+                    phi_914_ = 0u;
                     loop {
-                        let _e142 = phi_889_;
-                        if (_e142 < 256u) {
+                        let _e142 = phi_914_;
+                        if (_e142 < 2u) {
                             continue;
                         } else {
                             break;
                         }
                         continuing {
-                            let _e148 = global_6.member[((_e36 * 256u) + _e142)];
-                            global_5[_e142] = _e148;
-                            phi_889_ = (_e142 + 128u);
+                            let _e144 = (_e34 * 2u);
+                            let _e151 = global_6.member[(((_e36 * 256u) + _e144) + _e142)];
+                            global_5[(_e144 + _e142)] = _e151;
+                            phi_914_ = (_e142 + bitcast<u32>(1i));
                         }
                     }
                     workgroupBarrier();
                     break;
                 }
             }
-            let _e151 = (_e34 / 32u);
-            let _e154 = (1u << bitcast<u32>((_e34 & 31u)));
-            let _e158 = min(_e41, ((_e36 + 1u) * 4096u));
-            phi_897_ = 0u;
-            phi_896_ = (_e36 * 4096u);
+            let _e155 = (_e34 / 32u);
+            let _e158 = (1u << bitcast<u32>((_e34 & 31u)));
+            let _e162 = min(_e41, ((_e36 + 1u) * 4096u));
+            phi_922_ = 0u;
+            phi_921_ = (_e36 * 4096u);
             loop {
-                let _e161 = phi_897_;
-                let _e163 = phi_896_;
-                if (_e163 < _e158) {
-                    let _e165 = (_e163 + _e34);
-                    let _e167 = ((_e161 & 1u) * 1024u);
-                    let _e168 = (_e165 < _e158);
-                    phi_909_ = 0u;
-                    phi_899_ = 0u;
-                    phi_898_ = _e168;
-                    if _e168 {
-                        let _e173 = global_2.member[(_e165 >> bitcast<u32>(1u))];
-                        let _e178 = ((_e173 >> bitcast<u32>((16u * (_e165 & 1u)))) & 65535u);
-                        let _e180 = select(_e178, 4294967295u, (_e178 == 65535u));
-                        phi_909_ = _e180;
-                        phi_899_ = (_e180 & 255u);
-                        phi_898_ = (false || (_e180 != 4294967295u));
+                let _e165 = phi_922_;
+                let _e167 = phi_921_;
+                if (_e167 < _e162) {
+                    let _e169 = (_e167 + _e34);
+                    let _e171 = ((_e165 & 1u) * 1024u);
+                    let _e172 = (_e169 < _e162);
+                    phi_934_ = 0u;
+                    phi_924_ = 0u;
+                    phi_923_ = _e172;
+                    if _e172 {
+                        let _e177 = global_2.member[(_e169 >> bitcast<u32>(1u))];
+                        let _e182 = ((_e177 >> bitcast<u32>((16u * (_e169 & 1u)))) & 65535u);
+                        let _e184 = select(_e182, 4294967295u, (_e182 == 65535u));
+                        phi_934_ = _e184;
+                        phi_924_ = (_e184 & 255u);
+                        phi_923_ = (false || (_e184 != 4294967295u));
                     }
-                    let _e185 = phi_909_;
-                    let _e187 = phi_899_;
-                    let _e189 = phi_898_;
-                    if _e189 {
-                        let _e194 = atomicOr((&global_7[((_e167 + (_e151 * 256u)) + _e187)]), _e154);
+                    let _e189 = phi_934_;
+                    let _e191 = phi_924_;
+                    let _e193 = phi_923_;
+                    if _e193 {
+                        let _e198 = atomicOr((&global_7[((_e171 + (_e155 * 256u)) + _e191)]), _e158);
                     }
                     workgroupBarrier();
-                    phi_914_ = 0u;
-                    phi_912_ = 0u;
-                    if _e189 {
-                        phi_917_ = 0u;
-                        phi_904_ = 0u;
-                        phi_901_ = 0u;
+                    phi_939_ = 0u;
+                    phi_937_ = 0u;
+                    if _e193 {
+                        phi_942_ = 0u;
+                        phi_929_ = 0u;
+                        phi_926_ = 0u;
                         loop {
-                            let _e196 = phi_917_;
-                            let _e198 = phi_904_;
-                            let _e200 = phi_901_;
-                            local_7 = _e198;
-                            local_11 = _e196;
-                            local_12 = _e198;
-                            if (_e200 < 4u) {
-                                let _e206 = atomicLoad((&global_7[((_e167 + (_e200 * 256u)) + _e187)]));
-                                let _e208 = bitcast<u32>(countOneBits(_e206));
-                                local_9 = (_e196 + _e208);
-                                if (_e200 < _e151) {
-                                    phi_933_ = _e208;
+                            let _e200 = phi_942_;
+                            let _e202 = phi_929_;
+                            let _e204 = phi_926_;
+                            local_7 = _e202;
+                            local_11 = _e200;
+                            local_12 = _e202;
+                            if (_e204 < 4u) {
+                                let _e210 = atomicLoad((&global_7[((_e171 + (_e204 * 256u)) + _e191)]));
+                                let _e212 = bitcast<u32>(countOneBits(_e210));
+                                local_9 = (_e200 + _e212);
+                                if (_e204 < _e155) {
+                                    phi_958_ = _e212;
                                 } else {
-                                    if (_e200 == _e151) {
-                                        phi_932_ = bitcast<u32>(countOneBits((_e206 & (_e154 - 1u))));
+                                    if (_e204 == _e155) {
+                                        phi_957_ = bitcast<u32>(countOneBits((_e210 & (_e158 - 1u))));
                                     } else {
-                                        phi_932_ = 0u;
+                                        phi_957_ = 0u;
                                     }
-                                    let _e216 = phi_932_;
-                                    phi_933_ = _e216;
+                                    let _e220 = phi_957_;
+                                    phi_958_ = _e220;
                                 }
-                                let _e218 = phi_933_;
-                                local_10 = (_e198 + _e218);
+                                let _e222 = phi_958_;
+                                local_10 = (_e202 + _e222);
                                 continue;
                             } else {
                                 break;
                             }
                             continuing {
-                                let _e283 = local_9;
-                                phi_917_ = _e283;
-                                let _e286 = local_10;
-                                phi_904_ = _e286;
-                                phi_901_ = (_e200 + bitcast<u32>(1i));
+                                let _e287 = local_9;
+                                phi_942_ = _e287;
+                                let _e290 = local_10;
+                                phi_929_ = _e290;
+                                phi_926_ = (_e204 + bitcast<u32>(1i));
                             }
                         }
-                        let _e223 = global_5[_e187];
-                        let _e225 = local_7;
-                        global_3.member[(_e223 + _e225)] = ((((_e185 >> bitcast<u32>(8u)) & 255u) << bitcast<u32>(24u)) | _e165);
-                        let _e293 = local_11;
-                        phi_914_ = _e293;
-                        let _e296 = local_12;
-                        phi_912_ = _e296;
+                        let _e227 = global_5[_e191];
+                        let _e229 = local_7;
+                        global_3.member[(_e227 + _e229)] = ((((_e189 >> bitcast<u32>(8u)) & 255u) << bitcast<u32>(24u)) | _e169);
+                        let _e297 = local_11;
+                        phi_939_ = _e297;
+                        let _e300 = local_12;
+                        phi_937_ = _e300;
                     }
-                    let _e236 = phi_914_;
-                    let _e238 = phi_912_;
+                    let _e240 = phi_939_;
+                    let _e242 = phi_937_;
                     workgroupBarrier();
-                    if (_e189 && (_e238 == 0u)) {
-                        let _e242 = global_5[_e187];
-                        global_5[_e187] = (_e242 + _e236);
-                        phi_918_ = 0u;
+                    if (_e193 && (_e242 == 0u)) {
+                        let _e246 = global_5[_e191];
+                        global_5[_e191] = (_e246 + _e240);
+                        phi_943_ = 0u;
                         loop {
-                            let _e245 = phi_918_;
-                            if (_e245 < 4u) {
+                            let _e249 = phi_943_;
+                            if (_e249 < 4u) {
                                 continue;
                             } else {
                                 break;
                             }
                             continuing {
-                                atomicStore((&global_7[((_e167 + (_e245 * 256u)) + _e187)]), 0u);
-                                phi_918_ = (_e245 + bitcast<u32>(1i));
+                                atomicStore((&global_7[((_e171 + (_e249 * 256u)) + _e191)]), 0u);
+                                phi_943_ = (_e249 + bitcast<u32>(1i));
                             }
                         }
                     }
@@ -353,8 +354,8 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                     break;
                 }
                 continuing {
-                    phi_897_ = (_e161 + bitcast<u32>(1i));
-                    phi_896_ = (_e163 + 128u);
+                    phi_922_ = (_e165 + bitcast<u32>(1i));
+                    phi_921_ = (_e167 + 128u);
                 }
             }
             break;

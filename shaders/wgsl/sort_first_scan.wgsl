@@ -27,7 +27,7 @@ struct type_7 {
     member: type_6,
 }
 
-struct type_11 {
+struct type_12 {
     member: array<u32>,
 }
 
@@ -46,25 +46,25 @@ var<storage, read_write> global_4: type_14;
 
 @compute @workgroup_size(128, 1, 1) 
 fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) param_1: vec3<u32>) {
-    var phi_499_: u32;
-    var phi_498_: u32;
+    var phi_512_: u32;
     var phi_511_: u32;
-    var phi_508_: u32;
-    var phi_514_: u32;
-    var phi_509_: u32;
+    var phi_526_: u32;
+    var phi_521_: u32;
+    var phi_529_: u32;
+    var phi_522_: u32;
     var local: u32;
     var local_1: u32;
     var local_2: u32;
     var local_3: u32;
-    var phi_503_: u32;
-    var phi_500_: u32;
-    var phi_501_: u32;
+    var phi_516_: u32;
+    var phi_513_: u32;
+    var phi_514_: u32;
     var local_4: u32;
     var local_5: u32;
     var local_6: u32;
-    var phi_504_: u32;
-    var phi_507_: u32;
-    var phi_505_: u32;
+    var phi_517_: u32;
+    var phi_520_: u32;
+    var phi_518_: u32;
     var local_7: u32;
 
     switch bitcast<i32>(0u) {
@@ -80,20 +80,20 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
             if (_e28 >= _e38) {
                 break;
             }
-            phi_499_ = 0u;
-            phi_498_ = 0u;
+            phi_512_ = 0u;
+            phi_511_ = 0u;
             loop {
-                let _e41 = phi_499_;
-                let _e43 = phi_498_;
+                let _e41 = phi_512_;
+                let _e43 = phi_511_;
                 local_3 = _e41;
                 local_6 = _e41;
                 if (_e43 < 2u) {
                     let _e46 = ((_e26 * 2u) + _e43);
-                    phi_511_ = 0u;
-                    phi_508_ = 0u;
+                    phi_526_ = 0u;
+                    phi_521_ = 0u;
                     loop {
-                        let _e48 = phi_511_;
-                        let _e50 = phi_508_;
+                        let _e48 = phi_526_;
+                        let _e50 = phi_521_;
                         local = _e48;
                         local_1 = _e48;
                         if (_e50 < _e28) {
@@ -103,15 +103,15 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                         }
                         continuing {
                             let _e57 = global_4.member[((_e24 + (_e50 * 256u)) + _e46)];
-                            phi_511_ = (_e48 + _e57);
-                            phi_508_ = (_e50 + bitcast<u32>(1i));
+                            phi_526_ = (_e48 + _e57);
+                            phi_521_ = (_e50 + bitcast<u32>(1i));
                         }
                     }
-                    phi_514_ = 0u;
-                    phi_509_ = _e28;
+                    phi_529_ = 0u;
+                    phi_522_ = _e28;
                     loop {
-                        let _e62 = phi_514_;
-                        let _e64 = phi_509_;
+                        let _e62 = phi_529_;
+                        let _e64 = phi_522_;
                         local_2 = _e62;
                         if (_e64 < _e38) {
                             continue;
@@ -120,8 +120,8 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                         }
                         continuing {
                             let _e71 = global_4.member[((_e24 + (_e64 * 256u)) + _e46)];
-                            phi_514_ = (_e62 + _e71);
-                            phi_509_ = (_e64 + bitcast<u32>(1i));
+                            phi_529_ = (_e62 + _e71);
+                            phi_522_ = (_e64 + bitcast<u32>(1i));
                         }
                     }
                     let _e76 = local;
@@ -135,18 +135,18 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                 }
                 continuing {
                     let _e152 = local_7;
-                    phi_499_ = _e152;
-                    phi_498_ = (_e43 + bitcast<u32>(1i));
+                    phi_512_ = _e152;
+                    phi_511_ = (_e43 + bitcast<u32>(1i));
                 }
             }
             let _e89 = local_3;
             global_2[_e26] = _e89;
             workgroupBarrier();
-            phi_503_ = 0u;
-            phi_500_ = 0u;
+            phi_516_ = 0u;
+            phi_513_ = 0u;
             loop {
-                let _e91 = phi_503_;
-                let _e93 = phi_500_;
+                let _e91 = phi_516_;
+                let _e93 = phi_513_;
                 local_4 = _e91;
                 local_5 = _e91;
                 if (_e93 < _e26) {
@@ -156,13 +156,13 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                 }
                 continuing {
                     let _e96 = global_2[_e93];
-                    phi_503_ = (_e91 + _e96);
-                    phi_500_ = (_e93 + bitcast<u32>(1i));
+                    phi_516_ = (_e91 + _e96);
+                    phi_513_ = (_e93 + bitcast<u32>(1i));
                 }
             }
-            phi_501_ = 0u;
+            phi_514_ = 0u;
             loop {
-                let _e101 = phi_501_;
+                let _e101 = phi_514_;
                 if (_e101 < 2u) {
                     continue;
                 } else {
@@ -172,7 +172,7 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                     let _e106 = global_3[((_e26 * 2u) + _e101)];
                     let _e108 = local_4;
                     global_3[((_e26 * 2u) + _e101)] = (_e106 + _e108);
-                    phi_501_ = (_e101 + bitcast<u32>(1i));
+                    phi_514_ = (_e101 + bitcast<u32>(1i));
                 }
             }
             workgroupBarrier();
@@ -183,16 +183,16 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                 global_1.member.member_6 = _e116;
                 global_1.member.member_1 = ((_e116 + 127u) / 128u);
             }
-            phi_504_ = _e26;
+            phi_517_ = _e26;
             loop {
-                let _e128 = phi_504_;
+                let _e128 = phi_517_;
                 if (_e128 < 256u) {
                     let _e131 = global_3[_e128];
-                    phi_507_ = _e131;
-                    phi_505_ = (_e28 * 64u);
+                    phi_520_ = _e131;
+                    phi_518_ = (_e28 * 64u);
                     loop {
-                        let _e134 = phi_507_;
-                        let _e136 = phi_505_;
+                        let _e134 = phi_520_;
+                        let _e136 = phi_518_;
                         if (_e136 < min(_e36, ((_e28 + 1u) * 64u))) {
                             continue;
                         } else {
@@ -201,8 +201,8 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                         continuing {
                             let _e145 = global_4.member[((_e136 * 256u) + _e128)];
                             global_4.member[((_e136 * 256u) + _e128)] = _e134;
-                            phi_507_ = (_e134 + _e145);
-                            phi_505_ = (_e136 + bitcast<u32>(1i));
+                            phi_520_ = (_e134 + _e145);
+                            phi_518_ = (_e136 + bitcast<u32>(1i));
                         }
                     }
                     continue;
@@ -210,7 +210,7 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                     break;
                 }
                 continuing {
-                    phi_504_ = (_e128 + 128u);
+                    phi_517_ = (_e128 + 128u);
                 }
             }
             break;

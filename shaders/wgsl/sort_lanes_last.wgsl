@@ -31,15 +31,15 @@ struct type_8 {
     member: array<u32>,
 }
 
-struct type_14 {
+struct type_12 {
     member: array<u32, LENGTH_1_4>,
 }
 
-struct type_16 {
+struct type_14 {
     member: array<u32, LENGTH_4_4>,
 }
 
-struct type_18 {
+struct type_16 {
     member: array<u32, LENGTH_2_4>,
 }
 
@@ -48,221 +48,194 @@ var<uniform> global: type_3;
 @group(0) @binding(3) 
 var<storage> global_1: type_6;
 @group(0) @binding(1) 
-var<storage> global_2: type_14;
+var<storage> global_2: type_12;
 @group(0) @binding(4) 
-var<storage, read_write> global_3: type_16;
+var<storage, read_write> global_3: type_14;
 var<workgroup> global_4: array<u32, 8>;
-var<workgroup> global_5: array<u32, 256>;
 @group(0) @binding(2) 
-var<storage> global_6: type_18;
-var<workgroup> global_7: array<u32, 1024>;
+var<storage, read_write> global_5: type_16;
 
 @compute @workgroup_size(8, 1, 1) 
-fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) param_1: vec3<u32>) {
-    var phi_1022_: u32;
-    var phi_1023_: u32;
-    var phi_1026_: u32;
-    var phi_1025_: u32;
-    var phi_1040_: u32;
-    var phi_1037_: u32;
-    var phi_1043_: u32;
-    var phi_1038_: u32;
+fn main(@builtin(workgroup_id) param: vec3<u32>, @builtin(local_invocation_id) param_1: vec3<u32>) {
+    var phi_1002_: u32;
+    var phi_1001_: u32;
+    var phi_1018_: u32;
+    var phi_1013_: u32;
+    var phi_1021_: u32;
+    var phi_1014_: u32;
     var local: u32;
     var local_1: u32;
     var local_2: u32;
     var local_3: u32;
-    var phi_1030_: u32;
-    var phi_1027_: u32;
-    var phi_1028_: u32;
+    var phi_1006_: u32;
+    var phi_1003_: u32;
+    var phi_1004_: u32;
     var local_4: u32;
-    var phi_1024_: u32;
-    var phi_1031_: u32;
-    var phi_1036_: u32;
-    var phi_1034_: u32;
-    var phi_1032_: u32;
+    var phi_1000_: u32;
+    var phi_1007_: u32;
+    var phi_1012_: u32;
+    var phi_1010_: u32;
+    var phi_1008_: u32;
     var local_5: u32;
-    var local_6: u32;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e26 = bitcast<u32>(param[0u]);
-            let _e28 = bitcast<u32>(param_1[0u]);
-            let _e31 = global_1.member.member_6;
-            let _e33 = global.member_5;
-            let _e34 = min(_e31, _e33);
-            let _e37 = max(((_e34 + 4095u) / 4096u), 1u);
-            if (_e28 >= _e37) {
+            let _e26 = global.member_4;
+            let _e32 = (((_e26 * 256u) + 784u) + (((_e26 + 63u) / 64u) * 256u));
+            let _e34 = bitcast<u32>(param_1[0u]);
+            let _e36 = bitcast<u32>(param[0u]);
+            let _e39 = global_1.member.member_6;
+            let _e41 = global.member_5;
+            let _e42 = min(_e39, _e41);
+            let _e45 = max(((_e42 + 4095u) / 4096u), 1u);
+            if (_e36 >= _e45) {
                 break;
             }
-            phi_1022_ = 0u;
-            loop {
-                let _e40 = phi_1022_;
-                if (_e40 < 128u) {
-                    continue;
-                } else {
-                    break;
-                }
-                continuing {
-                    global_7[((_e40 * 8u) + _e26)] = 0u;
-                    phi_1022_ = (_e40 + bitcast<u32>(1i));
-                }
-            }
-            let _e49 = ((_e28 * 4096u) + (_e26 * 512u));
-            phi_1023_ = _e49;
-            loop {
-                let _e51 = phi_1023_;
-                let _e53 = min(_e34, (_e49 + 512u));
-                local_5 = _e53;
-                if (_e51 < _e53) {
-                    continue;
-                } else {
-                    break;
-                }
-                continuing {
-                    let _e57 = global_2.member[_e51];
-                    let _e59 = (_e57 >> bitcast<u32>(24u));
-                    let _e69 = global_7[(((_e59 >> bitcast<u32>(1u)) * 8u) + _e26)];
-                    global_7[(((_e59 >> bitcast<u32>(1u)) * 8u) + _e26)] = (_e69 + (1u << bitcast<u32>((16u * (_e59 & 1u)))));
-                    phi_1023_ = (_e51 + bitcast<u32>(1i));
-                }
-            }
+            let _e48 = min(32u, (_e42 | 32u));
             switch bitcast<i32>(0u) {
                 default: {
-                    let _e75 = global.member_6;
-                    if !((_e75 != 0u)) {
-                        phi_1026_ = 0u;
-                        phi_1025_ = 0u;
+                    let _e53 = global.member_6;
+                    if !((_e53 != 0u)) {
+                        phi_1002_ = 0u;
+                        phi_1001_ = 0u;
                         loop {
-                            let _e79 = phi_1026_;
-                            let _e81 = phi_1025_;
-                            local_3 = _e79;
-                            if (_e81 < 32u) {
-                                let _e84 = ((_e26 * 32u) + _e81);
-                                phi_1040_ = 0u;
-                                phi_1037_ = 0u;
+                            let _e57 = phi_1002_;
+                            let _e59 = phi_1001_;
+                            local_3 = _e57;
+                            if (_e59 < _e48) {
+                                let _e61 = (_e34 * 32u);
+                                let _e62 = (_e61 + _e59);
+                                phi_1018_ = 0u;
+                                phi_1013_ = 0u;
                                 loop {
-                                    let _e86 = phi_1040_;
-                                    let _e88 = phi_1037_;
-                                    local = _e86;
-                                    local_1 = _e86;
-                                    if (_e88 < _e28) {
+                                    let _e64 = phi_1018_;
+                                    let _e66 = phi_1013_;
+                                    local = _e64;
+                                    local_1 = _e64;
+                                    if (_e66 < _e36) {
                                         continue;
                                     } else {
                                         break;
                                     }
                                     continuing {
-                                        let _e94 = global_6.member[((_e88 * 256u) + _e84)];
-                                        phi_1040_ = (_e86 + _e94);
-                                        phi_1037_ = (_e88 + bitcast<u32>(1i));
+                                        let _e72 = global_5.member[((_e66 * 256u) + _e62)];
+                                        phi_1018_ = (_e64 + _e72);
+                                        phi_1013_ = (_e66 + bitcast<u32>(1i));
                                     }
                                 }
-                                phi_1043_ = 0u;
-                                phi_1038_ = _e28;
+                                phi_1021_ = 0u;
+                                phi_1014_ = _e36;
                                 loop {
-                                    let _e99 = phi_1043_;
-                                    let _e101 = phi_1038_;
-                                    local_2 = _e99;
-                                    if (_e101 < _e37) {
+                                    let _e77 = phi_1021_;
+                                    let _e79 = phi_1014_;
+                                    local_2 = _e77;
+                                    if (_e79 < _e45) {
                                         continue;
                                     } else {
                                         break;
                                     }
                                     continuing {
-                                        let _e107 = global_6.member[((_e101 * 256u) + _e84)];
-                                        phi_1043_ = (_e99 + _e107);
-                                        phi_1038_ = (_e101 + bitcast<u32>(1i));
+                                        let _e85 = global_5.member[((_e79 * 256u) + _e62)];
+                                        phi_1021_ = (_e77 + _e85);
+                                        phi_1014_ = (_e79 + bitcast<u32>(1i));
                                     }
                                 }
-                                let _e112 = local;
-                                global_5[_e84] = (_e112 + _e79);
-                                let _e116 = local_1;
-                                let _e118 = local_2;
-                                local_6 = (_e79 + (_e116 + _e118));
+                                let _e95 = local;
+                                global_5.member[((((_e32 + (_e36 * 2304u)) + 2048u) + _e61) + _e59)] = (_e95 + _e57);
+                                let _e100 = local_1;
+                                let _e102 = local_2;
+                                local_5 = (_e57 + (_e100 + _e102));
                                 continue;
                             } else {
                                 break;
                             }
                             continuing {
-                                let _e210 = local_6;
-                                phi_1026_ = _e210;
-                                phi_1025_ = (_e81 + bitcast<u32>(1i));
+                                let _e214 = local_5;
+                                phi_1002_ = _e214;
+                                phi_1001_ = (_e59 + bitcast<u32>(1i));
                             }
                         }
-                        let _e125 = local_3;
-                        global_4[_e26] = _e125;
+                        let _e109 = local_3;
+                        global_4[_e34] = _e109;
                         workgroupBarrier();
-                        phi_1030_ = 0u;
-                        phi_1027_ = 0u;
+                        phi_1006_ = 0u;
+                        phi_1003_ = 0u;
                         loop {
-                            let _e127 = phi_1030_;
-                            let _e129 = phi_1027_;
-                            local_4 = _e127;
-                            if (_e129 < _e26) {
+                            let _e111 = phi_1006_;
+                            let _e113 = phi_1003_;
+                            local_4 = _e111;
+                            if (_e113 < _e34) {
                                 continue;
                             } else {
                                 break;
                             }
                             continuing {
-                                let _e132 = global_4[_e129];
-                                phi_1030_ = (_e127 + _e132);
-                                phi_1027_ = (_e129 + bitcast<u32>(1i));
+                                let _e116 = global_4[_e113];
+                                phi_1006_ = (_e111 + _e116);
+                                phi_1003_ = (_e113 + bitcast<u32>(1i));
                             }
                         }
-                        phi_1028_ = 0u;
+                        phi_1004_ = 0u;
                         loop {
-                            let _e137 = phi_1028_;
-                            if (_e137 < 32u) {
+                            let _e121 = phi_1004_;
+                            if (_e121 < _e48) {
                                 continue;
                             } else {
                                 break;
                             }
                             continuing {
-                                let _e142 = global_5[((_e26 * 32u) + _e137)];
-                                let _e144 = local_4;
-                                global_5[((_e26 * 32u) + _e137)] = (_e142 + _e144);
-                                phi_1028_ = (_e137 + bitcast<u32>(1i));
+                                let _e131 = global_5.member[((((_e32 + (_e36 * 2304u)) + 2048u) + (_e34 * 32u)) + _e121)];
+                                let _e133 = local_4;
+                                global_5.member[((((_e32 + (_e36 * 2304u)) + 2048u) + (_e34 * 32u)) + _e121)] = (_e131 + _e133);
+                                phi_1004_ = (_e121 + bitcast<u32>(1i));
                             }
                         }
                         workgroupBarrier();
                         break;
                     }
-                    phi_1024_ = _e26;
+                    phi_1000_ = 0u;
                     loop {
-                        let _e149 = phi_1024_;
-                        if (_e149 < 256u) {
+                        let _e138 = phi_1000_;
+                        if (_e138 < _e48) {
                             continue;
                         } else {
                             break;
                         }
                         continuing {
-                            let _e155 = global_6.member[((_e28 * 256u) + _e149)];
-                            global_5[_e149] = _e155;
-                            phi_1024_ = (_e149 + 8u);
+                            let _e143 = (_e34 * 32u);
+                            let _e151 = global_5.member[(((_e36 * 256u) + _e143) + _e138)];
+                            global_5.member[((((_e32 + (_e36 * 2304u)) + 2048u) + _e143) + _e138)] = _e151;
+                            phi_1000_ = (_e138 + bitcast<u32>(1i));
                         }
                     }
                     workgroupBarrier();
                     break;
                 }
             }
-            phi_1031_ = _e26;
+            storageBarrier();
+            workgroupBarrier();
+            phi_1007_ = 0u;
             loop {
-                let _e159 = phi_1031_;
-                if (_e159 < 128u) {
-                    phi_1036_ = 0u;
-                    phi_1034_ = 0u;
+                let _e157 = phi_1007_;
+                if (_e157 < _e48) {
+                    let _e160 = (_e32 + (_e36 * 2304u));
+                    let _e162 = (_e34 * 32u);
+                    let _e167 = global_5.member[(((_e160 + 2048u) + _e162) + _e157)];
+                    phi_1012_ = _e167;
+                    phi_1010_ = 0u;
                     loop {
-                        let _e162 = phi_1036_;
-                        let _e164 = phi_1034_;
-                        if (_e164 < 8u) {
+                        let _e169 = phi_1012_;
+                        let _e171 = phi_1010_;
+                        if (_e171 < min(8u, (_e42 | 8u))) {
                             continue;
                         } else {
                             break;
                         }
                         continuing {
-                            let _e169 = global_7[((_e159 * 8u) + _e164)];
-                            global_7[((_e159 * 8u) + _e164)] = _e162;
-                            phi_1036_ = (_e162 + _e169);
-                            phi_1034_ = (_e164 + bitcast<u32>(1i));
+                            let _e179 = global_5.member[((_e160 + ((_e162 + _e157) * 8u)) + _e171)];
+                            global_5.member[((_e160 + ((_e162 + _e157) * 8u)) + _e171)] = _e169;
+                            phi_1012_ = (_e169 + _e179);
+                            phi_1010_ = (_e171 + bitcast<u32>(1i));
                         }
                     }
                     continue;
@@ -270,28 +243,26 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                     break;
                 }
                 continuing {
-                    phi_1031_ = (_e159 + 8u);
+                    phi_1007_ = (_e157 + bitcast<u32>(1i));
                 }
             }
+            storageBarrier();
             workgroupBarrier();
-            phi_1032_ = _e49;
+            let _e187 = ((_e36 * 4096u) + (_e34 * 512u));
+            phi_1008_ = _e187;
             loop {
-                let _e175 = phi_1032_;
-                let _e177 = local_5;
-                if (_e175 < _e177) {
+                let _e189 = phi_1008_;
+                if (_e189 < min(_e42, (_e187 + 512u))) {
                     continue;
                 } else {
                     break;
                 }
                 continuing {
-                    let _e181 = global_2.member[_e175];
-                    let _e183 = (_e181 >> bitcast<u32>(24u));
-                    let _e189 = global_7[(((_e183 >> bitcast<u32>(1u)) * 8u) + _e26)];
-                    let _e191 = (16u * (_e183 & 1u));
-                    global_7[(((_e183 >> bitcast<u32>(1u)) * 8u) + _e26)] = (_e189 + (1u << bitcast<u32>(_e191)));
-                    let _e196 = global_5[_e183];
-                    global_3.member[(_e196 + ((_e189 >> bitcast<u32>(_e191)) & 65535u))] = (_e181 & 16777215u);
-                    phi_1032_ = (_e175 + bitcast<u32>(1i));
+                    let _e195 = global_2.member[_e189];
+                    let _e205 = global_5.member[(((_e32 + (_e36 * 2304u)) + ((_e195 >> bitcast<u32>(24u)) * 8u)) + _e34)];
+                    global_5.member[(((_e32 + (_e36 * 2304u)) + ((_e195 >> bitcast<u32>(24u)) * 8u)) + _e34)] = (_e205 + 1u);
+                    global_3.member[_e205] = (_e195 & 16777215u);
+                    phi_1008_ = (_e189 + bitcast<u32>(1i));
                 }
             }
             break;

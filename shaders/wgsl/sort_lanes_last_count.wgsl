@@ -31,11 +31,11 @@ struct type_8 {
     member: array<u32>,
 }
 
-struct type_12 {
+struct type_11 {
     member: array<u32, LENGTH_1_4>,
 }
 
-struct type_14 {
+struct type_13 {
     member: array<u32, LENGTH_2_4>,
 }
 
@@ -44,95 +44,91 @@ var<uniform> global: type_3;
 @group(0) @binding(3) 
 var<storage> global_1: type_6;
 @group(0) @binding(1) 
-var<storage> global_2: type_12;
-var<workgroup> global_3: array<u32, 1024>;
+var<storage> global_2: type_11;
 @group(0) @binding(2) 
-var<storage, read_write> global_4: type_14;
+var<storage, read_write> global_3: type_13;
 
 @compute @workgroup_size(8, 1, 1) 
-fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) param_1: vec3<u32>) {
-    var phi_480_: u32;
-    var phi_481_: u32;
-    var phi_482_: u32;
+fn main(@builtin(workgroup_id) param: vec3<u32>, @builtin(local_invocation_id) param_1: vec3<u32>) {
+    var phi_484_: u32;
     var phi_485_: u32;
-    var phi_483_: u32;
+    var phi_486_: u32;
+    var phi_489_: u32;
+    var phi_487_: u32;
     var local: u32;
-    var local_1: u32;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e22 = bitcast<u32>(param[0u]);
-            let _e24 = bitcast<u32>(param_1[0u]);
-            let _e27 = global_1.member.member_6;
-            let _e29 = global.member_5;
-            let _e30 = min(_e27, _e29);
-            if (_e24 >= max(((_e30 + 4095u) / 4096u), 1u)) {
+            let _e21 = global.member_4;
+            let _e27 = (((_e21 * 256u) + 784u) + (((_e21 + 63u) / 64u) * 256u));
+            let _e29 = bitcast<u32>(param_1[0u]);
+            let _e31 = bitcast<u32>(param[0u]);
+            let _e34 = global_1.member.member_6;
+            let _e36 = global.member_5;
+            let _e37 = min(_e34, _e36);
+            if (_e31 >= max(((_e37 + 4095u) / 4096u), 1u)) {
                 break;
             }
-            phi_480_ = 0u;
+            phi_484_ = 0u;
             loop {
-                let _e36 = phi_480_;
-                if (_e36 < 128u) {
+                let _e43 = phi_484_;
+                if (_e43 < 256u) {
                     continue;
                 } else {
                     break;
                 }
                 continuing {
-                    global_3[((_e36 * 8u) + _e22)] = 0u;
-                    phi_480_ = (_e36 + bitcast<u32>(1i));
+                    global_3.member[(((_e27 + (_e31 * 2304u)) + (_e43 * 8u)) + _e29)] = 0u;
+                    phi_484_ = (_e43 + bitcast<u32>(1i));
                 }
             }
-            let _e45 = ((_e24 * 4096u) + (_e22 * 512u));
-            phi_481_ = _e45;
+            let _e56 = ((_e31 * 4096u) + (_e29 * 512u));
+            phi_485_ = _e56;
             loop {
-                let _e47 = phi_481_;
-                if (_e47 < min(_e30, (_e45 + 512u))) {
+                let _e58 = phi_485_;
+                if (_e58 < min(_e37, (_e56 + 512u))) {
                     continue;
                 } else {
                     break;
                 }
                 continuing {
-                    let _e53 = global_2.member[_e47];
-                    let _e55 = (_e53 >> bitcast<u32>(24u));
-                    let _e65 = global_3[(((_e55 >> bitcast<u32>(1u)) * 8u) + _e22)];
-                    global_3[(((_e55 >> bitcast<u32>(1u)) * 8u) + _e22)] = (_e65 + (1u << bitcast<u32>((16u * (_e55 & 1u)))));
-                    phi_481_ = (_e47 + bitcast<u32>(1i));
+                    let _e64 = global_2.member[_e58];
+                    let _e74 = global_3.member[(((_e27 + (_e31 * 2304u)) + ((_e64 >> bitcast<u32>(24u)) * 8u)) + _e29)];
+                    global_3.member[(((_e27 + (_e31 * 2304u)) + ((_e64 >> bitcast<u32>(24u)) * 8u)) + _e29)] = (_e74 + 1u);
+                    phi_485_ = (_e58 + bitcast<u32>(1i));
                 }
             }
+            storageBarrier();
             workgroupBarrier();
-            phi_482_ = _e22;
+            phi_486_ = _e29;
             loop {
-                let _e70 = phi_482_;
-                if (_e70 < 128u) {
-                    phi_485_ = 0u;
-                    phi_483_ = 0u;
+                let _e81 = phi_486_;
+                if (_e81 < 256u) {
+                    phi_489_ = 0u;
+                    phi_487_ = 0u;
                     loop {
-                        let _e73 = phi_485_;
-                        let _e75 = phi_483_;
-                        local = _e73;
-                        local_1 = _e73;
-                        if (_e75 < 8u) {
+                        let _e84 = phi_489_;
+                        let _e86 = phi_487_;
+                        local = _e84;
+                        if (_e86 < min(8u, (_e37 | 8u))) {
                             continue;
                         } else {
                             break;
                         }
                         continuing {
-                            let _e80 = global_3[((_e70 * 8u) + _e75)];
-                            phi_485_ = (_e73 + _e80);
-                            phi_483_ = (_e75 + bitcast<u32>(1i));
+                            let _e95 = global_3.member[(((_e27 + (_e31 * 2304u)) + (_e81 * 8u)) + _e86)];
+                            phi_489_ = (_e84 + _e95);
+                            phi_487_ = (_e86 + bitcast<u32>(1i));
                         }
                     }
-                    let _e86 = ((_e24 * 256u) + (2u * _e70));
-                    let _e88 = local;
-                    global_4.member[_e86] = (_e88 & 65535u);
-                    let _e94 = local_1;
-                    global_4.member[(_e86 + 1u)] = (_e94 >> bitcast<u32>(16u));
+                    let _e104 = local;
+                    global_3.member[((_e31 * 256u) + _e81)] = _e104;
                     continue;
                 } else {
                     break;
                 }
                 continuing {
-                    phi_482_ = (_e70 + 8u);
+                    phi_486_ = (_e81 + 8u);
                 }
             }
             break;

@@ -51,9 +51,9 @@ var<storage, read_write> global_4: type_15;
 
 @compute @workgroup_size(128, 1, 1) 
 fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) param_1: vec3<u32>) {
-    var phi_318_: u32;
-    var phi_320_: u32;
     var phi_321_: u32;
+    var phi_323_: u32;
+    var phi_324_: u32;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -65,9 +65,9 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
             if (_e18 >= max(((_e24 + 4095u) / 4096u), 1u)) {
                 break;
             }
-            phi_318_ = _e16;
+            phi_321_ = _e16;
             loop {
-                let _e30 = phi_318_;
+                let _e30 = phi_321_;
                 if (_e30 < 256u) {
                     continue;
                 } else {
@@ -75,13 +75,13 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                 }
                 continuing {
                     atomicStore((&global_3[_e30]), 0u);
-                    phi_318_ = (_e30 + 128u);
+                    phi_321_ = (_e30 + 128u);
                 }
             }
             workgroupBarrier();
-            phi_320_ = ((_e18 * 4096u) + _e16);
+            phi_323_ = ((_e18 * 4096u) + _e16);
             loop {
-                let _e37 = phi_320_;
+                let _e37 = phi_323_;
                 if (_e37 < min(_e24, ((_e18 + 1u) * 4096u))) {
                     continue;
                 } else {
@@ -90,13 +90,13 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                 continuing {
                     let _e44 = global_2.member[_e37];
                     let _e48 = atomicAdd((&global_3[(_e44 >> bitcast<u32>(24u))]), 1u);
-                    phi_320_ = (_e37 + 128u);
+                    phi_323_ = (_e37 + 128u);
                 }
             }
             workgroupBarrier();
-            phi_321_ = _e16;
+            phi_324_ = _e16;
             loop {
-                let _e51 = phi_321_;
+                let _e51 = phi_324_;
                 if (_e51 < 256u) {
                     continue;
                 } else {
@@ -105,7 +105,7 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                 continuing {
                     let _e56 = atomicLoad((&global_3[_e51]));
                     global_4.member[((_e18 * 256u) + _e51)] = _e56;
-                    phi_321_ = (_e51 + 128u);
+                    phi_324_ = (_e51 + 128u);
                 }
             }
             break;

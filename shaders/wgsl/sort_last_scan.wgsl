@@ -27,7 +27,7 @@ struct type_6 {
     member: type_5,
 }
 
-struct type_10 {
+struct type_11 {
     member: array<u32>,
 }
 
@@ -46,23 +46,23 @@ var<storage, read_write> global_4: type_13;
 
 @compute @workgroup_size(128, 1, 1) 
 fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) param_1: vec3<u32>) {
-    var phi_500_: u32;
-    var phi_499_: u32;
+    var phi_513_: u32;
     var phi_512_: u32;
-    var phi_509_: u32;
-    var phi_515_: u32;
-    var phi_510_: u32;
+    var phi_527_: u32;
+    var phi_522_: u32;
+    var phi_530_: u32;
+    var phi_523_: u32;
     var local: u32;
     var local_1: u32;
     var local_2: u32;
     var local_3: u32;
-    var phi_504_: u32;
-    var phi_501_: u32;
-    var phi_502_: u32;
+    var phi_517_: u32;
+    var phi_514_: u32;
+    var phi_515_: u32;
     var local_4: u32;
-    var phi_505_: u32;
-    var phi_508_: u32;
-    var phi_506_: u32;
+    var phi_518_: u32;
+    var phi_521_: u32;
+    var phi_519_: u32;
     var local_5: u32;
 
     switch bitcast<i32>(0u) {
@@ -78,19 +78,19 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
             if (_e26 >= _e37) {
                 break;
             }
-            phi_500_ = 0u;
-            phi_499_ = 0u;
+            phi_513_ = 0u;
+            phi_512_ = 0u;
             loop {
-                let _e40 = phi_500_;
-                let _e42 = phi_499_;
+                let _e40 = phi_513_;
+                let _e42 = phi_512_;
                 local_3 = _e40;
                 if (_e42 < 2u) {
                     let _e45 = ((_e24 * 2u) + _e42);
-                    phi_512_ = 0u;
-                    phi_509_ = 0u;
+                    phi_527_ = 0u;
+                    phi_522_ = 0u;
                     loop {
-                        let _e47 = phi_512_;
-                        let _e49 = phi_509_;
+                        let _e47 = phi_527_;
+                        let _e49 = phi_522_;
                         local = _e47;
                         local_1 = _e47;
                         if (_e49 < _e26) {
@@ -100,15 +100,15 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                         }
                         continuing {
                             let _e56 = global_4.member[((_e22 + (_e49 * 256u)) + _e45)];
-                            phi_512_ = (_e47 + _e56);
-                            phi_509_ = (_e49 + bitcast<u32>(1i));
+                            phi_527_ = (_e47 + _e56);
+                            phi_522_ = (_e49 + bitcast<u32>(1i));
                         }
                     }
-                    phi_515_ = 0u;
-                    phi_510_ = _e26;
+                    phi_530_ = 0u;
+                    phi_523_ = _e26;
                     loop {
-                        let _e61 = phi_515_;
-                        let _e63 = phi_510_;
+                        let _e61 = phi_530_;
+                        let _e63 = phi_523_;
                         local_2 = _e61;
                         if (_e63 < _e37) {
                             continue;
@@ -117,8 +117,8 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                         }
                         continuing {
                             let _e70 = global_4.member[((_e22 + (_e63 * 256u)) + _e45)];
-                            phi_515_ = (_e61 + _e70);
-                            phi_510_ = (_e63 + bitcast<u32>(1i));
+                            phi_530_ = (_e61 + _e70);
+                            phi_523_ = (_e63 + bitcast<u32>(1i));
                         }
                     }
                     let _e75 = local;
@@ -132,18 +132,18 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                 }
                 continuing {
                     let _e136 = local_5;
-                    phi_500_ = _e136;
-                    phi_499_ = (_e42 + bitcast<u32>(1i));
+                    phi_513_ = _e136;
+                    phi_512_ = (_e42 + bitcast<u32>(1i));
                 }
             }
             let _e88 = local_3;
             global_2[_e24] = _e88;
             workgroupBarrier();
-            phi_504_ = 0u;
-            phi_501_ = 0u;
+            phi_517_ = 0u;
+            phi_514_ = 0u;
             loop {
-                let _e90 = phi_504_;
-                let _e92 = phi_501_;
+                let _e90 = phi_517_;
+                let _e92 = phi_514_;
                 local_4 = _e90;
                 if (_e92 < _e24) {
                     continue;
@@ -152,13 +152,13 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                 }
                 continuing {
                     let _e95 = global_2[_e92];
-                    phi_504_ = (_e90 + _e95);
-                    phi_501_ = (_e92 + bitcast<u32>(1i));
+                    phi_517_ = (_e90 + _e95);
+                    phi_514_ = (_e92 + bitcast<u32>(1i));
                 }
             }
-            phi_502_ = 0u;
+            phi_515_ = 0u;
             loop {
-                let _e100 = phi_502_;
+                let _e100 = phi_515_;
                 if (_e100 < 2u) {
                     continue;
                 } else {
@@ -168,20 +168,20 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                     let _e105 = global_3[((_e24 * 2u) + _e100)];
                     let _e107 = local_4;
                     global_3[((_e24 * 2u) + _e100)] = (_e105 + _e107);
-                    phi_502_ = (_e100 + bitcast<u32>(1i));
+                    phi_515_ = (_e100 + bitcast<u32>(1i));
                 }
             }
             workgroupBarrier();
-            phi_505_ = _e24;
+            phi_518_ = _e24;
             loop {
-                let _e112 = phi_505_;
+                let _e112 = phi_518_;
                 if (_e112 < 256u) {
                     let _e115 = global_3[_e112];
-                    phi_508_ = _e115;
-                    phi_506_ = (_e26 * 64u);
+                    phi_521_ = _e115;
+                    phi_519_ = (_e26 * 64u);
                     loop {
-                        let _e118 = phi_508_;
-                        let _e120 = phi_506_;
+                        let _e118 = phi_521_;
+                        let _e120 = phi_519_;
                         if (_e120 < min(_e35, ((_e26 + 1u) * 64u))) {
                             continue;
                         } else {
@@ -190,8 +190,8 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                         continuing {
                             let _e129 = global_4.member[((_e120 * 256u) + _e112)];
                             global_4.member[((_e120 * 256u) + _e112)] = _e118;
-                            phi_508_ = (_e118 + _e129);
-                            phi_506_ = (_e120 + bitcast<u32>(1i));
+                            phi_521_ = (_e118 + _e129);
+                            phi_519_ = (_e120 + bitcast<u32>(1i));
                         }
                     }
                     continue;
@@ -199,7 +199,7 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                     break;
                 }
                 continuing {
-                    phi_505_ = (_e112 + 128u);
+                    phi_518_ = (_e112 + 128u);
                 }
             }
             break;

@@ -18,6 +18,7 @@ pub mod pack;
 pub mod pose;
 pub mod prune;
 pub mod skeleton;
+mod voxels;
 
 pub use bounds::Bounds;
 use glam::DVec3;

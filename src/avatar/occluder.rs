@@ -4,8 +4,8 @@
 //! The Gaussians are taken for a shell. Space is cut into voxels; what the outside can't be reached from is solid, where it is
 //! thicker than the shell alone. Sheets with nothing behind them (a skirt, an ear) are not solid, and hide nothing.
 
-use super::{Avatar, limits};
-use glam::{DVec3, IVec3, UVec3};
+use super::{Avatar, limits, voxels::Voxels};
+use glam::{DVec3, UVec3};
 use kiddo::{ImmutableKdTree, NearestNeighbour, SquaredEuclidean};
 use std::num::NonZero;
 
@@ -191,76 +191,25 @@ impl Grid {
         Some(Self { min: min - f64::from(border) * side, side, size })
     }
 
-    fn index(&self, v: UVec3) -> usize {
-        ((v.z as usize * self.size.y as usize) + v.y as usize) * self.size.x as usize + v.x as usize
-    }
-
-    /// For every voxel, whether it is solid: not reached from outside, and further from what is than the shell is thick.
-    fn solid(&self, points: &[[f64; 3]]) -> Vec<bool> {
-        let mut state = vec![Voxel::Inside; self.size.element_product() as usize];
-        for &point in points {
-            let center = ((DVec3::from(point) - self.min) / self.side).as_uvec3();
-            for at in around(center.as_ivec3()) {
-                state[self.index(at.as_uvec3())] = Voxel::Shell;
-            }
-        }
+    /// The voxels that are solid: not reached from outside, and further from what is than the shell is thick.
+    fn solid(&self, points: &[[f64; 3]]) -> Voxels {
+        let mut centers = Voxels::none(self.size);
+        points.iter().for_each(|&point| centers.insert(((DVec3::from(point) - self.min) / self.side).as_uvec3()));
+        let shell = centers.boxed();
         // Openings (a collar, a trouser leg) would let the flood in: it is first kept from gaps up to some width, then may go a little
         // further, into the creases that it was kept from too.
-        let shell: Vec<bool> = state.iter().map(|voxel| *voxel == Voxel::Shell).collect();
-        let mut closed = shell.clone();
-        for _ in 0..CLOSE {
-            closed = self.grown(&closed);
-        }
-        let mut wide: Vec<Voxel> = closed.iter().map(|&closed| if closed { Voxel::Shell } else { Voxel::Inside }).collect();
-        self.flood(&mut wide);
-        let mut reached: Vec<bool> = wide.iter().map(|voxel| *voxel == Voxel::Outside).collect();
-        for _ in 0..REACH {
-            reached = self.grown(&reached);
-            reached.iter_mut().zip(&shell).for_each(|(reached, &shell)| *reached &= !shell);
-        }
-        state.iter_mut().zip(&reached).filter(|(_, reached)| **reached).for_each(|(voxel, _)| *voxel = Voxel::Outside);
+        let closed = (0..CLOSE).fold(shell.clone(), |closed, _| closed.grown());
+        let reached = (0..REACH).fold(closed.flooded(), |reached, _| reached.grown().without(&shell));
         // What is left is shell or inside. The shell is 3 voxels thick; peel it off from outside.
-        let mut outside: Vec<bool> = state.iter().map(|voxel| matches!(voxel, Voxel::Outside)).collect();
-        for _ in 0..SHELL {
-            outside = self.grown(&outside);
-        }
-        outside.iter().map(|outside| !outside).collect()
-    }
-
-    /// Marks what can be reached from the border without passing the shell.
-    fn flood(&self, state: &mut [Voxel]) {
-        let mut stack = vec![UVec3::ZERO];
-        state[0] = Voxel::Outside;
-        let size = self.size.as_ivec3();
-        while let Some(at) = stack.pop() {
-            for step in STEPS {
-                let next = at.as_ivec3() + step;
-                if next.cmpge(IVec3::ZERO).all() && next.cmplt(size).all() {
-                    let next = next.as_uvec3();
-                    let voxel = &mut state[self.index(next)];
-                    if *voxel == Voxel::Inside {
-                        *voxel = Voxel::Outside;
-                        stack.push(next);
-                    }
-                }
-            }
-        }
-    }
-
-    /// One voxel more on every face.
-    fn grown(&self, set: &[bool]) -> Vec<bool> {
-        let (x, y) = (self.size.x as usize, self.size.x as usize * self.size.y as usize);
-        let at = |i: usize, back: usize, forth: usize| set[i.saturating_sub(back)] || set.get(i + forth).copied().unwrap_or(true);
-        (0..set.len()).map(|i| set[i] || at(i, 1, 1) || at(i, x, x) || at(i, y, y)).collect()
+        (0..SHELL).fold(reached, |outside, _| outside.grown()).inverse()
     }
 
     /// How much of each cell is solid, 0 to 1.
-    fn cells(&self, solid: &[bool]) -> (UVec3, Vec<f32>) {
+    fn cells(&self, solid: &Voxels) -> (UVec3, Vec<f32>) {
         let cells = self.size / CELL;
         let mut share = vec![0.0; cells.element_product() as usize];
-        for (i, _) in solid.iter().enumerate().filter(|(_, solid)| **solid) {
-            let (x, row) = (i as u32 % self.size.x, i as u32 / self.size.x);
-            let cell = UVec3::new(x, row % self.size.y, row / self.size.y) / CELL;
+        for voxel in solid.iter() {
+            let cell = voxel / CELL;
             share[((cell.z * cells.y + cell.y) * cells.x + cell.x) as usize] += 1.0 / CELL.pow(3) as f32;
         }
         (cells, share)
@@ -268,7 +217,7 @@ impl Grid {
 
     /// Surface nets: a corner between each eight cells of which some are more than half solid and some less, and two triangles across
     /// each pair of cells where one is and the other isn't.
-    fn surface(&self, solid: &[bool]) -> (Vec<DVec3>, Vec<[u32; 3]>) {
+    fn surface(&self, solid: &Voxels) -> (Vec<DVec3>, Vec<[u32; 3]>) {
         let (cells, share) = self.cells(solid);
         let value = |c: UVec3| share[((c.z * cells.y + c.y) * cells.x + c.x) as usize];
         let mut corner_of = vec![u32::MAX; share.len()];
@@ -298,25 +247,15 @@ impl Grid {
     }
 }
 
-#[derive(Clone, Copy, PartialEq)]
-enum Voxel {
-    Inside,
-    Shell,
-    Outside,
-}
-
-const STEPS: [IVec3; 6] = [IVec3::X, IVec3::NEG_X, IVec3::Y, IVec3::NEG_Y, IVec3::Z, IVec3::NEG_Z];
 const UNIT: [UVec3; 3] = [UVec3::X, UVec3::Y, UVec3::Z];
-
-/// A voxel and its 26 neighbours.
-fn around(center: IVec3) -> impl Iterator<Item = IVec3> {
-    (0..27).map(move |k| center + IVec3::new(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1))
-}
 
 /// Where the value passes one half among the eight cells from `cell` on, as a mean over the edges; None where it doesn't. In cells.
 fn crossing(cell: UVec3, value: impl Fn(UVec3) -> f32) -> Option<DVec3> {
     let at = |k: u32| UVec3::new(k & 1, k >> 1 & 1, k >> 2);
     let values: [f64; 8] = std::array::from_fn(|k| f64::from(value(cell + at(k as u32))) - 0.5);
+    if values.iter().all(|&value| value > 0.0) || values.iter().all(|&value| value <= 0.0) {
+        return None;
+    }
     let (mut sum, mut count) = (DVec3::ZERO, 0.0);
     for k in 0..8u32 {
         for (axis, unit) in UNIT.iter().enumerate().filter(|(axis, _)| k >> axis & 1 == 0) {

@@ -5,7 +5,7 @@ use super::{
     Camera, RendererOptions, Skip,
     scene::{Actor, Staged},
 };
-use crate::layout::{Frame, POSITION_BITS, bins};
+use crate::layout::{BINS, Frame, POSITION_BITS};
 use glam::DAffine3;
 
 /// Writes what all avatars of a frame share into a block that holds the model's constants.
@@ -25,7 +25,7 @@ pub fn fill_shared(block: &mut Frame, options: &RendererOptions, staged: &Staged
     block.key_max = options.key_bits.largest();
     block.cutoff = (255.0 * options.cutoff) as f32;
     block.hull_opacity = if options.skip.contains(Skip::FAINT) { 0.0 } else { 255.0 };
-    block.tile = bins::tile(camera.size) as f32;
+    block.tile = BINS.tile(camera.size) as f32;
     block.margin = options.margin as f32;
     let hides = place.filter(|_| options.skip.contains(Skip::HIDDEN));
     block.surface_start = if hides.is_some() { 4 * options.actors as u32 * vectors(block) } else { 0 };

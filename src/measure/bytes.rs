@@ -12,11 +12,8 @@
 use crate::{
     avatar::{Avatar, Layer},
     frame::{Skip, Variant},
-    layout::{SORT_DIGITS, SURFACE_DRAWN, SURFACE_FINEST, SURFACE_LEVELS},
-    vulkan::{
-        RendererOptions, harmonics,
-        raster::{Method, bins_size},
-    },
+    layout::{BINS, SORT_DIGITS, SURFACE_DRAWN, SURFACE_FINEST, SURFACE_LEVELS},
+    vulkan::{RendererOptions, harmonics, raster::Method},
 };
 
 /// Operations from a Gaussian's numbers to its splat, correctives apart: blend four matrices (96), interpolate nodes (18), transform
@@ -204,7 +201,7 @@ const MET: u64 = 3;
 
 /// Chains of tiles: their heads are cleared; an entry reads and writes a head, and writes itself.
 fn bins(seen: Seen) -> Work {
-    let bytes = bins_size(0)[0] + (4 + SPLAT_BYTES + 12 * MET) * seen.drawn;
+    let bytes = BINS.bytes(0)[0] + (4 + SPLAT_BYTES + 12 * MET) * seen.drawn;
     Work { stage: "bins", bytes, bytes_floor: (4 + SPLAT_BYTES + 4 * MET) * seen.drawn, operations: None, operations_floor: None }
 }
 

@@ -19,10 +19,7 @@ use super::{
     pipeline::{Slice, barrier},
 };
 use crate::frame::options::leaves_loops;
-pub use crate::{
-    frame::{ColorFormat, Method, Touched},
-    layout::bins::{bins_size, tile},
-};
+pub use crate::frame::{ColorFormat, Method, Touched};
 use ash::vk::{self, AccessFlags, PipelineStageFlags};
 use hulls::Hulls;
 use std::sync::Arc;

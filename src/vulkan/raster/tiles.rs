@@ -3,10 +3,7 @@
 use super::{ColorFormat, LEFT, Method, Touched, check_size, hand_over};
 use crate::{
     frame::Skip,
-    layout::{
-        BINS_BLOCKS, BINS_LEVELS, BINS_NODE, BINS_SIDE, BINS_SIZE, BINS_TILES,
-        bins::{bins_size, first_tile, nodes},
-    },
+    layout::{BINS, BINS_BLOCKS, BINS_LEVELS, BINS_NODE, BINS_SIZE},
     vulkan::{
         RendererOptions,
         device::Gpu,
@@ -28,7 +25,7 @@ pub struct Bins {
 impl Bins {
     /// Those of a level's tile, the finest being level 0. Column and row of that level.
     pub fn tile(&self, level: u32, [column, row]: [u32; 2]) -> &[u32] {
-        &self.tiles[(first_tile(level) + row * (BINS_SIDE >> (2 * level)) + column) as usize]
+        &self.tiles[(BINS.first_tile(level) + row * (BINS.side >> (2 * level)) + column) as usize]
     }
 
     /// Those of all levels that a finest tile lies in, level by level.
@@ -53,11 +50,11 @@ pub struct Tiles {
 impl Tiles {
     pub fn new(gpu: &Arc<Gpu>, frame: Slice, (inputs, capacity): ([Slice; 3], u32), options: &RendererOptions) -> Result<Self> {
         let usage = vk::BufferUsageFlags::STORAGE_BUFFER | vk::BufferUsageFlags::TRANSFER_SRC | vk::BufferUsageFlags::TRANSFER_DST;
-        let buffer = Buffer::new(gpu, "bins", bins_size(capacity)[1], usage, MemoryLocation::GpuOnly)?;
+        let buffer = Buffer::new(gpu, "bins", BINS.bytes(capacity)[1], usage, MemoryLocation::GpuOnly)?;
         let [order, splats, control] = inputs;
         let storage = [order, splats, control, (&buffer).into()];
         let bindings = Bindings::new(gpu, vk::ShaderStageFlags::COMPUTE, Some(frame), &storage)?;
-        let bins = Kernel::new(gpu, &shaders::BINS, &[nodes(capacity)[0]], bindings)?;
+        let bins = Kernel::new(gpu, &shaders::BINS, &[BINS.nodes(capacity)[0]], bindings)?;
         let color = options.color.unwrap_or(Method::Tiles.color());
         let module = match (Variant::suited(gpu), color) {
             (Variant::Alone, ColorFormat::Rgba8) => &shaders::RASTER_RGBA8,
@@ -88,7 +85,7 @@ impl Tiles {
     /// The bins of the last frame, for tests.
     pub fn download(&self) -> Result<Bins> {
         let words: Vec<u32> = bytemuck::pod_collect_to_vec(&self.buffer.download(self.buffer.size as usize)?);
-        let [tiles, blocks, node] = [BINS_TILES, BINS_BLOCKS, BINS_NODE].map(|number| number as usize);
+        let [tiles, blocks, node] = [BINS.tiles(), BINS_BLOCKS, BINS_NODE].map(|number| number as usize);
         let heads = 1 + tiles;
         let nodes = heads + tiles * blocks - node;
         let chain = |at: usize| {
@@ -127,7 +124,7 @@ impl Tiles {
         let written = (PipelineStageFlags::TRANSFER, AccessFlags::TRANSFER_WRITE);
         barrier(&self.gpu, commands, (compute, AccessFlags::SHADER_WRITE), written);
         // SAFETY: the command buffer is recording, the range lies in the buffer, which is alive.
-        unsafe { self.gpu.raw.cmd_fill_buffer(commands, self.buffer.raw, 0, bins_size(0)[0], 0) };
+        unsafe { self.gpu.raw.cmd_fill_buffer(commands, self.buffer.raw, 0, BINS.bytes(0)[0], 0) };
         barrier(&self.gpu, commands, written, (compute, AccessFlags::SHADER_READ | AccessFlags::SHADER_WRITE));
         self.bins.dispatch(commands, frame, BINS_BLOCKS / BINS_SIZE);
     }

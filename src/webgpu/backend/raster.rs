@@ -13,7 +13,7 @@ use crate::{
         ColorFormat, Method, RendererOptions, Skip, Touched,
         options::{NO_TRIANGLES, draws_triangles},
     },
-    layout::{BINS_BLOCKS, BINS_SIZE, RASTER_QUADS, Settings, bins},
+    layout::{BINS_BLOCKS, BINS_SIZE, BINS_WEB, RASTER_QUADS, Settings},
     webgpu::shaders,
 };
 use wgpu::{BlendComponent, BlendFactor, BlendOperation, BlendState, ShaderStages, TextureFormat, TextureUsages};
@@ -83,7 +83,7 @@ impl Raster {
         settings.least = options.cutoff.log2() as f32;
         settings.hull = if options.skip.contains(Skip::FAINT) { settings.least } else { 0.0 };
         settings.full = if options.skip.contains(Skip::FULL) { settings.cutoff } else { 0.0 };
-        settings.nodes = bins::nodes(capacity)[0];
+        settings.nodes = BINS_WEB.nodes(capacity)[0];
         settings.count = options.count.into();
     }
 
@@ -143,7 +143,7 @@ impl Raster {
                 pass.draw_indexed_indirect(control, 0);
             }
             Way::Tiles { bins: kernel, raster, buffer } => {
-                encoder.clear_buffer(buffer, 0, Some(bins::bins_size(0)[0]));
+                encoder.clear_buffer(buffer, 0, Some(BINS_WEB.bytes(0)[0]));
                 let writes = slot.stage("bins");
                 kernel.dispatch(&mut slot.pass(encoder, "bins", writes), frame, [BINS_BLOCKS / BINS_SIZE, 1]);
                 let writes = slot.stage("raster");
@@ -225,7 +225,7 @@ pub fn draw_pipeline(
 }
 
 fn tiles(gpu: &Gpu, blocks: &Blocks, inputs: Inputs, picture: (ColorFormat, &wgpu::TextureView)) -> Result<Way> {
-    let buffer = empty(gpu, "bins", bins::bins_size(inputs.capacity)[1], STORAGE)?;
+    let buffer = empty(gpu, "bins", BINS_WEB.bytes(inputs.capacity)[1], STORAGE)?;
     let bound = [
         blocks.frame(),
         (1, Bound::Read(inputs.order)),

@@ -13,19 +13,19 @@ use super::{
     owned::Buffer,
     raster::{Inputs, Raster},
     slot::{SLOTS, Slot},
-    sort::Sort,
+    sort::{Sort, in_lanes},
     splats::{Splats, slots as slots_of},
     surface::Surface,
 };
 use crate::{
     avatar::Avatar,
     frame::{
-        Body, Camera, Counters, Extent, FrameReport, Needs, Posed, RendererOptions, Skip, Touched, Variant, block,
+        Body, Camera, Counters, Extent, FrameReport, Needs, Posed, RendererOptions, Skip, Touched, block,
         keeper::Keeper,
         refuse,
         scene::{Actor, Scene, Staged},
     },
-    layout::{Control, Frame, PYRAMID_WORDS, RASTER_QUADS, RASTER_SQUARE, SORT_TILE, Settings, bins},
+    layout::{BINS_WEB, Control, Frame, PYRAMID_WORDS, RASTER_QUADS, SORT_TILE, Settings},
 };
 use bytemuck::bytes_of;
 use glam::UVec2;
@@ -82,9 +82,8 @@ impl Renderer {
         let pose = empty(gpu, "pose", 4 * words.next_multiple_of(4), STORAGE)?;
         let control = empty(gpu, "control", size_of::<Control>() as u64, STORAGE | wgpu::BufferUsages::INDIRECT)?;
         let blocks = Blocks::new(gpu, options.actors)?;
-        let splats = Splats::new(gpu, &model, (&blocks, &pose), actors, options.skip.contains(Skip::SKINNING))?;
-        let lanes = options.sort == Some(Variant::LaneScan);
-        let sort = Sort::new(gpu, &blocks, (splats.keys(), splats.counts()), &control, (splats.capacity(), lanes))?;
+        let splats = Splats::new(gpu, &model, (&blocks, &pose), &options)?;
+        let sort = Sort::new(gpu, &blocks, (splats.keys(), splats.counts()), &control, (splats.capacity(), in_lanes(&options)))?;
         let inputs =
             Inputs { order: sort.order(), splats: splats.all(), keys: splats.keys(), control: &control, capacity: splats.capacity() };
         let raster = Raster::new(gpu, &blocks, inputs, &options)?;
@@ -272,8 +271,7 @@ impl Renderer {
             block.surface_start = 0;
         }
         self.splats.fill(block);
-        // What four lanes of a processor blend: each splat of a tile costs them the same, whether it meets them or not.
-        block.tile = bins::tile_of_at_least(2 * RASTER_SQUARE, camera.size) as f32;
+        block.tile = BINS_WEB.tile(camera.size) as f32;
         block.count_tile = SORT_TILE;
         if let Some((actor, before)) = actor {
             block::fill_actor(block, &self.options, actor, camera);

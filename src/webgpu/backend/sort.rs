@@ -10,7 +10,8 @@ use super::{
     owned::Buffer,
 };
 use crate::{
-    layout::{SORT_DIGITS, SORT_GROUP, SORT_STATE, SORT_TILE, Settings},
+    frame::{RendererOptions, Variant},
+    layout::{SORT_DIGITS, SORT_GROUP, SORT_LANES, SORT_STATE, SORT_TILE, Settings},
     webgpu::shaders,
 };
 
@@ -24,10 +25,16 @@ fn tiles(capacity: u32) -> u32 {
     capacity.div_ceil(SORT_TILE).max(1)
 }
 
-/// Bytes that the counts of a sort take.
-pub fn counts_size(capacity: u32) -> u64 {
+/// Whether each invocation has a run of keys to itself.
+pub fn in_lanes(options: &RendererOptions) -> bool {
+    options.sort == Some(Variant::LaneScan)
+}
+
+/// Bytes that the counts of a sort take, with a run of keys an invocation or without.
+pub fn counts_size(capacity: u32, lanes: bool) -> u64 {
     let tiles = u64::from(tiles(capacity));
-    4 * (u64::from(SORT_DIGITS) * (tiles + 3 + tiles.div_ceil(u64::from(SORT_GROUP))) + u64::from(SORT_STATE))
+    let lanes = if lanes { u64::from(SORT_LANES + 1) * tiles } else { 0 };
+    4 * (u64::from(SORT_DIGITS) * (tiles + 3 + tiles.div_ceil(u64::from(SORT_GROUP)) + lanes) + u64::from(SORT_STATE))
 }
 
 /// Bytes of those that a kernel which makes keys adds to.
@@ -63,6 +70,7 @@ impl Sort {
         let (entries, control) = (Slice::from(&between), Slice::from(control));
         let kernel = |module, bound: &[(u32, Bound)]| Kernel::new(gpu, module, &[bound, &[blocks.settings()]].concat());
         let scanned = tiles(capacity) > MOST_SUMMED;
+        let moved = if lanes { write(counts) } else { read(counts) };
         let [first, last_count, last] = if lanes {
             [&shaders::SORT_LANES_FIRST, &shaders::SORT_LANES_LAST_COUNT, &shaders::SORT_LANES_LAST]
         } else {
@@ -82,10 +90,10 @@ impl Sort {
         };
         Ok(Self {
             first_scan: scanned.then(first_scan),
-            first: kernel(first, &[(1, read(keys)), (2, read(counts)), (3, write(control)), (4, write(entries))]),
+            first: kernel(first, &[(1, read(keys)), (2, moved), (3, write(control)), (4, write(entries))]),
             last_count: kernel(last_count, &[(1, read(entries)), (2, write(counts)), (3, read(control))]),
             last_scan: scanned.then(last_scan),
-            last: kernel(last, &[(1, read(entries)), (2, read(counts)), (3, read(control)), (4, write((&order).into()))]),
+            last: kernel(last, &[(1, read(entries)), (2, moved), (3, read(control)), (4, write((&order).into()))]),
             tiles: tiles(capacity),
             capacity,
             order,

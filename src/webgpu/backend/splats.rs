@@ -10,7 +10,7 @@ use super::{
     sort,
 };
 use crate::{
-    frame::{Body, KeyBits},
+    frame::{Body, KeyBits, RendererOptions, Skip},
     layout::{Frame, POSED_WORDS, SPLATS_SIZE},
     webgpu::shaders,
 };
@@ -35,15 +35,16 @@ pub struct Splats {
 }
 
 impl Splats {
-    /// `keep`: whether frames in which only the camera moved shall find what it can't change.
-    pub fn new(gpu: &Gpu, model: &Model, (blocks, pose): (&Blocks, &wgpu::Buffer), actors: u32, keep: bool) -> Result<Self> {
+    pub fn new(gpu: &Gpu, model: &Model, (blocks, pose): (&Blocks, &wgpu::Buffer), options: &RendererOptions) -> Result<Self> {
         let count = model.constants.gaussians;
-        let capacity = actors * slots(count);
+        let capacity = options.actors as u32 * slots(count);
+        // Whether frames in which only the camera moved shall find what it can't change.
+        let keep = options.skip.contains(Skip::SKINNING);
         let keys = KeyBits::Sixteen.bytes(u64::from(capacity));
         let posed = (key_offset(capacity) + keys).next_multiple_of(256);
         let size = posed + if keep { 4 * u64::from(POSED_WORDS) * u64::from(capacity) } else { 0 };
         let buffer = empty(gpu, "splats", size, STORAGE)?;
-        let counts = empty(gpu, "counts", COUNTS_AT + sort::counts_size(capacity), STORAGE)?;
+        let counts = empty(gpu, "counts", COUNTS_AT + sort::counts_size(capacity, sort::in_lanes(options)), STORAGE)?;
         let after = [(4, Bound::Write((&buffer).into())), (6, Bound::Write((&counts).into())), blocks.frame(), blocks.settings()];
         let model_and_pose =
             [(1, Bound::Read((&model.gaussians).into())), (2, Bound::Read((&model.rows).into())), (3, Bound::Read(pose.into()))];

@@ -1,0 +1,209 @@
+//! Sets of the voxels of a grid, a bit each: 64 neighbours along x are grown and flooded at once.
+
+use glam::UVec3;
+
+/// A set of voxels. A row along x is a whole number of words; bits past its end are never set.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Voxels {
+    size: UVec3,
+    /// Of a row.
+    words: usize,
+    bits: Vec<u64>,
+}
+
+impl Voxels {
+    /// No voxel of a grid of so many along each axis.
+    pub fn none(size: UVec3) -> Self {
+        let words = size.x.div_ceil(64) as usize;
+        Self { size, words, bits: vec![0; words * size.y as usize * size.z as usize] }
+    }
+
+    pub fn insert(&mut self, at: UVec3) {
+        let row = at.z as usize * self.size.y as usize + at.y as usize;
+        self.bits[row * self.words + at.x as usize / 64] |= 1 << (at.x % 64);
+    }
+
+    /// The voxels of the set, along x first.
+    pub fn iter(&self) -> impl Iterator<Item = UVec3> + '_ {
+        let (rows, height) = (self.bits.chunks(self.words.max(1)).zip(0u32..), self.size.y);
+        rows.flat_map(move |(row, number)| {
+            let bits =
+                |&word: &u64| std::iter::successors(Some(word), |left| Some(left & left.wrapping_sub(1))).take_while(|&left| left != 0);
+            let along = row.iter().zip(0u32..).flat_map(move |(word, w)| bits(word).map(move |left| 64 * w + left.trailing_zeros()));
+            along.map(move |x| UVec3::new(x, number % height, number / height))
+        })
+    }
+
+    /// All that are not in it.
+    pub fn inverse(mut self) -> Self {
+        let past = self.words as u32 * 64 - self.size.x;
+        for row in self.bits.chunks_mut(self.words.max(1)) {
+            row.iter_mut().for_each(|word| *word = !*word);
+            row.iter_mut().last().into_iter().for_each(|word| *word &= u64::MAX >> past);
+        }
+        self
+    }
+
+    pub fn without(mut self, other: &Self) -> Self {
+        self.bits.iter_mut().zip(&other.bits).for_each(|(own, others)| *own &= !others);
+        self
+    }
+
+    /// With the neighbours across every face.
+    pub fn grown(&self) -> Self {
+        let mut grown = self.clone();
+        (0..3).for_each(|axis| self.spread(axis, &mut grown));
+        grown
+    }
+
+    /// With all 26 neighbours.
+    pub fn boxed(&self) -> Self {
+        (0..3).fold(self.clone(), |set, axis| {
+            let mut wider = set.clone();
+            set.spread(axis, &mut wider);
+            wider
+        })
+    }
+
+    /// Adds the neighbours along an axis to `into`.
+    fn spread(&self, axis: usize, into: &mut Self) {
+        let slab = self.words * self.size.y as usize;
+        let shifted = |from: &[u64], to: &mut [u64], by: usize| {
+            to.iter_mut().zip(from.iter().skip(by)).for_each(|(to, from)| *to |= from);
+            to.iter_mut().skip(by).zip(from).for_each(|(to, from)| *to |= from);
+        };
+        match axis {
+            0 => {
+                let last = 1 << ((self.size.x - 1) % 64);
+                for (from, to) in self.bits.chunks(self.words).zip(into.bits.chunks_mut(self.words)) {
+                    for w in 0..self.words {
+                        let before = if w > 0 { from[w - 1] >> 63 } else { 0 };
+                        let after = from.get(w + 1).map_or(0, |word| word << 63);
+                        let end = if w + 1 < self.words { u64::MAX } else { last | (last - 1) };
+                        to[w] |= (from[w] << 1 | before | from[w] >> 1 | after) & end;
+                    }
+                }
+            }
+            1 => self.bits.chunks(slab).zip(into.bits.chunks_mut(slab)).for_each(|(from, to)| shifted(from, to, self.words)),
+            _ => shifted(&self.bits, &mut into.bits, slab),
+        }
+    }
+
+    /// What can be reached from the grid's first voxel, face by face, without passing the set.
+    pub fn flooded(&self) -> Self {
+        let free = self.clone().inverse();
+        let mut reached = Self::none(self.size);
+        if let (Some(first), Some(free)) = (reached.bits.first_mut(), free.bits.first()) {
+            *first = free & 1;
+        }
+        let rows = self.bits.len() / self.words.max(1);
+        // Rows hand on what they have to those beside them, from the first to the last and back, until nothing changes.
+        loop {
+            let there = (0..rows).fold(false, |changed, row| reached.flood_row(&free, row) | changed);
+            let back = (0..rows).rev().fold(false, |changed, row| reached.flood_row(&free, row) | changed);
+            if !(there || back) {
+                return reached;
+            }
+        }
+    }
+
+    /// Takes over what the rows beside one have, as far as it is free, and fills the row from there. Whether anything came of it.
+    fn flood_row(&mut self, free: &Self, row: usize) -> bool {
+        let (words, height) = (self.words, self.size.y as usize);
+        let beside = [
+            (!row.is_multiple_of(height)).then(|| row - 1),
+            (row % height + 1 < height).then_some(row + 1),
+            row.checked_sub(height),
+            Some(row + height).filter(|&next| next * words < self.bits.len()),
+        ];
+        let from = row * words;
+        let mut changed = false;
+        let mut carry = false;
+        for w in 0..words {
+            let open = free.bits[from + w];
+            let met = beside.iter().flatten().fold(self.bits[from + w], |met, &other| met | self.bits[other * words + w]) & open;
+            let filled = filled_up(open, met | u64::from(carry) & open);
+            carry = filled >> 63 != 0;
+            changed |= filled != self.bits[from + w];
+            self.bits[from + w] = filled;
+        }
+        let mut carry = false;
+        for w in (0..words).rev() {
+            let (open, met) = (free.bits[from + w].reverse_bits(), self.bits[from + w].reverse_bits());
+            let filled = filled_up(open, met | u64::from(carry) & open).reverse_bits();
+            carry = filled & 1 != 0;
+            changed |= filled != self.bits[from + w];
+            self.bits[from + w] = filled;
+        }
+        changed
+    }
+}
+
+/// Every run of `open` bits from its lowest bit of `met` up: where that is added, a carry runs through the rest of the run.
+fn filled_up(open: u64, met: u64) -> u64 {
+    open & (met | (open.wrapping_add(met) ^ open))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::IVec3;
+    use proptest::prelude::*;
+    use std::collections::BTreeSet;
+
+    type Naive = BTreeSet<[u32; 3]>;
+
+    fn naive(set: &Voxels) -> Naive {
+        set.iter().map(|at| at.to_array()).collect()
+    }
+
+    fn beside(at: [u32; 3], size: UVec3, reach: i32) -> impl Iterator<Item = [u32; 3]> {
+        let steps = (0..27).map(|k| IVec3::new(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1)).filter(move |step| step.abs().element_sum() <= reach);
+        let next = steps.map(move |step| UVec3::from(at).as_ivec3() + step);
+        next.filter(move |next| next.cmpge(IVec3::ZERO).all() && next.cmplt(size.as_ivec3()).all()).map(|next| next.as_uvec3().to_array())
+    }
+
+    fn wider(set: &Naive, size: UVec3, reach: i32) -> Naive {
+        set.iter().flat_map(|&at| beside(at, size, reach)).collect()
+    }
+
+    fn reached(walls: &Naive, size: UVec3) -> Naive {
+        let mut reached: Naive = [[0; 3]].into_iter().filter(|at| !walls.contains(at)).collect();
+        let mut stack: Vec<_> = reached.iter().copied().collect();
+        while let Some(at) = stack.pop() {
+            stack.extend(beside(at, size, 1).filter(|next| !walls.contains(next) && reached.insert(*next)).collect::<Vec<_>>());
+        }
+        reached
+    }
+
+    /// A grid, and voxels of it: walls with holes as well as specks.
+    fn sets() -> impl Strategy<Value = Voxels> {
+        let sizes = (prop_oneof![1..9u32, 62..67u32, 126..131u32], 1..7u32, 1..7u32);
+        (sizes, proptest::collection::vec((0..1u32 << 30, 0..4u32), 0..60), 0..1u32 << 30).prop_map(|((x, y, z), specks, hole)| {
+            let size = UVec3::new(x, y, z);
+            let mut set = Voxels::none(size);
+            for (place, kind) in specks {
+                let at = UVec3::new(place % x, place / x % y, place / (x * y) % z);
+                match kind {
+                    0 => (0..y * z).filter(|k| k % (hole % 7 + 2) != 0).for_each(|k| set.insert(UVec3::new(at.x, k % y, k / y))),
+                    _ => set.insert(at),
+                }
+            }
+            set
+        })
+    }
+
+    proptest! {
+        #[test]
+        fn sets_do_as_their_voxels_one_by_one(set in sets()) {
+            let (one_by_one, size) = (naive(&set), set.size);
+            prop_assert_eq!(naive(&set.grown()), wider(&one_by_one, size, 1));
+            prop_assert_eq!(naive(&set.boxed()), wider(&one_by_one, size, 3));
+            prop_assert_eq!(naive(&set.flooded()), reached(&one_by_one, size));
+            let rest = naive(&set.clone().inverse());
+            prop_assert_eq!(rest.len() + one_by_one.len(), size.element_product() as usize);
+            prop_assert!(rest.is_disjoint(&one_by_one));
+            prop_assert_eq!(naive(&set.grown().without(&set)), &wider(&one_by_one, size, 1) - &one_by_one);
+        }
+    }
+}
