@@ -56,7 +56,7 @@ struct Said {
         deviation += vec2(along.y, across.y); \
     }
 
-// Puts a splat behind what the pixels hold.
+// Puts a splat behind what the pixels hold. Standard deviations are times √(½ log₂ e): the Gaussian is 2^−|deviation|².
 void put(inout Square square, Said said, uvec4 words) {
     const float half_side = 0.5 * float(SIDE - 1u);
     const uint place = (1u << POSITION_BITS) - 1u;

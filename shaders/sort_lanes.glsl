@@ -7,6 +7,9 @@
 // Where an invocation's counter of a digit is: each tile has a row of them, and behind them where its digits start.
 uint counter(uint digit, uint lane) { return LANES_AT + gl_WorkGroupID.x * LANE_ROW + digit * SORT_LANES + lane; }
 
+// A loop's end that compilers can't tell: they would unroll it, and llvmpipe then takes ten seconds for a kernel. `any` is any number.
+uint untold(uint end, uint any) { return min(end, any | end); }
+
 void count_own_run(uint lane, uint tile, uint end) {
     for (uint digit = 0u; digit < SORT_DIGITS; ++digit) {
         counts[counter(digit, lane)] = 0u;

@@ -23,8 +23,7 @@ void main() {
     count_own_run(lane, tile, end);
     memoryBarrierBuffer();
     barrier();
-    // Which compilers are not to see, as in the kernel that moves.
-    uint lanes = min(SORT_LANES, end | SORT_LANES);
+    uint lanes = untold(SORT_LANES, end);
     for (uint digit = lane; digit < SORT_DIGITS; digit += SORT_LANES) {
         uint sum = 0u;
         for (uint l = 0u; l < lanes; ++l) {

@@ -9,7 +9,6 @@
 #include "sort_sorted.glsl"
 // No array of an invocation's own: llvmpipe needs half a minute to compile one that outlives a barrier.
 #define START(own) counts[LANES_AT + gl_WorkGroupID.x * LANE_ROW + SORT_DIGITS * SORT_LANES + gl_LocalInvocationID.x * OWN + own]
-// OWN, which compilers are not to see: unrolled, these loops take llvmpipe ten seconds.
 uint own_end;
 #define OWN_END own_end
 #include "sort_starts.glsl"
@@ -25,8 +24,8 @@ void main() {
     if (tile >= tiles) {
         return;
     }
-    own_end = min(OWN, end | OWN);
-    uint lanes = min(THREADS, end | THREADS);
+    own_end = untold(OWN, end);
+    uint lanes = untold(THREADS, end);
     if (FIRST) {
         count_own_run(lane, tile, end);
     }

@@ -86,11 +86,15 @@ fn main() -> anyhow::Result<()> {
     let [spirv, wgsl] = ["spv", "wgsl"].map(|folder| shaders.join(folder));
     let mut fingerprints = String::new();
     for module in MODULES {
+        let mut compiled = Vec::new();
         for half in [false, true].into_iter().filter(|half| !half || module.has_half()) {
             let macros: &[_] = if half { &[("HALF_STORAGE", "1")] } else { &[] };
-            output.file(&spirv, &module.compiled(half), &sources.compile(module.file, macros, OptimizationLevel::Performance)?)?;
+            let words = sources.compile(module.file, macros, OptimizationLevel::Performance)?;
+            output.file(&spirv, &module.compiled(half), &words)?;
+            compiled.push(words);
         }
-        fingerprints += &format!("{} {:016x}\n", module.file, fingerprint(&shaders, module.file)?);
+        let fingerprint = module.fingerprint(fingerprint(&shaders, module.file)?, compiled.iter().map(Vec::as_slice));
+        fingerprints += &format!("{} {fingerprint:016x}\n", module.file);
     }
     output.file(&spirv, FINGERPRINTS, fingerprints.as_bytes())?;
     fingerprints.clear();

@@ -1,24 +1,27 @@
 #!/usr/bin/env bash
 # Makes the package and checks it, then makes one for this processor and plays Android to its library: on this machine, without a phone.
-# usage: tools/test_apk.sh [LIVES [ORDERS]]     lives of the app to play [default: 8], each of so many random orders of 60 events [default: 4]
+# usage: tools/test_apk.sh [--make|--made] [LIVES [ORDERS]]     --make: only the packages; --made: they are there
+# LIVES: of the app, to play [default: 8], each of ORDERS random orders of 60 events [default: 4]
 # A life has 300 s, and 60 to bring the frames that a script waits for: other programs may be at work here too. What must answer at once (`limit`) must.
 # The player is ../shared/android-host, with tools/android-host/more.patch on it. Whoever has none gets the package checked and nothing played.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . tools/needs.sh
-seeds=${1:-8} orders=${2:-4}
+make=1 play=1
+case ${1:-} in --make) play=''; shift ;; --made) make=''; shift ;; esac
+seeds=${1:-8} orders=${2:-4} host=../shared/android-host
 most_apk=12000000 most_library=4600000
-tools/apk.sh --release target/apk/effigy.apk
+[ -z "$make" ] || tools/apk.sh --release target/apk/effigy.apk
 [ "$(stat -c %s target/apk/effigy.apk)" -le $most_apk ] || { echo "the package is larger than $most_apk bytes" >&2; exit 1; }
 library=target/apk/release/lib/arm64-v8a/libmain.so
 [ "$(stat -c %s $library)" -le $most_library ] || { echo "$library is larger than $most_library bytes" >&2; exit 1; }
 
-host=../shared/android-host
 if [ ! -d $host ]; then
   echo "NOT RUN: the app itself. What plays Android to it is not part of this repository, and there is no $host; only the package was checked"
   exit 0
 fi
-tools/apk.sh --targets x86_64-linux-android target/apk/effigy-x86_64.apk
+[ -z "$make" ] || tools/apk.sh --targets x86_64-linux-android target/apk/effigy-x86_64.apk
+[ -n "$play" ] || exit 0
 need 'command -v patch' patch
 need 'command -v gcc && [ -s /usr/include/vulkan/vulkan.h ]' gcc libvulkan-dev libvulkan1
 tools/drivers.sh

@@ -57,29 +57,29 @@ var<storage, read_write> global_5: type_17;
 
 @compute @workgroup_size(8, 1, 1) 
 fn main(@builtin(workgroup_id) param: vec3<u32>, @builtin(local_invocation_id) param_1: vec3<u32>) {
-    var phi_1128_: u32;
-    var phi_1129_: u32;
-    var phi_1132_: u32;
-    var phi_1131_: u32;
-    var phi_1148_: u32;
-    var phi_1143_: u32;
-    var phi_1151_: u32;
-    var phi_1144_: u32;
+    var phi_1155_: u32;
+    var phi_1156_: u32;
+    var phi_1159_: u32;
+    var phi_1158_: u32;
+    var phi_1175_: u32;
+    var phi_1170_: u32;
+    var phi_1178_: u32;
+    var phi_1171_: u32;
     var local: u32;
     var local_1: u32;
     var local_2: u32;
     var local_3: u32;
-    var phi_1136_: u32;
-    var phi_1133_: u32;
-    var phi_1134_: u32;
+    var phi_1163_: u32;
+    var phi_1160_: u32;
+    var phi_1161_: u32;
     var local_4: u32;
     var local_5: u32;
     var local_6: u32;
-    var phi_1130_: u32;
-    var phi_1137_: u32;
-    var phi_1142_: u32;
-    var phi_1140_: u32;
-    var phi_1138_: u32;
+    var phi_1157_: u32;
+    var phi_1164_: u32;
+    var phi_1169_: u32;
+    var phi_1167_: u32;
+    var phi_1165_: u32;
     var local_7: u32;
     var local_8: u32;
 
@@ -97,9 +97,9 @@ fn main(@builtin(workgroup_id) param: vec3<u32>, @builtin(local_invocation_id) p
                 break;
             }
             let _e55 = min(32u, (_e49 | 32u));
-            phi_1128_ = 0u;
+            phi_1155_ = 0u;
             loop {
-                let _e59 = phi_1128_;
+                let _e59 = phi_1155_;
                 if (_e59 < 256u) {
                     continue;
                 } else {
@@ -107,13 +107,13 @@ fn main(@builtin(workgroup_id) param: vec3<u32>, @builtin(local_invocation_id) p
                 }
                 continuing {
                     global_5.member[(((_e40 + (_e44 * 2304u)) + (_e59 * 8u)) + _e42)] = 0u;
-                    phi_1128_ = (_e59 + bitcast<u32>(1i));
+                    phi_1155_ = (_e59 + bitcast<u32>(1i));
                 }
             }
             let _e72 = ((_e44 * 4096u) + (_e42 * 512u));
-            phi_1129_ = _e72;
+            phi_1156_ = _e72;
             loop {
-                let _e74 = phi_1129_;
+                let _e74 = phi_1156_;
                 let _e76 = min(_e49, (_e72 + 512u));
                 local_7 = _e76;
                 if (_e74 < _e76) {
@@ -129,28 +129,28 @@ fn main(@builtin(workgroup_id) param: vec3<u32>, @builtin(local_invocation_id) p
                     break;
                 }
                 continuing {
-                    phi_1129_ = (_e74 + bitcast<u32>(1i));
+                    phi_1156_ = (_e74 + bitcast<u32>(1i));
                 }
             }
             switch bitcast<i32>(0u) {
                 default: {
                     let _e106 = global.member_6;
                     if !((_e106 != 0u)) {
-                        phi_1132_ = 0u;
-                        phi_1131_ = 0u;
+                        phi_1159_ = 0u;
+                        phi_1158_ = 0u;
                         loop {
-                            let _e110 = phi_1132_;
-                            let _e112 = phi_1131_;
+                            let _e110 = phi_1159_;
+                            let _e112 = phi_1158_;
                             local_3 = _e110;
                             local_6 = _e110;
                             if (_e112 < _e55) {
                                 let _e114 = (_e42 * 32u);
                                 let _e115 = (_e114 + _e112);
-                                phi_1148_ = 0u;
-                                phi_1143_ = 0u;
+                                phi_1175_ = 0u;
+                                phi_1170_ = 0u;
                                 loop {
-                                    let _e117 = phi_1148_;
-                                    let _e119 = phi_1143_;
+                                    let _e117 = phi_1175_;
+                                    let _e119 = phi_1170_;
                                     local = _e117;
                                     local_1 = _e117;
                                     if (_e119 < _e44) {
@@ -160,15 +160,15 @@ fn main(@builtin(workgroup_id) param: vec3<u32>, @builtin(local_invocation_id) p
                                     }
                                     continuing {
                                         let _e125 = global_5.member[((_e119 * 256u) + _e115)];
-                                        phi_1148_ = (_e117 + _e125);
-                                        phi_1143_ = (_e119 + bitcast<u32>(1i));
+                                        phi_1175_ = (_e117 + _e125);
+                                        phi_1170_ = (_e119 + bitcast<u32>(1i));
                                     }
                                 }
-                                phi_1151_ = 0u;
-                                phi_1144_ = _e44;
+                                phi_1178_ = 0u;
+                                phi_1171_ = _e44;
                                 loop {
-                                    let _e130 = phi_1151_;
-                                    let _e132 = phi_1144_;
+                                    let _e130 = phi_1178_;
+                                    let _e132 = phi_1171_;
                                     local_2 = _e130;
                                     if (_e132 < _e52) {
                                         continue;
@@ -177,8 +177,8 @@ fn main(@builtin(workgroup_id) param: vec3<u32>, @builtin(local_invocation_id) p
                                     }
                                     continuing {
                                         let _e138 = global_5.member[((_e132 * 256u) + _e115)];
-                                        phi_1151_ = (_e130 + _e138);
-                                        phi_1144_ = (_e132 + bitcast<u32>(1i));
+                                        phi_1178_ = (_e130 + _e138);
+                                        phi_1171_ = (_e132 + bitcast<u32>(1i));
                                     }
                                 }
                                 let _e148 = local;
@@ -192,18 +192,18 @@ fn main(@builtin(workgroup_id) param: vec3<u32>, @builtin(local_invocation_id) p
                             }
                             continuing {
                                 let _e296 = local_8;
-                                phi_1132_ = _e296;
-                                phi_1131_ = (_e112 + bitcast<u32>(1i));
+                                phi_1159_ = _e296;
+                                phi_1158_ = (_e112 + bitcast<u32>(1i));
                             }
                         }
                         let _e162 = local_3;
                         global_4[_e42] = _e162;
                         workgroupBarrier();
-                        phi_1136_ = 0u;
-                        phi_1133_ = 0u;
+                        phi_1163_ = 0u;
+                        phi_1160_ = 0u;
                         loop {
-                            let _e164 = phi_1136_;
-                            let _e166 = phi_1133_;
+                            let _e164 = phi_1163_;
+                            let _e166 = phi_1160_;
                             local_4 = _e164;
                             local_5 = _e164;
                             if (_e166 < _e42) {
@@ -213,13 +213,13 @@ fn main(@builtin(workgroup_id) param: vec3<u32>, @builtin(local_invocation_id) p
                             }
                             continuing {
                                 let _e169 = global_4[_e166];
-                                phi_1136_ = (_e164 + _e169);
-                                phi_1133_ = (_e166 + bitcast<u32>(1i));
+                                phi_1163_ = (_e164 + _e169);
+                                phi_1160_ = (_e166 + bitcast<u32>(1i));
                             }
                         }
-                        phi_1134_ = 0u;
+                        phi_1161_ = 0u;
                         loop {
-                            let _e174 = phi_1134_;
+                            let _e174 = phi_1161_;
                             if (_e174 < _e55) {
                                 continue;
                             } else {
@@ -229,7 +229,7 @@ fn main(@builtin(workgroup_id) param: vec3<u32>, @builtin(local_invocation_id) p
                                 let _e184 = global_5.member[((((_e40 + (_e44 * 2304u)) + 2048u) + (_e42 * 32u)) + _e174)];
                                 let _e186 = local_4;
                                 global_5.member[((((_e40 + (_e44 * 2304u)) + 2048u) + (_e42 * 32u)) + _e174)] = (_e184 + _e186);
-                                phi_1134_ = (_e174 + bitcast<u32>(1i));
+                                phi_1161_ = (_e174 + bitcast<u32>(1i));
                             }
                         }
                         workgroupBarrier();
@@ -242,9 +242,9 @@ fn main(@builtin(workgroup_id) param: vec3<u32>, @builtin(local_invocation_id) p
                         }
                         break;
                     }
-                    phi_1130_ = 0u;
+                    phi_1157_ = 0u;
                     loop {
-                        let _e206 = phi_1130_;
+                        let _e206 = phi_1157_;
                         if (_e206 < _e55) {
                             continue;
                         } else {
@@ -254,7 +254,7 @@ fn main(@builtin(workgroup_id) param: vec3<u32>, @builtin(local_invocation_id) p
                             let _e211 = (_e42 * 32u);
                             let _e219 = global_5.member[(((_e44 * 256u) + _e211) + _e206)];
                             global_5.member[((((_e40 + (_e44 * 2304u)) + 2048u) + _e211) + _e206)] = _e219;
-                            phi_1130_ = (_e206 + bitcast<u32>(1i));
+                            phi_1157_ = (_e206 + bitcast<u32>(1i));
                         }
                     }
                     workgroupBarrier();
@@ -263,18 +263,18 @@ fn main(@builtin(workgroup_id) param: vec3<u32>, @builtin(local_invocation_id) p
             }
             storageBarrier();
             workgroupBarrier();
-            phi_1137_ = 0u;
+            phi_1164_ = 0u;
             loop {
-                let _e225 = phi_1137_;
+                let _e225 = phi_1164_;
                 if (_e225 < _e55) {
                     let _e228 = (_e40 + (_e44 * 2304u));
                     let _e230 = (_e42 * 32u);
                     let _e235 = global_5.member[(((_e228 + 2048u) + _e230) + _e225)];
-                    phi_1142_ = _e235;
-                    phi_1140_ = 0u;
+                    phi_1169_ = _e235;
+                    phi_1167_ = 0u;
                     loop {
-                        let _e237 = phi_1142_;
-                        let _e239 = phi_1140_;
+                        let _e237 = phi_1169_;
+                        let _e239 = phi_1167_;
                         if (_e239 < min(8u, (_e49 | 8u))) {
                             continue;
                         } else {
@@ -283,8 +283,8 @@ fn main(@builtin(workgroup_id) param: vec3<u32>, @builtin(local_invocation_id) p
                         continuing {
                             let _e247 = global_5.member[((_e228 + ((_e230 + _e225) * 8u)) + _e239)];
                             global_5.member[((_e228 + ((_e230 + _e225) * 8u)) + _e239)] = _e237;
-                            phi_1142_ = (_e237 + _e247);
-                            phi_1140_ = (_e239 + bitcast<u32>(1i));
+                            phi_1169_ = (_e237 + _e247);
+                            phi_1167_ = (_e239 + bitcast<u32>(1i));
                         }
                     }
                     continue;
@@ -292,14 +292,14 @@ fn main(@builtin(workgroup_id) param: vec3<u32>, @builtin(local_invocation_id) p
                     break;
                 }
                 continuing {
-                    phi_1137_ = (_e225 + bitcast<u32>(1i));
+                    phi_1164_ = (_e225 + bitcast<u32>(1i));
                 }
             }
             storageBarrier();
             workgroupBarrier();
-            phi_1138_ = _e72;
+            phi_1165_ = _e72;
             loop {
-                let _e254 = phi_1138_;
+                let _e254 = phi_1165_;
                 let _e256 = local_7;
                 if (_e254 < _e256) {
                     let _e262 = global_2.member[(_e254 >> bitcast<u32>(1u))];
@@ -315,7 +315,7 @@ fn main(@builtin(workgroup_id) param: vec3<u32>, @builtin(local_invocation_id) p
                     break;
                 }
                 continuing {
-                    phi_1138_ = (_e254 + bitcast<u32>(1i));
+                    phi_1165_ = (_e254 + bitcast<u32>(1i));
                 }
             }
             break;

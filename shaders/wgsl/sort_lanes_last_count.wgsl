@@ -50,11 +50,11 @@ var<storage, read_write> global_3: type_13;
 
 @compute @workgroup_size(8, 1, 1) 
 fn main(@builtin(workgroup_id) param: vec3<u32>, @builtin(local_invocation_id) param_1: vec3<u32>) {
-    var phi_484_: u32;
-    var phi_485_: u32;
-    var phi_486_: u32;
-    var phi_489_: u32;
-    var phi_487_: u32;
+    var phi_503_: u32;
+    var phi_504_: u32;
+    var phi_505_: u32;
+    var phi_508_: u32;
+    var phi_506_: u32;
     var local: u32;
 
     switch bitcast<i32>(0u) {
@@ -69,9 +69,9 @@ fn main(@builtin(workgroup_id) param: vec3<u32>, @builtin(local_invocation_id) p
             if (_e31 >= max(((_e37 + 4095u) / 4096u), 1u)) {
                 break;
             }
-            phi_484_ = 0u;
+            phi_503_ = 0u;
             loop {
-                let _e43 = phi_484_;
+                let _e43 = phi_503_;
                 if (_e43 < 256u) {
                     continue;
                 } else {
@@ -79,13 +79,13 @@ fn main(@builtin(workgroup_id) param: vec3<u32>, @builtin(local_invocation_id) p
                 }
                 continuing {
                     global_3.member[(((_e27 + (_e31 * 2304u)) + (_e43 * 8u)) + _e29)] = 0u;
-                    phi_484_ = (_e43 + bitcast<u32>(1i));
+                    phi_503_ = (_e43 + bitcast<u32>(1i));
                 }
             }
             let _e56 = ((_e31 * 4096u) + (_e29 * 512u));
-            phi_485_ = _e56;
+            phi_504_ = _e56;
             loop {
-                let _e58 = phi_485_;
+                let _e58 = phi_504_;
                 if (_e58 < min(_e37, (_e56 + 512u))) {
                     continue;
                 } else {
@@ -95,20 +95,20 @@ fn main(@builtin(workgroup_id) param: vec3<u32>, @builtin(local_invocation_id) p
                     let _e64 = global_2.member[_e58];
                     let _e74 = global_3.member[(((_e27 + (_e31 * 2304u)) + ((_e64 >> bitcast<u32>(24u)) * 8u)) + _e29)];
                     global_3.member[(((_e27 + (_e31 * 2304u)) + ((_e64 >> bitcast<u32>(24u)) * 8u)) + _e29)] = (_e74 + 1u);
-                    phi_485_ = (_e58 + bitcast<u32>(1i));
+                    phi_504_ = (_e58 + bitcast<u32>(1i));
                 }
             }
             storageBarrier();
             workgroupBarrier();
-            phi_486_ = _e29;
+            phi_505_ = _e29;
             loop {
-                let _e81 = phi_486_;
+                let _e81 = phi_505_;
                 if (_e81 < 256u) {
-                    phi_489_ = 0u;
-                    phi_487_ = 0u;
+                    phi_508_ = 0u;
+                    phi_506_ = 0u;
                     loop {
-                        let _e84 = phi_489_;
-                        let _e86 = phi_487_;
+                        let _e84 = phi_508_;
+                        let _e86 = phi_506_;
                         local = _e84;
                         if (_e86 < min(8u, (_e37 | 8u))) {
                             continue;
@@ -117,8 +117,8 @@ fn main(@builtin(workgroup_id) param: vec3<u32>, @builtin(local_invocation_id) p
                         }
                         continuing {
                             let _e95 = global_3.member[(((_e27 + (_e31 * 2304u)) + (_e81 * 8u)) + _e86)];
-                            phi_489_ = (_e84 + _e95);
-                            phi_487_ = (_e86 + bitcast<u32>(1i));
+                            phi_508_ = (_e84 + _e95);
+                            phi_506_ = (_e86 + bitcast<u32>(1i));
                         }
                     }
                     let _e104 = local;
@@ -128,7 +128,7 @@ fn main(@builtin(workgroup_id) param: vec3<u32>, @builtin(local_invocation_id) p
                     break;
                 }
                 continuing {
-                    phi_486_ = (_e81 + 8u);
+                    phi_505_ = (_e81 + 8u);
                 }
             }
             break;

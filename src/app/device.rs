@@ -11,22 +11,16 @@ use winit::window::Window;
 
 /// Opens the device that `options` names, else the first that can show pictures in the window.
 pub(super) fn open(window: &Window, options: &GpuOptions) -> anyhow::Result<(Target, Surface, Arc<Gpu>)> {
-    let given = Target::new(window.display_handle()?, window.window_handle()?);
-    match open_for(given, options) {
-        Err(error) if lacks_extension(&error) => {
-            let target = given.through_xcb().ok_or_else(no_windows)?;
-            let (surface, gpu) = open_for(target, options).map_err(|error| if lacks_extension(&error) { no_windows() } else { error })?;
-            Ok((target, surface, gpu))
-        }
-        opened => Ok(opened.map(|(surface, gpu)| (given, surface, gpu))?),
-    }
+    let target = Target::new(window.display_handle()?, window.window_handle()?);
+    let (surface, gpu) = open_for(&target, options).map_err(|error| if lacks_extension(&error) { no_windows() } else { error })?;
+    Ok((target, surface, gpu))
 }
 
-fn open_for(target: Target, options: &GpuOptions) -> Result<(Surface, Arc<Gpu>)> {
+fn open_for(target: &Target, options: &GpuOptions) -> Result<(Surface, Arc<Gpu>)> {
     let options = GpuOptions { surface_extensions: target.extensions()?, ..options.clone() };
     let open = |device: Option<String>| {
         let gpu = Gpu::new(&GpuOptions { device, ..options.clone() })?;
-        Ok((Surface::new(&gpu, target)?, gpu))
+        Ok((Surface::new(&gpu, target.clone())?, gpu))
     };
     match open(options.device.clone()) {
         // Another device may be the one that the display hangs on. Numbers end where there is no device.

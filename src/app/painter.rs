@@ -159,7 +159,7 @@ impl Painter {
         self.renderer.finish()?;
         let surface = match self.surface.take() {
             Some(surface) => surface,
-            None => Surface::new(&self.gpu, self.target)?,
+            None => Surface::new(&self.gpu, self.target.clone())?,
         };
         let made = Swapchain::new(&self.gpu, &surface, self.present.render_pass, (wanted, self.swapchain.take()));
         self.surface = Some(surface);
@@ -183,8 +183,8 @@ impl Painter {
     /// There is a window again. False where its pictures are of another format: then all has to be made anew.
     pub fn resume(&mut self, window: &Arc<Window>) -> anyhow::Result<bool> {
         let given = Target::new(window.display_handle()?, window.window_handle()?);
+        let (before, surface) = (self.present.format, Surface::new(&self.gpu, given.clone())?);
         self.target = given;
-        let (before, surface) = (self.present.format, Surface::new(&self.gpu, given)?);
         let fits = surface.format() == before;
         self.surface = Some(surface);
         Ok(fits)

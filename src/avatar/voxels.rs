@@ -2,7 +2,7 @@
 
 use glam::UVec3;
 
-/// A set of voxels. A row along x is a whole number of words; bits past its end are never set.
+/// A set of voxels, of a grid of at least one. A row along x is a whole number of words; bits past its end are never set.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Voxels {
     size: UVec3,
@@ -25,7 +25,7 @@ impl Voxels {
 
     /// The voxels of the set, along x first.
     pub fn iter(&self) -> impl Iterator<Item = UVec3> + '_ {
-        let (rows, height) = (self.bits.chunks(self.words.max(1)).zip(0u32..), self.size.y);
+        let (rows, height) = (self.bits.chunks(self.words).zip(0u32..), self.size.y);
         rows.flat_map(move |(row, number)| {
             let bits =
                 |&word: &u64| std::iter::successors(Some(word), |left| Some(left & left.wrapping_sub(1))).take_while(|&left| left != 0);
@@ -34,12 +34,17 @@ impl Voxels {
         })
     }
 
+    /// The bits of a row's last word that are voxels.
+    fn last(&self) -> u64 {
+        u64::MAX >> (64 * self.words as u32 - self.size.x)
+    }
+
     /// All that are not in it.
     pub fn inverse(mut self) -> Self {
-        let past = self.words as u32 * 64 - self.size.x;
-        for row in self.bits.chunks_mut(self.words.max(1)) {
+        let last = self.last();
+        for row in self.bits.chunks_mut(self.words) {
             row.iter_mut().for_each(|word| *word = !*word);
-            row.iter_mut().last().into_iter().for_each(|word| *word &= u64::MAX >> past);
+            row[self.words - 1] &= last;
         }
         self
     }
@@ -74,14 +79,13 @@ impl Voxels {
         };
         match axis {
             0 => {
-                let last = 1 << ((self.size.x - 1) % 64);
                 for (from, to) in self.bits.chunks(self.words).zip(into.bits.chunks_mut(self.words)) {
                     for w in 0..self.words {
                         let before = if w > 0 { from[w - 1] >> 63 } else { 0 };
                         let after = from.get(w + 1).map_or(0, |word| word << 63);
-                        let end = if w + 1 < self.words { u64::MAX } else { last | (last - 1) };
-                        to[w] |= (from[w] << 1 | before | from[w] >> 1 | after) & end;
+                        to[w] |= from[w] << 1 | before | from[w] >> 1 | after;
                     }
+                    to[self.words - 1] &= self.last();
                 }
             }
             1 => self.bits.chunks(slab).zip(into.bits.chunks_mut(slab)).for_each(|(from, to)| shifted(from, to, self.words)),
@@ -93,10 +97,8 @@ impl Voxels {
     pub fn flooded(&self) -> Self {
         let free = self.clone().inverse();
         let mut reached = Self::none(self.size);
-        if let (Some(first), Some(free)) = (reached.bits.first_mut(), free.bits.first()) {
-            *first = free & 1;
-        }
-        let rows = self.bits.len() / self.words.max(1);
+        reached.bits[0] = free.bits[0] & 1;
+        let rows = self.bits.len() / self.words;
         // Rows hand on what they have to those beside them, from the first to the last and back, until nothing changes.
         loop {
             let there = (0..rows).fold(false, |changed, row| reached.flood_row(&free, row) | changed);

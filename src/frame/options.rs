@@ -1,7 +1,7 @@
 //! What a renderer is made with: everything that trades time or memory for something else.
 
 use super::{ALPHA_MIN, KeyBits, Skip};
-use crate::layout::{SORT_CHAIN_TILE, SORT_LANES, SORT_TILE};
+use crate::layout::{SORT_CHAIN_TILE, SORT_DIGITS, SORT_GROUP, SORT_LANES, SORT_STATE, SORT_TILE};
 use serde::{Deserialize, Serialize};
 
 /// What a renderer is made with.
@@ -141,6 +141,17 @@ impl Variant {
             Self::SelfScan => SORT_TILE,
             Self::LaneScan => 1024 * SORT_LANES,
         }
+    }
+
+    /// Bytes of the counts of a sort of so many tiles (`shaders/sort.glsl` says where what is).
+    pub fn counts_size(self, tiles: u32) -> u64 {
+        let (tiles, groups) = (u64::from(tiles), u64::from(tiles.div_ceil(SORT_GROUP)));
+        let areas = match self {
+            Self::OneSweep => 2 * tiles,
+            Self::SelfScan => 0,
+            Self::LaneScan => u64::from(SORT_LANES + 1) * tiles,
+        };
+        4 * (u64::from(SORT_DIGITS) * (tiles + 3 + groups + areas) + u64::from(SORT_STATE))
     }
 }
 

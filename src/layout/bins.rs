@@ -5,7 +5,7 @@ use super::{BINS_BLOCKS, BINS_LEVELS, BINS_NODE};
 /// How a backend cuts pictures into tiles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Tiling {
-    /// Tiles along each side of a picture, at most; a power of four times two or one.
+    /// Tiles along each side of a picture, at most; a power of two.
     pub side: u32,
     /// Pixels along each side of the smallest tile.
     pub least: u32,

@@ -5,7 +5,7 @@
 
 use crate::layout;
 use ash::vk;
-use std::{fs, io, path::Path};
+use std::{fs, io, iter, path::Path};
 
 /// A shader and what it compiles to.
 pub struct Module {
@@ -30,6 +30,17 @@ impl Module {
             Some("frag") => vk::ShaderStageFlags::FRAGMENT,
             _ => vk::ShaderStageFlags::COMPUTE,
         }
+    }
+
+    /// Changes with the source, whose own [`fingerprint`] is given, and with what it was compiled to, with f16 buffers or without.
+    pub fn fingerprint<'a>(&self, source: u64, compiled: impl IntoIterator<Item = &'a [u8]>) -> u64 {
+        let bytes = source.to_le_bytes().into_iter().chain(compiled.into_iter().flatten().copied());
+        bytes.fold(FNV, add)
+    }
+
+    /// What the source was compiled to: without f16 storage buffers and, where it differs, with them.
+    pub fn compiled_modules(&self) -> impl Iterator<Item = &'static [u8]> {
+        iter::once(self.spirv).chain(self.half)
     }
 
     pub fn has_half(&self) -> bool {

@@ -21,6 +21,7 @@ pub struct Surface {
     loader: khr::surface::Instance,
     raw: vk::SurfaceKHR,
     format: vk::SurfaceFormatKHR,
+    _target: Target,
 }
 
 impl Surface {
@@ -31,7 +32,7 @@ impl Surface {
         // SAFETY: the caller keeps the window alive; the instance has the extensions that `extensions` named.
         let raw = unsafe { ash_window::create_surface(entry, instance, target.display, target.window, None) };
         let raw = raw.during("vkCreateSurface")?;
-        let mut surface = Self { gpu: gpu.clone(), loader, raw, format: Default::default() };
+        let mut surface = Self { gpu: gpu.clone(), loader, raw, format: Default::default(), _target: target };
         surface.format = surface.choose_format()?;
         Ok(surface)
     }

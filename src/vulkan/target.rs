@@ -1,40 +1,99 @@
-//! A window as drivers know it.
+//! A window as drivers know it: raw handles go in, what a surface is made of comes out.
 
 use super::error::{During, Result};
 use raw_window_handle::{DisplayHandle, RawDisplayHandle, RawWindowHandle, WindowHandle};
 
 /// A window as drivers know it. The window must outlive it.
-#[derive(Clone, Copy)]
+#[derive(Clone)]
 pub struct Target {
     pub(super) display: RawDisplayHandle,
     pub(super) window: RawWindowHandle,
+    /// Keeps what `display` points to.
+    #[cfg(target_os = "linux")]
+    _connection: Option<std::sync::Arc<xcb::Connection>>,
 }
 
 impl Target {
+    /// On X11 drivers get a connection of their own, for they read from it on threads of theirs: what a user typed would be taken out of
+    /// the socket that the event loop sleeps on, and wait in a queue for the next event.
+    #[cfg(target_os = "linux")]
+    pub fn new(display: DisplayHandle, window: WindowHandle) -> Self {
+        let given = Self { display: display.as_raw(), window: window.as_raw(), _connection: None };
+        given.apart().unwrap_or(given)
+    }
+
+    #[cfg(not(target_os = "linux"))]
     pub fn new(display: DisplayHandle, window: WindowHandle) -> Self {
         Self { display: display.as_raw(), window: window.as_raw() }
     }
 
-    /// The other name of a window of X11, which is the only one that some drivers know. None where there is no other.
+    /// The same window of X11 on another connection. None of another system's windows, and where there is none to be had.
     #[cfg(target_os = "linux")]
-    pub fn through_xcb(&self) -> Option<Self> {
+    fn apart(&self) -> Option<Self> {
         use raw_window_handle::{XcbDisplayHandle, XcbWindowHandle};
         let (RawDisplayHandle::Xlib(display), RawWindowHandle::Xlib(window)) = (self.display, self.window) else { return None };
-        let library = x11_dl::xlib_xcb::Xlib_xcb::open().ok()?;
-        // SAFETY: the display is open while its window lives, and its connection as long as the display.
-        let connection = unsafe { (library.XGetXCBConnection)(display.display?.as_ptr().cast()) };
         let window = std::num::NonZeroU32::new(u32::try_from(window.window).ok()?)?;
-        let display = XcbDisplayHandle::new(Some(std::ptr::NonNull::new(connection)?), display.screen);
-        Some(Self { display: display.into(), window: XcbWindowHandle::new(window).into() })
-    }
-
-    #[cfg(not(target_os = "linux"))]
-    pub fn through_xcb(&self) -> Option<Self> {
-        None
+        let connection = xcb::Connection::open()?;
+        Some(Self {
+            display: XcbDisplayHandle::new(Some(connection.raw()), display.screen).into(),
+            window: XcbWindowHandle::new(window).into(),
+            _connection: Some(std::sync::Arc::new(connection)),
+        })
     }
 
     /// The instance extensions that its surface needs.
     pub fn extensions(&self) -> Result<Vec<*const std::ffi::c_char>> {
         ash_window::enumerate_required_extensions(self.display).map(<[_]>::to_vec).during("vkCreateSurface")
+    }
+}
+
+#[cfg(target_os = "linux")]
+mod xcb {
+    use libloading::{Library, Symbol};
+    use std::{
+        ffi::{c_char, c_int, c_void},
+        ptr::{NonNull, null, null_mut},
+    };
+
+    /// A connection to the X server of `DISPLAY`.
+    pub struct Connection {
+        raw: NonNull<c_void>,
+        library: Library,
+    }
+
+    // SAFETY: libxcb's connections may be used by any thread, and by several at once.
+    unsafe impl Send for Connection {}
+    // SAFETY: as above.
+    unsafe impl Sync for Connection {}
+
+    impl Connection {
+        /// None where there is no libxcb, or no server that takes another client.
+        pub fn open() -> Option<Self> {
+            // SAFETY: these are the names, types and duties of libxcb's public functions; a failed connection has to be closed too.
+            unsafe {
+                let library = Library::new("libxcb.so.1").ok()?;
+                let connect: Symbol<unsafe extern "C" fn(*const c_char, *mut c_int) -> *mut c_void> = library.get(b"xcb_connect\0").ok()?;
+                let has_error: Symbol<unsafe extern "C" fn(*mut c_void) -> c_int> = library.get(b"xcb_connection_has_error\0").ok()?;
+                let raw = NonNull::new(connect(null(), null_mut()))?;
+                let failed = has_error(raw.as_ptr()) != 0;
+                let connection = Self { raw, library };
+                (!failed).then_some(connection)
+            }
+        }
+
+        pub fn raw(&self) -> NonNull<c_void> {
+            self.raw
+        }
+    }
+
+    impl Drop for Connection {
+        fn drop(&mut self) {
+            // SAFETY: as above; surfaces hold the connection that they were made of, so that none is left.
+            unsafe {
+                if let Ok(disconnect) = self.library.get::<unsafe extern "C" fn(*mut c_void)>(b"xcb_disconnect\0") {
+                    disconnect(self.raw.as_ptr());
+                }
+            }
+        }
     }
 }

@@ -85,7 +85,7 @@ impl AvatarHeader {
         let [[least, most], [finest, coarsest]] = LogScaleCodes::RANGE;
         let good = (least..=most).contains(&min) && (finest..=coarsest).contains(&step) && [8, 16].contains(&bits);
         let expected = format!("a min from {least} to {most}, a step from {finest} to {coarsest}, 8 or 16 bits");
-        ensure(good, "log_scales", format_args!("min {min}, step {step}, {bits} bits"), expected)
+        ensure(good, "log_scales", format_args!("min {min:e}, step {step:e}, {bits} bits"), expected)
     }
 
     fn check_counts(&self) -> Result<(), Fault> {

@@ -33,7 +33,7 @@ pub use crate::frame::{KeyBits, Variant};
 use crate::layout::Control;
 #[cfg(doc)]
 use crate::layout::SORT_DROPPED;
-use crate::layout::{SORT_DIGITS, SORT_FALLBACKS, SORT_GROUP, SORT_LANES, SORT_STATE};
+use crate::layout::{SORT_DIGITS, SORT_FALLBACKS, SORT_STATE};
 use ash::vk;
 use gpu_allocator::MemoryLocation;
 use passes::Pass;
@@ -70,14 +70,7 @@ impl SortOptions {
 
 /// Bytes that the counts of a sort take.
 pub fn counts_size(capacity: u32, variant: Variant) -> u64 {
-    let tiles = u64::from(tiles(capacity, variant));
-    let groups = tiles.div_ceil(u64::from(SORT_GROUP));
-    let areas = match variant {
-        Variant::OneSweep => 2 * tiles,
-        Variant::SelfScan => 0,
-        Variant::LaneScan => u64::from(SORT_LANES + 1) * tiles,
-    };
-    4 * (u64::from(SORT_DIGITS) * (tiles + 3 + groups + areas) + u64::from(SORT_STATE))
+    variant.counts_size(tiles(capacity, variant))
 }
 
 fn tiles(capacity: u32, variant: Variant) -> u32 {

@@ -13,7 +13,7 @@ use super::{
     owned::Buffer,
     raster::{Inputs, Raster},
     slot::{SLOTS, Slot},
-    sort::{Sort, in_lanes},
+    sort::{self, Sort},
     splats::{Splats, slots as slots_of},
     surface::Surface,
 };
@@ -83,7 +83,7 @@ impl Renderer {
         let control = empty(gpu, "control", size_of::<Control>() as u64, STORAGE | wgpu::BufferUsages::INDIRECT)?;
         let blocks = Blocks::new(gpu, options.actors)?;
         let splats = Splats::new(gpu, &model, (&blocks, &pose), &options)?;
-        let sort = Sort::new(gpu, &blocks, (splats.keys(), splats.counts()), &control, (splats.capacity(), in_lanes(&options)))?;
+        let sort = Sort::new(gpu, &blocks, (splats.keys(), splats.counts()), &control, (splats.capacity(), sort::variant(&options)))?;
         let inputs =
             Inputs { order: sort.order(), splats: splats.all(), keys: splats.keys(), control: &control, capacity: splats.capacity() };
         let raster = Raster::new(gpu, &blocks, inputs, &options)?;

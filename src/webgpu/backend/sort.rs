@@ -11,7 +11,7 @@ use super::{
 };
 use crate::{
     frame::{RendererOptions, Variant},
-    layout::{SORT_DIGITS, SORT_GROUP, SORT_LANES, SORT_STATE, SORT_TILE, Settings},
+    layout::{SORT_DIGITS, SORT_GROUP, SORT_TILE, Settings},
     webgpu::shaders,
 };
 
@@ -25,16 +25,14 @@ fn tiles(capacity: u32) -> u32 {
     capacity.div_ceil(SORT_TILE).max(1)
 }
 
-/// Whether each invocation has a run of keys to itself.
-pub fn in_lanes(options: &RendererOptions) -> bool {
-    options.sort == Some(Variant::LaneScan)
+/// How keys are sorted here: in lanes where that was chosen, else by sums of masks.
+pub fn variant(options: &RendererOptions) -> Variant {
+    options.sort.filter(|&variant| variant == Variant::LaneScan).unwrap_or(Variant::SelfScan)
 }
 
-/// Bytes that the counts of a sort take, with a run of keys an invocation or without.
-pub fn counts_size(capacity: u32, lanes: bool) -> u64 {
-    let tiles = u64::from(tiles(capacity));
-    let lanes = if lanes { u64::from(SORT_LANES + 1) * tiles } else { 0 };
-    4 * (u64::from(SORT_DIGITS) * (tiles + 3 + tiles.div_ceil(u64::from(SORT_GROUP)) + lanes) + u64::from(SORT_STATE))
+/// Bytes that the counts of a sort take.
+pub fn counts_size(capacity: u32, variant: Variant) -> u64 {
+    variant.counts_size(tiles(capacity))
 }
 
 /// Bytes of those that a kernel which makes keys adds to.
@@ -56,13 +54,13 @@ pub struct Sort {
 }
 
 impl Sort {
-    /// Sorts at most `capacity` keys. `counts`: where their lowest digits are counted; `lanes`: with a run of keys an invocation.
+    /// Sorts at most `capacity` keys. `counts`: where their lowest digits are counted.
     pub fn new(
         gpu: &Gpu,
         blocks: &Blocks,
         (keys, counts): (Slice, Slice),
         control: &wgpu::Buffer,
-        (capacity, lanes): (u32, bool),
+        (capacity, variant): (u32, Variant),
     ) -> Result<Self> {
         let between = empty(gpu, "sort entries", 4 * u64::from(capacity), STORAGE)?;
         let order = empty(gpu, "order", 4 * u64::from(capacity), STORAGE)?;
@@ -70,6 +68,7 @@ impl Sort {
         let (entries, control) = (Slice::from(&between), Slice::from(control));
         let kernel = |module, bound: &[(u32, Bound)]| Kernel::new(gpu, module, &[bound, &[blocks.settings()]].concat());
         let scanned = tiles(capacity) > MOST_SUMMED;
+        let lanes = variant == Variant::LaneScan;
         let moved = if lanes { write(counts) } else { read(counts) };
         let [first, last_count, last] = if lanes {
             [&shaders::SORT_LANES_FIRST, &shaders::SORT_LANES_LAST_COUNT, &shaders::SORT_LANES_LAST]

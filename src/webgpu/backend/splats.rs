@@ -44,7 +44,7 @@ impl Splats {
         let posed = (key_offset(capacity) + keys).next_multiple_of(256);
         let size = posed + if keep { 4 * u64::from(POSED_WORDS) * u64::from(capacity) } else { 0 };
         let buffer = empty(gpu, "splats", size, STORAGE)?;
-        let counts = empty(gpu, "counts", COUNTS_AT + sort::counts_size(capacity, sort::in_lanes(options)), STORAGE)?;
+        let counts = empty(gpu, "counts", COUNTS_AT + sort::counts_size(capacity, sort::variant(options)), STORAGE)?;
         let after = [(4, Bound::Write((&buffer).into())), (6, Bound::Write((&counts).into())), blocks.frame(), blocks.settings()];
         let model_and_pose =
             [(1, Bound::Read((&model.gaussians).into())), (2, Bound::Read((&model.rows).into())), (3, Bound::Read(pose.into()))];
