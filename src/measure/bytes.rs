@@ -12,7 +12,7 @@
 use crate::{
     avatar::{Avatar, Layer},
     frame::{Skip, Variant},
-    layout::{BINS, SORT_DIGITS, SURFACE_DRAWN, SURFACE_FINEST, SURFACE_LEVELS},
+    layout::{BINS, SORT_DIGITS, SORT_LANES, SURFACE_DRAWN, SURFACE_FINEST, SURFACE_LEVELS},
     vulkan::{RendererOptions, harmonics, raster::Method},
 };
 
@@ -186,14 +186,21 @@ fn sort(options: &RendererOptions, seen: Seen) -> Work {
     // Keys of the culled are read by the first pass too, counted already. A later pass reads entries twice (count, scatter); the last
     // finds a digit and a value in one word.
     let entry = |pass: u64| if pass + 1 == passes { 4 } else { 8 };
-    // Counts are cleared or written, and summed, in each pass. Where the start-up test chose the variant, the one with most of them.
-    let tiles = gaussians.div_ceil(u64::from(options.sort.unwrap_or(Variant::SelfScan).tile()));
-    let counts = 3 * 4 * u64::from(SORT_DIGITS) * tiles * passes;
+    // Where the start-up test chose the variant, the one with most counts.
+    let variants = options.sort.as_ref().map_or(&Variant::ALL[..], std::slice::from_ref);
+    let counts = variants.iter().map(|&variant| counts(variant, gaussians, passes)).max().unwrap_or_default();
     let bytes = counts + options.key_bits.bytes(gaussians) + drawn * ((1..passes).map(|pass| 3 * entry(pass)).sum::<u64>() + value);
     // Histograms come for free with the keys. A pass reads what is left of the key, and the value but for the first, which knows it.
     let pass = |left: u64| if left == passes { left + (left - 1 + value) } else { (left + value) + (left - 1 + value) };
     let bytes_floor = drawn * (1..=passes).map(pass).sum::<u64>();
     Work { stage: "sort", bytes, bytes_floor, operations: None, operations_floor: None }
+}
+
+/// Bytes of a sort's counts: a tile's are cleared or written, and summed, in each pass. Lanes' own are written in each pass, and in all
+/// but the first another kernel reads them.
+fn counts(variant: Variant, gaussians: u64, passes: u64) -> u64 {
+    let lanes = if variant == Variant::LaneScan { u64::from(SORT_LANES) * (2 * passes - 1) } else { 0 };
+    4 * u64::from(SORT_DIGITS) * gaussians.div_ceil(u64::from(variant.tile())) * (3 * passes + lanes)
 }
 
 /// Tiles that a splat meets, about: 3 to 4 of a body 2000 pixels high.
@@ -271,7 +278,7 @@ mod tests {
     #[test]
     fn a_pass_more_costs_what_a_pass_moves() {
         let seen = Seen { gaussians: 1000, drawn: 1000, ..Seen::default() };
-        let of = |key_bits| sort(&RendererOptions { key_bits, ..RendererOptions::new([1, 1]) }, seen);
+        let of = |key_bits| sort(&RendererOptions { key_bits, sort: Some(Variant::SelfScan), ..RendererOptions::new([1, 1]) }, seen);
         let (two, three) = (of(KeyBits::Sixteen), of(KeyBits::TwentyFour));
         // Two keys a word and one pass between words; a key a word, one pass between pairs and one between words.
         let counts = |passes| 3 * 4 * u64::from(SORT_DIGITS) * passes;
@@ -279,5 +286,8 @@ mod tests {
         assert_eq!([two.bytes, three.bytes], expected);
         // 2 in, 1 + 4 out, 1 + 4 in, 4 out; then 3 in, 2 + 4 out, 2 + 4 in, 1 + 4 out, 1 + 4 in, 4 out.
         assert_eq!([two.bytes_floor, three.bytes_floor], [16 * 1000, 29 * 1000]);
+        // Lanes' counts are written by the first pass, and written and read by the second.
+        let lanes = RendererOptions { key_bits: KeyBits::Sixteen, sort: Some(Variant::LaneScan), ..RendererOptions::new([1, 1]) };
+        assert_eq!(sort(&lanes, seen).bytes - two.bytes, 4 * u64::from(SORT_DIGITS * SORT_LANES) * 3);
     }
 }
