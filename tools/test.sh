@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Installs what the tests need, and runs all of them on every driver, with the validation layer on. Each test has a process and a time
-# limit of its own: a driver that hangs fails one test.
+# Installs what the tests need, and runs them on every driver, with the validation layer on. Each test has a process and a time limit of
+# its own: a driver that hangs fails one test.
 # usage: tools/test.sh [DRIVER...]      DRIVER: mesa25:128 mesa25:256 mesa25:512 (vector widths) mesa22 swiftshader system
 #   system: whatever this machine has; mesa22: Debian 12's own; with /stages behind it only the tests of GPU stages and frames are run
 # [default: mesa25:256 swiftshader mesa25:128/stages mesa25:512/stages; another width is other code in the stages and nothing else]
@@ -21,7 +21,7 @@ built=$(cargo test --no-run --features webgpu 2>&1) || { echo "$built" >&2; exit
 mapfile -t binaries < <(echo "$built" | sed -n 's/^ *Executable .*(\(.*\))$/\1/p')
 [ ${#binaries[@]} -gt 0 ] || { echo "no test binaries in cargo's output:" >&2; echo "$built" >&2; exit 1; }
 
-results=target/tests; rm -rf $results; mkdir -p $results; results=$PWD/$results
+results=$PWD/target/tests; rm -rf "$results"; mkdir -p "$results"
 export limit results
 one() { # DRIVER BINARY TEST: a line of $results/all is: what came of it, seconds, driver, test
   local name log from=$EPOCHREALTIME end=ok; name=$(basename "$2" | sed 's/-[0-9a-f]*$//'); log=$(mktemp "$results/XXXXXX")
