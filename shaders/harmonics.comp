@@ -48,10 +48,10 @@ vec3 direction(uvec2 place, uvec2 skin) {
 }
 
 void main() {
-    uint i = gl_GlobalInvocationID.x;
-    if (i >= frame.gaussians) {
+    if (gl_GlobalInvocationID.x >= frame.drawn) {
         return;
     }
+    uint i = gl_GlobalInvocationID.x << frame.level;
     vec3 d = direction(gaussians[2u * i], gaussians[2u * i + 1u]);
     float x = d.x, y = d.y, z = d.z;
     float xx = x * x, yy = y * y, zz = z * z;

@@ -55,6 +55,9 @@ layout(std140, set = 0, binding = 0) uniform FrameBlock {
     uint feature_start;
     uint first;
     float tile;
+    uint level;
+    uint drawn;
+    float spread;
     vec4 posed_min;
     vec4 posed_size;
     vec4 turn[3];

@@ -63,16 +63,25 @@ bool lands(vec3 p, float longest, out vec2 center, out float key) {
     key = key_of(p.z);
     float stretched = longest * length(vec3(p.xy / p.z, 1.0)) * max(frame.focal.x, frame.focal.y) / p.z;
     // Its opacity is not known yet: as far as an opaque one reaches.
-    if (frame.surface_start > 0u && hidden(center, reach_of(255u) * (stretched + sqrt(LOW_PASS)), 1.0 - key)) {
+    if (frame.surface_start > 0u && hidden(center, reach_of(255u) * sqrt(frame.spread) * (stretched + sqrt(LOW_PASS)), 1.0 - key)) {
         left_out(HIDDEN);
         return false;
     }
     return true;
 }
 
+// What stands for as many Gaussians as are left out for one that is drawn, of this opacity.
+uint opacity_of(uint opacity) {
+    float through = 1.0 - float(opacity) / 255.0;
+    for (uint level = 0u; level < frame.level; ++level) {
+        through *= through;
+    }
+    return uint(round(255.0 * (1.0 - through)));
+}
+
 // Writes the splat of a Gaussian whose axes are the columns of `axes` in a space that the rows r0, r1, r2 turn to the camera's. Gives its
 // key, SORT_DROPPED where it covers nothing.
-uint draw(uint i, vec3 p, vec2 center, float key, mat3 rows, mat3 axes, vec3 color, uint opacity) {
+uint draw(uint slot, vec3 p, vec2 center, float key, mat3 rows, mat3 axes, vec3 color, uint opacity) {
     vec2 slope = clamp(p.xy / p.z, frame.derivative_min, frame.derivative_max);
     vec3 mu = frame.focal.x / p.z * (rows[0] - slope.x * rows[2]) * axes;
     vec3 mv = frame.focal.y / p.z * (rows[1] - slope.y * rows[2]) * axes;
@@ -84,13 +93,16 @@ uint draw(uint i, vec3 p, vec2 center, float key, mat3 rows, mat3 axes, vec3 col
         left_out(DEGENERATE);
         return SORT_DROPPED;
     }
+    covariance *= frame.spread;
+    determinant *= frame.spread * frame.spread;
+    opacity = opacity_of(opacity);
     vec2 extent = reach_of(opacity) * sqrt(covariance.xz);
     if (!(all(greaterThan(center + extent, vec2(0.0))) && all(lessThan(center - extent, frame.size)))) {
         left_out(OUTSIDE);
         return SORT_DROPPED;
     }
     uvec4 packed = pack_splat(center, covariance, determinant, clamp(color, 0.0, 1.0), opacity);
-    uint at = 4u * (frame.first + i);
+    uint at = 4u * (frame.first + slot);
     words[at] = packed.x;
     words[at + 1u] = packed.y;
     words[at + 2u] = packed.z;
@@ -99,20 +111,20 @@ uint draw(uint i, vec3 p, vec2 center, float key, mat3 rows, mat3 axes, vec3 col
 }
 
 // Writes and counts a workgroup's keys; every invocation must come here.
-void write_key(uint i, uint key) {
+void write_key(uint slot, uint key) {
     uint lane = gl_LocalInvocationID.x;
-    uint slot = frame.first + i;
-    sort_count_first(key, key != SORT_DROPPED, slot);
+    uint at = frame.first + slot;
+    sort_count_first(key, key != SORT_DROPPED, at);
     if (frame.half_keys == 0u) {
         // An odd number is made even: two keys of a word are of one avatar.
-        if (i < frame.gaussians + (frame.gaussians & 1u)) {
-            words[frame.key_start + slot] = key;
+        if (slot < frame.drawn + (frame.drawn & 1u)) {
+            words[frame.key_start + at] = key;
         }
         return;
     }
     key_of_lane[lane] = key;
     barrier();
-    if ((lane & 1u) == 0u && i < frame.gaussians) {
-        words[frame.key_start + (slot >> 1u)] = key & 0xffffu | key_of_lane[lane + 1u] << 16u;
+    if ((lane & 1u) == 0u && slot < frame.drawn) {
+        words[frame.key_start + (at >> 1u)] = key & 0xffffu | key_of_lane[lane + 1u] << 16u;
     }
 }

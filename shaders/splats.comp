@@ -103,9 +103,10 @@ void correct(uint i, uint block, inout vec4 rotation, inout vec3 log_scale, inou
         r2 += joint_weight.k * frame.joint[at + 2u]; \
     }
 
-// Gives the key.
-uint splat_of(uint i) {
+// The splat at `slot` of the avatar's own; gives its key.
+uint splat_of(uint slot) {
     uint n = frame.gaussians;
+    uint i = slot << frame.level;
     uint block = GAUSSIAN_PAIRS * n + BLOCK_PAIRS * (i >> 5u);
     if (!KEEP && outside(block)) {
         left_out(OUTSIDE);
@@ -153,12 +154,12 @@ uint splat_of(uint i) {
     axes = mat3(axes[0] * scale.x, axes[1] * scale.y, axes[2] * scale.z);
     if (KEEP) {
         mat3 m = transpose(turned) * axes;
-        uint at = frame.posed_start + 2u * i;
+        uint at = frame.posed_start + 2u * slot;
         uvec2 first = posed_place(p, longest, m, opacity);
         uvec3 rest = posed_shape(m, first, clamp(color, 0.0, 1.0));
         words[at] = first.x;
         words[at + 1u] = first.y;
-        at = frame.posed_start + 2u * n + 3u * i;
+        at = frame.posed_start + 2u * n + 3u * slot;
         words[at] = rest.x;
         words[at + 1u] = rest.y;
         words[at + 2u] = rest.z;
@@ -169,10 +170,10 @@ uint splat_of(uint i) {
             return SORT_DROPPED;
         }
     }
-    return draw(i, p, center, key, turned, axes, color, opacity);
+    return draw(slot, p, center, key, turned, axes, color, opacity);
 }
 
 void main() {
-    uint i = gl_GlobalInvocationID.x;
-    write_key(i, i < frame.gaussians ? splat_of(i) : SORT_DROPPED);
+    uint slot = gl_GlobalInvocationID.x;
+    write_key(slot, slot < frame.drawn ? splat_of(slot) : SORT_DROPPED);
 }

@@ -11,9 +11,9 @@ layout(std430, set = 0, binding = 1) readonly buffer PoseBuffer { uvec2 posed[];
 layout(std430, set = 0, binding = 2) buffer Splats { uint words[]; };
 #include "project.glsl"
 
-// Gives the key.
-uint splat_of(uint i) {
-    uint at = frame.posed_start + 2u * i;
+// The splat at `slot` of the avatar's own; gives its key.
+uint splat_of(uint slot) {
+    uint at = frame.posed_start + 2u * slot;
     uvec2 place = uvec2(words[at], words[at + 1u]);
     uint opacity = place.y >> 24u;
     vec4 x = vec4(posed_position(place), 1.0);
@@ -27,13 +27,13 @@ uint splat_of(uint i) {
         left_out(FAINT);
         return SORT_DROPPED;
     }
-    at = frame.posed_start + 2u * frame.gaussians + 3u * i;
+    at = frame.posed_start + 2u * frame.gaussians + 3u * slot;
     uvec3 shape = uvec3(words[at], words[at + 1u], words[at + 2u]);
     mat3 turned = mat3(frame.turn[0].xyz, frame.turn[1].xyz, frame.turn[2].xyz);
-    return draw(i, p, center, key, turned, posed_axes(place, shape), posed_color(shape), opacity);
+    return draw(slot, p, center, key, turned, posed_axes(place, shape), posed_color(shape), opacity);
 }
 
 void main() {
-    uint i = gl_GlobalInvocationID.x;
-    write_key(i, i < frame.gaussians ? splat_of(i) : SORT_DROPPED);
+    uint slot = gl_GlobalInvocationID.x;
+    write_key(slot, slot < frame.drawn ? splat_of(slot) : SORT_DROPPED);
 }

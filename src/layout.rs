@@ -237,7 +237,11 @@ pub struct Frame {
     pub first: u32,
     /// Side of a tile, px.
     pub tile: f32,
-    pub unused: u32,
+    /// The level of detail: every 2^`level`-th Gaussian is drawn, `drawn` in all, and what that multiplies covariances by.
+    pub level: u32,
+    pub drawn: u32,
+    pub spread: f32,
+    pub unused: [u32; 2],
     /// The box that their positions are coordinates in: its lower corner and its sides, metres.
     pub posed_min: [f32; 4],
     pub posed_size: [f32; 4],

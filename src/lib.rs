@@ -34,6 +34,7 @@ pub mod demo;
 #[cfg(not(any(target_arch = "wasm32", target_os = "android")))]
 pub mod fit;
 pub mod frame;
+mod hash;
 pub mod layout;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod measure;

@@ -4,7 +4,7 @@ mod common;
 
 use common::{Sizes, gpu};
 use effigy::{
-    frame::{ALPHA_MIN, Picture, Posed},
+    frame::{ALPHA_MIN, Detail, Picture, Posed},
     measure::{error, governor::Ladder},
     reference,
     vulkan::{
@@ -33,7 +33,7 @@ fn a_stretched_picture_is_the_references() {
             screen.set_picture(renderer.raster().image());
             let camera = gpu::camera(&avatar, &posed, size);
             for drawn in [size, [75, 95], [149, 61], [1, 1]] {
-                renderer.adjust(drawn, ALPHA_MIN).unwrap();
+                renderer.adjust(drawn, ALPHA_MIN, Detail::FULL).unwrap();
                 let mut record = |commands| screen.record(commands, drawn, BACKGROUND);
                 let presentation = Presentation { semaphores: None, record: &mut record };
                 renderer.draw(&posed, &camera.stretched(drawn), Some(presentation)).unwrap();
@@ -72,7 +72,7 @@ fn every_rung_is_drawn_as_if_it_was_made_for_it() {
         // Down, and up again at once: what one rung leaves must not show in another.
         for rung in ladder.rungs().iter().chain(&ladder.rungs()[..1]) {
             let (size, cutoff) = (rung.quality.size(screen), rung.quality.cutoff(&options));
-            renderer.adjust(size, cutoff).unwrap();
+            renderer.adjust(size, cutoff, Detail::FULL).unwrap();
             let camera = camera.stretched(size);
             renderer.draw(&posed, &camera, None).unwrap();
             let picture = renderer.picture().unwrap();
@@ -81,9 +81,9 @@ fn every_rung_is_drawn_as_if_it_was_made_for_it() {
             assert!(picture == fresh, "{method:?}, {}: {:?}", rung.name, error::between(&picture, &fresh).whole);
         }
         assert_eq!(device.memory().0, held, "{method:?}: steps take memory");
-        let refused = renderer.adjust([161, 10], ALPHA_MIN).unwrap_err().to_string();
+        let refused = renderer.adjust([161, 10], ALPHA_MIN, Detail::FULL).unwrap_err().to_string();
         assert!(refused.contains("161 × 10 px") && refused.contains("160 × 200 px"), "{refused}");
-        assert!(renderer.adjust(screen, 0.0).is_err() && renderer.adjust([0, 5], ALPHA_MIN).is_err());
+        assert!(renderer.adjust(screen, 0.0, Detail::FULL).is_err() && renderer.adjust([0, 5], ALPHA_MIN, Detail::FULL).is_err());
     }
     gpu::assert_valid();
 }

@@ -150,7 +150,7 @@ fn a_turned_stretched_gaussian_projects_as_the_derivative_of_the_projection_says
     let world = axes * axes.transpose();
     near(&gaussian.covariance().to_cols_array(), &world.to_cols_array(), 1e-12);
 
-    let splat = splats::project(&gaussian, &camera).expect("in view");
+    let splat = splats::project(&gaussian, &camera, 0).expect("in view");
     let t = camera.view.transform_point3(DVec3::from(dot.at));
     near(&[splat.center.x, splat.center.y, splat.depth], &[camera.project(t).x, camera.project(t).y, t.z], 1e-9);
     let [x, y] = derivative(&camera, t).map(|row| camera.view.matrix3.transpose() * row);
@@ -195,7 +195,7 @@ fn every_reason_to_cull_is_told() {
     assert_eq!(reason(Dot { rotation: [0.0; 4], ..DOT }), Some(Culled::Invalid));
 
     let gaussian = gaussians(&avatar(&[DOT]))[0];
-    let moved = |z| splats::project(&Gaussian { mean: DVec3::new(0.0, 0.0, z), ..gaussian }, &camera()).err();
+    let moved = |z| splats::project(&Gaussian { mean: DVec3::new(0.0, 0.0, z), ..gaussian }, &camera(), 0).err();
     assert_eq!([moved(-1.91), moved(-1.89), moved(-3.0)], [Some(Culled::Behind), None, Some(Culled::Behind)]);
     assert_eq!([moved(f64::NAN), moved(f64::INFINITY)], [Some(Culled::Invalid); 2]);
 }

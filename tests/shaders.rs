@@ -1,7 +1,7 @@
 //! The compiled modules beside the sources: are they what the sources compile to?
 
 use effigy::{
-    vulkan::shaders::{FINGERPRINTS, MODULES, fingerprint},
+    vulkan::shaders::{FINGERPRINTS, MODULES, fingerprint, module_fingerprint},
     webgpu::shaders as web,
 };
 use std::{fs, path::Path};
@@ -12,7 +12,7 @@ fn no_source_was_changed_after_its_module_was_compiled() {
     let recorded = fs::read_to_string(shaders.join("spv").join(FINGERPRINTS)).unwrap();
     for module in MODULES {
         let source = fingerprint(&shaders, module.file).unwrap();
-        let now = format!("{} {:016x}", module.file, module.fingerprint(source, module.compiled_modules()));
+        let now = format!("{} {:016x}", module.file, module_fingerprint(source, module.compiled_modules()));
         assert!(
             recorded.lines().any(|line| line == now),
             "{}, what it includes or what it compiled to changed: run `cargo run --features shaderc --bin compile-shaders` and commit shaders/spv",

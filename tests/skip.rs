@@ -6,7 +6,7 @@ use common::{Sizes, gpu};
 use effigy::{
     avatar::{Avatar, motion::Player},
     demo,
-    frame::{Camera, Counters, Picture, Posed, Skip},
+    frame::{Camera, Counters, Detail, Picture, Posed, Skip},
     measure::error,
     vulkan::{Renderer, RendererOptions, raster::Method},
 };
@@ -244,7 +244,7 @@ fn only_a_box_around_the_avatar_is_drawn() {
             let mut renderer = Renderer::new(&device, &avatar, options).unwrap();
             let mut pictures = Vec::new();
             for size in [whole, part, whole] {
-                renderer.adjust(size, options.cutoff).unwrap();
+                renderer.adjust(size, options.cutoff, Detail::FULL).unwrap();
                 for (left, far) in views {
                     let target = (bounds[0] + bounds[1]) / 2.0 + DVec3::new(left, 0.0, 0.0);
                     let camera = Camera::orbit(target, 0.0, 0.0, far * Camera::framing_distance(bounds, 0.6, size), 0.6, size);

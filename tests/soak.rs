@@ -4,7 +4,7 @@ mod common;
 
 use common::{Sizes, gpu};
 use effigy::{
-    frame::{ALPHA_MIN, Posed},
+    frame::{ALPHA_MIN, Detail, Posed},
     measure::soak::{Report, compare, memory::resident, report::Second},
     vulkan::{Renderer, RendererOptions},
 };
@@ -155,7 +155,9 @@ fn memory_does_not_grow_with_frames_and_steps() {
     let mut draw = |frames: usize| {
         for frame in 0..frames {
             let part = if frame / 50 % 2 == 0 { size } else { [48, 60] };
-            renderer.adjust(part, if frame / 100 % 2 == 0 { ALPHA_MIN } else { 2.0 * ALPHA_MIN }).unwrap();
+            renderer
+                .adjust(part, if frame / 100 % 2 == 0 { ALPHA_MIN } else { 2.0 * ALPHA_MIN }, Detail::FULL.at_least(frame as u32 / 100 % 2))
+                .unwrap();
             renderer.draw(&poses[frame % poses.len()], &camera.stretched(part), None).unwrap();
         }
         renderer.finish().unwrap();

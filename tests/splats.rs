@@ -5,7 +5,7 @@ mod common;
 use common::{Sizes, gpu};
 use effigy::{
     avatar::{Avatar, pack::Quality},
-    frame::{Camera, Posed, Reasons, Skip, fixed_scale},
+    frame::{Camera, Detail, Posed, Reasons, Skip, detail, fixed_scale},
     layout::{POSITION_BITS, SORT_DROPPED},
     reference::{Culled, Gaussian, Splat},
     vulkan::{GpuOptions, RendererOptions},
@@ -51,7 +51,7 @@ struct Room {
 /// What the numbers round that a Gaussian's splat is made from and that the oracle does not know of: the nodes' weights and
 /// displacements, and where `kept` says so what is kept where only the camera moves.
 fn room(frame: &gpu::Frame, at: usize, expected: &Splat, kept: bool) -> Room {
-    let nodes = frame.avatar.gaussians.node[at].map(|node| frame.oracle.nodes[usize::from(node)]);
+    let nodes = frame.avatar.gaussians.node[at << frame.level].map(|node| frame.oracle.nodes[usize::from(node)]);
     let apart = nodes[0].distance(nodes[1]).max(nodes[1].distance(nodes[2])).max(nodes[2].distance(nodes[0]));
     let enlarged = effigy::frame::extent::enlargement(&frame.posed.joints);
     let longest = nodes.iter().fold(0.0, |most: f64, node| most.max(node.length()));
@@ -100,7 +100,7 @@ fn close_call(frame: &gpu::Frame, at: usize, kept: bool) -> bool {
     let by = if kept { [2e-4, 1e-1] } else { [1e-5, 2e-2] };
     let shifted = |sign: f64| {
         let camera = Camera { near: frame.camera.near + sign * by[0], center: frame.camera.center + sign * by[1], ..frame.camera };
-        effigy::reference::splats::project(&frame.oracle.gaussians[at], &camera).is_ok()
+        effigy::reference::splats::project(&frame.oracle.gaussians[at], &camera, frame.level).is_ok()
     };
     shifted(1.0) != shifted(-1.0)
 }
@@ -123,7 +123,7 @@ fn check_all(frame: &gpu::Frame, kept: bool) {
             Err(reason) => assert!(!drawn, "Gaussian {at} was drawn, expected it culled: {reason:?}"),
         }
     }
-    let survivors = frame.gpu.keys.iter().filter(|&&key| key != SORT_DROPPED).count();
+    let survivors = frame.gpu.keys[..frame.oracle.splats.len()].iter().filter(|&&key| key != SORT_DROPPED).count();
     assert_eq!(frame.gpu.control.survivors as usize, survivors, "survivors");
     check_reasons(frame, kept);
 }
@@ -133,7 +133,8 @@ fn check_all(frame: &gpu::Frame, kept: bool) {
 fn check_reasons(frame: &gpu::Frame, kept: bool) {
     let counters = &frame.report.counters;
     let Some(got) = counters.reasons else { return };
-    assert_eq!(got.outside + got.hidden + got.faint + got.degenerate, counters.culled);
+    assert_eq!(got.outside + got.hidden + got.faint + got.degenerate + counters.thinned, counters.culled);
+    assert_eq!((counters.gaussians - counters.thinned) as usize, frame.oracle.splats.len());
     if kept {
         return;
     }
@@ -177,9 +178,16 @@ fn compare(device: GpuOptions) {
         Sizes { gaussians: 1, rows: 1, nodes: 1, parts: 1, ..Sizes::default() },
     ];
     for (seed, sizes) in (0..).zip(sizes) {
-        check(&gpu::frame(&device, seed, sizes, options(seed, [500, 300])));
+        // Every Gaussian, and every second, fourth or eighth.
+        for level in [0, [1, 2, 3, 1][seed as usize]] {
+            check(&gpu::frame(&device, seed, sizes, at(options(seed, [500, 300]), level)));
+        }
     }
     gpu::assert_valid();
+}
+
+fn at(options: RendererOptions, level: u32) -> RendererOptions {
+    RendererOptions { detail: Detail::FULL.at_least(level), ..options }
 }
 
 /// What a packed file holds is drawn as it is: the oracle's numbers are those of the file.
@@ -241,7 +249,7 @@ fn hostile_gaussians_and_cameras_agree_too() {
         let target = (min + max) / 2.0;
         for (distance, fov) in CAMERAS {
             let camera = Camera::orbit(target, 0.3, 0.1, distance, fov, [300, 200]);
-            check(&gpu::draw(&device, avatar.clone(), posed.clone(), camera, options(seed, [300, 200])));
+            check(&gpu::draw(&device, avatar.clone(), posed.clone(), camera, at(options(seed, [300, 200]), seed as u32)));
         }
     }
     gpu::assert_valid();
@@ -251,7 +259,8 @@ fn hostile_gaussians_and_cameras_agree_too() {
 #[test]
 fn what_is_kept_lands_where_the_reference_puts_it() {
     let Some(device) = gpu::gpu() else { return };
-    for (avatar, scale) in [(common::avatar(1, Sizes::default()), 1.0), (hostile(1), 1.0), (hostile(0), 1e-3), (hostile(0), 500.0)] {
+    let avatars = [(common::avatar(1, Sizes::default()), 1.0), (hostile(1), 1.0), (hostile(0), 1e-3), (hostile(0), 500.0)];
+    for ((avatar, scale), level) in avatars.into_iter().zip([0, 0, 1, 2]) {
         let mut posed = Posed::new(&avatar, &common::pose(3, &avatar));
         let placed = DAffine3::from_scale_rotation_translation(
             DVec3::splat(scale),
@@ -266,8 +275,9 @@ fn what_is_kept_lands_where_the_reference_puts_it() {
         };
         for distance in [2.5, 0.4] {
             let before = [camera(0.3, 3.0), camera(0.8, 3.0)];
-            let frame = gpu::draw_after(&device, avatar.clone(), posed.clone(), &before, camera(2.0, distance), options(0, [300, 200]));
-            assert_eq!(frame.report.counters.kept as usize, avatar.gaussians.len());
+            let frame =
+                gpu::draw_after(&device, avatar.clone(), posed.clone(), &before, camera(2.0, distance), at(options(0, [300, 200]), level));
+            assert_eq!(frame.report.counters.kept, u64::from(detail::drawn(avatar.gaussians.len() as u32, level)));
             check_all(&frame, true);
         }
     }

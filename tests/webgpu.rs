@@ -6,7 +6,7 @@ use common::{Sizes, gpu};
 use effigy::{
     avatar::{Avatar, Harmonics, file::Neutral, pack::Quality},
     demo,
-    frame::{Body, Camera, Method, Posed, RendererOptions, Skip, Variant, options::draws_triangles},
+    frame::{Body, Camera, Detail, Method, Posed, RendererOptions, Skip, Variant, options::draws_triangles},
     layout::SORT_DROPPED,
     measure::{error, in_a_row},
     reference,
@@ -83,11 +83,12 @@ fn stages_are_those_of_the_vulkan_backend() {
     gpu::assert_valid();
 }
 
-/// `quality`: of a packed avatar.
+/// `quality`: of a packed avatar, drawn with one Gaussian in four.
 fn stages_agree((device, vulkan): (&Arc<Gpu>, &Arc<effigy::vulkan::Gpu>), quality: Option<Quality>) {
     let (avatar, posed) = body(11, 3000);
     let avatar = quality.map_or_else(|| avatar.clone(), |quality| avatar.packed(quality));
-    let options = RendererOptions { skip: Skip::empty(), ..gpu::options([300, 300]) };
+    let detail = Detail::FULL.at_least(quality.map_or(0, |_| 2));
+    let options = RendererOptions { skip: Skip::empty(), detail, ..gpu::options([300, 300]) };
     let camera = gpu::camera(&avatar, &posed, options.size);
     let mut ours = Renderer::new(device, &avatar, options).unwrap();
     ours.draw(&posed, &camera).unwrap();

@@ -7,7 +7,7 @@ mod wgsl;
 use anyhow::{Context, bail};
 use effigy::{
     layout,
-    vulkan::shaders::{FINGERPRINTS, MODULES, fingerprint},
+    vulkan::shaders::{FINGERPRINTS, MODULES, fingerprint, module_fingerprint},
     webgpu,
 };
 use shaderc::{CompileOptions, Compiler, EnvVersion, OptimizationLevel, ResolvedInclude, ShaderKind, TargetEnv};
@@ -93,7 +93,7 @@ fn main() -> anyhow::Result<()> {
             output.file(&spirv, &module.compiled(half), &words)?;
             compiled.push(words);
         }
-        let fingerprint = module.fingerprint(fingerprint(&shaders, module.file)?, compiled.iter().map(Vec::as_slice));
+        let fingerprint = module_fingerprint(fingerprint(&shaders, module.file)?, compiled.iter().map(Vec::as_slice));
         fingerprints += &format!("{} {fingerprint:016x}\n", module.file);
     }
     output.file(&spirv, FINGERPRINTS, fingerprints.as_bytes())?;

@@ -12,7 +12,7 @@ need_rust
 need 'command -v timeout' coreutils
 drivers=("$@"); [ $# -gt 0 ] || drivers=(mesa25:256 swiftshader mesa25:128/stages mesa25:512/stages)
 tools/drivers.sh
-stages=' pack features nodes harmonics splats sort raster frame skip scene stress '
+stages=' pack features nodes harmonics splats sort raster frame detail skip scene stress '
 on_device="$stages present soak trace devices commands window webgpu "
 limit=${EFFIGY_TEST_SECONDS:-300}
 

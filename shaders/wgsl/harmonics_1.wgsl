@@ -53,14 +53,17 @@ struct type_13 {
     member_44: u32,
     member_45: u32,
     member_46: f32,
-    member_47: vec4<f32>,
-    member_48: vec4<f32>,
-    member_49: array<vec4<f32>, 3>,
-    member_50: array<vec4<u32>, 8>,
-    member_51: array<vec4<u32>, 8>,
-    member_52: array<type_9, 8>,
-    member_53: array<vec4<f32>, 128>,
-    member_54: array<vec4<f32>, 768>,
+    member_47: u32,
+    member_48: u32,
+    member_49: f32,
+    member_50: vec4<f32>,
+    member_51: vec4<f32>,
+    member_52: array<vec4<f32>, 3>,
+    member_53: array<vec4<u32>, 8>,
+    member_54: array<vec4<u32>, 8>,
+    member_55: array<type_9, 8>,
+    member_56: array<vec4<f32>, 128>,
+    member_57: array<vec4<f32>, 768>,
 }
 
 struct type_17 {
@@ -86,10 +89,10 @@ var<storage, read_write> global_2: type_21;
 fn main(@builtin(global_invocation_id) param: vec3<u32>) {
     var local: vec4<u32>;
     var local_1: vec4<f32>;
-    var phi_937_: vec4<f32>;
-    var phi_936_: vec4<f32>;
-    var phi_935_: vec4<f32>;
-    var phi_934_: u32;
+    var phi_943_: vec4<f32>;
+    var phi_942_: vec4<f32>;
+    var phi_941_: vec4<f32>;
+    var phi_940_: u32;
     var local_2: vec4<f32>;
     var local_3: vec4<f32>;
     var local_4: vec4<f32>;
@@ -99,91 +102,94 @@ fn main(@builtin(global_invocation_id) param: vec3<u32>) {
     var local_8: vec4<f32>;
     var local_9: vec4<f32>;
     var local_10: vec4<f32>;
-    var phi_938_: vec3<f32>;
+    var phi_944_: vec3<f32>;
 
     switch bitcast<i32>(0u) {
         default: {
             let _e28 = bitcast<u32>(param[0u]);
-            let _e30 = global.member_14;
+            let _e30 = global.member_48;
             if (_e28 >= _e30) {
                 break;
             }
-            let _e32 = (2u * _e28);
-            let _e36 = global_2.member[_e32];
-            let _e39 = global_2.member[(_e32 + 1u)];
-            local = (vec4<u32>(_e39.x, (_e39.x >> bitcast<u32>(8u)), (_e39.x >> bitcast<u32>(16u)), (_e39.x >> bitcast<u32>(24u))) & vec4<u32>(255u, 255u, 255u, 255u));
-            let _e55 = (vec3<u32>(_e39.y, (_e39.y >> bitcast<u32>(8u)), (_e39.y >> bitcast<u32>(16u))) & vec3<u32>(255u, 255u, 255u));
-            let _e56 = vec3<f32>(_e55);
-            local_1 = (vec4<f32>(_e56.x, _e56.y, _e56.z, f32((((255u - _e55.x) - _e55.y) - _e55.z))) * vec4<f32>(0.003921569f, 0.003921569f, 0.003921569f, 0.003921569f));
-            phi_937_ = vec4<f32>(0f, 0f, 0f, 0f);
-            phi_936_ = vec4<f32>(0f, 0f, 0f, 0f);
-            phi_935_ = vec4<f32>(0f, 0f, 0f, 0f);
-            phi_934_ = 0u;
+            let _e33 = global.member_47;
+            let _e35 = (_e28 << bitcast<u32>(_e33));
+            let _e36 = (2u * _e35);
+            let _e40 = global_2.member[_e36];
+            let _e43 = global_2.member[(_e36 + 1u)];
+            local = (vec4<u32>(_e43.x, (_e43.x >> bitcast<u32>(8u)), (_e43.x >> bitcast<u32>(16u)), (_e43.x >> bitcast<u32>(24u))) & vec4<u32>(255u, 255u, 255u, 255u));
+            let _e59 = (vec3<u32>(_e43.y, (_e43.y >> bitcast<u32>(8u)), (_e43.y >> bitcast<u32>(16u))) & vec3<u32>(255u, 255u, 255u));
+            let _e60 = vec3<f32>(_e59);
+            local_1 = (vec4<f32>(_e60.x, _e60.y, _e60.z, f32((((255u - _e59.x) - _e59.y) - _e59.z))) * vec4<f32>(0.003921569f, 0.003921569f, 0.003921569f, 0.003921569f));
+            phi_943_ = vec4<f32>(0f, 0f, 0f, 0f);
+            phi_942_ = vec4<f32>(0f, 0f, 0f, 0f);
+            phi_941_ = vec4<f32>(0f, 0f, 0f, 0f);
+            phi_940_ = 0u;
             loop {
-                let _e70 = phi_937_;
-                let _e72 = phi_936_;
-                let _e74 = phi_935_;
-                let _e76 = phi_934_;
-                local_2 = _e74;
-                local_3 = _e74;
-                local_4 = _e74;
-                local_5 = _e72;
-                local_6 = _e72;
-                local_7 = _e72;
-                local_8 = _e70;
-                local_9 = _e70;
-                local_10 = _e70;
-                if (_e76 < 4u) {
+                let _e74 = phi_943_;
+                let _e76 = phi_942_;
+                let _e78 = phi_941_;
+                let _e80 = phi_940_;
+                local_2 = _e78;
+                local_3 = _e78;
+                local_4 = _e78;
+                local_5 = _e76;
+                local_6 = _e76;
+                local_7 = _e76;
+                local_8 = _e74;
+                local_9 = _e74;
+                local_10 = _e74;
+                if (_e80 < 4u) {
                     continue;
                 } else {
                     break;
                 }
                 continuing {
-                    let _e79 = local[_e76];
-                    let _e80 = (3u * _e79);
-                    let _e82 = local_1[_e76];
-                    let _e85 = global.member_54[_e80];
-                    let _e88 = local_1[_e76];
-                    let _e92 = global.member_54[(_e80 + 1u)];
-                    let _e95 = local_1[_e76];
-                    let _e99 = global.member_54[(_e80 + 2u)];
-                    phi_937_ = (_e70 + (_e99 * _e95));
-                    phi_936_ = (_e72 + (_e92 * _e88));
-                    phi_935_ = (_e74 + (_e85 * _e82));
-                    phi_934_ = (_e76 + bitcast<u32>(1i));
+                    let _e83 = local[_e80];
+                    let _e84 = (3u * _e83);
+                    let _e86 = local_1[_e80];
+                    let _e89 = global.member_57[_e84];
+                    let _e92 = local_1[_e80];
+                    let _e96 = global.member_57[(_e84 + 1u)];
+                    let _e99 = local_1[_e80];
+                    let _e103 = global.member_57[(_e84 + 2u)];
+                    phi_943_ = (_e74 + (_e103 * _e99));
+                    phi_942_ = (_e76 + (_e96 * _e92));
+                    phi_941_ = (_e78 + (_e89 * _e86));
+                    phi_940_ = (_e80 + bitcast<u32>(1i));
                 }
             }
-            let _e105 = global.member_11;
-            let _e108 = global.member_12;
-            let _e121 = (_e105.xyz + (_e108.xyz * vec3<f32>(f32((_e36.x & 65535u)), f32((_e36.x >> bitcast<u32>(16u))), f32((_e36.y & 65535u)))));
-            let _e125 = vec4<f32>(_e121.x, _e121.y, _e121.z, 1f);
-            let _e127 = local_2;
-            let _e130 = local_3;
-            let _e134 = local_5;
-            let _e137 = local_6;
-            let _e142 = local_8;
-            let _e145 = local_9;
-            let _e148 = (((_e130.xyz * dot(_e127, _e125)) + (_e137.xyz * dot(_e134, _e125))) + (_e145.xyz * dot(_e142, _e125)));
-            let _e149 = length(_e148);
-            if (_e149 > 0f) {
-                phi_938_ = (_e148 / vec3(_e149));
+            let _e109 = global.member_11;
+            let _e112 = global.member_12;
+            let _e125 = (_e109.xyz + (_e112.xyz * vec3<f32>(f32((_e40.x & 65535u)), f32((_e40.x >> bitcast<u32>(16u))), f32((_e40.y & 65535u)))));
+            let _e129 = vec4<f32>(_e125.x, _e125.y, _e125.z, 1f);
+            let _e131 = local_2;
+            let _e134 = local_3;
+            let _e138 = local_5;
+            let _e141 = local_6;
+            let _e146 = local_8;
+            let _e149 = local_9;
+            let _e152 = (((_e134.xyz * dot(_e131, _e129)) + (_e141.xyz * dot(_e138, _e129))) + (_e149.xyz * dot(_e146, _e129)));
+            let _e153 = length(_e152);
+            if (_e153 > 0f) {
+                phi_944_ = (_e152 / vec3(_e153));
             } else {
-                phi_938_ = vec3<f32>(0f, 0f, 0f);
+                phi_944_ = vec3<f32>(0f, 0f, 0f);
             }
-            let _e154 = phi_938_;
-            let _e161 = (vec3<f32>(-(_e154.y), _e154.z, -(_e154.x)) * 0.48860252f);
-            let _e167 = global_1.member[_e28];
-            let _e169 = unpack2x16float(_e167.x);
-            let _e171 = unpack2x16float(_e167.y);
-            let _e180 = global_1.member[(_e28 + _e30)];
-            let _e182 = unpack2x16float(_e180.x);
-            let _e184 = unpack2x16float(_e180.y);
-            let _e193 = global_1.member[(_e28 + (2u * _e30))];
-            let _e195 = unpack2x16float(_e193.x);
-            let _e197 = unpack2x16float(_e193.y);
-            let _e214 = clamp(((((vec4<f32>(_e169.x, _e169.y, _e171.x, _e171.y).xyz * 1f) + (vec3<f32>(_e171.y, _e182.x, _e182.y) * _e161.x)) + (vec3<f32>(_e184.x, _e184.y, _e195.x) * _e161.y)) + (vec4<f32>(_e195.x, _e195.y, _e197.x, _e197.y).yzw * _e161.z)), vec3<f32>(0f, 0f, 0f), vec3<f32>(65504f, 65504f, 65504f));
-            let _e216 = global.member_38;
-            global_2.member[(_e216 + _e28)] = vec2<u32>(pack2x16float(_e214.xy), pack2x16float(vec2<f32>(_e214.z, 0f)));
+            let _e158 = phi_944_;
+            let _e165 = (vec3<f32>(-(_e158.y), _e158.z, -(_e158.x)) * 0.48860252f);
+            let _e171 = global_1.member[_e35];
+            let _e173 = unpack2x16float(_e171.x);
+            let _e175 = unpack2x16float(_e171.y);
+            let _e182 = global.member_14;
+            let _e186 = global_1.member[(_e35 + _e182)];
+            let _e188 = unpack2x16float(_e186.x);
+            let _e190 = unpack2x16float(_e186.y);
+            let _e199 = global_1.member[(_e35 + (2u * _e182))];
+            let _e201 = unpack2x16float(_e199.x);
+            let _e203 = unpack2x16float(_e199.y);
+            let _e220 = clamp(((((vec4<f32>(_e173.x, _e173.y, _e175.x, _e175.y).xyz * 1f) + (vec3<f32>(_e175.y, _e188.x, _e188.y) * _e165.x)) + (vec3<f32>(_e190.x, _e190.y, _e201.x) * _e165.y)) + (vec4<f32>(_e201.x, _e201.y, _e203.x, _e203.y).yzw * _e165.z)), vec3<f32>(0f, 0f, 0f), vec3<f32>(65504f, 65504f, 65504f));
+            let _e222 = global.member_38;
+            global_2.member[(_e222 + _e35)] = vec2<u32>(pack2x16float(_e220.xy), pack2x16float(vec2<f32>(_e220.z, 0f)));
             break;
         }
     }

@@ -53,14 +53,17 @@ struct type_13 {
     member_44: u32,
     member_45: u32,
     member_46: f32,
-    member_47: vec4<f32>,
-    member_48: vec4<f32>,
-    member_49: array<vec4<f32>, 3>,
-    member_50: array<vec4<u32>, 8>,
-    member_51: array<vec4<u32>, 8>,
-    member_52: array<type_9, 8>,
-    member_53: array<vec4<f32>, 128>,
-    member_54: array<vec4<f32>, 768>,
+    member_47: u32,
+    member_48: u32,
+    member_49: f32,
+    member_50: vec4<f32>,
+    member_51: vec4<f32>,
+    member_52: array<vec4<f32>, 3>,
+    member_53: array<vec4<u32>, 8>,
+    member_54: array<vec4<u32>, 8>,
+    member_55: array<type_9, 8>,
+    member_56: array<vec4<f32>, 128>,
+    member_57: array<vec4<f32>, 768>,
 }
 
 struct type_17 {
@@ -92,10 +95,10 @@ var<storage, read_write> global_3: type_23;
 fn main(@builtin(global_invocation_id) param: vec3<u32>) {
     var local: vec4<u32>;
     var local_1: vec4<f32>;
-    var phi_1185_: vec4<f32>;
-    var phi_1184_: vec4<f32>;
-    var phi_1183_: vec4<f32>;
-    var phi_1182_: u32;
+    var phi_1191_: vec4<f32>;
+    var phi_1190_: vec4<f32>;
+    var phi_1189_: vec4<f32>;
+    var phi_1188_: u32;
     var local_2: vec4<f32>;
     var local_3: vec4<f32>;
     var local_4: vec4<f32>;
@@ -105,106 +108,109 @@ fn main(@builtin(global_invocation_id) param: vec3<u32>) {
     var local_8: vec4<f32>;
     var local_9: vec4<f32>;
     var local_10: vec4<f32>;
-    var phi_1186_: vec3<f32>;
+    var phi_1192_: vec3<f32>;
 
     switch bitcast<i32>(0u) {
         default: {
             let _e35 = bitcast<u32>(param[0u]);
-            let _e37 = global.member_14;
+            let _e37 = global.member_48;
             if (_e35 >= _e37) {
                 break;
             }
-            let _e39 = (2u * _e35);
-            let _e43 = global_3.member[_e39];
-            let _e46 = global_3.member[(_e39 + 1u)];
-            local = (vec4<u32>(_e46.x, (_e46.x >> bitcast<u32>(8u)), (_e46.x >> bitcast<u32>(16u)), (_e46.x >> bitcast<u32>(24u))) & vec4<u32>(255u, 255u, 255u, 255u));
-            let _e62 = (vec3<u32>(_e46.y, (_e46.y >> bitcast<u32>(8u)), (_e46.y >> bitcast<u32>(16u))) & vec3<u32>(255u, 255u, 255u));
-            let _e63 = vec3<f32>(_e62);
-            local_1 = (vec4<f32>(_e63.x, _e63.y, _e63.z, f32((((255u - _e62.x) - _e62.y) - _e62.z))) * vec4<f32>(0.003921569f, 0.003921569f, 0.003921569f, 0.003921569f));
-            phi_1185_ = vec4<f32>(0f, 0f, 0f, 0f);
-            phi_1184_ = vec4<f32>(0f, 0f, 0f, 0f);
-            phi_1183_ = vec4<f32>(0f, 0f, 0f, 0f);
-            phi_1182_ = 0u;
+            let _e40 = global.member_47;
+            let _e42 = (_e35 << bitcast<u32>(_e40));
+            let _e43 = (2u * _e42);
+            let _e47 = global_3.member[_e43];
+            let _e50 = global_3.member[(_e43 + 1u)];
+            local = (vec4<u32>(_e50.x, (_e50.x >> bitcast<u32>(8u)), (_e50.x >> bitcast<u32>(16u)), (_e50.x >> bitcast<u32>(24u))) & vec4<u32>(255u, 255u, 255u, 255u));
+            let _e66 = (vec3<u32>(_e50.y, (_e50.y >> bitcast<u32>(8u)), (_e50.y >> bitcast<u32>(16u))) & vec3<u32>(255u, 255u, 255u));
+            let _e67 = vec3<f32>(_e66);
+            local_1 = (vec4<f32>(_e67.x, _e67.y, _e67.z, f32((((255u - _e66.x) - _e66.y) - _e66.z))) * vec4<f32>(0.003921569f, 0.003921569f, 0.003921569f, 0.003921569f));
+            phi_1191_ = vec4<f32>(0f, 0f, 0f, 0f);
+            phi_1190_ = vec4<f32>(0f, 0f, 0f, 0f);
+            phi_1189_ = vec4<f32>(0f, 0f, 0f, 0f);
+            phi_1188_ = 0u;
             loop {
-                let _e77 = phi_1185_;
-                let _e79 = phi_1184_;
-                let _e81 = phi_1183_;
-                let _e83 = phi_1182_;
-                local_2 = _e81;
-                local_3 = _e81;
-                local_4 = _e81;
-                local_5 = _e79;
-                local_6 = _e79;
-                local_7 = _e79;
-                local_8 = _e77;
-                local_9 = _e77;
-                local_10 = _e77;
-                if (_e83 < 4u) {
+                let _e81 = phi_1191_;
+                let _e83 = phi_1190_;
+                let _e85 = phi_1189_;
+                let _e87 = phi_1188_;
+                local_2 = _e85;
+                local_3 = _e85;
+                local_4 = _e85;
+                local_5 = _e83;
+                local_6 = _e83;
+                local_7 = _e83;
+                local_8 = _e81;
+                local_9 = _e81;
+                local_10 = _e81;
+                if (_e87 < 4u) {
                     continue;
                 } else {
                     break;
                 }
                 continuing {
-                    let _e86 = local[_e83];
-                    let _e87 = (3u * _e86);
-                    let _e89 = local_1[_e83];
-                    let _e92 = global.member_54[_e87];
-                    let _e95 = local_1[_e83];
-                    let _e99 = global.member_54[(_e87 + 1u)];
-                    let _e102 = local_1[_e83];
-                    let _e106 = global.member_54[(_e87 + 2u)];
-                    phi_1185_ = (_e77 + (_e106 * _e102));
-                    phi_1184_ = (_e79 + (_e99 * _e95));
-                    phi_1183_ = (_e81 + (_e92 * _e89));
-                    phi_1182_ = (_e83 + bitcast<u32>(1i));
+                    let _e90 = local[_e87];
+                    let _e91 = (3u * _e90);
+                    let _e93 = local_1[_e87];
+                    let _e96 = global.member_57[_e91];
+                    let _e99 = local_1[_e87];
+                    let _e103 = global.member_57[(_e91 + 1u)];
+                    let _e106 = local_1[_e87];
+                    let _e110 = global.member_57[(_e91 + 2u)];
+                    phi_1191_ = (_e81 + (_e110 * _e106));
+                    phi_1190_ = (_e83 + (_e103 * _e99));
+                    phi_1189_ = (_e85 + (_e96 * _e93));
+                    phi_1188_ = (_e87 + bitcast<u32>(1i));
                 }
             }
-            let _e112 = global.member_11;
-            let _e115 = global.member_12;
-            let _e128 = (_e112.xyz + (_e115.xyz * vec3<f32>(f32((_e43.x & 65535u)), f32((_e43.x >> bitcast<u32>(16u))), f32((_e43.y & 65535u)))));
-            let _e132 = vec4<f32>(_e128.x, _e128.y, _e128.z, 1f);
-            let _e134 = local_2;
-            let _e137 = local_3;
-            let _e141 = local_5;
-            let _e144 = local_6;
-            let _e149 = local_8;
-            let _e152 = local_9;
-            let _e155 = (((_e137.xyz * dot(_e134, _e132)) + (_e144.xyz * dot(_e141, _e132))) + (_e152.xyz * dot(_e149, _e132)));
-            let _e156 = length(_e155);
-            if (_e156 > 0f) {
-                phi_1186_ = (_e155 / vec3(_e156));
+            let _e116 = global.member_11;
+            let _e119 = global.member_12;
+            let _e132 = (_e116.xyz + (_e119.xyz * vec3<f32>(f32((_e47.x & 65535u)), f32((_e47.x >> bitcast<u32>(16u))), f32((_e47.y & 65535u)))));
+            let _e136 = vec4<f32>(_e132.x, _e132.y, _e132.z, 1f);
+            let _e138 = local_2;
+            let _e141 = local_3;
+            let _e145 = local_5;
+            let _e148 = local_6;
+            let _e153 = local_8;
+            let _e156 = local_9;
+            let _e159 = (((_e141.xyz * dot(_e138, _e136)) + (_e148.xyz * dot(_e145, _e136))) + (_e156.xyz * dot(_e153, _e136)));
+            let _e160 = length(_e159);
+            if (_e160 > 0f) {
+                phi_1192_ = (_e159 / vec3(_e160));
             } else {
-                phi_1186_ = vec3<f32>(0f, 0f, 0f);
+                phi_1192_ = vec3<f32>(0f, 0f, 0f);
             }
-            let _e161 = phi_1186_;
-            let _e165 = (_e161.x * _e161.x);
-            let _e166 = (_e161.y * _e161.y);
-            let _e171 = (vec3<f32>(-(_e161.y), _e161.z, -(_e161.x)) * 0.48860252f);
-            let _e177 = global_1.member[_e35];
-            let _e179 = unpack2x16float(_e177.x);
-            let _e181 = unpack2x16float(_e177.y);
-            let _e190 = global_1.member[(_e35 + _e37)];
-            let _e192 = unpack2x16float(_e190.x);
-            let _e194 = unpack2x16float(_e190.y);
-            let _e199 = (2u * _e37);
-            let _e203 = global_1.member[(_e35 + _e199)];
-            let _e205 = unpack2x16float(_e203.x);
-            let _e207 = unpack2x16float(_e203.y);
-            let _e235 = ((3u * _e37) + _e35);
-            let _e238 = global_1.member[_e235];
-            let _e240 = unpack2x16float(_e238.x);
-            let _e242 = unpack2x16float(_e238.y);
-            let _e251 = global_1.member[(_e235 + _e37)];
-            let _e253 = unpack2x16float(_e251.x);
-            let _e255 = unpack2x16float(_e251.y);
-            let _e263 = global_1.member[(_e235 + _e199)];
-            let _e265 = unpack2x16float(_e263.x);
-            let _e267 = unpack2x16float(_e263.y);
-            let _e289 = global_2.member[_e35];
-            let _e291 = unpack2x16float(_e289.x);
-            let _e301 = clamp(((((((vec4<f32>(_e179.x, _e179.y, _e181.x, _e181.y).xyz * 1f) + (vec3<f32>(_e181.y, _e192.x, _e192.y) * _e171.x)) + (vec3<f32>(_e194.x, _e194.y, _e205.x) * _e171.y)) + (vec4<f32>(_e205.x, _e205.y, _e207.x, _e207.y).yzw * _e171.z)) + ((((vec4<f32>(_e240.x, _e240.y, _e242.x, _e242.y).xyz * ((1.0925485f * _e161.x) * _e161.y)) + (vec3<f32>(_e242.y, _e253.x, _e253.y) * ((-1.0925485f * _e161.y) * _e161.z))) + (vec3<f32>(_e255.x, _e255.y, _e265.x) * (0.31539157f * (((2f * (_e161.z * _e161.z)) - _e165) - _e166)))) + (vec4<f32>(_e265.x, _e265.y, _e267.x, _e267.y).yzw * ((-1.0925485f * _e161.x) * _e161.z)))) + (vec4<f32>(_e291.x, _e291.y, unpack2x16float(_e289.y).x, f32()).xyz * (0.54627424f * (_e165 - _e166)))), vec3<f32>(0f, 0f, 0f), vec3<f32>(65504f, 65504f, 65504f));
-            let _e303 = global.member_38;
-            global_3.member[(_e303 + _e35)] = vec2<u32>(pack2x16float(_e301.xy), pack2x16float(vec2<f32>(_e301.z, 0f)));
+            let _e165 = phi_1192_;
+            let _e169 = (_e165.x * _e165.x);
+            let _e170 = (_e165.y * _e165.y);
+            let _e175 = (vec3<f32>(-(_e165.y), _e165.z, -(_e165.x)) * 0.48860252f);
+            let _e181 = global_1.member[_e42];
+            let _e183 = unpack2x16float(_e181.x);
+            let _e185 = unpack2x16float(_e181.y);
+            let _e192 = global.member_14;
+            let _e196 = global_1.member[(_e42 + _e192)];
+            let _e198 = unpack2x16float(_e196.x);
+            let _e200 = unpack2x16float(_e196.y);
+            let _e205 = (2u * _e192);
+            let _e209 = global_1.member[(_e42 + _e205)];
+            let _e211 = unpack2x16float(_e209.x);
+            let _e213 = unpack2x16float(_e209.y);
+            let _e241 = ((3u * _e192) + _e42);
+            let _e244 = global_1.member[_e241];
+            let _e246 = unpack2x16float(_e244.x);
+            let _e248 = unpack2x16float(_e244.y);
+            let _e257 = global_1.member[(_e241 + _e192)];
+            let _e259 = unpack2x16float(_e257.x);
+            let _e261 = unpack2x16float(_e257.y);
+            let _e269 = global_1.member[(_e241 + _e205)];
+            let _e271 = unpack2x16float(_e269.x);
+            let _e273 = unpack2x16float(_e269.y);
+            let _e295 = global_2.member[_e42];
+            let _e297 = unpack2x16float(_e295.x);
+            let _e307 = clamp(((((((vec4<f32>(_e183.x, _e183.y, _e185.x, _e185.y).xyz * 1f) + (vec3<f32>(_e185.y, _e198.x, _e198.y) * _e175.x)) + (vec3<f32>(_e200.x, _e200.y, _e211.x) * _e175.y)) + (vec4<f32>(_e211.x, _e211.y, _e213.x, _e213.y).yzw * _e175.z)) + ((((vec4<f32>(_e246.x, _e246.y, _e248.x, _e248.y).xyz * ((1.0925485f * _e165.x) * _e165.y)) + (vec3<f32>(_e248.y, _e259.x, _e259.y) * ((-1.0925485f * _e165.y) * _e165.z))) + (vec3<f32>(_e261.x, _e261.y, _e271.x) * (0.31539157f * (((2f * (_e165.z * _e165.z)) - _e169) - _e170)))) + (vec4<f32>(_e271.x, _e271.y, _e273.x, _e273.y).yzw * ((-1.0925485f * _e165.x) * _e165.z)))) + (vec4<f32>(_e297.x, _e297.y, unpack2x16float(_e295.y).x, f32()).xyz * (0.54627424f * (_e169 - _e170)))), vec3<f32>(0f, 0f, 0f), vec3<f32>(65504f, 65504f, 65504f));
+            let _e309 = global.member_38;
+            global_3.member[(_e309 + _e42)] = vec2<u32>(pack2x16float(_e307.xy), pack2x16float(vec2<f32>(_e307.z, 0f)));
             break;
         }
     }

@@ -53,14 +53,17 @@ struct type_13 {
     member_44: u32,
     member_45: u32,
     member_46: f32,
-    member_47: vec4<f32>,
-    member_48: vec4<f32>,
-    member_49: array<vec4<f32>, 3>,
-    member_50: array<vec4<u32>, 8>,
-    member_51: array<vec4<u32>, 8>,
-    member_52: array<type_9, 8>,
-    member_53: array<vec4<f32>, 128>,
-    member_54: array<vec4<f32>, 768>,
+    member_47: u32,
+    member_48: u32,
+    member_49: f32,
+    member_50: vec4<f32>,
+    member_51: vec4<f32>,
+    member_52: array<vec4<f32>, 3>,
+    member_53: array<vec4<u32>, 8>,
+    member_54: array<vec4<u32>, 8>,
+    member_55: array<type_9, 8>,
+    member_56: array<vec4<f32>, 128>,
+    member_57: array<vec4<f32>, 768>,
 }
 
 struct type_17 {
@@ -92,10 +95,10 @@ var<storage, read_write> global_3: type_23;
 fn main(@builtin(global_invocation_id) param: vec3<u32>) {
     var local: vec4<u32>;
     var local_1: vec4<f32>;
-    var phi_1315_: vec4<f32>;
-    var phi_1314_: vec4<f32>;
-    var phi_1313_: vec4<f32>;
-    var phi_1312_: u32;
+    var phi_1321_: vec4<f32>;
+    var phi_1320_: vec4<f32>;
+    var phi_1319_: vec4<f32>;
+    var phi_1318_: u32;
     var local_2: vec4<f32>;
     var local_3: vec4<f32>;
     var local_4: vec4<f32>;
@@ -105,130 +108,133 @@ fn main(@builtin(global_invocation_id) param: vec3<u32>) {
     var local_8: vec4<f32>;
     var local_9: vec4<f32>;
     var local_10: vec4<f32>;
-    var phi_1316_: vec3<f32>;
+    var phi_1322_: vec3<f32>;
 
     switch bitcast<i32>(0u) {
         default: {
             let _e41 = bitcast<u32>(param[0u]);
-            let _e43 = global.member_14;
+            let _e43 = global.member_48;
             if (_e41 >= _e43) {
                 break;
             }
-            let _e45 = (2u * _e41);
-            let _e49 = global_3.member[_e45];
-            let _e52 = global_3.member[(_e45 + 1u)];
-            local = (vec4<u32>(_e52.x, (_e52.x >> bitcast<u32>(8u)), (_e52.x >> bitcast<u32>(16u)), (_e52.x >> bitcast<u32>(24u))) & vec4<u32>(255u, 255u, 255u, 255u));
-            let _e68 = (vec3<u32>(_e52.y, (_e52.y >> bitcast<u32>(8u)), (_e52.y >> bitcast<u32>(16u))) & vec3<u32>(255u, 255u, 255u));
-            let _e69 = vec3<f32>(_e68);
-            local_1 = (vec4<f32>(_e69.x, _e69.y, _e69.z, f32((((255u - _e68.x) - _e68.y) - _e68.z))) * vec4<f32>(0.003921569f, 0.003921569f, 0.003921569f, 0.003921569f));
-            phi_1315_ = vec4<f32>(0f, 0f, 0f, 0f);
-            phi_1314_ = vec4<f32>(0f, 0f, 0f, 0f);
-            phi_1313_ = vec4<f32>(0f, 0f, 0f, 0f);
-            phi_1312_ = 0u;
+            let _e46 = global.member_47;
+            let _e48 = (_e41 << bitcast<u32>(_e46));
+            let _e49 = (2u * _e48);
+            let _e53 = global_3.member[_e49];
+            let _e56 = global_3.member[(_e49 + 1u)];
+            local = (vec4<u32>(_e56.x, (_e56.x >> bitcast<u32>(8u)), (_e56.x >> bitcast<u32>(16u)), (_e56.x >> bitcast<u32>(24u))) & vec4<u32>(255u, 255u, 255u, 255u));
+            let _e72 = (vec3<u32>(_e56.y, (_e56.y >> bitcast<u32>(8u)), (_e56.y >> bitcast<u32>(16u))) & vec3<u32>(255u, 255u, 255u));
+            let _e73 = vec3<f32>(_e72);
+            local_1 = (vec4<f32>(_e73.x, _e73.y, _e73.z, f32((((255u - _e72.x) - _e72.y) - _e72.z))) * vec4<f32>(0.003921569f, 0.003921569f, 0.003921569f, 0.003921569f));
+            phi_1321_ = vec4<f32>(0f, 0f, 0f, 0f);
+            phi_1320_ = vec4<f32>(0f, 0f, 0f, 0f);
+            phi_1319_ = vec4<f32>(0f, 0f, 0f, 0f);
+            phi_1318_ = 0u;
             loop {
-                let _e83 = phi_1315_;
-                let _e85 = phi_1314_;
-                let _e87 = phi_1313_;
-                let _e89 = phi_1312_;
-                local_2 = _e87;
-                local_3 = _e87;
-                local_4 = _e87;
-                local_5 = _e85;
-                local_6 = _e85;
-                local_7 = _e85;
-                local_8 = _e83;
-                local_9 = _e83;
-                local_10 = _e83;
-                if (_e89 < 4u) {
+                let _e87 = phi_1321_;
+                let _e89 = phi_1320_;
+                let _e91 = phi_1319_;
+                let _e93 = phi_1318_;
+                local_2 = _e91;
+                local_3 = _e91;
+                local_4 = _e91;
+                local_5 = _e89;
+                local_6 = _e89;
+                local_7 = _e89;
+                local_8 = _e87;
+                local_9 = _e87;
+                local_10 = _e87;
+                if (_e93 < 4u) {
                     continue;
                 } else {
                     break;
                 }
                 continuing {
-                    let _e92 = local[_e89];
-                    let _e93 = (3u * _e92);
-                    let _e95 = local_1[_e89];
-                    let _e98 = global.member_54[_e93];
-                    let _e101 = local_1[_e89];
-                    let _e105 = global.member_54[(_e93 + 1u)];
-                    let _e108 = local_1[_e89];
-                    let _e112 = global.member_54[(_e93 + 2u)];
-                    phi_1315_ = (_e83 + (_e112 * _e108));
-                    phi_1314_ = (_e85 + (_e105 * _e101));
-                    phi_1313_ = (_e87 + (_e98 * _e95));
-                    phi_1312_ = (_e89 + bitcast<u32>(1i));
+                    let _e96 = local[_e93];
+                    let _e97 = (3u * _e96);
+                    let _e99 = local_1[_e93];
+                    let _e102 = global.member_57[_e97];
+                    let _e105 = local_1[_e93];
+                    let _e109 = global.member_57[(_e97 + 1u)];
+                    let _e112 = local_1[_e93];
+                    let _e116 = global.member_57[(_e97 + 2u)];
+                    phi_1321_ = (_e87 + (_e116 * _e112));
+                    phi_1320_ = (_e89 + (_e109 * _e105));
+                    phi_1319_ = (_e91 + (_e102 * _e99));
+                    phi_1318_ = (_e93 + bitcast<u32>(1i));
                 }
             }
-            let _e118 = global.member_11;
-            let _e121 = global.member_12;
-            let _e134 = (_e118.xyz + (_e121.xyz * vec3<f32>(f32((_e49.x & 65535u)), f32((_e49.x >> bitcast<u32>(16u))), f32((_e49.y & 65535u)))));
-            let _e138 = vec4<f32>(_e134.x, _e134.y, _e134.z, 1f);
-            let _e140 = local_2;
-            let _e143 = local_3;
-            let _e147 = local_5;
-            let _e150 = local_6;
-            let _e155 = local_8;
-            let _e158 = local_9;
-            let _e161 = (((_e143.xyz * dot(_e140, _e138)) + (_e150.xyz * dot(_e147, _e138))) + (_e158.xyz * dot(_e155, _e138)));
-            let _e162 = length(_e161);
-            if (_e162 > 0f) {
-                phi_1316_ = (_e161 / vec3(_e162));
+            let _e122 = global.member_11;
+            let _e125 = global.member_12;
+            let _e138 = (_e122.xyz + (_e125.xyz * vec3<f32>(f32((_e53.x & 65535u)), f32((_e53.x >> bitcast<u32>(16u))), f32((_e53.y & 65535u)))));
+            let _e142 = vec4<f32>(_e138.x, _e138.y, _e138.z, 1f);
+            let _e144 = local_2;
+            let _e147 = local_3;
+            let _e151 = local_5;
+            let _e154 = local_6;
+            let _e159 = local_8;
+            let _e162 = local_9;
+            let _e165 = (((_e147.xyz * dot(_e144, _e142)) + (_e154.xyz * dot(_e151, _e142))) + (_e162.xyz * dot(_e159, _e142)));
+            let _e166 = length(_e165);
+            if (_e166 > 0f) {
+                phi_1322_ = (_e165 / vec3(_e166));
             } else {
-                phi_1316_ = vec3<f32>(0f, 0f, 0f);
+                phi_1322_ = vec3<f32>(0f, 0f, 0f);
             }
-            let _e167 = phi_1316_;
-            let _e171 = (_e167.x * _e167.x);
-            let _e172 = (_e167.y * _e167.y);
-            let _e173 = (_e167.z * _e167.z);
-            let _e177 = (vec3<f32>(-(_e167.y), _e167.z, -(_e167.x)) * 0.48860252f);
-            let _e183 = global_1.member[_e41];
-            let _e185 = unpack2x16float(_e183.x);
-            let _e187 = unpack2x16float(_e183.y);
-            let _e193 = (_e41 + _e43);
-            let _e196 = global_1.member[_e193];
-            let _e198 = unpack2x16float(_e196.x);
-            let _e200 = unpack2x16float(_e196.y);
-            let _e205 = (2u * _e43);
-            let _e206 = (_e41 + _e205);
-            let _e209 = global_1.member[_e206];
-            let _e211 = unpack2x16float(_e209.x);
-            let _e213 = unpack2x16float(_e209.y);
-            let _e234 = (2f * _e173);
-            let _e241 = ((3u * _e43) + _e41);
-            let _e244 = global_1.member[_e241];
-            let _e246 = unpack2x16float(_e244.x);
-            let _e248 = unpack2x16float(_e244.y);
-            let _e254 = (_e241 + _e43);
-            let _e257 = global_1.member[_e254];
-            let _e259 = unpack2x16float(_e257.x);
-            let _e261 = unpack2x16float(_e257.y);
-            let _e266 = (_e241 + _e205);
-            let _e269 = global_1.member[_e266];
-            let _e271 = unpack2x16float(_e269.x);
-            let _e273 = unpack2x16float(_e269.y);
-            let _e291 = (_e171 - _e172);
-            let _e303 = (((4f * _e173) - _e171) - _e172);
-            let _e320 = global_2.member[_e241];
-            let _e322 = unpack2x16float(_e320.x);
-            let _e324 = unpack2x16float(_e320.y);
-            let _e332 = global_2.member[_e254];
-            let _e334 = unpack2x16float(_e332.x);
-            let _e336 = unpack2x16float(_e332.y);
-            let _e343 = global_2.member[_e266];
-            let _e345 = unpack2x16float(_e343.x);
-            let _e347 = unpack2x16float(_e343.y);
-            let _e367 = global_2.member[_e41];
-            let _e369 = unpack2x16float(_e367.x);
-            let _e371 = unpack2x16float(_e367.y);
-            let _e379 = global_2.member[_e193];
-            let _e381 = unpack2x16float(_e379.x);
-            let _e383 = unpack2x16float(_e379.y);
-            let _e390 = global_2.member[_e206];
-            let _e392 = unpack2x16float(_e390.x);
-            let _e394 = unpack2x16float(_e390.y);
-            let _e412 = clamp((((((((vec4<f32>(_e185.x, _e185.y, _e187.x, _e187.y).xyz * 1f) + (vec3<f32>(_e187.y, _e198.x, _e198.y) * _e177.x)) + (vec3<f32>(_e200.x, _e200.y, _e211.x) * _e177.y)) + (vec4<f32>(_e211.x, _e211.y, _e213.x, _e213.y).yzw * _e177.z)) + ((((vec4<f32>(_e246.x, _e246.y, _e248.x, _e248.y).xyz * ((1.0925485f * _e167.x) * _e167.y)) + (vec3<f32>(_e248.y, _e259.x, _e259.y) * ((-1.0925485f * _e167.y) * _e167.z))) + (vec3<f32>(_e261.x, _e261.y, _e271.x) * (0.31539157f * ((_e234 - _e171) - _e172)))) + (vec4<f32>(_e271.x, _e271.y, _e273.x, _e273.y).yzw * ((-1.0925485f * _e167.x) * _e167.z)))) + ((((vec4<f32>(_e322.x, _e322.y, _e324.x, _e324.y).xyz * ((0.37317634f * _e167.z) * (_e234 - (3f * (_e171 + _e172))))) + (vec3<f32>(_e324.y, _e334.x, _e334.y) * ((-0.4570458f * _e167.x) * _e303))) + (vec3<f32>(_e336.x, _e336.y, _e345.x) * ((1.4453057f * _e167.z) * _e291))) + (vec4<f32>(_e345.x, _e345.y, _e347.x, _e347.y).yzw * ((-0.5900436f * _e167.x) * (_e171 - (3f * _e172)))))) + ((((vec4<f32>(_e369.x, _e369.y, _e371.x, _e371.y).xyz * (0.54627424f * _e291)) + (vec3<f32>(_e371.y, _e381.x, _e381.y) * ((-0.5900436f * _e167.y) * ((3f * _e171) - _e172)))) + (vec3<f32>(_e383.x, _e383.y, _e392.x) * (((2.8906114f * _e167.x) * _e167.y) * _e167.z))) + (vec4<f32>(_e392.x, _e392.y, _e394.x, _e394.y).yzw * ((-0.4570458f * _e167.y) * _e303)))), vec3<f32>(0f, 0f, 0f), vec3<f32>(65504f, 65504f, 65504f));
-            let _e414 = global.member_38;
-            global_3.member[(_e414 + _e41)] = vec2<u32>(pack2x16float(_e412.xy), pack2x16float(vec2<f32>(_e412.z, 0f)));
+            let _e171 = phi_1322_;
+            let _e175 = (_e171.x * _e171.x);
+            let _e176 = (_e171.y * _e171.y);
+            let _e177 = (_e171.z * _e171.z);
+            let _e181 = (vec3<f32>(-(_e171.y), _e171.z, -(_e171.x)) * 0.48860252f);
+            let _e187 = global_1.member[_e48];
+            let _e189 = unpack2x16float(_e187.x);
+            let _e191 = unpack2x16float(_e187.y);
+            let _e198 = global.member_14;
+            let _e199 = (_e48 + _e198);
+            let _e202 = global_1.member[_e199];
+            let _e204 = unpack2x16float(_e202.x);
+            let _e206 = unpack2x16float(_e202.y);
+            let _e211 = (2u * _e198);
+            let _e212 = (_e48 + _e211);
+            let _e215 = global_1.member[_e212];
+            let _e217 = unpack2x16float(_e215.x);
+            let _e219 = unpack2x16float(_e215.y);
+            let _e240 = (2f * _e177);
+            let _e247 = ((3u * _e198) + _e48);
+            let _e250 = global_1.member[_e247];
+            let _e252 = unpack2x16float(_e250.x);
+            let _e254 = unpack2x16float(_e250.y);
+            let _e260 = (_e247 + _e198);
+            let _e263 = global_1.member[_e260];
+            let _e265 = unpack2x16float(_e263.x);
+            let _e267 = unpack2x16float(_e263.y);
+            let _e272 = (_e247 + _e211);
+            let _e275 = global_1.member[_e272];
+            let _e277 = unpack2x16float(_e275.x);
+            let _e279 = unpack2x16float(_e275.y);
+            let _e297 = (_e175 - _e176);
+            let _e309 = (((4f * _e177) - _e175) - _e176);
+            let _e326 = global_2.member[_e247];
+            let _e328 = unpack2x16float(_e326.x);
+            let _e330 = unpack2x16float(_e326.y);
+            let _e338 = global_2.member[_e260];
+            let _e340 = unpack2x16float(_e338.x);
+            let _e342 = unpack2x16float(_e338.y);
+            let _e349 = global_2.member[_e272];
+            let _e351 = unpack2x16float(_e349.x);
+            let _e353 = unpack2x16float(_e349.y);
+            let _e373 = global_2.member[_e48];
+            let _e375 = unpack2x16float(_e373.x);
+            let _e377 = unpack2x16float(_e373.y);
+            let _e385 = global_2.member[_e199];
+            let _e387 = unpack2x16float(_e385.x);
+            let _e389 = unpack2x16float(_e385.y);
+            let _e396 = global_2.member[_e212];
+            let _e398 = unpack2x16float(_e396.x);
+            let _e400 = unpack2x16float(_e396.y);
+            let _e418 = clamp((((((((vec4<f32>(_e189.x, _e189.y, _e191.x, _e191.y).xyz * 1f) + (vec3<f32>(_e191.y, _e204.x, _e204.y) * _e181.x)) + (vec3<f32>(_e206.x, _e206.y, _e217.x) * _e181.y)) + (vec4<f32>(_e217.x, _e217.y, _e219.x, _e219.y).yzw * _e181.z)) + ((((vec4<f32>(_e252.x, _e252.y, _e254.x, _e254.y).xyz * ((1.0925485f * _e171.x) * _e171.y)) + (vec3<f32>(_e254.y, _e265.x, _e265.y) * ((-1.0925485f * _e171.y) * _e171.z))) + (vec3<f32>(_e267.x, _e267.y, _e277.x) * (0.31539157f * ((_e240 - _e175) - _e176)))) + (vec4<f32>(_e277.x, _e277.y, _e279.x, _e279.y).yzw * ((-1.0925485f * _e171.x) * _e171.z)))) + ((((vec4<f32>(_e328.x, _e328.y, _e330.x, _e330.y).xyz * ((0.37317634f * _e171.z) * (_e240 - (3f * (_e175 + _e176))))) + (vec3<f32>(_e330.y, _e340.x, _e340.y) * ((-0.4570458f * _e171.x) * _e309))) + (vec3<f32>(_e342.x, _e342.y, _e351.x) * ((1.4453057f * _e171.z) * _e297))) + (vec4<f32>(_e351.x, _e351.y, _e353.x, _e353.y).yzw * ((-0.5900436f * _e171.x) * (_e175 - (3f * _e176)))))) + ((((vec4<f32>(_e375.x, _e375.y, _e377.x, _e377.y).xyz * (0.54627424f * _e297)) + (vec3<f32>(_e377.y, _e387.x, _e387.y) * ((-0.5900436f * _e171.y) * ((3f * _e175) - _e176)))) + (vec3<f32>(_e389.x, _e389.y, _e398.x) * (((2.8906114f * _e171.x) * _e171.y) * _e171.z))) + (vec4<f32>(_e398.x, _e398.y, _e400.x, _e400.y).yzw * ((-0.4570458f * _e171.y) * _e309)))), vec3<f32>(0f, 0f, 0f), vec3<f32>(65504f, 65504f, 65504f));
+            let _e420 = global.member_38;
+            global_3.member[(_e420 + _e48)] = vec2<u32>(pack2x16float(_e418.xy), pack2x16float(vec2<f32>(_e418.z, 0f)));
             break;
         }
     }

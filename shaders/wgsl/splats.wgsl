@@ -53,14 +53,17 @@ struct type_16 {
     member_44: u32,
     member_45: u32,
     member_46: f32,
-    member_47: vec4<f32>,
-    member_48: vec4<f32>,
-    member_49: array<vec4<f32>, 3>,
-    member_50: array<vec4<u32>, 8>,
-    member_51: array<vec4<u32>, 8>,
-    member_52: array<type_12, 8>,
-    member_53: array<vec4<f32>, 128>,
-    member_54: array<vec4<f32>, 768>,
+    member_47: u32,
+    member_48: u32,
+    member_49: f32,
+    member_50: vec4<f32>,
+    member_51: vec4<f32>,
+    member_52: array<vec4<f32>, 3>,
+    member_53: array<vec4<u32>, 8>,
+    member_54: array<vec4<u32>, 8>,
+    member_55: array<type_12, 8>,
+    member_56: array<vec4<f32>, 128>,
+    member_57: array<vec4<f32>, 768>,
 }
 
 struct type_19 {
@@ -127,564 +130,588 @@ var<storage> global_7: type_36;
 
 @compute @workgroup_size(64, 1, 1) 
 fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocation_id) param_1: vec3<u32>) {
-    var phi_4867_: u32;
-    var phi_3074_: bool;
+    var phi_4973_: u32;
+    var phi_3135_: bool;
     var local: bool;
-    var phi_3354_: bool;
-    var phi_4869_: f32;
-    var phi_4870_: f32;
-    var phi_4874_: u32;
-    var phi_4881_: f32;
-    var phi_4880_: u32;
-    var phi_4877_: u32;
+    var phi_3415_: bool;
+    var phi_4975_: f32;
+    var phi_4976_: f32;
+    var phi_4980_: u32;
+    var phi_4987_: f32;
+    var phi_4986_: u32;
+    var phi_4983_: u32;
     var local_1: f32;
-    var phi_4886_: bool;
-    var phi_3396_: bool;
-    var phi_4897_: f32;
-    var phi_4888_: vec2<f32>;
-    var phi_4887_: bool;
-    var phi_4907_: vec4<f32>;
-    var phi_4908_: vec4<f32>;
-    var phi_4909_: vec4<f32>;
-    var phi_4927_: vec3<f32>;
-    var phi_4929_: vec4<f32>;
-    var phi_4928_: u32;
+    var phi_4992_: bool;
+    var phi_3461_: bool;
+    var phi_5003_: f32;
+    var phi_4994_: vec2<f32>;
+    var phi_4993_: bool;
+    var phi_5013_: vec4<f32>;
+    var phi_5014_: vec4<f32>;
+    var phi_5015_: vec4<f32>;
+    var phi_5033_: vec3<f32>;
+    var phi_5035_: vec4<f32>;
+    var phi_5034_: u32;
     var local_2: vec4<f32>;
-    var phi_4944_: vec4<f32>;
-    var phi_4932_: vec3<f32>;
-    var phi_4931_: u32;
+    var phi_5050_: vec4<f32>;
+    var phi_5038_: vec3<f32>;
+    var phi_5037_: u32;
     var local_3: vec3<f32>;
-    var phi_4948_: vec3<f32>;
-    var phi_4941_: vec3<f32>;
-    var phi_4940_: u32;
+    var phi_5054_: vec3<f32>;
+    var phi_5047_: vec3<f32>;
+    var phi_5046_: u32;
     var local_4: vec3<f32>;
-    var phi_4950_: vec3<f32>;
-    var phi_4409_: bool;
-    var phi_4415_: bool;
-    var phi_4440_: bool;
-    var phi_4951_: vec2<f32>;
-    var phi_4952_: vec2<f32>;
-    var phi_4953_: u32;
-    var phi_4954_: u32;
-    var phi_4955_: u32;
+    var phi_5056_: vec3<f32>;
+    var phi_4475_: bool;
+    var phi_4481_: bool;
+    var phi_5064_: f32;
+    var phi_5063_: u32;
+    var local_5: f32;
+    var phi_4519_: bool;
+    var phi_5070_: vec2<f32>;
+    var phi_5071_: vec2<f32>;
+    var phi_5072_: u32;
+    var phi_5073_: u32;
+    var phi_5074_: u32;
 
-    let _e71 = bitcast<u32>(param_1[0u]);
-    let _e73 = global.member_14;
-    let _e74 = (_e71 < _e73);
-    if _e74 {
+    let _e72 = bitcast<u32>(param_1[0u]);
+    let _e74 = global.member_48;
+    let _e75 = (_e72 < _e74);
+    if _e75 {
         switch bitcast<i32>(0u) {
             default: {
-                let _e79 = (4u * (_e73 + (_e71 >> bitcast<u32>(5u))));
-                let _e84 = global_7.member[(_e79 + 3u)][0u];
-                phi_4867_ = (_e84 & 65535u);
+                let _e78 = global.member_14;
+                let _e80 = global.member_47;
+                let _e82 = (_e72 << bitcast<u32>(_e80));
+                let _e86 = (4u * (_e78 + (_e82 >> bitcast<u32>(5u))));
+                let _e91 = global_7.member[(_e86 + 3u)][0u];
+                phi_4973_ = (_e91 & 65535u);
                 loop {
-                    let _e87 = phi_4867_;
-                    let _e96 = global.member_51[(_e87 >> bitcast<u32>(7u))][((_e87 >> bitcast<u32>(5u)) & 3u)];
-                    let _e101 = (((_e96 >> bitcast<u32>((_e87 & 31u))) & 1u) != 0u);
-                    let _e103 = (_e87 + bitcast<u32>(1i));
-                    local = _e101;
+                    let _e94 = phi_4973_;
+                    let _e103 = global.member_54[(_e94 >> bitcast<u32>(7u))][((_e94 >> bitcast<u32>(5u)) & 3u)];
+                    let _e108 = (((_e103 >> bitcast<u32>((_e94 & 31u))) & 1u) != 0u);
+                    let _e110 = (_e94 + bitcast<u32>(1i));
+                    local = _e108;
                     continue;
                     continuing {
-                        phi_3074_ = _e101;
-                        if _e101 {
-                            phi_3074_ = (_e103 <= (_e84 >> bitcast<u32>(16u)));
+                        phi_3135_ = _e108;
+                        if _e108 {
+                            phi_3135_ = (_e110 <= (_e91 >> bitcast<u32>(16u)));
                         }
-                        let _e108 = phi_3074_;
-                        phi_4867_ = _e103;
-                        break if !(_e108);
+                        let _e115 = phi_3135_;
+                        phi_4973_ = _e110;
+                        break if !(_e115);
                     }
                 }
-                let _e111 = local;
-                if _e111 {
-                    let _e113 = global_2.member_9;
-                    if (_e113 != 0u) {
-                        let _e117 = atomicAdd((&global_1.member[0u]), 1u);
+                let _e118 = local;
+                if _e118 {
+                    let _e120 = global_2.member_9;
+                    if (_e120 != 0u) {
+                        let _e124 = atomicAdd((&global_1.member[0u]), 1u);
                     }
-                    phi_4954_ = 4294967295u;
+                    phi_5073_ = 4294967295u;
                     break;
                 }
-                let _e118 = (2u * _e71);
-                let _e121 = global_7.member[_e118];
-                let _e125 = global_7.member[(_e118 + 1u)];
-                let _e130 = global_7.member[((2u * _e73) + _e71)];
-                let _e141 = (vec2<f32>(f32(((_e130.y >> bitcast<u32>(16u)) & 31u)), f32(((_e130.y >> bitcast<u32>(21u)) & 31u))) * vec2<f32>(0.032258064f, 0.032258064f));
-                let _e145 = ((1f + (2f * _e141.x)) * 0.33333334f);
-                let _e146 = (1f - _e145);
-                let _e150 = (_e146 * (0.5f + (0.5f * _e141.y)));
-                let _e158 = global.member_11;
-                let _e161 = global.member_12;
-                let _e176 = global.member_21;
-                let _e177 = (2u * _e176);
-                let _e181 = global_3.member[(_e177 + (_e130.x & 65535u))];
-                let _e183 = unpack2x16float(_e181.x);
-                let _e195 = global_3.member[(_e177 + (_e130.x >> bitcast<u32>(16u)))];
-                let _e197 = unpack2x16float(_e195.x);
-                let _e209 = global_3.member[(_e177 + (_e130.y & 65535u))];
-                let _e211 = unpack2x16float(_e209.x);
-                let _e219 = ((((_e158.xyz + (_e161.xyz * vec3<f32>(f32((_e121.x & 65535u)), f32((_e121.x >> bitcast<u32>(16u))), f32((_e121.y & 65535u))))) + (vec3<f32>(_e183.x, _e183.y, unpack2x16float(_e181.y).x) * _e145)) + (vec3<f32>(_e197.x, _e197.y, unpack2x16float(_e195.y).x) * _e150)) + (vec3<f32>(_e211.x, _e211.y, unpack2x16float(_e209.y).x) * (_e146 - _e150)));
-                let _e223 = vec4<f32>(_e219.x, _e219.y, _e219.z, 1f);
-                let _e236 = (((_e121.y >> bitcast<u32>(16u)) | ((_e125.y >> bitcast<u32>(24u)) << bitcast<u32>(16u))) | ((_e130.y >> bitcast<u32>(26u)) << bitcast<u32>(24u)));
-                let _e238 = global.member_36;
-                let _e240 = global.member_37;
-                let _e253 = (vec3(_e238) + (vec3<f32>(f32((_e236 & 1023u)), f32(((_e236 >> bitcast<u32>(10u)) & 1023u)), f32((_e236 >> bitcast<u32>(20u)))) * _e240));
-                let _e262 = (vec4<u32>(_e125.x, (_e125.x >> bitcast<u32>(8u)), (_e125.x >> bitcast<u32>(16u)), (_e125.x >> bitcast<u32>(24u))) & vec4<u32>(255u, 255u, 255u, 255u));
-                let _e268 = (vec3<u32>(_e125.y, (_e125.y >> bitcast<u32>(8u)), (_e125.y >> bitcast<u32>(16u))) & vec3<u32>(255u, 255u, 255u));
-                let _e269 = vec3<f32>(_e268);
-                let _e281 = (vec4<f32>(_e269.x, _e269.y, _e269.z, f32((((255u - _e268.x) - _e268.y) - _e268.z))) * vec4<f32>(0.003921569f, 0.003921569f, 0.003921569f, 0.003921569f));
-                let _e283 = (3u * _e262.x);
-                let _e287 = global.member_54[_e283];
-                let _e292 = global.member_54[(_e283 + 1u)];
-                let _e297 = global.member_54[(_e283 + 2u)];
-                let _e300 = (3u * _e262.y);
-                let _e304 = global.member_54[_e300];
-                let _e310 = global.member_54[(_e300 + 1u)];
-                let _e316 = global.member_54[(_e300 + 2u)];
-                let _e320 = (3u * _e262.z);
-                let _e324 = global.member_54[_e320];
-                let _e330 = global.member_54[(_e320 + 1u)];
-                let _e336 = global.member_54[(_e320 + 2u)];
-                let _e340 = (3u * _e262.w);
-                let _e344 = global.member_54[_e340];
-                let _e346 = ((((_e287 * _e281.x) + (_e304 * _e281.y)) + (_e324 * _e281.z)) + (_e344 * _e281.w));
-                let _e350 = global.member_54[(_e340 + 1u)];
-                let _e352 = ((((_e292 * _e281.x) + (_e310 * _e281.y)) + (_e330 * _e281.z)) + (_e350 * _e281.w));
-                let _e356 = global.member_54[(_e340 + 2u)];
-                let _e358 = ((((_e297 * _e281.x) + (_e316 * _e281.y)) + (_e336 * _e281.z)) + (_e356 * _e281.w));
-                let _e361 = dot(_e358, _e223);
-                let _e362 = vec3<f32>(dot(_e346, _e223), dot(_e352, _e223), _e361);
-                let _e363 = _e346.xyz;
-                let _e364 = _e352.xyz;
-                let _e365 = _e358.xyz;
-                let _e377 = vec3<f32>(_e358.x, _e358.y, _e358.z);
+                let _e125 = (2u * _e82);
+                let _e128 = global_7.member[_e125];
+                let _e132 = global_7.member[(_e125 + 1u)];
+                let _e137 = global_7.member[((2u * _e78) + _e82)];
+                let _e148 = (vec2<f32>(f32(((_e137.y >> bitcast<u32>(16u)) & 31u)), f32(((_e137.y >> bitcast<u32>(21u)) & 31u))) * vec2<f32>(0.032258064f, 0.032258064f));
+                let _e152 = ((1f + (2f * _e148.x)) * 0.33333334f);
+                let _e153 = (1f - _e152);
+                let _e157 = (_e153 * (0.5f + (0.5f * _e148.y)));
+                let _e165 = global.member_11;
+                let _e168 = global.member_12;
+                let _e183 = global.member_21;
+                let _e184 = (2u * _e183);
+                let _e188 = global_3.member[(_e184 + (_e137.x & 65535u))];
+                let _e190 = unpack2x16float(_e188.x);
+                let _e202 = global_3.member[(_e184 + (_e137.x >> bitcast<u32>(16u)))];
+                let _e204 = unpack2x16float(_e202.x);
+                let _e216 = global_3.member[(_e184 + (_e137.y & 65535u))];
+                let _e218 = unpack2x16float(_e216.x);
+                let _e226 = ((((_e165.xyz + (_e168.xyz * vec3<f32>(f32((_e128.x & 65535u)), f32((_e128.x >> bitcast<u32>(16u))), f32((_e128.y & 65535u))))) + (vec3<f32>(_e190.x, _e190.y, unpack2x16float(_e188.y).x) * _e152)) + (vec3<f32>(_e204.x, _e204.y, unpack2x16float(_e202.y).x) * _e157)) + (vec3<f32>(_e218.x, _e218.y, unpack2x16float(_e216.y).x) * (_e153 - _e157)));
+                let _e230 = vec4<f32>(_e226.x, _e226.y, _e226.z, 1f);
+                let _e243 = (((_e128.y >> bitcast<u32>(16u)) | ((_e132.y >> bitcast<u32>(24u)) << bitcast<u32>(16u))) | ((_e137.y >> bitcast<u32>(26u)) << bitcast<u32>(24u)));
+                let _e245 = global.member_36;
+                let _e247 = global.member_37;
+                let _e260 = (vec3(_e245) + (vec3<f32>(f32((_e243 & 1023u)), f32(((_e243 >> bitcast<u32>(10u)) & 1023u)), f32((_e243 >> bitcast<u32>(20u)))) * _e247));
+                let _e269 = (vec4<u32>(_e132.x, (_e132.x >> bitcast<u32>(8u)), (_e132.x >> bitcast<u32>(16u)), (_e132.x >> bitcast<u32>(24u))) & vec4<u32>(255u, 255u, 255u, 255u));
+                let _e275 = (vec3<u32>(_e132.y, (_e132.y >> bitcast<u32>(8u)), (_e132.y >> bitcast<u32>(16u))) & vec3<u32>(255u, 255u, 255u));
+                let _e276 = vec3<f32>(_e275);
+                let _e288 = (vec4<f32>(_e276.x, _e276.y, _e276.z, f32((((255u - _e275.x) - _e275.y) - _e275.z))) * vec4<f32>(0.003921569f, 0.003921569f, 0.003921569f, 0.003921569f));
+                let _e290 = (3u * _e269.x);
+                let _e294 = global.member_57[_e290];
+                let _e299 = global.member_57[(_e290 + 1u)];
+                let _e304 = global.member_57[(_e290 + 2u)];
+                let _e307 = (3u * _e269.y);
+                let _e311 = global.member_57[_e307];
+                let _e317 = global.member_57[(_e307 + 1u)];
+                let _e323 = global.member_57[(_e307 + 2u)];
+                let _e327 = (3u * _e269.z);
+                let _e331 = global.member_57[_e327];
+                let _e337 = global.member_57[(_e327 + 1u)];
+                let _e343 = global.member_57[(_e327 + 2u)];
+                let _e347 = (3u * _e269.w);
+                let _e351 = global.member_57[_e347];
+                let _e353 = ((((_e294 * _e288.x) + (_e311 * _e288.y)) + (_e331 * _e288.z)) + (_e351 * _e288.w));
+                let _e357 = global.member_57[(_e347 + 1u)];
+                let _e359 = ((((_e299 * _e288.x) + (_e317 * _e288.y)) + (_e337 * _e288.z)) + (_e357 * _e288.w));
+                let _e363 = global.member_57[(_e347 + 2u)];
+                let _e365 = ((((_e304 * _e288.x) + (_e323 * _e288.y)) + (_e343 * _e288.z)) + (_e363 * _e288.w));
+                let _e368 = dot(_e365, _e230);
+                let _e369 = vec3<f32>(dot(_e353, _e230), dot(_e359, _e230), _e368);
+                let _e370 = _e353.xyz;
+                let _e371 = _e359.xyz;
+                let _e372 = _e365.xyz;
+                let _e384 = vec3<f32>(_e365.x, _e365.y, _e365.z);
                 switch bitcast<i32>(0u) {
                     default: {
-                        let _e395 = global.member_6;
-                        if !((_e361 >= _e395)) {
-                            let _e399 = global_2.member_9;
-                            if (_e399 != 0u) {
-                                let _e403 = atomicAdd((&global_1.member[0u]), 1u);
+                        let _e402 = global.member_6;
+                        if !((_e368 >= _e402)) {
+                            let _e406 = global_2.member_9;
+                            if (_e406 != 0u) {
+                                let _e410 = atomicAdd((&global_1.member[0u]), 1u);
                             }
-                            phi_4897_ = 0f;
-                            phi_4888_ = vec2<f32>(0f, 0f);
-                            phi_4887_ = false;
+                            phi_5003_ = 0f;
+                            phi_4994_ = vec2<f32>(0f, 0f);
+                            phi_4993_ = false;
                             break;
                         }
-                        let _e405 = global.member;
-                        let _e406 = _e362.xy;
-                        let _e408 = vec2(_e361);
-                        let _e411 = global.member_1;
-                        let _e412 = (((_e405 * _e406) / _e408) + _e411);
-                        let _e414 = global.member_5;
-                        let _e418 = all((_e412 >= vec2(-(_e414))));
-                        phi_3354_ = _e418;
-                        if _e418 {
-                            let _e420 = global.member_4;
-                            phi_3354_ = all((_e412 <= (_e420 + vec2(_e414))));
+                        let _e412 = global.member;
+                        let _e413 = _e369.xy;
+                        let _e415 = vec2(_e368);
+                        let _e418 = global.member_1;
+                        let _e419 = (((_e412 * _e413) / _e415) + _e418);
+                        let _e421 = global.member_5;
+                        let _e425 = all((_e419 >= vec2(-(_e421))));
+                        phi_3415_ = _e425;
+                        if _e425 {
+                            let _e427 = global.member_4;
+                            phi_3415_ = all((_e419 <= (_e427 + vec2(_e421))));
                         }
-                        let _e426 = phi_3354_;
-                        if !(_e426) {
-                            let _e429 = global_2.member_9;
-                            if (_e429 != 0u) {
-                                let _e433 = atomicAdd((&global_1.member[0u]), 1u);
+                        let _e433 = phi_3415_;
+                        if !(_e433) {
+                            let _e436 = global_2.member_9;
+                            if (_e436 != 0u) {
+                                let _e440 = atomicAdd((&global_1.member[0u]), 1u);
                             }
-                            phi_4897_ = 0f;
-                            phi_4888_ = _e412;
-                            phi_4887_ = false;
+                            phi_5003_ = 0f;
+                            phi_4994_ = _e419;
+                            phi_4993_ = false;
                             break;
                         }
-                        let _e435 = global.member_7;
-                        let _e438 = global.member_8;
-                        let _e439 = ((_e435 - _e361) * _e438);
-                        if (_e439 < 0f) {
-                            phi_4870_ = (0.015625f / (1f - _e439));
+                        let _e442 = global.member_7;
+                        let _e445 = global.member_8;
+                        let _e446 = ((_e442 - _e368) * _e445);
+                        if (_e446 < 0f) {
+                            phi_4976_ = (0.015625f / (1f - _e446));
                         } else {
-                            if (_e439 > 1f) {
-                                phi_4869_ = (1f - (0.015625f / _e439));
+                            if (_e446 > 1f) {
+                                phi_4975_ = (1f - (0.015625f / _e446));
                             } else {
-                                phi_4869_ = (0.015625f + (0.96875f * clamp(_e439, 0f, 1f)));
+                                phi_4975_ = (0.015625f + (0.96875f * clamp(_e446, 0f, 1f)));
                             }
-                            let _e448 = phi_4869_;
-                            phi_4870_ = _e448;
+                            let _e455 = phi_4975_;
+                            phi_4976_ = _e455;
                         }
-                        let _e452 = phi_4870_;
-                        let _e453 = (_e406 / _e408);
-                        let _e461 = global.member[0u];
-                        let _e464 = global.member[1u];
-                        let _e469 = global.member_31;
-                        let _e470 = (_e469 > 0u);
-                        phi_3396_ = _e470;
-                        if _e470 {
-                            let _e472 = global.member_34;
-                            let _e475 = global.member_29;
+                        let _e459 = phi_4976_;
+                        let _e460 = (_e413 / _e415);
+                        let _e468 = global.member[0u];
+                        let _e471 = global.member[1u];
+                        let _e476 = global.member_31;
+                        let _e477 = (_e476 > 0u);
+                        phi_3461_ = _e477;
+                        if _e477 {
+                            let _e479 = global.member_34;
+                            let _e482 = global.member_29;
+                            let _e489 = global.member_49;
                             switch bitcast<i32>(0u) {
                                 default: {
-                                    let _e485 = vec2((sqrt((2f * log(max((max(255f, _e472) / _e475), 1f)))) * ((((((1.2f * exp(min(max(max(_e253.x, _e253.y), _e253.z), 9f))) * sqrt(max(max(dot(_e363, _e363), dot(_e364, _e364)), dot(_e365, _e365)))) * length(vec3<f32>(_e453.x, _e453.y, 1f))) * max(_e461, _e464)) / _e361) + 0.5477226f)));
-                                    let _e488 = global.member_32;
-                                    let _e491 = global.member_33;
-                                    let _e495 = vec2<u32>(clamp(((((_e412 - _e485) - _e488) * _e491) - vec2<f32>(0.5f, 0.5f)), vec2<f32>(0f, 0f), vec2<f32>(191f, 191f)));
-                                    let _e501 = vec2<u32>(clamp(((((_e412 + _e485) - _e488) * _e491) + vec2<f32>(0.5f, 0.5f)), vec2<f32>(0f, 0f), vec2<f32>(191f, 191f)));
-                                    let _e508 = max((_e501.x - _e495.x), (_e501.y - _e495.y));
-                                    if (_e508 <= 3u) {
-                                        phi_4874_ = 0u;
+                                    let _e496 = vec2(((sqrt((2f * log(max((max(255f, _e479) / _e482), 1f)))) * sqrt(_e489)) * ((((((1.2f * exp(min(max(max(_e260.x, _e260.y), _e260.z), 9f))) * sqrt(max(max(dot(_e370, _e370), dot(_e371, _e371)), dot(_e372, _e372)))) * length(vec3<f32>(_e460.x, _e460.y, 1f))) * max(_e468, _e471)) / _e368) + 0.5477226f)));
+                                    let _e499 = global.member_32;
+                                    let _e502 = global.member_33;
+                                    let _e506 = vec2<u32>(clamp(((((_e419 - _e496) - _e499) * _e502) - vec2<f32>(0.5f, 0.5f)), vec2<f32>(0f, 0f), vec2<f32>(191f, 191f)));
+                                    let _e512 = vec2<u32>(clamp(((((_e419 + _e496) - _e499) * _e502) + vec2<f32>(0.5f, 0.5f)), vec2<f32>(0f, 0f), vec2<f32>(191f, 191f)));
+                                    let _e519 = max((_e512.x - _e506.x), (_e512.y - _e506.y));
+                                    if (_e519 <= 3u) {
+                                        phi_4980_ = 0u;
                                     } else {
-                                        phi_4874_ = (bitcast<u32>(firstLeadingBit((_e508 - 1u))) - 1u);
+                                        phi_4980_ = (bitcast<u32>(firstLeadingBit((_e519 - 1u))) - 1u);
                                     }
-                                    let _e515 = phi_4874_;
-                                    if !((_e515 < 4u)) {
-                                        phi_4886_ = false;
+                                    let _e526 = phi_4980_;
+                                    if !((_e526 < 4u)) {
+                                        phi_4992_ = false;
                                         break;
                                     }
-                                    let _e525 = vec2(_e515);
-                                    let _e527 = (_e495 >> bitcast<vec2<u32>>(_e525));
-                                    let _e529 = (_e501 >> bitcast<vec2<u32>>(_e525));
-                                    let _e531 = (_e527.x & 4294967292u);
-                                    phi_4881_ = 0f;
-                                    phi_4880_ = _e527.y;
-                                    phi_4877_ = _e531;
+                                    let _e536 = vec2(_e526);
+                                    let _e538 = (_e506 >> bitcast<vec2<u32>>(_e536));
+                                    let _e540 = (_e512 >> bitcast<vec2<u32>>(_e536));
+                                    let _e542 = (_e538.x & 4294967292u);
+                                    phi_4987_ = 0f;
+                                    phi_4986_ = _e538.y;
+                                    phi_4983_ = _e542;
                                     loop {
-                                        let _e534 = phi_4881_;
-                                        let _e536 = phi_4880_;
-                                        let _e538 = phi_4877_;
-                                        let _e541 = (vec4(f32(_e538)) + vec4<f32>(0f, 1f, 2f, 3f));
-                                        let _e559 = global_3.member[((_e469 >> bitcast<u32>(1u)) + ((((4u * (12288u - (12288u >> bitcast<u32>((2u * _e515))))) + (_e536 * (192u >> bitcast<u32>(_e515)))) + _e538) >> bitcast<u32>(2u)))];
-                                        let _e561 = unpack2x16unorm(_e559.x);
-                                        let _e563 = unpack2x16unorm(_e559.y);
-                                        let _e570 = select(select(vec4<f32>(_e561.x, _e561.y, _e563.x, _e563.y), vec4<f32>(0f, 0f, 0f, 0f), (_e541 < vec4(f32(_e527.x)))), vec4<f32>(0f, 0f, 0f, 0f), (_e541 > vec4(f32(_e529.x))));
-                                        let _e578 = max(_e534, max(max(_e570.x, _e570.y), max(_e570.z, _e570.w)));
-                                        let _e579 = (_e538 + 4u);
-                                        let _e580 = (_e579 > _e529.x);
-                                        let _e583 = (_e536 + select(0u, 1u, _e580));
-                                        phi_4881_ = _e578;
-                                        phi_4880_ = _e583;
-                                        phi_4877_ = select(_e579, _e531, _e580);
-                                        local_1 = _e578;
-                                        if (_e583 <= _e529.y) {
+                                        let _e545 = phi_4987_;
+                                        let _e547 = phi_4986_;
+                                        let _e549 = phi_4983_;
+                                        let _e552 = (vec4(f32(_e549)) + vec4<f32>(0f, 1f, 2f, 3f));
+                                        let _e570 = global_3.member[((_e476 >> bitcast<u32>(1u)) + ((((4u * (12288u - (12288u >> bitcast<u32>((2u * _e526))))) + (_e547 * (192u >> bitcast<u32>(_e526)))) + _e549) >> bitcast<u32>(2u)))];
+                                        let _e572 = unpack2x16unorm(_e570.x);
+                                        let _e574 = unpack2x16unorm(_e570.y);
+                                        let _e581 = select(select(vec4<f32>(_e572.x, _e572.y, _e574.x, _e574.y), vec4<f32>(0f, 0f, 0f, 0f), (_e552 < vec4(f32(_e538.x)))), vec4<f32>(0f, 0f, 0f, 0f), (_e552 > vec4(f32(_e540.x))));
+                                        let _e589 = max(_e545, max(max(_e581.x, _e581.y), max(_e581.z, _e581.w)));
+                                        let _e590 = (_e549 + 4u);
+                                        let _e591 = (_e590 > _e540.x);
+                                        let _e594 = (_e547 + select(0u, 1u, _e591));
+                                        phi_4987_ = _e589;
+                                        phi_4986_ = _e594;
+                                        phi_4983_ = select(_e590, _e542, _e591);
+                                        local_1 = _e589;
+                                        if (_e594 <= _e540.y) {
                                             continue;
                                         } else {
                                             break;
                                         }
                                     }
-                                    let _e587 = local_1;
-                                    phi_4886_ = ((1f - _e452) > _e587);
+                                    let _e598 = local_1;
+                                    phi_4992_ = ((1f - _e459) > _e598);
                                     break;
                                 }
                             }
-                            let _e590 = phi_4886_;
-                            phi_3396_ = _e590;
+                            let _e601 = phi_4992_;
+                            phi_3461_ = _e601;
                         }
-                        let _e592 = phi_3396_;
-                        if _e592 {
-                            let _e594 = global_2.member_9;
-                            if (_e594 != 0u) {
-                                let _e598 = atomicAdd((&global_1.member[1u]), 1u);
+                        let _e603 = phi_3461_;
+                        if _e603 {
+                            let _e605 = global_2.member_9;
+                            if (_e605 != 0u) {
+                                let _e609 = atomicAdd((&global_1.member[1u]), 1u);
                             }
-                            phi_4897_ = _e452;
-                            phi_4888_ = _e412;
-                            phi_4887_ = false;
+                            phi_5003_ = _e459;
+                            phi_4994_ = _e419;
+                            phi_4993_ = false;
                             break;
                         }
-                        phi_4897_ = _e452;
-                        phi_4888_ = _e412;
-                        phi_4887_ = true;
+                        phi_5003_ = _e459;
+                        phi_4994_ = _e419;
+                        phi_4993_ = true;
                         break;
                     }
                 }
-                let _e600 = phi_4897_;
-                let _e602 = phi_4888_;
-                let _e604 = phi_4887_;
-                if (true && !(_e604)) {
-                    phi_4954_ = 4294967295u;
+                let _e611 = phi_5003_;
+                let _e613 = phi_4994_;
+                let _e615 = phi_4993_;
+                if (true && !(_e615)) {
+                    phi_5073_ = 4294967295u;
                     break;
                 }
-                let _e611 = global_7.member[((3u * _e73) + _e71)];
-                let _e614 = (_e611.y >> bitcast<u32>(24u));
-                let _e615 = f32(_e614);
-                let _e617 = global.member_29;
-                if (_e615 <= _e617) {
-                    let _e620 = global_2.member_9;
-                    if (_e620 != 0u) {
-                        let _e624 = atomicAdd((&global_1.member[2u]), 1u);
+                let _e622 = global_7.member[((3u * _e78) + _e82)];
+                let _e626 = f32((_e622.y >> bitcast<u32>(24u)));
+                let _e628 = global.member_29;
+                if (_e626 <= _e628) {
+                    let _e631 = global_2.member_9;
+                    if (_e631 != 0u) {
+                        let _e635 = atomicAdd((&global_1.member[2u]), 1u);
                     }
-                    phi_4954_ = 4294967295u;
+                    phi_5073_ = 4294967295u;
                     break;
                 }
-                let _e638 = ((vec3<f32>(f32((_e611.x & 1023u)), f32(((_e611.x >> bitcast<u32>(10u)) & 1023u)), f32(((_e611.x >> bitcast<u32>(20u)) & 1023u))) - vec3<f32>(512f, 512f, 512f)) * vec3<f32>(0.0013888889f, 0.0013888889f, 0.0013888889f));
-                let _e642 = sqrt(max((1f - dot(_e638, _e638)), 0f));
-                let _e644 = (_e611.x >> bitcast<u32>(30u));
-                if (_e644 == 0u) {
-                    phi_4909_ = vec4<f32>(_e642, _e638.x, _e638.y, _e638.z);
+                let _e649 = ((vec3<f32>(f32((_e622.x & 1023u)), f32(((_e622.x >> bitcast<u32>(10u)) & 1023u)), f32(((_e622.x >> bitcast<u32>(20u)) & 1023u))) - vec3<f32>(512f, 512f, 512f)) * vec3<f32>(0.0013888889f, 0.0013888889f, 0.0013888889f));
+                let _e653 = sqrt(max((1f - dot(_e649, _e649)), 0f));
+                let _e655 = (_e622.x >> bitcast<u32>(30u));
+                if (_e655 == 0u) {
+                    phi_5015_ = vec4<f32>(_e653, _e649.x, _e649.y, _e649.z);
                 } else {
-                    if (_e644 == 1u) {
-                        phi_4908_ = vec4<f32>(_e638.x, _e642, _e638.y, _e638.z);
+                    if (_e655 == 1u) {
+                        phi_5014_ = vec4<f32>(_e649.x, _e653, _e649.y, _e649.z);
                     } else {
-                        if (_e644 == 2u) {
-                            phi_4907_ = vec4<f32>(_e638.x, _e638.y, _e642, _e638.z);
+                        if (_e655 == 2u) {
+                            phi_5013_ = vec4<f32>(_e649.x, _e649.y, _e653, _e649.z);
                         } else {
-                            phi_4907_ = vec4<f32>(_e638.x, _e638.y, _e638.z, _e642);
+                            phi_5013_ = vec4<f32>(_e649.x, _e649.y, _e649.z, _e653);
                         }
-                        let _e657 = phi_4907_;
-                        phi_4908_ = _e657;
+                        let _e668 = phi_5013_;
+                        phi_5014_ = _e668;
                     }
-                    let _e663 = phi_4908_;
-                    phi_4909_ = _e663;
+                    let _e674 = phi_5014_;
+                    phi_5015_ = _e674;
                 }
-                let _e669 = phi_4909_;
-                let _e673 = global.member_38;
-                let _e674 = (_e673 > 0u);
-                phi_4927_ = unpack4x8unorm(_e611.y).xyz;
-                if _e674 {
-                    let _e678 = global_7.member[(_e673 + _e71)];
-                    let _e680 = unpack2x16float(_e678.x);
-                    phi_4927_ = vec3<f32>(_e680.x, _e680.y, unpack2x16float(_e678.y).x);
+                let _e680 = phi_5015_;
+                let _e684 = global.member_38;
+                let _e685 = (_e684 > 0u);
+                phi_5033_ = unpack4x8unorm(_e622.y).xyz;
+                if _e685 {
+                    let _e689 = global_7.member[(_e684 + _e82)];
+                    let _e691 = unpack2x16float(_e689.x);
+                    phi_5033_ = vec3<f32>(_e691.x, _e691.y, unpack2x16float(_e689.y).x);
                 }
-                let _e688 = phi_4927_;
-                let _e691 = (1u << bitcast<u32>((_e71 & 31u)));
-                let _e694 = global_7.member[_e79];
-                let _e698 = global_7.member[(_e79 + 1u)];
-                let _e702 = global_7.member[(_e79 + 2u)];
-                phi_4944_ = _e669;
-                if ((_e694.x & _e691) != 0u) {
-                    let _e707 = global.member_22;
-                    let _e715 = global.member_18;
-                    let _e719 = (_e707 + ((_e698.y + bitcast<u32>(countOneBits((_e694.x & (_e691 - 1u))))) * (1u + (4u * _e715))));
-                    let _e720 = (_e719 + 1u);
-                    let _e723 = global_6.member[_e719];
-                    let _e725 = global.member_44;
-                    let _e729 = global.member_19;
-                    phi_4929_ = vec4<f32>(0f, 0f, 0f, 0f);
-                    phi_4928_ = 0u;
+                let _e699 = phi_5033_;
+                let _e702 = (1u << bitcast<u32>((_e82 & 31u)));
+                let _e705 = global_7.member[_e86];
+                let _e709 = global_7.member[(_e86 + 1u)];
+                let _e713 = global_7.member[(_e86 + 2u)];
+                phi_5050_ = _e680;
+                if ((_e705.x & _e702) != 0u) {
+                    let _e718 = global.member_22;
+                    let _e726 = global.member_18;
+                    let _e730 = (_e718 + ((_e709.y + bitcast<u32>(countOneBits((_e705.x & (_e702 - 1u))))) * (1u + (4u * _e726))));
+                    let _e731 = (_e730 + 1u);
+                    let _e734 = global_6.member[_e730];
+                    let _e736 = global.member_44;
+                    let _e740 = global.member_19;
+                    phi_5035_ = vec4<f32>(0f, 0f, 0f, 0f);
+                    phi_5034_ = 0u;
                     loop {
-                        let _e733 = phi_4929_;
-                        let _e735 = phi_4928_;
-                        let _e737 = (2u * ((_e725 + ((_e723 >> bitcast<u32>(16u)) * _e729)) + _e735));
-                        let _e740 = global_3.member[_e737];
-                        let _e744 = global_3.member[(_e737 + 1u)];
-                        let _e750 = bitcast<vec4<f32>>(vec4<u32>(_e740.x, _e740.y, _e744.x, _e744.y));
-                        let _e754 = global_6.member[(_e720 + _e735)];
-                        let _e761 = global_6.member[((_e720 + _e715) + _e735)];
-                        let _e769 = global_6.member[((_e720 + (2u * _e715)) + _e735)];
-                        let _e777 = global_6.member[((_e720 + (3u * _e715)) + _e735)];
-                        let _e781 = (_e733 + vec4<f32>(dot(unpack4x8snorm(_e754), _e750), dot(unpack4x8snorm(_e761), _e750), dot(unpack4x8snorm(_e769), _e750), dot(unpack4x8snorm(_e777), _e750)));
-                        let _e783 = (_e735 + bitcast<u32>(1i));
-                        phi_4929_ = _e781;
-                        phi_4928_ = _e783;
-                        local_2 = _e781;
-                        if (_e783 < _e715) {
+                        let _e744 = phi_5035_;
+                        let _e746 = phi_5034_;
+                        let _e748 = (2u * ((_e736 + ((_e734 >> bitcast<u32>(16u)) * _e740)) + _e746));
+                        let _e751 = global_3.member[_e748];
+                        let _e755 = global_3.member[(_e748 + 1u)];
+                        let _e761 = bitcast<vec4<f32>>(vec4<u32>(_e751.x, _e751.y, _e755.x, _e755.y));
+                        let _e765 = global_6.member[(_e731 + _e746)];
+                        let _e772 = global_6.member[((_e731 + _e726) + _e746)];
+                        let _e780 = global_6.member[((_e731 + (2u * _e726)) + _e746)];
+                        let _e788 = global_6.member[((_e731 + (3u * _e726)) + _e746)];
+                        let _e792 = (_e744 + vec4<f32>(dot(unpack4x8snorm(_e765), _e761), dot(unpack4x8snorm(_e772), _e761), dot(unpack4x8snorm(_e780), _e761), dot(unpack4x8snorm(_e788), _e761)));
+                        let _e794 = (_e746 + bitcast<u32>(1i));
+                        phi_5035_ = _e792;
+                        phi_5034_ = _e794;
+                        local_2 = _e792;
+                        if (_e794 < _e726) {
                             continue;
                         } else {
                             break;
                         }
                     }
-                    let _e789 = local_2;
-                    let _e791 = (_e669 + (_e789 * (127f * unpack2x16float(_e723).x)));
-                    phi_4944_ = select(_e669, _e791, vec4((length(_e791) >= 0.001f)));
+                    let _e800 = local_2;
+                    let _e802 = (_e680 + (_e800 * (127f * unpack2x16float(_e734).x)));
+                    phi_5050_ = select(_e680, _e802, vec4((length(_e802) >= 0.001f)));
                 }
-                let _e797 = phi_4944_;
-                phi_4948_ = _e253;
-                if ((_e694.y & _e691) != 0u) {
-                    let _e802 = global.member_23;
-                    let _e810 = global.member_18;
-                    let _e814 = (_e802 + ((_e702.x + bitcast<u32>(countOneBits((_e694.y & (_e691 - 1u))))) * (1u + (3u * _e810))));
-                    let _e815 = (_e814 + 1u);
-                    let _e818 = global_6.member[_e814];
-                    let _e820 = global.member_44;
-                    let _e824 = global.member_19;
-                    phi_4932_ = vec3<f32>(0f, 0f, 0f);
-                    phi_4931_ = 0u;
+                let _e808 = phi_5050_;
+                phi_5054_ = _e260;
+                if ((_e705.y & _e702) != 0u) {
+                    let _e813 = global.member_23;
+                    let _e821 = global.member_18;
+                    let _e825 = (_e813 + ((_e713.x + bitcast<u32>(countOneBits((_e705.y & (_e702 - 1u))))) * (1u + (3u * _e821))));
+                    let _e826 = (_e825 + 1u);
+                    let _e829 = global_6.member[_e825];
+                    let _e831 = global.member_44;
+                    let _e835 = global.member_19;
+                    phi_5038_ = vec3<f32>(0f, 0f, 0f);
+                    phi_5037_ = 0u;
                     loop {
-                        let _e828 = phi_4932_;
-                        let _e830 = phi_4931_;
-                        let _e832 = (2u * ((_e820 + ((_e818 >> bitcast<u32>(16u)) * _e824)) + _e830));
-                        let _e835 = global_3.member[_e832];
-                        let _e839 = global_3.member[(_e832 + 1u)];
-                        let _e845 = bitcast<vec4<f32>>(vec4<u32>(_e835.x, _e835.y, _e839.x, _e839.y));
-                        let _e849 = global_6.member[(_e815 + _e830)];
-                        let _e856 = global_6.member[((_e815 + _e810) + _e830)];
-                        let _e864 = global_6.member[((_e815 + (2u * _e810)) + _e830)];
-                        let _e868 = (_e828 + vec3<f32>(dot(unpack4x8snorm(_e849), _e845), dot(unpack4x8snorm(_e856), _e845), dot(unpack4x8snorm(_e864), _e845)));
-                        let _e870 = (_e830 + bitcast<u32>(1i));
-                        phi_4932_ = _e868;
-                        phi_4931_ = _e870;
-                        local_3 = _e868;
-                        if (_e870 < _e810) {
+                        let _e839 = phi_5038_;
+                        let _e841 = phi_5037_;
+                        let _e843 = (2u * ((_e831 + ((_e829 >> bitcast<u32>(16u)) * _e835)) + _e841));
+                        let _e846 = global_3.member[_e843];
+                        let _e850 = global_3.member[(_e843 + 1u)];
+                        let _e856 = bitcast<vec4<f32>>(vec4<u32>(_e846.x, _e846.y, _e850.x, _e850.y));
+                        let _e860 = global_6.member[(_e826 + _e841)];
+                        let _e867 = global_6.member[((_e826 + _e821) + _e841)];
+                        let _e875 = global_6.member[((_e826 + (2u * _e821)) + _e841)];
+                        let _e879 = (_e839 + vec3<f32>(dot(unpack4x8snorm(_e860), _e856), dot(unpack4x8snorm(_e867), _e856), dot(unpack4x8snorm(_e875), _e856)));
+                        let _e881 = (_e841 + bitcast<u32>(1i));
+                        phi_5038_ = _e879;
+                        phi_5037_ = _e881;
+                        local_3 = _e879;
+                        if (_e881 < _e821) {
                             continue;
                         } else {
                             break;
                         }
                     }
-                    let _e876 = local_3;
-                    phi_4948_ = (_e253 + (_e876 * (127f * unpack2x16float(_e818).x)));
+                    let _e887 = local_3;
+                    phi_5054_ = (_e260 + (_e887 * (127f * unpack2x16float(_e829).x)));
                 }
-                let _e880 = phi_4948_;
-                phi_4950_ = _e688;
-                if ((_e698.x & _e691) != 0u) {
-                    let _e885 = global.member_24;
-                    let _e893 = global.member_18;
-                    let _e897 = (_e885 + ((_e702.y + bitcast<u32>(countOneBits((_e698.x & (_e691 - 1u))))) * (3u + (3u * _e893))));
-                    let _e901 = global_6.member[(_e897 + 1u)];
-                    let _e902 = unpack2x16float(_e901);
-                    let _e906 = global_6.member[(_e897 + 2u)];
-                    let _e914 = (_e897 + 3u);
-                    let _e917 = global_6.member[_e897];
-                    let _e919 = global.member_44;
-                    let _e923 = global.member_19;
-                    phi_4941_ = vec3<f32>(0f, 0f, 0f);
-                    phi_4940_ = 0u;
+                let _e891 = phi_5054_;
+                phi_5056_ = _e699;
+                if ((_e709.x & _e702) != 0u) {
+                    let _e896 = global.member_24;
+                    let _e904 = global.member_18;
+                    let _e908 = (_e896 + ((_e713.y + bitcast<u32>(countOneBits((_e709.x & (_e702 - 1u))))) * (3u + (3u * _e904))));
+                    let _e912 = global_6.member[(_e908 + 1u)];
+                    let _e913 = unpack2x16float(_e912);
+                    let _e917 = global_6.member[(_e908 + 2u)];
+                    let _e925 = (_e908 + 3u);
+                    let _e928 = global_6.member[_e908];
+                    let _e930 = global.member_44;
+                    let _e934 = global.member_19;
+                    phi_5047_ = vec3<f32>(0f, 0f, 0f);
+                    phi_5046_ = 0u;
                     loop {
-                        let _e927 = phi_4941_;
-                        let _e929 = phi_4940_;
-                        let _e931 = (2u * ((_e919 + ((_e917 >> bitcast<u32>(16u)) * _e923)) + _e929));
-                        let _e934 = global_3.member[_e931];
-                        let _e938 = global_3.member[(_e931 + 1u)];
-                        let _e944 = bitcast<vec4<f32>>(vec4<u32>(_e934.x, _e934.y, _e938.x, _e938.y));
-                        let _e948 = global_6.member[(_e914 + _e929)];
-                        let _e955 = global_6.member[((_e914 + _e893) + _e929)];
-                        let _e963 = global_6.member[((_e914 + (2u * _e893)) + _e929)];
-                        let _e967 = (_e927 + vec3<f32>(dot(unpack4x8snorm(_e948), _e944), dot(unpack4x8snorm(_e955), _e944), dot(unpack4x8snorm(_e963), _e944)));
-                        let _e969 = (_e929 + bitcast<u32>(1i));
-                        phi_4941_ = _e967;
-                        phi_4940_ = _e969;
-                        local_4 = _e967;
-                        if (_e969 < _e893) {
+                        let _e938 = phi_5047_;
+                        let _e940 = phi_5046_;
+                        let _e942 = (2u * ((_e930 + ((_e928 >> bitcast<u32>(16u)) * _e934)) + _e940));
+                        let _e945 = global_3.member[_e942];
+                        let _e949 = global_3.member[(_e942 + 1u)];
+                        let _e955 = bitcast<vec4<f32>>(vec4<u32>(_e945.x, _e945.y, _e949.x, _e949.y));
+                        let _e959 = global_6.member[(_e925 + _e940)];
+                        let _e966 = global_6.member[((_e925 + _e904) + _e940)];
+                        let _e974 = global_6.member[((_e925 + (2u * _e904)) + _e940)];
+                        let _e978 = (_e938 + vec3<f32>(dot(unpack4x8snorm(_e959), _e955), dot(unpack4x8snorm(_e966), _e955), dot(unpack4x8snorm(_e974), _e955)));
+                        let _e980 = (_e940 + bitcast<u32>(1i));
+                        phi_5047_ = _e978;
+                        phi_5046_ = _e980;
+                        local_4 = _e978;
+                        if (_e980 < _e904) {
                             continue;
                         } else {
                             break;
                         }
                     }
-                    let _e975 = local_4;
-                    phi_4950_ = (select(vec3<f32>(_e902.x, _e902.y, unpack2x16float(_e906).x), _e688, vec3(_e674)) + (_e975 * (127f * unpack2x16float(_e917).x)));
+                    let _e986 = local_4;
+                    phi_5056_ = (select(vec3<f32>(_e913.x, _e913.y, unpack2x16float(_e917).x), _e699, vec3(_e685)) + (_e986 * (127f * unpack2x16float(_e928).x)));
                 }
-                let _e979 = phi_4950_;
-                let _e980 = normalize(_e797);
-                let _e985 = (_e980.z * _e980.z);
-                let _e986 = (_e980.w * _e980.w);
-                let _e990 = (_e980.y * _e980.z);
-                let _e991 = (_e980.x * _e980.w);
-                let _e994 = (_e980.y * _e980.w);
-                let _e995 = (_e980.x * _e980.z);
-                let _e1000 = (_e980.y * _e980.y);
-                let _e1004 = (_e980.z * _e980.w);
-                let _e1005 = (_e980.x * _e980.y);
-                let _e1019 = exp(min(_e880, vec3<f32>(9f, 9f, 9f)));
-                let _e1026 = mat3x3<f32>((vec3<f32>((1f - (2f * (_e985 + _e986))), (2f * (_e990 + _e991)), (2f * (_e994 - _e995))) * _e1019.x), (vec3<f32>((2f * (_e990 - _e991)), (1f - (2f * (_e1000 + _e986))), (2f * (_e1004 + _e1005))) * _e1019.y), (vec3<f32>((2f * (_e994 + _e995)), (2f * (_e1004 - _e1005)), (1f - (2f * (_e1000 + _e985)))) * _e1019.z));
+                let _e990 = phi_5056_;
+                let _e991 = normalize(_e808);
+                let _e996 = (_e991.z * _e991.z);
+                let _e997 = (_e991.w * _e991.w);
+                let _e1001 = (_e991.y * _e991.z);
+                let _e1002 = (_e991.x * _e991.w);
+                let _e1005 = (_e991.y * _e991.w);
+                let _e1006 = (_e991.x * _e991.z);
+                let _e1011 = (_e991.y * _e991.y);
+                let _e1015 = (_e991.z * _e991.w);
+                let _e1016 = (_e991.x * _e991.y);
+                let _e1030 = exp(min(_e891, vec3<f32>(9f, 9f, 9f)));
+                let _e1037 = mat3x3<f32>((vec3<f32>((1f - (2f * (_e996 + _e997))), (2f * (_e1001 + _e1002)), (2f * (_e1005 - _e1006))) * _e1030.x), (vec3<f32>((2f * (_e1001 - _e1002)), (1f - (2f * (_e1011 + _e997))), (2f * (_e1015 + _e1016))) * _e1030.y), (vec3<f32>((2f * (_e1005 + _e1006)), (2f * (_e1015 - _e1016)), (1f - (2f * (_e1011 + _e996)))) * _e1030.z));
                 switch bitcast<i32>(0u) {
                     default: {
-                        let _e1032 = global.member_2;
-                        let _e1034 = global.member_3;
-                        let _e1035 = clamp((_e362.xy / vec2(_e361)), _e1032, _e1034);
-                        let _e1038 = global.member[0u];
-                        let _e1044 = (((vec3<f32>(_e346.x, _e346.y, _e346.z) - (_e377 * _e1035.x)) * (_e1038 / _e361)) * _e1026);
-                        let _e1047 = global.member[1u];
-                        let _e1053 = (((vec3<f32>(_e352.x, _e352.y, _e352.z) - (_e377 * _e1035.y)) * (_e1047 / _e361)) * _e1026);
-                        let _e1055 = (dot(_e1044, _e1044) + 0.3f);
-                        let _e1056 = dot(_e1044, _e1053);
-                        let _e1058 = (dot(_e1053, _e1053) + 0.3f);
-                        let _e1060 = cross(_e1044, _e1053);
-                        let _e1062 = (_e1055 + _e1058);
-                        let _e1065 = (dot(_e1060, _e1060) + (0.3f * (_e1062 - 0.3f)));
-                        let _e1066 = (_e1065 > 0f);
-                        phi_4409_ = _e1066;
-                        if _e1066 {
-                            phi_4409_ = (_e1055 <= 1000000000000000000f);
+                        let _e1043 = global.member_2;
+                        let _e1045 = global.member_3;
+                        let _e1046 = clamp((_e369.xy / vec2(_e368)), _e1043, _e1045);
+                        let _e1049 = global.member[0u];
+                        let _e1055 = (((vec3<f32>(_e353.x, _e353.y, _e353.z) - (_e384 * _e1046.x)) * (_e1049 / _e368)) * _e1037);
+                        let _e1058 = global.member[1u];
+                        let _e1064 = (((vec3<f32>(_e359.x, _e359.y, _e359.z) - (_e384 * _e1046.y)) * (_e1058 / _e368)) * _e1037);
+                        let _e1066 = (dot(_e1055, _e1055) + 0.3f);
+                        let _e1069 = (dot(_e1064, _e1064) + 0.3f);
+                        let _e1071 = cross(_e1055, _e1064);
+                        let _e1076 = (dot(_e1071, _e1071) + (0.3f * ((_e1066 + _e1069) - 0.3f)));
+                        let _e1077 = (_e1076 > 0f);
+                        phi_4475_ = _e1077;
+                        if _e1077 {
+                            phi_4475_ = (_e1066 <= 1000000000000000000f);
                         }
-                        let _e1069 = phi_4409_;
-                        phi_4415_ = _e1069;
-                        if _e1069 {
-                            phi_4415_ = (_e1058 <= 1000000000000000000f);
+                        let _e1080 = phi_4475_;
+                        phi_4481_ = _e1080;
+                        if _e1080 {
+                            phi_4481_ = (_e1069 <= 1000000000000000000f);
                         }
-                        let _e1072 = phi_4415_;
-                        if !(_e1072) {
-                            let _e1075 = global_2.member_9;
-                            if (_e1075 != 0u) {
-                                let _e1079 = atomicAdd((&global_1.member[3u]), 1u);
+                        let _e1083 = phi_4481_;
+                        if !(_e1083) {
+                            let _e1086 = global_2.member_9;
+                            if (_e1086 != 0u) {
+                                let _e1090 = atomicAdd((&global_1.member[3u]), 1u);
                             }
-                            phi_4953_ = 4294967295u;
+                            phi_5072_ = 4294967295u;
                             break;
                         }
-                        let _e1081 = global.member_34;
-                        let _e1090 = (sqrt(vec3<f32>(_e1055, _e1056, _e1058).xz) * sqrt((2f * log(max((max(_e615, _e1081) / _e617), 1f)))));
-                        let _e1093 = all(((_e602 + _e1090) > vec2<f32>(0f, 0f)));
-                        phi_4440_ = _e1093;
-                        if _e1093 {
-                            let _e1096 = global.member_4;
-                            phi_4440_ = all(((_e602 - _e1090) < _e1096));
-                        }
-                        let _e1100 = phi_4440_;
-                        if !(_e1100) {
-                            let _e1103 = global_2.member_9;
-                            if (_e1103 != 0u) {
-                                let _e1107 = atomicAdd((&global_1.member[0u]), 1u);
+                        let _e1092 = global.member_49;
+                        let _e1093 = (vec3<f32>(_e1066, dot(_e1055, _e1064), _e1069) * _e1092);
+                        phi_5064_ = (1f - (_e626 * 0.003921569f));
+                        phi_5063_ = 0u;
+                        loop {
+                            let _e1099 = phi_5064_;
+                            let _e1101 = phi_5063_;
+                            local_5 = _e1099;
+                            if (_e1101 < _e80) {
+                                continue;
+                            } else {
+                                break;
                             }
-                            phi_4953_ = 4294967295u;
+                            continuing {
+                                phi_5064_ = (_e1099 * _e1099);
+                                phi_5063_ = (_e1101 + bitcast<u32>(1i));
+                            }
+                        }
+                        let _e1107 = local_5;
+                        let _e1111 = u32(round((255f * (1f - _e1107))));
+                        let _e1114 = global.member_34;
+                        let _e1123 = (sqrt(_e1093.xz) * sqrt((2f * log(max((max(f32(_e1111), _e1114) / _e628), 1f)))));
+                        let _e1126 = all(((_e613 + _e1123) > vec2<f32>(0f, 0f)));
+                        phi_4519_ = _e1126;
+                        if _e1126 {
+                            let _e1129 = global.member_4;
+                            phi_4519_ = all(((_e613 - _e1123) < _e1129));
+                        }
+                        let _e1133 = phi_4519_;
+                        if !(_e1133) {
+                            let _e1136 = global_2.member_9;
+                            if (_e1136 != 0u) {
+                                let _e1140 = atomicAdd((&global_1.member[0u]), 1u);
+                            }
+                            phi_5072_ = 4294967295u;
                             break;
                         }
-                        let _e1110 = (0.5f * (_e1055 - _e1058));
-                        let _e1114 = sqrt(((_e1110 * _e1110) + (_e1056 * _e1056)));
-                        let _e1116 = ((0.5f * _e1062) + _e1114);
-                        if (_e1110 >= 0f) {
-                            phi_4951_ = vec2<f32>((_e1110 + _e1114), _e1056);
+                        let _e1145 = (0.5f * (_e1093.x - _e1093.z));
+                        let _e1150 = sqrt(((_e1145 * _e1145) + (_e1093.y * _e1093.y)));
+                        let _e1153 = ((0.5f * (_e1093.x + _e1093.z)) + _e1150);
+                        if (_e1145 >= 0f) {
+                            phi_5070_ = vec2<f32>((_e1145 + _e1150), _e1093.y);
                         } else {
-                            phi_4951_ = vec2<f32>(_e1056, (_e1114 - _e1110));
+                            phi_5070_ = vec2<f32>(_e1093.y, (_e1150 - _e1145));
                         }
-                        let _e1123 = phi_4951_;
-                        let _e1124 = length(_e1123);
-                        if (_e1124 > 0f) {
-                            phi_4952_ = (_e1123 / vec2(_e1124));
+                        let _e1160 = phi_5070_;
+                        let _e1161 = length(_e1160);
+                        if (_e1161 > 0f) {
+                            phi_5071_ = (_e1160 / vec2(_e1161));
                         } else {
-                            phi_4952_ = vec2<f32>(1f, 0f);
+                            phi_5071_ = vec2<f32>(1f, 0f);
                         }
-                        let _e1129 = phi_4952_;
-                        let _e1136 = global.member_5;
-                        let _e1140 = global.member_10;
-                        let _e1144 = vec2<u32>(clamp(round(((_e602 + vec2(_e1136)) * _e1140)), vec2<f32>(0f, 0f), vec2<f32>(1048575f, 1048575f)));
-                        let _e1147 = vec3<u32>(round((clamp(_e979, vec3<f32>(0f, 0f, 0f), vec3<f32>(1f, 1f, 1f)) * 1023f)));
-                        let _e1175 = global.member_45;
-                        let _e1177 = (4u * (_e1175 + _e71));
-                        global_4.member[_e1177] = ((_e1144.x | (_e1147.x << bitcast<u32>(20u))) | (_e1147.z << bitcast<u32>(30u)));
-                        global_4.member[(_e1177 + 1u)] = (_e1144.y | (_e1147.y << bitcast<u32>(20u)));
-                        global_4.member[(_e1177 + 2u)] = pack2x16float((_e1129 * min(sqrt(_e1116), 65504f)));
-                        global_4.member[(_e1177 + 3u)] = ((pack2x16float(vec2<f32>(min(sqrt((_e1065 / _e1116)), 65504f), 0f)) | (_e614 << bitcast<u32>(16u))) | ((_e1147.z >> bitcast<u32>(2u)) << bitcast<u32>(24u)));
-                        let _e1190 = global.member_9;
-                        phi_4953_ = min(u32((_e600 * f32(_e1190))), _e1190);
+                        let _e1166 = phi_5071_;
+                        let _e1173 = global.member_5;
+                        let _e1177 = global.member_10;
+                        let _e1181 = vec2<u32>(clamp(round(((_e613 + vec2(_e1173)) * _e1177)), vec2<f32>(0f, 0f), vec2<f32>(1048575f, 1048575f)));
+                        let _e1184 = vec3<u32>(round((clamp(_e990, vec3<f32>(0f, 0f, 0f), vec3<f32>(1f, 1f, 1f)) * 1023f)));
+                        let _e1212 = global.member_45;
+                        let _e1214 = (4u * (_e1212 + _e72));
+                        global_4.member[_e1214] = ((_e1181.x | (_e1184.x << bitcast<u32>(20u))) | (_e1184.z << bitcast<u32>(30u)));
+                        global_4.member[(_e1214 + 1u)] = (_e1181.y | (_e1184.y << bitcast<u32>(20u)));
+                        global_4.member[(_e1214 + 2u)] = pack2x16float((_e1166 * min(sqrt(_e1153), 65504f)));
+                        global_4.member[(_e1214 + 3u)] = ((pack2x16float(vec2<f32>(min(sqrt(((_e1076 * (_e1092 * _e1092)) / _e1153)), 65504f), 0f)) | (_e1111 << bitcast<u32>(16u))) | ((_e1184.z >> bitcast<u32>(2u)) << bitcast<u32>(24u)));
+                        let _e1227 = global.member_9;
+                        phi_5072_ = min(u32((_e611 * f32(_e1227))), _e1227);
                         break;
                     }
                 }
-                let _e1196 = phi_4953_;
-                phi_4954_ = _e1196;
+                let _e1233 = phi_5072_;
+                phi_5073_ = _e1233;
                 break;
             }
         }
-        let _e1198 = phi_4954_;
-        phi_4955_ = _e1198;
+        let _e1235 = phi_5073_;
+        phi_5074_ = _e1235;
     } else {
-        phi_4955_ = 4294967295u;
+        phi_5074_ = 4294967295u;
     }
-    let _e1200 = phi_4955_;
+    let _e1237 = phi_5074_;
     switch bitcast<i32>(0u) {
         default: {
-            let _e1203 = bitcast<u32>(param[0u]);
-            let _e1205 = global.member_45;
-            let _e1206 = (_e1205 + _e71);
-            if (_e1200 != 4294967295u) {
-                let _e1209 = global.member_40;
-                let _e1211 = global.member_41;
-                let _e1219 = atomicAdd((&global_1.member[((_e1209 + ((_e1206 / _e1211) * 256u)) + (_e1200 & 255u))]), 1u);
+            let _e1240 = bitcast<u32>(param[0u]);
+            let _e1242 = global.member_45;
+            let _e1243 = (_e1242 + _e72);
+            if (_e1237 != 4294967295u) {
+                let _e1246 = global.member_40;
+                let _e1248 = global.member_41;
+                let _e1256 = atomicAdd((&global_1.member[((_e1246 + ((_e1243 / _e1248) * 256u)) + (_e1237 & 255u))]), 1u);
             }
-            let _e1221 = global.member_39;
-            if (_e1221 == 0u) {
-                if (_e71 < (_e73 + (_e73 & 1u))) {
-                    let _e1227 = global.member_28;
-                    global_4.member[(_e1227 + _e1206)] = _e1200;
+            let _e1258 = global.member_39;
+            if (_e1258 == 0u) {
+                if (_e72 < (_e74 + (_e74 & 1u))) {
+                    let _e1264 = global.member_28;
+                    global_4.member[(_e1264 + _e1243)] = _e1237;
                 }
                 break;
             }
-            global_5[_e1203] = _e1200;
+            global_5[_e1240] = _e1237;
             workgroupBarrier();
-            let _e1233 = ((_e1203 & 1u) == 0u);
-            if select(_e1233, _e74, _e1233) {
-                let _e1236 = global.member_28;
-                let _e1243 = global_5[(_e1203 + 1u)];
-                global_4.member[(_e1236 + (_e1206 >> bitcast<u32>(1u)))] = ((_e1200 & 65535u) | (_e1243 << bitcast<u32>(16u)));
+            let _e1270 = ((_e1240 & 1u) == 0u);
+            if select(_e1270, _e75, _e1270) {
+                let _e1273 = global.member_28;
+                let _e1280 = global_5[(_e1240 + 1u)];
+                global_4.member[(_e1273 + (_e1243 >> bitcast<u32>(1u)))] = ((_e1237 & 65535u) | (_e1280 << bitcast<u32>(16u)));
             }
             break;
         }

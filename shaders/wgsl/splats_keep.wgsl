@@ -53,14 +53,17 @@ struct type_16 {
     member_44: u32,
     member_45: u32,
     member_46: f32,
-    member_47: vec4<f32>,
-    member_48: vec4<f32>,
-    member_49: array<vec4<f32>, 3>,
-    member_50: array<vec4<u32>, 8>,
-    member_51: array<vec4<u32>, 8>,
-    member_52: array<type_12, 8>,
-    member_53: array<vec4<f32>, 128>,
-    member_54: array<vec4<f32>, 768>,
+    member_47: u32,
+    member_48: u32,
+    member_49: f32,
+    member_50: vec4<f32>,
+    member_51: vec4<f32>,
+    member_52: array<vec4<f32>, 3>,
+    member_53: array<vec4<u32>, 8>,
+    member_54: array<vec4<u32>, 8>,
+    member_55: array<type_12, 8>,
+    member_56: array<vec4<f32>, 128>,
+    member_57: array<vec4<f32>, 768>,
 }
 
 struct type_19 {
@@ -127,598 +130,623 @@ var<storage> global_7: type_36;
 
 @compute @workgroup_size(64, 1, 1) 
 fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocation_id) param_1: vec3<u32>) {
-    var phi_3385_: bool;
-    var phi_5198_: f32;
-    var phi_5199_: f32;
-    var phi_5203_: u32;
-    var phi_5210_: f32;
-    var phi_5209_: u32;
-    var phi_5206_: u32;
+    var phi_3446_: bool;
+    var phi_5304_: f32;
+    var phi_5305_: f32;
+    var phi_5309_: u32;
+    var phi_5316_: f32;
+    var phi_5315_: u32;
+    var phi_5312_: u32;
     var local: f32;
-    var phi_5215_: bool;
-    var phi_3427_: bool;
-    var phi_5226_: f32;
-    var phi_5217_: vec2<f32>;
-    var phi_5216_: bool;
-    var phi_5236_: vec4<f32>;
-    var phi_5237_: vec4<f32>;
-    var phi_5238_: vec4<f32>;
-    var phi_5256_: vec3<f32>;
-    var phi_5258_: vec4<f32>;
-    var phi_5257_: u32;
+    var phi_5321_: bool;
+    var phi_3492_: bool;
+    var phi_5332_: f32;
+    var phi_5323_: vec2<f32>;
+    var phi_5322_: bool;
+    var phi_5342_: vec4<f32>;
+    var phi_5343_: vec4<f32>;
+    var phi_5344_: vec4<f32>;
+    var phi_5362_: vec3<f32>;
+    var phi_5364_: vec4<f32>;
+    var phi_5363_: u32;
     var local_1: vec4<f32>;
-    var phi_5273_: vec4<f32>;
-    var phi_5261_: vec3<f32>;
-    var phi_5260_: u32;
+    var phi_5379_: vec4<f32>;
+    var phi_5367_: vec3<f32>;
+    var phi_5366_: u32;
     var local_2: vec3<f32>;
-    var phi_5277_: vec3<f32>;
-    var phi_5270_: vec3<f32>;
-    var phi_5269_: u32;
+    var phi_5383_: vec3<f32>;
+    var phi_5376_: vec3<f32>;
+    var phi_5375_: u32;
     var local_3: vec3<f32>;
-    var phi_5279_: vec3<f32>;
-    var phi_5280_: vec3<f32>;
-    var phi_5282_: vec3<f32>;
-    var phi_5284_: vec3<f32>;
-    var phi_3079_: bool;
-    var phi_3093_: bool;
-    var phi_4716_: bool;
-    var phi_4722_: bool;
-    var phi_4747_: bool;
-    var phi_5295_: vec2<f32>;
-    var phi_5296_: vec2<f32>;
-    var phi_5297_: u32;
-    var phi_5298_: u32;
-    var phi_5299_: u32;
+    var phi_5385_: vec3<f32>;
+    var phi_5386_: vec3<f32>;
+    var phi_5388_: vec3<f32>;
+    var phi_5390_: vec3<f32>;
+    var phi_3140_: bool;
+    var phi_3154_: bool;
+    var phi_4782_: bool;
+    var phi_4788_: bool;
+    var phi_5408_: f32;
+    var phi_5407_: u32;
+    var local_4: f32;
+    var phi_4826_: bool;
+    var phi_5414_: vec2<f32>;
+    var phi_5415_: vec2<f32>;
+    var phi_5416_: u32;
+    var phi_5417_: u32;
+    var phi_5418_: u32;
 
-    let _e82 = bitcast<u32>(param_1[0u]);
-    let _e84 = global.member_14;
-    let _e85 = (_e82 < _e84);
-    if _e85 {
+    let _e83 = bitcast<u32>(param_1[0u]);
+    let _e85 = global.member_48;
+    let _e86 = (_e83 < _e85);
+    if _e86 {
         switch bitcast<i32>(0u) {
             default: {
-                let _e90 = (4u * (_e84 + (_e82 >> bitcast<u32>(5u))));
-                let _e91 = (2u * _e82);
-                let _e94 = global_7.member[_e91];
-                let _e98 = global_7.member[(_e91 + 1u)];
-                let _e99 = (2u * _e84);
-                let _e103 = global_7.member[(_e99 + _e82)];
-                let _e114 = (vec2<f32>(f32(((_e103.y >> bitcast<u32>(16u)) & 31u)), f32(((_e103.y >> bitcast<u32>(21u)) & 31u))) * vec2<f32>(0.032258064f, 0.032258064f));
-                let _e118 = ((1f + (2f * _e114.x)) * 0.33333334f);
-                let _e119 = (1f - _e118);
-                let _e123 = (_e119 * (0.5f + (0.5f * _e114.y)));
-                let _e131 = global.member_11;
-                let _e134 = global.member_12;
-                let _e149 = global.member_21;
-                let _e150 = (2u * _e149);
-                let _e154 = global_3.member[(_e150 + (_e103.x & 65535u))];
-                let _e156 = unpack2x16float(_e154.x);
-                let _e168 = global_3.member[(_e150 + (_e103.x >> bitcast<u32>(16u)))];
-                let _e170 = unpack2x16float(_e168.x);
-                let _e182 = global_3.member[(_e150 + (_e103.y & 65535u))];
-                let _e184 = unpack2x16float(_e182.x);
-                let _e192 = ((((_e131.xyz + (_e134.xyz * vec3<f32>(f32((_e94.x & 65535u)), f32((_e94.x >> bitcast<u32>(16u))), f32((_e94.y & 65535u))))) + (vec3<f32>(_e156.x, _e156.y, unpack2x16float(_e154.y).x) * _e118)) + (vec3<f32>(_e170.x, _e170.y, unpack2x16float(_e168.y).x) * _e123)) + (vec3<f32>(_e184.x, _e184.y, unpack2x16float(_e182.y).x) * (_e119 - _e123)));
-                let _e196 = vec4<f32>(_e192.x, _e192.y, _e192.z, 1f);
-                let _e209 = (((_e94.y >> bitcast<u32>(16u)) | ((_e98.y >> bitcast<u32>(24u)) << bitcast<u32>(16u))) | ((_e103.y >> bitcast<u32>(26u)) << bitcast<u32>(24u)));
-                let _e211 = global.member_36;
-                let _e213 = global.member_37;
-                let _e226 = (vec3(_e211) + (vec3<f32>(f32((_e209 & 1023u)), f32(((_e209 >> bitcast<u32>(10u)) & 1023u)), f32((_e209 >> bitcast<u32>(20u)))) * _e213));
-                let _e235 = (vec4<u32>(_e98.x, (_e98.x >> bitcast<u32>(8u)), (_e98.x >> bitcast<u32>(16u)), (_e98.x >> bitcast<u32>(24u))) & vec4<u32>(255u, 255u, 255u, 255u));
-                let _e241 = (vec3<u32>(_e98.y, (_e98.y >> bitcast<u32>(8u)), (_e98.y >> bitcast<u32>(16u))) & vec3<u32>(255u, 255u, 255u));
-                let _e242 = vec3<f32>(_e241);
-                let _e254 = (vec4<f32>(_e242.x, _e242.y, _e242.z, f32((((255u - _e241.x) - _e241.y) - _e241.z))) * vec4<f32>(0.003921569f, 0.003921569f, 0.003921569f, 0.003921569f));
-                let _e256 = (3u * _e235.x);
-                let _e260 = global.member_54[_e256];
-                let _e265 = global.member_54[(_e256 + 1u)];
-                let _e270 = global.member_54[(_e256 + 2u)];
-                let _e273 = (3u * _e235.y);
-                let _e277 = global.member_54[_e273];
-                let _e283 = global.member_54[(_e273 + 1u)];
-                let _e289 = global.member_54[(_e273 + 2u)];
-                let _e293 = (3u * _e235.z);
-                let _e297 = global.member_54[_e293];
-                let _e303 = global.member_54[(_e293 + 1u)];
-                let _e309 = global.member_54[(_e293 + 2u)];
-                let _e313 = (3u * _e235.w);
-                let _e317 = global.member_54[_e313];
-                let _e319 = ((((_e260 * _e254.x) + (_e277 * _e254.y)) + (_e297 * _e254.z)) + (_e317 * _e254.w));
-                let _e323 = global.member_54[(_e313 + 1u)];
-                let _e325 = ((((_e265 * _e254.x) + (_e283 * _e254.y)) + (_e303 * _e254.z)) + (_e323 * _e254.w));
-                let _e329 = global.member_54[(_e313 + 2u)];
-                let _e331 = ((((_e270 * _e254.x) + (_e289 * _e254.y)) + (_e309 * _e254.z)) + (_e329 * _e254.w));
-                let _e334 = dot(_e331, _e196);
-                let _e335 = vec3<f32>(dot(_e319, _e196), dot(_e325, _e196), _e334);
-                let _e336 = _e319.xyz;
-                let _e337 = _e325.xyz;
-                let _e338 = _e331.xyz;
-                let _e348 = vec3<f32>(_e319.x, _e319.y, _e319.z);
-                let _e349 = vec3<f32>(_e325.x, _e325.y, _e325.z);
-                let _e350 = vec3<f32>(_e331.x, _e331.y, _e331.z);
-                let _e366 = ((1.2f * exp(min(max(max(_e226.x, _e226.y), _e226.z), 9f))) * sqrt(max(max(dot(_e336, _e336), dot(_e337, _e337)), dot(_e338, _e338))));
+                let _e89 = global.member_14;
+                let _e91 = global.member_47;
+                let _e93 = (_e83 << bitcast<u32>(_e91));
+                let _e97 = (4u * (_e89 + (_e93 >> bitcast<u32>(5u))));
+                let _e98 = (2u * _e93);
+                let _e101 = global_7.member[_e98];
+                let _e105 = global_7.member[(_e98 + 1u)];
+                let _e106 = (2u * _e89);
+                let _e110 = global_7.member[(_e106 + _e93)];
+                let _e121 = (vec2<f32>(f32(((_e110.y >> bitcast<u32>(16u)) & 31u)), f32(((_e110.y >> bitcast<u32>(21u)) & 31u))) * vec2<f32>(0.032258064f, 0.032258064f));
+                let _e125 = ((1f + (2f * _e121.x)) * 0.33333334f);
+                let _e126 = (1f - _e125);
+                let _e130 = (_e126 * (0.5f + (0.5f * _e121.y)));
+                let _e138 = global.member_11;
+                let _e141 = global.member_12;
+                let _e156 = global.member_21;
+                let _e157 = (2u * _e156);
+                let _e161 = global_3.member[(_e157 + (_e110.x & 65535u))];
+                let _e163 = unpack2x16float(_e161.x);
+                let _e175 = global_3.member[(_e157 + (_e110.x >> bitcast<u32>(16u)))];
+                let _e177 = unpack2x16float(_e175.x);
+                let _e189 = global_3.member[(_e157 + (_e110.y & 65535u))];
+                let _e191 = unpack2x16float(_e189.x);
+                let _e199 = ((((_e138.xyz + (_e141.xyz * vec3<f32>(f32((_e101.x & 65535u)), f32((_e101.x >> bitcast<u32>(16u))), f32((_e101.y & 65535u))))) + (vec3<f32>(_e163.x, _e163.y, unpack2x16float(_e161.y).x) * _e125)) + (vec3<f32>(_e177.x, _e177.y, unpack2x16float(_e175.y).x) * _e130)) + (vec3<f32>(_e191.x, _e191.y, unpack2x16float(_e189.y).x) * (_e126 - _e130)));
+                let _e203 = vec4<f32>(_e199.x, _e199.y, _e199.z, 1f);
+                let _e216 = (((_e101.y >> bitcast<u32>(16u)) | ((_e105.y >> bitcast<u32>(24u)) << bitcast<u32>(16u))) | ((_e110.y >> bitcast<u32>(26u)) << bitcast<u32>(24u)));
+                let _e218 = global.member_36;
+                let _e220 = global.member_37;
+                let _e233 = (vec3(_e218) + (vec3<f32>(f32((_e216 & 1023u)), f32(((_e216 >> bitcast<u32>(10u)) & 1023u)), f32((_e216 >> bitcast<u32>(20u)))) * _e220));
+                let _e242 = (vec4<u32>(_e105.x, (_e105.x >> bitcast<u32>(8u)), (_e105.x >> bitcast<u32>(16u)), (_e105.x >> bitcast<u32>(24u))) & vec4<u32>(255u, 255u, 255u, 255u));
+                let _e248 = (vec3<u32>(_e105.y, (_e105.y >> bitcast<u32>(8u)), (_e105.y >> bitcast<u32>(16u))) & vec3<u32>(255u, 255u, 255u));
+                let _e249 = vec3<f32>(_e248);
+                let _e261 = (vec4<f32>(_e249.x, _e249.y, _e249.z, f32((((255u - _e248.x) - _e248.y) - _e248.z))) * vec4<f32>(0.003921569f, 0.003921569f, 0.003921569f, 0.003921569f));
+                let _e263 = (3u * _e242.x);
+                let _e267 = global.member_57[_e263];
+                let _e272 = global.member_57[(_e263 + 1u)];
+                let _e277 = global.member_57[(_e263 + 2u)];
+                let _e280 = (3u * _e242.y);
+                let _e284 = global.member_57[_e280];
+                let _e290 = global.member_57[(_e280 + 1u)];
+                let _e296 = global.member_57[(_e280 + 2u)];
+                let _e300 = (3u * _e242.z);
+                let _e304 = global.member_57[_e300];
+                let _e310 = global.member_57[(_e300 + 1u)];
+                let _e316 = global.member_57[(_e300 + 2u)];
+                let _e320 = (3u * _e242.w);
+                let _e324 = global.member_57[_e320];
+                let _e326 = ((((_e267 * _e261.x) + (_e284 * _e261.y)) + (_e304 * _e261.z)) + (_e324 * _e261.w));
+                let _e330 = global.member_57[(_e320 + 1u)];
+                let _e332 = ((((_e272 * _e261.x) + (_e290 * _e261.y)) + (_e310 * _e261.z)) + (_e330 * _e261.w));
+                let _e336 = global.member_57[(_e320 + 2u)];
+                let _e338 = ((((_e277 * _e261.x) + (_e296 * _e261.y)) + (_e316 * _e261.z)) + (_e336 * _e261.w));
+                let _e341 = dot(_e338, _e203);
+                let _e342 = vec3<f32>(dot(_e326, _e203), dot(_e332, _e203), _e341);
+                let _e343 = _e326.xyz;
+                let _e344 = _e332.xyz;
+                let _e345 = _e338.xyz;
+                let _e355 = vec3<f32>(_e326.x, _e326.y, _e326.z);
+                let _e356 = vec3<f32>(_e332.x, _e332.y, _e332.z);
+                let _e357 = vec3<f32>(_e338.x, _e338.y, _e338.z);
+                let _e373 = ((1.2f * exp(min(max(max(_e233.x, _e233.y), _e233.z), 9f))) * sqrt(max(max(dot(_e343, _e343), dot(_e344, _e344)), dot(_e345, _e345))));
                 switch bitcast<i32>(0u) {
                     default: {
-                        let _e369 = global.member_6;
-                        if !((_e334 >= _e369)) {
-                            let _e373 = global_2.member_9;
-                            if (_e373 != 0u) {
-                                let _e377 = atomicAdd((&global_1.member[0u]), 1u);
+                        let _e376 = global.member_6;
+                        if !((_e341 >= _e376)) {
+                            let _e380 = global_2.member_9;
+                            if (_e380 != 0u) {
+                                let _e384 = atomicAdd((&global_1.member[0u]), 1u);
                             }
-                            phi_5226_ = 0f;
-                            phi_5217_ = vec2<f32>(0f, 0f);
-                            phi_5216_ = false;
+                            phi_5332_ = 0f;
+                            phi_5323_ = vec2<f32>(0f, 0f);
+                            phi_5322_ = false;
                             break;
                         }
-                        let _e379 = global.member;
-                        let _e380 = _e335.xy;
-                        let _e382 = vec2(_e334);
-                        let _e385 = global.member_1;
-                        let _e386 = (((_e379 * _e380) / _e382) + _e385);
-                        let _e388 = global.member_5;
-                        let _e392 = all((_e386 >= vec2(-(_e388))));
-                        phi_3385_ = _e392;
-                        if _e392 {
-                            let _e394 = global.member_4;
-                            phi_3385_ = all((_e386 <= (_e394 + vec2(_e388))));
+                        let _e386 = global.member;
+                        let _e387 = _e342.xy;
+                        let _e389 = vec2(_e341);
+                        let _e392 = global.member_1;
+                        let _e393 = (((_e386 * _e387) / _e389) + _e392);
+                        let _e395 = global.member_5;
+                        let _e399 = all((_e393 >= vec2(-(_e395))));
+                        phi_3446_ = _e399;
+                        if _e399 {
+                            let _e401 = global.member_4;
+                            phi_3446_ = all((_e393 <= (_e401 + vec2(_e395))));
                         }
-                        let _e400 = phi_3385_;
-                        if !(_e400) {
-                            let _e403 = global_2.member_9;
-                            if (_e403 != 0u) {
-                                let _e407 = atomicAdd((&global_1.member[0u]), 1u);
+                        let _e407 = phi_3446_;
+                        if !(_e407) {
+                            let _e410 = global_2.member_9;
+                            if (_e410 != 0u) {
+                                let _e414 = atomicAdd((&global_1.member[0u]), 1u);
                             }
-                            phi_5226_ = 0f;
-                            phi_5217_ = _e386;
-                            phi_5216_ = false;
+                            phi_5332_ = 0f;
+                            phi_5323_ = _e393;
+                            phi_5322_ = false;
                             break;
                         }
-                        let _e409 = global.member_7;
-                        let _e412 = global.member_8;
-                        let _e413 = ((_e409 - _e334) * _e412);
-                        if (_e413 < 0f) {
-                            phi_5199_ = (0.015625f / (1f - _e413));
+                        let _e416 = global.member_7;
+                        let _e419 = global.member_8;
+                        let _e420 = ((_e416 - _e341) * _e419);
+                        if (_e420 < 0f) {
+                            phi_5305_ = (0.015625f / (1f - _e420));
                         } else {
-                            if (_e413 > 1f) {
-                                phi_5198_ = (1f - (0.015625f / _e413));
+                            if (_e420 > 1f) {
+                                phi_5304_ = (1f - (0.015625f / _e420));
                             } else {
-                                phi_5198_ = (0.015625f + (0.96875f * clamp(_e413, 0f, 1f)));
+                                phi_5304_ = (0.015625f + (0.96875f * clamp(_e420, 0f, 1f)));
                             }
-                            let _e422 = phi_5198_;
-                            phi_5199_ = _e422;
+                            let _e429 = phi_5304_;
+                            phi_5305_ = _e429;
                         }
-                        let _e426 = phi_5199_;
-                        let _e427 = (_e380 / _e382);
-                        let _e435 = global.member[0u];
-                        let _e438 = global.member[1u];
-                        let _e443 = global.member_31;
-                        let _e444 = (_e443 > 0u);
-                        phi_3427_ = _e444;
-                        if _e444 {
-                            let _e446 = global.member_34;
-                            let _e449 = global.member_29;
+                        let _e433 = phi_5305_;
+                        let _e434 = (_e387 / _e389);
+                        let _e442 = global.member[0u];
+                        let _e445 = global.member[1u];
+                        let _e450 = global.member_31;
+                        let _e451 = (_e450 > 0u);
+                        phi_3492_ = _e451;
+                        if _e451 {
+                            let _e453 = global.member_34;
+                            let _e456 = global.member_29;
+                            let _e463 = global.member_49;
                             switch bitcast<i32>(0u) {
                                 default: {
-                                    let _e459 = vec2((sqrt((2f * log(max((max(255f, _e446) / _e449), 1f)))) * ((((_e366 * length(vec3<f32>(_e427.x, _e427.y, 1f))) * max(_e435, _e438)) / _e334) + 0.5477226f)));
-                                    let _e462 = global.member_32;
-                                    let _e465 = global.member_33;
-                                    let _e469 = vec2<u32>(clamp(((((_e386 - _e459) - _e462) * _e465) - vec2<f32>(0.5f, 0.5f)), vec2<f32>(0f, 0f), vec2<f32>(191f, 191f)));
-                                    let _e475 = vec2<u32>(clamp(((((_e386 + _e459) - _e462) * _e465) + vec2<f32>(0.5f, 0.5f)), vec2<f32>(0f, 0f), vec2<f32>(191f, 191f)));
-                                    let _e482 = max((_e475.x - _e469.x), (_e475.y - _e469.y));
-                                    if (_e482 <= 3u) {
-                                        phi_5203_ = 0u;
+                                    let _e470 = vec2(((sqrt((2f * log(max((max(255f, _e453) / _e456), 1f)))) * sqrt(_e463)) * ((((_e373 * length(vec3<f32>(_e434.x, _e434.y, 1f))) * max(_e442, _e445)) / _e341) + 0.5477226f)));
+                                    let _e473 = global.member_32;
+                                    let _e476 = global.member_33;
+                                    let _e480 = vec2<u32>(clamp(((((_e393 - _e470) - _e473) * _e476) - vec2<f32>(0.5f, 0.5f)), vec2<f32>(0f, 0f), vec2<f32>(191f, 191f)));
+                                    let _e486 = vec2<u32>(clamp(((((_e393 + _e470) - _e473) * _e476) + vec2<f32>(0.5f, 0.5f)), vec2<f32>(0f, 0f), vec2<f32>(191f, 191f)));
+                                    let _e493 = max((_e486.x - _e480.x), (_e486.y - _e480.y));
+                                    if (_e493 <= 3u) {
+                                        phi_5309_ = 0u;
                                     } else {
-                                        phi_5203_ = (bitcast<u32>(firstLeadingBit((_e482 - 1u))) - 1u);
+                                        phi_5309_ = (bitcast<u32>(firstLeadingBit((_e493 - 1u))) - 1u);
                                     }
-                                    let _e489 = phi_5203_;
-                                    if !((_e489 < 4u)) {
-                                        phi_5215_ = false;
+                                    let _e500 = phi_5309_;
+                                    if !((_e500 < 4u)) {
+                                        phi_5321_ = false;
                                         break;
                                     }
-                                    let _e499 = vec2(_e489);
-                                    let _e501 = (_e469 >> bitcast<vec2<u32>>(_e499));
-                                    let _e503 = (_e475 >> bitcast<vec2<u32>>(_e499));
-                                    let _e505 = (_e501.x & 4294967292u);
-                                    phi_5210_ = 0f;
-                                    phi_5209_ = _e501.y;
-                                    phi_5206_ = _e505;
+                                    let _e510 = vec2(_e500);
+                                    let _e512 = (_e480 >> bitcast<vec2<u32>>(_e510));
+                                    let _e514 = (_e486 >> bitcast<vec2<u32>>(_e510));
+                                    let _e516 = (_e512.x & 4294967292u);
+                                    phi_5316_ = 0f;
+                                    phi_5315_ = _e512.y;
+                                    phi_5312_ = _e516;
                                     loop {
-                                        let _e508 = phi_5210_;
-                                        let _e510 = phi_5209_;
-                                        let _e512 = phi_5206_;
-                                        let _e515 = (vec4(f32(_e512)) + vec4<f32>(0f, 1f, 2f, 3f));
-                                        let _e533 = global_3.member[((_e443 >> bitcast<u32>(1u)) + ((((4u * (12288u - (12288u >> bitcast<u32>((2u * _e489))))) + (_e510 * (192u >> bitcast<u32>(_e489)))) + _e512) >> bitcast<u32>(2u)))];
-                                        let _e535 = unpack2x16unorm(_e533.x);
-                                        let _e537 = unpack2x16unorm(_e533.y);
-                                        let _e544 = select(select(vec4<f32>(_e535.x, _e535.y, _e537.x, _e537.y), vec4<f32>(0f, 0f, 0f, 0f), (_e515 < vec4(f32(_e501.x)))), vec4<f32>(0f, 0f, 0f, 0f), (_e515 > vec4(f32(_e503.x))));
-                                        let _e552 = max(_e508, max(max(_e544.x, _e544.y), max(_e544.z, _e544.w)));
-                                        let _e553 = (_e512 + 4u);
-                                        let _e554 = (_e553 > _e503.x);
-                                        let _e557 = (_e510 + select(0u, 1u, _e554));
-                                        phi_5210_ = _e552;
-                                        phi_5209_ = _e557;
-                                        phi_5206_ = select(_e553, _e505, _e554);
-                                        local = _e552;
-                                        if (_e557 <= _e503.y) {
+                                        let _e519 = phi_5316_;
+                                        let _e521 = phi_5315_;
+                                        let _e523 = phi_5312_;
+                                        let _e526 = (vec4(f32(_e523)) + vec4<f32>(0f, 1f, 2f, 3f));
+                                        let _e544 = global_3.member[((_e450 >> bitcast<u32>(1u)) + ((((4u * (12288u - (12288u >> bitcast<u32>((2u * _e500))))) + (_e521 * (192u >> bitcast<u32>(_e500)))) + _e523) >> bitcast<u32>(2u)))];
+                                        let _e546 = unpack2x16unorm(_e544.x);
+                                        let _e548 = unpack2x16unorm(_e544.y);
+                                        let _e555 = select(select(vec4<f32>(_e546.x, _e546.y, _e548.x, _e548.y), vec4<f32>(0f, 0f, 0f, 0f), (_e526 < vec4(f32(_e512.x)))), vec4<f32>(0f, 0f, 0f, 0f), (_e526 > vec4(f32(_e514.x))));
+                                        let _e563 = max(_e519, max(max(_e555.x, _e555.y), max(_e555.z, _e555.w)));
+                                        let _e564 = (_e523 + 4u);
+                                        let _e565 = (_e564 > _e514.x);
+                                        let _e568 = (_e521 + select(0u, 1u, _e565));
+                                        phi_5316_ = _e563;
+                                        phi_5315_ = _e568;
+                                        phi_5312_ = select(_e564, _e516, _e565);
+                                        local = _e563;
+                                        if (_e568 <= _e514.y) {
                                             continue;
                                         } else {
                                             break;
                                         }
                                     }
-                                    let _e561 = local;
-                                    phi_5215_ = ((1f - _e426) > _e561);
+                                    let _e572 = local;
+                                    phi_5321_ = ((1f - _e433) > _e572);
                                     break;
                                 }
                             }
-                            let _e564 = phi_5215_;
-                            phi_3427_ = _e564;
+                            let _e575 = phi_5321_;
+                            phi_3492_ = _e575;
                         }
-                        let _e566 = phi_3427_;
-                        if _e566 {
-                            let _e568 = global_2.member_9;
-                            if (_e568 != 0u) {
-                                let _e572 = atomicAdd((&global_1.member[1u]), 1u);
+                        let _e577 = phi_3492_;
+                        if _e577 {
+                            let _e579 = global_2.member_9;
+                            if (_e579 != 0u) {
+                                let _e583 = atomicAdd((&global_1.member[1u]), 1u);
                             }
-                            phi_5226_ = _e426;
-                            phi_5217_ = _e386;
-                            phi_5216_ = false;
+                            phi_5332_ = _e433;
+                            phi_5323_ = _e393;
+                            phi_5322_ = false;
                             break;
                         }
-                        phi_5226_ = _e426;
-                        phi_5217_ = _e386;
-                        phi_5216_ = true;
+                        phi_5332_ = _e433;
+                        phi_5323_ = _e393;
+                        phi_5322_ = true;
                         break;
                     }
                 }
-                let _e574 = phi_5226_;
-                let _e576 = phi_5217_;
-                let _e578 = phi_5216_;
-                let _e583 = global_7.member[((3u * _e84) + _e82)];
-                let _e586 = (_e583.y >> bitcast<u32>(24u));
-                let _e600 = ((vec3<f32>(f32((_e583.x & 1023u)), f32(((_e583.x >> bitcast<u32>(10u)) & 1023u)), f32(((_e583.x >> bitcast<u32>(20u)) & 1023u))) - vec3<f32>(512f, 512f, 512f)) * vec3<f32>(0.0013888889f, 0.0013888889f, 0.0013888889f));
-                let _e604 = sqrt(max((1f - dot(_e600, _e600)), 0f));
-                let _e606 = (_e583.x >> bitcast<u32>(30u));
-                if (_e606 == 0u) {
-                    phi_5238_ = vec4<f32>(_e604, _e600.x, _e600.y, _e600.z);
+                let _e585 = phi_5332_;
+                let _e587 = phi_5323_;
+                let _e589 = phi_5322_;
+                let _e594 = global_7.member[((3u * _e89) + _e93)];
+                let _e597 = (_e594.y >> bitcast<u32>(24u));
+                let _e611 = ((vec3<f32>(f32((_e594.x & 1023u)), f32(((_e594.x >> bitcast<u32>(10u)) & 1023u)), f32(((_e594.x >> bitcast<u32>(20u)) & 1023u))) - vec3<f32>(512f, 512f, 512f)) * vec3<f32>(0.0013888889f, 0.0013888889f, 0.0013888889f));
+                let _e615 = sqrt(max((1f - dot(_e611, _e611)), 0f));
+                let _e617 = (_e594.x >> bitcast<u32>(30u));
+                if (_e617 == 0u) {
+                    phi_5344_ = vec4<f32>(_e615, _e611.x, _e611.y, _e611.z);
                 } else {
-                    if (_e606 == 1u) {
-                        phi_5237_ = vec4<f32>(_e600.x, _e604, _e600.y, _e600.z);
+                    if (_e617 == 1u) {
+                        phi_5343_ = vec4<f32>(_e611.x, _e615, _e611.y, _e611.z);
                     } else {
-                        if (_e606 == 2u) {
-                            phi_5236_ = vec4<f32>(_e600.x, _e600.y, _e604, _e600.z);
+                        if (_e617 == 2u) {
+                            phi_5342_ = vec4<f32>(_e611.x, _e611.y, _e615, _e611.z);
                         } else {
-                            phi_5236_ = vec4<f32>(_e600.x, _e600.y, _e600.z, _e604);
+                            phi_5342_ = vec4<f32>(_e611.x, _e611.y, _e611.z, _e615);
                         }
-                        let _e619 = phi_5236_;
-                        phi_5237_ = _e619;
+                        let _e630 = phi_5342_;
+                        phi_5343_ = _e630;
                     }
-                    let _e625 = phi_5237_;
-                    phi_5238_ = _e625;
+                    let _e636 = phi_5343_;
+                    phi_5344_ = _e636;
                 }
-                let _e631 = phi_5238_;
-                let _e635 = global.member_38;
-                let _e636 = (_e635 > 0u);
-                phi_5256_ = unpack4x8unorm(_e583.y).xyz;
-                if _e636 {
-                    let _e640 = global_7.member[(_e635 + _e82)];
-                    let _e642 = unpack2x16float(_e640.x);
-                    phi_5256_ = vec3<f32>(_e642.x, _e642.y, unpack2x16float(_e640.y).x);
+                let _e642 = phi_5344_;
+                let _e646 = global.member_38;
+                let _e647 = (_e646 > 0u);
+                phi_5362_ = unpack4x8unorm(_e594.y).xyz;
+                if _e647 {
+                    let _e651 = global_7.member[(_e646 + _e93)];
+                    let _e653 = unpack2x16float(_e651.x);
+                    phi_5362_ = vec3<f32>(_e653.x, _e653.y, unpack2x16float(_e651.y).x);
                 }
-                let _e650 = phi_5256_;
-                let _e653 = (1u << bitcast<u32>((_e82 & 31u)));
-                let _e656 = global_7.member[_e90];
-                let _e660 = global_7.member[(_e90 + 1u)];
-                let _e664 = global_7.member[(_e90 + 2u)];
-                phi_5273_ = _e631;
-                if ((_e656.x & _e653) != 0u) {
-                    let _e669 = global.member_22;
-                    let _e677 = global.member_18;
-                    let _e681 = (_e669 + ((_e660.y + bitcast<u32>(countOneBits((_e656.x & (_e653 - 1u))))) * (1u + (4u * _e677))));
-                    let _e682 = (_e681 + 1u);
-                    let _e685 = global_6.member[_e681];
-                    let _e687 = global.member_44;
-                    let _e691 = global.member_19;
-                    phi_5258_ = vec4<f32>(0f, 0f, 0f, 0f);
-                    phi_5257_ = 0u;
+                let _e661 = phi_5362_;
+                let _e664 = (1u << bitcast<u32>((_e93 & 31u)));
+                let _e667 = global_7.member[_e97];
+                let _e671 = global_7.member[(_e97 + 1u)];
+                let _e675 = global_7.member[(_e97 + 2u)];
+                phi_5379_ = _e642;
+                if ((_e667.x & _e664) != 0u) {
+                    let _e680 = global.member_22;
+                    let _e688 = global.member_18;
+                    let _e692 = (_e680 + ((_e671.y + bitcast<u32>(countOneBits((_e667.x & (_e664 - 1u))))) * (1u + (4u * _e688))));
+                    let _e693 = (_e692 + 1u);
+                    let _e696 = global_6.member[_e692];
+                    let _e698 = global.member_44;
+                    let _e702 = global.member_19;
+                    phi_5364_ = vec4<f32>(0f, 0f, 0f, 0f);
+                    phi_5363_ = 0u;
                     loop {
-                        let _e695 = phi_5258_;
-                        let _e697 = phi_5257_;
-                        let _e699 = (2u * ((_e687 + ((_e685 >> bitcast<u32>(16u)) * _e691)) + _e697));
-                        let _e702 = global_3.member[_e699];
-                        let _e706 = global_3.member[(_e699 + 1u)];
-                        let _e712 = bitcast<vec4<f32>>(vec4<u32>(_e702.x, _e702.y, _e706.x, _e706.y));
-                        let _e716 = global_6.member[(_e682 + _e697)];
-                        let _e723 = global_6.member[((_e682 + _e677) + _e697)];
-                        let _e731 = global_6.member[((_e682 + (2u * _e677)) + _e697)];
-                        let _e739 = global_6.member[((_e682 + (3u * _e677)) + _e697)];
-                        let _e743 = (_e695 + vec4<f32>(dot(unpack4x8snorm(_e716), _e712), dot(unpack4x8snorm(_e723), _e712), dot(unpack4x8snorm(_e731), _e712), dot(unpack4x8snorm(_e739), _e712)));
-                        let _e745 = (_e697 + bitcast<u32>(1i));
-                        phi_5258_ = _e743;
-                        phi_5257_ = _e745;
-                        local_1 = _e743;
-                        if (_e745 < _e677) {
+                        let _e706 = phi_5364_;
+                        let _e708 = phi_5363_;
+                        let _e710 = (2u * ((_e698 + ((_e696 >> bitcast<u32>(16u)) * _e702)) + _e708));
+                        let _e713 = global_3.member[_e710];
+                        let _e717 = global_3.member[(_e710 + 1u)];
+                        let _e723 = bitcast<vec4<f32>>(vec4<u32>(_e713.x, _e713.y, _e717.x, _e717.y));
+                        let _e727 = global_6.member[(_e693 + _e708)];
+                        let _e734 = global_6.member[((_e693 + _e688) + _e708)];
+                        let _e742 = global_6.member[((_e693 + (2u * _e688)) + _e708)];
+                        let _e750 = global_6.member[((_e693 + (3u * _e688)) + _e708)];
+                        let _e754 = (_e706 + vec4<f32>(dot(unpack4x8snorm(_e727), _e723), dot(unpack4x8snorm(_e734), _e723), dot(unpack4x8snorm(_e742), _e723), dot(unpack4x8snorm(_e750), _e723)));
+                        let _e756 = (_e708 + bitcast<u32>(1i));
+                        phi_5364_ = _e754;
+                        phi_5363_ = _e756;
+                        local_1 = _e754;
+                        if (_e756 < _e688) {
                             continue;
                         } else {
                             break;
                         }
                     }
-                    let _e751 = local_1;
-                    let _e753 = (_e631 + (_e751 * (127f * unpack2x16float(_e685).x)));
-                    phi_5273_ = select(_e631, _e753, vec4((length(_e753) >= 0.001f)));
+                    let _e762 = local_1;
+                    let _e764 = (_e642 + (_e762 * (127f * unpack2x16float(_e696).x)));
+                    phi_5379_ = select(_e642, _e764, vec4((length(_e764) >= 0.001f)));
                 }
-                let _e759 = phi_5273_;
-                phi_5277_ = _e226;
-                if ((_e656.y & _e653) != 0u) {
-                    let _e764 = global.member_23;
-                    let _e772 = global.member_18;
-                    let _e776 = (_e764 + ((_e664.x + bitcast<u32>(countOneBits((_e656.y & (_e653 - 1u))))) * (1u + (3u * _e772))));
-                    let _e777 = (_e776 + 1u);
-                    let _e780 = global_6.member[_e776];
-                    let _e782 = global.member_44;
-                    let _e786 = global.member_19;
-                    phi_5261_ = vec3<f32>(0f, 0f, 0f);
-                    phi_5260_ = 0u;
+                let _e770 = phi_5379_;
+                phi_5383_ = _e233;
+                if ((_e667.y & _e664) != 0u) {
+                    let _e775 = global.member_23;
+                    let _e783 = global.member_18;
+                    let _e787 = (_e775 + ((_e675.x + bitcast<u32>(countOneBits((_e667.y & (_e664 - 1u))))) * (1u + (3u * _e783))));
+                    let _e788 = (_e787 + 1u);
+                    let _e791 = global_6.member[_e787];
+                    let _e793 = global.member_44;
+                    let _e797 = global.member_19;
+                    phi_5367_ = vec3<f32>(0f, 0f, 0f);
+                    phi_5366_ = 0u;
                     loop {
-                        let _e790 = phi_5261_;
-                        let _e792 = phi_5260_;
-                        let _e794 = (2u * ((_e782 + ((_e780 >> bitcast<u32>(16u)) * _e786)) + _e792));
-                        let _e797 = global_3.member[_e794];
-                        let _e801 = global_3.member[(_e794 + 1u)];
-                        let _e807 = bitcast<vec4<f32>>(vec4<u32>(_e797.x, _e797.y, _e801.x, _e801.y));
-                        let _e811 = global_6.member[(_e777 + _e792)];
-                        let _e818 = global_6.member[((_e777 + _e772) + _e792)];
-                        let _e826 = global_6.member[((_e777 + (2u * _e772)) + _e792)];
-                        let _e830 = (_e790 + vec3<f32>(dot(unpack4x8snorm(_e811), _e807), dot(unpack4x8snorm(_e818), _e807), dot(unpack4x8snorm(_e826), _e807)));
-                        let _e832 = (_e792 + bitcast<u32>(1i));
-                        phi_5261_ = _e830;
-                        phi_5260_ = _e832;
-                        local_2 = _e830;
-                        if (_e832 < _e772) {
+                        let _e801 = phi_5367_;
+                        let _e803 = phi_5366_;
+                        let _e805 = (2u * ((_e793 + ((_e791 >> bitcast<u32>(16u)) * _e797)) + _e803));
+                        let _e808 = global_3.member[_e805];
+                        let _e812 = global_3.member[(_e805 + 1u)];
+                        let _e818 = bitcast<vec4<f32>>(vec4<u32>(_e808.x, _e808.y, _e812.x, _e812.y));
+                        let _e822 = global_6.member[(_e788 + _e803)];
+                        let _e829 = global_6.member[((_e788 + _e783) + _e803)];
+                        let _e837 = global_6.member[((_e788 + (2u * _e783)) + _e803)];
+                        let _e841 = (_e801 + vec3<f32>(dot(unpack4x8snorm(_e822), _e818), dot(unpack4x8snorm(_e829), _e818), dot(unpack4x8snorm(_e837), _e818)));
+                        let _e843 = (_e803 + bitcast<u32>(1i));
+                        phi_5367_ = _e841;
+                        phi_5366_ = _e843;
+                        local_2 = _e841;
+                        if (_e843 < _e783) {
                             continue;
                         } else {
                             break;
                         }
                     }
-                    let _e838 = local_2;
-                    phi_5277_ = (_e226 + (_e838 * (127f * unpack2x16float(_e780).x)));
+                    let _e849 = local_2;
+                    phi_5383_ = (_e233 + (_e849 * (127f * unpack2x16float(_e791).x)));
                 }
-                let _e842 = phi_5277_;
-                phi_5279_ = _e650;
-                if ((_e660.x & _e653) != 0u) {
-                    let _e847 = global.member_24;
-                    let _e855 = global.member_18;
-                    let _e859 = (_e847 + ((_e664.y + bitcast<u32>(countOneBits((_e660.x & (_e653 - 1u))))) * (3u + (3u * _e855))));
-                    let _e863 = global_6.member[(_e859 + 1u)];
-                    let _e864 = unpack2x16float(_e863);
-                    let _e868 = global_6.member[(_e859 + 2u)];
-                    let _e876 = (_e859 + 3u);
-                    let _e879 = global_6.member[_e859];
-                    let _e881 = global.member_44;
-                    let _e885 = global.member_19;
-                    phi_5270_ = vec3<f32>(0f, 0f, 0f);
-                    phi_5269_ = 0u;
+                let _e853 = phi_5383_;
+                phi_5385_ = _e661;
+                if ((_e671.x & _e664) != 0u) {
+                    let _e858 = global.member_24;
+                    let _e866 = global.member_18;
+                    let _e870 = (_e858 + ((_e675.y + bitcast<u32>(countOneBits((_e671.x & (_e664 - 1u))))) * (3u + (3u * _e866))));
+                    let _e874 = global_6.member[(_e870 + 1u)];
+                    let _e875 = unpack2x16float(_e874);
+                    let _e879 = global_6.member[(_e870 + 2u)];
+                    let _e887 = (_e870 + 3u);
+                    let _e890 = global_6.member[_e870];
+                    let _e892 = global.member_44;
+                    let _e896 = global.member_19;
+                    phi_5376_ = vec3<f32>(0f, 0f, 0f);
+                    phi_5375_ = 0u;
                     loop {
-                        let _e889 = phi_5270_;
-                        let _e891 = phi_5269_;
-                        let _e893 = (2u * ((_e881 + ((_e879 >> bitcast<u32>(16u)) * _e885)) + _e891));
-                        let _e896 = global_3.member[_e893];
-                        let _e900 = global_3.member[(_e893 + 1u)];
-                        let _e906 = bitcast<vec4<f32>>(vec4<u32>(_e896.x, _e896.y, _e900.x, _e900.y));
-                        let _e910 = global_6.member[(_e876 + _e891)];
-                        let _e917 = global_6.member[((_e876 + _e855) + _e891)];
-                        let _e925 = global_6.member[((_e876 + (2u * _e855)) + _e891)];
-                        let _e929 = (_e889 + vec3<f32>(dot(unpack4x8snorm(_e910), _e906), dot(unpack4x8snorm(_e917), _e906), dot(unpack4x8snorm(_e925), _e906)));
-                        let _e931 = (_e891 + bitcast<u32>(1i));
-                        phi_5270_ = _e929;
-                        phi_5269_ = _e931;
-                        local_3 = _e929;
-                        if (_e931 < _e855) {
+                        let _e900 = phi_5376_;
+                        let _e902 = phi_5375_;
+                        let _e904 = (2u * ((_e892 + ((_e890 >> bitcast<u32>(16u)) * _e896)) + _e902));
+                        let _e907 = global_3.member[_e904];
+                        let _e911 = global_3.member[(_e904 + 1u)];
+                        let _e917 = bitcast<vec4<f32>>(vec4<u32>(_e907.x, _e907.y, _e911.x, _e911.y));
+                        let _e921 = global_6.member[(_e887 + _e902)];
+                        let _e928 = global_6.member[((_e887 + _e866) + _e902)];
+                        let _e936 = global_6.member[((_e887 + (2u * _e866)) + _e902)];
+                        let _e940 = (_e900 + vec3<f32>(dot(unpack4x8snorm(_e921), _e917), dot(unpack4x8snorm(_e928), _e917), dot(unpack4x8snorm(_e936), _e917)));
+                        let _e942 = (_e902 + bitcast<u32>(1i));
+                        phi_5376_ = _e940;
+                        phi_5375_ = _e942;
+                        local_3 = _e940;
+                        if (_e942 < _e866) {
                             continue;
                         } else {
                             break;
                         }
                     }
-                    let _e937 = local_3;
-                    phi_5279_ = (select(vec3<f32>(_e864.x, _e864.y, unpack2x16float(_e868).x), _e650, vec3(_e636)) + (_e937 * (127f * unpack2x16float(_e879).x)));
+                    let _e948 = local_3;
+                    phi_5385_ = (select(vec3<f32>(_e875.x, _e875.y, unpack2x16float(_e879).x), _e661, vec3(_e647)) + (_e948 * (127f * unpack2x16float(_e890).x)));
                 }
-                let _e941 = phi_5279_;
-                let _e942 = normalize(_e759);
-                let _e947 = (_e942.z * _e942.z);
-                let _e948 = (_e942.w * _e942.w);
-                let _e952 = (_e942.y * _e942.z);
-                let _e953 = (_e942.x * _e942.w);
-                let _e956 = (_e942.y * _e942.w);
-                let _e957 = (_e942.x * _e942.z);
-                let _e962 = (_e942.y * _e942.y);
-                let _e966 = (_e942.z * _e942.w);
-                let _e967 = (_e942.x * _e942.y);
-                let _e981 = exp(min(_e842, vec3<f32>(9f, 9f, 9f)));
-                let _e988 = mat3x3<f32>((vec3<f32>((1f - (2f * (_e947 + _e948))), (2f * (_e952 + _e953)), (2f * (_e956 - _e957))) * _e981.x), (vec3<f32>((2f * (_e952 - _e953)), (1f - (2f * (_e962 + _e948))), (2f * (_e966 + _e967))) * _e981.y), (vec3<f32>((2f * (_e956 + _e957)), (2f * (_e966 - _e967)), (1f - (2f * (_e962 + _e947)))) * _e981.z));
-                let _e990 = (transpose(mat3x3<f32>(_e348, _e349, _e350)) * _e988);
-                let _e992 = global.member_42;
-                let _e993 = (_e992 + _e91);
-                let _e994 = transpose(_e990);
-                let _e1004 = max(_e366, sqrt(max(max(dot(_e994[0], _e994[0]), dot(_e994[1], _e994[1])), dot(_e994[2], _e994[2]))));
-                let _e1006 = global.member_43;
-                let _e1017 = (all((abs(_e335) < vec3<f32>(1000000000000000000000000000000f, 1000000000000000000000000000000f, 1000000000000000000000000000000f))) && (_e1004 <= 1000000000000000000f));
-                if _e1017 {
-                    let _e1019 = global.member_47;
-                    let _e1023 = global.member_48;
-                    phi_5280_ = ((_e335 - _e1019.xyz) / _e1023.xyz);
+                let _e952 = phi_5385_;
+                let _e953 = normalize(_e770);
+                let _e958 = (_e953.z * _e953.z);
+                let _e959 = (_e953.w * _e953.w);
+                let _e963 = (_e953.y * _e953.z);
+                let _e964 = (_e953.x * _e953.w);
+                let _e967 = (_e953.y * _e953.w);
+                let _e968 = (_e953.x * _e953.z);
+                let _e973 = (_e953.y * _e953.y);
+                let _e977 = (_e953.z * _e953.w);
+                let _e978 = (_e953.x * _e953.y);
+                let _e992 = exp(min(_e853, vec3<f32>(9f, 9f, 9f)));
+                let _e999 = mat3x3<f32>((vec3<f32>((1f - (2f * (_e958 + _e959))), (2f * (_e963 + _e964)), (2f * (_e967 - _e968))) * _e992.x), (vec3<f32>((2f * (_e963 - _e964)), (1f - (2f * (_e973 + _e959))), (2f * (_e977 + _e978))) * _e992.y), (vec3<f32>((2f * (_e967 + _e968)), (2f * (_e977 - _e978)), (1f - (2f * (_e973 + _e958)))) * _e992.z));
+                let _e1001 = (transpose(mat3x3<f32>(_e355, _e356, _e357)) * _e999);
+                let _e1003 = global.member_42;
+                let _e1005 = (_e1003 + (2u * _e83));
+                let _e1006 = transpose(_e1001);
+                let _e1016 = max(_e373, sqrt(max(max(dot(_e1006[0], _e1006[0]), dot(_e1006[1], _e1006[1])), dot(_e1006[2], _e1006[2]))));
+                let _e1018 = global.member_43;
+                let _e1029 = (all((abs(_e342) < vec3<f32>(1000000000000000000000000000000f, 1000000000000000000000000000000f, 1000000000000000000000000000000f))) && (_e1016 <= 1000000000000000000f));
+                if _e1029 {
+                    let _e1031 = global.member_50;
+                    let _e1035 = global.member_51;
+                    phi_5386_ = ((_e342 - _e1031.xyz) / _e1035.xyz);
                 } else {
-                    phi_5280_ = vec3<f32>(0f, 0f, 0f);
+                    phi_5386_ = vec3<f32>(0f, 0f, 0f);
                 }
-                let _e1027 = phi_5280_;
-                let _e1044 = vec3<u32>(round((clamp(select(select((vec3<f32>(0.015625f, 0.015625f, 0.015625f) + (clamp(_e1027, vec3<f32>(0f, 0f, 0f), vec3<f32>(1f, 1f, 1f)) * 0.96875f)), (vec3<f32>(0.015625f, 0.015625f, 0.015625f) / (vec3<f32>(1f, 1f, 1f) - min(_e1027, vec3<f32>(0f, 0f, 0f)))), (_e1027 < vec3<f32>(0f, 0f, 0f))), (vec3<f32>(1f, 1f, 1f) - (vec3<f32>(0.015625f, 0.015625f, 0.015625f) / max(_e1027, vec3<f32>(1f, 1f, 1f)))), (_e1027 > vec3<f32>(1f, 1f, 1f))), vec3<f32>(0f, 0f, 0f), vec3<f32>(1f, 1f, 1f)) * 65535f)));
-                let _e1060 = ((_e1044.z | (u32(clamp(select(0f, ceil(((8f * log2(max((_e1004 / _e1006), 0.000000000000000000000000000001f))) + 152f)), _e1017), 0f, 255f)) << bitcast<u32>(16u))) | (select(0u, _e586, _e1017) << bitcast<u32>(24u)));
-                let _e1068 = vec3<f32>(_e990[0].x, _e990[1].x, _e990[2].x);
-                let _e1075 = vec3<f32>(_e990[0].y, _e990[1].y, _e990[2].y);
-                let _e1082 = vec3<f32>(_e990[0].z, _e990[1].z, _e990[2].z);
-                let _e1083 = length(_e1068);
-                if (_e1083 > 0f) {
-                    phi_5282_ = (_e1068 / vec3(_e1083));
+                let _e1039 = phi_5386_;
+                let _e1056 = vec3<u32>(round((clamp(select(select((vec3<f32>(0.015625f, 0.015625f, 0.015625f) + (clamp(_e1039, vec3<f32>(0f, 0f, 0f), vec3<f32>(1f, 1f, 1f)) * 0.96875f)), (vec3<f32>(0.015625f, 0.015625f, 0.015625f) / (vec3<f32>(1f, 1f, 1f) - min(_e1039, vec3<f32>(0f, 0f, 0f)))), (_e1039 < vec3<f32>(0f, 0f, 0f))), (vec3<f32>(1f, 1f, 1f) - (vec3<f32>(0.015625f, 0.015625f, 0.015625f) / max(_e1039, vec3<f32>(1f, 1f, 1f)))), (_e1039 > vec3<f32>(1f, 1f, 1f))), vec3<f32>(0f, 0f, 0f), vec3<f32>(1f, 1f, 1f)) * 65535f)));
+                let _e1072 = ((_e1056.z | (u32(clamp(select(0f, ceil(((8f * log2(max((_e1016 / _e1018), 0.000000000000000000000000000001f))) + 152f)), _e1029), 0f, 255f)) << bitcast<u32>(16u))) | (select(0u, _e597, _e1029) << bitcast<u32>(24u)));
+                let _e1080 = vec3<f32>(_e1001[0].x, _e1001[1].x, _e1001[2].x);
+                let _e1087 = vec3<f32>(_e1001[0].y, _e1001[1].y, _e1001[2].y);
+                let _e1094 = vec3<f32>(_e1001[0].z, _e1001[1].z, _e1001[2].z);
+                let _e1095 = length(_e1080);
+                if (_e1095 > 0f) {
+                    phi_5388_ = (_e1080 / vec3(_e1095));
                 } else {
-                    phi_5282_ = vec3<f32>(0f, 0f, 0f);
+                    phi_5388_ = vec3<f32>(0f, 0f, 0f);
                 }
-                let _e1088 = phi_5282_;
-                let _e1089 = dot(_e1075, _e1088);
-                let _e1091 = (_e1075 - (_e1088 * _e1089));
-                let _e1092 = length(_e1091);
-                if (_e1092 > 0f) {
-                    phi_5284_ = (_e1091 / vec3(_e1092));
+                let _e1100 = phi_5388_;
+                let _e1101 = dot(_e1087, _e1100);
+                let _e1103 = (_e1087 - (_e1100 * _e1101));
+                let _e1104 = length(_e1103);
+                if (_e1104 > 0f) {
+                    phi_5390_ = (_e1103 / vec3(_e1104));
                 } else {
-                    phi_5284_ = vec3<f32>(0f, 0f, 0f);
+                    phi_5390_ = vec3<f32>(0f, 0f, 0f);
                 }
-                let _e1097 = phi_5284_;
-                let _e1098 = dot(_e1082, _e1088);
-                let _e1099 = dot(_e1082, _e1097);
-                let _e1113 = (1023f / (_e1006 * exp2(((f32(((_e1060 >> bitcast<u32>(16u)) & 255u)) * 0.125f) - 19f))));
-                let _e1131 = vec3<u32>(round((clamp(_e941, vec3<f32>(0f, 0f, 0f), vec3<f32>(1f, 1f, 1f)) * 1023f)));
-                let _e1134 = ((vec3<u32>(clamp((round((vec3<f32>(_e1083, _e1092, _e1099) * _e1113)) + vec3<f32>(1023f, 1023f, 1023f)), vec3<f32>(0f, 0f, 0f), vec3<f32>(2046f, 2046f, 2046f))) | (vec3<u32>(clamp((round((vec3<f32>(_e1089, _e1098, length(((_e1082 - (_e1088 * _e1098)) - (_e1097 * _e1099)))) * _e1113)) + vec3<f32>(1023f, 1023f, 1023f)), vec3<f32>(0f, 0f, 0f), vec3<f32>(2046f, 2046f, 2046f))) << bitcast<vec3<u32>>(vec3<u32>(11u, 11u, 11u)))) | (_e1131 << bitcast<vec3<u32>>(vec3<u32>(22u, 22u, 22u))));
-                global_4.member[_e993] = (_e1044.x | (_e1044.y << bitcast<u32>(16u)));
-                global_4.member[(_e993 + 1u)] = _e1060;
-                let _e1142 = ((_e992 + _e99) + (3u * _e82));
-                global_4.member[_e1142] = _e1134.x;
-                global_4.member[(_e1142 + 1u)] = _e1134.y;
-                global_4.member[(_e1142 + 2u)] = _e1134.z;
-                phi_3079_ = _e578;
-                if _e578 {
-                    let _e1156 = global.member_29;
-                    phi_3079_ = (f32(_e586) <= _e1156);
+                let _e1109 = phi_5390_;
+                let _e1110 = dot(_e1094, _e1100);
+                let _e1111 = dot(_e1094, _e1109);
+                let _e1125 = (1023f / (_e1018 * exp2(((f32(((_e1072 >> bitcast<u32>(16u)) & 255u)) * 0.125f) - 19f))));
+                let _e1143 = vec3<u32>(round((clamp(_e952, vec3<f32>(0f, 0f, 0f), vec3<f32>(1f, 1f, 1f)) * 1023f)));
+                let _e1146 = ((vec3<u32>(clamp((round((vec3<f32>(_e1095, _e1104, _e1111) * _e1125)) + vec3<f32>(1023f, 1023f, 1023f)), vec3<f32>(0f, 0f, 0f), vec3<f32>(2046f, 2046f, 2046f))) | (vec3<u32>(clamp((round((vec3<f32>(_e1101, _e1110, length(((_e1094 - (_e1100 * _e1110)) - (_e1109 * _e1111)))) * _e1125)) + vec3<f32>(1023f, 1023f, 1023f)), vec3<f32>(0f, 0f, 0f), vec3<f32>(2046f, 2046f, 2046f))) << bitcast<vec3<u32>>(vec3<u32>(11u, 11u, 11u)))) | (_e1143 << bitcast<vec3<u32>>(vec3<u32>(22u, 22u, 22u))));
+                global_4.member[_e1005] = (_e1056.x | (_e1056.y << bitcast<u32>(16u)));
+                global_4.member[(_e1005 + 1u)] = _e1072;
+                let _e1154 = ((_e1003 + _e106) + (3u * _e83));
+                global_4.member[_e1154] = _e1146.x;
+                global_4.member[(_e1154 + 1u)] = _e1146.y;
+                global_4.member[(_e1154 + 2u)] = _e1146.z;
+                phi_3140_ = _e589;
+                if _e589 {
+                    let _e1168 = global.member_29;
+                    phi_3140_ = (f32(_e597) <= _e1168);
                 }
-                let _e1159 = phi_3079_;
-                if _e1159 {
-                    let _e1161 = global_2.member_9;
-                    if (_e1161 != 0u) {
-                        let _e1165 = atomicAdd((&global_1.member[2u]), 1u);
+                let _e1171 = phi_3140_;
+                if _e1171 {
+                    let _e1173 = global_2.member_9;
+                    if (_e1173 != 0u) {
+                        let _e1177 = atomicAdd((&global_1.member[2u]), 1u);
                     }
                 }
-                let _e1166 = !(_e578);
-                phi_3093_ = _e1166;
-                if !(_e1166) {
-                    let _e1170 = global.member_29;
-                    phi_3093_ = (f32(_e586) <= _e1170);
+                let _e1178 = !(_e589);
+                phi_3154_ = _e1178;
+                if !(_e1178) {
+                    let _e1182 = global.member_29;
+                    phi_3154_ = (f32(_e597) <= _e1182);
                 }
-                let _e1173 = phi_3093_;
-                if _e1173 {
-                    phi_5298_ = 4294967295u;
+                let _e1185 = phi_3154_;
+                if _e1185 {
+                    phi_5417_ = 4294967295u;
                     break;
                 }
                 switch bitcast<i32>(0u) {
                     default: {
-                        let _e1179 = global.member_2;
-                        let _e1181 = global.member_3;
-                        let _e1182 = clamp((_e335.xy / vec2(_e334)), _e1179, _e1181);
-                        let _e1185 = global.member[0u];
-                        let _e1191 = (((_e348 - (_e350 * _e1182.x)) * (_e1185 / _e334)) * _e988);
-                        let _e1194 = global.member[1u];
-                        let _e1200 = (((_e349 - (_e350 * _e1182.y)) * (_e1194 / _e334)) * _e988);
-                        let _e1202 = (dot(_e1191, _e1191) + 0.3f);
-                        let _e1203 = dot(_e1191, _e1200);
-                        let _e1205 = (dot(_e1200, _e1200) + 0.3f);
-                        let _e1207 = cross(_e1191, _e1200);
-                        let _e1209 = (_e1202 + _e1205);
-                        let _e1212 = (dot(_e1207, _e1207) + (0.3f * (_e1209 - 0.3f)));
-                        let _e1213 = (_e1212 > 0f);
-                        phi_4716_ = _e1213;
-                        if _e1213 {
-                            phi_4716_ = (_e1202 <= 1000000000000000000f);
+                        let _e1191 = global.member_2;
+                        let _e1193 = global.member_3;
+                        let _e1194 = clamp((_e342.xy / vec2(_e341)), _e1191, _e1193);
+                        let _e1197 = global.member[0u];
+                        let _e1203 = (((_e355 - (_e357 * _e1194.x)) * (_e1197 / _e341)) * _e999);
+                        let _e1206 = global.member[1u];
+                        let _e1212 = (((_e356 - (_e357 * _e1194.y)) * (_e1206 / _e341)) * _e999);
+                        let _e1214 = (dot(_e1203, _e1203) + 0.3f);
+                        let _e1217 = (dot(_e1212, _e1212) + 0.3f);
+                        let _e1219 = cross(_e1203, _e1212);
+                        let _e1224 = (dot(_e1219, _e1219) + (0.3f * ((_e1214 + _e1217) - 0.3f)));
+                        let _e1225 = (_e1224 > 0f);
+                        phi_4782_ = _e1225;
+                        if _e1225 {
+                            phi_4782_ = (_e1214 <= 1000000000000000000f);
                         }
-                        let _e1216 = phi_4716_;
-                        phi_4722_ = _e1216;
-                        if _e1216 {
-                            phi_4722_ = (_e1205 <= 1000000000000000000f);
+                        let _e1228 = phi_4782_;
+                        phi_4788_ = _e1228;
+                        if _e1228 {
+                            phi_4788_ = (_e1217 <= 1000000000000000000f);
                         }
-                        let _e1219 = phi_4722_;
-                        if !(_e1219) {
-                            let _e1222 = global_2.member_9;
-                            if (_e1222 != 0u) {
-                                let _e1226 = atomicAdd((&global_1.member[3u]), 1u);
+                        let _e1231 = phi_4788_;
+                        if !(_e1231) {
+                            let _e1234 = global_2.member_9;
+                            if (_e1234 != 0u) {
+                                let _e1238 = atomicAdd((&global_1.member[3u]), 1u);
                             }
-                            phi_5297_ = 4294967295u;
+                            phi_5416_ = 4294967295u;
                             break;
                         }
-                        let _e1229 = global.member_34;
-                        let _e1232 = global.member_29;
-                        let _e1240 = (sqrt(vec3<f32>(_e1202, _e1203, _e1205).xz) * sqrt((2f * log(max((max(f32(_e586), _e1229) / _e1232), 1f)))));
-                        let _e1243 = all(((_e576 + _e1240) > vec2<f32>(0f, 0f)));
-                        phi_4747_ = _e1243;
-                        if _e1243 {
-                            let _e1246 = global.member_4;
-                            phi_4747_ = all(((_e576 - _e1240) < _e1246));
-                        }
-                        let _e1250 = phi_4747_;
-                        if !(_e1250) {
-                            let _e1253 = global_2.member_9;
-                            if (_e1253 != 0u) {
-                                let _e1257 = atomicAdd((&global_1.member[0u]), 1u);
+                        let _e1240 = global.member_49;
+                        let _e1241 = (vec3<f32>(_e1214, dot(_e1203, _e1212), _e1217) * _e1240);
+                        phi_5408_ = (1f - (f32(_e597) * 0.003921569f));
+                        phi_5407_ = 0u;
+                        loop {
+                            let _e1248 = phi_5408_;
+                            let _e1250 = phi_5407_;
+                            local_4 = _e1248;
+                            if (_e1250 < _e91) {
+                                continue;
+                            } else {
+                                break;
                             }
-                            phi_5297_ = 4294967295u;
+                            continuing {
+                                phi_5408_ = (_e1248 * _e1248);
+                                phi_5407_ = (_e1250 + bitcast<u32>(1i));
+                            }
+                        }
+                        let _e1256 = local_4;
+                        let _e1260 = u32(round((255f * (1f - _e1256))));
+                        let _e1263 = global.member_34;
+                        let _e1266 = global.member_29;
+                        let _e1274 = (sqrt(_e1241.xz) * sqrt((2f * log(max((max(f32(_e1260), _e1263) / _e1266), 1f)))));
+                        let _e1277 = all(((_e587 + _e1274) > vec2<f32>(0f, 0f)));
+                        phi_4826_ = _e1277;
+                        if _e1277 {
+                            let _e1280 = global.member_4;
+                            phi_4826_ = all(((_e587 - _e1274) < _e1280));
+                        }
+                        let _e1284 = phi_4826_;
+                        if !(_e1284) {
+                            let _e1287 = global_2.member_9;
+                            if (_e1287 != 0u) {
+                                let _e1291 = atomicAdd((&global_1.member[0u]), 1u);
+                            }
+                            phi_5416_ = 4294967295u;
                             break;
                         }
-                        let _e1259 = (0.5f * (_e1202 - _e1205));
-                        let _e1263 = sqrt(((_e1259 * _e1259) + (_e1203 * _e1203)));
-                        let _e1265 = ((0.5f * _e1209) + _e1263);
-                        if (_e1259 >= 0f) {
-                            phi_5295_ = vec2<f32>((_e1259 + _e1263), _e1203);
+                        let _e1295 = (0.5f * (_e1241.x - _e1241.z));
+                        let _e1300 = sqrt(((_e1295 * _e1295) + (_e1241.y * _e1241.y)));
+                        let _e1303 = ((0.5f * (_e1241.x + _e1241.z)) + _e1300);
+                        if (_e1295 >= 0f) {
+                            phi_5414_ = vec2<f32>((_e1295 + _e1300), _e1241.y);
                         } else {
-                            phi_5295_ = vec2<f32>(_e1203, (_e1263 - _e1259));
+                            phi_5414_ = vec2<f32>(_e1241.y, (_e1300 - _e1295));
                         }
-                        let _e1272 = phi_5295_;
-                        let _e1273 = length(_e1272);
-                        if (_e1273 > 0f) {
-                            phi_5296_ = (_e1272 / vec2(_e1273));
+                        let _e1310 = phi_5414_;
+                        let _e1311 = length(_e1310);
+                        if (_e1311 > 0f) {
+                            phi_5415_ = (_e1310 / vec2(_e1311));
                         } else {
-                            phi_5296_ = vec2<f32>(1f, 0f);
+                            phi_5415_ = vec2<f32>(1f, 0f);
                         }
-                        let _e1278 = phi_5296_;
-                        let _e1285 = global.member_5;
-                        let _e1289 = global.member_10;
-                        let _e1293 = vec2<u32>(clamp(round(((_e576 + vec2(_e1285)) * _e1289)), vec2<f32>(0f, 0f), vec2<f32>(1048575f, 1048575f)));
-                        let _e1321 = global.member_45;
-                        let _e1323 = (4u * (_e1321 + _e82));
-                        global_4.member[_e1323] = ((_e1293.x | (_e1131.x << bitcast<u32>(20u))) | (_e1131.z << bitcast<u32>(30u)));
-                        global_4.member[(_e1323 + 1u)] = (_e1293.y | (_e1131.y << bitcast<u32>(20u)));
-                        global_4.member[(_e1323 + 2u)] = pack2x16float((_e1278 * min(sqrt(_e1265), 65504f)));
-                        global_4.member[(_e1323 + 3u)] = ((pack2x16float(vec2<f32>(min(sqrt((_e1212 / _e1265)), 65504f), 0f)) | (_e586 << bitcast<u32>(16u))) | ((_e1131.z >> bitcast<u32>(2u)) << bitcast<u32>(24u)));
-                        let _e1336 = global.member_9;
-                        phi_5297_ = min(u32((_e574 * f32(_e1336))), _e1336);
+                        let _e1316 = phi_5415_;
+                        let _e1323 = global.member_5;
+                        let _e1327 = global.member_10;
+                        let _e1331 = vec2<u32>(clamp(round(((_e587 + vec2(_e1323)) * _e1327)), vec2<f32>(0f, 0f), vec2<f32>(1048575f, 1048575f)));
+                        let _e1359 = global.member_45;
+                        let _e1361 = (4u * (_e1359 + _e83));
+                        global_4.member[_e1361] = ((_e1331.x | (_e1143.x << bitcast<u32>(20u))) | (_e1143.z << bitcast<u32>(30u)));
+                        global_4.member[(_e1361 + 1u)] = (_e1331.y | (_e1143.y << bitcast<u32>(20u)));
+                        global_4.member[(_e1361 + 2u)] = pack2x16float((_e1316 * min(sqrt(_e1303), 65504f)));
+                        global_4.member[(_e1361 + 3u)] = ((pack2x16float(vec2<f32>(min(sqrt(((_e1224 * (_e1240 * _e1240)) / _e1303)), 65504f), 0f)) | (_e1260 << bitcast<u32>(16u))) | ((_e1143.z >> bitcast<u32>(2u)) << bitcast<u32>(24u)));
+                        let _e1374 = global.member_9;
+                        phi_5416_ = min(u32((_e585 * f32(_e1374))), _e1374);
                         break;
                     }
                 }
-                let _e1342 = phi_5297_;
-                phi_5298_ = _e1342;
+                let _e1380 = phi_5416_;
+                phi_5417_ = _e1380;
                 break;
             }
         }
-        let _e1344 = phi_5298_;
-        phi_5299_ = _e1344;
+        let _e1382 = phi_5417_;
+        phi_5418_ = _e1382;
     } else {
-        phi_5299_ = 4294967295u;
+        phi_5418_ = 4294967295u;
     }
-    let _e1346 = phi_5299_;
+    let _e1384 = phi_5418_;
     switch bitcast<i32>(0u) {
         default: {
-            let _e1349 = bitcast<u32>(param[0u]);
-            let _e1351 = global.member_45;
-            let _e1352 = (_e1351 + _e82);
-            if (_e1346 != 4294967295u) {
-                let _e1355 = global.member_40;
-                let _e1357 = global.member_41;
-                let _e1365 = atomicAdd((&global_1.member[((_e1355 + ((_e1352 / _e1357) * 256u)) + (_e1346 & 255u))]), 1u);
+            let _e1387 = bitcast<u32>(param[0u]);
+            let _e1389 = global.member_45;
+            let _e1390 = (_e1389 + _e83);
+            if (_e1384 != 4294967295u) {
+                let _e1393 = global.member_40;
+                let _e1395 = global.member_41;
+                let _e1403 = atomicAdd((&global_1.member[((_e1393 + ((_e1390 / _e1395) * 256u)) + (_e1384 & 255u))]), 1u);
             }
-            let _e1367 = global.member_39;
-            if (_e1367 == 0u) {
-                if (_e82 < (_e84 + (_e84 & 1u))) {
-                    let _e1373 = global.member_28;
-                    global_4.member[(_e1373 + _e1352)] = _e1346;
+            let _e1405 = global.member_39;
+            if (_e1405 == 0u) {
+                if (_e83 < (_e85 + (_e85 & 1u))) {
+                    let _e1411 = global.member_28;
+                    global_4.member[(_e1411 + _e1390)] = _e1384;
                 }
                 break;
             }
-            global_5[_e1349] = _e1346;
+            global_5[_e1387] = _e1384;
             workgroupBarrier();
-            let _e1379 = ((_e1349 & 1u) == 0u);
-            if select(_e1379, _e85, _e1379) {
-                let _e1382 = global.member_28;
-                let _e1389 = global_5[(_e1349 + 1u)];
-                global_4.member[(_e1382 + (_e1352 >> bitcast<u32>(1u)))] = ((_e1346 & 65535u) | (_e1389 << bitcast<u32>(16u)));
+            let _e1417 = ((_e1387 & 1u) == 0u);
+            if select(_e1417, _e86, _e1417) {
+                let _e1420 = global.member_28;
+                let _e1427 = global_5[(_e1387 + 1u)];
+                global_4.member[(_e1420 + (_e1390 >> bitcast<u32>(1u)))] = ((_e1384 & 65535u) | (_e1427 << bitcast<u32>(16u)));
             }
             break;
         }

@@ -53,14 +53,17 @@ struct type_14 {
     member_44: u32,
     member_45: u32,
     member_46: f32,
-    member_47: vec4<f32>,
-    member_48: vec4<f32>,
-    member_49: array<vec4<f32>, 3>,
-    member_50: array<vec4<u32>, 8>,
-    member_51: array<vec4<u32>, 8>,
-    member_52: array<type_10, 8>,
-    member_53: array<vec4<f32>, 128>,
-    member_54: array<vec4<f32>, 768>,
+    member_47: u32,
+    member_48: u32,
+    member_49: f32,
+    member_50: vec4<f32>,
+    member_51: vec4<f32>,
+    member_52: array<vec4<f32>, 3>,
+    member_53: array<vec4<u32>, 8>,
+    member_54: array<vec4<u32>, 8>,
+    member_55: array<type_10, 8>,
+    member_56: array<vec4<f32>, 128>,
+    member_57: array<vec4<f32>, 768>,
 }
 
 struct type_21 {
@@ -146,9 +149,9 @@ fn function_() {
             let _e162 = local[_e159];
             let _e163 = (3u * _e162);
             let _e165 = local_1[_e159];
-            let _e168 = global.member_54[_e163];
-            let _e173 = global.member_54[(_e163 + 1u)];
-            let _e178 = global.member_54[(_e163 + 2u)];
+            let _e168 = global.member_57[_e163];
+            let _e173 = global.member_57[(_e163 + 1u)];
+            let _e178 = global.member_57[(_e163 + 2u)];
             phi_465_ = (_e157 + (vec3<f32>(dot(_e168, _e144), dot(_e173, _e144), dot(_e178, _e144)) * _e165));
             phi_464_ = (_e159 + bitcast<u32>(1i));
         }

@@ -123,7 +123,7 @@ impl Painter {
 
     /// Draws at this quality from now on. Waits for submitted frames where it is another.
     pub fn set_quality(&mut self, quality: &Quality) -> Result<()> {
-        self.renderer.adjust(quality.size(self.size()), quality.cutoff(&self.drawing))
+        self.renderer.adjust(quality.size(self.size()), quality.cutoff(&self.drawing), quality.detail(&self.drawing))
     }
 
     /// Has the next frame's picture looked at, if the last one was. [`Self::seen`] says what was seen some frames later.

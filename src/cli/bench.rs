@@ -35,7 +35,7 @@ pub struct Args {
     #[arg(long, value_name = "NAME,NAME", value_parser = cases)]
     case: Vec<Cases>,
     /// Turn knobs one at a time and measure what each value gains and loses: all, or some of preset, storage, keys, color, raster,
-    /// cutoff, rows, margin, pose-rate, skip and skip-but
+    /// cutoff, rows, margin, detail, pose-rate, skip and skip-but
     #[arg(long, value_name = "NAME,NAME", value_parser = knobs)]
     sweep: Option<Knobs>,
     /// Turns that each value of a sweep has

@@ -1,7 +1,7 @@
 //! Arguments that several commands share, and how they are written.
 
 use crate::{
-    frame::{Camera, Skip},
+    frame::{Camera, Detail, Skip},
     measure::trace::Trace,
     vulkan::{
         Gpu, GpuOptions, RendererOptions,
@@ -82,6 +82,9 @@ pub struct Quality {
     /// Millimetres behind the avatar's front from which on nothing is drawn
     #[arg(long, value_name = "MM", value_parser = length)]
     pub margin: Option<f64>,
+    /// How many of an avatar's Gaussians to draw: full, 1/2, 1/4, 1/8, or auto: fewer of small ones
+    #[arg(long, value_name = "SHARE")]
+    pub detail: Option<Detail>,
 }
 
 impl Quality {
@@ -99,6 +102,7 @@ impl Quality {
             skip: self.skip.unwrap_or(preset.skip),
             cutoff: self.cutoff.map_or(preset.cutoff, |n| n / 255.0),
             margin: self.margin.map_or(preset.margin, |mm| mm / 1e3),
+            detail: self.detail.unwrap_or(preset.detail),
             ..preset
         }
     }
@@ -278,10 +282,10 @@ mod tests {
             RendererOptions { key_bits: KeyBits::ThirtyTwo, color: Some(ColorFormat::Rgba16F), ..of(Preset::Low) },
         );
         expect(
-            "--cutoff 3 --margin 7 --preset exact --skip pose",
-            RendererOptions { cutoff: 3.0 / 255.0, margin: 0.007, skip: Skip::POSE, ..of(Preset::Exact) },
+            "--cutoff 3 --margin 7 --preset exact --skip pose --detail 1/4",
+            RendererOptions { cutoff: 3.0 / 255.0, margin: 0.007, skip: Skip::POSE, detail: Detail::FULL.at_least(2), ..of(Preset::Exact) },
         );
-        for wrong in ["--cutoff 0.5", "--cutoff 300", "--margin -1", "--margin inf", "--preset lowest", "--skip frames"] {
+        for wrong in ["--cutoff 0.5", "--cutoff 300", "--margin -1", "--margin inf", "--preset lowest", "--skip frames", "--detail 1/3"] {
             assert!(options(wrong).is_err(), "{wrong} is accepted");
         }
     }

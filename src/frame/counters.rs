@@ -11,7 +11,9 @@ pub struct Counters {
     pub avatars_culled: u64,
     /// Gaussians of all avatars in the scene.
     pub gaussians: u64,
-    /// Left out: those of avatars that were left out, and for the reasons below.
+    /// Not looked at, since a coarser level of detail does without: part of those left out.
+    pub thinned: u64,
+    /// Left out: those of avatars that were left out, those of finer levels of detail, and for the reasons below.
     pub culled: u64,
     /// Why Gaussians of the other avatars were left out. None where nobody counted.
     pub reasons: Option<Reasons>,
@@ -57,6 +59,7 @@ impl Counters {
             ("avatars_culled", Some(self.avatars_culled)),
             ("gaussians", Some(self.gaussians)),
             ("culled", Some(self.culled)),
+            ("thinned", Some(self.thinned)),
             ("outside", self.reasons.map(|reasons| reasons.outside)),
             ("hidden", self.reasons.map(|reasons| reasons.hidden)),
             ("faint", self.reasons.map(|reasons| reasons.faint)),
@@ -89,9 +92,9 @@ mod tests {
     fn overdraw_is_unknown_where_nothing_was_counted_or_covered() {
         let counted = Counters { fragments: Some(30), covered: Some(12), ..Counters::default() };
         assert_eq!(counted.overdraw(), Some(2.5));
-        assert_eq!(counted.named().count(), 13);
-        assert_eq!(Counters { reasons: Some(Reasons::default()), ..counted }.named().count(), 17);
-        assert_eq!(Counters::default().named().count(), 11);
+        assert_eq!(counted.named().count(), 14);
+        assert_eq!(Counters { reasons: Some(Reasons::default()), ..counted }.named().count(), 18);
+        assert_eq!(Counters::default().named().count(), 12);
         assert_eq!(Counters { covered: Some(0), ..counted }.overdraw(), None);
         assert_eq!(Counters { fragments: None, ..counted }.overdraw(), None);
     }

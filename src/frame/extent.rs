@@ -54,6 +54,7 @@ pub struct Extent {
     parts: Vec<PartBox>,
     /// Of a pose: joints, inputs of the networks, and those of them that are the expression.
     pose: [usize; 3],
+    gaussians: usize,
 }
 
 impl Extent {
@@ -81,12 +82,17 @@ impl Extent {
             PartBox { part, reach, min, max, displaced, joints, weighty }
         });
         let inputs = 3 * avatar.inputs.joint.len() + avatar.inputs.expression;
-        Self { parts: parts.collect(), pose: [avatar.skeleton.len(), inputs, avatar.inputs.expression] }
+        Self { parts: parts.collect(), pose: [avatar.skeleton.len(), inputs, avatar.inputs.expression], gaussians: avatar.gaussians.len() }
     }
 
     /// Of a pose of this avatar: joints, inputs of the networks, and those of them that are the expression.
     pub fn pose_shape(&self) -> [usize; 3] {
         self.pose
+    }
+
+    /// Gaussians of this avatar.
+    pub fn gaussians(&self) -> usize {
+        self.gaussians
     }
 
     fn corners<'a>(&'a self, joints: &'a [DAffine3]) -> impl Iterator<Item = DVec3> + 'a {
@@ -140,20 +146,34 @@ impl Extent {
 
     /// Lower and upper corner of a box in the picture outside which nothing of the avatar is drawn, px. Empty where it is all outside.
     pub fn screen(&self, joints: &[DAffine3], camera: &Camera) -> [UVec2; 2] {
-        let size = UVec2::from(camera.size).as_dvec2();
-        let (mut min, mut max) = (size, DVec2::ZERO);
+        let size = UVec2::from(camera.size);
+        let Some([min, max]) = self.around(joints, camera, MARGIN) else { return [UVec2::ZERO, size] };
+        let clamp = |at: DVec2| at.clamp(DVec2::ZERO, size.as_dvec2()).as_uvec2();
+        let [min, max] = [clamp((min - 2.0).floor()), clamp((max + 2.0).ceil())];
+        [min.min(max), max]
+    }
+
+    /// Pixels of a box around it that has no room to spare and may reach out of the picture. None where it reaches through the near plane.
+    pub fn pixels(&self, joints: &[DAffine3], camera: &Camera) -> Option<f64> {
+        let [min, max] = self.around(joints, camera, 0.0)?;
+        let sides = (max - min).max(DVec2::ZERO);
+        Some(sides.x * sides.y)
+    }
+
+    /// Lower and upper corner of a box around it in the plane of the picture, with so many metres to spare, px. None where it reaches through
+    /// the near plane.
+    fn around(&self, joints: &[DAffine3], camera: &Camera, spare: f64) -> Option<[DVec2; 2]> {
+        let (mut min, mut max) = (DVec2::INFINITY, DVec2::NEG_INFINITY);
         for corner in self.corners(joints) {
             let p = camera.view.transform_point3(corner);
-            if p.z - MARGIN < camera.near {
-                return [UVec2::ZERO, camera.size.into()];
+            if p.z - spare < camera.near {
+                return None;
             }
-            let room = MARGIN * camera.focal / (p.z - MARGIN) * (1.0 + (p.truncate() / p.z).abs()) + 2.0;
+            let room = spare * camera.focal / (p.z - spare) * (1.0 + (p.truncate() / p.z).abs());
             let at = camera.project(p);
             (min, max) = (min.min(at - room), max.max(at + room));
         }
-        let clamp = |at: DVec2| at.clamp(DVec2::ZERO, size).as_uvec2();
-        let [min, max] = [clamp(min.floor()), clamp(max.ceil())];
-        [min.min(max), max]
+        Some([min, max])
     }
 
     /// Nearest and furthest distance along the camera's axis, from the near plane on; the first is always below the second.

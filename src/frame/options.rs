@@ -1,6 +1,6 @@
 //! What a renderer is made with: everything that trades time or memory for something else.
 
-use super::{ALPHA_MIN, KeyBits, Skip};
+use super::{ALPHA_MIN, Detail, KeyBits, Skip};
 use crate::layout::{SORT_CHAIN_TILE, SORT_DIGITS, SORT_GROUP, SORT_LANES, SORT_STATE, SORT_TILE};
 use serde::{Deserialize, Serialize};
 
@@ -22,6 +22,8 @@ pub struct RendererOptions {
     pub cutoff: f64,
     /// How far behind the depth surface something is hidden, metres.
     pub margin: f64,
+    /// How many of an avatar's Gaussians are drawn.
+    pub detail: Detail,
     /// Copies of the avatar that a scene may have, at least 1: memory grows with it.
     pub actors: usize,
     /// Count fragments, where the device can, and why Gaussians are left out: for measurements, since some devices are slower then.
@@ -40,6 +42,7 @@ impl RendererOptions {
             skip: Skip::all() - Skip::DEPTH,
             cutoff: ALPHA_MIN,
             margin: 0.005,
+            detail: Detail::FULL,
             actors: 1,
             count: false,
         }

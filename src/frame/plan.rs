@@ -30,7 +30,8 @@ pub struct Needed {
 #[derive(Clone, Debug)]
 pub struct Plan {
     input: Option<Vec<f64>>,
-    view: Option<(Vec<DAffine3>, Camera)>,
+    /// Joints, camera, and level of detail.
+    view: Option<(Vec<DAffine3>, Camera, u32)>,
     /// Whether a frame has kept what the last one showed.
     kept: bool,
     /// Parts whose networks have not run since what they see changed.
@@ -44,15 +45,15 @@ impl Default for Plan {
 }
 
 impl Plan {
-    /// What the next frame needs, but for what `skip` lets it leave out.
-    pub fn next(&mut self, posed: &Posed, camera: &Camera, skip: Skip) -> Needed {
+    /// What the next frame needs, but for what `skip` lets it leave out. `level`: of detail ([`super::detail`]).
+    pub fn next(&mut self, posed: &Posed, camera: &Camera, skip: Skip, level: u32) -> Needed {
         let changed = self.input.as_ref() != Some(&posed.input);
         let pose = !skip.contains(Skip::POSE) || changed;
         let body = |input: &[f64]| input[..input.len().saturating_sub(posed.expression)].to_vec();
         let expression_only = skip.contains(Skip::EXPRESSION)
             && self.input.as_ref().is_some_and(|before| before.len() == posed.input.len() && body(before) == body(&posed.input));
-        let still = !changed && self.view.as_ref().is_some_and(|(joints, _)| *joints == posed.joints);
-        let view = pose || !skip.contains(Skip::FRAME) || !(still && self.view.as_ref().is_some_and(|(_, before)| before == camera));
+        let still = !changed && self.view.as_ref().is_some_and(|(joints, _, before)| *joints == posed.joints && *before == level);
+        let view = pose || !skip.contains(Skip::FRAME) || !(still && self.view.as_ref().is_some_and(|(_, before, _)| before == camera));
         let body = match (still && skip.contains(Skip::SKINNING), self.kept) {
             (false, _) => Body::Compute,
             (true, false) => Body::Keep,
@@ -62,7 +63,7 @@ impl Plan {
             self.input = Some(posed.input.clone());
         }
         if view {
-            self.view = Some((posed.joints.clone(), *camera));
+            self.view = Some((posed.joints.clone(), *camera, level));
             self.kept = body != Body::Compute;
         }
         Needed { pose, expression_only: pose && expression_only, view, body }
@@ -103,30 +104,52 @@ mod tests {
         let camera = |yaw| Camera::orbit(DVec3::ZERO, yaw, 0.0, 2.0, 0.7, [64, 64]);
         let mut posed = Posed { joints: vec![DAffine3::IDENTITY], input: vec![0.0], expression: 0 };
         let mut plan = Plan::default();
-        assert_eq!(plan.next(&posed, &camera(0.0), Skip::all()), Needed { pose: true, expression_only: false, view: true, body: compute });
-        assert_eq!(plan.next(&posed, &camera(0.0), Skip::all()), Needed { pose: false, expression_only: false, view: false, body: keep });
-        assert_eq!(plan.next(&posed, &camera(0.1), Skip::all()), Needed { pose: false, expression_only: false, view: true, body: keep });
-        assert_eq!(plan.next(&posed, &camera(0.2), Skip::all()), Needed { pose: false, expression_only: false, view: true, body: kept });
-        posed.joints[0] = DAffine3::from_translation(DVec3::X);
-        assert_eq!(plan.next(&posed, &camera(0.1), Skip::all()), Needed { pose: false, expression_only: false, view: true, body: compute });
-        posed.input[0] = 1.0;
-        assert_eq!(plan.next(&posed, &camera(0.1), Skip::all()), Needed { pose: true, expression_only: false, view: true, body: compute });
         assert_eq!(
-            plan.next(&posed, &camera(0.1), Skip::empty()),
+            plan.next(&posed, &camera(0.0), Skip::all(), 0),
             Needed { pose: true, expression_only: false, view: true, body: compute }
         );
-        assert_eq!(plan.next(&posed, &camera(0.1), Skip::POSE), Needed { pose: false, expression_only: false, view: true, body: compute });
-        assert_eq!(plan.next(&posed, &camera(0.1), Skip::all()), Needed { pose: false, expression_only: false, view: false, body: keep });
+        assert_eq!(
+            plan.next(&posed, &camera(0.0), Skip::all(), 0),
+            Needed { pose: false, expression_only: false, view: false, body: keep }
+        );
+        assert_eq!(plan.next(&posed, &camera(0.1), Skip::all(), 0), Needed { pose: false, expression_only: false, view: true, body: keep });
+        assert_eq!(plan.next(&posed, &camera(0.2), Skip::all(), 0), Needed { pose: false, expression_only: false, view: true, body: kept });
+        // Of another level of detail, other Gaussians were kept.
+        let level = |plan: &mut Plan, level| plan.next(&posed, &camera(0.2), Skip::all(), level);
+        assert_eq!(level(&mut plan, 1), Needed { pose: false, expression_only: false, view: true, body: compute });
+        assert_eq!(level(&mut plan, 1), Needed { pose: false, expression_only: false, view: false, body: keep });
+        posed.joints[0] = DAffine3::from_translation(DVec3::X);
+        assert_eq!(
+            plan.next(&posed, &camera(0.1), Skip::all(), 0),
+            Needed { pose: false, expression_only: false, view: true, body: compute }
+        );
+        posed.input[0] = 1.0;
+        assert_eq!(
+            plan.next(&posed, &camera(0.1), Skip::all(), 0),
+            Needed { pose: true, expression_only: false, view: true, body: compute }
+        );
+        assert_eq!(
+            plan.next(&posed, &camera(0.1), Skip::empty(), 0),
+            Needed { pose: true, expression_only: false, view: true, body: compute }
+        );
+        assert_eq!(
+            plan.next(&posed, &camera(0.1), Skip::POSE, 0),
+            Needed { pose: false, expression_only: false, view: true, body: compute }
+        );
+        assert_eq!(
+            plan.next(&posed, &camera(0.1), Skip::all(), 0),
+            Needed { pose: false, expression_only: false, view: false, body: keep }
+        );
         // The last number is the expression's.
         posed = Posed { input: vec![1.0, 2.0], expression: 1, ..posed };
-        assert!(!plan.next(&posed, &camera(0.1), Skip::all()).expression_only);
+        assert!(!plan.next(&posed, &camera(0.1), Skip::all(), 0).expression_only);
         posed.input[1] = 3.0;
         let expression = Needed { pose: true, expression_only: true, view: true, body: compute };
-        assert_eq!(plan.next(&posed, &camera(0.1), Skip::all()), expression);
+        assert_eq!(plan.next(&posed, &camera(0.1), Skip::all(), 0), expression);
         posed.input[1] = 4.0;
-        assert!(!plan.next(&posed, &camera(0.1), Skip::all() - Skip::EXPRESSION).expression_only);
+        assert!(!plan.next(&posed, &camera(0.1), Skip::all() - Skip::EXPRESSION, 0).expression_only);
         posed.input = vec![5.0, 6.0];
-        assert!(!plan.next(&posed, &camera(0.1), Skip::all()).expression_only);
+        assert!(!plan.next(&posed, &camera(0.1), Skip::all(), 0).expression_only);
     }
     #[test]
     fn networks_wait_until_they_are_seen() {

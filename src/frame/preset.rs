@@ -2,7 +2,7 @@
 //!
 //! `effigy bench --sweep preset` measures them; the README has the numbers.
 
-use super::{ALPHA_MIN, ColorFormat, KeyBits, RendererOptions, Skip};
+use super::{ALPHA_MIN, ColorFormat, Detail, KeyBits, RendererOptions, Skip};
 use std::{fmt, str::FromStr};
 
 /// How much error a picture may have for the sake of time.
@@ -26,6 +26,7 @@ struct Values {
     skip: Skip,
     cutoff: f64,
     margin: f64,
+    detail: Detail,
 }
 
 impl Preset {
@@ -36,22 +37,30 @@ impl Preset {
         let (color, skip) = (None, Skip::all());
         // What leaves out something that shows, if only a little.
         let lossy = Skip::HIDDEN.union(Skip::DEPTH);
-        let (sixteen, most) = (KeyBits::Sixteen, KeyBits::ThirtyTwo);
+        let (sixteen, most, detail) = (KeyBits::Sixteen, KeyBits::ThirtyTwo, Detail::FULL);
         match self {
-            Self::Low => Values { color: Some(ColorFormat::Rgba8), key_bits: sixteen, skip, cutoff: 4.0 * ALPHA_MIN, margin: 0.003 },
-            Self::Balanced => Values { color, key_bits: sixteen, skip, cutoff: 2.0 * ALPHA_MIN, margin: 0.004 },
+            Self::Low => Values {
+                color: Some(ColorFormat::Rgba8),
+                key_bits: sixteen,
+                skip,
+                cutoff: 4.0 * ALPHA_MIN,
+                margin: 0.003,
+                detail: Detail::AUTO,
+            },
+            Self::Balanced => Values { color, key_bits: sixteen, skip, cutoff: 2.0 * ALPHA_MIN, margin: 0.004, detail },
             // Where a coarse surface comes out of a crease, the depth test shows; culling whole Gaussians by it does not.
-            Self::High => Values { color, key_bits: sixteen, skip: skip.difference(Skip::DEPTH), cutoff: ALPHA_MIN, margin: 0.005 },
+            Self::High => Values { color, key_bits: sixteen, skip: skip.difference(Skip::DEPTH), cutoff: ALPHA_MIN, margin: 0.005, detail },
             Self::Exact => {
-                Values { color: Some(ColorFormat::Rgba16F), key_bits: most, skip: skip.difference(lossy), cutoff: ALPHA_MIN, margin: 0.005 }
+                let (color, skip) = (Some(ColorFormat::Rgba16F), skip.difference(lossy));
+                Values { color, key_bits: most, skip, cutoff: ALPHA_MIN, margin: 0.005, detail }
             }
         }
     }
 
     /// Other options with what this preset decides put into them.
     pub fn apply(self, options: RendererOptions) -> RendererOptions {
-        let Values { color, key_bits, skip, cutoff, margin } = self.values();
-        RendererOptions { color, key_bits, skip, cutoff, margin, ..options }
+        let Values { color, key_bits, skip, cutoff, margin, detail } = self.values();
+        RendererOptions { color, key_bits, skip, cutoff, margin, detail, ..options }
     }
 }
 

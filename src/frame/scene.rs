@@ -1,7 +1,7 @@
 //! What a frame is made of, before anything is asked of the device: posed avatars and a camera go in; which of them are in view, what
 //! each needs, and what all of them share come out.
 
-use super::{Body, Camera, Counters, Extent, Needed, Needs, PartSet, Place, Plan, Posed, RendererOptions, Skip, extent};
+use super::{Body, Camera, Counters, Extent, Needed, Needs, PartSet, Place, Plan, Posed, RendererOptions, Skip, detail, extent};
 use glam::UVec2;
 
 /// An avatar in view.
@@ -9,6 +9,9 @@ pub struct Actor<'a> {
     /// Which of the renderer's places it has: that of its pose in what [`Scene::next`] was given.
     pub number: usize,
     pub posed: &'a Posed,
+    /// Of detail, and how many Gaussians that is.
+    pub level: u32,
+    pub drawn: u32,
     pub needed: Needed,
     /// Parts that may be in the view, where it matters.
     seen: Option<PartSet>,
@@ -65,9 +68,11 @@ impl Scene {
             }
             area = extent::around(area, visible.as_ref().filter(|_| skip.contains(Skip::AREA)).map_or(whole, |visible| visible.area));
             let seen = visible.filter(|_| skip.contains(Skip::PARTS)).map(|visible| visible.parts);
-            let needed = self.plans[number].next(posed, camera, skip);
+            let level = options.detail.level(extent.gaussians(), extent.pixels(&posed.joints, camera));
+            let drawn = detail::drawn(extent.gaussians() as u32, level);
+            let needed = self.plans[number].next(posed, camera, skip, level);
             let outside = seen.filter(|_| needed.body != Body::Keep).map_or(PartSet::EMPTY, |seen| needs.all() - seen);
-            actors.push(Actor { number, posed, needed, seen, outside, networks: PartSet::EMPTY });
+            actors.push(Actor { number, posed, level, drawn, needed, seen, outside, networks: PartSet::EMPTY });
         }
         let in_view: Vec<_> = actors.iter().map(|actor| actor.number).collect();
         let others = !skip.contains(Skip::FRAME) || self.in_view.as_ref() != Some(&in_view);
@@ -86,25 +91,47 @@ impl Scene {
 }
 
 impl Staged<'_> {
+    /// The avatars in view, each with where its splats and keys start; those of each start at an even number, so that two keys of a word are of
+    /// one avatar.
+    pub fn placed(&self) -> impl Iterator<Item = (&Actor<'_>, u32)> {
+        let mut first = 0;
+        self.actors.iter().map(move |actor| {
+            let at = first;
+            first += slots(actor.drawn);
+            (actor, at)
+        })
+    }
+
+    /// Keys of all of them.
+    pub fn keys(&self) -> u32 {
+        self.actors.iter().map(|actor| slots(actor.drawn)).sum()
+    }
+
     /// What is known of the frame before it is drawn. `harmonics`, `surface`: whether it has those stages; `sort`: dispatches of the sort.
     pub fn counters(&self, gaussians: u32, (harmonics, surface, sort): (bool, bool, usize), raster: u64) -> Counters {
         let drawn = self.actors.len() as u64;
         let sum = |of: &dyn Fn(&Actor) -> usize| self.actors.iter().map(of).sum::<usize>() as u64;
         let posed = sum(&|actor| usize::from(!actor.networks.is_empty()));
-        let kept = sum(&|actor| usize::from(self.view && actor.needed.body == Body::Kept));
+        let kept = sum(&|actor| if self.view && actor.needed.body == Body::Kept { actor.drawn as usize } else { 0 });
         let view = drawn * (1 + u64::from(harmonics)) + if drawn > 0 { u64::from(surface) + sort as u64 } else { 0 };
         Counters {
             avatars: self.avatars as u64,
             avatars_culled: self.avatars as u64 - drawn,
             gaussians: self.avatars as u64 * u64::from(gaussians),
+            thinned: if self.view { sum(&|actor| (gaussians - actor.drawn) as usize) } else { 0 },
             networks: sum(&|actor| actor.networks.len()),
             parts_outside: sum(&|actor| actor.outside.len()),
-            kept: kept * u64::from(gaussians),
+            kept,
             dispatches: posed + if self.view { view + raster } else { 0 },
             submitted: 1,
             ..Counters::default()
         }
     }
+}
+
+/// Places of an avatar that draws so many Gaussians, among splats and keys.
+pub fn slots(drawn: u32) -> u32 {
+    drawn.next_multiple_of(2)
 }
 
 /// A box in the picture around all of them.

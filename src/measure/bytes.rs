@@ -55,7 +55,7 @@ pub struct Work {
 /// What the counts depend on besides the avatar.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Seen {
-    /// Gaussians that came in, and those that were drawn.
+    /// Gaussians that were looked at, and those that were drawn.
     pub gaussians: u64,
     pub drawn: u64,
     /// Networks that ran; all where that is not known.
@@ -123,7 +123,9 @@ fn features(avatar: &Avatar, options: &RendererOptions, seen: Seen) -> Work {
 
 /// Colours of the view's direction, of avatars that have them.
 fn view_colors(avatar: &Avatar, seen: Seen) -> Work {
-    let coefficients = harmonics::bytes(avatar);
+    let model = avatar.gaussians.len() as u128;
+    let looked_at = u128::from(seen.gaussians);
+    let coefficients = (u128::from(harmonics::bytes(avatar)) * looked_at).checked_div(model).unwrap_or_default() as u64;
     // Position and joints in, the colour out; where the colour goes is up to the layout.
     let bytes = coefficients + (16 + 8) * seen.gaussians;
     let bytes_floor = coefficients.min(bytes);
@@ -154,7 +156,8 @@ fn splats(avatar: &Avatar, options: &RendererOptions, seen: Seen, hides: bool) -
     let numbers = (avatar.rotation_rows.basis.len() + avatar.scale_rows.basis.len() + avatar.color_rows.basis.len()) as u64;
     let heads = 4 * (avatar.rotation_rows.gaussian.len() + avatar.scale_rows.gaussian.len() + 3 * avatar.color_rows.gaussian.len()) as u64;
     // Those that are not drawn read no rows; which have some is taken to be the same among both.
-    let share = |all: u64| (u128::from(all) * u128::from(drawn)).checked_div(u128::from(gaussians)).unwrap_or_default() as u64;
+    let model = avatar.gaussians.len() as u128;
+    let share = |all: u64| (u128::from(all) * u128::from(drawn)).checked_div(model).unwrap_or_default() as u64;
     // A drawn key adds one to a count of the sort's first pass.
     let out = (SPLAT_BYTES + 8) * drawn + options.key_bits.bytes(gaussians) + if hides { PYRAMID_BYTES * pyramid() } else { 0 };
     // What is not drawn needs no key.

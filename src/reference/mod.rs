@@ -28,9 +28,9 @@ pub struct Stages {
     pub features: Vec<f64>,
     /// δx_s, metres; length N_s.
     pub nodes: Vec<DVec3>,
-    /// The avatar in the posed world; length N_g.
+    /// The avatar in the posed world; length N_g, fewer at a level of detail.
     pub gaussians: Vec<Gaussian>,
-    /// The same in the picture; length N_g.
+    /// The same in the picture.
     pub splats: Vec<Result<Splat, Culled>>,
     /// Indices into `splats`, far to near.
     pub order: Vec<u32>,
@@ -40,8 +40,14 @@ pub struct Stages {
 impl Stages {
     /// Runs one frame from the top.
     pub fn new(avatar: &Avatar, posed: &Posed, camera: &Camera) -> Self {
+        Self::thinned(avatar, posed, camera, 0)
+    }
+
+    /// The same at a level of detail ([`crate::frame::detail`]): of the Gaussians every 2^`level`-th, which stands for the others.
+    pub fn thinned(avatar: &Avatar, posed: &Posed, camera: &Camera, level: u32) -> Self {
         let (features, nodes, gaussians) = world(avatar, posed, camera);
-        let splats = splats::splats(&gaussians, camera);
+        let gaussians: Vec<Gaussian> = gaussians.into_iter().step_by(1 << level).collect();
+        let splats: Vec<_> = gaussians.iter().map(|gaussian| splats::project(gaussian, camera, level)).collect();
         let order = sort::order(&splats);
         let canvas = raster::raster(&splats, &order, camera);
         Self { features, nodes, gaussians, splats, order, canvas }

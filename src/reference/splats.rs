@@ -2,7 +2,7 @@
 //! world, and as an ellipse in the picture or the reason why it isn't there.
 
 use crate::avatar::{Avatar, Rows};
-use crate::frame::{self, Camera, Posed};
+use crate::frame::{self, Camera, Posed, detail};
 use glam::{DAffine3, DMat3, DQuat, DVec2, DVec3};
 use rayon::prelude::*;
 
@@ -134,18 +134,23 @@ pub(crate) fn skinning(joints: &[DAffine3], joint: [u8; 4], weight: [u8; 4]) -> 
 
 /// Every Gaussian as the camera sees it; same length and order.
 pub fn splats(gaussians: &[Gaussian], camera: &Camera) -> Vec<Result<Splat, Culled>> {
-    gaussians.par_iter().map(|gaussian| project(gaussian, camera)).collect()
+    gaussians.par_iter().map(|gaussian| project(gaussian, camera, 0)).collect()
 }
 
-/// EWA projection of one Gaussian, with the low-pass, and culling (model.md step 8).
-pub fn project(gaussian: &Gaussian, camera: &Camera) -> Result<Splat, Culled> {
+/// EWA projection of one Gaussian, with the low-pass, and culling (model.md step 8); of one that a level of detail has stand for 2^`level`
+/// ([`detail`]).
+pub fn project(gaussian: &Gaussian, camera: &Camera, level: u32) -> Result<Splat, Culled> {
     let t = camera.view.transform_point3(gaussian.mean);
     if t.z < camera.near {
         return Err(Culled::Behind);
     }
-    let reach = frame::reach(gaussian.opacity).ok_or(Culled::Faint)?;
+    frame::reach(gaussian.opacity).ok_or(Culled::Faint)?;
+    let opacity = detail::opacity(gaussian.opacity, level);
+    let reach = frame::reach(opacity).ok_or(Culled::Faint)?;
     let center = camera.project(t);
-    let ([a, b, c], determinant) = project_covariance(camera.view.matrix3 * gaussian.axes, t, camera);
+    let (covariance, determinant) = project_covariance(camera.view.matrix3 * gaussian.axes, t, camera);
+    let spread = detail::spread(level);
+    let ([a, b, c], determinant) = (covariance.map(|v| spread * v), spread * spread * determinant);
     let extent = reach * DVec2::new(a.sqrt(), c.sqrt());
     let shape = determinant > 0.0 && a.max(c) <= frame::VARIANCE_MAX;
     if !(t.is_finite() && center.is_finite() && extent.is_finite() && b.is_finite() && gaussian.color.is_finite() && shape) {
@@ -158,7 +163,7 @@ pub fn project(gaussian: &Gaussian, camera: &Camera) -> Result<Splat, Culled> {
     if (center + extent).min_element() < 0.0 || (size + extent - center).min_element() < 0.0 {
         return Err(Culled::Outside);
     }
-    let opacity = f64::from(gaussian.opacity) / 255.0;
+    let opacity = f64::from(opacity) / 255.0;
     Ok(Splat { center, depth: t.z, covariance: [a, b, c], determinant, extent, opacity, color: gaussian.color })
 }
 

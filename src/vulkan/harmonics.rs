@@ -17,7 +17,6 @@ use std::sync::Arc;
 
 pub struct Harmonics {
     kernel: Kernel,
-    groups: u32,
     /// Kept alive for the kernel.
     _coefficients: [Buffer; 2],
 }
@@ -33,12 +32,12 @@ impl Harmonics {
         let storage = [(&model.gaussians).into(), (&low).into(), (&high).into()];
         let bindings = Bindings::new(gpu, vk::ShaderStageFlags::COMPUTE, Some(frame), &storage)?;
         let kernel = Kernel::new(gpu, &shaders::HARMONICS, &[coefficients.degree as u32], bindings)?;
-        Ok(Some(Self { kernel, groups: model.constants.gaussians.div_ceil(HARMONICS_SIZE), _coefficients: [low, high] }))
+        Ok(Some(Self { kernel, _coefficients: [low, high] }))
     }
 
-    /// Reads the frame's joints and the model, writes the model's colours; compute.
-    pub fn record(&self, commands: vk::CommandBuffer, frame: u32) {
-        self.kernel.dispatch(commands, frame, self.groups);
+    /// Reads the frame's joints and the model, writes the model's colours of the Gaussians that are drawn; compute.
+    pub fn record(&self, commands: vk::CommandBuffer, (frame, drawn): (u32, u32)) {
+        self.kernel.dispatch(commands, frame, drawn.div_ceil(HARMONICS_SIZE));
     }
 }
 

@@ -21,7 +21,7 @@ use super::{
     pipeline::{Slice, barrier},
     raster::{Raster, Touched},
     sort::{Sort, SortOptions, choice},
-    splats::{Splats, slots as slots_of},
+    splats::Splats,
     surface::Surface,
 };
 use crate::{
@@ -230,7 +230,7 @@ impl Renderer {
         let stages = (harmonics.is_some(), hides.is_some(), sort.dispatches(true));
         let counters = staged.counters(model.constants.gaussians, stages, raster.dispatches());
         slot.note(Counters { area: if staged.view { touched.pixels() } else { 0 }, ..counters });
-        let keys = if staged.view { views.len() as u32 * slots_of(model.constants.gaussians) } else { entering.unwrap_or(0) };
+        let keys = if staged.view { staged.keys() } else { entering.unwrap_or(0) };
         // The frame before may still read what this one writes.
         barrier(gpu, commands, BEFORE, SHARED);
         if entering != Some(keys) || staged.view {
@@ -255,9 +255,10 @@ impl Renderer {
             ["splats", "sort", "raster"].into_iter().for_each(|stage| slot.skip(stage));
             return keys;
         }
-        if let Some(&first) = views.first() {
+        if let Some(lead) = staged.actors.first() {
+            let first = at(lead.number);
             if let Some(harmonics) = harmonics {
-                slot.stage("harmonics", |commands| harmonics.record(commands, first));
+                slot.stage("harmonics", |commands| harmonics.record(commands, (first, lead.drawn)));
                 barrier(gpu, commands, WRITTEN, SHARED);
             }
             if let Some((surface, place)) = hides {
@@ -269,10 +270,10 @@ impl Renderer {
                     let frame = at(actor.number);
                     // All share the model's colours: one avatar's give way to the next's once they are used.
                     if let Some(harmonics) = harmonics.as_ref().filter(|_| frame != first) {
-                        harmonics.record(commands, frame);
+                        harmonics.record(commands, (frame, actor.drawn));
                         barrier(gpu, commands, WRITTEN, SHARED);
                     }
-                    splats.record(commands, frame, actor.needed.body);
+                    splats.record(commands, (frame, actor.drawn), actor.needed.body);
                 });
             });
             barrier(gpu, commands, WRITTEN, SHARED);

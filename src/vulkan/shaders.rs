@@ -3,7 +3,7 @@
 //! `cargo run --features shaderc --bin compile-shaders` compiles them again after a change; [`fingerprint`] is how a test notices
 //! that someone forgot to.
 
-use crate::layout;
+use crate::{hash, layout};
 use ash::vk;
 use std::{fs, io, iter, path::Path};
 
@@ -30,12 +30,6 @@ impl Module {
             Some("frag") => vk::ShaderStageFlags::FRAGMENT,
             _ => vk::ShaderStageFlags::COMPUTE,
         }
-    }
-
-    /// Changes with the source, whose own [`fingerprint`] is given, and with what it was compiled to, with f16 buffers or without.
-    pub fn fingerprint<'a>(&self, source: u64, compiled: impl IntoIterator<Item = &'a [u8]>) -> u64 {
-        let bytes = source.to_le_bytes().into_iter().chain(compiled.into_iter().flatten().copied());
-        bytes.fold(FNV, add)
     }
 
     /// What the source was compiled to: without f16 storage buffers and, where it differs, with them.
@@ -134,22 +128,21 @@ pub static MODULES: &[&Module] = &[
 /// Changes with any kernel of the sort: what one build of it did says nothing of another.
 pub fn sort_hash() -> u64 {
     let kernels = MODULES.iter().filter(|module| module.file.starts_with("sort_"));
-    kernels.flat_map(|module| module.spirv).fold(FNV, |hash, &byte| add(hash, byte))
-}
-
-const FNV: u64 = 0xcbf2_9ce4_8422_2325;
-
-fn add(hash: u64, byte: u8) -> u64 {
-    (hash ^ u64::from(byte)).wrapping_mul(0x100_0000_01b3)
+    hash::add(hash::EMPTY, kernels.flat_map(|module| module.spirv).copied())
 }
 
 /// File in `shaders/spv` with a line `name fingerprint` for each module.
 pub const FINGERPRINTS: &str = "fingerprints.txt";
 
+/// Changes with the source, whose own [`fingerprint`] is given, and with what it was compiled to, with f16 buffers or without.
+pub fn module_fingerprint<'a>(source: u64, compiled: impl IntoIterator<Item = &'a [u8]>) -> u64 {
+    hash::add(hash::EMPTY, source.to_le_bytes().into_iter().chain(compiled.into_iter().flatten().copied()))
+}
+
 /// A number that changes with the text of a shader, of any file it includes, and with the constants it is compiled with (FNV-1a).
 pub fn fingerprint(shaders: &Path, file: &str) -> io::Result<u64> {
-    let mut hash = FNV;
-    let mut add = |text: &str| text.bytes().for_each(|byte| hash = add(hash, byte));
+    let mut hash = hash::EMPTY;
+    let mut add = |text: &str| hash = hash::add(hash, text.bytes());
     layout::MACROS.iter().for_each(|(name, value)| add(&format!("{name}={value};")));
     let mut queue = vec![file.to_string()];
     let mut seen = 0;

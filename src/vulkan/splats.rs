@@ -14,7 +14,7 @@ use super::{
     sort::{KeyBits, Variant, counts_size},
 };
 use crate::{
-    frame::Body,
+    frame::{Body, scene::slots},
     layout::{Frame, POSED_WORDS, SORT_DROPPED, SPLATS_SIZE},
 };
 use ash::vk;
@@ -31,7 +31,6 @@ pub struct Splats {
     computing: Kernel,
     /// Computes and keeps; draws what was kept. None where nothing is kept.
     keeping: Option<[Kernel; 2]>,
-    groups: u32,
     counted: bool,
     areas: Areas,
     buffer: Buffer,
@@ -87,16 +86,15 @@ impl Splats {
             gpu: gpu.clone(),
             computing: kernel(&shaders::SPLATS, &[0], &all)?,
             keeping: keep.then(keeping).transpose()?,
-            groups: count.div_ceil(SPLATS_SIZE),
             counted: options.count,
             areas,
             buffer,
         })
     }
 
-    /// Says in a frame's block where things are that are an avatar's: its place in the renderer, and how many are drawn before it.
-    pub fn fill_actor(&self, block: &mut Frame, number: u32, before: u32) {
-        block.first = before * slots(block.gaussians);
+    /// Says in a frame's block where things are that are an avatar's: its place in the renderer, and where its splats start.
+    pub fn fill_actor(&self, block: &mut Frame, number: u32, first: u32) {
+        block.first = first;
         block.posed_start = (self.areas.posed / 4) as u32 + number * POSED_WORDS * block.gaussians;
     }
 
@@ -157,23 +155,18 @@ impl Splats {
         Ok((splats, keys))
     }
 
-    /// One avatar's. Reads what `features` wrote, and counts what [`super::sort::Sort::clear`] has cleared; compute.
-    pub fn record(&self, commands: vk::CommandBuffer, frame: u32, body: Body) {
+    /// One avatar's, of which so many Gaussians are drawn. Reads what `features` wrote, and counts what [`super::sort::Sort::clear`] has cleared; compute.
+    pub fn record(&self, commands: vk::CommandBuffer, (frame, drawn): (u32, u32), body: Body) {
         let kernel = match (body, &self.keeping) {
             (Body::Keep, Some([keep, _])) => keep,
             (Body::Kept, Some([_, kept])) => kept,
             _ => &self.computing,
         };
-        kernel.dispatch(commands, frame, self.groups);
+        kernel.dispatch(commands, frame, drawn.div_ceil(SPLATS_SIZE));
     }
 }
 
 /// Where the keys of `count` Gaussians start, in bytes.
 pub fn key_offset(count: u32) -> u64 {
     (16 * u64::from(count)).next_multiple_of(256)
-}
-
-/// Slots of an avatar of so many Gaussians among splats and keys: an even number, so that two keys of a word are of one avatar.
-pub fn slots(count: u32) -> u32 {
-    count.next_multiple_of(2)
 }

@@ -276,6 +276,7 @@ impl Stage {
             "skip": options.skip.to_string(),
             "cutoff": options.cutoff,
             "margin": options.margin,
+            "detail": options.detail.to_string(),
             "storage": "words",
             "rows": 1.0,
             "hold": 1,

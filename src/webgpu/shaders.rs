@@ -2,6 +2,8 @@
 //!
 //! `cargo run --features shaderc --bin compile-shaders` writes them; [`Module::fingerprint`] is how a test notices that someone forgot to.
 
+use crate::hash;
+
 /// A shader for WebGPU.
 pub struct Module {
     /// Name of the file in `shaders/wgsl`, without its ending.
@@ -77,6 +79,6 @@ impl Module {
     pub fn fingerprint(&self, source: u64, wgsl: &str) -> u64 {
         let macros = self.macros.iter().map(|(name, value)| format!("{name}={value};")).collect::<String>();
         let bytes = source.to_le_bytes().into_iter().chain(macros.bytes()).chain(wgsl.bytes());
-        bytes.fold(0xcbf2_9ce4_8422_2325, |hash: u64, byte| (hash ^ u64::from(byte)).wrapping_mul(0x100_0000_01b3))
+        hash::add(hash::EMPTY, bytes)
     }
 }

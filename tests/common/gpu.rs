@@ -59,7 +59,9 @@ pub struct Frame {
     pub gpu: Stages,
     pub report: FrameReport,
     pub picture: effigy::frame::Picture,
+    /// Of every 2^`level`-th Gaussian.
     pub oracle: reference::Stages,
+    pub level: u32,
 }
 
 /// Sees a whole posed avatar from the front left.
@@ -92,8 +94,9 @@ pub fn draw_after(gpu: &Arc<Gpu>, avatar: Avatar, posed: Posed, before: &[Camera
     let picture = renderer.picture().unwrap();
     let stages = renderer.stages().unwrap();
     let avatar = avatar.compact();
-    let oracle = reference::Stages::new(&avatar, &posed, &camera);
-    Frame { report: renderer.report().clone(), gpu: stages, picture, oracle, avatar, posed, camera }
+    let level = options.detail.least;
+    let oracle = reference::Stages::thinned(&avatar, &posed, &camera, level);
+    Frame { report: renderer.report().clone(), gpu: stages, picture, oracle, level, avatar, posed, camera }
 }
 
 pub fn options(size: [u32; 2]) -> RendererOptions {

@@ -12,7 +12,7 @@ pub fn heading(report: &Report) {
     println!("device   {} ({}), {through}", report.device.name, report.device.driver);
     println!("avatar   {}, {} Gaussians, {:?} rows; clip {}", avatar.name, avatar.gaussians, avatar.rows, avatar.clip);
     println!("picture  {} × {}, {}, {}, {}-bit keys", report.size[0], report.size[1], options.raster, options.color, options.key_bits);
-    println!("error    cutoff {:.1}/255, margin {:.1} mm", 255.0 * options.cutoff, 1e3 * options.margin);
+    println!("error    cutoff {:.1}/255, margin {:.1} mm, detail {}", 255.0 * options.cutoff, 1e3 * options.margin, options.detail);
     println!("skipped  {}", options.skip);
 }
 
@@ -70,7 +70,8 @@ fn counters(report: &CaseReport) {
     let count = |name: &str| report.counters.get(name).map(|count| format!("{name} {}", number(*count)));
     let some = |names: &[&str]| names.iter().filter_map(|name| count(name)).collect::<Vec<_>>().join(", ");
     println!("  Gaussians {}", some(&["gaussians", "drawn", "culled"]).replacen("gaussians", "in", 1));
-    let reasons = some(&["outside", "hidden", "faint", "degenerate"]);
+    let thinned = report.counters.get("thinned").filter(|&&count| count > 0.0).map(|_| "thinned");
+    let reasons = some(&[thinned.as_slice(), &["outside", "hidden", "faint", "degenerate"]].concat());
     if !reasons.is_empty() {
         println!("  culled    {reasons}");
     }

@@ -182,6 +182,7 @@ mod tests {
                 skip: text("none"),
                 cutoff: 1.0 / 255.0,
                 margin: 0.005,
+                detail: text("full"),
                 storage: text("half"),
                 rows: 1.0,
                 hold: 1,

@@ -2,7 +2,7 @@
 
 use super::{Setting, key_bits, scene::RATE};
 use crate::{
-    frame::Skip,
+    frame::{Detail, Skip},
     vulkan::{
         preset::Preset,
         raster::{ColorFormat, Method},
@@ -15,6 +15,8 @@ use std::{fmt, str::FromStr};
 pub const PRESET: &str = "preset";
 
 const COLORS: [ColorFormat; 2] = [ColorFormat::Rgba8, ColorFormat::Rgba16F];
+const DETAILS: [Detail; 5] =
+    [Detail::FULL, Detail::AUTO, Detail { least: 1, auto: false }, Detail { least: 2, auto: false }, Detail { least: 3, auto: false }];
 const KEYS: [KeyBits; 3] = [KeyBits::Sixteen, KeyBits::TwentyFour, KeyBits::ThirtyTwo];
 
 /// Something that trades time for error.
@@ -28,6 +30,7 @@ pub enum Knob {
     Cutoff,
     Rows,
     Margin,
+    Detail,
     PoseRate,
     Skip,
     /// Everything skipped but one kind of work.
@@ -36,7 +39,7 @@ pub enum Knob {
 
 impl Knob {
     /// Every knob; the last is for looking into the skips and not part of a sweep of all.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 12] = [
         Self::Preset,
         Self::Storage,
         Self::Keys,
@@ -45,6 +48,7 @@ impl Knob {
         Self::Cutoff,
         Self::Rows,
         Self::Margin,
+        Self::Detail,
         Self::PoseRate,
         Self::Skip,
         Self::SkipBut,
@@ -60,6 +64,7 @@ impl Knob {
             Self::Cutoff => "cutoff",
             Self::Rows => "rows",
             Self::Margin => "margin",
+            Self::Detail => "detail",
             Self::PoseRate => "pose-rate",
             Self::Skip => "skip",
             Self::SkipBut => "skip-but",
@@ -102,6 +107,10 @@ impl Knob {
             Self::Rows => numbers(&[1.0, 0.75, 0.5, 0.25, 0.0], base.rows, "", |v| of(&|s| s.rows = v)),
             Self::Margin => {
                 numbers(&[1.0, 2.0, 5.0, 10.0, 20.0, 50.0], 1e3 * options.margin, " mm", |v| of(&|s| s.options.margin = v / 1e3))
+            }
+            Self::Detail => {
+                let other = DETAILS.into_iter().filter(|&detail| detail != options.detail);
+                other.map(|detail| (detail.to_string(), of(&|s| s.options.detail = detail))).collect()
             }
             Self::PoseRate => numbers(&[1.0, 2.0, 3.0, 4.0, 6.0], base.hold as f64, "", |v| of(&|s| s.hold = v as usize))
                 .into_iter()
@@ -162,6 +171,7 @@ mod tests {
         assert_eq!(names(Knob::PoseRate), ["30 Hz", "20 Hz", "15 Hz", "10 Hz"]);
         assert_eq!(names(Knob::Cutoff), ["2/255", "4/255", "8/255"]);
         assert_eq!(names(Knob::Keys).len(), 2);
+        assert_eq!(names(Knob::Detail), ["auto", "1/2", "1/4", "1/8"]);
         assert_eq!(names(Knob::Skip), ["all", "none"]);
         assert_eq!(names(Knob::SkipBut).len(), base().options.skip.iter_names().count());
         for knob in Knob::ALL {
@@ -190,6 +200,7 @@ mod tests {
                             Knob::Raster => options.method = base().options.method,
                             Knob::Cutoff => options.cutoff = base().options.cutoff,
                             Knob::Margin => options.margin = base().options.margin,
+                            Knob::Detail => options.detail = base().options.detail,
                             _ => options.skip = base().options.skip,
                         }
                         Setting { options, ..setting }

@@ -114,7 +114,7 @@ fn work(avatar: &Avatar, setting: &Setting, counters: &BTreeMap<String, f64>, se
     let in_view = (all - culled).max(0.0);
     let mut together = seen;
     if all > 0.0 {
-        together.gaussians = (count("gaussians") * in_view / all).round() as u64;
+        together.gaussians = (count("gaussians") * in_view / all - count("thinned")).max(0.0).round() as u64;
     }
     let share = |of: u64| if in_view > 0.0 { (of as f64 / in_view).round() as u64 } else { 0 };
     let networks = together.networks.map(share);

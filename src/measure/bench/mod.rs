@@ -105,6 +105,7 @@ pub(super) fn options(setting: &Setting) -> Options {
         skip: options.skip.to_string(),
         cutoff: options.cutoff,
         margin: options.margin,
+        detail: options.detail.to_string(),
         storage: if setting.packed_words { "words" } else { "half" }.to_owned(),
         rows: setting.rows,
         hold: setting.hold,

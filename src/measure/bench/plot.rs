@@ -31,6 +31,7 @@ static COLORS: [RGBColor; Knob::ALL.len()] = [
     RGBColor(227, 119, 194),
     RGBColor(23, 163, 184),
     RGBColor(150, 150, 20),
+    RGBColor(0, 120, 120),
 ];
 /// Points further than this under the best finite PSNR stand at the lower edge, with their PSNR in their name, dB.
 const DEEP: f64 = 20.0;

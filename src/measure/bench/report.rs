@@ -78,6 +78,9 @@ pub struct Options {
     pub cutoff: f64,
     /// Metres behind the depth surface from which on something is hidden.
     pub margin: f64,
+    /// How many of an avatar's Gaussians are drawn. Empty in reports from before there was a choice.
+    #[serde(default)]
+    pub detail: String,
     /// How f16 is read: `half` or, packed in 32-bit words, `words`.
     pub storage: String,
     /// Share of the basis rows kept, 0 to 1.

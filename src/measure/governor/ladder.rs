@@ -1,6 +1,6 @@
 //! What can be given up to hold a frame rate, in the order in which it is: a promised rate goes in, rungs come out.
 
-use crate::vulkan::RendererOptions;
+use crate::{frame::Detail, vulkan::RendererOptions};
 
 /// Motion at this rate or above looks smooth: a pose may be held for two frames early on, frames a second.
 const SMOOTH: f64 = 60.0;
@@ -16,12 +16,14 @@ pub struct Quality {
     pub hold: u32,
     /// What the opacity cutoff is multiplied by: fainter Gaussians, and the faint rims of others, are left out.
     pub cutoff: f64,
+    /// The level of detail that is drawn at least ([`Detail::least`]).
+    pub level: u32,
     /// Refreshes of the display that a frame is shown for.
     pub refreshes: u32,
 }
 
 impl Quality {
-    pub const FULL: Self = Self { scale: 1.0, hold: 1, cutoff: 1.0, refreshes: 1 };
+    pub const FULL: Self = Self { scale: 1.0, hold: 1, cutoff: 1.0, level: 0, refreshes: 1 };
 
     /// Width and height of a picture for a screen, px.
     pub fn size(&self, screen: [u32; 2]) -> [u32; 2] {
@@ -31,6 +33,11 @@ impl Quality {
     /// The cutoff that makes of the options' own, as [`RendererOptions::cutoff`].
     pub fn cutoff(&self, options: &RendererOptions) -> f64 {
         (options.cutoff * self.cutoff).min(1.0)
+    }
+
+    /// The level of detail that makes of the options' own.
+    pub fn detail(&self, options: &RendererOptions) -> Detail {
+        options.detail.at_least(self.level)
     }
 }
 
@@ -61,6 +68,7 @@ impl Ladder {
                 Step::Cutoff(2.0),
                 Step::Scale(0.6),
                 Step::Cutoff(4.0),
+                Step::Level(1),
                 Step::Scale(0.5),
                 Step::Refresh,
             ],
@@ -72,11 +80,12 @@ impl Ladder {
                     Step::Scale(0.7),
                     Step::Scale(0.6),
                     Step::Cutoff(4.0),
+                    Step::Level(1),
                     Step::Scale(0.5),
                     Step::Hold,
                     Step::Refresh,
                 ];
-                if moving { all } else { &all[..8] }
+                if moving { all } else { &all[..9] }
             }
         };
         let mut quality = Quality::FULL;
@@ -103,6 +112,7 @@ enum Step {
     Scale(f64),
     Hold,
     Cutoff(f64),
+    Level(u32),
     Refresh,
 }
 
@@ -112,6 +122,7 @@ impl Step {
             Self::Scale(scale) => quality.scale = scale,
             Self::Hold => quality.hold = 2,
             Self::Cutoff(factor) => quality.cutoff = factor,
+            Self::Level(level) => quality.level = level,
             // A pose that is held for two refreshes is then held for one frame.
             Self::Refresh => (quality.refreshes, quality.hold) = (2, 1),
         }
@@ -122,15 +133,16 @@ impl Step {
             Self::Scale(scale) => format!("scale {scale}"),
             Self::Hold => format!("pose {:.0} Hz", rate / 2.0),
             Self::Cutoff(factor) => format!("cutoff {factor}/255"),
+            Self::Level(level) => format!("detail 1/{}", 1u32 << level),
             Self::Refresh => format!("display {:.0} Hz", rate / 2.0),
         }
     }
 }
 
-/// Pixels cost three quarters of a frame and Gaussians the rest (README, 2048² against 1024²); a held pose saves the frame where the
+/// Pixels cost three quarters of a frame and Gaussians, with the networks, the rest (README, 2048² against 1024²); a held pose saves the frame where the
 /// camera is still and its networks where not.
 fn cost(quality: &Quality) -> f64 {
-    let pixels = 0.25 + 0.75 * quality.scale * quality.scale;
+    let pixels = 0.25 * (0.4 + 0.6 / f64::from(1u32 << quality.level)) + 0.75 * quality.scale * quality.scale;
     let faint = match quality.cutoff {
         c if c >= 4.0 => 0.85,
         c if c >= 2.0 => 0.94,

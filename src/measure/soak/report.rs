@@ -2,7 +2,7 @@
 
 use crate::measure::{
     bench::report::{Device, ErrorReport, Options, Program, Subject},
-    governor::Rung,
+    governor::{Quality, Rung},
 };
 use serde::{Deserialize, Serialize};
 
@@ -69,14 +69,16 @@ pub struct Step {
     pub scale: f64,
     pub hold: u32,
     pub cutoff: f64,
+    /// Of detail; 0 in reports from before there were any.
+    #[serde(default)]
+    pub level: u32,
     pub refreshes: u32,
 }
 
 impl From<&Rung> for Step {
     fn from(rung: &Rung) -> Self {
-        let quality = rung.quality;
-        let (scale, hold, cutoff, refreshes) = (quality.scale, quality.hold, quality.cutoff, quality.refreshes);
-        Self { name: rung.name.clone(), scale, hold, cutoff, refreshes }
+        let Quality { scale, hold, cutoff, level, refreshes } = rung.quality;
+        Self { name: rung.name.clone(), scale, hold, cutoff, level, refreshes }
     }
 }
 

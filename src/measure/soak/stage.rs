@@ -59,7 +59,7 @@ impl<'a> Stage<'a> {
 
     /// Draws at this quality from now on.
     pub fn set_quality(&mut self, quality: Quality) -> Result<()> {
-        self.renderer.adjust(quality.size(self.options.size), quality.cutoff(&self.options))?;
+        self.renderer.adjust(quality.size(self.options.size), quality.cutoff(&self.options), quality.detail(&self.options))?;
         (self.quality, self.held) = (quality, 0);
         Ok(())
     }

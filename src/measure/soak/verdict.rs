@@ -127,6 +127,7 @@ pub(super) mod tests {
                 skip: text("none"),
                 cutoff: 1.0 / 255.0,
                 margin: 0.005,
+                detail: text("full"),
                 storage: text("half"),
                 rows: 1.0,
                 hold: 1,

@@ -167,7 +167,7 @@ impl Case {
 
 /// Whether cameras that differ by a hair, or a Gaussian and the same as it is stored, disagree about drawing what would be seen.
 fn hangs((exact, stored): &(Gaussian, Gaussian), cameras: &[Camera; 2]) -> bool {
-    let verdict = |gaussian, camera| match reference::splats::project(gaussian, camera) {
+    let verdict = |gaussian, camera| match reference::splats::project(gaussian, camera, 0) {
         Ok(_) => None,
         Err(reason) => Some(matches!(reason, Culled::Behind | Culled::Guard | Culled::Invalid)),
     };

@@ -1,8 +1,8 @@
-//! What may change from frame to frame for the sake of time: a smaller picture, a coarser cutoff. Nothing is allocated.
+//! What may change from frame to frame for the sake of time: a smaller picture, a coarser cutoff, fewer Gaussians. Nothing is allocated.
 
 use super::{Renderer, Scene};
 use crate::{
-    frame::Unusable,
+    frame::{Detail, Unusable},
     vulkan::{Error, RendererOptions, Result},
 };
 
@@ -12,14 +12,14 @@ impl Renderer {
         &self.options
     }
 
-    /// Draws pictures of `size` px from now on, in the upper left corner of what it was made or resized for, and nothing fainter than
-    /// `cutoff` (as [`RendererOptions::cutoff`]). Waits for submitted frames where that changes anything.
+    /// Draws pictures of `size` px from now on, in the upper left corner of what it was made or resized for, nothing fainter than
+    /// `cutoff` (as [`RendererOptions::cutoff`]), and at this level of detail. Waits for submitted frames where that changes anything.
     ///
     /// # Errors
     /// When the size does not fit, the cutoff is none, or the device fails. Then the next frame is drawn as before.
-    pub fn adjust(&mut self, size: [u32; 2], cutoff: f64) -> Result<()> {
-        let options = RendererOptions { size, cutoff, ..self.options };
-        if size == self.options.size && cutoff == self.options.cutoff {
+    pub fn adjust(&mut self, size: [u32; 2], cutoff: f64, detail: Detail) -> Result<()> {
+        let options = RendererOptions { size, cutoff, detail, ..self.options };
+        if size == self.options.size && cutoff == self.options.cutoff && detail == self.options.detail {
             return Ok(());
         }
         options.check()?;

@@ -31,16 +31,16 @@ impl Renderer {
             block::fill_shared(block, &self.options, staged, camera);
             self.splats.fill(block);
             block.count_tile = self.sort.tile();
-            if let Some((actor, before)) = actor {
+            if let Some((actor, first)) = actor {
                 block::fill_actor(block, &self.options, actor, camera);
-                self.splats.fill_actor(block, number as u32, before);
+                self.splats.fill_actor(block, number as u32, first);
                 self.keepers[number].fill(block, camera);
             }
         };
         // An empty picture has a size too.
         fill(0, None);
-        for (actor, before) in staged.actors.iter().zip(0..) {
-            fill(actor.number, Some((actor, before)));
+        for (actor, first) in staged.placed() {
+            fill(actor.number, Some((actor, first)));
         }
     }
 }

@@ -20,7 +20,6 @@ use bytemuck::cast_slice;
 
 pub struct Harmonics {
     kernel: Kernel,
-    groups: u32,
     _coefficients: [Buffer; 2],
 }
 
@@ -44,11 +43,11 @@ impl Harmonics {
             (3, Bound::Read((&high).into())),
         ];
         let kernel = Kernel::new(gpu, module, if both { &bound } else { &bound[..3] });
-        Ok(Some(Self { kernel, groups: model.constants.gaussians.div_ceil(HARMONICS_SIZE), _coefficients: [low, high] }))
+        Ok(Some(Self { kernel, _coefficients: [low, high] }))
     }
 
-    /// Reads the frame's joints and the model, writes the model's colours.
-    pub fn record(&self, pass: &mut wgpu::ComputePass, frame: u32) {
-        self.kernel.dispatch(pass, frame, [self.groups, 1]);
+    /// Reads the frame's joints and the model, writes the model's colours of the Gaussians that are drawn.
+    pub fn record(&self, pass: &mut wgpu::ComputePass, (frame, drawn): (u32, u32)) {
+        self.kernel.dispatch(pass, frame, [drawn.div_ceil(HARMONICS_SIZE), 1]);
     }
 }

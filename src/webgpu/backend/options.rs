@@ -4,11 +4,10 @@ use super::{
     device::Gpu,
     error::{Error, Result},
     sort,
-    splats::slots as slots_of,
 };
 use crate::{
     avatar::Avatar,
-    frame::{KeyBits, Method, RendererOptions, Skip, Variant, options::draws_triangles},
+    frame::{KeyBits, Method, RendererOptions, Skip, Variant, options::draws_triangles, scene},
 };
 
 /// The options with what suits a device, and this backend, in place of what was left open.
@@ -31,7 +30,7 @@ pub fn accepted(gpu: &Gpu, avatar: &Avatar, options: RendererOptions) -> Result<
     if options.sort == Some(Variant::OneSweep) {
         return Err(Error::Sort);
     }
-    let keys = options.actors as u64 * u64::from(slots_of(avatar.gaussians.len() as u32));
+    let keys = options.actors as u64 * u64::from(scene::slots(avatar.gaussians.len() as u32));
     if keys > u64::from(sort::MOST) {
         return Err(Error::TooLarge { what: "sort keys", found: 4 * keys, limit: 4 * u64::from(sort::MOST), device: gpu.name().into() });
     }

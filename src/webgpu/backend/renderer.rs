@@ -14,7 +14,7 @@ use super::{
     raster::{Inputs, Raster},
     slot::{SLOTS, Slot},
     sort::{self, Sort},
-    splats::{Splats, slots as slots_of},
+    splats::Splats,
     surface::Surface,
 };
 use crate::{
@@ -213,10 +213,11 @@ impl Renderer {
         } else {
             slot.skip("features");
         }
-        if let Some(&first) = views.first() {
+        if let Some(lead) = staged.actors.first() {
+            let first = frame_at(lead.number);
             if let Some(harmonics) = harmonics {
                 let writes = slot.stage("harmonics");
-                harmonics.record(&mut slot.pass(&mut encoder, "harmonics", writes), first);
+                harmonics.record(&mut slot.pass(&mut encoder, "harmonics", writes), (first, lead.drawn));
             }
             if let Some(surface) = hides {
                 surface.record(slot, &mut encoder, model, &views);
@@ -226,8 +227,8 @@ impl Renderer {
             for actor in &staged.actors {
                 let frame = frame_at(actor.number);
                 // All share the model's colours: one avatar's give way to the next's once they are used.
-                harmonics.iter().filter(|_| frame != first).for_each(|harmonics| harmonics.record(&mut pass, frame));
-                splats.record(&mut pass, frame, actor.needed.body);
+                harmonics.iter().filter(|_| frame != first).for_each(|harmonics| harmonics.record(&mut pass, (frame, actor.drawn)));
+                splats.record(&mut pass, (frame, actor.drawn), actor.needed.body);
             }
             drop(pass);
             let writes = slot.stage("sort");
@@ -241,7 +242,7 @@ impl Renderer {
 
     /// Fills the uniform blocks of a frame.
     fn write_frame(&mut self, staged: &Staged, camera: &Camera, touched: &Touched) {
-        let keys = staged.actors.len() as u32 * slots_of(self.model.constants.gaussians);
+        let keys = staged.keys();
         let settings = Settings { entering: keys, first_region: touched.regions()[0], ..self.settings };
         if self.entering.is_none() || self.settings != settings {
             self.settings = settings;
@@ -259,8 +260,8 @@ impl Renderer {
         if staged.actors.is_empty() {
             self.write_block(staged, camera, 0, None);
         }
-        for (actor, before) in staged.actors.iter().zip(0..) {
-            self.write_block(staged, camera, actor.number, Some((actor, before)));
+        for (actor, first) in staged.placed() {
+            self.write_block(staged, camera, actor.number, Some((actor, first)));
         }
     }
 
@@ -273,9 +274,9 @@ impl Renderer {
         self.splats.fill(block);
         block.tile = BINS_WEB.tile(camera.size) as f32;
         block.count_tile = SORT_TILE;
-        if let Some((actor, before)) = actor {
+        if let Some((actor, first)) = actor {
             block::fill_actor(block, &self.options, actor, camera);
-            self.splats.fill_actor(block, number as u32, before);
+            self.splats.fill_actor(block, number as u32, first);
             self.keepers[number].fill(block, camera);
         }
         self.gpu.queue.write_buffer(&self.blocks.frames, u64::from(frame_at(number)), bytes_of(block));

@@ -10,7 +10,7 @@ use super::{
     sort,
 };
 use crate::{
-    frame::{Body, KeyBits, RendererOptions, Skip},
+    frame::{Body, KeyBits, RendererOptions, Skip, scene::slots},
     layout::{Frame, POSED_WORDS, SPLATS_SIZE},
     webgpu::shaders,
 };
@@ -24,7 +24,6 @@ pub struct Splats {
     computing: Kernel,
     /// Computes and keeps; draws what was kept. None where nothing is kept.
     keeping: Option<[Kernel; 2]>,
-    groups: u32,
     /// Gaussians that there is room for: those of all avatars.
     capacity: u32,
     posed_start: u32,
@@ -60,7 +59,6 @@ impl Splats {
         Ok(Self {
             computing: Kernel::new(gpu, &shaders::SPLATS, &all),
             keeping: keep.then(keeping),
-            groups: count.div_ceil(SPLATS_SIZE),
             capacity,
             posed_start: (posed / 4) as u32,
             buffer,
@@ -73,9 +71,9 @@ impl Splats {
         self.capacity
     }
 
-    /// Says in a frame's block where things are that are an avatar's: its place in the renderer, and how many are drawn before it.
-    pub fn fill_actor(&self, block: &mut Frame, number: u32, before: u32) {
-        block.first = before * slots(block.gaussians);
+    /// Says in a frame's block where things are that are an avatar's: its place in the renderer, and where its splats start.
+    pub fn fill_actor(&self, block: &mut Frame, number: u32, first: u32) {
+        block.first = first;
         block.posed_start = self.posed_start + number * POSED_WORDS * block.gaussians;
     }
 
@@ -111,23 +109,18 @@ impl Splats {
         encoder.clear_buffer(&self.counts, 0, Some(COUNTS_AT + sort::first_counts_size(self.capacity)));
     }
 
-    /// One avatar's.
-    pub fn record(&self, pass: &mut wgpu::ComputePass, frame: u32, body: Body) {
+    /// One avatar's, of which so many Gaussians are drawn.
+    pub fn record(&self, pass: &mut wgpu::ComputePass, (frame, drawn): (u32, u32), body: Body) {
         let kernel = match (body, &self.keeping) {
             (Body::Keep, Some([keep, _])) => keep,
             (Body::Kept, Some([_, kept])) => kept,
             _ => &self.computing,
         };
-        kernel.dispatch(pass, frame, [self.groups, 1]);
+        kernel.dispatch(pass, frame, [drawn.div_ceil(SPLATS_SIZE), 1]);
     }
 }
 
 /// Where the keys of `count` Gaussians start, in bytes.
 fn key_offset(count: u32) -> u64 {
     (16 * u64::from(count)).next_multiple_of(256)
-}
-
-/// Slots of an avatar of so many Gaussians among splats and keys: an even number, so that two keys of a word are of one avatar.
-pub fn slots(count: u32) -> u32 {
-    count.next_multiple_of(2)
 }
