@@ -1,4 +1,4 @@
-// The colour of each Gaussian as seen from the camera, for avatars that have harmonics: one invocation a Gaussian. It takes the
+// The colour of each Gaussian as seen from the camera, for avatars that have harmonics: one invocation a Gaussian that is drawn. It takes the
 // place of the neutral colour, which `splats` adds the corrective to.
 #version 450
 #extension GL_GOOGLE_include_directive : require

@@ -1,6 +1,6 @@
 // Everything that happens to one Gaussian (model.md, steps 2 and 4 to 8): sparse correctives, node interpolation, skinning,
 // covariance, projection, culling, depth key. A 16-byte splat and a key come out. With KEEP also what no camera changes, for
-// `splats_posed`, of all Gaussians, seen or not.
+// `splats_posed`, of all Gaussians that are drawn, seen or not.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #include "layout.glsl"

@@ -65,7 +65,7 @@ fn small_avatars_stay_within_the_budget() {
     for (tall, level, psnr) in [(120.0, 0, f64::INFINITY), (80.0, 1, 34.0), (60.0, 2, 29.0), (40.0, 3, 26.0)] {
         let (avatar, posed, camera) = distant(tall, [140, 140]);
         let extent = Extent::new(&avatar);
-        assert_eq!(Detail::AUTO.level(extent.gaussians(), extent.pixels(&posed.joints, &camera)), level, "{tall} px tall");
+        assert_eq!(Detail::AUTO.level(extent.gaussians(), 0, || extent.pixels(&posed.joints, &camera)), level, "{tall} px tall");
         let draw = |camera: &Camera, level| reference::Stages::thinned(&avatar, &posed, camera, level).canvas.to_picture();
         let (full, thin) = (draw(&camera, 0), draw(&camera, level));
         let close = Camera { focal: 8.0 * camera.focal, center: 8.0 * camera.center, size: camera.size.map(|side| 8 * side), ..camera };
@@ -116,14 +116,14 @@ fn avatars_of_different_levels_are_sorted_together() {
     let Some(device) = gpu::gpu() else { return };
     let mut avatar = common::avatar(4, Sizes { gaussians: 5001, ..Sizes::default() });
     let random = &mut Random(7);
-    let coefficients = (0..3 * avatar.gaussians.len()).map(|_| random.vector(0.2).to_array().map(|v| f16::from_f64(v))).collect();
+    let coefficients = (0..3 * avatar.gaussians.len()).map(|_| random.vector(0.2).to_array().map(f16::from_f64)).collect();
     avatar.harmonics = Some(Harmonics { degree: 1, coefficients });
     let camera = Camera::orbit(DVec3::new(0.0, 0.9, 0.0), 0.3, 0.1, 2.4, 0.9, SIZE);
     let back = camera.view.matrix3.transpose() * DVec3::Z;
     let pose = |seed, place| Posed::new(&avatar, &common::pose(seed, &avatar)).placed(DAffine3::from_translation(place));
     let poses = [pose(1, DVec3::ZERO), pose(2, 17.0 * back + 3.0 * DVec3::X), pose(3, 31.0 * back - 5.0 * DVec3::X)];
     let extent = Extent::new(&avatar);
-    let levels = poses.each_ref().map(|posed| Detail::AUTO.level(avatar.gaussians.len(), extent.pixels(&posed.joints, &camera)));
+    let levels = poses.each_ref().map(|posed| Detail::AUTO.level(avatar.gaussians.len(), 0, || extent.pixels(&posed.joints, &camera)));
     assert!(levels[0] < levels[1] && levels[1] < levels[2], "{levels:?}");
     let options = RendererOptions { detail: Detail::AUTO, actors: 3, ..gpu::options(SIZE) };
     let mut renderer = Renderer::new(&device, &avatar, options).unwrap();

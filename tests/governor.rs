@@ -78,7 +78,8 @@ fn run(minutes: f64, governed: bool, work: impl Fn(f64) -> f64, cost: impl Fn(&Q
 
 fn pixels(quality: &Quality) -> f64 {
     let held = if quality.hold > 1 { 0.6 } else { 1.0 };
-    (0.2 + 0.8 * quality.scale * quality.scale) * held
+    let thin = 0.75f64.powi(quality.level as i32);
+    (0.2 + 0.8 * quality.scale * quality.scale) * thin * held
 }
 
 /// A device on which giving things up gains little.

@@ -71,12 +71,12 @@ fn every_rung_is_drawn_as_if_it_was_made_for_it() {
         let ladder = Ladder::new(120.0);
         // Down, and up again at once: what one rung leaves must not show in another.
         for rung in ladder.rungs().iter().chain(&ladder.rungs()[..1]) {
-            let (size, cutoff) = (rung.quality.size(screen), rung.quality.cutoff(&options));
-            renderer.adjust(size, cutoff, Detail::FULL).unwrap();
+            let (size, cutoff, detail) = (rung.quality.size(screen), rung.quality.cutoff(&options), rung.quality.detail(&options));
+            renderer.adjust(size, cutoff, detail).unwrap();
             let camera = camera.stretched(size);
             renderer.draw(&posed, &camera, None).unwrap();
             let picture = renderer.picture().unwrap();
-            let made = RendererOptions { size, cutoff, ..options };
+            let made = RendererOptions { size, cutoff, detail, ..options };
             let fresh = gpu::draw(&device, avatar.clone(), posed.clone(), camera, made).picture;
             assert!(picture == fresh, "{method:?}, {}: {:?}", rung.name, error::between(&picture, &fresh).whole);
         }

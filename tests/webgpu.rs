@@ -141,8 +141,10 @@ fn the_order_is_that_of_a_stable_sort() {
 fn only_what_changed_is_drawn_again() {
     let Some(device) = open() else { return };
     let (avatar, posed, camera) = scene([320, 320]);
-    for options in gpu::each_way(device.name(), camera.size) {
-        let mut renderer = Renderer::new(&device, &avatar, RendererOptions { count: true, ..options }).unwrap();
+    // All Gaussians, and every second.
+    for (level, options) in (0..).zip(gpu::each_way(device.name(), camera.size).into_iter().rev()) {
+        let options = RendererOptions { count: true, detail: Detail::FULL.at_least(level), ..options };
+        let mut renderer = Renderer::new(&device, &avatar, options).unwrap();
         let cameras: Vec<_> = (0..3).map(|k| Camera { center: camera.center + f64::from(k) * DVec3::X.truncate(), ..camera }).collect();
         assert_eq!(renderer.draw(&posed, &cameras[0]), Ok(true));
         assert_eq!(renderer.draw(&posed, &cameras[0]), Ok(false), "nothing has changed");
@@ -152,15 +154,16 @@ fn only_what_changed_is_drawn_again() {
         }
         let picture = renderer.picture().unwrap();
         let counters = renderer.report().counters;
-        assert_eq!((counters.kept, counters.networks), (counters.gaussians, 0), "{:?}", Body::Kept);
+        assert_eq!((counters.kept, counters.networks), (counters.gaussians - counters.thinned, 0), "{:?}", Body::Kept);
         let reasons = counters.reasons.unwrap();
         assert!(reasons.hidden > 1000 || !draws_triangles(device.name()), "{reasons:?}");
         assert_eq!(
-            reasons.outside + reasons.hidden + reasons.faint + reasons.degenerate + counters.drawn,
+            reasons.outside + reasons.hidden + reasons.faint + reasons.degenerate + counters.drawn + counters.thinned,
             counters.gaussians,
             "{reasons:?}"
         );
-        let error = error::between(&picture, &reference::render(&avatar, &posed, &cameras[2]));
+        let oracle = reference::Stages::thinned(&avatar, &posed, &cameras[2], level).canvas.to_picture();
+        let error = error::between(&picture, &oracle);
         assert!(error.covered.psnr_db > 48.0, "{options:?}: {:?}", error.covered);
     }
 }
@@ -180,6 +183,30 @@ fn scenes_of_several_leave_out_who_is_not_seen() {
     renderer.draw_scene(&[&far, &far], &camera).unwrap();
     assert!(renderer.picture().unwrap().pixels.iter().all(|&pixel| pixel == [0.0; 4]), "nobody is in view");
     assert!(matches!(renderer.draw_scene(&[&posed; 4], &camera), Err(Error::Unusable(_))));
+}
+
+/// One near, one far and small; then both far, which are fewer Gaussians.
+#[test]
+fn avatars_of_different_levels_are_those_of_the_vulkan_backend() {
+    let (Some(device), Some(vulkan)) = (open(), gpu::gpu()) else { return };
+    let (avatar, posed, camera) = scene([200, 200]);
+    let back = camera.view.matrix3.transpose() * DVec3::Z;
+    let away = |metres: f64| posed.clone().placed(glam::DAffine3::from_translation(metres * back));
+    let options = RendererOptions { actors: 2, detail: Detail::AUTO, method: Some(Method::Tiles), ..gpu::options([200, 200]) };
+    let mut ours = Renderer::new(&device, &avatar, options).unwrap();
+    let mut theirs = effigy::vulkan::Renderer::new(&vulkan, &avatar, options).unwrap();
+    let mut thinned = vec![];
+    for poses in [[away(0.0), away(9.0)], [away(6.0), away(9.0)], [away(0.0), away(9.0)]] {
+        ours.draw_scene(&poses.each_ref(), &camera).unwrap();
+        theirs.draw_scene(&poses.each_ref(), &camera, None).unwrap();
+        let [ours_seen, theirs_seen] = [ours.picture().unwrap(), theirs.picture().unwrap()];
+        let error = error::between(&ours_seen, &theirs_seen).covered;
+        assert!(error.pixels > 500 && error.psnr_db > 50.0, "{error:?}");
+        let counters = [ours.report().counters, theirs.report().counters];
+        assert_eq!(counters[0].thinned, counters[1].thinned);
+        thinned.push(counters[0].thinned);
+    }
+    assert!(thinned[0] > 0 && thinned[1] > thinned[0] && thinned[2] == thinned[0], "{thinned:?}");
 }
 
 #[test]

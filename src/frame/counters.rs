@@ -23,7 +23,7 @@ pub struct Counters {
     pub networks: u64,
     /// Parts all outside the view.
     pub parts_outside: u64,
-    /// Gaussians that were projected from what an earlier frame kept: all of an avatar's or none.
+    /// Gaussians that were projected from what an earlier frame kept: all that an avatar's level of detail draws, or none.
     pub kept: u64,
     /// With hulls fragment shader invocations, of drivers that count them only those that blend; with tiles the pixels of all squares of
     /// 4 × 4 that splats were put on. Not to be compared with each other. None where the device has no pipeline statistics.

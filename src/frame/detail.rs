@@ -14,6 +14,8 @@ pub const COARSEST: u32 = 3;
 pub const GROWTH: f64 = 0.18;
 /// Gaussians that are left for a pixel of the box around an avatar, at least, where the level follows its size.
 const DENSITY: f64 = 9.0;
+/// How many of those have to be left at a level for it to give way to a finer one, so that an avatar that walks does not change back and forth.
+const CALM: f64 = 0.8;
 
 /// Which level is drawn: `--detail full|auto|1/2|1/4|1/8`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -33,12 +35,14 @@ impl Detail {
         Self { least: self.least.max(least), ..self }
     }
 
-    /// The level for an avatar of so many Gaussians whose box in the picture, of which some may be outside it, has so many pixels. None:
-    /// it reaches through the near plane.
-    pub fn level(self, gaussians: usize, pixels: Option<f64>) -> u32 {
-        let dense = pixels.filter(|_| self.auto).map_or(1.0, |pixels| gaussians as f64 / (DENSITY * pixels.max(1.0)));
-        let halvings = if dense > 1.0 { dense.log2() as u32 } else { 0 };
-        halvings.max(self.least).min(COARSEST)
+    /// The level for an avatar of so many Gaussians whose box in the picture, of which some may be outside it, has so many pixels, drawn at
+    /// `before` in the last frame. `pixels`: asked for where it matters; None where it reaches through the near plane.
+    pub fn level(self, gaussians: usize, before: u32, pixels: impl FnOnce() -> Option<f64>) -> u32 {
+        let pixels = if self.auto { pixels() } else { None };
+        let dense = pixels.map_or(1.0, |pixels| gaussians as f64 / (DENSITY * pixels.max(1.0)));
+        let halvings = |dense: f64| if dense > 1.0 { dense.log2() as u32 } else { 0 };
+        let level = halvings(dense).max(before.min(halvings(dense / CALM)));
+        level.max(self.least).min(COARSEST)
     }
 }
 
@@ -77,16 +81,13 @@ impl FromStr for Detail {
 impl fmt::Display for Detail {
     /// As [`FromStr`] reads it where it can: a least level that grows, as a governor makes it, has `auto from` before it.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let least = format!("1/{}", 1u32 << self.least.min(COARSEST));
-        f.write_str(
-            match (self.auto, self.least) {
-                (false, 0) => "full".to_owned(),
-                (true, 0) => "auto".to_owned(),
-                (false, _) => least,
-                (true, _) => format!("auto from {least}"),
-            }
-            .as_str(),
-        )
+        let of = 1u32 << self.least.min(COARSEST);
+        match (self.auto, self.least) {
+            (false, 0) => write!(f, "full"),
+            (true, 0) => write!(f, "auto"),
+            (false, _) => write!(f, "1/{of}"),
+            (true, _) => write!(f, "auto from 1/{of}"),
+        }
     }
 }
 
@@ -96,14 +97,26 @@ mod tests {
 
     #[test]
     fn smaller_avatars_are_drawn_with_fewer_gaussians() {
-        let level = |pixels| Detail::AUTO.level(200_000, Some(pixels));
+        let level = |pixels| Detail::AUTO.level(200_000, 0, || Some(pixels));
         assert_eq!([1e6, 2e4, 1e4, 5e3, 2e3, 10.0, 0.0].map(level), [0, 0, 1, 2, 3, 3, 3]);
-        assert_eq!([Some(10.0), None].map(|pixels| Detail::FULL.level(200_000, pixels)), [0, 0]);
-        assert_eq!(Detail::AUTO.level(200_000, None), 0);
-        assert_eq!(Detail::AUTO.level(0, Some(10.0)), 0);
+        assert_eq!([Some(10.0), None].map(|pixels| Detail::FULL.level(200_000, 3, || pixels)), [0, 0]);
+        assert_eq!(Detail::AUTO.level(200_000, 3, || None), 0);
+        assert_eq!(Detail::AUTO.level(0, 0, || Some(10.0)), 0);
         let governed = Detail::AUTO.at_least(1);
-        assert_eq!([Some(1e6), Some(10.0), None].map(|pixels| governed.level(200_000, pixels)), [1, 3, 1]);
-        assert_eq!(Detail::AUTO.level(200_000, Some(f64::NAN)), 3);
+        assert_eq!([Some(1e6), Some(10.0), None].map(|pixels| governed.level(200_000, 0, || pixels)), [1, 3, 1]);
+        assert_eq!(Detail::AUTO.level(200_000, 0, || Some(f64::NAN)), 3);
+    }
+
+    #[test]
+    fn a_level_stays_until_it_is_left_far_behind() {
+        // Level 1 from 11,111 px down.
+        let mut level = 0;
+        let walk = [11_000.0, 11_500.0, 13_000.0, 11_500.0, 14_000.0, 11_500.0].map(|pixels| {
+            level = Detail::AUTO.level(200_000, level, || Some(pixels));
+            level
+        });
+        assert_eq!(walk, [1, 1, 1, 1, 0, 0]);
+        assert_eq!(Detail::AUTO.level(200_000, 3, || Some(1e4)), 1);
     }
 
     #[test]

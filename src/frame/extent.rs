@@ -1,6 +1,6 @@
 //! How far a posed avatar reaches, from boxes around its parts: bounds that cost some thousand points a frame, not one a Gaussian.
 
-use super::{Camera, LOG_SCALE_MAX, PartSet};
+use super::{Camera, LOG_SCALE_MAX, PartSet, detail};
 use crate::avatar::Avatar;
 use glam::{DAffine3, DVec2, DVec3, UVec2};
 
@@ -17,7 +17,8 @@ const WEIGHT: u8 = 8;
 #[derive(Clone, Debug)]
 struct PartBox {
     part: usize,
-    /// How far its Gaussians reach around their centres, metres: where they are an opaque one's least visible, with room for correctives.
+    /// How far its Gaussians reach around their centres, metres: where they are an opaque one's least visible, with room for correctives
+    /// and levels of detail.
     reach: f64,
     min: DVec3,
     max: DVec3,
@@ -64,7 +65,7 @@ impl Extent {
         let parts = ranges.enumerate().filter(|(_, range)| !range.is_empty()).map(|(part, range)| {
             let scales = avatar.gaussians.log_scale[range.clone()].iter().flatten();
             let longest = scales.map(|s| s.to_f64()).fold(f64::NEG_INFINITY, f64::max).min(LOG_SCALE_MAX).exp();
-            let reach = 1.2 * longest * super::reach(255).unwrap_or_default();
+            let reach = 1.2 * detail::spread(detail::COARSEST).sqrt() * longest * super::reach(255).unwrap_or_default();
             let (mut min, mut max) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
             let mut weight = [0u8; 256];
             let mut displaced = 0.0f64;

@@ -45,6 +45,11 @@ impl Default for Plan {
 }
 
 impl Plan {
+    /// The level of detail that the last frame showed.
+    pub fn level(&self) -> u32 {
+        self.view.as_ref().map_or(0, |(_, _, level)| *level)
+    }
+
     /// What the next frame needs, but for what `skip` lets it leave out. `level`: of detail ([`super::detail`]).
     pub fn next(&mut self, posed: &Posed, camera: &Camera, skip: Skip, level: u32) -> Needed {
         let changed = self.input.as_ref() != Some(&posed.input);

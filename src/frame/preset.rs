@@ -8,7 +8,7 @@ use std::{fmt, str::FromStr};
 /// How much error a picture may have for the sake of time.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Preset {
-    /// The fastest that still looks right from a distance.
+    /// The fastest that still looks right from a distance, where it draws fewer Gaussians.
     Low,
     /// Faster, at errors that are hard to see.
     Balanced,
@@ -100,6 +100,7 @@ mod tests {
         let all = Preset::ALL.map(|preset| preset.apply(RendererOptions::new([1, 1])));
         for pair in all.windows(2) {
             assert!(pair[0].cutoff >= pair[1].cutoff && pair[0].margin <= pair[1].margin, "{pair:?}");
+            assert!(pair[0].detail.auto >= pair[1].detail.auto && pair[0].detail.least >= pair[1].detail.least, "{pair:?}");
             assert!(pair[0].key_bits.passes() <= pair[1].key_bits.passes() && pair[0].skip.contains(pair[1].skip), "{pair:?}");
         }
         assert!(Preset::ALL.into_iter().all(|preset| preset.to_string().parse() == Ok(preset)));

@@ -68,7 +68,8 @@ impl Scene {
             }
             area = extent::around(area, visible.as_ref().filter(|_| skip.contains(Skip::AREA)).map_or(whole, |visible| visible.area));
             let seen = visible.filter(|_| skip.contains(Skip::PARTS)).map(|visible| visible.parts);
-            let level = options.detail.level(extent.gaussians(), extent.pixels(&posed.joints, camera));
+            let pixels = || extent.pixels(&posed.joints, camera);
+            let level = options.detail.level(extent.gaussians(), self.plans[number].level(), pixels);
             let drawn = detail::drawn(extent.gaussians() as u32, level);
             let needed = self.plans[number].next(posed, camera, skip, level);
             let outside = seen.filter(|_| needed.body != Body::Keep).map_or(PartSet::EMPTY, |seen| needs.all() - seen);
@@ -118,7 +119,7 @@ impl Staged<'_> {
             avatars: self.avatars as u64,
             avatars_culled: self.avatars as u64 - drawn,
             gaussians: self.avatars as u64 * u64::from(gaussians),
-            thinned: if self.view { sum(&|actor| (gaussians - actor.drawn) as usize) } else { 0 },
+            thinned: sum(&|actor| (gaussians - actor.drawn) as usize),
             networks: sum(&|actor| actor.networks.len()),
             parts_outside: sum(&|actor| actor.outside.len()),
             kept,

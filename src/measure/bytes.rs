@@ -12,7 +12,7 @@
 use crate::{
     avatar::{Avatar, Layer},
     frame::{Skip, Variant},
-    layout::{BINS, SORT_DIGITS, SORT_LANES, SURFACE_DRAWN, SURFACE_FINEST, SURFACE_LEVELS},
+    layout::{SORT_DIGITS, SORT_LANES, SURFACE_DRAWN, SURFACE_FINEST, SURFACE_LEVELS},
     vulkan::{RendererOptions, harmonics, raster::Method},
 };
 
@@ -64,6 +64,8 @@ pub struct Seen {
     pub kept: bool,
     /// Corners and triangles of the depth surface.
     pub surface: [u64; 2],
+    /// Bytes of the bins before their nodes.
+    pub heads: u64,
     /// Pixels covered; all of the picture where that is not known.
     pub covered: Option<u64>,
     /// Pixels that may be touched; all of the picture where that is not known.
@@ -176,7 +178,7 @@ fn splats(avatar: &Avatar, options: &RendererOptions, seen: Seen, hides: bool) -
     let operations = PLACE * (gaussians - drawn) + SPLAT * drawn + share(2 * numbers);
     Work {
         stage: "splats",
-        bytes: (place + block) * gaussians + look * drawn + share(numbers + heads) + 4 * features + NODE_BYTES * nodes + out,
+        bytes: place * gaussians + block * model as u64 + look * drawn + share(numbers + heads) + 4 * features + NODE_BYTES * nodes + out,
         bytes_floor: GAUSSIAN_FLOOR[0] * gaussians + GAUSSIAN_FLOOR[1] * drawn + share(numbers) + 2 * features + 6 * nodes + out_floor,
         operations: Some(operations),
         operations_floor: Some(operations),
@@ -211,7 +213,7 @@ const MET: u64 = 3;
 
 /// Chains of tiles: their heads are cleared; an entry reads and writes a head, and writes itself.
 fn bins(seen: Seen) -> Work {
-    let bytes = BINS.bytes(0)[0] + (4 + SPLAT_BYTES + 12 * MET) * seen.drawn;
+    let bytes = seen.heads + (4 + SPLAT_BYTES + 12 * MET) * seen.drawn;
     Work { stage: "bins", bytes, bytes_floor: (4 + SPLAT_BYTES + 4 * MET) * seen.drawn, operations: None, operations_floor: None }
 }
 

@@ -144,15 +144,14 @@ pub fn project(gaussian: &Gaussian, camera: &Camera, level: u32) -> Result<Splat
     if t.z < camera.near {
         return Err(Culled::Behind);
     }
-    frame::reach(gaussian.opacity).ok_or(Culled::Faint)?;
     let opacity = detail::opacity(gaussian.opacity, level);
-    let reach = frame::reach(opacity).ok_or(Culled::Faint)?;
+    let reach = frame::reach(gaussian.opacity).and(frame::reach(opacity)).ok_or(Culled::Faint)?;
     let center = camera.project(t);
     let (covariance, determinant) = project_covariance(camera.view.matrix3 * gaussian.axes, t, camera);
+    let shape = determinant > 0.0 && covariance[0].max(covariance[2]) <= frame::VARIANCE_MAX;
     let spread = detail::spread(level);
     let ([a, b, c], determinant) = (covariance.map(|v| spread * v), spread * spread * determinant);
     let extent = reach * DVec2::new(a.sqrt(), c.sqrt());
-    let shape = determinant > 0.0 && a.max(c) <= frame::VARIANCE_MAX;
     if !(t.is_finite() && center.is_finite() && extent.is_finite() && b.is_finite() && gaussian.color.is_finite() && shape) {
         return Err(Culled::Invalid);
     }

@@ -1,13 +1,14 @@
 //! The backends that can be measured, behind one face.
 
 use super::{report::Device, scene::Scene};
-#[cfg(feature = "webgpu")]
-use crate::webgpu;
 use crate::{
     avatar::Avatar,
     frame::{FrameReport, Picture, Posed, RendererOptions},
+    layout::{BINS, bins::Tiling},
     vulkan,
 };
+#[cfg(feature = "webgpu")]
+use crate::{layout::BINS_WEB, webgpu};
 use std::sync::Arc;
 
 pub type Result<T> = std::result::Result<T, Error>;
@@ -42,6 +43,15 @@ pub enum Opened {
 }
 
 impl Opened {
+    /// How it cuts pictures into tiles.
+    pub fn tiling(&self) -> Tiling {
+        match self {
+            Self::Vulkan(_) => BINS,
+            #[cfg(feature = "webgpu")]
+            Self::WebGpu(_) => BINS_WEB,
+        }
+    }
+
     /// The same with what suits the device in place of what was left open.
     pub fn settled(&self, options: RendererOptions) -> RendererOptions {
         match self {

@@ -33,7 +33,7 @@ pub fn case(
     let samples = run::time(&mut drawer, &scenes, task.warm_up, |done| progress(&format!("{case}: timing"), done, scenes.len()))?;
     trace.into_iter().for_each(|trace| samples.reports.iter().for_each(|report| trace.frame(report)));
     let (used, reserved) = gpu.memory();
-    let cost = Cost { used, reserved, timed: gpu.is_timed(), surface: drawer.surface() };
+    let cost = Cost { used, reserved, timed: gpu.is_timed(), surface: drawer.surface(), heads: gpu.tiling().bytes(0)[0] };
     let numbers = scene::checks(case, scenes.len(), task.checked);
     let mut oracle = Oracle::new(task.avatar);
     let mut show = |what: &str, done, all| progress(&format!("{case}: {what}"), done, all);
@@ -54,6 +54,8 @@ struct Cost {
     timed: bool,
     /// Corners and triangles of the depth surface.
     surface: [u64; 2],
+    /// Bytes of the bins' heads.
+    heads: u64,
 }
 
 fn report(
@@ -61,10 +63,10 @@ fn report(
     (avatar, setting): (&Avatar, &Setting),
     samples: Samples,
     (counters, checked): (BTreeMap<String, f64>, Checked),
-    Cost { used, reserved, timed, surface }: Cost,
+    Cost { used, reserved, timed, surface, heads }: Cost,
 ) -> CaseReport {
     let Samples { intervals, reports } = samples;
-    let seen = Seen { surface, networks: networks(&reports), ..seen(&counters, checked.covered) };
+    let seen = Seen { surface, heads, networks: networks(&reports), ..seen(&counters, checked.covered) };
     let work = work(avatar, setting, &counters, seen);
     let stages = stages(&reports, &work);
     let part = |stage: &StageReport, of: fn(&StageReport) -> Option<u64>| stage.ran * of(stage).unwrap_or_default() as f64;

@@ -2,6 +2,7 @@
 //!
 //! JSON has no infinity: a PSNR that is null in an [`ErrorReport`] is one without any error.
 
+use crate::frame::Detail;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -78,8 +79,8 @@ pub struct Options {
     pub cutoff: f64,
     /// Metres behind the depth surface from which on something is hidden.
     pub margin: f64,
-    /// How many of an avatar's Gaussians are drawn. Empty in reports from before there was a choice.
-    #[serde(default)]
+    /// How many of an avatar's Gaussians are drawn: all in reports from before there was a choice.
+    #[serde(default = "full")]
     pub detail: String,
     /// How f16 is read: `half` or, packed in 32-bit words, `words`.
     pub storage: String,
@@ -87,6 +88,10 @@ pub struct Options {
     pub rows: f64,
     /// Frames that a pose is held.
     pub hold: usize,
+}
+
+fn full() -> String {
+    Detail::FULL.to_string()
 }
 
 /// What some samples, at least one, are like; times are in ms.

@@ -1,6 +1,9 @@
 //! What can be given up to hold a frame rate, in the order in which it is: a promised rate goes in, rungs come out.
 
-use crate::{frame::Detail, vulkan::RendererOptions};
+use crate::{
+    frame::{Detail, detail::COARSEST},
+    vulkan::RendererOptions,
+};
 
 /// Motion at this rate or above looks smooth: a pose may be held for two frames early on, frames a second.
 const SMOOTH: f64 = 60.0;
@@ -139,10 +142,12 @@ impl Step {
     }
 }
 
-/// Pixels cost three quarters of a frame and Gaussians, with the networks, the rest (README, 2048² against 1024²); a held pose saves the frame where the
-/// camera is still and its networks where not.
+/// Pixels cost three quarters of a frame and Gaussians, with the networks, the rest (README, 2048² against 1024²); a held pose
+/// saves the frame where the camera is still and its networks where not. Half of the Gaussians save 0.3 of a frame (NOTES.md, "Level of
+/// detail"), nothing where no more of them are drawn anyway.
 fn cost(quality: &Quality) -> f64 {
-    let pixels = 0.25 * (0.4 + 0.6 / f64::from(1u32 << quality.level)) + 0.75 * quality.scale * quality.scale;
+    let thin = [1.0, 0.72, 0.56, 0.46][quality.level.min(COARSEST) as usize];
+    let pixels = thin * (0.25 + 0.75 * quality.scale * quality.scale);
     let faint = match quality.cutoff {
         c if c >= 4.0 => 0.85,
         c if c >= 2.0 => 0.94,

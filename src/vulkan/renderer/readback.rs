@@ -17,7 +17,7 @@ pub struct Stages {
     pub features: Vec<f32>,
     /// The first avatar's, one displacement a node, metres; the fourth number is unused.
     pub nodes: Vec<[f32; 4]>,
-    /// RGB of every Gaussian before correctives.
+    /// RGB of every Gaussian before correctives; where harmonics make them, of those that are drawn.
     pub colors: Vec<[f32; 3]>,
     /// Those of the avatars in view, one after the other, as `keys` are.
     pub splats: Vec<[u32; 4]>,
