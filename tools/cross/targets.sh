@@ -32,7 +32,7 @@ system_libraries() {
 }
 
 phones=(); for target; do case $target in *-android) phones+=("$target") ;; esac; done
-key="$(cat "$0" "$here"/link.sh "$here"/unwind/Cargo.toml "$here"/unwind/src/lib.rs | sha256sum | cut -c1-16) $*"
+key="$(cat "$0" "$here"/link.sh "$here"/unwind/Cargo.toml "$here"/unwind/src/lib.rs | sha256sum | cut -c1-16) $dest $*"
 if [ "$(cat "$dest/made" 2>/dev/null)" = "$key" ]; then
   [ "$dest/made" -nt "$here/android-symbols.txt" ] || { system_libraries ${phones[@]+"${phones[@]}"}; touch "$dest/made"; }
   exit 0
