@@ -17,10 +17,6 @@ use half::f16;
 
 const SIZE: [u32; 2] = [240, 200];
 
-fn at(options: RendererOptions, level: u32) -> RendererOptions {
-    RendererOptions { detail: Detail::FULL.at_least(level), ..options }
-}
-
 /// The demo in the middle of its clip, and a camera that sees it so many pixels tall.
 fn distant(tall: f64, size: [u32; 2]) -> (Avatar, Posed, Camera) {
     let avatar = demo::avatar().unwrap();
@@ -46,7 +42,7 @@ fn averaged(picture: &Picture, n: u32) -> Picture {
 fn each_level_draws_the_references_picture() {
     let Some(device) = gpu::gpu() else { return };
     for (level, options) in
-        (1..4).flat_map(|level| gpu::each_way(&device.probe.name, SIZE).into_iter().map(move |way| (level, at(way, level))))
+        (1..4).flat_map(|level| gpu::each_way(&device.probe.name, SIZE).into_iter().map(move |way| (level, gpu::at_level(way, level))))
     {
         let frame = gpu::frame(&device, u64::from(level), Sizes::default(), options);
         let error = error::between(&frame.picture, &frame.oracle.canvas.to_picture()).covered;

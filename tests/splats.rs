@@ -5,7 +5,7 @@ mod common;
 use common::{Sizes, gpu};
 use effigy::{
     avatar::{Avatar, pack::Quality},
-    frame::{Camera, Detail, Posed, Reasons, Skip, detail, fixed_scale},
+    frame::{Camera, Posed, Reasons, Skip, detail, fixed_scale},
     layout::{POSITION_BITS, SORT_DROPPED},
     reference::{Culled, Gaussian, Splat},
     vulkan::{GpuOptions, RendererOptions},
@@ -180,14 +180,10 @@ fn compare(device: GpuOptions) {
     for (seed, sizes) in (0..).zip(sizes) {
         // Every Gaussian, and every second, fourth or eighth.
         for level in [0, [1, 2, 3, 1][seed as usize]] {
-            check(&gpu::frame(&device, seed, sizes, at(options(seed, [500, 300]), level)));
+            check(&gpu::frame(&device, seed, sizes, gpu::at_level(options(seed, [500, 300]), level)));
         }
     }
     gpu::assert_valid();
-}
-
-fn at(options: RendererOptions, level: u32) -> RendererOptions {
-    RendererOptions { detail: Detail::FULL.at_least(level), ..options }
 }
 
 /// What a packed file holds is drawn as it is: the oracle's numbers are those of the file.
@@ -249,7 +245,7 @@ fn hostile_gaussians_and_cameras_agree_too() {
         let target = (min + max) / 2.0;
         for (distance, fov) in CAMERAS {
             let camera = Camera::orbit(target, 0.3, 0.1, distance, fov, [300, 200]);
-            check(&gpu::draw(&device, avatar.clone(), posed.clone(), camera, at(options(seed, [300, 200]), seed as u32)));
+            check(&gpu::draw(&device, avatar.clone(), posed.clone(), camera, gpu::at_level(options(seed, [300, 200]), seed as u32)));
         }
     }
     gpu::assert_valid();
@@ -275,8 +271,14 @@ fn what_is_kept_lands_where_the_reference_puts_it() {
         };
         for distance in [2.5, 0.4] {
             let before = [camera(0.3, 3.0), camera(0.8, 3.0)];
-            let frame =
-                gpu::draw_after(&device, avatar.clone(), posed.clone(), &before, camera(2.0, distance), at(options(0, [300, 200]), level));
+            let frame = gpu::draw_after(
+                &device,
+                avatar.clone(),
+                posed.clone(),
+                &before,
+                camera(2.0, distance),
+                gpu::at_level(options(0, [300, 200]), level),
+            );
             assert_eq!(frame.report.counters.kept, u64::from(detail::drawn(avatar.gaussians.len() as u32, level)));
             check_all(&frame, true);
         }

@@ -40,7 +40,8 @@ pub fn fill_shared(block: &mut Frame, options: &RendererOptions, staged: &Staged
 pub fn fill_actor(block: &mut Frame, options: &RendererOptions, actor: &Actor, camera: &Camera) {
     let posed = actor.posed;
     block.feature_start = actor.number as u32 * vectors(block);
-    (block.level, block.drawn, block.spread) = (actor.level, actor.drawn, detail::spread(actor.level) as f32);
+    (block.first, block.drawn, block.level) = (actor.first, actor.drawn, actor.level);
+    block.spread = detail::spread(actor.level) as f32;
     block.idle = actor.networks.others().bits();
     block.outside = actor.outside.bits();
     block.node_start = block.feature_start + block.parts * block.feature_quads;

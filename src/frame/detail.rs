@@ -5,7 +5,6 @@
 //! enlarged by n^[`GROWTH`]. `src/measure/NOTES.md` has the experiments: under some pixels a Gaussian, the low-pass makes a picture of all of
 //! them that is further from the average over each pixel than one of an eighth of them.
 
-use serde::{Deserialize, Serialize};
 use std::{fmt, str::FromStr};
 
 /// The coarsest level: one Gaussian in eight.
@@ -18,7 +17,7 @@ const DENSITY: f64 = 9.0;
 const CALM: f64 = 0.8;
 
 /// Which level is drawn: `--detail full|auto|1/2|1/4|1/8`.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Detail {
     /// The level that is drawn where an avatar is large, at most [`COARSEST`]; 0 draws every Gaussian.
     pub least: u32,

@@ -12,6 +12,8 @@ pub struct Actor<'a> {
     /// Of detail, and how many Gaussians that is.
     pub level: u32,
     pub drawn: u32,
+    /// Where among the splats and keys of all avatars its own start: an even number, so that two keys of a word are of one avatar.
+    pub first: u32,
     pub needed: Needed,
     /// Parts that may be in the view, where it matters.
     seen: Option<PartSet>,
@@ -19,6 +21,13 @@ pub struct Actor<'a> {
     pub outside: PartSet,
     /// Networks that run.
     pub networks: PartSet,
+}
+
+impl Actor<'_> {
+    /// Where the next one's splats and keys start.
+    fn end(&self) -> u32 {
+        self.first + slots(self.drawn)
+    }
 }
 
 /// What one frame draws.
@@ -73,7 +82,8 @@ impl Scene {
             let drawn = detail::drawn(extent.gaussians() as u32, level);
             let needed = self.plans[number].next(posed, camera, skip, level);
             let outside = seen.filter(|_| needed.body != Body::Keep).map_or(PartSet::EMPTY, |seen| needs.all() - seen);
-            actors.push(Actor { number, posed, level, drawn, needed, seen, outside, networks: PartSet::EMPTY });
+            let first = actors.last().map_or(0, Actor::end);
+            actors.push(Actor { number, posed, level, drawn, first, needed, seen, outside, networks: PartSet::EMPTY });
         }
         let in_view: Vec<_> = actors.iter().map(|actor| actor.number).collect();
         let others = !skip.contains(Skip::FRAME) || self.in_view.as_ref() != Some(&in_view);
@@ -92,20 +102,9 @@ impl Scene {
 }
 
 impl Staged<'_> {
-    /// The avatars in view, each with where its splats and keys start; those of each start at an even number, so that two keys of a word are of
-    /// one avatar.
-    pub fn placed(&self) -> impl Iterator<Item = (&Actor<'_>, u32)> {
-        let mut first = 0;
-        self.actors.iter().map(move |actor| {
-            let at = first;
-            first += slots(actor.drawn);
-            (actor, at)
-        })
-    }
-
-    /// Keys of all of them.
+    /// Keys of all avatars in view.
     pub fn keys(&self) -> u32 {
-        self.actors.iter().map(|actor| slots(actor.drawn)).sum()
+        self.actors.last().map_or(0, Actor::end)
     }
 
     /// What is known of the frame before it is drawn. `harmonics`, `surface`: whether it has those stages; `sort`: dispatches of the sort.

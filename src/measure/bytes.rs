@@ -83,6 +83,11 @@ pub fn per_stage(avatar: &Avatar, options: &RendererOptions, seen: Seen) -> Vec<
     model.chain([splats(avatar, options, seen, hides), sort(options, seen)]).chain(bins).chain([raster(options, seen)]).collect()
 }
 
+/// What of `all` falls to `some` of `among` that are alike; nothing where there are none.
+fn share(all: u64, some: u64, among: u64) -> u64 {
+    (u128::from(all) * u128::from(some)).checked_div(u128::from(among)).unwrap_or_default() as u64
+}
+
 /// Numbers in the feature vectors of all parts.
 fn feature_count(avatar: &Avatar) -> u64 {
     (avatar.parts.len() * avatar.networks.output()) as u64
@@ -110,7 +115,7 @@ fn features(avatar: &Avatar, options: &RendererOptions, seen: Seen) -> Work {
     let needed = sum(|layer| layer.input as u64 * layer.output as u64);
     let (nodes, basis) = (avatar.nodes.len() as u64, avatar.nodes.basis.len() as u64);
     // Of all parts; of those that ran their share.
-    let share = |all: u64| (u128::from(all) * u128::from(run)).checked_div(u128::from(parts)).unwrap_or_default() as u64;
+    let share = |all| share(all, run, parts);
     let bytes = weight * (parts * weights - (parts - head) * unread) + bias * parts * biases + 4 * feature_count(avatar);
     let bytes_floor = weight * (parts * needed - (parts - head) * zeros) + bias * parts * neurons + 2 * feature_count(avatar);
     Work {
@@ -125,9 +130,7 @@ fn features(avatar: &Avatar, options: &RendererOptions, seen: Seen) -> Work {
 
 /// Colours of the view's direction, of avatars that have them.
 fn view_colors(avatar: &Avatar, seen: Seen) -> Work {
-    let model = avatar.gaussians.len() as u128;
-    let looked_at = u128::from(seen.gaussians);
-    let coefficients = (u128::from(harmonics::bytes(avatar)) * looked_at).checked_div(model).unwrap_or_default() as u64;
+    let coefficients = share(harmonics::bytes(avatar), seen.gaussians, avatar.gaussians.len() as u64);
     // Position and joints in, the colour out; where the colour goes is up to the layout.
     let bytes = coefficients + (16 + 8) * seen.gaussians;
     let bytes_floor = coefficients.min(bytes);
@@ -158,8 +161,8 @@ fn splats(avatar: &Avatar, options: &RendererOptions, seen: Seen, hides: bool) -
     let numbers = (avatar.rotation_rows.basis.len() + avatar.scale_rows.basis.len() + avatar.color_rows.basis.len()) as u64;
     let heads = 4 * (avatar.rotation_rows.gaussian.len() + avatar.scale_rows.gaussian.len() + 3 * avatar.color_rows.gaussian.len()) as u64;
     // Those that are not drawn read no rows; which have some is taken to be the same among both.
-    let model = avatar.gaussians.len() as u128;
-    let share = |all: u64| (u128::from(all) * u128::from(drawn)).checked_div(model).unwrap_or_default() as u64;
+    let model = avatar.gaussians.len() as u64;
+    let share = |all| share(all, drawn, model);
     // A drawn key adds one to a count of the sort's first pass.
     let out = (SPLAT_BYTES + 8) * drawn + options.key_bits.bytes(gaussians) + if hides { PYRAMID_BYTES * pyramid() } else { 0 };
     // What is not drawn needs no key.
@@ -178,7 +181,7 @@ fn splats(avatar: &Avatar, options: &RendererOptions, seen: Seen, hides: bool) -
     let operations = PLACE * (gaussians - drawn) + SPLAT * drawn + share(2 * numbers);
     Work {
         stage: "splats",
-        bytes: place * gaussians + block * model as u64 + look * drawn + share(numbers + heads) + 4 * features + NODE_BYTES * nodes + out,
+        bytes: place * gaussians + block * model + look * drawn + share(numbers + heads) + 4 * features + NODE_BYTES * nodes + out,
         bytes_floor: GAUSSIAN_FLOOR[0] * gaussians + GAUSSIAN_FLOOR[1] * drawn + share(numbers) + 2 * features + 6 * nodes + out_floor,
         operations: Some(operations),
         operations_floor: Some(operations),

@@ -19,7 +19,6 @@ use crate::layout::compact::stored_node_weights;
 use glam::DVec3;
 use half::f16;
 pub use raster::Canvas;
-use rayon::prelude::*;
 pub use splats::{Culled, Gaussian, Splat};
 
 /// What every stage of one frame made.
@@ -48,7 +47,7 @@ impl Stages {
     pub fn thinned(avatar: &Avatar, posed: &Posed, camera: &Camera, level: u32) -> Self {
         let (features, nodes, gaussians) = world(avatar, posed, camera);
         let gaussians: Vec<Gaussian> = gaussians.into_iter().step_by(1 << level).collect();
-        let splats: Vec<_> = gaussians.par_iter().map(|gaussian| splats::project(gaussian, camera, level)).collect();
+        let splats = splats::splats(&gaussians, camera, level);
         let order = sort::order(&splats);
         let canvas = raster::raster(&splats, &order, camera);
         Self { features, nodes, gaussians, splats, order, canvas }
@@ -87,7 +86,7 @@ pub fn render_scene(avatar: &Avatar, actors: &[&Posed], camera: &Camera) -> Pict
 
 /// The picture of Gaussians in the posed world.
 pub fn render_gaussians(gaussians: &[Gaussian], camera: &Camera) -> Picture {
-    let splats = splats::splats(gaussians, camera);
+    let splats = splats::splats(gaussians, camera, 0);
     raster::raster(&splats, &sort::order(&splats), camera).to_picture()
 }
 

@@ -132,9 +132,9 @@ pub(crate) fn skinning(joints: &[DAffine3], joint: [u8; 4], weight: [u8; 4]) -> 
     g
 }
 
-/// Every Gaussian as the camera sees it; same length and order.
-pub fn splats(gaussians: &[Gaussian], camera: &Camera) -> Vec<Result<Splat, Culled>> {
-    gaussians.par_iter().map(|gaussian| project(gaussian, camera, 0)).collect()
+/// Every Gaussian as the camera sees it, each standing for 2^`level` ([`detail`]); same length and order.
+pub fn splats(gaussians: &[Gaussian], camera: &Camera, level: u32) -> Vec<Result<Splat, Culled>> {
+    gaussians.par_iter().map(|gaussian| project(gaussian, camera, level)).collect()
 }
 
 /// EWA projection of one Gaussian, with the low-pass, and culling (model.md step 8); of one that a level of detail has stand for 2^`level`

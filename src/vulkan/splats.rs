@@ -92,9 +92,8 @@ impl Splats {
         })
     }
 
-    /// Says in a frame's block where things are that are an avatar's: its place in the renderer, and where its splats start.
-    pub fn fill_actor(&self, block: &mut Frame, number: u32, first: u32) {
-        block.first = first;
+    /// Says in a frame's block where what is kept of an avatar is, by its place in the renderer.
+    pub fn fill_actor(&self, block: &mut Frame, number: u32) {
         block.posed_start = (self.areas.posed / 4) as u32 + number * POSED_WORDS * block.gaussians;
     }
 

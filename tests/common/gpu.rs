@@ -3,7 +3,7 @@
 use super::{Sizes, avatar, pose};
 use effigy::{
     avatar::Avatar,
-    frame::{Camera, Extent, Method, Posed, options::draws_triangles},
+    frame::{Camera, Detail, Extent, Method, Posed, options::draws_triangles},
     reference,
     vulkan::{Gpu, GpuOptions, Renderer, RendererOptions, commands::FrameReport, instance::validation_messages, renderer::Stages},
 };
@@ -101,6 +101,11 @@ pub fn draw_after(gpu: &Arc<Gpu>, avatar: Avatar, posed: Posed, before: &[Camera
 
 pub fn options(size: [u32; 2]) -> RendererOptions {
     RendererOptions::new(size)
+}
+
+/// The same at a level of detail.
+pub fn at_level(options: RendererOptions, level: u32) -> RendererOptions {
+    RendererOptions { detail: Detail::FULL.at_least(level), ..options }
 }
 
 /// To be called at the end of every test that uses a device.

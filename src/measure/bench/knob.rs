@@ -2,7 +2,7 @@
 
 use super::{Setting, key_bits, scene::RATE};
 use crate::{
-    frame::{Detail, Skip},
+    frame::{Detail, Skip, detail::COARSEST},
     vulkan::{
         preset::Preset,
         raster::{ColorFormat, Method},
@@ -15,8 +15,6 @@ use std::{fmt, str::FromStr};
 pub const PRESET: &str = "preset";
 
 const COLORS: [ColorFormat; 2] = [ColorFormat::Rgba8, ColorFormat::Rgba16F];
-const DETAILS: [Detail; 5] =
-    [Detail::FULL, Detail::AUTO, Detail { least: 1, auto: false }, Detail { least: 2, auto: false }, Detail { least: 3, auto: false }];
 const KEYS: [KeyBits; 3] = [KeyBits::Sixteen, KeyBits::TwentyFour, KeyBits::ThirtyTwo];
 
 /// Something that trades time for error.
@@ -109,7 +107,8 @@ impl Knob {
                 numbers(&[1.0, 2.0, 5.0, 10.0, 20.0, 50.0], 1e3 * options.margin, " mm", |v| of(&|s| s.options.margin = v / 1e3))
             }
             Self::Detail => {
-                let other = DETAILS.into_iter().filter(|&detail| detail != options.detail);
+                let levels = (1..=COARSEST).map(|level| Detail::FULL.at_least(level));
+                let other = [Detail::FULL, Detail::AUTO].into_iter().chain(levels).filter(|&detail| detail != options.detail);
                 other.map(|detail| (detail.to_string(), of(&|s| s.options.detail = detail))).collect()
             }
             Self::PoseRate => numbers(&[1.0, 2.0, 3.0, 4.0, 6.0], base.hold as f64, "", |v| of(&|s| s.hold = v as usize))

@@ -1,9 +1,6 @@
 //! What can be given up to hold a frame rate, in the order in which it is: a promised rate goes in, rungs come out.
 
-use crate::{
-    frame::{Detail, detail::COARSEST},
-    vulkan::RendererOptions,
-};
+use crate::{frame::Detail, vulkan::RendererOptions};
 
 /// Motion at this rate or above looks smooth: a pose may be held for two frames early on, frames a second.
 const SMOOTH: f64 = 60.0;
@@ -136,7 +133,7 @@ impl Step {
             Self::Scale(scale) => format!("scale {scale}"),
             Self::Hold => format!("pose {:.0} Hz", rate / 2.0),
             Self::Cutoff(factor) => format!("cutoff {factor}/255"),
-            Self::Level(level) => format!("detail 1/{}", 1u32 << level),
+            Self::Level(level) => format!("detail {}", Detail::FULL.at_least(level)),
             Self::Refresh => format!("display {:.0} Hz", rate / 2.0),
         }
     }
@@ -146,7 +143,7 @@ impl Step {
 /// saves the frame where the camera is still and its networks where not. Half of the Gaussians save 0.3 of a frame (NOTES.md, "Level of
 /// detail"), nothing where no more of them are drawn anyway.
 fn cost(quality: &Quality) -> f64 {
-    let thin = [1.0, 0.72, 0.56, 0.46][quality.level.min(COARSEST) as usize];
+    let thin = 0.72f64.powi(quality.level as i32);
     let pixels = thin * (0.25 + 0.75 * quality.scale * quality.scale);
     let faint = match quality.cutoff {
         c if c >= 4.0 => 0.85,

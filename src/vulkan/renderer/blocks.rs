@@ -26,21 +26,21 @@ impl Renderer {
             self.keepers[actor.number] = Keeper::new(&self.extent, actor.posed, camera);
         }
         let blocks = self.frames.mapped();
-        let mut fill = |number: usize, actor: Option<(&Actor, u32)>| {
+        let mut fill = |number: usize, actor: Option<&Actor>| {
             let block: &mut Frame = from_bytes_mut(&mut blocks[frame_at(slot, number, self.options.actors)..][..size_of::<Frame>()]);
             block::fill_shared(block, &self.options, staged, camera);
             self.splats.fill(block);
             block.count_tile = self.sort.tile();
-            if let Some((actor, first)) = actor {
+            if let Some(actor) = actor {
                 block::fill_actor(block, &self.options, actor, camera);
-                self.splats.fill_actor(block, number as u32, first);
+                self.splats.fill_actor(block, number as u32);
                 self.keepers[number].fill(block, camera);
             }
         };
         // An empty picture has a size too.
         fill(0, None);
-        for (actor, first) in staged.placed() {
-            fill(actor.number, Some((actor, first)));
+        for actor in &staged.actors {
+            fill(actor.number, Some(actor));
         }
     }
 }

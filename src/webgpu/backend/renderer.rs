@@ -260,12 +260,12 @@ impl Renderer {
         if staged.actors.is_empty() {
             self.write_block(staged, camera, 0, None);
         }
-        for (actor, first) in staged.placed() {
-            self.write_block(staged, camera, actor.number, Some((actor, first)));
+        for actor in &staged.actors {
+            self.write_block(staged, camera, actor.number, Some(actor));
         }
     }
 
-    fn write_block(&mut self, staged: &Staged, camera: &Camera, number: usize, actor: Option<(&Actor, u32)>) {
+    fn write_block(&mut self, staged: &Staged, camera: &Camera, number: usize, actor: Option<&Actor>) {
         let block = &mut *self.frame;
         block::fill_shared(block, &self.options, staged, camera);
         if self.surface.is_none() {
@@ -274,9 +274,9 @@ impl Renderer {
         self.splats.fill(block);
         block.tile = BINS_WEB.tile(camera.size) as f32;
         block.count_tile = SORT_TILE;
-        if let Some((actor, first)) = actor {
+        if let Some(actor) = actor {
             block::fill_actor(block, &self.options, actor, camera);
-            self.splats.fill_actor(block, number as u32, first);
+            self.splats.fill_actor(block, number as u32);
             self.keepers[number].fill(block, camera);
         }
         self.gpu.queue.write_buffer(&self.blocks.frames, u64::from(frame_at(number)), bytes_of(block));

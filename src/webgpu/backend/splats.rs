@@ -71,9 +71,8 @@ impl Splats {
         self.capacity
     }
 
-    /// Says in a frame's block where things are that are an avatar's: its place in the renderer, and where its splats start.
-    pub fn fill_actor(&self, block: &mut Frame, number: u32, first: u32) {
-        block.first = first;
+    /// Says in a frame's block where what is kept of an avatar is, by its place in the renderer.
+    pub fn fill_actor(&self, block: &mut Frame, number: u32) {
         block.posed_start = self.posed_start + number * POSED_WORDS * block.gaussians;
     }
 
