@@ -103,7 +103,8 @@ fn a_fit_learns_what_made_the_data_and_pruning_keeps_what_varies_most() {
 
     let pruned =
         prune(&dataset, avatar, &Options { budget: Some(Budget::Rows(150)), ..options.clone() }, &quiet).expect("it can be pruned").avatar;
-    assert_eq!([pruned.rotation_rows.gaussian.len(), pruned.scale_rows.gaussian.len(), pruned.color_rows.gaussian.len()], [150; 3]);
+    let rows = |a: &Avatar| [a.rotation_rows.gaussian.len(), a.scale_rows.gaussian.len(), a.color_rows.gaussian.len()];
+    assert_eq!(rows(&pruned), [150; 3]);
     assert_ne!(pruned.rotation_rows.gaussian, pruned.color_rows.gaussian, "attributes are pruned independently");
     let spread = |k: u32| -> f64 {
         let colors: Vec<Vec<f64>> = (0..dataset.len())
@@ -118,6 +119,11 @@ fn a_fit_learns_what_made_the_data_and_pruning_keeps_what_varies_most() {
     assert!(kept > 1.3 * lost, "kept colours range over {kept:.3}, lost ones over {lost:.3}");
     let after = psnr(&pruned)[1];
     assert!(after > neutral + 1.0 && after < learned, "{after:.1} dB pruned, {learned:.1} dB whole, {neutral:.1} dB without");
+    let shown =
+        prune(&dataset, avatar, &Options { budget: Some(Budget::Shown(450)), ..options.clone() }, &quiet).expect("it can be pruned").avatar;
+    assert_eq!(rows(&shown).iter().sum::<usize>(), 450, "{:?}", rows(&shown));
+    let best = psnr(&shown)[1];
+    assert!(best > after && best < learned, "{best:.1} dB with the rows that pictures show most, {after:.1} dB with as many of each");
     let budget =
         prune(&dataset, avatar, &Options { budget: Some(Budget::Variance(0.9)), ..options }, &quiet).expect("it can be pruned").avatar;
     assert!((150..600).contains(&budget.color_rows.gaussian.len()), "{} rows hold 90 % of the variance", budget.color_rows.gaussian.len());

@@ -2,7 +2,7 @@
 
 use effigy::avatar::*;
 use effigy::frame::{ALPHA_MAX, ALPHA_MIN, Camera, LOW_PASS, Posed};
-use effigy::reference::{Culled, Gaussian, Stages, features, nodes, splats};
+use effigy::reference::{Culled, Gaussian, Stages, features, nodes, raster, splats};
 use glam::{DAffine3, DMat2, DMat3, DQuat, DVec2, DVec3};
 use half::f16;
 
@@ -46,9 +46,9 @@ fn avatar(dots: &[Dot]) -> Avatar {
         },
         parts: Parts { start: vec![0, dots.len() as u32], head: 0 },
         networks: Networks { activation: Activation::Relu, layers: vec![layer(1, 1, &[0.0], &[1.0])] },
-        rotation_rows: Rows { gaussian: vec![], basis: Matrix::default() },
-        scale_rows: Rows { gaussian: vec![], basis: Matrix::default() },
-        color_rows: Rows { gaussian: vec![], basis: Matrix::default() },
+        rotation_rows: Rows::default(),
+        scale_rows: Rows::default(),
+        color_rows: Rows::default(),
         nodes: Nodes {
             position: vec![bounds.encode(DVec3::ZERO)],
             part: vec![0],
@@ -122,6 +122,21 @@ fn the_nearer_of_two_gaussians_is_over_the_further_whatever_their_order() {
         let stages = stages(&dots);
         assert_eq!(stages.order, order);
         near(&stages.canvas.pixels[32 * 65 + 32], &[0.4, 0.0, 0.6 * 0.8, 1.0 - 0.6 * 0.2], 1e-12);
+    }
+}
+
+#[test]
+fn what_a_picture_shows_of_a_gaussian_is_what_its_colours_error_adds_to_it() {
+    let dots = [Dot { at: [0.02, 0.0, 0.1], ..DOT }, Dot { opacity: 120, ..DOT }];
+    let Stages { splats, order, canvas, .. } = stages(&dots);
+    let shown = raster::shown(&splats, &order, &camera());
+    for (k, shown) in shown.iter().enumerate() {
+        let mut other = splats.clone();
+        other[k].as_mut().expect("it is drawn").color += DVec3::splat(0.01);
+        let changed = raster::raster(&other, &order, &camera());
+        let error: f64 = changed.pixels.iter().zip(&canvas.pixels).map(|(a, b)| (a[0] - b[0]).powi(2)).sum();
+        near(&[error * 1e4], &[*shown], 1e-9 * shown);
+        assert!(*shown > 1.0, "{shown}");
     }
 }
 

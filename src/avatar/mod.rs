@@ -186,7 +186,7 @@ pub struct Layer {
 }
 
 /// The basis rows of one attribute with C components, kept only for the Gaussians that need them.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Rows<const C: usize> {
     /// The Gaussian of each row, strictly rising.
     pub gaussian: Vec<u32>,

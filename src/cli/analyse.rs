@@ -5,7 +5,7 @@ use super::{fit::check_clips, options};
 use crate::avatar::{Avatar, file::replace, motion::Player};
 use crate::fit::analyse::components::{Outcome, SETTINGS, outcomes};
 use crate::fit::analyse::kept;
-use crate::fit::analyse::sweep::{Tried, Tries, sweep};
+use crate::fit::analyse::sweep::{EACH, TOGETHER, Tried, Tries, sweep};
 use crate::fit::analyse::timing;
 use crate::fit::block::ATTRIBUTES;
 use crate::fit::plot::{self, Chart, Line};
@@ -27,7 +27,7 @@ pub struct Args {
     /// Numbers of parts to try
     #[arg(long, value_delimiter = ',', default_value = "8,24,64,128", requires = "fits")]
     parts: Vec<usize>,
-    /// Shares of the Gaussians that keep a corrective, to try
+    /// Shares of the correctives that are kept, to try: as many of each attribute, and those that pictures show most
     #[arg(long, value_delimiter = ',', default_value = "0.02,0.05,0.1,0.2,0.4", requires = "fits")]
     rows: Vec<f64>,
     /// Fit to this clip alone; repeat for several [default: all]
@@ -113,18 +113,20 @@ fn fits(args: &Args) -> anyhow::Result<String> {
     let (text, csv) = fits_table(&tried, &times(&tried, &dataset, args.timed));
     print!("{text}");
     replace(&args.out.join("fits.csv"), csv.as_bytes())?;
-    let swept = |word: &str, of: &dyn Fn(&Tried) -> f64| {
-        let mut points: Vec<(f64, f64)> = tried.iter().filter(|t| t.what.contains(word)).map(|t| (of(t), t.psnr_db)).collect();
+    let swept = |word: &str, name: &str, of: &dyn Fn(&Tried) -> f64| {
+        let mut points: Vec<(f64, f64)> = tried.iter().filter(|t| t.what.ends_with(word)).map(|t| (of(t), t.psnr_db)).collect();
         points.sort_by(|a, b| a.0.total_cmp(&b.0));
-        points
+        Line { name: name.to_owned(), points }
     };
-    let lines = [
-        ("parts", "parts", swept("parts", &|t| t.parts as f64)),
-        ("rows", "rows that each attribute keeps", swept("of rows", &|t| t.rows as f64)),
-        ("size", "MB, with more and more rows kept", swept("of rows", &|t| t.bytes as f64 / 1e6)),
+    let kept = |of: &dyn Fn(&Tried) -> f64| {
+        vec![swept(EACH, "as many of each attribute", of), swept(TOGETHER, "those that pictures show most", of)]
+    };
+    let charts = [
+        ("parts", "parts", vec![swept("parts, unpruned", "held-out frames", &|t| t.parts as f64)]),
+        ("rows", "rows kept", kept(&|t| t.rows as f64)),
+        ("size", "MB, with more and more rows kept", kept(&|t| t.bytes as f64 / 1e6)),
     ];
-    for (name, x, points) in lines.into_iter().filter(|(.., points)| points.len() > 1) {
-        let lines = vec![Line { name: "held-out frames".into(), points }];
+    for (name, x, lines) in charts.into_iter().filter(|(.., lines)| lines[0].points.len() > 1) {
         let chart = Chart { title: "likeness of held-out frames", x, y: "PSNR inside the mask's box, dB", log: false, lines };
         replace(&args.out.join(format!("{name}.svg")), plot::svg(&chart)?.as_bytes())?;
     }

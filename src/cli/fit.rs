@@ -13,11 +13,15 @@ struct Common {
     /// The avatar file to write; the curves go beside it, .loss.svg and .loss.csv
     #[arg(long, value_name = "FILE")]
     out: PathBuf,
-    /// Gaussians that keep a corrective, for each of rotation, scale and colour [default: a tenth of them]
-    #[arg(long, value_name = "N", value_parser = count(0, limits::GAUSSIANS), conflicts_with = "variance")]
+    /// Correctives that are kept, of rotation, scale and colour together: those that pictures of the training frames would lose most
+    /// without [default: a tenth of all]
+    #[arg(long, value_name = "N", value_parser = count(0, 3 * limits::GAUSSIANS))]
+    keep: Option<usize>,
+    /// Keep instead those of so many Gaussians for each of rotation, scale and colour, where they vary most, as the paper does
+    #[arg(long, value_name = "N", value_parser = count(0, limits::GAUSSIANS), conflicts_with = "keep")]
     rows: Option<usize>,
-    /// Keep as many instead as hold this share of the correctives' variance, 0 to 1
-    #[arg(long, value_name = "SHARE", value_parser = share)]
+    /// Keep instead as many of each as hold this share of the correctives' variance, 0 to 1
+    #[arg(long, value_name = "SHARE", value_parser = share, conflicts_with_all = ["keep", "rows"])]
     variance: Option<f64>,
     /// Fit to this clip alone, by its name in the dataset; repeat for several [default: all]
     #[arg(long, value_name = "NAME")]
@@ -39,7 +43,7 @@ pub struct FitArgs {
     #[command(flatten)]
     common: Common,
     /// Keep every corrective
-    #[arg(long, conflicts_with_all = ["rows", "variance"])]
+    #[arg(long, conflicts_with_all = ["keep", "rows", "variance"])]
     unpruned: bool,
     /// Features a part, each of attributes and nodes
     #[arg(long, default_value = "16", value_parser = count(4, limits::BASIS))]
@@ -66,12 +70,16 @@ pub(super) fn share(text: &str) -> Result<f64, String> {
 impl Common {
     fn options(&self, gaussians: usize) -> anyhow::Result<Options> {
         ensure!((0.0..=1e6).contains(&self.checkpoint), "--checkpoint {} is no number of seconds", self.checkpoint);
-        let rows = Budget::Rows(self.rows.unwrap_or(gaussians / 10));
+        let budget = match (self.rows, self.variance) {
+            (Some(rows), _) => Budget::Rows(rows),
+            (_, Some(share)) => Budget::Variance(share),
+            _ => Budget::Shown(self.keep.unwrap_or(3 * gaussians / 10)),
+        };
         Ok(Options {
             epochs: self.epochs,
             seed: self.seed,
             clips: self.clip.clone(),
-            budget: Some(self.variance.map_or(rows, Budget::Variance)),
+            budget: Some(budget),
             checkpoint: Some((self.beside("checkpoint"), Duration::from_secs_f64(self.checkpoint))),
             ..Options::default()
         })

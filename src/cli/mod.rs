@@ -70,7 +70,7 @@ enum Command {
     Dataset(dataset::Args),
     /// Learn an avatar's correctives from a dataset
     Fit(fit::FitArgs),
-    /// Keep the correctives that vary most, and fine-tune them
+    /// Keep the correctives that are worth most, and fine-tune them
     Prune(fit::PruneArgs),
     /// Draw a learned avatar and its dataset, and say how alike they are
     Evaluate(evaluate::Args),

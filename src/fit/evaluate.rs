@@ -2,7 +2,7 @@
 //! clips, with the correctives, without them, and without the projection of poses.
 
 use super::dataset::Dataset;
-use crate::avatar::{Avatar, Inputs, Matrix, Rows};
+use crate::avatar::{Avatar, Inputs, Rows};
 use crate::frame::{Camera, Extent, Picture, Posed, upright};
 use crate::measure::similarity::{Similarity, similarity};
 use crate::reference::{self, splats};
@@ -37,9 +37,7 @@ impl Way {
             Self::Learned => {}
             Self::Unprojected => avatar.inputs = Inputs { pose_space: None, expression_space: None, ..avatar.inputs },
             Self::Neutral => {
-                (avatar.rotation_rows, avatar.scale_rows) =
-                    (Rows { gaussian: vec![], basis: Matrix::default() }, Rows { gaussian: vec![], basis: Matrix::default() });
-                avatar.color_rows = Rows { gaussian: vec![], basis: Matrix::default() };
+                (avatar.rotation_rows, avatar.scale_rows, avatar.color_rows) = (Rows::default(), Rows::default(), Rows::default());
                 avatar.nodes.basis.halves_mut().fill(f16::ZERO);
             }
         }

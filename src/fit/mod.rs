@@ -5,7 +5,7 @@
 //!                                                              ↓
 //! inputs: poses ─→ learner: a network a part ⇄ basis, solve: the bases, given the networks
 //!                                                              ↓
-//!                                   prune: rows that vary least go ──→ avatar ── evaluate, analyse
+//!                      shown, prune: rows worth least go ──→ avatar ── evaluate, analyse
 //! ```
 //!
 //! All of it runs on processors, parts side by side. What comes out depends on the dataset, the options and the seed alone, on one kind of
@@ -26,6 +26,7 @@ pub mod nodes;
 pub mod plot;
 pub mod prune;
 pub mod run;
+pub mod shown;
 pub mod solve;
 pub mod truth;
 

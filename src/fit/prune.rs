@@ -1,7 +1,9 @@
-//! Which Gaussians keep their correctives: those whose correctives vary most over the training poses (the paper's section 3.2).
+//! Which Gaussians keep their correctives: those whose correctives vary most over the training poses (the paper's section 3.2), or those
+//! that pictures would lose most without.
 
 use super::block::Kept;
 use super::learner::Learner;
+use super::shown;
 use super::solve::Ground;
 use crate::avatar::{Avatar, Rows};
 use rayon::prelude::*;
@@ -13,6 +15,8 @@ pub enum Budget {
     Rows(usize),
     /// As many of each as it takes to keep this share of its variance, 0 to 1.
     Variance(f64),
+    /// So many rows of all three together, those that pictures of the training frames would lose most without ([`shown`]).
+    Shown(usize),
 }
 
 /// Sums over poses that arrive one after another (Welford's): means and covariance of N numbers.
@@ -55,22 +59,36 @@ pub fn variances<const C: usize>(rows: &Rows<C>, starts: &[u32], basis: usize, c
     rows.gaussian.par_iter().enumerate().map(row).collect()
 }
 
-/// The Gaussians that a budget keeps, rising; of equal ones the first.
-fn keep(gaussians: &[u32], variances: &[f64], budget: Budget) -> Vec<u32> {
-    let mut order: Vec<usize> = (0..variances.len()).collect();
-    order.sort_by(|&a, &b| variances[b].total_cmp(&variances[a]).then(a.cmp(&b)));
-    let count = match budget {
-        Budget::Rows(count) => count,
-        Budget::Variance(share) => {
-            let enough = share * variances.iter().sum::<f64>();
-            let sums = order.iter().scan(0.0, |sum, &k| Some(std::mem::replace(sum, *sum + variances[k])));
-            sums.take_while(|&before| before < enough).count()
-        }
-    };
-    order.truncate(count);
-    let mut kept: Vec<u32> = order.iter().map(|&k| gaussians[k]).collect();
+/// What a row costs whoever leaves it out, greatest first; of equal ones the first.
+fn order(costs: &[f64]) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..costs.len()).collect();
+    order.sort_by(|&a, &b| costs[b].total_cmp(&costs[a]).then(a.cmp(&b)));
+    order
+}
+
+/// How many of the rows of highest variance hold a share of all of it.
+fn enough(variances: &[f64], share: f64) -> usize {
+    let enough = share * variances.iter().sum::<f64>();
+    let sums = order(variances).into_iter().scan(0.0, |sum, k| Some(std::mem::replace(sum, *sum + variances[k])));
+    sums.take_while(|&before| before < enough).count()
+}
+
+/// The Gaussians of the `count` rows that cost most, rising.
+fn keep(gaussians: &[u32], costs: &[f64], count: usize) -> Vec<u32> {
+    let mut kept: Vec<u32> = order(costs).into_iter().take(count).map(|k| gaussians[k]).collect();
     kept.sort_unstable();
     kept
+}
+
+/// How many rows of each of three attributes are among the `count` that cost most of all.
+fn divide(costs: &[Vec<f64>; 3], count: usize) -> [usize; 3] {
+    let all: Vec<f64> = costs.concat();
+    let ends = [costs[0].len(), costs[0].len() + costs[1].len(), all.len()];
+    let mut counts = [0; 3];
+    for row in order(&all).into_iter().take(count) {
+        counts[ends.partition_point(|&end| end <= row)] += 1;
+    }
+    counts
 }
 
 /// What of an avatar's rows a budget keeps, by its networks' features over the training poses.
@@ -84,11 +102,25 @@ pub fn select(ground: &Ground, learner: &Learner, avatar: &Avatar, budget: Budge
     };
     let covariance: Vec<Vec<f64>> = (0..avatar.parts.len()).into_par_iter().map(covariance).collect();
     let starts = &avatar.parts.start;
-    Kept(Some([
-        keep(&avatar.rotation_rows.gaussian, &variances(&avatar.rotation_rows, starts, n, &covariance), budget),
-        keep(&avatar.scale_rows.gaussian, &variances(&avatar.scale_rows, starts, n, &covariance), budget),
-        keep(&avatar.color_rows.gaussian, &variances(&avatar.color_rows, starts, n, &covariance), budget),
-    ]))
+    let rows = [&avatar.rotation_rows.gaussian, &avatar.scale_rows.gaussian, &avatar.color_rows.gaussian];
+    let variances = [
+        variances(&avatar.rotation_rows, starts, n, &covariance),
+        variances(&avatar.scale_rows, starts, n, &covariance),
+        variances(&avatar.color_rows, starts, n, &covariance),
+    ];
+    let (costs, counts) = match budget {
+        Budget::Rows(count) => (variances, [count; 3]),
+        Budget::Variance(share) => {
+            let counts = std::array::from_fn(|a| enough(&variances[a], share));
+            (variances, counts)
+        }
+        Budget::Shown(count) => {
+            let costs = shown::costs(ground.dataset, &ground.training, avatar, rows, variances);
+            let counts = divide(&costs, count);
+            (costs, counts)
+        }
+    };
+    Kept(Some(std::array::from_fn(|a| keep(rows[a], &costs[a], counts[a]))))
 }
 
 #[cfg(test)]
@@ -99,11 +131,17 @@ mod tests {
     #[test]
     fn budgets_keep_the_rows_that_vary_most() {
         let (gaussians, variances) = ([2, 5, 7, 11], [1.0, 6.0, 0.5, 2.5]);
-        assert_eq!(keep(&gaussians, &variances, Budget::Rows(2)), [5, 11]);
-        assert_eq!(keep(&gaussians, &variances, Budget::Rows(9)), gaussians);
-        assert_eq!(keep(&gaussians, &variances, Budget::Variance(0.85)), [5, 11]);
-        assert_eq!(keep(&gaussians, &variances, Budget::Variance(0.86)), [2, 5, 11]);
-        assert!(keep(&gaussians, &variances, Budget::Variance(0.0)).is_empty());
+        assert_eq!(keep(&gaussians, &variances, 2), [5, 11]);
+        assert_eq!(keep(&gaussians, &variances, 9), gaussians);
+        assert_eq!([0.0, 0.85, 0.86, 1.0].map(|share| enough(&variances, share)), [0, 2, 3, 4]);
+    }
+
+    #[test]
+    fn a_budget_of_all_attributes_goes_where_it_is_worth_most() {
+        let costs = [vec![0.2, 5.0], vec![], vec![3.0, 0.1, 4.0]];
+        assert_eq!(divide(&costs, 3), [1, 0, 2]);
+        assert_eq!(divide(&costs, 4), [2, 0, 2]);
+        assert_eq!(divide(&costs, 9), [2, 0, 3]);
     }
 
     #[test]

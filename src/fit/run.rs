@@ -3,7 +3,7 @@
 //! ```text
 //! stage 0   networks learn the parts' principal components
 //! stage 1   bases solved for the networks, with the constraint on correctives; networks learn what those bases leave
-//! stage 2   bases solved again, rows pruned by variance, bases of the kept ones solved without the constraint; networks learn on
+//! stage 2   bases solved again, rows pruned, bases of the kept ones solved without the constraint; networks learn on
 //! end       bases solved a last time
 //! ```
 //! Unpruned avatars end after stage 1.
@@ -44,7 +44,7 @@ pub struct Options {
 
 impl Default for Options {
     fn default() -> Self {
-        Self { basis: 16, epochs: 400, seed: 1, clips: Vec::new(), constraint: 1.0, budget: Some(Budget::Rows(20_000)), checkpoint: None }
+        Self { basis: 16, epochs: 400, seed: 1, clips: Vec::new(), constraint: 1.0, budget: Some(Budget::Shown(60_000)), checkpoint: None }
     }
 }
 

@@ -37,12 +37,13 @@ impl LogScales {
         let all = avatar.gaussians.log_scale.iter().flatten().map(|s| clamp(s.to_f64()));
         let (low, high) = all.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), s| (low.min(s), high.max(s)));
         let (low, high) = if low <= high { (low, high) } else { (0.0, 0.0) };
+        // Of two that are as near the upper: the smallest has the first code, and numbers that were rounded to codes before have the same.
+        let first = |step: f64| (low / step + 0.5).floor() * step;
         let mut step = 1.0 / 128.0;
-        while (high - (low / step).round() * step) / step > LOG_SCALE_CODES {
+        while (high - first(step)) / step > LOG_SCALE_CODES {
             step *= 2.0;
         }
-        // So that the smallest has the first code, and codes of numbers that were rounded to codes before are the same.
-        Self { min: (low / step).round() * step, step }
+        Self { min: first(step), step }
     }
 
     pub fn encode(self, log_scale: f64) -> u32 {
@@ -239,6 +240,16 @@ mod tests {
         for axis in 0..4 {
             let q: [f64; 4] = std::array::from_fn(|k| if k == axis { -1.0 } else { 0.0 });
             assert_eq!(decode_quaternion(encode_quaternion(q).0).map(f64::abs), q.map(f64::abs));
+        }
+    }
+
+    #[test]
+    fn log_scales_that_were_rounded_once_keep_their_codes() {
+        let mut avatar = demo::avatar().unwrap();
+        // On a code, and halfway between two.
+        for low in [-8.0, -7.99609375] {
+            avatar.gaussians.log_scale[0] = [f16::from_f64(low); 3];
+            assert_eq!(LogScales::of(&avatar.compact()), LogScales::of(&avatar), "the smallest is {low}");
         }
     }
 

@@ -39,6 +39,33 @@ pub fn raster(splats: &[Result<Splat, Culled>], order: &[u32], camera: &Camera) 
     Canvas { size: camera.size, pixels }
 }
 
+/// How much the picture shows of each splat: over all pixels, the sum of its colour's squared weights there; length of `splats`. Where the
+/// colours of splats are off independently of each other, each adds so many times its own squared error to the picture's.
+pub fn shown(splats: &[Result<Splat, Culled>], order: &[u32], camera: &Camera) -> Vec<f64> {
+    let [width, height] = camera.size.map(|side| side as usize);
+    let ready = |&k: &u32| Some((k as usize, Ellipse::new(splats[k as usize].as_ref().ok()?, camera)));
+    let near_to_far: Vec<(usize, Ellipse)> = order.iter().rev().filter_map(ready).collect();
+    let band = |start: usize| {
+        let rows = start..(start + BAND).min(height);
+        let (mut shown, mut left) = (vec![0.0; splats.len()], vec![1.0; rows.len() * width]);
+        for (k, ellipse) in near_to_far.iter().filter(|(_, ellipse)| ellipse.rows.start < rows.end && rows.start < ellipse.rows.end) {
+            for y in ellipse.rows.start.max(rows.start)..ellipse.rows.end.min(rows.end) {
+                let left = &mut left[(y - rows.start) * width..][..width];
+                for x in ellipse.columns.clone() {
+                    let alpha = ellipse.alpha(x, y);
+                    if alpha >= ALPHA_MIN {
+                        shown[*k] += (alpha * left[x]).powi(2);
+                        left[x] *= 1.0 - alpha;
+                    }
+                }
+            }
+        }
+        shown
+    };
+    let bands: Vec<Vec<f64>> = (0..height).into_par_iter().step_by(BAND).map(band).collect();
+    (0..splats.len()).map(|k| bands.iter().map(|band| band[k]).sum()).collect()
+}
+
 /// A splat ready to be drawn.
 struct Ellipse {
     center: DVec2,
@@ -67,13 +94,18 @@ impl Ellipse {
         Self { center: splat.center, inverse: [c / det, -b / det, a / det], opacity: splat.opacity, color, columns, rows }
     }
 
-    /// `over` for the pixels of one row of the picture: α = min(0.99, o exp(−½ dᵀ Σ'⁻¹ d)), none below 1/255; C = α c + (1 − α) C.
-    fn draw_row(&self, y: usize, row: &mut [[f64; 4]]) {
+    /// α = min(0.99, o exp(−½ dᵀ Σ'⁻¹ d)) at a pixel's centre.
+    fn alpha(&self, x: usize, y: usize) -> f64 {
         let [a, b, c] = self.inverse;
+        let d = DVec2::new(x as f64 + 0.5, y as f64 + 0.5) - self.center;
+        let power = -0.5 * (a * d.x * d.x + 2.0 * b * d.x * d.y + c * d.y * d.y);
+        (self.opacity * power.exp()).min(ALPHA_MAX)
+    }
+
+    /// `over` for the pixels of one row of the picture: C = α c + (1 − α) C where α is not below 1/255.
+    fn draw_row(&self, y: usize, row: &mut [[f64; 4]]) {
         for x in self.columns.clone() {
-            let d = DVec2::new(x as f64 + 0.5, y as f64 + 0.5) - self.center;
-            let power = -0.5 * (a * d.x * d.x + 2.0 * b * d.x * d.y + c * d.y * d.y);
-            let alpha = (self.opacity * power.exp()).min(ALPHA_MAX);
+            let alpha = self.alpha(x, y);
             if alpha >= ALPHA_MIN {
                 row[x] = (alpha * self.color + (1.0 - alpha) * DVec4::from(row[x])).to_array();
             }

@@ -82,16 +82,15 @@ pub fn from_bytes(bytes: &[u8], name: &str, up: Option<Up>) -> Result<Avatar, Fa
     let up = up.or(header.up).unwrap_or(Up::TRAINED);
     let (gaussians, harmonics) = gaussians::read(&rows::Rows::new(bytes, header)?)?;
     let canonical = up.rotation().inverse().to_scaled_axis().as_vec3().to_array();
-    let none = || NoRows { gaussian: vec![], basis: Matrix::default() };
     Ok(Avatar {
         name: name.into(),
         credit: String::new(),
         skeleton: Skeleton { name: vec!["root".into()], parent: vec![None], rest: vec![[0.0; 3]], canonical: vec![canonical] },
         parts: Parts { start: vec![0, gaussians.len() as u32], head: 0 },
         networks: Networks { activation: Activation::Relu, layers: vec![] },
-        rotation_rows: NoRows { gaussian: vec![], basis: Matrix::default() },
-        scale_rows: none(),
-        color_rows: none(),
+        rotation_rows: NoRows::default(),
+        scale_rows: NoRows::default(),
+        color_rows: NoRows::default(),
         // One that moves nothing: every Gaussian names three.
         nodes: Nodes { position: vec![[0; 3]], part: vec![0], offset: vec![[f16::ZERO; 3]], basis: Matrix::default() },
         inputs: Inputs { joint: vec![], expression: 0, pose_space: None, expression_space: None },

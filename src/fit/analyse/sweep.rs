@@ -10,13 +10,18 @@ use crate::fit::run::{Options, fit, prune};
 use serde::Serialize;
 use std::path::Path;
 
+/// The two ways to choose the rows that are kept, as the tables call them: by variance, as many of each attribute, and by what pictures
+/// would lose.
+pub const EACH: &str = "each alike";
+pub const TOGETHER: &str = "as shown";
+
 /// What to try.
 #[derive(Clone, Debug)]
 pub struct Tries {
     pub options: Options,
     /// Numbers of parts.
     pub parts: Vec<usize>,
-    /// Kept rows of each attribute, shares of the Gaussians.
+    /// Kept rows, shares of all; each is tried twice, as many rows of each attribute and the rows that pictures show most.
     pub rows: Vec<f64>,
     /// Held-out frames that are drawn.
     pub frames: usize,
@@ -30,7 +35,7 @@ pub struct Tried {
     pub what: String,
     pub parts: usize,
     pub basis: usize,
-    /// Kept rows of each attribute.
+    /// Kept rows of all attributes together.
     pub rows: usize,
     /// Of the avatar's tensors.
     pub bytes: usize,
@@ -61,7 +66,7 @@ fn judge(dataset: &Dataset, avatar: &Avatar, tries: &Tries, way: Way, what: Stri
         what,
         parts: avatar.parts.len(),
         basis: avatar.basis_len(),
-        rows: drawn.color_rows.gaussian.len(),
+        rows: drawn.rotation_rows.gaussian.len() + drawn.scale_rows.gaussian.len() + drawn.color_rows.gaussian.len(),
         bytes: drawn.tensors().iter().map(|tensor| tensor.bytes).sum(),
         psnr_db: mean(&|s| s.psnr_db),
         l1: mean(&|s| s.l1),
@@ -89,13 +94,15 @@ pub fn sweep(folder: &Path, tries: &Tries, hear: &(dyn Fn(&str) + Sync)) -> Resu
     let mut shown = tried.len() - 1;
     for &share in &tries.rows {
         let rows = (share * count as f64).round() as usize;
-        hear(&format!("{rows} rows"));
-        let options = Options { budget: Some(Budget::Rows(rows)), ..tries.options.clone() };
-        let pruned = prune(&dataset, &local, &options, &|_, _| ())?.avatar;
-        if share == 0.1 {
-            shown = tried.len();
+        for (budget, how) in [(Budget::Rows(rows), EACH), (Budget::Shown(3 * rows), TOGETHER)] {
+            let what = format!("{:.0} % of rows, {how}", 100.0 * share);
+            hear(&what);
+            let pruned = prune(&dataset, &local, &Options { budget: Some(budget), ..tries.options.clone() }, &|_, _| ())?.avatar;
+            if share == 0.1 {
+                shown = tried.len();
+            }
+            tried.push(judge(&dataset, &pruned, tries, Way::Learned, what));
         }
-        tried.push(judge(&dataset, &pruned, tries, Way::Learned, format!("local {}, {:.0} % of rows", whole.basis, 100.0 * share)));
     }
     for basis in [16, 64] {
         let dataset = regroup(Dataset::open(folder)?, 1);
