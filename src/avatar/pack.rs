@@ -162,7 +162,7 @@ mod tests {
 
     /// The buffers that the renderers make of an avatar.
     fn buffers(avatar: &Avatar) -> (Vec<[u32; 2]>, [Vec<u32>; 3]) {
-        let constants = &mut pack::constants(avatar);
+        let constants = &pack::constants(avatar);
         let (places, _) = pack::node_places(avatar);
         let mut gaussians = pack::gaussians(avatar, &places);
         // Where two components are as large, either may be left out of a quaternion: the same f16 come of both.
@@ -170,7 +170,7 @@ mod tests {
         let first =
             |q: [f64; 4]| q.map(|v| u32::from(f16::from_f64(v).to_bits())).into_iter().fold(0, |hash: u32, v| hash.rotate_left(9) ^ v);
         quaternions.iter_mut().for_each(|pair| pair[0] = first(compact::decode_quaternion(pair[0])));
-        (gaussians, [pack::rows(avatar, constants), pack::nodes(avatar, &places), pack::networks(avatar, constants)])
+        (gaussians, [pack::rows(avatar), pack::nodes(avatar, &places), pack::networks(avatar, constants)])
     }
 
     #[test]

@@ -3,7 +3,7 @@
 
 use super::compact::{self, LogScales, Row};
 use crate::{
-    avatar::{Activation, Avatar, Layer, Occluder, Rows, matrix, occluder::Vertex},
+    avatar::{Activation, Avatar, Layer, Occluder, Rows, limits, matrix, occluder::Vertex},
     layout::{self, BLOCK_PAIRS, Frame, GAUSSIAN_PAIRS},
 };
 use bytemuck::Zeroable;
@@ -12,12 +12,15 @@ use half::f16;
 /// Gaussians that share a block.
 const BLOCK: usize = 32;
 
+/// The part of the uniform block that no frame changes.
 pub fn constants(avatar: &Avatar) -> Frame {
     let bounds = &avatar.gaussians.bounds;
     let [x, y, z] = bounds.min;
     let step: [f32; 3] = std::array::from_fn(|k| ((f64::from(bounds.max[k]) - f64::from(bounds.min[k])) / 65535.0) as f32);
     let features = avatar.networks.output() / 4;
     let scales = LogScales::of(avatar);
+    let (layer, network_quads) = network_layout(avatar);
+    let [rotations, scales_of, _] = row_words(avatar);
     Frame {
         position_min: [x, y, z, 0.0],
         position_step: [step[0], step[1], step[2], 0.0],
@@ -30,6 +33,10 @@ pub fn constants(avatar: &Avatar) -> Frame {
         node_feature: avatar.node_feature_start() as u32 / 4,
         node_start: (avatar.parts.len() * features) as u32,
         layers: avatar.networks.layers.len() as u32,
+        layer,
+        network_quads,
+        scale_start: rotations as u32,
+        color_start: (rotations + scales_of) as u32,
         log_scale_min: scales.min as f32,
         log_scale_step: scales.step as f32,
         lit_start: avatar.harmonics.as_ref().map_or(0, |_| pairs(avatar) as u32),
@@ -41,20 +48,29 @@ pub fn constants(avatar: &Avatar) -> Frame {
     }
 }
 
-/// Weights and biases, a block a part, as words; inside it each layer's weights by quad of inputs, then by neuron, so that neighbouring
-/// invocations read neighbouring quads. A quad is two words of four f16; of networks in bytes it is one word, and so is what follows the
-/// layer's weights for each neuron: bias and step, f16.
-pub fn networks(avatar: &Avatar, constants: &mut Frame) -> Vec<u32> {
-    let (mut quads, bytes) = (0, avatar.networks.in_bytes());
-    for (layer, place) in avatar.networks.layers.iter().zip(&mut constants.layer) {
+/// Where each layer's weights and biases are in a part's block, and the block's quads.
+fn network_layout(avatar: &Avatar) -> ([layout::Layer; limits::MLP_LAYERS], u32) {
+    let (mut places, mut quads, bytes) = ([layout::Layer::zeroed(); limits::MLP_LAYERS], 0, avatar.networks.in_bytes());
+    for (layer, place) in avatar.networks.layers.iter().zip(&mut places) {
         let input_quads = layer.input.div_ceil(4);
         let weight = quads;
         let bias = weight + input_quads * layer.output;
         quads = bias + if bytes { layer.output } else { layer.output.div_ceil(4) };
         *place = layout::Layer { input_quads: input_quads as u32, output: layer.output as u32, weight: weight as u32, bias: bias as u32 };
     }
-    constants.network_quads = quads as u32;
-    let words = if bytes { quads } else { 2 * quads };
+    (places, quads as u32)
+}
+
+/// Words of a part's block.
+fn network_words(avatar: &Avatar, quads: u32) -> usize {
+    quads as usize * if avatar.networks.in_bytes() { 1 } else { 2 }
+}
+
+/// Weights and biases, a block a part, as words; inside it each layer's weights by quad of inputs, then by neuron, so that neighbouring
+/// invocations read neighbouring quads. A quad is two words of four f16; of networks in bytes it is one word, and so is what follows the
+/// layer's weights for each neuron: bias and step, f16.
+pub fn networks(avatar: &Avatar, constants: &Frame) -> Vec<u32> {
+    let (words, bytes) = (network_words(avatar, constants.network_quads), avatar.networks.in_bytes());
     let mut data = vec![0; avatar.parts.len() * words];
     for (part, block) in data.chunks_exact_mut(words.max(1)).enumerate() {
         for (layer, place) in avatar.networks.layers.iter().zip(&constants.layer) {
@@ -85,12 +101,32 @@ fn network_layer(layer: &Layer, place: &layout::Layer, part: usize, block: &mut 
     }
 }
 
-/// Bytes of device memory that an avatar's networks, bases and Gaussians take.
-pub fn size(avatar: &Avatar) -> usize {
-    let constants = &mut constants(avatar);
-    let (places, starts) = node_places(avatar);
-    let words = networks(avatar, constants).len() + nodes(avatar, &places).len() + starts.len() + rows(avatar, constants).len();
-    4 * words + 8 * gaussians(avatar, &places).len()
+/// How long an avatar's arrays are, bytes: known before any of them is made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Sizes {
+    pub networks: u64,
+    pub nodes: u64,
+    pub node_starts: u64,
+    pub gaussians: u64,
+    pub rows: u64,
+}
+
+impl Sizes {
+    pub fn of(avatar: &Avatar) -> Self {
+        let words = |count: usize| 4 * count as u64;
+        Self {
+            networks: words(avatar.parts.len() * network_words(avatar, network_layout(avatar).1)),
+            nodes: words((node_quads(avatar) + 2) * avatar.nodes.len()),
+            node_starts: words(avatar.parts.len() + 1),
+            gaussians: words(2 * (pairs(avatar) + lit(avatar))),
+            rows: words(row_words(avatar).iter().sum()),
+        }
+    }
+
+    /// Of device memory.
+    pub fn total(self) -> u64 {
+        self.networks + self.nodes + self.node_starts + self.gaussians + self.rows
+    }
 }
 
 /// Where each node is when nodes are in the order of their parts, and each part's first, and their number.
@@ -103,9 +139,14 @@ pub fn node_places(avatar: &Avatar) -> (Vec<u16>, Vec<u32>) {
     (places, (0..=avatar.parts.len()).map(start).collect())
 }
 
+/// Quads of a node's basis.
+fn node_quads(avatar: &Avatar) -> usize {
+    3 * avatar.basis_len() / 4
+}
+
 /// Planes of words, one entry a node; see `shaders/features.comp`.
 pub fn nodes(avatar: &Avatar, places: &[u16]) -> Vec<u32> {
-    let (count, quads) = (avatar.nodes.len(), 3 * avatar.basis_len() / 4);
+    let (count, quads) = (avatar.nodes.len(), node_quads(avatar));
     let mut data = vec![0; (quads + 2) * count];
     for (node, &place) in places.iter().enumerate() {
         let [x, y, z] = avatar.nodes.offset[node].map(f16::to_bits);
@@ -125,14 +166,19 @@ fn word(codes: &[i8]) -> u32 {
     u32::from_le_bytes(std::array::from_fn(|k| codes.get(k).copied().unwrap_or_default().cast_unsigned()))
 }
 
+/// Words of all rows of rotation, of scale and of colour. A row is a step and a part, of colour the neutral colour, and its codes.
+fn row_words(avatar: &Avatar) -> [usize; 3] {
+    let quads = avatar.basis_len() / 4;
+    let counts = [&avatar.rotation_rows.gaussian, &avatar.scale_rows.gaussian, &avatar.color_rows.gaussian].map(Vec::len);
+    [counts[0] * (1 + 4 * quads), counts[1] * (1 + 3 * quads), counts[2] * (3 + 3 * quads)]
+}
+
 /// Rows of rotation, scale and colour, one after the other; see `shaders/splats.comp`.
-pub fn rows(avatar: &Avatar, constants: &mut Frame) -> Vec<u32> {
+pub fn rows(avatar: &Avatar) -> Vec<u32> {
     let basis = avatar.basis_len();
-    let mut data = Vec::new();
+    let mut data = Vec::with_capacity(row_words(avatar).iter().sum());
     compact::rotation_rows(avatar).for_each(|row| push(&mut data, avatar, &row, &[]));
-    constants.scale_start = data.len() as u32;
     compact::rows(&avatar.scale_rows, basis).for_each(|row| push(&mut data, avatar, &row, &[]));
-    constants.color_start = data.len() as u32;
     for row in compact::rows(&avatar.color_rows, basis) {
         let [red, green, blue] = avatar.gaussians.color[row.of as usize].map(f16::to_bits);
         push(&mut data, avatar, &row, &[pair(red, green), u32::from(blue)]);
@@ -156,12 +202,16 @@ fn pairs(avatar: &Avatar) -> usize {
     GAUSSIAN_PAIRS as usize * avatar.gaussians.len() + BLOCK_PAIRS as usize * avatar.gaussians.len().div_ceil(BLOCK)
 }
 
+/// Pairs of words for colours that a camera changes.
+fn lit(avatar: &Avatar) -> usize {
+    if avatar.harmonics.is_some() { avatar.gaussians.len() } else { 0 }
+}
+
 /// Pairs of words; see `shaders/gaussian.glsl`.
 pub fn gaussians(avatar: &Avatar, node_places: &[u16]) -> Vec<[u32; 2]> {
     let g = &avatar.gaussians;
     let (count, scales) = (g.len(), LogScales::of(avatar));
-    let lit = if avatar.harmonics.is_some() { count } else { 0 };
-    let mut data = vec![[0; 2]; pairs(avatar) + lit];
+    let mut data = vec![[0; 2]; pairs(avatar) + lit(avatar)];
     for i in 0..count {
         let [x, y, z] = g.position[i];
         let scale = (0..3).fold(0, |word, k| word | scales.encode(g.log_scale[i][k].to_f64()) << (10 * k));

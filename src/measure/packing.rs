@@ -15,7 +15,8 @@ use crate::{
         pack::Quality,
     },
     frame::{Camera, Extent, Picture, Posed, upright},
-    layout, reference,
+    layout::pack::Sizes,
+    reference,
 };
 use serde::Serialize;
 use std::f64::consts::TAU;
@@ -83,7 +84,8 @@ pub fn steps(
     let plain = avatar.to_bytes()?;
     tell("drawing what a device holds of it", views.pictures);
     let [rounded_db, drawn_db] = errors(avatar, &scenes);
-    let first = Line { what: "as it is", file: plain.len(), raw: raw(&plain)?, device: layout::pack::size(avatar), rounded_db, drawn_db };
+    let first =
+        Line { what: "as it is", file: plain.len(), raw: raw(&plain)?, device: Sizes::of(avatar).total() as usize, rounded_db, drawn_db };
     let packed = avatar.to_packed_bytes()?;
     let mut lines = vec![first.clone(), Line { what: "deflated", file: packed.len(), raw: raw(&packed)?, ..first }];
     let mut now = avatar.clone();
@@ -92,7 +94,7 @@ pub fn steps(
         now = now.after(step);
         let bytes = now.to_packed_bytes()?;
         let [rounded_db, drawn_db] = errors(&now, &scenes);
-        let (raw, device) = (raw(&bytes)?, layout::pack::size(&now));
+        let (raw, device) = (raw(&bytes)?, Sizes::of(&now).total() as usize);
         lines.push(Line { what: step.name(), file: bytes.len(), raw, device, rounded_db, drawn_db });
     }
     tell("done", 0);

@@ -51,9 +51,8 @@ pub struct Model {
 impl Model {
     /// `occluder`: whether frames will ask for what no one can see.
     pub fn new(gpu: &Arc<Gpu>, avatar: &Avatar, occluder: bool) -> Result<Self> {
-        let mut constants = Box::new(pack::constants(avatar));
-        let networks = pack::networks(avatar, &mut constants);
-        let rows = pack::rows(avatar, &mut constants);
+        let constants = Box::new(pack::constants(avatar));
+        let (networks, rows) = (pack::networks(avatar, &constants), pack::rows(avatar));
         let (node_places, node_starts) = pack::node_places(avatar);
         let gaussians = pack::gaussians(avatar, &node_places);
         let occluder = if occluder { Occluder::new(avatar) } else { Occluder::default() };

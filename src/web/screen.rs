@@ -4,7 +4,7 @@ use super::motion::Motion;
 use crate::{
     avatar::Avatar,
     frame::RendererOptions,
-    webgpu::{Error, Gpu, Renderer, present::Present},
+    webgpu::{Error, Gpu, Renderer, Watch, present::Present},
 };
 use std::sync::Arc;
 use wasm_bindgen::prelude::*;
@@ -94,30 +94,42 @@ impl Screen {
         Ok((renderer, present))
     }
 
-    /// Makes what draws an avatar, and asks the device whether it could.
+    /// Makes room for an avatar, and what draws it.
     pub fn candidate(&self, avatar: Avatar) -> Result<Candidate, Error> {
         let watch = self.gpu.watch();
-        let made = self.renderer(&avatar, self.size());
-        let refused = watch.end();
+        let made = Renderer::empty(&self.gpu, &avatar, RendererOptions::new(self.size())).and_then(|renderer| {
+            let present = Present::new(&self.gpu, renderer.picture_view(), self.format)?;
+            Ok((renderer, present))
+        });
+        let asked = asked(watch);
         let (renderer, present) = made?;
         let motion = Motion::new(&avatar);
-        let refused = future_to_promise(async { refused.await.map(|()| JsValue::UNDEFINED).map_err(thrown) });
-        Ok(Candidate { gpu: self.gpu.clone(), shown: Shown { avatar, renderer, present, motion }, refused })
+        Ok(Candidate { gpu: self.gpu.clone(), shown: Shown { avatar, renderer, present, motion }, made: asked })
     }
 }
 
-/// An avatar that may take the place of another.
+/// A promise that is kept when the device has made what was watched, and broken when it can't.
+fn asked(watch: Watch) -> js_sys::Promise {
+    let refused = watch.end();
+    future_to_promise(async { refused.await.map(|()| JsValue::UNDEFINED).map_err(thrown) })
+}
+
+/// An avatar that may take the place of another, once it is filled.
 #[wasm_bindgen]
 pub struct Candidate {
     pub(super) gpu: Arc<Gpu>,
     pub(super) shown: Shown,
-    refused: js_sys::Promise,
+    made: js_sys::Promise,
 }
 
 #[wasm_bindgen]
 impl Candidate {
-    /// A promise that is kept when the device has made all of it, and broken when it can't.
-    pub fn made(&self) -> js_sys::Promise {
-        self.refused.clone()
+    /// Fills the room with the avatar. The promise is kept when the device has made all of it, and broken when it can't.
+    pub fn fill(&mut self) -> Result<js_sys::Promise, JsValue> {
+        let watch = self.gpu.watch();
+        let taken = self.shown.renderer.take(&self.shown.avatar);
+        let filled = asked(watch);
+        taken.map_err(thrown)?;
+        Ok(js_sys::Promise::all(&js_sys::Array::of2(&self.made, &filled)))
     }
 }

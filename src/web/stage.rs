@@ -75,7 +75,7 @@ impl Stage {
         Self { screen, shown: None, before: None, view, size, stale: true, project: true }
     }
 
-    /// Makes what will draw the avatar in a file's bytes. What is shown stays.
+    /// Makes room for the avatar in a file's bytes, and what will draw it. What is shown stays.
     pub fn prepare(&self, bytes: &[u8]) -> Result<Candidate, JsValue> {
         let avatar = Avatar::from_bytes(bytes).map_err(thrown)?;
         self.screen.candidate(avatar).map_err(thrown)

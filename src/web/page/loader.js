@@ -73,7 +73,9 @@ export class Loader {
     let candidate;
     try {
       candidate = prepare(this.#host.stage());
-      await candidate.made();
+      // The browser hands on what was asked of the device: it compiles while this thread fills the buffers.
+      await null;
+      await candidate.fill();
       this.#host.open();
       signal.throwIfAborted();
     } catch (error) {

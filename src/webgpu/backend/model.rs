@@ -1,27 +1,19 @@
-//! An avatar on the device: an [`Avatar`] goes in, its buffers and the constant part of the uniform block come out.
+//! An avatar on the device: its buffers, empty at first and then filled, and the constant part of the uniform block.
 
 use super::{
-    buffer::{STORAGE, filled},
+    buffer::{STORAGE, empty},
     device::Gpu,
     error::Result,
     owned::Buffer,
 };
 use crate::{
-    avatar::{Avatar, Occluder},
-    layout::{Frame, pack},
+    avatar::Avatar,
+    layout::{
+        Frame,
+        pack::{self, Sizes},
+    },
 };
 use bytemuck::cast_slice;
-use wgpu::BufferUsages;
-
-/// The avatar's solid inside; see `shaders/surface.vert`.
-pub struct OccluderMesh {
-    pub corners: Buffer,
-    pub indices: Buffer,
-    /// Three a triangle.
-    pub index_count: u32,
-    /// Corners and triangles.
-    pub size: [u64; 2],
-}
 
 /// The model in device memory, read-only.
 pub struct Model {
@@ -30,12 +22,12 @@ pub struct Model {
     pub nodes: Buffer,
     /// Each part's first node, and their number.
     pub node_starts: Buffer,
-    /// Where each of the avatar's nodes is among those of the device, which are in the order of their parts.
-    #[cfg(not(target_arch = "wasm32"))]
-    pub node_places: Vec<u16>,
     pub gaussians: Buffer,
     pub rows: Buffer,
-    pub occluder: OccluderMesh,
+    /// What the buffers were made for.
+    sizes: Sizes,
+    /// Where each of the avatar's nodes is among those of the device, which are in the order of their parts.
+    pub node_places: Vec<u16>,
     /// The uniform block with all that no frame changes.
     pub constants: Box<Frame>,
     /// Whether the networks' weights are bytes.
@@ -43,31 +35,36 @@ pub struct Model {
 }
 
 impl Model {
-    /// `occluder`: whether frames will ask for what no one can see.
-    pub fn new(gpu: &Gpu, avatar: &Avatar, occluder: bool) -> Result<Self> {
-        let mut constants = Box::new(pack::constants(avatar));
-        let networks = pack::networks(avatar, &mut constants);
-        let rows = pack::rows(avatar, &mut constants);
-        let (node_places, node_starts) = pack::node_places(avatar);
-        let gaussians = pack::gaussians(avatar, &node_places);
-        let occluder = if occluder { Occluder::new(avatar) } else { Occluder::default() };
-        let (corners, indices) = pack::occluder(avatar, &occluder, &node_places);
+    /// Room for an avatar. Kernels can be bound to it, and compiled, before anything is in it.
+    pub fn empty(gpu: &Gpu, avatar: &Avatar) -> Result<Self> {
+        let sizes = Sizes::of(avatar);
         Ok(Self {
-            networks: filled(gpu, "networks", cast_slice(&networks), STORAGE)?,
-            nodes: filled(gpu, "nodes", cast_slice(&pack::nodes(avatar, &node_places)), STORAGE)?,
-            node_starts: filled(gpu, "node starts", cast_slice(&node_starts), STORAGE)?,
-            gaussians: filled(gpu, "gaussians", cast_slice(&gaussians), STORAGE)?,
-            rows: filled(gpu, "rows", cast_slice(&rows), STORAGE)?,
-            occluder: OccluderMesh {
-                corners: filled(gpu, "surface corners", cast_slice(&corners), STORAGE)?,
-                indices: filled(gpu, "surface indices", cast_slice(&indices), BufferUsages::INDEX)?,
-                index_count: 3 * indices.len() as u32,
-                size: [corners.len() as u64, indices.len() as u64],
-            },
-            #[cfg(not(target_arch = "wasm32"))]
-            node_places,
-            constants,
+            networks: empty(gpu, "networks", sizes.networks, STORAGE)?,
+            nodes: empty(gpu, "nodes", sizes.nodes, STORAGE)?,
+            node_starts: empty(gpu, "node starts", sizes.node_starts, STORAGE)?,
+            gaussians: empty(gpu, "gaussians", sizes.gaussians, STORAGE)?,
+            rows: empty(gpu, "rows", sizes.rows, STORAGE)?,
+            sizes,
+            node_places: pack::node_places(avatar).0,
+            constants: Box::new(pack::constants(avatar)),
             networks_in_bytes: avatar.networks.in_bytes(),
         })
+    }
+
+    /// Fills the room with an avatar; false, and nothing has changed, where it would take another.
+    pub fn fill(&mut self, gpu: &Gpu, avatar: &Avatar) -> bool {
+        if Sizes::of(avatar) != self.sizes || avatar.networks.in_bytes() != self.networks_in_bytes {
+            return false;
+        }
+        *self.constants = pack::constants(avatar);
+        let (places, starts) = pack::node_places(avatar);
+        self.node_places = places;
+        let write = |buffer: &wgpu::Buffer, data: &[u8]| gpu.queue.write_buffer(buffer, 0, data);
+        write(&self.networks, cast_slice(&pack::networks(avatar, &self.constants)));
+        write(&self.nodes, cast_slice(&pack::nodes(avatar, &self.node_places)));
+        write(&self.node_starts, cast_slice(&starts));
+        write(&self.gaussians, cast_slice(&pack::gaussians(avatar, &self.node_places)));
+        write(&self.rows, cast_slice(&pack::rows(avatar)));
+        true
     }
 }

@@ -20,7 +20,7 @@ use super::{
 use crate::{
     avatar::Avatar,
     frame::{
-        Body, Camera, Counters, Extent, FrameReport, Needs, Posed, RendererOptions, Skip, Touched, block,
+        Body, Camera, Counters, Extent, FrameReport, Needs, Posed, RendererOptions, Touched, block,
         keeper::Keeper,
         refuse,
         scene::{Actor, Scene, Staged},
@@ -34,7 +34,7 @@ use std::sync::Arc;
 /// An avatar on a device, in as many poses as it was made for.
 pub struct Renderer {
     pub(super) slots: Vec<Slot>,
-    surface: Option<Surface>,
+    pub(super) surface: Option<Surface>,
     features: Features,
     harmonics: Option<Harmonics>,
     pub(super) splats: Splats,
@@ -42,9 +42,8 @@ pub struct Renderer {
     pub(super) raster: Raster,
     pub(super) control: Buffer,
     /// Features, then node displacements, of one avatar after the other; then the depth surface's pyramid.
-    #[cfg_attr(target_arch = "wasm32", expect(dead_code, reason = "it is kept for the stages"))]
     pub(super) pose: Buffer,
-    blocks: Blocks,
+    pub(super) blocks: Blocks,
     settings: Settings,
     /// What is written to an avatar's block.
     pub(super) frame: Box<Frame>,
@@ -53,7 +52,7 @@ pub struct Renderer {
     pub(super) needs: Needs,
     /// One an avatar.
     pub(super) keepers: Vec<Keeper>,
-    options: RendererOptions,
+    pub(super) options: RendererOptions,
     pub(super) scene: Scene,
     /// Keys that the control says enter the sort, once it was told.
     entering: Option<u32>,
@@ -73,9 +72,19 @@ impl Renderer {
     /// # Errors
     /// When the options can't be drawn with, or the device has no room.
     pub fn new(gpu: &Arc<Gpu>, avatar: &Avatar, options: RendererOptions) -> Result<Self> {
+        let mut new = Self::empty(gpu, avatar, options)?;
+        new.take(avatar)?;
+        Ok(new)
+    }
+
+    /// Room for an avatar and kernels for it, which a browser compiles elsewhere: meanwhile there is time for [`Self::take`], without which
+    /// nothing is drawn.
+    ///
+    /// # Errors
+    /// As [`Self::new`].
+    pub fn empty(gpu: &Arc<Gpu>, avatar: &Avatar, options: RendererOptions) -> Result<Self> {
         let options = accepted(gpu, avatar, options)?;
-        let hides = options.skip.contains(Skip::HIDDEN);
-        let model = Model::new(gpu, avatar, hides)?;
+        let model = Model::empty(gpu, avatar)?;
         let constants = &model.constants;
         let actors = options.actors as u32;
         let words = 4 * u64::from(actors) * u64::from(block::vectors(constants)) + u64::from(PYRAMID_WORDS);
@@ -87,14 +96,16 @@ impl Renderer {
         let inputs =
             Inputs { order: sort.order(), splats: splats.all(), keys: splats.keys(), control: &control, capacity: splats.capacity() };
         let raster = Raster::new(gpu, &blocks, inputs, &options)?;
+        let features = Features::new(gpu, &model, &blocks, &pose);
+        let harmonics = Harmonics::new(gpu, avatar, &model, &blocks)?;
         let mut settings = Settings::default();
         sort.fill(&mut settings);
         Raster::fill(&mut settings, &options, splats.capacity());
         let new = Self {
             slots: (0..SLOTS).map(|_| Slot::new(gpu)).collect::<Result<_>>()?,
-            surface: (hides && model.occluder.index_count > 0).then(|| Surface::new(gpu, &model, &blocks, &pose)),
-            features: Features::new(gpu, &model, &blocks, &pose),
-            harmonics: Harmonics::new(gpu, avatar, &model, &blocks)?,
+            surface: None,
+            features,
+            harmonics,
             splats,
             sort,
             raster,
@@ -130,7 +141,7 @@ impl Renderer {
 
     /// Corners and triangles of the depth surface.
     pub fn surface_size(&self) -> [u64; 2] {
-        self.model.occluder.size
+        self.surface.as_ref().map_or([0; 2], Surface::size)
     }
 
     /// What it draws with, everything settled.
@@ -220,7 +231,7 @@ impl Renderer {
                 harmonics.record(&mut slot.pass(&mut encoder, "harmonics", writes), (first, lead.drawn));
             }
             if let Some(surface) = hides {
-                surface.record(slot, &mut encoder, model, &views);
+                surface.record(slot, &mut encoder, &views);
             }
             let writes = slot.stage("splats");
             let mut pass = slot.pass(&mut encoder, "splats", writes);

@@ -2,21 +2,30 @@
 //! reduced to a pyramid whose texels hold the furthest depth of what they cover: `splats` leaves out what lies behind that.
 
 use super::{
+    buffer::{STORAGE, filled},
     device::Gpu,
+    error::Result,
     kernel::{Bindings, Blocks, Bound, Kernel, module},
     model::Model,
-    owned::Texture,
+    owned::{Buffer, Texture},
     slot::Slot,
 };
 use crate::{
-    layout::{SURFACE_DRAWN, SURFACE_FINEST, SURFACE_HEIGHT, SURFACE_WIDTH},
+    avatar::{Avatar, Occluder},
+    layout::{SURFACE_DRAWN, SURFACE_FINEST, SURFACE_HEIGHT, SURFACE_WIDTH, pack},
     webgpu::shaders,
 };
-use wgpu::{Face, LoadOp, Operations, RenderPassDepthStencilAttachment, ShaderStages, StoreOp, TextureFormat, TextureUsages};
+use bytemuck::cast_slice;
+use wgpu::{BufferUsages, Face, LoadOp, Operations, RenderPassDepthStencilAttachment, ShaderStages, StoreOp, TextureFormat, TextureUsages};
 
 const FORMAT: TextureFormat = TextureFormat::Depth16Unorm;
 
+/// The avatar's solid inside in device memory; see `shaders/surface.vert`.
 pub struct Surface {
+    _corners: Buffer,
+    indices: Buffer,
+    /// Of the mesh: corners and triangles.
+    size: [u32; 2],
     mesh: Bindings,
     pipeline: wgpu::RenderPipeline,
     pyramid: Kernel,
@@ -25,9 +34,16 @@ pub struct Surface {
 }
 
 impl Surface {
-    /// Writes the pyramid to `pose`, from the word on that the frame says.
-    pub fn new(gpu: &Gpu, model: &Model, blocks: &Blocks, pose: &wgpu::Buffer) -> Self {
-        let drawn = [blocks.frame(), (1, Bound::Read((&model.occluder.corners).into())), (2, Bound::Read(pose.into()))];
+    /// Writes the pyramid to `pose`, from the word on that the frame says. None for an avatar that has nothing solid.
+    pub fn new(gpu: &Gpu, avatar: &Avatar, model: &Model, (blocks, pose): (&Blocks, &wgpu::Buffer)) -> Result<Option<Self>> {
+        let (corners, triangles) = pack::occluder(avatar, &Occluder::new(avatar), &model.node_places);
+        if triangles.is_empty() {
+            return Ok(None);
+        }
+        let size = [corners.len() as u32, triangles.len() as u32];
+        let corners = filled(gpu, "surface corners", cast_slice(&corners), STORAGE)?;
+        let indices = filled(gpu, "surface indices", cast_slice(&triangles), BufferUsages::INDEX)?;
+        let drawn = [blocks.frame(), (1, Bound::Read((&corners).into())), (2, Bound::Read(pose.into()))];
         let mesh = Bindings::new(gpu, ShaderStages::VERTEX, &drawn);
         let usage = TextureUsages::RENDER_ATTACHMENT | TextureUsages::TEXTURE_BINDING;
         let image = super::raster::texture(gpu, "surface", [SURFACE_DRAWN; 2], FORMAT, usage);
@@ -56,11 +72,16 @@ impl Surface {
             multiview_mask: None,
             cache: None,
         });
-        Self { mesh, pipeline, pyramid, _image: image, view }
+        Ok(Some(Self { _corners: corners, indices, size, mesh, pipeline, pyramid, _image: image, view }))
+    }
+
+    /// Corners and triangles of the mesh.
+    pub fn size(&self) -> [u64; 2] {
+        self.size.map(u64::from)
     }
 
     /// Draws the mesh of each of `frames`, at least one, where their blocks say.
-    pub fn record(&self, slot: &mut Slot, encoder: &mut wgpu::CommandEncoder, model: &Model, frames: &[u32]) {
+    pub fn record(&self, slot: &mut Slot, encoder: &mut wgpu::CommandEncoder, frames: &[u32]) {
         let [first, second] = slot.split("surface");
         {
             let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
@@ -74,10 +95,10 @@ impl Surface {
                 ..Default::default()
             });
             pass.set_pipeline(&self.pipeline);
-            pass.set_index_buffer(model.occluder.indices.slice(..), wgpu::IndexFormat::Uint16);
+            pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint16);
             for &frame in frames {
                 self.mesh.bind_draw(&mut pass, frame);
-                pass.draw_indexed(0..model.occluder.index_count, 0, 0..1);
+                pass.draw_indexed(0..3 * self.size[1], 0, 0..1);
             }
         }
         let mut pass = slot.pass(encoder, "surface", second);
