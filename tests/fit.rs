@@ -147,8 +147,8 @@ fn an_interrupted_fit_goes_on_and_ends_with_the_same_bytes() {
     let folder = tempfile::tempdir().expect("a folder can be made");
     write_dataset(folder.path());
     let at = |name: &str| std::fs::read(folder.path().join(name)).expect("the file was written");
-    works(folder.path(), "fit model.dataset --out whole.avatar --epochs 160 --rows 200 --checkpoint 0");
-    let arguments = "fit model.dataset --out cut.avatar --epochs 160 --rows 200 --checkpoint 0";
+    works(folder.path(), "fit model.dataset --out whole.avatar --epochs 160 --keep 600 --checkpoint 0");
+    let arguments = "fit model.dataset --out cut.avatar --epochs 160 --keep 600 --checkpoint 0";
     let mut cuts = 0;
     for _ in 0..3 {
         let mut child = effigy(folder.path(), arguments).env("RAYON_NUM_THREADS", "1").spawn().expect("the program is built");
@@ -168,14 +168,14 @@ fn an_interrupted_fit_goes_on_and_ends_with_the_same_bytes() {
     }
     assert!(cuts > 0, "no fit was cut short");
     if folder.path().join("cut.checkpoint").exists() {
-        let other = fails(folder.path(), "fit model.dataset --out cut.avatar --epochs 161 --rows 200");
+        let other = fails(folder.path(), "fit model.dataset --out cut.avatar --epochs 161 --keep 600");
         assert!(other.contains("cut.checkpoint") && other.contains("another fit"), "{other}");
     }
     works(folder.path(), arguments);
     assert!(!folder.path().join("cut.checkpoint").exists(), "a checkpoint is left behind");
     assert!(at("cut.avatar") == at("whole.avatar"), "the avatars differ");
     assert!(at("cut.loss.csv") == at("whole.loss.csv"), "the curves differ");
-    works(folder.path(), "fit model.dataset --out other.avatar --epochs 160 --rows 200 --seed 2");
+    works(folder.path(), "fit model.dataset --out other.avatar --epochs 160 --keep 600 --seed 2");
     assert!(at("other.avatar") != at("whole.avatar"), "the seed changes nothing");
 }
 
