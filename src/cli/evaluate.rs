@@ -20,7 +20,7 @@ pub struct Args {
     /// Width and height of the pictures, px
     #[arg(long, default_value = "384x512", value_parser = options::size)]
     size: [u32; 2],
-    /// Degrees around the avatar, a camera each; no fit sees any
+    /// Degrees around the avatar, a camera each; pruning looks from other sides than the default's
     #[arg(long, value_delimiter = ',', default_value = "25,205", allow_negative_numbers = true)]
     yaw: Vec<f64>,
     /// Frames of each clip that are drawn, of those held out and of the others

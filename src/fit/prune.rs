@@ -59,7 +59,7 @@ pub fn variances<const C: usize>(rows: &Rows<C>, starts: &[u32], basis: usize, c
     rows.gaussian.par_iter().enumerate().map(row).collect()
 }
 
-/// What a row costs whoever leaves it out, greatest first; of equal ones the first.
+/// Rows by what leaving them out costs, dearest first; of equal ones the first.
 fn order(costs: &[f64]) -> Vec<usize> {
     let mut order: Vec<usize> = (0..costs.len()).collect();
     order.sort_by(|&a, &b| costs[b].total_cmp(&costs[a]).then(a.cmp(&b)));
@@ -114,8 +114,10 @@ pub fn select(ground: &Ground, learner: &Learner, avatar: &Avatar, budget: Budge
             let counts = std::array::from_fn(|a| enough(&variances[a], share));
             (variances, counts)
         }
+        // There is nothing to choose.
+        Budget::Shown(count) if count == 0 || count >= rows.iter().map(|rows| rows.len()).sum() => (variances, [count; 3]),
         Budget::Shown(count) => {
-            let costs = shown::costs(ground.dataset, &ground.training, avatar, rows, variances);
+            let costs = shown::costs(ground, avatar, rows, variances);
             let counts = divide(&costs, count);
             (costs, counts)
         }

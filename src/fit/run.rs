@@ -67,16 +67,16 @@ pub struct Fitted {
 pub type Hear<'a> = &'a (dyn Fn(usize, &str) + Sync);
 
 /// What a fit works on; `inputs` with their spaces.
-fn ground<'a>(dataset: &'a Dataset, inputs: &Inputs, options: &Options, hear: Hear) -> Result<Ground<'a>, Error> {
+fn ground<'a>(dataset: &'a Dataset, inputs: Inputs, options: &Options, hear: Hear) -> Result<Ground<'a>, Error> {
     let training = dataset.training(&options.clips);
     hear(0, "placing nodes");
-    let seen = Seen::new(inputs, &dataset.poses, &training);
+    let seen = Seen::new(&inputs, &dataset.poses, &training);
     let moves = Moves::new(dataset);
     hear(0, "taking means");
     let statistics = Statistics::new(dataset, &training, moves.spread(&training));
     let mut nodes = vec![Vec::new(); dataset.avatar.parts.len()];
     dataset.avatar.nodes.part.iter().enumerate().for_each(|(node, &part)| nodes[usize::from(part)].push(node));
-    Ok(Ground { dataset, seen, training, statistics, moves, nodes, basis: options.basis, constraint: options.constraint })
+    Ok(Ground { dataset, inputs, seen, training, statistics, moves, nodes, basis: options.basis, constraint: options.constraint })
 }
 
 /// The avatar's inputs with spaces of the training poses.
@@ -90,13 +90,11 @@ fn inputs(dataset: &Dataset, options: &Options) -> Inputs {
 /// # Errors
 /// When a checkpoint cannot be read or written, or is of another fit.
 pub fn fit(dataset: &Dataset, options: &Options, hear: Hear) -> Result<Fitted, Error> {
-    let inputs = inputs(dataset, options);
-    let ground = ground(dataset, &inputs, options, hear)?;
+    let ground = ground(dataset, inputs(dataset, options), options, hear)?;
     let fingerprint = fingerprint(dataset, options, "fit");
     let learner = Learner::new(&dataset.avatar, &ground.seen, options.basis, options.seed);
     let fresh = State { at: Position { fingerprint, ..Position::default() }, learner, kept: Kept(None) };
-    let (mut avatar, curve) = course(&ground, options, fresh, None, hear)?;
-    avatar.inputs = inputs;
+    let (avatar, curve) = course(&ground, options, fresh, None, hear)?;
     Ok(Fitted { avatar, curve })
 }
 
@@ -106,12 +104,11 @@ pub fn fit(dataset: &Dataset, options: &Options, hear: Hear) -> Result<Fitted, E
 /// As [`fit`].
 pub fn prune(dataset: &Dataset, from: &Avatar, options: &Options, hear: Hear) -> Result<Fitted, Error> {
     let options = &Options { basis: from.basis_len(), ..options.clone() };
-    let ground = ground(dataset, &from.inputs, options, hear)?;
+    let ground = ground(dataset, from.inputs.clone(), options, hear)?;
     let learner = Learner::of(from, &ground.seen);
     let fingerprint = fingerprint(dataset, options, &format!("prune {}", from.name));
     let fresh = State { at: Position { fingerprint, stage: 2, ..Position::default() }, learner, kept: Kept(None) };
-    let (mut avatar, curve) = course(&ground, options, fresh, Some(from), hear)?;
-    avatar.inputs = from.inputs.clone();
+    let (avatar, curve) = course(&ground, options, fresh, Some(from), hear)?;
     Ok(Fitted { avatar, curve })
 }
 

@@ -7,7 +7,7 @@ use super::inputs::Seen;
 use super::learner::Learner;
 use super::network::Target;
 use super::nodes::Moves;
-use crate::avatar::{Avatar, Matrix, Rows};
+use crate::avatar::{Avatar, Inputs, Matrix, Rows};
 use half::f16;
 use rayon::prelude::*;
 
@@ -18,6 +18,8 @@ const CONSTRAINT: [f32; 3] = [0.002, 0.002, 0.0004];
 /// All that a fit starts from.
 pub struct Ground<'a> {
     pub dataset: &'a Dataset,
+    /// What the avatar's networks see of a pose.
+    pub inputs: Inputs,
     pub seen: Seen,
     pub training: Vec<usize>,
     pub statistics: Statistics,
@@ -109,7 +111,7 @@ impl Ground<'_> {
 
     /// The avatar that networks and solutions make. Gaussians without a corrective have their mean attributes.
     fn avatar(&self, learner: &Learner, solved: &[Solved]) -> Avatar {
-        let mut avatar = Avatar { networks: learner.stored(&self.seen), ..self.dataset.avatar.clone() };
+        let mut avatar = Avatar { networks: learner.stored(&self.seen), inputs: self.inputs.clone(), ..self.dataset.avatar.clone() };
         avatar.harmonics = None;
         let mean = |a: usize| self.statistics.mean[a].iter().map(|&m| f16::from_f32(m));
         let mut neutral: [Vec<f16>; 3] = std::array::from_fn(|a| mean(a).collect());

@@ -37,7 +37,7 @@ impl LogScales {
         let all = avatar.gaussians.log_scale.iter().flatten().map(|s| clamp(s.to_f64()));
         let (low, high) = all.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), s| (low.min(s), high.max(s)));
         let (low, high) = if low <= high { (low, high) } else { (0.0, 0.0) };
-        // Of two that are as near the upper: the smallest has the first code, and numbers that were rounded to codes before have the same.
+        // Of two that are as near the upper: the smallest has the first code, and keeps it where it was rounded to that before.
         let first = |step: f64| (low / step + 0.5).floor() * step;
         let mut step = 1.0 / 128.0;
         while (high - first(step)) / step > LOG_SCALE_CODES {

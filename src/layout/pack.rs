@@ -272,3 +272,26 @@ pub fn occluder(avatar: &Avatar, occluder: &Occluder, node_places: &[u16]) -> (V
         .collect();
     (corners, indices)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{avatar::pack::Quality, demo};
+
+    #[test]
+    fn arrays_are_as_long_as_said_before() {
+        let whole = demo::avatar().expect("inside the program");
+        let bare = Avatar { rotation_rows: Rows::default(), color_rows: Rows::default(), ..whole.clone() };
+        for avatar in [&whole.packed(Quality::Small), &whole, &bare] {
+            let (constants, (places, starts)) = (constants(avatar), node_places(avatar));
+            let made = Sizes {
+                networks: size_of_val(&networks(avatar, &constants)[..]) as u64,
+                nodes: size_of_val(&nodes(avatar, &places)[..]) as u64,
+                node_starts: size_of_val(&starts[..]) as u64,
+                gaussians: size_of_val(&gaussians(avatar, &places)[..]) as u64,
+                rows: size_of_val(&rows(avatar)[..]) as u64,
+            };
+            assert_eq!(Sizes::of(avatar), made);
+        }
+    }
+}

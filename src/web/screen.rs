@@ -4,9 +4,9 @@ use super::motion::Motion;
 use crate::{
     avatar::Avatar,
     frame::RendererOptions,
-    webgpu::{Error, Gpu, Renderer, Watch, present::Present},
+    webgpu::{Error, Gpu, Renderer, present::Present},
 };
-use std::sync::Arc;
+use std::{pin::Pin, sync::Arc};
 use wasm_bindgen::prelude::*;
 use wasm_bindgen_futures::future_to_promise;
 use web_sys::HtmlCanvasElement;
@@ -101,17 +101,11 @@ impl Screen {
             let present = Present::new(&self.gpu, renderer.picture_view(), self.format)?;
             Ok((renderer, present))
         });
-        let asked = asked(watch);
+        let told = Box::pin(watch.end());
         let (renderer, present) = made?;
         let motion = Motion::new(&avatar);
-        Ok(Candidate { gpu: self.gpu.clone(), shown: Shown { avatar, renderer, present, motion }, made: asked })
+        Ok(Candidate { gpu: self.gpu.clone(), shown: Shown { avatar, renderer, present, motion }, told: Some(told) })
     }
-}
-
-/// A promise that is kept when the device has made what was watched, and broken when it can't.
-fn asked(watch: Watch) -> js_sys::Promise {
-    let refused = watch.end();
-    future_to_promise(async { refused.await.map(|()| JsValue::UNDEFINED).map_err(thrown) })
 }
 
 /// An avatar that may take the place of another, once it is filled.
@@ -119,7 +113,8 @@ fn asked(watch: Watch) -> js_sys::Promise {
 pub struct Candidate {
     pub(super) gpu: Arc<Gpu>,
     pub(super) shown: Shown,
-    made: js_sys::Promise,
+    /// Ends once the device has told whether it made room.
+    told: Option<Pin<Box<dyn Future<Output = Result<(), Error>>>>>,
 }
 
 #[wasm_bindgen]
@@ -128,8 +123,15 @@ impl Candidate {
     pub fn fill(&mut self) -> Result<js_sys::Promise, JsValue> {
         let watch = self.gpu.watch();
         let taken = self.shown.renderer.take(&self.shown.avatar);
-        let filled = asked(watch);
+        let filled = watch.end();
         taken.map_err(thrown)?;
-        Ok(js_sys::Promise::all(&js_sys::Array::of2(&self.made, &filled)))
+        let told = self.told.take();
+        Ok(future_to_promise(async move {
+            if let Some(told) = told {
+                told.await.map_err(thrown)?;
+            }
+            filled.await.map_err(thrown)?;
+            Ok(JsValue::UNDEFINED)
+        }))
     }
 }

@@ -75,6 +75,8 @@ export class Loader {
       candidate = prepare(this.#host.stage());
       // The browser hands on what was asked of the device: it compiles while this thread fills the buffers.
       await null;
+      this.#host.open();
+      signal.throwIfAborted();
       await candidate.fill();
       this.#host.open();
       signal.throwIfAborted();

@@ -22,6 +22,6 @@ mod sort;
 mod splats;
 mod surface;
 
-pub use device::{Gpu, Watch};
+pub use device::Gpu;
 pub use error::{Error, Result};
 pub use renderer::Renderer;

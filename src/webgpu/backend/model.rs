@@ -53,10 +53,13 @@ impl Model {
 
     /// Fills the room with an avatar; false, and nothing has changed, where it would take another.
     pub fn fill(&mut self, gpu: &Gpu, avatar: &Avatar) -> bool {
-        if Sizes::of(avatar) != self.sizes || avatar.networks.in_bytes() != self.networks_in_bytes {
+        let constants = pack::constants(avatar);
+        let shape = |of: &Frame| [of.gaussians, of.nodes, of.parts, of.basis_quads, of.feature_quads];
+        let same = shape(&constants) == shape(&self.constants) && avatar.networks.in_bytes() == self.networks_in_bytes;
+        if !same || Sizes::of(avatar) != self.sizes {
             return false;
         }
-        *self.constants = pack::constants(avatar);
+        *self.constants = constants;
         let (places, starts) = pack::node_places(avatar);
         self.node_places = places;
         let write = |buffer: &wgpu::Buffer, data: &[u8]| gpu.queue.write_buffer(buffer, 0, data);

@@ -16,11 +16,11 @@ impl Renderer {
         if avatar.harmonics.is_some() { Ok(false) } else { self.take(avatar) }
     }
 
-    /// The same of the avatar that [`Self::empty`] made room for.
+    /// The same of the avatar that [`Self::empty`] made room for, which may have harmonics: those are there already.
     ///
     /// # Errors
     /// When the device has no room, or is lost.
-    pub fn take(&mut self, avatar: &Avatar) -> Result<bool> {
+    pub(crate) fn take(&mut self, avatar: &Avatar) -> Result<bool> {
         if !self.model.fill(&self.gpu, avatar) {
             return Ok(false);
         }

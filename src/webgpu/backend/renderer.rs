@@ -77,12 +77,12 @@ impl Renderer {
         Ok(new)
     }
 
-    /// Room for an avatar and kernels for it, which a browser compiles elsewhere: meanwhile there is time for [`Self::take`], without which
-    /// nothing is drawn.
+    /// Room for an avatar and kernels for it, which a browser compiles elsewhere: meanwhile there is time for [`Self::take`], which fills it,
+    /// makes the depth surface, and without which nothing may be drawn.
     ///
     /// # Errors
     /// As [`Self::new`].
-    pub fn empty(gpu: &Arc<Gpu>, avatar: &Avatar, options: RendererOptions) -> Result<Self> {
+    pub(crate) fn empty(gpu: &Arc<Gpu>, avatar: &Avatar, options: RendererOptions) -> Result<Self> {
         let options = accepted(gpu, avatar, options)?;
         let model = Model::empty(gpu, avatar)?;
         let constants = &model.constants;
