@@ -68,7 +68,12 @@ pub struct Score {
 
 /// The camera at a yaw (degrees) that has all of a posed avatar in its picture.
 pub fn camera(extent: &Extent, posed: &Posed, yaw: f64, size: [u32; 2]) -> Camera {
-    Camera::around(upright(extent.bounds(&posed.joints)), yaw.to_radians(), 0.09, 35f64.to_radians(), size)
+    camera_at(extent, posed, yaw, 0.09, size)
+}
+
+/// The same at a pitch too, radians above the horizon.
+pub fn camera_at(extent: &Extent, posed: &Posed, yaw: f64, pitch: f64, size: [u32; 2]) -> Camera {
+    Camera::around(upright(extent.bounds(&posed.joints)), yaw.to_radians(), pitch, 35f64.to_radians(), size)
 }
 
 /// The picture of a frame's own attributes.

@@ -6,10 +6,10 @@
 //! Pictures are of whole bodies: what only a closer view would show counts for what it is there.
 
 use super::dataset::Dataset;
-use super::evaluate::some;
+use super::evaluate::{camera_at, some};
 use super::solve::Ground;
 use crate::avatar::{Avatar, Rows};
-use crate::frame::{Camera, Extent, Posed, upright};
+use crate::frame::{Camera, Extent, Posed};
 use crate::reference::{Canvas, Stages, raster};
 use half::f16;
 
@@ -19,7 +19,6 @@ const FRAMES: usize = 24;
 const YAWS: [f64; 4] = [70.0, 160.0, 250.0, 340.0];
 /// Radians above the horizon.
 const PITCHES: [f64; 3] = [0.09, 0.6, -0.5];
-const FOV: f64 = 35.0;
 const SIZE: [u32; 2] = [384, 512];
 /// What counts as seen of a Gaussian that no picture shows, as a share of the mean.
 const UNSEEN: f64 = 0.01;
@@ -55,7 +54,7 @@ fn views(dataset: &Dataset, training: &[usize], avatar: &Avatar) -> impl Iterato
     let sides = YAWS.into_iter().cycle().zip(PITCHES.into_iter().cycle());
     some(training, FRAMES).into_iter().zip(sides).map(move |(frame, (yaw, pitch))| {
         let posed = Posed::new(avatar, &dataset.poses[frame]);
-        let camera = Camera::around(upright(extent.bounds(&posed.joints)), yaw.to_radians(), pitch, FOV.to_radians(), SIZE);
+        let camera = camera_at(&extent, &posed, yaw, pitch, SIZE);
         (posed, camera)
     })
 }

@@ -89,7 +89,10 @@ impl Screen {
     }
 
     pub fn renderer(&self, avatar: &Avatar, size: [u32; 2]) -> Result<(Renderer, Present), Error> {
-        let renderer = Renderer::new(&self.gpu, avatar, RendererOptions::new(size))?;
+        self.presented(Renderer::new(&self.gpu, avatar, RendererOptions::new(size))?)
+    }
+
+    fn presented(&self, renderer: Renderer) -> Result<(Renderer, Present), Error> {
         let present = Present::new(&self.gpu, renderer.picture_view(), self.format)?;
         Ok((renderer, present))
     }
@@ -97,10 +100,7 @@ impl Screen {
     /// Makes room for an avatar, and what draws it.
     pub fn candidate(&self, avatar: Avatar) -> Result<Candidate, Error> {
         let watch = self.gpu.watch();
-        let made = Renderer::empty(&self.gpu, &avatar, RendererOptions::new(self.size())).and_then(|renderer| {
-            let present = Present::new(&self.gpu, renderer.picture_view(), self.format)?;
-            Ok((renderer, present))
-        });
+        let made = Renderer::empty(&self.gpu, &avatar, RendererOptions::new(self.size())).and_then(|renderer| self.presented(renderer));
         let told = Box::pin(watch.end());
         let (renderer, present) = made?;
         let motion = Motion::new(&avatar);

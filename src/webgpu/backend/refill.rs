@@ -13,10 +13,17 @@ impl Renderer {
     /// # Errors
     /// When the device is lost.
     pub fn fill(&mut self, avatar: &Avatar) -> Result<bool> {
-        if avatar.harmonics.is_some() { Ok(false) } else { self.take(avatar) }
+        if avatar.harmonics.is_some() || !self.take(avatar)? {
+            return Ok(false);
+        }
+        self.frame.clone_from(&self.model.constants);
+        (self.extent, self.needs) = (Extent::new(avatar), Needs::new(avatar));
+        self.keepers.iter_mut().for_each(|keeper| *keeper = Keeper::default());
+        self.scene = Scene::default();
+        Ok(true)
     }
 
-    /// The same of the avatar that [`Self::empty`] made room for, which may have harmonics: those are there already.
+    /// Fills the room that [`Self::empty`] made for this avatar, which may have harmonics: those are there already.
     ///
     /// # Errors
     /// When the device has no room, or is lost.
@@ -24,13 +31,9 @@ impl Renderer {
         if !self.model.fill(&self.gpu, avatar) {
             return Ok(false);
         }
-        self.frame.clone_from(&self.model.constants);
         if self.surface.is_none() && self.options.skip.contains(Skip::HIDDEN) {
             self.surface = Surface::new(&self.gpu, avatar, &self.model, (&self.blocks, &self.pose))?;
         }
-        (self.extent, self.needs) = (Extent::new(avatar), Needs::new(avatar));
-        self.keepers.iter_mut().for_each(|keeper| *keeper = Keeper::default());
-        self.scene = Scene::default();
         self.gpu.check()?;
         Ok(true)
     }
