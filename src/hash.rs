@@ -5,7 +5,9 @@ pub(crate) const EMPTY: u64 = 0xcbf2_9ce4_8422_2325;
 
 /// Of what `hash` is of and then these.
 pub(crate) fn add(hash: u64, bytes: impl IntoIterator<Item = u8>) -> u64 {
-    bytes.into_iter().fold(hash, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x100_0000_01b3))
+    bytes.into_iter().fold(hash, |hash, byte| {
+        (hash ^ u64::from(byte)).wrapping_mul(0x100_0000_01b3)
+    })
 }
 
 #[cfg(test)]

@@ -1,47 +1,103 @@
 //! Effigy draws animatable human avatars made of Gaussians.
 //!
-//! One frame, in the order that the folders, the GPU stages and `vulkan::Renderer::record` follow:
+//! Read an [`Avatar`], pose it, and draw it to an image on a device that Effigy opens:
 //!
-//! ```text
-//! pose ─┬→ features   one small network a body part: pose, expression → 16 or 32 numbers
-//!       │      ↓
-//!       │   nodes     position correctives of about 10,000 nodes
-//!       ↓      ↓
-//! joints ─→ harmonics view-dependent colour, for imported avatars that have it
-//!       │      ↓
-//!       └──→ splats    sparse correctives, skinning, projection, culling, depth key
-//!              ↓
-//!            sort     stable, far to near
-//!              ↓
-//!           raster    quads, blended
-//!              ↓
-//!           present   over the background, to the window or to a picture
+//! ```no_run
+//! use effigy::{
+//!     Avatar, Camera, Gpu, GpuOptions, Pose, Posed, Renderer, RendererOptions, upright,
+//! };
+//!
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! let avatar = Avatar::read("anna.avatar".as_ref())?;
+//! let pose = Pose::rest(avatar.skeleton.len(), avatar.inputs.expression);
+//! let posed = Posed::new(&avatar, &pose);
+//!
+//! let size = [640, 960];
+//! let gpu = Gpu::new(&GpuOptions::headless(None))?;
+//! let mut renderer = Renderer::new(&gpu, &avatar, RendererOptions::new(size))?;
+//! let bounds = upright(renderer.bounds().bounds(&posed.joints));
+//! let camera = Camera::around(bounds, 0.35, 0.05, 0.61, size);
+//! renderer.draw(&posed, &camera, None)?;
+//! renderer.read_image()?.over([1.0; 3]).save("anna.png")?;
+//! # Ok(())
+//! # }
 //! ```
 //!
-//! [`avatar`] is the model as plain arrays and its file; [`frame`] what a frame is, whatever draws it; [`reference`] the stages in
-//! f64, the oracle; [`vulkan`] the stages on the GPU; [`measure`] time and error; [`bake`] makes avatars and clips from a real body
-//! and real motion; `fit` learns an avatar's correctives from what its Gaussians should look like in each frame.
+//! A camera and a pose need no device, and neither does the reference, which draws in f64:
+//!
+//! ```
+//! use effigy::{AvatarBounds, Camera, Player, Posed, reference, upright};
+//!
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! let avatar = effigy_demo::avatar()?;
+//! let player = Player::new(effigy_demo::clip()?, &avatar.skeleton);
+//! let posed = Posed::new(&avatar, &player.pose(0.5));
+//! let bounds = upright(AvatarBounds::new(&avatar).bounds(&posed.joints));
+//! let camera = Camera::around(bounds, 0.0, 0.0, 0.61, [32, 48]);
+//! let image = reference::render(&avatar, &posed, &camera);
+//! assert_eq!(image.size, [32, 48]);
+//! assert!(image.pixels.iter().any(|pixel| pixel[3] > 0.9));
+//! # Ok(())
+//! # }
+//! ```
+//!
+//! `examples/` has an image, a window, and a measurement of an avatar of one's own. Drawing inside
+//! another program's Vulkan device is not possible yet.
+//!
+//! # A frame
+//!
+//! [`Schedule::new`](effigy_core::frame::Schedule::new) says what a frame runs; both backends
+//! execute it. The stages, in the order that the folders and the shaders follow:
+//!
+//! ```text
+//! pose ─┬→ mlp        one small network a body part: pose, expression → 16 or 32 features
+//!       │   ↓
+//!       │  nodes      displacements of about 10,000 position nodes
+//!       ↓   ↓
+//! joints ─→ sh        view-dependent colour, for imported avatars that have it
+//!       │   ↓
+//!       ├→ occluder   the body's inside as a depth pyramid: what stands behind it is culled
+//!       │   ↓
+//!       └→ project    sparse correctives, skinning, projection, culling, depth key
+//!           ↓
+//!          sort       stable, far to near
+//!           ↓
+//!         binning     lists of splats by tile, for the compute rasterizer
+//!           ↓
+//!         raster      quads through the blender, or tiles in a compute kernel
+//!           ↓
+//!         present     over the background, to a window or an image
+//! ```
+//!
+//! # Packages
+//!
+//! `effigy-core` holds avatars, files, frames and the reference, whatever draws them; this package
+//! draws, on Vulkan ([`vulkan`]) and WebGPU. The viewer, measuring, learning and the command line
+//! are packages above it.
 
-#[cfg(feature = "window")]
-pub mod app;
-pub mod avatar;
-#[cfg(not(target_arch = "wasm32"))]
-pub mod bake;
-#[cfg(not(any(target_arch = "wasm32", target_os = "android")))]
-pub mod cli;
-#[cfg(not(target_arch = "wasm32"))]
-pub mod demo;
-#[cfg(not(any(target_arch = "wasm32", target_os = "android")))]
-pub mod fit;
-pub mod frame;
 mod hash;
-pub mod layout;
 #[cfg(not(target_arch = "wasm32"))]
-pub mod measure;
-#[cfg(not(target_arch = "wasm32"))]
-pub mod reference;
+#[doc(hidden)]
+pub mod ndk;
+#[doc(hidden)]
+pub mod quirks;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod vulkan;
-#[cfg(any(target_arch = "wasm32", test))]
-pub mod web;
+#[cfg(any(feature = "webgpu", target_arch = "wasm32"))]
 pub mod webgpu;
+#[doc(hidden)]
+pub mod wgsl;
+
+#[cfg(not(target_arch = "wasm32"))]
+pub use effigy_core::reference;
+pub use effigy_core::{
+    avatar::{Avatar, Clip, Pose, Skeleton, motion::Player},
+    frame::{
+        ColorFormat, FrameReport, KeyBits, RasterMethod, RendererOptions, Skip, SortVariant,
+        preset::Preset,
+    },
+    io::file::{FileError, FormatError},
+    scene::{AvatarBounds, Camera, Detail, FrameImage, Posed, upright},
+};
+#[cfg(not(target_arch = "wasm32"))]
+pub use vulkan::{Error, Gpu, GpuOptions, Renderer};

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Makes the Android package and checks it as a store would.
 # usage: tools/apk.sh [--release] [--targets TARGET,...] OUT.apk     TARGET: aarch64-linux-android (default), x86_64-linux-android
-# With ANDROID_NDK_HOME set it uses that NDK and rustup's targets (`rustup target add aarch64-linux-android`), else tools/cross/targets.sh.
+# Needs an NDK (ANDROID_NDK_HOME) and Rust's targets, which it asks rustup for where they are missing.
 # With ANDROID_HOME set it uses that SDK's newest build-tools and platform, else Debian's packages.
 # Signed with KEYSTORE (its password in KEYSTORE_PASS), else with a key for tests that it makes.
 set -euo pipefail
@@ -39,7 +39,7 @@ else
 fi
 need 'command -v keytool' default-jre-headless
 
-cp android/assets/demo.avatar android/assets/demo.motion "$work/assets/"
+cp src/demo/demo.avatar src/demo/demo.motion "$work/assets/"
 "${tools_at}aapt2" compile --dir android/res -o "$work/res.zip"
 debug=(); [ $mode = release ] || debug=(--debug-mode)
 "${tools_at}aapt2" link -o "$work/bare.apk" -I "$framework" --manifest android/AndroidManifest.xml -A "$work/assets" ${debug[@]+"${debug[@]}"} "$work/res.zip"

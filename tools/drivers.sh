@@ -10,7 +10,13 @@ cd "$(dirname "$0")/.."
 dest=${1:-target/drivers}
 mkdir -p "$dest/layers"
 dest=$(cd "$dest" && pwd)
-[ -s "$dest/mesa22.json" ] && [ -s "$dest/mesa25.json" ] && [ -s "$dest/swiftshader.json" ] && exit 0
+complete=1
+for icd in mesa22 mesa25 swiftshader; do
+  library=''
+  [ ! -s "$dest/$icd.json" ] || library=$(sed -n 's/.*"library_path": "\([^"]*\)".*/\1/p' "$dest/$icd.json")
+  [ -n "$library" ] && [ -s "$library" ] || complete=''
+done
+[ -z "$complete" ] || exit 0
 command -v apt-get >/dev/null || { echo "tools/drivers.sh needs Debian's apt-get; elsewhere run \`cargo test\` on your own drivers" >&2; exit 1; }
 
 as_root() { if [ "$(id -u)" = 0 ]; then "$@"; else sudo "$@"; fi; }

@@ -18,3 +18,13 @@ need_rust() {
   command -v cargo >/dev/null || { echo "Rust is missing: install it from https://rustup.rs, open a new shell and run this again" >&2; return 1; }
   need 'command -v cc' gcc libc6-dev
 }
+
+# need_target TARGET: Rust's standard library for it, of the compiler in use (RUSTC).
+need_target() {
+  [ -d "$("${RUSTC:-rustc}" --print sysroot)/lib/rustlib/$1" ] && return 0
+  command -v rustup >/dev/null || { echo "Rust has no standard library for $1 here: install it with this system's package manager" >&2; return 1; }
+  rustup target add "$1"
+}
+
+# effigy ARGS...: the program, built where that is needed. EFFIGY=PROGRAM uses one that is built already.
+effigy() { if [ -n "${EFFIGY:-}" ]; then "$EFFIGY" "$@"; else cargo run --release --quiet -p effigy-cli -- "$@"; fi; }

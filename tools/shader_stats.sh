@@ -4,7 +4,7 @@
 # usage: tools/shader_stats.sh DRIVERS [FILE.csv]
 #   DRIVERS   a folder with two programs, `adreno GPU_ID COMMAND…` and `mali GPU_ID COMMAND…`, that run a command with Mesa's turnip or
 #             panvk over a kernel that does nothing (Mesa's drm-shim), as those drivers' own option `-Dtools=drm-shim` builds them
-#   FILE.csv  where to write the numbers: of all pipelines of a shader, the worst
+#   FILE.csv  where to write the numbers: of all pipelines of a shader, the worst (docs/experiments/data/shaders.csv has the last)
 # EFFIGY=PROGRAM uses a program that is built already.
 set -euo pipefail
 cd "$(dirname "$0")/.."

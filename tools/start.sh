@@ -8,4 +8,4 @@ need_rust
 need 'ldconfig -p | grep -q libvulkan.so.1' libvulkan1
 need 'ls /usr/share/vulkan/icd.d/*.json /etc/vulkan/icd.d/*.json "${VK_DRIVER_FILES:-}" 2>/dev/null | grep -q .' mesa-vulkan-drivers
 if [ -n "${DISPLAY:-}" ]; then need 'ldconfig -p | grep -q libxkbcommon-x11.so.0' libxkbcommon-x11-0; fi
-exec cargo run --release --quiet --bin effigy -- "$@"
+effigy "$@"

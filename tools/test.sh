@@ -1,71 +1,74 @@
 #!/usr/bin/env bash
-# Installs what the tests need, and runs them on every driver, with the validation layer on. Each test has a process and a time limit of
-# its own: a driver that hangs fails one test.
+# Installs what the tests need, builds them once, and runs all of them: first those that need no device, then those that do on every
+# driver, with the validation layer on.
 # usage: tools/test.sh [DRIVER...]      DRIVER: mesa25:128 mesa25:256 mesa25:512 (vector widths) mesa22 swiftshader system
-#   system: whatever this machine has; mesa22: Debian 12's own; with /stages behind it only the tests of GPU stages and frames are run
+#   system: whatever this machine has; mesa22: Debian 12's own; with /stages behind it only the tests of stages, frames and packing
 # [default: mesa25:256 swiftshader mesa25:128/stages mesa25:512/stages; another width is other code in the stages and nothing else]
-# What became of each test and its seconds: target/tests/all
+# Each test's outcome and seconds: target/tests/all; what the tests print: target/tests/*.log. What the harness reads from the
+# environment is listed in tests/common/harness.rs.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . tools/needs.sh
+. tools/drivers_env.sh
 need_rust
-need 'command -v timeout' coreutils
 drivers=("$@"); [ $# -gt 0 ] || drivers=(mesa25:256 swiftshader mesa25:128/stages mesa25:512/stages)
 tools/drivers.sh
-stages=' pack features nodes harmonics splats sort raster frame detail skip scene stress '
-on_device="$stages present soak trace devices commands window webgpu "
-limit=${EFFIGY_TEST_SECONDS:-300}
-
-echo "building the tests"
-built=$(cargo test --no-run --features webgpu 2>&1) || { echo "$built" >&2; exit 1; }
-mapfile -t binaries < <(echo "$built" | sed -n 's/^ *Executable .*(\(.*\))$/\1/p')
-[ ${#binaries[@]} -gt 0 ] || { echo "no test binaries in cargo's output:" >&2; echo "$built" >&2; exit 1; }
+tools/fetch_assets.sh >/dev/null || echo "without the body's source files its tests are skipped" >&2
 
 results=$PWD/target/tests; rm -rf "$results"; mkdir -p "$results"
-export limit results
-one() { # DRIVER BINARY TEST: a line of $results/all is: what came of it, seconds, driver, test
-  local name log from=$EPOCHREALTIME end=ok; name=$(basename "$2" | sed 's/-[0-9a-f]*$//'); log=$(mktemp "$results/XXXXXX")
-  timeout -k 5 "$limit" "$2" --exact "$3" --nocapture >"$log" 2>&1 </dev/null || end=FAILED
-  echo "$end $(( (${EPOCHREALTIME/[.,]/} - ${from/[.,]/}) / 1000000 )) $1 $name::$3" >>"$results/all"
-  if [ $end = ok ]; then grep -h '^skipped' "$log" | sed "s/^/  $1 $name::$3 /" || true
-  else echo "FAILED $1 $name::$3"$'\n'"$(tail -n 30 "$log")"; fi
-  rm -f "$log"
-}
-export -f one
-# As many tests at once as there are processors, for much of each is on one. Neighbours need the same kernels: in turn, in an order that
-# is the same every time, both would wait for their compilation; mixed, one finds what another left in the driver's cache.
-run() { # DRIVER BINARY...
-  local driver=$1 binary; shift
-  for binary in "$@"; do "$binary" --list --format terse 2>/dev/null </dev/null | sed -n "s|^\(.*\): test$|$driver $binary \1|p"; done |
-    shuf --random-source=Cargo.lock | xargs -r -P "$(nproc)" -L 1 bash -c 'one "$@"' _
-}
-passed() { grep -c "^ok [0-9]* $1 " "$results/all" || true; }
+export EFFIGY_TEST_RESULTS=$results/all
+: > "$EFFIGY_TEST_RESULTS"
+echo "building the tests"
+build=(cargo test --workspace --features webgpu)
+"${build[@]}" --no-run 2>"$results/build.log" || { cat "$results/build.log" >&2; exit 1; }
+binary() { sed -n "s|^ *Executable .*tests/$1/main.rs (\(.*\))$|\1|p" "$results/build.log"; }
+host=$(binary host) gpu=$(binary gpu) system=$(binary system)
+[ -n "$host" ] && [ -n "$gpu" ] && [ -n "$system" ] || { echo "a test binary is missing:" >&2; cat "$results/build.log" >&2; exit 1; }
+echo "built ($SECONDS s)"
 
-host=() device=() narrow=()
-for binary in "${binaries[@]}"; do
-  name=$(basename "$binary" | sed 's/-[0-9a-f]*$//')
-  case "$on_device" in *" $name "*) device+=("$binary") ;; *) host+=("$binary") ;; esac
-  case "$stages" in *" $name "*) narrow+=("$binary") ;; esac
-done
-run host "${host[@]}"
-echo "without a device: $(passed host) passed ($SECONDS s)"
-for asked in "${drivers[@]}"; do
-  driver=${asked%/stages} binaries=("${device[@]}")
-  [ "$driver" = "$asked" ] || binaries=("${narrow[@]}")
-  unset VK_DRIVER_FILES VK_ICD_FILENAMES LP_NATIVE_VECTOR_WIDTH
-  if [ "$driver" != system ]; then
-    icd="$PWD/target/drivers/${driver%%:*}.json"
-    [ -s "$icd" ] || { echo "no driver called $driver" >&2; exit 2; }
-    export VK_DRIVER_FILES=$icd VK_ICD_FILENAMES=$icd
-    case $driver in *:*) export LP_NATIVE_VECTOR_WIDTH=${driver##*:} ;; esac
-    # Mesa keeps what it compiled without minding for which width: with another one, pictures lose squares.
-    export MESA_SHADER_CACHE_DIR=$PWD/target/drivers/cache/$driver
+passed=0 failed=0 skipped=0
+# Runs tests and adds up what they report.
+run() { # LABEL NAME COMMAND...
+  local label=$1 name=$2 from=$SECONDS ended=0 p f s; shift 2
+  local log; log=$results/$(echo "$label-$name" | tr ':/ ' '---').log
+  EFFIGY_TEST_LABEL=$label "$@" >"$log" 2>&1 </dev/null || ended=$?
+  read -r p f s < <(sed -n 's/^test result: .* \([0-9]*\) passed; \([0-9]*\) failed; \([0-9]*\) ignored.*/\1 \2 \3/p' "$log" |
+    awk '{ p += $1; f += $2; s += $3 } END { print p + 0, f + 0, s + 0 }')
+  # A run that ends without saying which test failed is a failure too.
+  [ $ended = 0 ] || [ "$f" != 0 ] || f=1
+  passed=$((passed + p)) failed=$((failed + f)) skipped=$((skipped + s))
+  echo "$label $name: $p passed, $f failed, $s skipped ($((SECONDS - from)) s)"
+  grep '^warning: ' "$log" || true
+  if [ "$f" != 0 ]; then
+    if grep -q '^failures:' "$log"; then sed -n '/^failures:/,$p' "$log" | head -n 300; else tail -n 50 "$log"; fi
   fi
-  export EFFIGY_REQUIRE_GPU=1 EFFIGY_VALIDATION=1 VK_LAYER_PATH=$PWD/target/drivers/layers VK_LAYER_SYNCVAL_SHADER_ACCESSES_HEURISTIC=1
-  run "$driver" "${binaries[@]}"
-  echo "$driver: $(passed "$driver") passed ($SECONDS s)"
+}
+
+export EFFIGY_TEST_ONLY=no-device
+run host units "${build[@]}" --lib --bins
+run host host "$host"
+run host gpu "$gpu"
+run host system "$system"
+export EFFIGY_TEST_ONLY=device EFFIGY_VALIDATION=1
+for asked in "${drivers[@]}"; do
+  driver=${asked%/stages}
+  use_driver "$driver"
+  if [ "$driver" = "$asked" ]; then
+    run "$driver" gpu "$gpu"
+    run "$driver" system "$system"
+  else
+    run "$driver" gpu "$gpu" stages::
+    run "$driver" system "$system" pack::
+  fi
 done
-echo "the slowest:"; sort -k2,2nr "$results/all" | sed -n '1,8s/^[a-zA-Z]* \([0-9]*\)/  \1 s/p'
-failed=$(grep -c '^FAILED' "$results/all" || true)
-[ "$failed" = 0 ] || { echo "$failed failed:"; sed -n 's/^FAILED [0-9]*/ /p' "$results/all"; exit 1; }
-echo "all $(grep -c '^ok' "$results/all") passed"
+
+echo "the slowest:"; sort -k2,2nr "$EFFIGY_TEST_RESULTS" | sed -n '1,12s/^[a-zA-Z]* \([0-9.]*\)/  \1 s/p'
+if [ $skipped != 0 ]; then
+  echo "skipped:"; sed -n 's/^ignored [0-9.]* / /p' "$EFFIGY_TEST_RESULTS"
+fi
+if [ $failed != 0 ]; then
+  echo "failed:"; sed -n 's/^FAILED [0-9.]* / /p' "$EFFIGY_TEST_RESULTS"
+fi
+echo "all tests took $SECONDS s"
+echo "$passed passed, $failed failed, $skipped skipped"
+[ $failed = 0 ]

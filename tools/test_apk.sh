@@ -1,27 +1,29 @@
 #!/usr/bin/env bash
-# Makes the package and checks it, then makes one for this processor and plays Android to its library: on this machine, without a phone.
-# usage: tools/test_apk.sh [--make|--made] [LIVES [ORDERS]]     --make: only the packages; --made: they are there
-# LIVES: of the app, to play [default: 8], each of ORDERS random orders of 60 events [default: 4]
-# A life has 300 s, and 60 to bring the frames that a script waits for: other programs may be at work here too. What must answer at once (`limit`) must.
-# The player is ../shared/android-host, with tools/android-host/more.patch on it. Whoever has none gets the package checked and nothing played.
+# Tests the Android app on this machine, without a phone: the package that is released, and the app's library, built for this processor,
+# in a host harness that calls it as Android does.
+# usage: tools/test_apk.sh [--package|--play] [LIVES [ORDERS]]      [default: both]
+#   --package: makes the released package and checks it, its size too;  --play: runs the app
+# LIVES: of the app, to play [default: 8], each of ORDERS random orders of 60 events [default: 4]. A life has 300 s, and 60 to bring the
+# frames that a script waits for: other programs may be at work here too. What must answer at once (`limit`) must.
+# The host harness is ../shared/android-host, with tools/android-host/more.patch on it: without it, --play fails.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . tools/needs.sh
-make=1 play=1
-case ${1:-} in --make) play=''; shift ;; --made) make=''; shift ;; esac
+package=1 play=1
+case ${1:-} in --package) play=''; shift ;; --play) package=''; shift ;; esac
 seeds=${1:-8} orders=${2:-4} host=../shared/android-host
 most_apk=12000000 most_library=4600000
-[ -z "$make" ] || tools/apk.sh --release target/apk/effigy.apk
-[ "$(stat -c %s target/apk/effigy.apk)" -le $most_apk ] || { echo "the package is larger than $most_apk bytes" >&2; exit 1; }
-library=target/apk/release/lib/arm64-v8a/libmain.so
-[ "$(stat -c %s $library)" -le $most_library ] || { echo "$library is larger than $most_library bytes" >&2; exit 1; }
-
-if [ ! -d $host ]; then
-  echo "NOT RUN: the app itself. What plays Android to it is not part of this repository, and there is no $host; only the package was checked"
-  exit 0
+at_most() { # BYTES FILE
+  [ "$(stat -c %s "$2")" -le "$1" ] || { echo "$2 is larger than $1 bytes" >&2; exit 1; }
+}
+if [ -n "$package" ]; then
+  tools/apk.sh --release target/apk/effigy.apk
+  at_most $most_apk target/apk/effigy.apk
+  at_most $most_library target/apk/release/lib/arm64-v8a/libmain.so
 fi
-[ -z "$make" ] || tools/apk.sh --targets x86_64-linux-android target/apk/effigy-x86_64.apk
 [ -n "$play" ] || exit 0
+[ -d $host ] || { echo "the app can't be run: the host harness is not part of this repository, and there is no $host" >&2; exit 1; }
+tools/apk.sh --targets x86_64-linux-android target/apk/effigy-x86_64.apk
 need 'command -v patch' patch
 need 'command -v gcc && [ -s /usr/include/vulkan/vulkan.h ]' gcc libvulkan-dev libvulkan1
 tools/drivers.sh
@@ -46,7 +48,7 @@ for script in early destroy lifecycle picture touch pace; do play tools/android-
 play tools/android-host/scripts/timed.txt HOST_TIMING=1
 play tools/android-host/scripts/soak.txt HOST_SOAK=5
 for file in json csv svg png; do [ -s $work/soak/data/soak.$file ] || { echo "FAILED soak: it left no soak.$file"; failed=1; }; done
-play tools/android-host/scripts/open.txt HOST_OPEN="$PWD/android/assets/demo.avatar"
+play tools/android-host/scripts/open.txt HOST_OPEN="$PWD/src/demo/demo.avatar"
 [ "$(grep -c 'showing `' $work/open.log)" = 2 ] || { echo "FAILED open: the file that was opened is not shown"; failed=1; }
 play tools/android-host/scripts/refused.txt HOST_OPEN="$PWD/README.md"
 grep -q "the file that was opened can't be shown" $work/refused.log || { echo "FAILED refused: nothing is said of a file that can't be shown"; failed=1; }
@@ -56,8 +58,8 @@ refusal="F/effigy" play tools/android-host/scripts/refuse.txt HOST_VULKAN_10=1
 grep -q "Vulkan 1.1 is needed" $work/refuse.log || { echo "FAILED refuse: it does not say what the device lacks"; failed=1; }
 [ $failed = 0 ] || exit 1
 VK_DRIVER_FILES=$PWD/target/drivers/mesa25.json VK_ICD_FILENAMES=$PWD/target/drivers/mesa25.json \
-  tools/start.sh render --size 540x960 --out $work/rendered.png
-tools/start.sh render --size 540x960 --reference --out $work/reference.png
+  effigy render --size 540x960 --out $work/rendered.png
+effigy render --size 540x960 --reference --out $work/reference.png
 python3 tools/android-host/compare.py $work $work/rendered.png $work/reference.png
 # Once for the caches, once for the time from the activity's creation to its first frame.
 mkdir -p $work/start/data

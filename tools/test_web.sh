@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Makes the page and tests it in Chromium, on its software adapter. Pictures are left in target/web-tests.
-# usage: tools/test_web.sh [PAGE_DIR]      [default: one that it makes]      CHROMIUM: which one
+# usage: tools/test_web.sh [PAGE_DIR]      [default: one that it makes]
+# CHROMIUM: which browser; EFFIGY: a program that is built already
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . tools/needs.sh
@@ -11,9 +12,9 @@ need 'command -v npm' npm
 [ $# -gt 0 ] || tools/web.sh "$page"
 mkdir -p "$out"
 [ -d "$out/node_modules/playwright-core" ] || npm install --prefix "$out" --no-save --no-package-lock --no-audit --no-fund playwright-core@1.65.1 >/dev/null
-cargo run --quiet --release --bin effigy -- render --reference --size 512x512 --time 1.3 --out "$out/reference.png"
+effigy render --reference --size 512x512 --time 1.3 --out "$out/reference.png"
 cp tests/web/*.mjs "$out/"
 timeout -k 10 1500 node "$out/page.mjs" "$page" "$out/reference.png" "$out"
 [ -z "${ONLY:-}" ] || exit 0
 # What the page measures is a report like any other.
-cargo run --quiet --release --bin effigy -- compare "$out/bench.json" "$out/bench.json" | grep -q frame_ms_median
+effigy compare "$out/bench.json" "$out/bench.json" | grep -q frame_ms_median

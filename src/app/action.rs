@@ -1,48 +1,59 @@
-//! What the user can ask of the viewer, and the keys that ask for it.
+//! The user's actions, and their keys.
 
-use super::playback::Repeat;
+use crate::playback::Repeat;
 use winit::keyboard::{Key, NamedKey};
 
-/// Seconds that a scrub key goes forwards or back.
+/// How far a scrub key goes, seconds.
 const SCRUB: f64 = 1.0;
 
-/// A wish, from a key or from the overlay.
+/// Something that the user asks for with a key, a tap or the panel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Action {
+    /// Play if paused, else pause.
     PlayOrPause,
-    /// By so many frames of the clip.
+    /// Pause, and go on by some frames of the clip, or back.
     Step(i32),
-    /// By so many seconds.
+    /// Go forwards or back by some seconds.
     Scrub(f64),
-    /// To a time of the clip, seconds.
+    /// Go to a time of the clip, seconds.
     Seek(f64),
-    /// By so many clips.
+    /// Go on by some clips, or back.
     Next(i32),
-    /// A clip by its number.
+    /// Show the clip with an index.
     Choose(usize),
-    /// An avatar of the shelf by its number.
+    /// Load and show the avatar with an index in the file list.
     Avatar(usize),
-    /// The one after the one that is shown.
+    /// Load and show the avatar after the one that is shown.
     NextAvatar,
+    /// Play at a speed, seconds of the clip a second.
     Speed(f64),
+    /// Set what happens at the end of a clip.
     Repeat(Repeat),
+    /// Show all of the avatar from the front.
     ResetView,
+    /// Whether the view moves with the avatar.
     Follow(bool),
+    /// Enter or leave full screen.
     FullScreen,
+    /// Leave full screen, or quit if the window is not in it.
     LeaveFullScreenOrQuit,
+    /// Save a PNG.
     Screenshot,
-    /// By RenderDoc, where it is attached.
+    /// Capture a frame with RenderDoc, if it is attached.
     Capture,
-    /// Hand what is left of a crash to another app.
+    /// Share the report of an earlier crash with another app.
     Share,
+    /// Show or hide the panel.
     Overlay,
+    /// Show the next of the predefined backgrounds.
     NextBackground,
-    /// Display-referred RGB, 0 to 1.
+    /// Set the background: display-referred RGB, 0 to 1.
     Background([f32; 3]),
+    /// Close the window.
     Quit,
 }
 
-/// The keys and what they do, for the overlay and `effigy view --help`.
+/// The keys and what they do, for the panel and `effigy view --help`.
 pub const KEYS: [(&str, &str); 14] = [
     ("Space", "play or pause"),
     ("Left Right", "a frame back or on"),
@@ -53,30 +64,48 @@ pub const KEYS: [(&str, &str); 14] = [
     ("R", "reset the view"),
     ("B", "next background"),
     ("S", "screenshot"),
-    ("C", "capture a frame by RenderDoc"),
+    ("C", "capture a frame with RenderDoc"),
     ("H F1", "show or hide this panel"),
     ("F F11", "full screen"),
     ("Q", "quit"),
     ("Esc", "leave full screen, then quit"),
 ];
 
-/// What mouse, trackpad and fingers do.
+/// Gestures of mouse, trackpad and fingers, and their effects.
 pub const POINTERS: [(&str, &str); 4] = [
     ("drag", "orbit: left button, one finger"),
     ("pan", "right or middle button, Shift, two fingers"),
     ("zoom", "wheel, trackpad, pinch"),
-    ("taps", "two reset the view, a long one shows or hides this panel"),
+    (
+        "taps",
+        "double: reset the view; long: show or hide this panel",
+    ),
 ];
 
 /// Keys and pointers as a help page.
 pub fn help() -> String {
-    let lines = POINTERS.iter().chain(&KEYS).map(|(key, what)| format!("  {key:<12} {what}\n"));
+    let lines = POINTERS
+        .iter()
+        .chain(&KEYS)
+        .map(|(key, what)| format!("  {key:<12} {what}\n"));
     format!("In the window:\n{}", lines.collect::<String>())
 }
 
-/// What a key asks for. `again`: it comes from holding the key down, which only steps and scrubs answer to.
-pub fn action(key: &Key, shift: bool, again: bool, repeat: Repeat) -> Option<Action> {
-    let action = match key {
+/// A key press.
+pub struct KeyPress<'a> {
+    /// The key, as the keyboard's layout has it.
+    pub key: &'a Key,
+    /// Shift is down.
+    pub shift: bool,
+    /// The system repeats the key because it is held down.
+    pub is_repeated: bool,
+}
+
+/// The action of a key press, if it has one. Held keys only step and scrub. `repeat`: the current
+/// setting, which the key L changes to the next.
+pub fn key_action(press: &KeyPress, repeat: Repeat) -> Option<Action> {
+    let shift = press.shift;
+    let action = match press.key {
         Key::Named(named) => match named {
             NamedKey::Space => Action::PlayOrPause,
             NamedKey::ArrowLeft if shift => Action::Scrub(-SCRUB),
@@ -109,34 +138,52 @@ pub fn action(key: &Key, shift: bool, again: bool, repeat: Repeat) -> Option<Act
         },
         _ => return None,
     };
-    (!again || matches!(action, Action::Step(_) | Action::Scrub(_))).then_some(action)
+    let repeats = matches!(action, Action::Step(_) | Action::Scrub(_));
+    (repeats || !press.is_repeated).then_some(action)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    fn key(text: &str) -> Key {
-        Key::Character(text.into())
+    /// The action of a key, pressed once without Shift.
+    fn press(text: &str, repeat: Repeat) -> Option<Action> {
+        let key = Key::Character(text.into());
+        let press = KeyPress {
+            key: &key,
+            shift: false,
+            is_repeated: false,
+        };
+        key_action(&press, repeat)
     }
 
     #[test]
     fn a_held_key_steps_but_does_not_toggle() {
-        let of = |key: Key, shift, again| action(&key, shift, again, Repeat::Off);
-        assert_eq!(of(Key::Named(NamedKey::ArrowRight), false, true), Some(Action::Step(1)));
-        assert_eq!(of(Key::Named(NamedKey::ArrowLeft), true, true), Some(Action::Scrub(-SCRUB)));
-        assert_eq!(of(Key::Named(NamedKey::Space), false, true), None);
-        assert_eq!(of(Key::Named(NamedKey::Space), false, false), Some(Action::PlayOrPause));
+        let action_of = |key, shift, is_repeated| {
+            let press = KeyPress {
+                key: &Key::Named(key),
+                shift,
+                is_repeated,
+            };
+            key_action(&press, Repeat::Off)
+        };
+        let left = action_of(NamedKey::ArrowLeft, true, true);
+        let right = action_of(NamedKey::ArrowRight, false, true);
+        assert_eq!(left, Some(Action::Scrub(-SCRUB)));
+        assert_eq!(right, Some(Action::Step(1)));
+        assert_eq!(action_of(NamedKey::Space, false, true), None);
+        let space = action_of(NamedKey::Space, false, false);
+        assert_eq!(space, Some(Action::PlayOrPause));
     }
 
     #[test]
-    fn letters_work_with_caps_lock_and_the_repeat_key_goes_round() {
-        assert_eq!(action(&key("S"), false, false, Repeat::Off), Some(Action::Screenshot));
+    fn letters_work_with_caps_lock_and_l_cycles_repeat() {
+        assert_eq!(press("S", Repeat::Off), Some(Action::Screenshot));
         let mut repeat = Repeat::Off;
         for expected in [Repeat::Clip, Repeat::All, Repeat::Off] {
-            assert_eq!(action(&key("l"), false, false, repeat), Some(Action::Repeat(expected)));
+            assert_eq!(press("l", repeat), Some(Action::Repeat(expected)));
             repeat = expected;
         }
-        assert_eq!(action(&key("ß"), false, false, Repeat::Off), None);
+        assert_eq!(press("ß", Repeat::Off), None);
     }
 }

@@ -1,46 +1,78 @@
-//! The device of a window: the one that is asked for, else the first that can show pictures in it.
+//! Opens a device that can present to a window.
 
-use crate::vulkan::{
+use ash::vk;
+use effigy::vulkan::{
     Error, Gpu, GpuOptions, Result,
     swapchain::{Surface, Target},
 };
-use ash::vk;
 use raw_window_handle::{HasDisplayHandle, HasWindowHandle};
 use std::sync::Arc;
 use winit::window::Window;
 
-/// Opens the device that `options` names, else the first that can show pictures in the window.
-pub(super) fn open(window: &Window, options: &GpuOptions) -> anyhow::Result<(Target, Surface, Arc<Gpu>)> {
-    let target = Target::new(window.display_handle()?, window.window_handle()?);
-    let (surface, gpu) = open_for(&target, options).map_err(|error| if lacks_extension(&error) { no_windows() } else { error })?;
-    Ok((target, surface, gpu))
+/// A device that can present to a window.
+pub struct WindowDevice {
+    /// The window, as Vulkan needs it to create surfaces.
+    pub target: Target,
+    /// The window's surface.
+    pub surface: Surface,
+    /// The device.
+    pub gpu: Arc<Gpu>,
 }
 
-fn open_for(target: &Target, options: &GpuOptions) -> Result<(Surface, Arc<Gpu>)> {
-    let options = GpuOptions { surface_extensions: target.extensions()?, ..options.clone() };
-    let open = |device: Option<String>| {
-        let gpu = Gpu::new(&GpuOptions { device, ..options.clone() })?;
-        Ok((Surface::new(&gpu, target.clone())?, gpu))
+/// Opens the device that `options` names. If it names none, the first that can present to the
+/// window.
+pub fn open(window: &Window, options: &GpuOptions) -> anyhow::Result<WindowDevice> {
+    // SAFETY: the painter, which holds all that is made of the target, holds the window too.
+    let target = unsafe { Target::new(window.display_handle()?, window.window_handle()?) };
+    match open_first(&target, options) {
+        Ok(device) => Ok(device),
+        Err(error) if lacks_extension(&error) => Err(Error::NoWindowExtension.into()),
+        Err(error) => Err(error.into()),
+    }
+}
+
+fn open_first(target: &Target, options: &GpuOptions) -> Result<WindowDevice> {
+    let options = GpuOptions {
+        surface_extensions: target.extensions()?,
+        ..options.clone()
     };
-    match open(options.device.clone()) {
-        // Another device may be the one that the display hangs on. Numbers end where there is no device.
-        Err(error @ Error::Lacks { .. }) if options.device.is_none() => {
-            let others = (0u32..).map(|number| open(Some(number.to_string())));
-            let mut others = others.take_while(|other| !matches!(other, Err(Error::NoSuchDevice { .. } | Error::NoDevice)));
-            others.find_map(Result::ok).ok_or(error)
+    let open_device = |device: Option<String>| {
+        let gpu = Gpu::new(&GpuOptions {
+            device,
+            ..options.clone()
+        })?;
+        let surface = Surface::new(&gpu, target.clone())?;
+        Ok(WindowDevice {
+            target: target.clone(),
+            surface,
+            gpu,
+        })
+    };
+    let refusal =
+        match open_device(options.device.clone()) {
+            Err(
+                error @ (Error::Lacks { .. } | Error::NoTriangles { .. } | Error::NoWindow { .. }),
+            ) if options.device.is_none() => error,
+            opened => return opened,
+        };
+    // The display may be connected to another device: try them all by their index.
+    for index in 0u32.. {
+        match open_device(Some(index.to_string())) {
+            Ok(device) => return Ok(device),
+            Err(Error::NoSuchDevice { .. } | Error::NoDevice) => break,
+            Err(_) => {}
         }
-        first => first,
     }
+    Err(refusal)
 }
 
-/// No driver on this machine has an extension that the window's surface needs.
+/// Whether no driver on this machine has an extension that the window's surface needs.
 fn lacks_extension(error: &Error) -> bool {
-    matches!(error, Error::Call { call: "vkCreateInstance", result: vk::Result::ERROR_EXTENSION_NOT_PRESENT })
-}
-
-fn no_windows() -> Error {
-    Error::Lacks {
-        device: "the Vulkan driver".into(),
-        lacks: "it has no extension for windows of this display: install your GPU's driver, or use `effigy render`".into(),
-    }
+    matches!(
+        error,
+        Error::Call {
+            call: "vkCreateInstance",
+            result: vk::Result::ERROR_EXTENSION_NOT_PRESENT
+        }
+    )
 }

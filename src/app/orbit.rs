@@ -1,42 +1,49 @@
-//! The viewer's camera: gestures and the passing of time go in, the camera of a frame comes out.
+//! The viewer's camera: it orbits around the avatar and glides to where gestures send it.
 
-use super::gesture::Gesture;
-use crate::frame::Camera;
+use crate::gesture::Gesture;
+use effigy_core::scene::Camera;
 use glam::{DVec2, DVec3};
 use std::f64::consts::{PI, TAU};
 
 /// Vertical field of view, radians.
 const FOV: f64 = 35.0 * PI / 180.0;
-/// Yaw and pitch of a view that was reset, radians: the front, a little from the avatar's left and from above.
-const FRONT: [f64; 2] = [20.0 * PI / 180.0, 5.0 * PI / 180.0];
-/// Straight up and down have no defined left and right.
+/// The default view, radians: the front, a little from the avatar's left and from above.
+const FRONT_YAW: f64 = 20.0 * PI / 180.0;
+const FRONT_PITCH: f64 = 5.0 * PI / 180.0;
+/// Largest pitch, radians: a view straight up or down has no left and right.
 const PITCH_MAX: f64 = 89.0 * PI / 180.0;
-/// After this time a movement has done 63 % of its way, seconds.
+/// Time constant of the glide, seconds: a movement has then covered 63 % of its way.
 const SMOOTHING: f64 = 0.05;
-/// What is nearer to its goal than this (radians, or a fraction of the distance) has arrived: it is far below a pixel.
+/// The glide ends this close to its goal, radians or a fraction of the distance: far below a
+/// pixel.
 const ARRIVED: f64 = 1e-4;
 /// Nearest and furthest distance from the target, in radii of the avatar.
-const DISTANCE: [f64; 2] = [0.2, 20.0];
+const DISTANCE_MIN: f64 = 0.2;
+const DISTANCE_MAX: f64 = 20.0;
 
 /// Where the camera stands around its target.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Stand {
-    /// From the anchor to what the camera looks at, metres.
+struct OrbitPose {
+    /// From the anchor to the point that the camera looks at, metres.
     target: DVec3,
+    /// Around the vertical axis, radians; 0 sees the front.
     yaw: f64,
+    /// Above the horizon, radians.
     pitch: f64,
+    /// From the target, metres.
     distance: f64,
 }
 
-impl Stand {
-    /// The camera's right, down and forward.
+impl OrbitPose {
+    /// The camera's right, down and forward, in world coordinates.
     fn axes(&self) -> [DVec3; 3] {
         let camera = Camera::orbit(DVec3::ZERO, self.yaw, self.pitch, 1.0, FOV, [1, 1]);
         let rotation = camera.view.matrix3.transpose();
         [rotation.x_axis, rotation.y_axis, rotation.z_axis]
     }
 
-    fn blend(&self, goal: &Self, t: f64) -> Self {
+    /// The pose a share `t` of the way to `goal`.
+    fn interpolate(&self, goal: &Self, t: f64) -> Self {
         Self {
             target: self.target.lerp(goal.target, t),
             yaw: self.yaw + (goal.yaw - self.yaw) * t,
@@ -45,7 +52,8 @@ impl Stand {
         }
     }
 
-    fn is_near(&self, goal: &Self) -> bool {
+    /// Whether an image from here looks the same as one from `goal`.
+    fn has_arrived(&self, goal: &Self) -> bool {
         (self.yaw - goal.yaw).abs() < ARRIVED
             && (self.pitch - goal.pitch).abs() < ARRIVED
             && (self.distance / goal.distance).ln().abs() < ARRIVED
@@ -53,69 +61,88 @@ impl Stand {
     }
 }
 
-/// A camera that orbits, pans and zooms around a target, and glides to where the gestures send it.
+/// A camera that orbits, pans and zooms around a target, and glides to where gestures send it.
 #[derive(Clone, Debug)]
 pub struct Orbit {
-    goal: Stand,
-    shown: Stand,
-    /// What the target moves along with, metres.
+    goal: OrbitPose,
+    shown: OrbitPose,
+    /// The point that the target moves along with, metres, in world coordinates.
     anchor: DVec3,
-    /// The avatar's box around the anchor when the view was last reset.
+    /// Lower and upper corner of the avatar's box when the view was last reset, metres from the
+    /// anchor.
     bounds: [DVec3; 2],
     /// No gesture has changed the view since it was last reset.
     framed: bool,
 }
 
 impl Orbit {
-    /// Frames a box (world coordinates) from the front, in a picture of `size` px. `anchor` is the point that the view follows.
+    /// A view of all of a box, given by its lower and upper corner in world coordinates, from the
+    /// front. `anchor`: the point that the view follows. `size`: the image's, px.
     pub fn new(bounds: [DVec3; 2], anchor: DVec3, size: [u32; 2]) -> Self {
-        let [yaw, pitch] = FRONT;
-        let stand = Stand { target: DVec3::ZERO, yaw, pitch, distance: 1.0 };
-        let mut orbit = Self { goal: stand, shown: stand, anchor, bounds: [DVec3::ZERO; 2], framed: true };
+        let front = OrbitPose {
+            target: DVec3::ZERO,
+            yaw: FRONT_YAW,
+            pitch: FRONT_PITCH,
+            distance: 1.0,
+        };
+        let mut orbit = Self {
+            goal: front,
+            shown: front,
+            anchor,
+            bounds: [DVec3::ZERO; 2],
+            framed: true,
+        };
         orbit.reset(bounds, size);
         orbit.shown = orbit.goal;
         orbit
     }
 
-    /// Glides back to the front view that frames a box, given in world coordinates.
+    /// Glides back to a view of all of a box from the front.
     pub fn reset(&mut self, bounds: [DVec3; 2], size: [u32; 2]) {
         self.bounds = bounds.map(|corner| corner - self.anchor);
-        let [yaw, pitch] = FRONT;
-        self.shown.yaw = yaw + (self.shown.yaw - yaw + PI).rem_euclid(TAU) - PI;
-        self.goal = Stand { target: 0.5 * (self.bounds[0] + self.bounds[1]), yaw, pitch, distance: self.framing(size) };
+        // The short way round.
+        self.shown.yaw = FRONT_YAW + (self.shown.yaw - FRONT_YAW + PI).rem_euclid(TAU) - PI;
+        self.goal = OrbitPose {
+            target: 0.5 * (self.bounds[0] + self.bounds[1]),
+            yaw: FRONT_YAW,
+            pitch: FRONT_PITCH,
+            distance: self.framing_distance(size),
+        };
         self.framed = true;
     }
 
-    /// Tells of a new picture size. A view that no gesture has changed goes on framing the avatar.
+    /// The image has a new size, px. A view that no gesture has changed still shows all of the
+    /// avatar.
     pub fn resize(&mut self, size: [u32; 2]) {
         if self.framed {
-            self.goal.distance = self.framing(size);
+            self.goal.distance = self.framing_distance(size);
             self.shown.distance = self.goal.distance;
         }
     }
 
-    /// The distance from which all of the box is in the picture.
-    fn framing(&self, size: [u32; 2]) -> f64 {
-        Camera::framing_distance(self.bounds, FOV, size.map(|side| side.max(1))).max(2.0 * Camera::NEAR)
+    /// The distance from which all of the box is visible, metres.
+    fn framing_distance(&self, size: [u32; 2]) -> f64 {
+        Camera::framing_distance(self.bounds, FOV, size.map(|side| side.max(1)))
+            .max(2.0 * Camera::NEAR)
     }
 
-    /// Half the diagonal of the avatar's box.
+    /// Half the diagonal of the avatar's box, metres.
     fn radius(&self) -> f64 {
         (0.5 * self.bounds[0].distance(self.bounds[1])).max(Camera::NEAR)
     }
 
-    /// Moves what the view follows, metres. It takes effect at once: the anchor's own motion is the avatar's.
+    /// Moves the anchor, metres. The view moves with it at once, without a glide.
     pub fn follow(&mut self, anchor: DVec3) {
         self.anchor = anchor;
     }
 
-    /// Glides to an anchor that the view has not followed so far.
-    pub fn attach(&mut self, anchor: DVec3) {
+    /// Glides to a new anchor, metres.
+    pub fn glide_to_anchor(&mut self, anchor: DVec3) {
         self.shown.target += self.anchor - anchor;
         self.anchor = anchor;
     }
 
-    /// Takes in a gesture, in px of a picture of this size.
+    /// Applies a gesture, px of an image of this size.
     pub fn apply(&mut self, gesture: &Gesture, size: [u32; 2]) {
         if *gesture == Gesture::default() {
             return;
@@ -130,33 +157,44 @@ impl Orbit {
         let [right, down, _] = self.goal.axes();
         let on_target_plane = |px: DVec2| (right * px.x + down * px.y) * metres_per_px;
         let radius = self.radius();
-        let furthest = (DISTANCE[1] * radius).max(self.goal.distance);
-        let distance = (self.goal.distance * (-gesture.zoom).exp()).clamp((DISTANCE[0] * radius).max(2.0 * Camera::NEAR), furthest);
+        let furthest = (DISTANCE_MAX * radius).max(self.goal.distance);
+        let distance = (self.goal.distance * (-gesture.zoom).exp())
+            .clamp((DISTANCE_MIN * radius).max(2.0 * Camera::NEAR), furthest);
         let about = gesture.about.map_or(DVec2::ZERO, |at| at - 0.5 * size);
-        let target = self.goal.target - on_target_plane(gesture.pan) + on_target_plane(about) * (1.0 - distance / self.goal.distance);
+        let target = self.goal.target - on_target_plane(gesture.pan)
+            + on_target_plane(about) * (1.0 - distance / self.goal.distance);
         self.goal.target = target.clamp(self.bounds[0] - radius, self.bounds[1] + radius);
         self.goal.distance = distance;
     }
 
-    /// Lets `seconds` pass; true while the view still moves. The way does not depend on how the time is divided into frames.
+    /// Lets `seconds` pass. Returns whether the view has moved. The path does not depend on how
+    /// time is divided into frames.
     pub fn advance(&mut self, seconds: f64) -> bool {
         if self.shown == self.goal {
             return false;
         }
-        self.shown = self.shown.blend(&self.goal, 1.0 - (-seconds.max(0.0) / SMOOTHING).exp());
-        if self.shown.is_near(&self.goal) {
+        self.shown = self
+            .shown
+            .interpolate(&self.goal, 1.0 - (-seconds.max(0.0) / SMOOTHING).exp());
+        if self.shown.has_arrived(&self.goal) {
             self.shown = self.goal;
         }
         true
     }
 
+    /// Whether the view has reached its goal.
     pub fn is_at_rest(&self) -> bool {
         self.shown == self.goal
     }
 
-    /// The camera of this moment.
+    /// The camera now, for an image of `size` px.
     pub fn camera(&self, size: [u32; 2]) -> Camera {
-        let Stand { target, yaw, pitch, distance } = self.shown;
+        let OrbitPose {
+            target,
+            yaw,
+            pitch,
+            distance,
+        } = self.shown;
         Camera::orbit(self.anchor + target, yaw, pitch, distance, FOV, size)
     }
 }
@@ -167,68 +205,111 @@ mod tests {
 
     const BOX: [DVec3; 2] = [DVec3::new(-0.8, 0.0, -0.2), DVec3::new(0.8, 1.8, 0.3)];
 
-    fn settled(mut orbit: Orbit) -> Orbit {
+    fn at_rest(mut orbit: Orbit) -> Orbit {
         while orbit.advance(1.0 / 60.0) {}
         orbit
     }
 
     #[test]
-    fn the_first_view_frames_the_avatar_in_a_window_of_any_shape() {
+    fn the_first_view_shows_all_of_the_avatar() {
         for size in [[1280, 720], [720, 1280], [4000, 100], [100, 4000], [1, 1]] {
             let camera = Orbit::new(BOX, DVec3::ZERO, size).camera(size);
-            let (mut min, mut max) = (DVec2::INFINITY, DVec2::NEG_INFINITY);
-            for corner in (0..8).map(|k: usize| DVec3::new(BOX[k & 1].x, BOX[k >> 1 & 1].y, BOX[k >> 2].z)) {
-                let at = camera.project(camera.view.transform_point3(corner)) / DVec2::new(f64::from(size[0]), f64::from(size[1]));
-                (min, max) = (min.min(at), max.max(at));
+            let mut min = DVec2::INFINITY;
+            let mut max = DVec2::NEG_INFINITY;
+            for corner in
+                (0..8).map(|k: usize| DVec3::new(BOX[k & 1].x, BOX[k >> 1 & 1].y, BOX[k >> 2].z))
+            {
+                let at = camera.project(camera.view.transform_point3(corner))
+                    / DVec2::new(f64::from(size[0]), f64::from(size[1]));
+                min = min.min(at);
+                max = max.max(at);
             }
-            assert!(min.min_element() >= 0.0 && max.max_element() <= 1.0, "{size:?}: {min} to {max} of the picture");
-            assert!((max - min).max_element() > 0.6, "{size:?}: the avatar fills only {} of the picture", max - min);
+            assert!(
+                min.min_element() >= 0.0 && max.max_element() <= 1.0,
+                "{size:?}: {min} to {max} of the image"
+            );
+            assert!(
+                (max - min).max_element() > 0.6,
+                "{size:?}: the avatar fills only {} of the image",
+                max - min
+            );
         }
     }
 
     #[test]
-    fn the_way_is_the_same_at_every_frame_rate() {
+    fn the_path_is_independent_of_the_frame_rate() {
         let start = Orbit::new(BOX, DVec3::ZERO, [800, 600]);
         let at = |frames: u32| {
             let mut orbit = start.clone();
-            orbit.apply(&Gesture { orbit: DVec2::new(120.0, 40.0), zoom: 0.7, ..Gesture::default() }, [800, 600]);
-            (0..frames).for_each(|_| {
+            orbit.apply(
+                &Gesture {
+                    orbit: DVec2::new(120.0, 40.0),
+                    zoom: 0.7,
+                    ..Gesture::default()
+                },
+                [800, 600],
+            );
+            for _ in 0..frames {
                 orbit.advance(0.08 / f64::from(frames));
-            });
+            }
             orbit.camera([800, 600]).eye()
         };
         for frames in [1, 2, 5, 40] {
-            assert!(at(frames).distance(at(10)) < 1e-9, "{frames} frames: {} against {}", at(frames), at(10));
+            assert!(
+                at(frames).distance(at(10)) < 1e-9,
+                "{frames} frames: {} against {}",
+                at(frames),
+                at(10)
+            );
         }
     }
 
     #[test]
-    fn a_gesture_moves_the_view_and_then_it_rests() {
+    fn a_gesture_moves_the_view_until_it_rests() {
         let mut orbit = Orbit::new(BOX, DVec3::ZERO, [800, 600]);
         assert!(orbit.is_at_rest() && !orbit.advance(0.1));
-        orbit.apply(&Gesture { orbit: DVec2::new(300.0, 0.0), ..Gesture::default() }, [800, 600]);
+        orbit.apply(
+            &Gesture {
+                orbit: DVec2::new(300.0, 0.0),
+                ..Gesture::default()
+            },
+            [800, 600],
+        );
         assert!(orbit.advance(0.01));
-        let orbit = settled(orbit);
+        let orbit = at_rest(orbit);
         let eye = orbit.camera([800, 600]).eye();
         let seen_from = (eye.x - orbit.goal.target.x).atan2(eye.z - orbit.goal.target.z);
-        let expected = FRONT[0] - 0.5 * PI;
-        assert!((seen_from - expected).abs() < 1e-9, "half the window's height is a quarter turn: {seen_from} instead of {expected}");
+        let expected = FRONT_YAW - 0.5 * PI;
+        assert!(
+            (seen_from - expected).abs() < 1e-9,
+            "half the window's height is a quarter turn: {seen_from} instead of {expected}"
+        );
     }
 
     #[test]
     fn pitch_stops_short_of_the_poles() {
         for down in [1e5, -1e5] {
             let mut orbit = Orbit::new(BOX, DVec3::ZERO, [800, 600]);
-            orbit.apply(&Gesture { orbit: DVec2::new(0.0, down), ..Gesture::default() }, [800, 600]);
-            let camera = settled(orbit).camera([800, 600]);
+            orbit.apply(
+                &Gesture {
+                    orbit: DVec2::new(0.0, down),
+                    ..Gesture::default()
+                },
+                [800, 600],
+            );
+            let camera = at_rest(orbit).camera([800, 600]);
             assert!(camera.view.is_finite());
-            assert!((camera.view.matrix3.transpose().z_axis.y + PITCH_MAX.sin() * down.signum()).abs() < 1e-9);
+            assert!(
+                (camera.view.matrix3.transpose().z_axis.y + PITCH_MAX.sin() * down.signum()).abs()
+                    < 1e-9
+            );
         }
     }
 
     #[test]
-    fn zoom_keeps_what_is_under_the_pointer_and_stays_within_its_limits() {
-        let (size, pointer) = ([800, 600], DVec2::new(500.0, 150.0));
+    fn zoom_keeps_the_point_under_the_pointer_within_limits() {
+        let size = [800, 600];
+        let pointer = DVec2::new(500.0, 150.0);
         let start = Orbit::new(BOX, DVec3::ZERO, size);
         let before = start.camera(size);
         let depth = start.goal.distance;
@@ -236,30 +317,69 @@ mod tests {
         let point = before.view.inverse().transform_point3(ray);
         for zoom in [0.5, -0.5] {
             let mut orbit = start.clone();
-            orbit.apply(&Gesture { zoom, about: Some(pointer), ..Gesture::default() }, size);
-            let camera = settled(orbit).camera(size);
+            orbit.apply(
+                &Gesture {
+                    zoom,
+                    about: Some(pointer),
+                    ..Gesture::default()
+                },
+                size,
+            );
+            let camera = at_rest(orbit).camera(size);
             let now = camera.project(camera.view.transform_point3(point));
-            assert!(now.distance(pointer) < 1e-6, "zoom {zoom}: {now} instead of {pointer}");
+            assert!(
+                now.distance(pointer) < 1e-6,
+                "zoom {zoom}: {now} instead of {pointer}"
+            );
         }
         for zoom in [100.0, -100.0, f64::MAX] {
             let mut orbit = start.clone();
-            orbit.apply(&Gesture { zoom, ..Gesture::default() }, size);
-            let [near, far] = DISTANCE.map(|d| d * orbit.radius());
-            assert!((near..=far).contains(&orbit.goal.distance), "zoom {zoom}: {}", orbit.goal.distance);
+            orbit.apply(
+                &Gesture {
+                    zoom,
+                    ..Gesture::default()
+                },
+                size,
+            );
+            let nearest = DISTANCE_MIN * orbit.radius();
+            let furthest = DISTANCE_MAX * orbit.radius();
+            assert!(
+                (nearest..=furthest).contains(&orbit.goal.distance),
+                "zoom {zoom}: {}",
+                orbit.goal.distance
+            );
         }
     }
 
     #[test]
-    fn panning_moves_the_target_with_the_pointer_and_not_out_of_reach() {
+    fn panning_follows_the_pointer_within_limits() {
         let size = [800, 600];
         let mut orbit = Orbit::new(BOX, DVec3::ZERO, size);
         let target = orbit.goal.target;
-        orbit.apply(&Gesture { pan: DVec2::new(50.0, -20.0), ..Gesture::default() }, size);
-        let camera = settled(orbit.clone()).camera(size);
+        orbit.apply(
+            &Gesture {
+                pan: DVec2::new(50.0, -20.0),
+                ..Gesture::default()
+            },
+            size,
+        );
+        let camera = at_rest(orbit.clone()).camera(size);
         let now = camera.project(camera.view.transform_point3(target));
         assert!(now.distance(DVec2::new(450.0, 280.0)) < 1e-6, "{now}");
-        (0..100).for_each(|_| orbit.apply(&Gesture { pan: DVec2::splat(500.0), ..Gesture::default() }, size));
-        assert!(orbit.goal.target.distance(target) < 4.0 * orbit.radius(), "{}", orbit.goal.target);
+        for _ in 0..100 {
+            orbit.apply(
+                &Gesture {
+                    pan: DVec2::splat(500.0),
+                    ..Gesture::default()
+                },
+                size,
+            );
+        }
+        assert!(
+            orbit.goal.target.distance(target) < 4.0 * orbit.radius(),
+            "{}",
+            orbit.goal.target
+        );
     }
 
     #[test]
@@ -267,31 +387,71 @@ mod tests {
         let size = [800, 600];
         let mut orbit = Orbit::new(BOX, DVec3::ZERO, size);
         let first = orbit.camera(size);
-        orbit.apply(&Gesture { orbit: DVec2::new(5000.0, 90.0), pan: DVec2::splat(30.0), zoom: 1.0, about: None }, size);
-        orbit = settled(orbit);
+        orbit.apply(
+            &Gesture {
+                orbit: DVec2::new(5000.0, 90.0),
+                pan: DVec2::splat(30.0),
+                zoom: 1.0,
+                about: None,
+            },
+            size,
+        );
+        orbit = at_rest(orbit);
         orbit.reset(BOX, size);
-        assert!((orbit.shown.yaw - FRONT[0]).abs() <= PI, "{} is more than half a turn away", orbit.shown.yaw);
-        assert_eq!(settled(orbit).camera(size), first);
+        assert!(
+            (orbit.shown.yaw - FRONT_YAW).abs() <= PI,
+            "{} is more than half a turn away",
+            orbit.shown.yaw
+        );
+        assert_eq!(at_rest(orbit).camera(size), first);
     }
 
     #[test]
-    fn the_view_goes_where_the_avatar_goes() {
+    fn the_view_follows_the_anchor() {
         let size = [640, 480];
         let mut orbit = Orbit::new(BOX, DVec3::ZERO, size);
         let before = orbit.camera(size).eye();
         orbit.follow(DVec3::new(3.0, 0.0, -1.0));
-        assert!(orbit.camera(size).eye().distance(before + DVec3::new(3.0, 0.0, -1.0)) < 1e-12);
-        orbit.attach(DVec3::new(-1.0, 0.0, 0.0));
-        assert!(orbit.camera(size).eye().distance(before + DVec3::new(3.0, 0.0, -1.0)) < 1e-12, "it glides to a new anchor");
-        assert!(settled(orbit).camera(size).eye().distance(before + DVec3::new(-1.0, 0.0, 0.0)) < 1e-12);
+        assert!(
+            orbit
+                .camera(size)
+                .eye()
+                .distance(before + DVec3::new(3.0, 0.0, -1.0))
+                < 1e-12
+        );
+        orbit.glide_to_anchor(DVec3::new(-1.0, 0.0, 0.0));
+        assert!(
+            orbit
+                .camera(size)
+                .eye()
+                .distance(before + DVec3::new(3.0, 0.0, -1.0))
+                < 1e-12,
+            "it glides to a new anchor"
+        );
+        assert!(
+            at_rest(orbit)
+                .camera(size)
+                .eye()
+                .distance(before + DVec3::new(-1.0, 0.0, 0.0))
+                < 1e-12
+        );
     }
 
     #[test]
-    fn a_view_that_no_one_changed_frames_the_avatar_after_a_resize() {
+    fn an_unchanged_view_is_framed_again_after_a_resize() {
         let mut orbit = Orbit::new(BOX, DVec3::ZERO, [1280, 720]);
         orbit.resize([200, 900]);
-        assert_eq!(orbit.camera([200, 900]), Orbit::new(BOX, DVec3::ZERO, [200, 900]).camera([200, 900]));
-        orbit.apply(&Gesture { zoom: 0.1, ..Gesture::default() }, [200, 900]);
+        assert_eq!(
+            orbit.camera([200, 900]),
+            Orbit::new(BOX, DVec3::ZERO, [200, 900]).camera([200, 900])
+        );
+        orbit.apply(
+            &Gesture {
+                zoom: 0.1,
+                ..Gesture::default()
+            },
+            [200, 900],
+        );
         let distance = orbit.goal.distance;
         orbit.resize([1280, 720]);
         assert_eq!(orbit.goal.distance, distance);

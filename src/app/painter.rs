@@ -1,93 +1,125 @@
-//! Draws frames into a window: a pose, a camera and the overlay's triangles go in; what comes out is on the screen.
+//! Draws frames into a window: the avatar, the background and the panel.
 
-use super::{device, scene::Look};
 use crate::{
-    avatar::Avatar,
-    frame::{Camera, Posed},
-    measure::governor::Quality,
-    vulkan::{
-        Error, Gpu, GpuOptions, Renderer, RendererOptions, Result,
-        commands::{FrameReport, SLOTS},
-        error::During,
-        picture::Copied,
-        present::Present,
-        renderer::Presentation,
-        swapchain::{Acquired, Surface, Swapchain, Target},
-        timing::Told,
-        turn::Turn,
-        watch::{Seen, Watch},
-    },
+    device::{self, WindowDevice},
+    scene::FrameContent,
 };
 use ash::vk;
+use effigy::vulkan::{
+    Error, Gpu, GpuOptions, Recording, Renderer, RendererOptions, Result,
+    commands::{FRAMES_IN_FLIGHT, FrameReport},
+    device::handle::CommandPool,
+    error::During,
+    picture::Copied,
+    present::{Present, Shown},
+    renderer::Presentation,
+    swapchain::{Acquired, Surface, Swapchain, Target},
+    timing::PresentFeedback,
+    turn::PreTransform,
+    watch::{FrameValidator, Seen},
+};
+use effigy_core::{
+    avatar::Avatar,
+    scene::{Camera, Posed},
+};
+use effigy_runtime::governor::FrameQuality;
 use egui::{ClippedPrimitive, Pos2, Rect, TexturesDelta, epaint::Primitive};
-use egui_ash_renderer::{Options, RenderMode, Renderer as Egui, RendererError, allocator::GpuAllocator};
+use egui_ash_renderer::{
+    Options, RenderMode, Renderer as Egui, RendererError, allocator::GpuAllocator,
+};
 use glam::Vec2;
 use raw_window_handle::{HasDisplayHandle, HasWindowHandle};
 use std::{mem::ManuallyDrop, sync::Arc};
 use winit::window::Window;
 
-/// The overlay of a frame, as egui hands it over.
+/// The triangles of the panel, from egui.
 #[derive(Default)]
-pub struct Panel {
-    pub triangles: Vec<ClippedPrimitive>,
+pub struct PanelMesh {
+    /// Meshes with their clip rectangles, points.
+    pub primitives: Vec<ClippedPrimitive>,
+    /// Px a point.
     pub pixels_per_point: f32,
 }
 
-impl Panel {
-    /// The same as it lies in the images of a window of `size` px.
-    fn turned(&mut self, turn: Turn, size: [u32; 2]) {
-        if turn == Turn::default() {
+impl PanelMesh {
+    /// Moves the mesh to where it belongs in the swapchain's images, which are rotated against a
+    /// window of `size` px.
+    fn pre_rotate(&mut self, turn: PreTransform, size: [u32; 2]) {
+        if turn == PreTransform::default() {
             return;
         }
         let size = Vec2::new(size[0] as f32, size[1] as f32) / self.pixels_per_point;
-        let place = |point: Pos2| Pos2::from(turn.place(Vec2::new(point.x, point.y), size).to_array());
-        for part in &mut self.triangles {
-            part.clip_rect = Rect::from_two_pos(place(part.clip_rect.min), place(part.clip_rect.max));
+        let rotate =
+            |point: Pos2| Pos2::from(turn.place(Vec2::new(point.x, point.y), size).to_array());
+        for part in &mut self.primitives {
+            part.clip_rect =
+                Rect::from_two_pos(rotate(part.clip_rect.min), rotate(part.clip_rect.max));
             if let Primitive::Mesh(mesh) = &mut part.primitive {
-                mesh.vertices.iter_mut().for_each(|vertex| vertex.pos = place(vertex.pos));
+                for vertex in &mut mesh.vertices {
+                    vertex.pos = rotate(vertex.pos);
+                }
             }
         }
     }
 }
 
-/// Everything of the device that a window needs.
-pub struct Painter {
-    // In the order in which they have to go.
+/// A device with a renderer for one avatar and a swapchain for one window.
+pub struct WindowPainter {
+    // In the order in which they have to be dropped.
     egui: ManuallyDrop<Egui<GpuAllocator>>,
-    textures: vk::CommandPool,
+    textures: CommandPool,
     swapchain: Option<Swapchain>,
     present: Present,
     surface: Option<Surface>,
     renderer: Renderer,
-    /// What the whole quality is drawn with.
-    drawing: RendererOptions,
-    /// Looks at pictures, once one was to be looked at.
-    watch: Option<Watch>,
-    look: bool,
-    /// Before when the next frame is not to be shown, nanoseconds of the system's monotonic clock.
-    show: Option<u64>,
+    /// How to draw at full quality.
+    full_quality: RendererOptions,
+    /// Created with the first frame to validate.
+    validator: Option<FrameValidator>,
+    /// The next frame is to be validated.
+    validation_requested: bool,
+    /// The earliest time to show the next frame, nanoseconds of the system's monotonic clock.
+    show_at: Option<u64>,
     gpu: Arc<Gpu>,
     target: Target,
     window: Arc<Window>,
-    /// The window's size when the swapchain was made, px.
+    /// The window's size when the swapchain was created, px.
     fitted: [u32; 2],
+    /// The swapchain no longer fits the surface.
     stale: bool,
 }
 
-impl Painter {
-    /// Opens a device for a window: the one that `options` names, else the first that can show pictures in it.
-    pub fn new(window: &Arc<Window>, avatar: &Avatar, options: &GpuOptions, drawing: RendererOptions) -> anyhow::Result<Self> {
-        let (target, surface, gpu) = device::open(window, options)?;
+impl WindowPainter {
+    /// Opens a device for a window: the one that `options` names. If it names none, the first that
+    /// can present to the window.
+    pub fn new(
+        window: &Arc<Window>,
+        avatar: &Avatar,
+        options: &GpuOptions,
+        full_quality: RendererOptions,
+    ) -> anyhow::Result<Self> {
+        let WindowDevice {
+            target,
+            surface,
+            gpu,
+        } = device::open(window, options)?;
         let present = Present::new(&gpu, surface.format())?;
-        let renderer = Renderer::new(&gpu, avatar, drawing)?;
-        present.set_picture(renderer.raster().image());
-        let options = Options { in_flight_frames: SLOTS, ..Options::default() };
-        let mode = RenderMode::RenderPass(present.render_pass);
-        let egui = overlay(Egui::with_gpu_allocator(Arc::clone(&gpu.allocator), gpu.raw.clone(), mode, options))?;
-        let info = vk::CommandPoolCreateInfo::default().queue_family_index(gpu.queue_family).flags(vk::CommandPoolCreateFlags::TRANSIENT);
-        // SAFETY: `info` outlives the call.
-        let textures = unsafe { gpu.raw.create_command_pool(&info, None) }.during("vkCreateCommandPool")?;
-        gpu.name(textures, "panel's textures");
+        let renderer = Renderer::new(&gpu, avatar, full_quality)?;
+        // SAFETY: nothing uses it yet. Every frame leaves the image in this state, and `fit` sets
+        // another after a resize.
+        unsafe { present.set_image(renderer.raster().image()) };
+        let options = Options {
+            in_flight_frames: FRAMES_IN_FLIGHT,
+            ..Options::default()
+        };
+        let mode = RenderMode::RenderPass(present.render_pass().raw());
+        let egui = vulkan_error(Egui::with_gpu_allocator(
+            Arc::clone(&gpu.allocator),
+            gpu.raw.clone(),
+            mode,
+            options,
+        ))?;
+        let textures = CommandPool::transient(&gpu.device, gpu.queue_family, "panel's textures")?;
         Ok(Self {
             egui: ManuallyDrop::new(egui),
             textures,
@@ -95,10 +127,10 @@ impl Painter {
             present,
             surface: Some(surface),
             renderer,
-            drawing,
-            watch: None,
-            look: false,
-            show: None,
+            full_quality,
+            validator: None,
+            validation_requested: false,
+            show_at: None,
             gpu,
             target,
             window: window.clone(),
@@ -107,91 +139,113 @@ impl Painter {
         })
     }
 
+    /// The device.
     pub fn gpu(&self) -> &Gpu {
         &self.gpu
     }
 
-    /// What it draws with now.
+    /// The renderer's options at the current quality.
     pub fn options(&self) -> &RendererOptions {
         self.renderer.options()
     }
 
-    /// Width and height of the whole picture, px.
+    /// Width and height of a frame at full quality, px.
     pub fn size(&self) -> [u32; 2] {
         self.renderer.raster().image().size
     }
 
-    /// Draws at this quality from now on. Waits for submitted frames where it is another.
-    pub fn set_quality(&mut self, quality: &Quality) -> Result<()> {
-        self.renderer.adjust(quality.size(self.size()), quality.cutoff(&self.drawing), quality.detail(&self.drawing))
+    /// Draws at this quality from now on. A change waits for submitted frames.
+    pub fn set_quality(&mut self, quality: &FrameQuality) -> Result<()> {
+        self.renderer.adjust(
+            quality.size(self.size()),
+            quality.cutoff(&self.full_quality),
+            quality.detail(&self.full_quality),
+        )
     }
 
-    /// Has the next frame's picture looked at, if the last one was. [`Self::seen`] says what was seen some frames later.
-    pub fn look(&mut self) {
-        self.look = true;
+    /// Validates the next frame, unless the validation of an earlier one is still under way. The
+    /// result comes some frames later from [`Self::poll_validation`].
+    pub fn request_validation(&mut self) {
+        self.validation_requested = true;
     }
 
-    /// The next frame is not to be shown before a time, where the display can be told: nanoseconds of the system's monotonic clock.
+    /// Returns the result of a validation that is done. Call it after every frame.
+    pub fn poll_validation(&mut self) -> Option<Seen> {
+        self.validator.as_mut()?.step()
+    }
+
+    /// Sets the earliest time to show the next frame, if the display supports this: nanoseconds of
+    /// the system's monotonic clock.
     pub fn show_at(&mut self, at: Option<u64>) {
-        self.show = at;
+        self.show_at = at;
     }
 
-    /// What the display has told of its refreshes since the last frame. None where it never does.
-    pub fn told(&self) -> Option<Told> {
-        self.swapchain.as_ref()?.told()
+    /// The display's feedback about its refreshes since the last frame. None if it never gives
+    /// any.
+    pub fn present_feedback(&self) -> Option<PresentFeedback> {
+        self.swapchain.as_ref()?.feedback()
     }
 
-    /// To be called after every frame.
-    pub fn seen(&mut self) -> Option<Seen> {
-        self.watch.as_mut()?.step()
-    }
-
-    /// What the last finished frame took and drew.
+    /// Durations and counts of the last finished frame.
     pub fn report(&self) -> &FrameReport {
         self.renderer.report()
     }
 
-    /// Fits the pictures to a window of `wanted` px, and says their size. None while the window has no area: then there is nothing to draw.
+    /// Fits the swapchain and the renderer to a window of `wanted` px. Returns the size of its
+    /// frames, px. None while the window has no area.
     pub fn fit(&mut self, wanted: [u32; 2]) -> Result<Option<[u32; 2]>> {
         if !self.stale && wanted == self.fitted {
-            return Ok(self.swapchain.as_ref().map(|swapchain| swapchain.size));
+            return Ok(self.swapchain.as_ref().map(Swapchain::size));
         }
         self.renderer.finish()?;
         let surface = match self.surface.take() {
             Some(surface) => surface,
             None => Surface::new(&self.gpu, self.target.clone())?,
         };
-        let made = Swapchain::new(&self.gpu, &surface, self.present.render_pass, (wanted, self.swapchain.take()));
+        let made = Swapchain::new(
+            &self.gpu,
+            &surface,
+            self.present.render_pass(),
+            wanted,
+            self.swapchain.take(),
+        );
         self.surface = Some(surface);
         self.swapchain = made?;
-        (self.fitted, self.stale) = (wanted, self.swapchain.is_none());
-        let Some(size) = self.swapchain.as_ref().map(|swapchain| swapchain.size) else { return Ok(None) };
+        self.fitted = wanted;
+        self.stale = self.swapchain.is_none();
+        let Some(size) = self.swapchain.as_ref().map(Swapchain::size) else {
+            return Ok(None);
+        };
         if self.renderer.raster().image().size != size {
             self.renderer.resize(size)?;
-            self.watch = None;
-            self.present.set_picture(self.renderer.raster().image());
+            self.validator = None;
+            // SAFETY: every frame is done. Every frame leaves the image in this state, and the next
+            // resize sets another.
+            unsafe { self.present.set_image(self.renderer.raster().image()) };
         }
         Ok(Some(size))
     }
 
-    /// The window is going away; everything that is not its own stays. The next [`Self::resume`] and fit bring another.
+    /// The system takes the window away. The device and the avatar stay, for [`Self::resume`].
     pub fn suspend(&mut self) -> Result<()> {
         self.gpu.save_pipelines();
-        self.lose_surface()
+        self.drop_surface()
     }
 
-    /// There is a window again. False where its pictures are of another format: then all has to be made anew.
+    /// There is a window again. Returns false if its images have another format: then a new painter
+    /// is needed.
     pub fn resume(&mut self, window: &Arc<Window>) -> anyhow::Result<bool> {
-        let given = Target::new(window.display_handle()?, window.window_handle()?);
-        let (before, surface) = (self.present.format, Surface::new(&self.gpu, given.clone())?);
-        self.target = given;
-        let fits = surface.format() == before;
+        // SAFETY: the window outlives the painter, or is taken from it in `suspend`.
+        let target = unsafe { Target::new(window.display_handle()?, window.window_handle()?) };
+        let surface = Surface::new(&self.gpu, target.clone())?;
+        self.target = target;
+        let fits = surface.format() == self.present.format;
         self.surface = Some(surface);
         Ok(fits)
     }
 
-    /// The surface is gone: the next fit makes another.
-    pub fn lose_surface(&mut self) -> Result<()> {
+    /// Drops the surface. The next [`Self::fit`] creates another one.
+    pub fn drop_surface(&mut self) -> Result<()> {
         self.renderer.finish()?;
         self.stale = true;
         self.swapchain = None;
@@ -199,7 +253,8 @@ impl Painter {
         Ok(())
     }
 
-    /// Takes in what changed of the overlay's textures. It waits, but only few frames bring new glyphs.
+    /// Updates the panel's textures. It waits for submitted frames, but few frames bring new
+    /// glyphs.
     pub fn set_textures(&mut self, mut delta: TexturesDelta) -> Result<()> {
         if delta.is_empty() {
             return Ok(());
@@ -207,64 +262,97 @@ impl Painter {
         self.renderer.finish()?;
         for (id, images) in delta.set.drain() {
             for image in images {
-                overlay(self.egui.set_texture(self.gpu.queue, self.textures, id, &image))?;
+                let set = self
+                    .egui
+                    .set_texture(self.gpu.queue, self.textures.raw(), id, &image);
+                vulkan_error(set)?;
             }
         }
-        overlay(delta.free.drain().try_for_each(|id| self.egui.free_texture(id)))
+        for id in delta.free.drain() {
+            vulkan_error(self.egui.free_texture(id))?;
+        }
+        Ok(())
     }
 
-    /// Draws a frame and shows it; the panel is used up. False when the window could not take it: it has changed, or has no image to give yet.
-    pub fn paint(&mut self, posed: &Posed, look: &Look, panel: &mut Panel) -> Result<bool> {
-        let Some(swapchain) = &mut self.swapchain else { return Ok(false) };
-        let (image, acquired) = match swapchain.acquire()? {
-            Acquired::Image(image, acquired) => (image, acquired),
+    /// Draws a frame and presents it. `panel` is drawn over it, and can't be used again. Returns
+    /// false if the window could not take the frame: it has changed, or has no free image yet.
+    pub fn paint(
+        &mut self,
+        posed: &Posed,
+        content: &FrameContent,
+        panel: &mut PanelMesh,
+    ) -> Result<bool> {
+        let Some(swapchain) = &mut self.swapchain else {
+            return Ok(false);
+        };
+        let image = match swapchain.acquire()? {
+            Acquired::Image(image) => image,
             Acquired::NotYet => return Ok(false),
             Acquired::Outdated => {
                 self.stale = true;
                 return Ok(false);
             }
         };
-        let (framebuffer, finished) = swapchain.image(image);
-        let (size, turn) = (swapchain.size, swapchain.turn);
-        let [width, height] = turn.extent(size);
-        panel.turned(turn, size);
-        let (picture, taken) = (self.renderer.raster().drawn(), self.renderer.raster().image().raw);
-        let look_at_it = std::mem::take(&mut self.look);
-        if look_at_it && self.watch.is_none() {
-            self.watch = Some(Watch::new(&self.gpu, self.renderer.raster())?);
+        let canvas = swapchain.canvas(&image);
+        let [width, height] = canvas.turn.extent(canvas.size);
+        panel.pre_rotate(canvas.turn, canvas.size);
+        let picture = self.renderer.raster().drawn();
+        let image_drawn = self.renderer.raster().image().raw();
+        let validate = std::mem::take(&mut self.validation_requested);
+        if validate && self.validator.is_none() {
+            self.validator = Some(FrameValidator::new(&self.gpu, self.renderer.raster())?);
         }
-        let mut watch = self.watch.as_mut().filter(|watch| look_at_it && watch.is_idle());
-        let mut drawn = Ok(());
-        let mut record = |commands| {
-            self.present.record(commands, (framebuffer, size, turn), (picture, look.background), || {
-                drawn = self.egui.cmd_draw(commands, vk::Extent2D { width, height }, panel.pixels_per_point, &panel.triangles);
-            });
-            watch.take().into_iter().for_each(|watch| watch.record(commands, taken, picture));
+        let mut validator = self
+            .validator
+            .as_mut()
+            .filter(|validator| validate && validator.is_idle());
+        let shown = Shown {
+            drawn: picture,
+            background: content.background,
         };
-        self.renderer.draw(
-            posed,
-            &look.camera.stretched(picture),
-            Some(Presentation { semaphores: Some((acquired, finished)), record: &mut record }),
-        )?;
+        let mut panel_drawn = Ok(());
+        let mut record = |commands: Recording| {
+            self.present.record(commands, canvas, shown, || {
+                panel_drawn = self.egui.cmd_draw(
+                    commands.raw(),
+                    vk::Extent2D { width, height },
+                    panel.pixels_per_point,
+                    &panel.primitives,
+                );
+            });
+            if let Some(validator) = validator.take() {
+                // SAFETY: it follows the frame, whose image lives until all frames are done.
+                unsafe { validator.record(commands, image_drawn, picture) };
+            }
+        };
+        // SAFETY: the swapchain, the panel and the validator go only after every frame is done, and
+        // the swapchain has just given the semaphores.
+        let presentation = unsafe { Presentation::new(Some(image.semaphores), &mut record) };
+        let camera = content.camera.stretched(picture);
+        self.renderer.draw(posed, &camera, Some(presentation))?;
         self.window.pre_present_notify();
-        self.stale = !swapchain.present(image, self.show.take())?;
-        overlay(drawn).map(|()| true)
+        // SAFETY: the frame draws to the image, and was submitted with its semaphores.
+        let fits = unsafe { swapchain.present(image, self.show_at.take()) }?;
+        self.stale = !fits;
+        vulkan_error(panel_drawn)?;
+        Ok(true)
     }
 
-    /// A frame at the whole quality that is not shown: what it makes of a pose, as a camera sees it.
-    pub fn still(&mut self, posed: &Posed, camera: &Camera) -> Result<Copied> {
-        self.set_quality(&Quality::FULL)?;
+    /// Draws a frame at full quality without presenting it, and copies it.
+    pub fn draw_offscreen(&mut self, posed: &Posed, camera: &Camera) -> Result<Copied> {
+        self.set_quality(&FrameQuality::FULL)?;
         self.renderer.draw(posed, camera, None)?;
         self.renderer.copy()
     }
 
-    /// Copies the picture of the last frame, without overlay and background. It takes no longer than a frame.
+    /// Copies the last frame's image, without panel and background. It takes no longer than a
+    /// frame.
     pub fn copy(&mut self) -> Result<Copied> {
         self.renderer.copy()
     }
 }
 
-impl Drop for Painter {
+impl Drop for WindowPainter {
     fn drop(&mut self) {
         if let Err(error) = self.renderer.finish() {
             tracing::debug!("the last frames did not finish: {error}");
@@ -272,24 +360,28 @@ impl Drop for Painter {
         if self.gpu.hangs() {
             return;
         }
-        // SAFETY: dropped once, here; no submitted frame uses the overlay's objects, or the device is lost.
-        unsafe {
-            ManuallyDrop::drop(&mut self.egui);
-            self.gpu.raw.destroy_command_pool(self.textures, None);
-        }
+        // SAFETY: dropped once, here; no submitted frame uses the panel's objects, or the device is
+        // lost.
+        unsafe { ManuallyDrop::drop(&mut self.egui) };
     }
 }
 
-/// The overlay's errors as the renderer's own.
-fn overlay<T>(result: std::result::Result<T, RendererError>) -> Result<T> {
-    let call = "drawing the overlay";
+/// Turns an error of the panel's renderer into one of ours.
+fn vulkan_error<T>(result: std::result::Result<T, RendererError>) -> Result<T> {
+    let call = "drawing the panel";
     match result {
         Ok(value) => Ok(value),
         Err(RendererError::Vulkan(result)) => Err(result).during(call),
-        Err(RendererError::GpuAllocator(source)) => Err(Error::Allocation { what: "the overlay".into(), source }),
+        Err(RendererError::GpuAllocator(source)) => Err(Error::Allocation {
+            what: "the panel".into(),
+            source,
+        }),
         Err(other) => {
             tracing::error!("{other}");
-            Err(Error::Call { call, result: vk::Result::ERROR_UNKNOWN })
+            Err(Error::Call {
+                call,
+                result: vk::Result::ERROR_UNKNOWN,
+            })
         }
     }
 }

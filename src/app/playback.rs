@@ -1,25 +1,27 @@
-//! Which clip plays and where it stands: a clock and the user's wishes go in, the moment to draw comes out.
+//! Which clip plays, and at which time of it: the clock and the user's actions go in, the clip time
+//! to draw comes out.
 
-use crate::avatar::Clip;
+use effigy_core::avatar::Clip;
 
-/// Slowest and fastest playing, in seconds of the clip a second.
+/// Slowest and fastest speed, seconds of the clip a second.
 pub const SPEED: [f64; 2] = [0.1, 4.0];
 
-/// What follows the end of a clip.
+/// Behaviour at the end of a clip.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Repeat {
-    /// It stops there.
+    /// Playback stops.
     Off,
-    /// The same clip again.
+    /// The clip starts again.
     #[default]
     Clip,
-    /// The next clip that moves, after the last the first.
+    /// The next clip that moves starts; the first follows the last.
     All,
 }
 
-/// What playing needs to know of a clip.
+/// A clip, as far as playback needs it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Track {
+    /// The clip's name.
     pub name: String,
     /// Seconds from the first frame to the last; 0 for a single pose.
     pub duration: f64,
@@ -29,31 +31,36 @@ pub struct Track {
 
 impl From<&Clip> for Track {
     fn from(clip: &Clip) -> Self {
-        Self { name: clip.name.clone(), duration: clip.duration(), rate: clip.rate }
+        Self {
+            name: clip.name.clone(),
+            duration: clip.duration(),
+            rate: clip.rate,
+        }
     }
 }
 
-/// What is drawn: two equal moments have the same pose.
+/// A time of a clip: it determines the pose.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Moment {
+pub struct ClipTime {
+    /// Index of the clip.
     pub clip: usize,
     /// Seconds from the clip's start.
     pub time: f64,
 }
 
-/// Where playing began.
+/// When and where playback started.
 #[derive(Clone, Copy, Debug)]
-struct Began {
-    /// The clock then.
+struct PlaybackStart {
+    /// On the clock, seconds.
     clock: f64,
-    /// What was drawn then.
-    moment: Moment,
+    /// The position drawn then.
+    position: ClipTime,
 }
 
-/// Plays one of several clips. Times of the clock are seconds that only rise.
+/// Plays one of several clips. `clock` is always a time in seconds that never goes back.
 ///
-/// While it plays, the position is worked out from when playing began, never summed up over frames or over the clip's repetitions: it
-/// does not drift, and depends on the clock alone, not on how many frames were drawn.
+/// While a clip plays, its time is computed from the start of playback, never summed over frames or
+/// repetitions. So it does not drift, and does not depend on how many frames were drawn.
 #[derive(Clone, Debug)]
 pub struct Playback {
     tracks: Vec<Track>,
@@ -62,63 +69,83 @@ pub struct Playback {
     speed: f64,
     repeat: Repeat,
     /// None while paused.
-    began: Option<Began>,
-    /// The clock when it was last told.
+    started: Option<PlaybackStart>,
+    /// The clock at the last call that passed it.
     clock: f64,
 }
 
 impl Playback {
-    /// Starts paused at the beginning of the first clip. Without any clip there is one moment.
+    /// Paused at the beginning of the first clip. Without clips the time is always 0.
     pub fn new(tracks: Vec<Track>) -> Self {
-        Self { tracks, clip: 0, time: 0.0, speed: 1.0, repeat: Repeat::default(), began: None, clock: 0.0 }
+        Self {
+            tracks,
+            clip: 0,
+            time: 0.0,
+            speed: 1.0,
+            repeat: Repeat::default(),
+            started: None,
+            clock: 0.0,
+        }
     }
 
+    /// The clips.
     pub fn tracks(&self) -> &[Track] {
         &self.tracks
     }
 
-    pub fn moment(&self) -> Moment {
-        Moment { clip: self.clip, time: self.time }
+    /// The clip and the time in it that are shown.
+    pub fn position(&self) -> ClipTime {
+        ClipTime {
+            clip: self.clip,
+            time: self.time,
+        }
     }
 
+    /// Seconds of the clip a second.
     pub fn speed(&self) -> f64 {
         self.speed
     }
 
+    /// Behaviour at the end of a clip.
     pub fn repeat(&self) -> Repeat {
         self.repeat
     }
 
-    /// Seconds of the current clip.
+    /// Length of the current clip, seconds.
     pub fn duration(&self) -> f64 {
-        self.tracks.get(self.clip).map_or(0.0, |track| track.duration)
+        self.tracks
+            .get(self.clip)
+            .map_or(0.0, |track| track.duration)
     }
 
+    /// Whether a clip plays.
     pub fn is_playing(&self) -> bool {
-        self.began.is_some()
+        self.started.is_some()
     }
 
-    /// The moment changes without anyone's doing: frames have to be drawn.
+    /// Whether the position changes with the clock, so that frames have to be drawn.
     pub fn is_moving(&self) -> bool {
         self.is_playing() && self.duration() > 0.0
     }
 
-    /// Moves on to the clock's time. A clock that is no number changes nothing.
-    pub fn advance(&mut self, clock: f64) -> Moment {
+    /// Moves on to the clock's time. NaN and infinities are ignored.
+    pub fn advance(&mut self, clock: f64) -> ClipTime {
         if clock.is_finite() {
             self.clock = clock;
-            if let Some(began) = self.began
+            if let Some(start) = self.started
                 && self.duration() > 0.0
             {
-                self.follow(began.moment, (clock - began.clock).max(0.0) * self.speed);
+                let seconds = (clock - start.clock).max(0.0) * self.speed;
+                self.play_on(start.position, seconds);
             }
         }
-        self.moment()
+        self.position()
     }
 
-    /// Goes to where so many seconds of playing lead from a moment.
-    fn follow(&mut self, from: Moment, seconds: f64) {
-        (self.clip, self.time) = (from.clip, from.time + seconds);
+    /// Goes to where playing for some seconds leads from a position.
+    fn play_on(&mut self, from: ClipTime, seconds: f64) {
+        self.clip = from.clip;
+        self.time = from.time + seconds;
         let duration = self.duration();
         if self.time < duration {
             return;
@@ -126,7 +153,7 @@ impl Playback {
         match self.repeat {
             Repeat::Off => {
                 self.time = duration;
-                self.began = None;
+                self.started = None;
             }
             Repeat::Clip => self.time %= duration,
             Repeat::All => {
@@ -144,47 +171,75 @@ impl Playback {
     fn set_time(&mut self, time: f64, clock: f64) {
         self.time = time;
         self.clock = clock;
-        self.began = self.began.map(|_| Began { clock, moment: self.moment() });
+        if self.is_playing() {
+            self.restart(clock);
+        }
     }
 
-    /// Plays or pauses. Playing from the end of a clip that does not repeat begins it again.
+    /// Plays from the current position on.
+    fn restart(&mut self, clock: f64) {
+        self.started = Some(PlaybackStart {
+            clock,
+            position: self.position(),
+        });
+    }
+
+    /// Plays or pauses. Playing from the end of a clip that does not repeat starts it again.
     pub fn play(&mut self, play: bool, clock: f64) {
         self.advance(clock);
         if play && self.repeat == Repeat::Off && self.time >= self.duration() {
             self.time = 0.0;
         }
-        self.began = play.then_some(Began { clock, moment: self.moment() });
+        if play {
+            self.restart(clock);
+        } else {
+            self.started = None;
+        }
     }
 
-    /// Goes to a time of the current clip; beyond its ends, to the nearest.
+    /// Goes to a time of the current clip, limited to its length. NaN and infinities are ignored.
     pub fn seek(&mut self, time: f64, clock: f64) {
         if time.is_finite() {
             self.set_time(time.clamp(0.0, self.duration()), clock);
         }
     }
 
-    /// Goes forwards or back; over the ends where the clip repeats.
+    /// Goes forwards or back by some seconds, past the ends if the clip repeats.
     pub fn scrub(&mut self, by: f64, clock: f64) {
         self.advance(clock);
-        let (time, duration) = (self.time + by, self.duration());
-        let around = self.repeat != Repeat::Off && duration > 0.0;
-        self.seek(if around { time.rem_euclid(duration) } else { time }, clock);
+        let duration = self.duration();
+        let mut time = self.time + by;
+        if self.repeat != Repeat::Off && duration > 0.0 {
+            time = time.rem_euclid(duration);
+        }
+        self.seek(time, clock);
     }
 
-    /// Pauses and goes to the clip's next frame, or the one before.
+    /// Pauses and goes on by some frames of the clip, or back.
     pub fn step(&mut self, frames: i32, clock: f64) {
         self.play(false, clock);
-        let Some(track) = self.tracks.get(self.clip) else { return };
-        let (rate, last) = (track.rate, (track.duration * track.rate).round());
+        let Some(track) = self.tracks.get(self.clip) else {
+            return;
+        };
+        let rate = track.rate;
+        let last = (track.duration * rate).round();
         let here = self.time * rate;
-        // What is within a thousandth of a frame stands on it.
-        let from = if frames > 0 { (here + 1e-3).floor() } else { (here - 1e-3).ceil() };
+        // A time within a thousandth of a frame counts as on it.
+        let from = if frames > 0 {
+            (here + 1e-3).floor()
+        } else {
+            (here - 1e-3).ceil()
+        };
         let to = from + f64::from(frames);
-        let to = if self.repeat == Repeat::Off { to.clamp(0.0, last) } else { to.rem_euclid(last + 1.0) };
+        let to = if self.repeat == Repeat::Off {
+            to.clamp(0.0, last)
+        } else {
+            to.rem_euclid(last + 1.0)
+        };
         self.time = (to / rate).min(self.duration());
     }
 
-    /// Goes to the start of a clip, by its number; there is no such clip: nothing happens.
+    /// Goes to the start of a clip. An index out of range is ignored.
     pub fn choose(&mut self, clip: usize, clock: f64) {
         if clip < self.tracks.len() {
             self.clip = clip;
@@ -192,13 +247,16 @@ impl Playback {
         }
     }
 
-    /// Goes to the clip so many further on, around the end.
-    pub fn next(&mut self, by: i32, clock: f64) {
-        if !self.tracks.is_empty() {
-            self.choose((self.clip as i64 + i64::from(by)).rem_euclid(self.tracks.len() as i64) as usize, clock);
+    /// Goes on by some clips, or back; the first follows the last.
+    pub fn skip_clips(&mut self, by: i32, clock: f64) {
+        if self.tracks.is_empty() {
+            return;
         }
+        let clip = (self.clip as i64 + i64::from(by)).rem_euclid(self.tracks.len() as i64);
+        self.choose(clip as usize, clock);
     }
 
+    /// Sets the speed, limited to [`SPEED`]. NaN and infinities are ignored.
     pub fn set_speed(&mut self, speed: f64, clock: f64) {
         self.advance(clock);
         if speed.is_finite() {
@@ -207,8 +265,9 @@ impl Playback {
         self.set_time(self.time, clock);
     }
 
+    /// Sets the behaviour at the end of a clip.
     pub fn set_repeat(&mut self, repeat: Repeat) {
-        // What was played until now was played the old way.
+        // The new setting applies from now on, not to the time already played.
         self.set_time(self.time, self.clock);
         self.repeat = repeat;
     }

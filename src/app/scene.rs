@@ -1,137 +1,189 @@
-//! What the window shows: an avatar, its clips, the view and the background. Wishes and the clock go in, what to draw comes out.
+//! The scene in the window: an avatar, its clips, the view and the background. Actions, gestures
+//! and the clock go in, the content of a frame comes out.
 
-use super::{
+use crate::{
     action::Action,
     gesture::Gesture,
     orbit::Orbit,
-    playback::{Moment, Playback, Track},
+    playback::{ClipTime, Playback, Track},
 };
-use crate::{
-    avatar::{Avatar, Clip, motion::Player},
-    frame::{Camera, Extent, Posed},
-    measure::upright,
+use effigy_core::{
+    avatar::{Avatar, Clip, Pose, motion::Player},
+    scene::{AvatarBounds, Camera, Posed, upright},
 };
 use glam::DVec3;
 
-/// What is behind the avatar unless someone says otherwise: a light grey.
+/// Default colour behind the avatar: light grey, display-referred RGB.
 pub const BACKGROUND: [f32; 3] = BACKGROUNDS[0];
-/// Backgrounds that the key goes through, display-referred RGB: light grey, white, black, dark blue.
-const BACKGROUNDS: [[f32; 3]; 4] = [[0.847, 0.867, 0.890], [1.0; 3], [0.0; 3], [0.10, 0.12, 0.17]];
-/// A frame after a rest, or after a long one, counts as this long at most, seconds: the view glides from where it was.
-const LONGEST: f64 = 0.1;
+/// Backgrounds that the key B cycles through, display-referred RGB: light grey, white, black, dark
+/// blue.
+const BACKGROUNDS: [[f32; 3]; 4] = [
+    [0.847, 0.867, 0.890],
+    [1.0; 3],
+    [0.0; 3],
+    [0.10, 0.12, 0.17],
+];
+/// Longest time that the view glides in one frame, seconds: after a pause it does not jump.
+const GLIDE_MAX: f64 = 0.1;
 
-/// All that decides about a picture: two frames that look the same need not both be drawn.
+/// Everything that determines a frame's image: a frame equal to the one shown need not be drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Look {
-    pub moment: Moment,
+pub struct FrameContent {
+    /// The clip and the time in it: the pose.
+    pub position: ClipTime,
+    /// The view.
     pub camera: Camera,
+    /// Display-referred RGB, 0 to 1.
     pub background: [f32; 3],
 }
 
-/// The avatar in its view.
-pub struct Scene {
+/// An avatar with its clips, seen by an orbiting camera. `clock` is always a time in seconds that
+/// never goes back.
+pub struct ViewerScene {
     avatar: Avatar,
     players: Vec<Player>,
-    extent: Extent,
+    avatar_bounds: AvatarBounds,
     playback: Playback,
     orbit: Orbit,
     posed: Posed,
-    /// What `posed` is the pose of.
-    moment: Moment,
+    /// The clip and time that `posed` is for.
+    position: ClipTime,
     background: [f32; 3],
+    /// The view moves with the avatar over the ground.
     follow: bool,
     /// The clock at the last advance.
     clock: f64,
 }
 
-impl Scene {
-    /// The first clip plays. `size` is the window's, px; `clock` the time now, seconds.
-    pub fn new(avatar: Avatar, clips: Vec<Clip>, background: [f32; 3], (size, clock): ([u32; 2], f64)) -> Self {
+impl ViewerScene {
+    /// The first clip plays from now on. `background`: display-referred RGB. `size`: the image's,
+    /// px.
+    pub fn new(
+        avatar: Avatar,
+        clips: Vec<Clip>,
+        background: [f32; 3],
+        size: [u32; 2],
+        clock: f64,
+    ) -> Self {
         let mut playback = Playback::new(clips.iter().map(Track::from).collect());
         playback.play(true, clock);
-        let players: Vec<_> = clips.into_iter().map(|clip| Player::new(clip, &avatar.skeleton)).collect();
-        let moment = playback.moment();
-        let posed = pose(&avatar, &players, moment);
-        let extent = Extent::new(&avatar);
-        let orbit = Orbit::new(upright(extent.bounds(&posed.joints)), anchor(&avatar, &posed), size);
-        Self { avatar, players, extent, playback, orbit, posed, moment, background, follow: true, clock }
+        let players: Vec<_> = clips
+            .into_iter()
+            .map(|clip| Player::new(clip, &avatar.skeleton))
+            .collect();
+        let position = playback.position();
+        let posed = pose(&avatar, &players, position);
+        let avatar_bounds = AvatarBounds::new(&avatar);
+        let orbit = Orbit::new(
+            upright(avatar_bounds.bounds(&posed.joints)),
+            anchor(&avatar, &posed),
+            size,
+        );
+        Self {
+            avatar,
+            players,
+            avatar_bounds,
+            playback,
+            orbit,
+            posed,
+            position,
+            background,
+            follow: true,
+            clock,
+        }
     }
 
+    /// The avatar.
     pub fn avatar(&self) -> &Avatar {
         &self.avatar
     }
 
+    /// Which clip plays, and how.
     pub fn playback(&self) -> &Playback {
         &self.playback
     }
 
+    /// Colour behind the avatar: display-referred RGB, 0 to 1.
     pub fn background(&self) -> [f32; 3] {
         self.background
     }
 
+    /// Whether the view moves with the avatar over the ground.
     pub fn follows(&self) -> bool {
         self.follow
     }
 
-    /// The pose of the last advance.
+    /// The pose of the last frame.
     pub fn posed(&self) -> &Posed {
         &self.posed
     }
 
-    /// Frames have to be drawn without anyone's doing.
+    /// Whether the content changes with the clock, so that frames have to be drawn.
     pub fn is_moving(&self) -> bool {
         self.playback.is_moving() || !self.orbit.is_at_rest()
     }
 
-    /// The clip that plays; None without any.
+    /// The clip that is shown. None if the avatar has no clip.
     pub fn player(&self) -> Option<&Player> {
-        self.players.get(self.moment.clip)
+        self.players.get(self.position.clip)
     }
 
-    /// The first of its clips.
+    /// The first clip. None if the avatar has no clip.
     pub fn first_player(&self) -> Option<&Player> {
         self.players.first()
     }
 
-    /// Moves on to the clock's time, and says what that looks like in a picture of `size` px.
-    pub fn advance(&mut self, clock: f64, size: [u32; 2]) -> Look {
-        let moment = self.playback.advance(clock);
-        self.look(clock, size, moment)
+    /// Moves on to the clock's time. Returns the content of a frame of `size` px.
+    pub fn advance(&mut self, clock: f64, size: [u32; 2]) -> FrameContent {
+        let position = self.playback.advance(clock);
+        self.content(clock, size, position)
     }
 
-    /// The same but for what plays: its pose stays as it was last shown.
-    pub fn hold(&mut self, clock: f64, size: [u32; 2]) -> Look {
-        let moment = if self.playback.is_moving() { self.moment } else { self.playback.moment() };
-        self.look(clock, size, moment)
+    /// Moves the view on to the clock's time, but repeats the last frame's pose if a clip plays.
+    /// Returns the content of a frame of `size` px.
+    pub fn hold_pose(&mut self, clock: f64, size: [u32; 2]) -> FrameContent {
+        let position = if self.playback.is_moving() {
+            self.position
+        } else {
+            self.playback.position()
+        };
+        self.content(clock, size, position)
     }
 
-    fn look(&mut self, clock: f64, size: [u32; 2], moment: Moment) -> Look {
-        self.orbit.advance((clock - self.clock).clamp(0.0, LONGEST));
+    fn content(&mut self, clock: f64, size: [u32; 2], position: ClipTime) -> FrameContent {
+        self.orbit
+            .advance((clock - self.clock).clamp(0.0, GLIDE_MAX));
         self.clock = clock;
-        if moment != self.moment {
-            self.posed = pose(&self.avatar, &self.players, moment);
-            self.moment = moment;
+        if position != self.position {
+            self.posed = pose(&self.avatar, &self.players, position);
+            self.position = position;
         }
         if self.follow {
             self.orbit.follow(anchor(&self.avatar, &self.posed));
         }
-        Look { moment, camera: self.orbit.camera(size), background: self.background }
+        FrameContent {
+            position,
+            camera: self.orbit.camera(size),
+            background: self.background,
+        }
     }
 
-    /// The clock goes on without frames while nothing moves: that time is no part of a later movement.
-    pub fn rest(&mut self, clock: f64) {
+    /// No frame was drawn until now: this time is not part of a later movement.
+    pub fn skip_to(&mut self, clock: f64) {
         self.clock = clock;
     }
 
+    /// The image has a new size, px.
     pub fn resize(&mut self, size: [u32; 2]) {
         self.orbit.resize(size);
     }
 
+    /// Applies a gesture, px of an image of `size`.
     pub fn gesture(&mut self, gesture: &Gesture, size: [u32; 2]) {
         self.orbit.apply(gesture, size);
     }
 
-    /// Does what is asked for, where it is about the scene.
+    /// Carries out an action that concerns the scene; others are ignored.
     pub fn act(&mut self, action: Action, clock: f64, size: [u32; 2]) {
         let playback = &mut self.playback;
         match action {
@@ -139,23 +191,31 @@ impl Scene {
             Action::Step(frames) => playback.step(frames, clock),
             Action::Scrub(seconds) => playback.scrub(seconds, clock),
             Action::Seek(seconds) => playback.seek(seconds, clock),
-            Action::Next(by) => playback.next(by, clock),
+            Action::Next(by) => playback.skip_clips(by, clock),
             Action::Choose(clip) => playback.choose(clip, clock),
             Action::Speed(speed) => playback.set_speed(speed, clock),
             Action::Repeat(repeat) => playback.set_repeat(repeat),
             Action::ResetView => {
-                self.orbit.attach(anchor(&self.avatar, &self.posed));
-                self.orbit.reset(upright(self.extent.bounds(&self.posed.joints)), size);
+                self.orbit
+                    .glide_to_anchor(anchor(&self.avatar, &self.posed));
+                self.orbit
+                    .reset(upright(self.avatar_bounds.bounds(&self.posed.joints)), size);
             }
             Action::Follow(follow) => {
                 self.follow = follow;
                 if follow {
-                    self.orbit.attach(anchor(&self.avatar, &self.posed));
+                    self.orbit
+                        .glide_to_anchor(anchor(&self.avatar, &self.posed));
                 }
             }
-            Action::Background(color) => self.background = color.map(|channel| channel.clamp(0.0, 1.0)),
+            Action::Background(color) => {
+                self.background = color.map(|channel| channel.clamp(0.0, 1.0))
+            }
             Action::NextBackground => {
-                let next = BACKGROUNDS.iter().position(|known| close(known, &self.background)).map_or(0, |at| at + 1);
+                let next = BACKGROUNDS
+                    .iter()
+                    .position(|known| is_same_color(known, &self.background))
+                    .map_or(0, |index| index + 1);
                 self.background = BACKGROUNDS[next % BACKGROUNDS.len()];
             }
             Action::Avatar(_)
@@ -172,17 +232,24 @@ impl Scene {
 }
 
 /// Whether two colours are the same in 8 bits a channel.
-fn close(a: &[f32; 3], b: &[f32; 3]) -> bool {
+fn is_same_color(a: &[f32; 3], b: &[f32; 3]) -> bool {
     a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1.0 / 255.0)
 }
 
-fn pose(avatar: &Avatar, players: &[Player], moment: Moment) -> Posed {
-    let rest = || crate::avatar::Pose::rest(avatar.skeleton.len(), avatar.inputs.expression);
-    Posed::new(avatar, &players.get(moment.clip).map_or_else(rest, |player| player.pose(moment.time)))
+/// The avatar at a time of a clip; at rest without clips.
+fn pose(avatar: &Avatar, players: &[Player], position: ClipTime) -> Posed {
+    let pose = match players.get(position.clip) {
+        Some(player) => player.pose(position.time),
+        None => Pose::rest(avatar.skeleton.len(), avatar.inputs.expression),
+    };
+    Posed::new(avatar, &pose)
 }
 
-/// What the view follows: where the root joint stands on the ground. Its height is left out, so that a jump is seen as one.
+/// The point that the view follows: the root joint, projected onto the ground. Without its height
+/// a jump is visible.
 fn anchor(avatar: &Avatar, posed: &Posed) -> DVec3 {
-    let (Some(joint), Some(rest)) = (posed.joints.first(), avatar.skeleton.rest.first()) else { return DVec3::ZERO };
+    let (Some(joint), Some(rest)) = (posed.joints.first(), avatar.skeleton.rest.first()) else {
+        return DVec3::ZERO;
+    };
     joint.transform_point3(DVec3::from(rest.map(f64::from))) * DVec3::new(1.0, 0.0, 1.0)
 }

@@ -1,4 +1,4 @@
-//! Screenshots: a picture goes in, a PNG file under a name that was free comes out.
+//! Screenshots: writes an image to a PNG file with a name that was free.
 
 use image::{ImageFormat, RgbaImage};
 use std::{
@@ -8,64 +8,79 @@ use std::{
     thread::JoinHandle,
 };
 
-/// Names tried in one folder.
+/// File names that are tried in one folder.
 const NAMES: u32 = 10_000;
 
-/// Threads that write files, so that no frame waits for one.
+/// Threads that write screenshots, so that no frame waits for a file.
 #[derive(Default)]
-pub struct Savers(Vec<JoinHandle<()>>);
+pub struct ScreenshotWriters(Vec<JoinHandle<()>>);
 
-impl Savers {
-    /// Makes a picture and writes it; prints where it went, and tells.
+impl ScreenshotWriters {
+    /// Makes an image and writes it, on another thread. There it prints the file's path, or why
+    /// nothing was saved, and passes this text to `report`.
     pub fn start(
         &mut self,
-        picture: impl FnOnce() -> RgbaImage + Send + 'static,
-        (folders, tell): (Vec<PathBuf>, impl FnOnce(String) + Send + 'static),
+        folders: Vec<PathBuf>,
+        image: impl FnOnce() -> RgbaImage + Send + 'static,
+        report: impl FnOnce(String) + Send + 'static,
     ) {
-        self.0.retain(|saver| !saver.is_finished());
+        self.0.retain(|writer| !writer.is_finished());
         self.0.push(std::thread::spawn(move || {
-            let message = match save(&picture(), &folders) {
+            let message = match save(&image(), &folders) {
                 Ok(path) => format!("saved {}", path.display()),
                 Err(error) => format!("no screenshot was saved: {error}"),
             };
             println!("{message}");
-            tell(message);
+            report(message);
         }));
     }
 
     /// Waits for files that are being written.
     pub fn finish(&mut self) {
-        for saver in self.0.drain(..) {
-            if saver.join().is_err() {
+        for writer in self.0.drain(..) {
+            if writer.join().is_err() {
                 tracing::warn!("a screenshot was not saved: its thread ended early");
             }
         }
     }
 }
 
-/// Where screenshots go: the current folder, or the user's pictures where it can't be written to.
+/// Folders for screenshots: the current one, then the user's pictures.
 pub fn folders() -> Vec<PathBuf> {
-    let pictures = directories::UserDirs::new().and_then(|dirs| dirs.picture_dir().map(Path::to_path_buf));
-    std::env::current_dir().into_iter().chain(pictures).collect()
+    let pictures =
+        directories::UserDirs::new().and_then(|dirs| dirs.picture_dir().map(Path::to_path_buf));
+    std::env::current_dir()
+        .into_iter()
+        .chain(pictures)
+        .collect()
 }
 
-/// Writes a picture to `effigy-0001.png`, or the first such name that is free, in the first folder that takes it.
+/// Writes an image to `effigy-0001.png` or the next name that is free, in the first folder that can
+/// be written to. Returns the path.
+///
+/// # Errors
+/// If no folder can be written to: the last one's error.
 pub fn save(image: &RgbaImage, folders: &[PathBuf]) -> io::Result<PathBuf> {
     let mut refused = io::Error::other("there is no folder to write a screenshot to");
     for folder in folders {
         match create(folder) {
             Ok((path, file)) => {
                 let mut writer = BufWriter::new(file);
-                let written = image.write_to(&mut writer, ImageFormat::Png).map_err(io::Error::other).and_then(|()| writer.flush());
+                let written = image
+                    .write_to(&mut writer, ImageFormat::Png)
+                    .map_err(io::Error::other)
+                    .and_then(|()| writer.flush());
                 return written.map(|()| path);
             }
-            Err(error) => refused = io::Error::new(error.kind(), format!("{}: {error}", folder.display())),
+            Err(error) => {
+                refused = io::Error::new(error.kind(), format!("{}: {error}", folder.display()))
+            }
         }
     }
     Err(refused)
 }
 
-/// Makes a file that was not there before, also when two programs look for a name at once.
+/// Creates a file that did not exist, even if two programs look for a name at once.
 fn create(folder: &Path) -> io::Result<(PathBuf, File)> {
     for number in 1..=NAMES {
         let path = folder.join(format!("effigy-{number:04}.png"));
@@ -74,7 +89,10 @@ fn create(folder: &Path) -> io::Result<(PathBuf, File)> {
             result => return result.map(|file| (path, file)),
         }
     }
-    Err(io::Error::new(io::ErrorKind::AlreadyExists, format!("it holds {NAMES} screenshots already")))
+    Err(io::Error::new(
+        io::ErrorKind::AlreadyExists,
+        format!("it holds {NAMES} screenshots already"),
+    ))
 }
 
 #[cfg(test)]
@@ -82,21 +100,29 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_screenshot_never_overwrites_another_and_reads_back_as_it_was() {
+    fn a_screenshot_overwrites_nothing_and_reads_back_exactly() {
         let folder = tempfile::tempdir().expect("the system has a temporary folder");
-        let picture = |value| RgbaImage::from_pixel(3, 2, image::Rgba([value, 2, 3, 255]));
+        let image = |value| RgbaImage::from_pixel(3, 2, image::Rgba([value, 2, 3, 255]));
         let folders = [folder.path().join("missing"), folder.path().to_path_buf()];
         for value in [10, 20, 30] {
-            let path = save(&picture(value), &folders).expect("the folder is writable");
-            assert_eq!(path, folder.path().join(format!("effigy-{:04}.png", value / 10)));
-            assert_eq!(image::open(&path).expect("it is a picture").to_rgba8(), picture(value));
+            let path = save(&image(value), &folders).expect("the folder is writable");
+            assert_eq!(
+                path,
+                folder.path().join(format!("effigy-{:04}.png", value / 10))
+            );
+            assert_eq!(
+                image::open(&path).expect("it is an image").to_rgba8(),
+                image(value)
+            );
         }
     }
 
     #[test]
-    fn a_folder_that_refuses_is_named() {
+    fn a_folder_that_can_not_be_written_to_is_named() {
         let missing = PathBuf::from("no-such-folder");
-        let error = save(&RgbaImage::new(1, 1), &[missing]).expect_err("the folder is missing").to_string();
+        let error = save(&RgbaImage::new(1, 1), &[missing])
+            .expect_err("the folder is missing")
+            .to_string();
         assert!(error.contains("no-such-folder"), "{error}");
         assert!(save(&RgbaImage::new(1, 1), &[]).is_err());
     }

@@ -1,299 +1,781 @@
-//! The viewer's work: wishes and gestures change the scene; a frame draws it, where something has changed.
+//! The viewer: it connects the window's events, the scene and the painter. Everything that happens
+//! to the window is decided here. Each concern keeps its state in a module of its own.
 
-use super::{
-    Loss, Message, Options,
-    action::Action,
-    gesture::{Gesture, Pointers},
-    losses::Losses,
-    overlay::Facts,
-    pacing::Pacing,
-    painter::Painter,
-    panel::Overlay,
-    scene::{Look, Scene},
-    screenshot::Savers,
-    steady::Pace,
-    taps::Taps,
-    times::FrameTimes,
-};
 use crate::{
-    avatar::{Avatar, Clip},
-    measure::trace::Trace,
-    vulkan::Error,
+    action::Action,
+    captures::Captures,
+    file_list::LoadedAvatar,
+    frame_clock::{DrawnFrame, FrameClock},
+    gesture::Gesture,
+    host_window::HostWindow,
+    input::Input,
+    message::Message,
+    options::{Loss, ViewerOptions},
+    painter::WindowPainter,
+    quality_control::QualityController,
+    recovery::Recovery,
+    scene::{FrameContent, ViewerScene},
+    ui::{Overlay, OverlayFrame, panel::PanelFacts},
 };
-use std::{
-    sync::Arc,
-    time::{Duration, Instant},
-};
+use anyhow::Context;
+use effigy::vulkan::{Error, Gpu, GpuOptions, RendererOptions, sort::choice};
+use effigy_runtime::slow_start::SlowStart;
+use std::time::Instant;
 use winit::{
+    event::{KeyEvent, WindowEvent},
     event_loop::{ActiveEventLoop, EventLoopProxy},
     keyboard::ModifiersState,
-    window::{Fullscreen, Window},
 };
 
-/// How often the overlay asks how much memory is in use, seconds.
-const MEMORY: f64 = 0.5;
+/// How often the panel's memory use is read, seconds.
+const MEMORY_INTERVAL: f64 = 0.5;
+/// How often a phone's display is asked for its refresh rate, seconds: it changes on its own.
+#[cfg(target_os = "android")]
+const REFRESH_RATE_INTERVAL: f64 = 1.0;
 
+/// An avatar in a window.
 pub struct Viewer {
-    pub(super) scene: Scene,
-    pub(super) options: Options,
-    pub(super) proxy: EventLoopProxy<Message>,
-    pub(super) start: Instant,
-    // The painter goes before the window.
-    pub(super) painter: Option<Painter>,
-    /// There is no window yet, or the system has taken it away for a while.
-    pub(super) suspended: bool,
-    pub(super) overlay: Option<Overlay>,
-    pub(super) window: Option<Arc<Window>>,
-    pub(super) pointers: Pointers,
-    pub(super) taps: Taps,
-    pub(super) modifiers: ModifiersState,
-    /// The window's size as its events say, px. Asking for it would wait for the display server, and fails once the window is gone.
-    pub(super) window_size: [u32; 2],
-    /// The picture's size, px.
-    pub(super) size: [u32; 2],
-    pub(super) shown: Option<Look>,
-    /// Something else than the look has changed: the panel, or what the system shows of the window.
-    pub(super) dirty: bool,
-    /// There is no area to draw to, or none of it is seen.
-    pub(super) hidden: bool,
-    /// The last chance to draw was not used: nothing had changed.
-    pub(super) resting: bool,
-    /// When egui wants to be asked again.
-    pub(super) wake: Option<Instant>,
-    shoot: bool,
-    pub(super) savers: Savers,
-    pub(super) message: Option<String>,
-    times: FrameTimes,
-    memory: (f64, u64),
-    /// Frames drawn, and their times where they are wanted, ms.
-    pub(super) drawn: u32,
-    pub(super) measured: Vec<f64>,
-    pub(super) pace: Option<Pace>,
-    pub(super) pacing: Pacing,
-    pub(super) trace: Option<Trace>,
-    /// RenderDoc was attached when the device was opened.
-    pub(super) capturable: bool,
-    pub(super) losses: Losses,
-    /// What was shown before, and its number on the shelf, until a frame of what is shown now has been drawn.
-    pub(super) before: Option<(Scene, usize)>,
-    /// How often the display shows something new, a second, where it says so; and when it was asked, seconds.
-    pub(super) display: (Option<f64>, f64),
+    options: ViewerOptions,
+    proxy: EventLoopProxy<Message>,
+    scene: ViewerScene,
+    /// Dropped before the window. None while there is no device.
+    painter: Option<WindowPainter>,
+    overlay: Option<Overlay>,
+    window: HostWindow,
+    /// Size of the frames, px.
+    frame_size: [u32; 2],
+    input: Input,
+    clock: FrameClock,
+    /// Created with the first device, if a frame rate is to be held.
+    quality: Option<QualityController>,
+    recovery: Recovery,
+    /// From a device's opening to its first frame.
+    slow_start: Option<SlowStart>,
+    /// Shown before, until the first frame of the scene is drawn.
+    previous: Option<PreviousScene>,
+    captures: Captures,
+    /// The panel's last message.
+    message: Option<String>,
+    memory: MemoryUse,
+    /// When the display was last asked for its refresh rate, seconds.
+    #[cfg(target_os = "android")]
+    refresh_rate_read: f64,
+}
+
+/// The scene to go back to if the new one can't be drawn.
+struct PreviousScene {
+    scene: ViewerScene,
+    /// Its index in the file list.
+    index: usize,
+}
+
+/// GPU memory in use.
+struct MemoryUse {
+    bytes: u64,
+    /// When it was read, seconds.
+    read: f64,
 }
 
 impl Viewer {
-    pub fn new((avatar, clips): (Avatar, Vec<Clip>), mut options: Options, proxy: EventLoopProxy<Message>) -> Self {
-        let size = options.drawing.size;
+    /// A viewer without a window. It shows `loaded` once [`Self::open`] gives it one.
+    pub fn new(
+        loaded: LoadedAvatar,
+        mut options: ViewerOptions,
+        proxy: EventLoopProxy<Message>,
+    ) -> Self {
+        let size = options.renderer.size;
+        let LoadedAvatar { avatar, clips } = loaded;
         Self {
-            scene: Scene::new(avatar, clips, options.background, (size, 0.0)),
-            proxy,
-            start: Instant::now(),
+            scene: ViewerScene::new(avatar, clips, options.background, size, 0.0),
             painter: None,
-            suspended: true,
             overlay: None,
-            window: None,
-            pointers: Pointers::default(),
-            taps: Taps::default(),
-            modifiers: ModifiersState::default(),
-            window_size: size,
-            size,
-            shown: None,
-            dirty: true,
-            hidden: false,
-            resting: true,
-            wake: None,
-            shoot: false,
-            savers: Savers::default(),
-            message: options.said.take(),
-            times: FrameTimes::default(),
-            memory: (f64::NEG_INFINITY, 0),
-            drawn: 0,
-            measured: Vec::with_capacity(options.frames.unwrap_or(0).min(1 << 20) as usize),
-            pace: None,
-            pacing: Pacing::default(),
-            trace: None,
-            capturable: false,
-            losses: Losses::default(),
-            before: None,
-            display: (None, f64::NEG_INFINITY),
-            options,
-        }
-    }
-
-    /// Seconds since the viewer was made.
-    pub(super) fn clock(&self) -> f64 {
-        self.start.elapsed().as_secs_f64()
-    }
-
-    /// A frame should be drawn as soon as the display takes it.
-    pub(super) fn wants_frame(&self) -> bool {
-        let early = self.next_frame().is_some_and(|next| self.clock() < next);
-        self.painter.is_some() && !self.suspended && !self.hidden && !early && (self.dirty || self.scene.is_moving() || self.is_restless())
-    }
-
-    /// Frames are drawn even where nothing changes.
-    fn is_restless(&self) -> bool {
-        self.options.frames.is_some() || self.pace.as_ref().is_some_and(Pace::soaks)
-    }
-
-    /// When something is to be done without anyone's doing: egui asks for a frame, or a finger has pressed for long.
-    pub(super) fn wake_at(&self) -> Option<Instant> {
-        let pressed = self.taps.due().map(|due| self.start + Duration::from_secs_f64(due));
-        let next = self.next_frame().filter(|_| self.scene.is_moving());
-        let next = next.map(|due| self.start + Duration::from_secs_f64(due.max(0.0)));
-        let shown = [self.wake, next].map(|due| due.filter(|_| !self.hidden && !self.suspended));
-        shown.into_iter().chain([pressed]).flatten().min()
-    }
-
-    pub(super) fn gesture(&mut self, gesture: &Gesture) {
-        if *gesture != Gesture::default() {
-            self.wake_up();
-            self.scene.gesture(gesture, self.size);
-            self.dirty = true;
-        }
-    }
-
-    pub(super) fn act(&mut self, action: Action, event_loop: &ActiveEventLoop) {
-        self.wake_up();
-        self.dirty = true;
-        self.scene.act(action, self.clock(), self.size);
-        let Some(window) = &self.window else { return };
-        let is_full = window.fullscreen().is_some();
-        match action {
-            Action::FullScreen => window.set_fullscreen((!is_full).then_some(Fullscreen::Borderless(None))),
-            Action::LeaveFullScreenOrQuit if is_full => window.set_fullscreen(None),
-            Action::LeaveFullScreenOrQuit | Action::Quit => quit(event_loop),
-            Action::Avatar(number) => self.fetch(number),
-            Action::NextAvatar => self.fetch((self.options.shelf.shown + 1) % self.options.shelf.names.len().max(1)),
+            window: HostWindow::new(size),
+            frame_size: size,
+            input: Input::default(),
+            clock: FrameClock::new(options.frames),
+            quality: None,
+            recovery: Recovery::new(std::mem::take(&mut options.rehearse)),
+            slow_start: None,
+            previous: None,
+            captures: Captures::new(
+                std::mem::take(&mut options.folders),
+                options.trace.take(),
+                proxy.clone(),
+            ),
+            message: options.message.take(),
+            memory: MemoryUse {
+                bytes: 0,
+                read: f64::NEG_INFINITY,
+            },
             #[cfg(target_os = "android")]
-            Action::Share => super::android::share(app(event_loop), self.options.report.clone().unwrap_or_default()),
-            Action::Screenshot => self.shoot = true,
-            Action::Capture => self.capture(),
+            refresh_rate_read: f64::NEG_INFINITY,
+            options,
+            proxy,
+        }
+    }
+
+    // Window and device.
+
+    /// There is a window to draw in, for the first time or again. A device that outlived the last
+    /// window is used again.
+    pub fn open(&mut self, event_loop: &ActiveEventLoop) -> anyhow::Result<()> {
+        self.clock.invalidate_all();
+        let title = format!("{} – Effigy", self.scene.avatar().name);
+        let window = self.window.open(
+            event_loop,
+            title,
+            self.options.renderer.size,
+            self.options.full_screen,
+        )?;
+        #[cfg(target_os = "android")]
+        crate::android::request_highest_rate(crate::android::activity(event_loop));
+        self.update_refresh_rate(event_loop);
+        let Some(painter) = &mut self.painter else {
+            return self.open_device_or_recover();
+        };
+        match painter.resume(&window) {
+            Ok(true) => Ok(()),
+            Ok(false) => {
+                self.painter = None;
+                self.open_device_or_recover()
+            }
+            Err(error) => self.recover(error),
+        }
+    }
+
+    /// Opens a device for the window, with all that the avatar needs on it.
+    fn open_device(&mut self) -> anyhow::Result<()> {
+        let Some(window) = self.window.get() else {
+            return Ok(());
+        };
+        // The textures of a new overlay are all uploaded to the new device.
+        let is_visible = self.overlay.as_ref().is_none_or(Overlay::is_visible);
+        self.overlay = Some(Overlay::new(window, is_visible));
+        self.recovery.open_device()?;
+        let full_quality = RendererOptions {
+            size: self.window.size().map(|side| side.max(1)),
+            ..self.options.renderer
+        };
+        let avatar = self.scene.avatar();
+        let slow_start = SlowStart::new(|| {
+            tracing::warn!("compiling shaders for this device: only a first start takes this long");
+        });
+        let painter = WindowPainter::new(window, avatar, &self.options.gpu, full_quality)?;
+        self.slow_start = Some(slow_start);
+        tracing::info!(
+            "showing `{}` with {}",
+            avatar.name,
+            painter.gpu().probe.name
+        );
+        self.captures.device_opened(painter.gpu());
+        if self.quality.is_none()
+            && let Some(options) = &self.options.quality_control
+        {
+            let refresh_rate = self.window.refresh_rate();
+            self.quality = Some(QualityController::new(options, refresh_rate));
+        }
+        self.painter = Some(painter);
+        self.clock.invalidate_all();
+        Ok(())
+    }
+
+    fn open_device_or_recover(&mut self) -> anyhow::Result<()> {
+        match self.open_device() {
+            Ok(()) => Ok(()),
+            Err(error) => self.recover(error),
+        }
+    }
+
+    /// The system takes the window away. The device stays for the next one.
+    pub fn suspend(&mut self) {
+        self.window.suspend();
+        self.clock.rest();
+        self.release_pointers();
+        if let Some(painter) = &mut self.painter
+            && let Err(error) = painter.suspend()
+        {
+            tracing::warn!("{error}; opening the device again with the next window");
+            self.painter = None;
+        }
+    }
+
+    /// The system is short of memory. Without a window the device is closed.
+    pub fn free_memory(&mut self) {
+        if self.window.is_suspended() && self.painter.take().is_some() {
+            tracing::info!("gave up the GPU's memory until there is a window again");
+        }
+    }
+
+    /// The window has a new size, px.
+    pub fn resize(&mut self, size: [u32; 2]) {
+        self.window.resize(size);
+        self.clock.invalidate();
+    }
+
+    /// Other windows hide this one, or no longer do.
+    pub fn set_occluded(&mut self, occluded: bool) {
+        self.window.set_hidden(occluded);
+        if occluded {
+            self.clock.rest();
+        } else {
+            self.clock.invalidate();
+        }
+    }
+
+    /// The window has got or lost the keyboard's focus.
+    pub fn set_focused(&mut self, focused: bool) {
+        if focused {
+            self.window.set_hidden(false);
+        } else {
+            self.release_pointers();
+        }
+    }
+
+    /// Asks for the display's refresh rate: the one to hold, unless the user has named another.
+    pub fn update_refresh_rate(&mut self, event_loop: &ActiveEventLoop) {
+        #[cfg(not(target_os = "android"))]
+        self.window.update_refresh_rate(event_loop);
+        #[cfg(target_os = "android")]
+        {
+            let present_rate = self.clock.sync().display_rate();
+            self.window.update_refresh_rate(event_loop, present_rate);
+            self.refresh_rate_read = self.clock.now();
+        }
+        if let Some(quality) = &mut self.quality
+            && let Some(rate) = self.window.refresh_rate()
+        {
+            quality.set_refresh_rate(rate);
+        }
+    }
+
+    /// Whether there is no window to draw to.
+    #[cfg(target_os = "android")]
+    pub fn is_suspended(&self) -> bool {
+        self.window.is_suspended()
+    }
+
+    // Input.
+
+    /// Passes an event to the panel, and to the scene if the panel leaves it. Returns whether the
+    /// panel has consumed it.
+    pub fn input(&mut self, event_loop: &ActiveEventLoop, event: &WindowEvent) -> bool {
+        let Some(window) = self.window.get() else {
+            return false;
+        };
+        let Some(overlay) = &mut self.overlay else {
+            return false;
+        };
+        let response = overlay.event(window, event);
+        if response.repaint {
+            self.clock.invalidate();
+        }
+        if let WindowEvent::Touch(touch) = event {
+            let now = self.clock.now();
+            let scale = self.window.scale();
+            if self
+                .input
+                .is_double_tap(touch, response.consumed, now, scale)
+            {
+                self.act(Action::ResetView, event_loop);
+            }
+        }
+        if let Some(gesture) = self.input.gesture(event, response.consumed) {
+            self.gesture(&gesture);
+        }
+        response.consumed
+    }
+
+    /// Whether the window is open and has its panel: only then it handles events.
+    pub fn is_open(&self) -> bool {
+        self.window.get().is_some() && self.overlay.is_some()
+    }
+
+    /// A key was pressed that the panel leaves.
+    pub fn key_pressed(&mut self, event_loop: &ActiveEventLoop, event: &KeyEvent) {
+        let repeat = self.scene.playback().repeat();
+        if let Some(action) = self.input.key_action(event, repeat) {
+            self.act(action, event_loop);
+        }
+    }
+
+    /// The modifier keys that are down have changed.
+    pub fn set_modifiers(&mut self, modifiers: ModifiersState) {
+        self.input.set_modifiers(modifiers);
+    }
+
+    /// Time has passed: carries out what waited for it.
+    pub fn wake(&mut self, event_loop: &ActiveEventLoop) {
+        self.clock.check_panel_wake();
+        if self.input.take_long_press(self.clock.now()) {
+            self.act(Action::Overlay, event_loop);
+        }
+    }
+
+    fn gesture(&mut self, gesture: &Gesture) {
+        if *gesture != Gesture::default() {
+            self.skip_rest();
+            self.scene.gesture(gesture, self.frame_size);
+            self.clock.invalidate();
+        }
+    }
+
+    /// Carries out what the user asks for.
+    fn act(&mut self, action: Action, event_loop: &ActiveEventLoop) {
+        self.skip_rest();
+        self.clock.invalidate();
+        self.scene.act(action, self.clock.now(), self.frame_size);
+        if self.window.get().is_none() {
+            return;
+        }
+        match action {
+            Action::FullScreen => self.window.toggle_full_screen(),
+            Action::LeaveFullScreenOrQuit if self.window.leave_full_screen() => {}
+            Action::LeaveFullScreenOrQuit | Action::Quit => quit(event_loop),
+            Action::Avatar(index) => self.request_avatar(index),
+            Action::NextAvatar => self.request_avatar(self.options.file_list.next()),
+            #[cfg(target_os = "android")]
+            Action::Share => {
+                let report = self.options.crash_report.clone().unwrap_or_default();
+                crate::android::share(crate::android::activity(event_loop), report);
+            }
+            Action::Screenshot => self.captures.request_screenshot(),
+            Action::Capture => self.message = Some(self.captures.request_renderdoc()),
             Action::Overlay => {
                 if let Some(overlay) = &mut self.overlay {
-                    overlay.visible = !overlay.visible;
-                    overlay.release();
+                    overlay.toggle();
                 }
             }
             _ => {}
         }
     }
 
-    /// The time since the last frame was rest, and no part of what begins now.
-    fn wake_up(&mut self) {
-        if self.resting {
-            self.scene.rest(self.clock());
+    /// Nothing was drawn until now: this time is not part of the movement that begins.
+    fn skip_rest(&mut self) {
+        if self.clock.is_resting() {
+            self.scene.skip_to(self.clock.now());
         }
     }
 
-    pub(super) fn say(&mut self, message: String) {
-        self.message = Some(message);
-        self.dirty = true;
+    /// Stops following buttons and fingers that are down: their events will not come any more.
+    fn release_pointers(&mut self) {
+        self.input.cancel();
+        if let Some(overlay) = &mut self.overlay {
+            overlay.release();
+        }
     }
 
-    pub(super) fn draw(&mut self, wishes: &mut Vec<Action>) -> Result<(), Error> {
-        self.rehearse(&[Loss::Surface, Loss::Device], self.drawn)?;
-        let (clock, restless) = (self.clock(), self.is_restless());
-        let moment = self.in_step(clock);
-        let (Some(painter), Some(overlay), Some(window)) = (&mut self.painter, &mut self.overlay, &self.window) else { return Ok(()) };
-        if cfg!(target_os = "android") {
-            // While the activity is paused its window's events are lost.
-            self.window_size = window.inner_size().into();
-        }
-        let Some(size) = painter.fit(self.window_size)? else {
-            self.hidden = true;
-            return Ok(());
-        };
-        if size != self.size {
-            self.size = size;
-            self.scene.resize(size);
-        }
-        let mut held = false;
-        if let Some(pace) = &mut self.pace {
-            pace.prepare(painter, &self.scene)?;
-            // A held pose is shown once more, for it is showing frames that keeps the display's time.
-            held = pace.holds();
-            if self.resting {
-                pace.rest(clock);
+    // Messages and avatars.
+
+    /// Receives a message from another thread.
+    pub fn receive(&mut self, message: Message) -> anyhow::Result<()> {
+        match message {
+            Message::Text(text) => {
+                self.show_message(text);
+                Ok(())
             }
+            Message::Loaded { index, loaded } => self.show_avatar(index, *loaded),
         }
-        let look = if held { self.scene.hold(moment, size) } else { self.scene.advance(moment, size) };
-        if self.shown == Some(look) && !self.dirty && !held && !restless {
-            self.resting = true;
-            return Ok(());
+    }
+
+    fn show_message(&mut self, message: String) {
+        self.message = Some(message);
+        self.clock.invalidate();
+    }
+
+    /// Reads an avatar of the file list on another thread. The current one stays until then.
+    pub fn request_avatar(&mut self, index: usize) {
+        let proxy = self.proxy.clone();
+        self.options.file_list.request(index, move |loaded| {
+            let message = match loaded {
+                Ok(loaded) => Message::Loaded {
+                    index,
+                    loaded: Box::new(loaded),
+                },
+                Err(error) => {
+                    tracing::warn!("{error:#}");
+                    Message::Text(format!("{error:#}"))
+                }
+            };
+            // If the window is closed already, no one is left to receive it.
+            let _ = proxy.send_event(message);
+        });
+    }
+
+    /// Shows another avatar of the file list.
+    fn show_avatar(&mut self, index: usize, loaded: LoadedAvatar) -> anyhow::Result<()> {
+        let LoadedAvatar { avatar, clips } = loaded;
+        let background = self.scene.background();
+        let now = self.clock.now();
+        let scene = ViewerScene::new(avatar, clips, background, self.frame_size, now);
+        let previous = PreviousScene {
+            scene: std::mem::replace(&mut self.scene, scene),
+            index: std::mem::replace(&mut self.options.file_list.shown, index),
+        };
+        // A scene that was never drawn is nothing to go back to.
+        self.previous.get_or_insert(previous);
+        if let Some(quality) = &mut self.quality {
+            quality.avatar_changed();
         }
-        self.times.frame(clock, !self.resting);
-        if overlay.visible && clock - self.memory.0 > MEMORY {
-            self.memory = (clock, painter.gpu().memory().0);
-        }
-        let facts = facts(&self.scene, (painter, &self.options, self.capturable), (&self.times, self.memory.1, self.message.as_deref()));
-        let (mut panel, textures, wait) = overlay.lay_out((window, size), &facts, wishes);
-        painter.set_textures(textures)?;
-        let began = Instant::now();
-        if !painter.paint(self.scene.posed(), &look, &mut panel)? {
-            self.dirty = true;
-            return Ok(());
-        }
-        tracing::debug!("frame {} at {clock:.3} s, {} × {}", self.drawn, size[0], size[1]);
-        if self.drawn == 0 {
-            tracing::info!("the first frame, {clock:.2} s after the avatar was read");
-        }
-        (self.drawn, self.before) = (self.drawn + 1, None);
-        self.losses.drawn(clock);
-        let (seen, now) = (painter.seen(), self.start.elapsed().as_secs_f64());
-        if self.pace.as_mut().is_some_and(|pace| pace.frame(now, painter, seen)) {
-            painter.look();
-        }
-        self.trace.iter_mut().for_each(|trace| trace.frame(painter.report()));
-        self.stepped(clock, began);
-        if self.options.frames.is_some() {
-            self.measured.push(1e3 * (self.start.elapsed().as_secs_f64() - clock));
-        }
-        self.wake = wait.map(|wait| began + wait);
-        (self.shown, self.dirty, self.resting) = (Some(look), false, false);
-        if std::mem::take(&mut self.shoot) {
-            self.save_screenshot(look.background)?;
+        self.clock.invalidate_all();
+        // The old painter's memory and window must be free before there is a new one: Android gives
+        // a window to one surface at a time.
+        let had_device = self.painter.take().is_some();
+        if had_device && !self.window.is_suspended() {
+            return self.open_device_or_recover();
         }
         Ok(())
     }
+
+    // Frames.
+
+    /// The system wants a frame: draws it, if something has changed.
+    pub fn redraw(&mut self, event_loop: &ActiveEventLoop) -> anyhow::Result<()> {
+        if !self.wants_frame() {
+            // The viewer did not ask for it: the system has lost what it showed of the window.
+            self.clock.invalidate();
+        }
+        self.window.set_hidden(false);
+        // The last request may come when the window has gone.
+        if self.window.is_suspended() {
+            return Ok(());
+        }
+        #[cfg(target_os = "android")]
+        if self.clock.now() - self.refresh_rate_read > REFRESH_RATE_INTERVAL {
+            self.update_refresh_rate(event_loop);
+        }
+        let mut actions = Vec::new();
+        if let Err(error) = self.draw(&mut actions) {
+            self.recover(error.into())?;
+        }
+        for action in actions {
+            self.act(action, event_loop);
+        }
+        if let Some(quality) = &mut self.quality
+            && quality.is_over()
+        {
+            event_loop.exit();
+            return quality.conclude(&self.scene, self.painter.as_mut());
+        }
+        if self.clock.has_reached_limit() {
+            event_loop.exit();
+        }
+        Ok(())
+    }
+
+    /// Draws a frame, if something has changed. The user's actions in the panel are added to
+    /// `actions`.
+    fn draw(&mut self, actions: &mut Vec<Action>) -> Result<(), Error> {
+        self.recovery
+            .rehearse(&[Loss::Surface, Loss::Device], self.clock.frames())?;
+        let began = self.clock.now();
+        let Some(content) = self.next_content(began)? else {
+            return Ok(());
+        };
+        self.clock.begin_frame(began);
+        let Some(mut panel) = self.lay_out_panel(began) else {
+            return Ok(());
+        };
+        actions.append(&mut panel.actions);
+        let Some(painter) = &mut self.painter else {
+            return Ok(());
+        };
+        painter.set_textures(panel.textures)?;
+        let painted = Instant::now();
+        if !painter.paint(self.scene.posed(), &content, &mut panel.mesh)? {
+            self.clock.invalidate();
+            return Ok(());
+        }
+        self.end_frame(DrawnFrame {
+            content,
+            began,
+            painted,
+            repaint_after: panel.repaint_after,
+        })
+    }
+
+    /// Fits the painter to the window, and moves the scene on. Returns the content of a frame that
+    /// begins at `now`, seconds. None: there is nothing new to draw, or nothing to draw on.
+    fn next_content(&mut self, now: f64) -> Result<Option<FrameContent>, Error> {
+        let refreshes = self.refreshes();
+        let is_continuous = self.is_continuous();
+        let Some(painter) = &mut self.painter else {
+            return Ok(None);
+        };
+        let time = self.clock.frame_time(now, refreshes, painter);
+        if cfg!(target_os = "android") {
+            self.window.update_size();
+        }
+        let Some(size) = painter.fit(self.window.size())? else {
+            self.window.set_hidden(true);
+            return Ok(None);
+        };
+        if size != self.frame_size {
+            self.frame_size = size;
+            self.scene.resize(size);
+        }
+
+        let mut holds_pose = false;
+        if let Some(quality) = &mut self.quality {
+            quality.prepare(painter, &self.scene)?;
+            holds_pose = quality.holds_pose();
+            if self.clock.is_resting() {
+                quality.rest(now);
+            }
+        }
+        let content = if holds_pose {
+            self.scene.hold_pose(time, size)
+        } else {
+            self.scene.advance(time, size)
+        };
+        // A held pose is drawn again: only a stream of frames stays in step with the display.
+        if self.clock.shows(&content) && !holds_pose && !is_continuous {
+            self.clock.rest();
+            return Ok(None);
+        }
+        Ok(Some(content))
+    }
+
+    /// Lays out the panel for a frame that begins at `now`, seconds. None without a window.
+    fn lay_out_panel(&mut self, now: f64) -> Option<OverlayFrame> {
+        let window = self.window.get()?;
+        let overlay = self.overlay.as_mut()?;
+        let painter = self.painter.as_ref()?;
+        if overlay.is_visible() && now - self.memory.read > MEMORY_INTERVAL {
+            self.memory = MemoryUse {
+                bytes: painter.gpu().memory().0,
+                read: now,
+            };
+        }
+        let report = painter.report();
+        let probe = &painter.gpu().probe;
+        let facts = PanelFacts {
+            avatar: &self.scene.avatar().name,
+            times: self.clock.times(),
+            moving: self.scene.is_moving(),
+            stages: &report.stages,
+            drawn_gaussians: report.counters.drawn,
+            gaussians: self.scene.avatar().gaussians.len(),
+            skipped: &report.skipped,
+            device: &probe.name,
+            driver: &probe.driver,
+            memory: self.memory.bytes,
+            playback: self.scene.playback(),
+            file_list: &self.options.file_list,
+            has_crash_report: self.options.crash_report.is_some(),
+            has_renderdoc: self.captures.has_renderdoc(),
+            background: self.scene.background(),
+            follow: self.scene.follows(),
+            message: self.message.as_deref(),
+        };
+        Some(overlay.lay_out(window, self.frame_size, &facts))
+    }
+
+    /// A frame was submitted: all that follows from it.
+    fn end_frame(&mut self, frame: DrawnFrame) -> Result<(), Error> {
+        let Some(painter) = &mut self.painter else {
+            return Ok(());
+        };
+        let FrameContent { background, .. } = frame.content;
+        let [width, height] = self.frame_size;
+        let number = self.clock.frames();
+        tracing::debug!("frame {number} at {:.3} s, {width} × {height}", frame.began);
+        if number == 0 {
+            tracing::info!(
+                "the first frame, {:.2} s after the avatar was read",
+                frame.began
+            );
+            test_sorts(&self.options.gpu, painter.gpu());
+        }
+        self.previous = None;
+        self.slow_start = None;
+        self.recovery.frame_drawn(frame.began);
+        let validation = painter.poll_validation();
+        let submitted = self.clock.now();
+        if let Some(quality) = &mut self.quality
+            && quality.frame_submitted(submitted, painter, validation)
+        {
+            painter.request_validation();
+        }
+        self.captures.trace_frame(painter);
+        self.clock.end_frame(&frame, painter.report());
+        self.captures.save_screenshot(painter, background)
+    }
+
+    /// Whether a frame should be drawn as soon as the display takes it.
+    pub fn wants_frame(&self) -> bool {
+        let is_early = self
+            .next_frame()
+            .is_some_and(|next| self.clock.now() < next);
+        self.painter.is_some()
+            && self.window.is_visible()
+            && !is_early
+            && (self.clock.is_dirty() || self.scene.is_moving() || self.is_continuous())
+    }
+
+    /// Asks the system to redraw the window, if a frame is needed and can be seen.
+    pub fn request_redraw(&mut self) {
+        if !self.wants_frame() {
+            return;
+        }
+        self.window.check_minimized();
+        if self.window.is_visible()
+            && let Some(window) = self.window.get()
+        {
+            window.request_redraw();
+        }
+    }
+
+    /// When to call [`Self::wake`]: a frame is due, the panel wants one, or a finger becomes a long
+    /// press.
+    pub fn wake_at(&self) -> Option<Instant> {
+        let long_press = self.input.long_press_at().map(|at| self.clock.instant(at));
+        let mut panel = None;
+        let mut frame = None;
+        if self.window.is_visible() {
+            panel = self.clock.panel_wake();
+            if self.scene.is_moving() {
+                frame = self.next_frame().map(|at| self.clock.instant(at));
+            }
+        }
+        [long_press, panel, frame].into_iter().flatten().min()
+    }
+
+    /// Whether frames are drawn even if nothing changes.
+    fn is_continuous(&self) -> bool {
+        self.clock.has_limit()
+            || self
+                .quality
+                .as_ref()
+                .is_some_and(QualityController::is_soaking)
+    }
+
+    /// Refreshes of the display that every frame is shown for.
+    fn refreshes(&self) -> u32 {
+        self.quality
+            .as_ref()
+            .map_or(1, |quality| quality.quality().refreshes)
+    }
+
+    /// When the next frame may begin, seconds. None: at once.
+    fn next_frame(&self) -> Option<f64> {
+        let quality = self.quality.as_ref()?;
+        self.clock
+            .sync()
+            .next_frame(self.clock.now(), self.refreshes())
+            .or_else(|| quality.next_frame())
+    }
+
+    // Losses and the end.
+
+    /// Replaces a lost surface or device. If the new scene can't be drawn, goes back to the one
+    /// before. Returns errors that none of this helps against.
+    fn recover(&mut self, mut error: anyhow::Error) -> anyhow::Result<()> {
+        loop {
+            let recovered = match error.downcast_ref::<Error>() {
+                Some(Error::SurfaceLost(call)) if self.recovery.surface_lost() => {
+                    tracing::warn!("the window's surface was lost at {call}; making another");
+                    self.clock.invalidate();
+                    match &mut self.painter {
+                        Some(painter) => painter.drop_surface().map_err(Into::into),
+                        None => self.open_device(),
+                    }
+                }
+                Some(Error::DeviceLost(_)) => {
+                    if !self.recovery.device_lost() {
+                        return Err(error.context(
+                            "the device was lost for the second time in a row; is its driver up to date?",
+                        ));
+                    }
+                    tracing::warn!("{error}; opening it again");
+                    self.painter = None;
+                    self.open_device()
+                        .context("after the device was lost, it could not be opened again")
+                }
+                _ => {
+                    let Some(previous) = self.previous.take() else {
+                        return Err(error);
+                    };
+                    self.revert(previous, &error);
+                    self.open_device()
+                }
+            };
+            match recovered {
+                Ok(()) => return Ok(()),
+                Err(next) => error = next,
+            }
+        }
+    }
+
+    /// Goes back to the previous scene, since the current one can't be drawn.
+    fn revert(&mut self, previous: PreviousScene, error: &anyhow::Error) {
+        let message = format!("`{}` can't be shown: {error:#}", self.scene.avatar().name);
+        tracing::warn!("{message}");
+        self.painter = None;
+        self.scene = previous.scene;
+        self.options.file_list.shown = previous.index;
+        self.scene.skip_to(self.clock.now());
+        self.show_message(message);
+    }
+
+    /// Saves a soak's results while there is no window: the system may then end the program without
+    /// notice.
+    pub fn save_while_suspended(&mut self) {
+        if self.window.is_suspended()
+            && let Some(quality) = &mut self.quality
+        {
+            quality.save(&self.scene);
+        }
+    }
+
+    /// Waits for files that are being written, and writes and prints measurements.
+    ///
+    /// # Errors
+    /// If a soak has found faults, or its results can't be written.
+    pub fn finish(mut self) -> anyhow::Result<()> {
+        let concluded = match &mut self.quality {
+            Some(quality) => quality.conclude(&self.scene, None),
+            None => Ok(()),
+        };
+        if let Some(painter) = &self.painter {
+            self.captures.write_trace(painter.gpu());
+        }
+        self.painter = None;
+        self.captures.finish();
+        let frames = self.clock.frames();
+        if let Some([median, p95]) = self.clock.durations_ms() {
+            println!("{frames} frames: median {median:.2} ms, p95 {p95:.2} ms");
+        }
+        tracing::info!("drew {frames} frames in {:.1} s", self.clock.now());
+        concluded
+    }
 }
 
-/// The activity that the windows belong to.
-#[cfg(target_os = "android")]
-pub(super) fn app(event_loop: &ActiveEventLoop) -> &winit::platform::android::activity::AndroidApp {
-    winit::platform::android::ActiveEventLoopExtAndroid::android_app(event_loop)
-}
-
-/// Ends the program; on a phone that is the system's to do.
+/// Closes the window. On Android, does what the system's back button does.
 fn quit(event_loop: &ActiveEventLoop) {
     #[cfg(target_os = "android")]
-    super::android::back(app(event_loop));
+    crate::android::back(crate::android::activity(event_loop));
     #[cfg(not(target_os = "android"))]
     event_loop.exit();
 }
 
-/// What the panel shows. `said`: the frames' times, the memory in use and the last message.
-fn facts<'a>(
-    scene: &'a Scene,
-    (painter, options, capture): (&'a Painter, &'a Options, bool),
-    (times, memory, message): (&'a FrameTimes, u64, Option<&'a str>),
-) -> Facts<'a> {
-    let (report, probe) = (painter.report(), &painter.gpu().probe);
-    Facts {
-        avatar: &scene.avatar().name,
-        times,
-        moving: scene.is_moving(),
-        stages: &report.stages,
-        gaussians: (report.counters.drawn, scene.avatar().gaussians.len()),
-        skipped: &report.skipped,
-        device: &probe.name,
-        driver: &probe.driver,
-        memory,
-        playback: scene.playback(),
-        shelf: &options.shelf,
-        report: options.report.is_some(),
-        capture,
-        background: scene.background(),
-        follow: scene.follows(),
-        message,
+/// Has the device's sorts tested for the next start, if nobody did: on a thread and a device of
+/// their own, so that a driver that hangs in a test takes nothing from the window. CPU drivers
+/// compile for seconds and gain nothing over the variant that they start with.
+fn test_sorts(options: &GpuOptions, gpu: &Gpu) {
+    if gpu.probe.is_cpu() || choice::is_tested(gpu) {
+        return;
+    }
+    let options = GpuOptions {
+        surface_extensions: Vec::new(),
+        device: Some(gpu.probe.name.clone()),
+        ..options.clone()
+    };
+    let test = move || match Gpu::new(&options).and_then(|gpu| choice::choose(&gpu)) {
+        Ok(verdict) => tracing::info!("the next start sorts by {}", verdict.variant.name()),
+        Err(error) => tracing::warn!("the sorts could not be tested: {error}"),
+    };
+    let thread = std::thread::Builder::new().name("sort self-test".into());
+    if let Err(error) = thread.spawn(test) {
+        tracing::warn!("the sorts are not tested: {error}");
     }
 }

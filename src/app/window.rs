@@ -1,36 +1,38 @@
-//! The window's events: what winit reports goes in, gestures, wishes and frames of the viewer come out.
+//! Opens a window on a display and passes its events to the viewer.
 
-use super::{
-    Message, Options,
-    action::action,
-    gesture::{Button, Gesture},
-    viewer::Viewer,
-};
-use crate::avatar::{Avatar, Clip};
+use crate::{file_list::LoadedAvatar, message::Message, options::ViewerOptions, viewer::Viewer};
 use anyhow::Context;
-use glam::DVec2;
-use std::time::{Duration, Instant};
+use effigy_core::avatar::{Avatar, Clip};
+use std::time::Instant;
 use winit::{
     application::ApplicationHandler,
-    event::{ElementState, MouseButton, MouseScrollDelta, StartCause, Touch, TouchPhase, WindowEvent},
+    event::{StartCause, WindowEvent},
     event_loop::{ActiveEventLoop, ControlFlow, EventLoop},
     window::WindowId,
 };
 
-/// A display to open windows on.
+/// A display to open a window on.
 pub struct Display(EventLoop<Message>);
 
 impl Display {
-    /// A phone's: its windows come from the activity.
+    /// The display of an Android activity.
     #[cfg(target_os = "android")]
-    pub(super) fn of(app: &winit::platform::android::activity::AndroidApp) -> anyhow::Result<Self> {
+    pub fn of_activity(
+        app: &winit::platform::android::activity::AndroidApp,
+    ) -> anyhow::Result<Self> {
         use winit::platform::android::EventLoopBuilderExtAndroid;
-        let event_loop = EventLoop::with_user_event().with_android_app(app.clone()).build();
-        Ok(Self(event_loop.context("the activity can't be listened to")?))
+        let event_loop = EventLoop::with_user_event()
+            .with_android_app(app.clone())
+            .build()
+            .context("the activity's events can't be received")?;
+        Ok(Self(event_loop))
     }
 
+    /// The desktop's display.
+    ///
+    /// # Errors
+    /// If there is none: no desktop, or a session in a terminal only.
     #[cfg(not(target_os = "android"))]
-    /// Fails where there is none: no desktop, or a session over a terminal only.
     pub fn open() -> anyhow::Result<Self> {
         let event_loop = EventLoop::with_user_event().build().map_err(|error| {
             tracing::debug!("{error}");
@@ -40,88 +42,50 @@ impl Display {
     }
 
     /// Shows an avatar until its window is closed.
-    pub fn show(self, avatar: Avatar, clips: Vec<Clip>, options: Options) -> anyhow::Result<()> {
+    ///
+    /// # Errors
+    /// If no device can draw it, a device is lost for good, or a soak has found faults.
+    pub fn show(
+        self,
+        avatar: Avatar,
+        clips: Vec<Clip>,
+        options: ViewerOptions,
+    ) -> anyhow::Result<()> {
         let first = options.first;
-        let mut viewer = Viewer::new((avatar, clips), options, self.0.create_proxy());
-        first.into_iter().for_each(|number| viewer.fetch(number));
-        let mut handler = Handler { viewer, asked: Instant::now(), failed: None };
-        self.0.run_app(&mut handler).context("the display's connection ended")?;
+        let loaded = LoadedAvatar { avatar, clips };
+        let mut viewer = Viewer::new(loaded, options, self.0.create_proxy());
+        if let Some(index) = first {
+            viewer.request_avatar(index);
+        }
+        let mut handler = Handler {
+            viewer,
+            failed: None,
+        };
+        self.0
+            .run_app(&mut handler)
+            .context("the display's connection ended")?;
         let finished = handler.viewer.finish();
-        handler.failed.map_or(finished, Err)
+        match handler.failed {
+            Some(error) => Err(error),
+            None => finished,
+        }
     }
 }
 
-/// How often to ask whether the window is minimised, since some systems do not tell. The answer may wait for the display server.
-const ASK: Duration = Duration::from_secs(1);
-
+/// Passes events to the viewer until it fails.
 struct Handler {
     viewer: Viewer,
-    asked: Instant,
+    /// The first error, which [`Display::show`] returns.
     failed: Option<anyhow::Error>,
 }
 
 impl Handler {
-    /// Ends the program on an error, which [`Display::show`] then returns.
+    /// Ends the program on an error.
     fn check(&mut self, result: anyhow::Result<()>, event_loop: &ActiveEventLoop) {
         if let Err(error) = result {
             self.failed.get_or_insert(error);
             event_loop.exit();
         }
-    }
-
-    /// Whether a touch makes a double tap. `taken`: it is the panel's.
-    fn tap(&mut self, touch: &Touch, taken: bool) -> bool {
-        let (at, clock) = (DVec2::new(touch.location.x, touch.location.y), self.viewer.clock());
-        let scale = self.viewer.window.as_ref().map_or(1.0, |window| window.scale_factor());
-        let taps = &mut self.viewer.taps;
-        match touch.phase {
-            TouchPhase::Started if !taken => taps.finger_down(touch.id, at, clock),
-            TouchPhase::Started => taps.cancel(),
-            TouchPhase::Moved => taps.finger_moved(touch.id, at, scale),
-            TouchPhase::Ended => return taps.finger_up(touch.id, clock, scale),
-            TouchPhase::Cancelled => taps.forget(),
-        }
-        false
-    }
-
-    /// Events that turn, move and zoom.
-    fn pointer(&mut self, event: &WindowEvent, taken: bool) -> Option<Gesture> {
-        let shift = self.viewer.modifiers.shift_key();
-        let pointers = &mut self.viewer.pointers;
-        match event {
-            WindowEvent::CursorMoved { position, .. } => return Some(pointers.moved(DVec2::new(position.x, position.y), shift)),
-            WindowEvent::MouseInput { state, button, .. } => {
-                let button = match button {
-                    MouseButton::Left => Button::Left,
-                    MouseButton::Middle => Button::Middle,
-                    MouseButton::Right => Button::Right,
-                    _ => return None,
-                };
-                match state {
-                    ElementState::Pressed if !taken => pointers.press(button),
-                    ElementState::Pressed => {}
-                    ElementState::Released => pointers.release(button),
-                }
-            }
-            WindowEvent::MouseWheel { delta, .. } if !taken => {
-                return Some(match delta {
-                    MouseScrollDelta::LineDelta(_, lines) => pointers.wheel(f64::from(*lines)),
-                    MouseScrollDelta::PixelDelta(by) => pointers.scroll(DVec2::new(by.x, by.y), shift),
-                });
-            }
-            WindowEvent::PinchGesture { delta, .. } if !taken => return Some(pointers.pinch(*delta)),
-            WindowEvent::Touch(Touch { phase, location, id, .. }) => {
-                let at = DVec2::new(location.x, location.y);
-                match phase {
-                    TouchPhase::Started if !taken => pointers.finger_down(*id, at),
-                    TouchPhase::Started => {}
-                    TouchPhase::Moved => return Some(pointers.finger_moved(*id, at)),
-                    TouchPhase::Ended | TouchPhase::Cancelled => pointers.finger_up(*id),
-                }
-            }
-            _ => {}
-        }
-        None
     }
 }
 
@@ -136,70 +100,43 @@ impl ApplicationHandler<Message> for Handler {
     }
 
     fn memory_warning(&mut self, _: &ActiveEventLoop) {
-        self.viewer.save_memory();
+        self.viewer.free_memory();
     }
 
     fn new_events(&mut self, event_loop: &ActiveEventLoop, _: StartCause) {
-        if self.viewer.wake.take_if(|wake| *wake <= Instant::now()).is_some() {
-            self.viewer.dirty = true;
-        }
-        if self.viewer.taps.held(self.viewer.clock()) {
-            self.viewer.tapped(event_loop, false);
-        }
+        self.viewer.wake(event_loop);
     }
 
     fn user_event(&mut self, event_loop: &ActiveEventLoop, message: Message) {
-        let heard = self.viewer.hear(message);
-        self.check(heard, event_loop);
+        let received = self.viewer.receive(message);
+        self.check(received, event_loop);
     }
 
     fn window_event(&mut self, event_loop: &ActiveEventLoop, _: WindowId, event: WindowEvent) {
-        let (Some(window), Some(overlay)) = (&self.viewer.window, &mut self.viewer.overlay) else { return };
-        let panel = overlay.event(window, &event);
-        self.viewer.dirty |= panel.changed;
-        if let WindowEvent::Touch(touch) = &event
-            && self.tap(touch, panel.taken)
-        {
-            self.viewer.tapped(event_loop, true);
+        if !self.viewer.is_open() {
+            return;
         }
-        if let Some(gesture) = self.pointer(&event, panel.taken) {
-            self.viewer.gesture(&gesture);
-        }
+        let consumed = self.viewer.input(event_loop, &event);
         match event {
             WindowEvent::CloseRequested | WindowEvent::Destroyed => event_loop.exit(),
             WindowEvent::RedrawRequested => {
-                // Without a wish of ours the system asks: what it showed of the window is gone.
-                self.viewer.dirty |= !self.viewer.wants_frame();
-                self.viewer.hidden = false;
-                let drawn = self.viewer.frame(event_loop);
+                let drawn = self.viewer.redraw(event_loop);
                 self.check(drawn, event_loop);
             }
-            WindowEvent::Resized(size) => {
-                self.viewer.window_size = size.into();
-                self.viewer.hidden = false;
-                self.viewer.dirty = true;
+            WindowEvent::Resized(size) => self.viewer.resize(size.into()),
+            WindowEvent::Occluded(occluded) => self.viewer.set_occluded(occluded),
+            // The window is on another display, or its display is in another mode.
+            WindowEvent::ScaleFactorChanged { .. } => self.viewer.update_refresh_rate(event_loop),
+            WindowEvent::Focused(focused) => self.viewer.set_focused(focused),
+            WindowEvent::ModifiersChanged(modifiers) => {
+                self.viewer.set_modifiers(modifiers.state());
             }
-            WindowEvent::Occluded(hidden) => {
-                self.viewer.hidden = hidden;
-                self.viewer.resting |= hidden;
-                self.viewer.dirty |= !hidden;
-            }
-            // Another display, or this one in another mode.
-            WindowEvent::ScaleFactorChanged { .. } => self.viewer.see_display(event_loop),
-            WindowEvent::Focused(true) => self.viewer.hidden = false,
-            WindowEvent::ModifiersChanged(modifiers) => self.viewer.modifiers = modifiers.state(),
-            WindowEvent::Focused(false) => {
-                self.viewer.pointers.cancel();
-                self.viewer.taps.forget();
-                if let Some(overlay) = &mut self.viewer.overlay {
-                    overlay.release();
-                }
-            }
-            WindowEvent::KeyboardInput { event, is_synthetic: false, .. } if !panel.taken && event.state.is_pressed() => {
-                let (shift, repeat) = (self.viewer.modifiers.shift_key(), self.viewer.scene.playback().repeat());
-                if let Some(action) = action(&event.logical_key, shift, event.repeat, repeat) {
-                    self.viewer.act(action, event_loop);
-                }
+            WindowEvent::KeyboardInput {
+                event,
+                is_synthetic: false,
+                ..
+            } if !consumed && event.state.is_pressed() => {
+                self.viewer.key_pressed(event_loop, &event);
             }
             _ => {}
         }
@@ -207,21 +144,16 @@ impl ApplicationHandler<Message> for Handler {
 
     fn about_to_wait(&mut self, event_loop: &ActiveEventLoop) {
         #[cfg(target_os = "android")]
-        if self.viewer.suspended && super::android::is_destroyed(super::viewer::app(event_loop)) {
+        if self.viewer.is_suspended()
+            && crate::android::is_destroyed(crate::android::activity(event_loop))
+        {
             event_loop.exit();
         }
-        self.viewer.keep_books();
+        self.viewer.save_while_suspended();
         event_loop.set_control_flow(match self.viewer.wake_at() {
             Some(wake) => ControlFlow::WaitUntil(wake.max(Instant::now())),
             None => ControlFlow::Wait,
         });
-        let Some(window) = self.viewer.window.as_ref().filter(|_| self.viewer.wants_frame()) else { return };
-        if self.asked.elapsed() > ASK {
-            self.asked = Instant::now();
-            self.viewer.hidden = window.is_minimized() == Some(true);
-        }
-        if !self.viewer.hidden {
-            window.request_redraw();
-        }
+        self.viewer.request_redraw();
     }
 }

@@ -1,72 +1,89 @@
 //! `effigy capture`: has RenderDoc capture one frame, drawn without a window.
 
-use super::{
-    options::{self, Quality, View},
+use crate::{
+    advice::Advised,
+    options::{self, CameraArgs, QualityArgs},
     source::Source,
 };
-use crate::{
-    avatar::motion::Player,
-    frame::{Extent, Posed},
-    measure::{
-        capture::{ATTACH, RenderDoc},
-        upright,
-    },
-    vulkan::{Gpu, Renderer, renderer::Presentation, screen::Screen},
-};
-use anyhow::{Context, bail};
+use anyhow::Context;
+use effigy::vulkan::{Gpu, Recording, Renderer, renderer::Presentation, screen::Offscreen};
+use effigy_core::scene::{AvatarBounds, Posed, upright};
+use effigy_runtime::capture::RenderDoc;
 use std::{ffi::CString, path::PathBuf};
 
-#[derive(clap::Args)]
+#[derive(clap::Args, Debug)]
 #[command(after_help = "\
-RenderDoc must be attached: launch `effigy capture` from qrenderdoc, run `renderdoccmd capture effigy capture`, or set
-ENABLE_VULKAN_RENDERDOC_CAPTURE=1 where RenderDoc is installed. In `effigy view` the key C captures what is shown.")]
+RenderDoc must be attached: launch `effigy capture` from qrenderdoc, run `renderdoccmd capture \
+effigy capture`, or set ENABLE_VULKAN_RENDERDOC_CAPTURE=1 where RenderDoc is installed. In `effigy \
+view` the key C captures the frame on screen.")]
 pub struct Args {
     #[command(flatten)]
     source: Source,
-    /// Width and height, px
-    #[arg(long, value_parser = options::size, default_value = "1024x1024")]
+    /// Width and height of the image, pixels
+    #[arg(long, value_name = "WxH", value_parser = options::size, default_value = "1024x1024")]
     size: [u32; 2],
-    /// Seconds into the clip
-    #[arg(long, default_value_t = 0.0)]
+    /// Time in the clip, seconds
+    #[arg(long, value_name = "SECONDS", default_value_t = 0.0, value_parser = options::seconds)]
     time: f64,
-    #[command(flatten)]
-    view: View,
-    /// Frames to draw before the one that is captured, so that it is one like any other
+    /// Frames to draw first, so that what follows is typical
     #[arg(long, value_name = "N", default_value_t = 3)]
     warm_up: u32,
-    /// Beginning of the capture's name; RenderDoc puts a number and .rdc after it
+    /// Start of the capture's file name; RenderDoc appends a number and .rdc
     #[arg(short, long, value_name = "NAME", default_value = "effigy")]
     out: PathBuf,
-    #[command(flatten)]
-    quality: Quality,
+    #[command(flatten, next_help_heading = "Camera")]
+    camera: CameraArgs,
+    #[command(flatten, next_help_heading = "Quality")]
+    quality: QualityArgs,
+}
+
+fn not_attached() -> Advised {
+    Advised::new(
+        "RenderDoc is not attached",
+        "start the program from RenderDoc (Launch Application in qrenderdoc, or `renderdoccmd capture effigy capture`), or set ENABLE_VULKAN_RENDERDOC_CAPTURE=1 where RenderDoc is installed",
+    )
 }
 
 pub fn run(args: Args) -> anyhow::Result<()> {
-    anyhow::ensure!(args.time.is_finite(), "a time of {} s is in no clip", args.time);
+    // RenderDoc's layer attaches when the device is opened.
     let gpu = Gpu::new(&args.quality.gpu())?;
-    let Some(renderdoc) = RenderDoc::attached() else { bail!(ATTACH) };
-    let (avatar, clips) = args.source.load()?;
-    let player = Player::new(clips.into_iter().next().context("there is no clip")?, &avatar.skeleton);
+    let renderdoc = RenderDoc::attached().ok_or_else(not_attached)?;
+    let (avatar, player) = args.source.load_player()?;
     let mut renderer = Renderer::new(&gpu, &avatar, args.quality.renderer(args.size))?;
-    let screen = Screen::new(&gpu, args.size)?;
-    screen.set_picture(renderer.raster().image());
-    let extent = Extent::new(&avatar);
+    let screen = Offscreen::new(&gpu, args.size)?;
+    // SAFETY: nothing uses the screen yet, and every frame leaves the picture so.
+    unsafe { screen.set_image(renderer.raster().image()) };
+    let avatar_bounds = AvatarBounds::new(&avatar);
     let background = options::color(options::BACKGROUND).map_err(anyhow::Error::msg)?;
     let mut draw = |seconds: f64| -> anyhow::Result<()> {
         let posed = Posed::new(&avatar, &player.pose(seconds));
-        let camera = args.view.camera(upright(extent.bounds(&posed.joints)), args.size)?;
-        let mut record = |commands| screen.record(commands, args.size, background);
-        renderer.draw(&posed, &camera, Some(Presentation { semaphores: None, record: &mut record }))?;
+        let bounds = upright(avatar_bounds.bounds(&posed.joints));
+        let camera = args.camera.camera(bounds, args.size)?;
+        let mut record = |commands: Recording| screen.record(commands, args.size, background);
+        // SAFETY: the frame is waited for below.
+        let presentation = unsafe { Presentation::new(None, &mut record) };
+        renderer.draw(&posed, &camera, Some(presentation))?;
         Ok(renderer.finish()?)
     };
-    // Each in another pose, so that the captured frame runs every stage.
+    // Each of these has a pose of its own, so that the captured frame skips no stage.
     for frame in (1..=args.warm_up).rev() {
         draw(args.time + f64::from(frame) / 30.0)?;
     }
-    let beginning = CString::new(args.out.to_string_lossy().into_owned()).context("the name of the capture has a zero in it")?;
-    renderdoc.set_path(&beginning);
-    let ((), file) = renderdoc.during(|| draw(args.time))?;
-    let file = file.context("RenderDoc is attached but has captured nothing: does it know this device? Its log says more")?;
-    println!("captured a frame of {} on {}: {}", avatar.name, gpu.probe.name, file.display());
+    let name = CString::new(args.out.to_string_lossy().into_owned())
+        .context("the name of the capture has a zero byte in it")?;
+    renderdoc.set_path(&name);
+    let ((), file) = renderdoc.capture_call(|| draw(args.time))?;
+    let file = file.ok_or_else(|| {
+        Advised::new(
+            "RenderDoc is attached but has captured nothing",
+            "RenderDoc may not know this device: its log says more",
+        )
+    })?;
+    println!(
+        "captured a frame of {} on {}: {}",
+        avatar.name,
+        gpu.probe.name,
+        file.display()
+    );
     Ok(())
 }

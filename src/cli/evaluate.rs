@@ -1,35 +1,53 @@
-//! `effigy evaluate`: a learned avatar and a dataset go in; how alike their pictures are comes out as a table.
+//! `effigy evaluate`: compares images of a learned avatar with those of its dataset, as a table.
 
-use super::bake::{bar, count};
-use super::{fit::fits, options};
-use crate::avatar::{Avatar, file::replace};
-use crate::fit::Dataset;
-use crate::fit::analyse::kept::beside;
-use crate::fit::evaluate::{Plan, Score, Way, camera, scores, some, truth};
-use crate::frame::{Extent, Posed};
-use crate::reference;
+use crate::{
+    files, fit,
+    options::{self, count},
+    progress,
+};
 use anyhow::Context;
+use effigy_core::{
+    avatar::Avatar,
+    io::file::replace,
+    reference,
+    scene::{AvatarBounds, Posed},
+};
+use effigy_learn::{
+    Dataset,
+    evaluate::{
+        EvaluationPlan, Rendition, Score, camera_at, evaluate, ground_truth_image, side_by_side,
+    },
+    math::sampling::evenly_spaced,
+};
 use std::path::{Path, PathBuf};
 
-#[derive(clap::Args)]
+#[derive(clap::Args, Debug)]
 pub struct Args {
-    /// The learned avatar
+    /// Learned avatar
     avatar: PathBuf,
-    /// The dataset's folder
+    /// Dataset: a folder that `effigy dataset` wrote
     dataset: PathBuf,
-    /// Width and height of the pictures, px
-    #[arg(long, default_value = "384x512", value_parser = options::size)]
+    /// Width and height of the image, pixels
+    #[arg(long, value_name = "WxH", default_value = "384x512", value_parser = options::size)]
     size: [u32; 2],
-    /// Degrees around the avatar, a camera each; pruning looks from other sides than the default's
-    #[arg(long, value_delimiter = ',', default_value = "25,205", allow_negative_numbers = true)]
+    /// Angles around the avatar, degrees, separated by commas, one camera each; pruning looks from
+    /// other sides than these defaults
+    #[arg(
+        long,
+        value_name = "DEGREES",
+        value_delimiter = ',',
+        default_value = "25,205",
+        allow_negative_numbers = true
+    )]
     yaw: Vec<f64>,
-    /// Frames of each clip that are drawn, of those held out and of the others
-    #[arg(long, default_value = "12", value_parser = count(1, 100_000))]
+    /// Frames to draw of each clip, 1 to 100000, both of those held out and of the others
+    #[arg(long, value_name = "N", default_value = "12", value_parser = count(1, 100_000))]
     frames: usize,
-    /// Write a picture of each drawn frame to this folder: without correctives, with them, and the truth, side by side
-    #[arg(long, value_name = "DIR")]
-    pictures: Option<PathBuf>,
-    /// Write the table as JSON too
+    /// Also write an image of each drawn frame to this folder: without correctives, with them, and
+    /// the ground truth, side by side
+    #[arg(long, alias = "pictures", value_name = "DIR")]
+    images: Option<PathBuf>,
+    /// Also write the result as JSON
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
 }
@@ -37,21 +55,20 @@ pub struct Args {
 pub fn run(args: Args) -> anyhow::Result<()> {
     let avatar = Avatar::read(&args.avatar)?;
     let dataset = Dataset::open(&args.dataset)?;
-    fits(&avatar, &args.avatar, &dataset)?;
-    let mut frames = Vec::new();
-    for clip in dataset.clips() {
-        for held in [false, true] {
-            let own: Vec<usize> =
-                (0..dataset.len()).filter(|&f| dataset.header.frames[f].clip == clip && dataset.header.frames[f].held == held).collect();
-            frames.extend(some(&own, args.frames));
-        }
+    fit::check_body(&avatar, &args.avatar, &dataset)?;
+    let frames = frames(&dataset, args.frames);
+    if let Some(folder) = &args.images {
+        write_images(&dataset, &avatar, &frames, &args, folder)?;
     }
-    if let Some(folder) = &args.pictures {
-        pictures(&dataset, &avatar, &frames, &args, folder)?;
-    }
-    let bar = bar(frames.len() as u64)?;
-    let plan = Plan { frames, yaws: args.yaw.clone(), size: args.size };
-    let scores = scores(&dataset, &avatar, &Way::ALL, &plan, &|done| bar.set_position(done as u64));
+    let bar = progress::steps(frames.len() as u64);
+    let plan = EvaluationPlan {
+        frames,
+        yaws: args.yaw.clone(),
+        size: args.size,
+    };
+    let scores = evaluate(&dataset, &avatar, &Rendition::ALL, &plan, &|done| {
+        bar.set_position(done as u64)
+    });
     bar.finish_and_clear();
     print!("{}", table(&scores));
     if let Some(path) = &args.json {
@@ -60,34 +77,70 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     Ok(())
 }
 
-fn pictures(dataset: &Dataset, avatar: &Avatar, frames: &[usize], args: &Args, folder: &Path) -> anyhow::Result<()> {
-    std::fs::create_dir_all(folder).with_context(|| format!("cannot make {}", folder.display()))?;
-    let neutral = Way::Neutral.avatar(avatar);
-    let extent = Extent::new(&dataset.avatar);
+/// `count` frames of each clip's training frames, and of its held-out ones.
+fn frames(dataset: &Dataset, count: usize) -> Vec<usize> {
+    let mut frames = Vec::new();
+    for clip in dataset.clips() {
+        for held in [false, true] {
+            let group: Vec<usize> = (0..dataset.len())
+                .filter(|&frame| {
+                    let shot = &dataset.header.frames[frame];
+                    shot.clip == clip && shot.held == held
+                })
+                .collect();
+            frames.extend(evenly_spaced(&group, count));
+        }
+    }
+    frames
+}
+
+fn write_images(
+    dataset: &Dataset,
+    avatar: &Avatar,
+    frames: &[usize],
+    args: &Args,
+    folder: &Path,
+) -> anyhow::Result<()> {
+    files::create_folder(folder)?;
+    let neutral = Rendition::Neutral.apply(avatar);
+    let avatar_bounds = AvatarBounds::new(&dataset.avatar);
     let background = options::color(options::BACKGROUND).map_err(anyhow::Error::msg)?;
     for &frame in frames {
         let posed = Posed::new(avatar, &dataset.poses[frame]);
         for &yaw in &args.yaw {
-            let camera = camera(&extent, &posed, yaw, args.size);
+            let camera = camera_at(&avatar_bounds, &posed, yaw, args.size);
             let row = [
                 reference::render(&neutral, &posed, &camera),
                 reference::render(avatar, &posed, &camera),
-                truth(dataset, frame, &posed, &camera),
+                ground_truth_image(dataset, frame, &posed, &camera),
             ];
             let path = folder.join(format!("frame-{frame:05}-{yaw}.png"));
-            beside(&row).over(background).save(&path).with_context(|| format!("{} can't be written", path.display()))?;
+            side_by_side(&row)
+                .over(background)
+                .save(&path)
+                .with_context(|| format!("{} can't be written", path.display()))?;
         }
     }
     Ok(())
 }
 
-/// A line a group and way.
+/// A line per clip, group of frames and way of drawing.
 fn table(scores: &[Score]) -> String {
-    let mut text = format!("{:16}{:10}{:24}{:>9}{:>10}{:>10}{:>9}\n", "clip", "frames", "drawn", "pictures", "L1", "PSNR, dB", "SSIM");
-    for s in scores {
-        let held = if s.held { "held out" } else { "training" };
-        let (l1, psnr, ssim) = (s.mean.l1, s.mean.psnr_db, s.mean.ssim);
-        text += &format!("{:16}{held:10}{:24}{:>9}{l1:>10.5}{psnr:>10.2}{ssim:>9.4}\n", s.clip, s.way, s.pictures);
+    let mut text = format!(
+        "{:16}{:10}{:24}{:>9}{:>10}{:>10}{:>9}\n",
+        "clip", "frames", "drawn", "images", "L1", "PSNR, dB", "SSIM"
+    );
+    for score in scores {
+        let group = if score.held { "held out" } else { "training" };
+        text += &format!(
+            "{:16}{group:10}{:24}{:>9}{:>10.5}{:>10.2}{:>9.4}\n",
+            score.clip,
+            score.rendition,
+            score.images,
+            score.mean.l1,
+            score.mean.psnr_db,
+            score.mean.ssim
+        );
     }
     text
 }

@@ -1,97 +1,168 @@
-//! Arguments that several commands share, and how they are written.
+//! Arguments that several commands share, and how they are read.
 
-use crate::{
-    frame::{Camera, Detail, Skip},
-    measure::trace::Trace,
-    vulkan::{
-        Gpu, GpuOptions, RendererOptions,
-        preset::Preset,
-        raster::{ColorFormat, Method},
-        sort::{KeyBits, Variant},
-    },
-};
 use anyhow::Context;
-use clap::ValueEnum;
+use clap::{
+    ValueEnum,
+    builder::{PossibleValuesParser, RangedU64ValueParser, TypedValueParser},
+};
+use effigy::vulkan::{
+    Gpu, GpuOptions, RendererOptions,
+    preset::Preset,
+    raster::{ColorFormat, RasterMethod},
+    sort::{KeyBits, SortVariant},
+};
+use effigy_core::{
+    frame::Skip,
+    scene::{Camera, Detail},
+};
+use effigy_runtime::trace::Trace;
 use glam::DVec3;
-use std::path::{Path, PathBuf};
+use std::path::Path;
+
+/// Reads one of `values` by its name, for types of the libraries, which know nothing of a command
+/// line. `names` are in the order of `values`.
+pub fn named<T: Copy + Send + Sync + 'static, const N: usize>(
+    names: [&'static str; N],
+    values: [T; N],
+) -> impl TypedValueParser<Value = T> {
+    PossibleValuesParser::new(names).map(move |name| {
+        let index = names.iter().position(|known| *known == name);
+        values[index.expect("clap accepts the names alone")]
+    })
+}
+
+/// Reads a whole number from `min` to `max`.
+pub fn count(min: usize, max: usize) -> RangedU64ValueParser<usize> {
+    RangedU64ValueParser::new().range(min as u64..=max as u64)
+}
 
 /// Where the camera stands.
 #[derive(clap::Args, Clone, Debug)]
-pub struct View {
-    /// Degrees around the avatar: 0 sees its front, 90 its left side
-    #[arg(long, default_value_t = 20.0, allow_negative_numbers = true)]
+pub struct CameraArgs {
+    /// Angle around the avatar, degrees: 0 sees its front, 90 its left side
+    #[arg(
+        long,
+        value_name = "DEGREES",
+        default_value_t = 20.0,
+        allow_negative_numbers = true
+    )]
     pub yaw: f64,
-    /// Degrees above the horizon
-    #[arg(long, default_value_t = 5.0, allow_negative_numbers = true)]
+    /// Angle above the horizon, degrees, -89 to 89
+    #[arg(
+        long,
+        value_name = "DEGREES",
+        default_value_t = 5.0,
+        allow_negative_numbers = true
+    )]
     pub pitch: f64,
-    /// Metres from the avatar's middle [default: all of it in the picture]
-    #[arg(long)]
+    /// Distance from the avatar's centre, metres, above 0 [default: the whole avatar fits]
+    #[arg(long, value_name = "METRES")]
     pub distance: Option<f64>,
-    /// Height that the camera looks at, metres above the avatar's middle
-    #[arg(long, default_value_t = 0.0, allow_negative_numbers = true)]
+    /// Height of the point looked at, metres above the avatar's centre
+    #[arg(
+        long,
+        value_name = "METRES",
+        default_value_t = 0.0,
+        allow_negative_numbers = true
+    )]
     pub raise: f64,
-    /// Vertical field of view, degrees
-    #[arg(long, default_value_t = 35.0)]
+    /// Vertical field of view, degrees, 1 to 170
+    #[arg(long, value_name = "DEGREES", default_value_t = 35.0)]
     pub fov: f64,
 }
 
-impl View {
-    /// The camera around a box that the avatar fills.
+impl CameraArgs {
+    /// The camera that looks at the box around an avatar, `bounds` in metres, for an image of
+    /// `size` pixels.
     pub fn camera(&self, bounds: [DVec3; 2], size: [u32; 2]) -> anyhow::Result<Camera> {
-        anyhow::ensure!((1.0..=170.0).contains(&self.fov), "a field of view of {}° can't be drawn: give --fov from 1 to 170", self.fov);
+        anyhow::ensure!(
+            (1.0..=170.0).contains(&self.fov),
+            "a field of view of {}° can't be drawn: give --fov from 1 to 170",
+            self.fov
+        );
         let fov = self.fov.to_radians();
-        let distance = self.distance.unwrap_or_else(|| Camera::framing_distance(bounds, fov, size));
+        let distance = self
+            .distance
+            .unwrap_or_else(|| Camera::framing_distance(bounds, fov, size));
         let target = (bounds[0] + bounds[1]) / 2.0 + self.raise * DVec3::Y;
-        let (yaw, pitch) = (self.yaw.to_radians(), self.pitch.clamp(-89.0, 89.0).to_radians());
+        let yaw = self.yaw.to_radians();
+        let pitch = self.pitch.clamp(-89.0, 89.0).to_radians();
         let camera = Camera::orbit(target, yaw, pitch, distance, fov, size);
-        camera.check().context("there is no such view: give --yaw, --pitch, --distance and --raise as plain numbers")?;
+        camera.check().context(
+            "no camera has this view: give finite --yaw, --pitch, --distance and --raise",
+        )?;
         Ok(camera)
     }
 }
 
-/// What draws, and how exactly.
+/// Which GPU a command runs on.
 #[derive(clap::Args, Clone, Debug)]
-pub struct Quality {
-    /// GPU to use: part of its name, or its number in `effigy devices` [default: the first that can serve]
-    #[arg(long, value_name = "NAME")]
-    pub device: Option<String>,
-    /// How much error to trade for time: low, balanced, high or exact; the options below override what it says
+pub struct DeviceArgs {
+    /// GPU: part of its name, or its number in `effigy devices` [default: the first that can
+    /// serve]
+    #[arg(long = "device", value_name = "NAME")]
+    pub name: Option<String>,
+}
+
+impl DeviceArgs {
+    /// The options to open the GPU with, without a window.
+    pub fn gpu(&self) -> GpuOptions {
+        GpuOptions::headless(self.name.clone())
+    }
+}
+
+/// The device, and how much error is traded for time.
+#[derive(clap::Args, Clone, Debug)]
+pub struct QualityArgs {
+    #[command(flatten)]
+    pub device: DeviceArgs,
+    /// How much error to trade for time: low, balanced, high or exact. The options below override
+    /// parts of it
     #[arg(long, value_name = "NAME", default_value_t)]
     pub preset: Preset,
-    /// What pictures are blended in
+    /// Format that images are blended in [default: as the preset and the raster
+    /// method choose]
     #[arg(long, value_enum)]
-    pub color: Option<Color>,
-    /// Use no more of the device than the least one has that can run this
-    #[arg(long)]
-    pub least: bool,
-    /// How to draw
-    #[arg(long, value_enum, default_value_t = DrawBy::Auto)]
-    pub raster: DrawBy,
-    /// Bits of the depth key that Gaussians are sorted by
+    pub color: Option<ColorArg>,
+    /// Use no more of the device than the minimum specification has
+    #[arg(long, alias = "least")]
+    pub baseline: bool,
+    /// Raster method
+    #[arg(long, value_enum, default_value_t = RasterArg::Auto)]
+    pub raster: RasterArg,
+    /// Bits of the depth keys that Gaussians are sorted by [default: as the preset says]
     #[arg(long, value_enum)]
-    pub keys: Option<Keys>,
-    /// How to sort
-    #[arg(long, value_enum, default_value_t = SortBy::Auto)]
-    pub sort: SortBy,
-    /// What to leave out where the scene doesn't need it: all, none, or names with commas between
-    #[arg(long)]
+    pub keys: Option<KeysArg>,
+    /// Sort variant
+    #[arg(long, value_enum, default_value_t = SortArg::Auto)]
+    pub sort: SortArg,
+    /// Work to skip where the scene does not need it: all, none, or names separated by commas
+    /// [default: as the preset says]
+    #[arg(long, value_name = "NAME,NAME")]
     pub skip: Option<Skip>,
-    /// Opacity under which nothing is drawn, in 255ths, 1 or more
+    /// Opacity under which nothing is drawn, in 255ths, 1 to 255 [default: as the preset says]
     #[arg(long, value_name = "N", value_parser = cutoff)]
     pub cutoff: Option<f64>,
-    /// Millimetres behind the avatar's front from which on nothing is drawn
+    /// Depth behind the avatar's front from which on nothing is drawn, millimetres, 0 or more
+    /// [default: as the preset says]
     #[arg(long, value_name = "MM", value_parser = length)]
     pub margin: Option<f64>,
-    /// How many of an avatar's Gaussians to draw: full, 1/2, 1/4, 1/8, or auto: fewer of small ones
+    /// Share of an avatar's Gaussians to draw: full, 1/2, 1/4, 1/8, or auto, which draws fewer of
+    /// avatars that are small in the image [default: as the preset says]
     #[arg(long, value_name = "SHARE")]
     pub detail: Option<Detail>,
 }
 
-impl Quality {
+impl QualityArgs {
+    /// The options to open the GPU with, without a window.
     pub fn gpu(&self) -> GpuOptions {
-        GpuOptions { least: self.least, ..GpuOptions::headless(self.device.clone()) }
+        GpuOptions {
+            least: self.baseline,
+            ..self.device.gpu()
+        }
     }
 
+    /// The options of a renderer for images of `size` pixels.
     pub fn renderer(&self, size: [u32; 2]) -> RendererOptions {
         let preset = self.preset.apply(RendererOptions::new(size));
         RendererOptions {
@@ -108,137 +179,164 @@ impl Quality {
     }
 }
 
+/// Reads `--cutoff`, 255ths.
 fn cutoff(text: &str) -> Result<f64, String> {
-    let value = text.parse().ok().filter(|n| (1.0..=255.0).contains(n));
-    value.ok_or_else(|| format!("`{text}` is no cutoff: write a number from 1, where nothing that shows is left out, to 255"))
+    number(text, 1.0, 255.0, "cutoff")
 }
 
+/// Reads a length of 0 or more.
 fn length(text: &str) -> Result<f64, String> {
-    let value = text.parse().ok().filter(|value: &f64| value.is_finite() && *value >= 0.0);
-    value.ok_or_else(|| format!("`{text}` is no length: write a number of 0 or more"))
+    match text.parse::<f64>() {
+        Ok(length) if length.is_finite() && length >= 0.0 => Ok(length),
+        _ => Err(format!(
+            "`{text}` is not a length: write a number of 0 or more"
+        )),
+    }
 }
 
-/// [`ColorFormat`] as the command line has it.
+/// [`ColorFormat`] as an argument.
 #[derive(Clone, Copy, Debug, ValueEnum)]
-pub enum Color {
-    /// 4 bytes a pixel, rounded after every Gaussian
+pub enum ColorArg {
+    /// 4 bytes per pixel, rounded after every Gaussian
     Rgba8,
-    /// 8 bytes a pixel
+    /// 8 bytes per pixel
     Rgba16f,
 }
 
-impl From<Color> for ColorFormat {
-    fn from(color: Color) -> Self {
+impl From<ColorArg> for ColorFormat {
+    fn from(color: ColorArg) -> Self {
         match color {
-            Color::Rgba8 => Self::Rgba8,
-            Color::Rgba16f => Self::Rgba16F,
+            ColorArg::Rgba8 => Self::Rgba8,
+            ColorArg::Rgba16f => Self::Rgba16F,
         }
     }
 }
 
-/// [`Method`] as the command line has it.
+/// [`RasterMethod`] as an argument.
 #[derive(Clone, Copy, Debug, ValueEnum)]
-pub enum DrawBy {
-    /// What is known to be faster on the device's kind
+pub enum RasterArg {
+    /// The faster one for the kind of device
     Auto,
     /// Quads through the device's blender, far to near
-    Hulls,
-    /// A compute kernel, near to far until a pixel is full
+    #[value(alias = "hulls")]
+    Quads,
+    /// A compute kernel, near to far until a pixel is saturated
     Tiles,
 }
 
-impl From<DrawBy> for Option<Method> {
-    fn from(raster: DrawBy) -> Self {
+impl From<RasterArg> for Option<RasterMethod> {
+    fn from(raster: RasterArg) -> Self {
         match raster {
-            DrawBy::Auto => None,
-            DrawBy::Hulls => Some(Method::Hulls),
-            DrawBy::Tiles => Some(Method::Tiles),
+            RasterArg::Auto => None,
+            RasterArg::Quads => Some(RasterMethod::Quads),
+            RasterArg::Tiles => Some(RasterMethod::Tiles),
         }
     }
 }
 
-/// [`KeyBits`] as the command line has it.
+/// [`KeyBits`] as an argument.
 #[derive(Clone, Copy, Debug, ValueEnum)]
-pub enum Keys {
-    /// Two passes; steps of about 30 µm
+pub enum KeysArg {
+    /// Two sort passes; depth steps of about 30 µm
     #[value(name = "16")]
     Bits16,
-    /// Three passes; steps of less than a micrometre
+    /// Three sort passes; depth steps under 1 µm
     #[value(name = "24")]
     Bits24,
-    /// Four passes
+    /// Four sort passes; the finest steps
     #[value(name = "32")]
     Bits32,
 }
 
-impl From<Keys> for KeyBits {
-    fn from(keys: Keys) -> Self {
+impl From<KeysArg> for KeyBits {
+    fn from(keys: KeysArg) -> Self {
         match keys {
-            Keys::Bits16 => Self::Sixteen,
-            Keys::Bits24 => Self::TwentyFour,
-            Keys::Bits32 => Self::ThirtyTwo,
+            KeysArg::Bits16 => Self::Sixteen,
+            KeysArg::Bits24 => Self::TwentyFour,
+            KeysArg::Bits32 => Self::ThirtyTwo,
         }
     }
 }
 
-/// [`Variant`] as the command line has it.
+/// [`SortVariant`] as an argument.
 #[derive(Clone, Copy, Debug, ValueEnum)]
-pub enum SortBy {
-    /// The fastest that a test finds right on the device
+pub enum SortArg {
+    /// The fastest that passes a self-test on the device
     Auto,
-    /// Look-back over subgroups, for GPUs
+    /// One pass over memory per digit, with subgroups and look-back; for GPUs
     Onesweep,
-    /// No subgroups, no look-back
-    Selfscan,
-    /// The same with counters for each invocation, for CPUs
-    Lanescan,
+    /// Histograms of all tiles first, then their prefix sums; needs no subgroups and no look-back
+    #[value(alias = "selfscan")]
+    ReduceThenScan,
+    /// Reduce-then-scan with a histogram per thread; for CPU drivers
+    #[value(alias = "lanescan")]
+    PerThread,
 }
 
-impl From<SortBy> for Option<Variant> {
-    fn from(sort: SortBy) -> Self {
+impl From<SortArg> for Option<SortVariant> {
+    fn from(sort: SortArg) -> Self {
         match sort {
-            SortBy::Auto => None,
-            SortBy::Onesweep => Some(Variant::OneSweep),
-            SortBy::Selfscan => Some(Variant::SelfScan),
-            SortBy::Lanescan => Some(Variant::LaneScan),
+            SortArg::Auto => None,
+            SortArg::Onesweep => Some(SortVariant::OneSweep),
+            SortArg::ReduceThenScan => Some(SortVariant::ReduceThenScan),
+            SortArg::PerThread => Some(SortVariant::PerThread),
         }
     }
 }
 
-/// Reads `WIDTHxHEIGHT`.
+/// Reads `WIDTHxHEIGHT`, pixels.
 pub fn size(text: &str) -> Result<[u32; 2], String> {
-    let parse = |side: &str| side.trim().parse::<u32>().ok().filter(|&side| side > 0);
-    let sides = text.split_once(['x', 'X', '×']).and_then(|(width, height)| Some([parse(width)?, parse(height)?]));
-    sides.ok_or_else(|| format!("`{text}` is no picture size: write width x height in pixels, for instance 1024x1024"))
+    let side = |text: &str| text.trim().parse::<u32>().ok().filter(|&side| side > 0);
+    let sides = text
+        .split_once(['x', 'X', '×'])
+        .and_then(|(width, height)| Some([side(width)?, side(height)?]));
+    sides.ok_or_else(|| {
+        format!("`{text}` is not a size: write width x height in pixels, for instance 1024x1024")
+    })
 }
 
-/// Reads a number of a range.
-pub fn number(text: &str, low: f64, high: f64, what: &str) -> Result<f64, String> {
-    let value = text.parse().ok().filter(|value| (low..=high).contains(value));
-    value.ok_or_else(|| format!("`{text}` is no {what}: write a number from {low} to {high}"))
+/// Reads a number from `min` to `max`; `what` names it in the error.
+pub fn number(text: &str, min: f64, max: f64, what: &str) -> Result<f64, String> {
+    match text.parse() {
+        Ok(value) if (min..=max).contains(&value) => Ok(value),
+        _ => Err(format!(
+            "`{text}` is not a {what}: write a number from {min} to {max}"
+        )),
+    }
 }
 
-/// Reads how long to go on.
+/// Reads how long to draw, minutes.
 pub fn minutes(text: &str) -> Result<f64, String> {
     number(text, 0.01, 10_000.0, "number of minutes")
 }
 
-/// Reads frames a second.
+/// Reads a frame rate, frames per second.
 pub fn rate(text: &str) -> Result<f64, String> {
     number(text, 0.5, 1000.0, "frame rate")
 }
 
-/// Reads the name of a trace's file. It must end in `.json`, lest an avatar be written over.
-pub fn trace(text: &str) -> Result<PathBuf, String> {
-    let path = PathBuf::from(text);
-    let fits = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("json"));
-    fits.then_some(path).ok_or_else(|| format!("`{text}` does not end in .json"))
+/// Reads a share of a whole.
+pub fn share(text: &str) -> Result<f64, String> {
+    number(text, 0.0, 1.0, "share")
 }
 
-/// Writes a trace, and says so.
+/// Reads seconds into a clip.
+pub fn seconds(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(seconds) if seconds.is_finite() => Ok(seconds),
+        _ => Err(format!("`{text}` is not a time: write a number of seconds")),
+    }
+}
+
+/// Writes a trace, and prints where it is.
 pub fn write_trace(path: &Path, trace: &Trace, gpu: &Gpu) -> anyhow::Result<()> {
-    trace.write(path, gpu).with_context(|| format!("{} can't be written", path.display()))?;
-    eprintln!("wrote {}: open it at https://ui.perfetto.dev", path.display());
+    trace
+        .write(path, gpu)
+        .with_context(|| format!("{} can't be written", path.display()))?;
+    eprintln!(
+        "wrote {}: open it at https://ui.perfetto.dev",
+        path.display()
+    );
     Ok(())
 }
 
@@ -246,11 +344,13 @@ pub fn write_trace(path: &Path, trace: &Trace, gpu: &Gpu) -> anyhow::Result<()> 
 pub fn color(text: &str) -> Result<[f32; 3], String> {
     let hex = text.trim_start_matches('#');
     let value = u32::from_str_radix(hex, 16).ok().filter(|_| hex.len() == 6);
-    let value = value.ok_or_else(|| format!("`{text}` is no colour: write six hexadecimal digits, for instance d8dde3"))?;
+    let value = value.ok_or_else(|| {
+        format!("`{text}` is not a colour: write six hexadecimal digits, for instance d8dde3")
+    })?;
     Ok([16, 8, 0].map(|shift| (value >> shift & 0xff) as f32 / 255.0))
 }
 
-/// What is behind the avatar unless told otherwise: a light grey.
+/// The default colour behind the avatar: a light grey.
 pub const BACKGROUND: &str = "d8dde3";
 
 #[cfg(test)]
@@ -261,11 +361,12 @@ mod tests {
     #[derive(Parser)]
     struct Only {
         #[command(flatten)]
-        quality: Quality,
+        quality: QualityArgs,
     }
 
     fn options(arguments: &str) -> Result<String, clap::Error> {
-        let only = Only::try_parse_from(["effigy"].into_iter().chain(arguments.split_whitespace()))?;
+        let only =
+            Only::try_parse_from(["effigy"].into_iter().chain(arguments.split_whitespace()))?;
         Ok(format!("{:?}", only.quality.renderer([8, 8])))
     }
 
@@ -273,19 +374,41 @@ mod tests {
     fn an_option_overrides_its_part_of_the_preset() {
         let of = |preset: Preset| preset.apply(RendererOptions::new([8, 8]));
         let expect = |arguments, expected: RendererOptions| {
-            assert_eq!(options(arguments).ok(), Some(format!("{expected:?}")), "{arguments}");
+            assert_eq!(
+                options(arguments).ok(),
+                Some(format!("{expected:?}")),
+                "{arguments}"
+            );
         };
         expect("", RendererOptions::new([8, 8]));
         expect("--preset low", of(Preset::Low));
         expect(
             "--preset low --keys 32 --color rgba16f",
-            RendererOptions { key_bits: KeyBits::ThirtyTwo, color: Some(ColorFormat::Rgba16F), ..of(Preset::Low) },
+            RendererOptions {
+                key_bits: KeyBits::ThirtyTwo,
+                color: Some(ColorFormat::Rgba16F),
+                ..of(Preset::Low)
+            },
         );
         expect(
             "--cutoff 3 --margin 7 --preset exact --skip pose --detail 1/4",
-            RendererOptions { cutoff: 3.0 / 255.0, margin: 0.007, skip: Skip::POSE, detail: Detail::FULL.at_least(2), ..of(Preset::Exact) },
+            RendererOptions {
+                cutoff: 3.0 / 255.0,
+                margin: 0.007,
+                skip: Skip::POSE,
+                detail: Detail::FULL.at_least(2),
+                ..of(Preset::Exact)
+            },
         );
-        for wrong in ["--cutoff 0.5", "--cutoff 300", "--margin -1", "--margin inf", "--preset lowest", "--skip frames", "--detail 1/3"] {
+        for wrong in [
+            "--cutoff 0.5",
+            "--cutoff 300",
+            "--margin -1",
+            "--margin inf",
+            "--preset lowest",
+            "--skip frames",
+            "--detail 1/3",
+        ] {
             assert!(options(wrong).is_err(), "{wrong} is accepted");
         }
     }

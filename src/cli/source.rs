@@ -1,47 +1,55 @@
-//! Where a command's avatar and clips come from: files that the user names, else the demo inside the program.
+//! Where a command's avatar and clips come from: files that the user names, else the demo inside
+//! the program.
 
-use crate::{
-    avatar::{
-        Avatar, Clip, Pose,
-        import::{self, Up, cameras},
+use crate::options::named;
+use anyhow::{Context, ensure};
+use effigy_core::{
+    avatar::{Avatar, Clip, Pose, motion::Player},
+    io::{
+        cameras,
+        ply::{self, Up},
     },
-    demo,
-    frame::Camera,
+    scene::Camera,
 };
-use anyhow::ensure;
 use std::path::{Path, PathBuf};
 
-/// The arguments of every command that draws.
+/// The avatar and clips of every command that draws.
 #[derive(clap::Args, Clone, Debug)]
 pub struct Source {
-    /// The avatar to draw: an .avatar file, or a 3DGS .ply, which stands still [default: the built-in demo]
+    /// Avatar to draw: an .avatar file, or a 3DGS .ply, which stands still [default: the built-in
+    /// demo]
     pub avatar: Option<PathBuf>,
-    /// A clip to move it with; repeat for several [default: the built-in demo clip]
+    /// Clip that moves the avatar; repeat for several [default: the built-in demo clip]
     #[arg(long, value_name = "FILE")]
     pub motion: Vec<PathBuf>,
-    /// The axis that points up in a .ply [default: what the file says, else -y, as 3DGS trains]
-    #[arg(long, value_enum, value_name = "AXIS", allow_hyphen_values = true)]
+    /// Axis that points up in a .ply [default: the file's own, else -y, as 3DGS trains]
+    #[arg(long, value_parser = named(Up::NAMES, Up::ALL), value_name = "AXIS", allow_hyphen_values = true)]
     pub up: Option<Up>,
-    /// Whether networks see a pose as the nearest one that the avatar knows, within 2σ along each principal component of its training
-    /// poses; off: as it is
-    #[arg(long, value_enum, default_value_t = Project::On)]
-    pub project: Project,
+    /// Whether the networks see the nearest pose that the avatar was trained for, within 2σ along
+    /// each principal component of its training poses; off: the pose itself
+    #[arg(long, value_enum, default_value_t = PoseProjection::On)]
+    pub project: PoseProjection,
 }
 
-/// [`Posed::of`](crate::frame::Posed::of)'s projection as the command line has it.
+/// The projection of poses in
+/// [`Posed::with_projection`](effigy_core::scene::Posed::with_projection), as an argument.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
-pub enum Project {
+pub enum PoseProjection {
     #[default]
     On,
     Off,
 }
 
 impl Source {
-    /// The same for another avatar: a .ply has no use for clips, and nothing else for an axis.
+    /// These arguments for another avatar, without those that do not apply to it: a .ply takes no
+    /// clips, and nothing else takes an axis.
     #[cfg(feature = "window")]
-    pub fn of(&self, path: &Path) -> Self {
-        let mut source = Self { avatar: Some(path.to_owned()), ..self.clone() };
-        if import::is_ply(path) {
+    pub fn for_avatar(&self, path: &Path) -> Self {
+        let mut source = Self {
+            avatar: Some(path.to_owned()),
+            ..self.clone()
+        };
+        if ply::is_ply(path) {
             source.motion.clear()
         } else {
             source.up = None
@@ -49,48 +57,92 @@ impl Source {
         source
     }
 
-    /// Reads the avatar and its clips, of which there is at least one: an avatar that nothing moves has one of a single pose. Clips that
-    /// are given and move nothing of the avatar are an error.
+    /// Reads the avatar and its clips. There is at least one clip: a static avatar has one of a
+    /// single pose. A clip that moves no joint of the avatar is an error.
     pub fn load(&self) -> anyhow::Result<(Avatar, Vec<Clip>)> {
-        let turned = self.up.is_none() || self.avatar.as_deref().is_some_and(import::is_ply);
-        ensure!(turned, "--up is for a .ply; what stands up in an avatar file is known: leave it out");
+        ensure!(
+            self.up.is_none() || self.avatar.as_deref().is_some_and(ply::is_ply),
+            "--up is for a .ply only: an avatar file says which axis points up"
+        );
         let mut avatar = match &self.avatar {
-            Some(path) => import::open(path, self.up)?,
-            None => demo::avatar()?,
+            Some(path) => ply::open(path, self.up)?,
+            None => effigy_demo::avatar()?,
         };
-        if self.project == Project::Off {
-            (avatar.inputs.pose_space, avatar.inputs.expression_space) = (None, None);
+        if self.project == PoseProjection::Off {
+            avatar.inputs.pose_space = None;
+            avatar.inputs.expression_space = None;
         }
-        let clips = if self.motion.is_empty() {
-            vec![if avatar.is_static() { Clip::still(&avatar.skeleton) } else { demo::clip()? }]
-        } else {
-            self.motion.iter().map(|path| Clip::read(path)).collect::<Result<_, _>>()?
-        };
+        let clips = self.clips(&avatar)?;
         for clip in &clips {
-            let moved = clip.map_to(&avatar.skeleton).iter().flatten().count();
-            ensure!(
-                moved > 0,
-                "the clip `{}` moves none of the joints of `{}`: it has {}, the avatar has {}",
-                clip.name,
-                avatar.name,
-                some(&clip.joint),
-                some(&avatar.skeleton.name)
-            );
-            tracing::info!("the clip `{}` moves {moved} of {} joints", clip.name, avatar.skeleton.len());
+            check_joints(clip, &avatar)?;
         }
         Ok((avatar, clips))
     }
+
+    /// Reads the avatar, and its first clip as a player.
+    pub fn load_player(&self) -> anyhow::Result<(Avatar, Player)> {
+        let (avatar, clips) = self.load()?;
+        let clip = clips.into_iter().next().context("there is no clip")?;
+        let player = Player::new(clip, &avatar.skeleton);
+        Ok((avatar, player))
+    }
+
+    fn clips(&self, avatar: &Avatar) -> anyhow::Result<Vec<Clip>> {
+        if self.motion.is_empty() {
+            let clip = if avatar.is_static() {
+                Clip::still(&avatar.skeleton)
+            } else {
+                effigy_demo::clip()?
+            };
+            return Ok(vec![clip]);
+        }
+        let read = self.motion.iter().map(|path| Clip::read(path));
+        Ok(read.collect::<Result<_, _>>()?)
+    }
 }
 
-/// Reads `cameras.json` as 3DGS writes it beside a .ply, in the avatar's world.
+/// Refuses a clip that moves no joint of the avatar.
+fn check_joints(clip: &Clip, avatar: &Avatar) -> anyhow::Result<()> {
+    let moved = clip.map_to(&avatar.skeleton).iter().flatten().count();
+    ensure!(
+        moved > 0,
+        "the clip `{}` moves none of the joints of `{}`: it has {}, the avatar has {}",
+        clip.name,
+        avatar.name,
+        first_names(&clip.joint),
+        first_names(&avatar.skeleton.name)
+    );
+    tracing::info!(
+        "the clip `{}` moves {moved} of {} joints",
+        clip.name,
+        avatar.skeleton.len()
+    );
+    Ok(())
+}
+
+/// Reads a `cameras.json` as 3DGS writes it beside a .ply, in the avatar's world.
 pub fn cameras(path: &Path, avatar: &Avatar) -> anyhow::Result<Vec<Camera>> {
     let rest = Pose::rest(avatar.skeleton.len(), 0);
-    let world = avatar.skeleton.matrices(&rest).first().copied().unwrap_or_default();
+    let world = avatar
+        .skeleton
+        .matrices(&rest)
+        .first()
+        .copied()
+        .unwrap_or_default();
     Ok(cameras::read(path, world)?)
 }
 
-/// The first few of some names.
-fn some(names: &[String]) -> String {
-    let few: Vec<_> = names.iter().take(3).map(|name| format!("`{name}`")).collect();
-    format!("{}{}", few.join(", "), if names.len() > few.len() { ", …" } else { "" })
+/// The first three names of a list.
+fn first_names(names: &[String]) -> String {
+    let first: Vec<_> = names
+        .iter()
+        .take(3)
+        .map(|name| format!("`{name}`"))
+        .collect();
+    let rest = if names.len() > first.len() {
+        ", …"
+    } else {
+        ""
+    };
+    first.join(", ") + rest
 }

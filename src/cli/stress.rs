@@ -1,123 +1,205 @@
 //! `effigy stress`: hard cases against the f64 reference, from a seed.
 
-use super::render::progress;
-use crate::{
-    frame::Picture,
-    measure::error::Error,
-    measure::stress::{self, Case, FamilyReport, Outcome, Report, Settings},
-    vulkan::{Gpu, GpuOptions},
-};
+use crate::{files, options::DeviceArgs, progress};
 use anyhow::{Context, ensure};
-use std::path::{Path, PathBuf};
+use effigy::vulkan::Gpu;
+use effigy_core::scene::FrameImage;
+use effigy_measure::{
+    error::ErrorMetrics,
+    stress::{self, CaseOutcome, CategoryReport, StressCase, StressReport, StressSettings},
+};
+use std::{
+    path::{Path, PathBuf},
+    sync::Arc,
+};
 
-#[derive(clap::Args)]
+/// Failures that are printed, and a count of the rest.
+const PRINTED_FAILURES: usize = 20;
+
+#[derive(clap::Args, Debug)]
 pub struct Args {
-    /// How many cases to draw
-    #[arg(long, default_value_t = 2000)]
+    /// Cases to draw
+    #[arg(long, value_name = "N", default_value_t = 2000)]
     cases: u64,
     /// Number of the first case
-    #[arg(long, default_value_t = 0)]
+    #[arg(long, value_name = "N", default_value_t = 0)]
     first: u64,
-    /// What all cases are made from: the same seed gives the same cases everywhere
-    #[arg(long, default_value_t = 7)]
+    /// Seed of the random numbers
+    ///
+    /// A seed and a number make the same case on every machine.
+    #[arg(long, value_name = "N", default_value_t = 7)]
     seed: u64,
-    /// Draw one case alone and print all of it
+    /// Draw the case of this number alone, and print all about it
     #[arg(long, value_name = "N", conflicts_with = "cases")]
     case: Option<u64>,
-    /// Pictures of 8192 × 8192 px too, which take gigabytes and seconds
+    /// Also draw images of 8192 × 8192 pixels, which take gigabytes and seconds
     #[arg(long)]
     large: bool,
-    /// With --case: write the device's picture, the reference's and the avatar here
-    #[arg(long, value_name = "FOLDER", requires = "case")]
+    /// Folder for the device's image, the reference's and the avatar of --case
+    #[arg(short, long, value_name = "DIR", requires = "case")]
     out: Option<PathBuf>,
-    /// Write the result as JSON too
+    /// Also write the result as JSON
     #[arg(long, value_name = "FILE", conflicts_with = "case")]
     json: Option<PathBuf>,
-    /// GPU to use: part of its name, or its number in `effigy devices` [default: the first that can serve]
-    #[arg(long, value_name = "NAME")]
-    device: Option<String>,
+    #[command(flatten)]
+    device: DeviceArgs,
 }
 
 pub fn run(args: Args) -> anyhow::Result<()> {
-    let gpu = Gpu::new(&GpuOptions::headless(args.device.clone()))?;
-    if let Some(number) = args.case {
-        let case = Case::new(args.seed, number, args.large).on(&gpu.probe);
-        println!("{}", describe(&case));
-        let outcome = stress::try_case(&gpu, &case);
-        print_outcome(&outcome);
-        if let Some(folder) = &args.out {
-            write(&case, &outcome, folder)?;
-        }
-        ensure!(outcome.faults.is_empty(), "case {number} of seed {} fails: {}", args.seed, outcome.faults.join("; "));
-        return Ok(());
+    let gpu = Gpu::new(&args.device.gpu())?;
+    match args.case {
+        Some(number) => run_one(&args, &gpu, number),
+        None => run_all(&args, &gpu),
     }
-    let bar = progress(args.cases, "cases");
-    let settings = Settings { seed: args.seed, cases: args.first..args.first.saturating_add(args.cases), large: args.large };
-    let report = stress::run(&gpu, &settings, &mut |done, _, failed| {
+}
+
+fn run_one(args: &Args, gpu: &Arc<Gpu>, number: u64) -> anyhow::Result<()> {
+    let case = StressCase::new(args.seed, number, args.large).for_device(&gpu.probe);
+    println!("{}", describe(&case));
+    let outcome = stress::check_case(gpu, &case);
+    print_outcome(&outcome);
+    if let Some(folder) = &args.out {
+        write_case(&case, &outcome, folder)?;
+    }
+    ensure!(
+        outcome.faults.is_empty(),
+        "case {number} of seed {} fails: {}",
+        args.seed,
+        outcome.faults.join("; ")
+    );
+    Ok(())
+}
+
+fn run_all(args: &Args, gpu: &Arc<Gpu>) -> anyhow::Result<()> {
+    let bar = progress::items(args.cases, "cases");
+    let settings = StressSettings {
+        seed: args.seed,
+        cases: args.first..args.first.saturating_add(args.cases),
+        large: args.large,
+    };
+    let report = stress::run(gpu, &settings, &mut |done, _, failed| {
         bar.set_position(done as u64);
         if failed > 0 {
             bar.set_message(format!("{failed} failed"));
         }
     });
     bar.finish_and_clear();
-    print(&report, &args);
+    print_report(&report, args.large);
     if let Some(path) = &args.json {
-        let text = serde_json::to_string_pretty(&report)?;
-        std::fs::write(path, text + "\n").with_context(|| format!("{} can't be written", path.display()))?;
+        files::write_json(path, &report)?;
         println!("wrote {}", path.display());
     }
-    ensure!(!report.lost, "{} was lost or hung after {} cases", report.device, report.cases);
-    ensure!(report.failures.is_empty(), "{} of {} cases fail", report.failures.len(), report.cases);
+    ensure!(
+        !report.lost,
+        "{} was lost or hung after {} cases",
+        report.device,
+        report.cases
+    );
+    ensure!(
+        report.failures.is_empty(),
+        "{} of {} cases fail",
+        report.failures.len(),
+        report.cases
+    );
     Ok(())
 }
 
-fn print(report: &Report, args: &Args) {
+/// Prints all categories, and the failures. `large`: the cases were drawn with `--large`.
+fn print_report(report: &StressReport, large: bool) {
     println!("device   {} ({})", report.device, report.driver);
     println!(
         "{:15} {:>5} {:>6} {:>9} {:>19} {:>19} {:>19} {:>8}  hard because of",
-        "family", "cases", "failed", "ill-posed", "worst dB (case)", "device dB (case)", "its most (case)", "time"
+        "category",
+        "cases",
+        "failed",
+        "ill-posed",
+        "worst dB (case)",
+        "device dB (case)",
+        "its max (case)",
+        "time"
     );
-    for family in &report.families {
-        let FamilyReport { cases, failed, ill_posed, max_error, seconds, what, .. } = family;
-        let at = |case: Option<u64>| case.map_or(String::new(), |case| format!(" ({case})"));
-        let least = |psnr: Option<f64>, case| psnr.map_or("–".into(), |psnr| format!("{psnr:.2}{}", at(case)));
-        let worst = least(family.worst_psnr_db, family.worst_case);
-        let device = least(family.arithmetic_worst_psnr_db, family.arithmetic_worst_case);
-        let max_error = format!("{max_error:.4}{}", at(family.max_error_case));
-        let name = family.family.name();
-        println!("{name:15} {cases:>5} {failed:>6} {ill_posed:>9} {worst:>19} {device:>19} {max_error:>19} {seconds:>6.1} s  {what}");
+    for category in &report.categories {
+        print_category(category);
     }
-    let slowest = report.slowest.map_or(String::new(), |(case, seconds)| format!(", the slowest {seconds:.2} s (case {case})"));
-    println!("cases    {} of seed {} in {:.1} s{slowest}", report.cases, report.seed, report.seconds);
+    let slowest = report.slowest.map_or(String::new(), |(case, seconds)| {
+        format!(", the slowest {seconds:.2} s (case {case})")
+    });
+    println!(
+        "cases    {} of seed {} in {:.1} s{slowest}",
+        report.cases, report.seed, report.seconds
+    );
     println!("bits     {}", report.digest);
-    for failure in report.failures.iter().take(20) {
-        println!("FAILED   case {} ({}): {}", failure.case, failure.family.name(), failure.faults.join("; "));
+    for failure in report.failures.iter().take(PRINTED_FAILURES) {
+        println!(
+            "FAILED   case {} ({}): {}",
+            failure.case,
+            failure.category.name(),
+            failure.faults.join("; ")
+        );
         println!(
             "         replay: effigy stress --seed {} --case {}{}",
             report.seed,
             failure.case,
-            if args.large { " --large" } else { "" }
+            if large { " --large" } else { "" }
         );
     }
-    if report.failures.len() > 20 {
-        println!("         and {} more", report.failures.len() - 20);
+    let more = report.failures.len().saturating_sub(PRINTED_FAILURES);
+    if more > 0 {
+        println!("         and {more} more");
     }
 }
 
-/// All that decides about a case.
-fn describe(case: &Case) -> String {
-    let (g, avatar) = (&case.avatar.gaussians, &case.avatar);
-    let widths: Vec<usize> = avatar.networks.layers.iter().map(|layer| layer.output).collect();
+fn print_category(report: &CategoryReport) {
+    let case = |case: Option<u64>| case.map_or(String::new(), |case| format!(" ({case})"));
+    let decibels = |psnr: Option<f64>, number: Option<u64>| {
+        psnr.map_or("–".into(), |psnr| format!("{psnr:.2}{}", case(number)))
+    };
+    let worst = decibels(report.worst_psnr_db, report.worst_case);
+    let device = decibels(
+        report.arithmetic_worst_psnr_db,
+        report.arithmetic_worst_case,
+    );
+    let max_error = format!("{:.4}{}", report.max_error, case(report.max_error_case));
+    println!(
+        "{:15} {:>5} {:>6} {:>9} {worst:>19} {device:>19} {max_error:>19} {:>6.1} s  {}",
+        report.category.name(),
+        report.cases,
+        report.failed,
+        report.ill_posed,
+        report.seconds,
+        report.what
+    );
+}
+
+/// All inputs of a case.
+fn describe(case: &StressCase) -> String {
+    let avatar = &case.avatar;
+    let widths: Vec<usize> = avatar
+        .networks
+        .layers
+        .iter()
+        .map(|layer| layer.output)
+        .collect();
     [
-        format!("case     {} of {}: {}; {}", case.number, case.family.name(), case.family.what(), case.note),
+        format!(
+            "case     {} of {}: {}; {}",
+            case.number,
+            case.category.name(),
+            case.category.what(),
+            case.note
+        ),
         format!(
             "avatar   {} Gaussians, {} parts, {} nodes, {} joints",
-            g.len(),
+            avatar.gaussians.len(),
             avatar.parts.len(),
             avatar.nodes.len(),
             avatar.skeleton.len()
         ),
-        format!("networks {} inputs, then {widths:?}, {:?}", avatar.inputs.len(), avatar.networks.activation),
+        format!(
+            "networks {} inputs, then {widths:?}, {:?}",
+            avatar.inputs.len(),
+            avatar.networks.activation
+        ),
         format!(
             "rows     {} of rotation, {} of scale, {} of colour",
             avatar.rotation_rows.gaussian.len(),
@@ -132,36 +214,47 @@ fn describe(case: &Case) -> String {
     .join("\n")
 }
 
-fn print_outcome(outcome: &Outcome) {
-    let bound = outcome.bound;
-    for (what, error, least) in [("error", outcome.error, bound.model_db.min(bound.psnr_db)), ("device", outcome.arithmetic, bound.psnr_db)]
-    {
-        let Some(Error { covered, .. }) = error else { continue };
-        let (psnr, most, pixels) = (covered.psnr_db, covered.max_error, covered.pixels);
-        println!("{what:8} {psnr:.2} dB, {least:.2} is the bound; {most:.4} at most; over {pixels} covered pixels");
-    }
-    println!("         against the reference; the device's arithmetic alone, of which {:.4} is the bound", bound.max_error);
+fn print_outcome(outcome: &CaseOutcome) {
+    let bound = &outcome.bound;
+    let print = |name: &str, error: &Option<ErrorMetrics>, min_db: f64| {
+        if let Some(ErrorMetrics { covered, .. }) = error {
+            println!(
+                "{name:8} {:.2} dB, {min_db:.2} is the bound; {:.4} at most; over {} covered pixels",
+                covered.psnr_db, covered.max_error, covered.pixels
+            );
+        }
+    };
+    print("error", &outcome.error, bound.model_db.min(bound.psnr_db));
+    print("device", &outcome.arithmetic, bound.psnr_db);
+    println!(
+        "         error: against the reference; device: its arithmetic alone, {:.4} is the bound",
+        bound.max_error
+    );
     if let Some(moved) = outcome.conditioned_db {
-        println!("ill-posed: the reference against itself, moved by rounding, {moved:.2} dB");
+        println!("ill-posed: the reference with rounded inputs is {moved:.2} dB from itself");
     }
     println!("time     {:.3} s on the device", outcome.time.as_secs_f64());
     println!("bits     {:016x}", outcome.digest);
     if outcome.faults.is_empty() {
-        println!("nothing is wrong with it");
+        println!("no faults");
     }
 }
 
-fn write(case: &Case, outcome: &Outcome, folder: &Path) -> anyhow::Result<()> {
-    std::fs::create_dir_all(folder).with_context(|| format!("{} can't be made", folder.display()))?;
-    let name = |ending: &str| folder.join(format!("case-{}{ending}", case.number));
-    let save = |picture: &Picture, path: PathBuf| {
-        picture.over([0.5; 3]).save(&path).with_context(|| format!("{} can't be written", path.display()))
+/// Writes the images of the device and of the reference, and the avatar.
+fn write_case(case: &StressCase, outcome: &CaseOutcome, folder: &Path) -> anyhow::Result<()> {
+    files::create_folder(folder)?;
+    let path = |ending: &str| folder.join(format!("case-{}{ending}", case.number));
+    let save = |image: &FrameImage, path: PathBuf| {
+        image
+            .over([0.5; 3])
+            .save(&path)
+            .with_context(|| format!("{} can't be written", path.display()))
     };
-    if let Some([device, reference]) = &outcome.pictures {
-        save(device, name(".png"))?;
-        save(reference, name("-reference.png"))?;
+    if let Some([device, reference]) = &outcome.images {
+        save(device, path(".png"))?;
+        save(reference, path("-reference.png"))?;
     }
-    case.avatar.write(&name(".avatar"))?;
+    case.avatar.write(&path(".avatar"))?;
     println!("wrote {}", folder.display());
     Ok(())
 }
@@ -169,15 +262,18 @@ fn write(case: &Case, outcome: &Outcome, folder: &Path) -> anyhow::Result<()> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::measure::stress::Family;
+    use effigy_measure::stress::Category;
 
     #[test]
     fn a_case_is_its_seed_and_number() {
-        for number in 0..Family::ALL.len() as u64 {
-            let [a, b] = [0, 1].map(|_| Case::new(3, number, false));
+        for number in 0..Category::ALL.len() as u64 {
+            let [a, b] = [0, 1].map(|_| StressCase::new(3, number, false));
             assert_eq!(describe(&a), describe(&b));
             assert!(a.avatar == b.avatar);
         }
-        assert_ne!(describe(&Case::new(3, 1, false)), describe(&Case::new(4, 1, false)));
+        assert_ne!(
+            describe(&StressCase::new(3, 1, false)),
+            describe(&StressCase::new(4, 1, false))
+        );
     }
 }

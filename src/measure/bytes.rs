@@ -1,259 +1,632 @@
-//! The work of a frame, counted and not measured: bytes that each stage moves and operations that it does, and the fewest that would do.
+//! The work of a frame, computed and not measured: the bytes that each stage moves and the
+//! operations that it does, and the fewest that would do.
 //!
-//! Bytes are counted from the sizes of what a stage reads and writes, every access to memory once. Blending is counted as one read and
-//! one write of the covered picture (what a tiler's memory sees); fragments that blend in cache or in tile memory cost none. Caches can
-//! only make the true figure smaller, except for gathers that fetch a line for a part of it.
+//! Bytes follow from the sizes of a stage's inputs and outputs; every access to memory counts once.
+//! Blending counts as one read and one write of the image, which is the traffic of a tiler's
+//! memory; fragments that blend in cache or in tile memory cost none. Caches can only make the true
+//! number smaller, except for gathers, which fetch a cache line for a part of it.
 //!
-//! Floors take this model for granted (model.md, the file's precision) and nothing of the layout: every number that is needed is read
-//! once, at the fewest whole bytes that keep the picture within 50 dB; what stages hand on is f16, keys are 2 bytes and shrink from pass
-//! to pass, and only pixels that something covers are stored, once. Operations are additions and multiplications of floating-point
-//! numbers; a root, a division or an exponential counts as one.
+//! The minimum assumes the model (model.md, the file's precision) but nothing of the layout: every
+//! number that is needed is read once, at the fewest whole bytes that keep the image within 50 dB;
+//! stages hand on f16, keys are 2 bytes and shrink from pass to pass, and only covered pixels are
+//! stored, once. Operations are additions and multiplications of floating-point numbers; a root, a
+//! division or an exponential counts as one.
 
-use crate::{
+use effigy::vulkan::{RendererOptions, raster::RasterMethod, sh};
+use effigy_core::{
     avatar::{Avatar, Layer},
-    frame::{Skip, Variant},
-    layout::{SORT_DIGITS, SORT_LANES, SURFACE_DRAWN, SURFACE_FINEST, SURFACE_LEVELS},
-    vulkan::{RendererOptions, harmonics, raster::Method},
+    frame::{Skip, SortVariant, passes::Stage},
+    layout::{
+        BLOCK_PAIRS, GAUSSIAN_PAIRS, OCCLUDER_SIDE, POSE_CACHE_WORDS, PYRAMID_LEVELS, PYRAMID_SIDE,
+        SORT_DIGITS, SORT_RUNS,
+    },
+};
+use std::{
+    iter::Sum,
+    ops::{Add, Mul},
 };
 
-/// Operations from a Gaussian's numbers to its splat, correctives apart: blend four matrices (96), interpolate nodes (18), transform
-/// (18), rotation from quaternion (40), scales (6), covariance in space and on screen (190), hull, colour and packing (52).
-const SPLAT: u64 = 420;
-/// The first three of these: as far as to know where a Gaussian is.
-const PLACE: u64 = 132;
-/// Where the body is kept: a transform in place of the first three, and three axes less to make.
-const KEPT: u64 = 250;
-/// Bytes of a Gaussian as the model has it, of which all but the last 8 say where it is, and those that 32 Gaussians share, a Gaussian.
-const GAUSSIAN: [u64; 3] = [24, 8, 1];
-/// The same when every number is as small as can be: position 6, joints 4, weights 3, nodes 6, their weights 2; then quaternion 4,
-/// scales 3, colour 3, opacity 1.
-const GAUSSIAN_FLOOR: [u64; 2] = [21, 11];
-/// Bytes of a Gaussian as it is kept, where it is and then how it looks; and when these are as small as can be.
-const POSED: [u64; 2] = [8, 12];
-const POSED_FLOOR: [u64; 2] = [6, 11];
-/// Bytes of a splat as handed to the raster stage.
-const SPLAT_BYTES: u64 = 16;
-/// Bytes of a node's displacement as handed on.
-const NODE_BYTES: u64 = 8;
-/// Bytes of an index of the depth surface, and of a texel of its pyramid.
-const INDEX_BYTES: u64 = 2;
-const PYRAMID_BYTES: u64 = 2;
-/// Operations of a fragment: offset from the centre (2), exponent (5), exponential, opacity (2) and blending of four channels (8).
-const FRAGMENT: u64 = 18;
+/// Bytes of a word, and of a pair of words.
+const WORD: u64 = 4;
+const PAIR: u64 = 2 * WORD;
+/// Gaussians that share a block.
+const BLOCK: u64 = 32;
 
-/// What one stage does in a frame that it runs in.
+/// A number of bytes or of anything else: as this program's layout has it, and the fewest that
+/// would do.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+struct Amount {
+    stored: u64,
+    minimum: u64,
+}
+
+impl Amount {
+    /// An amount that can't be less.
+    const fn exact(amount: u64) -> Self {
+        Self {
+            stored: amount,
+            minimum: amount,
+        }
+    }
+
+    /// The share of an amount for `part` things, if it is for `whole` things that are alike.
+    fn share(self, part: u64, whole: u64) -> Self {
+        Self {
+            stored: share(self.stored, part, whole),
+            minimum: share(self.minimum, part, whole),
+        }
+    }
+}
+
+impl Add for Amount {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self {
+            stored: self.stored + other.stored,
+            minimum: self.minimum + other.minimum,
+        }
+    }
+}
+
+impl Mul<u64> for Amount {
+    type Output = Self;
+
+    fn mul(self, count: u64) -> Self {
+        Self {
+            stored: self.stored * count,
+            minimum: self.minimum * count,
+        }
+    }
+}
+
+impl Sum for Amount {
+    fn sum<I: Iterator<Item = Self>>(amounts: I) -> Self {
+        amounts.fold(Self::default(), Self::add)
+    }
+}
+
+/// `total · part / whole`; 0 if `whole` is.
+fn share(total: u64, part: u64, whole: u64) -> u64 {
+    (u128::from(total) * u128::from(part))
+        .checked_div(u128::from(whole))
+        .unwrap_or_default() as u64
+}
+
+/// A Gaussian's place: position, joints and weights, nodes and their weights; in the layout the log
+/// scales too. Minimum: 6 + 4 + 3 + 6 + 2.
+const GAUSSIAN_PLACE: Amount = Amount {
+    stored: PAIR * (GAUSSIAN_PAIRS as u64 - 1),
+    minimum: 21,
+};
+/// A Gaussian's look: rotation, colour and opacity, of which the minimum is 4 + 3 + 1, and the log
+/// scales, 3.
+const GAUSSIAN_LOOK: Amount = Amount {
+    stored: PAIR,
+    minimum: 11,
+};
+/// A Gaussian's share of its block.
+const GAUSSIAN_BLOCK: Amount = Amount {
+    stored: PAIR * BLOCK_PAIRS as u64 / BLOCK,
+    minimum: 0,
+};
+/// A Gaussian's place in the pose cache.
+const CACHED_PLACE: Amount = Amount {
+    stored: PAIR,
+    minimum: 6,
+};
+/// A Gaussian's look in the pose cache.
+const CACHED_LOOK: Amount = Amount {
+    stored: WORD * POSE_CACHE_WORDS as u64 - PAIR,
+    minimum: 11,
+};
+/// A splat as handed to the raster stage.
+const SPLAT: Amount = Amount::exact(4 * WORD);
+/// An index of a splat in drawing order.
+const SPLAT_INDEX: Amount = Amount::exact(WORD);
+/// A number of a feature vector.
+const FEATURE: Amount = Amount {
+    stored: WORD,
+    minimum: 2,
+};
+/// A node's offset, with the step of its basis in the fourth number.
+const NODE_OFFSET: Amount = Amount {
+    stored: PAIR,
+    minimum: 6,
+};
+/// A node's displacement.
+const NODE_DISPLACEMENT: Amount = Amount {
+    stored: PAIR,
+    minimum: 6,
+};
+/// A part's first node.
+const NODE_START: Amount = Amount {
+    stored: WORD,
+    minimum: 0,
+};
+/// A vertex of the occluder: the place of a Gaussian.
+const OCCLUDER_VERTEX: Amount = Amount {
+    stored: 4 * PAIR,
+    minimum: GAUSSIAN_PLACE.minimum,
+};
+/// A corner of an occluder's triangle.
+const OCCLUDER_INDEX: Amount = Amount::exact(2);
+/// A texel of the occluder's depth image.
+const DEPTH_TEXEL: Amount = Amount::exact(2);
+/// A texel of the depth pyramid.
+const PYRAMID_TEXEL: Amount = Amount::exact(2);
+/// What a Gaussian's colour from spherical harmonics depends on and makes: position and joints in,
+/// the colour out. Where the colour goes is up to the layout.
+const VIEW_COLOR: Amount = Amount {
+    stored: 2 * PAIR + PAIR,
+    minimum: 0,
+};
+/// A basis row's step and part, without its codes; of a colour the neutral colour too.
+const ROW_HEAD: Amount = Amount {
+    stored: WORD,
+    minimum: 0,
+};
+const COLOR_ROW_HEAD: Amount = Amount {
+    stored: 3 * WORD,
+    minimum: 0,
+};
+
+/// Operations of placing a Gaussian: blend four matrices (96), interpolate nodes (18), transform
+/// (18).
+const PLACE_OPERATIONS: u64 = 132;
+/// Operations from a Gaussian's numbers to its splat, correctives apart: placing; then rotation
+/// from the quaternion (40), scales (6), covariance in space and in the image (190), bounds, colour
+/// and packing (52).
+const SPLAT_OPERATIONS: u64 = PLACE_OPERATIONS + 288;
+/// Operations of placing a Gaussian from the pose cache: one transform.
+const CACHED_PLACE_OPERATIONS: u64 = 18;
+/// Operations of its splat: rotation and scales are in the cached shape, and the covariance has
+/// three axes less to make.
+const CACHED_SPLAT_OPERATIONS: u64 = 250;
+/// Operations of a fragment: offset from the centre (2), exponent (5), exponential, opacity (2) and
+/// blending of four channels (8).
+const FRAGMENT_OPERATIONS: u64 = 18;
+/// Tiles that a splat touches, about: 3 to 4 of a body 2000 pixels high.
+const TILES_A_SPLAT: u64 = 3;
+
+/// Work of one stage in a frame in which it runs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Work {
-    pub stage: &'static str,
+pub struct StageWork {
+    /// The stage.
+    pub stage: Stage,
+    /// Bytes that it moves.
     pub bytes: u64,
+    /// The fewest bytes that would do.
     pub bytes_floor: u64,
-    /// None where nobody counts them: a sort does none, and fragments are unknown without pipeline statistics.
+    /// None where they are not counted: a sort does none, and fragments are unknown without
+    /// pipeline statistics.
     pub operations: Option<u64>,
+    /// The fewest operations that would do.
     pub operations_floor: Option<u64>,
 }
 
-/// What the counts depend on besides the avatar.
+impl StageWork {
+    /// A stage that does nothing.
+    pub fn none(stage: Stage) -> Self {
+        Self::moving(stage, Amount::default())
+    }
+
+    /// A stage whose operations are not counted.
+    fn moving(stage: Stage, bytes: Amount) -> Self {
+        Self {
+            stage,
+            bytes: bytes.stored,
+            bytes_floor: bytes.minimum,
+            operations: None,
+            operations_floor: None,
+        }
+    }
+
+    /// A stage that moves bytes and computes.
+    fn computing(stage: Stage, bytes: Amount, operations: Amount) -> Self {
+        Self {
+            operations: Some(operations.stored),
+            operations_floor: Some(operations.minimum),
+            ..Self::moving(stage, bytes)
+        }
+    }
+
+    /// The work of so many avatars, rounded.
+    pub fn times(self, avatars: f64) -> Self {
+        let times = |count: u64| (count as f64 * avatars).round() as u64;
+        Self {
+            stage: self.stage,
+            bytes: times(self.bytes),
+            bytes_floor: times(self.bytes_floor),
+            operations: self.operations.map(times),
+            operations_floor: self.operations_floor.map(times),
+        }
+    }
+}
+
+/// Whether a stage runs once for all avatars and not once for each.
+pub fn runs_once_a_frame(stage: Stage) -> bool {
+    matches!(stage, Stage::Sort | Stage::Binning | Stage::Raster)
+}
+
+/// The size of an occluder mesh.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Seen {
-    /// Gaussians that were looked at, and those that were drawn.
+pub struct OccluderSize {
+    /// Number of vertices.
+    pub vertices: u64,
+    /// Number of triangles.
+    pub triangles: u64,
+}
+
+/// What the work depends on besides the avatar.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct WorkCounts {
+    /// Gaussians that were projected.
     pub gaussians: u64,
+    /// Gaussians that were drawn.
     pub drawn: u64,
-    /// Networks that ran; all where that is not known.
+    /// Networks that ran. None, if unknown, stands for all.
     pub networks: Option<u64>,
-    /// Whether what no camera changes came from an earlier frame.
-    pub kept: bool,
-    /// Corners and triangles of the depth surface.
-    pub surface: [u64; 2],
-    /// Bytes of the bins before their nodes.
-    pub heads: u64,
-    /// Pixels covered; all of the picture where that is not known.
+    /// Whether posed Gaussians came from the pose cache.
+    pub pose_cached: bool,
+    /// Size of the occluder mesh; zeros without one.
+    pub occluder: OccluderSize,
+    /// Bytes of the heads of all tiles' lists.
+    pub tile_head_bytes: u64,
+    /// Pixels that were covered. None, if unknown, stands for the whole image; so for the next.
     pub covered: Option<u64>,
-    /// Pixels that may be touched; all of the picture where that is not known.
-    pub area: Option<u64>,
+    /// Pixels that were redrawn.
+    pub damaged: Option<u64>,
+    /// Fragments that were shaded, if known.
     pub fragments: Option<u64>,
 }
 
-/// The work of each stage of a frame that it runs in.
-pub fn per_stage(avatar: &Avatar, options: &RendererOptions, seen: Seen) -> Vec<Work> {
-    let lit = avatar.harmonics.is_some().then(|| view_colors(avatar, seen));
-    let hides = options.skip.contains(Skip::HIDDEN) && seen.surface[1] > 0;
-    let surface = hides.then(|| surface(avatar, seen));
-    let model = std::iter::once(features(avatar, options, seen)).chain(lit).chain(surface);
-    let bins = (options.method == Some(Method::Tiles)).then(|| bins(seen));
-    model.chain([splats(avatar, options, seen, hides), sort(options, seen)]).chain(bins).chain([raster(options, seen)]).collect()
+/// The work of each stage, in the order of a frame in which it runs.
+pub fn work_per_stage(
+    avatar: &Avatar,
+    options: &RendererOptions,
+    counts: WorkCounts,
+) -> Vec<StageWork> {
+    let has_occluder = options.skip.contains(Skip::HIDDEN) && counts.occluder.triangles > 0;
+    let mut stages = vec![mlp(avatar, options, counts)];
+    if avatar.sh.is_some() {
+        stages.push(view_colors(avatar, counts));
+    }
+    if has_occluder {
+        stages.push(occluder(avatar, counts));
+    }
+    stages.push(project(avatar, options, counts, has_occluder));
+    stages.push(sort(options, counts));
+    if options.method == Some(RasterMethod::Tiles) {
+        stages.push(binning(counts));
+    }
+    stages.push(raster(options, counts));
+    stages
 }
 
-/// What of `all` falls to `some` of `among` that are alike; nothing where there are none.
-fn share(all: u64, some: u64, among: u64) -> u64 {
-    (u128::from(all) * u128::from(some)).checked_div(u128::from(among)).unwrap_or_default() as u64
+/// Features of all parts.
+fn features(avatar: &Avatar) -> Amount {
+    FEATURE * (avatar.parts.len() * avatar.networks.output()) as u64
 }
 
-/// Numbers in the feature vectors of all parts.
-fn feature_count(avatar: &Avatar) -> u64 {
-    (avatar.parts.len() * avatar.networks.output()) as u64
+/// The networks' arrays, and how much of them is read.
+struct NetworkArrays {
+    /// Weights and biases of all parts.
+    weights: Amount,
+    biases: Amount,
+    bytes_a_weight: u64,
+    bytes_a_bias: u64,
+}
+
+impl NetworkArrays {
+    fn new(avatar: &Avatar, options: &RendererOptions) -> Self {
+        let networks = &avatar.networks;
+        let parts = avatar.parts.len() as u64;
+        let body_parts = parts - (avatar.parts.head as u64).min(parts);
+        // Weights are padded to quads of inputs. Biases are padded to quads of neurons, or, in
+        // bytes, stored with the step of their neuron's weights.
+        let in_bytes = networks.in_bytes();
+        let bias_group = if in_bytes { 1 } else { 4 };
+        let weights_of = |layer: &Layer, inputs: usize| Amount {
+            stored: (inputs.next_multiple_of(4) * layer.output) as u64,
+            minimum: (inputs * layer.output) as u64,
+        };
+        let biases_of = |layer: &Layer| Amount {
+            stored: layer.output.next_multiple_of(bias_group) as u64,
+            minimum: layer.output as u64,
+        };
+        let layers = &networks.layers;
+        let weights: Amount = layers
+            .iter()
+            .map(|layer| weights_of(layer, layer.input))
+            .sum();
+        let biases: Amount = layers.iter().map(biases_of).sum();
+        // Outside the head the expression is 0, so its columns of the first layer need not be read.
+        let mut unread = Amount::default();
+        if let Some(first) = layers.first() {
+            let expression = avatar.inputs.expression.min(first.input);
+            let all = weights_of(first, first.input);
+            let rest = weights_of(first, first.input - expression);
+            unread.minimum = all.minimum - rest.minimum;
+            if options.skip.contains(Skip::INPUTS) {
+                unread.stored = all.stored - rest.stored;
+            }
+        }
+        Self {
+            weights: Amount {
+                stored: parts * weights.stored - body_parts * unread.stored,
+                minimum: parts * weights.minimum - body_parts * unread.minimum,
+            },
+            biases: biases * parts,
+            bytes_a_weight: if in_bytes { 1 } else { 2 },
+            bytes_a_bias: if in_bytes { 4 } else { 2 },
+        }
+    }
+
+    fn bytes(&self) -> Amount {
+        self.weights * self.bytes_a_weight + self.biases * self.bytes_a_bias
+    }
 }
 
 /// Networks, and the nodes that follow them.
-fn features(avatar: &Avatar, options: &RendererOptions, seen: Seen) -> Work {
-    let layers = &avatar.networks.layers;
+fn mlp(avatar: &Avatar, options: &RendererOptions, counts: WorkCounts) -> StageWork {
+    let networks = NetworkArrays::new(avatar, options);
     let parts = avatar.parts.len() as u64;
-    let head = (avatar.parts.head as u64).min(parts);
-    let run = seen.networks.unwrap_or(parts).min(parts);
-    // Parts outside the head see the expression as zeros.
-    let body_input = |layer: &Layer| (layer.input - avatar.inputs.expression.min(layer.input)) as u64;
-    let zeros: u64 = layers.first().map_or(0, |layer| (layer.input as u64 - body_input(layer)) * layer.output as u64);
-    let padded = |numbers: u64| numbers.next_multiple_of(4);
-    let read_zeros = layers.first().filter(|_| options.skip.contains(Skip::INPUTS));
-    let unread = read_zeros.map_or(0, |layer| (padded(layer.input as u64) - padded(body_input(layer))) * layer.output as u64);
-    let sum = |of: fn(&Layer) -> u64| layers.iter().map(of).sum::<u64>();
-    let weights = sum(|layer| layer.input.next_multiple_of(4) as u64 * layer.output as u64);
-    // Of a weight; of a bias, and its step where there is one.
-    let [weight, bias] = if avatar.networks.in_bytes() { [1, 4] } else { [2, 2] };
-    let padding = if avatar.networks.in_bytes() { 1 } else { 4 };
-    let biases = layers.iter().map(|layer| layer.output.next_multiple_of(padding) as u64).sum::<u64>();
-    let neurons = sum(|layer| layer.output as u64);
-    let needed = sum(|layer| layer.input as u64 * layer.output as u64);
-    let (nodes, basis) = (avatar.nodes.len() as u64, avatar.nodes.basis.len() as u64);
-    // Of all parts; of those that ran their share.
-    let share = |all| share(all, run, parts);
-    let bytes = weight * (parts * weights - (parts - head) * unread) + bias * parts * biases + 4 * feature_count(avatar);
-    let bytes_floor = weight * (parts * needed - (parts - head) * zeros) + bias * parts * neurons + 2 * feature_count(avatar);
-    Work {
-        stage: "features",
-        // An offset in, a displacement out.
-        bytes: share(bytes + basis + (8 + NODE_BYTES) * nodes + 4 * parts),
-        bytes_floor: share(bytes_floor + basis + (6 + 6) * nodes),
-        operations: Some(share(2 * (parts * weights - (parts - head) * unread) + 2 * basis)),
-        operations_floor: Some(share(2 * (parts * needed - (parts - head) * zeros) + 2 * basis)),
+    let nodes = avatar.nodes.len() as u64;
+    let basis = Amount::exact(avatar.nodes.basis.len() as u64);
+    let bytes = networks.bytes()
+        + features(avatar)
+        + basis
+        + (NODE_OFFSET + NODE_DISPLACEMENT) * nodes
+        + NODE_START * parts;
+    let operations = (networks.weights + basis) * 2;
+    let ran = counts.networks.unwrap_or(parts).min(parts);
+    StageWork::computing(
+        Stage::Mlp,
+        bytes.share(ran, parts),
+        operations.share(ran, parts),
+    )
+}
+
+/// Colours from spherical harmonics.
+fn view_colors(avatar: &Avatar, counts: WorkCounts) -> StageWork {
+    let all = avatar.gaussians.len() as u64;
+    let coefficients = Amount::exact(sh::bytes(avatar)).share(counts.gaussians, all);
+    let bytes = coefficients + VIEW_COLOR * counts.gaussians;
+    StageWork::computing(Stage::Sh, bytes, coefficients)
+}
+
+/// Texels of all levels of the depth pyramid.
+fn pyramid() -> Amount {
+    let texels = |level: u32| u64::from(PYRAMID_SIDE >> level).pow(2);
+    PYRAMID_TEXEL * (0..PYRAMID_LEVELS).map(texels).sum()
+}
+
+/// The depth image is written and read once, and then reduced to the pyramid.
+fn occluder(avatar: &Avatar, counts: WorkCounts) -> StageWork {
+    let OccluderSize {
+        vertices,
+        triangles,
+    } = counts.occluder;
+    let texels = u64::from(OCCLUDER_SIDE).pow(2);
+    let bytes = OCCLUDER_VERTEX * vertices
+        + OCCLUDER_INDEX * (3 * triangles)
+        + NODE_DISPLACEMENT * avatar.nodes.len() as u64
+        + DEPTH_TEXEL * (2 * texels)
+        + pyramid();
+    StageWork::moving(Stage::Occluder, bytes)
+}
+
+/// Basis rows of rotation, scale and colour.
+struct RowArrays {
+    /// Numbers, a byte each.
+    numbers: u64,
+    heads: Amount,
+}
+
+impl RowArrays {
+    fn new(avatar: &Avatar) -> Self {
+        let rotation = &avatar.rotation_rows;
+        let scale = &avatar.scale_rows;
+        let color = &avatar.color_rows;
+        let numbers = rotation.basis.len() + scale.basis.len() + color.basis.len();
+        let rows = rotation.gaussian.len() + scale.gaussian.len();
+        Self {
+            numbers: numbers as u64,
+            heads: ROW_HEAD * rows as u64 + COLOR_ROW_HEAD * color.gaussian.len() as u64,
+        }
+    }
+
+    fn bytes(&self) -> Amount {
+        Amount::exact(self.numbers) + self.heads
     }
 }
 
-/// Colours of the view's direction, of avatars that have them.
-fn view_colors(avatar: &Avatar, seen: Seen) -> Work {
-    let coefficients = share(harmonics::bytes(avatar), seen.gaussians, avatar.gaussians.len() as u64);
-    // Position and joints in, the colour out; where the colour goes is up to the layout.
-    let bytes = coefficients + (16 + 8) * seen.gaussians;
-    let bytes_floor = coefficients.min(bytes);
-    Work { stage: "harmonics", bytes, bytes_floor, operations: Some(coefficients), operations_floor: Some(coefficients) }
-}
-
-/// Texels of the depth surface's pyramid.
-fn pyramid() -> u64 {
-    (0..SURFACE_LEVELS).map(|level| u64::from(SURFACE_FINEST >> level).pow(2)).sum()
-}
-
-/// The depth image is written and read once, and then reduced.
-fn surface(avatar: &Avatar, seen: Seen) -> Work {
-    let [corners, triangles] = seen.surface;
-    let (nodes, drawn) = (avatar.nodes.len() as u64, u64::from(SURFACE_DRAWN).pow(2));
-    Work {
-        stage: "surface",
-        bytes: 32 * corners + 3 * INDEX_BYTES * triangles + NODE_BYTES * nodes + 2 * 2 * drawn + PYRAMID_BYTES * pyramid(),
-        bytes_floor: GAUSSIAN_FLOOR[0] * corners + 3 * 2 * triangles + 6 * nodes + 2 * 2 * drawn + 2 * pyramid(),
-        operations: None,
-        operations_floor: None,
+/// Skinning, projection and culling; also from the pose cache.
+fn project(
+    avatar: &Avatar,
+    options: &RendererOptions,
+    counts: WorkCounts,
+    has_occluder: bool,
+) -> StageWork {
+    let gaussians = counts.gaussians;
+    let drawn = counts.drawn.min(gaussians);
+    // A drawn key adds one to a count of the sort's first pass: a read and a write. At the minimum
+    // a Gaussian that is not drawn needs no key.
+    let counting = Amount {
+        stored: 2 * WORD,
+        minimum: 2,
+    };
+    let keys = Amount {
+        stored: options.key_bits.bytes(gaussians),
+        minimum: 0,
+    };
+    let pyramid = Amount {
+        stored: if has_occluder { pyramid().stored } else { 0 },
+        minimum: 0,
+    };
+    let handed_on = (SPLAT + counting) * drawn + keys + pyramid;
+    if counts.pose_cached {
+        let bytes = CACHED_PLACE * gaussians + CACHED_LOOK * drawn + handed_on;
+        let operations = CACHED_PLACE_OPERATIONS * gaussians + CACHED_SPLAT_OPERATIONS * drawn;
+        return StageWork::computing(Stage::Project, bytes, Amount::exact(operations));
     }
+    // Only drawn Gaussians read rows. They are assumed to have them as often as the others.
+    let all = avatar.gaussians.len() as u64;
+    let rows = RowArrays::new(avatar);
+    let bytes = GAUSSIAN_PLACE * gaussians
+        + GAUSSIAN_BLOCK * all
+        + GAUSSIAN_LOOK * drawn
+        + rows.bytes().share(drawn, all)
+        + features(avatar)
+        + NODE_DISPLACEMENT * avatar.nodes.len() as u64
+        + handed_on;
+    let operations = PLACE_OPERATIONS * (gaussians - drawn)
+        + SPLAT_OPERATIONS * drawn
+        + share(2 * rows.numbers, drawn, all);
+    StageWork::computing(Stage::Project, bytes, Amount::exact(operations))
 }
 
-fn splats(avatar: &Avatar, options: &RendererOptions, seen: Seen, hides: bool) -> Work {
-    let Seen { gaussians, drawn, .. } = seen;
-    let drawn = drawn.min(gaussians);
-    let numbers = (avatar.rotation_rows.basis.len() + avatar.scale_rows.basis.len() + avatar.color_rows.basis.len()) as u64;
-    let heads = 4 * (avatar.rotation_rows.gaussian.len() + avatar.scale_rows.gaussian.len() + 3 * avatar.color_rows.gaussian.len()) as u64;
-    // Those that are not drawn read no rows; which have some is taken to be the same among both.
-    let model = avatar.gaussians.len() as u64;
-    let share = |all| share(all, drawn, model);
-    // A drawn key adds one to a count of the sort's first pass.
-    let out = (SPLAT_BYTES + 8) * drawn + options.key_bits.bytes(gaussians) + if hides { PYRAMID_BYTES * pyramid() } else { 0 };
-    // What is not drawn needs no key.
-    let out_floor = (SPLAT_BYTES + 2) * drawn;
-    if seen.kept {
-        return Work {
-            stage: "splats",
-            bytes: POSED[0] * gaussians + POSED[1] * drawn + out,
-            bytes_floor: POSED_FLOOR[0] * gaussians + POSED_FLOOR[1] * drawn + out_floor,
-            operations: Some(18 * gaussians + KEPT * drawn),
-            operations_floor: Some(18 * gaussians + KEPT * drawn),
-        };
-    }
-    let (features, nodes) = (feature_count(avatar), avatar.nodes.len() as u64);
-    let [place, look, block] = GAUSSIAN;
-    let operations = PLACE * (gaussians - drawn) + SPLAT * drawn + share(2 * numbers);
-    Work {
-        stage: "splats",
-        bytes: place * gaussians + block * model + look * drawn + share(numbers + heads) + 4 * features + NODE_BYTES * nodes + out,
-        bytes_floor: GAUSSIAN_FLOOR[0] * gaussians + GAUSSIAN_FLOOR[1] * drawn + share(numbers) + 2 * features + 6 * nodes + out_floor,
-        operations: Some(operations),
-        operations_floor: Some(operations),
-    }
+/// Bytes of an index that is sorted along with its key.
+const SORT_VALUE: u64 = WORD;
+
+fn sort(options: &RendererOptions, counts: WorkCounts) -> StageWork {
+    let passes = u64::from(options.key_bits.passes());
+    let bytes = Amount {
+        stored: stored_sort_bytes(options, counts, passes),
+        minimum: minimum_sort_bytes(counts.drawn, passes),
+    };
+    StageWork::moving(Stage::Sort, bytes)
 }
 
-fn sort(options: &RendererOptions, seen: Seen) -> Work {
-    let Seen { gaussians, drawn, .. } = seen;
-    let (passes, value) = (u64::from(options.key_bits.passes()), 4);
-    // Keys of the culled are read by the first pass too, counted already. A later pass reads entries twice (count, scatter); the last
-    // finds a digit and a value in one word.
-    let entry = |pass: u64| if pass + 1 == passes { 4 } else { 8 };
-    // Where the start-up test chose the variant, the one with most counts.
-    let variants = options.sort.as_ref().map_or(&Variant::ALL[..], std::slice::from_ref);
-    let counts = variants.iter().map(|&variant| counts(variant, gaussians, passes)).max().unwrap_or_default();
-    let bytes = counts + options.key_bits.bytes(gaussians) + drawn * ((1..passes).map(|pass| 3 * entry(pass)).sum::<u64>() + value);
-    // Histograms come for free with the keys. A pass reads what is left of the key, and the value but for the first, which knows it.
-    let pass = |left: u64| if left == passes { left + (left - 1 + value) } else { (left + value) + (left - 1 + value) };
-    let bytes_floor = drawn * (1..=passes).map(pass).sum::<u64>();
-    Work { stage: "sort", bytes, bytes_floor, operations: None, operations_floor: None }
+fn stored_sort_bytes(options: &RendererOptions, counts: WorkCounts, passes: u64) -> u64 {
+    // If the self-test chose the variant, the one with the most counters stands for it.
+    let variants = match &options.sort {
+        Some(variant) => std::slice::from_ref(variant),
+        None => &SortVariant::ALL,
+    };
+    let counters = variants
+        .iter()
+        .map(|&variant| counter_bytes(variant, counts.gaussians, passes));
+    // An entry of a later pass is read twice, to count and to scatter, and was written once. The
+    // last pass finds digit and index in one word. The first pass reads the keys of culled
+    // Gaussians too.
+    let entry = |pass: u64| {
+        if pass + 1 == passes {
+            WORD
+        } else {
+            WORD + SORT_VALUE
+        }
+    };
+    let later_passes: u64 = (1..passes).map(|pass| 3 * entry(pass)).sum();
+    counters.max().unwrap_or_default()
+        + options.key_bits.bytes(counts.gaussians)
+        + counts.drawn * (later_passes + SORT_VALUE)
 }
 
-/// Bytes of a sort's counts: a tile's are cleared or written, and summed, in each pass. Lanes' own are written in each pass, and in all
-/// but the first another kernel reads them.
-fn counts(variant: Variant, gaussians: u64, passes: u64) -> u64 {
-    let lanes = if variant == Variant::LaneScan { u64::from(SORT_LANES) * (2 * passes - 1) } else { 0 };
-    4 * u64::from(SORT_DIGITS) * gaussians.div_ceil(u64::from(variant.tile())) * (3 * passes + lanes)
+/// Histograms come for free with the keys. Each pass reads the bytes of the key that are left, and
+/// writes one less; with them goes the index, which the first pass knows without reading it.
+fn minimum_sort_bytes(drawn: u64, passes: u64) -> u64 {
+    let pass = |key_bytes: u64| {
+        let is_first = key_bytes == passes;
+        let read = key_bytes + if is_first { 0 } else { SORT_VALUE };
+        let written = key_bytes - 1 + SORT_VALUE;
+        read + written
+    };
+    drawn * (1..=passes).map(pass).sum::<u64>()
 }
 
-/// Tiles that a splat meets, about: 3 to 4 of a body 2000 pixels high.
-const MET: u64 = 3;
-
-/// Chains of tiles: their heads are cleared; an entry reads and writes a head, and writes itself.
-fn bins(seen: Seen) -> Work {
-    let bytes = seen.heads + (4 + SPLAT_BYTES + 12 * MET) * seen.drawn;
-    Work { stage: "bins", bytes, bytes_floor: (4 + SPLAT_BYTES + 4 * MET) * seen.drawn, operations: None, operations_floor: None }
+/// Bytes of a sort's counters: in each pass those of a tile are cleared or written, and summed.
+/// With counters for each thread these are written in each pass, and read by another kernel in all
+/// but the first.
+fn counter_bytes(variant: SortVariant, gaussians: u64, passes: u64) -> u64 {
+    let tiles = gaussians.div_ceil(u64::from(variant.tile()));
+    let accesses_of_threads = if variant == SortVariant::PerThread {
+        u64::from(SORT_RUNS) * (2 * passes - 1)
+    } else {
+        0
+    };
+    WORD * u64::from(SORT_DIGITS) * tiles * (3 * passes + accesses_of_threads)
 }
 
-fn raster(options: &RendererOptions, seen: Seen) -> Work {
-    let picture = seen.area.unwrap_or_else(|| options.size.into_iter().map(u64::from).product());
+/// The tiles' lists: their heads are cleared. Adding a splat to a list reads and writes a head, and
+/// writes an entry.
+fn binning(counts: WorkCounts) -> StageWork {
+    let list_entry = Amount {
+        stored: 3 * WORD,
+        minimum: WORD,
+    };
+    let heads = Amount {
+        stored: counts.tile_head_bytes,
+        minimum: 0,
+    };
+    let a_splat = SPLAT_INDEX + SPLAT + list_entry * TILES_A_SPLAT;
+    StageWork::moving(Stage::Binning, heads + a_splat * counts.drawn)
+}
+
+fn raster(options: &RendererOptions, counts: WorkCounts) -> StageWork {
+    let [width, height] = options.size.map(u64::from);
+    let redrawn = counts.damaged.unwrap_or(width * height);
+    let covered = counts.covered.unwrap_or(redrawn);
     let pixel = options.color.unwrap_or_default().bytes() as u64;
-    let splats = (4 + SPLAT_BYTES) * seen.drawn;
-    // Quads are blended over a picture that was cleared; tiles read their splats anew, and write once.
-    let (splats_read, written) = if options.method == Some(Method::Tiles) { (MET * splats, 1) } else { (splats, 2) };
-    Work {
-        stage: "raster",
-        bytes: splats_read + written * picture * pixel,
-        bytes_floor: splats + seen.covered.unwrap_or(picture) * pixel,
-        operations: seen.fragments.map(|fragments| FRAGMENT * fragments),
-        operations_floor: None,
+    let splats = (SPLAT_INDEX + SPLAT) * counts.drawn;
+    let by_tiles = options.method == Some(RasterMethod::Tiles);
+    // Quads are blended over an image that was cleared. Each tile reads its own splats, and an
+    // image is written once.
+    let reads_a_splat = if by_tiles { TILES_A_SPLAT } else { 1 };
+    let writes_a_pixel = if by_tiles { 1 } else { 2 };
+    let bytes = Amount {
+        stored: reads_a_splat * splats.stored + writes_a_pixel * redrawn * pixel,
+        minimum: splats.minimum + covered * pixel,
+    };
+    StageWork {
+        operations: counts
+            .fragments
+            .map(|fragments| FRAGMENT_OPERATIONS * fragments),
+        ..StageWork::moving(Stage::Raster, bytes)
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{avatar::pack::Step, demo, vulkan::sort::KeyBits};
+    use effigy::vulkan::sort::KeyBits;
+    use effigy_core::io::pack::PackStep;
+
+    fn demo() -> Avatar {
+        effigy_demo::avatar().expect("the demo is built in")
+    }
 
     #[test]
-    fn no_floor_is_above_what_is_counted() {
-        let avatar = demo::avatar().expect("inside the program");
+    fn no_minimum_is_above_the_stored_amount() {
+        let avatar = demo();
         let gaussians = avatar.gaussians.len() as u64;
+        let mesh = OccluderSize {
+            vertices: 500,
+            triangles: 900,
+        };
         for key_bits in [KeyBits::Sixteen, KeyBits::TwentyFour, KeyBits::ThirtyTwo] {
-            let options = RendererOptions { key_bits, ..RendererOptions::new([256, 256]) };
+            let options = RendererOptions {
+                key_bits,
+                ..RendererOptions::new([256, 256])
+            };
             for drawn in [0, gaussians / 2, gaussians] {
-                let seen = Seen { gaussians, drawn, covered: Some(9000), fragments: Some(100_000), ..Seen::default() };
-                for (kept, surface) in [(false, [0; 2]), (true, [500, 900])] {
-                    for work in per_stage(&avatar, &options, Seen { kept, surface, ..seen }) {
+                for (pose_cached, occluder) in [(false, OccluderSize::default()), (true, mesh)] {
+                    let counts = WorkCounts {
+                        gaussians,
+                        drawn,
+                        pose_cached,
+                        occluder,
+                        covered: Some(9000),
+                        fragments: Some(100_000),
+                        ..WorkCounts::default()
+                    };
+                    for work in work_per_stage(&avatar, &options, counts) {
                         assert!(work.bytes_floor <= work.bytes, "{work:?}");
                         assert!(work.operations_floor <= work.operations, "{work:?}");
-                        let none = ["sort", "raster", "surface"].contains(&work.stage);
-                        assert!(none || work.operations_floor > Some(0), "{work:?}");
+                        let uncounted =
+                            [Stage::Sort, Stage::Raster, Stage::Occluder].contains(&work.stage);
+                        assert!(uncounted || work.operations_floor > Some(0), "{work:?}");
                     }
                 }
             }
@@ -262,40 +635,80 @@ mod tests {
 
     #[test]
     fn networks_in_bytes_move_half() {
-        let avatar = demo::avatar().expect("inside the program");
-        let small = avatar.after(Step::Networks);
-        let of = |avatar: &Avatar| features(avatar, &RendererOptions::new([1, 1]), Seen::default());
-        let saved = avatar.networks.layers.iter().map(|layer| layer.weight.len() as u64).sum::<u64>();
-        let gained = of(&avatar).bytes - of(&small).bytes;
-        assert!(gained > saved * 8 / 10 && gained < saved, "{gained} of {saved} weights");
-        assert_eq!(of(&avatar).operations, of(&small).operations);
-        assert!(of(&small).bytes_floor <= of(&small).bytes);
+        let avatar = demo();
+        let small = avatar.after(PackStep::Networks);
+        let options = RendererOptions::new([1, 1]);
+        let work = |avatar: &Avatar| mlp(avatar, &options, WorkCounts::default());
+        let layers = &avatar.networks.layers;
+        let weights: u64 = layers.iter().map(|layer| layer.weight.len() as u64).sum();
+        let saved = work(&avatar).bytes - work(&small).bytes;
+        assert!(
+            saved > weights * 8 / 10 && saved < weights,
+            "{saved} of {weights} weights"
+        );
+        assert_eq!(work(&avatar).operations, work(&small).operations);
+        assert!(work(&small).bytes_floor <= work(&small).bytes);
     }
 
     #[test]
     fn networks_that_did_not_run_move_nothing() {
-        let avatar = demo::avatar().expect("inside the program");
+        let avatar = demo();
         let options = RendererOptions::new([1, 1]);
-        let of = |networks| features(&avatar, &options, Seen { networks, ..Seen::default() });
-        let (all, half) = (of(None), of(Some(avatar.parts.len() as u64 / 2)));
-        assert!(half.bytes < all.bytes * 11 / 20 && of(Some(0)).bytes == 0 && of(Some(1 << 40)) == all);
-        let zeros = RendererOptions { skip: Skip::empty(), ..options };
-        assert!(features(&avatar, &zeros, Seen::default()).bytes > all.bytes, "the expression's columns are read outside the head too");
+        let work = |networks| {
+            let counts = WorkCounts {
+                networks,
+                ..WorkCounts::default()
+            };
+            mlp(&avatar, &options, counts)
+        };
+        let all = work(None);
+        let half = work(Some(avatar.parts.len() as u64 / 2));
+        assert!(half.bytes < all.bytes * 11 / 20);
+        assert_eq!(work(Some(0)).bytes, 0);
+        assert_eq!(work(Some(1 << 40)), all);
+        let with_expression = RendererOptions {
+            skip: Skip::empty(),
+            ..options
+        };
+        assert!(
+            mlp(&avatar, &with_expression, WorkCounts::default()).bytes > all.bytes,
+            "the expression's columns are read outside the head too"
+        );
     }
 
     #[test]
-    fn a_pass_more_costs_what_a_pass_moves() {
-        let seen = Seen { gaussians: 1000, drawn: 1000, ..Seen::default() };
-        let of = |key_bits| sort(&RendererOptions { key_bits, sort: Some(Variant::SelfScan), ..RendererOptions::new([1, 1]) }, seen);
-        let (two, three) = (of(KeyBits::Sixteen), of(KeyBits::TwentyFour));
-        // Two keys a word and one pass between words; a key a word, one pass between pairs and one between words.
-        let counts = |passes| 3 * 4 * u64::from(SORT_DIGITS) * passes;
-        let expected = [(2 + 3 * 4 + 4) * 1000 + counts(2), (4 + 3 * 8 + 3 * 4 + 4) * 1000 + counts(3)];
+    fn another_sort_pass_costs_the_bytes_that_it_moves() {
+        let counts = WorkCounts {
+            gaussians: 1000,
+            drawn: 1000,
+            ..WorkCounts::default()
+        };
+        let work = |key_bits, variant| {
+            let options = RendererOptions {
+                key_bits,
+                sort: Some(variant),
+                ..RendererOptions::new([1, 1])
+            };
+            sort(&options, counts)
+        };
+        let two = work(KeyBits::Sixteen, SortVariant::ReduceThenScan);
+        let three = work(KeyBits::TwentyFour, SortVariant::ReduceThenScan);
+        // Two keys a word and one pass between words; a key a word, one pass between pairs and one
+        // between words.
+        let counters = |passes| 3 * 4 * u64::from(SORT_DIGITS) * passes;
+        let expected = [
+            (2 + 3 * 4 + 4) * 1000 + counters(2),
+            (4 + 3 * 8 + 3 * 4 + 4) * 1000 + counters(3),
+        ];
         assert_eq!([two.bytes, three.bytes], expected);
-        // 2 in, 1 + 4 out, 1 + 4 in, 4 out; then 3 in, 2 + 4 out, 2 + 4 in, 1 + 4 out, 1 + 4 in, 4 out.
+        // 2 in, 1 + 4 out, 1 + 4 in, 4 out; then 3 in, 2 + 4 out, 2 + 4 in, 1 + 4 out, 1 + 4 in, 4
+        // out.
         assert_eq!([two.bytes_floor, three.bytes_floor], [16 * 1000, 29 * 1000]);
-        // Lanes' counts are written by the first pass, and written and read by the second.
-        let lanes = RendererOptions { key_bits: KeyBits::Sixteen, sort: Some(Variant::LaneScan), ..RendererOptions::new([1, 1]) };
-        assert_eq!(sort(&lanes, seen).bytes - two.bytes, 4 * u64::from(SORT_DIGITS * SORT_LANES) * 3);
+        // Threads' counters are written by the first pass, and written and read by the second.
+        let per_thread = work(KeyBits::Sixteen, SortVariant::PerThread);
+        assert_eq!(
+            per_thread.bytes - two.bytes,
+            4 * u64::from(SORT_DIGITS * SORT_RUNS) * 3
+        );
     }
 }

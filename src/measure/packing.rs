@@ -1,172 +1,256 @@
-//! What packing an avatar saves and costs, a step at a time. In: an avatar, a quality, and where pictures are taken. Out: for each step
-//! the bytes of the file, of its arrays and of the device's model, and two errors against the f64 reference of the avatar as it was.
+//! What packing an avatar saves and costs, step by step. In: an avatar, a quality, and the views to
+//! draw. Out: for each step the bytes of the file, of its arrays and of the device's model, and two
+//! errors against the f64 reference of the original avatar.
 //!
-//! The first error is of what the step and those before it have rounded, and of nothing else: the reference draws both avatars. The
-//! second is what someone sees: the reference draws what a device holds of the packed avatar, which rounds too
-//! ([`reference::render_stored`]), and is compared with the same picture as the first. How far it falls from that of the avatar as it was
-//! is what packing costs. Both are over the pixels that the avatar covers, of all pictures together.
+//! The first error is that of the rounding by this step and those before it: the reference draws
+//! both avatars. The second is that of what a device draws: the reference draws the packed avatar
+//! as a device holds it, which is rounded too ([`reference::render_stored`]). How far the second
+//! falls from step to step is the visible cost of packing. Both are over the pixels that the avatar
+//! covers, in all views together.
 
-use super::error::{self, Region};
-use crate::{
-    avatar::{
-        Avatar, Pose,
-        file::{self, Fault},
-        motion::Player,
-        pack::Quality,
+use crate::error::{self, RegionError};
+use effigy_core::{
+    avatar::{Avatar, Pose, motion::Player},
+    io::{
+        file::{self, FormatError},
+        pack::PackQuality,
     },
-    frame::{Camera, Extent, Picture, Posed, upright},
-    layout::pack::Sizes,
+    layout::pack::ModelSizes,
     reference,
+    scene::{AvatarBounds, Camera, FrameImage, Posed, upright},
 };
 use serde::Serialize;
 use std::f64::consts::TAU;
 
-/// Vertical field of view, radians, and height above the horizon.
+/// Vertical field of view, and angle above the horizon, radians.
 const FOV: f64 = 35.0 * TAU / 360.0;
 const PITCH: f64 = 0.09;
 
-/// Where pictures are taken.
+/// The views to draw.
 #[derive(Clone, Copy)]
 pub struct Views<'a> {
+    /// The clip to take poses from.
     pub player: &'a Player,
-    /// Pictures, spread over the clip, each from another side. None: only sizes are told.
+    /// Number of images, spread over the clip, each from another side. With none, only sizes are
+    /// measured.
     pub pictures: usize,
-    /// px.
+    /// Width and height, px.
     pub size: [u32; 2],
 }
 
-/// An avatar after a step, and those before it.
+/// An avatar after a step of packing and those before it.
 #[derive(Clone, Debug, Serialize)]
-pub struct Line {
+pub struct PackingStep {
+    /// Name of the step.
     pub what: &'static str,
     /// Bytes of the file.
     pub file: usize,
-    /// Bytes of its tensors, none deflated: what its arrays take in memory but for a few that are widened there.
+    /// Bytes of its tensors before compression: about what its arrays take in memory, except for a
+    /// few that are widened there.
     pub raw: usize,
     /// Bytes of the renderers' model.
     pub device: usize,
-    /// Against the avatar as it was, both drawn exactly, dB; infinite, null in JSON, where every pixel is the same. None without pictures.
+    /// PSNR against the original avatar, both drawn exactly, dB. Infinite, and null in JSON, if
+    /// every pixel is equal. None without views.
     pub rounded_db: Option<f64>,
-    /// The same of what a device holds.
+    /// PSNR of the avatar as a device holds it against the original drawn exactly, dB.
     pub drawn_db: Option<f64>,
 }
 
-/// A picture's scene.
-struct Scene {
+/// One view of the original avatar.
+struct View {
     pose: Pose,
     camera: Camera,
-    truth: Picture,
+    reference: FrameImage,
 }
 
-/// The avatar as it was, the same deflated, and then after each step of a quality; the last line's file and avatar are the result.
-/// `progress` is told what is done, and how many of how many pictures are.
+/// Measures the original avatar, the same compressed without loss, and then each step of a quality.
+/// Returns these and the packed avatar. `progress` is called with what is being done, how many
+/// images are done, and how many there are.
 ///
 /// # Errors
 /// When the avatar breaks a rule of its format.
-pub fn steps(
+pub fn measure_steps(
     avatar: &Avatar,
-    quality: Quality,
+    quality: PackQuality,
     views: &Views,
     mut progress: impl FnMut(&str, usize, usize),
-) -> Result<(Vec<Line>, Avatar), Fault> {
-    let all = views.pictures * (quality.steps().len() + 2);
+) -> Result<(Vec<PackingStep>, Avatar), FormatError> {
+    let steps = quality.steps();
+    let image_count = views.pictures * (steps.len() + 2);
     let mut done = 0;
-    let mut tell = |what: &str, more: usize| {
-        progress(what, done, all);
-        done += more;
-    };
-    let scenes: Vec<Scene> = (0..views.pictures)
-        .map(|number| {
-            tell("drawing the avatar as it is", 1);
-            scene(avatar, views, number)
-        })
-        .collect();
-    let plain = avatar.to_bytes()?;
-    tell("drawing what a device holds of it", views.pictures);
-    let [rounded_db, drawn_db] = errors(avatar, &scenes);
-    let first =
-        Line { what: "as it is", file: plain.len(), raw: raw(&plain)?, device: Sizes::of(avatar).total() as usize, rounded_db, drawn_db };
-    let packed = avatar.to_packed_bytes()?;
-    let mut lines = vec![first.clone(), Line { what: "deflated", file: packed.len(), raw: raw(&packed)?, ..first }];
-    let mut now = avatar.clone();
-    for &step in quality.steps() {
-        tell(step.name(), views.pictures);
-        now = now.after(step);
-        let bytes = now.to_packed_bytes()?;
-        let [rounded_db, drawn_db] = errors(&now, &scenes);
-        let (raw, device) = (raw(&bytes)?, Sizes::of(&now).total() as usize);
-        lines.push(Line { what: step.name(), file: bytes.len(), raw, device, rounded_db, drawn_db });
+    let mut references = Vec::with_capacity(views.pictures);
+    for index in 0..views.pictures {
+        progress("drawing the avatar as it is", done, image_count);
+        references.push(view(avatar, views, index));
+        done += 1;
     }
-    tell("done", 0);
-    Ok((lines, now))
+    progress("drawing it as a device holds it", done, image_count);
+    let plain = avatar.to_bytes()?;
+    let original = measure("as it is", avatar, &plain, &references)?;
+    done += views.pictures;
+    let compressed = avatar.to_packed_bytes()?;
+    let mut lines = vec![
+        original.clone(),
+        PackingStep {
+            what: "deflated",
+            file: compressed.len(),
+            raw: raw_bytes(&compressed)?,
+            ..original
+        },
+    ];
+    let mut packed = avatar.clone();
+    for &step in steps {
+        progress(step.name(), done, image_count);
+        packed = packed.after(step);
+        let bytes = packed.to_packed_bytes()?;
+        lines.push(measure(step.name(), &packed, &bytes, &references)?);
+        done += views.pictures;
+    }
+    progress("done", done, image_count);
+    Ok((lines, packed))
 }
 
-/// Bytes of the tensors of a file, none deflated.
-fn raw(bytes: &[u8]) -> Result<usize, Fault> {
-    Ok(file::tensors_of(bytes)?.iter().map(|tensor| tensor.bytes).sum())
+/// Measures an avatar and its file after a step.
+fn measure(
+    what: &'static str,
+    avatar: &Avatar,
+    file: &[u8],
+    views: &[View],
+) -> Result<PackingStep, FormatError> {
+    Ok(PackingStep {
+        what,
+        file: file.len(),
+        raw: raw_bytes(file)?,
+        device: ModelSizes::from_avatar(avatar).total() as usize,
+        rounded_db: psnr(avatar, views, reference::render),
+        drawn_db: psnr(avatar, views, reference::render_stored),
+    })
 }
 
-fn scene(avatar: &Avatar, views: &Views, number: usize) -> Scene {
-    let share = (number as f64 + 0.5) / views.pictures as f64;
+/// Bytes of a file's tensors before compression.
+fn raw_bytes(file: &[u8]) -> Result<usize, FormatError> {
+    let tensors = file::tensors_of(file)?;
+    Ok(tensors.iter().map(|tensor| tensor.bytes).sum())
+}
+
+fn view(avatar: &Avatar, views: &Views, index: usize) -> View {
+    let share = (index as f64 + 0.5) / views.pictures as f64;
     let pose = views.player.pose(share * views.player.clip().duration());
     let posed = Posed::new(avatar, &pose);
-    let bounds = upright(Extent::new(avatar).bounds(&posed.joints));
-    // Neighbouring pictures are of sides that are far apart.
-    let yaw = TAU * (0.05 + 0.618 * number as f64);
+    let bounds = upright(AvatarBounds::new(avatar).bounds(&posed.joints));
+    // Consecutive views are from sides that are far apart.
+    let yaw = TAU * (0.05 + 0.618 * index as f64);
     let camera = Camera::around(bounds, yaw, PITCH, FOV, views.size);
-    Scene { truth: reference::render(avatar, &posed, &camera), pose, camera }
+    View {
+        reference: reference::render(avatar, &posed, &camera),
+        pose,
+        camera,
+    }
 }
 
-/// Of all pictures together: exactly drawn, and as a device holds it.
-fn errors(avatar: &Avatar, scenes: &[Scene]) -> [Option<f64>; 2] {
-    let of = |draw: fn(&Avatar, &Posed, &Camera) -> Picture| {
-        let regions = scenes.iter().map(|scene| {
-            let posed = Posed::new(avatar, &scene.pose);
-            error::between(&draw(avatar, &posed, &scene.camera), &scene.truth).covered
-        });
-        together(regions.collect())
-    };
-    [of(reference::render), of(reference::render_stored)]
+/// PSNR of an avatar, drawn by `draw`, over all views together, dB. None without views.
+fn psnr(
+    avatar: &Avatar,
+    views: &[View],
+    draw: fn(&Avatar, &Posed, &Camera) -> FrameImage,
+) -> Option<f64> {
+    let covered = views.iter().map(|view| {
+        let posed = Posed::new(avatar, &view.pose);
+        let image = draw(avatar, &posed, &view.camera);
+        error::between(&image, &view.reference).covered
+    });
+    combined_psnr(covered.collect())
 }
 
-/// The PSNR over the pixels of several regions.
-fn together(regions: Vec<Region>) -> Option<f64> {
+/// PSNR over the pixels of several regions together, dB. None without pixels.
+fn combined_psnr(regions: Vec<RegionError>) -> Option<f64> {
     let pixels: usize = regions.iter().map(|region| region.pixels).sum();
-    let squares: f64 = regions.iter().map(|region| region.pixels as f64 * 10f64.powf(-region.psnr_db / 10.0)).sum();
+    let squares: f64 = regions
+        .iter()
+        .map(|region| region.pixels as f64 * 10f64.powf(-region.psnr_db / 10.0))
+        .sum();
     (pixels > 0).then(|| -10.0 * (squares / pixels as f64).log10())
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::demo;
 
     #[test]
     fn regions_count_by_their_pixels() {
-        let region = |pixels, psnr_db| Region { pixels, psnr_db, max_error: 0.0, within_tolerance: 1.0 };
-        let near = |got: Option<f64>, expected: f64| got.is_some_and(|got| (got - expected).abs() < 1e-9);
-        assert!(near(together(vec![region(10, 40.0), region(30, 40.0)]), 40.0));
-        assert!(near(together(vec![region(10, 40.0), region(10, f64::INFINITY)]), 40.0 + 10.0 * 2f64.log10()));
-        assert_eq!(together(vec![region(10, f64::INFINITY)]), Some(f64::INFINITY));
-        assert_eq!(together(vec![]), None);
+        let region = |pixels, psnr_db| RegionError {
+            pixels,
+            psnr_db,
+            max_error: 0.0,
+            within_tolerance: 1.0,
+        };
+        let near =
+            |got: Option<f64>, expected: f64| got.is_some_and(|got| (got - expected).abs() < 1e-9);
+        assert!(near(
+            combined_psnr(vec![region(10, 40.0), region(30, 40.0)]),
+            40.0
+        ));
+        assert!(near(
+            combined_psnr(vec![region(10, 40.0), region(10, f64::INFINITY)]),
+            40.0 + 10.0 * 2f64.log10()
+        ));
+        assert_eq!(
+            combined_psnr(vec![region(10, f64::INFINITY)]),
+            Some(f64::INFINITY)
+        );
+        assert_eq!(combined_psnr(vec![]), None);
     }
 
     #[test]
-    fn the_demo_shrinks_and_what_is_drawn_stays() {
-        let avatar = demo::avatar().expect("inside the program");
-        let player = Player::new(demo::clip().expect("inside the program"), &avatar.skeleton);
-        let views = Views { player: &player, pictures: 1, size: [120, 150] };
-        let (lines, packed) = steps(&avatar, Quality::Small, &views, |_, done, all| assert!(done <= all)).expect("it can be written");
-        let db = |at: usize| (lines[at].rounded_db.expect("pictures"), lines[at].drawn_db.expect("pictures"));
-        assert_eq!(lines.len(), 2 + Quality::Small.steps().len());
+    fn the_demo_shrinks_and_its_image_stays() {
+        let avatar = effigy_demo::avatar().expect("inside the program");
+        let player = Player::new(
+            effigy_demo::clip().expect("inside the program"),
+            &avatar.skeleton,
+        );
+        let views = Views {
+            player: &player,
+            pictures: 1,
+            size: [120, 150],
+        };
+        let (lines, packed) = measure_steps(&avatar, PackQuality::Small, &views, |_, done, all| {
+            assert!(done <= all)
+        })
+        .expect("it can be written");
+        let db = |at: usize| {
+            (
+                lines[at].rounded_db.expect("pictures"),
+                lines[at].drawn_db.expect("pictures"),
+            )
+        };
+        assert_eq!(lines.len(), 2 + PackQuality::Small.steps().len());
         assert!(db(0).0.is_infinite() && db(2).0.is_infinite(), "{lines:?}");
-        assert!(lines.windows(2).all(|pair| pair[1].file <= pair[0].file && pair[1].device <= pair[0].device), "{lines:?}");
-        // What the renderers round anyway changes nothing that they draw.
-        let high = Quality::High.steps().len() + 1;
-        assert!((db(high).1 - db(0).1).abs() < 1e-2 && db(high).0 > 45.0, "{lines:?}");
+        assert!(
+            lines
+                .windows(2)
+                .all(|pair| pair[1].file <= pair[0].file && pair[1].device <= pair[0].device),
+            "{lines:?}"
+        );
+        // Rounding that the renderers do anyway does not change the image.
+        let high = PackQuality::High.steps().len() + 1;
+        assert!(
+            (db(high).1 - db(0).1).abs() < 1e-2 && db(high).0 > 45.0,
+            "{lines:?}"
+        );
         assert!(db(lines.len() - 1).0 > 55.0, "{lines:?}");
-        assert!(packed == avatar.packed(Quality::Small));
-        let none = steps(&avatar, Quality::Lossless, &Views { pictures: 0, ..views }, |_, _, _| ()).expect("it can be written").0;
+        assert!(packed == avatar.packed(PackQuality::Small));
+        let none = measure_steps(
+            &avatar,
+            PackQuality::Lossless,
+            &Views {
+                pictures: 0,
+                ..views
+            },
+            |_, _, _| (),
+        )
+        .expect("it can be written")
+        .0;
         assert_eq!((none[0].rounded_db, none[0].drawn_db), (None, None));
     }
 }

@@ -1,44 +1,41 @@
 //! The stages on the GPU, on Vulkan 1.1 and what each device has beyond it.
 //!
-//! [`Gpu`] is a device; [`Renderer`] draws an avatar, or several copies of it, with it, headless. The stages have a file each, in the order a frame runs them.
+//! [`Gpu`] is a device; [`Renderer`] draws an avatar, or several copies of it, with it, headless.
+//!
+//! The folders are layers; each imports only folders above it in this list:
+//!
+//! | folder | what it holds |
+//! |---|---|
+//! | [`device`] | errors, the instance, what a device has, the device and its queue |
+//! | [`memory`] | buffers and images, barriers and copies |
+//! | [`pipeline`] | shader modules, descriptor sets, kernels, render passes |
+//! | [`commands`] | frames in flight |
+//! | [`sort`] | the radix sort, and the self-test that chooses its variant |
+//! | [`passes`] | the stages from an avatar's pose to its splats |
+//! | [`raster`] | the stages from sorted splats to an image |
+//! | [`renderer`] | the frame |
+//! | [`window`] | from an image to a window or a screen in memory |
 
-pub mod cache;
-pub mod calibration;
 pub mod commands;
-mod control;
 pub mod device;
-pub mod error;
-pub mod features;
-mod graphics;
-pub mod harmonics;
-pub mod instance;
 pub mod memory;
-pub mod model;
-mod module;
-mod name;
-pub mod options;
-pub mod picture;
+pub mod passes;
 pub mod pipeline;
-pub mod present;
-pub mod probe;
 pub mod raster;
 pub mod renderer;
-pub mod screen;
-pub mod shaders;
 pub mod sort;
-pub mod splats;
 pub mod statistics;
-pub mod surface;
-#[cfg(feature = "window")]
-pub mod swapchain;
-#[cfg(feature = "window")]
-mod target;
-pub mod timing;
-pub mod turn;
-pub mod watch;
+pub mod window;
 
-pub use crate::frame::{RendererOptions, preset};
-pub use device::{Gpu, GpuOptions};
-pub use error::{Error, Result};
-pub use probe::Probe;
+pub use device::{
+    Error, Gpu, GpuOptions, Result, cache, error, instance, moment, probe, probe::Probe,
+    recording::Recording,
+};
+pub use effigy_core::frame::{RendererOptions, preset};
+pub use passes::sh;
+pub use pipeline::shaders;
+pub use raster::picture;
 pub use renderer::Renderer;
+#[cfg(feature = "window")]
+pub use window::swapchain;
+pub use window::{present, screen, timing, turn, watch};

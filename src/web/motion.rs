@@ -1,34 +1,38 @@
-//! How the avatar stands: clips and the time in them, or poses as they come, between which it moves smoothly.
+//! The avatar's pose: a time of a clip, or live poses, between which it moves smoothly.
 
-use crate::avatar::{Avatar, Clip, Pose, limits, motion::Player};
+use effigy_core::avatar::{Avatar, Clip, Pose, limits, motion::Player};
 use glam::DVec3;
 
-/// Poses that come at some rate. A pose is shown fully once as much time has passed as lay between it and the one before.
-struct Live {
+/// A movement from one live pose to the next. It takes as long as it was from the arrival of the
+/// pose before to the arrival of this one.
+struct LivePose {
     from: Pose,
     to: Pose,
-    /// When `to` came, and how long it takes to get there, ms.
+    /// When `to` arrived, ms.
     since: f64,
-    takes: f64,
+    /// How long the movement takes, ms.
+    duration: f64,
 }
 
-/// Shortest and longest time that a pose takes to be shown, ms: of two that come at once neither jumps, and after a pause nothing lags.
-const TAKES: [f64; 2] = [8.0, 250.0];
+/// Shortest movement to a live pose, ms: two that arrive at once do not jump.
+const DURATION_MIN: f64 = 8.0;
+/// Longest movement to a live pose, ms: the first one after a pause does not lag.
+const DURATION_MAX: f64 = 250.0;
 
-/// Why a pose is not taken.
+/// Why a pose is invalid.
 #[derive(Debug, PartialEq)]
-pub struct Refused(pub String);
+pub struct InvalidPose(pub String);
 
-/// Where poses come from.
-enum Source {
-    Clip { number: usize, seconds: f64 },
-    Live(Live),
+/// The source of the pose.
+enum PoseSource {
+    Clip { index: usize, seconds: f64 },
+    Live(LivePose),
 }
 
-/// What moves an avatar.
+/// The motion of an avatar.
 pub struct Motion {
     players: Vec<Player>,
-    source: Source,
+    source: PoseSource,
     rest: Pose,
 }
 
@@ -36,62 +40,145 @@ impl Motion {
     /// At rest, without a clip.
     pub fn new(avatar: &Avatar) -> Self {
         let rest = Pose::rest(avatar.skeleton.len(), avatar.inputs.expression);
-        Self { players: Vec::new(), source: Source::Clip { number: 0, seconds: 0.0 }, rest }
+        Self {
+            players: Vec::new(),
+            source: PoseSource::Clip {
+                index: 0,
+                seconds: 0.0,
+            },
+            rest,
+        }
     }
 
-    /// Takes another clip; gives its number, or says why it is none for this avatar.
+    /// Adds a clip. Returns its index.
+    ///
+    /// # Errors
+    /// If it moves no joint of the avatar: a sentence that says so.
     pub fn add(&mut self, clip: Clip, avatar: &Avatar) -> Result<usize, String> {
-        if clip.map_to(&avatar.skeleton).iter().flatten().next().is_none() {
-            return Err(format!("the clip `{}` moves none of the joints of `{}`", clip.name, avatar.name));
+        let moves_any_joint = clip.map_to(&avatar.skeleton).iter().any(Option::is_some);
+        if !moves_any_joint {
+            return Err(format!(
+                "the clip `{}` moves none of the joints of `{}`",
+                clip.name, avatar.name
+            ));
         }
         self.players.push(Player::new(clip, &avatar.skeleton));
         Ok(self.players.len() - 1)
     }
 
-    /// In the order of their numbers.
+    /// The clips, by index.
     pub fn clips(&self) -> impl Iterator<Item = &Clip> {
         self.players.iter().map(Player::clip)
     }
 
-    /// Shows a clip at a time, seconds; one that is no number is the start.
-    pub fn seek(&mut self, number: usize, seconds: f64) {
-        self.source = Source::Clip { number, seconds: if seconds.is_finite() { seconds } else { 0.0 } };
+    /// Shows a clip at a time, seconds. NaN and infinities are the start.
+    pub fn seek(&mut self, index: usize, seconds: f64) {
+        self.source = PoseSource::Clip {
+            index,
+            seconds: if seconds.is_finite() { seconds } else { 0.0 },
+        };
     }
 
-    /// Takes a pose that came at `now`, ms.
-    pub fn set(&mut self, now: f64, rotation: &[f32], translation: &[f32], expression: &[f32]) -> Result<(), Refused> {
-        let joints = self.rest.rotation.len();
-        if rotation.len() != 3 * joints || translation.len() != 3 || expression.len() > self.rest.expression.len() {
-            let found = format!("{} rotations, {} translations, {} expressions", rotation.len(), translation.len(), expression.len());
-            let expected = format!("{}, 3 and at most {}", 3 * joints, self.rest.expression.len());
-            return Err(Refused(format!("a pose of {found} was found, expected {expected}")));
-        }
-        if let Some(number) = rotation.iter().chain(translation).chain(expression).find(|number| !number.is_finite()) {
-            return Err(Refused(format!("a pose has the number {number}, expected finite ones")));
-        }
-        if let Some(metres) = translation.iter().find(|metres| f64::from(metres.abs()) > limits::LENGTH) {
-            return Err(Refused(format!("a pose's translation is {metres} m, expected at most {}", limits::LENGTH)));
-        }
+    /// Moves to a live pose that arrives at `now`, ms. `rotation`: axis-angle, radians, three
+    /// numbers a joint. `translation`: of the root, metres, three numbers. `expression`: missing
+    /// numbers are 0.
+    ///
+    /// # Errors
+    /// If the pose has the wrong number of numbers, or some that can't be drawn. Then nothing
+    /// changes.
+    pub fn set_pose(
+        &mut self,
+        now: f64,
+        rotation: &[f32],
+        translation: &[f32],
+        expression: &[f32],
+    ) -> Result<(), InvalidPose> {
+        self.check(rotation, translation, expression)?;
         let vector = |v: &[f32]| DVec3::new(v[0].into(), v[1].into(), v[2].into());
         let to = Pose {
             rotation: rotation.chunks_exact(3).map(vector).collect(),
             translation: vector(translation),
-            expression: (0..self.rest.expression.len()).map(|at| expression.get(at).copied().unwrap_or_default().into()).collect(),
+            expression: (0..self.rest.expression.len())
+                .map(|index| expression.get(index).copied().unwrap_or_default().into())
+                .collect(),
         };
-        let takes = match &self.source {
-            Source::Live(live) => (now - live.since).clamp(TAKES[0], TAKES[1]),
-            Source::Clip { .. } => 0.0,
+        let duration = match &self.source {
+            PoseSource::Live(live) => (now - live.since).clamp(DURATION_MIN, DURATION_MAX),
+            PoseSource::Clip { .. } => 0.0,
         };
-        self.source = Source::Live(Live { from: self.pose(now), to, since: now, takes });
+        self.source = PoseSource::Live(LivePose {
+            from: self.pose(now),
+            to,
+            since: now,
+            duration,
+        });
         Ok(())
     }
 
-    /// How it stands at `now`, ms.
+    fn check(
+        &self,
+        rotation: &[f32],
+        translation: &[f32],
+        expression: &[f32],
+    ) -> Result<(), InvalidPose> {
+        let joints = self.rest.rotation.len();
+        if rotation.len() != 3 * joints
+            || translation.len() != 3
+            || expression.len() > self.rest.expression.len()
+        {
+            let found = format!(
+                "{} rotations, {} translations, {} expressions",
+                rotation.len(),
+                translation.len(),
+                expression.len()
+            );
+            let expected = format!(
+                "{}, 3 and at most {}",
+                3 * joints,
+                self.rest.expression.len()
+            );
+            return Err(InvalidPose(format!(
+                "a pose of {found} was found, expected {expected}"
+            )));
+        }
+        if let Some(number) = rotation
+            .iter()
+            .chain(translation)
+            .chain(expression)
+            .find(|number| !number.is_finite())
+        {
+            return Err(InvalidPose(format!(
+                "a pose has the number {number}, expected finite ones"
+            )));
+        }
+        if let Some(metres) = translation
+            .iter()
+            .find(|metres| f64::from(metres.abs()) > limits::LENGTH)
+        {
+            return Err(InvalidPose(format!(
+                "a pose's translation is {metres} m, expected at most {}",
+                limits::LENGTH
+            )));
+        }
+        Ok(())
+    }
+
+    /// The pose at `now`, ms.
     pub fn pose(&self, now: f64) -> Pose {
         match &self.source {
-            Source::Clip { number, seconds } => self.players.get(*number).map_or_else(|| self.rest.clone(), |player| player.pose(*seconds)),
-            Source::Live(Live { from, to, since, takes }) if now - since < *takes => from.between(to, ((now - since) / takes).max(0.0)),
-            Source::Live(live) => live.to.clone(),
+            PoseSource::Clip { index, seconds } => match self.players.get(*index) {
+                Some(player) => player.pose(*seconds),
+                None => self.rest.clone(),
+            },
+            PoseSource::Live(live) => {
+                let elapsed = now - live.since;
+                if elapsed < live.duration {
+                    live.from
+                        .between(&live.to, (elapsed / live.duration).max(0.0))
+                } else {
+                    live.to.clone()
+                }
+            }
         }
     }
 }
@@ -99,66 +186,89 @@ impl Motion {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::demo;
 
     fn motion() -> (Avatar, Motion) {
-        let avatar = demo::avatar().unwrap();
+        let avatar = effigy_demo::avatar().unwrap();
         let motion = Motion::new(&avatar);
         (avatar, motion)
     }
 
-    fn turned(motion: &mut Motion, now: f64, angle: f32) {
+    fn turn(motion: &mut Motion, now: f64, angle: f32) {
         let mut rotation = vec![0.0; 3 * motion.rest.rotation.len()];
         rotation[4] = angle;
-        motion.set(now, &rotation, &[0.0; 3], &[]).unwrap();
+        motion.set_pose(now, &rotation, &[0.0; 3], &[]).unwrap();
     }
 
     #[test]
-    fn poses_are_shown_smoothly_and_in_time() {
+    fn live_poses_are_interpolated() {
         let (_, mut motion) = motion();
         let angle = |motion: &Motion, now| motion.pose(now).rotation[1].y;
-        turned(&mut motion, 1000.0, 0.2);
-        assert!((angle(&motion, 1000.0) - 0.2).abs() < 1e-6, "there is nothing to come from");
-        turned(&mut motion, 1100.0, 0.4);
+        turn(&mut motion, 1000.0, 0.2);
+        assert!(
+            (angle(&motion, 1000.0) - 0.2).abs() < 1e-6,
+            "the first pose is shown at once"
+        );
+        turn(&mut motion, 1100.0, 0.4);
         for (now, expected) in [(1100.0, 0.2), (1150.0, 0.3), (1200.0, 0.4), (5000.0, 0.4)] {
-            assert!((angle(&motion, now) - expected).abs() < 1e-6, "{} at {now}", angle(&motion, now));
+            assert!(
+                (angle(&motion, now) - expected).abs() < 1e-6,
+                "{} at {now}",
+                angle(&motion, now)
+            );
         }
-        turned(&mut motion, 9000.0, 0.0);
-        assert!((angle(&motion, 9000.0 + TAKES[1])).abs() < 1e-6, "a pause is not made up for");
+        turn(&mut motion, 9000.0, 0.0);
+        assert!(
+            (angle(&motion, 9000.0 + DURATION_MAX)).abs() < 1e-6,
+            "a pause is not part of the movement"
+        );
     }
 
     #[test]
     fn two_poses_at_once_do_not_jump() {
         let (_, mut motion) = motion();
-        turned(&mut motion, 0.0, 0.0);
-        turned(&mut motion, 100.0, 0.4);
-        turned(&mut motion, 100.0, 0.8);
+        turn(&mut motion, 0.0, 0.0);
+        turn(&mut motion, 100.0, 0.4);
+        turn(&mut motion, 100.0, 0.8);
         assert!(motion.pose(100.0).rotation[1].y.abs() < 1e-6);
-        assert!((motion.pose(100.0 + TAKES[0]).rotation[1].y - 0.8).abs() < 1e-6);
+        assert!((motion.pose(100.0 + DURATION_MIN).rotation[1].y - 0.8).abs() < 1e-6);
     }
 
     #[test]
-    fn what_no_frame_can_show_is_refused_and_changes_nothing() {
+    fn an_invalid_pose_is_refused_and_changes_nothing() {
         let (avatar, mut motion) = motion();
         let rest = vec![0.0; 3 * avatar.skeleton.len()];
-        turned(&mut motion, 0.0, 0.3);
-        let mut told = |rotation: &[f32], translation: &[f32]| motion.set(1.0, rotation, translation, &[]).unwrap_err().0;
-        assert!(told(&rest[1..], &[0.0; 3]).contains(&format!("expected {}, 3", rest.len())));
-        assert!(told(&rest, &[0.0, f32::NAN, 0.0]).contains("NaN"));
-        assert!(told(&rest, &[0.0, 1e16, 0.0]).contains("at most 10000"));
+        turn(&mut motion, 0.0, 0.3);
+        let mut refusal = |rotation: &[f32], translation: &[f32]| {
+            motion
+                .set_pose(1.0, rotation, translation, &[])
+                .unwrap_err()
+                .0
+        };
+        assert!(refusal(&rest[1..], &[0.0; 3]).contains(&format!("expected {}, 3", rest.len())));
+        assert!(refusal(&rest, &[0.0, f32::NAN, 0.0]).contains("NaN"));
+        assert!(refusal(&rest, &[0.0, 1e16, 0.0]).contains("at most 10000"));
         assert!((motion.pose(500.0).rotation[1].y - 0.3).abs() < 1e-6);
         motion.seek(0, f64::NAN);
         assert_eq!(motion.pose(0.0), motion.rest, "there is no such clip");
     }
 
     #[test]
-    fn clips_of_nobody_are_refused() {
+    fn a_clip_that_moves_no_joint_is_refused() {
         let (avatar, mut motion) = motion();
-        assert_eq!(motion.add(demo::clip().unwrap(), &avatar), Ok(0));
+        assert_eq!(motion.add(effigy_demo::clip().unwrap(), &avatar), Ok(0));
         motion.seek(0, 0.5);
         assert_ne!(motion.pose(0.0), motion.rest);
-        let stranger = Clip { joint: vec!["tail".into()], rotation: vec![[0.0; 3]], ..Clip::still(&avatar.skeleton) };
-        assert!(motion.add(stranger, &avatar).unwrap_err().contains("none of the joints"));
+        let stranger = Clip {
+            joint: vec!["tail".into()],
+            rotation: vec![[0.0; 3]],
+            ..Clip::still(&avatar.skeleton)
+        };
+        assert!(
+            motion
+                .add(stranger, &avatar)
+                .unwrap_err()
+                .contains("none of the joints")
+        );
         assert_eq!(motion.clips().count(), 1);
     }
 }

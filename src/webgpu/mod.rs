@@ -1,11 +1,32 @@
-//! The stages on the GPU, on WebGPU with its default limits: in browsers, and natively where the feature `webgpu` is on.
+//! The stages on the GPU, on WebGPU with its default limits: in browsers, and natively where the
+//! feature `webgpu` is on.
 //!
-//! [`Gpu`] is a device; [`Renderer`] draws an avatar, or several copies of it, with it. The stages have a file each, in the order a frame
-//! runs them. Nothing here waits on the device but what says so, and that only natively and for a bounded time.
+//! [`Gpu`] is a device; [`Renderer`] draws an avatar, or several copies of it, with it. The stages
+//! have a file each, in the order a frame runs them. Nothing here waits on the device but what says
+//! so, and that only natively and for a bounded time.
 
-pub mod shaders;
+mod buffer;
+pub mod device;
+pub mod error;
+mod frame_in_flight;
+mod kernel;
+mod mlp;
+mod model;
+mod occluder;
+pub mod options;
+pub mod owned;
+#[cfg(not(target_arch = "wasm32"))]
+mod picture;
+pub mod present;
+mod project;
+mod raster;
+#[cfg(not(target_arch = "wasm32"))]
+pub mod readback;
+pub mod renderer;
+mod replace_avatar;
+mod sh;
+mod sort;
 
-#[cfg(any(feature = "webgpu", target_arch = "wasm32"))]
-mod backend;
-#[cfg(any(feature = "webgpu", target_arch = "wasm32"))]
-pub use backend::*;
+pub use device::Gpu;
+pub use error::{Error, Result};
+pub use renderer::Renderer;

@@ -1,11 +1,13 @@
-//! The body that test avatars have the shape of: joints, points on its skin, and what of the skeleton and the nodes is near them.
+//! The body that test avatars have the shape of: joints, points on its skin, and what of the
+//! skeleton and the nodes is near them.
 
 use super::Random;
-use effigy::avatar::{Pose, Skeleton};
+use effigy_core::avatar::{Pose, Skeleton};
 use glam::{DQuat, DVec3};
 use std::f64::consts::TAU;
 
-/// Name, parent, rest position, and radius of the flesh around the bone from the parent; right-hand joints mirror the left.
+/// Name, parent, rest position, and radius of the flesh around the bone from the parent; right-hand
+/// joints mirror the left.
 const BODY: [(&str, Option<u8>, [f64; 3], f64); 25] = [
     ("pelvis", None, [0.0, 0.95, 0.0], 0.0),
     ("left_hip", Some(0), [0.09, 0.87, 0.0], 0.11),
@@ -34,17 +36,31 @@ const BODY: [(&str, Option<u8>, [f64; 3], f64); 25] = [
     ("right_hand", Some(21), [-0.8, 1.4, 0.0], 0.035),
 ];
 
-/// The first J joints of the body; what J exceeds it by is fingers of three joints at the hands and the head.
+/// The first J joints of the body; what J exceeds it by is fingers of three joints at the hands and
+/// the head.
 pub fn skeleton(random: &mut Random, joints: usize) -> Skeleton {
-    let mut skeleton = Skeleton { name: vec![], parent: vec![], rest: vec![], canonical: vec![] };
+    let mut skeleton = Skeleton {
+        name: vec![],
+        parent: vec![],
+        rest: vec![],
+        canonical: vec![],
+    };
     for j in 0..joints {
         let (name, parent, rest) = match BODY.get(j) {
             Some(&(name, parent, rest, _)) => (name.to_owned(), parent, rest.map(|v| v as f32)),
             None => {
                 let extra = j - BODY.len();
-                let parent = if extra % 9 < 3 { [22, 23, 24][extra % 3] } else { j - 3 };
+                let parent = if extra % 9 < 3 {
+                    [22, 23, 24][extra % 3]
+                } else {
+                    j - 3
+                };
                 let rest = DVec3::from(skeleton.rest[parent].map(f64::from)) + random.vector(0.03);
-                (format!("finger{extra}"), Some(parent as u8), rest.as_vec3().to_array())
+                (
+                    format!("finger{extra}"),
+                    Some(parent as u8),
+                    rest.as_vec3().to_array(),
+                )
             }
         };
         let turn = match name.as_str() {
@@ -62,14 +78,29 @@ pub fn skeleton(random: &mut Random, joints: usize) -> Skeleton {
 
 /// Where the joints of a skeleton are in its canonical pose.
 pub fn canonical_joints(skeleton: &Skeleton) -> Vec<DVec3> {
-    let rotation = skeleton.canonical.iter().map(|r| DVec3::from(r.map(f64::from))).collect();
-    skeleton.joints(&Pose { rotation, ..Pose::rest(0, 0) }).iter().map(|joint| joint.translation).collect()
+    let rotation = skeleton
+        .canonical
+        .iter()
+        .map(|r| DVec3::from(r.map(f64::from)))
+        .collect();
+    skeleton
+        .joints(&Pose {
+            rotation,
+            ..Pose::rest(0, 0)
+        })
+        .iter()
+        .map(|joint| joint.translation)
+        .collect()
 }
 
 /// Points on the body's skin, canonical pose, each with its normal.
 pub fn skin(random: &mut Random, count: usize) -> Vec<(DVec3, DVec3)> {
     let joints = canonical_joints(&skeleton(random, BODY.len()));
-    let bones: Vec<_> = BODY.iter().zip(&joints).filter_map(|(b, &end)| b.1.map(|p| (joints[p as usize], end, b.3))).collect();
+    let bones: Vec<_> = BODY
+        .iter()
+        .zip(&joints)
+        .filter_map(|(b, &end)| b.1.map(|p| (joints[p as usize], end, b.3)))
+        .collect();
     let mut total = 0.0;
     let mut area_up_to = vec![];
     for (start, end, radius) in &bones {
@@ -82,7 +113,8 @@ pub fn skin(random: &mut Random, count: usize) -> Vec<(DVec3, DVec3)> {
         let axis = (end - start).normalize();
         let along = random.range(-radius, start.distance(end) + radius);
         let cap = along - along.clamp(0.0, start.distance(end));
-        let normal = DQuat::from_axis_angle(axis, random.unit() * TAU) * axis.any_orthonormal_vector();
+        let normal =
+            DQuat::from_axis_angle(axis, random.unit() * TAU) * axis.any_orthonormal_vector();
         let normal = normal * (1.0 - (cap / radius).powi(2)).sqrt() + axis * (cap / radius);
         (start + axis * (along - cap) + normal * radius, normal)
     };
@@ -91,13 +123,25 @@ pub fn skin(random: &mut Random, count: usize) -> Vec<(DVec3, DVec3)> {
 
 /// The four joints nearest to a point, by inverse square distance, and weights that sum to 255.
 pub fn skinning(joints: &[DVec3], at: DVec3) -> ([u8; 4], [u8; 4]) {
-    let mut near: Vec<(f64, u8)> = joints.iter().enumerate().map(|(j, p)| (p.distance_squared(at), j as u8)).collect();
+    let mut near: Vec<(f64, u8)> = joints
+        .iter()
+        .enumerate()
+        .map(|(j, p)| (p.distance_squared(at), j as u8))
+        .collect();
     near.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let share: Vec<f64> = near.iter().take(4).map(|(d, _)| 1.0 / d.max(1e-6).powi(2)).collect();
+    let share: Vec<f64> = near
+        .iter()
+        .take(4)
+        .map(|(d, _)| 1.0 / d.max(1e-6).powi(2))
+        .collect();
     let total: f64 = share.iter().sum();
-    let mut weight: [u8; 4] = std::array::from_fn(|k| share.get(k).map_or(0, |s| (s / total * 255.0) as u8));
+    let mut weight: [u8; 4] =
+        std::array::from_fn(|k| share.get(k).map_or(0, |s| (s / total * 255.0) as u8));
     weight[0] += 255 - weight.iter().sum::<u8>();
-    (std::array::from_fn(|k| near.get(k).map_or(0, |n| n.1)), weight)
+    (
+        std::array::from_fn(|k| near.get(k).map_or(0, |n| n.1)),
+        weight,
+    )
 }
 
 /// For each point the three nearest nodes, nearest first; the last repeats where there are fewer.
@@ -115,7 +159,8 @@ pub fn nearest_nodes(points: &[DVec3], nodes: &[DVec3]) -> Vec<[u16; 3]> {
             }
             (nodes[node].y - p.y).powi(2) <= best[2].0
         };
-        let (below, above) = by_height.split_at(by_height.partition_point(|&node| nodes[node].y < p.y));
+        let (below, above) =
+            by_height.split_at(by_height.partition_point(|&node| nodes[node].y < p.y));
         above.iter().take_while(|node| visit(**node)).count();
         below.iter().rev().take_while(|node| visit(**node)).count();
         let last = nodes.len().min(3) - 1;

@@ -1,53 +1,91 @@
 //! A device for tests, and frames drawn with it.
 
-use super::{Sizes, avatar, pose};
-use effigy::{
-    avatar::Avatar,
-    frame::{Camera, Detail, Extent, Method, Posed, options::draws_triangles},
-    reference,
-    vulkan::{Gpu, GpuOptions, Renderer, RendererOptions, commands::FrameReport, instance::validation_messages, renderer::Stages},
+use super::{
+    Sizes, avatar,
+    harness::{self, not_run},
+    pose,
 };
-use std::sync::Arc;
+use effigy::{
+    quirks::draws_triangles,
+    vulkan::{
+        Error, Gpu, GpuOptions, Renderer, RendererOptions, commands::FrameReport, renderer::Stages,
+    },
+};
+use effigy_core::{
+    avatar::Avatar,
+    frame::RasterMethod,
+    reference,
+    scene::{AvatarBounds, Camera, Detail, Posed},
+};
+use std::{
+    cell::LazyCell,
+    sync::{Arc, Mutex, PoisonError},
+};
 
-/// The device that the environment chooses. Without any, tests pass by default with a printed reason, and fail where
-/// `EFFIGY_REQUIRE_GPU` is set, as CI does.
-pub fn gpu() -> Option<Arc<Gpu>> {
+/// Devices that tests of this process share, by their options.
+static SHARED: Mutex<Vec<(String, Arc<Gpu>)>> = Mutex::new(vec![]);
+
+/// The device that the environment chooses, opened once a process.
+pub fn gpu() -> Arc<Gpu> {
     open(GpuOptions::headless(None))
 }
 
-/// The same where that device draws triangles, and their tests are for it.
-pub fn drawing() -> Option<Arc<Gpu>> {
-    gpu().filter(|gpu| {
-        if !gpu.probe.draws_triangles() {
-            println!("skipped: {} does not survive drawing triangles", gpu.probe.name);
-        }
-        gpu.probe.draws_triangles()
-    })
-}
-
-/// The ways to draw that are for a device.
-pub fn methods(device: &str) -> Vec<Method> {
-    if draws_triangles(device) {
-        return Method::ALL.to_vec();
+/// That device, for a test that draws triangles.
+pub fn drawing() -> Arc<Gpu> {
+    let device = gpu();
+    if !device.probe.draws_triangles() {
+        not_run(format!(
+            "{} does not survive drawing triangles",
+            device.probe.name
+        ));
     }
-    println!("skipped in part: {device} does not survive drawing triangles");
-    vec![Method::Tiles]
+    device
 }
 
-/// Options for each of those ways.
-pub fn each_way(device: &str, size: [u32; 2]) -> Vec<RendererOptions> {
-    methods(device).into_iter().map(|method| RendererOptions { method: Some(method), ..options(size) }).collect()
-}
-
-pub fn open(options: GpuOptions) -> Option<Arc<Gpu>> {
-    match Gpu::new(&options) {
-        Ok(gpu) => Some(gpu),
-        Err(error) if std::env::var_os("EFFIGY_REQUIRE_GPU").is_some() => panic!("a device is required: {error}"),
-        Err(error) => {
-            println!("skipped: {error}");
-            None
-        }
+/// Options for a method on a device. Ends the test where the device is not for that method.
+pub fn with_method(device: &str, method: RasterMethod, size: [u32; 2]) -> RendererOptions {
+    require_method(device, method);
+    RendererOptions {
+        method: Some(method),
+        ..options(size)
     }
+}
+
+/// Ends the test where the device is not for the method.
+pub fn require_method(device: &str, method: RasterMethod) {
+    if method == RasterMethod::Quads && !draws_triangles(device) {
+        not_run(format!("{device} does not survive drawing triangles"));
+    }
+}
+
+/// A device with these options, opened once a process.
+pub fn open(options: GpuOptions) -> Arc<Gpu> {
+    harness::assert_device_allowed();
+    shared(&options).unwrap_or_else(|error| panic!("a Vulkan device is needed: {error}"))
+}
+
+fn shared(options: &GpuOptions) -> Result<Arc<Gpu>, Error> {
+    let key = format!("{options:?}");
+    let mut shared = SHARED.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some((_, gpu)) = shared.iter().find(|(other, _)| *other == key) {
+        return Ok(gpu.clone());
+    }
+    let gpu = Gpu::new(options)?;
+    shared.push((key, gpu.clone()));
+    Ok(gpu)
+}
+
+/// Opens the device that most tests use.
+pub fn try_open() -> Result<(), Error> {
+    shared(&GpuOptions::headless(None)).map(drop)
+}
+
+/// Destroys the shared devices.
+pub fn close() {
+    SHARED
+        .lock()
+        .unwrap_or_else(PoisonError::into_inner)
+        .clear();
 }
 
 /// One frame on the device and in the reference.
@@ -58,16 +96,23 @@ pub struct Frame {
     pub camera: Camera,
     pub gpu: Stages,
     pub report: FrameReport,
-    pub picture: effigy::frame::Picture,
-    /// Of every 2^`level`-th Gaussian.
-    pub oracle: reference::Stages,
+    pub picture: effigy_core::scene::FrameImage,
+    /// Of every 2^`level`-th Gaussian; worked out when it is first looked at.
+    pub oracle: LazyCell<reference::ReferenceFrame, Box<dyn FnOnce() -> reference::ReferenceFrame>>,
     pub level: u32,
 }
 
 /// Sees a whole posed avatar from the front left.
 pub fn camera(avatar: &Avatar, posed: &Posed, size: [u32; 2]) -> Camera {
-    let [min, max] = Extent::new(avatar).bounds(&posed.joints);
-    Camera::orbit((min + max) / 2.0, 0.5, 0.1, 1.3 * (max - min).length(), 0.7, size)
+    let [min, max] = AvatarBounds::new(avatar).bounds(&posed.joints);
+    Camera::orbit(
+        (min + max) / 2.0,
+        0.5,
+        0.1,
+        1.3 * (max - min).length(),
+        0.7,
+        size,
+    )
 }
 
 /// Draws a seeded avatar in a seeded pose.
@@ -83,20 +128,48 @@ pub fn frame_of(gpu: &Arc<Gpu>, avatar: Avatar, seed: u64, options: RendererOpti
 }
 
 /// Draws any frame.
-pub fn draw(gpu: &Arc<Gpu>, avatar: Avatar, posed: Posed, camera: Camera, options: RendererOptions) -> Frame {
+pub fn draw(
+    gpu: &Arc<Gpu>,
+    avatar: Avatar,
+    posed: Posed,
+    camera: Camera,
+    options: RendererOptions,
+) -> Frame {
     draw_after(gpu, avatar, posed, &[], camera, options)
 }
 
 /// Draws any frame after those of some other cameras.
-pub fn draw_after(gpu: &Arc<Gpu>, avatar: Avatar, posed: Posed, before: &[Camera], camera: Camera, options: RendererOptions) -> Frame {
+pub fn draw_after(
+    gpu: &Arc<Gpu>,
+    avatar: Avatar,
+    posed: Posed,
+    before: &[Camera],
+    camera: Camera,
+    options: RendererOptions,
+) -> Frame {
     let mut renderer = Renderer::new(gpu, &avatar, options).unwrap();
-    before.iter().chain([&camera]).for_each(|camera| renderer.draw(&posed, camera, None).unwrap());
-    let picture = renderer.picture().unwrap();
+    before
+        .iter()
+        .chain([&camera])
+        .for_each(|camera| renderer.draw(&posed, camera, None).unwrap());
+    let picture = renderer.read_image().unwrap();
     let stages = renderer.stages().unwrap();
     let avatar = avatar.compact();
-    let level = options.detail.least;
-    let oracle = reference::Stages::thinned(&avatar, &posed, &camera, level);
-    Frame { report: renderer.report().clone(), gpu: stages, picture, oracle, level, avatar, posed, camera }
+    let level = options.detail.finest;
+    let (held, pose) = (avatar.clone(), posed.clone());
+    let oracle = LazyCell::new(Box::new(move || {
+        reference::ReferenceFrame::at_level(&held, &pose, &camera, level)
+    }) as Box<dyn FnOnce() -> _>);
+    Frame {
+        report: renderer.report().clone(),
+        gpu: stages,
+        picture,
+        oracle,
+        level,
+        avatar,
+        posed,
+        camera,
+    }
 }
 
 pub fn options(size: [u32; 2]) -> RendererOptions {
@@ -105,19 +178,19 @@ pub fn options(size: [u32; 2]) -> RendererOptions {
 
 /// The same at a level of detail.
 pub fn at_level(options: RendererOptions, level: u32) -> RendererOptions {
-    RendererOptions { detail: Detail::FULL.at_least(level), ..options }
-}
-
-/// To be called at the end of every test that uses a device.
-pub fn assert_valid() {
-    assert_eq!(validation_messages(), 0, "the validation layer complained, see above");
+    RendererOptions {
+        detail: Detail::FULL.at_least(level),
+        ..options
+    }
 }
 
 /// Compares two arrays, and names the worst element where one is further off than allowed.
 pub fn assert_close(what: &str, got: &[f64], expected: &[f64], tolerance: f64) {
     assert_eq!(got.len(), expected.len(), "{what}: lengths differ");
     let error = |k: usize| (got[k] - expected[k]).abs();
-    let Some(worst) = (0..got.len()).max_by(|&a, &b| error(a).total_cmp(&error(b))) else { return };
+    let Some(worst) = (0..got.len()).max_by(|&a, &b| error(a).total_cmp(&error(b))) else {
+        return;
+    };
     assert!(
         error(worst) <= tolerance,
         "{what}: element {worst} of {} is {}, expected {}, which is {} off; {tolerance} is allowed",

@@ -1,18 +1,21 @@
-//! Avatars, poses and clips for tests, from a seed: a body about 1.7 m tall of capsules around the bones of a plausible skeleton,
-//! with every array as a trained avatar has it. The same seed and sizes give the same bits.
+//! Avatars, poses and clips for tests, from a seed: a body about 1.7 m tall of capsules around the
+//! bones of a plausible skeleton, with every array as a trained avatar has it. The same seed and
+//! sizes give the same bits.
 
 // Every test binary compiles this file and uses a part of it.
 #![allow(dead_code)]
 
 mod body;
 pub mod gpu;
+#[macro_use]
+pub mod harness;
 
-use effigy::avatar::*;
+use effigy_core::avatar::*;
 use glam::{DQuat, DVec3};
 use half::f16;
 use std::f64::consts::TAU;
 
-/// How large an avatar to make. Symbols as in `effigy::avatar`.
+/// How large an avatar to make. Symbols as in `effigy_core::avatar`.
 #[derive(Clone, Copy, Debug)]
 pub struct Sizes {
     /// N_g.
@@ -59,7 +62,14 @@ impl Default for Sizes {
 impl Sizes {
     /// The paper's sizes.
     pub fn paper() -> Self {
-        Self { gaussians: 200_000, parts: 256, nodes: 10_000, rows: 20_000, subspace: 20, ..Self::default() }
+        Self {
+            gaussians: 200_000,
+            parts: 256,
+            nodes: 10_000,
+            rows: 20_000,
+            subspace: 20,
+            ..Self::default()
+        }
     }
 }
 
@@ -105,7 +115,9 @@ pub fn f16s<const N: usize>(v: [f64; N]) -> [f16; N] {
 
 /// Waves over the body: frequency and phase.
 fn waves(random: &mut Random, count: usize) -> Vec<(DVec3, f64)> {
-    (0..count).map(|_| (random.vector(12.0), random.unit() * TAU)).collect()
+    (0..count)
+        .map(|_| (random.vector(12.0), random.unit() * TAU))
+        .collect()
 }
 
 /// A wave's height at a point; its mean square is 1.
@@ -113,22 +125,40 @@ fn wave((frequency, phase): &(DVec3, f64), at: DVec3) -> f64 {
     2f64.sqrt() * (frequency.dot(at) + phase).sin()
 }
 
-/// The basis at a point: with features near 1, each of the `count` components comes out near `size`.
-fn basis(waves: &[(DVec3, f64)], size: f64, basis_len: usize, at: DVec3) -> impl Iterator<Item = f16> {
+/// The basis at a point: with features near 1, each of the `count` components comes out near
+/// `size`.
+fn basis(
+    waves: &[(DVec3, f64)],
+    size: f64,
+    basis_len: usize,
+    at: DVec3,
+) -> impl Iterator<Item = f16> {
     let scale = size / (basis_len as f64).sqrt();
-    waves.iter().map(move |w| f16::from_f64(scale * wave(w, at)))
+    waves
+        .iter()
+        .map(move |w| f16::from_f64(scale * wave(w, at)))
 }
 
 /// Basis rows of Gaussians chosen at random.
-fn rows<const C: usize>(random: &mut Random, sizes: &Sizes, points: &[DVec3], size: f64) -> Rows<C> {
+fn rows<const C: usize>(
+    random: &mut Random,
+    sizes: &Sizes,
+    points: &[DVec3],
+    size: f64,
+) -> Rows<C> {
     let wave_of = waves(random, C * sizes.basis);
     let mut left = sizes.rows.min(points.len());
-    let mut rows = Rows { gaussian: vec![], basis: Matrix::default() };
+    let mut rows = Rows {
+        gaussian: vec![],
+        basis: Matrix::default(),
+    };
     for (i, &point) in points.iter().enumerate() {
         if random.below(points.len() - i) < left {
             left -= 1;
             rows.gaussian.push(i as u32);
-            rows.basis.halves_mut().extend(basis(&wave_of, size, sizes.basis, point));
+            rows.basis
+                .halves_mut()
+                .extend(basis(&wave_of, size, sizes.basis, point));
         }
     }
     rows
@@ -138,16 +168,24 @@ fn networks(random: &mut Random, sizes: &Sizes, input: usize) -> Networks {
     let output = sizes.basis * if sizes.split_features { 2 } else { 1 };
     let width = [input, sizes.hidden, sizes.hidden, sizes.hidden, output];
     let layer = |(l, w): (usize, &[usize])| {
-        // Poses are about a third of a radian: the first layer makes up for it, so that features come out near 1.
+        // Poses are about a third of a radian: the first layer makes up for it, so that features
+        // come out near 1.
         let deviation = (2.0 / w[0] as f64).sqrt() * if l == 0 { 3.0 } else { 1.0 };
         Layer {
             input: w[0],
             output: w[1],
-            weight: (0..sizes.parts * w[0] * w[1]).map(|_| f16::from_f64(deviation * random.normal())).collect(),
-            bias: (0..sizes.parts * w[1]).map(|_| f16::from_f64(0.1 * random.normal())).collect(),
+            weight: (0..sizes.parts * w[0] * w[1])
+                .map(|_| f16::from_f64(deviation * random.normal()))
+                .collect(),
+            bias: (0..sizes.parts * w[1])
+                .map(|_| f16::from_f64(0.1 * random.normal()))
+                .collect(),
         }
     };
-    Networks { activation: sizes.activation, layers: width.windows(2).enumerate().map(layer).collect() }
+    Networks {
+        activation: sizes.activation,
+        layers: width.windows(2).enumerate().map(layer).collect(),
+    }
 }
 
 /// `components` orthonormal directions in D dimensions, at most D.
@@ -163,18 +201,31 @@ pub fn subspace(random: &mut Random, dimensions: usize, components: usize) -> Op
         rows.push(row.iter().map(|v| v / length).collect());
     }
     let sigma = (0..rows.len()).map(|k| 0.8 / (1.0 + k as f32)).collect();
-    let mean = (0..dimensions).map(|_| 0.1 * random.normal() as f32).collect();
-    (!rows.is_empty()).then(|| Subspace { mean, component: rows.concat().iter().map(|&v| v as f32).collect(), sigma })
+    let mean = (0..dimensions)
+        .map(|_| 0.1 * random.normal() as f32)
+        .collect();
+    (!rows.is_empty()).then(|| Subspace {
+        mean,
+        component: rows.concat().iter().map(|&v| v as f32).collect(),
+        sigma,
+    })
 }
 
-fn gaussians(random: &mut Random, skeleton: &Skeleton, skin: &[(DVec3, DVec3)], nodes: &[DVec3], bounds: Bounds) -> Gaussians {
+fn gaussians(
+    random: &mut Random,
+    skeleton: &Skeleton,
+    skin: &[(DVec3, DVec3)],
+    nodes: &[DVec3],
+    bounds: Bounds,
+) -> Gaussians {
     let joints = body::canonical_joints(skeleton);
     let position: Vec<[u16; 3]> = skin.iter().map(|(p, _)| bounds.encode(*p)).collect();
     let points: Vec<DVec3> = position.iter().map(|&q| bounds.decode(q)).collect();
     let bound: Vec<_> = points.iter().map(|&p| body::skinning(&joints, p)).collect();
     let shade = waves(random, 3);
     let mut rotate = |normal: DVec3| {
-        let q = DQuat::from_rotation_arc(DVec3::Z, normal) * DQuat::from_rotation_z(random.unit() * TAU);
+        let q = DQuat::from_rotation_arc(DVec3::Z, normal)
+            * DQuat::from_rotation_z(random.unit() * TAU);
         f16s([q.w, q.x, q.y, q.z].map(|v| v * random.range(0.7, 1.3)))
     };
     let rotation = skin.iter().map(|(_, normal)| rotate(*normal)).collect();
@@ -184,36 +235,76 @@ fn gaussians(random: &mut Random, skeleton: &Skeleton, skin: &[(DVec3, DVec3)], 
         joint: bound.iter().map(|b| b.0).collect(),
         joint_weight: bound.iter().map(|b| b.1).collect(),
         rotation,
-        log_scale: skin.iter().map(|_| f16s([0.004, 0.004, 0.002].map(|v| (v * random.range(1.0, 5.0)).ln()))).collect(),
-        color: points.iter().map(|&p| f16s([0, 1, 2].map(|k| 0.5 + 0.3 * wave(&shade[k], p) + 0.05 * random.normal()))).collect(),
-        opacity: skin.iter().map(|_| [180, 180, 90, 0][random.below(4)] + random.below(76) as u8).collect(),
+        log_scale: skin
+            .iter()
+            .map(|_| f16s([0.004, 0.004, 0.002].map(|v| (v * random.range(1.0, 5.0)).ln())))
+            .collect(),
+        color: points
+            .iter()
+            .map(|&p| {
+                f16s([0, 1, 2].map(|k| 0.5 + 0.3 * wave(&shade[k], p) + 0.05 * random.normal()))
+            })
+            .collect(),
+        opacity: skin
+            .iter()
+            .map(|_| [180, 180, 90, 0][random.below(4)] + random.below(76) as u8)
+            .collect(),
         position,
     }
 }
 
-/// Sorts points by part, the nearest of N_G seeds, head parts first; gives the parts and the part of each point.
+/// Sorts points by part, the nearest of N_G seeds, head parts first; gives the parts and the part
+/// of each point.
 fn divide(random: &mut Random, skin: &mut [(DVec3, DVec3)], parts: usize) -> (Parts, Vec<u16>) {
-    let mut seed: Vec<DVec3> = (0..parts).map(|_| skin[random.below(skin.len())].0).collect();
+    let mut seed: Vec<DVec3> = (0..parts)
+        .map(|_| skin[random.below(skin.len())].0)
+        .collect();
     seed.sort_by(|a, b| b.y.total_cmp(&a.y));
-    let part = |p: DVec3| (0..parts).min_by(|&a, &b| seed[a].distance_squared(p).total_cmp(&seed[b].distance_squared(p))).unwrap_or(0);
+    let part = |p: DVec3| {
+        (0..parts)
+            .min_by(|&a, &b| {
+                seed[a]
+                    .distance_squared(p)
+                    .total_cmp(&seed[b].distance_squared(p))
+            })
+            .unwrap_or(0)
+    };
     skin.sort_by_cached_key(|(p, _)| part(*p));
     let part_of: Vec<u16> = skin.iter().map(|(p, _)| part(*p) as u16).collect();
-    let start = (0..=parts).map(|i| part_of.partition_point(|&p| usize::from(p) < i) as u32).collect();
-    (Parts { start, head: seed.iter().filter(|p| p.y > 1.45).count() }, part_of)
+    let start = (0..=parts)
+        .map(|i| part_of.partition_point(|&p| usize::from(p) < i) as u32)
+        .collect();
+    (
+        Parts {
+            start,
+            head: seed.iter().filter(|p| p.y > 1.45).count(),
+        },
+        part_of,
+    )
 }
 
 /// A valid avatar of the given sizes.
 pub fn avatar(seed: u64, sizes: Sizes) -> Avatar {
     let random = &mut Random(seed);
     let skeleton = body::skeleton(random, sizes.joints);
-    let bounds = Bounds { min: [-1.0, -0.1, -0.3], max: [1.0, 1.8, 0.3] };
+    let bounds = Bounds {
+        min: [-1.0, -0.1, -0.3],
+        max: [1.0, 1.8, 0.3],
+    };
     let mut skin = body::skin(random, sizes.gaussians);
     let (parts, part_of) = divide(random, &mut skin, sizes.parts);
     let node_of: Vec<usize> = (0..sizes.nodes).map(|_| random.below(skin.len())).collect();
-    let node: Vec<[u16; 3]> = node_of.iter().map(|&i| bounds.encode(skin[i].0 + random.vector(0.005))).collect();
+    let node: Vec<[u16; 3]> = node_of
+        .iter()
+        .map(|&i| bounds.encode(skin[i].0 + random.vector(0.005)))
+        .collect();
     let node_point: Vec<DVec3> = node.iter().map(|&q| bounds.decode(q)).collect();
     let points: Vec<DVec3> = skin.iter().map(|(p, _)| *p).collect();
-    let joint: Vec<u8> = if sizes.joints == 1 { vec![0] } else { (1..sizes.joints.min(22)).map(|j| j as u8).collect() };
+    let joint: Vec<u8> = if sizes.joints == 1 {
+        vec![0]
+    } else {
+        (1..sizes.joints.min(22)).map(|j| j as u8).collect()
+    };
     let inputs = Inputs {
         pose_space: subspace(random, 3 * joint.len(), sizes.subspace),
         expression_space: subspace(random, sizes.expression, sizes.subspace),
@@ -231,24 +322,41 @@ pub fn avatar(seed: u64, sizes: Sizes) -> Avatar {
         color_rows: rows(random, &sizes, &points, 0.1),
         nodes: Nodes {
             part: node_of.iter().map(|&i| part_of[i]).collect(),
-            offset: node.iter().map(|_| f16s(random.vector(0.002).to_array())).collect(),
-            basis: node_point.iter().flat_map(|&p| basis(&node_waves, 0.006, sizes.basis, p)).collect(),
+            offset: node
+                .iter()
+                .map(|_| f16s(random.vector(0.002).to_array()))
+                .collect(),
+            basis: node_point
+                .iter()
+                .flat_map(|&p| basis(&node_waves, 0.006, sizes.basis, p))
+                .collect(),
             position: node,
         },
         skeleton,
         parts,
         inputs,
-        harmonics: None,
+        sh: None,
     }
 }
 
 /// A pose as people take them: every joint bent a little, turned anywhere, near the origin.
 pub fn pose(seed: u64, avatar: &Avatar) -> Pose {
     let random = &mut Random(seed);
-    let mut rotation: Vec<DVec3> = avatar.skeleton.rest.iter().map(|_| random.vector(0.5)).collect();
+    let mut rotation: Vec<DVec3> = avatar
+        .skeleton
+        .rest
+        .iter()
+        .map(|_| random.vector(0.5))
+        .collect();
     rotation[0].y = random.range(-3.0, 3.0);
-    let expression = (0..avatar.inputs.expression).map(|_| random.normal()).collect();
-    Pose { rotation, translation: random.vector(0.3), expression }
+    let expression = (0..avatar.inputs.expression)
+        .map(|_| random.normal())
+        .collect();
+    Pose {
+        rotation,
+        translation: random.vector(0.3),
+        expression,
+    }
 }
 
 /// A smooth clip of the avatar's own skeleton, 30 frames a second.
@@ -256,7 +364,11 @@ pub fn clip(seed: u64, avatar: &Avatar, frames: usize) -> Clip {
     let random = &mut Random(seed);
     let joints = avatar.skeleton.len();
     let mut track = |reach: f64| {
-        let (size, rate, phase) = (random.vector(reach), random.range(1.0, 6.0), random.unit() * TAU);
+        let (size, rate, phase) = (
+            random.vector(reach),
+            random.range(1.0, 6.0),
+            random.unit() * TAU,
+        );
         move |frame: usize| size * (rate * frame as f64 / 30.0 + phase).sin()
     };
     let rotation: Vec<_> = (0..joints).map(|_| track(0.5)).collect();
@@ -267,16 +379,54 @@ pub fn clip(seed: u64, avatar: &Avatar, frames: usize) -> Clip {
         credit: "made by the tests from a seed".into(),
         rate: 30.0,
         joint: avatar.skeleton.name.clone(),
-        rotation: (0..frames).flat_map(|f| rotation.iter().map(move |r| r(f).as_vec3().to_array())).collect(),
-        translation: (0..frames).map(|f| translation(f).as_vec3().to_array()).collect(),
-        expression: (0..frames).flat_map(|f| expression.iter().map(move |e| e(f).x as f32)).collect(),
+        rotation: (0..frames)
+            .flat_map(|f| rotation.iter().map(move |r| r(f).as_vec3().to_array()))
+            .collect(),
+        translation: (0..frames)
+            .map(|f| translation(f).as_vec3().to_array())
+            .collect(),
+        expression: (0..frames)
+            .flat_map(|f| expression.iter().map(move |e| e(f).x as f32))
+            .collect(),
         expression_len: expression.len(),
     }
 }
 
+/// The program that tests of commands run.
+pub fn program() -> &'static str {
+    env!("CARGO_BIN_EXE_effigy")
+}
+
+/// The folder of the body's source files. Ends the test where it isn't there.
+pub fn assets() -> String {
+    let folder = std::env::var("EFFIGY_ASSETS")
+        .unwrap_or_else(|_| effigy_learn::bake::Assets::DEFAULT.into());
+    let absolute = std::path::absolute(&folder).expect("the folder has a name");
+    let complete = ["base.obj", "01_01.bvh"]
+        .iter()
+        .all(|name| absolute.join(name).exists());
+    if !complete {
+        harness::not_run(format!(
+            "no source files in {folder}: run tools/fetch_assets.sh or set EFFIGY_ASSETS"
+        ));
+    }
+    absolute.display().to_string()
+}
+
 /// Writes a small avatar and a clip for it, `small.avatar` and `small.motion`, to a folder.
 pub fn small_files(folder: &std::path::Path) {
-    let avatar = avatar(5, Sizes { gaussians: 800, parts: 8, nodes: 60, rows: 100, ..Sizes::default() });
+    let avatar = avatar(
+        5,
+        Sizes {
+            gaussians: 800,
+            parts: 8,
+            nodes: 60,
+            rows: 100,
+            ..Sizes::default()
+        },
+    );
     avatar.write(&folder.join("small.avatar")).unwrap();
-    clip(6, &avatar, 40).write(&folder.join("small.motion")).unwrap();
+    clip(6, &avatar, 40)
+        .write(&folder.join("small.motion"))
+        .unwrap();
 }

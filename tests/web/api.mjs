@@ -1,13 +1,16 @@
-// What a page of one's own may do with the API, and what must not harm it.
+// The API: what a page may do with it, and what must not harm it.
 import assert from "node:assert/strict";
-import { bare, frames, moving, opened } from "./harness.mjs";
+import { openBare, waitForFrames, openMoving, openPage } from "./harness.mjs";
 
-/** Calls while the device is lost. */
-async function heeded(page) {
+/** Calls made while the device is lost take effect. */
+async function callsTakeEffectWhileLost(page) {
   const found = await page.evaluate(async () => {
     const joints = effigy.description.joints.length;
-    let calls = 0, over = false;
-    const restored = event("restored").then(() => { over = true; });
+    let calls = 0;
+    let over = false;
+    const restored = event("restored").then(() => {
+      over = true;
+    });
     effigy.loseDevice();
     const shot = effigy.screenshot();
     while (!over) {
@@ -27,142 +30,257 @@ async function heeded(page) {
     await lost;
     effigy.dispose();
     effigy.dispose();
-    return { calls, corner: [...data.slice(0, 3)], pending: await pending, after: await failure(effigy.loadAvatar("demo.avatar")) };
+    return {
+      calls,
+      corner: [...data.slice(0, 3)],
+      pending: await pending,
+      after: await failure(effigy.loadAvatar("demo.avatar")),
+    };
   });
   assert.ok(found.calls > 1, `${found.calls} calls`);
   assert.deepEqual([found.corner, found.pending, found.after], [[0, 0, 0], "Error", "Error"]);
 }
 
 export const api = {
-  async "a device lost while nothing moves comes back with the same picture, and calls meanwhile are heeded"() {
-    const page = await bare();
+  async "a device lost at rest comes back with the same image, and calls meanwhile take effect"() {
+    const page = await openBare();
     const found = await page.evaluate(async () => {
       await effigy.loadAvatar("demo.avatar");
       await effigy.loadMotion("demo.motion", { play: false });
       effigy.time = 1.3;
       await effigy.screenshot();
-      const before = await pixels(await effigy.screenshot()), restored = event("restored");
+      const before = await pixels(await effigy.screenshot());
+      const restored = event("restored");
       effigy.loseDevice();
       await restored;
       await event("frame");
       const after = await pixels(await effigy.screenshot());
       return { covered: covered(before), different: different(before, after), time: effigy.time };
     });
-    assert.ok(found.covered > 2000 && found.different === 0 && found.time === 1.3, JSON.stringify(found));
-    await heeded(page);
+    assert.ok(
+      found.covered > 2000 && found.different === 0 && found.time === 1.3,
+      JSON.stringify(found),
+    );
+    await callsTakeEffectWhileLost(page);
     return page;
   },
-  async "a device that does not come back is an error, and another avatar tries again"() {
-    const page = await bare();
+  async "a device that does not come back is an error, and loading an avatar tries again"() {
+    const page = await openBare();
     const found = await page.evaluate(async () => {
       await effigy.loadAvatar("demo.avatar");
       const ask = GPU.prototype.requestAdapter;
       let asked = 0;
-      GPU.prototype.requestAdapter = async () => { ++asked; return null; };
-      const gone = event("error"), since = performance.now();
+      GPU.prototype.requestAdapter = async () => {
+        ++asked;
+        return null;
+      };
+      const gone = event("error");
+      const since = performance.now();
       effigy.loseDevice();
-      const why = (await gone).detail.message, took = performance.now() - since, shot = await failure(effigy.screenshot());
+      const why = (await gone).detail.message;
+      const took = performance.now() - since;
+      const shot = await failure(effigy.screenshot());
       effigy.camera = { yaw: 1 };
       GPU.prototype.requestAdapter = ask;
       await effigy.loadAvatar("demo.avatar");
       const again = covered(await pixels(await effigy.screenshot()));
-      // And one that is lost again and again.
+      // A device that is lost repeatedly.
       const error = event("error").then((event) => event.detail.message);
       let restored = 0;
-      effigy.addEventListener("restored", () => { ++restored; effigy.loseDevice(); });
+      effigy.addEventListener("restored", () => {
+        ++restored;
+        effigy.loseDevice();
+      });
       effigy.loseDevice();
       return { why, asked, took, shot, again, error: await error, restored };
     });
     assert.ok(found.asked >= 4 && found.took > 2000, JSON.stringify(found));
-    assert.ok(/no WebGPU device/.test(found.why) && found.shot === "Error" && found.again > 2000, JSON.stringify(found));
+    assert.ok(
+      /no WebGPU device/.test(found.why) && found.shot === "Error" && found.again > 2000,
+      JSON.stringify(found),
+    );
     assert.ok(/5 times/.test(found.error) && found.restored === 3, JSON.stringify(found));
     return page;
   },
-  async "numbers that nothing can be drawn with are refused, and it goes on"() {
-    const page = await moving();
+  async "invalid numbers are refused, and playback goes on"() {
+    const page = await openMoving();
     const found = await page.evaluate(() => {
-      const joints = effigy.description.joints.length, rotation = new Float32Array(3 * joints), before = effigy.camera;
+      const joints = effigy.description.joints.length;
+      const rotation = new Float32Array(3 * joints);
+      const before = effigy.camera;
       const bad = {
-        distance: () => { effigy.camera = { distance: NaN }; }, fov: () => { effigy.camera = { fov: 0 }; },
-        target: () => { effigy.camera = { target: [0, Infinity, 0] }; }, yaw: () => { effigy.camera = { yaw: "1" }; },
-        time: () => { effigy.time = NaN; }, rate: () => { effigy.rate = Infinity; }, background: () => { effigy.background = [0, 2, 0]; },
+        distance: () => {
+          effigy.camera = { distance: NaN };
+        },
+        fov: () => {
+          effigy.camera = { fov: 0 };
+        },
+        target: () => {
+          effigy.camera = { target: [0, Infinity, 0] };
+        },
+        yaw: () => {
+          effigy.camera = { yaw: "1" };
+        },
+        time: () => {
+          effigy.time = NaN;
+        },
+        rate: () => {
+          effigy.rate = Infinity;
+        },
+        background: () => {
+          effigy.background = [0, 2, 0];
+        },
         translation: () => effigy.setPose({ rotation, translation: [0, 1e16, 0] }),
-        rotation: () => effigy.setPose({ rotation: rotation.map(() => NaN) }), length: () => effigy.setPose({ rotation: [1, 2] }),
+        rotation: () => effigy.setPose({ rotation: rotation.map(() => NaN) }),
+        length: () => effigy.setPose({ rotation: [1, 2] }),
       };
-      const name = (act) => { try { act(); return "taken"; } catch (error) { return error.name; } };
-      const named = Object.entries(bad).filter(([, act]) => name(act) !== "RangeError").map(([what]) => what);
-      return { named, same: JSON.stringify(before) === JSON.stringify(effigy.camera), playing: effigy.playing, time: effigy.time };
+      const name = (act) => {
+        try {
+          act();
+          return "taken";
+        } catch (error) {
+          return error.name;
+        }
+      };
+      const named = Object.entries(bad)
+        .filter(([, act]) => name(act) !== "RangeError")
+        .map(([what]) => what);
+      return {
+        named,
+        same: JSON.stringify(before) === JSON.stringify(effigy.camera),
+        playing: effigy.playing,
+        time: effigy.time,
+      };
     });
     assert.deepEqual([found.named, found.same, found.playing], [[], true, true]);
     assert.ok(Number.isFinite(found.time));
-    await frames(page, 3);
+    await waitForFrames(page, 3);
     return page;
   },
-  async "of several loads the last asked for wins, and clips stay with their avatar"() {
-    const page = await bare();
+  async "the last of several loads wins, and clips stay with their avatar"() {
+    const page = await openBare();
     const found = await page.evaluate(async () => {
-      const first = failure(effigy.loadAvatar("demo.avatar?ms=3000")), clip = failure(effigy.loadMotion("demo.motion"));
+      const first = failure(effigy.loadAvatar("demo.avatar?ms=3000"));
+      const clip = failure(effigy.loadMotion("demo.motion"));
       const second = effigy.loadAvatar("other.avatar");
       const named = [await first, await clip, (await second).name, effigy.clips.length];
       let open;
-      const gate = new Promise((resolve) => { open = resolve; });
-      class Late extends Blob { arrayBuffer() { return gate.then(() => super.arrayBuffer()); } }
-      const slow = failure(effigy.loadMotion(new Late([await (await fetch("demo.motion")).arrayBuffer()])));
+      const gate = new Promise((resolve) => {
+        open = resolve;
+      });
+      class Late extends Blob {
+        arrayBuffer() {
+          return gate.then(() => super.arrayBuffer());
+        }
+      }
+      const slow = failure(
+        effigy.loadMotion(new Late([await (await fetch("demo.motion")).arrayBuffer()])),
+      );
       await effigy.loadAvatar("demo.avatar");
       open();
-      // In any order: it is for the avatar asked for before it.
-      const loading = effigy.loadAvatar("other.avatar?ms=500"), number = await effigy.loadMotion("demo.motion");
-      // A clip comes as soon as there is something to move, and what is still loading then would be given up for the next.
+      // The clip is for the avatar that was requested before it.
+      const loading = effigy.loadAvatar("other.avatar?ms=500");
+      const number = await effigy.loadMotion("demo.motion");
+      // The clip may arrive before the rest of its avatar, which the next load would give up.
       const third = await loading;
       const bad = failure(effigy.loadAvatar("none.avatar"));
-      return [...named, await slow, number, third.name, effigy.clips.length, await bad, effigy.description.name];
+      return [
+        ...named,
+        await slow,
+        number,
+        third.name,
+        effigy.clips.length,
+        await bad,
+        effigy.description.name,
+      ];
     });
     const [first, clip, other, none, slow, number, third, clips, bad, shown] = found;
-    assert.deepEqual([first, clip, none, slow, number, clips, bad], ["AbortError", "AbortError", 0, "AbortError", 0, 1, "Error"], JSON.stringify(found));
+    assert.deepEqual(
+      [first, clip, none, slow, number, clips, bad],
+      ["AbortError", "AbortError", 0, "AbortError", 0, 1, "Error"],
+      JSON.stringify(found),
+    );
     assert.ok(other.startsWith("~") && third === other && shown === other, JSON.stringify(found));
     return page;
   },
-  async "an avatar is shown before all of it is there, and the one from before comes back if the rest does not"() {
-    const page = await bare();
+  async "a preview is shown while the rest loads, and reverted if the rest does not come"() {
+    const page = await openBare();
     const found = await page.evaluate(async () => {
       let over = false;
-      const whole = effigy.loadAvatar("early.avatar?ms=2000&hold=25").then(() => { over = true; });
+      const whole = effigy.loadAvatar("early.avatar?ms=2000&hold=25").then(() => {
+        over = true;
+      });
       await effigy.loadMotion("demo.motion");
       await event("frame");
       effigy.pause();
       effigy.time = 1.3;
       effigy.camera = { yaw: 0.7 };
-      const neutral = await pixels(await effigy.screenshot()), early = !over;
+      const neutral = await pixels(await effigy.screenshot());
+      const early = !over;
       await fetch("release");
       await whole;
-      const state = () => [effigy.time, effigy.camera.yaw, effigy.clips.length, effigy.description.name[0] === "~"];
-      const full = await pixels(await effigy.screenshot()), kept = state();
+      const state = () => [
+        effigy.time,
+        effigy.camera.yaw,
+        effigy.clips.length,
+        effigy.description.name[0] === "~",
+      ];
+      const full = await pixels(await effigy.screenshot());
+      const kept = state();
       const cut = failure(effigy.loadAvatar("early-other.avatar?ms=2000&hold=25&cut=1"));
-      while (effigy.description.name[0] !== "~") await new Promise((resolve) => setTimeout(resolve, 50));
+      while (effigy.description.name[0] !== "~") {
+        await new Promise((resolve) => setTimeout(resolve, 50));
+      }
       await fetch("release");
-      const failed = await cut, back = await pixels(await effigy.screenshot());
-      return { early, covered: covered(neutral), changed: different(neutral, full), kept, failed, same: different(full, back), again: state() };
+      const failed = await cut;
+      const back = await pixels(await effigy.screenshot());
+      return {
+        early,
+        covered: covered(neutral),
+        changed: different(neutral, full),
+        kept,
+        failed,
+        same: different(full, back),
+        again: state(),
+      };
     });
     assert.ok(found.early && found.covered > 2000 && found.changed > 100, JSON.stringify(found));
-    assert.deepEqual([found.kept, found.again, found.same, found.failed], [[1.3, 0.7, 1, false], [1.3, 0.7, 1, false], 0, "Error"], JSON.stringify(found));
+    assert.deepEqual(
+      [found.kept, found.again, found.same, found.failed],
+      [[1.3, 0.7, 1, false], [1.3, 0.7, 1, false], 0, "Error"],
+      JSON.stringify(found),
+    );
     page.allowed = /ERR_/;
     return page;
   },
-  async "what is replaced or disposed of gives its memory back"() {
-    const page = await bare(() => {
+  async "a replaced or disposed avatar frees its memory"() {
+    const page = await openBare(() => {
       globalThis.live = new Set();
-      for (const [what, make] of [[GPUBuffer, "createBuffer"], [GPUTexture, "createTexture"]]) {
-        const create = GPUDevice.prototype[make], destroy = what.prototype.destroy;
+      for (const [what, make] of [
+        [GPUBuffer, "createBuffer"],
+        [GPUTexture, "createTexture"],
+      ]) {
+        const create = GPUDevice.prototype[make];
+        const destroy = what.prototype.destroy;
         GPUDevice.prototype[make] = function (descriptor) {
-          // A browser refuses a buffer only after it has given it.
-          const one = create.call(this, globalThis.refuse && what === GPUBuffer ? { ...descriptor, size: 2 ** 50 } : descriptor);
+          // A browser refuses a buffer only after it has returned it.
+          const one = create.call(
+            this,
+            globalThis.refuse && what === GPUBuffer ? { ...descriptor, size: 2 ** 50 } : descriptor,
+          );
           live.add(one);
           return one;
         };
-        what.prototype.destroy = function () { live.delete(this); return destroy.call(this); };
+        what.prototype.destroy = function () {
+          live.delete(this);
+          return destroy.call(this);
+        };
       }
       const destroy = GPUDevice.prototype.destroy;
-      GPUDevice.prototype.destroy = function () { live.clear(); return destroy.call(this); };
+      GPUDevice.prototype.destroy = function () {
+        live.clear();
+        return destroy.call(this);
+      };
     });
     const found = await page.evaluate(async () => {
       await effigy.loadAvatar("demo.avatar");
@@ -170,28 +288,40 @@ export const api = {
       await effigy.loadAvatar("other.avatar");
       const twice = live.size;
       globalThis.refuse = true;
-      const refused = await effigy.loadAvatar("demo.avatar").then(() => "", (error) => error.message);
+      const refused = await effigy.loadAvatar("demo.avatar").then(
+        () => "",
+        (error) => error.message,
+      );
       globalThis.refuse = false;
-      const kept = [live.size, effigy.description.name[0], covered(await pixels(await effigy.screenshot())) > 2000];
+      const kept = [
+        live.size,
+        effigy.description.name[0],
+        covered(await pixels(await effigy.screenshot())) > 2000,
+      ];
       effigy.dispose();
       return { once, twice, refused, kept, end: live.size };
     });
-    assert.ok(found.once > 15 && found.twice === found.once && found.end === 0, JSON.stringify(found));
+    assert.ok(
+      found.once > 15 && found.twice === found.once && found.end === 0,
+      JSON.stringify(found),
+    );
     assert.match(found.refused, /refused/);
     assert.deepEqual(found.kept, [found.once, "~", true], JSON.stringify(found));
     return page;
   },
-  async "pictures that are asked for come, seen or not, and what nobody sees is not drawn"() {
-    const page = await bare();
+  async "screenshots come even if the canvas can't be seen, and nothing else is drawn then"() {
+    const page = await openBare();
     const found = await page.evaluate(async () => {
       const early = await failure(effigy.screenshot());
       await effigy.loadAvatar("demo.avatar");
       await effigy.loadMotion("demo.motion");
-      const both = (await Promise.all([effigy.screenshot(), effigy.screenshot()])).map((blob) => blob.size > 1000);
+      const both = (await Promise.all([effigy.screenshot(), effigy.screenshot()])).map(
+        (blob) => blob.size > 1000,
+      );
       let drawn = 0;
       effigy.addEventListener("frame", () => ++drawn);
       const quiet = async () => {
-        // Frames under way may still come; what is drawn on and on never rests.
+        // Frames under way may still come.
         for (let k = 0; k < 6 && (k === 0 || drawn > 0); ++k) {
           drawn = 0;
           await new Promise((resolve) => setTimeout(resolve, 1500));
@@ -202,7 +332,10 @@ export const api = {
       const away = await quiet();
       scrollTo(0, 0);
       await event("frame");
-      Object.defineProperty(document, "hidden", { configurable: true, get: () => globalThis.hidden });
+      Object.defineProperty(document, "hidden", {
+        configurable: true,
+        get: () => globalThis.hidden,
+      });
       globalThis.hidden = true;
       document.dispatchEvent(new Event("visibilitychange"));
       const hidden = await quiet();
@@ -211,28 +344,44 @@ export const api = {
       await event("frame");
       return { early, both, away, hidden };
     });
-    assert.deepEqual(found, { early: "Error", both: [true, true], away: [0, true], hidden: [0, true] });
+    assert.deepEqual(found, {
+      early: "Error",
+      both: [true, true],
+      away: [0, true],
+      hidden: [0, true],
+    });
     return page;
   },
-  async "the screen's pixels may change while it is paused"() {
-    const page = await moving("", { width: 300, height: 300 });
+  async "the screen's pixel ratio may change while playback is paused"() {
+    const page = await openMoving("", { width: 300, height: 300 });
     await page.click("#play");
     const before = await page.evaluate(() => document.getElementById("canvas").width);
     const session = await page.context().newCDPSession(page);
-    await session.send("Emulation.setDeviceMetricsOverride", { width: 300, height: 300, deviceScaleFactor: 2, mobile: false });
-    await page.waitForFunction((before) => document.getElementById("canvas").width === 2 * before, before);
+    await session.send("Emulation.setDeviceMetricsOverride", {
+      width: 300,
+      height: 300,
+      deviceScaleFactor: 2,
+      mobile: false,
+    });
+    await page.waitForFunction(
+      (before) => document.getElementById("canvas").width === 2 * before,
+      before,
+    );
     return page;
   },
-  async "two on one page, one driven live"() {
-    const page = await opened("two.html");
+  async "two avatars on one page, one with live poses"() {
+    const page = await openPage("two.html");
     const found = await page.evaluate(async () => {
       const { Effigy } = await import("./effigy.js");
-      const both = await Promise.all(["a", "b"].map((id) => Effigy.create(document.getElementById(id))));
+      const both = await Promise.all(
+        ["a", "b"].map((id) => Effigy.create(document.getElementById(id))),
+      );
       await Promise.all(both.map((one) => one.loadAvatar("demo.avatar")));
       await both[0].loadMotion("demo.motion");
-      const joints = both[1].description.joints.length, turns = [0, 0];
+      const joints = both[1].description.joints.length;
+      const turns = [0, 0];
       both.forEach((one, k) => one.addEventListener("frame", () => ++turns[k]));
-      // Software adapters take their time.
+      // Software adapters are slow.
       const rotation = new Float32Array(3 * joints);
       for (let k = 0; k < 200 && turns.some((count) => count < 2); ++k) {
         rotation[1] = 0.1 * k + 1;
@@ -240,19 +389,31 @@ export const api = {
         await new Promise((resolve) => setTimeout(resolve, 300));
       }
       const pixels = async (blob) => {
-        const image = await createImageBitmap(blob), canvas = new OffscreenCanvas(image.width, image.height), context = canvas.getContext("2d");
+        const image = await createImageBitmap(blob);
+        const canvas = new OffscreenCanvas(image.width, image.height);
+        const context = canvas.getContext("2d");
         context.drawImage(image, 0, 0);
         return context.getImageData(0, 0, image.width, image.height).data;
       };
       const [a, b] = await Promise.all(both.map(async (one) => pixels(await one.screenshot())));
-      const seen = (data) => data.reduce((sum, value, at) => sum + (at % 4 === 0 && Math.abs(value - 216) > 2), 0);
+      const seen = (data) =>
+        data.reduce((sum, value, at) => sum + (at % 4 === 0 && Math.abs(value - 216) > 2), 0);
       both[0].dispose();
       rotation[1] = 0;
       both[1].setPose({ rotation });
       await both[1].screenshot();
-      return { turns, covered: [seen(a), seen(b)], different: a.reduce((sum, value, at) => sum + (Math.abs(value - b[at]) > 8), 0) };
+      return {
+        turns,
+        covered: [seen(a), seen(b)],
+        different: a.reduce((sum, value, at) => sum + (Math.abs(value - b[at]) > 8), 0),
+      };
     });
-    assert.ok(found.turns.every((turns) => turns >= 2) && found.covered.every((pixels) => pixels > 2000) && found.different > 2000, JSON.stringify(found));
+    assert.ok(
+      found.turns.every((turns) => turns >= 2) &&
+        found.covered.every((pixels) => pixels > 2000) &&
+        found.different > 2000,
+      JSON.stringify(found),
+    );
     return page;
   },
 };

@@ -1,4 +1,4 @@
-//! The system's log: events of `tracing` go in, lines of `adb logcat -s effigy` come out.
+//! Writes `tracing`'s events to the system's log: `adb logcat -s effigy` shows them.
 
 use std::{ffi::CString, io};
 use tracing::{Level, Metadata};
@@ -10,16 +10,28 @@ use tracing_subscriber::{
 };
 use winit::platform::android::activity::ndk_sys;
 
-/// What lines begin with in the log.
+/// Tag of the lines in the log.
 const TAG: &std::ffi::CStr = c"effigy";
 
-/// Sends everything that the program says to the log.
+/// Writes the program's events to the log from now on.
 pub fn start() {
-    // No one sets an app's environment; a filter that reads it would bring regular expressions along.
-    let filter = Targets::new().with_default(Level::WARN).with_target("winit", Level::ERROR).with_target("effigy", Level::INFO);
-    let lines = fmt::layer().with_writer(Logcat).with_ansi(false).without_time().with_level(false).with_target(false);
-    // A logger that is there already stays.
-    let _ = tracing_subscriber::registry().with(filter).with(lines).try_init();
+    // A filter from the environment would need regular expressions, and no one sets an app's
+    // environment.
+    let filter = Targets::new()
+        .with_default(Level::WARN)
+        .with_target("winit", Level::ERROR)
+        .with_target("effigy", Level::INFO);
+    let lines = fmt::layer()
+        .with_writer(Logcat)
+        .with_ansi(false)
+        .without_time()
+        .with_level(false)
+        .with_target(false);
+    // Fails if there is a logger already: that one stays.
+    let _ = tracing_subscriber::registry()
+        .with(filter)
+        .with(lines)
+        .try_init();
 }
 
 /// Writes text to the log, a line at a time.
@@ -31,7 +43,9 @@ pub fn write(level: Level, text: &str) {
         _ => ndk_sys::android_LogPriority::ANDROID_LOG_DEBUG,
     };
     for line in text.lines() {
-        let Ok(line) = CString::new(line.replace('\0', " ")) else { continue };
+        let Ok(line) = CString::new(line.replace('\0', " ")) else {
+            continue;
+        };
         // SAFETY: both strings outlive the call.
         unsafe { ndk_sys::__android_log_write(priority.0 as _, TAG.as_ptr(), line.as_ptr()) };
     }
@@ -39,13 +53,13 @@ pub fn write(level: Level, text: &str) {
 
 struct Logcat;
 
-/// One event on its way to the log.
-struct Event {
+/// Collects the text of one event, and writes it when dropped.
+struct LogLine {
     level: Level,
     text: Vec<u8>,
 }
 
-impl io::Write for Event {
+impl io::Write for LogLine {
     fn write(&mut self, part: &[u8]) -> io::Result<usize> {
         self.text.extend_from_slice(part);
         Ok(part.len())
@@ -56,20 +70,26 @@ impl io::Write for Event {
     }
 }
 
-impl Drop for Event {
+impl Drop for LogLine {
     fn drop(&mut self) {
         write(self.level, &String::from_utf8_lossy(&self.text));
     }
 }
 
 impl<'a> MakeWriter<'a> for Logcat {
-    type Writer = Event;
+    type Writer = LogLine;
 
-    fn make_writer(&'a self) -> Event {
-        Event { level: Level::INFO, text: Vec::new() }
+    fn make_writer(&'a self) -> LogLine {
+        LogLine {
+            level: Level::INFO,
+            text: Vec::new(),
+        }
     }
 
-    fn make_writer_for(&'a self, meta: &Metadata<'_>) -> Event {
-        Event { level: *meta.level(), text: Vec::new() }
+    fn make_writer_for(&'a self, meta: &Metadata<'_>) -> LogLine {
+        LogLine {
+            level: *meta.level(),
+            text: Vec::new(),
+        }
     }
 }

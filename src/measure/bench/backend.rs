@@ -1,67 +1,82 @@
-//! The backends that can be measured, behind one face.
+//! The backends that can be measured, behind one interface.
 
-use super::{report::Device, scene::Scene};
-use crate::{
-    avatar::Avatar,
-    frame::{FrameReport, Picture, Posed, RendererOptions},
-    layout::{BINS, bins::Tiling},
-    vulkan,
-};
+use super::{report::DeviceReport, scene::BenchScene};
+use crate::bytes::OccluderSize;
+use effigy::vulkan;
 #[cfg(feature = "webgpu")]
-use crate::{layout::BINS_WEB, webgpu};
+use effigy::webgpu;
+#[cfg(feature = "webgpu")]
+use effigy_core::layout::TILING_WEB;
+use effigy_core::{
+    avatar::Avatar,
+    frame::{FrameReport, RendererOptions},
+    layout::{TILING, binning::Tiling},
+    scene::{FrameImage, Posed},
+};
 use std::sync::Arc;
 
-pub type Result<T> = std::result::Result<T, Error>;
+/// A result with an error of either backend.
+pub type Result<T> = std::result::Result<T, BackendError>;
 
-/// What either has to say.
+/// An error of either backend.
 #[derive(Debug, thiserror::Error)]
-pub enum Error {
+pub enum BackendError {
+    /// By the Vulkan backend.
     #[error(transparent)]
     Vulkan(#[from] vulkan::Error),
+    /// By the WebGPU backend.
     #[cfg(feature = "webgpu")]
     #[error(transparent)]
     WebGpu(#[from] webgpu::Error),
 }
 
-impl Error {
-    /// Whether it is a setting's fault, so that another setting may still be drawn with this device.
+impl BackendError {
+    /// Whether the device refuses a setting and can still draw with others.
     pub fn is_refusal(&self) -> bool {
         match self {
-            Self::Vulkan(error) => !matches!(error, vulkan::Error::Timeout { .. } | vulkan::Error::DeviceLost(_)),
+            Self::Vulkan(error) => !matches!(
+                error,
+                vulkan::Error::Timeout { .. } | vulkan::Error::DeviceLost(_)
+            ),
             #[cfg(feature = "webgpu")]
-            Self::WebGpu(error) => !matches!(error, webgpu::Error::Timeout { .. } | webgpu::Error::DeviceLost(_)),
+            Self::WebGpu(error) => !matches!(
+                error,
+                webgpu::Error::Timeout { .. } | webgpu::Error::DeviceLost(_)
+            ),
         }
     }
 }
 
-/// A device of either.
+/// An open device of either backend.
 #[derive(Clone)]
-pub enum Opened {
+pub enum BenchDevice {
+    /// Opened by the Vulkan backend.
     Vulkan(Arc<vulkan::Gpu>),
+    /// Opened by the WebGPU backend.
     #[cfg(feature = "webgpu")]
     WebGpu(Arc<webgpu::Gpu>),
 }
 
-impl Opened {
-    /// How it cuts pictures into tiles.
+impl BenchDevice {
+    /// How the backend divides images into tiles.
     pub fn tiling(&self) -> Tiling {
         match self {
-            Self::Vulkan(_) => BINS,
+            Self::Vulkan(_) => TILING,
             #[cfg(feature = "webgpu")]
-            Self::WebGpu(_) => BINS_WEB,
+            Self::WebGpu(_) => TILING_WEB,
         }
     }
 
-    /// The same with what suits the device in place of what was left open.
-    pub fn settled(&self, options: RendererOptions) -> RendererOptions {
+    /// The options with everything that was left open set as the device recommends.
+    pub fn resolve(&self, options: RendererOptions) -> RendererOptions {
         match self {
-            Self::Vulkan(gpu) => options.settled(gpu),
+            Self::Vulkan(gpu) => effigy::vulkan::raster::resolved(gpu, options),
             #[cfg(feature = "webgpu")]
-            Self::WebGpu(gpu) => webgpu::options::settled(gpu, options),
+            Self::WebGpu(gpu) => webgpu::options::resolved(gpu, options),
         }
     }
 
-    /// The device, if it is one of Vulkan's.
+    /// The device, if it is behind Vulkan.
     pub fn vulkan(&self) -> Option<&Arc<vulkan::Gpu>> {
         match self {
             Self::Vulkan(gpu) => Some(gpu),
@@ -79,23 +94,26 @@ impl Opened {
         }
     }
 
-    /// Bytes of its memory in use, and in blocks that the program took; zeros where nobody tells.
-    pub fn memory(&self) -> (u64, u64) {
-        match self {
+    /// The device memory of this program; zeros if unknown.
+    pub fn memory(&self) -> DeviceMemory {
+        let (used, allocated) = match self {
             Self::Vulkan(gpu) => gpu.memory(),
             #[cfg(feature = "webgpu")]
             Self::WebGpu(gpu) => gpu.memory(),
-        }
+        };
+        DeviceMemory { used, allocated }
     }
 
-    /// What a report says of it.
-    pub fn describe(&self) -> Device {
+    /// The device's part of a report.
+    pub fn describe(&self) -> DeviceReport {
         match self {
-            Self::Vulkan(gpu) => device(gpu),
+            Self::Vulkan(gpu) => DeviceReport::from_vulkan(gpu),
             #[cfg(feature = "webgpu")]
-            Self::WebGpu(gpu) => Device {
+            Self::WebGpu(gpu) => DeviceReport {
                 name: gpu.info.name.clone(),
-                driver: format!("{} {}", gpu.info.driver, gpu.info.driver_info).trim().to_owned(),
+                driver: format!("{} {}", gpu.info.driver, gpu.info.driver_info)
+                    .trim()
+                    .to_owned(),
                 vulkan: String::new(),
                 half_storage: false,
                 subgroup_size: 0,
@@ -106,48 +124,64 @@ impl Opened {
     }
 }
 
-/// What a report says of a device of Vulkan's.
-pub(crate) fn device(gpu: &vulkan::Gpu) -> Device {
-    let part = |shift: u32, mask: u32| gpu.probe.api_version >> shift & mask;
-    Device {
-        name: gpu.probe.name.clone(),
-        driver: gpu.probe.driver.clone(),
-        vulkan: format!("{}.{}.{}", part(22, 0x7f), part(12, 0x3ff), part(0, 0xfff)),
-        half_storage: gpu.half_storage,
-        subgroup_size: gpu.probe.subgroup_size,
-        timestamps: gpu.probe.timestamp_bits > 0,
-        backend: "vulkan".into(),
-    }
+/// Bytes of device memory.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct DeviceMemory {
+    /// In use.
+    pub used: u64,
+    /// In blocks that the program has allocated.
+    pub allocated: u64,
 }
 
-/// What draws scenes; the one place of the benchmark that knows how a renderer is called.
-pub enum Renderer {
+/// A renderer of either backend: the only place of the benchmark that calls one.
+pub enum BenchRenderer {
+    /// Of the Vulkan backend.
     Vulkan(Box<vulkan::Renderer>),
+    /// Of the WebGPU backend.
     #[cfg(feature = "webgpu")]
     WebGpu(Box<webgpu::Renderer>),
 }
 
-impl Renderer {
-    pub fn new(gpu: &Opened, avatar: &Avatar, options: RendererOptions) -> Result<Self> {
+impl BenchRenderer {
+    /// A renderer of an avatar.
+    ///
+    /// # Errors
+    /// When the device can't draw it with these options.
+    pub fn new(gpu: &BenchDevice, avatar: &Avatar, options: RendererOptions) -> Result<Self> {
         Ok(match gpu {
-            Opened::Vulkan(gpu) => Self::Vulkan(Box::new(vulkan::Renderer::new(gpu, avatar, options)?)),
+            BenchDevice::Vulkan(gpu) => {
+                Self::Vulkan(Box::new(vulkan::Renderer::new(gpu, avatar, options)?))
+            }
             #[cfg(feature = "webgpu")]
-            Opened::WebGpu(gpu) => Self::WebGpu(Box::new(webgpu::Renderer::new(gpu, avatar, options)?)),
+            BenchDevice::WebGpu(gpu) => {
+                Self::WebGpu(Box::new(webgpu::Renderer::new(gpu, avatar, options)?))
+            }
         })
     }
 
-    /// Corners and triangles of the depth surface.
-    pub fn surface_size(&self) -> [u64; 2] {
-        match self {
-            Self::Vulkan(renderer) => renderer.surface_size(),
+    /// The size of the occluder mesh; zeros without one.
+    pub fn occluder_size(&self) -> OccluderSize {
+        let [vertices, triangles] = match self {
+            Self::Vulkan(renderer) => renderer.occluder_size(),
             #[cfg(feature = "webgpu")]
-            Self::WebGpu(renderer) => renderer.surface_size(),
+            Self::WebGpu(renderer) => renderer.occluder_size(),
+        };
+        OccluderSize {
+            vertices,
+            triangles,
         }
     }
 
-    /// Submits a frame, or finds that none is needed.
-    pub fn draw(&mut self, scene: &Scene) -> Result<()> {
-        let shown: Vec<&Posed> = scene.actors.iter().map(|actor| &actor.shown).collect();
+    /// Submits a frame, unless nothing has changed.
+    ///
+    /// # Errors
+    /// When the device fails.
+    pub fn draw(&mut self, scene: &BenchScene) -> Result<()> {
+        let shown: Vec<&Posed> = scene
+            .instances
+            .iter()
+            .map(|instance| &instance.drawn)
+            .collect();
         match self {
             Self::Vulkan(renderer) => renderer.draw_scene(&shown, &scene.camera, None)?,
             #[cfg(feature = "webgpu")]
@@ -157,6 +191,9 @@ impl Renderer {
     }
 
     /// Waits for every submitted frame.
+    ///
+    /// # Errors
+    /// When the device fails.
     pub fn finish(&mut self) -> Result<()> {
         match self {
             Self::Vulkan(renderer) => renderer.finish()?,
@@ -166,16 +203,19 @@ impl Renderer {
         Ok(())
     }
 
-    /// Waits, and copies the last frame's picture.
-    pub fn picture(&mut self) -> Result<Picture> {
+    /// Waits and copies the last frame's image.
+    ///
+    /// # Errors
+    /// When the device fails.
+    pub fn image(&mut self) -> Result<FrameImage> {
         Ok(match self {
-            Self::Vulkan(renderer) => renderer.picture()?,
+            Self::Vulkan(renderer) => renderer.read_image()?,
             #[cfg(feature = "webgpu")]
-            Self::WebGpu(renderer) => renderer.picture()?,
+            Self::WebGpu(renderer) => renderer.read_image()?,
         })
     }
 
-    /// What the last finished frame took and drew.
+    /// Times and counts of the last finished frame.
     pub fn report(&self) -> &FrameReport {
         match self {
             Self::Vulkan(renderer) => renderer.report(),

@@ -1,24 +1,44 @@
 //! The scripted cases by name.
 
+use crate::setting::RenderSetting;
+use effigy_core::frame::Skip;
 use std::{fmt, str::FromStr};
 
-/// What a benchmark can draw.
+/// A scripted scene that a benchmark draws.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Case {
+pub enum BenchCase {
+    /// A new pose and another view in every frame.
     Full,
+    /// Only the camera moves.
     Camera,
+    /// Motion in real time before an orbiting camera.
     Orbit,
+    /// Only the expression changes.
     Expression,
+    /// Nothing changes.
     Static,
+    /// Motion in real time, close to the face.
     Close,
+    /// Motion in real time, 60 px tall.
     Far,
+    /// Four avatars in motion.
     Four,
 }
 
-impl Case {
-    pub const ALL: [Self; 8] = [Self::Full, Self::Camera, Self::Orbit, Self::Expression, Self::Static, Self::Close, Self::Far, Self::Four];
+impl BenchCase {
+    /// Every case.
+    pub const ALL: [Self; 8] = [
+        Self::Full,
+        Self::Camera,
+        Self::Orbit,
+        Self::Expression,
+        Self::Static,
+        Self::Close,
+        Self::Far,
+        Self::Four,
+    ];
 
-    /// As the command line and the reports have it.
+    /// Name on the command line and in reports.
     pub fn name(self) -> &'static str {
         match self {
             Self::Full => "full",
@@ -32,7 +52,7 @@ impl Case {
         }
     }
 
-    /// What it draws, in a line.
+    /// One line on what it draws.
     pub fn about(self) -> &'static str {
         match self {
             Self::Full => "every frame a new pose and the next view",
@@ -42,17 +62,19 @@ impl Case {
             Self::Static => "nothing changes",
             Self::Close => "motion in real time, the camera a forearm from the face",
             Self::Far => "motion in real time, the avatar 60 px tall",
-            Self::Four => "four avatars in motion a metre apart, a slowly orbiting camera on all or one of them",
+            Self::Four => {
+                "four avatars in motion a metre apart, a slowly orbiting camera on all or one of them"
+            }
         }
     }
 
-    /// Avatars in its scenes.
-    pub fn actors(self) -> usize {
+    /// Number of avatars in its scenes.
+    pub fn instances(self) -> usize {
         if self == Self::Four { 4 } else { 1 }
     }
 
-    /// Whether one frame follows the other at [`RATE`](super::scene::RATE), so that holding a pose for some of them means
-    /// something.
+    /// Whether frames follow each other at [`RATE`](super::scene::RATE), so that a pose can be held
+    /// for several of them.
     pub fn in_real_time(self) -> bool {
         matches!(self, Self::Orbit | Self::Close | Self::Far | Self::Four)
     }
@@ -62,24 +84,39 @@ impl Case {
         !matches!(self, Self::Static | Self::Expression)
     }
 
-    /// Whether the camera is the case's own even where cameras are given.
+    /// Whether the case keeps its own camera even if cameras are given.
     pub fn own_camera(self) -> bool {
         matches!(self, Self::Close | Self::Far | Self::Four)
     }
 }
 
-impl fmt::Display for Case {
+impl RenderSetting {
+    /// The setting as a case is drawn with it. In [`BenchCase::Full`] every frame is drawn, even if
+    /// nothing has changed.
+    pub fn for_case(&self, case: BenchCase) -> Self {
+        let mut setting = *self;
+        if case == BenchCase::Full {
+            setting.options.skip -= Skip::FRAME;
+        }
+        setting
+    }
+}
+
+impl fmt::Display for BenchCase {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.name())
     }
 }
 
-impl FromStr for Case {
+impl FromStr for BenchCase {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
         let names = || Self::ALL.map(Self::name).join(", ");
-        Self::ALL.into_iter().find(|case| case.name() == text).ok_or_else(|| format!("`{text}` is no case: write one of {}", names()))
+        Self::ALL
+            .into_iter()
+            .find(|case| case.name() == text)
+            .ok_or_else(|| format!("`{text}` is not a case: write one of {}", names()))
     }
 }
 
@@ -89,7 +126,15 @@ mod tests {
 
     #[test]
     fn cases_read_back_as_they_are_written() {
-        assert!(Case::ALL.into_iter().all(|case| case.to_string().parse() == Ok(case)));
-        assert!("fulll".parse::<Case>().is_err_and(|error| error.contains("orbit")));
+        assert!(
+            BenchCase::ALL
+                .into_iter()
+                .all(|case| case.to_string().parse() == Ok(case))
+        );
+        assert!(
+            "fulll"
+                .parse::<BenchCase>()
+                .is_err_and(|error| error.contains("orbit"))
+        );
     }
 }

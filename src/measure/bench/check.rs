@@ -1,121 +1,86 @@
-//! Compares what a device draws with the f64 reference. In: scenes, and which of them to look at. Out: the worst error and how much
-//! of the picture the avatar covers.
+//! Compares a device's images with the f64 reference. In: scenes, and which of them to compare.
+//! Out: the worst error and how many pixels the avatar covers.
 
 use super::{
     backend::Result,
-    report::ErrorReport,
-    run::{Drawer, Progress},
-    scene::Scene,
+    run::{CaseRenderer, Progress},
+    scene::BenchScene,
 };
-use crate::{
-    avatar::Avatar,
-    frame::{ALPHA_MIN, Picture},
-    measure::{error, flip},
-    reference,
-};
+use crate::{error, flip, report::ErrorReport};
+use effigy_core::{avatar::Avatar, constants::ALPHA_MIN, reference, scene::FrameImage};
 use std::collections::HashMap;
 
-/// The reference's pictures, each made once, however many settings are compared with it.
-pub struct Oracle<'a> {
+/// The reference's images of a case's scenes, each computed once for all settings.
+pub struct ReferenceImages<'a> {
     avatar: &'a Avatar,
-    pictures: HashMap<usize, Picture>,
+    images: HashMap<usize, FrameImage>,
 }
 
-impl<'a> Oracle<'a> {
-    /// Of an avatar with everything that it has.
+impl<'a> ReferenceImages<'a> {
+    /// Images of an avatar with all its rows.
     pub fn new(avatar: &'a Avatar) -> Self {
-        Self { avatar, pictures: HashMap::new() }
+        Self {
+            avatar,
+            images: HashMap::new(),
+        }
     }
 
-    /// The picture of the scene with this number: the truth, not what a held pose shows.
-    fn picture(&mut self, number: usize, scene: &Scene) -> &Picture {
-        self.pictures.entry(number).or_insert_with(|| {
-            let truth: Vec<_> = scene.actors.iter().map(|actor| &actor.truth).collect();
-            reference::render_scene(self.avatar, &truth, &scene.camera)
+    /// The image of a scene, with the clip's pose even while another is held.
+    fn image(&mut self, index: usize, scene: &BenchScene) -> &FrameImage {
+        self.images.entry(index).or_insert_with(|| {
+            let instances = scene.instances.iter();
+            let poses: Vec<_> = instances.map(|instance| &instance.reference).collect();
+            reference::render_scene(self.avatar, &poses, &scene.camera)
         })
     }
 }
 
-/// What the checked frames had in common.
+/// The result of comparing some frames.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Checked {
+pub struct CheckResult {
+    /// The worst of the frames. None if none was compared.
     pub error: Option<ErrorReport>,
-    /// Mean number of pixels with an alpha of at least 1/255, as the device drew them.
+    /// Mean number of pixels that the device drew with an alpha of at least 1/255.
     pub covered: Option<f64>,
 }
 
-/// Draws the scenes with these numbers once more and compares each. With `flip`, that too, which takes seconds a picture.
+/// Draws the scenes with these indices again and compares each. `flip`: whether to compute FLIP
+/// too, which takes seconds an image.
+///
+/// # Errors
+/// When the device fails.
 pub fn check(
-    drawer: &mut Drawer,
-    scenes: &[Scene],
-    numbers: &[usize],
-    oracle: &mut Oracle,
+    renderer: &mut CaseRenderer,
+    scenes: &[BenchScene],
+    indices: &[usize],
+    reference_images: &mut ReferenceImages,
     flip: bool,
     progress: Progress,
-) -> Result<Checked> {
-    let mut checked = Checked::default();
+) -> Result<CheckResult> {
+    let mut worst: Option<ErrorReport> = None;
     let mut covered = 0;
-    for (at, &number) in numbers.iter().enumerate() {
-        progress("comparing with the reference", at, numbers.len());
-        // The frame before too: what a frame takes over from it is part of what is compared.
-        drawer.draw(&scenes[(number + scenes.len() - 1) % scenes.len()])?;
-        drawer.draw(&scenes[number])?;
-        let picture = drawer.picture()?;
-        covered += picture.pixels.iter().filter(|pixel| f64::from(pixel[3]) >= ALPHA_MIN).count();
-        let truth = oracle.picture(number, &scenes[number]);
-        let one = report(&error::between(&picture, truth), flip.then(|| flip::between(&picture, truth).covered));
-        checked.error = Some(checked.error.map_or(one, |error| worse(error, one)));
+    for (done, &index) in indices.iter().enumerate() {
+        progress("comparing with the reference", done, indices.len());
+        // The frame before is drawn too: what a frame reuses from it is part of the comparison.
+        renderer.draw(&scenes[(index + scenes.len() - 1) % scenes.len()])?;
+        renderer.draw(&scenes[index])?;
+        let image = renderer.image()?;
+        covered += covered_pixels(&image);
+        let reference = reference_images.image(index, &scenes[index]);
+        let flip = flip.then(|| flip::between(&image, reference).covered);
+        let error = ErrorReport::new(&error::between(&image, reference), flip);
+        worst = Some(match worst {
+            Some(worst) => worst.worse(error),
+            None => error,
+        });
     }
-    checked.covered = (!numbers.is_empty()).then(|| covered as f64 / numbers.len() as f64);
-    Ok(checked)
+    Ok(CheckResult {
+        error: worst,
+        covered: (!indices.is_empty()).then(|| covered as f64 / indices.len() as f64),
+    })
 }
 
-/// In the report's words.
-pub(crate) fn report(error: &error::Error, flip: Option<f64>) -> ErrorReport {
-    let finite = |db: f64| db.is_finite().then_some(db);
-    ErrorReport {
-        frames: 1,
-        psnr_db: finite(error.covered.psnr_db),
-        max_error: error.covered.max_error,
-        within_tolerance: error.covered.within_tolerance,
-        psnr_db_whole: finite(error.whole.psnr_db),
-        max_error_whole: error.whole.max_error,
-        flip,
-    }
-}
-
-/// The worse of each number. A PSNR that is missing is the best there is.
-fn worse(a: ErrorReport, b: ErrorReport) -> ErrorReport {
-    let lower = |a: Option<f64>, b: Option<f64>| a.into_iter().chain(b).reduce(f64::min);
-    ErrorReport {
-        frames: a.frames + b.frames,
-        psnr_db: lower(a.psnr_db, b.psnr_db),
-        max_error: a.max_error.max(b.max_error),
-        within_tolerance: a.within_tolerance.min(b.within_tolerance),
-        psnr_db_whole: lower(a.psnr_db_whole, b.psnr_db_whole),
-        max_error_whole: a.max_error_whole.max(b.max_error_whole),
-        flip: a.flip.into_iter().chain(b.flip).reduce(f64::max),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_worst_frame_counts_and_a_perfect_one_does_not() {
-        let perfect = ErrorReport {
-            frames: 1,
-            psnr_db: None,
-            max_error: 0.0,
-            within_tolerance: 1.0,
-            psnr_db_whole: None,
-            max_error_whole: 0.0,
-            flip: Some(0.0),
-        };
-        let bad = ErrorReport { psnr_db: Some(40.0), max_error: 0.5, within_tolerance: 0.9, flip: Some(0.1), ..perfect };
-        let good = ErrorReport { psnr_db: Some(60.0), max_error: 0.1, within_tolerance: 0.99, flip: Some(0.2), ..perfect };
-        assert_eq!(worse(perfect, bad), ErrorReport { frames: 2, ..bad });
-        assert_eq!(worse(worse(good, perfect), bad), ErrorReport { frames: 3, flip: Some(0.2), ..bad });
-    }
+fn covered_pixels(image: &FrameImage) -> usize {
+    let is_covered = |pixel: &&[f32; 4]| f64::from(pixel[3]) >= ALPHA_MIN;
+    image.pixels.iter().filter(is_covered).count()
 }

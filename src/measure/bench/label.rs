@@ -1,47 +1,114 @@
-//! Where to write names beside points so that they can be read. In: the points, the size of each name, what else is in the way
-//! and the picture. Out: the upper
-//! left corner of each name.
+//! Where to write names beside points so that they can be read. In: the points with the sizes of
+//! their names, obstacles and the frame. Out: the upper left corner of each name.
 
-/// Room between a point and its name, px.
+/// Gap between a point and its name, px.
 const GAP: i32 = 12;
+/// Distances tried for a name, each [`DISTANCE_STEP`] further out, px.
+const DISTANCES: i32 = 10;
+const DISTANCE_STEP: i32 = 12;
+/// Cost of a covered pixel, and of a step further out.
+const COVERED_COST: i64 = 20;
+const DISTANCE_COST: i64 = 30;
 
-/// A rectangle in a picture: left, top, right, bottom; px.
-pub type Rectangle = [i32; 4];
-
-/// How many pixels two rectangles share.
-fn shared(a: Rectangle, b: Rectangle) -> i64 {
-    let along = |low: usize, high: usize| i64::from((a[high].min(b[high]) - a[low].max(b[low])).max(0));
-    along(0, 2) * along(1, 3)
+/// A rectangle in an image, px. Its right and bottom edges are outside of it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Rectangle {
+    pub left: i32,
+    pub top: i32,
+    pub right: i32,
+    pub bottom: i32,
 }
 
-fn area(a: Rectangle) -> i64 {
-    i64::from(a[2] - a[0]) * i64::from(a[3] - a[1])
-}
-
-/// Places names in the order given: each takes the nearest place around its point, with the least of other names, points,
-/// obstacles and the outside under it.
-pub fn place(points: &[(i32, i32)], sizes: &[(i32, i32)], obstacles: &[Rectangle], frame: Rectangle) -> Vec<(i32, i32)> {
-    let marks: Vec<Rectangle> = points.iter().map(|&(x, y)| [x - 5, y - 5, x + 6, y + 6]).collect();
-    let mut placed: Vec<Rectangle> = Vec::with_capacity(points.len());
-    for (&(x, y), &(width, height)) in points.iter().zip(sizes) {
-        let candidates = (0..10).flat_map(|step| around((x, y), (width, height), GAP + step * 12).map(move |corner| (step, corner)));
-        let cost = |&(step, (left, top)): &(i32, (i32, i32))| {
-            let name = [left, top, left + width, top + height];
-            let outside = area(name) - shared(name, frame);
-            let covered: i64 = placed.iter().chain(&marks).chain(obstacles).map(|&other| shared(name, other)).sum();
-            20 * (covered + outside) + 30 * i64::from(step)
-        };
-        let (left, top) = candidates.min_by_key(cost).map_or((x + GAP, y - height / 2), |(_, corner)| corner);
-        placed.push([left, top, left + width, top + height]);
+impl Rectangle {
+    /// A rectangle by its upper left corner.
+    fn at(corner: (i32, i32), width: i32, height: i32) -> Self {
+        Self {
+            left: corner.0,
+            top: corner.1,
+            right: corner.0 + width,
+            bottom: corner.1 + height,
+        }
     }
-    placed.iter().map(|name| (name[0], name[1])).collect()
+
+    /// The pixels that two rectangles share.
+    fn overlap(self, other: Self) -> i64 {
+        let width = self.right.min(other.right) - self.left.max(other.left);
+        let height = self.bottom.min(other.bottom) - self.top.max(other.top);
+        i64::from(width.max(0)) * i64::from(height.max(0))
+    }
+
+    fn area(self) -> i64 {
+        i64::from(self.right - self.left) * i64::from(self.bottom - self.top)
+    }
 }
 
-/// Upper left corners of names of a size in eight directions from a point, the right one first.
-fn around((x, y): (i32, i32), (width, height): (i32, i32), gap: i32) -> [(i32, i32); 8] {
-    let (left, middle, right) = (x - gap - width, x - width / 2, x + gap);
-    let (above, beside, below) = (y - gap - height, y - height / 2, y + gap);
-    [(right, beside), (middle, above), (middle, below), (left, beside), (right, above), (right, below), (left, above), (left, below)]
+/// A point and the size of its name, px.
+#[derive(Clone, Copy, Debug)]
+pub struct Label {
+    pub point: (i32, i32),
+    pub width: i32,
+    pub height: i32,
+}
+
+impl Label {
+    /// The point's mark.
+    fn mark(&self) -> Rectangle {
+        Rectangle::at((self.point.0 - 5, self.point.1 - 5), 11, 11)
+    }
+
+    /// The name with its upper left corner at `corner`.
+    fn name_at(&self, corner: (i32, i32)) -> Rectangle {
+        Rectangle::at(corner, self.width, self.height)
+    }
+
+    /// Corners of the name in eight directions from the point, the right one first.
+    fn corners_around(&self, gap: i32) -> [(i32, i32); 8] {
+        let left = self.point.0 - gap - self.width;
+        let middle = self.point.0 - self.width / 2;
+        let right = self.point.0 + gap;
+        let above = self.point.1 - gap - self.height;
+        let beside = self.point.1 - self.height / 2;
+        let below = self.point.1 + gap;
+        [
+            (right, beside),
+            (middle, above),
+            (middle, below),
+            (left, beside),
+            (right, above),
+            (right, below),
+            (left, above),
+            (left, below),
+        ]
+    }
+}
+
+/// Places names in the order given. Each takes the place around its point that covers the least of
+/// other names, points, obstacles and the outside of the frame, and is near.
+pub fn place(labels: &[Label], obstacles: &[Rectangle], frame: Rectangle) -> Vec<(i32, i32)> {
+    let marks: Vec<Rectangle> = labels.iter().map(Label::mark).collect();
+    let mut names: Vec<Rectangle> = Vec::with_capacity(labels.len());
+    for label in labels {
+        let cost = |step: i32, corner: (i32, i32)| {
+            let name = label.name_at(corner);
+            let outside = name.area() - name.overlap(frame);
+            let others = names.iter().chain(&marks).chain(obstacles);
+            let covered: i64 = others.map(|&other| name.overlap(other)).sum();
+            COVERED_COST * (covered + outside) + DISTANCE_COST * i64::from(step)
+        };
+        let mut best_corner = (0, 0);
+        let mut lowest_cost = i64::MAX;
+        for step in 0..DISTANCES {
+            for corner in label.corners_around(GAP + step * DISTANCE_STEP) {
+                let cost = cost(step, corner);
+                if cost < lowest_cost {
+                    lowest_cost = cost;
+                    best_corner = corner;
+                }
+            }
+        }
+        names.push(label.name_at(best_corner));
+    }
+    names.iter().map(|name| (name.left, name.top)).collect()
 }
 
 #[cfg(test)]
@@ -49,33 +116,60 @@ mod tests {
     use super::*;
     use proptest::{collection::vec, prelude::*};
 
+    const FRAME: Rectangle = Rectangle {
+        left: 0,
+        top: 0,
+        right: 200,
+        bottom: 100,
+    };
+
+    fn label(x: i32, y: i32) -> Label {
+        Label {
+            point: (x, y),
+            width: 40,
+            height: 10,
+        }
+    }
+
     #[test]
-    fn a_lone_name_stands_right_of_its_point_and_at_the_edge_left_of_it() {
-        let frame = [0, 0, 200, 100];
-        assert_eq!(place(&[(50, 50)], &[(40, 10)], &[], frame), [(62, 45)]);
-        assert_eq!(place(&[(190, 50)], &[(40, 10)], &[], frame)[0].0 + 40, 190 - GAP);
+    fn a_lone_name_stands_right_of_its_point_or_left_at_the_edge() {
+        assert_eq!(place(&[label(50, 50)], &[], FRAME), [(62, 45)]);
+        assert_eq!(place(&[label(190, 50)], &[], FRAME)[0].0 + 40, 190 - GAP);
     }
 
     #[test]
     fn a_name_keeps_clear_of_a_line_through_its_point() {
-        let line = [0, 49, 200, 52];
-        let [(left, top)] = place(&[(50, 50)], &[(40, 10)], &[line], [0, 0, 200, 100])[..] else { panic!("one name, one place") };
-        assert_eq!(shared([left, top, left + 40, top + 10], line), 0);
+        let line = Rectangle::at((0, 49), 200, 3);
+        let label = label(50, 50);
+        let corner = place(&[label], &[line], FRAME)[0];
+        assert_eq!(label.name_at(corner).overlap(line), 0);
     }
 
     proptest! {
         #[test]
-        fn names_of_points_that_leave_room_touch_neither_each_other_nor_a_point(places in vec((0i32..6, 0i32..6), 1..12)) {
-            let mut points: Vec<_> = places.into_iter().map(|(x, y)| (120 + 110 * x, 60 + 60 * y)).collect();
+        fn names_of_spaced_points_overlap_nothing(places in vec((0i32..6, 0i32..6), 1..12)) {
+            let mut points: Vec<_> = places
+                .into_iter()
+                .map(|(x, y)| (120 + 110 * x, 60 + 60 * y))
+                .collect();
             points.sort_unstable();
             points.dedup();
-            let sizes = vec![(80, 14); points.len()];
-            let corners = place(&points, &sizes, &[], [0, 0, 900, 460]);
-            let names: Vec<Rectangle> = corners.iter().map(|&(x, y)| [x, y, x + 80, y + 14]).collect();
-            for (at, &name) in names.iter().enumerate() {
-                prop_assert!(names[at + 1..].iter().all(|&other| shared(name, other) == 0), "{names:?}");
-                prop_assert!(points.iter().all(|&(x, y)| shared(name, [x, y, x + 1, y + 1]) == 0), "{names:?}");
-                prop_assert_eq!(shared(name, [0, 0, 900, 460]), area(name));
+            let frame = Rectangle::at((0, 0), 900, 460);
+            let label = |&point: &(i32, i32)| Label { point, width: 80, height: 14 };
+            let labels: Vec<_> = points.iter().map(label).collect();
+            let corners = place(&labels, &[], frame);
+            let names: Vec<_> = corners
+                .iter()
+                .map(|&corner| Rectangle::at(corner, 80, 14))
+                .collect();
+            for (index, &name) in names.iter().enumerate() {
+                for &other in &names[index + 1..] {
+                    prop_assert_eq!(name.overlap(other), 0, "{:?}", names);
+                }
+                for &point in &points {
+                    prop_assert_eq!(name.overlap(Rectangle::at(point, 1, 1)), 0, "{:?}", names);
+                }
+                prop_assert_eq!(name.overlap(frame), name.area());
             }
         }
     }

@@ -1,164 +1,213 @@
-//! Draws scenes against the clock: an avatar, a setting and scenes go in; a time and a report a frame come out.
+//! Draws scenes against the clock: an avatar, a setting and scenes go in; a time and a report for
+//! each frame come out.
 //!
-//! Two frames are in flight, as in use. Frame time is the time from one frame's hand-over to the next, which in a steady state is what
-//! a frame takes.
+//! Two frames are in flight, as in use. Frame time is the time from one frame's submission to the
+//! next, which in a steady state is the time that a frame takes.
 
 use super::{
-    Case,
-    backend::{Opened, Renderer, Result},
-    scene::Scene,
+    backend::{BenchDevice, BenchRenderer, Result},
+    case::BenchCase,
+    scene::BenchScene,
 };
+use crate::{bytes::OccluderSize, setting::RenderSetting};
+use effigy::vulkan::{Gpu, GpuOptions, commands::FRAMES_IN_FLIGHT, sort::choice};
 #[cfg(feature = "webgpu")]
-use crate::webgpu;
-use crate::{
+use effigy::webgpu;
+use effigy_core::{
     avatar::Avatar,
-    frame::{FrameReport, Picture, RendererOptions, Skip},
-    vulkan::{Gpu, GpuOptions, commands::SLOTS},
+    frame::{FrameReport, RendererOptions},
+    scene::FrameImage,
 };
-use std::{borrow::Cow, time::Instant};
+use std::time::Instant;
 
-/// Tells how far a measurement is: what is being done, and how many of how many.
+/// Called with what is being done, how many steps of it are done, and how many there are.
 pub type Progress<'a> = &'a mut dyn FnMut(&str, usize, usize);
 
-/// How to draw: everything that trades time for error.
-#[derive(Clone, Copy, Debug)]
-pub struct Setting {
-    pub options: RendererOptions,
-    /// Read f16 as words even where the device has 16-bit storage.
-    pub packed_words: bool,
-    /// Share of the basis rows to keep, 0 to 1.
-    pub rows: f64,
-    /// Frames that a pose is held, at least 1.
-    pub hold: usize,
-}
-
-impl Setting {
-    /// As a case is drawn: in full motion every frame is, even where an avatar stands still before a single camera.
-    pub fn of(&self, case: Case) -> Self {
-        let mut setting = *self;
-        if case == Case::Full {
-            setting.options.skip -= Skip::FRAME;
-        }
-        setting
-    }
-
-    /// The avatar as this setting draws it.
-    pub fn fit<'a>(&self, avatar: &'a Avatar) -> Cow<'a, Avatar> {
-        if self.rows < 1.0 { Cow::Owned(avatar.keep_rows(self.rows)) } else { Cow::Borrowed(avatar) }
-    }
-}
-
-/// One device opened in as many ways as settings need: opened when first asked for.
-pub struct Devices {
-    backend: Backend,
-    options: GpuOptions,
-    open: [Option<Opened>; 2],
-}
-
-/// Which of the backends draws.
+/// The backend to draw with.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Backend {
+    /// Vulkan.
     #[default]
     Vulkan,
+    /// WebGPU.
     #[cfg(feature = "webgpu")]
     WebGpu,
 }
 
+/// One device, opened once for each way in which settings read f16, when it is first needed.
+pub struct Devices {
+    backend: Backend,
+    options: GpuOptions,
+    /// With 16-bit storage as the device has it.
+    native: Option<BenchDevice>,
+    /// Without 16-bit storage.
+    packed_words: Option<BenchDevice>,
+}
+
 impl Devices {
+    /// The device of these options, not yet open.
     pub fn new(backend: Backend, options: GpuOptions) -> Self {
-        Self { backend, options, open: [None, None] }
-    }
-
-    /// The device as a setting wants it.
-    pub fn get(&mut self, setting: &Setting) -> Result<Opened> {
-        let place = &mut self.open[usize::from(setting.packed_words)];
-        if let Some(gpu) = place {
-            return Ok(gpu.clone());
+        Self {
+            backend,
+            options,
+            native: None,
+            packed_words: None,
         }
-        let gpu = match self.backend {
-            Backend::Vulkan => Opened::Vulkan(Gpu::new(&GpuOptions { packed_words: setting.packed_words, ..self.options.clone() })?),
-            #[cfg(feature = "webgpu")]
-            Backend::WebGpu => Opened::WebGpu(webgpu::Gpu::open(self.options.device.as_deref())?),
+    }
+
+    /// The device for a setting.
+    ///
+    /// # Errors
+    /// When it can't be opened.
+    pub fn get(&mut self, setting: &RenderSetting) -> Result<BenchDevice> {
+        let open = if setting.packed_words {
+            &mut self.packed_words
+        } else {
+            &mut self.native
         };
-        Ok(place.insert(gpu).clone())
+        if let Some(device) = open {
+            return Ok(device.clone());
+        }
+        let device = match self.backend {
+            Backend::Vulkan => {
+                let gpu = Gpu::new(&GpuOptions {
+                    packed_words: setting.packed_words,
+                    ..self.options.clone()
+                })?;
+                // A measurement is of the fastest sort: it is worth the wait.
+                choice::choose(&gpu)?;
+                BenchDevice::Vulkan(gpu)
+            }
+            #[cfg(feature = "webgpu")]
+            Backend::WebGpu => {
+                BenchDevice::WebGpu(webgpu::Gpu::open(self.options.device.as_deref())?)
+            }
+        };
+        *open = Some(device.clone());
+        Ok(device)
     }
 }
 
-/// What draws scenes.
-pub struct Drawer {
-    renderer: Renderer,
+/// Draws the scenes of a case.
+pub struct CaseRenderer {
+    renderer: BenchRenderer,
 }
 
-impl Drawer {
-    /// `avatar` as the setting fits it. `count`: whether to count what costs time to count.
-    pub fn new(gpu: &Opened, avatar: &Avatar, setting: &Setting, case: Case, count: bool) -> Result<Self> {
-        let options = RendererOptions { actors: case.actors(), count, ..setting.options };
-        Ok(Self { renderer: Renderer::new(gpu, avatar, options)? })
+impl CaseRenderer {
+    /// A renderer of an avatar that the setting has [reduced](RenderSetting::reduce). `count`:
+    /// whether to count fragments and Gaussians too, which takes time.
+    ///
+    /// # Errors
+    /// When the device can't draw it.
+    pub fn new(
+        gpu: &BenchDevice,
+        avatar: &Avatar,
+        setting: &RenderSetting,
+        case: BenchCase,
+        count: bool,
+    ) -> Result<Self> {
+        let options = RendererOptions {
+            instances: case.instances(),
+            count,
+            ..setting.options
+        };
+        Ok(Self {
+            renderer: BenchRenderer::new(gpu, avatar, options)?,
+        })
     }
 
-    /// Corners and triangles of the depth surface.
-    pub fn surface(&self) -> [u64; 2] {
-        self.renderer.surface_size()
+    /// The size of the occluder mesh; zeros without one.
+    pub fn occluder_size(&self) -> OccluderSize {
+        self.renderer.occluder_size()
     }
 
-    /// Submits a frame, or finds that none is needed.
-    pub fn draw(&mut self, scene: &Scene) -> Result<()> {
+    /// Submits a frame, unless nothing has changed.
+    ///
+    /// # Errors
+    /// When the device fails.
+    pub fn draw(&mut self, scene: &BenchScene) -> Result<()> {
         self.renderer.draw(scene)
     }
 
     /// Waits for every submitted frame.
+    ///
+    /// # Errors
+    /// When the device fails.
     pub fn finish(&mut self) -> Result<()> {
         self.renderer.finish()
     }
 
-    /// Waits, and copies the last frame's picture.
-    pub fn picture(&mut self) -> Result<Picture> {
-        self.renderer.picture()
+    /// Waits and copies the last frame's image.
+    ///
+    /// # Errors
+    /// When the device fails.
+    pub fn image(&mut self) -> Result<FrameImage> {
+        self.renderer.image()
     }
 }
 
-/// What timing gave, an entry a frame.
+/// Timings of some frames, one entry each.
 #[derive(Default)]
 pub struct Samples {
-    /// ms
+    /// Frame times, ms.
     pub intervals: Vec<f64>,
+    /// Times and counts.
     pub reports: Vec<FrameReport>,
 }
 
-/// Draws the scenes, `warm_up` of them once before the clock starts. `tick` is told how many were timed.
-pub fn time(drawer: &mut Drawer, scenes: &[Scene], warm_up: usize, mut tick: impl FnMut(usize)) -> Result<Samples> {
+/// Times the scenes after drawing `warm_up` frames. `tick` is called with the number of frames
+/// timed so far.
+///
+/// # Errors
+/// When the device fails.
+pub fn time(
+    renderer: &mut CaseRenderer,
+    scenes: &[BenchScene],
+    warm_up: usize,
+    mut tick: impl FnMut(usize),
+) -> Result<Samples> {
     for scene in scenes.iter().cycle().take(warm_up) {
-        drawer.draw(scene)?;
+        renderer.draw(scene)?;
     }
-    drawer.finish()?;
+    renderer.finish()?;
     let mut samples = Samples::default();
-    // A frame is over when its slot is free again, a few hand-overs later; until the pipeline is full, hand-overs come at another pace.
-    let filling = 2 * SLOTS;
+    // Until the pipeline is full, submissions don't wait for the device.
+    let untimed = 2 * FRAMES_IN_FLIGHT;
     let mut last = Instant::now();
-    for at in 0..scenes.len() + filling {
-        drawer.draw(&scenes[at % scenes.len()])?;
+    for frame in 0..scenes.len() + untimed {
+        renderer.draw(&scenes[frame % scenes.len()])?;
         let now = Instant::now();
-        if at >= filling {
+        if frame >= untimed {
             samples.intervals.push((now - last).as_secs_f64() * 1e3);
-            samples.reports.push(drawer.renderer.report().clone());
+            samples.reports.push(renderer.renderer.report().clone());
             tick(samples.reports.len());
         }
         last = now;
     }
-    drawer.finish()?;
+    renderer.finish()?;
     Ok(samples)
 }
 
-/// Draws the scenes once without a clock, and says what each took in, left out and drew.
-pub fn count(drawer: &mut Drawer, scenes: &[Scene], mut tick: impl FnMut(usize)) -> Result<Vec<FrameReport>> {
-    // What is kept from the frame before is kept in the first one too, as where frames are timed.
-    scenes.last().map_or(Ok(()), |scene| drawer.draw(scene))?;
+/// Draws the scenes one at a time and returns the counts of each. `tick` is called with the number
+/// of frames counted so far.
+///
+/// # Errors
+/// When the device fails.
+pub fn count(
+    renderer: &mut CaseRenderer,
+    scenes: &[BenchScene],
+    mut tick: impl FnMut(usize),
+) -> Result<Vec<FrameReport>> {
+    // The first frame reuses results of the frame before too, as it does when frames are timed.
+    if let Some(scene) = scenes.last() {
+        renderer.draw(scene)?;
+    }
     let mut reports = Vec::with_capacity(scenes.len());
     for scene in scenes {
-        drawer.finish()?;
-        drawer.draw(scene)?;
-        drawer.finish()?;
-        reports.push(drawer.renderer.report().clone());
+        renderer.finish()?;
+        renderer.draw(scene)?;
+        renderer.finish()?;
+        reports.push(renderer.renderer.report().clone());
         tick(reports.len());
     }
     Ok(reports)

@@ -1,109 +1,177 @@
-//! A report as rows of named numbers: what the CSV holds, and what two reports are compared by.
+//! A report as rows of named numbers: the contents of the CSV, and what two reports are compared
+//! by.
 
-use super::report::{CaseReport, ErrorReport, Point, Report};
+use super::report::{BenchReport, CaseReport, ErrorReport, StageReport, SweepPoint};
+
+/// A named number.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Cell {
+    /// Name of the column.
+    pub name: String,
+    /// The number.
+    pub value: f64,
+}
 
 /// The numbers of one case, or of one point of a sweep.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Row {
+pub struct TableRow {
+    /// Name of the case.
     pub case: String,
-    /// Of a sweep's point; empty otherwise.
-    pub knob: String,
+    /// Of a sweep's point; else empty, like `value`.
+    pub parameter: String,
+    /// Value of the parameter, in words.
     pub value: String,
-    /// Name and number. A number that is known to be infinite is so here too; unknown ones are left out.
-    pub cells: Vec<(String, f64)>,
+    /// All numbers that are known. The PSNR of an image without error is infinite.
+    pub cells: Vec<Cell>,
 }
 
-impl Row {
-    /// What row it is, in words.
-    pub fn title(&self) -> String {
-        [&self.case, &self.knob, &self.value].into_iter().filter(|word| !word.is_empty()).cloned().collect::<Vec<_>>().join(" ")
+impl TableRow {
+    fn new(case: &str, parameter: &str, value: &str) -> Self {
+        Self {
+            case: case.to_owned(),
+            parameter: parameter.to_owned(),
+            value: value.to_owned(),
+            cells: Vec::new(),
+        }
     }
 
+    /// Case, parameter and value in words.
+    pub fn title(&self) -> String {
+        let mut words = vec![self.case.as_str(), &self.parameter, &self.value];
+        words.retain(|word| !word.is_empty());
+        words.join(" ")
+    }
+
+    /// The number of a name.
     pub fn get(&self, name: &str) -> Option<f64> {
-        self.cells.iter().find(|cell| cell.0 == name).map(|cell| cell.1)
+        let cell = self.cells.iter().find(|cell| cell.name == name)?;
+        Some(cell.value)
+    }
+
+    fn add(&mut self, name: impl Into<String>, value: f64) {
+        self.cells.push(Cell {
+            name: name.into(),
+            value,
+        });
+    }
+
+    /// Adds a number that may be unknown.
+    fn add_known(&mut self, name: impl Into<String>, value: Option<f64>) {
+        if let Some(value) = value {
+            self.add(name, value);
+        }
+    }
+
+    fn add_error(&mut self, error: &ErrorReport) {
+        if error.frames == 0 {
+            return;
+        }
+        self.add("checked_frames", error.frames as f64);
+        self.add("psnr_db", error.psnr_db.unwrap_or(f64::INFINITY));
+        self.add("max_error", error.max_error);
+        self.add("within_tolerance", error.within_tolerance);
+        let psnr_db_whole = error.psnr_db_whole.unwrap_or(f64::INFINITY);
+        self.add("psnr_db_whole", psnr_db_whole);
+        self.add("max_error_whole", error.max_error_whole);
+        self.add_known("flip", error.flip);
     }
 }
 
 /// Cases first, then the sweep's points.
-pub fn rows(report: &Report) -> Vec<Row> {
-    let cases = report.cases.iter().map(case);
-    let points = report.sweep.iter().flat_map(|sweep| sweep.points.iter().map(|at| point(&sweep.case, at)));
-    cases.chain(points).collect()
+pub fn rows(report: &BenchReport) -> Vec<TableRow> {
+    let mut rows: Vec<_> = report.cases.iter().map(case_row).collect();
+    if let Some(sweep) = &report.sweep {
+        let points = sweep.points.iter();
+        rows.extend(points.map(|point| point_row(&sweep.case, point)));
+    }
+    rows
 }
 
-fn case(case: &CaseReport) -> Row {
-    let mut cells = vec![("frames".to_owned(), case.frames as f64)];
-    let mut add = |name: &str, value: f64| cells.push((name.to_owned(), value));
-    let spread = case.frame_ms;
-    let times = [("mean", spread.mean), ("median", spread.median), ("p5", spread.p5), ("p95", spread.p95), ("p99", spread.p99)];
-    times.into_iter().for_each(|(name, ms)| add(&format!("frame_ms_{name}"), ms));
-    add("fps", case.fps);
-    if let Some(gpu) = case.gpu_ms {
-        add("gpu_ms_median", gpu.median);
-        add("gpu_ms_p95", gpu.p95);
+fn case_row(case: &CaseReport) -> TableRow {
+    let count = |count: Option<u64>| count.map(|count| count as f64);
+    let mut row = TableRow::new(&case.name, "", "");
+    row.add("frames", case.frames as f64);
+    row.add("frame_ms_mean", case.frame_ms.mean);
+    row.add("frame_ms_median", case.frame_ms.median);
+    row.add("frame_ms_p5", case.frame_ms.p5);
+    row.add("frame_ms_p95", case.frame_ms.p95);
+    row.add("frame_ms_p99", case.frame_ms.p99);
+    row.add("fps", case.fps);
+    if let Some(gpu_ms) = case.gpu_ms {
+        row.add("gpu_ms_median", gpu_ms.median);
+        row.add("gpu_ms_p95", gpu_ms.p95);
     }
     for stage in &case.stages {
-        let [bytes, floor] = [stage.bytes, stage.bytes_floor];
-        let optional =
-            [("bytes", bytes), ("bytes_floor", floor), ("operations", stage.operations), ("operations_floor", stage.operations_floor)];
-        add(&format!("{}_ran", stage.name), stage.ran);
-        stage.ms.into_iter().for_each(|ms| add(&format!("{}_ms_median", stage.name), ms.median));
-        optional.into_iter().for_each(|(name, count)| count.into_iter().for_each(|n| add(&format!("{}_{name}", stage.name), n as f64)));
+        add_stage(&mut row, stage);
     }
-    case.bytes.into_iter().for_each(|bytes| add("bytes", bytes as f64));
-    case.bytes_floor.into_iter().for_each(|bytes| add("bytes_floor", bytes as f64));
-    case.counters.iter().for_each(|(name, &count)| add(name, count));
-    let optional = [("covered_pixels", case.covered_pixels), ("fragments_a_pixel", case.fragments_a_pixel)];
-    optional.into_iter().for_each(|(name, value)| value.into_iter().for_each(|value| add(name, value)));
-    case.gpu_memory_bytes.into_iter().for_each(|bytes| add("gpu_memory_bytes", bytes as f64));
-    case.gpu_memory_used_bytes.into_iter().for_each(|bytes| add("gpu_memory_used_bytes", bytes as f64));
-    case.error.iter().for_each(|error| self::error(error, &mut add));
-    Row { case: case.name.clone(), knob: String::new(), value: String::new(), cells }
-}
-
-fn point(case: &str, point: &Point) -> Row {
-    let mut cells = Vec::new();
-    let mut add = |name: &str, value: f64| cells.push((name.to_owned(), value));
-    add("frame_ms_measured", point.measured_ms);
-    add("time_ratio", point.time_ratio);
-    add("time_ratio_low", point.time_ratio_range[0]);
-    add("time_ratio_high", point.time_ratio_range[1]);
-    add("frame_ms", point.frame_ms);
-    point.gpu_ms.into_iter().for_each(|ms| add("gpu_ms_mean", ms));
-    point.counters.iter().for_each(|(name, &count)| add(name, count));
-    error(&point.error, &mut add);
-    add("on_front", f64::from(u8::from(point.on_front)));
-    Row { case: case.to_owned(), knob: point.knob.clone(), value: point.value.clone(), cells }
-}
-
-fn error(error: &ErrorReport, add: &mut impl FnMut(&str, f64)) {
-    if error.frames == 0 {
-        return;
+    row.add_known("bytes", count(case.bytes));
+    row.add_known("bytes_floor", count(case.bytes_floor));
+    for (name, &value) in &case.counters {
+        row.add(name, value);
     }
-    add("checked_frames", error.frames as f64);
-    add("psnr_db", error.psnr_db.unwrap_or(f64::INFINITY));
-    add("max_error", error.max_error);
-    add("within_tolerance", error.within_tolerance);
-    add("psnr_db_whole", error.psnr_db_whole.unwrap_or(f64::INFINITY));
-    add("max_error_whole", error.max_error_whole);
-    error.flip.into_iter().for_each(|flip| add("flip", flip));
+    row.add_known("covered_pixels", case.covered_pixels);
+    row.add_known("fragments_a_pixel", case.fragments_a_pixel);
+    row.add_known("gpu_memory_bytes", count(case.gpu_memory_bytes));
+    row.add_known("gpu_memory_used_bytes", count(case.gpu_memory_used_bytes));
+    if let Some(error) = &case.error {
+        row.add_error(error);
+    }
+    row
 }
 
-/// The rows with a line of names above them; a cell that a row lacks is empty.
-pub fn csv(rows: &[Row]) -> csv::Result<Vec<u8>> {
+fn add_stage(row: &mut TableRow, stage: &StageReport) {
+    let name = |suffix: &str| format!("{}_{suffix}", stage.name);
+    let count = |count: Option<u64>| count.map(|count| count as f64);
+    row.add(name("ran"), stage.ran);
+    row.add_known(name("ms_median"), stage.ms.map(|ms| ms.median));
+    row.add_known(name("bytes"), count(stage.bytes));
+    row.add_known(name("bytes_floor"), count(stage.bytes_floor));
+    row.add_known(name("operations"), count(stage.operations));
+    row.add_known(name("operations_floor"), count(stage.operations_floor));
+}
+
+fn point_row(case: &str, point: &SweepPoint) -> TableRow {
+    let mut row = TableRow::new(case, &point.parameter, &point.value);
+    row.add("frame_ms_measured", point.measured_ms);
+    row.add("time_ratio", point.time_ratio);
+    row.add("time_ratio_low", point.time_ratio_range[0]);
+    row.add("time_ratio_high", point.time_ratio_range[1]);
+    row.add("frame_ms", point.frame_ms);
+    row.add_known("gpu_ms_mean", point.gpu_ms);
+    for (name, &value) in &point.counters {
+        row.add(name, value);
+    }
+    row.add_error(&point.error);
+    row.add("on_front", f64::from(u8::from(point.on_front)));
+    row
+}
+
+/// The rows under a header with all names. The cell of a number that a row lacks is empty.
+///
+/// # Errors
+/// When a row can't be encoded.
+pub fn csv(rows: &[TableRow]) -> csv::Result<Vec<u8>> {
     let mut names: Vec<&str> = Vec::new();
-    for (name, _) in rows.iter().flat_map(|row| &row.cells) {
-        if !names.contains(&name.as_str()) {
-            names.push(name);
+    for cell in rows.iter().flat_map(|row| &row.cells) {
+        if !names.contains(&cell.name.as_str()) {
+            names.push(&cell.name);
         }
     }
     let mut writer = csv::Writer::from_writer(Vec::new());
-    writer.write_record(["case", "knob", "value"].into_iter().chain(names.iter().copied()))?;
+    let mut header = vec!["case", "parameter", "value"];
+    header.extend(&names);
+    writer.write_record(header)?;
     for row in rows {
-        let cells = names.iter().map(|name| row.get(name).map_or(String::new(), |value| value.to_string()));
-        writer.write_record([&row.case, &row.knob, &row.value].into_iter().cloned().chain(cells))?;
+        let mut record = vec![row.case.clone(), row.parameter.clone(), row.value.clone()];
+        for name in &names {
+            let value = row.get(name).map(|value| value.to_string());
+            record.push(value.unwrap_or_default());
+        }
+        writer.write_record(record)?;
     }
-    writer.into_inner().map_err(|error| error.into_error().into())
+    writer
+        .into_inner()
+        .map_err(|error| error.into_error().into())
 }
 
 #[cfg(test)]
@@ -112,23 +180,39 @@ mod tests {
 
     #[test]
     fn csv_reads_back_as_it_was_written() {
-        let row = |case: &str, value: &str, cells: &[(&str, f64)]| Row {
-            case: case.to_owned(),
-            knob: "a, \"quoted\" knob".to_owned(),
-            value: value.to_owned(),
-            cells: cells.iter().map(|(name, value)| ((*name).to_owned(), *value)).collect(),
+        let row = |case: &str, value: &str, cells: &[(&str, f64)]| {
+            let mut row = TableRow::new(case, "a, \"quoted\" parameter", value);
+            for &(name, value) in cells {
+                row.add(name, value);
+            }
+            row
         };
         let rows = [
-            row("full", "1/255", &[("frame_ms", 0.1 + 0.2), ("psnr_db", f64::INFINITY)]),
+            row(
+                "full",
+                "1/255",
+                &[("frame_ms", 0.1 + 0.2), ("psnr_db", f64::INFINITY)],
+            ),
             row("far", "", &[("drawn", 1e9), ("frame_ms", 3e-7)]),
         ];
         let bytes = csv(&rows).expect("plain numbers");
         let mut reader = csv::Reader::from_reader(bytes.as_slice());
-        let names: Vec<String> = reader.headers().expect("there is a first line").iter().map(str::to_owned).collect();
-        assert_eq!(names, ["case", "knob", "value", "frame_ms", "psnr_db", "drawn"]);
+        let names: Vec<String> = reader
+            .headers()
+            .expect("there is a first line")
+            .iter()
+            .map(str::to_owned)
+            .collect();
+        assert_eq!(
+            names,
+            ["case", "parameter", "value", "frame_ms", "psnr_db", "drawn"]
+        );
         for (record, row) in reader.records().zip(&rows) {
             let record = record.expect("as many cells as names");
-            assert_eq!([&record[0], &record[1], &record[2]], [&row.case, &row.knob, &row.value]);
+            assert_eq!(
+                [&record[0], &record[1], &record[2]],
+                [&row.case, &row.parameter, &row.value]
+            );
             for (name, cell) in names.iter().zip(&record).skip(3) {
                 assert_eq!(row.get(name), cell.parse().ok(), "{name}");
             }

@@ -1,90 +1,101 @@
-//! Two soaks against each other: reports go in, named numbers of both come out, and what was not the same about them.
+//! Two soaks against each other: reports go in; named numbers of both, and the facts that differ,
+//! come out.
 
-use super::report::{Report, SCHEMA, Second};
-use serde::Deserialize;
+use super::report::{Drift, SCHEMA, Second, SoakReport};
+use crate::report::{ReadError, Setup, difference, read_report};
 
-/// Why a file is no soak's.
-#[derive(Debug, thiserror::Error)]
-pub enum Fault {
-    #[error("it is not JSON as `effigy soak` writes it: {0}")]
-    Json(#[from] serde_json::Error),
-    #[error("its layout is `{found}`, this program reads `{SCHEMA}`: soak again with this program")]
-    Schema { found: String },
+/// Reads a soak's report.
+///
+/// # Errors
+/// When the text is something else.
+pub fn read(text: &str) -> Result<SoakReport, ReadError> {
+    read_report(text, SCHEMA)
 }
 
-/// Reads a report.
-pub fn read(text: &str) -> Result<Report, Fault> {
-    #[derive(Deserialize)]
-    struct Head {
-        #[serde(default)]
-        schema: String,
-    }
-    let head: Head = serde_json::from_str(text)?;
-    if head.schema != SCHEMA {
-        let found = if head.schema.is_empty() { "not given".to_owned() } else { head.schema };
-        return Err(Fault::Schema { found });
-    }
-    Ok(serde_json::from_str(text)?)
-}
-
-/// A number of both. None where one of them does not have it.
+/// A number of both reports.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Line {
+pub struct SoakNumber {
+    /// Name of the number.
     pub name: &'static str,
+    /// Of the first and of the second; None where a report does not have it.
     pub values: [Option<f64>; 2],
 }
 
-/// Every number, and every fact that differs.
-pub fn compare(a: &Report, b: &Report) -> (Vec<Line>, Vec<String>) {
-    let lines = numbers(a).into_iter().zip(numbers(b)).map(|((name, a), (_, b))| Line { name, values: [a, b] });
-    let size = |report: &Report| format!("{} × {}", report.size[0], report.size[1]);
-    let options = |report: &Report| serde_json::to_string(&report.options).unwrap_or_default();
-    let on = |on: bool| if on { "on" } else { "off" }.to_owned();
-    let facts = [
-        ("device", a.device.name.clone(), b.device.name.clone()),
-        ("driver", a.device.driver.clone(), b.device.driver.clone()),
-        ("avatar", a.avatar.name.clone(), b.avatar.name.clone()),
-        ("clip", a.avatar.clip.clone(), b.avatar.clip.clone()),
-        ("screen", size(a), size(b)),
-        ("options", options(a), options(b)),
-        ("promised rate", a.rate.to_string(), b.rate.to_string()),
-        ("governor", on(a.governed), on(b.governed)),
-        ("simulated heat", on(a.simulated_heat), on(b.simulated_heat)),
-    ];
-    let differ = facts.into_iter().filter(|(_, a, b)| a != b).map(|(what, a, b)| format!("the {what} differs: {a} against {b}"));
-    (lines.collect(), differ.collect())
+/// Every number, and a sentence for each fact that differs.
+pub fn compare(a: &SoakReport, b: &SoakReport) -> (Vec<SoakNumber>, Vec<String>) {
+    let pairs = numbers(a).into_iter().zip(numbers(b));
+    let numbers = pairs.map(|((name, a), (_, b))| SoakNumber {
+        name,
+        values: [a, b],
+    });
+    (numbers.collect(), differences(a, b))
 }
 
-fn numbers(report: &Report) -> Vec<(&'static str, Option<f64>)> {
-    let each = &report.each;
-    let all = |of: fn(&Second) -> Option<f64>| each.iter().filter_map(of);
-    let mean = |of: fn(&Second) -> Option<f64>| {
-        let count = all(of).count();
-        (count > 0).then(|| all(of).sum::<f64>() / count as f64)
+fn differences(a: &SoakReport, b: &SoakReport) -> Vec<String> {
+    let switch = |on: bool| if on { "on" } else { "off" }.to_owned();
+    let conditions = [
+        ("promised rate", a.rate.to_string(), b.rate.to_string()),
+        ("governor", switch(a.governed), switch(b.governed)),
+        (
+            "simulated heat",
+            switch(a.simulated_heat),
+            switch(b.simulated_heat),
+        ),
+    ];
+    let mut differences = setup(a).differences(&setup(b));
+    for (name, a, b) in conditions {
+        differences.extend(difference(name, a, b));
+    }
+    differences
+}
+
+fn setup(report: &SoakReport) -> Setup<'_> {
+    Setup {
+        device: &report.device,
+        avatar: &report.avatar,
+        size: report.size,
+        options: &report.options,
+    }
+}
+
+fn numbers(report: &SoakReport) -> Vec<(&'static str, Option<f64>)> {
+    let seconds = &report.each;
+    let known = |get: fn(&Second) -> Option<f64>| seconds.iter().filter_map(get);
+    let mean = |get: fn(&Second) -> Option<f64>| {
+        let count = known(get).count();
+        (count > 0).then(|| known(get).sum::<f64>() / count as f64)
     };
-    let most = |of: fn(&Second) -> Option<f64>| all(of).reduce(f64::max);
-    let db = |of: fn(&super::report::Drift) -> Option<f64>| report.drift.as_ref().and_then(of);
+    let largest = |get: fn(&Second) -> Option<f64>| known(get).reduce(f64::max);
+    let smallest = |get: fn(&Second) -> Option<f64>| known(get).reduce(f64::min);
+    let psnr_db = |get: fn(&Drift) -> Option<f64>| report.drift.as_ref().and_then(get);
+    let gained = report.growth.and_then(|growth| growth.resident_bytes);
     vec![
         ("minutes", Some(report.lasted_seconds / 60.0)),
         ("fps", Some(report.fps)),
-        ("fps_lowest_second", all(|second| Some(second.fps)).reduce(f64::min)),
-        ("frame_ms_p50_mean", mean(|second| Some(second.frame_ms_p50))),
-        ("frame_ms_p99_largest", most(|second| Some(second.frame_ms_p99))),
-        ("busy_ms_mean", mean(|second| second.busy_ms)),
+        ("fps_lowest_second", smallest(|s| Some(s.fps))),
+        ("frame_ms_p50_mean", mean(|s| Some(s.frame_ms_p50))),
+        ("frame_ms_p99_largest", largest(|s| Some(s.frame_ms_p99))),
+        ("busy_ms_mean", mean(|s| s.busy_ms)),
         ("frames", Some(report.frames as f64)),
         ("late", Some(report.late as f64)),
         ("dropped", Some(report.dropped as f64)),
         ("dropped_share", Some(report.dropped_share)),
         ("governor_changes", Some(report.changes as f64)),
-        ("governor_step_mean", mean(|second| Some(second.rung as f64))),
-        ("headroom_largest", most(|second| second.headroom)),
-        ("celsius_largest", most(|second| second.celsius)),
-        ("watts_mean", mean(|second| second.watts)),
-        ("device_bytes_largest", most(|second| Some(second.device_bytes as f64))),
-        ("resident_bytes_largest", most(|second| second.resident_bytes.map(|bytes| bytes as f64))),
-        ("resident_bytes_gained", report.growth.and_then(|growth| growth.resident_bytes).map(|bytes| bytes as f64)),
-        ("psnr_db_before", db(|drift| drift.before.psnr_db)),
-        ("psnr_db_after", db(|drift| drift.after.psnr_db)),
+        ("governor_step_mean", mean(|s| Some(s.rung as f64))),
+        ("headroom_largest", largest(|s| s.headroom)),
+        ("celsius_largest", largest(|s| s.celsius)),
+        ("watts_mean", mean(|s| s.watts)),
+        (
+            "device_bytes_largest",
+            largest(|s| Some(s.device_bytes as f64)),
+        ),
+        (
+            "resident_bytes_largest",
+            largest(|s| s.resident_bytes.map(|bytes| bytes as f64)),
+        ),
+        ("resident_bytes_gained", gained.map(|bytes| bytes as f64)),
+        ("psnr_db_before", psnr_db(|drift| drift.before.psnr_db)),
+        ("psnr_db_after", psnr_db(|drift| drift.after.psnr_db)),
         ("faults", Some(report.faults.len() as f64)),
     ]
 }
@@ -92,23 +103,36 @@ fn numbers(report: &Report) -> Vec<(&'static str, Option<f64>)> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::measure::soak::verdict::tests::report;
+    use crate::soak::faults::tests::report;
 
     #[test]
-    fn numbers_stand_side_by_side_and_differences_are_said() {
-        let (a, mut b) = (report(), report());
+    fn numbers_are_paired_and_differences_named() {
+        let a = report();
+        let mut b = report();
         assert_eq!(compare(&a, &b).1, Vec::<String>::new());
-        (b.rate, b.fps, b.governed) = (30.0, 30.0, false);
-        let (lines, differ) = compare(&a, &b);
-        assert_eq!(lines.iter().find(|line| line.name == "fps").map(|line| line.values), Some([Some(60.0), Some(30.0)]));
-        assert_eq!(differ, ["the promised rate differs: 60 against 30", "the governor differs: on against off"]);
+        b.rate = 30.0;
+        b.fps = 30.0;
+        b.governed = false;
+        let (numbers, differences) = compare(&a, &b);
+        let fps = numbers.iter().find(|number| number.name == "fps");
+        assert_eq!(
+            fps.map(|number| number.values),
+            Some([Some(60.0), Some(30.0)])
+        );
+        assert_eq!(
+            differences,
+            [
+                "the promised rate differs: 60 against 30",
+                "the governor differs: on against off"
+            ]
+        );
     }
 
     #[test]
-    fn a_report_reads_back_and_others_are_refused() {
+    fn a_report_reads_back_as_it_was_written() {
         let text = serde_json::to_string(&report()).unwrap_or_default();
         assert_eq!(read(&text).ok(), Some(report()));
-        assert!(read("{}").is_err_and(|fault| fault.to_string().contains("not given")));
-        assert!(read(r#"{"schema": "effigy-bench-2"}"#).is_err_and(|fault| fault.to_string().contains("effigy-bench-2")));
+        let error = read(r#"{"schema": "effigy-bench-2"}"#).expect_err("it is not a soak's");
+        assert!(error.to_string().contains("effigy-bench-2"));
     }
 }

@@ -1,22 +1,23 @@
-//! The soak: an avatar is drawn for minutes on end at a promised rate, and every second it is written down how that goes.
+//! The soak: an avatar is drawn for minutes at a promised rate, and every second is recorded.
 //!
-//! [`session`] is the book-keeping, whatever draws: frames go in, the quality to draw at and a [`report::Second`] each second come out.
-//! [`run`] draws without a window; the viewer keeps the same books where it is told to soak. [`verdict`] says what is wrong with a run,
-//! [`files`] writes its JSON, CSV ([`table`]) and chart ([`plot`]), [`compare`] sets two against each other.
+//! [`session`] keeps the records and knows neither device nor clock: frames go in, the quality to
+//! draw at and a [`report::Second`] each second come out. [`run`](mod@run) draws without a window;
+//! the viewer uses the same session when it soaks. [`faults`] says what is wrong with a run,
+//! [`files`] writes its JSON, CSV ([`table`]) and chart ([`plot`]), [`compare`] compares two.
 
 pub mod cadence;
 pub mod compare;
+pub mod faults;
 pub mod files;
 pub mod memory;
 pub mod plot;
+mod renderer;
 pub mod report;
 pub mod run;
 pub mod session;
-mod stage;
 pub mod table;
-pub mod verdict;
 
-pub use report::Report;
-pub use run::{Task, run};
-pub use session::{Session, Settings};
-pub use stage::middle;
+pub use renderer::middle_frame;
+pub use report::SoakReport;
+pub use run::{SoakTask, run};
+pub use session::{Session, SoakSettings};

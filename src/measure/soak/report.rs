@@ -1,146 +1,190 @@
-//! What a soak found, as its JSON has it: [`Report`] is the whole file.
+//! The report of a soak. [`SoakReport`] is the whole JSON file; the fields are its keys.
 
-use crate::measure::{
-    bench::report::{Device, ErrorReport, Options, Program, Subject},
-    governor::{Quality, Rung},
-};
+use crate::report::{DeviceReport, ErrorReport, OptionsReport, Program, Subject};
+use effigy_runtime::governor::{FrameQuality, Rung};
 use serde::{Deserialize, Serialize};
 
-/// Names the layout of [`Report`]; changes whenever an older program could misread a newer file.
+/// Version of the JSON. It changes whenever an older program could misread a newer file.
 pub const SCHEMA: &str = "effigy-soak-1";
 
 /// Everything about one soak.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Report {
+pub struct SoakReport {
     /// [`SCHEMA`].
     pub schema: String,
+    /// The program that measured.
     pub program: Program,
-    pub device: Device,
+    /// The device that was measured.
+    pub device: DeviceReport,
+    /// The avatar that was drawn.
     pub avatar: Subject,
-    /// Width and height of the screen, px.
+    /// Width and height of the frame, px.
     pub size: [u32; 2],
-    pub options: Options,
-    /// The promised rate, frames a second: what it was at the end, where a window's display changed its own.
+    /// The options at full quality.
+    pub options: OptionsReport,
+    /// The promised rate, frames a second. In a window whose display changed its rate, the last
+    /// one.
     pub rate: f64,
-    /// Whether the governor was on, and heat simulated.
+    /// Whether the governor was on.
     pub governed: bool,
+    /// Whether heat was simulated.
     pub simulated_heat: bool,
-    /// How long it was to last, and lasted, seconds.
+    /// How long the run was to last, seconds.
     pub planned_seconds: f64,
+    /// How long it lasted, seconds.
     pub lasted_seconds: f64,
-    /// The governor's ladder, from the whole quality down.
-    pub ladder: Vec<Step>,
+    /// The governor's ladder, from full quality down.
+    pub ladder: Vec<LadderStep>,
+    /// Frames drawn.
     pub frames: u64,
-    /// Frames a second over all of it.
+    /// Frames a second over the whole run.
     pub fps: f64,
-    /// Frames that came late, and refreshes that showed nothing new for it.
+    /// Frames that were late.
     pub late: u64,
+    /// Refreshes without a new frame.
     pub dropped: u64,
-    /// The same as a share of all refreshes, from when it had [settled](super::verdict::SETTLED) on.
+    /// `dropped` as a share of all refreshes, without the [first
+    /// seconds](super::faults::SETTLING_SECONDS).
     pub dropped_share: f64,
-    /// Times that the governor changed the quality, and the lowest rung it was on.
+    /// Times that the governor changed the quality.
     pub changes: usize,
+    /// The lowest rung that the governor was on.
     pub lowest_rung: usize,
-    /// Null of a run too short to say.
+    /// Null if the run was too short.
     pub growth: Option<Growth>,
-    /// Pictures that were looked at, and pixels in them that were no numbers.
+    /// Images that were checked.
     pub pictures: u64,
+    /// Pixels in them that are NaN or infinite.
     pub broken_pixels: u64,
-    /// The most Gaussians of one frame that were left out since their place or shape is no number, or beyond what f32 can tell. None where
-    /// nobody counted.
+    /// Most Gaussians of one frame that were skipped because their place or shape is NaN or out of
+    /// range of f32. Null if they were not counted.
     #[serde(default)]
     pub broken_gaussians: Option<u64>,
-    /// Pictures without anything in them.
+    /// Checked images in which nothing is covered.
     pub empty_pictures: u64,
-    /// Null where it was not asked for, or the run ended before, and in windows.
+    /// One frame against the reference, before and after. Null if that was not asked for or the
+    /// run was interrupted, and in windows.
     pub drift: Option<Drift>,
-    /// In windows: null where the run ended before, or the window or its avatar is not what it was at first.
-    #[serde(default)]
-    pub still: Option<Still>,
-    /// What is wrong with the run, a sentence each; empty where it held what was promised.
+    /// The frame of the start against the same at the end. Only in windows; null if the run was
+    /// interrupted, or the window's size or avatar changed.
+    #[serde(default, rename = "still")]
+    pub redrawn: Option<RedrawnFrame>,
+    /// A sentence for each fault; empty if the run kept its limits.
     pub faults: Vec<String>,
+    /// Every second of the run.
     pub each: Vec<Second>,
 }
 
 /// A rung of the ladder.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Step {
+pub struct LadderStep {
+    /// What this rung gives up.
     pub name: String,
+    /// This and the next four: see [`FrameQuality`].
     pub scale: f64,
+    /// Frames that each pose is held for.
     pub hold: u32,
+    /// Factor of the opacity cutoff.
     pub cutoff: f64,
-    /// Of detail; 0 in reports from before there were any.
+    /// Level of detail; 0 in reports from before there were any.
     #[serde(default)]
     pub level: u32,
+    /// Refreshes that each frame is shown for.
     pub refreshes: u32,
 }
 
-impl From<&Rung> for Step {
+impl From<&Rung> for LadderStep {
     fn from(rung: &Rung) -> Self {
-        let Quality { scale, hold, cutoff, level, refreshes } = rung.quality;
-        Self { name: rung.name.clone(), scale, hold, cutoff, level, refreshes }
+        let FrameQuality {
+            scale,
+            hold,
+            cutoff,
+            level,
+            refreshes,
+        } = rung.quality;
+        Self {
+            name: rung.name.clone(),
+            scale,
+            hold,
+            cutoff,
+            level,
+            refreshes,
+        }
     }
 }
 
-/// What was gained from some time on, but for the first minute after each step of the governor that was new
-/// ([`growth`](super::memory::growth)).
+/// The memory gained over the steady intervals of a run ([`growth`](super::memory::growth)).
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Growth {
+    /// When the first interval began, seconds.
     pub from_seconds: f64,
-    /// How long the parts of the run were together that were looked at.
+    /// Total length of the intervals, seconds.
     #[serde(default)]
     pub judged_seconds: f64,
-    /// In use of the device's memory.
+    /// Gain of the device memory in use.
     pub device_bytes: i64,
-    /// Of the process's memory in the machine's; null where the system does not tell.
+    /// Gain of the process's resident memory; null if the system does not tell.
     pub resident_bytes: Option<i64>,
 }
 
-/// The same frame against the reference before and after.
+/// One frame against the reference, before and after the run.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Drift {
+    /// At the start.
     pub before: ErrorReport,
+    /// At the end.
     pub after: ErrorReport,
-    /// Whether the two pictures are the same to the bit.
+    /// Whether the two images are equal to the bit.
     pub same: bool,
 }
 
-/// The same frame before and after, against each other: in a window, where nobody waits for the reference.
+/// One frame before and after the run, against each other. Used in windows, where computing the
+/// reference would take too long.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Still {
+pub struct RedrawnFrame {
     /// Width and height, px.
     pub size: [u32; 2],
-    /// Whether the two pictures are the same to the bit.
+    /// Whether the two images are equal to the bit.
     pub same: bool,
-    /// How far the one after is from the one before.
+    /// Error of the image after against the one before.
     pub error: ErrorReport,
 }
 
-/// One second of it; a frame that takes longer makes it longer.
+/// One second of a run; longer if a frame takes longer.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Second {
-    /// When it ended, from the start.
+    /// When it ended, seconds from the start.
     pub seconds: f64,
+    /// Frames drawn in it.
     pub frames: u32,
+    /// Frames a second.
     pub fps: f64,
     /// Time from one frame to the next, ms.
     pub frame_ms_p50: f64,
+    /// 95th percentile.
     pub frame_ms_p95: f64,
+    /// 99th percentile.
     pub frame_ms_p99: f64,
-    /// Mean time that the device was busy with a frame, ms.
+    /// Mean GPU time of a frame, ms.
     pub busy_ms: Option<f64>,
-    /// Frames that came late, and refreshes that showed nothing new for it.
+    /// Frames that were late.
     pub late: u32,
+    /// Refreshes without a new frame.
     pub dropped: u32,
-    /// As in [`Reading`](crate::measure::thermals::Reading).
+    /// This and the next four: see [`Reading`](effigy_runtime::thermals::Reading).
     pub headroom: Option<f64>,
+    /// Temperature of the warmest sensor, °C.
     pub celsius: Option<f64>,
+    /// Share of the highest clock.
     pub clock: Option<f64>,
+    /// Charge of the battery, 0 to 1.
     pub battery: Option<f64>,
+    /// Power drawn from the battery.
     pub watts: Option<f64>,
-    /// The governor's rung at its end; 0 is the whole quality.
+    /// The governor's rung at its end; 0 is full quality.
     pub rung: usize,
-    /// In use of the device's memory, and of the process's in the machine's.
+    /// Device memory in use.
     pub device_bytes: u64,
+    /// Resident memory of the process.
     pub resident_bytes: Option<u64>,
 }

@@ -1,44 +1,56 @@
-//! The `bins` stage and the compute form of `raster`: order, splats and control go in, a picture comes out.
+//! The `binning` stage and the compute form of `raster`: order, splats and control go in, an image
+//! comes out.
 
-use super::{ColorFormat, LEFT, Method, Touched, check_size, hand_over};
-use crate::{
-    frame::Skip,
-    layout::{BINS, BINS_BLOCKS, BINS_LEVELS, BINS_NODE, BINS_SIZE},
-    vulkan::{
-        RendererOptions,
-        device::Gpu,
-        error::Result,
-        memory::{Buffer, Image},
-        pipeline::{Bindings, BoundImage, Kernel, Launch, Slice, barrier},
-        shaders,
-    },
+use super::{
+    draw::{Draw, Inputs},
+    target::{LEFT, READ, READERS, check_size, vulkan_format},
 };
-use ash::vk::{self, AccessFlags, ImageLayout, PipelineStageFlags};
+use crate::vulkan::{
+    device::{error::Result, gpu::Gpu, recording::Recording},
+    memory::{Buffer, Image, LayoutChange, Scope, Slice},
+    pipeline::{BoundImage, Kernel, Launch, Resources, shaders},
+};
+use ash::vk::{self, AccessFlags, ImageLayout};
+use effigy_core::{
+    frame::{ColorFormat, RasterMethod, RendererOptions, Skip},
+    layout::{BINNING_BLOCK, BINNING_RUNS, BINNING_WORKGROUP, TILE_LEVELS, TILING},
+};
 use gpu_allocator::MemoryLocation;
 use std::sync::Arc;
 
-/// What the `bins` stage left, read back: numbers of splats, nearest first, of each tile of each level, row by row from the top left.
-pub struct Bins {
+/// The output of the `binning` stage, read back: indices of splats, nearest first, of each tile of
+/// each level, row by row from the top left.
+pub struct TileLists {
     tiles: Vec<Vec<u32>>,
 }
 
-impl Bins {
-    /// Those of a level's tile, the finest being level 0. Column and row of that level.
+impl TileLists {
+    /// The list of one tile, by column and row in its level. Level 0 is the finest.
     pub fn tile(&self, level: u32, [column, row]: [u32; 2]) -> &[u32] {
-        &self.tiles[(BINS.first_tile(level) + row * (BINS.side >> (2 * level)) + column) as usize]
+        &self.tiles[(TILING.first_tile(level)
+            + row * (TILING.tiles_per_side >> (2 * level))
+            + column) as usize]
     }
 
-    /// Those of all levels that a finest tile lies in, level by level.
-    pub fn at(&self, [column, row]: [u32; 2]) -> [&[u32]; BINS_LEVELS as usize] {
-        let whole = BINS_LEVELS - 1;
-        std::array::from_fn(|k| k as u32)
-            .map(|level| self.tile(level, if level < whole { [column, row].map(|v| v >> (2 * level)) } else { [0; 2] }))
+    /// The lists of all tiles, level by level, that cover a tile of the finest level.
+    pub fn at(&self, [column, row]: [u32; 2]) -> [&[u32]; TILE_LEVELS as usize] {
+        let whole = TILE_LEVELS - 1;
+        std::array::from_fn(|k| k as u32).map(|level| {
+            self.tile(
+                level,
+                if level < whole {
+                    [column, row].map(|v| v >> (2 * level))
+                } else {
+                    [0; 2]
+                },
+            )
+        })
     }
 }
 
 pub struct Tiles {
     gpu: Arc<Gpu>,
-    bins: Kernel,
+    binning: Kernel,
     raster: Kernel,
     buffer: Buffer,
     format: ColorFormat,
@@ -48,26 +60,63 @@ pub struct Tiles {
 }
 
 impl Tiles {
-    pub fn new(gpu: &Arc<Gpu>, frame: Slice, (inputs, capacity): ([Slice; 3], u32), options: &RendererOptions) -> Result<Self> {
-        let usage = vk::BufferUsageFlags::STORAGE_BUFFER | vk::BufferUsageFlags::TRANSFER_SRC | vk::BufferUsageFlags::TRANSFER_DST;
-        let buffer = Buffer::new(gpu, "bins", BINS.bytes(capacity)[1], usage, MemoryLocation::GpuOnly)?;
-        let [order, splats, control] = inputs;
-        let storage = [order, splats, control, (&buffer).into()];
-        let bindings = Bindings::new(gpu, vk::ShaderStageFlags::COMPUTE, Some(frame), &storage)?;
-        let bins = Kernel::new(gpu, &shaders::BINS, &[BINS.nodes(capacity)[0]], bindings)?;
-        let color = options.color.unwrap_or(Method::Tiles.color());
-        let module = match (Variant::suited(gpu), color) {
-            (Variant::Alone, ColorFormat::Rgba8) => &shaders::RASTER_RGBA8,
-            (Variant::Alone, ColorFormat::Rgba16F) => &shaders::RASTER_RGBA16F,
-            (Variant::Together, ColorFormat::Rgba8) => &shaders::RASTER_TOGETHER_RGBA8,
-            (Variant::Together, ColorFormat::Rgba16F) => &shaders::RASTER_TOGETHER_RGBA16F,
+    pub fn new(gpu: &Arc<Gpu>, inputs: &Inputs, options: &RendererOptions) -> Result<Self> {
+        let usage = vk::BufferUsageFlags::STORAGE_BUFFER
+            | vk::BufferUsageFlags::TRANSFER_SRC
+            | vk::BufferUsageFlags::TRANSFER_DST;
+        let buffer = Buffer::new(
+            gpu,
+            "binning",
+            TILING.bytes(inputs.capacity)[1],
+            usage,
+            MemoryLocation::GpuOnly,
+        )?;
+        let resources = Resources {
+            uniform: Some(inputs.frame),
+            storage: &[
+                inputs.order,
+                inputs.splats,
+                inputs.control,
+                (&buffer).into(),
+            ],
+            image: None,
         };
-        let storage = [splats, control, (&buffer).into()];
-        let bindings = Bindings::with_image(gpu, Some(frame), &storage, BoundImage::Written)?;
-        let raster = Kernel::with_launch(gpu, module, &constants(options), bindings, launch(gpu))?;
-        let image = picture(gpu, color, options.size)?;
-        raster.set_image(vk::Sampler::null(), image.view);
-        Ok(Self { gpu: gpu.clone(), bins, raster, buffer, format: color, image, drawn: options.size })
+        let blocks = [TILING.blocks(inputs.capacity)[0]];
+        let binning = Kernel::new(
+            gpu,
+            &shaders::BINNING,
+            &blocks,
+            resources,
+            Launch::default(),
+        )?;
+        let color = options.color.unwrap_or(RasterMethod::Tiles.color());
+        let module = match (KernelVariant::recommended_for(gpu), color) {
+            (KernelVariant::PerThread, ColorFormat::Rgba8) => &shaders::RASTER_PER_THREAD_RGBA8,
+            (KernelVariant::PerThread, ColorFormat::Rgba16F) => &shaders::RASTER_PER_THREAD_RGBA16F,
+            (KernelVariant::Cooperative, ColorFormat::Rgba8) => &shaders::RASTER_COOPERATIVE_RGBA8,
+            (KernelVariant::Cooperative, ColorFormat::Rgba16F) => {
+                &shaders::RASTER_COOPERATIVE_RGBA16F
+            }
+        };
+        let resources = Resources {
+            uniform: Some(inputs.frame),
+            storage: &[inputs.splats, inputs.control, (&buffer).into()],
+            image: Some(BoundImage::Written),
+        };
+        let raster = Kernel::new(gpu, module, &constants(options), resources, launch(gpu))?;
+        let image = create_image(gpu, color, options.size)?;
+        // SAFETY: nothing uses the kernel yet; `record` has the image in the layout that it writes,
+        // and the image lives as long as the kernel, or until it gets another.
+        unsafe { raster.set_image(vk::Sampler::null(), image.view()) };
+        Ok(Self {
+            gpu: gpu.clone(),
+            raster,
+            binning,
+            buffer,
+            format: color,
+            image,
+            drawn: options.size,
+        })
     }
 
     pub fn image(&self) -> &Image {
@@ -82,29 +131,53 @@ impl Tiles {
         self.format
     }
 
-    /// The bins of the last frame, for tests.
-    pub fn download(&self) -> Result<Bins> {
-        let words: Vec<u32> = bytemuck::pod_collect_to_vec(&self.buffer.download(self.buffer.size as usize)?);
-        let [tiles, blocks, node] = [BINS.tiles(), BINS_BLOCKS, BINS_NODE].map(|number| number as usize);
+    /// The tile lists of the last frame, read back for tests.
+    pub fn download(&self) -> Result<TileLists> {
+        let words: Vec<u32> =
+            bytemuck::pod_collect_to_vec(&self.buffer.download(self.buffer.size as usize)?);
+        let tiles = TILING.tiles() as usize;
+        let runs = BINNING_RUNS as usize;
+        let block_size = BINNING_BLOCK as usize;
         let heads = 1 + tiles;
-        let nodes = heads + tiles * blocks - node;
-        let chain = |at: usize| {
+        // Blocks are numbered from 1: a head or link of 0 ends a list.
+        let blocks = heads + tiles * runs - block_size;
+        // Each run of a tile has a list of blocks. A head or link is the place of the list's last
+        // splat; word 0 of a block links to the block before, splats follow.
+        let list = |head: usize| {
             let mut splats = Vec::new();
-            let mut chain = words[at] as usize;
-            while chain != 0 {
-                let held = chain % node;
-                splats.extend((chain - held + 1..=chain).rev().map(|slot| words[nodes + slot]));
-                chain = words[nodes + chain - held] as usize;
+            let mut last = words[head] as usize;
+            while last != 0 {
+                let count = last % block_size;
+                let link = last - count;
+                splats.extend((link + 1..=last).rev().map(|place| words[blocks + place]));
+                last = words[blocks + link] as usize;
             }
             splats
         };
-        let tile = |tile: usize| (0..blocks).rev().flat_map(|block| chain(heads + tile * blocks + block)).collect();
-        Ok(Bins { tiles: (0..tiles).map(tile).collect() })
+        let tile = |tile: usize| {
+            (0..runs)
+                .rev()
+                .flat_map(|run| list(heads + tile * runs + run))
+                .collect()
+        };
+        Ok(TileLists {
+            tiles: (0..tiles).map(tile).collect(),
+        })
     }
 
-    pub fn resize(&mut self, size: [u32; 2]) -> Result<()> {
-        self.image = picture(&self.gpu, self.format, size)?;
-        self.raster.set_image(vk::Sampler::null(), self.image.view);
+    /// Changes the image's size. On failure it stays.
+    ///
+    /// # Safety
+    /// No submitted work may use the image or draw to it.
+    pub unsafe fn resize(&mut self, size: [u32; 2]) -> Result<()> {
+        self.image = create_image(&self.gpu, self.format, size)?;
+        // SAFETY: no work uses the kernel, as the caller promises; `record` has the image in the
+        // layout that it writes, and the image lives as long as the kernel, or until it gets
+        // another.
+        unsafe {
+            self.raster
+                .set_image(vk::Sampler::null(), self.image.view())
+        };
         self.drawn = size;
         Ok(())
     }
@@ -113,65 +186,116 @@ impl Tiles {
         self.drawn = size;
     }
 
-    /// Changes the cutoff to that of `options`, which are otherwise those that it was made with. No submitted frame may still draw.
-    pub fn set_cutoff(&mut self, options: &RendererOptions) -> Result<()> {
-        self.raster.specialize(&constants(options), launch(&self.gpu))
+    /// Changes the cutoff to that of `options`, which are otherwise those that it was made with.
+    ///
+    /// # Safety
+    /// No submitted work may draw with it.
+    pub unsafe fn set_cutoff(&mut self, options: &RendererOptions) -> Result<()> {
+        let launch = launch(&self.gpu);
+        // SAFETY: the caller promises that no work uses the kernel.
+        unsafe { self.raster.specialize(&constants(options), launch) }
     }
 
-    /// Notes which splats meet which tile. Reads what the sort left; a transfer and compute.
-    pub fn record_bins(&self, commands: vk::CommandBuffer, frame: u32) {
-        let compute = PipelineStageFlags::COMPUTE_SHADER;
-        let written = (PipelineStageFlags::TRANSFER, AccessFlags::TRANSFER_WRITE);
-        barrier(&self.gpu, commands, (compute, AccessFlags::SHADER_WRITE), written);
-        // SAFETY: the command buffer is recording, the range lies in the buffer, which is alive.
-        unsafe { self.gpu.raw.cmd_fill_buffer(commands, self.buffer.raw, 0, BINS.bytes(0)[0], 0) };
-        barrier(&self.gpu, commands, written, (compute, AccessFlags::SHADER_READ | AccessFlags::SHADER_WRITE));
-        self.bins.dispatch(commands, frame, BINS_BLOCKS / BINS_SIZE);
+    /// Empties the tiles' lists; a transfer.
+    pub fn clear_lists(&self, commands: Recording) {
+        let heads = Slice {
+            size: TILING.bytes(0)[0],
+            ..(&self.buffer).into()
+        };
+        // SAFETY: the part lies in the buffer, which is alive.
+        unsafe { commands.clear(heads) };
     }
 
-    /// Draws what of the picture is to be drawn, every pixel there. Reads what `bins` left; compute.
-    pub fn record(&self, commands: vk::CommandBuffer, frame: u32, touched: &Touched) {
-        let compute = (PipelineStageFlags::COMPUTE_SHADER, AccessFlags::SHADER_WRITE);
-        let readers = PipelineStageFlags::FRAGMENT_SHADER | PipelineStageFlags::TRANSFER;
-        let found = if touched.anew { ImageLayout::UNDEFINED } else { LEFT };
-        hand_over(&self.gpu, commands, &self.image, [(readers, AccessFlags::empty()), compute], [found, ImageLayout::GENERAL]);
-        self.raster.dispatch_within(commands, frame, touched.regions());
-        let readers = (readers, AccessFlags::SHADER_READ | AccessFlags::TRANSFER_READ);
-        hand_over(&self.gpu, commands, &self.image, [compute, readers], [ImageLayout::GENERAL, LEFT]);
+    /// Writes splats to the lists of the tiles that they meet. Reads what the sort left; compute.
+    pub fn record_binning(&self, commands: Recording, frame: u32) {
+        self.binning
+            .dispatch(commands, frame, BINNING_RUNS / BINNING_WORKGROUP);
+    }
+
+    /// Draws every pixel of the damage rectangle. Reads the output of `binning`; compute.
+    pub fn record(&self, commands: Recording, draw: &Draw) {
+        let image = self.image.raw();
+        let begin = LayoutChange {
+            from: Scope::new(READERS, AccessFlags::empty()),
+            to: Scope::KERNEL_WRITES,
+            old: if draw.damage.whole {
+                ImageLayout::UNDEFINED
+            } else {
+                LEFT
+            },
+            new: ImageLayout::GENERAL,
+        };
+        let end = LayoutChange {
+            from: Scope::KERNEL_WRITES,
+            to: READ,
+            old: ImageLayout::GENERAL,
+            new: LEFT,
+        };
+        // SAFETY: the image is alive, and as the frame before left it, or as nobody did.
+        unsafe { commands.change_layout(image, begin) };
+        let [first, beyond] = draw.damage.regions();
+        self.raster
+            .dispatch_within(commands, draw.frame, first, beyond);
+        // SAFETY: the image is alive, and in the layout that the kernel writes.
+        unsafe { commands.change_layout(image, end) };
     }
 }
 
-/// Of the raster kernel: the cutoff, what is left where a pixel counts as full, and whether to count.
+/// Specialization constants of the `raster` kernel: the cutoff, the transmittance at which a pixel
+/// counts as saturated, and whether to count fragments.
 fn constants(options: &RendererOptions) -> [u32; 3] {
-    let full = if options.skip.contains(Skip::FULL) { options.cutoff as f32 } else { 0.0 };
-    [(options.cutoff as f32).to_bits(), full.to_bits(), options.count.into()]
+    let saturation = if options.skip.contains(Skip::FULL) {
+        options.cutoff as f32
+    } else {
+        0.0
+    };
+    [
+        (options.cutoff as f32).to_bits(),
+        saturation.to_bits(),
+        options.count.into(),
+    ]
 }
 
-/// What the kernel is compiled as.
+/// How the invocations of the `raster` kernel share the work of a tile.
 #[derive(PartialEq)]
-enum Variant {
-    /// Each invocation walks its tiles' chains by itself.
-    Alone,
-    /// Each subgroup lies in one tile and hands splats round: 8 invocations, of 4 by 4 pixels each, in tiles of at least 16. Processors
-    /// alone: Mali's compiler spills 700 registers there; and not 16 invocations, which was not timed.
-    Together,
+enum KernelVariant {
+    /// Each invocation walks its tiles' lists by itself.
+    PerThread,
+    /// Each subgroup lies in one tile and shuffles splats between its 8 invocations, of 4 × 4
+    /// pixels each, in tiles of at least 16 × 16 pixels. CPU drivers only: Mali's compiler spills
+    /// 700 registers. Subgroups of 16 have not been timed.
+    Cooperative,
 }
 
-impl Variant {
-    fn suited(gpu: &Gpu) -> Self {
+impl KernelVariant {
+    fn recommended_for(gpu: &Gpu) -> Self {
         let eight = gpu.probe.subgroup_shuffle && gpu.probe.subgroup_size == 8;
-        if gpu.probe.is_cpu() && eight && !gpu.probe.driver.starts_with("SwiftShader") { Self::Together } else { Self::Alone }
+        if gpu.probe.is_cpu() && eight && !gpu.probe.driver.starts_with("SwiftShader") {
+            Self::Cooperative
+        } else {
+            Self::PerThread
+        }
     }
 }
 
 /// Full subgroups of the size that the device reports, where it can be asked for that.
 fn launch(gpu: &Gpu) -> Launch {
-    let together = |[low, high]: &[u32; 2]| Variant::suited(gpu) == Variant::Together && (*low..=*high).contains(&gpu.probe.subgroup_size);
-    Launch { subgroup: gpu.probe.subgroup_sizes.filter(together).map(|_| gpu.probe.subgroup_size), anywhere: true }
+    let cooperative = KernelVariant::recommended_for(gpu) == KernelVariant::Cooperative;
+    let size = gpu.probe.subgroup_size;
+    Launch {
+        subgroup: gpu
+            .probe
+            .subgroup_sizes
+            .filter(|[min, max]| cooperative && (*min..=*max).contains(&size))
+            .map(|_| size),
+        anywhere: true,
+    }
 }
 
-fn picture(gpu: &Arc<Gpu>, format: ColorFormat, size: [u32; 2]) -> Result<Image> {
+fn create_image(gpu: &Arc<Gpu>, format: ColorFormat, size: [u32; 2]) -> Result<Image> {
     check_size(gpu, size, gpu.probe.limits.max_image_dimension2_d)?;
-    let usage = vk::ImageUsageFlags::STORAGE | vk::ImageUsageFlags::SAMPLED | vk::ImageUsageFlags::TRANSFER_SRC;
-    Image::new(gpu, "target", size, format.vulkan(), usage)
+    let usage = vk::ImageUsageFlags::STORAGE
+        | vk::ImageUsageFlags::SAMPLED
+        | vk::ImageUsageFlags::TRANSFER_SRC;
+    Image::new(gpu, "target", size, vulkan_format(format), usage)
 }

@@ -1,46 +1,115 @@
 //! The uniform blocks of frames under way: one an avatar.
 
-use super::Renderer;
-use crate::{
-    frame::{
-        Body, Camera, block,
-        keeper::Keeper,
-        scene::{Actor, Staged},
-    },
-    layout::Frame,
+use crate::vulkan::{
+    commands::FRAMES_IN_FLIGHT,
+    device::{error::Result, gpu::Gpu},
+    memory::{Buffer, Slice},
+    passes::project::Project,
+    sort::Sort,
 };
-use bytemuck::from_bytes_mut;
+use ash::vk;
+use bytemuck::{bytes_of, from_bytes_mut};
+use effigy_core::{
+    frame::{
+        RendererOptions, Skinning, block,
+        pose_cache::PoseCache,
+        state::{AvatarInstance, FramePlan},
+    },
+    layout::FrameBlock,
+    scene::{AvatarBounds, Camera},
+};
+use gpu_allocator::MemoryLocation;
+use std::sync::Arc;
 
 /// Bytes from one frame's uniform block to the next: every device's alignment divides 256.
-pub(super) const FRAME_STRIDE: usize = size_of::<Frame>().next_multiple_of(256);
+const STRIDE: usize = size_of::<FrameBlock>().next_multiple_of(256);
 
-/// Where in the ring of uniform blocks an avatar's is, bytes.
-pub(super) fn frame_at(slot: usize, number: usize, actors: usize) -> usize {
-    (slot * actors + number) * FRAME_STRIDE
+/// A ring of uniform blocks, and the pose cache of each avatar.
+pub(super) struct Blocks {
+    buffer: Buffer,
+    instances: usize,
+    /// One an avatar.
+    pose_caches: Vec<PoseCache>,
 }
 
-impl Renderer {
-    /// Fills the uniform blocks of a frame.
-    pub(super) fn write_frame(&mut self, slot: usize, staged: &Staged, camera: &Camera) {
-        for actor in staged.actors.iter().filter(|actor| staged.view && actor.needed.body == Body::Keep) {
-            self.keepers[actor.number] = Keeper::new(&self.extent, actor.posed, camera);
+/// Where a frame's values come from.
+pub(super) struct Sources<'a> {
+    pub extent: &'a AvatarBounds,
+    pub options: &'a RendererOptions,
+    pub splats: &'a Project,
+    pub sort: &'a Sort,
+}
+
+impl Blocks {
+    /// For so many avatars a frame. `constants`: what no frame changes.
+    pub fn new(gpu: &Arc<Gpu>, instances: usize, constants: &FrameBlock) -> Result<Self> {
+        let count = FRAMES_IN_FLIGHT * instances;
+        let mut buffer = Buffer::new(
+            gpu,
+            "frames",
+            (count * STRIDE) as u64,
+            vk::BufferUsageFlags::UNIFORM_BUFFER,
+            MemoryLocation::CpuToGpu,
+        )?;
+        for block in 0..count {
+            buffer.mapped()[block * STRIDE..][..size_of::<FrameBlock>()]
+                .copy_from_slice(bytes_of(constants));
         }
-        let blocks = self.frames.mapped();
-        let mut fill = |number: usize, actor: Option<&Actor>| {
-            let block: &mut Frame = from_bytes_mut(&mut blocks[frame_at(slot, number, self.options.actors)..][..size_of::<Frame>()]);
-            block::fill_shared(block, &self.options, staged, camera);
-            self.splats.fill(block);
-            block.count_tile = self.sort.tile();
-            if let Some(actor) = actor {
-                block::fill_actor(block, &self.options, actor, camera);
-                self.splats.fill_actor(block, number as u32);
-                self.keepers[number].fill(block, camera);
+        Ok(Self {
+            buffer,
+            instances,
+            pose_caches: (0..instances).map(|_| PoseCache::default()).collect(),
+        })
+    }
+
+    /// The first block. Kernels bind it with a dynamic offset, which selects another.
+    pub fn slice(&self) -> Slice {
+        Slice {
+            size: size_of::<FrameBlock>() as u64,
+            ..(&self.buffer).into()
+        }
+    }
+
+    /// Where in the ring an avatar's block is, bytes. `frame`: index of the frame in flight.
+    /// `number`: the avatar's place in the renderer.
+    pub fn offset(&self, frame: usize, number: usize) -> usize {
+        (frame * self.instances + number) * STRIDE
+    }
+
+    /// Fills the blocks of a frame. `frame`: index of the frame in flight.
+    pub fn write(&mut self, frame: usize, plan: &FramePlan, camera: &Camera, sources: &Sources) {
+        for instance in &plan.instances {
+            if plan.redraw && instance.changes.skinning == Skinning::ComputeAndStore {
+                self.pose_caches[instance.index] =
+                    PoseCache::new(sources.extent, instance.posed, camera);
             }
-        };
-        // An empty picture has a size too.
-        fill(0, None);
-        for actor in &staged.actors {
-            fill(actor.number, Some(actor));
+        }
+        // A frame without avatars has a size too.
+        self.fill(frame, 0, None, plan, camera, sources);
+        for instance in &plan.instances {
+            self.fill(frame, instance.index, Some(instance), plan, camera, sources);
+        }
+    }
+
+    fn fill(
+        &mut self,
+        frame: usize,
+        number: usize,
+        instance: Option<&AvatarInstance>,
+        plan: &FramePlan,
+        camera: &Camera,
+        sources: &Sources,
+    ) {
+        let start = self.offset(frame, number);
+        let bytes = &mut self.buffer.mapped()[start..][..size_of::<FrameBlock>()];
+        let block: &mut FrameBlock = from_bytes_mut(bytes);
+        block::write_shared(block, sources.options, plan, camera);
+        sources.splats.fill(block);
+        block.count_tile = sources.sort.tile();
+        if let Some(instance) = instance {
+            block::write_instance(block, sources.options, instance, camera);
+            sources.splats.fill_instance(block, number as u32);
+            self.pose_caches[number].write_to(block, camera);
         }
     }
 }

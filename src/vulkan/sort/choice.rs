@@ -1,18 +1,21 @@
-//! The self-test: sorts hostile keys with each variant that a device can run, compares with the CPU, times those that are right, and
-//! picks the fastest. Drivers exist that give wrong orders without a word, and no query tells.
+//! The self-test: sorts adversarial keys with each variant that a device can run, compares with the
+//! CPU, times those that are right, and picks the fastest. Drivers exist that give wrong orders
+//! without a word, and no query tells.
 
 use super::{
-    KeyBits, SortOptions, Variant,
+    options::{SortOptions, lacks},
+    record::Record,
     trial::Trial,
-    verdict::{Outcome, Record, Verdict},
 };
-use crate::{
-    layout::{SORT_DROPPED, SORT_GROUP},
-    vulkan::{
-        cache,
-        device::Gpu,
-        error::{Error, Result},
-    },
+use crate::vulkan::device::{
+    cache,
+    error::{Error, Result},
+    gpu::Gpu,
+    verdict::{Outcome, Verdict},
+};
+use effigy_core::{
+    frame::{KeyBits, SortVariant},
+    layout::{SORT_CULLED, SORT_GROUP},
 };
 use std::{
     path::Path,
@@ -29,103 +32,183 @@ const LONG_TILES: u32 = 2 * SORT_GROUP + 3;
 /// A sort of so few keys that takes longer, twice, is refused.
 const PATIENCE: Duration = Duration::from_secs(2);
 
-/// How to sort here. Tests on the first call after a change of driver or program, which takes a part of a second; later calls and
-/// starts know. Fails where no variant is right, or the device is lost or hangs in a test, which later starts do not try again.
+/// How to sort here. Tests on the first call after a change of driver or program, which takes a
+/// part of a second; later calls and starts know. Fails where no variant is right, or the device is
+/// lost or hangs in a test, which later starts do not try again.
 pub fn choose(gpu: &Arc<Gpu>) -> Result<Verdict> {
-    if let Some(verdict) = gpu.sort.get() {
+    if let Some(verdict) = gpu.sorts.chosen.get() {
         return Ok(verdict.clone());
     }
     let verdict = choose_in(gpu, cache::folder().as_deref())?;
-    Ok(gpu.sort.get_or_init(|| verdict).clone())
+    Ok(gpu.sorts.chosen.get_or_init(|| verdict).clone())
 }
 
-/// The same with a folder of the caller's to remember in; None remembers nothing.
+/// The variant to draw the first frame with: the fastest that earlier tests found right, else one
+/// that needs neither subgroups nor look-back. Nothing is tested, so that nobody waits for it;
+/// [`choose`] tests. Fails where every variant was tested and none is right.
+pub fn without_test(gpu: &Gpu) -> Result<SortVariant> {
+    if let Some(verdict) = gpu.sorts.chosen.get() {
+        return Ok(verdict.variant);
+    }
+    let record = Record::new(gpu, cache::folder().as_deref());
+    let tried = record.read();
+    if let Some(verdict) = Verdict::of(&tried) {
+        return Ok(verdict.variant);
+    }
+    // Counters for each thread save a CPU driver its barriers.
+    let safe = if gpu.probe.is_cpu() {
+        [SortVariant::PerThread, SortVariant::ReduceThenScan]
+    } else {
+        [SortVariant::ReduceThenScan, SortVariant::PerThread]
+    };
+    let untried = untried(&tried);
+    safe.into_iter()
+        .find(|variant| untried.contains(variant))
+        .ok_or_else(|| no_sort(gpu, &tried, &record))
+}
+
+/// The variants of which nothing is known.
+fn untried(tried: &[(SortVariant, Outcome)]) -> Vec<SortVariant> {
+    SortVariant::ALL
+        .into_iter()
+        .filter(|variant| tried.iter().all(|(known, _)| known != variant))
+        .collect()
+}
+
+/// Whether [`choose`] knows without a test.
+pub fn is_tested(gpu: &Gpu) -> bool {
+    gpu.sorts.chosen.get().is_some() || {
+        let record = Record::new(gpu, cache::folder().as_deref());
+        untried(&record.read()).is_empty()
+    }
+}
+
+/// How to sort here, with a folder of the caller's to remember it in; None remembers nothing. See
+/// [`choose`].
 pub fn choose_in(gpu: &Arc<Gpu>, folder: Option<&Path>) -> Result<Verdict> {
     let record = Record::new(gpu, folder);
     let mut tried = record.read();
-    let untried: Vec<_> = Variant::ALL.into_iter().filter(|variant| tried.iter().all(|(known, _)| known != variant)).collect();
+    let untried = untried(&tried);
     for &variant in &untried {
         record.begin(&tried, variant);
         let outcome = match needless(gpu, variant) {
             Some(why) => Ok(Outcome::Lacks(why.into())),
             None => test(gpu, variant),
         };
-        let outcome = outcome.inspect_err(|error| {
-            // Memory may be there next time, and a processor less busy; a device that the test brought down is not asked again.
-            let fault = match error {
-                Error::OutOfMemory { .. } => false,
-                Error::Timeout { .. } => !gpu.probe.is_cpu(),
-                _ => true,
-            };
-            tried.extend(fault.then(|| (variant, Outcome::Refused(error.to_string()))));
-            record.write(&tried);
-        })?;
-        tried.push((variant, outcome));
+        match outcome {
+            Ok(outcome) => tried.push((variant, outcome)),
+            Err(error) => {
+                if brought_down(gpu, &error) {
+                    tried.push((variant, Outcome::Refused(error.to_string())));
+                }
+                record.write(&tried);
+                return Err(error);
+            }
+        }
     }
     if !untried.is_empty() {
         record.write(&tried);
     }
-    Verdict::of(&tried).ok_or_else(|| {
-        let reasons: Vec<_> = tried.iter().map(|(variant, outcome)| format!("{}: {outcome}", variant.name())).collect();
-        let again = record.path().map_or(String::new(), |path| format!("; to test again, delete {}", path.display()));
-        Error::Lacks { device: gpu.probe.name.clone(), lacks: format!("no sort is right on it ({}{again})", reasons.join("; ")) }
-    })
+    Verdict::of(&tried).ok_or_else(|| no_sort(gpu, &tried, &record))
 }
 
-/// Whether a variant that somebody asked for may be used: what was found of it stands, and what was never tested is tested now.
-pub fn allow(gpu: &Arc<Gpu>, variant: Variant) -> Result<()> {
+fn no_sort(gpu: &Gpu, tried: &[(SortVariant, Outcome)], record: &Record) -> Error {
+    let reasons: Vec<_> = tried
+        .iter()
+        .map(|(variant, outcome)| format!("{}: {outcome}", variant.name()))
+        .collect();
+    Error::NoSort {
+        device: gpu.probe.name.clone(),
+        reasons: reasons.join("; "),
+        record: record.path().map(Path::to_path_buf),
+    }
+}
+
+/// Whether a test that failed is held against the variant: a device that the test brought down is
+/// not asked again. Memory may be there next time, and a CPU less busy.
+fn brought_down(gpu: &Gpu, error: &Error) -> bool {
+    match error {
+        Error::OutOfMemory { .. } => false,
+        Error::Timeout { .. } => !gpu.probe.is_cpu(),
+        _ => true,
+    }
+}
+
+/// Whether a variant that somebody asked for may be used: what was found of it stands, and what was
+/// never tested is tested now.
+pub fn allow(gpu: &Arc<Gpu>, variant: SortVariant) -> Result<()> {
     if gpu.statistics.is_some() {
         // Who asks what a compiler makes of the shaders may have nothing that runs them.
         return Ok(());
     }
-    let mut asked = gpu.asked.lock().unwrap_or_else(PoisonError::into_inner);
-    let outcome = match asked.iter().find(|(known, _)| *known == variant) {
-        Some((_, outcome)) => outcome.clone(),
-        None => {
-            let known = gpu.sort.get().map(|verdict| verdict.tried.clone());
-            let known = known.unwrap_or_else(|| Record::new(gpu, cache::folder().as_deref()).read());
-            match known.into_iter().find(|(known, _)| *known == variant) {
-                Some((_, outcome @ (Outcome::Right(_) | Outcome::Refused(_) | Outcome::Unfinished))) => outcome,
-                Some((_, Outcome::Lacks(_))) | None => {
-                    let outcome = test(gpu, variant)?;
-                    asked.push((variant, outcome.clone()));
-                    outcome
-                }
-            }
-        }
+    let why = match outcome_of(gpu, variant)? {
+        Outcome::Right(_) => return Ok(()),
+        Outcome::Lacks(why) => why,
+        outcome => format!("its test says {outcome}"),
     };
-    let lacks = |why| Error::Lacks { device: gpu.probe.name.clone(), lacks: format!("for {}: {why}", variant.name()) };
-    match outcome {
-        Outcome::Right(_) => Ok(()),
-        Outcome::Lacks(why) => Err(lacks(why)),
-        outcome => Err(lacks(format!("its test says {outcome}"))),
+    Err(Error::Lacks {
+        device: gpu.probe.name.clone(),
+        lacks: format!("for {}: {why}", variant.name()),
+    })
+}
+
+/// How a variant did that somebody asked for, from a test where there was none.
+fn outcome_of(gpu: &Arc<Gpu>, variant: SortVariant) -> Result<Outcome> {
+    let find = |tried: &[(SortVariant, Outcome)]| {
+        let found = tried.iter().find(|(known, _)| *known == variant);
+        found.map(|(_, outcome)| outcome.clone())
+    };
+    let mut asked = gpu
+        .sorts
+        .asked
+        .lock()
+        .unwrap_or_else(PoisonError::into_inner);
+    if let Some(outcome) = find(&asked) {
+        return Ok(outcome);
+    }
+    let known = match gpu.sorts.chosen.get() {
+        Some(verdict) => find(&verdict.tried),
+        None => find(&Record::new(gpu, cache::folder().as_deref()).read()),
+    };
+    match known {
+        // It may lack no more than a use here.
+        Some(Outcome::Lacks(_)) | None => {
+            let outcome = test(gpu, variant)?;
+            asked.push((variant, outcome.clone()));
+            Ok(outcome)
+        }
+        Some(outcome) => Ok(outcome),
     }
 }
 
-/// Why a variant is not even tested: drivers that run on a CPU take a second and more to compile OneSweep, and have no use for it.
-fn needless(gpu: &Gpu, variant: Variant) -> Option<&'static str> {
+/// Why a variant is not even tested: drivers that run on a CPU take a second and more to compile
+/// OneSweep, and have no use for it.
+fn needless(gpu: &Gpu, variant: SortVariant) -> Option<&'static str> {
     let cpu = gpu.probe.is_cpu();
-    (variant == Variant::OneSweep && cpu).then_some("not tested on a CPU, where it takes longer to compile than it could save")
+    (variant == SortVariant::OneSweep && cpu)
+        .then_some("not tested on a CPU, where it takes longer to compile than it could save")
 }
 
 /// Tests one variant, whatever was found before. Fails only where the device can't go on.
-pub fn test(gpu: &Arc<Gpu>, variant: Variant) -> Result<Outcome> {
-    if let Some(lacks) = variant.lacks(gpu) {
+pub fn test(gpu: &Arc<Gpu>, variant: SortVariant) -> Result<Outcome> {
+    if let Some(lacks) = lacks(variant, gpu) {
         return Ok(Outcome::Lacks(lacks.into()));
     }
     match run(gpu, variant) {
         Ok(outcome) => Ok(outcome),
-        Err(error @ (Error::Timeout { .. } | Error::DeviceLost(_) | Error::OutOfMemory { .. })) => Err(error),
+        Err(error @ (Error::Timeout { .. } | Error::DeviceLost(_) | Error::OutOfMemory { .. })) => {
+            Err(error)
+        }
         Err(error) => Ok(Outcome::Refused(error.to_string())),
     }
 }
 
-fn run(gpu: &Arc<Gpu>, variant: Variant) -> Result<Outcome> {
+fn run(gpu: &Arc<Gpu>, variant: SortVariant) -> Result<Outcome> {
     let trial = Trial::new(gpu, KEYS, SortOptions::new(KeyBits::Sixteen, variant))?;
     // Drivers may compile in the first run, which is therefore not held against the variant.
     trial.load(&[7])?;
     trial.run()?;
-    for (name, keys) in hostile(variant.tile()) {
+    for (name, keys) in adversarial(variant.tile()) {
         trial.load(&keys)?;
         let mut times = trial.run()?;
         if let Some(difference) = trial.difference(&keys)? {
@@ -136,7 +219,10 @@ fn run(gpu: &Arc<Gpu>, variant: Variant) -> Result<Outcome> {
             times = trial.run()?;
         }
         if times.wall > PATIENCE {
-            return Ok(Outcome::Refused(format!("{:.1} s for {name}", times.wall.as_secs_f64())));
+            return Ok(Outcome::Refused(format!(
+                "{:.1} s for {name}",
+                times.wall.as_secs_f64()
+            )));
         }
     }
     // The largest keys are still loaded: depths of a body have about that many different values.
@@ -145,7 +231,9 @@ fn run(gpu: &Arc<Gpu>, variant: Variant) -> Result<Outcome> {
     for _ in 0..TIMED {
         best = best.min(trial.run()?.device);
         if let Some(difference) = trial.difference(&keys)? {
-            return Ok(Outcome::Refused(format!("wrong when repeated: {difference}")));
+            return Ok(Outcome::Refused(format!(
+                "wrong when repeated: {difference}"
+            )));
         }
     }
     Ok(match long(gpu, variant)? {
@@ -154,11 +242,14 @@ fn run(gpu: &Arc<Gpu>, variant: Variant) -> Result<Outcome> {
     })
 }
 
-/// What is wrong in a sort of so many long keys that every kernel has its part: pairs, all four passes, sums of sums.
-fn long(gpu: &Arc<Gpu>, variant: Variant) -> Result<Option<String>> {
+/// What is wrong in a sort of so many long keys that every kernel has its part: pairs, all four
+/// passes, sums of sums.
+fn long(gpu: &Arc<Gpu>, variant: SortVariant) -> Result<Option<String>> {
     let count = LONG_TILES * variant.tile();
     let trial = Trial::new(gpu, count, SortOptions::new(KeyBits::ThirtyTwo, variant))?;
-    let keys: Vec<u32> = (0..count).map(|at| at.wrapping_mul(2_654_435_769)).collect();
+    let keys: Vec<u32> = (0..count)
+        .map(|at| at.wrapping_mul(2_654_435_769))
+        .collect();
     trial.load(&keys)?;
     trial.run()?;
     trial.difference(&keys)
@@ -175,20 +266,39 @@ fn spread() -> Keys {
     ("spread keys", (0..KEYS).map(scramble).collect())
 }
 
-/// Keys that tempt a sort to fail, the largest set last.
-fn hostile(tile: u32) -> Vec<Keys> {
-    let drop = |at: u32, key: u32| if scramble(at ^ 0x5555).is_multiple_of(3) { SORT_DROPPED } else { key };
+/// Sets of keys that are likely to show an error, the largest last.
+fn adversarial(tile: u32) -> Vec<Keys> {
+    let drop = |at: u32, key: u32| {
+        if scramble(at ^ 0x5555).is_multiple_of(3) {
+            SORT_CULLED
+        } else {
+            key
+        }
+    };
     let several = 3 * tile;
     vec![
         ("one key", vec![7]),
-        ("no survivors", vec![SORT_DROPPED; 1000]),
+        ("no survivors", vec![SORT_CULLED; 1000]),
         ("a tile less one", (0..tile - 1).map(scramble).collect()),
         ("a tile and one", (0..=tile).map(scramble).collect()),
         ("equal keys", vec![0xffff; several as usize]),
         ("falling keys", (0..several).rev().collect()),
-        ("one digit", (0..several).map(|at| scramble(at) & 0xff00 | 0x7f).collect()),
-        ("alternating keys", (0..several).map(|at| if at % 2 == 0 { 0 } else { 0xffff }).collect()),
-        ("dropped keys", (0..KEYS).map(|at| drop(at, scramble(at))).collect()),
+        (
+            "one digit",
+            (0..several)
+                .map(|at| scramble(at) & 0xff00 | 0x7f)
+                .collect(),
+        ),
+        (
+            "alternating keys",
+            (0..several)
+                .map(|at| if at % 2 == 0 { 0 } else { 0xffff })
+                .collect(),
+        ),
+        (
+            "dropped keys",
+            (0..KEYS).map(|at| drop(at, scramble(at))).collect(),
+        ),
         spread(),
     ]
 }

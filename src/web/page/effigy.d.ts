@@ -1,17 +1,20 @@
-/** Draws animatable avatars of Gaussians on a canvas, through WebGPU. */
+/** Draws animatable avatars of 3D Gaussians on a canvas, with WebGPU. */
 
 /** A URL, a file, or the bytes themselves. */
 export type Source = string | URL | Blob | ArrayBuffer | Uint8Array;
 
-/** From where the avatar is seen: around a point. Numbers that can't be looked through are a RangeError and change nothing. */
+/**
+ * A camera that looks at a point. Assigning numbers that nothing can be drawn with throws a
+ * RangeError and changes nothing.
+ */
 export interface Camera {
-  /** What is looked at, metres; y is up, the avatar faces +z. */
+  /** The point that the camera looks at, metres; y is up, the avatar faces +z. */
   target: [number, number, number];
-  /** Radians around the avatar: 0 sees its front, growing towards its left. */
+  /** Angle around the avatar, radians: 0 sees its front, larger ones its left. */
   yaw: number;
-  /** Radians above the horizon; beyond ±1.55 it is drawn as if it were that. */
+  /** Angle above the horizon, radians. It is drawn as if limited to ±1.55. */
   pitch: number;
-  /** Metres from the target, 0.001 to 1e9. */
+  /** Distance from the target, metres, 0.001 to 1e9. */
   distance: number;
   /** Vertical field of view, radians, 0.001 to 3.1. */
   fov: number;
@@ -19,115 +22,152 @@ export interface Camera {
 
 export interface Options {
   camera?: Partial<Camera>;
-  /** Pixels of the canvas in one of the page's, at most; 2 unless given. */
+  /** Most pixels of the canvas for one of the page's, a side; 2 by default. */
   maxPixelRatio?: number;
 }
 
 export interface LoadOptions {
-  /** Told how many bytes have come, and of how many where the server says it. */
+  /**
+   * Called with the number of bytes that have arrived, and with their total if the server says it.
+   */
   onProgress?: (loaded: number, total?: number) => void;
+  /** Aborts loading. */
   signal?: AbortSignal;
 }
 
+/** The avatar that is shown, and its clips. */
 export interface Description {
   name: string;
   credit: string;
   gaussians: number;
   parts: number;
   nodes: number;
-  /** Correctives kept: of rotation, scale and colour. */
+  /** Rows of the correctives' basis after pruning: of rotation, scale and colour. */
   rows: [number, number, number];
-  /** The skeleton's joints, in the order that poses have them. */
+  /** Names of the skeleton's joints, in the order of poses. */
   joints: string[];
   /** Numbers of an expression. */
   expression: number;
-  /** Lower and upper corner of a box around the avatar as it stood when it was described, metres: by `loadAvatar`, `loadMotion`, `frameAvatar`. */
+  /**
+   * Lower and upper corner of a box around the avatar, metres. It is for the pose at the last call
+   * of `loadAvatar`, `loadMotion` or `frameAvatar`.
+   */
   bounds: [[number, number, number], [number, number, number]];
-  clips: { name: string; /** seconds */ duration: number }[];
+  clips: {
+    name: string;
+    /** Seconds. */
+    duration: number;
+  }[];
 }
 
 export interface Pose {
-  /** Axis-angle rotation of each joint against its parent, radians: 3 numbers a joint. */
+  /** Rotation of each joint against its parent, axis-angle, radians: three numbers a joint. */
   rotation: ArrayLike<number>;
-  /** Of the root, metres, at most 10,000: 3 numbers. */
+  /** Translation of the root, metres, three numbers of at most 10,000; 0 by default. */
   translation?: ArrayLike<number>;
-  /** At most `description.expression` numbers; the others are 0. */
+  /** At most `description.expression` numbers; the missing ones are 0. */
   expression?: ArrayLike<number>;
 }
 
 export interface Statistics {
-  /** Median time from frame to frame of the last 240 drawn, ms. Pauses in which nothing had to be drawn do not count. */
+  /**
+   * Median time from one frame to the next, of the last 240 frames, ms. Pauses in which nothing had
+   * to be drawn do not count.
+   */
   frameMs?: number;
+  /** 95th percentile of the same times, ms. */
   p95Ms?: number;
+  /** Mean rate of the same frames. */
   fps: number;
+  /** The device's name. */
   device?: string;
-  /** How splats are drawn: `hulls` or `tiles`. */
+  /** The method that rasterizes splats. */
   raster?: string;
-  /** The device's time for each stage, ms; empty where the browser does not tell. */
+  /** GPU time of each stage, ms; empty if the browser does not report it. */
   stages?: Record<string, number>;
   counters?: Record<string, number>;
-  /** All that it is drawn with, as in the reports of `effigy bench`. */
+  /** The renderer's options, in the form of the reports of `effigy bench`. */
   options?: Record<string, string | number>;
-  /** Of Effigy. */
+  /** Effigy's version. */
   version?: string;
 }
 
-/** Whether this browser has WebGPU. A device may still be missing: then `create` fails. */
+/** Whether this browser has WebGPU. It may still have no device: then `create` fails. */
 export function isSupported(): boolean;
 
 /** There is no WebGPU, or no device for it. */
 export class Unsupported extends Error {}
 
 /**
- * An avatar on a canvas. It draws when something has changed and the canvas can be seen, follows the canvas's size and the screen's pixel ratio,
- * and opens a lost device again by itself. Events: `frame` after each one drawn, `play`, `pause`, `lost`, `restored`, and `error` (a CustomEvent
- * whose detail is the Error): nothing more is drawn before something is changed. A device that is lost five times in a minute, or can't be had
- * for some seconds, is such an error too: the next `loadAvatar` tries again.
+ * An avatar on a canvas. It draws a frame when something has changed and the canvas can be seen,
+ * follows the canvas's size and the screen's pixel ratio, and replaces a lost device.
+ *
+ * Events:
+ * - `frame` after each frame.
+ * - `play` and `pause`.
+ * - `lost` and `restored`: the device was lost, or replaced.
+ * - `error`, a CustomEvent whose `detail` is the Error. Nothing more is drawn until something is
+ *   changed. A device that is lost five times in a minute, or can't be replaced for some seconds,
+ *   is such an error: the next `loadAvatar` tries again.
  */
 export class Effigy extends EventTarget {
+  /** Opens a device for a canvas. Throws Unsupported if there is none. */
   static create(canvas: HTMLCanvasElement, options?: Options): Promise<Effigy>;
   /**
-   * Takes the place of the avatar there is, which stays where loading fails, and pauses. Of several the last asked for is shown, the others
-   * fail with an AbortError. Clips go with the avatar. `frame: false` leaves the camera.
-   * Of a URL whose file comes slowly the avatar is shown without its correctives as soon as it can be, then as a whole, with clip, time and
-   * camera kept; should the rest not come, the avatar from before comes back.
+   * Replaces the avatar and its clips, and pauses. If loading fails, the current avatar stays. Of
+   * several requests only the last one is shown: the others fail with an AbortError. With
+   * `frame: false` the camera stays.
+   *
+   * If the file of a URL arrives slowly, the avatar is shown without its correctives as soon as
+   * possible, then with them; clip, time and camera stay. If the rest does not arrive, the avatar
+   * from before comes back.
    */
   loadAvatar(source: Source, options?: LoadOptions & { frame?: boolean }): Promise<Description>;
   /**
-   * Adds a clip and plays it; gives its number. It is for the avatar that was asked for last, and may be asked for before that one has come: if
-   * that one never comes, or another has, it fails with an AbortError.
+   * Adds a clip and plays it. Returns its index. The clip is for the avatar that was requested last,
+   * which may still be loading. If that one fails or is replaced, this fails with an AbortError.
    */
   loadMotion(source: Source, options?: LoadOptions & { play?: boolean }): Promise<number>;
+  /** Plays the current clip, or the one with an index. */
   play(clip?: number): void;
   pause(): void;
-  /** Drives the avatar live, at any rate; between poses it is interpolated. A pose that can't be drawn is a RangeError and changes nothing. */
+  /**
+   * Drives the avatar live, at any rate; it is interpolated between poses. A pose that can't be
+   * drawn is a RangeError and changes nothing.
+   */
   setPose(pose: Pose): void;
-  /** Looks at all of the avatar. */
+  /** Moves the camera so that all of the avatar is visible. */
   frameAvatar(): void;
-  /** The canvas as a PNG, even where it can't be seen; fails where nothing can be drawn. */
+  /** The next frame as a PNG, even if the canvas can't be seen. Fails if nothing can be drawn. */
   screenshot(): Promise<Blob>;
-  /** Loses the device on purpose, to test what follows. */
+  /** Loses the device on purpose, for tests. */
   loseDevice(): void;
-  /** Gives everything back, the device's memory too; what is under way fails. */
+  /** Frees everything, on the device too. Calls under way fail. */
   dispose(): void;
   readonly description: Description;
   readonly clips: Description["clips"];
+  /** Index of the clip that is shown. */
   readonly clip: number;
-  /** Of the clip, seconds. */
+  /** Length of the clip, seconds. */
   readonly duration: number;
   readonly playing: boolean;
-  /** Seconds into the clip. */
+  /** Time in the clip, seconds. */
   get time(): number;
-  /** What is no number is a RangeError. */
+  /** Throws a RangeError for NaN and infinities. */
   set time(seconds: number);
+  /** Whether the clip starts again at its end. */
   loop: boolean;
   /** Speed: 1 is as captured, negative is backwards. */
   rate: number;
   get camera(): Camera;
+  /** Changes the given properties only. */
   set camera(camera: Partial<Camera>);
-  /** Whether networks see poses as the nearest ones that the avatar knows (as at first), or as they are. */
+  /**
+   * Whether the networks get each pose projected onto the training poses, as they do at first, or
+   * as it is.
+   */
   set projection(on: boolean);
-  /** Red, green and blue behind the avatar, 0 to 1. */
+  /** Colour behind the avatar: red, green and blue, 0 to 1. */
   set background(color: [number, number, number]);
   readonly statistics: Statistics;
 }

@@ -1,146 +1,265 @@
-// Effigy in a page: `const effigy = await Effigy.create(canvas); await effigy.loadAvatar("demo.avatar");`. effigy.d.ts says all of it.
-import { Drawn, Stage } from "./effigy_core.js";
-import { Unsupported, firstScreen, isBroken, isSupported, loaded, told } from "./core.js";
-import { Devices } from "./devices.js";
+// An avatar in a page:
+//
+//     const effigy = await Effigy.create(canvas);
+//     await effigy.loadAvatar("demo.avatar");
+//
+// effigy.d.ts describes all of it.
+import { DEFAULT_CAMERA, checkedCamera, fitCanvas, framing } from "./camera.js";
+import { DeviceRecovery } from "./device_recovery.js";
+import { readBytes } from "./download.js";
+import { AvatarCanvas, Drawn } from "./effigy_core.js";
+import { FrameTimes } from "./frame_times.js";
 import { Loader } from "./loader.js";
+import {
+  Unsupported,
+  isSupported,
+  loadModule,
+  moduleFailure,
+  openSurface,
+  pageError,
+} from "./module.js";
 import { Playback } from "./playback.js";
-import { aborted, bytesOf, within } from "./source.js";
-import { Shots } from "./shots.js";
-import { Times } from "./times.js";
-import { VIEW, checkedCamera, fit, framing } from "./view.js";
-import { Watched } from "./watched.js";
+import { Screenshots } from "./screenshots.js";
+import { abortError, checkedNumber } from "./validate.js";
+import { Visibility } from "./visibility.js";
 
 export { Unsupported, isSupported };
 
-const GONE = "this avatar's canvas was disposed of";
+const DISPOSED = "this avatar's canvas was disposed of";
+/** A live pose is interpolated for this long, ms: frames are drawn meanwhile. */
+const LIVE_POSE_MS = 300;
+/** Pause before a frame for a screenshot of a canvas that can't be seen, ms. */
+const UNSEEN_FRAME_MS = 20;
+/** The box to show before an avatar is loaded, metres. */
+const DEFAULT_BOUNDS = [
+  [-0.5, 0, -0.5],
+  [0.5, 1.8, 0.5],
+];
+
+const toFloat32 = (list) => (list instanceof Float32Array ? list : Float32Array.from(list));
 
 export class Effigy extends EventTarget {
-  #stage; #canvas; #pixels; #longest = 8192; #camera; #described = {}; #disposed = false;
-  #playback = new Playback(); #live = 0;
-  #request = 0; #timer = 0; #watched; #times = new Times(); #shots = new Shots(); #drew = new Event("frame");
-  // The ticket of the avatar that is shown.
-  #shown = 0; #loader = new Loader({
-    open: () => this.#open(), ready: () => this.#ready(), lost: () => this.#recover(), stage: () => this.#fitted(),
-    save: () => [this.#shown, this.#playback, this.#camera], revert: (ticket, before) => this.#revert(ticket, before),
-    arrived: (ticket, frame) => this.#arrived(ticket, frame), completed: () => { this.#describe(); this.#changed(); },
-  });
-  #devices; #recovery; #failed; #gone = false;
+  #canvas;
+  #maxPixelRatio;
+  /** The device's limit for a canvas, px a side. */
+  #maxSide = 8192;
+  /** The module's AvatarCanvas. */
+  #view;
+  #camera;
+  #description = {};
+  /** The ticket of the avatar that is shown; 0 if there is none. */
+  #shownTicket = 0;
+  #playback = new Playback();
+  /** When the last live pose came, ms; 0 if a clip is shown. */
+  #livePoseAt = 0;
 
-  // Bound once: a frame makes no functions.
-  #onFrame = (now) => { this.#request = 0; this.#frame(now); };
-  #onTimer = () => { this.#timer = 0; this.#frame(performance.now()); };
+  // Frames.
+  #frameRequest = 0;
+  #timer = 0;
+  #visibility;
+  #frameTimes = new FrameTimes();
+  #screenshots = new Screenshots();
+  #disposed = false;
+  /** The error that stopped drawing, until something changes. */
+  #failure;
+
+  // The device.
+  #deviceRecovery;
+  /** A promise that resolves once the lost device is replaced, or has been given up. */
+  #recovery;
+  /** The device was lost for good: only another avatar asks for a new one. */
+  #deviceGivenUp = false;
+
+  #loader = new Loader({
+    checkOpen: () => this.#checkOpen(),
+    deviceReady: () => this.#deviceReady(),
+    isDeviceLost: () => this.#recoverIfLost(),
+    fittedView: () => this.#fittedView(),
+    saveState: () => this.#saveState(),
+    avatarShown: (ticket, frame) => this.#avatarShown(ticket, frame),
+    avatarCompleted: () => this.#avatarCompleted(),
+    revert: (ticket, state) => this.#revert(ticket, state),
+  });
+
+  // Created once, so that a frame creates no garbage.
+  #frameEvent = new Event("frame");
+  #onFrame = (now) => {
+    this.#frameRequest = 0;
+    this.#frame(now);
+  };
+  #onTimer = () => {
+    this.#timer = 0;
+    this.#frame(performance.now());
+  };
 
   static async create(canvas, options = {}) {
     if (!isSupported()) throw new Unsupported();
     const effigy = new Effigy();
     effigy.#canvas = canvas;
-    effigy.#pixels = within("maxPixelRatio", options.maxPixelRatio ?? 2, 0.01, 16);
-    effigy.#camera = checkedCamera({ ...VIEW, ...options.camera });
-    await loaded();
-    effigy.#begin(await firstScreen(canvas));
+    effigy.#maxPixelRatio = checkedNumber("maxPixelRatio", options.maxPixelRatio ?? 2, 0.01, 16);
+    effigy.#camera = checkedCamera({ ...DEFAULT_CAMERA, ...options.camera });
+    await loadModule();
+    effigy.#start(await openSurface(canvas));
     return effigy;
   }
 
-  #begin(screen) {
-    this.#longest = screen.longest();
-    this.#fitted();
-    this.#devices = new Devices(this.#canvas, () => this.#recover());
-    this.#stage = new Stage(this.#devices.follow(screen));
-    this.#look();
-    this.#watched = new Watched(this.#canvas, (seen) => this.#see(seen));
-    this.#wake();
+  #start(surface) {
+    this.#maxSide = surface.max_side();
+    this.#fittedView();
+    this.#deviceRecovery = new DeviceRecovery(this.#canvas, () => this.#recoverIfLost());
+    this.#view = new AvatarCanvas(this.#deviceRecovery.watch(surface));
+    this.#applyCamera();
+    this.#visibility = new Visibility(this.#canvas, {
+      onVisibility: () => this.#visibilityChanged(),
+      onSize: () => this.#requestFrame(),
+    });
+    this.#requestFrame();
   }
 
+  /** Throws if nothing can be drawn any more. */
+  #checkOpen() {
+    if (this.#disposed) throw new Error(DISPOSED);
+    if (moduleFailure()) throw moduleFailure();
+  }
+
+  /** Calls the module, and turns its errors into ones for the page. */
+  #call(act) {
+    try {
+      return act();
+    } catch (error) {
+      throw pageError(error);
+    }
+  }
+
+  /** The view, with the size of its canvas. */
+  #fittedView() {
+    fitCanvas(this.#canvas, this.#maxPixelRatio, this.#maxSide);
+    this.#view?.resize();
+    return this.#view;
+  }
+
+  // Avatars and clips.
+
   async loadAvatar(source, options) {
-    this.#open();
+    this.#checkOpen();
     await this.#loader.load(source, options);
     return this.description;
   }
 
-  /** Kept once there is a device; one that was given up is asked for again. */
-  async #ready() {
-    if (this.#gone) {
-      [this.#gone, this.#failed] = [false, undefined];
-      this.#devices.forgive();
-      this.#recover();
-    }
-    await this.#recovery;
-    if (this.#gone) throw this.#failed;
+  async loadMotion(source, { onProgress, signal, play = true } = {}) {
+    this.#checkOpen();
+    // The clip is for the avatar that is loading, if there is one.
+    const request = this.#loader.current;
+    const ticket = request ? request.ticket : this.#shownTicket;
+    const bytes = await readBytes(source, { onProgress, signal });
+    await request?.shown.catch(() => {
+      throw abortError("the avatar that this clip was for could not be loaded");
+    });
+    this.#checkOpen();
+    signal?.throwIfAborted();
+    if (this.#shownTicket !== ticket) throw abortError("another avatar is shown by now");
+    const index = this.#call(() => this.#view.add_clip(bytes));
+    this.#describe();
+    if (play) this.play(index);
+    return index;
   }
 
-  #fitted() {
-    fit(this.#canvas, this.#pixels, this.#longest);
-    this.#stage?.resize();
-    return this.#stage;
+  #saveState() {
+    return { ticket: this.#shownTicket, playback: this.#playback, camera: this.#camera };
   }
 
-  /** An avatar was put in the place of another. */
-  #arrived(ticket, frame) {
+  /** Another avatar is shown, without clips. */
+  #avatarShown(ticket, frame) {
     const { playing, loop, rate } = this.#playback;
     this.#playback = Object.assign(new Playback(), { loop, rate });
-    [this.#shown, this.#live] = [ticket, 0];
+    this.#shownTicket = ticket;
+    this.#livePoseAt = 0;
     if (playing) this.pause();
     this.#describe();
     if (frame) this.frameAvatar();
     this.#changed();
   }
 
-  /** The rest of an avatar did not come: the one from before does. */
-  #revert(ticket, [shown, playback, camera]) {
-    if (this.#disposed || this.#shown !== ticket) return;
-    this.#stage.revert();
-    [this.#shown, this.#playback, this.#live] = [shown, playback, 0];
+  #avatarCompleted() {
     this.#describe();
-    this.camera = camera;
-    this.dispatchEvent(new Event(playback.playing ? "play" : "pause"));
-  }
-
-  async loadMotion(source, { onProgress, signal, play = true } = {}) {
-    this.#open();
-    const { ticket, shown: avatar } = this.#loader.loading ?? { ticket: this.#shown };
-    const bytes = await bytesOf(source, onProgress, signal);
-    await avatar?.catch(() => { throw aborted("the avatar that this clip was for is not there"); });
-    this.#open();
-    signal?.throwIfAborted();
-    if (this.#shown !== ticket) throw aborted("another avatar has come meanwhile");
-    const number = this.#call(() => this.#stage.add_clip(bytes));
-    this.#describe();
-    if (play) this.play(number);
-    return number;
-  }
-
-  #open() {
-    if (this.#disposed) throw new Error(GONE);
-    if (isBroken()) throw isBroken();
-  }
-  #call(act) { try { return act(); } catch (error) { throw told(error); } }
-  #describe() { this.#described = JSON.parse(this.#call(() => this.#stage.describe())); }
-
-  get description() { return this.#described; }
-  get clips() { return this.#described.clips ?? []; }
-  get clip() { return this.#playback.clip; }
-  get duration() { return this.#described.clips?.[this.#playback.clip]?.duration ?? 0; }
-  get playing() { return this.#playback.playing; }
-  get time() { return this.#playback.time; }
-  set time(seconds) {
-    this.#open();
-    this.#playback.time = within("the time", seconds, -1e9, 1e9);
-    this.#stage.seek(this.clip, seconds);
-    this.#live = 0;
     this.#changed();
   }
-  get loop() { return this.#playback.loop; }
-  set loop(loop) { this.#playback.loop = Boolean(loop); }
-  get rate() { return this.#playback.rate; }
-  set rate(rate) { this.#playback.rate = within("the rate", rate, -1000, 1000); }
+
+  /** The rest of an avatar's file did not come: shows the avatar from before again. */
+  #revert(ticket, state) {
+    if (this.#disposed || this.#shownTicket !== ticket) return;
+    this.#view.revert();
+    this.#shownTicket = state.ticket;
+    this.#playback = state.playback;
+    this.#livePoseAt = 0;
+    this.#describe();
+    this.camera = state.camera;
+    this.dispatchEvent(new Event(state.playback.playing ? "play" : "pause"));
+  }
+
+  #describe() {
+    this.#description = JSON.parse(this.#call(() => this.#view.describe()));
+  }
+
+  get description() {
+    return this.#description;
+  }
+
+  get clips() {
+    return this.#description.clips ?? [];
+  }
+
+  // Playback and live poses.
+
+  get clip() {
+    return this.#playback.clip;
+  }
+
+  get duration() {
+    return this.#description.clips?.[this.#playback.clip]?.duration ?? 0;
+  }
+
+  get playing() {
+    return this.#playback.playing;
+  }
+
+  get time() {
+    return this.#playback.time;
+  }
+
+  set time(seconds) {
+    this.#checkOpen();
+    this.#playback.time = checkedNumber("the time", seconds, -1e9, 1e9);
+    this.#view.seek(this.clip, seconds);
+    this.#livePoseAt = 0;
+    this.#changed();
+  }
+
+  get loop() {
+    return this.#playback.loop;
+  }
+
+  set loop(loop) {
+    this.#playback.loop = Boolean(loop);
+  }
+
+  get rate() {
+    return this.#playback.rate;
+  }
+
+  set rate(rate) {
+    this.#playback.rate = checkedNumber("the rate", rate, -1000, 1000);
+  }
 
   play(clip = this.clip) {
-    this.#open();
-    if (!(clip in this.clips)) throw new RangeError(`there is no clip ${clip}: ${this.clips.length} are loaded`);
-    const again = clip !== this.clip || (!this.loop && this.time >= this.duration);
+    this.#checkOpen();
+    if (!(clip in this.clips)) {
+      throw new RangeError(`there is no clip ${clip}: ${this.clips.length} are loaded`);
+    }
+    const fromStart = clip !== this.clip || (!this.loop && this.time >= this.duration);
     this.#playback.clip = clip;
-    this.time = again ? 0 : this.time;
-    this.#playback.start();
+    this.time = fromStart ? 0 : this.time;
+    this.#playback.play();
     this.dispatchEvent(new Event("play"));
   }
 
@@ -150,155 +269,202 @@ export class Effigy extends EventTarget {
   }
 
   setPose({ rotation, translation = [0, 0, 0], expression = [] }) {
-    this.#open();
-    const numbers = (list) => (list instanceof Float32Array ? list : Float32Array.from(list)), now = performance.now();
-    this.#call(() => this.#stage.set_pose(now, numbers(rotation), numbers(translation), numbers(expression)));
-    this.#live = now;
+    this.#checkOpen();
+    const now = performance.now();
+    this.#call(() =>
+      this.#view.set_pose(now, toFloat32(rotation), toFloat32(translation), toFloat32(expression)),
+    );
+    this.#livePoseAt = now;
     if (this.playing) this.pause();
     this.#changed();
   }
 
-  get camera() { return { ...this.#camera, target: [...this.#camera.target] }; }
+  // The view.
+
+  get camera() {
+    return { ...this.#camera, target: [...this.#camera.target] };
+  }
+
   set camera(camera) {
-    this.#open();
+    this.#checkOpen();
     this.#camera = checkedCamera({ ...this.#camera, ...camera });
-    this.#look();
+    this.#applyCamera();
     this.#changed();
   }
-  #look() {
-    const { target: [x, y, z], yaw, pitch, distance, fov } = this.#camera;
-    this.#stage.set_camera(x, y, z, yaw, pitch, distance, fov);
+
+  #applyCamera() {
+    const { target, yaw, pitch, distance, fov } = this.#camera;
+    this.#view.set_target(target[0], target[1], target[2]);
+    this.#view.set_orbit(yaw, pitch, distance);
+    this.#view.set_fov(fov);
   }
 
   frameAvatar() {
-    this.#open();
+    this.#checkOpen();
     this.#describe();
-    const bounds = this.#described.bounds ?? [[-0.5, 0, -0.5], [0.5, 1.8, 0.5]];
+    const bounds = this.#description.bounds ?? DEFAULT_BOUNDS;
     this.camera = framing(bounds, this.#camera.fov, this.#canvas.width / this.#canvas.height);
   }
 
   set projection(on) {
-    this.#open();
-    this.#stage.set_projection(Boolean(on));
+    this.#checkOpen();
+    this.#view.set_projection(Boolean(on));
     this.#changed();
   }
 
   set background(color) {
-    this.#open();
-    const [red, green, blue] = Array.from(color, (channel) => within("the background", channel, 0, 1));
-    this.#stage.set_background(red, green, within("the background", blue, 0, 1));
+    this.#checkOpen();
+    const checked = (channel) => checkedNumber("the background", channel, 0, 1);
+    const [red, green, blue] = Array.from(color, checked);
+    this.#view.set_background(red, green, checked(blue));
     this.#changed();
   }
 
   get statistics() {
-    const core = this.#disposed || isBroken() ? {} : JSON.parse(this.#stage.statistics());
-    return { ...this.#times.summary, ...core };
+    const isDrawable = !this.#disposed && !moduleFailure();
+    const ofModule = isDrawable ? JSON.parse(this.#view.statistics()) : {};
+    return { ...this.#frameTimes.summary, ...ofModule };
   }
 
   async screenshot() {
-    this.#open();
-    if (this.#failed) throw this.#failed;
-    if (!this.#shown) throw new Error("there is no avatar yet to take a picture of: load one first");
-    const shot = this.#shots.next();
-    this.#stage.redraw();
-    this.#wake();
-    return shot;
-  }
-
-  loseDevice() {
-    this.#open();
-    this.#stage.lose();
+    this.#checkOpen();
+    if (this.#failure) throw this.#failure;
+    if (!this.#shownTicket) {
+      throw new Error("there is no avatar yet to take a screenshot of: load one first");
+    }
+    const screenshot = this.#screenshots.request();
+    this.#view.redraw();
+    this.#requestFrame();
+    return screenshot;
   }
 
   dispose() {
     if (this.#disposed) return;
     this.#disposed = true;
-    cancelAnimationFrame(this.#request);
+    cancelAnimationFrame(this.#frameRequest);
     clearTimeout(this.#timer);
-    this.#watched.stop();
-    this.#shots.refuse(new Error(GONE));
-    this.#loader.stop(GONE);
-    if (isBroken()) return;
-    this.#stage.lose();
-    this.#stage.free();
+    this.#visibility.stop();
+    this.#screenshots.reject(new Error(DISPOSED));
+    this.#loader.stop(DISPOSED);
+    if (moduleFailure()) return;
+    this.#view.close_device();
+    this.#view.free();
   }
 
-  #see(other) {
-    if (other) {
-      // Where nobody sees it no frame is called for: pictures must not wait for one.
-      cancelAnimationFrame(this.#request);
-      this.#request = 0;
-      this.#times.idle();
-    }
-    this.#wake();
-  }
+  // Frames.
 
-  /** Something is other than what a frame failed with. */
+  /** Something has changed, so a frame that failed may now succeed. */
   #changed() {
-    if (!this.#gone) this.#failed = undefined;
-    this.#wake();
+    if (!this.#deviceGivenUp) this.#failure = undefined;
+    this.#requestFrame();
   }
 
-  #wake() {
-    if (this.#request || this.#timer || this.#disposed || this.#recovery || this.#failed || isBroken()) return;
-    this.#times.wake();
-    if (this.#watched.seen) this.#request = requestAnimationFrame(this.#onFrame);
-    // A picture that was asked for is made all the same.
-    else if (this.#shots.wanted) this.#timer = setTimeout(this.#onTimer, 20);
+  #visibilityChanged() {
+    // The browser may never call for a frame of a canvas that can't be seen, but a screenshot must
+    // not wait for that.
+    cancelAnimationFrame(this.#frameRequest);
+    this.#frameRequest = 0;
+    this.#frameTimes.startPause();
+    this.#requestFrame();
+  }
+
+  #canDraw() {
+    return !this.#disposed && !this.#recovery && !this.#failure && !moduleFailure();
+  }
+
+  #requestFrame() {
+    const isRequested = this.#frameRequest || this.#timer;
+    if (isRequested || !this.#canDraw()) return;
+    this.#frameTimes.wake();
+    if (this.#visibility.isVisible) {
+      this.#frameRequest = requestAnimationFrame(this.#onFrame);
+    } else if (this.#screenshots.areWanted) {
+      this.#timer = setTimeout(this.#onTimer, UNSEEN_FRAME_MS);
+    }
+  }
+
+  #frame(now) {
+    if (!this.#canDraw()) return;
+    if (!this.#visibility.isVisible && !this.#screenshots.areWanted) return;
+    try {
+      if (!this.#recoverIfLost()) this.#draw(now);
+    } catch (error) {
+      const failure = pageError(error);
+      if (moduleFailure() || !this.#recoverIfLost()) this.#fail(failure);
+    }
+  }
+
+  #draw(now) {
+    this.#fittedView();
+    if (this.playing) this.#advance(now);
+    // A listener of `pause` may have disposed of it.
+    if (this.#disposed) return;
+    const drawn = this.#view.draw(performance.now());
+    if (drawn === Drawn.Frame) {
+      this.#frameTimes.frameDrawn(now);
+      if (this.#screenshots.areWanted) this.#screenshots.take(this.#canvas);
+      this.dispatchEvent(this.#frameEvent);
+    } else if (drawn === Drawn.Nothing) {
+      this.#frameTimes.startPause();
+    }
+    const isLive = now - this.#livePoseAt < LIVE_POSE_MS;
+    if (this.playing || isLive || drawn === Drawn.Later) this.#requestFrame();
+    if (!this.#frameRequest) this.#frameTimes.rest();
   }
 
   #advance(now) {
     if (this.#playback.advance(now, this.duration)) this.pause();
-    if (!this.#disposed) this.#stage.seek(this.clip, this.time);
+    if (!this.#disposed) this.#view.seek(this.clip, this.time);
   }
 
-  #frame(now) {
-    if (this.#disposed || this.#recovery || this.#failed || isBroken()) return;
-    if (!this.#watched.seen && !this.#shots.wanted) return;
-    try {
-      if (this.#recover()) return;
-      this.#fitted();
-      if (this.playing) this.#advance(now);
-      if (this.#disposed) return;
-      const drawn = this.#stage.draw(performance.now());
-      if (drawn === Drawn.Frame) {
-        this.#times.drew(now);
-        if (this.#shots.wanted) this.#shots.take(this.#canvas);
-        this.dispatchEvent(this.#drew);
-      } else if (drawn === Drawn.Nothing) this.#times.idle();
-      if (this.playing || now - this.#live < 300 || drawn === Drawn.Later) this.#wake();
-      if (!this.#request) this.#times.rest();
-    } catch (error) {
-      const reason = told(error);
-      if (isBroken() || !this.#recover()) this.#fail(reason);
-    }
-  }
-
+  /** Stops drawing until something changes. */
   #fail(error) {
-    this.#failed = error;
-    this.#shots.refuse(error);
+    this.#failure = error;
+    this.#screenshots.reject(error);
     this.dispatchEvent(new CustomEvent("error", { detail: error }));
   }
 
-  /** Whether the device is lost: then another is on its way. */
-  #recover() {
-    if (this.#disposed || isBroken() || !this.#stage?.is_lost()) return false;
-    if (!this.#gone) this.#recovery ??= this.#reopen().finally(() => { this.#recovery = undefined; this.#wake(); });
+  // The device.
+
+  loseDevice() {
+    this.#checkOpen();
+    this.#view.close_device();
+  }
+
+  /** Resolves once there is a device. Asks again for one that was given up. */
+  async #deviceReady() {
+    if (this.#deviceGivenUp) {
+      this.#deviceGivenUp = false;
+      this.#failure = undefined;
+      this.#deviceRecovery.forgive();
+      this.#recoverIfLost();
+    }
+    await this.#recovery;
+    if (this.#deviceGivenUp) throw this.#failure;
+  }
+
+  /** Returns whether the device is lost. Then it asks for another one. */
+  #recoverIfLost() {
+    if (this.#disposed || moduleFailure() || !this.#view?.is_lost()) return false;
+    if (!this.#deviceGivenUp) this.#recovery ??= this.#recover();
     return true;
   }
 
-  async #reopen() {
+  async #recover() {
     this.dispatchEvent(new Event("lost"));
-    const adopt = (screen) => {
-      this.#longest = screen.longest();
-      this.#stage.adopt(screen);
+    const replace = (surface) => {
+      this.#maxSide = surface.max_side();
+      this.#view.replace_device(surface);
       this.dispatchEvent(new Event("restored"));
     };
     try {
-      await this.#devices.reopen(adopt, () => !this.#disposed);
+      await this.#deviceRecovery.reopen(replace, () => !this.#disposed);
     } catch (error) {
-      this.#gone = true;
-      if (!this.#disposed) this.#fail(told(error));
+      this.#deviceGivenUp = true;
+      if (!this.#disposed) this.#fail(pageError(error));
+    } finally {
+      this.#recovery = undefined;
+      this.#requestFrame();
     }
   }
 }

@@ -1,90 +1,139 @@
-// Avatars come: of several the last asked for, its neutral look first where the rest takes a while.
-import { isBroken, told } from "./core.js";
-import { Early } from "./early.js";
-import { aborted, bytesOf } from "./source.js";
+// Loads avatars. Only the last one requested is shown, first without its correctives if the rest of
+// its file takes a while.
+import { readBytes } from "./download.js";
+import { isPanic, moduleFailure, pageError } from "./module.js";
+import { Preview } from "./preview.js";
+import { abortError } from "./validate.js";
 
 /**
- * What a loader asks of the one it loads for: `open()` throws where nothing can be shown any more, `ready()` is kept once there is a device,
- * `lost()` says whether there is none, `stage()` is fitted to its canvas, `save()` gives what `revert` takes, `arrived(ticket, frame)` is
- * told that another avatar is there, `completed()` that it has all of its file.
+ * What a loader needs of the view that it loads for:
+ * - `checkOpen()` throws if nothing can be shown any more.
+ * - `deviceReady()` resolves once there is a device.
+ * - `isDeviceLost()` returns whether there is none, and then asks for another.
+ * - `fittedView()` returns the module's `AvatarCanvas`, with the size of its canvas.
+ * - `saveState()` returns what `revert` needs.
+ * - `avatarShown(ticket, frame)`: another avatar is shown. `frame`: the camera should show all of
+ *   it.
+ * - `avatarCompleted()`: the avatar has its correctives.
+ * - `revert(ticket, state)` brings the avatar from before back, if `ticket` is still shown.
+ *
+ * @typedef {object} LoaderHost
  */
+
+/** Avatars loaded one after the other. */
 export class Loader {
-  #host; #ticket = 0; #abort;
-  /** What is under way: its ticket, and a promise that is kept once something of it is shown. */
-  loading;
+  #host;
+  #lastTicket = 0;
+  #abort;
+  /**
+   * The request under way: its ticket, and a promise `shown` that resolves once something of it is
+   * shown.
+   */
+  current;
 
-  constructor(host) { this.#host = host; }
+  /** @param {LoaderHost} host */
+  constructor(host) {
+    this.#host = host;
+  }
 
-  stop(why) { this.#abort?.abort(aborted(why)); }
+  /** Gives up the request under way. */
+  stop(reason) {
+    this.#abort?.abort(abortError(reason));
+  }
 
+  /** Loads an avatar and shows it. Gives up the request before. */
   async load(source, { onProgress, signal, frame = true } = {}) {
-    const abort = new AbortController(), loading = { ticket: ++this.#ticket };
-    this.stop("another avatar was asked for");
+    const abort = new AbortController();
+    this.stop("another avatar was requested");
     this.#abort = abort;
     if (signal?.aborted) abort.abort(signal.reason);
     signal?.addEventListener("abort", () => abort.abort(signal.reason), { once: true });
-    loading.shown = new Promise((resolve, reject) => Object.assign(loading, { resolve, reject }));
-    loading.shown.catch(() => {});
-    this.loading = loading;
+
+    this.#lastTicket += 1;
+    const request = { ticket: this.#lastTicket, frame, onProgress, signal: abort.signal };
+    request.shown = new Promise((resolve, reject) => {
+      request.resolve = resolve;
+      request.reject = reject;
+    });
+    // No one may be waiting for it: that is not an unhandled rejection.
+    request.shown.catch(() => {});
+    this.current = request;
     try {
-      await this.#bring(source, onProgress, abort.signal, loading, frame);
+      await this.#fetchAndShow(source, request);
     } catch (error) {
-      loading.reject(error);
-      throw told(error);
+      request.reject(error);
+      throw pageError(error);
     } finally {
-      if (this.loading === loading) this.loading = undefined;
+      if (this.current === request) this.current = undefined;
     }
   }
 
-  async #bring(source, onProgress, signal, loading, frame) {
-    let before;
-    const arrived = () => {
-      this.#host.arrived(loading.ticket, frame);
-      loading.resolve();
-    };
-    const early = new Early(async (bytes, total) => {
-      while (!(await this.#replace((stage) => stage.prepare_neutral(bytes, total), signal, true)));
-      before = this.#host.save();
-      arrived();
+  async #fetchAndShow(source, request) {
+    let previousState;
+    const preview = new Preview(async (beginning, total) => {
+      await this.#show((view) => view.prepare_neutral(beginning, total), request, { keep: true });
+      previousState = this.#host.saveState();
+      this.#shown(request);
       return true;
     });
     try {
-      const bytes = await bytesOf(source, onProgress, signal, (...came) => early.came(...came));
-      if (await early.shown) {
-        this.#host.open();
-        signal.throwIfAborted();
-        this.#host.stage().complete(bytes);
-        return this.#host.completed();
+      const bytes = await readBytes(source, {
+        onProgress: request.onProgress,
+        signal: request.signal,
+        onBytes: (bytes, loaded, total) => preview.onBytes(bytes, loaded, total),
+      });
+      if (await preview.shown) {
+        this.#checkWanted(request);
+        this.#host.fittedView().complete(bytes);
+        this.#host.avatarCompleted();
+        return;
       }
-      while (!(await this.#replace((stage) => stage.prepare(bytes), signal, false)));
-      arrived();
+      await this.#show((view) => view.prepare(bytes), request, { keep: false });
+      this.#shown(request);
     } catch (error) {
-      await early.shown;
-      if (before && !isBroken()) this.#host.revert(loading.ticket, before);
+      await preview.shown;
+      if (previousState && !moduleFailure()) this.#host.revert(request.ticket, previousState);
       throw error;
     }
   }
 
-  /** Shows what is prepared; false where the device was lost on the way. `keep`: what was shown may come back. */
-  async #replace(prepare, signal, keep) {
-    await this.#host.ready();
-    this.#host.open();
-    signal.throwIfAborted();
+  #shown(request) {
+    this.#host.avatarShown(request.ticket, request.frame);
+    request.resolve();
+  }
+
+  #checkWanted(request) {
+    this.#host.checkOpen();
+    request.signal.throwIfAborted();
+  }
+
+  /**
+   * Shows the avatar that `prepare(view)` returns. If the device is lost meanwhile, tries again with
+   * the next one. `keep`: the avatar that is shown now may come back.
+   */
+  async #show(prepare, request, { keep }) {
+    let isShown = false;
+    while (!isShown) isShown = await this.#tryToShow(prepare, request, keep);
+  }
+
+  /** Returns false if the device was lost meanwhile. */
+  async #tryToShow(prepare, request, keep) {
+    await this.#host.deviceReady();
+    this.#checkWanted(request);
     let candidate;
     try {
-      candidate = prepare(this.#host.stage());
-      // The browser hands on what was asked of the device: it compiles while this thread fills the buffers.
+      candidate = prepare(this.#host.fittedView());
+      // This lets the browser pass on the device's commands: it compiles the shaders while this
+      // thread fills the buffers.
       await null;
-      this.#host.open();
-      signal.throwIfAborted();
-      await candidate.fill();
-      this.#host.open();
-      signal.throwIfAborted();
+      this.#checkWanted(request);
+      await candidate.upload();
+      this.#checkWanted(request);
     } catch (error) {
-      if (!isBroken() && !(error instanceof WebAssembly.RuntimeError)) candidate?.free();
-      if (isBroken() || !this.#host.lost()) throw error;
+      if (!moduleFailure() && !isPanic(error)) candidate?.free();
+      if (moduleFailure() || !this.#host.isDeviceLost()) throw error;
       return false;
     }
-    return this.#host.stage().show(candidate, keep);
+    return this.#host.fittedView().show(candidate, keep);
   }
 }

@@ -1,163 +1,248 @@
-// The page: what effigy.js offers, with a pointer, a keyboard and some buttons.
-import { Effigy, Unsupported, isSupported } from "./effigy.js";
-import { orbit } from "./orbit.js";
+// The page: an avatar with controls for pointers, keys and buttons.
 import { bench } from "./bench.js";
+import { DEFAULT_CAMERA } from "./camera.js";
+import { Effigy, Unsupported, isSupported } from "./effigy.js";
+import { orbitControls } from "./orbit.js";
 
-const at = (id) => document.getElementById(id);
+/** Time between updates of the page's numbers, ms: faster ones can't be read. */
+const UPDATE_MS = 100;
+
+const element = (id) => document.getElementById(id);
 const query = new URLSearchParams(location.search);
 let effigy;
 
-function unsupported(why = "") {
-  at("stage").hidden = true;
+function showUnsupported(reason = "") {
+  element("stage").hidden = true;
   document.querySelector("nav").hidden = true;
-  at("why").textContent = why;
-  at("unsupported").hidden = false;
+  element("why").textContent = reason;
+  element("unsupported").hidden = false;
 }
 
-/** Says on the page what went wrong; what was given up for something else did not. */
-function complain(error) {
+/** Shows an error. Calls that were given up for another one are none. */
+function showError(error) {
   if (error.name === "AbortError") return;
-  at("text").textContent = error.message ?? String(error);
-  at("message").hidden = false;
+  element("text").textContent = error.message ?? String(error);
+  element("message").hidden = false;
 }
 
-const under = new Set();
+/** Loads under way: what to call each, and the share of it that has arrived, if known. */
+const loads = new Set();
 
-/** One bar for all that is under way. */
-function progress() {
-  const bar = at("progress"), all = [...under], what = all.at(-1)?.what ?? "";
-  at("loading").hidden = all.length === 0;
-  if (at("what").textContent !== what) at("what").textContent = what;
-  if (all.length > 0 && all.every(({ share }) => share !== undefined)) bar.value = all.reduce((sum, { share }) => sum + share, 0) / all.length;
-  else bar.removeAttribute("value");
-}
-
-/** Does something that takes a while, with a bar to show it. */
-async function loading(what, act) {
-  const entry = { what, share: undefined };
-  under.add(entry);
-  progress();
-  try {
-    return await act((loaded, total) => {
-      entry.share = total ? loaded / total : undefined;
-      progress();
-    });
-  } catch (error) {
-    complain(error);
-  } finally {
-    under.delete(entry);
-    progress();
+/** Shows one bar for all loads. */
+function showProgress() {
+  const bar = element("progress");
+  const all = [...loads];
+  const what = all.at(-1)?.what ?? "";
+  element("loading").hidden = all.length === 0;
+  // Screen readers announce every assignment.
+  if (element("what").textContent !== what) element("what").textContent = what;
+  if (all.length > 0 && all.every((load) => load.share !== undefined)) {
+    bar.value = all.reduce((sum, load) => sum + load.share, 0) / all.length;
+  } else {
+    bar.removeAttribute("value");
   }
 }
 
-async function open(files) {
-  const list = [...files], ends = (ending) => (file) => file.name.toLowerCase().endsWith(ending);
-  const others = list.filter((file) => !ends(".avatar")(file) && !ends(".motion")(file));
-  if (others.length > 0) complain(new Error(`${others[0].name} is neither an .avatar nor a .motion file`));
-  const avatar = list.filter(ends(".avatar")).at(-1);
-  const loads = avatar ? [loading(`Opening ${avatar.name}`, () => effigy.loadAvatar(avatar))] : [];
-  const motion = (file) => loading(`Opening ${file.name}`, () => effigy.loadMotion(file));
-  await Promise.all([...loads, ...list.filter(ends(".motion")).map(motion)]);
+/** Calls `act(onProgress)`, and shows a bar until it is done. Errors are shown. */
+async function withProgress(what, act) {
+  const load = { what, share: undefined };
+  loads.add(load);
+  showProgress();
+  try {
+    await act((loaded, total) => {
+      load.share = total ? loaded / total : undefined;
+      showProgress();
+    });
+  } catch (error) {
+    showError(error);
+  } finally {
+    loads.delete(load);
+    showProgress();
+  }
 }
 
-function controls() {
-  const play = () => (effigy.playing ? effigy.pause() : effigy.clips.length > 0 && effigy.play());
-  const show = () => {
-    at("play").textContent = effigy.playing ? "Pause" : "Play";
-  };
-  at("play").onclick = play;
-  effigy.addEventListener("play", show);
-  effigy.addEventListener("pause", show);
-  at("time").oninput = () => {
-    effigy.pause();
-    effigy.time = Number(at("time").value) * effigy.duration;
-    clock(true);
-  };
-  at("reset").onclick = () => { effigy.camera = { yaw: 0.35, pitch: 0.09 }; effigy.frameAvatar(); };
-  at("full").onclick = () => (document.fullscreenElement ? document.exitFullscreen() : document.documentElement.requestFullscreen());
-  at("numbers").onclick = () => {
-    at("overlay").hidden = !at("overlay").hidden;
-    at("numbers").setAttribute("aria-pressed", String(!at("overlay").hidden));
-  };
-  at("shot").onclick = () => effigy.screenshot().then((picture) => {
+/** Opens the last of some avatars, and all clips. */
+async function openFiles(files) {
+  const withExtension = (extension) =>
+    [...files].filter((file) => file.name.toLowerCase().endsWith(extension));
+  const avatars = withExtension(".avatar");
+  const motions = withExtension(".motion");
+  const unknown = [...files].find((file) => !avatars.includes(file) && !motions.includes(file));
+  if (unknown) showError(new Error(`${unknown.name} is neither an .avatar nor a .motion file`));
+
+  const opened = [];
+  const avatar = avatars.at(-1);
+  if (avatar) {
+    opened.push(withProgress(`Opening ${avatar.name}`, () => effigy.loadAvatar(avatar)));
+  }
+  for (const motion of motions) {
+    opened.push(withProgress(`Opening ${motion.name}`, () => effigy.loadMotion(motion)));
+  }
+  await Promise.all(opened);
+}
+
+function togglePlaying() {
+  if (effigy.playing) effigy.pause();
+  else if (effigy.clips.length > 0) effigy.play();
+}
+
+function toggleFullScreen() {
+  if (document.fullscreenElement) document.exitFullscreen();
+  else document.documentElement.requestFullscreen();
+}
+
+async function saveScreenshot() {
+  try {
+    const image = await effigy.screenshot();
     const link = document.createElement("a");
-    link.href = URL.createObjectURL(picture);
+    link.href = URL.createObjectURL(image);
     link.download = "effigy.png";
     link.click();
     URL.revokeObjectURL(link.href);
-  }, complain);
-  at("file").onchange = () => {
-    open(at("file").files);
-    // The same file may be opened twice.
-    at("file").value = "";
+  } catch (error) {
+    showError(error);
+  }
+}
+
+function connectControls() {
+  const showPlaying = () => {
+    element("play").textContent = effigy.playing ? "Pause" : "Play";
   };
-  at("close").onclick = () => { at("message").hidden = true; };
-  at("canvas").addEventListener("keydown", (event) => {
-    if (event.key === " ") { play(); event.preventDefault(); }
+  effigy.addEventListener("play", showPlaying);
+  effigy.addEventListener("pause", showPlaying);
+  element("play").onclick = togglePlaying;
+  element("time").oninput = () => {
+    effigy.pause();
+    effigy.time = Number(element("time").value) * effigy.duration;
+    showTime({ isSliderHeld: true });
+  };
+  element("reset").onclick = () => {
+    effigy.camera = { yaw: DEFAULT_CAMERA.yaw, pitch: DEFAULT_CAMERA.pitch };
+    effigy.frameAvatar();
+  };
+  element("full").onclick = toggleFullScreen;
+  element("numbers").onclick = () => {
+    const overlay = element("overlay");
+    overlay.hidden = !overlay.hidden;
+    element("numbers").setAttribute("aria-pressed", String(!overlay.hidden));
+  };
+  element("shot").onclick = saveScreenshot;
+  element("file").onchange = () => {
+    openFiles(element("file").files);
+    // Without this the same file could not be opened again.
+    element("file").value = "";
+  };
+  element("close").onclick = () => {
+    element("message").hidden = true;
+  };
+  element("canvas").addEventListener("keydown", (event) => {
+    if (event.key === " ") {
+      togglePlaying();
+      event.preventDefault();
+    }
   });
-  // Ten times a second is as often as anyone reads.
-  let told = 0;
+  effigy.addEventListener("error", (event) => showError(event.detail));
+}
+
+/** Shows the time and the statistics of the frames that are drawn. */
+function connectNumbers() {
+  let lastUpdate = 0;
   effigy.addEventListener("frame", () => {
     const now = performance.now();
-    if (now - told < 100 && effigy.playing) return;
-    told = now;
-    clock(document.activeElement === at("time"));
-    if (!at("overlay").hidden) at("overlay").textContent = numbers();
+    if (now - lastUpdate < UPDATE_MS && effigy.playing) return;
+    lastUpdate = now;
+    showTime({ isSliderHeld: document.activeElement === element("time") });
+    const overlay = element("overlay");
+    if (!overlay.hidden) overlay.textContent = statisticsText();
   });
-  effigy.addEventListener("error", (event) => complain(event.detail));
 }
 
-/** Shows the time; `held`: the slider is in someone's hands. */
-function clock(held) {
-  const text = `${effigy.time.toFixed(1)} of ${effigy.duration.toFixed(1)} s`, slider = at("time");
-  at("clock").textContent = text;
-  if (!held) slider.value = effigy.duration > 0 ? effigy.time / effigy.duration : 0;
-  slider.setAttribute("aria-valuetext", `${effigy.time.toFixed(1)} of ${effigy.duration.toFixed(1)} seconds`);
+/** Shows the time. A slider that the user holds stays where it is. */
+function showTime({ isSliderHeld }) {
+  const slider = element("time");
+  const text = `${effigy.time.toFixed(1)} of ${effigy.duration.toFixed(1)}`;
+  element("clock").textContent = `${text} s`;
+  if (!isSliderHeld) slider.value = effigy.duration > 0 ? effigy.time / effigy.duration : 0;
+  slider.setAttribute("aria-valuetext", `${text} seconds`);
 }
 
-function numbers() {
-  const { fps, frameMs, p95Ms, stages = {}, counters = {}, device, raster } = effigy.statistics, ms = (value) => `${(value ?? 0).toFixed(1)} ms`;
-  const lines = [`${device}, ${raster}`, `${fps.toFixed(1)} fps, ${ms(frameMs)}, 95 % within ${ms(p95Ms)}`];
-  for (const [stage, time] of Object.entries(stages)) lines.push(`${stage.padEnd(10)}${ms(time).padStart(10)}`);
+function statisticsText() {
+  const { fps, frameMs, p95Ms, stages = {}, counters = {}, device, raster } = effigy.statistics;
+  const milliseconds = (value) => `${(value ?? 0).toFixed(1)} ms`;
+  const lines = [
+    `${device}, ${raster}`,
+    `${fps.toFixed(1)} fps, ${milliseconds(frameMs)}, 95 % within ${milliseconds(p95Ms)}`,
+  ];
+  for (const [stage, time] of Object.entries(stages)) {
+    lines.push(`${stage.padEnd(10)}${milliseconds(time).padStart(10)}`);
+  }
   lines.push(`${counters.gaussians ?? 0} Gaussians, ${counters.drawn ?? 0} drawn`);
   return lines.join("\n");
 }
 
-function dropping() {
-  const files = (event) => event.dataTransfer?.types.includes("Files");
-  addEventListener("dragover", (event) => { if (files(event)) { event.preventDefault(); at("drop").hidden = false; } });
-  addEventListener("dragleave", (event) => { if (!event.relatedTarget) at("drop").hidden = true; });
+/** Opens files that are dropped on the page. */
+function connectDropping() {
+  const hasFiles = (event) => event.dataTransfer?.types.includes("Files");
+  addEventListener("dragover", (event) => {
+    if (hasFiles(event)) {
+      event.preventDefault();
+      element("drop").hidden = false;
+    }
+  });
+  addEventListener("dragleave", (event) => {
+    if (!event.relatedTarget) element("drop").hidden = true;
+  });
   addEventListener("drop", (event) => {
-    if (!files(event)) return;
+    if (!hasFiles(event)) return;
     event.preventDefault();
-    at("drop").hidden = true;
-    open(event.dataTransfer.files);
+    element("drop").hidden = true;
+    openFiles(event.dataTransfer.files);
   });
 }
 
+/** Measures, and appends the report to the page. */
+async function showBench() {
+  const report = document.createElement("pre");
+  report.id = "bench";
+  report.textContent = await bench(effigy, query).catch((error) => error.message);
+  document.body.append(report);
+}
+
 async function main() {
-  if (!isSupported()) return unsupported();
+  if (!isSupported()) {
+    showUnsupported();
+    return;
+  }
   try {
-    effigy = await Effigy.create(at("canvas"));
+    effigy = await Effigy.create(element("canvas"));
   } catch (error) {
-    if (error instanceof Unsupported) return unsupported(error.message);
-    progress();
-    return complain(error);
+    if (error instanceof Unsupported) {
+      showUnsupported(error.message);
+    } else {
+      showProgress();
+      showError(error);
+    }
+    return;
   }
-  Object.assign(globalThis, { effigy });
-  controls();
-  orbit(effigy, at("canvas"));
-  dropping();
-  // Both at once; whatever has no avatar of its own moves the demo's clip.
+  // For the browser's console, and for tests.
+  globalThis.effigy = effigy;
+  connectControls();
+  connectNumbers();
+  connectDropping();
+  orbitControls(effigy, element("canvas"));
+
+  // At the same time: the clip waits for the avatar.
+  const avatar = query.get("avatar") ?? "demo.avatar";
+  const motion = query.get("motion") ?? "demo.motion";
   await Promise.all([
-    loading("Loading the avatar", (onProgress) => effigy.loadAvatar(query.get("avatar") ?? "demo.avatar", { onProgress })),
-    loading("Loading the motion", (onProgress) => effigy.loadMotion(query.get("motion") ?? "demo.motion", { onProgress })),
+    withProgress("Loading the avatar", (onProgress) => effigy.loadAvatar(avatar, { onProgress })),
+    withProgress("Loading the motion", (onProgress) => effigy.loadMotion(motion, { onProgress })),
   ]);
-  if (query.get("bench")) {
-    const textContent = await bench(effigy, query).catch((error) => error.message);
-    document.body.append(Object.assign(document.createElement("pre"), { id: "bench", textContent }));
+  if (query.get("bench")) await showBench();
+  if ("serviceWorker" in navigator && location.protocol.startsWith("http")) {
+    // Without it the page needs a network, and nothing else changes.
+    navigator.serviceWorker.register("sw.js").catch(() => {});
   }
-  if ("serviceWorker" in navigator && location.protocol.startsWith("http")) navigator.serviceWorker.register("sw.js").catch(() => {});
 }
 
 main();

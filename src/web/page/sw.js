@@ -1,18 +1,32 @@
-// Keeps the page for use without a network. The stamp changes with what is kept.
-const OURS = `effigy ${registration.scope} `, KEPT = `${OURS}@STAMP@`;
-const FILES = ["./", @FILES@];
+// A service worker that keeps the page for use without a network. tools/web.sh fills in the names of
+// its files, and a stamp that changes with their contents.
+const CACHE_PREFIX = `effigy ${registration.scope} `;
+const CACHE = `${CACHE_PREFIX}@STAMP@`;
+const FILES = ["./", "@FILES@"];
 
-self.addEventListener("install", (event) => {
-  // Of one version all: what the browser kept on its own may be older.
-  const files = FILES.map((file) => new Request(file, { cache: "reload" }));
-  event.waitUntil(caches.open(KEPT).then((cache) => cache.addAll(files)).then(() => self.skipWaiting()));
-});
-self.addEventListener("activate", (event) => {
-  // Other folders of this host may hold an Effigy of their own.
-  const old = (name) => name.startsWith(OURS) && name !== KEPT;
-  event.waitUntil(caches.keys().then((names) => Promise.all(names.filter(old).map((name) => caches.delete(name)))).then(() => self.clients.claim()));
-});
+/** Fetches all files past the browser's own cache: they must be of one version. */
+async function install() {
+  const cache = await caches.open(CACHE);
+  await cache.addAll(FILES.map((file) => new Request(file, { cache: "reload" })));
+  await self.skipWaiting();
+}
+
+/** Deletes earlier versions of this page. Other folders of the host have their own prefix. */
+async function activate() {
+  const names = await caches.keys();
+  const old = names.filter((name) => name.startsWith(CACHE_PREFIX) && name !== CACHE);
+  await Promise.all(old.map((name) => caches.delete(name)));
+  await self.clients.claim();
+}
+
+async function respond(request) {
+  const cache = await caches.open(CACHE);
+  return (await cache.match(request, { ignoreSearch: true })) ?? fetch(request);
+}
+
+self.addEventListener("install", (event) => event.waitUntil(install()));
+self.addEventListener("activate", (event) => event.waitUntil(activate()));
 self.addEventListener("fetch", (event) => {
-  if (event.request.method !== "GET" || new URL(event.request.url).origin !== location.origin) return;
-  event.respondWith(caches.open(KEPT).then((cache) => cache.match(event.request, { ignoreSearch: true })).then((kept) => kept ?? fetch(event.request)));
+  const isOurs = new URL(event.request.url).origin === location.origin;
+  if (event.request.method === "GET" && isOurs) event.respondWith(respond(event.request));
 });

@@ -1,4 +1,5 @@
-//! bind IN.wasm OUT_DIR NAME: what the command `wasm-bindgen --target web` does, where that is not installed.
+//! bind IN.wasm OUT_DIR NAME: what the command `wasm-bindgen --target web` does, where that is not
+//! installed.
 
 use anyhow::{Context, ensure};
 

@@ -1,0 +1,70 @@
+// The mirror of layout::Layer and layout::Frame, whose comments say what the members are.
+// tests/layout.rs compares the offsets. Macros in capitals come from layout::MACROS.
+
+struct Layer {
+    uint input_quads;
+    uint output_count;
+    uint weight;
+    uint bias;
+};
+
+layout(std140, set = 0, binding = 0) uniform FrameBlock {
+    vec2 focal;
+    vec2 center;
+    vec2 derivative_min;
+    vec2 derivative_max;
+    vec2 size;
+    float guard;
+    float near;
+    float key_far;
+    float key_scale;
+    uint key_max;
+    float fixed_scale;
+    vec4 position_min;
+    vec4 position_step;
+    vec4 clip;
+    uint gaussians;
+    uint nodes;
+    uint parts;
+    uint head_parts;
+    uint basis_quads;
+    uint feature_quads;
+    uint node_feature;
+    uint node_start;
+    uint rotation_start;
+    uint scale_start;
+    uint color_start;
+    float slope;
+    uint layers;
+    uint network_quads;
+    uint key_start;
+    float cutoff;
+    float occluder_margin;
+    uint pyramid_start;
+    vec2 occluder_origin;
+    vec2 occluder_scale;
+    float quad_opacity;
+    uint body_quads;
+    float log_scale_min;
+    float log_scale_step;
+    uint sh_color_start;
+    uint half_keys;
+    uint count_start;
+    uint count_tile;
+    uint cache_start;
+    float cache_unit;
+    uint feature_start;
+    uint first_splat;
+    float tile_side;
+    uint detail_level;
+    uint drawn;
+    float covariance_scale;
+    vec4 cache_min;
+    vec4 cache_size;
+    vec4 camera_from_cache[3];
+    uvec4 idle_parts[PART_BITS];
+    uvec4 culled_parts[PART_BITS];
+    Layer layer[MLP_LAYERS];
+    vec4 network_input[2 * INPUT_QUADS];
+    vec4 joint[3 * JOINTS];
+} frame;

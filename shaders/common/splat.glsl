@@ -1,0 +1,58 @@
+// The 16-byte splat: a projected Gaussian, written by `project` and read by `raster`.
+//
+//   word 0: x (POSITION_BITS, fixed point), red (10 bits), low 2 bits of blue
+//   word 1: y (POSITION_BITS, fixed point), green (10 bits)
+//   word 2: longer axis, one standard deviation, px, two f16
+//   word 3: length of the shorter axis, px, f16; opacity (8 bits); high 8 bits of blue
+
+// Radius of a splat in standard deviations: where its opacity falls to the cutoff.
+float radius_of(uint opacity) {
+    return sqrt(2.0 * log(max(max(float(opacity), frame.quad_opacity) / frame.cutoff, 1.0)));
+}
+
+// `covariance`: xx, xy, yy in px². `determinant`: of the covariance, computed without cancellation.
+uvec4 pack_splat(vec2 center, vec3 covariance, float determinant, vec3 color, uint opacity) {
+    float half_difference = 0.5 * (covariance.x - covariance.z);
+    float root = sqrt(half_difference * half_difference + covariance.y * covariance.y);
+    float longer = 0.5 * (covariance.x + covariance.z) + root;
+    vec2 direction = half_difference >= 0.0 ? vec2(half_difference + root, covariance.y)
+                                            : vec2(covariance.y, root - half_difference);
+    float size = length(direction);
+    direction = size > 0.0 ? direction / size : vec2(1.0, 0.0);
+    // The length is clamped to what f16 holds, not each component: the direction stays.
+    vec2 axis = min(sqrt(longer), F16_MAX) * direction;
+    float shorter = sqrt(determinant / longer);
+    const float last = float((1u << POSITION_BITS) - 1u);
+    uvec2 at = uvec2(clamp(round((center + frame.guard) * frame.fixed_scale), 0.0, last));
+    uvec3 rgb = uvec3(round(color * 1023.0));
+    return uvec4(at.x | rgb.r << POSITION_BITS | rgb.b << 30u, at.y | rgb.g << POSITION_BITS,
+                 packHalf2x16(axis),
+                 packHalf2x16(vec2(min(shorter, F16_MAX), 0.0)) | opacity << 16u |
+                     rgb.b >> 2u << 24u);
+}
+
+struct Splat {
+    // px
+    vec2 center;
+    vec2 axis;
+    float shorter;
+    vec3 color;
+    // Of 255.
+    uint opacity;
+};
+
+// A splat's centre in fixed point.
+vec2 fixed_center(uvec4 words) { return vec2(words.xy & (1u << POSITION_BITS) - 1u); }
+
+Splat unpack_splat(uvec4 words) {
+    Splat splat;
+    splat.center = fixed_center(words) / frame.fixed_scale - frame.guard;
+    splat.axis = unpackHalf2x16(words.z);
+    splat.shorter = unpackHalf2x16(words.w).x;
+    uint blue = words.w >> 24u << 2u | words.x >> 30u;
+    uint red = words.x >> POSITION_BITS & 1023u;
+    uint green = words.y >> POSITION_BITS & 1023u;
+    splat.color = vec3(red, green, blue) / 1023.0;
+    splat.opacity = words.w >> 16u & 0xffu;
+    return splat;
+}

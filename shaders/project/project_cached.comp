@@ -1,0 +1,43 @@
+// `project` if only the camera has moved: from the pose cache to splats and keys.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+#include "common/platform.glsl"
+#include "common/frame.glsl"
+#include "common/splat.glsl"
+#include "common/depth_key.glsl"
+#include "project/pose_cache.glsl"
+
+layout(local_size_x = PROJECT_WORKGROUP) in;
+layout(std430, set = 0, binding = 1) readonly buffer PoseBuffer { uvec2 pose[]; };
+layout(std430, set = 0, binding = 2) buffer Splats { uint words[]; };
+#include "project/projection.glsl"
+
+// Writes the splat at `index` of the avatar's own; gives its key.
+uint project_gaussian(uint index) {
+    uint at = frame.cache_start + 2u * index;
+    uvec2 position = uvec2(words[at], words[at + 1u]);
+    uint opacity = position.y >> 24u;
+    vec4 x = vec4(cached_position(position), 1.0);
+    vec3 p = vec3(dot(frame.camera_from_cache[0], x), dot(frame.camera_from_cache[1], x),
+                  dot(frame.camera_from_cache[2], x));
+    vec2 center;
+    float key;
+    if (!project_center(p, cached_longest(position), center, key)) {
+        return SORT_CULLED;
+    }
+    if (float(opacity) <= frame.cutoff) {
+        count_culled(FAINT);
+        return SORT_CULLED;
+    }
+    at = frame.cache_start + 2u * frame.gaussians + 3u * index;
+    uvec3 shape = uvec3(words[at], words[at + 1u], words[at + 2u]);
+    mat3 rows = mat3(frame.camera_from_cache[0].xyz, frame.camera_from_cache[1].xyz,
+                     frame.camera_from_cache[2].xyz);
+    return write_splat(index, p, center, key, rows, cached_axes(position, shape),
+                       cached_color(shape), opacity);
+}
+
+void main() {
+    uint index = gl_GlobalInvocationID.x;
+    write_key(index, index < frame.drawn ? project_gaussian(index) : SORT_CULLED);
+}

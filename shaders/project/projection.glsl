@@ -1,0 +1,151 @@
+// From a Gaussian in the camera's space to a splat and its key: culling and projection (model.md,
+// step 8). The including shader declares the pose buffer (common/pose.glsl) and `words`, the
+// splats' buffer: four words a Gaussian, then from frame.key_start on the keys, two a word if
+// frame.half_keys is set, then from frame.count_start on the sort's first counts.
+#ifdef WEB
+// In WGSL all accesses to an array with atomics are atomic, so the counts have a buffer of their
+// own.
+layout(std430, set = 0, binding = 6) buffer Counts { uint counts[]; };
+#define COUNTS counts
+const uint COUNTS_AT = 0u;
+#else
+#define COUNTS words
+PARAMETER(2, uint, COUNTS_AT, 0u)
+#endif
+#define FIRST_COUNTS COUNTS
+#define FIRST_COUNTS_AT frame.count_start
+#define FIRST_COUNTS_TILE frame.count_tile
+#include "sort/first_counts.glsl"
+#include "project/culled.glsl"
+#include "common/pose.glsl"
+
+shared uint workgroup_keys[PROJECT_WORKGROUP];
+
+// Whether a square of the image is entirely behind the occluder, by half a texel to spare since a
+// texel's depth is that of its middle. `center` and `radius`: px. `depth`: 1 less the key.
+bool hidden(vec2 center, float radius, float depth) {
+    const float last = float(PYRAMID_SIDE - 1u);
+    vec2 first_texel = (center - radius - frame.occluder_origin) * frame.occluder_scale - 0.5;
+    vec2 last_texel = (center + radius - frame.occluder_origin) * frame.occluder_scale + 0.5;
+    uvec2 low = uvec2(clamp(first_texel, 0.0, last));
+    uvec2 high = uvec2(clamp(last_texel, 0.0, last));
+    uint span = max(high.x - low.x, high.y - low.y);
+    // The level on which the square spans at most five texels along each side.
+    uint level = span <= 3u ? 0u : uint(findMSB(span - 1u)) - 1u;
+    if (!(level < PYRAMID_LEVELS)) {
+        return false;
+    }
+    // Texels of the finer levels: PYRAMID_SIDE² · (1 + 1/4 + …).
+    const uint third = PYRAMID_SIDE * PYRAMID_SIDE / 3u;
+    uint width = PYRAMID_SIDE >> level;
+    uint start = 4u * (third - (third >> 2u * level));
+    low >>= level;
+    high >>= level;
+    float furthest = 0.0;
+    uint x = low.x & ~3u, y = low.y;
+    do {
+        vec4 columns = float(x) + vec4(0.0, 1.0, 2.0, 3.0);
+        bvec4 left = lessThan(columns, vec4(low.x)), right = greaterThan(columns, vec4(high.x));
+        vec4 texels = pyramid_texels(start + y * width + x);
+        vec4 four = mix(mix(texels, vec4(0.0), left), vec4(0.0), right);
+        furthest = max(furthest, max(max(four.x, four.y), max(four.z, four.w)));
+        bool next = x + 4u > high.x;
+        x = next ? low.x & ~3u : x + 4u;
+        y += next ? 1u : 0u;
+    } while (y <= high.y);
+    return depth > furthest;
+}
+
+// Projects a mean `p` in camera space, metres: gives its centre in the image, px, and its key, 0 to
+// 1. False if the Gaussian is culled. `longest`: at least its longest axis, metres. Comparisons are
+// written so that NaN fails them.
+bool project_center(vec3 p, float longest, out vec2 center, out float key) {
+    center = vec2(0.0);
+    key = 0.0;
+    if (!(p.z >= frame.near)) {
+        count_culled(OUTSIDE);
+        return false;
+    }
+    center = frame.focal * p.xy / p.z + frame.center;
+    if (!(all(greaterThanEqual(center, vec2(-frame.guard))) &&
+          all(lessThanEqual(center, frame.size + frame.guard)))) {
+        count_culled(OUTSIDE);
+        return false;
+    }
+    key = key_of(p.z);
+    float stretched =
+        longest * length(vec3(p.xy / p.z, 1.0)) * max(frame.focal.x, frame.focal.y) / p.z;
+    // Its opacity has not been read yet: take the radius of an opaque one.
+    if (frame.pyramid_start > 0u &&
+        hidden(center,
+               radius_of(255u) * sqrt(frame.covariance_scale) * (stretched + sqrt(LOW_PASS)),
+               1.0 - key)) {
+        count_culled(HIDDEN);
+        return false;
+    }
+    return true;
+}
+
+// Opacity, of 255, of a Gaussian that also stands for those that the level of detail skips.
+uint detail_opacity(uint opacity) {
+    float through = 1.0 - float(opacity) / 255.0;
+    for (uint level = 0u; level < frame.detail_level; ++level) {
+        through *= through;
+    }
+    return uint(round(255.0 * (1.0 - through)));
+}
+
+// Writes the splat of a Gaussian; gives its key, SORT_CULLED if it covers nothing. The columns of
+// `axes` are the Gaussian's axes in some space, `rows` those of the matrix from there to the
+// camera.
+uint write_splat(uint index, vec3 p, vec2 center, float key, mat3 rows, mat3 axes, vec3 color,
+                 uint opacity) {
+    vec2 slope = clamp(p.xy / p.z, frame.derivative_min, frame.derivative_max);
+    vec3 mu = frame.focal.x / p.z * (rows[0] - slope.x * rows[2]) * axes;
+    vec3 mv = frame.focal.y / p.z * (rows[1] - slope.y * rows[2]) * axes;
+    vec3 covariance = vec3(dot(mu, mu) + LOW_PASS, dot(mu, mv), dot(mv, mv) + LOW_PASS);
+    // |u × v|² is the determinant of the covariance before the low-pass (Lagrange), free of
+    // cancellation for needles.
+    vec3 across = cross(mu, mv);
+    float determinant = dot(across, across) + LOW_PASS * (covariance.x + covariance.z - LOW_PASS);
+    if (!(determinant > 0.0 && covariance.x <= VARIANCE_MAX && covariance.z <= VARIANCE_MAX)) {
+        count_culled(DEGENERATE);
+        return SORT_CULLED;
+    }
+    covariance *= frame.covariance_scale;
+    determinant *= frame.covariance_scale * frame.covariance_scale;
+    opacity = detail_opacity(opacity);
+    vec2 half_sides = radius_of(opacity) * sqrt(covariance.xz);
+    if (!(all(greaterThan(center + half_sides, vec2(0.0))) &&
+          all(lessThan(center - half_sides, frame.size)))) {
+        count_culled(OUTSIDE);
+        return SORT_CULLED;
+    }
+    uvec4 packed = pack_splat(center, covariance, determinant, clamp(color, 0.0, 1.0), opacity);
+    uint at = 4u * (frame.first_splat + index);
+    words[at] = packed.x;
+    words[at + 1u] = packed.y;
+    words[at + 2u] = packed.z;
+    words[at + 3u] = packed.w;
+    return min(uint(key * float(frame.key_max)), frame.key_max);
+}
+
+// Writes and counts a workgroup's keys. Every invocation of the workgroup must call it.
+void write_key(uint index, uint key) {
+    uint invocation = gl_LocalInvocationID.x;
+    uint at = frame.first_splat + index;
+    count_first_digit(key, key != SORT_CULLED, at);
+    if (frame.half_keys == 0u) {
+        // Padded to an even number: the two keys of a word belong to one avatar.
+        if (index < frame.drawn + (frame.drawn & 1u)) {
+            words[frame.key_start + at] = key;
+        }
+        return;
+    }
+    workgroup_keys[invocation] = key;
+    barrier();
+    if ((invocation & 1u) == 0u && index < frame.drawn) {
+        words[frame.key_start + (at >> 1u)] =
+            key & 0xffffu | workgroup_keys[invocation + 1u] << 16u;
+    }
+}

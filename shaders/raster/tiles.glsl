@@ -1,0 +1,59 @@
+// The tile rasterizer, a compute kernel (model.md, step 10): each invocation blends a square of
+// pixels near to far and stops when they are saturated. The blender, which the quads use, cannot
+// stop. A workgroup draws a region of RASTER_REGION by RASTER_REGION pixels.
+//
+// The including shader declares `image` before this file, then includes one of the two ways of
+// walking the tiles' lists, per_thread.glsl or cooperative.glsl, and then tiles_main.glsl.
+#include "common/platform.glsl"
+#include "common/frame.glsl"
+#include "common/splat.glsl"
+#include "common/control.glsl"
+#include "common/tiles.glsl"
+
+layout(local_size_x = RASTER_WORKGROUP) in;
+layout(std430, set = 0, binding = 1) readonly buffer Splats { uvec4 splats[]; };  // then the keys
+layout(std430, set = 0, binding = 2) buffer ControlBuffer { Control control; };
+layout(std430, set = 0, binding = 3) readonly buffer Bins { uint bins[]; };
+// Opacity under which nothing is drawn.
+PARAMETER(0, float, CUTOFF, 1.0 / 255.0)
+// A pixel is saturated if what lies behind would show by less than this.
+PARAMETER(1, float, SATURATION, 1.0 / 512.0)
+// Whether fragments are counted.
+PARAMETER(2, bool, COUNTED, false)
+
+const uint SIDE = RASTER_SQUARE;
+// √(½ log₂ e): in standard deviations times this, a Gaussian is 2^−|deviation|².
+const float DEVIATION_UNIT = 0.84932180;
+// The low-pass lets no Gaussian fall faster than from its cutoff to 2^−56 over a row of four
+// pixels. A row that starts with less weight than this does not count.
+const float WEIGHT_MIN = 1e-17;
+const float FACTOR_EXPONENT_MAX = 60.0;
+
+// The square of pixels that an invocation blends.
+struct Square {
+    // Premultiplied colour, and how much of what lies behind shows. Rows of four.
+    vec4 pixels[SIDE * SIDE];
+    // Whether some pixel is not saturated.
+    bool open;
+    // Pixels evaluated.
+    uint fragments;
+    // px
+    vec2 middle;
+};
+
+#ifdef WEB
+layout(std430, set = 0, binding = 5) readonly buffer Keys { uint keys[]; };
+
+uint key_at(uint i) { return keys[i >> 1u] >> 16u * (i & 1u) & 0xffffu; }
+#else
+uint key_at(uint i) {
+    uint word = frame.key_start + (frame.half_keys != 0u ? i >> 1u : i);
+    uint keys = splats[word >> 2u][word & 3u];
+    return frame.half_keys != 0u ? keys >> (16u * (i & 1u)) & 0xffffu : keys;
+}
+#endif
+
+// A list without its first splat.
+uint rest_of(uint list) {
+    return (list & SPLATS_PER_BLOCK) > 1u ? list - 1u : bins[BLOCKS_START + list - 1u];
+}

@@ -1,0 +1,43 @@
+// The entry point of the tile rasterizer; see tiles.glsl.
+
+void store_pixel(uvec2 at, uvec2 size, vec4 pixel) {
+    if (all(lessThan(at, size))) {
+        imageStore(image, ivec2(at), vec4(pixel.rgb, 1.0 - pixel.a));
+    }
+}
+
+void store_row(uvec2 at, uvec2 size, vec4 a, vec4 b, vec4 c, vec4 d) {
+    store_pixel(at, size, a);
+    store_pixel(at + uvec2(1u, 0u), size, b);
+    store_pixel(at + uvec2(2u, 0u), size, c);
+    store_pixel(at + uvec2(3u, 0u), size, d);
+}
+
+void main() {
+    uint index = index_in_workgroup();
+    // Neighbours in a subgroup of any size are neighbours in the image: the bits of the index are,
+    // from the lowest, x y x y x y.
+    uvec2 place = uvec2((index & 1u) | (index >> 1u & 2u) | (index >> 2u & 4u),
+                        (index >> 1u & 1u) | (index >> 2u & 2u) | (index >> 3u & 4u));
+    uvec2 first = (FIRST_REGION + gl_WorkGroupID.xy) * RASTER_REGION + SIDE * place;
+    Square square;
+    square.open = true;
+    square.fragments = 0u;
+    square.middle = vec2(first) + 0.5 * float(SIDE);
+    const vec4 clear = vec4(0.0, 0.0, 0.0, 1.0);
+    square.pixels = vec4[](clear, clear, clear, clear, clear, clear, clear, clear,
+                           clear, clear, clear, clear, clear, clear, clear, clear);
+    blend_tiles(square, uvec2(square.middle / frame.tile_side));
+    uvec2 size = uvec2(frame.size);
+    store_row(first, size,
+              square.pixels[0], square.pixels[1], square.pixels[2], square.pixels[3]);
+    store_row(first + uvec2(0u, 1u), size,
+              square.pixels[4], square.pixels[5], square.pixels[6], square.pixels[7]);
+    store_row(first + uvec2(0u, 2u), size,
+              square.pixels[8], square.pixels[9], square.pixels[10], square.pixels[11]);
+    store_row(first + uvec2(0u, 3u), size,
+              square.pixels[12], square.pixels[13], square.pixels[14], square.pixels[15]);
+    if (COUNTED && square.fragments > 0u) {
+        atomicAdd(control.fragments, square.fragments);
+    }
+}

@@ -1,5 +1,0 @@
-// `raster` as a compute kernel, into a picture of format rgba8.
-#version 450
-#extension GL_GOOGLE_include_directive : require
-layout(set = 0, binding = 4, rgba8) writeonly uniform image2D picture;
-#include "raster.glsl"

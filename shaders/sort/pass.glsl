@@ -1,0 +1,42 @@
+// A pass of the radix sort: what its kernels share. A pass orders by one 8-bit digit; passes go
+// from the lowest digit up. Entries change their form from pass to pass, to take few bytes:
+//
+//   KEYS     a key a word; its value is its index. Before the first pass.
+//   HALVES   the same with two keys of 16 bits a word; the largest stands for SORT_CULLED.
+//   PAIRS    a key and a value in turn.
+//   PACKED   the last digit in the high 8 bits, the value in the others. Before the last pass, if
+//            values fit.
+//   VALUES   a value a word. After the last pass.
+#include "common/platform.glsl"
+#include "common/control.glsl"
+
+const uint KEYS = 0u, PAIRS = 1u, PACKED = 2u, VALUES = 3u, HALVES = 4u;
+PARAMETER(0, uint, PASS, 0u)
+PARAMETER(1, uint, READS, KEYS)
+PARAMETER(2, uint, WRITES, VALUES)
+// Keys of a tile; tiles and keys for which there is capacity.
+PARAMETER(3, uint, TILE, 2048u)
+PARAMETER(4, uint, TILES, 1u)
+PARAMETER(5, uint, CAPACITY, 1u)
+// Whether `scan` has turned the histograms into offsets.
+PARAMETER(6, bool, SCANNED, false)
+
+const bool FIRST = READS == KEYS || READS == HALVES;
+const uint SHIFT = 8u * PASS;
+const uint DIGIT_MASK = SORT_DIGITS - 1u;
+const uint VALUE_MASK = 0xffffffu;
+
+// Where things start in the counts, in words: the tiles' histograms, the state of a sort, the
+// histograms of the passes to come, those of groups of tiles, and then either the two areas through
+// which the tiles of OneSweep exchange their counts, or the counters of the per-thread kernels.
+DERIVED uint STATE_START = TILES * SORT_DIGITS;
+DERIVED uint HISTOGRAMS_START = STATE_START + SORT_STATE;
+DERIVED uint GROUPS_START = HISTOGRAMS_START + 3u * SORT_DIGITS;
+DERIVED uint STATUS_START =
+    GROUPS_START + (TILES + SORT_GROUP - 1u) / SORT_GROUP * SORT_DIGITS;
+DERIVED uint COUNTERS_START = STATUS_START;
+
+uint digit_of(uint key) { return READS == PACKED ? key >> 24u : key >> SHIFT & DIGIT_MASK; }
+
+// Whether an entry is sorted: the first pass drops culled keys.
+bool is_kept(uint key) { return !FIRST || key != SORT_CULLED; }

@@ -1,0 +1,52 @@
+//! The viewer: a window that shows an avatar moving, on desktops and on Android.
+//!
+//! [`Display::show`] runs it. [`window`] receives winit's events and passes them to [`viewer`], the
+//! one place that decides what happens. The viewer owns a state for each concern:
+//!
+//! | state | module | answers |
+//! |---|---|---|
+//! | scene | [`scene`], [`playback`], [`orbit`] | which pose, camera and background to draw |
+//! | window | `host_window` | is there a window, is it visible, how large is it |
+//! | input | `input`, [`gesture`], [`tap_gesture`] | what pointers and fingers ask for |
+//! | frame clock | `frame_clock`, `frame_sync`, [`pacing`] | when to draw the next frame |
+//! | quality | [`quality_control`], `drift_check` | at which quality to hold the frame rate |
+//! | recovery | `recovery` | whether to go on after a loss |
+//! | captures | `captures`, [`screenshot`] | screenshots, RenderDoc captures, the trace |
+//!
+//! [`painter`] draws a frame into the window, [`ui`] the panel over it. [`action`] lists what a
+//! user can ask for, and the keys.
+
+pub mod action;
+#[cfg(target_os = "android")]
+mod android;
+#[cfg(target_os = "android")]
+mod android_entry;
+mod captures;
+mod device;
+mod drift_check;
+pub mod file_list;
+#[cfg(any(target_os = "android", test))]
+mod font;
+mod frame_clock;
+mod frame_sync;
+pub mod frame_times;
+pub mod gesture;
+mod host_window;
+mod input;
+mod message;
+pub mod options;
+pub mod orbit;
+pub mod pacing;
+pub mod painter;
+pub mod playback;
+pub mod quality_control;
+mod recovery;
+pub mod scene;
+pub mod screenshot;
+pub mod tap_gesture;
+pub mod ui;
+pub mod viewer;
+pub mod window;
+
+pub use options::{Loss, ViewerOptions};
+pub use window::Display;

@@ -1,0 +1,70 @@
+//! Options of the viewer.
+
+use crate::{file_list::FileList, quality_control::QualityControl};
+use effigy::vulkan::{GpuOptions, RendererOptions};
+use std::path::PathBuf;
+
+/// Options that a viewer is started with.
+pub struct ViewerOptions {
+    /// Which device to open, and how.
+    pub gpu: GpuOptions,
+    /// How to draw at full quality. `size` is the window's initial size, px.
+    pub renderer: RendererOptions,
+    /// Open the window in full screen.
+    pub full_screen: bool,
+    /// Colour behind the avatar: display-referred RGB, 0 to 1.
+    pub background: [f32; 3],
+    /// Draw continuously, and quit after this many frames.
+    pub frames: Option<u32>,
+    /// Losses to simulate, for tests: no driver loses anything on demand. The number is the frame
+    /// before which a surface or device is lost, or the count of devices opened before the one
+    /// that runs out of memory.
+    pub rehearse: Vec<(Loss, u32)>,
+    /// Avatars to choose from in the panel.
+    pub file_list: FileList,
+    /// Index in `file_list` of the avatar to load and show once the viewer runs.
+    pub first: Option<usize>,
+    /// Folders for screenshots, in order of preference.
+    pub folders: Vec<PathBuf>,
+    /// A message that the panel shows at the start.
+    pub message: Option<String>,
+    /// The report of an earlier crash, which the panel offers to share.
+    pub crash_report: Option<String>,
+    /// How to hold a frame rate. None: full quality at any frame rate.
+    pub quality_control: Option<QualityControl>,
+    /// File for a timeline of host and device, written at the end.
+    pub trace: Option<PathBuf>,
+}
+
+impl ViewerOptions {
+    /// The options of a plain viewer: the first device that can present to the window, full
+    /// quality, a light background.
+    pub fn new(renderer: RendererOptions) -> Self {
+        Self {
+            gpu: GpuOptions::headless(None),
+            renderer,
+            full_screen: false,
+            background: [0.85, 0.87, 0.89],
+            frames: None,
+            rehearse: Vec::new(),
+            file_list: FileList::default(),
+            first: None,
+            folders: crate::screenshot::folders(),
+            message: None,
+            crash_report: None,
+            quality_control: None,
+            trace: None,
+        }
+    }
+}
+
+/// Losses that a driver can report while a window is open.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Loss {
+    /// The window's surface.
+    Surface,
+    /// The device, with everything on it.
+    Device,
+    /// Not lost: the device has too little memory for an avatar.
+    Memory,
+}

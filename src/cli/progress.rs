@@ -1,0 +1,23 @@
+//! Progress bars of long jobs.
+
+use indicatif::{ProgressBar, ProgressStyle};
+
+fn bar(length: u64, template: &str) -> ProgressBar {
+    // A template that indicatif can't read costs its layout, not the job.
+    let style =
+        ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar());
+    ProgressBar::new(length).with_style(style)
+}
+
+/// A bar over items of one kind, with the time that is left. A length of 0 is set later.
+pub fn items(length: u64, unit: &str) -> ProgressBar {
+    bar(
+        length,
+        &format!("{{bar:40}} {{pos}}/{{len}} {unit}, {{eta}} left {{msg}}"),
+    )
+}
+
+/// A bar over steps that take unequal times, with the name of the step and the time so far.
+pub fn steps(length: u64) -> ProgressBar {
+    bar(length, "{bar:30} {pos}/{len} {msg} {elapsed}")
+}

@@ -1,0 +1,250 @@
+//! The arrays of an avatar.
+
+use super::{Bounds, Inputs, Matrix, Skeleton};
+use glam::DVec3;
+use half::f16;
+
+/// A trained or baked avatar: what `NAME.avatar` holds. Lengths are metres, y is up, the avatar
+/// faces +z.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Avatar {
+    /// Name of the avatar, for users.
+    pub name: String,
+    /// Where it comes from and on what terms it may be used; free text, may be empty.
+    pub credit: String,
+    /// The joints.
+    pub skeleton: Skeleton,
+    /// The neutral Gaussians.
+    pub gaussians: Gaussians,
+    /// The parts that the Gaussians belong to.
+    pub parts: Parts,
+    /// One network a part, from pose and expression to features.
+    pub networks: Networks,
+    /// Correctives of the quaternion, w x y z.
+    pub rotation_rows: Rows<4>,
+    /// Correctives of the log scale.
+    pub scale_rows: Rows<3>,
+    /// Correctives of the colour.
+    pub color_rows: Rows<3>,
+    /// The nodes that carry position correctives.
+    pub nodes: Nodes,
+    /// How a pose becomes the networks' input.
+    pub inputs: Inputs,
+    /// How colours change with the viewing direction; None where they don't. Baked and trained
+    /// avatars have none.
+    pub sh: Option<ShCoefficients>,
+}
+
+/// The neutral attributes, one entry a Gaussian, in the canonical pose. Ordered by part.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Gaussians {
+    /// The box that `position` and [`Nodes::position`] are coordinates in.
+    pub bounds: Bounds,
+    /// Coordinates in `bounds`, canonical pose.
+    pub position: Vec<[u16; 3]>,
+    /// Quaternion w x y z, of any length but zero: normalised after its corrective is added.
+    pub rotation: Vec<[f16; 4]>,
+    /// Natural logarithm of the standard deviation along each axis, metres.
+    pub log_scale: Vec<[f16; 3]>,
+    /// Display-referred RGB (sRGB-encoded), 0 to 1. Blending happens in this space, as 3DGS
+    /// training does.
+    pub color: Vec<[f16; 3]>,
+    /// 255 is opaque.
+    pub opacity: Vec<u8>,
+    /// The four joints that move a Gaussian.
+    pub joint: Vec<[u8; 4]>,
+    /// Their weights; the four sum to 255.
+    pub joint_weight: Vec<[u8; 4]>,
+    /// The three nearest nodes.
+    pub node: Vec<[u16; 3]>,
+}
+
+impl Gaussians {
+    /// Number of Gaussians, N_g.
+    pub fn len(&self) -> usize {
+        self.position.len()
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.position.is_empty()
+    }
+}
+
+/// View-dependent colour of 3DGS: real spherical harmonics of the direction from the camera
+/// to the Gaussian, in canonical space. They are added to the neutral colour before its corrective,
+/// and the sum is clamped to 0 from below; like every colour it is clamped to 1 before blending,
+/// which 3DGS does not do. Avatar files do not store them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ShCoefficients {
+    /// 1, 2 or 3; the functions of degree 0 are [`Gaussians::color`].
+    pub degree: usize,
+    /// RGB of each function from degree 1 up, in 3DGS's order and with its signs; shape N_g,
+    /// (degree + 1)² − 1.
+    pub coefficients: Vec<[f16; 3]>,
+}
+
+impl ShCoefficients {
+    /// The function of degree 0, √(1 / 4π): a colour is 0.5 + this · `f_dc`.
+    pub const CONSTANT: f64 = 0.282_094_791_773_878_14;
+
+    /// Functions from degree 1 up: coefficients of a Gaussian, each an RGB triple.
+    pub fn functions(&self) -> usize {
+        (self.degree + 1).pow(2) - 1
+    }
+}
+
+/// Which Gaussians belong to which part, and which parts see the expression.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Parts {
+    /// Part i is Gaussians `start[i]..start[i + 1]`: N_G + 1 entries, from 0 to N_g, never falling.
+    pub start: Vec<u32>,
+    /// Parts before this one are head parts: the expression enters their networks, and is zero for
+    /// the others.
+    pub head: usize,
+}
+
+impl Parts {
+    /// The part that a Gaussian belongs to: the last that starts at or before it.
+    pub fn part_of(&self, gaussian: usize) -> usize {
+        self.start
+            .partition_point(|&start| start as usize <= gaussian)
+            - 1
+    }
+
+    /// Number of parts, N_G.
+    pub fn len(&self) -> usize {
+        self.start.len() - 1
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+}
+
+/// The nonlinearity after every layer of a network except the last.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Activation {
+    /// max(0, x)
+    Relu,
+    /// max(0.01 x, x): see [`crate::constants::LEAKY_SLOPE`].
+    LeakyRelu,
+}
+
+/// One small network a part: pose and expression in, feature vector e out. All parts have the same
+/// widths.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Networks {
+    /// The nonlinearity of the hidden layers.
+    pub activation: Activation,
+    /// The layers, from the input on.
+    pub layers: Vec<Layer>,
+}
+
+impl Networks {
+    /// Length of the feature vector e: N_B, or 2 N_B where nodes have features of their own.
+    pub fn output(&self) -> usize {
+        self.layers.last().map_or(0, |layer| layer.output)
+    }
+
+    /// Whether all weights are bytes.
+    pub fn in_bytes(&self) -> bool {
+        !self.layers.is_empty() && self.layers.iter().all(|layer| layer.weight.is_bytes())
+    }
+}
+
+/// A linear layer of all N_G networks.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Layer {
+    /// Numbers that enter a neuron.
+    pub input: usize,
+    /// Neurons.
+    pub output: usize,
+    /// Shape N_G, output, input; where it is bytes, a neuron has a step.
+    pub weight: Matrix,
+    /// Shape N_G, output.
+    pub bias: Vec<f16>,
+}
+
+/// The basis rows of one attribute with C components, stored only for the Gaussians that pruning
+/// retained.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Rows<const C: usize> {
+    /// The Gaussian of each row, strictly rising.
+    pub gaussian: Vec<u32>,
+    /// Shape rows, C, N_B; where it is bytes, a row has a step.
+    pub basis: Matrix,
+}
+
+/// Points that carry the position correctives; Gaussians interpolate the three nearest.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Nodes {
+    /// In the canonical pose, coordinates in [`Gaussians::bounds`].
+    pub position: Vec<[u16; 3]>,
+    /// The part whose features move the node.
+    pub part: Vec<u16>,
+    /// Learned displacement that no pose changes, metres.
+    pub offset: Vec<[f16; 3]>,
+    /// Shape N_s, 3, N_B; metres a unit of feature. Where it is bytes, a node has a step.
+    pub basis: Matrix,
+}
+
+impl Nodes {
+    /// Number of nodes, N_s.
+    pub fn len(&self) -> usize {
+        self.position.len()
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.position.is_empty()
+    }
+}
+
+impl Avatar {
+    /// N_B. The feature vector is either this long or twice as long.
+    pub fn basis_len(&self) -> usize {
+        if self.nodes.is_empty() {
+            0
+        } else {
+            self.nodes.basis.len() / (3 * self.nodes.len())
+        }
+    }
+
+    /// Whether nothing moves inside it: it has one joint and no networks, like an import from a
+    /// `.ply`.
+    pub fn is_static(&self) -> bool {
+        self.skeleton.len() == 1 && self.networks.layers.is_empty()
+    }
+
+    /// Where in e the nodes' features begin: 0 when attributes and nodes share them, N_B when each
+    /// has its own half.
+    pub fn node_feature_start(&self) -> usize {
+        self.networks.output() - self.basis_len()
+    }
+
+    /// x₀ of a Gaussian: canonical pose, metres.
+    pub fn position(&self, gaussian: usize) -> DVec3 {
+        self.gaussians
+            .bounds
+            .decode(self.gaussians.position[gaussian])
+    }
+
+    /// x_s of a node: canonical pose, metres.
+    pub fn node_position(&self, node: usize) -> DVec3 {
+        self.gaussians.bounds.decode(self.nodes.position[node])
+    }
+
+    /// Weights of a Gaussian's three nodes: 1 / max(‖x₀ − x_s‖, 1e-6), scaled to a sum of 1.
+    pub fn node_weights(&self, gaussian: usize) -> [f64; 3] {
+        self.node_weights_at(self.position(gaussian), self.gaussians.node[gaussian])
+    }
+
+    /// Weights of three nodes for a point in canonical space, metres.
+    pub fn node_weights_at(&self, position: DVec3, node: [u16; 3]) -> [f64; 3] {
+        let alpha = node.map(|s| 1.0 / position.distance(self.node_position(s as usize)).max(1e-6));
+        alpha.map(|a| a / alpha.iter().sum::<f64>())
+    }
+}

@@ -1,0 +1,117 @@
+//! The uniform blocks of a frame, one an avatar: what the shaders read of the pose, the camera and
+//! the renderer's options.
+
+use super::{
+    RendererOptions, Skip,
+    state::{AvatarInstance, FramePlan},
+};
+use crate::layout::{FrameBlock, POSITION_BITS, TILING};
+use crate::scene::{Camera, detail};
+use glam::DAffine3;
+
+/// Writes what all avatars of a frame share. `block` must hold the model's constants.
+pub fn write_shared(
+    block: &mut FrameBlock,
+    options: &RendererOptions,
+    plan: &FramePlan,
+    camera: &Camera,
+) {
+    let [near, far] = plan.depth_range;
+    let guard = camera.guard();
+    let [derivative_min, derivative_max] = camera.derivative_limits();
+    block.focal = camera.focal.as_vec2().to_array();
+    block.center = camera.center.as_vec2().to_array();
+    block.derivative_min = derivative_min.as_vec2().to_array();
+    block.derivative_max = derivative_max.as_vec2().to_array();
+    block.size = camera.size.map(|side| side as f32);
+    block.guard = guard as f32;
+    block.near = camera.near as f32;
+    block.key_far = far as f32;
+    block.key_scale = (1.0 / (far - near)) as f32;
+    block.key_max = options.key_bits.largest();
+    block.cutoff = (255.0 * options.cutoff) as f32;
+    block.quad_opacity = if options.skip.contains(Skip::FAINT) {
+        0.0
+    } else {
+        255.0
+    };
+    block.tile_side = TILING.tile(camera.size) as f32;
+    block.occluder_margin = options.margin as f32;
+    block.pyramid_start = 0;
+    if let Some(view) = plan.occluder_view
+        && options.skip.contains(Skip::HIDDEN)
+    {
+        // The depth pyramid follows all avatars' features and displacements; 4 words a vector.
+        block.pyramid_start = 4 * options.instances as u32 * pose_vectors(block);
+        view.write_to(block);
+    }
+    // Clip space of the quads: a splat's coordinates are in steps of 1 / `steps` px.
+    let steps = fixed_scale(guard);
+    block.fixed_scale = steps as f32;
+    let [x, y] = camera.size.map(|side| 2.0 / (steps * f64::from(side)));
+    block.clip = [
+        x,
+        y,
+        steps * guard,
+        steps * (2.0 * std::f64::consts::LN_2).sqrt(),
+    ]
+    .map(|value| value as f32);
+}
+
+/// Writes what belongs to one avatar. `block` must hold the model's constants.
+pub fn write_instance(
+    block: &mut FrameBlock,
+    options: &RendererOptions,
+    instance: &AvatarInstance,
+    camera: &Camera,
+) {
+    let posed = instance.posed;
+    block.feature_start = instance.index as u32 * pose_vectors(block);
+    block.node_start = block.feature_start + block.parts * block.feature_quads;
+    block.first_splat = instance.first_key;
+    block.drawn = instance.gaussians;
+    block.detail_level = instance.level;
+    block.covariance_scale = detail::covariance_scale(instance.level) as f32;
+    block.idle_parts = instance.networks.complement().bits();
+    block.culled_parts = instance.culled_parts.bits();
+
+    // Two inputs for the networks: the head's sees the expression, the body's has zeros there.
+    let body_inputs = posed.input.len() - posed.expression;
+    block.body_quads = block.layer[0].input_quads;
+    if options.skip.contains(Skip::INPUTS) {
+        block.body_quads = block.body_quads.min(body_inputs.div_ceil(4) as u32);
+    }
+    for (at, &value) in posed.input.iter().enumerate() {
+        block.input[0][at / 4][at % 4] = value as f32;
+        block.input[1][at / 4][at % 4] = if at < body_inputs { value as f32 } else { 0.0 };
+    }
+    for (rows, joint) in block.joint.iter_mut().zip(&posed.joints) {
+        *rows = matrix_rows(camera.view * *joint);
+    }
+}
+
+/// Vectors of 4 that an avatar takes up in the pose buffer: its features, then its nodes'
+/// displacements, two nodes a vector.
+pub fn pose_vectors(constants: &FrameBlock) -> u32 {
+    constants.parts * constants.feature_quads + constants.nodes.div_ceil(2)
+}
+
+/// Rows of the 3 × 4 matrix of an affine map.
+pub fn matrix_rows(map: DAffine3) -> [[f32; 4]; 3] {
+    let columns = [
+        map.matrix3.x_axis,
+        map.matrix3.y_axis,
+        map.matrix3.z_axis,
+        map.translation,
+    ];
+    std::array::from_fn(|row| columns.map(|column| column[row] as f32))
+}
+
+/// Steps of a splat's fixed-point coordinate in a pixel: the largest power of two with which the
+/// image and its guard band on both sides fit into [`POSITION_BITS`].
+pub fn fixed_scale(guard: f64) -> f64 {
+    (f64::from((1 << POSITION_BITS) - 1) / (3.0 * guard))
+        .log2()
+        .floor()
+        .exp2()
+}

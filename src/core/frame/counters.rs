@@ -1,0 +1,136 @@
+//! What a frame took in, skipped and drew: counts that do not depend on how fast a device is.
+
+use serde::{Deserialize, Serialize};
+
+/// Counts of one frame. Every Gaussian of the scene is either drawn or culled. In a frame that
+/// draws nothing, all counts are 0.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Counters {
+    /// Avatars in the scene.
+    pub avatars: u64,
+    /// Avatars all outside the view, for which no work was done.
+    pub avatars_culled: u64,
+    /// Gaussians of all avatars in the scene.
+    pub gaussians: u64,
+    /// Gaussians that the level of detail skips: part of `culled`.
+    #[serde(rename = "thinned")]
+    pub skipped_by_detail: u64,
+    /// Gaussians that were not drawn: those of culled avatars, those that the level of detail
+    /// skips, and those culled one by one.
+    pub culled: u64,
+    /// Why Gaussians were culled one by one. None where that was not counted.
+    pub reasons: Option<CullReasons>,
+    /// Gaussians sorted and rasterized.
+    pub drawn: u64,
+    /// Networks that ran.
+    pub networks: u64,
+    /// Parts all outside the view.
+    pub parts_outside: u64,
+    /// Gaussians projected from the pose cache: all that an avatar's level of detail draws, or
+    /// none.
+    #[serde(rename = "kept")]
+    pub cached: u64,
+    /// With quads: fragment shader invocations; some drivers count only those that blend. With
+    /// tiles: the pixels of all 4 × 4 squares that splats were put on. The two can't be compared.
+    /// None where the device has no pipeline statistics.
+    pub fragments: Option<u64>,
+    /// Pixels that something was drawn into. None where they were not counted.
+    pub covered: Option<u64>,
+    /// Pixels of the damage rectangle, empty ones included.
+    #[serde(rename = "area")]
+    pub damaged: u64,
+    /// Compute dispatches.
+    pub dispatches: u64,
+    /// Command buffers submitted: 0 for a frame that changes nothing.
+    pub submitted: u64,
+}
+
+/// Gaussians culled one by one, each counted under the first reason that applies.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct CullReasons {
+    /// Nearer than the near plane, or outside the image.
+    pub outside: u64,
+    /// Behind the occluder.
+    pub hidden: u64,
+    /// Nowhere as opaque as the cutoff.
+    pub faint: u64,
+    /// Not finite, or beyond the range of f32.
+    pub degenerate: u64,
+}
+
+impl Counters {
+    /// Every count that is known, under its name in reports and JSON, in the order of tables.
+    pub fn named(&self) -> impl Iterator<Item = (&'static str, u64)> {
+        let all = [
+            ("avatars", Some(self.avatars)),
+            ("avatars_culled", Some(self.avatars_culled)),
+            ("gaussians", Some(self.gaussians)),
+            ("culled", Some(self.culled)),
+            ("thinned", Some(self.skipped_by_detail)),
+            ("outside", self.reasons.map(|reasons| reasons.outside)),
+            ("hidden", self.reasons.map(|reasons| reasons.hidden)),
+            ("faint", self.reasons.map(|reasons| reasons.faint)),
+            ("degenerate", self.reasons.map(|reasons| reasons.degenerate)),
+            ("drawn", Some(self.drawn)),
+            ("networks", Some(self.networks)),
+            ("parts_outside", Some(self.parts_outside)),
+            ("kept", Some(self.cached)),
+            ("fragments", self.fragments),
+            ("covered", self.covered),
+            ("area", Some(self.damaged)),
+            ("dispatches", Some(self.dispatches)),
+            ("submitted", Some(self.submitted)),
+        ];
+        all.into_iter()
+            .filter_map(|(name, count)| Some((name, count?)))
+    }
+
+    /// Fragments shaded for each covered pixel. None where either is unknown or nothing is covered.
+    pub fn overdraw(&self) -> Option<f64> {
+        let fragments = self.fragments?;
+        let covered = self.covered?;
+        (covered > 0).then(|| fragments as f64 / covered as f64)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn overdraw_needs_counts_and_covered_pixels() {
+        let counted = Counters {
+            fragments: Some(30),
+            covered: Some(12),
+            ..Counters::default()
+        };
+        assert_eq!(counted.overdraw(), Some(2.5));
+        assert_eq!(counted.named().count(), 14);
+        assert_eq!(
+            Counters {
+                reasons: Some(CullReasons::default()),
+                ..counted
+            }
+            .named()
+            .count(),
+            18
+        );
+        assert_eq!(Counters::default().named().count(), 12);
+        assert_eq!(
+            Counters {
+                covered: Some(0),
+                ..counted
+            }
+            .overdraw(),
+            None
+        );
+        assert_eq!(
+            Counters {
+                fragments: None,
+                ..counted
+            }
+            .overdraw(),
+            None
+        );
+    }
+}

@@ -1,0 +1,108 @@
+//! The damage rectangle: which pixels a frame clears and draws.
+
+use crate::layout::RASTER_REGION;
+use crate::scene::PixelRect;
+use glam::UVec2;
+
+/// The pixels that a frame draws: whole regions of [`RASTER_REGION`] px, cut off at the image's
+/// edges, and at least one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Damage {
+    /// Column and row of the first pixel.
+    pub min: [u32; 2],
+    /// One past the last column and row.
+    pub max: [u32; 2],
+    /// Whether all of the image is cleared, since its content is unknown or all of it is drawn.
+    pub whole: bool,
+}
+
+impl Damage {
+    /// The damage of a frame that draws into `now`. `before`: where earlier frames may have left
+    /// something; None if that is unknown. `size`: the image's, at least 1.
+    pub fn new(now: PixelRect, before: Option<PixelRect>, size: [u32; 2]) -> Self {
+        let whole = PixelRect::whole(size);
+        let rect = now.union(before.unwrap_or(whole));
+        let min = rect.min.min(whole.max - 1) / RASTER_REGION * RASTER_REGION;
+        let max = rect
+            .max
+            .max(min + 1)
+            .map(|side| side.next_multiple_of(RASTER_REGION))
+            .min(whole.max);
+        Self {
+            min: min.into(),
+            max: max.into(),
+            whole: before.is_none() || (min == UVec2::ZERO && max == whole.max),
+        }
+    }
+
+    /// Pixels of the rectangle.
+    pub fn pixels(&self) -> u64 {
+        (0..2)
+            .map(|axis| u64::from(self.max[axis] - self.min[axis]))
+            .product()
+    }
+
+    /// Column and row of the first region, and one past those of the last.
+    pub fn regions(&self) -> [[u32; 2]; 2] {
+        [
+            self.min.map(|pixel| pixel / RASTER_REGION),
+            self.max.map(|pixel| pixel.div_ceil(RASTER_REGION)),
+        ]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SIZE: [u32; 2] = [10 * RASTER_REGION + 3, 100];
+    const REGION: [u32; 2] = [RASTER_REGION; 2];
+
+    fn rect(min: [u32; 2], max: [u32; 2]) -> PixelRect {
+        PixelRect {
+            min: min.into(),
+            max: max.into(),
+        }
+    }
+
+    #[test]
+    fn unknown_content_damages_the_whole_image() {
+        assert_eq!(
+            Damage::new(rect([40, 33], [41, 34]), None, SIZE),
+            Damage {
+                min: [0, 0],
+                max: SIZE,
+                whole: true
+            }
+        );
+    }
+
+    #[test]
+    fn damage_has_at_least_one_region() {
+        let nothing = Damage::new(PixelRect::EMPTY, Some(PixelRect::EMPTY), SIZE);
+        assert_eq!(nothing.regions()[1].map(|end| end > 0), [true; 2]);
+    }
+
+    #[test]
+    fn damage_covers_old_and_new_in_whole_regions() {
+        let new = rect(REGION, REGION.map(|side| side + 1));
+        assert_eq!(
+            Damage::new(new, Some(PixelRect::EMPTY), SIZE),
+            Damage {
+                min: REGION,
+                max: REGION.map(|side| 2 * side),
+                whole: false
+            }
+        );
+        let both = Damage::new(rect([1, 1], [2, 2]), Some(rect(REGION, SIZE)), SIZE);
+        assert_eq!(
+            both,
+            Damage {
+                min: [0, 0],
+                max: SIZE,
+                whole: true
+            }
+        );
+        assert_eq!(both.pixels(), u64::from(SIZE[0] * SIZE[1]));
+    }
+}

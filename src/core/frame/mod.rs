@@ -1,0 +1,31 @@
+//! What a frame is, whatever draws it: options, what has to run again and what is skipped, the
+//! uniform block, and what a finished frame reports.
+
+pub mod block;
+pub mod changes;
+pub mod check;
+pub mod counters;
+pub mod damage;
+pub mod keys;
+pub mod options;
+pub mod passes;
+pub mod pose_cache;
+pub mod preset;
+pub mod report;
+pub mod schedule;
+pub mod skip;
+pub mod state;
+pub mod validate;
+
+pub use block::fixed_scale;
+pub use changes::{ChangeTracker, Changes, Skinning};
+pub use check::Unusable;
+pub use counters::{Counters, CullReasons};
+pub use damage::Damage;
+pub use keys::KeyBits;
+pub use options::{ColorFormat, RasterMethod, RendererOptions, SortVariant};
+pub use passes::Stage;
+pub use report::FrameReport;
+pub use schedule::Schedule;
+pub use skip::Skip;
+pub use state::{AvatarInstance, FramePlan, FrameState, PlanInput, StageDispatches};

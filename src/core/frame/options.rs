@@ -1,0 +1,152 @@
+//! Renderer options: everything that trades time or memory for quality.
+
+use super::{KeyBits, Skip};
+use crate::layout::{
+    SORT_DIGITS, SORT_GROUP, SORT_ONESWEEP_TILE, SORT_RUNS, SORT_STATE, SORT_TILE,
+};
+use crate::{constants::ALPHA_MIN, scene::Detail};
+use serde::{Deserialize, Serialize};
+
+/// The options of a renderer. [`RendererOptions::check`] says whether they are valid.
+#[derive(Clone, Copy, Debug)]
+pub struct RendererOptions {
+    /// Width and height of the image, px.
+    pub size: [u32; 2],
+    /// Format of the image. None: [`RasterMethod::color`].
+    pub color: Option<ColorFormat>,
+    /// How splats are rasterized. None: the method recommended for the device.
+    pub method: Option<RasterMethod>,
+    /// Width of the sort keys.
+    pub key_bits: KeyBits,
+    /// How to sort. None: the fastest variant that passes the device's self-test.
+    pub sort: Option<SortVariant>,
+    /// Work that may be skipped where the scene does not need it.
+    pub skip: Skip,
+    /// Contributions below this opacity are not drawn, at least 1/255 (docs/model.md, step 10).
+    pub cutoff: f64,
+    /// How far behind the occluder a Gaussian must be to be hidden, metres.
+    pub margin: f64,
+    /// How many of an avatar's Gaussians are drawn.
+    pub detail: Detail,
+    /// Most copies of the avatar in a scene, 1 to 256; memory grows with it.
+    pub instances: usize,
+    /// Count fragments, where the device can, and why Gaussians are culled. For measurements: some
+    /// devices are slower then.
+    pub count: bool,
+}
+
+impl RendererOptions {
+    /// The defaults for an image of a width and height, px.
+    pub fn new(size: [u32; 2]) -> Self {
+        Self {
+            size,
+            color: None,
+            method: None,
+            key_bits: KeyBits::default(),
+            sort: None,
+            skip: Skip::all() - Skip::DEPTH,
+            cutoff: ALPHA_MIN,
+            margin: 0.005,
+            detail: Detail::FULL,
+            instances: 1,
+            count: false,
+        }
+    }
+}
+
+/// Format that the image is blended or stored in.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum ColorFormat {
+    /// 8 bits a channel: 4 bytes a pixel, rounded after every Gaussian by [`RasterMethod::Quads`],
+    /// once by [`RasterMethod::Tiles`].
+    Rgba8,
+    /// 16-bit floating point: 8 bytes a pixel.
+    #[default]
+    Rgba16F,
+}
+
+impl ColorFormat {
+    /// Bytes of a pixel.
+    pub fn bytes(self) -> usize {
+        match self {
+            Self::Rgba8 => 4,
+            Self::Rgba16F => 8,
+        }
+    }
+}
+
+/// How splats are rasterized.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum RasterMethod {
+    /// Quads through the graphics pipeline; tile-based GPUs blend them in tile memory.
+    Quads,
+    /// A compute kernel over tiles of the image, which stops at saturated pixels.
+    Tiles,
+}
+
+impl RasterMethod {
+    /// Every method.
+    pub const ALL: [Self; 2] = [Self::Quads, Self::Tiles];
+
+    /// Its name on the command line and in reports.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Quads => "quads",
+            Self::Tiles => "tiles",
+        }
+    }
+
+    /// The default format: 8 bits where each pixel is rounded once.
+    pub fn color(self) -> ColorFormat {
+        match self {
+            Self::Quads => ColorFormat::Rgba16F,
+            Self::Tiles => ColorFormat::Rgba8,
+        }
+    }
+}
+
+/// The variants of the radix sort; docs/architecture.md compares them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+pub enum SortVariant {
+    /// One pass a digit, with decoupled look-back.
+    OneSweep,
+    /// Histograms of all tiles, then a scan, then a scatter.
+    ReduceThenScan,
+    /// Each invocation sorts a run of keys of its own: for CPU drivers.
+    PerThread,
+}
+
+impl SortVariant {
+    /// Every variant.
+    pub const ALL: [Self; 3] = [Self::OneSweep, Self::ReduceThenScan, Self::PerThread];
+
+    /// Its name in reports.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::OneSweep => "OneSweep",
+            Self::ReduceThenScan => "reduce-then-scan",
+            Self::PerThread => "per-thread",
+        }
+    }
+
+    /// Keys of a tile: how many one workgroup sorts.
+    pub fn tile(self) -> u32 {
+        match self {
+            Self::OneSweep => SORT_ONESWEEP_TILE,
+            Self::ReduceThenScan => SORT_TILE,
+            Self::PerThread => 1024 * SORT_RUNS,
+        }
+    }
+
+    /// Bytes of the counts of a sort of this many tiles; `shaders/sort/pass.glsl` has their layout.
+    pub fn counts_size(self, tiles: u32) -> u64 {
+        let groups = u64::from(tiles.div_ceil(SORT_GROUP));
+        let tiles = u64::from(tiles);
+        let areas = match self {
+            Self::OneSweep => 2 * tiles,
+            Self::ReduceThenScan => 0,
+            Self::PerThread => u64::from(SORT_RUNS + 1) * tiles,
+        };
+        4 * (u64::from(SORT_DIGITS) * (tiles + 3 + groups + areas) + u64::from(SORT_STATE))
+    }
+}

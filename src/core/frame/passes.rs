@@ -1,0 +1,247 @@
+//! The passes of a frame as data: what each does, and what it reads and writes on the device.
+
+use super::Skinning;
+use crate::scene::OccluderView;
+use bitflags::bitflags;
+
+/// A stage of a frame. Labels of GPU profilers, timestamps, reports and the overlay use its name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Stage {
+    /// The parts' networks, and the nodes that their features move.
+    Mlp,
+    /// View-dependent colours from spherical harmonics, for avatars that have them.
+    Sh,
+    /// The occluder's depth, and the pyramid made from it.
+    Occluder,
+    /// Correctives, skinning, projection, culling and the depth key of each Gaussian.
+    Project,
+    /// The drawing order: far to near, stable.
+    Sort,
+    /// Lists of splats by tile, for the compute rasterizer.
+    Binning,
+    /// Splats blended into an image.
+    Raster,
+    /// The image over the background, into a window.
+    Present,
+}
+
+impl Stage {
+    /// Every stage, in the order that a frame runs them.
+    pub const ALL: [Self; 8] = [
+        Self::Mlp,
+        Self::Sh,
+        Self::Occluder,
+        Self::Project,
+        Self::Sort,
+        Self::Binning,
+        Self::Raster,
+        Self::Present,
+    ];
+
+    /// Its name in reports, labels and the command line.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Mlp => "mlp",
+            Self::Sh => "sh",
+            Self::Occluder => "occluder",
+            Self::Project => "project",
+            Self::Sort => "sort",
+            Self::Binning => "binning",
+            Self::Raster => "raster",
+            Self::Present => "present",
+        }
+    }
+}
+
+/// Memory on the device that passes of a frame share.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Resource {
+    /// How many keys the sort takes, how many survive, and the indirect draw.
+    Control,
+    /// The sort's histograms, and why Gaussians were culled.
+    Counts,
+    /// Features and node displacements of every avatar.
+    Pose,
+    /// The occluder's depth pyramid.
+    Pyramid,
+    /// Colours of one avatar, from its spherical harmonics.
+    Colors,
+    /// Skinned Gaussians that only a camera's change reuses.
+    PoseCache,
+    /// Projected Gaussians and their depth keys.
+    Splats,
+    /// Indices of splats in drawing order.
+    Order,
+    /// Lists of splats by tile.
+    TileLists,
+    /// The image that the frame makes.
+    Image,
+}
+
+impl Resource {
+    /// Every resource.
+    pub const ALL: [Self; 10] = [
+        Self::Control,
+        Self::Counts,
+        Self::Pose,
+        Self::Pyramid,
+        Self::Colors,
+        Self::PoseCache,
+        Self::Splats,
+        Self::Order,
+        Self::TileLists,
+        Self::Image,
+    ];
+}
+
+bitflags! {
+    /// Where in a GPU's pipeline a pass uses memory.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub struct PipelineStages: u32 {
+        const TRANSFER = 1;
+        const COMPUTE = 2;
+        const VERTEX = 4;
+        /// Arguments of an indirect draw.
+        const INDIRECT = 8;
+        /// Blending into the image.
+        const COLOR = 16;
+    }
+}
+
+/// One use of a resource by a pass.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Use {
+    pub resource: Resource,
+    pub stages: PipelineStages,
+    /// Whether the pass writes it; it may read it as well.
+    pub writes: bool,
+}
+
+/// Work that a backend records as one unit, without barriers of its own between resources.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Pass {
+    /// Writes the number of keys that the sort takes to the control.
+    SetKeyCount { keys: u32 },
+    /// Clears histograms and counts of culled Gaussians.
+    ClearCounts,
+    /// Runs an avatar's networks up to part `parts`, and moves the nodes.
+    Mlp { instance: usize, parts: u32 },
+    /// Works out the colours of an avatar's first `gaussians` Gaussians as the camera sees them.
+    Sh { instance: usize, gaussians: u32 },
+    /// Draws the occluders of all avatars in view, and makes the pyramid.
+    Occluder { view: OccluderView },
+    /// Projects an avatar's first `gaussians` Gaussians.
+    Project {
+        instance: usize,
+        gaussians: u32,
+        skinning: Skinning,
+    },
+    /// Sorts the keys of all avatars.
+    Sort,
+    /// Empties the tiles' lists.
+    ClearTileLists,
+    /// Writes each splat to the lists of the tiles that it meets.
+    Binning,
+    /// Blends the lists of splats, tile by tile, in a compute kernel.
+    RasterTiles,
+    /// Blends quads with the device's blender. `occluders`: a depth test against the occluders of
+    /// all avatars in view, drawn first.
+    RasterQuads { occluders: bool },
+    /// Copies the frame's counts to where the host reads them.
+    ReadCounts,
+}
+
+impl Pass {
+    /// The stage that it belongs to. None for what stands between stages.
+    pub fn stage(&self) -> Option<Stage> {
+        match self {
+            Self::SetKeyCount { .. } | Self::ClearCounts | Self::ReadCounts => None,
+            Self::Mlp { .. } => Some(Stage::Mlp),
+            Self::Sh { .. } => Some(Stage::Sh),
+            Self::Occluder { .. } => Some(Stage::Occluder),
+            Self::Project { .. } => Some(Stage::Project),
+            Self::Sort => Some(Stage::Sort),
+            Self::ClearTileLists | Self::Binning => Some(Stage::Binning),
+            Self::RasterTiles | Self::RasterQuads { .. } => Some(Stage::Raster),
+        }
+    }
+
+    /// Every use that it makes of shared memory.
+    pub fn uses(&self) -> Vec<Use> {
+        use PipelineStages as Stages;
+        use Resource::*;
+        let read = |resource, stages| Use {
+            resource,
+            stages,
+            writes: false,
+        };
+        let write = |resource, stages| Use {
+            resource,
+            stages,
+            writes: true,
+        };
+        match *self {
+            Self::SetKeyCount { .. } => vec![write(Control, Stages::TRANSFER)],
+            // What was culled is counted behind the splats, in the same buffer: validation tells
+            // buffers apart, not places in them.
+            Self::ClearCounts => vec![
+                write(Counts, Stages::TRANSFER),
+                write(Splats, Stages::TRANSFER),
+            ],
+            Self::Mlp { .. } => vec![write(Pose, Stages::COMPUTE)],
+            Self::Sh { .. } => vec![write(Colors, Stages::COMPUTE)],
+            // The pyramid lies behind the nodes, in the same buffer.
+            Self::Occluder { .. } => vec![
+                read(Pose, Stages::VERTEX),
+                write(Pose, Stages::COMPUTE),
+                write(Pyramid, Stages::COMPUTE),
+            ],
+            Self::Project { skinning, .. } => {
+                let cache = match skinning {
+                    Skinning::Compute => None,
+                    Skinning::ComputeAndStore => Some(write(PoseCache, Stages::COMPUTE)),
+                    Skinning::Cached => Some(read(PoseCache, Stages::COMPUTE)),
+                };
+                let mut uses = vec![
+                    read(Pose, Stages::COMPUTE),
+                    read(Pyramid, Stages::COMPUTE),
+                    read(Colors, Stages::COMPUTE),
+                    write(Counts, Stages::COMPUTE),
+                    write(Splats, Stages::COMPUTE),
+                ];
+                uses.extend(cache);
+                uses
+            }
+            Self::Sort => vec![
+                read(Splats, Stages::COMPUTE),
+                write(Counts, Stages::COMPUTE),
+                write(Control, Stages::COMPUTE),
+                write(Order, Stages::COMPUTE),
+            ],
+            Self::ClearTileLists => vec![write(TileLists, Stages::TRANSFER)],
+            Self::Binning => vec![
+                read(Control, Stages::COMPUTE),
+                read(Order, Stages::COMPUTE),
+                read(Splats, Stages::COMPUTE),
+                write(TileLists, Stages::COMPUTE),
+            ],
+            Self::RasterTiles => vec![
+                read(TileLists, Stages::COMPUTE),
+                read(Splats, Stages::COMPUTE),
+                write(Control, Stages::COMPUTE),
+                write(Image, Stages::COMPUTE),
+            ],
+            Self::RasterQuads { .. } => vec![
+                read(Control, Stages::INDIRECT | Stages::VERTEX),
+                read(Pose, Stages::VERTEX),
+                read(Order, Stages::VERTEX),
+                read(Splats, Stages::VERTEX),
+                write(Image, Stages::COLOR),
+            ],
+            Self::ReadCounts => vec![
+                read(Control, Stages::TRANSFER),
+                read(Counts, Stages::TRANSFER),
+            ],
+        }
+    }
+}

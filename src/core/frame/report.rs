@@ -1,0 +1,68 @@
+//! What a finished frame reports: times on device and host, and counts.
+
+use super::{Counters, Stage};
+use std::time::Instant;
+
+/// Names of the stages, in the order that a frame runs them.
+pub const STAGES: [&str; 8] = {
+    let mut names = [""; 8];
+    let mut at = 0;
+    while at < names.len() {
+        names[at] = Stage::ALL[at].name();
+        at += 1;
+    }
+    names
+};
+
+/// When the host did what for a frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HostTimes {
+    /// The frame was requested.
+    pub began: Instant,
+    /// The frame in flight before it that used the same buffers was done.
+    pub waited: Instant,
+    /// Its commands were recorded.
+    pub recorded: Instant,
+    /// They were submitted.
+    pub submitted: Instant,
+    /// The host saw that the device was done.
+    pub finished: Instant,
+}
+
+/// The report of a finished frame.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct FrameReport {
+    /// GPU time of each stage that ran, ms. Empty where the device has no timestamps.
+    pub stages: Vec<(&'static str, f64)>,
+    /// When each of them began and ended, in ticks of the device, whose low
+    /// `vulkan::Probe::timestamp_bits` bits are valid. Empty where ticks of different frames can't
+    /// be compared.
+    pub ticks: Vec<[u64; 2]>,
+    /// None for a frame that was not submitted, or whose backend does not record them.
+    pub host: Option<HostTimes>,
+    /// What was drawn, culled and skipped.
+    pub counters: Counters,
+    /// Stages that the frame did not need to run.
+    pub skipped: Vec<&'static str>,
+}
+
+impl FrameReport {
+    /// The report of a frame that changes nothing, and was not submitted. `has_sh`: whether the
+    /// renderer has the stage.
+    pub fn idle(has_sh: bool) -> Self {
+        let mut skipped = vec![Stage::Mlp];
+        if has_sh {
+            skipped.push(Stage::Sh);
+        }
+        skipped.extend([Stage::Project, Stage::Sort, Stage::Raster]);
+        Self {
+            skipped: skipped.into_iter().map(Stage::name).collect(),
+            ..Self::default()
+        }
+    }
+
+    /// Sum over the stages, ms.
+    pub fn gpu_ms(&self) -> f64 {
+        self.stages.iter().map(|(_, ms)| ms).sum()
+    }
+}

@@ -1,0 +1,520 @@
+//! A frame as a list of steps, made once and executed by both backends.
+
+use super::{
+    FramePlan, RasterMethod, Skip,
+    passes::{Pass, PipelineStages, Resource, Stage},
+};
+use crate::scene::OccluderView;
+
+/// A barrier over all memory: what `before` names is done, and what it wrote can be seen, before
+/// what `after` names begins.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Barrier {
+    pub before: PipelineStages,
+    pub after: PipelineStages,
+}
+
+/// Why a stage does not run in a frame.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SkipReason {
+    /// Its inputs are those of the frame before.
+    Unchanged,
+    /// No avatar is in view.
+    NothingInView,
+}
+
+/// What a backend does next.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Step {
+    /// Orders memory. Backends that order it by themselves pass over it.
+    Barrier(Barrier),
+    /// A stage begins: a label, a timestamp.
+    Begin(Stage),
+    Run(Pass),
+    /// The stage that began last ends.
+    End(Stage),
+    /// A stage that the renderer has and this frame does not need.
+    Skip(Stage, SkipReason),
+}
+
+impl Step {
+    /// The pass that it runs, if it runs one.
+    pub fn pass(&self) -> Option<&Pass> {
+        match self {
+            Self::Run(pass) => Some(pass),
+            _ => None,
+        }
+    }
+}
+
+/// What a renderer has, and what its device needs: the same from frame to frame.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Equipment {
+    /// The avatar's colours change with the view.
+    pub sh: bool,
+    pub method: RasterMethod,
+    pub skip: Skip,
+}
+
+/// What the device holds from earlier frames.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Held {
+    /// Keys that the control says the sort takes; None where that is not known.
+    pub key_count: Option<u32>,
+}
+
+/// A frame, from its first pass to its last.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Schedule {
+    pub steps: Vec<Step>,
+    /// Keys that the sort takes in this frame: [`Held::key_count`] of the next.
+    pub key_count: u32,
+}
+
+impl Schedule {
+    /// The frame: which passes run, in which order, what is skipped and why. This is the one place
+    /// that says so.
+    pub fn new(plan: &FramePlan, equipment: &Equipment, held: Held) -> Self {
+        let mut steps = Recorder::new();
+        let known = held.key_count.unwrap_or(0);
+        let key_count = if plan.redraw { plan.key_count() } else { known };
+        if held.key_count != Some(key_count) {
+            steps.run(Pass::SetKeyCount { keys: key_count });
+        }
+        if plan.redraw {
+            steps.run(Pass::ClearCounts);
+        }
+
+        let posed: Vec<_> = plan
+            .instances
+            .iter()
+            .filter(|instance| !instance.networks.is_empty())
+            .map(|instance| Pass::Mlp {
+                instance: instance.index,
+                parts: instance.networks.end() as u32,
+            })
+            .collect();
+        if posed.is_empty() {
+            steps.skip(Stage::Mlp, SkipReason::Unchanged);
+        } else {
+            steps.stage(Stage::Mlp, posed);
+        }
+
+        if !plan.redraw {
+            if equipment.sh {
+                steps.skip(Stage::Sh, SkipReason::Unchanged);
+            }
+            for stage in [Stage::Project, Stage::Sort, Stage::Raster] {
+                steps.skip(stage, SkipReason::Unchanged);
+            }
+        } else if plan.instances.is_empty() {
+            for stage in [Stage::Project, Stage::Sort] {
+                steps.skip(stage, SkipReason::NothingInView);
+            }
+            steps.raster(equipment, None);
+        } else {
+            steps.geometry(plan, equipment);
+            steps.stage(Stage::Sort, vec![Pass::Sort]);
+            steps.raster(equipment, plan.occluder_view);
+        }
+        steps.run(Pass::ReadCounts);
+        Self {
+            steps: steps.steps,
+            key_count,
+        }
+    }
+
+    /// The stages that this frame skips, with the reasons.
+    pub fn skipped(&self) -> impl Iterator<Item = (Stage, SkipReason)> {
+        self.steps.iter().filter_map(|step| match step {
+            Step::Skip(stage, reason) => Some((*stage, *reason)),
+            _ => None,
+        })
+    }
+
+    /// The passes, in order.
+    pub fn passes(&self) -> impl Iterator<Item = &Pass> {
+        self.steps.iter().filter_map(Step::pass)
+    }
+}
+
+/// What is known of a resource while steps are put in order.
+#[derive(Clone, Copy)]
+struct History {
+    /// Where it was written last, and where that can be seen.
+    written: PipelineStages,
+    visible: PipelineStages,
+    /// Where it was read since, and what waits for that.
+    read: PipelineStages,
+    waits: PipelineStages,
+}
+
+impl Default for History {
+    /// Nothing has used it since the barrier that a frame begins with.
+    fn default() -> Self {
+        Self {
+            written: PipelineStages::empty(),
+            visible: PipelineStages::all(),
+            read: PipelineStages::empty(),
+            waits: PipelineStages::all(),
+        }
+    }
+}
+
+/// Puts steps in order, with the barriers that the passes' uses of memory ask for.
+struct Recorder {
+    steps: Vec<Step>,
+    history: [History; Resource::ALL.len()],
+}
+
+impl Recorder {
+    /// Begins with what the frame before may still use, anywhere. Its image is its own until the
+    /// backend hands it over.
+    fn new() -> Self {
+        Self {
+            steps: vec![Step::Barrier(Barrier {
+                before: PipelineStages::all() - PipelineStages::COLOR,
+                after: PipelineStages::all() - PipelineStages::COLOR,
+            })],
+            history: [History::default(); Resource::ALL.len()],
+        }
+    }
+
+    fn run(&mut self, pass: Pass) {
+        self.order(&pass);
+        self.steps.push(Step::Run(pass));
+    }
+
+    fn stage(&mut self, stage: Stage, passes: Vec<Pass>) {
+        // What the first pass waits for is not the stage's time.
+        if let Some(first) = passes.first() {
+            self.barrier(first);
+        }
+        self.steps.push(Step::Begin(stage));
+        for pass in passes {
+            self.run(pass);
+        }
+        self.steps.push(Step::End(stage));
+    }
+
+    fn skip(&mut self, stage: Stage, reason: SkipReason) {
+        self.steps.push(Step::Skip(stage, reason));
+    }
+
+    /// Colours, occluders and projection of all avatars in view.
+    fn geometry(&mut self, plan: &FramePlan, equipment: &Equipment) {
+        let sh = |instance: &super::AvatarInstance| Pass::Sh {
+            instance: instance.index,
+            gaussians: instance.gaussians,
+        };
+        if equipment.sh {
+            self.stage(
+                Stage::Sh,
+                plan.instances.first().map(sh).into_iter().collect(),
+            );
+        }
+        if let Some(view) = plan.occluder_view
+            && equipment.skip.contains(Skip::HIDDEN)
+        {
+            self.stage(Stage::Occluder, vec![Pass::Occluder { view }]);
+        }
+        let mut passes = Vec::new();
+        for (position, instance) in plan.instances.iter().enumerate() {
+            // All avatars share one buffer of colours: each one's replace those of the one before,
+            // once these are used.
+            if equipment.sh && position > 0 {
+                passes.push(sh(instance));
+            }
+            passes.push(Pass::Project {
+                instance: instance.index,
+                gaussians: instance.gaussians,
+                skinning: instance.changes.skinning,
+            });
+        }
+        self.stage(Stage::Project, passes);
+    }
+
+    fn raster(&mut self, equipment: &Equipment, occluder_view: Option<OccluderView>) {
+        match equipment.method {
+            RasterMethod::Tiles => {
+                self.stage(Stage::Binning, vec![Pass::ClearTileLists, Pass::Binning]);
+                self.stage(Stage::Raster, vec![Pass::RasterTiles]);
+            }
+            RasterMethod::Quads => {
+                let occluders = occluder_view.is_some() && equipment.skip.contains(Skip::DEPTH);
+                self.stage(Stage::Raster, vec![Pass::RasterQuads { occluders }]);
+            }
+        }
+    }
+
+    /// The barrier that a pass needs before it, if any: after writes of what it uses, and after
+    /// reads of what it writes.
+    fn barrier(&mut self, pass: &Pass) {
+        let mut before = PipelineStages::empty();
+        let mut after = PipelineStages::empty();
+        for used in pass.uses() {
+            let history = self.history[used.resource as usize];
+            if !history.visible.contains(used.stages) {
+                before |= history.written;
+                after |= used.stages;
+            }
+            if used.writes && !history.waits.contains(used.stages) {
+                before |= history.read;
+                after |= used.stages;
+            }
+        }
+        if before.is_empty() {
+            return;
+        }
+        for history in &mut self.history {
+            if before.contains(history.written) {
+                history.visible |= after;
+            }
+            if before.contains(history.read) {
+                history.waits |= after;
+            }
+        }
+        self.steps.push(Step::Barrier(Barrier { before, after }));
+    }
+
+    fn order(&mut self, pass: &Pass) {
+        self.barrier(pass);
+        for used in pass.uses() {
+            let history = &mut self.history[used.resource as usize];
+            if used.writes {
+                *history = History {
+                    written: used.stages,
+                    visible: PipelineStages::empty(),
+                    read: PipelineStages::empty(),
+                    waits: PipelineStages::all(),
+                };
+            } else {
+                history.read |= used.stages;
+                history.waits = PipelineStages::empty();
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{
+        avatar::{Avatar, Pose},
+        frame::{FrameState, PlanInput, RendererOptions, passes::Use},
+        scene::{AvatarBounds, Camera, PartDependencies, Posed, upright},
+    };
+    use glam::{DAffine3, DVec3};
+
+    const SIZE: [u32; 2] = [256, 256];
+
+    /// Plans frames of the demo with some options.
+    struct Planner {
+        avatar: Avatar,
+        bounds: AvatarBounds,
+        dependencies: PartDependencies,
+        options: RendererOptions,
+        state: FrameState,
+        held: Held,
+    }
+
+    impl Planner {
+        fn new(options: RendererOptions) -> Self {
+            let avatar = crate::demo::avatar().unwrap();
+            Self {
+                bounds: AvatarBounds::new(&avatar),
+                dependencies: PartDependencies::new(&avatar),
+                avatar,
+                options: RendererOptions {
+                    size: SIZE,
+                    ..options
+                },
+                state: FrameState::default(),
+                held: Held::default(),
+            }
+        }
+
+        fn posed(&self, bend: f64, aside: f64) -> Posed {
+            let mut pose = Pose::rest(self.avatar.skeleton.len(), self.avatar.inputs.expression);
+            pose.rotation[3] = DVec3::X * bend;
+            Posed::new(&self.avatar, &pose).placed(DAffine3::from_translation(DVec3::X * aside))
+        }
+
+        fn camera(&self, yaw: f64) -> Camera {
+            let joints = self.posed(0.0, 0.0).joints;
+            let [low, high] = upright(self.bounds.bounds(&joints));
+            Camera::orbit((low + high) / 2.0, yaw, 0.0, 3.0, 0.6, SIZE)
+        }
+
+        fn frame(&mut self, poses: &[Posed], yaw: f64, equipment: &Equipment) -> Schedule {
+            let camera = self.camera(yaw);
+            let poses: Vec<&Posed> = poses.iter().collect();
+            let plan = self.state.plan(PlanInput {
+                poses: &poses,
+                camera: &camera,
+                bounds: &self.bounds,
+                dependencies: &self.dependencies,
+                options: &self.options,
+                has_occluder: true,
+                always_submit: true,
+            });
+            let schedule = Schedule::new(&plan, equipment, self.held);
+            self.held.key_count = Some(schedule.key_count);
+            schedule
+        }
+    }
+
+    fn equipment(method: RasterMethod, sh: bool) -> Equipment {
+        Equipment {
+            sh,
+            method,
+            skip: Skip::all(),
+        }
+    }
+
+    fn names(schedule: &Schedule) -> Vec<&'static str> {
+        let began = schedule.steps.iter().filter_map(|step| match step {
+            Step::Begin(stage) => Some(stage.name()),
+            _ => None,
+        });
+        began.collect()
+    }
+
+    /// Between a use of memory and the last write before it, and between a write and the reads
+    /// since the last one, stands a barrier that names both ends.
+    fn assert_ordered(schedule: &Schedule) {
+        let mut earlier: Vec<(usize, Pass, Use)> = Vec::new();
+        for (at, step) in schedule.steps.iter().enumerate() {
+            let Step::Run(pass) = step else { continue };
+            for used in pass.uses() {
+                for (before, other, former) in &earlier {
+                    if former.resource != used.resource || !(former.writes || used.writes) {
+                        continue;
+                    }
+                    let ordered = schedule.steps[*before..at].iter().any(|step| {
+                        matches!(step, Step::Barrier(barrier)
+                            if barrier.before.contains(former.stages)
+                                && barrier.after.contains(used.stages))
+                    });
+                    assert!(
+                        ordered,
+                        "{other:?} and {pass:?} share {:?} without a barrier",
+                        used.resource
+                    );
+                }
+            }
+            for used in pass.uses() {
+                // What came before a write is ordered by it.
+                earlier.retain(|(_, _, former)| !(used.writes && former.resource == used.resource));
+                earlier.push((at, *pass, used));
+            }
+        }
+    }
+
+    #[test]
+    fn the_first_frame_runs_every_stage() {
+        let mut planner = Planner::new(RendererOptions::new(SIZE));
+        let poses = [planner.posed(0.1, 0.0)];
+        let tiles = equipment(RasterMethod::Tiles, true);
+        let first = planner.frame(&poses, 0.0, &tiles);
+        assert_eq!(
+            names(&first),
+            [
+                "mlp", "sh", "occluder", "project", "sort", "binning", "raster"
+            ]
+        );
+        assert_eq!(first.skipped().count(), 0);
+        assert_ordered(&first);
+    }
+
+    #[test]
+    fn a_frame_without_change_only_reads_counts() {
+        let mut planner = Planner::new(RendererOptions::new(SIZE));
+        let poses = [planner.posed(0.1, 0.0)];
+        let quads = equipment(RasterMethod::Quads, false);
+        planner.frame(&poses, 0.0, &quads);
+        let second = planner.frame(&poses, 0.0, &quads);
+        assert_eq!(second.passes().collect::<Vec<_>>(), [&Pass::ReadCounts]);
+        let skipped: Vec<_> = second.skipped().collect();
+        let stages = [Stage::Mlp, Stage::Project, Stage::Sort, Stage::Raster];
+        assert_eq!(skipped, stages.map(|stage| (stage, SkipReason::Unchanged)));
+    }
+
+    #[test]
+    fn a_moved_camera_skips_the_networks() {
+        let mut planner = Planner::new(RendererOptions::new(SIZE));
+        let poses = [planner.posed(0.1, 0.0)];
+        let tiles = equipment(RasterMethod::Tiles, false);
+        planner.frame(&poses, 0.0, &tiles);
+        let second = planner.frame(&poses, 0.3, &tiles);
+        assert_eq!(
+            second.skipped().next(),
+            Some((Stage::Mlp, SkipReason::Unchanged))
+        );
+        assert!(names(&second).contains(&"project"));
+        assert_ordered(&second);
+    }
+
+    #[test]
+    fn nothing_in_view_leaves_an_empty_image() {
+        let mut planner = Planner::new(RendererOptions::new(SIZE));
+        let far = [planner.posed(0.1, 1000.0)];
+        let tiles = equipment(RasterMethod::Tiles, false);
+        let frame = planner.frame(&far, 0.0, &tiles);
+        let reasons: Vec<_> = frame
+            .skipped()
+            .filter(|(stage, _)| *stage != Stage::Mlp)
+            .collect();
+        let stages = [Stage::Project, Stage::Sort];
+        assert_eq!(
+            reasons,
+            stages.map(|stage| (stage, SkipReason::NothingInView))
+        );
+        assert_eq!(names(&frame), ["binning", "raster"]);
+        assert_eq!(frame.key_count, 0);
+    }
+
+    #[test]
+    fn barriers_order_every_kind_of_frame() {
+        for method in RasterMethod::ALL {
+            for sh in [false, true] {
+                for skip in [Skip::all(), Skip::empty(), Skip::HIDDEN, Skip::DEPTH] {
+                    let mut planner = Planner::new(RendererOptions {
+                        instances: 3,
+                        skip,
+                        ..RendererOptions::new(SIZE)
+                    });
+                    let equipment = Equipment { sh, method, skip };
+                    for (bend, yaw) in [(0.1, 0.0), (0.1, 0.2), (0.3, 0.2), (0.3, 0.2), (0.3, 0.4)]
+                    {
+                        let poses = [-1.0, 0.0, 1.0].map(|aside| planner.posed(bend, aside));
+                        let frame = planner.frame(&poses, yaw, &equipment);
+                        assert_ordered(&frame);
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn instances_take_turns_at_the_colours() {
+        let mut planner = Planner::new(RendererOptions {
+            instances: 2,
+            ..RendererOptions::new(SIZE)
+        });
+        let poses = [-0.5, 0.5].map(|aside| planner.posed(0.1, aside));
+        let frame = planner.frame(&poses, 0.0, &equipment(RasterMethod::Tiles, true));
+        let order: Vec<_> = frame
+            .passes()
+            .filter_map(|pass| match pass {
+                Pass::Sh { instance, .. } => Some(("sh", *instance)),
+                Pass::Project { instance, .. } => Some(("project", *instance)),
+                _ => None,
+            })
+            .collect();
+        assert_eq!(
+            order,
+            [("sh", 0), ("project", 0), ("sh", 1), ("project", 1)]
+        );
+    }
+}

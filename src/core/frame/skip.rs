@@ -1,0 +1,102 @@
+//! What a frame may skip. Each kind of work has a switch, so that a measurement can turn it back
+//! on.
+
+use std::{fmt, str::FromStr};
+
+bitflags::bitflags! {
+    /// Work that is skipped where a scene does not need it: `--skip all|none|LIST`.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub struct Skip: u32 {
+        /// Everything, the submission included, when nothing visible has changed.
+        const FRAME = 1;
+        /// Mlp and nodes when the pose has not changed.
+        const POSE = 1 << 1;
+        /// Networks outside the head when only the expression has changed.
+        const EXPRESSION = 1 << 2;
+        /// Network inputs that are zero: the expression's, outside the head.
+        const INPUTS = 1 << 3;
+        /// Contributions under the opacity cutoff: quads are only as large as a Gaussian's opacity
+        /// makes visible.
+        const FAINT = 1 << 4;
+        /// Gaussians behind the occluder, before they are sorted.
+        const HIDDEN = 1 << 5;
+        /// Fragments behind the occluder; only with quads.
+        const DEPTH = 1 << 6;
+        /// Splats behind saturated pixels; only with tiles, since fixed-function blending can't
+        /// stop.
+        const FULL = 1 << 7;
+        /// Correctives and skinning when only the camera has moved: their results come from the
+        /// pose cache, rounded.
+        const SKINNING = 1 << 8;
+        /// Parts outside the view: their Gaussians, and their networks until they come into view.
+        const PARTS = 1 << 9;
+        /// Avatars that are all outside the view: all their stages.
+        const AVATARS = 1 << 10;
+        /// Pixels outside the damage rectangle, the box around what is in view and what was there
+        /// before; with WebGPU only with tiles.
+        const AREA = 1 << 11;
+    }
+}
+
+impl Default for Skip {
+    fn default() -> Self {
+        Self::all()
+    }
+}
+
+impl FromStr for Skip {
+    type Err = String;
+
+    /// Parses `all`, `none`, or a comma-separated list of names.
+    fn from_str(text: &str) -> Result<Self, String> {
+        match text {
+            "all" => return Ok(Self::all()),
+            "none" => return Ok(Self::empty()),
+            _ => {}
+        }
+        let mut skip = Self::empty();
+        for name in text.split(',').map(str::trim) {
+            skip |= Self::from_name(&name.to_ascii_uppercase()).ok_or_else(|| {
+                format!(
+                    "`{name}` is nothing that can be skipped: write all, none, or a list of {}",
+                    Self::all()
+                )
+            })?;
+        }
+        Ok(skip)
+    }
+}
+
+impl fmt::Display for Skip {
+    /// Writes a list that [`FromStr`] parses, the names of `all` spelt out.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let names: Vec<_> = self
+            .iter_names()
+            .map(|(name, _)| name.to_ascii_lowercase())
+            .collect();
+        if names.is_empty() {
+            f.write_str("none")
+        } else {
+            f.write_str(&names.join(","))
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lists_read_back_as_they_are_written() {
+        for skip in [Skip::all(), Skip::empty(), Skip::POSE | Skip::HIDDEN] {
+            assert_eq!(skip.to_string().parse(), Ok(skip));
+        }
+        assert_eq!("all".parse(), Ok(Skip::all()));
+        assert_eq!("hidden, depth".parse(), Ok(Skip::HIDDEN | Skip::DEPTH));
+        assert!(
+            "everything"
+                .parse::<Skip>()
+                .is_err_and(|error| error.contains("hidden,depth,full,skinning,parts,avatars"))
+        );
+    }
+}

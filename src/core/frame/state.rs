@@ -1,0 +1,276 @@
+//! Plans a frame before anything is asked of the device: which avatars are in view, what each of
+//! them has to compute again, and what all of them share.
+
+use super::{ChangeTracker, Changes, Counters, RendererOptions, Skinning, Skip};
+use crate::scene::{
+    AvatarBounds, Camera, OccluderView, PartDependencies, PartSet, PixelRect, Posed, Visible,
+    detail,
+};
+
+/// An avatar in view.
+pub struct AvatarInstance<'a> {
+    /// Index of its pose in [`PlanInput::poses`], by which the renderer finds its buffers.
+    pub index: usize,
+    /// Its evaluated pose.
+    pub posed: &'a Posed,
+    /// Level of detail ([`detail`]).
+    pub level: u32,
+    /// Gaussians that this level draws.
+    pub gaussians: u32,
+    /// Where its splats and keys start among those of all avatars. Always even, so that no 32-bit
+    /// word holds 16-bit keys of two avatars.
+    pub first_key: u32,
+    /// Which stages it needs.
+    pub changes: Changes,
+    /// Parts that may be in view; None where visibility does not matter.
+    visible_parts: Option<PartSet>,
+    /// Parts all outside the view.
+    pub culled_parts: PartSet,
+    /// Parts whose networks run.
+    pub networks: PartSet,
+}
+
+impl AvatarInstance<'_> {
+    /// Where the next avatar's splats and keys start.
+    fn end_key(&self) -> u32 {
+        self.first_key + padded_count(self.gaussians)
+    }
+}
+
+/// What one frame draws.
+pub struct FramePlan<'a> {
+    /// The avatars in view.
+    pub instances: Vec<AvatarInstance<'a>>,
+    /// Whether project, sort and raster run: something in the image has changed.
+    pub redraw: bool,
+    /// Nearest and furthest expected depth along the camera's axis, metres.
+    pub depth_range: [f64; 2],
+    /// What the occluder pass covers; None where there is no occluder or nothing in view.
+    pub occluder_view: Option<OccluderView>,
+    /// Avatars in the scene, in view or not.
+    pub avatar_count: usize,
+    /// A rectangle around all that is drawn, except correctives beyond what
+    /// [`AvatarBounds::visible`] allows for; the whole image without [`Skip::AREA`].
+    pub drawn_rect: PixelRect,
+}
+
+/// Everything that decides what the next frame has to do.
+#[derive(Clone, Copy)]
+pub struct PlanInput<'a, 'pose> {
+    /// One pose an avatar, at most [`RendererOptions::instances`].
+    pub poses: &'a [&'pose Posed],
+    /// The camera of the frame.
+    pub camera: &'a Camera,
+    /// The avatar's bounds.
+    pub bounds: &'a AvatarBounds,
+    /// Which parts' networks each part depends on.
+    pub dependencies: &'a PartDependencies,
+    /// The renderer's options.
+    pub options: &'a RendererOptions,
+    /// Whether the renderer has an occluder mesh to draw.
+    pub has_occluder: bool,
+    /// Whether the frame is submitted even if nothing has changed.
+    pub always_submit: bool,
+}
+
+/// Which optional stages a renderer has, and how many compute dispatches its sort and raster take.
+#[derive(Clone, Copy, Debug)]
+pub struct StageDispatches {
+    /// Whether colours come from spherical harmonics.
+    pub has_sh: bool,
+    /// Whether the frame draws the occluder and its depth pyramid.
+    pub has_occluder: bool,
+    /// Dispatches of the sort.
+    pub sort: u64,
+    /// Dispatches of the rasterizer.
+    pub raster: u64,
+}
+
+/// What the last frame showed. A renderer keeps one and asks it for the plan of each frame.
+#[derive(Clone, Default)]
+pub struct FrameState {
+    /// One an avatar, in the order of the poses.
+    trackers: Vec<ChangeTracker>,
+    /// Indices of the avatars that the last frame drew; None before the first.
+    last_drawn: Option<Vec<usize>>,
+}
+
+impl FrameState {
+    /// Plans the next frame and remembers it as drawn. Callers that fail to draw it must restore
+    /// or reset this state, so that the next frame does not rely on it.
+    pub fn plan<'pose>(&mut self, input: PlanInput<'_, 'pose>) -> FramePlan<'pose> {
+        let PlanInput {
+            poses,
+            camera,
+            bounds,
+            options,
+            ..
+        } = input;
+        let skip = options.skip;
+        self.trackers
+            .resize(options.instances, ChangeTracker::default());
+        let whole = PixelRect::whole(camera.size);
+        let mut drawn_rect = if skip.contains(Skip::AREA) {
+            PixelRect::EMPTY
+        } else {
+            whole
+        };
+        let mut instances: Vec<AvatarInstance> = Vec::with_capacity(poses.len());
+        for (index, &posed) in poses.iter().enumerate() {
+            let visible = skip
+                .intersects(Skip::AVATARS | Skip::PARTS | Skip::AREA)
+                .then(|| bounds.visible(&posed.joints, camera));
+            let nothing_visible = visible
+                .as_ref()
+                .is_some_and(|visible| visible.parts.is_empty());
+            if nothing_visible && skip.contains(Skip::AVATARS) {
+                continue;
+            }
+            drawn_rect = drawn_rect.union(match &visible {
+                Some(visible) if skip.contains(Skip::AREA) => visible.rect,
+                _ => whole,
+            });
+            let first_key = instances.last().map_or(0, AvatarInstance::end_key);
+            instances.push(self.instance(input, index, visible, first_key));
+        }
+
+        let in_view: Vec<_> = instances.iter().map(|instance| instance.index).collect();
+        let others_in_view = self.last_drawn.as_ref() != Some(&in_view);
+        let redraw = !skip.contains(Skip::FRAME)
+            || others_in_view
+            || instances.iter().any(|instance| instance.changes.redraw);
+        self.last_drawn = Some(in_view);
+        // A frame that is not submitted runs no networks: they stay due.
+        if redraw || input.always_submit {
+            for instance in &mut instances {
+                let tracker = &mut self.trackers[instance.index];
+                instance.networks = tracker.schedule_networks(
+                    &instance.changes,
+                    input.dependencies,
+                    instance.visible_parts.as_ref(),
+                );
+                if redraw {
+                    tracker.mark_drawn(&instance.changes);
+                }
+            }
+        }
+        let occluder_view = (input.has_occluder && !instances.is_empty())
+            .then(|| OccluderView::new(camera.size, screen_rect(&instances, bounds, camera)));
+        FramePlan {
+            depth_range: depth_range(&instances, bounds, camera),
+            instances,
+            redraw,
+            occluder_view,
+            avatar_count: poses.len(),
+            drawn_rect,
+        }
+    }
+
+    /// An avatar in view, whose networks are still to be scheduled.
+    fn instance<'pose>(
+        &mut self,
+        input: PlanInput<'_, 'pose>,
+        index: usize,
+        visible: Option<Visible>,
+        first_key: u32,
+    ) -> AvatarInstance<'pose> {
+        let PlanInput {
+            camera,
+            bounds,
+            options,
+            ..
+        } = input;
+        let posed = input.poses[index];
+        let tracker = &mut self.trackers[index];
+        let visible_parts = visible
+            .filter(|_| options.skip.contains(Skip::PARTS))
+            .map(|visible| visible.parts);
+        let level = options
+            .detail
+            .level(bounds.gaussians(), tracker.level(), || {
+                bounds.pixels(&posed.joints, camera)
+            });
+        let changes = tracker.update(posed, camera, options.skip, level);
+        // The pose cache needs all parts: other cameras will see them.
+        let culled_parts = match visible_parts {
+            Some(visible) if changes.skinning != Skinning::ComputeAndStore => {
+                input.dependencies.all() - visible
+            }
+            _ => PartSet::EMPTY,
+        };
+        AvatarInstance {
+            index,
+            posed,
+            level,
+            gaussians: detail::gaussian_count(bounds.gaussians() as u32, level),
+            first_key,
+            changes,
+            visible_parts,
+            culled_parts,
+            networks: PartSet::EMPTY,
+        }
+    }
+}
+
+impl FramePlan<'_> {
+    /// Keys of all avatars in view, padding included.
+    pub fn key_count(&self) -> u32 {
+        self.instances.last().map_or(0, AvatarInstance::end_key)
+    }
+
+    /// The counts that are known before the frame is drawn. `gaussians`: how many one avatar has.
+    pub fn counters(&self, gaussians: u32, stages: &StageDispatches) -> Counters {
+        let avatars = self.avatar_count as u64;
+        let drawn = self.instances.len() as u64;
+        let mut counters = Counters {
+            avatars,
+            avatars_culled: avatars - drawn,
+            gaussians: avatars * u64::from(gaussians),
+            submitted: 1,
+            ..Counters::default()
+        };
+        for instance in &self.instances {
+            counters.skipped_by_detail += u64::from(gaussians - instance.gaussians);
+            counters.networks += instance.networks.len() as u64;
+            counters.parts_outside += instance.culled_parts.len() as u64;
+            if self.redraw && instance.changes.skinning == Skinning::Cached {
+                counters.cached += u64::from(instance.gaussians);
+            }
+            if !instance.networks.is_empty() {
+                counters.dispatches += 1;
+            }
+        }
+        if self.redraw {
+            // Project, and sh where colours depend on the view, run once an avatar.
+            counters.dispatches += drawn * (1 + u64::from(stages.has_sh)) + stages.raster;
+            if drawn > 0 {
+                counters.dispatches += u64::from(stages.has_occluder) + stages.sort;
+            }
+        }
+        counters
+    }
+}
+
+/// Splats and keys that an avatar takes up if it draws this many Gaussians.
+pub fn padded_count(gaussians: u32) -> u32 {
+    gaussians.next_multiple_of(2)
+}
+
+/// A rectangle around all avatars in view.
+fn screen_rect(instances: &[AvatarInstance], bounds: &AvatarBounds, camera: &Camera) -> PixelRect {
+    instances
+        .iter()
+        .map(|instance| bounds.screen(&instance.posed.joints, camera))
+        .filter(|rect| !rect.is_empty())
+        .reduce(PixelRect::union)
+        .unwrap_or(PixelRect::whole([0, 0]))
+}
+
+/// A range of depths around all avatars in view, metres; any valid range where there are none.
+fn depth_range(instances: &[AvatarInstance], bounds: &AvatarBounds, camera: &Camera) -> [f64; 2] {
+    instances
+        .iter()
+        .map(|instance| bounds.depth(&instance.posed.joints, camera))
+        .reduce(|[low, high], [near, far]| [low.min(near), high.max(far)])
+        .unwrap_or([camera.near, 2.0 * camera.near])
+}

@@ -1,0 +1,110 @@
+//! What a renderer rejects before it asks anything of the device: options, poses and cameras that
+//! can't be drawn.
+
+use super::{RendererOptions, Unusable};
+use crate::{
+    constants::ALPHA_MIN,
+    scene::{AvatarBounds, Camera, PoseShape, Posed},
+};
+
+/// Most avatars of a scene: their Gaussians are then fewer than a sort takes.
+const MAX_INSTANCES: usize = 256;
+
+fn unusable(what: &str, found: impl ToString, expected: impl ToString) -> Unusable {
+    Unusable {
+        what: what.into(),
+        found: found.to_string(),
+        expected: expected.to_string(),
+    }
+}
+
+impl RendererOptions {
+    /// Checks every number except the image's size, which depends on the device's limits.
+    ///
+    /// # Errors
+    /// When a number is out of range.
+    pub fn check(&self) -> Result<(), Unusable> {
+        if !(ALPHA_MIN..=1.0).contains(&self.cutoff) {
+            return Err(unusable(
+                "the opacity cutoff",
+                self.cutoff,
+                "a number from 1/255 to 1",
+            ));
+        }
+        if !(1..=MAX_INSTANCES).contains(&self.instances) {
+            return Err(unusable(
+                "the number of avatars in a scene",
+                self.instances,
+                format!("a number from 1 to {MAX_INSTANCES}"),
+            ));
+        }
+        if !(self.margin >= 0.0 && self.margin.is_finite()) {
+            return Err(unusable(
+                "the margin behind the occluder",
+                self.margin,
+                "a number from 0 up",
+            ));
+        }
+        Ok(())
+    }
+}
+
+/// Checks that a frame can be drawn: `poses` of the avatar with these bounds, seen by `camera`, by
+/// a renderer with these options.
+///
+/// # Errors
+/// When a number can't be drawn, the camera's image has another size than the renderer's, a pose
+/// has another shape than the avatar, or there are more poses than [`RendererOptions::instances`].
+pub fn frame(
+    poses: &[&Posed],
+    camera: &Camera,
+    bounds: &AvatarBounds,
+    options: &RendererOptions,
+) -> Result<(), Unusable> {
+    camera.check()?;
+    if camera.size != options.size {
+        let pixels = |[width, height]: [u32; 2]| format!("{width} × {height} px");
+        return Err(unusable(
+            "the camera's image",
+            pixels(camera.size),
+            format!("{}, the renderer's", pixels(options.size)),
+        ));
+    }
+    if poses.len() > options.instances {
+        return Err(unusable(
+            "the number of avatars",
+            poses.len(),
+            format!(
+                "at most {}, as the renderer was made for",
+                options.instances
+            ),
+        ));
+    }
+    for posed in poses {
+        posed.check()?;
+        check_shape(posed, bounds.pose_shape())?;
+    }
+    Ok(())
+}
+
+fn check_shape(posed: &Posed, expected: PoseShape) -> Result<(), Unusable> {
+    let found = PoseShape {
+        joints: posed.joints.len(),
+        inputs: posed.input.len(),
+        expression: posed.expression,
+    };
+    if found == expected {
+        return Ok(());
+    }
+    let text = |shape: PoseShape| {
+        format!(
+            "{} joints and {} inputs, {} of them expression",
+            shape.joints, shape.inputs, shape.expression
+        )
+    };
+    Err(unusable(
+        "the pose",
+        text(found),
+        format!("{}, as the avatar has them", text(expected)),
+    ))
+}

@@ -1,0 +1,99 @@
+//! Errors of reading and writing files.
+
+use std::io;
+use std::path::PathBuf;
+
+/// Why a file was not read or written.
+#[derive(Debug, thiserror::Error)]
+pub enum FileError {
+    /// It can't be opened or read.
+    #[error("cannot read {}: {cause}", .file.display())]
+    Read {
+        /// The file.
+        file: PathBuf,
+        /// The system's error.
+        cause: io::Error,
+    },
+    /// It can't be written.
+    #[error("cannot write {}: {cause}", .file.display())]
+    Write {
+        /// The file.
+        file: PathBuf,
+        /// The system's error.
+        cause: io::Error,
+    },
+    /// Its content breaks a rule of the format.
+    #[error("{}: {fault}", .file.display())]
+    Content {
+        /// The file.
+        file: PathBuf,
+        /// The rule.
+        fault: FormatError,
+    },
+}
+
+/// Which rule of the format a file's content breaks, in one sentence.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum FormatError {
+    /// The container: the header or its length.
+    #[error("found {found}, expected {expected}")]
+    Container {
+        /// What was found.
+        found: String,
+        /// What the format requires.
+        expected: String,
+    },
+    /// A field of the document in the header.
+    #[error("in metadata `{field}` found {found}, expected {expected}")]
+    Metadata {
+        /// Name of the field.
+        field: String,
+        /// What was found.
+        found: String,
+        /// What the format requires.
+        expected: String,
+    },
+    /// The type, shape or numbers of a tensor.
+    #[error("in tensor `{tensor}` found {found}, expected {expected}")]
+    Tensor {
+        /// Name of the tensor.
+        tensor: String,
+        /// What was found.
+        found: String,
+        /// What the format requires.
+        expected: String,
+    },
+}
+
+impl FormatError {
+    /// A field of the document has a wrong value.
+    pub fn metadata(field: &str, found: impl ToString, expected: impl ToString) -> Self {
+        Self::Metadata {
+            field: field.into(),
+            found: found.to_string(),
+            expected: expected.to_string(),
+        }
+    }
+
+    /// The container is not as its format says.
+    pub fn container(found: impl ToString, expected: impl ToString) -> Self {
+        Self::Container {
+            found: found.to_string(),
+            expected: expected.to_string(),
+        }
+    }
+}
+
+/// The beginning of a text from a file, on one line, for messages.
+pub fn excerpt(text: &str) -> String {
+    let line: String = text
+        .chars()
+        .take(100)
+        .map(|c| if c.is_control() { ' ' } else { c })
+        .collect();
+    if line.len() < text.len() {
+        line + "…"
+    } else {
+        line
+    }
+}

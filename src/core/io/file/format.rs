@@ -1,0 +1,178 @@
+//! The format of `NAME.avatar`, versions 1 and 2, and `NAME.motion`, version 1, in one place:
+//! [`AvatarHeader`] and [`ClipHeader`] are the metadata, [`AVATAR`] and [`MOTION`] the tensors. The
+//! writer, the reader's checks and `effigy inspect` all follow these tables.
+//!
+//! Both are [safetensors](https://github.com/huggingface/safetensors) files: the header's length as
+//! a 64-bit number, the header as JSON, the tensors. All numbers are little-endian, tensors
+//! row-major. Under the key `effigy` the header's metadata has one JSON document with names, counts
+//! and scalars. Readers ignore metadata and tensors that they do not know, and reject any other
+//! `version`. The header is at most 256 KiB long; [`limits`](crate::avatar::limits) holds for all
+//! counts.
+//!
+//! Version 2 of an avatar file is version 1 with some numbers in fewer bits, which `coded` and
+//! `log_scales` name and the tables below have as alternatives of one name, and with some tensors
+//! deflated, which `deflated` names: such a tensor is of type U8, in the file of one dimension, and
+//! holds a zlib stream of its bytes, arranged as [`Order`] says. All tensors together are at most
+//! [`EXPANSION`](super::deflate::EXPANSION) times as long as what the file has of them.
+//!
+//! Symbols: N_g `gaussians`, N_G `parts`, N_s `nodes`, N_B `basis` (a multiple of 4), J the number
+//! of `joints`, F `frames`.
+
+use super::check::{self, Element};
+use super::coding::{self, StoredBytes, codes, halves, steps};
+use super::document::TensorRow;
+use crate::avatar::{Avatar, Clip, Subspace};
+use half::f16;
+
+pub use super::coding::{Coded, LogScaleCodes};
+pub use super::deflate::Order;
+pub use super::document::METADATA_KEY;
+pub use super::header::{AvatarHeader, ClipHeader};
+
+/// The version without codes and deflated tensors.
+pub const VERSION: u64 = 1;
+/// The version of avatar files with codes or deflated tensors.
+pub const VERSION_PACKED: u64 = 2;
+/// `format` in the document of an avatar file.
+pub const AVATAR_FORMAT: &str = "effigy.avatar";
+/// `format` in the document of a motion file.
+pub const MOTION_FORMAT: &str = "effigy.motion";
+
+/// The subspace of an avatar, or an empty one.
+fn subspace(space: &Option<Subspace>) -> &Subspace {
+    static NONE: Subspace = Subspace {
+        mean: vec![],
+        component: vec![],
+        sigma: vec![],
+    };
+    space.as_ref().unwrap_or(&NONE)
+}
+
+/// Rows of the form `name: type [shape] rule(limits) = array, meaning;`, in groups headed by how
+/// many of each there are.
+macro_rules! table {
+    ($h:ident: $header:ty, $m:ident: $model:ty, $k:ident;
+     $($count:expr => { $($name:literal: $type:ty [$($dim:expr),*] $rule:ident($($limit:expr),*) = $data:expr, $what:literal;)* })*) => {
+        &[$($(TensorRow {
+            name: $name,
+            dtype: <$type as Element>::DTYPE,
+            count: |$h: &$header| { let _ = $h; $count },
+            shape: |$h: &$header, $k: usize| { let _ = ($h, $k); vec![$($dim),*] },
+            rule: |$h: &$header, bytes: &[u8]| { let _ = $h; check::$rule::<$type>(bytes $(, $limit)*) },
+            bytes: |$h: &$header, $m: &$model, $k: usize| { let _ = ($h, $k); StoredBytes::stored_bytes($data) },
+            what: $what,
+        },)*)*]
+    };
+}
+
+/// The tensors of an avatar file. After `=` stands the array that a tensor is read into, or what
+/// makes its codes of one.
+pub const AVATAR: &[TensorRow<AvatarHeader, Avatar>] = table! { h: AvatarHeader, a: Avatar, k;
+    1 => {
+        "position":       u16 [h.gaussians, 3] any() = &a.gaussians.position, "coordinates in the bounds, canonical pose";
+        "opacity":        u8 [h.gaussians] any() = &a.gaussians.opacity, "255 is opaque";
+        "joint":          u8 [h.gaussians, 4] below(h.joints.len()) = &a.gaussians.joint, "the joints that move a Gaussian";
+        "node":           u16 [h.gaussians, 3] below(h.nodes) = &a.gaussians.node, "the nearest nodes";
+        "part_start":     u32 [h.parts + 1] starts(h.gaussians) = &a.parts.start, "part i is Gaussians start[i] to start[i + 1]";
+        "rotation.row":   u32 [h.rotation_rows] rising(h.gaussians) = &a.rotation_rows.gaussian, "the Gaussian of each row";
+        "scale.row":      u32 [h.scale_rows] rising(h.gaussians) = &a.scale_rows.gaussian, "the Gaussian of each row";
+        "color.row":      u32 [h.color_rows] rising(h.gaussians) = &a.color_rows.gaussian, "the Gaussian of each row";
+        "node.position":  u16 [h.nodes, 3] any() = &a.nodes.position, "coordinates in the bounds, canonical pose";
+        "node.part":      u16 [h.nodes] below(h.parts) = &a.nodes.part, "the part whose features move the node";
+        "node.offset":    f16 [h.nodes, 3] length() = &a.nodes.offset, "displacement that no pose changes, metres";
+        "skeleton.rest":  f32 [h.joints.len(), 3] length() = &a.skeleton.rest, "joints in the rest pose, metres";
+        "skeleton.canonical": f32 [h.joints.len(), 3] finite() = &a.skeleton.canonical, "the canonical pose, axis-angle, radians";
+    }
+    h.plain(Coded::Rotation) => {
+        "rotation": f16 [h.gaussians, 4] quaternion() = &a.gaussians.rotation, "quaternion w x y z, any length but 0";
+    }
+    h.coded(Coded::Rotation) => {
+        "rotation": u32 [h.gaussians] any() = coding::rotations(a), "quaternion of length 1: three components and which is left out";
+    }
+    usize::from(h.log_scales.is_none()) => {
+        "log_scale": f16 [h.gaussians, 3] finite() = &a.gaussians.log_scale, "ln of the standard deviations, metres";
+    }
+    h.log_scales_of(8) => {
+        "log_scale": u8 [h.gaussians, 3] any() = coding::log_scales::<u8>(a, h.log_scales), "codes of ln of the standard deviations";
+    }
+    h.log_scales_of(16) => {
+        "log_scale": u16 [h.gaussians, 3] below(LogScaleCodes::MAX_CODE + 1) = coding::log_scales::<u16>(a, h.log_scales),
+            "codes of ln of the standard deviations";
+    }
+    h.plain(Coded::Color) => {
+        "color": f16 [h.gaussians, 3] finite() = &a.gaussians.color, "red, green, blue, 0 to 1";
+    }
+    h.coded(Coded::Color) => {
+        "color":      u8 [h.gaussians, 3] any() = coding::colors(a), "red, green, blue, 0 to 255";
+        "color.kept": f16 [h.color_rows, 3] finite() = coding::row_colors(a), "the same of those with a row, 0 to 1";
+    }
+    h.plain(Coded::JointWeight) => {
+        "joint_weight": u8 [h.gaussians, 4] weights() = &a.gaussians.joint_weight, "their weights, which sum to 255";
+    }
+    h.coded(Coded::JointWeight) => {
+        "joint_weight": u8 [h.gaussians, 3] weights_but_one() = coding::joint_weights(a), "their weights but the last, of 255";
+    }
+    h.plain(Coded::RotationBasis) => {
+        "rotation.basis": f16 [h.rotation_rows, 4, h.basis] finite() = halves(&a.rotation_rows.basis), "quaternion a unit of feature";
+    }
+    h.coded(Coded::RotationBasis) => {
+        "rotation.basis": i8 [h.rotation_rows, 4, h.basis] code() = codes(&a.rotation_rows.basis), "steps of quaternion a unit of feature";
+        "rotation.step":  f16 [h.rotation_rows] step() = steps(&a.rotation_rows.basis), "the step of each row";
+    }
+    h.plain(Coded::ScaleBasis) => {
+        "scale.basis": f16 [h.scale_rows, 3, h.basis] finite() = halves(&a.scale_rows.basis), "log scale a unit of feature";
+    }
+    h.coded(Coded::ScaleBasis) => {
+        "scale.basis": i8 [h.scale_rows, 3, h.basis] code() = codes(&a.scale_rows.basis), "steps of log scale a unit of feature";
+        "scale.step":  f16 [h.scale_rows] step() = steps(&a.scale_rows.basis), "the step of each row";
+    }
+    h.plain(Coded::ColorBasis) => {
+        "color.basis": f16 [h.color_rows, 3, h.basis] finite() = halves(&a.color_rows.basis), "colour a unit of feature";
+    }
+    h.coded(Coded::ColorBasis) => {
+        "color.basis": i8 [h.color_rows, 3, h.basis] code() = codes(&a.color_rows.basis), "steps of colour a unit of feature";
+        "color.step":  f16 [h.color_rows] step() = steps(&a.color_rows.basis), "the step of each row";
+    }
+    h.plain(Coded::NodeBasis) => {
+        "node.basis": f16 [h.nodes, 3, h.basis] finite() = halves(&a.nodes.basis), "metres a unit of feature";
+    }
+    h.coded(Coded::NodeBasis) => {
+        "node.basis": i8 [h.nodes, 3, h.basis] code() = codes(&a.nodes.basis), "steps of metres a unit of feature";
+        "node.step":  f16 [h.nodes] step() = steps(&a.nodes.basis), "the step of each node";
+    }
+    h.layers() * h.plain(Coded::Networks) => {
+        "mlp.#.weight": f16 [h.parts, h.widths[k + 1], h.widths[k]] finite() = halves(&a.networks.layers[k].weight),
+            "a layer of every part";
+    }
+    h.layers() * h.coded(Coded::Networks) => {
+        "mlp.#.weight": i8 [h.parts, h.widths[k + 1], h.widths[k]] code() = codes(&a.networks.layers[k].weight),
+            "steps of a layer of every part";
+        "mlp.#.step":   f16 [h.parts, h.widths[k + 1]] step() = steps(&a.networks.layers[k].weight), "the step of each neuron";
+    }
+    h.layers() => {
+        "mlp.#.bias": f16 [h.parts, h.widths[k + 1]] finite() = &a.networks.layers[k].bias, "its biases";
+    }
+    usize::from(h.pose_components.is_some()) => {
+        "pose_space.mean":      f32 [h.pose_len()] finite() = &subspace(&a.inputs.pose_space).mean, "mean of the training poses";
+        "pose_space.component": f32 [h.pose_components.unwrap_or(0), h.pose_len()] orthonormal(h.pose_len())
+            = &subspace(&a.inputs.pose_space).component, "their principal components";
+        "pose_space.sigma":     f32 [h.pose_components.unwrap_or(0)] deviation()
+            = &subspace(&a.inputs.pose_space).sigma, "standard deviation along each";
+    }
+    usize::from(h.expression_components.is_some()) => {
+        "expression_space.mean": f32 [h.expression] finite() = &subspace(&a.inputs.expression_space).mean, "mean of the expressions";
+        "expression_space.component": f32 [h.expression_components.unwrap_or(0), h.expression] orthonormal(h.expression)
+            = &subspace(&a.inputs.expression_space).component, "their principal components";
+        "expression_space.sigma": f32 [h.expression_components.unwrap_or(0)] deviation()
+            = &subspace(&a.inputs.expression_space).sigma, "standard deviation along each";
+    }
+};
+
+/// The tensors of a motion file.
+pub const MOTION: &[TensorRow<ClipHeader, Clip>] = table! { h: ClipHeader, c: Clip, k;
+    1 => {
+        "rotation":    f32 [h.frames, h.joints.len(), 3] finite() = &c.rotation, "axis-angle relative to the parent, radians";
+        "translation": f32 [h.frames, 3] length() = &c.translation, "of the root from its rest position, metres";
+        "expression":  f32 [h.frames, h.expression] finite() = &c.expression, "expression coefficients";
+    }
+};

@@ -1,0 +1,124 @@
+//! The documents in the files' headers.
+
+use super::coding::{Coded, LogScaleCodes};
+use super::deflate::Order;
+use crate::avatar::Activation;
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+
+/// The document of an avatar file.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct AvatarHeader {
+    /// "effigy.avatar"
+    pub format: String,
+    /// 1, or 2 where there are codes or deflated tensors.
+    pub version: u64,
+    /// Name of the avatar.
+    pub name: String,
+    /// Source and licence, free text.
+    #[serde(default)]
+    pub credit: String,
+    /// "metre", the unit of every length.
+    pub units: String,
+    /// "y": the axis that points up; the avatar faces +z.
+    pub up: String,
+    /// "srgb": colours are display-referred, sRGB-encoded, and blended so.
+    pub color_space: String,
+    /// Number of Gaussians, N_g.
+    pub gaussians: usize,
+    /// Number of parts, N_G.
+    pub parts: usize,
+    /// The first this many parts see the expression.
+    pub head_parts: usize,
+    /// Number of nodes, N_s.
+    pub nodes: usize,
+    /// Basis functions of a part, N_B.
+    pub basis: usize,
+    /// Number of Gaussians with a corrective of their rotation.
+    pub rotation_rows: usize,
+    /// Number of Gaussians with a corrective of their scale.
+    pub scale_rows: usize,
+    /// Number of Gaussians with a corrective of their colour.
+    pub color_rows: usize,
+    /// Lower and upper corner of the box that positions are coordinates in: `min + q / 65535 · (max
+    /// − min)`.
+    pub bounds: [[f32; 3]; 2],
+    /// "relu" or "leaky_relu" (slope 0.01), after every layer but the last.
+    pub activation: Activation,
+    /// Widths of the networks: input, hidden layers (multiples of 4), output (N_B or 2 N_B).
+    pub widths: Vec<usize>,
+    /// Names of the joints, all different.
+    pub joints: Vec<String>,
+    /// Parent of each joint, an earlier joint; null only for joint 0.
+    pub parents: Vec<Option<u8>>,
+    /// Joints whose rotations enter the networks, in this order; 3 numbers each.
+    pub inputs: Vec<u8>,
+    /// Length of the expression, which follows them in the input.
+    pub expression: usize,
+    /// Principal components of the pose; absent or null without such a space.
+    pub pose_components: Option<usize>,
+    /// Principal components of the expression; absent or null without such a space.
+    pub expression_components: Option<usize>,
+    /// Arrays that are stored as codes; none in version 1.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub coded: Vec<Coded>,
+    /// Encoding of log scales; absent where they are f16.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub log_scales: Option<LogScaleCodes>,
+    /// The tensors that are deflated, and how their bytes are arranged; none in version 1.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub deflated: BTreeMap<String, Order>,
+}
+
+/// The document of a motion file.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct ClipHeader {
+    /// "effigy.motion"
+    pub format: String,
+    /// 1.
+    pub version: u64,
+    /// Name of the clip.
+    pub name: String,
+    /// Source and licence, free text.
+    #[serde(default)]
+    pub credit: String,
+    /// "metre", the unit of the translation.
+    pub units: String,
+    /// "y"
+    pub up: String,
+    /// Frames a second.
+    pub rate: f64,
+    /// Number of frames.
+    pub frames: usize,
+    /// Names of the joints, all different.
+    pub joints: Vec<String>,
+    /// Length of the expression.
+    pub expression: usize,
+}
+
+impl AvatarHeader {
+    /// Length of θ_p.
+    pub fn pose_len(&self) -> usize {
+        3 * self.inputs.len()
+    }
+
+    /// Number of tensors that hold codes of something: 0 or 1.
+    pub fn coded(&self, what: Coded) -> usize {
+        usize::from(self.coded.contains(&what))
+    }
+
+    /// Number of tensors that hold something without codes: 0 or 1.
+    pub fn plain(&self, what: Coded) -> usize {
+        1 - self.coded(what)
+    }
+
+    /// Number of tensors that hold log scales as codes of so many bits: 0 or 1.
+    pub fn log_scales_of(&self, bits: u32) -> usize {
+        usize::from(self.log_scales.is_some_and(|codes| codes.bits == bits))
+    }
+
+    /// Number of layers of a network.
+    pub fn layers(&self) -> usize {
+        self.widths.len().saturating_sub(1)
+    }
+}

@@ -1,0 +1,27 @@
+//! `NAME.avatar` and `NAME.motion`: reading and writing of [`Avatar`](crate::avatar::Avatar) and
+//! [`Clip`](crate::avatar::Clip), with one sentence on what is wrong where that fails. [`format`]
+//! defines the files' content.
+
+mod arrays;
+mod check;
+mod coding;
+mod container;
+mod deflate;
+mod disk;
+mod document;
+mod encode;
+mod error;
+pub mod format;
+mod header;
+mod model_files;
+mod order;
+mod rules;
+mod tensors;
+
+#[cfg(not(target_arch = "wasm32"))]
+pub use disk::map;
+pub use disk::{read_with, replace};
+pub use error::{FileError, FormatError, excerpt};
+pub use model_files::{FileContent, tensors, tensors_of};
+pub use order::Neutral;
+pub use tensors::TensorInfo;

@@ -1,0 +1,105 @@
+//! The order of a file's tensors: the neutral avatar comes before its correctives, so that a page
+//! can show it while the rest is loading.
+
+use super::{
+    container::decode_beginning, error::FormatError, header::AvatarHeader, tensors::Header,
+};
+use crate::avatar::Avatar;
+use safetensors::tensor::{Metadata, TensorInfo, TensorView};
+use std::collections::HashMap;
+
+/// What can be done with the beginning of a file.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Neutral {
+    /// Nothing yet: this many first bytes of the file are needed.
+    Needs(usize),
+    /// The avatar without its correctives.
+    Avatar(Box<Avatar>),
+}
+
+/// Whether a tensor belongs to the correctives.
+fn is_corrective(name: &str) -> bool {
+    name.starts_with("mlp.") || name.ends_with(".basis") || name.ends_with(".step")
+}
+
+/// Serializes a safetensors file with correctives last. Apart from that, tensors with larger number
+/// types come first, which is the order of the safetensors library.
+pub fn serialize(
+    mut views: Vec<(String, TensorView)>,
+    text: HashMap<String, String>,
+) -> Result<Vec<u8>, FormatError> {
+    let failed =
+        |error: &dyn std::fmt::Display| FormatError::container(error, "tensors that fit a file");
+    views.sort_by(|(a, left), (b, right)| {
+        is_corrective(a)
+            .cmp(&is_corrective(b))
+            .then(right.dtype().cmp(&left.dtype()))
+            .then_with(|| a.cmp(b))
+    });
+    let mut end = 0;
+    let infos = views.iter().map(|(name, view)| {
+        let start = end;
+        end += view.data().len();
+        (
+            name.clone(),
+            TensorInfo {
+                dtype: view.dtype(),
+                shape: view.shape().to_vec(),
+                data_offsets: (start, end),
+            },
+        )
+    });
+    let metadata = Metadata::new(Some(text), infos.collect()).map_err(|error| failed(&error))?;
+    let mut header = serde_json::to_vec(&metadata).map_err(|error| failed(&error))?;
+    header.resize(header.len().next_multiple_of(8), b' ');
+    let mut bytes = (header.len() as u64).to_le_bytes().to_vec();
+    bytes.extend(header);
+    for (_, view) in &views {
+        bytes.extend(view.data());
+    }
+    Ok(bytes)
+}
+
+/// Where in the file the last tensor ends that is not a corrective.
+fn neutral_end(metadata: &Metadata, start: usize) -> usize {
+    let tensors = metadata.tensors();
+    let ends = tensors
+        .iter()
+        .filter(|(name, _)| !is_corrective(name))
+        .map(|(_, info)| info.data_offsets.1);
+    start.saturating_add(ends.max().unwrap_or(0))
+}
+
+/// How many bytes of a file are needed before the neutral avatar can be drawn, as far as its first
+/// bytes tell.
+pub fn needs(bytes: &[u8]) -> Result<usize, FormatError> {
+    Ok(match Header::parse(bytes)? {
+        Header::Complete { metadata, start } => neutral_end(&metadata, start),
+        Header::NeedsBytes(needed) => needed,
+    })
+}
+
+/// The avatar in the first bytes of a file that is `length` bytes long, with zeros for its
+/// correctives.
+pub fn neutral(bytes: &[u8], length: usize) -> Result<Neutral, FormatError> {
+    let (metadata, start) = match Header::parse(bytes)? {
+        Header::Complete { metadata, start } => (metadata, start),
+        Header::NeedsBytes(needed) => return Ok(Neutral::Needs(needed)),
+    };
+    if start.checked_add(metadata.data_len()) != Some(length) {
+        let found = format!(
+            "a header of {start} bytes for {} of tensors",
+            metadata.data_len()
+        );
+        return Err(FormatError::container(
+            found,
+            format!("{length} bytes, as the server says"),
+        ));
+    }
+    let end = neutral_end(&metadata, start);
+    if bytes.len() < end {
+        return Ok(Neutral::Needs(end));
+    }
+    let avatar = decode_beginning::<AvatarHeader>(bytes, is_corrective)?;
+    Ok(Neutral::Avatar(Box::new(avatar)))
+}

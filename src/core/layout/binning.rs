@@ -1,0 +1,106 @@
+//! Tile sizes and the memory of the tiles' lists.
+
+use super::{BINNING_BLOCK, BINNING_RUNS, RASTER_SQUARE, TILE_LEVELS};
+
+/// Tiling of the Vulkan backend.
+pub const TILING: Tiling = Tiling {
+    tiles_per_side: 128,
+    min_tile: 16,
+    blocks_per_splat: 1,
+};
+/// Tiling of the WebGPU backend: finer, since on a CPU driver four lanes blend 8 × 8 pixels at once
+/// and every splat of the tile costs time there, whether or not it covers them.
+pub const TILING_WEB: Tiling = Tiling {
+    tiles_per_side: 256,
+    min_tile: 2 * RASTER_SQUARE,
+    blocks_per_splat: 2,
+};
+
+/// How a backend cuts images into tiles.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Tiling {
+    /// Maximum number of tiles along each side of an image; a power of two.
+    pub tiles_per_side: u32,
+    /// Side of the smallest tile, px.
+    pub min_tile: u32,
+    /// Blocks of the tiles' lists to allocate for each splat. A 200K body 2000 px high uses one for
+    /// every second splat with tiles of 16 px.
+    pub blocks_per_splat: u32,
+}
+
+impl Tiling {
+    /// Side of a tile in an image of a size, px: the smallest power of two with which
+    /// [`Self::tiles_per_side`] is not exceeded.
+    pub fn tile(self, size: [u32; 2]) -> u32 {
+        size[0]
+            .max(size[1])
+            .div_ceil(self.tiles_per_side)
+            .max(self.min_tile)
+            .next_power_of_two()
+    }
+
+    /// Index of a level's first tile. Each level has a sixteenth of the tiles of the level before
+    /// it (`shaders/common/tiles.glsl`).
+    pub const fn first_tile(self, level: u32) -> u32 {
+        let finest = self.tiles_per_side * self.tiles_per_side;
+        (finest - (finest >> (4 * level))) / 15 * 16
+    }
+
+    /// Number of tiles of all levels.
+    pub const fn tiles(self) -> u32 {
+        self.first_tile(TILE_LEVELS - 1) + 1
+    }
+
+    /// List blocks for this many splats: those that all levels but the last share, and the total.
+    pub fn blocks(self, capacity: u32) -> [u32; 2] {
+        let shared = capacity
+            .saturating_mul(self.blocks_per_splat)
+            .saturating_add(4096);
+        let last_level = BINNING_RUNS * capacity.div_ceil(BINNING_RUNS).div_ceil(BINNING_BLOCK - 1);
+        [shared, shared.saturating_add(last_level)]
+    }
+
+    /// Bytes of the lists' heads and counts, and of all with the blocks that follow them
+    /// (`shaders/common/tiles.glsl`).
+    pub fn bytes(self, capacity: u32) -> [u64; 2] {
+        let tiles = u64::from(self.tiles());
+        let heads = 4 * (1 + tiles + tiles * u64::from(BINNING_RUNS));
+        let [_, blocks] = self.blocks(capacity);
+        [
+            heads,
+            heads + 4 * u64::from(BINNING_BLOCK) * u64::from(blocks),
+        ]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{TILING, TILING_WEB};
+
+    #[test]
+    fn tiles_are_as_small_as_their_maximum_number_allows() {
+        let sides = [1, 1024, 1025, 2048, 2049, 8192].map(|side| TILING.tile([1, side]));
+        assert_eq!(sides, [16, 16, 16, 16, 32, 64]);
+        assert_eq!(
+            [1024, 1025, 2048, 2049, 8192].map(|side| TILING_WEB.tile([1, side])),
+            [8, 8, 8, 16, 32]
+        );
+    }
+
+    #[test]
+    fn tiles_of_all_levels_follow_each_other() {
+        for tiling in [TILING, TILING_WEB] {
+            let level = |level: u32| (tiling.tiles_per_side >> (2 * level)).pow(2);
+            assert_eq!(
+                [0, 1, 2, 3].map(|k| tiling.first_tile(k)),
+                [
+                    0,
+                    level(0),
+                    level(0) + level(1),
+                    level(0) + level(1) + level(2)
+                ]
+            );
+            assert_eq!(tiling.tiles(), tiling.first_tile(3) + 1);
+        }
+    }
+}

@@ -1,0 +1,106 @@
+//! The constants that shaders see as macros, so that no number stands both in Rust and in GLSL.
+
+use super::{
+    binning::{TILING, TILING_WEB},
+    compact::{NODE_STEPS, QUATERNION_STEPS},
+    gpu::*,
+};
+use crate::{
+    avatar::limits,
+    constants::{
+        ALPHA_MAX, F16_MAX, FEATURE_MAX, LOG_SCALE_MAX, LONGEST_MARGIN, LOW_PASS, ROTATION_MIN,
+        VARIANCE_MAX,
+    },
+};
+
+/// Value of a macro.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum MacroValue {
+    /// A `uint`.
+    Uint(u32),
+    /// A `float`: shaders see the nearest f32.
+    Float(f64),
+}
+
+impl MacroValue {
+    /// The value as a GLSL literal.
+    pub fn glsl(self) -> String {
+        match self {
+            Self::Uint(value) => format!("{value}u"),
+            // Rust writes the shortest text that reads back as this number, always with a point or
+            // an exponent.
+            Self::Float(value) => format!("{value:?}"),
+        }
+    }
+}
+
+use MacroValue::{Float, Uint};
+
+/// Name and value of each constant that shaders see as a macro.
+pub const MACROS: &[(&str, MacroValue)] = &[
+    ("MLP_WORKGROUP", Uint(MLP_WORKGROUP)),
+    ("SH_WORKGROUP", Uint(SH_WORKGROUP)),
+    ("PROJECT_WORKGROUP", Uint(PROJECT_WORKGROUP)),
+    ("SORT_WORKGROUP", Uint(SORT_WORKGROUP)),
+    ("SORT_TILE", Uint(SORT_TILE)),
+    ("SORT_RUNS", Uint(SORT_RUNS)),
+    ("SORT_ONESWEEP_TILE", Uint(SORT_ONESWEEP_TILE)),
+    ("SORT_GROUP", Uint(SORT_GROUP)),
+    ("SORT_POLLS", Uint(SORT_POLLS)),
+    ("SORT_STATE", Uint(SORT_STATE)),
+    ("SORT_FALLBACKS", Uint(SORT_FALLBACKS)),
+    ("SORT_DIGITS", Uint(SORT_DIGITS)),
+    ("SORT_CULLED", Uint(SORT_CULLED)),
+    ("QUADS_PER_INSTANCE", Uint(QUADS_PER_INSTANCE)),
+    ("GAUSSIAN_PAIRS", Uint(GAUSSIAN_PAIRS)),
+    ("BLOCK_PAIRS", Uint(BLOCK_PAIRS)),
+    ("PART_BITS", Uint(PART_BITS as u32)),
+    ("OCCLUDER_SIDE", Uint(OCCLUDER_SIDE)),
+    ("PYRAMID_SIDE", Uint(PYRAMID_SIDE)),
+    ("PYRAMID_LEVELS", Uint(PYRAMID_LEVELS)),
+    ("PYRAMID_WORKGROUP_WIDTH", Uint(PYRAMID_WORKGROUP_WIDTH)),
+    ("PYRAMID_WORKGROUP_HEIGHT", Uint(PYRAMID_WORKGROUP_HEIGHT)),
+    ("TILES_PER_SIDE_VULKAN", Uint(TILING.tiles_per_side)),
+    ("TILES_PER_SIDE_WEB", Uint(TILING_WEB.tiles_per_side)),
+    ("TILE_COUNT_VULKAN", Uint(TILING.tiles())),
+    ("TILE_COUNT_WEB", Uint(TILING_WEB.tiles())),
+    ("TILE_LEVELS", Uint(TILE_LEVELS)),
+    ("BINNING_RUNS", Uint(BINNING_RUNS)),
+    ("BINNING_WORKGROUP", Uint(BINNING_WORKGROUP)),
+    ("BINNING_BLOCK", Uint(BINNING_BLOCK)),
+    ("BINNING_TILES_MAX", Uint(BINNING_TILES_MAX)),
+    ("RASTER_SQUARE", Uint(RASTER_SQUARE)),
+    ("RASTER_REGION", Uint(RASTER_REGION)),
+    ("RASTER_WORKGROUP", Uint(RASTER_WORKGROUP)),
+    ("POSITION_BITS", Uint(POSITION_BITS)),
+    ("INPUT_QUADS", Uint(INPUT_QUADS as u32)),
+    ("MLP_WIDTH", Uint(limits::MLP_WIDTH as u32)),
+    ("MLP_LAYERS", Uint(limits::MLP_LAYERS as u32)),
+    ("JOINTS", Uint(limits::JOINTS as u32)),
+    ("F16_MAX", Float(F16_MAX)),
+    ("FEATURE_MAX", Float(FEATURE_MAX)),
+    ("LOG_SCALE_MAX", Float(LOG_SCALE_MAX)),
+    ("LONGEST_MARGIN", Float(LONGEST_MARGIN)),
+    ("LOW_PASS", Float(LOW_PASS)),
+    ("ALPHA_MAX", Float(ALPHA_MAX)),
+    ("ROTATION_MIN", Float(ROTATION_MIN)),
+    ("VARIANCE_MAX", Float(VARIANCE_MAX)),
+    ("NODE_STEPS", Float(NODE_STEPS)),
+    ("QUATERNION_STEPS", Float(QUATERNION_STEPS)),
+];
+
+#[cfg(test)]
+mod tests {
+    use super::{MACROS, MacroValue};
+
+    #[test]
+    fn float_macros_read_back_as_the_same_f32() {
+        for (name, value) in MACROS {
+            if let MacroValue::Float(number) = value {
+                let text = value.glsl();
+                assert_eq!(text.parse(), Ok(*number as f32), "{name} = {text}");
+                assert!(text.contains(['.', 'e']), "{name} = {text} is a GLSL int");
+            }
+        }
+    }
+}

@@ -1,0 +1,24 @@
+//! Avatars and frames, independent of what draws them. Modules import only modules above them in
+//! this list:
+//!
+//! - [`constants`], [`random`]: constants and random numbers
+//! - [`avatar`]: the model as plain arrays, its skeleton, poses and clips
+//! - [`occluder`]: a coarse mesh of the body's solid inside
+//! - [`layout`]: the GPU's structs, constants and packed arrays
+//! - [`scene`]: camera, posed avatar, bounds, images
+//! - [`frame`]: options of a renderer, the plan of a frame, its report
+//! - [`reference`](mod@reference): every stage in f64
+//! - [`io`](mod@io): files
+
+pub mod avatar;
+pub mod constants;
+#[cfg(test)]
+mod demo;
+pub mod frame;
+pub mod io;
+pub mod layout;
+pub mod occluder;
+pub mod random;
+#[cfg(not(target_arch = "wasm32"))]
+pub mod reference;
+pub mod scene;

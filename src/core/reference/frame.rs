@@ -1,0 +1,120 @@
+//! Whole frames of the reference renderer.
+
+use super::{
+    mlp, nodes, project,
+    project::{Culled, Gaussian, Splat},
+    raster,
+    raster::Canvas,
+    sh, sort,
+};
+use crate::avatar::Avatar;
+use crate::layout::compact::stored_node_weights;
+use crate::scene::{Camera, FrameImage, Posed};
+use glam::DVec3;
+use half::f16;
+
+/// The results of every stage of one frame.
+#[derive(Clone, Debug)]
+pub struct ReferenceFrame {
+    /// e; shape N_G, E.
+    pub features: Vec<f64>,
+    /// δx_s, metres; length N_s.
+    pub nodes: Vec<DVec3>,
+    /// The avatar in the posed world; length N_g, fewer at a level of detail.
+    pub gaussians: Vec<Gaussian>,
+    /// Each of `gaussians` in the image, or why it is culled.
+    pub splats: Vec<Result<Splat, Culled>>,
+    /// Indices into `splats`, far to near.
+    pub order: Vec<u32>,
+    /// The image.
+    pub canvas: Canvas,
+}
+
+impl ReferenceFrame {
+    /// Runs all stages on every Gaussian.
+    pub fn new(avatar: &Avatar, posed: &Posed, camera: &Camera) -> Self {
+        Self::at_level(avatar, posed, camera, 0)
+    }
+
+    /// Runs all stages at a level of detail ([`crate::scene::detail`]): on every 2^`level`-th
+    /// Gaussian, which represents those skipped.
+    pub fn at_level(avatar: &Avatar, posed: &Posed, camera: &Camera, level: u32) -> Self {
+        let features = mlp::features(avatar, &posed.input);
+        let nodes = nodes::nodes(avatar, &features);
+        let gaussians = posed_gaussians(avatar, posed, camera, &features, &nodes);
+        let gaussians: Vec<Gaussian> = gaussians.into_iter().step_by(1 << level).collect();
+        let splats = project::splats(&gaussians, camera, level);
+        let order = sort::order(&splats);
+        let canvas = raster::raster(&splats, &order, camera);
+        Self {
+            features,
+            nodes,
+            gaussians,
+            splats,
+            order,
+            canvas,
+        }
+    }
+}
+
+/// The image of a posed avatar.
+pub fn render(avatar: &Avatar, posed: &Posed, camera: &Camera) -> FrameImage {
+    ReferenceFrame::new(avatar, posed, camera).canvas.to_image()
+}
+
+/// The exact image of the rounded model that a device stores: basis rows, scales, rotations and
+/// node weights rounded by [`crate::layout::compact`], node displacements to f16. A device's image
+/// differs from this one by its arithmetic alone.
+pub fn render_stored(avatar: &Avatar, posed: &Posed, camera: &Camera) -> FrameImage {
+    let (stored, features, mut gaussians) = stored(avatar, posed);
+    sh::apply_colors(&stored, posed, camera, &features, &mut gaussians);
+    render_gaussians(&gaussians, camera)
+}
+
+/// The model as device memory stores it, its features in a pose, and its posed Gaussians, still
+/// with neutral colours where these depend on the view.
+pub fn stored(avatar: &Avatar, posed: &Posed) -> (Avatar, Vec<f64>, Vec<Gaussian>) {
+    let stored = avatar.compact();
+    let features = mlp::features(&stored, &posed.input);
+    let half = |v: f64| f16::from_f64(v).to_f64();
+    let nodes: Vec<DVec3> = nodes::nodes(&stored, &features)
+        .into_iter()
+        .map(|node| DVec3::from(node.to_array().map(half)))
+        .collect();
+    let gaussians = project::gaussians_with_weights(&stored, posed, &features, &nodes, |k| {
+        stored_node_weights(avatar, k)
+    });
+    (stored, features, gaussians)
+}
+
+/// The image of one avatar in several poses, sorted together.
+pub fn render_scene(avatar: &Avatar, instances: &[&Posed], camera: &Camera) -> FrameImage {
+    let gaussians: Vec<Gaussian> = instances
+        .iter()
+        .flat_map(|posed| {
+            let features = mlp::features(avatar, &posed.input);
+            let nodes = nodes::nodes(avatar, &features);
+            posed_gaussians(avatar, posed, camera, &features, &nodes)
+        })
+        .collect();
+    render_gaussians(&gaussians, camera)
+}
+
+/// The image of Gaussians in the posed world.
+pub fn render_gaussians(gaussians: &[Gaussian], camera: &Camera) -> FrameImage {
+    let splats = project::splats(gaussians, camera, 0);
+    raster::raster(&splats, &sort::order(&splats), camera).to_image()
+}
+
+/// The avatar in the posed world, with the colours that the camera sees.
+fn posed_gaussians(
+    avatar: &Avatar,
+    posed: &Posed,
+    camera: &Camera,
+    features: &[f64],
+    nodes: &[DVec3],
+) -> Vec<Gaussian> {
+    let mut gaussians = project::gaussians(avatar, posed, features, nodes);
+    sh::apply_colors(avatar, posed, camera, features, &mut gaussians);
+    gaussians
+}

@@ -1,0 +1,20 @@
+//! The reference renderer: every stage of docs/model.md in f64, in plain Rust, written to be read
+//! against the paper's section "Local Linear Blendshapes".
+//!
+//! It starts from the stored numbers that the GPU reads, sorts by exact depth and blends in f64.
+//! Whatever a GPU's stage or image differs by is that GPU's arithmetic.
+
+pub mod basis;
+pub mod binning;
+pub mod frame;
+pub mod mlp;
+pub mod nodes;
+pub mod present;
+pub mod project;
+pub mod raster;
+pub mod sh;
+pub mod sort;
+
+pub use frame::{ReferenceFrame, render, render_gaussians, render_scene, render_stored, stored};
+pub use project::{Culled, Gaussian, Splat};
+pub use raster::Canvas;

@@ -1,0 +1,22 @@
+//! Stage `nodes` (docs/model.md, step 3): displacement of every position node from the features.
+
+use super::basis::combine;
+use crate::avatar::Avatar;
+use glam::DVec3;
+
+/// δx_s = offset + B_s · e of each node, with its part's features; metres, canonical pose; length
+/// N_s.
+///
+/// `features` has shape N_G, E. Where E is twice N_B, nodes use the second half.
+pub fn nodes(avatar: &Avatar, features: &[f64]) -> Vec<DVec3> {
+    let basis_len = avatar.basis_len();
+    (0..avatar.nodes.len())
+        .map(|node| {
+            let part = usize::from(avatar.nodes.part[node]);
+            let e = &features[part * avatar.networks.output()..][avatar.node_feature_start()..]
+                [..basis_len];
+            let corrective: [f64; 3] = combine(avatar.nodes.basis.row(node, 3 * basis_len), e);
+            DVec3::from(avatar.nodes.offset[node].map(f64::from)) + DVec3::from(corrective)
+        })
+        .collect()
+}

@@ -1,0 +1,230 @@
+//! Stage `project` (docs/model.md, steps 2 and 4 to 8): every Gaussian in the posed world, then as
+//! an ellipse in the image, or the reason why it is culled.
+
+use super::basis::{corrective, plus};
+use crate::avatar::Avatar;
+use crate::constants;
+use crate::scene::{Camera, Posed, detail, radius_in_sigmas};
+use glam::{DAffine3, DMat3, DQuat, DVec2, DVec3};
+use rayon::prelude::*;
+
+/// A Gaussian in the posed world.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Gaussian {
+    /// G x, metres.
+    pub mean: DVec3,
+    /// G₃ₓ₃ R(q) diag(s), metres: the columns are the axes, one standard deviation long as long as
+    /// G doesn't shear.
+    pub axes: DMat3,
+    /// Display-referred RGB, 0 to 1.
+    pub color: DVec3,
+    /// 255 is opaque.
+    pub opacity: u8,
+}
+
+impl Gaussian {
+    /// World-space covariance, m².
+    pub fn covariance(&self) -> DMat3 {
+        self.axes * self.axes.transpose()
+    }
+}
+
+/// A Gaussian projected into the image.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Splat {
+    /// px from the image's top left corner.
+    pub center: DVec2,
+    /// Distance along the camera's axis, metres.
+    pub depth: f64,
+    /// Σ' = [[a, b], [b, c]] as [a, b, c], px², the low-pass included.
+    pub covariance: [f64; 3],
+    /// a c − b², px⁴, computed without cancellation: accurate for needles too.
+    pub determinant: f64,
+    /// Half the sides of the box around the ellipse at which the Gaussian's alpha is 1/255, px.
+    pub radius: DVec2,
+    /// 0 to 1.
+    pub opacity: f64,
+    /// Display-referred RGB, 0 to 1.
+    pub color: DVec3,
+}
+
+/// Why a Gaussian is culled. Reasons are checked in this order.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Culled {
+    /// Its centre is nearer than the camera's near plane, or behind the camera.
+    Behind,
+    /// It is nowhere as opaque as 1/255.
+    Faint,
+    /// A number of it is NaN or infinite, or its variance is above [`constants::VARIANCE_MAX`].
+    Invalid,
+    /// Its centre is further from the image than [`Camera::guard`].
+    Guard,
+    /// The box around its ellipse misses the image.
+    Outside,
+}
+
+/// The avatar in the posed world, before any camera; length N_g.
+///
+/// `features` has shape N_G, E, `nodes` length N_s.
+pub fn gaussians(
+    avatar: &Avatar,
+    posed: &Posed,
+    features: &[f64],
+    nodes: &[DVec3],
+) -> Vec<Gaussian> {
+    gaussians_with_weights(avatar, posed, features, nodes, |k| avatar.node_weights(k))
+}
+
+/// The avatar in the posed world, with `weights` in place of [`Avatar::node_weights`].
+pub fn gaussians_with_weights(
+    avatar: &Avatar,
+    posed: &Posed,
+    features: &[f64],
+    nodes: &[DVec3],
+    weights: impl Fn(usize) -> [f64; 3] + Sync,
+) -> Vec<Gaussian> {
+    let neutral = &avatar.gaussians;
+    (0..neutral.len())
+        .into_par_iter()
+        .map(|k| {
+            let part = avatar.parts.part_of(k);
+            let e = &features[part * avatar.networks.output()..][..avatar.basis_len()];
+
+            // δr, δs, δc = B · e (docs/model.md, step 2, the paper's first equation); x = x₀ + δx
+            // (step 4).
+            let dx: DVec3 = weights(k)
+                .iter()
+                .zip(neutral.node[k])
+                .map(|(&w, s)| w * nodes[usize::from(s)])
+                .sum();
+            let x = avatar.position(k) + dx;
+            // Step 5.
+            let q = rotation(
+                neutral.rotation[k].map(f64::from),
+                corrective(&avatar.rotation_rows, k, e),
+            );
+            let log_scale = DVec3::from(plus(
+                neutral.log_scale[k].map(f64::from),
+                corrective(&avatar.scale_rows, k, e),
+            ));
+            let s = log_scale.min(DVec3::splat(constants::LOG_SCALE_MAX)).exp();
+            let c = plus(
+                neutral.color[k].map(f64::from),
+                corrective(&avatar.color_rows, k, e),
+            )
+            .map(|c| c.clamp(0.0, 1.0));
+            // Steps 6 and 7.
+            let g = skinning(&posed.joints, neutral.joint[k], neutral.joint_weight[k]);
+            Gaussian {
+                mean: g.transform_point3(x),
+                axes: g.matrix3 * DMat3::from_quat(q) * DMat3::from_diagonal(s),
+                color: DVec3::from(c),
+                opacity: neutral.opacity[k],
+            }
+        })
+        .collect()
+}
+
+/// normalize(q₀ + δr), both as w x y z; q₀'s direction where the sum nearly vanishes.
+pub fn rotation(neutral: [f64; 4], corrective: [f64; 4]) -> DQuat {
+    let quaternion = |[w, x, y, z]: [f64; 4]| DQuat::from_xyzw(x, y, z, w);
+    let q = quaternion(plus(neutral, corrective));
+    let q0 = quaternion(neutral);
+    if q.length() >= constants::ROTATION_MIN * q0.length() {
+        q.normalize()
+    } else {
+        q0.normalize()
+    }
+}
+
+/// G = Σ w_j G_j over a Gaussian's four joints: linear blend skinning, not orthogonalised.
+pub fn skinning(joints: &[DAffine3], joint: [u8; 4], weight: [u8; 4]) -> DAffine3 {
+    let mut g = DAffine3::from_mat3_translation(DMat3::ZERO, DVec3::ZERO);
+    for (j, w) in joint.into_iter().zip(weight.map(|w| f64::from(w) / 255.0)) {
+        g.matrix3 += w * joints[usize::from(j)].matrix3;
+        g.translation += w * joints[usize::from(j)].translation;
+    }
+    g
+}
+
+/// Projects every Gaussian, each of which represents 2^`level` ([`detail`]); one entry a Gaussian,
+/// in order.
+pub fn splats(gaussians: &[Gaussian], camera: &Camera, level: u32) -> Vec<Result<Splat, Culled>> {
+    gaussians
+        .par_iter()
+        .map(|gaussian| project(gaussian, camera, level))
+        .collect()
+}
+
+/// EWA projection of one Gaussian, with the low-pass, and culling (docs/model.md, step 8). The
+/// Gaussian represents 2^`level` ([`detail`]).
+pub fn project(gaussian: &Gaussian, camera: &Camera, level: u32) -> Result<Splat, Culled> {
+    let t = camera.view.transform_point3(gaussian.mean);
+    if t.z < camera.near {
+        return Err(Culled::Behind);
+    }
+    let opacity = detail::opacity(gaussian.opacity, level);
+    // One that is invisible alone does not become visible by standing for others.
+    let sigmas = radius_in_sigmas(gaussian.opacity)
+        .and(radius_in_sigmas(opacity))
+        .ok_or(Culled::Faint)?;
+    let center = camera.project(t);
+    let (covariance, determinant) =
+        project_covariance(camera.view.matrix3 * gaussian.axes, t, camera);
+    let valid_shape =
+        determinant > 0.0 && covariance[0].max(covariance[2]) <= constants::VARIANCE_MAX;
+    let spread = detail::covariance_scale(level);
+    let [a, b, c] = covariance.map(|v| spread * v);
+    let determinant = spread * spread * determinant;
+    let radius = sigmas * DVec2::new(a.sqrt(), c.sqrt());
+    if !(t.is_finite()
+        && center.is_finite()
+        && radius.is_finite()
+        && b.is_finite()
+        && gaussian.color.is_finite()
+        && valid_shape)
+    {
+        return Err(Culled::Invalid);
+    }
+    let size = DVec2::from(camera.size.map(f64::from));
+    if (center + camera.guard()).min_element() < 0.0
+        || (size + camera.guard() - center).min_element() < 0.0
+    {
+        return Err(Culled::Guard);
+    }
+    if (center + radius).min_element() < 0.0 || (size + radius - center).min_element() < 0.0 {
+        return Err(Culled::Outside);
+    }
+    let opacity = f64::from(opacity) / 255.0;
+    Ok(Splat {
+        center,
+        depth: t.z,
+        covariance: [a, b, c],
+        determinant,
+        radius,
+        opacity,
+        color: gaussian.color,
+    })
+}
+
+/// Σ' = (J M)(J M)ᵀ + low-pass, px², as [a, b, c], and its determinant. `m` is the axes and `t` the
+/// mean, both in camera coordinates.
+///
+/// J is the derivative of [`Camera::project`] at `t`, with x/z and y/z kept within
+/// [`Camera::derivative_limits`].
+fn project_covariance(m: DMat3, t: DVec3, camera: &Camera) -> ([f64; 3], f64) {
+    let [min, max] = camera.derivative_limits();
+    let slope = (t.truncate() / t.z).clamp(min, max);
+    let f = camera.focal / t.z;
+    let row_x = m.transpose() * DVec3::new(f.x, 0.0, -f.x * slope.x);
+    let row_y = m.transpose() * DVec3::new(0.0, f.y, -f.y * slope.y);
+    let covariance = [
+        row_x.dot(row_x) + constants::LOW_PASS,
+        row_x.dot(row_y),
+        row_y.dot(row_y) + constants::LOW_PASS,
+    ];
+    // Lagrange's identity: without the low-pass the determinant is |row_x × row_y|².
+    let determinant = row_x.cross(row_y).length_squared()
+        + constants::LOW_PASS * (covariance[0] + covariance[2] - constants::LOW_PASS);
+    (covariance, determinant)
+}

@@ -1,0 +1,164 @@
+//! The pinhole camera. World coordinates have y up; camera coordinates have x right, y down and z
+//! forward, the convention of images and 3DGS.
+
+use glam::{DAffine3, DMat3, DVec2, DVec3};
+
+/// A pinhole camera and the size of its image.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Camera {
+    /// World to camera, metres.
+    pub view: DAffine3,
+    /// Focal length along x and y, px.
+    pub focal: DVec2,
+    /// Where the optical axis meets the image, px from the top left corner.
+    pub center: DVec2,
+    /// Width and height, px, at least 1.
+    pub size: [u32; 2],
+    /// Gaussians whose centre is nearer than this are culled, metres.
+    pub near: f64,
+}
+
+impl Camera {
+    /// Default distance of the near plane, metres.
+    pub const NEAR: f64 = 0.1;
+
+    /// Looks from `eye` at `target`, with the image's upper edge towards +y. `fov` is the vertical
+    /// field of view, radians.
+    pub fn look_at(eye: DVec3, target: DVec3, fov: f64, size: [u32; 2]) -> Self {
+        let forward = (target - eye).try_normalize().unwrap_or(DVec3::NEG_Z);
+        let right = forward.cross(DVec3::Y).try_normalize().unwrap_or(DVec3::X);
+        let down = forward.cross(right);
+        let rotation = DMat3::from_cols(right, down, forward).transpose();
+        let [width, height] = size.map(f64::from);
+        Self {
+            view: DAffine3::from_mat3_translation(rotation, rotation * -eye),
+            focal: DVec2::splat(0.5 * height / (0.5 * fov).tan()),
+            center: DVec2::new(0.5 * width, 0.5 * height),
+            size,
+            near: Self::NEAR,
+        }
+    }
+
+    /// Looks at `target` from a distance in metres. `yaw` 0 looks at the avatar's front and grows
+    /// towards its left; a positive `pitch` looks down; `fov` is the vertical field of view.
+    /// Angles are radians.
+    pub fn orbit(
+        target: DVec3,
+        yaw: f64,
+        pitch: f64,
+        distance: f64,
+        fov: f64,
+        size: [u32; 2],
+    ) -> Self {
+        let direction = DVec3::new(
+            yaw.sin() * pitch.cos(),
+            pitch.sin(),
+            yaw.cos() * pitch.cos(),
+        );
+        Self::look_at(target + distance * direction, target, fov, size)
+    }
+
+    /// The distance from the middle of a box at which all of it is in the image with a margin of
+    /// 5 %, whatever the yaw. `bounds`: lower and upper corner, metres.
+    pub fn framing_distance(bounds: [DVec3; 2], fov: f64, size: [u32; 2]) -> f64 {
+        let [min, max] = bounds;
+        let half = (max - min) / 2.0;
+        let around = half.x.hypot(half.z);
+        let slope = (0.5 * fov).tan();
+        let aspect = f64::from(size[0]) / f64::from(size[1]);
+        1.05 * (half.y / slope).max(around / (slope * aspect)) + around
+    }
+
+    /// Looks at the middle of a box from [`Self::framing_distance`]. Angles are those of
+    /// [`Self::orbit`].
+    pub fn around(bounds: [DVec3; 2], yaw: f64, pitch: f64, fov: f64, size: [u32; 2]) -> Self {
+        Self::orbit(
+            (bounds[0] + bounds[1]) / 2.0,
+            yaw,
+            pitch,
+            Self::framing_distance(bounds, fov, size),
+            fov,
+            size,
+        )
+    }
+
+    /// Stretches the view to an image of another size.
+    pub fn stretched(&self, size: [u32; 2]) -> Self {
+        let ratio = DVec2::new(
+            f64::from(size[0]) / f64::from(self.size[0]),
+            f64::from(size[1]) / f64::from(self.size[1]),
+        );
+        Self {
+            focal: self.focal * ratio,
+            center: self.center * ratio,
+            size,
+            ..*self
+        }
+    }
+
+    /// Position of the camera in the world, metres.
+    pub fn eye(&self) -> DVec3 {
+        self.view.inverse().translation
+    }
+
+    /// Projects a point in camera coordinates into the image, px.
+    pub fn project(&self, p: DVec3) -> DVec2 {
+        self.focal * p.truncate() / p.z + self.center
+    }
+
+    /// Smallest and largest x/z and y/z that the perspective's derivative is clamped to.
+    pub fn derivative_limits(&self) -> [DVec2; 2] {
+        let size = DVec2::new(f64::from(self.size[0]), f64::from(self.size[1]));
+        let margin = crate::constants::DERIVATIVE_MARGIN * 0.5 * size / self.focal;
+        [
+            -self.center / self.focal - margin,
+            (size - self.center) / self.focal + margin,
+        ]
+    }
+
+    /// Width of the guard band around the image, px: its longer side. A Gaussian whose centre lies
+    /// further outside is culled, since splats' centres are fixed-point numbers of that range.
+    pub fn guard(&self) -> f64 {
+        f64::from(self.size[0].max(self.size[1]))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn from_the_front_the_avatars_left_is_on_the_right() {
+        let camera = Camera::orbit(DVec3::new(0.0, 1.0, 0.0), 0.0, 0.0, 3.0, 0.5, [640, 480]);
+        let center = camera.project(camera.view.transform_point3(DVec3::new(0.0, 1.0, 0.0)));
+        assert!(center.distance(DVec2::new(320.0, 240.0)) < 1e-9, "{center}");
+        let left_and_up = camera.project(camera.view.transform_point3(DVec3::new(0.1, 1.1, 0.0)));
+        assert!(
+            left_and_up.x > 320.0 && left_and_up.y < 240.0,
+            "{left_and_up}"
+        );
+        assert!(camera.eye().distance(DVec3::new(0.0, 1.0, 3.0)) < 1e-12);
+    }
+
+    #[test]
+    fn a_framed_box_is_in_the_image_from_every_side() {
+        let bounds = [DVec3::new(-0.8, 0.0, -0.2), DVec3::new(0.9, 1.8, 0.3)];
+        for size in [[640, 480], [300, 1000], [1000, 300]] {
+            for yaw in 0..12 {
+                let camera = Camera::around(bounds, f64::from(yaw), 0.0, 0.6, size);
+                for corner in 0..8 {
+                    let corner = DVec3::new(
+                        bounds[corner & 1].x,
+                        bounds[corner >> 1 & 1].y,
+                        bounds[corner >> 2].z,
+                    );
+                    let at = camera.project(camera.view.transform_point3(corner));
+                    let inside = at.cmpge(DVec2::ZERO).all()
+                        && at.x <= f64::from(size[0])
+                        && at.y <= f64::from(size[1]);
+                    assert!(inside, "{corner} lands at {at}, outside {size:?}");
+                }
+            }
+        }
+    }
+}

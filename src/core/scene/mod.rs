@@ -1,0 +1,20 @@
+//! The scene: camera, posed avatar, bounds, level of detail, dependencies of parts, and images in
+//! memory.
+
+pub mod avatar_bounds;
+pub mod camera;
+pub mod detail;
+pub mod frame_image;
+pub mod occluder_view;
+pub mod parts;
+pub mod pixel_rect;
+pub mod posed;
+
+pub use avatar_bounds::{AvatarBounds, PoseShape, Visible, upright};
+pub use camera::Camera;
+pub use detail::Detail;
+pub use frame_image::FrameImage;
+pub use occluder_view::OccluderView;
+pub use parts::{PartDependencies, PartSet};
+pub use pixel_rect::PixelRect;
+pub use posed::{Posed, radius_in_sigmas};

@@ -1,0 +1,153 @@
+//! Makes avatars and clips from a real body (MakeHuman's, CC0) and real motion (CMU's captures).
+//!
+//! ```text
+//! base.obj, targets, rig, weights ── body ── outfit: sheets of skin, hair, clothes
+//!                                                ↓
+//!                   sky_light: a sky baked in ── spacing: evenly spaced points
+//!                                                ↓
+//! 01_01.bvh ── retarget: a clip ─────────── assemble: Gaussians, parts, nodes, bases, networks
+//! ```
+//!
+//! Geometry, skin weights, expressions and motion are real. Clothes, hair and colours are ours.
+//! Networks and bases are drawn from a seed, smooth over the body and of the size that learned ones
+//! have.
+
+pub mod assemble;
+pub mod bases;
+pub mod body;
+pub mod credits;
+pub mod joints;
+pub mod networks;
+pub mod outfit;
+pub mod partition;
+pub mod retarget;
+pub mod sky;
+pub mod sky_light;
+pub mod source;
+pub mod spacing;
+pub mod surface;
+
+pub use assemble::BakeSizes;
+pub use body::{Body, BodyShape};
+use effigy_core::avatar::{Avatar, Clip, Pose, Skeleton};
+use glam::DVec3;
+pub use retarget::RetargetOptions;
+pub use source::Assets;
+pub use source::text::SourceError;
+use std::path::Path;
+
+/// A dressed body with all that it was made from.
+pub struct Dressed {
+    /// The naked body.
+    pub body: Body,
+    /// The rules of its clothes.
+    pub outfit: outfit::Outfit,
+    /// Skin and garments, the innermost first.
+    pub sheets: Vec<surface::Sheet>,
+    /// The place of each of the avatar's Gaussians on the sheets.
+    pub dots: Vec<spacing::Dot>,
+    /// The baked avatar.
+    pub avatar: Avatar,
+}
+
+/// The steps that [`body`] and [`dressed`] announce.
+pub const STEPS: u64 = 5;
+
+/// Bakes a dressed body. Networks, pruning and PCA are fitted to the clips' poses. `announce` is
+/// called with each step that begins, [`STEPS`] in all.
+///
+/// # Errors
+/// When a source file is missing or damaged, or a clip is not of the body.
+pub fn body(
+    assets: &Assets,
+    shape: BodyShape,
+    clips: &[Clip],
+    sizes: &BakeSizes,
+    announce: &dyn Fn(&'static str),
+) -> Result<Avatar, SourceError> {
+    Ok(dressed(assets, shape, clips, sizes, announce)?.avatar)
+}
+
+/// Bakes a dressed body like [`body`], and returns its surfaces too.
+///
+/// # Errors
+/// When a source file is missing or damaged, or a clip is not of the body.
+pub fn dressed(
+    assets: &Assets,
+    shape: BodyShape,
+    clips: &[Clip],
+    sizes: &BakeSizes,
+    announce: &dyn Fn(&'static str),
+) -> Result<Dressed, SourceError> {
+    announce("reading the body");
+    let body = Body::load(assets, shape)?;
+    let outfit = outfit::Outfit::new(&body, source::masks::Masks::load(assets)?, shape);
+    let poses = poses(clips, &body.skeleton)?;
+    announce("dressing it");
+    let sheets = outfit::sheets(&outfit, &body);
+    announce("lighting it");
+    let casts_shadow =
+        |sheet: usize, triangle: usize| outfit.shows(&sheets[sheet].site(triangle, [1.0 / 3.0; 3]));
+    let sky = sky_light::BakedSky::new(&sheets, casts_shadow);
+    announce("spacing Gaussians");
+    let dots = spacing::scatter(&sheets, &outfit, sizes.gaussians, sizes.seed);
+    announce("assembling the avatar");
+    let assembled = assemble::assemble(&body, &outfit, &sky, &dots, &poses, sizes);
+    Ok(Dressed {
+        body,
+        outfit,
+        sheets,
+        dots: assembled
+            .order
+            .into_iter()
+            .map(|dot| dots[dot].clone())
+            .collect(),
+        avatar: assembled.avatar,
+    })
+}
+
+/// Every frame of the clips in a skeleton's order of joints.
+fn poses(clips: &[Clip], skeleton: &Skeleton) -> Result<Vec<Pose>, SourceError> {
+    let mut poses = Vec::new();
+    for clip in clips {
+        let map = clip.map_to(skeleton);
+        if map.iter().all(Option::is_none) {
+            return Err(SourceError::Content {
+                file: clip.name.clone().into(),
+                found: "none of the body's joints".into(),
+                expected: "Hips and its like".into(),
+            });
+        }
+        poses.extend((0..clip.frames()).map(|frame| {
+            let mut pose = clip.frame(frame);
+            pose.rotation = map
+                .iter()
+                .map(|joint| joint.map_or(DVec3::ZERO, |j| pose.rotation[j]))
+                .collect();
+            pose.expression.resize(body::EXPRESSIONS.len(), 0.0);
+            pose
+        }));
+    }
+    Ok(poses)
+}
+
+/// The body's skeleton alone.
+///
+/// # Errors
+/// When a source file is missing or damaged.
+pub fn skeleton(assets: &Assets, shape: BodyShape) -> Result<Skeleton, SourceError> {
+    Ok(Body::load(assets, shape)?.skeleton)
+}
+
+/// Makes a clip of a skeleton from a capture (`.bvh`).
+///
+/// # Errors
+/// When the capture is missing or damaged, lacks a joint, or is shorter than the options ask for.
+pub fn motion(
+    file: &Path,
+    skeleton: &Skeleton,
+    options: &RetargetOptions,
+) -> Result<Clip, SourceError> {
+    let capture = source::bvh::Bvh::parse(file, &source::text::read(file)?)?;
+    retarget::retarget(&capture, skeleton, options, file)
+}

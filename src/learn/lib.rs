@@ -1,0 +1,28 @@
+//! Learns an avatar's correctives from the look of its Gaussians in many poses.
+//!
+//! ```text
+//! bake: the body, clips ── ground_truth: the posed mesh, settled and lit ──→ dataset
+//!                                                                             ↓
+//!                   fit: stage by stage, train: networks and bases, prune: rows
+//!                                                                             ↓
+//!                                          analyse ── evaluate ←───────── avatar
+//! ```
+//!
+//! All of it runs on the CPU, parts in parallel. Results depend on the dataset, the options and the
+//! seed alone, on one kind of machine: not on the number of threads, and not on interruptions.
+
+#![warn(missing_docs)]
+
+pub mod analyse;
+pub mod bake;
+pub mod dataset;
+pub mod evaluate;
+pub mod fit;
+pub mod ground_truth;
+pub mod math;
+pub mod plot;
+pub mod prune;
+pub mod train;
+
+pub use dataset::{Dataset, LearnError};
+pub use fit::{Budget, CheckpointOptions, FitOptions, Fitted, fit, prune};

@@ -1,0 +1,8 @@
+//! Arithmetic that the bake, the training and the analysis share. Knows nothing of avatars' files,
+//! datasets or bodies.
+
+pub mod color;
+pub mod matrix;
+pub mod noise;
+pub mod pca;
+pub mod sampling;

@@ -1,0 +1,50 @@
+//! Effigy in numbers.
+//!
+//! - [`bench`] measures time, error, memory and bytes, case by case, and compares reports.
+//! - [`soak`] draws for minutes at a promised rate and records every second.
+//! - [`stress`] draws hard cases and compares them with the reference.
+//! - [`packing`] measures what each step of packing an avatar saves and costs.
+//! - [`bytes`] computes the bytes and operations of each stage, and their minimum.
+//! - [`error`] is the error of an image: PSNR and largest error.
+//! - [`flip`] is how visible that error is.
+//! - [`similarity`] is how similar an image is to a photo's: L1, PSNR and SSIM.
+//! - [`setting`] is how an avatar is drawn to be measured.
+//! - [`report`] holds the parts that all reports share.
+//! - [`chart`] draws the charts of all of them.
+
+pub mod bench;
+pub mod bytes;
+pub mod chart;
+pub mod error;
+pub mod flip;
+pub mod packing;
+pub mod report;
+pub mod setting;
+pub mod similarity;
+pub mod soak;
+pub mod stress;
+
+pub use effigy_core::scene::upright;
+use glam::{DAffine3, DVec3};
+use std::sync::OnceLock;
+
+static COMMIT: OnceLock<&'static str> = OnceLock::new();
+
+/// Sets the commit that the program was built from. A program calls this once, before it measures:
+/// a library that knew the commit itself would be compiled again with every commit.
+pub fn set_commit(commit: &'static str) {
+    // Only the first call counts.
+    let _ = COMMIT.set(commit);
+}
+
+/// The commit that reports name, if the program has set it.
+pub fn commit() -> Option<&'static str> {
+    COMMIT.get().copied()
+}
+
+/// The place of avatar `index` of `count` that stand in a row along x, a metre apart, around the
+/// origin.
+pub fn in_a_row(index: usize, count: usize) -> DAffine3 {
+    let x = index as f64 - 0.5 * count.saturating_sub(1) as f64;
+    DAffine3::from_translation(DVec3::new(x, 0.0, 0.0))
+}

@@ -1,0 +1,76 @@
+//! What single drivers do wrong or best, by their names: what Effigy draws with on them.
+
+use effigy_core::frame::RasterMethod;
+
+/// What is faster on a kind of device, as far as it was measured (docs/experiments/023): CPUs gain
+/// from every fragment that is skipped. `device`: its name, see [`draws_triangles`]. `driver`: its
+/// name and build, as the device reports them. Some run the tiles' kernels wrongly.
+pub fn recommended_method(is_cpu: bool, device: &str, driver: &str) -> RasterMethod {
+    if (is_cpu && !leaves_loops(driver)) || !draws_triangles(device) {
+        RasterMethod::Tiles
+    } else {
+        RasterMethod::Quads
+    }
+}
+
+/// Whether a device draws triangles, by its name. llvmpipe at 512 bits ends the program that does:
+/// any program, with Mesa 22.3 and 25.0.
+pub fn draws_triangles(device: &str) -> bool {
+    !(device.starts_with("llvmpipe") && device.contains(" 512 bits"))
+}
+
+/// What is wrong with a device where [`draws_triangles`] is false.
+pub const NO_TRIANGLES: &str =
+    "its driver crashes when it draws triangles with vectors of 512 bits";
+
+/// Whether a driver leaves an invocation's loops after 65,535 rounds of all of them together, as
+/// llvmpipe did. Seen with Mesa 22.3, not with 25.0; between them it was not tried.
+pub fn leaves_loops(driver: &str) -> bool {
+    let number = |text: &str| {
+        text.split(|c: char| !c.is_ascii_digit())
+            .next()
+            .and_then(|digits| digits.parse::<u32>().ok())
+    };
+    driver.starts_with("llvmpipe")
+        && driver
+            .split_once("Mesa ")
+            .and_then(|(_, version)| number(version))
+            .is_none_or(|version| version < 25)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn tiles_are_for_cpu_drivers_that_run_them_right() {
+        for (driver, method) in [
+            ("llvmpipe Mesa 25.0.7 (LLVM 15.0.6)", RasterMethod::Tiles),
+            (
+                "llvmpipe Mesa 26.1.0-devel (git-0123456789)",
+                RasterMethod::Tiles,
+            ),
+            ("llvmpipe Mesa 22.3.6 (LLVM 15.0.6)", RasterMethod::Quads),
+            ("llvmpipe", RasterMethod::Quads),
+            ("SwiftShader driver", RasterMethod::Tiles),
+        ] {
+            assert_eq!(
+                recommended_method(true, "llvmpipe (LLVM 15.0.6, 256 bits)", driver),
+                method,
+                "{driver}"
+            );
+        }
+        assert_eq!(
+            recommended_method(false, "NVIDIA H200", "NVIDIA 570.1"),
+            RasterMethod::Quads
+        );
+        assert_eq!(
+            recommended_method(
+                true,
+                "llvmpipe (LLVM 15.0.6, 512 bits)",
+                "llvmpipe Mesa 22.3.6 (LLVM 15.0.6)"
+            ),
+            RasterMethod::Tiles
+        );
+    }
+}

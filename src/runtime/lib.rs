@@ -1,0 +1,12 @@
+//! What a program that draws with Effigy needs at run time besides the renderer.
+//!
+//! - [`governor`] trades quality for a steady frame rate.
+//! - [`thermals`] reads, replays or simulates how warm the device is.
+//! - [`trace`] writes timelines of host and device in Chrome's format.
+//! - [`capture`] asks RenderDoc, where it is attached, to capture frames.
+
+pub mod capture;
+pub mod governor;
+pub mod slow_start;
+pub mod thermals;
+pub mod trace;

@@ -1,0 +1,407 @@
+//! Two frames in flight: a command buffer, a fence and a query pool each, and what a finished frame
+//! says about itself.
+
+pub use super::control::REASONS;
+use crate::vulkan::{
+    device::{
+        error::{During, Result},
+        gpu::Gpu,
+        handle::{CommandPool, Fence, QueryPool},
+        recording::Recording,
+    },
+    memory::{Buffer, Slice},
+};
+use ash::vk;
+use effigy_core::{
+    frame::{
+        Counters, CullReasons,
+        report::{FrameReport, HostTimes, STAGES},
+    },
+    layout::Control,
+};
+use gpu_allocator::MemoryLocation;
+use std::{ffi::CString, sync::Arc, time::Instant};
+
+/// Frames that may be under way at once.
+pub const FRAMES_IN_FLIGHT: usize = 2;
+
+/// What a frame waits for and signals.
+#[derive(Clone, Copy)]
+pub struct Semaphores {
+    /// Waited for before colour output: signalled when there is something to draw to.
+    pub wait: vk::Semaphore,
+    /// Signalled when the frame is drawn.
+    pub signal: vk::Semaphore,
+}
+
+/// Times of a finished frame.
+#[derive(Default)]
+struct Times {
+    /// Milliseconds of each stage: [`FrameReport::stages`].
+    stages: Vec<(&'static str, f64)>,
+    /// When each stage began and ended: [`FrameReport::ticks`].
+    ticks: Vec<[u64; 2]>,
+}
+
+/// When the host came how far with a frame.
+pub struct HostMarks {
+    /// It began the frame.
+    pub began: Instant,
+    /// The frame before it in this [`FrameInFlight`] was done.
+    pub waited: Instant,
+    /// The commands were written.
+    pub recorded: Instant,
+}
+
+/// Who counts a frame's fragments.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Counted {
+    No,
+    /// The device's pipeline statistics.
+    Statistics,
+    /// The frame's kernels, in the control.
+    Itself,
+}
+
+/// One of the frames under way.
+pub struct FrameInFlight {
+    gpu: Arc<Gpu>,
+    commands: vk::CommandBuffer,
+    /// The command buffer's.
+    pool: CommandPool,
+    fence: Fence,
+    /// A pair of timestamps a stage. None where the device has none.
+    queries: Option<QueryPool>,
+    /// Counts fragments. None where the device can't.
+    statistics: Option<QueryPool>,
+    counted: Counted,
+    /// What was known of the frame before it was drawn.
+    known: Counters,
+    reasons: bool,
+    /// The frame's counts, copied here by the device.
+    counts: Buffer,
+    /// Stages with a pair of timestamps in the frame under way.
+    marked: Vec<&'static str>,
+    skipped: Vec<&'static str>,
+    /// Of the frame under way; it is not finished yet.
+    host: Option<HostTimes>,
+    pending: bool,
+}
+
+impl FrameInFlight {
+    pub fn new(gpu: &Arc<Gpu>) -> Result<Self> {
+        let size = size_of::<Control>() as u64 + REASONS;
+        let counts = Buffer::new(
+            gpu,
+            "frame counts",
+            size,
+            vk::BufferUsageFlags::TRANSFER_DST,
+            MemoryLocation::GpuToCpu,
+        )?;
+        let pool = CommandPool::transient(&gpu.device, gpu.queue_family, "frame")?;
+        let queries = if gpu.probe.timestamp_bits > 0 {
+            let count = 2 * STAGES.len() as u32;
+            Some(QueryPool::timestamps(
+                &gpu.device,
+                count,
+                "times of stages",
+            )?)
+        } else {
+            None
+        };
+        let statistics = if gpu.probe.pipeline_statistics {
+            Some(QueryPool::fragments(&gpu.device, "fragments")?)
+        } else {
+            None
+        };
+        Ok(Self {
+            gpu: gpu.clone(),
+            commands: pool.allocate("frame")?,
+            pool,
+            fence: Fence::unsignalled(&gpu.device, "frame done")?,
+            queries,
+            statistics,
+            counted: Counted::No,
+            known: Counters::default(),
+            reasons: false,
+            counts,
+            marked: Vec::with_capacity(STAGES.len()),
+            skipped: Vec::with_capacity(STAGES.len()),
+            host: None,
+            pending: false,
+        })
+    }
+
+    /// Waits until its frame is done, and reports on it. None where no frame is pending.
+    pub fn finish(&mut self) -> Result<Option<FrameReport>> {
+        if !self.pending {
+            return Ok(None);
+        }
+        self.fence.wait("a frame")?;
+        let finished = Instant::now();
+        self.pending = false;
+        let (control, reasons) = self.counts.mapped().split_at(size_of::<Control>());
+        let control: Control = bytemuck::pod_read_unaligned(control);
+        let [outside, hidden, faint, degenerate] =
+            bytemuck::pod_read_unaligned::<[u32; 4]>(&reasons[..REASONS as usize]).map(u64::from);
+        let drawn = u64::from(control.visible_count);
+        let counters = Counters {
+            culled: self.known.gaussians.saturating_sub(drawn),
+            drawn,
+            reasons: self.reasons.then_some(CullReasons {
+                outside,
+                hidden,
+                faint,
+                degenerate,
+            }),
+            fragments: self.fragments(&control)?,
+            ..self.known
+        };
+        let times = self.times()?;
+        let host = self.host.map(|host| HostTimes { finished, ..host });
+        Ok(Some(FrameReport {
+            stages: times.stages,
+            ticks: times.ticks,
+            host,
+            counters,
+            skipped: self.skipped.clone(),
+        }))
+    }
+
+    /// The time of each stage, and when it began and ended.
+    fn times(&self) -> Result<Times> {
+        let Some(queries) = self.queries.as_ref().filter(|_| !self.marked.is_empty()) else {
+            return Ok(Times::default());
+        };
+        let mut ticks = [0; 2 * STAGES.len()];
+        let ticks = &mut ticks[..2 * self.marked.len()];
+        queries.read(ticks).during("vkGetQueryPoolResults")?;
+        let mask = self.gpu.probe.tick_mask();
+        let period = f64::from(self.gpu.probe.limits.timestamp_period) * 1e-6;
+        let mut times = Times::default();
+        for (&name, pair) in self.marked.iter().zip(ticks.chunks_exact(2)) {
+            let [began, ended] = [pair[0] & mask, pair[1] & mask];
+            let ms = (ended.wrapping_sub(began) & mask) as f64 * period;
+            times.stages.push((name, ms));
+            times.ticks.push([began, ended]);
+        }
+        Ok(times)
+    }
+
+    /// Starts recording a frame. [`Self::finish`] must have returned.
+    pub fn begin(&mut self) -> Result<()> {
+        self.marked.clear();
+        self.skipped.clear();
+        self.counted = Counted::No;
+        let device = &self.gpu.raw;
+        // SAFETY: its last frame is done, so its pool, and with it the command buffer, is free.
+        unsafe {
+            device
+                .reset_command_pool(self.pool.raw(), vk::CommandPoolResetFlags::empty())
+                .during("vkResetCommandPool")?;
+            let info = vk::CommandBufferBeginInfo::default()
+                .flags(vk::CommandBufferUsageFlags::ONE_TIME_SUBMIT);
+            device
+                .begin_command_buffer(self.commands, &info)
+                .during("vkBeginCommandBuffer")?;
+            if let Some(queries) = &self.queries {
+                let count = 2 * STAGES.len() as u32;
+                device.cmd_reset_query_pool(self.commands, queries.raw(), 0, count);
+            }
+            if let Some(statistics) = &self.statistics {
+                device.cmd_reset_query_pool(self.commands, statistics.raw(), 0, 1);
+            }
+        }
+        Ok(())
+    }
+
+    /// The command buffer, between [`Self::begin`] and [`Self::submit`].
+    fn recording(&self) -> Recording<'_> {
+        // SAFETY: the renderer begins a frame before it records stages, and submits it after that.
+        unsafe { Recording::new(&self.gpu, self.commands) }
+    }
+
+    /// Records what is no stage: nobody measures it.
+    pub fn record(&self, record: impl FnOnce(Recording)) {
+        record(self.recording());
+    }
+
+    /// Records a stage between two timestamps, under its name in a GPU profiler.
+    pub fn stage(&mut self, name: &'static str, record: impl FnOnce(Recording)) {
+        let first = 2 * self.marked.len() as u32;
+        self.label(name);
+        self.mark(vk::PipelineStageFlags::TOP_OF_PIPE, first);
+        record(self.recording());
+        self.mark(vk::PipelineStageFlags::BOTTOM_OF_PIPE, first + 1);
+        if let Some(labels) = &self.gpu.labels {
+            // SAFETY: the command buffer is recording, with the label above open.
+            unsafe { labels.cmd_end_debug_utils_label(self.commands) };
+        }
+        self.marked.push(name);
+    }
+
+    /// Records a stage that draws, whose fragments are counted where `count` asks for it and the
+    /// device can.
+    pub fn drawing(&mut self, name: &'static str, count: bool, record: impl FnOnce(Recording)) {
+        let Some(pool) = self.statistics.as_ref().filter(|_| count) else {
+            self.counted = Counted::No;
+            self.stage(name, record);
+            return;
+        };
+        let pool = pool.raw();
+        let gpu = self.gpu.clone();
+        self.counted = Counted::Statistics;
+        self.stage(name, |commands| {
+            let none = vk::QueryControlFlags::empty();
+            // SAFETY: the command buffer is recording outside a render pass; the pool is alive, and
+            // its query was reset in `begin`.
+            unsafe { gpu.raw.cmd_begin_query(commands.raw(), pool, 0, none) };
+            record(commands);
+            // SAFETY: the query was begun above.
+            unsafe { gpu.raw.cmd_end_query(commands.raw(), pool, 0) };
+        });
+    }
+
+    /// Notes what is known of the frame before it is drawn.
+    pub fn note(&mut self, known: Counters) {
+        self.known = known;
+    }
+
+    /// Notes that the frame's kernels count its fragments.
+    pub fn counts_itself(&mut self) {
+        self.counted = Counted::Itself;
+    }
+
+    /// How many fragments the finished frame had, where they were counted.
+    fn fragments(&self, control: &Control) -> Result<Option<u64>> {
+        match (self.counted, &self.statistics) {
+            (Counted::Itself, _) => Ok(Some(control.fragments.into())),
+            (Counted::Statistics, Some(statistics)) => {
+                let mut count = [0];
+                statistics
+                    .read(&mut count)
+                    .during("vkGetQueryPoolResults")?;
+                Ok(Some(count[0]))
+            }
+            _ => Ok(None),
+        }
+    }
+
+    /// Notes how far the host had come when, with a frame that it has just submitted.
+    pub fn timed(&mut self, marks: HostMarks) {
+        let submitted = Instant::now();
+        self.host = Some(HostTimes {
+            began: marks.began,
+            waited: marks.waited,
+            recorded: marks.recorded,
+            submitted,
+            finished: submitted,
+        });
+    }
+
+    /// Notes a stage that this frame does not need.
+    pub fn skip(&mut self, name: &'static str) {
+        self.skipped.push(name);
+    }
+
+    fn label(&self, name: &str) {
+        let Some(labels) = &self.gpu.labels else {
+            return;
+        };
+        let Ok(name) = CString::new(name) else {
+            return;
+        };
+        // SAFETY: the command buffer is recording; the name outlives the call.
+        unsafe {
+            labels.cmd_begin_debug_utils_label(
+                self.commands,
+                &vk::DebugUtilsLabelEXT::default().label_name(&name),
+            )
+        };
+    }
+
+    fn mark(&self, stage: vk::PipelineStageFlags, query: u32) {
+        if let Some(queries) = &self.queries {
+            // SAFETY: the command buffer is recording, the query was reset in `begin`.
+            unsafe {
+                self.gpu
+                    .raw
+                    .cmd_write_timestamp(self.commands, stage, queries.raw(), query)
+            };
+        }
+    }
+
+    /// Copies the frame's counts, ends recording and submits. `reasons`: numbers of Gaussians
+    /// culled for each reason, where they were counted.
+    ///
+    /// # Safety
+    /// It must be recording. All that was recorded since [`Self::begin`], the buffers and the
+    /// semaphores must stay alive until this frame is finished or dropped. Something must signal
+    /// the one semaphore, and nothing else use the other.
+    pub unsafe fn submit(
+        &mut self,
+        control: &Buffer,
+        reasons: Option<Slice>,
+        semaphores: Option<Semaphores>,
+    ) -> Result<()> {
+        let device = &self.gpu.raw;
+        let size = size_of::<Control>() as u64;
+        let copy = |from: vk::Buffer, region: vk::BufferCopy| {
+            // SAFETY: the command buffer is recording, as the caller promises; both buffers are
+            // alive and hold the region.
+            unsafe { device.cmd_copy_buffer(self.commands, from, self.counts.raw(), &[region]) };
+        };
+        let region = vk::BufferCopy {
+            src_offset: 0,
+            dst_offset: 0,
+            size,
+        };
+        copy(control.raw(), region);
+        if let Some(reasons) = reasons {
+            let region = vk::BufferCopy {
+                src_offset: reasons.offset,
+                dst_offset: size,
+                size: reasons.size,
+            };
+            copy(reasons.buffer, region);
+        }
+        self.recording().show_host();
+        // SAFETY: the command buffer is recording, and the fence is free: its last frame is done.
+        unsafe {
+            device
+                .end_command_buffer(self.commands)
+                .during("vkEndCommandBuffer")?;
+            device
+                .reset_fences(&[self.fence.raw()])
+                .during("vkResetFences")?;
+        }
+        let commands = [self.commands];
+        let stages = [vk::PipelineStageFlags::COLOR_ATTACHMENT_OUTPUT];
+        let mut work = vk::SubmitInfo::default().command_buffers(&commands);
+        let wait = semaphores.map(|semaphores| [semaphores.wait]);
+        let signal = semaphores.map(|semaphores| [semaphores.signal]);
+        if let (Some(wait), Some(signal)) = (&wait, &signal) {
+            work = work
+                .wait_semaphores(wait)
+                .wait_dst_stage_mask(&stages)
+                .signal_semaphores(signal);
+        }
+        // SAFETY: commands and fence are ready; the caller promises that the semaphores are, and
+        // that all of it stays alive until the fence is waited for.
+        unsafe { self.gpu.submit(&[work], &self.fence) }?;
+        self.reasons = reasons.is_some();
+        self.pending = true;
+        Ok(())
+    }
+}
+
+impl Drop for FrameInFlight {
+    fn drop(&mut self) {
+        if self.pending
+            && !self.gpu.hangs()
+            && let Err(error) = self.fence.wait("the last frame")
+        {
+            tracing::warn!("the last frame is not finished: {error}");
+        }
+    }
+}

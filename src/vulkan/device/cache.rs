@@ -1,0 +1,154 @@
+//! The pipeline cache, kept on disk from run to run: the first use of a shader costs tens of
+//! milliseconds on many drivers.
+
+use super::{handle::PipelineCacheHandle, logical::Device, probe::Probe};
+use ash::vk;
+use std::{
+    fs,
+    io::{self, Write},
+    path::{Path, PathBuf},
+    sync::{Arc, OnceLock},
+};
+
+/// A folder that is to be used in place of the system's.
+static FOLDER: OnceLock<PathBuf> = OnceLock::new();
+
+/// Keeps caches in a folder from now on, where the system says only to the app itself which one is
+/// its own. The first call counts.
+pub fn set_folder(folder: PathBuf) {
+    let _ = FOLDER.set(folder);
+}
+
+/// The program's cache folder, where the system has such a thing. It may not exist yet.
+pub fn folder() -> Option<PathBuf> {
+    FOLDER.get().cloned().or_else(|| {
+        directories::ProjectDirs::from("", "", "effigy").map(|dirs| dirs.cache_dir().to_path_buf())
+    })
+}
+
+/// Writes a file that appears whole or not at all, also when two programs write at once.
+pub(crate) fn write(path: &Path, data: &[u8]) -> io::Result<()> {
+    let temporary = path.with_extension(format!("{}.tmp", std::process::id()));
+    let written = write_through(path, &temporary, data);
+    if written.is_err() {
+        let _ = fs::remove_file(&temporary);
+    }
+    written
+}
+
+fn write_through(path: &Path, temporary: &Path, data: &[u8]) -> io::Result<()> {
+    if let Some(folder) = path.parent() {
+        fs::create_dir_all(folder)?;
+    }
+    let mut file = fs::File::create(temporary)?;
+    file.write_all(data)?;
+    file.sync_all()?;
+    fs::rename(temporary, path)
+}
+
+/// A pipeline cache and the file that it comes from. Every failure leaves a working, empty cache:
+/// it only costs time.
+pub struct PipelineCache {
+    /// None where the device gave none.
+    cache: Option<Cache>,
+    path: Option<PathBuf>,
+    /// Bytes that came from the file.
+    loaded: usize,
+}
+
+struct Cache {
+    handle: PipelineCacheHandle,
+    device: Arc<Device>,
+}
+
+impl PipelineCache {
+    /// No cache at all.
+    pub(crate) fn none() -> Self {
+        Self {
+            cache: None,
+            path: None,
+            loaded: 0,
+        }
+    }
+
+    /// One file a device and driver build. The driver checks the content; its header is compared
+    /// here too, since not all do.
+    pub(crate) fn open(device: &Arc<Device>, probe: &Probe) -> Self {
+        let name = format!("pipelines-{}.bin", probe.cache_key());
+        let path = folder().map(|folder| folder.join(name));
+        let data = path
+            .as_ref()
+            .and_then(|path| fs::read(path).ok())
+            .filter(|data| probe.wrote(data))
+            .unwrap_or_default();
+        let raw = create(device, &data)
+            .or_else(|_| create(device, &[]))
+            .unwrap_or_default();
+        let cache = (raw != vk::PipelineCache::null()).then(|| Cache {
+            // SAFETY: the cache is new, and belongs to its owner.
+            handle: unsafe { PipelineCacheHandle::new(device, raw, "pipelines") },
+            device: device.clone(),
+        });
+        Self {
+            cache,
+            path,
+            loaded: data.len(),
+        }
+    }
+
+    /// The cache; null where there is none, which pipeline creation accepts.
+    pub(crate) fn raw(&self) -> vk::PipelineCache {
+        self.cache
+            .as_ref()
+            .map_or(vk::PipelineCache::null(), |cache| cache.handle.raw())
+    }
+
+    /// Writes what was added.
+    pub(crate) fn save(&self) {
+        let (Some(path), Some(cache)) = (&self.path, &self.cache) else {
+            return;
+        };
+        // SAFETY: the cache is alive and of this device.
+        let read = unsafe { cache.device.raw.get_pipeline_cache_data(cache.handle.raw()) };
+        let Ok(data) = read else { return };
+        if data.len() == self.loaded {
+            return;
+        }
+        if let Err(error) = write(path, &data) {
+            tracing::debug!(
+                "the pipeline cache was not saved to {}: {error}",
+                path.display()
+            );
+        }
+    }
+}
+
+fn create(device: &Device, data: &[u8]) -> std::result::Result<vk::PipelineCache, vk::Result> {
+    let info = vk::PipelineCacheCreateInfo::default().initial_data(data);
+    // SAFETY: `info` outlives the call.
+    unsafe { device.raw.create_pipeline_cache(&info, None) }
+}
+
+impl Probe {
+    /// Names a file about this device and driver build: hexadecimal digits.
+    pub(crate) fn cache_key(&self) -> String {
+        self.cache_uuid
+            .iter()
+            .chain(&self.driver_uuid)
+            .map(|byte| format!("{byte:02x}"))
+            .collect()
+    }
+
+    /// Whether cache data has this device's header: length 32, version 1, vendor, device, cache
+    /// UUID.
+    fn wrote(&self, data: &[u8]) -> bool {
+        let word = |at: usize| {
+            data.get(at..at + 4)
+                .map(|bytes| u32::from_le_bytes([bytes[0], bytes[1], bytes[2], bytes[3]]))
+        };
+        word(4) == Some(1)
+            && word(8) == Some(self.vendor)
+            && word(12) == Some(self.device)
+            && data.get(16..32) == Some(&self.cache_uuid)
+    }
+}

@@ -1,0 +1,35 @@
+//! Options for opening a device.
+
+use std::ffi::CStr;
+
+/// How to choose and open a device.
+#[derive(Clone, Debug, Default)]
+pub struct GpuOptions {
+    /// Part of a device's name, in any case, or its number in `effigy devices`. None: the first
+    /// that can serve, GPUs before CPUs.
+    pub device: Option<String>,
+    /// Load the validation layer, synchronisation checks included.
+    pub validation: bool,
+    /// Read f16 as words even where the device has 16-bit storage: to compare the two.
+    pub packed_words: bool,
+    /// Use no more than every Vulkan 1.1 device has, as if the device were the least of them.
+    pub least: bool,
+    /// Ask what the driver's compiler makes of each pipeline. Nothing ever runs on a device opened
+    /// so.
+    pub statistics: bool,
+    /// Instance extensions of a window's surface; empty where no window is drawn to.
+    pub surface_extensions: Vec<&'static CStr>,
+}
+
+impl GpuOptions {
+    /// Without a window; validation as the environment variable `EFFIGY_VALIDATION` says (anything
+    /// but 0 turns it on).
+    pub fn headless(device: Option<String>) -> Self {
+        let validation = std::env::var_os("EFFIGY_VALIDATION").is_some_and(|value| value != "0");
+        Self {
+            device,
+            validation,
+            ..Self::default()
+        }
+    }
+}

@@ -1,0 +1,76 @@
+//! What is known of the sort's variants on a device. The self-test finds it out (`sort::choice`),
+//! and the device keeps it.
+
+use effigy_core::frame::SortVariant;
+use serde::{Deserialize, Serialize};
+use std::{
+    fmt,
+    sync::{Mutex, OnceLock},
+};
+
+/// How often a variant is tested whose test was never heard of again: it may have brought the
+/// program down, or the user ended that.
+pub(crate) const ATTEMPTS: u32 = 2;
+
+/// How a variant did.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Outcome {
+    /// Right everywhere; the best time for the test's keys, ms.
+    Right(f64),
+    /// The device can't run it, or has no use for it.
+    Lacks(String),
+    /// It gave something else than the CPU, did not finish in time, or failed.
+    Refused(String),
+    /// The program ended in its test, more than once.
+    Unfinished,
+}
+
+impl fmt::Display for Outcome {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Self::Right(ms) => write!(f, "{ms:.3} ms"),
+            Self::Lacks(why) => write!(f, "not used: {why}"),
+            Self::Refused(why) => write!(f, "refused: {why}"),
+            Self::Unfinished => write!(
+                f,
+                "refused: the program ended during its test, {ATTEMPTS} times"
+            ),
+        }
+    }
+}
+
+/// How to sort on a device, and why.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Verdict {
+    /// The fastest variant that sorts correctly.
+    pub variant: SortVariant,
+    /// The result of each variant's test.
+    pub tried: Vec<(SortVariant, Outcome)>,
+}
+
+impl Verdict {
+    /// The fastest that is right. None where none is.
+    pub fn of(tried: &[(SortVariant, Outcome)]) -> Option<Self> {
+        let mut fastest: Option<(SortVariant, f64)> = None;
+        for (variant, outcome) in tried {
+            if let Outcome::Right(ms) = outcome
+                && fastest.is_none_or(|(_, best)| ms.total_cmp(&best).is_lt())
+            {
+                fastest = Some((*variant, *ms));
+            }
+        }
+        fastest.map(|(variant, _)| Self {
+            variant,
+            tried: tried.to_vec(),
+        })
+    }
+}
+
+/// What is known of sorts on a device while the program runs.
+#[derive(Default)]
+pub(crate) struct Sorts {
+    /// How to sort here, once it is known.
+    pub chosen: OnceLock<Verdict>,
+    /// How the variants did that were asked for by name.
+    pub asked: Mutex<Vec<(SortVariant, Outcome)>>,
+}

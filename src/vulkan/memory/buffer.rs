@@ -1,0 +1,196 @@
+//! Buffers that free themselves, and copies into and out of them.
+
+use super::{allocation::Allocation, barrier::Scope};
+use crate::vulkan::device::{
+    error::{During, Error, Result},
+    gpu::Gpu,
+    handle::BufferHandle,
+    recording::Recording,
+};
+use ash::vk::{self, AccessFlags, PipelineStageFlags};
+use gpu_allocator::MemoryLocation;
+use std::sync::Arc;
+
+/// A buffer and its memory.
+pub struct Buffer {
+    // The buffer goes before the memory that it is bound to.
+    handle: BufferHandle,
+    allocation: Allocation,
+    /// Bytes.
+    pub size: u64,
+    gpu: Arc<Gpu>,
+}
+
+/// A part of a buffer that a shader sees.
+#[derive(Clone, Copy)]
+pub struct Slice {
+    pub buffer: vk::Buffer,
+    /// Bytes; a multiple of the device's storage buffer alignment, at most 256.
+    pub offset: u64,
+    /// Bytes.
+    pub size: u64,
+}
+
+impl From<&Buffer> for Slice {
+    fn from(buffer: &Buffer) -> Self {
+        Self {
+            buffer: buffer.raw(),
+            offset: 0,
+            size: buffer.size,
+        }
+    }
+}
+
+impl Buffer {
+    /// `size` is rounded up to at least 16 bytes: Vulkan has no empty buffers, avatars have empty
+    /// arrays.
+    pub fn new(
+        gpu: &Arc<Gpu>,
+        name: &'static str,
+        size: u64,
+        usage: vk::BufferUsageFlags,
+        location: MemoryLocation,
+    ) -> Result<Self> {
+        let size = size.max(16);
+        let limit = u64::from(gpu.probe.limits.max_storage_buffer_range);
+        if usage.contains(vk::BufferUsageFlags::STORAGE_BUFFER) && size > limit {
+            return Err(Error::TooLarge {
+                what: name,
+                found: size,
+                limit,
+                device: gpu.probe.name.clone(),
+            });
+        }
+        let info = vk::BufferCreateInfo::default().size(size).usage(usage);
+        // SAFETY: `info` outlives the call; the buffer is new and belongs to its owner.
+        let handle = unsafe {
+            let raw = gpu
+                .raw
+                .create_buffer(&info, None)
+                .during("vkCreateBuffer")?;
+            BufferHandle::new(&gpu.device, raw, name)
+        };
+        // SAFETY: the buffer is alive.
+        let requirements = unsafe { gpu.raw.get_buffer_memory_requirements(handle.raw()) };
+        let allocation = Allocation::new(gpu, name, requirements, location, true)?;
+        let (memory, offset) = allocation.place();
+        // SAFETY: buffer and memory are new and fit, as the requirements say.
+        unsafe { gpu.raw.bind_buffer_memory(handle.raw(), memory, offset) }
+            .during("vkBindBufferMemory")?;
+        Ok(Self {
+            handle,
+            allocation,
+            size,
+            gpu: gpu.clone(),
+        })
+    }
+
+    /// A buffer of the device's own that shaders read, filled once.
+    pub fn with_data(
+        gpu: &Arc<Gpu>,
+        name: &'static str,
+        data: &[u8],
+        usage: vk::BufferUsageFlags,
+    ) -> Result<Self> {
+        let buffer = Self::new(
+            gpu,
+            name,
+            data.len() as u64,
+            usage | vk::BufferUsageFlags::TRANSFER_DST,
+            MemoryLocation::GpuOnly,
+        )?;
+        buffer.upload(data)?;
+        Ok(buffer)
+    }
+
+    /// The buffer, for as long as its owner lives.
+    pub fn raw(&self) -> vk::Buffer {
+        self.handle.raw()
+    }
+
+    /// Mapped bytes of a buffer that the host sees. Empty for others.
+    pub fn mapped(&mut self) -> &mut [u8] {
+        self.allocation.mapped()
+    }
+
+    /// Copies data to the start of a buffer of the device's own, and waits.
+    pub fn upload(&self, data: &[u8]) -> Result<()> {
+        /// Staging never takes more than this, whatever the avatar's size.
+        const CHUNK: usize = 8 << 20;
+        if data.is_empty() {
+            return Ok(());
+        }
+        let size = data.len().min(CHUNK) as u64;
+        let mut staging = Self::new(
+            &self.gpu,
+            "staging",
+            size,
+            vk::BufferUsageFlags::TRANSFER_SRC,
+            MemoryLocation::CpuToGpu,
+        )?;
+        for (at, chunk) in data.chunks(CHUNK).enumerate() {
+            staging.mapped()[..chunk.len()].copy_from_slice(chunk);
+            let region = vk::BufferCopy {
+                src_offset: 0,
+                dst_offset: (at * CHUNK) as u64,
+                size: chunk.len() as u64,
+            };
+            // SAFETY: both buffers are alive, the region is inside both, and `run` waits.
+            self.gpu.run("an upload", |commands| unsafe {
+                self.gpu
+                    .raw
+                    .cmd_copy_buffer(commands.raw(), staging.raw(), self.raw(), &[region])
+            })?;
+        }
+        Ok(())
+    }
+
+    /// Copies the start of a buffer back, and waits: for images and tests.
+    pub fn download(&self, bytes: usize) -> Result<Vec<u8>> {
+        if bytes == 0 {
+            return Ok(Vec::new());
+        }
+        let size = bytes as u64;
+        let mut staging = Self::new(
+            &self.gpu,
+            "read-back",
+            size,
+            vk::BufferUsageFlags::TRANSFER_DST,
+            MemoryLocation::GpuToCpu,
+        )?;
+        let region = vk::BufferCopy {
+            src_offset: 0,
+            dst_offset: 0,
+            size,
+        };
+        let all = Scope::new(PipelineStageFlags::ALL_COMMANDS, AccessFlags::MEMORY_WRITE);
+        self.gpu.run("a read-back", |commands| {
+            commands.barrier(all, Scope::TRANSFER_READS);
+            // SAFETY: both buffers are alive, the region is inside both, and `run` waits.
+            unsafe {
+                self.gpu
+                    .raw
+                    .cmd_copy_buffer(commands.raw(), self.raw(), staging.raw(), &[region])
+            };
+            commands.show_host();
+        })?;
+        Ok(staging.mapped()[..bytes].to_vec())
+    }
+}
+
+impl Recording<'_> {
+    /// Zeroes a part of a buffer: a transfer.
+    ///
+    /// # Safety
+    /// The buffer must be alive until the commands are done, and hold the part; offset and size are
+    /// multiples of 4.
+    pub(crate) unsafe fn clear(self, part: Slice) {
+        // SAFETY: the command buffer is recording; the caller promises that the part lies in a
+        // buffer that is alive.
+        unsafe {
+            self.device()
+                .raw
+                .cmd_fill_buffer(self.raw(), part.buffer, part.offset, part.size, 0)
+        };
+    }
+}

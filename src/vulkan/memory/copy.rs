@@ -1,0 +1,61 @@
+//! Copies of images to buffers.
+
+use super::{
+    barrier::{LayoutChange, Scope},
+    image::COLOR,
+};
+use crate::vulkan::device::recording::Recording;
+use ash::vk::{self, AccessFlags, PipelineStageFlags};
+
+/// Records a copy of a colour image's upper left corner, of a size in px, to the start of a buffer.
+/// The image stays in its layout.
+///
+/// # Safety
+/// Image and buffer must be alive until the commands are done and hold the corner, and the image
+/// must be in the layout.
+pub(crate) unsafe fn copy_image(
+    commands: Recording,
+    image: vk::Image,
+    layout: vk::ImageLayout,
+    [width, height]: [u32; 2],
+    buffer: vk::Buffer,
+) {
+    let source = vk::ImageLayout::TRANSFER_SRC_OPTIMAL;
+    let all = PipelineStageFlags::ALL_COMMANDS;
+    let change = LayoutChange {
+        from: Scope::new(all, AccessFlags::MEMORY_WRITE),
+        to: Scope::new(all, AccessFlags::MEMORY_READ | AccessFlags::MEMORY_WRITE),
+        old: layout,
+        new: source,
+    };
+    let region = vk::BufferImageCopy::default()
+        .image_subresource(vk::ImageSubresourceLayers {
+            aspect_mask: COLOR.aspect_mask,
+            mip_level: 0,
+            base_array_layer: 0,
+            layer_count: 1,
+        })
+        .image_extent(vk::Extent3D {
+            width,
+            height,
+            depth: 1,
+        });
+    // SAFETY: the command buffer is recording; the caller promises that image and buffer are alive,
+    // that the region fits both, and the image's layout.
+    unsafe {
+        commands.change_layout(image, change);
+        commands.device().raw.cmd_copy_image_to_buffer(
+            commands.raw(),
+            image,
+            source,
+            buffer,
+            &[region],
+        );
+        let back = LayoutChange {
+            old: source,
+            new: layout,
+            ..change
+        };
+        commands.change_layout(image, back);
+    }
+}

@@ -1,0 +1,44 @@
+//! The `mlp` stage: each part's network, θ_p ⊕ θ_e to e, and its nodes' displacements (model.md,
+//! steps 1 and 3).
+
+use super::model::Model;
+use crate::vulkan::{
+    device::{error::Result, gpu::Gpu, recording::Recording},
+    memory::Slice,
+    pipeline::{Kernel, Launch, Resources, shaders},
+};
+use std::sync::Arc;
+
+pub struct Mlp {
+    kernel: Kernel,
+}
+
+impl Mlp {
+    /// Writes to `pose`: features, then nodes in the order of their parts.
+    pub fn new(gpu: &Arc<Gpu>, model: &Model, frame: Slice, pose: Slice) -> Result<Self> {
+        let resources = Resources {
+            uniform: Some(frame),
+            storage: &[
+                (&model.networks).into(),
+                (&model.nodes).into(),
+                (&model.node_starts).into(),
+                pose,
+            ],
+            image: None,
+        };
+        let module = if model.networks_in_bytes {
+            &shaders::MLP_BYTES
+        } else {
+            &shaders::MLP
+        };
+        Ok(Self {
+            kernel: Kernel::new(gpu, module, &[], resources, Launch::default())?,
+        })
+    }
+
+    /// Reads the frame's input and the networks; compute. `parts`: how many of the first parts hold
+    /// all that the frame says is not idle.
+    pub fn record(&self, commands: Recording, frame: u32, parts: u32) {
+        self.kernel.dispatch(commands, frame, parts);
+    }
+}

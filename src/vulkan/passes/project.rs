@@ -1,0 +1,241 @@
+//! The `project` stage: from a Gaussian of the model to a splat on the screen and its depth key
+//! (model.md, steps 2 and 4 to 8).
+//!
+//! While only the camera moves, posed Gaussians come from a cache: the first such frame stores
+//! them, in its camera's space, and those after it only project them.
+//! `shaders/project/pose_cache.glsl` has the 20 bytes of a Gaussian.
+
+use super::model::Model;
+use crate::vulkan::{
+    commands::control::REASONS,
+    device::{error::Result, gpu::Gpu, recording::Recording},
+    memory::{Buffer, Slice},
+    pipeline::{Kernel, Launch, Resources, shaders},
+    sort::counts_size,
+};
+use ash::vk;
+use effigy_core::{
+    frame::{KeyBits, RendererOptions, Skinning, Skip, SortVariant, state::padded_count},
+    layout::{FrameBlock, POSE_CACHE_WORDS, PROJECT_WORKGROUP, SORT_CULLED},
+};
+use gpu_allocator::MemoryLocation;
+use std::sync::Arc;
+
+/// The capacity is a multiple of this many Gaussians: pipelines are compiled for the capacity, and
+/// avatars of about one size share them.
+const CAPACITY_STEP: u32 = 4096;
+
+pub struct Project {
+    compute: Kernel,
+    /// None where poses are not cached.
+    caching: Option<Caching>,
+    counted: bool,
+    areas: Areas,
+    buffer: Buffer,
+}
+
+/// The kernels of frames in which only the camera moves.
+struct Caching {
+    /// Computes posed Gaussians and stores them.
+    store: Kernel,
+    /// Projects the stored Gaussians.
+    cached: Kernel,
+}
+
+/// Where the parts of the splats' buffer are, bytes. Every start is a multiple of 256, the largest
+/// alignment of a storage buffer's offset that a device may ask for.
+#[derive(Clone, Copy)]
+struct Areas {
+    /// The capacity, Gaussians: those of all avatars.
+    count: u64,
+    bits: KeyBits,
+    /// Where the sort's counts start, and their length.
+    counts: [u64; 2],
+    /// Where reasons are counted.
+    reasons: u64,
+    /// Where the posed Gaussians start.
+    posed: u64,
+}
+
+impl Areas {
+    fn new(count: u32, bits: KeyBits, variant: SortVariant) -> Self {
+        let start = (key_offset(count) + bits.bytes(u64::from(count))).next_multiple_of(256);
+        let counts = counts_size(count, variant);
+        let reasons = (start + counts).next_multiple_of(256);
+        Self {
+            count: u64::from(count),
+            bits,
+            counts: [start, counts],
+            reasons,
+            posed: reasons + 256,
+        }
+    }
+}
+
+impl Project {
+    /// Reads the output of the `mlp` stage in `pose`. [`Skip::SKINNING`] in `options` says whether
+    /// frames in which only the camera moved use the pose cache.
+    pub fn new(
+        gpu: &Arc<Gpu>,
+        model: &Model,
+        frame: Slice,
+        pose: Slice,
+        variant: SortVariant,
+        options: &RendererOptions,
+    ) -> Result<Self> {
+        let caches = options.skip.contains(Skip::SKINNING);
+        let count = model.constants.gaussians;
+        let capacity =
+            (options.instances as u32 * padded_count(count)).next_multiple_of(CAPACITY_STEP);
+        let areas = Areas::new(capacity, options.key_bits, variant);
+        let counting = if options.count {
+            [1, (areas.reasons / 4) as u32]
+        } else {
+            [0, 0]
+        };
+        let usage = vk::BufferUsageFlags::STORAGE_BUFFER
+            | vk::BufferUsageFlags::TRANSFER_SRC
+            | vk::BufferUsageFlags::TRANSFER_DST;
+        let cache_size = if caches {
+            4 * u64::from(POSE_CACHE_WORDS) * areas.count
+        } else {
+            0
+        };
+        let size = areas.posed + cache_size;
+        let buffer = Buffer::new(gpu, "splats", size, usage, MemoryLocation::GpuOnly)?;
+        let kernel = |module, stores: u32, storage: &[Slice]| {
+            let resources = Resources {
+                uniform: Some(frame),
+                storage,
+                image: None,
+            };
+            let constants = [stores, counting[0], counting[1]];
+            Kernel::new(gpu, module, &constants, resources, Launch::default())
+        };
+        let all = [
+            (&model.gaussians).into(),
+            (&model.rows).into(),
+            pose,
+            (&buffer).into(),
+        ];
+        let caching = if caches {
+            Some(Caching {
+                store: kernel(&shaders::PROJECT, 1, &all)?,
+                cached: kernel(&shaders::PROJECT_CACHED, 0, &all[2..])?,
+            })
+        } else {
+            None
+        };
+        Ok(Self {
+            compute: kernel(&shaders::PROJECT, 0, &all)?,
+            caching,
+            counted: options.count,
+            areas,
+            buffer,
+        })
+    }
+
+    /// Writes to a frame's block where the avatar's pose cache starts. `number`: its place in the
+    /// renderer.
+    pub fn fill_instance(&self, block: &mut FrameBlock, number: u32) {
+        block.cache_start =
+            (self.areas.posed / 4) as u32 + number * POSE_CACHE_WORDS * block.gaussians;
+    }
+
+    /// Writes to a frame's block where the buffers of all avatars start.
+    pub fn fill(&self, block: &mut FrameBlock) {
+        block.key_start = (key_offset(self.capacity()) / 4) as u32;
+        block.half_keys = u32::from(self.areas.bits.halves());
+        block.count_start = (self.areas.counts[0] / 4) as u32;
+    }
+
+    /// The most Gaussians of all avatars together.
+    pub fn capacity(&self) -> u32 {
+        self.areas.count as u32
+    }
+
+    /// Splats, then the keys, then more.
+    pub fn all(&self) -> Slice {
+        (&self.buffer).into()
+    }
+
+    /// A key a Gaussian, larger is nearer; `SORT_CULLED` for those that were culled.
+    pub fn keys(&self) -> Slice {
+        let Areas { count, bits, .. } = self.areas;
+        Slice {
+            buffer: self.buffer.raw(),
+            offset: key_offset(count as u32),
+            size: bits.bytes(count).max(4),
+        }
+    }
+
+    /// Where this stage counts the keys' lowest digits for the sort.
+    pub fn counts(&self) -> Slice {
+        let [offset, size] = self.areas.counts;
+        Slice {
+            buffer: self.buffer.raw(),
+            offset,
+            size,
+        }
+    }
+
+    /// How many Gaussians the last frame culled for each reason, where they are counted:
+    /// [`REASONS`] bytes.
+    pub fn reasons(&self) -> Option<Slice> {
+        self.counted.then_some(Slice {
+            buffer: self.buffer.raw(),
+            offset: self.areas.reasons,
+            size: REASONS,
+        })
+    }
+
+    /// Zeroes those counts: a transfer.
+    pub fn clear(&self, commands: Recording) {
+        if let Some(reasons) = self.reasons() {
+            // SAFETY: the part lies in the buffer, which is alive.
+            unsafe { commands.clear(reasons) };
+        }
+    }
+
+    /// The first `count` splats and keys as they are, for tests. Culled splats hold what an earlier
+    /// frame left.
+    pub fn download(&self, count: u32) -> Result<(Vec<[u32; 4]>, Vec<u32>)> {
+        let keys = self.keys();
+        let count = (count as usize).min(self.areas.count as usize);
+        let bytes = self.buffer.download((keys.offset + keys.size) as usize)?;
+        let splats = bytemuck::pod_collect_to_vec(&bytes[..16 * count]);
+        let keys = &bytes[keys.offset as usize..];
+        let keys = if self.areas.bits.halves() {
+            let halves: Vec<u16> = bytemuck::pod_collect_to_vec(keys);
+            halves[..count]
+                .iter()
+                .map(|&key| {
+                    if key == u16::MAX {
+                        SORT_CULLED
+                    } else {
+                        u32::from(key)
+                    }
+                })
+                .collect()
+        } else {
+            bytemuck::pod_collect_to_vec(&keys[..4 * count])
+        };
+        Ok((splats, keys))
+    }
+
+    /// Projects one avatar, of which the first `drawn` Gaussians are drawn. Reads the output of
+    /// `mlp`, and adds to the counts that [`crate::vulkan::sort::Sort::clear`] zeroed; compute.
+    pub fn record(&self, commands: Recording, frame: u32, drawn: u32, skinning: Skinning) {
+        let kernel = match (skinning, &self.caching) {
+            (Skinning::ComputeAndStore, Some(caching)) => &caching.store,
+            (Skinning::Cached, Some(caching)) => &caching.cached,
+            _ => &self.compute,
+        };
+        kernel.dispatch(commands, frame, drawn.div_ceil(PROJECT_WORKGROUP));
+    }
+}
+
+/// Where the keys of `count` Gaussians start, in bytes.
+pub fn key_offset(count: u32) -> u64 {
+    (16 * u64::from(count)).next_multiple_of(256)
+}

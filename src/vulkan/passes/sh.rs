@@ -1,0 +1,70 @@
+//! The `sh` stage (spherical harmonics): the colour of each Gaussian as the camera sees it, for
+//! avatars whose colours depend on that.
+
+use super::model::Model;
+use crate::vulkan::{
+    device::{error::Result, gpu::Gpu, recording::Recording},
+    memory::{Buffer, Slice},
+    pipeline::{Kernel, Launch, Resources, shaders},
+};
+use ash::vk;
+use bytemuck::cast_slice;
+pub use effigy_core::layout::sh::bytes;
+use effigy_core::{
+    avatar::Avatar,
+    layout::{
+        SH_WORKGROUP,
+        sh::{SPLIT, groups, planes},
+    },
+};
+use std::sync::Arc;
+
+pub struct SphericalHarmonics {
+    kernel: Kernel,
+    /// Kept alive for the kernel.
+    _coefficients: [Buffer; 2],
+}
+
+impl SphericalHarmonics {
+    /// Writes to the colours in `model`. None for an avatar without harmonics.
+    pub fn new(
+        gpu: &Arc<Gpu>,
+        avatar: &Avatar,
+        model: &Model,
+        frame: Slice,
+    ) -> Result<Option<Self>> {
+        let Some(coefficients) = &avatar.sh else {
+            return Ok(None);
+        };
+        let groups = groups(coefficients.degree);
+        let buffer = |name, range| {
+            Buffer::with_data(
+                gpu,
+                name,
+                cast_slice(&planes(avatar, coefficients, range)),
+                vk::BufferUsageFlags::STORAGE_BUFFER,
+            )
+        };
+        let low = buffer("low harmonics", 0..groups.min(SPLIT))?;
+        let high = buffer("high harmonics", SPLIT..groups.max(SPLIT))?;
+        let resources = Resources {
+            uniform: Some(frame),
+            storage: &[(&model.gaussians).into(), (&low).into(), (&high).into()],
+            image: None,
+        };
+        let degree = [coefficients.degree as u32];
+        let launch = Launch::default();
+        let kernel = Kernel::new(gpu, &shaders::SH, &degree, resources, launch)?;
+        Ok(Some(Self {
+            kernel,
+            _coefficients: [low, high],
+        }))
+    }
+
+    /// Reads the frame's joints and the model, writes the model's colours of the first `drawn`
+    /// Gaussians; compute.
+    pub fn record(&self, commands: Recording, frame: u32, drawn: u32) {
+        let groups = drawn.div_ceil(SH_WORKGROUP);
+        self.kernel.dispatch(commands, frame, groups);
+    }
+}

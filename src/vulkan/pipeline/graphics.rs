@@ -1,0 +1,228 @@
+//! What the drawing stages share: a render pass with a colour attachment, a depth attachment or
+//! both, and a pipeline that draws triangles to it.
+
+use super::{
+    module::{flags, list, shader_module, specialization_entries, take_over},
+    shaders::Module,
+};
+use crate::vulkan::{
+    device::{
+        error::{During, Error, Result},
+        gpu::Gpu,
+        handle::{Pipeline, RenderPass, ShaderModule},
+    },
+    memory::DEPTH_FORMAT,
+};
+use ash::vk;
+use bytemuck::cast_slice;
+use std::sync::Arc;
+
+/// An attachment of a render pass: what it holds at the start, and how it is left for whoever reads
+/// it next.
+#[derive(Clone, Copy)]
+pub(crate) struct Attachment {
+    pub format: vk::Format,
+    pub load: vk::AttachmentLoadOp,
+    /// The layout that it is in; of what is `UNDEFINED`, nothing is kept, nor is it outside of what
+    /// is drawn.
+    pub found: vk::ImageLayout,
+    /// None: nobody reads it, and a tiler need not write it out.
+    pub left: Option<vk::ImageLayout>,
+}
+
+/// A depth attachment that is cleared.
+pub(crate) fn depth(left: Option<vk::ImageLayout>) -> Attachment {
+    Attachment {
+        format: DEPTH_FORMAT,
+        load: vk::AttachmentLoadOp::CLEAR,
+        found: vk::ImageLayout::UNDEFINED,
+        left,
+    }
+}
+
+fn description(attachment: Attachment, used: vk::ImageLayout) -> vk::AttachmentDescription {
+    let store = if attachment.left.is_some() {
+        vk::AttachmentStoreOp::STORE
+    } else {
+        vk::AttachmentStoreOp::DONT_CARE
+    };
+    vk::AttachmentDescription::default()
+        .format(attachment.format)
+        .samples(vk::SampleCountFlags::TYPE_1)
+        .load_op(attachment.load)
+        .store_op(store)
+        .stencil_load_op(vk::AttachmentLoadOp::DONT_CARE)
+        .stencil_store_op(vk::AttachmentStoreOp::DONT_CARE)
+        .initial_layout(attachment.found)
+        .final_layout(attachment.left.unwrap_or(used))
+}
+
+/// Colour comes first among the attachments.
+pub(crate) fn render_pass(
+    gpu: &Gpu,
+    name: &str,
+    color: Option<Attachment>,
+    depth: Option<Attachment>,
+    dependencies: &[vk::SubpassDependency],
+) -> Result<RenderPass> {
+    const COLOR: vk::ImageLayout = vk::ImageLayout::COLOR_ATTACHMENT_OPTIMAL;
+    const DEPTH: vk::ImageLayout = vk::ImageLayout::DEPTH_STENCIL_ATTACHMENT_OPTIMAL;
+    let attachments: Vec<_> = color
+        .into_iter()
+        .map(|color| description(color, COLOR))
+        .chain(depth.into_iter().map(|depth| description(depth, DEPTH)))
+        .collect();
+    let colors = [vk::AttachmentReference {
+        attachment: 0,
+        layout: COLOR,
+    }];
+    let depths = vk::AttachmentReference {
+        attachment: u32::from(color.is_some()),
+        layout: DEPTH,
+    };
+    let mut subpass =
+        vk::SubpassDescription::default().pipeline_bind_point(vk::PipelineBindPoint::GRAPHICS);
+    if color.is_some() {
+        subpass = subpass.color_attachments(&colors);
+    }
+    if depth.is_some() {
+        subpass = subpass.depth_stencil_attachment(&depths);
+    }
+    let subpasses = [subpass];
+    let info = vk::RenderPassCreateInfo::default()
+        .attachments(&attachments)
+        .subpasses(&subpasses)
+        .dependencies(dependencies);
+    // SAFETY: `info` and all it points to outlive the call; the render pass is new and belongs to
+    // its owner.
+    unsafe {
+        let raw = gpu.raw.create_render_pass(&info, None);
+        let raw = raw.during("vkCreateRenderPass")?;
+        Ok(RenderPass::new(&gpu.device, raw, name))
+    }
+}
+
+/// What a pipeline does with depth.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Depth {
+    /// There is none.
+    Without,
+    /// Keeps the nearest.
+    Write,
+    /// Draws fragments that are no further than the stored depth.
+    Test,
+}
+
+/// What a pipeline runs, and where it draws to.
+pub(crate) struct Drawing<'a> {
+    pub name: &'static str,
+    pub vertex: &'static Module,
+    /// None draws depth only.
+    pub fragment: Option<&'static Module>,
+    /// Specialization constants, 0 upwards; a module need not have all of them.
+    pub constants: &'a [u32],
+    pub layout: vk::PipelineLayout,
+    pub render_pass: vk::RenderPass,
+    /// None where the render pass has no colour.
+    pub blend: Option<vk::PipelineColorBlendAttachmentState>,
+    pub depth: Depth,
+    pub cull: vk::CullModeFlags,
+}
+
+/// Triangles, no vertex buffers, viewport and scissor set while recording.
+///
+/// # Errors
+/// When the device fails, or its driver would not survive drawing.
+pub(crate) fn pipeline(gpu: &Arc<Gpu>, drawing: Drawing) -> Result<Pipeline> {
+    if !gpu.probe.draws_triangles() {
+        return Err(Error::NoTriangles {
+            device: gpu.probe.name.clone(),
+        });
+    }
+    let vertex = shader_module(gpu, drawing.vertex)?;
+    let fragment = drawing
+        .fragment
+        .map(|module| shader_module(gpu, module))
+        .transpose()?;
+    let entries = specialization_entries(drawing.constants);
+    let specialization = vk::SpecializationInfo::default()
+        .map_entries(&entries)
+        .data(cast_slice(drawing.constants));
+    let stage = |stage, module: &ShaderModule| {
+        let info = vk::PipelineShaderStageCreateInfo::default()
+            .stage(stage)
+            .module(module.raw());
+        info.name(c"main").specialization_info(&specialization)
+    };
+    let mut stages = vec![stage(vk::ShaderStageFlags::VERTEX, &vertex)];
+    stages.extend(
+        fragment
+            .iter()
+            .map(|module| stage(vk::ShaderStageFlags::FRAGMENT, module)),
+    );
+    let vertices = vk::PipelineVertexInputStateCreateInfo::default();
+    let assembly = vk::PipelineInputAssemblyStateCreateInfo::default()
+        .topology(vk::PrimitiveTopology::TRIANGLE_LIST);
+    let viewports = vk::PipelineViewportStateCreateInfo::default()
+        .viewport_count(1)
+        .scissor_count(1);
+    let rasterization = vk::PipelineRasterizationStateCreateInfo::default()
+        .cull_mode(drawing.cull)
+        .front_face(vk::FrontFace::COUNTER_CLOCKWISE)
+        .line_width(1.0);
+    let samples = vk::PipelineMultisampleStateCreateInfo::default()
+        .rasterization_samples(vk::SampleCountFlags::TYPE_1);
+    let depth = vk::PipelineDepthStencilStateCreateInfo::default()
+        .depth_test_enable(drawing.depth != Depth::Without)
+        .depth_write_enable(drawing.depth == Depth::Write)
+        .depth_compare_op(vk::CompareOp::LESS_OR_EQUAL);
+    let attachments: Vec<_> = drawing
+        .blend
+        .iter()
+        .map(|blend| blend.color_write_mask(vk::ColorComponentFlags::RGBA))
+        .collect();
+    let blend = vk::PipelineColorBlendStateCreateInfo::default().attachments(&attachments);
+    let dynamic = vk::PipelineDynamicStateCreateInfo::default()
+        .dynamic_states(&[vk::DynamicState::VIEWPORT, vk::DynamicState::SCISSOR]);
+    let info = vk::GraphicsPipelineCreateInfo::default()
+        .flags(flags(gpu))
+        .stages(&stages)
+        .vertex_input_state(&vertices)
+        .input_assembly_state(&assembly)
+        .viewport_state(&viewports)
+        .rasterization_state(&rasterization)
+        .multisample_state(&samples)
+        .depth_stencil_state(&depth)
+        .color_blend_state(&blend)
+        .dynamic_state(&dynamic)
+        .layout(drawing.layout)
+        .render_pass(drawing.render_pass);
+    let modules: Vec<_> = std::iter::once(drawing.vertex)
+        .chain(drawing.fragment)
+        .collect();
+    let constants = list(drawing.constants);
+    let files: Vec<_> = modules.iter().map(|module| module.file).collect();
+    tracing::debug!("compiling {} [{constants}]", files.join("+"));
+    // SAFETY: `info` and all it points to outlive the call; the pipeline is new.
+    unsafe {
+        let created = gpu
+            .raw
+            .create_graphics_pipelines(gpu.cache.raw(), &[info], None);
+        let pipeline = created
+            .map_err(|(_, result)| result)
+            .during("vkCreateGraphicsPipelines")?[0];
+        take_over(gpu, pipeline, drawing.name, &modules, &constants)
+    }
+}
+
+/// A viewport for all depths, px.
+pub(crate) fn viewport(x: f32, y: f32, width: f32, height: f32) -> vk::Viewport {
+    vk::Viewport {
+        x,
+        y,
+        width,
+        height,
+        min_depth: 0.0,
+        max_depth: 1.0,
+    }
+}

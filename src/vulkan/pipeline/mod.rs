@@ -1,0 +1,12 @@
+//! Shader modules and what runs them: descriptor sets, compute kernels, render passes and graphics
+//! pipelines.
+
+pub(crate) mod bindings;
+pub(crate) mod graphics;
+mod kernel;
+mod module;
+pub(crate) mod set;
+pub mod shaders;
+
+pub use bindings::{BoundImage, Resources};
+pub use kernel::{Kernel, Launch};

@@ -1,0 +1,154 @@
+//! The compiled shader modules. They are stored in `shaders/spv`, so that a build needs no shader
+//! compiler.
+//!
+//! After a change to a shader run `cargo run --release -p effigy-shaders --features compile --bin
+//! compile-shaders`. A test compares [`fingerprint`]s and fails if a module is older than its
+//! source.
+
+use crate::hash;
+use ash::vk;
+use effigy_core::layout;
+use std::{fs, io, iter, path::Path};
+
+/// A shader and what it compiles to.
+pub struct Module {
+    /// Path of the source below `shaders`, such as `sort/count.comp`.
+    pub file: &'static str,
+    /// SPIR-V that reads packed words.
+    spirv: &'static [u8],
+    /// SPIR-V that reads f16 from storage buffers, for shaders that read half quads.
+    half: Option<&'static [u8]>,
+}
+
+impl Module {
+    /// SPIR-V for a device, with f16 storage buffers or without.
+    pub fn spirv(&self, half_storage: bool) -> &'static [u8] {
+        self.half.filter(|_| half_storage).unwrap_or(self.spirv)
+    }
+
+    /// The pipeline stage that the module is for, from the file's extension.
+    pub fn stage(&self) -> vk::ShaderStageFlags {
+        match self.file.rsplit('.').next() {
+            Some("vert") => vk::ShaderStageFlags::VERTEX,
+            Some("frag") => vk::ShaderStageFlags::FRAGMENT,
+            _ => vk::ShaderStageFlags::COMPUTE,
+        }
+    }
+
+    /// The compiled modules: one without f16 storage buffers and, if it differs, one with them.
+    pub fn compiled_modules(&self) -> impl Iterator<Item = &'static [u8]> {
+        iter::once(self.spirv).chain(self.half)
+    }
+
+    /// Whether there is a module of its own for devices with f16 storage buffers.
+    pub fn has_half(&self) -> bool {
+        self.half.is_some()
+    }
+
+    /// Path of the compiled file below `shaders/spv`, with f16 storage buffers or without.
+    pub fn compiled(&self, half: bool) -> String {
+        format!("{}{}.spv", self.file, if half { ".half" } else { "" })
+    }
+}
+
+/// Makes a static of each row (its name, its file, and `half` if it reads half quads) and
+/// [`MODULES`] of all.
+macro_rules! modules {
+    (@half $file:literal) => { None };
+    (@half $file:literal half) => { Some(compiled!($file, ".half.spv")) };
+    ($($constant:ident = $file:literal $(, $half:ident)?;)*) => {
+        $(
+            #[doc = concat!("`shaders/", $file, "`.")]
+            pub static $constant: Module = Module {
+                file: $file,
+                spirv: compiled!($file, ".spv"),
+                half: modules!(@half $file $($half)?),
+            };
+        )*
+        /// Every module.
+        pub static MODULES: &[&Module] = &[$(&$constant),*];
+    };
+}
+
+macro_rules! compiled {
+    ($file:literal, $ending:literal) => {
+        include_bytes!(concat!("../../../shaders/spv/", $file, $ending))
+    };
+}
+
+modules! {
+    MLP = "mlp/mlp.comp", half;
+    MLP_BYTES = "mlp/mlp_bytes.comp";
+    SH = "sh/sh.comp", half;
+    OCCLUDER_DEPTH = "occluder/depth.vert";
+    OCCLUDER_PYRAMID = "occluder/pyramid.comp";
+    PROJECT = "project/project.comp";
+    PROJECT_CACHED = "project/project_cached.comp";
+    SORT_COUNT = "sort/count.comp";
+    SORT_REDUCE = "sort/reduce.comp";
+    SORT_SCAN = "sort/scan.comp";
+    SORT_SCATTER = "sort/scatter.comp";
+    SORT_PER_THREAD_COUNT = "sort/per_thread_count.comp";
+    SORT_PER_THREAD_SCATTER = "sort/per_thread_scatter.comp";
+    SORT_ONESWEEP = "sort/onesweep.comp";
+    BINNING = "binning/binning.comp";
+    QUADS_VERTEX = "raster/quads.vert";
+    QUADS_FRAGMENT = "raster/quads.frag";
+    RASTER_PER_THREAD_RGBA8 = "raster/per_thread_rgba8.comp";
+    RASTER_PER_THREAD_RGBA16F = "raster/per_thread_rgba16f.comp";
+    RASTER_COOPERATIVE_RGBA8 = "raster/cooperative_rgba8.comp";
+    RASTER_COOPERATIVE_RGBA16F = "raster/cooperative_rgba16f.comp";
+    PRESENT_VERTEX = "present/present.vert";
+    PRESENT_FRAGMENT = "present/present.frag";
+}
+
+/// A hash of all kernels of the sort. A self-test's result holds only for the kernels that it ran.
+pub fn sort_hash() -> u64 {
+    let kernels = MODULES
+        .iter()
+        .filter(|module| module.file.starts_with("sort/"));
+    hash::add(
+        hash::EMPTY,
+        kernels.flat_map(|module| module.spirv).copied(),
+    )
+}
+
+/// File in `shaders/spv` with a line `name fingerprint` for each module.
+pub const FINGERPRINTS: &str = "fingerprints.txt";
+
+/// A hash of the source's own [`fingerprint`] and of the modules compiled from it.
+pub fn module_fingerprint<'a>(source: u64, compiled: impl IntoIterator<Item = &'a [u8]>) -> u64 {
+    hash::add(
+        hash::EMPTY,
+        source
+            .to_le_bytes()
+            .into_iter()
+            .chain(compiled.into_iter().flatten().copied()),
+    )
+}
+
+/// A hash (FNV-1a) of a shader's text, of every file that it includes and of the macros that it is
+/// compiled with. `shaders` is the folder of the sources, `file` a path in it.
+pub fn fingerprint(shaders: &Path, file: &str) -> io::Result<u64> {
+    let mut hash = hash::EMPTY;
+    let mut add = |text: &str| hash = hash::add(hash, text.bytes());
+    for (name, value) in layout::MACROS {
+        add(&format!("{name}={};", value.glsl()));
+    }
+    let mut queue = vec![file.to_string()];
+    let mut seen = 0;
+    while let Some(name) = queue.get(seen).cloned() {
+        seen += 1;
+        let text = fs::read_to_string(shaders.join(&name))?;
+        add(&text);
+        for included in text
+            .lines()
+            .filter_map(|line| line.trim().strip_prefix("#include \"")?.strip_suffix('"'))
+        {
+            if !queue.iter().any(|known| known == included) {
+                queue.push(included.to_string());
+            }
+        }
+    }
+    Ok(hash)
+}

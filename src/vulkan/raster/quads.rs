@@ -1,0 +1,322 @@
+//! The graphics form of `raster`: one indirect draw of quads, blended far to near into an
+//! off-screen image.
+
+use super::{
+    draw::{Draw, Inputs},
+    target::{LEFT, READ, READERS, check_size, vulkan_format},
+};
+use crate::vulkan::{
+    device::{
+        error::Result,
+        gpu::Gpu,
+        handle::{Framebuffer, Pipeline, RenderPass},
+        recording::Recording,
+    },
+    memory::{Buffer, DEPTH_FORMAT, Image, LayoutChange, Scope},
+    passes::occluder::OccluderDraw,
+    pipeline::{
+        Resources,
+        bindings::Bindings,
+        graphics::{self, Attachment, Depth, Drawing},
+        shaders,
+    },
+};
+use ash::vk;
+use effigy_core::{
+    frame::{ColorFormat, RasterMethod, RendererOptions, Skip},
+    layout::QUADS_PER_INSTANCE,
+};
+use std::sync::Arc;
+
+/// The image and the framebuffer around it; made anew when its size changes.
+struct Target {
+    framebuffer: Framebuffer,
+    image: Image,
+    /// Depths of the occluder, where fragments are tested; used within the render pass only.
+    _depth: Option<Image>,
+}
+
+pub struct Quads {
+    gpu: Arc<Gpu>,
+    format: ColorFormat,
+    pipeline: Pipeline,
+    bindings: Bindings,
+    indices: Buffer,
+    /// None where fragments are not tested against it.
+    occluder: Option<OccluderDraw>,
+    target: Target,
+    render_pass: RenderPass,
+    /// The part of the target that is drawn, from its upper left corner, px.
+    drawn: [u32; 2],
+}
+
+impl Quads {
+    pub fn new(gpu: &Arc<Gpu>, inputs: &Inputs, options: &RendererOptions) -> Result<Self> {
+        let format = options.color.unwrap_or(RasterMethod::Quads.color());
+        let depth = options.skip.contains(Skip::DEPTH);
+        let frame = inputs.frame;
+        let resources = Resources {
+            uniform: Some(frame),
+            storage: &[inputs.order, inputs.splats, inputs.control],
+            image: None,
+        };
+        let bindings = Bindings::new(gpu, "raster", vk::ShaderStageFlags::VERTEX, resources)?;
+        let quad = |quad: u32| [0, 1, 2, 2, 1, 3].map(|corner| (4 * quad + corner) as u16);
+        let indices: Vec<u16> = (0..QUADS_PER_INSTANCE).flat_map(quad).collect();
+        let indices = Buffer::with_data(
+            gpu,
+            "quad indices",
+            bytemuck::cast_slice(&indices),
+            vk::BufferUsageFlags::INDEX_BUFFER,
+        )?;
+        let render_pass = render_pass(gpu, format, depth)?;
+        let target = target(gpu, &render_pass, format, depth, options.size)?;
+        let pipeline = pipeline(gpu, &render_pass, bindings.layout(), options)?;
+        let occluder = if depth {
+            let mesh = inputs.occluder;
+            Some(OccluderDraw::new(
+                gpu,
+                frame,
+                mesh,
+                inputs.pose,
+                &render_pass,
+                true,
+            )?)
+        } else {
+            None
+        };
+        Ok(Self {
+            gpu: gpu.clone(),
+            format,
+            pipeline,
+            bindings,
+            indices,
+            occluder,
+            target,
+            render_pass,
+            drawn: options.size,
+        })
+    }
+
+    /// Changes the image's size. On failure it stays.
+    ///
+    /// # Safety
+    /// No submitted work may use the image.
+    pub unsafe fn resize(&mut self, size: [u32; 2]) -> Result<()> {
+        let depth = self.occluder.is_some();
+        self.target = target(&self.gpu, &self.render_pass, self.format, depth, size)?;
+        self.drawn = size;
+        Ok(())
+    }
+
+    pub fn draw_within(&mut self, size: [u32; 2]) {
+        self.drawn = size;
+    }
+
+    /// Changes the cutoff to that of `options`, which are otherwise those that it was made with.
+    ///
+    /// # Safety
+    /// No submitted work may draw with it.
+    pub unsafe fn set_cutoff(&mut self, options: &RendererOptions) -> Result<()> {
+        let layout = self.bindings.layout();
+        self.pipeline = pipeline(&self.gpu, &self.render_pass, layout, options)?;
+        Ok(())
+    }
+
+    pub fn image(&self) -> &Image {
+        &self.target.image
+    }
+
+    pub fn drawn(&self) -> [u32; 2] {
+        self.drawn
+    }
+
+    pub fn format(&self) -> ColorFormat {
+        self.format
+    }
+
+    /// Clears the damage rectangle, and draws the control's splats there; graphics.
+    pub fn record(&self, commands: Recording, draw: &Draw) {
+        let [width, height] = self.drawn;
+        let [x, y] = draw.damage.min;
+        let [right, bottom] = draw.damage.max;
+        let area = vk::Rect2D {
+            offset: vk::Offset2D {
+                x: x as i32,
+                y: y as i32,
+            },
+            extent: vk::Extent2D {
+                width: right - x,
+                height: bottom - y,
+            },
+        };
+        if draw.damage.whole {
+            self.forget(commands);
+        }
+        let viewport = graphics::viewport(0.0, 0.0, width as f32, height as f32);
+        let depth = vk::ClearDepthStencilValue {
+            depth: 1.0,
+            stencil: 0,
+        };
+        let clear = [
+            vk::ClearValue::default(),
+            vk::ClearValue {
+                depth_stencil: depth,
+            },
+        ];
+        let begin = vk::RenderPassBeginInfo::default()
+            .render_pass(self.render_pass.raw())
+            .framebuffer(self.target.framebuffer.raw())
+            .render_area(area)
+            .clear_values(&clear);
+        let device = &self.gpu.raw;
+        let raw = commands.raw();
+        let point = vk::PipelineBindPoint::GRAPHICS;
+        // SAFETY: the command buffer is recording; every object is alive and fits the pipeline's
+        // layout and the render pass. Viewport and scissor are set before anything is drawn.
+        unsafe {
+            device.cmd_begin_render_pass(raw, &begin, vk::SubpassContents::INLINE);
+            device.cmd_set_viewport(raw, 0, &[viewport]);
+            device.cmd_set_scissor(raw, 0, &[area]);
+            if let Some(mesh) = &self.occluder {
+                for &frame in draw.occluders {
+                    mesh.record(commands, frame);
+                }
+            }
+            self.bindings.bind(commands, point, draw.frame);
+            device.cmd_bind_pipeline(raw, point, self.pipeline.raw());
+            device.cmd_bind_index_buffer(raw, self.indices.raw(), 0, vk::IndexType::UINT16);
+            device.cmd_draw_indexed_indirect(raw, draw.control, 0, 1, 0);
+            device.cmd_end_render_pass(raw);
+        }
+    }
+
+    /// Has the image in the layout that the render pass expects, whatever it holds.
+    fn forget(&self, commands: Recording) {
+        let output = vk::PipelineStageFlags::COLOR_ATTACHMENT_OUTPUT;
+        let write = vk::AccessFlags::COLOR_ATTACHMENT_WRITE;
+        let change = LayoutChange {
+            from: Scope::new(READERS | output, write),
+            to: Scope::new(output, write),
+            old: vk::ImageLayout::UNDEFINED,
+            new: LEFT,
+        };
+        // SAFETY: the image is alive.
+        unsafe { commands.change_layout(self.target.image.raw(), change) };
+    }
+}
+
+fn target(
+    gpu: &Arc<Gpu>,
+    render_pass: &RenderPass,
+    format: ColorFormat,
+    depth: bool,
+    size: [u32; 2],
+) -> Result<Target> {
+    let limits = &gpu.probe.limits;
+    let limit = limits
+        .max_image_dimension2_d
+        .min(limits.max_framebuffer_width)
+        .min(limits.max_framebuffer_height);
+    check_size(gpu, size, limit)?;
+    let usage = vk::ImageUsageFlags::COLOR_ATTACHMENT
+        | vk::ImageUsageFlags::SAMPLED
+        | vk::ImageUsageFlags::TRANSFER_SRC;
+    let image = Image::new(gpu, "target", size, vulkan_format(format), usage)?;
+    let mut views = vec![image.view()];
+    let depth = if depth {
+        let usage = vk::ImageUsageFlags::DEPTH_STENCIL_ATTACHMENT
+            | vk::ImageUsageFlags::TRANSIENT_ATTACHMENT;
+        let depth = Image::new(gpu, "target depth", size, DEPTH_FORMAT, usage)?;
+        views.push(depth.view());
+        Some(depth)
+    } else {
+        None
+    };
+    Ok(Target {
+        framebuffer: Framebuffer::around(&gpu.device, render_pass, &views, size, "raster")?,
+        image,
+        _depth: depth,
+    })
+}
+
+/// Clears the image, draws, and stores it in the layout [`LEFT`].
+fn render_pass(gpu: &Gpu, format: ColorFormat, depth_tested: bool) -> Result<RenderPass> {
+    let writer = Scope::new(
+        vk::PipelineStageFlags::COLOR_ATTACHMENT_OUTPUT,
+        vk::AccessFlags::COLOR_ATTACHMENT_READ | vk::AccessFlags::COLOR_ATTACHMENT_WRITE,
+    );
+    let tests =
+        vk::PipelineStageFlags::EARLY_FRAGMENT_TESTS | vk::PipelineStageFlags::LATE_FRAGMENT_TESTS;
+    let depth = vk::AccessFlags::DEPTH_STENCIL_ATTACHMENT_READ
+        | vk::AccessFlags::DEPTH_STENCIL_ATTACHMENT_WRITE;
+    let dependencies = [
+        // The frame before may still be read.
+        vk::SubpassDependency::default()
+            .src_subpass(vk::SUBPASS_EXTERNAL)
+            .dst_subpass(0)
+            .src_stage_mask(READERS | writer.stages | tests)
+            .src_access_mask(
+                vk::AccessFlags::COLOR_ATTACHMENT_WRITE
+                    | vk::AccessFlags::DEPTH_STENCIL_ATTACHMENT_WRITE,
+            )
+            .dst_stage_mask(writer.stages | tests)
+            .dst_access_mask(writer.access | depth),
+        vk::SubpassDependency::default()
+            .src_subpass(0)
+            .dst_subpass(vk::SUBPASS_EXTERNAL)
+            .src_stage_mask(writer.stages)
+            .src_access_mask(vk::AccessFlags::COLOR_ATTACHMENT_WRITE)
+            .dst_stage_mask(READ.stages)
+            .dst_access_mask(READ.access),
+    ];
+    let color = Attachment {
+        format: vulkan_format(format),
+        load: vk::AttachmentLoadOp::CLEAR,
+        found: LEFT,
+        left: Some(LEFT),
+    };
+    graphics::render_pass(
+        gpu,
+        "raster",
+        Some(color),
+        depth_tested.then(|| graphics::depth(None)),
+        &dependencies,
+    )
+}
+
+fn pipeline(
+    gpu: &Arc<Gpu>,
+    render_pass: &RenderPass,
+    layout: vk::PipelineLayout,
+    options: &RendererOptions,
+) -> Result<Pipeline> {
+    // "Over": C = αc + (1 − α) C, and coverage likewise, which leaves the image premultiplied. The
+    // fragment's colour is not, so that a blender that rounds uses one rounded alpha for both
+    // terms.
+    let over = vk::PipelineColorBlendAttachmentState::default()
+        .blend_enable(true)
+        .src_color_blend_factor(vk::BlendFactor::SRC_ALPHA)
+        .dst_color_blend_factor(vk::BlendFactor::ONE_MINUS_SRC_ALPHA)
+        .src_alpha_blend_factor(vk::BlendFactor::ONE)
+        .dst_alpha_blend_factor(vk::BlendFactor::ONE_MINUS_SRC_ALPHA);
+    let least = options.cutoff.log2() as f32;
+    let hull = if options.skip.contains(Skip::FAINT) {
+        least
+    } else {
+        0.0
+    };
+    let tested = options.skip.contains(Skip::DEPTH);
+    let drawing = Drawing {
+        name: "raster",
+        vertex: &shaders::QUADS_VERTEX,
+        fragment: Some(&shaders::QUADS_FRAGMENT),
+        constants: &[least.to_bits(), hull.to_bits(), tested.into()],
+        layout,
+        render_pass: render_pass.raw(),
+        blend: Some(over),
+        depth: if tested { Depth::Test } else { Depth::Without },
+        cull: vk::CullModeFlags::NONE,
+    };
+    graphics::pipeline(gpu, drawing)
+}

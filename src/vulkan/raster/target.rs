@@ -1,0 +1,45 @@
+//! The image that both methods draw to.
+
+use crate::vulkan::{
+    device::{
+        error::{Error, Result},
+        gpu::Gpu,
+    },
+    memory::Scope,
+};
+use ash::vk::{self, AccessFlags, PipelineStageFlags};
+use effigy_core::frame::ColorFormat;
+
+/// The layout that every frame leaves the image in.
+pub(crate) const LEFT: vk::ImageLayout = vk::ImageLayout::SHADER_READ_ONLY_OPTIMAL;
+
+/// Stages that read the image.
+pub(crate) const READERS: PipelineStageFlags = PipelineStageFlags::from_raw(
+    PipelineStageFlags::FRAGMENT_SHADER.as_raw() | PipelineStageFlags::TRANSFER.as_raw(),
+);
+
+/// How they read it.
+pub(crate) const READ: Scope = Scope::new(
+    READERS,
+    AccessFlags::from_raw(AccessFlags::SHADER_READ.as_raw() | AccessFlags::TRANSFER_READ.as_raw()),
+);
+
+/// The Vulkan format of a colour format.
+pub(crate) fn vulkan_format(format: ColorFormat) -> vk::Format {
+    match format {
+        ColorFormat::Rgba8 => vk::Format::R8G8B8A8_UNORM,
+        ColorFormat::Rgba16F => vk::Format::R16G16B16A16_SFLOAT,
+    }
+}
+
+/// Fails where a device can't have an image of this size, px. `limit`: its largest side.
+pub(crate) fn check_size(gpu: &Gpu, size: [u32; 2], limit: u32) -> Result<()> {
+    if size.iter().any(|&side| side == 0 || side > limit) {
+        return Err(Error::PictureSize {
+            found: format!("{} × {}", size[0], size[1]),
+            limit,
+            device: gpu.probe.name.clone(),
+        });
+    }
+    Ok(())
+}

@@ -1,0 +1,437 @@
+//! Draws an avatar, or several copies of it in one scene: poses and a camera go in, an image on the
+//! device comes out. [`Schedule::new`] says what a frame runs, `execute.rs` records it.
+
+mod blocks;
+mod execute;
+mod stages;
+
+pub use stages::Stages;
+
+use super::{
+    commands::{
+        FRAMES_IN_FLIGHT, FrameReport, Semaphores,
+        control::control,
+        frame_in_flight::{FrameInFlight, HostMarks},
+    },
+    device::{
+        error::{Error, Result},
+        gpu::Gpu,
+        recording::Recording,
+    },
+    memory::Buffer,
+    passes::{
+        mlp::Mlp, model::Model, occluder::OccluderPass, project::Project, sh::SphericalHarmonics,
+    },
+    raster::{
+        Raster,
+        draw::Inputs,
+        picture::{self, Copied},
+        resolved,
+    },
+    sort::{Sort, SortOptions, choice},
+};
+use crate::ndk::section;
+use ash::vk;
+use blocks::Blocks;
+use bytemuck::bytes_of;
+use effigy_core::{
+    avatar::Avatar,
+    frame::{
+        Damage, RendererOptions, Schedule, Skip, Unusable, block,
+        schedule::{Equipment, Held},
+        state::{FrameState, PlanInput},
+        validate,
+    },
+    layout::PYRAMID_WORDS,
+    scene::{AvatarBounds, Camera, Detail, FrameImage, PartDependencies, PixelRect, Posed},
+};
+use std::{sync::Arc, time::Instant};
+
+/// How a frame reaches a screen: what to wait for and signal, and the commands that follow the
+/// image.
+pub struct Presentation<'a> {
+    semaphores: Option<Semaphores>,
+    record: &'a mut dyn FnMut(Recording),
+}
+
+impl<'a> Presentation<'a> {
+    /// `semaphores`: None where nobody else waits.
+    ///
+    /// # Safety
+    /// All that `record` uses must stay alive until the frame is done ([`Renderer::finish`]), and
+    /// so must the semaphores. Something must signal the one that is waited for, and nothing else
+    /// use the other.
+    pub unsafe fn new(
+        semaphores: Option<Semaphores>,
+        record: &'a mut dyn FnMut(Recording),
+    ) -> Self {
+        Self { semaphores, record }
+    }
+}
+
+/// An avatar on a device, in as many poses as it was made for.
+pub struct Renderer {
+    // The first field: dropping it waits for the frames that use all others.
+    frames_in_flight: Vec<FrameInFlight>,
+    /// None where nothing is left out behind it.
+    occluder: Option<OccluderPass>,
+    mlp: Mlp,
+    sh: Option<SphericalHarmonics>,
+    project: Project,
+    sort: Sort,
+    raster: Raster,
+    control: Buffer,
+    /// Features, then node displacements, of one avatar after the other; then the occluder's depth
+    /// pyramid.
+    pose: Buffer,
+    /// A block for each avatar of each frame under way.
+    blocks: Blocks,
+    model: Model,
+    extent: AvatarBounds,
+    needs: PartDependencies,
+    options: RendererOptions,
+    state: FrameState,
+    /// The key count that the control holds; None before the first frame.
+    key_count: Option<u32>,
+    /// A box around all pixels that the last frames drew; None where they are not known.
+    damaged: Option<PixelRect>,
+    next: usize,
+    report: FrameReport,
+    gpu: Arc<Gpu>,
+}
+
+/// What the frame before left.
+#[derive(Clone, Copy)]
+struct Found {
+    /// The key count that the control holds; None before the first frame.
+    key_count: Option<u32>,
+    /// A box around all pixels that may be drawn; None where they are not known.
+    damaged: Option<PixelRect>,
+}
+
+impl Renderer {
+    /// Uploads an avatar, and compiles the kernels. Options that are None are chosen for the
+    /// device.
+    ///
+    /// # Errors
+    /// When the options can't be drawn with, the device's memory does not suffice, or it fails.
+    pub fn new(gpu: &Arc<Gpu>, avatar: &Avatar, options: RendererOptions) -> Result<Self> {
+        options.check()?;
+        let mut options = resolved(gpu, options);
+        // Where colours change with the view, poses are not cached.
+        if avatar.sh.is_some() {
+            options.skip -= Skip::SKINNING;
+        }
+        let has_occluder = options.skip.intersects(Skip::HIDDEN | Skip::DEPTH);
+        let model = Model::new(gpu, avatar, has_occluder)?;
+        let constants = &model.constants;
+        let storage = vk::BufferUsageFlags::STORAGE_BUFFER | vk::BufferUsageFlags::TRANSFER_SRC;
+        let instances = options.instances as u32;
+        let words = 4 * u64::from(instances) * u64::from(block::pose_vectors(constants))
+            + u64::from(PYRAMID_WORDS);
+        // Zeros: a corner of the occluder may follow a node of a part that no frame has shown yet.
+        let zeros = vec![0; 4 * words.next_multiple_of(2) as usize];
+        let pose = Buffer::with_data(gpu, "pose", &zeros, storage)?;
+        let blocks = Blocks::new(gpu, options.instances, constants)?;
+        let control = Buffer::with_data(
+            gpu,
+            "control",
+            bytes_of(&control(0)),
+            storage | vk::BufferUsageFlags::INDIRECT_BUFFER,
+        )?;
+        let frame = blocks.slice();
+        let variant = match options.sort {
+            Some(variant) => {
+                choice::allow(gpu, variant)?;
+                variant
+            }
+            None => choice::without_test(gpu)?,
+        };
+        let project = Project::new(gpu, &model, frame, (&pose).into(), variant, &options)?;
+        let sort_options = SortOptions {
+            counts: Some(project.counts()),
+            ..SortOptions::new(options.key_bits, variant)
+        };
+        let capacity = project.capacity();
+        let sort = Sort::new(gpu, project.keys(), &control, capacity, sort_options)?;
+        let inputs = Inputs {
+            frame,
+            order: sort.order(),
+            splats: project.all(),
+            control: (&control).into(),
+            capacity,
+            occluder: &model.occluder,
+            pose: (&pose).into(),
+        };
+        let raster = Raster::new(gpu, &inputs, &options)?;
+        let occluder = if has_occluder && model.occluder.index_count > 0 {
+            Some(OccluderPass::new(
+                gpu,
+                frame,
+                &model.occluder,
+                (&pose).into(),
+            )?)
+        } else {
+            None
+        };
+        Ok(Self {
+            frames_in_flight: (0..FRAMES_IN_FLIGHT)
+                .map(|_| FrameInFlight::new(gpu))
+                .collect::<Result<_>>()?,
+            occluder,
+            mlp: Mlp::new(gpu, &model, frame, (&pose).into())?,
+            sh: SphericalHarmonics::new(gpu, avatar, &model, frame)?,
+            project,
+            sort,
+            raster,
+            control,
+            pose,
+            blocks,
+            extent: AvatarBounds::new(avatar),
+            needs: PartDependencies::new(avatar),
+            model,
+            options,
+            state: FrameState::default(),
+            key_count: None,
+            damaged: None,
+            next: 0,
+            report: FrameReport::default(),
+            gpu: gpu.clone(),
+        })
+    }
+
+    /// The device that it draws on.
+    pub fn gpu(&self) -> &Arc<Gpu> {
+        &self.gpu
+    }
+
+    /// The avatar's bounds.
+    pub fn bounds(&self) -> &AvatarBounds {
+        &self.extent
+    }
+
+    /// Numbers of corners and triangles of the occluder mesh.
+    pub fn occluder_size(&self) -> [u64; 2] {
+        let mesh = &self.model.occluder;
+        [mesh.corners.size / 32, u64::from(mesh.index_count / 3)]
+    }
+
+    /// The `raster` stage, which holds the image.
+    pub fn raster(&self) -> &Raster {
+        &self.raster
+    }
+
+    /// What the last finished frame took and drew: at most two frames old. A frame that needed
+    /// nothing is finished at once.
+    pub fn report(&self) -> &FrameReport {
+        &self.report
+    }
+
+    /// The options that it draws with now, resolved.
+    pub fn options(&self) -> &RendererOptions {
+        &self.options
+    }
+
+    /// Submits a frame of one avatar. Waits only when two frames are still under way. `camera` must
+    /// have the image's size.
+    ///
+    /// # Errors
+    /// When the pose or the camera holds a number that can't be drawn, or the device fails.
+    pub fn draw(
+        &mut self,
+        posed: &Posed,
+        camera: &Camera,
+        presentation: Option<Presentation>,
+    ) -> Result<()> {
+        self.draw_scene(&[posed], camera, presentation)
+    }
+
+    /// Submits a frame of several avatars, at most [`RendererOptions::instances`], sorted together.
+    /// Caches and changes go by place in `poses`: keep each copy of the avatar at its place from
+    /// frame to frame. See [`Self::draw`].
+    ///
+    /// # Errors
+    /// When a pose or the camera holds a number that can't be drawn, there are more poses than the
+    /// renderer was made for, or the device fails.
+    pub fn draw_scene(
+        &mut self,
+        poses: &[&Posed],
+        camera: &Camera,
+        presentation: Option<Presentation>,
+    ) -> Result<()> {
+        validate::frame(poses, camera, &self.extent, &self.options)?;
+        let frame = self.next;
+        let began = Instant::now();
+        let waiting = section(c"wait");
+        if let Some(report) = self.frames_in_flight[frame].finish()? {
+            self.report = report;
+        }
+        drop(waiting);
+        let waited = Instant::now();
+        // Should anything below fail, nothing of this frame counts as drawn.
+        let mut state = std::mem::take(&mut self.state);
+        let found = Found {
+            key_count: self.key_count.take(),
+            damaged: self.damaged.take(),
+        };
+        let plan = state.plan(PlanInput {
+            poses,
+            camera,
+            bounds: &self.extent,
+            dependencies: &self.needs,
+            options: &self.options,
+            has_occluder: self.occluder.is_some(),
+            always_submit: presentation.is_some(),
+        });
+        if !plan.redraw && presentation.is_none() {
+            self.state = state;
+            self.key_count = found.key_count;
+            self.damaged = found.damaged;
+            self.report = FrameReport::idle(self.sh.is_some());
+            return Ok(());
+        }
+        let recording = section(c"record");
+        let sources = blocks::Sources {
+            extent: &self.extent,
+            options: &self.options,
+            splats: &self.project,
+            sort: &self.sort,
+        };
+        self.blocks.write(frame, &plan, camera, &sources);
+        self.frames_in_flight[frame].begin()?;
+        let equipment = Equipment {
+            sh: self.sh.is_some(),
+            method: self.raster.method(),
+            skip: self.options.skip,
+        };
+        let held = Held {
+            key_count: found.key_count,
+        };
+        let schedule = Schedule::new(&plan, &equipment, held);
+        let damage = Damage::new(plan.drawn_rect, found.damaged, self.raster.drawn());
+        self.execute(frame, &schedule, &plan, &damage);
+        let mut semaphores = None;
+        if let Some(presentation) = presentation {
+            self.frames_in_flight[frame].stage("present", presentation.record);
+            semaphores = presentation.semaphores;
+        }
+        drop(recording);
+        let recorded = Instant::now();
+        let _submitting = section(c"submit");
+        // SAFETY: the frame is recording. What the stages use is dropped or changed only after
+        // waiting for the frames in flight; the maker of the presentation promised it for the
+        // presentation's objects and semaphores.
+        unsafe {
+            self.frames_in_flight[frame].submit(&self.control, self.project.reasons(), semaphores)
+        }?;
+        self.frames_in_flight[frame].timed(HostMarks {
+            began,
+            waited,
+            recorded,
+        });
+        self.state = state;
+        self.key_count = Some(schedule.key_count);
+        self.damaged = if plan.redraw {
+            Some(plan.drawn_rect)
+        } else {
+            found.damaged
+        };
+        self.next = (frame + 1) % FRAMES_IN_FLIGHT;
+        Ok(())
+    }
+
+    /// Waits for every submitted frame.
+    pub fn finish(&mut self) -> Result<()> {
+        for offset in 0..FRAMES_IN_FLIGHT {
+            if let Some(report) =
+                self.frames_in_flight[(self.next + offset) % FRAMES_IN_FLIGHT].finish()?
+            {
+                self.report = report;
+            }
+        }
+        Ok(())
+    }
+
+    /// Changes the image's size. On failure the old image stays.
+    pub fn resize(&mut self, size: [u32; 2]) -> Result<()> {
+        self.finish()?;
+        // SAFETY: every frame is done.
+        unsafe { self.raster.resize(size) }?;
+        self.options.size = size;
+        self.forget();
+        Ok(())
+    }
+
+    /// Draws images of `size` px from now on, in the upper left corner of what it was made or
+    /// resized for, nothing fainter than `cutoff` (as [`RendererOptions::cutoff`]), and at this
+    /// level of detail. Waits for submitted frames where that changes anything. Nothing is
+    /// allocated.
+    ///
+    /// # Errors
+    /// When the size does not fit, the cutoff is none, or the device fails. Then the next frame is
+    /// drawn as before.
+    pub fn adjust(&mut self, size: [u32; 2], cutoff: f64, detail: Detail) -> Result<()> {
+        let options = RendererOptions {
+            size,
+            cutoff,
+            detail,
+            ..self.options
+        };
+        if size == self.options.size
+            && cutoff == self.options.cutoff
+            && detail == self.options.detail
+        {
+            return Ok(());
+        }
+        options.check()?;
+        let capacity = self.raster.image().size;
+        if !(0..2).all(|axis| (1..=capacity[axis]).contains(&size[axis])) {
+            let [found, capacity] =
+                [size, capacity].map(|[width, height]| format!("{width} × {height} px"));
+            return Err(Error::Unusable(Unusable {
+                what: "the drawn part of the picture".into(),
+                found,
+                expected: format!("1 px to {capacity}"),
+            }));
+        }
+        self.finish()?;
+        if cutoff != self.options.cutoff {
+            // SAFETY: every frame is done.
+            unsafe { self.raster.set_cutoff(&options) }?;
+        }
+        self.raster.draw_within(size);
+        self.options = options;
+        self.forget();
+        Ok(())
+    }
+
+    /// Has the next frame draw all, whatever the last one showed.
+    fn forget(&mut self) {
+        self.state = FrameState::default();
+        self.damaged = None;
+    }
+
+    /// Waits, and copies the image of the last frame to the host.
+    pub fn read_image(&mut self) -> Result<FrameImage> {
+        Ok(self.copy()?.decode())
+    }
+
+    /// Waits, and copies the image of the last frame to the host, without the work of decoding it.
+    pub fn copy(&mut self) -> Result<Copied> {
+        self.finish()?;
+        picture::download(&self.gpu, &self.raster)
+    }
+
+    /// Waits, and copies every stage's output of the last frame to the host.
+    pub fn stages(&mut self) -> Result<Stages> {
+        self.finish()?;
+        let sources = stages::Sources {
+            model: &self.model,
+            pose: &self.pose,
+            control: &self.control,
+            splats: &self.project,
+            sort: &self.sort,
+        };
+        sources.download()
+    }
+}

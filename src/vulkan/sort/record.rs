@@ -1,0 +1,135 @@
+//! The file that remembers what the self-test found: one a device and driver, in the program's
+//! cache folder.
+
+use crate::vulkan::{
+    device::{
+        cache,
+        gpu::Gpu,
+        verdict::{ATTEMPTS, Outcome},
+    },
+    pipeline::shaders,
+};
+use effigy_core::frame::SortVariant;
+use serde::{Deserialize, Serialize};
+use std::{
+    fs,
+    path::{Path, PathBuf},
+};
+
+/// What a verdict depends on: with any of it changed, an old one says nothing.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+struct Identity {
+    device: String,
+    driver: String,
+    driver_version: u32,
+    driver_uuid: [u8; 16],
+    cache_uuid: [u8; 16],
+    program: String,
+    shaders: u64,
+    subgroup_size: u32,
+    subgroup_sizes: Option<[u32; 2]>,
+    subgroup_ballot: bool,
+}
+
+impl Identity {
+    fn of(gpu: &Gpu) -> Self {
+        let probe = &gpu.probe;
+        Self {
+            device: probe.name.clone(),
+            driver: probe.driver.clone(),
+            driver_version: probe.driver_version,
+            driver_uuid: probe.driver_uuid,
+            cache_uuid: probe.cache_uuid,
+            program: env!("CARGO_PKG_VERSION").into(),
+            shaders: shaders::sort_hash(),
+            subgroup_size: probe.subgroup_size,
+            subgroup_sizes: probe.subgroup_sizes,
+            subgroup_ballot: probe.subgroup_ballot,
+        }
+    }
+}
+
+#[derive(Serialize, Deserialize)]
+struct Content {
+    identity: Identity,
+    /// The variant under test when this was written, and how many such tests were begun.
+    trying: Option<(SortVariant, u32)>,
+    tried: Vec<(SortVariant, Outcome)>,
+}
+
+/// The file. Every failure to read or write it only costs the time of a test.
+pub struct Record {
+    path: Option<PathBuf>,
+    identity: Identity,
+}
+
+impl Record {
+    /// `folder`: None remembers nothing.
+    pub fn new(gpu: &Gpu, folder: Option<&Path>) -> Self {
+        let key = gpu.probe.cache_key();
+        Self {
+            path: folder.map(|folder| folder.join(format!("sort-{key}.json"))),
+            identity: Identity::of(gpu),
+        }
+    }
+
+    fn content(&self) -> Option<Content> {
+        let text = fs::read(self.path.as_ref()?).ok()?;
+        serde_json::from_slice::<Content>(&text)
+            .ok()
+            .filter(|content| content.identity == self.identity)
+    }
+
+    /// How each variant did that was tested before, here and by this program.
+    pub fn read(&self) -> Vec<(SortVariant, Outcome)> {
+        let Some(mut content) = self.content() else {
+            return Vec::new();
+        };
+        let ended = content.trying.filter(|&(_, attempts)| attempts >= ATTEMPTS);
+        content
+            .tried
+            .extend(ended.map(|(variant, _)| (variant, Outcome::Unfinished)));
+        content.tried
+    }
+
+    /// Notes that a variant's test begins. What is not followed by [`Self::write`] counts against
+    /// it, after a second time.
+    pub fn begin(&self, tried: &[(SortVariant, Outcome)], variant: SortVariant) {
+        let before = self
+            .content()
+            .and_then(|content| content.trying)
+            .filter(|&(trying, _)| trying == variant);
+        self.save(
+            tried,
+            Some((variant, 1 + before.map_or(0, |(_, attempts)| attempts))),
+        );
+    }
+
+    /// Notes what was found so far.
+    pub fn write(&self, tried: &[(SortVariant, Outcome)]) {
+        self.save(tried, None);
+    }
+
+    /// The record's file, for a message.
+    pub fn path(&self) -> Option<&Path> {
+        self.path.as_deref()
+    }
+
+    fn save(&self, tried: &[(SortVariant, Outcome)], trying: Option<(SortVariant, u32)>) {
+        let Some(path) = &self.path else { return };
+        let content = Content {
+            identity: self.identity.clone(),
+            trying,
+            tried: tried.to_vec(),
+        };
+        let written = serde_json::to_vec_pretty(&content)
+            .map_err(std::io::Error::other)
+            .and_then(|text| cache::write(path, &text));
+        if let Err(error) = written {
+            tracing::debug!(
+                "the sort's verdict was not saved to {}: {error}",
+                path.display()
+            );
+        }
+    }
+}

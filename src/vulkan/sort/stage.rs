@@ -1,0 +1,194 @@
+//! The sort on a device: its kernels and its memory.
+
+use super::{
+    options::{SortOptions, counts_size, lacks, tiles},
+    passes::{self, Pass},
+};
+use crate::vulkan::{
+    device::{
+        error::{Error, Result},
+        gpu::Gpu,
+        recording::Recording,
+    },
+    memory::{Buffer, Scope, Slice},
+};
+use ash::vk;
+use effigy_core::{
+    frame::SortVariant,
+    layout::{SORT_DIGITS, SORT_FALLBACKS, SORT_STATE},
+};
+use gpu_allocator::MemoryLocation;
+use std::sync::Arc;
+
+/// A sort on a device: its kernels and its scratch memory.
+pub struct Sort {
+    passes: Vec<Pass>,
+    tiles: u32,
+    variant: SortVariant,
+    counts: Slice,
+    order: Buffer,
+    /// Kept alive for the kernels: the entries between passes, and the counts where they are the
+    /// sort's own.
+    scratch: Vec<Buffer>,
+}
+
+impl Sort {
+    /// Sorts at most `capacity` keys, fewer than 2³⁰. Fails where the device has no memory, or no
+    /// subgroups for OneSweep.
+    pub fn new(
+        gpu: &Arc<Gpu>,
+        keys: Slice,
+        control: &Buffer,
+        capacity: u32,
+        options: SortOptions,
+    ) -> Result<Self> {
+        let variant = options.variant;
+        if let Some(lacks) = lacks(variant, gpu) {
+            return Err(Error::Lacks {
+                device: gpu.probe.name.clone(),
+                lacks: format!("for {}: {lacks}", variant.name()),
+            });
+        }
+        let too_large = |keys: u64, limit: u64| Error::TooLarge {
+            what: "sort keys",
+            found: 4 * keys,
+            limit: 4 * limit,
+            device: gpu.probe.name.clone(),
+        };
+        if capacity >= 1 << 30 {
+            return Err(too_large(capacity.into(), 1 << 30));
+        }
+        let tiles = tiles(capacity, variant);
+        let limit = gpu.probe.limits.max_compute_work_group_count[0];
+        if tiles > limit {
+            let tile = u64::from(variant.tile());
+            return Err(too_large(tile * u64::from(tiles), tile * u64::from(limit)));
+        }
+        let storage = |name, size| {
+            let usage = vk::BufferUsageFlags::STORAGE_BUFFER
+                | vk::BufferUsageFlags::TRANSFER_SRC
+                | vk::BufferUsageFlags::TRANSFER_DST;
+            Buffer::new(gpu, name, size, usage, MemoryLocation::GpuOnly)
+        };
+        let order = storage("order", 4 * u64::from(capacity))?;
+        let mut scratch = Vec::new();
+        let counts = match options.counts {
+            Some(counts) => counts,
+            None => {
+                scratch.push(storage("sort counts", counts_size(capacity, variant))?);
+                (&scratch[0]).into()
+            }
+        };
+        let shape = passes::Shape {
+            capacity,
+            tiles,
+            options,
+        };
+        let mut between = Vec::new();
+        for bytes in shape.between() {
+            between.push(storage("sort entries", bytes)?);
+        }
+        let ports = passes::Ports {
+            keys,
+            order: (&order).into(),
+            counts,
+            control: control.into(),
+        };
+        let passes = shape.passes(gpu, ports, &between)?;
+        scratch.extend(between);
+        Ok(Self {
+            passes,
+            tiles: shape.tiles,
+            variant,
+            counts,
+            order,
+            scratch,
+        })
+    }
+
+    /// The indices of the surviving keys, lowest key first, equal keys in index order.
+    pub fn order(&self) -> Slice {
+        (&self.order).into()
+    }
+
+    pub fn variant(&self) -> SortVariant {
+        self.variant
+    }
+
+    /// Keys of a tile: where a kernel that counts keys adds to (`shaders/sort/first_counts.glsl`).
+    pub fn tile(&self) -> u32 {
+        self.variant.tile()
+    }
+
+    /// How often each value of the lowest digit occurs in each tile: a row of 256 words a tile.
+    pub fn first_counts(&self) -> Slice {
+        Slice {
+            size: 4 * u64::from(self.tiles * SORT_DIGITS),
+            ..self.counts
+        }
+    }
+
+    /// Dispatches of a sort, of keys counted already or not.
+    pub fn dispatches(&self, counted: bool) -> usize {
+        self.passes.iter().map(Pass::dispatches).sum::<usize>() - usize::from(counted)
+    }
+
+    /// Bytes of device memory that are the sort's own.
+    pub fn memory(&self) -> u64 {
+        self.order.size + self.scratch.iter().map(|buffer| buffer.size).sum::<u64>()
+    }
+
+    /// The first `count` indices, for tests.
+    pub fn download(&self, count: u32) -> Result<Vec<u32>> {
+        Ok(bytemuck::pod_collect_to_vec(
+            &self.order.download(4 * count as usize)?,
+        ))
+    }
+
+    /// How often a workgroup of OneSweep counted another's tile in the last sort, for tests. None
+    /// where the counts are the caller's.
+    pub fn fallbacks(&self) -> Result<Option<u32>> {
+        let Some(own) = self
+            .scratch
+            .first()
+            .filter(|own| own.raw() == self.counts.buffer)
+        else {
+            return Ok(None);
+        };
+        let at = 4 * (self.tiles * SORT_DIGITS + SORT_FALLBACKS) as usize;
+        Ok(Some(bytemuck::pod_read_unaligned(
+            &own.download(at + 4)?[at..],
+        )))
+    }
+
+    /// Zeroes the counts of the first pass and the state of the sort, before a kernel adds keys to
+    /// them: a transfer.
+    pub fn clear(&self, commands: Recording) {
+        let words = self.tiles * SORT_DIGITS + SORT_STATE + 3 * SORT_DIGITS;
+        let part = Slice {
+            size: 4 * u64::from(words),
+            ..self.counts
+        };
+        // SAFETY: the part lies in the counts, whose buffer is alive.
+        unsafe { commands.clear(part) };
+    }
+
+    /// Sorts. Reads keys and control; compute.
+    pub fn record(&self, commands: Recording) {
+        self.record_passes(commands, false);
+    }
+
+    /// Sorts keys whose lowest digits are in [`Self::first_counts`].
+    pub fn record_counted(&self, commands: Recording) {
+        self.record_passes(commands, true);
+    }
+
+    fn record_passes(&self, commands: Recording, counted: bool) {
+        for (number, pass) in self.passes.iter().enumerate() {
+            if number > 0 {
+                commands.barrier(Scope::KERNEL_WRITES, Scope::KERNEL);
+            }
+            pass.record(commands, self.tiles, counted && number == 0);
+        }
+    }
+}

@@ -1,0 +1,191 @@
+//! The `present` stage: draws the rendered image, stretched to fill the canvas, over a background.
+
+use super::turn::PreTransform;
+use crate::vulkan::{
+    device::{
+        error::Result,
+        gpu::Gpu,
+        handle::{Framebuffer, Pipeline, RenderPass, Sampler},
+        recording::Recording,
+    },
+    memory::Image,
+    pipeline::{
+        graphics::{self, Attachment, Depth, Drawing},
+        set::Set,
+        shaders,
+    },
+};
+use ash::vk;
+use bytemuck::cast_slice;
+use std::sync::Arc;
+
+/// Bytes of the push constants: the background, the pre-rotation, the sizes of the rendered image
+/// and of the canvas.
+const PUSHED: u32 = 4 * 14;
+
+const IMAGE: vk::DescriptorType = vk::DescriptorType::COMBINED_IMAGE_SAMPLER;
+
+/// Draws rendered images over a background, in a render pass that others may draw in afterwards.
+pub struct Present {
+    gpu: Arc<Gpu>,
+    pipeline: Pipeline,
+    render_pass: RenderPass,
+    set: Set,
+    sampler: Sampler,
+    /// Of the windows that it draws into.
+    pub format: vk::Format,
+}
+
+/// What a rendered image is drawn into.
+#[derive(Clone, Copy)]
+pub struct Canvas<'a> {
+    /// Of the render pass of [`Present`].
+    pub framebuffer: &'a Framebuffer,
+    /// Width and height as a viewer sees it, px.
+    pub size: [u32; 2],
+    /// How it lies in the framebuffer.
+    pub turn: PreTransform,
+}
+
+/// What is drawn into it.
+#[derive(Clone, Copy)]
+pub struct Shown {
+    /// The drawn part of the image: width and height from its upper left corner, px.
+    pub drawn: [u32; 2],
+    /// Display-referred RGB, 0 to 1.
+    pub background: [f32; 3],
+}
+
+impl Present {
+    /// For windows of a format whose numbers are shown as they are.
+    pub fn new(gpu: &Arc<Gpu>, format: vk::Format) -> Result<Self> {
+        Self::leaving(gpu, format, vk::ImageLayout::PRESENT_SRC_KHR)
+    }
+
+    /// For images that are left in a layout.
+    pub fn leaving(gpu: &Arc<Gpu>, format: vk::Format, layout: vk::ImageLayout) -> Result<Self> {
+        let stages = vk::ShaderStageFlags::FRAGMENT;
+        let set = Set::new(gpu, "present", stages, &[(0, IMAGE)], PUSHED)?;
+        let edge = vk::SamplerAddressMode::CLAMP_TO_EDGE;
+        let info = vk::SamplerCreateInfo::default()
+            .mag_filter(vk::Filter::LINEAR)
+            .min_filter(vk::Filter::LINEAR)
+            .address_mode_u(edge)
+            .address_mode_v(edge);
+        let render_pass = render_pass(gpu, format, layout)?;
+        Ok(Self {
+            gpu: gpu.clone(),
+            pipeline: pipeline(gpu, &render_pass, set.layout.raw())?,
+            render_pass,
+            set,
+            sampler: Sampler::with(&gpu.device, &info, "present")?,
+            format,
+        })
+    }
+
+    /// The render pass that it draws in.
+    pub fn render_pass(&self) -> &RenderPass {
+        &self.render_pass
+    }
+
+    /// Shows this image from now on.
+    ///
+    /// # Safety
+    /// No submitted work may use this. When it is recorded and done, the image must be alive and in
+    /// `SHADER_READ_ONLY_OPTIMAL`.
+    pub unsafe fn set_image(&self, image: &Image) {
+        let info = [vk::DescriptorImageInfo {
+            sampler: self.sampler.raw(),
+            image_view: image.view(),
+            image_layout: vk::ImageLayout::SHADER_READ_ONLY_OPTIMAL,
+        }];
+        let write = vk::WriteDescriptorSet::default()
+            .dst_set(self.set.raw)
+            .dst_binding(0)
+            .descriptor_type(IMAGE)
+            .image_info(&info);
+        // SAFETY: the set is not in use, and view and sampler are alive, as the caller promises.
+        unsafe { self.gpu.raw.update_descriptor_sets(&[write], &[]) };
+    }
+
+    /// Draws the image, stretched to fill a canvas, over a background, then what `then` records in
+    /// the same render pass.
+    pub fn record(&self, commands: Recording, canvas: Canvas, shown: Shown, then: impl FnOnce()) {
+        let [width, height] = canvas.turn.extent(canvas.size);
+        let area = vk::Rect2D {
+            offset: vk::Offset2D::default(),
+            extent: vk::Extent2D { width, height },
+        };
+        let viewport = graphics::viewport(0.0, 0.0, width as f32, height as f32);
+        let begin = vk::RenderPassBeginInfo::default()
+            .render_pass(self.render_pass.raw())
+            .framebuffer(canvas.framebuffer.raw())
+            .render_area(area);
+        let [x, y] = shown.drawn.map(|side| side as f32);
+        let [w, h] = canvas.size.map(|side| side as f32);
+        let [r, g, b] = shown.background;
+        let (matrix, origin) = canvas.turn.back(canvas.size);
+        let [xx, xy, yx, yy] = matrix.to_cols_array();
+        let constants = [r, g, b, 1.0, xx, xy, yx, yy, origin.x, origin.y, x, y, w, h];
+        let device = &self.gpu.raw;
+        let raw = commands.raw();
+        let point = vk::PipelineBindPoint::GRAPHICS;
+        let layout = self.set.layout.raw();
+        let stages = vk::ShaderStageFlags::FRAGMENT;
+        // SAFETY: the command buffer is recording; every object is alive and fits the pipeline's
+        // layout and the render pass.
+        unsafe {
+            device.cmd_begin_render_pass(raw, &begin, vk::SubpassContents::INLINE);
+            device.cmd_bind_pipeline(raw, point, self.pipeline.raw());
+            device.cmd_bind_descriptor_sets(raw, point, layout, 0, &[self.set.raw], &[]);
+            device.cmd_push_constants(raw, layout, stages, 0, cast_slice(&constants));
+            device.cmd_set_viewport(raw, 0, &[viewport]);
+            device.cmd_set_scissor(raw, 0, &[area]);
+            device.cmd_draw(raw, 3, 1, 0, 0);
+            then();
+            device.cmd_end_render_pass(raw);
+        }
+    }
+}
+
+/// One image of a screen, drawn over whole and then shown.
+fn render_pass(gpu: &Gpu, format: vk::Format, layout: vk::ImageLayout) -> Result<RenderPass> {
+    // The submission waits for the image at this stage, so the change of its layout has to wait
+    // there too.
+    let output = vk::PipelineStageFlags::COLOR_ATTACHMENT_OUTPUT;
+    let dependencies = [vk::SubpassDependency::default()
+        .src_subpass(vk::SUBPASS_EXTERNAL)
+        .dst_subpass(0)
+        .src_stage_mask(output)
+        .src_access_mask(vk::AccessFlags::COLOR_ATTACHMENT_WRITE)
+        .dst_stage_mask(output)
+        .dst_access_mask(
+            vk::AccessFlags::COLOR_ATTACHMENT_READ | vk::AccessFlags::COLOR_ATTACHMENT_WRITE,
+        )];
+    let attachment = Attachment {
+        format,
+        load: vk::AttachmentLoadOp::DONT_CARE,
+        found: vk::ImageLayout::UNDEFINED,
+        left: Some(layout),
+    };
+    graphics::render_pass(gpu, "present", Some(attachment), None, &dependencies)
+}
+
+fn pipeline(
+    gpu: &Arc<Gpu>,
+    render_pass: &RenderPass,
+    layout: vk::PipelineLayout,
+) -> Result<Pipeline> {
+    let drawing = Drawing {
+        name: "present",
+        vertex: &shaders::PRESENT_VERTEX,
+        fragment: Some(&shaders::PRESENT_FRAGMENT),
+        constants: &[],
+        layout,
+        render_pass: render_pass.raw(),
+        blend: Some(vk::PipelineColorBlendAttachmentState::default()),
+        depth: Depth::Without,
+        cull: vk::CullModeFlags::NONE,
+    };
+    graphics::pipeline(gpu, drawing)
+}

@@ -1,0 +1,171 @@
+//! Looks at an image now and then while frames go on: a frame's image is copied behind it, and read
+//! some rows a frame, so that no frame waits for it.
+
+use crate::vulkan::{
+    commands::FRAMES_IN_FLIGHT,
+    device::{error::Result, gpu::Gpu, recording::Recording},
+    memory::{Buffer, copy_image},
+    raster::{Raster, target::LEFT},
+};
+use ash::vk;
+use effigy_core::frame::ColorFormat;
+use gpu_allocator::MemoryLocation;
+use half::f16;
+use std::sync::Arc;
+
+/// An image is read in so many frames.
+const STRIPS: usize = 16;
+
+/// What was seen in an image, pixels.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Seen {
+    /// Of an alpha above 0.
+    pub covered: u64,
+    /// Of which some number is NaN or infinite. Images of 8 bits can't hold one.
+    pub broken: u64,
+}
+
+#[derive(Clone, Copy)]
+enum State {
+    Idle,
+    /// Copied by a frame; so many more until that frame is done.
+    Copying(usize),
+    /// What was seen of the first strips.
+    Reading(usize, Seen),
+}
+
+/// Copies images of one renderer and reads them.
+pub struct FrameValidator {
+    buffer: Buffer,
+    format: ColorFormat,
+    pixels: usize,
+    state: State,
+}
+
+impl FrameValidator {
+    /// For images no larger than the one that `raster` has now.
+    pub fn new(gpu: &Arc<Gpu>, raster: &Raster) -> Result<Self> {
+        let [width, height] = raster.image().size;
+        let format = raster.format();
+        let size = (width as usize * height as usize * format.bytes()) as u64;
+        let buffer = Buffer::new(
+            gpu,
+            "watched picture",
+            size,
+            vk::BufferUsageFlags::TRANSFER_DST,
+            MemoryLocation::GpuToCpu,
+        )?;
+        Ok(Self {
+            buffer,
+            format,
+            pixels: 0,
+            state: State::Idle,
+        })
+    }
+
+    /// Whether it is free to look at another image.
+    pub fn is_idle(&self) -> bool {
+        matches!(self.state, State::Idle)
+    }
+
+    /// Copies the drawn part of the frame's image, from its upper left corner, px.
+    ///
+    /// # Safety
+    /// It must be recorded after the frame, in its command buffer. The image must be alive until
+    /// the frame is done.
+    pub unsafe fn record(&mut self, commands: Recording, image: vk::Image, drawn: [u32; 2]) {
+        // SAFETY: the frame leaves the image in that layout, and the caller promises that it is
+        // alive; the buffer is large enough.
+        unsafe { copy_image(commands, image, LEFT, drawn, self.buffer.raw()) };
+        self.pixels = drawn[0] as usize * drawn[1] as usize;
+        self.state = State::Copying(FRAMES_IN_FLIGHT);
+    }
+
+    /// To be called after every frame that was submitted: reads on. Says what was seen once the
+    /// image was read.
+    pub fn step(&mut self) -> Option<Seen> {
+        match self.state {
+            State::Idle => None,
+            State::Copying(0) => {
+                self.state = State::Reading(0, Seen::default());
+                None
+            }
+            State::Copying(frames) => {
+                self.state = State::Copying(frames - 1);
+                None
+            }
+            State::Reading(strip, seen) => {
+                let bytes = self.format.bytes();
+                let [from, to] =
+                    [strip, strip + 1].map(|strip| bytes * (self.pixels * strip / STRIPS));
+                let seen = add(seen, look(self.format, &self.buffer.mapped()[from..to]));
+                let done = strip + 1 == STRIPS;
+                self.state = if done {
+                    State::Idle
+                } else {
+                    State::Reading(strip + 1, seen)
+                };
+                done.then_some(seen)
+            }
+        }
+    }
+}
+
+fn add(a: Seen, b: Seen) -> Seen {
+    Seen {
+        covered: a.covered + b.covered,
+        broken: a.broken + b.broken,
+    }
+}
+
+/// Looks at some pixels' bytes.
+fn look(format: ColorFormat, bytes: &[u8]) -> Seen {
+    match format {
+        ColorFormat::Rgba8 => Seen {
+            covered: bytes.chunks_exact(4).filter(|pixel| pixel[3] > 0).count() as u64,
+            broken: 0,
+        },
+        ColorFormat::Rgba16F => {
+            let half =
+                |pixel: &[u8], k: usize| f16::from_le_bytes([pixel[2 * k], pixel[2 * k + 1]]);
+            let pixels = || bytes.chunks_exact(8);
+            Seen {
+                covered: pixels().filter(|pixel| half(pixel, 3) > f16::ZERO).count() as u64,
+                broken: pixels()
+                    .filter(|pixel| (0..4).any(|k| !half(pixel, k).is_finite()))
+                    .count() as u64,
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pixels_that_are_no_numbers_are_found() {
+        let pixel = |r: f16, a: f16| [r, f16::ZERO, f16::ONE, a].map(f16::to_le_bytes).concat();
+        let bytes = [
+            pixel(f16::NAN, f16::ONE),
+            pixel(f16::ZERO, f16::ZERO),
+            pixel(f16::ONE, f16::INFINITY),
+            pixel(f16::ONE, f16::ONE),
+        ]
+        .concat();
+        assert_eq!(
+            look(ColorFormat::Rgba16F, &bytes),
+            Seen {
+                covered: 3,
+                broken: 2
+            }
+        );
+        assert_eq!(
+            look(ColorFormat::Rgba8, &[9, 9, 9, 0, 0, 0, 0, 1]),
+            Seen {
+                covered: 1,
+                broken: 0
+            }
+        );
+    }
+}

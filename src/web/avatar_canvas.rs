@@ -1,0 +1,455 @@
+//! An avatar on a canvas, with the calls that a page makes.
+
+use crate::{
+    motion::InvalidPose,
+    surface::{Candidate, CanvasSurface, DrawableAvatar, js_error, js_range_error},
+};
+use effigy::webgpu::Error;
+use effigy_core::{
+    avatar::{Avatar, Clip},
+    frame::RendererOptions,
+    io::file::Neutral,
+    scene::{Camera, Posed},
+};
+use glam::DVec3;
+use std::sync::Arc;
+use wasm_bindgen::prelude::*;
+
+/// Largest pitch, radians: a view straight up or down has no left and right.
+const PITCH_MAX: f64 = 1.55;
+
+/// The camera, and the colour behind the avatar.
+#[derive(Clone, Copy, PartialEq)]
+struct Viewpoint {
+    /// The point that the camera looks at, metres.
+    target: DVec3,
+    /// Around the target, radians; 0 sees the avatar's front.
+    yaw: f64,
+    /// Above the horizon, radians.
+    pitch: f64,
+    /// From the target, metres.
+    distance: f64,
+    /// Vertical field of view, radians.
+    fov: f64,
+    /// Display-referred RGB, 0 to 1.
+    background: [f32; 3],
+}
+
+/// The avatar to go back to while the correctives of the one that is shown are loading.
+enum Previous {
+    /// The avatar that is shown is complete: there is no way back.
+    Dropped,
+    /// Nothing was shown.
+    Empty,
+    /// Another avatar.
+    Avatar(Box<DrawableAvatar>),
+}
+
+/// An avatar on a canvas.
+#[wasm_bindgen]
+pub struct AvatarCanvas {
+    surface: CanvasSurface,
+    shown: Option<DrawableAvatar>,
+    previous: Previous,
+    viewpoint: Viewpoint,
+    /// Width and height of the frames, px.
+    size: [u32; 2],
+    /// The canvas has to be drawn again.
+    stale: bool,
+    /// The networks get each pose projected onto the training poses.
+    project: bool,
+}
+
+/// How many bytes of a file's beginning are needed to draw its avatar without correctives.
+/// `bytes`: those that have arrived.
+#[wasm_bindgen]
+pub fn neutral_needs(bytes: &[u8]) -> Result<usize, JsValue> {
+    Avatar::neutral_needs(bytes).map_err(js_error)
+}
+
+/// The result of a call to draw.
+#[wasm_bindgen]
+pub enum Drawn {
+    /// Nothing has changed.
+    Nothing,
+    /// A frame was drawn.
+    Frame,
+    /// The device is busy: call again.
+    Later,
+}
+
+#[wasm_bindgen]
+impl AvatarCanvas {
+    /// An empty canvas.
+    #[wasm_bindgen(constructor)]
+    pub fn new(surface: CanvasSurface) -> Self {
+        let viewpoint = Viewpoint {
+            target: DVec3::Y,
+            yaw: 0.35,
+            pitch: 0.09,
+            distance: 3.2,
+            fov: 0.61,
+            background: [216.0 / 255.0, 221.0 / 255.0, 227.0 / 255.0],
+        };
+        let size = surface.size();
+        surface.configure(size);
+        Self {
+            surface,
+            shown: None,
+            previous: Previous::Dropped,
+            viewpoint,
+            size,
+            stale: true,
+            project: true,
+        }
+    }
+
+    /// Prepares the avatar of a file, given all its bytes. The one that is shown stays.
+    pub fn prepare(&self, bytes: &[u8]) -> Result<Candidate, JsValue> {
+        let avatar = Avatar::from_bytes(bytes).map_err(js_error)?;
+        self.surface.candidate(avatar).map_err(js_error)
+    }
+
+    /// Prepares the avatar of a file of `length` bytes without its correctives, given the beginning
+    /// of the file. The one that is shown stays.
+    pub fn prepare_neutral(&self, bytes: &[u8], length: usize) -> Result<Candidate, JsValue> {
+        match Avatar::neutral(bytes, length).map_err(js_error)? {
+            Neutral::Avatar(avatar) => self.surface.candidate(*avatar).map_err(js_error),
+            Neutral::Needs(needs) => Err(js_error(format!("{needs} bytes are needed"))),
+        }
+    }
+
+    /// Shows a candidate in place of the current avatar. Returns false if the device was replaced
+    /// since the candidate was prepared. `keep`: [`Self::revert`] brings the current avatar back,
+    /// until [`Self::complete`].
+    pub fn show(&mut self, candidate: Candidate, keep: bool) -> Result<bool, JsValue> {
+        if !Arc::ptr_eq(&candidate.gpu, &self.surface.gpu) {
+            return Ok(false);
+        }
+        let mut drawable = candidate.drawable;
+        self.fit(&mut drawable).map_err(js_error)?;
+        let previous = match self.shown.replace(drawable) {
+            Some(avatar) => Previous::Avatar(Box::new(avatar)),
+            None => Previous::Empty,
+        };
+        self.previous = if keep { previous } else { Previous::Dropped };
+        self.stale = true;
+        Ok(true)
+    }
+
+    /// Adds the correctives of the avatar that is shown. `bytes`: all of its file.
+    pub fn complete(&mut self, bytes: &[u8]) -> Result<(), JsValue> {
+        let avatar = Avatar::from_bytes(bytes).map_err(js_error)?;
+        let Some(shown) = &mut self.shown else {
+            return Ok(());
+        };
+        match shown.renderer.fill(&avatar) {
+            Ok(false) => {
+                return Err(js_error(
+                    "the file has changed while it was loaded: load it again",
+                ));
+            }
+            // A lost device is replaced by one with the whole avatar.
+            Ok(true) | Err(Error::DeviceLost(_)) => {}
+            Err(error) => return Err(js_error(error)),
+        }
+        shown.avatar = avatar;
+        self.previous = Previous::Dropped;
+        self.stale = true;
+        Ok(())
+    }
+
+    /// Shows the avatar from before [`Self::show`] again, if it was kept.
+    pub fn revert(&mut self) -> Result<(), JsValue> {
+        let previous = std::mem::replace(&mut self.previous, Previous::Dropped);
+        if matches!(previous, Previous::Dropped) {
+            return Ok(());
+        }
+        self.stale = true;
+        self.shown = None;
+        if let Previous::Avatar(mut drawable) = previous {
+            if !Arc::ptr_eq(drawable.renderer.gpu(), &self.surface.gpu) {
+                upload_again(&mut drawable, &self.surface, self.size).map_err(js_error)?;
+            }
+            self.fit(&mut drawable).map_err(js_error)?;
+            self.shown = Some(*drawable);
+        }
+        Ok(())
+    }
+
+    /// Adds the clip of a motion file, given its bytes. Returns its index.
+    pub fn add_clip(&mut self, bytes: &[u8]) -> Result<usize, JsValue> {
+        let clip = Clip::from_bytes(bytes).map_err(js_error)?;
+        let shown = self
+            .shown
+            .as_mut()
+            .ok_or_else(|| js_error("there is no avatar yet to add a clip to: load one first"))?;
+        shown.motion.add(clip, &shown.avatar).map_err(js_error)
+    }
+
+    /// Shows a clip at a time, seconds.
+    pub fn seek(&mut self, clip: usize, seconds: f64) {
+        if let Some(shown) = &mut self.shown {
+            shown.motion.seek(clip, seconds);
+        }
+    }
+
+    /// Moves to a live pose that arrives at `now`, ms. `rotation`: axis-angle, radians, three
+    /// numbers a joint. `translation`: of the root, metres, three numbers. `expression`: missing
+    /// numbers are 0.
+    pub fn set_pose(
+        &mut self,
+        now: f64,
+        rotation: &[f32],
+        translation: &[f32],
+        expression: &[f32],
+    ) -> Result<(), JsValue> {
+        let Some(shown) = &mut self.shown else {
+            return Ok(());
+        };
+        shown
+            .motion
+            .set_pose(now, rotation, translation, expression)
+            .map_err(|InvalidPose(reason)| js_range_error(reason))
+    }
+
+    /// The point that the camera looks at, metres.
+    pub fn set_target(&mut self, x: f64, y: f64, z: f64) {
+        self.viewpoint.target = DVec3::new(x, y, z);
+    }
+
+    /// Where the camera stands around its target: yaw and pitch in radians, the distance in metres.
+    pub fn set_orbit(&mut self, yaw: f64, pitch: f64, distance: f64) {
+        self.viewpoint.yaw = yaw;
+        self.viewpoint.pitch = pitch;
+        self.viewpoint.distance = distance;
+    }
+
+    /// Vertical field of view, radians.
+    pub fn set_fov(&mut self, fov: f64) {
+        self.viewpoint.fov = fov;
+    }
+
+    /// Colour behind the avatar: display-referred red, green and blue, 0 to 1.
+    pub fn set_background(&mut self, red: f32, green: f32, blue: f32) {
+        self.viewpoint.background = [red, green, blue];
+        self.stale = true;
+    }
+
+    /// Whether the networks get each pose projected onto the training poses, or as it is.
+    pub fn set_projection(&mut self, on: bool) {
+        self.project = on;
+    }
+
+    /// Takes over the canvas's width and height.
+    pub fn resize(&mut self) -> Result<(), JsValue> {
+        let size = self.surface.size();
+        if size == self.size {
+            return Ok(());
+        }
+        if let Some(DrawableAvatar {
+            renderer, present, ..
+        }) = &mut self.shown
+        {
+            renderer.resize(size).map_err(js_error)?;
+            present.set_image(&self.surface.gpu, renderer.image_view());
+        }
+        self.surface.configure(size);
+        self.size = size;
+        self.stale = true;
+        Ok(())
+    }
+
+    /// Draws a frame with the next call of [`Self::draw`], even if nothing has changed.
+    pub fn redraw(&mut self) {
+        self.stale = true;
+    }
+
+    /// Draws a frame for `now`, ms, if anything has changed.
+    pub fn draw(&mut self, now: f64) -> Result<Drawn, JsValue> {
+        let Some(DrawableAvatar {
+            avatar,
+            renderer,
+            present,
+            motion,
+        }) = &mut self.shown
+        else {
+            return Ok(Drawn::Nothing);
+        };
+        self.surface.gpu.check().map_err(js_error)?;
+        if !renderer.ready() {
+            return Ok(Drawn::Later);
+        }
+        let Viewpoint {
+            target,
+            yaw,
+            pitch,
+            distance,
+            fov,
+            background,
+        } = self.viewpoint;
+        let camera = Camera::orbit(
+            target,
+            yaw,
+            pitch.clamp(-PITCH_MAX, PITCH_MAX),
+            distance,
+            fov,
+            self.size,
+        );
+        let posed = Posed::with_projection(avatar, &motion.pose(now), self.project);
+        self.stale |= renderer.draw(&posed, &camera).map_err(js_error)?;
+        if !self.stale {
+            return Ok(Drawn::Nothing);
+        }
+        use wgpu::CurrentSurfaceTexture::{Lost, Outdated, Suboptimal, Success};
+        let texture = match self.surface.surface.get_current_texture() {
+            Success(texture) | Suboptimal(texture) => texture,
+            Lost | Outdated => {
+                self.surface.configure(self.size);
+                return Ok(Drawn::Later);
+            }
+            _ => return Ok(Drawn::Later),
+        };
+        present.draw(
+            &self.surface.gpu,
+            &texture.texture.create_view(&Default::default()),
+            background,
+        );
+        self.surface.gpu.queue.present(texture);
+        self.stale = false;
+        Ok(Drawn::Frame)
+    }
+
+    /// Whether the device is lost. Then nothing is drawn before [`Self::replace_device`].
+    pub fn is_lost(&self) -> bool {
+        matches!(self.surface.gpu.check(), Err(Error::DeviceLost(_)))
+    }
+
+    /// Draws with another device from now on, and uploads the avatar to it.
+    pub fn replace_device(&mut self, surface: CanvasSurface) -> Result<(), JsValue> {
+        surface.configure(self.size);
+        if let Some(drawable) = &mut self.shown
+            && let Err(error) = upload_again(drawable, &surface, self.size)
+        {
+            surface.close();
+            return Err(js_error(error));
+        }
+        self.surface = surface;
+        self.stale = true;
+        Ok(())
+    }
+
+    /// Closes the device, and frees everything on it. Nothing is drawn before
+    /// [`Self::replace_device`].
+    pub fn close_device(&self) {
+        self.surface.close();
+    }
+
+    /// Durations and counts of the last finished frame, JSON; times are in milliseconds.
+    pub fn statistics(&self) -> String {
+        let Some(DrawableAvatar { renderer, .. }) = &self.shown else {
+            return "{}".into();
+        };
+        let report = renderer.report();
+        let stages: serde_json::Map<_, _> = report
+            .stages
+            .iter()
+            .map(|&(name, ms)| (name.to_owned(), ms.into()))
+            .collect();
+        let counters: serde_json::Map<_, _> = report
+            .counters
+            .named()
+            .map(|(name, count)| (name.to_owned(), count.into()))
+            .collect();
+        serde_json::json!({
+            "device": self.surface.gpu.name(),
+            "raster": renderer.options().method.map_or("", |method| method.name()),
+            "stages": stages,
+            "counters": counters,
+            "options": Self::describe_options(renderer.options()),
+            "version": env!("CARGO_PKG_VERSION"),
+        })
+        .to_string()
+    }
+}
+
+impl AvatarCanvas {
+    /// Gives a renderer the size of the canvas.
+    fn fit(&self, drawable: &mut DrawableAvatar) -> Result<(), Error> {
+        if drawable.renderer.options().size != self.size {
+            drawable.renderer.resize(self.size)?;
+            drawable
+                .present
+                .set_image(&self.surface.gpu, drawable.renderer.image_view());
+        }
+        Ok(())
+    }
+
+    /// Options, in the form of the reports of `effigy bench`.
+    fn describe_options(options: &RendererOptions) -> serde_json::Value {
+        serde_json::json!({
+            "color": format!("{:?}", options.color.unwrap_or_default()).to_lowercase(),
+            "raster": options.method.map_or("", |method| method.name()),
+            "key_bits": 8 * options.key_bits.passes(),
+            "skip": options.skip.to_string(),
+            "cutoff": options.cutoff,
+            "margin": options.margin,
+            "detail": options.detail.to_string(),
+            "storage": "words",
+            "rows": 1.0,
+            "hold": 1,
+        })
+    }
+}
+
+#[wasm_bindgen]
+impl AvatarCanvas {
+    /// The avatar and its clips, JSON: names, credit, joints, counts, bounds and durations.
+    pub fn describe(&self) -> String {
+        let Some(DrawableAvatar {
+            avatar,
+            renderer,
+            motion,
+            ..
+        }) = &self.shown
+        else {
+            return "{}".into();
+        };
+        let joints = Posed::new(avatar, &motion.pose(0.0)).joints;
+        let [min, max] = effigy_core::scene::upright(renderer.bounds().bounds(&joints));
+        let rows = [
+            avatar.rotation_rows.gaussian.len(),
+            avatar.scale_rows.gaussian.len(),
+            avatar.color_rows.gaussian.len(),
+        ];
+        let clips: Vec<_> = motion
+            .clips()
+            .map(|clip| serde_json::json!({ "name": clip.name, "duration": clip.duration() }))
+            .collect();
+        serde_json::json!({
+            "name": avatar.name,
+            "credit": avatar.credit,
+            "gaussians": avatar.gaussians.len(),
+            "parts": avatar.parts.len(),
+            "nodes": avatar.nodes.len(),
+            "rows": rows,
+            "joints": avatar.skeleton.name,
+            "expression": avatar.inputs.expression,
+            "bounds": [min.to_array(), max.to_array()],
+            "clips": clips,
+        })
+        .to_string()
+    }
+}
+
+/// Uploads an avatar to another device, for frames of `size` px.
+fn upload_again(
+    drawable: &mut DrawableAvatar,
+    surface: &CanvasSurface,
+    size: [u32; 2],
+) -> Result<(), Error> {
+    let renderer = surface.renderer(&drawable.avatar, size)?;
+    drawable.present = surface.present(&renderer)?;
+    drawable.renderer = renderer;
+    Ok(())
+}

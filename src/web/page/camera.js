@@ -1,0 +1,48 @@
+// Cameras, and how many pixels a canvas has.
+import { checkedNumber } from "./validate.js";
+
+/** The camera before an avatar is loaded. */
+export const DEFAULT_CAMERA = {
+  target: [0, 1, 0],
+  yaw: 0.35,
+  pitch: 0.09,
+  distance: 3.2,
+  fov: 0.61,
+};
+
+/** Copies a complete camera. Throws a RangeError for one that nothing can be drawn with. */
+export function checkedCamera({ target, yaw, pitch, distance, fov }) {
+  if (target?.length !== 3) {
+    throw new RangeError(`the camera's target is ${target}, expected three numbers`);
+  }
+  return {
+    target: Array.from(target, (metres) => checkedNumber("the camera's target", metres, -1e9, 1e9)),
+    yaw: checkedNumber("the camera's yaw", yaw, -1e9, 1e9),
+    pitch: checkedNumber("the camera's pitch", pitch, -1e9, 1e9),
+    distance: checkedNumber("the camera's distance", distance, 1e-3, 1e9),
+    fov: checkedNumber("the camera's field of view", fov, 1e-3, 3.1),
+  };
+}
+
+/** Target and distance from which all of a box is visible, from every side. */
+export function framing([min, max], fov, aspect) {
+  const half = max.map((high, axis) => (high - min[axis]) / 2);
+  const radius = Math.hypot(half[0], half[2]);
+  const slope = Math.tan(fov / 2);
+  const distance = 1.05 * Math.max(half[1] / slope, radius / (slope * aspect)) + radius;
+  return { target: min.map((low, axis) => low + half[axis]), distance };
+}
+
+/**
+ * Gives a canvas as many pixels as it covers on the screen: at most `maxRatio` for one of the
+ * page's, and at most `maxSide` a side.
+ */
+export function fitCanvas(canvas, maxRatio, maxSide) {
+  const longSide = Math.max(canvas.clientWidth, canvas.clientHeight, 1);
+  const ratio = Math.min(window.devicePixelRatio || 1, maxRatio, maxSide / longSide);
+  const width = Math.max(1, Math.round(canvas.clientWidth * ratio));
+  const height = Math.max(1, Math.round(canvas.clientHeight * ratio));
+  // Assigning a size clears the canvas, even if it is the same.
+  if (canvas.width !== width) canvas.width = width;
+  if (canvas.height !== height) canvas.height = height;
+}

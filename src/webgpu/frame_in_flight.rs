@@ -1,0 +1,248 @@
+//! Two frames under way: what each is timed and counted with, read back once the device is done
+//! with it and nobody waits for it.
+
+use super::{
+    buffer::empty,
+    device::Gpu,
+    error::Result,
+    owned::{Buffer, Owned, QuerySet},
+    project::{Project, REASONS},
+};
+use effigy_core::{
+    frame::{Counters, CullReasons, FrameReport, Stage, report::STAGES},
+    layout::Control,
+};
+use std::sync::{
+    Arc,
+    atomic::{AtomicU8, Ordering},
+};
+use wgpu::{BufferUsages, MapMode};
+
+/// Frames that may be under way at once.
+pub const FRAMES_IN_FLIGHT: usize = 2;
+/// Bytes of the counts, before the timestamps.
+const COUNTS: u64 = size_of::<Control>() as u64 + REASONS;
+const QUERIES: u32 = 2 * STAGES.len() as u32;
+/// Bytes of all that is read back.
+const SIZE: u64 = COUNTS + 8 * QUERIES as u64;
+
+const FREE: u8 = 0;
+const PENDING: u8 = 1;
+const MAPPED: u8 = 2;
+const FAILED: u8 = 3;
+
+/// A pair of timestamps: at the beginning and the end of a pass; either may be another pass's.
+pub type Writes = [Option<u32>; 2];
+
+/// One of the frames under way.
+pub struct FrameInFlight {
+    queries: Option<(QuerySet, Buffer)>,
+    period: f64,
+    staging: Buffer,
+    state: Arc<AtomicU8>,
+    submission: Option<wgpu::SubmissionIndex>,
+    known: Counters,
+    counted: bool,
+    marked: Vec<&'static str>,
+    skipped: Vec<&'static str>,
+}
+
+impl FrameInFlight {
+    pub fn new(gpu: &Gpu) -> Result<Self> {
+        let queries = || -> Result<_> {
+            let set = gpu.device.create_query_set(&wgpu::QuerySetDescriptor {
+                label: Some("stages"),
+                ty: wgpu::QueryType::Timestamp,
+                count: QUERIES,
+            });
+            let usage = BufferUsages::QUERY_RESOLVE | BufferUsages::COPY_SRC;
+            Ok((
+                Owned(set),
+                empty(gpu, "timestamps", 8 * u64::from(QUERIES), usage)?,
+            ))
+        };
+        Ok(Self {
+            queries: gpu.timestamps.then(queries).transpose()?,
+            period: f64::from(gpu.queue.get_timestamp_period()) * 1e-6,
+            staging: empty(
+                gpu,
+                "frame counts",
+                SIZE,
+                BufferUsages::MAP_READ | BufferUsages::COPY_DST,
+            )?,
+            state: Arc::new(AtomicU8::new(FREE)),
+            submission: None,
+            known: Counters::default(),
+            counted: false,
+            marked: Vec::with_capacity(STAGES.len()),
+            skipped: Vec::with_capacity(STAGES.len()),
+        })
+    }
+
+    /// Whether its frame is under way: submitted, and not yet reported done.
+    pub fn is_pending(&self) -> bool {
+        self.state.load(Ordering::Acquire) == PENDING
+    }
+
+    /// What to wait for, where a frame is under way.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub fn submission(&self) -> Option<wgpu::SubmissionIndex> {
+        self.submission.clone().filter(|_| self.is_pending())
+    }
+
+    /// What its frame was, once.
+    pub fn finish(&mut self) -> Option<FrameReport> {
+        match self.state.load(Ordering::Acquire) {
+            MAPPED => {}
+            FAILED => {
+                self.state.store(FREE, Ordering::Release);
+                return None;
+            }
+            _ => return None,
+        }
+        let report = self
+            .staging
+            .get_mapped_range(..)
+            .ok()
+            .map(|bytes| self.report(&bytes));
+        self.staging.unmap();
+        self.state.store(FREE, Ordering::Release);
+        report
+    }
+
+    fn report(&self, bytes: &[u8]) -> FrameReport {
+        let (counts, ticks) = bytes.split_at(COUNTS as usize);
+        let (control, reasons) = counts.split_at(size_of::<Control>());
+        let control: Control = bytemuck::pod_read_unaligned(control);
+        let [outside, hidden, faint, degenerate] =
+            bytemuck::pod_read_unaligned::<[u32; 4]>(reasons).map(u64::from);
+        let drawn = u64::from(control.visible_count);
+        let counters = Counters {
+            culled: self.known.gaussians.saturating_sub(drawn),
+            drawn,
+            reasons: self.counted.then_some(CullReasons {
+                outside,
+                hidden,
+                faint,
+                degenerate,
+            }),
+            fragments: (self.counted && control.fragments > 0).then_some(control.fragments.into()),
+            ..self.known
+        };
+        let ticks: Vec<u64> = bytemuck::pod_collect_to_vec(ticks);
+        let ms = |pair: &[u64]| pair[1].saturating_sub(pair[0]) as f64 * self.period;
+        let timed = if self.queries.is_some() {
+            self.marked.len()
+        } else {
+            0
+        };
+        let stages = self
+            .marked
+            .iter()
+            .copied()
+            .zip(ticks.chunks_exact(2).map(ms))
+            .take(timed)
+            .collect();
+        FrameReport {
+            stages,
+            counters,
+            skipped: self.skipped.clone(),
+            ..FrameReport::default()
+        }
+    }
+
+    /// Starts a frame. [`Self::is_pending`] must be false. `counted`: whether its kernels count
+    /// reasons and fragments, which costs time.
+    pub fn begin(&mut self, known: Counters, counted: bool) {
+        self.known = known;
+        self.counted = counted;
+        self.marked.clear();
+        self.skipped.clear();
+    }
+
+    /// Notes a stage that this frame does not need.
+    pub fn skip(&mut self, stage: Stage) {
+        self.skipped.push(stage.name());
+    }
+
+    /// The timestamps of a stage of one pass.
+    pub fn stage(&mut self, stage: Stage) -> Writes {
+        let [begin, _] = self.split(stage)[0];
+        [begin, begin.map(|begin| begin + 1)]
+    }
+
+    /// The timestamps of a stage of two passes.
+    pub fn split(&mut self, stage: Stage) -> [Writes; 2] {
+        let first = 2 * self.marked.len() as u32;
+        self.marked.push(stage.name());
+        [[Some(first), None], [None, Some(first + 1)]]
+    }
+
+    /// Begins a compute pass that writes these timestamps, where the device has them.
+    pub fn pass<'a>(
+        &self,
+        encoder: &'a mut wgpu::CommandEncoder,
+        stage: Stage,
+        writes: Writes,
+    ) -> wgpu::ComputePass<'a> {
+        let [beginning_of_pass_write_index, end_of_pass_write_index] = writes;
+        let timestamp_writes =
+            self.queries
+                .as_ref()
+                .map(|(query_set, _)| wgpu::ComputePassTimestampWrites {
+                    query_set,
+                    beginning_of_pass_write_index,
+                    end_of_pass_write_index,
+                });
+        encoder.begin_compute_pass(&wgpu::ComputePassDescriptor {
+            label: Some(stage.name()),
+            timestamp_writes,
+        })
+    }
+
+    /// The timestamps of a render pass; None where the device has none.
+    pub fn draw_writes(&self, writes: Writes) -> Option<wgpu::RenderPassTimestampWrites<'_>> {
+        let [beginning_of_pass_write_index, end_of_pass_write_index] = writes;
+        self.queries
+            .as_ref()
+            .map(|(query_set, _)| wgpu::RenderPassTimestampWrites {
+                query_set,
+                beginning_of_pass_write_index,
+                end_of_pass_write_index,
+            })
+    }
+
+    /// Copies the frame's counts, submits it, and has them mapped when it is done.
+    pub fn submit(
+        &mut self,
+        gpu: &Gpu,
+        mut encoder: wgpu::CommandEncoder,
+        control: &wgpu::Buffer,
+        splats: &Project,
+    ) {
+        let size = size_of::<Control>() as u64;
+        encoder.copy_buffer_to_buffer(control, 0, &self.staging, 0, size);
+        let reasons = splats.reasons();
+        encoder.copy_buffer_to_buffer(reasons.buffer, reasons.offset, &self.staging, size, REASONS);
+        if let Some((set, resolved)) = self.queries.as_ref().filter(|_| !self.marked.is_empty()) {
+            let queries = 2 * self.marked.len() as u32;
+            encoder.resolve_query_set(set, 0..queries, resolved, 0);
+            encoder.copy_buffer_to_buffer(
+                resolved,
+                0,
+                &self.staging,
+                COUNTS,
+                8 * u64::from(queries),
+            );
+        }
+        self.submission = Some(gpu.queue.submit([encoder.finish()]));
+        self.state.store(PENDING, Ordering::Release);
+        let state = self.state.clone();
+        self.staging.map_async(MapMode::Read, .., move |result| {
+            state.store(
+                if result.is_ok() { MAPPED } else { FAILED },
+                Ordering::Release,
+            );
+        });
+    }
+}

@@ -1,0 +1,269 @@
+//! Bindings and compute pipelines.
+
+use super::{buffer::Slice, device::Gpu, owned::Buffer};
+use crate::wgsl::{IMAGE_FORMAT, Module};
+use effigy_core::layout::{FrameBlock, SettingsBlock};
+use std::sync::OnceLock;
+use wgpu::{
+    BindGroupEntry, BindGroupLayoutEntry, BindingResource, BindingType, BufferBinding,
+    BufferBindingType, ShaderStages, StorageTextureAccess, TextureFormat, TextureSampleType,
+    TextureViewDimension,
+};
+
+/// Bytes from one avatar's uniform block to the next.
+pub const FRAME_STRIDE: u64 = (size_of::<FrameBlock>() as u64).next_multiple_of(256);
+/// Binding of the settings: `shaders/common/settings.glsl`.
+const SETTINGS: u32 = 7;
+
+/// A resource that a shader sees at a binding.
+#[derive(Clone, Copy)]
+pub enum Bound<'a> {
+    /// The blocks of all avatars, of which a dispatch names one by its offset.
+    Frame(&'a wgpu::Buffer),
+    Uniform(&'a wgpu::Buffer),
+    Read(Slice<'a>),
+    Write(Slice<'a>),
+    Texture(&'a wgpu::TextureView),
+    /// An image that is written, and its format.
+    FrameImage(&'a wgpu::TextureView, TextureFormat),
+}
+
+impl<'a> Bound<'a> {
+    fn kind(self) -> BindingType {
+        let buffer = |ty, dynamic| BindingType::Buffer {
+            ty,
+            has_dynamic_offset: dynamic,
+            min_binding_size: None,
+        };
+        match self {
+            Self::Frame(_) => buffer(BufferBindingType::Uniform, true),
+            Self::Uniform(_) => buffer(BufferBindingType::Uniform, false),
+            Self::Read(_) => buffer(BufferBindingType::Storage { read_only: true }, false),
+            Self::Write(_) => buffer(BufferBindingType::Storage { read_only: false }, false),
+            Self::Texture(_) => BindingType::Texture {
+                sample_type: TextureSampleType::Float { filterable: false },
+                view_dimension: TextureViewDimension::D2,
+                multisampled: false,
+            },
+            Self::FrameImage(_, format) => BindingType::StorageTexture {
+                access: StorageTextureAccess::WriteOnly,
+                format,
+                view_dimension: TextureViewDimension::D2,
+            },
+        }
+    }
+
+    fn resource(self) -> BindingResource<'a> {
+        let range = |buffer, offset, size| {
+            BindingResource::Buffer(BufferBinding {
+                buffer,
+                offset,
+                size: std::num::NonZero::new(size),
+            })
+        };
+        match self {
+            Self::Frame(buffer) => range(buffer, 0, size_of::<FrameBlock>() as u64),
+            Self::Uniform(buffer) => buffer.as_entire_binding(),
+            Self::Read(slice) | Self::Write(slice) => {
+                range(slice.buffer, slice.offset, slice.size.next_multiple_of(4))
+            }
+            Self::Texture(view) | Self::FrameImage(view, _) => BindingResource::TextureView(view),
+        }
+    }
+}
+
+/// The uniform buffers that the stages share.
+pub struct Blocks {
+    /// One [`FrameBlock`] an avatar, [`FRAME_STRIDE`] apart.
+    pub frames: Buffer,
+    /// One [`SettingsBlock`].
+    pub settings: Buffer,
+}
+
+impl Blocks {
+    /// For as many avatars.
+    pub fn new(gpu: &Gpu, instances: usize) -> super::error::Result<Self> {
+        let uniform = wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST;
+        Ok(Self {
+            frames: super::buffer::empty(gpu, "frames", instances as u64 * FRAME_STRIDE, uniform)?,
+            settings: super::buffer::empty(
+                gpu,
+                "settings",
+                size_of::<SettingsBlock>() as u64,
+                uniform,
+            )?,
+        })
+    }
+
+    /// Binding 0: the ring of frame blocks.
+    pub fn frame(&self) -> (u32, Bound<'_>) {
+        (0, Bound::Frame(&self.frames))
+    }
+
+    /// The binding of the settings block.
+    pub fn settings(&self) -> (u32, Bound<'_>) {
+        (SETTINGS, Bound::Uniform(&self.settings))
+    }
+}
+
+/// The bind group of a shader.
+pub struct Bindings {
+    pub layout: wgpu::BindGroupLayout,
+    group: wgpu::BindGroup,
+    /// Whether a dispatch names a frame's block.
+    framed: bool,
+}
+
+impl Bindings {
+    pub fn new(gpu: &Gpu, stages: ShaderStages, bound: &[(u32, Bound)]) -> Self {
+        let entry = |&(binding, bound): &(u32, Bound)| BindGroupLayoutEntry {
+            binding,
+            visibility: stages,
+            ty: bound.kind(),
+            count: None,
+        };
+        let entries: Vec<_> = bound.iter().map(entry).collect();
+        let layout = gpu
+            .device
+            .create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+                label: None,
+                entries: &entries,
+            });
+        let group = group(gpu, &layout, bound);
+        Self {
+            layout,
+            group,
+            framed: bound
+                .iter()
+                .any(|(_, bound)| matches!(bound, Bound::Frame(_))),
+        }
+    }
+
+    /// Binds other resources of these kinds.
+    pub fn set(&mut self, gpu: &Gpu, bound: &[(u32, Bound)]) {
+        self.group = group(gpu, &self.layout, bound);
+    }
+
+    pub fn pipeline_layout(&self, gpu: &Gpu) -> wgpu::PipelineLayout {
+        let layouts = [Some(&self.layout)];
+        gpu.device
+            .create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+                label: None,
+                bind_group_layouts: &layouts,
+                immediate_size: 0,
+            })
+    }
+
+    pub fn bind_compute(&self, pass: &mut wgpu::ComputePass, frame: u32) {
+        pass.set_bind_group(0, &self.group, &[frame][..usize::from(self.framed)]);
+    }
+
+    pub fn bind_draw(&self, pass: &mut wgpu::RenderPass, frame: u32) {
+        pass.set_bind_group(0, &self.group, &[frame][..usize::from(self.framed)]);
+    }
+}
+
+fn group(gpu: &Gpu, layout: &wgpu::BindGroupLayout, bound: &[(u32, Bound)]) -> wgpu::BindGroup {
+    let entries: Vec<_> = bound
+        .iter()
+        .map(|&(binding, bound)| BindGroupEntry {
+            binding,
+            resource: bound.resource(),
+        })
+        .collect();
+    gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
+        label: None,
+        layout,
+        entries: &entries,
+    })
+}
+
+/// The source of a module, for what it is bound to.
+fn source(module: &Module, bound: &[(u32, Bound)]) -> String {
+    let buffers = bound.iter().filter_map(|&(binding, bound)| match bound {
+        Bound::Read(slice) | Bound::Write(slice) => Some((binding, slice.size.next_multiple_of(4))),
+        _ => None,
+    });
+    let mut source = module.lengths(buffers) + module.wgsl;
+    for (_, bound) in bound {
+        if let Bound::FrameImage(_, TextureFormat::Rgba16Float) = bound {
+            source = source.replace(IMAGE_FORMAT, "rgba16float");
+        }
+    }
+    source
+}
+
+fn made(device: &wgpu::Device, name: &str, source: &str) -> wgpu::ShaderModule {
+    let descriptor = wgpu::ShaderModuleDescriptor {
+        label: Some(name),
+        source: wgpu::ShaderSource::Wgsl(source.into()),
+    };
+    // SAFETY: these are the shaders that the Vulkan backend runs without such checks, within the
+    // bounds that `Model` and `refuse` see to; browsers check on their own.
+    unsafe {
+        device.create_shader_module_trusted(descriptor, wgpu::ShaderRuntimeChecks::unchecked())
+    }
+}
+
+/// A module on a device, for what it is bound to.
+pub fn module(gpu: &Gpu, module: &Module, bound: &[(u32, Bound)]) -> wgpu::ShaderModule {
+    made(&gpu.device, module.name, &source(module, bound))
+}
+
+/// A compute pipeline and what it is bound to.
+pub struct Kernel {
+    pipeline: OnceLock<wgpu::ComputePipeline>,
+    pub bindings: Bindings,
+    device: wgpu::Device,
+    layout: wgpu::PipelineLayout,
+    name: &'static str,
+    source: String,
+}
+
+impl Kernel {
+    pub fn new(gpu: &Gpu, shader: &Module, bound: &[(u32, Bound)]) -> Self {
+        let new = Self::when_needed(gpu, shader, bound);
+        new.pipeline();
+        new
+    }
+
+    /// Compiled by the first dispatch: for what the first frame does without.
+    pub fn when_needed(gpu: &Gpu, shader: &Module, bound: &[(u32, Bound)]) -> Self {
+        let bindings = Bindings::new(gpu, ShaderStages::COMPUTE, bound);
+        Self {
+            pipeline: OnceLock::new(),
+            layout: bindings.pipeline_layout(gpu),
+            bindings,
+            device: gpu.device.clone(),
+            name: shader.name,
+            source: source(shader, bound),
+        }
+    }
+
+    fn pipeline(&self) -> &wgpu::ComputePipeline {
+        self.pipeline.get_or_init(|| {
+            self.device
+                .create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+                    label: Some(self.name),
+                    layout: Some(&self.layout),
+                    module: &made(&self.device, self.name, &self.source),
+                    entry_point: None,
+                    compilation_options: wgpu::PipelineCompilationOptions {
+                        zero_initialize_workgroup_memory: false,
+                        ..Default::default()
+                    },
+                    cache: None,
+                })
+        })
+    }
+
+    /// `frame`: where in the frames' buffer the block is, bytes.
+    pub fn dispatch(&self, pass: &mut wgpu::ComputePass, frame: u32, [x, y]: [u32; 2]) {
+        if x == 0 || y == 0 {
+            return;
+        }
+        pass.set_pipeline(self.pipeline());
+        self.bindings.bind_compute(pass, frame);
+        pass.dispatch_workgroups(x, y, 1);
+    }
+}

@@ -1,0 +1,74 @@
+//! Resolves a renderer's options for this backend and a device.
+
+use super::{
+    device::Gpu,
+    error::{Error, Result},
+    sort,
+};
+use crate::quirks::draws_triangles;
+use effigy_core::{
+    avatar::Avatar,
+    frame::{KeyBits, RasterMethod, RendererOptions, Skip, SortVariant, state},
+};
+
+/// Options with every open choice made for a device, and without skips that this backend or the
+/// device can't do.
+pub fn resolved(gpu: &Gpu, options: RendererOptions) -> RendererOptions {
+    let method = options.method.unwrap_or_else(|| {
+        crate::quirks::recommended_method(gpu.is_cpu(), gpu.name(), &gpu.driver())
+    });
+    // WebGPU tests no fragments against the occluder, and its render passes draw the whole image.
+    let whole = if method == RasterMethod::Quads {
+        Skip::AREA
+    } else {
+        Skip::empty()
+    };
+    let hidden = if draws_triangles(gpu.name()) {
+        Skip::empty()
+    } else {
+        Skip::HIDDEN
+    };
+    let skip = options.skip - Skip::DEPTH - whole - hidden;
+    let sort = options.sort.unwrap_or(if gpu.is_cpu() {
+        SortVariant::PerThread
+    } else {
+        SortVariant::ReduceThenScan
+    });
+    RendererOptions {
+        method: Some(method),
+        color: Some(options.color.unwrap_or(method.color())),
+        sort: Some(sort),
+        skip,
+        ..options
+    }
+}
+
+/// Resolved options for an avatar.
+///
+/// # Errors
+/// When this backend can't draw with them.
+pub fn accepted(gpu: &Gpu, avatar: &Avatar, options: RendererOptions) -> Result<RendererOptions> {
+    options.check()?;
+    if options.key_bits != KeyBits::Sixteen {
+        return Err(Error::KeyBits(8 * options.key_bits.passes()));
+    }
+    if options.sort == Some(SortVariant::OneSweep) {
+        return Err(Error::Sort);
+    }
+    let keys =
+        options.instances as u64 * u64::from(state::padded_count(avatar.gaussians.len() as u32));
+    if keys > u64::from(sort::MOST) {
+        return Err(Error::TooLarge {
+            what: "sort keys",
+            found: 4 * keys,
+            limit: 4 * u64::from(sort::MOST),
+            device: gpu.name().into(),
+        });
+    }
+    let mut options = resolved(gpu, options);
+    // Where colours change with the view, poses are not cached.
+    if avatar.sh.is_some() {
+        options.skip -= Skip::SKINNING;
+    }
+    Ok(options)
+}

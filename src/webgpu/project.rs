@@ -1,0 +1,186 @@
+//! The `project` stage: from a Gaussian of the model to a splat on the screen and its depth key
+//! (model.md, steps 2 and 4 to 8).
+
+use super::{
+    buffer::{STORAGE, Slice, empty},
+    device::Gpu,
+    error::Result,
+    kernel::{Blocks, Bound, Kernel},
+    model::Model,
+    owned::Buffer,
+    sort,
+};
+use crate::wgsl;
+use effigy_core::{
+    frame::{KeyBits, RendererOptions, Skinning, Skip, state::padded_count},
+    layout::{FrameBlock, POSE_CACHE_WORDS, PROJECT_WORKGROUP},
+};
+
+/// Bytes of the counts of culled Gaussians, one a reason, before the sort's counts.
+pub const REASONS: u64 = 16;
+/// Where in the counts those of the sort start, bytes.
+const COUNTS_AT: u64 = 256;
+
+/// The kernels of frames in which only the camera moves.
+struct Caching {
+    /// Computes posed Gaussians and stores them.
+    store: Kernel,
+    /// Projects the stored Gaussians.
+    cached: Kernel,
+}
+
+/// The `project` stage's kernels and buffers.
+pub struct Project {
+    compute: Kernel,
+    /// None where poses are not cached.
+    caching: Option<Caching>,
+    /// The capacity, Gaussians: those of all avatars.
+    capacity: u32,
+    cache_start: u32,
+    /// Splats, keys, and the pose cache.
+    buffer: Buffer,
+    /// Reasons, then the sort's counts: all that atomics add to.
+    counts: Buffer,
+}
+
+impl Project {
+    pub fn new(
+        gpu: &Gpu,
+        model: &Model,
+        blocks: &Blocks,
+        pose: &wgpu::Buffer,
+        options: &RendererOptions,
+    ) -> Result<Self> {
+        let count = model.constants.gaussians;
+        let capacity = options.instances as u32 * padded_count(count);
+        // Whether frames in which only the camera moves use the pose cache.
+        let caches = options.skip.contains(Skip::SKINNING);
+        let keys = KeyBits::Sixteen.bytes(u64::from(capacity));
+        let posed = (key_offset(capacity) + keys).next_multiple_of(256);
+        let size = posed
+            + if caches {
+                4 * u64::from(POSE_CACHE_WORDS) * u64::from(capacity)
+            } else {
+                0
+            };
+        let buffer = empty(gpu, "splats", size, STORAGE)?;
+        let counts = empty(
+            gpu,
+            "counts",
+            COUNTS_AT + sort::counts_size(capacity, sort::variant(options)),
+            STORAGE,
+        )?;
+        let after = [
+            (4, Bound::Write((&buffer).into())),
+            (6, Bound::Write((&counts).into())),
+            blocks.frame(),
+            blocks.settings(),
+        ];
+        let model_and_pose = [
+            (1, Bound::Read((&model.gaussians).into())),
+            (2, Bound::Read((&model.rows).into())),
+            (3, Bound::Read(pose.into())),
+        ];
+        let all = [&model_and_pose[..], &after].concat();
+        let cached = [
+            (1, Bound::Read(pose.into())),
+            (2, Bound::Write((&buffer).into())),
+            (6, Bound::Write((&counts).into())),
+            blocks.frame(),
+            blocks.settings(),
+        ];
+        let caching = || Caching {
+            store: Kernel::when_needed(gpu, &wgsl::PROJECT_STORE, &all),
+            cached: Kernel::when_needed(gpu, &wgsl::PROJECT_CACHED, &cached),
+        };
+        Ok(Self {
+            compute: Kernel::new(gpu, &wgsl::PROJECT, &all),
+            caching: caches.then(caching),
+            capacity,
+            cache_start: (posed / 4) as u32,
+            buffer,
+            counts,
+        })
+    }
+
+    /// The most Gaussians of all avatars together.
+    pub fn capacity(&self) -> u32 {
+        self.capacity
+    }
+
+    /// Writes to a frame's block where the avatar's pose cache starts. `number`: its place in the
+    /// renderer.
+    pub fn fill_instance(&self, block: &mut FrameBlock, number: u32) {
+        block.cache_start = self.cache_start + number * POSE_CACHE_WORDS * block.gaussians;
+    }
+
+    /// Writes to a frame's block where the buffers of all avatars start.
+    pub fn fill(&self, block: &mut FrameBlock) {
+        block.key_start = (key_offset(self.capacity) / 4) as u32;
+        block.half_keys = 1;
+        block.count_start = (COUNTS_AT / 4) as u32;
+    }
+
+    /// Splats, then the keys, then more.
+    pub fn all(&self) -> Slice<'_> {
+        (&self.buffer).into()
+    }
+
+    /// A key a Gaussian, larger is nearer.
+    pub fn keys(&self) -> Slice<'_> {
+        Slice {
+            buffer: &self.buffer,
+            offset: key_offset(self.capacity),
+            size: KeyBits::Sixteen.bytes(u64::from(self.capacity)).max(4),
+        }
+    }
+
+    /// Where this stage counts the keys' lowest digits for the sort.
+    pub fn counts(&self) -> Slice<'_> {
+        Slice {
+            buffer: &self.counts,
+            offset: COUNTS_AT,
+            size: self.counts.size() - COUNTS_AT,
+        }
+    }
+
+    /// How many Gaussians were culled for each reason: [`REASONS`] bytes.
+    pub fn reasons(&self) -> Slice<'_> {
+        Slice {
+            buffer: &self.counts,
+            offset: 0,
+            size: REASONS,
+        }
+    }
+
+    /// Zeroes what this stage adds to.
+    pub fn clear(&self, encoder: &mut wgpu::CommandEncoder) {
+        encoder.clear_buffer(
+            &self.counts,
+            0,
+            Some(COUNTS_AT + sort::first_counts_size(self.capacity)),
+        );
+    }
+
+    /// Projects one avatar, of which the first `gaussians` are drawn. `block`: offset of its
+    /// uniform block, bytes.
+    pub fn record(
+        &self,
+        pass: &mut wgpu::ComputePass,
+        block: u32,
+        gaussians: u32,
+        skinning: Skinning,
+    ) {
+        let kernel = match (skinning, &self.caching) {
+            (Skinning::ComputeAndStore, Some(caching)) => &caching.store,
+            (Skinning::Cached, Some(caching)) => &caching.cached,
+            _ => &self.compute,
+        };
+        kernel.dispatch(pass, block, [gaussians.div_ceil(PROJECT_WORKGROUP), 1]);
+    }
+}
+
+/// Where the keys of `count` Gaussians start, in bytes.
+fn key_offset(count: u32) -> u64 {
+    (16 * u64::from(count)).next_multiple_of(256)
+}

@@ -1,0 +1,124 @@
+//! The shaders in WGSL, stored in `shaders/wgsl`: GLSL compiled to SPIR-V with [`Module::macros`]
+//! and translated by naga.
+//!
+//! `cargo run --release -p effigy-shaders --features compile --bin compile-shaders` writes them. A
+//! test compares [`Module::fingerprint`]s and fails if a module is older than its source.
+
+use crate::hash;
+
+/// A shader for WebGPU.
+pub struct Module {
+    /// Path of the file below `shaders/wgsl`, without its extension.
+    pub name: &'static str,
+    /// Path of its source below `shaders`.
+    pub file: &'static str,
+    /// Names and values that stand for Vulkan's specialization constants.
+    pub macros: Macros,
+    /// The text; a caller must put the constants of [`Self::lengths`] in front of it.
+    pub wgsl: &'static str,
+}
+
+/// Makes a static of each row (its name, its source and its macros) and [`MODULES`] of all.
+macro_rules! modules {
+    ($($constant:ident = $name:literal, $file:literal, $macros:expr;)*) => {
+        $(
+            #[doc = concat!("`shaders/", $file, "` in WGSL.")]
+            pub static $constant: Module = Module {
+                name: $name,
+                file: $file,
+                macros: $macros,
+                wgsl: include_str!(concat!("../shaders/wgsl/", $name, ".wgsl")),
+            };
+        )*
+        /// Every module.
+        pub static MODULES: &[&Module] = &[$(&$constant),*];
+    };
+}
+
+/// Macros of a module: names and values.
+type Macros = &'static [(&'static str, &'static str)];
+
+/// The sort's first pass, from 16-bit keys to 8 bits of a key and an index in a word.
+const FIRST_PASS: Macros = &[
+    ("PASS", "0u"),
+    ("READS", "HALVES"),
+    ("WRITES", "PACKED"),
+    ("TILE", "SORT_TILE"),
+];
+/// The sort's second and last pass.
+const LAST_PASS: Macros = &[
+    ("PASS", "1u"),
+    ("READS", "PACKED"),
+    ("WRITES", "VALUES"),
+    ("TILE", "SORT_TILE"),
+];
+
+modules! {
+    MLP = "mlp/mlp", "mlp/mlp.comp", &[];
+    MLP_BYTES = "mlp/mlp_bytes", "mlp/mlp_bytes.comp", &[];
+    SH_1 = "sh/sh_1", "sh/sh.comp", &[("DEGREE", "1u")];
+    SH_2 = "sh/sh_2", "sh/sh.comp", &[("DEGREE", "2u")];
+    SH_3 = "sh/sh_3", "sh/sh.comp", &[("DEGREE", "3u")];
+    OCCLUDER_DEPTH = "occluder/depth", "occluder/depth.vert", &[];
+    OCCLUDER_PYRAMID = "occluder/pyramid", "occluder/pyramid.comp", &[];
+    PROJECT = "project/project", "project/project.comp", &[("STORE", "false")];
+    PROJECT_STORE = "project/project_store", "project/project.comp", &[("STORE", "true")];
+    PROJECT_CACHED = "project/project_cached", "project/project_cached.comp", &[];
+    SORT_SCATTER_FIRST = "sort/scatter_first", "sort/scatter.comp", FIRST_PASS;
+    SORT_REDUCE_FIRST = "sort/reduce_first", "sort/reduce.comp", FIRST_PASS;
+    SORT_SCAN_FIRST = "sort/scan_first", "sort/scan.comp", FIRST_PASS;
+    SORT_COUNT_LAST = "sort/count_last", "sort/count.comp", LAST_PASS;
+    SORT_REDUCE_LAST = "sort/reduce_last", "sort/reduce.comp", LAST_PASS;
+    SORT_SCAN_LAST = "sort/scan_last", "sort/scan.comp", LAST_PASS;
+    SORT_SCATTER_LAST = "sort/scatter_last", "sort/scatter.comp", LAST_PASS;
+    SORT_PER_THREAD_SCATTER_FIRST =
+        "sort/per_thread_scatter_first", "sort/per_thread_scatter.comp", FIRST_PASS;
+    SORT_PER_THREAD_COUNT_LAST =
+        "sort/per_thread_count_last", "sort/per_thread_count.comp", LAST_PASS;
+    SORT_PER_THREAD_SCATTER_LAST =
+        "sort/per_thread_scatter_last", "sort/per_thread_scatter.comp", LAST_PASS;
+    BINNING = "binning/binning", "binning/binning.comp", &[];
+    QUADS_VERTEX = "raster/quads_vertex", "raster/quads.vert", &[("DEPTH", "false")];
+    QUADS_FRAGMENT = "raster/quads_fragment", "raster/quads.frag", &[];
+    RASTER = "raster/per_thread", "raster/per_thread_rgba8.comp", &[];
+    PRESENT_VERTEX = "present/present_vertex", "present/present.vert", &[];
+    PRESENT_FRAGMENT = "present/present_fragment", "present/present.frag", &[];
+}
+
+/// The format of storage images in the modules' text. For an image of another format, replace it by
+/// that format's name.
+pub const IMAGE_FORMAT: &str = "rgba8unorm";
+
+/// File in `shaders/wgsl` with a line `name fingerprint` for each module.
+pub const FINGERPRINTS: &str = "fingerprints.txt";
+
+impl Module {
+    /// WGSL constants with the lengths of the storage buffers' arrays, from the buffers' bindings
+    /// and bytes.
+    pub fn lengths(&self, buffers: impl Iterator<Item = (u32, u64)>) -> String {
+        let constant = |(binding, bytes): (u32, u64)| {
+            [4, 8, 16].into_iter().find_map(|stride| {
+                let name = format!("LENGTH_{binding}_{stride}");
+                self.wgsl
+                    .contains(&name)
+                    .then(|| format!("const {name}: u32 = {}u;\n", bytes / stride))
+            })
+        };
+        buffers.filter_map(constant).collect()
+    }
+
+    /// A hash of the source's fingerprint, the macros and the text compiled from them.
+    pub fn fingerprint(&self, source: u64, wgsl: &str) -> u64 {
+        let macros = self
+            .macros
+            .iter()
+            .map(|(name, value)| format!("{name}={value};"))
+            .collect::<String>();
+        let bytes = source
+            .to_le_bytes()
+            .into_iter()
+            .chain(macros.bytes())
+            .chain(wgsl.bytes());
+        hash::add(hash::EMPTY, bytes)
+    }
+}

@@ -1,0 +1,43 @@
+//! Tests of what runs on a Vulkan device: stages, frames, and the WebGPU backend outside of
+//! browsers.
+
+#[macro_use]
+#[path = "../common/mod.rs"]
+mod common;
+mod devices;
+mod memory;
+mod present;
+mod stages;
+#[cfg(feature = "webgpu")]
+mod webgpu;
+
+use crate::common::harness::{self, Group};
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    harness::main(
+        "gpu",
+        Group::Device,
+        modules![
+            stages::mlp,
+            stages::nodes,
+            stages::sh,
+            stages::project,
+            stages::sort::choice,
+            stages::sort::faults,
+            stages::sort::fused,
+            stages::sort::matrix,
+            stages::raster,
+            stages::frame,
+            stages::detail,
+            stages::skip,
+            stages::scene,
+            stages::stress,
+            devices,
+            memory,
+            present,
+            #[cfg(feature = "webgpu")]
+            webgpu,
+        ],
+    )
+}

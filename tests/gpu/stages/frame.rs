@@ -1,0 +1,90 @@
+//! Whole frames on the device against the reference, as pictures.
+
+use crate::common::{Sizes, gpu};
+use effigy::vulkan::{Gpu, GpuOptions, RendererOptions, raster::ColorFormat, sort::KeyBits};
+use effigy_measure::error;
+use std::sync::Arc;
+
+fn compare(color: ColorFormat, key_bits: KeyBits, psnr: f64, within: f64) {
+    let device = gpu::gpu();
+    compare_on(&device, (color, key_bits), psnr, within);
+}
+
+fn compare_on(
+    device: &Arc<Gpu>,
+    (color, key_bits): (ColorFormat, KeyBits),
+    psnr: f64,
+    within: f64,
+) {
+    for seed in 0..3 {
+        let options = RendererOptions {
+            color: Some(color),
+            key_bits,
+            ..gpu::options([320, 400])
+        };
+        let frame = gpu::frame(device, seed, Sizes::default(), options);
+        let error = error::between(&frame.picture, &frame.oracle.canvas.to_image());
+        println!(
+            "seed {seed}: {:?} drawn {}",
+            error.covered, frame.report.counters.drawn
+        );
+        assert!(
+            error.covered.pixels > 5000,
+            "the avatar is hardly in the picture"
+        );
+        assert!(
+            error.covered.psnr_db >= psnr,
+            "seed {seed}, {color:?}, {key_bits:?}: {:?}, at least {psnr} dB expected",
+            error.covered
+        );
+        assert!(
+            error.covered.within_tolerance >= within,
+            "seed {seed}, {color:?}, {key_bits:?}: {:?}",
+            error.covered
+        );
+    }
+}
+
+fn eight_bit_pictures_agree_with_the_reference() {
+    // A test body has far more faint layers than a baked one, and lavapipe rounds twice a layer:
+    // `docs/experiments/004`.
+    compare(ColorFormat::Rgba8, KeyBits::TwentyFour, 48.0, 0.995);
+}
+
+fn floating_point_pictures_agree_with_the_reference() {
+    compare(ColorFormat::Rgba16F, KeyBits::Sixteen, 54.0, 0.999);
+    compare(ColorFormat::Rgba16F, KeyBits::ThirtyTwo, 54.0, 0.999);
+}
+
+fn the_least_device_that_can_serve_draws_the_same_within_the_budget() {
+    let device = gpu::open(GpuOptions {
+        least: true,
+        ..GpuOptions::headless(None)
+    });
+    assert_eq!(
+        (
+            device.half_storage,
+            device.probe.timestamp_bits,
+            device.probe.subgroup_sizes
+        ),
+        (false, 0, None)
+    );
+    compare_on(
+        &device,
+        (ColorFormat::Rgba8, KeyBits::TwentyFour),
+        48.0,
+        0.995,
+    );
+    compare_on(
+        &device,
+        (ColorFormat::Rgba16F, KeyBits::Sixteen),
+        54.0,
+        0.999,
+    );
+}
+
+tests! {
+    eight_bit_pictures_agree_with_the_reference: smoke,
+    floating_point_pictures_agree_with_the_reference,
+    the_least_device_that_can_serve_draws_the_same_within_the_budget,
+}

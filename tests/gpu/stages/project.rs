@@ -1,0 +1,487 @@
+//! The `splats` stage against the reference, element by element: what is culled, and every number
+//! of what is not.
+
+use crate::common::{self, Sizes, gpu};
+use effigy::vulkan::{GpuOptions, RendererOptions};
+use effigy_core::{
+    avatar::Avatar,
+    frame::{CullReasons, Skip, fixed_scale},
+    io::pack::PackQuality,
+    layout::{POSITION_BITS, SORT_CULLED},
+    reference::{Culled, Gaussian, Splat},
+    scene::{Camera, Posed, detail},
+};
+use glam::{DAffine3, DQuat, DVec2, DVec3};
+use half::f16;
+
+/// A splat as its 16 bytes say it.
+struct Unpacked {
+    center: DVec2,
+    covariance: [f64; 3],
+    opacity: f64,
+    color: DVec3,
+}
+
+fn unpack(words: [u32; 4], camera: &Camera) -> Unpacked {
+    let mask = (1 << POSITION_BITS) - 1;
+    let center = DVec2::new(f64::from(words[0] & mask), f64::from(words[1] & mask))
+        / fixed_scale(camera.guard())
+        - camera.guard();
+    let half = |bits: u32| f16::from_bits(bits as u16).to_f64();
+    let (axis, shorter) = (
+        DVec2::new(half(words[2] & 0xffff), half(words[2] >> 16)),
+        half(words[3] & 0xffff),
+    );
+    let across = axis.normalize().perp() * shorter;
+    let blue = words[3] >> 24 << 2 | words[0] >> 30;
+    let color = [
+        words[0] >> POSITION_BITS & 1023,
+        words[1] >> POSITION_BITS & 1023,
+        blue,
+    ]
+    .map(|c| f64::from(c) / 1023.0);
+    Unpacked {
+        center,
+        covariance: [
+            axis.x * axis.x + across.x * across.x,
+            axis.x * axis.y + across.x * across.y,
+            axis.y * axis.y + across.y * across.y,
+        ],
+        opacity: f64::from(words[3] >> 16 & 0xff) / 255.0,
+        color: DVec3::from(color),
+    }
+}
+
+/// What a splat may be off by besides what its 16 bytes round, px.
+#[derive(Clone, Copy)]
+struct Room {
+    /// Its centre.
+    center: f64,
+    /// Its axes.
+    axes: f64,
+    /// Its colour, 0 to 1.
+    color: f64,
+}
+
+/// What the numbers round that a Gaussian's splat is made from and that the oracle does not know
+/// of: the nodes' weights and displacements, and where `kept` says so what is kept where only the
+/// camera moves.
+fn room(frame: &gpu::Frame, at: usize, expected: &Splat, kept: bool) -> Room {
+    let nodes = frame.avatar.gaussians.node[at << frame.level]
+        .map(|node| frame.oracle.nodes[usize::from(node)]);
+    let apart = nodes[0]
+        .distance(nodes[1])
+        .max(nodes[1].distance(nodes[2]))
+        .max(nodes[2].distance(nodes[0]));
+    let enlarged = effigy_core::scene::avatar_bounds::enlargement(&frame.posed.joints);
+    let longest = nodes
+        .iter()
+        .fold(0.0, |most: f64, node| most.max(node.length()));
+    // What a weight may be off by, and half a step of f16.
+    let mut offset = enlarged * (0.0165 * apart + longest / 2048.0);
+    // On the screen; nearer the border lengths seem longer.
+    let slope = (expected.center - frame.camera.center) / frame.camera.focal;
+    let pixels = frame.camera.focal.max_element() / expected.depth * (1.0 + slope.length());
+    let axis = |k: usize| frame.oracle.gaussians[at].axes.col(k).length();
+    let axis = axis(0).max(axis(1)).max(axis(2)) * pixels;
+    // The oracle's quaternion is f16: each component is off by half a step, which turns by twice as
+    // much.
+    let mut axes = 3.5e-4 * axis;
+    if kept {
+        let [min, max] =
+            effigy_core::scene::AvatarBounds::new(&frame.avatar).bounds(&frame.posed.joints);
+        // Half a step of the box: however the camera stands, no side of it is longer than the
+        // diagonal and its margins.
+        offset += 0.87 * ((max - min).length() + 0.2 * enlarged) / 63_000.0;
+        // Half of 1023 steps, each entry of the three by three; the longest axis is rounded up by a
+        // third at most.
+        axes += 1.4 * 0.5 / 1023.0 * 3.0 * axis;
+    }
+    // A little nearer is a little larger, and seen a little more from the side.
+    axes += (expected.covariance[0] + expected.covariance[2]).sqrt() * offset / expected.depth
+        * (1.0 + slope.length());
+    // Rounded to ten bits once more where it is kept; the oracle's are f16.
+    Room {
+        center: offset * pixels,
+        axes,
+        color: if kept { 0.5 / 1023.0 } else { 0.0 } + 2.6e-4,
+    }
+}
+
+/// How far a splat is from the reference's, each number as a share of what is allowed.
+fn error(got: &Unpacked, expected: &Splat, step: f64, room: Room) -> f64 {
+    let [a, b, c] = expected.covariance;
+    let size = a + c;
+    let difference: f64 = got
+        .covariance
+        .iter()
+        .zip([a, b, c])
+        .map(|(got, expected)| (got - expected).abs())
+        .fold(0.0, f64::max);
+    [
+        // Half a step of the fixed-point coordinate, and f32's arithmetic.
+        got.center.distance(expected.center) / (0.75 * step + 1e-3 + room.center),
+        // f16 axes: 2⁻¹¹ of each, doubled by squaring.
+        difference / (2e-3 * size + room.axes * (2.0 * size.sqrt() + room.axes)),
+        (got.opacity - expected.opacity).abs() / 1e-6,
+        // Half a step of ten bits.
+        (got.color - expected.color).abs().max_element() / (0.5 / 1023.0 + room.color),
+    ]
+    .into_iter()
+    .fold(
+        0.0,
+        |worst, error| if error <= worst { worst } else { error },
+    )
+}
+
+/// Whether the reference's verdict hangs on less than the device can tell.
+fn close_call(frame: &gpu::Frame, at: usize, kept: bool) -> bool {
+    let by = if kept { [2e-4, 1e-1] } else { [1e-5, 2e-2] };
+    let shifted = |sign: f64| {
+        let camera = Camera {
+            near: frame.camera.near + sign * by[0],
+            center: frame.camera.center + sign * by[1],
+            ..frame.camera
+        };
+        effigy_core::reference::project::project(&frame.oracle.gaussians[at], &camera, frame.level)
+            .is_ok()
+    };
+    shifted(1.0) != shifted(-1.0)
+}
+
+fn check(frame: &gpu::Frame) {
+    check_all(frame, false);
+}
+
+fn check_all(frame: &gpu::Frame, kept: bool) {
+    let step = 1.0 / fixed_scale(frame.camera.guard());
+    for (at, expected) in frame.oracle.splats.iter().enumerate() {
+        let drawn = frame.gpu.keys[at] != SORT_CULLED;
+        match expected {
+            _ if close_call(frame, at, kept) => {}
+            Ok(expected) => {
+                assert!(drawn, "Gaussian {at} was culled, expected {expected:?}");
+                let error = error(
+                    &unpack(frame.gpu.splats[at], &frame.camera),
+                    expected,
+                    step,
+                    room(frame, at, expected, kept),
+                );
+                assert!(
+                    error <= 1.0,
+                    "Gaussian {at} is {error} times as far off as allowed from {expected:?}"
+                );
+            }
+            Err(reason) => assert!(
+                !drawn,
+                "Gaussian {at} was drawn, expected it culled: {reason:?}"
+            ),
+        }
+    }
+    let survivors = frame.gpu.keys[..frame.oracle.splats.len()]
+        .iter()
+        .filter(|&&key| key != SORT_CULLED)
+        .count();
+    assert_eq!(
+        frame.gpu.control.visible_count as usize, survivors,
+        "survivors"
+    );
+    check_reasons(frame, kept);
+}
+
+/// Every Gaussian that is not drawn is counted once, for the reference's reason but for those that
+/// are too faint: whether their centres are anywhere near the picture is looked at before. What is
+/// kept no longer knows why something has no shape.
+fn check_reasons(frame: &gpu::Frame, kept: bool) {
+    let counters = &frame.report.counters;
+    let Some(got) = counters.reasons else { return };
+    assert_eq!(
+        got.outside + got.hidden + got.faint + got.degenerate + counters.skipped_by_detail,
+        counters.culled
+    );
+    assert_eq!(
+        (counters.gaussians - counters.skipped_by_detail) as usize,
+        frame.oracle.splats.len()
+    );
+    if kept {
+        return;
+    }
+    let culled = frame
+        .oracle
+        .splats
+        .iter()
+        .zip(&frame.oracle.gaussians)
+        .filter_map(|(splat, gaussian)| Some((splat.as_ref().err()?, gaussian)));
+    let mut expected = CullReasons::default();
+    for (reason, gaussian) in culled {
+        let count = match reason {
+            Culled::Faint if near_the_picture(gaussian, &frame.camera) => &mut expected.faint,
+            Culled::Behind | Culled::Guard | Culled::Outside | Culled::Faint => {
+                &mut expected.outside
+            }
+            Culled::Invalid => &mut expected.degenerate,
+        };
+        *count += 1;
+    }
+    let close = (0..frame.oracle.splats.len())
+        .filter(|&at| close_call(frame, at, false))
+        .count() as u64;
+    for (got, expected) in [
+        (got.outside, expected.outside),
+        (got.degenerate, expected.degenerate),
+        (got.faint, expected.faint),
+    ] {
+        assert!(
+            got.abs_diff(expected) <= close,
+            "{got} counted, {expected} expected, {close} hang on less than f32 can tell"
+        );
+    }
+    assert_eq!(got.hidden, 0);
+}
+
+fn near_the_picture(gaussian: &Gaussian, camera: &Camera) -> bool {
+    let at = camera.project(camera.view.transform_point3(gaussian.mean));
+    let size = DVec2::from(camera.size.map(f64::from));
+    (at + camera.guard()).min_element() >= 0.0 && (size + camera.guard() - at).min_element() >= 0.0
+}
+
+/// Avatars are drawn wherever they are. Of every other seed nothing is left out as a whole, and all
+/// that is left out is counted.
+fn options(seed: u64, size: [u32; 2]) -> RendererOptions {
+    let skip = Skip::all() - Skip::AVATARS - Skip::HIDDEN;
+    let count = seed.is_multiple_of(2);
+    RendererOptions {
+        count,
+        skip: if count { skip - Skip::PARTS } else { skip },
+        ..gpu::options(size)
+    }
+}
+
+fn compare(device: GpuOptions) {
+    let device = gpu::open(device);
+    let sizes = [
+        Sizes::default(),
+        Sizes {
+            split_features: true,
+            rows: 3000,
+            basis: 32,
+            ..Sizes::default()
+        },
+        Sizes {
+            gaussians: 65,
+            rows: 0,
+            nodes: 1,
+            parts: 1,
+            joints: 1,
+            ..Sizes::default()
+        },
+        Sizes {
+            gaussians: 1,
+            rows: 1,
+            nodes: 1,
+            parts: 1,
+            ..Sizes::default()
+        },
+    ];
+    for (seed, sizes) in (0..).zip(sizes) {
+        // Every Gaussian, and every second, fourth or eighth.
+        for level in [0, [1, 2, 3, 1][seed as usize]] {
+            check(&gpu::frame(
+                &device,
+                seed,
+                sizes,
+                gpu::at_level(options(seed, [500, 300]), level),
+            ));
+        }
+    }
+}
+
+/// What a packed file holds is drawn as it is: the oracle's numbers are those of the file.
+fn packed_avatars_land_where_the_reference_puts_them() {
+    let device = gpu::gpu();
+    let sizes = [
+        Sizes {
+            rows: 1500,
+            ..Sizes::default()
+        },
+        Sizes {
+            split_features: true,
+            rows: 3000,
+            basis: 8,
+            ..Sizes::default()
+        },
+    ];
+    for ((seed, sizes), quality) in (0..)
+        .zip(sizes)
+        .zip([PackQuality::High, PackQuality::Small])
+    {
+        let packed = common::avatar(seed, sizes).packed(quality);
+        let read = Avatar::from_bytes(&packed.to_packed_bytes().unwrap()).unwrap();
+        let held = read.compact();
+        assert!(
+            held.gaussians == read.gaussians,
+            "{quality:?}: the device rounds what the file has rounded"
+        );
+        assert!(
+            held.rotation_rows == read.rotation_rows && held.scale_rows == read.scale_rows,
+            "{quality:?}: another row"
+        );
+        assert!(
+            held.color_rows == read.color_rows && held.nodes == read.nodes,
+            "{quality:?}: another row"
+        );
+        check(&gpu::frame_of(
+            &device,
+            read,
+            seed,
+            options(seed, [500, 300]),
+        ));
+    }
+}
+
+fn every_gaussian_lands_where_the_reference_puts_it() {
+    compare(GpuOptions::headless(None));
+}
+
+fn packed_words_give_the_same_as_halves() {
+    compare(GpuOptions {
+        packed_words: true,
+        ..GpuOptions::headless(None)
+    });
+}
+
+/// An avatar with hostile Gaussians: faint, opaque, needles and sheets, zero-ish and huge.
+fn hostile(seed: u64) -> Avatar {
+    let mut avatar = common::avatar(seed, Sizes::default());
+    let g = &mut avatar.gaussians;
+    for i in 0..g.len() {
+        match i % 8 {
+            0 => g.opacity[i] = (i / 8 % 4) as u8,
+            1 => g.opacity[i] = 255,
+            2 => g.log_scale[i] = [-2.0, -11.0, -11.0].map(f16::from_f64),
+            3 => g.log_scale[i] = [-2.0, -2.0, -11.0].map(f16::from_f64),
+            4 => g.log_scale[i] = [-15.0; 3].map(f16::from_f64),
+            5 => g.log_scale[i] = [0.5; 3].map(f16::from_f64),
+            6 => g.color[i] = [-3.0, 0.5, 7.0].map(f16::from_f64),
+            _ => g.rotation[i] = [1e-3, 0.0, 2e-3, 0.0].map(f16::from_f64),
+        }
+    }
+    avatar
+}
+
+/// Distance from the avatar's middle and field of view: from outside, from within, turned away, far
+/// off, wide, and narrow.
+const CAMERAS: [(f64, f64); 6] = [
+    (2.5, 0.7),
+    (0.05, 1.2),
+    (-1.0, 0.7),
+    (300.0, 0.02),
+    (1.0, 2.8),
+    (2.5, 0.1),
+];
+
+fn hostile_gaussians_and_cameras_agree_too() {
+    let device = gpu::gpu();
+    for seed in 0..2 {
+        let avatar = hostile(seed);
+        let posed = Posed::new(&avatar, &common::pose(seed, &avatar));
+        let [min, max] = effigy_core::scene::AvatarBounds::new(&avatar).bounds(&posed.joints);
+        let target = (min + max) / 2.0;
+        for (distance, fov) in CAMERAS {
+            let camera = Camera::orbit(target, 0.3, 0.1, distance, fov, [300, 200]);
+            check(&gpu::draw(
+                &device,
+                avatar.clone(),
+                posed.clone(),
+                camera,
+                gpu::at_level(options(seed, [300, 200]), seed as u32),
+            ));
+        }
+    }
+}
+
+/// The third frame of a still body draws what the second kept.
+fn what_is_kept_lands_where_the_reference_puts_it() {
+    let device = gpu::gpu();
+    let avatars = [
+        (common::avatar(1, Sizes::default()), 1.0),
+        (hostile(1), 1.0),
+        (hostile(0), 1e-3),
+        (hostile(0), 500.0),
+    ];
+    for ((avatar, scale), level) in avatars.into_iter().zip([0, 0, 1, 2]) {
+        let mut posed = Posed::new(&avatar, &common::pose(3, &avatar));
+        let placed = DAffine3::from_scale_rotation_translation(
+            DVec3::splat(scale),
+            DQuat::from_rotation_x(1.0),
+            DVec3::new(40.0, -7.0, 90.0) * scale,
+        );
+        posed
+            .joints
+            .iter_mut()
+            .for_each(|joint| *joint = placed * *joint);
+        let [min, max] = effigy_core::scene::AvatarBounds::new(&avatar).bounds(&posed.joints);
+        let camera = |yaw, distance| {
+            let camera = Camera::orbit(
+                (min + max) / 2.0,
+                yaw,
+                0.1,
+                distance * scale,
+                0.7,
+                [300, 200],
+            );
+            Camera {
+                near: camera.near * scale,
+                ..camera
+            }
+        };
+        for distance in [2.5, 0.4] {
+            let before = [camera(0.3, 3.0), camera(0.8, 3.0)];
+            let frame = gpu::draw_after(
+                &device,
+                avatar.clone(),
+                posed.clone(),
+                &before,
+                camera(2.0, distance),
+                gpu::at_level(options(0, [300, 200]), level),
+            );
+            assert_eq!(
+                frame.report.counters.cached,
+                u64::from(detail::gaussian_count(avatar.gaussians.len() as u32, level))
+            );
+            check_all(&frame, true);
+        }
+    }
+}
+
+fn each_reason_to_cull_occurs_in_the_hostile_frames() {
+    let avatar = hostile(0);
+    let posed = Posed::new(&avatar, &common::pose(0, &avatar));
+    let [min, max] = effigy_core::scene::AvatarBounds::new(&avatar).bounds(&posed.joints);
+    let seen = CAMERAS.map(|(distance, fov)| {
+        let camera = Camera::orbit((min + max) / 2.0, 0.3, 0.1, distance, fov, [300, 200]);
+        effigy_core::reference::ReferenceFrame::new(&avatar, &posed, &camera).splats
+    });
+    for reason in [
+        Culled::Behind,
+        Culled::Faint,
+        Culled::Guard,
+        Culled::Outside,
+    ] {
+        assert!(
+            seen.iter()
+                .flatten()
+                .any(|splat| splat.as_ref().err() == Some(&reason)),
+            "no Gaussian is {reason:?}"
+        );
+    }
+}
+
+tests! {
+    packed_avatars_land_where_the_reference_puts_them,
+    every_gaussian_lands_where_the_reference_puts_it: smoke,
+    packed_words_give_the_same_as_halves,
+    hostile_gaussians_and_cameras_agree_too,
+    what_is_kept_lands_where_the_reference_puts_it,
+    each_reason_to_cull_occurs_in_the_hostile_frames: no_device,
+}

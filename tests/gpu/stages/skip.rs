@@ -1,0 +1,437 @@
+//! What a frame leaves out: every switch on and off, the pictures compared.
+
+use crate::common::{self, Sizes, gpu, harness::not_run};
+use effigy::vulkan::{
+    Gpu, Renderer, RendererOptions,
+    raster::RasterMethod::{self, Quads, Tiles},
+};
+use effigy_core::{
+    avatar::{Avatar, motion::Player},
+    frame::{Counters, Skip},
+    scene::{Camera, Detail, FrameImage, Posed},
+};
+use effigy_measure::error;
+use glam::DVec3;
+use std::sync::Arc;
+
+fn camera(size: [u32; 2], yaw: f64) -> Camera {
+    Camera::orbit(DVec3::new(0.0, 1.0, 0.0), yaw, 0.0, 4.0, 0.7, size)
+}
+
+/// A frame of some poses, one after the other, with what is given left out.
+fn frames(
+    device: &Arc<Gpu>,
+    avatar: &Avatar,
+    poses: &[Posed],
+    skip: Skip,
+) -> Vec<(FrameImage, Counters)> {
+    let size = [160, 200];
+    let options = RendererOptions {
+        skip,
+        ..RendererOptions::new(size)
+    };
+    let mut renderer = Renderer::new(device, avatar, options).unwrap();
+    let draw = |posed| {
+        renderer.draw(posed, &camera(size, 0.4), None).unwrap();
+        let picture = renderer.read_image().unwrap();
+        (picture, renderer.report().counters)
+    };
+    poses.iter().map(draw).collect()
+}
+
+/// Work whose result is known is left out without changing a bit: zero inputs, networks that do not
+/// see what changed, frames that show nothing new.
+fn exact_skips_change_no_bit() {
+    let device = gpu::gpu();
+    let avatar = common::avatar(3, Sizes::default());
+    let first = Posed::new(&avatar, &common::pose(1, &avatar));
+    let mut smile = first.clone();
+    let body = smile.input.len() - smile.expression;
+    smile.input[body..]
+        .iter_mut()
+        .for_each(|weight| *weight += 0.3);
+    let poses = [first.clone(), smile, first.clone(), first];
+    let all = frames(&device, &avatar, &poses, Skip::empty());
+    assert!(all[0].0 != all[1].0, "the expression shows nowhere");
+    for skip in [
+        Skip::INPUTS,
+        Skip::EXPRESSION,
+        Skip::POSE,
+        Skip::FRAME | Skip::POSE,
+        Skip::PARTS,
+        Skip::PARTS | Skip::POSE,
+    ] {
+        let some = frames(&device, &avatar, &poses, skip);
+        for (number, (with, without)) in some.iter().zip(&all).enumerate() {
+            assert!(
+                with.0 == without.0,
+                "picture {number} changes when {skip} is left out"
+            );
+        }
+        if skip == Skip::EXPRESSION {
+            let ran = |at: usize| some[at].1.networks as usize;
+            assert!(
+                ran(1) == avatar.parts.head && ran(1) < ran(0),
+                "{} networks see a smile, {} a new pose",
+                ran(1),
+                ran(0)
+            );
+        }
+    }
+    // Where in a hull a fragment is comes out a little different for another hull.
+    for (number, (with, without)) in frames(&device, &avatar, &poses, Skip::FAINT)
+        .iter()
+        .zip(&all)
+        .enumerate()
+    {
+        let difference = error::between(&with.0, &without.0).covered;
+        assert!(
+            difference.psnr_db > 50.0,
+            "picture {number}: {difference:?}"
+        );
+    }
+}
+
+/// Frames without changes are not submitted, and say so; a change is drawn again.
+fn a_frame_that_needs_nothing_is_not_submitted() {
+    let device = gpu::gpu();
+    let avatar = common::avatar(3, Sizes::default());
+    let posed = Posed::new(&avatar, &common::pose(1, &avatar));
+    let size = [64, 64];
+    let mut renderer = Renderer::new(&device, &avatar, RendererOptions::new(size)).unwrap();
+    let mut submitted = |yaw| {
+        renderer.draw(&posed, &camera(size, yaw), None).unwrap();
+        renderer.finish().unwrap();
+        (
+            renderer.report().counters.submitted,
+            renderer.report().stages.len(),
+        )
+    };
+    assert_eq!(submitted(0.0).0, 1);
+    assert_eq!(submitted(0.0), (0, 0));
+    assert_eq!(submitted(0.0), (0, 0));
+    assert_eq!(submitted(0.1).0, 1);
+}
+
+/// Gaussians behind the solid body are left out before the sort, within the picture's budget.
+fn hidden_gaussians_are_left_out_within_the_budget() {
+    let device = gpu::drawing();
+    let avatar = effigy_demo::avatar().unwrap();
+    let player = Player::new(effigy_demo::clip().unwrap(), &avatar.skeleton);
+    let size = [480, 760];
+    for (seconds, yaw) in [(0.5, 0.3), (2.0, 3.4)] {
+        let posed = Posed::new(&avatar, &player.pose(seconds));
+        let bounds = effigy_core::scene::AvatarBounds::new(&avatar).bounds(&posed.joints);
+        let camera = Camera::around(bounds, yaw, 0.1, 0.6, size);
+        let draw = |skip| {
+            let mut renderer = Renderer::new(
+                &device,
+                &avatar,
+                RendererOptions {
+                    skip,
+                    ..RendererOptions::new(size)
+                },
+            )
+            .unwrap();
+            renderer.draw(&posed, &camera, None).unwrap();
+            let picture = renderer.read_image().unwrap();
+            (picture, renderer.report().counters.drawn)
+        };
+        let ((exact, all), (picture, drawn)) = (draw(Skip::empty()), draw(Skip::HIDDEN));
+        assert!(drawn * 20 < all * 19, "{drawn} of {all} drawn");
+        let difference = error::between(&picture, &exact);
+        assert!(
+            difference.covered.psnr_db > 50.0,
+            "{:?} at {seconds} s",
+            difference.covered
+        );
+    }
+}
+
+/// Pictures with quads and the fragments shaded, where the device counts them: with everything
+/// drawn, and with fragments behind the solid body left to the depth test.
+fn with_and_without_depth(device: &Arc<Gpu>) -> [(FrameImage, Option<u64>); 2] {
+    let avatar = effigy_demo::avatar().unwrap();
+    let posed = &demo_poses(&[1.0])[0];
+    let bounds = effigy_core::scene::AvatarBounds::new(&avatar).bounds(&posed.joints);
+    let size = [480, 760];
+    let camera = Camera::around(bounds, 0.3, 0.1, 0.6, size);
+    [Skip::empty(), Skip::DEPTH].map(|skip| {
+        let options = RendererOptions {
+            skip,
+            method: Some(RasterMethod::Quads),
+            count: true,
+            ..RendererOptions::new(size)
+        };
+        let mut renderer = Renderer::new(device, &avatar, options).unwrap();
+        renderer.draw(posed, &camera, None).unwrap();
+        (
+            renderer.read_image().unwrap(),
+            renderer.report().counters.fragments,
+        )
+    })
+}
+
+/// With quads, leaving fragments behind the solid body to the depth test stays within the budget of
+/// the presets that have it switched on.
+fn hidden_fragments_are_left_out_within_the_budget() {
+    let [(exact, _), (picture, _)] = with_and_without_depth(&gpu::drawing());
+    let difference = error::between(&picture, &exact);
+    assert!(
+        difference.covered.psnr_db > 44.0 && picture != exact,
+        "{:?}",
+        difference.covered
+    );
+}
+
+fn fewer_fragments_are_shaded_where_some_are_hidden() {
+    let device = gpu::drawing();
+    if device.probe.driver.contains("Mesa 22.") {
+        not_run(
+            "Mesa 22.3's lavapipe counts whole blocks of fragments, 3.8 times Mesa 25's number, \
+             before the depth test",
+        );
+    }
+    let [(_, Some(all)), (_, Some(shaded))] = with_and_without_depth(&device) else {
+        not_run(format!("{} does not count fragments", device.probe.name))
+    };
+    assert!(shaded * 20 < all * 19, "{shaded} of {all} shaded");
+}
+
+/// What lies behind full pixels is left out where tiles are drawn, within the picture's budget.
+fn full_pixels_take_no_more_within_the_budget() {
+    let device = gpu::gpu();
+    let avatar = effigy_demo::avatar().unwrap();
+    let posed = Posed::new(
+        &avatar,
+        &Player::new(effigy_demo::clip().unwrap(), &avatar.skeleton).pose(1.0),
+    );
+    let bounds = effigy_core::scene::AvatarBounds::new(&avatar).bounds(&posed.joints);
+    let size = [480, 760];
+    let camera = Camera::around(bounds, 0.3, 0.1, 0.6, size);
+    let draw = |skip| {
+        let options = RendererOptions {
+            skip,
+            method: Some(RasterMethod::Tiles),
+            count: true,
+            ..RendererOptions::new(size)
+        };
+        let mut renderer = Renderer::new(&device, &avatar, options).unwrap();
+        renderer.draw(&posed, &camera, None).unwrap();
+        let picture = renderer.read_image().unwrap();
+        (picture, renderer.report().counters.fragments.unwrap())
+    };
+    let ((exact, all), (picture, shaded)) = (draw(Skip::empty()), draw(Skip::FULL));
+    assert!(shaded * 10 < all * 9, "{shaded} of {all} shaded");
+    let difference = error::between(&picture, &exact);
+    assert!(
+        difference.covered.psnr_db > 56.0 && difference.whole.max_error < 2.0 / 255.0,
+        "{:?}",
+        difference.covered
+    );
+}
+
+/// A frame of every camera, one after the other, of the demo in one pose or in those given.
+fn turn(
+    device: &Arc<Gpu>,
+    poses: &[Posed],
+    cameras: &[Camera],
+    skip: Skip,
+) -> Vec<(FrameImage, Counters)> {
+    let avatar = effigy_demo::avatar().unwrap();
+    let options = RendererOptions {
+        skip,
+        ..RendererOptions::new(cameras[0].size)
+    };
+    let mut renderer = Renderer::new(device, &avatar, options).unwrap();
+    let draw = |(posed, camera)| {
+        renderer.draw(posed, camera, None).unwrap();
+        let picture = renderer.read_image().unwrap();
+        (picture, renderer.report().counters)
+    };
+    poses.iter().cycle().zip(cameras).map(draw).collect()
+}
+
+fn demo_poses(seconds: &[f64]) -> Vec<Posed> {
+    let avatar = effigy_demo::avatar().unwrap();
+    let player = Player::new(effigy_demo::clip().unwrap(), &avatar.skeleton);
+    seconds
+        .iter()
+        .map(|&seconds| Posed::new(&avatar, &player.pose(seconds)))
+        .collect()
+}
+
+/// What no camera changes is kept: the picture it gives is the same but for rounding, and a new
+/// pose makes it anew.
+fn a_still_body_is_kept_and_does_not_jump() {
+    let device = gpu::gpu();
+    let size = [480, 760];
+    let orbit = |yaw| Camera::orbit(DVec3::new(0.0, 0.9, 0.0), yaw, 0.1, 2.6, 0.7, size);
+    let cameras = [0.0, 0.4, 0.4001, 2.5, 0.4, 2.5].map(orbit);
+    let poses = demo_poses(&[0.5, 0.5, 0.5, 0.5, 0.5, 2.0]);
+    let computed = turn(&device, &poses, &cameras, Skip::empty());
+    let kept = turn(&device, &poses, &cameras, Skip::SKINNING | Skip::POSE);
+    let counts: Vec<bool> = kept
+        .iter()
+        .map(|(_, counters)| counters.cached == counters.gaussians)
+        .collect();
+    assert_eq!(counts, [false, false, true, true, true, false]);
+    assert!(computed.iter().all(|(_, counters)| counters.cached == 0));
+    for (number, (a, b)) in kept.iter().zip(&computed).enumerate() {
+        if counts[number] {
+            let difference = error::between(&a.0, &b.0);
+            println!("picture {number}: {:?}", difference.covered);
+            assert!(
+                difference.covered.psnr_db > 55.0,
+                "picture {number}: {:?}",
+                difference.covered
+            );
+        } else {
+            assert!(
+                a.0 == b.0,
+                "picture {number} draws what it has just computed"
+            );
+        }
+    }
+    // The same frame both ways: what it was computed from, and what was kept of that.
+    let jump = error::between(&kept[4].0, &kept[1].0).covered;
+    assert!(jump.psnr_db > 55.0 && kept[4].0 != kept[1].0, "{jump:?}");
+}
+
+/// Parts outside the view are left out without changing a bit, and their networks run when they
+/// come into it.
+fn parts_outside_the_view_wait_for_it() {
+    let device = gpu::gpu();
+    let size = [300, 200];
+    let at = |height, yaw| Camera::orbit(DVec3::new(0.0, height, 0.0), yaw, 0.0, 0.7, 0.5, size);
+    // The head; the pose changes; the camera turns, and moves on to the feet, then back far enough
+    // to see all.
+    let cameras = [
+        at(1.6, 0.0),
+        at(1.6, 0.0),
+        at(1.6, 0.1),
+        at(0.1, 0.1),
+        Camera::orbit(DVec3::Y, 0.3, 0.0, 5.0, 0.7, size),
+    ];
+    let poses = demo_poses(&[0.5, 2.0, 2.0, 2.0, 2.0]);
+    for skip in [
+        Skip::POSE,
+        Skip::POSE | Skip::SKINNING,
+        Skip::POSE | Skip::HIDDEN,
+    ] {
+        let (all, some) = (
+            turn(&device, &poses, &cameras, skip),
+            turn(&device, &poses, &cameras, skip | Skip::PARTS),
+        );
+        for (number, (a, b)) in some.iter().zip(&all).enumerate() {
+            assert!(
+                a.0 == b.0,
+                "picture {number} with {skip}: {:?} {:?} {:?}",
+                error::between(&a.0, &b.0).covered,
+                a.1,
+                b.1
+            );
+        }
+        let networks = |frames: &[(FrameImage, Counters)]| {
+            frames
+                .iter()
+                .map(|(_, counters)| counters.networks)
+                .collect::<Vec<_>>()
+        };
+        let parts = effigy_demo::avatar().unwrap().parts.len() as u64;
+        assert_eq!(networks(&all), [parts, parts, 0, 0, 0]);
+        let ran = networks(&some);
+        assert!(
+            ran[0] > 0
+                && ran[0] < parts
+                && ran[1] < parts
+                && ran[2..].iter().sum::<u64>() + ran[1] == parts,
+            "{ran:?}"
+        );
+        assert!(
+            some[0].1.parts_outside > parts / 4
+                && some[4].1.parts_outside == 0
+                && all[0].1.parts_outside == 0
+        );
+    }
+}
+
+/// Where nothing is and nothing was, the picture is not damage, and is the same: while the avatar
+/// crosses it, comes near, leaves it, and when the picture's drawn part changes.
+fn only_a_box_around_the_avatar_is_drawn(method: RasterMethod) {
+    let device = gpu::gpu();
+    gpu::require_method(&device.probe.name, method);
+    let avatar = common::avatar(3, Sizes::default());
+    let posed = Posed::new(&avatar, &common::pose(1, &avatar));
+    let (whole, part) = ([300, 200], [230, 150]);
+    let bounds = effigy_core::scene::AvatarBounds::new(&avatar).bounds(&posed.joints);
+    // Metres to the left, and of the framing distance how much.
+    let views = [
+        (0.0, 3.0),
+        (0.9, 3.0),
+        (-0.9, 3.0),
+        (0.0, 0.8),
+        (0.1, 6.0),
+        (90.0, 3.0),
+        (0.2, 4.0),
+    ];
+    let draw = |skip: Skip| {
+        let options = RendererOptions {
+            skip,
+            method: Some(method),
+            ..RendererOptions::new(whole)
+        };
+        let mut renderer = Renderer::new(&device, &avatar, options).unwrap();
+        let mut pictures = Vec::new();
+        for size in [whole, part, whole] {
+            renderer.adjust(size, options.cutoff, Detail::FULL).unwrap();
+            for (left, far) in views {
+                let target = (bounds[0] + bounds[1]) / 2.0 + DVec3::new(left, 0.0, 0.0);
+                let camera = Camera::orbit(
+                    target,
+                    0.0,
+                    0.0,
+                    far * Camera::framing_distance(bounds, 0.6, size),
+                    0.6,
+                    size,
+                );
+                renderer.draw(&posed, &camera, None).unwrap();
+                pictures.push((
+                    renderer.read_image().unwrap(),
+                    renderer.report().counters.damaged,
+                ));
+            }
+        }
+        pictures
+    };
+    let (all, some) = (draw(Skip::empty()), draw(Skip::AREA));
+    for (k, ((exact, every), (picture, area))) in all.iter().zip(&some).enumerate() {
+        let pixels = exact.pixels.len() as u64;
+        assert!(picture == exact, "{method:?}, picture {k}");
+        let covered = exact.pixels.iter().filter(|pixel| pixel[3] > 0.0).count() as u64;
+        assert!(
+            *every == pixels && *area >= covered,
+            "{method:?}, picture {k}: {area} of {every}, {covered} covered"
+        );
+    }
+    // All at first; then what it leaves and where it comes to.
+    assert!(
+        some[0].1 == all[0].1 && some[6].1 < all[6].1,
+        "{method:?}: {} and {}",
+        some[0].1,
+        some[6].1
+    );
+}
+
+tests! {
+    exact_skips_change_no_bit,
+    a_frame_that_needs_nothing_is_not_submitted,
+    hidden_gaussians_are_left_out_within_the_budget,
+    hidden_fragments_are_left_out_within_the_budget,
+    fewer_fragments_are_shaded_where_some_are_hidden,
+    full_pixels_take_no_more_within_the_budget,
+    a_still_body_is_kept_and_does_not_jump,
+    parts_outside_the_view_wait_for_it,
+    only_a_box_around_the_avatar_is_drawn[Quads],
+    only_a_box_around_the_avatar_is_drawn[Tiles],
+}

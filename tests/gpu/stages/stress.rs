@@ -1,0 +1,261 @@
+//! Numerical stability on the device: some cases of every family, twice, and what is refused.
+
+use crate::common::{self, gpu};
+use effigy::vulkan::{GpuOptions, RendererOptions};
+use effigy_core::{
+    avatar::Avatar,
+    frame::Skip,
+    occluder::Occluder,
+    scene::{Camera, Posed},
+};
+use effigy_measure::stress::{self, Category, StressCase, StressSettings};
+use half::f16;
+
+fn cases(seed: u64, options: GpuOptions, rounds: u64) {
+    let device = gpu::open(options);
+    let settings = StressSettings {
+        seed,
+        cases: 0..rounds * Category::ALL.len() as u64,
+        large: false,
+    };
+    let [first, second] = [0, 1].map(|_| stress::run(&device, &settings, &mut |_, _, _| {}));
+    for failure in &first.failures {
+        println!(
+            "case {} of seed {seed} ({}): {}",
+            failure.case,
+            failure.category.name(),
+            failure.faults.join("; ")
+        );
+    }
+    assert!(
+        first.failures.is_empty(),
+        "{} of {} cases fail, see above",
+        first.failures.len(),
+        first.cases
+    );
+    assert_eq!(first.cases as u64, settings.cases.end);
+    assert_eq!(first.digest, second.digest, "two runs give different bits");
+    let covered = first
+        .all
+        .iter()
+        .filter(|case| case.covered_pixels > 0)
+        .count();
+    assert!(
+        3 * covered > 2 * first.cases,
+        "only {covered} of {} cases have anything in the picture",
+        first.cases
+    );
+}
+
+fn every_family_is_drawn_within_its_bounds() {
+    cases(1, GpuOptions::headless(None), 3);
+}
+
+fn packed_words_are_as_stable() {
+    cases(
+        2,
+        GpuOptions {
+            packed_words: true,
+            ..GpuOptions::headless(None)
+        },
+        1,
+    );
+}
+
+fn features_stay_finite_whatever_the_weights() {
+    let device = gpu::gpu();
+    let mut avatar = common::avatar(
+        3,
+        common::Sizes {
+            gaussians: 200,
+            hidden: 128,
+            ..Default::default()
+        },
+    );
+    for layer in &mut avatar.networks.layers {
+        layer
+            .weight
+            .halves_mut()
+            .iter_mut()
+            .enumerate()
+            .for_each(|(k, w)| *w = if k % 3 == 0 { f16::MIN } else { f16::MAX });
+        layer.bias.fill(f16::MAX);
+    }
+    let posed = Posed::new(&avatar, &common::pose(3, &avatar));
+    // Every network, even of a part that no one sees.
+    let options = RendererOptions {
+        skip: Skip::all() - Skip::PARTS,
+        ..gpu::options([32, 32])
+    };
+    let frame = gpu::draw(
+        &device,
+        avatar,
+        posed,
+        Camera::orbit(glam::DVec3::Y, 0.0, 0.0, 3.0, 0.7, [32, 32]),
+        options,
+    );
+    assert!(
+        frame.oracle.features.iter().all(|e| e.abs() <= 65504.0)
+            && frame.oracle.features.iter().any(|e| e.abs() == 65504.0)
+    );
+    let features: Vec<f64> = frame.gpu.features.iter().map(|&e| f64::from(e)).collect();
+    gpu::assert_close("e", &features, &frame.oracle.features, 0.0);
+}
+
+/// Every family does what it says: its cases have what they are to be hard because of.
+fn cases_are_as_hard_as_they_say() {
+    let of = |family: Category| {
+        (0..40 * Category::ALL.len() as u64)
+            .filter(move |&n| Category::of_case(n) == family)
+            .map(|n| StressCase::new(5, n, false))
+    };
+    let any = |family, hard: &dyn Fn(&StressCase) -> bool| {
+        assert!(of(family).any(|case| hard(&case)), "{family:?}")
+    };
+    any(Category::Poses, &|case| {
+        case.pose
+            .rotation
+            .iter()
+            .any(|r| r.length() > std::f64::consts::PI)
+    });
+    any(Category::Placed, &|case| {
+        case.placed.translation.length() > 100.0
+    });
+    any(Category::Needles, &|case| {
+        case.avatar
+            .gaussians
+            .log_scale
+            .iter()
+            .any(|s| s[0].to_f64() - s[2].to_f64() > 9.0)
+    });
+    any(Category::Quaternions, &|case| {
+        case.avatar
+            .gaussians
+            .rotation
+            .iter()
+            .any(|q| q.iter().all(|v| v.to_f64().abs() < 1e-6))
+    });
+    any(Category::Opacity, &|case| {
+        [0, 1, 2, 255]
+            .iter()
+            .all(|o| case.avatar.gaussians.opacity.contains(o))
+    });
+    any(Category::Colors, &|case| {
+        case.avatar
+            .gaussians
+            .color
+            .iter()
+            .flatten()
+            .any(|c| c.to_f64() == 65504.0)
+    });
+    any(Category::Overflow, &|case| {
+        case.avatar
+            .networks
+            .layers
+            .iter()
+            .any(|layer| layer.weight.halves().contains(&f16::MAX))
+    });
+    any(Category::Sizes, &|case| {
+        case.camera.size.iter().any(|&side| side > 1000) && case.camera.size.contains(&1)
+    });
+    any(Category::Views, &|case| {
+        case.camera.focal.y < 0.1 * f64::from(case.camera.size[1])
+    });
+    any(Category::Solid, &|case| {
+        !Occluder::new(&case.avatar).triangles.is_empty()
+    });
+    let near = of(Category::NearPlane).next().unwrap();
+    let stages =
+        effigy_core::reference::ReferenceFrame::new(&near.avatar, &near.posed, &near.camera);
+    let depth = |mean| near.camera.view.transform_point3(mean).z;
+    assert!(
+        stages
+            .gaussians
+            .iter()
+            .filter(|g| depth(g.mean) == near.camera.near)
+            .count()
+            >= 15,
+        "on the plane"
+    );
+    assert!(
+        stages
+            .gaussians
+            .iter()
+            .filter(|g| depth(g.mean) < near.camera.near)
+            .count()
+            >= 15,
+        "before it"
+    );
+    for number in 0..2 * Category::ALL.len() as u64 {
+        let avatar = StressCase::new(6, number, false).avatar;
+        assert!(
+            Avatar::from_bytes(&avatar.to_bytes().unwrap()).unwrap() == avatar,
+            "case {number} is no avatar that a file could hold"
+        );
+    }
+}
+
+/// A shell that light passes, for its Gaussians are small or see-through, leaves nothing out.
+fn what_light_passes_hides_nothing() {
+    let closed = (0..)
+        .find(|&n| Category::of_case(n) == Category::Solid)
+        .map(|n| StressCase::new(5, n, false))
+        .unwrap()
+        .avatar;
+    assert!(!Occluder::new(&closed).triangles.is_empty());
+    let mut small = closed.clone();
+    small
+        .gaussians
+        .log_scale
+        .iter_mut()
+        .flatten()
+        .for_each(|s| *s = f16::from_f64(s.to_f64() - 1.0));
+    assert_eq!(Occluder::new(&small), Occluder::default());
+    let mut faint = closed;
+    faint.gaussians.opacity.fill(128);
+    assert_eq!(Occluder::new(&faint), Occluder::default());
+}
+
+fn views_that_are_no_numbers_are_answered_with_one_sentence() {
+    for arguments in [
+        "--yaw nan",
+        "--distance inf",
+        "--pitch NaN",
+        "--raise=-inf",
+        "--fov nan",
+    ] {
+        let output = std::process::Command::new(common::program())
+            .args(
+                "render --reference --size 8x8"
+                    .split(' ')
+                    .chain(arguments.split(' ')),
+            )
+            .current_dir(std::env::temp_dir())
+            .output()
+            .unwrap();
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert!(
+            !output.status.success() && said.starts_with("error: ") && said.lines().count() == 1,
+            "{arguments}: {said}"
+        );
+    }
+    let time = std::process::Command::new(common::program())
+        .args(["render", "--reference", "--size", "8x8", "--time", "nan"])
+        .current_dir(std::env::temp_dir())
+        .output()
+        .unwrap();
+    let said = String::from_utf8_lossy(&time.stderr);
+    assert!(
+        time.status.code() == Some(2) && said.starts_with("error: invalid value 'nan' for '--time"),
+        "{said}"
+    );
+}
+
+tests! {
+    every_family_is_drawn_within_its_bounds,
+    packed_words_are_as_stable,
+    features_stay_finite_whatever_the_weights,
+    cases_are_as_hard_as_they_say: no_device,
+    what_light_passes_hides_nothing: no_device,
+    views_that_are_no_numbers_are_answered_with_one_sentence: no_device,
+}

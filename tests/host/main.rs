@@ -1,0 +1,63 @@
+//! Tests that need no device: files, the reference, baking and fitting, the governor, and what the
+//! viewer decides.
+
+#[macro_use]
+#[path = "../common/mod.rs"]
+mod common;
+mod architecture;
+mod bake;
+mod drift;
+mod files;
+mod fit;
+mod governor;
+mod layout;
+mod learned;
+mod memory;
+mod ply;
+mod projection;
+mod reference;
+mod reference_bodies;
+mod shaders;
+mod sources;
+#[cfg(target_os = "linux")]
+mod thermals;
+#[cfg(feature = "window")]
+mod viewer;
+
+use crate::common::harness::{self, Group};
+use std::process::ExitCode;
+
+#[global_allocator]
+static ALLOCATOR: memory::Counting = memory::Counting;
+
+fn main() -> ExitCode {
+    harness::main(
+        "host",
+        Group::Host,
+        modules![
+            architecture,
+            bake,
+            drift,
+            files,
+            files::hostile,
+            files::packed,
+            files::rules,
+            fit,
+            governor,
+            layout,
+            learned,
+            ply,
+            ply::cameras,
+            ply::hostile,
+            projection,
+            reference,
+            reference_bodies,
+            shaders,
+            sources,
+            #[cfg(target_os = "linux")]
+            thermals,
+            #[cfg(feature = "window")]
+            viewer,
+        ],
+    )
+}

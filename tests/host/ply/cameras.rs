@@ -1,0 +1,138 @@
+//! `cameras.json`: the cameras see what 3DGS sees, come back as they are written, and are refused
+//! where they can't see.
+
+use effigy_core::{
+    io::{cameras, ply::Up},
+    scene::Camera,
+};
+use glam::{DAffine3, DMat3, DVec2, DVec3};
+use proptest::prelude::*;
+
+/// What 3DGS writes: a camera two metres before the origin (COLMAP's z points forward), turned a
+/// quarter about its own axis.
+const CAMERAS: &str = r#"[{"id": 0, "img_name": "a", "width": 640, "height": 480, "position": [0, 0, -2],
+    "rotation": [[0, -1, 0], [1, 0, 0], [0, 0, 1]], "fy": 500, "fx": 400, "extra": 1}]"#;
+
+fn cameras_see_what_3dgs_sees() {
+    let camera = cameras::parse(CAMERAS.as_bytes(), DAffine3::IDENTITY).unwrap()[0];
+    assert_eq!(
+        (camera.size, camera.focal, camera.center),
+        (
+            [640, 480],
+            DVec2::new(400.0, 500.0),
+            DVec2::new(320.0, 240.0)
+        )
+    );
+    assert!(camera.eye().distance(DVec3::new(0.0, 0.0, -2.0)) < 1e-12);
+    // The camera's x axis is the world's y; its y axis, down in the picture, the world's −x.
+    let at = camera.project(camera.view.transform_point3(DVec3::new(0.1, 0.2, 0.0)));
+    assert!(
+        at.distance(DVec2::new(320.0 + 400.0 * 0.1, 240.0 - 500.0 * 0.05)) < 1e-9,
+        "{at}"
+    );
+    let turned = DAffine3::from_quat(Up::TRAINED.rotation());
+    let turned = cameras::parse(CAMERAS.as_bytes(), turned).unwrap()[0];
+    assert!(turned.eye().distance(DVec3::new(0.0, 0.0, 2.0)) < 1e-12);
+    let again = turned.project(turned.view.transform_point3(DVec3::new(0.1, -0.2, 0.0)));
+    assert!(
+        again.distance(at) < 1e-9,
+        "the same point in turned axes: {again}"
+    );
+    let half = cameras::scaled(&camera, [400, 240]);
+    assert_eq!(
+        (half.size, half.focal, half.center),
+        (
+            [400, 240],
+            DVec2::new(200.0, 250.0),
+            DVec2::new(200.0, 120.0)
+        )
+    );
+}
+
+fn cameras_come_back_as_they_are_written() {
+    let written: Vec<_> = (0..5)
+        .map(|k| {
+            Camera::orbit(
+                DVec3::new(0.1, 0.9, 0.0),
+                f64::from(k),
+                0.1 * f64::from(k),
+                3.0,
+                0.6,
+                [200, 100 + k],
+            )
+        })
+        .collect();
+    let read = cameras::parse(cameras::to_json(&written).as_bytes(), DAffine3::IDENTITY).unwrap();
+    assert_eq!(read.len(), written.len());
+    for (read, written) in read.iter().zip(&written) {
+        assert!(
+            read.view.abs_diff_eq(written.view, 1e-12)
+                && read.focal.abs_diff_eq(written.focal, 1e-9)
+        );
+        assert_eq!(
+            (read.size, read.center, read.near),
+            (written.size, written.center, written.near)
+        );
+    }
+}
+
+fn cameras_that_cannot_see_are_named() {
+    let with = |from: &str, to: &str| {
+        cameras::parse(CAMERAS.replace(from, to).as_bytes(), DAffine3::IDENTITY)
+            .unwrap_err()
+            .to_string()
+    };
+    let cases = [
+        (
+            with("640", "0"),
+            "found a picture of 0 × 480 px at camera 0, expected sides from 1 to 65536 px",
+        ),
+        (
+            with("\"fx\": 400", "\"fx\": 0"),
+            "found focal lengths of 0 and 500 px at camera 0",
+        ),
+        (
+            with("[0, -1, 0]", "[0, -2, 0]"),
+            "found the matrix [[0.0, -2.0, 0.0]",
+        ),
+        (
+            with("[0, -1, 0]", "[0, 1, 0]"),
+            "found the matrix [[0.0, 1.0, 0.0]",
+        ),
+        (
+            with("[0, 0, -2]", "[0, 0, 1e999]"),
+            "found number out of range",
+        ),
+        (with("\"width\": 640, ", ""), "found missing field `width`"),
+        (with("[{", "{"), "found "),
+    ];
+    for (found, expected) in cases {
+        assert!(found.starts_with(expected), "{found}");
+    }
+    assert!(
+        cameras::parse(b"[]", DAffine3::IDENTITY)
+            .unwrap_err()
+            .to_string()
+            .starts_with("found 0 cameras, expected 1 to")
+    );
+}
+
+proptest! {
+    fn changed_cameras_never_panic(changes in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 0..6)) {
+        let mut bytes = CAMERAS.as_bytes().to_vec();
+        for (at, byte) in changes {
+            let at = at.index(bytes.len());
+            bytes[at] = byte;
+        }
+        if let Ok(cameras) = cameras::parse(&bytes, DAffine3::from_mat3(DMat3::IDENTITY)) {
+            prop_assert!(cameras.iter().all(|camera| camera.view.is_finite()));
+        }
+    }
+}
+
+tests! {
+    cameras_see_what_3dgs_sees,
+    cameras_come_back_as_they_are_written,
+    cameras_that_cannot_see_are_named,
+    changed_cameras_never_panic,
+}

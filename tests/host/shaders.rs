@@ -1,0 +1,153 @@
+//! The compiled shader modules match their sources and WebGPU's limits.
+
+use effigy::{
+    vulkan::shaders::{FINGERPRINTS, MODULES, fingerprint, module_fingerprint},
+    wgsl as web,
+};
+use effigy_core::layout::{self, MacroValue};
+use std::{
+    collections::BTreeSet,
+    fs,
+    path::{Path, PathBuf},
+};
+
+const REMEDY: &str = "run `cargo run --release -p effigy-shaders --features compile --bin compile-shaders` and commit \
+                      shaders/spv and shaders/wgsl";
+
+fn shaders() -> PathBuf {
+    Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).join("shaders")
+}
+
+/// Paths below a folder, with `/` between their parts.
+fn files(folder: &Path) -> BTreeSet<String> {
+    let mut found = BTreeSet::new();
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        let name = path.file_name().unwrap().to_string_lossy().into_owned();
+        if path.is_dir() {
+            found.extend(files(&path).iter().map(|file| format!("{name}/{file}")));
+        } else {
+            found.insert(name);
+        }
+    }
+    found
+}
+
+fn spirv_matches_its_sources() {
+    let recorded = fs::read_to_string(shaders().join("spv").join(FINGERPRINTS)).unwrap();
+    for module in MODULES {
+        let source = fingerprint(&shaders(), module.file).unwrap();
+        let now = module_fingerprint(source, module.compiled_modules());
+        let line = format!("{} {now:016x}", module.file);
+        assert!(
+            recorded.lines().any(|known| known == line),
+            "{} or a file that it includes changed: {REMEDY}",
+            module.file
+        );
+    }
+    assert_eq!(recorded.lines().count(), MODULES.len(), "modules on record");
+}
+
+fn wgsl_matches_its_sources() {
+    let recorded = fs::read_to_string(shaders().join("wgsl").join(web::FINGERPRINTS)).unwrap();
+    for module in web::MODULES {
+        let source = fingerprint(&shaders(), module.file).unwrap();
+        let now = module.fingerprint(source, module.wgsl);
+        let line = format!("{} {now:016x}", module.name);
+        assert!(
+            recorded.lines().any(|known| known == line),
+            "{} or a file that it includes changed after {}.wgsl was written: {REMEDY}",
+            module.file,
+            module.name
+        );
+    }
+    assert_eq!(
+        recorded.lines().count(),
+        web::MODULES.len(),
+        "modules on record"
+    );
+}
+
+fn compiled_files_are_those_of_the_modules() {
+    let mut spirv = BTreeSet::from([FINGERPRINTS.to_string()]);
+    for module in MODULES {
+        spirv.insert(module.compiled(false));
+        if module.has_half() {
+            spirv.insert(module.compiled(true));
+        }
+    }
+    assert_eq!(files(&shaders().join("spv")), spirv);
+    let mut wgsl = BTreeSet::from([web::FINGERPRINTS.to_string()]);
+    wgsl.extend(
+        web::MODULES
+            .iter()
+            .map(|module| format!("{}.wgsl", module.name)),
+    );
+    assert_eq!(files(&shaders().join("wgsl")), wgsl);
+}
+
+fn wgsl_stays_within_the_default_limits() {
+    for module in web::MODULES {
+        let count = |what: &str| module.wgsl.matches(what).count();
+        assert!(
+            count("var<storage") <= 8,
+            "{} binds {} storage buffers; 8 are guaranteed",
+            module.name,
+            count("var<storage")
+        );
+        for word in ["enable ", "subgroup", "f16,", "override "] {
+            assert!(!module.wgsl.contains(word), "{} says `{word}`", module.name);
+        }
+        if module.file.ends_with(".vert") {
+            assert!(
+                !module.wgsl.contains("read_write"),
+                "{} could write; a vertex shader may not",
+                module.name
+            );
+        }
+    }
+}
+
+fn storage_images_have_the_format_that_is_replaced() {
+    for module in web::MODULES {
+        let images = module.wgsl.matches("texture_storage_2d<").count();
+        let replaced = module.wgsl.matches(web::IMAGE_FORMAT).count();
+        assert_eq!(images, replaced, "{}", module.name);
+        assert_eq!(images, usize::from(module.name == web::RASTER.name));
+    }
+}
+
+/// Numbers that Rust shares with the shaders come from `layout::MACROS`.
+fn shaders_repeat_no_shared_number() {
+    // There it bounds a length, which has nothing to do with VARIANCE_MAX.
+    let exception = ("project/pose_cache.glsl", "VARIANCE_MAX");
+    for file in files(&shaders()) {
+        let extension = file.rsplit('.').next().unwrap();
+        if !["glsl", "comp", "vert", "frag"].contains(&extension) {
+            continue;
+        }
+        let text = fs::read_to_string(shaders().join(&file)).unwrap();
+        for (name, value) in layout::MACROS {
+            let MacroValue::Float(number) = value else {
+                continue;
+            };
+            let repeated = text
+                .split(|c: char| !c.is_alphanumeric() && c != '.' && c != '_')
+                .any(|word| word.parse::<f64>() == Ok(*number) && word.contains(['.', 'e']));
+            assert!(
+                !repeated || (file.as_str(), *name) == exception,
+                "{file} repeats {name} = {}",
+                value.glsl()
+            );
+        }
+    }
+}
+
+tests! {
+    spirv_matches_its_sources,
+    wgsl_matches_its_sources,
+    compiled_files_are_those_of_the_modules,
+    wgsl_stays_within_the_default_limits,
+    storage_images_have_the_format_that_is_replaced,
+    shaders_repeat_no_shared_number,
+}

@@ -1,0 +1,62 @@
+//! The test sources themselves: each file is compiled, and no test hides from the harness.
+
+use std::{
+    fs,
+    path::{Path, PathBuf},
+};
+
+/// Rust files below a folder.
+fn sources(folder: &Path) -> Vec<PathBuf> {
+    let mut found = vec![];
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            found.extend(sources(&path));
+        } else if path.extension().is_some_and(|extension| extension == "rs") {
+            found.push(path);
+        }
+    }
+    found
+}
+
+fn tests() -> PathBuf {
+    Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).join("tests")
+}
+
+/// A file that no `mod` names is not compiled, and its tests never run.
+fn every_file_is_a_module() {
+    for path in sources(&tests()) {
+        let folder = path.parent().unwrap();
+        let (name, parent) = match path.file_stem().unwrap().to_str().unwrap() {
+            "main" => continue,
+            "mod" => (
+                folder.file_name().unwrap().to_str().unwrap(),
+                folder.parent().unwrap(),
+            ),
+            name => (name, folder),
+        };
+        let declared = ["main.rs", "mod.rs", "host/main.rs"].iter().any(|file| {
+            fs::read_to_string(parent.join(file))
+                .is_ok_and(|text| text.contains(&format!("mod {name};")))
+        });
+        assert!(declared, "no `mod {name};` for {}", path.display());
+    }
+}
+
+/// The compiler drops functions with that attribute where the harness is our own.
+fn no_test_has_the_test_attribute() {
+    let attribute = ["#[", "test]"].concat();
+    for path in sources(&tests()) {
+        let text = fs::read_to_string(&path).unwrap();
+        assert!(
+            !text.contains(&attribute),
+            "{}: list tests in `tests!` instead of {attribute}",
+            path.display()
+        );
+    }
+}
+
+tests! {
+    every_file_is_a_module,
+    no_test_has_the_test_attribute,
+}

@@ -1,0 +1,442 @@
+//! The program as its users run it: what each command writes, and what it says when it can't.
+
+use crate::common::{self, gpu};
+use effigy_measure::error;
+use std::{
+    path::Path,
+    process::{Command, Output},
+};
+
+fn effigy(folder: &Path, arguments: &str) -> Output {
+    // Without a display, whatever the machine has.
+    Command::new(common::program())
+        .args(arguments.split_whitespace())
+        .current_dir(folder)
+        .env_remove("DISPLAY")
+        .env_remove("WAYLAND_DISPLAY")
+        .output()
+        .unwrap()
+}
+
+/// Runs a command that must work and must not upset the validation layer.
+fn works(folder: &Path, arguments: &str) -> String {
+    let output = effigy(folder, arguments);
+    let (out, err) = (
+        String::from_utf8_lossy(&output.stdout),
+        String::from_utf8_lossy(&output.stderr),
+    );
+    assert!(output.status.success(), "effigy {arguments}: {err}");
+    assert!(!err.contains("validation:"), "effigy {arguments}: {err}");
+    out.into_owned()
+}
+
+/// Runs a command that must fail with one sentence, and at most a line of advice.
+fn fails(folder: &Path, arguments: &str) -> String {
+    let output = effigy(folder, arguments);
+    let err = String::from_utf8_lossy(&output.stderr).trim().to_string();
+    assert!(!output.status.success(), "effigy {arguments} should fail");
+    let lines: Vec<&str> = err.lines().collect();
+    let advised = lines.len() == 2 && lines[1].starts_with("help: ");
+    assert!(
+        lines.len() == 1 || advised,
+        "effigy {arguments}: one sentence expected, got: {err}"
+    );
+    assert!(err.starts_with("error: "), "{err}");
+    err
+}
+
+/// Runs a command whose arguments must be refused, in as many lines as it takes.
+fn fails_usage(folder: &Path, arguments: &str) -> String {
+    let output = effigy(folder, arguments);
+    assert!(!output.status.success(), "effigy {arguments} should fail");
+    String::from_utf8_lossy(&output.stderr).into_owned()
+}
+
+fn picture(path: &Path) -> effigy_core::scene::FrameImage {
+    let image = image::open(path).unwrap().to_rgba32f();
+    effigy_core::scene::FrameImage {
+        size: [image.width(), image.height()],
+        pixels: image.pixels().map(|p| p.0).collect(),
+    }
+}
+
+fn render_writes_the_demo_as_the_reference_draws_it() {
+    let folder = tempfile::tempdir().unwrap();
+    works(
+        folder.path(),
+        "render --size 320x400 --time 1.5 --out gpu.png",
+    );
+    works(
+        folder.path(),
+        "render --size 320x400 --time 1.5 --reference --out oracle.png",
+    );
+    let [gpu, oracle] = ["gpu.png", "oracle.png"].map(|name| picture(&folder.path().join(name)));
+    assert_eq!(gpu.size, [320, 400]);
+    let error = error::between(&gpu, &oracle);
+    // Both are rounded to 8 bits once more, over a background.
+    assert!(error.whole.psnr_db > 50.0, "{error:?}");
+    let background = oracle.pixels[0];
+    let drawn = oracle
+        .pixels
+        .iter()
+        .filter(|&&pixel| pixel != background)
+        .count();
+    assert!(
+        drawn > 320 * 400 / 20,
+        "only {drawn} pixels differ from the background"
+    );
+}
+
+fn render_draws_several_as_the_reference_does() {
+    let folder = tempfile::tempdir().unwrap();
+    common::small_files(folder.path());
+    let what = "render small.avatar --motion small.motion --size 240x160 --time 0.4 --yaw 60";
+    works(folder.path(), &format!("{what} --count 3 --out gpu.png"));
+    works(
+        folder.path(),
+        &format!("{what} --count 3 --reference --out oracle.png"),
+    );
+    works(folder.path(), &format!("{what} --out one.png"));
+    let [gpu, oracle, one] =
+        ["gpu.png", "oracle.png", "one.png"].map(|name| picture(&folder.path().join(name)));
+    assert!(
+        error::between(&gpu, &oracle).whole.psnr_db > 50.0
+            && error::between(&one, &oracle).whole.psnr_db < 30.0
+    );
+    assert!(fails_usage(folder.path(), "render --count 0").contains("--count"));
+}
+
+fn a_range_of_frames_becomes_numbered_pictures() {
+    let folder = tempfile::tempdir().unwrap();
+    works(
+        folder.path(),
+        "render --size 64x96 --frames 3..6 --background none --out walk.png",
+    );
+    let pictures: Vec<_> = (3..6)
+        .map(|frame| picture(&folder.path().join(format!("walk-{frame:04}.png"))))
+        .collect();
+    assert!(pictures[0] != pictures[2], "the avatar does not move");
+    assert!(
+        pictures[0].pixels[0][3] == 0.0,
+        "the background is not transparent"
+    );
+    let message = fails(folder.path(), "render --size 64x96 --frames 0..9999999");
+    assert!(message.contains("9999999"), "{message}");
+}
+
+fn without_a_display_the_program_renders_a_turntable() {
+    let folder = tempfile::tempdir().unwrap();
+    let said = works(folder.path(), "");
+    assert!(said.contains("effigy-turntable"), "{said}");
+    assert_eq!(
+        std::fs::read_dir(folder.path().join("effigy-turntable"))
+            .unwrap()
+            .count(),
+        24
+    );
+}
+
+fn json(path: &Path) -> serde_json::Value {
+    serde_json::from_slice(&std::fs::read(path).unwrap()).unwrap()
+}
+
+fn bench_writes_what_it_measured_of_every_case() {
+    let folder = tempfile::tempdir().unwrap();
+    common::small_files(folder.path());
+    let what = "small.avatar --motion small.motion --size 160x160 --frames 13 --check 1";
+    let said = works(
+        folder.path(),
+        &format!("bench {what} --case all --flip --json out.json --csv out.csv"),
+    );
+    let json = json(&folder.path().join("out.json"));
+    assert!(
+        json["device"]["name"].is_string()
+            && json["program"]["date"].is_string()
+            && json["options"]["skip"].is_string()
+    );
+    let cases = json["cases"].as_array().unwrap();
+    let names: Vec<_> = cases
+        .iter()
+        .map(|case| case["name"].as_str().unwrap())
+        .collect();
+    assert!(
+        names.starts_with(&[
+            "full",
+            "camera",
+            "orbit",
+            "expression",
+            "static",
+            "close",
+            "far",
+            "four"
+        ]),
+        "{names:?}"
+    );
+    for case in cases {
+        let name = case["name"].as_str().unwrap();
+        assert!(
+            said.contains(&format!("\n{name}: ")),
+            "{name} is not printed: {said}"
+        );
+        assert!(
+            case["frame_ms"]["median"].as_f64() > Some(0.0)
+                && case["frame_ms"]["p95"].as_f64() >= case["frame_ms"]["median"].as_f64()
+        );
+        assert!(
+            case["gpu_memory_bytes"].as_u64() > Some(0)
+                && case["error"]["flip"].as_f64() < Some(0.1),
+            "{name}: {}",
+            case["error"]
+        );
+        assert!(
+            case["error"]["psnr_db"].as_f64() > Some(45.0),
+            "{name}: {}",
+            case["error"]
+        );
+    }
+    let ran = |case: usize, stage: &str| {
+        let stages = cases[case]["stages"].as_array().unwrap();
+        stages
+            .iter()
+            .find(|entry| entry["name"] == stage)
+            .and_then(|entry| entry["ran"].as_f64())
+            .unwrap()
+    };
+    for stage in ["mlp", "project", "sort", "raster"] {
+        assert_eq!(
+            [ran(0, stage), ran(4, stage)],
+            [1.0, 0.0],
+            "{stage} in motion and with nothing changed"
+        );
+    }
+    let count = |case: usize, name: &str| cases[case]["counters"][name].as_f64().unwrap();
+    for case in [0, 5, 7] {
+        let reasons: f64 = ["outside", "hidden", "faint", "degenerate"]
+            .iter()
+            .map(|name| count(case, name))
+            .sum();
+        let whole =
+            count(case, "gaussians") * count(case, "avatars_culled") / count(case, "avatars");
+        assert!(
+            (reasons + whole - count(case, "culled")).abs() < 1e-6,
+            "{reasons} and {whole} in whole avatars"
+        );
+    }
+    assert_eq!([count(0, "avatars"), count(7, "avatars")], [1.0, 4.0]);
+    assert_eq!(
+        [ran(1, "mlp"), ran(1, "project")],
+        [0.0, 1.0],
+        "the camera alone moves"
+    );
+    assert!(
+        cases[0]["counters"]["drawn"].as_f64() > Some(100.0)
+            && cases[0]["bytes"].as_u64() > cases[0]["bytes_floor"].as_u64()
+    );
+    assert_eq!(
+        std::fs::read_to_string(folder.path().join("out.csv"))
+            .unwrap()
+            .lines()
+            .count(),
+        1 + cases.len()
+    );
+    let said = works(folder.path(), "compare out.json out.json");
+    assert!(
+        said.contains("frame_ms_median") && said.contains("1.000×") && !said.contains("note:"),
+        "{said}"
+    );
+    std::fs::write(folder.path().join("old.json"), r#"{"device": "x"}"#).unwrap();
+    let message = fails(folder.path(), "compare out.json old.json");
+    assert!(
+        message.contains("old.json") && message.contains("measure again"),
+        "{message}"
+    );
+}
+
+fn a_sweep_draws_time_against_error() {
+    let folder = tempfile::tempdir().unwrap();
+    common::small_files(folder.path());
+    let what = "small.avatar --motion small.motion --size 96x96 --frames 12 --check 1 --rounds 1";
+    let sweep = "--sweep preset,keys,rows,pose-rate,storage --pareto front.svg --pareto front.png";
+    let said = works(
+        folder.path(),
+        &format!("bench {what} {sweep} --json - --csv out.csv"),
+    );
+    let json: serde_json::Value = serde_json::from_str(&said).unwrap();
+    let points = json["sweep"]["points"].as_array().unwrap();
+    let psnr = |parameter: &str, value: &str| {
+        let point = points
+            .iter()
+            .find(|point| point["parameter"] == parameter && point["value"] == value);
+        point.unwrap_or_else(|| panic!("{parameter} {value} is missing: {points:?}"))["error"]["psnr_db"]
+            .as_f64()
+            .unwrap_or(f64::INFINITY)
+    };
+    let best = psnr("default", "");
+    assert!(best > 45.0 && psnr("preset", "exact") > 45.0 && psnr("storage", "words") > 45.0);
+    assert!(
+        psnr("rows", "0") < best - 3.0,
+        "correctives that are gone are missed by nobody"
+    );
+    assert!(
+        psnr("pose-rate", "10 Hz") < psnr("pose-rate", "30 Hz")
+            && psnr("pose-rate", "30 Hz") < best,
+        "old poses are not seen"
+    );
+    assert!(
+        points.iter().any(|point| point["on_front"] == true)
+            && points
+                .iter()
+                .all(|point| point["frame_ms"].as_f64() > Some(0.0))
+    );
+    let svg = std::fs::read_to_string(folder.path().join("front.svg")).unwrap();
+    assert!(
+        svg.contains("preset low") && svg.contains("keys 32"),
+        "names are missing"
+    );
+    assert_eq!(
+        image::open(folder.path().join("front.png"))
+            .unwrap()
+            .width(),
+        1400
+    );
+    let message = fails(folder.path(), "bench --case full --sweep pose-rate");
+    assert!(
+        message.contains("`full`") && message.contains("orbit"),
+        "{message}"
+    );
+}
+
+fn an_exported_pose_is_drawn_and_measured_from_its_cameras() {
+    let folder = tempfile::tempdir().unwrap();
+    works(
+        folder.path(),
+        "export-ply --at 1.5 --out still.ply --cameras cams.json --views 3 --size 200x240",
+    );
+    works(
+        folder.path(),
+        "render still.ply --cameras cams.json --out still.png",
+    );
+    works(
+        folder.path(),
+        "render --time 1.5 --cameras cams.json --reference --out avatar.png",
+    );
+    for number in 0..3 {
+        let [still, avatar] = ["still", "avatar"]
+            .map(|name| picture(&folder.path().join(format!("{name}-{number:04}.png"))));
+        assert_eq!(still.size, [200, 240], "the cameras' own size");
+        let error = error::between(&still, &avatar);
+        assert!(error.whole.psnr_db > 50.0, "camera {number}: {error:?}");
+    }
+    works(
+        folder.path(),
+        "render still.ply --cameras cams.json --size 100x60 --out small.png",
+    );
+    assert_eq!(
+        picture(&folder.path().join("small-0002.png")).size,
+        [100, 60]
+    );
+    let said = works(
+        folder.path(),
+        "bench still.ply --cameras cams.json --frames 3 --check 1",
+    );
+    assert!(said.contains("200 × 240"), "{said}");
+    let said = works(folder.path(), "inspect still.ply");
+    assert!(said.contains("nothing moves inside"), "{said}");
+    works(
+        folder.path(),
+        "export-ply --uniform 0.003,0.9 --out balls.ply",
+    );
+    let said = works(folder.path(), "inspect balls.ply");
+    assert!(said.contains("3.00 to 3.00 mm"), "{said}");
+    let message = fails(folder.path(), "render --cameras still.ply");
+    assert!(message.contains("cameras as 3DGS writes them"), "{message}");
+}
+
+fn bad_input_is_answered_with_one_sentence() {
+    let folder = tempfile::tempdir().unwrap();
+    let avatar = effigy_demo::avatar().unwrap().to_bytes().unwrap();
+    std::fs::write(folder.path().join("cut.avatar"), &avatar[..100_000]).unwrap();
+    let message = fails(folder.path(), "render cut.avatar");
+    assert!(message.contains("cut.avatar"), "{message}");
+    let message = fails(folder.path(), "render nowhere.avatar");
+    assert!(message.contains("nowhere.avatar"), "{message}");
+    let message = fails(folder.path(), "render --device nonesuch");
+    assert!(
+        message.contains("nonesuch") || message.contains("Vulkan"),
+        "{message}"
+    );
+}
+
+fn pictures_that_no_device_draws_are_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let message = fails(folder.path(), "render --size 100000x10");
+    assert!(
+        message.contains("100000") && message.contains("px a side"),
+        "{message}"
+    );
+}
+
+fn devices_lists_every_device_and_its_use() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = works(folder.path(), "devices");
+    assert!(
+        text.contains("16-bit storage") && text.contains("can serve"),
+        "{text}"
+    );
+    let json: serde_json::Value =
+        serde_json::from_str(&works(folder.path(), "devices --json")).unwrap();
+    assert!(json[0]["name"].is_string() && json[0]["optional"]["timestamps"]["has"].is_boolean());
+}
+
+fn shader_statistics_are_a_table_or_a_sentence() {
+    let device = gpu::gpu();
+    let folder = tempfile::tempdir().unwrap();
+    if !device.probe.shader_statistics {
+        let message = fails(folder.path(), "devices --shader-stats --csv stats.csv");
+        assert!(
+            message.contains("VK_KHR_pipeline_executable_properties"),
+            "{message}"
+        );
+        assert!(!folder.path().join("stats.csv").exists());
+        return;
+    }
+    let table = works(folder.path(), "devices --shader-stats --csv stats.csv");
+    assert!(table.starts_with(&device.probe.name), "{table}");
+    let rows = std::fs::read_to_string(folder.path().join("stats.csv")).unwrap();
+    for shader in [
+        "raster/quads.vert",
+        "raster/quads.frag",
+        "project/project.comp",
+    ] {
+        assert!(
+            table.lines().any(|line| line.starts_with(shader)) && rows.contains(shader),
+            "nothing on {shader}: {table}"
+        );
+    }
+}
+
+fn a_capture_without_renderdoc_says_how_to_attach_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let error = fails(folder.path(), "capture --size 64x64");
+    assert!(
+        error.contains("RenderDoc is not attached")
+            && error.contains("renderdoccmd capture effigy capture"),
+        "{error}"
+    );
+    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
+}
+
+tests! {
+    render_writes_the_demo_as_the_reference_draws_it,
+    render_draws_several_as_the_reference_does,
+    a_range_of_frames_becomes_numbered_pictures,
+    without_a_display_the_program_renders_a_turntable,
+    bench_writes_what_it_measured_of_every_case,
+    a_sweep_draws_time_against_error,
+    an_exported_pose_is_drawn_and_measured_from_its_cameras,
+    bad_input_is_answered_with_one_sentence: no_device,
+    pictures_that_no_device_draws_are_refused,
+    devices_lists_every_device_and_its_use,
+    shader_statistics_are_a_table_or_a_sentence,
+    a_capture_without_renderdoc_says_how_to_attach_it,
+}

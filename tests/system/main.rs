@@ -1,0 +1,29 @@
+//! Tests that run the program as its users do.
+
+#[macro_use]
+#[path = "../common/mod.rs"]
+mod common;
+mod commands;
+mod pack;
+mod soak;
+mod trace;
+#[cfg(all(feature = "window", target_os = "linux"))]
+mod window;
+
+use crate::common::harness::{self, Group};
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    harness::main(
+        "system",
+        Group::Device,
+        modules![
+            commands,
+            pack,
+            soak,
+            trace,
+            #[cfg(all(feature = "window", target_os = "linux"))]
+            window,
+        ],
+    )
+}

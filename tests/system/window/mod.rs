@@ -1,0 +1,338 @@
+//! The viewer in a real window: the program runs under Xvfb, gets real input, and what its window
+//! shows is looked at.
+//!
+//! The driver is the one that the environment chooses. Without Xvfb the tests are ignored.
+
+mod session;
+
+use session::{Session, covered};
+
+/// The background that the tests ask for, and its pixels in a window.
+const BACKGROUND: [u8; 3] = [0, 0, 255];
+
+fn start(arguments: &[&str]) -> Session {
+    Session::start(&[&["--background", "0000ff"], arguments].concat())
+}
+
+/// Hides the panel and pauses, so that nothing but the avatar is in the window, and that stands
+/// still.
+fn still(arguments: &[&str]) -> Session {
+    let mut session = start(arguments);
+    session.key('h');
+    session.key(' ');
+    session.wait_for_rest();
+    session
+}
+
+fn the_avatar_moves_and_nothing_is_drawn_while_it_is_paused() {
+    let mut session = start(&["--size", "320x240"]);
+    session.key('h');
+    session.wait_for_frames(3);
+    let before = session.read_image();
+    assert!(
+        covered(&before, BACKGROUND) > 1000,
+        "{} pixels of the window show the avatar",
+        covered(&before, BACKGROUND)
+    );
+    session.wait_for_frames(3);
+    assert!(session.read_image() != before, "the avatar does not move");
+    session.key(' ');
+    session.wait_for_rest();
+    let (frames, picture) = (session.frames(), session.read_image());
+    session.move_mouse([100, 100]);
+    session.sleep(1.0);
+    assert_eq!(
+        session.frames(),
+        frames,
+        "frames were drawn while nothing changed"
+    );
+    session.key('n');
+    session.wait_for_rest();
+    assert!(session.frames() > frames, "a new clip was not drawn");
+    assert!(
+        session.read_image() != picture,
+        "the new clip looks like the one before"
+    );
+    session.quit();
+}
+
+fn the_picture_follows_every_resize() {
+    let mut session = still(&["--size", "400x300"]);
+    for size in [[640, 480], [200, 500], [1, 1], [700, 100], [333, 217]] {
+        session.resize(size);
+        session.wait_for_size(size);
+        session.wait_for_rest();
+        let picture = session.read_image();
+        assert_eq!([picture.width(), picture.height()], size);
+        if size != [1, 1] {
+            let columns = |from: u32| {
+                image::imageops::crop_imm(&picture, from, 0, size[0] / 8, size[1]).to_image()
+            };
+            let edges = covered(&columns(0), BACKGROUND)
+                + covered(&columns(size[0] - size[0] / 8), BACKGROUND);
+            let (all, share) = (covered(&picture, BACKGROUND), size[0] * size[1] / 100);
+            assert!(
+                all > share && edges < all / 10,
+                "{size:?}: {all} pixels show the avatar, {edges} of them near the edges"
+            );
+        }
+    }
+    (0..40).for_each(|step| session.resize([300 + 7 * step, 500 - 9 * step]));
+    session.resize([420, 310]);
+    session.wait_for_size([420, 310]);
+    session.wait_for_rest();
+    assert!(
+        covered(&session.read_image(), BACKGROUND) > 1000,
+        "the avatar is gone after many resizes"
+    );
+    session.quit();
+}
+
+fn a_window_that_was_hidden_shows_the_avatar_again() {
+    let mut session = still(&["--size", "320x240"]);
+    let before = session.read_image();
+    session.map(false);
+    session.key('b');
+    session.sleep(0.5);
+    session.map(true);
+    session.wait_for_rest();
+    assert_eq!(
+        covered(&session.read_image(), BACKGROUND),
+        covered(&before, BACKGROUND)
+    );
+    session.quit();
+}
+
+fn a_drag_turns_the_avatar_the_wheel_zooms_and_a_key_resets() {
+    let mut session = still(&["--size", "320x240"]);
+    session.key('r');
+    session.wait_for_rest();
+    let first = session.read_image();
+    session.drag([160, 120], [230, 100]);
+    session.wait_for_rest();
+    let turned = session.read_image();
+    assert!(turned != first, "the drag did nothing");
+    session.wheel(4);
+    session.wait_for_rest();
+    let (before, zoomed) = (
+        covered(&turned, BACKGROUND),
+        covered(&session.read_image(), BACKGROUND),
+    );
+    assert!(
+        zoomed > before + before / 10,
+        "zooming in took the avatar from {before} to {zoomed} pixels"
+    );
+    session.key('r');
+    session.wait_for_rest();
+    assert!(
+        session.read_image() == first,
+        "the view is not what it was at first"
+    );
+    session.quit();
+}
+
+fn a_screenshot_is_the_window_without_the_panel() {
+    let mut session = still(&["--size", "320x240"]);
+    let window = session.read_image();
+    session.key('h');
+    session.wait_for_rest();
+    assert!(session.read_image() != window, "the panel is not shown");
+    session.key('s');
+    let path = session.wait_for_line("saved ");
+    let saved = image::open(&path).unwrap().to_rgb8();
+    assert_eq!(saved.dimensions(), window.dimensions());
+    let off = saved
+        .as_raw()
+        .iter()
+        .zip(window.as_raw())
+        .map(|(a, b)| a.abs_diff(*b))
+        .max();
+    assert!(
+        off <= Some(1),
+        "{path}: the largest difference to the window is {off:?} of 255"
+    );
+    session.quit();
+}
+
+fn a_lost_surface_and_a_lost_device_are_made_anew() {
+    let losses = ["surface@2", "device@4", "surface@6", "device@40"]
+        .map(|loss| ["--rehearse", loss])
+        .concat();
+    let mut session = still(&[&["--size", "320x240"], losses.as_slice()].concat());
+    session.key('n');
+    session.key('p');
+    for _ in 0..8 {
+        // A device that is opened again draws nothing for longer than a rest takes.
+        let drawn = session.frames();
+        session.key('b');
+        session.wait_for_frames_after(drawn);
+        session.wait_for_rest();
+    }
+    // So long after the first one another loss is no longer the second in a row.
+    session.sleep(5.0);
+    while session.frames() < 45 {
+        let drawn = session.frames();
+        session.key('b');
+        session.wait_for_frames_after(drawn);
+    }
+    session.wait_for_rest();
+    assert!(
+        covered(&session.read_image(), BACKGROUND) > 1000,
+        "nothing is shown after the losses"
+    );
+    session.quit();
+}
+
+fn a_device_that_is_lost_twice_ends_the_program_with_a_clear_error() {
+    let arguments = [
+        "--size",
+        "200x200",
+        "--rehearse",
+        "device@1",
+        "--rehearse",
+        "device@2",
+    ];
+    let session = start(&arguments);
+    let (success, text) = session.wait_for_end();
+    assert!(
+        !success && text.contains("error: the device was lost for the second time"),
+        "{text}"
+    );
+}
+
+fn an_avatar_that_does_not_fit_leaves_the_one_that_is_shown() {
+    let mut session = still(&[
+        "--size",
+        "320x240",
+        "--also",
+        "other.avatar",
+        "--rehearse",
+        "memory@1",
+    ]);
+    let before = session.read_image();
+    session.key('a');
+    session.wait_for_text("can't be shown: out of device memory");
+    session.wait_for_rest();
+    assert!(
+        session.read_image() == before,
+        "what was shown before is not what it was"
+    );
+    session.key('a');
+    let changed = (0..600).any(|_| {
+        session.sleep(0.1);
+        session.read_image() != before
+    });
+    assert!(
+        changed && covered(&session.read_image(), BACKGROUND) > 1000,
+        "the other avatar is not shown where there is room for it"
+    );
+    session.quit();
+}
+
+fn a_window_that_another_program_destroys_ends_the_viewer() {
+    let session = start(&["--size", "200x200"]);
+    session.destroy();
+    let (_, text) = session.wait_for_end();
+    assert!(!text.contains("panicked"), "{text}");
+}
+
+fn a_number_of_frames_is_drawn_and_timed() {
+    let session = start(&["--size", "200x200", "--frames", "5"]);
+    let (success, text) = session.wait_for_end();
+    assert!(success && text.contains("5 frames: median "), "{text}");
+}
+
+fn a_soak_in_the_window_writes_its_files_and_ends() {
+    let arguments = [
+        "--size",
+        "200x200",
+        "--soak",
+        "0.08",
+        "--fps",
+        "1",
+        "--governor",
+        "--trace",
+        "trace.json",
+    ];
+    let mut session = start(&arguments);
+    let text = std::fs::read_to_string(session.wait_for_line("wrote ")).unwrap();
+    let report = effigy_measure::soak::compare::read(&text).unwrap();
+    assert!(
+        report.governed
+            && report.rate == 1.0
+            && report.frames > 2
+            && report.size == [200, 200]
+            && report.lasted_seconds >= 4.8
+    );
+    let still = report.redrawn.expect("the window is what it was");
+    assert!(
+        still.size == [200, 200] && still.error.psnr_db.is_none_or(|db| db > 50.0),
+        "{still:?}"
+    );
+    let trace = session.wait_for_file("trace.json");
+    let (success, said) = session.wait_for_end();
+    assert!(success, "{said}");
+    let trace: serde_json::Value = serde_json::from_str(&trace).unwrap();
+    let slices = trace["traceEvents"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .filter(|event| event["ph"] == "X" && event["name"] == "present");
+    assert!(
+        slices.count() > 2
+            || trace["otherData"]["alignment"]
+                .as_str()
+                .unwrap()
+                .starts_with("none")
+    );
+}
+
+fn a_soak_whose_window_is_closed_keeps_its_results() {
+    let mut session = start(&["--size", "200x200", "--soak", "60", "--fps", "1"]);
+    session.wait_for_text("soak: ");
+    session.key('q');
+    let text = session.wait_for_file("effigy-soak.json");
+    session.wait_for_text("soak: interrupted after");
+    let report = effigy_measure::soak::compare::read(&text).unwrap();
+    assert!(
+        report.frames > 0
+            && report.lasted_seconds < report.planned_seconds
+            && report.redrawn.is_none(),
+        "{report:?}"
+    );
+}
+
+fn a_capture_without_renderdoc_says_how_to_attach_it() {
+    let mut session = still(&["--size", "200x200"]);
+    session.key('c');
+    session.wait_for_text("RenderDoc is not attached: start the program from it");
+    session.quit();
+}
+
+fn without_a_display_the_viewer_says_what_to_do() {
+    let (success, text) = session::without_display(&["view"]);
+    assert!(!success && text.contains("effigy render"), "{text}");
+}
+
+fn without_a_display_and_arguments_pictures_are_rendered() {
+    let (success, text) = session::without_display(&[]);
+    assert!(success && text.contains("effigy-turntable"), "{text}");
+}
+
+tests! {
+    the_avatar_moves_and_nothing_is_drawn_while_it_is_paused,
+    the_picture_follows_every_resize,
+    a_window_that_was_hidden_shows_the_avatar_again,
+    a_drag_turns_the_avatar_the_wheel_zooms_and_a_key_resets,
+    a_screenshot_is_the_window_without_the_panel,
+    a_lost_surface_and_a_lost_device_are_made_anew,
+    a_device_that_is_lost_twice_ends_the_program_with_a_clear_error,
+    an_avatar_that_does_not_fit_leaves_the_one_that_is_shown,
+    a_window_that_another_program_destroys_ends_the_viewer,
+    a_number_of_frames_is_drawn_and_timed,
+    a_soak_in_the_window_writes_its_files_and_ends,
+    a_soak_whose_window_is_closed_keeps_its_results,
+    a_capture_without_renderdoc_says_how_to_attach_it,
+    without_a_display_the_viewer_says_what_to_do: no_device,
+    without_a_display_and_arguments_pictures_are_rendered,
+}

@@ -1,0 +1,118 @@
+#!/usr/bin/env bash
+# What to run before others see a change, in three tiers.
+# usage: tools/check.sh quick|gate|full
+#   quick  format, lints, tests without a device but for the long ones, ten smoke tests on one driver (EFFIGY_CHECK_DRIVER, default
+#          mesa25:256): under two minutes after a change of one line
+#   gate   what has to hold before a change lands (.ci/run): quick's checks, all tests on Mesa 25 at 256 bits and on SwiftShader, the
+#          stages at 128 and 512 bits, commands of the README and the guides, the examples, the page in Chromium, the app
+#   full   before an issue is closed: gate, and all tests at every width and on Mesa 22, the packages as they are released, 2,000 stress
+#          cases, a soak, the compiled shaders compared with their sources. docs/development.md says why each is not in gate.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+. tools/needs.sh
+. tools/drivers_env.sh
+step() { echo "== $1 ($SECONDS s)"; }
+target=${CARGO_TARGET_DIR:-target}
+
+lints() {
+  step "format"
+  if command -v npx >/dev/null; then tools/format.sh --check; else cargo fmt --all --check; fi
+  step "lints"
+  cargo clippy --workspace --all-targets --features webgpu --quiet -- -D warnings
+}
+
+quick() {
+  need_rust
+  tools/drivers.sh
+  lints
+  step "unit tests"
+  cargo test --workspace --features webgpu --quiet --lib --bins
+  step "tests without a device"
+  EFFIGY_TEST_ONLY=quick cargo test --quiet -p effigy-cli --features webgpu --test host
+  step "smoke tests on a driver"
+  use_driver "${EFFIGY_CHECK_DRIVER:-mesa25:256}"
+  EFFIGY_VALIDATION=1 EFFIGY_TEST_ONLY=smoke cargo test --quiet -p effigy-cli --features webgpu --test gpu
+}
+
+# Commands of the README and the guides that need no window, shortened, on the program that the tests were run with.
+commands() {
+  export EFFIGY=$PWD/$target/debug/effigy
+  [ "${target#/}" = "$target" ] || EFFIGY=$target/debug/effigy
+  use_driver mesa25:256
+  effigy render --size 1024x1024 --out target/demo.png
+  effigy bake body --out target/body.avatar
+  effigy bake motion 01_01.bvh --out target/walk.motion
+  effigy inspect target/body.avatar
+  effigy bench target/body.avatar --motion target/walk.motion --size 1024x1024 --frames 4 --check 1 --json target/bench.json
+  effigy compare target/bench.json target/bench.json
+  effigy export-ply target/body.avatar --motion target/walk.motion --uniform 0.003,0.9 --out target/body.ply \
+    --cameras-out target/cams.json --size 1024x1024
+  effigy bench target/body.ply --cameras target/cams.json --frames 4 --check 1
+  effigy stress --cases "$1"
+  effigy bench-sort --max-keys 65536
+  effigy soak --minutes 0.2 --fps 2 --size 256x320 --late 50 --out target/soak --trace target/trace.json
+  effigy compare target/soak.json target/soak.json
+}
+
+examples() {
+  use_driver mesa25:256
+  cargo test --quiet --doc -p effigy --features webgpu
+  local examples=$target/debug/examples
+  cargo build --quiet -p effigy --features webgpu --examples
+  "$examples/picture" target/example-picture.png
+  "$examples/measure"
+  xvfb-run -a -s '-screen 0 800x600x24' timeout 120 "$examples/window" --frames 10
+}
+
+# Standard libraries for browsers and Android. Where rustup or an NDK has them, nothing is to be done.
+cross() {
+  [ -d ../shared/cross ] || return 0
+  local dest=${EFFIGY_CROSS:-$PWD/target/cross} scripts=$PWD/target/cross-scripts
+  # Its linker allows the system's functions that are on its list: the app imports more.
+  rm -rf "$scripts"; cp -r ../shared/cross "$scripts"; chmod -R u+w "$scripts"
+  cat tools/android-host/symbols.txt >> "$scripts/android-symbols.txt"
+  "$scripts/setup-targets.sh" "$dest" wasm32-unknown-unknown aarch64-linux-android x86_64-linux-android >target/cross.log 2>&1 ||
+    { cat target/cross.log; return 1; }
+  export RUSTC=$dest/bin/rustc RUSTDOC=$dest/bin/rustdoc ANDROID_NDK_HOME=$dest/ndk
+}
+
+page() { (cross && tools/web.sh "$@" target/web) && tools/test_web.sh target/web; }
+
+gate() {
+  need_rust
+  need 'command -v npx' npm
+  need 'python3 -m pip --version' python3-pip
+  step "the README's test command"
+  tools/test.sh
+  lints
+  step "commands"
+  (commands 51)
+  step "examples"
+  (examples)
+  step "the page in a browser"
+  (EFFIGY=$(realpath "$target/debug/effigy") && export EFFIGY && page --quick)
+  step "the Android app"
+  (use_driver mesa25:256; EFFIGY=$(realpath "$target/debug/effigy") && export EFFIGY && cross && tools/test_apk.sh --play 3)
+}
+
+full() {
+  gate
+  step "every width, and Mesa 22"
+  tools/test.sh mesa25:128 mesa25:512 mesa22
+  step "the packages as they are released"
+  tools/release.sh --only linux --try
+  page
+  (cross && tools/test_apk.sh --package)
+  step "2,000 stress cases"
+  (use_driver mesa25:256; effigy stress --cases 2000 --seed 7)
+  step "soak"
+  (use_driver mesa25:256; effigy soak --minutes 20 --fps 2 --size 256x320 --out target/soak)
+  step "compiled shaders"
+  need 'command -v cmake' cmake g++
+  cargo run --release --quiet -p effigy-shaders --features compile -- --check
+}
+
+case ${1:-} in
+  quick | gate | full) "$1"; step "done" ;;
+  *) sed -n '2,10s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
+esac
