@@ -26,7 +26,7 @@ pub fn open(window: &Window, options: &GpuOptions) -> anyhow::Result<WindowDevic
     let target = unsafe { Target::new(window.display_handle()?, window.window_handle()?) };
     match open_first(&target, options) {
         Ok(device) => Ok(device),
-        Err(error) if lacks_extension(&error) => Err(Error::NoWindowExtension.into()),
+        Err(error) if has_no_window_extension(&error) => Err(Error::NoWindowExtension.into()),
         Err(error) => Err(error.into()),
     }
 }
@@ -48,13 +48,13 @@ fn open_first(target: &Target, options: &GpuOptions) -> Result<WindowDevice> {
             gpu,
         })
     };
-    let refusal =
-        match open_device(options.device.clone()) {
-            Err(
-                error @ (Error::Lacks { .. } | Error::NoTriangles { .. } | Error::NoWindow { .. }),
-            ) if options.device.is_none() => error,
-            opened => return opened,
-        };
+    let refusal = match open_device(options.device.clone()) {
+        Err(
+            error
+            @ (Error::Unsupported { .. } | Error::NoTriangles { .. } | Error::NoWindow { .. }),
+        ) if options.device.is_none() => error,
+        opened => return opened,
+    };
     // The display may be connected to another device: try them all by their index.
     for index in 0u32.. {
         match open_device(Some(index.to_string())) {
@@ -67,7 +67,7 @@ fn open_first(target: &Target, options: &GpuOptions) -> Result<WindowDevice> {
 }
 
 /// Whether no driver on this machine has an extension that the window's surface needs.
-fn lacks_extension(error: &Error) -> bool {
+fn has_no_window_extension(error: &Error) -> bool {
     matches!(
         error,
         Error::Call {

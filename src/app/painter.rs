@@ -9,14 +9,14 @@ use effigy::vulkan::{
     Error, Gpu, GpuOptions, Recording, Renderer, RendererOptions, Result,
     commands::{FRAMES_IN_FLIGHT, FrameReport},
     device::handle::CommandPool,
+    download::Copied,
     error::During,
-    picture::Copied,
+    pre_transform::PreTransform,
     present::{Present, Shown},
     renderer::Presentation,
     swapchain::{Acquired, Surface, Swapchain, Target},
     timing::PresentFeedback,
-    turn::PreTransform,
-    watch::{FrameValidator, Seen},
+    watch::{FrameValidator, PixelCounts},
 };
 use effigy_core::{
     avatar::Avatar,
@@ -44,13 +44,18 @@ pub struct PanelMesh {
 impl PanelMesh {
     /// Moves the mesh to where it belongs in the swapchain's images, which are rotated against a
     /// window of `size` px.
-    fn pre_rotate(&mut self, turn: PreTransform, size: [u32; 2]) {
-        if turn == PreTransform::default() {
+    fn pre_rotate(&mut self, pre_transform: PreTransform, size: [u32; 2]) {
+        if pre_transform == PreTransform::default() {
             return;
         }
         let size = Vec2::new(size[0] as f32, size[1] as f32) / self.pixels_per_point;
-        let rotate =
-            |point: Pos2| Pos2::from(turn.place(Vec2::new(point.x, point.y), size).to_array());
+        let rotate = |point: Pos2| {
+            Pos2::from(
+                pre_transform
+                    .place(Vec2::new(point.x, point.y), size)
+                    .to_array(),
+            )
+        };
         for part in &mut self.primitives {
             part.clip_rect =
                 Rect::from_two_pos(rotate(part.clip_rect.min), rotate(part.clip_rect.max));
@@ -170,7 +175,7 @@ impl WindowPainter {
     }
 
     /// Returns the result of a validation that is done. Call it after every frame.
-    pub fn poll_validation(&mut self) -> Option<Seen> {
+    pub fn poll_validation(&mut self) -> Option<PixelCounts> {
         self.validator.as_mut()?.step()
     }
 
@@ -294,8 +299,8 @@ impl WindowPainter {
             }
         };
         let canvas = swapchain.canvas(&image);
-        let [width, height] = canvas.turn.extent(canvas.size);
-        panel.pre_rotate(canvas.turn, canvas.size);
+        let [width, height] = canvas.pre_transform.extent(canvas.size);
+        panel.pre_rotate(canvas.pre_transform, canvas.size);
         let picture = self.renderer.raster().drawn();
         let image_drawn = self.renderer.raster().image().raw();
         let validate = std::mem::take(&mut self.validation_requested);

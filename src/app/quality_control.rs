@@ -3,7 +3,7 @@
 
 use crate::{drift_check::DriftCheck, painter::WindowPainter, scene::ViewerScene};
 use effigy::ndk::Hints;
-use effigy::vulkan::{RendererOptions, Result, watch::Seen};
+use effigy::vulkan::{RendererOptions, Result, watch::PixelCounts};
 use effigy_measure::{
     bench::{RenderSetting, report::DeviceReport},
     soak::{
@@ -185,7 +185,7 @@ impl QualityController {
         &mut self,
         now: f64,
         painter: &WindowPainter,
-        validation: Option<Seen>,
+        validation: Option<PixelCounts>,
     ) -> bool {
         let report = painter.report();
         let gpu_ms = (!report.stages.is_empty()).then(|| report.gpu_ms());

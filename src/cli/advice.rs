@@ -81,9 +81,10 @@ fn for_vulkan(error: &vulkan::Error) -> Option<&'static str> {
         E::NoDevice => Some(
             "install the driver of your GPU; for a CPU driver on Debian and Ubuntu, `apt-get install mesa-vulkan-drivers`",
         ),
-        E::NoSuchDevice { .. } | E::NoStatistics { .. } | E::Lacks { .. } | E::NoWindow { .. } => {
-            Some(OTHER_DEVICE)
-        }
+        E::NoSuchDevice { .. }
+        | E::NoStatistics { .. }
+        | E::Unsupported { .. }
+        | E::NoWindow { .. } => Some(OTHER_DEVICE),
         E::NoTriangles { .. } => Some(NO_TRIANGLES),
         E::NoWindowExtension => {
             Some("install the driver of your GPU, or draw without a window: `effigy render`")
@@ -93,7 +94,7 @@ fn for_vulkan(error: &vulkan::Error) -> Option<&'static str> {
              record that the error names",
         ),
         E::TooLarge { .. } => Some(SMALLER_AVATAR),
-        E::PictureSize { .. } => Some("choose another size with --size"),
+        E::ImageSize { .. } => Some("choose another size with --size"),
         E::NoValidation => Some("on Debian and Ubuntu, `apt-get install vulkan-validationlayers`"),
         E::OutOfMemory { .. } => Some("close other programs, or draw a smaller image or avatar"),
         _ => None,
@@ -104,9 +105,9 @@ fn for_vulkan(error: &vulkan::Error) -> Option<&'static str> {
 fn for_webgpu(error: &webgpu::Error) -> Option<&'static str> {
     use webgpu::Error as E;
     match error {
-        E::Lacks { .. } => Some(NO_TRIANGLES),
+        E::Unsupported { .. } => Some(NO_TRIANGLES),
         E::TooLarge { .. } => Some(SMALLER_AVATAR),
-        E::PictureSize { .. } => Some("choose another size with --size"),
+        E::ImageSize { .. } => Some("choose another size with --size"),
         E::KeyBits(_) => Some("leave out --keys, or draw with --backend vulkan"),
         E::Sort => Some("leave out --sort, or draw with --backend vulkan"),
         _ => None,

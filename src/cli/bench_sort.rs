@@ -11,7 +11,7 @@ use effigy::vulkan::{
     sort::{
         self, KeyBits, SortOptions, SortVariant,
         choice::choose,
-        trial::{Times, Trial},
+        standalone::{SortTimes, StandaloneSort},
     },
 };
 use serde_json::{Value, json};
@@ -68,7 +68,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
         .collect();
     let is_measured = |variant: &SortVariant| {
         if wanted.is_empty() {
-            sort::lacks(*variant, &gpu).is_none()
+            sort::unsupported(*variant, &gpu).is_none()
         } else {
             wanted.contains(variant)
         }
@@ -160,8 +160,8 @@ fn measure(
     keys: &[u32],
     options: SortOptions,
     runs: u16,
-) -> anyhow::Result<(Times, u64)> {
-    let trial = Trial::new(gpu, keys.len() as u32, options)?;
+) -> anyhow::Result<(SortTimes, u64)> {
+    let trial = StandaloneSort::new(gpu, keys.len() as u32, options)?;
     trial.load(keys)?;
     trial.run()?;
     if let Some(difference) = trial.difference(keys)? {

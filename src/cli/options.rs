@@ -157,7 +157,7 @@ impl QualityArgs {
     /// The options to open the GPU with, without a window.
     pub fn gpu(&self) -> GpuOptions {
         GpuOptions {
-            least: self.baseline,
+            baseline: self.baseline,
             ..self.device.gpu()
         }
     }

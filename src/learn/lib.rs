@@ -11,8 +11,6 @@
 //! All of it runs on the CPU, parts in parallel. Results depend on the dataset, the options and the
 //! seed alone, on one kind of machine: not on the number of threads, and not on interruptions.
 
-#![warn(missing_docs)]
-
 pub mod analyse;
 pub mod bake;
 pub mod dataset;

@@ -34,8 +34,8 @@ pub use device::{
 pub use effigy_core::frame::{RendererOptions, preset};
 pub use passes::sh;
 pub use pipeline::shaders;
-pub use raster::picture;
+pub use raster::download;
 pub use renderer::Renderer;
 #[cfg(feature = "window")]
 pub use window::swapchain;
-pub use window::{present, screen, timing, turn, watch};
+pub use window::{pre_transform, present, screen, timing, watch};

@@ -9,7 +9,7 @@ use super::{
     memory::Buffer,
     raster::{ColorFormat, RasterMethod},
     renderer::Renderer,
-    sort::{KeyBits, Sort, SortOptions, SortVariant, lacks},
+    sort::{KeyBits, Sort, SortOptions, SortVariant, unsupported},
     window::present::Present,
 };
 use ash::vk;
@@ -47,7 +47,7 @@ pub fn all(options: &GpuOptions, avatar: &Avatar) -> Result<(Arc<Gpu>, Vec<Execu
 fn renderers(gpu: &Arc<Gpu>, avatar: &Avatar) -> Result<()> {
     let any = SortVariant::ALL
         .into_iter()
-        .find(|variant| lacks(*variant, gpu).is_none());
+        .find(|variant| unsupported(*variant, gpu).is_none());
     let options = RendererOptions {
         sort: any,
         ..RendererOptions::new([64, 64])
@@ -102,7 +102,7 @@ fn sorts(gpu: &Arc<Gpu>) -> Result<()> {
         let keys = storage(4 * u64::from(count))?;
         for variant in SortVariant::ALL
             .into_iter()
-            .filter(|variant| lacks(*variant, gpu).is_none())
+            .filter(|variant| unsupported(*variant, gpu).is_none())
         {
             for bits in [KeyBits::Sixteen, KeyBits::TwentyFour, KeyBits::ThirtyTwo] {
                 Sort::new(

@@ -20,14 +20,17 @@ pub enum Error {
         limit: u64,
         device: String,
     },
-    #[error("a picture of {found} px is outside what {device} draws: 1 to {limit} px a side")]
-    PictureSize {
+    #[error("an image of {found} px is outside what {device} draws: 1 to {limit} px a side")]
+    ImageSize {
         found: String,
         limit: u32,
         device: String,
     },
-    #[error("{device} can't serve: {lacks}")]
-    Lacks { device: String, lacks: &'static str },
+    #[error("{device} can't serve: {missing}")]
+    Unsupported {
+        device: String,
+        missing: &'static str,
+    },
     #[error("the WebGPU backend sorts keys of 16 bits, not of {0}")]
     KeyBits(u32),
     #[error("the WebGPU backend has no OneSweep, which needs subgroups")]

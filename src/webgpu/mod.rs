@@ -7,6 +7,8 @@
 
 mod buffer;
 pub mod device;
+#[cfg(not(target_arch = "wasm32"))]
+mod download;
 pub mod error;
 mod frame_in_flight;
 mod kernel;
@@ -15,8 +17,6 @@ mod model;
 mod occluder;
 pub mod options;
 pub mod owned;
-#[cfg(not(target_arch = "wasm32"))]
-mod picture;
 pub mod present;
 mod project;
 mod raster;

@@ -247,7 +247,7 @@ fn create_image(gpu: &Gpu, format: ColorFormat, size: [u32; 2]) -> Result<Textur
     let limit = gpu.device.limits().max_texture_dimension_2d;
     if size.iter().any(|&side| side == 0 || side > limit) {
         let found = format!("{} × {}", size[0], size[1]);
-        return Err(Error::PictureSize {
+        return Err(Error::ImageSize {
             found,
             limit,
             device: gpu.name().into(),
@@ -329,9 +329,9 @@ pub fn draw_pipeline(
     target: wgpu::ColorTargetState,
 ) -> Result<wgpu::RenderPipeline> {
     if !draws_triangles(gpu.name()) {
-        return Err(Error::Lacks {
+        return Err(Error::Unsupported {
             device: gpu.name().into(),
-            lacks: NO_TRIANGLES,
+            missing: NO_TRIANGLES,
         });
     }
     Ok(gpu

@@ -2,7 +2,7 @@
 //! read back images and the stages' buffers.
 
 use super::{
-    buffer, error::Result, frame_in_flight::FRAMES_IN_FLIGHT, picture, renderer::Renderer,
+    buffer, download, error::Result, frame_in_flight::FRAMES_IN_FLIGHT, renderer::Renderer,
 };
 use effigy_core::{
     layout::{Control, SORT_CULLED},
@@ -49,7 +49,7 @@ impl Renderer {
     /// When the device is lost or hangs.
     pub fn read_image(&mut self) -> Result<FrameImage> {
         self.finish()?;
-        picture::download(&self.gpu, &self.raster)
+        download::read_image(&self.gpu, &self.raster)
     }
 
     /// Waits, and copies every stage's output of the last frame to the host.

@@ -24,7 +24,7 @@ use effigy_core::{
         Counters, Damage, FrameReport, RasterMethod, RendererOptions, Schedule, Skinning, block,
         passes::Pass,
         pose_cache::PoseCache,
-        schedule::{Equipment, Held, Step},
+        schedule::{DeviceState, Equipment, Step},
         state::{AvatarInstance, FramePlan, FrameState, PlanInput, StageDispatches},
         validate,
     },
@@ -236,7 +236,7 @@ impl Renderer {
             method: self.options.method.unwrap_or(RasterMethod::Quads),
             skip: self.options.skip,
         };
-        let held = Held {
+        let held = DeviceState {
             key_count: self.key_count,
         };
         let schedule = Schedule::new(&plan, &equipment, held);

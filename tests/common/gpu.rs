@@ -90,7 +90,7 @@ pub fn close() {
 
 /// One frame on the device and in the reference.
 pub struct Frame {
-    /// As the device has it: its oracle starts from the same numbers, but for the nodes' weights.
+    /// As the device has it: its reference starts from the same numbers, but for the nodes' weights.
     pub avatar: Avatar,
     pub posed: Posed,
     pub camera: Camera,
@@ -98,7 +98,8 @@ pub struct Frame {
     pub report: FrameReport,
     pub picture: effigy_core::scene::FrameImage,
     /// Of every 2^`level`-th Gaussian; worked out when it is first looked at.
-    pub oracle: LazyCell<reference::ReferenceFrame, Box<dyn FnOnce() -> reference::ReferenceFrame>>,
+    pub reference:
+        LazyCell<reference::ReferenceFrame, Box<dyn FnOnce() -> reference::ReferenceFrame>>,
     pub level: u32,
 }
 
@@ -157,14 +158,14 @@ pub fn draw_after(
     let avatar = avatar.compact();
     let level = options.detail.finest;
     let (held, pose) = (avatar.clone(), posed.clone());
-    let oracle = LazyCell::new(Box::new(move || {
+    let reference = LazyCell::new(Box::new(move || {
         reference::ReferenceFrame::at_level(&held, &pose, &camera, level)
     }) as Box<dyn FnOnce() -> _>);
     Frame {
         report: renderer.report().clone(),
         gpu: stages,
         picture,
-        oracle,
+        reference,
         level,
         avatar,
         posed,

@@ -45,7 +45,7 @@ fn a_device_is_found_by_number_and_by_part_of_its_name() {
 
 /// What must be true of the statistics of all pipelines on any driver that has them.
 fn assert_whole(device: &Gpu, executables: &[Executable]) {
-    let onesweep = effigy::vulkan::sort::lacks(SortVariant::OneSweep, device).is_none();
+    let onesweep = effigy::vulkan::sort::unsupported(SortVariant::OneSweep, device).is_none();
     for module in MODULES
         .iter()
         .filter(|module| onesweep || module.file != "sort/onesweep.comp")
@@ -218,8 +218,8 @@ fn many_frames_in_flight_stay_in_order() {
     }
     let camera = Camera::orbit(DVec3::new(0.0, 1.0, 0.0), 0.3, 0.0, 4.0, 0.7, [64, 64]);
     renderer.draw(&posed, &camera, None).unwrap();
-    let oracle = effigy_core::reference::render(&avatar, &posed, &camera);
-    let error = effigy_measure::error::between(&renderer.read_image().unwrap(), &oracle);
+    let reference = effigy_core::reference::render(&avatar, &posed, &camera);
+    let error = effigy_measure::error::between(&renderer.read_image().unwrap(), &reference);
     assert!(error.covered.psnr_db > 54.0, "{:?}", error.covered);
     let control: Control = renderer.stages().unwrap().control;
     assert_eq!(control.key_count, 300);

@@ -260,10 +260,10 @@ fn only_what_changed_is_drawn_again(method: RasterMethod) {
         counters.gaussians,
         "{reasons:?}"
     );
-    let oracle = reference::ReferenceFrame::at_level(&avatar, &posed, &cameras[2], level)
+    let reference = reference::ReferenceFrame::at_level(&avatar, &posed, &cameras[2], level)
         .canvas
         .to_image();
-    let error = error::between(&picture, &oracle);
+    let error = error::between(&picture, &reference);
     assert!(
         error.covered.psnr_db > 48.0,
         "{options:?}: {:?}",

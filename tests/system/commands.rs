@@ -68,15 +68,16 @@ fn render_writes_the_demo_as_the_reference_draws_it() {
     );
     works(
         folder.path(),
-        "render --size 320x400 --time 1.5 --reference --out oracle.png",
+        "render --size 320x400 --time 1.5 --reference --out reference.png",
     );
-    let [gpu, oracle] = ["gpu.png", "oracle.png"].map(|name| picture(&folder.path().join(name)));
+    let [gpu, reference] =
+        ["gpu.png", "reference.png"].map(|name| picture(&folder.path().join(name)));
     assert_eq!(gpu.size, [320, 400]);
-    let error = error::between(&gpu, &oracle);
+    let error = error::between(&gpu, &reference);
     // Both are rounded to 8 bits once more, over a background.
     assert!(error.whole.psnr_db > 50.0, "{error:?}");
-    let background = oracle.pixels[0];
-    let drawn = oracle
+    let background = reference.pixels[0];
+    let drawn = reference
         .pixels
         .iter()
         .filter(|&&pixel| pixel != background)
@@ -94,14 +95,14 @@ fn render_draws_several_as_the_reference_does() {
     works(folder.path(), &format!("{what} --count 3 --out gpu.png"));
     works(
         folder.path(),
-        &format!("{what} --count 3 --reference --out oracle.png"),
+        &format!("{what} --count 3 --reference --out reference.png"),
     );
     works(folder.path(), &format!("{what} --out one.png"));
-    let [gpu, oracle, one] =
-        ["gpu.png", "oracle.png", "one.png"].map(|name| picture(&folder.path().join(name)));
+    let [gpu, reference, one] =
+        ["gpu.png", "reference.png", "one.png"].map(|name| picture(&folder.path().join(name)));
     assert!(
-        error::between(&gpu, &oracle).whole.psnr_db > 50.0
-            && error::between(&one, &oracle).whole.psnr_db < 30.0
+        error::between(&gpu, &reference).whole.psnr_db > 50.0
+            && error::between(&one, &reference).whole.psnr_db < 30.0
     );
     assert!(fails_usage(folder.path(), "render --count 0").contains("--count"));
 }

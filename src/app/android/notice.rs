@@ -22,7 +22,9 @@ pub fn explanation(error: &anyhow::Error) -> String {
         Some(Error::NoLoader(_) | Error::NoDevice) => {
             "This device has no Vulkan driver. Effigy needs Vulkan 1.1.".into()
         }
-        Some(Error::Lacks { device, lacks }) => format!("{device} can't draw it: {lacks}."),
+        Some(Error::Unsupported { device, missing }) => {
+            format!("{device} can't draw it: {missing}.")
+        }
         Some(error @ (Error::NoTriangles { .. } | Error::NoSort { .. })) => format!("{error}."),
         _ => {
             return format!(

@@ -9,7 +9,7 @@ use effigy::vulkan::{
     Error, Gpu, GpuOptions, Probe, Result,
     instance::Instance,
     probe::version,
-    sort::{choice::choose, verdict::Verdict},
+    sort::{choice::choose, sort_choice::SortChoice},
 };
 use serde_json::json;
 use std::path::PathBuf;
@@ -94,7 +94,7 @@ fn print(number: usize, probe: &Probe) {
         Some(Err(error)) => println!("   sort             {error}"),
         None => {}
     }
-    let missing = probe.lacks();
+    let missing = probe.missing_requirements();
     if missing.is_empty() {
         println!("   can serve\n");
     } else {
@@ -192,8 +192,8 @@ fn subgroups(probe: &Probe) -> String {
 
 /// The self-test's choice of the sort variant, from its record or by running it. None where the
 /// device can't serve.
-fn sort(number: usize, probe: &Probe) -> Option<Result<Verdict>> {
-    if !probe.lacks().is_empty() {
+fn sort(number: usize, probe: &Probe) -> Option<Result<SortChoice>> {
+    if !probe.missing_requirements().is_empty() {
         return None;
     }
     let gpu = Gpu::new(&GpuOptions::headless(Some(number.to_string())));
@@ -227,6 +227,6 @@ fn describe(number: usize, probe: &Probe) -> serde_json::Value {
         "subgroup_size": probe.subgroup_size,
         "optional": optional,
         "sort": sort,
-        "lacks": probe.lacks(),
+        "missing": probe.missing_requirements(),
     })
 }

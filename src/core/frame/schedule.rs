@@ -58,7 +58,7 @@ pub struct Equipment {
 
 /// What the device holds from earlier frames.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Held {
+pub struct DeviceState {
     /// Keys that the control says the sort takes; None where that is not known.
     pub key_count: Option<u32>,
 }
@@ -67,18 +67,18 @@ pub struct Held {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Schedule {
     pub steps: Vec<Step>,
-    /// Keys that the sort takes in this frame: [`Held::key_count`] of the next.
+    /// Keys that the sort takes in this frame: [`DeviceState::key_count`] of the next.
     pub key_count: u32,
 }
 
 impl Schedule {
     /// The frame: which passes run, in which order, what is skipped and why. This is the one place
     /// that says so.
-    pub fn new(plan: &FramePlan, equipment: &Equipment, held: Held) -> Self {
+    pub fn new(plan: &FramePlan, equipment: &Equipment, device_state: DeviceState) -> Self {
         let mut steps = Recorder::new();
-        let known = held.key_count.unwrap_or(0);
+        let known = device_state.key_count.unwrap_or(0);
         let key_count = if plan.redraw { plan.key_count() } else { known };
-        if held.key_count != Some(key_count) {
+        if device_state.key_count != Some(key_count) {
             steps.run(Pass::SetKeyCount { keys: key_count });
         }
         if plan.redraw {
@@ -315,7 +315,7 @@ mod tests {
         dependencies: PartDependencies,
         options: RendererOptions,
         state: FrameState,
-        held: Held,
+        device_state: DeviceState,
     }
 
     impl Planner {
@@ -330,7 +330,7 @@ mod tests {
                     ..options
                 },
                 state: FrameState::default(),
-                held: Held::default(),
+                device_state: DeviceState::default(),
             }
         }
 
@@ -358,8 +358,8 @@ mod tests {
                 has_occluder: true,
                 always_submit: true,
             });
-            let schedule = Schedule::new(&plan, equipment, self.held);
-            self.held.key_count = Some(schedule.key_count);
+            let schedule = Schedule::new(&plan, equipment, self.device_state);
+            self.device_state.key_count = Some(schedule.key_count);
             schedule
         }
     }

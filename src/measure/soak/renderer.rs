@@ -4,10 +4,10 @@
 use effigy::vulkan::{
     Gpu, Recording, Renderer, RendererOptions, Result,
     commands::FrameReport,
-    picture::Copied,
+    download::Copied,
     renderer::Presentation,
     screen::Offscreen,
-    watch::{FrameValidator, Seen},
+    watch::{FrameValidator, PixelCounts},
 };
 use effigy_core::{
     avatar::{Avatar, motion::Player},
@@ -137,7 +137,7 @@ impl<'a> SoakRenderer<'a> {
 
     /// The result of a check, once, some frames after its image was drawn. To be called after each
     /// frame.
-    pub fn finished_check(&mut self) -> Option<Seen> {
+    pub fn finished_check(&mut self) -> Option<PixelCounts> {
         self.validator.step()
     }
 

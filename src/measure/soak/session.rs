@@ -2,7 +2,7 @@
 //! second come out. A session knows neither device nor clock.
 
 use super::{cadence::Cadence, report::Second};
-use effigy::vulkan::watch::Seen;
+use effigy::vulkan::watch::PixelCounts;
 use effigy_core::frame::Counters;
 use effigy_runtime::{
     governor::{FrameQuality, Governor, Rung, Sample},
@@ -252,7 +252,7 @@ impl Session {
     }
 
     /// Adds the check of an image.
-    pub fn add_image_check(&mut self, check: Seen) {
+    pub fn add_image_check(&mut self, check: PixelCounts) {
         self.totals.images += 1;
         self.totals.broken_pixels += check.broken;
         self.totals.empty_images += u64::from(check.covered == 0);

@@ -23,11 +23,11 @@ pub enum Error {
     NoStatistics { device: String },
     #[error("{device} was opened to be asked about its shaders, so nothing can run on it")]
     AskedOnly { device: String },
-    #[error("{device} can't serve: {lacks}")]
-    Lacks { device: String, lacks: String },
+    #[error("{device} can't serve: {missing}")]
+    Unsupported { device: String, missing: String },
     #[error("{device} can't serve: {NO_TRIANGLES}")]
     NoTriangles { device: String },
-    #[error("{device} can't show pictures in this window")]
+    #[error("{device} can't present to this window")]
     NoWindow { device: String },
     #[error("no Vulkan driver on this machine has an extension for windows of this display")]
     NoWindowExtension,
@@ -47,8 +47,8 @@ pub enum Error {
         limit: u64,
         device: String,
     },
-    #[error("a picture of {found} px is outside what {device} draws: 1 to {limit} px a side")]
-    PictureSize {
+    #[error("an image of {found} px is outside what {device} draws: 1 to {limit} px a side")]
+    ImageSize {
         found: String,
         limit: u32,
         device: String,

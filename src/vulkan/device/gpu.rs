@@ -11,8 +11,8 @@ use super::{
     options::GpuOptions,
     probe::Probe,
     recording::Recording,
+    sort_choice::Sorts,
     statistics::Statistics,
-    verdict::Sorts,
 };
 use ash::{khr, vk};
 use gpu_allocator::vulkan::{Allocator, AllocatorCreateDesc};
@@ -63,12 +63,16 @@ impl Gpu {
     pub fn new(options: &GpuOptions) -> Result<Arc<Self>> {
         let instance = Instance::new(options.validation, &options.surface_extensions)?;
         let probe = choose(Probe::all(&instance)?, options.device.as_deref())?;
-        let probe = if options.least { probe.least() } else { probe };
-        let lacks = probe.lacks();
-        let Some(queue_family) = probe.queue_family.filter(|_| lacks.is_empty()) else {
-            return Err(Error::Lacks {
+        let probe = if options.baseline {
+            probe.baseline()
+        } else {
+            probe
+        };
+        let missing = probe.missing_requirements();
+        let Some(queue_family) = probe.queue_family.filter(|_| missing.is_empty()) else {
+            return Err(Error::Unsupported {
                 device: probe.name,
-                lacks: lacks.join("; "),
+                missing: missing.join("; "),
             });
         };
         if options.statistics && !probe.shader_statistics {
@@ -236,7 +240,7 @@ impl Drop for Gpu {
 
 fn choose(mut probes: Vec<Probe>, wanted: Option<&str>) -> Result<Probe> {
     let Some(wanted) = wanted else {
-        probes.sort_by_key(|probe| (!probe.lacks().is_empty(), probe.rank()));
+        probes.sort_by_key(|probe| (!probe.missing_requirements().is_empty(), probe.rank()));
         return probes.into_iter().next().ok_or(Error::NoDevice);
     };
     let by_number = wanted

@@ -11,8 +11,8 @@ pub mod moment;
 pub mod options;
 pub mod probe;
 pub mod recording;
+pub mod sort_choice;
 pub mod statistics;
-pub mod verdict;
 
 pub use error::{Error, Result};
 pub use gpu::Gpu;

@@ -13,7 +13,7 @@ pub struct GpuOptions {
     /// Read f16 as words even where the device has 16-bit storage: to compare the two.
     pub packed_words: bool,
     /// Use no more than every Vulkan 1.1 device has, as if the device were the least of them.
-    pub least: bool,
+    pub baseline: bool,
     /// Ask what the driver's compiler makes of each pipeline. Nothing ever runs on a device opened
     /// so.
     pub statistics: bool,

@@ -215,7 +215,7 @@ impl Probe {
     }
 
     /// This device with nothing that Vulkan 1.1 does not promise of every device.
-    pub fn least(mut self) -> Self {
+    pub fn baseline(mut self) -> Self {
         let limits = &mut self.limits;
         limits.max_storage_buffer_range = limits.max_storage_buffer_range.min(1 << 27);
         limits.max_compute_shared_memory_size = limits.max_compute_shared_memory_size.min(16 << 10);
@@ -242,18 +242,18 @@ impl Probe {
     }
 
     /// What the device would need and does not have; empty where it can serve.
-    pub fn lacks(&self) -> Vec<String> {
-        let mut lacks = Vec::new();
+    pub fn missing_requirements(&self) -> Vec<String> {
+        let mut missing = Vec::new();
         if self.api_version < vk::API_VERSION_1_1 {
-            lacks.push(format!(
+            missing.push(format!(
                 "it has Vulkan {}, Vulkan 1.1 is needed",
                 version(self.api_version)
             ));
         }
         if self.queue_family.is_none() {
-            lacks.push("no queue does both graphics and compute".into());
+            missing.push("no queue does both graphics and compute".into());
         }
-        lacks
+        missing
     }
 
     /// Whether windows tell of their refreshes. Their times are those of the system's monotonic

@@ -5,9 +5,9 @@
 //! | [`RasterMethod::Quads`] | a quad a splat, blended far to near by the device's blender | all that a quad covers |
 //! | [`RasterMethod::Tiles`] | `binning` lists the splats of each tile, a kernel blends each pixel near to far | none behind a saturated pixel |
 
+pub mod download;
 pub(crate) mod draw;
 mod options;
-pub mod picture;
 mod quads;
 mod stage;
 pub(crate) mod target;

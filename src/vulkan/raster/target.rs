@@ -35,7 +35,7 @@ pub(crate) fn vulkan_format(format: ColorFormat) -> vk::Format {
 /// Fails where a device can't have an image of this size, px. `limit`: its largest side.
 pub(crate) fn check_size(gpu: &Gpu, size: [u32; 2], limit: u32) -> Result<()> {
     if size.iter().any(|&side| side == 0 || side > limit) {
-        return Err(Error::PictureSize {
+        return Err(Error::ImageSize {
             found: format!("{} × {}", size[0], size[1]),
             limit,
             device: gpu.probe.name.clone(),

@@ -24,8 +24,8 @@ use super::{
     },
     raster::{
         Raster,
+        download::{self, Copied},
         draw::Inputs,
-        picture::{self, Copied},
         resolved,
     },
     sort::{Sort, SortOptions, choice},
@@ -38,7 +38,7 @@ use effigy_core::{
     avatar::Avatar,
     frame::{
         Damage, RendererOptions, Schedule, Skip, Unusable, block,
-        schedule::{Equipment, Held},
+        schedule::{DeviceState, Equipment},
         state::{FrameState, PlanInput},
         validate,
     },
@@ -102,7 +102,7 @@ pub struct Renderer {
 
 /// What the frame before left.
 #[derive(Clone, Copy)]
-struct Found {
+struct FrameBefore {
     /// The key count that the control holds; None before the first frame.
     key_count: Option<u32>,
     /// A box around all pixels that may be drawn; None where they are not known.
@@ -270,7 +270,7 @@ impl Renderer {
         let waited = Instant::now();
         // Should anything below fail, nothing of this frame counts as drawn.
         let mut state = std::mem::take(&mut self.state);
-        let found = Found {
+        let before = FrameBefore {
             key_count: self.key_count.take(),
             damaged: self.damaged.take(),
         };
@@ -285,8 +285,8 @@ impl Renderer {
         });
         if !plan.redraw && presentation.is_none() {
             self.state = state;
-            self.key_count = found.key_count;
-            self.damaged = found.damaged;
+            self.key_count = before.key_count;
+            self.damaged = before.damaged;
             self.report = FrameReport::idle(self.sh.is_some());
             return Ok(());
         }
@@ -304,11 +304,11 @@ impl Renderer {
             method: self.raster.method(),
             skip: self.options.skip,
         };
-        let held = Held {
-            key_count: found.key_count,
+        let device_state = DeviceState {
+            key_count: before.key_count,
         };
-        let schedule = Schedule::new(&plan, &equipment, held);
-        let damage = Damage::new(plan.drawn_rect, found.damaged, self.raster.drawn());
+        let schedule = Schedule::new(&plan, &equipment, device_state);
+        let damage = Damage::new(plan.drawn_rect, before.damaged, self.raster.drawn());
         self.execute(frame, &schedule, &plan, &damage);
         let mut semaphores = None;
         if let Some(presentation) = presentation {
@@ -334,7 +334,7 @@ impl Renderer {
         self.damaged = if plan.redraw {
             Some(plan.drawn_rect)
         } else {
-            found.damaged
+            before.damaged
         };
         self.next = (frame + 1) % FRAMES_IN_FLIGHT;
         Ok(())
@@ -419,7 +419,7 @@ impl Renderer {
     /// Waits, and copies the image of the last frame to the host, without the work of decoding it.
     pub fn copy(&mut self) -> Result<Copied> {
         self.finish()?;
-        picture::download(&self.gpu, &self.raster)
+        download::read_image(&self.gpu, &self.raster)
     }
 
     /// Waits, and copies every stage's output of the last frame to the host.

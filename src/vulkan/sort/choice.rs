@@ -3,15 +3,15 @@
 //! without a word, and no query tells.
 
 use super::{
-    options::{SortOptions, lacks},
+    options::{SortOptions, unsupported},
     record::Record,
-    trial::Trial,
+    standalone::StandaloneSort,
 };
 use crate::vulkan::device::{
     cache,
     error::{Error, Result},
     gpu::Gpu,
-    verdict::{Outcome, Verdict},
+    sort_choice::{Outcome, SortChoice},
 };
 use effigy_core::{
     frame::{KeyBits, SortVariant},
@@ -35,25 +35,25 @@ const PATIENCE: Duration = Duration::from_secs(2);
 /// How to sort here. Tests on the first call after a change of driver or program, which takes a
 /// part of a second; later calls and starts know. Fails where no variant is right, or the device is
 /// lost or hangs in a test, which later starts do not try again.
-pub fn choose(gpu: &Arc<Gpu>) -> Result<Verdict> {
-    if let Some(verdict) = gpu.sorts.chosen.get() {
-        return Ok(verdict.clone());
+pub fn choose(gpu: &Arc<Gpu>) -> Result<SortChoice> {
+    if let Some(choice) = gpu.sorts.chosen.get() {
+        return Ok(choice.clone());
     }
-    let verdict = choose_in(gpu, cache::folder().as_deref())?;
-    Ok(gpu.sorts.chosen.get_or_init(|| verdict).clone())
+    let choice = choose_in(gpu, cache::folder().as_deref())?;
+    Ok(gpu.sorts.chosen.get_or_init(|| choice).clone())
 }
 
 /// The variant to draw the first frame with: the fastest that earlier tests found right, else one
 /// that needs neither subgroups nor look-back. Nothing is tested, so that nobody waits for it;
 /// [`choose`] tests. Fails where every variant was tested and none is right.
 pub fn without_test(gpu: &Gpu) -> Result<SortVariant> {
-    if let Some(verdict) = gpu.sorts.chosen.get() {
-        return Ok(verdict.variant);
+    if let Some(choice) = gpu.sorts.chosen.get() {
+        return Ok(choice.variant);
     }
     let record = Record::new(gpu, cache::folder().as_deref());
     let tried = record.read();
-    if let Some(verdict) = Verdict::of(&tried) {
-        return Ok(verdict.variant);
+    if let Some(choice) = SortChoice::of(&tried) {
+        return Ok(choice.variant);
     }
     // Counters for each thread save a CPU driver its barriers.
     let safe = if gpu.probe.is_cpu() {
@@ -85,14 +85,14 @@ pub fn is_tested(gpu: &Gpu) -> bool {
 
 /// How to sort here, with a folder of the caller's to remember it in; None remembers nothing. See
 /// [`choose`].
-pub fn choose_in(gpu: &Arc<Gpu>, folder: Option<&Path>) -> Result<Verdict> {
+pub fn choose_in(gpu: &Arc<Gpu>, folder: Option<&Path>) -> Result<SortChoice> {
     let record = Record::new(gpu, folder);
     let mut tried = record.read();
     let untried = untried(&tried);
     for &variant in &untried {
         record.begin(&tried, variant);
         let outcome = match needless(gpu, variant) {
-            Some(why) => Ok(Outcome::Lacks(why.into())),
+            Some(why) => Ok(Outcome::Unsupported(why.into())),
             None => test(gpu, variant),
         };
         match outcome {
@@ -109,7 +109,7 @@ pub fn choose_in(gpu: &Arc<Gpu>, folder: Option<&Path>) -> Result<Verdict> {
     if !untried.is_empty() {
         record.write(&tried);
     }
-    Verdict::of(&tried).ok_or_else(|| no_sort(gpu, &tried, &record))
+    SortChoice::of(&tried).ok_or_else(|| no_sort(gpu, &tried, &record))
 }
 
 fn no_sort(gpu: &Gpu, tried: &[(SortVariant, Outcome)], record: &Record) -> Error {
@@ -143,12 +143,12 @@ pub fn allow(gpu: &Arc<Gpu>, variant: SortVariant) -> Result<()> {
     }
     let why = match outcome_of(gpu, variant)? {
         Outcome::Right(_) => return Ok(()),
-        Outcome::Lacks(why) => why,
+        Outcome::Unsupported(why) => why,
         outcome => format!("its test says {outcome}"),
     };
-    Err(Error::Lacks {
+    Err(Error::Unsupported {
         device: gpu.probe.name.clone(),
-        lacks: format!("for {}: {why}", variant.name()),
+        missing: format!("for {}: {why}", variant.name()),
     })
 }
 
@@ -167,12 +167,12 @@ fn outcome_of(gpu: &Arc<Gpu>, variant: SortVariant) -> Result<Outcome> {
         return Ok(outcome);
     }
     let known = match gpu.sorts.chosen.get() {
-        Some(verdict) => find(&verdict.tried),
+        Some(choice) => find(&choice.tried),
         None => find(&Record::new(gpu, cache::folder().as_deref()).read()),
     };
     match known {
         // It may lack no more than a use here.
-        Some(Outcome::Lacks(_)) | None => {
+        Some(Outcome::Unsupported(_)) | None => {
             let outcome = test(gpu, variant)?;
             asked.push((variant, outcome.clone()));
             Ok(outcome)
@@ -191,8 +191,8 @@ fn needless(gpu: &Gpu, variant: SortVariant) -> Option<&'static str> {
 
 /// Tests one variant, whatever was found before. Fails only where the device can't go on.
 pub fn test(gpu: &Arc<Gpu>, variant: SortVariant) -> Result<Outcome> {
-    if let Some(lacks) = lacks(variant, gpu) {
-        return Ok(Outcome::Lacks(lacks.into()));
+    if let Some(reason) = unsupported(variant, gpu) {
+        return Ok(Outcome::Unsupported(reason.into()));
     }
     match run(gpu, variant) {
         Ok(outcome) => Ok(outcome),
@@ -204,7 +204,7 @@ pub fn test(gpu: &Arc<Gpu>, variant: SortVariant) -> Result<Outcome> {
 }
 
 fn run(gpu: &Arc<Gpu>, variant: SortVariant) -> Result<Outcome> {
-    let trial = Trial::new(gpu, KEYS, SortOptions::new(KeyBits::Sixteen, variant))?;
+    let trial = StandaloneSort::new(gpu, KEYS, SortOptions::new(KeyBits::Sixteen, variant))?;
     // Drivers may compile in the first run, which is therefore not held against the variant.
     trial.load(&[7])?;
     trial.run()?;
@@ -246,7 +246,7 @@ fn run(gpu: &Arc<Gpu>, variant: SortVariant) -> Result<Outcome> {
 /// passes, sums of sums.
 fn long(gpu: &Arc<Gpu>, variant: SortVariant) -> Result<Option<String>> {
     let count = LONG_TILES * variant.tile();
-    let trial = Trial::new(gpu, count, SortOptions::new(KeyBits::ThirtyTwo, variant))?;
+    let trial = StandaloneSort::new(gpu, count, SortOptions::new(KeyBits::ThirtyTwo, variant))?;
     let keys: Vec<u32> = (0..count)
         .map(|at| at.wrapping_mul(2_654_435_769))
         .collect();

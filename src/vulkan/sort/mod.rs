@@ -33,13 +33,13 @@ mod options;
 mod passes;
 mod record;
 mod stage;
-pub mod trial;
+pub mod standalone;
 
-pub use crate::vulkan::device::verdict;
+pub use crate::vulkan::device::sort_choice;
 pub use effigy_core::frame::{KeyBits, SortVariant};
 #[cfg(doc)]
 use effigy_core::layout::Control;
 #[cfg(doc)]
 use effigy_core::layout::SORT_CULLED;
-pub use options::{SortOptions, counts_size, lacks};
+pub use options::{SortOptions, counts_size, unsupported};
 pub use stage::Sort;

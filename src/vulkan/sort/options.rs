@@ -4,7 +4,7 @@ use crate::vulkan::{device::gpu::Gpu, memory::Slice};
 use effigy_core::frame::{KeyBits, SortVariant};
 
 /// Why a device can't run a variant at all.
-pub fn lacks(variant: SortVariant, gpu: &Gpu) -> Option<&'static str> {
+pub fn unsupported(variant: SortVariant, gpu: &Gpu) -> Option<&'static str> {
     match variant {
         SortVariant::OneSweep if !gpu.probe.subgroup_ballot => {
             Some("the device has no subgroup ballots in compute shaders")

@@ -5,7 +5,7 @@ use crate::vulkan::{
     device::{
         cache,
         gpu::Gpu,
-        verdict::{ATTEMPTS, Outcome},
+        sort_choice::{ATTEMPTS, Outcome},
     },
     pipeline::shaders,
 };
@@ -16,7 +16,7 @@ use std::{
     path::{Path, PathBuf},
 };
 
-/// What a verdict depends on: with any of it changed, an old one says nothing.
+/// What the record depends on: with any of it changed, an old one says nothing.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 struct Identity {
     device: String,
@@ -127,7 +127,7 @@ impl Record {
             .and_then(|text| cache::write(path, &text));
         if let Err(error) = written {
             tracing::debug!(
-                "the sort's verdict was not saved to {}: {error}",
+                "the sort's self-test was not saved to {}: {error}",
                 path.display()
             );
         }

@@ -1,7 +1,7 @@
 //! The sort on a device: its kernels and its memory.
 
 use super::{
-    options::{SortOptions, counts_size, lacks, tiles},
+    options::{SortOptions, counts_size, tiles, unsupported},
     passes::{self, Pass},
 };
 use crate::vulkan::{
@@ -43,10 +43,10 @@ impl Sort {
         options: SortOptions,
     ) -> Result<Self> {
         let variant = options.variant;
-        if let Some(lacks) = lacks(variant, gpu) {
-            return Err(Error::Lacks {
+        if let Some(reason) = unsupported(variant, gpu) {
+            return Err(Error::Unsupported {
                 device: gpu.probe.name.clone(),
-                lacks: format!("for {}: {lacks}", variant.name()),
+                missing: format!("for {}: {reason}", variant.name()),
             });
         }
         let too_large = |keys: u64, limit: u64| Error::TooLarge {

@@ -1,5 +1,6 @@
 //! From an image to what shows it: a window, or a screen in memory.
 
+pub mod pre_transform;
 pub mod present;
 pub mod screen;
 #[cfg(feature = "window")]
@@ -7,5 +8,4 @@ pub mod swapchain;
 #[cfg(feature = "window")]
 mod target;
 pub mod timing;
-pub mod turn;
 pub mod watch;

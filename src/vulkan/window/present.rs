@@ -1,6 +1,6 @@
 //! The `present` stage: draws the rendered image, stretched to fill the canvas, over a background.
 
-use super::turn::PreTransform;
+use super::pre_transform::PreTransform;
 use crate::vulkan::{
     device::{
         error::Result,
@@ -44,7 +44,7 @@ pub struct Canvas<'a> {
     /// Width and height as a viewer sees it, px.
     pub size: [u32; 2],
     /// How it lies in the framebuffer.
-    pub turn: PreTransform,
+    pub pre_transform: PreTransform,
 }
 
 /// What is drawn into it.
@@ -111,7 +111,7 @@ impl Present {
     /// Draws the image, stretched to fill a canvas, over a background, then what `then` records in
     /// the same render pass.
     pub fn record(&self, commands: Recording, canvas: Canvas, shown: Shown, then: impl FnOnce()) {
-        let [width, height] = canvas.turn.extent(canvas.size);
+        let [width, height] = canvas.pre_transform.extent(canvas.size);
         let area = vk::Rect2D {
             offset: vk::Offset2D::default(),
             extent: vk::Extent2D { width, height },
@@ -124,7 +124,7 @@ impl Present {
         let [x, y] = shown.drawn.map(|side| side as f32);
         let [w, h] = canvas.size.map(|side| side as f32);
         let [r, g, b] = shown.background;
-        let (matrix, origin) = canvas.turn.back(canvas.size);
+        let (matrix, origin) = canvas.pre_transform.back(canvas.size);
         let [xx, xy, yx, yy] = matrix.to_cols_array();
         let constants = [r, g, b, 1.0, xx, xy, yx, yy, origin.x, origin.y, x, y, w, h];
         let device = &self.gpu.raw;

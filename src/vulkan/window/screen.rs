@@ -1,8 +1,8 @@
 //! A screen without a window: what a window would show lands in an image, which can be read back.
 
 use super::{
+    pre_transform::PreTransform,
     present::{Canvas, Present, Shown},
-    turn::PreTransform,
 };
 use crate::vulkan::{
     device::{error::Result, gpu::Gpu, handle::Framebuffer, recording::Recording},
@@ -56,7 +56,7 @@ impl Offscreen {
         let canvas = Canvas {
             framebuffer: &self.framebuffer,
             size: self.image.size,
-            turn: PreTransform::default(),
+            pre_transform: PreTransform::default(),
         };
         let shown = Shown { drawn, background };
         self.present.record(commands, canvas, shown, || ());

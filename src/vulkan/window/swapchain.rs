@@ -2,9 +2,9 @@
 
 pub use super::target::Target;
 use super::{
+    pre_transform::PreTransform,
     present::Canvas,
     timing::{PresentFeedback, Timing},
-    turn::PreTransform,
 };
 use crate::vulkan::{
     commands::{FRAMES_IN_FLIGHT, Semaphores},
@@ -107,7 +107,7 @@ pub struct Swapchain {
     /// Width and height of the window as it is seen, px.
     size: [u32; 2],
     /// How it lies in the images.
-    turn: PreTransform,
+    pre_transform: PreTransform,
     handle: SwapchainHandle,
 }
 
@@ -162,10 +162,10 @@ impl Swapchain {
             return Ok(None);
         }
         let transform = capabilities.current_transform;
-        let turn = PreTransform::asked(transform)
+        let pre_transform = PreTransform::asked(transform)
             .filter(|_| capabilities.supported_transforms.contains(transform));
-        let extent = turn.unwrap_or_default().extent(size);
-        let info = info(surface, &capabilities, extent, turn.is_some()).old_swapchain(
+        let extent = pre_transform.unwrap_or_default().extent(size);
+        let info = info(surface, &capabilities, extent, pre_transform.is_some()).old_swapchain(
             old.as_ref()
                 .map_or(vk::SwapchainKHR::null(), |old| old.handle.raw),
         );
@@ -194,7 +194,7 @@ impl Swapchain {
             waited: 0,
             timing: Timing::new(gpu),
             size,
-            turn: turn.unwrap_or_default(),
+            pre_transform: pre_transform.unwrap_or_default(),
             handle,
         }))
     }
@@ -248,7 +248,7 @@ impl Swapchain {
         Canvas {
             framebuffer: &self.images[image.index].framebuffer,
             size: self.size,
-            turn: self.turn,
+            pre_transform: self.pre_transform,
         }
     }
 
@@ -371,9 +371,9 @@ fn choose_format(gpu: &Gpu, surface: &SurfaceHandle) -> Result<vk::SurfaceFormat
             found.format == wanted && found.color_space == vk::ColorSpaceKHR::SRGB_NONLINEAR
         })
     });
-    found.copied().ok_or_else(|| Error::Lacks {
+    found.copied().ok_or_else(|| Error::Unsupported {
         device: gpu.probe.name.clone(),
-        lacks: "its windows have no 8-bit format without conversion".into(),
+        missing: "its windows have no 8-bit format without conversion".into(),
     })
 }
 

@@ -18,7 +18,7 @@ const STRIPS: usize = 16;
 
 /// What was seen in an image, pixels.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Seen {
+pub struct PixelCounts {
     /// Of an alpha above 0.
     pub covered: u64,
     /// Of which some number is NaN or infinite. Images of 8 bits can't hold one.
@@ -31,7 +31,7 @@ enum State {
     /// Copied by a frame; so many more until that frame is done.
     Copying(usize),
     /// What was seen of the first strips.
-    Reading(usize, Seen),
+    Reading(usize, PixelCounts),
 }
 
 /// Copies images of one renderer and reads them.
@@ -83,11 +83,11 @@ impl FrameValidator {
 
     /// To be called after every frame that was submitted: reads on. Says what was seen once the
     /// image was read.
-    pub fn step(&mut self) -> Option<Seen> {
+    pub fn step(&mut self) -> Option<PixelCounts> {
         match self.state {
             State::Idle => None,
             State::Copying(0) => {
-                self.state = State::Reading(0, Seen::default());
+                self.state = State::Reading(0, PixelCounts::default());
                 None
             }
             State::Copying(frames) => {
@@ -111,17 +111,17 @@ impl FrameValidator {
     }
 }
 
-fn add(a: Seen, b: Seen) -> Seen {
-    Seen {
+fn add(a: PixelCounts, b: PixelCounts) -> PixelCounts {
+    PixelCounts {
         covered: a.covered + b.covered,
         broken: a.broken + b.broken,
     }
 }
 
 /// Looks at some pixels' bytes.
-fn look(format: ColorFormat, bytes: &[u8]) -> Seen {
+fn look(format: ColorFormat, bytes: &[u8]) -> PixelCounts {
     match format {
-        ColorFormat::Rgba8 => Seen {
+        ColorFormat::Rgba8 => PixelCounts {
             covered: bytes.chunks_exact(4).filter(|pixel| pixel[3] > 0).count() as u64,
             broken: 0,
         },
@@ -129,7 +129,7 @@ fn look(format: ColorFormat, bytes: &[u8]) -> Seen {
             let half =
                 |pixel: &[u8], k: usize| f16::from_le_bytes([pixel[2 * k], pixel[2 * k + 1]]);
             let pixels = || bytes.chunks_exact(8);
-            Seen {
+            PixelCounts {
                 covered: pixels().filter(|pixel| half(pixel, 3) > f16::ZERO).count() as u64,
                 broken: pixels()
                     .filter(|pixel| (0..4).any(|k| !half(pixel, k).is_finite()))
@@ -155,14 +155,14 @@ mod tests {
         .concat();
         assert_eq!(
             look(ColorFormat::Rgba16F, &bytes),
-            Seen {
+            PixelCounts {
                 covered: 3,
                 broken: 2
             }
         );
         assert_eq!(
             look(ColorFormat::Rgba8, &[9, 9, 9, 0, 0, 0, 0, 1]),
-            Seen {
+            PixelCounts {
                 covered: 1,
                 broken: 0
             }

@@ -54,7 +54,7 @@ fn each_level_draws_the_references_picture(method: RasterMethod) {
         let options = gpu::with_method(&device.probe.name, method, SIZE);
         let options = gpu::at_level(options, level);
         let frame = gpu::frame(&device, u64::from(level), Sizes::default(), options);
-        let error = error::between(&frame.picture, &frame.oracle.canvas.to_image()).covered;
+        let error = error::between(&frame.picture, &frame.reference.canvas.to_image()).covered;
         assert!(
             error.pixels > 2000 && error.psnr_db >= 50.0,
             "level {level}, {:?}: {error:?}",
@@ -63,7 +63,7 @@ fn each_level_draws_the_references_picture(method: RasterMethod) {
         let counters = frame.report.counters;
         assert_eq!(
             (counters.gaussians - counters.skipped_by_detail) as usize,
-            frame.oracle.splats.len(),
+            frame.reference.splats.len(),
             "level {level}"
         );
         assert!(
@@ -226,8 +226,8 @@ fn avatars_of_different_levels_are_sorted_together() {
             reference::ReferenceFrame::at_level(&avatar, p, &camera, level).splats
         })
         .collect();
-    let oracle = raster::raster(&splats, &sort::order(&splats), &camera).to_image();
-    let error = error::between(&picture, &oracle).covered;
+    let reference = raster::raster(&splats, &sort::order(&splats), &camera).to_image();
+    let error = error::between(&picture, &reference).covered;
     assert!(
         error.pixels > 2000 && error.psnr_db >= 48.0,
         "{levels:?}: {error:?}"

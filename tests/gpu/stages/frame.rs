@@ -23,7 +23,7 @@ fn compare_on(
             ..gpu::options([320, 400])
         };
         let frame = gpu::frame(device, seed, Sizes::default(), options);
-        let error = error::between(&frame.picture, &frame.oracle.canvas.to_image());
+        let error = error::between(&frame.picture, &frame.reference.canvas.to_image());
         println!(
             "seed {seed}: {:?} drawn {}",
             error.covered, frame.report.counters.drawn
@@ -58,7 +58,7 @@ fn floating_point_pictures_agree_with_the_reference() {
 
 fn the_least_device_that_can_serve_draws_the_same_within_the_budget() {
     let device = gpu::open(GpuOptions {
-        least: true,
+        baseline: true,
         ..GpuOptions::headless(None)
     });
     assert_eq!(

@@ -54,14 +54,14 @@ fn compare(options: GpuOptions) {
         let frame = gpu::frame_of(&device, avatar, seed, options);
         let features: Vec<f64> = frame.gpu.features.iter().map(|&e| f64::from(e)).collect();
         let scale = frame
-            .oracle
+            .reference
             .features
             .iter()
             .fold(1.0, |max: f64, e| max.max(e.abs()));
         gpu::assert_close(
             &format!("e, {sizes:?}, bytes: {bytes}"),
             &features,
-            &frame.oracle.features,
+            &frame.reference.features,
             1e-5 * scale,
         );
     }
@@ -103,14 +103,14 @@ fn networks_see_wild_poses_as_the_nearest_known_one() {
         let frame = gpu::draw(&device, avatar.clone(), posed, camera, options);
         let features: Vec<f64> = frame.gpu.features.iter().map(|&e| f64::from(e)).collect();
         let largest = frame
-            .oracle
+            .reference
             .features
             .iter()
             .fold(1.0, |max: f64, e| max.max(e.abs()));
         gpu::assert_close(
             &format!("e, projected: {project}"),
             &features,
-            &frame.oracle.features,
+            &frame.reference.features,
             1e-5 * largest,
         );
         largest

@@ -45,18 +45,18 @@ fn compare(options: GpuOptions) {
             .flat_map(|v| [v[0], v[1], v[2]])
             .map(f64::from)
             .collect();
-        let oracle: Vec<f64> = frame
-            .oracle
+        let reference: Vec<f64> = frame
+            .reference
             .nodes
             .iter()
             .flat_map(|v| v.to_array())
             .collect();
         // A micrometre, and half a step of f16 for the largest.
-        let largest = oracle.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
+        let largest = reference.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
         gpu::assert_close(
             &format!("δx of the nodes, {sizes:?}"),
             &nodes,
-            &oracle,
+            &reference,
             1e-6 + largest / 2048.0,
         );
     }

@@ -63,12 +63,12 @@ struct Room {
     color: f64,
 }
 
-/// What the numbers round that a Gaussian's splat is made from and that the oracle does not know
+/// What the numbers round that a Gaussian's splat is made from and that the reference does not know
 /// of: the nodes' weights and displacements, and where `kept` says so what is kept where only the
 /// camera moves.
 fn room(frame: &gpu::Frame, at: usize, expected: &Splat, kept: bool) -> Room {
     let nodes = frame.avatar.gaussians.node[at << frame.level]
-        .map(|node| frame.oracle.nodes[usize::from(node)]);
+        .map(|node| frame.reference.nodes[usize::from(node)]);
     let apart = nodes[0]
         .distance(nodes[1])
         .max(nodes[1].distance(nodes[2]))
@@ -82,9 +82,9 @@ fn room(frame: &gpu::Frame, at: usize, expected: &Splat, kept: bool) -> Room {
     // On the screen; nearer the border lengths seem longer.
     let slope = (expected.center - frame.camera.center) / frame.camera.focal;
     let pixels = frame.camera.focal.max_element() / expected.depth * (1.0 + slope.length());
-    let axis = |k: usize| frame.oracle.gaussians[at].axes.col(k).length();
+    let axis = |k: usize| frame.reference.gaussians[at].axes.col(k).length();
     let axis = axis(0).max(axis(1)).max(axis(2)) * pixels;
-    // The oracle's quaternion is f16: each component is off by half a step, which turns by twice as
+    // The reference's quaternion is f16: each component is off by half a step, which turns by twice as
     // much.
     let mut axes = 3.5e-4 * axis;
     if kept {
@@ -100,7 +100,7 @@ fn room(frame: &gpu::Frame, at: usize, expected: &Splat, kept: bool) -> Room {
     // A little nearer is a little larger, and seen a little more from the side.
     axes += (expected.covariance[0] + expected.covariance[2]).sqrt() * offset / expected.depth
         * (1.0 + slope.length());
-    // Rounded to ten bits once more where it is kept; the oracle's are f16.
+    // Rounded to ten bits once more where it is kept; the reference's are f16.
     Room {
         center: offset * pixels,
         axes,
@@ -143,8 +143,12 @@ fn close_call(frame: &gpu::Frame, at: usize, kept: bool) -> bool {
             center: frame.camera.center + sign * by[1],
             ..frame.camera
         };
-        effigy_core::reference::project::project(&frame.oracle.gaussians[at], &camera, frame.level)
-            .is_ok()
+        effigy_core::reference::project::project(
+            &frame.reference.gaussians[at],
+            &camera,
+            frame.level,
+        )
+        .is_ok()
     };
     shifted(1.0) != shifted(-1.0)
 }
@@ -155,7 +159,7 @@ fn check(frame: &gpu::Frame) {
 
 fn check_all(frame: &gpu::Frame, kept: bool) {
     let step = 1.0 / fixed_scale(frame.camera.guard());
-    for (at, expected) in frame.oracle.splats.iter().enumerate() {
+    for (at, expected) in frame.reference.splats.iter().enumerate() {
         let drawn = frame.gpu.keys[at] != SORT_CULLED;
         match expected {
             _ if close_call(frame, at, kept) => {}
@@ -178,7 +182,7 @@ fn check_all(frame: &gpu::Frame, kept: bool) {
             ),
         }
     }
-    let survivors = frame.gpu.keys[..frame.oracle.splats.len()]
+    let survivors = frame.gpu.keys[..frame.reference.splats.len()]
         .iter()
         .filter(|&&key| key != SORT_CULLED)
         .count();
@@ -201,16 +205,16 @@ fn check_reasons(frame: &gpu::Frame, kept: bool) {
     );
     assert_eq!(
         (counters.gaussians - counters.skipped_by_detail) as usize,
-        frame.oracle.splats.len()
+        frame.reference.splats.len()
     );
     if kept {
         return;
     }
     let culled = frame
-        .oracle
+        .reference
         .splats
         .iter()
-        .zip(&frame.oracle.gaussians)
+        .zip(&frame.reference.gaussians)
         .filter_map(|(splat, gaussian)| Some((splat.as_ref().err()?, gaussian)));
     let mut expected = CullReasons::default();
     for (reason, gaussian) in culled {
@@ -223,7 +227,7 @@ fn check_reasons(frame: &gpu::Frame, kept: bool) {
         };
         *count += 1;
     }
-    let close = (0..frame.oracle.splats.len())
+    let close = (0..frame.reference.splats.len())
         .filter(|&at| close_call(frame, at, false))
         .count() as u64;
     for (got, expected) in [
@@ -296,7 +300,7 @@ fn compare(device: GpuOptions) {
     }
 }
 
-/// What a packed file holds is drawn as it is: the oracle's numbers are those of the file.
+/// What a packed file holds is drawn as it is: the reference's numbers are those of the file.
 fn packed_avatars_land_where_the_reference_puts_them() {
     let device = gpu::gpu();
     let sizes = [

@@ -37,7 +37,7 @@ fn the_order_is_the_references_but_for_depths_closer_than_a_key() {
             },
         );
         let depth = |at: u32| {
-            frame.oracle.splats[at as usize]
+            frame.reference.splats[at as usize]
                 .as_ref()
                 .map(|splat| splat.depth)
                 .unwrap_or(f64::NAN)
@@ -64,7 +64,7 @@ fn the_order_is_the_references_but_for_depths_closer_than_a_key() {
                 pair[1]
             );
         }
-        assert_eq!(frame.gpu.order.len(), frame.oracle.order.len());
+        assert_eq!(frame.gpu.order.len(), frame.reference.order.len());
     }
 }
 
@@ -90,7 +90,7 @@ fn few_gaussians_agree_pixel_by_pixel(method: RasterMethod) {
             .mean;
         let camera = Camera::orbit(target, 0.2, 0.1, 0.3, 0.6, [240, 160]);
         let frame = gpu::draw(&device, avatar, posed, camera, options);
-        let error = error::between(&frame.picture, &frame.oracle.canvas.to_image());
+        let error = error::between(&frame.picture, &frame.reference.canvas.to_image());
         assert!(
             error.covered.pixels > 100,
             "seed {seed}: nothing in the picture"
@@ -193,8 +193,8 @@ fn pictures_of_any_size_follow_a_resize(method: RasterMethod) {
         renderer.resize(size).unwrap();
         let camera = gpu::camera(&avatar, &posed, size);
         renderer.draw(&posed, &camera, None).unwrap();
-        let oracle = effigy_core::reference::render(&avatar, &posed, &camera);
-        let error = error::between(&renderer.read_image().unwrap(), &oracle);
+        let reference = effigy_core::reference::render(&avatar, &posed, &camera);
+        let error = error::between(&renderer.read_image().unwrap(), &reference);
         assert!(
             error.whole.psnr_db > 54.0,
             "{size:?}, {options:?}: {:?}",
@@ -241,7 +241,7 @@ fn each_tile_has_the_splats_that_meet_it_nearest_first() {
         renderer.draw(&posed, &camera, None).unwrap();
         let bins = renderer.raster().tile_lists().unwrap().unwrap();
         let order = renderer.stages().unwrap().order;
-        let oracle = effigy_core::reference::ReferenceFrame::new(&avatar, &posed, &camera);
+        let reference = effigy_core::reference::ReferenceFrame::new(&avatar, &posed, &camera);
         let place = |splat: &u32| order.iter().position(|other| other == splat).unwrap();
         let side = TILING.tile(size);
         let mut met = [0; TILE_LEVELS as usize];
@@ -257,7 +257,7 @@ fn each_tile_has_the_splats_that_meet_it_nearest_first() {
                     "tile {tile:?}, level {level}: not near to far"
                 );
                 let (coarse, side) = (tile.map(|v| v >> (2 * level)), side << (2 * level));
-                let most = binning::bin(&oracle.splats, &order, coarse, side, 0.05);
+                let most = binning::bin(&reference.splats, &order, coarse, side, 0.05);
                 // The outermost tiles of the bins have what lies outside too; the picture's own
                 // edges do not matter here.
                 let inner = coarse[0] > 0 && coarse[1] > 0;
@@ -277,7 +277,7 @@ fn each_tile_has_the_splats_that_meet_it_nearest_first() {
                 all.windows(2).all(|pair| pair[0] != pair[1]),
                 "tile {tile:?} from {distance} m has a splat twice"
             );
-            let least = binning::bin(&oracle.splats, &order, tile, side, -0.05);
+            let least = binning::bin(&reference.splats, &order, tile, side, -0.05);
             let missing: Vec<_> = least
                 .into_iter()
                 .filter(|splat| all.binary_search(splat).is_err())

@@ -66,9 +66,9 @@ fn avatars_are_sorted_together_as_the_reference_sorts_them() {
     for yaw in [0.4, 2.0] {
         let mut renderer = renderer(&device, &avatar, 3, Skip::all() - Skip::DEPTH);
         let (picture, report) = draw(&mut renderer, &poses, &camera(yaw));
-        let oracle =
+        let reference =
             reference::render_scene(&avatar, &poses.iter().collect::<Vec<_>>(), &camera(yaw));
-        let error = error::between(&picture, &oracle).covered;
+        let error = error::between(&picture, &reference).covered;
         assert!(error.pixels > 5000 && error.psnr_db >= 50.0, "{error:?}");
         let owner = |slot: &u32| *slot as usize / avatar.gaussians.len();
         let order = renderer.stages().unwrap().order;
@@ -112,8 +112,9 @@ fn each_avatar_has_the_colours_that_the_camera_sees_on_it() {
         &poses,
         &camera(0.3),
     );
-    let oracle = reference::render_scene(&avatar, &poses.iter().collect::<Vec<_>>(), &camera(0.3));
-    let error = error::between(&picture, &oracle).covered;
+    let reference =
+        reference::render_scene(&avatar, &poses.iter().collect::<Vec<_>>(), &camera(0.3));
+    let error = error::between(&picture, &reference).covered;
     assert!(error.pixels > 5000 && error.psnr_db >= 50.0, "{error:?}");
 }
 
@@ -280,8 +281,9 @@ fn what_no_camera_changes_is_kept_for_each_avatar() {
         // The last two frames have one camera.
         let camera = camera(0.3 + 0.1 * number.min(3) as f64);
         let (picture, report) = draw(&mut renderer, &poses, &camera);
-        let oracle = reference::render_scene(&avatar, &poses.iter().collect::<Vec<_>>(), &camera);
-        let error = error::between(&picture, &oracle).covered;
+        let reference =
+            reference::render_scene(&avatar, &poses.iter().collect::<Vec<_>>(), &camera);
+        let error = error::between(&picture, &reference).covered;
         assert!(error.psnr_db >= 47.0, "frame {number}: {error:?}");
         kept.push(report.counters.cached / each);
     }

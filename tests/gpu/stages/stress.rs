@@ -95,11 +95,11 @@ fn features_stay_finite_whatever_the_weights() {
         options,
     );
     assert!(
-        frame.oracle.features.iter().all(|e| e.abs() <= 65504.0)
-            && frame.oracle.features.iter().any(|e| e.abs() == 65504.0)
+        frame.reference.features.iter().all(|e| e.abs() <= 65504.0)
+            && frame.reference.features.iter().any(|e| e.abs() == 65504.0)
     );
     let features: Vec<f64> = frame.gpu.features.iter().map(|&e| f64::from(e)).collect();
-    gpu::assert_close("e", &features, &frame.oracle.features, 0.0);
+    gpu::assert_close("e", &features, &frame.reference.features, 0.0);
 }
 
 /// Every family does what it says: its cases have what they are to be hard because of.

@@ -3,7 +3,7 @@
 use super::*;
 use effigy::vulkan::sort::{
     choice::{choose_in, test},
-    verdict::{Outcome, Verdict},
+    sort_choice::{Outcome, SortChoice},
 };
 use std::{fs, path::PathBuf};
 
@@ -16,7 +16,7 @@ fn file(folder: &tempfile::TempDir) -> PathBuf {
     files.remove(0)
 }
 
-fn outcome(verdict: &Verdict, of: SortVariant) -> &Outcome {
+fn outcome(verdict: &SortChoice, of: SortVariant) -> &Outcome {
     &verdict
         .tried
         .iter()
@@ -57,8 +57,8 @@ fn look_back_is_tested_and_refused_where_it_is_wrong() {
     }
     let outcome = test(&device, SortVariant::OneSweep).unwrap();
     println!("{outcome}");
-    match effigy::vulkan::sort::lacks(SortVariant::OneSweep, &device) {
-        Some(_) => assert!(matches!(outcome, Outcome::Lacks(_))),
+    match effigy::vulkan::sort::unsupported(SortVariant::OneSweep, &device) {
+        Some(_) => assert!(matches!(outcome, Outcome::Unsupported(_))),
         None if looks_back(&device) => assert!(matches!(outcome, Outcome::Right(_)), "{outcome}"),
         // Wrong or right by chance: what matters is that the test ends with an answer.
         None => assert!(
@@ -133,7 +133,7 @@ fn the_fastest_right_variant_wins() {
             .zip(times.map(outcome))
             .collect::<Vec<_>>()
     };
-    let pick = |times| Verdict::of(&tried(times)).map(|verdict| verdict.variant);
+    let pick = |times| SortChoice::of(&tried(times)).map(|verdict| verdict.variant);
     assert_eq!(
         pick([Some(1.0), Some(2.0), Some(3.0)]),
         Some(SortVariant::OneSweep)

@@ -95,7 +95,7 @@ fn counts_of_the_callers_give_the_same_order(variant: SortVariant) {
                 sort.record_counted(commands);
             };
             device.run("a counted sort", record).unwrap();
-            let expected = effigy::vulkan::sort::trial::expected(&keys, bits);
+            let expected = effigy::vulkan::sort::standalone::expected(&keys, bits);
             assert!(
                 sort.download(expected.len() as u32).unwrap() == expected,
                 "{}, {bits:?}",

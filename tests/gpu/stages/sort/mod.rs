@@ -13,7 +13,7 @@ use effigy::vulkan::{
     sort::{
         KeyBits, SortOptions,
         SortVariant::{self, OneSweep, PerThread, ReduceThenScan},
-        trial::Trial,
+        standalone::StandaloneSort,
     },
 };
 use effigy_core::layout::SORT_CULLED;
@@ -24,7 +24,7 @@ const BITS: [KeyBits; 3] = [KeyBits::Sixteen, KeyBits::TwentyFour, KeyBits::Thir
 /// The device, for a variant that it can run. Ends the test on others.
 fn running(variant: SortVariant) -> Arc<Gpu> {
     let device = gpu::gpu();
-    if let Some(reason) = effigy::vulkan::sort::lacks(variant, &device) {
+    if let Some(reason) = effigy::vulkan::sort::unsupported(variant, &device) {
         not_run(format!(
             "{} needs what is missing: {reason}",
             variant.name()
@@ -62,20 +62,20 @@ fn looks_back(gpu: &Gpu) -> bool {
 }
 
 /// Sorts, and fails where the order is not what it should be.
-fn check(trial: &Trial, keys: &[u32], name: &str) {
+fn check(trial: &StandaloneSort, keys: &[u32], name: &str) {
     trial.load(keys).unwrap();
     trial.run().unwrap();
     assert_same(trial, keys, name);
 }
 
-fn assert_same(trial: &Trial, keys: &[u32], name: &str) {
+fn assert_same(trial: &StandaloneSort, keys: &[u32], name: &str) {
     if let Some(difference) = trial.difference(keys).unwrap() {
         panic!("{name}: {difference}");
     }
 }
 
-fn trial(gpu: &Arc<Gpu>, capacity: usize, options: SortOptions) -> Trial {
-    Trial::new(gpu, capacity as u32, options).unwrap()
+fn trial(gpu: &Arc<Gpu>, capacity: usize, options: SortOptions) -> StandaloneSort {
+    StandaloneSort::new(gpu, capacity as u32, options).unwrap()
 }
 
 /// Keys of all bits, none of them SORT_CULLED.

@@ -18,7 +18,7 @@ pub enum Outcome {
     /// Right everywhere; the best time for the test's keys, ms.
     Right(f64),
     /// The device can't run it, or has no use for it.
-    Lacks(String),
+    Unsupported(String),
     /// It gave something else than the CPU, did not finish in time, or failed.
     Refused(String),
     /// The program ended in its test, more than once.
@@ -29,7 +29,7 @@ impl fmt::Display for Outcome {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         match self {
             Self::Right(ms) => write!(f, "{ms:.3} ms"),
-            Self::Lacks(why) => write!(f, "not used: {why}"),
+            Self::Unsupported(why) => write!(f, "not used: {why}"),
             Self::Refused(why) => write!(f, "refused: {why}"),
             Self::Unfinished => write!(
                 f,
@@ -41,14 +41,14 @@ impl fmt::Display for Outcome {
 
 /// How to sort on a device, and why.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Verdict {
+pub struct SortChoice {
     /// The fastest variant that sorts correctly.
     pub variant: SortVariant,
     /// The result of each variant's test.
     pub tried: Vec<(SortVariant, Outcome)>,
 }
 
-impl Verdict {
+impl SortChoice {
     /// The fastest that is right. None where none is.
     pub fn of(tried: &[(SortVariant, Outcome)]) -> Option<Self> {
         let mut fastest: Option<(SortVariant, f64)> = None;
@@ -70,7 +70,7 @@ impl Verdict {
 #[derive(Default)]
 pub(crate) struct Sorts {
     /// How to sort here, once it is known.
-    pub chosen: OnceLock<Verdict>,
+    pub chosen: OnceLock<SortChoice>,
     /// How the variants did that were asked for by name.
     pub asked: Mutex<Vec<(SortVariant, Outcome)>>,
 }

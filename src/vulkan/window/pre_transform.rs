@@ -71,7 +71,7 @@ mod tests {
     use super::*;
     use vk::SurfaceTransformFlagsKHR as Transform;
 
-    const TURNS: [Transform; 4] = [
+    const TRANSFORMS: [Transform; 4] = [
         Transform::IDENTITY,
         Transform::ROTATE_90,
         Transform::ROTATE_180,
@@ -81,10 +81,10 @@ mod tests {
     #[test]
     fn a_quarter_takes_the_upper_left_corner_to_the_upper_right() {
         let size = Vec2::new(300.0, 200.0);
-        let corners: Vec<_> = TURNS
+        let corners: Vec<_> = TRANSFORMS
             .iter()
-            .map(|&turn| {
-                PreTransform::asked(turn)
+            .map(|&flag| {
+                PreTransform::asked(flag)
                     .unwrap_or_default()
                     .place(Vec2::ZERO, size)
             })
@@ -104,17 +104,21 @@ mod tests {
     #[test]
     fn back_inverts_place_for_every_pixel() {
         let size = [5, 3];
-        for turn in TURNS.map(|turn| PreTransform::asked(turn).unwrap_or_default()) {
-            let [width, height] = turn.extent(size);
-            let (matrix, origin) = turn.back(size);
+        for pre_transform in TRANSFORMS.map(|flag| PreTransform::asked(flag).unwrap_or_default()) {
+            let [width, height] = pre_transform.extent(size);
+            let (matrix, origin) = pre_transform.back(size);
             let mut seen = vec![0; 15];
             for (x, y) in (0..height).flat_map(|y| (0..width).map(move |x| (x, y))) {
                 let point = Vec2::new(x as f32 + 0.5, y as f32 + 0.5);
                 let from = matrix * point + origin;
-                assert_eq!(turn.place(from, Vec2::new(5.0, 3.0)), point, "{turn:?}");
+                assert_eq!(
+                    pre_transform.place(from, Vec2::new(5.0, 3.0)),
+                    point,
+                    "{pre_transform:?}"
+                );
                 seen[(from.y.floor() * 5.0 + from.x.floor()) as usize] += 1;
             }
-            assert_eq!(seen, [1; 15], "{turn:?}");
+            assert_eq!(seen, [1; 15], "{pre_transform:?}");
         }
     }
 }

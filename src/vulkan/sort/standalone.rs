@@ -22,7 +22,7 @@ use std::{
 };
 
 /// A sort, and the buffers around it.
-pub struct Trial {
+pub struct StandaloneSort {
     gpu: Arc<Gpu>,
     keys: Buffer,
     control: Buffer,
@@ -34,7 +34,7 @@ pub struct Trial {
 
 /// How long a run took.
 #[derive(Clone, Copy, Debug)]
-pub struct Times {
+pub struct SortTimes {
     /// From the first kernel's start to the last one's end; as `wall` where the device has no
     /// timestamps.
     pub device: Duration,
@@ -42,7 +42,7 @@ pub struct Times {
     pub wall: Duration,
 }
 
-impl Trial {
+impl StandaloneSort {
     pub fn new(gpu: &Arc<Gpu>, capacity: u32, options: SortOptions) -> Result<Self> {
         let storage = vk::BufferUsageFlags::STORAGE_BUFFER
             | vk::BufferUsageFlags::TRANSFER_SRC
@@ -62,7 +62,7 @@ impl Trial {
         )?;
         let sort = Sort::new(gpu, (&keys).into(), &control, capacity, options)?;
         let queries = if gpu.probe.timestamp_bits > 0 {
-            Some(QueryPool::timestamps(&gpu.device, 2, "sort trial")?)
+            Some(QueryPool::timestamps(&gpu.device, 2, "standalone sort")?)
         } else {
             None
         };
@@ -99,12 +99,12 @@ impl Trial {
     }
 
     /// Sorts once.
-    pub fn run(&self) -> Result<Times> {
+    pub fn run(&self) -> Result<SortTimes> {
         self.run_after(|_| ())
     }
 
     /// Sorts once, after other transfers.
-    pub fn run_after(&self, first: impl FnOnce(Recording)) -> Result<Times> {
+    pub fn run_after(&self, first: impl FnOnce(Recording)) -> Result<SortTimes> {
         let start = Instant::now();
         self.gpu.run("a sort", |commands| {
             if let Some(queries) = &self.queries {
@@ -119,7 +119,7 @@ impl Trial {
             self.mark(commands, vk::PipelineStageFlags::BOTTOM_OF_PIPE, 1);
         })?;
         let wall = start.elapsed();
-        Ok(Times {
+        Ok(SortTimes {
             device: self.device_time()?.unwrap_or(wall),
             wall,
         })

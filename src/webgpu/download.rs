@@ -6,7 +6,7 @@ use half::f16;
 use wgpu::BufferUsages;
 
 /// Copies an image that was drawn at least once, and waits.
-pub fn download(gpu: &Gpu, raster: &Raster) -> Result<FrameImage> {
+pub fn read_image(gpu: &Gpu, raster: &Raster) -> Result<FrameImage> {
     let image = raster.image();
     let width = image.width();
     let height = image.height();

@@ -45,7 +45,7 @@ impl Copied {
 }
 
 /// Copies an image that was drawn at least once, and waits.
-pub fn download(gpu: &Arc<Gpu>, raster: &Raster) -> Result<Copied> {
+pub fn read_image(gpu: &Arc<Gpu>, raster: &Raster) -> Result<Copied> {
     let image = raster.image();
     let [width, height] = raster.drawn();
     let bytes = width as usize * height as usize * raster.format().bytes();
