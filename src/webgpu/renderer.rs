@@ -24,7 +24,7 @@ use effigy_core::{
         Counters, Damage, FrameReport, RasterMethod, RendererOptions, Schedule, Skinning, block,
         passes::Pass,
         pose_cache::PoseCache,
-        schedule::{DeviceState, Equipment, Step},
+        schedule::{Command, DeviceState, Equipment, ScheduledStage, Step},
         state::{AvatarInstance, FramePlan, FrameState, PlanInput, StageDispatches},
         validate,
     },
@@ -318,40 +318,34 @@ impl Renderer {
             | Pass::RasterQuads { .. }
             | Pass::ReadCounts => {}
         };
-        let mut steps = schedule.steps.iter();
-        while let Some(step) = steps.next() {
+        for step in &schedule.steps {
             match step {
                 Step::Skip(stage, _) => in_flight.skip(*stage),
-                Step::Run(Pass::ClearCounts) => project.clear(&mut encoder),
-                Step::Barrier(_) | Step::Run(_) | Step::End(_) => {}
-                Step::Begin(stage) => {
-                    let passes: Vec<&Pass> = steps
-                        .by_ref()
-                        .take_while(|step| !matches!(step, Step::End(_)))
-                        .filter_map(Step::pass)
-                        .collect();
-                    match passes[..] {
-                        [Pass::Occluder { .. }] => {
-                            if let Some(occluder) = occluder.as_ref() {
-                                occluder.record(in_flight, &mut encoder, &blocks);
-                            }
-                        }
-                        [Pass::RasterQuads { .. }] => {
-                            let control = &self.control;
-                            raster.record_quads(in_flight, &mut encoder, image_block, control);
-                        }
-                        _ => {
-                            if passes.contains(&&Pass::ClearTileLists) {
-                                raster.way().clear_tile_lists(&mut encoder);
-                            }
-                            let writes = in_flight.stage(*stage);
-                            let mut compute = in_flight.pass(&mut encoder, *stage, writes);
-                            for pass in passes {
-                                dispatch(pass, &mut compute);
-                            }
+                Step::Command(Command::Run(Pass::ClearCounts)) => project.clear(&mut encoder),
+                // The API orders memory, and counts are copied where the frame is submitted.
+                Step::Command(_) => {}
+                Step::Stage(ScheduledStage { stage, commands }) => match commands[..] {
+                    [Command::Run(Pass::Occluder { .. })] => {
+                        if let Some(occluder) = occluder.as_ref() {
+                            occluder.record(in_flight, &mut encoder, &blocks);
                         }
                     }
-                }
+                    [Command::Run(Pass::RasterQuads { .. })] => {
+                        let control = &self.control;
+                        raster.record_quads(in_flight, &mut encoder, image_block, control);
+                    }
+                    _ => {
+                        let passes = commands.iter().filter_map(Command::pass);
+                        if passes.clone().any(|pass| *pass == Pass::ClearTileLists) {
+                            raster.way().clear_tile_lists(&mut encoder);
+                        }
+                        let writes = in_flight.stage(*stage);
+                        let mut compute = in_flight.pass(&mut encoder, *stage, writes);
+                        for pass in passes {
+                            dispatch(pass, &mut compute);
+                        }
+                    }
+                },
             }
         }
         in_flight.submit(&self.gpu, encoder, &self.control, project);

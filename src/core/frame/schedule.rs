@@ -23,28 +23,59 @@ pub enum SkipReason {
     NothingInView,
 }
 
-/// What a backend does next.
+/// What a backend records.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Step {
+pub enum Command {
     /// Orders memory. Backends that order it by themselves pass over it.
     Barrier(Barrier),
-    /// A stage begins: a label, a timestamp.
-    Begin(Stage),
+    /// Runs a pass.
     Run(Pass),
-    /// The stage that began last ends.
-    End(Stage),
-    /// A stage that the renderer has and this frame does not need.
-    Skip(Stage, SkipReason),
 }
 
-impl Step {
+impl Command {
     /// The pass that it runs, if it runs one.
     pub fn pass(&self) -> Option<&Pass> {
         match self {
+            Self::Barrier(_) => None,
             Self::Run(pass) => Some(pass),
-            _ => None,
         }
     }
+}
+
+/// A stage of a frame: what a profiler shows under one name and one time.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ScheduledStage {
+    /// Its name.
+    pub stage: Stage,
+    /// Its passes and the barriers between them, in order.
+    pub commands: Vec<Command>,
+}
+
+impl ScheduledStage {
+    /// Its passes, in order.
+    pub fn passes(&self) -> impl Iterator<Item = &Pass> {
+        self.commands.iter().filter_map(Command::pass)
+    }
+
+    /// How it rasterizes, if it does.
+    pub fn raster_method(&self) -> Option<RasterMethod> {
+        self.passes().find_map(|pass| match pass {
+            Pass::RasterQuads { .. } => Some(RasterMethod::Quads),
+            Pass::RasterTiles => Some(RasterMethod::Tiles),
+            _ => None,
+        })
+    }
+}
+
+/// What a backend does next.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Step {
+    /// Work that belongs to no stage.
+    Command(Command),
+    /// A stage, which gets a label and timestamps.
+    Stage(ScheduledStage),
+    /// A stage that the renderer has and this frame does not need.
+    Skip(Stage, SkipReason),
 }
 
 /// What a renderer has, and what its device needs: the same from frame to frame.
@@ -134,7 +165,24 @@ impl Schedule {
 
     /// The passes, in order.
     pub fn passes(&self) -> impl Iterator<Item = &Pass> {
-        self.steps.iter().filter_map(Step::pass)
+        self.commands().filter_map(Command::pass)
+    }
+
+    /// The stages that run, in order.
+    pub fn stages(&self) -> impl Iterator<Item = &ScheduledStage> {
+        self.steps.iter().filter_map(|step| match step {
+            Step::Stage(stage) => Some(stage),
+            _ => None,
+        })
+    }
+
+    /// All passes and barriers, in order, those of stages included.
+    pub fn commands(&self) -> impl Iterator<Item = &Command> {
+        self.steps.iter().flat_map(|step| match step {
+            Step::Command(command) => std::slice::from_ref(command),
+            Step::Stage(stage) => &stage.commands,
+            Step::Skip(..) => &[],
+        })
     }
 }
 
@@ -164,6 +212,8 @@ impl Default for History {
 /// Puts steps in order, with the barriers that the passes' uses of memory ask for.
 struct Recorder {
     steps: Vec<Step>,
+    /// The stage that commands go into, while there is one.
+    open: Option<ScheduledStage>,
     history: [History; Resource::ALL.len()],
 }
 
@@ -172,17 +222,25 @@ impl Recorder {
     /// backend hands it over.
     fn new() -> Self {
         Self {
-            steps: vec![Step::Barrier(Barrier {
+            steps: vec![Step::Command(Command::Barrier(Barrier {
                 before: PipelineStages::all() - PipelineStages::COLOR,
                 after: PipelineStages::all() - PipelineStages::COLOR,
-            })],
+            }))],
+            open: None,
             history: [History::default(); Resource::ALL.len()],
+        }
+    }
+
+    fn push(&mut self, command: Command) {
+        match &mut self.open {
+            Some(stage) => stage.commands.push(command),
+            None => self.steps.push(Step::Command(command)),
         }
     }
 
     fn run(&mut self, pass: Pass) {
         self.order(&pass);
-        self.steps.push(Step::Run(pass));
+        self.push(Command::Run(pass));
     }
 
     fn stage(&mut self, stage: Stage, passes: Vec<Pass>) {
@@ -190,11 +248,14 @@ impl Recorder {
         if let Some(first) = passes.first() {
             self.barrier(first);
         }
-        self.steps.push(Step::Begin(stage));
+        self.open = Some(ScheduledStage {
+            stage,
+            commands: Vec::new(),
+        });
         for pass in passes {
             self.run(pass);
         }
-        self.steps.push(Step::End(stage));
+        self.steps.extend(self.open.take().map(Step::Stage));
     }
 
     fn skip(&mut self, stage: Stage, reason: SkipReason) {
@@ -274,7 +335,7 @@ impl Recorder {
                 history.waits |= after;
             }
         }
-        self.steps.push(Step::Barrier(Barrier { before, after }));
+        self.push(Command::Barrier(Barrier { before, after }));
     }
 
     fn order(&mut self, pass: &Pass) {
@@ -373,26 +434,25 @@ mod tests {
     }
 
     fn names(schedule: &Schedule) -> Vec<&'static str> {
-        let began = schedule.steps.iter().filter_map(|step| match step {
-            Step::Begin(stage) => Some(stage.name()),
-            _ => None,
-        });
-        began.collect()
+        schedule.stages().map(|stage| stage.stage.name()).collect()
     }
 
     /// Between a use of memory and the last write before it, and between a write and the reads
     /// since the last one, stands a barrier that names both ends.
     fn assert_ordered(schedule: &Schedule) {
         let mut earlier: Vec<(usize, Pass, Use)> = Vec::new();
-        for (at, step) in schedule.steps.iter().enumerate() {
-            let Step::Run(pass) = step else { continue };
+        let commands: Vec<&Command> = schedule.commands().collect();
+        for (at, command) in commands.iter().enumerate() {
+            let Command::Run(pass) = command else {
+                continue;
+            };
             for used in pass.uses() {
                 for (before, other, former) in &earlier {
                     if former.resource != used.resource || !(former.writes || used.writes) {
                         continue;
                     }
-                    let ordered = schedule.steps[*before..at].iter().any(|step| {
-                        matches!(step, Step::Barrier(barrier)
+                    let ordered = commands[*before..at].iter().any(|command| {
+                        matches!(command, Command::Barrier(barrier)
                             if barrier.before.contains(former.stages)
                                 && barrier.after.contains(used.stages))
                     });

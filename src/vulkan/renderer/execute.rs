@@ -1,14 +1,20 @@
 //! Runs a frame's schedule: records its passes, barriers and stages into a command buffer.
 
 use super::Renderer;
+use super::blocks::Blocks;
 use crate::vulkan::{
-    commands::control::set_control, device::recording::Recording, memory::Scope, raster::draw::Draw,
+    commands::control::set_control,
+    device::recording::Recording,
+    memory::Scope,
+    passes::{mlp::Mlp, occluder::OccluderPass, project::Project, sh::SphericalHarmonics},
+    raster::{Raster, draw::Draw},
+    sort::Sort,
 };
-use ash::vk::{AccessFlags, PipelineStageFlags};
+use ash::vk::{self, AccessFlags, PipelineStageFlags};
 use effigy_core::frame::{
-    Counters, Damage, Schedule,
+    Counters, Damage, RasterMethod, Schedule,
     passes::{Pass, PipelineStages},
-    schedule::{Barrier, Step},
+    schedule::{Command, Step},
     state::{FramePlan, StageDispatches},
 };
 
@@ -74,8 +80,87 @@ fn scope(
     scope
 }
 
-fn order(commands: Recording, barrier: Barrier) {
-    commands.barrier(before(barrier.before), after(barrier.after));
+/// What passes are recorded with: a renderer's stages, and where a frame's data lies.
+struct Executor<'a> {
+    mlp: &'a Mlp,
+    sh: Option<&'a SphericalHarmonics>,
+    occluder: Option<&'a OccluderPass>,
+    project: &'a Project,
+    sort: &'a Sort,
+    raster: &'a Raster,
+    control: vk::Buffer,
+    blocks: &'a Blocks,
+    /// Index of the frame in flight.
+    frame: usize,
+    draw: Draw<'a>,
+}
+
+impl Executor<'_> {
+    /// Where in the ring of blocks an avatar's is, bytes.
+    fn block(&self, instance: usize) -> u32 {
+        self.blocks.offset(self.frame, instance) as u32
+    }
+
+    fn record(&self, commands: Recording, command: &Command) {
+        match command {
+            Command::Barrier(barrier) => {
+                commands.barrier(before(barrier.before), after(barrier.after));
+            }
+            Command::Run(pass) => self.run(commands, pass),
+        }
+    }
+
+    fn run(&self, commands: Recording, pass: &Pass) {
+        match *pass {
+            Pass::SetKeyCount { keys } => {
+                // SAFETY: the buffer holds a control, and is dropped after the frames in flight.
+                unsafe { set_control(commands, self.control, keys) };
+            }
+            Pass::ClearCounts => {
+                self.sort.clear(commands);
+                self.project.clear(commands);
+            }
+            Pass::Mlp { instance, parts } => {
+                self.mlp.record(commands, self.block(instance), parts);
+            }
+            Pass::Sh {
+                instance,
+                gaussians,
+            } => {
+                if let Some(sh) = self.sh {
+                    sh.record(commands, self.block(instance), gaussians);
+                }
+            }
+            Pass::Occluder { view } => {
+                if let Some(occluder) = self.occluder {
+                    occluder.record(commands, self.draw.occluders, &view);
+                }
+            }
+            Pass::Project {
+                instance,
+                gaussians,
+                skinning,
+            } => {
+                let block = self.block(instance);
+                self.project.record(commands, block, gaussians, skinning);
+            }
+            Pass::Sort => self.sort.record_counted(commands),
+            Pass::ClearTileLists => self.raster.clear_tile_lists(commands),
+            Pass::Binning => self.raster.record_binning(commands, self.draw.frame),
+            Pass::RasterTiles | Pass::RasterQuads { occluders: true } => {
+                self.raster.record(commands, &self.draw);
+            }
+            Pass::RasterQuads { occluders: false } => {
+                let draw = Draw {
+                    occluders: &[],
+                    ..self.draw
+                };
+                self.raster.record(commands, &draw);
+            }
+            // The counts are copied where the frame is submitted.
+            Pass::ReadCounts => {}
+        }
+    }
 }
 
 impl Renderer {
@@ -87,123 +172,70 @@ impl Renderer {
         plan: &FramePlan,
         damage: &Damage,
     ) {
-        let Self {
-            frames_in_flight,
-            options,
-            mlp,
-            sh,
-            occluder,
-            project,
-            sort,
-            raster,
-            control,
-            blocks,
-            model,
-            ..
-        } = self;
-        let in_flight = &mut frames_in_flight[frame];
-        let block = |instance: usize| blocks.offset(frame, instance) as u32;
-        let all_blocks: Vec<u32> = plan
+        let stages = StageDispatches {
+            has_sh: self.sh.is_some(),
+            has_occluder: schedule
+                .passes()
+                .any(|pass| matches!(pass, Pass::Occluder { .. })),
+            sort: self.sort.dispatches(true) as u64,
+            raster: self.raster.dispatches(),
+        };
+        let counters = Counters {
+            damaged: if plan.redraw { damage.pixels() } else { 0 },
+            ..plan.counters(self.model.constants.gaussians, &stages)
+        };
+        let blocks: Vec<u32> = plan
             .instances
             .iter()
-            .map(|instance| block(instance.index))
+            .map(|instance| self.blocks.offset(frame, instance.index) as u32)
             .collect();
-        let draw = Draw {
-            // An empty image has a size too: the first block's.
-            frame: all_blocks.first().copied().unwrap_or(block(0)),
-            occluders: &all_blocks,
-            control: control.raw(),
-            damage,
-            count: options.count,
-        };
-
-        let draws_occluder = schedule
-            .passes()
-            .any(|pass| matches!(pass, Pass::Occluder { .. }));
-        let stages = StageDispatches {
-            has_sh: sh.is_some(),
-            has_occluder: draws_occluder,
-            sort: sort.dispatches(true) as u64,
-            raster: raster.dispatches(),
-        };
-        in_flight.note(Counters {
-            damaged: if plan.redraw { damage.pixels() } else { 0 },
-            ..plan.counters(model.constants.gaussians, &stages)
-        });
-
-        let run = |pass: &Pass, commands: Recording| match *pass {
-            Pass::SetKeyCount { keys } => {
-                // SAFETY: the buffer holds a control, and is dropped after the frames in flight.
-                unsafe { set_control(commands, control.raw(), keys) };
-            }
-            Pass::ClearCounts => {
-                sort.clear(commands);
-                project.clear(commands);
-            }
-            Pass::Mlp { instance, parts } => mlp.record(commands, block(instance), parts),
-            Pass::Sh {
-                instance,
-                gaussians,
-            } => {
-                if let Some(sh) = sh.as_ref() {
-                    sh.record(commands, block(instance), gaussians);
-                }
-            }
-            Pass::Occluder { view } => {
-                if let Some(occluder) = occluder.as_ref() {
-                    occluder.record(commands, &all_blocks, &view);
-                }
-            }
-            Pass::Project {
-                instance,
-                gaussians,
-                skinning,
-            } => project.record(commands, block(instance), gaussians, skinning),
-            Pass::Sort => sort.record_counted(commands),
-            Pass::ClearTileLists => raster.clear_tile_lists(commands),
-            Pass::Binning => raster.record_binning(commands, draw.frame),
-            Pass::RasterTiles => raster.record(commands, &draw),
-            Pass::RasterQuads { occluders } => raster.record(
-                commands,
-                &Draw {
-                    occluders: if occluders { draw.occluders } else { &[] },
-                    ..draw
+        let executor = Executor {
+            mlp: &self.mlp,
+            sh: self.sh.as_ref(),
+            occluder: self.occluder.as_ref(),
+            project: &self.project,
+            sort: &self.sort,
+            raster: &self.raster,
+            control: self.control.raw(),
+            blocks: &self.blocks,
+            frame,
+            draw: Draw {
+                // An empty image has a size too: the first block's.
+                frame: match blocks.first() {
+                    Some(block) => *block,
+                    None => self.blocks.offset(frame, 0) as u32,
                 },
-            ),
-            // The counts are copied where the frame is submitted.
-            Pass::ReadCounts => {}
+                occluders: &blocks,
+                control: self.control.raw(),
+                damage,
+                count: self.options.count,
+            },
         };
-        let mut steps = schedule.steps.iter();
-        while let Some(step) = steps.next() {
+
+        let in_flight = &mut self.frames_in_flight[frame];
+        in_flight.note(counters);
+        for step in &schedule.steps {
             match step {
                 Step::Skip(stage, _) => in_flight.skip(stage.name()),
-                Step::Barrier(barrier) => in_flight.record(|commands| order(commands, *barrier)),
-                Step::Run(pass) => in_flight.record(|commands| run(pass, commands)),
-                Step::End(_) => {}
-                Step::Begin(stage) => {
-                    let inside: Vec<&Step> = steps
-                        .by_ref()
-                        .take_while(|step| !matches!(step, Step::End(_)))
-                        .collect();
-                    let is = |wanted: fn(&Pass) -> bool| {
-                        inside.iter().filter_map(|step| step.pass()).any(wanted)
-                    };
+                Step::Command(command) => {
+                    in_flight.record(|commands| executor.record(commands, command));
+                }
+                Step::Stage(stage) => {
+                    let name = stage.stage.name();
                     let record = |commands: Recording| {
-                        for step in &inside {
-                            match step {
-                                Step::Barrier(barrier) => order(commands, *barrier),
-                                Step::Run(pass) => run(pass, commands),
-                                _ => {}
-                            }
+                        for command in &stage.commands {
+                            executor.record(commands, command);
                         }
                     };
-                    if is(|pass| matches!(pass, Pass::RasterQuads { .. })) {
-                        in_flight.drawing(stage.name(), options.count, record);
-                    } else {
-                        if options.count && is(|pass| *pass == Pass::RasterTiles) {
-                            in_flight.counts_itself();
+                    match stage.raster_method() {
+                        Some(RasterMethod::Quads) => {
+                            in_flight.drawing(name, self.options.count, record);
                         }
-                        in_flight.stage(stage.name(), record);
+                        Some(RasterMethod::Tiles) if self.options.count => {
+                            in_flight.counts_itself();
+                            in_flight.stage(name, record);
+                        }
+                        _ => in_flight.stage(name, record),
                     }
                 }
             }
