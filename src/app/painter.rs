@@ -118,12 +118,10 @@ impl WindowPainter {
             ..Options::default()
         };
         let mode = RenderMode::RenderPass(present.render_pass().raw());
-        let egui = vulkan_error(Egui::with_gpu_allocator(
-            Arc::clone(&gpu.allocator),
-            gpu.raw.clone(),
-            mode,
-            options,
-        ))?;
+        let egui = panel_error(
+            &gpu,
+            Egui::with_gpu_allocator(Arc::clone(&gpu.allocator), gpu.raw.clone(), mode, options),
+        )?;
         let textures = CommandPool::transient(&gpu.device, gpu.queue_family, "panel's textures")?;
         Ok(Self {
             egui: ManuallyDrop::new(egui),
@@ -270,11 +268,11 @@ impl WindowPainter {
                 let set = self
                     .egui
                     .set_texture(self.gpu.queue, self.textures.raw(), id, &image);
-                vulkan_error(set)?;
+                panel_error(&self.gpu, set)?;
             }
         }
         for id in delta.free.drain() {
-            vulkan_error(self.egui.free_texture(id))?;
+            panel_error(&self.gpu, self.egui.free_texture(id))?;
         }
         Ok(())
     }
@@ -339,7 +337,7 @@ impl WindowPainter {
         // SAFETY: the frame draws to the image, and was submitted with its semaphores.
         let fits = unsafe { swapchain.present(image, self.show_at.take()) }?;
         self.stale = !fits;
-        vulkan_error(panel_drawn)?;
+        panel_error(&self.gpu, panel_drawn)?;
         Ok(true)
     }
 
@@ -371,22 +369,18 @@ impl Drop for WindowPainter {
     }
 }
 
-/// Turns an error of the panel's renderer into one of ours.
-fn vulkan_error<T>(result: std::result::Result<T, RendererError>) -> Result<T> {
-    let call = "drawing the panel";
+/// Turns an error of the panel's renderer into one of ours. `gpu`: the device it draws on.
+fn panel_error<T>(gpu: &Gpu, result: std::result::Result<T, RendererError>) -> Result<T> {
     match result {
         Ok(value) => Ok(value),
-        Err(RendererError::Vulkan(result)) => Err(result).during(call),
+        Err(RendererError::Vulkan(result)) => Err(result).during("drawing the panel"),
         Err(RendererError::GpuAllocator(source)) => Err(Error::Allocation {
             what: "the panel".into(),
             source,
         }),
-        Err(other) => {
-            tracing::error!("{other}");
-            Err(Error::Call {
-                call,
-                result: vk::Result::ERROR_UNKNOWN,
-            })
-        }
+        Err(other) => Err(Error::Unsupported {
+            device: gpu.probe.name.clone(),
+            missing: format!("its panel failed: {other}"),
+        }),
     }
 }

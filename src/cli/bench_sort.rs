@@ -14,6 +14,7 @@ use effigy::vulkan::{
         standalone::{SortTimes, StandaloneSort},
     },
 };
+use effigy_core::random::hash;
 use serde_json::{Value, json};
 use std::{iter, path::PathBuf, sync::Arc};
 
@@ -174,12 +175,9 @@ fn measure(
     Ok((times[times.len() / 2], trial.sort().memory()))
 }
 
-/// Keys without pattern (the finaliser of splitmix64).
+/// Keys of 31 bits without pattern.
 fn keys(count: u32) -> Vec<u32> {
-    let mix = |at: u32| {
-        let z = (u64::from(at) + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
-        let z = (z ^ z >> 30).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        (z >> 32) as u32 & 0x7fff_ffff
-    };
-    (0..count).map(mix).collect()
+    (0..u64::from(count))
+        .map(|at| (hash(at) >> 33) as u32)
+        .collect()
 }

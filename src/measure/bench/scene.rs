@@ -247,27 +247,42 @@ mod tests {
         });
     }
 
-    /// Whether joints, network inputs and camera differ from one frame to the next.
-    fn changes(scenes: &[BenchScene]) -> [bool; 3] {
+    /// What differs from one frame to the next.
+    #[derive(Debug, PartialEq)]
+    struct Changes {
+        joints: bool,
+        input: bool,
+        camera: bool,
+    }
+
+    fn expected(joints: bool, input: bool, camera: bool) -> Changes {
+        Changes {
+            joints,
+            input,
+            camera,
+        }
+    }
+
+    fn changes(scenes: &[BenchScene]) -> Changes {
         let all = |same: fn(&BenchScene, &BenchScene) -> bool| {
             scenes.windows(2).all(|pair| !same(&pair[0], &pair[1]))
         };
-        [
-            all(|a, b| a.instances[0].drawn.joints == b.instances[0].drawn.joints),
-            all(|a, b| a.instances[0].drawn.input == b.instances[0].drawn.input),
-            all(|a, b| a.camera == b.camera),
-        ]
+        Changes {
+            joints: all(|a, b| a.instances[0].drawn.joints == b.instances[0].drawn.joints),
+            input: all(|a, b| a.instances[0].drawn.input == b.instances[0].drawn.input),
+            camera: all(|a, b| a.camera == b.camera),
+        }
     }
 
     #[test]
     fn each_case_changes_only_what_it_names() {
         with_demo(24, 1, |inputs| {
             let of = |case| changes(&scenes(case, &inputs));
-            assert_eq!(of(BenchCase::Full), [true; 3]);
-            assert_eq!(of(BenchCase::Orbit), [true; 3]);
-            assert_eq!(of(BenchCase::Camera), [false, false, true]);
-            assert_eq!(of(BenchCase::Expression), [false, true, false]);
-            assert_eq!(of(BenchCase::Static), [false; 3]);
+            assert_eq!(of(BenchCase::Full), expected(true, true, true));
+            assert_eq!(of(BenchCase::Orbit), expected(true, true, true));
+            assert_eq!(of(BenchCase::Camera), expected(false, false, true));
+            assert_eq!(of(BenchCase::Expression), expected(false, true, false));
+            assert_eq!(of(BenchCase::Static), expected(false, false, false));
             let still = scenes(BenchCase::Static, &inputs);
             assert!(still.iter().all(|scene| scene.instances[0].drawn.input
                 == still[0].instances[0].drawn.input

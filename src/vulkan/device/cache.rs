@@ -3,9 +3,9 @@
 
 use super::{handle::PipelineCacheHandle, logical::Device, probe::Probe};
 use ash::vk;
+use effigy_core::io::file::write_whole;
 use std::{
-    fs,
-    io::{self, Write},
+    fs, io,
     path::{Path, PathBuf},
     sync::{Arc, OnceLock},
 };
@@ -26,24 +26,13 @@ pub fn folder() -> Option<PathBuf> {
     })
 }
 
-/// Writes a file that appears whole or not at all, also when two programs write at once.
+/// Writes a file of the cache, and the folder where there is none. It appears whole or not at all,
+/// also when two programs write at once.
 pub(crate) fn write(path: &Path, data: &[u8]) -> io::Result<()> {
-    let temporary = path.with_extension(format!("{}.tmp", std::process::id()));
-    let written = write_through(path, &temporary, data);
-    if written.is_err() {
-        let _ = fs::remove_file(&temporary);
-    }
-    written
-}
-
-fn write_through(path: &Path, temporary: &Path, data: &[u8]) -> io::Result<()> {
     if let Some(folder) = path.parent() {
         fs::create_dir_all(folder)?;
     }
-    let mut file = fs::File::create(temporary)?;
-    file.write_all(data)?;
-    file.sync_all()?;
-    fs::rename(temporary, path)
+    write_whole(path, data)
 }
 
 /// A pipeline cache and the file that it comes from. Every failure leaves a working, empty cache:

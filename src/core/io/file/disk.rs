@@ -50,26 +50,34 @@ pub fn write_encoded(path: &Path, bytes: Result<Vec<u8>, FormatError>) -> Result
     replace(path, &bytes)
 }
 
-/// Replaces a file by writing beside it and renaming, so that the target is either the old file or
-/// the whole new one.
+/// Replaces a file with [`write_whole`], with an error that names it.
 ///
 /// # Errors
 /// When the file cannot be written, for example because the disk is full. A file that was at `path`
 /// is then unchanged.
 pub fn replace(path: &Path, bytes: &[u8]) -> Result<(), FileError> {
+    write_whole(path, bytes).map_err(|cause| FileError::Write {
+        file: path.into(),
+        cause,
+    })
+}
+
+/// Writes a file beside `path` and renames it, so that the target is either the old file or the
+/// whole new one.
+///
+/// # Errors
+/// When the file cannot be written. A file that was at `path` is then unchanged.
+pub fn write_whole(path: &Path, bytes: &[u8]) -> io::Result<()> {
     let mut name = std::ffi::OsString::from(".");
     name.push(path.file_name().unwrap_or_default());
     name.push(format!(".{}.part", std::process::id()));
     let part = path.with_file_name(name);
     let outcome = write_synced(&part, bytes).and_then(|()| fs::rename(&part, path));
-    outcome.map_err(|cause| {
+    if outcome.is_err() {
         // A failed removal is not reported: the user must see the first failure.
         fs::remove_file(&part).ok();
-        FileError::Write {
-            file: path.into(),
-            cause,
-        }
-    })
+    }
+    outcome
 }
 
 fn write_synced(path: &Path, bytes: &[u8]) -> io::Result<()> {
