@@ -3,8 +3,8 @@
 # usage: tools/check.sh quick|gate|full
 #   quick  format, lints, tests without a device but for the long ones, ten smoke tests on one driver (EFFIGY_CHECK_DRIVER, default
 #          mesa25:256): under two minutes after a change of one line
-#   gate   what has to hold before a change lands (.ci/run): quick's checks, all tests on Mesa 25 at 256 bits and on SwiftShader, the
-#          stages at 128 and 512 bits, commands of the README and the guides, the examples, the page in Chromium, the app
+#   gate   what has to hold before a change lands (.ci/run): quick's checks, all tests on Mesa 25 at 256 bits, all that draw on
+#          SwiftShader, the stages at 128 and 512 bits, commands of the README and the guides, the examples, the page in Chromium, the app
 #   full   before an issue is closed: gate, and all tests at every width and on Mesa 22, the packages as they are released, 2,000 stress
 #          cases, a soak, the compiled shaders compared with their sources. docs/development.md says why each is not in gate.
 set -euo pipefail
@@ -56,27 +56,28 @@ commands() {
 
 examples() {
   use_driver mesa25:256
-  cargo test --quiet --doc -p effigy --features webgpu
+  # Of the whole workspace, as the tests are: with fewer packages some of their dependencies would be built again with other features.
+  cargo test --quiet --doc --workspace --features webgpu
   local examples=$target/debug/examples
-  cargo build --quiet -p effigy --features webgpu --examples
+  cargo build --quiet --workspace --features webgpu --examples
   "$examples/picture" target/example-picture.png
   "$examples/measure"
   xvfb-run -a -s '-screen 0 800x600x24' timeout 120 "$examples/window" --frames 10
 }
 
-# Standard libraries for browsers and Android. Where rustup or an NDK has them, nothing is to be done.
+# cross TARGET...: standard libraries for browsers and Android. Where rustup or an NDK has them, nothing is to be done.
 cross() {
   [ -d ../shared/cross ] || return 0
   local dest=${EFFIGY_CROSS:-$PWD/target/cross} scripts=$PWD/target/cross-scripts
   # Its linker allows the system's functions that are on its list: the app imports more.
   rm -rf "$scripts"; cp -r ../shared/cross "$scripts"; chmod -R u+w "$scripts"
   cat tools/android-host/symbols.txt >> "$scripts/android-symbols.txt"
-  "$scripts/setup-targets.sh" "$dest" wasm32-unknown-unknown aarch64-linux-android x86_64-linux-android >target/cross.log 2>&1 ||
+  "$scripts/setup-targets.sh" "$dest" "$@" >target/cross.log 2>&1 ||
     { cat target/cross.log; return 1; }
   export RUSTC=$dest/bin/rustc RUSTDOC=$dest/bin/rustdoc ANDROID_NDK_HOME=$dest/ndk
 }
 
-page() { (cross && tools/web.sh "$@" target/web) && tools/test_web.sh target/web; }
+page() { (cross wasm32-unknown-unknown && tools/web.sh "$@" target/web) && tools/test_web.sh target/web; }
 
 gate() {
   need_rust
@@ -92,17 +93,17 @@ gate() {
   step "the page in a browser"
   (EFFIGY=$(realpath "$target/debug/effigy") && export EFFIGY && page --quick)
   step "the Android app"
-  (use_driver mesa25:256; EFFIGY=$(realpath "$target/debug/effigy") && export EFFIGY && cross && tools/test_apk.sh --play 3)
+  (use_driver mesa25:256; EFFIGY=$(realpath "$target/debug/effigy") && export EFFIGY && cross x86_64-linux-android && tools/test_apk.sh --play 3)
 }
 
 full() {
   gate
   step "every width, and Mesa 22"
-  tools/test.sh mesa25:128 mesa25:512 mesa22
+  tools/test.sh mesa25:128 mesa25:512 mesa22 swiftshader
   step "the packages as they are released"
   tools/release.sh --only linux --try
   page
-  (cross && tools/test_apk.sh --package)
+  (cross aarch64-linux-android && tools/test_apk.sh --package)
   step "2,000 stress cases"
   (use_driver mesa25:256; effigy stress --cases 2000 --seed 7)
   step "soak"
