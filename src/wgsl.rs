@@ -1,13 +1,13 @@
-//! The shaders in WGSL, stored in `shaders/wgsl`: GLSL compiled to SPIR-V with [`Module::macros`]
+//! The shaders in WGSL, stored in `shaders/wgsl`: GLSL compiled to SPIR-V with [`WgslModule::macros`]
 //! and translated by naga.
 //!
 //! `cargo run --release -p effigy-shaders --features compile --bin compile-shaders` writes them. A
-//! test compares [`Module::fingerprint`]s and fails if a module is older than its source.
+//! test compares [`WgslModule::fingerprint`]s and fails if a module is older than its source.
 
 use crate::hash;
 
 /// A shader for WebGPU.
-pub struct Module {
+pub struct WgslModule {
     /// Path of the file below `shaders/wgsl`, without its extension.
     pub name: &'static str,
     /// Path of its source below `shaders`.
@@ -23,7 +23,7 @@ macro_rules! modules {
     ($($constant:ident = $name:literal, $file:literal, $macros:expr;)*) => {
         $(
             #[doc = concat!("`shaders/", $file, "` in WGSL.")]
-            pub static $constant: Module = Module {
+            pub static $constant: WgslModule = WgslModule {
                 name: $name,
                 file: $file,
                 macros: $macros,
@@ -31,7 +31,7 @@ macro_rules! modules {
             };
         )*
         /// Every module.
-        pub static MODULES: &[&Module] = &[$(&$constant),*];
+        pub static MODULES: &[&WgslModule] = &[$(&$constant),*];
     };
 }
 
@@ -92,7 +92,7 @@ pub const IMAGE_FORMAT: &str = "rgba8unorm";
 /// File in `shaders/wgsl` with a line `name fingerprint` for each module.
 pub const FINGERPRINTS: &str = "fingerprints.txt";
 
-impl Module {
+impl WgslModule {
     /// WGSL constants with the lengths of the storage buffers' arrays, from the buffers' bindings
     /// and bytes.
     pub fn lengths(&self, buffers: impl Iterator<Item = (u32, u64)>) -> String {

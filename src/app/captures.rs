@@ -2,12 +2,14 @@
 
 use crate::{message::Message, painter::WindowPainter, screenshot::ScreenshotWriters};
 use effigy::vulkan::{Error, Gpu};
-use effigy_runtime::{
-    capture::{ATTACH, RenderDoc},
-    trace::Trace,
-};
+use effigy_runtime::{capture::RenderDoc, trace::Trace};
 use std::path::PathBuf;
 use winit::event_loop::EventLoopProxy;
+
+/// That RenderDoc is not attached, and how to attach it.
+const ATTACH: &str = "RenderDoc is not attached: start the program from it (Launch Application \
+    in qrenderdoc, or `renderdoccmd capture effigy capture`), or set \
+    ENABLE_VULKAN_RENDERDOC_CAPTURE=1 where it is installed";
 
 /// Screenshots, RenderDoc captures and the trace of a viewer.
 pub struct Captures {

@@ -12,7 +12,7 @@ use effigy::vulkan::{
     download::Copied,
     error::During,
     pre_transform::PreTransform,
-    present::{Present, Shown},
+    present::{Present, PresentedImage},
     renderer::Presentation,
     swapchain::{Acquired, Surface, Swapchain, Target},
     timing::PresentFeedback,
@@ -309,7 +309,7 @@ impl WindowPainter {
             .validator
             .as_mut()
             .filter(|validator| validate && validator.is_idle());
-        let shown = Shown {
+        let shown = PresentedImage {
             drawn: picture,
             background: content.background,
         };

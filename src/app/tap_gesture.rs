@@ -11,7 +11,7 @@ const LONG: f64 = 0.5;
 
 /// A finger on the screen, or a finished tap.
 #[derive(Clone, Copy, Debug)]
-struct Finger {
+struct Touch {
     id: u64,
     /// px.
     position: DVec2,
@@ -22,8 +22,8 @@ struct Finger {
 /// Follows the one finger that may be tapping. Times are seconds on a clock that never goes back.
 #[derive(Clone, Debug, Default)]
 pub struct TapGesture {
-    finger: Option<Finger>,
-    last_tap: Option<Finger>,
+    finger: Option<Touch>,
+    last_tap: Option<Touch>,
     /// All fingers that are down.
     down: Vec<u64>,
 }
@@ -34,7 +34,7 @@ impl TapGesture {
         self.down.retain(|&known| known != id);
         self.down.push(id);
         if self.down.len() == 1 {
-            self.finger = Some(Finger {
+            self.finger = Some(Touch {
                 id,
                 position,
                 since: now,
@@ -47,7 +47,7 @@ impl TapGesture {
 
     /// A finger moves to a point, px. `scale`: px a point.
     pub fn finger_moved(&mut self, id: u64, to: DVec2, scale: f64) {
-        let strayed = |finger: Finger| finger.position.distance(to) > SLOP * scale;
+        let strayed = |finger: Touch| finger.position.distance(to) > SLOP * scale;
         if self
             .finger
             .is_some_and(|finger| finger.id == id && strayed(finger))
@@ -69,7 +69,7 @@ impl TapGesture {
             finger.since - last.since <= TAP
                 && last.position.distance(finger.position) <= 3.0 * SLOP * scale
         });
-        let tap = Finger {
+        let tap = Touch {
             since: now,
             ..finger
         };

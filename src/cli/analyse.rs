@@ -17,7 +17,7 @@ use effigy_learn::{
         sweep::{AblationSweep, EACH, SweepOptions, SweepRow, TOGETHER, sweep},
         timing,
     },
-    plot::{self, Chart, ChartLine},
+    plot::{self, Plot, PlotLine},
     train::block::ATTRIBUTES,
 };
 use std::{
@@ -145,7 +145,7 @@ fn write_curves(out: &Path, outcomes: &[ComponentResult]) -> anyhow::Result<()> 
             "explained variance of the {} attribute",
             attribute.replace('_', " ")
         );
-        let chart = Chart {
+        let chart = Plot {
             title: &title,
             x: "component",
             y: "share of the variance, mean over groups",
@@ -158,9 +158,9 @@ fn write_curves(out: &Path, outcomes: &[ComponentResult]) -> anyhow::Result<()> 
     Ok(())
 }
 
-fn explained_variance(outcome: &ComponentResult) -> ChartLine {
+fn explained_variance(outcome: &ComponentResult) -> PlotLine {
     let shares = outcome.explained.iter().take(COMPONENTS).enumerate();
-    ChartLine {
+    PlotLine {
         name: outcome.setting.to_owned(),
         points: shares
             .map(|(index, &share)| (index as f64 + 1.0, share))
@@ -232,25 +232,25 @@ fn write_charts(out: &Path, tried: &[SweepRow]) -> anyhow::Result<()> {
 }
 
 /// The likeness of those tries whose name ends with `ending`, over `x`.
-fn curve(tried: &[SweepRow], ending: &str, name: &str, x: fn(&SweepRow) -> f64) -> ChartLine {
+fn curve(tried: &[SweepRow], ending: &str, name: &str, x: fn(&SweepRow) -> f64) -> PlotLine {
     let mut points: Vec<(f64, f64)> = tried
         .iter()
         .filter(|tried| tried.what.ends_with(ending))
         .map(|tried| (x(tried), tried.psnr_db))
         .collect();
     points.sort_by(|a, b| a.0.total_cmp(&b.0));
-    ChartLine {
+    PlotLine {
         name: name.to_owned(),
         points,
     }
 }
 
 /// Writes `name.svg`, unless its first line is a single point or none.
-fn write_chart(out: &Path, name: &str, x: &str, lines: Vec<ChartLine>) -> anyhow::Result<()> {
+fn write_chart(out: &Path, name: &str, x: &str, lines: Vec<PlotLine>) -> anyhow::Result<()> {
     if lines[0].points.len() < 2 {
         return Ok(());
     }
-    let chart = Chart {
+    let chart = Plot {
         title: "likeness of held-out frames",
         x,
         y: "PSNR inside the mask's box, dB",

@@ -4,17 +4,17 @@
 use clap::Command;
 
 /// A heading of the help page and the subcommands under it.
-struct Group {
+struct CommandGroup {
     title: &'static str,
     commands: &'static [&'static str],
 }
 
-const GROUPS: [Group; 4] = [
-    Group {
+const GROUPS: [CommandGroup; 4] = [
+    CommandGroup {
         title: "Draw",
         commands: &["view", "render", "capture"],
     },
-    Group {
+    CommandGroup {
         title: "Measure",
         commands: &[
             "bench",
@@ -25,11 +25,11 @@ const GROUPS: [Group; 4] = [
             "devices",
         ],
     },
-    Group {
+    CommandGroup {
         title: "Learn",
         commands: &["bake", "dataset", "fit", "prune", "evaluate", "analyse"],
     },
-    Group {
+    CommandGroup {
         title: "Files",
         commands: &["inspect", "pack", "export-ply"],
     },

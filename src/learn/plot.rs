@@ -18,7 +18,7 @@ const COLORS: [RGBColor; 6] = [
 
 /// A named line.
 #[derive(Clone, Debug)]
-pub struct ChartLine {
+pub struct PlotLine {
     /// The name in the legend.
     pub name: String,
     /// x and y of each point.
@@ -27,7 +27,7 @@ pub struct ChartLine {
 
 /// Lines over one pair of axes.
 #[derive(Clone, Debug)]
-pub struct Chart<'a> {
+pub struct Plot<'a> {
     /// Above the chart.
     pub title: &'a str,
     /// The label of the x axis.
@@ -37,14 +37,14 @@ pub struct Chart<'a> {
     /// Whether the y axis is logarithmic.
     pub log: bool,
     /// Each in a colour of its own.
-    pub lines: Vec<ChartLine>,
+    pub lines: Vec<PlotLine>,
 }
 
 /// Draws a chart as an SVG's text.
 ///
 /// # Errors
 /// When no line has points, or drawing fails.
-pub fn svg(chart: &Chart) -> Result<String, ChartError> {
+pub fn svg(chart: &Plot) -> Result<String, ChartError> {
     let mut text = String::new();
     draw(
         SVGBackend::with_string(&mut text, SIZE).into_drawing_area(),
@@ -57,7 +57,7 @@ pub fn svg(chart: &Chart) -> Result<String, ChartError> {
 ///
 /// # Errors
 /// When no line has points, or drawing fails.
-pub fn png(chart: &Chart) -> Result<Vec<u8>, ChartError> {
+pub fn png(chart: &Plot) -> Result<Vec<u8>, ChartError> {
     png_from_pixels(SIZE, |pixels| {
         draw(
             BitMapBackend::with_buffer(pixels, SIZE).into_drawing_area(),
@@ -66,7 +66,7 @@ pub fn png(chart: &Chart) -> Result<Vec<u8>, ChartError> {
     })
 }
 
-fn draw<B: DrawingBackend>(area: DrawingArea<B, Shift>, chart: &Chart) -> Result<(), ChartError> {
+fn draw<B: DrawingBackend>(area: DrawingArea<B, Shift>, chart: &Plot) -> Result<(), ChartError> {
     register_fonts()?;
     let height = |y: f64| if chart.log { y.max(1e-12).log10() } else { y };
     let points = || chart.lines.iter().flat_map(|line| &line.points);
@@ -158,11 +158,11 @@ mod tests {
 
     #[test]
     fn charts_draw_and_name_their_lines() -> Result<(), ChartError> {
-        let line = |name: &str, by: f64| ChartLine {
+        let line = |name: &str, by: f64| PlotLine {
             name: name.into(),
             points: (1..9).map(|k| (f64::from(k), by / f64::from(k))).collect(),
         };
-        let mut chart = Chart {
+        let mut chart = Plot {
             title: "a title",
             x: "along",
             y: "up",

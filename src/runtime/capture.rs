@@ -21,11 +21,6 @@ const LIBRARY: &str = "librenderdoc.so";
 /// Version 1.0.0 of the interface: major · 10000 + minor · 100 + patch.
 const VERSION: c_int = 10_000;
 
-/// That RenderDoc is not attached, and how to attach it.
-pub const ATTACH: &str = "RenderDoc is not attached: start the program from it (Launch Application \
-    in qrenderdoc, or `renderdoccmd capture effigy capture`), or set \
-    ENABLE_VULKAN_RENDERDOC_CAPTURE=1 where it is installed";
-
 /// The interface's function table. Functions that are not called here are untyped.
 #[repr(C)]
 struct ApiTable {

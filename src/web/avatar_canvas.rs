@@ -2,7 +2,7 @@
 
 use crate::{
     motion::InvalidPose,
-    surface::{Candidate, CanvasSurface, DrawableAvatar, js_error, js_range_error},
+    surface::{CanvasSurface, DrawableAvatar, PreparedAvatar, js_error, js_range_error},
 };
 use effigy::webgpu::Error;
 use effigy_core::{
@@ -105,14 +105,14 @@ impl AvatarCanvas {
     }
 
     /// Prepares the avatar of a file, given all its bytes. The one that is shown stays.
-    pub fn prepare(&self, bytes: &[u8]) -> Result<Candidate, JsValue> {
+    pub fn prepare(&self, bytes: &[u8]) -> Result<PreparedAvatar, JsValue> {
         let avatar = Avatar::from_bytes(bytes).map_err(js_error)?;
         self.surface.candidate(avatar).map_err(js_error)
     }
 
     /// Prepares the avatar of a file of `length` bytes without its correctives, given the beginning
     /// of the file. The one that is shown stays.
-    pub fn prepare_neutral(&self, bytes: &[u8], length: usize) -> Result<Candidate, JsValue> {
+    pub fn prepare_neutral(&self, bytes: &[u8], length: usize) -> Result<PreparedAvatar, JsValue> {
         match Avatar::neutral(bytes, length).map_err(js_error)? {
             Neutral::Avatar(avatar) => self.surface.candidate(*avatar).map_err(js_error),
             Neutral::Needs(needs) => Err(js_error(format!("{needs} bytes are needed"))),
@@ -122,7 +122,7 @@ impl AvatarCanvas {
     /// Shows a candidate in place of the current avatar. Returns false if the device was replaced
     /// since the candidate was prepared. `keep`: [`Self::revert`] brings the current avatar back,
     /// until [`Self::complete`].
-    pub fn show(&mut self, candidate: Candidate, keep: bool) -> Result<bool, JsValue> {
+    pub fn show(&mut self, candidate: PreparedAvatar, keep: bool) -> Result<bool, JsValue> {
         if !Arc::ptr_eq(&candidate.gpu, &self.surface.gpu) {
             return Ok(false);
         }

@@ -122,14 +122,14 @@ impl CanvasSurface {
     }
 
     /// Allocates buffers for an avatar, and creates the stages that draw it.
-    pub fn candidate(&self, avatar: Avatar) -> Result<Candidate, Error> {
+    pub fn candidate(&self, avatar: Avatar) -> Result<PreparedAvatar, Error> {
         let errors = self.gpu.watch();
         let allocated = self.allocate(&avatar);
         // Ended even if this failed: the device's error scopes are a stack.
         let errors = Box::pin(errors.end());
         let (renderer, present) = allocated?;
         let motion = Motion::new(&avatar);
-        Ok(Candidate {
+        Ok(PreparedAvatar {
             gpu: self.gpu.clone(),
             drawable: DrawableAvatar {
                 avatar,
@@ -151,7 +151,7 @@ impl CanvasSurface {
 
 /// An avatar that can replace the one that is shown, once it is uploaded.
 #[wasm_bindgen]
-pub struct Candidate {
+pub struct PreparedAvatar {
     pub(super) gpu: Arc<Gpu>,
     pub(super) drawable: DrawableAvatar,
     /// Resolves once the device has reported whether it could allocate the buffers.
@@ -159,7 +159,7 @@ pub struct Candidate {
 }
 
 #[wasm_bindgen]
-impl Candidate {
+impl PreparedAvatar {
     /// Uploads the avatar. The promise resolves when all of it is on the device, and rejects if the
     /// device can't take it.
     pub fn upload(&mut self) -> Result<js_sys::Promise, JsValue> {

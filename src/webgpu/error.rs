@@ -11,9 +11,7 @@ pub enum Error {
     NoDevice(String),
     #[error("no WebGPU device is called `{wanted}`; found {found}")]
     NoSuchDevice { wanted: String, found: String },
-    #[error(
-        "{what} takes {found} bytes; {device} allows {limit} in one binding: use an avatar with fewer Gaussians or rows"
-    )]
+    #[error("{what} takes {found} bytes; {device} allows {limit} in one binding")]
     TooLarge {
         what: &'static str,
         found: u64,
@@ -35,7 +33,7 @@ pub enum Error {
     KeyBits(u32),
     #[error("the WebGPU backend has no OneSweep, which needs subgroups")]
     Sort,
-    #[error("the device was lost: {0}; open it again")]
+    #[error("the device was lost: {0}")]
     DeviceLost(String),
     #[error("{what} did not finish within {seconds} s: the device or its driver hangs")]
     Timeout { what: &'static str, seconds: u64 },

@@ -1,7 +1,7 @@
 //! Bindings and compute pipelines.
 
 use super::{buffer::Slice, device::Gpu, owned::Buffer};
-use crate::wgsl::{IMAGE_FORMAT, Module};
+use crate::wgsl::{IMAGE_FORMAT, WgslModule};
 use effigy_core::layout::{FrameBlock, SettingsBlock};
 use std::sync::OnceLock;
 use wgpu::{
@@ -179,7 +179,7 @@ fn group(gpu: &Gpu, layout: &wgpu::BindGroupLayout, bound: &[(u32, Bound)]) -> w
 }
 
 /// The source of a module, for what it is bound to.
-fn source(module: &Module, bound: &[(u32, Bound)]) -> String {
+fn source(module: &WgslModule, bound: &[(u32, Bound)]) -> String {
     let buffers = bound.iter().filter_map(|&(binding, bound)| match bound {
         Bound::Read(slice) | Bound::Write(slice) => Some((binding, slice.size.next_multiple_of(4))),
         _ => None,
@@ -206,7 +206,7 @@ fn made(device: &wgpu::Device, name: &str, source: &str) -> wgpu::ShaderModule {
 }
 
 /// A module on a device, for what it is bound to.
-pub fn module(gpu: &Gpu, module: &Module, bound: &[(u32, Bound)]) -> wgpu::ShaderModule {
+pub fn module(gpu: &Gpu, module: &WgslModule, bound: &[(u32, Bound)]) -> wgpu::ShaderModule {
     made(&gpu.device, module.name, &source(module, bound))
 }
 
@@ -221,14 +221,14 @@ pub struct Kernel {
 }
 
 impl Kernel {
-    pub fn new(gpu: &Gpu, shader: &Module, bound: &[(u32, Bound)]) -> Self {
+    pub fn new(gpu: &Gpu, shader: &WgslModule, bound: &[(u32, Bound)]) -> Self {
         let new = Self::when_needed(gpu, shader, bound);
         new.pipeline();
         new
     }
 
     /// Compiled by the first dispatch: for what the first frame does without.
-    pub fn when_needed(gpu: &Gpu, shader: &Module, bound: &[(u32, Bound)]) -> Self {
+    pub fn when_needed(gpu: &Gpu, shader: &WgslModule, bound: &[(u32, Bound)]) -> Self {
         let bindings = Bindings::new(gpu, ShaderStages::COMPUTE, bound);
         Self {
             pipeline: OnceLock::new(),

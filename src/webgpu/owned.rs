@@ -5,13 +5,13 @@
 use std::ops::Deref;
 
 /// What a device has memory for.
-pub trait Resource {
+pub trait Destroy {
     fn destroy(&self);
 }
 
 macro_rules! resource {
     ($($type:ident)*) => {
-        $(impl Resource for wgpu::$type {
+        $(impl Destroy for wgpu::$type {
             fn destroy(&self) {
                 wgpu::$type::destroy(self);
             }
@@ -22,20 +22,20 @@ macro_rules! resource {
 resource!(Buffer Texture QuerySet);
 
 /// The one owner of something: frames that were submitted still find it, later ones don't.
-pub struct Owned<T: Resource>(pub T);
+pub struct Owned<T: Destroy>(pub T);
 
 pub type Buffer = Owned<wgpu::Buffer>;
 pub type Texture = Owned<wgpu::Texture>;
 pub type QuerySet = Owned<wgpu::QuerySet>;
 
-impl<T: Resource> Deref for Owned<T> {
+impl<T: Destroy> Deref for Owned<T> {
     type Target = T;
     fn deref(&self) -> &T {
         &self.0
     }
 }
 
-impl<T: Resource> Drop for Owned<T> {
+impl<T: Destroy> Drop for Owned<T> {
     fn drop(&mut self) {
         self.0.destroy();
     }

@@ -55,7 +55,7 @@ fn wgpu_format(format: ColorFormat) -> TextureFormat {
 
 /// Order, splats with their keys, and control as the stages before leave them.
 #[derive(Clone, Copy)]
-pub struct Inputs<'a> {
+pub struct RasterInputs<'a> {
     /// Indices of splats in drawing order.
     pub order: Slice<'a>,
     /// Splats, one a Gaussian.
@@ -94,7 +94,7 @@ impl Raster {
     pub fn new(
         gpu: &Gpu,
         blocks: &Blocks,
-        inputs: Inputs,
+        inputs: RasterInputs,
         options: &RendererOptions,
     ) -> Result<Self> {
         let method = options.method.unwrap_or(RasterMethod::Quads);
@@ -159,7 +159,7 @@ impl Raster {
         &mut self,
         gpu: &Gpu,
         blocks: &Blocks,
-        inputs: Inputs,
+        inputs: RasterInputs,
         size: [u32; 2],
     ) -> Result<()> {
         let image = create_image(gpu, self.format, size)?;
@@ -265,7 +265,7 @@ fn create_image(gpu: &Gpu, format: ColorFormat, size: [u32; 2]) -> Result<Textur
     Ok(texture(gpu, "target", size, wgpu_format(format), usage))
 }
 
-fn quads(gpu: &Gpu, blocks: &Blocks, inputs: Inputs, format: ColorFormat) -> Result<Way> {
+fn quads(gpu: &Gpu, blocks: &Blocks, inputs: RasterInputs, format: ColorFormat) -> Result<Way> {
     let bound = [
         blocks.frame(),
         (1, Bound::Read(inputs.order)),
@@ -324,8 +324,8 @@ pub fn draw_pipeline(
     label: &'static str,
     bindings: &Bindings,
     bound: &[(u32, Bound)],
-    vertex: &wgsl::Module,
-    fragment: &wgsl::Module,
+    vertex: &wgsl::WgslModule,
+    fragment: &wgsl::WgslModule,
     target: wgpu::ColorTargetState,
 ) -> Result<wgpu::RenderPipeline> {
     if !draws_triangles(gpu.name()) {
@@ -362,7 +362,7 @@ pub fn draw_pipeline(
 fn tiles(
     gpu: &Gpu,
     blocks: &Blocks,
-    inputs: Inputs,
+    inputs: RasterInputs,
     format: ColorFormat,
     view: &wgpu::TextureView,
 ) -> Result<Way> {
@@ -395,7 +395,7 @@ fn tiles(
 
 fn tile_bindings<'a>(
     blocks: &'a Blocks,
-    inputs: Inputs<'a>,
+    inputs: RasterInputs<'a>,
     lists: &'a wgpu::Buffer,
     format: ColorFormat,
     view: &'a wgpu::TextureView,

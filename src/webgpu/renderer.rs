@@ -13,7 +13,7 @@ use super::{
     options::accepted,
     owned::Buffer,
     project::Project,
-    raster::{Inputs, Raster},
+    raster::{Raster, RasterInputs},
     sh::SphericalHarmonics,
     sort::{self, Sort, SortInputs},
 };
@@ -112,7 +112,7 @@ impl Renderer {
             capacity: project.capacity(),
         };
         let sort = Sort::new(gpu, &blocks, sort_inputs, sort::variant(&options))?;
-        let inputs = Inputs {
+        let inputs = RasterInputs {
             order: sort.order(),
             splats: project.all(),
             keys: project.keys(),
@@ -433,7 +433,7 @@ impl Renderer {
             blocks,
             ..
         } = self;
-        let inputs = Inputs {
+        let inputs = RasterInputs {
             order: sort.order(),
             splats: project.all(),
             keys: project.keys(),

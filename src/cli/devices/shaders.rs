@@ -61,11 +61,11 @@ fn csv(probe: &Probe, executables: &[Executable]) -> anyhow::Result<Vec<u8>> {
 /// A line per executable and a column per statistic. Executables of one shader with equal
 /// statistics share a line; statistics that are 0 everywhere are named below the table.
 fn table(executables: &[Executable]) -> String {
-    let mut rows: Vec<Row> = Vec::new();
+    let mut rows: Vec<ShaderRow> = Vec::new();
     for executable in executables {
         match rows.iter_mut().find(|row| row.is_equal(executable)) {
             Some(row) => row.pipelines += 1,
-            None => rows.push(Row {
+            None => rows.push(ShaderRow {
                 executable,
                 pipelines: 1,
             }),
@@ -85,13 +85,13 @@ fn table(executables: &[Executable]) -> String {
 }
 
 /// A line of the table.
-struct Row<'a> {
+struct ShaderRow<'a> {
     executable: &'a Executable,
     /// Pipelines whose executables came out equal.
     pipelines: usize,
 }
 
-impl Row<'_> {
+impl ShaderRow<'_> {
     fn is_equal(&self, other: &Executable) -> bool {
         let own = self.executable;
         own.shader == other.shader

@@ -21,7 +21,7 @@ const ORTHONORMAL: f64 = 1e-3;
 
 /// An entry of the file.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-struct Entry {
+struct CameraEntry {
     #[serde(default)]
     id: u64,
     #[serde(default)]
@@ -34,7 +34,7 @@ struct Entry {
     fy: f64,
 }
 
-impl Entry {
+impl CameraEntry {
     fn rotation(&self) -> DMat3 {
         DMat3::from_cols_array_2d(&self.rotation).transpose()
     }
@@ -115,7 +115,7 @@ pub fn parse(bytes: &[u8], world: DAffine3) -> Result<Vec<Camera>, FormatError> 
             "cameras as 3DGS writes them",
         )
     };
-    let entries: Vec<Entry> = serde_json::from_slice(bytes).map_err(failed)?;
+    let entries: Vec<CameraEntry> = serde_json::from_slice(bytes).map_err(failed)?;
     if entries.is_empty() || entries.len() > CAMERAS_MAX {
         return Err(FormatError::container(
             format!("{} cameras", entries.len()),
@@ -137,7 +137,7 @@ pub fn parse(bytes: &[u8], world: DAffine3) -> Result<Vec<Camera>, FormatError> 
 pub fn to_json(cameras: &[Camera]) -> String {
     let entry = |(id, camera): (usize, &Camera)| {
         let placed = camera.view.inverse();
-        Entry {
+        CameraEntry {
             id: id as u64,
             img_name: format!("{id:05}"),
             width: camera.size[0],

@@ -1,6 +1,6 @@
 //! The loss curves of a fit, as a chart and as CSV.
 
-use crate::plot::{self, Chart, ChartError, ChartLine};
+use crate::plot::{self, Plot, ChartError, PlotLine};
 use serde::{Deserialize, Serialize};
 
 /// A point of the loss curves.
@@ -17,15 +17,15 @@ pub struct LossPoint {
     pub held: f64,
 }
 
-fn chart(curve: &[LossPoint]) -> Chart<'_> {
-    let line = |name: &str, share: &dyn Fn(&LossPoint) -> f64| ChartLine {
+fn chart(curve: &[LossPoint]) -> Plot<'_> {
+    let line = |name: &str, share: &dyn Fn(&LossPoint) -> f64| PlotLine {
         name: name.to_owned(),
         points: curve
             .iter()
             .map(|point| (point.epoch as f64, share(point).max(1e-6)))
             .collect(),
     };
-    Chart {
+    Plot {
         title: "what the networks leave unexplained",
         x: "epochs",
         y: "share of the spread, of each stage's own target",

@@ -104,7 +104,7 @@ impl Parameter {
 
     /// Every value but that of the base setting.
     pub fn values(self, base: &RenderSetting) -> Vec<ParameterValue> {
-        let mut values = Values::new(base);
+        let mut values = ParameterValues::new(base);
         let options = &base.options;
         match self {
             Self::Preset => {
@@ -188,12 +188,12 @@ impl Parameter {
 }
 
 /// The values of a parameter as they are listed.
-struct Values<'a> {
+struct ParameterValues<'a> {
     base: &'a RenderSetting,
     values: Vec<ParameterValue>,
 }
 
-impl<'a> Values<'a> {
+impl<'a> ParameterValues<'a> {
     fn new(base: &'a RenderSetting) -> Self {
         Self {
             base,

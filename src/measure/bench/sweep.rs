@@ -71,7 +71,7 @@ pub fn run_sweep(
 }
 
 /// A setting while it is measured.
-struct Entry {
+struct SweepEntry {
     parameter: String,
     value: String,
     setting: RenderSetting,
@@ -100,7 +100,7 @@ struct SweepRun<'a> {
 
 impl SweepRun<'_> {
     /// Renderers for a parameter's values, the base setting first.
-    fn open(&mut self, parameter: Parameter) -> Result<Vec<Entry>> {
+    fn open(&mut self, parameter: Parameter) -> Result<Vec<SweepEntry>> {
         let base = ParameterValue {
             name: String::new(),
             setting: self.sweep.base,
@@ -117,12 +117,12 @@ impl SweepRun<'_> {
         Ok(entries)
     }
 
-    fn open_entry(&mut self, parameter: &str, value: ParameterValue) -> Result<Entry> {
+    fn open_entry(&mut self, parameter: &str, value: ParameterValue) -> Result<SweepEntry> {
         let case = self.sweep.case;
         let setting = value.setting.for_case(case);
         let gpu = self.devices.get(&setting)?;
         let avatar = setting.reduce(self.task.avatar);
-        Ok(Entry {
+        Ok(SweepEntry {
             parameter: parameter.to_owned(),
             value: value.name,
             renderer: CaseRenderer::new(&gpu, &avatar, &setting, case, false)?,
@@ -134,7 +134,7 @@ impl SweepRun<'_> {
     }
 
     /// Times all entries in turn, every other round backwards.
-    fn time(&self, entries: &mut [Entry], progress: Progress) -> Result<()> {
+    fn time(&self, entries: &mut [SweepEntry], progress: Progress) -> Result<()> {
         for round in 0..self.sweep.rounds {
             let mut order: Vec<usize> = (0..entries.len()).collect();
             if round % 2 == 1 {
@@ -158,7 +158,7 @@ impl SweepRun<'_> {
     }
 
     /// The points of a group, the base setting first.
-    fn points(&mut self, entries: Vec<Entry>, progress: Progress) -> Result<Vec<SweepPoint>> {
+    fn points(&mut self, entries: Vec<SweepEntry>, progress: Progress) -> Result<Vec<SweepPoint>> {
         let mut points = Vec::new();
         let mut base: Option<EntryTimes> = None;
         for entry in entries {
@@ -171,7 +171,7 @@ impl SweepRun<'_> {
 
     fn point(
         &mut self,
-        mut entry: Entry,
+        mut entry: SweepEntry,
         times: &EntryTimes,
         base: &EntryTimes,
         progress: Progress,

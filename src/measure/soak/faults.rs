@@ -122,9 +122,9 @@ fn rate_fault(report: &SoakReport, limits: &SoakLimits) -> Option<String> {
         return None;
     }
     let reason = if !report.governed {
-        "the governor is off: turn it on, or promise less".to_owned()
+        "the governor is off".to_owned()
     } else if rung >= last {
-        "the governor is at its last step: promise less, or draw less".to_owned()
+        "the governor is at its last step".to_owned()
     } else {
         format!(
             "the governor went to step {rung} of {last}, where the device has time left: something else holds frames up"

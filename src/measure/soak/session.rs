@@ -62,7 +62,7 @@ pub struct Totals {
 
 /// Times on the caller's clock, seconds.
 #[derive(Clone, Copy, Debug, Default)]
-struct FrameClock {
+struct SoakClock {
     first_frame: f64,
     second_start: f64,
     last_frame: f64,
@@ -81,7 +81,7 @@ pub struct Session {
     governor: Governor,
     cadence: Cadence,
     /// None before the first frame.
-    clock: Option<FrameClock>,
+    clock: Option<SoakClock>,
     /// Of this second: times from frame to frame, ms.
     intervals: Vec<f64>,
     /// Of this second.
@@ -207,7 +207,7 @@ impl Session {
     /// Adds a frame that was submitted at `seconds` on a monotonic clock, and its GPU time, if
     /// known.
     pub fn add_frame(&mut self, seconds: f64, busy_ms: Option<f64>) -> FrameEvent {
-        let clock = self.clock.get_or_insert(FrameClock {
+        let clock = self.clock.get_or_insert(SoakClock {
             first_frame: seconds,
             second_start: seconds,
             last_frame: seconds,

@@ -83,13 +83,13 @@ fn skeleton(random: &mut Random, joints: usize) -> Skeleton {
 }
 
 /// Four joints and their weights, which sum to 255.
-struct Skinning {
+struct JointBinding {
     joint: [u8; 4],
     weight: [u8; 4],
 }
 
 /// The joints nearest to a point, with weights by their distance.
-fn skinning(joints: &[DVec3], point: DVec3) -> Skinning {
+fn skinning(joints: &[DVec3], point: DVec3) -> JointBinding {
     let mut near: Vec<(f64, u8)> = joints
         .iter()
         .enumerate()
@@ -108,7 +108,7 @@ fn skinning(joints: &[DVec3], point: DVec3) -> Skinning {
             .map_or(0, |share| (share / total * 255.0) as u8)
     });
     weight[0] += 255 - weight.iter().sum::<u8>();
-    Skinning {
+    JointBinding {
         joint: std::array::from_fn(|k| near.get(k).map_or(0, |near| near.1)),
         weight,
     }
@@ -132,7 +132,7 @@ fn gaussians(
     nodes: &[DVec3],
     bounds: Bounds,
 ) -> Gaussians {
-    let bound: Vec<Skinning> = points.iter().map(|&p| skinning(joints, p)).collect();
+    let bound: Vec<JointBinding> = points.iter().map(|&p| skinning(joints, p)).collect();
     Gaussians {
         bounds,
         position: points.iter().map(|&p| bounds.encode(p)).collect(),

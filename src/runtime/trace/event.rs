@@ -14,7 +14,7 @@ pub enum TraceEvent {
     /// The name of a track.
     TrackName { track: u32, name: String },
     /// Work that takes time.
-    Slice(Slice),
+    Slice(TraceSlice),
     /// From a frame's submission on the host to its start on the device.
     Arrow { number: u64, from: f64, to: f64 },
     /// The value of a counter from a time on.
@@ -26,7 +26,7 @@ pub enum TraceEvent {
 }
 
 /// Work on a track from one time to another.
-pub struct Slice {
+pub struct TraceSlice {
     pub name: String,
     pub track: u32,
     pub from: f64,

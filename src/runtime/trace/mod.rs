@@ -11,7 +11,7 @@ mod event;
 use align::{Alignment, Clock, nanoseconds_since};
 use effigy::vulkan::{Gpu, moment::Moment};
 use effigy_core::frame::report::{FrameReport, HostTimes};
-use event::{DEVICE, HOST, Slice, TraceEvent};
+use event::{DEVICE, HOST, TraceEvent, TraceSlice};
 use serde_json::json;
 use std::{collections::VecDeque, fs, io, path::Path, time::Instant};
 
@@ -19,7 +19,7 @@ use std::{collections::VecDeque, fs, io, path::Path, time::Instant};
 const CAPACITY: usize = 3000;
 
 /// Times of one frame.
-struct FrameTimes {
+struct TracedFrame {
     number: u64,
     host: HostTimes,
     /// Each stage with its first and last timestamp.
@@ -38,7 +38,7 @@ struct CounterValue {
 pub struct Trace {
     start: Instant,
     first_moment: Option<Moment>,
-    frames: VecDeque<FrameTimes>,
+    frames: VecDeque<TracedFrame>,
     /// All frames that were added, including those dropped since.
     frame_count: u64,
     counters: VecDeque<CounterValue>,
@@ -70,7 +70,7 @@ impl Trace {
             self.frames.pop_front();
         }
         let names = report.stages.iter().map(|stage| stage.0);
-        self.frames.push_back(FrameTimes {
+        self.frames.push_back(TracedFrame {
             number: self.frame_count,
             host,
             stages: names.zip(report.ticks.iter().copied()).collect(),
@@ -141,9 +141,9 @@ impl Trace {
     }
 
     /// Adds a frame's slice on the host, with its waiting, recording and submission inside.
-    fn add_host_events(&self, frame: &FrameTimes, events: &mut Vec<TraceEvent>) {
+    fn add_host_events(&self, frame: &TracedFrame, events: &mut Vec<TraceEvent>) {
         let slice = |name: String, from: Instant, to: Instant, args| {
-            TraceEvent::Slice(Slice {
+            TraceEvent::Slice(TraceSlice {
                 name,
                 track: HOST,
                 from: nanoseconds_since(self.start, from),
@@ -171,7 +171,7 @@ impl Trace {
 /// Adds a frame's slice on the device, its stages inside, and an arrow from its submission, ns
 /// since the trace's start. Adds nothing for a frame without stages.
 fn add_device_events(
-    frame: &FrameTimes,
+    frame: &TracedFrame,
     alignment: &Alignment,
     submitted: f64,
     events: &mut Vec<TraceEvent>,
@@ -184,7 +184,7 @@ fn add_device_events(
         return;
     };
     let slice = |name: String, from: f64, to: f64, args| {
-        TraceEvent::Slice(Slice {
+        TraceEvent::Slice(TraceSlice {
             name,
             track: DEVICE,
             from,
@@ -228,7 +228,7 @@ mod tests {
             submitted: now,
             finished: now,
         };
-        let frame = FrameTimes {
+        let frame = TracedFrame {
             number: 3,
             host,
             stages: vec![

@@ -31,6 +31,9 @@ pub enum Error {
     NoWindow { device: String },
     #[error("no Vulkan driver on this machine has an extension for windows of this display")]
     NoWindowExtension,
+    /// An image was read before a frame was drawn into it.
+    #[error("there is no image to read: no frame was drawn at this size")]
+    NothingDrawn,
     /// No variant of the sort gave the right order in the self-test.
     #[error("no sort is right on {device}: {reasons}{}", recorded(record))]
     NoSort {

@@ -24,11 +24,31 @@ pub struct Buffer {
 /// A part of a buffer that a shader sees.
 #[derive(Clone, Copy)]
 pub struct Slice {
-    pub buffer: vk::Buffer,
+    /// Its owner must outlive every use.
+    pub(crate) buffer: vk::Buffer,
     /// Bytes; a multiple of the device's storage buffer alignment, at most 256.
     pub offset: u64,
     /// Bytes.
     pub size: u64,
+}
+
+impl Slice {
+    /// A part of it. `offset`, from its own start, and `size`: bytes.
+    ///
+    /// # Panics
+    /// When it does not hold the part.
+    pub fn part(self, offset: u64, size: u64) -> Self {
+        assert!(
+            offset.checked_add(size).is_some_and(|end| end <= self.size),
+            "a slice of {} bytes has no part of {size} at {offset}",
+            self.size
+        );
+        Self {
+            offset: self.offset + offset,
+            size,
+            ..self
+        }
+    }
 }
 
 impl From<&Buffer> for Slice {

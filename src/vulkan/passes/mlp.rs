@@ -15,7 +15,7 @@ pub struct Mlp {
 
 impl Mlp {
     /// Writes to `pose`: features, then nodes in the order of their parts.
-    pub fn new(gpu: &Arc<Gpu>, model: &Model, frame: Slice, pose: Slice) -> Result<Self> {
+    pub(crate) fn new(gpu: &Arc<Gpu>, model: &Model, frame: Slice, pose: Slice) -> Result<Self> {
         let resources = Resources {
             uniform: Some(frame),
             storage: &[

@@ -73,7 +73,7 @@ pub struct Model {
 
 impl Model {
     /// `occluder`: whether frames use the occluder mesh.
-    pub fn new(gpu: &Arc<Gpu>, avatar: &Avatar, occluder: bool) -> Result<Self> {
+    pub(crate) fn new(gpu: &Arc<Gpu>, avatar: &Avatar, occluder: bool) -> Result<Self> {
         let constants = Box::new(pack::constants(avatar));
         let networks = pack::networks(avatar, &constants);
         let rows = pack::rows(avatar);

@@ -37,7 +37,7 @@ pub struct OccluderDraw {
 
 impl OccluderDraw {
     /// `colored`: whether the render pass has a colour attachment, which keeps its content.
-    pub fn new(
+    pub(crate) fn new(
         gpu: &Arc<Gpu>,
         frame: Slice,
         mesh: &OccluderMesh,
@@ -106,7 +106,12 @@ pub struct OccluderPass {
 
 impl OccluderPass {
     /// Writes the pyramid to `pose`, from the word on that the frame says.
-    pub fn new(gpu: &Arc<Gpu>, frame: Slice, mesh: &OccluderMesh, pose: Slice) -> Result<Self> {
+    pub(crate) fn new(
+        gpu: &Arc<Gpu>,
+        frame: Slice,
+        mesh: &OccluderMesh,
+        pose: Slice,
+    ) -> Result<Self> {
         let device = &gpu.device;
         let usage = vk::ImageUsageFlags::DEPTH_STENCIL_ATTACHMENT | vk::ImageUsageFlags::SAMPLED;
         let size = [OCCLUDER_SIDE; 2];

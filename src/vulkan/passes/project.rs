@@ -75,7 +75,7 @@ impl Areas {
 impl Project {
     /// Reads the output of the `mlp` stage in `pose`. [`Skip::SKINNING`] in `options` says whether
     /// frames in which only the camera moved use the pose cache.
-    pub fn new(
+    pub(crate) fn new(
         gpu: &Arc<Gpu>,
         model: &Model,
         frame: Slice,

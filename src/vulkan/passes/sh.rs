@@ -27,7 +27,7 @@ pub struct SphericalHarmonics {
 
 impl SphericalHarmonics {
     /// Writes to the colours in `model`. None for an avatar without harmonics.
-    pub fn new(
+    pub(crate) fn new(
         gpu: &Arc<Gpu>,
         avatar: &Avatar,
         model: &Model,

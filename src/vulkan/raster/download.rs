@@ -45,18 +45,18 @@ impl Copied {
 }
 
 /// Copies an image that was drawn at least once, and waits.
-pub fn read_image(gpu: &Arc<Gpu>, raster: &Raster) -> Result<Copied> {
+pub(crate) fn read_image(gpu: &Arc<Gpu>, raster: &Raster) -> Result<Copied> {
     let image = raster.image();
     let [width, height] = raster.drawn();
     let bytes = width as usize * height as usize * raster.format().bytes();
     let mut staging = Buffer::new(
         gpu,
-        "picture",
+        "image copy",
         bytes as u64,
         vk::BufferUsageFlags::TRANSFER_DST,
         MemoryLocation::GpuToCpu,
     )?;
-    gpu.run("reading a picture", |commands| {
+    gpu.run("reading an image", |commands| {
         // SAFETY: image and buffer are alive, the buffer is large enough, and the image is in the
         // layout that every frame leaves it in; `run` waits.
         unsafe { copy_image(commands, image.raw(), LEFT, raster.drawn(), staging.raw()) };

@@ -5,7 +5,7 @@ use ash::vk;
 use effigy_core::frame::Damage;
 
 /// What the stage reads.
-pub struct Inputs<'a> {
+pub struct RasterInputs<'a> {
     /// The ring of frame blocks.
     pub frame: Slice,
     /// Indices of splats in drawing order, as the sort leaves them.

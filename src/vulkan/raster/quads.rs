@@ -2,7 +2,7 @@
 //! off-screen image.
 
 use super::{
-    draw::{Draw, Inputs},
+    draw::{Draw, RasterInputs},
     target::{LEFT, READ, READERS, check_size, vulkan_format},
 };
 use crate::vulkan::{
@@ -29,7 +29,7 @@ use effigy_core::{
 use std::sync::Arc;
 
 /// The image and the framebuffer around it; made anew when its size changes.
-struct Target {
+struct QuadTarget {
     framebuffer: Framebuffer,
     image: Image,
     /// Depths of the occluder, where fragments are tested; used within the render pass only.
@@ -44,14 +44,14 @@ pub struct Quads {
     indices: Buffer,
     /// None where fragments are not tested against it.
     occluder: Option<OccluderDraw>,
-    target: Target,
+    target: QuadTarget,
     render_pass: RenderPass,
     /// The part of the target that is drawn, from its upper left corner, px.
     drawn: [u32; 2],
 }
 
 impl Quads {
-    pub fn new(gpu: &Arc<Gpu>, inputs: &Inputs, options: &RendererOptions) -> Result<Self> {
+    pub fn new(gpu: &Arc<Gpu>, inputs: &RasterInputs, options: &RendererOptions) -> Result<Self> {
         let format = options.color.unwrap_or(RasterMethod::Quads.color());
         let depth = options.skip.contains(Skip::DEPTH);
         let frame = inputs.frame;
@@ -212,7 +212,7 @@ fn target(
     format: ColorFormat,
     depth: bool,
     size: [u32; 2],
-) -> Result<Target> {
+) -> Result<QuadTarget> {
     let limits = &gpu.probe.limits;
     let limit = limits
         .max_image_dimension2_d
@@ -233,7 +233,7 @@ fn target(
     } else {
         None
     };
-    Ok(Target {
+    Ok(QuadTarget {
         framebuffer: Framebuffer::around(&gpu.device, render_pass, &views, size, "raster")?,
         image,
         _depth: depth,

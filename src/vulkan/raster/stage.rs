@@ -1,7 +1,7 @@
 //! One of the two methods, as the frame sees it.
 
 use super::{
-    draw::{Draw, Inputs},
+    draw::{Draw, RasterInputs},
     options::method,
     quads::Quads,
     tiles::{TileLists, Tiles},
@@ -23,7 +23,11 @@ pub enum Raster {
 }
 
 impl Raster {
-    pub(crate) fn new(gpu: &Arc<Gpu>, inputs: &Inputs, options: &RendererOptions) -> Result<Self> {
+    pub(crate) fn new(
+        gpu: &Arc<Gpu>,
+        inputs: &RasterInputs,
+        options: &RendererOptions,
+    ) -> Result<Self> {
         Ok(match method(options, gpu) {
             RasterMethod::Quads => Self::Quads(Quads::new(gpu, inputs, options)?),
             RasterMethod::Tiles => {

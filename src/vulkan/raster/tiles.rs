@@ -2,7 +2,7 @@
 //! comes out.
 
 use super::{
-    draw::{Draw, Inputs},
+    draw::{Draw, RasterInputs},
     target::{LEFT, READ, READERS, check_size, vulkan_format},
 };
 use crate::vulkan::{
@@ -60,7 +60,7 @@ pub struct Tiles {
 }
 
 impl Tiles {
-    pub fn new(gpu: &Arc<Gpu>, inputs: &Inputs, options: &RendererOptions) -> Result<Self> {
+    pub fn new(gpu: &Arc<Gpu>, inputs: &RasterInputs, options: &RendererOptions) -> Result<Self> {
         let usage = vk::BufferUsageFlags::STORAGE_BUFFER
             | vk::BufferUsageFlags::TRANSFER_SRC
             | vk::BufferUsageFlags::TRANSFER_DST;

@@ -33,7 +33,7 @@ pub(super) struct Blocks {
 }
 
 /// Where a frame's values come from.
-pub(super) struct Sources<'a> {
+pub(super) struct BlockSources<'a> {
     pub extent: &'a AvatarBounds,
     pub options: &'a RendererOptions,
     pub splats: &'a Project,
@@ -77,7 +77,13 @@ impl Blocks {
     }
 
     /// Fills the blocks of a frame. `frame`: index of the frame in flight.
-    pub fn write(&mut self, frame: usize, plan: &FramePlan, camera: &Camera, sources: &Sources) {
+    pub fn write(
+        &mut self,
+        frame: usize,
+        plan: &FramePlan,
+        camera: &Camera,
+        sources: &BlockSources,
+    ) {
         for instance in &plan.instances {
             if plan.redraw && instance.changes.skinning == Skinning::ComputeAndStore {
                 self.pose_caches[instance.index] =
@@ -98,7 +104,7 @@ impl Blocks {
         instance: Option<&AvatarInstance>,
         plan: &FramePlan,
         camera: &Camera,
-        sources: &Sources,
+        sources: &BlockSources,
     ) {
         let start = self.offset(frame, number);
         let bytes = &mut self.buffer.mapped()[start..][..size_of::<FrameBlock>()];

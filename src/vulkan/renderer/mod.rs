@@ -25,7 +25,7 @@ use super::{
     raster::{
         Raster,
         download::{self, Copied},
-        draw::Inputs,
+        draw::RasterInputs,
         resolved,
     },
     sort::{Sort, SortOptions, choice},
@@ -95,6 +95,8 @@ pub struct Renderer {
     key_count: Option<u32>,
     /// A box around all pixels that the last frames drew; None where they are not known.
     damaged: Option<PixelRect>,
+    /// Whether a frame was drawn into the image.
+    has_image: bool,
     next: usize,
     report: FrameReport,
     gpu: Arc<Gpu>,
@@ -153,8 +155,9 @@ impl Renderer {
             ..SortOptions::new(options.key_bits, variant)
         };
         let capacity = project.capacity();
-        let sort = Sort::new(gpu, project.keys(), &control, capacity, sort_options)?;
-        let inputs = Inputs {
+        // SAFETY: the renderer owns these buffers, and drops them after its frames.
+        let sort = unsafe { Sort::new(gpu, project.keys(), &control, capacity, sort_options) }?;
+        let inputs = RasterInputs {
             frame,
             order: sort.order(),
             splats: project.all(),
@@ -194,6 +197,7 @@ impl Renderer {
             state: FrameState::default(),
             key_count: None,
             damaged: None,
+            has_image: false,
             next: 0,
             report: FrameReport::default(),
             gpu: gpu.clone(),
@@ -291,7 +295,7 @@ impl Renderer {
             return Ok(());
         }
         let recording = section(c"record");
-        let sources = blocks::Sources {
+        let sources = blocks::BlockSources {
             extent: &self.extent,
             options: &self.options,
             splats: &self.project,
@@ -331,6 +335,7 @@ impl Renderer {
         });
         self.state = state;
         self.key_count = Some(schedule.key_count);
+        self.has_image = true;
         self.damaged = if plan.redraw {
             Some(plan.drawn_rect)
         } else {
@@ -358,6 +363,7 @@ impl Renderer {
         // SAFETY: every frame is done.
         unsafe { self.raster.resize(size) }?;
         self.options.size = size;
+        self.has_image = false;
         self.forget();
         Ok(())
     }
@@ -389,7 +395,7 @@ impl Renderer {
             let [found, capacity] =
                 [size, capacity].map(|[width, height]| format!("{width} × {height} px"));
             return Err(Error::Unusable(Unusable {
-                what: "the drawn part of the picture".into(),
+                what: "the drawn part of the image".into(),
                 found,
                 expected: format!("1 px to {capacity}"),
             }));
@@ -412,12 +418,21 @@ impl Renderer {
     }
 
     /// Waits, and copies the image of the last frame to the host.
+    ///
+    /// # Errors
+    /// When no frame was drawn at this size, the device fails, or it has too little memory.
     pub fn read_image(&mut self) -> Result<FrameImage> {
         Ok(self.copy()?.decode())
     }
 
     /// Waits, and copies the image of the last frame to the host, without the work of decoding it.
+    ///
+    /// # Errors
+    /// Those of [`Renderer::read_image`].
     pub fn copy(&mut self) -> Result<Copied> {
+        if !self.has_image {
+            return Err(Error::NothingDrawn);
+        }
         self.finish()?;
         download::read_image(&self.gpu, &self.raster)
     }
@@ -425,7 +440,7 @@ impl Renderer {
     /// Waits, and copies every stage's output of the last frame to the host.
     pub fn stages(&mut self) -> Result<Stages> {
         self.finish()?;
-        let sources = stages::Sources {
+        let sources = stages::StageSources {
             model: &self.model,
             pose: &self.pose,
             control: &self.control,

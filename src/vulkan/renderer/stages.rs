@@ -29,7 +29,7 @@ pub struct Stages {
 }
 
 /// The buffers of a renderer that hold them. Every submitted frame must be done.
-pub(super) struct Sources<'a> {
+pub(super) struct StageSources<'a> {
     pub model: &'a Model,
     pub pose: &'a Buffer,
     pub control: &'a Buffer,
@@ -37,7 +37,7 @@ pub(super) struct Sources<'a> {
     pub sort: &'a Sort,
 }
 
-impl Sources<'_> {
+impl StageSources<'_> {
     /// Waits, and copies every stage's output of the last frame to the host.
     pub fn download(&self) -> Result<Stages> {
         let constants = &self.model.constants;

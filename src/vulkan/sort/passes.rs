@@ -45,7 +45,7 @@ pub struct Ports {
 }
 
 /// A pass: what counts and scans, where it does, and what moves.
-pub struct Pass {
+pub struct SortPass {
     count: Option<Kernel>,
     scan: Option<[Kernel; 2]>,
     scatter: Kernel,
@@ -81,7 +81,12 @@ impl Shape {
     }
 
     /// `between`: buffers of the lengths of [`Self::between`].
-    pub fn passes(&self, gpu: &Arc<Gpu>, ports: Ports, between: &[Buffer]) -> Result<Vec<Pass>> {
+    pub fn passes(
+        &self,
+        gpu: &Arc<Gpu>,
+        ports: Ports,
+        between: &[Buffer],
+    ) -> Result<Vec<SortPass>> {
         let count = self.options.bits.passes();
         let buffer = |pass: u32| Slice::from(&between[pass as usize % between.len()]);
         let mut passes = Vec::new();
@@ -101,7 +106,7 @@ impl Shape {
         Ok(passes)
     }
 
-    fn pass(&self, gpu: &Arc<Gpu>, pass: u32, storage: [Slice; 4]) -> Result<Pass> {
+    fn pass(&self, gpu: &Arc<Gpu>, pass: u32, storage: [Slice; 4]) -> Result<SortPass> {
         let variant = self.options.variant;
         let chained = variant == SortVariant::OneSweep && pass > 0;
         let scanned = !chained && self.tiles > MOST_SUMMED;
@@ -140,7 +145,7 @@ impl Shape {
         } else {
             None
         };
-        Ok(Pass {
+        Ok(SortPass {
             count: if chained { None } else { Some(plain(count)?) },
             scan: if scanned {
                 Some([plain(&shaders::SORT_REDUCE)?, plain(&shaders::SORT_SCAN)?])
@@ -159,7 +164,7 @@ impl Shape {
     }
 }
 
-impl Pass {
+impl SortPass {
     pub fn dispatches(&self) -> usize {
         1 + usize::from(self.count.is_some()) + 2 * usize::from(self.scan.is_some())
     }

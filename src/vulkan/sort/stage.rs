@@ -2,7 +2,7 @@
 
 use super::{
     options::{SortOptions, counts_size, tiles, unsupported},
-    passes::{self, Pass},
+    passes::{self, SortPass},
 };
 use crate::vulkan::{
     device::{
@@ -22,7 +22,7 @@ use std::sync::Arc;
 
 /// A sort on a device: its kernels and its scratch memory.
 pub struct Sort {
-    passes: Vec<Pass>,
+    passes: Vec<SortPass>,
     tiles: u32,
     variant: SortVariant,
     counts: Slice,
@@ -33,9 +33,15 @@ pub struct Sort {
 }
 
 impl Sort {
-    /// Sorts at most `capacity` keys, fewer than 2³⁰. Fails where the device has no memory, or no
-    /// subgroups for OneSweep.
-    pub fn new(
+    /// Sorts at most `capacity` keys, fewer than 2³⁰.
+    ///
+    /// # Errors
+    /// When the device has too little memory, or lacks what the variant needs.
+    ///
+    /// # Safety
+    /// The buffers of `keys`, `control` and `options.counts` must outlive every submission of what
+    /// this sort records.
+    pub unsafe fn new(
         gpu: &Arc<Gpu>,
         keys: Slice,
         control: &Buffer,
@@ -130,7 +136,7 @@ impl Sort {
 
     /// Dispatches of a sort, of keys counted already or not.
     pub fn dispatches(&self, counted: bool) -> usize {
-        self.passes.iter().map(Pass::dispatches).sum::<usize>() - usize::from(counted)
+        self.passes.iter().map(SortPass::dispatches).sum::<usize>() - usize::from(counted)
     }
 
     /// Bytes of device memory that are the sort's own.

@@ -38,7 +38,7 @@ pub struct Present {
 
 /// What a rendered image is drawn into.
 #[derive(Clone, Copy)]
-pub struct Canvas<'a> {
+pub struct PresentTarget<'a> {
     /// Of the render pass of [`Present`].
     pub framebuffer: &'a Framebuffer,
     /// Width and height as a viewer sees it, px.
@@ -49,7 +49,7 @@ pub struct Canvas<'a> {
 
 /// What is drawn into it.
 #[derive(Clone, Copy)]
-pub struct Shown {
+pub struct PresentedImage {
     /// The drawn part of the image: width and height from its upper left corner, px.
     pub drawn: [u32; 2],
     /// Display-referred RGB, 0 to 1.
@@ -110,7 +110,13 @@ impl Present {
 
     /// Draws the image, stretched to fill a canvas, over a background, then what `then` records in
     /// the same render pass.
-    pub fn record(&self, commands: Recording, canvas: Canvas, shown: Shown, then: impl FnOnce()) {
+    pub fn record(
+        &self,
+        commands: Recording,
+        canvas: PresentTarget,
+        shown: PresentedImage,
+        then: impl FnOnce(),
+    ) {
         let [width, height] = canvas.pre_transform.extent(canvas.size);
         let area = vk::Rect2D {
             offset: vk::Offset2D::default(),

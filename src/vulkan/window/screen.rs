@@ -2,7 +2,7 @@
 
 use super::{
     pre_transform::PreTransform,
-    present::{Canvas, Present, Shown},
+    present::{Present, PresentTarget, PresentedImage},
 };
 use crate::vulkan::{
     device::{error::Result, gpu::Gpu, handle::Framebuffer, recording::Recording},
@@ -53,12 +53,12 @@ impl Offscreen {
     /// Stretches the upper left `drawn` px of the image over the target, over a background:
     /// display-referred RGB, 0 to 1.
     pub fn record(&self, commands: Recording, drawn: [u32; 2], background: [f32; 3]) {
-        let canvas = Canvas {
+        let canvas = PresentTarget {
             framebuffer: &self.framebuffer,
             size: self.image.size,
             pre_transform: PreTransform::default(),
         };
-        let shown = Shown { drawn, background };
+        let shown = PresentedImage { drawn, background };
         self.present.record(commands, canvas, shown, || ());
     }
 

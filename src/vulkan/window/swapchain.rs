@@ -3,7 +3,7 @@
 pub use super::target::Target;
 use super::{
     pre_transform::PreTransform,
-    present::Canvas,
+    present::PresentTarget,
     timing::{PresentFeedback, Timing},
 };
 use crate::vulkan::{
@@ -244,8 +244,8 @@ impl Swapchain {
     }
 
     /// What to draw an image into.
-    pub fn canvas(&self, image: &AcquiredImage) -> Canvas<'_> {
-        Canvas {
+    pub fn canvas(&self, image: &AcquiredImage) -> PresentTarget<'_> {
+        PresentTarget {
             framebuffer: &self.images[image.index].framebuffer,
             size: self.size,
             pre_transform: self.pre_transform,

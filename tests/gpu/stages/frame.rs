@@ -1,7 +1,10 @@
 //! Whole frames on the device against the reference, as pictures.
 
-use crate::common::{Sizes, gpu};
-use effigy::vulkan::{Gpu, GpuOptions, RendererOptions, raster::ColorFormat, sort::KeyBits};
+use crate::common::{self, Sizes, gpu};
+use effigy::vulkan::{
+    Error, Gpu, GpuOptions, Renderer, RendererOptions, raster::ColorFormat, sort::KeyBits,
+};
+use effigy_core::scene::{Camera, Posed};
 use effigy_measure::error;
 use std::sync::Arc;
 
@@ -83,7 +86,21 @@ fn the_least_device_that_can_serve_draws_the_same_within_the_budget() {
     );
 }
 
+fn an_image_is_read_after_a_frame_and_not_before() {
+    let device = gpu::gpu();
+    let avatar = common::avatar(4, Sizes::default());
+    let posed = Posed::new(&avatar, &common::pose(4, &avatar));
+    let camera = Camera::orbit(glam::DVec3::Y, 0.0, 0.0, 3.0, 0.7, [32, 32]);
+    let mut renderer = Renderer::new(&device, &avatar, gpu::options([32, 32])).unwrap();
+    assert!(matches!(renderer.read_image(), Err(Error::NothingDrawn)));
+    renderer.draw(&posed, &camera, None).unwrap();
+    assert_eq!(renderer.read_image().unwrap().size, [32, 32]);
+    renderer.resize([48, 32]).unwrap();
+    assert!(matches!(renderer.read_image(), Err(Error::NothingDrawn)));
+}
+
 tests! {
+    an_image_is_read_after_a_frame_and_not_before,
     eight_bit_pictures_agree_with_the_reference: smoke,
     floating_point_pictures_agree_with_the_reference,
     the_least_device_that_can_serve_draws_the_same_within_the_budget,

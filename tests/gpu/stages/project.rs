@@ -54,7 +54,7 @@ fn unpack(words: [u32; 4], camera: &Camera) -> Unpacked {
 
 /// What a splat may be off by besides what its 16 bytes round, px.
 #[derive(Clone, Copy)]
-struct Room {
+struct Tolerance {
     /// Its centre.
     center: f64,
     /// Its axes.
@@ -66,7 +66,7 @@ struct Room {
 /// What the numbers round that a Gaussian's splat is made from and that the reference does not know
 /// of: the nodes' weights and displacements, and where `kept` says so what is kept where only the
 /// camera moves.
-fn room(frame: &gpu::Frame, at: usize, expected: &Splat, kept: bool) -> Room {
+fn tolerance(frame: &gpu::Frame, at: usize, expected: &Splat, kept: bool) -> Tolerance {
     let nodes = frame.avatar.gaussians.node[at << frame.level]
         .map(|node| frame.reference.nodes[usize::from(node)]);
     let apart = nodes[0]
@@ -101,7 +101,7 @@ fn room(frame: &gpu::Frame, at: usize, expected: &Splat, kept: bool) -> Room {
     axes += (expected.covariance[0] + expected.covariance[2]).sqrt() * offset / expected.depth
         * (1.0 + slope.length());
     // Rounded to ten bits once more where it is kept; the reference's are f16.
-    Room {
+    Tolerance {
         center: offset * pixels,
         axes,
         color: if kept { 0.5 / 1023.0 } else { 0.0 } + 2.6e-4,
@@ -109,7 +109,7 @@ fn room(frame: &gpu::Frame, at: usize, expected: &Splat, kept: bool) -> Room {
 }
 
 /// How far a splat is from the reference's, each number as a share of what is allowed.
-fn error(got: &Unpacked, expected: &Splat, step: f64, room: Room) -> f64 {
+fn error(got: &Unpacked, expected: &Splat, step: f64, tolerance: Tolerance) -> f64 {
     let [a, b, c] = expected.covariance;
     let size = a + c;
     let difference: f64 = got
@@ -120,12 +120,12 @@ fn error(got: &Unpacked, expected: &Splat, step: f64, room: Room) -> f64 {
         .fold(0.0, f64::max);
     [
         // Half a step of the fixed-point coordinate, and f32's arithmetic.
-        got.center.distance(expected.center) / (0.75 * step + 1e-3 + room.center),
+        got.center.distance(expected.center) / (0.75 * step + 1e-3 + tolerance.center),
         // f16 axes: 2⁻¹¹ of each, doubled by squaring.
-        difference / (2e-3 * size + room.axes * (2.0 * size.sqrt() + room.axes)),
+        difference / (2e-3 * size + tolerance.axes * (2.0 * size.sqrt() + tolerance.axes)),
         (got.opacity - expected.opacity).abs() / 1e-6,
         // Half a step of ten bits.
-        (got.color - expected.color).abs().max_element() / (0.5 / 1023.0 + room.color),
+        (got.color - expected.color).abs().max_element() / (0.5 / 1023.0 + tolerance.color),
     ]
     .into_iter()
     .fold(
@@ -169,7 +169,7 @@ fn check_all(frame: &gpu::Frame, kept: bool) {
                     &unpack(frame.gpu.splats[at], &frame.camera),
                     expected,
                     step,
-                    room(frame, at, expected, kept),
+                    tolerance(frame, at, expected, kept),
                 );
                 assert!(
                     error <= 1.0,
@@ -354,8 +354,8 @@ fn packed_words_give_the_same_as_halves() {
     });
 }
 
-/// An avatar with hostile Gaussians: faint, opaque, needles and sheets, zero-ish and huge.
-fn hostile(seed: u64) -> Avatar {
+/// An avatar with adversarial Gaussians: faint, opaque, needles and sheets, zero-ish and huge.
+fn adversarial(seed: u64) -> Avatar {
     let mut avatar = common::avatar(seed, Sizes::default());
     let g = &mut avatar.gaussians;
     for i in 0..g.len() {
@@ -384,10 +384,10 @@ const CAMERAS: [(f64, f64); 6] = [
     (2.5, 0.1),
 ];
 
-fn hostile_gaussians_and_cameras_agree_too() {
+fn adversarial_gaussians_and_cameras_agree_too() {
     let device = gpu::gpu();
     for seed in 0..2 {
-        let avatar = hostile(seed);
+        let avatar = adversarial(seed);
         let posed = Posed::new(&avatar, &common::pose(seed, &avatar));
         let [min, max] = effigy_core::scene::AvatarBounds::new(&avatar).bounds(&posed.joints);
         let target = (min + max) / 2.0;
@@ -409,9 +409,9 @@ fn what_is_kept_lands_where_the_reference_puts_it() {
     let device = gpu::gpu();
     let avatars = [
         (common::avatar(1, Sizes::default()), 1.0),
-        (hostile(1), 1.0),
-        (hostile(0), 1e-3),
-        (hostile(0), 500.0),
+        (adversarial(1), 1.0),
+        (adversarial(0), 1e-3),
+        (adversarial(0), 500.0),
     ];
     for ((avatar, scale), level) in avatars.into_iter().zip([0, 0, 1, 2]) {
         let mut posed = Posed::new(&avatar, &common::pose(3, &avatar));
@@ -458,8 +458,8 @@ fn what_is_kept_lands_where_the_reference_puts_it() {
     }
 }
 
-fn each_reason_to_cull_occurs_in_the_hostile_frames() {
-    let avatar = hostile(0);
+fn each_reason_to_cull_occurs_in_the_adversarial_frames() {
+    let avatar = adversarial(0);
     let posed = Posed::new(&avatar, &common::pose(0, &avatar));
     let [min, max] = effigy_core::scene::AvatarBounds::new(&avatar).bounds(&posed.joints);
     let seen = CAMERAS.map(|(distance, fov)| {
@@ -485,7 +485,7 @@ tests! {
     packed_avatars_land_where_the_reference_puts_them,
     every_gaussian_lands_where_the_reference_puts_it: smoke,
     packed_words_give_the_same_as_halves,
-    hostile_gaussians_and_cameras_agree_too,
+    adversarial_gaussians_and_cameras_agree_too,
     what_is_kept_lands_where_the_reference_puts_it,
-    each_reason_to_cull_occurs_in_the_hostile_frames: no_device,
+    each_reason_to_cull_occurs_in_the_adversarial_frames: no_device,
 }

@@ -1,8 +1,8 @@
 //! The avatar and motion files: what is written reads back the same, and whatever else is read is
 //! refused in one sentence, without panic and without memory that the file does not justify.
 
+pub mod adversarial;
 mod edit;
-pub mod hostile;
 pub mod packed;
 pub mod rules;
 

@@ -1,8 +1,8 @@
 //! 3DGS's `.ply` and `cameras.json`: what they hold arrives, what is wrong with them is named, and
 //! what we write can be read back.
 
+pub mod adversarial;
 pub mod cameras;
-pub mod hostile;
 mod table;
 
 use crate::common::{self, Sizes};

@@ -34,26 +34,14 @@ fn counts_of_the_callers_give_the_same_order(variant: SortVariant) {
         };
         let control =
             Buffer::with_data(&device, "control", bytemuck::bytes_of(&control), usage).unwrap();
-        let key_slice = Slice {
-            buffer: shared.raw(),
-            offset: 0,
-            size: 4 * count as u64,
+        let key_slice = Slice::from(&shared).part(0, 4 * count as u64);
+        let counts = Some(Slice::from(&shared).part(key_bytes, size));
+        let options = SortOptions {
+            counts,
+            ..SortOptions::new(bits, variant)
         };
-        let counts = Some(Slice {
-            buffer: shared.raw(),
-            offset: key_bytes,
-            size,
-        });
-        let sort = Sort::new(
-            &device,
-            key_slice,
-            &control,
-            count as u32,
-            SortOptions {
-                counts,
-                ..SortOptions::new(bits, variant)
-            },
-        );
+        // SAFETY: the buffers are dropped after all work is done.
+        let sort = unsafe { Sort::new(&device, key_slice, &control, count as u32, options) };
         let sort = sort.unwrap();
         assert!(
             bits != KeyBits::Sixteen || sort.dispatches(true) <= 3 && sort.dispatches(false) <= 4,

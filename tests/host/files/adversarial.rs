@@ -1,4 +1,4 @@
-//! Cut, hostile and random files do no harm: no panic, and no more memory than the file justifies.
+//! Cut, adversarial and random files do no harm: no panic, and no more memory than the file justifies.
 
 use super::edit::{self, Edit};
 use super::packed::packed_bytes;
@@ -40,7 +40,7 @@ fn a_file_cut_at_any_length_is_refused() {
     assert!(avatar_fault(&[&bytes[..], &[0]].concat()).ends_with(" as the header says"));
 }
 
-fn hostile_headers_are_refused_in_little_memory() {
+fn adversarial_headers_are_refused_in_little_memory() {
     let deep = |n: usize| "[".repeat(n);
     let many = |item: &str| {
         format!(
@@ -223,7 +223,7 @@ proptest! {
 
 tests! {
     a_file_cut_at_any_length_is_refused,
-    hostile_headers_are_refused_in_little_memory,
+    adversarial_headers_are_refused_in_little_memory,
     a_header_too_long_is_refused_before_it_is_parsed,
     reading_takes_no_more_memory_than_the_file_is_long,
     flipped_bytes_do_no_harm,
