@@ -25,13 +25,17 @@ quick() {
   need_rust
   tools/drivers.sh
   lints
+  # Of the whole workspace each time: with fewer packages some would be built again with other features.
+  local tests=(cargo test --workspace --features webgpu --quiet)
+  step "build"
+  "${tests[@]}" --no-run --lib --bins --test host --test gpu
   step "unit tests"
-  cargo test --workspace --features webgpu --quiet --lib --bins
+  "${tests[@]}" --lib --bins
   step "tests without a device"
-  EFFIGY_TEST_ONLY=quick cargo test --quiet -p effigy-cli --features webgpu --test host
+  EFFIGY_TEST_ONLY=quick "${tests[@]}" --test host
   step "smoke tests on a driver"
   use_driver "${EFFIGY_CHECK_DRIVER:-mesa25:256}"
-  EFFIGY_VALIDATION=1 EFFIGY_TEST_ONLY=smoke cargo test --quiet -p effigy-cli --features webgpu --test gpu
+  EFFIGY_VALIDATION=1 EFFIGY_TEST_ONLY=smoke "${tests[@]}" --test gpu
 }
 
 # Commands of the README and the guides that need no window, shortened, on the program that the tests were run with.
