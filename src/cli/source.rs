@@ -35,8 +35,13 @@ pub struct Source {
 /// [`Posed::with_projection`](effigy_core::scene::Posed::with_projection), as an argument.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
 pub enum PoseProjection {
+    /// The networks see the nearest pose that the avatar was trained for.
+    // The argument's help already says what both values do.
+    #[value(help = None::<&'static str>)]
     #[default]
     On,
+    /// The networks see the pose itself.
+    #[value(help = None::<&'static str>)]
     Off,
 }
 

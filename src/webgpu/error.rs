@@ -7,38 +7,68 @@ pub type Result<T> = std::result::Result<T, Error>;
 /// Errors of the WebGPU backend.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum Error {
+    /// No device could be opened, for the reason given.
     #[error("no WebGPU device: {0}")]
     NoDevice(String),
+    /// No device's name contains what was asked for.
     #[error("no WebGPU device is called `{wanted}`; found {found}")]
-    NoSuchDevice { wanted: String, found: String },
+    NoSuchDevice {
+        /// Part of a name.
+        wanted: String,
+        /// The names of all devices, each in backquotes.
+        found: String,
+    },
+    /// A buffer, or the keys of the sort, would exceed the device's limits.
     #[error("{what} takes {found} bytes; {device} allows {limit} in one binding")]
     TooLarge {
+        /// What the memory is for.
         what: &'static str,
+        /// Bytes asked for.
         found: u64,
+        /// Most bytes allowed.
         limit: u64,
+        /// The device's name.
         device: String,
     },
+    /// An image with an empty side, or one longer than the device draws, was asked for.
     #[error("an image of {found} px is outside what {device} draws: 1 to {limit} px a side")]
     ImageSize {
+        /// Width and height asked for, px: `640 × 960`.
         found: String,
+        /// Longest side allowed, px.
         limit: u32,
+        /// The device's name.
         device: String,
     },
+    /// A pipeline that draws triangles was needed on a driver that would not survive drawing.
     #[error("{device} can't serve: {missing}")]
     Unsupported {
+        /// The device's name.
         device: String,
+        /// What is wrong with its driver.
         missing: &'static str,
     },
+    /// The options ask for sort keys of more than 16 bits.
     #[error("the WebGPU backend sorts keys of 16 bits, not of {0}")]
     KeyBits(u32),
+    /// The options ask for [`SortVariant::OneSweep`](effigy_core::frame::SortVariant::OneSweep).
     #[error("the WebGPU backend has no OneSweep, which needs subgroups")]
     Sort,
+    /// The device was lost or closed, for the reason given.
     #[error("the device was lost: {0}")]
     DeviceLost(String),
+    /// A wait for the device reached its time limit.
     #[error("{what} did not finish within {seconds} s: the device or its driver hangs")]
-    Timeout { what: &'static str, seconds: u64 },
+    Timeout {
+        /// The work that was waited for.
+        what: &'static str,
+        /// The time limit, seconds.
+        seconds: u64,
+    },
+    /// The device reported that a command is invalid, failed or ran out of memory.
     #[error("the device refused a command: {0}")]
     Refused(String),
+    /// The options, a pose or the camera hold a number that no frame can be drawn with.
     #[error("this can't be drawn: {0}")]
     Unusable(#[from] effigy_core::frame::Unusable),
 }

@@ -6,6 +6,7 @@ use std::ops::Deref;
 
 /// What a device has memory for.
 pub trait Destroy {
+    /// Gives its memory back once submitted work is done with it. Later work must not use it.
     fn destroy(&self);
 }
 
@@ -24,8 +25,11 @@ resource!(Buffer Texture QuerySet);
 /// The one owner of something: frames that were submitted still find it, later ones don't.
 pub struct Owned<T: Destroy>(pub T);
 
+/// A [`wgpu::Buffer`], destroyed when it is dropped.
 pub type Buffer = Owned<wgpu::Buffer>;
+/// A [`wgpu::Texture`], destroyed when it is dropped.
 pub type Texture = Owned<wgpu::Texture>;
+/// A [`wgpu::QuerySet`], destroyed when it is dropped.
 pub type QuerySet = Owned<wgpu::QuerySet>;
 
 impl<T: Destroy> Deref for Owned<T> {

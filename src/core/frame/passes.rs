@@ -98,8 +98,11 @@ bitflags! {
     /// Where in a GPU's pipeline a pass uses memory.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     pub struct PipelineStages: u32 {
+        /// Copies and fills.
         const TRANSFER = 1;
+        /// Compute shaders.
         const COMPUTE = 2;
+        /// Vertex shaders.
         const VERTEX = 4;
         /// Arguments of an indirect draw.
         const INDIRECT = 8;
@@ -111,7 +114,9 @@ bitflags! {
 /// One use of a resource by a pass.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Use {
+    /// What is used.
     pub resource: Resource,
+    /// The pipeline stages that use it.
     pub stages: PipelineStages,
     /// Whether the pass writes it; it may read it as well.
     pub writes: bool,
@@ -121,19 +126,38 @@ pub struct Use {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Pass {
     /// Writes the number of keys that the sort takes to the control.
-    SetKeyCount { keys: u32 },
+    SetKeyCount {
+        /// Keys of all avatars in view, padding included.
+        keys: u32,
+    },
     /// Clears histograms and counts of culled Gaussians.
     ClearCounts,
     /// Runs an avatar's networks up to part `parts`, and moves the nodes.
-    Mlp { instance: usize, parts: u32 },
+    Mlp {
+        /// Index of the avatar's pose in [`PlanInput::poses`](super::PlanInput::poses).
+        instance: usize,
+        /// One past the last part whose network runs.
+        parts: u32,
+    },
     /// Works out the colours of an avatar's first `gaussians` Gaussians as the camera sees them.
-    Sh { instance: usize, gaussians: u32 },
+    Sh {
+        /// Index of the avatar's pose in [`PlanInput::poses`](super::PlanInput::poses).
+        instance: usize,
+        /// How many Gaussians its level of detail draws.
+        gaussians: u32,
+    },
     /// Draws the occluders of all avatars in view, and makes the pyramid.
-    Occluder { view: OccluderView },
+    Occluder {
+        /// The part of the image that the pyramid covers.
+        view: OccluderView,
+    },
     /// Projects an avatar's first `gaussians` Gaussians.
     Project {
+        /// Index of the avatar's pose in [`PlanInput::poses`](super::PlanInput::poses).
         instance: usize,
+        /// How many Gaussians its level of detail draws.
         gaussians: u32,
+        /// Where skinned Gaussians come from.
         skinning: Skinning,
     },
     /// Sorts the keys of all avatars.
@@ -144,9 +168,11 @@ pub enum Pass {
     Binning,
     /// Blends the lists of splats, tile by tile, in a compute kernel.
     RasterTiles,
-    /// Blends quads with the device's blender. `occluders`: a depth test against the occluders of
-    /// all avatars in view, drawn first.
-    RasterQuads { occluders: bool },
+    /// Blends quads with the device's blender.
+    RasterQuads {
+        /// Whether the occluders of all avatars in view are drawn first, for a depth test.
+        occluders: bool,
+    },
     /// Copies the frame's counts to where the host reads them.
     ReadCounts,
 }

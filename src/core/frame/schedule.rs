@@ -10,7 +10,9 @@ use crate::scene::OccluderView;
 /// what `after` names begins.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Barrier {
+    /// Stages that finish first.
     pub before: PipelineStages,
+    /// Stages that wait for them.
     pub after: PipelineStages,
 }
 
@@ -83,7 +85,9 @@ pub enum Step {
 pub struct Equipment {
     /// The avatar's colours change with the view.
     pub sh: bool,
+    /// How splats are rasterized.
     pub method: RasterMethod,
+    /// Work that frames may skip.
     pub skip: Skip,
 }
 
@@ -97,6 +101,7 @@ pub struct DeviceState {
 /// A frame, from its first pass to its last.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Schedule {
+    /// What the backend does, in order.
     pub steps: Vec<Step>,
     /// Keys that the sort takes in this frame: [`DeviceState::key_count`] of the next.
     pub key_count: u32,

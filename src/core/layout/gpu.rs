@@ -229,6 +229,7 @@ pub struct FrameBlock {
     pub idle_parts: [[u32; 4]; PART_BITS],
     /// A bit for each part that is all outside the view.
     pub culled_parts: [[u32; 4]; PART_BITS],
+    /// Where each layer of the networks is in a part's block; `layers` of them are used.
     pub layer: [LayerLayout; limits::MLP_LAYERS],
     /// θ_p ⊕ θ_e as the head parts see it, then as the others do, with zeros for θ_e.
     pub input: [[[f32; 4]; INPUT_QUADS]; 2],
@@ -254,8 +255,9 @@ pub struct SettingsBlock {
     pub cutoff: f32,
     /// A pixel is saturated when its transmittance is below this.
     pub saturation: f32,
-    /// Capacity of the sort: tiles and keys.
+    /// Capacity of the sort, tiles.
     pub sort_tiles: u32,
+    /// Capacity of the sort, keys.
     pub key_capacity: u32,
     /// Whether the tiles are too many for every workgroup to sum their histograms.
     pub scanned: u32,

@@ -1,6 +1,6 @@
 //! The loss curves of a fit, as a chart and as CSV.
 
-use crate::plot::{self, Plot, ChartError, PlotLine};
+use crate::plot::{self, ChartError, Plot, PlotLine};
 use serde::{Deserialize, Serialize};
 
 /// A point of the loss curves.

@@ -11,24 +11,57 @@ pub type Result<T> = std::result::Result<T, Error>;
 /// Errors of the Vulkan backend.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
+    /// The Vulkan loader is missing or could not be loaded.
     #[error("no Vulkan loader on this machine ({0})")]
     NoLoader(#[from] ash::LoadingError),
+    /// No installed driver offers a device.
     #[error("no Vulkan device on this machine")]
     NoDevice,
+    /// No device has the name or number that was asked for.
     #[error("no Vulkan device is called `{wanted}`; found {found}")]
-    NoSuchDevice { wanted: String, found: String },
+    NoSuchDevice {
+        /// Part of a name, or a number.
+        wanted: String,
+        /// The names of all devices, each in backquotes.
+        found: String,
+    },
+    /// [`GpuOptions::statistics`](super::GpuOptions::statistics) is set and the driver reports
+    /// none.
     #[error(
         "{device} does not tell what its compiler makes of shaders: its driver lacks VK_KHR_pipeline_executable_properties"
     )]
-    NoStatistics { device: String },
+    NoStatistics {
+        /// The device's name.
+        device: String,
+    },
+    /// Work was submitted to a device opened with
+    /// [`GpuOptions::statistics`](super::GpuOptions::statistics).
     #[error("{device} was opened to be asked about its shaders, so nothing can run on it")]
-    AskedOnly { device: String },
+    AskedOnly {
+        /// The device's name.
+        device: String,
+    },
+    /// The device lacks what Effigy requires, or what an option or the window asks for.
     #[error("{device} can't serve: {missing}")]
-    Unsupported { device: String, missing: String },
+    Unsupported {
+        /// The device's name.
+        device: String,
+        /// What it lacks.
+        missing: String,
+    },
+    /// A graphics pipeline was needed on a driver that crashes when it draws triangles.
     #[error("{device} can't serve: {NO_TRIANGLES}")]
-    NoTriangles { device: String },
+    NoTriangles {
+        /// The device's name.
+        device: String,
+    },
+    /// The device can't present to the window's surface.
     #[error("{device} can't present to this window")]
-    NoWindow { device: String },
+    NoWindow {
+        /// The device's name.
+        device: String,
+    },
+    /// No driver has the instance extensions that the window's surface needs.
     #[error("no Vulkan driver on this machine has an extension for windows of this display")]
     NoWindowExtension,
     /// An image was read before a frame was drawn into it.
@@ -37,48 +70,78 @@ pub enum Error {
     /// No variant of the sort gave the right order in the self-test.
     #[error("no sort is right on {device}: {reasons}{}", recorded(record))]
     NoSort {
+        /// The device's name.
         device: String,
         /// How each variant failed.
         reasons: String,
         /// The file that remembers it.
         record: Option<PathBuf>,
     },
+    /// A buffer, or the keys of a sort, would exceed the device's limits.
     #[error("{what} takes {found} bytes; {device} allows {limit} in one buffer")]
     TooLarge {
+        /// What the memory is for.
         what: &'static str,
+        /// Bytes asked for.
         found: u64,
+        /// Most bytes allowed.
         limit: u64,
+        /// The device's name.
         device: String,
     },
+    /// An image with an empty side, or one longer than the device draws, was asked for.
     #[error("an image of {found} px is outside what {device} draws: 1 to {limit} px a side")]
     ImageSize {
+        /// Width and height asked for, px: `640 × 960`.
         found: String,
+        /// Longest side allowed, px.
         limit: u32,
+        /// The device's name.
         device: String,
     },
+    /// [`GpuOptions::validation`](super::GpuOptions::validation) is set and the validation
+    /// layer is missing.
     #[error("the validation layer was asked for and is not installed")]
     NoValidation,
+    /// A call failed for lack of memory.
     #[error("out of {memory} memory at {call}")]
     OutOfMemory {
+        /// Whose memory: `device` or `host`.
         memory: &'static str,
+        /// The Vulkan function that failed.
         call: &'static str,
     },
+    /// The named call returned `VK_ERROR_DEVICE_LOST`. Open the device again.
     #[error("the device was lost at {0}: its driver reset it, or it was unplugged")]
     DeviceLost(&'static str),
+    /// The named call returned `VK_ERROR_SURFACE_LOST_KHR`. Make surface and swapchain again.
     #[error("the window's surface was lost at {0}")]
     SurfaceLost(&'static str),
+    /// A wait for the device reached its time limit.
     #[error("{what} did not finish within {seconds} s: the device or its driver hangs")]
-    Timeout { what: &'static str, seconds: u64 },
+    Timeout {
+        /// The work that was waited for.
+        what: &'static str,
+        /// The time limit, seconds.
+        seconds: u64,
+    },
+    /// A call failed with a result that no other variant stands for.
     #[error("{call} failed: {result}")]
     Call {
+        /// The Vulkan function, or what it was called for.
         call: &'static str,
+        /// What it returned.
         result: vk::Result,
     },
+    /// The options, a pose or the camera hold a number that no frame can be drawn with.
     #[error("this can't be drawn: {0}")]
     Unusable(#[from] effigy_core::frame::Unusable),
+    /// The allocator of device memory failed, though not for lack of memory.
     #[error("allocating {what} failed: {source}")]
     Allocation {
+        /// What the memory is for.
         what: String,
+        /// The allocator's error.
         source: gpu_allocator::AllocationError,
     },
 }
@@ -93,6 +156,7 @@ fn recorded(record: &Option<PathBuf>) -> String {
 
 /// Names the call that a Vulkan result comes from.
 pub trait During<T> {
+    /// Turns a Vulkan error into an [`Error`]. `call`: the function that returned it.
     fn during(self, call: &'static str) -> Result<T>;
 }
 

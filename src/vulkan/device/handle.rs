@@ -63,6 +63,7 @@ macro_rules! objects {
                 unsafe { device.$destroy(self, None) }
             }
         }
+        #[doc = concat!("A [`vk::", stringify!($object), "`], destroyed when it is dropped.")]
         pub type $owner = Owned<vk::$object>;
     )*};
 }

@@ -16,9 +16,13 @@ use std::{
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(untagged)]
 pub enum Value {
+    /// True or false, displayed as 1 or 0.
     Bool(bool),
+    /// A signed integer.
     Signed(i64),
+    /// An unsigned integer.
     Unsigned(u64),
+    /// A floating-point number.
     Float(f64),
 }
 

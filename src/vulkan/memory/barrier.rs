@@ -7,7 +7,9 @@ use ash::vk::{self, AccessFlags, PipelineStageFlags};
 /// Some stages of the device, and what they do with memory.
 #[derive(Clone, Copy, Debug)]
 pub struct Scope {
+    /// The pipeline stages.
     pub stages: PipelineStageFlags,
+    /// How they access memory.
     pub access: AccessFlags,
 }
 
@@ -31,6 +33,7 @@ impl Scope {
     pub const TRANSFER_READS: Self =
         Self::new(PipelineStageFlags::TRANSFER, AccessFlags::TRANSFER_READ);
 
+    /// Each access must be one that some of the stages can make.
     pub const fn new(stages: PipelineStageFlags, access: AccessFlags) -> Self {
         Self { stages, access }
     }

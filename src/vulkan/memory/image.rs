@@ -16,12 +16,15 @@ pub struct Image {
     view: ImageView,
     handle: ImageHandle,
     _allocation: Allocation,
+    /// Format of the texels.
     pub format: vk::Format,
     /// Width and height, px.
     pub size: [u32; 2],
 }
 
 impl Image {
+    /// An image in the device's own memory, in `VK_IMAGE_LAYOUT_UNDEFINED`. `size`: width and
+    /// height, px.
     pub fn new(
         gpu: &Arc<Gpu>,
         name: &'static str,

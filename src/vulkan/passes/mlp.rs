@@ -9,6 +9,7 @@ use crate::vulkan::{
 };
 use std::sync::Arc;
 
+/// The kernel of the stage, bound to a model's networks and nodes.
 pub struct Mlp {
     kernel: Kernel,
 }

@@ -17,7 +17,9 @@ use std::sync::Arc;
 
 /// An [`Occluder`] in device memory; see `shaders/occluder/depth.vert`.
 pub struct OccluderMesh {
+    /// Storage buffer: two vectors of 128 bits a vertex.
     pub corners: Buffer,
+    /// Index buffer: 16 bits an index.
     pub indices: Buffer,
     /// Of the mesh: three a triangle.
     pub index_count: u32,
@@ -53,6 +55,7 @@ impl OccluderMesh {
 pub struct Model {
     /// Words; see `shaders/mlp/mlp.glsl`.
     pub networks: Buffer,
+    /// Offsets and bases of the position nodes; see `shaders/mlp/mlp.glsl`.
     pub nodes: Buffer,
     /// Each part's first node, and their number.
     pub node_starts: Buffer,

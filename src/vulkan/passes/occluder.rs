@@ -94,6 +94,7 @@ impl OccluderDraw {
     }
 }
 
+/// The depth image, the render pass that draws it, and the kernel that makes the pyramid of it.
 pub struct OccluderPass {
     gpu: Arc<Gpu>,
     mesh: OccluderDraw,

@@ -25,6 +25,7 @@ use std::sync::Arc;
 /// avatars of about one size share them.
 const CAPACITY_STEP: u32 = 4096;
 
+/// The kernels of the stage, and the buffer of splats, keys and pose cache that they write.
 pub struct Project {
     compute: Kernel,
     /// None where poses are not cached.

@@ -19,6 +19,7 @@ use effigy_core::{
 };
 use std::sync::Arc;
 
+/// The kernel of the stage, with the coefficients of an avatar.
 pub struct SphericalHarmonics {
     kernel: Kernel,
     /// Kept alive for the kernel.

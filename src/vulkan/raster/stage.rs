@@ -18,7 +18,9 @@ use std::sync::Arc;
 
 /// The `raster` stage, by one of its methods.
 pub enum Raster {
+    /// Blends quads far to near with the device's blender.
     Quads(Quads),
+    /// Blends the splats of each tile near to far in a compute kernel.
     Tiles(Tiles),
 }
 

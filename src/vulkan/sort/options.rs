@@ -16,7 +16,9 @@ pub fn unsupported(variant: SortVariant, gpu: &Gpu) -> Option<&'static str> {
 /// What a sort is made with.
 #[derive(Clone, Copy)]
 pub struct SortOptions {
+    /// Width of the keys.
     pub bits: KeyBits,
+    /// The variant that sorts; [`unsupported`] tells whether the device can run it.
     pub variant: SortVariant,
     /// Where the counts lie; [`counts_size`] bytes at an offset for storage buffers, in a buffer
     /// with transfer usage. None: the sort's own.
@@ -28,6 +30,7 @@ pub struct SortOptions {
 }
 
 impl SortOptions {
+    /// For a sort with counts of its own, without what only tests set.
     pub fn new(bits: KeyBits, variant: SortVariant) -> Self {
         Self {
             bits,

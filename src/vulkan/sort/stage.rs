@@ -117,6 +117,7 @@ impl Sort {
         (&self.order).into()
     }
 
+    /// The variant that it was made with.
     pub fn variant(&self) -> SortVariant {
         self.variant
     }

@@ -43,6 +43,7 @@ pub struct SortTimes {
 }
 
 impl StandaloneSort {
+    /// Sorts at most `capacity` keys, which [`Self::load`] uploads. Fails where [`Sort::new`] does.
     pub fn new(gpu: &Arc<Gpu>, capacity: u32, options: SortOptions) -> Result<Self> {
         let storage = vk::BufferUsageFlags::STORAGE_BUFFER
             | vk::BufferUsageFlags::TRANSFER_SRC
@@ -77,6 +78,7 @@ impl StandaloneSort {
         })
     }
 
+    /// The sort between the buffers.
     pub fn sort(&self) -> &Sort {
         &self.sort
     }

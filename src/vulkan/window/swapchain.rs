@@ -70,6 +70,7 @@ impl Surface {
         })
     }
 
+    /// Format of its images: 8 bits a channel, without sRGB conversion.
     pub fn format(&self) -> vk::Format {
         self.format.format
     }
