@@ -69,10 +69,11 @@ examples() {
   xvfb-run -a -s '-screen 0 800x600x24' timeout 120 "$examples/window" --frames 10
 }
 
-# cross TARGET...: standard libraries for browsers and Android. Where rustup or an NDK has them, nothing is to be done.
+# cross NAME TARGET...: standard libraries for browsers and Android. Where rustup or an NDK has them, nothing is to be done.
+# Each set has a folder: the scripts make one anew when it is asked for other targets.
 cross() {
   [ -d ../shared/cross ] || return 0
-  local dest=${EFFIGY_CROSS:-$PWD/target/cross} scripts=$PWD/target/cross-scripts
+  local dest=${EFFIGY_CROSS:-$PWD/target/cross}/$1 scripts=$PWD/target/cross-scripts; shift
   # Its linker allows the system's functions that are on its list: the app imports more.
   rm -rf "$scripts"; cp -r ../shared/cross "$scripts"; chmod -R u+w "$scripts"
   cat tools/android-host/symbols.txt >> "$scripts/android-symbols.txt"
@@ -81,7 +82,10 @@ cross() {
   export RUSTC=$dest/bin/rustc RUSTDOC=$dest/bin/rustdoc ANDROID_NDK_HOME=$dest/ndk
 }
 
-page() { (cross wasm32-unknown-unknown && tools/web.sh "$@" target/web) && tools/test_web.sh target/web; }
+# What gate runs: the page, and the app on this machine's processor.
+cross_checked() { cross checked wasm32-unknown-unknown x86_64-linux-android; }
+
+page() { (cross_checked && tools/web.sh "$@" target/web) && tools/test_web.sh target/web; }
 
 gate() {
   need_rust
@@ -97,7 +101,7 @@ gate() {
   step "the page in a browser"
   (EFFIGY=$(realpath "$target/debug/effigy") && export EFFIGY && page --quick)
   step "the Android app"
-  (use_driver mesa25:256; EFFIGY=$(realpath "$target/debug/effigy") && export EFFIGY && cross x86_64-linux-android && tools/test_apk.sh --play 3)
+  (use_driver mesa25:256; EFFIGY=$(realpath "$target/debug/effigy") && export EFFIGY && cross_checked && tools/test_apk.sh --play 3)
 }
 
 full() {
@@ -107,7 +111,7 @@ full() {
   step "the packages as they are released"
   tools/release.sh --only linux --try
   page
-  (cross aarch64-linux-android && tools/test_apk.sh --package)
+  (cross released aarch64-linux-android && tools/test_apk.sh --package)
   step "2,000 stress cases"
   (use_driver mesa25:256; effigy stress --cases 2000 --seed 7)
   step "soak"
