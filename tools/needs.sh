@@ -27,4 +27,4 @@ need_target() {
 }
 
 # effigy ARGS...: the program, built where that is needed. EFFIGY=PROGRAM uses one that is built already.
-effigy() { if [ -n "${EFFIGY:-}" ]; then "$EFFIGY" "$@"; else cargo run --release --quiet -p effigy-cli -- "$@"; fi; }
+effigy() { if [ -n "${EFFIGY:-}" ]; then "$EFFIGY" "$@"; else cargo run --profile desktop --quiet -p effigy-cli -- "$@"; fi; }

@@ -12,7 +12,7 @@ cd "$(dirname "$0")/.."
 drivers=$1
 [ -x "$drivers/adreno" ] && [ -x "$drivers/mali" ] || { echo "$drivers has no programs \`adreno\` and \`mali\`" >&2; exit 2; }
 . tools/needs.sh
-effigy=${EFFIGY:-target/release/effigy}
+effigy=${EFFIGY:-target/desktop/effigy}
 [ -n "${EFFIGY:-}" ] || { need_rust; cargo build --release --quiet; }
 work=$(mktemp -d); trap 'rm -rf "$work"' EXIT
 limit=${EFFIGY_STATS_SECONDS:-300}
