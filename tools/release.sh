@@ -27,12 +27,12 @@ wanted() { [ $only = all ] || [ $only = "$1" ]; }
 if wanted linux; then
   need 'command -v dpkg-deb' dpkg
   need 'command -v objdump' binutils
-  cargo build --profile desktop --locked -p effigy-cli
+  cargo build --release --locked -p effigy-cli
   work=$(mktemp -d); trap 'rm -rf "$work"' EXIT
   name=effigy-$version-linux-x86_64
   tree=$work/$name
   mkdir -p "$tree"
-  strip -o "$tree/effigy" "${CARGO_TARGET_DIR:-target}/desktop/effigy"
+  strip -o "$tree/effigy" "${CARGO_TARGET_DIR:-target}/release/effigy"
   cp -r README.md CHANGELOG.md LICENSE-MIT LICENSE-APACHE docs "$tree/"
   python3 tools/release/licences.py x86_64-unknown-linux-gnu effigy-cli > "$tree/THIRD-PARTY-LICENSES.txt"
   cp src/demo/README.md "$tree/DEMO-CREDITS.md"
