@@ -1,4 +1,4 @@
-//! A frame as a list of steps, made once and executed by both backends.
+//! A frame as a list of steps, made once, executed by both backends.
 
 use super::{
     FramePlan, RasterMethod, Skip,
@@ -112,7 +112,7 @@ impl Schedule {
     /// that says so.
     pub fn new(plan: &FramePlan, equipment: &Equipment, device_state: DeviceState) -> Self {
         let mut steps = Recorder::new();
-        let known = device_state.key_count.unwrap_or(0);
+        let known = device_state.key_count.unwrap_or_default();
         let key_count = if plan.redraw { plan.key_count() } else { known };
         if device_state.key_count != Some(key_count) {
             steps.run(Pass::SetKeyCount { keys: key_count });
