@@ -74,7 +74,8 @@ if [ -n "$try" ] && wanted linux; then
   as_root mmdebstrap --quiet --variant=minbase bookworm "$bare/root" "$mirror"
   inside() { as_root chroot "$bare/root" env -i PATH=/usr/bin:/bin:/usr/sbin:/sbin HOME=/root DEBIAN_FRONTEND=noninteractive "$@"; }
   cp "$out/effigy_${version}_amd64.deb" "$out/effigy-$version-linux-x86_64.tar.gz" "$bare/root/tmp/"
-  inside sh -ec "apt-get install -qq -y /tmp/effigy_${version}_amd64.deb >/dev/null
+  # What mmdebstrap leaves has no lists of packages.
+  inside sh -ec "apt-get update -qq && apt-get install -qq -y /tmp/effigy_${version}_amd64.deb >/dev/null
     cd /tmp && effigy --version && effigy render --size 512x512 --out /tmp/installed.png
     tar xf effigy-$version-linux-x86_64.tar.gz && effigy-$version-linux-x86_64/effigy render --size 512x512 --out /tmp/unpacked.png
     cmp /tmp/installed.png /tmp/unpacked.png && dpkg --purge effigy >/dev/null && ! command -v effigy"

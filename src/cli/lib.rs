@@ -44,7 +44,7 @@ use std::process::ExitCode;
 /// Without a subcommand it opens a window with the built-in demo avatar moving. Where there is no
 /// display, it renders a short turntable of the demo to PNG files instead.
 #[derive(Debug, Parser)]
-#[command(version, propagate_version = true)]
+#[command(name = "effigy", version, propagate_version = true)]
 struct Cli {
     #[command(subcommand)]
     command: Option<Command>,

@@ -427,7 +427,13 @@ fn a_capture_without_renderdoc_says_how_to_attach_it() {
     assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
 }
 
+fn the_version_names_the_program() {
+    let said = works(Path::new("."), "--version");
+    assert_eq!(said, concat!("effigy ", env!("CARGO_PKG_VERSION"), "\n"));
+}
+
 tests! {
+    the_version_names_the_program: no_device,
     render_writes_the_demo_as_the_reference_draws_it,
     render_draws_several_as_the_reference_does,
     a_range_of_frames_becomes_numbered_pictures,
