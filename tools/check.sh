@@ -73,13 +73,18 @@ examples() {
 # Each set has a folder: the scripts make one anew when it is asked for other targets.
 cross() {
   [ -d ../shared/cross ] || return 0
-  local dest=${EFFIGY_CROSS:-$PWD/target/cross}/$1 scripts=$PWD/target/cross-scripts; shift
+  local name=$1 dest=${EFFIGY_CROSS:-$PWD/target/cross}/$1 scripts=$PWD/target/cross-scripts key; shift
   # Its linker allows the system's functions that are on its list: the app imports more.
   rm -rf "$scripts"; cp -r ../shared/cross "$scripts"; chmod -R u+w "$scripts"
   cat tools/android-host/symbols.txt >> "$scripts/android-symbols.txt"
   "$scripts/setup-targets.sh" "$dest" "$@" >target/cross.log 2>&1 ||
     { cat target/cross.log; return 1; }
   export RUSTC=$dest/bin/rustc RUSTDOC=$dest/bin/rustdoc ANDROID_NDK_HOME=$dest/ndk
+  # Cargo does not notice a standard library that was made anew: what was built with another one is not used, and not kept.
+  key=$( (echo "$dest"; cat "$dest/stamp") | sha256sum | cut -c1-12)
+  mkdir -p "$target/cross-$name/$key"
+  find "$target/cross-$name" -mindepth 1 -maxdepth 1 ! -name "$key" -exec rm -rf {} +
+  export CARGO_TARGET_DIR=$target/cross-$name/$key
 }
 
 # What gate runs: the page, and the app on this machine's processor.
