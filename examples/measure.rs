@@ -1,6 +1,6 @@
 //! Measures an avatar of your own: the time of each stage, and the error against the f64 reference.
 //!
-//! `cargo run --release --example measure -- [AVATAR.avatar [CLIP.motion]]`
+//! `cargo run --release -p effigy --example measure -- [AVATAR.avatar [CLIP.motion]]`
 
 use effigy::{
     Avatar, Camera, Clip, Gpu, GpuOptions, Player, Posed, Renderer, RendererOptions, reference,

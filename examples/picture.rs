@@ -1,6 +1,6 @@
 //! Draws an avatar to an image file, on a device that Effigy opens.
 //!
-//! `cargo run --release --example picture -- [OUT.png [AVATAR.avatar [CLIP.motion]]]`
+//! `cargo run --release -p effigy --example picture -- [OUT.png [AVATAR.avatar [CLIP.motion]]]`
 
 use effigy::{
     Avatar, Camera, Clip, Gpu, GpuOptions, Player, Posed, Renderer, RendererOptions, upright,

@@ -1,6 +1,6 @@
 //! Shows an avatar moving in a window, with the viewer's camera control, panel and keys.
 //!
-//! `cargo run --release --example window -- [--frames N] [AVATAR.avatar [CLIP.motion]]`
+//! `cargo run --release -p effigy --example window -- [--frames N] [AVATAR.avatar [CLIP.motion]]`
 
 use effigy::{Avatar, Clip, RendererOptions};
 use effigy_app::{Display, ViewerOptions};

@@ -81,6 +81,7 @@ cross() {
     { cat target/cross.log; return 1; }
   export RUSTC=$dest/bin/rustc RUSTDOC=$dest/bin/rustdoc ANDROID_NDK_HOME=$dest/ndk
   # Cargo does not notice a standard library that was made anew: what was built with another one is not used, and not kept.
+  [ -s "$dest/stamp" ] || { echo "$dest has no stamp" >&2; return 1; }
   key=$( (echo "$dest"; cat "$dest/stamp") | sha256sum | cut -c1-12)
   mkdir -p "$target/cross-$name/$key"
   find "$target/cross-$name" -mindepth 1 -maxdepth 1 ! -name "$key" -exec rm -rf {} +
@@ -115,6 +116,8 @@ full() {
   tools/test.sh mesa25:128 mesa25:512 mesa22 swiftshader
   step "the packages as they are released"
   tools/release.sh --only linux --try
+  # From here on with what is shipped.
+  export EFFIGY; EFFIGY=$(realpath "$target/release/effigy")
   page
   (cross released aarch64-linux-android && tools/test_apk.sh --package)
   step "2,000 stress cases"

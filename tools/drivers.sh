@@ -16,6 +16,7 @@ for icd in mesa22 mesa25 swiftshader; do
   [ ! -s "$dest/$icd.json" ] || library=$(sed -n 's/.*"library_path": "\([^"]*\)".*/\1/p' "$dest/$icd.json")
   [ -n "$library" ] && [ -s "$library" ] || complete=''
 done
+[ -s "$dest/layers/VkLayer_khronos_validation.json" ] && command -v xvfb-run >/dev/null && command -v xdotool >/dev/null || complete=''
 [ -z "$complete" ] || exit 0
 command -v apt-get >/dev/null || { echo "tools/drivers.sh needs Debian's apt-get; elsewhere run \`cargo test\` on your own drivers" >&2; exit 1; }
 

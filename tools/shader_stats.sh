@@ -12,8 +12,8 @@ cd "$(dirname "$0")/.."
 drivers=$1
 [ -x "$drivers/adreno" ] && [ -x "$drivers/mali" ] || { echo "$drivers has no programs \`adreno\` and \`mali\`" >&2; exit 2; }
 . tools/needs.sh
-effigy=${EFFIGY:-target/desktop/effigy}
-[ -n "${EFFIGY:-}" ] || { need_rust; cargo build --release --quiet; }
+effigy=${EFFIGY:-${CARGO_TARGET_DIR:-target}/desktop/effigy}
+[ -n "${EFFIGY:-}" ] || { need_rust; cargo build --profile desktop --quiet -p effigy-cli; }
 work=$(mktemp -d); trap 'rm -rf "$work"' EXIT
 limit=${EFFIGY_STATS_SECONDS:-300}
 

@@ -39,6 +39,8 @@ run() { # LABEL NAME COMMAND...
     awk '{ p += $1; f += $2; s += $3 } END { print p + 0, f + 0, s + 0 }')
   # A run that ends without saying which test failed is a failure too.
   [ $ended = 0 ] || [ "$f" != 0 ] || f=1
+  # Names select tests: a name that selects none is a mistake.
+  [ $((p + f + s)) != 0 ] || { echo "no test ran" >>"$log"; f=1; }
   passed=$((passed + p)) failed=$((failed + f)) skipped=$((skipped + s))
   echo "$label $name: $p passed, $f failed, $s skipped ($((SECONDS - from)) s)"
   grep '^warning: ' "$log" || true

@@ -101,7 +101,7 @@ pub struct KeyPress<'a> {
     pub is_repeated: bool,
 }
 
-/// The action of a key press, if it has one. DeviceState keys only step and scrub. `repeat`: the current
+/// The action of a key press, if it has one. Held keys only step and scrub. `repeat`: the current
 /// setting, which the key L changes to the next.
 pub fn key_action(press: &KeyPress, repeat: Repeat) -> Option<Action> {
     let shift = press.shift;

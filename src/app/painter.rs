@@ -118,10 +118,12 @@ impl WindowPainter {
             ..Options::default()
         };
         let mode = RenderMode::RenderPass(present.render_pass().raw());
-        let egui = panel_error(
-            &gpu,
-            Egui::with_gpu_allocator(Arc::clone(&gpu.allocator), gpu.raw.clone(), mode, options),
-        )?;
+        let egui = panel_error(Egui::with_gpu_allocator(
+            Arc::clone(&gpu.allocator),
+            gpu.raw.clone(),
+            mode,
+            options,
+        ))?;
         let textures = CommandPool::transient(&gpu.device, gpu.queue_family, "panel's textures")?;
         Ok(Self {
             egui: ManuallyDrop::new(egui),
@@ -268,11 +270,11 @@ impl WindowPainter {
                 let set = self
                     .egui
                     .set_texture(self.gpu.queue, self.textures.raw(), id, &image);
-                panel_error(&self.gpu, set)?;
+                panel_error(set)?;
             }
         }
         for id in delta.free.drain() {
-            panel_error(&self.gpu, self.egui.free_texture(id))?;
+            panel_error(self.egui.free_texture(id))?;
         }
         Ok(())
     }
@@ -337,7 +339,7 @@ impl WindowPainter {
         // SAFETY: the frame draws to the image, and was submitted with its semaphores.
         let fits = unsafe { swapchain.present(image, self.show_at.take()) }?;
         self.stale = !fits;
-        panel_error(&self.gpu, panel_drawn)?;
+        panel_error(panel_drawn)?;
         Ok(true)
     }
 
@@ -369,8 +371,8 @@ impl Drop for WindowPainter {
     }
 }
 
-/// Turns an error of the panel's renderer into one of ours. `gpu`: the device it draws on.
-fn panel_error<T>(gpu: &Gpu, result: std::result::Result<T, RendererError>) -> Result<T> {
+/// Turns an error of the panel's renderer into one of ours.
+fn panel_error<T>(result: std::result::Result<T, RendererError>) -> Result<T> {
     match result {
         Ok(value) => Ok(value),
         Err(RendererError::Vulkan(result)) => Err(result).during("drawing the panel"),
@@ -378,9 +380,6 @@ fn panel_error<T>(gpu: &Gpu, result: std::result::Result<T, RendererError>) -> R
             what: "the panel".into(),
             source,
         }),
-        Err(other) => Err(Error::Unsupported {
-            device: gpu.probe.name.clone(),
-            missing: format!("its panel failed: {other}"),
-        }),
+        Err(other) => Err(Error::Overlay(other.to_string())),
     }
 }

@@ -15,7 +15,7 @@ pub fn read_image(gpu: &Gpu, raster: &Raster) -> Result<FrameImage> {
     let bytes = pitch * height as usize;
     let staging = buffer::empty(
         gpu,
-        "picture",
+        "image copy",
         bytes as u64,
         BufferUsages::MAP_READ | BufferUsages::COPY_DST,
     )?;

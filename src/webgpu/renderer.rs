@@ -236,10 +236,10 @@ impl Renderer {
             method: self.options.method.unwrap_or(RasterMethod::Quads),
             skip: self.options.skip,
         };
-        let held = DeviceState {
+        let device_state = DeviceState {
             key_count: self.key_count,
         };
-        let schedule = Schedule::new(&plan, &equipment, held);
+        let schedule = Schedule::new(&plan, &equipment, device_state);
         self.write_frame(&plan, camera, &damage);
         self.execute(&schedule, &plan, &damage);
         self.next = (self.next + 1) % FRAMES_IN_FLIGHT;

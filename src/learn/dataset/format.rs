@@ -88,7 +88,7 @@ pub struct Shot {
     pub clip: String,
     /// Into the clip.
     pub seconds: f64,
-    /// DeviceState out from the fit, to be evaluated on.
+    /// Held out from the fit, to be evaluated on.
     #[serde(default)]
     pub held: bool,
 }

@@ -64,6 +64,9 @@ pub enum Error {
     /// No driver has the instance extensions that the window's surface needs.
     #[error("no Vulkan driver on this machine has an extension for windows of this display")]
     NoWindowExtension,
+    /// What a program draws over frames, such as a panel, failed by itself.
+    #[error("what is drawn over frames failed: {0}")]
+    Overlay(String),
     /// An image was read before a frame was drawn into it.
     #[error("there is no image to read: no frame was drawn at this size")]
     NothingDrawn,

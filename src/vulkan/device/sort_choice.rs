@@ -71,8 +71,6 @@ impl SortChoice {
 pub(crate) struct Sorts {
     /// How to sort here, once it is known.
     pub chosen: OnceLock<SortChoice>,
-    /// What the self-test's file said when it was first read.
-    pub recorded: OnceLock<Vec<(SortVariant, Outcome)>>,
     /// How the variants did that were asked for by name.
     pub asked: Mutex<Vec<(SortVariant, Outcome)>>,
 }

@@ -405,6 +405,7 @@ impl Renderer {
             // SAFETY: every frame is done.
             unsafe { self.raster.set_cutoff(&options) }?;
         }
+        self.has_image &= self.raster.drawn() == size;
         self.raster.draw_within(size);
         self.options = options;
         self.forget();

@@ -51,8 +51,9 @@ pub fn without_test(gpu: &Gpu) -> Result<SortVariant> {
         return Ok(choice.variant);
     }
     let record = Record::new(gpu, cache::folder().as_deref());
-    let tried = gpu.sorts.recorded.get_or_init(|| record.read());
-    if let Some(choice) = SortChoice::of(tried) {
+    // Read each time: a test behind a window may have found something since.
+    let tried = record.read();
+    if let Some(choice) = SortChoice::of(&tried) {
         return Ok(choice.variant);
     }
     // Counters for each thread save a CPU driver its barriers.
@@ -61,10 +62,10 @@ pub fn without_test(gpu: &Gpu) -> Result<SortVariant> {
     } else {
         [SortVariant::ReduceThenScan, SortVariant::PerThread]
     };
-    let untried = untried(tried);
+    let untried = untried(&tried);
     safe.into_iter()
         .find(|variant| untried.contains(variant))
-        .ok_or_else(|| no_sort(gpu, tried, &record))
+        .ok_or_else(|| no_sort(gpu, &tried, &record))
 }
 
 /// The variants of which nothing is known.

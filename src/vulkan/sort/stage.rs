@@ -40,7 +40,8 @@ impl Sort {
     ///
     /// # Safety
     /// The buffers of `keys`, `control` and `options.counts` must outlive every submission of what
-    /// this sort records.
+    /// this sort records, be of `gpu`, and hold `capacity` keys and
+    /// [`counts_size`](super::counts_size) bytes.
     pub unsafe fn new(
         gpu: &Arc<Gpu>,
         keys: Slice,

@@ -50,7 +50,7 @@ impl FrameValidator {
         let size = (width as usize * height as usize * format.bytes()) as u64;
         let buffer = Buffer::new(
             gpu,
-            "watched picture",
+            "watched image",
             size,
             vk::BufferUsageFlags::TRANSFER_DST,
             MemoryLocation::GpuToCpu,
