@@ -1,16 +1,20 @@
 //! `effigy soak`: draws for minutes at a promised rate, without a window.
 
 use crate::{
+    advice::Advised,
     compare, files,
     options::{self, QualityArgs},
     source::Source,
 };
-use anyhow::{Context, ensure};
+use anyhow::{Context, anyhow};
 use clap::ValueEnum;
 use effigy::vulkan::{Gpu, sort::choice};
 use effigy_measure::{
     bench::{RenderSetting, report::ErrorReport},
-    soak::{self, Session, SoakReport, SoakSettings, SoakTask, faults::SoakLimits},
+    soak::{
+        self, Session, SoakReport, SoakSettings, SoakTask,
+        faults::{SoakLimits, held_rate},
+    },
 };
 use effigy_runtime::{
     thermals::{Phone, Recorded, Simulated, Thermals},
@@ -20,6 +24,9 @@ use std::{
     path::PathBuf,
     sync::{Arc, atomic::AtomicBool},
 };
+
+const RATE_ADVICE: &str =
+    "promise fewer frames with --fps, draw fewer pixels with --size, or leave the governor on";
 
 #[derive(clap::Args, Debug)]
 pub struct Args {
@@ -138,7 +145,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     for path in soak::files::write_report(&report, &args.out)? {
         println!("wrote {}", path.display());
     }
-    conclude(&report)
+    conclude(&report, &task.bounds)
 }
 
 /// Where thermal readings come from, at a rate in frames per second.
@@ -211,7 +218,7 @@ impl Status {
 }
 
 /// Prints the result. An error if the soak has failed.
-fn conclude(report: &SoakReport) -> anyhow::Result<()> {
+fn conclude(report: &SoakReport, limits: &SoakLimits) -> anyhow::Result<()> {
     if report.lasted_seconds < report.planned_seconds {
         println!(
             "interrupted after {:.0} s of {:.0} s",
@@ -251,8 +258,15 @@ fn conclude(report: &SoakReport) -> anyhow::Result<()> {
             decibels(&drift.after)
         );
     }
-    ensure!(report.faults.is_empty(), "{}", report.faults.join("; "));
-    Ok(())
+    if report.faults.is_empty() {
+        return Ok(());
+    }
+    let faults = report.faults.join("; ");
+    if held_rate(report, limits) {
+        Err(anyhow!(faults))
+    } else {
+        Err(Advised::new(faults, RATE_ADVICE).into())
+    }
 }
 
 #[cfg(test)]

@@ -1,8 +1,8 @@
 //! Line charts of a fit and its analysis, as an SVG's text or a PNG's bytes.
 
-pub use effigy_measure::chart::ChartError;
-use effigy_measure::chart::{FAINT, FONT, INK, drawing_error, png_from_pixels, register_fonts};
-use plotters::{coord::Shift, prelude::*};
+use effigy_measure::chart::{Area, FAINT, FONT, INK, drawing_error};
+pub use effigy_measure::chart::{Chart, ChartError, png, svg};
+use plotters::prelude::*;
 use std::ops::Range;
 
 /// Width and height, px.
@@ -40,97 +40,76 @@ pub struct Plot<'a> {
     pub lines: Vec<PlotLine>,
 }
 
-/// Draws a chart as an SVG's text.
-///
-/// # Errors
-/// When no line has points, or drawing fails.
-pub fn svg(chart: &Plot) -> Result<String, ChartError> {
-    let mut text = String::new();
-    draw(
-        SVGBackend::with_string(&mut text, SIZE).into_drawing_area(),
-        chart,
-    )?;
-    Ok(text)
-}
-
-/// Draws a chart as a PNG's bytes.
-///
-/// # Errors
-/// When no line has points, or drawing fails.
-pub fn png(chart: &Plot) -> Result<Vec<u8>, ChartError> {
-    png_from_pixels(SIZE, |pixels| {
-        draw(
-            BitMapBackend::with_buffer(pixels, SIZE).into_drawing_area(),
-            chart,
-        )
-    })
-}
-
-fn draw<B: DrawingBackend>(area: DrawingArea<B, Shift>, chart: &Plot) -> Result<(), ChartError> {
-    register_fonts()?;
-    let height = |y: f64| if chart.log { y.max(1e-12).log10() } else { y };
-    let points = || chart.lines.iter().flat_map(|line| &line.points);
-    let xs = range(points().map(|p| p.0)).ok_or(ChartError::Nothing)?;
-    let ys = range(points().map(|p| height(p.1))).ok_or(ChartError::Nothing)?;
-    let margin = 0.06 * (ys.end - ys.start);
-    area.fill(&WHITE).map_err(drawing_error)?;
-    let below = area
-        .margin(12, 4, 0, 0)
-        .titled(chart.title, TextStyle::from((FONT, 22)).color(&INK))
-        .map_err(drawing_error)?;
-    let mut built = ChartBuilder::on(&below)
-        .margin(14)
-        .x_label_area_size(50)
-        .y_label_area_size(76)
-        .build_cartesian_2d(xs, ys.start - margin..ys.end + margin)
-        .map_err(drawing_error)?;
-    let label = TextStyle::from((FONT, 16)).color(&INK);
-    built
-        .configure_mesh()
-        .x_desc(chart.x)
-        .y_desc(chart.y)
-        .y_label_formatter(&|y| {
-            if chart.log {
-                short(10f64.powf(*y))
-            } else {
-                short(*y)
-            }
-        })
-        .axis_desc_style(label.clone())
-        .label_style(label.clone())
-        .light_line_style(TRANSPARENT)
-        .bold_line_style(FAINT)
-        .draw()
-        .map_err(drawing_error)?;
-    for (line, &color) in chart.lines.iter().zip(COLORS.iter().cycle()) {
-        let points: Vec<_> = line.points.iter().map(|&(x, y)| (x, height(y))).collect();
-        // Segment by segment: a sharp corner of a single path would be drawn as a long spike.
-        built
-            .draw_series(
-                points
-                    .windows(2)
-                    .map(|piece| PathElement::new(piece.to_vec(), color.stroke_width(2))),
-            )
-            .map_err(drawing_error)?
-            .label(&line.name)
-            .legend(move |(x, y)| PathElement::new([(x, y), (x + 18, y)], color.stroke_width(2)));
-        built
-            .draw_series(
-                points
-                    .iter()
-                    .map(|&point| Circle::new(point, 3, color.filled())),
-            )
-            .map_err(drawing_error)?;
+impl Chart for Plot<'_> {
+    fn size(&self) -> (u32, u32) {
+        SIZE
     }
-    built
-        .configure_series_labels()
-        .position(SeriesLabelPosition::UpperRight)
-        .label_font(label)
-        .background_style(WHITE.mix(0.85))
-        .border_style(FAINT)
-        .draw()
-        .map_err(drawing_error)?;
-    area.present().map_err(drawing_error)
+
+    fn draw<B: DrawingBackend>(&self, area: &Area<B>) -> Result<(), ChartError> {
+        let height = |y: f64| if self.log { y.max(1e-12).log10() } else { y };
+        let points = || self.lines.iter().flat_map(|line| &line.points);
+        let xs = range(points().map(|p| p.0)).ok_or(ChartError::Nothing)?;
+        let ys = range(points().map(|p| height(p.1))).ok_or(ChartError::Nothing)?;
+        let margin = 0.06 * (ys.end - ys.start);
+        let below = area
+            .margin(12, 4, 0, 0)
+            .titled(self.title, TextStyle::from((FONT, 22)).color(&INK))
+            .map_err(drawing_error)?;
+        let mut built = ChartBuilder::on(&below)
+            .margin(14)
+            .x_label_area_size(50)
+            .y_label_area_size(76)
+            .build_cartesian_2d(xs, ys.start - margin..ys.end + margin)
+            .map_err(drawing_error)?;
+        let label = TextStyle::from((FONT, 16)).color(&INK);
+        built
+            .configure_mesh()
+            .x_desc(self.x)
+            .y_desc(self.y)
+            .y_label_formatter(&|y| {
+                if self.log {
+                    short(10f64.powf(*y))
+                } else {
+                    short(*y)
+                }
+            })
+            .axis_desc_style(label.clone())
+            .label_style(label.clone())
+            .light_line_style(TRANSPARENT)
+            .bold_line_style(FAINT)
+            .draw()
+            .map_err(drawing_error)?;
+        for (line, &color) in self.lines.iter().zip(COLORS.iter().cycle()) {
+            let points: Vec<_> = line.points.iter().map(|&(x, y)| (x, height(y))).collect();
+            // Segment by segment: a sharp corner of a single path would be drawn as a long spike.
+            built
+                .draw_series(
+                    points
+                        .windows(2)
+                        .map(|piece| PathElement::new(piece.to_vec(), color.stroke_width(2))),
+                )
+                .map_err(drawing_error)?
+                .label(&line.name)
+                .legend(move |(x, y)| {
+                    PathElement::new([(x, y), (x + 18, y)], color.stroke_width(2))
+                });
+            built
+                .draw_series(
+                    points
+                        .iter()
+                        .map(|&point| Circle::new(point, 3, color.filled())),
+                )
+                .map_err(drawing_error)?;
+        }
+        built
+            .configure_series_labels()
+            .position(SeriesLabelPosition::UpperRight)
+            .label_font(label)
+            .background_style(WHITE.mix(0.85))
+            .border_style(FAINT)
+            .draw()
+            .map_err(drawing_error)
+    }
 }
 
 /// From the smallest to the largest number, at least 1 wide where they are equal; `None` without

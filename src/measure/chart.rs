@@ -82,7 +82,7 @@ fn draw<B: DrawingBackend>(chart: &impl Chart, backend: B) -> Result<(), ChartEr
 ///
 /// # Errors
 /// Those of `draw`, and of the encoder.
-pub fn png_from_pixels(
+fn png_from_pixels(
     size: (u32, u32),
     draw: impl FnOnce(&mut [u8]) -> Result<(), ChartError>,
 ) -> Result<Vec<u8>, ChartError> {
@@ -97,11 +97,8 @@ pub fn png_from_pixels(
     Ok(bytes.into_inner())
 }
 
-/// Makes [`FONT`] known to the drawing library. [`svg`] and [`png`] do so themselves.
-///
-/// # Errors
-/// When the font that is built in can't be read.
-pub fn register_fonts() -> Result<(), ChartError> {
+/// Makes [`FONT`] known to the drawing library. Fails when the font that is built in can't be read.
+fn register_fonts() -> Result<(), ChartError> {
     register_font(FONT, FontStyle::Normal, epaint_default_fonts::UBUNTU_LIGHT)
         .map_err(|_| drawing_error("the font can't be read"))
 }

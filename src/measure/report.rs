@@ -317,6 +317,14 @@ pub fn difference(name: &str, a: String, b: String) -> Option<String> {
     (a != b).then(|| format!("the {name} differs: {a} against {b}"))
 }
 
+/// The title of a chart: what was measured, at which size (px), and on what.
+pub fn chart_title(avatar: &Subject, size: [u32; 2], device: &DeviceReport) -> String {
+    format!(
+        "{}, {} Gaussians, {} × {}, on {}",
+        avatar.name, avatar.gaussians, size[0], size[1], device.name
+    )
+}
+
 #[cfg(test)]
 pub(crate) mod tests {
     use super::*;

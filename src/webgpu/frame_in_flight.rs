@@ -9,7 +9,7 @@ use super::{
     project::{Project, REASONS},
 };
 use effigy_core::{
-    frame::{Counters, CullReasons, FrameReport, Stage, report::STAGES},
+    frame::{Counters, FrameReport, Stage, report::STAGES},
     layout::Control,
 };
 use std::sync::{
@@ -114,21 +114,12 @@ impl FrameInFlight {
         let (counts, ticks) = bytes.split_at(COUNTS as usize);
         let (control, reasons) = counts.split_at(size_of::<Control>());
         let control: Control = bytemuck::pod_read_unaligned(control);
-        let [outside, hidden, faint, degenerate] =
-            bytemuck::pod_read_unaligned::<[u32; 4]>(reasons).map(u64::from);
-        let drawn = u64::from(control.visible_count);
-        let counters = Counters {
-            culled: self.known.gaussians.saturating_sub(drawn),
-            drawn,
-            reasons: self.counted.then_some(CullReasons {
-                outside,
-                hidden,
-                faint,
-                degenerate,
-            }),
-            fragments: (self.counted && control.fragments > 0).then_some(control.fragments.into()),
-            ..self.known
-        };
+        let counters = self.known.with_device_counts(
+            &control,
+            self.counted
+                .then_some(bytemuck::pod_read_unaligned(reasons)),
+            (self.counted && control.fragments > 0).then_some(control.fragments.into()),
+        );
         let ticks: Vec<u64> = bytemuck::pod_collect_to_vec(ticks);
         let ms = |pair: &[u64]| pair[1].saturating_sub(pair[0]) as f64 * self.period;
         let timed = if self.queries.is_some() {

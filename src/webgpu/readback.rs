@@ -5,7 +5,7 @@ use super::{
     buffer, download, error::Result, frame_in_flight::FRAMES_IN_FLIGHT, renderer::Renderer,
 };
 use effigy_core::{
-    layout::{Control, SORT_CULLED},
+    layout::{Control, widened_key},
     scene::FrameImage,
 };
 use half::f16;
@@ -80,16 +80,7 @@ impl Renderer {
                 .map(|&place| nodes[usize::from(place)].map(f16::to_f32))
                 .collect(),
             splats: bytemuck::pod_collect_to_vec(&splats[..16 * count]),
-            keys: keys[..count]
-                .iter()
-                .map(|&key| {
-                    if key == u16::MAX {
-                        SORT_CULLED
-                    } else {
-                        u32::from(key)
-                    }
-                })
-                .collect(),
+            keys: keys[..count].iter().map(|&key| widened_key(key)).collect(),
             order: bytemuck::pod_collect_to_vec(&order[..4 * control.visible_count as usize]),
             control,
         })

@@ -90,7 +90,8 @@ pub fn close() {
 
 /// One frame on the device and in the reference.
 pub struct Frame {
-    /// As the device has it: its reference starts from the same numbers, but for the nodes' weights.
+    /// What the device was given: the reference starts from the same numbers, but for the nodes'
+    /// weights.
     pub avatar: Avatar,
     pub posed: Posed,
     pub camera: Camera,

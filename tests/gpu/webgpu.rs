@@ -104,14 +104,15 @@ fn pictures_are_those_of_the_vulkan_backend(method: RasterMethod) {
 fn stages_are_those_of_the_vulkan_backend() {
     let (device, vulkan) = (open(), gpu::gpu());
     for quality in [None, Some(PackQuality::Small)] {
-        stages_agree((&device, &vulkan), quality);
+        stages_agree(&device, &vulkan, quality);
     }
     device.check().unwrap();
 }
 
 /// `quality`: of a packed avatar, drawn with one Gaussian in four.
 fn stages_agree(
-    (device, vulkan): (&Arc<Gpu>, &Arc<effigy::vulkan::Gpu>),
+    device: &Arc<Gpu>,
+    vulkan: &Arc<effigy::vulkan::Gpu>,
     quality: Option<PackQuality>,
 ) {
     let (avatar, posed) = body(11, 3000);

@@ -86,12 +86,10 @@ fn run(
             Duration::from_secs_f64((handed - now).max(1e-6)),
             asked / f64::from(quality.refreshes),
         );
-        (run.frames, run.dropped, drawn, now) = (
-            run.frames + 1,
-            run.dropped + u64::from(dropped),
-            drawn + 1,
-            handed,
-        );
+        run.frames += 1;
+        run.dropped += u64::from(dropped);
+        drawn += 1;
+        now = handed;
         if now - read >= 1.0 {
             read = now;
             governor.add_headroom(

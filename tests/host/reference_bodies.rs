@@ -205,12 +205,13 @@ fn the_extent_holds_every_gaussian_and_little_else() {
                 depth >= near && depth <= far,
                 "seed {seed}: Gaussian {k} at depth {depth} is outside {near} to {far}"
             );
-            (low, high) = (low.min(mean), high.max(mean));
+            low = low.min(mean);
+            high = high.max(mean);
         }
         let slack = (max - min) - (high - low);
         assert!(
             slack.max_element() < 0.9,
-            "seed {seed}: the avatar_bounds is {slack} larger than what it holds"
+            "seed {seed}: the box is {slack} larger than what it holds"
         );
     }
 }

@@ -1,7 +1,10 @@
 //! The files that a benchmark writes: JSON, CSV, and the chart of a sweep.
 
 use crate::files;
-use effigy_measure::bench::{BenchReport, plot, table};
+use effigy_measure::{
+    bench::{BenchReport, plot, table},
+    report::chart_title,
+};
 use std::path::{Path, PathBuf};
 
 /// Where JSON goes.
@@ -67,14 +70,7 @@ pub fn write(
         Ok(())
     };
     if let Some(sweep) = &report.sweep {
-        let title = format!(
-            "{}, {} Gaussians, {} × {}, on {}",
-            report.avatar.name,
-            report.avatar.gaussians,
-            report.size[0],
-            report.size[1],
-            report.device.name
-        );
+        let title = chart_title(&report.avatar, report.size, &report.device);
         for chart in charts {
             match chart {
                 ChartFile::Svg(path) => save(path, plot::svg(sweep, &title)?.as_bytes())?,

@@ -1,6 +1,6 @@
 //! The contents of an avatar, in numbers.
 
-use super::text::{Distribution, line, table, thousands};
+use super::text::{Distribution, line, stated, table, thousands};
 use effigy_core::avatar::{Activation, Avatar};
 use effigy_core::io::file::TensorInfo;
 use serde::Serialize;
@@ -63,7 +63,6 @@ impl AvatarSummary {
         let gaussians = &avatar.gaussians;
         let skeleton = &avatar.skeleton;
         let inputs = &avatar.inputs;
-        let layers = &avatar.networks.layers;
         let joint = |joint: usize| NamedJoint {
             name: skeleton.name[joint].clone(),
             parent: skeleton.parent[joint],
@@ -86,12 +85,7 @@ impl AvatarSummary {
             basis: avatar.basis_len(),
             split_features: avatar.node_feature_start() > 0,
             activation: avatar.networks.activation,
-            widths: layers
-                .iter()
-                .take(1)
-                .map(|layer| layer.input)
-                .chain(layers.iter().map(|layer| layer.output))
-                .collect(),
+            widths: avatar.networks.widths(),
             rotation_rows: avatar.rotation_rows.gaussian.len(),
             scale_rows: avatar.scale_rows.gaussian.len(),
             color_rows: avatar.color_rows.gaussian.len(),
@@ -218,15 +212,7 @@ fn chains(joints: &[NamedJoint], start: usize, depth: usize) -> Vec<Chain> {
 impl fmt::Display for AvatarSummary {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         line(f, "avatar", &self.name)?;
-        line(
-            f,
-            "credit",
-            if self.credit.is_empty() {
-                "not stated"
-            } else {
-                &self.credit
-            },
-        )?;
+        line(f, "credit", stated(&self.credit))?;
         line(f, "Gaussians", thousands(self.gaussians))?;
         line(f, "parts", self.part_sizes())?;
         line(f, "nodes", thousands(self.nodes))?;

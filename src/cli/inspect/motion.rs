@@ -1,6 +1,6 @@
 //! The contents of a clip, in numbers.
 
-use super::text::{Distribution, line, table, thousands};
+use super::text::{Distribution, line, stated, table, thousands};
 use effigy_core::avatar::Clip;
 use effigy_core::io::file::TensorInfo;
 use serde::Serialize;
@@ -77,15 +77,7 @@ impl MotionSummary {
 impl fmt::Display for MotionSummary {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         line(f, "motion", &self.name)?;
-        line(
-            f,
-            "credit",
-            if self.credit.is_empty() {
-                "not stated"
-            } else {
-                &self.credit
-            },
-        )?;
+        line(f, "credit", stated(&self.credit))?;
         line(
             f,
             "frames",

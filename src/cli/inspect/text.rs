@@ -25,6 +25,11 @@ impl Distribution {
     }
 }
 
+/// A text of a file, or that it is missing.
+pub fn stated(text: &str) -> &str {
+    if text.is_empty() { "not stated" } else { text }
+}
+
 /// A count with commas between thousands: 200,000.
 pub fn thousands(n: usize) -> String {
     let digits = n.to_string();

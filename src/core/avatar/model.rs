@@ -149,6 +149,13 @@ impl Networks {
         self.layers.last().map_or(0, |layer| layer.output)
     }
 
+    /// Numbers that enter the first layer, then those that leave each layer.
+    pub fn widths(&self) -> Vec<usize> {
+        let first = self.layers.first().map(|layer| layer.input);
+        let outputs = self.layers.iter().map(|layer| layer.output);
+        first.into_iter().chain(outputs).collect()
+    }
+
     /// Whether all weights are bytes.
     pub fn in_bytes(&self) -> bool {
         !self.layers.is_empty() && self.layers.iter().all(|layer| layer.weight.is_bytes())

@@ -1,5 +1,6 @@
 //! What a frame took in, skipped and drew: counts that do not depend on how fast a device is.
 
+use crate::layout::Control;
 use serde::{Deserialize, Serialize};
 
 /// Counts of one frame. Every Gaussian of the scene is either drawn or culled. In a frame that
@@ -59,6 +60,32 @@ pub struct CullReasons {
 }
 
 impl Counters {
+    /// These counts of a frame, with what the device counted. `reasons`: outside, hidden, faint,
+    /// degenerate.
+    pub fn with_device_counts(
+        self,
+        control: &Control,
+        reasons: Option<[u32; 4]>,
+        fragments: Option<u64>,
+    ) -> Self {
+        let drawn = u64::from(control.visible_count);
+        Self {
+            culled: self.gaussians.saturating_sub(drawn),
+            drawn,
+            reasons: reasons.map(|counts| {
+                let [outside, hidden, faint, degenerate] = counts.map(u64::from);
+                CullReasons {
+                    outside,
+                    hidden,
+                    faint,
+                    degenerate,
+                }
+            }),
+            fragments,
+            ..self
+        }
+    }
+
     /// Every count that is known, under its name in reports and JSON, in the order of tables.
     pub fn named(&self) -> impl Iterator<Item = (&'static str, u64)> {
         let all = [

@@ -37,6 +37,15 @@ pub const SORT_FALLBACKS: u32 = 8;
 pub const SORT_DIGITS: u32 = 256;
 /// The key of a Gaussian that is not drawn; the sort discards it.
 pub const SORT_CULLED: u32 = u32::MAX;
+
+/// A key as 32 bits, from one of 16.
+pub fn widened_key(key: u16) -> u32 {
+    match key {
+        u16::MAX => SORT_CULLED,
+        _ => key.into(),
+    }
+}
+
 /// Quads in an instance of the draw. One quad an instance is slow on several drivers
 /// (docs/architecture.md, "Device facts").
 pub const QUADS_PER_INSTANCE: u32 = 128;

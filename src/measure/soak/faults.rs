@@ -111,16 +111,20 @@ fn growth_faults(growth: &Growth, limits: &SoakLimits) -> Vec<String> {
     faults
 }
 
+/// Whether the promised rate was held: few refreshes were without a new frame, and the governor did
+/// not have to draw for every second refresh only.
+pub fn held_rate(report: &SoakReport, limits: &SoakLimits) -> bool {
+    let rung = report.ladder.get(report.lowest_rung);
+    let halved = rung.is_some_and(|step| step.refreshes > 1);
+    report.dropped_share <= limits.dropped && !halved
+}
+
 fn rate_fault(report: &SoakReport, limits: &SoakLimits) -> Option<String> {
-    let last = report.ladder.len().saturating_sub(1);
-    let rung = report.lowest_rung;
-    let halved = report
-        .ladder
-        .get(rung)
-        .is_some_and(|step| step.refreshes > 1);
-    if report.dropped_share <= limits.dropped && !halved {
+    if held_rate(report, limits) {
         return None;
     }
+    let last = report.ladder.len().saturating_sub(1);
+    let rung = report.lowest_rung;
     let reason = if !report.governed {
         "the governor is off".to_owned()
     } else if rung >= last {

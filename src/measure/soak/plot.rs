@@ -2,9 +2,12 @@
 //! governor's steps and the headroom used. In: a report. Out: an SVG's text or a PNG's bytes.
 
 use super::report::SoakReport;
-use crate::chart::{
-    self, Area, Axes, Chart, ChartError, Title, draw_legend, draw_line, drawing_error, legend_line,
-    staircase, text_style,
+use crate::{
+    chart::{
+        self, Area, Axes, Chart, ChartError, Title, draw_legend, draw_line, drawing_error,
+        legend_line, staircase, text_style,
+    },
+    report::chart_title,
 };
 use plotters::{chart::SeriesLabelPosition, prelude::*};
 
@@ -46,14 +49,7 @@ impl Chart for SoakChart<'_> {
         let report = self.report;
         let end = report.each.last().ok_or(ChartError::Nothing)?.seconds / 60.0;
         let title = Title {
-            text: &format!(
-                "{}, {} Gaussians, {} × {}, on {}",
-                report.avatar.name,
-                report.avatar.gaussians,
-                report.size[0],
-                report.size[1],
-                report.device.name
-            ),
+            text: &chart_title(&report.avatar, report.size, &report.device),
             text_height: 22,
             above: 14,
             below: 6,

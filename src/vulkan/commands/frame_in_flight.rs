@@ -14,7 +14,7 @@ use crate::vulkan::{
 use ash::vk;
 use effigy_core::{
     frame::{
-        Counters, CullReasons,
+        Counters,
         report::{FrameReport, HostTimes, STAGES},
     },
     layout::Control,
@@ -142,21 +142,12 @@ impl FrameInFlight {
         self.pending = false;
         let (control, reasons) = self.counts.mapped().split_at(size_of::<Control>());
         let control: Control = bytemuck::pod_read_unaligned(control);
-        let [outside, hidden, faint, degenerate] =
-            bytemuck::pod_read_unaligned::<[u32; 4]>(&reasons[..REASONS as usize]).map(u64::from);
-        let drawn = u64::from(control.visible_count);
-        let counters = Counters {
-            culled: self.known.gaussians.saturating_sub(drawn),
-            drawn,
-            reasons: self.reasons.then_some(CullReasons {
-                outside,
-                hidden,
-                faint,
-                degenerate,
-            }),
-            fragments: self.fragments(&control)?,
-            ..self.known
-        };
+        let reasons = bytemuck::pod_read_unaligned(&reasons[..REASONS as usize]);
+        let counters = self.known.with_device_counts(
+            &control,
+            self.reasons.then_some(reasons),
+            self.fragments(&control)?,
+        );
         let times = self.times()?;
         let host = self.host.map(|host| HostTimes { finished, ..host });
         Ok(Some(FrameReport {

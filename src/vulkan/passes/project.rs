@@ -16,7 +16,7 @@ use crate::vulkan::{
 use ash::vk;
 use effigy_core::{
     frame::{KeyBits, RendererOptions, Skinning, Skip, SortVariant, state::padded_count},
-    layout::{FrameBlock, POSE_CACHE_WORDS, PROJECT_WORKGROUP, SORT_CULLED},
+    layout::{FrameBlock, POSE_CACHE_WORDS, PROJECT_WORKGROUP, widened_key},
 };
 use gpu_allocator::MemoryLocation;
 use std::sync::Arc;
@@ -160,7 +160,7 @@ impl Project {
         (&self.buffer).into()
     }
 
-    /// A key a Gaussian, larger is nearer; `SORT_CULLED` for those that were culled.
+    /// A key a Gaussian, larger is nearer; `layout::SORT_CULLED` for those that were culled.
     pub fn keys(&self) -> Slice {
         let Areas { count, bits, .. } = self.areas;
         Slice {
@@ -210,13 +210,7 @@ impl Project {
             let halves: Vec<u16> = bytemuck::pod_collect_to_vec(keys);
             halves[..count]
                 .iter()
-                .map(|&key| {
-                    if key == u16::MAX {
-                        SORT_CULLED
-                    } else {
-                        u32::from(key)
-                    }
-                })
+                .map(|&key| widened_key(key))
                 .collect()
         } else {
             bytemuck::pod_collect_to_vec(&keys[..4 * count])

@@ -72,8 +72,8 @@ fn each_level_draws_the_references_picture(method: RasterMethod) {
     }
 }
 
-/// As `--preset low` draws it: the smaller, the fewer Gaussians, and never further from what each
-/// pixel's area would show on average than the picture of all of them, which is too fat at a
+/// With the options of `--preset low`: the smaller, the fewer Gaussians, and never further from what
+/// each pixel's area would show on average than the picture of all of them, which is too fat at a
 /// distance.
 fn small_avatars_stay_within_the_budget() {
     for (tall, level, psnr) in [

@@ -10,15 +10,10 @@ use std::sync::Arc;
 
 fn compare(color: ColorFormat, key_bits: KeyBits, psnr: f64, within: f64) {
     let device = gpu::gpu();
-    compare_on(&device, (color, key_bits), psnr, within);
+    compare_on(&device, color, key_bits, psnr, within);
 }
 
-fn compare_on(
-    device: &Arc<Gpu>,
-    (color, key_bits): (ColorFormat, KeyBits),
-    psnr: f64,
-    within: f64,
-) {
+fn compare_on(device: &Arc<Gpu>, color: ColorFormat, key_bits: KeyBits, psnr: f64, within: f64) {
     for seed in 0..3 {
         let options = RendererOptions {
             color: Some(color),
@@ -74,16 +69,12 @@ fn the_least_device_that_can_serve_draws_the_same_within_the_budget() {
     );
     compare_on(
         &device,
-        (ColorFormat::Rgba8, KeyBits::TwentyFour),
+        ColorFormat::Rgba8,
+        KeyBits::TwentyFour,
         48.0,
         0.995,
     );
-    compare_on(
-        &device,
-        (ColorFormat::Rgba16F, KeyBits::Sixteen),
-        54.0,
-        0.999,
-    );
+    compare_on(&device, ColorFormat::Rgba16F, KeyBits::Sixteen, 54.0, 0.999);
 }
 
 fn an_image_is_read_after_a_frame_and_not_before() {

@@ -229,7 +229,6 @@ impl Document for AvatarHeader {
     const TENSORS: &'static [TensorRow<Self, Avatar>] = AVATAR;
 
     fn from_model(avatar: &Avatar) -> Self {
-        let layers = &avatar.networks.layers;
         let bounds = avatar.gaussians.bounds;
         let components = |space: &Option<Subspace>| space.as_ref().map(|space| space.sigma.len());
         let coded: Vec<Coded> = coding::matrices(avatar).collect();
@@ -255,12 +254,7 @@ impl Document for AvatarHeader {
             color_rows: avatar.color_rows.gaussian.len(),
             bounds: [bounds.min, bounds.max],
             activation: avatar.networks.activation,
-            widths: layers
-                .iter()
-                .take(1)
-                .map(|layer| layer.input)
-                .chain(layers.iter().map(|layer| layer.output))
-                .collect(),
+            widths: avatar.networks.widths(),
             joints: avatar.skeleton.name.clone(),
             parents: avatar.skeleton.parent.clone(),
             inputs: avatar.inputs.joint.clone(),
