@@ -6,7 +6,7 @@
 #   gate   what has to hold before a change lands (.ci/run): quick's checks, all tests on Mesa 25 at 256 bits, all that draw on
 #          SwiftShader, the stages at 128 and 512 bits, commands of the README and the guides, the examples, the page in Chromium, the app
 #   full   before an issue is closed: gate, and all tests at every width and on Mesa 22, the packages as they are released, 2,000 stress
-#          cases, a soak, the compiled shaders compared with their sources. docs/development.md says why each is not in gate.
+#          cases, a soak, the documentation's links, the compiled shaders compared with their sources. docs/development.md says why each is not in gate.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . tools/needs.sh
@@ -124,6 +124,8 @@ full() {
   (use_driver mesa25:256; effigy stress --cases 2000 --seed 7)
   step "soak"
   (use_driver mesa25:256; effigy soak --minutes 20 --fps 2 --size 256x320 --out target/soak)
+  step "documentation"
+  RUSTDOCFLAGS="-D warnings" cargo doc --no-deps --workspace --features webgpu --quiet
   step "compiled shaders"
   need 'command -v cmake' cmake g++
   cargo run --release --quiet -p effigy-shaders --features compile -- --check

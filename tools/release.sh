@@ -78,7 +78,7 @@ if [ -n "$try" ] && wanted linux; then
   inside sh -ec "apt-get update -qq && apt-get install -qq -y /tmp/effigy_${version}_amd64.deb >/dev/null
     cd /tmp && effigy --version && effigy render --size 512x512 --out /tmp/installed.png
     tar xf effigy-$version-linux-x86_64.tar.gz && effigy-$version-linux-x86_64/effigy render --size 512x512 --out /tmp/unpacked.png
-    cmp /tmp/installed.png /tmp/unpacked.png && dpkg --purge effigy >/dev/null && ! command -v effigy"
+    cmp /tmp/installed.png /tmp/unpacked.png && dpkg --purge effigy >/dev/null && test ! -e /usr/bin/effigy"
   cp "$bare/root/tmp/installed.png" "$out/../release-try.png"
   echo "tried in a bare Debian: both draw, and the package leaves nothing behind; the image is $(dirname "$out")/release-try.png"
 fi

@@ -771,7 +771,7 @@ fn test_sorts(options: &GpuOptions, gpu: &Gpu) {
         ..options.clone()
     };
     let test = move || match Gpu::new(&options).and_then(|gpu| choice::choose(&gpu)) {
-        Ok(verdict) => tracing::info!("the next start sorts by {}", verdict.variant.name()),
+        Ok(choice) => tracing::info!("the next start sorts by {}", choice.variant.name()),
         Err(error) => tracing::warn!("the sorts could not be tested: {error}"),
     };
     let thread = std::thread::Builder::new().name("sort self-test".into());

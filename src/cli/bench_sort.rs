@@ -162,17 +162,17 @@ fn measure(
     options: SortOptions,
     runs: u16,
 ) -> anyhow::Result<(SortTimes, u64)> {
-    let trial = StandaloneSort::new(gpu, keys.len() as u32, options)?;
-    trial.load(keys)?;
-    trial.run()?;
-    if let Some(difference) = trial.difference(keys)? {
+    let sorter = StandaloneSort::new(gpu, keys.len() as u32, options)?;
+    sorter.load(keys)?;
+    sorter.run()?;
+    if let Some(difference) = sorter.difference(keys)? {
         anyhow::bail!("wrong: {difference}");
     }
     let mut times = (0..runs)
-        .map(|_| trial.run())
+        .map(|_| sorter.run())
         .collect::<Result<Vec<_>, _>>()?;
     times.sort_by_key(|times| times.device);
-    Ok((times[times.len() / 2], trial.sort().memory()))
+    Ok((times[times.len() / 2], sorter.sort().memory()))
 }
 
 /// Keys of 31 bits without pattern.

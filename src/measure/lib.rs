@@ -1,6 +1,6 @@
 //! Effigy in numbers.
 //!
-//! - [`bench`] measures time, error, memory and bytes, case by case, and compares reports.
+//! - [`mod@bench`] measures time, error, memory and bytes, case by case, and compares reports.
 //! - [`soak`] draws for minutes at a promised rate and records every second.
 //! - [`stress`] draws hard cases and compares them with the reference.
 //! - [`packing`] measures what each step of packing an avatar saves and costs.

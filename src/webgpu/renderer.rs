@@ -1,5 +1,5 @@
 //! Draws an avatar, or several copies of it in one scene: poses and a camera go in, an image on the
-//! device comes out. [`Schedule::new`] says what a frame runs, [`Renderer::execute`] runs it.
+//! device comes out. [`Schedule::new`] says what a frame runs, `Renderer::execute` runs it.
 
 use super::{
     buffer::{STORAGE, empty},

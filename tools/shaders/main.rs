@@ -80,7 +80,7 @@ impl Sources<'_> {
 
     /// Compiles a module to WGSL. naga cannot translate some loops that the optimiser has
     /// restructured: those modules are compiled without optimisation.
-    fn translate(&self, module: &web_shaders::Module) -> anyhow::Result<String> {
+    fn translate(&self, module: &web_shaders::WgslModule) -> anyhow::Result<String> {
         let macros = [&[("WEB", "1")], module.macros].concat();
         let translate_at = |level| wgsl::translate(&self.compile(module.file, &macros, level)?);
         translate_at(OptimizationLevel::Performance)

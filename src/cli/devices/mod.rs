@@ -82,12 +82,12 @@ fn print(number: usize, probe: &Probe) {
         println!("   {:16} {has} → {}", part.name, part.means);
     }
     match sort(number, probe) {
-        Some(Ok(verdict)) => {
+        Some(Ok(choice)) => {
             println!(
                 "   sort             {} → the fastest that passes the self-test",
-                verdict.variant.name()
+                choice.variant.name()
             );
-            for (variant, outcome) in &verdict.tried {
+            for (variant, outcome) in &choice.tried {
                 println!("     {:14} {outcome}", variant.name());
             }
         }
@@ -211,8 +211,8 @@ fn describe(number: usize, probe: &Probe) -> serde_json::Value {
             )
         })
         .collect();
-    let sort = sort(number, probe).map(|verdict| match verdict {
-        Ok(verdict) => json!(verdict),
+    let sort = sort(number, probe).map(|choice| match choice {
+        Ok(choice) => json!(choice),
         Err(error) => json!({ "failed": error.to_string() }),
     });
     json!({

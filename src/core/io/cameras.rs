@@ -44,7 +44,7 @@ impl CameraEntry {
         let sides = [self.width, self.height];
         if !sides.iter().all(|side| (1..=SIDE_MAX).contains(side)) {
             return Some((
-                format!("a picture of {} × {} px", sides[0], sides[1]),
+                format!("an image of {} × {} px", sides[0], sides[1]),
                 format!("sides from 1 to {SIDE_MAX} px"),
             ));
         }

@@ -50,7 +50,7 @@ pub struct Dressed {
     pub avatar: Avatar,
 }
 
-/// The steps that [`body`] and [`dressed`] announce.
+/// The steps that [`body()`] and [`dressed`] announce.
 pub const STEPS: u64 = 5;
 
 /// Bakes a dressed body. Networks, pruning and PCA are fitted to the clips' poses. `announce` is
@@ -68,7 +68,7 @@ pub fn body(
     Ok(dressed(assets, shape, clips, sizes, announce)?.avatar)
 }
 
-/// Bakes a dressed body like [`body`], and returns its surfaces too.
+/// Bakes a dressed body like [`body()`], and returns its surfaces too.
 ///
 /// # Errors
 /// When a source file is missing or damaged, or a clip is not of the body.

@@ -65,9 +65,9 @@ pub enum LearnError {
 /// The document `dataset.json`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct DatasetHeader {
-    /// [`FORMAT`].
+    /// "effigy.dataset".
     pub format: String,
-    /// [`VERSION`].
+    /// The version of the format: 1.
     pub version: u64,
     /// The dataset's name.
     pub name: String,

@@ -21,7 +21,7 @@ pub fn resident_bytes() -> Option<u64> {
 
 /// The growth of memory, summed over steady intervals.
 ///
-/// The first minute ([`SETTLING_SHARE`] of a short run), and as long after the governor first
+/// The first minute (0.4 of a short run), and as long after the governor first
 /// enters a step, are excluded: drivers allocate for a new image size then, and nothing at the next
 /// visit. In each interval between those, the median of the first fifth is compared with that of
 /// the last. None if no interval is long enough.

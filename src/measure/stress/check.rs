@@ -40,9 +40,9 @@ pub struct CaseOutcome {
     pub arithmetic: Option<ErrorMetrics>,
     /// The bound that it was held to.
     pub bound: ErrorBound,
-    /// PSNR of the reference against itself with its numbers changed by [`ROUNDING`], dB. Computed
+    /// PSNR of the reference against itself with its numbers changed by 4e-6 each, dB. Computed
     /// if the arithmetic exceeds its bound: an image that is no better determined than that has
-    /// nothing to be compared with, and is only held to [`ILL_POSED`] dB below it.
+    /// nothing to be compared with, and is only held to 10 dB below it.
     pub conditioned_db: Option<f64>,
     /// A sentence for everything that is wrong.
     pub faults: Vec<String>,

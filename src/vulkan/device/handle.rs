@@ -18,7 +18,7 @@ pub trait Object: vk::Handle + Copy {
 /// An object of a device, destroyed when it is dropped.
 ///
 /// It must outlive the submitted work that uses it, which whoever submits that work promises
-/// ([`super::gpu::Gpu::submit`]). On a device that hangs it is left alone.
+/// (`Gpu::submit`). On a device that hangs it is left alone.
 pub struct Owned<H: Object> {
     raw: H,
     device: Arc<Device>,

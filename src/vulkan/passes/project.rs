@@ -181,7 +181,7 @@ impl Project {
     }
 
     /// How many Gaussians the last frame culled for each reason, where they are counted:
-    /// [`REASONS`] bytes.
+    /// `REASONS` bytes.
     pub fn reasons(&self) -> Option<Slice> {
         self.counted.then_some(Slice {
             buffer: self.buffer.raw(),

@@ -205,19 +205,19 @@ pub fn test(gpu: &Arc<Gpu>, variant: SortVariant) -> Result<Outcome> {
 }
 
 fn run(gpu: &Arc<Gpu>, variant: SortVariant) -> Result<Outcome> {
-    let trial = StandaloneSort::new(gpu, KEYS, SortOptions::new(KeyBits::Sixteen, variant))?;
+    let sorter = StandaloneSort::new(gpu, KEYS, SortOptions::new(KeyBits::Sixteen, variant))?;
     // Drivers may compile in the first run, which is therefore not held against the variant.
-    trial.load(&[7])?;
-    trial.run()?;
+    sorter.load(&[7])?;
+    sorter.run()?;
     for (name, keys) in adversarial(variant.tile()) {
-        trial.load(&keys)?;
-        let mut times = trial.run()?;
-        if let Some(difference) = trial.difference(&keys)? {
+        sorter.load(&keys)?;
+        let mut times = sorter.run()?;
+        if let Some(difference) = sorter.difference(&keys)? {
             return Ok(Outcome::Refused(format!("wrong for {name}: {difference}")));
         }
         if times.wall > PATIENCE {
             // The machine may have been busy, or asleep.
-            times = trial.run()?;
+            times = sorter.run()?;
         }
         if times.wall > PATIENCE {
             return Ok(Outcome::Refused(format!(
@@ -230,8 +230,8 @@ fn run(gpu: &Arc<Gpu>, variant: SortVariant) -> Result<Outcome> {
     let mut best = Duration::MAX;
     let (_, keys) = spread();
     for _ in 0..TIMED {
-        best = best.min(trial.run()?.device);
-        if let Some(difference) = trial.difference(&keys)? {
+        best = best.min(sorter.run()?.device);
+        if let Some(difference) = sorter.difference(&keys)? {
             return Ok(Outcome::Refused(format!(
                 "wrong when repeated: {difference}"
             )));
@@ -247,13 +247,13 @@ fn run(gpu: &Arc<Gpu>, variant: SortVariant) -> Result<Outcome> {
 /// passes, sums of sums.
 fn long(gpu: &Arc<Gpu>, variant: SortVariant) -> Result<Option<String>> {
     let count = LONG_TILES * variant.tile();
-    let trial = StandaloneSort::new(gpu, count, SortOptions::new(KeyBits::ThirtyTwo, variant))?;
+    let sorter = StandaloneSort::new(gpu, count, SortOptions::new(KeyBits::ThirtyTwo, variant))?;
     let keys: Vec<u32> = (0..count)
         .map(|at| at.wrapping_mul(2_654_435_769))
         .collect();
-    trial.load(&keys)?;
-    trial.run()?;
-    trial.difference(&keys)
+    sorter.load(&keys)?;
+    sorter.run()?;
+    sorter.difference(&keys)
 }
 
 type Keys = (&'static str, Vec<u32>);

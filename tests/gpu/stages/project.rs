@@ -134,7 +134,7 @@ fn error(got: &Unpacked, expected: &Splat, step: f64, tolerance: Tolerance) -> f
     )
 }
 
-/// Whether the reference's verdict hangs on less than the device can tell.
+/// Whether the reference's decision hangs on less than the device can tell.
 fn close_call(frame: &gpu::Frame, at: usize, kept: bool) -> bool {
     let by = if kept { [2e-4, 1e-1] } else { [1e-5, 2e-2] };
     let shifted = |sign: f64| {

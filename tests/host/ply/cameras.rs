@@ -85,7 +85,7 @@ fn cameras_that_cannot_see_are_named() {
     let cases = [
         (
             with("640", "0"),
-            "found a picture of 0 × 480 px at camera 0, expected sides from 1 to 65536 px",
+            "found an image of 0 × 480 px at camera 0, expected sides from 1 to 65536 px",
         ),
         (
             with("\"fx\": 400", "\"fx\": 0"),

@@ -13,7 +13,7 @@
 //! `log_scales` name and the tables below have as alternatives of one name, and with some tensors
 //! deflated, which `deflated` names: such a tensor is of type U8, in the file of one dimension, and
 //! holds a zlib stream of its bytes, arranged as [`Order`] says. All tensors together are at most
-//! [`EXPANSION`](super::deflate::EXPANSION) times as long as what the file has of them.
+//! `EXPANSION` times as long as what the file has of them.
 //!
 //! Symbols: N_g `gaussians`, N_G `parts`, N_s `nodes`, N_B `basis` (a multiple of 4), J the number
 //! of `joints`, F `frames`.

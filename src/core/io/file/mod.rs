@@ -1,5 +1,5 @@
 //! `NAME.avatar` and `NAME.motion`: reading and writing of [`Avatar`](crate::avatar::Avatar) and
-//! [`Clip`](crate::avatar::Clip), with one sentence on what is wrong where that fails. [`format`]
+//! [`Clip`](crate::avatar::Clip), with one sentence on what is wrong where that fails. [`mod@format`]
 //! defines the files' content.
 
 mod arrays;

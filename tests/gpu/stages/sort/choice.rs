@@ -1,4 +1,4 @@
-//! The self-test and the file that remembers its verdict.
+//! The self-test and the file that remembers its choice.
 
 use super::*;
 use effigy::vulkan::sort::{
@@ -16,8 +16,8 @@ fn file(folder: &tempfile::TempDir) -> PathBuf {
     files.remove(0)
 }
 
-fn outcome(verdict: &SortChoice, of: SortVariant) -> &Outcome {
-    &verdict
+fn outcome(choice: &SortChoice, of: SortVariant) -> &Outcome {
+    &choice
         .tried
         .iter()
         .find(|(variant, _)| *variant == of)
@@ -28,15 +28,15 @@ fn outcome(verdict: &SortChoice, of: SortVariant) -> &Outcome {
 fn the_self_test_picks_a_variant_that_is_right_and_remembers_it() {
     let device = gpu::gpu();
     let folder = tempfile::tempdir().unwrap();
-    let verdict = choose_in(&device, Some(folder.path())).unwrap();
-    println!("{verdict:?}");
+    let choice = choose_in(&device, Some(folder.path())).unwrap();
+    println!("{choice:?}");
     assert!(matches!(
-        outcome(&verdict, verdict.variant),
+        outcome(&choice, choice.variant),
         Outcome::Right(_)
     ));
     assert!(
         matches!(
-            outcome(&verdict, SortVariant::ReduceThenScan),
+            outcome(&choice, SortVariant::ReduceThenScan),
             Outcome::Right(_)
         ),
         "reduce-then-scan is right everywhere"
@@ -44,7 +44,7 @@ fn the_self_test_picks_a_variant_that_is_right_and_remembers_it() {
     let text = fs::read_to_string(file(&folder)).unwrap();
     assert_eq!(
         choose_in(&device, Some(folder.path())).unwrap(),
-        verdict,
+        choice,
         "the second time it is read, times included"
     );
     assert_eq!(fs::read_to_string(file(&folder)).unwrap(), text);
@@ -112,15 +112,15 @@ fn a_variant_that_ended_the_program_twice_is_not_tried_again() {
     );
     content["trying"] = serde_json::json!(["OneSweep", 2]);
     fs::write(&path, content.to_string()).unwrap();
-    let verdict = choose_in(&device, Some(folder.path())).unwrap();
+    let choice = choose_in(&device, Some(folder.path())).unwrap();
     assert_eq!(
-        *outcome(&verdict, SortVariant::OneSweep),
+        *outcome(&choice, SortVariant::OneSweep),
         Outcome::Unfinished
     );
-    assert_ne!(verdict.variant, SortVariant::OneSweep);
+    assert_ne!(choice.variant, SortVariant::OneSweep);
     assert_eq!(
         choose_in(&device, Some(folder.path())).unwrap(),
-        verdict,
+        choice,
         "and it stays so"
     );
 }
@@ -133,7 +133,7 @@ fn the_fastest_right_variant_wins() {
             .zip(times.map(outcome))
             .collect::<Vec<_>>()
     };
-    let pick = |times| SortChoice::of(&tried(times)).map(|verdict| verdict.variant);
+    let pick = |times| SortChoice::of(&tried(times)).map(|choice| choice.variant);
     assert_eq!(
         pick([Some(1.0), Some(2.0), Some(3.0)]),
         Some(SortVariant::OneSweep)
