@@ -12,6 +12,9 @@ pub const BACKGROUND: f32 = 0.5;
 /// Largest error of a channel in a pixel that counts as right.
 pub const TOLERANCE: f64 = 4.0 / 255.0;
 
+/// Error of a channel from which on a pixel counts as visibly wrong, 0 to 1.
+pub const VISIBLE: f64 = 0.05;
+
 /// An image's error against a reference.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct ErrorMetrics {
@@ -33,6 +36,8 @@ pub struct RegionError {
     pub max_error: f64,
     /// Share of pixels whose every channel is within [`TOLERANCE`], 0 to 1.
     pub within_tolerance: f64,
+    /// Pixels with a channel off by more than [`VISIBLE`].
+    pub visible: usize,
 }
 
 /// RGB of a premultiplied pixel over [`BACKGROUND`], as a display shows it.
@@ -78,6 +83,7 @@ struct ErrorSum {
     squares: f64,
     max: f64,
     right: usize,
+    visible: usize,
 }
 
 impl ErrorSum {
@@ -87,6 +93,7 @@ impl ErrorSum {
         self.squares += error.iter().map(|e| e * e).sum::<f64>();
         self.max = self.max.max(max);
         self.right += usize::from(max <= TOLERANCE);
+        self.visible += usize::from(max > VISIBLE);
     }
 
     fn region(&self) -> RegionError {
@@ -100,6 +107,7 @@ impl ErrorSum {
             } else {
                 self.right as f64 / count
             },
+            visible: self.visible,
         }
     }
 }
@@ -130,6 +138,7 @@ mod tests {
             psnr_db: f64::INFINITY,
             max_error: 0.0,
             within_tolerance: 1.0,
+            visible: 0,
         };
         assert_eq!(
             error,

@@ -184,6 +184,7 @@ mod tests {
             psnr_db,
             max_error: 0.0,
             within_tolerance: 1.0,
+            visible: 0,
         };
         let near =
             |got: Option<f64>, expected: f64| got.is_some_and(|got| (got - expected).abs() < 1e-9);

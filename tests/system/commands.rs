@@ -307,6 +307,31 @@ fn a_sweep_draws_time_against_error() {
     );
 }
 
+fn bench_finds_the_worst_of_many_poses_and_views() {
+    let folder = tempfile::tempdir().unwrap();
+    common::small_files(folder.path());
+    let what = "small.avatar --motion small.motion --size 160x160 --frames 1 --check 0 --views 2";
+    let spread = |options: &str| {
+        let out = folder.path().join("out.json");
+        let said = works(
+            folder.path(),
+            &format!("bench {what} {options} --json out.json"),
+        );
+        (said, json(&out)["spread"].clone())
+    };
+    let (said, default) = spread("--spread 3");
+    assert!(said.contains("spread: 6 views of 160 × 160"), "{said}");
+    assert_eq!(default["views"], 6);
+    let worst = default["worst"]["psnr_db"].as_f64().unwrap();
+    assert!(worst > 40.0 && worst <= default["mean_db"].as_f64().unwrap());
+    assert_eq!(default["worst"]["clip"], "test clip 6");
+    // Colours that are rounded, contributions that are cut, fewer Gaussians: `low` shows.
+    let (_, low) = spread("--spread 3 --preset low");
+    assert!(low["worst"]["psnr_db"].as_f64().unwrap() < worst - 3.0);
+    let (said, none) = spread("--spread 0");
+    assert!(none.is_null() && !said.contains("spread:"));
+}
+
 fn an_exported_pose_is_drawn_and_measured_from_its_cameras() {
     let folder = tempfile::tempdir().unwrap();
     works(
@@ -439,6 +464,7 @@ tests! {
     a_range_of_frames_becomes_numbered_pictures,
     without_a_display_the_program_renders_a_turntable,
     bench_writes_what_it_measured_of_every_case,
+    bench_finds_the_worst_of_many_poses_and_views,
     a_sweep_draws_time_against_error,
     an_exported_pose_is_drawn_and_measured_from_its_cameras,
     bad_input_is_answered_with_one_sentence: no_device,

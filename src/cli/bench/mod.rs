@@ -11,10 +11,11 @@ use crate::{
     source::{self, Source},
 };
 use anyhow::{Context, ensure};
-use effigy_core::{io::cameras, scene::Camera};
+use effigy_core::{avatar::motion::Player, io::cameras, scene::Camera};
 use effigy_measure::bench::{
     BenchCase, BenchTask, Devices, Parameter, RenderSetting, measured,
     scene::RATE,
+    spread::{self, SpreadInputs},
     sweep::{Sweep, run_sweep},
 };
 use effigy_runtime::trace::Trace;
@@ -66,6 +67,10 @@ pub struct Args {
     /// Frames to compare with the f64 reference, which takes seconds each
     #[arg(long, value_name = "N", default_value_t = 4)]
     check: usize,
+    /// Poses of each clip to compare with nothing skipped, from --views sides and at three
+    /// distances; 0: none
+    #[arg(long, value_name = "N", default_value_t = 8)]
+    spread: usize,
     /// Also compute how visible the error is (FLIP), which takes more seconds per compared frame
     #[arg(long)]
     flip: bool,
@@ -213,7 +218,12 @@ impl Args {
 }
 
 pub fn run(args: Args) -> anyhow::Result<()> {
-    let (avatar, player) = args.source.load_player()?;
+    let (avatar, clips) = args.source.load()?;
+    let players: Vec<Player> = clips
+        .into_iter()
+        .map(|clip| Player::new(clip, &avatar.skeleton))
+        .collect();
+    let player = players.first().context("there is no clip")?;
     let mut cameras = match &args.cameras {
         Some(path) => source::cameras(path, &avatar)?,
         None => Vec::new(),
@@ -228,7 +238,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     let mut job = args.job(size)?;
     let task = BenchTask {
         avatar: &avatar,
-        player: &player,
+        player,
         cameras: &cameras,
         frames: args.frames.unwrap_or(FRAMES),
         views: args.views,
@@ -267,6 +277,19 @@ pub fn run(args: Args) -> anyhow::Result<()> {
             bar.suspend(|| report::print_case(case, &measured));
         }
         report.cases.push(measured);
+    }
+    if args.spread > 0 && !job.cases.is_empty() {
+        let inputs = SpreadInputs {
+            avatar: &avatar,
+            clips: &players,
+            cameras: &cameras,
+            poses: args.spread,
+            views: args.views,
+        };
+        report.spread = spread::measure_spread(&gpu, &inputs, &job.setting, &mut show)?;
+        if let (Some(spread), false) = (&report.spread, quiet) {
+            bar.suspend(|| report::print_spread(spread));
+        }
     }
     if !job.parameters.is_empty() {
         let task = BenchTask {

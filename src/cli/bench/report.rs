@@ -2,7 +2,10 @@
 
 use effigy_measure::bench::{
     BenchCase,
-    report::{BenchReport, CaseReport, ErrorReport, StageReport, SweepReport, TimingSummary},
+    report::{
+        BenchReport, CaseReport, ErrorReport, SpreadReport, StageReport, SweepReport,
+        TimingSummary, ViewReport,
+    },
 };
 
 /// Prints the device, the avatar and the settings.
@@ -211,6 +214,37 @@ fn print_error(error: &ErrorReport) {
         "            worst of {} frames against the f64 reference",
         error.frames
     );
+}
+
+/// Prints the error over poses and views.
+pub fn print_spread(spread: &SpreadReport) {
+    println!(
+        "\nspread: {} views of {} × {} against nothing skipped",
+        spread.views, spread.size[0], spread.size[1]
+    );
+    println!(
+        "  error     {} mean, {} median, {:.4} at most",
+        decibels(spread.mean_db),
+        decibels(spread.median_db),
+        spread.max_error
+    );
+    println!("  worst     {}", view(&spread.worst));
+    if spread.most_visible != spread.worst {
+        println!("            {}", view(&spread.most_visible));
+    }
+}
+
+fn view(view: &ViewReport) -> String {
+    let [x, y, z] = view.eye;
+    format!(
+        "{}, {:.4} at most, {} pixels off by more than 0.05: {} at {:.2} s, view {} from ({x:.2}, {y:.2}, {z:.2})",
+        decibels(view.psnr_db),
+        view.max_error,
+        view.visible,
+        view.clip,
+        view.seconds,
+        view.view
+    )
 }
 
 /// Prints a sweep's points, with a star where no other is both faster and closer to the reference.

@@ -196,6 +196,7 @@ mod tests {
             size: [640, 480],
             options: fixtures::options(),
             cases: vec![case],
+            spread: None,
             sweep: Some(SweepReport {
                 case: text("orbit"),
                 frames: 4,

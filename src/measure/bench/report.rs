@@ -24,6 +24,9 @@ pub struct BenchReport {
     pub options: OptionsReport,
     /// Each case that was measured.
     pub cases: Vec<CaseReport>,
+    /// The error over many poses and views. Null if it was not measured.
+    #[serde(default)]
+    pub spread: Option<SpreadReport>,
     /// The sweep, if there was one.
     pub sweep: Option<SweepReport>,
 }
@@ -112,6 +115,45 @@ pub struct StageReport {
     pub operations: Option<u64>,
     /// The fewest operations that would do.
     pub operations_floor: Option<u64>,
+}
+
+/// The error over a spread of poses and views, against images of the same device with nothing
+/// skipped.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct SpreadReport {
+    /// Views compared: those that the avatar is in.
+    pub views: usize,
+    /// Width and height of the images, px.
+    pub size: [u32; 2],
+    /// PSNR of the mean squared error over the views, dB; null if there is no error at all.
+    pub mean_db: Option<f64>,
+    /// PSNR of the median view, dB.
+    pub median_db: Option<f64>,
+    /// Largest error of a channel in any view, 0 to 1.
+    pub max_error: f64,
+    /// The view with the lowest PSNR.
+    pub worst: ViewReport,
+    /// The view with the most pixels whose error is plain to see.
+    pub most_visible: ViewReport,
+}
+
+/// The error of one view, over covered pixels, and where it is.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ViewReport {
+    /// Name of the clip.
+    pub clip: String,
+    /// Time in the clip, seconds.
+    pub seconds: f64,
+    /// Index of the view: of the sides of the avatar, or of the cameras given.
+    pub view: usize,
+    /// Where the camera is, metres, world.
+    pub eye: [f64; 3],
+    /// PSNR, dB; null if there is no error at all.
+    pub psnr_db: Option<f64>,
+    /// Largest error of a channel, 0 to 1.
+    pub max_error: f64,
+    /// Pixels with a channel off by more than 0.05.
+    pub visible: u64,
 }
 
 /// One case drawn with many settings.

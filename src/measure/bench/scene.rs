@@ -21,9 +21,9 @@ pub const RATE: f64 = 60.0;
 pub const TAKE: usize = 12;
 
 /// Vertical field of view, radians.
-const FOV: f64 = 35f64.to_radians();
+pub(super) const FOV: f64 = 35f64.to_radians();
 /// Angle of the cameras above the horizon, radians.
-const PITCH: f64 = 0.09;
+pub(super) const PITCH: f64 = 0.09;
 /// Angle of a slow orbit, radians a frame: half a degree.
 const ORBIT_STEP: f64 = TAU / 720.0;
 /// Distance from the camera to the face in a close-up, metres: a forearm.

@@ -64,6 +64,7 @@ impl<'a> BenchTask<'a> {
             size: setting.options.size,
             options: OptionsReport::new(setting),
             cases: Vec::new(),
+            spread: None,
             sweep: None,
         }
     }
