@@ -26,5 +26,14 @@ need_target() {
   rustup target add "$1"
 }
 
-# effigy ARGS...: the program, built where that is needed. EFFIGY=PROGRAM uses one that is built already.
-effigy() { if [ -n "${EFFIGY:-}" ]; then "$EFFIGY" "$@"; else cargo run --profile desktop --quiet -p effigy-cli -- "$@"; fi; }
+# Sets EFFIGY to the program, built where that is needed. EFFIGY=PROGRAM names one that is built already.
+build_effigy() {
+  [ -z "${EFFIGY:-}" ] || return 0
+  local built; built=$(realpath -m "${CARGO_TARGET_DIR:-target}")/desktop/effigy
+  [ -x "$built" ] || echo "building Effigy: about 4 minutes on two cores" >&2
+  cargo build --profile desktop --quiet -p effigy-cli
+  export EFFIGY=$built
+}
+
+# effigy ARGS...: runs it.
+effigy() { build_effigy && "$EFFIGY" "$@"; }

@@ -14,6 +14,12 @@ cd "$(dirname "$0")/.."
 . tools/needs.sh
 . tools/drivers_env.sh
 need_rust
+for asked in "$@"; do
+  case ${asked%/*} in
+    mesa25:128 | mesa25:256 | mesa25:512 | mesa22 | swiftshader | system) ;;
+    *) sed -n '4,9s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
+  esac
+done
 drivers=("$@"); [ $# -gt 0 ] || drivers=(mesa25:256 swiftshader/drawing mesa25:128/stages mesa25:512/stages)
 tools/drivers.sh
 tools/fetch_assets.sh >/dev/null || echo "without the body's source files its tests are skipped" >&2
