@@ -4,6 +4,7 @@
 # Needs no root. Takes only the files in use and checks each one's SHA-256; does nothing when all are there already.
 set -eu
 
+case ${1:-} in -*) sed -n '2,4s/^# //p' "$0" >&2; echo "usage: $0 [FOLDER]" >&2; exit 2 ;; esac
 dest=${1:-target/assets}
 
 # SHA-256, name in the folder, name in the package

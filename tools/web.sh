@@ -9,7 +9,12 @@ cd "$(dirname "$0")/.."
 . tools/needs.sh
 serve='' profile=web
 while [ $# -gt 0 ]; do
-  case $1 in --serve) serve=1; need 'command -v python3' python3 ;; --quick) profile=web-quick ;; *) break ;; esac
+  case $1 in
+    --serve) serve=1; need 'command -v python3' python3 ;;
+    --quick) profile=web-quick ;;
+    -*) sed -n '2,6s/^# //p' "$0" >&2; exit 2 ;;
+    *) break ;;
+  esac
   shift
 done
 out=${1:-target/web} target=wasm32-unknown-unknown
