@@ -13,13 +13,14 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 . tools/needs.sh
 . tools/drivers_env.sh
-need_rust
 for asked in "$@"; do
-  case ${asked%/*} in
+  driver=${asked%/drawing}
+  case ${driver%/stages} in
     mesa25:128 | mesa25:256 | mesa25:512 | mesa22 | swiftshader | system) ;;
-    *) sed -n '4,9s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
+    *) usage >&2; exit 2 ;;
   esac
 done
+need_rust
 drivers=("$@"); [ $# -gt 0 ] || drivers=(mesa25:256 swiftshader/drawing mesa25:128/stages mesa25:512/stages)
 tools/drivers.sh
 tools/fetch_assets.sh >/dev/null || echo "without the body's source files its tests are skipped" >&2
@@ -51,7 +52,7 @@ run() { # LABEL NAME COMMAND...
   echo "$label $name: $p passed, $f failed, $s skipped ($((SECONDS - from)) s)"
   grep '^warning: ' "$log" || true
   if [ "$f" != 0 ]; then
-    if grep -q '^failures:' "$log"; then sed -n '/^failures:/,$p' "$log" | head -n 300; else tail -n 50 "$log"; fi
+    if grep -q '^failures:' "$log"; then sed -n '/^failures:/,$p' "$log" | sed -n '1,300p'; else tail -n 50 "$log"; fi
   fi
 }
 

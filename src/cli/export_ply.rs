@@ -11,7 +11,8 @@ use effigy_core::{
     reference::{mlp, nodes, project},
     scene::{AvatarBounds, Camera, Posed, upright},
 };
-use std::{f64::consts::TAU, path::PathBuf};
+use effigy_measure::viewpoint::{FOV, PITCH, yaw_of_view};
+use std::path::PathBuf;
 
 #[derive(clap::Args, Debug)]
 pub struct Args {
@@ -102,9 +103,8 @@ fn posed_ply(avatar: &Avatar, posed: &Posed, uniform: Option<Uniform>) -> anyhow
 /// `count` cameras around the avatar for images of `size` pixels, those of the benchmark.
 fn views(avatar: &Avatar, posed: &Posed, count: usize, size: [u32; 2]) -> Vec<Camera> {
     let bounds = upright(AvatarBounds::new(avatar).bounds(&posed.joints));
-    let yaw = |view: usize| TAU * (0.05 + view as f64 / count as f64);
     (0..count)
-        .map(|view| Camera::around(bounds, yaw(view), 0.09, 35f64.to_radians(), size))
+        .map(|view| Camera::around(bounds, yaw_of_view(view, count), PITCH, FOV, size))
         .collect()
 }
 

@@ -84,11 +84,20 @@ impl Source {
         Ok((avatar, clips))
     }
 
+    /// Reads the avatar, and its clips as players. There is at least one.
+    pub fn load_players(&self) -> anyhow::Result<(Avatar, Vec<Player>)> {
+        let (avatar, clips) = self.load()?;
+        let players = clips
+            .into_iter()
+            .map(|clip| Player::new(clip, &avatar.skeleton))
+            .collect();
+        Ok((avatar, players))
+    }
+
     /// Reads the avatar, and its first clip as a player.
     pub fn load_player(&self) -> anyhow::Result<(Avatar, Player)> {
-        let (avatar, clips) = self.load()?;
-        let clip = clips.into_iter().next().context("there is no clip")?;
-        let player = Player::new(clip, &avatar.skeleton);
+        let (avatar, players) = self.load_players()?;
+        let player = players.into_iter().next().context("there is no clip")?;
         Ok((avatar, player))
     }
 

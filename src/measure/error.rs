@@ -169,6 +169,7 @@ mod tests {
             [covered.within_tolerance, whole.within_tolerance],
             [0.0, 0.5]
         );
+        assert_eq!([covered.visible, whole.visible], [50, 50]);
     }
 
     #[test]
@@ -182,6 +183,7 @@ mod tests {
             -10.0 * ((25.0 + 9.0) / 255f64.powi(2) / 150.0).log10(),
         );
         near(covered.within_tolerance, 0.98);
+        assert_eq!(covered.visible, 0, "5/255 is less than VISIBLE");
     }
 
     #[test]

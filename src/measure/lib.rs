@@ -8,6 +8,7 @@
 //! - [`error`] is the error of an image: PSNR and largest error.
 //! - [`flip`] is how visible that error is.
 //! - [`similarity`] is how similar an image is to a photo's: L1, PSNR and SSIM.
+//! - [`viewpoint`] is where avatars are seen from.
 //! - [`setting`] is how an avatar is drawn to be measured.
 //! - [`report`] holds the parts that all reports share.
 //! - [`chart`] draws the charts of all of them.
@@ -23,6 +24,7 @@ pub mod setting;
 pub mod similarity;
 pub mod soak;
 pub mod stress;
+pub mod viewpoint;
 
 pub use effigy_core::scene::upright;
 use glam::{DAffine3, DVec3};

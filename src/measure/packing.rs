@@ -8,7 +8,10 @@
 //! falls from step to step is the visible cost of packing. Both are over the pixels that the avatar
 //! covers, in all views together.
 
-use crate::error::{self, RegionError};
+use crate::{
+    error::{self, RegionError},
+    viewpoint::{self, FOV, PITCH},
+};
 use effigy_core::{
     avatar::{Avatar, Pose, motion::Player},
     io::{
@@ -20,11 +23,6 @@ use effigy_core::{
     scene::{AvatarBounds, Camera, FrameImage, Posed, upright},
 };
 use serde::Serialize;
-use std::f64::consts::TAU;
-
-/// Vertical field of view, and angle above the horizon, radians.
-const FOV: f64 = 35.0 * TAU / 360.0;
-const PITCH: f64 = 0.09;
 
 /// The views to draw.
 #[derive(Clone, Copy)]
@@ -140,7 +138,7 @@ fn view(avatar: &Avatar, views: &Views, index: usize) -> View {
     let posed = Posed::new(avatar, &pose);
     let bounds = upright(AvatarBounds::new(avatar).bounds(&posed.joints));
     // Consecutive views are from sides that are far apart.
-    let yaw = TAU * (0.05 + 0.618 * index as f64);
+    let yaw = viewpoint::yaw(0.618 * index as f64);
     let camera = Camera::around(bounds, yaw, PITCH, FOV, views.size);
     View {
         reference: reference::render(avatar, &posed, &camera),

@@ -11,7 +11,7 @@ use crate::{
     source::{self, Source},
 };
 use anyhow::{Context, ensure};
-use effigy_core::{avatar::motion::Player, io::cameras, scene::Camera};
+use effigy_core::{io::cameras, scene::Camera};
 use effigy_measure::bench::{
     BenchCase, BenchTask, Devices, Parameter, RenderSetting, measured,
     scene::RATE,
@@ -218,11 +218,7 @@ impl Args {
 }
 
 pub fn run(args: Args) -> anyhow::Result<()> {
-    let (avatar, clips) = args.source.load()?;
-    let players: Vec<Player> = clips
-        .into_iter()
-        .map(|clip| Player::new(clip, &avatar.skeleton))
-        .collect();
+    let (avatar, players) = args.source.load_players()?;
     let player = players.first().context("there is no clip")?;
     let mut cameras = match &args.cameras {
         Some(path) => source::cameras(path, &avatar)?,

@@ -7,6 +7,7 @@ use effigy_measure::bench::{
         TimingSummary, ViewReport,
     },
 };
+use effigy_measure::error::VISIBLE;
 
 /// Prints the device, the avatar and the settings.
 pub fn print_heading(report: &BenchReport) {
@@ -237,7 +238,8 @@ pub fn print_spread(spread: &SpreadReport) {
 fn view(view: &ViewReport) -> String {
     let [x, y, z] = view.eye;
     format!(
-        "{}, {:.4} at most, {} pixels off by more than 0.05: {} at {:.2} s, view {} from ({x:.2}, {y:.2}, {z:.2})",
+        "{}, {:.4} at most, {} pixels off by more than {VISIBLE}: \
+         {} at {:.2} s, view {} from ({x:.2}, {y:.2}, {z:.2})",
         decibels(view.psnr_db),
         view.max_error,
         view.visible,

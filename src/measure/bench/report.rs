@@ -152,7 +152,7 @@ pub struct ViewReport {
     pub psnr_db: Option<f64>,
     /// Largest error of a channel, 0 to 1.
     pub max_error: f64,
-    /// Pixels with a channel off by more than 0.05.
+    /// Pixels with a channel off by more than [`VISIBLE`](crate::error::VISIBLE).
     pub visible: u64,
 }
 

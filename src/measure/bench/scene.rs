@@ -7,7 +7,10 @@
 //! measures more than one step seen from one side.
 
 use super::case::BenchCase;
-use crate::in_a_row;
+use crate::{
+    in_a_row,
+    viewpoint::{self, FOV, PITCH},
+};
 use effigy_core::{
     avatar::{Avatar, Pose, motion::Player},
     scene::{AvatarBounds, Camera, Posed, upright},
@@ -20,10 +23,6 @@ pub const RATE: f64 = 60.0;
 /// Frames from one cut to the next.
 pub const TAKE: usize = 12;
 
-/// Vertical field of view, radians.
-pub(super) const FOV: f64 = 35f64.to_radians();
-/// Angle of the cameras above the horizon, radians.
-pub(super) const PITCH: f64 = 0.09;
 /// Angle of a slow orbit, radians a frame: half a degree.
 const ORBIT_STEP: f64 = TAU / 720.0;
 /// Distance from the camera to the face in a close-up, metres: a forearm.
@@ -190,7 +189,7 @@ fn camera(case: BenchCase, inputs: &SceneInputs, bounds: &AvatarBounds, frame: u
         let focal = 0.5 * f64::from(inputs.size[1]) / (0.5 * FOV).tan();
         distance = distance.max(focal * (max.y - min.y) / FAR);
     }
-    let yaw = TAU * (0.05 + view as f64 / inputs.views as f64) + orbit;
+    let yaw = viewpoint::yaw_of_view(view, inputs.views) + orbit;
     Camera::orbit((min + max) / 2.0, yaw, PITCH, distance, FOV, inputs.size)
 }
 

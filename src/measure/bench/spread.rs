@@ -10,11 +10,12 @@ use super::{
     backend::{BenchDevice, BenchRenderer, Result},
     report::{SpreadReport, ViewReport},
     run::Progress,
-    scene::{BenchScene, FOV, PITCH, PosedInstance},
+    scene::{BenchScene, PosedInstance},
 };
 use crate::{
     error::{self, RegionError},
     setting::RenderSetting,
+    viewpoint::{FOV, PITCH, yaw_of_view},
 };
 use effigy_core::{
     avatar::{Avatar, motion::Player},
@@ -22,7 +23,7 @@ use effigy_core::{
     io::cameras,
     scene::{AvatarBounds, Camera, Posed, upright},
 };
-use std::f64::consts::TAU;
+use glam::DVec3;
 
 /// Longest side of the images, px. Small ones show the same faults in a fraction of the time.
 const SIDE: u32 = 1024;
@@ -57,34 +58,17 @@ struct View<'a> {
 
 impl<'a> SpreadInputs<'a> {
     /// All views, pose by pose. `size`: of the images, px.
-    fn views(&self, size: [u32; 2]) -> impl Iterator<Item = View<'a>> {
-        let inputs = *self;
-        let bounds = AvatarBounds::new(inputs.avatar);
-        let poses = inputs
-            .clips
-            .iter()
-            .flat_map(move |clip| (0..inputs.poses_of(clip)).map(move |pose| (clip, pose)));
-        poses.flat_map(move |(clip, pose)| {
-            let last = inputs.poses_of(clip).max(2) - 1;
-            let seconds = clip.clip().duration() * pose as f64 / last as f64;
-            let posed = Posed::new(inputs.avatar, &clip.pose(seconds));
-            let framed = upright(bounds.bounds(&posed.joints));
-            let cameras: Vec<Camera> = if inputs.cameras.is_empty() {
-                let distance =
-                    DISTANCES[pose % DISTANCES.len()] * Camera::framing_distance(framed, FOV, size);
-                let middle = (framed[0] + framed[1]) / 2.0;
-                let yaw = |view: usize| TAU * (0.05 + view as f64 / inputs.views as f64);
-                (0..inputs.views)
-                    .map(|view| Camera::orbit(middle, yaw(view), PITCH, distance, FOV, size))
-                    .collect()
-            } else {
-                let scaled = |camera| cameras::scaled(camera, size);
-                inputs.cameras.iter().map(scaled).collect()
-            };
-            cameras
-                .into_iter()
-                .enumerate()
-                .map(move |(view, camera)| View {
+    fn views(&self, size: [u32; 2]) -> Vec<View<'a>> {
+        let bounds = AvatarBounds::new(self.avatar);
+        let mut views = Vec::new();
+        for clip in self.clips {
+            let poses = self.poses_of(clip);
+            for pose in 0..poses {
+                let seconds = clip.clip().duration() * pose as f64 / (poses.max(2) - 1) as f64;
+                let posed = Posed::new(self.avatar, &clip.pose(seconds));
+                let framed = upright(bounds.bounds(&posed.joints));
+                let cameras = self.cameras_of(pose, framed, size);
+                views.extend(cameras.into_iter().enumerate().map(|(view, camera)| View {
                     clip,
                     seconds,
                     view,
@@ -95,27 +79,37 @@ impl<'a> SpreadInputs<'a> {
                         }],
                         camera,
                     },
-                })
-        })
+                }));
+            }
+        }
+        views
     }
 
-    /// A clip that stands still needs no more than a pose a distance.
+    /// How many poses of a clip to draw: of one that stands still, no more than there are
+    /// distances.
     fn poses_of(&self, clip: &Player) -> usize {
-        match (clip.clip().duration() > 0.0, self.cameras.is_empty()) {
-            (true, _) => self.poses,
-            (false, true) => self.poses.min(DISTANCES.len()),
-            (false, false) => self.poses.min(1),
+        if clip.clip().duration() > 0.0 {
+            self.poses
+        } else if self.cameras.is_empty() {
+            self.poses.min(DISTANCES.len())
+        } else {
+            self.poses.min(1)
         }
     }
 
-    fn len(&self) -> usize {
-        let views = if self.cameras.is_empty() {
-            self.views
-        } else {
-            self.cameras.len()
-        };
-        let poses: usize = self.clips.iter().map(|clip| self.poses_of(clip)).sum();
-        poses * views
+    /// The cameras of a pose. `framed`: the avatar's bounds in it.
+    fn cameras_of(&self, pose: usize, framed: [DVec3; 2], size: [u32; 2]) -> Vec<Camera> {
+        if !self.cameras.is_empty() {
+            let scaled = |camera| cameras::scaled(camera, size);
+            return self.cameras.iter().map(scaled).collect();
+        }
+        let middle = (framed[0] + framed[1]) / 2.0;
+        let distance =
+            DISTANCES[pose % DISTANCES.len()] * Camera::framing_distance(framed, FOV, size);
+        let yaw = |view| yaw_of_view(view, self.views);
+        (0..self.views)
+            .map(|view| Camera::orbit(middle, yaw(view), PITCH, distance, FOV, size))
+            .collect()
     }
 }
 
@@ -141,18 +135,19 @@ pub fn measure_spread(
     };
     let mut renderer = BenchRenderer::new(gpu, &setting.reduce(inputs.avatar), drawn)?;
     let mut exact_renderer = BenchRenderer::new(gpu, inputs.avatar, exact)?;
-    let mut views = Vec::new();
-    for (done, view) in inputs.views(size).enumerate() {
-        progress("comparing poses and views", done, inputs.len());
+    let views = inputs.views(size);
+    let mut reports = Vec::new();
+    for (done, view) in views.iter().enumerate() {
+        progress("comparing poses and views", done, views.len());
         renderer.draw(&view.scene)?;
         let image = renderer.image()?;
         exact_renderer.draw(&view.scene)?;
         let error = error::between(&image, &exact_renderer.image()?).covered;
         if error.pixels > 0 {
-            views.push(view.report(error));
+            reports.push(view.report(error));
         }
     }
-    Ok(summary(size, views))
+    Ok(summary(size, reports))
 }
 
 /// A size of the same shape whose sides are at most [`SIDE`].
@@ -243,8 +238,8 @@ mod tests {
             poses: 3,
             views: 2,
         };
-        let views: Vec<View> = inputs.views([100, 120]).collect();
-        assert_eq!(views.len(), inputs.len());
+        let views = inputs.views([100, 120]);
+        assert_eq!(views.len(), 6);
         assert_eq!(views[0].seconds, 0.0);
         assert_eq!(views[5].seconds, clips[0].clip().duration());
         let distance = |view: &View| {

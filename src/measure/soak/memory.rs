@@ -5,8 +5,9 @@ use std::{collections::HashSet, fs};
 
 /// Time in which programs and drivers set themselves up, seconds; in a short run at most this share
 /// of it.
-const SETTLING_SECONDS: f64 = 60.0;
-const SETTLING_SHARE: f64 = 0.4;
+pub const SETTLING_SECONDS: f64 = 60.0;
+/// See [`SETTLING_SECONDS`].
+pub const SETTLING_SHARE: f64 = 0.4;
 
 /// Shorter intervals are not judged, seconds.
 const MIN_INTERVAL: usize = 10;
@@ -21,7 +22,7 @@ pub fn resident_bytes() -> Option<u64> {
 
 /// The growth of memory, summed over steady intervals.
 ///
-/// The first minute (0.4 of a short run), and as long after the governor first
+/// The first minute ([`SETTLING_SHARE`] of a short run), and as long after the governor first
 /// enters a step, are excluded: drivers allocate for a new image size then, and nothing at the next
 /// visit. In each interval between those, the median of the first fifth is compared with that of
 /// the last. None if no interval is long enough.
