@@ -10,6 +10,7 @@ need 'ldconfig -p | grep -q libvulkan.so.1' libvulkan1
 need 'ls /usr/share/vulkan/icd.d/*.json /etc/vulkan/icd.d/*.json "${VK_DRIVER_FILES:-}" 2>/dev/null | grep -q .' mesa-vulkan-drivers
 if [ -n "${DISPLAY:-}" ]; then need 'ldconfig -p | grep -q libxkbcommon-x11.so.0' libxkbcommon-x11-0; fi
 build_effigy
-# The paths in the arguments are the caller's.
+# The paths in the arguments are the caller's; the body's source files are where tools/fetch_assets.sh puts them.
+export EFFIGY_ASSETS=${EFFIGY_ASSETS:-$PWD/target/assets}
 cd "$from"
 exec "$EFFIGY" "$@"

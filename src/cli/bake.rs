@@ -31,7 +31,7 @@ enum BakeCommand {
 #[derive(clap::Args, Debug)]
 struct AssetArgs {
     /// Folder that tools/fetch_assets.sh filled
-    #[arg(long, value_name = "DIR", default_value = Assets::DEFAULT)]
+    #[arg(long, value_name = "DIR", env = "EFFIGY_ASSETS", default_value = Assets::DEFAULT)]
     assets: PathBuf,
     /// Shape of the body
     #[arg(long, value_parser = named(BodyShape::NAMES, BodyShape::ALL), default_value = "male")]
