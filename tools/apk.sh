@@ -12,12 +12,12 @@ while [ $# -gt 0 ]; do
   case $1 in
     --release) mode=release ;;
     --targets) shift; targets=${1:?--targets needs a list} ;;
-    -*) sed -n '3,6s/^# //p' "$0" >&2; exit 2 ;;
+    -*) usage >&2; exit 2 ;;
     *) out=$1 ;;
   esac
   shift
 done
-[ -n "$out" ] || { sed -n '3,6s/^# //p' "$0" >&2; exit 2; }
+[ -n "$out" ] || { usage >&2; exit 2; }
 IFS=, read -r -a targets <<< "$targets"
 api=28 work=target/apk/$mode
 need_rust

@@ -6,7 +6,8 @@
 #   gate   what has to hold before a change lands (.ci/run): quick's checks, all tests on Mesa 25 at 256 bits, all that draw on
 #          SwiftShader, the stages at 128 and 512 bits, commands of the README and the guides, the examples, the page in Chromium, the app
 #   full   before an issue is closed: gate, and all tests at every width and on Mesa 22, the packages as they are released, 2,000 stress
-#          cases, a soak, the documentation's links, the compiled shaders compared with their sources. docs/development.md says why each is not in gate.
+#          cases, a soak, the documentation's links, the compiled shaders compared with their sources. docs/development.md says why each
+#          is not in gate.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . tools/needs.sh
@@ -133,5 +134,5 @@ full() {
 
 case ${1:-} in
   quick | gate | full) "$1"; step "done" ;;
-  *) sed -n '2,10s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
+  *) usage >&2; exit 2 ;;
 esac

@@ -7,6 +7,8 @@
 # usage: tools/drivers.sh [DEST, default target/drivers]    makes DEST/NAME.json for each, and DEST/layers/
 set -euo pipefail
 cd "$(dirname "$0")/.."
+. tools/needs.sh
+case ${1:-} in -*) usage >&2; exit 2 ;; esac
 dest=${1:-target/drivers}
 mkdir -p "$dest/layers"
 dest=$(cd "$dest" && pwd)
@@ -20,7 +22,6 @@ done
 [ -z "$complete" ] || exit 0
 command -v apt-get >/dev/null || { echo "tools/drivers.sh needs Debian's apt-get; elsewhere run \`cargo test\` on your own drivers" >&2; exit 1; }
 
-as_root() { if [ "$(id -u)" = 0 ]; then "$@"; else sudo "$@"; fi; }
 install=(apt-get -o DPkg::Lock::Timeout=300 install -qq -y --no-install-recommends)
 as_root apt-get -o DPkg::Lock::Timeout=300 update -qq
 DEBIAN_FRONTEND=noninteractive as_root "${install[@]}" mesa-vulkan-drivers libvulkan1 chromium vulkan-validationlayers xvfb xdotool >/dev/null

@@ -4,10 +4,14 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . tools/needs.sh
+check=() mode=--write
+case ${1:-} in
+  '') ;;
+  --check) check=(--check) mode=--check ;;
+  *) usage >&2; exit 2 ;;
+esac
 prettier=prettier@3.6.2
 need_rust
 need 'command -v npx' npm
-check=() mode=--write
-[ "${1:-}" != --check ] || { check=(--check); mode=--check; }
 cargo fmt --all -- ${check[@]+"${check[@]}"}
 npx --yes "$prettier" --print-width 100 --log-level warn "$mode" 'src/web/page/*' 'tests/web/*'

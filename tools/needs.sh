@@ -26,12 +26,16 @@ need_target() {
   rustup target add "$1"
 }
 
+# Prints the comment that the script begins with.
+usage() { sed -n '2,/^[^#]/s/^# \{0,1\}//p' "$0"; }
+
 # Sets EFFIGY to the program, built where that is needed. EFFIGY=PROGRAM names one that is built already.
 build_effigy() {
   [ -z "${EFFIGY:-}" ] || return 0
   local built; built=$(realpath -m "${CARGO_TARGET_DIR:-target}")/desktop/effigy
   [ -x "$built" ] || echo "building Effigy: about 4 minutes on two cores" >&2
-  cargo build --profile desktop --quiet -p effigy-cli
+  # In a list of commands `set -e` does not end a function: a program of an earlier build must not run in its place.
+  cargo build --profile desktop --quiet -p effigy-cli || return
   export EFFIGY=$built
 }
 

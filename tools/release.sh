@@ -13,7 +13,7 @@ while [ $# -gt 0 ]; do
   case $1 in
     --only) shift; only=${1:?--only needs linux, android or web} ;;
     --try) try=1 ;;
-    -*) sed -n '2,7s/^# //p' "$0" >&2; exit 2 ;;
+    -*) usage >&2; exit 2 ;;
     *) out=$1 ;;
   esac
   shift

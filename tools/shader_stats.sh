@@ -8,12 +8,14 @@
 # EFFIGY=PROGRAM uses a program that is built already.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-[ $# = 1 ] || [ $# = 2 ] || { sed -n 's/^# \(usage.*\)/\1/p' "$0" >&2; exit 2; }
+. tools/needs.sh
+[ $# = 1 ] || [ $# = 2 ] || { usage >&2; exit 2; }
+case $1 in -*) usage >&2; exit 2 ;; esac
 drivers=$1
 [ -x "$drivers/adreno" ] && [ -x "$drivers/mali" ] || { echo "$drivers has no programs \`adreno\` and \`mali\`" >&2; exit 2; }
-. tools/needs.sh
-effigy=${EFFIGY:-${CARGO_TARGET_DIR:-target}/desktop/effigy}
-[ -n "${EFFIGY:-}" ] || { need_rust; cargo build --profile desktop --quiet -p effigy-cli; }
+[ -n "${EFFIGY:-}" ] || need_rust
+build_effigy
+effigy=$EFFIGY
 work=$(mktemp -d); trap 'rm -rf "$work"' EXIT
 limit=${EFFIGY_STATS_SECONDS:-300}
 

@@ -10,7 +10,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 . tools/needs.sh
 package=1 play=1
-case ${1:-} in --package) play=''; shift ;; --play) package=''; shift ;; esac
+case ${1:-} in --package) play=''; shift ;; --play) package=''; shift ;; -*) usage >&2; exit 2 ;; esac
 seeds=${1:-8} orders=${2:-4} host=../shared/android-host
 most_apk=12000000 most_library=4600000
 at_most() { # BYTES FILE

@@ -12,7 +12,7 @@ while [ $# -gt 0 ]; do
   case $1 in
     --serve) serve=1; need 'command -v python3' python3 ;;
     --quick) profile=web-quick ;;
-    -*) sed -n '2,6s/^# //p' "$0" >&2; exit 2 ;;
+    -*) usage >&2; exit 2 ;;
     *) break ;;
   esac
   shift
