@@ -19,8 +19,10 @@ lints() {
   step "format"
   if command -v npx >/dev/null; then tools/format.sh --check; else cargo fmt --all --check; fi
   step "lints"
-  cargo clippy --workspace --all-targets --features webgpu --quiet -- -D warnings
+  clippy
 }
+
+clippy() { cargo clippy --workspace --all-targets --features webgpu --quiet -- -D warnings; }
 
 quick() {
   need_rust
@@ -94,12 +96,35 @@ cross_checked() { cross checked wasm32-unknown-unknown x86_64-linux-android; }
 
 page() { (cross_checked && tools/web.sh "$@" target/web) && tools/test_web.sh target/web; }
 
+# Builds what the steps after the tests need, on what the tests leave of the cores. The steps build it again, which
+# takes no time then: what fails here fails there, and is shown there.
+build_ahead() {
+  renice -n 19 -p $BASHPID >/dev/null
+  (cross_checked && tools/web.sh --quick target/web && tools/apk.sh --targets x86_64-linux-android target/apk/effigy-x86_64.apk)
+  clippy
+  echo "built ahead ($SECONDS s)"
+}
+
 gate() {
   need_rust
   need 'command -v npx' npm
   need 'python3 -m pip --version' python3-pip
+  step "drivers and build"
+  tools/drivers.sh
+  # What tools/test.sh builds.
+  cargo test --workspace --features webgpu --quiet --no-run
+  mkdir -p target
+  # With a process group of its own, so that nothing of it outlives this script.
+  set -m
+  build_ahead >target/ahead.log 2>&1 &
+  local ahead=$!
+  set +m
+  trap "kill -- -$ahead 2>/dev/null || true" EXIT
   step "the README's test command"
   tools/test.sh
+  step "what is still being built"
+  wait "$ahead" || true
+  tail -n 1 target/ahead.log
   lints
   step "commands"
   (commands 51)
