@@ -219,6 +219,24 @@ const tests = {
   },
 };
 
+/** What a page is doing, for a test that waited in vain. */
+function stateOf(page) {
+  const state = page.evaluate(() =>
+    JSON.stringify({
+      ratio: devicePixelRatio,
+      hidden: document.hidden,
+      canvases: [...document.querySelectorAll("canvas")].map((canvas) => [
+        canvas.clientWidth,
+        canvas.width,
+      ]),
+      playing: globalThis.effigy?.playing,
+      statistics: globalThis.effigy?.statistics,
+    }),
+  );
+  const late = new Promise((resolve) => setTimeout(resolve, 5000, "the page does not answer"));
+  return Promise.race([state, late]).catch((error) => `no state: ${error.message}`);
+}
+
 let failed = 0;
 const limit = Number(process.env.EFFIGY_TEST_SECONDS ?? 240);
 for (const [name, test] of Object.entries(tests).filter(([name]) =>
@@ -241,6 +259,7 @@ for (const [name, test] of Object.entries(tests).filter(([name]) =>
     ++failed;
     console.log(`FAILED ${name}\n  ${error.stack ?? error}`);
     for (const open of browser.contexts().flatMap((context) => context.pages())) {
+      console.log("  ", await stateOf(open));
       console.log("  ", (open.complaints ?? []).slice(0, 5).join("\n   "));
     }
   }
