@@ -22,6 +22,7 @@ fn main() -> ExitCode {
             stages::mlp,
             stages::nodes,
             stages::sh,
+            stages::occluder,
             stages::project,
             stages::sort::choice,
             stages::sort::faults,

@@ -6,7 +6,7 @@ use super::{BLOCK_PAIRS, FrameBlock, GAUSSIAN_PAIRS, LayerLayout};
 use crate::{
     avatar::{Activation, Avatar, Layer, Rows, limits, matrix},
     constants::LEAKY_SLOPE,
-    occluder::{Occluder, OccluderVertex},
+    occluder::{Occluder, OccluderVertex, mesh::OPAQUE_DEPTH},
 };
 use bytemuck::Zeroable;
 use half::f16;
@@ -339,7 +339,21 @@ pub fn occluder(
 ) -> (Vec<[[u32; 4]; 2]>, Vec<[u16; 3]>) {
     let corner = |vertex: &OccluderVertex| -> [[u32; 4]; 2] {
         let [x, y, z] = avatar.gaussians.bounds.encode(vertex.position);
-        let words = [u32::from(x) | u32::from(y) << 16, u32::from(z)];
+        let neighbors = vertex.neighbor.map(|at| u16::try_from(at).ok());
+        // How far the shell may be pulled apart and still be opaque, squared. A vertex whose
+        // neighbours can't be named is never opaque.
+        let (neighbors, limit) = match neighbors {
+            [Some(a), Some(b)] => {
+                let limit = (vertex.optical_depth / OPAQUE_DEPTH).powi(2);
+                (u32::from(a) | u32::from(b) << 16, f16::from_f64(limit))
+            }
+            _ => (0, f16::ZERO),
+        };
+        let limit = u32::from(limit.to_bits());
+        let words = [
+            u32::from(x) | u32::from(y) << 16,
+            u32::from(z) | limit << 16,
+        ];
         let [a, b, c] = vertex.node.map(|node| {
             u32::from(
                 node_places
@@ -358,7 +372,7 @@ pub fn occluder(
                 u32::from_le_bytes(vertex.joint),
                 u32::from_le_bytes(vertex.joint_weight),
             ],
-            [a | b << 16, c, first | second << 16, 0],
+            [a | b << 16, c, first | second << 16, neighbors],
         ]
     };
     let corners: Vec<[[u32; 4]; 2]> = occluder.vertices.iter().map(corner).collect();

@@ -16,7 +16,7 @@ const OPAQUE: u8 = 128;
 /// Neighbouring Gaussians over which optical depth is averaged.
 const DEPTH_NEIGHBORS: usize = 12;
 /// Optical depth of an opaque shell: 1 % of the light passes.
-const OPAQUE_DEPTH: f64 = 4.6;
+pub const OPAQUE_DEPTH: f64 = 4.6;
 /// Largest share of the shell that may be thinner.
 const MAX_THIN: f64 = 0.1;
 /// A voxel's side, in median distances between neighbouring Gaussians: the smallest that leaves no
@@ -52,6 +52,17 @@ pub struct OccluderVertex {
     pub joint_weight: [u8; 4],
     /// The three nearest nodes.
     pub node: [u16; 3],
+    /// Optical depth of the shell of Gaussians around it, in the canonical pose.
+    pub optical_depth: f64,
+    /// Two vertices beside it, of those that move most unlike it. From where a pose takes the three
+    /// follows how far it pulls the shell apart.
+    pub neighbor: [u32; 2],
+}
+
+impl OccluderVertex {
+    fn skin(&self) -> Skin {
+        (self.joint, self.joint_weight)
+    }
 }
 
 /// Four joints, and their weights, which sum to 255.
@@ -65,6 +76,8 @@ struct Shell<'a> {
     /// Their positions, metres.
     points: &'a [[f64; 3]],
     tree: &'a ImmutableKdTree<f64, 3>,
+    /// Optical depth times σ₁ σ₂, the two longer axes, by opacity.
+    depth_by_opacity: [f64; 256],
 }
 
 /// A closed mesh; empty where nothing is solid.
@@ -95,6 +108,7 @@ impl Occluder {
             gaussians: &opaque,
             points: &points,
             tree: &tree,
+            depth_by_opacity: std::array::from_fn(|o| depth_times_area(o as f64 / 255.0)),
         };
         if shell.is_see_through() {
             return Self::default();
@@ -111,31 +125,42 @@ impl Occluder {
         // A corner with no Gaussian near it covers an opening: nothing is opaque there. A triangle
         // between corners that move differently spans a gap (between the legs, under an arm) that
         // some pose opens.
-        let is_opaque = |corners: &[u32; 3]| {
-            let skins = corners.map(|corner| {
-                vertices[corner as usize].map(|vertex| (vertex.joint, vertex.joint_weight))
-            });
-            let [Some(a), Some(b), Some(c)] = skins else {
-                return false;
+        let mut movement = vec![Movement::default(); vertices.len()];
+        let mut opaque_triangles = Vec::new();
+        for triangle in triangles {
+            let [Some(a), Some(b), Some(c)] = triangle.map(|corner| &vertices[corner as usize])
+            else {
+                continue;
             };
-            let difference = skin_difference(a, b)
-                .max(skin_difference(b, c))
-                .max(skin_difference(c, a));
-            difference <= MAX_SKIN_DIFFERENCE
-        };
-        let triangles = triangles.into_iter().filter(is_opaque).collect();
+            let difference = skin_difference(a.skin(), b.skin())
+                .max(skin_difference(b.skin(), c.skin()))
+                .max(skin_difference(c.skin(), a.skin()));
+            for k in 0..3 {
+                movement[triangle[k] as usize]
+                    .meet(difference, [triangle[(k + 1) % 3], triangle[(k + 2) % 3]]);
+            }
+            if difference <= MAX_SKIN_DIFFERENCE {
+                opaque_triangles.push(triangle);
+            }
+        }
         let unused = OccluderVertex {
             position: grid.min,
             joint: [0; 4],
             joint_weight: [255, 0, 0, 0],
             node: [0; 3],
+            optical_depth: 0.0,
+            neighbor: [0; 2],
         };
         Self {
             vertices: vertices
                 .into_iter()
-                .map(|vertex| vertex.unwrap_or(unused))
+                .zip(movement)
+                .map(|(vertex, movement)| OccluderVertex {
+                    neighbor: movement.neighbor,
+                    ..vertex.unwrap_or(unused)
+                })
                 .collect(),
-            triangles,
+            triangles: opaque_triangles,
         }
     }
 }
@@ -153,34 +178,32 @@ impl Shell<'_> {
         )
     }
 
-    /// Whether much of the shell lets light through, by a sample. A Gaussian's optical depth,
-    /// integrated over the sheet that its two longer axes span, is 2π σ₁ σ₂ Li₂(o). The sum over
-    /// some neighbours is spread over the disc that they take up.
+    /// Whether much of the shell lets light through, by a sample.
     fn is_see_through(&self) -> bool {
-        let dilogarithm = |o: f64| (1..40).map(|k| o.powi(k) / f64::from(k * k)).sum::<f64>();
-        let by_opacity: [f64; 256] = std::array::from_fn(|o| dilogarithm(o as f64 / 255.0));
-        let depth_times_area = |found: &NearestNeighbour<f64, u64>| {
-            let gaussian = self.gaussian(found);
-            let mut scale = self.avatar.gaussians.log_scale[gaussian].map(|s| s.to_f64());
-            scale.sort_by(f64::total_cmp);
-            std::f64::consts::TAU
-                * (scale[1] + scale[2]).exp()
-                * by_opacity[usize::from(self.avatar.gaussians.opacity[gaussian])]
-        };
-        let count = const { NonZero::new(DEPTH_NEIGHBORS).unwrap() };
-        let depth = |point| {
-            let near = self.tree.nearest_n::<SquaredEuclidean>(point, count);
-            let area = std::f64::consts::PI * near.last().map_or(0.0, |found| found.distance);
-            near.iter().map(depth_times_area).sum::<f64>() / area.max(f64::MIN_POSITIVE)
-        };
         let sample: Vec<f64> = self
             .points
             .iter()
             .step_by(self.points.len().div_ceil(2000))
-            .map(depth)
+            .map(|point| self.optical_depth(point))
             .collect();
         let thin = sample.iter().filter(|&&depth| depth < OPAQUE_DEPTH).count();
         thin as f64 > MAX_THIN * sample.len() as f64
+    }
+
+    /// Optical depth of the shell at a point, canonical pose: that of some Gaussians around it,
+    /// spread over the disc that they take up.
+    fn optical_depth(&self, point: &[f64; 3]) -> f64 {
+        let count = const { NonZero::new(DEPTH_NEIGHBORS).unwrap() };
+        let near = self.tree.nearest_n::<SquaredEuclidean>(point, count);
+        let area = std::f64::consts::PI * near.last().map_or(0.0, |found| found.distance);
+        let depth = |found: &NearestNeighbour<f64, u64>| {
+            let gaussian = self.gaussian(found);
+            let mut scale = self.avatar.gaussians.log_scale[gaussian].map(|s| s.to_f64());
+            scale.sort_by(f64::total_cmp);
+            let opacity = self.avatar.gaussians.opacity[gaussian];
+            (scale[1] + scale[2]).exp() * self.depth_by_opacity[usize::from(opacity)]
+        };
+        near.iter().map(depth).sum::<f64>() / area.max(f64::MIN_POSITIVE)
     }
 
     /// Median distance to the nearest neighbour, over a sample, metres.
@@ -219,18 +242,48 @@ impl Shell<'_> {
                 weights[usize::from(joint)] += u32::from(weight);
             }
         }
+        let position = sum / near.len() as f64;
         let skin = strongest(&weights);
         let moves_apart = |found: &_| skin_difference(skin, self.skin(found)) > MAX_SKIN_DIFFERENCE;
         if near.iter().any(moves_apart) {
             return None;
         }
         Some(OccluderVertex {
-            position: sum / near.len() as f64,
+            position,
             joint: skin.0,
             joint_weight: skin.1,
             node: self.avatar.gaussians.node[self.gaussian(&near[0])],
+            optical_depth: self.optical_depth(&position.to_array()),
+            neighbor: [0; 2],
         })
     }
+}
+
+/// The triangle at a vertex whose corners move most unlike each other.
+#[derive(Clone, Copy, Default)]
+struct Movement {
+    difference: Option<i32>,
+    /// The triangle's other corners.
+    neighbor: [u32; 2],
+}
+
+impl Movement {
+    /// Takes a triangle into account. The first of those that are alike counts.
+    fn meet(&mut self, difference: i32, neighbor: [u32; 2]) {
+        if self.difference.is_none_or(|most| difference > most) {
+            *self = Self {
+                difference: Some(difference),
+                neighbor,
+            };
+        }
+    }
+}
+
+/// Optical depth of a Gaussian of an opacity, integrated over the sheet that its two longer axes
+/// span, in units of their product σ₁ σ₂: 2π Li₂(o).
+fn depth_times_area(opacity: f64) -> f64 {
+    let dilogarithm: f64 = (1..40).map(|k| opacity.powi(k) / f64::from(k * k)).sum();
+    std::f64::consts::TAU * dilogarithm
 }
 
 /// How differently two points move: the sum over all joints of the difference of their weights, 0

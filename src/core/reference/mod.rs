@@ -9,6 +9,7 @@ pub mod binning;
 pub mod frame;
 pub mod mlp;
 pub mod nodes;
+pub mod occluder;
 pub mod present;
 pub mod project;
 pub mod raster;

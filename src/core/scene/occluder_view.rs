@@ -33,6 +33,11 @@ impl OccluderView {
         block.occluder_scale = finest_texels.as_vec2().to_array();
     }
 
+    /// Where in the occluder pass a pixel of the image lies, texels.
+    pub fn texel(&self, pixel: DVec2) -> DVec2 {
+        (pixel - self.origin) * self.scale
+    }
+
     /// Upper left corner and size of the viewport to draw the occluder with, texels.
     pub fn viewport(&self) -> [Vec2; 2] {
         [

@@ -441,10 +441,13 @@ impl Renderer {
     /// Waits, and copies every stage's output of the last frame to the host.
     pub fn stages(&mut self) -> Result<Stages> {
         self.finish()?;
+        let vectors = block::pose_vectors(&self.model.constants);
+        let pyramid_start = 4 * self.options.instances as u32 * vectors;
         let sources = stages::StageSources {
             model: &self.model,
             pose: &self.pose,
             control: &self.control,
+            pyramid_start: self.occluder.is_some().then_some(pyramid_start as usize),
             splats: &self.project,
             sort: &self.sort,
         };

@@ -1,0 +1,156 @@
+//! The `occluder` stage: its depth pyramid against the reference, texel by texel, and what it hides
+//! of bodies that poses pull apart.
+
+use crate::common::gpu::{self, Frame};
+use effigy::vulkan::{Gpu, Renderer, RendererOptions};
+use effigy_core::{
+    avatar::{Avatar, Pose},
+    frame::{FrameState, PlanInput, Skip},
+    occluder::Occluder,
+    reference::occluder::{self, OccluderDrawing},
+    scene::{AvatarBounds, Camera, PartDependencies, Posed, upright},
+};
+use effigy_measure::error;
+use glam::{DVec2, DVec3};
+use std::sync::Arc;
+
+const SIZE: [u32; 2] = [300, 420];
+
+fn demo() -> Avatar {
+    effigy_demo::avatar().expect("inside the program")
+}
+
+/// The demo with its knees, hips and elbows bent, by a share of what tears it.
+fn bent(avatar: &Avatar, share: f64) -> Posed {
+    let mut pose = Pose::rest(avatar.skeleton.len(), avatar.inputs.expression);
+    pose.rotation[1] = DVec3::new(-1.9, 0.0, 0.4) * share;
+    pose.rotation[2] = DVec3::new(-1.2, 0.3, -0.6) * share;
+    pose.rotation[4] = DVec3::new(2.2, 0.0, 0.0) * share;
+    pose.rotation[3] = DVec3::new(0.5, 0.3, 0.2) * share;
+    pose.rotation[16] = DVec3::new(0.3, 0.4, 1.1) * share;
+    pose.rotation[17] = DVec3::new(0.2, -0.9, -1.3) * share;
+    pose.rotation[18] = DVec3::new(0.0, -1.9, 0.3) * share;
+    Posed::new(avatar, &pose)
+}
+
+fn camera(avatar: &Avatar, posed: &Posed, yaw: f64, nearness: f64, size: [u32; 2]) -> Camera {
+    let bounds = upright(AvatarBounds::new(avatar).bounds(&posed.joints));
+    let distance = nearness * Camera::framing_distance(bounds, 0.6, size);
+    Camera::orbit((bounds[0] + bounds[1]) / 2.0, yaw, 0.1, distance, 0.6, size)
+}
+
+/// The pyramid lies between the furthest and the nearest that the reference finds where it samples
+/// the depth image a sixteenth of a texel off the middle: there edges of triangles are ties.
+fn the_pyramid_is_that_of_the_reference() {
+    let device = gpu::drawing();
+    for (share, yaw) in [(0.0, 0.4), (1.0, 3.6)] {
+        let avatar = demo();
+        let posed = bent(&avatar, share);
+        let camera = camera(&avatar, &posed, yaw, 1.0, SIZE);
+        let options = gpu::options(SIZE);
+        let mesh = Occluder::new(&avatar);
+        let bounds = AvatarBounds::new(&avatar);
+        let dependencies = PartDependencies::new(&avatar);
+        let plan = FrameState::default().plan(PlanInput {
+            poses: &[&posed],
+            camera: &camera,
+            bounds: &bounds,
+            dependencies: &dependencies,
+            options: &options,
+            has_occluder: true,
+            always_submit: true,
+        });
+        let depth_range = plan.depth_range;
+        let view = plan.occluder_view.expect("the demo has an occluder");
+        let frame: Frame = gpu::draw(&device, avatar.clone(), posed.clone(), camera, options);
+        let vertices = occluder::vertices(&avatar, &mesh, &posed, &camera, &frame.reference.nodes);
+        let torn = vertices.iter().filter(|vertex| !vertex.is_opaque).count();
+        if share > 0.0 {
+            assert!(torn > 50, "{torn} of {} vertices are torn", vertices.len());
+        }
+        let off = |x: f64, y: f64| {
+            let drawing = OccluderDrawing {
+                camera: &camera,
+                view: &view,
+                depth_range,
+                margin: options.margin,
+                offset: DVec2::new(x, y) / 16.0,
+            };
+            occluder::pyramid(&vertices, &mesh.triangles, &drawing)
+        };
+        let sampled = [
+            off(0.0, 0.0),
+            off(-1.0, -1.0),
+            off(1.0, -1.0),
+            off(-1.0, 1.0),
+            off(1.0, 1.0),
+        ];
+        assert_eq!(frame.gpu.pyramid.len(), sampled[0].len());
+        // Positions have 16 bits in the file's box, depths 16 bits in the image.
+        let tolerance = 12.0 / 65535.0;
+        let mut hiding = 0;
+        let mut wrong = Vec::new();
+        for (at, &texel) in frame.gpu.pyramid.iter().enumerate() {
+            let depth = f64::from(texel) / 65535.0;
+            let near = sampled.iter().map(|all| all[at]).fold(1.0, f64::min);
+            let far = sampled.iter().map(|all| all[at]).fold(0.0, f64::max);
+            if depth < near - tolerance || depth > far + tolerance {
+                wrong.push((at, depth, near, far));
+            }
+            hiding += usize::from(texel < u16::MAX);
+        }
+        assert!(hiding > 1000, "only {hiding} texels hide anything");
+        // A vertex at the very limit of its stretch may be opaque here and torn there.
+        assert!(
+            wrong.len() <= hiding / 200,
+            "{} of {hiding} texels are wrong, such as {:?}",
+            wrong.len(),
+            wrong.first()
+        );
+    }
+}
+
+/// The image with what is hidden left out, against the one with all, for bodies pulled apart.
+fn what_is_torn_hides_nothing() {
+    let device = gpu::drawing();
+    let avatar = demo();
+    let mut hidden = 0;
+    for share in [0.5, 1.0] {
+        let posed = bent(&avatar, share);
+        for (yaw, nearness) in [(0.3, 1.0), (1.9, 0.6), (3.4, 0.3), (5.0, 0.6)] {
+            let camera = camera(&avatar, &posed, yaw, nearness, SIZE);
+            let all = drawn(&device, &avatar, &posed, &camera, Skip::empty());
+            let some = drawn(&device, &avatar, &posed, &camera, Skip::HIDDEN);
+            hidden += all.count - some.count;
+            let error = error::between(&some.image, &all.image).covered;
+            let place = format!("bent by {share}, yaw {yaw}, at {nearness}");
+            assert!(error.psnr_db > 50.0, "{place}: {error:?}");
+            assert!(error.visible <= 20, "{place}: {error:?}");
+        }
+    }
+    assert!(hidden > 20_000, "only {hidden} Gaussians were hidden");
+}
+
+struct Drawn {
+    image: effigy_core::scene::FrameImage,
+    /// Gaussians that were sorted.
+    count: u64,
+}
+
+fn drawn(device: &Arc<Gpu>, avatar: &Avatar, posed: &Posed, camera: &Camera, skip: Skip) -> Drawn {
+    let options = RendererOptions {
+        skip,
+        ..RendererOptions::new(camera.size)
+    };
+    let mut renderer = Renderer::new(device, avatar, options).expect("a renderer");
+    renderer.draw(posed, camera, None).expect("a frame");
+    Drawn {
+        image: renderer.read_image().expect("an image"),
+        count: renderer.report().counters.drawn,
+    }
+}
+
+tests! {
+    the_pyramid_is_that_of_the_reference,
+    what_is_torn_hides_nothing,
+}
