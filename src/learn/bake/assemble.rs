@@ -9,7 +9,8 @@ use crate::bake::partition::{Partition, partition};
 use crate::bake::sky_light::BakedSky;
 use crate::bake::source::rig::BODY;
 use crate::bake::spacing::{Dart, Dot, choose};
-use crate::bake::surface::{Material, Site};
+use crate::bake::stretch::Stretch;
+use crate::bake::surface::{Material, Sheet, Site};
 use crate::math::color::encode_srgb;
 use crate::math::pca::pca;
 use effigy_core::avatar::{Avatar, Bounds, Gaussians, Inputs, Nodes, Parts, Pose};
@@ -61,22 +62,31 @@ pub struct Assembled {
     pub order: Vec<usize>,
 }
 
-/// Puts the avatar together. Features, pruning and PCA are fitted to `poses`.
+/// Puts the avatar together. Features, pruning, PCA and the Gaussians' shapes are fitted to
+/// `poses`. `sheets`: what the dots are on.
 pub fn assemble(
     body: &Body,
     outfit: &Outfit,
+    sheets: &[Sheet],
     sky: &BakedSky,
     dots: &[Dot],
     poses: &[Pose],
     sizes: &BakeSizes,
 ) -> Assembled {
     let to_canonical = body.to_canonical();
+    let stretch = Stretch::new(sheets, &body.skeleton, &to_canonical, poses);
+    let surroundings = Surroundings {
+        outfit,
+        sky,
+        stretch: &stretch,
+        to_canonical: &to_canonical,
+    };
     let mut points: Vec<GaussianPoint> = dots
         .par_iter()
         .enumerate()
         .map(|(i, dot)| {
             let random = Random::new(sizes.seed, POINT_STREAM + i as u64);
-            gaussian_point(dot, outfit, sky, &to_canonical, random)
+            gaussian_point(dot, &surroundings, random)
         })
         .collect();
     let positions: Vec<DVec3> = points.iter().map(|point| point.placed.position).collect();
@@ -181,19 +191,22 @@ fn network_inputs(inputs: &Inputs, poses: &[Pose]) -> Vec<Vec<f64>> {
         .collect()
 }
 
-/// `to_canonical`: rest to canonical pose, one matrix a joint.
-fn gaussian_point(
-    dot: &Dot,
-    outfit: &Outfit,
-    sky: &BakedSky,
-    to_canonical: &[DAffine3],
-    mut random: Random,
-) -> GaussianPoint {
+/// What decides how a point looks.
+struct Surroundings<'a> {
+    outfit: &'a Outfit,
+    sky: &'a BakedSky,
+    stretch: &'a Stretch<'a>,
+    /// Rest to canonical pose, one matrix a joint.
+    to_canonical: &'a [DAffine3],
+}
+
+fn gaussian_point(dot: &Dot, surroundings: &Surroundings, mut random: Random) -> GaussianPoint {
+    let outfit = surroundings.outfit;
     let mut site = dot.site.clone();
     site.footprint = dot.radius;
     let normal = outfit.relief_normal(&site);
     site.position += outfit.relief(&site, site.position) * site.normal;
-    let color = shaded_color(outfit, &site, normal, dot.radius, sky);
+    let color = shaded_color(outfit, &site, normal, dot.radius, surroundings.sky);
     let is_hair = matches!(site.material, Material::Hair | Material::Lash);
     let flow = if is_hair {
         outfit.face.hair_flow(&site)
@@ -201,20 +214,30 @@ fn gaussian_point(
         normal.any_orthonormal_vector()
     };
     let weights = quantise(&site.weights);
-    let matrix = blend(to_canonical, &weights.exact());
+    let matrix = blend(surroundings.to_canonical, &weights.exact());
     let normal = (matrix.matrix3 * normal).normalize_or(normal);
     // The Gaussian's first axis lies along the hair, its third along the normal.
     let first = (matrix.matrix3 * flow)
         .reject_from_normalized(normal)
         .normalize_or(normal.any_orthonormal_vector());
-    let axes = DMat3::from_cols(first, normal.cross(first), normal);
     let lift = if site.material == Material::Hair {
         random.range(-0.0015, 0.0035)
     } else {
         0.0
     };
     let density = outfit.density(&site);
-    let shape = GaussianShape::new(site.material, density, dot.radius);
+    let mut shape = GaussianShape::new(site.material, density, dot.radius);
+    let mut axes = DMat3::from_cols(first, normal.cross(first), normal);
+    // Hair lies in many layers, and its Gaussians along its flow.
+    if !is_hair {
+        let tangents = [axes.x_axis, axes.y_axis];
+        let ellipse = surroundings
+            .stretch
+            .ellipse(dot, tangents, &weights.exact());
+        shape.scale.x *= ellipse.length.x;
+        shape.scale.y *= ellipse.length.y;
+        axes = ellipse.axes(tangents, normal);
+    }
     let placed = PlacedPoint {
         position: matrix.transform_point3(site.position + lift * site.normal),
         normal,

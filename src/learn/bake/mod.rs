@@ -25,6 +25,7 @@ pub mod sky;
 pub mod sky_light;
 pub mod source;
 pub mod spacing;
+pub mod stretch;
 pub mod surface;
 
 pub use assemble::BakeSizes;
@@ -92,7 +93,7 @@ pub fn dressed(
     announce("spacing Gaussians");
     let dots = spacing::scatter(&sheets, &outfit, sizes.gaussians, sizes.seed);
     announce("assembling the avatar");
-    let assembled = assemble::assemble(&body, &outfit, &sky, &dots, &poses, sizes);
+    let assembled = assemble::assemble(&body, &outfit, &sheets, &sky, &dots, &poses, sizes);
     Ok(Dressed {
         body,
         outfit,
