@@ -7,6 +7,7 @@
 //! - [`bytes`] computes the bytes and operations of each stage, and their minimum.
 //! - [`error`] is the error of an image: PSNR and largest error.
 //! - [`flip`] is how visible that error is.
+//! - [`coverage`] is whether an avatar is closed.
 //! - [`similarity`] is how similar an image is to a photo's: L1, PSNR and SSIM.
 //! - [`viewpoint`] is where avatars are seen from.
 //! - [`setting`] is how an avatar is drawn to be measured.
@@ -16,6 +17,7 @@
 pub mod bench;
 pub mod bytes;
 pub mod chart;
+pub mod coverage;
 pub mod error;
 pub mod flip;
 pub mod packing;

@@ -7,7 +7,7 @@ use effigy_measure::bench::{
         TimingSummary, ViewReport,
     },
 };
-use effigy_measure::error::VISIBLE;
+use effigy_measure::{coverage::CLOSED, error::VISIBLE};
 
 /// Prints the device, the avatar and the settings.
 pub fn print_heading(report: &BenchReport) {
@@ -233,19 +233,32 @@ pub fn print_spread(spread: &SpreadReport) {
     if spread.most_visible != spread.worst {
         println!("            {}", view(&spread.most_visible));
     }
+    if let Some(least) = &spread.least_covered {
+        println!(
+            "  coverage  {:.4} in the silhouette that lets most through, {} pixels under {CLOSED}: {}",
+            least.coverage,
+            least.holes,
+            place(least)
+        );
+    }
 }
 
 fn view(view: &ViewReport) -> String {
-    let [x, y, z] = view.eye;
     format!(
-        "{}, {:.4} at most, {} pixels off by more than {VISIBLE}: \
-         {} at {:.2} s, view {} from ({x:.2}, {y:.2}, {z:.2})",
+        "{}, {:.4} at most, {} pixels off by more than {VISIBLE}: {}",
         decibels(view.psnr_db),
         view.max_error,
         view.visible,
-        view.clip,
-        view.seconds,
-        view.view
+        place(view)
+    )
+}
+
+/// When and from where a view is seen.
+fn place(view: &ViewReport) -> String {
+    let [x, y, z] = view.eye;
+    format!(
+        "{} at {:.2} s, view {} from ({x:.2}, {y:.2}, {z:.2})",
+        view.clip, view.seconds, view.view
     )
 }
 

@@ -135,6 +135,10 @@ pub struct SpreadReport {
     pub worst: ViewReport,
     /// The view with the most pixels whose error is plain to see.
     pub most_visible: ViewReport,
+    /// The view with the least coverage inside the avatar's silhouette, with nothing skipped. Null
+    /// in reports from before 25 November 2026.
+    #[serde(default)]
+    pub least_covered: Option<ViewReport>,
 }
 
 /// The error of one view, over covered pixels, and where it is.
@@ -154,6 +158,13 @@ pub struct ViewReport {
     pub max_error: f64,
     /// Pixels with a channel off by more than [`VISIBLE`](crate::error::VISIBLE).
     pub visible: u64,
+    /// Mean coverage inside the avatar's silhouette with nothing skipped, 0 to 1.
+    #[serde(default)]
+    pub coverage: f64,
+    /// Pixels inside the silhouette whose coverage is under
+    /// [`CLOSED`](crate::coverage::CLOSED).
+    #[serde(default)]
+    pub holes: u64,
 }
 
 /// One case drawn with many settings.

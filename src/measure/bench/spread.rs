@@ -13,6 +13,7 @@ use super::{
     scene::{BenchScene, PosedInstance},
 };
 use crate::{
+    coverage::{self, SilhouetteCoverage},
     error::{self, RegionError},
     setting::RenderSetting,
     viewpoint::{FOV, PITCH, yaw_of_view},
@@ -142,9 +143,10 @@ pub fn measure_spread(
         renderer.draw(&view.scene)?;
         let image = renderer.image()?;
         exact_renderer.draw(&view.scene)?;
-        let error = error::between(&image, &exact_renderer.image()?).covered;
+        let exact_image = exact_renderer.image()?;
+        let error = error::between(&image, &exact_image).covered;
         if error.pixels > 0 {
-            reports.push(view.report(error));
+            reports.push(view.report(error, coverage::inside_silhouette(&exact_image)));
         }
     }
     Ok(summary(size, reports))
@@ -160,7 +162,7 @@ fn reduced(size: [u32; 2]) -> [u32; 2] {
 }
 
 impl View<'_> {
-    fn report(&self, error: RegionError) -> ViewReport {
+    fn report(&self, error: RegionError, silhouette: SilhouetteCoverage) -> ViewReport {
         let eye = self.scene.camera.eye();
         ViewReport {
             clip: self.clip.clip().name.clone(),
@@ -170,6 +172,8 @@ impl View<'_> {
             psnr_db: error.psnr_db.is_finite().then_some(error.psnr_db),
             max_error: error.max_error,
             visible: error.visible as u64,
+            coverage: silhouette.mean,
+            holes: silhouette.holes as u64,
         }
     }
 }
@@ -179,6 +183,10 @@ fn summary(size: [u32; 2], mut views: Vec<ViewReport>) -> Option<SpreadReport> {
     views.sort_by(|a, b| decibels(a).total_cmp(&decibels(b)));
     let worst = views.first()?.clone();
     let most_visible = views.iter().max_by_key(|view| view.visible)?.clone();
+    let least_covered = views
+        .iter()
+        .min_by(|a, b| a.coverage.total_cmp(&b.coverage))
+        .cloned();
     let squares = views.iter().map(|view| 10f64.powf(-0.1 * decibels(view)));
     let mean_db = -10.0 * (squares.sum::<f64>() / views.len() as f64).log10();
     Some(SpreadReport {
@@ -189,6 +197,7 @@ fn summary(size: [u32; 2], mut views: Vec<ViewReport>) -> Option<SpreadReport> {
         max_error: views.iter().map(|view| view.max_error).fold(0.0, f64::max),
         worst,
         most_visible,
+        least_covered,
     })
 }
 
@@ -205,6 +214,8 @@ mod tests {
             psnr_db,
             max_error: 0.01 * visible as f64,
             visible,
+            coverage: 1.0 - 0.01 * visible as f64,
+            holes: visible,
         }
     }
 
@@ -218,6 +229,7 @@ mod tests {
         let spread = summary([8, 8], views).expect("there are views");
         assert_eq!(spread.worst.seconds, 1.0);
         assert_eq!(spread.most_visible.seconds, 2.0);
+        assert_eq!(spread.least_covered.map(|view| view.holes), Some(8));
         assert_eq!(spread.median_db, Some(50.0));
         assert_eq!(spread.max_error, 0.08);
         // (10⁻⁴ + 10⁻⁵ + 0) / 3.
