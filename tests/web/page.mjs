@@ -221,8 +221,12 @@ const tests = {
 
 /** What a page is doing, for a test that waited in vain. */
 function stateOf(page) {
-  const state = page.evaluate(() =>
+  const state = page.evaluate(async () =>
     JSON.stringify({
+      drawsFrames: await Promise.race([
+        new Promise((resolve) => requestAnimationFrame(() => resolve(true))),
+        new Promise((resolve) => setTimeout(resolve, 2000, false)),
+      ]),
       ratio: devicePixelRatio,
       hidden: document.hidden,
       canvases: [...document.querySelectorAll("canvas")].map((canvas) => [

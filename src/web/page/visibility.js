@@ -1,5 +1,17 @@
 // Observes whether a canvas can be seen, its size, and the screen's pixel ratio.
 
+/**
+ * Observes how many of the screen's pixels a canvas covers: a query for the pixel ratio alone
+ * misses a change now and then. Safari can't, and needs the query.
+ */
+function observeDevicePixels(observer, canvas) {
+  try {
+    observer.observe(canvas, { box: "device-pixel-content-box" });
+  } catch {
+    observer.observe(canvas);
+  }
+}
+
 export class Visibility {
   #onVisibility;
   #onSize;
@@ -17,7 +29,7 @@ export class Visibility {
     this.#onVisibility = onVisibility;
     this.#onSize = onSize;
     this.#resizeObserver = new ResizeObserver(() => onSize());
-    this.#resizeObserver.observe(canvas);
+    observeDevicePixels(this.#resizeObserver, canvas);
     this.#intersectionObserver = new IntersectionObserver((entries) => {
       this.#isInViewport = entries.at(-1).isIntersecting;
       onVisibility();
