@@ -12,7 +12,7 @@ use effigy::vulkan::{Gpu, Renderer, RendererOptions};
 #[cfg(feature = "webgpu")]
 use effigy::webgpu;
 use effigy_core::{
-    avatar::{Avatar, motion::Player},
+    avatar::{Avatar, Clip, motion::Player},
     io::cameras,
     reference,
     scene::{AvatarBounds, Camera, FrameImage, Posed, upright},
@@ -219,10 +219,9 @@ impl Shoot<'_> {
         write_png(&image, self.args.background, out)
     }
 
-    /// An image of one time from each camera of a file.
-    fn draw_cameras(&mut self, path: &Path) -> anyhow::Result<()> {
+    /// An image of one time from each camera.
+    fn draw_cameras(&mut self, cameras: &[Camera]) -> anyhow::Result<()> {
         let out = &self.args.out;
-        let cameras = source::cameras(path, self.avatar)?;
         for (number, camera) in cameras.iter().enumerate() {
             self.draw_image(self.args.time, Some(camera), &numbered(out, number))?;
         }
@@ -233,16 +232,7 @@ impl Shoot<'_> {
     /// An image of each frame of a range.
     fn draw_frames(&mut self, frames: Range<usize>) -> anyhow::Result<()> {
         let out = &self.args.out;
-        let clip = self.player.clip();
-        ensure!(
-            frames.end <= clip.frames(),
-            "frames {}..{} were asked for; the clip `{}` has {}",
-            frames.start,
-            frames.end,
-            clip.name,
-            clip.frames()
-        );
-        let rate = clip.rate;
+        let rate = self.player.clip().rate;
         let bar = progress::items(frames.len() as u64, "frames");
         for frame in frames.clone() {
             self.draw_image(frame as f64 / rate, None, &numbered(out, frame))?;
@@ -256,6 +246,14 @@ impl Shoot<'_> {
 
 pub fn run(args: Args) -> anyhow::Result<()> {
     let (avatar, player) = args.source.load_player()?;
+    // What can't be drawn is refused before a device is opened, which may take seconds.
+    if let Some(frames) = &args.frames {
+        check_range(frames, player.clip())?;
+    }
+    let cameras = match &args.cameras {
+        Some(path) => Some(source::cameras(path, &avatar)?),
+        None => None,
+    };
     let mut shoot = Shoot {
         args: &args,
         avatar: &avatar,
@@ -263,14 +261,26 @@ pub fn run(args: Args) -> anyhow::Result<()> {
         player: &player,
         renderer: ImageRenderer::open(&args, &avatar, args.size.unwrap_or(SIZE))?,
     };
-    if let Some(path) = &args.cameras {
-        return shoot.draw_cameras(path);
+    if let Some(cameras) = &cameras {
+        return shoot.draw_cameras(cameras);
     }
     if let Some(frames) = &args.frames {
         return shoot.draw_frames(frames.clone());
     }
     shoot.draw_image(args.time, None, &args.out)?;
     println!("wrote {}", args.out.display());
+    Ok(())
+}
+
+fn check_range(frames: &Range<usize>, clip: &Clip) -> anyhow::Result<()> {
+    ensure!(
+        frames.end <= clip.frames(),
+        "frames {}..{} were asked for; the clip `{}` has {}",
+        frames.start,
+        frames.end,
+        clip.name,
+        clip.frames()
+    );
     Ok(())
 }
 
