@@ -357,29 +357,17 @@ export const api = {
     await page.click("#play");
     const before = await page.evaluate(() => document.getElementById("canvas").width);
     const session = await page.context().newCDPSession(page);
-    const setRatio = (deviceScaleFactor) =>
-      session.send("Emulation.setDeviceMetricsOverride", {
-        width: 300,
-        height: 300,
-        deviceScaleFactor,
-        mobile: false,
-      });
-    // A busy Chromium loses an emulated ratio on its way to the page's layout now and then:
-    // `devicePixelRatio` is 2, and no query or observer hears of it. A screen's does not get lost.
-    for (let tries = 1; ; ++tries) {
-      await setRatio(2);
-      try {
-        await page.waitForFunction(
-          (before) => document.getElementById("canvas").width === 2 * before,
-          before,
-          { timeout: 15000 },
-        );
-        break;
-      } catch (error) {
-        if (tries === 4) throw error;
-      }
-      await setRatio(1);
-    }
+    // Chromium tells queries and observers of an emulated ratio only if the size changes with it.
+    await session.send("Emulation.setDeviceMetricsOverride", {
+      width: 300,
+      height: 301,
+      deviceScaleFactor: 2,
+      mobile: false,
+    });
+    await page.waitForFunction(
+      (before) => document.getElementById("canvas").width === 2 * before,
+      before,
+    );
     return page;
   },
   async "two avatars on one page, one with live poses"() {
