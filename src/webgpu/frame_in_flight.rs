@@ -22,16 +22,18 @@ use wgpu::{BufferUsages, MapMode};
 pub const FRAMES_IN_FLIGHT: usize = 2;
 /// Bytes of the counts, before the timestamps.
 const COUNTS: u64 = size_of::<Control>() as u64 + REASONS;
-const QUERIES: u32 = 2 * STAGES.len() as u32;
+/// Timestamps of a frame: one before its first stage, and one after each.
+const BORDERS: u32 = STAGES.len() as u32 + 1;
 /// Bytes of all that is read back.
-const SIZE: u64 = COUNTS + 8 * QUERIES as u64;
+const SIZE: u64 = COUNTS + 8 * BORDERS as u64;
 
 const FREE: u8 = 0;
 const PENDING: u8 = 1;
 const MAPPED: u8 = 2;
 const FAILED: u8 = 3;
 
-/// A pair of timestamps: at the beginning and the end of a pass; either may be another pass's.
+/// The timestamps that a pass writes: at its beginning, where no stage ran before, and at its end,
+/// where its stage ends too.
 pub type Writes = [Option<u32>; 2];
 
 /// One of the frames under way.
@@ -53,12 +55,12 @@ impl FrameInFlight {
             let set = gpu.device.create_query_set(&wgpu::QuerySetDescriptor {
                 label: Some("stages"),
                 ty: wgpu::QueryType::Timestamp,
-                count: QUERIES,
+                count: BORDERS,
             });
             let usage = BufferUsages::QUERY_RESOLVE | BufferUsages::COPY_SRC;
             Ok((
                 Owned(set),
-                empty(gpu, "timestamps", 8 * u64::from(QUERIES), usage)?,
+                empty(gpu, "timestamps", 8 * u64::from(BORDERS), usage)?,
             ))
         };
         Ok(Self {
@@ -122,18 +124,12 @@ impl FrameInFlight {
         );
         let ticks: Vec<u64> = bytemuck::pod_collect_to_vec(ticks);
         let ms = |pair: &[u64]| pair[1].saturating_sub(pair[0]) as f64 * self.period;
-        let timed = if self.queries.is_some() {
-            self.marked.len()
+        let stages = if self.queries.is_some() {
+            let times = ticks.windows(2).map(ms);
+            self.marked.iter().copied().zip(times).collect()
         } else {
-            0
+            Vec::new()
         };
-        let stages = self
-            .marked
-            .iter()
-            .copied()
-            .zip(ticks.chunks_exact(2).map(ms))
-            .take(timed)
-            .collect();
         FrameReport {
             stages,
             counters,
@@ -158,15 +154,16 @@ impl FrameInFlight {
 
     /// The timestamps of a stage of one pass.
     pub fn stage(&mut self, stage: Stage) -> Writes {
-        let [begin, _] = self.split(stage)[0];
-        [begin, begin.map(|begin| begin + 1)]
+        let [[begin, _], [_, end]] = self.split(stage);
+        [begin, end]
     }
 
-    /// The timestamps of a stage of two passes.
+    /// The timestamps of a stage of two passes. Stages share their borders: the end of one is the
+    /// beginning of the next.
     pub fn split(&mut self, stage: Stage) -> [Writes; 2] {
-        let first = 2 * self.marked.len() as u32;
+        let begin = self.marked.is_empty().then_some(0);
         self.marked.push(stage.name());
-        [[Some(first), None], [None, Some(first + 1)]]
+        [[begin, None], [None, Some(self.marked.len() as u32)]]
     }
 
     /// Begins a compute pass that writes these timestamps, where the device has them.
@@ -178,9 +175,8 @@ impl FrameInFlight {
     ) -> wgpu::ComputePass<'a> {
         let [beginning_of_pass_write_index, end_of_pass_write_index] = writes;
         let timestamp_writes =
-            self.queries
-                .as_ref()
-                .map(|(query_set, _)| wgpu::ComputePassTimestampWrites {
+            self.queries_of(writes)
+                .map(|query_set| wgpu::ComputePassTimestampWrites {
                     query_set,
                     beginning_of_pass_write_index,
                     end_of_pass_write_index,
@@ -191,16 +187,22 @@ impl FrameInFlight {
         })
     }
 
-    /// The timestamps of a render pass; None where the device has none.
+    /// The timestamps of a render pass; None where it writes none.
     pub fn draw_writes(&self, writes: Writes) -> Option<wgpu::RenderPassTimestampWrites<'_>> {
         let [beginning_of_pass_write_index, end_of_pass_write_index] = writes;
-        self.queries
-            .as_ref()
-            .map(|(query_set, _)| wgpu::RenderPassTimestampWrites {
+        self.queries_of(writes)
+            .map(|query_set| wgpu::RenderPassTimestampWrites {
                 query_set,
                 beginning_of_pass_write_index,
                 end_of_pass_write_index,
             })
+    }
+
+    /// What a pass writes its timestamps to. None where the device has none, or the pass writes
+    /// none: WebGPU refuses an empty list.
+    fn queries_of(&self, writes: Writes) -> Option<&wgpu::QuerySet> {
+        let (set, _) = self.queries.as_ref()?;
+        writes.iter().any(Option::is_some).then_some(&**set)
     }
 
     /// Copies the frame's counts, submits it, and has them mapped when it is done.
@@ -216,15 +218,10 @@ impl FrameInFlight {
         let reasons = splats.reasons();
         encoder.copy_buffer_to_buffer(reasons.buffer, reasons.offset, &self.staging, size, REASONS);
         if let Some((set, resolved)) = self.queries.as_ref().filter(|_| !self.marked.is_empty()) {
-            let queries = 2 * self.marked.len() as u32;
-            encoder.resolve_query_set(set, 0..queries, resolved, 0);
-            encoder.copy_buffer_to_buffer(
-                resolved,
-                0,
-                &self.staging,
-                COUNTS,
-                8 * u64::from(queries),
-            );
+            let borders = self.marked.len() as u32 + 1;
+            encoder.resolve_query_set(set, 0..borders, resolved, 0);
+            let size = 8 * u64::from(borders);
+            encoder.copy_buffer_to_buffer(resolved, 0, &self.staging, COUNTS, size);
         }
         self.submission = Some(gpu.queue.submit([encoder.finish()]));
         self.state.store(PENDING, Ordering::Release);

@@ -4,6 +4,7 @@
 #[macro_use]
 #[path = "../common/mod.rs"]
 mod common;
+mod clocks;
 mod devices;
 mod memory;
 mod present;
@@ -34,6 +35,7 @@ fn main() -> ExitCode {
             stages::skip,
             stages::scene,
             stages::stress,
+            clocks,
             devices,
             memory,
             present,

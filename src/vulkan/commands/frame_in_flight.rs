@@ -25,6 +25,9 @@ use std::{ffi::CString, sync::Arc, time::Instant};
 /// Frames that may be under way at once.
 pub const FRAMES_IN_FLIGHT: usize = 2;
 
+/// Timestamps of a frame: one before its first stage, and one after each.
+const BORDERS: usize = STAGES.len() + 1;
+
 /// What a frame waits for and signals.
 #[derive(Clone, Copy)]
 pub struct Semaphores {
@@ -70,7 +73,7 @@ pub struct FrameInFlight {
     /// The command buffer's.
     pool: CommandPool,
     fence: Fence,
-    /// A pair of timestamps a stage. None where the device has none.
+    /// Timestamps: the borders of the stages. None where the device has none.
     queries: Option<QueryPool>,
     /// Counts fragments. None where the device can't.
     statistics: Option<QueryPool>,
@@ -80,7 +83,7 @@ pub struct FrameInFlight {
     reasons: bool,
     /// The frame's counts, copied here by the device.
     counts: Buffer,
-    /// Stages with a pair of timestamps in the frame under way.
+    /// Stages of the frame under way, each with a timestamp after it.
     marked: Vec<&'static str>,
     skipped: Vec<&'static str>,
     /// Of the frame under way; it is not finished yet.
@@ -100,11 +103,10 @@ impl FrameInFlight {
         )?;
         let pool = CommandPool::transient(&gpu.device, gpu.queue_family, "frame")?;
         let queries = if gpu.probe.timestamp_bits > 0 {
-            let count = 2 * STAGES.len() as u32;
             Some(QueryPool::timestamps(
                 &gpu.device,
-                count,
-                "times of stages",
+                BORDERS as u32,
+                "borders of stages",
             )?)
         } else {
             None
@@ -159,18 +161,18 @@ impl FrameInFlight {
         }))
     }
 
-    /// The time of each stage, and when it began and ended.
+    /// The time of each stage, and when it began and ended: from one border to the next.
     fn times(&self) -> Result<Times> {
         let Some(queries) = self.queries.as_ref().filter(|_| !self.marked.is_empty()) else {
             return Ok(Times::default());
         };
-        let mut ticks = [0; 2 * STAGES.len()];
-        let ticks = &mut ticks[..2 * self.marked.len()];
-        queries.read(ticks).during("vkGetQueryPoolResults")?;
+        let mut borders = [0; BORDERS];
+        let borders = &mut borders[..=self.marked.len()];
+        queries.read(borders).during("vkGetQueryPoolResults")?;
         let mask = self.gpu.probe.tick_mask();
         let period = f64::from(self.gpu.probe.limits.timestamp_period) * 1e-6;
         let mut times = Times::default();
-        for (&name, pair) in self.marked.iter().zip(ticks.chunks_exact(2)) {
+        for (&name, pair) in self.marked.iter().zip(borders.windows(2)) {
             let [began, ended] = [pair[0] & mask, pair[1] & mask];
             let ms = (ended.wrapping_sub(began) & mask) as f64 * period;
             times.stages.push((name, ms));
@@ -196,8 +198,7 @@ impl FrameInFlight {
                 .begin_command_buffer(self.commands, &info)
                 .during("vkBeginCommandBuffer")?;
             if let Some(queries) = &self.queries {
-                let count = 2 * STAGES.len() as u32;
-                device.cmd_reset_query_pool(self.commands, queries.raw(), 0, count);
+                device.cmd_reset_query_pool(self.commands, queries.raw(), 0, BORDERS as u32);
             }
             if let Some(statistics) = &self.statistics {
                 device.cmd_reset_query_pool(self.commands, statistics.raw(), 0, 1);
@@ -212,18 +213,19 @@ impl FrameInFlight {
         unsafe { Recording::new(&self.gpu, self.commands) }
     }
 
-    /// Records what is no stage: nobody measures it.
+    /// Records what is no stage. Its time counts to the stage that follows.
     pub fn record(&self, record: impl FnOnce(Recording)) {
         record(self.recording());
     }
 
-    /// Records a stage between two timestamps, under its name in a GPU profiler.
+    /// Records a stage under its name in a GPU profiler, and the border after it.
     pub fn stage(&mut self, name: &'static str, record: impl FnOnce(Recording)) {
-        let first = 2 * self.marked.len() as u32;
+        if self.marked.is_empty() {
+            self.border(0);
+        }
         self.label(name);
-        self.mark(vk::PipelineStageFlags::TOP_OF_PIPE, first);
         record(self.recording());
-        self.mark(vk::PipelineStageFlags::BOTTOM_OF_PIPE, first + 1);
+        self.border(self.marked.len() as u32 + 1);
         if let Some(labels) = &self.gpu.labels {
             // SAFETY: the command buffer is recording, with the label above open.
             unsafe { labels.cmd_end_debug_utils_label(self.commands) };
@@ -311,13 +313,19 @@ impl FrameInFlight {
         };
     }
 
-    fn mark(&self, stage: vk::PipelineStageFlags, query: u32) {
+    /// Has the device write its clock once all work recorded before is done. Two stages share such
+    /// a border: a timestamp at a stage's beginning may be written before the stage waits for the
+    /// one before it, or, by a driver that defers it, once the stage is done.
+    fn border(&self, query: u32) {
         if let Some(queries) = &self.queries {
             // SAFETY: the command buffer is recording, the query was reset in `begin`.
             unsafe {
-                self.gpu
-                    .raw
-                    .cmd_write_timestamp(self.commands, stage, queries.raw(), query)
+                self.gpu.raw.cmd_write_timestamp(
+                    self.commands,
+                    vk::PipelineStageFlags::BOTTOM_OF_PIPE,
+                    queries.raw(),
+                    query,
+                )
             };
         }
     }

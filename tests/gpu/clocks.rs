@@ -1,0 +1,143 @@
+//! Tests of the times that frames report, against the host's clock. A CPU driver does all of its
+//! work between submission and fence, so there the stages must add up to that time.
+
+use crate::common::{gpu, harness::not_run};
+use effigy::vulkan::{
+    Renderer, RendererOptions,
+    raster::RasterMethod::{self, Quads, Tiles},
+};
+use effigy_core::{
+    avatar::{Avatar, motion::Player},
+    frame::Skip,
+    scene::{AvatarBounds, Camera, Posed},
+};
+use std::time::{Duration, Instant};
+
+/// Least part of the wall time that the stages of some frame must explain. What is missing is the
+/// copy of the counts, and the time that the driver's and this thread take to wake up.
+const LEAST_OF_WALL: f64 = 0.9;
+/// That part where the wall time has the recording of the frame in it, by a library that checks all.
+const LEAST_OF_WALL_RECORDED: f64 = 0.75;
+/// Most of the wall time that the stages of any frame may add up to.
+const MOST_OF_WALL: f64 = 1.01;
+/// Least part of a frame's sum that the projection of all Gaussians takes on these drivers.
+const LEAST_OF_PROJECT: f64 = 0.03;
+const FRAMES: usize = 6;
+const SIZE: [u32; 2] = [640, 640];
+
+tests! {
+    stages_add_up_to_the_frame[Quads],
+    stages_add_up_to_the_frame[Tiles],
+    stages_add_up_where_nothing_is_skipped,
+    #[cfg(feature = "webgpu")]
+    stages_add_up_on_webgpu[Quads],
+    #[cfg(feature = "webgpu")]
+    stages_add_up_on_webgpu[Tiles],
+}
+
+/// The demo in motion: a pose, and a camera around it.
+fn frames(avatar: &Avatar) -> Vec<(Posed, Camera)> {
+    let player = Player::new(effigy_demo::clip().unwrap(), &avatar.skeleton);
+    (0..FRAMES)
+        .map(|frame| {
+            let posed = Posed::new(avatar, &player.pose(0.4 * frame as f64));
+            let bounds = AvatarBounds::new(avatar).bounds(&posed.joints);
+            let camera = Camera::around(bounds, 0.3, 0.1, 0.6, SIZE);
+            (posed, camera)
+        })
+        .collect()
+}
+
+/// A frame's stages, ms, and the time that they should add up to.
+struct Timed {
+    stages: Vec<(&'static str, f64)>,
+    wall: Duration,
+}
+
+fn assert_adds_up(frames: &[Timed], least: f64) {
+    let mut best: f64 = 0.0;
+    for Timed { stages, wall } in frames {
+        let sum: f64 = stages.iter().map(|(_, ms)| ms).sum();
+        let of_wall = sum / (1e3 * wall.as_secs_f64());
+        assert!(
+            of_wall <= MOST_OF_WALL,
+            "{stages:?} add up to {of_wall:.3} of {wall:?}"
+        );
+        best = best.max(of_wall);
+        let project = stages.iter().find(|(name, _)| *name == "project");
+        let (_, project) = project.expect("a stage that every frame runs");
+        assert!(
+            *project >= LEAST_OF_PROJECT * sum,
+            "the projection takes next to nothing: {stages:?}"
+        );
+    }
+    assert!(
+        best >= least,
+        "the stages explain no more than {best:.3} of any frame"
+    );
+}
+
+fn adds_up(method: RasterMethod, skip: Skip) {
+    let device = gpu::gpu();
+    if device.probe.timestamp_bits == 0 {
+        not_run("no timestamps");
+    }
+    if !device.probe.is_cpu() {
+        not_run("a GPU's work can't be told from the wait for it");
+    }
+    let avatar = effigy_demo::avatar().unwrap();
+    let options = RendererOptions {
+        skip,
+        ..gpu::with_method(&device.probe.name, method, SIZE)
+    };
+    let mut renderer = Renderer::new(&device, &avatar, options).unwrap();
+    let timed: Vec<Timed> = frames(&avatar)
+        .iter()
+        .map(|(posed, camera)| {
+            renderer.draw(posed, camera, None).unwrap();
+            renderer.finish().unwrap();
+            let report = renderer.report();
+            let host = report.host.expect("the frame was submitted");
+            Timed {
+                stages: report.stages.clone(),
+                wall: host.finished - host.recorded,
+            }
+        })
+        .collect();
+    assert_adds_up(&timed, LEAST_OF_WALL);
+}
+
+/// With an occluder: its render pass is what drivers defer timestamps for.
+fn stages_add_up_to_the_frame(method: RasterMethod) {
+    adds_up(method, Skip::all() - Skip::DEPTH);
+}
+
+fn stages_add_up_where_nothing_is_skipped() {
+    adds_up(Tiles, Skip::empty());
+}
+
+#[cfg(feature = "webgpu")]
+fn stages_add_up_on_webgpu(method: RasterMethod) {
+    use effigy::webgpu::{Gpu, Renderer};
+
+    let device = Gpu::open(None).unwrap();
+    if !device.timestamps {
+        not_run("no timestamps");
+    }
+    let avatar = effigy_demo::avatar().unwrap();
+    let options = gpu::with_method(device.name(), method, SIZE);
+    let mut renderer = Renderer::new(&device, &avatar, options).unwrap();
+    let timed: Vec<Timed> = frames(&avatar)
+        .iter()
+        .map(|(posed, camera)| {
+            let began = Instant::now();
+            renderer.draw(posed, camera).unwrap();
+            renderer.finish().unwrap();
+            Timed {
+                stages: renderer.report().stages.clone(),
+                wall: began.elapsed(),
+            }
+        })
+        .collect();
+    assert_adds_up(&timed, LEAST_OF_WALL_RECORDED);
+}
