@@ -266,7 +266,7 @@ mod tests {
 
     #[test]
     fn a_case_is_its_seed_and_number() {
-        for number in 0..Category::ALL.len() as u64 {
+        for number in 0..2 * Category::ROUND {
             let [a, b] = [0, 1].map(|_| StressCase::new(3, number, false));
             assert_eq!(describe(&a), describe(&b));
             assert!(a.avatar == b.avatar);

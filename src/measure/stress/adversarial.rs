@@ -29,6 +29,7 @@ pub fn apply(random: &mut Random, draft: &mut Draft, category: Category, large: 
     match category {
         Category::Poses => poses(random, draft),
         Category::Solid => solid(random, draft),
+        Category::Torn => torn(random, draft),
         Category::Placed => draft.placed = placement(random),
         Category::Distant => distant(random, draft),
         Category::Quaternions => quaternions(random, &mut draft.avatar),
@@ -299,6 +300,16 @@ fn solid(random: &mut Random, draft: &mut Draft) {
         ..Draft::with_sizes(random, sizes)
     };
     draft.note = format!("{} Gaussians on an ellipsoid", sizes.gaussians);
+}
+
+fn torn(random: &mut Random, draft: &mut Draft) {
+    draft.sizes.joints = draft.sizes.joints.max(3);
+    solid(random, draft);
+    let max_angle = random.range(0.5, 3.0);
+    draft.note += &format!(", joints turned by up to {max_angle:.1}");
+    for rotation in &mut draft.pose.rotation {
+        *rotation = random.direction() * random.range(0.0, max_angle);
+    }
 }
 
 /// A scene of [`near_plane`].

@@ -56,7 +56,8 @@ impl ErrorBound {
         }
         // Gaussians behind the occluder may show a little through the shell and at its edges. Only
         // solid bodies have an occluder.
-        if category == Category::Solid && options.skip.intersects(Skip::HIDDEN | Skip::DEPTH) {
+        let is_solid = matches!(category, Category::Solid | Category::Torn);
+        if is_solid && options.skip.intersects(Skip::HIDDEN | Skip::DEPTH) {
             psnr_db = psnr_db.min(34.0);
         }
         let max_error = if psnr_db < exact.psnr_db {
@@ -85,7 +86,7 @@ impl ErrorBound {
             Category::Poses | Category::Mixed | Category::Quaternions => [46.0, 0.1],
             Category::Views => [48.0, 0.06],
             // Thousands of Gaussians on a hundred pixels: tens of layers each.
-            Category::Solid => [43.0, 0.06],
+            Category::Solid | Category::Torn => [43.0, 0.06],
             Category::SubPixel => [47.0, 0.06],
             Category::Placed
             | Category::Needles

@@ -38,13 +38,15 @@ pub enum Category {
     Mixed,
     /// A closed body with an occluder.
     Solid,
+    /// A closed body that its pose pulls apart.
+    Torn,
     /// Inputs that can't be drawn.
     Refused,
 }
 
 impl Category {
     /// Every category.
-    pub const ALL: [Self; 17] = [
+    pub const ALL: [Self; 18] = [
         Self::Poses,
         Self::Placed,
         Self::Distant,
@@ -62,11 +64,22 @@ impl Category {
         Self::Mixed,
         Self::Solid,
         Self::Refused,
+        Self::Torn,
     ];
+    /// Cases of a round, in which each category has its turn: [`Self::Torn`] has that of
+    /// [`Self::Solid`] in every second round, so that other cases keep the numbers that they had
+    /// before there was one.
+    pub const ROUND: u64 = Self::ALL.len() as u64 - 1;
 
     /// The category of a case: categories take turns.
     pub fn of_case(number: u64) -> Self {
-        Self::ALL[(number % Self::ALL.len() as u64) as usize]
+        let category = Self::ALL[(number % Self::ROUND) as usize];
+        let is_odd_round = (number / Self::ROUND) % 2 == 1;
+        if category == Self::Solid && is_odd_round {
+            Self::Torn
+        } else {
+            category
+        }
     }
 
     /// Name in output for people.
@@ -88,6 +101,7 @@ impl Category {
             Self::Views => "views",
             Self::Mixed => "mixed",
             Self::Solid => "solid",
+            Self::Torn => "torn",
             Self::Refused => "refused",
         }
     }
@@ -115,6 +129,7 @@ impl Category {
             Self::Views => "fields of view from 1° to 170°",
             Self::Mixed => "several of these at once",
             Self::Solid => "a closed body, whose occluder hides Gaussians inside and behind it",
+            Self::Torn => "a closed body that bent joints pull apart, so that its inside shows",
             Self::Refused => "NaN, infinity and other numbers that can't be drawn, in every input",
         }
     }
