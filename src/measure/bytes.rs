@@ -17,8 +17,8 @@ use effigy_core::{
     avatar::{Avatar, Layer},
     frame::{Skip, SortVariant, passes::Stage},
     layout::{
-        BLOCK_PAIRS, GAUSSIAN_PAIRS, OCCLUDER_SIDE, POSE_CACHE_WORDS, PYRAMID_LEVELS, PYRAMID_SIDE,
-        SORT_DIGITS, SORT_RUNS,
+        BLOCK_PAIRS, GAUSSIAN_PAIRS, OCCLUDER_SIDE, OccluderCorner, POSE_CACHE_WORDS,
+        PYRAMID_LEVELS, PYRAMID_SIDE, SORT_DIGITS, SORT_RUNS,
     },
 };
 use std::{
@@ -144,9 +144,9 @@ const NODE_START: Amount = Amount {
     stored: WORD,
     minimum: 0,
 };
-/// A vertex of the occluder: the place of a Gaussian.
+/// A vertex of the occluder: the place of a Gaussian, nodes and two vertices beside it.
 const OCCLUDER_VERTEX: Amount = Amount {
-    stored: 4 * PAIR,
+    stored: size_of::<OccluderCorner>() as u64,
     minimum: GAUSSIAN_PLACE.minimum,
 };
 /// A corner of an occluder's triangle.

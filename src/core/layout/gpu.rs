@@ -280,6 +280,16 @@ pub struct SettingsBlock {
     pub first_region: [u32; 2],
 }
 
+/// A corner of the occluder mesh, packed: two vectors; see `shaders/occluder/depth.vert`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
+pub struct OccluderCorner {
+    /// Position, the limit of how far the shell may stretch, joints, weights.
+    pub skinned: [u32; 4],
+    /// Three nodes, the weights of the first two, two corners beside it.
+    pub near: [u32; 4],
+}
+
 /// Counts that the sort writes and the draw reads. The first five words are a
 /// `VkDrawIndexedIndirectCommand`.
 #[repr(C)]

@@ -2,7 +2,7 @@
 //! [`super::compact`]; all other numbers keep the bits that the file has.
 
 use super::compact::{self, CodedRow, LogScales};
-use super::{BLOCK_PAIRS, FrameBlock, GAUSSIAN_PAIRS, LayerLayout};
+use super::{BLOCK_PAIRS, FrameBlock, GAUSSIAN_PAIRS, LayerLayout, OccluderCorner};
 use crate::{
     avatar::{Activation, Avatar, Layer, Rows, limits, matrix},
     constants::LEAKY_SLOPE,
@@ -336,8 +336,8 @@ pub fn occluder(
     avatar: &Avatar,
     occluder: &Occluder,
     node_places: &[u16],
-) -> (Vec<[[u32; 4]; 2]>, Vec<[u16; 3]>) {
-    let corner = |vertex: &OccluderVertex| -> [[u32; 4]; 2] {
+) -> (Vec<OccluderCorner>, Vec<[u16; 3]>) {
+    let corner = |vertex: &OccluderVertex| {
         let [x, y, z] = avatar.gaussians.bounds.encode(vertex.position);
         let neighbors = vertex.neighbor.map(|at| u16::try_from(at).ok());
         // How far the shell may be pulled apart and still be opaque, squared. A vertex whose
@@ -365,17 +365,17 @@ pub fn occluder(
         let [first, second, _] = avatar
             .node_weights_at(vertex.position, vertex.node)
             .map(|w| (w * 65535.0).round() as u32);
-        [
-            [
+        OccluderCorner {
+            skinned: [
                 words[0],
                 words[1],
                 u32::from_le_bytes(vertex.joint),
                 u32::from_le_bytes(vertex.joint_weight),
             ],
-            [a | b << 16, c, first | second << 16, neighbors],
-        ]
+            near: [a | b << 16, c, first | second << 16, neighbors],
+        }
     };
-    let corners: Vec<[[u32; 4]; 2]> = occluder.vertices.iter().map(corner).collect();
+    let corners: Vec<OccluderCorner> = occluder.vertices.iter().map(corner).collect();
     // A coarse mesh has fewer corners than 16 bits count; triangles beyond that are dropped.
     let indices: Vec<[u16; 3]> = occluder
         .triangles

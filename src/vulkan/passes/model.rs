@@ -17,7 +17,7 @@ use std::sync::Arc;
 
 /// An [`Occluder`] in device memory; see `shaders/occluder/depth.vert`.
 pub struct OccluderMesh {
-    /// Storage buffer: two vectors of 128 bits a vertex.
+    /// Storage buffer: an [`OccluderCorner`](effigy_core::layout::OccluderCorner) a vertex.
     pub corners: Buffer,
     /// Index buffer: 16 bits an index.
     pub indices: Buffer,

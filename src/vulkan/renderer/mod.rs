@@ -42,7 +42,7 @@ use effigy_core::{
         state::{FrameState, PlanInput},
         validate,
     },
-    layout::PYRAMID_WORDS,
+    layout::{OccluderCorner, PYRAMID_WORDS},
     scene::{AvatarBounds, Camera, Detail, FrameImage, PartDependencies, PixelRect, Posed},
 };
 use std::{sync::Arc, time::Instant};
@@ -217,7 +217,10 @@ impl Renderer {
     /// Numbers of corners and triangles of the occluder mesh.
     pub fn occluder_size(&self) -> [u64; 2] {
         let mesh = &self.model.occluder;
-        [mesh.corners.size / 32, u64::from(mesh.index_count / 3)]
+        [
+            mesh.corners.size / size_of::<OccluderCorner>() as u64,
+            u64::from(mesh.index_count / 3),
+        ]
     }
 
     /// The `raster` stage, which holds the image.
