@@ -267,9 +267,12 @@ impl WindowPainter {
         self.renderer.finish()?;
         for (id, images) in delta.set.drain() {
             for image in images {
+                // SAFETY: the window's frames and captures are submitted by this thread; the
+                // texture is uploaded when the call returns.
+                let queue = unsafe { self.gpu.queue() };
                 let set = self
                     .egui
-                    .set_texture(self.gpu.queue, self.textures.raw(), id, &image);
+                    .set_texture(queue, self.textures.raw(), id, &image);
                 panel_error(set)?;
             }
         }

@@ -25,7 +25,7 @@ use std::{
 /// A Vulkan device with one queue for everything.
 pub struct Gpu {
     /// The one queue, for graphics and compute. Submit through `submit`, which locks it.
-    pub queue: vk::Queue,
+    queue: vk::Queue,
     /// Index of the queue's family.
     pub queue_family: u32,
     /// Allocates device memory. Dropped before the device.
@@ -144,6 +144,15 @@ impl Gpu {
     /// killed has no later chance.
     pub fn save_pipelines(&self) {
         self.cache.save();
+    }
+
+    /// The one queue, for libraries that submit by themselves.
+    ///
+    /// # Safety
+    /// While it is used, no other thread may submit to this device: nothing locks it. What is
+    /// submitted must end while all that it uses is alive.
+    pub unsafe fn queue(&self) -> vk::Queue {
+        self.queue
     }
 
     /// The queue, for as long as the guard lives.

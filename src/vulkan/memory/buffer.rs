@@ -134,9 +134,13 @@ impl Buffer {
     }
 
     /// Copies data to the start of a buffer of the device's own, and waits.
+    ///
+    /// # Panics
+    /// When the data is longer than the buffer.
     pub fn upload(&self, data: &[u8]) -> Result<()> {
         /// Staging never takes more than this, whatever the avatar's size.
         const CHUNK: usize = 8 << 20;
+        self.assert_holds(data.len());
         if data.is_empty() {
             return Ok(());
         }
@@ -155,7 +159,8 @@ impl Buffer {
                 dst_offset: (at * CHUNK) as u64,
                 size: chunk.len() as u64,
             };
-            // SAFETY: both buffers are alive, the region is inside both, and `run` waits.
+            // SAFETY: both buffers are alive; the region is inside both, as asserted above; `run`
+            // waits.
             self.gpu.run("an upload", |commands| unsafe {
                 self.gpu
                     .raw
@@ -165,8 +170,21 @@ impl Buffer {
         Ok(())
     }
 
+    /// That so many bytes are inside the buffer.
+    fn assert_holds(&self, bytes: usize) {
+        assert!(
+            bytes as u64 <= self.size,
+            "a buffer of {} bytes does not hold {bytes}",
+            self.size
+        );
+    }
+
     /// Copies the start of a buffer back, and waits: for images and tests.
+    ///
+    /// # Panics
+    /// When the buffer has fewer bytes.
     pub fn download(&self, bytes: usize) -> Result<Vec<u8>> {
+        self.assert_holds(bytes);
         if bytes == 0 {
             return Ok(Vec::new());
         }
@@ -186,7 +204,8 @@ impl Buffer {
         let all = Scope::new(PipelineStageFlags::ALL_COMMANDS, AccessFlags::MEMORY_WRITE);
         self.gpu.run("a read-back", |commands| {
             commands.barrier(all, Scope::TRANSFER_READS);
-            // SAFETY: both buffers are alive, the region is inside both, and `run` waits.
+            // SAFETY: both buffers are alive; the region is inside both, as asserted above; `run`
+            // waits.
             unsafe {
                 self.gpu
                     .raw
