@@ -44,12 +44,20 @@ impl Clip {
         self.translation.len()
     }
 
+    /// Index of the last frame; 0 for a clip without frames, which is none.
+    fn last(&self) -> usize {
+        self.frames().saturating_sub(1)
+    }
+
     /// Seconds from the first frame to the last.
     pub fn duration(&self) -> f64 {
-        (self.frames() - 1) as f64 / self.rate
+        self.last() as f64 / self.rate
     }
 
     /// A frame's pose in the clip's own joint order.
+    ///
+    /// # Panics
+    /// When there is no such frame, or the arrays have other lengths than the fields say.
     pub fn frame(&self, frame: usize) -> Pose {
         let joints = self.joint.len();
         Pose {
@@ -67,17 +75,18 @@ impl Clip {
 
     /// The pose at a time, seconds: interpolated between frames, each joint the shortest way;
     /// before the start and after the end the nearest frame. NaN is the start.
+    ///
+    /// # Panics
+    /// When the clip has no frames, or its arrays have other lengths than the fields say.
     pub fn sample(&self, seconds: f64) -> Pose {
-        let at = (seconds * self.rate)
-            .max(0.0)
-            .min((self.frames() - 1) as f64);
+        let at = (seconds * self.rate).max(0.0).min(self.last() as f64);
         let first = at.floor() as usize;
         let share = at.fract();
         let pose = self.frame(first);
         if share == 0.0 {
             return pose;
         }
-        let next = self.frame((first + 1).min(self.frames() - 1));
+        let next = self.frame((first + 1).min(self.last()));
         pose.between(&next, share)
     }
 
@@ -117,6 +126,9 @@ impl Player {
     }
 
     /// The skeleton's pose at a time, seconds; held before the start and after the end.
+    ///
+    /// # Panics
+    /// As [`Clip::sample`].
     pub fn pose(&self, seconds: f64) -> Pose {
         let pose = self.clip.sample(seconds);
         Pose {
