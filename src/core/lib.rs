@@ -22,3 +22,6 @@ pub mod random;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod reference;
 pub mod scene;
+
+/// The vectors and matrices of poses, cameras and bounds, in the version that these use.
+pub use glam;

@@ -9,7 +9,7 @@ use super::{
 };
 use crate::avatar::Avatar;
 use crate::layout::compact::stored_node_weights;
-use crate::scene::{Camera, FrameImage, Posed};
+use crate::scene::{Camera, FrameImage, Posed, detail::COARSEST};
 use glam::DVec3;
 use half::f16;
 
@@ -32,13 +32,20 @@ pub struct ReferenceFrame {
 
 impl ReferenceFrame {
     /// Runs all stages on every Gaussian.
+    ///
+    /// # Panics
+    /// Where [`Avatar::check`] finds a fault, or the pose is another avatar's.
     pub fn new(avatar: &Avatar, posed: &Posed, camera: &Camera) -> Self {
         Self::at_level(avatar, posed, camera, 0)
     }
 
     /// Runs all stages at a level of detail ([`crate::scene::detail`]): on every 2^`level`-th
-    /// Gaussian, which represents those skipped.
+    /// Gaussian, which represents those skipped. Levels beyond [`COARSEST`] are drawn as that one.
+    ///
+    /// # Panics
+    /// As [`ReferenceFrame::new`].
     pub fn at_level(avatar: &Avatar, posed: &Posed, camera: &Camera, level: u32) -> Self {
+        let level = level.min(COARSEST);
         let features = mlp::features(avatar, &posed.input);
         let nodes = nodes::nodes(avatar, &features);
         let gaussians = posed_gaussians(avatar, posed, camera, &features, &nodes);
@@ -58,6 +65,9 @@ impl ReferenceFrame {
 }
 
 /// The image of a posed avatar.
+///
+/// # Panics
+/// As [`ReferenceFrame::new`].
 pub fn render(avatar: &Avatar, posed: &Posed, camera: &Camera) -> FrameImage {
     ReferenceFrame::new(avatar, posed, camera).canvas.to_image()
 }

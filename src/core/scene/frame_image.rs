@@ -26,6 +26,9 @@ impl FrameImage {
 #[cfg(not(target_arch = "wasm32"))]
 impl FrameImage {
     /// Blends the image over a background colour, to 8 bits a channel.
+    ///
+    /// # Panics
+    /// When it has fewer pixels than its size says.
     pub fn over(&self, background: [f32; 3]) -> RgbaImage {
         self.to_image(|p| {
             let [r, g, b] = std::array::from_fn(|k| p[k] + (1.0 - p[3]) * background[k]);
@@ -34,6 +37,9 @@ impl FrameImage {
     }
 
     /// Converts to straight (not premultiplied) alpha for PNG, 8 bits a channel.
+    ///
+    /// # Panics
+    /// When it has fewer pixels than its size says.
     pub fn transparent(&self) -> RgbaImage {
         self.to_image(|p| {
             let scale = if p[3] > 0.0 { 1.0 / p[3] } else { 0.0 };
