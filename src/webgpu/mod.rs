@@ -10,6 +10,7 @@ pub mod device;
 #[cfg(not(target_arch = "wasm32"))]
 mod download;
 pub mod error;
+mod execute;
 mod frame_in_flight;
 mod kernel;
 mod mlp;
@@ -23,7 +24,6 @@ mod raster;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod readback;
 pub mod renderer;
-mod replace_avatar;
 mod sh;
 mod sort;
 

@@ -6,7 +6,7 @@ use super::{
     buffer::{STORAGE, filled},
     device::Gpu,
     error::Result,
-    frame_in_flight::FrameInFlight,
+    frame_in_flight::{FrameInFlight, Writes},
     kernel::{Bindings, Blocks, Bound, Kernel, module},
     model::Model,
     owned::{Buffer, Texture},
@@ -123,14 +123,16 @@ impl OccluderPass {
         self.size.map(u64::from)
     }
 
-    /// Draws the mesh of each of `frames`, at least one, where their blocks say.
+    /// Draws the mesh of each of `frames`, at least one, where their blocks say. `writes`: the
+    /// timestamps of the whole.
     pub fn record(
         &self,
-        frame: &mut FrameInFlight,
+        frame: &FrameInFlight,
         encoder: &mut wgpu::CommandEncoder,
         frames: &[u32],
+        writes: Writes,
     ) {
-        let [first, second] = frame.split(Stage::Occluder);
+        let [begin, end] = writes;
         {
             let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
                 label: Some(Stage::Occluder.name()),
@@ -142,7 +144,7 @@ impl OccluderPass {
                     }),
                     stencil_ops: None,
                 }),
-                timestamp_writes: frame.draw_writes(first),
+                timestamp_writes: frame.draw_writes([begin, None]),
                 ..Default::default()
             });
             pass.set_pipeline(&self.pipeline);
@@ -152,7 +154,7 @@ impl OccluderPass {
                 pass.draw_indexed(0..3 * self.size[1], 0, 0..1);
             }
         }
-        let mut pass = frame.pass(encoder, Stage::Occluder, second);
+        let mut pass = frame.pass(encoder, Stage::Occluder, [None, end]);
         self.pyramid.dispatch(
             &mut pass,
             frames[0],

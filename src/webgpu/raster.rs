@@ -5,7 +5,7 @@ use super::{
     buffer::{STORAGE, Slice, empty},
     device::Gpu,
     error::{Error, Result},
-    frame_in_flight::FrameInFlight,
+    frame_in_flight::{FrameInFlight, Writes},
     kernel::{Bindings, Blocks, Bound, Kernel, module},
     owned::{Buffer, Owned, Texture},
 };
@@ -181,13 +181,15 @@ impl Raster {
     }
 
     /// Blends every quad into the cleared image. `block`: where a uniform block with the image's
-    /// size is, bytes. `control` holds the arguments of the draw.
+    /// size is, bytes. `control` holds the arguments of the draw. `writes`: its
+    /// timestamps.
     pub fn record_quads(
         &self,
-        in_flight: &mut FrameInFlight,
+        in_flight: &FrameInFlight,
         encoder: &mut wgpu::CommandEncoder,
         block: u32,
         control: &wgpu::Buffer,
+        writes: Writes,
     ) {
         let Way::Quads {
             bindings,
@@ -197,7 +199,6 @@ impl Raster {
         else {
             return;
         };
-        let writes = in_flight.stage(Stage::Raster);
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some(Stage::Raster.name()),
             color_attachments: &[Some(wgpu::RenderPassColorAttachment {
@@ -220,6 +221,14 @@ impl Raster {
 }
 
 impl Way {
+    /// Which of them it is.
+    pub fn method(&self) -> RasterMethod {
+        match self {
+            Self::Quads { .. } => RasterMethod::Quads,
+            Self::Tiles { .. } => RasterMethod::Tiles,
+        }
+    }
+
     /// Empties the tiles' lists.
     pub fn clear_tile_lists(&self, encoder: &mut wgpu::CommandEncoder) {
         if let Self::Tiles { lists, .. } = self {

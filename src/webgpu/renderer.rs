@@ -1,10 +1,11 @@
 //! Draws an avatar, or several copies of it in one scene: poses and a camera go in, an image on the
-//! device comes out. [`Schedule::new`] says what a frame runs, `Renderer::execute` runs it.
+//! device comes out. [`Schedule::new`] says what a frame runs, `execute.rs` records it.
 
 use super::{
     buffer::{STORAGE, empty},
     device::Gpu,
     error::Result,
+    execute::Executor,
     frame_in_flight::{FRAMES_IN_FLIGHT, FrameInFlight},
     kernel::{Blocks, FRAME_STRIDE},
     mlp::Mlp,
@@ -21,17 +22,13 @@ use bytemuck::bytes_of;
 use effigy_core::{
     avatar::Avatar,
     frame::{
-        Counters, Damage, FrameReport, RasterMethod, RendererOptions, Schedule, Skinning, block,
-        passes::Pass,
+        Counters, Damage, FrameReport, RendererOptions, Schedule, Skinning, Skip, Stage, block,
         pose_cache::PoseCache,
-        schedule::{Command, DeviceState, Equipment, ScheduledStage, Step},
+        schedule::{DeviceState, Equipment},
         state::{AvatarInstance, FramePlan, FrameState, PlanInput, StageDispatches},
         validate,
     },
-    layout::{
-        Control, FrameBlock, PYRAMID_WORDS, QUADS_PER_INSTANCE, SORT_TILE, SettingsBlock,
-        TILING_WEB,
-    },
+    layout::{Control, FrameBlock, PYRAMID_WORDS, SORT_TILE, SettingsBlock, TILING_WEB},
     scene::{AvatarBounds, Camera, PartDependencies, PixelRect, Posed},
 };
 use std::sync::Arc;
@@ -79,12 +76,12 @@ impl Renderer {
     /// When the options can't be drawn with, or the device's memory does not suffice.
     pub fn new(gpu: &Arc<Gpu>, avatar: &Avatar, options: RendererOptions) -> Result<Self> {
         let mut new = Self::empty(gpu, avatar, options)?;
-        new.take(avatar)?;
+        new.upload(avatar)?;
         Ok(new)
     }
 
     /// Buffers and kernels for an avatar. A browser compiles kernels on other threads: meanwhile
-    /// call [`Self::take`], which fills it and makes the occluder. Nothing may be drawn before
+    /// call [`Self::upload`], which fills them and makes the occluder. Nothing may be drawn before
     /// that.
     ///
     /// # Errors
@@ -158,6 +155,56 @@ impl Renderer {
         Ok(new)
     }
 
+    /// Fills the buffers that [`Self::empty`] made for this avatar. It may have spherical
+    /// harmonics: [`Self::empty`] has uploaded those. False, and nothing has changed, where its
+    /// arrays have other lengths.
+    ///
+    /// # Errors
+    /// When the device's memory does not suffice, or it is lost.
+    pub fn upload(&mut self, avatar: &Avatar) -> Result<bool> {
+        if !self.model.fill(&self.gpu, avatar) {
+            return Ok(false);
+        }
+        if self.occluder.is_none() && self.options.skip.contains(Skip::HIDDEN) {
+            self.occluder =
+                OccluderPass::new(&self.gpu, avatar, &self.model, &self.blocks, &self.pose)?;
+        }
+        self.gpu.check()?;
+        Ok(true)
+    }
+
+    /// Draws this avatar from now on, which has the Gaussians and the nodes of the one before and
+    /// may have other correctives of the same number: kernels and bindings stay. False, and nothing
+    /// has changed, where its arrays have other lengths.
+    ///
+    /// # Errors
+    /// When the device is lost.
+    pub fn replace_avatar(&mut self, avatar: &Avatar) -> Result<bool> {
+        if avatar.sh.is_some() || !self.upload(avatar)? {
+            return Ok(false);
+        }
+        self.frame.clone_from(&self.model.constants);
+        self.avatar_bounds = AvatarBounds::new(avatar);
+        self.needs = PartDependencies::new(avatar);
+        for cache in &mut self.pose_caches {
+            *cache = PoseCache::default();
+        }
+        self.state = FrameState::default();
+        Ok(true)
+    }
+
+    /// [`Self::upload`], by the name that the page calls.
+    #[doc(hidden)]
+    pub fn take(&mut self, avatar: &Avatar) -> Result<bool> {
+        self.upload(avatar)
+    }
+
+    /// [`Self::replace_avatar`], by the name that the page calls.
+    #[doc(hidden)]
+    pub fn fill(&mut self, avatar: &Avatar) -> Result<bool> {
+        self.replace_avatar(avatar)
+    }
+
     /// The device that it draws on.
     pub fn gpu(&self) -> &Arc<Gpu> {
         &self.gpu
@@ -166,6 +213,15 @@ impl Renderer {
     /// The avatar's bounds.
     pub fn bounds(&self) -> &AvatarBounds {
         &self.avatar_bounds
+    }
+
+    fn equipment(&self) -> Equipment {
+        Equipment {
+            sh: self.sh.is_some(),
+            occluder: self.occluder.is_some(),
+            method: self.raster.way().method(),
+            skip: self.options.skip,
+        }
     }
 
     /// Numbers of corners and triangles of the occluder mesh.
@@ -226,22 +282,17 @@ impl Renderer {
             always_submit: false,
         });
         if !plan.redraw {
-            self.report = FrameReport::idle(self.sh.is_some());
+            self.report = FrameReport::idle(&self.equipment());
             return Ok(false);
         }
         let damage = Damage::new(plan.drawn_rect, self.damaged, self.options.size);
         self.damaged = Some(plan.drawn_rect);
-        let equipment = Equipment {
-            sh: self.sh.is_some(),
-            method: self.options.method.unwrap_or(RasterMethod::Quads),
-            skip: self.options.skip,
-        };
         let device_state = DeviceState {
             key_count: self.key_count,
         };
-        let schedule = Schedule::new(&plan, &equipment, device_state);
-        self.write_frame(&plan, camera, &damage);
-        self.execute(&schedule, &plan, &damage);
+        let schedule = Schedule::new(&plan, &self.equipment(), device_state);
+        self.write_frame(&schedule, &plan, camera, &damage);
+        self.submit(&schedule, &plan, &damage);
         self.next = (self.next + 1) % FRAMES_IN_FLIGHT;
         Ok(true)
     }
@@ -254,108 +305,59 @@ impl Renderer {
         self.draw_scene(&[posed], camera)
     }
 
-    /// Runs a schedule. WebGPU orders memory by itself, so barriers are passed over; the key count
-    /// is written with the uniform blocks.
-    fn execute(&mut self, schedule: &Schedule, plan: &FramePlan, damage: &Damage) {
-        let Self {
-            frames_in_flight,
-            mlp,
-            sh,
-            occluder,
-            project,
-            sort,
-            raster,
-            ..
-        } = self;
+    /// Records a schedule, and submits it.
+    fn submit(&mut self, schedule: &Schedule, plan: &FramePlan, damage: &Damage) {
+        let stages = StageDispatches {
+            has_sh: self.sh.is_some(),
+            has_occluder: schedule.runs(Stage::Occluder),
+            sort: self.sort.dispatches() as u64,
+            raster: self.raster.dispatches(),
+        };
+        let counters = Counters {
+            damaged: damage.pixels(),
+            ..plan.counters(self.model.constants.gaussians, &stages)
+        };
         let blocks: Vec<u32> = plan
             .instances
             .iter()
             .map(|instance| block_offset(instance.index))
             .collect();
-        // An empty image has a size too: the first block's.
-        let image_block = blocks.first().copied().unwrap_or(0);
-        let stages = StageDispatches {
-            has_sh: sh.is_some(),
-            has_occluder: occluder.is_some() && plan.occluder_view.is_some(),
-            sort: sort.dispatches() as u64,
-            raster: raster.dispatches(),
+        let executor = Executor {
+            gpu: &self.gpu,
+            mlp: &self.mlp,
+            sh: self.sh.as_ref(),
+            occluder: self.occluder.as_ref(),
+            project: &self.project,
+            sort: &self.sort,
+            raster: &self.raster,
+            control: &self.control,
+            block: block_offset,
+            blocks: &blocks,
+            damage,
         };
-        let in_flight = &mut frames_in_flight[self.next];
-        let counters = Counters {
-            damaged: damage.pixels(),
-            ..plan.counters(self.model.constants.gaussians, &stages)
-        };
-        in_flight.begin(counters, self.options.count);
         let mut encoder = self
             .gpu
             .device
             .create_command_encoder(&wgpu::CommandEncoderDescriptor {
                 label: Some("frame"),
             });
-        let dispatch = |pass: &Pass, compute: &mut wgpu::ComputePass| match *pass {
-            Pass::Mlp { instance, parts } => mlp.record(compute, block_offset(instance), parts),
-            Pass::Sh {
-                instance,
-                gaussians,
-            } => {
-                if let Some(sh) = sh.as_ref() {
-                    sh.record(compute, block_offset(instance), gaussians);
-                }
-            }
-            Pass::Project {
-                instance,
-                gaussians,
-                skinning,
-            } => project.record(compute, block_offset(instance), gaussians, skinning),
-            Pass::Sort => sort.record(compute),
-            Pass::Binning => raster.way().record_binning(compute, image_block),
-            Pass::RasterTiles => raster.way().record_tiles(compute, image_block, damage),
-            // These are no compute passes: they are recorded where they stand in the schedule.
-            Pass::SetKeyCount { .. }
-            | Pass::ClearCounts
-            | Pass::Occluder { .. }
-            | Pass::ClearTileLists
-            | Pass::RasterQuads { .. }
-            | Pass::ReadCounts => {}
-        };
-        for step in &schedule.steps {
-            match step {
-                Step::Skip(stage, _) => in_flight.skip(*stage),
-                Step::Command(Command::Run(Pass::ClearCounts)) => project.clear(&mut encoder),
-                // The API orders memory, and counts are copied where the frame is submitted.
-                Step::Command(_) => {}
-                Step::Stage(ScheduledStage { stage, commands }) => match commands[..] {
-                    [Command::Run(Pass::Occluder { .. })] => {
-                        if let Some(occluder) = occluder.as_ref() {
-                            occluder.record(in_flight, &mut encoder, &blocks);
-                        }
-                    }
-                    [Command::Run(Pass::RasterQuads { .. })] => {
-                        let control = &self.control;
-                        raster.record_quads(in_flight, &mut encoder, image_block, control);
-                    }
-                    _ => {
-                        let passes = commands.iter().filter_map(Command::pass);
-                        if passes.clone().any(|pass| *pass == Pass::ClearTileLists) {
-                            raster.way().clear_tile_lists(&mut encoder);
-                        }
-                        let writes = in_flight.stage(*stage);
-                        let mut compute = in_flight.pass(&mut encoder, *stage, writes);
-                        for pass in passes {
-                            dispatch(pass, &mut compute);
-                        }
-                    }
-                },
-            }
-        }
-        in_flight.submit(&self.gpu, encoder, &self.control, project);
+        let in_flight = &mut self.frames_in_flight[self.next];
+        in_flight.begin(counters, self.options.count);
+        executor.execute(in_flight, &mut encoder, schedule);
+        in_flight.submit(&self.gpu, encoder, &self.control, &self.project);
+        self.key_count = Some(schedule.key_count);
     }
 
     /// Fills the uniform blocks of a frame.
-    fn write_frame(&mut self, plan: &FramePlan, camera: &Camera, damage: &Damage) {
-        let keys = plan.key_count();
+    fn write_frame(
+        &mut self,
+        schedule: &Schedule,
+        plan: &FramePlan,
+        camera: &Camera,
+        damage: &Damage,
+    ) {
         let settings = SettingsBlock {
-            key_count: keys,
+            key_count: schedule.key_count,
             first_region: damage.regions()[0],
             ..self.settings
         };
@@ -364,17 +366,6 @@ impl Renderer {
             self.gpu
                 .queue
                 .write_buffer(&self.blocks.settings, 0, bytes_of(&settings));
-        }
-        if self.key_count != Some(keys) {
-            self.key_count = Some(keys);
-            let control = Control {
-                index_count: 6 * QUADS_PER_INSTANCE,
-                key_count: keys,
-                ..Control::default()
-            };
-            self.gpu
-                .queue
-                .write_buffer(&self.control, 0, bytes_of(&control));
         }
         for instance in plan
             .instances
@@ -402,9 +393,6 @@ impl Renderer {
     ) {
         let block = &mut *self.frame;
         block::write_shared(block, &self.options, plan, camera);
-        if self.occluder.is_none() {
-            block.pyramid_start = 0;
-        }
         self.project.fill(block);
         block.tile_side = TILING_WEB.tile(camera.size) as f32;
         block.count_tile = SORT_TILE;

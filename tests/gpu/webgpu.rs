@@ -424,7 +424,7 @@ fn an_avatar_is_drawn_before_its_correctives_are_there(method: RasterMethod) {
             "{options:?}: {:?}",
             error.covered
         );
-        assert_eq!(renderer.fill(avatar), Ok(true));
+        assert_eq!(renderer.replace_avatar(avatar), Ok(true));
         assert_eq!(
             renderer.draw(&posed, &camera),
             Ok(true),
@@ -437,7 +437,7 @@ fn an_avatar_is_drawn_before_its_correctives_are_there(method: RasterMethod) {
             "{options:?}"
         );
         assert_eq!(
-            renderer.fill(&common::avatar(
+            renderer.replace_avatar(&common::avatar(
                 32,
                 Sizes {
                     gaussians: 1999,

@@ -1,6 +1,6 @@
 //! What a finished frame reports: times on device and host, and counts.
 
-use super::{Counters, Stage};
+use super::{Counters, Stage, schedule::Equipment};
 use std::time::Instant;
 
 /// Names of the stages, in the order that a frame runs them.
@@ -47,16 +47,10 @@ pub struct FrameReport {
 }
 
 impl FrameReport {
-    /// The report of a frame that changes nothing, and was not submitted. `has_sh`: whether the
-    /// renderer has the stage.
-    pub fn idle(has_sh: bool) -> Self {
-        let mut skipped = vec![Stage::Mlp];
-        if has_sh {
-            skipped.push(Stage::Sh);
-        }
-        skipped.extend([Stage::Project, Stage::Sort, Stage::Raster]);
+    /// The report of a frame that changes nothing, and was not submitted.
+    pub fn idle(equipment: &Equipment) -> Self {
         Self {
-            skipped: skipped.into_iter().map(Stage::name).collect(),
+            skipped: equipment.stages().map(Stage::name).collect(),
             ..Self::default()
         }
     }

@@ -85,10 +85,30 @@ pub enum Step {
 pub struct Equipment {
     /// The avatar's colours change with the view.
     pub sh: bool,
+    /// There is an occluder mesh to draw.
+    pub occluder: bool,
     /// How splats are rasterized.
     pub method: RasterMethod,
     /// Work that frames may skip.
     pub skip: Skip,
+}
+
+impl Equipment {
+    /// Whether a renderer with it has a stage. Presenting belongs to the window.
+    pub fn has(&self, stage: Stage) -> bool {
+        match stage {
+            Stage::Mlp | Stage::Project | Stage::Sort | Stage::Raster => true,
+            Stage::Sh => self.sh,
+            Stage::Occluder => self.occluder && self.skip.contains(Skip::HIDDEN),
+            Stage::Binning => self.method == RasterMethod::Tiles,
+            Stage::Present => false,
+        }
+    }
+
+    /// The stages that a renderer with it has, in the order that a frame runs them.
+    pub fn stages(&self) -> impl Iterator<Item = Stage> {
+        Stage::ALL.into_iter().filter(|stage| self.has(*stage))
+    }
 }
 
 /// What the device holds from earlier frames.
@@ -130,22 +150,28 @@ impl Schedule {
                 parts: instance.networks.end() as u32,
             })
             .collect();
+        let reason = if plan.redraw && plan.instances.is_empty() {
+            SkipReason::NothingInView
+        } else {
+            SkipReason::Unchanged
+        };
         if posed.is_empty() {
-            steps.skip(Stage::Mlp, SkipReason::Unchanged);
+            steps.skip(Stage::Mlp, reason);
         } else {
             steps.stage(Stage::Mlp, posed);
         }
 
         if !plan.redraw {
-            if equipment.sh {
-                steps.skip(Stage::Sh, SkipReason::Unchanged);
-            }
-            for stage in [Stage::Project, Stage::Sort, Stage::Raster] {
-                steps.skip(stage, SkipReason::Unchanged);
+            for stage in equipment.stages().filter(|stage| *stage != Stage::Mlp) {
+                steps.skip(stage, reason);
             }
         } else if plan.instances.is_empty() {
-            for stage in [Stage::Project, Stage::Sort] {
-                steps.skip(stage, SkipReason::NothingInView);
+            // An empty image is made by the stages that make any.
+            let makes_image = [Stage::Binning, Stage::Raster];
+            for stage in equipment.stages() {
+                if stage != Stage::Mlp && !makes_image.contains(&stage) {
+                    steps.skip(stage, reason);
+                }
             }
             steps.raster(equipment, None);
         } else {
@@ -179,6 +205,11 @@ impl Schedule {
             Step::Stage(stage) => Some(stage),
             _ => None,
         })
+    }
+
+    /// Whether a stage runs.
+    pub fn runs(&self, stage: Stage) -> bool {
+        self.stages().any(|scheduled| scheduled.stage == stage)
     }
 
     /// All passes and barriers, in order, those of stages included.
@@ -280,7 +311,7 @@ impl Recorder {
             );
         }
         if let Some(view) = plan.occluder_view
-            && equipment.skip.contains(Skip::HIDDEN)
+            && equipment.has(Stage::Occluder)
         {
             self.stage(Stage::Occluder, vec![Pass::Occluder { view }]);
         }
@@ -421,7 +452,7 @@ mod tests {
                 bounds: &self.bounds,
                 dependencies: &self.dependencies,
                 options: &self.options,
-                has_occluder: true,
+                has_occluder: equipment.occluder,
                 always_submit: true,
             });
             let schedule = Schedule::new(&plan, equipment, self.device_state);
@@ -433,6 +464,7 @@ mod tests {
     fn equipment(method: RasterMethod, sh: bool) -> Equipment {
         Equipment {
             sh,
+            occluder: true,
             method,
             skip: Skip::all(),
         }
@@ -501,8 +533,36 @@ mod tests {
         let second = planner.frame(&poses, 0.0, &quads);
         assert_eq!(second.passes().collect::<Vec<_>>(), [&Pass::ReadCounts]);
         let skipped: Vec<_> = second.skipped().collect();
-        let stages = [Stage::Mlp, Stage::Project, Stage::Sort, Stage::Raster];
+        let stages = [
+            Stage::Mlp,
+            Stage::Occluder,
+            Stage::Project,
+            Stage::Sort,
+            Stage::Raster,
+        ];
         assert_eq!(skipped, stages.map(|stage| (stage, SkipReason::Unchanged)));
+    }
+
+    /// A stage that a renderer has runs or is skipped, whatever it draws.
+    #[test]
+    fn every_stage_runs_or_is_skipped() {
+        for method in RasterMethod::ALL {
+            for [sh, occluder] in [[false, false], [false, true], [true, false], [true, true]] {
+                let mut planner = Planner::new(RendererOptions::new(SIZE));
+                let equipment = Equipment {
+                    occluder,
+                    ..equipment(method, sh)
+                };
+                for aside in [0.0, 0.0, 1000.0, 1000.0, 0.0] {
+                    let poses = [planner.posed(0.1, aside)];
+                    let frame = planner.frame(&poses, 0.0, &equipment);
+                    let mut found: Vec<Stage> = frame.stages().map(|stage| stage.stage).collect();
+                    found.extend(frame.skipped().map(|(stage, _)| stage));
+                    found.sort();
+                    assert_eq!(found, equipment.stages().collect::<Vec<_>>());
+                }
+            }
+        }
     }
 
     #[test]
@@ -526,11 +586,8 @@ mod tests {
         let far = [planner.posed(0.1, 1000.0)];
         let tiles = equipment(RasterMethod::Tiles, false);
         let frame = planner.frame(&far, 0.0, &tiles);
-        let reasons: Vec<_> = frame
-            .skipped()
-            .filter(|(stage, _)| *stage != Stage::Mlp)
-            .collect();
-        let stages = [Stage::Project, Stage::Sort];
+        let reasons: Vec<_> = frame.skipped().collect();
+        let stages = [Stage::Mlp, Stage::Occluder, Stage::Project, Stage::Sort];
         assert_eq!(
             reasons,
             stages.map(|stage| (stage, SkipReason::NothingInView))
@@ -549,7 +606,12 @@ mod tests {
                         skip,
                         ..RendererOptions::new(SIZE)
                     });
-                    let equipment = Equipment { sh, method, skip };
+                    let equipment = Equipment {
+                        sh,
+                        occluder: true,
+                        method,
+                        skip,
+                    };
                     for (bend, yaw) in [(0.1, 0.0), (0.1, 0.2), (0.3, 0.2), (0.3, 0.2), (0.3, 0.4)]
                     {
                         let poses = [-1.0, 0.0, 1.0].map(|aside| planner.posed(bend, aside));

@@ -1,9 +1,8 @@
 //! Runs a frame's schedule: records its passes, barriers and stages into a command buffer.
 
-use super::Renderer;
 use super::blocks::Blocks;
 use crate::vulkan::{
-    commands::control::set_control,
+    commands::{control::set_control, frame_in_flight::FrameInFlight},
     device::recording::Recording,
     memory::Scope,
     passes::{mlp::Mlp, occluder::OccluderPass, project::Project, sh::SphericalHarmonics},
@@ -12,10 +11,9 @@ use crate::vulkan::{
 };
 use ash::vk::{self, AccessFlags, PipelineStageFlags};
 use effigy_core::frame::{
-    Counters, Damage, RasterMethod, Schedule,
+    RasterMethod, Schedule,
     passes::{Pass, PipelineStages},
     schedule::{Command, Step},
-    state::{FramePlan, StageDispatches},
 };
 
 /// What a barrier waits for: the stages, and what they wrote.
@@ -80,22 +78,54 @@ fn scope(
     scope
 }
 
+/// What holds of every schedule.
+const SCHEDULED: &str = "a renderer schedules only stages that it has";
+
 /// What passes are recorded with: a renderer's stages, and where a frame's data lies.
-struct Executor<'a> {
-    mlp: &'a Mlp,
-    sh: Option<&'a SphericalHarmonics>,
-    occluder: Option<&'a OccluderPass>,
-    project: &'a Project,
-    sort: &'a Sort,
-    raster: &'a Raster,
-    control: vk::Buffer,
-    blocks: &'a Blocks,
+pub(super) struct Executor<'a> {
+    pub mlp: &'a Mlp,
+    pub sh: Option<&'a SphericalHarmonics>,
+    pub occluder: Option<&'a OccluderPass>,
+    pub project: &'a Project,
+    pub sort: &'a Sort,
+    pub raster: &'a Raster,
+    pub control: vk::Buffer,
+    pub blocks: &'a Blocks,
     /// Index of the frame in flight.
-    frame: usize,
-    draw: Draw<'a>,
+    pub frame: usize,
+    pub draw: Draw<'a>,
 }
 
 impl Executor<'_> {
+    /// Records a schedule into a frame in flight, which must be recording.
+    pub fn execute(&self, in_flight: &mut FrameInFlight, schedule: &Schedule) {
+        let count = self.draw.count;
+        for step in &schedule.steps {
+            match step {
+                Step::Skip(stage, _) => in_flight.skip(stage.name()),
+                Step::Command(command) => {
+                    in_flight.record(|commands| self.record(commands, command));
+                }
+                Step::Stage(stage) => {
+                    let name = stage.stage.name();
+                    let record = |commands: Recording| {
+                        for command in &stage.commands {
+                            self.record(commands, command);
+                        }
+                    };
+                    match stage.raster_method() {
+                        Some(RasterMethod::Quads) => in_flight.drawing(name, count, record),
+                        Some(RasterMethod::Tiles) if count => {
+                            in_flight.counts_itself();
+                            in_flight.stage(name, record);
+                        }
+                        _ => in_flight.stage(name, record),
+                    }
+                }
+            }
+        }
+    }
+
     /// Where in the ring of blocks an avatar's is, bytes.
     fn block(&self, instance: usize) -> u32 {
         self.blocks.offset(self.frame, instance) as u32
@@ -127,14 +157,12 @@ impl Executor<'_> {
                 instance,
                 gaussians,
             } => {
-                if let Some(sh) = self.sh {
-                    sh.record(commands, self.block(instance), gaussians);
-                }
+                let sh = self.sh.expect(SCHEDULED);
+                sh.record(commands, self.block(instance), gaussians);
             }
             Pass::Occluder { view } => {
-                if let Some(occluder) = self.occluder {
-                    occluder.record(commands, self.draw.occluders, &view);
-                }
+                let occluder = self.occluder.expect(SCHEDULED);
+                occluder.record(commands, self.draw.occluders, &view);
             }
             Pass::Project {
                 instance,
@@ -159,86 +187,6 @@ impl Executor<'_> {
             }
             // The counts are copied where the frame is submitted.
             Pass::ReadCounts => {}
-        }
-    }
-}
-
-impl Renderer {
-    /// Records a schedule. The frame in flight must be recording.
-    pub(super) fn execute(
-        &mut self,
-        frame: usize,
-        schedule: &Schedule,
-        plan: &FramePlan,
-        damage: &Damage,
-    ) {
-        let stages = StageDispatches {
-            has_sh: self.sh.is_some(),
-            has_occluder: schedule
-                .passes()
-                .any(|pass| matches!(pass, Pass::Occluder { .. })),
-            sort: self.sort.dispatches(true) as u64,
-            raster: self.raster.dispatches(),
-        };
-        let counters = Counters {
-            damaged: if plan.redraw { damage.pixels() } else { 0 },
-            ..plan.counters(self.model.constants.gaussians, &stages)
-        };
-        let blocks: Vec<u32> = plan
-            .instances
-            .iter()
-            .map(|instance| self.blocks.offset(frame, instance.index) as u32)
-            .collect();
-        let executor = Executor {
-            mlp: &self.mlp,
-            sh: self.sh.as_ref(),
-            occluder: self.occluder.as_ref(),
-            project: &self.project,
-            sort: &self.sort,
-            raster: &self.raster,
-            control: self.control.raw(),
-            blocks: &self.blocks,
-            frame,
-            draw: Draw {
-                // An empty image has a size too: the first block's.
-                frame: match blocks.first() {
-                    Some(block) => *block,
-                    None => self.blocks.offset(frame, 0) as u32,
-                },
-                occluders: &blocks,
-                control: self.control.raw(),
-                damage,
-                count: self.options.count,
-            },
-        };
-
-        let in_flight = &mut self.frames_in_flight[frame];
-        in_flight.note(counters);
-        for step in &schedule.steps {
-            match step {
-                Step::Skip(stage, _) => in_flight.skip(stage.name()),
-                Step::Command(command) => {
-                    in_flight.record(|commands| executor.record(commands, command));
-                }
-                Step::Stage(stage) => {
-                    let name = stage.stage.name();
-                    let record = |commands: Recording| {
-                        for command in &stage.commands {
-                            executor.record(commands, command);
-                        }
-                    };
-                    match stage.raster_method() {
-                        Some(RasterMethod::Quads) => {
-                            in_flight.drawing(name, self.options.count, record);
-                        }
-                        Some(RasterMethod::Tiles) if self.options.count => {
-                            in_flight.counts_itself();
-                            in_flight.stage(name, record);
-                        }
-                        _ => in_flight.stage(name, record),
-                    }
-                }
-            }
         }
     }
 }

@@ -25,7 +25,7 @@ use super::{
     raster::{
         Raster,
         download::{self, Copied},
-        draw::RasterInputs,
+        draw::{Draw, RasterInputs},
         resolved,
     },
     sort::{Sort, SortOptions, choice},
@@ -37,7 +37,8 @@ use bytemuck::bytes_of;
 use effigy_core::{
     avatar::Avatar,
     frame::{
-        Damage, RendererOptions, Schedule, Skip, Unusable, block,
+        Counters, Damage, FramePlan, RendererOptions, Schedule, Skip, Stage, StageDispatches,
+        Unusable, block,
         schedule::{DeviceState, Equipment},
         state::{FrameState, PlanInput},
         validate,
@@ -45,6 +46,7 @@ use effigy_core::{
     layout::{OccluderCorner, PYRAMID_WORDS},
     scene::{AvatarBounds, Camera, Detail, FrameImage, PartDependencies, PixelRect, Posed},
 };
+use execute::Executor;
 use std::{sync::Arc, time::Instant};
 
 /// How a frame reaches a screen: what to wait for and signal, and the commands that follow the
@@ -214,6 +216,15 @@ impl Renderer {
         &self.extent
     }
 
+    fn equipment(&self) -> Equipment {
+        Equipment {
+            sh: self.sh.is_some(),
+            occluder: self.occluder.is_some(),
+            method: self.raster.method(),
+            skip: self.options.skip,
+        }
+    }
+
     /// Numbers of corners and triangles of the occluder mesh.
     pub fn occluder_size(&self) -> [u64; 2] {
         let mesh = &self.model.occluder;
@@ -294,7 +305,7 @@ impl Renderer {
             self.state = state;
             self.key_count = before.key_count;
             self.damaged = before.damaged;
-            self.report = FrameReport::idle(self.sh.is_some());
+            self.report = FrameReport::idle(&self.equipment());
             return Ok(());
         }
         let recording = section(c"record");
@@ -306,17 +317,12 @@ impl Renderer {
         };
         self.blocks.write(frame, &plan, camera, &sources);
         self.frames_in_flight[frame].begin()?;
-        let equipment = Equipment {
-            sh: self.sh.is_some(),
-            method: self.raster.method(),
-            skip: self.options.skip,
-        };
         let device_state = DeviceState {
             key_count: before.key_count,
         };
-        let schedule = Schedule::new(&plan, &equipment, device_state);
+        let schedule = Schedule::new(&plan, &self.equipment(), device_state);
         let damage = Damage::new(plan.drawn_rect, before.damaged, self.raster.drawn());
-        self.execute(frame, &schedule, &plan, &damage);
+        self.record(frame, &schedule, &plan, &damage);
         let mut semaphores = None;
         if let Some(presentation) = presentation {
             self.frames_in_flight[frame].stage("present", presentation.record);
@@ -346,6 +352,50 @@ impl Renderer {
         };
         self.next = (frame + 1) % FRAMES_IN_FLIGHT;
         Ok(())
+    }
+
+    /// Records a schedule. The frame in flight must be recording. `frame`: its index.
+    fn record(&mut self, frame: usize, schedule: &Schedule, plan: &FramePlan, damage: &Damage) {
+        let stages = StageDispatches {
+            has_sh: self.sh.is_some(),
+            has_occluder: schedule.runs(Stage::Occluder),
+            sort: self.sort.dispatches(true) as u64,
+            raster: self.raster.dispatches(),
+        };
+        let counters = Counters {
+            damaged: if plan.redraw { damage.pixels() } else { 0 },
+            ..plan.counters(self.model.constants.gaussians, &stages)
+        };
+        let blocks: Vec<u32> = plan
+            .instances
+            .iter()
+            .map(|instance| self.blocks.offset(frame, instance.index) as u32)
+            .collect();
+        let executor = Executor {
+            mlp: &self.mlp,
+            sh: self.sh.as_ref(),
+            occluder: self.occluder.as_ref(),
+            project: &self.project,
+            sort: &self.sort,
+            raster: &self.raster,
+            control: self.control.raw(),
+            blocks: &self.blocks,
+            frame,
+            draw: Draw {
+                // An empty image has a size too: the first block's.
+                frame: match blocks.first() {
+                    Some(block) => *block,
+                    None => self.blocks.offset(frame, 0) as u32,
+                },
+                occluders: &blocks,
+                control: self.control.raw(),
+                damage,
+                count: self.options.count,
+            },
+        };
+        let in_flight = &mut self.frames_in_flight[frame];
+        in_flight.note(counters);
+        executor.execute(in_flight, schedule);
     }
 
     /// Waits for every submitted frame.
