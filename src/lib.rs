@@ -46,7 +46,7 @@
 //!
 //! # A frame
 //!
-//! [`Schedule::new`](effigy_core::frame::Schedule::new) says what a frame runs; both backends
+//! [`Schedule::new`] says what a frame runs; both backends
 //! execute it. The stages, in the order that the folders and the shaders follow:
 //!
 //! ```text
@@ -68,6 +68,19 @@
 //!           ↓
 //!         present     over the background, to a window or an image
 //! ```
+//!
+//! # Modules
+//!
+//! Each imports only modules above it in this list; those without a link are no part of the API.
+//!
+//! | module | what it holds |
+//! |---|---|
+//! | `hash` | FNV-1a, for the names of caches and fingerprints |
+//! | `ndk` | sections for Android's tracer |
+//! | `quirks` | what single drivers do wrong or best |
+//! | `wgsl` | the shaders of WebGPU |
+//! | [`vulkan`] | the stages on Vulkan |
+//! | `webgpu` | the stages on WebGPU, with the feature of that name or in a browser |
 //!
 //! # Packages
 //!
@@ -93,11 +106,12 @@ pub use effigy_core::reference;
 pub use effigy_core::{
     avatar::{Avatar, Clip, Pose, Skeleton, motion::Player},
     frame::{
-        ColorFormat, FrameReport, KeyBits, RasterMethod, RendererOptions, Skip, SortVariant,
-        preset::Preset,
+        ColorFormat, FrameReport, KeyBits, RasterMethod, RendererOptions, Schedule, Skip,
+        SortVariant, preset::Preset,
     },
+    glam,
     io::file::{FileError, FormatError},
     scene::{AvatarBounds, Camera, Detail, FrameImage, Posed, upright},
 };
 #[cfg(not(target_arch = "wasm32"))]
-pub use vulkan::{Error, Gpu, GpuOptions, Renderer};
+pub use vulkan::{Error, Gpu, GpuOptions, Presentation, Renderer};

@@ -2,7 +2,6 @@
 //! quality to draw at comes out.
 
 use crate::{drift_check::DriftCheck, painter::WindowPainter, scene::ViewerScene};
-use effigy::ndk::Hints;
 use effigy::vulkan::{RendererOptions, Result, watch::PixelCounts};
 use effigy_measure::{
     bench::{RenderSetting, report::DeviceReport},
@@ -14,7 +13,7 @@ use effigy_measure::{
         report, run,
     },
 };
-use effigy_runtime::{governor::FrameQuality, thermals::Thermals};
+use effigy_runtime::{governor::FrameQuality, ndk::Hints, thermals::Thermals};
 use std::{
     path::{Path, PathBuf},
     time::Duration,

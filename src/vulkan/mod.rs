@@ -35,7 +35,7 @@ pub use effigy_core::frame::{RendererOptions, preset};
 pub use passes::sh;
 pub use pipeline::shaders;
 pub use raster::download;
-pub use renderer::Renderer;
+pub use renderer::{Presentation, Renderer};
 #[cfg(feature = "window")]
 pub use window::swapchain;
 pub use window::{pre_transform, present, screen, timing, watch};

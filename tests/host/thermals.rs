@@ -2,8 +2,10 @@
 //! what it is told.
 
 use effigy::ndk::Sections;
-use effigy::ndk::{Hints, Thermal};
-use effigy_runtime::thermals::System;
+use effigy_runtime::{
+    ndk::{Hints, Thermal},
+    thermals::System,
+};
 use std::{env, fs, path::PathBuf, process::Command, time::Duration};
 
 /// Stands for libandroid.so. `HINTS`: as on a system that has hint sessions.

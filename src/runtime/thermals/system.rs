@@ -2,7 +2,7 @@
 //! be read; on Android headroom too.
 
 use super::reading::Reading;
-use effigy::ndk::Thermal;
+use crate::ndk::Thermal;
 use std::{
     fs,
     path::{Path, PathBuf},
