@@ -6,17 +6,10 @@ use crate::{
 };
 use ash::vk;
 use effigy::vulkan::{
-    Error, Gpu, GpuOptions, Recording, Renderer, RendererOptions, Result,
-    commands::{FRAMES_IN_FLIGHT, FrameReport},
-    device::handle::CommandPool,
-    download::Copied,
-    error::During,
-    pre_transform::PreTransform,
-    present::{Present, PresentedImage},
-    renderer::Presentation,
+    CommandPool, Copied, During, Error, FRAMES_IN_FLIGHT, FrameReport, FrameValidator, Gpu,
+    GpuOptions, PixelCounts, PreTransform, Present, PresentFeedback, Presentation, PresentedImage,
+    Recording, Renderer, RendererOptions, Result,
     swapchain::{Acquired, Surface, Swapchain, Target},
-    timing::PresentFeedback,
-    watch::{FrameValidator, PixelCounts},
 };
 use effigy_core::{
     avatar::Avatar,
@@ -118,13 +111,15 @@ impl WindowPainter {
             ..Options::default()
         };
         let mode = RenderMode::RenderPass(present.render_pass().raw());
+        // SAFETY: the panel is dropped before the device, which it keeps beside it.
+        let allocator = unsafe { gpu.allocator() };
         let egui = panel_error(Egui::with_gpu_allocator(
-            Arc::clone(&gpu.allocator),
+            allocator,
             gpu.raw.clone(),
             mode,
             options,
         ))?;
-        let textures = CommandPool::transient(&gpu.device, gpu.queue_family, "panel's textures")?;
+        let textures = gpu.command_pool("panel's textures")?;
         Ok(Self {
             egui: ManuallyDrop::new(egui),
             textures,
@@ -156,7 +151,7 @@ impl WindowPainter {
 
     /// Width and height of a frame at full quality, px.
     pub fn size(&self) -> [u32; 2] {
-        self.renderer.raster().image().size
+        self.renderer.raster().image().size()
     }
 
     /// Draws at this quality from now on. A change waits for submitted frames.
@@ -221,7 +216,7 @@ impl WindowPainter {
         let Some(size) = self.swapchain.as_ref().map(Swapchain::size) else {
             return Ok(None);
         };
-        if self.renderer.raster().image().size != size {
+        if self.renderer.raster().image().size() != size {
             self.renderer.resize(size)?;
             self.validator = None;
             // SAFETY: every frame is done. Every frame leaves the image in this state, and the next

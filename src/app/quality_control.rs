@@ -2,7 +2,7 @@
 //! quality to draw at comes out.
 
 use crate::{drift_check::DriftCheck, painter::WindowPainter, scene::ViewerScene};
-use effigy::vulkan::{RendererOptions, Result, watch::PixelCounts};
+use effigy::vulkan::{PixelCounts, RendererOptions, Result};
 use effigy_measure::{
     bench::{RenderSetting, report::DeviceReport},
     soak::{

@@ -6,7 +6,7 @@ use crate::{
     source::Source,
 };
 use anyhow::Context;
-use effigy::vulkan::{Gpu, Recording, Renderer, renderer::Presentation, screen::Offscreen};
+use effigy::vulkan::{Gpu, Offscreen, Presentation, Recording, Renderer};
 use effigy_core::scene::{AvatarBounds, Posed, upright};
 use effigy_runtime::capture::RenderDoc;
 use std::{ffi::CString, path::PathBuf};

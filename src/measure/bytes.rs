@@ -12,12 +12,12 @@
 //! stored, once. Operations are additions and multiplications of floating-point numbers; a root, a
 //! division or an exponential counts as one.
 
-use effigy::vulkan::{RendererOptions, raster::RasterMethod, sh};
+use effigy::vulkan::{RendererOptions, raster::RasterMethod};
 use effigy_core::{
     avatar::{Avatar, Layer},
     frame::{Skip, SortVariant, passes::Stage},
     layout::{
-        BLOCK_PAIRS, GAUSSIAN_PAIRS, OCCLUDER_SIDE, OccluderCorner, POSE_CACHE_WORDS,
+        self, BLOCK_PAIRS, GAUSSIAN_PAIRS, OCCLUDER_SIDE, OccluderCorner, POSE_CACHE_WORDS,
         PYRAMID_LEVELS, PYRAMID_SIDE, SORT_DIGITS, SORT_RUNS,
     },
 };
@@ -391,7 +391,7 @@ fn mlp(avatar: &Avatar, options: &RendererOptions, counts: WorkCounts) -> StageW
 /// Colours from spherical harmonics.
 fn view_colors(avatar: &Avatar, counts: WorkCounts) -> StageWork {
     let all = avatar.gaussians.len() as u64;
-    let coefficients = Amount::exact(sh::bytes(avatar)).share(counts.gaussians, all);
+    let coefficients = Amount::exact(layout::sh::bytes(avatar)).share(counts.gaussians, all);
     let bytes = coefficients + VIEW_COLOR * counts.gaussians;
     StageWork::computing(Stage::Sh, bytes, coefficients)
 }

@@ -2,40 +2,47 @@
 //!
 //! [`Gpu`] is a device; [`Renderer`] draws an avatar, or several copies of it, with it, headless.
 //!
-//! The folders are layers; each imports only folders above it in this list:
+//! The folders are layers; each imports only folders above it in this list. What other programs
+//! call of those without a link is re-exported here:
 //!
 //! | folder | what it holds |
 //! |---|---|
-//! | [`device`] | errors, the instance, what a device has, the device and its queue |
+//! | `device` | errors, the instance, what a device has, the device and its queue |
 //! | [`memory`] | buffers and images, barriers and copies |
-//! | [`pipeline`] | shader modules, descriptor sets, kernels, render passes |
-//! | [`commands`] | frames in flight |
+//! | `pipeline` | shader modules, descriptor sets, kernels, render passes |
+//! | `commands` | frames in flight |
 //! | [`sort`] | the radix sort, and the self-test that chooses its variant |
-//! | [`passes`] | the stages from an avatar's pose to its splats |
+//! | `passes` | the stages from an avatar's pose to its splats |
 //! | [`raster`] | the stages from sorted splats to an image |
-//! | [`renderer`] | the frame |
-//! | [`window`] | from an image to a window or a screen in memory |
+//! | `renderer` | the frame |
+//! | `window` | from an image to a window or a screen in memory |
 
-pub mod commands;
-pub mod device;
+pub(crate) mod commands;
+pub(crate) mod device;
 pub mod memory;
-pub mod passes;
-pub mod pipeline;
+pub(crate) mod passes;
+pub(crate) mod pipeline;
 pub mod raster;
-pub mod renderer;
+pub(crate) mod renderer;
 pub mod sort;
 pub mod statistics;
-pub mod window;
+pub(crate) mod window;
 
+pub use commands::{FRAMES_IN_FLIGHT, Semaphores};
 pub use device::{
-    Error, Gpu, GpuOptions, Result, cache, error, instance, moment, probe, probe::Probe,
-    recording::Recording,
+    Error, Gpu, GpuOptions, Result, cache, error::During, handle::CommandPool, instance,
+    moment::Moment, probe, probe::Probe, recording::Recording,
 };
-pub use effigy_core::frame::{RendererOptions, preset};
-pub use passes::sh;
+pub use effigy_core::frame::{FrameReport, RendererOptions, preset};
 pub use pipeline::shaders;
-pub use raster::download;
-pub use renderer::{Presentation, Renderer};
+pub use raster::download::Copied;
+pub use renderer::{Presentation, Renderer, Stages};
 #[cfg(feature = "window")]
 pub use window::swapchain;
-pub use window::{pre_transform, present, screen, timing, watch};
+pub use window::{
+    pre_transform::PreTransform,
+    present::{Present, PresentTarget, PresentedImage},
+    screen::Offscreen,
+    timing::PresentFeedback,
+    watch::{FrameValidator, PixelCounts},
+};

@@ -7,9 +7,7 @@ use super::{
 };
 use effigy::{
     quirks::draws_triangles,
-    vulkan::{
-        Error, Gpu, GpuOptions, Renderer, RendererOptions, commands::FrameReport, renderer::Stages,
-    },
+    vulkan::{Error, FrameReport, Gpu, GpuOptions, Renderer, RendererOptions, Stages},
 };
 use effigy_core::{
     avatar::Avatar,

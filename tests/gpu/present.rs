@@ -2,14 +2,11 @@
 
 use crate::common::{self, Sizes, gpu};
 use effigy::vulkan::{
-    Recording, Renderer, RendererOptions,
+    FrameValidator, Offscreen, Presentation, Recording, Renderer, RendererOptions,
     raster::{
         ColorFormat,
         RasterMethod::{self, Quads, Tiles},
     },
-    renderer::Presentation,
-    screen::Offscreen,
-    watch::FrameValidator,
 };
 use effigy_core::{
     constants::ALPHA_MIN,

@@ -8,7 +8,7 @@ use crate::{
     playback::{Playback, Repeat, SPEED},
     ui::icons::{self, Icon},
 };
-use effigy::vulkan::commands::STAGES;
+use effigy_core::frame::report::STAGES;
 use egui::{Align, Color32, Grid, Layout, Pos2, RichText, Sense, Slider, Stroke, Ui, vec2};
 
 /// Width of the panel, points.

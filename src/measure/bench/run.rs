@@ -10,7 +10,7 @@ use super::{
     scene::BenchScene,
 };
 use crate::{bytes::OccluderSize, setting::RenderSetting};
-use effigy::vulkan::{Gpu, GpuOptions, commands::FRAMES_IN_FLIGHT, sort::choice};
+use effigy::vulkan::{FRAMES_IN_FLIGHT, Gpu, GpuOptions, sort::choice};
 #[cfg(feature = "webgpu")]
 use effigy::webgpu;
 use effigy_core::{

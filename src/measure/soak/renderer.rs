@@ -2,12 +2,8 @@
 //! target.
 
 use effigy::vulkan::{
-    Gpu, Recording, Renderer, RendererOptions, Result,
-    commands::FrameReport,
-    download::Copied,
-    renderer::Presentation,
-    screen::Offscreen,
-    watch::{FrameValidator, PixelCounts},
+    Copied, FrameReport, FrameValidator, Gpu, Offscreen, PixelCounts, Presentation, Recording,
+    Renderer, RendererOptions, Result,
 };
 use effigy_core::{
     avatar::{Avatar, motion::Player},

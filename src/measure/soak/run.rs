@@ -12,7 +12,7 @@ use crate::{
     report::{DeviceReport, ErrorReport, OptionsReport, Program, Subject},
     setting::RenderSetting,
 };
-use effigy::vulkan::{Gpu, Result, download::Copied};
+use effigy::vulkan::{Copied, Gpu, Result};
 use effigy_core::{
     avatar::{Avatar, motion::Player},
     reference,

@@ -2,7 +2,7 @@
 //! second come out. A session knows neither device nor clock.
 
 use super::{cadence::Cadence, report::Second};
-use effigy::vulkan::watch::PixelCounts;
+use effigy::vulkan::PixelCounts;
 use effigy_core::frame::Counters;
 use effigy_runtime::{
     governor::{FrameQuality, Governor, Rung, Sample},

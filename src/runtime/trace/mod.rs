@@ -9,7 +9,7 @@ pub mod align;
 mod event;
 
 use align::{Alignment, Clock, nanoseconds_since};
-use effigy::vulkan::{Gpu, moment::Moment};
+use effigy::vulkan::{Gpu, Moment};
 use effigy_core::frame::report::{FrameReport, HostTimes};
 use event::{DEVICE, HOST, TraceEvent, TraceSlice};
 use serde_json::json;

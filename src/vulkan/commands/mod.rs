@@ -3,5 +3,5 @@
 pub(crate) mod control;
 pub(crate) mod frame_in_flight;
 
-pub use effigy_core::frame::report::{FrameReport, HostTimes, STAGES};
+pub(crate) use effigy_core::frame::report::FrameReport;
 pub use frame_in_flight::{FRAMES_IN_FLIGHT, Semaphores};

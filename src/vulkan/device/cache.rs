@@ -37,7 +37,7 @@ pub(crate) fn write(path: &Path, data: &[u8]) -> io::Result<()> {
 
 /// A pipeline cache and the file that it comes from. Every failure leaves a working, empty cache:
 /// it only costs time.
-pub struct PipelineCache {
+pub(crate) struct PipelineCache {
     /// None where the device gave none.
     cache: Option<Cache>,
     path: Option<PathBuf>,

@@ -27,11 +27,11 @@ pub struct Gpu {
     /// The one queue, for graphics and compute. Submit through `submit`, which locks it.
     queue: vk::Queue,
     /// Index of the queue's family.
-    pub queue_family: u32,
+    pub(crate) queue_family: u32,
     /// Allocates device memory. Dropped before the device.
-    pub allocator: ManuallyDrop<Arc<Mutex<Allocator>>>,
+    pub(crate) allocator: ManuallyDrop<Arc<Mutex<Allocator>>>,
     /// The driver's compiled pipelines, saved to disk.
-    pub cache: PipelineCache,
+    pub(crate) cache: PipelineCache,
     /// Limits, features and extensions of the physical device.
     pub probe: Probe,
     /// Whether shaders read f16 from storage buffers.
@@ -39,7 +39,7 @@ pub struct Gpu {
     /// Reads the device's and the host's clock at once. None where the driver can't.
     pub(crate) calibration: Option<Calibration>,
     /// The swapchain extension's functions. None where the device was opened without a window.
-    pub swapchain: Option<khr::swapchain::Device>,
+    pub(crate) swapchain: Option<khr::swapchain::Device>,
     /// Results of the sort's self-test on this device.
     pub(crate) sorts: Sorts,
     /// Compiler statistics; None unless the device was opened for [`GpuOptions::statistics`].
@@ -47,7 +47,7 @@ pub struct Gpu {
     /// Vulkan wants one thread at a time at a queue; renderers on one device may be on several.
     queue_lock: Mutex<()>,
     /// The logical device. The last field, so that it is dropped after all made from it.
-    pub device: Arc<Device>,
+    pub(crate) device: Arc<Device>,
 }
 
 impl Deref for Gpu {
@@ -132,6 +132,19 @@ impl Gpu {
         (report.total_allocated_bytes, report.total_capacity_bytes)
     }
 
+    /// The allocator of the device's memory, for libraries that allocate by themselves.
+    ///
+    /// # Safety
+    /// It must be dropped, with all that was allocated from it, before the device.
+    pub unsafe fn allocator(&self) -> Arc<Mutex<Allocator>> {
+        Arc::clone(&self.allocator)
+    }
+
+    /// A pool of command buffers that are recorded once.
+    pub fn command_pool(&self, name: &str) -> Result<CommandPool> {
+        CommandPool::transient(&self.device, self.queue_family, name)
+    }
+
     /// The allocator, for as long as the guard lives. A thread that panicked with it left it as
     /// good as before.
     pub(crate) fn lock_allocator(&self) -> MutexGuard<'_, Allocator> {
@@ -214,7 +227,7 @@ impl Gpu {
         if self.statistics.is_some() {
             return Ok(());
         }
-        let pool = CommandPool::transient(&self.device, self.queue_family, what)?;
+        let pool = self.command_pool(what)?;
         let fence = Fence::unsignalled(&self.device, what)?;
         let commands = pool.allocate(what)?;
         let begin = vk::CommandBufferBeginInfo::default()

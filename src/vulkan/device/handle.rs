@@ -29,7 +29,7 @@ impl<H: Object> Owned<H> {
     ///
     /// # Safety
     /// The object must be alive and of this device, and nobody else may destroy it.
-    pub unsafe fn new(device: &Arc<Device>, raw: H, name: &str) -> Self {
+    pub(crate) unsafe fn new(device: &Arc<Device>, raw: H, name: &str) -> Self {
         // SAFETY: the caller promises that the object is alive and of this device.
         unsafe { device.name(raw, name) };
         Self {
@@ -89,7 +89,7 @@ objects! {
 
 impl CommandPool {
     /// For command buffers that are recorded once.
-    pub fn transient(device: &Arc<Device>, queue_family: u32, name: &str) -> Result<Self> {
+    pub(crate) fn transient(device: &Arc<Device>, queue_family: u32, name: &str) -> Result<Self> {
         let info = vk::CommandPoolCreateInfo::default()
             .queue_family_index(queue_family)
             .flags(vk::CommandPoolCreateFlags::TRANSIENT);

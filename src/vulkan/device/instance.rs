@@ -22,12 +22,12 @@ const VALIDATION: &CStr = c"VK_LAYER_KHRONOS_validation";
 /// A Vulkan 1.1 instance. Destroyed when dropped, after everything made from it.
 pub struct Instance {
     /// The Vulkan loader.
-    pub entry: ash::Entry,
+    pub(crate) entry: ash::Entry,
     /// The instance's functions and handle.
-    pub raw: ash::Instance,
+    pub(crate) raw: ash::Instance,
     messenger: Option<(ext::debug_utils::Instance, vk::DebugUtilsMessengerEXT)>,
     /// Whether objects can be named and commands labelled.
-    pub debug_utils: bool,
+    pub(crate) debug_utils: bool,
 }
 
 impl Instance {

@@ -40,9 +40,9 @@ pub struct Device {
     /// The device's functions and handle.
     pub raw: ash::Device,
     /// The instance, destroyed after the device.
-    pub instance: ManuallyDrop<Instance>,
+    pub(crate) instance: ManuallyDrop<Instance>,
     /// Names objects and labels commands, where the loader can.
-    pub labels: Option<ext::debug_utils::Device>,
+    pub(crate) labels: Option<ext::debug_utils::Device>,
     /// How long a wait may take.
     patience: Duration,
     /// Set when the device did not finish in time. It may still use what it was given, so nothing
@@ -94,7 +94,7 @@ impl Device {
     ///
     /// # Safety
     /// The object must be alive and of this device, or null.
-    pub unsafe fn name<H: vk::Handle + Copy>(&self, object: H, name: &str) {
+    pub(crate) unsafe fn name<H: vk::Handle + Copy>(&self, object: H, name: &str) {
         let Some(labels) = &self.labels else { return };
         let Ok(name) = CString::new(name) else { return };
         if object.as_raw() == 0 {

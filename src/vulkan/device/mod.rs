@@ -1,18 +1,18 @@
 //! A Vulkan device: the loader's instance, what each device has, and the one that was opened.
 
 pub mod cache;
-pub mod calibration;
-pub mod error;
-pub mod gpu;
-pub mod handle;
+pub(crate) mod calibration;
+pub(crate) mod error;
+pub(crate) mod gpu;
+pub(crate) mod handle;
 pub mod instance;
-pub mod logical;
-pub mod moment;
-pub mod options;
+pub(crate) mod logical;
+pub(crate) mod moment;
+pub(crate) mod options;
 pub mod probe;
-pub mod recording;
+pub(crate) mod recording;
 pub mod sort_choice;
-pub mod statistics;
+pub(crate) mod statistics;
 
 pub use error::{Error, Result};
 pub use gpu::Gpu;

@@ -13,7 +13,7 @@ pub struct Recording<'a> {
 impl<'a> Recording<'a> {
     /// # Safety
     /// The command buffer must be of this device, and recording for as long as the value lives.
-    pub unsafe fn new(device: &'a Device, raw: vk::CommandBuffer) -> Self {
+    pub(crate) unsafe fn new(device: &'a Device, raw: vk::CommandBuffer) -> Self {
         Self { device, raw }
     }
 

@@ -8,9 +8,9 @@ use ash::vk::{self, AccessFlags, PipelineStageFlags};
 #[derive(Clone, Copy, Debug)]
 pub struct Scope {
     /// The pipeline stages.
-    pub stages: PipelineStageFlags,
+    pub(crate) stages: PipelineStageFlags,
     /// How they access memory.
-    pub access: AccessFlags,
+    pub(crate) access: AccessFlags,
 }
 
 impl Scope {
@@ -34,7 +34,7 @@ impl Scope {
         Self::new(PipelineStageFlags::TRANSFER, AccessFlags::TRANSFER_READ);
 
     /// Each access must be one that some of the stages can make.
-    pub const fn new(stages: PipelineStageFlags, access: AccessFlags) -> Self {
+    pub(crate) const fn new(stages: PipelineStageFlags, access: AccessFlags) -> Self {
         Self { stages, access }
     }
 }

@@ -17,22 +17,27 @@ pub struct Buffer {
     handle: BufferHandle,
     allocation: Allocation,
     /// Bytes.
-    pub size: u64,
+    pub(crate) size: u64,
     gpu: Arc<Gpu>,
 }
 
-/// A part of a buffer that a shader sees.
+/// A part of a buffer that a shader sees. It keeps nothing alive: what takes slices says how long
+/// their buffers must live.
 #[derive(Clone, Copy)]
 pub struct Slice {
-    /// Its owner must outlive every use.
     pub(crate) buffer: vk::Buffer,
     /// Bytes; a multiple of the device's storage buffer alignment, at most 256.
-    pub offset: u64,
+    pub(crate) offset: u64,
     /// Bytes.
-    pub size: u64,
+    pub(crate) size: u64,
 }
 
 impl Slice {
+    /// Bytes.
+    pub fn size(self) -> u64 {
+        self.size
+    }
+
     /// A part of it. `offset`, from its own start, and `size`: bytes.
     ///
     /// # Panics

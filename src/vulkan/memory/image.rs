@@ -16,16 +16,14 @@ pub struct Image {
     view: ImageView,
     handle: ImageHandle,
     _allocation: Allocation,
-    /// Format of the texels.
-    pub format: vk::Format,
     /// Width and height, px.
-    pub size: [u32; 2],
+    pub(crate) size: [u32; 2],
 }
 
 impl Image {
     /// An image in the device's own memory, in `VK_IMAGE_LAYOUT_UNDEFINED`. `size`: width and
     /// height, px.
-    pub fn new(
+    pub(crate) fn new(
         gpu: &Arc<Gpu>,
         name: &'static str,
         size: [u32; 2],
@@ -63,9 +61,13 @@ impl Image {
             view,
             handle,
             _allocation: allocation,
-            format,
             size,
         })
+    }
+
+    /// Width and height, px.
+    pub fn size(&self) -> [u32; 2] {
+        self.size
     }
 
     /// The image, for as long as its owner lives.
@@ -74,7 +76,7 @@ impl Image {
     }
 
     /// All of it, for as long as its owner lives.
-    pub fn view(&self) -> vk::ImageView {
+    pub(crate) fn view(&self) -> vk::ImageView {
         self.view.raw()
     }
 }

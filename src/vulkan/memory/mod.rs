@@ -10,4 +10,5 @@ pub(crate) use barrier::LayoutChange;
 pub use barrier::Scope;
 pub use buffer::{Buffer, Slice};
 pub(crate) use copy::copy_image;
-pub use image::{COLOR, DEPTH_FORMAT, Image};
+pub use image::Image;
+pub(crate) use image::{COLOR, DEPTH_FORMAT};

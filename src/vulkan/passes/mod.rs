@@ -1,8 +1,8 @@
 //! The stages from an avatar's pose to its splats, in the order a frame runs them, and the avatar
 //! in device memory that they read.
 
-pub mod mlp;
-pub mod model;
-pub mod occluder;
-pub mod project;
-pub mod sh;
+pub(crate) mod mlp;
+pub(crate) mod model;
+pub(crate) mod occluder;
+pub(crate) mod project;
+pub(crate) mod sh;

@@ -9,7 +9,6 @@ use crate::vulkan::{
 };
 use ash::vk;
 use bytemuck::cast_slice;
-pub use effigy_core::layout::sh::bytes;
 use effigy_core::{
     avatar::Avatar,
     layout::{

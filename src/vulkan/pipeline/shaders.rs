@@ -103,7 +103,7 @@ modules! {
 }
 
 /// A hash of all kernels of the sort. A self-test's result holds only for the kernels that it ran.
-pub fn sort_hash() -> u64 {
+pub(crate) fn sort_hash() -> u64 {
     let kernels = MODULES
         .iter()
         .filter(|module| module.file.starts_with("sort/"));

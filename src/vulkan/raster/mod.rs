@@ -5,7 +5,7 @@
 //! | [`RasterMethod::Quads`] | a quad a splat, blended far to near by the device's blender | all that a quad covers |
 //! | [`RasterMethod::Tiles`] | `binning` lists the splats of each tile, a kernel blends each pixel near to far | none behind a saturated pixel |
 
-pub mod download;
+pub(crate) mod download;
 pub(crate) mod draw;
 mod options;
 mod quads;

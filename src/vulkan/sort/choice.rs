@@ -46,7 +46,7 @@ pub fn choose(gpu: &Arc<Gpu>) -> Result<SortChoice> {
 /// The variant to draw the first frame with: the fastest that earlier tests found right, else one
 /// that needs neither subgroups nor look-back. Nothing is tested, so that nobody waits for it;
 /// [`choose`] tests. Fails where every variant was tested and none is right.
-pub fn without_test(gpu: &Gpu) -> Result<SortVariant> {
+pub(crate) fn without_test(gpu: &Gpu) -> Result<SortVariant> {
     if let Some(choice) = gpu.sorts.chosen.get() {
         return Ok(choice.variant);
     }
@@ -137,7 +137,7 @@ fn brought_down(gpu: &Gpu, error: &Error) -> bool {
 
 /// Whether a variant that somebody asked for may be used: what was found of it stands, and what was
 /// never tested is tested now.
-pub fn allow(gpu: &Arc<Gpu>, variant: SortVariant) -> Result<()> {
+pub(crate) fn allow(gpu: &Arc<Gpu>, variant: SortVariant) -> Result<()> {
     if gpu.statistics.is_some() {
         // Who asks what a compiler makes of the shaders may have nothing that runs them.
         return Ok(());

@@ -47,6 +47,6 @@ pub fn counts_size(capacity: u32, variant: SortVariant) -> u64 {
     variant.counts_size(tiles(capacity, variant))
 }
 
-pub fn tiles(capacity: u32, variant: SortVariant) -> u32 {
+pub(crate) fn tiles(capacity: u32, variant: SortVariant) -> u32 {
     capacity.div_ceil(variant.tile()).max(1)
 }

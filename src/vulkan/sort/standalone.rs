@@ -43,7 +43,8 @@ pub struct SortTimes {
 }
 
 impl StandaloneSort {
-    /// Sorts at most `capacity` keys, which [`Self::load`] uploads. Fails where [`Sort::new`] does.
+    /// Sorts at most `capacity` keys, which [`Self::load`] uploads. The counts are its own, whatever
+    /// the options say. Fails where [`Sort::new`] does.
     pub fn new(gpu: &Arc<Gpu>, capacity: u32, options: SortOptions) -> Result<Self> {
         let storage = vk::BufferUsageFlags::STORAGE_BUFFER
             | vk::BufferUsageFlags::TRANSFER_SRC
@@ -61,6 +62,10 @@ impl StandaloneSort {
             bytemuck::bytes_of(&Control::default()),
             storage,
         )?;
+        let options = SortOptions {
+            counts: None,
+            ..options
+        };
         // SAFETY: both buffers live as long as the sort, and every run waits for its end.
         let sort = unsafe { Sort::new(gpu, (&keys).into(), &control, capacity, options) }?;
         let queries = if gpu.probe.timestamp_bits > 0 {

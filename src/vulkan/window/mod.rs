@@ -1,11 +1,11 @@
 //! From an image to what shows it: a window, or a screen in memory.
 
-pub mod pre_transform;
-pub mod present;
-pub mod screen;
+pub(crate) mod pre_transform;
+pub(crate) mod present;
+pub(crate) mod screen;
 #[cfg(feature = "window")]
 pub mod swapchain;
 #[cfg(feature = "window")]
 mod target;
-pub mod timing;
-pub mod watch;
+pub(crate) mod timing;
+pub(crate) mod watch;

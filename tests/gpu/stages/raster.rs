@@ -204,7 +204,7 @@ fn pictures_of_any_size_follow_a_resize(method: RasterMethod) {
     let message = renderer.resize([0, 5]).unwrap_err().to_string();
     assert!(message.contains("0 × 5"), "{message}");
     assert_eq!(
-        renderer.raster().image().size,
+        renderer.raster().image().size(),
         [200, 200],
         "the old picture stays"
     );

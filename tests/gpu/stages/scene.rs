@@ -2,7 +2,7 @@
 //! to frame, and left out as wholes.
 
 use crate::common::{self, Random, Sizes, f16s, gpu};
-use effigy::vulkan::{Gpu, Renderer, RendererOptions, commands::FrameReport};
+use effigy::vulkan::{FrameReport, Gpu, Renderer, RendererOptions};
 use effigy_core::{
     avatar::{Avatar, ShCoefficients},
     frame::Skip,

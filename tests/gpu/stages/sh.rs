@@ -1,9 +1,10 @@
 //! The `harmonics` stage and static avatars on the device, against the reference.
 
 use crate::common::{self, Random, Sizes, f16s, gpu};
-use effigy::vulkan::{GpuOptions, Renderer, commands::STAGES};
+use effigy::vulkan::{GpuOptions, Renderer};
 use effigy_core::{
     avatar::{Avatar, Parts, Pose, ShCoefficients},
+    frame::report::STAGES,
     reference,
     scene::{Camera, Posed},
 };

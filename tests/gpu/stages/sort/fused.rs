@@ -48,7 +48,7 @@ fn counts_of_the_callers_give_the_same_order(variant: SortVariant) {
             "{}",
             variant.name()
         );
-        let mut rows = vec![0u32; sort.first_counts().size as usize / 4];
+        let mut rows = vec![0u32; sort.first_counts().size() as usize / 4];
         for (at, key) in keys
             .iter()
             .enumerate()
@@ -66,7 +66,7 @@ fn counts_of_the_callers_give_the_same_order(variant: SortVariant) {
         let region = vk::BufferCopy {
             src_offset: 0,
             dst_offset: key_bytes,
-            size: sort.first_counts().size,
+            size: sort.first_counts().size(),
         };
         for _ in 0..2 {
             let record = |commands: Recording| {
