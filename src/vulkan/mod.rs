@@ -37,12 +37,11 @@ pub use effigy_core::frame::{FrameReport, RendererOptions, preset};
 pub use pipeline::shaders;
 pub use raster::download::Copied;
 pub use renderer::{Presentation, Renderer, Stages};
-#[cfg(feature = "window")]
-pub use window::swapchain;
 pub use window::{
     pre_transform::PreTransform,
     present::{Present, PresentTarget, PresentedImage},
     screen::Offscreen,
-    timing::PresentFeedback,
     watch::{FrameValidator, PixelCounts},
 };
+#[cfg(feature = "window")]
+pub use window::{swapchain, timing::PresentFeedback};

@@ -39,6 +39,7 @@ pub struct Gpu {
     /// Reads the device's and the host's clock at once. None where the driver can't.
     pub(crate) calibration: Option<Calibration>,
     /// The swapchain extension's functions. None where the device was opened without a window.
+    #[cfg(feature = "window")]
     pub(crate) swapchain: Option<khr::swapchain::Device>,
     /// Results of the sort's self-test on this device.
     pub(crate) sorts: Sorts,
@@ -106,6 +107,7 @@ impl Gpu {
         } else {
             PipelineCache::open(&device, &probe)
         };
+        #[cfg(feature = "window")]
         let swapchain = features
             .window
             .then(|| khr::swapchain::Device::new(&device.instance.raw, &device.raw));
@@ -116,6 +118,7 @@ impl Gpu {
             cache,
             half_storage: features.half_storage,
             calibration: Calibration::new(&device, &probe),
+            #[cfg(feature = "window")]
             swapchain,
             sorts: Sorts::default(),
             statistics: options.statistics.then(|| Statistics::new(&device)),

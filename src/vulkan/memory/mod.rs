@@ -10,5 +10,7 @@ pub(crate) use barrier::LayoutChange;
 pub use barrier::Scope;
 pub use buffer::{Buffer, Slice};
 pub(crate) use copy::copy_image;
+#[cfg(feature = "window")]
+pub(crate) use image::COLOR;
+pub(crate) use image::DEPTH_FORMAT;
 pub use image::Image;
-pub(crate) use image::{COLOR, DEPTH_FORMAT};

@@ -7,5 +7,6 @@ pub(crate) mod screen;
 pub mod swapchain;
 #[cfg(feature = "window")]
 mod target;
+#[cfg(feature = "window")]
 pub(crate) mod timing;
 pub(crate) mod watch;
