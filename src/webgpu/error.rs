@@ -68,6 +68,9 @@ pub enum Error {
     /// The device reported that a command is invalid, failed or ran out of memory.
     #[error("the device refused a command: {0}")]
     Refused(String),
+    /// The avatar's arrays contradict each other, or hold a number that can't be drawn.
+    #[error("this avatar can't be drawn: {0}")]
+    Avatar(#[from] effigy_core::io::file::FormatError),
     /// The options, a pose or the camera hold a number that no frame can be drawn with.
     #[error("this can't be drawn: {0}")]
     Unusable(#[from] effigy_core::frame::Unusable),

@@ -198,8 +198,10 @@ fn made(device: &wgpu::Device, name: &str, source: &str) -> wgpu::ShaderModule {
         label: Some(name),
         source: wgpu::ShaderSource::Wgsl(source.into()),
     };
-    // SAFETY: these are the shaders that the Vulkan backend runs without such checks, within the
-    // bounds that `Model` and `refuse` see to; browsers check on their own.
+    // SAFETY: these are the shaders that the Vulkan backend runs without such checks. Indices stay
+    // inside the buffers: `Renderer` lets `Avatar::check` see each avatar and `validate::frame` each
+    // frame, and sizes the buffers for them; `source` tells the shaders these sizes. Browsers check
+    // on their own.
     unsafe {
         device.create_shader_module_trusted(descriptor, wgpu::ShaderRuntimeChecks::unchecked())
     }

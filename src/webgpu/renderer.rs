@@ -73,10 +73,11 @@ fn block_offset(number: usize) -> u32 {
 
 impl Renderer {
     /// # Errors
-    /// When the options can't be drawn with, or the device's memory does not suffice.
+    /// When the options can't be drawn with, [`Avatar::check`] finds a fault, or the device's
+    /// memory does not suffice.
     pub fn new(gpu: &Arc<Gpu>, avatar: &Avatar, options: RendererOptions) -> Result<Self> {
         let mut new = Self::empty(gpu, avatar, options)?;
-        new.upload(avatar)?;
+        new.write(avatar)?;
         Ok(new)
     }
 
@@ -85,9 +86,11 @@ impl Renderer {
     /// that.
     ///
     /// # Errors
-    /// When the options can't be drawn with, or the device is out of memory.
+    /// When the options can't be drawn with, [`Avatar::check`] finds a fault, or the device is out
+    /// of memory.
     pub fn empty(gpu: &Arc<Gpu>, avatar: &Avatar, options: RendererOptions) -> Result<Self> {
         let options = accepted(gpu, avatar, options)?;
+        avatar.check()?;
         let model = Model::empty(gpu, avatar)?;
         let constants = &model.constants;
         let instances = options.instances as u32;
@@ -160,8 +163,14 @@ impl Renderer {
     /// arrays have other lengths.
     ///
     /// # Errors
-    /// When the device's memory does not suffice, or it is lost.
+    /// When [`Avatar::check`] finds a fault, the device's memory does not suffice, or it is lost.
     pub fn upload(&mut self, avatar: &Avatar) -> Result<bool> {
+        avatar.check()?;
+        self.write(avatar)
+    }
+
+    /// [`Self::upload`] of an avatar that was checked.
+    fn write(&mut self, avatar: &Avatar) -> Result<bool> {
         if !self.model.fill(&self.gpu, avatar) {
             return Ok(false);
         }
@@ -178,7 +187,7 @@ impl Renderer {
     /// has changed, where its arrays have other lengths.
     ///
     /// # Errors
-    /// When the device is lost.
+    /// When [`Avatar::check`] finds a fault, or the device is lost.
     pub fn replace_avatar(&mut self, avatar: &Avatar) -> Result<bool> {
         if avatar.sh.is_some() || !self.upload(avatar)? {
             return Ok(false);

@@ -167,6 +167,20 @@ fn memory_is_given_back() {
     }
 }
 
+/// Arrays that contradict each other are an error of the renderer, not a panic.
+fn avatars_that_contradict_themselves_are_refused() {
+    let device = gpu::gpu();
+    let mut avatar = common::avatar(1, Sizes::default());
+    avatar.gaussians.node[3] = [u16::MAX; 3];
+    let made = Renderer::new(&device, &avatar, gpu::options([100, 100]));
+    let error = made.err().expect("a node that is not there is refused");
+    let text = error.to_string();
+    assert!(
+        matches!(error, Error::Avatar(_)) && text.contains("`node` found 65535 at [3, 0]"),
+        "{text}"
+    );
+}
+
 /// Frames follow each other without waiting, with and without changes; the counts and the skipped
 /// stages say so.
 fn stages_whose_inputs_did_not_change_are_skipped() {
@@ -241,6 +255,7 @@ tests! {
     a_device_without_shader_statistics_says_so,
     a_buffer_larger_than_the_device_allows_is_refused_by_name,
     memory_is_given_back,
+    avatars_that_contradict_themselves_are_refused,
     stages_whose_inputs_did_not_change_are_skipped,
     many_frames_in_flight_stay_in_order,
 }

@@ -91,6 +91,9 @@ pub struct Occluder {
 
 impl Occluder {
     /// Makes the mesh of an avatar: takes some tenths of a second for 200,000 Gaussians.
+    ///
+    /// # Panics
+    /// Where [`Avatar::check`] finds a fault.
     pub fn new(avatar: &Avatar) -> Self {
         let opaque: Vec<u32> = (0..avatar.gaussians.len() as u32)
             .filter(|&i| avatar.gaussians.opacity[i as usize] >= OPAQUE)

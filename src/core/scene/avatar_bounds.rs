@@ -132,6 +132,9 @@ pub struct AvatarBounds {
 
 impl AvatarBounds {
     /// The boxes of an avatar.
+    ///
+    /// # Panics
+    /// Where [`Avatar::check`] finds a fault.
     pub fn new(avatar: &Avatar) -> Self {
         let parts = avatar.parts.start.windows(2).enumerate();
         Self {

@@ -100,6 +100,9 @@ pub struct PartDependencies {
 
 impl PartDependencies {
     /// The dependencies of an avatar's parts.
+    ///
+    /// # Panics
+    /// Where [`Avatar::check`] finds a fault.
     pub fn new(avatar: &Avatar) -> Self {
         let mut by_part = vec![PartSet::EMPTY; avatar.parts.len()];
         for (part, needed) in by_part.iter_mut().enumerate() {

@@ -16,12 +16,18 @@ pub struct Posed {
 
 impl Posed {
     /// Evaluates a pose, with its projection for the networks.
+    ///
+    /// # Panics
+    /// Where [`Avatar::check`] finds a fault.
     pub fn new(avatar: &Avatar, pose: &Pose) -> Self {
         Self::with_projection(avatar, pose, true)
     }
 
     /// Evaluates a pose. `project`: whether the networks see its projection onto the subspace of
     /// the training poses, or the pose itself, however far it is from those that they know.
+    ///
+    /// # Panics
+    /// Where [`Avatar::check`] finds a fault.
     pub fn with_projection(avatar: &Avatar, pose: &Pose, project: bool) -> Self {
         let inputs = &avatar.inputs;
         let input = if project {

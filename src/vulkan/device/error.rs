@@ -136,6 +136,9 @@ pub enum Error {
         /// What it returned.
         result: vk::Result,
     },
+    /// The avatar's arrays contradict each other, or hold a number that can't be drawn.
+    #[error("this avatar can't be drawn: {0}")]
+    Avatar(#[from] effigy_core::io::file::FormatError),
     /// The options, a pose or the camera hold a number that no frame can be drawn with.
     #[error("this can't be drawn: {0}")]
     Unusable(#[from] effigy_core::frame::Unusable),

@@ -118,9 +118,11 @@ impl Renderer {
     /// device.
     ///
     /// # Errors
-    /// When the options can't be drawn with, the device's memory does not suffice, or it fails.
+    /// When the options can't be drawn with, [`Avatar::check`] finds a fault, the device's memory
+    /// does not suffice, or it fails.
     pub fn new(gpu: &Arc<Gpu>, avatar: &Avatar, options: RendererOptions) -> Result<Self> {
         options.check()?;
+        avatar.check()?;
         let mut options = resolved(gpu, options);
         // Where colours change with the view, poses are not cached.
         if avatar.sh.is_some() {

@@ -1,6 +1,7 @@
 //! Opening of files: checks a document and its tensors, and decodes the model.
 //! [`super::encode`] writes them.
 
+use super::check::Bad;
 use super::deflate::Order;
 use super::deflate::{self, EXPANSION, EXPANSION_FREE, Kind};
 use super::document::{Document, METADATA_KEY, TensorRow};
@@ -24,6 +25,12 @@ impl<D: Document> Required<'_, D> {
             found: found.to_string(),
             expected: expected.to_string(),
         }
+    }
+
+    /// The number that breaks its rule.
+    fn broken(&self, bad: Bad) -> FormatError {
+        let at = coordinates(bad.at, &self.shape);
+        self.fault(format!("{} at {at:?}", bad.found), bad.expected)
     }
 
     /// Bytes of its numbers; None if they overflow.
@@ -145,10 +152,8 @@ impl Container<'_> {
                     })?;
                 self.tensors.expanded.insert(tensor.name.clone(), bytes);
             }
-            (tensor.row.rule)(document, self.tensors.bytes(&tensor.name)).map_err(|bad| {
-                let at = coordinates(bad.at, &tensor.shape);
-                tensor.fault(format!("{} at {at:?}", bad.found), bad.expected)
-            })?;
+            (tensor.row.rule)(document, self.tensors.bytes(&tensor.name))
+                .map_err(|bad| tensor.broken(bad))?;
         }
         Ok(())
     }
@@ -277,6 +282,27 @@ pub fn decode_beginning<D: Document>(
         zeroed,
     };
     container.decode::<D>()
+}
+
+/// Checks a model's arrays as those of its plain file would be: their lengths and their numbers.
+pub fn check_arrays<D: Document>(document: &D, model: &D::Model) -> Result<(), FormatError> {
+    for row in D::TENSORS {
+        for k in 0..(row.count)(document) {
+            let tensor: Required<D> = Required {
+                row,
+                name: row.name_of(k),
+                shape: (row.shape)(document, k),
+                order: None,
+            };
+            let bytes = (row.bytes)(document, model, k);
+            if tensor.bytes() != Some(bytes.len()) {
+                let expected = format!("{} of shape {:?}", row.dtype, tensor.shape);
+                return Err(tensor.fault(format!("{} bytes", bytes.len()), expected));
+            }
+            (row.rule)(document, &bytes).map_err(|bad| tensor.broken(bad))?;
+        }
+    }
+    Ok(())
 }
 
 /// Lists the tensors of a file of a kind.

@@ -85,6 +85,46 @@ impl Avatar {
         container::decode::<AvatarHeader>(bytes)
     }
 
+    /// Checks what everything that draws or evaluates an avatar relies on: arrays of lengths that
+    /// agree, indices of what is there, numbers and sizes in range. It holds of every avatar that
+    /// was read from a file.
+    ///
+    /// # Errors
+    /// When it does not hold, with what was found and what is expected.
+    pub fn check(&self) -> Result<(), FormatError> {
+        let header = AvatarHeader::from_model(self);
+        header.check_drawn()?;
+        let layers = self.networks.layers.iter().zip(&header.widths);
+        for (at, (layer, &width)) in layers.enumerate() {
+            if layer.input != width {
+                let found = format!("{} inputs of layer {at}", layer.input);
+                return Err(FormatError::metadata("widths", found, width));
+            }
+        }
+        container::check_arrays(&header, self)?;
+        let Some(sh) = &self.sh else {
+            return Ok(());
+        };
+        let fault = |found, expected| {
+            Err(FormatError::Tensor {
+                tensor: "sh".into(),
+                found,
+                expected,
+            })
+        };
+        if !(1..=3).contains(&sh.degree) {
+            return fault(format!("degree {}", sh.degree), "1 to 3".into());
+        }
+        let expected = self.gaussians.len() * sh.functions();
+        if sh.coefficients.len() != expected {
+            return fault(
+                format!("{} coefficients", sh.coefficients.len()),
+                format!("{expected}, {} a Gaussian", sh.functions()),
+            );
+        }
+        Ok(())
+    }
+
     /// How many bytes [`Avatar::neutral`] needs from the start of an avatar's file, as far as its
     /// first bytes tell: those of the header, and once the header is there those of the neutral
     /// avatar.
@@ -182,5 +222,45 @@ impl Clip {
     /// Lists the tensors of the file that [`Clip::write`] writes.
     pub fn tensors(&self) -> Vec<TensorInfo> {
         container::list_plain::<ClipHeader>(self)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use half::f16;
+
+    /// A fault that `break_it` makes in the demo.
+    fn fault(break_it: impl Fn(&mut Avatar)) -> String {
+        let mut avatar = crate::demo::avatar().expect("inside the program");
+        assert_eq!(avatar.check(), Ok(()));
+        break_it(&mut avatar);
+        match avatar.check() {
+            Ok(()) => "none".into(),
+            Err(fault) => fault.to_string(),
+        }
+    }
+
+    #[test]
+    fn check_names_what_contradicts_the_rest() {
+        let node = fault(|avatar| avatar.gaussians.node[7][1] = u16::MAX);
+        assert!(node.contains("`node`") && node.contains("[7, 1]"), "{node}");
+        let opacity = fault(|avatar| avatar.gaussians.opacity.truncate(3));
+        assert!(opacity.contains("`opacity` found 3 bytes"), "{opacity}");
+        let parent = fault(|avatar| avatar.skeleton.parent[1] = Some(200));
+        assert!(parent.contains("200 for joint 1"), "{parent}");
+        let input = fault(|avatar| avatar.networks.layers[1].input += 4);
+        assert!(input.contains("inputs of layer 1"), "{input}");
+        let parts = fault(|avatar| avatar.parts.start.clear());
+        assert!(parts.contains("`parts` found 0"), "{parts}");
+        let color = fault(|avatar| avatar.gaussians.color[0][2] = f16::NAN);
+        assert!(color.contains("`color` found NaN at [0, 2]"), "{color}");
+        let sh = fault(|avatar| {
+            avatar.sh = Some(crate::avatar::ShCoefficients {
+                degree: 1,
+                coefficients: vec![[f16::ZERO; 3]; 5],
+            });
+        });
+        assert!(sh.contains("`sh` found 5 coefficients"), "{sh}");
     }
 }

@@ -114,13 +114,6 @@ impl AvatarHeader {
         count("parts", self.parts, 1..=limits::PARTS)?;
         count("head_parts", self.head_parts, 0..=self.parts)?;
         count("nodes", self.nodes, 1..=limits::NODES)?;
-        count("basis", self.basis, 4..=limits::BASIS)?;
-        ensure(
-            self.basis.is_multiple_of(4),
-            "basis",
-            self.basis,
-            "a multiple of 4",
-        )?;
         count("rotation_rows", self.rotation_rows, 0..=self.gaussians)?;
         count("scale_rows", self.scale_rows, 0..=self.gaussians)?;
         count("color_rows", self.color_rows, 0..=self.gaussians)?;
@@ -135,6 +128,28 @@ impl AvatarHeader {
             limits::LENGTH
         );
         ensure(good, "bounds", format_args!("{min:?} to {max:?}"), expected)
+    }
+
+    fn check_basis(&self) -> Result<(), FormatError> {
+        count("basis", self.basis, 4..=limits::BASIS)?;
+        ensure(
+            self.basis.is_multiple_of(4),
+            "basis",
+            self.basis,
+            "a multiple of 4",
+        )
+    }
+
+    /// Checks what drawing relies on. An avatar without networks, like an import, needs no basis,
+    /// which files require.
+    pub fn check_drawn(&self) -> Result<(), FormatError> {
+        self.check_counts()?;
+        self.check_skeleton()?;
+        if self.layers() == 0 && self.basis == 0 {
+            return count("expression", self.expression, 0..=limits::EXPRESSION);
+        }
+        self.check_basis()?;
+        self.check_networks()
     }
 
     fn check_skeleton(&self) -> Result<(), FormatError> {
@@ -282,6 +297,7 @@ impl Document for AvatarHeader {
         word("color_space", &self.color_space, COLOR_SPACE)?;
         self.check_codes()?;
         self.check_counts()?;
+        self.check_basis()?;
         self.check_skeleton()?;
         self.check_networks()
     }
