@@ -1,5 +1,6 @@
-//! Arrows between files, read from what each file imports: within a folder they make no ring, and
-//! between the folders of a package they point down.
+//! Arrows between files, read from what each file imports and which methods it calls that another
+//! file adds to a type: within a folder they make no ring, and between the modules of a package they
+//! point down.
 
 use std::{
     collections::{BTreeMap, BTreeSet},
@@ -8,11 +9,86 @@ use std::{
 };
 use syn::{Attribute, Item, UseTree, visit::Visit};
 
-/// The modules of each package from the bottom up: each imports only modules that stand before it.
-const LAYERS: &[(&str, &[&str])] = &[
-    (
-        "src/core",
-        &[
+/// The order of a package.
+struct Layers {
+    /// Its folder.
+    package: &'static str,
+    /// Its modules from the bottom up: each imports only modules that stand before it.
+    modules: &'static [&'static str],
+}
+
+/// The order of every package.
+const LAYERS: &[Layers] = &[
+    Layers {
+        package: "src",
+        modules: &["hash", "ndk", "quirks", "wgsl", "vulkan", "webgpu"],
+    },
+    Layers {
+        package: "src/app",
+        modules: &[
+            "device",
+            "file_list",
+            "font",
+            "android",
+            "frame_times",
+            "gesture",
+            "host_window",
+            "message",
+            "orbit",
+            "pacing",
+            "playback",
+            "action",
+            "scene",
+            "painter",
+            "drift_check",
+            "frame_sync",
+            "frame_clock",
+            "quality_control",
+            "screenshot",
+            "captures",
+            "options",
+            "recovery",
+            "tap_gesture",
+            "input",
+            "ui",
+            "viewer",
+            "window",
+            "android_entry",
+        ],
+    },
+    Layers {
+        package: "src/cli",
+        modules: &[
+            "advice",
+            "backend",
+            "files",
+            "groups",
+            "options",
+            "progress",
+            "source",
+            "spellings",
+            "compare",
+            "inspect",
+            "bench_sort",
+            "devices",
+            "bake",
+            "dataset",
+            "fit",
+            "analyse",
+            "evaluate",
+            "bench",
+            "capture",
+            "export_ply",
+            "pack",
+            "render",
+            "soak",
+            "stress",
+            "view",
+        ],
+    },
+    Layers {
+        package: "src/core",
+        modules: &[
             "constants",
             "random",
             "avatar",
@@ -24,10 +100,14 @@ const LAYERS: &[(&str, &[&str])] = &[
             "io",
             "demo",
         ],
-    ),
-    (
-        "src/learn",
-        &[
+    },
+    Layers {
+        package: "src/demo",
+        modules: &[],
+    },
+    Layers {
+        package: "src/learn",
+        modules: &[
             "math",
             "plot",
             "bake",
@@ -39,12 +119,59 @@ const LAYERS: &[(&str, &[&str])] = &[
             "fit",
             "analyse",
         ],
-    ),
-    (
-        "src",
-        &["hash", "ndk", "quirks", "wgsl", "vulkan", "webgpu"],
-    ),
+    },
+    Layers {
+        package: "src/measure",
+        modules: &[
+            "bytes",
+            "chart",
+            "coverage",
+            "error",
+            "flip",
+            "setting",
+            "viewpoint",
+            "similarity",
+            "report",
+            "soak",
+            "stress",
+            "bench",
+            "packing",
+        ],
+    },
+    Layers {
+        package: "src/runtime",
+        modules: &[
+            "capture",
+            "ndk",
+            "slow_start",
+            "governor",
+            "thermals",
+            "trace",
+        ],
+    },
+    Layers {
+        package: "src/web",
+        modules: &["motion", "panics", "surface", "avatar_canvas"],
+    },
+    Layers {
+        package: "tools/shaders",
+        modules: &["wgsl"],
+    },
 ];
+
+/// Methods of other packages' types, called as one that a file of ours adds to a type is.
+const FOREIGN_CALLS: &[ForeignCall] = &[ForeignCall {
+    file: "io::file::order",
+    // Of the header that safetensors reads.
+    method: "tensors",
+}];
+
+/// See [`FOREIGN_CALLS`].
+struct ForeignCall {
+    /// The file that calls it.
+    file: &'static str,
+    method: &'static str,
+}
 
 /// A path as a file writes it.
 struct Import {
@@ -52,8 +179,23 @@ struct Import {
     path: Vec<String>,
     /// Modules written inside the file, around the path.
     inside: Vec<String>,
-    /// It hands on what a module below the file defines, and uses nothing of it.
-    hands_on: bool,
+    /// The name that a re-export of what a module below the file defines has; None for what the
+    /// file takes for itself.
+    handed_on: Option<String>,
+}
+
+/// Methods that a file gives a type.
+struct MethodBlock {
+    type_name: String,
+    methods: BTreeSet<String>,
+}
+
+/// A call of a method.
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord)]
+struct Call {
+    method: String,
+    /// It is called of a variable, `self` among them, and not of a field or another call's result.
+    of_variable: bool,
 }
 
 /// A source file as the test sees it.
@@ -66,6 +208,11 @@ struct Source {
     defines: BTreeSet<String>,
     /// Names that it re-exports, with the path that each stands for; a glob has the name `*`.
     exports: Vec<(String, Vec<String>)>,
+    /// Names that it writes outside of imports.
+    names: BTreeSet<String>,
+    /// What it implements, traits aside.
+    blocks: Vec<MethodBlock>,
+    calls: BTreeSet<Call>,
 }
 
 fn for_tests(attributes: &[Attribute]) -> bool {
@@ -114,6 +261,9 @@ impl Source {
             imports: Vec::new(),
             defines: BTreeSet::new(),
             exports: Vec::new(),
+            names: BTreeSet::new(),
+            blocks: Vec::new(),
+            calls: BTreeSet::new(),
         };
         for item in &syntax.items {
             source.define(item);
@@ -172,20 +322,50 @@ impl<'a> Visit<'a> for Reader<'_> {
         self.inside.pop();
     }
 
+    fn visit_item_impl(&mut self, item: &'a syn::ItemImpl) {
+        if let (None, syn::Type::Path(of)) = (&item.trait_, &*item.self_ty)
+            && let Some(last) = of.path.segments.last()
+        {
+            // What is private is called by the file alone, or by those below it.
+            let methods = item.items.iter().filter_map(|item| match item {
+                syn::ImplItem::Fn(function)
+                    if !matches!(function.vis, syn::Visibility::Inherited) =>
+                {
+                    Some(function.sig.ident.to_string())
+                }
+                _ => None,
+            });
+            self.source.blocks.push(MethodBlock {
+                type_name: last.ident.to_string(),
+                methods: methods.collect(),
+            });
+        }
+        syn::visit::visit_item_impl(self, item);
+    }
+
+    fn visit_expr_method_call(&mut self, call: &'a syn::ExprMethodCall) {
+        self.source.calls.insert(Call {
+            method: call.method.to_string(),
+            of_variable: matches!(&*call.receiver, syn::Expr::Path(_)),
+        });
+        syn::visit::visit_expr_method_call(self, call);
+    }
+
     fn visit_item_use(&mut self, item: &'a syn::ItemUse) {
         let mut found = Vec::new();
         leaves(&item.tree, &[], &mut found);
         let public = !matches!(item.vis, syn::Visibility::Inherited);
         for (name, path) in found {
-            // `self::below` and `below` are a module below; everything else is used here as well.
-            let hands_on = public && !["crate", "super"].contains(&path[0].as_str());
+            // `self::below` and `below` are a module below.
+            let below = public && !["crate", "super"].contains(&path[0].as_str());
+            let handed_on = below.then(|| name.clone());
             if self.inside.is_empty() {
                 self.source.exports.push((name, path.clone()));
             }
             self.source.imports.push(Import {
                 path,
                 inside: self.inside.clone(),
-                hands_on,
+                handed_on,
             });
         }
     }
@@ -196,11 +376,12 @@ impl<'a> Visit<'a> for Reader<'_> {
             .iter()
             .map(|part| part.ident.to_string())
             .collect();
+        self.source.names.insert(segments[0].clone());
         if segments.len() > 1 {
             self.source.imports.push(Import {
                 path: segments,
                 inside: self.inside.clone(),
-                hands_on: false,
+                handed_on: None,
             });
         }
         syn::visit::visit_path(self, path);
@@ -309,12 +490,83 @@ impl Package {
         }
     }
 
+    /// The module of the file that defines a type, as a file names it.
+    fn definition(&self, source: &Source, type_name: &str) -> Option<Vec<String>> {
+        let path = [source.module.clone(), vec![type_name.to_owned()]].concat();
+        let found = self.resolve(&path, 0)?;
+        self.sources[&found]
+            .defines
+            .contains(type_name)
+            .then_some(found)
+    }
+
+    /// The methods that files add to types of other files.
+    fn added_methods(&self) -> Vec<AddedMethod<'_>> {
+        let mut added = Vec::new();
+        for (module, source) in &self.sources {
+            for block in &source.blocks {
+                let Some(of) = self.definition(source, &block.type_name) else {
+                    continue;
+                };
+                if of == *module {
+                    continue;
+                }
+                for method in &block.methods {
+                    // Only calls of variables may be told apart from those of other types' methods
+                    // of the name.
+                    let elsewhere = self.sources.values().any(|other| {
+                        other.blocks.iter().any(|other| {
+                            other.methods.contains(method) && other.type_name != block.type_name
+                        })
+                    });
+                    added.push(AddedMethod {
+                        module,
+                        of: of.clone(),
+                        type_name: &block.type_name,
+                        method,
+                        elsewhere,
+                    });
+                }
+            }
+        }
+        added
+    }
+
+    /// Whether a file calls a method that another one adds to a type.
+    fn calls(&self, source: &Source, added: &AddedMethod) -> bool {
+        let knows = source.module == added.of
+            || self.definition(source, added.type_name).as_ref() == Some(&added.of);
+        let foreign = FOREIGN_CALLS
+            .iter()
+            .any(|call| call.method == added.method && call.file == source.module.join("::"));
+        let called = !foreign
+            && source
+                .calls
+                .iter()
+                .any(|call| call.method == added.method && (call.of_variable || !added.elsewhere));
+        let named = source.imports.iter().any(|import| {
+            import
+                .path
+                .ends_with(&[added.type_name.to_owned(), added.method.to_owned()])
+                || (source.module == added.of
+                    && import.path == ["Self".to_owned(), added.method.to_owned()])
+        });
+        knows && (called || named)
+    }
+
     /// Arrows: the modules that each file takes something from.
     fn arrows(&self) -> BTreeMap<&Vec<String>, BTreeSet<Vec<String>>> {
+        let added = self.added_methods();
         let mut arrows = BTreeMap::new();
         for (module, source) in &self.sources {
             let mut to = BTreeSet::new();
-            for import in source.imports.iter().filter(|import| !import.hands_on) {
+            for import in &source.imports {
+                // What is only handed on is not taken.
+                if let Some(name) = &import.handed_on
+                    && !source.names.contains(name)
+                {
+                    continue;
+                }
                 let path = self.absolute(source, &import.inside, &import.path);
                 if let Some(target) = path.and_then(|path| self.resolve(&path, 0))
                     && target != *module
@@ -322,10 +574,27 @@ impl Package {
                     to.insert(target);
                 }
             }
+            for added in &added {
+                if added.module != module && self.calls(source, added) {
+                    to.insert(added.module.clone());
+                }
+            }
             arrows.insert(module, to);
         }
         arrows
     }
+}
+
+/// A method that a file adds to a type of another file.
+struct AddedMethod<'a> {
+    /// The file that adds it.
+    module: &'a Vec<String>,
+    /// The file that defines the type.
+    of: Vec<String>,
+    type_name: &'a str,
+    method: &'a str,
+    /// Another type of the package has a method of this name.
+    elsewhere: bool,
 }
 
 /// The entry of a folder that a module is, or is in; a `mod.rs` is an entry `mod` of its folder.
@@ -369,9 +638,13 @@ fn ring(graph: &BTreeMap<String, BTreeSet<String>>) -> Option<Vec<String>> {
 }
 
 /// Every fault of the packages under `root`, a line each.
-fn faults(root: &Path) -> Vec<String> {
+fn faults(root: &Path, layers: &[Layers]) -> Vec<String> {
     let mut faults = Vec::new();
-    let mut packages = vec![PathBuf::from("src")];
+    let mut packages: Vec<PathBuf> = ["src", "tools/shaders"]
+        .map(PathBuf::from)
+        .into_iter()
+        .filter(|package| root.join(package).exists())
+        .collect();
     for entry in fs::read_dir(root.join("src"))
         .expect("src can be read")
         .flatten()
@@ -381,6 +654,11 @@ fn faults(root: &Path) -> Vec<String> {
         }
     }
     packages.sort();
+    for entry in layers {
+        if !packages.contains(&PathBuf::from(entry.package)) {
+            faults.push(format!("{} has layers and is no package", entry.package));
+        }
+    }
     for name in packages {
         let package = Package::read(&root.join(&name));
         let arrows = package.arrows();
@@ -434,19 +712,32 @@ fn faults(root: &Path) -> Vec<String> {
                 }
             }
         }
-        let Some((_, layers)) = LAYERS.iter().find(|(known, _)| Path::new(known) == name) else {
+        let layers = layers.iter().find(|entry| Path::new(entry.package) == name);
+        let Some(Layers { modules, .. }) = layers else {
+            faults.push(format!("{} is a package without layers", name.display()));
             continue;
         };
+        for known in *modules {
+            if !arrows
+                .keys()
+                .any(|module| module.first().is_some_and(|first| first == known))
+            {
+                faults.push(format!(
+                    "{}: `{known}` has a layer and is no module",
+                    name.display()
+                ));
+            }
+        }
         for (from, targets) in &arrows {
             let Some(one) = from.first() else { continue };
-            let Some(height) = layers.iter().position(|layer| layer == one) else {
+            let Some(height) = modules.iter().position(|layer| layer == one) else {
                 faults.push(format!("{}: `{one}` is in no layer", name.display()));
                 continue;
             };
             for to in targets {
                 let above = to
                     .first()
-                    .and_then(|other| layers.iter().position(|layer| layer == other));
+                    .and_then(|other| modules.iter().position(|layer| layer == other));
                 if above.is_some_and(|above| above > height) {
                     faults.push(format!(
                         "{}: {} imports {} from above",
@@ -463,7 +754,7 @@ fn faults(root: &Path) -> Vec<String> {
 
 fn files_and_folders_point_down() {
     let root = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."));
-    let faults = faults(root);
+    let faults = faults(root, LAYERS);
     assert!(
         faults.is_empty(),
         "{} faults:\n{}",
@@ -472,32 +763,67 @@ fn files_and_folders_point_down() {
     );
 }
 
-/// The test would see a ring of files, one of folders, and an arrow up.
+/// The test would see a ring of files, one of folders, one through a method that a file adds to a
+/// type and one through what a file hands on and uses, an arrow up, and layers that fit no package
+/// or module.
 fn faults_are_found() {
     let folder = tempfile::tempdir().unwrap();
     let core = folder.path().join("src/core");
-    for below in ["scene", "frame"] {
+    for below in ["scene", "frame", "io", "../bare"] {
         fs::create_dir_all(core.join(below)).unwrap();
     }
     let write = |name: &str, text: &str| fs::write(core.join(name), text).unwrap();
     write("Cargo.toml", "");
-    write("lib.rs", "pub mod frame; pub mod scene;");
+    write("../bare/Cargo.toml", "");
+    write("../bare/lib.rs", "");
+    write("lib.rs", "pub mod frame; pub mod scene; mod extra; mod io;");
+    write("extra.rs", "");
+    write(
+        "io/mod.rs",
+        "mod file; pub use file::Header; pub struct Kind; fn of(header: Header) -> Kind { Kind }",
+    );
+    write("io/file.rs", "use super::Kind; pub struct Header(Kind);");
     write("frame/mod.rs", "pub mod plan; pub use plan::Plan;");
     write(
         "frame/plan.rs",
         "pub struct Plan; use crate::scene::camera::Camera;",
     );
-    write("scene/mod.rs", "pub mod camera; pub mod posed;");
+    write("scene/mod.rs", "pub mod camera; pub mod posed; mod turn;");
     write(
         "scene/camera.rs",
-        "use super::posed::Posed; use crate::frame::Plan; pub struct Camera;",
+        "use super::posed::Posed; use crate::frame::Plan; pub struct Camera; \
+         impl Camera { fn new() -> Self { let mut new = Camera; new.turn(); new } }",
+    );
+    write(
+        "scene/turn.rs",
+        "use super::camera::Camera; impl Camera { pub fn turn(&mut self) {} }",
     );
     write("scene/posed.rs", "pub struct Posed(super::camera::Camera);");
-    let found = faults(folder.path());
+    let layers = [
+        Layers {
+            package: "src",
+            modules: &[],
+        },
+        Layers {
+            package: "src/core",
+            modules: &["missing", "scene", "frame", "io"],
+        },
+        Layers {
+            package: "src/gone",
+            modules: &[],
+        },
+    ];
+    let found = faults(folder.path(), &layers);
     for expected in [
         "ring of camera, posed",
         "ring of frame, scene",
+        "ring of camera, turn",
+        "ring of file, mod",
         "imports frame::plan from above",
+        "src/bare is a package without layers",
+        "src/gone has layers and is no package",
+        "`missing` has a layer and is no module",
+        "`extra` is in no layer",
     ] {
         assert!(
             found.iter().any(|fault| fault.contains(expected)),
