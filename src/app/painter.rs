@@ -299,7 +299,7 @@ impl WindowPainter {
         let canvas = swapchain.canvas(&image);
         let [width, height] = canvas.pre_transform.extent(canvas.size);
         panel.pre_rotate(canvas.pre_transform, canvas.size);
-        let picture = self.renderer.raster().drawn();
+        let drawn_size = self.renderer.raster().drawn();
         let image_drawn = self.renderer.raster().image().raw();
         let validate = std::mem::take(&mut self.validation_requested);
         if validate && self.validator.is_none() {
@@ -310,7 +310,7 @@ impl WindowPainter {
             .as_mut()
             .filter(|validator| validate && validator.is_idle());
         let shown = PresentedImage {
-            drawn: picture,
+            drawn: drawn_size,
             background: content.background,
         };
         let mut panel_drawn = Ok(());
@@ -325,13 +325,13 @@ impl WindowPainter {
             });
             if let Some(validator) = validator.take() {
                 // SAFETY: it follows the frame, whose image lives until all frames are done.
-                unsafe { validator.record(commands, image_drawn, picture) };
+                unsafe { validator.record(commands, image_drawn, drawn_size) };
             }
         };
         // SAFETY: the swapchain, the panel and the validator go only after every frame is done, and
         // the swapchain has just given the semaphores.
         let presentation = unsafe { Presentation::new(Some(image.semaphores), &mut record) };
-        let camera = content.camera.stretched(picture);
+        let camera = content.camera.stretched(drawn_size);
         self.renderer.draw(posed, &camera, Some(presentation))?;
         self.window.pre_present_notify();
         // SAFETY: the frame draws to the image, and was submitted with its semaphores.

@@ -51,7 +51,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     let (avatar, player) = args.source.load_player()?;
     let mut renderer = Renderer::new(&gpu, &avatar, args.quality.renderer(args.size))?;
     let screen = Offscreen::new(&gpu, args.size)?;
-    // SAFETY: nothing uses the screen yet, and every frame leaves the picture so.
+    // SAFETY: nothing uses the screen yet, and every frame leaves the image in that layout.
     unsafe { screen.set_image(renderer.raster().image()) };
     let avatar_bounds = AvatarBounds::new(&avatar);
     let background = options::color(options::BACKGROUND).map_err(anyhow::Error::msg)?;

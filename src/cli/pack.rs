@@ -81,7 +81,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     let (avatar, player) = source.load_player()?;
     let views = Views {
         player: &player,
-        pictures: args.frames,
+        images: args.frames,
         size: args.size,
     };
     let bar = progress::items(0, "frames");

@@ -86,7 +86,6 @@ pub struct Score {
     #[serde(rename = "way")]
     pub rendition: &'static str,
     /// How many images the mean is over.
-    #[serde(rename = "pictures")]
     pub images: usize,
     /// The mean likeness to the ground truth.
     #[serde(flatten)]

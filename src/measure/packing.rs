@@ -31,7 +31,7 @@ pub struct Views<'a> {
     pub player: &'a Player,
     /// Number of images, spread over the clip, each from another side. With none, only sizes are
     /// measured.
-    pub pictures: usize,
+    pub images: usize,
     /// Width and height, px.
     pub size: [u32; 2],
 }
@@ -75,10 +75,10 @@ pub fn measure_steps(
     mut progress: impl FnMut(&str, usize, usize),
 ) -> Result<(Vec<PackingStep>, Avatar), FormatError> {
     let steps = quality.steps();
-    let image_count = views.pictures * (steps.len() + 2);
+    let image_count = views.images * (steps.len() + 2);
     let mut done = 0;
-    let mut references = Vec::with_capacity(views.pictures);
-    for index in 0..views.pictures {
+    let mut references = Vec::with_capacity(views.images);
+    for index in 0..views.images {
         progress("drawing the avatar as it is", done, image_count);
         references.push(view(avatar, views, index));
         done += 1;
@@ -86,7 +86,7 @@ pub fn measure_steps(
     progress("drawing it as a device holds it", done, image_count);
     let plain = avatar.to_bytes()?;
     let original = measure("as it is", avatar, &plain, &references)?;
-    done += views.pictures;
+    done += views.images;
     let compressed = avatar.to_packed_bytes()?;
     let mut lines = vec![
         original.clone(),
@@ -103,7 +103,7 @@ pub fn measure_steps(
         packed = packed.after(step);
         let bytes = packed.to_packed_bytes()?;
         lines.push(measure(step.name(), &packed, &bytes, &references)?);
-        done += views.pictures;
+        done += views.images;
     }
     progress("done", done, image_count);
     Ok((lines, packed))
@@ -133,7 +133,7 @@ fn raw_bytes(file: &[u8]) -> Result<usize, FormatError> {
 }
 
 fn view(avatar: &Avatar, views: &Views, index: usize) -> View {
-    let share = (index as f64 + 0.5) / views.pictures as f64;
+    let share = (index as f64 + 0.5) / views.images as f64;
     let pose = views.player.pose(share * views.player.clip().duration());
     let posed = Posed::new(avatar, &pose);
     let bounds = upright(AvatarBounds::new(avatar).bounds(&posed.joints));
@@ -210,7 +210,7 @@ mod tests {
         );
         let views = Views {
             player: &player,
-            pictures: 1,
+            images: 1,
             size: [120, 150],
         };
         let (lines, packed) = measure_steps(&avatar, PackQuality::Small, &views, |_, done, all| {
@@ -219,8 +219,8 @@ mod tests {
         .expect("it can be written");
         let db = |at: usize| {
             (
-                lines[at].rounded_db.expect("pictures"),
-                lines[at].drawn_db.expect("pictures"),
+                lines[at].rounded_db.expect("images"),
+                lines[at].drawn_db.expect("images"),
             )
         };
         assert_eq!(lines.len(), 2 + PackQuality::Small.steps().len());
@@ -242,10 +242,7 @@ mod tests {
         let none = measure_steps(
             &avatar,
             PackQuality::Lossless,
-            &Views {
-                pictures: 0,
-                ..views
-            },
+            &Views { images: 0, ..views },
             |_, _, _| (),
         )
         .expect("it can be written")

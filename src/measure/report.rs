@@ -7,10 +7,10 @@ use crate::{error::ErrorMetrics, setting::RenderSetting};
 use effigy::vulkan::Gpu;
 use effigy_core::{
     avatar::{Avatar, motion::Player},
-    frame::KeyBits,
+    frame::{KeyBits, Skip},
     scene::Detail,
 };
-use serde::{Deserialize, Serialize, de::DeserializeOwned};
+use serde::{Deserialize, Deserializer, Serialize, de::DeserializeOwned};
 use std::time::SystemTime;
 
 /// The program that measured.
@@ -125,6 +125,7 @@ pub struct OptionsReport {
     /// Bits of the depth keys.
     pub key_bits: u32,
     /// Work that may be skipped, as `--skip` names it.
+    #[serde(deserialize_with = "skip_names")]
     pub skip: String,
     /// Opacity under which nothing is drawn, 0 to 1.
     pub cutoff: f64,
@@ -139,6 +140,17 @@ pub struct OptionsReport {
     pub rows: f64,
     /// Frames that each pose is held for.
     pub hold: usize,
+}
+
+/// A list of `--skip`, also one with old names.
+fn skip_names<'de, D: Deserializer<'de>>(deserializer: D) -> Result<String, D::Error> {
+    let names = String::deserialize(deserializer)?;
+    Ok(present_skip_names(names))
+}
+
+/// A list of `--skip` with the names that it has today. Other text stays as it is.
+pub fn present_skip_names(names: String) -> String {
+    names.parse().map_or(names, |skip: Skip| skip.to_string())
 }
 
 fn full_detail() -> String {
@@ -404,6 +416,14 @@ pub(crate) mod tests {
             ..bad
         };
         assert_eq!(good.worse(perfect).worse(bad), worst);
+    }
+
+    #[test]
+    fn options_of_old_reports_get_their_present_names() {
+        let mut old = serde_json::json!(options());
+        old["skip"] = "hidden,full,area".into();
+        let read: OptionsReport = serde_json::from_value(old).expect("options");
+        assert_eq!(read.skip, "hidden,saturated,damage");
     }
 
     #[test]

@@ -19,7 +19,7 @@ pub fn resolved(gpu: &Gpu, options: RendererOptions) -> RendererOptions {
     });
     // WebGPU tests no fragments against the occluder, and its render passes draw the whole image.
     let whole = if method == RasterMethod::Quads {
-        Skip::AREA
+        Skip::DAMAGE
     } else {
         Skip::empty()
     };

@@ -122,7 +122,7 @@ impl Raster {
         } else {
             0.0
         };
-        settings.saturation = if options.skip.contains(Skip::FULL) {
+        settings.saturation = if options.skip.contains(Skip::SATURATED) {
             settings.cutoff
         } else {
             0.0

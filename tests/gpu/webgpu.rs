@@ -512,7 +512,7 @@ fn only_a_box_around_the_avatar_is_drawn() {
             (picture, renderer.report().counters.damaged)
         })
     };
-    let (all, some) = (draw(Skip::empty()), draw(Skip::AREA));
+    let (all, some) = (draw(Skip::empty()), draw(Skip::DAMAGE));
     for (k, ((exact, _), (picture, _))) in all.iter().zip(&some).enumerate() {
         assert!(picture == exact, "picture {k}");
     }

@@ -62,9 +62,9 @@ fn a_short_soak_writes_all_its_files_and_they_compare() {
     );
     assert!(
         report.lasted_seconds >= 5.9
-            && report.pictures > 0
+            && report.images > 0
             && report.broken_pixels == 0
-            && report.empty_pictures == 0,
+            && report.empty_images == 0,
         "{said}"
     );
     assert_eq!(report.broken_gaussians, Some(0));

@@ -150,8 +150,8 @@ fn print_counters(report: &CaseReport) {
         ("faint", "faint"),
         ("degenerate", "degenerate"),
     ];
-    if count("thinned") > Some(0.0) {
-        reasons.insert(0, ("thinned", "skipped by detail"));
+    if count("skipped_by_detail") > Some(0.0) {
+        reasons.insert(0, ("skipped_by_detail", "skipped by detail"));
     }
     let reasons = list(&reasons);
     if !reasons.is_empty() {
@@ -164,7 +164,7 @@ fn print_counters(report: &CaseReport) {
         );
     }
     let mut pixels = Vec::new();
-    let drawn = list(&[("area", "area"), ("fragments", "fragments")]);
+    let drawn = list(&[("damaged", "damaged"), ("fragments", "fragments")]);
     if !drawn.is_empty() {
         pixels.push(drawn);
     }

@@ -147,7 +147,7 @@ fn optional(probe: &Probe) -> Vec<Optional> {
             "swapchain",
             probe.has(khr::swapchain::NAME),
             "windows",
-            "pictures only",
+            "images only",
         ),
         part(
             "shader statistics",
@@ -221,7 +221,7 @@ fn describe(number: usize, probe: &Probe) -> serde_json::Value {
         "vulkan": version(probe.api_version),
         "device_memory_bytes": probe.device_memory,
         "max_storage_buffer_range": probe.limits.max_storage_buffer_range,
-        "max_picture_side": probe.limits.max_framebuffer_width.min(probe.limits.max_image_dimension2_d),
+        "max_image_side": probe.limits.max_framebuffer_width.min(probe.limits.max_image_dimension2_d),
         "max_workgroup_invocations": probe.limits.max_compute_work_group_invocations,
         "max_shared_memory_bytes": probe.limits.max_compute_shared_memory_size,
         "subgroup_size": probe.subgroup_size,

@@ -14,7 +14,7 @@ pub struct Counters {
     /// Gaussians of all avatars in the scene.
     pub gaussians: u64,
     /// Gaussians that the level of detail skips: part of `culled`.
-    #[serde(rename = "thinned")]
+    #[serde(alias = "thinned")]
     pub skipped_by_detail: u64,
     /// Gaussians that were not drawn: those of culled avatars, those that the level of detail
     /// skips, and those culled one by one.
@@ -29,7 +29,7 @@ pub struct Counters {
     pub parts_outside: u64,
     /// Gaussians projected from the pose cache: all that an avatar's level of detail draws, or
     /// none.
-    #[serde(rename = "kept")]
+    #[serde(alias = "kept")]
     pub cached: u64,
     /// With quads: fragment shader invocations; some drivers count only those that blend. With
     /// tiles: the pixels of all 4 × 4 squares that splats were put on. The two can't be compared.
@@ -38,7 +38,7 @@ pub struct Counters {
     /// Pixels that something was drawn into. None where they were not counted.
     pub covered: Option<u64>,
     /// Pixels of the damage rectangle, empty ones included.
-    #[serde(rename = "area")]
+    #[serde(alias = "area")]
     pub damaged: u64,
     /// Compute dispatches.
     pub dispatches: u64,
@@ -93,7 +93,7 @@ impl Counters {
             ("avatars_culled", Some(self.avatars_culled)),
             ("gaussians", Some(self.gaussians)),
             ("culled", Some(self.culled)),
-            ("thinned", Some(self.skipped_by_detail)),
+            ("skipped_by_detail", Some(self.skipped_by_detail)),
             ("outside", self.reasons.map(|reasons| reasons.outside)),
             ("hidden", self.reasons.map(|reasons| reasons.hidden)),
             ("faint", self.reasons.map(|reasons| reasons.faint)),
@@ -101,10 +101,10 @@ impl Counters {
             ("drawn", Some(self.drawn)),
             ("networks", Some(self.networks)),
             ("parts_outside", Some(self.parts_outside)),
-            ("kept", Some(self.cached)),
+            ("cached", Some(self.cached)),
             ("fragments", self.fragments),
             ("covered", self.covered),
-            ("area", Some(self.damaged)),
+            ("damaged", Some(self.damaged)),
             ("dispatches", Some(self.dispatches)),
             ("submitted", Some(self.submitted)),
         ];

@@ -24,7 +24,7 @@ bitflags::bitflags! {
         const DEPTH = 1 << 6;
         /// Splats behind saturated pixels; only with tiles, since fixed-function blending can't
         /// stop.
-        const FULL = 1 << 7;
+        const SATURATED = 1 << 7;
         /// Correctives and skinning when only the camera has moved: their results come from the
         /// pose cache, rounded.
         const SKINNING = 1 << 8;
@@ -34,7 +34,7 @@ bitflags::bitflags! {
         const AVATARS = 1 << 10;
         /// Pixels outside the damage rectangle, the box around what is in view and what was there
         /// before; with WebGPU only with tiles.
-        const AREA = 1 << 11;
+        const DAMAGE = 1 << 11;
     }
 }
 
@@ -47,7 +47,8 @@ impl Default for Skip {
 impl FromStr for Skip {
     type Err = String;
 
-    /// Parses `all`, `none`, or a comma-separated list of names.
+    /// Parses `all`, `none`, or a comma-separated list of names. `full` and `area` are old names of
+    /// `saturated` and `damage`.
     fn from_str(text: &str) -> Result<Self, String> {
         match text {
             "all" => return Ok(Self::all()),
@@ -56,7 +57,12 @@ impl FromStr for Skip {
         }
         let mut skip = Self::empty();
         for name in text.split(',').map(str::trim) {
-            skip |= Self::from_name(&name.to_ascii_uppercase()).ok_or_else(|| {
+            let flag = match name.to_ascii_uppercase().as_str() {
+                "FULL" => Some(Self::SATURATED),
+                "AREA" => Some(Self::DAMAGE),
+                name => Self::from_name(name),
+            };
+            skip |= flag.ok_or_else(|| {
                 format!(
                     "`{name}` is nothing that can be skipped: write all, none, or a list of {}",
                     Self::all()
@@ -93,10 +99,11 @@ mod tests {
         }
         assert_eq!("all".parse(), Ok(Skip::all()));
         assert_eq!("hidden, depth".parse(), Ok(Skip::HIDDEN | Skip::DEPTH));
+        assert_eq!("full,area".parse(), Ok(Skip::SATURATED | Skip::DAMAGE));
         assert!(
             "everything"
                 .parse::<Skip>()
-                .is_err_and(|error| error.contains("hidden,depth,full,skinning,parts,avatars"))
+                .is_err_and(|error| error.contains("hidden,depth,saturated,skinning,parts,avatars"))
         );
     }
 }

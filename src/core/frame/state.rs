@@ -50,7 +50,7 @@ pub struct FramePlan<'a> {
     /// Avatars in the scene, in view or not.
     pub avatar_count: usize,
     /// A rectangle around all that is drawn, except correctives beyond what
-    /// [`AvatarBounds::visible`] allows for; the whole image without [`Skip::AREA`].
+    /// [`AvatarBounds::visible`] allows for; the whole image without [`Skip::DAMAGE`].
     pub drawn_rect: PixelRect,
 }
 
@@ -110,7 +110,7 @@ impl FrameState {
         self.trackers
             .resize(options.instances, ChangeTracker::default());
         let whole = PixelRect::whole(camera.size);
-        let mut drawn_rect = if skip.contains(Skip::AREA) {
+        let mut drawn_rect = if skip.contains(Skip::DAMAGE) {
             PixelRect::EMPTY
         } else {
             whole
@@ -118,7 +118,7 @@ impl FrameState {
         let mut instances: Vec<AvatarInstance> = Vec::with_capacity(poses.len());
         for (index, &posed) in poses.iter().enumerate() {
             let visible = skip
-                .intersects(Skip::AVATARS | Skip::PARTS | Skip::AREA)
+                .intersects(Skip::AVATARS | Skip::PARTS | Skip::DAMAGE)
                 .then(|| bounds.visible(&posed.joints, camera));
             let nothing_visible = visible
                 .as_ref()
@@ -127,7 +127,7 @@ impl FrameState {
                 continue;
             }
             drawn_rect = drawn_rect.union(match &visible {
-                Some(visible) if skip.contains(Skip::AREA) => visible.rect,
+                Some(visible) if skip.contains(Skip::DAMAGE) => visible.rect,
                 _ => whole,
             });
             let first_key = instances.last().map_or(0, AvatarInstance::end_key);

@@ -5,14 +5,19 @@ use super::{
     report::{BenchReport, SCHEMA},
     table::{self, Cell, TableRow},
 };
-use crate::report::{ReadError, Setup, read_report};
+use crate::report::{ReadError, Setup, present_skip_names, read_report};
 
 /// Reads a benchmark's report.
 ///
 /// # Errors
 /// When the text is something else.
 pub fn read(text: &str) -> Result<BenchReport, ReadError> {
-    read_report(text, SCHEMA)
+    let mut report: BenchReport = read_report(text, SCHEMA)?;
+    let points = report.sweep.iter_mut().flat_map(|sweep| &mut sweep.points);
+    for point in points.filter(|point| point.parameter == "skip-but") {
+        point.value = present_skip_names(std::mem::take(&mut point.value));
+    }
+    Ok(report)
 }
 
 /// One number of both reports.
@@ -223,6 +228,24 @@ mod tests {
                 .expect("it was just written"),
             report
         );
+    }
+
+    #[test]
+    fn reports_with_old_names_read_as_the_new_ones() {
+        let mut new = report(12.5, None);
+        new.options.skip = "hidden,saturated,damage".to_owned();
+        let case = &mut new.cases[0];
+        case.counters = BTreeMap::from([("cached".to_owned(), 3.0)]);
+        if let Some(sweep) = &mut new.sweep {
+            sweep.points[0].parameter = "skip-but".to_owned();
+            sweep.points[0].value = "damage".to_owned();
+        }
+        let mut old = serde_json::json!(new);
+        old["options"]["skip"] = "hidden,full,area".into();
+        old["cases"][0]["counters"] = serde_json::json!({ "kept": 3.0 });
+        old["cases"][0]["stages"][0]["name"] = "splats".into();
+        old["sweep"]["points"][0]["value"] = "area".into();
+        assert_eq!(read(&old.to_string()).expect("an old report"), new);
     }
 
     #[test]

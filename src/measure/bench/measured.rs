@@ -154,11 +154,11 @@ impl MeasuredCase<'_> {
             gaussians: count("gaussians").unwrap_or_default(),
             drawn: count("drawn").unwrap_or_default(),
             networks: mean_networks(&self.samples.reports),
-            pose_cached: count("kept") > Some(0),
+            pose_cached: count("cached") > Some(0),
             occluder: self.occluder,
             tile_head_bytes: self.tile_head_bytes,
             covered: count("covered").or(covered),
-            damaged: count("area").filter(|&area| area > 0),
+            damaged: count("damaged").filter(|&damaged| damaged > 0),
             fragments: count("fragments"),
         }
     }
@@ -171,7 +171,7 @@ impl MeasuredCase<'_> {
         let in_view = (avatars - count("avatars_culled")).max(0.0);
         let mut all = self.work_counts();
         if avatars > 0.0 {
-            let gaussians = count("gaussians") * in_view / avatars - count("thinned");
+            let gaussians = count("gaussians") * in_view / avatars - count("skipped_by_detail");
             all.gaussians = gaussians.max(0.0).round() as u64;
         }
         let per_avatar = |count: u64| {

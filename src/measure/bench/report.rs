@@ -83,6 +83,7 @@ pub struct CaseReport {
     pub bytes_floor: Option<u64>,
     /// Means over the frames, by the names of [`Counters`](effigy_core::frame::Counters). Unknown
     /// ones are missing.
+    #[serde(deserialize_with = "counters")]
     pub counters: BTreeMap<String, f64>,
     /// Pixels with an alpha of at least 1/255, mean of the checked frames.
     pub covered_pixels: Option<f64>,
@@ -203,6 +204,7 @@ pub struct SweepPoint {
     /// GPU time, ms, taken like `measured_ms`. Null without timestamps.
     pub gpu_ms: Option<f64>,
     /// Means over the frames, as in [`CaseReport::counters`].
+    #[serde(deserialize_with = "counters")]
     pub counters: BTreeMap<String, f64>,
     /// Error against the f64 reference.
     pub error: ErrorReport,
@@ -221,6 +223,21 @@ fn stage_name<'de, D: Deserializer<'de>>(deserializer: D) -> Result<String, D::E
         "bins" => "binning".into(),
         _ => name,
     })
+}
+
+/// Counters, also from reports from before 25 November 2026.
+fn counters<'de, D: Deserializer<'de>>(deserializer: D) -> Result<BTreeMap<String, f64>, D::Error> {
+    let read = BTreeMap::<String, f64>::deserialize(deserializer)?;
+    let rename = |(name, mean): (String, f64)| {
+        let name = match name.as_str() {
+            "thinned" => "skipped_by_detail".into(),
+            "kept" => "cached".into(),
+            "area" => "damaged".into(),
+            _ => name,
+        };
+        (name, mean)
+    };
+    Ok(read.into_iter().map(rename).collect())
 }
 
 #[cfg(test)]
@@ -249,6 +266,21 @@ mod tests {
             Some([7.0; 3])
         );
         assert_eq!(TimingSummary::from_samples(vec![]), None);
+    }
+
+    #[test]
+    fn counters_of_old_reports_get_their_present_names() {
+        let old = serde_json::json!({ "area": 3.0, "drawn": 4.0, "kept": 1.0, "thinned": 2.0 });
+        let present = [
+            ("cached", 1.0),
+            ("damaged", 3.0),
+            ("drawn", 4.0),
+            ("skipped_by_detail", 2.0),
+        ];
+        assert_eq!(
+            counters(old).unwrap(),
+            present.map(|(name, mean)| (name.to_owned(), mean)).into()
+        );
     }
 
     #[test]

@@ -57,7 +57,7 @@ pub fn find_faults(report: &SoakReport, limits: &SoakLimits) -> Vec<String> {
     if report.broken_pixels > 0 {
         faults.push(format!(
             "{} pixels of the {} images checked are NaN or infinite",
-            report.broken_pixels, report.pictures
+            report.broken_pixels, report.images
         ));
     }
     if let Some(broken) = report.broken_gaussians
@@ -68,10 +68,10 @@ pub fn find_faults(report: &SoakReport, limits: &SoakLimits) -> Vec<String> {
             report.avatar.gaussians
         ));
     }
-    if report.empty_pictures > 0 {
+    if report.empty_images > 0 {
         faults.push(format!(
             "{} of the {} images checked show nothing",
-            report.empty_pictures, report.pictures
+            report.empty_images, report.images
         ));
     }
     if let Some(drift) = &report.drift {
@@ -198,9 +198,9 @@ pub(super) mod tests {
                 device_bytes: 0,
                 resident_bytes: Some(4096),
             }),
-            pictures: 60,
+            images: 60,
             broken_pixels: 0,
-            empty_pictures: 0,
+            empty_images: 0,
             broken_gaussians: Some(0),
             drift: Some(Drift {
                 before: error,
@@ -224,7 +224,7 @@ pub(super) mod tests {
     fn every_fault_is_named() {
         assert_eq!(faults_after(|_| ()), "");
         assert!(faults_after(|r| r.broken_pixels = 3).contains("3 pixels of the 60 images"));
-        assert!(faults_after(|r| r.empty_pictures = 1).contains("show nothing"));
+        assert!(faults_after(|r| r.empty_images = 1).contains("show nothing"));
         assert!(faults_after(|r| r.broken_gaussians = Some(2)).contains("2 of 10 Gaussians"));
         let grown = faults_after(|r| {
             if let Some(growth) = &mut r.growth {

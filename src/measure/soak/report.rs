@@ -53,7 +53,8 @@ pub struct SoakReport {
     /// Null if the run was too short.
     pub growth: Option<Growth>,
     /// Images that were checked.
-    pub pictures: u64,
+    #[serde(alias = "pictures")]
+    pub images: u64,
     /// Pixels in them that are NaN or infinite.
     pub broken_pixels: u64,
     /// Most Gaussians of one frame that were skipped because their place or shape is NaN or out of
@@ -61,7 +62,8 @@ pub struct SoakReport {
     #[serde(default)]
     pub broken_gaussians: Option<u64>,
     /// Checked images in which nothing is covered.
-    pub empty_pictures: u64,
+    #[serde(alias = "empty_pictures")]
+    pub empty_images: u64,
     /// One frame against the reference, before and after. Null if that was not asked for or the
     /// run was interrupted, and in windows.
     pub drift: Option<Drift>,

@@ -244,7 +244,7 @@ impl Tiles {
 /// Specialization constants of the `raster` kernel: the cutoff, the transmittance at which a pixel
 /// counts as saturated, and whether to count fragments.
 fn constants(options: &RendererOptions) -> [u32; 3] {
-    let saturation = if options.skip.contains(Skip::FULL) {
+    let saturation = if options.skip.contains(Skip::SATURATED) {
         options.cutoff as f32
     } else {
         0.0

@@ -223,7 +223,7 @@ fn full_pixels_take_no_more_within_the_budget() {
         let picture = renderer.read_image().unwrap();
         (picture, renderer.report().counters.fragments.unwrap())
     };
-    let ((exact, all), (picture, shaded)) = (draw(Skip::empty()), draw(Skip::FULL));
+    let ((exact, all), (picture, shaded)) = (draw(Skip::empty()), draw(Skip::SATURATED));
     assert!(shaded * 10 < all * 9, "{shaded} of {all} shaded");
     let difference = error::between(&picture, &exact);
     assert!(
@@ -406,7 +406,7 @@ fn only_a_box_around_the_avatar_is_drawn(method: RasterMethod) {
         }
         pictures
     };
-    let (all, some) = (draw(Skip::empty()), draw(Skip::AREA));
+    let (all, some) = (draw(Skip::empty()), draw(Skip::DAMAGE));
     for (k, ((exact, every), (picture, area))) in all.iter().zip(&some).enumerate() {
         let pixels = exact.pixels.len() as u64;
         assert!(picture == exact, "{method:?}, picture {k}");
