@@ -1,10 +1,10 @@
 //! FNV-1a: bytes in, a number that changes with them out; the same on every machine.
 
-/// Of no bytes.
+/// Hash of no bytes.
 pub(crate) const EMPTY: u64 = 0xcbf2_9ce4_8422_2325;
 
-/// Of what `hash` is of and then these.
-pub(crate) fn add(hash: u64, bytes: impl IntoIterator<Item = u8>) -> u64 {
+/// Extends `hash` by `bytes`.
+pub(crate) fn extend(hash: u64, bytes: impl IntoIterator<Item = u8>) -> u64 {
     bytes.into_iter().fold(hash, |hash, byte| {
         (hash ^ u64::from(byte)).wrapping_mul(0x100_0000_01b3)
     })
@@ -14,6 +14,9 @@ pub(crate) fn add(hash: u64, bytes: impl IntoIterator<Item = u8>) -> u64 {
 mod tests {
     #[test]
     fn the_hash_is_the_published_one() {
-        assert_eq!(super::add(super::EMPTY, *b"foobar"), 0x8594_4171_f739_67e8);
+        assert_eq!(
+            super::extend(super::EMPTY, *b"foobar"),
+            0x8594_4171_f739_67e8
+        );
     }
 }

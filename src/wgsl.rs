@@ -119,6 +119,6 @@ impl WgslModule {
             .into_iter()
             .chain(macros.bytes())
             .chain(wgsl.bytes());
-        hash::add(hash::EMPTY, bytes)
+        hash::extend(hash::EMPTY, bytes)
     }
 }

@@ -56,7 +56,7 @@ pub struct PackingStep {
 }
 
 /// One view of the original avatar.
-struct View {
+struct ReferenceView {
     pose: Pose,
     camera: Camera,
     reference: FrameImage,
@@ -114,7 +114,7 @@ fn measure(
     what: &'static str,
     avatar: &Avatar,
     file: &[u8],
-    views: &[View],
+    views: &[ReferenceView],
 ) -> Result<PackingStep, FormatError> {
     Ok(PackingStep {
         what,
@@ -132,7 +132,7 @@ fn raw_bytes(file: &[u8]) -> Result<usize, FormatError> {
     Ok(tensors.iter().map(|tensor| tensor.bytes).sum())
 }
 
-fn view(avatar: &Avatar, views: &Views, index: usize) -> View {
+fn view(avatar: &Avatar, views: &Views, index: usize) -> ReferenceView {
     let share = (index as f64 + 0.5) / views.images as f64;
     let pose = views.player.pose(share * views.player.clip().duration());
     let posed = Posed::new(avatar, &pose);
@@ -140,7 +140,7 @@ fn view(avatar: &Avatar, views: &Views, index: usize) -> View {
     // Consecutive views are from sides that are far apart.
     let yaw = viewpoint::yaw(0.618 * index as f64);
     let camera = Camera::around(bounds, yaw, PITCH, FOV, views.size);
-    View {
+    ReferenceView {
         reference: reference::render(avatar, &posed, &camera),
         pose,
         camera,
@@ -150,7 +150,7 @@ fn view(avatar: &Avatar, views: &Views, index: usize) -> View {
 /// PSNR of an avatar, drawn by `draw`, over all views together, dB. None without views.
 fn psnr(
     avatar: &Avatar,
-    views: &[View],
+    views: &[ReferenceView],
     draw: fn(&Avatar, &Posed, &Camera) -> FrameImage,
 ) -> Option<f64> {
     let covered = views.iter().map(|view| {

@@ -193,7 +193,7 @@ fn source(module: &WgslModule, bound: &[(u32, Bound)]) -> String {
     source
 }
 
-fn made(device: &wgpu::Device, name: &str, source: &str) -> wgpu::ShaderModule {
+fn create_module(device: &wgpu::Device, name: &str, source: &str) -> wgpu::ShaderModule {
     let descriptor = wgpu::ShaderModuleDescriptor {
         label: Some(name),
         source: wgpu::ShaderSource::Wgsl(source.into()),
@@ -209,7 +209,7 @@ fn made(device: &wgpu::Device, name: &str, source: &str) -> wgpu::ShaderModule {
 
 /// A module on a device, for what it is bound to.
 pub fn module(gpu: &Gpu, module: &WgslModule, bound: &[(u32, Bound)]) -> wgpu::ShaderModule {
-    made(&gpu.device, module.name, &source(module, bound))
+    create_module(&gpu.device, module.name, &source(module, bound))
 }
 
 /// A compute pipeline and what it is bound to.
@@ -248,7 +248,7 @@ impl Kernel {
                 .create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
                     label: Some(self.name),
                     layout: Some(&self.layout),
-                    module: &made(&self.device, self.name, &self.source),
+                    module: &create_module(&self.device, self.name, &self.source),
                     entry_point: None,
                     compilation_options: wgpu::PipelineCompilationOptions {
                         zero_initialize_workgroup_memory: false,

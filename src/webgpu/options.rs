@@ -57,11 +57,11 @@ pub fn accepted(gpu: &Gpu, avatar: &Avatar, options: RendererOptions) -> Result<
     }
     let keys =
         options.instances as u64 * u64::from(state::padded_count(avatar.gaussians.len() as u32));
-    if keys > u64::from(sort::MOST) {
+    if keys > u64::from(sort::MAX_KEYS) {
         return Err(Error::TooLarge {
             what: "sort keys",
             found: 4 * keys,
-            limit: 4 * u64::from(sort::MOST),
+            limit: 4 * u64::from(sort::MAX_KEYS),
             device: gpu.name().into(),
         });
     }

@@ -13,14 +13,11 @@ use super::{
 use crate::wgsl;
 use effigy_core::{
     frame::{RendererOptions, SortVariant},
-    layout::{SORT_DIGITS, SORT_GROUP, SORT_TILE, SettingsBlock},
+    layout::{MAX_SUMMED_TILES, SORT_DIGITS, SORT_GROUP, SORT_TILE, SettingsBlock},
 };
 
-/// Above this many tiles two more kernels a pass sum their histograms.
-const MAX_SUMMED_TILES: u32 = 128;
-
-/// Keys that a sort can have: entries of the last pass hold a value in 24 bits.
-pub const MOST: u32 = 1 << 24;
+/// The most keys of a sort: entries of the last pass hold a value in 24 bits.
+pub const MAX_KEYS: u32 = 1 << 24;
 
 fn tiles(capacity: u32) -> u32 {
     capacity.div_ceil(SORT_TILE).max(1)

@@ -25,6 +25,9 @@ pub const SORT_ONESWEEP_TILE: u32 = 2048;
 /// Tiles whose histograms one workgroup sums, if there are too many for every workgroup to sum them
 /// all.
 pub const SORT_GROUP: u32 = 64;
+/// The most tiles whose histograms each scatter kernel of the sort sums itself. With more, two
+/// kernels before it do.
+pub const MAX_SUMMED_TILES: u32 = 128;
 /// How often a workgroup of OneSweep polls an earlier tile's count before it counts that tile
 /// itself.
 pub const SORT_POLLS: u32 = 1024;

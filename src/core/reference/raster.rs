@@ -35,10 +35,10 @@ impl Canvas {
 /// Blends the splats of `order` over each other, back to front.
 pub fn raster(splats: &[Result<Splat, Culled>], order: &[u32], camera: &Camera) -> Canvas {
     let [width, height] = camera.size.map(|side| side as usize);
-    let drawn: Vec<Ellipse> = order
+    let drawn: Vec<DrawnSplat> = order
         .iter()
         .filter_map(|&k| splats[k as usize].as_ref().ok())
-        .map(|s| Ellipse::new(s, camera))
+        .map(|s| DrawnSplat::new(s, camera))
         .collect();
     let mut pixels = vec![[0.0; 4]; width * height];
     pixels
@@ -66,10 +66,10 @@ pub fn contributions(splats: &[Result<Splat, Culled>], order: &[u32], camera: &C
     let ellipse = |&k: &u32| {
         Some((
             k as usize,
-            Ellipse::new(splats[k as usize].as_ref().ok()?, camera),
+            DrawnSplat::new(splats[k as usize].as_ref().ok()?, camera),
         ))
     };
-    let near_to_far: Vec<(usize, Ellipse)> = order.iter().rev().filter_map(ellipse).collect();
+    let near_to_far: Vec<(usize, DrawnSplat)> = order.iter().rev().filter_map(ellipse).collect();
     let band = |start: usize| {
         let rows = start..(start + BAND).min(height);
         let mut sums = vec![0.0; splats.len()];
@@ -99,7 +99,7 @@ pub fn contributions(splats: &[Result<Splat, Culled>], order: &[u32], camera: &C
 }
 
 /// A splat ready to be drawn.
-struct Ellipse {
+struct DrawnSplat {
     center: DVec2,
     /// Σ'⁻¹ as [a, b, c], 1/px².
     inverse: [f64; 3],
@@ -111,7 +111,7 @@ struct Ellipse {
     rows: Range<usize>,
 }
 
-impl Ellipse {
+impl DrawnSplat {
     fn new(splat: &Splat, camera: &Camera) -> Self {
         let [a, b, c] = splat.covariance;
         let det = splat.determinant;

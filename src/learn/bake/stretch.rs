@@ -39,7 +39,7 @@ struct PosedSheets {
 /// An ellipse on the surface: how many times as long as without stretch a Gaussian must be, and
 /// along which directions.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Ellipse {
+pub struct StretchEllipse {
     /// A unit vector in the plane of two tangents.
     pub first: DVec2,
     /// Along `first`, and along the direction that is a quarter turn from it; at least 1.
@@ -77,13 +77,18 @@ impl<'a> Stretch<'a> {
 
     /// The shape that the Gaussian of a dot needs. `tangents`: two unit vectors along the surface
     /// in the canonical pose; `weights`: the Gaussian's skin weights.
-    pub fn ellipse(&self, dot: &Dot, tangents: [DVec3; 2], weights: &[(u8, f64)]) -> Ellipse {
+    pub fn ellipse(
+        &self,
+        dot: &Dot,
+        tangents: [DVec3; 2],
+        weights: &[(u8, f64)],
+    ) -> StretchEllipse {
         let sheet = &self.sheets[dot.sheet];
         let triangle = sheet.triangles[dot.triangle];
         let rest = edges(triangle.map(|v| sheet.vertices[v as usize].position));
         let mut covariance = DMat2::IDENTITY;
         let Some(orthonormal) = orthonormal_combinations(rest) else {
-            return Ellipse::of(covariance);
+            return StretchEllipse::from_covariance(covariance);
         };
         for pose in &self.poses {
             let own = blend(&pose.joints, weights).matrix3;
@@ -95,7 +100,7 @@ impl<'a> Stretch<'a> {
                 covariance = joined(covariance, needed * needed.transpose());
             }
         }
-        Ellipse::of(covariance)
+        StretchEllipse::from_covariance(covariance)
     }
 }
 
@@ -153,20 +158,20 @@ fn joined(a: DMat2, b: DMat2) -> DMat2 {
     );
     let inverse = lower.inverse();
     let relative = inverse * b * inverse.transpose();
-    let axes = Eigen::of(relative);
+    let axes = Eigen2::new(relative);
     let lengths = axes.values.max(DVec2::ONE);
     let turned = lower * axes.vectors;
     turned * DMat2::from_diagonal(lengths) * turned.transpose()
 }
 
-/// Eigenvalues of a symmetric matrix, the larger first, and its unit eigenvectors as columns.
-struct Eigen {
+/// Eigenvalues of a symmetric 2 × 2 matrix, the larger first, and its unit eigenvectors as columns.
+struct Eigen2 {
     values: DVec2,
     vectors: DMat2,
 }
 
-impl Eigen {
-    fn of(matrix: DMat2) -> Self {
+impl Eigen2 {
+    fn new(matrix: DMat2) -> Self {
         let middle = 0.5 * (matrix.x_axis.x + matrix.y_axis.y);
         let half_difference = 0.5 * (matrix.x_axis.x - matrix.y_axis.y);
         let radius = half_difference.hypot(matrix.x_axis.y);
@@ -178,10 +183,10 @@ impl Eigen {
     }
 }
 
-impl Ellipse {
-    /// Of a covariance that is at least the unit circle's.
-    fn of(covariance: DMat2) -> Self {
-        let axes = Eigen::of(covariance);
+impl StretchEllipse {
+    /// From a covariance that is at least the unit circle's.
+    fn from_covariance(covariance: DMat2) -> Self {
+        let axes = Eigen2::new(covariance);
         Self {
             first: axes.vectors.x_axis,
             length: (DVec2::new(axes.values.x.sqrt(), axes.values.y.sqrt()) / SLACK)
@@ -222,7 +227,7 @@ mod tests {
     #[test]
     fn eigenvectors_make_the_matrix_again() {
         let matrix = DMat2::from_cols(DVec2::new(2.0, -0.5), DVec2::new(-0.5, 7.0));
-        let Eigen { values, vectors } = Eigen::of(matrix);
+        let Eigen2 { values, vectors } = Eigen2::new(matrix);
         near(
             vectors * DMat2::from_diagonal(values) * vectors.transpose(),
             matrix,
@@ -241,7 +246,8 @@ mod tests {
         );
         // The surface twice as long along one tangent as its Gaussian.
         let longer = seen_from(tangents, [DVec3::X * 2.0, DVec3::Y]).expect("two directions");
-        let ellipse = Ellipse::of(joined(DMat2::IDENTITY, longer * longer.transpose()));
+        let ellipse =
+            StretchEllipse::from_covariance(joined(DMat2::IDENTITY, longer * longer.transpose()));
         assert!(
             ellipse
                 .length

@@ -4,7 +4,7 @@
 //! Products use what vector instructions the machine has: the result has the same bits each time on
 //! one kind of machine, but not on all machines.
 
-use crate::math::pca::{Eigen, eigen};
+use crate::math::pca::{Eigendecomposition, eigen};
 use effigy_core::random::Random;
 
 /// A matrix in a slice, or its transpose.
@@ -182,7 +182,7 @@ pub fn leading_eigenvectors(matrix: &[f64], n: usize, count: usize) -> LeadingEi
                 .collect()
         })
         .collect();
-    let Eigen {
+    let Eigendecomposition {
         values,
         vectors: within,
     } = eigen(small);

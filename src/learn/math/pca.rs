@@ -20,7 +20,7 @@ pub fn pca(rows: &[Vec<f64>], width: usize, count: usize) -> Subspace {
             covariance[j][i] = covariance[i][j];
         }
     }
-    let Eigen { values, vectors } = eigen(covariance);
+    let Eigendecomposition { values, vectors } = eigen(covariance);
     let mut order: Vec<usize> = (0..width).collect();
     order.sort_by(|&a, &b| values[b].total_cmp(&values[a]).then(a.cmp(&b)));
     order.retain(|&k| values[k] > 1e-10);
@@ -34,7 +34,7 @@ pub fn pca(rows: &[Vec<f64>], width: usize, count: usize) -> Subspace {
 }
 
 /// The eigendecomposition of a symmetric matrix.
-pub struct Eigen {
+pub struct Eigendecomposition {
     /// Unordered.
     pub values: Vec<f64>,
     /// `vectors[i][k]` is component i of the eigenvector of `values[k]`.
@@ -43,7 +43,7 @@ pub struct Eigen {
 
 /// Eigenvalues and eigenvectors of a symmetric matrix of up to some hundred rows, by cyclic Jacobi
 /// rotations.
-pub fn eigen(mut a: Vec<Vec<f64>>) -> Eigen {
+pub fn eigen(mut a: Vec<Vec<f64>>) -> Eigendecomposition {
     const SWEEPS: usize = 60;
     let n = a.len();
     let mut vectors: Vec<Vec<f64>> = (0..n)
@@ -63,7 +63,7 @@ pub fn eigen(mut a: Vec<Vec<f64>>) -> Eigen {
             }
         }
     }
-    Eigen {
+    Eigendecomposition {
         values: (0..n).map(|i| a[i][i]).collect(),
         vectors,
     }

@@ -52,11 +52,11 @@ pub fn image_costs(
             *loss += squared_difference(&whole.canvas, &reduced.canvas);
         }
     }
-    let least = UNSEEN * visibility.iter().sum::<f64>() / visibility.len().max(1) as f64;
+    let min_visibility = UNSEEN * visibility.iter().sum::<f64>() / visibility.len().max(1) as f64;
     let mut costs = variances;
     for a in 0..3 {
         for (cost, &k) in costs[a].iter_mut().zip(gaussians[a]) {
-            *cost *= visibility[k as usize].max(least);
+            *cost *= visibility[k as usize].max(min_visibility);
         }
         // The rows of an attribute together cost what images lose without it.
         let all: f64 = costs[a].iter().sum();

@@ -8,7 +8,7 @@ use glam::DVec3;
 /// Principal components of the poses that the file keeps, as in AnimatableGS.
 const POSE_COMPONENTS: usize = 20;
 /// Numbers that vary by less are not scaled up: radians, or shares of an expression.
-const LEAST_DEVIATION: f64 = 0.1;
+const MIN_DEVIATION: f64 = 0.1;
 /// The distance over which a joint's rotation matters, metres.
 const INFLUENCE_RADIUS: f64 = 0.4;
 /// How much a joint matters everywhere: an arm casts its shadow on the hip.
@@ -33,7 +33,7 @@ pub struct NetworkInputs {
 ///
 /// Expressions are projected too, but the clamp at ±2σ must not cut training expressions: a blink
 /// is so rare that its σ is small, and the clamp would keep the eyes open. So the σ of an
-/// expression is at least half of the furthest training expression.
+/// expression is at min_sigma half of the furthest training expression.
 pub fn fit_subspaces(inputs: &Inputs, poses: &[&Pose]) -> Inputs {
     let plain = Inputs {
         pose_space: None,
@@ -50,8 +50,8 @@ pub fn fit_subspaces(inputs: &Inputs, poses: &[&Pose]) -> Inputs {
             .iter()
             .map(|row| coordinate(&expression_space, k, row).abs())
             .fold(0.0, f64::max);
-        let least = (0.5 * furthest * 1.0001) as f32;
-        expression_space.sigma[k] = expression_space.sigma[k].max(least);
+        let min_sigma = (0.5 * furthest * 1.0001) as f32;
+        expression_space.sigma[k] = expression_space.sigma[k].max(min_sigma);
     }
     Inputs {
         pose_space: Some(pca(&rotations, split, POSE_COMPONENTS)),
@@ -132,7 +132,7 @@ impl NetworkInputs {
                 let joint = joints[usize::from(avatar.inputs.joint[k / 3])].translation;
                 FAR_INFLUENCE + (-(joint.distance(center) / INFLUENCE_RADIUS).powi(2)).exp()
             };
-            (weight / self.deviation[k].max(LEAST_DEVIATION)) as f32
+            (weight / self.deviation[k].max(MIN_DEVIATION)) as f32
         };
         (0..self.width).map(gain).collect()
     }

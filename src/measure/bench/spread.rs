@@ -48,7 +48,7 @@ pub struct SpreadInputs<'a> {
 }
 
 /// One image of the spread.
-struct View<'a> {
+struct SpreadView<'a> {
     clip: &'a Player,
     /// Time in the clip, seconds.
     seconds: f64,
@@ -59,7 +59,7 @@ struct View<'a> {
 
 impl<'a> SpreadInputs<'a> {
     /// All views, pose by pose. `size`: of the images, px.
-    fn views(&self, size: [u32; 2]) -> Vec<View<'a>> {
+    fn views(&self, size: [u32; 2]) -> Vec<SpreadView<'a>> {
         let bounds = AvatarBounds::new(self.avatar);
         let mut views = Vec::new();
         for clip in self.clips {
@@ -69,18 +69,23 @@ impl<'a> SpreadInputs<'a> {
                 let posed = Posed::new(self.avatar, &clip.pose(seconds));
                 let framed = upright(bounds.bounds(&posed.joints));
                 let cameras = self.cameras_of(pose, framed, size);
-                views.extend(cameras.into_iter().enumerate().map(|(view, camera)| View {
-                    clip,
-                    seconds,
-                    view,
-                    scene: BenchScene {
-                        instances: vec![PosedInstance {
-                            drawn: posed.clone(),
-                            reference: posed.clone(),
-                        }],
-                        camera,
-                    },
-                }));
+                views.extend(
+                    cameras
+                        .into_iter()
+                        .enumerate()
+                        .map(|(view, camera)| SpreadView {
+                            clip,
+                            seconds,
+                            view,
+                            scene: BenchScene {
+                                instances: vec![PosedInstance {
+                                    drawn: posed.clone(),
+                                    reference: posed.clone(),
+                                }],
+                                camera,
+                            },
+                        }),
+                );
             }
         }
         views
@@ -161,7 +166,7 @@ fn reduced(size: [u32; 2]) -> [u32; 2] {
     size.map(|side| (u64::from(side) * u64::from(SIDE) / u64::from(longest)).max(1) as u32)
 }
 
-impl View<'_> {
+impl SpreadView<'_> {
     fn report(&self, error: RegionError, silhouette: SilhouetteCoverage) -> ViewReport {
         let eye = self.scene.camera.eye();
         ViewReport {
@@ -254,7 +259,7 @@ mod tests {
         assert_eq!(views.len(), 6);
         assert_eq!(views[0].seconds, 0.0);
         assert_eq!(views[5].seconds, clips[0].clip().duration());
-        let distance = |view: &View| {
+        let distance = |view: &SpreadView| {
             let eye = view.scene.camera.eye();
             let joints = &view.scene.instances[0].drawn.joints;
             let [min, max] = upright(AvatarBounds::new(&avatar).bounds(joints));

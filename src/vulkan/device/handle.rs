@@ -186,7 +186,7 @@ impl Framebuffer {
 
 impl ImageView {
     /// Of all of an image's range, two-dimensional. The image must outlive it.
-    pub(crate) fn of(
+    pub(crate) fn with_range(
         device: &Arc<Device>,
         image: vk::Image,
         format: vk::Format,

@@ -50,7 +50,7 @@ pub struct SortChoice {
 
 impl SortChoice {
     /// The fastest that is right. None where none is.
-    pub fn of(tried: &[(SortVariant, Outcome)]) -> Option<Self> {
+    pub fn fastest(tried: &[(SortVariant, Outcome)]) -> Option<Self> {
         let mut fastest: Option<(SortVariant, f64)> = None;
         for (variant, outcome) in tried {
             if let Outcome::Right(ms) = outcome

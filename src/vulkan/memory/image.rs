@@ -56,7 +56,7 @@ impl Image {
         unsafe { gpu.raw.bind_image_memory(handle.raw(), memory, offset) }
             .during("vkBindImageMemory")?;
         let range = if format == DEPTH_FORMAT { DEPTH } else { COLOR };
-        let view = ImageView::of(&gpu.device, handle.raw(), format, range, name)?;
+        let view = ImageView::with_range(&gpu.device, handle.raw(), format, range, name)?;
         Ok(Self {
             view,
             handle,

@@ -148,8 +148,8 @@ impl OccluderPass {
         })
     }
 
-    /// Draws the mesh of each of `frames`, at least one, at `place`; graphics, then compute.
-    pub fn record(&self, commands: Recording, frames: &[u32], place: &OccluderView) {
+    /// Draws the mesh of each of `frames`, at least one, in `view`; graphics, then compute.
+    pub fn record(&self, commands: Recording, frames: &[u32], view: &OccluderView) {
         let whole = vk::Rect2D {
             offset: vk::Offset2D::default(),
             extent: vk::Extent2D {
@@ -170,7 +170,7 @@ impl OccluderPass {
             .clear_values(&clear);
         let device = &self.gpu.raw;
         let raw = commands.raw();
-        let [at, size] = place.viewport();
+        let [at, size] = view.viewport();
         let viewport = graphics::viewport(at.x, at.y, size.x, size.y);
         // SAFETY: the command buffer is recording, render pass and framebuffer are alive; viewport
         // and scissor are set before the mesh is drawn.

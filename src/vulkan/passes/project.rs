@@ -31,7 +31,7 @@ pub struct Project {
     /// None where poses are not cached.
     caching: Option<Caching>,
     counted: bool,
-    areas: Areas,
+    layout: SplatBufferLayout,
     buffer: Buffer,
 }
 
@@ -46,7 +46,7 @@ struct Caching {
 /// Where the parts of the splats' buffer are, bytes. Every start is a multiple of 256, the largest
 /// alignment of a storage buffer's offset that a device may ask for.
 #[derive(Clone, Copy)]
-struct Areas {
+struct SplatBufferLayout {
     /// The capacity, Gaussians: those of all avatars.
     count: u64,
     bits: KeyBits,
@@ -58,7 +58,7 @@ struct Areas {
     posed: u64,
 }
 
-impl Areas {
+impl SplatBufferLayout {
     fn new(count: u32, bits: KeyBits, variant: SortVariant) -> Self {
         let start = (key_offset(count) + bits.bytes(u64::from(count))).next_multiple_of(256);
         let counts = counts_size(count, variant);
@@ -88,9 +88,9 @@ impl Project {
         let count = model.constants.gaussians;
         let capacity =
             (options.instances as u32 * padded_count(count)).next_multiple_of(CAPACITY_STEP);
-        let areas = Areas::new(capacity, options.key_bits, variant);
+        let layout = SplatBufferLayout::new(capacity, options.key_bits, variant);
         let counting = if options.count {
-            [1, (areas.reasons / 4) as u32]
+            [1, (layout.reasons / 4) as u32]
         } else {
             [0, 0]
         };
@@ -98,11 +98,11 @@ impl Project {
             | vk::BufferUsageFlags::TRANSFER_SRC
             | vk::BufferUsageFlags::TRANSFER_DST;
         let cache_size = if caches {
-            4 * u64::from(POSE_CACHE_WORDS) * areas.count
+            4 * u64::from(POSE_CACHE_WORDS) * layout.count
         } else {
             0
         };
-        let size = areas.posed + cache_size;
+        let size = layout.posed + cache_size;
         let buffer = Buffer::new(gpu, "splats", size, usage, MemoryLocation::GpuOnly)?;
         let kernel = |module, stores: u32, storage: &[Slice]| {
             let resources = Resources {
@@ -131,7 +131,7 @@ impl Project {
             compute: kernel(&shaders::PROJECT, 0, &all)?,
             caching,
             counted: options.count,
-            areas,
+            layout,
             buffer,
         })
     }
@@ -140,29 +140,29 @@ impl Project {
     /// renderer.
     pub fn fill_instance(&self, block: &mut FrameBlock, number: u32) {
         block.cache_start =
-            (self.areas.posed / 4) as u32 + number * POSE_CACHE_WORDS * block.gaussians;
+            (self.layout.posed / 4) as u32 + number * POSE_CACHE_WORDS * block.gaussians;
     }
 
     /// Writes to a frame's block where the buffers of all avatars start.
     pub fn fill(&self, block: &mut FrameBlock) {
         block.key_start = (key_offset(self.capacity()) / 4) as u32;
-        block.half_keys = u32::from(self.areas.bits.halves());
-        block.count_start = (self.areas.counts[0] / 4) as u32;
+        block.half_keys = u32::from(self.layout.bits.halves());
+        block.count_start = (self.layout.counts[0] / 4) as u32;
     }
 
     /// The most Gaussians of all avatars together.
     pub fn capacity(&self) -> u32 {
-        self.areas.count as u32
+        self.layout.count as u32
     }
 
-    /// Splats, then the keys, then more.
-    pub fn all(&self) -> Slice {
+    /// The whole buffer: splats, keys, the sort's counts, reasons and pose cache.
+    pub fn whole_buffer(&self) -> Slice {
         (&self.buffer).into()
     }
 
     /// A key a Gaussian, larger is nearer; `layout::SORT_CULLED` for those that were culled.
     pub fn keys(&self) -> Slice {
-        let Areas { count, bits, .. } = self.areas;
+        let SplatBufferLayout { count, bits, .. } = self.layout;
         Slice {
             buffer: self.buffer.raw(),
             offset: key_offset(count as u32),
@@ -172,7 +172,7 @@ impl Project {
 
     /// Where this stage counts the keys' lowest digits for the sort.
     pub fn counts(&self) -> Slice {
-        let [offset, size] = self.areas.counts;
+        let [offset, size] = self.layout.counts;
         Slice {
             buffer: self.buffer.raw(),
             offset,
@@ -185,7 +185,7 @@ impl Project {
     pub fn reasons(&self) -> Option<Slice> {
         self.counted.then_some(Slice {
             buffer: self.buffer.raw(),
-            offset: self.areas.reasons,
+            offset: self.layout.reasons,
             size: REASONS,
         })
     }
@@ -202,11 +202,11 @@ impl Project {
     /// frame left.
     pub fn download(&self, count: u32) -> Result<(Vec<[u32; 4]>, Vec<u32>)> {
         let keys = self.keys();
-        let count = (count as usize).min(self.areas.count as usize);
+        let count = (count as usize).min(self.layout.count as usize);
         let bytes = self.buffer.download((keys.offset + keys.size) as usize)?;
         let splats = bytemuck::pod_collect_to_vec(&bytes[..16 * count]);
         let keys = &bytes[keys.offset as usize..];
-        let keys = if self.areas.bits.halves() {
+        let keys = if self.layout.bits.halves() {
             let halves: Vec<u16> = bytemuck::pod_collect_to_vec(keys);
             halves[..count]
                 .iter()

@@ -17,31 +17,30 @@ use ash::vk;
 use bytemuck::cast_slice;
 use std::sync::Arc;
 
-/// An attachment of a render pass: what it holds at the start, and how it is left for whoever reads
-/// it next.
+/// An attachment of a render pass.
 #[derive(Clone, Copy)]
 pub(crate) struct Attachment {
     pub format: vk::Format,
     pub load: vk::AttachmentLoadOp,
-    /// The layout that it is in; of what is `UNDEFINED`, nothing is kept, nor is it outside of what
-    /// is drawn.
-    pub found: vk::ImageLayout,
-    /// None: nobody reads it, and a tiler need not write it out.
-    pub left: Option<vk::ImageLayout>,
+    /// Layout before the render pass. With `UNDEFINED` the contents are lost, outside the render
+    /// area too.
+    pub initial_layout: vk::ImageLayout,
+    /// Layout after the render pass. None: nothing reads the attachment, and it is not stored.
+    pub final_layout: Option<vk::ImageLayout>,
 }
 
 /// A depth attachment that is cleared.
-pub(crate) fn depth(left: Option<vk::ImageLayout>) -> Attachment {
+pub(crate) fn depth(final_layout: Option<vk::ImageLayout>) -> Attachment {
     Attachment {
         format: DEPTH_FORMAT,
         load: vk::AttachmentLoadOp::CLEAR,
-        found: vk::ImageLayout::UNDEFINED,
-        left,
+        initial_layout: vk::ImageLayout::UNDEFINED,
+        final_layout,
     }
 }
 
 fn description(attachment: Attachment, used: vk::ImageLayout) -> vk::AttachmentDescription {
-    let store = if attachment.left.is_some() {
+    let store = if attachment.final_layout.is_some() {
         vk::AttachmentStoreOp::STORE
     } else {
         vk::AttachmentStoreOp::DONT_CARE
@@ -53,8 +52,8 @@ fn description(attachment: Attachment, used: vk::ImageLayout) -> vk::AttachmentD
         .store_op(store)
         .stencil_load_op(vk::AttachmentLoadOp::DONT_CARE)
         .stencil_store_op(vk::AttachmentStoreOp::DONT_CARE)
-        .initial_layout(attachment.found)
-        .final_layout(attachment.left.unwrap_or(used))
+        .initial_layout(attachment.initial_layout)
+        .final_layout(attachment.final_layout.unwrap_or(used))
 }
 
 /// Colour comes first among the attachments.

@@ -107,7 +107,7 @@ pub(crate) fn sort_hash() -> u64 {
     let kernels = MODULES
         .iter()
         .filter(|module| module.file.starts_with("sort/"));
-    hash::add(
+    hash::extend(
         hash::EMPTY,
         kernels.flat_map(|module| module.spirv).copied(),
     )
@@ -118,7 +118,7 @@ pub const FINGERPRINTS: &str = "fingerprints.txt";
 
 /// A hash of the source's own [`fingerprint`] and of the modules compiled from it.
 pub fn module_fingerprint<'a>(source: u64, compiled: impl IntoIterator<Item = &'a [u8]>) -> u64 {
-    hash::add(
+    hash::extend(
         hash::EMPTY,
         source
             .to_le_bytes()
@@ -131,7 +131,7 @@ pub fn module_fingerprint<'a>(source: u64, compiled: impl IntoIterator<Item = &'
 /// compiled with. `shaders` is the folder of the sources, `file` a path in it.
 pub fn fingerprint(shaders: &Path, file: &str) -> io::Result<u64> {
     let mut hash = hash::EMPTY;
-    let mut add = |text: &str| hash = hash::add(hash, text.bytes());
+    let mut add = |text: &str| hash = hash::extend(hash, text.bytes());
     for (name, value) in layout::MACROS {
         add(&format!("{name}={};", value.glsl()));
     }

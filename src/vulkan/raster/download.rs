@@ -1,6 +1,6 @@
 //! Brings the image from the device to the host.
 
-use super::{stage::Raster, target::LEFT};
+use super::{stage::Raster, target::FINAL_LAYOUT};
 use crate::vulkan::{
     device::{error::Result, gpu::Gpu},
     memory::{Buffer, copy_image},
@@ -59,7 +59,15 @@ pub(crate) fn read_image(gpu: &Arc<Gpu>, raster: &Raster) -> Result<Copied> {
     gpu.run("reading an image", |commands| {
         // SAFETY: image and buffer are alive, the buffer is large enough, and the image is in the
         // layout that every frame leaves it in; `run` waits.
-        unsafe { copy_image(commands, image.raw(), LEFT, raster.drawn(), staging.raw()) };
+        unsafe {
+            copy_image(
+                commands,
+                image.raw(),
+                FINAL_LAYOUT,
+                raster.drawn(),
+                staging.raw(),
+            )
+        };
         commands.show_host();
     })?;
     Ok(Copied {

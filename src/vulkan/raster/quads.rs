@@ -3,7 +3,7 @@
 
 use super::{
     draw::{Draw, RasterInputs},
-    target::{LEFT, READ, READERS, check_size, vulkan_format},
+    target::{FINAL_LAYOUT, READER_SCOPE, READER_STAGES, check_size, vulkan_format},
 };
 use crate::vulkan::{
     device::{
@@ -196,10 +196,10 @@ impl Quads {
         let output = vk::PipelineStageFlags::COLOR_ATTACHMENT_OUTPUT;
         let write = vk::AccessFlags::COLOR_ATTACHMENT_WRITE;
         let change = LayoutChange {
-            from: Scope::new(READERS | output, write),
+            from: Scope::new(READER_STAGES | output, write),
             to: Scope::new(output, write),
             old: vk::ImageLayout::UNDEFINED,
-            new: LEFT,
+            new: FINAL_LAYOUT,
         };
         // SAFETY: the image is alive.
         unsafe { commands.change_layout(self.target.image.raw(), change) };
@@ -240,7 +240,7 @@ fn target(
     })
 }
 
-/// Clears the image, draws, and stores it in the layout [`LEFT`].
+/// Clears the image, draws, and stores it in the layout [`FINAL_LAYOUT`].
 fn render_pass(gpu: &Gpu, format: ColorFormat, depth_tested: bool) -> Result<RenderPass> {
     let writer = Scope::new(
         vk::PipelineStageFlags::COLOR_ATTACHMENT_OUTPUT,
@@ -255,7 +255,7 @@ fn render_pass(gpu: &Gpu, format: ColorFormat, depth_tested: bool) -> Result<Ren
         vk::SubpassDependency::default()
             .src_subpass(vk::SUBPASS_EXTERNAL)
             .dst_subpass(0)
-            .src_stage_mask(READERS | writer.stages | tests)
+            .src_stage_mask(READER_STAGES | writer.stages | tests)
             .src_access_mask(
                 vk::AccessFlags::COLOR_ATTACHMENT_WRITE
                     | vk::AccessFlags::DEPTH_STENCIL_ATTACHMENT_WRITE,
@@ -267,14 +267,14 @@ fn render_pass(gpu: &Gpu, format: ColorFormat, depth_tested: bool) -> Result<Ren
             .dst_subpass(vk::SUBPASS_EXTERNAL)
             .src_stage_mask(writer.stages)
             .src_access_mask(vk::AccessFlags::COLOR_ATTACHMENT_WRITE)
-            .dst_stage_mask(READ.stages)
-            .dst_access_mask(READ.access),
+            .dst_stage_mask(READER_SCOPE.stages)
+            .dst_access_mask(READER_SCOPE.access),
     ];
     let color = Attachment {
         format: vulkan_format(format),
         load: vk::AttachmentLoadOp::CLEAR,
-        found: LEFT,
-        left: Some(LEFT),
+        initial_layout: FINAL_LAYOUT,
+        final_layout: Some(FINAL_LAYOUT),
     };
     graphics::render_pass(
         gpu,
@@ -300,9 +300,9 @@ fn pipeline(
         .dst_color_blend_factor(vk::BlendFactor::ONE_MINUS_SRC_ALPHA)
         .src_alpha_blend_factor(vk::BlendFactor::ONE)
         .dst_alpha_blend_factor(vk::BlendFactor::ONE_MINUS_SRC_ALPHA);
-    let least = options.cutoff.log2() as f32;
-    let hull = if options.skip.contains(Skip::FAINT) {
-        least
+    let cutoff_exponent = options.cutoff.log2() as f32;
+    let quad_exponent = if options.skip.contains(Skip::FAINT) {
+        cutoff_exponent
     } else {
         0.0
     };
@@ -311,7 +311,11 @@ fn pipeline(
         name: "raster",
         vertex: &shaders::QUADS_VERTEX,
         fragment: Some(&shaders::QUADS_FRAGMENT),
-        constants: &[least.to_bits(), hull.to_bits(), tested.into()],
+        constants: &[
+            cutoff_exponent.to_bits(),
+            quad_exponent.to_bits(),
+            tested.into(),
+        ],
         layout,
         render_pass: render_pass.raw(),
         blend: Some(over),

@@ -11,16 +11,16 @@ use ash::vk::{self, AccessFlags, PipelineStageFlags};
 use effigy_core::frame::ColorFormat;
 
 /// The layout that every frame leaves the image in.
-pub(crate) const LEFT: vk::ImageLayout = vk::ImageLayout::SHADER_READ_ONLY_OPTIMAL;
+pub(crate) const FINAL_LAYOUT: vk::ImageLayout = vk::ImageLayout::SHADER_READ_ONLY_OPTIMAL;
 
-/// Stages that read the image.
-pub(crate) const READERS: PipelineStageFlags = PipelineStageFlags::from_raw(
+/// The pipeline stages that read the image.
+pub(crate) const READER_STAGES: PipelineStageFlags = PipelineStageFlags::from_raw(
     PipelineStageFlags::FRAGMENT_SHADER.as_raw() | PipelineStageFlags::TRANSFER.as_raw(),
 );
 
-/// How they read it.
-pub(crate) const READ: Scope = Scope::new(
-    READERS,
+/// Those stages, and their accesses.
+pub(crate) const READER_SCOPE: Scope = Scope::new(
+    READER_STAGES,
     AccessFlags::from_raw(AccessFlags::SHADER_READ.as_raw() | AccessFlags::TRANSFER_READ.as_raw()),
 );
 

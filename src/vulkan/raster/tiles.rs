@@ -3,7 +3,7 @@
 
 use super::{
     draw::{Draw, RasterInputs},
-    target::{LEFT, READ, READERS, check_size, vulkan_format},
+    target::{FINAL_LAYOUT, READER_SCOPE, READER_STAGES, check_size, vulkan_format},
 };
 use crate::vulkan::{
     device::{error::Result, gpu::Gpu, recording::Recording},
@@ -216,20 +216,20 @@ impl Tiles {
     pub fn record(&self, commands: Recording, draw: &Draw) {
         let image = self.image.raw();
         let begin = LayoutChange {
-            from: Scope::new(READERS, AccessFlags::empty()),
+            from: Scope::new(READER_STAGES, AccessFlags::empty()),
             to: Scope::KERNEL_WRITES,
             old: if draw.damage.whole {
                 ImageLayout::UNDEFINED
             } else {
-                LEFT
+                FINAL_LAYOUT
             },
             new: ImageLayout::GENERAL,
         };
         let end = LayoutChange {
             from: Scope::KERNEL_WRITES,
-            to: READ,
+            to: READER_SCOPE,
             old: ImageLayout::GENERAL,
-            new: LEFT,
+            new: FINAL_LAYOUT,
         };
         // SAFETY: the image is alive, and as the frame before left it, or as nobody did.
         unsafe { commands.change_layout(image, begin) };

@@ -164,7 +164,7 @@ impl Renderer {
         let inputs = RasterInputs {
             frame,
             order: sort.order(),
-            splats: project.all(),
+            splats: project.whole_buffer(),
             control: (&control).into(),
             capacity,
             occluder: &model.occluder,

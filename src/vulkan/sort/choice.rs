@@ -53,7 +53,7 @@ pub(crate) fn without_test(gpu: &Gpu) -> Result<SortVariant> {
     let record = Record::new(gpu, cache::folder().as_deref());
     // Read each time: a test behind a window may have found something since.
     let tried = record.read();
-    if let Some(choice) = SortChoice::of(&tried) {
+    if let Some(choice) = SortChoice::fastest(&tried) {
         return Ok(choice.variant);
     }
     // Counters for each thread save a CPU driver its barriers.
@@ -110,7 +110,7 @@ pub fn choose_in(gpu: &Arc<Gpu>, folder: Option<&Path>) -> Result<SortChoice> {
     if !untried.is_empty() {
         record.write(&tried);
     }
-    SortChoice::of(&tried).ok_or_else(|| no_sort(gpu, &tried, &record))
+    SortChoice::fastest(&tried).ok_or_else(|| no_sort(gpu, &tried, &record))
 }
 
 fn no_sort(gpu: &Gpu, tried: &[(SortVariant, Outcome)], record: &Record) -> Error {
@@ -279,7 +279,7 @@ fn adversarial(tile: u32) -> Vec<Keys> {
     let several = 3 * tile;
     vec![
         ("one key", vec![7]),
-        ("no survivors", vec![SORT_CULLED; 1000]),
+        ("culled keys only", vec![SORT_CULLED; 1000]),
         ("a tile less one", (0..tile - 1).map(scramble).collect()),
         ("a tile and one", (0..=tile).map(scramble).collect()),
         ("equal keys", vec![0xffff; several as usize]),
@@ -297,7 +297,7 @@ fn adversarial(tile: u32) -> Vec<Keys> {
                 .collect(),
         ),
         (
-            "dropped keys",
+            "some culled keys",
             (0..KEYS).map(|at| drop(at, scramble(at))).collect(),
         ),
         spread(),

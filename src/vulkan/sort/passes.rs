@@ -11,12 +11,9 @@ use crate::vulkan::{
 };
 use effigy_core::{
     frame::{KeyBits, SortVariant},
-    layout::SORT_GROUP,
+    layout::{MAX_SUMMED_TILES, SORT_GROUP},
 };
 use std::sync::Arc;
-
-/// Above this many tiles two more kernels a pass sum their histograms; below, each scatter does.
-const MOST_SUMMED: u32 = 128;
 
 /// What an entry is: `shaders/sort/pass.glsl` says it.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -29,7 +26,7 @@ enum Form {
 }
 
 /// What the passes of a sort follow from.
-pub struct Shape {
+pub struct SortSize {
     pub capacity: u32,
     pub tiles: u32,
     pub options: SortOptions,
@@ -37,7 +34,7 @@ pub struct Shape {
 
 /// What a sort reads and writes.
 #[derive(Clone, Copy)]
-pub struct Ports {
+pub struct SortBuffers {
     pub keys: Slice,
     pub order: Slice,
     pub counts: Slice,
@@ -51,7 +48,7 @@ pub struct SortPass {
     scatter: Kernel,
 }
 
-impl Shape {
+impl SortSize {
     fn forms(&self, pass: u32) -> [Form; 2] {
         let passes = self.options.bits.passes();
         let before = |pass: u32| match passes - pass {
@@ -84,32 +81,32 @@ impl Shape {
     pub fn passes(
         &self,
         gpu: &Arc<Gpu>,
-        ports: Ports,
+        buffers: SortBuffers,
         between: &[Buffer],
     ) -> Result<Vec<SortPass>> {
         let count = self.options.bits.passes();
-        let buffer = |pass: u32| Slice::from(&between[pass as usize % between.len()]);
+        let entries = |pass: u32| Slice::from(&between[pass as usize % between.len()]);
         let mut passes = Vec::new();
         for pass in 0..count {
             let from = if pass == 0 {
-                ports.keys
+                buffers.keys
             } else {
-                buffer(pass - 1)
+                entries(pass - 1)
             };
             let to = if pass + 1 == count {
-                ports.order
+                buffers.order
             } else {
-                buffer(pass)
+                entries(pass)
             };
-            passes.push(self.pass(gpu, pass, [from, ports.counts, ports.control, to])?);
+            passes.push(self.pass(gpu, pass, [from, buffers.counts, buffers.control, to])?);
         }
         Ok(passes)
     }
 
     fn pass(&self, gpu: &Arc<Gpu>, pass: u32, storage: [Slice; 4]) -> Result<SortPass> {
         let variant = self.options.variant;
-        let chained = variant == SortVariant::OneSweep && pass > 0;
-        let scanned = !chained && self.tiles > MOST_SUMMED;
+        let looks_back = variant == SortVariant::OneSweep && pass > 0;
+        let scanned = !looks_back && self.tiles > MAX_SUMMED_TILES;
         let [reads, writes] = self.forms(pass);
         let unrolled = !gpu.probe.is_cpu();
         let entries = [pass, reads as u32, writes as u32];
@@ -146,7 +143,11 @@ impl Shape {
             None
         };
         Ok(SortPass {
-            count: if chained { None } else { Some(plain(count)?) },
+            count: if looks_back {
+                None
+            } else {
+                Some(plain(count)?)
+            },
             scan: if scanned {
                 Some([plain(&shaders::SORT_REDUCE)?, plain(&shaders::SORT_SCAN)?])
             } else {

@@ -32,7 +32,7 @@ struct Identity {
 }
 
 impl Identity {
-    fn of(gpu: &Gpu) -> Self {
+    fn from_gpu(gpu: &Gpu) -> Self {
         let probe = &gpu.probe;
         Self {
             device: probe.name.clone(),
@@ -69,7 +69,7 @@ impl Record {
         let key = gpu.probe.cache_key();
         Self {
             path: folder.map(|folder| folder.join(format!("sort-{key}.json"))),
-            identity: Identity::of(gpu),
+            identity: Identity::from_gpu(gpu),
         }
     }
 

@@ -86,26 +86,26 @@ impl Sort {
                 (&scratch[0]).into()
             }
         };
-        let shape = passes::Shape {
+        let sort_size = passes::SortSize {
             capacity,
             tiles,
             options,
         };
         let mut between = Vec::new();
-        for bytes in shape.between() {
+        for bytes in sort_size.between() {
             between.push(storage("sort entries", bytes)?);
         }
-        let ports = passes::Ports {
+        let buffers = passes::SortBuffers {
             keys,
             order: (&order).into(),
             counts,
             control: control.into(),
         };
-        let passes = shape.passes(gpu, ports, &between)?;
+        let passes = sort_size.passes(gpu, buffers, &between)?;
         scratch.extend(between);
         Ok(Self {
             passes,
-            tiles: shape.tiles,
+            tiles: sort_size.tiles,
             variant,
             counts,
             order,
@@ -113,7 +113,7 @@ impl Sort {
         })
     }
 
-    /// The indices of the surviving keys, lowest key first, equal keys in index order.
+    /// The indices of the visible keys, lowest key first, equal keys in index order.
     pub fn order(&self) -> Slice {
         (&self.order).into()
     }

@@ -97,7 +97,7 @@ impl StandaloneSort {
     pub fn load(&self, keys: &[u32]) -> Result<()> {
         self.keys
             .upload(bytemuck::cast_slice(&self.bits.pack(keys)))?;
-        // Survivors that no sort gives show a sort that writes none.
+        // A visible count that no sort gives shows a sort that writes none.
         let control = Control {
             key_count: keys.len() as u32,
             visible_count: u32::MAX,
@@ -160,7 +160,7 @@ impl StandaloneSort {
             bytemuck::pod_read_unaligned(&self.control.download(size_of::<Control>())?);
         if control.visible_count as usize != expected.len() {
             return Ok(Some(format!(
-                "{} of {} keys survived, expected {}",
+                "{} of {} keys are visible, expected {}",
                 control.visible_count,
                 keys.len(),
                 expected.len()

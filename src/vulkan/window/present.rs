@@ -59,11 +59,15 @@ pub struct PresentedImage {
 impl Present {
     /// For windows of a format whose numbers are shown as they are.
     pub fn new(gpu: &Arc<Gpu>, format: vk::Format) -> Result<Self> {
-        Self::leaving(gpu, format, vk::ImageLayout::PRESENT_SRC_KHR)
+        Self::with_final_layout(gpu, format, vk::ImageLayout::PRESENT_SRC_KHR)
     }
 
-    /// For images that are left in a layout.
-    pub fn leaving(gpu: &Arc<Gpu>, format: vk::Format, layout: vk::ImageLayout) -> Result<Self> {
+    /// For images of which each frame leaves the layout as `layout`.
+    pub fn with_final_layout(
+        gpu: &Arc<Gpu>,
+        format: vk::Format,
+        layout: vk::ImageLayout,
+    ) -> Result<Self> {
         let stages = vk::ShaderStageFlags::FRAGMENT;
         let set = Set::new(gpu, "present", stages, &[(0, IMAGE)], PUSHED)?;
         let edge = vk::SamplerAddressMode::CLAMP_TO_EDGE;
@@ -171,8 +175,8 @@ fn render_pass(gpu: &Gpu, format: vk::Format, layout: vk::ImageLayout) -> Result
     let attachment = Attachment {
         format,
         load: vk::AttachmentLoadOp::DONT_CARE,
-        found: vk::ImageLayout::UNDEFINED,
-        left: Some(layout),
+        initial_layout: vk::ImageLayout::UNDEFINED,
+        final_layout: Some(layout),
     };
     graphics::render_pass(gpu, "present", Some(attachment), None, &dependencies)
 }

@@ -26,7 +26,7 @@ pub struct Offscreen {
 impl Offscreen {
     /// `size`: width and height, px.
     pub fn new(gpu: &Arc<Gpu>, size: [u32; 2]) -> Result<Self> {
-        let present = Present::leaving(gpu, FORMAT, LAYOUT)?;
+        let present = Present::with_final_layout(gpu, FORMAT, LAYOUT)?;
         let usage = vk::ImageUsageFlags::COLOR_ATTACHMENT | vk::ImageUsageFlags::TRANSFER_SRC;
         let image = Image::new(gpu, "screen", size, FORMAT, usage)?;
         let views = [image.view()];

@@ -293,7 +293,7 @@ impl Swapchain {
 
 impl Drop for Swapchain {
     fn drop(&mut self) {
-        // What is left in the queue is at most the wait of the last presentation for a frame that
+        // What is left in the queue is at max_image_count the wait of the last presentation for a frame that
         // is done.
         if matches!(self.gpu.idle(), Err(Error::Timeout { .. })) {
             tracing::warn!(
@@ -331,7 +331,7 @@ fn images(
     for image in raw.during("vkGetSwapchainImagesKHR")? {
         // SAFETY: the image is alive and of this device.
         unsafe { device.name(image, "window") };
-        let view = ImageView::of(device, image, format, COLOR, "window")?;
+        let view = ImageView::with_range(device, image, format, COLOR, "window")?;
         images.push(WindowImage {
             framebuffer: Framebuffer::around(device, render_pass, &[view.raw()], size, "window")?,
             _view: view,
@@ -387,7 +387,7 @@ fn info<'a>(
     turned: bool,
 ) -> vk::SwapchainCreateInfoKHR<'a> {
     let [width, height] = extent;
-    let most = if capabilities.max_image_count == 0 {
+    let max_image_count = if capabilities.max_image_count == 0 {
         u32::MAX
     } else {
         capabilities.max_image_count
@@ -406,7 +406,7 @@ fn info<'a>(
             .contains(vk::SurfaceTransformFlagsKHR::IDENTITY);
     vk::SwapchainCreateInfoKHR::default()
         .surface(surface.handle.raw)
-        .min_image_count((capabilities.min_image_count + 1).min(most))
+        .min_image_count((capabilities.min_image_count + 1).min(max_image_count))
         .image_format(surface.format.format)
         .image_color_space(surface.format.color_space)
         .image_extent(vk::Extent2D { width, height })

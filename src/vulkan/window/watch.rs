@@ -5,7 +5,7 @@ use crate::vulkan::{
     commands::FRAMES_IN_FLIGHT,
     device::{error::Result, gpu::Gpu, recording::Recording},
     memory::{Buffer, copy_image},
-    raster::{Raster, target::LEFT},
+    raster::{Raster, target::FINAL_LAYOUT},
 };
 use ash::vk;
 use effigy_core::frame::ColorFormat;
@@ -76,7 +76,7 @@ impl FrameValidator {
     pub unsafe fn record(&mut self, commands: Recording, image: vk::Image, drawn: [u32; 2]) {
         // SAFETY: the frame leaves the image in that layout, and the caller promises that it is
         // alive; the buffer is large enough.
-        unsafe { copy_image(commands, image, LEFT, drawn, self.buffer.raw()) };
+        unsafe { copy_image(commands, image, FINAL_LAYOUT, drawn, self.buffer.raw()) };
         self.pixels = drawn[0] as usize * drawn[1] as usize;
         self.state = State::Copying(FRAMES_IN_FLIGHT);
     }
@@ -98,7 +98,10 @@ impl FrameValidator {
                 let bytes = self.format.bytes();
                 let [from, to] =
                     [strip, strip + 1].map(|strip| bytes * (self.pixels * strip / STRIPS));
-                let seen = add(seen, look(self.format, &self.buffer.mapped()[from..to]));
+                let seen = sum(
+                    seen,
+                    count_pixels(self.format, &self.buffer.mapped()[from..to]),
+                );
                 let done = strip + 1 == STRIPS;
                 self.state = if done {
                     State::Idle
@@ -111,15 +114,15 @@ impl FrameValidator {
     }
 }
 
-fn add(a: PixelCounts, b: PixelCounts) -> PixelCounts {
+fn sum(a: PixelCounts, b: PixelCounts) -> PixelCounts {
     PixelCounts {
         covered: a.covered + b.covered,
         broken: a.broken + b.broken,
     }
 }
 
-/// Looks at some pixels' bytes.
-fn look(format: ColorFormat, bytes: &[u8]) -> PixelCounts {
+/// Counts in the bytes of some pixels.
+fn count_pixels(format: ColorFormat, bytes: &[u8]) -> PixelCounts {
     match format {
         ColorFormat::Rgba8 => PixelCounts {
             covered: bytes.chunks_exact(4).filter(|pixel| pixel[3] > 0).count() as u64,
@@ -154,14 +157,14 @@ mod tests {
         ]
         .concat();
         assert_eq!(
-            look(ColorFormat::Rgba16F, &bytes),
+            count_pixels(ColorFormat::Rgba16F, &bytes),
             PixelCounts {
                 covered: 3,
                 broken: 2
             }
         );
         assert_eq!(
-            look(ColorFormat::Rgba8, &[9, 9, 9, 0, 0, 0, 0, 1]),
+            count_pixels(ColorFormat::Rgba8, &[9, 9, 9, 0, 0, 0, 0, 1]),
             PixelCounts {
                 covered: 1,
                 broken: 0

@@ -133,7 +133,7 @@ fn the_fastest_right_variant_wins() {
             .zip(times.map(outcome))
             .collect::<Vec<_>>()
     };
-    let pick = |times| SortChoice::of(&tried(times)).map(|choice| choice.variant);
+    let pick = |times| SortChoice::fastest(&tried(times)).map(|choice| choice.variant);
     assert_eq!(
         pick([Some(1.0), Some(2.0), Some(3.0)]),
         Some(SortVariant::OneSweep)
