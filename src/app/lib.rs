@@ -48,5 +48,5 @@ pub mod ui;
 pub mod viewer;
 pub mod window;
 
-pub use options::{Loss, ViewerOptions};
+pub use options::{Loss, Rehearsal, ViewerOptions};
 pub use window::Display;

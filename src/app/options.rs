@@ -16,10 +16,8 @@ pub struct ViewerOptions {
     pub background: [f32; 3],
     /// Draw continuously, and quit after this many frames.
     pub frames: Option<u32>,
-    /// Losses to simulate, for tests: no driver loses anything on demand. The number is the frame
-    /// before which a surface or device is lost, or the count of devices opened before the one
-    /// that runs out of memory.
-    pub rehearse: Vec<(Loss, u32)>,
+    /// Losses to simulate, for tests: no driver loses anything on demand.
+    pub rehearse: Vec<Rehearsal>,
     /// Avatars to choose from in the panel.
     pub file_list: FileList,
     /// Index in `file_list` of the avatar to load and show once the viewer runs.
@@ -67,4 +65,14 @@ pub enum Loss {
     Device,
     /// Not lost: the device has too little memory for an avatar.
     Memory,
+}
+
+/// A loss to simulate.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Rehearsal {
+    /// What is lost.
+    pub loss: Loss,
+    /// The number of the frame before which a surface or device is lost. For [`Loss::Memory`], how
+    /// many devices are opened before the one that has too little memory.
+    pub number: u32,
 }

@@ -1,7 +1,7 @@
 //! How often lost surfaces and devices may be replaced: losses and frames go in, the decision
 //! whether to go on comes out.
 
-use crate::options::Loss;
+use crate::options::{Loss, Rehearsal};
 use effigy::vulkan::Error;
 
 /// Surfaces in a row that may be replaced.
@@ -15,7 +15,7 @@ pub struct Recovery {
     surfaces: u32,
     opened_devices: u32,
     device: DeviceHealth,
-    rehearsals: Vec<(Loss, u32)>,
+    rehearsals: Vec<Rehearsal>,
 }
 
 /// How the device has fared.
@@ -30,8 +30,8 @@ enum DeviceHealth {
 }
 
 impl Recovery {
-    /// `rehearsals`: losses to simulate, each with its frame or device number.
-    pub fn new(rehearsals: Vec<(Loss, u32)>) -> Self {
+    /// `rehearsals`: losses to simulate.
+    pub fn new(rehearsals: Vec<Rehearsal>) -> Self {
         Self {
             rehearsals,
             ..Self::default()
@@ -71,12 +71,12 @@ impl Recovery {
     /// Fails as if something had been lost, if one of these losses is to be simulated at this
     /// number.
     pub fn rehearse(&mut self, losses: &[Loss], number: u32) -> Result<(), Error> {
-        let is_due = |&(loss, at): &(Loss, u32)| at == number && losses.contains(&loss);
+        let is_due =
+            |rehearsal: &Rehearsal| rehearsal.number == number && losses.contains(&rehearsal.loss);
         let Some(due) = self.rehearsals.iter().position(is_due) else {
             return Ok(());
         };
-        let (loss, _) = self.rehearsals.remove(due);
-        Err(match loss {
+        Err(match self.rehearsals.remove(due).loss {
             Loss::Surface => Error::SurfaceLost("a rehearsal"),
             Loss::Device => Error::DeviceLost("a rehearsal"),
             Loss::Memory => Error::OutOfMemory {
@@ -131,7 +131,9 @@ mod tests {
 
     #[test]
     fn a_rehearsed_loss_happens_once_at_its_number() {
-        let mut recovery = Recovery::new(vec![(Loss::Device, 2), (Loss::Memory, 1)]);
+        let rehearsal = |loss, number| Rehearsal { loss, number };
+        let mut recovery =
+            Recovery::new(vec![rehearsal(Loss::Device, 2), rehearsal(Loss::Memory, 1)]);
         let frame = [Loss::Surface, Loss::Device];
         assert!(recovery.open_device().is_ok());
         assert!(matches!(

@@ -33,8 +33,8 @@ pub struct Args {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     frames: Option<u32>,
     #[cfg(feature = "window")]
-    #[arg(long, value_name = "surface@N, device@N or memory@N", value_parser = loss, hide = true)]
-    rehearse: Vec<(effigy_app::Loss, u32)>,
+    #[arg(long, value_name = "surface@N, device@N or memory@N", value_parser = rehearsal, hide = true)]
+    rehearse: Vec<effigy_app::Rehearsal>,
     /// Give up quality as needed to hold the display's rate, or that of --fps
     #[arg(long)]
     governor: bool,
@@ -55,17 +55,18 @@ pub struct Args {
 /// Reads `surface@N` or `device@N`, a loss before frame N, or `memory@N`, too little memory for the
 /// Nth device that is opened.
 #[cfg(feature = "window")]
-fn loss(text: &str) -> Result<(effigy_app::Loss, u32), String> {
-    use effigy_app::Loss;
+fn rehearsal(text: &str) -> Result<effigy_app::Rehearsal, String> {
+    use effigy_app::{Loss, Rehearsal};
     let parse = || {
-        let (name, frame) = text.split_once('@')?;
+        let (name, number) = text.split_once('@')?;
         let loss = match name {
             "surface" => Loss::Surface,
             "device" => Loss::Device,
             "memory" => Loss::Memory,
             _ => return None,
         };
-        Some((loss, frame.parse().ok()?))
+        let number = number.parse().ok()?;
+        Some(Rehearsal { loss, number })
     };
     parse().ok_or_else(|| format!("`{text}` is none of surface@N, device@N and memory@N"))
 }

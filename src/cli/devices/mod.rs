@@ -87,8 +87,8 @@ fn print(number: usize, probe: &Probe) {
                 "   sort             {} → the fastest that passes the self-test",
                 choice.variant.name()
             );
-            for (variant, outcome) in &choice.tried {
-                println!("     {:14} {outcome}", variant.name());
+            for tested in &choice.tried {
+                println!("     {:14} {}", tested.variant.name(), tested.outcome);
             }
         }
         Some(Err(error)) => println!("   sort             {error}"),

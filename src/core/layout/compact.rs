@@ -96,20 +96,27 @@ pub fn encode_quaternion(q: [f64; 4]) -> (u32, f64) {
     let largest = (0..4)
         .max_by(|&a, &b| unit[a].abs().total_cmp(&unit[b].abs()))
         .unwrap_or(0);
+    let by_largest = encode_by(largest, unit);
+    if decodes_to(by_largest.0, q) {
+        return by_largest;
+    }
     // Rounding to f16 may have made several components equally large. Choose the one by which the
     // stored f16 decode exactly.
-    let tied = |&k: &usize| k != largest && unit[k].abs() > unit[largest].abs() - 3e-3;
-    let same =
-        |(word, _): &(u32, f64)| decode_quaternion(*word).map(|v| f16::from_f64(v).to_f64()) == q;
-    let first = encode_by(largest, unit);
-    if (0..4).any(|k| tied(&k)) && !same(&first) {
-        return (0..4)
-            .filter(tied)
-            .map(|k| encode_by(k, unit))
-            .find(same)
-            .unwrap_or(first);
+    for k in (0..4).filter(|&k| k != largest) {
+        let is_as_large = unit[k].abs() > unit[largest].abs() - 3e-3;
+        if is_as_large {
+            let encoded = encode_by(k, unit);
+            if decodes_to(encoded.0, q) {
+                return encoded;
+            }
+        }
     }
-    first
+    by_largest
+}
+
+/// Whether a word gives this quaternion once its components are rounded to f16.
+fn decodes_to(word: u32, q: [f64; 4]) -> bool {
+    decode_quaternion(word).map(|v| f16::from_f64(v).to_f64()) == q
 }
 
 /// Encodes a unit quaternion by the index of the component to leave out.

@@ -61,12 +61,20 @@ pub struct OccluderVertex {
 
 impl OccluderVertex {
     fn skin(&self) -> Skin {
-        (self.joint, self.joint_weight)
+        Skin {
+            joints: self.joint,
+            weights: self.joint_weight,
+        }
     }
 }
 
-/// Four joints, and their weights, which sum to 255.
-type Skin = ([u8; 4], [u8; 4]);
+/// What moves a point.
+#[derive(Clone, Copy)]
+struct Skin {
+    joints: [u8; 4],
+    /// They sum to 255.
+    weights: [u8; 4],
+}
 
 /// The avatar's opaque Gaussians.
 struct Shell<'a> {
@@ -175,10 +183,10 @@ impl Shell<'_> {
 
     fn skin(&self, found: &NearestNeighbour<f64, u64>) -> Skin {
         let gaussian = self.gaussian(found);
-        (
-            self.avatar.gaussians.joint[gaussian],
-            self.avatar.gaussians.joint_weight[gaussian],
-        )
+        Skin {
+            joints: self.avatar.gaussians.joint[gaussian],
+            weights: self.avatar.gaussians.joint_weight[gaussian],
+        }
     }
 
     /// Whether much of the shell lets light through, by a sample.
@@ -240,8 +248,8 @@ impl Shell<'_> {
             .sum();
         let mut weights = [0u32; limits::JOINTS];
         for found in &near {
-            let (joints, joint_weights) = self.skin(found);
-            for (&joint, weight) in joints.iter().zip(joint_weights) {
+            let skin = self.skin(found);
+            for (&joint, weight) in skin.joints.iter().zip(skin.weights) {
                 weights[usize::from(joint)] += u32::from(weight);
             }
         }
@@ -253,8 +261,8 @@ impl Shell<'_> {
         }
         Some(OccluderVertex {
             position,
-            joint: skin.0,
-            joint_weight: skin.1,
+            joint: skin.joints,
+            joint_weight: skin.weights,
             node: self.avatar.gaussians.node[self.gaussian(&near[0])],
             optical_depth: self.optical_depth(&position.to_array()),
             neighbor: [0; 2],
@@ -293,10 +301,10 @@ fn depth_times_area(opacity: f64) -> f64 {
 /// to 510.
 fn skin_difference(a: Skin, b: Skin) -> i32 {
     let mut difference = [0i32; limits::JOINTS];
-    for (&joint, weight) in a.0.iter().zip(a.1) {
+    for (&joint, weight) in a.joints.iter().zip(a.weights) {
         difference[usize::from(joint)] += i32::from(weight);
     }
-    for (&joint, weight) in b.0.iter().zip(b.1) {
+    for (&joint, weight) in b.joints.iter().zip(b.weights) {
         difference[usize::from(joint)] -= i32::from(weight);
     }
     difference.iter().map(|d| d.abs()).sum()
@@ -311,7 +319,33 @@ fn strongest(weight: &[u32; limits::JOINTS]) -> Skin {
     let sum = chosen.iter().sum::<u32>().max(1);
     let mut scaled = chosen.map(|w| (w * 255 / sum) as u8);
     scaled[0] += 255 - scaled.iter().map(|&w| u32::from(w)).sum::<u32>().min(255) as u8;
-    (joint, scaled)
+    Skin {
+        joints: joint,
+        weights: scaled,
+    }
+}
+
+/// The cells of a grid, along x first.
+#[derive(Clone, Copy)]
+struct Cells {
+    /// Cells along each axis.
+    size: UVec3,
+}
+
+impl Cells {
+    fn count(self) -> usize {
+        self.size.element_product() as usize
+    }
+
+    fn index(self, cell: UVec3) -> usize {
+        ((cell.z * self.size.y + cell.y) * self.size.x + cell.x) as usize
+    }
+
+    fn iter(self) -> impl Iterator<Item = UVec3> {
+        let UVec3 { x, y, .. } = self.size;
+        (0..self.count() as u32)
+            .map(move |index| UVec3::new(index % x, index / x % y, index / (x * y)))
+    }
 }
 
 /// Voxels around the avatar, with an empty border.
@@ -368,14 +402,14 @@ impl Grid {
             .complement()
     }
 
-    /// Cells along each axis, and the solid share of each, 0 to 1.
-    fn cells(&self, solid: &Voxels) -> (UVec3, Vec<f32>) {
-        let cells = self.size / CELL;
-        let mut share = vec![0.0; cells.element_product() as usize];
+    /// The grid of cells, and the solid share of each, 0 to 1.
+    fn cells(&self, solid: &Voxels) -> (Cells, Vec<f32>) {
+        let cells = Cells {
+            size: self.size / CELL,
+        };
+        let mut share = vec![0.0; cells.count()];
         for voxel in solid.iter() {
-            let cell = voxel / CELL;
-            share[((cell.z * cells.y + cell.y) * cells.x + cell.x) as usize] +=
-                1.0 / CELL.pow(3) as f32;
+            share[cells.index(voxel / CELL)] += 1.0 / CELL.pow(3) as f32;
         }
         (cells, share)
     }
@@ -384,25 +418,21 @@ impl Grid {
     /// some are not, and two triangles between each two neighbouring cells that differ so.
     fn surface(&self, solid: &Voxels) -> (Vec<DVec3>, Vec<[u32; 3]>) {
         let (cells, share) = self.cells(solid);
-        let value = |c: UVec3| share[((c.z * cells.y + c.y) * cells.x + c.x) as usize];
+        let value = |cell: UVec3| share[cells.index(cell)];
         let mut corner_of = vec![u32::MAX; share.len()];
         let mut corners = Vec::new();
         let corner_side = f64::from(CELL) * self.side;
-        let inner = |c: UVec3| c.cmplt(cells - 1).all();
-        let each = || {
-            (0..cells.z).flat_map(|z| {
-                (0..cells.y).flat_map(move |y| (0..cells.x).map(move |x| UVec3::new(x, y, z)))
-            })
-        };
-        for cell in each().filter(|&cell| inner(cell)) {
+        let has_upper_neighbors = |cell: UVec3| cell.cmplt(cells.size - 1).all();
+        for cell in cells.iter().filter(|&cell| has_upper_neighbors(cell)) {
             if let Some(middle) = crossing(cell, value) {
-                corner_of[((cell.z * cells.y + cell.y) * cells.x + cell.x) as usize] =
-                    corners.len() as u32;
+                corner_of[cells.index(cell)] = corners.len() as u32;
                 corners.push(self.min + corner_side * (cell.as_dvec3() + 0.5 + middle));
             }
         }
         let mut triangles = Vec::new();
-        for cell in each().filter(|&cell| inner(cell) && cell.cmpge(UVec3::ONE).all()) {
+        let has_all_neighbors =
+            |cell: UVec3| has_upper_neighbors(cell) && cell.cmpge(UVec3::ONE).all();
+        for cell in cells.iter().filter(|&cell| has_all_neighbors(cell)) {
             for axis in 0..3 {
                 let here = value(cell) > 0.5;
                 let there = value(cell + UNIT[axis]) > 0.5;
@@ -410,8 +440,7 @@ impl Grid {
                     let u = UNIT[(axis + 1) % 3];
                     let v = UNIT[(axis + 2) % 3];
                     let quad = [cell - u - v, cell - v, cell, cell - u];
-                    let [a, b, c, d] =
-                        quad.map(|c| corner_of[((c.z * cells.y + c.y) * cells.x + c.x) as usize]);
+                    let [a, b, c, d] = quad.map(|cell| corner_of[cells.index(cell)]);
                     triangles.extend(if here {
                         [[a, b, c], [a, c, d]]
                     } else {

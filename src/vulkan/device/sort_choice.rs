@@ -39,24 +39,54 @@ impl fmt::Display for Outcome {
     }
 }
 
+/// A variant, and the outcome of its test. In JSON it is a pair.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(from = "(SortVariant, Outcome)", into = "(SortVariant, Outcome)")]
+pub struct TestedVariant {
+    /// The variant.
+    pub variant: SortVariant,
+    /// The outcome.
+    pub outcome: Outcome,
+}
+
+impl From<(SortVariant, Outcome)> for TestedVariant {
+    fn from((variant, outcome): (SortVariant, Outcome)) -> Self {
+        Self { variant, outcome }
+    }
+}
+
+impl From<TestedVariant> for (SortVariant, Outcome) {
+    fn from(tested: TestedVariant) -> Self {
+        (tested.variant, tested.outcome)
+    }
+}
+
+impl TestedVariant {
+    /// The outcome of a variant among several. None where it was not tested.
+    pub fn outcome_of(tested: &[Self], variant: SortVariant) -> Option<&Outcome> {
+        let own = tested.iter().find(|tested| tested.variant == variant)?;
+        Some(&own.outcome)
+    }
+}
+
 /// How to sort on a device, and why.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SortChoice {
     /// The fastest variant that sorts correctly.
     pub variant: SortVariant,
     /// The result of each variant's test.
-    pub tried: Vec<(SortVariant, Outcome)>,
+    pub tried: Vec<TestedVariant>,
 }
 
 impl SortChoice {
     /// The fastest that is right. None where none is.
-    pub fn fastest(tried: &[(SortVariant, Outcome)]) -> Option<Self> {
+    pub fn fastest(tried: &[TestedVariant]) -> Option<Self> {
         let mut fastest: Option<(SortVariant, f64)> = None;
-        for (variant, outcome) in tried {
-            if let Outcome::Right(ms) = outcome
+        for tested in tried {
+            if let Outcome::Right(ms) = tested.outcome
                 && fastest.is_none_or(|(_, best)| ms.total_cmp(&best).is_lt())
             {
-                fastest = Some((*variant, *ms));
+                fastest = Some((tested.variant, ms));
             }
         }
         fastest.map(|(variant, _)| Self {
@@ -72,5 +102,5 @@ pub(crate) struct Sorts {
     /// How to sort here, once it is known.
     pub chosen: OnceLock<SortChoice>,
     /// How the variants did that were asked for by name.
-    pub asked: Mutex<Vec<(SortVariant, Outcome)>>,
+    pub asked: Mutex<Vec<TestedVariant>>,
 }

@@ -11,7 +11,7 @@ use crate::vulkan::device::{
     cache,
     error::{Error, Result},
     gpu::Gpu,
-    sort_choice::{Outcome, SortChoice},
+    sort_choice::{Outcome, SortChoice, TestedVariant},
 };
 use effigy_core::{
     frame::{KeyBits, SortVariant},
@@ -69,10 +69,10 @@ pub(crate) fn without_test(gpu: &Gpu) -> Result<SortVariant> {
 }
 
 /// The variants of which nothing is known.
-fn untried(tried: &[(SortVariant, Outcome)]) -> Vec<SortVariant> {
+fn untried(tried: &[TestedVariant]) -> Vec<SortVariant> {
     SortVariant::ALL
         .into_iter()
-        .filter(|variant| tried.iter().all(|(known, _)| known != variant))
+        .filter(|variant| TestedVariant::outcome_of(tried, *variant).is_none())
         .collect()
 }
 
@@ -97,10 +97,13 @@ pub fn choose_in(gpu: &Arc<Gpu>, folder: Option<&Path>) -> Result<SortChoice> {
             None => test(gpu, variant),
         };
         match outcome {
-            Ok(outcome) => tried.push((variant, outcome)),
+            Ok(outcome) => tried.push(TestedVariant { variant, outcome }),
             Err(error) => {
                 if brought_down(gpu, &error) {
-                    tried.push((variant, Outcome::Refused(error.to_string())));
+                    tried.push(TestedVariant {
+                        variant,
+                        outcome: Outcome::Refused(error.to_string()),
+                    });
                 }
                 record.write(&tried);
                 return Err(error);
@@ -113,10 +116,10 @@ pub fn choose_in(gpu: &Arc<Gpu>, folder: Option<&Path>) -> Result<SortChoice> {
     SortChoice::fastest(&tried).ok_or_else(|| no_sort(gpu, &tried, &record))
 }
 
-fn no_sort(gpu: &Gpu, tried: &[(SortVariant, Outcome)], record: &Record) -> Error {
+fn no_sort(gpu: &Gpu, tried: &[TestedVariant], record: &Record) -> Error {
     let reasons: Vec<_> = tried
         .iter()
-        .map(|(variant, outcome)| format!("{}: {outcome}", variant.name()))
+        .map(|tested| format!("{}: {}", tested.variant.name(), tested.outcome))
         .collect();
     Error::NoSort {
         device: gpu.probe.name.clone(),
@@ -155,10 +158,7 @@ pub(crate) fn allow(gpu: &Arc<Gpu>, variant: SortVariant) -> Result<()> {
 
 /// How a variant did that somebody asked for, from a test where there was none.
 fn outcome_of(gpu: &Arc<Gpu>, variant: SortVariant) -> Result<Outcome> {
-    let find = |tried: &[(SortVariant, Outcome)]| {
-        let found = tried.iter().find(|(known, _)| *known == variant);
-        found.map(|(_, outcome)| outcome.clone())
-    };
+    let find = |tried: &[TestedVariant]| TestedVariant::outcome_of(tried, variant).cloned();
     let mut asked = gpu
         .sorts
         .asked
@@ -175,7 +175,10 @@ fn outcome_of(gpu: &Arc<Gpu>, variant: SortVariant) -> Result<Outcome> {
         // It may lack no more than a use here.
         Some(Outcome::Unsupported(_)) | None => {
             let outcome = test(gpu, variant)?;
-            asked.push((variant, outcome.clone()));
+            asked.push(TestedVariant {
+                variant,
+                outcome: outcome.clone(),
+            });
             Ok(outcome)
         }
         Some(outcome) => Ok(outcome),

@@ -49,16 +49,31 @@ pub struct SortPass {
 }
 
 impl SortSize {
+    /// The forms of the entries that a pass reads and writes.
     fn forms(&self, pass: u32) -> [Form; 2] {
+        [self.form_before(pass), self.form_before(pass + 1)]
+    }
+
+    /// The form of the entries before a pass; after the last one with the number of passes.
+    fn form_before(&self, pass: u32) -> Form {
         let passes = self.options.bits.passes();
-        let before = |pass: u32| match passes - pass {
-            _ if pass == 0 && self.options.bits.halves() => Form::Halves,
-            _ if pass == 0 => Form::Keys,
-            0 => Form::Values,
-            1 if self.capacity <= 1 << 24 => Form::Packed,
-            _ => Form::Pairs,
-        };
-        [before(pass), before(pass + 1)]
+        if pass == 0 {
+            return if self.options.bits.halves() {
+                Form::Halves
+            } else {
+                Form::Keys
+            };
+        }
+        if pass == passes {
+            return Form::Values;
+        }
+        // The last pass needs 8 bits of the key; the value, which is an index, has the other 24.
+        let values_fit = self.capacity <= 1 << 24;
+        if pass + 1 == passes && values_fit {
+            Form::Packed
+        } else {
+            Form::Pairs
+        }
     }
 
     /// Bytes of the buffers between passes, which passes write and read in turn.

@@ -5,7 +5,7 @@ use crate::vulkan::{
     device::{
         cache,
         gpu::Gpu,
-        sort_choice::{ATTEMPTS, Outcome},
+        sort_choice::{ATTEMPTS, Outcome, TestedVariant},
     },
     pipeline::shaders,
 };
@@ -54,7 +54,7 @@ struct Content {
     identity: Identity,
     /// The variant under test when this was written, and how many such tests were begun.
     trying: Option<(SortVariant, u32)>,
-    tried: Vec<(SortVariant, Outcome)>,
+    tried: Vec<TestedVariant>,
 }
 
 /// The file. Every failure to read or write it only costs the time of a test.
@@ -81,20 +81,23 @@ impl Record {
     }
 
     /// How each variant did that was tested before, here and by this program.
-    pub fn read(&self) -> Vec<(SortVariant, Outcome)> {
+    pub fn read(&self) -> Vec<TestedVariant> {
         let Some(mut content) = self.content() else {
             return Vec::new();
         };
         let ended = content.trying.filter(|&(_, attempts)| attempts >= ATTEMPTS);
         content
             .tried
-            .extend(ended.map(|(variant, _)| (variant, Outcome::Unfinished)));
+            .extend(ended.map(|(variant, _)| TestedVariant {
+                variant,
+                outcome: Outcome::Unfinished,
+            }));
         content.tried
     }
 
     /// Notes that a variant's test begins. What is not followed by [`Self::write`] counts against
     /// it, after a second time.
-    pub fn begin(&self, tried: &[(SortVariant, Outcome)], variant: SortVariant) {
+    pub fn begin(&self, tried: &[TestedVariant], variant: SortVariant) {
         let before = self
             .content()
             .and_then(|content| content.trying)
@@ -106,7 +109,7 @@ impl Record {
     }
 
     /// Notes what was found so far.
-    pub fn write(&self, tried: &[(SortVariant, Outcome)]) {
+    pub fn write(&self, tried: &[TestedVariant]) {
         self.save(tried, None);
     }
 
@@ -115,7 +118,7 @@ impl Record {
         self.path.as_deref()
     }
 
-    fn save(&self, tried: &[(SortVariant, Outcome)], trying: Option<(SortVariant, u32)>) {
+    fn save(&self, tried: &[TestedVariant], trying: Option<(SortVariant, u32)>) {
         let Some(path) = &self.path else { return };
         let content = Content {
             identity: self.identity.clone(),

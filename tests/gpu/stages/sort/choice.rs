@@ -3,7 +3,7 @@
 use super::*;
 use effigy::vulkan::sort::{
     choice::{choose_in, test},
-    sort_choice::{Outcome, SortChoice},
+    sort_choice::{Outcome, SortChoice, TestedVariant},
 };
 use std::{fs, path::PathBuf};
 
@@ -16,13 +16,8 @@ fn file(folder: &tempfile::TempDir) -> PathBuf {
     files.remove(0)
 }
 
-fn outcome(choice: &SortChoice, of: SortVariant) -> &Outcome {
-    &choice
-        .tried
-        .iter()
-        .find(|(variant, _)| *variant == of)
-        .unwrap()
-        .1
+fn outcome(choice: &SortChoice, variant: SortVariant) -> &Outcome {
+    TestedVariant::outcome_of(&choice.tried, variant).unwrap()
 }
 
 fn the_self_test_picks_a_variant_that_is_right_and_remembers_it() {
@@ -131,6 +126,7 @@ fn the_fastest_right_variant_wins() {
         SortVariant::ALL
             .into_iter()
             .zip(times.map(outcome))
+            .map(TestedVariant::from)
             .collect::<Vec<_>>()
     };
     let pick = |times| SortChoice::fastest(&tried(times)).map(|choice| choice.variant);
