@@ -95,7 +95,7 @@ pub struct Frame {
     pub camera: Camera,
     pub gpu: Stages,
     pub report: FrameReport,
-    pub picture: effigy_core::scene::FrameImage,
+    pub image: effigy_core::scene::FrameImage,
     /// Of every 2^`level`-th Gaussian; worked out when it is first looked at.
     pub reference:
         LazyCell<reference::ReferenceFrame, Box<dyn FnOnce() -> reference::ReferenceFrame>>,
@@ -152,7 +152,7 @@ pub fn draw_after(
         .iter()
         .chain([&camera])
         .for_each(|camera| renderer.draw(&posed, camera, None).unwrap());
-    let picture = renderer.read_image().unwrap();
+    let image = renderer.read_image().unwrap();
     let stages = renderer.stages().unwrap();
     let avatar = avatar.compact();
     let level = options.detail.finest;
@@ -163,7 +163,7 @@ pub fn draw_after(
     Frame {
         report: renderer.report().clone(),
         gpu: stages,
-        picture,
+        image,
         reference,
         level,
         avatar,

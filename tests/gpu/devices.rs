@@ -209,7 +209,7 @@ fn stages_whose_inputs_did_not_change_are_skipped() {
     );
     let (none, same) = frame(&posed, &camera(0.0));
     assert_eq!(none.skipped, expected);
-    assert!(same == first, "a frame without changes changed the picture");
+    assert!(same == first, "a frame without changes changed the image");
     let (view, turned) = frame(&posed, &camera(1.0));
     assert_eq!(view.skipped, ["mlp"]);
     assert!(turned != first);

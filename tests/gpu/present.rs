@@ -1,4 +1,4 @@
-//! The `present` stage against the reference, and pictures that are drawn smaller than the screen.
+//! The `present` stage against the reference, and images that are drawn smaller than the screen.
 
 use crate::common::{self, Sizes, gpu};
 use effigy::vulkan::{
@@ -18,8 +18,8 @@ use effigy_runtime::governor::Ladder;
 
 const BACKGROUND: [f32; 3] = [0.2, 0.7, 1.0];
 
-/// Pictures of every size that a screen may show, stretched as the reference does.
-fn a_stretched_picture_is_the_references() {
+/// Images of every size that a screen may show, stretched as the reference does.
+fn a_stretched_image_agrees_with_the_reference() {
     let device = gpu::drawing();
     let avatar = common::avatar(5, Sizes::default());
     let posed = Posed::new(&avatar, &common::pose(6, &avatar));
@@ -33,20 +33,20 @@ fn a_stretched_picture_is_the_references() {
             };
             let mut renderer = Renderer::new(&device, &avatar, options).unwrap();
             let screen = Offscreen::new(&device, size).unwrap();
-            // SAFETY: nothing uses the screen yet, and every frame leaves the picture so.
+            // SAFETY: nothing uses the screen yet, and every frame leaves the image so.
             unsafe { screen.set_image(renderer.raster().image()) };
             let camera = gpu::camera(&avatar, &posed, size);
             for drawn in [size, [75, 95], [149, 61], [1, 1]] {
                 renderer.adjust(drawn, ALPHA_MIN, Detail::FULL).unwrap();
                 let mut record = |commands: Recording| screen.record(commands, drawn, BACKGROUND);
-                // SAFETY: the frame is waited for below, when its picture is read.
+                // SAFETY: the frame is waited for below, when its image is read.
                 let presentation = unsafe { Presentation::new(None, &mut record) };
                 renderer
                     .draw(&posed, &camera.stretched(drawn), Some(presentation))
                     .unwrap();
-                let picture = renderer.read_image().unwrap();
-                assert_eq!(picture.size, drawn);
-                let expected: Vec<f64> = reference::present::over(&picture, size, BACKGROUND)
+                let image = renderer.read_image().unwrap();
+                assert_eq!(image.size, drawn);
+                let expected: Vec<f64> = reference::present::over(&image, size, BACKGROUND)
                     .into_iter()
                     .flatten()
                     .collect();
@@ -98,19 +98,19 @@ fn every_rung_is_drawn_as_if_it_was_made_for_it(method: RasterMethod) {
         renderer.adjust(size, cutoff, detail).unwrap();
         let camera = camera.stretched(size);
         renderer.draw(&posed, &camera, None).unwrap();
-        let picture = renderer.read_image().unwrap();
+        let image = renderer.read_image().unwrap();
         let made = RendererOptions {
             size,
             cutoff,
             detail,
             ..options
         };
-        let fresh = gpu::draw(&device, avatar.clone(), posed.clone(), camera, made).picture;
+        let fresh = gpu::draw(&device, avatar.clone(), posed.clone(), camera, made).image;
         assert!(
-            picture == fresh,
+            image == fresh,
             "{method:?}, {}: {:?}",
             rung.name,
-            error::between(&picture, &fresh).whole
+            error::between(&image, &fresh).whole
         );
     }
     assert_eq!(device.memory().0, held, "{method:?}: steps take memory");
@@ -128,9 +128,8 @@ fn every_rung_is_drawn_as_if_it_was_made_for_it(method: RasterMethod) {
     );
 }
 
-/// The picture that is looked at behind a frame is the one that the frame drew, whatever the frames
-/// after it draw.
-fn a_watched_picture_is_counted_as_it_was_drawn(method: RasterMethod) {
+/// The validator counts the pixels that its frame drew, whatever the frames after it draw.
+fn validated_pixels_are_those_that_the_frame_drew(method: RasterMethod) {
     let device = gpu::gpu();
     gpu::require_method(&device.probe.name, method);
     let avatar = common::avatar(9, Sizes::default());
@@ -144,35 +143,36 @@ fn a_watched_picture_is_counted_as_it_was_drawn(method: RasterMethod) {
     let camera = gpu::camera(&avatar, &posed, size);
     renderer.draw(&posed, &camera, None).unwrap();
     let covered =
-        |picture: &FrameImage| picture.pixels.iter().filter(|pixel| pixel[3] > 0.0).count() as u64;
+        |image: &FrameImage| image.pixels.iter().filter(|pixel| pixel[3] > 0.0).count() as u64;
     let expected = covered(&renderer.read_image().unwrap());
-    let mut watch = FrameValidator::new(&device, renderer.raster()).unwrap();
-    let mut seen = None;
+    let mut validator = FrameValidator::new(&device, renderer.raster()).unwrap();
+    let mut counts = None;
     for frame in 0..40 {
-        let (image, look) = (renderer.raster().image().raw(), frame == 0);
+        let image = renderer.raster().image().raw();
+        let validates = frame == 0;
         let mut record = |commands: Recording| {
-            if look {
-                // SAFETY: it follows the frame, whose picture lives as long as the renderer.
-                unsafe { watch.record(commands, image, size) };
+            if validates {
+                // SAFETY: it follows the frame, whose image lives as long as the renderer.
+                unsafe { validator.record(commands, image, size) };
             }
         };
         let mut moved = camera;
         moved.center.x += f64::from(frame * 20);
-        // SAFETY: the renderer's last frame is waited for before the watch goes.
+        // SAFETY: the renderer's last frame is waited for before the validator is dropped.
         let presentation = unsafe { Presentation::new(None, &mut record) };
         renderer.draw(&posed, &moved, Some(presentation)).unwrap();
-        seen = seen.or(watch.step());
+        counts = counts.or(validator.step());
     }
-    let seen = seen.expect("forty frames are enough to look at a picture");
-    assert_eq!((seen.covered, seen.broken), (expected, 0), "{method:?}");
-    assert!(watch.is_idle());
+    let counts = counts.expect("forty frames are enough to read an image");
+    assert_eq!((counts.covered, counts.broken), (expected, 0), "{method:?}");
+    assert!(validator.is_idle());
     renderer.finish().unwrap();
 }
 
 tests! {
-    a_stretched_picture_is_the_references: smoke,
+    a_stretched_image_agrees_with_the_reference: smoke,
     every_rung_is_drawn_as_if_it_was_made_for_it[Quads],
     every_rung_is_drawn_as_if_it_was_made_for_it[Tiles],
-    a_watched_picture_is_counted_as_it_was_drawn[Quads],
-    a_watched_picture_is_counted_as_it_was_drawn[Tiles],
+    validated_pixels_are_those_that_the_frame_drew[Quads],
+    validated_pixels_are_those_that_the_frame_drew[Tiles],
 }

@@ -1,4 +1,4 @@
-//! The WebGPU backend, natively: its stages and pictures against the reference and against the
+//! The WebGPU backend, natively: its stages and images against the reference and against the
 //! Vulkan backend.
 
 use crate::common::{self, Sizes, gpu};
@@ -56,7 +56,7 @@ fn scene(size: [u32; 2]) -> (Avatar, Posed, Camera) {
     (avatar, posed, camera)
 }
 
-fn pictures_agree_with_the_reference(method: RasterMethod) {
+fn images_agree_with_the_reference(method: RasterMethod) {
     let device = open();
     let options = gpu::with_method(device.name(), method, [200, 260]);
     for seed in 0..3 {
@@ -77,7 +77,7 @@ fn pictures_agree_with_the_reference(method: RasterMethod) {
     device.check().unwrap();
 }
 
-fn pictures_are_those_of_the_vulkan_backend(method: RasterMethod) {
+fn images_agree_with_the_vulkan_backend(method: RasterMethod) {
     let (device, vulkan) = (open(), gpu::gpu());
     let (avatar, posed, camera) = scene([512, 512]);
     let options = gpu::with_method(device.name(), method, camera.size);
@@ -238,7 +238,7 @@ fn only_what_changed_is_drawn_again(method: RasterMethod) {
     for camera in &cameras[1..] {
         assert_eq!(renderer.draw(&posed, camera), Ok(true));
     }
-    let picture = renderer.read_image().unwrap();
+    let image = renderer.read_image().unwrap();
     let counters = renderer.report().counters;
     assert_eq!(
         (counters.cached, counters.networks),
@@ -264,7 +264,7 @@ fn only_what_changed_is_drawn_again(method: RasterMethod) {
     let reference = reference::ReferenceFrame::at_level(&avatar, &posed, &cameras[2], level)
         .canvas
         .to_image();
-    let error = error::between(&picture, &reference);
+    let error = error::between(&image, &reference);
     assert!(
         error.covered.psnr_db > 48.0,
         "{options:?}: {:?}",
@@ -348,7 +348,7 @@ fn avatars_of_different_levels_are_those_of_the_vulkan_backend() {
     );
 }
 
-fn pictures_of_any_size_follow_a_resize(method: RasterMethod) {
+fn images_of_any_size_follow_a_resize(method: RasterMethod) {
     let device = open();
     let (avatar, posed) = body(2, 500);
     let options = gpu::with_method(device.name(), method, [64, 64]);
@@ -473,7 +473,7 @@ fn neutral(file: &[u8]) -> Avatar {
     *neutral
 }
 
-/// Where nothing is and nothing was, tiles leave the picture as it is: while the avatar crosses it,
+/// Where nothing is and nothing was, tiles leave the image as it is: while the avatar crosses it,
 /// comes near, leaves it and comes again.
 fn only_a_box_around_the_avatar_is_drawn() {
     let device = open();
@@ -507,14 +507,14 @@ fn only_a_box_around_the_avatar_is_drawn() {
                 size,
             );
             renderer.draw(&posed, &camera).unwrap();
-            let picture = renderer.read_image().unwrap();
+            let image = renderer.read_image().unwrap();
             renderer.ready();
-            (picture, renderer.report().counters.damaged)
+            (image, renderer.report().counters.damaged)
         })
     };
     let (all, some) = (draw(Skip::empty()), draw(Skip::DAMAGE));
-    for (k, ((exact, _), (picture, _))) in all.iter().zip(&some).enumerate() {
-        assert!(picture == exact, "picture {k}");
+    for (k, ((exact, _), (image, _))) in all.iter().zip(&some).enumerate() {
+        assert!(image == exact, "image {k}");
     }
     assert!(
         some.iter().any(|(_, area)| *area < 300 * 200)
@@ -571,18 +571,18 @@ fn a_lost_device_says_so_and_another_goes_on() {
 }
 
 tests! {
-    pictures_agree_with_the_reference[Quads],
-    pictures_agree_with_the_reference[Tiles],
-    pictures_are_those_of_the_vulkan_backend[Quads],
-    pictures_are_those_of_the_vulkan_backend[Tiles],
+    images_agree_with_the_reference[Quads],
+    images_agree_with_the_reference[Tiles],
+    images_agree_with_the_vulkan_backend[Quads],
+    images_agree_with_the_vulkan_backend[Tiles],
     stages_are_those_of_the_vulkan_backend,
     the_order_is_that_of_a_stable_sort,
     only_what_changed_is_drawn_again[Quads],
     only_what_changed_is_drawn_again[Tiles],
     scenes_of_several_leave_out_who_is_not_seen,
     avatars_of_different_levels_are_those_of_the_vulkan_backend,
-    pictures_of_any_size_follow_a_resize[Quads],
-    pictures_of_any_size_follow_a_resize[Tiles],
+    images_of_any_size_follow_a_resize[Quads],
+    images_of_any_size_follow_a_resize[Tiles],
     colours_that_follow_the_camera_agree_with_the_reference,
     an_avatar_is_drawn_before_its_correctives_are_there[Quads],
     an_avatar_is_drawn_before_its_correctives_are_there[Tiles],

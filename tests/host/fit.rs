@@ -247,21 +247,21 @@ fn a_fit_learns_what_made_the_data_and_pruning_keeps_what_varies_most() {
             .sum()
     };
     let mean = |list: Vec<u32>| list.iter().map(|&k| spread(k)).sum::<f64>() / list.len() as f64;
-    let lost: Vec<u32> = (0..600)
+    let removed: Vec<u32> = (0..600)
         .filter(|k| pruned.color_rows.gaussian.binary_search(k).is_err())
         .step_by(30)
         .collect();
-    let kept: Vec<u32> = pruned
+    let retained: Vec<u32> = pruned
         .color_rows
         .gaussian
         .iter()
         .copied()
         .step_by(10)
         .collect();
-    let (kept, lost) = (mean(kept), mean(lost));
+    let (retained, removed) = (mean(retained), mean(removed));
     assert!(
-        kept > 1.3 * lost,
-        "kept colours range over {kept:.3}, lost ones over {lost:.3}"
+        retained > 1.3 * removed,
+        "retained colours range over {retained:.3}, removed ones over {removed:.3}"
     );
     let after = psnr(&pruned)[1];
     assert!(
@@ -288,7 +288,7 @@ fn a_fit_learns_what_made_the_data_and_pruning_keeps_what_varies_most() {
     let best = psnr(&shown)[1];
     assert!(
         best > after && best < learned,
-        "{best:.1} dB with the rows that pictures show most, {after:.1} dB with as many of each"
+        "{best:.1} dB with the rows that images show most, {after:.1} dB with as many of each"
     );
     let budget = prune(
         &dataset,

@@ -357,7 +357,7 @@ fn heated(governed: bool) -> (Vec<Second>, usize) {
     (session.seconds().to_vec(), session.totals().changes)
 }
 
-fn simulated_heat_takes_the_clock_and_the_rate_and_a_governor_gives_both_back() {
+fn simulated_heat_lowers_clock_and_rate_until_a_governor_acts() {
     let (alone, steps) = heated(false);
     let dropped = |each: &[Second]| {
         each[each.len() / 2..]
@@ -402,5 +402,5 @@ tests! {
     steps_are_always_on_the_ladder,
     constant_conditions_come_to_rest,
     late_frames_alone_are_enough,
-    simulated_heat_takes_the_clock_and_the_rate_and_a_governor_gives_both_back,
+    simulated_heat_lowers_clock_and_rate_until_a_governor_acts,
 }

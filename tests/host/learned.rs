@@ -1,4 +1,4 @@
-//! Where the source files are: a small configuration of the real body, from clips to pictures, and
+//! Where the source files are: a small configuration of the real body, from clips to images, and
 //! what the truth is made of.
 
 use crate::common;
@@ -110,13 +110,13 @@ fn the_small_configuration_has_the_papers_orderings() {
         local >= global + 1.0,
         "{local} dB, {global} with a global feature"
     );
-    let kept = |how: &str| {
+    let pruned = |how: &str| {
         (
             psnr(&format!("10 % of rows {how}")),
             psnr(&format!("50 % of rows {how}")),
         )
     };
-    for (tenth, half) in [kept("each alike"), kept("as shown")] {
+    for (tenth, half) in [pruned("each alike"), pruned("as shown")] {
         assert!(
             none < tenth && tenth < half && half <= local + 0.05,
             "{none} without, {tenth} with a tenth, {half} with half, {local} with all"
@@ -128,7 +128,7 @@ fn the_small_configuration_has_the_papers_orderings() {
     );
     assert!(
         shown > each + 1.0,
-        "{shown} dB with a tenth of the rows by what pictures show, {each} as many of each attribute"
+        "{shown} dB with a tenth of the rows by what images show, {each} as many of each attribute"
     );
     for name in [
         "components.csv",
@@ -158,7 +158,7 @@ fn the_small_configuration_has_the_papers_orderings() {
     );
     works(
         folder.path(),
-        "evaluate learned.avatar small.dataset --frames 2 --size 90x120 --json scores.json --pictures pictures",
+        "evaluate learned.avatar small.dataset --frames 2 --size 90x120 --json scores.json --images images",
     );
     let pruned = Avatar::read(&folder.path().join("pruned.avatar")).expect("it was written");
     assert_eq!(pruned.color_rows.gaussian.len(), 200);
@@ -178,14 +178,14 @@ fn the_small_configuration_has_the_papers_orderings() {
         "three ways, held out or not: {scores}"
     );
     assert_eq!(
-        std::fs::read_dir(folder.path().join("pictures"))
+        std::fs::read_dir(folder.path().join("images"))
             .expect("it was made")
             .count(),
         8
     );
 }
 
-fn the_same_pose_has_the_same_truth_on_one_thread_and_the_hips_turn_changes_nothing() {
+fn ground_truth_depends_on_neither_threads_nor_the_hips_turn() {
     let assets = common::assets();
     let assets = Assets::new(assets);
     let skeleton = bake::skeleton(&assets, BodyShape::Male).expect("the assets are whole");
@@ -256,5 +256,5 @@ fn the_same_pose_has_the_same_truth_on_one_thread_and_the_hips_turn_changes_noth
 
 tests! {
     the_small_configuration_has_the_papers_orderings,
-    the_same_pose_has_the_same_truth_on_one_thread_and_the_hips_turn_changes_nothing,
+    ground_truth_depends_on_neither_threads_nor_the_hips_turn,
 }

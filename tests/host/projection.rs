@@ -175,7 +175,7 @@ fn correctives_stay_within_those_of_known_poses() {
     );
 }
 
-/// What correctives change of the demo's picture in a pose, dB: the less, the less they change.
+/// What correctives change of the demo's image in a pose, dB: the less, the less they change.
 fn change(avatar: &Avatar, still: &Avatar, pose: &Pose, project: bool) -> f64 {
     let posed = Posed::with_projection(avatar, pose, project);
     let [min, max] = AvatarBounds::new(avatar).bounds(&posed.joints);
@@ -191,7 +191,7 @@ fn change(avatar: &Avatar, still: &Avatar, pose: &Pose, project: bool) -> f64 {
     error::between(&draw(avatar), &draw(still)).covered.psnr_db
 }
 
-fn the_picture_of_a_wild_pose_stays_sane() {
+fn projection_bounds_the_correctives_of_a_wild_pose() {
     let avatar = effigy_demo::avatar().unwrap();
     let mut still = avatar.clone();
     if let Some(last) = still.networks.layers.last_mut() {
@@ -212,7 +212,7 @@ fn the_picture_of_a_wild_pose_stays_sane() {
         // face that the clip does not.
         assert!(
             on > most - 5.0,
-            "with the projection the picture of a wild pose changes by {on} dB, known ones by {most}"
+            "with the projection the image of a wild pose changes by {on} dB, known ones by {most}"
         );
         assert!(
             off < on - 3.0,
@@ -224,5 +224,5 @@ fn the_picture_of_a_wild_pose_stays_sane() {
 tests! {
     the_networks_see_wild_poses_within_two_sigma,
     correctives_stay_within_those_of_known_poses,
-    the_picture_of_a_wild_pose_stays_sane,
+    projection_bounds_the_correctives_of_a_wild_pose,
 }

@@ -146,10 +146,10 @@ fn near(got: &[f64], expected: &[f64], tolerance: f64) {
 }
 
 fn one_gaussian_is_its_closed_form_at_every_pixel() {
-    let picture = stages(&[DOT]).canvas;
+    let image = stages(&[DOT]).canvas;
     let variance = (100.0 * (-2.5f64).exp() / 2.0).powi(2) + 0.3;
     let mut drawn = 0;
-    for (k, pixel) in picture.pixels.iter().enumerate() {
+    for (k, pixel) in image.pixels.iter().enumerate() {
         let (x, y) = ((k % 65) as f64 - 32.0, (k / 65) as f64 - 32.0);
         let alpha = 0.8 * (-0.5 * (x * x + y * y) / variance).exp();
         let alpha = if alpha < 1.0 / 255.0 { 0.0 } else { alpha };
@@ -195,7 +195,7 @@ fn the_nearer_of_two_gaussians_is_over_the_further_whatever_their_order() {
     }
 }
 
-fn what_a_picture_shows_of_a_gaussian_is_what_its_colours_error_adds_to_it() {
+fn a_contribution_is_the_squared_change_by_a_gaussians_colour() {
     let dots = [
         Dot {
             at: [0.02, 0.0, 0.1],
@@ -237,7 +237,7 @@ fn gaussians_of_one_depth_are_drawn_in_index_order() {
     assert_eq!(stages(&[DOT, hidden, DOT, far, DOT]).order, [3, 0, 2, 4]);
 }
 
-/// The derivative of the picture coordinates of a point in camera coordinates, by central
+/// The derivative of the image coordinates of a point in camera coordinates, by central
 /// differences.
 fn derivative(camera: &Camera, t: DVec3) -> [DVec3; 2] {
     let step = 1e-5;
@@ -250,7 +250,7 @@ fn derivative(camera: &Camera, t: DVec3) -> [DVec3; 2] {
     ]
 }
 
-fn a_turned_stretched_gaussian_projects_as_the_derivative_of_the_projection_says() {
+fn covariance_projects_by_the_derivative_of_the_projection() {
     let camera = Camera::orbit(DVec3::new(0.1, 0.2, 0.0), 0.7, 0.3, 2.0, 0.8, [640, 480]);
     let dot = Dot {
         at: [0.25, -0.125, 0.5],
@@ -305,14 +305,14 @@ fn a_turned_stretched_gaussian_projects_as_the_derivative_of_the_projection_says
     );
 }
 
-fn beside_the_picture_the_derivative_is_taken_at_its_limit() {
-    // x/z = 0.5 here; the picture ends at 0.325, and the limit is 0.3 of that further out.
+fn beside_the_image_the_derivative_is_taken_at_its_limit() {
+    // x/z = 0.5 here; the image ends at 0.325, and the limit is 0.3 of that further out.
     let dot = Dot {
         at: [0.75, 0.0, -0.5],
         log_scale: [-1.0; 3],
         ..DOT
     };
-    let splat = stages(&[dot]).splats[0].expect("its box reaches the picture");
+    let splat = stages(&[dot]).splats[0].expect("its box reaches the image");
     assert_eq!(splat.center.x, 32.5 + 50.0);
     let [x, y] = derivative(&camera(), DVec3::new(1.3 * 0.325 * 1.5, 0.0, 1.5));
     let variance = (-2f64).exp();
@@ -323,7 +323,7 @@ fn beside_the_picture_the_derivative_is_taken_at_its_limit() {
     );
 }
 
-fn every_reason_to_cull_is_told() {
+fn every_reason_to_cull_is_reported() {
     let reason = |dot: Dot| stages(&[dot]).splats[0].err();
     let at = |x: f64, z: f64| Dot {
         at: [x, 0.0, z],
@@ -513,7 +513,7 @@ fn a_gaussian_follows_its_three_nodes_by_inverse_distance() {
     near(&means[1].mean.to_array(), &[0.375, 0.0, 0.0], 1e-5);
 }
 
-fn kept_rows_correct_by_their_parts_features_and_colour_is_clamped_after() {
+fn correctives_follow_their_parts_features_before_colour_clamps() {
     let mut avatar = avatar(&[DOT; 3]);
     // The middle one of three parts is empty.
     avatar.parts.start = vec![0, 1, 1, 3];
@@ -559,14 +559,14 @@ tests! {
     one_gaussian_is_its_closed_form_at_every_pixel,
     alpha_stops_at_99_percent,
     the_nearer_of_two_gaussians_is_over_the_further_whatever_their_order,
-    what_a_picture_shows_of_a_gaussian_is_what_its_colours_error_adds_to_it,
+    a_contribution_is_the_squared_change_by_a_gaussians_colour,
     gaussians_of_one_depth_are_drawn_in_index_order,
-    a_turned_stretched_gaussian_projects_as_the_derivative_of_the_projection_says,
-    beside_the_picture_the_derivative_is_taken_at_its_limit,
-    every_reason_to_cull_is_told,
+    covariance_projects_by_the_derivative_of_the_projection,
+    beside_the_image_the_derivative_is_taken_at_its_limit,
+    every_reason_to_cull_is_reported,
     two_joints_blend_their_matrices,
     a_single_layer_is_linear_and_only_the_head_sees_the_expression,
     hidden_layers_are_followed_by_their_activation_and_the_last_is_not,
     a_gaussian_follows_its_three_nodes_by_inverse_distance,
-    kept_rows_correct_by_their_parts_features_and_colour_is_clamped_after,
+    correctives_follow_their_parts_features_before_colour_clamps,
 }

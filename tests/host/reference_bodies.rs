@@ -1,4 +1,4 @@
-//! The f64 reference on whole bodies from a seed: what holds for every picture, and a second,
+//! The f64 reference on whole bodies from a seed: what holds for every image, and a second,
 //! slower way to the same one.
 
 use crate::common::{self, Sizes};
@@ -7,7 +7,7 @@ use effigy_core::reference::{self, Culled, ReferenceFrame, Splat};
 use effigy_core::scene::{Camera, FrameImage, Posed};
 use glam::{DVec2, DVec3};
 
-/// A view in which part of the body lies outside the picture.
+/// A view in which part of the body lies outside the image.
 fn camera(seed: u64, size: [u32; 2]) -> Camera {
     Camera::orbit(
         DVec3::new(0.2, 1.2, 0.0),
@@ -35,7 +35,7 @@ fn small() -> Sizes {
     }
 }
 
-fn every_picture_is_finite_and_premultiplied_and_every_order_is_of_the_drawn_far_to_near() {
+fn images_are_finite_and_premultiplied_and_orders_far_to_near() {
     let other = Sizes {
         split_features: true,
         activation: Activation::LeakyRelu,
@@ -124,7 +124,7 @@ fn pixel(splats: &[Result<Splat, Culled>], at: DVec2) -> [f64; 4] {
     [color.x, color.y, color.z, 1.0 - through]
 }
 
-fn front_to_back_over_all_splats_gives_the_same_pixels_as_back_to_front_within_boxes() {
+fn front_to_back_blending_agrees_with_back_to_front() {
     for seed in 0..3 {
         let (avatar, pose) = body(seed, small());
         let stages = ReferenceFrame::new(
@@ -151,7 +151,7 @@ fn front_to_back_over_all_splats_gives_the_same_pixels_as_back_to_front_within_b
     }
 }
 
-fn a_body_and_a_camera_that_move_together_leave_the_picture_as_it_is() {
+fn moving_body_and_camera_together_leaves_the_image_the_same() {
     let (avatar, mut pose) = body(5, small());
     let camera = camera(1, [60, 60]);
     let still = reference::render(&avatar, &Posed::new(&avatar, &pose), &camera);
@@ -217,9 +217,9 @@ fn the_extent_holds_every_gaussian_and_little_else() {
 }
 
 tests! {
-    every_picture_is_finite_and_premultiplied_and_every_order_is_of_the_drawn_far_to_near,
-    front_to_back_over_all_splats_gives_the_same_pixels_as_back_to_front_within_boxes,
-    a_body_and_a_camera_that_move_together_leave_the_picture_as_it_is,
+    images_are_finite_and_premultiplied_and_orders_far_to_near,
+    front_to_back_blending_agrees_with_back_to_front,
+    moving_body_and_camera_together_leaves_the_image_the_same,
     the_expression_moves_the_head_parts_features_alone,
     the_extent_holds_every_gaussian_and_little_else,
 }

@@ -1,5 +1,5 @@
 //! What is asked of Android's native library, played by a library that this test makes: it counts
-//! what it is told.
+//! what the program sends it.
 
 use effigy::ndk::Sections;
 use effigy_runtime::{
@@ -12,7 +12,7 @@ use std::{env, fs, path::PathBuf, process::Command, time::Duration};
 const LIBRARY: &str = r#"
 use std::sync::atomic::{AtomicI64, Ordering::Relaxed};
 static OPEN: AtomicI64 = AtomicI64::new(0);
-static TOLD: AtomicI64 = AtomicI64::new(0);
+static RECEIVED: AtomicI64 = AtomicI64::new(0);
 static DEPTH: AtomicI64 = AtomicI64::new(0);
 #[unsafe(no_mangle)] extern "C" fn AThermal_acquireManager() -> i64 { OPEN.fetch_add(1, Relaxed); 16 }
 #[unsafe(no_mangle)] extern "C" fn AThermal_releaseManager(manager: i64) { assert_eq!(manager, 16); OPEN.fetch_sub(1, Relaxed); }
@@ -26,19 +26,19 @@ static DEPTH: AtomicI64 = AtomicI64::new(0);
     #[unsafe(no_mangle)] unsafe extern "C" fn APerformanceHint_createSession(manager: i64, threads: *const i32, count: usize, target: i64) -> i64 {
         assert_eq!((manager, count), (32, 2));
         assert_eq!(unsafe { (*threads, *threads.add(1)) }, (7, 8));
-        TOLD.store(target, Relaxed);
+        RECEIVED.store(target, Relaxed);
         OPEN.fetch_add(1, Relaxed);
         64
     }
-    #[unsafe(no_mangle)] extern "C" fn APerformanceHint_updateTargetWorkDuration(session: i64, target: i64) -> i32 { assert_eq!(session, 64); TOLD.store(target, Relaxed); 0 }
-    #[unsafe(no_mangle)] extern "C" fn APerformanceHint_reportActualWorkDuration(session: i64, actual: i64) -> i32 { assert_eq!(session, 64); TOLD.store(-actual, Relaxed); 0 }
+    #[unsafe(no_mangle)] extern "C" fn APerformanceHint_updateTargetWorkDuration(session: i64, target: i64) -> i32 { assert_eq!(session, 64); RECEIVED.store(target, Relaxed); 0 }
+    #[unsafe(no_mangle)] extern "C" fn APerformanceHint_reportActualWorkDuration(session: i64, actual: i64) -> i32 { assert_eq!(session, 64); RECEIVED.store(-actual, Relaxed); 0 }
     #[unsafe(no_mangle)] extern "C" fn APerformanceHint_closeSession(_: i64) { OPEN.fetch_sub(1, Relaxed); }
 }
-#[unsafe(no_mangle)] extern "C" fn ATrace_isEnabled() -> bool { TOLD.load(Relaxed) != 99 }
+#[unsafe(no_mangle)] extern "C" fn ATrace_isEnabled() -> bool { RECEIVED.load(Relaxed) != 99 }
 #[unsafe(no_mangle)] extern "C" fn ATrace_beginSection(_: *const i8) { DEPTH.fetch_add(1, Relaxed); }
 #[unsafe(no_mangle)] extern "C" fn ATrace_endSection() { DEPTH.fetch_sub(1, Relaxed); }
 #[unsafe(no_mangle)] extern "C" fn open() -> i64 { OPEN.load(Relaxed) }
-#[unsafe(no_mangle)] extern "C" fn told() -> i64 { TOLD.load(Relaxed) }
+#[unsafe(no_mangle)] extern "C" fn received() -> i64 { RECEIVED.load(Relaxed) }
 #[unsafe(no_mangle)] extern "C" fn depth() -> i64 { DEPTH.load(Relaxed) }
 "#;
 
@@ -99,11 +99,11 @@ fn headroom_hints_and_sections_reach_the_system() {
     drop(system);
     let hints =
         Hints::of(name, &[7, 8], Duration::from_micros(8333)).expect("the library has them");
-    assert_eq!((ask("open"), ask("told")), (1, 8_333_000));
+    assert_eq!((ask("open"), ask("received")), (1, 8_333_000));
     hints.set_frame(Duration::from_millis(16));
-    assert_eq!(ask("told"), 16_000_000);
+    assert_eq!(ask("received"), 16_000_000);
     hints.took(Duration::ZERO);
-    assert_eq!(ask("told"), -1, "the system refuses zero");
+    assert_eq!(ask("received"), -1, "the system refuses zero");
     drop(hints);
     assert_eq!(
         ask("open"),

@@ -220,7 +220,7 @@ fn a_gesture_after_a_long_rest_glides_and_does_not_jump() {
     assert!(!scene.is_moving());
 }
 
-fn the_view_follows_the_avatar_over_the_ground_until_told_not_to() {
+fn the_view_follows_the_avatar_until_following_is_off() {
     let offset = |scene: &mut ViewerScene, clock| {
         let eye = scene.advance(clock, SIZE).camera.eye();
         let rest = scene.avatar().skeleton.rest[0].map(f64::from);
@@ -262,6 +262,6 @@ tests! {
     a_scene_at_rest_looks_the_same_at_every_time,
     a_held_pose_stays_while_the_view_moves_and_falls_behind_nothing,
     a_gesture_after_a_long_rest_glides_and_does_not_jump,
-    the_view_follows_the_avatar_over_the_ground_until_told_not_to,
+    the_view_follows_the_avatar_until_following_is_off,
     backgrounds_go_round_and_stay_within_their_range,
 }

@@ -52,7 +52,7 @@ fn fails_usage(folder: &Path, arguments: &str) -> String {
     String::from_utf8_lossy(&output.stderr).into_owned()
 }
 
-fn picture(path: &Path) -> effigy_core::scene::FrameImage {
+fn read_image(path: &Path) -> effigy_core::scene::FrameImage {
     let image = image::open(path).unwrap().to_rgba32f();
     effigy_core::scene::FrameImage {
         size: [image.width(), image.height()],
@@ -71,7 +71,7 @@ fn render_writes_the_demo_as_the_reference_draws_it() {
         "render --size 320x400 --time 1.5 --reference --out reference.png",
     );
     let [gpu, reference] =
-        ["gpu.png", "reference.png"].map(|name| picture(&folder.path().join(name)));
+        ["gpu.png", "reference.png"].map(|name| read_image(&folder.path().join(name)));
     assert_eq!(gpu.size, [320, 400]);
     let error = error::between(&gpu, &reference);
     // Both are rounded to 8 bits once more, over a background.
@@ -99,7 +99,7 @@ fn render_draws_several_as_the_reference_does() {
     );
     works(folder.path(), &format!("{what} --out one.png"));
     let [gpu, reference, one] =
-        ["gpu.png", "reference.png", "one.png"].map(|name| picture(&folder.path().join(name)));
+        ["gpu.png", "reference.png", "one.png"].map(|name| read_image(&folder.path().join(name)));
     assert!(
         error::between(&gpu, &reference).whole.psnr_db > 50.0
             && error::between(&one, &reference).whole.psnr_db < 30.0
@@ -107,18 +107,18 @@ fn render_draws_several_as_the_reference_does() {
     assert!(fails_usage(folder.path(), "render --count 0").contains("--count"));
 }
 
-fn a_range_of_frames_becomes_numbered_pictures() {
+fn a_range_of_frames_becomes_numbered_images() {
     let folder = tempfile::tempdir().unwrap();
     works(
         folder.path(),
         "render --size 64x96 --frames 3..6 --background none --out walk.png",
     );
-    let pictures: Vec<_> = (3..6)
-        .map(|frame| picture(&folder.path().join(format!("walk-{frame:04}.png"))))
+    let images: Vec<_> = (3..6)
+        .map(|frame| read_image(&folder.path().join(format!("walk-{frame:04}.png"))))
         .collect();
-    assert!(pictures[0] != pictures[2], "the avatar does not move");
+    assert!(images[0] != images[2], "the avatar does not move");
     assert!(
-        pictures[0].pixels[0][3] == 0.0,
+        images[0].pixels[0][3] == 0.0,
         "the background is not transparent"
     );
     let message = fails(folder.path(), "render --size 64x96 --frames 0..9999999");
@@ -348,7 +348,7 @@ fn an_exported_pose_is_drawn_and_measured_from_its_cameras() {
     );
     for number in 0..3 {
         let [still, avatar] = ["still", "avatar"]
-            .map(|name| picture(&folder.path().join(format!("{name}-{number:04}.png"))));
+            .map(|name| read_image(&folder.path().join(format!("{name}-{number:04}.png"))));
         assert_eq!(still.size, [200, 240], "the cameras' own size");
         let error = error::between(&still, &avatar);
         assert!(error.whole.psnr_db > 50.0, "camera {number}: {error:?}");
@@ -358,7 +358,7 @@ fn an_exported_pose_is_drawn_and_measured_from_its_cameras() {
         "render still.ply --cameras cams.json --size 100x60 --out small.png",
     );
     assert_eq!(
-        picture(&folder.path().join("small-0002.png")).size,
+        read_image(&folder.path().join("small-0002.png")).size,
         [100, 60]
     );
     let said = works(
@@ -393,7 +393,7 @@ fn bad_input_is_answered_with_one_sentence() {
     );
 }
 
-fn pictures_that_no_device_draws_are_refused() {
+fn image_sizes_that_no_device_draws_are_refused() {
     let folder = tempfile::tempdir().unwrap();
     let message = fails(folder.path(), "render --size 100000x10");
     assert!(
@@ -461,14 +461,14 @@ tests! {
     the_version_names_the_program: no_device,
     render_writes_the_demo_as_the_reference_draws_it,
     render_draws_several_as_the_reference_does,
-    a_range_of_frames_becomes_numbered_pictures,
+    a_range_of_frames_becomes_numbered_images,
     without_a_display_the_program_renders_a_turntable,
     bench_writes_what_it_measured_of_every_case,
     bench_finds_the_worst_of_many_poses_and_views,
     a_sweep_draws_time_against_error,
     an_exported_pose_is_drawn_and_measured_from_its_cameras,
     bad_input_is_answered_with_one_sentence: no_device,
-    pictures_that_no_device_draws_are_refused,
+    image_sizes_that_no_device_draws_are_refused,
     devices_lists_every_device_and_its_use,
     shader_statistics_are_a_table_or_a_sentence,
     a_capture_without_renderdoc_says_how_to_attach_it,

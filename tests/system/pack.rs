@@ -38,7 +38,7 @@ fn fails(folder: &Path, arguments: &str) -> String {
     err
 }
 
-fn picture(path: &Path) -> effigy_core::scene::FrameImage {
+fn read_image(path: &Path) -> effigy_core::scene::FrameImage {
     let image = image::open(path).unwrap().to_rgba32f();
     effigy_core::scene::FrameImage {
         size: [image.width(), image.height()],
@@ -53,7 +53,7 @@ fn pack_writes_smaller_files_and_says_what_they_cost() {
     let mut length = std::fs::metadata(at("small.avatar")).unwrap().len();
     for (quality, lines) in [("lossless", 3), ("high", 7), ("medium", 8), ("small", 8)] {
         let what = format!(
-            "pack small.avatar --motion small.motion --quality {quality} --pictures 1 --size 80x100"
+            "pack small.avatar --motion small.motion --quality {quality} --frames 1 --size 80x100"
         );
         let table = works(
             folder.path(),
@@ -77,7 +77,7 @@ fn pack_writes_smaller_files_and_says_what_they_cost() {
     // Once more changes nothing.
     works(
         folder.path(),
-        "pack packed.avatar --motion small.motion --quality small --pictures 0 --out again.avatar",
+        "pack packed.avatar --motion small.motion --quality small --frames 0 --out again.avatar",
     );
     assert!(Avatar::read(&at("again.avatar")).unwrap() == read);
 }
@@ -85,7 +85,7 @@ fn pack_writes_smaller_files_and_says_what_they_cost() {
 fn what_can_not_be_packed_or_read_is_said_in_one_sentence() {
     let folder = tempfile::tempdir().unwrap();
     common::small_files(folder.path());
-    let what = "pack small.avatar --motion small.motion --pictures 0";
+    let what = "pack small.avatar --motion small.motion --frames 0";
     assert!(
         fails(folder.path(), &format!("{what} --out none/a.avatar"))
             .contains("cannot write none/a.avatar")
@@ -118,7 +118,7 @@ fn packed_files_are_drawn_as_the_reference_draws_them() {
     let at = |name: &str| folder.path().join(name);
     works(
         folder.path(),
-        "pack --quality small --pictures 0 --out packed.avatar",
+        "pack --quality small --frames 0 --out packed.avatar",
     );
     for name in ["gpu.png", "exact.png --reference"] {
         works(
@@ -126,7 +126,7 @@ fn packed_files_are_drawn_as_the_reference_draws_them() {
             &format!("render packed.avatar --size 200x260 --time 1.5 --out {name}"),
         );
     }
-    let error = error::between(&picture(&at("gpu.png")), &picture(&at("exact.png")));
+    let error = error::between(&read_image(&at("gpu.png")), &read_image(&at("exact.png")));
     assert!(error.whole.psnr_db > 45.0, "{error:?}");
 }
 
@@ -143,7 +143,7 @@ fn the_projection_can_be_switched_off() {
         );
     }
     let [default, on, off] =
-        ["default", "on", "off"].map(|name| picture(&folder.path().join(format!("{name}.png"))));
+        ["default", "on", "off"].map(|name| read_image(&folder.path().join(format!("{name}.png"))));
     assert!(
         default == on && on != off,
         "the projection changes nothing of the demo"

@@ -151,7 +151,7 @@ fn soak_until(folder: &Path, arguments: &str, word: &str) -> (bool, String) {
 /// A rate that no one can hold: the governor goes to its last step, and the program says so and
 /// fails.
 #[cfg(unix)]
-fn a_rate_out_of_reach_is_told() {
+fn a_rate_out_of_reach_is_reported() {
     gpu::drawing();
     let folder = tempfile::tempdir().unwrap();
     let cases = [
@@ -179,7 +179,7 @@ fn a_rate_out_of_reach_is_told() {
 
 /// Simulated heat throttles this device as it would a phone, and the governor answers: 20 minutes
 /// of the phone's in 15 seconds. How much of that is heat and how much other work of this machine
-/// is not told here: `tests/governor.rs` has the same without a device.
+/// is not told apart here: `tests/host/governor.rs` has the same without a device.
 fn simulated_heat_slows_frames_and_the_governor_gives_way() {
     gpu::drawing();
     let folder = tempfile::tempdir().unwrap();
@@ -244,7 +244,7 @@ fn an_interrupted_soak_keeps_its_results() {
 tests! {
     a_short_soak_writes_all_its_files_and_they_compare,
     #[cfg(unix)]
-    a_rate_out_of_reach_is_told,
+    a_rate_out_of_reach_is_reported,
     simulated_heat_slows_frames_and_the_governor_gives_way,
     #[cfg(unix)]
     an_interrupted_soak_keeps_its_results,

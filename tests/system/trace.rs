@@ -73,7 +73,7 @@ fn check_track(what: &str, slices: &[Slice]) -> Vec<Slice> {
 }
 
 /// The whole file: tracks, frames on both, and the device after the host.
-fn check(trace: &Value, least: usize) {
+fn check(trace: &Value, min_frames: usize) {
     let events = trace["traceEvents"].as_array().unwrap();
     let names: Vec<_> = events
         .iter()
@@ -86,7 +86,7 @@ fn check(trace: &Value, least: usize) {
     );
     let tracks = slices(trace);
     let host = check_track("host", &tracks[&1]);
-    assert!(host.len() >= least, "{} frames", host.len());
+    assert!(host.len() >= min_frames, "{} frames", host.len());
     let said = &trace["otherData"];
     let Some(track) = tracks.get(&2) else {
         assert!(

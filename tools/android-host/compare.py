@@ -1,13 +1,14 @@
 #!/usr/bin/env python3
-"""compare.py FOLDER RENDERED.png REFERENCE.png: looks at the pictures that the app presented while its scripts were played (FOLDER/SCRIPT/NAME.ppm), and holds
-them against what `effigy render` makes of the same frame on the device and by the f64 reference."""
+"""compare.py FOLDER RENDERED.png REFERENCE.png: checks the images that the app presented while its scripts were played
+(FOLDER/SCRIPT/NAME.ppm), and compares them with what `effigy render` draws of the same frame on the device and with
+the f64 reference."""
 import math
 import pathlib
 import struct
 import sys
 import zlib
 
-PAPER = (216, 221, 227)  # the viewer's first background, d8dde3
+BACKGROUND = (216, 221, 227)  # the viewer's default background, d8dde3
 
 
 def read(path):
@@ -44,16 +45,16 @@ def difference(one, other):
     return max(abs(a - b) for a, b in zip(one[1], other[1]))
 
 
-def covered(picture):
-    data = picture[1]
-    return sum(1 for at in range(0, len(data), 3) if max(abs(data[at + i] - PAPER[i]) for i in range(3)) > 4)
+def covered(image):
+    data = image[1]
+    return sum(1 for at in range(0, len(data), 3) if max(abs(data[at + i] - BACKGROUND[i]) for i in range(3)) > 4)
 
 
-def psnr(picture, truth):
-    """dB over the pixels in which the truth is not the background."""
-    assert picture[0] == truth[0], f"{picture[0]} px against {truth[0]} px"
-    inside = [at for at in range(0, len(truth[1]), 3) if tuple(truth[1][at : at + 3]) != PAPER]
-    squares = sum((picture[1][at + i] - truth[1][at + i]) ** 2 for at in inside for i in range(3))
+def psnr(image, reference):
+    """dB over the pixels in which the reference is not the background."""
+    assert image[0] == reference[0], f"{image[0]} px against {reference[0]} px"
+    inside = [at for at in range(0, len(reference[1]), 3) if tuple(reference[1][at : at + 3]) != BACKGROUND]
+    squares = sum((image[1][at + i] - reference[1][at + i]) ** 2 for at in inside for i in range(3))
     return 10 * math.log10(255**2 * 3 * len(inside) / squares) if squares else math.inf
 
 
@@ -75,7 +76,7 @@ def main(folder, rendered, reference):
     off = difference(still["half"], read_png(folder / "picture" / "data" / "effigy-0001.png"))
     check(off <= 1, f"it is what its screenshot shows: {off} of 255 off")
     off = difference(still["none"], still["half"])
-    check(off <= 1, f"on a display that stands on its head the picture is the same: {off} of 255 off")
+    check(off <= 1, f"on a display that is mounted upside down the image is the same: {off} of 255 off")
     off = difference(still["quarter"], still["threequarters"])
     check(off <= 1, f"lying on one side and on the other it is the same: {off} of 255 off")
     check(still["quarter"][0] == (960, 540) and covered(still["quarter"]) > 5000, "lying, it is as wide as the window")

@@ -1,4 +1,4 @@
-//! Levels of detail: which level an avatar is drawn at, the picture of each against the
+//! Levels of detail: which level an avatar is drawn at, the image of each against the
 //! reference's, and how near these are to what all Gaussians make.
 
 use crate::common::{self, Random, Sizes, gpu};
@@ -32,12 +32,12 @@ fn distant(tall: f64, size: [u32; 2]) -> (Avatar, Posed, Camera) {
 }
 
 /// Each pixel the mean of `n` by `n`.
-fn averaged(picture: &FrameImage, n: u32) -> FrameImage {
-    let size = picture.size.map(|side| side / n);
+fn averaged(image: &FrameImage, n: u32) -> FrameImage {
+    let size = image.size.map(|side| side / n);
     let mean = |k: u32| {
         let (column, row) = (k % size[0] * n, k / size[0] * n);
         let inside = (0..n * n)
-            .map(|i| picture.pixels[((row + i / n) * picture.size[0] + column + i % n) as usize]);
+            .map(|i| image.pixels[((row + i / n) * image.size[0] + column + i % n) as usize]);
         inside.fold([0.0; 4], |sum: [f32; 4], pixel| {
             std::array::from_fn(|c| sum[c] + pixel[c] / (n * n) as f32)
         })
@@ -48,13 +48,13 @@ fn averaged(picture: &FrameImage, n: u32) -> FrameImage {
     }
 }
 
-fn each_level_draws_the_references_picture(method: RasterMethod) {
+fn each_level_agrees_with_the_reference(method: RasterMethod) {
     let device = gpu::gpu();
     for level in 1..4 {
         let options = gpu::with_method(&device.probe.name, method, SIZE);
         let options = gpu::at_level(options, level);
         let frame = gpu::frame(&device, u64::from(level), Sizes::default(), options);
-        let error = error::between(&frame.picture, &frame.reference.canvas.to_image()).covered;
+        let error = error::between(&frame.image, &frame.reference.canvas.to_image()).covered;
         assert!(
             error.pixels > 2000 && error.psnr_db >= 50.0,
             "level {level}, {:?}: {error:?}",
@@ -73,7 +73,7 @@ fn each_level_draws_the_references_picture(method: RasterMethod) {
 }
 
 /// With the options of `--preset low`: the smaller, the fewer Gaussians, and never further from what
-/// each pixel's area would show on average than the picture of all of them, which is too fat at a
+/// each pixel's area would show on average than the image of all of them, which is too fat at a
 /// distance.
 fn small_avatars_stay_within_the_budget() {
     for (tall, level, psnr) in [
@@ -124,7 +124,7 @@ fn small_avatars_stay_within_the_budget() {
 }
 
 /// Away and back: every frame is that of a renderer that knows no other, also where the camera
-/// alone moves and a body is kept.
+/// alone moves and a body comes from the pose cache.
 fn levels_change_as_the_camera_goes_away() {
     let device = gpu::gpu();
     let options = RendererOptions {
@@ -139,11 +139,11 @@ fn levels_change_as_the_camera_goes_away() {
     ] {
         let (_, _, camera) = distant(tall, SIZE);
         renderer.draw(&posed, &camera, None).unwrap();
-        let picture = renderer.read_image().unwrap();
+        let image = renderer.read_image().unwrap();
         let mut fresh = Renderer::new(&device, &avatar, options).unwrap();
         fresh.draw(&posed, &camera, None).unwrap();
-        // What is kept is rounded.
-        let error = error::between(&picture, &fresh.read_image().unwrap()).covered;
+        // The pose cache is rounded.
+        let error = error::between(&image, &fresh.read_image().unwrap()).covered;
         assert!(error.psnr_db > 45.0, "{tall} px tall: {error:?}");
         let counters = renderer.report().counters;
         drawn.push((
@@ -154,9 +154,9 @@ fn levels_change_as_the_camera_goes_away() {
     let all = avatar.gaussians.len() as u64;
     let levels: Vec<_> = drawn
         .iter()
-        .map(|&(drawn, kept)| (all / drawn, kept))
+        .map(|&(drawn, cached)| (all / drawn, cached))
         .collect();
-    // The first still frame keeps, those after it draw what it kept.
+    // The first still frame fills the pose cache, those after it draw from it.
     let expected = [
         (1, false),
         (1, false),
@@ -218,7 +218,7 @@ fn avatars_of_different_levels_are_sorted_together() {
     renderer
         .draw_scene(&poses.each_ref(), &camera, None)
         .unwrap();
-    let picture = renderer.read_image().unwrap();
+    let image = renderer.read_image().unwrap();
     let splats: Vec<_> = poses
         .iter()
         .zip(levels)
@@ -227,7 +227,7 @@ fn avatars_of_different_levels_are_sorted_together() {
         })
         .collect();
     let reference = raster::raster(&splats, &sort::order(&splats), &camera).to_image();
-    let error = error::between(&picture, &reference).covered;
+    let error = error::between(&image, &reference).covered;
     assert!(
         error.pixels > 2000 && error.psnr_db >= 48.0,
         "{levels:?}: {error:?}"
@@ -240,8 +240,8 @@ fn avatars_of_different_levels_are_sorted_together() {
 }
 
 tests! {
-    each_level_draws_the_references_picture[Quads],
-    each_level_draws_the_references_picture[Tiles],
+    each_level_agrees_with_the_reference[Quads],
+    each_level_agrees_with_the_reference[Tiles],
     small_avatars_stay_within_the_budget: no_device,
     levels_change_as_the_camera_goes_away,
     avatars_of_different_levels_are_sorted_together,

@@ -1,4 +1,4 @@
-//! Whole frames on the device against the reference, as pictures.
+//! Whole frames on the device against the reference, as images.
 
 use crate::common::{self, Sizes, gpu};
 use effigy::vulkan::{
@@ -21,14 +21,14 @@ fn compare_on(device: &Arc<Gpu>, color: ColorFormat, key_bits: KeyBits, psnr: f6
             ..gpu::options([320, 400])
         };
         let frame = gpu::frame(device, seed, Sizes::default(), options);
-        let error = error::between(&frame.picture, &frame.reference.canvas.to_image());
+        let error = error::between(&frame.image, &frame.reference.canvas.to_image());
         println!(
             "seed {seed}: {:?} drawn {}",
             error.covered, frame.report.counters.drawn
         );
         assert!(
             error.covered.pixels > 5000,
-            "the avatar is hardly in the picture"
+            "the avatar is hardly in the image"
         );
         assert!(
             error.covered.psnr_db >= psnr,
@@ -43,18 +43,18 @@ fn compare_on(device: &Arc<Gpu>, color: ColorFormat, key_bits: KeyBits, psnr: f6
     }
 }
 
-fn eight_bit_pictures_agree_with_the_reference() {
+fn eight_bit_images_agree_with_the_reference() {
     // A test body has far more faint layers than a baked one, and lavapipe rounds twice a layer:
     // `docs/experiments/004`.
     compare(ColorFormat::Rgba8, KeyBits::TwentyFour, 48.0, 0.995);
 }
 
-fn floating_point_pictures_agree_with_the_reference() {
+fn floating_point_images_agree_with_the_reference() {
     compare(ColorFormat::Rgba16F, KeyBits::Sixteen, 54.0, 0.999);
     compare(ColorFormat::Rgba16F, KeyBits::ThirtyTwo, 54.0, 0.999);
 }
 
-fn the_least_device_that_can_serve_draws_the_same_within_the_budget() {
+fn a_baseline_device_draws_within_the_error_budget() {
     let device = gpu::open(GpuOptions {
         baseline: true,
         ..GpuOptions::headless(None)
@@ -92,7 +92,7 @@ fn an_image_is_read_after_a_frame_and_not_before() {
 
 tests! {
     an_image_is_read_after_a_frame_and_not_before,
-    eight_bit_pictures_agree_with_the_reference: smoke,
-    floating_point_pictures_agree_with_the_reference,
-    the_least_device_that_can_serve_draws_the_same_within_the_budget,
+    eight_bit_images_agree_with_the_reference: smoke,
+    floating_point_images_agree_with_the_reference,
+    a_baseline_device_draws_within_the_error_budget,
 }

@@ -111,7 +111,7 @@ fn the_pyramid_is_that_of_the_reference() {
 }
 
 /// The image with what is hidden left out, against the one with all, for bodies pulled apart.
-fn what_is_torn_hides_nothing() {
+fn the_occluder_hides_nothing_where_the_shell_is_torn() {
     let device = gpu::drawing();
     let avatar = demo();
     let mut hidden = 0;
@@ -152,5 +152,5 @@ fn drawn(device: &Arc<Gpu>, avatar: &Avatar, posed: &Posed, camera: &Camera, ski
 
 tests! {
     the_pyramid_is_that_of_the_reference,
-    what_is_torn_hides_nothing,
+    the_occluder_hides_nothing_where_the_shell_is_torn,
 }

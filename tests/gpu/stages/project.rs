@@ -63,10 +63,9 @@ struct Tolerance {
     color: f64,
 }
 
-/// What the numbers round that a Gaussian's splat is made from and that the reference does not know
-/// of: the nodes' weights and displacements, and where `kept` says so what is kept where only the
-/// camera moves.
-fn tolerance(frame: &gpu::Frame, at: usize, expected: &Splat, kept: bool) -> Tolerance {
+/// Rounding of a splat that the reference does not model: of the nodes' weights and displacements,
+/// and of the pose cache if the splat comes from it.
+fn tolerance(frame: &gpu::Frame, at: usize, expected: &Splat, cached: bool) -> Tolerance {
     let nodes = frame.avatar.gaussians.node[at << frame.level]
         .map(|node| frame.reference.nodes[usize::from(node)]);
     let apart = nodes[0]
@@ -87,7 +86,7 @@ fn tolerance(frame: &gpu::Frame, at: usize, expected: &Splat, kept: bool) -> Tol
     // The reference's quaternion is f16: each component is off by half a step, which turns by twice as
     // much.
     let mut axes = 3.5e-4 * axis;
-    if kept {
+    if cached {
         let [min, max] =
             effigy_core::scene::AvatarBounds::new(&frame.avatar).bounds(&frame.posed.joints);
         // Half a step of the box: however the camera stands, no side of it is longer than the
@@ -100,11 +99,11 @@ fn tolerance(frame: &gpu::Frame, at: usize, expected: &Splat, kept: bool) -> Tol
     // A little nearer is a little larger, and seen a little more from the side.
     axes += (expected.covariance[0] + expected.covariance[2]).sqrt() * offset / expected.depth
         * (1.0 + slope.length());
-    // Rounded to ten bits once more where it is kept; the reference's are f16.
+    // The pose cache rounds it to ten bits once more; the reference's are f16.
     Tolerance {
         center: offset * pixels,
         axes,
-        color: if kept { 0.5 / 1023.0 } else { 0.0 } + 2.6e-4,
+        color: if cached { 0.5 / 1023.0 } else { 0.0 } + 2.6e-4,
     }
 }
 
@@ -135,8 +134,8 @@ fn error(got: &Unpacked, expected: &Splat, step: f64, tolerance: Tolerance) -> f
 }
 
 /// Whether the reference's decision hangs on less than the device can tell.
-fn close_call(frame: &gpu::Frame, at: usize, kept: bool) -> bool {
-    let by = if kept { [2e-4, 1e-1] } else { [1e-5, 2e-2] };
+fn close_call(frame: &gpu::Frame, at: usize, cached: bool) -> bool {
+    let by = if cached { [2e-4, 1e-1] } else { [1e-5, 2e-2] };
     let shifted = |sign: f64| {
         let camera = Camera {
             near: frame.camera.near + sign * by[0],
@@ -157,19 +156,19 @@ fn check(frame: &gpu::Frame) {
     check_all(frame, false);
 }
 
-fn check_all(frame: &gpu::Frame, kept: bool) {
+fn check_all(frame: &gpu::Frame, cached: bool) {
     let step = 1.0 / fixed_scale(frame.camera.guard());
     for (at, expected) in frame.reference.splats.iter().enumerate() {
         let drawn = frame.gpu.keys[at] != SORT_CULLED;
         match expected {
-            _ if close_call(frame, at, kept) => {}
+            _ if close_call(frame, at, cached) => {}
             Ok(expected) => {
                 assert!(drawn, "Gaussian {at} was culled, expected {expected:?}");
                 let error = error(
                     &unpack(frame.gpu.splats[at], &frame.camera),
                     expected,
                     step,
-                    tolerance(frame, at, expected, kept),
+                    tolerance(frame, at, expected, cached),
                 );
                 assert!(
                     error <= 1.0,
@@ -182,21 +181,21 @@ fn check_all(frame: &gpu::Frame, kept: bool) {
             ),
         }
     }
-    let survivors = frame.gpu.keys[..frame.reference.splats.len()]
+    let visible = frame.gpu.keys[..frame.reference.splats.len()]
         .iter()
         .filter(|&&key| key != SORT_CULLED)
         .count();
     assert_eq!(
-        frame.gpu.control.visible_count as usize, survivors,
-        "survivors"
+        frame.gpu.control.visible_count as usize, visible,
+        "visible Gaussians"
     );
-    check_reasons(frame, kept);
+    check_reasons(frame, cached);
 }
 
 /// Every Gaussian that is not drawn is counted once, for the reference's reason but for those that
-/// are too faint: whether their centres are anywhere near the picture is looked at before. What is
-/// kept no longer knows why something has no shape.
-fn check_reasons(frame: &gpu::Frame, kept: bool) {
+/// are too faint: whether their centres are anywhere near the image is looked at before. The pose
+/// cache does not say why something has no shape.
+fn check_reasons(frame: &gpu::Frame, cached: bool) {
     let counters = &frame.report.counters;
     let Some(got) = counters.reasons else { return };
     assert_eq!(
@@ -207,7 +206,7 @@ fn check_reasons(frame: &gpu::Frame, kept: bool) {
         (counters.gaussians - counters.skipped_by_detail) as usize,
         frame.reference.splats.len()
     );
-    if kept {
+    if cached {
         return;
     }
     let culled = frame
@@ -219,7 +218,7 @@ fn check_reasons(frame: &gpu::Frame, kept: bool) {
     let mut expected = CullReasons::default();
     for (reason, gaussian) in culled {
         let count = match reason {
-            Culled::Faint if near_the_picture(gaussian, &frame.camera) => &mut expected.faint,
+            Culled::Faint if near_the_image(gaussian, &frame.camera) => &mut expected.faint,
             Culled::Behind | Culled::Guard | Culled::Outside | Culled::Faint => {
                 &mut expected.outside
             }
@@ -243,7 +242,7 @@ fn check_reasons(frame: &gpu::Frame, kept: bool) {
     assert_eq!(got.hidden, 0);
 }
 
-fn near_the_picture(gaussian: &Gaussian, camera: &Camera) -> bool {
+fn near_the_image(gaussian: &Gaussian, camera: &Camera) -> bool {
     let at = camera.project(camera.view.transform_point3(gaussian.mean));
     let size = DVec2::from(camera.size.map(f64::from));
     (at + camera.guard()).min_element() >= 0.0 && (size + camera.guard() - at).min_element() >= 0.0
@@ -404,8 +403,8 @@ fn adversarial_gaussians_and_cameras_agree_too() {
     }
 }
 
-/// The third frame of a still body draws what the second kept.
-fn what_is_kept_lands_where_the_reference_puts_it() {
+/// The third frame of a still body draws from the pose cache that the second wrote.
+fn splats_from_the_pose_cache_agree_with_the_reference() {
     let device = gpu::gpu();
     let avatars = [
         (common::avatar(1, Sizes::default()), 1.0),
@@ -486,6 +485,6 @@ tests! {
     every_gaussian_lands_where_the_reference_puts_it: smoke,
     packed_words_give_the_same_as_halves,
     adversarial_gaussians_and_cameras_agree_too,
-    what_is_kept_lands_where_the_reference_puts_it,
+    splats_from_the_pose_cache_agree_with_the_reference,
     each_reason_to_cull_occurs_in_the_adversarial_frames: no_device,
 }

@@ -1,4 +1,4 @@
-//! The `raster` stage: the draw order that it uses, and pictures of few Gaussians whose every pixel
+//! The `raster` stage: the draw order that it uses, and images of few Gaussians whose every pixel
 //! the reference knows.
 
 use crate::common::{self, Sizes, gpu};
@@ -90,10 +90,10 @@ fn few_gaussians_agree_pixel_by_pixel(method: RasterMethod) {
             .mean;
         let camera = Camera::orbit(target, 0.2, 0.1, 0.3, 0.6, [240, 160]);
         let frame = gpu::draw(&device, avatar, posed, camera, options);
-        let error = error::between(&frame.picture, &frame.reference.canvas.to_image());
+        let error = error::between(&frame.image, &frame.reference.canvas.to_image());
         assert!(
             error.covered.pixels > 100,
-            "seed {seed}: nothing in the picture"
+            "seed {seed}: nothing in the image"
         );
         assert!(
             error.covered.max_error < 4.0 / 255.0 && error.covered.psnr_db > 54.0,
@@ -137,7 +137,7 @@ fn nothing_of_many_gaussians_is_lost() {
 }
 
 /// A driver that ends whoever draws triangles is not made to.
-fn hulls_are_refused_where_a_driver_would_not_survive_them() {
+fn quads_are_refused_where_the_driver_crashes_on_triangles() {
     let device = gpu::gpu();
     let avatar = common::avatar(9, Sizes::default());
     let made = Renderer::new(
@@ -158,7 +158,7 @@ fn hulls_are_refused_where_a_driver_would_not_survive_them() {
     }
 }
 
-fn nothing_in_view_is_an_empty_picture(method: RasterMethod) {
+fn nothing_in_view_is_an_empty_image(method: RasterMethod) {
     let device = gpu::gpu();
     let avatar = common::avatar(1, Sizes::default());
     let posed = Posed::new(&avatar, &common::pose(1, &avatar));
@@ -172,12 +172,12 @@ fn nothing_in_view_is_an_empty_picture(method: RasterMethod) {
     let frame = gpu::draw(&device, avatar, posed, away, options);
     assert_eq!(frame.gpu.control.visible_count, 0);
     assert!(
-        frame.picture.pixels.iter().all(|&pixel| pixel == [0.0; 4]),
+        frame.image.pixels.iter().all(|&pixel| pixel == [0.0; 4]),
         "{options:?}"
     );
 }
 
-fn pictures_of_any_size_follow_a_resize(method: RasterMethod) {
+fn images_of_any_size_follow_a_resize(method: RasterMethod) {
     let device = gpu::gpu();
     let avatar = common::avatar(
         2,
@@ -206,7 +206,7 @@ fn pictures_of_any_size_follow_a_resize(method: RasterMethod) {
     assert_eq!(
         renderer.raster().image().size(),
         [200, 200],
-        "the old picture stays"
+        "the old image stays"
     );
 }
 
@@ -258,7 +258,7 @@ fn each_tile_has_the_splats_that_meet_it_nearest_first() {
                 );
                 let (coarse, side) = (tile.map(|v| v >> (2 * level)), side << (2 * level));
                 let most = binning::bin(&reference.splats, &order, coarse, side, 0.05);
-                // The outermost tiles of the bins have what lies outside too; the picture's own
+                // The outermost tiles of the bins have what lies outside too; the image's own
                 // edges do not matter here.
                 let inner = coarse[0] > 0 && coarse[1] > 0;
                 let surplus: Vec<_> = chain
@@ -277,8 +277,8 @@ fn each_tile_has_the_splats_that_meet_it_nearest_first() {
                 all.windows(2).all(|pair| pair[0] != pair[1]),
                 "tile {tile:?} from {distance} m has a splat twice"
             );
-            let least = binning::bin(&reference.splats, &order, tile, side, -0.05);
-            let missing: Vec<_> = least
+            let must_meet = binning::bin(&reference.splats, &order, tile, side, -0.05);
+            let missing: Vec<_> = must_meet
                 .into_iter()
                 .filter(|splat| all.binary_search(splat).is_err())
                 .collect();
@@ -324,7 +324,7 @@ fn frames_in_flight_do_not_show_in_each_other(method: RasterMethod) {
         }
         assert!(
             renderer.read_image().unwrap() == alone(&posed[last]),
-            "picture {last} depends on those before it, {options:?}"
+            "image {last} depends on those before it, {options:?}"
         );
     }
 }
@@ -333,10 +333,7 @@ fn two_runs_give_the_same_bits(method: RasterMethod) {
     let device = gpu::gpu();
     let options = gpu::with_method(&device.probe.name, method, [160, 160]);
     let [first, second] = [0, 1].map(|_| gpu::frame(&device, 9, Sizes::default(), options));
-    assert!(
-        first.picture == second.picture,
-        "two runs differ, {options:?}"
-    );
+    assert!(first.image == second.image, "two runs differ, {options:?}");
 }
 
 tests! {
@@ -344,11 +341,11 @@ tests! {
     few_gaussians_agree_pixel_by_pixel[Quads]: smoke,
     few_gaussians_agree_pixel_by_pixel[Tiles]: smoke,
     nothing_of_many_gaussians_is_lost,
-    hulls_are_refused_where_a_driver_would_not_survive_them,
-    nothing_in_view_is_an_empty_picture[Quads],
-    nothing_in_view_is_an_empty_picture[Tiles],
-    pictures_of_any_size_follow_a_resize[Quads],
-    pictures_of_any_size_follow_a_resize[Tiles],
+    quads_are_refused_where_the_driver_crashes_on_triangles,
+    nothing_in_view_is_an_empty_image[Quads],
+    nothing_in_view_is_an_empty_image[Tiles],
+    images_of_any_size_follow_a_resize[Quads],
+    images_of_any_size_follow_a_resize[Tiles],
     each_tile_has_the_splats_that_meet_it_nearest_first,
     frames_in_flight_do_not_show_in_each_other[Quads],
     frames_in_flight_do_not_show_in_each_other[Tiles],

@@ -1,5 +1,5 @@
-//! Several avatars in one scene: sorted together as the reference sorts them, kept apart from frame
-//! to frame, and left out as wholes.
+//! Several avatars in one scene: sorted together as the reference sorts them, each with its own
+//! state from frame to frame, and culled as wholes.
 
 use crate::common::{self, Random, Sizes, f16s, gpu};
 use effigy::vulkan::{FrameReport, Gpu, Renderer, RendererOptions};
@@ -46,8 +46,8 @@ fn draw(renderer: &mut Renderer, poses: &[Posed], camera: &Camera) -> (FrameImag
     renderer
         .draw_scene(&poses.iter().collect::<Vec<_>>(), camera, None)
         .unwrap();
-    let picture = renderer.read_image().unwrap();
-    (picture, renderer.report().clone())
+    let image = renderer.read_image().unwrap();
+    (image, renderer.report().clone())
 }
 
 /// Three bodies that reach through each other: at most of their depths Gaussians of one lie between
@@ -65,10 +65,10 @@ fn avatars_are_sorted_together_as_the_reference_sorts_them() {
     );
     for yaw in [0.4, 2.0] {
         let mut renderer = renderer(&device, &avatar, 3, Skip::all() - Skip::DEPTH);
-        let (picture, report) = draw(&mut renderer, &poses, &camera(yaw));
+        let (image, report) = draw(&mut renderer, &poses, &camera(yaw));
         let reference =
             reference::render_scene(&avatar, &poses.iter().collect::<Vec<_>>(), &camera(yaw));
-        let error = error::between(&picture, &reference).covered;
+        let error = error::between(&image, &reference).covered;
         assert!(error.pixels > 5000 && error.psnr_db >= 50.0, "{error:?}");
         let owner = |slot: &u32| *slot as usize / avatar.gaussians.len();
         let order = renderer.stages().unwrap().order;
@@ -107,14 +107,14 @@ fn each_avatar_has_the_colours_that_the_camera_sees_on_it() {
             (2, DVec3::new(0.5, 0.0, 0.3)),
         ],
     );
-    let (picture, _) = draw(
+    let (image, _) = draw(
         &mut renderer(&device, &avatar, 2, Skip::all()),
         &poses,
         &camera(0.3),
     );
     let reference =
         reference::render_scene(&avatar, &poses.iter().collect::<Vec<_>>(), &camera(0.3));
-    let error = error::between(&picture, &reference).covered;
+    let error = error::between(&image, &reference).covered;
     assert!(error.pixels > 5000 && error.psnr_db >= 50.0, "{error:?}");
 }
 
@@ -134,16 +134,16 @@ fn an_avatar_outside_the_view_costs_nothing_and_changes_no_bit() {
     );
     let skip = Skip::all() - Skip::DEPTH;
     let mut culls = renderer(&device, &avatar, 3, skip);
-    let (picture, report) = draw(&mut culls, &poses, &camera);
+    let (image, report) = draw(&mut culls, &poses, &camera);
     let mut draws = renderer(&device, &avatar, 3, skip - Skip::AVATARS - Skip::PARTS);
     let (all, full) = draw(&mut draws, &poses, &camera);
     assert!(
-        picture == all,
-        "the picture changes: {:?}",
-        error::between(&picture, &all).covered
+        image == all,
+        "the image changes: {:?}",
+        error::between(&image, &all).covered
     );
     assert!(
-        picture
+        image
             == draw(
                 &mut renderer(&device, &avatar, 2, skip),
                 &poses[1..],
@@ -174,7 +174,7 @@ fn an_avatar_outside_the_view_costs_nothing_and_changes_no_bit() {
     );
 }
 
-fn with_no_avatar_in_view_the_picture_is_empty_and_then_nothing_is_submitted() {
+fn without_an_avatar_in_view_the_image_is_cleared_once() {
     let device = gpu::gpu();
     let avatar = common::avatar(3, Sizes::default());
     let here = poses(&avatar, &[(1, DVec3::ZERO), (2, DVec3::X)]);
@@ -187,9 +187,9 @@ fn with_no_avatar_in_view_the_picture_is_empty_and_then_nothing_is_submitted() {
     );
     let mut renderer = renderer(&device, &avatar, 2, Skip::all());
     assert!(draw(&mut renderer, &here, &camera(0.0)).1.counters.drawn > 0);
-    let (picture, report) = draw(&mut renderer, &away, &camera(0.0));
-    assert!(picture.pixels.iter().all(|&pixel| pixel == [0.0; 4]));
-    // Nothing but what clears the picture.
+    let (image, report) = draw(&mut renderer, &away, &camera(0.0));
+    assert!(image.pixels.iter().all(|&pixel| pixel == [0.0; 4]));
+    // Nothing but what clears the image.
     let clears = renderer.raster().dispatches();
     assert_eq!(
         (
@@ -208,13 +208,13 @@ fn with_no_avatar_in_view_the_picture_is_empty_and_then_nothing_is_submitted() {
         "another view of nothing"
     );
     let (none, report) = draw(&mut renderer, &[], &camera(0.0));
-    assert!(none == picture && report.counters.submitted == 0);
+    assert!(none == image && report.counters.submitted == 0);
     assert!(draw(&mut renderer, &here, &camera(0.0)).1.counters.drawn > 0);
 }
 
 /// Avatars move, stand still, leave, change while they are away and come back: every frame is that
 /// of a renderer that knows no other.
-fn what_is_kept_from_frame_to_frame_is_kept_for_each_avatar() {
+fn each_avatar_has_its_own_state_from_frame_to_frame() {
     let device = gpu::gpu();
     let avatar = common::avatar(3, Sizes::default());
     let far = DVec3::new(0.0, 0.0, 50.0);
@@ -230,16 +230,16 @@ fn what_is_kept_from_frame_to_frame_is_kept_for_each_avatar() {
         &[(4, right), (3, left)],
     ];
     let posed = [2, 1, 0, 0, 1, 0, 0, 0];
-    // What is kept of the pose is rounded.
+    // The pose cache is rounded.
     let skip = Skip::all() - Skip::DEPTH - Skip::SKINNING;
-    let mut kept = renderer(&device, &avatar, 2, skip);
+    let mut renderer_of_all = renderer(&device, &avatar, 2, skip);
     for (number, frame) in frames.iter().enumerate() {
         let poses = poses(&avatar, frame);
         // The camera moves a little, so that every frame is drawn.
         let camera = camera(0.4 + 0.01 * number as f64);
-        let (picture, report) = draw(&mut kept, &poses, &camera);
+        let (image, report) = draw(&mut renderer_of_all, &poses, &camera);
         let (alone, fresh) = draw(&mut renderer(&device, &avatar, 2, skip), &poses, &camera);
-        assert!(picture == alone, "frame {number} differs");
+        assert!(image == alone, "frame {number} differs");
         let in_view = fresh.counters.avatars - fresh.counters.avatars_culled;
         let saved = fresh.counters.dispatches - report.counters.dispatches;
         assert_eq!(
@@ -249,7 +249,7 @@ fn what_is_kept_from_frame_to_frame_is_kept_for_each_avatar() {
         );
     }
     let third = poses(&avatar, &[(1, left), (2, right), (3, far)]);
-    let error = kept
+    let error = renderer_of_all
         .draw_scene(&third.iter().collect::<Vec<_>>(), &camera(0.4), None)
         .unwrap_err()
         .to_string();
@@ -267,30 +267,29 @@ fn what_is_kept_from_frame_to_frame_is_kept_for_each_avatar() {
     );
 }
 
-/// One moves, the other does not: what no camera changes of that one is kept, whatever the first
-/// does.
-fn what_no_camera_changes_is_kept_for_each_avatar() {
+/// One moves, the other does not: that one comes from the pose cache, whatever the first does.
+fn each_avatar_has_its_own_pose_cache() {
     let device = gpu::gpu();
     let avatar = common::avatar(3, Sizes::default());
     let each = avatar.gaussians.len() as u64;
     let mut renderer = renderer(&device, &avatar, 2, Skip::all() - Skip::DEPTH);
     let (left, right) = (DVec3::new(-0.3, 0.0, 0.0), DVec3::new(0.3, 0.0, 0.2));
-    let mut kept = vec![];
+    let mut cached = vec![];
     for (number, seed) in [7, 8, 8, 8, 9].into_iter().enumerate() {
         let poses = poses(&avatar, &[(seed, left), (1, right)]);
         // The last two frames have one camera.
         let camera = camera(0.3 + 0.1 * number.min(3) as f64);
-        let (picture, report) = draw(&mut renderer, &poses, &camera);
+        let (image, report) = draw(&mut renderer, &poses, &camera);
         let reference =
             reference::render_scene(&avatar, &poses.iter().collect::<Vec<_>>(), &camera);
-        let error = error::between(&picture, &reference).covered;
+        let error = error::between(&image, &reference).covered;
         assert!(error.psnr_db >= 47.0, "frame {number}: {error:?}");
-        kept.push(report.counters.cached / each);
+        cached.push(report.counters.cached / each);
     }
-    assert_eq!(kept, [0, 0, 1, 2, 1], "avatars drawn from what was kept");
+    assert_eq!(cached, [0, 0, 1, 2, 1], "avatars drawn from the pose cache");
 }
 
-/// What is taken to be outside the view is: nothing of it is in the reference's picture.
+/// What is taken to be outside the view is: nothing of it is in the reference's image.
 fn nothing_of_an_avatar_outside_the_view_would_be_drawn() {
     let random = &mut Random(11);
     let mut seen = [0, 0];
@@ -316,7 +315,7 @@ fn nothing_of_an_avatar_outside_the_view_would_be_drawn() {
             let drawn = splats.iter().filter(|splat| splat.is_ok()).count();
             assert!(
                 in_view || drawn == 0,
-                "seed {seed}: {drawn} Gaussians of an avatar outside the view are in the picture"
+                "seed {seed}: {drawn} Gaussians of an avatar outside the view are in the image"
             );
             seen[usize::from(drawn > 0)] += usize::from(in_view == (drawn > 0));
         }
@@ -331,8 +330,8 @@ tests! {
     avatars_are_sorted_together_as_the_reference_sorts_them: smoke,
     each_avatar_has_the_colours_that_the_camera_sees_on_it,
     an_avatar_outside_the_view_costs_nothing_and_changes_no_bit,
-    with_no_avatar_in_view_the_picture_is_empty_and_then_nothing_is_submitted,
-    what_is_kept_from_frame_to_frame_is_kept_for_each_avatar,
-    what_no_camera_changes_is_kept_for_each_avatar,
+    without_an_avatar_in_view_the_image_is_cleared_once,
+    each_avatar_has_its_own_state_from_frame_to_frame,
+    each_avatar_has_its_own_pose_cache,
     nothing_of_an_avatar_outside_the_view_would_be_drawn: no_device,
 }

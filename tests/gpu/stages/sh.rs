@@ -117,7 +117,7 @@ fn avatars_that_move_inside_may_have_harmonics_too() {
     let camera = gpu::camera(&avatar, &posed, [300, 200]);
     let frame = gpu::draw(&device, avatar, posed, camera, gpu::options([300, 200]));
     check("a body in motion", &frame);
-    let error = error::between(&frame.picture, &frame.reference.canvas.to_image());
+    let error = error::between(&frame.image, &frame.reference.canvas.to_image());
     assert!(error.covered.psnr_db >= 50.0, "{error:?}");
 }
 
@@ -128,7 +128,7 @@ fn static_avatars_look_as_the_reference_draws_them() {
         let posed = Posed::new(&avatar, &Pose::rest(1, 0));
         let camera = gpu::camera(&avatar, &posed, [256, 256]);
         let frame = gpu::draw(&device, avatar, posed, camera, gpu::options([256, 256]));
-        let error = error::between(&frame.picture, &frame.reference.canvas.to_image());
+        let error = error::between(&frame.image, &frame.reference.canvas.to_image());
         assert!(
             error.covered.psnr_db >= 50.0 && error.covered.pixels > 1000,
             "degree {degree}: {error:?}"

@@ -1,4 +1,4 @@
-//! What a frame leaves out: every switch on and off, the pictures compared.
+//! What a frame leaves out: every switch on and off, the images compared.
 
 use crate::common::{self, Sizes, gpu, harness::not_run};
 use effigy::vulkan::{
@@ -33,8 +33,8 @@ fn frames(
     let mut renderer = Renderer::new(device, avatar, options).unwrap();
     let draw = |posed| {
         renderer.draw(posed, &camera(size, 0.4), None).unwrap();
-        let picture = renderer.read_image().unwrap();
-        (picture, renderer.report().counters)
+        let image = renderer.read_image().unwrap();
+        (image, renderer.report().counters)
     };
     poses.iter().map(draw).collect()
 }
@@ -65,7 +65,7 @@ fn exact_skips_change_no_bit() {
         for (number, (with, without)) in some.iter().zip(&all).enumerate() {
             assert!(
                 with.0 == without.0,
-                "picture {number} changes when {skip} is left out"
+                "image {number} changes when {skip} is left out"
             );
         }
         if skip == Skip::EXPRESSION {
@@ -78,17 +78,14 @@ fn exact_skips_change_no_bit() {
             );
         }
     }
-    // Where in a hull a fragment is comes out a little different for another hull.
+    // A fragment's place in a quad is rounded a little differently in a quad of another size.
     for (number, (with, without)) in frames(&device, &avatar, &poses, Skip::FAINT)
         .iter()
         .zip(&all)
         .enumerate()
     {
         let difference = error::between(&with.0, &without.0).covered;
-        assert!(
-            difference.psnr_db > 50.0,
-            "picture {number}: {difference:?}"
-        );
+        assert!(difference.psnr_db > 50.0, "image {number}: {difference:?}");
     }
 }
 
@@ -113,7 +110,7 @@ fn a_frame_that_needs_nothing_is_not_submitted() {
     assert_eq!(submitted(0.1).0, 1);
 }
 
-/// Gaussians behind the solid body are left out before the sort, within the picture's budget.
+/// Gaussians behind the solid body are left out before the sort, within the image's budget.
 fn hidden_gaussians_are_left_out_within_the_budget() {
     let device = gpu::drawing();
     let avatar = effigy_demo::avatar().unwrap();
@@ -134,14 +131,14 @@ fn hidden_gaussians_are_left_out_within_the_budget() {
             )
             .unwrap();
             renderer.draw(&posed, &camera, None).unwrap();
-            let picture = renderer.read_image().unwrap();
-            (picture, renderer.report().counters.drawn)
+            let image = renderer.read_image().unwrap();
+            (image, renderer.report().counters.drawn)
         };
-        let ((exact, all), (picture, drawn)) = (draw(Skip::empty()), draw(Skip::HIDDEN));
+        let ((exact, all), (image, drawn)) = (draw(Skip::empty()), draw(Skip::HIDDEN));
         // The demo's shell is hardly thicker than an opaque one: where it is pulled apart by a tenth,
         // the occluder hides nothing.
         assert!(drawn * 33 < all * 32, "{drawn} of {all} drawn");
-        let difference = error::between(&picture, &exact);
+        let difference = error::between(&image, &exact);
         assert!(
             difference.covered.psnr_db > 50.0,
             "{:?} at {seconds} s",
@@ -150,7 +147,7 @@ fn hidden_gaussians_are_left_out_within_the_budget() {
     }
 }
 
-/// Pictures with quads and the fragments shaded, where the device counts them: with everything
+/// Images with quads and the fragments shaded, where the device counts them: with everything
 /// drawn, and with fragments behind the solid body left to the depth test.
 fn with_and_without_depth(device: &Arc<Gpu>) -> [(FrameImage, Option<u64>); 2] {
     let avatar = effigy_demo::avatar().unwrap();
@@ -177,10 +174,10 @@ fn with_and_without_depth(device: &Arc<Gpu>) -> [(FrameImage, Option<u64>); 2] {
 /// With quads, leaving fragments behind the solid body to the depth test stays within the budget of
 /// the presets that have it switched on.
 fn hidden_fragments_are_left_out_within_the_budget() {
-    let [(exact, _), (picture, _)] = with_and_without_depth(&gpu::drawing());
-    let difference = error::between(&picture, &exact);
+    let [(exact, _), (image, _)] = with_and_without_depth(&gpu::drawing());
+    let difference = error::between(&image, &exact);
     assert!(
-        difference.covered.psnr_db > 44.0 && picture != exact,
+        difference.covered.psnr_db > 44.0 && image != exact,
         "{:?}",
         difference.covered
     );
@@ -200,7 +197,7 @@ fn fewer_fragments_are_shaded_where_some_are_hidden() {
     assert!(shaded * 20 < all * 19, "{shaded} of {all} shaded");
 }
 
-/// What lies behind full pixels is left out where tiles are drawn, within the picture's budget.
+/// What lies behind full pixels is left out where tiles are drawn, within the image's budget.
 fn full_pixels_take_no_more_within_the_budget() {
     let device = gpu::gpu();
     let avatar = effigy_demo::avatar().unwrap();
@@ -220,12 +217,12 @@ fn full_pixels_take_no_more_within_the_budget() {
         };
         let mut renderer = Renderer::new(&device, &avatar, options).unwrap();
         renderer.draw(&posed, &camera, None).unwrap();
-        let picture = renderer.read_image().unwrap();
-        (picture, renderer.report().counters.fragments.unwrap())
+        let image = renderer.read_image().unwrap();
+        (image, renderer.report().counters.fragments.unwrap())
     };
-    let ((exact, all), (picture, shaded)) = (draw(Skip::empty()), draw(Skip::SATURATED));
+    let ((exact, all), (image, shaded)) = (draw(Skip::empty()), draw(Skip::SATURATED));
     assert!(shaded * 10 < all * 9, "{shaded} of {all} shaded");
-    let difference = error::between(&picture, &exact);
+    let difference = error::between(&image, &exact);
     assert!(
         difference.covered.psnr_db > 56.0 && difference.whole.max_error < 2.0 / 255.0,
         "{:?}",
@@ -248,8 +245,8 @@ fn turn(
     let mut renderer = Renderer::new(device, &avatar, options).unwrap();
     let draw = |(posed, camera)| {
         renderer.draw(posed, camera, None).unwrap();
-        let picture = renderer.read_image().unwrap();
-        (picture, renderer.report().counters)
+        let image = renderer.read_image().unwrap();
+        (image, renderer.report().counters)
     };
     poses.iter().cycle().zip(cameras).map(draw).collect()
 }
@@ -263,41 +260,41 @@ fn demo_poses(seconds: &[f64]) -> Vec<Posed> {
         .collect()
 }
 
-/// What no camera changes is kept: the picture it gives is the same but for rounding, and a new
-/// pose makes it anew.
-fn a_still_body_is_kept_and_does_not_jump() {
+/// Images drawn from the pose cache are the same but for its rounding, and a new pose fills it
+/// anew.
+fn a_still_body_comes_from_the_pose_cache_and_does_not_jump() {
     let device = gpu::gpu();
     let size = [480, 760];
     let orbit = |yaw| Camera::orbit(DVec3::new(0.0, 0.9, 0.0), yaw, 0.1, 2.6, 0.7, size);
     let cameras = [0.0, 0.4, 0.4001, 2.5, 0.4, 2.5].map(orbit);
     let poses = demo_poses(&[0.5, 0.5, 0.5, 0.5, 0.5, 2.0]);
     let computed = turn(&device, &poses, &cameras, Skip::empty());
-    let kept = turn(&device, &poses, &cameras, Skip::SKINNING | Skip::POSE);
-    let counts: Vec<bool> = kept
+    let cached = turn(&device, &poses, &cameras, Skip::SKINNING | Skip::POSE);
+    let counts: Vec<bool> = cached
         .iter()
         .map(|(_, counters)| counters.cached == counters.gaussians)
         .collect();
     assert_eq!(counts, [false, false, true, true, true, false]);
     assert!(computed.iter().all(|(_, counters)| counters.cached == 0));
-    for (number, (a, b)) in kept.iter().zip(&computed).enumerate() {
+    for (number, (a, b)) in cached.iter().zip(&computed).enumerate() {
         if counts[number] {
             let difference = error::between(&a.0, &b.0);
-            println!("picture {number}: {:?}", difference.covered);
+            println!("image {number}: {:?}", difference.covered);
             assert!(
                 difference.covered.psnr_db > 55.0,
-                "picture {number}: {:?}",
+                "image {number}: {:?}",
                 difference.covered
             );
         } else {
-            assert!(
-                a.0 == b.0,
-                "picture {number} draws what it has just computed"
-            );
+            assert!(a.0 == b.0, "image {number} draws what it has just computed");
         }
     }
-    // The same frame both ways: what it was computed from, and what was kept of that.
-    let jump = error::between(&kept[4].0, &kept[1].0).covered;
-    assert!(jump.psnr_db > 55.0 && kept[4].0 != kept[1].0, "{jump:?}");
+    // The same frame both ways: as computed, and from the pose cache.
+    let jump = error::between(&cached[4].0, &cached[1].0).covered;
+    assert!(
+        jump.psnr_db > 55.0 && cached[4].0 != cached[1].0,
+        "{jump:?}"
+    );
 }
 
 /// Parts outside the view are left out without changing a bit, and their networks run when they
@@ -328,7 +325,7 @@ fn parts_outside_the_view_wait_for_it() {
         for (number, (a, b)) in some.iter().zip(&all).enumerate() {
             assert!(
                 a.0 == b.0,
-                "picture {number} with {skip}: {:?} {:?} {:?}",
+                "image {number} with {skip}: {:?} {:?} {:?}",
                 error::between(&a.0, &b.0).covered,
                 a.1,
                 b.1
@@ -358,8 +355,8 @@ fn parts_outside_the_view_wait_for_it() {
     }
 }
 
-/// Where nothing is and nothing was, the picture is not damage, and is the same: while the avatar
-/// crosses it, comes near, leaves it, and when the picture's drawn part changes.
+/// Where nothing is and nothing was, the image is not damage, and is the same: while the avatar
+/// crosses it, comes near, leaves it, and when the image's drawn part changes.
 fn only_a_box_around_the_avatar_is_drawn(method: RasterMethod) {
     let device = gpu::gpu();
     gpu::require_method(&device.probe.name, method);
@@ -384,7 +381,7 @@ fn only_a_box_around_the_avatar_is_drawn(method: RasterMethod) {
             ..RendererOptions::new(whole)
         };
         let mut renderer = Renderer::new(&device, &avatar, options).unwrap();
-        let mut pictures = Vec::new();
+        let mut images = Vec::new();
         for size in [whole, part, whole] {
             renderer.adjust(size, options.cutoff, Detail::FULL).unwrap();
             for (left, far) in views {
@@ -398,22 +395,22 @@ fn only_a_box_around_the_avatar_is_drawn(method: RasterMethod) {
                     size,
                 );
                 renderer.draw(&posed, &camera, None).unwrap();
-                pictures.push((
+                images.push((
                     renderer.read_image().unwrap(),
                     renderer.report().counters.damaged,
                 ));
             }
         }
-        pictures
+        images
     };
     let (all, some) = (draw(Skip::empty()), draw(Skip::DAMAGE));
-    for (k, ((exact, every), (picture, area))) in all.iter().zip(&some).enumerate() {
+    for (k, ((exact, every), (image, area))) in all.iter().zip(&some).enumerate() {
         let pixels = exact.pixels.len() as u64;
-        assert!(picture == exact, "{method:?}, picture {k}");
+        assert!(image == exact, "{method:?}, image {k}");
         let covered = exact.pixels.iter().filter(|pixel| pixel[3] > 0.0).count() as u64;
         assert!(
             *every == pixels && *area >= covered,
-            "{method:?}, picture {k}: {area} of {every}, {covered} covered"
+            "{method:?}, image {k}: {area} of {every}, {covered} covered"
         );
     }
     // All at first; then what it leaves and where it comes to.
@@ -432,7 +429,7 @@ tests! {
     hidden_fragments_are_left_out_within_the_budget,
     fewer_fragments_are_shaded_where_some_are_hidden,
     full_pixels_take_no_more_within_the_budget,
-    a_still_body_is_kept_and_does_not_jump,
+    a_still_body_comes_from_the_pose_cache_and_does_not_jump,
     parts_outside_the_view_wait_for_it,
     only_a_box_around_the_avatar_is_drawn[Quads],
     only_a_box_around_the_avatar_is_drawn[Tiles],

@@ -66,7 +66,7 @@ fn test_avatars_have_their_three_nearest_nodes() {
     }
 }
 
-/// The least, the usual, and what is at a limit.
+/// The smallest avatar, usual ones, and some at a limit.
 fn sizes() -> [Sizes; 5] {
     [
         TINY,

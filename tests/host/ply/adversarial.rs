@@ -35,16 +35,15 @@ fn numbers_beyond_what_is_stored_stay_finite() {
             .flatten()
             .all(|v| v.is_finite())
     );
-    let pictures = Table::new(2, 1, 0)
+    let images = Table::new(2, 1, 0)
         .set(0, "x", 5.0)
         .read(Encoding::Ascii)
         .unwrap();
     assert!(
-        pictures.position(0).distance(DVec3::new(
-            5.0,
-            pictures.position(0).y,
-            pictures.position(0).z
-        )) < 1e-6,
+        images
+            .position(0)
+            .distance(DVec3::new(5.0, images.position(0).y, images.position(0).z))
+            < 1e-6,
         "a box without width"
     );
 }

@@ -24,7 +24,7 @@ fn cameras_see_what_3dgs_sees() {
         )
     );
     assert!(camera.eye().distance(DVec3::new(0.0, 0.0, -2.0)) < 1e-12);
-    // The camera's x axis is the world's y; its y axis, down in the picture, the world's −x.
+    // The camera's x axis is the world's y; its y axis, down in the image, the world's −x.
     let at = camera.project(camera.view.transform_point3(DVec3::new(0.1, 0.2, 0.0)));
     assert!(
         at.distance(DVec2::new(320.0 + 400.0 * 0.1, 240.0 - 500.0 * 0.05)) < 1e-9,

@@ -167,7 +167,7 @@ fn the_viewer_rests_on_a_static_avatar() {
     assert!(scene.advance(3.0, [300, 200]) == first);
 }
 
-/// Pictures of an avatar in motion and of its file agree: the reference draws both.
+/// Images of an avatar in motion and of its file agree: the reference draws both.
 fn an_exported_pose_looks_like_the_avatar() {
     let avatar = common::avatar(
         4,

@@ -38,7 +38,7 @@ fn the_avatar_moves_and_nothing_is_drawn_while_it_is_paused() {
     assert!(session.read_image() != before, "the avatar does not move");
     session.key(' ');
     session.wait_for_rest();
-    let (frames, picture) = (session.frames(), session.read_image());
+    let (frames, image) = (session.frames(), session.read_image());
     session.move_mouse([100, 100]);
     session.sleep(1.0);
     assert_eq!(
@@ -50,27 +50,27 @@ fn the_avatar_moves_and_nothing_is_drawn_while_it_is_paused() {
     session.wait_for_rest();
     assert!(session.frames() > frames, "a new clip was not drawn");
     assert!(
-        session.read_image() != picture,
+        session.read_image() != image,
         "the new clip looks like the one before"
     );
     session.quit();
 }
 
-fn the_picture_follows_every_resize() {
+fn the_image_follows_every_resize() {
     let mut session = still(&["--size", "400x300"]);
     for size in [[640, 480], [200, 500], [1, 1], [700, 100], [333, 217]] {
         session.resize(size);
         session.wait_for_size(size);
         session.wait_for_rest();
-        let picture = session.read_image();
-        assert_eq!([picture.width(), picture.height()], size);
+        let image = session.read_image();
+        assert_eq!([image.width(), image.height()], size);
         if size != [1, 1] {
             let columns = |from: u32| {
-                image::imageops::crop_imm(&picture, from, 0, size[0] / 8, size[1]).to_image()
+                image::imageops::crop_imm(&image, from, 0, size[0] / 8, size[1]).to_image()
             };
             let edges = covered(&columns(0), BACKGROUND)
                 + covered(&columns(size[0] - size[0] / 8), BACKGROUND);
-            let (all, share) = (covered(&picture, BACKGROUND), size[0] * size[1] / 100);
+            let (all, share) = (covered(&image, BACKGROUND), size[0] * size[1] / 100);
             assert!(
                 all > share && edges < all / 10,
                 "{size:?}: {all} pixels show the avatar, {edges} of them near the edges"
@@ -314,14 +314,14 @@ fn without_a_display_the_viewer_says_what_to_do() {
     assert!(!success && text.contains("effigy render"), "{text}");
 }
 
-fn without_a_display_and_arguments_pictures_are_rendered() {
+fn without_a_display_and_arguments_images_are_rendered() {
     let (success, text) = session::without_display(&[]);
     assert!(success && text.contains("effigy-turntable"), "{text}");
 }
 
 tests! {
     the_avatar_moves_and_nothing_is_drawn_while_it_is_paused,
-    the_picture_follows_every_resize,
+    the_image_follows_every_resize,
     a_window_that_was_hidden_shows_the_avatar_again,
     a_drag_turns_the_avatar_the_wheel_zooms_and_a_key_resets,
     a_screenshot_is_the_window_without_the_panel,
@@ -334,5 +334,5 @@ tests! {
     a_soak_whose_window_is_closed_keeps_its_results,
     a_capture_without_renderdoc_says_how_to_attach_it,
     without_a_display_the_viewer_says_what_to_do: no_device,
-    without_a_display_and_arguments_pictures_are_rendered,
+    without_a_display_and_arguments_images_are_rendered,
 }

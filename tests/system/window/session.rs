@@ -415,8 +415,8 @@ pub fn without_display(arguments: &[&str]) -> (bool, String) {
 }
 
 /// Pixels that are not of the background's colour.
-pub fn covered(picture: &RgbImage, background: [u8; 3]) -> u32 {
-    picture
+pub fn covered(image: &RgbImage, background: [u8; 3]) -> u32 {
+    image
         .pixels()
         .filter(|pixel| {
             pixel

@@ -8,7 +8,7 @@ fn stalled_workgroups_are_counted_by_those_that_wait_for_them() {
     let tiles = 9;
     let count = tiles * SORT_ONESWEEP_TILE as usize - 100;
     for (bits, stall) in [(KeyBits::Sixteen, 1), (KeyBits::ThirtyTwo, 3)] {
-        let bench = trial(
+        let sorter = standalone_sort(
             &device,
             count,
             SortOptions {
@@ -18,11 +18,11 @@ fn stalled_workgroups_are_counted_by_those_that_wait_for_them() {
         );
         for (number, keys) in patterns(count, bits).iter().enumerate().skip(2).take(2) {
             check(
-                &bench,
+                &sorter,
                 keys,
                 &format!("every {stall}. tile stalled, {bits:?}, pattern {number}"),
             );
-            let fallbacks = bench.sort().fallbacks().unwrap().unwrap();
+            let fallbacks = sorter.sort().fallbacks().unwrap().unwrap();
             // Each tile that stalls makes the next one count it, in every pass but the first; with
             // all stalled, each counts all before.
             let waited_for = if stall == 1 {
@@ -30,10 +30,10 @@ fn stalled_workgroups_are_counted_by_those_that_wait_for_them() {
             } else {
                 (tiles - 1) / stall as usize
             };
-            let least = waited_for as u32 * (bits.passes() - 1);
+            let min_fallbacks = waited_for as u32 * (bits.passes() - 1);
             assert!(
-                fallbacks >= least,
-                "{fallbacks} fallbacks with every {stall}. tile stalled, expected {least} at least"
+                fallbacks >= min_fallbacks,
+                "{fallbacks} fallbacks with every {stall}. tile stalled, expected at least {min_fallbacks}"
             );
         }
     }
@@ -53,7 +53,7 @@ fn subgroups_of_every_size_give_the_same_order() {
         .filter(|size| (low..=high).contains(size))
     {
         for bits in [KeyBits::Sixteen, KeyBits::ThirtyTwo] {
-            let bench = trial(
+            let sorter = standalone_sort(
                 &device,
                 count,
                 SortOptions {
@@ -62,7 +62,7 @@ fn subgroups_of_every_size_give_the_same_order() {
                 },
             );
             for keys in patterns(count, bits) {
-                check(&bench, &keys, &format!("subgroups of {size}, {bits:?}"));
+                check(&sorter, &keys, &format!("subgroups of {size}, {bits:?}"));
             }
         }
     }

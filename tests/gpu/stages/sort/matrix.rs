@@ -20,7 +20,7 @@ fn every_count_comes_in_the_stable_order(variant: SortVariant) {
         5 * tile + 77,
     ];
     for bits in BITS {
-        let bench = trial(&device, 5 * tile + 77, SortOptions::new(bits, variant));
+        let sorter = standalone_sort(&device, 5 * tile + 77, SortOptions::new(bits, variant));
         for count in (0..=8)
             .chain([31, 32, 33, 127, 128, 129, 1000])
             .chain(borders)
@@ -30,7 +30,7 @@ fn every_count_comes_in_the_stable_order(variant: SortVariant) {
                 if (bits == KeyBits::Sixteen && borders.contains(&count)) || number % 4 == count % 4
                 {
                     check(
-                        &bench,
+                        &sorter,
                         keys,
                         &format!("{}, {bits:?}, pattern {number}", variant.name()),
                     );
@@ -43,18 +43,18 @@ fn every_count_comes_in_the_stable_order(variant: SortVariant) {
 fn large_sorts_are_right_and_the_same_twice(variant: SortVariant) {
     let device = sorting(variant);
     for (count, bits) in [(200_000, KeyBits::Sixteen), (1_100_001, KeyBits::ThirtyTwo)] {
-        let bench = trial(&device, count, SortOptions::new(bits, variant));
+        let sorter = standalone_sort(&device, count, SortOptions::new(bits, variant));
         let mut keys = random_keys(7, count);
         keys.iter_mut()
             .step_by(5)
             .for_each(|key| *key = SORT_CULLED);
         let name = format!("{}, {bits:?}", variant.name());
-        check(&bench, &keys, &name);
-        let first = bench.sort().download(count as u32).unwrap();
-        bench.run().unwrap();
-        assert_same(&bench, &keys, &name);
+        check(&sorter, &keys, &name);
+        let first = sorter.sort().download(count as u32).unwrap();
+        sorter.run().unwrap();
+        assert_same(&sorter, &keys, &name);
         assert!(
-            first == bench.sort().download(count as u32).unwrap(),
+            first == sorter.sort().download(count as u32).unwrap(),
             "{name}: the second run differs from the first"
         );
     }
@@ -63,36 +63,36 @@ fn large_sorts_are_right_and_the_same_twice(variant: SortVariant) {
 fn the_count_is_read_on_the_device_and_never_above_the_capacity(variant: SortVariant) {
     let device = sorting(variant);
     let capacity = 3 * variant.tile() as usize;
-    let bench = trial(
+    let sorter = standalone_sort(
         &device,
         capacity,
         SortOptions::new(KeyBits::Sixteen, variant),
     );
     let keys = random_keys(3, capacity);
-    for (told, key_count) in [
+    for (device_count, sorted) in [
         (0, 0),
         (1, 1),
         (capacity / 2 + 3, capacity / 2 + 3),
         (capacity, capacity),
         (capacity + 5, capacity),
     ] {
-        bench.load(&keys).unwrap();
+        sorter.load(&keys).unwrap();
         let control = Control {
             key_count: u32::MAX,
             ..Control::default()
         };
-        bench
+        sorter
             .control()
             .upload(bytemuck::bytes_of(&control))
             .unwrap();
-        let told = Control {
-            key_count: told as u32,
+        let on_device = Control {
+            key_count: device_count as u32,
             ..control
         };
         let source = Buffer::with_data(
             &device,
             "count",
-            bytemuck::bytes_of(&told),
+            bytemuck::bytes_of(&on_device),
             vk::BufferUsageFlags::TRANSFER_SRC,
         )
         .unwrap();
@@ -106,28 +106,28 @@ fn the_count_is_read_on_the_device_and_never_above_the_capacity(variant: SortVar
             device.raw.cmd_copy_buffer(
                 commands.raw(),
                 source.raw(),
-                bench.control().raw(),
+                sorter.control().raw(),
                 &[region],
             )
         };
-        bench.run_after(copy).unwrap();
+        sorter.run_after(copy).unwrap();
         assert_same(
-            &bench,
-            &keys[..key_count],
-            &format!("{}, {told:?}", variant.name()),
+            &sorter,
+            &keys[..sorted],
+            &format!("{}, {device_count:?}", variant.name()),
         );
     }
 }
 
-fn sorts_without_room_and_with_room_for_one_work(variant: SortVariant) {
+fn sorts_with_a_capacity_of_zero_and_one_work(variant: SortVariant) {
     let device = running(variant);
     check(
-        &trial(&device, 0, SortOptions::new(KeyBits::Sixteen, variant)),
+        &standalone_sort(&device, 0, SortOptions::new(KeyBits::Sixteen, variant)),
         &[],
         variant.name(),
     );
     check(
-        &trial(&device, 1, SortOptions::new(KeyBits::Sixteen, variant)),
+        &standalone_sort(&device, 1, SortOptions::new(KeyBits::Sixteen, variant)),
         &[7],
         variant.name(),
     );
@@ -143,7 +143,7 @@ tests! {
     the_count_is_read_on_the_device_and_never_above_the_capacity[OneSweep],
     the_count_is_read_on_the_device_and_never_above_the_capacity[ReduceThenScan],
     the_count_is_read_on_the_device_and_never_above_the_capacity[PerThread],
-    sorts_without_room_and_with_room_for_one_work[OneSweep],
-    sorts_without_room_and_with_room_for_one_work[ReduceThenScan],
-    sorts_without_room_and_with_room_for_one_work[PerThread],
+    sorts_with_a_capacity_of_zero_and_one_work[OneSweep],
+    sorts_with_a_capacity_of_zero_and_one_work[ReduceThenScan],
+    sorts_with_a_capacity_of_zero_and_one_work[PerThread],
 }

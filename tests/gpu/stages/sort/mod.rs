@@ -62,19 +62,19 @@ fn looks_back(gpu: &Gpu) -> bool {
 }
 
 /// Sorts, and fails where the order is not what it should be.
-fn check(trial: &StandaloneSort, keys: &[u32], name: &str) {
-    trial.load(keys).unwrap();
-    trial.run().unwrap();
-    assert_same(trial, keys, name);
+fn check(sorter: &StandaloneSort, keys: &[u32], name: &str) {
+    sorter.load(keys).unwrap();
+    sorter.run().unwrap();
+    assert_same(sorter, keys, name);
 }
 
-fn assert_same(trial: &StandaloneSort, keys: &[u32], name: &str) {
-    if let Some(difference) = trial.difference(keys).unwrap() {
+fn assert_same(sorter: &StandaloneSort, keys: &[u32], name: &str) {
+    if let Some(difference) = sorter.difference(keys).unwrap() {
         panic!("{name}: {difference}");
     }
 }
 
-fn trial(gpu: &Arc<Gpu>, capacity: usize, options: SortOptions) -> StandaloneSort {
+fn standalone_sort(gpu: &Arc<Gpu>, capacity: usize, options: SortOptions) -> StandaloneSort {
     StandaloneSort::new(gpu, capacity as u32, options).unwrap()
 }
 
