@@ -1,10 +1,11 @@
-//! What single drivers do wrong or best, by their names: what Effigy draws with on them.
+//! Faults and fast paths of drivers that no query tells, by the names of drivers and devices.
 
 use effigy_core::frame::RasterMethod;
 
-/// What is faster on a kind of device, as far as it was measured (docs/experiments/023): CPUs gain
-/// from every fragment that is skipped. `device`: its name, see [`draws_triangles`]. `driver`: its
-/// name and build, as the device reports them. Some run the tiles' kernels wrongly.
+/// Returns the faster method for a device (docs/experiments/023): tiles on CPU drivers, which gain
+/// from every fragment that is skipped, except on those that run the kernels of tiles wrongly;
+/// quads on GPUs. `device`: its name, see [`draws_triangles`]. `driver`: its name and build, as the
+/// device reports them.
 pub fn recommended_method(is_cpu: bool, device: &str, driver: &str) -> RasterMethod {
     if (is_cpu && !leaves_loops(driver)) || !draws_triangles(device) {
         RasterMethod::Tiles
@@ -19,7 +20,7 @@ pub fn draws_triangles(device: &str) -> bool {
     !(device.starts_with("llvmpipe") && device.contains(" 512 bits"))
 }
 
-/// What is wrong with a device where [`draws_triangles`] is false.
+/// The fault of a device where [`draws_triangles`] is false.
 pub const NO_TRIANGLES: &str =
     "its driver crashes when it draws triangles with vectors of 512 bits";
 

@@ -70,7 +70,7 @@ pub enum Loss {
 /// A loss to simulate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Rehearsal {
-    /// What is lost.
+    /// The kind of loss.
     pub loss: Loss,
     /// The number of the frame before which a surface or device is lost. For [`Loss::Memory`], how
     /// many devices are opened before the one that has too little memory.

@@ -66,7 +66,7 @@ fn for_cause(cause: &(dyn Error + 'static)) -> Option<&'static str> {
 
 const OTHER_DEVICE: &str =
     "`effigy devices` lists every device and what it can do; choose one with --device";
-/// What to do where a driver can't draw triangles.
+/// Advice where a driver can't draw triangles.
 pub const NO_TRIANGLES: &str =
     "set LP_NATIVE_VECTOR_WIDTH=256, or use `--raster tiles` and no window";
 const SMALLER_AVATAR: &str =

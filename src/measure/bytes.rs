@@ -155,7 +155,7 @@ const OCCLUDER_INDEX: Amount = Amount::exact(2);
 const DEPTH_TEXEL: Amount = Amount::exact(2);
 /// A texel of the depth pyramid.
 const PYRAMID_TEXEL: Amount = Amount::exact(2);
-/// What a Gaussian's colour from spherical harmonics depends on and makes: position and joints in,
+/// Bytes and operations of a Gaussian's colour from spherical harmonics: position and joints in,
 /// the colour out. Where the colour goes is up to the layout.
 const VIEW_COLOR: Amount = Amount {
     stored: 2 * PAIR + PAIR,
@@ -258,7 +258,7 @@ pub struct OccluderSize {
     pub triangles: u64,
 }
 
-/// What the work depends on besides the avatar.
+/// Counts that the work depends on besides the avatar.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct WorkCounts {
     /// Gaussians that were projected.

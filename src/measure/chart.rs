@@ -16,7 +16,7 @@ pub const INK: RGBColor = RGBColor(40, 44, 52);
 /// Colour of grids and borders.
 pub const FAINT: RGBColor = RGBColor(226, 229, 233);
 
-/// What a chart is drawn on.
+/// The area that a chart is drawn on.
 pub type Area<B> = DrawingArea<B, Shift>;
 /// Two axes of f64.
 pub type Plane = Cartesian2d<RangedCoordf64, RangedCoordf64>;
@@ -136,7 +136,7 @@ impl Title<'_> {
 /// How the axes of a chart are labelled.
 #[derive(Clone, Copy, Default)]
 pub struct Axes<'a> {
-    /// What is on each axis, with its unit. None leaves an axis without a description.
+    /// Description of each axis, with its unit. None leaves an axis without a description.
     pub x: Option<&'a str>,
     /// See `x`.
     pub y: Option<&'a str>,

@@ -27,8 +27,9 @@ pub struct SilhouetteCoverage {
     pub holes: usize,
 }
 
-/// The coverage inside the silhouette: of all pixels that can't be reached from an empty one, or
-/// from the image's border, through pixels less than half covered, and are 3 px away from any such.
+/// Measures the coverage inside the silhouette. Pixels outside are those that a path through pixels
+/// less than half covered joins to an empty pixel or to the image's border. Pixels within
+/// `BORDER` of those are not counted.
 pub fn inside_silhouette(image: &FrameImage) -> SilhouetteCoverage {
     let mut outside = reached(image);
     for _ in 0..BORDER {

@@ -169,7 +169,7 @@ fn from_srgb(v: f64) -> f64 {
     }
 }
 
-/// What the eye perceives of an image, pixel by pixel.
+/// An image as the eye perceives it, pixel by pixel.
 struct PerceivedImage {
     /// CIELAB after the contrast sensitivity filter.
     color: Vec<DVec3>,

@@ -1,4 +1,4 @@
-//! What packing an avatar saves and costs, step by step. In: an avatar, a quality, and the views to
+//! Savings and costs of packing an avatar, step by step. In: an avatar, a quality, and the views to
 //! draw. Out: for each step the bytes of the file, of its arrays and of the device's model, and two
 //! errors against the f64 reference of the original avatar.
 //!

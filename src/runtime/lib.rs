@@ -1,4 +1,4 @@
-//! What a program that draws with Effigy needs at run time besides the renderer.
+//! Run-time services, besides the renderer, of a program that draws with Effigy.
 //!
 //! - [`governor`] trades quality for a steady frame rate.
 //! - [`thermals`] reads, replays or simulates how warm the device is.

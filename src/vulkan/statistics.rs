@@ -1,4 +1,4 @@
-//! What a driver's compiler makes of every shader, on a device opened to be asked and not to run.
+//! Statistics of a driver's compiler about every shader, on a device that is opened for them alone.
 //!
 //! Every pipeline asks the driver when it is made, so [`all`] has no list of shaders to keep, only
 //! one of what can be made.
@@ -21,8 +21,8 @@ use gpu_allocator::MemoryLocation;
 use half::f16;
 use std::sync::Arc;
 
-/// What a device's driver makes of every pipeline that a [`Renderer`], a [`Sort`] or a window can
-/// ask for. Nothing runs on the device.
+/// Statistics of a device's compiler about every pipeline that a [`Renderer`], a [`Sort`] or a
+/// window can ask for. Nothing runs on the device.
 ///
 /// # Errors
 /// Where the driver does not tell ([`Error::NoStatistics`]), or can't make a pipeline.

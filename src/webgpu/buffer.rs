@@ -7,7 +7,7 @@ use super::{
 };
 use wgpu::BufferUsages;
 
-/// What kernels read and write; all of it can be read back and cleared.
+/// Usage of buffers that kernels read and write; they can be read back and cleared.
 pub const STORAGE: BufferUsages = BufferUsages::STORAGE
     .union(BufferUsages::COPY_SRC)
     .union(BufferUsages::COPY_DST);

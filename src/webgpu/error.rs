@@ -1,4 +1,4 @@
-//! What can go wrong on a device: what was found and what was expected. The program that shows the
+//! Errors of a device: each says what was found and what was expected. The program that shows the
 //! error adds advice about its own options.
 
 /// A result with this backend's [`Error`].
@@ -21,7 +21,7 @@ pub enum Error {
     /// A buffer, or the keys of the sort, would exceed the device's limits.
     #[error("{what} takes {found} bytes; {device} allows {limit} in one binding")]
     TooLarge {
-        /// What the memory is for.
+        /// The purpose of the memory.
         what: &'static str,
         /// Bytes asked for.
         found: u64,
@@ -40,12 +40,12 @@ pub enum Error {
         /// The device's name.
         device: String,
     },
-    /// A pipeline that draws triangles was needed on a driver that would not survive drawing.
+    /// A pipeline that draws triangles was needed on a driver that crashes when it draws them.
     #[error("{device} can't serve: {missing}")]
     Unsupported {
         /// The device's name.
         device: String,
-        /// What is wrong with its driver.
+        /// The fault of its driver.
         missing: &'static str,
     },
     /// The options ask for sort keys of more than 16 bits.

@@ -27,7 +27,7 @@ pub struct Model {
     pub gaussians: Buffer,
     /// Basis rows of the correctives.
     pub rows: Buffer,
-    /// What the buffers were made for.
+    /// The sizes that the buffers were made for.
     sizes: ModelSizes,
     /// Where each of the avatar's nodes is among those of the device, which are in the order of
     /// their parts.

@@ -4,7 +4,7 @@
 
 use std::ops::Deref;
 
-/// What a device has memory for.
+/// An object that holds memory of a device.
 pub trait Destroy {
     /// Gives its memory back once submitted work is done with it. Later work must not use it.
     fn destroy(&self);

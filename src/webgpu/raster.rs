@@ -327,7 +327,7 @@ fn quads(gpu: &Gpu, blocks: &Blocks, inputs: RasterInputs, format: ColorFormat) 
 /// A pipeline that draws triangles without depth. `bound`: what `bindings` were made of.
 ///
 /// # Errors
-/// Where the driver would not survive drawing.
+/// Where the driver crashes when it draws triangles.
 pub fn draw_pipeline(
     gpu: &Gpu,
     label: &'static str,

@@ -1,4 +1,4 @@
-//! What the viewer asks of Android, through the functions here.
+//! Functions of Android that the viewer calls.
 
 pub mod crash_report;
 pub mod files;

@@ -1,4 +1,4 @@
-//! `effigy devices`: what each GPU has, what is missing and what Effigy would use.
+//! `effigy devices`: the features of each GPU, what is missing, and what Effigy would use.
 
 mod shaders;
 
@@ -106,11 +106,11 @@ fn print(number: usize, probe: &Probe) {
 struct Optional {
     name: &'static str,
     has: bool,
-    /// What that decides.
+    /// Effect of having or lacking it.
     means: String,
 }
 
-/// What Effigy would use of what is optional.
+/// The optional features, and what Effigy does with or without each.
 fn optional(probe: &Probe) -> Vec<Optional> {
     let part = |name, has, yes: &str, no: &str| Optional {
         name,
@@ -176,7 +176,7 @@ fn optional(probe: &Probe) -> Vec<Optional> {
     ]
 }
 
-/// What subgroups decide, and their sizes.
+/// Whether the device can sort with subgroups, and their sizes.
 fn subgroups(probe: &Probe) -> String {
     let sorts = if probe.subgroup_ballot {
         "OneSweep may sort"

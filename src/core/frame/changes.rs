@@ -28,7 +28,7 @@ pub struct Changes {
     pub skinning: Skinning,
 }
 
-/// What the image shows of an avatar.
+/// The state of an avatar in the last image.
 #[derive(Clone, Debug)]
 struct Shown {
     joints: Vec<DAffine3>,
@@ -67,8 +67,8 @@ impl ChangeTracker {
         self.shown.as_ref().map_or(0, |shown| shown.level)
     }
 
-    /// What the next frame needs, where `skip` allows less than everything, and remembers the frame
-    /// as the last one. `level`: of detail ([`crate::scene::detail`]).
+    /// Returns the work of the next frame, without what `skip` lets it leave out, and remembers the
+    /// frame as the last one. `level`: of detail ([`crate::scene::detail`]).
     pub fn update(&mut self, posed: &Posed, camera: &Camera, skip: Skip, level: u32) -> Changes {
         let input_changed = self.input.as_ref() != Some(&posed.input);
         let pose = input_changed || !skip.contains(Skip::POSE);

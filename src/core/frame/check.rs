@@ -19,7 +19,7 @@ pub struct Unusable {
     pub what: String,
     /// The number that was found.
     pub found: String,
-    /// What is allowed.
+    /// The allowed values.
     pub expected: String,
 }
 

@@ -1,4 +1,4 @@
-//! What a frame took in, skipped and drew: counts that do not depend on how fast a device is.
+//! Counts of what a frame drew and skipped. They do not depend on how fast a device is.
 
 use crate::layout::Control;
 use serde::{Deserialize, Serialize};

@@ -1,5 +1,5 @@
-//! What a frame is, whatever draws it: options, what has to run again and what is skipped, the
-//! uniform block, and what a finished frame reports.
+//! A frame, whatever draws it: options, what has to run again and what is skipped, the uniform
+//! block, and what a finished frame reports.
 
 pub mod block;
 pub mod changes;

@@ -56,7 +56,7 @@ impl Stage {
 /// Memory on the device that passes of a frame share.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Resource {
-    /// How many keys the sort takes, how many survive, and the indirect draw.
+    /// Number of keys, number of visible keys, and the indirect draw.
     Control,
     /// The sort's histograms, and why Gaussians were culled.
     Counts,
@@ -114,7 +114,7 @@ bitflags! {
 /// One use of a resource by a pass.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Use {
-    /// What is used.
+    /// The resource.
     pub resource: Resource,
     /// The pipeline stages that use it.
     pub stages: PipelineStages,

@@ -1,5 +1,5 @@
-//! What a frame may skip. Each kind of work has a switch, so that a measurement can turn it back
-//! on.
+//! Work that a frame may skip. Each kind of work has a switch, so that a measurement can turn it
+//! back on.
 
 use std::{fmt, str::FromStr};
 

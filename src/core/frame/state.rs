@@ -37,7 +37,7 @@ impl AvatarInstance<'_> {
     }
 }
 
-/// What one frame draws.
+/// The plan of one frame.
 pub struct FramePlan<'a> {
     /// The avatars in view.
     pub instances: Vec<AvatarInstance<'a>>,
@@ -45,7 +45,7 @@ pub struct FramePlan<'a> {
     pub redraw: bool,
     /// Nearest and furthest expected depth along the camera's axis, metres.
     pub depth_range: [f64; 2],
-    /// What the occluder pass covers; None where there is no occluder or nothing in view.
+    /// The view of the occluder pass. None where there is no occluder or nothing in view.
     pub occluder_view: Option<OccluderView>,
     /// Avatars in the scene, in view or not.
     pub avatar_count: usize,
@@ -86,7 +86,7 @@ pub struct StageDispatches {
     pub raster: u64,
 }
 
-/// What the last frame showed. A renderer keeps one and asks it for the plan of each frame.
+/// The state that the last frame left. A renderer keeps one and asks it for the plan of each frame.
 #[derive(Clone, Default)]
 pub struct FrameState {
     /// One an avatar, in the order of the poses.

@@ -1,5 +1,5 @@
-//! What a renderer rejects before it asks anything of the device: options, poses and cameras that
-//! can't be drawn.
+//! Validation before anything reaches the device: options, poses and cameras that can't be drawn
+//! are rejected.
 
 use super::{RendererOptions, Unusable};
 use crate::{

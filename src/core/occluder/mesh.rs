@@ -68,7 +68,7 @@ impl OccluderVertex {
     }
 }
 
-/// What moves a point.
+/// Skinning of a point.
 #[derive(Clone, Copy)]
 struct Skin {
     joints: [u8; 4],

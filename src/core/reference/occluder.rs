@@ -13,7 +13,8 @@ use glam::{DAffine3, DVec2, DVec3};
 pub struct PosedVertex {
     /// Camera space, metres.
     pub position: DVec3,
-    /// See [`stretch`].
+    /// Squared ratio of the posed triangle's area to the area under the vertex's own matrix: see
+    /// [`stretch`].
     pub stretch: f64,
     /// Whether the shell around it is opaque although the pose has pulled it apart.
     pub is_opaque: bool,
@@ -63,8 +64,9 @@ pub fn vertices(
         .collect()
 }
 
-/// How much further a pose spreads the Gaussians around a vertex than it stretches each, squared, by
-/// area: their optical depth falls by the root of it.
+/// Squared ratio of the posed triangle's area to the area under the vertex's own matrix: how much
+/// further a pose spreads the Gaussians around a vertex than it stretches each. Their optical depth
+/// falls by its root.
 ///
 /// `edges`: two edges of the mesh as posed; `own`: as the vertex's own matrix would pose them, which
 /// is how it stretches a Gaussian. NaN or infinite for edges along one line.

@@ -35,7 +35,7 @@ struct PartBox {
     major_joints: usize,
 }
 
-/// What of an avatar may be in an image.
+/// The parts of an avatar that may be in an image, and where.
 #[derive(Clone, Debug)]
 pub struct Visible {
     /// The parts that may be in view.

@@ -191,7 +191,7 @@ fn network_inputs(inputs: &Inputs, poses: &[Pose]) -> Vec<Vec<f64>> {
         .collect()
 }
 
-/// What decides how a point looks.
+/// Everything that the look of a point depends on.
 struct Surroundings<'a> {
     outfit: &'a Outfit,
     sky: &'a BakedSky,

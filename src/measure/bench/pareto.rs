@@ -1,7 +1,7 @@
 //! The Pareto front. In: candidates with a cost, of which less is better, and a value, of which
 //! more is. Out: those that no other dominates.
 
-/// What is to be compared.
+/// The figures of a setting that are compared.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Candidate {
     /// Less is better.

@@ -48,7 +48,7 @@ pub struct BenchScene {
     pub camera: Camera,
 }
 
-/// What scenes are built from.
+/// Inputs that scenes are built from.
 #[derive(Clone, Copy)]
 pub struct SceneInputs<'a> {
     /// The avatar of every instance.
@@ -246,7 +246,7 @@ mod tests {
         });
     }
 
-    /// What differs from one frame to the next.
+    /// Differences between one frame and the next.
     #[derive(Debug, PartialEq)]
     struct Changes {
         joints: bool,

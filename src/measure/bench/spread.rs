@@ -32,7 +32,7 @@ const SIDE: u32 = 1024;
 /// a clip take turns.
 const DISTANCES: [f64; 3] = [1.0, 0.6, 0.3];
 
-/// What a spread is made of.
+/// Inputs of a spread.
 #[derive(Clone, Copy)]
 pub struct SpreadInputs<'a> {
     /// The avatar, with all its rows.
@@ -119,8 +119,9 @@ impl<'a> SpreadInputs<'a> {
     }
 }
 
-/// Compares a setting with nothing skipped, full detail, 32-bit keys and all rows. None where the
-/// avatar is in no view.
+/// Draws each view twice on a device, as `setting` says and with nothing skipped, full detail,
+/// 32-bit keys and all rows, and summarises how far the images differ. None if no view shows the
+/// avatar.
 ///
 /// # Errors
 /// When the device fails.

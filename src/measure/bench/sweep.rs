@@ -23,7 +23,7 @@ use crate::setting::RenderSetting;
 /// Name of the base setting's point.
 pub const BASE: &str = "default";
 
-/// What a sweep does besides its task.
+/// Options of a sweep besides its task.
 #[derive(Clone, Copy, Debug)]
 pub struct Sweep<'a> {
     /// The case that is drawn.

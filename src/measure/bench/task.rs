@@ -1,4 +1,4 @@
-//! What a benchmark draws and for how long, in every case.
+//! The task of a benchmark: what it draws and for how long, in every case.
 
 use super::{
     backend::BenchDevice,

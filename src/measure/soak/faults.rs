@@ -1,4 +1,4 @@
-//! What is wrong with a soak: its report goes in, a sentence for each fault comes out.
+//! The faults of a soak: its report goes in, a sentence for each fault comes out.
 
 use super::report::{Drift, Growth, Second, SoakReport};
 

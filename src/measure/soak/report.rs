@@ -80,7 +80,7 @@ pub struct SoakReport {
 /// A rung of the ladder.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct LadderStep {
-    /// What this rung gives up.
+    /// Name of the rung, after what it gives up.
     pub name: String,
     /// This and the next four: see [`FrameQuality`].
     pub scale: f64,

@@ -16,7 +16,7 @@ const MAX_FRAMES_A_SECOND: usize = 4096;
 /// Seconds for which memory is taken at the start.
 const MAX_RESERVED_SECONDS: usize = 1 << 16;
 
-/// What a soak is to do.
+/// Settings of a soak.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SoakSettings {
     /// The promised rate, frames a second.
@@ -27,7 +27,7 @@ pub struct SoakSettings {
     pub seconds: f64,
 }
 
-/// What the caller must do after a frame.
+/// Duties of the caller after a frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct FrameEvent {
     /// Draw at the new [`Session::quality`].

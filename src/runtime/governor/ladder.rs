@@ -131,7 +131,7 @@ impl Ladder {
     }
 }
 
-/// What one step of a ladder gives up.
+/// The quality that one step of a ladder gives up.
 #[derive(Clone, Copy)]
 enum Concession {
     /// Draws at this scale.

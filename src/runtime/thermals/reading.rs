@@ -1,4 +1,4 @@
-//! What is known of the heat at one time.
+//! A reading of the heat at one time.
 
 /// Readings at one time. None where the system has no such sensor.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -41,7 +41,7 @@ impl Calibration {
         }
     }
 
-    /// What the device's clock says now, ticks.
+    /// The time on the device's clock now, ticks.
     pub fn tick(&self) -> Option<u64> {
         let info =
             [vk::CalibratedTimestampInfoKHR::default().time_domain(vk::TimeDomainKHR::DEVICE)];

@@ -1,5 +1,5 @@
-//! What can go wrong on a device: what was found and what was expected. What a user may do about it
-//! is for the program that shows the error to say.
+//! Errors of a device: each says what was found and what was expected. The program that shows the
+//! error adds advice about its own options.
 
 use crate::quirks::NO_TRIANGLES;
 use ash::vk;
@@ -46,7 +46,7 @@ pub enum Error {
     Unsupported {
         /// The device's name.
         device: String,
-        /// What it lacks.
+        /// The missing features.
         missing: String,
     },
     /// A graphics pipeline was needed on a driver that crashes when it draws triangles.
@@ -64,7 +64,7 @@ pub enum Error {
     /// No driver has the instance extensions that the window's surface needs.
     #[error("no Vulkan driver on this machine has an extension for windows of this display")]
     NoWindowExtension,
-    /// What a program draws over frames, such as a panel, failed by itself.
+    /// Drawing over a frame, for instance of a panel, failed in the program that draws it.
     #[error("what is drawn over frames failed: {0}")]
     Overlay(String),
     /// An image was read before a frame was drawn into it.
@@ -83,7 +83,7 @@ pub enum Error {
     /// A buffer, or the keys of a sort, would exceed the device's limits.
     #[error("{what} takes {found} bytes; {device} allows {limit} in one buffer")]
     TooLarge {
-        /// What the memory is for.
+        /// The purpose of the memory.
         what: &'static str,
         /// Bytes asked for.
         found: u64,
@@ -133,7 +133,7 @@ pub enum Error {
     Call {
         /// The Vulkan function, or what it was called for.
         call: &'static str,
-        /// What it returned.
+        /// The result that it returned.
         result: vk::Result,
     },
     /// The avatar's arrays contradict each other, or hold a number that can't be drawn.
@@ -145,7 +145,7 @@ pub enum Error {
     /// The allocator of device memory failed, though not for lack of memory.
     #[error("allocating {what} failed: {source}")]
     Allocation {
-        /// What the memory is for.
+        /// The purpose of the memory.
         what: String,
         /// The allocator's error.
         source: gpu_allocator::AllocationError,

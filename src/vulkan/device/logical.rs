@@ -22,7 +22,7 @@ const PATIENCE: Duration = Duration::from_secs(30);
 /// the CPU busy.
 const PATIENCE_CPU: Duration = Duration::from_secs(120);
 
-/// What a logical device is opened with beyond what every device has.
+/// Optional features that a logical device is opened with.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct DeviceFeatures {
     /// Shaders read f16 from storage buffers.

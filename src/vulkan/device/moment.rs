@@ -1,4 +1,4 @@
-//! What the device's clock says at a moment of the host's: by calibrated timestamps where the
+//! The time on the device's clock at a moment of the host's: by calibrated timestamps where the
 //! driver has them, else by a timestamp that is submitted alone and waited for.
 
 use super::{error::Result, gpu::Gpu, handle::QueryPool};

@@ -1,4 +1,4 @@
-//! What a device has: limits, features and extensions.
+//! Limits, features and extensions of a device.
 
 use super::{
     error::{During, Result},
@@ -65,7 +65,7 @@ impl Probe {
         self.kind == vk::PhysicalDeviceType::CPU
     }
 
-    /// Whether the driver survives drawing triangles.
+    /// Whether the driver can draw triangles without crashing.
     pub fn draws_triangles(&self) -> bool {
         quirks::draws_triangles(&self.name)
     }
@@ -241,7 +241,7 @@ impl Probe {
         }
     }
 
-    /// What the device would need and does not have; empty where it can serve.
+    /// Requirements that the device does not meet; empty where it can serve.
     pub fn missing_requirements(&self) -> Vec<String> {
         let mut missing = Vec::new();
         if self.api_version < vk::API_VERSION_1_1 {

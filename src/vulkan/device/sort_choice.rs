@@ -1,5 +1,4 @@
-//! What is known of the sort's variants on a device. The self-test finds it out (`sort::choice`),
-//! and the device keeps it.
+//! Results of the sort's self-test on a device. `sort::choice` runs it; the device keeps them.
 
 use effigy_core::frame::SortVariant;
 use serde::{Deserialize, Serialize};
@@ -8,11 +7,11 @@ use std::{
     sync::{Mutex, OnceLock},
 };
 
-/// How often a variant is tested whose test was never heard of again: it may have brought the
-/// program down, or the user ended that.
+/// How often a variant is tested whose earlier tests never ended: a test may have crashed the
+/// program, or the user may have ended it.
 pub(crate) const ATTEMPTS: u32 = 2;
 
-/// How a variant did.
+/// Outcome of a variant's test.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Outcome {
     /// Right everywhere; the best time for the test's keys, ms.
@@ -79,7 +78,7 @@ pub struct SortChoice {
 }
 
 impl SortChoice {
-    /// The fastest that is right. None where none is.
+    /// The choice of the fastest variant that sorts correctly. None where none does.
     pub fn fastest(tried: &[TestedVariant]) -> Option<Self> {
         let mut fastest: Option<(SortVariant, f64)> = None;
         for tested in tried {
@@ -96,11 +95,11 @@ impl SortChoice {
     }
 }
 
-/// What is known of sorts on a device while the program runs.
+/// Results of the self-test while the program runs.
 #[derive(Default)]
 pub(crate) struct Sorts {
-    /// How to sort here, once it is known.
+    /// The choice, once it is made.
     pub chosen: OnceLock<SortChoice>,
-    /// How the variants did that were asked for by name.
+    /// Outcomes of variants that were asked for by name.
     pub asked: Mutex<Vec<TestedVariant>>,
 }

@@ -1,4 +1,4 @@
-//! What a driver's compiler made of each pipeline: VK_KHR_pipeline_executable_properties.
+//! Statistics of a driver's compiler about each pipeline: VK_KHR_pipeline_executable_properties.
 
 use super::{
     error::{During, Result},
@@ -63,7 +63,7 @@ pub struct Executable {
     pub statistics: Vec<Statistic>,
 }
 
-/// What was asked of a device so far.
+/// Statistics of the pipelines that a device has made so far.
 pub(crate) struct Statistics {
     loader: khr::pipeline_executable_properties::Device,
     found: Mutex<Vec<Executable>>,

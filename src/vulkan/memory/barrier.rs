@@ -1,4 +1,4 @@
-//! What waits for what on the device.
+//! Pipeline barriers: which work on the device waits for which.
 
 use super::image::COLOR;
 use crate::vulkan::device::recording::Recording;
@@ -14,22 +14,22 @@ pub struct Scope {
 }
 
 impl Scope {
-    /// What a kernel wrote.
+    /// Writes of a kernel.
     pub const KERNEL_WRITES: Self = Self::new(
         PipelineStageFlags::COMPUTE_SHADER,
         AccessFlags::SHADER_WRITE,
     );
-    /// What a kernel does with buffers and images.
+    /// Accesses of a kernel to buffers and images.
     pub const KERNEL: Self = Self::new(
         PipelineStageFlags::COMPUTE_SHADER,
         AccessFlags::from_raw(
             AccessFlags::SHADER_READ.as_raw() | AccessFlags::SHADER_WRITE.as_raw(),
         ),
     );
-    /// What a transfer wrote.
+    /// Writes of a transfer.
     pub const TRANSFER_WRITES: Self =
         Self::new(PipelineStageFlags::TRANSFER, AccessFlags::TRANSFER_WRITE);
-    /// What a transfer reads.
+    /// Reads of a transfer.
     pub const TRANSFER_READS: Self =
         Self::new(PipelineStageFlags::TRANSFER, AccessFlags::TRANSFER_READ);
 

@@ -1,4 +1,4 @@
-//! What the stages bind.
+//! Descriptor bindings of a stage.
 //!
 //! Every stage binds the same shape: at binding 0 the uniform block of the frame, at a dynamic
 //! offset since two frames are in flight, and from binding 1 on storage buffers, at most four, as
@@ -12,7 +12,7 @@ use crate::vulkan::{
 use ash::vk;
 use std::sync::Arc;
 
-/// What a kernel does with its image.
+/// Use of a kernel's image.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BoundImage {
     /// Reads a depth image through a sampler.
@@ -38,7 +38,7 @@ impl BoundImage {
     }
 }
 
-/// What shaders see.
+/// Resources that a shader is bound to.
 #[derive(Clone, Copy, Default)]
 pub struct Resources<'a> {
     /// The ring of frame blocks; sort kernels have none.

@@ -1,5 +1,5 @@
-//! What the drawing stages share: a render pass with a colour attachment, a depth attachment or
-//! both, and a pipeline that draws triangles to it.
+//! Render passes and graphics pipelines of the stages that draw: a render pass with a colour
+//! attachment, a depth attachment or both, and a pipeline that draws triangles to it.
 
 use super::{
     module::{flags, list, shader_module, specialization_entries, take_over},
@@ -101,7 +101,7 @@ pub(crate) fn render_pass(
     }
 }
 
-/// What a pipeline does with depth.
+/// Use of the depth attachment by a pipeline.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Depth {
     /// There is none.
@@ -112,7 +112,7 @@ pub(crate) enum Depth {
     Test,
 }
 
-/// What a pipeline runs, and where it draws to.
+/// Description of a graphics pipeline.
 pub(crate) struct Drawing<'a> {
     pub name: &'static str,
     pub vertex: &'static Module,
@@ -131,7 +131,7 @@ pub(crate) struct Drawing<'a> {
 /// Triangles, no vertex buffers, viewport and scissor set while recording.
 ///
 /// # Errors
-/// When the device fails, or its driver would not survive drawing.
+/// When the device fails, or its driver crashes when it draws triangles.
 pub(crate) fn pipeline(gpu: &Arc<Gpu>, drawing: Drawing) -> Result<Pipeline> {
     if !gpu.probe.draws_triangles() {
         return Err(Error::NoTriangles {

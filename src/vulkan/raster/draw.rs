@@ -4,7 +4,7 @@ use crate::vulkan::{memory::Slice, passes::model::OccluderMesh};
 use ash::vk;
 use effigy_core::frame::Damage;
 
-/// What the stage reads.
+/// Inputs of the stage.
 pub struct RasterInputs<'a> {
     /// The ring of frame blocks.
     pub frame: Slice,
@@ -22,7 +22,7 @@ pub struct RasterInputs<'a> {
     pub pose: Slice,
 }
 
-/// What a frame draws.
+/// The draw of a frame.
 pub struct Draw<'a> {
     /// Where in the ring of blocks the one with the image's size is, bytes.
     pub frame: u32,

@@ -32,9 +32,10 @@ const LONG_TILES: u32 = 2 * SORT_GROUP + 3;
 /// A sort of so few keys that takes longer, twice, is refused.
 const PATIENCE: Duration = Duration::from_secs(2);
 
-/// How to sort here. Tests on the first call after a change of driver or program, which takes a
-/// part of a second; later calls and starts know. Fails where no variant is right, or the device is
-/// lost or hangs in a test, which later starts do not try again.
+/// Returns the variant to sort with, testing those without a record. The first call after a change
+/// of driver or program takes a part of a second; later calls and starts read the record. Fails
+/// where no variant is right, or the device is lost or hangs in a test, which later starts do not
+/// repeat.
 pub fn choose(gpu: &Arc<Gpu>) -> Result<SortChoice> {
     if let Some(choice) = gpu.sorts.chosen.get() {
         return Ok(choice.clone());
@@ -68,7 +69,7 @@ pub(crate) fn without_test(gpu: &Gpu) -> Result<SortVariant> {
         .ok_or_else(|| no_sort(gpu, &tried, &record))
 }
 
-/// The variants of which nothing is known.
+/// The variants without a record.
 fn untried(tried: &[TestedVariant]) -> Vec<SortVariant> {
     SortVariant::ALL
         .into_iter()
@@ -76,7 +77,7 @@ fn untried(tried: &[TestedVariant]) -> Vec<SortVariant> {
         .collect()
 }
 
-/// Whether [`choose`] knows without a test.
+/// Whether every variant has a record, so that [`choose`] tests nothing.
 pub fn is_tested(gpu: &Gpu) -> bool {
     gpu.sorts.chosen.get().is_some() || {
         let record = Record::new(gpu, cache::folder().as_deref());
@@ -84,8 +85,7 @@ pub fn is_tested(gpu: &Gpu) -> bool {
     }
 }
 
-/// How to sort here, with a folder of the caller's to remember it in; None remembers nothing. See
-/// [`choose`].
+/// Like [`choose`], with the record in `folder`; None keeps no record.
 pub fn choose_in(gpu: &Arc<Gpu>, folder: Option<&Path>) -> Result<SortChoice> {
     let record = Record::new(gpu, folder);
     let mut tried = record.read();
@@ -128,8 +128,8 @@ fn no_sort(gpu: &Gpu, tried: &[TestedVariant], record: &Record) -> Error {
     }
 }
 
-/// Whether a test that failed is held against the variant: a device that the test brought down is
-/// not asked again. Memory may be there next time, and a CPU less busy.
+/// Whether a failed test refuses the variant for good: yes where the test lost or hung the device.
+/// Too little memory or, on a CPU, a timeout may not happen next time.
 fn brought_down(gpu: &Gpu, error: &Error) -> bool {
     match error {
         Error::OutOfMemory { .. } => false,
@@ -138,8 +138,7 @@ fn brought_down(gpu: &Gpu, error: &Error) -> bool {
     }
 }
 
-/// Whether a variant that somebody asked for may be used: what was found of it stands, and what was
-/// never tested is tested now.
+/// Checks that a variant named by the user may be used. Tests it if it has no record.
 pub(crate) fn allow(gpu: &Arc<Gpu>, variant: SortVariant) -> Result<()> {
     if gpu.statistics.is_some() {
         // Who asks what a compiler makes of the shaders may have nothing that runs them.
@@ -156,7 +155,7 @@ pub(crate) fn allow(gpu: &Arc<Gpu>, variant: SortVariant) -> Result<()> {
     })
 }
 
-/// How a variant did that somebody asked for, from a test where there was none.
+/// The outcome of a variant named by the user. Tests it if it has no record.
 fn outcome_of(gpu: &Arc<Gpu>, variant: SortVariant) -> Result<Outcome> {
     let find = |tried: &[TestedVariant]| TestedVariant::outcome_of(tried, variant).cloned();
     let mut asked = gpu
@@ -185,15 +184,15 @@ fn outcome_of(gpu: &Arc<Gpu>, variant: SortVariant) -> Result<Outcome> {
     }
 }
 
-/// Why a variant is not even tested: drivers that run on a CPU take a second and more to compile
-/// OneSweep, and have no use for it.
+/// The reason not to test a variant, if there is one: CPU drivers take a second and more to compile
+/// OneSweep, and do not gain by it.
 fn needless(gpu: &Gpu, variant: SortVariant) -> Option<&'static str> {
     let cpu = gpu.probe.is_cpu();
     (variant == SortVariant::OneSweep && cpu)
         .then_some("not tested on a CPU, where it takes longer to compile than it could save")
 }
 
-/// Tests one variant, whatever was found before. Fails only where the device can't go on.
+/// Tests one variant, whatever the record says. Fails only where the device can't be used any more.
 pub fn test(gpu: &Arc<Gpu>, variant: SortVariant) -> Result<Outcome> {
     if let Some(reason) = unsupported(variant, gpu) {
         return Ok(Outcome::Unsupported(reason.into()));
@@ -246,8 +245,8 @@ fn run(gpu: &Arc<Gpu>, variant: SortVariant) -> Result<Outcome> {
     })
 }
 
-/// What is wrong in a sort of so many long keys that every kernel has its part: pairs, all four
-/// passes, sums of sums.
+/// Tests a sort of so many long keys that every kernel has its part: pairs, all four passes, sums
+/// of sums. Returns what is wrong with it, if anything.
 fn long(gpu: &Arc<Gpu>, variant: SortVariant) -> Result<Option<String>> {
     let count = LONG_TILES * variant.tile();
     let sorter = StandaloneSort::new(gpu, count, SortOptions::new(KeyBits::ThirtyTwo, variant))?;

@@ -1,4 +1,4 @@
-//! What a sort is made with.
+//! Options of a sort, and the size of its counts.
 
 use crate::vulkan::{device::gpu::Gpu, memory::Slice};
 use effigy_core::frame::{KeyBits, SortVariant};
@@ -13,7 +13,7 @@ pub fn unsupported(variant: SortVariant, gpu: &Gpu) -> Option<&'static str> {
     }
 }
 
-/// What a sort is made with.
+/// Options of a sort.
 #[derive(Clone, Copy)]
 pub struct SortOptions {
     /// Width of the keys.

@@ -1,4 +1,4 @@
-//! The kernels of a sort: for each pass which form its entries have, and which kernels run.
+//! The passes of a sort: the form of the entries and the kernels of each.
 
 use super::options::SortOptions;
 use crate::vulkan::{
@@ -15,7 +15,7 @@ use effigy_core::{
 };
 use std::sync::Arc;
 
-/// What an entry is: `shaders/sort/pass.glsl` says it.
+/// Form of the entries between passes; see `shaders/sort/pass.glsl`.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Form {
     Keys = 0,
@@ -25,14 +25,14 @@ enum Form {
     Halves = 4,
 }
 
-/// What the passes of a sort follow from.
+/// Size and options of a sort, which decide its passes.
 pub struct SortSize {
     pub capacity: u32,
     pub tiles: u32,
     pub options: SortOptions,
 }
 
-/// What a sort reads and writes.
+/// Buffers that a sort reads and writes.
 #[derive(Clone, Copy)]
 pub struct SortBuffers {
     pub keys: Slice,
@@ -41,7 +41,7 @@ pub struct SortBuffers {
     pub control: Slice,
 }
 
-/// A pass: what counts and scans, where it does, and what moves.
+/// The kernels of a pass. `count` and `scan` are None where the pass needs none.
 pub struct SortPass {
     count: Option<Kernel>,
     scan: Option<[Kernel; 2]>,

@@ -16,7 +16,7 @@ use std::{
     path::{Path, PathBuf},
 };
 
-/// What the record depends on: with any of it changed, an old one says nothing.
+/// Everything that the record depends on. If any of it has changed, the record is ignored.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 struct Identity {
     device: String,

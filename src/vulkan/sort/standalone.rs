@@ -88,7 +88,7 @@ impl StandaloneSort {
         &self.sort
     }
 
-    /// What the sort reads and writes beside keys and order.
+    /// The control buffer: number of keys, number of visible keys, and the indirect draw.
     pub fn control(&self) -> &Buffer {
         &self.control
     }

@@ -10,7 +10,8 @@ use glam::{Mat2, Vec2};
 pub struct PreTransform(u32);
 
 impl PreTransform {
-    /// What a surface's current transform asks for. None for mirrored ones, which no phone has.
+    /// The pre-transform for a surface's current transform. None for mirrored ones, which no phone
+    /// has.
     pub fn asked(transform: vk::SurfaceTransformFlagsKHR) -> Option<Self> {
         use vk::SurfaceTransformFlagsKHR as Transform;
         let known = [

@@ -36,7 +36,7 @@ pub struct Present {
     pub format: vk::Format,
 }
 
-/// What a rendered image is drawn into.
+/// The target that a rendered image is drawn into.
 #[derive(Clone, Copy)]
 pub struct PresentTarget<'a> {
     /// Of the render pass of [`Present`].
@@ -47,7 +47,7 @@ pub struct PresentTarget<'a> {
     pub pre_transform: PreTransform,
 }
 
-/// What is drawn into it.
+/// The image to present.
 #[derive(Clone, Copy)]
 pub struct PresentedImage {
     /// The drawn part of the image: width and height from its upper left corner, px.

@@ -76,11 +76,11 @@ impl Surface {
     }
 }
 
-/// What asking for an image came to.
+/// Result of [`Swapchain::acquire`].
 pub enum Acquired {
     /// An image to draw to.
     Image(AcquiredImage),
-    /// The window has changed: make the swapchain whole.
+    /// The window has changed: recreate the swapchain.
     Outdated,
     /// The window has none to give yet, for instance since it is hidden.
     NotYet,
@@ -89,7 +89,7 @@ pub enum Acquired {
 /// An image of a window that may be drawn to.
 pub struct AcquiredImage {
     index: usize,
-    /// What to wait for before it is drawn to, and what to signal when it is drawn.
+    /// The semaphore to wait for before it is drawn to, and the one to signal when it is drawn.
     pub semaphores: Semaphores,
 }
 
@@ -101,8 +101,8 @@ pub struct Swapchain {
     /// before the oldest frame is waited for.
     acquired: Vec<Semaphore>,
     next: usize,
-    /// How often nothing came of asking for an image, since the last one.
-    waited: u32,
+    /// Failed acquires in a row.
+    failed_acquires: u32,
     /// When its images are shown, where the display tells.
     timing: Option<Timing>,
     /// Width and height of the window as it is seen, px.
@@ -112,7 +112,7 @@ pub struct Swapchain {
     handle: SwapchainHandle,
 }
 
-/// What goes with an image of a window.
+/// Objects of one image of a window.
 struct WindowImage {
     framebuffer: Framebuffer,
     _view: ImageView,
@@ -192,7 +192,7 @@ impl Swapchain {
             images: images(&handle, surface.format.format, render_pass, extent)?,
             acquired,
             next: 0,
-            waited: 0,
+            failed_acquires: 0,
             timing: Timing::new(gpu),
             size,
             pre_transform: pre_transform.unwrap_or_default(),
@@ -221,7 +221,7 @@ impl Swapchain {
         match result {
             Ok((index, _)) => {
                 self.next = (self.next + 1) % self.acquired.len();
-                self.waited = 0;
+                self.failed_acquires = 0;
                 let index = index as usize;
                 Ok(Acquired::Image(AcquiredImage {
                     index,
@@ -232,8 +232,10 @@ impl Swapchain {
                 }))
             }
             Err(vk::Result::ERROR_OUT_OF_DATE_KHR) => Ok(Acquired::Outdated),
-            Err(vk::Result::TIMEOUT | vk::Result::NOT_READY) if self.waited + 1 < TRIES => {
-                self.waited += 1;
+            Err(vk::Result::TIMEOUT | vk::Result::NOT_READY)
+                if self.failed_acquires + 1 < TRIES =>
+            {
+                self.failed_acquires += 1;
                 Ok(Acquired::NotYet)
             }
             Err(vk::Result::TIMEOUT | vk::Result::NOT_READY) => Err(Error::Timeout {
@@ -244,7 +246,7 @@ impl Swapchain {
         }
     }
 
-    /// What to draw an image into.
+    /// The target for an image.
     pub fn canvas(&self, image: &AcquiredImage) -> PresentTarget<'_> {
         PresentTarget {
             framebuffer: &self.images[image.index].framebuffer,

@@ -11,7 +11,7 @@ pub struct Timing {
     next: u32,
 }
 
-/// What a display reported. Times are nanoseconds of the system's monotonic clock.
+/// Feedback of a display. Times are nanoseconds of the system's monotonic clock.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct PresentFeedback {
     /// From one refresh to the next.

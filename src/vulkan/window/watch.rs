@@ -1,4 +1,4 @@
-//! Looks at an image now and then while frames go on: a frame's image is copied behind it, and read
+//! Checks an image now and then while frames go on: a frame's image is copied behind it, and read
 //! some rows a frame, so that no frame waits for it.
 
 use crate::vulkan::{
@@ -16,7 +16,7 @@ use std::sync::Arc;
 /// An image is read in so many frames.
 const STRIPS: usize = 16;
 
-/// What was seen in an image, pixels.
+/// Counts of pixels in an image.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct PixelCounts {
     /// Of an alpha above 0.
@@ -30,7 +30,7 @@ enum State {
     Idle,
     /// Copied by a frame; so many more until that frame is done.
     Copying(usize),
-    /// What was seen of the first strips.
+    /// Number of strips read, and the counts in them.
     Reading(usize, PixelCounts),
 }
 

@@ -13,7 +13,7 @@ pub const METADATA_KEY: &str = "effigy";
 
 /// A kind of file: the document in its header, which decides which tensors the file has.
 pub trait Document: Serialize + DeserializeOwned + 'static {
-    /// What a file of this kind is read into.
+    /// The type that a file of this kind is read into.
     type Model;
     /// `format` in the document.
     const FORMAT: &'static str;

@@ -38,9 +38,9 @@ pub enum FormatError {
     /// The container: the header or its length.
     #[error("found {found}, expected {expected}")]
     Container {
-        /// What was found.
+        /// The value found.
         found: String,
-        /// What the format requires.
+        /// The value that the format requires.
         expected: String,
     },
     /// A field of the document in the header.
@@ -48,9 +48,9 @@ pub enum FormatError {
     Metadata {
         /// Name of the field.
         field: String,
-        /// What was found.
+        /// The value found.
         found: String,
-        /// What the format requires.
+        /// The value that the format requires.
         expected: String,
     },
     /// The type, shape or numbers of a tensor.
@@ -58,9 +58,9 @@ pub enum FormatError {
     Tensor {
         /// Name of the tensor.
         tensor: String,
-        /// What was found.
+        /// The value found.
         found: String,
-        /// What the format requires.
+        /// The value that the format requires.
         expected: String,
     },
 }

@@ -8,7 +8,7 @@ use crate::avatar::Avatar;
 use safetensors::tensor::{Metadata, TensorInfo, TensorView};
 use std::collections::HashMap;
 
-/// What can be done with the beginning of a file.
+/// Progress that the beginning of a file allows.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Neutral {
     /// Nothing yet: this many first bytes of the file are needed.
