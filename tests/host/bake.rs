@@ -4,8 +4,11 @@
 use crate::common;
 use effigy_core::avatar::{Avatar, Clip, Pose};
 use effigy_learn::bake::{
-    self, Assets, BakeSizes, BodyShape, RetargetOptions, SourceError, source::bvh::Bvh,
-    source::obj::Obj, source::rig, source::target::MorphTarget,
+    self, Assets, BakeSizes, BodyShape, RetargetOptions, SourceError,
+    source::bvh::Bvh,
+    source::obj::Obj,
+    source::rig::{self, Influence},
+    source::target::MorphTarget,
 };
 use glam::DVec3;
 use std::path::Path;
@@ -116,12 +119,17 @@ fn a_rig_gives_joints_in_smplx_order_and_weights_that_sum_to_one() {
     assert_eq!(
         weights[0]
             .iter()
-            .map(|(joint, _)| *joint)
+            .map(|influence| influence.joint)
             .collect::<Vec<_>>(),
         [3, 0]
     );
     assert!(
-        (weights[0][0].1 - 0.75).abs() < 1e-12 && weights[1] == [(0, 1.0)],
+        (weights[0][0].weight - 0.75).abs() < 1e-12
+            && weights[1]
+                == [Influence {
+                    joint: 0,
+                    weight: 1.0
+                }],
         "{weights:?}"
     );
 }
@@ -225,12 +233,17 @@ fn cut_files_never_panic() {
 }
 
 fn quantised_weights_sum_to_255() {
-    for weights in [
-        vec![(3, 1.0)],
-        vec![(1, 0.5), (2, 0.5)],
-        vec![(1, 0.4), (2, 0.3), (3, 0.15), (4, 0.1), (5, 0.05)],
-        vec![(0, 1.0 / 3.0); 3],
-    ] {
+    let cases: [&[(u8, f64)]; 4] = [
+        &[(3, 1.0)],
+        &[(1, 0.5), (2, 0.5)],
+        &[(1, 0.4), (2, 0.3), (3, 0.15), (4, 0.1), (5, 0.05)],
+        &[(0, 1.0 / 3.0); 3],
+    ];
+    for case in cases {
+        let weights: Vec<Influence> = case
+            .iter()
+            .map(|&(joint, weight)| Influence { joint, weight })
+            .collect();
         let bake::assemble::QuantisedWeights {
             joint: joints,
             weight: bytes,
@@ -244,7 +257,7 @@ fn quantised_weights_sum_to_255() {
             bytes
                 .iter()
                 .zip(&weights)
-                .all(|(b, (_, w))| (f64::from(*b) / 255.0 - w).abs() < 0.06),
+                .all(|(b, influence)| (f64::from(*b) / 255.0 - influence.weight).abs() < 0.06),
             "{weights:?} became {bytes:?}"
         );
     }

@@ -7,7 +7,7 @@ use crate::bake::networks::{NetworkPlan, random_networks};
 use crate::bake::outfit::Outfit;
 use crate::bake::partition::{Partition, partition};
 use crate::bake::sky_light::BakedSky;
-use crate::bake::source::rig::BODY;
+use crate::bake::source::rig::{BODY, Influence};
 use crate::bake::spacing::{Dart, Dot, choose};
 use crate::bake::stretch::Stretch;
 use crate::bake::surface::{Material, Sheet, Site};
@@ -306,20 +306,23 @@ pub struct QuantisedWeights {
 
 impl QuantisedWeights {
     /// Joints with weights from 0 to 1.
-    fn exact(&self) -> [(u8, f64); 4] {
-        std::array::from_fn(|k| (self.joint[k], f64::from(self.weight[k]) / 255.0))
+    fn exact(&self) -> [Influence; 4] {
+        std::array::from_fn(|k| Influence {
+            joint: self.joint[k],
+            weight: f64::from(self.weight[k]) / 255.0,
+        })
     }
 }
 
 /// The four largest weights as bytes that sum to 255; the largest remainders are rounded up.
 /// `weights` fall.
-pub fn quantise(weights: &[(u8, f64)]) -> QuantisedWeights {
+pub fn quantise(weights: &[Influence]) -> QuantisedWeights {
     let largest = &weights[..weights.len().min(4)];
-    let sum: f64 = largest.iter().map(|(_, weight)| weight).sum();
+    let sum: f64 = largest.iter().map(|influence| influence.weight).sum();
     let share = |k: usize| {
         largest
             .get(k)
-            .map_or(0.0, |(_, weight)| 255.0 * weight / sum)
+            .map_or(0.0, |influence| 255.0 * influence.weight / sum)
     };
     let exact: [f64; 4] = std::array::from_fn(share);
     let mut bytes = exact.map(|w| w.floor() as u8);
@@ -333,7 +336,7 @@ pub fn quantise(weights: &[(u8, f64)]) -> QuantisedWeights {
         bytes[k] += 1;
     }
     QuantisedWeights {
-        joint: std::array::from_fn(|k| largest.get(k).map_or(0, |(joint, _)| *joint)),
+        joint: std::array::from_fn(|k| largest.get(k).map_or(0, |influence| influence.joint)),
         weight: bytes,
     }
 }

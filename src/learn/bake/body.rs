@@ -3,7 +3,7 @@
 
 use crate::bake::source::assets::Assets;
 use crate::bake::source::obj::Obj;
-use crate::bake::source::rig::{self, Bone, Influences, Place};
+use crate::bake::source::rig::{self, Bone, Influence, Influences, Place};
 use crate::bake::source::target::MorphTarget;
 use crate::bake::source::text::{self, SourceError};
 use effigy_core::avatar::{Pose, Skeleton};
@@ -151,15 +151,15 @@ fn load_target(assets: &Assets, name: &str, vertices: usize) -> Result<MorphTarg
 }
 
 /// The weighted mean of joint matrices: linear blend skinning.
-pub fn blend(matrices: &[DAffine3], weights: &[(u8, f64)]) -> DAffine3 {
+pub fn blend(matrices: &[DAffine3], influences: &[Influence]) -> DAffine3 {
     let mut sum = DAffine3 {
         matrix3: glam::DMat3::ZERO,
         translation: DVec3::ZERO,
     };
-    for &(joint, weight) in weights {
-        let matrix = &matrices[usize::from(joint)];
-        sum.matrix3 += matrix.matrix3 * weight;
-        sum.translation += matrix.translation * weight;
+    for influence in influences {
+        let matrix = &matrices[usize::from(influence.joint)];
+        sum.matrix3 += matrix.matrix3 * influence.weight;
+        sum.translation += matrix.translation * influence.weight;
     }
     sum
 }

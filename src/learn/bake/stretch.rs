@@ -7,6 +7,7 @@
 //! start closes those gaps without a corrective, whatever the pose is.
 
 use crate::bake::body::blend;
+use crate::bake::source::rig::Influence;
 use crate::bake::spacing::Dot;
 use crate::bake::surface::Sheet;
 use effigy_core::avatar::{Pose, Skeleton};
@@ -76,12 +77,12 @@ impl<'a> Stretch<'a> {
     }
 
     /// The shape that the Gaussian of a dot needs. `tangents`: two unit vectors along the surface
-    /// in the canonical pose; `weights`: the Gaussian's skin weights.
+    /// in the canonical pose; `influences`: the Gaussian's skin weights.
     pub fn ellipse(
         &self,
         dot: &Dot,
         tangents: [DVec3; 2],
-        weights: &[(u8, f64)],
+        influences: &[Influence],
     ) -> StretchEllipse {
         let sheet = &self.sheets[dot.sheet];
         let triangle = sheet.triangles[dot.triangle];
@@ -91,7 +92,7 @@ impl<'a> Stretch<'a> {
             return StretchEllipse::from_covariance(covariance);
         };
         for pose in &self.poses {
-            let own = blend(&pose.joints, weights).matrix3;
+            let own = blend(&pose.joints, influences).matrix3;
             let moved = edges(triangle.map(|v| pose.vertices[dot.sheet][v as usize]));
             // Where a unit circle on the surface at rest comes to lie: the columns' ellipse.
             let circle = orthonormal.map(|c| moved[0] * c.x + moved[1] * c.y);

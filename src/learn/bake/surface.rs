@@ -3,7 +3,7 @@
 
 use crate::bake::body::Body;
 use crate::bake::source::obj::Corner;
-use crate::bake::source::rig::Influences;
+use crate::bake::source::rig::{self, Influences};
 use glam::{DVec2, DVec3};
 use std::collections::HashMap;
 
@@ -96,8 +96,8 @@ impl Site {
     pub fn share(&self, joints: impl Fn(u8) -> bool) -> f64 {
         self.weights
             .iter()
-            .filter(|(joint, _)| joints(*joint))
-            .map(|(_, weight)| weight)
+            .filter(|influence| joints(influence.joint))
+            .map(|influence| influence.weight)
             .sum()
     }
 }
@@ -228,14 +228,12 @@ impl Sheet {
         });
         let mut weights: Influences = Vec::with_capacity(8);
         for k in 0..3 {
-            for &(joint, weight) in &corners[k].weights {
-                match weights.iter_mut().find(|(other, _)| *other == joint) {
-                    Some((_, sum)) => *sum += weight * barycentric[k],
-                    None => weights.push((joint, weight * barycentric[k])),
-                }
+            for influence in &corners[k].weights {
+                let weight = influence.weight * barycentric[k];
+                rig::add_weight(&mut weights, influence.joint, weight);
             }
         }
-        weights.sort_by(|a, b| b.1.total_cmp(&a.1).then(a.0.cmp(&b.0)));
+        rig::sort_by_weight(&mut weights);
         Site {
             material: self.material,
             position: flat.lerp(curved, 0.75),

@@ -43,7 +43,10 @@ pub fn sheets(outfit: &Outfit, body: &Body) -> Vec<Sheet> {
         // Looser above the belt and towards the elbow.
         let above_belt = v.position.y - outfit.belt;
         let blouse = smoothstep(0.0, 0.05, above_belt) * smoothstep(0.22, 0.06, above_belt);
-        let on_arm = v.weights.iter().any(|(j, w)| is_arm(*j) && *w > 0.5);
+        let on_arm = v
+            .weights
+            .iter()
+            .any(|influence| is_arm(influence.joint) && influence.weight > 0.5);
         let sleeve = smoothstep(0.0, 0.6, outfit.upper_arm(v.position)) * f64::from(on_arm);
         0.010 + 0.010 * blouse + 0.007 * sleeve
     }));

@@ -3,6 +3,7 @@
 
 use crate::bake::body::Body;
 use crate::bake::joints::is_foot;
+use crate::bake::source::rig::{self, Influences};
 use crate::bake::surface::{Material, Sheet, SheetVertex};
 use glam::{DVec2, DVec3, IVec3};
 use kiddo::{ImmutableKdTree, SquaredEuclidean};
@@ -141,22 +142,19 @@ impl<'a> Foot<'a> {
         let near = self
             .tree
             .nearest_n::<SquaredEuclidean>(&position.to_array(), NEAREST);
-        let mut weights: Vec<(u8, f64)> = Vec::new();
+        let mut weights = Influences::new();
         for neighbour in &near {
             let share = 1.0 / (neighbour.distance + 1e-4);
             let source = self.points[neighbour.item as usize].vertex;
-            for &(joint, weight) in &self.body.weights[source as usize] {
-                match weights.iter_mut().find(|(other, _)| *other == joint) {
-                    Some((_, sum)) => *sum += share * weight,
-                    None => weights.push((joint, share * weight)),
-                }
+            for influence in &self.body.weights[source as usize] {
+                rig::add_weight(&mut weights, influence.joint, share * influence.weight);
             }
         }
-        let sum: f64 = weights.iter().map(|(_, weight)| weight).sum();
-        for (_, weight) in &mut weights {
-            *weight /= sum;
+        let sum: f64 = weights.iter().map(|influence| influence.weight).sum();
+        for influence in &mut weights {
+            influence.weight /= sum;
         }
-        weights.sort_by(|a, b| b.1.total_cmp(&a.1).then(a.0.cmp(&b.0)));
+        rig::sort_by_weight(&mut weights);
         SheetVertex {
             position,
             normal: DVec3::Y,
@@ -169,8 +167,8 @@ impl<'a> Foot<'a> {
 fn is_in_foot(body: &Body, vertex: u32) -> bool {
     body.weights[vertex as usize]
         .iter()
-        .filter(|(joint, _)| is_foot(*joint))
-        .map(|(_, weight)| weight)
+        .filter(|influence| is_foot(influence.joint))
+        .map(|influence| influence.weight)
         .sum::<f64>()
         > FOOT_SHARE
 }

@@ -78,9 +78,30 @@ pub struct Bone {
     pub place: Place,
 }
 
-/// The joints that move a vertex, with their weights, which are above 0 and sum to 1; the largest
-/// first.
-pub type Influences = Vec<(u8, f64)>;
+/// A joint that moves a point, and how much.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Influence {
+    /// The joint's index.
+    pub joint: u8,
+    /// Above 0. The weights of a point sum to 1.
+    pub weight: f64,
+}
+
+/// The joints that move a vertex, the largest weight first.
+pub type Influences = Vec<Influence>;
+
+/// Adds to the weight of a joint.
+pub fn add_weight(influences: &mut Influences, joint: u8, weight: f64) {
+    match influences.iter_mut().find(|known| known.joint == joint) {
+        Some(known) => known.weight += weight,
+        None => influences.push(Influence { joint, weight }),
+    }
+}
+
+/// Sorts by weight, the largest first, and equal ones by joint.
+pub fn sort_by_weight(influences: &mut Influences) {
+    influences.sort_by(|a, b| b.weight.total_cmp(&a.weight).then(a.joint.cmp(&b.joint)));
+}
 
 fn content(file: &Path, found: impl Into<String>, expected: impl Into<String>) -> SourceError {
     SourceError::Content {
@@ -206,12 +227,15 @@ pub fn weights(
                 ));
             }
             if weight > 0.0 {
-                own.push((joint as u8, weight));
+                own.push(Influence {
+                    joint: joint as u8,
+                    weight,
+                });
             }
         }
     }
     for (vertex, list) in influences.iter_mut().enumerate() {
-        let sum: f64 = list.iter().map(|(_, weight)| weight).sum();
+        let sum: f64 = list.iter().map(|influence| influence.weight).sum();
         if sum <= 0.0 {
             return Err(content(
                 file,
@@ -219,10 +243,10 @@ pub fn weights(
                 "at least one",
             ));
         }
-        for (_, weight) in list.iter_mut() {
-            *weight /= sum;
+        for influence in list.iter_mut() {
+            influence.weight /= sum;
         }
-        list.sort_by(|a, b| b.1.total_cmp(&a.1).then(a.0.cmp(&b.0)));
+        sort_by_weight(list);
     }
     Ok(influences)
 }
