@@ -8,7 +8,7 @@ use_driver() { # DRIVER[:VECTOR WIDTH], or system for what this machine has
     [ -s "$icd" ] || { echo "no driver called $1" >&2; exit 2; }
     export VK_DRIVER_FILES=$icd VK_ICD_FILENAMES=$icd
     case $1 in *:*) export LP_NATIVE_VECTOR_WIDTH=${1##*:} ;; esac
-    # Mesa keeps what it compiled without minding for which width: with another one, pictures lose squares.
+    # Mesa's cache does not tell vector widths apart: with kernels of another width, images lose squares.
     export MESA_SHADER_CACHE_DIR=$PWD/target/drivers/cache/$1
   fi
   export VK_LAYER_PATH=$PWD/target/drivers/layers VK_LAYER_SYNCVAL_SHADER_ACCESSES_HEURISTIC=1

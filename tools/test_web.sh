@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Makes the page and tests it in Chromium, on its software adapter. Pictures are left in target/web-tests.
+# Makes the page and tests it in Chromium, on its software adapter. Images are left in target/web-tests.
 # usage: tools/test_web.sh [PAGE_DIR]      [default: one that it makes]
 # CHROMIUM: which browser; EFFIGY: a program that is built already
 set -euo pipefail

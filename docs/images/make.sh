@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Makes body.jpg, the picture at the top of the README, from body.avatar (`effigy bake body`) and the demo clip. Needs ImageMagick.
+# Makes body.jpg, the image at the top of the README, from body.avatar (`effigy bake body`) and the demo clip. Needs ImageMagick.
 # usage: docs/images/make.sh EFFIGY BODY.avatar
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd); work=$(mktemp -d); trap 'rm -rf "$work"' EXIT

@@ -135,4 +135,14 @@ mod tests {
         let error = read(r#"{"schema": "effigy-bench-2"}"#).expect_err("it is not a soak's");
         assert!(error.to_string().contains("effigy-bench-2"));
     }
+
+    #[test]
+    fn reports_with_old_names_read_as_the_new_ones() {
+        let text = serde_json::to_string(&report()).unwrap_or_default();
+        let old = text
+            .replace("\"images\"", "\"pictures\"")
+            .replace("\"empty_images\"", "\"empty_pictures\"");
+        assert!(old != text);
+        assert_eq!(read(&old).ok(), Some(report()));
+    }
 }

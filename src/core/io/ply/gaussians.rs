@@ -249,7 +249,7 @@ fn warn_of_coarse_steps(gaussians: &Gaussians) {
     if step > 0.5 * median {
         tracing::warn!(
             "positions are rounded to {:.2} mm, while the median Gaussian's thinnest axis measures {:.2} mm: a few far-off Gaussians may \
-             stretch the box that positions are kept in; cut them off for an exact picture",
+             stretch the box that positions are kept in; cut them off for an exact image",
             1e3 * step,
             1e3 * median
         );
