@@ -33,7 +33,7 @@ fn a_stretched_image_agrees_with_the_reference() {
             };
             let mut renderer = Renderer::new(&device, &avatar, options).unwrap();
             let screen = Offscreen::new(&device, size).unwrap();
-            // SAFETY: nothing uses the screen yet, and every frame leaves the image so.
+            // SAFETY: nothing uses the screen yet, and every frame leaves the image in that layout.
             unsafe { screen.set_image(renderer.raster().image()) };
             let camera = gpu::camera(&avatar, &posed, size);
             for drawn in [size, [75, 95], [149, 61], [1, 1]] {

@@ -197,7 +197,7 @@ fn fewer_fragments_are_shaded_where_some_are_hidden() {
     assert!(shaded * 20 < all * 19, "{shaded} of {all} shaded");
 }
 
-/// What lies behind full pixels is left out where tiles are drawn, within the image's budget.
+/// Splats behind saturated pixels are skipped where tiles are drawn, within the image's budget.
 fn full_pixels_take_no_more_within_the_budget() {
     let device = gpu::gpu();
     let avatar = effigy_demo::avatar().unwrap();
