@@ -143,7 +143,7 @@ impl AvatarCanvas {
         let Some(shown) = &mut self.shown else {
             return Ok(());
         };
-        match shown.renderer.fill(&avatar) {
+        match shown.renderer.replace_avatar(&avatar) {
             Ok(false) => {
                 return Err(js_error(
                     "the file has changed while it was loaded: load it again",

@@ -164,7 +164,7 @@ impl PreparedAvatar {
     /// device can't take it.
     pub fn upload(&mut self) -> Result<js_sys::Promise, JsValue> {
         let errors = self.gpu.watch();
-        let written = self.drawable.renderer.take(&self.drawable.avatar);
+        let written = self.drawable.renderer.upload(&self.drawable.avatar);
         let upload = errors.end();
         written.map_err(js_error)?;
         let allocation = self.allocation.take();

@@ -202,18 +202,6 @@ impl Renderer {
         Ok(true)
     }
 
-    /// [`Self::upload`], by the name that the page calls.
-    #[doc(hidden)]
-    pub fn take(&mut self, avatar: &Avatar) -> Result<bool> {
-        self.upload(avatar)
-    }
-
-    /// [`Self::replace_avatar`], by the name that the page calls.
-    #[doc(hidden)]
-    pub fn fill(&mut self, avatar: &Avatar) -> Result<bool> {
-        self.replace_avatar(avatar)
-    }
-
     /// The device that it draws on.
     pub fn gpu(&self) -> &Arc<Gpu> {
         &self.gpu
