@@ -1,4 +1,4 @@
-//! Numerical stability on the device: some cases of every family, twice, and what is refused.
+//! Numerical stability on the device: some cases of every category, twice, and what is refused.
 
 use crate::common::{self, gpu};
 use effigy::vulkan::{GpuOptions, RendererOptions};
@@ -53,11 +53,11 @@ fn cases(seed: u64, options: GpuOptions, rounds: Range<u64>) {
     );
 }
 
-fn every_family_is_drawn_within_its_bounds() {
+fn every_category_is_drawn_within_its_bounds() {
     cases(1, GpuOptions::headless(None), 0..1);
 }
 
-fn more_of_every_family_is_drawn_within_its_bounds() {
+fn more_of_every_category_is_drawn_within_its_bounds() {
     cases(1, GpuOptions::headless(None), 1..3);
 }
 
@@ -123,15 +123,15 @@ fn is_torn(case: &StressCase) -> bool {
     20 * torn > vertices.len() && 2 * torn < vertices.len()
 }
 
-/// Every family does what it says: its cases have what they are to be hard because of.
+/// Every category does what it says: its cases have what they are to be hard because of.
 fn cases_are_as_hard_as_they_say() {
-    let of = |family: Category| {
+    let of = |category: Category| {
         (0..40 * Category::ROUND)
-            .filter(move |&n| Category::of_case(n) == family)
+            .filter(move |&n| Category::of_case(n) == category)
             .map(|n| StressCase::new(5, n, false))
     };
-    let any = |family, hard: &dyn Fn(&StressCase) -> bool| {
-        assert!(of(family).any(|case| hard(&case)), "{family:?}")
+    let any = |category, hard: &dyn Fn(&StressCase) -> bool| {
+        assert!(of(category).any(|case| hard(&case)), "{category:?}")
     };
     any(Category::Poses, &|case| {
         case.pose
@@ -273,8 +273,8 @@ fn views_that_are_no_numbers_are_answered_with_one_sentence() {
 }
 
 tests! {
-    every_family_is_drawn_within_its_bounds,
-    more_of_every_family_is_drawn_within_its_bounds,
+    every_category_is_drawn_within_its_bounds,
+    more_of_every_category_is_drawn_within_its_bounds,
     packed_words_are_as_stable,
     features_stay_finite_whatever_the_weights,
     cases_are_as_hard_as_they_say: no_device,
