@@ -63,13 +63,12 @@ mat3 rotation_matrix(vec4 q) {
 
 // Whether all parts of the 32 Gaussians of a block lie outside the view.
 bool outside_view(uint block) {
-    uint parts = gaussians[block + 3u].x, part = parts & 0xffffu;
+    uint parts = gaussians[block + 3u].x;
     bool all_outside = true;
-    do {
+    for (uint part = parts & 0xffffu; all_outside && part <= parts >> 16u; ++part) {
         all_outside =
             (frame.culled_parts[part >> 7u][part >> 5u & 3u] >> (part & 31u) & 1u) != 0u;
-        ++part;
-    } while (all_outside && part <= parts >> 16u);
+    }
     return all_outside;
 }
 

@@ -43,7 +43,9 @@ bool hidden(vec2 center, float radius, float depth) {
     high >>= level;
     float furthest = 0.0;
     uint x = low.x & ~3u, y = low.y;
-    do {
+    // SwiftShader loses what an invocation has found in a loop that others of its subgroup go on
+    // with, if the loop's condition stands at its end.
+    while (y <= high.y) {
         vec4 columns = float(x) + vec4(0.0, 1.0, 2.0, 3.0);
         bvec4 left = lessThan(columns, vec4(low.x)), right = greaterThan(columns, vec4(high.x));
         vec4 texels = pyramid_texels(start + y * width + x);
@@ -52,7 +54,7 @@ bool hidden(vec2 center, float radius, float depth) {
         bool next = x + 4u > high.x;
         x = next ? low.x & ~3u : x + 4u;
         y += next ? 1u : 0u;
-    } while (y <= high.y);
+    }
     return depth > furthest;
 }
 

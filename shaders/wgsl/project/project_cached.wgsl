@@ -118,25 +118,25 @@ var<workgroup> global_5: array<u32, 64>;
 
 @compute @workgroup_size(64, 1, 1) 
 fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocation_id) param_1: vec3<u32>) {
-    var phi_1599_: bool;
-    var phi_2538_: f32;
-    var phi_2539_: f32;
-    var phi_2543_: u32;
+    var phi_1600_: bool;
+    var phi_2540_: f32;
+    var phi_2541_: f32;
+    var phi_2545_: u32;
+    var phi_2551_: u32;
     var phi_2550_: f32;
-    var phi_2549_: u32;
-    var phi_2546_: u32;
+    var phi_2548_: u32;
     var local: f32;
     var phi_2555_: bool;
-    var phi_1645_: bool;
+    var phi_1646_: bool;
     var phi_2566_: f32;
     var phi_2557_: vec2<f32>;
     var phi_2556_: bool;
-    var phi_2106_: bool;
-    var phi_2112_: bool;
+    var phi_2108_: bool;
+    var phi_2114_: bool;
     var phi_2583_: f32;
     var phi_2582_: u32;
     var local_1: f32;
-    var phi_2150_: bool;
+    var phi_2152_: bool;
     var phi_2589_: vec2<f32>;
     var phi_2590_: vec2<f32>;
     var phi_2591_: u32;
@@ -185,12 +185,12 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                         let _e156 = (((_e149 * _e150) / _e152) + _e155);
                         let _e158 = global.member_5;
                         let _e162 = all((_e156 >= vec2(-(_e158))));
-                        phi_1599_ = _e162;
+                        phi_1600_ = _e162;
                         if _e162 {
                             let _e164 = global.member_4;
-                            phi_1599_ = all((_e156 <= (_e164 + vec2(_e158))));
+                            phi_1600_ = all((_e156 <= (_e164 + vec2(_e158))));
                         }
-                        let _e170 = phi_1599_;
+                        let _e170 = phi_1600_;
                         if !(_e170) {
                             let _e173 = global_2.member_9;
                             if (_e173 != 0u) {
@@ -205,23 +205,23 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                         let _e182 = global.member_8;
                         let _e183 = ((_e179 - _e125) * _e182);
                         if (_e183 < 0f) {
-                            phi_2539_ = (0.015625f / (1f - _e183));
+                            phi_2541_ = (0.015625f / (1f - _e183));
                         } else {
                             if (_e183 > 1f) {
-                                phi_2538_ = (1f - (0.015625f / _e183));
+                                phi_2540_ = (1f - (0.015625f / _e183));
                             } else {
-                                phi_2538_ = (0.015625f + (0.96875f * clamp(_e183, 0f, 1f)));
+                                phi_2540_ = (0.015625f + (0.96875f * clamp(_e183, 0f, 1f)));
                             }
-                            let _e194 = phi_2538_;
-                            phi_2539_ = _e194;
+                            let _e194 = phi_2540_;
+                            phi_2541_ = _e194;
                         }
-                        let _e196 = phi_2539_;
+                        let _e196 = phi_2541_;
                         let _e197 = (_e150 / _e152);
                         let _e205 = global.member[0u];
                         let _e208 = global.member[1u];
                         let _e213 = global.member_31;
                         let _e214 = (_e213 > 0u);
-                        phi_1645_ = _e214;
+                        phi_1646_ = _e214;
                         if _e214 {
                             let _e216 = global.member_34;
                             let _e219 = global.member_29;
@@ -235,11 +235,11 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                                     let _e249 = vec2<u32>(clamp(((((_e156 + _e233) - _e236) * _e239) + vec2<f32>(0.5f, 0.5f)), vec2<f32>(0f, 0f), vec2<f32>(191f, 191f)));
                                     let _e256 = max((_e249.x - _e247.x), (_e249.y - _e247.y));
                                     if (_e256 <= 3u) {
-                                        phi_2543_ = 0u;
+                                        phi_2545_ = 0u;
                                     } else {
-                                        phi_2543_ = (bitcast<u32>(firstLeadingBit((_e256 - 1u))) - 1u);
+                                        phi_2545_ = (bitcast<u32>(firstLeadingBit((_e256 - 1u))) - 1u);
                                     }
-                                    let _e263 = phi_2543_;
+                                    let _e263 = phi_2545_;
                                     if !((_e263 < 4u)) {
                                         phi_2555_ = false;
                                         break;
@@ -248,30 +248,30 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                                     let _e275 = (_e247 >> bitcast<vec2<u32>>(_e273));
                                     let _e277 = (_e249 >> bitcast<vec2<u32>>(_e273));
                                     let _e279 = (_e275.x & 4294967292u);
+                                    phi_2551_ = _e279;
                                     phi_2550_ = 0f;
-                                    phi_2549_ = _e275.y;
-                                    phi_2546_ = _e279;
+                                    phi_2548_ = _e275.y;
                                     loop {
-                                        let _e282 = phi_2550_;
-                                        let _e284 = phi_2549_;
-                                        let _e286 = phi_2546_;
-                                        let _e289 = (vec4(f32(_e286)) + vec4<f32>(0f, 1f, 2f, 3f));
-                                        let _e307 = global_3.member[((_e213 >> bitcast<u32>(1u)) + ((((4u * (12288u - (12288u >> bitcast<u32>((2u * _e263))))) + (_e284 * (192u >> bitcast<u32>(_e263)))) + _e286) >> bitcast<u32>(2u)))];
-                                        let _e309 = unpack2x16unorm(_e307.x);
-                                        let _e311 = unpack2x16unorm(_e307.y);
-                                        let _e318 = select(select(vec4<f32>(_e309.x, _e309.y, _e311.x, _e311.y), vec4<f32>(0f, 0f, 0f, 0f), (_e289 < vec4(f32(_e275.x)))), vec4<f32>(0f, 0f, 0f, 0f), (_e289 > vec4(f32(_e277.x))));
-                                        let _e326 = max(_e282, max(max(_e318.x, _e318.y), max(_e318.z, _e318.w)));
-                                        let _e327 = (_e286 + 4u);
-                                        let _e328 = (_e327 > _e277.x);
-                                        let _e331 = (_e284 + select(0u, 1u, _e328));
-                                        phi_2550_ = _e326;
-                                        phi_2549_ = _e331;
-                                        phi_2546_ = select(_e327, _e279, _e328);
-                                        local = _e326;
-                                        if (_e331 <= _e277.y) {
+                                        let _e282 = phi_2551_;
+                                        let _e284 = phi_2550_;
+                                        let _e286 = phi_2548_;
+                                        local = _e284;
+                                        if (_e286 <= _e277.y) {
                                             continue;
                                         } else {
                                             break;
+                                        }
+                                        continuing {
+                                            let _e291 = (vec4(f32(_e282)) + vec4<f32>(0f, 1f, 2f, 3f));
+                                            let _e309 = global_3.member[((_e213 >> bitcast<u32>(1u)) + ((((4u * (12288u - (12288u >> bitcast<u32>((2u * _e263))))) + (_e286 * (192u >> bitcast<u32>(_e263)))) + _e282) >> bitcast<u32>(2u)))];
+                                            let _e311 = unpack2x16unorm(_e309.x);
+                                            let _e313 = unpack2x16unorm(_e309.y);
+                                            let _e320 = select(select(vec4<f32>(_e311.x, _e311.y, _e313.x, _e313.y), vec4<f32>(0f, 0f, 0f, 0f), (_e291 < vec4(f32(_e275.x)))), vec4<f32>(0f, 0f, 0f, 0f), (_e291 > vec4(f32(_e277.x))));
+                                            let _e329 = (_e282 + 4u);
+                                            let _e330 = (_e329 > _e277.x);
+                                            phi_2551_ = select(_e329, _e279, _e330);
+                                            phi_2550_ = max(_e284, max(max(_e320.x, _e320.y), max(_e320.z, _e320.w)));
+                                            phi_2548_ = (_e286 + select(0u, 1u, _e330));
                                         }
                                     }
                                     let _e335 = local;
@@ -280,9 +280,9 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                                 }
                             }
                             let _e338 = phi_2555_;
-                            phi_1645_ = _e338;
+                            phi_1646_ = _e338;
                         }
-                        let _e340 = phi_1645_;
+                        let _e340 = phi_1646_;
                         if _e340 {
                             let _e342 = global_2.member_9;
                             if (_e342 != 0u) {
@@ -341,16 +341,16 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                         let _e452 = cross(_e436, _e445);
                         let _e457 = (dot(_e452, _e452) + (0.3f * ((_e447 + _e450) - 0.3f)));
                         let _e458 = (_e457 > 0f);
-                        phi_2106_ = _e458;
+                        phi_2108_ = _e458;
                         if _e458 {
-                            phi_2106_ = (_e447 <= 1000000000000000000f);
+                            phi_2108_ = (_e447 <= 1000000000000000000f);
                         }
-                        let _e461 = phi_2106_;
-                        phi_2112_ = _e461;
+                        let _e461 = phi_2108_;
+                        phi_2114_ = _e461;
                         if _e461 {
-                            phi_2112_ = (_e450 <= 1000000000000000000f);
+                            phi_2114_ = (_e450 <= 1000000000000000000f);
                         }
-                        let _e464 = phi_2112_;
+                        let _e464 = phi_2114_;
                         if !(_e464) {
                             let _e467 = global_2.member_9;
                             if (_e467 != 0u) {
@@ -383,12 +383,12 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                         let _e497 = global.member_34;
                         let _e506 = (sqrt(_e474.xz) * sqrt((2f * log(max((max(f32(_e494), _e497) / _e356), 1f)))));
                         let _e509 = all(((_e350 + _e506) > vec2<f32>(0f, 0f)));
-                        phi_2150_ = _e509;
+                        phi_2152_ = _e509;
                         if _e509 {
                             let _e512 = global.member_4;
-                            phi_2150_ = all(((_e350 - _e506) < _e512));
+                            phi_2152_ = all(((_e350 - _e506) < _e512));
                         }
-                        let _e516 = phi_2150_;
+                        let _e516 = phi_2152_;
                         if !(_e516) {
                             let _e519 = global_2.member_9;
                             if (_e519 != 0u) {

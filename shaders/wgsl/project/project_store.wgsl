@@ -130,51 +130,51 @@ var<storage> global_7: type_36;
 
 @compute @workgroup_size(64, 1, 1) 
 fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocation_id) param_1: vec3<u32>) {
-    var phi_3506_: bool;
-    var phi_5374_: f32;
-    var phi_5375_: f32;
-    var phi_5379_: u32;
-    var phi_5386_: f32;
-    var phi_5385_: u32;
+    var phi_3508_: bool;
+    var phi_5377_: f32;
+    var phi_5378_: f32;
     var phi_5382_: u32;
+    var phi_5388_: u32;
+    var phi_5387_: f32;
+    var phi_5385_: u32;
     var local: f32;
-    var phi_5391_: bool;
-    var phi_3552_: bool;
-    var phi_5402_: f32;
-    var phi_5393_: vec2<f32>;
     var phi_5392_: bool;
-    var phi_5412_: vec4<f32>;
+    var phi_3554_: bool;
+    var phi_5403_: f32;
+    var phi_5394_: vec2<f32>;
+    var phi_5393_: bool;
     var phi_5413_: vec4<f32>;
     var phi_5414_: vec4<f32>;
-    var phi_5432_: vec3<f32>;
-    var phi_5434_: vec4<f32>;
-    var phi_5433_: u32;
+    var phi_5415_: vec4<f32>;
+    var phi_5433_: vec3<f32>;
+    var phi_5435_: vec4<f32>;
+    var phi_5434_: u32;
     var local_1: vec4<f32>;
-    var phi_5449_: vec4<f32>;
-    var phi_5437_: vec3<f32>;
-    var phi_5436_: u32;
+    var phi_5450_: vec4<f32>;
+    var phi_5438_: vec3<f32>;
+    var phi_5437_: u32;
     var local_2: vec3<f32>;
-    var phi_5453_: vec3<f32>;
-    var phi_5446_: vec3<f32>;
-    var phi_5445_: u32;
+    var phi_5454_: vec3<f32>;
+    var phi_5447_: vec3<f32>;
+    var phi_5446_: u32;
     var local_3: vec3<f32>;
-    var phi_5455_: vec3<f32>;
     var phi_5456_: vec3<f32>;
-    var phi_5458_: vec3<f32>;
-    var phi_5460_: vec3<f32>;
-    var phi_3088_: bool;
-    var phi_3102_: bool;
-    var phi_4858_: bool;
-    var phi_4864_: bool;
-    var phi_5478_: f32;
-    var phi_5477_: u32;
+    var phi_5457_: vec3<f32>;
+    var phi_5459_: vec3<f32>;
+    var phi_5461_: vec3<f32>;
+    var phi_3090_: bool;
+    var phi_3104_: bool;
+    var phi_4861_: bool;
+    var phi_4867_: bool;
+    var phi_5479_: f32;
+    var phi_5478_: u32;
     var local_4: f32;
-    var phi_4902_: bool;
-    var phi_5484_: vec2<f32>;
+    var phi_4905_: bool;
     var phi_5485_: vec2<f32>;
-    var phi_5486_: u32;
+    var phi_5486_: vec2<f32>;
     var phi_5487_: u32;
     var phi_5488_: u32;
+    var phi_5489_: u32;
 
     let _e83 = bitcast<u32>(param_1[0u]);
     let _e85 = global.member_48;
@@ -251,9 +251,9 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                             if (_e380 != 0u) {
                                 let _e384 = atomicAdd((&global_1.member[0u]), 1u);
                             }
-                            phi_5402_ = 0f;
-                            phi_5393_ = vec2<f32>(0f, 0f);
-                            phi_5392_ = false;
+                            phi_5403_ = 0f;
+                            phi_5394_ = vec2<f32>(0f, 0f);
+                            phi_5393_ = false;
                             break;
                         }
                         let _e386 = global.member;
@@ -263,43 +263,43 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                         let _e393 = (((_e386 * _e387) / _e389) + _e392);
                         let _e395 = global.member_5;
                         let _e399 = all((_e393 >= vec2(-(_e395))));
-                        phi_3506_ = _e399;
+                        phi_3508_ = _e399;
                         if _e399 {
                             let _e401 = global.member_4;
-                            phi_3506_ = all((_e393 <= (_e401 + vec2(_e395))));
+                            phi_3508_ = all((_e393 <= (_e401 + vec2(_e395))));
                         }
-                        let _e407 = phi_3506_;
+                        let _e407 = phi_3508_;
                         if !(_e407) {
                             let _e410 = global_2.member_9;
                             if (_e410 != 0u) {
                                 let _e414 = atomicAdd((&global_1.member[0u]), 1u);
                             }
-                            phi_5402_ = 0f;
-                            phi_5393_ = _e393;
-                            phi_5392_ = false;
+                            phi_5403_ = 0f;
+                            phi_5394_ = _e393;
+                            phi_5393_ = false;
                             break;
                         }
                         let _e416 = global.member_7;
                         let _e419 = global.member_8;
                         let _e420 = ((_e416 - _e341) * _e419);
                         if (_e420 < 0f) {
-                            phi_5375_ = (0.015625f / (1f - _e420));
+                            phi_5378_ = (0.015625f / (1f - _e420));
                         } else {
                             if (_e420 > 1f) {
-                                phi_5374_ = (1f - (0.015625f / _e420));
+                                phi_5377_ = (1f - (0.015625f / _e420));
                             } else {
-                                phi_5374_ = (0.015625f + (0.96875f * clamp(_e420, 0f, 1f)));
+                                phi_5377_ = (0.015625f + (0.96875f * clamp(_e420, 0f, 1f)));
                             }
-                            let _e429 = phi_5374_;
-                            phi_5375_ = _e429;
+                            let _e429 = phi_5377_;
+                            phi_5378_ = _e429;
                         }
-                        let _e433 = phi_5375_;
+                        let _e433 = phi_5378_;
                         let _e434 = (_e387 / _e389);
                         let _e442 = global.member[0u];
                         let _e445 = global.member[1u];
                         let _e450 = global.member_31;
                         let _e451 = (_e450 > 0u);
-                        phi_3552_ = _e451;
+                        phi_3554_ = _e451;
                         if _e451 {
                             let _e453 = global.member_34;
                             let _e456 = global.member_29;
@@ -313,110 +313,110 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                                     let _e486 = vec2<u32>(clamp(((((_e393 + _e470) - _e473) * _e476) + vec2<f32>(0.5f, 0.5f)), vec2<f32>(0f, 0f), vec2<f32>(191f, 191f)));
                                     let _e493 = max((_e486.x - _e484.x), (_e486.y - _e484.y));
                                     if (_e493 <= 3u) {
-                                        phi_5379_ = 0u;
+                                        phi_5382_ = 0u;
                                     } else {
-                                        phi_5379_ = (bitcast<u32>(firstLeadingBit((_e493 - 1u))) - 1u);
+                                        phi_5382_ = (bitcast<u32>(firstLeadingBit((_e493 - 1u))) - 1u);
                                     }
-                                    let _e500 = phi_5379_;
+                                    let _e500 = phi_5382_;
                                     if !((_e500 < 4u)) {
-                                        phi_5391_ = false;
+                                        phi_5392_ = false;
                                         break;
                                     }
                                     let _e510 = vec2(_e500);
                                     let _e512 = (_e484 >> bitcast<vec2<u32>>(_e510));
                                     let _e514 = (_e486 >> bitcast<vec2<u32>>(_e510));
                                     let _e516 = (_e512.x & 4294967292u);
-                                    phi_5386_ = 0f;
+                                    phi_5388_ = _e516;
+                                    phi_5387_ = 0f;
                                     phi_5385_ = _e512.y;
-                                    phi_5382_ = _e516;
                                     loop {
-                                        let _e519 = phi_5386_;
-                                        let _e521 = phi_5385_;
-                                        let _e523 = phi_5382_;
-                                        let _e526 = (vec4(f32(_e523)) + vec4<f32>(0f, 1f, 2f, 3f));
-                                        let _e544 = global_3.member[((_e450 >> bitcast<u32>(1u)) + ((((4u * (12288u - (12288u >> bitcast<u32>((2u * _e500))))) + (_e521 * (192u >> bitcast<u32>(_e500)))) + _e523) >> bitcast<u32>(2u)))];
-                                        let _e546 = unpack2x16unorm(_e544.x);
-                                        let _e548 = unpack2x16unorm(_e544.y);
-                                        let _e555 = select(select(vec4<f32>(_e546.x, _e546.y, _e548.x, _e548.y), vec4<f32>(0f, 0f, 0f, 0f), (_e526 < vec4(f32(_e512.x)))), vec4<f32>(0f, 0f, 0f, 0f), (_e526 > vec4(f32(_e514.x))));
-                                        let _e563 = max(_e519, max(max(_e555.x, _e555.y), max(_e555.z, _e555.w)));
-                                        let _e564 = (_e523 + 4u);
-                                        let _e565 = (_e564 > _e514.x);
-                                        let _e568 = (_e521 + select(0u, 1u, _e565));
-                                        phi_5386_ = _e563;
-                                        phi_5385_ = _e568;
-                                        phi_5382_ = select(_e564, _e516, _e565);
-                                        local = _e563;
-                                        if (_e568 <= _e514.y) {
+                                        let _e519 = phi_5388_;
+                                        let _e521 = phi_5387_;
+                                        let _e523 = phi_5385_;
+                                        local = _e521;
+                                        if (_e523 <= _e514.y) {
                                             continue;
                                         } else {
                                             break;
                                         }
+                                        continuing {
+                                            let _e528 = (vec4(f32(_e519)) + vec4<f32>(0f, 1f, 2f, 3f));
+                                            let _e546 = global_3.member[((_e450 >> bitcast<u32>(1u)) + ((((4u * (12288u - (12288u >> bitcast<u32>((2u * _e500))))) + (_e523 * (192u >> bitcast<u32>(_e500)))) + _e519) >> bitcast<u32>(2u)))];
+                                            let _e548 = unpack2x16unorm(_e546.x);
+                                            let _e550 = unpack2x16unorm(_e546.y);
+                                            let _e557 = select(select(vec4<f32>(_e548.x, _e548.y, _e550.x, _e550.y), vec4<f32>(0f, 0f, 0f, 0f), (_e528 < vec4(f32(_e512.x)))), vec4<f32>(0f, 0f, 0f, 0f), (_e528 > vec4(f32(_e514.x))));
+                                            let _e566 = (_e519 + 4u);
+                                            let _e567 = (_e566 > _e514.x);
+                                            phi_5388_ = select(_e566, _e516, _e567);
+                                            phi_5387_ = max(_e521, max(max(_e557.x, _e557.y), max(_e557.z, _e557.w)));
+                                            phi_5385_ = (_e523 + select(0u, 1u, _e567));
+                                        }
                                     }
                                     let _e572 = local;
-                                    phi_5391_ = ((1f - _e433) > _e572);
+                                    phi_5392_ = ((1f - _e433) > _e572);
                                     break;
                                 }
                             }
-                            let _e575 = phi_5391_;
-                            phi_3552_ = _e575;
+                            let _e575 = phi_5392_;
+                            phi_3554_ = _e575;
                         }
-                        let _e577 = phi_3552_;
+                        let _e577 = phi_3554_;
                         if _e577 {
                             let _e579 = global_2.member_9;
                             if (_e579 != 0u) {
                                 let _e583 = atomicAdd((&global_1.member[1u]), 1u);
                             }
-                            phi_5402_ = _e433;
-                            phi_5393_ = _e393;
-                            phi_5392_ = false;
+                            phi_5403_ = _e433;
+                            phi_5394_ = _e393;
+                            phi_5393_ = false;
                             break;
                         }
-                        phi_5402_ = _e433;
-                        phi_5393_ = _e393;
-                        phi_5392_ = true;
+                        phi_5403_ = _e433;
+                        phi_5394_ = _e393;
+                        phi_5393_ = true;
                         break;
                     }
                 }
-                let _e585 = phi_5402_;
-                let _e587 = phi_5393_;
-                let _e589 = phi_5392_;
+                let _e585 = phi_5403_;
+                let _e587 = phi_5394_;
+                let _e589 = phi_5393_;
                 let _e594 = global_7.member[((3u * _e89) + _e93)];
                 let _e597 = (_e594.y >> bitcast<u32>(24u));
                 let _e611 = ((vec3<f32>(f32((_e594.x & 1023u)), f32(((_e594.x >> bitcast<u32>(10u)) & 1023u)), f32(((_e594.x >> bitcast<u32>(20u)) & 1023u))) - vec3<f32>(512f, 512f, 512f)) * vec3<f32>(0.0013888889f, 0.0013888889f, 0.0013888889f));
                 let _e615 = sqrt(max((1f - dot(_e611, _e611)), 0f));
                 let _e617 = (_e594.x >> bitcast<u32>(30u));
                 if (_e617 == 0u) {
-                    phi_5414_ = vec4<f32>(_e615, _e611.x, _e611.y, _e611.z);
+                    phi_5415_ = vec4<f32>(_e615, _e611.x, _e611.y, _e611.z);
                 } else {
                     if (_e617 == 1u) {
-                        phi_5413_ = vec4<f32>(_e611.x, _e615, _e611.y, _e611.z);
+                        phi_5414_ = vec4<f32>(_e611.x, _e615, _e611.y, _e611.z);
                     } else {
                         if (_e617 == 2u) {
-                            phi_5412_ = vec4<f32>(_e611.x, _e611.y, _e615, _e611.z);
+                            phi_5413_ = vec4<f32>(_e611.x, _e611.y, _e615, _e611.z);
                         } else {
-                            phi_5412_ = vec4<f32>(_e611.x, _e611.y, _e611.z, _e615);
+                            phi_5413_ = vec4<f32>(_e611.x, _e611.y, _e611.z, _e615);
                         }
-                        let _e630 = phi_5412_;
-                        phi_5413_ = _e630;
+                        let _e630 = phi_5413_;
+                        phi_5414_ = _e630;
                     }
-                    let _e636 = phi_5413_;
-                    phi_5414_ = _e636;
+                    let _e636 = phi_5414_;
+                    phi_5415_ = _e636;
                 }
-                let _e642 = phi_5414_;
+                let _e642 = phi_5415_;
                 let _e646 = global.member_38;
                 let _e647 = (_e646 > 0u);
-                phi_5432_ = unpack4x8unorm(_e594.y).xyz;
+                phi_5433_ = unpack4x8unorm(_e594.y).xyz;
                 if _e647 {
                     let _e651 = global_7.member[(_e646 + _e93)];
                     let _e653 = unpack2x16float(_e651.x);
-                    phi_5432_ = vec3<f32>(_e653.x, _e653.y, unpack2x16float(_e651.y).x);
+                    phi_5433_ = vec3<f32>(_e653.x, _e653.y, unpack2x16float(_e651.y).x);
                 }
-                let _e661 = phi_5432_;
+                let _e661 = phi_5433_;
                 let _e664 = (1u << bitcast<u32>((_e93 & 31u)));
                 let _e667 = global_7.member[_e97];
                 let _e671 = global_7.member[(_e97 + 1u)];
                 let _e675 = global_7.member[(_e97 + 2u)];
-                phi_5449_ = _e642;
+                phi_5450_ = _e642;
                 if ((_e667.x & _e664) != 0u) {
                     let _e686 = global.member_22;
                     let _e688 = global.member_18;
@@ -425,11 +425,11 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                     let _e696 = global_6.member[_e692];
                     let _e698 = global.member_44;
                     let _e702 = global.member_19;
-                    phi_5434_ = vec4<f32>(0f, 0f, 0f, 0f);
-                    phi_5433_ = 0u;
+                    phi_5435_ = vec4<f32>(0f, 0f, 0f, 0f);
+                    phi_5434_ = 0u;
                     loop {
-                        let _e706 = phi_5434_;
-                        let _e708 = phi_5433_;
+                        let _e706 = phi_5435_;
+                        let _e708 = phi_5434_;
                         let _e710 = (2u * ((_e698 + ((_e696 >> bitcast<u32>(16u)) * _e702)) + _e708));
                         let _e713 = global_3.member[_e710];
                         let _e717 = global_3.member[(_e710 + 1u)];
@@ -440,8 +440,8 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                         let _e750 = global_6.member[((_e693 + (3u * _e688)) + _e708)];
                         let _e754 = (_e706 + vec4<f32>(dot(unpack4x8snorm(_e727), _e723), dot(unpack4x8snorm(_e734), _e723), dot(unpack4x8snorm(_e742), _e723), dot(unpack4x8snorm(_e750), _e723)));
                         let _e756 = (_e708 + bitcast<u32>(1i));
-                        phi_5434_ = _e754;
-                        phi_5433_ = _e756;
+                        phi_5435_ = _e754;
+                        phi_5434_ = _e756;
                         local_1 = _e754;
                         if (_e756 < _e688) {
                             continue;
@@ -451,10 +451,10 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                     }
                     let _e762 = local_1;
                     let _e764 = (_e642 + (_e762 * (127f * unpack2x16float(_e696).x)));
-                    phi_5449_ = select(_e642, _e764, vec4((length(_e764) >= 0.001f)));
+                    phi_5450_ = select(_e642, _e764, vec4((length(_e764) >= 0.001f)));
                 }
-                let _e770 = phi_5449_;
-                phi_5453_ = _e233;
+                let _e770 = phi_5450_;
+                phi_5454_ = _e233;
                 if ((_e667.y & _e664) != 0u) {
                     let _e781 = global.member_23;
                     let _e783 = global.member_18;
@@ -463,11 +463,11 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                     let _e791 = global_6.member[_e787];
                     let _e793 = global.member_44;
                     let _e797 = global.member_19;
-                    phi_5437_ = vec3<f32>(0f, 0f, 0f);
-                    phi_5436_ = 0u;
+                    phi_5438_ = vec3<f32>(0f, 0f, 0f);
+                    phi_5437_ = 0u;
                     loop {
-                        let _e801 = phi_5437_;
-                        let _e803 = phi_5436_;
+                        let _e801 = phi_5438_;
+                        let _e803 = phi_5437_;
                         let _e805 = (2u * ((_e793 + ((_e791 >> bitcast<u32>(16u)) * _e797)) + _e803));
                         let _e808 = global_3.member[_e805];
                         let _e812 = global_3.member[(_e805 + 1u)];
@@ -477,8 +477,8 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                         let _e837 = global_6.member[((_e788 + (2u * _e783)) + _e803)];
                         let _e841 = (_e801 + vec3<f32>(dot(unpack4x8snorm(_e822), _e818), dot(unpack4x8snorm(_e829), _e818), dot(unpack4x8snorm(_e837), _e818)));
                         let _e843 = (_e803 + bitcast<u32>(1i));
-                        phi_5437_ = _e841;
-                        phi_5436_ = _e843;
+                        phi_5438_ = _e841;
+                        phi_5437_ = _e843;
                         local_2 = _e841;
                         if (_e843 < _e783) {
                             continue;
@@ -487,10 +487,10 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                         }
                     }
                     let _e849 = local_2;
-                    phi_5453_ = (_e233 + (_e849 * (127f * unpack2x16float(_e791).x)));
+                    phi_5454_ = (_e233 + (_e849 * (127f * unpack2x16float(_e791).x)));
                 }
-                let _e853 = phi_5453_;
-                phi_5455_ = _e661;
+                let _e853 = phi_5454_;
+                phi_5456_ = _e661;
                 if ((_e671.x & _e664) != 0u) {
                     let _e864 = global.member_24;
                     let _e866 = global.member_18;
@@ -502,11 +502,11 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                     let _e890 = global_6.member[_e870];
                     let _e892 = global.member_44;
                     let _e896 = global.member_19;
-                    phi_5446_ = vec3<f32>(0f, 0f, 0f);
-                    phi_5445_ = 0u;
+                    phi_5447_ = vec3<f32>(0f, 0f, 0f);
+                    phi_5446_ = 0u;
                     loop {
-                        let _e900 = phi_5446_;
-                        let _e902 = phi_5445_;
+                        let _e900 = phi_5447_;
+                        let _e902 = phi_5446_;
                         let _e904 = (2u * ((_e892 + ((_e890 >> bitcast<u32>(16u)) * _e896)) + _e902));
                         let _e907 = global_3.member[_e904];
                         let _e911 = global_3.member[(_e904 + 1u)];
@@ -516,8 +516,8 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                         let _e936 = global_6.member[((_e887 + (2u * _e866)) + _e902)];
                         let _e940 = (_e900 + vec3<f32>(dot(unpack4x8snorm(_e921), _e917), dot(unpack4x8snorm(_e928), _e917), dot(unpack4x8snorm(_e936), _e917)));
                         let _e942 = (_e902 + bitcast<u32>(1i));
-                        phi_5446_ = _e940;
-                        phi_5445_ = _e942;
+                        phi_5447_ = _e940;
+                        phi_5446_ = _e942;
                         local_3 = _e940;
                         if (_e942 < _e866) {
                             continue;
@@ -526,9 +526,9 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                         }
                     }
                     let _e948 = local_3;
-                    phi_5455_ = (select(vec3<f32>(_e875.x, _e875.y, unpack2x16float(_e879).x), _e661, vec3(_e647)) + (_e948 * (127f * unpack2x16float(_e890).x)));
+                    phi_5456_ = (select(vec3<f32>(_e875.x, _e875.y, unpack2x16float(_e879).x), _e661, vec3(_e647)) + (_e948 * (127f * unpack2x16float(_e890).x)));
                 }
-                let _e952 = phi_5455_;
+                let _e952 = phi_5456_;
                 let _e953 = normalize(_e770);
                 let _e958 = (_e953.z * _e953.z);
                 let _e959 = (_e953.w * _e953.w);
@@ -551,11 +551,11 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                 if _e1029 {
                     let _e1031 = global.member_50;
                     let _e1035 = global.member_51;
-                    phi_5456_ = ((_e342 - _e1031.xyz) / _e1035.xyz);
+                    phi_5457_ = ((_e342 - _e1031.xyz) / _e1035.xyz);
                 } else {
-                    phi_5456_ = vec3<f32>(0f, 0f, 0f);
+                    phi_5457_ = vec3<f32>(0f, 0f, 0f);
                 }
-                let _e1039 = phi_5456_;
+                let _e1039 = phi_5457_;
                 let _e1056 = vec3<u32>(round((clamp(select(select((vec3<f32>(0.015625f, 0.015625f, 0.015625f) + (clamp(_e1039, vec3<f32>(0f, 0f, 0f), vec3<f32>(1f, 1f, 1f)) * 0.96875f)), (vec3<f32>(0.015625f, 0.015625f, 0.015625f) / (vec3<f32>(1f, 1f, 1f) - min(_e1039, vec3<f32>(0f, 0f, 0f)))), (_e1039 < vec3<f32>(0f, 0f, 0f))), (vec3<f32>(1f, 1f, 1f) - (vec3<f32>(0.015625f, 0.015625f, 0.015625f) / max(_e1039, vec3<f32>(1f, 1f, 1f)))), (_e1039 > vec3<f32>(1f, 1f, 1f))), vec3<f32>(0f, 0f, 0f), vec3<f32>(1f, 1f, 1f)) * 65535f)));
                 let _e1072 = ((_e1056.z | (u32(clamp(select(0f, ceil(((8f * log2(max((_e1016 / _e1018), 0.000000000000000000000000000001f))) + 152f)), _e1029), 0f, 255f)) << bitcast<u32>(16u))) | (select(0u, _e597, _e1029) << bitcast<u32>(24u)));
                 let _e1080 = vec3<f32>(_e1001[0].x, _e1001[1].x, _e1001[2].x);
@@ -563,20 +563,20 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                 let _e1094 = vec3<f32>(_e1001[0].z, _e1001[1].z, _e1001[2].z);
                 let _e1095 = length(_e1080);
                 if (_e1095 > 0f) {
-                    phi_5458_ = (_e1080 / vec3(_e1095));
+                    phi_5459_ = (_e1080 / vec3(_e1095));
                 } else {
-                    phi_5458_ = vec3<f32>(0f, 0f, 0f);
+                    phi_5459_ = vec3<f32>(0f, 0f, 0f);
                 }
-                let _e1100 = phi_5458_;
+                let _e1100 = phi_5459_;
                 let _e1101 = dot(_e1087, _e1100);
                 let _e1103 = (_e1087 - (_e1100 * _e1101));
                 let _e1104 = length(_e1103);
                 if (_e1104 > 0f) {
-                    phi_5460_ = (_e1103 / vec3(_e1104));
+                    phi_5461_ = (_e1103 / vec3(_e1104));
                 } else {
-                    phi_5460_ = vec3<f32>(0f, 0f, 0f);
+                    phi_5461_ = vec3<f32>(0f, 0f, 0f);
                 }
-                let _e1109 = phi_5460_;
+                let _e1109 = phi_5461_;
                 let _e1110 = dot(_e1094, _e1100);
                 let _e1111 = dot(_e1094, _e1109);
                 let _e1125 = (1023f / (_e1018 * exp2(((f32(((_e1072 >> bitcast<u32>(16u)) & 255u)) * 0.125f) - 19f))));
@@ -588,12 +588,12 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                 global_4.member[_e1154] = _e1146.x;
                 global_4.member[(_e1154 + 1u)] = _e1146.y;
                 global_4.member[(_e1154 + 2u)] = _e1146.z;
-                phi_3088_ = _e589;
+                phi_3090_ = _e589;
                 if _e589 {
                     let _e1168 = global.member_29;
-                    phi_3088_ = (f32(_e597) <= _e1168);
+                    phi_3090_ = (f32(_e597) <= _e1168);
                 }
-                let _e1171 = phi_3088_;
+                let _e1171 = phi_3090_;
                 if _e1171 {
                     let _e1173 = global_2.member_9;
                     if (_e1173 != 0u) {
@@ -601,14 +601,14 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                     }
                 }
                 let _e1178 = !(_e589);
-                phi_3102_ = _e1178;
+                phi_3104_ = _e1178;
                 if !(_e1178) {
                     let _e1182 = global.member_29;
-                    phi_3102_ = (f32(_e597) <= _e1182);
+                    phi_3104_ = (f32(_e597) <= _e1182);
                 }
-                let _e1185 = phi_3102_;
+                let _e1185 = phi_3104_;
                 if _e1185 {
-                    phi_5487_ = 4294967295u;
+                    phi_5488_ = 4294967295u;
                     break;
                 }
                 switch bitcast<i32>(0u) {
@@ -625,31 +625,31 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                         let _e1219 = cross(_e1203, _e1212);
                         let _e1224 = (dot(_e1219, _e1219) + (0.3f * ((_e1214 + _e1217) - 0.3f)));
                         let _e1225 = (_e1224 > 0f);
-                        phi_4858_ = _e1225;
+                        phi_4861_ = _e1225;
                         if _e1225 {
-                            phi_4858_ = (_e1214 <= 1000000000000000000f);
+                            phi_4861_ = (_e1214 <= 1000000000000000000f);
                         }
-                        let _e1228 = phi_4858_;
-                        phi_4864_ = _e1228;
+                        let _e1228 = phi_4861_;
+                        phi_4867_ = _e1228;
                         if _e1228 {
-                            phi_4864_ = (_e1217 <= 1000000000000000000f);
+                            phi_4867_ = (_e1217 <= 1000000000000000000f);
                         }
-                        let _e1231 = phi_4864_;
+                        let _e1231 = phi_4867_;
                         if !(_e1231) {
                             let _e1234 = global_2.member_9;
                             if (_e1234 != 0u) {
                                 let _e1238 = atomicAdd((&global_1.member[3u]), 1u);
                             }
-                            phi_5486_ = 4294967295u;
+                            phi_5487_ = 4294967295u;
                             break;
                         }
                         let _e1240 = global.member_49;
                         let _e1241 = (vec3<f32>(_e1214, dot(_e1203, _e1212), _e1217) * _e1240);
-                        phi_5478_ = (1f - (f32(_e597) * 0.003921569f));
-                        phi_5477_ = 0u;
+                        phi_5479_ = (1f - (f32(_e597) * 0.003921569f));
+                        phi_5478_ = 0u;
                         loop {
-                            let _e1248 = phi_5478_;
-                            let _e1250 = phi_5477_;
+                            let _e1248 = phi_5479_;
+                            let _e1250 = phi_5478_;
                             local_4 = _e1248;
                             if (_e1250 < _e91) {
                                 continue;
@@ -657,8 +657,8 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                                 break;
                             }
                             continuing {
-                                phi_5478_ = (_e1248 * _e1248);
-                                phi_5477_ = (_e1250 + bitcast<u32>(1i));
+                                phi_5479_ = (_e1248 * _e1248);
+                                phi_5478_ = (_e1250 + bitcast<u32>(1i));
                             }
                         }
                         let _e1256 = local_4;
@@ -667,36 +667,36 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                         let _e1266 = global.member_29;
                         let _e1274 = (sqrt(_e1241.xz) * sqrt((2f * log(max((max(f32(_e1260), _e1263) / _e1266), 1f)))));
                         let _e1277 = all(((_e587 + _e1274) > vec2<f32>(0f, 0f)));
-                        phi_4902_ = _e1277;
+                        phi_4905_ = _e1277;
                         if _e1277 {
                             let _e1280 = global.member_4;
-                            phi_4902_ = all(((_e587 - _e1274) < _e1280));
+                            phi_4905_ = all(((_e587 - _e1274) < _e1280));
                         }
-                        let _e1284 = phi_4902_;
+                        let _e1284 = phi_4905_;
                         if !(_e1284) {
                             let _e1287 = global_2.member_9;
                             if (_e1287 != 0u) {
                                 let _e1291 = atomicAdd((&global_1.member[0u]), 1u);
                             }
-                            phi_5486_ = 4294967295u;
+                            phi_5487_ = 4294967295u;
                             break;
                         }
                         let _e1295 = (0.5f * (_e1241.x - _e1241.z));
                         let _e1300 = sqrt(((_e1295 * _e1295) + (_e1241.y * _e1241.y)));
                         let _e1303 = ((0.5f * (_e1241.x + _e1241.z)) + _e1300);
                         if (_e1295 >= 0f) {
-                            phi_5484_ = vec2<f32>((_e1295 + _e1300), _e1241.y);
+                            phi_5485_ = vec2<f32>((_e1295 + _e1300), _e1241.y);
                         } else {
-                            phi_5484_ = vec2<f32>(_e1241.y, (_e1300 - _e1295));
+                            phi_5485_ = vec2<f32>(_e1241.y, (_e1300 - _e1295));
                         }
-                        let _e1310 = phi_5484_;
+                        let _e1310 = phi_5485_;
                         let _e1311 = length(_e1310);
                         if (_e1311 > 0f) {
-                            phi_5485_ = (_e1310 / vec2(_e1311));
+                            phi_5486_ = (_e1310 / vec2(_e1311));
                         } else {
-                            phi_5485_ = vec2<f32>(1f, 0f);
+                            phi_5486_ = vec2<f32>(1f, 0f);
                         }
-                        let _e1316 = phi_5485_;
+                        let _e1316 = phi_5486_;
                         let _e1323 = global.member_5;
                         let _e1327 = global.member_10;
                         let _e1331 = vec2<u32>(clamp(round(((_e587 + vec2(_e1323)) * _e1327)), vec2<f32>(0f, 0f), vec2<f32>(1048575f, 1048575f)));
@@ -707,21 +707,21 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                         global_4.member[(_e1361 + 2u)] = pack2x16float((_e1316 * min(sqrt(_e1303), 65504f)));
                         global_4.member[(_e1361 + 3u)] = ((pack2x16float(vec2<f32>(min(sqrt(((_e1224 * (_e1240 * _e1240)) / _e1303)), 65504f), 0f)) | (_e1260 << bitcast<u32>(16u))) | ((_e1143.z >> bitcast<u32>(2u)) << bitcast<u32>(24u)));
                         let _e1374 = global.member_9;
-                        phi_5486_ = min(u32((_e585 * f32(_e1374))), _e1374);
+                        phi_5487_ = min(u32((_e585 * f32(_e1374))), _e1374);
                         break;
                     }
                 }
-                let _e1380 = phi_5486_;
-                phi_5487_ = _e1380;
+                let _e1380 = phi_5487_;
+                phi_5488_ = _e1380;
                 break;
             }
         }
-        let _e1382 = phi_5487_;
-        phi_5488_ = _e1382;
+        let _e1382 = phi_5488_;
+        phi_5489_ = _e1382;
     } else {
-        phi_5488_ = 4294967295u;
+        phi_5489_ = 4294967295u;
     }
-    let _e1384 = phi_5488_;
+    let _e1384 = phi_5489_;
     switch bitcast<i32>(0u) {
         default: {
             let _e1387 = bitcast<u32>(param[0u]);

@@ -6,7 +6,7 @@ use crate::vulkan::{
     passes::{model::Model, project::Project},
     sort::Sort,
 };
-use effigy_core::layout::{Control, PYRAMID_SIDE};
+use effigy_core::layout::{Control, PYRAMID_WORDS};
 use half::f16;
 
 /// A stage's buffers read back, for tests.
@@ -48,7 +48,7 @@ impl StageSources<'_> {
         let features = 16 * (constants.parts * constants.feature_quads) as usize;
         let nodes_end = features + 8 * constants.nodes as usize;
         let pyramid = match self.pyramid_start {
-            Some(word) => 4 * word..4 * word + 2 * (PYRAMID_SIDE * PYRAMID_SIDE) as usize,
+            Some(word) => 4 * word..4 * (word + PYRAMID_WORDS as usize),
             None => nodes_end..nodes_end,
         };
         let pose = self.pose.download(pyramid.end)?;

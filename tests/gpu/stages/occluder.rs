@@ -6,9 +6,10 @@ use effigy::vulkan::{Gpu, Renderer, RendererOptions};
 use effigy_core::{
     avatar::{Avatar, Pose},
     frame::{FrameState, PlanInput, Skip},
+    layout::{OCCLUDER_SIDE, PYRAMID_LEVELS, PYRAMID_SIDE, SORT_CULLED},
     occluder::Occluder,
     reference::occluder::{self, OccluderDrawing},
-    scene::{AvatarBounds, Camera, PartDependencies, Posed, upright},
+    scene::{AvatarBounds, Camera, OccluderView, PartDependencies, Posed, upright},
 };
 use effigy_measure::error;
 use glam::{DVec2, DVec3};
@@ -39,15 +40,27 @@ fn camera(avatar: &Avatar, posed: &Posed, yaw: f64, nearness: f64, size: [u32; 2
     Camera::orbit((bounds[0] + bounds[1]) / 2.0, yaw, 0.1, distance, 0.6, size)
 }
 
-/// The pyramid lies between the furthest and the nearest that the reference finds where it samples
-/// the depth image a sixteenth of a texel off the middle: there edges of triangles are ties.
-fn the_pyramid_is_that_of_the_reference() {
-    let device = gpu::drawing();
-    for (share, yaw) in [(0.0, 0.4), (1.0, 3.6)] {
+/// A frame of the bent demo, and how its occluder was drawn.
+struct Scene {
+    frame: Frame,
+    mesh: Occluder,
+    options: RendererOptions,
+    /// Depths between which keys are linear, metres.
+    depth_range: [f64; 2],
+    view: OccluderView,
+}
+
+impl Scene {
+    /// `share`: how far it is bent; `nearness`: see [`camera`].
+    fn new(share: f64, yaw: f64, nearness: f64) -> Self {
+        let device = gpu::drawing();
         let avatar = demo();
         let posed = bent(&avatar, share);
-        let camera = camera(&avatar, &posed, yaw, 1.0, SIZE);
-        let options = gpu::options(SIZE);
+        let camera = camera(&avatar, &posed, yaw, nearness, SIZE);
+        let options = RendererOptions {
+            skip: Skip::HIDDEN,
+            ..gpu::options(SIZE)
+        };
         let mesh = Occluder::new(&avatar);
         let bounds = AvatarBounds::new(&avatar);
         let dependencies = PartDependencies::new(&avatar);
@@ -62,21 +75,52 @@ fn the_pyramid_is_that_of_the_reference() {
         });
         let depth_range = plan.depth_range;
         let view = plan.occluder_view.expect("the demo has an occluder");
-        let frame: Frame = gpu::draw(&device, avatar.clone(), posed.clone(), camera, options);
-        let vertices = occluder::vertices(&avatar, &mesh, &posed, &camera, &frame.reference.nodes);
+        Self {
+            frame: gpu::draw(&device, avatar, posed, camera, options),
+            mesh,
+            options,
+            depth_range,
+            view,
+        }
+    }
+}
+
+/// How far the demo is bent, the camera's yaw and how near it is. Two views are cut off by the
+/// image's edges.
+const VIEWS: [[f64; 3]; 4] = [
+    [0.0, 0.4, 1.0],
+    [1.0, 3.6, 1.0],
+    [0.3, 0.3, 0.6],
+    [0.3, 5.0, 0.3],
+];
+
+/// The pyramid lies between the furthest and the nearest that the reference finds where it samples
+/// the depth image a sixteenth of a texel off the middle: there edges of triangles are ties.
+fn the_pyramid_is_that_of_the_reference() {
+    for [share, yaw, nearness] in VIEWS {
+        let scene = Scene::new(share, yaw, nearness);
+        let Frame {
+            avatar,
+            posed,
+            camera,
+            reference,
+            gpu,
+            ..
+        } = &scene.frame;
+        let vertices = occluder::vertices(avatar, &scene.mesh, posed, camera, &reference.nodes);
         let torn = vertices.iter().filter(|vertex| !vertex.is_opaque).count();
-        if share > 0.0 {
+        if share == 1.0 {
             assert!(torn > 50, "{torn} of {} vertices are torn", vertices.len());
         }
         let off = |x: f64, y: f64| {
             let drawing = OccluderDrawing {
-                camera: &camera,
-                view: &view,
-                depth_range,
-                margin: options.margin,
+                camera,
+                view: &scene.view,
+                depth_range: scene.depth_range,
+                margin: scene.options.margin,
                 offset: DVec2::new(x, y) / 16.0,
             };
-            occluder::pyramid(&vertices, &mesh.triangles, &drawing)
+            occluder::pyramid(&vertices, &scene.mesh.triangles, &drawing)
         };
         let sampled = [
             off(0.0, 0.0),
@@ -85,12 +129,12 @@ fn the_pyramid_is_that_of_the_reference() {
             off(-1.0, 1.0),
             off(1.0, 1.0),
         ];
-        assert_eq!(frame.gpu.pyramid.len(), sampled[0].len());
+        let (finest, _) = gpu.pyramid.split_at(sampled[0].len());
         // Positions have 16 bits in the file's box, depths 16 bits in the image.
         let tolerance = 12.0 / 65535.0;
         let mut hiding = 0;
         let mut wrong = Vec::new();
-        for (at, &texel) in frame.gpu.pyramid.iter().enumerate() {
+        for (at, &texel) in finest.iter().enumerate() {
             let depth = f64::from(texel) / 65535.0;
             let near = sampled.iter().map(|all| all[at]).fold(1.0, f64::min);
             let far = sampled.iter().map(|all| all[at]).fold(0.0, f64::max);
@@ -99,6 +143,7 @@ fn the_pyramid_is_that_of_the_reference() {
             }
             hiding += usize::from(texel < u16::MAX);
         }
+        assert_coarse_levels(&gpu.pyramid);
         assert!(hiding > 1000, "only {hiding} texels hide anything");
         // A vertex at the very limit of its stretch may be opaque here and torn there.
         assert!(
@@ -107,6 +152,62 @@ fn the_pyramid_is_that_of_the_reference() {
             wrong.len(),
             wrong.first()
         );
+    }
+}
+
+/// Each texel of a coarser level is the furthest of four of the level before.
+fn assert_coarse_levels(pyramid: &[u16]) {
+    let mut finer = 0;
+    let mut start = (PYRAMID_SIDE * PYRAMID_SIDE) as usize;
+    for level in 1..PYRAMID_LEVELS {
+        let side = (PYRAMID_SIDE >> level) as usize;
+        for y in 0..side {
+            for x in 0..side {
+                let furthest = [(0, 0), (1, 0), (0, 1), (1, 1)]
+                    .map(|(dx, dy)| pyramid[finer + (2 * y + dy) * 2 * side + 2 * x + dx])
+                    .into_iter()
+                    .max();
+                let found = pyramid[start + y * side + x];
+                assert_eq!(Some(found), furthest, "level {level}, texel ({x}, {y})");
+            }
+        }
+        finer = start;
+        start += side * side;
+    }
+    assert_eq!(pyramid.len(), start);
+}
+
+/// Every Gaussian that the device leaves out and the reference does not lies behind all texels that
+/// its ellipse meets. The finest level says more than the coarse one that the device looks at.
+fn what_is_hidden_lies_behind_the_pyramid() {
+    let side = PYRAMID_SIDE as usize;
+    for [share, yaw, nearness] in VIEWS {
+        let scene = Scene::new(share, yaw, nearness);
+        let splats = &scene.frame.reference.splats;
+        let pyramid = &scene.frame.gpu.pyramid;
+        let texel = |pixel: DVec2| {
+            let at = scene.view.texel(pixel) * f64::from(PYRAMID_SIDE) / f64::from(OCCLUDER_SIDE);
+            at.clamp(DVec2::ZERO, DVec2::splat(f64::from(PYRAMID_SIDE - 1)))
+        };
+        let mut hidden = 0;
+        for (at, splat) in splats.iter().enumerate() {
+            let (Ok(splat), true) = (splat, scene.frame.gpu.keys[at] == SORT_CULLED) else {
+                continue;
+            };
+            hidden += 1;
+            let low = texel(splat.center - splat.radius);
+            let high = texel(splat.center + splat.radius);
+            let furthest = (low.y as usize..=high.y as usize)
+                .flat_map(|y| (low.x as usize..=high.x as usize).map(move |x| y * side + x))
+                .map(|at| f64::from(pyramid[at]) / 65535.0)
+                .fold(0.0, f64::max);
+            let depth = occluder::depth_of(splat.depth, scene.depth_range);
+            assert!(
+                depth > furthest - 4.0 / 65535.0,
+                "Gaussian {at} at {depth} is hidden by what is at {furthest}, {splat:?}"
+            );
+        }
+        assert!(hidden > 1000, "only {hidden} Gaussians are hidden");
     }
 }
 
@@ -152,5 +253,6 @@ fn drawn(device: &Arc<Gpu>, avatar: &Avatar, posed: &Posed, camera: &Camera, ski
 
 tests! {
     the_pyramid_is_that_of_the_reference,
+    what_is_hidden_lies_behind_the_pyramid,
     the_occluder_hides_nothing_where_the_shell_is_torn,
 }
