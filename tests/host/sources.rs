@@ -56,7 +56,36 @@ fn no_test_has_the_test_attribute() {
     }
 }
 
+/// The README is short, and its Rust is that of the library's documentation, which is compiled.
+fn the_readme_is_short_and_its_code_compiles() {
+    let root = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."));
+    let readme = fs::read_to_string(root.join("README.md")).unwrap();
+    let lines = readme.lines().count();
+    let words = readme.split_whitespace().count();
+    assert!(
+        lines <= 130 && words <= 1000,
+        "{lines} lines, {words} words"
+    );
+
+    let documented = fs::read_to_string(root.join("src/lib.rs")).unwrap();
+    let documented: Vec<&str> = documented
+        .lines()
+        .filter_map(|line| line.strip_prefix("//!"))
+        .map(str::trim)
+        .collect();
+    let (_, code) = readme.split_once("```rust\n").unwrap();
+    let (code, _) = code.split_once("```").unwrap();
+    let code = code.lines().filter(|line| !line.starts_with("use "));
+    for line in code {
+        assert!(
+            documented.contains(&line),
+            "src/lib.rs does not show: {line}"
+        );
+    }
+}
+
 tests! {
+    the_readme_is_short_and_its_code_compiles,
     every_file_is_a_module,
     no_test_has_the_test_attribute,
 }
