@@ -5,9 +5,10 @@ use super::{bound::ErrorBound, case::StressCase, category::Category, refusal};
 use crate::error::{self, ErrorMetrics};
 use effigy::vulkan::{self, Gpu, Renderer, instance::validation_messages};
 use effigy_core::{
+    frame::KeyBits,
     random::{Random, hash},
     reference,
-    scene::{Camera, FrameImage, Posed},
+    scene::{AvatarBounds, Camera, FrameImage, Posed},
 };
 use glam::DVec3;
 use std::{
@@ -26,6 +27,11 @@ const MAX_CHANNEL: f32 = 1.001;
 /// Relative error that f32 and 16-bit quaternions leave in a network's inputs, its features and the
 /// rotations.
 const ROUNDING: f64 = 4e-6;
+/// Relative error of a depth in f32: the translation of the joint's matrix is rounded, and so is
+/// each of the three sums that follow.
+const DEPTH_ROUNDING: f64 = 2.0 * f32::EPSILON as f64;
+/// Error of a key, 0 to 1, in f32: a difference, two products and a sum.
+const KEY_ROUNDING: f64 = 2.0 * f32::EPSILON as f64;
 /// How far an ill-posed case may be below its conditioning, dB.
 const ILL_POSED: f64 = 10.0;
 
@@ -40,9 +46,10 @@ pub struct CaseOutcome {
     pub arithmetic: Option<ErrorMetrics>,
     /// The bound that it was held to.
     pub bound: ErrorBound,
-    /// PSNR of the reference against itself with its numbers changed by 4e-6 each, dB. Computed
-    /// if the arithmetic exceeds its bound: an image that is no better determined than that has
-    /// nothing to be compared with, and is only held to 10 dB below it.
+    /// PSNR of the reference against itself with its numbers changed by 4e-6 each and its depths by
+    /// what f32 and the keys round, dB. Computed if the arithmetic exceeds its bound: an image that
+    /// is no better determined than that has nothing to be compared with, and is only held to 10 dB
+    /// below it.
     pub conditioned_db: Option<f64>,
     /// A sentence for everything that is wrong.
     pub faults: Vec<String>,
@@ -214,8 +221,8 @@ fn pixel_faults(first: &FrameImage, second: &FrameImage) -> Vec<String> {
     faults
 }
 
-/// PSNR of the reference's image against the one with its numbers changed by [`ROUNDING`], dB: the
-/// worst of three.
+/// PSNR of the reference's image against the one with its numbers changed by [`ROUNDING`] and its
+/// depths by [`depth_rounding`], dB: the worst of three.
 fn conditioning(case: &StressCase, reference: &FrameImage) -> f64 {
     let psnr = (0..3).map(|round| {
         let image = render_changed(case, &mut Random::new(case.number, round));
@@ -224,20 +231,39 @@ fn conditioning(case: &StressCase, reference: &FrameImage) -> f64 {
     psnr.fold(f64::INFINITY, f64::min)
 }
 
-/// The reference's image with inputs and features changed by [`ROUNDING`].
+/// How far f32 and the sort's keys may move a Gaussian along the camera's axis, metres: those that
+/// are closer together than that may be drawn in either order. `depth`: its own, metres; `range`:
+/// the depths between which keys are linear.
+fn depth_rounding(depth: f64, range: [f64; 2], keys: KeyBits) -> f64 {
+    let key_steps = 1.0 / f64::from(keys.largest()) + KEY_ROUNDING;
+    DEPTH_ROUNDING * depth.abs() + key_steps * (range[1] - range[0])
+}
+
+/// Changes each value by up to [`ROUNDING`] of it.
+fn round(values: &mut [f64], random: &mut Random) {
+    for value in values {
+        *value *= 1.0 + random.range(-ROUNDING, ROUNDING);
+    }
+}
+
+/// The reference's image with inputs and features changed by [`ROUNDING`], and depths by
+/// [`depth_rounding`].
 fn render_changed(case: &StressCase, random: &mut Random) -> FrameImage {
-    let mut change = |values: &mut [f64]| {
-        for value in values {
-            *value *= 1.0 + random.range(-ROUNDING, ROUNDING);
-        }
-    };
     let mut posed = case.posed.clone();
-    change(&mut posed.input);
+    round(&mut posed.input, random);
     let mut features = reference::mlp::features(&case.avatar, &posed.input);
-    change(&mut features);
+    round(&mut features, random);
     let nodes = reference::nodes::nodes(&case.avatar, &features);
-    let gaussians = reference::project::gaussians(&case.avatar, &posed, &features, &nodes);
-    reference::render_gaussians(&gaussians, &case.camera)
+    let mut gaussians = reference::project::gaussians(&case.avatar, &posed, &features, &nodes);
+    let camera = &case.camera;
+    let range = AvatarBounds::new(&case.avatar).depth(&posed.joints, camera);
+    let forward = camera.view.matrix3.row(2);
+    for gaussian in &mut gaussians {
+        let depth = camera.view.transform_point3(gaussian.mean).z;
+        let most = depth_rounding(depth, range, case.options.key_bits);
+        gaussian.mean += forward * random.range(-most, most);
+    }
+    reference::render_gaussians(&gaussians, camera)
 }
 
 /// A hash of an image's bits.
