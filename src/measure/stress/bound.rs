@@ -45,7 +45,7 @@ impl ErrorBound {
         if options.color == Some(ColorFormat::Rgba8) {
             let has_faint_layers = matches!(
                 category,
-                Category::Sizes | Category::Views | Category::Mixed
+                Category::Sizes | Category::Views | Category::Mixed | Category::Torn
             );
             psnr_db = psnr_db.min(if has_faint_layers { 26.0 } else { 34.0 });
         }
