@@ -8,7 +8,7 @@
 //! };
 //!
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
-//! let avatar = Avatar::read("anna.avatar".as_ref())?;
+//! let avatar = Avatar::read("body.avatar".as_ref())?;
 //! let pose = Pose::rest(avatar.skeleton.len(), avatar.inputs.expression);
 //! let posed = Posed::new(&avatar, &pose);
 //!
@@ -18,7 +18,7 @@
 //! let bounds = upright(renderer.bounds().bounds(&posed.joints));
 //! let camera = Camera::around(bounds, 0.35, 0.05, 0.61, size);
 //! renderer.draw(&posed, &camera, None)?;
-//! renderer.read_image()?.over([1.0; 3]).save("anna.png")?;
+//! renderer.read_image()?.over([1.0; 3]).save("body.png")?;
 //! # Ok(())
 //! # }
 //! ```

@@ -158,7 +158,7 @@ impl Viewer {
         };
         let avatar = self.scene.avatar();
         let slow_start = SlowStart::new(|| {
-            tracing::warn!("compiling shaders for this device: only a first start takes this long");
+            tracing::warn!("starting: the driver compiles shaders at a first start");
         });
         let painter = WindowPainter::new(window, avatar, &self.options.gpu, full_quality)?;
         self.slow_start = Some(slow_start);

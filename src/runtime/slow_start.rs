@@ -31,7 +31,7 @@ impl SlowStart {
 
 /// The sentence for a device.
 pub fn compiling(device: &str) -> String {
-    format!("compiling shaders for {device}: only a first start takes this long")
+    format!("starting on {device}: its driver compiles shaders at a first start")
 }
 
 #[cfg(test)]
