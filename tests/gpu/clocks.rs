@@ -64,6 +64,18 @@ fn assert_adds_up(frames: &[Timed], least: f64) {
             "{stages:?} add up to {of_wall:.3} of {wall:?}"
         );
         best = best.max(of_wall);
+    }
+    assert!(
+        best >= least,
+        "the stages explain no more than {best:.3} of any frame"
+    );
+}
+
+/// No stage's time is booked to another. WebGPU's barriers stand where wgpu puts them, so on
+/// llvmpipe a border there may lie a stage late, and only the sum is right.
+fn assert_projection_is_timed(frames: &[Timed]) {
+    for Timed { stages, .. } in frames {
+        let sum: f64 = stages.iter().map(|(_, ms)| ms).sum();
         let project = stages.iter().find(|(name, _)| *name == "project");
         let (_, project) = project.expect("a stage that every frame runs");
         assert!(
@@ -71,10 +83,6 @@ fn assert_adds_up(frames: &[Timed], least: f64) {
             "the projection takes next to nothing: {stages:?}"
         );
     }
-    assert!(
-        best >= least,
-        "the stages explain no more than {best:.3} of any frame"
-    );
 }
 
 fn adds_up(method: RasterMethod, skip: Skip) {
@@ -105,6 +113,7 @@ fn adds_up(method: RasterMethod, skip: Skip) {
         })
         .collect();
     assert_adds_up(&timed, LEAST_OF_WALL);
+    assert_projection_is_timed(&timed);
 }
 
 /// With an occluder: its render pass is what drivers defer timestamps for.
