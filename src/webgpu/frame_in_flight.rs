@@ -152,18 +152,12 @@ impl FrameInFlight {
         self.skipped.push(stage.name());
     }
 
-    /// The timestamps of a stage of one pass.
+    /// The timestamps at the beginning and the end of a stage. Stages share their borders: the end
+    /// of one is the beginning of the next.
     pub fn stage(&mut self, stage: Stage) -> Writes {
-        let [[begin, _], [_, end]] = self.split(stage);
-        [begin, end]
-    }
-
-    /// The timestamps of a stage of two passes. Stages share their borders: the end of one is the
-    /// beginning of the next.
-    pub fn split(&mut self, stage: Stage) -> [Writes; 2] {
         let begin = self.marked.is_empty().then_some(0);
         self.marked.push(stage.name());
-        [[begin, None], [None, Some(self.marked.len() as u32)]]
+        [begin, Some(self.marked.len() as u32)]
     }
 
     /// Begins a compute pass that writes these timestamps, where the device has them.

@@ -16,7 +16,7 @@ use std::time::{Duration, Instant};
 /// Least part of the wall time that the stages of some frame must explain. What is missing is the
 /// copy of the counts, and the time that the driver's and this thread take to wake up.
 const LEAST_OF_WALL: f64 = 0.9;
-/// That part where the wall time has the recording of the frame in it, by a library that checks all.
+/// That part on WebGPU, where the wall time has the recording of the frame in it.
 const LEAST_OF_WALL_RECORDED: f64 = 0.75;
 /// Most of the wall time that the stages of any frame may add up to.
 const MOST_OF_WALL: f64 = 1.01;

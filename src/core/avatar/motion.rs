@@ -128,7 +128,7 @@ impl Player {
     /// The skeleton's pose at a time, seconds; held before the start and after the end.
     ///
     /// # Panics
-    /// As [`Clip::sample`].
+    /// Where [`Clip::sample`] does.
     pub fn pose(&self, seconds: f64) -> Pose {
         let pose = self.clip.sample(seconds);
         Pose {

@@ -43,7 +43,7 @@ impl ReferenceFrame {
     /// Gaussian, which represents those skipped. Levels beyond [`COARSEST`] are drawn as that one.
     ///
     /// # Panics
-    /// As [`ReferenceFrame::new`].
+    /// Where [`ReferenceFrame::new`] does.
     pub fn at_level(avatar: &Avatar, posed: &Posed, camera: &Camera, level: u32) -> Self {
         let level = level.min(COARSEST);
         let features = mlp::features(avatar, &posed.input);
@@ -67,7 +67,7 @@ impl ReferenceFrame {
 /// The image of a posed avatar.
 ///
 /// # Panics
-/// As [`ReferenceFrame::new`].
+/// Where [`ReferenceFrame::new`] does.
 pub fn render(avatar: &Avatar, posed: &Posed, camera: &Camera) -> FrameImage {
     ReferenceFrame::new(avatar, posed, camera).canvas.to_image()
 }
