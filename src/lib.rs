@@ -107,7 +107,7 @@ pub use effigy_core::{
     avatar::{Avatar, Clip, Pose, Skeleton, motion::Player},
     frame::{
         ColorFormat, FrameReport, KeyBits, RasterMethod, RendererOptions, Schedule, Skip,
-        SortVariant, preset::Preset,
+        SortVariant, TileKernel, preset::Preset,
     },
     glam,
     io::file::{FileError, FormatError},

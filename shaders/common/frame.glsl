@@ -59,6 +59,7 @@ layout(std140, set = 0, binding = 0) uniform FrameBlock {
     uint detail_level;
     uint drawn;
     float covariance_scale;
+    uint bin_side;
     vec4 cache_min;
     vec4 cache_size;
     vec4 camera_from_cache[3];

@@ -7,15 +7,27 @@
 #include "common/splat.glsl"
 #include "common/control.glsl"
 #include "raster/quads.glsl"
+#ifndef WEB
+#include "common/bins.glsl"
+#endif
 
 // Quads are at least as large as for this exponent, which is no less than CUTOFF_EXPONENT.
 PARAMETER(1, float, QUAD_EXPONENT, -7.994353)
-// Whether fragments are tested against the occluder's depth.
+// Whether fragments are tested against the saturation depth, and only marked splats drawn.
 PARAMETER(2, bool, DEPTH, false)
 
 layout(std430, set = 0, binding = 1) readonly buffer Order { uint order[]; };
 layout(std430, set = 0, binding = 2) readonly buffer Splats { uvec4 splats[]; };  // then the keys
 layout(std430, set = 0, binding = 3) readonly buffer ControlBuffer { Control control; };
+#ifdef WEB
+bool marked(uint i) { return true; }
+#else
+// Bound to anything where DEPTH is false.
+layout(std430, set = 0, binding = 4) readonly buffer Bins { uint bins[]; };
+
+// Whether some part of the image met the splat before it was saturated.
+bool marked(uint i) { return (bins[MARKS_START + (i >> 5u)] >> (i & 31u) & 1u) != 0u; }
+#endif
 
 // Where in the quad, in standard deviations of √(2 ln 2): at most 3, so 16 bits suffice on a device
 // that has such varyings.
@@ -31,6 +43,9 @@ void main() {
         return;
     }
     uint i = order[quad];
+    if (DEPTH && !marked(i)) {
+        return;
+    }
     uvec4 words = splats[i];
     Splat splat = unpack_splat(words);
     float opacity = log2(float(splat.opacity) / 255.0);

@@ -8,7 +8,7 @@ use clap::{
 use effigy::vulkan::{
     Gpu, GpuOptions, RendererOptions,
     preset::Preset,
-    raster::{ColorFormat, RasterMethod},
+    raster::{ColorFormat, RasterMethod, TileKernel},
     sort::{KeyBits, SortVariant},
 };
 use effigy_core::{
@@ -168,7 +168,8 @@ impl QualityArgs {
         RendererOptions {
             color: self.color.map(Into::into).or(preset.color),
             key_bits: self.keys.map_or(preset.key_bits, Into::into),
-            method: self.raster.into(),
+            method: self.raster.method(),
+            kernel: self.raster.kernel(),
             sort: self.sort.into(),
             skip: self.skip.unwrap_or(preset.skip),
             cutoff: self.cutoff.map_or(preset.cutoff, |n| n / 255.0),
@@ -212,7 +213,7 @@ impl From<ColorArg> for ColorFormat {
     }
 }
 
-/// [`RasterMethod`] as an argument.
+/// [`RasterMethod`] and [`TileKernel`] as an argument.
 #[derive(Clone, Copy, Debug, ValueEnum)]
 pub enum RasterArg {
     /// The faster one for the kind of device
@@ -222,14 +223,29 @@ pub enum RasterArg {
     Quads,
     /// A compute kernel, near to far until a pixel is saturated
     Tiles,
+    /// The kernel of which each invocation walks its tiles' lists by itself
+    TilesPerThread,
+    /// The kernel of which a subgroup of 8 shares what it reads
+    TilesCooperative,
+    /// The kernel of which a workgroup shares what it reads, for GPUs
+    TilesShared,
 }
 
-impl From<RasterArg> for Option<RasterMethod> {
-    fn from(raster: RasterArg) -> Self {
-        match raster {
-            RasterArg::Auto => None,
-            RasterArg::Quads => Some(RasterMethod::Quads),
-            RasterArg::Tiles => Some(RasterMethod::Tiles),
+impl RasterArg {
+    fn method(self) -> Option<RasterMethod> {
+        match self {
+            Self::Auto => None,
+            Self::Quads => Some(RasterMethod::Quads),
+            _ => Some(RasterMethod::Tiles),
+        }
+    }
+
+    fn kernel(self) -> Option<TileKernel> {
+        match self {
+            Self::Auto | Self::Quads | Self::Tiles => None,
+            Self::TilesPerThread => Some(TileKernel::PerThread),
+            Self::TilesCooperative => Some(TileKernel::Cooperative),
+            Self::TilesShared => Some(TileKernel::Shared),
         }
     }
 }

@@ -15,7 +15,7 @@
 use effigy::vulkan::{RendererOptions, raster::RasterMethod};
 use effigy_core::{
     avatar::{Avatar, Layer},
-    frame::{Skip, SortVariant, passes::Stage},
+    frame::{Skip, SortVariant, TileKernel, passes::Stage},
     layout::{
         self, BLOCK_PAIRS, GAUSSIAN_PAIRS, OCCLUDER_SIDE, OccluderCorner, POSE_CACHE_WORDS,
         PYRAMID_LEVELS, PYRAMID_SIDE, SORT_DIGITS, SORT_RUNS,
@@ -188,6 +188,10 @@ const CACHED_SPLAT_OPERATIONS: u64 = 250;
 const FRAGMENT_OPERATIONS: u64 = 18;
 /// Tiles that a splat touches, about: 3 to 4 of a body 2000 pixels high.
 const TILES_A_SPLAT: u64 = 3;
+/// Bins of 32 px that a splat touches, about, on such a body.
+const PAIRS_A_SPLAT: u64 = 2;
+/// The bin of a pair.
+const PAIR_KEY: u64 = 2;
 
 /// Work of one stage in a frame in which it runs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -297,8 +301,15 @@ pub fn work_per_stage(
     }
     stages.push(project(avatar, options, counts, has_occluder));
     stages.push(sort(options, counts));
-    if options.method == Some(RasterMethod::Tiles) {
+    let tested = options.method == Some(RasterMethod::Quads) && options.skip.contains(Skip::DEPTH);
+    let tiles = options.method == Some(RasterMethod::Tiles);
+    if tested || options.kernel == Some(TileKernel::Shared) && tiles {
+        stages.push(bins(counts));
+    } else if tiles {
         stages.push(binning(counts));
+    }
+    if tested {
+        stages.push(saturation(options, counts));
     }
     stages.push(raster(options, counts));
     stages
@@ -562,6 +573,35 @@ fn binning(counts: WorkCounts) -> StageWork {
     };
     let a_splat = SPLAT_INDEX + SPLAT + list_entry * TILES_A_SPLAT;
     StageWork::moving(Stage::Binning, heads + a_splat * counts.drawn)
+}
+
+/// The lists of bins: pairs are counted from the order and the splats, written with their keys,
+/// and sorted in two passes, of which each counts first; the second reads and writes a word a pair.
+fn bins(counts: WorkCounts) -> StageWork {
+    let written = WORD + PAIR_KEY;
+    let sorted = 2 * PAIR_KEY + WORD + 2 * WORD + WORD;
+    let a_pair = Amount {
+        stored: written + sorted,
+        minimum: WORD,
+    };
+    let read = Amount {
+        stored: 2 * (SPLAT_INDEX + SPLAT).stored,
+        minimum: (SPLAT_INDEX + SPLAT).minimum,
+    };
+    let a_splat = read + a_pair * PAIRS_A_SPLAT;
+    StageWork::moving(Stage::Binning, a_splat * counts.drawn)
+}
+
+/// Each bin reads its own splats and their keys; a sample is a quarter of a pixel's.
+fn saturation(options: &RendererOptions, counts: WorkCounts) -> StageWork {
+    let [width, height] = options.size.map(u64::from);
+    let samples = counts.damaged.unwrap_or(width * height) / 4;
+    let a_pair = 2 * WORD + SPLAT.stored + PAIR_KEY;
+    let bytes = Amount {
+        stored: PAIRS_A_SPLAT * a_pair * counts.drawn + WORD * samples,
+        minimum: SPLAT.minimum * counts.drawn + PAIR_KEY * samples,
+    };
+    StageWork::moving(Stage::Saturation, bytes)
 }
 
 fn raster(options: &RendererOptions, counts: WorkCounts) -> StageWork {

@@ -7,7 +7,7 @@ pub use super::device::statistics::{Executable, Statistic, Value};
 use super::{
     device::{Error, Gpu, GpuOptions, Result},
     memory::Buffer,
-    raster::{ColorFormat, RasterMethod},
+    raster::{ColorFormat, RasterMethod, TileKernel},
     renderer::Renderer,
     sort::{KeyBits, Sort, SortOptions, SortVariant, unsupported},
     window::present::Present,
@@ -53,7 +53,7 @@ fn renderers(gpu: &Arc<Gpu>, avatar: &Avatar) -> Result<()> {
         ..RendererOptions::new([64, 64])
     };
     for color in [ColorFormat::Rgba8, ColorFormat::Rgba16F] {
-        for skip in [options.skip, Skip::all(), Skip::empty()] {
+        for skip in [Skip::all(), Skip::empty()] {
             let quads = RendererOptions {
                 color: Some(color),
                 skip,
@@ -62,12 +62,16 @@ fn renderers(gpu: &Arc<Gpu>, avatar: &Avatar) -> Result<()> {
             };
             Renderer::new(gpu, avatar, quads)?;
         }
-        let tiles = RendererOptions {
-            color: Some(color),
-            method: Some(RasterMethod::Tiles),
-            ..options
-        };
-        Renderer::new(gpu, avatar, tiles)?;
+        // The device's own kernel may be the cooperative one, which not every device can run.
+        for kernel in [None, Some(TileKernel::PerThread), Some(TileKernel::Shared)] {
+            let tiles = RendererOptions {
+                color: Some(color),
+                method: Some(RasterMethod::Tiles),
+                kernel,
+                ..options
+            };
+            Renderer::new(gpu, avatar, tiles)?;
+        }
     }
     for degree in 1..=3 {
         let functions = (degree + 1) * (degree + 1) - 1;

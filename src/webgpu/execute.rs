@@ -63,7 +63,9 @@ fn place(pass: &Pass) -> Place {
         | Pass::Project { .. }
         | Pass::Sort
         | Pass::Binning
-        | Pass::RasterTiles => Place::Compute,
+        | Pass::Bin
+        | Pass::Saturation
+        | Pass::RasterTiles { .. } => Place::Compute,
         Pass::Occluder { .. } | Pass::RasterQuads { .. } => Place::Draw,
     }
 }
@@ -153,7 +155,9 @@ impl Executor<'_> {
             | Pass::Project { .. }
             | Pass::Sort
             | Pass::Binning
-            | Pass::RasterTiles
+            | Pass::Bin
+            | Pass::Saturation
+            | Pass::RasterTiles { .. }
             | Pass::RasterQuads { .. } => unreachable!("{pass:?} is part of a stage and no copy"),
         }
     }
@@ -204,7 +208,7 @@ impl Executor<'_> {
                 let way = self.raster.way();
                 way.record_binning(compute, self.image_block());
             }
-            Pass::RasterTiles => {
+            Pass::RasterTiles { .. } => {
                 let way = self.raster.way();
                 way.record_tiles(compute, self.image_block(), self.damage);
             }

@@ -121,6 +121,7 @@ impl FrameInFlight {
             self.counted
                 .then_some(bytemuck::pod_read_unaligned(reasons)),
             (self.counted && control.fragments > 0).then_some(control.fragments.into()),
+            None,
         );
         let ticks: Vec<u64> = bytemuck::pod_collect_to_vec(ticks);
         let ms = |pair: &[u64]| pair[1].saturating_sub(pair[0]) as f64 * self.period;

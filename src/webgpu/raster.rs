@@ -15,7 +15,10 @@ use crate::{
 };
 use effigy_core::{
     frame::{ColorFormat, Damage, RasterMethod, RendererOptions, Skip, Stage},
-    layout::{BINNING_RUNS, BINNING_WORKGROUP, QUADS_PER_INSTANCE, SettingsBlock, TILING_WEB},
+    layout::{
+        BINNING_RUNS, BINNING_WORKGROUP, QUADS_PER_INSTANCE, RASTER_REGION, SettingsBlock,
+        TILING_WEB,
+    },
 };
 use wgpu::{
     BlendComponent, BlendFactor, BlendOperation, BlendState, ShaderStages, TextureFormat,
@@ -246,7 +249,7 @@ impl Way {
     /// Blends the lists of the tiles in the damage rectangle.
     pub fn record_tiles(&self, pass: &mut wgpu::ComputePass, block: u32, damage: &Damage) {
         if let Self::Tiles { raster, .. } = self {
-            let [first, end] = damage.regions();
+            let [first, end] = damage.regions(RASTER_REGION);
             raster.dispatch(pass, block, [end[0] - first[0], end[1] - first[1]]);
         }
     }

@@ -22,13 +22,16 @@ use bytemuck::bytes_of;
 use effigy_core::{
     avatar::Avatar,
     frame::{
-        Counters, Damage, FrameReport, RendererOptions, Schedule, Skinning, Skip, Stage, block,
+        Counters, Damage, FrameReport, RendererOptions, Schedule, Skinning, Skip, Stage,
+        TileKernel, block,
         pose_cache::PoseCache,
         schedule::{DeviceState, Equipment},
         state::{AvatarInstance, FramePlan, FrameState, PlanInput, StageDispatches},
         validate,
     },
-    layout::{Control, FrameBlock, PYRAMID_WORDS, SORT_TILE, SettingsBlock, TILING_WEB},
+    layout::{
+        Control, FrameBlock, PYRAMID_WORDS, RASTER_REGION, SORT_TILE, SettingsBlock, TILING_WEB,
+    },
     scene::{AvatarBounds, Camera, PartDependencies, PixelRect, Posed},
 };
 use std::sync::Arc;
@@ -217,6 +220,7 @@ impl Renderer {
             sh: self.sh.is_some(),
             occluder: self.occluder.is_some(),
             method: self.raster.way().method(),
+            kernel: TileKernel::PerThread,
             skip: self.options.skip,
         }
     }
@@ -355,7 +359,7 @@ impl Renderer {
     ) {
         let settings = SettingsBlock {
             key_count: schedule.key_count,
-            first_region: damage.regions()[0],
+            first_region: damage.regions(RASTER_REGION)[0],
             ..self.settings
         };
         if self.key_count.is_none() || self.settings != settings {

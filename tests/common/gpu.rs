@@ -11,7 +11,7 @@ use effigy::{
 };
 use effigy_core::{
     avatar::Avatar,
-    frame::RasterMethod,
+    frame::{RasterMethod, Skip, TileKernel},
     reference,
     scene::{AvatarBounds, Camera, Detail, Posed},
 };
@@ -38,6 +38,45 @@ pub fn drawing() -> Arc<Gpu> {
         ));
     }
     device
+}
+
+/// The ways to draw an image that tests try.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Raster {
+    /// Quads, all fragments of which are blended.
+    Quads,
+    /// Quads that are tested against the saturation depth.
+    TestedQuads,
+    /// Tiles with the device's own kernel.
+    Tiles,
+    /// Tiles with the kernel for GPUs.
+    SharedTiles,
+}
+
+impl Raster {
+    /// Options for it on a device. Ends the test where the device is not for it.
+    pub fn options(self, device: &str, size: [u32; 2]) -> RendererOptions {
+        let method = match self {
+            Self::Quads | Self::TestedQuads => RasterMethod::Quads,
+            Self::Tiles | Self::SharedTiles => RasterMethod::Tiles,
+        };
+        let options = with_method(device, method, size);
+        match self {
+            Self::Quads => RendererOptions {
+                skip: options.skip - Skip::DEPTH,
+                ..options
+            },
+            Self::TestedQuads => RendererOptions {
+                skip: options.skip | Skip::DEPTH,
+                ..options
+            },
+            Self::Tiles => options,
+            Self::SharedTiles => RendererOptions {
+                kernel: Some(TileKernel::Shared),
+                ..options
+            },
+        }
+    }
 }
 
 /// Options for a method on a device. Ends the test where the device is not for that method.

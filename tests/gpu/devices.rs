@@ -192,6 +192,7 @@ fn stages_whose_inputs_did_not_change_are_skipped() {
         sh: false,
         occluder: renderer.occluder_size()[1] > 0,
         method: renderer.raster().method(),
+        kernel: renderer.options().kernel.unwrap(),
         skip: renderer.options().skip,
     };
     let expected: Vec<&str> = equipment.stages().map(Stage::name).collect();

@@ -30,6 +30,7 @@ fn main() -> ExitCode {
             stages::sort::fused,
             stages::sort::matrix,
             stages::raster,
+            stages::saturation,
             stages::frame,
             stages::detail,
             stages::skip,

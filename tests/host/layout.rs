@@ -152,6 +152,7 @@ fn the_frame_block_is_the_same_on_both_sides() {
         offset_of!(FrameBlock, detail_level),
         offset_of!(FrameBlock, drawn),
         offset_of!(FrameBlock, covariance_scale),
+        offset_of!(FrameBlock, bin_side),
         offset_of!(FrameBlock, cache_min),
         offset_of!(FrameBlock, cache_size),
         offset_of!(FrameBlock, camera_from_cache),
@@ -200,8 +201,9 @@ fn the_frame_block_is_the_same_on_both_sides() {
     });
     assert_eq!(
         seen.get(),
-        15,
-        "mlp has three modules, sh two, occluder two, project two, binning one and raster five"
+        21,
+        "mlp has three modules, sh two, occluder two, project two, binning four, saturation one and \
+         raster seven"
     );
 }
 
@@ -237,8 +239,9 @@ fn the_control_block_is_the_same_on_both_sides() {
     });
     assert_eq!(
         found.get(),
-        13,
-        "seven kernels of sort, one of binning and five modules of raster read the control block"
+        19,
+        "seven kernels of sort, four of binning, one of saturation and seven modules of raster read \
+         the control block"
     );
 }
 
@@ -280,8 +283,9 @@ fn shaders_need_no_more_than_every_device_has() {
             "sh" => Some(layout::SH_WORKGROUP),
             "occluder" => Some(layout::PYRAMID_WORKGROUP_WIDTH * layout::PYRAMID_WORKGROUP_HEIGHT),
             "project" => Some(layout::PROJECT_WORKGROUP),
-            "binning" => Some(layout::BINNING_WORKGROUP),
-            "raster" => Some(layout::RASTER_WORKGROUP),
+            "binning" if file.starts_with("binning.") => Some(layout::BINNING_WORKGROUP),
+            "binning" => Some(layout::BIN_WORKGROUP),
+            "raster" | "saturation" => Some(layout::RASTER_WORKGROUP),
             "sort" if file.starts_with("per_thread") => Some(layout::SORT_RUNS),
             "sort" => Some(layout::SORT_WORKGROUP),
             other => panic!("shaders/{other} is no stage"),

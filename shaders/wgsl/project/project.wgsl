@@ -56,14 +56,15 @@ struct type_16 {
     member_47: u32,
     member_48: u32,
     member_49: f32,
-    member_50: vec4<f32>,
+    member_50: u32,
     member_51: vec4<f32>,
-    member_52: array<vec4<f32>, 3>,
-    member_53: array<vec4<u32>, 8>,
+    member_52: vec4<f32>,
+    member_53: array<vec4<f32>, 3>,
     member_54: array<vec4<u32>, 8>,
-    member_55: array<type_12, 8>,
-    member_56: array<vec4<f32>, 128>,
-    member_57: array<vec4<f32>, 768>,
+    member_55: array<vec4<u32>, 8>,
+    member_56: array<type_12, 8>,
+    member_57: array<vec4<f32>, 128>,
+    member_58: array<vec4<f32>, 768>,
 }
 
 struct type_19 {
@@ -203,7 +204,7 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                         break;
                     }
                     continuing {
-                        let _e110 = global.member_54[(_e94 >> bitcast<u32>(7u))][((_e94 >> bitcast<u32>(5u)) & 3u)];
+                        let _e110 = global.member_55[(_e94 >> bitcast<u32>(7u))][((_e94 >> bitcast<u32>(5u)) & 3u)];
                         phi_5046_ = (_e94 + bitcast<u32>(1i));
                         phi_5045_ = (((_e110 >> bitcast<u32>((_e94 & 31u))) & 1u) != 0u);
                     }
@@ -246,23 +247,23 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                 let _e277 = vec3<f32>(_e276);
                 let _e289 = (vec4<f32>(_e277.x, _e277.y, _e277.z, f32((((255u - _e276.x) - _e276.y) - _e276.z))) * vec4<f32>(0.003921569f, 0.003921569f, 0.003921569f, 0.003921569f));
                 let _e292 = (3u * _e270.x);
-                let _e295 = global.member_57[_e292];
-                let _e300 = global.member_57[(_e292 + 1u)];
-                let _e305 = global.member_57[(_e292 + 2u)];
+                let _e295 = global.member_58[_e292];
+                let _e300 = global.member_58[(_e292 + 1u)];
+                let _e305 = global.member_58[(_e292 + 2u)];
                 let _e309 = (3u * _e270.y);
-                let _e312 = global.member_57[_e309];
-                let _e318 = global.member_57[(_e309 + 1u)];
-                let _e324 = global.member_57[(_e309 + 2u)];
+                let _e312 = global.member_58[_e309];
+                let _e318 = global.member_58[(_e309 + 1u)];
+                let _e324 = global.member_58[(_e309 + 2u)];
                 let _e329 = (3u * _e270.z);
-                let _e332 = global.member_57[_e329];
-                let _e338 = global.member_57[(_e329 + 1u)];
-                let _e344 = global.member_57[(_e329 + 2u)];
+                let _e332 = global.member_58[_e329];
+                let _e338 = global.member_58[(_e329 + 1u)];
+                let _e344 = global.member_58[(_e329 + 2u)];
                 let _e349 = (3u * _e270.w);
-                let _e352 = global.member_57[_e349];
+                let _e352 = global.member_58[_e349];
                 let _e354 = ((((_e295 * _e289.x) + (_e312 * _e289.y)) + (_e332 * _e289.z)) + (_e352 * _e289.w));
-                let _e358 = global.member_57[(_e349 + 1u)];
+                let _e358 = global.member_58[(_e349 + 1u)];
                 let _e360 = ((((_e300 * _e289.x) + (_e318 * _e289.y)) + (_e338 * _e289.z)) + (_e358 * _e289.w));
-                let _e364 = global.member_57[(_e349 + 2u)];
+                let _e364 = global.member_58[(_e349 + 2u)];
                 let _e366 = ((((_e305 * _e289.x) + (_e324 * _e289.y)) + (_e344 * _e289.z)) + (_e364 * _e289.w));
                 let _e369 = dot(_e366, _e231);
                 let _e370 = vec3<f32>(dot(_e354, _e231), dot(_e360, _e231), _e369);

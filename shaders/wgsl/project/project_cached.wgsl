@@ -56,14 +56,15 @@ struct type_16 {
     member_47: u32,
     member_48: u32,
     member_49: f32,
-    member_50: vec4<f32>,
+    member_50: u32,
     member_51: vec4<f32>,
-    member_52: array<vec4<f32>, 3>,
-    member_53: array<vec4<u32>, 8>,
+    member_52: vec4<f32>,
+    member_53: array<vec4<f32>, 3>,
     member_54: array<vec4<u32>, 8>,
-    member_55: array<type_12, 8>,
-    member_56: array<vec4<f32>, 128>,
-    member_57: array<vec4<f32>, 768>,
+    member_55: array<vec4<u32>, 8>,
+    member_56: array<type_12, 8>,
+    member_57: array<vec4<f32>, 128>,
+    member_58: array<vec4<f32>, 768>,
 }
 
 struct type_19 {
@@ -153,14 +154,14 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                 let _e73 = (_e71 + (2u * _e65));
                 let _e76 = global_4.member[_e73];
                 let _e80 = global_4.member[(_e73 + 1u)];
-                let _e89 = global.member_50;
-                let _e92 = global.member_51;
+                let _e89 = global.member_51;
+                let _e92 = global.member_52;
                 let _e95 = (vec3<f32>(vec3<u32>((_e76 & 65535u), (_e76 >> bitcast<u32>(16u)), (_e80 & 65535u))) * vec3<f32>(0.000015259022f, 0.000015259022f, 0.000015259022f));
                 let _e109 = (_e89.xyz + (_e92.xyz * select(select(((_e95 - vec3<f32>(0.015625f, 0.015625f, 0.015625f)) * vec3<f32>(1.032258f, 1.032258f, 1.032258f)), (vec3<f32>(1f, 1f, 1f) - (vec3<f32>(0.015625f, 0.015625f, 0.015625f) / max(_e95, vec3<f32>(0.000007629511f, 0.000007629511f, 0.000007629511f)))), (_e95 < vec3<f32>(0.015625f, 0.015625f, 0.015625f))), (vec3<f32>(0.015625f, 0.015625f, 0.015625f) / max((vec3<f32>(1f, 1f, 1f) - _e95), vec3<f32>(0.000007629511f, 0.000007629511f, 0.000007629511f))), (_e95 > vec3<f32>(0.984375f, 0.984375f, 0.984375f)))));
                 let _e113 = vec4<f32>(_e109.x, _e109.y, _e109.z, 1f);
-                let _e116 = global.member_52[0i];
-                let _e120 = global.member_52[1i];
-                let _e124 = global.member_52[2i];
+                let _e116 = global.member_53[0i];
+                let _e120 = global.member_53[1i];
+                let _e124 = global.member_53[2i];
                 let _e125 = dot(_e124, _e113);
                 let _e126 = vec3<f32>(dot(_e116, _e113), dot(_e120, _e113), _e125);
                 let _e128 = global.member_43;

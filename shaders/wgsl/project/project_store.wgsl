@@ -56,14 +56,15 @@ struct type_16 {
     member_47: u32,
     member_48: u32,
     member_49: f32,
-    member_50: vec4<f32>,
+    member_50: u32,
     member_51: vec4<f32>,
-    member_52: array<vec4<f32>, 3>,
-    member_53: array<vec4<u32>, 8>,
+    member_52: vec4<f32>,
+    member_53: array<vec4<f32>, 3>,
     member_54: array<vec4<u32>, 8>,
-    member_55: array<type_12, 8>,
-    member_56: array<vec4<f32>, 128>,
-    member_57: array<vec4<f32>, 768>,
+    member_55: array<vec4<u32>, 8>,
+    member_56: array<type_12, 8>,
+    member_57: array<vec4<f32>, 128>,
+    member_58: array<vec4<f32>, 768>,
 }
 
 struct type_19 {
@@ -216,23 +217,23 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                 let _e249 = vec3<f32>(_e248);
                 let _e261 = (vec4<f32>(_e249.x, _e249.y, _e249.z, f32((((255u - _e248.x) - _e248.y) - _e248.z))) * vec4<f32>(0.003921569f, 0.003921569f, 0.003921569f, 0.003921569f));
                 let _e264 = (3u * _e242.x);
-                let _e267 = global.member_57[_e264];
-                let _e272 = global.member_57[(_e264 + 1u)];
-                let _e277 = global.member_57[(_e264 + 2u)];
+                let _e267 = global.member_58[_e264];
+                let _e272 = global.member_58[(_e264 + 1u)];
+                let _e277 = global.member_58[(_e264 + 2u)];
                 let _e281 = (3u * _e242.y);
-                let _e284 = global.member_57[_e281];
-                let _e290 = global.member_57[(_e281 + 1u)];
-                let _e296 = global.member_57[(_e281 + 2u)];
+                let _e284 = global.member_58[_e281];
+                let _e290 = global.member_58[(_e281 + 1u)];
+                let _e296 = global.member_58[(_e281 + 2u)];
                 let _e301 = (3u * _e242.z);
-                let _e304 = global.member_57[_e301];
-                let _e310 = global.member_57[(_e301 + 1u)];
-                let _e316 = global.member_57[(_e301 + 2u)];
+                let _e304 = global.member_58[_e301];
+                let _e310 = global.member_58[(_e301 + 1u)];
+                let _e316 = global.member_58[(_e301 + 2u)];
                 let _e321 = (3u * _e242.w);
-                let _e324 = global.member_57[_e321];
+                let _e324 = global.member_58[_e321];
                 let _e326 = ((((_e267 * _e261.x) + (_e284 * _e261.y)) + (_e304 * _e261.z)) + (_e324 * _e261.w));
-                let _e330 = global.member_57[(_e321 + 1u)];
+                let _e330 = global.member_58[(_e321 + 1u)];
                 let _e332 = ((((_e272 * _e261.x) + (_e290 * _e261.y)) + (_e310 * _e261.z)) + (_e330 * _e261.w));
-                let _e336 = global.member_57[(_e321 + 2u)];
+                let _e336 = global.member_58[(_e321 + 2u)];
                 let _e338 = ((((_e277 * _e261.x) + (_e296 * _e261.y)) + (_e316 * _e261.z)) + (_e336 * _e261.w));
                 let _e341 = dot(_e338, _e203);
                 let _e342 = vec3<f32>(dot(_e326, _e203), dot(_e332, _e203), _e341);
@@ -549,8 +550,8 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                 let _e1018 = global.member_43;
                 let _e1029 = (all((abs(_e342) < vec3<f32>(1000000000000000000000000000000f, 1000000000000000000000000000000f, 1000000000000000000000000000000f))) && (_e1016 <= 1000000000000000000f));
                 if _e1029 {
-                    let _e1031 = global.member_50;
-                    let _e1035 = global.member_51;
+                    let _e1031 = global.member_51;
+                    let _e1035 = global.member_52;
                     phi_5457_ = ((_e342 - _e1031.xyz) / _e1035.xyz);
                 } else {
                     phi_5457_ = vec3<f32>(0f, 0f, 0f);

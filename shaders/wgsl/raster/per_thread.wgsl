@@ -96,6 +96,7 @@ struct FrameBlock {
     detail_level: u32,
     drawn: u32,
     covariance_scale: f32,
+    bin_side: u32,
     cache_min: vec4<f32>,
     cache_size: vec4<f32>,
     camera_from_cache: array<vec4<f32>, 3>,

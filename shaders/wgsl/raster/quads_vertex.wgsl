@@ -1,11 +1,11 @@
-struct type_10 {
+struct type_11 {
     member: u32,
     member_1: u32,
     member_2: u32,
     member_3: u32,
 }
 
-struct type_14 {
+struct type_15 {
     member: vec2<f32>,
     member_1: vec2<f32>,
     member_2: vec2<f32>,
@@ -56,24 +56,25 @@ struct type_14 {
     member_47: u32,
     member_48: u32,
     member_49: f32,
-    member_50: vec4<f32>,
+    member_50: u32,
     member_51: vec4<f32>,
-    member_52: array<vec4<f32>, 3>,
-    member_53: array<vec4<u32>, 8>,
+    member_52: vec4<f32>,
+    member_53: array<vec4<f32>, 3>,
     member_54: array<vec4<u32>, 8>,
-    member_55: array<type_10, 8>,
-    member_56: array<vec4<f32>, 128>,
-    member_57: array<vec4<f32>, 768>,
+    member_55: array<vec4<u32>, 8>,
+    member_56: array<type_11, 8>,
+    member_57: array<vec4<f32>, 128>,
+    member_58: array<vec4<f32>, 768>,
 }
 
-struct type_19 {
+struct type_20 {
     @builtin(position) member: vec4<f32>,
     member_1: f32,
     member_2: array<f32, 1>,
     member_3: array<f32, 1>,
 }
 
-struct type_22 {
+struct type_23 {
     member: u32,
     member_1: u32,
     member_2: u32,
@@ -84,8 +85,8 @@ struct type_22 {
     member_7: u32,
 }
 
-struct type_23 {
-    member: type_22,
+struct type_24 {
+    member: type_23,
 }
 
 struct type_28 {
@@ -125,12 +126,12 @@ struct type_43 {
 }
 
 @group(0) @binding(0) 
-var<uniform> global: type_14;
+var<uniform> global: type_15;
 var<private> global_1: i32;
 var<private> global_2: i32;
-var<private> global_3: type_19 = type_19(vec4<f32>(0f, 0f, 0f, 1f), 1f, array<f32, 1>(), array<f32, 1>());
+var<private> global_3: type_20 = type_20(vec4<f32>(0f, 0f, 0f, 1f), 1f, array<f32, 1>(), array<f32, 1>());
 @group(0) @binding(3) 
-var<storage> global_4: type_23;
+var<storage> global_4: type_24;
 @group(0) @binding(1) 
 var<storage> global_5: type_41;
 @group(0) @binding(2) 
@@ -141,8 +142,8 @@ var<private> global_8: vec2<f32>;
 var<private> global_9: vec2<u32>;
 
 fn function_() {
-    var phi_464_: f32;
-    var phi_465_: f32;
+    var phi_480_: f32;
+    var phi_481_: f32;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -162,17 +163,17 @@ fn function_() {
             let _e99 = global_7.member;
             let _e101 = sqrt((max(_e94, _e96) - _e99));
             if ((_e46 & 1i) == 0i) {
-                phi_464_ = -(_e101);
+                phi_480_ = -(_e101);
             } else {
-                phi_464_ = _e101;
+                phi_480_ = _e101;
             }
-            let _e106 = phi_464_;
+            let _e106 = phi_480_;
             if ((_e46 & 2i) == 0i) {
-                phi_465_ = -(_e101);
+                phi_481_ = -(_e101);
             } else {
-                phi_465_ = _e101;
+                phi_481_ = _e101;
             }
-            let _e111 = phi_465_;
+            let _e111 = phi_481_;
             global_8 = vec2<f32>(_e106, _e111);
             let _e123 = global.member_13[2u];
             let _e128 = global.member_13[3u];

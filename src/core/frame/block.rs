@@ -5,7 +5,7 @@ use super::{
     RendererOptions, Skip,
     state::{AvatarInstance, FramePlan},
 };
-use crate::layout::{FrameBlock, POSITION_BITS, TILING};
+use crate::layout::{FrameBlock, POSITION_BITS, TILING, bin_side};
 use crate::scene::{Camera, detail};
 use glam::DAffine3;
 
@@ -36,6 +36,7 @@ pub fn write_shared(
         255.0
     };
     block.tile_side = TILING.tile(camera.size) as f32;
+    block.bin_side = bin_side(camera.size);
     block.occluder_margin = options.margin as f32;
     block.pyramid_start = 0;
     if let Some(view) = plan.occluder_view

@@ -35,6 +35,10 @@ pub struct Counters {
     /// tiles: the pixels of all 4 × 4 squares that splats were put on. The two can't be compared.
     /// None where the device has no pipeline statistics.
     pub fragments: Option<u64>,
+    /// With quads that are tested against the saturation depth: how often its samples evaluated a
+    /// splat. None where that was not counted.
+    #[serde(default)]
+    pub samples: Option<u64>,
     /// Pixels that something was drawn into. None where they were not counted.
     pub covered: Option<u64>,
     /// Pixels of the damage rectangle, empty ones included.
@@ -67,6 +71,7 @@ impl Counters {
         control: &Control,
         reasons: Option<[u32; 4]>,
         fragments: Option<u64>,
+        samples: Option<u64>,
     ) -> Self {
         let drawn = u64::from(control.visible_count);
         Self {
@@ -82,6 +87,7 @@ impl Counters {
                 }
             }),
             fragments,
+            samples,
             ..self
         }
     }
@@ -103,6 +109,7 @@ impl Counters {
             ("parts_outside", Some(self.parts_outside)),
             ("cached", Some(self.cached)),
             ("fragments", self.fragments),
+            ("samples", self.samples),
             ("covered", self.covered),
             ("damaged", Some(self.damaged)),
             ("dispatches", Some(self.dispatches)),

@@ -42,11 +42,12 @@ impl Damage {
             .product()
     }
 
-    /// Column and row of the first region, and one past those of the last.
-    pub fn regions(&self) -> [[u32; 2]; 2] {
+    /// Column and row of the first region of a side, px, and one past those of the last. The side
+    /// must divide [`RASTER_REGION`].
+    pub fn regions(&self, side: u32) -> [[u32; 2]; 2] {
         [
-            self.min.map(|pixel| pixel / RASTER_REGION),
-            self.max.map(|pixel| pixel.div_ceil(RASTER_REGION)),
+            self.min.map(|pixel| pixel / side),
+            self.max.map(|pixel| pixel.div_ceil(side)),
         ]
     }
 }
@@ -80,7 +81,10 @@ mod tests {
     #[test]
     fn damage_has_at_least_one_region() {
         let nothing = Damage::new(PixelRect::EMPTY, Some(PixelRect::EMPTY), SIZE);
-        assert_eq!(nothing.regions()[1].map(|end| end > 0), [true; 2]);
+        assert_eq!(
+            nothing.regions(RASTER_REGION)[1].map(|end| end > 0),
+            [true; 2]
+        );
     }
 
     #[test]

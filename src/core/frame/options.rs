@@ -16,6 +16,8 @@ pub struct RendererOptions {
     pub color: Option<ColorFormat>,
     /// How splats are rasterized. None: the method recommended for the device.
     pub method: Option<RasterMethod>,
+    /// The kernel of [`RasterMethod::Tiles`]. None: the one recommended for the device.
+    pub kernel: Option<TileKernel>,
     /// Width of the sort keys.
     pub key_bits: KeyBits,
     /// How to sort. None: the fastest variant that passes the device's self-test.
@@ -42,9 +44,10 @@ impl RendererOptions {
             size,
             color: None,
             method: None,
+            kernel: None,
             key_bits: KeyBits::default(),
             sort: None,
-            skip: Skip::all() - Skip::DEPTH,
+            skip: Skip::all(),
             cutoff: ALPHA_MIN,
             margin: 0.005,
             detail: Detail::FULL,
@@ -101,6 +104,34 @@ impl RasterMethod {
         match self {
             Self::Quads => ColorFormat::Rgba16F,
             Self::Tiles => ColorFormat::Rgba8,
+        }
+    }
+}
+
+/// The kernels of [`RasterMethod::Tiles`]: how invocations share the work of a tile.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+pub enum TileKernel {
+    /// Each invocation walks its tiles' lists by itself: for CPU drivers.
+    PerThread,
+    /// Each subgroup lies in one tile and shuffles splats between its 8 invocations, of 4 × 4
+    /// pixels each, in tiles of at least 16 × 16 pixels: for CPU drivers that execute subgroups in
+    /// step. Mali's compiler spills 700 registers.
+    Cooperative,
+    /// A workgroup reads the list of its bin in batches into shared memory, without the splats
+    /// whose ellipses miss its 16 × 16 pixels: for GPUs.
+    Shared,
+}
+
+impl TileKernel {
+    /// Every kernel.
+    pub const ALL: [Self; 3] = [Self::PerThread, Self::Cooperative, Self::Shared];
+
+    /// Its name on the command line and in reports.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::PerThread => "per-thread",
+            Self::Cooperative => "cooperative",
+            Self::Shared => "shared",
         }
     }
 }

@@ -17,8 +17,10 @@ pub enum Stage {
     Project,
     /// The drawing order: far to near, stable.
     Sort,
-    /// Lists of splats by tile, for the compute rasterizer.
+    /// Lists of splats by tile or bin, for what walks them.
     Binning,
+    /// The depth behind which nothing shows, for the quads' depth test.
+    Saturation,
     /// Splats blended into an image.
     Raster,
     /// The image over the background, into a window.
@@ -27,13 +29,14 @@ pub enum Stage {
 
 impl Stage {
     /// Every stage, in the order that a frame runs them.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 9] = [
         Self::Mlp,
         Self::Sh,
         Self::Occluder,
         Self::Project,
         Self::Sort,
         Self::Binning,
+        Self::Saturation,
         Self::Raster,
         Self::Present,
     ];
@@ -47,6 +50,7 @@ impl Stage {
             Self::Project => "project",
             Self::Sort => "sort",
             Self::Binning => "binning",
+            Self::Saturation => "saturation",
             Self::Raster => "raster",
             Self::Present => "present",
         }
@@ -74,13 +78,17 @@ pub enum Resource {
     Order,
     /// Lists of splats by tile.
     TileLists,
+    /// Lists of splats by bin.
+    Bins,
+    /// Samples of the saturation depth.
+    Saturation,
     /// The image that the frame makes.
     Image,
 }
 
 impl Resource {
     /// Every resource.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 12] = [
         Self::Control,
         Self::Counts,
         Self::Pose,
@@ -90,6 +98,8 @@ impl Resource {
         Self::Splats,
         Self::Order,
         Self::TileLists,
+        Self::Bins,
+        Self::Saturation,
         Self::Image,
     ];
 }
@@ -108,6 +118,8 @@ bitflags! {
         const INDIRECT = 8;
         /// Blending into the image.
         const COLOR = 16;
+        /// Fragment shaders.
+        const FRAGMENT = 32;
     }
 }
 
@@ -120,6 +132,27 @@ pub struct Use {
     pub stages: PipelineStages,
     /// Whether the pass writes it; it may read it as well.
     pub writes: bool,
+}
+
+/// The form of the lists that a rasterizer walks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ListForm {
+    /// Lists of tiles in four levels, which invocations write from runs of the drawing order: for
+    /// CPU drivers (`shaders/common/tiles.glsl`).
+    Tiles,
+    /// Lists of bins, which a sort of pairs of splats and bins makes: for GPUs
+    /// (`shaders/common/bins.glsl`).
+    Bins,
+}
+
+impl ListForm {
+    /// Where they are.
+    fn resource(self) -> Resource {
+        match self {
+            Self::Tiles => Resource::TileLists,
+            Self::Bins => Resource::Bins,
+        }
+    }
 }
 
 /// Work that a backend records as one unit, without barriers of its own between resources.
@@ -166,12 +199,19 @@ pub enum Pass {
     ClearTileLists,
     /// Writes each splat to the lists of the tiles that it meets.
     Binning,
+    /// Makes the lists of splats of each bin.
+    Bin,
+    /// Finds the depth behind which nothing shows, at every second pixel.
+    Saturation,
     /// Blends the lists of splats, tile by tile, in a compute kernel.
-    RasterTiles,
+    RasterTiles {
+        /// Which lists it walks.
+        lists: ListForm,
+    },
     /// Blends quads with the device's blender.
     RasterQuads {
-        /// Whether the occluders of all avatars in view are drawn first, for a depth test.
-        occluders: bool,
+        /// Whether fragments are tested against the saturation depth.
+        tested: bool,
     },
     /// Copies the frame's counts to where the host reads them.
     ReadCounts,
@@ -187,8 +227,9 @@ impl Pass {
             Self::Occluder { .. } => Some(Stage::Occluder),
             Self::Project { .. } => Some(Stage::Project),
             Self::Sort => Some(Stage::Sort),
-            Self::ClearTileLists | Self::Binning => Some(Stage::Binning),
-            Self::RasterTiles | Self::RasterQuads { .. } => Some(Stage::Raster),
+            Self::ClearTileLists | Self::Binning | Self::Bin => Some(Stage::Binning),
+            Self::Saturation => Some(Stage::Saturation),
+            Self::RasterTiles { .. } | Self::RasterQuads { .. } => Some(Stage::Raster),
         }
     }
 
@@ -251,19 +292,37 @@ impl Pass {
                 read(Splats, Stages::COMPUTE),
                 write(TileLists, Stages::COMPUTE),
             ],
-            Self::RasterTiles => vec![
-                read(TileLists, Stages::COMPUTE),
+            Self::Bin => vec![
+                read(Order, Stages::COMPUTE),
+                read(Splats, Stages::COMPUTE),
+                write(Control, Stages::COMPUTE),
+                write(Bins, Stages::COMPUTE),
+            ],
+            Self::Saturation => vec![
+                write(Bins, Stages::COMPUTE),
+                read(Splats, Stages::COMPUTE),
+                write(Control, Stages::COMPUTE),
+                write(Saturation, Stages::COMPUTE),
+            ],
+            Self::RasterTiles { lists } => vec![
+                read(lists.resource(), Stages::COMPUTE),
                 read(Splats, Stages::COMPUTE),
                 write(Control, Stages::COMPUTE),
                 write(Image, Stages::COMPUTE),
             ],
-            Self::RasterQuads { .. } => vec![
-                read(Control, Stages::INDIRECT | Stages::VERTEX),
-                read(Pose, Stages::VERTEX),
-                read(Order, Stages::VERTEX),
-                read(Splats, Stages::VERTEX),
-                write(Image, Stages::COLOR),
-            ],
+            Self::RasterQuads { tested } => {
+                let mut uses = vec![
+                    read(Control, Stages::INDIRECT | Stages::VERTEX),
+                    read(Order, Stages::VERTEX),
+                    read(Splats, Stages::VERTEX),
+                    write(Image, Stages::COLOR),
+                ];
+                if tested {
+                    uses.push(read(Saturation, Stages::FRAGMENT));
+                    uses.push(read(Bins, Stages::VERTEX));
+                }
+                uses
+            }
             Self::ReadCounts => vec![
                 read(Control, Stages::TRANSFER),
                 read(Counts, Stages::TRANSFER),

@@ -51,17 +51,15 @@ impl Preset {
                 margin: 0.004,
                 detail: Detail::FULL,
             },
-            // The coarse occluder may come out of a crease. A depth test of fragments shows that;
-            // culling whole Gaussians does not.
             Self::High => Values {
                 color: None,
                 key_bits: KeyBits::Sixteen,
-                skip: Skip::all().difference(Skip::DEPTH),
+                skip: Skip::all(),
                 cutoff: ALPHA_MIN,
                 margin: 0.005,
                 detail: Detail::FULL,
             },
-            // Without the occluder, whose culling shows a little.
+            // Without the occluder and the saturation depth, whose culling shows a little.
             Self::Exact => Values {
                 color: Some(ColorFormat::Rgba16F),
                 key_bits: KeyBits::ThirtyTwo,

@@ -2,9 +2,9 @@
 
 use super::{
     FramePlan, RasterMethod, Skip,
-    passes::{Pass, PipelineStages, Resource, Stage},
+    options::TileKernel,
+    passes::{ListForm, Pass, PipelineStages, Resource, Stage},
 };
-use crate::scene::OccluderView;
 
 /// A barrier over all memory: what `before` names is done, and what it wrote can be seen, before
 /// what `after` names begins.
@@ -16,6 +16,13 @@ pub struct Barrier {
     pub after: PipelineStages,
 }
 
+/// Quads are tested against the saturation depth where avatars have at least this many pixels a
+/// Gaussian ([`FramePlan::pixels_a_gaussian`]). With fewer, the samples cost more than the test
+/// saves, and Gaussians fall between them: on the 200K body, with 2.7 a Gaussian there are 2.6
+/// samples for each fragment saved, with 5.5 there are 1.8; with 0.2 the image loses 2.7 dB
+/// (docs/experiments/038).
+const SATURATION_PIXELS: f64 = 4.0;
+
 /// Why a stage does not run in a frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SkipReason {
@@ -23,6 +30,8 @@ pub enum SkipReason {
     Unchanged,
     /// No avatar is in view.
     NothingInView,
+    /// It would cost more than it saves.
+    NotWorthwhile,
 }
 
 /// What a backend records.
@@ -63,7 +72,7 @@ impl ScheduledStage {
     pub fn raster_method(&self) -> Option<RasterMethod> {
         self.passes().find_map(|pass| match pass {
             Pass::RasterQuads { .. } => Some(RasterMethod::Quads),
-            Pass::RasterTiles => Some(RasterMethod::Tiles),
+            Pass::RasterTiles { .. } => Some(RasterMethod::Tiles),
             _ => None,
         })
     }
@@ -89,6 +98,8 @@ pub struct Equipment {
     pub occluder: bool,
     /// How splats are rasterized.
     pub method: RasterMethod,
+    /// The kernel of [`RasterMethod::Tiles`].
+    pub kernel: TileKernel,
     /// Work that frames may skip.
     pub skip: Skip,
 }
@@ -100,8 +111,23 @@ impl Equipment {
             Stage::Mlp | Stage::Project | Stage::Sort | Stage::Raster => true,
             Stage::Sh => self.sh,
             Stage::Occluder => self.occluder && self.skip.contains(Skip::HIDDEN),
-            Stage::Binning => self.method == RasterMethod::Tiles,
+            Stage::Binning => self.lists().is_some(),
+            Stage::Saturation => self.tests_depth(),
             Stage::Present => false,
+        }
+    }
+
+    /// Whether quads are tested against the saturation depth.
+    fn tests_depth(&self) -> bool {
+        self.method == RasterMethod::Quads && self.skip.contains(Skip::DEPTH)
+    }
+
+    /// The lists that it makes, if any.
+    fn lists(&self) -> Option<ListForm> {
+        match (self.method, self.kernel) {
+            (RasterMethod::Quads, _) => self.tests_depth().then_some(ListForm::Bins),
+            (RasterMethod::Tiles, TileKernel::Shared) => Some(ListForm::Bins),
+            (RasterMethod::Tiles, _) => Some(ListForm::Tiles),
         }
     }
 
@@ -167,17 +193,25 @@ impl Schedule {
             }
         } else if plan.instances.is_empty() {
             // An empty image is made by the stages that make any.
-            let makes_image = [Stage::Binning, Stage::Raster];
+            let makes_image = |stage| match equipment.method {
+                RasterMethod::Quads => stage == Stage::Raster,
+                RasterMethod::Tiles => matches!(stage, Stage::Binning | Stage::Raster),
+            };
             for stage in equipment.stages() {
-                if stage != Stage::Mlp && !makes_image.contains(&stage) {
+                if stage != Stage::Mlp && !makes_image(stage) {
                     steps.skip(stage, reason);
                 }
             }
-            steps.raster(equipment, None);
+            steps.raster(equipment, false);
         } else {
             steps.geometry(plan, equipment);
             steps.stage(Stage::Sort, vec![Pass::Sort]);
-            steps.raster(equipment, plan.occluder_view);
+            let tested = equipment.tests_depth() && plan.pixels_a_gaussian >= SATURATION_PIXELS;
+            if equipment.tests_depth() && !tested {
+                steps.skip(Stage::Binning, SkipReason::NotWorthwhile);
+                steps.skip(Stage::Saturation, SkipReason::NotWorthwhile);
+            }
+            steps.raster(equipment, tested);
         }
         steps.run(Pass::ReadCounts);
         Self {
@@ -331,17 +365,24 @@ impl Recorder {
         self.stage(Stage::Project, passes);
     }
 
-    fn raster(&mut self, equipment: &Equipment, occluder_view: Option<OccluderView>) {
-        match equipment.method {
-            RasterMethod::Tiles => {
-                self.stage(Stage::Binning, vec![Pass::ClearTileLists, Pass::Binning]);
-                self.stage(Stage::Raster, vec![Pass::RasterTiles]);
-            }
-            RasterMethod::Quads => {
-                let occluders = occluder_view.is_some() && equipment.skip.contains(Skip::DEPTH);
-                self.stage(Stage::Raster, vec![Pass::RasterQuads { occluders }]);
-            }
+    /// `tested`: whether quads are tested against the saturation depth.
+    fn raster(&mut self, equipment: &Equipment, tested: bool) {
+        let lists = equipment.lists();
+        let raster = match (equipment.method, lists) {
+            (RasterMethod::Tiles, Some(lists)) => Pass::RasterTiles { lists },
+            _ => Pass::RasterQuads { tested },
+        };
+        if tested || equipment.method == RasterMethod::Tiles {
+            let passes = match lists {
+                Some(ListForm::Tiles) => vec![Pass::ClearTileLists, Pass::Binning],
+                _ => vec![Pass::Bin],
+            };
+            self.stage(Stage::Binning, passes);
         }
+        if tested {
+            self.stage(Stage::Saturation, vec![Pass::Saturation]);
+        }
+        self.stage(Stage::Raster, vec![raster]);
     }
 
     /// The barrier that a pass needs before it, if any: after writes of what it uses, and after
@@ -440,7 +481,7 @@ mod tests {
         fn camera(&self, yaw: f64) -> Camera {
             let joints = self.posed(0.0, 0.0).joints;
             let [low, high] = upright(self.bounds.bounds(&joints));
-            Camera::orbit((low + high) / 2.0, yaw, 0.0, 3.0, 0.6, SIZE)
+            Camera::orbit((low + high) / 2.0, yaw, 0.0, 3.0, 0.6, self.options.size)
         }
 
         fn frame(&mut self, poses: &[Posed], yaw: f64, equipment: &Equipment) -> Schedule {
@@ -466,8 +507,27 @@ mod tests {
             sh,
             occluder: true,
             method,
-            skip: Skip::all(),
+            kernel: TileKernel::PerThread,
+            skip: Skip::all() - Skip::DEPTH,
         }
+    }
+
+    /// Quads without and with the depth test, and tiles with either form of lists.
+    fn every_raster() -> [Equipment; 4] {
+        let quads = equipment(RasterMethod::Quads, false);
+        let tiles = equipment(RasterMethod::Tiles, false);
+        [
+            quads,
+            Equipment {
+                skip: Skip::all(),
+                ..quads
+            },
+            tiles,
+            Equipment {
+                kernel: TileKernel::Shared,
+                ..tiles
+            },
+        ]
     }
 
     fn names(schedule: &Schedule) -> Vec<&'static str> {
@@ -546,12 +606,13 @@ mod tests {
     /// A stage that a renderer has runs or is skipped, whatever it draws.
     #[test]
     fn every_stage_runs_or_is_skipped() {
-        for method in RasterMethod::ALL {
+        for equipment in every_raster() {
             for [sh, occluder] in [[false, false], [false, true], [true, false], [true, true]] {
                 let mut planner = Planner::new(RendererOptions::new(SIZE));
                 let equipment = Equipment {
                     occluder,
-                    ..equipment(method, sh)
+                    sh,
+                    ..equipment
                 };
                 for aside in [0.0, 0.0, 1000.0, 1000.0, 0.0] {
                     let poses = [planner.posed(0.1, aside)];
@@ -598,7 +659,7 @@ mod tests {
 
     #[test]
     fn barriers_order_every_kind_of_frame() {
-        for method in RasterMethod::ALL {
+        for raster in every_raster() {
             for sh in [false, true] {
                 for skip in [Skip::all(), Skip::empty(), Skip::HIDDEN, Skip::DEPTH] {
                     let mut planner = Planner::new(RendererOptions {
@@ -606,12 +667,7 @@ mod tests {
                         skip,
                         ..RendererOptions::new(SIZE)
                     });
-                    let equipment = Equipment {
-                        sh,
-                        occluder: true,
-                        method,
-                        skip,
-                    };
+                    let equipment = Equipment { sh, skip, ..raster };
                     for (bend, yaw) in [(0.1, 0.0), (0.1, 0.2), (0.3, 0.2), (0.3, 0.2), (0.3, 0.4)]
                     {
                         let poses = [-1.0, 0.0, 1.0].map(|aside| planner.posed(bend, aside));
@@ -621,6 +677,33 @@ mod tests {
                 }
             }
         }
+    }
+
+    /// Only an avatar in view is worth it, and only one whose Gaussians are large in the image.
+    #[test]
+    fn quads_are_tested_where_it_is_worthwhile() {
+        let [_, tested, ..] = every_raster();
+        let frame = |size, aside| {
+            let mut planner = Planner::new(RendererOptions::new(SIZE));
+            planner.options.size = size;
+            let poses = [planner.posed(0.1, aside)];
+            planner.frame(&poses, 0.0, &tested)
+        };
+        let tests = |frame: &Schedule| {
+            frame
+                .passes()
+                .any(|pass| *pass == Pass::RasterQuads { tested: true })
+        };
+        let large = frame([2048, 2048], 0.0);
+        let last = ["sort", "binning", "saturation", "raster"];
+        assert!(names(&large).ends_with(&last), "{:?}", names(&large));
+        assert!(tests(&large));
+        let small = frame([128, 128], 0.0);
+        assert!(names(&small).ends_with(&["sort", "raster"]) && !tests(&small));
+        let reason = (Stage::Saturation, SkipReason::NotWorthwhile);
+        assert!(small.skipped().any(|skipped| skipped == reason));
+        let away = frame([2048, 2048], 1000.0);
+        assert!(names(&away) == ["raster"] && !tests(&away));
     }
 
     #[test]

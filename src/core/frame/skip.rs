@@ -20,10 +20,10 @@ bitflags::bitflags! {
         const FAINT = 1 << 4;
         /// Gaussians behind the occluder, before they are sorted.
         const HIDDEN = 1 << 5;
-        /// Fragments behind the occluder; only with quads.
+        /// Fragments of quads behind the saturation depth, the depth behind which nothing shows.
         const DEPTH = 1 << 6;
         /// Splats behind saturated pixels; only with tiles, since fixed-function blending can't
-        /// stop.
+        /// stop: quads have `DEPTH`.
         const SATURATED = 1 << 7;
         /// Correctives and skinning when only the camera has moved: their results come from the
         /// pose cache, rounded.

@@ -52,6 +52,9 @@ pub struct FramePlan<'a> {
     /// A rectangle around all that is drawn, except correctives beyond what
     /// [`AvatarBounds::visible`] allows for; the whole image without [`Skip::DAMAGE`].
     pub drawn_rect: PixelRect,
+    /// Pixels of the box around an avatar for each Gaussian of it that is drawn: of the avatar in
+    /// view that has the fewest.
+    pub pixels_a_gaussian: f64,
 }
 
 /// Everything that decides what the next frame has to do.
@@ -158,6 +161,7 @@ impl FrameState {
             .then(|| OccluderView::new(camera.size, screen_rect(&instances, bounds, camera)));
         FramePlan {
             depth_range: depth_range(&instances, bounds, camera),
+            pixels_a_gaussian: pixels_a_gaussian(&instances, bounds, camera),
             instances,
             redraw,
             occluder_view,
@@ -264,6 +268,17 @@ fn screen_rect(instances: &[AvatarInstance], bounds: &AvatarBounds, camera: &Cam
         .filter(|rect| !rect.is_empty())
         .reduce(PixelRect::union)
         .unwrap_or(PixelRect::whole([0, 0]))
+}
+
+/// [`FramePlan::pixels_a_gaussian`]; infinite where all avatars in view cross the near plane.
+fn pixels_a_gaussian(instances: &[AvatarInstance], bounds: &AvatarBounds, camera: &Camera) -> f64 {
+    instances
+        .iter()
+        .filter_map(|instance| {
+            let pixels = bounds.pixels(&instance.posed.joints, camera)?;
+            Some(pixels / f64::from(instance.gaussians.max(1)))
+        })
+        .fold(f64::INFINITY, f64::min)
 }
 
 /// A range of depths around all avatars in view, metres; any valid range where there are none.

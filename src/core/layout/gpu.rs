@@ -98,6 +98,19 @@ pub const RASTER_SQUARE: u32 = 4;
 pub const RASTER_REGION: u32 = 8 * RASTER_SQUARE;
 /// Invocations of a workgroup of the tile rasterizer.
 pub const RASTER_WORKGROUP: u32 = 64;
+/// Sides that bins may have: the finest, and each twice as long as the one before. With the last an
+/// image of 16384 px is one bin.
+pub const BIN_SIDES: u32 = 10;
+/// Splats whose pairs a workgroup of the binning stage makes.
+pub const BIN_BLOCK: u32 = 256;
+/// Invocations of a workgroup that makes bins.
+pub const BIN_WORKGROUP: u32 = 128;
+/// Side of the region that a workgroup of the shared-memory tile rasterizer draws, px: 8 × 8
+/// invocations of 2 × 2 pixels.
+pub const SHARED_REGION: u32 = 16;
+/// Side of the region that a workgroup of the saturation stage takes, px: 8 × 8 invocations of
+/// 2 × 2 samples, each of 2 × 2 pixels.
+pub const SATURATION_REGION: u32 = 32;
 /// Bits of a splat's fixed-point coordinate, which ranges from −guard to guard + size.
 pub const POSITION_BITS: u32 = 20;
 
@@ -229,8 +242,10 @@ pub struct FrameBlock {
     pub drawn: u32,
     /// Factor on covariances at this level of detail.
     pub covariance_scale: f32,
+    /// Side of the finest bins, px.
+    pub bin_side: u32,
     /// Padding.
-    pub unused: [u32; 2],
+    pub unused: u32,
     /// Lower corner of the box that positions in the pose cache are relative to, metres.
     pub cache_min: [f32; 4],
     /// Sides of that box, metres.

@@ -1,6 +1,7 @@
 //! The GPU's data: structs and constants, the encoding of an avatar's numbers, tile sizes.
 
 pub mod binning;
+mod bins;
 pub mod compact;
 mod gpu;
 mod macros;
@@ -8,5 +9,6 @@ pub mod pack;
 pub mod sh;
 
 pub use binning::{TILING, TILING_WEB};
+pub use bins::{BinLayout, bin_side};
 pub use gpu::*;
 pub use macros::{MACROS, MacroValue};

@@ -1,4 +1,4 @@
-//! Stage `binning`: which splats meet which tile. Drawing tile by tile gives the image of
+//! Stage `binning`: which splats meet which tile or bin. Drawing tile by tile gives the image of
 //! docs/model.md, step 10, since a splat contributes nothing outside its bounding box.
 
 use super::project::{Culled, Splat};

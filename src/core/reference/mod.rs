@@ -13,6 +13,7 @@ pub mod occluder;
 pub mod present;
 pub mod project;
 pub mod raster;
+pub mod saturation;
 pub mod sh;
 pub mod sort;
 

@@ -99,7 +99,7 @@ pub fn contributions(splats: &[Result<Splat, Culled>], order: &[u32], camera: &C
 }
 
 /// A splat ready to be drawn.
-struct DrawnSplat {
+pub(super) struct DrawnSplat {
     center: DVec2,
     /// Σ'⁻¹ as [a, b, c], 1/px².
     inverse: [f64; 3],
@@ -112,7 +112,7 @@ struct DrawnSplat {
 }
 
 impl DrawnSplat {
-    fn new(splat: &Splat, camera: &Camera) -> Self {
+    pub(super) fn new(splat: &Splat, camera: &Camera) -> Self {
         let [a, b, c] = splat.covariance;
         let det = splat.determinant;
         let [columns, rows] = std::array::from_fn(|axis| {
@@ -139,10 +139,20 @@ impl DrawnSplat {
         self.rows.start.max(band.start)..self.rows.end.min(band.end)
     }
 
-    /// α = min([`ALPHA_MAX`], o exp(−½ dᵀ Σ'⁻¹ d)) at a pixel's centre.
+    /// α at a pixel's centre.
     fn alpha(&self, x: usize, y: usize) -> f64 {
+        self.alpha_at(DVec2::new(x as f64 + 0.5, y as f64 + 0.5))
+    }
+
+    /// α at a place, px, where it is at least [`ALPHA_MIN`].
+    pub(super) fn visible_alpha_at(&self, at: DVec2) -> Option<f64> {
+        Some(self.alpha_at(at)).filter(|&alpha| alpha >= ALPHA_MIN)
+    }
+
+    /// α = min([`ALPHA_MAX`], o exp(−½ dᵀ Σ'⁻¹ d)) at a place, px.
+    fn alpha_at(&self, at: DVec2) -> f64 {
         let [a, b, c] = self.inverse;
-        let d = DVec2::new(x as f64 + 0.5, y as f64 + 0.5) - self.center;
+        let d = at - self.center;
         let power = -0.5 * (a * d.x * d.x + 2.0 * b * d.x * d.y + c * d.y * d.y);
         (self.opacity * power.exp()).min(ALPHA_MAX)
     }

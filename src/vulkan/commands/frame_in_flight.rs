@@ -78,6 +78,8 @@ pub struct FrameInFlight {
     /// Counts fragments. None where the device can't.
     statistics: Option<QueryPool>,
     counted: Counted,
+    /// Whether the frame's kernels count samples of the saturation depth, in the control.
+    samples: bool,
     /// What was known of the frame before it was drawn.
     known: Counters,
     reasons: bool,
@@ -124,6 +126,7 @@ impl FrameInFlight {
             queries,
             statistics,
             counted: Counted::No,
+            samples: false,
             known: Counters::default(),
             reasons: false,
             counts,
@@ -149,6 +152,7 @@ impl FrameInFlight {
             &control,
             self.reasons.then_some(reasons),
             self.fragments(&control)?,
+            self.samples.then(|| control.fragments.into()),
         );
         let times = self.times()?;
         let host = self.host.map(|host| HostTimes { finished, ..host });
@@ -186,6 +190,7 @@ impl FrameInFlight {
         self.marked.clear();
         self.skipped.clear();
         self.counted = Counted::No;
+        self.samples = false;
         let device = &self.gpu.raw;
         // SAFETY: its last frame is done, so its pool, and with it the command buffer, is free.
         unsafe {
@@ -263,6 +268,11 @@ impl FrameInFlight {
     /// Notes that the frame's kernels count its fragments.
     pub fn counts_itself(&mut self) {
         self.counted = Counted::Itself;
+    }
+
+    /// Notes that the frame's kernels count samples of the saturation depth.
+    pub fn counts_samples(&mut self) {
+        self.samples = true;
     }
 
     /// How many fragments the finished frame had, where they were counted.

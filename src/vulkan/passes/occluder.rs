@@ -27,7 +27,7 @@ use effigy_core::{
 use std::sync::Arc;
 
 /// Draws the occluder mesh in one render pass.
-pub struct OccluderDraw {
+struct OccluderDraw {
     gpu: Arc<Gpu>,
     bindings: Bindings,
     pipeline: Pipeline,
@@ -36,14 +36,12 @@ pub struct OccluderDraw {
 }
 
 impl OccluderDraw {
-    /// `colored`: whether the render pass has a colour attachment, which keeps its content.
-    pub(crate) fn new(
+    fn new(
         gpu: &Arc<Gpu>,
         frame: Slice,
         mesh: &OccluderMesh,
         pose: Slice,
         render_pass: &RenderPass,
-        colored: bool,
     ) -> Result<Self> {
         let resources = Resources {
             uniform: Some(frame),
@@ -51,9 +49,6 @@ impl OccluderDraw {
             image: None,
         };
         let bindings = Bindings::new(gpu, "occluder", vk::ShaderStageFlags::VERTEX, resources)?;
-        let nothing = vk::PipelineColorBlendAttachmentState::default()
-            .blend_enable(true)
-            .dst_color_blend_factor(vk::BlendFactor::ONE);
         let drawing = Drawing {
             name: "occluder",
             vertex: &shaders::OCCLUDER_DEPTH,
@@ -61,7 +56,7 @@ impl OccluderDraw {
             constants: &[],
             layout: bindings.layout(),
             render_pass: render_pass.raw(),
-            blend: colored.then_some(nothing),
+            blend: None,
             depth: Depth::Write,
             cull: vk::CullModeFlags::BACK,
         };
@@ -79,7 +74,7 @@ impl OccluderDraw {
     ///
     /// # Safety
     /// The commands must be inside the render pass, with viewport and scissor set.
-    pub unsafe fn record(&self, commands: Recording, frame: u32) {
+    unsafe fn record(&self, commands: Recording, frame: u32) {
         let point = vk::PipelineBindPoint::GRAPHICS;
         self.bindings.bind(commands, point, frame);
         let device = &self.gpu.raw;
@@ -120,7 +115,7 @@ impl OccluderPass {
         let render_pass = render_pass(gpu)?;
         let framebuffer =
             Framebuffer::around(device, &render_pass, &[image.view()], size, "occluder")?;
-        let mesh = OccluderDraw::new(gpu, frame, mesh, pose, &render_pass, false)?;
+        let mesh = OccluderDraw::new(gpu, frame, mesh, pose, &render_pass)?;
         let resources = Resources {
             uniform: Some(frame),
             storage: &[pose],

@@ -17,6 +17,8 @@ use std::sync::Arc;
 pub enum BoundImage {
     /// Reads a depth image through a sampler.
     Sampled,
+    /// Reads a colour image, which a kernel wrote, through a sampler.
+    Gathered,
     /// Writes texels.
     Written,
 }
@@ -24,7 +26,7 @@ pub enum BoundImage {
 impl BoundImage {
     fn kind(self) -> vk::DescriptorType {
         match self {
-            Self::Sampled => vk::DescriptorType::COMBINED_IMAGE_SAMPLER,
+            Self::Sampled | Self::Gathered => vk::DescriptorType::COMBINED_IMAGE_SAMPLER,
             Self::Written => vk::DescriptorType::STORAGE_IMAGE,
         }
     }
@@ -33,7 +35,7 @@ impl BoundImage {
     pub fn layout(self) -> vk::ImageLayout {
         match self {
             Self::Sampled => vk::ImageLayout::DEPTH_STENCIL_READ_ONLY_OPTIMAL,
-            Self::Written => vk::ImageLayout::GENERAL,
+            Self::Gathered | Self::Written => vk::ImageLayout::GENERAL,
         }
     }
 }

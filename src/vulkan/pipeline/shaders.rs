@@ -92,12 +92,20 @@ modules! {
     SORT_PER_THREAD_SCATTER = "sort/per_thread_scatter.comp";
     SORT_ONESWEEP = "sort/onesweep.comp";
     BINNING = "binning/binning.comp";
+    BINNING_COUNT = "binning/count.comp";
+    BINNING_SCAN = "binning/scan.comp";
+    BINNING_PAIRS = "binning/pairs.comp";
+    BINNING_STARTS = "binning/starts.comp";
+    SATURATION = "saturation/saturation.comp";
+    SATURATION_DEPTH = "saturation/depth.frag";
     QUADS_VERTEX = "raster/quads.vert";
     QUADS_FRAGMENT = "raster/quads.frag";
     RASTER_PER_THREAD_RGBA8 = "raster/per_thread_rgba8.comp";
     RASTER_PER_THREAD_RGBA16F = "raster/per_thread_rgba16f.comp";
     RASTER_COOPERATIVE_RGBA8 = "raster/cooperative_rgba8.comp";
     RASTER_COOPERATIVE_RGBA16F = "raster/cooperative_rgba16f.comp";
+    RASTER_SHARED_RGBA8 = "raster/shared_rgba8.comp";
+    RASTER_SHARED_RGBA16F = "raster/shared_rgba16f.comp";
     PRESENT_VERTEX = "present/present.vert";
     PRESENT_FRAGMENT = "present/present.frag";
 }

@@ -1,11 +1,11 @@
 //! Inputs of both raster methods.
 
-use crate::vulkan::{memory::Slice, passes::model::OccluderMesh};
+use crate::vulkan::memory::Slice;
 use ash::vk;
-use effigy_core::frame::Damage;
+use effigy_core::frame::{Damage, SortVariant};
 
 /// Inputs of the stage.
-pub struct RasterInputs<'a> {
+pub struct RasterInputs {
     /// The ring of frame blocks.
     pub frame: Slice,
     /// Indices of splats in drawing order, as the sort leaves them.
@@ -16,19 +16,14 @@ pub struct RasterInputs<'a> {
     pub control: Slice,
     /// The most splats that the buffers hold.
     pub capacity: u32,
-    /// The occluder mesh, against which quads test fragments.
-    pub occluder: &'a OccluderMesh,
-    /// Output of the `mlp` stage: the occluder's corners follow its nodes.
-    pub pose: Slice,
+    /// How pairs of splats and bins are sorted.
+    pub sort: SortVariant,
 }
 
 /// The draw of a frame.
 pub struct Draw<'a> {
     /// Where in the ring of blocks the one with the image's size is, bytes.
     pub frame: u32,
-    /// Offsets in the ring, bytes, of the blocks of avatars whose occluder is drawn first, where
-    /// fragments are tested against it. Empty draws none.
-    pub occluders: &'a [u32],
     /// The control: holds the arguments of the indirect draw.
     pub control: vk::Buffer,
     /// The rectangle to draw.

@@ -2,18 +2,23 @@
 //!
 //! | method | how | fragments |
 //! |---|---|---|
-//! | [`RasterMethod::Quads`] | a quad a splat, blended far to near by the device's blender | all that a quad covers |
-//! | [`RasterMethod::Tiles`] | `binning` lists the splats of each tile, a kernel blends each pixel near to far | none behind a saturated pixel |
+//! | [`RasterMethod::Quads`] | a quad a splat, blended far to near by the device's blender | all that a quad covers; behind the saturation depth they fail the depth test |
+//! | [`RasterMethod::Tiles`] | `binning` lists the splats of each tile or bin, a kernel blends each pixel near to far | none behind a saturated pixel |
 
+mod bins;
 pub(crate) mod download;
 pub(crate) mod draw;
 mod options;
 mod quads;
+mod runs;
+mod saturation;
 mod stage;
 pub(crate) mod target;
 mod tiles;
 
-pub use effigy_core::frame::{ColorFormat, Damage, RasterMethod};
+pub use bins::BinLists;
+pub use effigy_core::frame::{ColorFormat, Damage, RasterMethod, TileKernel};
 pub use options::resolved;
+pub(crate) use options::tile_kernel;
+pub use runs::TileLists;
 pub use stage::Raster;
-pub use tiles::TileLists;

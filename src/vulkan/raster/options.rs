@@ -1,7 +1,7 @@
 //! Resolves a renderer's options for a device.
 
 use crate::{quirks::recommended_method, vulkan::device::gpu::Gpu};
-use effigy_core::frame::{RasterMethod, RendererOptions, Skip};
+use effigy_core::frame::{RasterMethod, RendererOptions, Skip, TileKernel};
 
 /// How a renderer with these options draws on a device.
 pub(crate) fn method(options: &RendererOptions, gpu: &Gpu) -> RasterMethod {
@@ -10,16 +10,36 @@ pub(crate) fn method(options: &RendererOptions, gpu: &Gpu) -> RasterMethod {
     })
 }
 
+/// The kernel of the tile rasterizer with these options on a device. CPU drivers execute a few
+/// invocations at a time: they have kernels of their own. Subgroups of 16 have not been timed.
+pub(crate) fn tile_kernel(options: &RendererOptions, gpu: &Gpu) -> TileKernel {
+    options.kernel.unwrap_or_else(|| {
+        let eight = gpu.probe.subgroup_shuffle && gpu.probe.subgroup_size == 8;
+        if !gpu.probe.is_cpu() {
+            TileKernel::Shared
+        } else if eight && !gpu.probe.driver.starts_with("SwiftShader") {
+            TileKernel::Cooperative
+        } else {
+            TileKernel::PerThread
+        }
+    })
+}
+
 /// Options with every open choice made for a device, and without skips that it can't do.
 pub fn resolved(gpu: &Gpu, options: RendererOptions) -> RendererOptions {
     let method = method(&options, gpu);
-    let skip = if gpu.probe.draws_triangles() {
-        options.skip
-    } else {
-        options.skip - Skip::HIDDEN - Skip::DEPTH
-    };
+    let mut skip = options.skip;
+    if !gpu.probe.draws_triangles() {
+        skip -= Skip::HIDDEN | Skip::DEPTH;
+    }
+    // On CPU drivers the depth test costs more than the fragments that it saves
+    // (docs/experiments/038).
+    if options.method.is_none() && gpu.probe.is_cpu() {
+        skip -= Skip::DEPTH;
+    }
     RendererOptions {
         method: Some(method),
+        kernel: Some(tile_kernel(&options, gpu)),
         color: Some(options.color.unwrap_or_else(|| method.color())),
         skip,
         ..options

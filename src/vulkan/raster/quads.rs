@@ -3,6 +3,7 @@
 
 use super::{
     draw::{Draw, RasterInputs},
+    saturation::Saturation,
     target::{FINAL_LAYOUT, READER_SCOPE, READER_STAGES, check_size, vulkan_format},
 };
 use crate::vulkan::{
@@ -13,7 +14,6 @@ use crate::vulkan::{
         recording::Recording,
     },
     memory::{Buffer, DEPTH_FORMAT, Image, LayoutChange, Scope},
-    passes::occluder::OccluderDraw,
     pipeline::{
         Resources,
         bindings::Bindings,
@@ -32,18 +32,25 @@ use std::sync::Arc;
 struct QuadTarget {
     framebuffer: Framebuffer,
     image: Image,
-    /// Depths of the occluder, where fragments are tested; used within the render pass only.
+    /// Saturation depths, where fragments are tested; used within the render pass only.
     _depth: Option<Image>,
+}
+
+/// What draws the quads that are tested against the saturation depth.
+struct DepthTest {
+    saturation: Saturation,
+    pipeline: Pipeline,
 }
 
 pub struct Quads {
     gpu: Arc<Gpu>,
     format: ColorFormat,
+    /// Draws every fragment.
     pipeline: Pipeline,
+    /// None where no frame tests depth.
+    test: Option<Box<DepthTest>>,
     bindings: Bindings,
     indices: Buffer,
-    /// None where fragments are not tested against it.
-    occluder: Option<OccluderDraw>,
     target: QuadTarget,
     render_pass: RenderPass,
     /// The part of the target that is drawn, from its upper left corner, px.
@@ -54,13 +61,6 @@ impl Quads {
     pub fn new(gpu: &Arc<Gpu>, inputs: &RasterInputs, options: &RendererOptions) -> Result<Self> {
         let format = options.color.unwrap_or(RasterMethod::Quads.color());
         let depth = options.skip.contains(Skip::DEPTH);
-        let frame = inputs.frame;
-        let resources = Resources {
-            uniform: Some(frame),
-            storage: &[inputs.order, inputs.splats, inputs.control],
-            image: None,
-        };
-        let bindings = Bindings::new(gpu, "raster", vk::ShaderStageFlags::VERTEX, resources)?;
         let quad = |quad: u32| [0, 1, 2, 2, 1, 3].map(|corner| (4 * quad + corner) as u16);
         let indices: Vec<u16> = (0..QUADS_PER_INSTANCE).flat_map(quad).collect();
         let indices = Buffer::with_data(
@@ -71,27 +71,39 @@ impl Quads {
         )?;
         let render_pass = render_pass(gpu, format, depth)?;
         let target = target(gpu, &render_pass, format, depth, options.size)?;
-        let pipeline = pipeline(gpu, &render_pass, bindings.layout(), options)?;
-        let occluder = if depth {
-            let mesh = inputs.occluder;
-            Some(OccluderDraw::new(
-                gpu,
-                frame,
-                mesh,
-                inputs.pose,
-                &render_pass,
-                true,
-            )?)
+        let saturation = if depth {
+            Some(Saturation::new(gpu, inputs, &render_pass, options)?)
         } else {
             None
+        };
+        let marks = saturation.as_ref().map(Saturation::marks);
+        let resources = Resources {
+            uniform: Some(inputs.frame),
+            storage: &[
+                inputs.order,
+                inputs.splats,
+                inputs.control,
+                // The shader has the binding, whether it reads it or not.
+                marks.unwrap_or(inputs.order),
+            ],
+            image: None,
+        };
+        let bindings = Bindings::new(gpu, "raster", vk::ShaderStageFlags::VERTEX, resources)?;
+        let layout = bindings.layout();
+        let test = match saturation {
+            Some(saturation) => Some(Box::new(DepthTest {
+                pipeline: pipeline(gpu, &render_pass, layout, Some(&saturation), options)?,
+                saturation,
+            })),
+            None => None,
         };
         Ok(Self {
             gpu: gpu.clone(),
             format,
-            pipeline,
+            pipeline: pipeline(gpu, &render_pass, layout, None, options)?,
+            test,
             bindings,
             indices,
-            occluder,
             target,
             render_pass,
             drawn: options.size,
@@ -103,8 +115,13 @@ impl Quads {
     /// # Safety
     /// No submitted work may use the image.
     pub unsafe fn resize(&mut self, size: [u32; 2]) -> Result<()> {
-        let depth = self.occluder.is_some();
-        self.target = target(&self.gpu, &self.render_pass, self.format, depth, size)?;
+        let depth = self.test.is_some();
+        let target = target(&self.gpu, &self.render_pass, self.format, depth, size)?;
+        if let Some(test) = &mut self.test {
+            // SAFETY: the caller promises that no work uses it.
+            unsafe { test.saturation.resize(size) }?;
+        }
+        self.target = target;
         self.drawn = size;
         Ok(())
     }
@@ -119,7 +136,15 @@ impl Quads {
     /// No submitted work may draw with it.
     pub unsafe fn set_cutoff(&mut self, options: &RendererOptions) -> Result<()> {
         let layout = self.bindings.layout();
-        self.pipeline = pipeline(&self.gpu, &self.render_pass, layout, options)?;
+        let new = |saturation| pipeline(&self.gpu, &self.render_pass, layout, saturation, options);
+        let untested = new(None)?;
+        if let Some(test) = &mut self.test {
+            let tested = new(Some(&test.saturation))?;
+            // SAFETY: the caller promises that no work draws with it.
+            unsafe { test.saturation.set_cutoff(options) }?;
+            test.pipeline = tested;
+        }
+        self.pipeline = untested;
         Ok(())
     }
 
@@ -135,8 +160,14 @@ impl Quads {
         self.format
     }
 
-    /// Clears the damage rectangle, and draws the control's splats there; graphics.
-    pub fn record(&self, commands: Recording, draw: &Draw) {
+    /// The stage that finds the saturation depths, if there is one.
+    pub fn saturation(&self) -> Option<&Saturation> {
+        self.test.as_ref().map(|test| &test.saturation)
+    }
+
+    /// Clears the damage rectangle, and draws the control's splats there; graphics. `tested`:
+    /// whether [`Self::saturation`] found this frame's depths.
+    pub fn record(&self, commands: Recording, draw: &Draw, tested: bool) {
         let [width, height] = self.drawn;
         let [x, y] = draw.damage.min;
         let [right, bottom] = draw.damage.max;
@@ -178,13 +209,13 @@ impl Quads {
             device.cmd_begin_render_pass(raw, &begin, vk::SubpassContents::INLINE);
             device.cmd_set_viewport(raw, 0, &[viewport]);
             device.cmd_set_scissor(raw, 0, &[area]);
-            if let Some(mesh) = &self.occluder {
-                for &frame in draw.occluders {
-                    mesh.record(commands, frame);
-                }
+            let test = self.test.as_ref().filter(|_| tested);
+            if let Some(test) = test {
+                test.saturation.draw(commands);
             }
+            let pipeline = test.map_or(&self.pipeline, |test| &test.pipeline);
             self.bindings.bind(commands, point, draw.frame);
-            device.cmd_bind_pipeline(raw, point, self.pipeline.raw());
+            device.cmd_bind_pipeline(raw, point, pipeline.raw());
             device.cmd_bind_index_buffer(raw, self.indices.raw(), 0, vk::IndexType::UINT16);
             device.cmd_draw_indexed_indirect(raw, draw.control, 0, 1, 0);
             device.cmd_end_render_pass(raw);
@@ -289,6 +320,7 @@ fn pipeline(
     gpu: &Arc<Gpu>,
     render_pass: &RenderPass,
     layout: vk::PipelineLayout,
+    saturation: Option<&Saturation>,
     options: &RendererOptions,
 ) -> Result<Pipeline> {
     // "Over": C = αc + (1 − α) C, and coverage likewise, which leaves the image premultiplied. The
@@ -306,20 +338,27 @@ fn pipeline(
     } else {
         0.0
     };
-    let tested = options.skip.contains(Skip::DEPTH);
+    let own = [
+        cutoff_exponent.to_bits(),
+        quad_exponent.to_bits(),
+        saturation.is_some().into(),
+    ];
+    let constants = match saturation {
+        Some(saturation) => saturation.bins().constants(own).to_vec(),
+        None => own.to_vec(),
+    };
     let drawing = Drawing {
         name: "raster",
         vertex: &shaders::QUADS_VERTEX,
         fragment: Some(&shaders::QUADS_FRAGMENT),
-        constants: &[
-            cutoff_exponent.to_bits(),
-            quad_exponent.to_bits(),
-            tested.into(),
-        ],
+        constants: &constants,
         layout,
         render_pass: render_pass.raw(),
         blend: Some(over),
-        depth: if tested { Depth::Test } else { Depth::Without },
+        depth: match saturation {
+            Some(_) => Depth::Test,
+            None => Depth::Without,
+        },
         cull: vk::CullModeFlags::NONE,
     };
     graphics::pipeline(gpu, drawing)

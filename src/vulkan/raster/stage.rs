@@ -1,19 +1,26 @@
 //! One of the two methods, as the frame sees it.
 
 use super::{
+    bins::{BinLists, Bins},
     draw::{Draw, RasterInputs},
-    options::method,
+    options::{method, tile_kernel},
     quads::Quads,
-    tiles::{TileLists, Tiles},
+    runs::{Runs, TileLists},
+    saturation::Saturation,
+    tiles::Tiles,
 };
 use crate::{
     quirks::leaves_loops,
     vulkan::{
-        device::{error::Result, gpu::Gpu, recording::Recording},
+        device::{
+            error::{Error, Result},
+            gpu::Gpu,
+            recording::Recording,
+        },
         memory::Image,
     },
 };
-use effigy_core::frame::{ColorFormat, RasterMethod, RendererOptions};
+use effigy_core::frame::{ColorFormat, RasterMethod, RendererOptions, TileKernel};
 use std::sync::Arc;
 
 /// The `raster` stage, by one of its methods.
@@ -33,6 +40,15 @@ impl Raster {
         Ok(match method(options, gpu) {
             RasterMethod::Quads => Self::Quads(Quads::new(gpu, inputs, options)?),
             RasterMethod::Tiles => {
+                let probe = &gpu.probe;
+                if tile_kernel(options, gpu) == TileKernel::Cooperative
+                    && !(probe.subgroup_shuffle && probe.subgroup_size == 8)
+                {
+                    return Err(Error::Unsupported {
+                        device: probe.name.clone(),
+                        missing: "for cooperative tiles: subgroups of 8 with shuffles".into(),
+                    });
+                }
                 if leaves_loops(&gpu.probe.driver) {
                     tracing::warn!(
                         "{} leaves long loops early: tiles may lose parts of large scenes; quads don't",
@@ -81,38 +97,82 @@ impl Raster {
     /// Dispatches of a frame.
     pub fn dispatches(&self) -> u64 {
         match self {
-            Self::Quads(_) => 0,
-            Self::Tiles(_) => 2,
+            Self::Quads(_) => self.bins().map_or(0, |bins| bins.dispatches() + 1),
+            Self::Tiles(_) => 1 + self.bins().map_or(1, Bins::dispatches),
         }
     }
 
-    /// Empties the tiles' lists: a transfer. Quads have none.
-    pub(crate) fn clear_tile_lists(&self, commands: Recording) {
-        if let Self::Tiles(tiles) = self {
-            tiles.clear_lists(commands);
-        }
-    }
-
-    /// Writes splats to the lists of the tiles that they meet; compute. Quads have none.
-    pub(crate) fn record_binning(&self, commands: Recording, frame: u32) {
-        if let Self::Tiles(tiles) = self {
-            tiles.record_binning(commands, frame);
-        }
-    }
-
-    /// Draws what the sort left.
-    pub(crate) fn record(&self, commands: Recording, draw: &Draw) {
+    fn runs(&self) -> Option<&Runs> {
         match self {
-            Self::Quads(quads) => quads.record(commands, draw),
+            Self::Quads(_) => None,
+            Self::Tiles(tiles) => tiles.runs(),
+        }
+    }
+
+    fn bins(&self) -> Option<&Bins> {
+        match self {
+            Self::Quads(quads) => quads.saturation().map(Saturation::bins),
+            Self::Tiles(tiles) => tiles.bins(),
+        }
+    }
+
+    /// Empties the tiles' lists, if there are any: a transfer.
+    pub(crate) fn clear_tile_lists(&self, commands: Recording) {
+        if let Some(runs) = self.runs() {
+            runs.clear(commands);
+        }
+    }
+
+    /// Writes splats to the lists of the tiles that they meet, if there are any; compute.
+    pub(crate) fn record_binning(&self, commands: Recording, frame: u32) {
+        if let Some(runs) = self.runs() {
+            runs.record(commands, frame);
+        }
+    }
+
+    /// Makes the lists of bins, if there are any; compute.
+    pub(crate) fn record_bins(&self, commands: Recording, frame: u32) {
+        if let Some(bins) = self.bins() {
+            bins.record(commands, frame, self.drawn());
+        }
+    }
+
+    /// Finds the saturation depth, if quads are tested against it; compute.
+    pub(crate) fn record_saturation(&self, commands: Recording, draw: &Draw) {
+        if let Self::Quads(quads) = self
+            && let Some(saturation) = quads.saturation()
+        {
+            saturation.record(commands, draw);
+        }
+    }
+
+    /// Draws what the sort left. `tested`: whether quads are tested against the saturation depth,
+    /// which this frame found.
+    pub(crate) fn record(&self, commands: Recording, draw: &Draw, tested: bool) {
+        match self {
+            Self::Quads(quads) => quads.record(commands, draw, tested),
             Self::Tiles(tiles) => tiles.record(commands, draw),
         }
     }
 
-    /// The tile lists of the last frame, read back for tests. None without the `binning` stage.
+    /// The tile lists of the last frame, read back for tests. None where there are none.
     pub fn tile_lists(&self) -> Result<Option<TileLists>> {
+        self.runs().map(Runs::download).transpose()
+    }
+
+    /// The lists of bins of the last frame, read back for tests. None where there are none.
+    pub fn bin_lists(&self) -> Result<Option<BinLists>> {
+        self.bins()
+            .map(|bins| bins.download(self.drawn()))
+            .transpose()
+    }
+
+    /// The saturation depth of each sample of the last frame, row by row, read back for tests. None
+    /// without the stage.
+    pub fn saturation_depths(&self) -> Result<Option<Vec<f32>>> {
         match self {
-            Self::Quads(_) => Ok(None),
-            Self::Tiles(tiles) => tiles.download().map(Some),
+            Self::Quads(quads) => quads.saturation().map(Saturation::download).transpose(),
+            Self::Tiles(_) => Ok(None),
         }
     }
 

@@ -12,7 +12,7 @@ use crate::vulkan::{
 use ash::vk::{self, AccessFlags, PipelineStageFlags};
 use effigy_core::frame::{
     RasterMethod, Schedule,
-    passes::{Pass, PipelineStages},
+    passes::{Pass, PipelineStages, Stage},
     schedule::{Command, Step},
 };
 
@@ -40,7 +40,7 @@ fn scope(
     stages: PipelineStages,
     transfer: AccessFlags,
     compute: AccessFlags,
-    vertex: AccessFlags,
+    graphics: AccessFlags,
 ) -> Scope {
     let mut scope = Scope::new(PipelineStageFlags::empty(), AccessFlags::empty());
     let mut add = |stage, flags, access| {
@@ -62,9 +62,14 @@ fn scope(
     add(
         PipelineStages::VERTEX,
         PipelineStageFlags::VERTEX_SHADER,
-        vertex,
+        graphics,
     );
-    let arguments = if vertex.is_empty() {
+    add(
+        PipelineStages::FRAGMENT,
+        PipelineStageFlags::FRAGMENT_SHADER,
+        graphics,
+    );
+    let arguments = if graphics.is_empty() {
         AccessFlags::empty()
     } else {
         AccessFlags::INDIRECT_COMMAND_READ
@@ -91,6 +96,8 @@ pub(super) struct Executor<'a> {
     pub raster: &'a Raster,
     pub control: vk::Buffer,
     pub blocks: &'a Blocks,
+    /// Offsets in the ring, bytes, of the blocks of the avatars in view.
+    pub avatars: &'a [u32],
     /// Index of the frame in flight.
     pub frame: usize,
     pub draw: Draw<'a>,
@@ -114,6 +121,10 @@ impl Executor<'_> {
                         }
                     };
                     match stage.raster_method() {
+                        _ if stage.stage == Stage::Saturation && count => {
+                            in_flight.counts_samples();
+                            in_flight.stage(name, record);
+                        }
                         Some(RasterMethod::Quads) => in_flight.drawing(name, count, record),
                         Some(RasterMethod::Tiles) if count => {
                             in_flight.counts_itself();
@@ -162,7 +173,7 @@ impl Executor<'_> {
             }
             Pass::Occluder { view } => {
                 let occluder = self.occluder.expect(SCHEDULED);
-                occluder.record(commands, self.draw.occluders, &view);
+                occluder.record(commands, self.avatars, &view);
             }
             Pass::Project {
                 instance,
@@ -175,16 +186,10 @@ impl Executor<'_> {
             Pass::Sort => self.sort.record_counted(commands),
             Pass::ClearTileLists => self.raster.clear_tile_lists(commands),
             Pass::Binning => self.raster.record_binning(commands, self.draw.frame),
-            Pass::RasterTiles | Pass::RasterQuads { occluders: true } => {
-                self.raster.record(commands, &self.draw);
-            }
-            Pass::RasterQuads { occluders: false } => {
-                let draw = Draw {
-                    occluders: &[],
-                    ..self.draw
-                };
-                self.raster.record(commands, &draw);
-            }
+            Pass::Bin => self.raster.record_bins(commands, self.draw.frame),
+            Pass::Saturation => self.raster.record_saturation(commands, &self.draw),
+            Pass::RasterTiles { .. } => self.raster.record(commands, &self.draw, false),
+            Pass::RasterQuads { tested } => self.raster.record(commands, &self.draw, tested),
             // The counts are copied where the frame is submitted.
             Pass::ReadCounts => {}
         }

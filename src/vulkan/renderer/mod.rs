@@ -26,7 +26,7 @@ use super::{
         Raster,
         download::{self, Copied},
         draw::{Draw, RasterInputs},
-        resolved,
+        resolved, tile_kernel,
     },
     sort::{Sort, SortOptions, choice},
 };
@@ -128,7 +128,7 @@ impl Renderer {
         if avatar.sh.is_some() {
             options.skip -= Skip::SKINNING;
         }
-        let has_occluder = options.skip.intersects(Skip::HIDDEN | Skip::DEPTH);
+        let has_occluder = options.skip.contains(Skip::HIDDEN);
         let model = Model::new(gpu, avatar, has_occluder)?;
         let constants = &model.constants;
         let storage = vk::BufferUsageFlags::STORAGE_BUFFER | vk::BufferUsageFlags::TRANSFER_SRC;
@@ -167,8 +167,7 @@ impl Renderer {
             splats: project.whole_buffer(),
             control: (&control).into(),
             capacity,
-            occluder: &model.occluder,
-            pose: (&pose).into(),
+            sort: variant,
         };
         let raster = Raster::new(gpu, &inputs, &options)?;
         let occluder = if has_occluder && model.occluder.index_count > 0 {
@@ -223,6 +222,7 @@ impl Renderer {
             sh: self.sh.is_some(),
             occluder: self.occluder.is_some(),
             method: self.raster.method(),
+            kernel: tile_kernel(&self.options, &self.gpu),
             skip: self.options.skip,
         }
     }
@@ -382,6 +382,7 @@ impl Renderer {
             raster: &self.raster,
             control: self.control.raw(),
             blocks: &self.blocks,
+            avatars: &blocks,
             frame,
             draw: Draw {
                 // An empty image has a size too: the first block's.
@@ -389,7 +390,6 @@ impl Renderer {
                     Some(block) => *block,
                     None => self.blocks.offset(frame, 0) as u32,
                 },
-                occluders: &blocks,
                 control: self.control.raw(),
                 damage,
                 count: self.options.count,

@@ -1,10 +1,16 @@
 //! The `raster` stage: the draw order that it uses, and images of few Gaussians whose every pixel
 //! the reference knows.
 
-use crate::common::{self, Sizes, gpu};
+use crate::common::{
+    self, Sizes,
+    gpu::{
+        self,
+        Raster::{self, Quads, SharedTiles, TestedQuads, Tiles},
+    },
+};
 use effigy::vulkan::{
     Renderer, RendererOptions,
-    raster::RasterMethod::{self, Quads, Tiles},
+    raster::{RasterMethod, TileKernel},
     sort::KeyBits,
 };
 use effigy_core::{
@@ -68,9 +74,9 @@ fn the_order_is_the_references_but_for_depths_closer_than_a_key() {
     }
 }
 
-fn few_gaussians_agree_pixel_by_pixel(method: RasterMethod) {
+fn few_gaussians_agree_pixel_by_pixel(raster: Raster) {
     let device = gpu::gpu();
-    let options = gpu::with_method(&device.probe.name, method, [240, 160]);
+    let options = raster.options(&device.probe.name, [240, 160]);
     for seed in 0..6 {
         let sizes = Sizes {
             gaussians: 1 + seed as usize * 3,
@@ -158,7 +164,7 @@ fn quads_are_refused_where_the_driver_crashes_on_triangles() {
     }
 }
 
-fn nothing_in_view_is_an_empty_image(method: RasterMethod) {
+fn nothing_in_view_is_an_empty_image(raster: Raster) {
     let device = gpu::gpu();
     let avatar = common::avatar(1, Sizes::default());
     let posed = Posed::new(&avatar, &common::pose(1, &avatar));
@@ -168,7 +174,7 @@ fn nothing_in_view_is_an_empty_image(method: RasterMethod) {
         0.7,
         [50, 40],
     );
-    let options = gpu::with_method(&device.probe.name, method, [50, 40]);
+    let options = raster.options(&device.probe.name, [50, 40]);
     let frame = gpu::draw(&device, avatar, posed, away, options);
     assert_eq!(frame.gpu.control.visible_count, 0);
     assert!(
@@ -177,7 +183,7 @@ fn nothing_in_view_is_an_empty_image(method: RasterMethod) {
     );
 }
 
-fn images_of_any_size_follow_a_resize(method: RasterMethod) {
+fn images_of_any_size_follow_a_resize(raster: Raster) {
     let device = gpu::gpu();
     let avatar = common::avatar(
         2,
@@ -187,7 +193,7 @@ fn images_of_any_size_follow_a_resize(method: RasterMethod) {
         },
     );
     let posed = Posed::new(&avatar, &common::pose(2, &avatar));
-    let options = gpu::with_method(&device.probe.name, method, [64, 64]);
+    let options = raster.options(&device.probe.name, [64, 64]);
     let mut renderer = Renderer::new(&device, &avatar, options).unwrap();
     for size in [[1, 1], [7, 300], [640, 3], [200, 200]] {
         renderer.resize(size).unwrap();
@@ -234,6 +240,7 @@ fn each_tile_has_the_splats_that_meet_it_nearest_first() {
         let camera = Camera::orbit(target, 0.3, 0.1, distance, 0.7, size);
         let options = RendererOptions {
             method: Some(RasterMethod::Tiles),
+            kernel: Some(TileKernel::PerThread),
             key_bits: KeyBits::ThirtyTwo,
             ..gpu::options(size)
         };
@@ -294,7 +301,64 @@ fn each_tile_has_the_splats_that_meet_it_nearest_first() {
     }
 }
 
-fn frames_in_flight_do_not_show_in_each_other(method: RasterMethod) {
+/// Every bin has the splats whose boxes meet it, and with quads those that come within a pixel.
+fn each_bin_has_the_splats_that_meet_it_nearest_first(raster: Raster) {
+    let device = gpu::gpu();
+    let margin = if raster == TestedQuads { 1.0 } else { 0.0 };
+    let mut sides = Vec::new();
+    // So near that the pairs of splats and bins are too many for the finest bins.
+    for distance in [4.0, 0.6, 0.1] {
+        let avatar = common::avatar(
+            4,
+            Sizes {
+                gaussians: 4000,
+                ..Sizes::default()
+            },
+        );
+        let posed = Posed::new(&avatar, &common::pose(4, &avatar));
+        let size = [600, 400];
+        let target = effigy_core::reference::ReferenceFrame::new(
+            &avatar,
+            &posed,
+            &gpu::camera(&avatar, &posed, [64, 64]),
+        )
+        .gaussians[0]
+            .mean;
+        let camera = Camera::orbit(target, 0.3, 0.1, distance, 0.7, size);
+        let options = RendererOptions {
+            key_bits: KeyBits::ThirtyTwo,
+            ..raster.options(&device.probe.name, size)
+        };
+        let mut renderer = Renderer::new(&device, &avatar, options).unwrap();
+        renderer.draw(&posed, &camera, None).unwrap();
+        renderer.finish().unwrap();
+        let bins = renderer.raster().bin_lists().unwrap().unwrap();
+        let order = renderer.stages().unwrap().order;
+        let reference = effigy_core::reference::ReferenceFrame::new(&avatar, &posed, &camera);
+        let mut met = 0;
+        for (number, list) in (0..).zip(&bins.lists) {
+            let bin = [number % bins.columns, number / bins.columns];
+            // Near splats are large, and so is what rounding their axes to f16 moves their edges by.
+            let rounding = 0.3 / distance;
+            let [must, may] = [margin - rounding, margin + rounding]
+                .map(|slack| binning::bin(&reference.splats, &order, bin, bins.side, slack));
+            // Both are in the drawing order: what must be there is a subsequence of the list, and
+            // the list one of what may be there.
+            let mut rest = list.iter();
+            let missing = must.iter().find(|splat| !rest.any(|other| other == *splat));
+            assert_eq!(missing, None, "bin {bin:?} from {distance} m");
+            let mut rest = may.iter();
+            let surplus = list.iter().find(|splat| !rest.any(|other| other == *splat));
+            assert_eq!(surplus, None, "bin {bin:?} from {distance} m");
+            met += list.len();
+        }
+        assert!(met > 100, "{met} pairs from {distance} m");
+        sides.push(bins.side);
+    }
+    assert!(sides.contains(&32) && sides.contains(&64), "{sides:?}");
+}
+
+fn frames_in_flight_do_not_show_in_each_other(raster: Raster) {
     let device = gpu::gpu();
     let avatar = common::avatar(
         6,
@@ -307,7 +371,7 @@ fn frames_in_flight_do_not_show_in_each_other(method: RasterMethod) {
         .map(|seed| Posed::new(&avatar, &common::pose(seed, &avatar)))
         .collect();
     let size = [220, 220];
-    let options = gpu::with_method(&device.probe.name, method, size);
+    let options = raster.options(&device.probe.name, size);
     let alone = |posed| {
         let mut renderer = Renderer::new(&device, &avatar, options).unwrap();
         renderer
@@ -329,26 +393,38 @@ fn frames_in_flight_do_not_show_in_each_other(method: RasterMethod) {
     }
 }
 
-fn two_runs_give_the_same_bits(method: RasterMethod) {
+fn two_runs_give_the_same_bits(raster: Raster) {
     let device = gpu::gpu();
-    let options = gpu::with_method(&device.probe.name, method, [160, 160]);
+    let options = raster.options(&device.probe.name, [160, 160]);
     let [first, second] = [0, 1].map(|_| gpu::frame(&device, 9, Sizes::default(), options));
     assert!(first.image == second.image, "two runs differ, {options:?}");
 }
 
 tests! {
+    each_bin_has_the_splats_that_meet_it_nearest_first[TestedQuads],
+    each_bin_has_the_splats_that_meet_it_nearest_first[SharedTiles],
     the_order_is_the_references_but_for_depths_closer_than_a_key,
     few_gaussians_agree_pixel_by_pixel[Quads]: smoke,
     few_gaussians_agree_pixel_by_pixel[Tiles]: smoke,
+    few_gaussians_agree_pixel_by_pixel[TestedQuads]: smoke,
+    few_gaussians_agree_pixel_by_pixel[SharedTiles]: smoke,
     nothing_of_many_gaussians_is_lost,
     quads_are_refused_where_the_driver_crashes_on_triangles,
     nothing_in_view_is_an_empty_image[Quads],
     nothing_in_view_is_an_empty_image[Tiles],
+    nothing_in_view_is_an_empty_image[TestedQuads],
+    nothing_in_view_is_an_empty_image[SharedTiles],
     images_of_any_size_follow_a_resize[Quads],
     images_of_any_size_follow_a_resize[Tiles],
+    images_of_any_size_follow_a_resize[TestedQuads],
+    images_of_any_size_follow_a_resize[SharedTiles],
     each_tile_has_the_splats_that_meet_it_nearest_first,
     frames_in_flight_do_not_show_in_each_other[Quads],
     frames_in_flight_do_not_show_in_each_other[Tiles],
+    frames_in_flight_do_not_show_in_each_other[TestedQuads],
+    frames_in_flight_do_not_show_in_each_other[SharedTiles],
     two_runs_give_the_same_bits[Quads],
     two_runs_give_the_same_bits[Tiles],
+    two_runs_give_the_same_bits[TestedQuads],
+    two_runs_give_the_same_bits[SharedTiles],
 }

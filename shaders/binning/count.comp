@@ -1,0 +1,32 @@
+// Counts the pairs of each block of splats, for each side that bins may have, and clears the marks.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+#include "binning/boxes.glsl"
+
+shared uint sums[BIN_SIDES];
+
+void main() {
+    uint thread = gl_LocalInvocationID.x;
+    uint block = gl_WorkGroupID.x;
+    for (uint w = thread; w < BIN_BLOCK / 32u; w += BIN_WORKGROUP) {
+        bins[MARKS_START + block * (BIN_BLOCK / 32u) + w] = 0u;
+    }
+    if (block * BIN_BLOCK >= control.visible_count) {
+        return;
+    }
+    for (uint k = thread; k < BIN_SIDES; k += BIN_WORKGROUP) {
+        sums[k] = 0u;
+    }
+    barrier();
+    uint end = min((block + 1u) * BIN_BLOCK, control.visible_count);
+    for (uint place = block * BIN_BLOCK + thread; place < end; place += BIN_WORKGROUP) {
+        Box box = box_of(splat_at(place));
+        for (uint k = 0u; k < BIN_SIDES; ++k) {
+            atomicAdd(sums[k], pairs_of(box, k));
+        }
+    }
+    barrier();
+    for (uint k = thread; k < BIN_SIDES; k += BIN_WORKGROUP) {
+        bins[COUNTS_START + block * BIN_SIDES + k] = padded(sums[k]);
+    }
+}

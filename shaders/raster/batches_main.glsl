@@ -1,0 +1,62 @@
+// The walk of batches.glsl. The including shader declares `Samples`, what an invocation knows of
+// its samples, with `bool open`, whether some are not saturated; and `blend(samples, k, first)`,
+// which puts splat k of the batch behind them.
+
+// The place of an invocation among its workgroup's squares of 2 by 2 samples. Neighbours in a
+// subgroup of any size are neighbours in the image: the bits of the index are, from the lowest,
+// x y x y x y.
+uvec2 place_of(uint index) {
+    return uvec2((index & 1u) | (index >> 1u & 2u) | (index >> 2u & 4u),
+                 (index >> 1u & 1u) | (index >> 2u & 2u) | (index >> 3u & 4u));
+}
+
+// Blends all splats that meet the region at `corner`, px, near to far, until all samples are
+// saturated.
+void blend_bin(inout Samples samples, uvec2 corner, vec2 first) {
+    uint thread = gl_LocalInvocationIndex;
+    uint quarter = thread / (RASTER_WORKGROUP / 4u);
+    uint shift = bins[BIN_SHIFT_AT];
+    uvec2 at = corner / (frame.bin_side << shift);
+    uint bin = at.y * bins_of(shift).x + at.x;
+    uint end = bins[STARTS_START + bin + 1u];
+    for (uint from = bins[STARTS_START + bin]; from < end; from += RASTER_WORKGROUP) {
+#ifdef MARKS
+        batch_seen[thread] = 0u;
+#endif
+        if (thread < 4u * HIT_WORDS) {
+            batch_hits[thread] = 0u;
+        }
+        if (thread == 0u) {
+            batch_open = 0u;
+        }
+        barrier();
+        if (samples.open) {
+            batch_open = 1u;
+        }
+        uint i = from + thread < end ? bins[PAIRS_START + sorted[from + thread]] : 0u;
+        if (from + thread < end) {
+            load(thread, i, vec2(corner));
+        }
+        barrier();
+        if (batch_open == 0u) {
+            break;
+        }
+        for (uint word = 0u; word < HIT_WORDS; ++word) {
+            uint hits = batch_hits[quarter * HIT_WORDS + word];
+            while (hits != 0u && samples.open) {
+                uint k = uint(findLSB(hits));
+                hits &= hits - 1u;
+#ifdef MARKS
+                batch_seen[32u * word + k] = 1u;
+#endif
+                blend(samples, 32u * word + k, first);
+            }
+        }
+        barrier();
+#ifdef MARKS
+        if (batch_seen[thread] != 0u) {
+            atomicOr(bins[MARKS_START + (i >> 5u)], 1u << (i & 31u));
+        }
+#endif
+    }
+}

@@ -1,0 +1,57 @@
+// The tile rasterizer for GPUs: a workgroup draws a region of 16 by 16 px, an invocation 2 by 2,
+// from the list of the bin that the region lies in (batches.glsl).
+#define REGION SHARED_REGION
+#define STEP 1u
+#include "raster/batches.glsl"
+
+struct Samples {
+    // Colour, in 1023rds, and how much of what lies behind shows.
+    vec4 pixels[4];
+    bool open;
+    uint evaluated;
+};
+
+void blend_pixel(inout vec4 pixel, vec2 deviation, float exponent, vec3 color) {
+    float share = opacity_at(deviation, exponent) * pixel.a;
+    pixel = vec4(pixel.rgb + share * color, pixel.a - share);
+}
+
+void blend(inout Samples samples, uint k, vec2 first) {
+    Seen seen = see(k, first);
+    vec3 color = vec3(seen.color & 1023u, seen.color >> 10u & 1023u, seen.color >> 20u);
+    vec2 right = seen.deviation + seen.right;
+    blend_pixel(samples.pixels[0], seen.deviation, seen.exponent, color);
+    blend_pixel(samples.pixels[1], right, seen.exponent, color);
+    blend_pixel(samples.pixels[2], seen.deviation + seen.down, seen.exponent, color);
+    blend_pixel(samples.pixels[3], right + seen.down, seen.exponent, color);
+    samples.open = max(max(samples.pixels[0].a, samples.pixels[1].a),
+                       max(samples.pixels[2].a, samples.pixels[3].a)) >= SATURATION;
+    samples.evaluated += 4u;
+}
+
+#include "raster/batches_main.glsl"
+
+void store(uvec2 at, vec4 pixel) {
+    if (all(lessThan(at, uvec2(frame.size)))) {
+        imageStore(image, ivec2(at), vec4(pixel.rgb / 1023.0, 1.0 - pixel.a));
+    }
+}
+
+void main() {
+    uvec2 corner = (FIRST_REGION + gl_WorkGroupID.xy) * REGION;
+    uvec2 first = 2u * place_of(gl_LocalInvocationIndex);
+    Samples samples;
+    samples.open = true;
+    samples.evaluated = 0u;
+    const vec4 clear = vec4(0.0, 0.0, 0.0, 1.0);
+    samples.pixels = vec4[](clear, clear, clear, clear);
+    blend_bin(samples, corner, vec2(first) + 0.5);
+    first += corner;
+    store(first, samples.pixels[0]);
+    store(first + uvec2(1u, 0u), samples.pixels[1]);
+    store(first + uvec2(0u, 1u), samples.pixels[2]);
+    store(first + uvec2(1u, 1u), samples.pixels[3]);
+    if (COUNTED && samples.evaluated > 0u) {
+        atomicAdd(control.fragments, samples.evaluated);
+    }
+}

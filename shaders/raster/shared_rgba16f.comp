@@ -1,0 +1,5 @@
+// The shared-memory tile rasterizer, into an image of format rgba16f.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+layout(set = 0, binding = 5, rgba16f) writeonly uniform image2D image;
+#include "raster/shared.glsl"

@@ -1,0 +1,157 @@
+//! The lists of bins: which splats meet which square of the image, nearest first.
+//! `shaders/common/bins.glsl` says how they are made.
+
+use super::draw::RasterInputs;
+use crate::vulkan::{
+    device::{error::Result, gpu::Gpu, recording::Recording},
+    memory::{Buffer, Scope, Slice},
+    pipeline::{
+        Kernel, Launch, Resources,
+        shaders::{self, Module},
+    },
+    sort::{Sort, SortOptions},
+};
+use ash::vk;
+use effigy_core::{
+    frame::KeyBits,
+    layout::{BIN_WORKGROUP, BinLayout, Control, bin_side},
+};
+use gpu_allocator::MemoryLocation;
+use std::sync::Arc;
+
+/// The lists of bins, read back.
+pub struct BinLists {
+    /// Side of a bin, px.
+    pub side: u32,
+    /// Bins in a row.
+    pub columns: u32,
+    /// Of each bin, row by row from the top left, the indices of its splats, nearest first.
+    pub lists: Vec<Vec<u32>>,
+}
+
+/// The kernels that make the lists, and their memory.
+pub struct Bins {
+    count: Kernel,
+    scan: Kernel,
+    pairs: Kernel,
+    sort: Sort,
+    starts: Kernel,
+    layout: BinLayout,
+    margin: f64,
+    buffer: Buffer,
+}
+
+impl Bins {
+    /// `margin`: how far outside a bin a splat's box may lie and still be in its list, px.
+    pub fn new(gpu: &Arc<Gpu>, inputs: &RasterInputs, margin: f64) -> Result<Self> {
+        let layout = BinLayout::new(inputs.capacity);
+        let usage = vk::BufferUsageFlags::STORAGE_BUFFER
+            | vk::BufferUsageFlags::TRANSFER_SRC
+            | vk::BufferUsageFlags::TRANSFER_DST;
+        let size = 4 * u64::from(layout.words);
+        let buffer = Buffer::new(gpu, "bins", size, usage, MemoryLocation::GpuOnly)?;
+        let bins = Slice::from(&buffer);
+        let keys = Slice {
+            offset: 4 * u64::from(layout.keys_start),
+            size: 2 * u64::from(layout.pairs),
+            ..bins
+        };
+        let options = SortOptions::new(KeyBits::Sixteen, inputs.sort);
+        // SAFETY: this owns the buffer beside the sort, and is dropped after the frames in flight;
+        // the keys have room for all pairs.
+        let sort = unsafe { Sort::new(gpu, keys, &buffer, layout.pairs, options) }?;
+        let constants = constants_of(&layout, margin, [0; 3]);
+        let kernel = |module: &'static Module, storage: &[Slice]| {
+            let resources = Resources {
+                uniform: Some(inputs.frame),
+                storage,
+                image: None,
+            };
+            Kernel::new(gpu, module, &constants, resources, Launch::default())
+        };
+        let all = [inputs.order, inputs.splats, inputs.control, bins];
+        Ok(Self {
+            count: kernel(&shaders::BINNING_COUNT, &all)?,
+            scan: kernel(&shaders::BINNING_SCAN, &all[2..])?,
+            pairs: kernel(&shaders::BINNING_PAIRS, &all)?,
+            starts: kernel(&shaders::BINNING_STARTS, &[sort.order(), bins])?,
+            sort,
+            layout,
+            margin,
+            buffer,
+        })
+    }
+
+    /// Specialization constants of a kernel that reads the lists: three of its own, then where the
+    /// parts of the buffer are.
+    pub fn constants(&self, own: [u32; 3]) -> [u32; 10] {
+        constants_of(&self.layout, self.margin, own)
+    }
+
+    /// The pairs in the order of bins, and the buffer with everything else.
+    pub fn storage(&self) -> [Slice; 2] {
+        [self.sort.order(), (&self.buffer).into()]
+    }
+
+    /// Dispatches of a frame.
+    pub fn dispatches(&self) -> u64 {
+        4 + self.sort.dispatches(false) as u64
+    }
+
+    /// Makes the lists of an image of a size, px, and zeroes the control's count of fragments.
+    /// Reads what the sort left; compute.
+    pub fn record(&self, commands: Recording, frame: u32, size: [u32; 2]) {
+        let then = || commands.barrier(Scope::KERNEL_WRITES, Scope::KERNEL);
+        self.count.dispatch(commands, frame, self.layout.blocks);
+        then();
+        self.scan.dispatch(commands, frame, 1);
+        then();
+        self.pairs.dispatch(commands, frame, self.layout.blocks);
+        then();
+        self.sort.record(commands);
+        then();
+        let side = bin_side(size);
+        let bins = size[0].div_ceil(side) * size[1].div_ceil(side);
+        self.starts
+            .dispatch(commands, frame, (bins + 1).div_ceil(BIN_WORKGROUP));
+    }
+
+    /// The lists of the last frame, of an image of a size, px, read back for tests.
+    pub fn download(&self, size: [u32; 2]) -> Result<BinLists> {
+        let words: Vec<u32> =
+            bytemuck::pod_collect_to_vec(&self.buffer.download(self.buffer.size as usize)?);
+        let control: Control = bytemuck::pod_read_unaligned(bytemuck::cast_slice(&words[..8]));
+        let sorted = self.sort.download(control.visible_count)?;
+        let side = bin_side(size) << words[8];
+        let columns = size[0].div_ceil(side);
+        let start = self.layout.starts_start as usize;
+        let list = |bin: usize| {
+            let places = words[start + bin] as usize..words[start + bin + 1] as usize;
+            let splat = |&pair: &u32| words[(self.layout.pairs_start + pair) as usize];
+            sorted[places].iter().map(splat).collect()
+        };
+        Ok(BinLists {
+            side,
+            columns,
+            lists: (0..(columns * size[1].div_ceil(side)) as usize)
+                .map(list)
+                .collect(),
+        })
+    }
+}
+
+fn constants_of(layout: &BinLayout, margin: f64, own: [u32; 3]) -> [u32; 10] {
+    let [first, second, third] = own;
+    [
+        first,
+        second,
+        third,
+        layout.counts_start,
+        layout.starts_start,
+        layout.pairs_start,
+        layout.keys_start,
+        layout.marks_start,
+        layout.pairs,
+        (margin as f32).to_bits(),
+    ]
+}

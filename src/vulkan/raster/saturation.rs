@@ -1,0 +1,261 @@
+//! The `saturation` stage, which the quads' depth test needs: order, splats and bins go in, an
+//! image of depths comes out, a sample for every second pixel in x and y. Behind a sample's depth
+//! nothing shows. [`SaturationDepth`] writes it to the depth attachment of the quads.
+
+use super::{
+    bins::Bins,
+    draw::{Draw, RasterInputs},
+};
+use crate::vulkan::{
+    device::{
+        error::Result,
+        gpu::Gpu,
+        handle::{Pipeline, RenderPass, Sampler},
+        recording::Recording,
+    },
+    memory::{Buffer, Image, LayoutChange, Scope, Slice, copy_image},
+    pipeline::{
+        BoundImage, Kernel, Launch, Resources,
+        bindings::Bindings,
+        graphics::{self, Depth, Drawing},
+        shaders,
+    },
+};
+use ash::vk;
+use effigy_core::{frame::RendererOptions, layout::SATURATION_REGION};
+use gpu_allocator::MemoryLocation;
+use std::sync::Arc;
+
+/// Every device can write and sample it.
+const FORMAT: vk::Format = vk::Format::R32_SFLOAT;
+
+/// How far outside a region a pixel may lie of which one of the four nearest samples is the
+/// region's, px.
+const MARGIN: f64 = 1.0;
+
+/// The kernel, its image, and what draws the image as depth.
+pub struct Saturation {
+    gpu: Arc<Gpu>,
+    bins: Bins,
+    kernel: Kernel,
+    image: Image,
+    depth: SaturationDepth,
+}
+
+impl Saturation {
+    /// `render_pass`: that of the quads, which tests depth.
+    pub fn new(
+        gpu: &Arc<Gpu>,
+        inputs: &RasterInputs,
+        render_pass: &RenderPass,
+        options: &RendererOptions,
+    ) -> Result<Self> {
+        let bins = Bins::new(gpu, inputs, MARGIN)?;
+        let [sorted, lists] = bins.storage();
+        let resources = Resources {
+            uniform: Some(inputs.frame),
+            storage: &[inputs.splats, inputs.control, sorted, lists],
+            image: Some(BoundImage::Written),
+        };
+        let kernel = Kernel::new(
+            gpu,
+            &shaders::SATURATION,
+            &bins.constants(constants(options)),
+            resources,
+            LAUNCH,
+        )?;
+        let depth = SaturationDepth::new(gpu, render_pass)?;
+        let image = create_image(gpu, options.size)?;
+        let new = Self {
+            gpu: gpu.clone(),
+            bins,
+            kernel,
+            image,
+            depth,
+        };
+        // SAFETY: nothing uses the sets yet.
+        unsafe { new.bind_image() };
+        Ok(new)
+    }
+
+    /// # Safety
+    /// No submitted work may use the stage.
+    unsafe fn bind_image(&self) {
+        let view = self.image.view();
+        // SAFETY: no work uses the sets, as the caller promises; `record` has the image in the
+        // layout that both expect, and image and sampler live as long as they, or until they get
+        // another.
+        unsafe {
+            self.kernel.set_image(vk::Sampler::null(), view);
+            let sampler = self.depth.sampler.raw();
+            self.depth.bindings.set_image(sampler, view);
+        }
+    }
+
+    /// Changes the size of the quads' image. On failure the old size stays.
+    ///
+    /// # Safety
+    /// No submitted work may use the stage.
+    pub unsafe fn resize(&mut self, size: [u32; 2]) -> Result<()> {
+        self.image = create_image(&self.gpu, size)?;
+        // SAFETY: the caller promises that no work uses it.
+        unsafe { self.bind_image() };
+        Ok(())
+    }
+
+    /// Changes the cutoff to that of `options`, which are otherwise those that it was made with.
+    ///
+    /// # Safety
+    /// No submitted work may draw with it.
+    pub unsafe fn set_cutoff(&mut self, options: &RendererOptions) -> Result<()> {
+        let constants = self.bins.constants(constants(options));
+        // SAFETY: the caller promises that no work uses the kernel.
+        unsafe { self.kernel.specialize(&constants, LAUNCH) }
+    }
+
+    /// The buffer with the marks of splats that are seen somewhere.
+    pub fn marks(&self) -> Slice {
+        self.bins.storage()[1]
+    }
+
+    /// The lists that the samples are made from.
+    pub fn bins(&self) -> &Bins {
+        &self.bins
+    }
+
+    /// Finds the depth of each sample in the damage rectangle. Reads the output of `binning`;
+    /// compute.
+    pub fn record(&self, commands: Recording, draw: &Draw) {
+        // The samples of the frame before are of no use.
+        let begin = LayoutChange {
+            from: Scope::new(
+                vk::PipelineStageFlags::FRAGMENT_SHADER | vk::PipelineStageFlags::COMPUTE_SHADER,
+                vk::AccessFlags::SHADER_WRITE,
+            ),
+            to: Scope::KERNEL_WRITES,
+            old: vk::ImageLayout::UNDEFINED,
+            new: vk::ImageLayout::GENERAL,
+        };
+        // SAFETY: the image is alive.
+        unsafe { commands.change_layout(self.image.raw(), begin) };
+        let [first, end] = draw.damage.regions(SATURATION_REGION);
+        self.kernel
+            .dispatch_within(commands, draw.frame, first, end);
+    }
+
+    /// The samples of the last frame, row by row, read back for tests.
+    pub fn download(&self) -> Result<Vec<f32>> {
+        let [width, height] = self.image.size();
+        let bytes = 4 * width as usize * height as usize;
+        let mut staging = Buffer::new(
+            &self.gpu,
+            "saturation copy",
+            bytes as u64,
+            vk::BufferUsageFlags::TRANSFER_DST,
+            MemoryLocation::GpuToCpu,
+        )?;
+        self.gpu.run("reading saturation depths", |commands| {
+            let layout = vk::ImageLayout::GENERAL;
+            // SAFETY: image and buffer are alive, the buffer is large enough, and the image is in
+            // the layout that every frame leaves it in; `run` waits.
+            unsafe {
+                copy_image(
+                    commands,
+                    self.image.raw(),
+                    layout,
+                    self.image.size(),
+                    staging.raw(),
+                )
+            };
+            commands.show_host();
+        })?;
+        Ok(bytemuck::pod_collect_to_vec(&staging.mapped()[..bytes]))
+    }
+
+    /// Writes the depths to the depth attachment.
+    ///
+    /// # Safety
+    /// The commands must be inside the render pass, with viewport and scissor set, and after
+    /// [`Self::record`] made visible to fragment shaders.
+    pub unsafe fn draw(&self, commands: Recording) {
+        let point = vk::PipelineBindPoint::GRAPHICS;
+        self.depth.bindings.bind(commands, point, 0);
+        let device = &self.gpu.raw;
+        let raw = commands.raw();
+        // SAFETY: the command buffer is recording inside the pipeline's render pass, as the caller
+        // promises; the pipeline is alive.
+        unsafe {
+            device.cmd_bind_pipeline(raw, point, self.depth.pipeline.raw());
+            device.cmd_draw(raw, 3, 1, 0, 0);
+        }
+    }
+}
+
+const LAUNCH: Launch = Launch {
+    subgroup: None,
+    anywhere: true,
+};
+
+/// Specialization constants of the kernel. A pixel takes the furthest of four samples, so what it
+/// leaves out shows by less than the threshold of a sample, which may be twice the cutoff: counted
+/// in f64, 55.7 dB on the 200K body and 0.03 at most (docs/experiments/038).
+fn constants(options: &RendererOptions) -> [u32; 3] {
+    [
+        (options.cutoff.log2() as f32).to_bits(),
+        (2.0 * options.cutoff as f32).to_bits(),
+        options.count.into(),
+    ]
+}
+
+/// A triangle over the whole image that writes the samples as depth.
+struct SaturationDepth {
+    bindings: Bindings,
+    pipeline: Pipeline,
+    sampler: Sampler,
+}
+
+impl SaturationDepth {
+    fn new(gpu: &Arc<Gpu>, render_pass: &RenderPass) -> Result<Self> {
+        let resources = Resources {
+            image: Some(BoundImage::Gathered),
+            ..Resources::default()
+        };
+        let stages = vk::ShaderStageFlags::FRAGMENT;
+        let bindings = Bindings::new(gpu, "saturation depth", stages, resources)?;
+        let edge = vk::SamplerAddressMode::CLAMP_TO_EDGE;
+        let info = vk::SamplerCreateInfo::default()
+            .address_mode_u(edge)
+            .address_mode_v(edge);
+        // The colour attachment stays as it is.
+        let keep = vk::PipelineColorBlendAttachmentState::default()
+            .blend_enable(true)
+            .src_color_blend_factor(vk::BlendFactor::ZERO)
+            .dst_color_blend_factor(vk::BlendFactor::ONE)
+            .src_alpha_blend_factor(vk::BlendFactor::ZERO)
+            .dst_alpha_blend_factor(vk::BlendFactor::ONE);
+        let drawing = Drawing {
+            name: "saturation depth",
+            vertex: &shaders::PRESENT_VERTEX,
+            fragment: Some(&shaders::SATURATION_DEPTH),
+            constants: &[],
+            layout: bindings.layout(),
+            render_pass: render_pass.raw(),
+            blend: Some(keep),
+            depth: Depth::Write,
+            cull: vk::CullModeFlags::NONE,
+        };
+        Ok(Self {
+            pipeline: graphics::pipeline(gpu, drawing)?,
+            bindings,
+            sampler: Sampler::with(&gpu.device, &info, "saturation")?,
+        })
+    }
+}
+
+fn create_image(gpu: &Arc<Gpu>, size: [u32; 2]) -> Result<Image> {
+    let usage = vk::ImageUsageFlags::STORAGE
+        | vk::ImageUsageFlags::SAMPLED
+        | vk::ImageUsageFlags::TRANSFER_SRC;
+    let samples = size.map(|side| side.div_ceil(2));
+    Image::new(gpu, "saturation", samples, FORMAT, usage)
+}

@@ -1,0 +1,74 @@
+//! The `saturation` stage: the depth behind which nothing shows, against the reference.
+
+use crate::common::gpu;
+use effigy::vulkan::{
+    Renderer, RendererOptions,
+    raster::RasterMethod,
+    sort::KeyBits::{self, Sixteen, ThirtyTwo},
+};
+use effigy_core::{
+    avatar::motion::Player,
+    constants::ALPHA_MIN,
+    frame::Skip,
+    reference::{ReferenceFrame, saturation},
+    scene::{AvatarBounds, Camera, Posed},
+};
+
+/// Each sample has the depth of the splat with which the reference's is saturated. The device's
+/// opacities are rounded, so that is asked for with thresholds a little above and below.
+fn samples_are_saturated_where_the_references_are(key_bits: KeyBits) {
+    let device = gpu::drawing();
+    let avatar = effigy_demo::avatar().unwrap();
+    let player = Player::new(effigy_demo::clip().unwrap(), &avatar.skeleton);
+    for (seconds, yaw, size) in [(0.5, 0.3, [861, 1363]), (2.0, 3.4, [960, 1520])] {
+        let posed = Posed::new(&avatar, &player.pose(seconds));
+        let bounds = AvatarBounds::new(&avatar).bounds(&posed.joints);
+        let camera = Camera::around(bounds, yaw, 0.1, 0.6, size);
+        let options = RendererOptions {
+            skip: Skip::DEPTH | Skip::FAINT,
+            method: Some(RasterMethod::Quads),
+            key_bits,
+            ..RendererOptions::new(size)
+        };
+        let mut renderer = Renderer::new(&device, &avatar, options).unwrap();
+        renderer.draw(&posed, &camera, None).unwrap();
+        renderer.finish().unwrap();
+        let found = renderer.raster().saturation_depths().unwrap().unwrap();
+        let stages = renderer.stages().unwrap();
+        let reference = ReferenceFrame::new(&avatar, &posed, &camera);
+        let depth = |splat: Option<u32>| {
+            splat.map_or(1.0, |splat| {
+                let key = f64::from(stages.keys[splat as usize]);
+                (1.0 - key / f64::from(key_bits.largest()) + 1.0 / 65535.0).min(1.0)
+            })
+        };
+        let threshold = 2.0 * ALPHA_MIN;
+        let [nearest, furthest] = [1.1, 1.0 / 1.1].map(|factor| {
+            let threshold = factor * threshold;
+            saturation::saturating(&reference.splats, &stages.order, &camera, threshold)
+        });
+        assert_eq!(found.len(), nearest.len());
+        let mut saturated = 0;
+        let mut wrong = Vec::new();
+        for (at, &found) in found.iter().enumerate() {
+            let [low, high] = [nearest[at], furthest[at]].map(depth);
+            if !(low - 1e-6..=high + 1e-6).contains(&f64::from(found)) {
+                wrong.push((at, found, low, high));
+            }
+            saturated += usize::from(high < 1.0);
+        }
+        // Where a splat of 1/255 or little more counts for one and not the other, a sample may be
+        // saturated by a neighbour in the order.
+        assert!(
+            wrong.len() * 1000 <= saturated && saturated > 1000,
+            "{} of {saturated} samples differ: {:?}",
+            wrong.len(),
+            &wrong[..wrong.len().min(4)]
+        );
+    }
+}
+
+tests! {
+    samples_are_saturated_where_the_references_are[Sixteen],
+    samples_are_saturated_where_the_references_are[ThirtyTwo],
+}
