@@ -161,12 +161,13 @@ uint project_gaussian(uint index) {
     axes = mat3(axes[0] * scale.x, axes[1] * scale.y, axes[2] * scale.z);
     if (STORE) {
         mat3 m = transpose(linear) * axes;
-        uint at = frame.cache_start + 2u * index;
-        uvec2 first = cache_position(p, longest, m, opacity);
+        uint at = frame.cache_start + 3u * index;
+        uvec3 first = cache_position(p, longest, m, opacity);
         uvec3 rest = cache_shape(m, first, clamp(color, 0.0, 1.0));
         words[at] = first.x;
         words[at + 1u] = first.y;
-        at = frame.cache_start + 2u * n + 3u * index;
+        words[at + 2u] = first.z;
+        at = frame.cache_start + 3u * n + 3u * index;
         words[at] = rest.x;
         words[at + 1u] = rest.y;
         words[at + 2u] = rest.z;

@@ -14,8 +14,8 @@ layout(std430, set = 0, binding = 2) buffer Splats { uint words[]; };
 
 // Writes the splat at `index` of the avatar's own; gives its key.
 uint project_gaussian(uint index) {
-    uint at = frame.cache_start + 2u * index;
-    uvec2 position = uvec2(words[at], words[at + 1u]);
+    uint at = frame.cache_start + 3u * index;
+    uvec3 position = uvec3(words[at], words[at + 1u], words[at + 2u]);
     uint opacity = position.y >> 24u;
     vec4 x = vec4(cached_position(position), 1.0);
     vec3 p = vec3(dot(frame.camera_from_cache[0], x), dot(frame.camera_from_cache[1], x),
@@ -29,7 +29,7 @@ uint project_gaussian(uint index) {
         count_culled(FAINT);
         return SORT_CULLED;
     }
-    at = frame.cache_start + 2u * frame.gaussians + 3u * index;
+    at = frame.cache_start + 3u * frame.gaussians + 3u * index;
     uvec3 shape = uvec3(words[at], words[at + 1u], words[at + 2u]);
     mat3 rows = mat3(frame.camera_from_cache[0].xyz, frame.camera_from_cache[1].xyz,
                      frame.camera_from_cache[2].xyz);

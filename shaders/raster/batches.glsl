@@ -58,11 +58,9 @@ struct Seen {
     uint color;
 };
 
-// Smallest |deviation|² in a rectangle; `low` and `high`: its corners as seen from the centre, px.
-float nearest(vec2 along, vec2 across, vec2 low, vec2 high) {
-    float a = along.x * along.x + across.x * across.x;
-    float b = along.x * along.y + across.x * across.y;
-    float c = along.y * along.y + across.y * across.y;
+// Smallest |deviation|² in a rectangle, of a deviation whose square is a x² + 2 b x y + c y². `low`
+// and `high`: the rectangle's corners as seen from the centre, px.
+float nearest(float a, float b, float c, vec2 low, vec2 high) {
     // On the side that faces the centre, from the left or right and from above or below.
     vec2 side = clamp(vec2(0.0), low, high);
     vec2 p = vec2(side.x, clamp(-b * side.x / c, low.y, high.y));
@@ -86,15 +84,19 @@ void load(uint thread, uint i, vec2 corner) {
                   vec2(-splat.axis.y, splat.axis.x);
     float exponent = log2(float(splat.opacity) / 255.0);
     vec2 center = splat.center - corner;
+    float a = along.x * along.x + across.x * across.x;
+    float b = along.x * along.y + across.x * across.y;
+    float c = along.y * along.y + across.y * across.y;
     bool meets = false;
-    for (uint quarter = 0u; quarter < 4u; ++quarter) {
+    // Unrolled, it takes more registers than blending.
+    [[dont_unroll]] for (uint quarter = 0u; quarter < 4u; ++quarter) {
         const float side = 0.5 * float(REGION);
         vec2 low = side * vec2(quarter & 1u, quarter >> 1u) - center;
         vec2 high = low + side;
         low += 0.5 - MARGIN;
         high -= 0.5 - MARGIN;
         // Written so that a splat is kept where a number is NaN.
-        if (!(nearest(along, across, low, high) > exponent - CUTOFF_EXPONENT + EXPONENT_SLACK)) {
+        if (!(nearest(a, b, c, low, high) > exponent - CUTOFF_EXPONENT + EXPONENT_SLACK)) {
             atomicOr(batch_hits[quarter * HIT_WORDS + (thread >> 5u)], 1u << (thread & 31u));
             meets = true;
         }

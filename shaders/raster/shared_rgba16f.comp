@@ -1,5 +1,6 @@
 // The shared-memory tile rasterizer, into an image of format rgba16f.
 #version 450
 #extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_control_flow_attributes : require
 layout(set = 0, binding = 5, rgba16f) writeonly uniform image2D image;
 #include "raster/shared.glsl"

@@ -4,6 +4,7 @@
 // the quads have it; 1 where a sample is never saturated.
 #version 450
 #extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_control_flow_attributes : require
 layout(set = 0, binding = 5, r32f) writeonly uniform image2D depths;
 #define REGION SATURATION_REGION
 #define STEP 2u

@@ -167,7 +167,7 @@ impl QualityArgs {
         let preset = self.preset.apply(RendererOptions::new(size));
         RendererOptions {
             color: self.color.map(Into::into).or(preset.color),
-            key_bits: self.keys.map_or(preset.key_bits, Into::into),
+            key_bits: self.keys.map(Into::into).or(preset.key_bits),
             method: self.raster.method(),
             kernel: self.raster.kernel(),
             sort: self.sort.into(),
@@ -401,7 +401,7 @@ mod tests {
         expect(
             "--preset low --keys 32 --color rgba16f",
             RendererOptions {
-                key_bits: KeyBits::ThirtyTwo,
+                key_bits: Some(KeyBits::ThirtyTwo),
                 color: Some(ColorFormat::Rgba16F),
                 ..of(Preset::Low)
             },

@@ -112,12 +112,12 @@ const GAUSSIAN_BLOCK: Amount = Amount {
 };
 /// A Gaussian's place in the pose cache.
 const CACHED_PLACE: Amount = Amount {
-    stored: PAIR,
-    minimum: 6,
+    stored: 3 * WORD,
+    minimum: 9,
 };
 /// A Gaussian's look in the pose cache.
 const CACHED_LOOK: Amount = Amount {
-    stored: WORD * POSE_CACHE_WORDS as u64 - PAIR,
+    stored: WORD * POSE_CACHE_WORDS as u64 - 3 * WORD,
     minimum: 11,
 };
 /// A splat as handed to the raster stage.
@@ -469,7 +469,7 @@ fn project(
         minimum: 2,
     };
     let keys = Amount {
-        stored: options.key_bits.bytes(gaussians),
+        stored: options.keys().bytes(gaussians),
         minimum: 0,
     };
     let pyramid = Amount {
@@ -502,7 +502,7 @@ fn project(
 const SORT_VALUE: u64 = WORD;
 
 fn sort(options: &RendererOptions, counts: WorkCounts) -> StageWork {
-    let passes = u64::from(options.key_bits.passes());
+    let passes = u64::from(options.keys().passes());
     let bytes = Amount {
         stored: stored_sort_bytes(options, counts, passes),
         minimum: minimum_sort_bytes(counts.drawn, passes),
@@ -531,7 +531,7 @@ fn stored_sort_bytes(options: &RendererOptions, counts: WorkCounts, passes: u64)
     };
     let later_passes: u64 = (1..passes).map(|pass| 3 * entry(pass)).sum();
     counters.max().unwrap_or_default()
-        + options.key_bits.bytes(counts.gaussians)
+        + options.keys().bytes(counts.gaussians)
         + counts.drawn * (later_passes + SORT_VALUE)
 }
 
@@ -647,7 +647,7 @@ mod tests {
         };
         for key_bits in [KeyBits::Sixteen, KeyBits::TwentyFour, KeyBits::ThirtyTwo] {
             let options = RendererOptions {
-                key_bits,
+                key_bits: Some(key_bits),
                 ..RendererOptions::new([256, 256])
             };
             for drawn in [0, gaussians / 2, gaussians] {
@@ -725,7 +725,7 @@ mod tests {
         };
         let work = |key_bits, variant| {
             let options = RendererOptions {
-                key_bits,
+                key_bits: Some(key_bits),
                 sort: Some(variant),
                 ..RendererOptions::new([1, 1])
             };

@@ -169,7 +169,7 @@ impl OptionsReport {
         Self {
             color: format!("{:?}", options.color.unwrap_or_default()).to_lowercase(),
             raster: options.method.map_or("", |method| method.name()).to_owned(),
-            key_bits: bits_of_keys(options.key_bits),
+            key_bits: bits_of_keys(options.keys()),
             skip: options.skip.to_string(),
             cutoff: options.cutoff,
             margin: options.margin,

@@ -37,6 +37,7 @@ pub fn resolved(gpu: &Gpu, options: RendererOptions) -> RendererOptions {
     RendererOptions {
         method: Some(method),
         color: Some(options.color.unwrap_or(method.color())),
+        key_bits: Some(options.key_bits.unwrap_or(KeyBits::Sixteen)),
         sort: Some(sort),
         skip,
         ..options
@@ -49,8 +50,8 @@ pub fn resolved(gpu: &Gpu, options: RendererOptions) -> RendererOptions {
 /// When this backend can't draw with them.
 pub fn accepted(gpu: &Gpu, avatar: &Avatar, options: RendererOptions) -> Result<RendererOptions> {
     options.check()?;
-    if options.key_bits != KeyBits::Sixteen {
-        return Err(Error::KeyBits(8 * options.key_bits.passes()));
+    if let Some(bits) = options.key_bits.filter(|bits| *bits != KeyBits::Sixteen) {
+        return Err(Error::KeyBits(8 * bits.passes()));
     }
     if options.sort == Some(SortVariant::OneSweep) {
         return Err(Error::Sort);

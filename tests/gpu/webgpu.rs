@@ -9,6 +9,7 @@ use effigy::{
 use effigy_core::{
     avatar::{Avatar, ShCoefficients},
     frame::{
+        KeyBits,
         RasterMethod::{self, Quads, Tiles},
         RendererOptions, Skinning, Skip, SortVariant,
     },
@@ -119,6 +120,7 @@ fn stages_agree(
     let avatar = quality.map_or_else(|| avatar.clone(), |quality| avatar.packed(quality));
     let detail = Detail::FULL.at_least(quality.map_or(0, |_| 2));
     let options = RendererOptions {
+        key_bits: Some(KeyBits::Sixteen),
         skip: Skip::empty(),
         detail,
         ..gpu::options([300, 300])
@@ -183,6 +185,7 @@ fn the_order_is_that_of_a_stable_sort() {
             .map(|k| Posed::new(&avatar, &player.pose(0.3 * k as f64)).placed(in_a_row(k % 3, 3)))
             .collect();
         let options = RendererOptions {
+            key_bits: Some(KeyBits::Sixteen),
             instances,
             sort: Some(variant),
             skip: Skip::empty(),
@@ -217,6 +220,7 @@ fn only_what_changed_is_drawn_again(method: RasterMethod) {
     // All Gaussians, and every second.
     let level = u32::from(method == RasterMethod::Quads);
     let options = RendererOptions {
+        key_bits: Some(KeyBits::Sixteen),
         count: true,
         detail: Detail::FULL.at_least(level),
         ..gpu::with_method(device.name(), method, camera.size)
@@ -320,6 +324,7 @@ fn avatars_of_different_levels_are_those_of_the_vulkan_backend() {
             .placed(glam::DAffine3::from_translation(metres * back))
     };
     let options = RendererOptions {
+        key_bits: Some(KeyBits::Sixteen),
         instances: 2,
         detail: Detail::AUTO,
         method: Some(RasterMethod::Tiles),
@@ -482,6 +487,7 @@ fn only_a_box_around_the_avatar_is_drawn() {
     let bounds = effigy_core::scene::AvatarBounds::new(&avatar).bounds(&posed.joints);
     let draw = |skip| {
         let options = RendererOptions {
+            key_bits: Some(KeyBits::Sixteen),
             skip,
             method: Some(RasterMethod::Tiles),
             ..RendererOptions::new(size)

@@ -28,7 +28,7 @@ pub fn write_shared(
     block.near = camera.near as f32;
     block.key_far = far as f32;
     block.key_scale = (1.0 / (far - near)) as f32;
-    block.key_max = options.key_bits.largest();
+    block.key_max = options.keys().largest();
     block.cutoff = (255.0 * options.cutoff) as f32;
     block.quad_opacity = if options.skip.contains(Skip::FAINT) {
         0.0

@@ -5,10 +5,10 @@ use crate::layout::SORT_CULLED;
 /// Width of the keys: the sort takes a pass for every 8 bits.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum KeyBits {
-    #[default]
     /// Two passes; two keys a word.
     Sixteen,
     /// Three passes.
+    #[default]
     TwentyFour,
     /// Four passes.
     ThirtyTwo,

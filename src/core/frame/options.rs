@@ -18,8 +18,8 @@ pub struct RendererOptions {
     pub method: Option<RasterMethod>,
     /// The kernel of [`RasterMethod::Tiles`]. None: the one recommended for the device.
     pub kernel: Option<TileKernel>,
-    /// Width of the sort keys.
-    pub key_bits: KeyBits,
+    /// Width of the sort keys. None: 24 with Vulkan, 16 with WebGPU, which has no others.
+    pub key_bits: Option<KeyBits>,
     /// How to sort. None: the fastest variant that passes the device's self-test.
     pub sort: Option<SortVariant>,
     /// Work that may be skipped where the scene does not need it.
@@ -38,6 +38,11 @@ pub struct RendererOptions {
 }
 
 impl RendererOptions {
+    /// Width of the sort keys, of resolved options.
+    pub fn keys(&self) -> KeyBits {
+        self.key_bits.unwrap_or_default()
+    }
+
     /// The defaults for an image of a width and height, px.
     pub fn new(size: [u32; 2]) -> Self {
         Self {
@@ -45,7 +50,7 @@ impl RendererOptions {
             color: None,
             method: None,
             kernel: None,
-            key_bits: KeyBits::default(),
+            key_bits: None,
             sort: None,
             skip: Skip::all(),
             cutoff: ALPHA_MIN,

@@ -22,7 +22,7 @@ pub enum Preset {
 /// The options that a preset decides.
 struct Values {
     color: Option<ColorFormat>,
-    key_bits: KeyBits,
+    key_bits: Option<KeyBits>,
     skip: Skip,
     cutoff: f64,
     margin: f64,
@@ -37,7 +37,7 @@ impl Preset {
         match self {
             Self::Low => Values {
                 color: Some(ColorFormat::Rgba8),
-                key_bits: KeyBits::Sixteen,
+                key_bits: Some(KeyBits::Sixteen),
                 skip: Skip::all(),
                 cutoff: 4.0 * ALPHA_MIN,
                 margin: 0.003,
@@ -45,7 +45,7 @@ impl Preset {
             },
             Self::Balanced => Values {
                 color: None,
-                key_bits: KeyBits::Sixteen,
+                key_bits: Some(KeyBits::Sixteen),
                 skip: Skip::all(),
                 cutoff: 2.0 * ALPHA_MIN,
                 margin: 0.004,
@@ -53,7 +53,7 @@ impl Preset {
             },
             Self::High => Values {
                 color: None,
-                key_bits: KeyBits::Sixteen,
+                key_bits: None,
                 skip: Skip::all(),
                 cutoff: ALPHA_MIN,
                 margin: 0.005,
@@ -62,7 +62,7 @@ impl Preset {
             // Without the occluder and the saturation depth, whose culling shows a little.
             Self::Exact => Values {
                 color: Some(ColorFormat::Rgba16F),
-                key_bits: KeyBits::ThirtyTwo,
+                key_bits: Some(KeyBits::ThirtyTwo),
                 skip: Skip::all().difference(Skip::HIDDEN.union(Skip::DEPTH)),
                 cutoff: ALPHA_MIN,
                 margin: 0.005,
@@ -140,7 +140,7 @@ mod tests {
                 "{pair:?}"
             );
             assert!(
-                pair[0].key_bits.passes() <= pair[1].key_bits.passes()
+                pair[0].keys().passes() <= pair[1].keys().passes()
                     && pair[0].skip.contains(pair[1].skip),
                 "{pair:?}"
             );

@@ -57,7 +57,7 @@ pub const GAUSSIAN_PAIRS: u32 = 4;
 /// Pairs of words that 32 Gaussians share.
 pub const BLOCK_PAIRS: u32 = 4;
 /// Words of a Gaussian in the pose cache.
-pub const POSE_CACHE_WORDS: u32 = 5;
+pub const POSE_CACHE_WORDS: u32 = 6;
 /// Vectors of 128 bits, one bit for each part that an avatar may have.
 pub const PART_BITS: usize = limits::PARTS / 128;
 /// Texels along each side of the occluder pass.

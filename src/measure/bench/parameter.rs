@@ -114,8 +114,8 @@ impl Parameter {
             }
             Self::Storage => values.add("words", |s| s.packed_words = true),
             Self::Keys => {
-                for keys in KEYS.into_iter().filter(|&keys| keys != options.key_bits) {
-                    values.add(bits_of_keys(keys), |s| s.options.key_bits = keys);
+                for keys in KEYS.into_iter().filter(|&keys| keys != options.keys()) {
+                    values.add(bits_of_keys(keys), |s| s.options.key_bits = Some(keys));
                 }
             }
             Self::Color => {
@@ -281,7 +281,7 @@ mod tests {
         assert_eq!(names(Parameter::Cutoff), ["2/255", "4/255", "8/255"]);
         assert_eq!(names(Parameter::Keys).len(), 2);
         assert_eq!(names(Parameter::Detail), ["auto", "1/2", "1/4", "1/8"]);
-        assert_eq!(names(Parameter::Skip), ["all", "none"]);
+        assert_eq!(names(Parameter::Skip), ["none"]);
         assert_eq!(
             names(Parameter::SkipBut).len(),
             base().options.skip.iter_names().count()

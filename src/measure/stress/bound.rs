@@ -51,7 +51,7 @@ impl ErrorBound {
         }
         // Gaussians closer together than a step of the keys change places. A step is micrometres to
         // millimetres, depending on the avatar's depth.
-        if options.key_bits == KeyBits::Sixteen {
+        if options.keys() == KeyBits::Sixteen {
             psnr_db = psnr_db.min(32.0);
         }
         // Gaussians behind the occluder may show a little through the shell and at its edges. Only

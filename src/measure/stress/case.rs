@@ -59,12 +59,14 @@ fn options(random: &mut Random, size: [u32; 2]) -> RendererOptions {
             ColorFormat::Rgba16F
         }),
         method: Some(RasterMethod::ALL[below(random, RasterMethod::ALL.len())]),
-        key_bits: [
-            KeyBits::Sixteen,
-            KeyBits::TwentyFour,
-            KeyBits::TwentyFour,
-            KeyBits::ThirtyTwo,
-        ][below(random, 4)],
+        key_bits: Some(
+            [
+                KeyBits::Sixteen,
+                KeyBits::TwentyFour,
+                KeyBits::TwentyFour,
+                KeyBits::ThirtyTwo,
+            ][below(random, 4)],
+        ),
         skip,
         ..RendererOptions::new(size)
     }

@@ -260,7 +260,7 @@ fn render_changed(case: &StressCase, random: &mut Random) -> FrameImage {
     let forward = camera.view.matrix3.row(2);
     for gaussian in &mut gaussians {
         let depth = camera.view.transform_point3(gaussian.mean).z;
-        let most = depth_rounding(depth, range, case.options.key_bits);
+        let most = depth_rounding(depth, range, case.options.keys());
         gaussian.mean += forward * random.range(-most, most);
     }
     reference::render_gaussians(&gaussians, camera)

@@ -173,7 +173,7 @@ impl StressReport {
                 options: format!(
                     "{:?}, {:?}, {}",
                     case.options.color.unwrap_or_default(),
-                    case.options.key_bits,
+                    case.options.keys(),
                     case.options.skip
                 ),
                 covered_pixels: error.covered.pixels,

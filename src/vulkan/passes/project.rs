@@ -3,7 +3,7 @@
 //!
 //! While only the camera moves, posed Gaussians come from a cache: the first such frame stores
 //! them, in its camera's space, and those after it only project them.
-//! `shaders/project/pose_cache.glsl` has the 20 bytes of a Gaussian.
+//! `shaders/project/pose_cache.glsl` has the 24 bytes of a Gaussian.
 
 use super::model::Model;
 use crate::vulkan::{
@@ -88,7 +88,7 @@ impl Project {
         let count = model.constants.gaussians;
         let capacity =
             (options.instances as u32 * padded_count(count)).next_multiple_of(CAPACITY_STEP);
-        let layout = SplatBufferLayout::new(capacity, options.key_bits, variant);
+        let layout = SplatBufferLayout::new(capacity, options.keys(), variant);
         let counting = if options.count {
             [1, (layout.reasons / 4) as u32]
         } else {

@@ -40,6 +40,7 @@ pub fn resolved(gpu: &Gpu, options: RendererOptions) -> RendererOptions {
     RendererOptions {
         method: Some(method),
         kernel: Some(tile_kernel(&options, gpu)),
+        key_bits: Some(options.keys()),
         color: Some(options.color.unwrap_or_else(|| method.color())),
         skip,
         ..options

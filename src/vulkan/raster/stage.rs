@@ -26,9 +26,9 @@ use std::sync::Arc;
 /// The `raster` stage, by one of its methods.
 pub enum Raster {
     /// Blends quads far to near with the device's blender.
-    Quads(Quads),
+    Quads(Box<Quads>),
     /// Blends the splats of each tile near to far in a compute kernel.
-    Tiles(Tiles),
+    Tiles(Box<Tiles>),
 }
 
 impl Raster {
@@ -38,7 +38,7 @@ impl Raster {
         options: &RendererOptions,
     ) -> Result<Self> {
         Ok(match method(options, gpu) {
-            RasterMethod::Quads => Self::Quads(Quads::new(gpu, inputs, options)?),
+            RasterMethod::Quads => Self::Quads(Box::new(Quads::new(gpu, inputs, options)?)),
             RasterMethod::Tiles => {
                 let probe = &gpu.probe;
                 if tile_kernel(options, gpu) == TileKernel::Cooperative
@@ -55,7 +55,7 @@ impl Raster {
                         gpu.probe.driver
                     );
                 }
-                Self::Tiles(Tiles::new(gpu, inputs, options)?)
+                Self::Tiles(Box::new(Tiles::new(gpu, inputs, options)?))
             }
         })
     }

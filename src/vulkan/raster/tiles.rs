@@ -22,7 +22,7 @@ use std::sync::Arc;
 
 /// The lists that a kernel walks.
 enum Lists {
-    Runs(Runs),
+    Runs(Box<Runs>),
     Bins(Box<Bins>),
 }
 
@@ -41,7 +41,9 @@ impl Tiles {
     pub fn new(gpu: &Arc<Gpu>, inputs: &RasterInputs, options: &RendererOptions) -> Result<Self> {
         let kernel = tile_kernel(options, gpu);
         let lists = match kernel {
-            TileKernel::PerThread | TileKernel::Cooperative => Lists::Runs(Runs::new(gpu, inputs)?),
+            TileKernel::PerThread | TileKernel::Cooperative => {
+                Lists::Runs(Box::new(Runs::new(gpu, inputs)?))
+            }
             TileKernel::Shared => Lists::Bins(Box::new(Bins::new(gpu, inputs, 0.0)?)),
         };
         let color = options.color.unwrap_or(RasterMethod::Tiles.color());

@@ -156,7 +156,7 @@ impl Renderer {
         let project = Project::new(gpu, &model, frame, (&pose).into(), variant, &options)?;
         let sort_options = SortOptions {
             counts: Some(project.counts()),
-            ..SortOptions::new(options.key_bits, variant)
+            ..SortOptions::new(options.keys(), variant)
         };
         let capacity = project.capacity();
         // SAFETY: the renderer owns these buffers, and drops them after its frames.

@@ -17,7 +17,7 @@ fn compare_on(device: &Arc<Gpu>, color: ColorFormat, key_bits: KeyBits, psnr: f6
     for seed in 0..3 {
         let options = RendererOptions {
             color: Some(color),
-            key_bits,
+            key_bits: Some(key_bits),
             ..gpu::options([320, 400])
         };
         let frame = gpu::frame(device, seed, Sizes::default(), options);

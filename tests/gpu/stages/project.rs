@@ -135,7 +135,7 @@ fn error(got: &Unpacked, expected: &Splat, step: f64, tolerance: Tolerance) -> f
 
 /// Whether the reference's decision hangs on less than the device can tell.
 fn close_call(frame: &gpu::Frame, at: usize, cached: bool) -> bool {
-    let by = if cached { [2e-4, 1e-1] } else { [1e-5, 2e-2] };
+    let by = if cached { [2e-4, 2e-1] } else { [1e-5, 2e-2] };
     let shifted = |sign: f64| {
         let camera = Camera {
             near: frame.camera.near + sign * by[0],

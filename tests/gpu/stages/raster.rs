@@ -38,7 +38,7 @@ fn the_order_is_the_references_but_for_depths_closer_than_a_key() {
             posed,
             camera,
             RendererOptions {
-                key_bits,
+                key_bits: Some(key_bits),
                 ..gpu::options([200, 200])
             },
         );
@@ -241,7 +241,7 @@ fn each_tile_has_the_splats_that_meet_it_nearest_first() {
         let options = RendererOptions {
             method: Some(RasterMethod::Tiles),
             kernel: Some(TileKernel::PerThread),
-            key_bits: KeyBits::ThirtyTwo,
+            key_bits: Some(KeyBits::ThirtyTwo),
             ..gpu::options(size)
         };
         let mut renderer = Renderer::new(&device, &avatar, options).unwrap();
@@ -326,7 +326,7 @@ fn each_bin_has_the_splats_that_meet_it_nearest_first(raster: Raster) {
             .mean;
         let camera = Camera::orbit(target, 0.3, 0.1, distance, 0.7, size);
         let options = RendererOptions {
-            key_bits: KeyBits::ThirtyTwo,
+            key_bits: Some(KeyBits::ThirtyTwo),
             ..raster.options(&device.probe.name, size)
         };
         let mut renderer = Renderer::new(&device, &avatar, options).unwrap();

@@ -27,7 +27,7 @@ fn samples_are_saturated_where_the_references_are(key_bits: KeyBits) {
         let options = RendererOptions {
             skip: Skip::DEPTH | Skip::FAINT,
             method: Some(RasterMethod::Quads),
-            key_bits,
+            key_bits: Some(key_bits),
             ..RendererOptions::new(size)
         };
         let mut renderer = Renderer::new(&device, &avatar, options).unwrap();
