@@ -27,6 +27,9 @@ PARAMETER(1, float, SATURATION, 1.0 / 255.0)
 // Whether evaluated samples are counted.
 PARAMETER(2, bool, COUNTED, false)
 #include "common/bins.glsl"
+#ifdef MARKS
+#include "common/key_at.glsl"
+#endif
 
 // √(½ log₂ e): in standard deviations times this, a Gaussian is 2^−|deviation|².
 const float DEVIATION_UNIT = 0.84932180;
@@ -67,12 +70,6 @@ float nearest(float a, float b, float c, vec2 low, vec2 high) {
     vec2 q = vec2(clamp(-b * side.y / a, low.x, high.x), side.y);
     return min(a * p.x * p.x + 2.0 * b * p.x * p.y + c * p.y * p.y,
                a * q.x * q.x + 2.0 * b * q.x * q.y + c * q.y * q.y);
-}
-
-uint key_at(uint i) {
-    uint word = frame.key_start + (frame.half_keys != 0u ? i >> 1u : i);
-    uint keys = splats[word >> 2u][word & 3u];
-    return frame.half_keys != 0u ? keys >> (16u * (i & 1u)) & 0xffffu : keys;
 }
 
 // Puts a splat into the batch if it meets the region whose corner is at `corner`, px.

@@ -2,13 +2,7 @@
 // its samples, with `bool open`, whether some are not saturated; and `blend(samples, k, first)`,
 // which puts splat k of the batch behind them.
 
-// The place of an invocation among its workgroup's squares of 2 by 2 samples. Neighbours in a
-// subgroup of any size are neighbours in the image: the bits of the index are, from the lowest,
-// x y x y x y.
-uvec2 place_of(uint index) {
-    return uvec2((index & 1u) | (index >> 1u & 2u) | (index >> 2u & 4u),
-                 (index >> 1u & 1u) | (index >> 2u & 2u) | (index >> 3u & 4u));
-}
+#include "raster/place.glsl"
 
 // Blends all splats that meet the region at `corner`, px, near to far, until all samples are
 // saturated.

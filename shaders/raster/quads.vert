@@ -19,6 +19,7 @@ PARAMETER(2, bool, DEPTH, false)
 layout(std430, set = 0, binding = 1) readonly buffer Order { uint order[]; };
 layout(std430, set = 0, binding = 2) readonly buffer Splats { uvec4 splats[]; };  // then the keys
 layout(std430, set = 0, binding = 3) readonly buffer ControlBuffer { Control control; };
+#include "common/key_at.glsl"
 #ifdef WEB
 bool marked(uint i) { return true; }
 #else
@@ -58,10 +59,7 @@ void main() {
               frame.clip.w * (offset.x * splat.axis + offset.y * across);
     gl_Position.xy = at * frame.clip.xy - 1.0;
     if (DEPTH) {
-        uint key_at = frame.key_start + (frame.half_keys > 0u ? i / 2u : i);
-        uint key = splats[key_at / 4u][key_at & 3u];
-        key = frame.half_keys > 0u ? key >> 16u * (i & 1u) & 0xffffu : key;
-        gl_Position.z = 1.0 - float(key) / float(frame.key_max);
+        gl_Position.z = 1.0 - float(key_at(i)) / float(frame.key_max);
     }
     // Multiples of 1/2048 are exact in f16. Other numbers some devices round and some truncate.
     vec3 rounded = round(2048.0 * splat.color) / 2048.0;

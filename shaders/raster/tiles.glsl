@@ -46,11 +46,7 @@ layout(std430, set = 0, binding = 5) readonly buffer Keys { uint keys[]; };
 
 uint key_at(uint i) { return keys[i >> 1u] >> 16u * (i & 1u) & 0xffffu; }
 #else
-uint key_at(uint i) {
-    uint word = frame.key_start + (frame.half_keys != 0u ? i >> 1u : i);
-    uint keys = splats[word >> 2u][word & 3u];
-    return frame.half_keys != 0u ? keys >> (16u * (i & 1u)) & 0xffffu : keys;
-}
+#include "common/key_at.glsl"
 #endif
 
 // A list without its first splat.

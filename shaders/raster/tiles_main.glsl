@@ -1,4 +1,5 @@
 // The entry point of the tile rasterizer; see tiles.glsl.
+#include "raster/place.glsl"
 
 void store_pixel(uvec2 at, uvec2 size, vec4 pixel) {
     if (all(lessThan(at, size))) {
@@ -15,11 +16,7 @@ void store_row(uvec2 at, uvec2 size, vec4 a, vec4 b, vec4 c, vec4 d) {
 
 void main() {
     uint index = index_in_workgroup();
-    // Neighbours in a subgroup of any size are neighbours in the image: the bits of the index are,
-    // from the lowest, x y x y x y.
-    uvec2 place = uvec2((index & 1u) | (index >> 1u & 2u) | (index >> 2u & 4u),
-                        (index >> 1u & 1u) | (index >> 2u & 2u) | (index >> 3u & 4u));
-    uvec2 first = (FIRST_REGION + gl_WorkGroupID.xy) * RASTER_REGION + SIDE * place;
+    uvec2 first = (FIRST_REGION + gl_WorkGroupID.xy) * RASTER_REGION + SIDE * place_of(index);
     Square square;
     square.open = true;
     square.fragments = 0u;

@@ -15,7 +15,11 @@
 use effigy::vulkan::{RendererOptions, raster::RasterMethod};
 use effigy_core::{
     avatar::{Avatar, Layer},
-    frame::{Skip, SortVariant, TileKernel, passes::Stage},
+    frame::{
+        Skip, SortVariant, TileKernel,
+        passes::{ListForm, Stage},
+        schedule::Equipment,
+    },
     layout::{
         self, BLOCK_PAIRS, GAUSSIAN_PAIRS, OCCLUDER_SIDE, OccluderCorner, POSE_CACHE_WORDS,
         PYRAMID_LEVELS, PYRAMID_SIDE, SORT_DIGITS, SORT_RUNS,
@@ -301,15 +305,23 @@ pub fn work_per_stage(
     }
     stages.push(project(avatar, options, counts, has_occluder));
     stages.push(sort(options, counts));
-    let tested = options.method == Some(RasterMethod::Quads) && options.skip.contains(Skip::DEPTH);
-    let tiles = options.method == Some(RasterMethod::Tiles);
-    if tested || options.kernel == Some(TileKernel::Shared) && tiles {
-        stages.push(bins(counts));
-    } else if tiles {
-        stages.push(binning(counts));
-    }
-    if tested {
-        stages.push(saturation(options, counts));
+    // Options that are not resolved decide no lists.
+    if let Some(method) = options.method {
+        let equipment = Equipment {
+            sh: avatar.sh.is_some(),
+            occluder: has_occluder,
+            method,
+            kernel: options.kernel.unwrap_or(TileKernel::PerThread),
+            skip: options.skip,
+        };
+        match equipment.lists() {
+            Some(ListForm::Tiles) => stages.push(binning(counts)),
+            Some(ListForm::Bins) => stages.push(bins(counts)),
+            None => {}
+        }
+        if equipment.has(Stage::Saturation) {
+            stages.push(saturation(options, counts));
+        }
     }
     stages.push(raster(options, counts));
     stages

@@ -54,6 +54,9 @@ pub enum Error {
     /// The options ask for [`SortVariant::OneSweep`](effigy_core::frame::SortVariant::OneSweep).
     #[error("the WebGPU backend has no OneSweep, which needs subgroups")]
     Sort,
+    /// The options ask for another kernel of the tile rasterizer than the per-thread one.
+    #[error("the WebGPU backend has the per-thread tile kernel, not the {0} one")]
+    TileKernel(&'static str),
     /// The device was lost or closed, for the reason given.
     #[error("the device was lost: {0}")]
     DeviceLost(String),

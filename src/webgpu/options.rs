@@ -8,7 +8,7 @@ use super::{
 use crate::quirks::draws_triangles;
 use effigy_core::{
     avatar::Avatar,
-    frame::{KeyBits, RasterMethod, RendererOptions, Skip, SortVariant, state},
+    frame::{KeyBits, RasterMethod, RendererOptions, Skip, SortVariant, TileKernel, state},
 };
 
 /// Options with every open choice made for a device, and without skips that this backend or the
@@ -17,7 +17,7 @@ pub fn resolved(gpu: &Gpu, options: RendererOptions) -> RendererOptions {
     let method = options.method.unwrap_or_else(|| {
         crate::quirks::recommended_method(gpu.is_cpu(), gpu.name(), &gpu.driver())
     });
-    // WebGPU tests no fragments against the occluder, and its render passes draw the whole image.
+    // WebGPU has no saturation stage to test fragments against, and its render passes draw the whole image.
     let whole = if method == RasterMethod::Quads {
         Skip::DAMAGE
     } else {
@@ -37,6 +37,7 @@ pub fn resolved(gpu: &Gpu, options: RendererOptions) -> RendererOptions {
     RendererOptions {
         method: Some(method),
         color: Some(options.color.unwrap_or(method.color())),
+        kernel: Some(options.kernel.unwrap_or(TileKernel::PerThread)),
         key_bits: Some(options.key_bits.unwrap_or(KeyBits::Sixteen)),
         sort: Some(sort),
         skip,
@@ -55,6 +56,12 @@ pub fn accepted(gpu: &Gpu, avatar: &Avatar, options: RendererOptions) -> Result<
     }
     if options.sort == Some(SortVariant::OneSweep) {
         return Err(Error::Sort);
+    }
+    if let Some(kernel) = options
+        .kernel
+        .filter(|kernel| *kernel != TileKernel::PerThread)
+    {
+        return Err(Error::TileKernel(kernel.name()));
     }
     let keys =
         options.instances as u64 * u64::from(state::padded_count(avatar.gaussians.len() as u32));

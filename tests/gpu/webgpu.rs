@@ -11,7 +11,7 @@ use effigy_core::{
     frame::{
         KeyBits,
         RasterMethod::{self, Quads, Tiles},
-        RendererOptions, Skinning, Skip, SortVariant,
+        RendererOptions, Skinning, Skip, SortVariant, TileKernel,
     },
     io::{file::Neutral, pack::PackQuality},
     layout::SORT_CULLED,
@@ -185,7 +185,6 @@ fn the_order_is_that_of_a_stable_sort() {
             .map(|k| Posed::new(&avatar, &player.pose(0.3 * k as f64)).placed(in_a_row(k % 3, 3)))
             .collect();
         let options = RendererOptions {
-            key_bits: Some(KeyBits::Sixteen),
             instances,
             sort: Some(variant),
             skip: Skip::empty(),
@@ -220,7 +219,6 @@ fn only_what_changed_is_drawn_again(method: RasterMethod) {
     // All Gaussians, and every second.
     let level = u32::from(method == RasterMethod::Quads);
     let options = RendererOptions {
-        key_bits: Some(KeyBits::Sixteen),
         count: true,
         detail: Detail::FULL.at_least(level),
         ..gpu::with_method(device.name(), method, camera.size)
@@ -487,7 +485,6 @@ fn only_a_box_around_the_avatar_is_drawn() {
     let bounds = effigy_core::scene::AvatarBounds::new(&avatar).bounds(&posed.joints);
     let draw = |skip| {
         let options = RendererOptions {
-            key_bits: Some(KeyBits::Sixteen),
             skip,
             method: Some(RasterMethod::Tiles),
             ..RendererOptions::new(size)
@@ -550,6 +547,39 @@ fn what_a_device_refuses_while_it_is_watched_is_the_watchs_error() {
     );
 }
 
+/// What only the Vulkan backend has is refused by name.
+fn options_of_the_vulkan_backend_are_refused() {
+    let device = open();
+    let (avatar, _) = body(3, 800);
+    let options = gpu::options([64, 64]);
+    for (options, named) in [
+        (
+            RendererOptions {
+                kernel: Some(TileKernel::Shared),
+                ..options
+            },
+            "shared",
+        ),
+        (
+            RendererOptions {
+                key_bits: Some(KeyBits::TwentyFour),
+                ..options
+            },
+            "24",
+        ),
+        (
+            RendererOptions {
+                sort: Some(SortVariant::OneSweep),
+                ..options
+            },
+            "OneSweep",
+        ),
+    ] {
+        let error = Renderer::new(&device, &avatar, options).err().unwrap();
+        assert!(error.to_string().contains(named), "{error}");
+    }
+}
+
 fn a_lost_device_says_so_and_another_goes_on() {
     let device = own();
     let (avatar, posed) = body(3, 800);
@@ -594,5 +624,6 @@ tests! {
     an_avatar_is_drawn_before_its_correctives_are_there[Tiles],
     only_a_box_around_the_avatar_is_drawn,
     what_a_device_refuses_while_it_is_watched_is_the_watchs_error,
+    options_of_the_vulkan_backend_are_refused,
     a_lost_device_says_so_and_another_goes_on,
 }

@@ -202,8 +202,8 @@ fn the_frame_block_is_the_same_on_both_sides() {
     assert_eq!(
         seen.get(),
         21,
-        "mlp has three modules, sh two, occluder two, project two, binning four, saturation one and \
-         raster seven"
+        "mlp has three modules, sh two, occluder two, project two, binning four, saturation one \
+         and raster seven"
     );
 }
 
@@ -240,8 +240,8 @@ fn the_control_block_is_the_same_on_both_sides() {
     assert_eq!(
         found.get(),
         19,
-        "seven kernels of sort, four of binning, one of saturation and seven modules of raster read \
-         the control block"
+        "seven kernels of sort, four of binning, one of saturation and seven modules of raster \
+         read the control block"
     );
 }
 

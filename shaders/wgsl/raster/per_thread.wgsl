@@ -490,7 +490,7 @@ fn blend_u0028_struct_u002d_Square_u002d_vf4_u005b_16_u005d_u002d_b1_u002d_u1_u0
     var param_80: Footprint;
     var param_81: f32;
     var param_82: f32;
-    var phi_505_: bool;
+    var phi_509_: bool;
 
     let _e155 = (*square).middle;
     let _e157 = (*words)[0u];
@@ -543,13 +543,13 @@ fn blend_u0028_struct_u002d_Square_u002d_vf4_u005b_16_u005d_u002d_b1_u002d_u1_u0
     let _e212 = axis;
     box = sqrt((((_e201 * _e202) + ((_e209.yx * ((_e204 * _e205) * _e207)) * _e212.yx)) * _e200));
     let _e219 = (*square).open;
-    phi_505_ = _e219;
+    phi_509_ = _e219;
     if _e219 {
         let _e220 = from_;
         let _e222 = box;
-        phi_505_ = all((abs(_e220) < (_e222 + vec2(1.5f))));
+        phi_509_ = all((abs(_e220) < (_e222 + vec2(1.5f))));
     }
-    let _e228 = phi_505_;
+    let _e228 = phi_509_;
     touches = _e228;
     let _e229 = inverse;
     let _e231 = axis;
@@ -861,7 +861,7 @@ fn blend_tiles_u0028_struct_u002d_Square_u002d_vf4_u005b_16_u005d_u002d_b1_u002d
     var param_130: Square;
     var param_131: Uniforms;
     var param_132: vec4<u32>;
-    var phi_902_: bool;
+    var phi_906_: bool;
 
     let _e156 = frame.fixed_scale;
     let _e158 = frame.guard;
@@ -900,13 +900,13 @@ fn blend_tiles_u0028_struct_u002d_Square_u002d_vf4_u005b_16_u005d_u002d_b1_u002d
     keys = vec4<u32>(0u, 0u, 0u, 0u);
     loop {
         let _e210 = (*square_1).open;
-        phi_902_ = _e210;
+        phi_906_ = _e210;
         if _e210 {
             let _e211 = runs;
             let _e213 = lists;
-            phi_902_ = ((_e211 != 0u) || any((_e213 != vec4<u32>(0u, 0u, 0u, 0u))));
+            phi_906_ = ((_e211 != 0u) || any((_e213 != vec4<u32>(0u, 0u, 0u, 0u))));
         }
-        let _e218 = phi_902_;
+        let _e218 = phi_906_;
         if _e218 {
             let _e219 = lists;
             if all((_e219 == vec4<u32>(0u, 0u, 0u, 0u))) {
@@ -1113,136 +1113,141 @@ fn blend_tiles_u0028_struct_u002d_Square_u002d_vf4_u005b_16_u005d_u002d_b1_u002d
     return;
 }
 
+fn place_of_u0028_u1_u003b(index: ptr<function, u32>) -> vec2<u32> {
+    let _e89 = (*index);
+    let _e91 = (*index);
+    let _e96 = (*index);
+    let _e101 = (*index);
+    let _e105 = (*index);
+    let _e110 = (*index);
+    return vec2<u32>((((_e89 & 1u) | ((_e91 >> bitcast<u32>(1u)) & 2u)) | ((_e96 >> bitcast<u32>(2u)) & 4u)), ((((_e101 >> bitcast<u32>(1u)) & 1u) | ((_e105 >> bitcast<u32>(2u)) & 2u)) | ((_e110 >> bitcast<u32>(3u)) & 4u)));
+}
+
 fn index_in_workgroup_u0028_() -> u32 {
     let _e88 = gl_LocalInvocationIndex_1;
     return _e88;
 }
 
 fn main_1() {
-    var index: u32;
-    var place: vec2<u32>;
+    var index_1: u32;
     var first_2: vec2<u32>;
+    var param_133: u32;
     var square_2: Square;
-    var param_133: Square;
-    var param_134: vec2<u32>;
-    var size_2: vec2<u32>;
+    var param_134: Square;
     var param_135: vec2<u32>;
+    var size_2: vec2<u32>;
     var param_136: vec2<u32>;
-    var param_137: vec4<f32>;
+    var param_137: vec2<u32>;
     var param_138: vec4<f32>;
     var param_139: vec4<f32>;
     var param_140: vec4<f32>;
-    var param_141: vec2<u32>;
+    var param_141: vec4<f32>;
     var param_142: vec2<u32>;
-    var param_143: vec4<f32>;
+    var param_143: vec2<u32>;
     var param_144: vec4<f32>;
     var param_145: vec4<f32>;
     var param_146: vec4<f32>;
-    var param_147: vec2<u32>;
+    var param_147: vec4<f32>;
     var param_148: vec2<u32>;
-    var param_149: vec4<f32>;
+    var param_149: vec2<u32>;
     var param_150: vec4<f32>;
     var param_151: vec4<f32>;
     var param_152: vec4<f32>;
-    var param_153: vec2<u32>;
+    var param_153: vec4<f32>;
     var param_154: vec2<u32>;
-    var param_155: vec4<f32>;
+    var param_155: vec2<u32>;
     var param_156: vec4<f32>;
     var param_157: vec4<f32>;
     var param_158: vec4<f32>;
-    var phi_1362_: bool;
+    var param_159: vec4<f32>;
+    var phi_1369_: bool;
 
     let _e119 = index_in_workgroup_u0028_();
-    index = _e119;
-    let _e120 = index;
-    let _e122 = index;
-    let _e127 = index;
-    let _e132 = index;
-    let _e136 = index;
-    let _e141 = index;
-    place = vec2<u32>((((_e120 & 1u) | ((_e122 >> bitcast<u32>(1u)) & 2u)) | ((_e127 >> bitcast<u32>(2u)) & 4u)), ((((_e132 >> bitcast<u32>(1u)) & 1u) | ((_e136 >> bitcast<u32>(2u)) & 2u)) | ((_e141 >> bitcast<u32>(3u)) & 4u)));
-    let _e148 = settings.first_region;
-    let _e149 = gl_WorkGroupID_1;
-    let _e154 = place;
-    first_2 = (((_e148 + _e149.xy) * vec2(32u)) + (vec2(4u) * _e154));
+    index_1 = _e119;
+    let _e121 = settings.first_region;
+    let _e122 = gl_WorkGroupID_1;
+    let _e127 = index_1;
+    param_133 = _e127;
+    let _e128 = place_of_u0028_u1_u003b((&param_133));
+    first_2 = (((_e121 + _e122.xy) * vec2(32u)) + (vec2(4u) * _e128));
     square_2.open = true;
     square_2.fragments = 0u;
-    let _e160 = first_2;
-    square_2.middle = (vec2<f32>(_e160) + vec2(2f));
+    let _e134 = first_2;
+    square_2.middle = (vec2<f32>(_e134) + vec2(2f));
     square_2.pixels = array<vec4<f32>, 16>(vec4<f32>(0f, 0f, 0f, 1f), vec4<f32>(0f, 0f, 0f, 1f), vec4<f32>(0f, 0f, 0f, 1f), vec4<f32>(0f, 0f, 0f, 1f), vec4<f32>(0f, 0f, 0f, 1f), vec4<f32>(0f, 0f, 0f, 1f), vec4<f32>(0f, 0f, 0f, 1f), vec4<f32>(0f, 0f, 0f, 1f), vec4<f32>(0f, 0f, 0f, 1f), vec4<f32>(0f, 0f, 0f, 1f), vec4<f32>(0f, 0f, 0f, 1f), vec4<f32>(0f, 0f, 0f, 1f), vec4<f32>(0f, 0f, 0f, 1f), vec4<f32>(0f, 0f, 0f, 1f), vec4<f32>(0f, 0f, 0f, 1f), vec4<f32>(0f, 0f, 0f, 1f));
-    let _e167 = square_2.middle;
-    let _e169 = frame.tile_side;
-    let _e173 = square_2;
-    param_133 = _e173;
-    param_134 = vec2<u32>((_e167 / vec2(_e169)));
-    blend_tiles_u0028_struct_u002d_Square_u002d_vf4_u005b_16_u005d_u002d_b1_u002d_u1_u002d_vf21_u003b_vu2_u003b((&param_133), (&param_134));
-    let _e174 = param_133;
-    square_2 = _e174;
-    let _e176 = frame.size;
-    size_2 = vec2<u32>(_e176);
-    let _e178 = first_2;
-    param_135 = _e178;
-    let _e179 = size_2;
-    param_136 = _e179;
-    let _e182 = square_2.pixels[0i];
-    param_137 = _e182;
-    let _e185 = square_2.pixels[1i];
-    param_138 = _e185;
-    let _e188 = square_2.pixels[2i];
-    param_139 = _e188;
-    let _e191 = square_2.pixels[3i];
-    param_140 = _e191;
-    store_row_u0028_vu2_u003b_vu2_u003b_vf4_u003b_vf4_u003b_vf4_u003b_vf4_u003b((&param_135), (&param_136), (&param_137), (&param_138), (&param_139), (&param_140));
-    let _e192 = first_2;
-    param_141 = (_e192 + vec2<u32>(0u, 1u));
-    let _e194 = size_2;
-    param_142 = _e194;
-    let _e197 = square_2.pixels[4i];
-    param_143 = _e197;
-    let _e200 = square_2.pixels[5i];
-    param_144 = _e200;
-    let _e203 = square_2.pixels[6i];
-    param_145 = _e203;
-    let _e206 = square_2.pixels[7i];
-    param_146 = _e206;
-    store_row_u0028_vu2_u003b_vu2_u003b_vf4_u003b_vf4_u003b_vf4_u003b_vf4_u003b((&param_141), (&param_142), (&param_143), (&param_144), (&param_145), (&param_146));
-    let _e207 = first_2;
-    param_147 = (_e207 + vec2<u32>(0u, 2u));
-    let _e209 = size_2;
-    param_148 = _e209;
-    let _e212 = square_2.pixels[8i];
-    param_149 = _e212;
-    let _e215 = square_2.pixels[9i];
-    param_150 = _e215;
-    let _e218 = square_2.pixels[10i];
-    param_151 = _e218;
-    let _e221 = square_2.pixels[11i];
-    param_152 = _e221;
-    store_row_u0028_vu2_u003b_vu2_u003b_vf4_u003b_vf4_u003b_vf4_u003b_vf4_u003b((&param_147), (&param_148), (&param_149), (&param_150), (&param_151), (&param_152));
-    let _e222 = first_2;
-    param_153 = (_e222 + vec2<u32>(0u, 3u));
-    let _e224 = size_2;
-    param_154 = _e224;
-    let _e227 = square_2.pixels[12i];
-    param_155 = _e227;
-    let _e230 = square_2.pixels[13i];
-    param_156 = _e230;
-    let _e233 = square_2.pixels[14i];
-    param_157 = _e233;
-    let _e236 = square_2.pixels[15i];
-    param_158 = _e236;
-    store_row_u0028_vu2_u003b_vu2_u003b_vf4_u003b_vf4_u003b_vf4_u003b_vf4_u003b((&param_153), (&param_154), (&param_155), (&param_156), (&param_157), (&param_158));
-    let _e238 = settings.counted;
-    let _e239 = (_e238 != 0u);
-    phi_1362_ = _e239;
-    if _e239 {
-        let _e241 = square_2.fragments;
-        phi_1362_ = (_e241 > 0u);
+    let _e141 = square_2.middle;
+    let _e143 = frame.tile_side;
+    let _e147 = square_2;
+    param_134 = _e147;
+    param_135 = vec2<u32>((_e141 / vec2(_e143)));
+    blend_tiles_u0028_struct_u002d_Square_u002d_vf4_u005b_16_u005d_u002d_b1_u002d_u1_u002d_vf21_u003b_vu2_u003b((&param_134), (&param_135));
+    let _e148 = param_134;
+    square_2 = _e148;
+    let _e150 = frame.size;
+    size_2 = vec2<u32>(_e150);
+    let _e152 = first_2;
+    param_136 = _e152;
+    let _e153 = size_2;
+    param_137 = _e153;
+    let _e156 = square_2.pixels[0i];
+    param_138 = _e156;
+    let _e159 = square_2.pixels[1i];
+    param_139 = _e159;
+    let _e162 = square_2.pixels[2i];
+    param_140 = _e162;
+    let _e165 = square_2.pixels[3i];
+    param_141 = _e165;
+    store_row_u0028_vu2_u003b_vu2_u003b_vf4_u003b_vf4_u003b_vf4_u003b_vf4_u003b((&param_136), (&param_137), (&param_138), (&param_139), (&param_140), (&param_141));
+    let _e166 = first_2;
+    param_142 = (_e166 + vec2<u32>(0u, 1u));
+    let _e168 = size_2;
+    param_143 = _e168;
+    let _e171 = square_2.pixels[4i];
+    param_144 = _e171;
+    let _e174 = square_2.pixels[5i];
+    param_145 = _e174;
+    let _e177 = square_2.pixels[6i];
+    param_146 = _e177;
+    let _e180 = square_2.pixels[7i];
+    param_147 = _e180;
+    store_row_u0028_vu2_u003b_vu2_u003b_vf4_u003b_vf4_u003b_vf4_u003b_vf4_u003b((&param_142), (&param_143), (&param_144), (&param_145), (&param_146), (&param_147));
+    let _e181 = first_2;
+    param_148 = (_e181 + vec2<u32>(0u, 2u));
+    let _e183 = size_2;
+    param_149 = _e183;
+    let _e186 = square_2.pixels[8i];
+    param_150 = _e186;
+    let _e189 = square_2.pixels[9i];
+    param_151 = _e189;
+    let _e192 = square_2.pixels[10i];
+    param_152 = _e192;
+    let _e195 = square_2.pixels[11i];
+    param_153 = _e195;
+    store_row_u0028_vu2_u003b_vu2_u003b_vf4_u003b_vf4_u003b_vf4_u003b_vf4_u003b((&param_148), (&param_149), (&param_150), (&param_151), (&param_152), (&param_153));
+    let _e196 = first_2;
+    param_154 = (_e196 + vec2<u32>(0u, 3u));
+    let _e198 = size_2;
+    param_155 = _e198;
+    let _e201 = square_2.pixels[12i];
+    param_156 = _e201;
+    let _e204 = square_2.pixels[13i];
+    param_157 = _e204;
+    let _e207 = square_2.pixels[14i];
+    param_158 = _e207;
+    let _e210 = square_2.pixels[15i];
+    param_159 = _e210;
+    store_row_u0028_vu2_u003b_vu2_u003b_vf4_u003b_vf4_u003b_vf4_u003b_vf4_u003b((&param_154), (&param_155), (&param_156), (&param_157), (&param_158), (&param_159));
+    let _e212 = settings.counted;
+    let _e213 = (_e212 != 0u);
+    phi_1369_ = _e213;
+    if _e213 {
+        let _e215 = square_2.fragments;
+        phi_1369_ = (_e215 > 0u);
     }
-    let _e244 = phi_1362_;
-    if _e244 {
-        let _e248 = square_2.fragments;
-        let _e249 = atomicAdd((&unnamed_3.control.fragments), _e248);
+    let _e218 = phi_1369_;
+    if _e218 {
+        let _e222 = square_2.fragments;
+        let _e223 = atomicAdd((&unnamed_3.control.fragments), _e222);
     }
     return;
 }

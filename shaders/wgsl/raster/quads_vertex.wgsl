@@ -67,14 +67,18 @@ struct type_15 {
     member_58: array<vec4<f32>, 768>,
 }
 
-struct type_20 {
+struct type_19 {
+    member: array<vec4<u32>>,
+}
+
+struct type_24 {
     @builtin(position) member: vec4<f32>,
     member_1: f32,
     member_2: array<f32, 1>,
     member_3: array<f32, 1>,
 }
 
-struct type_23 {
+struct type_27 {
     member: u32,
     member_1: u32,
     member_2: u32,
@@ -85,16 +89,12 @@ struct type_23 {
     member_7: u32,
 }
 
-struct type_24 {
-    member: type_23,
-}
-
 struct type_28 {
-    member: array<u32>,
+    member: type_27,
 }
 
 struct type_31 {
-    member: array<vec4<u32>>,
+    member: array<u32>,
 }
 
 struct type_34 {
@@ -118,23 +118,23 @@ struct VertexOutput {
 }
 
 struct type_41 {
-    member: array<u32, LENGTH_1_4>,
+    member: array<vec4<u32>, LENGTH_2_16>,
 }
 
 struct type_43 {
-    member: array<vec4<u32>, LENGTH_2_16>,
+    member: array<u32, LENGTH_1_4>,
 }
 
 @group(0) @binding(0) 
 var<uniform> global: type_15;
-var<private> global_1: i32;
-var<private> global_2: i32;
-var<private> global_3: type_20 = type_20(vec4<f32>(0f, 0f, 0f, 1f), 1f, array<f32, 1>(), array<f32, 1>());
-@group(0) @binding(3) 
-var<storage> global_4: type_24;
-@group(0) @binding(1) 
-var<storage> global_5: type_41;
 @group(0) @binding(2) 
+var<storage> global_1: type_41;
+var<private> global_2: i32;
+var<private> global_3: i32;
+var<private> global_4: type_24 = type_24(vec4<f32>(0f, 0f, 0f, 1f), 1f, array<f32, 1>(), array<f32, 1>());
+@group(0) @binding(3) 
+var<storage> global_5: type_28;
+@group(0) @binding(1) 
 var<storage> global_6: type_43;
 @group(0) @binding(7) 
 var<uniform> global_7: type_34;
@@ -142,38 +142,38 @@ var<private> global_8: vec2<f32>;
 var<private> global_9: vec2<u32>;
 
 fn function_() {
-    var phi_480_: f32;
-    var phi_481_: f32;
+    var phi_488_: f32;
+    var phi_489_: f32;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e43 = global_1;
-            let _e46 = global_2;
+            let _e43 = global_2;
+            let _e46 = global_3;
             let _e49 = ((bitcast<u32>(_e43) * 128u) + (bitcast<u32>(_e46) / 4u));
-            global_3.member = vec4<f32>(-2f, -2f, 0f, 1f);
-            let _e53 = global_4.member.member_6;
+            global_4.member = vec4<f32>(-2f, -2f, 0f, 1f);
+            let _e53 = global_5.member.member_6;
             if (_e49 >= _e53) {
                 break;
             }
-            let _e57 = global_5.member[_e49];
-            let _e60 = global_6.member[_e57];
+            let _e57 = global_6.member[_e49];
+            let _e60 = global_1.member[_e57];
             let _e65 = unpack2x16float(_e60.z);
             let _e94 = log2((f32(((_e60.w >> bitcast<u32>(16u)) & 255u)) * 0.003921569f));
             let _e96 = global_7.member_1;
             let _e99 = global_7.member;
             let _e101 = sqrt((max(_e94, _e96) - _e99));
             if ((_e46 & 1i) == 0i) {
-                phi_480_ = -(_e101);
+                phi_488_ = -(_e101);
             } else {
-                phi_480_ = _e101;
+                phi_488_ = _e101;
             }
-            let _e106 = phi_480_;
+            let _e106 = phi_488_;
             if ((_e46 & 2i) == 0i) {
-                phi_481_ = -(_e101);
+                phi_489_ = -(_e101);
             } else {
-                phi_481_ = _e101;
+                phi_489_ = _e101;
             }
-            let _e111 = phi_481_;
+            let _e111 = phi_489_;
             global_8 = vec2<f32>(_e106, _e111);
             let _e123 = global.member_13[2u];
             let _e128 = global.member_13[3u];
@@ -181,8 +181,8 @@ fn function_() {
             let _e133 = global_8[1u];
             let _e139 = global.member_13;
             let _e142 = ((((vec2<f32>((_e60.xy & vec2<u32>(1048575u, 1048575u))) - vec2(_e123)) + (((_e65 * _e130) + ((vec2<f32>(-(_e65.y), _e65.x) * (inverseSqrt(dot(_e65, _e65)) * unpack2x16float(_e60.w).x)) * _e133)) * _e128)) * _e139.xy) - vec2<f32>(1f, 1f));
-            global_3.member[0u] = _e142.x;
-            global_3.member[1u] = _e142.y;
+            global_4.member[0u] = _e142.x;
+            global_4.member[1u] = _e142.y;
             let _e151 = (round(((vec3<f32>(f32(((_e60.x >> bitcast<u32>(20u)) & 1023u)), f32(((_e60.y >> bitcast<u32>(20u)) & 1023u)), f32((((_e60.w >> bitcast<u32>(24u)) << bitcast<u32>(2u)) | (_e60.x >> bitcast<u32>(30u))))) * vec3<f32>(0.0009775171f, 0.0009775171f, 0.0009775171f)) * 2048f)) * vec3<f32>(0.00048828125f, 0.00048828125f, 0.00048828125f));
             global_9 = vec2<u32>(pack2x16float(_e151.xy), pack2x16float(vec2<f32>(_e151.z, _e94)));
             break;
@@ -193,12 +193,12 @@ fn function_() {
 
 @vertex 
 fn main(@builtin(instance_index) param: u32, @builtin(vertex_index) param_1: u32) -> VertexOutput {
-    global_1 = i32(param);
-    global_2 = i32(param_1);
+    global_2 = i32(param);
+    global_3 = i32(param_1);
     function_();
-    let _e11 = global_3.member.y;
-    global_3.member.y = -(_e11);
-    let _e13 = global_3.member;
+    let _e11 = global_4.member.y;
+    global_4.member.y = -(_e11);
+    let _e13 = global_4.member;
     let _e14 = global_8;
     let _e15 = global_9;
     return VertexOutput(_e13, _e14, _e15);

@@ -18,8 +18,8 @@ pub struct Barrier {
 
 /// Quads are tested against the saturation depth where avatars have at least this many pixels a
 /// Gaussian ([`FramePlan::pixels_a_gaussian`]). With fewer, the samples cost more than the test
-/// saves, and Gaussians fall between them: on the 200K body, with 2.7 a Gaussian there are 2.6
-/// samples for each fragment saved, with 5.5 there are 1.8; with 0.2 the image loses 2.7 dB
+/// saves, and Gaussians fall between them: on the 200K body there are 1.8 samples for each fragment
+/// saved at 1448 × 1448 px and 2.6 at 1024 × 1024; at 256 × 256 the image loses 2.7 dB
 /// (docs/experiments/038).
 const SATURATION_PIXELS: f64 = 4.0;
 
@@ -123,7 +123,7 @@ impl Equipment {
     }
 
     /// The lists that it makes, if any.
-    fn lists(&self) -> Option<ListForm> {
+    pub fn lists(&self) -> Option<ListForm> {
         match (self.method, self.kernel) {
             (RasterMethod::Quads, _) => self.tests_depth().then_some(ListForm::Bins),
             (RasterMethod::Tiles, TileKernel::Shared) => Some(ListForm::Bins),
@@ -193,12 +193,12 @@ impl Schedule {
             }
         } else if plan.instances.is_empty() {
             // An empty image is made by the stages that make any.
-            let makes_image = |stage| match equipment.method {
-                RasterMethod::Quads => stage == Stage::Raster,
-                RasterMethod::Tiles => matches!(stage, Stage::Binning | Stage::Raster),
+            let makes_image: &[Stage] = match equipment.method {
+                RasterMethod::Quads => &[Stage::Raster],
+                RasterMethod::Tiles => &[Stage::Binning, Stage::Raster],
             };
             for stage in equipment.stages() {
-                if stage != Stage::Mlp && !makes_image(stage) {
+                if stage != Stage::Mlp && !makes_image.contains(&stage) {
                     steps.skip(stage, reason);
                 }
             }
@@ -367,21 +367,23 @@ impl Recorder {
 
     /// `tested`: whether quads are tested against the saturation depth.
     fn raster(&mut self, equipment: &Equipment, tested: bool) {
-        let lists = equipment.lists();
-        let raster = match (equipment.method, lists) {
-            (RasterMethod::Tiles, Some(lists)) => Pass::RasterTiles { lists },
-            _ => Pass::RasterQuads { tested },
-        };
-        if tested || equipment.method == RasterMethod::Tiles {
-            let passes = match lists {
-                Some(ListForm::Tiles) => vec![Pass::ClearTileLists, Pass::Binning],
-                _ => vec![Pass::Bin],
-            };
-            self.stage(Stage::Binning, passes);
+        let lists = equipment
+            .lists()
+            .filter(|_| tested || equipment.method == RasterMethod::Tiles);
+        match lists {
+            Some(ListForm::Tiles) => {
+                self.stage(Stage::Binning, vec![Pass::ClearTileLists, Pass::Binning]);
+            }
+            Some(ListForm::Bins) => self.stage(Stage::Binning, vec![Pass::Bin]),
+            None => {}
         }
         if tested {
             self.stage(Stage::Saturation, vec![Pass::Saturation]);
         }
+        let raster = match (equipment.method, lists) {
+            (RasterMethod::Tiles, Some(lists)) => Pass::RasterTiles { lists },
+            _ => Pass::RasterQuads { tested },
+        };
         self.stage(Stage::Raster, vec![raster]);
     }
 

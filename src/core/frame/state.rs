@@ -53,7 +53,7 @@ pub struct FramePlan<'a> {
     /// [`AvatarBounds::visible`] allows for; the whole image without [`Skip::DAMAGE`].
     pub drawn_rect: PixelRect,
     /// Pixels of the box around an avatar for each Gaussian of it that is drawn: of the avatar in
-    /// view that has the fewest.
+    /// view that has the fewest. Infinite where that decides nothing.
     pub pixels_a_gaussian: f64,
 }
 
@@ -161,7 +161,11 @@ impl FrameState {
             .then(|| OccluderView::new(camera.size, screen_rect(&instances, bounds, camera)));
         FramePlan {
             depth_range: depth_range(&instances, bounds, camera),
-            pixels_a_gaussian: pixels_a_gaussian(&instances, bounds, camera),
+            pixels_a_gaussian: if redraw && skip.contains(Skip::DEPTH) {
+                pixels_a_gaussian(&instances, bounds, camera)
+            } else {
+                f64::INFINITY
+            },
             instances,
             redraw,
             occluder_view,

@@ -2,10 +2,13 @@
 
 use super::{
     barrier::{LayoutChange, Scope},
-    image::COLOR,
+    buffer::Buffer,
+    image::{COLOR, Image},
 };
-use crate::vulkan::device::recording::Recording;
+use crate::vulkan::device::{error::Result, gpu::Gpu, recording::Recording};
 use ash::vk::{self, AccessFlags, PipelineStageFlags};
+use gpu_allocator::MemoryLocation;
+use std::sync::Arc;
 
 /// Records a copy of a colour image's upper left corner, of a size in px, to the start of a buffer.
 /// The image stays in its layout.
@@ -58,4 +61,29 @@ pub(crate) unsafe fn copy_image(
         };
         commands.change_layout(image, back);
     }
+}
+
+/// Copies an image's upper left corner, of a size in px, and waits. The image must be in the layout.
+pub(crate) fn image_bytes(
+    gpu: &Arc<Gpu>,
+    image: &Image,
+    layout: vk::ImageLayout,
+    size: [u32; 2],
+    bytes_a_pixel: usize,
+) -> Result<Vec<u8>> {
+    let bytes = size[0] as usize * size[1] as usize * bytes_a_pixel;
+    let mut staging = Buffer::new(
+        gpu,
+        "image copy",
+        bytes as u64,
+        vk::BufferUsageFlags::TRANSFER_DST,
+        MemoryLocation::GpuToCpu,
+    )?;
+    gpu.run("reading an image", |commands| {
+        // SAFETY: image and buffer are alive, the buffer is large enough, and the image is in the
+        // layout that every frame leaves it in, which the caller names; `run` waits.
+        unsafe { copy_image(commands, image.raw(), layout, size, staging.raw()) };
+        commands.show_host();
+    })?;
+    Ok(staging.mapped()[..bytes].to_vec())
 }

@@ -1,7 +1,6 @@
 //! The `occluder` stage: finds what the avatar itself hides. The occluder mesh is drawn from the
 //! camera into a small depth image, which is reduced to a pyramid: each texel holds the furthest
-//! depth of the pixels under it. `project` culls Gaussians behind that depth. `raster` draws the
-//! mesh first, so that hidden fragments of the remaining splats fail the depth test.
+//! depth of the pixels under it. `project` culls Gaussians behind that depth.
 
 use super::model::OccluderMesh;
 use crate::vulkan::{

@@ -3,11 +3,9 @@
 use super::{stage::Raster, target::FINAL_LAYOUT};
 use crate::vulkan::{
     device::{error::Result, gpu::Gpu},
-    memory::{Buffer, copy_image},
+    memory::image_bytes,
 };
-use ash::vk;
 use effigy_core::{frame::ColorFormat, scene::FrameImage};
-use gpu_allocator::MemoryLocation;
 use half::f16;
 use std::sync::Arc;
 
@@ -46,33 +44,11 @@ impl Copied {
 
 /// Copies an image that was drawn at least once, and waits.
 pub(crate) fn read_image(gpu: &Arc<Gpu>, raster: &Raster) -> Result<Copied> {
-    let image = raster.image();
-    let [width, height] = raster.drawn();
-    let bytes = width as usize * height as usize * raster.format().bytes();
-    let mut staging = Buffer::new(
-        gpu,
-        "image copy",
-        bytes as u64,
-        vk::BufferUsageFlags::TRANSFER_DST,
-        MemoryLocation::GpuToCpu,
-    )?;
-    gpu.run("reading an image", |commands| {
-        // SAFETY: image and buffer are alive, the buffer is large enough, and the image is in the
-        // layout that every frame leaves it in; `run` waits.
-        unsafe {
-            copy_image(
-                commands,
-                image.raw(),
-                FINAL_LAYOUT,
-                raster.drawn(),
-                staging.raw(),
-            )
-        };
-        commands.show_host();
-    })?;
+    let format = raster.format();
+    let size = raster.drawn();
     Ok(Copied {
-        size: [width, height],
-        format: raster.format(),
-        bytes: staging.mapped()[..bytes].to_vec(),
+        size,
+        format,
+        bytes: image_bytes(gpu, raster.image(), FINAL_LAYOUT, size, format.bytes())?,
     })
 }

@@ -13,7 +13,7 @@ use crate::vulkan::{
         handle::{Pipeline, RenderPass, Sampler},
         recording::Recording,
     },
-    memory::{Buffer, Image, LayoutChange, Scope, Slice, copy_image},
+    memory::{Image, LayoutChange, Scope, Slice, image_bytes},
     pipeline::{
         BoundImage, Kernel, Launch, Resources,
         bindings::Bindings,
@@ -23,7 +23,6 @@ use crate::vulkan::{
 };
 use ash::vk;
 use effigy_core::{frame::RendererOptions, layout::SATURATION_REGION};
-use gpu_allocator::MemoryLocation;
 use std::sync::Arc;
 
 /// Every device can write and sample it.
@@ -145,31 +144,9 @@ impl Saturation {
 
     /// The samples of the last frame, row by row, read back for tests.
     pub fn download(&self) -> Result<Vec<f32>> {
-        let [width, height] = self.image.size();
-        let bytes = 4 * width as usize * height as usize;
-        let mut staging = Buffer::new(
-            &self.gpu,
-            "saturation copy",
-            bytes as u64,
-            vk::BufferUsageFlags::TRANSFER_DST,
-            MemoryLocation::GpuToCpu,
-        )?;
-        self.gpu.run("reading saturation depths", |commands| {
-            let layout = vk::ImageLayout::GENERAL;
-            // SAFETY: image and buffer are alive, the buffer is large enough, and the image is in
-            // the layout that every frame leaves it in; `run` waits.
-            unsafe {
-                copy_image(
-                    commands,
-                    self.image.raw(),
-                    layout,
-                    self.image.size(),
-                    staging.raw(),
-                )
-            };
-            commands.show_host();
-        })?;
-        Ok(bytemuck::pod_collect_to_vec(&staging.mapped()[..bytes]))
+        let layout = vk::ImageLayout::GENERAL;
+        let bytes = image_bytes(&self.gpu, &self.image, layout, self.image.size(), 4)?;
+        Ok(bytemuck::pod_collect_to_vec(&bytes))
     }
 
     /// Writes the depths to the depth attachment.

@@ -3,7 +3,7 @@
 use super::{
     bins::{BinLists, Bins},
     draw::{Draw, RasterInputs},
-    options::{method, tile_kernel},
+    options::{can_cooperate, method, tile_kernel},
     quads::Quads,
     runs::{Runs, TileLists},
     saturation::Saturation,
@@ -40,12 +40,10 @@ impl Raster {
         Ok(match method(options, gpu) {
             RasterMethod::Quads => Self::Quads(Box::new(Quads::new(gpu, inputs, options)?)),
             RasterMethod::Tiles => {
-                let probe = &gpu.probe;
-                if tile_kernel(options, gpu) == TileKernel::Cooperative
-                    && !(probe.subgroup_shuffle && probe.subgroup_size == 8)
-                {
+                let kernel = tile_kernel(options, gpu);
+                if kernel == TileKernel::Cooperative && !can_cooperate(gpu) {
                     return Err(Error::Unsupported {
-                        device: probe.name.clone(),
+                        device: gpu.probe.name.clone(),
                         missing: "for cooperative tiles: subgroups of 8 with shuffles".into(),
                     });
                 }

@@ -362,7 +362,12 @@ impl Renderer {
             has_sh: self.sh.is_some(),
             has_occluder: schedule.runs(Stage::Occluder),
             sort: self.sort.dispatches(true) as u64,
-            raster: self.raster.dispatches(),
+            // Quads have none without the stages before them.
+            raster: if schedule.runs(Stage::Binning) {
+                self.raster.dispatches()
+            } else {
+                0
+            },
         };
         let counters = Counters {
             damaged: if plan.redraw { damage.pixels() } else { 0 },

@@ -14,6 +14,7 @@ use effigy::vulkan::{
     sort::KeyBits,
 };
 use effigy_core::{
+    avatar::Avatar,
     frame::Skip,
     layout::{TILE_LEVELS, TILING},
     reference::binning,
@@ -74,6 +75,12 @@ fn the_order_is_the_references_but_for_depths_closer_than_a_key() {
     }
 }
 
+/// Where an avatar's first Gaussian is in a pose, metres.
+fn first_gaussian(avatar: &Avatar, posed: &Posed) -> DVec3 {
+    let camera = gpu::camera(avatar, posed, [64, 64]);
+    effigy_core::reference::ReferenceFrame::new(avatar, posed, &camera).gaussians[0].mean
+}
+
 fn few_gaussians_agree_pixel_by_pixel(raster: Raster) {
     let device = gpu::gpu();
     let options = raster.options(&device.probe.name, [240, 160]);
@@ -87,13 +94,7 @@ fn few_gaussians_agree_pixel_by_pixel(raster: Raster) {
         };
         let avatar = common::avatar(seed, sizes);
         let posed = Posed::new(&avatar, &common::pose(seed, &avatar));
-        let target = effigy_core::reference::ReferenceFrame::new(
-            &avatar,
-            &posed,
-            &gpu::camera(&avatar, &posed, [64, 64]),
-        )
-        .gaussians[0]
-            .mean;
+        let target = first_gaussian(&avatar, &posed);
         let camera = Camera::orbit(target, 0.2, 0.1, 0.3, 0.6, [240, 160]);
         let frame = gpu::draw(&device, avatar, posed, camera, options);
         let error = error::between(&frame.image, &frame.reference.canvas.to_image());
@@ -229,13 +230,7 @@ fn each_tile_has_the_splats_that_meet_it_nearest_first() {
             },
         );
         let posed = Posed::new(&avatar, &common::pose(4, &avatar));
-        let target = effigy_core::reference::ReferenceFrame::new(
-            &avatar,
-            &posed,
-            &gpu::camera(&avatar, &posed, [64, 64]),
-        )
-        .gaussians[0]
-            .mean;
+        let target = first_gaussian(&avatar, &posed);
         let size = [600, 400];
         let camera = Camera::orbit(target, 0.3, 0.1, distance, 0.7, size);
         let options = RendererOptions {
@@ -317,13 +312,7 @@ fn each_bin_has_the_splats_that_meet_it_nearest_first(raster: Raster) {
         );
         let posed = Posed::new(&avatar, &common::pose(4, &avatar));
         let size = [600, 400];
-        let target = effigy_core::reference::ReferenceFrame::new(
-            &avatar,
-            &posed,
-            &gpu::camera(&avatar, &posed, [64, 64]),
-        )
-        .gaussians[0]
-            .mean;
+        let target = first_gaussian(&avatar, &posed);
         let camera = Camera::orbit(target, 0.3, 0.1, distance, 0.7, size);
         let options = RendererOptions {
             key_bits: Some(KeyBits::ThirtyTwo),
@@ -338,7 +327,7 @@ fn each_bin_has_the_splats_that_meet_it_nearest_first(raster: Raster) {
         let mut met = 0;
         for (number, list) in (0..).zip(&bins.lists) {
             let bin = [number % bins.columns, number / bins.columns];
-            // Near splats are large, and so is what rounding their axes to f16 moves their edges by.
+            // Near splats are large, and so is what rounding their axes moves their edges by.
             let rounding = 0.3 / distance;
             let [must, may] = [margin - rounding, margin + rounding]
                 .map(|slack| binning::bin(&reference.splats, &order, bin, bins.side, slack));

@@ -1,0 +1,6 @@
+// The place of an invocation in its workgroup, 8 by 8. Neighbours in a subgroup of any size are
+// neighbours in the image: the bits of the index are, from the lowest, x y x y x y.
+uvec2 place_of(uint index) {
+    return uvec2((index & 1u) | (index >> 1u & 2u) | (index >> 2u & 4u),
+                 (index >> 1u & 1u) | (index >> 2u & 2u) | (index >> 3u & 4u));
+}
