@@ -12,6 +12,7 @@
 //! | quality | [`quality_control`], `drift_check` | at which quality to hold the frame rate |
 //! | recovery | `recovery` | whether to go on after a loss |
 //! | captures | `captures`, [`screenshot`] | screenshots, RenderDoc captures, the trace |
+//! | trials | `tuning` | which way to draw is fastest, for the next start |
 //!
 //! [`painter`] draws a frame into the window, [`ui`] the panel over it. [`action`] lists what a
 //! user can ask for, and the keys.
@@ -44,6 +45,7 @@ mod recovery;
 pub mod scene;
 pub mod screenshot;
 pub mod tap_gesture;
+mod tuning;
 pub mod ui;
 pub mod viewer;
 pub mod window;

@@ -72,6 +72,8 @@ pub struct WindowPainter {
     renderer: Renderer,
     /// How to draw at full quality.
     full_quality: RendererOptions,
+    /// What the renderer draws with, and why.
+    drawing: String,
     /// Created with the first frame to validate.
     validator: Option<FrameValidator>,
     /// The next frame is to be validated.
@@ -103,6 +105,7 @@ impl WindowPainter {
         } = device::open(window, options)?;
         let present = Present::new(&gpu, surface.format())?;
         let renderer = Renderer::new(&gpu, avatar, full_quality)?;
+        let drawing = drawing(&renderer);
         // SAFETY: nothing uses it yet. Every frame leaves the image in this state, and `fit` sets
         // another after a resize.
         unsafe { present.set_image(renderer.raster().image()) };
@@ -128,6 +131,7 @@ impl WindowPainter {
             surface: Some(surface),
             renderer,
             full_quality,
+            drawing,
             validator: None,
             validation_requested: false,
             show_at: None,
@@ -147,6 +151,25 @@ impl WindowPainter {
     /// The renderer's options at the current quality.
     pub fn options(&self) -> &RendererOptions {
         self.renderer.options()
+    }
+
+    /// The options of frames at full quality; what they leave open is measured.
+    pub fn full_quality(&self) -> RendererOptions {
+        RendererOptions {
+            size: self.size(),
+            ..self.full_quality
+        }
+    }
+
+    /// What frames are drawn with, and why.
+    pub fn drawing(&self) -> &str {
+        &self.drawing
+    }
+
+    /// The device was lost or hangs: has the next painter draw in the safest way, if this one draws
+    /// in another. Returns whether it does.
+    pub fn strike_off(&self, failure: &Error) -> bool {
+        self.renderer.strike_off(&failure.to_string())
     }
 
     /// Width and height of a frame at full quality, px.
@@ -370,6 +393,18 @@ impl Drop for WindowPainter {
 }
 
 /// Turns an error of the panel's renderer into one of ours.
+/// What a renderer draws with, and why.
+fn drawing(renderer: &Renderer) -> String {
+    match renderer.tuning() {
+        Some(tuning) => format!("{}: {}", tuning.best, tuning.reason()),
+        None => {
+            let options = renderer.options();
+            let name = options.method.map_or("", |method| method.name());
+            format!("{name}: nothing else was measured yet")
+        }
+    }
+}
+
 fn panel_error<T>(result: std::result::Result<T, RendererError>) -> Result<T> {
     match result {
         Ok(value) => Ok(value),

@@ -312,7 +312,6 @@ impl QualityController {
             player,
             setting: RenderSetting {
                 options: drawn.options,
-                packed_words: false,
                 rows: 1.0,
                 hold: 1,
             },

@@ -15,10 +15,11 @@ use crate::{
     quality_control::QualityController,
     recovery::Recovery,
     scene::{FrameContent, ViewerScene},
+    tuning,
     ui::{Overlay, OverlayFrame, panel::PanelFacts},
 };
 use anyhow::Context;
-use effigy::vulkan::{Error, Gpu, GpuOptions, RendererOptions, sort::choice};
+use effigy::vulkan::{Error, RendererOptions};
 use effigy_runtime::slow_start::SlowStart;
 use std::time::Instant;
 use winit::{
@@ -558,6 +559,7 @@ impl Viewer {
             skipped: &report.skipped,
             device: &probe.name,
             driver: &probe.driver,
+            drawing: painter.drawing(),
             memory: self.memory.bytes,
             playback: self.scene.playback(),
             file_list: &self.options.file_list,
@@ -584,7 +586,14 @@ impl Viewer {
                 "the first frame, {:.2} s after the avatar was read",
                 frame.began
             );
-            test_sorts(&self.options.gpu, painter.gpu());
+            // A measurement would be disturbed.
+            let is_soaking = self
+                .quality
+                .as_ref()
+                .is_some_and(QualityController::is_soaking);
+            if self.options.frames.is_none() && !is_soaking {
+                tuning::start(&self.options.gpu, painter, &self.scene);
+            }
         }
         self.previous = None;
         self.slow_start = None;
@@ -671,6 +680,15 @@ impl Viewer {
     /// before. Returns errors that none of this helps against.
     fn recover(&mut self, mut error: anyhow::Error) -> anyhow::Result<()> {
         loop {
+            // A device that hangs is opened again only to be drawn on in another way.
+            let may_reopen = match error.downcast_ref::<Error>() {
+                Some(failure @ Error::DeviceLost(_)) => {
+                    self.strike_off(failure);
+                    true
+                }
+                Some(failure @ Error::Timeout { .. }) => self.strike_off(failure),
+                _ => false,
+            };
             let recovered = match error.downcast_ref::<Error>() {
                 Some(Error::SurfaceLost(call)) if self.recovery.surface_lost() => {
                     tracing::warn!("the window's surface was lost at {call}; making another");
@@ -680,7 +698,7 @@ impl Viewer {
                         None => self.open_device(),
                     }
                 }
-                Some(Error::DeviceLost(_)) => {
+                Some(Error::DeviceLost(_) | Error::Timeout { .. }) if may_reopen => {
                     if !self.recovery.device_lost() {
                         return Err(error.context(
                             "the device was lost for the second time in a row; is its driver up to date?",
@@ -704,6 +722,13 @@ impl Viewer {
                 Err(next) => error = next,
             }
         }
+    }
+
+    /// The device was lost or hangs. Returns whether the next one draws in another way: the way that
+    /// was measured to be fastest is then not used any more.
+    fn strike_off(&self, failure: &Error) -> bool {
+        let painter = self.painter.as_ref();
+        painter.is_some_and(|painter| painter.strike_off(failure))
     }
 
     /// Goes back to the previous scene, since the current one can't be drawn.
@@ -756,26 +781,4 @@ fn quit(event_loop: &ActiveEventLoop) {
     crate::android::back(crate::android::activity(event_loop));
     #[cfg(not(target_os = "android"))]
     event_loop.exit();
-}
-
-/// Has the device's sorts tested for the next start, if nobody did: on a thread and a device of
-/// their own, so that a driver that hangs in a test takes nothing from the window. CPU drivers
-/// compile for seconds and gain nothing over the variant that they start with.
-fn test_sorts(options: &GpuOptions, gpu: &Gpu) {
-    if gpu.probe.is_cpu() || choice::is_tested(gpu) {
-        return;
-    }
-    let options = GpuOptions {
-        surface_extensions: Vec::new(),
-        device: Some(gpu.probe.name.clone()),
-        ..options.clone()
-    };
-    let test = move || match Gpu::new(&options).and_then(|gpu| choice::choose(&gpu)) {
-        Ok(choice) => tracing::info!("the next start sorts by {}", choice.variant.name()),
-        Err(error) => tracing::warn!("the sorts could not be tested: {error}"),
-    };
-    let thread = std::thread::Builder::new().name("sort self-test".into());
-    if let Err(error) = thread.spawn(test) {
-        tracing::warn!("the sorts are not tested: {error}");
-    }
 }

@@ -17,6 +17,11 @@ pub fn items(length: u64, unit: &str) -> ProgressBar {
     )
 }
 
+/// The candidate that is tried while the ways to draw are timed.
+pub fn tuning() -> ProgressBar {
+    bar(0, "{msg} {elapsed}")
+}
+
 /// A bar over steps that take unequal times, with the name of the step and the time so far.
 pub fn steps(length: u64) -> ProgressBar {
     bar(length, "{bar:30} {pos}/{len} {msg} {elapsed}")

@@ -4,11 +4,12 @@ use crate::{
     advice::Advised,
     compare, files,
     options::{self, QualityArgs},
+    progress,
     source::Source,
 };
 use anyhow::{Context, anyhow};
 use clap::ValueEnum;
-use effigy::vulkan::{Gpu, sort::choice};
+use effigy::vulkan::{Gpu, sort::choice, trials};
 use effigy_measure::{
     bench::{RenderSetting, report::ErrorReport},
     soak::{
@@ -103,12 +104,16 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     let gpu = Gpu::new(&args.quality.gpu())?;
     // A soak is of the fastest sort: it is worth the wait.
     choice::choose(&gpu)?;
+    let options = args.quality.renderer(args.size);
+    let bar = progress::tuning();
     let setting = RenderSetting {
-        options: effigy::vulkan::raster::resolved(&gpu, args.quality.renderer(args.size)),
-        packed_words: false,
+        options: trials::tune(&gpu, &avatar, &player, options, &mut |candidate| {
+            bar.set_message(format!("trying {candidate}"));
+        })?,
         rows: 1.0,
         hold: 1,
     };
+    bar.finish_and_clear();
     let rate = match args.fps {
         Some(rate) => rate,
         None => soak::run::recommended_rate(&gpu, &avatar, &player, &setting)?,

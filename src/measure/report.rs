@@ -7,7 +7,7 @@ use crate::{error::ErrorMetrics, setting::RenderSetting};
 use effigy::vulkan::Gpu;
 use effigy_core::{
     avatar::{Avatar, motion::Player},
-    frame::{KeyBits, Skip},
+    frame::{KeyBits, RasterMethod, RendererOptions, Skip},
     scene::Detail,
 };
 use serde::{Deserialize, Deserializer, Serialize, de::DeserializeOwned};
@@ -161,14 +161,14 @@ impl OptionsReport {
     /// The options of a setting.
     pub fn new(setting: &RenderSetting) -> Self {
         let options = &setting.options;
-        let storage = if setting.packed_words {
+        let storage = if options.packed_words == Some(true) {
             "words"
         } else {
             "half"
         };
         Self {
             color: format!("{:?}", options.color.unwrap_or_default()).to_lowercase(),
-            raster: options.method.map_or("", |method| method.name()).to_owned(),
+            raster: raster_name(options),
             key_bits: bits_of_keys(options.keys()),
             skip: options.skip.to_string(),
             cutoff: options.cutoff,
@@ -178,6 +178,15 @@ impl OptionsReport {
             rows: setting.rows,
             hold: setting.hold,
         }
+    }
+}
+
+/// The rasterizer of resolved options, as `--raster` spells it.
+fn raster_name(options: &RendererOptions) -> String {
+    match (options.method, options.kernel) {
+        (Some(RasterMethod::Tiles), Some(kernel)) => format!("tiles-{}", kernel.name()),
+        (Some(method), _) => method.name().to_owned(),
+        (None, _) => String::new(),
     }
 }
 

@@ -8,8 +8,6 @@ use std::borrow::Cow;
 pub struct RenderSetting {
     /// Options of the renderer.
     pub options: RendererOptions,
-    /// Read f16 as packed words even where the device has 16-bit storage.
-    pub packed_words: bool,
     /// Share of the basis rows to retain, 0 to 1.
     pub rows: f64,
     /// Frames that each pose is held for, at least 1.

@@ -14,7 +14,9 @@
 //! | [`sort`] | the radix sort, and the self-test that chooses its variant |
 //! | `passes` | the stages from an avatar's pose to its splats |
 //! | [`raster`] | the stages from sorted splats to an image |
+//! | [`tuning`] | how to draw, chosen by measuring |
 //! | `renderer` | the frame |
+//! | [`trials`] | frames by which `tuning` measures |
 //! | `window` | from an image to a window or a screen in memory |
 
 pub(crate) mod commands;
@@ -26,6 +28,8 @@ pub mod raster;
 pub(crate) mod renderer;
 pub mod sort;
 pub mod statistics;
+pub mod trials;
+pub mod tuning;
 pub(crate) mod window;
 
 pub use commands::{FRAMES_IN_FLIGHT, Semaphores};

@@ -9,6 +9,7 @@ mod devices;
 mod memory;
 mod present;
 mod stages;
+mod tuning;
 #[cfg(feature = "webgpu")]
 mod webgpu;
 
@@ -40,6 +41,7 @@ fn main() -> ExitCode {
             devices,
             memory,
             present,
+            tuning,
             #[cfg(feature = "webgpu")]
             webgpu,
         ],

@@ -46,6 +46,7 @@ const LAYERS: &[Layers] = &[
             "quality_control",
             "screenshot",
             "captures",
+            "tuning",
             "options",
             "recovery",
             "tap_gesture",

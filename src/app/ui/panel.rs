@@ -38,6 +38,8 @@ pub struct PanelFacts<'a> {
     pub device: &'a str,
     /// The driver's name and version.
     pub driver: &'a str,
+    /// What frames are drawn with, and why.
+    pub drawing: &'a str,
     /// Bytes of GPU memory in use.
     pub memory: u64,
     /// Which clip plays, and how.
@@ -375,6 +377,7 @@ fn device(ui: &mut Ui, facts: &PanelFacts) {
     if !facts.driver.is_empty() {
         ui.label(RichText::new(facts.driver).weak());
     }
+    ui.label(RichText::new(format!("drawn with {}", facts.drawing)).weak());
     ui.label(format!(
         "{:.1} MB of GPU memory in use",
         facts.memory as f64 / 1e6
@@ -446,6 +449,7 @@ mod tests {
             skipped: &["mlp"],
             device: "a device",
             driver: "a driver",
+            drawing: "quads",
             memory: 12_000_000,
             playback: &playback,
             file_list: &FileList::new(vec!["someone".into(), "else".into()], 0, |_| {

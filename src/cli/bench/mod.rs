@@ -11,9 +11,9 @@ use crate::{
     source::{self, Source},
 };
 use anyhow::{Context, ensure};
-use effigy_core::{io::cameras, scene::Camera};
+use effigy_core::{frame::RendererOptions, io::cameras, scene::Camera};
 use effigy_measure::bench::{
-    BenchCase, BenchTask, Devices, Parameter, RenderSetting, measured,
+    BenchCase, BenchTask, Parameter, RenderSetting, measured, open,
     scene::RATE,
     spread::{self, SpreadInputs},
     sweep::{Sweep, run_sweep},
@@ -203,8 +203,10 @@ impl Args {
             "a sweep needs errors to compare with times: give --check of at least 1"
         );
         let setting = RenderSetting {
-            options: self.quality.renderer(size),
-            packed_words: self.words,
+            options: RendererOptions {
+                packed_words: self.words.then_some(true),
+                ..self.quality.renderer(size)
+            },
             rows: self.row_share,
             hold,
         };
@@ -242,11 +244,12 @@ pub fn run(args: Args) -> anyhow::Result<()> {
         flip: args.flip,
         warm_up: args.warm_up,
     };
-    let mut devices = Devices::new(args.backend.try_into()?, args.quality.gpu());
-    let gpu = devices.get(&job.setting)?;
-    job.setting.options = gpu.resolve(job.setting.options);
-    let mut report = task.report(&gpu, &job.setting, std::env::args().collect());
+    let gpu = open(args.backend.try_into()?, &args.quality.gpu())?;
     let bar = progress::items(0, "frames");
+    job.setting.options = gpu.tune(&avatar, player, job.setting.options, &mut |candidate| {
+        bar.set_message(format!("trying {candidate}"));
+    })?;
+    let mut report = task.report(&gpu, &job.setting, std::env::args().collect());
     let mut show = |what: &str, done: usize, all: usize| {
         bar.set_length(all as u64);
         bar.set_position(done as u64);
@@ -298,7 +301,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
             rounds: args.rounds,
             base: job.setting,
         };
-        report.sweep = Some(run_sweep(&mut devices, &task, &plan, &mut show)?);
+        report.sweep = Some(run_sweep(&gpu, &task, &plan, &mut show)?);
     }
     bar.finish_and_clear();
     if let (Some((path, gpu)), Some(trace)) = (traced, &trace) {

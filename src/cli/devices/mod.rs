@@ -2,17 +2,23 @@
 
 mod shaders;
 
-use crate::{advice::NO_TRIANGLES, options::DeviceArgs};
+use crate::{advice::NO_TRIANGLES, options::DeviceArgs, progress};
 use anyhow::ensure;
 use ash::{ext, khr};
 use effigy::vulkan::{
-    Error, Gpu, GpuOptions, Probe, Result,
+    Error, Gpu, GpuOptions, Probe, RendererOptions, Result,
     instance::Instance,
     probe::version,
     sort::{choice::choose, sort_choice::SortChoice},
+    trials,
+    tuning::{Record, Tuning},
 };
+use effigy_core::avatar::motion::Player;
 use serde_json::json;
 use std::path::PathBuf;
+
+/// Size of the images of the demo that are drawn to measure a device, px.
+const DEMO_SIZE: [u32; 2] = [512, 512];
 
 #[derive(clap::Args, Debug)]
 pub struct Args {
@@ -92,6 +98,11 @@ fn print(number: usize, probe: &Probe) {
             }
         }
         Some(Err(error)) => println!("   sort             {error}"),
+        None => {}
+    }
+    match tunings(number, probe) {
+        Some(Ok(tunings)) => tunings.iter().for_each(print_tuning),
+        Some(Err(error)) => println!("   drawing          {error}"),
         None => {}
     }
     let missing = probe.missing_requirements();
@@ -200,6 +211,42 @@ fn sort(number: usize, probe: &Probe) -> Option<Result<SortChoice>> {
     Some(gpu.and_then(|gpu| choose(&gpu)))
 }
 
+/// What was measured of the ways to draw on a device. Where nothing was, the demo is drawn to
+/// measure it. None where the device can't serve.
+fn tunings(number: usize, probe: &Probe) -> Option<anyhow::Result<Vec<Tuning>>> {
+    if !probe.missing_requirements().is_empty() {
+        return None;
+    }
+    Some(measured(number))
+}
+
+fn measured(number: usize) -> anyhow::Result<Vec<Tuning>> {
+    let gpu = Gpu::new(&GpuOptions::headless(Some(number.to_string())))?;
+    let record = Record::of_device(&gpu);
+    let known = record.tunings();
+    if !known.is_empty() {
+        return Ok(known);
+    }
+    let avatar = effigy_demo::avatar()?;
+    let player = Player::new(effigy_demo::clip()?, &avatar.skeleton);
+    let bar = progress::tuning();
+    let options = RendererOptions::new(DEMO_SIZE);
+    trials::tune(&gpu, &avatar, &player, options, &mut |candidate| {
+        bar.set_message(format!("trying {candidate}"));
+    })?;
+    bar.finish_and_clear();
+    Ok(record.tunings())
+}
+
+fn print_tuning(tuning: &Tuning) {
+    println!("   drawing          {}", tuning.workload);
+    println!("     {}", tuning.best);
+    println!("     {}", tuning.reason());
+    for tried in &tuning.tried {
+        println!("       {}: {}", tried.candidate, tried.outcome);
+    }
+}
+
 /// A device as JSON.
 fn describe(number: usize, probe: &Probe) -> serde_json::Value {
     let optional: serde_json::Map<_, _> = optional(probe)
@@ -215,6 +262,10 @@ fn describe(number: usize, probe: &Probe) -> serde_json::Value {
         Ok(choice) => json!(choice),
         Err(error) => json!({ "failed": error.to_string() }),
     });
+    let drawing = tunings(number, probe).map(|tunings| match tunings {
+        Ok(tunings) => json!(tunings),
+        Err(error) => json!({ "failed": error.to_string() }),
+    });
     json!({
         "name": probe.name,
         "driver": probe.driver,
@@ -227,6 +278,7 @@ fn describe(number: usize, probe: &Probe) -> serde_json::Value {
         "subgroup_size": probe.subgroup_size,
         "optional": optional,
         "sort": sort,
+        "drawing": drawing,
         "missing": probe.missing_requirements(),
     })
 }

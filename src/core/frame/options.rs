@@ -22,6 +22,9 @@ pub struct RendererOptions {
     pub key_bits: Option<KeyBits>,
     /// How to sort. None: the fastest variant that passes the device's self-test.
     pub sort: Option<SortVariant>,
+    /// Read f16 as words even where the device has 16-bit storage. None: where that was measured to
+    /// be faster.
+    pub packed_words: Option<bool>,
     /// Work that may be skipped where the scene does not need it.
     pub skip: Skip,
     /// Contributions below this opacity are not drawn, at least 1/255 (docs/model.md, step 10).
@@ -52,6 +55,7 @@ impl RendererOptions {
             kernel: None,
             key_bits: None,
             sort: None,
+            packed_words: None,
             skip: Skip::all(),
             cutoff: ALPHA_MIN,
             margin: 0.005,
@@ -63,7 +67,7 @@ impl RendererOptions {
 }
 
 /// Format that the image is blended or stored in.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum ColorFormat {
     /// 8 bits a channel: 4 bytes a pixel, rounded after every Gaussian by [`RasterMethod::Quads`],
     /// once by [`RasterMethod::Tiles`].
@@ -84,7 +88,7 @@ impl ColorFormat {
 }
 
 /// How splats are rasterized.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum RasterMethod {
     /// Quads through the graphics pipeline; tile-based GPUs blend them in tile memory.
     Quads,

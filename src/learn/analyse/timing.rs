@@ -5,7 +5,7 @@ use effigy_core::avatar::{Avatar, motion::Player};
 use effigy_measure::bench::backend::{BenchDevice, Result};
 use effigy_measure::bench::report::TimingSummary;
 use effigy_measure::bench::run::{self, CaseRenderer};
-use effigy_measure::bench::{Backend, BenchCase, Devices, RenderSetting, SceneInputs, scene};
+use effigy_measure::bench::{Backend, BenchCase, RenderSetting, SceneInputs, open, scene};
 
 /// How often each avatar is timed, one after another, so that disturbances by other programs fall
 /// on all of them.
@@ -35,11 +35,10 @@ pub fn frame_times(
 ) -> Result<AvatarFrameTimes> {
     let setting = RenderSetting {
         options: RendererOptions::new(size),
-        packed_words: false,
         rows: 1.0,
         hold: 1,
     };
-    let gpu = Devices::new(Backend::Vulkan, GpuOptions::headless(None)).get(&setting)?;
+    let gpu = open(Backend::Vulkan, &GpuOptions::headless(None))?;
     let setting = RenderSetting {
         options: gpu.resolve(setting.options),
         ..setting

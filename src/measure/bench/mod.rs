@@ -29,6 +29,6 @@ pub use crate::setting::RenderSetting;
 pub use case::BenchCase;
 pub use parameter::Parameter;
 pub use report::BenchReport;
-pub use run::{Backend, Devices};
+pub use run::{Backend, open};
 pub use scene::SceneInputs;
 pub use task::BenchTask;

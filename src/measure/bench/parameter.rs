@@ -112,7 +112,7 @@ impl Parameter {
                     values.add(preset, |s| s.options = preset.apply(s.options));
                 }
             }
-            Self::Storage => values.add("words", |s| s.packed_words = true),
+            Self::Storage => values.add("words", |s| s.options.packed_words = Some(true)),
             Self::Keys => {
                 for keys in KEYS.into_iter().filter(|&keys| keys != options.keys()) {
                     values.add(bits_of_keys(keys), |s| s.options.key_bits = Some(keys));
@@ -258,7 +258,6 @@ mod tests {
     fn base() -> RenderSetting {
         RenderSetting {
             options: RendererOptions::new([64, 64]),
-            packed_words: false,
             rows: 1.0,
             hold: 1,
         }
@@ -319,10 +318,6 @@ mod tests {
                     "{parameter} {name} changes nothing"
                 );
                 let back = match parameter {
-                    Parameter::Storage => RenderSetting {
-                        packed_words: false,
-                        ..setting
-                    },
                     Parameter::Rows => RenderSetting {
                         rows: 1.0,
                         ..setting
@@ -332,6 +327,9 @@ mod tests {
                         let mut options = setting.options;
                         match parameter {
                             Parameter::Keys => options.key_bits = base().options.key_bits,
+                            Parameter::Storage => {
+                                options.packed_words = base().options.packed_words
+                            }
                             Parameter::Color => options.color = base().options.color,
                             Parameter::Raster => options.method = base().options.method,
                             Parameter::Cutoff => options.cutoff = base().options.cutoff,

@@ -34,57 +34,22 @@ pub enum Backend {
     WebGpu,
 }
 
-/// One device, opened once for each way in which settings read f16, when it is first needed.
-pub struct Devices {
-    backend: Backend,
-    options: GpuOptions,
-    /// With 16-bit storage as the device has it.
-    native: Option<BenchDevice>,
-    /// Without 16-bit storage.
-    packed_words: Option<BenchDevice>,
-}
-
-impl Devices {
-    /// The device of these options, not yet open.
-    pub fn new(backend: Backend, options: GpuOptions) -> Self {
-        Self {
-            backend,
-            options,
-            native: None,
-            packed_words: None,
+/// Opens the device that a benchmark draws with.
+///
+/// # Errors
+/// When it can't be opened.
+pub fn open(backend: Backend, options: &GpuOptions) -> Result<BenchDevice> {
+    match backend {
+        Backend::Vulkan => {
+            let gpu = Gpu::new(options)?;
+            // A measurement is of the fastest sort: it is worth the wait.
+            choice::choose(&gpu)?;
+            Ok(BenchDevice::Vulkan(gpu))
         }
-    }
-
-    /// The device for a setting.
-    ///
-    /// # Errors
-    /// When it can't be opened.
-    pub fn get(&mut self, setting: &RenderSetting) -> Result<BenchDevice> {
-        let open = if setting.packed_words {
-            &mut self.packed_words
-        } else {
-            &mut self.native
-        };
-        if let Some(device) = open {
-            return Ok(device.clone());
-        }
-        let device = match self.backend {
-            Backend::Vulkan => {
-                let gpu = Gpu::new(&GpuOptions {
-                    packed_words: setting.packed_words,
-                    ..self.options.clone()
-                })?;
-                // A measurement is of the fastest sort: it is worth the wait.
-                choice::choose(&gpu)?;
-                BenchDevice::Vulkan(gpu)
-            }
-            #[cfg(feature = "webgpu")]
-            Backend::WebGpu => {
-                BenchDevice::WebGpu(webgpu::Gpu::open(self.options.device.as_deref())?)
-            }
-        };
-        *open = Some(device.clone());
-        Ok(device)
+        #[cfg(feature = "webgpu")]
+        Backend::WebGpu => Ok(BenchDevice::WebGpu(webgpu::Gpu::open(
+            options.device.as_deref(),
+        )?)),
     }
 }
 

@@ -7,6 +7,7 @@
 //! even where milliseconds do not.
 
 use super::{
+    backend::BenchDevice,
     backend::Result,
     case::BenchCase,
     check::{self, ReferenceImages},
@@ -14,7 +15,7 @@ use super::{
     parameter::{Parameter, ParameterValue},
     pareto::{Candidate, front},
     report::{ErrorReport, SweepPoint, SweepReport},
-    run::{self, CaseRenderer, Devices, Progress},
+    run::{self, CaseRenderer, Progress},
     scene::{self, BenchScene},
     task::BenchTask,
 };
@@ -41,13 +42,13 @@ pub struct Sweep<'a> {
 /// # Errors
 /// When the device fails, or refuses the base setting.
 pub fn run_sweep(
-    devices: &mut Devices,
+    gpu: &BenchDevice,
     task: &BenchTask,
     sweep: &Sweep,
     progress: Progress,
 ) -> Result<SweepReport> {
     let mut run = SweepRun {
-        devices,
+        gpu,
         task,
         sweep,
         reference_images: ReferenceImages::new(task.avatar),
@@ -90,7 +91,7 @@ struct Round {
 
 /// A sweep in progress.
 struct SweepRun<'a> {
-    devices: &'a mut Devices,
+    gpu: &'a BenchDevice,
     task: &'a BenchTask<'a>,
     sweep: &'a Sweep<'a>,
     reference_images: ReferenceImages<'a>,
@@ -120,14 +121,13 @@ impl SweepRun<'_> {
     fn open_entry(&mut self, parameter: &str, value: ParameterValue) -> Result<SweepEntry> {
         let case = self.sweep.case;
         let setting = value.setting.for_case(case);
-        let gpu = self.devices.get(&setting)?;
         let avatar = setting.reduce(self.task.avatar);
         Ok(SweepEntry {
             parameter: parameter.to_owned(),
             value: value.name,
-            renderer: CaseRenderer::new(&gpu, &avatar, &setting, case, false)?,
+            renderer: CaseRenderer::new(self.gpu, &avatar, &setting, case, false)?,
             scenes: scene::scenes(case, &self.task.scene_inputs(&setting)),
-            is_timed: gpu.is_timed(),
+            is_timed: self.gpu.is_timed(),
             rounds: Vec::new(),
             setting,
         })
@@ -189,9 +189,9 @@ impl SweepRun<'_> {
         )?;
         // Counting takes time, so it is done by a renderer of its own.
         drop(entry.renderer);
-        let gpu = self.devices.get(&entry.setting)?;
         let avatar = entry.setting.reduce(self.task.avatar);
-        let mut counting_renderer = CaseRenderer::new(&gpu, &avatar, &entry.setting, case, true)?;
+        let mut counting_renderer =
+            CaseRenderer::new(self.gpu, &avatar, &entry.setting, case, true)?;
         let counted = run::count(&mut counting_renderer, &entry.scenes, |done| {
             progress(&format!("{title}: counting"), done, entry.scenes.len())
         })?;

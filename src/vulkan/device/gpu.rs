@@ -80,7 +80,7 @@ impl Gpu {
             return Err(Error::NoStatistics { device: probe.name });
         }
         let features = DeviceFeatures {
-            half_storage: probe.half_storage && !options.packed_words,
+            half_storage: probe.half_storage,
             window: !options.surface_extensions.is_empty() && probe.has(khr::swapchain::NAME),
             statistics: options.statistics,
         };

@@ -5,6 +5,7 @@ pub(crate) mod calibration;
 pub(crate) mod error;
 pub(crate) mod gpu;
 pub(crate) mod handle;
+pub(crate) mod identity;
 pub mod instance;
 pub(crate) mod logical;
 pub(crate) mod moment;

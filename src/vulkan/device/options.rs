@@ -10,8 +10,6 @@ pub struct GpuOptions {
     pub device: Option<String>,
     /// Load the validation layer, synchronisation checks included.
     pub validation: bool,
-    /// Read f16 as words even where the device has 16-bit storage: to compare the two.
-    pub packed_words: bool,
     /// Use no more than every Vulkan 1.1 device has, as if the device were the least of them.
     pub baseline: bool,
     /// Ask what the driver's compiler makes of each pipeline. Nothing ever runs on a device opened

@@ -15,8 +15,15 @@ pub struct Mlp {
 }
 
 impl Mlp {
-    /// Writes to `pose`: features, then nodes in the order of their parts.
-    pub(crate) fn new(gpu: &Arc<Gpu>, model: &Model, frame: Slice, pose: Slice) -> Result<Self> {
+    /// Writes to `pose`: features, then nodes in the order of their parts. `launch`: whether f16 is
+    /// read as words.
+    pub(crate) fn new(
+        gpu: &Arc<Gpu>,
+        model: &Model,
+        frame: Slice,
+        pose: Slice,
+        launch: Launch,
+    ) -> Result<Self> {
         let resources = Resources {
             uniform: Some(frame),
             storage: &[
@@ -33,7 +40,7 @@ impl Mlp {
             &shaders::MLP
         };
         Ok(Self {
-            kernel: Kernel::new(gpu, module, &[], resources, Launch::default())?,
+            kernel: Kernel::new(gpu, module, &[], resources, launch)?,
         })
     }
 

@@ -26,12 +26,14 @@ pub struct SphericalHarmonics {
 }
 
 impl SphericalHarmonics {
-    /// Writes to the colours in `model`. None for an avatar without harmonics.
+    /// Writes to the colours in `model`. None for an avatar without harmonics. `launch`: whether f16
+    /// is read as words.
     pub(crate) fn new(
         gpu: &Arc<Gpu>,
         avatar: &Avatar,
         model: &Model,
         frame: Slice,
+        launch: Launch,
     ) -> Result<Option<Self>> {
         let Some(coefficients) = &avatar.sh else {
             return Ok(None);
@@ -53,7 +55,6 @@ impl SphericalHarmonics {
             image: None,
         };
         let degree = [coefficients.degree as u32];
-        let launch = Launch::default();
         let kernel = Kernel::new(gpu, &shaders::SH, &degree, resources, launch)?;
         Ok(Some(Self {
             kernel,

@@ -138,10 +138,10 @@ pub(crate) fn pipeline(gpu: &Arc<Gpu>, drawing: Drawing) -> Result<Pipeline> {
             device: gpu.probe.name.clone(),
         });
     }
-    let vertex = shader_module(gpu, drawing.vertex)?;
+    let vertex = shader_module(gpu, drawing.vertex, false)?;
     let fragment = drawing
         .fragment
-        .map(|module| shader_module(gpu, module))
+        .map(|module| shader_module(gpu, module, false))
         .transpose()?;
     let entries = specialization_entries(drawing.constants);
     let specialization = vk::SpecializationInfo::default()

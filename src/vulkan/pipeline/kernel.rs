@@ -24,6 +24,8 @@ pub struct Launch {
     /// Whether a dispatch may start at another workgroup than the first: see
     /// [`Kernel::dispatch_within`].
     pub anywhere: bool,
+    /// Whether it reads f16 as words even where the device has 16-bit storage.
+    pub packed_words: bool,
 }
 
 /// A compute pipeline and what it binds.
@@ -137,7 +139,7 @@ fn compute_pipeline(
     layout: vk::PipelineLayout,
     launch: Launch,
 ) -> Result<Pipeline> {
-    let shader = shader_module(gpu, module)?;
+    let shader = shader_module(gpu, module, launch.packed_words)?;
     let entries = specialization_entries(constants);
     let specialization = vk::SpecializationInfo::default()
         .map_entries(&entries)

@@ -110,15 +110,16 @@ modules! {
     PRESENT_FRAGMENT = "present/present.frag";
 }
 
-/// A hash of all kernels of the sort. A self-test's result holds only for the kernels that it ran.
-pub(crate) fn sort_hash() -> u64 {
-    let kernels = MODULES
+/// A hash of all modules whose path starts with `path`, with and without f16 storage buffers. What
+/// was measured of modules holds only for those that ran.
+pub(crate) fn hash(path: &str) -> u64 {
+    let modules = MODULES
         .iter()
-        .filter(|module| module.file.starts_with("sort/"));
-    hash::extend(
-        hash::EMPTY,
-        kernels.flat_map(|module| module.spirv).copied(),
-    )
+        .filter(|module| module.file.starts_with(path));
+    let bytes = modules
+        .flat_map(|module| module.compiled_modules())
+        .flatten();
+    hash::extend(hash::EMPTY, bytes.copied())
 }
 
 /// File in `shaders/spv` with a line `name fingerprint` for each module.

@@ -36,15 +36,16 @@ pub fn resolved(gpu: &Gpu, options: RendererOptions) -> RendererOptions {
     if !gpu.probe.draws_triangles() {
         skip -= Skip::HIDDEN | Skip::DEPTH;
     }
-    // On CPU drivers the depth test costs more than the fragments that it saves
+    // Whether the depth test saves more than it costs is measured: on CPU drivers it does not
     // (docs/experiments/038).
-    if options.method.is_none() && gpu.probe.is_cpu() {
+    if options.method.is_none() {
         skip -= Skip::DEPTH;
     }
     RendererOptions {
         method: Some(method),
         kernel: Some(tile_kernel(&options, gpu)),
         key_bits: Some(options.keys()),
+        packed_words: Some(options.packed_words.unwrap_or(!gpu.half_storage)),
         color: Some(options.color.unwrap_or_else(|| method.color())),
         skip,
         ..options

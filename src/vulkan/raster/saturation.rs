@@ -171,6 +171,7 @@ impl Saturation {
 const LAUNCH: Launch = Launch {
     subgroup: None,
     anywhere: true,
+    packed_words: false,
 };
 
 /// Specialization constants of the kernel. A pixel takes the furthest of four samples, so what it

@@ -204,6 +204,7 @@ fn launch(gpu: &Gpu, kernel: TileKernel) -> Launch {
             .filter(|[min, max]| cooperative && (*min..=*max).contains(&size))
             .map(|_| size),
         anywhere: true,
+        ..Launch::default()
     }
 }
 

@@ -22,6 +22,7 @@ use super::{
     passes::{
         mlp::Mlp, model::Model, occluder::OccluderPass, project::Project, sh::SphericalHarmonics,
     },
+    pipeline::Launch,
     raster::{
         Raster,
         download::{self, Copied},
@@ -29,6 +30,7 @@ use super::{
         resolved, tile_kernel,
     },
     sort::{Sort, SortOptions, choice},
+    tuning::{Record, Tuning, Workload, device_lives},
 };
 use crate::ndk::section;
 use ash::vk;
@@ -88,6 +90,8 @@ pub struct Renderer {
     pose: Buffer,
     /// A block for each avatar of each frame under way.
     blocks: Blocks,
+    /// What was measured of its workload. None where nothing was.
+    tuning: Option<Tuning>,
     model: Model,
     extent: AvatarBounds,
     needs: PartDependencies,
@@ -114,8 +118,9 @@ struct FrameBefore {
 }
 
 impl Renderer {
-    /// Uploads an avatar, and compiles the kernels. Options that are None are chosen for the
-    /// device.
+    /// Uploads an avatar, and compiles the kernels. Options that are None are chosen as was measured
+    /// on the device ([`tuning`](crate::vulkan::tuning)); where nothing was measured yet, as is
+    /// safest on its kind.
     ///
     /// # Errors
     /// When the options can't be drawn with, [`Avatar::check`] finds a fault, the device's memory
@@ -123,6 +128,32 @@ impl Renderer {
     pub fn new(gpu: &Arc<Gpu>, avatar: &Avatar, options: RendererOptions) -> Result<Self> {
         options.check()?;
         avatar.check()?;
+        let record = Record::of_device(gpu);
+        let tuning = Workload::is_open(&options)
+            .then(|| record.tuning(&Workload::new(avatar, &options)))
+            .flatten();
+        let Some(tuning) = tuning else {
+            return Self::with(gpu, avatar, options);
+        };
+        match Self::with(gpu, avatar, tuning.best.apply(options)) {
+            Ok(renderer) => Ok(Self {
+                tuning: Some(tuning),
+                ..renderer
+            }),
+            Err(error) if matches!(error, Error::OutOfMemory { .. }) => Err(error),
+            Err(error) => {
+                tracing::warn!("{} failed, and is not used any more: {error}", tuning.best);
+                record.strike_off(&tuning, &error.to_string());
+                if !device_lives(&error) {
+                    return Err(error);
+                }
+                Self::with(gpu, avatar, options)
+            }
+        }
+    }
+
+    /// Without measurements.
+    fn with(gpu: &Arc<Gpu>, avatar: &Avatar, options: RendererOptions) -> Result<Self> {
         let mut options = resolved(gpu, options);
         // Where colours change with the view, poses are not cached.
         if avatar.sh.is_some() {
@@ -170,6 +201,10 @@ impl Renderer {
             sort: variant,
         };
         let raster = Raster::new(gpu, &inputs, &options)?;
+        let launch = Launch {
+            packed_words: options.packed_words == Some(true),
+            ..Launch::default()
+        };
         let occluder = if has_occluder && model.occluder.index_count > 0 {
             Some(OccluderPass::new(
                 gpu,
@@ -185,8 +220,8 @@ impl Renderer {
                 .map(|_| FrameInFlight::new(gpu))
                 .collect::<Result<_>>()?,
             occluder,
-            mlp: Mlp::new(gpu, &model, frame, (&pose).into())?,
-            sh: SphericalHarmonics::new(gpu, avatar, &model, frame)?,
+            mlp: Mlp::new(gpu, &model, frame, (&pose).into(), launch)?,
+            sh: SphericalHarmonics::new(gpu, avatar, &model, frame, launch)?,
             project,
             sort,
             raster,
@@ -197,6 +232,7 @@ impl Renderer {
             needs: PartDependencies::new(avatar),
             model,
             options,
+            tuning: None,
             state: FrameState::default(),
             key_count: None,
             damaged: None,
@@ -250,6 +286,28 @@ impl Renderer {
     /// The options that it draws with now, resolved.
     pub fn options(&self) -> &RendererOptions {
         &self.options
+    }
+
+    /// What was measured of what it draws: its options are the best of it. None where nothing was,
+    /// or the options were all given.
+    pub fn tuning(&self) -> Option<&Tuning> {
+        self.tuning.as_ref()
+    }
+
+    /// Has no renderer made from now on draw as this one does, if it draws as was measured to be
+    /// fastest and not as is safest. Call it when the device is lost or hangs. Returns whether the
+    /// next one draws otherwise.
+    pub fn strike_off(&self, why: &str) -> bool {
+        let Some(tuning) = self
+            .tuning
+            .as_ref()
+            .filter(|tuning| tuning.best != tuning.safest)
+        else {
+            return false;
+        };
+        tracing::warn!("{} failed, and is not used any more: {why}", tuning.best);
+        Record::of_device(&self.gpu).strike_off(tuning, why);
+        true
     }
 
     /// Submits a frame of one avatar. Waits only when two frames are still under way. `camera` must

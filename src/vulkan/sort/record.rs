@@ -5,6 +5,7 @@ use crate::vulkan::{
     device::{
         cache,
         gpu::Gpu,
+        identity::Identity,
         sort_choice::{ATTEMPTS, Outcome, TestedVariant},
     },
     pipeline::shaders,
@@ -15,39 +16,6 @@ use std::{
     fs,
     path::{Path, PathBuf},
 };
-
-/// Everything that the record depends on. If any of it has changed, the record is ignored.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-struct Identity {
-    device: String,
-    driver: String,
-    driver_version: u32,
-    driver_uuid: [u8; 16],
-    cache_uuid: [u8; 16],
-    program: String,
-    shaders: u64,
-    subgroup_size: u32,
-    subgroup_sizes: Option<[u32; 2]>,
-    subgroup_ballot: bool,
-}
-
-impl Identity {
-    fn from_gpu(gpu: &Gpu) -> Self {
-        let probe = &gpu.probe;
-        Self {
-            device: probe.name.clone(),
-            driver: probe.driver.clone(),
-            driver_version: probe.driver_version,
-            driver_uuid: probe.driver_uuid,
-            cache_uuid: probe.cache_uuid,
-            program: env!("CARGO_PKG_VERSION").into(),
-            shaders: shaders::sort_hash(),
-            subgroup_size: probe.subgroup_size,
-            subgroup_sizes: probe.subgroup_sizes,
-            subgroup_ballot: probe.subgroup_ballot,
-        }
-    }
-}
 
 #[derive(Serialize, Deserialize)]
 struct Content {
@@ -69,7 +37,7 @@ impl Record {
         let key = gpu.probe.cache_key();
         Self {
             path: folder.map(|folder| folder.join(format!("sort-{key}.json"))),
-            identity: Identity::from_gpu(gpu),
+            identity: Identity::new(gpu, shaders::hash("sort/")),
         }
     }
 

@@ -1,7 +1,7 @@
 //! The `features` stage against the reference, element by element.
 
 use crate::common::{self, Sizes, gpu};
-use effigy::vulkan::{GpuOptions, RendererOptions};
+use effigy::vulkan::RendererOptions;
 use effigy_core::{
     avatar::{Activation, Pose},
     frame::Skip,
@@ -9,8 +9,8 @@ use effigy_core::{
     scene::Posed,
 };
 
-fn compare(options: GpuOptions) {
-    let device = gpu::open(options);
+fn compare(packed_words: Option<bool>) {
+    let device = gpu::gpu();
     let sizes = [
         Sizes::default(),
         Sizes {
@@ -49,6 +49,7 @@ fn compare(options: GpuOptions) {
         assert_eq!(avatar.networks.in_bytes(), bytes);
         let options = RendererOptions {
             skip: Skip::all() - Skip::PARTS,
+            packed_words,
             ..gpu::options([64, 64])
         };
         let frame = gpu::frame_of(&device, avatar, seed, options);
@@ -68,14 +69,11 @@ fn compare(options: GpuOptions) {
 }
 
 fn every_parts_network_gives_what_the_reference_gives() {
-    compare(GpuOptions::headless(None));
+    compare(None);
 }
 
 fn packed_words_give_the_same_as_halves() {
-    compare(GpuOptions {
-        packed_words: true,
-        ..GpuOptions::headless(None)
-    });
+    compare(Some(true));
 }
 
 /// Joints bent far beyond what any of the training poses has them.

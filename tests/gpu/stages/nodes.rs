@@ -1,11 +1,11 @@
 //! The `nodes` stage against the reference, element by element.
 
 use crate::common::{self, Sizes, gpu};
-use effigy::vulkan::GpuOptions;
+use effigy::vulkan::RendererOptions;
 use effigy_core::io::pack::PackQuality;
 
-fn compare(options: GpuOptions) {
-    let device = gpu::open(options);
+fn compare(packed_words: Option<bool>) {
+    let device = gpu::gpu();
     let sizes = [
         Sizes::default(),
         Sizes {
@@ -37,7 +37,11 @@ fn compare(options: GpuOptions) {
         } else {
             avatar
         };
-        let frame = gpu::frame_of(&device, avatar, seed, gpu::options([64, 64]));
+        let options = RendererOptions {
+            packed_words,
+            ..gpu::options([64, 64])
+        };
+        let frame = gpu::frame_of(&device, avatar, seed, options);
         let nodes: Vec<f64> = frame
             .gpu
             .nodes
@@ -63,14 +67,11 @@ fn compare(options: GpuOptions) {
 }
 
 fn every_node_moves_as_in_the_reference() {
-    compare(GpuOptions::headless(None));
+    compare(None);
 }
 
 fn packed_words_give_the_same_as_halves() {
-    compare(GpuOptions {
-        packed_words: true,
-        ..GpuOptions::headless(None)
-    });
+    compare(Some(true));
 }
 
 tests! {

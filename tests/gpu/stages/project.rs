@@ -2,7 +2,7 @@
 //! of what is not.
 
 use crate::common::{self, Sizes, gpu};
-use effigy::vulkan::{GpuOptions, RendererOptions};
+use effigy::vulkan::RendererOptions;
 use effigy_core::{
     avatar::Avatar,
     frame::{CullReasons, Skip, fixed_scale},
@@ -260,8 +260,8 @@ fn options(seed: u64, size: [u32; 2]) -> RendererOptions {
     }
 }
 
-fn compare(device: GpuOptions) {
-    let device = gpu::open(device);
+fn compare(packed_words: Option<bool>) {
+    let device = gpu::gpu();
     let sizes = [
         Sizes::default(),
         Sizes {
@@ -289,12 +289,12 @@ fn compare(device: GpuOptions) {
     for (seed, sizes) in (0..).zip(sizes) {
         // Every Gaussian, and every second, fourth or eighth.
         for level in [0, [1, 2, 3, 1][seed as usize]] {
-            check(&gpu::frame(
-                &device,
-                seed,
-                sizes,
-                gpu::at_level(options(seed, [500, 300]), level),
-            ));
+            let options = RendererOptions {
+                packed_words,
+                ..options(seed, [500, 300])
+            };
+            let options = gpu::at_level(options, level);
+            check(&gpu::frame(&device, seed, sizes, options));
         }
     }
 }
@@ -343,14 +343,11 @@ fn packed_avatars_land_where_the_reference_puts_them() {
 }
 
 fn every_gaussian_lands_where_the_reference_puts_it() {
-    compare(GpuOptions::headless(None));
+    compare(None);
 }
 
 fn packed_words_give_the_same_as_halves() {
-    compare(GpuOptions {
-        packed_words: true,
-        ..GpuOptions::headless(None)
-    });
+    compare(Some(true));
 }
 
 /// An avatar with adversarial Gaussians: faint, opaque, needles and sheets, zero-ish and huge.

@@ -1,7 +1,7 @@
 //! The `harmonics` stage and static avatars on the device, against the reference.
 
 use crate::common::{self, Random, Sizes, f16s, gpu};
-use effigy::vulkan::{GpuOptions, Renderer};
+use effigy::vulkan::{Renderer, RendererOptions};
 use effigy_core::{
     avatar::{Avatar, Parts, Pose, ShCoefficients},
     frame::report::STAGES,
@@ -72,8 +72,12 @@ fn check(what: &str, frame: &gpu::Frame) {
     }
 }
 
-fn compare(options: GpuOptions) {
-    let device = gpu::open(options);
+fn compare(packed_words: Option<bool>) {
+    let device = gpu::gpu();
+    let options = RendererOptions {
+        packed_words,
+        ..gpu::options([120, 90])
+    };
     for degree in 1..=3 {
         for gaussians in [1, 63, 3000] {
             let avatar = still(gaussians as u64, gaussians, degree);
@@ -83,21 +87,18 @@ fn compare(options: GpuOptions) {
             let camera = gpu::camera(&avatar, &posed, [120, 90]);
             check(
                 &format!("degree {degree}"),
-                &gpu::draw(&device, avatar, posed, camera, gpu::options([120, 90])),
+                &gpu::draw(&device, avatar, posed, camera, options),
             );
         }
     }
 }
 
 fn every_colour_is_the_references() {
-    compare(GpuOptions::headless(None));
+    compare(None);
 }
 
 fn packed_words_give_the_same_as_halves() {
-    compare(GpuOptions {
-        packed_words: true,
-        ..GpuOptions::headless(None)
-    });
+    compare(Some(true));
 }
 
 fn avatars_that_move_inside_may_have_harmonics_too() {

@@ -61,11 +61,11 @@ fn more_of_every_category_is_drawn_within_its_bounds() {
     cases(1, GpuOptions::headless(None), 1..3);
 }
 
-fn packed_words_are_as_stable() {
+fn the_least_device_is_as_stable() {
     cases(
         2,
         GpuOptions {
-            packed_words: true,
+            baseline: true,
             ..GpuOptions::headless(None)
         },
         0..1,
@@ -275,7 +275,7 @@ fn views_that_are_no_numbers_are_answered_with_one_sentence() {
 tests! {
     every_category_is_drawn_within_its_bounds,
     more_of_every_category_is_drawn_within_its_bounds,
-    packed_words_are_as_stable,
+    the_least_device_is_as_stable,
     features_stay_finite_whatever_the_weights,
     cases_are_as_hard_as_they_say: no_device,
     what_light_passes_hides_nothing: no_device,

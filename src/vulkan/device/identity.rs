@@ -1,0 +1,41 @@
+//! What a remembered measurement depends on: the device, its driver, and the program's shaders.
+
+use super::gpu::Gpu;
+use serde::{Deserialize, Serialize};
+
+/// Everything that a measurement on a device depends on. If any of it has changed, what is
+/// remembered is ignored.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Identity {
+    device: String,
+    driver: String,
+    driver_version: u32,
+    driver_uuid: [u8; 16],
+    cache_uuid: [u8; 16],
+    program: String,
+    shaders: u64,
+    subgroup_size: u32,
+    subgroup_sizes: Option<[u32; 2]>,
+    subgroup_ballot: bool,
+    half_storage: bool,
+}
+
+impl Identity {
+    /// `shaders`: a hash of the modules that were measured.
+    pub fn new(gpu: &Gpu, shaders: u64) -> Self {
+        let probe = &gpu.probe;
+        Self {
+            device: probe.name.clone(),
+            driver: probe.driver.clone(),
+            driver_version: probe.driver_version,
+            driver_uuid: probe.driver_uuid,
+            cache_uuid: probe.cache_uuid,
+            program: env!("CARGO_PKG_VERSION").into(),
+            shaders,
+            subgroup_size: probe.subgroup_size,
+            subgroup_sizes: probe.subgroup_sizes,
+            subgroup_ballot: probe.subgroup_ballot,
+            half_storage: gpu.half_storage,
+        }
+    }
+}

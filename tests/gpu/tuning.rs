@@ -1,0 +1,666 @@
+//! Ways to draw, chosen by measuring: drivers that fail in every way while candidates are tried,
+//! what is remembered of them, and trials by real frames.
+
+use crate::common::{self, Sizes, gpu};
+use effigy::vulkan::{
+    Error, Gpu, GpuOptions, Renderer, RendererOptions, Result, cache,
+    trials::{RendererTrials, TrialScene, TuningTask},
+    tuning::{
+        Axis, Candidate, Choices, FramePair, Outcome, Record, Tournament, TrialImage, Trials,
+        Tuning, Workload,
+    },
+};
+use effigy_core::{
+    avatar::{Avatar, Pose},
+    frame::{ColorFormat, RasterMethod, SortVariant, TileKernel},
+    scene::{FrameImage, Posed},
+};
+use std::{
+    fs,
+    panic::{AssertUnwindSafe, catch_unwind},
+    path::{Path, PathBuf},
+    sync::Arc,
+};
+
+const SAFEST: Candidate = Candidate {
+    method: RasterMethod::Quads,
+    kernel: TileKernel::Shared,
+    depth: false,
+    color: ColorFormat::Rgba16F,
+    sort: SortVariant::ReduceThenScan,
+    packed_words: false,
+};
+const TESTED: Candidate = Candidate {
+    depth: true,
+    ..SAFEST
+};
+const TILES: Candidate = Candidate {
+    method: RasterMethod::Tiles,
+    color: ColorFormat::Rgba8,
+    ..SAFEST
+};
+
+/// What a driver does with candidates that differ from the safest in one respect.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Fault {
+    /// It ends the program while it compiles.
+    Dies,
+    /// It loses the device with the first frame.
+    Loses,
+    /// Its first frame never ends.
+    Hangs,
+    /// Its images have a hole.
+    Miscompiles,
+    /// It refuses the kernel.
+    Refuses,
+}
+
+/// A driver that takes 10 ms for a frame, and more or less with some candidates.
+#[derive(Clone)]
+struct Driver<'a> {
+    /// Times of a frame by that of the safest, for candidates that hold.
+    speeds: &'a [(fn(&Candidate) -> bool, f64)],
+    /// Which candidates it fails with, and how.
+    fault: Option<(fn(&Candidate) -> bool, Fault)>,
+    /// The record, to be looked at while kernels are compiled.
+    file: PathBuf,
+    is_cpu: bool,
+    opened: usize,
+    ms: f64,
+}
+
+impl Driver<'_> {
+    fn frame_ms(&self, candidate: &Candidate) -> f64 {
+        let factors = self.speeds.iter().filter(|(holds, _)| holds(candidate));
+        10.0 * factors.map(|(_, factor)| factor).product::<f64>()
+    }
+
+    fn fault(&self, candidate: &Candidate) -> Option<Fault> {
+        let (holds, fault) = self.fault?;
+        holds(candidate).then_some(fault)
+    }
+}
+
+impl Trials for Driver<'_> {
+    type Renderer = Candidate;
+
+    fn open(&mut self, candidate: &Candidate) -> Result<Candidate> {
+        self.opened += 1;
+        match self.fault(candidate) {
+            Some(Fault::Dies) => {
+                let text = fs::read_to_string(&self.file).unwrap();
+                let record: serde_json::Value = serde_json::from_str(&text).unwrap();
+                let trying: Candidate =
+                    serde_json::from_value(record["trying"]["candidate"].clone()).unwrap();
+                assert_eq!(trying, *candidate, "on disk before it is compiled");
+                panic!("the driver ends the program");
+            }
+            Some(Fault::Refuses) => Err(Error::Overlay("the kernel is not compiled".into())),
+            _ => Ok(*candidate),
+        }
+    }
+
+    fn image(&mut self, candidate: &mut Candidate) -> Result<TrialImage> {
+        let mut image = FrameImage {
+            size: [10, 10],
+            pixels: vec![[0.5, 0.4, 0.3, 1.0]; 100],
+        };
+        match self.fault(candidate) {
+            Some(Fault::Loses) => return Err(Error::DeviceLost("a test")),
+            Some(Fault::Hangs) => {
+                return Err(Error::Timeout {
+                    what: "a test",
+                    seconds: 1,
+                });
+            }
+            Some(Fault::Miscompiles) => image.pixels[7] = [0.0; 4],
+            _ => {}
+        }
+        let ms = self.frame_ms(candidate);
+        self.ms += ms;
+        Ok(TrialImage { image, ms })
+    }
+
+    fn pair(
+        &mut self,
+        best: &mut Candidate,
+        candidate: &mut Candidate,
+        number: usize,
+    ) -> Result<FramePair> {
+        // Its clock rises, and every third frame is disturbed.
+        let clock = 1.0 - 0.05 * number as f64;
+        let disturbed = if number % 3 == 1 { 1.4 } else { 1.0 };
+        let pair = FramePair {
+            best: clock * self.frame_ms(best),
+            candidate: clock * disturbed * self.frame_ms(candidate),
+        };
+        self.ms += pair.best + pair.candidate;
+        Ok(pair)
+    }
+
+    fn is_cpu(&self) -> bool {
+        self.is_cpu
+    }
+}
+
+/// A folder for a record, and a driver.
+struct Bench<'a> {
+    folder: tempfile::TempDir,
+    gpu: Arc<Gpu>,
+    driver: Driver<'a>,
+}
+
+impl<'a> Bench<'a> {
+    fn new(speeds: &'a [(fn(&Candidate) -> bool, f64)]) -> Self {
+        let folder = tempfile::tempdir().unwrap();
+        let gpu = gpu::gpu();
+        // The record's name is its own business.
+        Record::new(&gpu, Some(folder.path())).strike_off(
+            &tuning_of(&workload(1), &gpu, folder.path()),
+            "so that there is a file",
+        );
+        let file = only_file(folder.path());
+        fs::remove_file(&file).unwrap();
+        let driver = Driver {
+            speeds,
+            fault: None,
+            file,
+            is_cpu: false,
+            opened: 0,
+            ms: 0.0,
+        };
+        Self {
+            folder,
+            gpu,
+            driver,
+        }
+    }
+
+    fn failing(mut self, fault: Fault, holds: fn(&Candidate) -> bool) -> Self {
+        self.driver.fault = Some((holds, fault));
+        self
+    }
+
+    fn record(&self) -> Record {
+        Record::new(&self.gpu, Some(self.folder.path()))
+    }
+
+    fn run_with(&mut self, gaussians: usize, budget_ms: f64) -> Result<Tuning> {
+        let record = Record::new(&self.gpu, Some(self.folder.path()));
+        let tournament = Tournament {
+            workload: workload(gaussians),
+            safest: SAFEST,
+            choices: choices(),
+            budget_ms,
+            record: &record,
+        };
+        tournament.run(&mut self.driver, &mut |_| {})
+    }
+
+    fn run(&mut self) -> Result<Tuning> {
+        self.run_with(1000, f64::INFINITY)
+    }
+}
+
+fn choices() -> Choices {
+    Choices {
+        rasters: vec![SAFEST, TESTED, TILES],
+        fixed_color: None,
+        sorts: vec![SortVariant::ReduceThenScan, SortVariant::OneSweep],
+        both_storages: true,
+    }
+}
+
+fn workload(gaussians: usize) -> Workload {
+    let sizes = Sizes {
+        gaussians,
+        ..Sizes::default()
+    };
+    Workload::new(&common::avatar(1, sizes), &RendererOptions::new([64, 64]))
+}
+
+/// A tuning that nothing was tried of.
+fn tuning_of(workload: &Workload, gpu: &Gpu, folder: &Path) -> Tuning {
+    let record = Record::new(gpu, Some(&folder.join("nowhere").join("nothing")));
+    let none = Choices {
+        rasters: Vec::new(),
+        fixed_color: Some(ColorFormat::Rgba8),
+        sorts: Vec::new(),
+        both_storages: false,
+    };
+    let tournament = Tournament {
+        workload: workload.clone(),
+        safest: SAFEST,
+        choices: none,
+        budget_ms: 0.0,
+        record: &record,
+    };
+    let mut driver = Driver {
+        speeds: &[],
+        fault: None,
+        file: PathBuf::new(),
+        is_cpu: false,
+        opened: 0,
+        ms: 0.0,
+    };
+    tournament.run(&mut driver, &mut |_| {}).unwrap()
+}
+
+fn only_file(folder: &Path) -> PathBuf {
+    let mut files: Vec<PathBuf> = fs::read_dir(folder)
+        .unwrap()
+        .map(|entry| entry.unwrap().path())
+        .filter(|path| path.is_file())
+        .collect();
+    assert_eq!(files.len(), 1, "{files:?}");
+    files.remove(0)
+}
+
+fn outcome<'a>(tuning: &'a Tuning, holds: fn(&Candidate) -> bool) -> &'a Outcome {
+    let mut tried = tuning.tried.iter();
+    &tried
+        .find(|tried| holds(&tried.candidate))
+        .unwrap_or_else(|| panic!("not tried: {tuning:#?}"))
+        .outcome
+}
+
+fn is_tested(candidate: &Candidate) -> bool {
+    candidate.depth
+}
+
+fn is_tiles(candidate: &Candidate) -> bool {
+    candidate.method == RasterMethod::Tiles
+}
+
+fn is_onesweep(candidate: &Candidate) -> bool {
+    candidate.sort == SortVariant::OneSweep
+}
+
+fn is_small(candidate: &Candidate) -> bool {
+    candidate.color == ColorFormat::Rgba8
+}
+
+fn the_fastest_of_every_axis_is_found() {
+    let mut bench = Bench::new(&[(is_tested, 0.7), (is_tiles, 0.8), (is_onesweep, 0.9)]);
+    let tuning = bench.run().unwrap();
+    assert_eq!(
+        tuning.best,
+        Candidate {
+            sort: SortVariant::OneSweep,
+            ..TESTED
+        }
+    );
+    assert!(tuning.is_done());
+    // Quads of the other format, tiles, another sort, words: each once.
+    assert_eq!(tuning.tried.len(), 5, "{tuning:#?}");
+    assert!(
+        tuning.reason().contains("the fastest of 6"),
+        "{}",
+        tuning.reason()
+    );
+    let opened = bench.driver.opened;
+    assert_eq!(bench.run().unwrap(), tuning, "nothing is tried again");
+    assert_eq!(bench.driver.opened, opened);
+}
+
+fn what_is_faster_by_less_than_the_noise_is_not_taken() {
+    let mut bench = Bench::new(&[(is_tested, 0.99), (is_tiles, 0.995)]);
+    assert_eq!(bench.run().unwrap().best, SAFEST);
+}
+
+fn what_is_far_slower_gets_one_pair_of_frames() {
+    let mut bench = Bench::new(&[(is_tested, 4.0), (is_tiles, 1.3)]);
+    let tuning = bench.run().unwrap();
+    let frames = |holds| match outcome(&tuning, holds) {
+        Outcome::Timed(timing) => timing.frames,
+        outcome => panic!("{outcome}"),
+    };
+    assert_eq!(frames(is_tested), 1);
+    assert_eq!(frames(is_tiles), 3);
+    assert_eq!(tuning.best, SAFEST);
+}
+
+fn a_wrong_image_is_never_drawn_however_fast() {
+    let mut bench =
+        Bench::new(&[(is_tiles, 0.1), (is_tested, 0.9)]).failing(Fault::Miscompiles, is_tiles);
+    let tuning = bench.run().unwrap();
+    assert_eq!(tuning.best, TESTED);
+    assert!(
+        matches!(outcome(&tuning, is_tiles), Outcome::Refused(why) if why.contains("wrong")),
+        "{tuning:#?}"
+    );
+}
+
+fn a_kernel_that_is_not_compiled_costs_only_itself() {
+    let mut bench =
+        Bench::new(&[(is_tested, 0.5), (is_small, 0.9)]).failing(Fault::Refuses, is_tested);
+    let tuning = bench.run().unwrap();
+    assert!(matches!(outcome(&tuning, is_tested), Outcome::Refused(_)));
+    assert!(is_small(&tuning.best), "the others are tried: {tuning:#?}");
+}
+
+fn a_candidate_that_loses_or_hangs_the_device_is_tried_once() {
+    for fault in [Fault::Loses, Fault::Hangs] {
+        let mut bench = Bench::new(&[(is_tested, 0.5), (is_tiles, 0.6)]).failing(fault, is_tested);
+        let error = bench.run().unwrap_err();
+        println!("{fault:?}: {error}");
+        // The next start.
+        let tuning = bench.run().unwrap();
+        assert!(
+            matches!(outcome(&tuning, is_tested), Outcome::Refused(_)),
+            "{fault:?}: {tuning:#?}"
+        );
+        assert!(is_tiles(&tuning.best), "the others are tried");
+        // Another avatar: it is the device that it brought down.
+        let other = bench.run_with(100_000, f64::INFINITY).unwrap();
+        assert!(matches!(outcome(&other, is_tested), Outcome::Refused(_)));
+        assert!(
+            bench
+                .record()
+                .refusal(Axis::Raster, &TESTED)
+                .is_some_and(|why| !why.is_empty())
+        );
+    }
+}
+
+fn a_busy_cpu_refuses_nothing_for_good() {
+    let mut bench = Bench::new(&[(is_tiles, 0.6)]).failing(Fault::Hangs, is_tested);
+    bench.driver.is_cpu = true;
+    assert!(bench.run().is_err());
+    let tuning = bench.run().unwrap();
+    assert!(matches!(outcome(&tuning, is_tested), Outcome::Untried(_)));
+    assert_eq!(bench.record().refusal(Axis::Raster, &TESTED), None);
+}
+
+fn a_driver_that_ends_the_program_strikes_the_candidate_off() {
+    let mut bench =
+        Bench::new(&[(is_tested, 0.5), (is_tiles, 0.6)]).failing(Fault::Dies, is_tested);
+    for start in 0..2 {
+        let ended = catch_unwind(AssertUnwindSafe(|| bench.run()));
+        assert!(ended.is_err(), "start {start}: the user may have ended it");
+    }
+    let tuning = bench.run().unwrap();
+    assert!(
+        matches!(outcome(&tuning, is_tested), Outcome::Refused(why) if why.contains("ended")),
+        "{tuning:#?}"
+    );
+    assert!(is_tiles(&tuning.best));
+    let other = bench.run_with(100_000, f64::INFINITY).unwrap();
+    assert!(matches!(outcome(&other, is_tested), Outcome::Refused(_)));
+}
+
+fn a_best_that_fails_gives_way_to_the_safest() {
+    let mut bench = Bench::new(&[(is_tested, 0.5)]);
+    // Before anything but the raster method was measured.
+    let tuning = bench.run_with(1000, 200.0).unwrap();
+    assert!(is_tested(&tuning.best) && !tuning.is_done(), "{tuning:#?}");
+    let mut bench = bench.failing(Fault::Refuses, is_tested);
+    let tuning = bench.run().unwrap();
+    assert!(!is_tested(&tuning.best), "{tuning:#?}");
+    assert!(tuning.is_done());
+    assert!(matches!(outcome(&tuning, is_tested), Outcome::Refused(_)));
+}
+
+fn a_start_takes_no_longer_than_its_budget() {
+    let speeds: &[(fn(&Candidate) -> bool, f64)] =
+        &[(is_tested, 0.7), (is_tiles, 0.8), (is_onesweep, 0.9)];
+    let at_once = Bench::new(speeds).run().unwrap();
+    let mut bench = Bench::new(speeds);
+    let budget = 60.0;
+    let mut starts = 0;
+    loop {
+        starts += 1;
+        assert!(starts < 50, "it never ends");
+        let before = bench.driver.ms;
+        let tuning = bench.run_with(1000, budget).unwrap();
+        let spent = bench.driver.ms - before;
+        assert!(spent < budget + 40.0, "start {starts}: {spent} ms");
+        if tuning.is_done() {
+            assert_eq!(tuning.best, at_once.best);
+            break;
+        }
+    }
+    assert!(starts > 4, "{starts} starts");
+}
+
+fn a_damaged_or_old_record_is_measured_again() {
+    let mut bench = Bench::new(&[(is_tested, 0.7)]);
+    let tuning = bench.run().unwrap();
+    let file = only_file(bench.folder.path());
+    let text = fs::read_to_string(&file).unwrap();
+    let version = env!("CARGO_PKG_VERSION");
+    let damaged = [
+        text[..text.len() / 2].to_owned(),
+        String::new(),
+        "{}".into(),
+        text.replace("driver_version\": ", "driver_version\": 1"),
+        text.replace(&format!("\"program\": \"{version}\""), "\"program\": \"0\""),
+        text.replace("\"shaders\": ", "\"shaders\": 1"),
+        text.replace("\"device\": \"", "\"device\": \"another "),
+    ];
+    for damaged in damaged {
+        assert_ne!(damaged, text);
+        fs::write(&file, &damaged).unwrap();
+        assert_eq!(bench.record().tuning(&tuning.workload), None);
+        let opened = bench.driver.opened;
+        assert_eq!(bench.run().unwrap(), tuning);
+        assert!(bench.driver.opened > opened);
+    }
+}
+
+fn a_workload_is_what_decides_speed() {
+    let options = RendererOptions::new([1000, 1000]);
+    let avatar = |gaussians| {
+        common::avatar(
+            1,
+            Sizes {
+                gaussians,
+                ..Sizes::default()
+            },
+        )
+    };
+    let base = Workload::new(&avatar(4000), &options);
+    let like =
+        |size, gaussians| Workload::new(&avatar(gaussians), &RendererOptions { size, ..options });
+    assert_eq!(base, like([1100, 1000], 3500), "a little more of anything");
+    assert_ne!(base, like([2000, 1000], 4000));
+    assert_ne!(base, like([1000, 1000], 8000));
+    let fixed = RendererOptions {
+        method: Some(RasterMethod::Tiles),
+        ..options
+    };
+    assert_ne!(base, Workload::new(&avatar(4000), &fixed));
+    assert!(Workload::is_open(&fixed));
+    assert!(!Workload::is_open(&SAFEST.apply(options)));
+}
+
+fn small() -> Avatar {
+    common::avatar(
+        3,
+        Sizes {
+            gaussians: 3000,
+            ..Sizes::default()
+        },
+    )
+}
+
+fn task<'a>(avatar: &'a Avatar, scenes: &'a [TrialScene]) -> TuningTask<'a> {
+    TuningTask {
+        avatar,
+        options: RendererOptions::new(SIZE),
+        scenes,
+        budget_ms: f64::INFINITY,
+    }
+}
+
+const SIZE: [u32; 2] = [192, 160];
+
+fn scenes(avatar: &Avatar) -> Vec<TrialScene> {
+    let joints = avatar.skeleton.len();
+    let posed = Posed::new(avatar, &Pose::rest(joints, avatar.inputs.expression));
+    TrialScene::around(avatar, &[posed], SIZE)
+}
+
+fn every_candidate_of_this_device_is_right() {
+    let device = gpu::gpu();
+    let avatar = small();
+    let scenes = scenes(&avatar);
+    let folder = tempfile::tempdir().unwrap();
+    let record = Record::new(&device, Some(folder.path()));
+    let mut tried = Vec::new();
+    let tuning = task(&avatar, &scenes)
+        .run(&device, &record, &mut |candidate| tried.push(*candidate))
+        .unwrap();
+    for tried in &tuning.tried {
+        println!("{}: {}", tried.candidate, tried.outcome);
+        // RGBA8 rounds every blended layer.
+        let may_be_wrong = tried.candidate.method == RasterMethod::Quads
+            && tried.candidate.color == ColorFormat::Rgba8;
+        assert!(
+            matches!(tried.outcome, Outcome::Timed(_)) || may_be_wrong,
+            "{}: {}",
+            tried.candidate,
+            tried.outcome
+        );
+    }
+    assert_eq!(tried.len(), tuning.tried.len());
+    assert!(tuning.is_done());
+    assert_eq!(record.tuning(&tuning.workload), Some(tuning));
+}
+
+fn a_real_device_that_is_lost_in_a_trial_is_opened_again() {
+    /// Loses a real device once it has drawn with tiles for CPUs.
+    struct Losing<'a>(RendererTrials<'a>);
+
+    impl Trials for Losing<'_> {
+        type Renderer = Renderer;
+
+        fn open(&mut self, candidate: &Candidate) -> Result<Renderer> {
+            self.0.open(candidate)
+        }
+
+        fn image(&mut self, renderer: &mut Renderer) -> Result<TrialImage> {
+            self.0.image(renderer)
+        }
+
+        fn pair(
+            &mut self,
+            best: &mut Renderer,
+            candidate: &mut Renderer,
+            number: usize,
+        ) -> Result<FramePair> {
+            let pair = self.0.pair(best, candidate, number)?;
+            if candidate.options().kernel == Some(TileKernel::Shared) {
+                return Err(Error::DeviceLost("a test"));
+            }
+            Ok(pair)
+        }
+
+        fn is_cpu(&self) -> bool {
+            false
+        }
+    }
+
+    let avatar = small();
+    let scenes = scenes(&avatar);
+    let task = task(&avatar, &scenes);
+    let folder = tempfile::tempdir().unwrap();
+    let is_shared = |candidate: &Candidate| {
+        candidate.method == RasterMethod::Tiles && candidate.kernel == TileKernel::Shared
+    };
+    let mut lost = 0;
+    for _ in 0..3 {
+        let device = Gpu::new(&GpuOptions::headless(None)).unwrap();
+        let record = Record::new(&device, Some(folder.path()));
+        let mut trials = Losing(RendererTrials { gpu: &device, task });
+        let tournament = task.tournament(&device, &record).unwrap();
+        match tournament.run(&mut trials, &mut |_| {}) {
+            Ok(tuning) => {
+                assert!(!is_shared(&tuning.best));
+                assert!(matches!(outcome(&tuning, is_shared), Outcome::Refused(_)));
+                let options = tuning.best.apply(task.options);
+                let mut renderer = Renderer::new(&device, &avatar, options).unwrap();
+                let scene = &scenes[0];
+                renderer.draw(&scene.poses[0], &scene.camera, None).unwrap();
+                assert!(
+                    renderer
+                        .read_image()
+                        .unwrap()
+                        .pixels
+                        .iter()
+                        .any(|p| p[3] > 0.5)
+                );
+            }
+            Err(error) => {
+                lost += 1;
+                println!("{error}");
+            }
+        }
+    }
+    assert_eq!(lost, 1, "it is tried once");
+}
+
+fn renderers_draw_as_was_measured_and_drop_what_fails() {
+    let folder = tempfile::tempdir().unwrap();
+    cache::set_folder(folder.path().to_owned());
+    // Without subgroups, whatever the device has.
+    let device = gpu::open(GpuOptions {
+        baseline: true,
+        ..GpuOptions::headless(None)
+    });
+    let avatar = small();
+    let scenes = scenes(&avatar);
+    let task = task(&avatar, &scenes);
+    let fresh = Renderer::new(&device, &avatar, task.options).unwrap();
+    assert_eq!(fresh.tuning(), None);
+    let tuning = task
+        .run(&device, &Record::of_device(&device), &mut |_| {})
+        .unwrap();
+    let tuned = Renderer::new(&device, &avatar, task.options).unwrap();
+    assert_eq!(tuned.tuning(), Some(&tuning));
+    assert_eq!(tuned.options().method, Some(tuning.best.method));
+    assert_eq!(tuned.options().sort, Some(tuning.best.sort));
+    // A best that this device can't draw with, as after a change that no version tells.
+    let files = fs::read_dir(folder.path()).unwrap();
+    let mut records = files
+        .map(|file| file.unwrap().path())
+        .filter(|path| path.to_string_lossy().contains("tuning"));
+    let file = records.next().unwrap();
+    let mut content: serde_json::Value =
+        serde_json::from_str(&fs::read_to_string(&file).unwrap()).unwrap();
+    content["tunings"][0]["best"]["method"] = "Tiles".into();
+    content["tunings"][0]["best"]["kernel"] = "Cooperative".into();
+    fs::write(&file, content.to_string()).unwrap();
+    let mut renderer = Renderer::new(&device, &avatar, task.options).unwrap();
+    assert_eq!(renderer.options().kernel, fresh.options().kernel);
+    let scene = &scenes[0];
+    renderer.draw(&scene.poses[0], &scene.camera, None).unwrap();
+    assert!(renderer.read_image().is_ok());
+    let record = Record::of_device(&device);
+    let after = record.tuning(&tuning.workload).unwrap();
+    assert_eq!(after.best, after.safest);
+    let cooperative = Candidate {
+        method: RasterMethod::Tiles,
+        kernel: TileKernel::Cooperative,
+        ..tuning.safest
+    };
+    assert!(record.refusal(Axis::Raster, &cooperative).is_some());
+}
+
+tests! {
+    the_fastest_of_every_axis_is_found,
+    what_is_faster_by_less_than_the_noise_is_not_taken,
+    what_is_far_slower_gets_one_pair_of_frames,
+    a_wrong_image_is_never_drawn_however_fast,
+    a_kernel_that_is_not_compiled_costs_only_itself,
+    a_candidate_that_loses_or_hangs_the_device_is_tried_once,
+    a_busy_cpu_refuses_nothing_for_good,
+    a_driver_that_ends_the_program_strikes_the_candidate_off,
+    a_best_that_fails_gives_way_to_the_safest,
+    a_start_takes_no_longer_than_its_budget,
+    a_damaged_or_old_record_is_measured_again,
+    a_workload_is_what_decides_speed: no_device,
+    every_candidate_of_this_device_is_right,
+    a_real_device_that_is_lost_in_a_trial_is_opened_again,
+    renderers_draw_as_was_measured_and_drop_what_fails: own_process,
+}
