@@ -7,7 +7,7 @@
 #include "common/depth_key.glsl"
 #include "project/pose_cache.glsl"
 
-layout(local_size_x = PROJECT_WORKGROUP) in;
+WORKGROUP(3, PROJECT_WORKGROUP)
 layout(std430, set = 0, binding = 1) readonly buffer PoseBuffer { uvec2 pose[]; };
 layout(std430, set = 0, binding = 2) buffer Splats { uint words[]; };
 #include "project/projection.glsl"

@@ -19,7 +19,7 @@ PARAMETER(2, uint, COUNTS_AT, 0u)
 #include "project/culled.glsl"
 #include "common/pose.glsl"
 
-shared uint workgroup_keys[PROJECT_WORKGROUP];
+shared uint workgroup_keys[WORKGROUP_SIZE(PROJECT_WORKGROUP)];
 
 // Whether a square of the image is entirely behind the occluder, by half a texel to spare since a
 // texel's depth is that of its middle. `center` and `radius`: px. `depth`: 1 less the key.

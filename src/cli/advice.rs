@@ -110,6 +110,7 @@ fn for_webgpu(error: &webgpu::Error) -> Option<&'static str> {
         E::ImageSize { .. } => Some("choose another size with --size"),
         E::KeyBits(_) => Some("leave out --keys, or draw with --backend vulkan"),
         E::Sort => Some("leave out --sort, or draw with --backend vulkan"),
+        E::Workgroup(_) => Some("leave out --workgroup, or draw with --backend vulkan"),
         E::TileKernel(_) => Some("write --raster tiles, or draw with --backend vulkan"),
         _ => None,
     }

@@ -13,6 +13,7 @@ use effigy::vulkan::{
 };
 use effigy_core::{
     frame::Skip,
+    layout::PROJECT_WORKGROUPS,
     scene::{Camera, Detail},
 };
 use effigy_runtime::trace::Trace;
@@ -136,6 +137,10 @@ pub struct QualityArgs {
     /// Sort variant
     #[arg(long, value_enum, default_value_t = SortArg::Auto)]
     pub sort: SortArg,
+    /// Invocations of a workgroup of the project stage: 32, 64 or 128 [default: what was measured to
+    /// be fastest on the device]
+    #[arg(long, value_name = "N", value_parser = workgroup)]
+    pub workgroup: Option<u32>,
     /// Work to skip where the scene does not need it: all, none, or names separated by commas
     /// [default: as the preset says]
     #[arg(long, value_name = "NAME,NAME")]
@@ -171,6 +176,7 @@ impl QualityArgs {
             method: self.raster.method(),
             kernel: self.raster.kernel(),
             sort: self.sort.into(),
+            workgroup: self.workgroup,
             skip: self.skip.unwrap_or(preset.skip),
             cutoff: self.cutoff.map_or(preset.cutoff, |n| n / 255.0),
             margin: self.margin.map_or(preset.margin, |mm| mm / 1e3),
@@ -183,6 +189,17 @@ impl QualityArgs {
 /// Reads `--cutoff`, 255ths.
 fn cutoff(text: &str) -> Result<f64, String> {
     number(text, 1.0, 255.0, "cutoff")
+}
+
+/// Reads `--workgroup`.
+fn workgroup(text: &str) -> Result<u32, String> {
+    let size = text
+        .parse()
+        .ok()
+        .filter(|size| PROJECT_WORKGROUPS.contains(size));
+    size.ok_or_else(|| {
+        format!("`{text}` is not a workgroup's size: write one of {PROJECT_WORKGROUPS:?}")
+    })
 }
 
 /// Reads a length of 0 or more.
@@ -216,7 +233,7 @@ impl From<ColorArg> for ColorFormat {
 /// [`RasterMethod`] and [`TileKernel`] as an argument.
 #[derive(Clone, Copy, Debug, ValueEnum)]
 pub enum RasterArg {
-    /// The faster one for the kind of device
+    /// What was measured to be fastest on the device
     Auto,
     /// Quads through the device's blender, far to near
     #[value(alias = "hulls")]

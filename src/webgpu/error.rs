@@ -57,6 +57,9 @@ pub enum Error {
     /// The options ask for another kernel of the tile rasterizer than the per-thread one.
     #[error("the WebGPU backend has the per-thread tile kernel, not the {0} one")]
     TileKernel(&'static str),
+    /// The options ask for workgroups of another size than the shaders have.
+    #[error("the WebGPU backend has workgroups of 64 in the project stage, not of {0}")]
+    Workgroup(u32),
     /// The device was lost or closed, for the reason given.
     #[error("the device was lost: {0}")]
     DeviceLost(String),

@@ -9,6 +9,7 @@ use crate::quirks::draws_triangles;
 use effigy_core::{
     avatar::Avatar,
     frame::{KeyBits, RasterMethod, RendererOptions, Skip, SortVariant, TileKernel, state},
+    layout::PROJECT_WORKGROUP,
 };
 
 /// Options with every open choice made for a device, and without skips that this backend or the
@@ -40,6 +41,8 @@ pub fn resolved(gpu: &Gpu, options: RendererOptions) -> RendererOptions {
         kernel: Some(options.kernel.unwrap_or(TileKernel::PerThread)),
         key_bits: Some(options.key_bits.unwrap_or(KeyBits::Sixteen)),
         sort: Some(sort),
+        packed_words: Some(true),
+        workgroup: Some(PROJECT_WORKGROUP),
         skip,
         ..options
     }
@@ -62,6 +65,9 @@ pub fn accepted(gpu: &Gpu, avatar: &Avatar, options: RendererOptions) -> Result<
         .filter(|kernel| *kernel != TileKernel::PerThread)
     {
         return Err(Error::TileKernel(kernel.name()));
+    }
+    if let Some(size) = options.workgroup.filter(|size| *size != PROJECT_WORKGROUP) {
+        return Err(Error::Workgroup(size));
     }
     let keys =
         options.instances as u64 * u64::from(state::padded_count(avatar.gaussians.len() as u32));

@@ -29,6 +29,7 @@ const SAFEST: Candidate = Candidate {
     color: ColorFormat::Rgba16F,
     sort: SortVariant::ReduceThenScan,
     packed_words: false,
+    workgroup: 64,
 };
 const TESTED: Candidate = Candidate {
     depth: true,
@@ -208,6 +209,7 @@ fn choices() -> Choices {
         fixed_color: None,
         sorts: vec![SortVariant::ReduceThenScan, SortVariant::OneSweep],
         both_storages: true,
+        workgroups: vec![64, 128],
     }
 }
 
@@ -227,6 +229,7 @@ fn tuning_of(workload: &Workload, gpu: &Gpu, folder: &Path) -> Tuning {
         fixed_color: Some(ColorFormat::Rgba8),
         sorts: Vec::new(),
         both_storages: false,
+        workgroups: Vec::new(),
     };
     let tournament = Tournament {
         workload: workload.clone(),
@@ -291,10 +294,10 @@ fn the_fastest_of_every_axis_is_found() {
         }
     );
     assert!(tuning.is_done());
-    // Quads of the other format, tiles, another sort, words: each once.
-    assert_eq!(tuning.tried.len(), 5, "{tuning:#?}");
+    // Quads that are tested, tiles, another format, sort, form of f16 and workgroup: each once.
+    assert_eq!(tuning.tried.len(), 6, "{tuning:#?}");
     assert!(
-        tuning.reason().contains("the fastest of 6"),
+        tuning.reason().contains("the fastest of 7"),
         "{}",
         tuning.reason()
     );

@@ -574,6 +574,13 @@ fn options_of_the_vulkan_backend_are_refused() {
             },
             "OneSweep",
         ),
+        (
+            RendererOptions {
+                workgroup: Some(128),
+                ..options
+            },
+            "128",
+        ),
     ] {
         let error = Renderer::new(&device, &avatar, options).err().unwrap();
         assert!(error.to_string().contains(named), "{error}");

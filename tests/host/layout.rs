@@ -78,10 +78,19 @@ impl Reflection {
             .collect()
     }
 
+    /// The most that an array's length may be: one that is the workgroup's follows the host's choice.
+    fn length(&self, id: Word) -> u32 {
+        if self.types[&id].class.opcode == Op::SpecConstantOp {
+            layout::PROJECT_WORKGROUPS.into_iter().max().unwrap()
+        } else {
+            self.operand(id, 0)
+        }
+    }
+
     /// Bytes of a type of 32-bit scalars.
     fn size(&self, id: Word) -> u32 {
         match self.types[&id].class.opcode {
-            Op::TypeArray => self.size(self.operand(id, 0)) * self.operand(self.operand(id, 1), 0),
+            Op::TypeArray => self.size(self.operand(id, 0)) * self.length(self.operand(id, 1)),
             Op::TypeVector => self.size(self.operand(id, 0)) * self.operand(id, 1),
             Op::TypeInt | Op::TypeFloat => self.operand(id, 0) / 8,
             other => panic!("no shared variable should be of {other:?}"),

@@ -1,6 +1,8 @@
 //! Renderer options: everything that trades time or memory for quality.
 
 use super::{KeyBits, Skip};
+#[cfg(doc)]
+use crate::layout::PROJECT_WORKGROUPS;
 use crate::layout::{
     SORT_DIGITS, SORT_GROUP, SORT_ONESWEEP_TILE, SORT_RUNS, SORT_STATE, SORT_TILE,
 };
@@ -25,6 +27,9 @@ pub struct RendererOptions {
     /// Read f16 as words even where the device has 16-bit storage. None: where that was measured to
     /// be faster.
     pub packed_words: Option<bool>,
+    /// Invocations of a workgroup of the `project` stage: one of [`PROJECT_WORKGROUPS`]. None: as was
+    /// measured to be fastest, else 64. WebGPU has no others.
+    pub workgroup: Option<u32>,
     /// Work that may be skipped where the scene does not need it.
     pub skip: Skip,
     /// Contributions below this opacity are not drawn, at least 1/255 (docs/model.md, step 10).
@@ -56,6 +61,7 @@ impl RendererOptions {
             key_bits: None,
             sort: None,
             packed_words: None,
+            workgroup: None,
             skip: Skip::all(),
             cutoff: ALPHA_MIN,
             margin: 0.005,

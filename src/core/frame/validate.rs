@@ -4,6 +4,7 @@
 use super::{RendererOptions, Unusable};
 use crate::{
     constants::ALPHA_MIN,
+    layout::PROJECT_WORKGROUPS,
     scene::{AvatarBounds, Camera, PoseShape, Posed},
 };
 
@@ -36,6 +37,15 @@ impl RendererOptions {
                 "the number of avatars in a scene",
                 self.instances,
                 format!("a number from 1 to {MAX_INSTANCES}"),
+            ));
+        }
+        if let Some(workgroup) = self.workgroup
+            && !PROJECT_WORKGROUPS.contains(&workgroup)
+        {
+            return Err(unusable(
+                "the workgroup of the project stage",
+                workgroup,
+                format!("one of {PROJECT_WORKGROUPS:?}"),
             ));
         }
         if !(self.margin >= 0.0 && self.margin.is_finite()) {

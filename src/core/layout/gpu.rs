@@ -12,8 +12,10 @@ use bytemuck::{Pod, Zeroable};
 pub const MLP_WORKGROUP: u32 = 64;
 /// Invocations of a workgroup of the sh stage.
 pub const SH_WORKGROUP: u32 = 64;
-/// Invocations of a workgroup of the project stage.
+/// Invocations of a workgroup of the project stage, where nothing else was chosen.
 pub const PROJECT_WORKGROUP: u32 = 64;
+/// Numbers of invocations to choose from: the 128 that every Vulkan device has, and fewer.
+pub const PROJECT_WORKGROUPS: [u32; 3] = [32, PROJECT_WORKGROUP, 128];
 /// Invocations of a workgroup of the sort: the 128 that every Vulkan device has.
 pub const SORT_WORKGROUP: u32 = 128;
 /// Keys of a tile of the reduce-then-scan sort.

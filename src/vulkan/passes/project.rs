@@ -31,6 +31,8 @@ pub struct Project {
     /// None where poses are not cached.
     caching: Option<Caching>,
     counted: bool,
+    /// Invocations of a workgroup.
+    workgroup: u32,
     layout: SplatBufferLayout,
     buffer: Buffer,
 }
@@ -104,13 +106,14 @@ impl Project {
         };
         let size = layout.posed + cache_size;
         let buffer = Buffer::new(gpu, "splats", size, usage, MemoryLocation::GpuOnly)?;
+        let workgroup = options.workgroup.unwrap_or(PROJECT_WORKGROUP);
         let kernel = |module, stores: u32, storage: &[Slice]| {
             let resources = Resources {
                 uniform: Some(frame),
                 storage,
                 image: None,
             };
-            let constants = [stores, counting[0], counting[1]];
+            let constants = [stores, counting[0], counting[1], workgroup];
             Kernel::new(gpu, module, &constants, resources, Launch::default())
         };
         let all = [
@@ -131,6 +134,7 @@ impl Project {
             compute: kernel(&shaders::PROJECT, 0, &all)?,
             caching,
             counted: options.count,
+            workgroup,
             layout,
             buffer,
         })
@@ -226,7 +230,7 @@ impl Project {
             (Skinning::Cached, Some(caching)) => &caching.cached,
             _ => &self.compute,
         };
-        kernel.dispatch(commands, frame, drawn.div_ceil(PROJECT_WORKGROUP));
+        kernel.dispatch(commands, frame, drawn.div_ceil(self.workgroup));
     }
 }
 

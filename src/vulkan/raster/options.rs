@@ -1,7 +1,10 @@
 //! Resolves a renderer's options for a device.
 
 use crate::{quirks::recommended_method, vulkan::device::gpu::Gpu};
-use effigy_core::frame::{RasterMethod, RendererOptions, Skip, TileKernel};
+use effigy_core::{
+    frame::{RasterMethod, RendererOptions, Skip, TileKernel},
+    layout::PROJECT_WORKGROUP,
+};
 
 /// How a renderer with these options draws on a device.
 pub(crate) fn method(options: &RendererOptions, gpu: &Gpu) -> RasterMethod {
@@ -45,6 +48,7 @@ pub fn resolved(gpu: &Gpu, options: RendererOptions) -> RendererOptions {
         method: Some(method),
         kernel: Some(tile_kernel(&options, gpu)),
         key_bits: Some(options.keys()),
+        workgroup: Some(options.workgroup.unwrap_or(PROJECT_WORKGROUP)),
         packed_words: Some(options.packed_words.unwrap_or(!gpu.half_storage)),
         color: Some(options.color.unwrap_or_else(|| method.color())),
         skip,

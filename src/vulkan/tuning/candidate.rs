@@ -11,6 +11,7 @@ use crate::{
 use effigy_core::{
     avatar::Avatar,
     frame::{ColorFormat, RasterMethod, RendererOptions, Skip, SortVariant, TileKernel},
+    layout::{PROJECT_WORKGROUP, PROJECT_WORKGROUPS},
 };
 use serde::{Deserialize, Serialize};
 use std::fmt;
@@ -30,6 +31,8 @@ pub struct Candidate {
     pub sort: SortVariant,
     /// Whether f16 is read as words.
     pub packed_words: bool,
+    /// Invocations of a workgroup of the `project` stage.
+    pub workgroup: u32,
 }
 
 impl Candidate {
@@ -48,6 +51,7 @@ impl Candidate {
                 None => choice::without_test(gpu)?,
             },
             packed_words: resolved.packed_words == Some(true),
+            workgroup: resolved.workgroup.unwrap_or(PROJECT_WORKGROUP),
         })
     }
 
@@ -63,6 +67,7 @@ impl Candidate {
             color: Some(self.color),
             sort: Some(self.sort),
             packed_words: Some(self.packed_words),
+            workgroup: Some(self.workgroup),
             skip,
             ..options
         }
@@ -86,7 +91,12 @@ impl fmt::Display for Candidate {
         };
         let storage = if self.packed_words { "words" } else { "f16" };
         let raster = self.raster();
-        write!(f, "{raster}, {color}, {} sort, {storage}", self.sort.name())
+        write!(
+            f,
+            "{raster}, {color}, {} sort, {storage}, workgroups of {}",
+            self.sort.name(),
+            self.workgroup
+        )
     }
 }
 
@@ -101,11 +111,19 @@ pub enum Axis {
     Sort,
     /// How f16 is read.
     Storage,
+    /// Size of workgroups.
+    Workgroup,
 }
 
 impl Axis {
     /// Every axis, in the order in which they are measured: what decides most comes first.
-    pub const ALL: [Self; 4] = [Self::Raster, Self::Color, Self::Sort, Self::Storage];
+    pub const ALL: [Self; 5] = [
+        Self::Raster,
+        Self::Color,
+        Self::Sort,
+        Self::Storage,
+        Self::Workgroup,
+    ];
 
     /// Whether two candidates are the same in what the axis varies.
     pub fn is_same(self, a: &Candidate, b: &Candidate) -> bool {
@@ -114,6 +132,7 @@ impl Axis {
             Self::Color => a.color == b.color && a.method == b.method,
             Self::Sort => a.sort == b.sort,
             Self::Storage => a.packed_words == b.packed_words,
+            Self::Workgroup => a.workgroup == b.workgroup,
         }
     }
 }
@@ -129,6 +148,8 @@ pub struct Choices {
     pub sorts: Vec<SortVariant>,
     /// Whether both forms of f16 can be read, and which is left open.
     pub both_storages: bool,
+    /// Sizes of workgroups; empty where it is not left open.
+    pub workgroups: Vec<u32>,
 }
 
 impl Choices {
@@ -151,6 +172,11 @@ impl Choices {
             fixed_color: options.color,
             sorts,
             both_storages: gpu.half_storage && options.packed_words.is_none(),
+            workgroups: if options.workgroup.is_none() {
+                PROJECT_WORKGROUPS.into()
+            } else {
+                Vec::new()
+            },
         })
     }
 
@@ -164,6 +190,7 @@ impl Choices {
                     color: self.fixed_color.unwrap_or(raster.method.color()),
                     sort: best.sort,
                     packed_words: best.packed_words,
+                    workgroup: best.workgroup,
                     ..*raster
                 })
                 .collect(),
@@ -183,6 +210,11 @@ impl Choices {
                     ..*best
                 })
                 .into(),
+            Axis::Workgroup => self
+                .workgroups
+                .iter()
+                .map(|&workgroup| Candidate { workgroup, ..*best })
+                .collect(),
         };
         all.into_iter()
             .filter(|candidate| !axis.is_same(candidate, best))
@@ -248,6 +280,9 @@ impl Workload {
             options.color.map(|color| format!("{color:?}")),
             options.sort.map(|sort| sort.name().to_owned()),
             options.packed_words.map(|words| format!("words {words}")),
+            options
+                .workgroup
+                .map(|size| format!("workgroups of {size}")),
         ];
         let fixed: Vec<String> = fixed.into_iter().flatten().collect();
         let pixels = options.size.map(u64::from).iter().product();
@@ -266,6 +301,7 @@ impl Workload {
             || options.color.is_none()
             || options.sort.is_none()
             || options.packed_words.is_none()
+            || options.workgroup.is_none()
     }
 }
 
