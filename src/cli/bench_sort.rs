@@ -8,14 +8,13 @@ use crate::{
 use anyhow::ensure;
 use effigy::vulkan::{
     Gpu,
-    sort::{
-        self, KeyBits, SortOptions, SortVariant,
-        choice::choose,
-        standalone::{SortTimes, StandaloneSort},
-    },
+    sort::{self, KeyBits, SortOptions, SortVariant, choice::choose, standalone::StandaloneSort},
 };
 use effigy_core::random::hash;
-use serde_json::{Value, json};
+use effigy_measure::{
+    report::{DeviceReport, Program, bits_of_keys},
+    sorts::{SCHEMA, SortRow, SortSpeed, SortsReport, sort_name},
+};
 use std::{iter, path::PathBuf, sync::Arc};
 
 #[derive(clap::Args, Debug)]
@@ -34,6 +33,10 @@ pub struct Args {
     /// Sort variants, separated by commas [default: all that the device can run]
     #[arg(long, value_enum, value_delimiter = ',')]
     sort: Vec<SortArg>,
+    /// Also measure variants that use subgroups at each size of subgroups that the device has on
+    /// request
+    #[arg(long)]
+    subgroups: bool,
     /// Times that each sort is run, 1 or more; the median counts
     #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u16).range(1..))]
     runs: u16,
@@ -74,42 +77,79 @@ pub fn run(args: Args) -> anyhow::Result<()> {
             wanted.contains(variant)
         }
     };
-    let variants: Vec<_> = SortVariant::ALL.into_iter().filter(is_measured).collect();
-    let rows = measure_all(&gpu, &args, &variants);
+    let contenders: Vec<_> = SortVariant::ALL
+        .into_iter()
+        .filter(is_measured)
+        .flat_map(|variant| contenders(variant, &gpu, args.subgroups))
+        .collect();
+    let rows = measure_all(&gpu, &args, &contenders);
     for row in &rows {
-        if let Some(failure) = row["failed"].as_str() {
+        if let Some(failure) = &row.failed {
             println!("{failure}");
         }
     }
     if let Some(path) = &args.json {
-        let result = json!({ "device": gpu.probe.name, "driver": gpu.probe.driver, "runs": args.runs, "rows": rows });
+        let result = SortsReport {
+            schema: SCHEMA.to_owned(),
+            program: Program::current(std::env::args().collect()),
+            device: DeviceReport::from_vulkan(&gpu),
+            runs: args.runs,
+            auto: auto.name().to_owned(),
+            rows: rows.clone(),
+        };
         files::write_json(path, &result)?;
         println!("wrote {}", path.display());
     }
-    // A variant that was not asked for and that the self-test does not choose may be wrong on a
-    // device: its failure is printed, and the command succeeds.
-    let required = if wanted.is_empty() {
-        vec![auto]
-    } else {
-        wanted
+    // A variant that was not asked for and that the self-test does not choose, or that it chooses at
+    // another size of subgroups, may be wrong on a device: its failure is printed, and the command
+    // succeeds.
+    let is_required = |row: &SortRow| {
+        if wanted.is_empty() {
+            row.variant == auto.name() && row.subgroup.is_none()
+        } else {
+            wanted.iter().any(|variant| row.variant == variant.name())
+        }
     };
     let wrong = rows
         .iter()
-        .filter(|row| !row["failed"].is_null())
-        .any(|row| {
-            required
-                .iter()
-                .any(|variant| row["variant"] == variant.name())
-        });
+        .any(|row| row.failed.is_some() && is_required(row));
     ensure!(!wrong, "not every sort was right, see above");
     Ok(())
 }
 
-/// Measures every count, key size and variant, printing a line per count and key size.
-fn measure_all(gpu: &Arc<Gpu>, args: &Args, variants: &[SortVariant]) -> Vec<Value> {
+/// What is measured: a variant, with subgroups of a size.
+struct Contender {
+    variant: SortVariant,
+    /// Lanes of a subgroup. None: as many as the device reports.
+    subgroup: Option<u32>,
+}
+
+impl Contender {
+    fn name(&self) -> String {
+        sort_name(self.variant.name(), self.subgroup)
+    }
+}
+
+/// A variant at the size of subgroups that the device reports and, with `every_size`, at each other
+/// that it has on request, where the variant uses them.
+fn contenders(variant: SortVariant, gpu: &Gpu, every_size: bool) -> Vec<Contender> {
+    let asked = every_size && variant == SortVariant::OneSweep;
+    let [low, high] = gpu.probe.subgroup_sizes.filter(|_| asked).unwrap_or([1, 0]);
+    let sizes = iter::successors(Some(low), |lanes| lanes.checked_mul(2));
+    let sizes = sizes
+        .take_while(|&lanes| lanes <= high)
+        .filter(|&lanes| lanes != gpu.probe.subgroup_size);
+    iter::once(None)
+        .chain(sizes.map(Some))
+        .map(|subgroup| Contender { variant, subgroup })
+        .collect()
+}
+
+/// Measures every count, key size and contender, printing a line per count and key size.
+fn measure_all(gpu: &Arc<Gpu>, args: &Args, contenders: &[Contender]) -> Vec<SortRow> {
     print!("{:>9} {:>4}", "keys", "bits");
-    for variant in variants {
-        print!(" {:>10}", variant.name());
+    for contender in contenders {
+        print!(" {:>10}", contender.name());
     }
     println!();
     let mut rows = Vec::new();
@@ -118,11 +158,11 @@ fn measure_all(gpu: &Arc<Gpu>, args: &Args, variants: &[SortVariant]) -> Vec<Val
         let counts = iter::successors(Some(args.min_keys), |count| count.checked_mul(4));
         for count in counts.take_while(|&count| count <= args.max_keys) {
             let keys = keys(count);
-            print!("{count:>9} {:>4}", 8 * bits.passes());
-            for &variant in variants {
-                let row = row(gpu, &keys, SortOptions::new(bits, variant), args.runs);
-                match row["mkeys_per_s"].as_f64() {
-                    Some(rate) => print!(" {rate:>10.2}"),
+            print!("{count:>9} {:>4}", bits_of_keys(bits));
+            for contender in contenders {
+                let row = row(gpu, &keys, bits, contender, args.runs);
+                match row.speed {
+                    Some(speed) => print!(" {:>10.2}", speed.mkeys_per_s),
                     None => print!(" {:>10}", "–"),
                 }
                 rows.push(row);
@@ -133,35 +173,39 @@ fn measure_all(gpu: &Arc<Gpu>, args: &Args, variants: &[SortVariant]) -> Vec<Val
     rows
 }
 
-/// Checks and measures one variant; the row holds its times, or how it failed.
-fn row(gpu: &Arc<Gpu>, keys: &[u32], options: SortOptions, runs: u16) -> Value {
-    let mut row = json!({ "keys": keys.len(), "bits": 8 * options.bits.passes(), "variant": options.variant.name() });
-    match measure(gpu, keys, options, runs) {
-        Ok((times, bytes)) => {
-            let ms = times.device.as_secs_f64() * 1e3;
-            row["ms"] = json!(ms);
-            row["wall_ms"] = json!(times.wall.as_secs_f64() * 1e3);
-            row["mkeys_per_s"] = json!(keys.len() as f64 / ms / 1e3);
-            row["memory_bytes"] = json!(bytes);
-        }
+/// Checks and measures one sort; the row holds its times, or how it failed.
+fn row(gpu: &Arc<Gpu>, keys: &[u32], bits: KeyBits, contender: &Contender, runs: u16) -> SortRow {
+    let options = SortOptions {
+        subgroup: contender.subgroup,
+        ..SortOptions::new(bits, contender.variant)
+    };
+    let (speed, failed) = match measure(gpu, keys, options, runs) {
+        Ok(speed) => (Some(speed), None),
         Err(error) => {
-            row["failed"] = json!(format!(
-                "{} keys, {}: {error:#}",
-                keys.len(),
-                options.variant.name()
-            ))
+            let name = contender.name();
+            (
+                None,
+                Some(format!("{} keys, {name}: {error:#}", keys.len())),
+            )
         }
+    };
+    SortRow {
+        keys: keys.len(),
+        bits: bits_of_keys(bits),
+        variant: contender.variant.name().to_owned(),
+        subgroup: contender.subgroup,
+        speed,
+        failed,
     }
-    row
 }
 
-/// Times of the median run, and the sort's memory in bytes.
+/// Speed of the median run of a sort that is right.
 fn measure(
     gpu: &Arc<Gpu>,
     keys: &[u32],
     options: SortOptions,
     runs: u16,
-) -> anyhow::Result<(SortTimes, u64)> {
+) -> anyhow::Result<SortSpeed> {
     let sorter = StandaloneSort::new(gpu, keys.len() as u32, options)?;
     sorter.load(keys)?;
     sorter.run()?;
@@ -172,7 +216,14 @@ fn measure(
         .map(|_| sorter.run())
         .collect::<Result<Vec<_>, _>>()?;
     times.sort_by_key(|times| times.device);
-    Ok((times[times.len() / 2], sorter.sort().memory()))
+    let median = times[times.len() / 2];
+    let ms = median.device.as_secs_f64() * 1e3;
+    Ok(SortSpeed {
+        ms,
+        wall_ms: median.wall.as_secs_f64() * 1e3,
+        mkeys_per_s: keys.len() as f64 / ms / 1e3,
+        memory_bytes: sorter.sort().memory(),
+    })
 }
 
 /// Keys of 31 bits without pattern.

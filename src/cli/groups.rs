@@ -19,9 +19,12 @@ const GROUPS: [CommandGroup; 4] = [
         commands: &[
             "bench",
             "bench-sort",
+            "bench-device",
             "soak",
             "stress",
             "compare",
+            "verdict",
+            "phone-model",
             "devices",
         ],
     },
@@ -48,7 +51,7 @@ pub fn help_template(command: &Command) -> String {
                 .and_then(Command::get_about)
                 .map(ToString::to_string)
                 .unwrap_or_default();
-            template += &format!("  {literal}{name:<10}{literal:#}  {about}\n");
+            template += &format!("  {literal}{name:<12}{literal:#}  {about}\n");
         }
     }
     template += &format!("\n{header}Options:{header:#}\n{{options}}\n\n");
@@ -80,7 +83,7 @@ mod tests {
             assert!(help.contains(&format!("\n{}:\n", group.title)), "{help}");
         }
         assert!(
-            help.contains("  export-ply  Write an avatar in one pose"),
+            help.contains("  export-ply    Write an avatar in one pose"),
             "{help}"
         );
         assert!(help.contains("--verbose") && !help.contains("Commands:"));

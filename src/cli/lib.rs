@@ -14,6 +14,7 @@ mod analyse;
 mod backend;
 mod bake;
 mod bench;
+mod bench_device;
 mod bench_sort;
 mod capture;
 mod compare;
@@ -27,6 +28,7 @@ mod groups;
 mod inspect;
 mod options;
 mod pack;
+mod phone_model;
 mod progress;
 mod render;
 mod soak;
@@ -34,6 +36,7 @@ pub mod source;
 #[cfg(test)]
 mod spellings;
 mod stress;
+mod verdict;
 mod view;
 
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
@@ -66,12 +69,18 @@ enum Command {
     Bench(bench::Args),
     /// Measure the sort alone: keys per second by count, key bits and variant
     BenchSort(bench_sort::Args),
+    /// Measure the GPU itself: bandwidth of copies, and fill rates
+    BenchDevice(bench_device::Args),
     /// Draw for minutes at a promised rate, and watch rate, heat and memory
     Soak(soak::Args),
     /// Draw hard cases and compare them with the f64 reference
     Stress(stress::Args),
     /// Compare two measurements: of `bench --json`, or of `soak`
     Compare(compare::Args),
+    /// Join what tools/gpu/run.sh measured on a GPU to one report
+    Verdict(verdict::Args),
+    /// Estimate what phones would take, from published rates and counts of a frame
+    PhoneModel(phone_model::Args),
     /// List the GPUs: what each has, what is missing and what Effigy would use
     Devices(devices::Args),
     /// Make an avatar from the MakeHuman body, or a clip from motion capture
@@ -103,9 +112,12 @@ impl Command {
             Self::Capture(args) => capture::run(args),
             Self::Bench(args) => bench::run(args),
             Self::BenchSort(args) => bench_sort::run(args),
+            Self::BenchDevice(args) => bench_device::run(args),
             Self::Soak(args) => soak::run(args),
             Self::Stress(args) => stress::run(args),
             Self::Compare(args) => compare::run(args),
+            Self::Verdict(args) => verdict::run(args),
+            Self::PhoneModel(args) => phone_model::run(args),
             Self::Devices(args) => devices::run(args),
             Self::Bake(args) => bake::run(args),
             Self::Dataset(args) => dataset::run(args),

@@ -10,11 +10,12 @@
 //! | `device` | errors, the instance, what a device has, the device and its queue |
 //! | [`memory`] | buffers and images, barriers and copies |
 //! | `pipeline` | shader modules, descriptor sets, kernels, render passes |
-//! | `commands` | frames in flight |
+//! | `commands` | frames in flight; a stopwatch |
 //! | [`sort`] | the radix sort, and the self-test that chooses its variant |
 //! | `passes` | the stages from an avatar's pose to its splats |
 //! | [`raster`] | the stages from sorted splats to an image |
 //! | [`tuning`] | how to draw, chosen by measuring |
+//! | [`rates`] | bytes and fragments that a device manages in a second |
 //! | `renderer` | the frame |
 //! | [`trials`] | frames by which `tuning` measures |
 //! | `window` | from an image to a window or a screen in memory |
@@ -25,6 +26,7 @@ pub mod memory;
 pub(crate) mod passes;
 pub(crate) mod pipeline;
 pub mod raster;
+pub mod rates;
 pub(crate) mod renderer;
 pub mod sort;
 pub mod statistics;
@@ -32,7 +34,7 @@ pub mod trials;
 pub mod tuning;
 pub(crate) mod window;
 
-pub use commands::{FRAMES_IN_FLIGHT, Semaphores};
+pub use commands::{FRAMES_IN_FLIGHT, RunTimes, Semaphores};
 pub use device::{
     Error, Gpu, GpuOptions, Result, cache, error::During, handle::CommandPool, instance,
     moment::Moment, probe, probe::Probe, recording::Recording,

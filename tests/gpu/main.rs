@@ -8,6 +8,7 @@ mod clocks;
 mod devices;
 mod memory;
 mod present;
+mod rates;
 mod stages;
 mod tuning;
 #[cfg(feature = "webgpu")]
@@ -42,6 +43,7 @@ fn main() -> ExitCode {
             memory,
             present,
             tuning,
+            rates,
             #[cfg(feature = "webgpu")]
             webgpu,
         ],

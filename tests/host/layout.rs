@@ -295,6 +295,7 @@ fn shaders_need_no_more_than_every_device_has() {
             "binning" if file.starts_with("binning.") => Some(layout::BINNING_WORKGROUP),
             "binning" => Some(layout::BIN_WORKGROUP),
             "raster" | "saturation" => Some(layout::RASTER_WORKGROUP),
+            "rates" => Some(layout::RATES_WORKGROUP),
             "sort" if file.starts_with("per_thread") => Some(layout::SORT_RUNS),
             "sort" => Some(layout::SORT_WORKGROUP),
             other => panic!("shaders/{other} is no stage"),

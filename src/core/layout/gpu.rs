@@ -113,6 +113,8 @@ pub const SHARED_REGION: u32 = 16;
 /// Side of the region that a workgroup of the saturation stage takes, px: 8 × 8 invocations of
 /// 2 × 2 samples, each of 2 × 2 pixels.
 pub const SATURATION_REGION: u32 = 32;
+/// Invocations of a workgroup of the copy that measures bandwidth.
+pub const RATES_WORKGROUP: u32 = 64;
 /// Bits of a splat's fixed-point coordinate, which ranges from −guard to guard + size.
 pub const POSITION_BITS: u32 = 20;
 

@@ -77,6 +77,7 @@ pub const MACROS: &[(&str, MacroValue)] = &[
     ("RASTER_SQUARE", Uint(RASTER_SQUARE)),
     ("RASTER_REGION", Uint(RASTER_REGION)),
     ("RASTER_WORKGROUP", Uint(RASTER_WORKGROUP)),
+    ("RATES_WORKGROUP", Uint(RATES_WORKGROUP)),
     ("POSITION_BITS", Uint(POSITION_BITS)),
     ("INPUT_QUADS", Uint(INPUT_QUADS as u32)),
     ("MLP_WIDTH", Uint(limits::MLP_WIDTH as u32)),

@@ -106,6 +106,9 @@ modules! {
     RASTER_COOPERATIVE_RGBA16F = "raster/cooperative_rgba16f.comp";
     RASTER_SHARED_RGBA8 = "raster/shared_rgba8.comp";
     RASTER_SHARED_RGBA16F = "raster/shared_rgba16f.comp";
+    RATES_COPY = "rates/copy.comp";
+    RATES_FILL_VERTEX = "rates/fill.vert";
+    RATES_FILL_FRAGMENT = "rates/fill.frag";
     PRESENT_VERTEX = "present/present.vert";
     PRESENT_FRAGMENT = "present/present.frag";
 }

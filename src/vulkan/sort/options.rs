@@ -25,12 +25,12 @@ pub struct SortOptions {
     pub counts: Option<Slice>,
     /// For tests of OneSweep: every so many tiles, one never tells its counts. 0: none.
     pub stall: u32,
-    /// For tests of OneSweep: lanes of a subgroup, of those in `Probe::subgroup_sizes`.
+    /// For OneSweep: lanes of a subgroup, of those in `Probe::subgroup_sizes`.
     pub subgroup: Option<u32>,
 }
 
 impl SortOptions {
-    /// For a sort with counts of its own, without what only tests set.
+    /// For a sort with counts of its own, at the driver's subgroup size.
     pub fn new(bits: KeyBits, variant: SortVariant) -> Self {
         Self {
             bits,

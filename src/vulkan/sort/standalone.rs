@@ -3,12 +3,8 @@
 
 use super::{options::SortOptions, stage::Sort};
 use crate::vulkan::{
-    device::{
-        error::{During, Result},
-        gpu::Gpu,
-        handle::QueryPool,
-        recording::Recording,
-    },
+    commands::{RunTimes, Stopwatch},
+    device::{error::Result, gpu::Gpu, recording::Recording},
     memory::{Buffer, Scope},
 };
 use ash::vk;
@@ -16,30 +12,15 @@ use effigy_core::{
     frame::KeyBits,
     layout::{Control, QUADS_PER_INSTANCE},
 };
-use std::{
-    sync::Arc,
-    time::{Duration, Instant},
-};
+use std::sync::Arc;
 
 /// A sort, and the buffers around it.
 pub struct StandaloneSort {
-    gpu: Arc<Gpu>,
     keys: Buffer,
     control: Buffer,
     sort: Sort,
     bits: KeyBits,
-    /// Two timestamps. None where the device has none.
-    queries: Option<QueryPool>,
-}
-
-/// How long a run took.
-#[derive(Clone, Copy, Debug)]
-pub struct SortTimes {
-    /// From the first kernel's start to the last one's end; as `wall` where the device has no
-    /// timestamps.
-    pub device: Duration,
-    /// From hand-over to the host's knowing that it is done.
-    pub wall: Duration,
+    stopwatch: Stopwatch,
 }
 
 impl StandaloneSort {
@@ -68,18 +49,12 @@ impl StandaloneSort {
         };
         // SAFETY: both buffers live as long as the sort, and every run waits for its end.
         let sort = unsafe { Sort::new(gpu, (&keys).into(), &control, capacity, options) }?;
-        let queries = if gpu.probe.timestamp_bits > 0 {
-            Some(QueryPool::timestamps(&gpu.device, 2, "standalone sort")?)
-        } else {
-            None
-        };
         Ok(Self {
-            gpu: gpu.clone(),
             keys,
             control,
             sort,
             bits: options.bits,
-            queries,
+            stopwatch: Stopwatch::new(gpu, "standalone sort")?,
         })
     }
 
@@ -106,50 +81,19 @@ impl StandaloneSort {
         self.control.upload(bytemuck::bytes_of(&control))
     }
 
-    /// Sorts once.
-    pub fn run(&self) -> Result<SortTimes> {
+    /// Sorts once. The times are those of the sort's kernels.
+    pub fn run(&self) -> Result<RunTimes> {
         self.run_after(|_| ())
     }
 
     /// Sorts once, after other transfers.
-    pub fn run_after(&self, first: impl FnOnce(Recording)) -> Result<SortTimes> {
-        let start = Instant::now();
-        self.gpu.run("a sort", |commands| {
-            if let Some(queries) = &self.queries {
-                let device = &self.gpu.raw;
-                // SAFETY: the command buffer is recording; the pool is alive, and `run` waits.
-                unsafe { device.cmd_reset_query_pool(commands.raw(), queries.raw(), 0, 2) };
-            }
+    pub fn run_after(&self, first: impl FnOnce(Recording)) -> Result<RunTimes> {
+        let before = |commands: Recording| {
             first(commands);
             commands.barrier(Scope::TRANSFER_WRITES, Scope::KERNEL);
-            self.mark(commands, vk::PipelineStageFlags::TOP_OF_PIPE, 0);
-            self.sort.record(commands);
-            self.mark(commands, vk::PipelineStageFlags::BOTTOM_OF_PIPE, 1);
-        })?;
-        let wall = start.elapsed();
-        Ok(SortTimes {
-            device: self.device_time()?.unwrap_or(wall),
-            wall,
-        })
-    }
-
-    fn mark(&self, commands: Recording, stage: vk::PipelineStageFlags, query: u32) {
-        if let Some(queries) = &self.queries {
-            let device = &self.gpu.raw;
-            // SAFETY: the command buffer is recording; the pool is alive and was reset in it.
-            unsafe { device.cmd_write_timestamp(commands.raw(), stage, queries.raw(), query) };
-        }
-    }
-
-    fn device_time(&self) -> Result<Option<Duration>> {
-        let Some(queries) = &self.queries else {
-            return Ok(None);
         };
-        let mut ticks = [0; 2];
-        queries.read(&mut ticks).during("vkGetQueryPoolResults")?;
-        let ticks = ticks[1].wrapping_sub(ticks[0]) & self.gpu.probe.tick_mask();
-        let ns = ticks as f64 * f64::from(self.gpu.probe.limits.timestamp_period);
-        Ok(Some(Duration::from_nanos(ns as u64)))
+        self.stopwatch
+            .time("a sort", before, |commands| self.sort.record(commands))
     }
 
     /// Compares what the last run made of `keys` with what it should be. None: the same; otherwise

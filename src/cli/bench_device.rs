@@ -1,0 +1,84 @@
+//! `effigy bench-device`: what the GPU itself manages, whatever is drawn: bandwidth of copies, and
+//! fill rates.
+
+use crate::{
+    files,
+    options::{self, DeviceArgs},
+};
+use anyhow::ensure;
+use effigy::vulkan::Gpu;
+use effigy_measure::rates::{CopyReport, FillReport, RatesSettings, measure_rates};
+use std::{path::PathBuf, time::Duration};
+
+#[derive(clap::Args, Debug)]
+pub struct Args {
+    #[command(flatten)]
+    device: DeviceArgs,
+    /// Width and height of the image that is filled, pixels
+    #[arg(long, value_name = "WxH", value_parser = options::size, default_value = "2048x2048")]
+    size: [u32; 2],
+    /// Largest copy, MiB
+    #[arg(long, value_name = "MIB", default_value_t = 256, value_parser = clap::value_parser!(u64).range(1..=4096))]
+    largest_copy: u64,
+    /// Least time of a measurement, milliseconds
+    #[arg(long, value_name = "MS", default_value_t = 20, value_parser = clap::value_parser!(u64).range(1..=10_000))]
+    least_ms: u64,
+    /// Also write the result as JSON
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+}
+
+pub fn run(args: Args) -> anyhow::Result<()> {
+    let gpu = Gpu::new(&args.device.gpu())?;
+    println!("device   {} ({})\n", gpu.probe.name, gpu.probe.driver);
+    let settings = RatesSettings {
+        size: args.size,
+        least: Duration::from_millis(args.least_ms),
+        largest: args.largest_copy << 20,
+    };
+    let command = std::env::args().collect();
+    let report = measure_rates(&gpu, &settings, command, &mut |what| {
+        tracing::info!("measuring {what}");
+    })?;
+    print_copies(&report.copies);
+    print_fills(&report.fills, report.fill_size);
+    if let Some(path) = &args.json {
+        files::write_json(path, &report)?;
+        println!("wrote {}", path.display());
+    }
+    let wrong = report.copies.iter().filter(|copy| !copy.right).count();
+    ensure!(
+        wrong == 0,
+        "{wrong} kinds of copies differ from what was copied"
+    );
+    Ok(())
+}
+
+fn print_copies(copies: &[CopyReport]) {
+    println!("Each copy waits for the one before. Bytes count when read and when written:");
+    println!("{:>12} {:>9} {:>12} {:>9}", "bytes", "method", "µs", "GB/s");
+    for copy in copies {
+        println!(
+            "{:>12} {:>9} {:>12.2} {:>9.2}",
+            copy.bytes,
+            copy.method,
+            copy.us,
+            copy.bytes_a_second / 1e9
+        );
+    }
+}
+
+fn print_fills(fills: &[FillReport], [width, height]: [u32; 2]) {
+    println!("\nLayers over {width} × {height} px:");
+    if fills.is_empty() {
+        println!("none, since the driver crashes when it draws triangles");
+    }
+    for fill in fills {
+        println!(
+            "{:<44} {:>12.1} µs a layer {:>9.3} Gpix/s",
+            fill.title(),
+            fill.us,
+            fill.fragments_a_second / 1e9
+        );
+    }
+}

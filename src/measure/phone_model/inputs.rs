@@ -1,0 +1,229 @@
+//! The model's inputs: files of a folder, each made by something else.
+
+use super::range::Range;
+use crate::{
+    bench::{
+        self, BenchReport,
+        report::{CaseReport, StageReport},
+    },
+    report::read_report,
+};
+use serde::Deserialize;
+use std::{fs, io, path::Path};
+
+/// Why the inputs can't be used.
+#[derive(Debug, thiserror::Error)]
+pub enum InputError {
+    /// A file can't be read.
+    #[error("{file}: {source}")]
+    Io {
+        /// Its path.
+        file: String,
+        /// Why.
+        source: io::Error,
+    },
+    /// A file is not what it should be.
+    #[error("{file}: {what}")]
+    Content {
+        /// Its path.
+        file: String,
+        /// What is wrong with it.
+        what: String,
+    },
+    /// Something is in no file.
+    #[error("there is no {0}")]
+    Missing(String),
+}
+
+/// A device, a line of `devices.csv`.
+#[derive(Clone, Debug, Deserialize)]
+pub struct Device {
+    /// Its name.
+    pub device: String,
+    /// A chip that has it.
+    pub chip: String,
+    /// The device whose compiler counted the instructions.
+    pub compiled_as: String,
+    /// Why that is another device; empty if it is not.
+    pub why: String,
+}
+
+/// A rate of a device with its source, a line of `rates.csv`.
+#[derive(Clone, Debug, Deserialize)]
+pub struct Rate {
+    /// The device.
+    pub device: String,
+    /// Name of the rate.
+    pub rate: String,
+    /// Lower bound.
+    pub low: f64,
+    /// Upper bound.
+    pub high: f64,
+    /// Unit of both.
+    pub unit: String,
+    /// Where both are from.
+    pub source: String,
+}
+
+/// Instructions of a shader, a line of the file that `tools/shader_stats.sh` writes.
+#[derive(Clone, Debug, Deserialize)]
+struct Program {
+    device: String,
+    shader: String,
+    program: String,
+    instructions: f64,
+}
+
+/// A way to draw, and what it was counted to do: a file of `effigy bench --json`.
+#[derive(Clone, Debug)]
+pub struct Counted {
+    /// Its name.
+    pub name: &'static str,
+    /// The counts of the one case.
+    pub case: CaseReport,
+    /// The measurement that they are from.
+    pub report: BenchReport,
+}
+
+/// The ways to draw, by file.
+const COUNTED: [CountedFile; 3] = [
+    CountedFile {
+        file: "quads.json",
+        name: "quads with the saturation depth",
+    },
+    CountedFile {
+        file: "quads-untested.json",
+        name: "quads without it",
+    },
+    CountedFile {
+        file: "tiles-shared.json",
+        name: "tiles in shared memory",
+    },
+];
+
+struct CountedFile {
+    file: &'static str,
+    name: &'static str,
+}
+
+/// Everything that the model is made from.
+#[derive(Clone, Debug)]
+pub struct Inputs {
+    /// The devices, in order.
+    pub devices: Vec<Device>,
+    /// Their rates.
+    pub rates: Vec<Rate>,
+    /// The ways to draw.
+    pub counted: Vec<Counted>,
+    programs: Vec<Program>,
+}
+
+impl Inputs {
+    /// Reads the inputs. `folder`: with `devices.csv`, `rates.csv` and the counts; `shaders`: what
+    /// `tools/shader_stats.sh` wrote.
+    ///
+    /// # Errors
+    /// When a file is missing or is something else.
+    pub fn read(folder: &Path, shaders: &Path) -> Result<Self, InputError> {
+        let rates: Vec<Rate> = table(&folder.join("rates.csv"))?;
+        for rate in &rates {
+            let ordered = 0.0 <= rate.low && rate.low <= rate.high && rate.high.is_finite();
+            if !ordered || rate.source.trim().is_empty() {
+                return Err(InputError::Content {
+                    file: "rates.csv".to_owned(),
+                    what: format!(
+                        "{} of {} has no source, or no bounds in order",
+                        rate.rate, rate.device
+                    ),
+                });
+            }
+        }
+        let counted = COUNTED
+            .iter()
+            .map(|counted| counted.read(folder))
+            .collect::<Result<_, _>>()?;
+        Ok(Self {
+            devices: table(&folder.join("devices.csv"))?,
+            rates,
+            counted,
+            programs: table(shaders)?,
+        })
+    }
+
+    /// A rate of a device.
+    pub(super) fn rate(&self, device: &Device, name: &str) -> Result<Range, InputError> {
+        let is_it = |rate: &&Rate| rate.device == device.device && rate.rate == name;
+        let rate = self.rates.iter().find(is_it);
+        let rate =
+            rate.ok_or_else(|| InputError::Missing(format!("rate `{name}` of {}", device.device)))?;
+        Ok(Range {
+            low: rate.low,
+            high: rate.high,
+        })
+    }
+
+    /// Instructions of a shader on a device: all of its programs whose names end in `program`.
+    pub(super) fn instructions(
+        &self,
+        device: &Device,
+        shader: &str,
+        program: &[&str],
+    ) -> Result<f64, InputError> {
+        let found = self.programs.iter().find(|row| {
+            row.device == device.compiled_as
+                && row.shader == shader
+                && program.contains(&row.program.as_str())
+        });
+        found.map(|row| row.instructions).ok_or_else(|| {
+            InputError::Missing(format!("count of {shader} on {}", device.compiled_as))
+        })
+    }
+}
+
+impl CountedFile {
+    fn read(&self, folder: &Path) -> Result<Counted, InputError> {
+        let path = folder.join(self.file);
+        let wrong = |what: String| InputError::Content {
+            file: path.display().to_string(),
+            what,
+        };
+        let report: BenchReport = read_report(&text(&path)?, bench::report::SCHEMA)
+            .map_err(|error| wrong(error.to_string()))?;
+        let case = report.cases.first().cloned();
+        Ok(Counted {
+            name: self.name,
+            case: case.ok_or_else(|| wrong("it has no case".to_owned()))?,
+            report,
+        })
+    }
+}
+
+impl Counted {
+    /// A counter's mean over the frames.
+    pub(super) fn counter(&self, name: &str) -> Result<f64, InputError> {
+        let counter = self.case.counters.get(name).copied();
+        counter.ok_or_else(|| InputError::Missing(format!("count of {name} for {}", self.name)))
+    }
+
+    /// The stages that ran, in order.
+    pub(super) fn stages(&self) -> impl Iterator<Item = &StageReport> {
+        self.case.stages.iter().filter(|stage| stage.ran > 0.0)
+    }
+}
+
+fn text(path: &Path) -> Result<String, InputError> {
+    fs::read_to_string(path).map_err(|source| InputError::Io {
+        file: path.display().to_string(),
+        source,
+    })
+}
+
+fn table<T: for<'de> Deserialize<'de>>(path: &Path) -> Result<Vec<T>, InputError> {
+    let text = text(path)?;
+    let mut reader = csv::Reader::from_reader(text.as_bytes());
+    let rows = reader.deserialize().collect::<Result<_, _>>();
+    rows.map_err(|error: csv::Error| InputError::Content {
+        file: path.display().to_string(),
+        what: error.to_string(),
+    })
+}

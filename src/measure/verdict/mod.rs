@@ -1,0 +1,216 @@
+//! One verdict on a GPU, from the files that a run of `tools/gpu/run.sh` left in a folder: the steps
+//! and what became of them, tests, sorts, rates, frames and a soak. [`Verdict`] is the whole JSON
+//! file; the fields are its keys. [`page`](Verdict::page) is the same as a page of Markdown.
+//!
+//! What is missing in the folder is missing in the verdict. Nothing that did not run counts as
+//! passed.
+
+mod named_bench;
+mod page;
+mod steps;
+mod test_results;
+mod traffic;
+
+pub use named_bench::NamedBench;
+pub use steps::{Step, StepOutcome};
+pub use test_results::{NotRun, TestResults};
+pub use traffic::StageTraffic;
+
+use crate::{
+    bench::{self, BenchReport},
+    rates::{self, RatesReport},
+    report::{Program, read_report},
+    soak::{self, SoakReport},
+    sorts::{self, SortsReport},
+};
+use serde::{Deserialize, Serialize, de::DeserializeOwned};
+use std::{fs, io, path::Path};
+
+/// Version of the JSON. It changes whenever an older program could misread a newer file.
+pub const SCHEMA: &str = "effigy-verdict-1";
+
+/// Everything that a run found.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Verdict {
+    /// [`SCHEMA`].
+    pub schema: String,
+    /// The program that joined the files.
+    pub program: Program,
+    /// The machine in the words of its own commands.
+    pub machine: String,
+    /// Every step that was planned.
+    pub steps: Vec<Step>,
+    /// The tests on the device. Null if they were not begun.
+    pub tests: Option<TestResults>,
+    /// What `effigy devices --json` says, as it is: the device's features, and what the renderer
+    /// chose for it by measuring.
+    pub devices: Option<serde_json::Value>,
+    /// Copies and fill rates.
+    pub rates: Option<RatesReport>,
+    /// The sort's matrix.
+    pub sorts: Option<SortsReport>,
+    /// Cases and sweeps.
+    pub benches: Vec<NamedBench>,
+    /// The soak.
+    pub soak: Option<SoakReport>,
+    /// The stages' bytes against what the device copies.
+    pub traffic: Vec<StageTraffic>,
+    /// Files that are there and can't be read, and why.
+    pub unread: Vec<String>,
+}
+
+impl Verdict {
+    /// Joins the files of a folder. `command`: the command line.
+    ///
+    /// # Errors
+    /// When the folder can't be read, or has no plan of steps.
+    pub fn read(folder: &Path, command: Vec<String>) -> io::Result<Self> {
+        let mut files = Files {
+            folder,
+            unread: Vec::new(),
+        };
+        let plan = fs::read_to_string(folder.join("plan.txt"))?;
+        let table = files.text("steps.tsv").unwrap_or_default();
+        let recorded = files.text("tests.txt");
+        let listed = files.text("tests-list.txt");
+        let tests = (recorded.is_some() || listed.is_some()).then(|| {
+            TestResults::new(
+                listed.as_deref().unwrap_or_default(),
+                recorded.as_deref().unwrap_or_default(),
+            )
+        });
+        let rates: Option<RatesReport> = files.report("rates.json", rates::SCHEMA);
+        let mut benches = Vec::new();
+        for file in bench_files(folder)? {
+            if let Some(report) = files.report(&file, bench::report::SCHEMA) {
+                let name = file.trim_start_matches(BENCH).trim_end_matches(JSON);
+                benches.push(NamedBench {
+                    name: name.to_owned(),
+                    report,
+                });
+            }
+        }
+        Ok(Self {
+            schema: SCHEMA.to_owned(),
+            program: Program::current(command),
+            machine: files.text("machine.txt").unwrap_or_default(),
+            steps: steps::steps(&plan, &table),
+            tests,
+            devices: files.json("devices.json"),
+            sorts: files.report("sorts.json", sorts::SCHEMA),
+            soak: files.report("soak.json", soak::report::SCHEMA),
+            traffic: traffic::traffic(&benches, rates.as_ref()),
+            rates,
+            benches,
+            unread: files.unread,
+        })
+    }
+
+    /// A sentence for everything that is not right; empty if every step passed, with every test
+    /// that the device can run.
+    pub fn faults(&self) -> Vec<String> {
+        let mut faults: Vec<String> = self
+            .steps
+            .iter()
+            .filter(|step| step.outcome != StepOutcome::Passed)
+            .map(|step| {
+                let words = step.outcome.words().replace('*', "");
+                format!("{} {words}", step.name)
+            })
+            .collect();
+        if let Some(tests) = &self.tests {
+            let count = |names: &[String], what: &str| {
+                (!names.is_empty()).then(|| format!("{} tests {what}", names.len()))
+            };
+            faults.extend(count(&tests.failed, "failed"));
+            faults.extend(count(&tests.unheard, "did not end"));
+        }
+        faults.extend(self.unread.iter().cloned());
+        faults
+    }
+}
+
+const BENCH: &str = "bench-";
+const JSON: &str = ".json";
+
+/// Names of the files of measurements of frames, in order.
+fn bench_files(folder: &Path) -> io::Result<Vec<String>> {
+    let mut names = Vec::new();
+    for entry in fs::read_dir(folder)? {
+        if let Ok(name) = entry?.file_name().into_string()
+            && name.starts_with(BENCH)
+            && name.ends_with(JSON)
+        {
+            names.push(name);
+        }
+    }
+    names.sort_unstable();
+    Ok(names)
+}
+
+/// The files of a folder, each of which may be missing.
+struct Files<'a> {
+    folder: &'a Path,
+    unread: Vec<String>,
+}
+
+impl Files<'_> {
+    fn text(&mut self, name: &str) -> Option<String> {
+        match fs::read_to_string(self.folder.join(name)) {
+            Ok(text) => Some(text),
+            Err(error) if error.kind() == io::ErrorKind::NotFound => None,
+            Err(error) => {
+                self.unread.push(format!("{name}: {error}"));
+                None
+            }
+        }
+    }
+
+    fn json(&mut self, name: &str) -> Option<serde_json::Value> {
+        let text = self.text(name)?;
+        let read = serde_json::from_str(&text);
+        self.understood(name, read)
+    }
+
+    fn report<T: DeserializeOwned>(&mut self, name: &str, schema: &'static str) -> Option<T> {
+        let text = self.text(name)?;
+        self.understood(name, read_report(&text, schema))
+    }
+
+    fn understood<T>(&mut self, name: &str, read: Result<T, impl std::fmt::Display>) -> Option<T> {
+        match read {
+            Ok(value) => Some(value),
+            Err(error) => {
+                self.unread.push(format!("{name}: {error}"));
+                None
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_empty_run_has_no_step_that_passed() -> io::Result<()> {
+        let folder = std::env::temp_dir().join(format!("effigy-verdict-{}", std::process::id()));
+        fs::create_dir_all(&folder)?;
+        fs::write(folder.join("plan.txt"), "devices\ntests\n")?;
+        fs::write(folder.join("steps.tsv"), "devices\tpassed\t1\t30\t\n")?;
+        fs::write(folder.join("tests-list.txt"), "a::b: test\n")?;
+        fs::write(folder.join("rates.json"), "{\"schema\": \"other\"}")?;
+        let verdict = Verdict::read(&folder, Vec::new())?;
+        fs::remove_dir_all(&folder)?;
+        let faults = verdict.faults();
+        assert_eq!(
+            faults[..2],
+            ["tests did not run", "1 tests did not end"],
+            "{faults:?}"
+        );
+        assert!(faults[2].starts_with("rates.json: its schema is `other`"));
+        let page = verdict.page();
+        assert!(page.contains("| tests | **did not run** |"), "{page}");
+        Ok(())
+    }
+}
