@@ -13,6 +13,7 @@ mod governor;
 mod layout;
 mod learned;
 mod memory;
+mod phone_model;
 mod ply;
 mod projection;
 mod reference;
@@ -46,6 +47,7 @@ fn main() -> ExitCode {
             governor,
             layout,
             learned,
+            phone_model,
             ply,
             ply::cameras,
             ply::adversarial,

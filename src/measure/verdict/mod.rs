@@ -17,7 +17,7 @@ pub use test_results::{NotRun, TestResults};
 pub use traffic::StageTraffic;
 
 use crate::{
-    bench::{self, BenchReport},
+    bench,
     rates::{self, RatesReport},
     report::{Program, read_report},
     soak::{self, SoakReport},
