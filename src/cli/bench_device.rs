@@ -19,7 +19,7 @@ pub struct Args {
     size: [u32; 2],
     /// Largest copy, MiB
     #[arg(long, value_name = "MIB", default_value_t = 256, value_parser = clap::value_parser!(u64).range(1..=4096))]
-    largest_copy: u64,
+    max_copy: u64,
     /// Least time of a measurement, milliseconds
     #[arg(long, value_name = "MS", default_value_t = 20, value_parser = clap::value_parser!(u64).range(1..=10_000))]
     least_ms: u64,
@@ -34,7 +34,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     let settings = RatesSettings {
         size: args.size,
         least: Duration::from_millis(args.least_ms),
-        largest: args.largest_copy << 20,
+        largest: args.max_copy << 20,
     };
     let command = std::env::args().collect();
     let report = measure_rates(&gpu, &settings, command, &mut |what| {

@@ -2,8 +2,8 @@
 # Gives a verdict on this machine's GPU, offline, in at most 9 minutes: tests with validation, sorts, rates, frames, a soak.
 # Every step has a time limit, and the next one runs whatever became of it. A step that did not run never counts as passed.
 # usage: run.sh OUT_DIR      writes OUT_DIR/verdict.json, verdict.md and logs.tar.gz; fails if a step did not pass
-#   EFFIGY_GPU_SECONDS  time for everything [default: 530]
-#   EFFIGY_GPU_SHORT=1  small images and few of everything, to rehearse on a CPU driver
+#   EFFIGY_GPU_SECONDS  time for everything [default: 530, and 1200 to rehearse]
+#   EFFIGY_GPU_SHORT=1  the demo in small images, few of everything and longer limits, to rehearse on a CPU driver
 #   VK_DRIVER_FILES     the driver's manifest; otherwise it is looked for
 set -uo pipefail
 [ $# = 1 ] && [ "${1#-}" = "$1" ] || { sed -n '2,/^[^#]/s/^# \{0,1\}//p' "$0" >&2; exit 2; }
@@ -11,7 +11,6 @@ here=$(cd "$(dirname "$0")" && pwd) || exit 1
 mkdir -p "$1" && out=$(cd "$1" && pwd) || exit 1
 work=$(mktemp -d) || exit 1
 effigy=$here/bin/effigy
-total=${EFFIGY_GPU_SECONDS:-530}
 # Seconds that the verdict itself may take, and the least that is worth beginning a step.
 verdict_seconds=15 least=5
 
@@ -21,20 +20,20 @@ export XDG_CACHE_HOME=$work/cache HOME=${HOME:-$work}
 # Mesa keeps compiled shaders where it is told to; none of an earlier run.
 export MESA_SHADER_CACHE_DIR=$work/cache/mesa
 
-# NVIDIA's driver without a manifest, as containers have it, gets one.
+# NVIDIA's driver where no manifest names it to the loader, as in containers: beside what else is there.
 find_driver() {
   [ -z "${VK_DRIVER_FILES:-${VK_ICD_FILENAMES:-}}" ] || return 0
-  local folder file library
-  for folder in /etc/vulkan/icd.d /usr/share/vulkan/icd.d /usr/local/share/vulkan/icd.d; do
-    for file in "$folder"/*.json; do [ ! -s "$file" ] || return 0; done
+  local file library
+  for file in /etc/vulkan/icd.d/*nvidia*.json /usr/share/vulkan/icd.d/*nvidia*.json /usr/local/share/vulkan/icd.d/*nvidia*.json; do
+    [ ! -s "$file" ] || return 0
   done
   for file in /usr/local/nvidia/share/vulkan/icd.d/*.json; do
-    [ ! -s "$file" ] || { export VK_DRIVER_FILES=$file; return 0; }
+    [ ! -s "$file" ] || { export VK_ADD_DRIVER_FILES=$file; return 0; }
   done
   for library in libGLX_nvidia.so.0 libEGL_nvidia.so.0; do
-    if ldconfig -p 2>/dev/null | grep -q "$library" || ls /usr/local/nvidia/lib64/"$library" >/dev/null 2>&1; then
+    if ldconfig -p 2>/dev/null | grep -q "$library" || [ -e "/usr/local/nvidia/lib64/$library" ]; then
       printf '{"file_format_version": "1.0.0", "ICD": {"library_path": "%s", "api_version": "1.3.0"}}\n' "$library" > "$work/nvidia.json"
-      export VK_DRIVER_FILES=$work/nvidia.json LD_LIBRARY_PATH=$LD_LIBRARY_PATH:/usr/local/nvidia/lib64
+      export VK_ADD_DRIVER_FILES=$work/nvidia.json LD_LIBRARY_PATH=$LD_LIBRARY_PATH:/usr/local/nvidia/lib64
       return 0
     fi
   done
@@ -46,18 +45,21 @@ find_driver
   uname -srm
   sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | sort | uniq -c | sed 's/^ *//'
   command -v nvidia-smi >/dev/null && timeout 20 nvidia-smi --query-gpu=name,driver_version,memory.total,clocks.max.sm,clocks.max.mem --format=csv,noheader
-  echo "driver manifest: ${VK_DRIVER_FILES:-${VK_ICD_FILENAMES:-those of the system}}"
+  echo "driver manifest: ${VK_DRIVER_FILES:-${VK_ICD_FILENAMES:-those of the system ${VK_ADD_DRIVER_FILES:-}}}"
   echo "bundle: $(cat "$here/commit.txt" 2>/dev/null)"
 } > "$work/machine.txt" 2>/dev/null
 
 body=()
 [ ! -s "$here/data/body.avatar" ] || body=("$here/data/body.avatar" --motion "$here/data/walk.motion")
 if [ -n "${EFFIGY_GPU_SHORT:-}" ]; then
-  frames=(--size 256x256 --frames 3 --check 1 --spread 0 --warm-up 1) sweep=(--rounds 1)
-  sorts=(--max-keys 65536 --runs 2) rates=(--size 256x256 --largest-copy 8 --least-ms 2)
-  soak_seconds=12 soak=(--size 256x256 --fps 2 --late 50) tests=(rates::)
+  # The built-in demo, in so few pixels that a CPU driver and the reference keep up.
+  body=() total=${EFFIGY_GPU_SECONDS:-1200} slower=3
+  frames=(--size 192x192 --frames 3 --check 1 --spread 0 --warm-up 1) sweep=(--rounds 1)
+  sorts=(--max-keys 16384 --keys 24 --runs 2) rates=(--size 256x256 --max-copy 8 --least-ms 2)
+  soak_seconds=12 soak=(--size 192x192 --fps 2 --late 50) tests=(rates::)
 else
-  frames=(--size 2048x2048 --check 2 --spread 0) sweep=(--frames 16 --rounds 2)
+  total=${EFFIGY_GPU_SECONDS:-530} slower=1
+  frames=(--size 2048x2048 --check 1 --spread 0) sweep=(--frames 16 --rounds 2)
   sorts=() rates=()
   soak_seconds=120 soak=(--size 2048x2048) tests=()
 fi
@@ -67,15 +69,17 @@ plan='
 devices 45
 rates 45
 sorts 90
-tests 150
 frames-quads 60
 frames-tiles 60
+tests 150
 frames-cameras 30
 presets-quads 45
 presets-tiles 45
 skips-quads 60
 soak 150
 '
+# What no step before the soak may take of its time.
+soak_reserve=$((soak_seconds + 20))
 printf '%s\n' "$plan" | awk 'NF { print $1 }' > "$work/plan.txt"
 
 bench() { # NAME ARGS...
@@ -112,10 +116,11 @@ export -f bench do_step
 # A step in a shell of its own, so that its time limit covers all of it. Arrays are not exported: they travel as text.
 settings=$(declare -p work here effigy body frames sweep sorts rates soak soak_seconds tests)
 run_step() { # NAME LIMIT
-  local name=$1 limit=$2 left=$((total - verdict_seconds - SECONDS)) begin=$SECONDS code=0 outcome note=''
+  local name=$1 limit=$(($2 * slower)) left=$((total - verdict_seconds - SECONDS)) begin=$SECONDS code=0 outcome note=''
+  [ "$name" = soak ] || left=$((left - soak_reserve))
   [ "$limit" -le "$left" ] || limit=$left
   if [ "$limit" -lt $least ]; then
-    printf '%s\tnot-run\t0\t%s\tno time was left\n' "$name" "$2" >> "$work/steps.tsv"
+    printf '%s\tnot-run\t0\t%s\tno time was left\n' "$name" $(($2 * slower)) >> "$work/steps.tsv"
     echo "$name: did not run, no time was left"
     return
   fi
