@@ -59,6 +59,8 @@ commands() {
   effigy bench target/body.ply --cameras target/cams.json --frames 4 --check 1
   effigy stress --cases "$1"
   effigy bench-sort --max-keys 65536
+  effigy bench-device --size 256x256 --max-copy 8 --least-ms 2 --json target/rates.json
+  effigy phone-model
   effigy soak --minutes 0.2 --fps 2 --size 256x320 --late 50 --out target/soak --trace target/trace.json
   effigy compare target/soak.json target/soak.json
 }
@@ -156,6 +158,8 @@ full() {
   (use_driver mesa25:256; effigy stress --cases 2000 --seed 7)
   step "soak"
   (use_driver mesa25:256; effigy soak --minutes 20 --fps 2 --size 256x320 --out target/soak)
+  step "a GPU's verdict, rehearsed"
+  tools/gpu.sh --rehearse swiftshader
   step "documentation"
   RUSTDOCFLAGS="-D warnings" cargo doc --no-deps --workspace --features webgpu --quiet
   step "compiled shaders"
