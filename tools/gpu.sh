@@ -75,7 +75,7 @@ avatar=()
 glibc=$(for file in "$tree"/bin/* "$tree"/lib/* "$tree"/layers/*.so; do objdump -T "$file"; done |
   sed -n 's/.*(\?GLIBC_\([0-9.]*\).*/\1/p' | sort -V | tail -n 1)
 git describe --always --dirty=+ > "$tree/commit.txt"
-tar --sort=name --owner=0 --group=0 --mtime=@0 -C "$work" -czf "$out/effigy-gpu.tar.gz" effigy-gpu
+tar --sort=name --owner=0 --group=0 --mtime=@0 -C "$work" -I 'gzip -9' -cf "$out/effigy-gpu.tar.gz" effigy-gpu
 bytes=$(stat -c %s "$out/effigy-gpu.tar.gz")
 echo "$out/effigy-gpu.tar.gz: $((bytes >> 20)) MiB, for x86-64 with glibc $glibc or newer"
 

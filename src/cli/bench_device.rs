@@ -22,7 +22,7 @@ pub struct Args {
     max_copy: u64,
     /// Least time of a measurement, milliseconds
     #[arg(long, value_name = "MS", default_value_t = 20, value_parser = clap::value_parser!(u64).range(1..=10_000))]
-    least_ms: u64,
+    min_ms: u64,
     /// Also write the result as JSON
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
@@ -33,7 +33,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     println!("device   {} ({})\n", gpu.probe.name, gpu.probe.driver);
     let settings = RatesSettings {
         size: args.size,
-        least: Duration::from_millis(args.least_ms),
+        least: Duration::from_millis(args.min_ms),
         largest: args.max_copy << 20,
     };
     let command = std::env::args().collect();
