@@ -6,7 +6,7 @@ use effigy::vulkan::Gpu;
 use effigy_core::scene::FrameImage;
 use effigy_measure::{
     error::ErrorMetrics,
-    stress::{self, CaseOutcome, CategoryReport, StressCase, StressReport, StressSettings},
+    stress::{self, BoundUse, CaseOutcome, CategoryReport, StressCase, StressReport, StressSettings},
 };
 use std::{
     path::{Path, PathBuf},
@@ -108,11 +108,12 @@ fn run_all(args: &Args, gpu: &Arc<Gpu>) -> anyhow::Result<()> {
 fn print_report(report: &StressReport, large: bool) {
     println!("device   {} ({})", report.device, report.driver);
     println!(
-        "{:15} {:>5} {:>6} {:>9} {:>19} {:>19} {:>19} {:>8}  hard because of",
+        "{:15} {:>5} {:>6} {:>13} {:>6} {:>19} {:>19} {:>19} {:>8}  hard because of",
         "category",
         "cases",
         "failed",
-        "ill-posed",
+        "used (case)",
+        "tight",
         "worst dB (case)",
         "device dB (case)",
         "its max (case)",
@@ -120,6 +121,15 @@ fn print_report(report: &StressReport, large: bool) {
     );
     for category in &report.categories {
         print_category(category);
+    }
+    for rasterizer in &report.rasterizers {
+        println!(
+            "{:20} {:>5} cases, {} failed, {:.2} of the bound used at most",
+            rasterizer.rasterizer.name(),
+            rasterizer.cases,
+            rasterizer.failed,
+            rasterizer.largest_use
+        );
     }
     let slowest = report.slowest.map_or(String::new(), |(case, seconds)| {
         format!(", the slowest {seconds:.2} s (case {case})")
@@ -159,13 +169,14 @@ fn print_category(report: &CategoryReport) {
         report.arithmetic_worst_psnr_db,
         report.arithmetic_worst_case,
     );
+    let used = format!("{:.2}{}", report.largest_use, case(report.largest_use_case));
     let max_error = format!("{:.4}{}", report.max_error, case(report.max_error_case));
     println!(
-        "{:15} {:>5} {:>6} {:>9} {worst:>19} {device:>19} {max_error:>19} {:>6.1} s  {}",
+        "{:15} {:>5} {:>6} {used:>13} {:>4.0} % {worst:>19} {device:>19} {max_error:>19} {:>6.1} s  {}",
         report.category.name(),
         report.cases,
         report.failed,
-        report.ill_posed,
+        100.0 * report.tight,
         report.seconds,
         report.what
     );
@@ -215,29 +226,41 @@ fn describe(case: &StressCase) -> String {
 }
 
 fn print_outcome(outcome: &CaseOutcome) {
-    let bound = &outcome.bound;
-    let print = |name: &str, error: &Option<ErrorMetrics>, min_db: f64| {
+    let print = |name: &str, error: &Option<ErrorMetrics>| {
         if let Some(ErrorMetrics { covered, .. }) = error {
             println!(
-                "{name:8} {:.2} dB, {min_db:.2} is the bound; {:.4} at most; over {} covered pixels",
+                "{name:8} {:.2} dB; {:.4} at most; over {} covered pixels",
                 covered.psnr_db, covered.max_error, covered.pixels
             );
         }
     };
-    print("error", &outcome.error, bound.model_db.min(bound.psnr_db));
-    print("device", &outcome.arithmetic, bound.psnr_db);
-    println!(
-        "         error: against the reference; device: its arithmetic alone, {:.4} is the bound",
-        bound.max_error
-    );
-    if let Some(moved) = outcome.conditioned_db {
-        println!("ill-posed: the reference with rounded inputs is {moved:.2} dB from itself");
-    }
+    print("error", &outcome.error);
+    print("device", &outcome.arithmetic);
+    println!("         error: against the reference; device: its arithmetic alone");
+    print_use("bound", &outcome.used);
+    print_use("cached", &outcome.used_cached);
     println!("time     {:.3} s on the device", outcome.time.as_secs_f64());
     println!("bits     {:016x}", outcome.digest);
     if outcome.faults.is_empty() {
         println!("no faults");
     }
+}
+
+fn print_use(name: &str, used: &Option<BoundUse>) {
+    let Some(used) = used else {
+        return;
+    };
+    println!(
+        "{name:8} {:.3} of it used, by {} of pixel {:?}: {:.5} of {:.5}; {:.2} dB allowed; {:.0} % of \
+         covered pixels are bound to within 0.05",
+        used.largest,
+        ["red", "green", "blue", "coverage"][used.channel],
+        used.pixel,
+        used.error,
+        used.bound,
+        used.allowed_db,
+        100.0 * used.tight
+    );
 }
 
 /// Writes the images of the device and of the reference, and the avatar.

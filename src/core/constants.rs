@@ -4,6 +4,9 @@
 pub const LOW_PASS: f64 = 0.3;
 /// Contributions below this opacity are skipped (docs/model.md, step 10).
 pub const ALPHA_MIN: f64 = 1.0 / 255.0;
+/// The saturation depth is where what lies behind shows by less than this many times the opacity
+/// cutoff (docs/experiments/038).
+pub const SATURATION_CUTOFFS: f64 = 2.0;
 /// No single Gaussian covers more of a pixel than this (docs/model.md, step 10).
 pub const ALPHA_MAX: f64 = 0.99;
 /// Where the perspective's derivative is clamped: this fraction of the half field of view outside

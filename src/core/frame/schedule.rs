@@ -21,7 +21,7 @@ pub struct Barrier {
 /// saves, and Gaussians fall between them: on the 200K body there are 1.8 samples for each fragment
 /// saved at 1448 × 1448 px and 2.6 at 1024 × 1024; at 256 × 256 the image loses 2.7 dB
 /// (docs/experiments/038).
-const SATURATION_PIXELS: f64 = 4.0;
+pub const SATURATION_PIXELS: f64 = 4.0;
 
 /// Why a stage does not run in a frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

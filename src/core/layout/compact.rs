@@ -170,6 +170,56 @@ pub fn stored_node_weights(avatar: &Avatar, gaussian: usize) -> [f64; 3] {
     weights
 }
 
+/// The numbers of a Gaussian that an [`Avatar`] can't hold as the GPU's model does, since its own are
+/// f16 or computed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Neutral {
+    /// Weights of its three nodes.
+    pub node_weights: [f64; 3],
+    /// q₀, w x y z.
+    pub rotation: [f64; 4],
+    /// c₀.
+    pub color: [f64; 3],
+}
+
+impl Neutral {
+    /// As the avatar has them.
+    pub fn exact(avatar: &Avatar, gaussian: usize) -> Self {
+        Self {
+            node_weights: avatar.node_weights(gaussian),
+            rotation: avatar.gaussians.rotation[gaussian].map(f64::from),
+            color: avatar.gaussians.color[gaussian].map(f64::from),
+        }
+    }
+
+    /// As the GPU's model has them.
+    pub fn stored(avatar: &Avatar, gaussian: usize) -> Self {
+        let exact = Self::exact(avatar, gaussian);
+        let (word, _) = encode_quaternion(exact.rotation);
+        Self {
+            node_weights: stored_node_weights(avatar, gaussian),
+            rotation: decode_quaternion(word),
+            color: if has_color_code(avatar, gaussian) {
+                exact.color.map(color_code)
+            } else {
+                exact.color
+            },
+        }
+    }
+}
+
+/// Whether a Gaussian's colour is stored in bytes: one with a corrective stays f16, and spherical
+/// harmonics are added to one that is not rounded.
+fn has_color_code(avatar: &Avatar, gaussian: usize) -> bool {
+    let rows = &avatar.color_rows.gaussian;
+    avatar.sh.is_none() && rows.binary_search(&(gaussian as u32)).is_err()
+}
+
+/// A channel rounded to a byte.
+fn color_code(channel: f64) -> f64 {
+    (channel.clamp(0.0, 1.0) * 255.0).round() / 255.0
+}
+
 /// Indices of a Gaussian's nodes by falling weight, and the shares.
 fn coded_weights(avatar: &Avatar, gaussian: usize) -> ([usize; 3], [u32; 2]) {
     let weights = avatar.node_weights(gaussian);
@@ -197,8 +247,8 @@ pub fn row_scale(values: impl Iterator<Item = f64>) -> f64 {
 }
 
 impl Avatar {
-    /// This avatar with the rounding of the GPU's model, except that of node weights
-    /// ([`stored_node_weights`]).
+    /// This avatar with the rounding of the GPU's model, except what [`Neutral::stored`] gives: here
+    /// f16 rounds it once more.
     pub fn compact(&self) -> Self {
         let mut compact = self.clone();
         let scales = LogScales::from_avatar(self);
@@ -210,17 +260,9 @@ impl Avatar {
         for s in g.log_scale.iter_mut().flatten() {
             *s = f16::from_f64(scales.decode(scales.encode(s.to_f64())));
         }
-        if self.sh.is_none() {
-            let has_row = |gaussian: usize| {
-                let rows = &self.color_rows.gaussian;
-                rows.binary_search(&(gaussian as u32)).is_ok()
-            };
-            for (gaussian, color) in g.color.iter_mut().enumerate() {
-                if !has_row(gaussian) {
-                    *color = color.map(|c| {
-                        f16::from_f64((c.to_f64().clamp(0.0, 1.0) * 255.0).round() / 255.0)
-                    });
-                }
+        for (gaussian, color) in g.color.iter_mut().enumerate() {
+            if has_color_code(self, gaussian) {
+                *color = color.map(|c| f16::from_f64(color_code(c.to_f64())));
             }
         }
         compact.rotation_rows = rounded(&self.rotation_rows, rotation_rows(self));

@@ -314,13 +314,18 @@ fn skin_difference(a: Skin, b: Skin) -> i32 {
 fn strongest(weight: &[u32; limits::JOINTS]) -> Skin {
     let mut order: Vec<u8> = (0..=255).collect();
     order.sort_by_key(|&joint| std::cmp::Reverse(weight[usize::from(joint)]));
-    let joint = [order[0], order[1], order[2], order[3]];
-    let chosen = joint.map(|joint| weight[usize::from(joint)]);
+    let strongest = [order[0], order[1], order[2], order[3]];
+    let chosen = strongest.map(|joint| weight[usize::from(joint)]);
     let sum = chosen.iter().sum::<u32>().max(1);
     let mut scaled = chosen.map(|w| (w * 255 / sum) as u8);
     scaled[0] += 255 - scaled.iter().map(|&w| u32::from(w)).sum::<u32>().min(255) as u8;
+    // A joint without weight need not exist: an avatar may have fewer than four.
+    let existing = |joint: u8| match weight[usize::from(joint)] {
+        0 => order[0],
+        _ => joint,
+    };
     Skin {
-        joints: joint,
+        joints: strongest.map(existing),
         weights: scaled,
     }
 }

@@ -8,7 +8,7 @@ use super::{
     sh, sort,
 };
 use crate::avatar::Avatar;
-use crate::layout::compact::stored_node_weights;
+use crate::layout::compact::Neutral;
 use crate::scene::{Camera, FrameImage, Posed, detail::COARSEST};
 use glam::DVec3;
 use half::f16;
@@ -91,8 +91,8 @@ pub fn stored(avatar: &Avatar, posed: &Posed) -> (Avatar, Vec<f64>, Vec<Gaussian
         .into_iter()
         .map(|node| DVec3::from(node.to_array().map(half)))
         .collect();
-    let gaussians = project::gaussians_with_weights(&stored, posed, &features, &nodes, |k| {
-        stored_node_weights(avatar, k)
+    let gaussians = project::gaussians_from(&stored, posed, &features, &nodes, |k| {
+        Neutral::stored(avatar, k)
     });
     (stored, features, gaussians)
 }

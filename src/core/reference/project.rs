@@ -4,6 +4,7 @@
 use super::basis::{corrective, plus};
 use crate::avatar::Avatar;
 use crate::constants;
+use crate::layout::compact::Neutral;
 use crate::scene::{Camera, Posed, detail, radius_in_sigmas};
 use glam::{DAffine3, DMat3, DQuat, DVec2, DVec3};
 use rayon::prelude::*;
@@ -72,16 +73,18 @@ pub fn gaussians(
     features: &[f64],
     nodes: &[DVec3],
 ) -> Vec<Gaussian> {
-    gaussians_with_weights(avatar, posed, features, nodes, |k| avatar.node_weights(k))
+    gaussians_from(avatar, posed, features, nodes, |k| {
+        Neutral::exact(avatar, k)
+    })
 }
 
-/// The avatar in the posed world, with `weights` in place of [`Avatar::node_weights`].
-pub fn gaussians_with_weights(
+/// The avatar in the posed world, with `stored` in place of what its Gaussians say themselves.
+pub fn gaussians_from(
     avatar: &Avatar,
     posed: &Posed,
     features: &[f64],
     nodes: &[DVec3],
-    weights: impl Fn(usize) -> [f64; 3] + Sync,
+    stored: impl Fn(usize) -> Neutral + Sync,
 ) -> Vec<Gaussian> {
     let neutral = &avatar.gaussians;
     (0..neutral.len())
@@ -92,27 +95,23 @@ pub fn gaussians_with_weights(
 
             // δr, δs, δc = B · e (docs/model.md, step 2, the paper's first equation); x = x₀ + δx
             // (step 4).
-            let dx: DVec3 = weights(k)
+            let own = stored(k);
+            let dx: DVec3 = own
+                .node_weights
                 .iter()
                 .zip(neutral.node[k])
                 .map(|(&w, s)| w * nodes[usize::from(s)])
                 .sum();
             let x = avatar.position(k) + dx;
             // Step 5.
-            let q = rotation(
-                neutral.rotation[k].map(f64::from),
-                corrective(&avatar.rotation_rows, k, e),
-            );
+            let q = rotation(own.rotation, corrective(&avatar.rotation_rows, k, e));
             let log_scale = DVec3::from(plus(
                 neutral.log_scale[k].map(f64::from),
                 corrective(&avatar.scale_rows, k, e),
             ));
             let s = log_scale.min(DVec3::splat(constants::LOG_SCALE_MAX)).exp();
-            let c = plus(
-                neutral.color[k].map(f64::from),
-                corrective(&avatar.color_rows, k, e),
-            )
-            .map(|c| c.clamp(0.0, 1.0));
+            let c = plus(own.color, corrective(&avatar.color_rows, k, e))
+                .map(|c| c.clamp(0.0, 1.0));
             // Steps 6 and 7.
             let g = skinning(&posed.joints, neutral.joint[k], neutral.joint_weight[k]);
             Gaussian {

@@ -190,6 +190,16 @@ impl AvatarBounds {
         visible
     }
 
+    /// Whether [`Self::visible`] allows for a Gaussian of a part: one beyond may be cut off.
+    /// `displaced`: how far nodes move it; `axis`: its longest axis; metres in canonical space.
+    pub fn allows_for(&self, part: usize, displaced: f64, axis: f64) -> bool {
+        let radius = axis * radius_in_sigmas(255).unwrap_or_default();
+        self.parts
+            .iter()
+            .find(|own| own.part == part)
+            .is_some_and(|own| displaced <= own.displacement + MARGIN && radius <= own.radius)
+    }
+
     /// Lower and upper corner of a box around the posed avatar, in the space that the joint
     /// matrices lead to.
     pub fn bounds(&self, joints: &[DAffine3]) -> [DVec3; 2] {

@@ -2,11 +2,11 @@
 //! Nothing else decides about it, so that a number replays it anywhere, except on devices that
 //! can't draw triangles.
 
-use super::{adversarial, body::below, category::Category, draft::Draft};
+use super::{adversarial, body::below, bound::Scene, category::Category, draft::Draft};
 use effigy::vulkan::{
     RendererOptions,
     probe::Probe,
-    raster::{ColorFormat, RasterMethod},
+    raster::{ColorFormat, RasterMethod, TileKernel},
     sort::KeyBits,
 };
 use effigy_core::{
@@ -17,11 +17,77 @@ use effigy_core::{
     scene::{Camera, Posed},
 };
 use glam::DAffine3;
+use serde::Serialize;
 
 /// Makes the seed of a case's options differ from that of the rest ("options!").
 const OPTIONS_SEED: u64 = 0x6f70_7469_6f6e_7321;
 /// Moves of the camera that are tried to keep Gaussians off the edges of culling.
 const MAX_MOVES: usize = 100;
+
+/// The ways of rasterizing, which cases take turns with at random.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Rasterizer {
+    /// Quads, blended far to near.
+    Quads,
+    /// Quads tested against the saturation depth, where an avatar is large enough for it.
+    TestedQuads,
+    /// Tiles by the kernel whose invocations work alone.
+    PerThread,
+    /// Tiles by the kernel whose subgroups work together; where a device can't, by the one before.
+    Cooperative,
+    /// Tiles by the kernel whose workgroups share a batch.
+    Shared,
+}
+
+impl Rasterizer {
+    /// Every rasterizer.
+    pub const ALL: [Self; 5] = [
+        Self::Quads,
+        Self::TestedQuads,
+        Self::PerThread,
+        Self::Cooperative,
+        Self::Shared,
+    ];
+
+    /// That of a case's options.
+    pub fn of(options: &RendererOptions) -> Self {
+        match (options.method, options.kernel) {
+            (Some(RasterMethod::Quads), _) if options.skip.contains(Skip::DEPTH) => {
+                Self::TestedQuads
+            }
+            (Some(RasterMethod::Quads), _) => Self::Quads,
+            (_, Some(TileKernel::Cooperative)) => Self::Cooperative,
+            (_, Some(TileKernel::Shared)) => Self::Shared,
+            _ => Self::PerThread,
+        }
+    }
+
+    /// Name in output for people.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Quads => "quads",
+            Self::TestedQuads => "quads, tested",
+            Self::PerThread => "tiles, per thread",
+            Self::Cooperative => "tiles, cooperative",
+            Self::Shared => "tiles, shared",
+        }
+    }
+
+    /// Sets the options that choose it.
+    fn choose(self, options: &mut RendererOptions) {
+        options.skip.set(Skip::DEPTH, self == Self::TestedQuads);
+        options.method = Some(match self {
+            Self::Quads | Self::TestedQuads => RasterMethod::Quads,
+            _ => RasterMethod::Tiles,
+        });
+        options.kernel = Some(match self {
+            Self::Cooperative => TileKernel::Cooperative,
+            Self::Shared => TileKernel::Shared,
+            _ => TileKernel::PerThread,
+        });
+    }
+}
 
 /// A frame that is hard to draw.
 pub struct StressCase {
@@ -52,13 +118,12 @@ fn options(random: &mut Random, size: [u32; 2]) -> RendererOptions {
         1 | 2 => Skip::empty(),
         _ => Skip::from_bits_truncate(random.bits() as u32),
     };
-    RendererOptions {
+    let mut options = RendererOptions {
         color: Some(if below(random, 4) == 0 {
             ColorFormat::Rgba8
         } else {
             ColorFormat::Rgba16F
         }),
-        method: Some(RasterMethod::ALL[below(random, RasterMethod::ALL.len())]),
         key_bits: Some(
             [
                 KeyBits::Sixteen,
@@ -69,7 +134,9 @@ fn options(random: &mut Random, size: [u32; 2]) -> RendererOptions {
         ),
         skip,
         ..RendererOptions::new(size)
-    }
+    };
+    Rasterizer::ALL[below(random, Rasterizer::ALL.len())].choose(&mut options);
+    options
 }
 
 impl StressCase {
@@ -123,10 +190,28 @@ impl StressCase {
         }
     }
 
-    /// The case as a device can draw it: by tiles if it can't draw triangles.
+    /// What its image is bound by.
+    pub fn scene(&self) -> Scene<'_> {
+        Scene {
+            avatar: &self.avatar,
+            posed: &self.posed,
+            camera: &self.camera,
+            options: &self.options,
+            cached_by: None,
+        }
+    }
+
+    /// The case as a device can draw it: by tiles if it can't draw triangles, and without the
+    /// cooperative kernel if it has no subgroups of 8 that shuffle.
     pub fn for_device(mut self, probe: &Probe) -> Self {
+        let options = &mut self.options;
         if !probe.draws_triangles() {
-            self.options.method = Some(RasterMethod::Tiles);
+            options.method = Some(RasterMethod::Tiles);
+            options.skip -= Skip::HIDDEN | Skip::DEPTH;
+        }
+        let cooperates = probe.subgroup_shuffle && probe.subgroup_size == 8;
+        if options.kernel == Some(TileKernel::Cooperative) && !cooperates {
+            options.kernel = Some(TileKernel::PerThread);
         }
         self
     }

@@ -1,6 +1,11 @@
 //! The report of a stress test. [`StressReport`] is the whole JSON file; the fields are its keys.
 
-use super::{bound::ErrorBound, case::StressCase, category::Category, check::CaseOutcome};
+use super::{
+    bound::BoundUse,
+    case::{Rasterizer, StressCase},
+    category::Category,
+    check::CaseOutcome,
+};
 use crate::error::{ErrorMetrics, RegionError};
 use serde::Serialize;
 
@@ -16,9 +21,15 @@ pub struct CategoryReport {
     pub cases: usize,
     /// Cases with a fault.
     pub failed: usize,
-    /// Cases whose image depends on less than f32 can tell, and which were held to no more than
-    /// that.
-    pub ill_posed: usize,
+    /// Largest share of its bound that a pixel used, from the model or the pose cache.
+    pub largest_use: f64,
+    /// The case of `largest_use`.
+    pub largest_use_case: Option<u64>,
+    /// Mean over cases of the share of covered pixels that are bound to within 0.05.
+    pub tight: f64,
+    /// Cases that `tight` is the mean of.
+    #[serde(skip)]
+    bounded: usize,
     /// Lowest PSNR over covered pixels, dB. Null if no case drew anything.
     pub worst_psnr_db: Option<f64>,
     /// The case of `worst_psnr_db`.
@@ -43,7 +54,10 @@ impl CategoryReport {
             what: category.what(),
             cases: 0,
             failed: 0,
-            ill_posed: 0,
+            largest_use: 0.0,
+            largest_use_case: None,
+            tight: 0.0,
+            bounded: 0,
             worst_psnr_db: None,
             worst_case: None,
             arithmetic_worst_psnr_db: None,
@@ -59,12 +73,21 @@ impl CategoryReport {
         self.cases += 1;
         self.failed += usize::from(failed);
         self.seconds += outcome.time.as_secs_f64();
-        self.ill_posed += usize::from(outcome.conditioned_db.is_some() && !failed);
+        if let Some(largest) = outcome.largest_use()
+            && largest > self.largest_use
+        {
+            self.largest_use = largest;
+            self.largest_use_case = Some(number);
+        }
         let error = outcome.error.and_then(covered);
         let arithmetic = outcome.arithmetic.and_then(covered);
         let (Some(error), Some(arithmetic)) = (error, arithmetic) else {
             return;
         };
+        if let Some(used) = &outcome.used {
+            self.bounded += 1;
+            self.tight += (used.tight - self.tight) / self.bounded as f64;
+        }
         let is_lower = |psnr_db: f64, worst: Option<f64>| worst.is_none_or(|worst| psnr_db < worst);
         if is_lower(error.psnr_db, self.worst_psnr_db) {
             self.worst_psnr_db = Some(error.psnr_db);
@@ -94,7 +117,7 @@ pub struct StressCaseReport {
     /// Its category.
     #[serde(rename = "family")]
     pub category: Category,
-    /// Colour format, key width and skipped work.
+    /// Rasterizer, colour format, key width and skipped work.
     pub options: String,
     /// Pixels that the reference covers.
     pub covered_pixels: usize,
@@ -107,10 +130,35 @@ pub struct StressCaseReport {
     pub arithmetic_psnr_db: f64,
     /// Largest error of any channel, 0 to 1.
     pub arithmetic_max_error: f64,
-    /// The bound that it was held to.
-    pub bound: ErrorBound,
-    /// How well the reference itself determines the image, dB, if that had to be computed.
-    pub conditioned_db: Option<f64>,
+    /// How much of its bound it uses, computed from the model.
+    pub used: Option<BoundUse>,
+    /// The same from the pose cache, where the case skips skinning.
+    pub used_cached: Option<BoundUse>,
+}
+
+/// The results of the cases of a rasterizer.
+#[derive(Clone, Debug, Serialize)]
+pub struct RasterizerReport {
+    /// The rasterizer.
+    pub rasterizer: Rasterizer,
+    /// Cases drawn with it.
+    pub cases: usize,
+    /// Cases with a fault.
+    pub failed: usize,
+    /// Largest share of its bound that a pixel used.
+    pub largest_use: f64,
+}
+
+impl RasterizerReport {
+    /// A report without cases.
+    pub fn new(rasterizer: Rasterizer) -> Self {
+        Self {
+            rasterizer,
+            cases: 0,
+            failed: 0,
+            largest_use: 0.0,
+        }
+    }
 }
 
 /// A case that failed.
@@ -139,6 +187,8 @@ pub struct StressReport {
     /// Each category that had a case.
     #[serde(rename = "families")]
     pub categories: Vec<CategoryReport>,
+    /// Each rasterizer.
+    pub rasterizers: Vec<RasterizerReport>,
     /// Each case with a fault.
     pub failures: Vec<Failure>,
     /// Every case that drew an image.
@@ -162,6 +212,15 @@ impl StressReport {
                 report.add(case.number, outcome);
             }
         }
+        let rasterizer = Rasterizer::of(&case.options);
+        for report in &mut self.rasterizers {
+            if report.rasterizer == rasterizer {
+                report.cases += 1;
+                report.failed += usize::from(!outcome.faults.is_empty());
+                let largest = outcome.largest_use().unwrap_or_default();
+                report.largest_use = report.largest_use.max(largest);
+            }
+        }
         let seconds = outcome.time.as_secs_f64();
         if self.slowest.is_none_or(|(_, slowest)| seconds > slowest) {
             self.slowest = Some((case.number, seconds));
@@ -171,7 +230,8 @@ impl StressReport {
                 case: case.number,
                 category: case.category,
                 options: format!(
-                    "{:?}, {:?}, {}",
+                    "{}, {:?}, {:?}, {}",
+                    rasterizer.name(),
                     case.options.color.unwrap_or_default(),
                     case.options.keys(),
                     case.options.skip
@@ -181,8 +241,8 @@ impl StressReport {
                 max_error: error.covered.max_error,
                 arithmetic_psnr_db: arithmetic.covered.psnr_db,
                 arithmetic_max_error: arithmetic.covered.max_error,
-                bound: outcome.bound,
-                conditioned_db: outcome.conditioned_db,
+                used: outcome.used,
+                used_cached: outcome.used_cached,
             });
         }
         if !outcome.faults.is_empty() {

@@ -1,10 +1,10 @@
 //! Draws and checks a range of cases: a seed and numbers go in, a report comes out.
 
 use super::{
-    case::StressCase,
+    case::{Rasterizer, StressCase},
     category::Category,
     check::check_case,
-    report::{CategoryReport, StressReport},
+    report::{CategoryReport, RasterizerReport, StressReport},
 };
 use effigy::vulkan::Gpu;
 use effigy_core::random::hash;
@@ -35,6 +35,7 @@ pub fn run(
         seed: settings.seed,
         cases: 0,
         categories: Category::ALL.map(CategoryReport::new).into(),
+        rasterizers: Rasterizer::ALL.map(RasterizerReport::new).into(),
         failures: vec![],
         all: vec![],
         digest: String::new(),
@@ -56,6 +57,7 @@ pub fn run(
         }
     }
     report.categories.retain(|category| category.cases > 0);
+    report.rasterizers.retain(|rasterizer| rasterizer.cases > 0);
     report.digest = format!("{digest:016x}");
     report.seconds = start.elapsed().as_secs_f64();
     report

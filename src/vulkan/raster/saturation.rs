@@ -22,7 +22,9 @@ use crate::vulkan::{
     },
 };
 use ash::vk;
-use effigy_core::{frame::RendererOptions, layout::SATURATION_REGION};
+use effigy_core::{
+    constants::SATURATION_CUTOFFS, frame::RendererOptions, layout::SATURATION_REGION,
+};
 use std::sync::Arc;
 
 /// Every device can write and sample it.
@@ -180,7 +182,7 @@ const LAUNCH: Launch = Launch {
 fn constants(options: &RendererOptions) -> [u32; 3] {
     [
         (options.cutoff.log2() as f32).to_bits(),
-        (2.0 * options.cutoff as f32).to_bits(),
+        ((SATURATION_CUTOFFS * options.cutoff) as f32).to_bits(),
         options.count.into(),
     ]
 }

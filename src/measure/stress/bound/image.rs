@@ -1,0 +1,340 @@
+//! The bound of a whole image, and how much of it a device's image uses.
+
+use super::{
+    features,
+    occluded::{Occluded, OccludedInput},
+    pixel::{Layer, Ordered, PixelBound},
+    rounding::Rounding,
+    splats::{self, CacheSpace, SplatInput, UncertainSplat},
+};
+use effigy_core::{
+    avatar::Avatar,
+    constants::SATURATION_CUTOFFS,
+    frame::{FrameState, PlanInput, RendererOptions, Skip, schedule::SATURATION_PIXELS},
+    occluder::Occluder,
+    reference,
+    scene::{AvatarBounds, Camera, FrameImage, PartDependencies, PartSet, PixelRect, Posed},
+};
+use glam::{DVec2, DVec3, UVec2};
+use rayon::prelude::*;
+use serde::Serialize;
+
+/// A pixel fails if it is further from the reference than this many times its bound. The bound counts
+/// errors to first order and errors of errors roughly; a hundredth is more than what that leaves out
+/// where the bound is small, and nothing where it is not.
+pub const SLACK: f64 = 1.01;
+/// Errors no larger than this are none: the images that are compared are f32.
+const NOTHING: f64 = 4.0 * f32::EPSILON as f64;
+/// A bound of at most this sees a fault of a tenth of a channel.
+const TIGHT: f64 = 0.05;
+
+/// A frame to bound.
+#[derive(Clone, Copy)]
+pub struct Scene<'a> {
+    /// The avatar as the file has it.
+    pub avatar: &'a Avatar,
+    /// Its pose, in its place.
+    pub posed: &'a Posed,
+    /// Where it is seen from.
+    pub camera: &'a Camera,
+    /// Resolved options.
+    pub options: &'a RendererOptions,
+    /// The camera that filled the pose cache, if skinned Gaussians come from there.
+    pub cached_by: Option<&'a Camera>,
+}
+
+/// Every pixel's value by the reference and how far a device's may be from it.
+#[derive(Clone, Debug)]
+pub struct ImageBound {
+    size: [u32; 2],
+    pixels: Vec<PixelBound>,
+}
+
+/// How much of its bound an image uses.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct BoundUse {
+    /// Largest error of any channel of any pixel, as a share of its bound.
+    pub largest: f64,
+    /// Column and row of that pixel.
+    pub pixel: [u32; 2],
+    /// Its channel, of red, green, blue and coverage.
+    pub channel: usize,
+    /// That error, and its bound, 0 to 1.
+    pub error: f64,
+    /// The bound of that error.
+    pub bound: f64,
+    /// Lowest PSNR that the bound allows, dB, over covered pixels.
+    pub allowed_db: f64,
+    /// Share of covered pixels whose every channel is bound to within 0.05.
+    pub tight: f64,
+}
+
+impl BoundUse {
+    /// Whether every pixel is within its bound.
+    pub fn holds(&self) -> bool {
+        self.largest <= SLACK
+    }
+}
+
+impl ImageBound {
+    /// The bound of a frame.
+    pub fn new(scene: &Scene, rounding: &Rounding) -> Self {
+        let Scene {
+            avatar,
+            posed,
+            camera,
+            options,
+            ..
+        } = *scene;
+        let bounds = AvatarBounds::new(avatar);
+        let dependencies = PartDependencies::new(avatar);
+        let has_occluder = rounding.skip.contains(Skip::HIDDEN)
+            && !Occluder::new(avatar).triangles.is_empty();
+        let plan = FrameState::default().plan(PlanInput {
+            poses: &[posed],
+            camera,
+            bounds: &bounds,
+            dependencies: &dependencies,
+            options,
+            has_occluder,
+            always_submit: true,
+        });
+        let (stored, _, gaussians) = reference::stored(avatar, posed);
+        let features = features::features(&stored, posed);
+        let nodes = features::nodes(&stored, &features);
+        let cache = scene
+            .cached_by
+            .map(|filled_by| CacheSpace::new(&bounds, posed, filled_by));
+        let mut splats = splats::splats(&SplatInput {
+            avatar,
+            stored: &stored,
+            posed,
+            camera,
+            features: &features,
+            nodes: &nodes,
+            gaussians: &gaussians,
+            bounds: &bounds,
+            depth_range: plan.depth_range,
+            culled_parts: plan
+                .instances
+                .first()
+                .map_or(PartSet::EMPTY, |instance| instance.culled_parts),
+            culled: plan.instances.is_empty(),
+            cache,
+            rounding,
+        });
+        if let Some(view) = &plan.occluder_view {
+            let nodes: Vec<DVec3> = nodes
+                .iter()
+                .map(|node| DVec3::from(features::values(*node)))
+                .collect();
+            let occluded = Occluded::new(&OccludedInput {
+                avatar,
+                posed,
+                camera,
+                nodes: &nodes,
+                view,
+                depth_range: plan.depth_range,
+                margin: rounding.margin,
+            });
+            if let Some(occluded) = occluded {
+                for splat in &mut splats {
+                    splat.may_vanish |= occluded.may_hide(splat);
+                }
+            }
+        }
+        let tested = rounding.quads()
+            && rounding.skip.contains(Skip::DEPTH)
+            && plan.pixels_a_gaussian >= SATURATION_PIXELS;
+        Self::of_splats(splats, camera.size, rounding, plan.drawn_rect, tested)
+    }
+
+    /// The bound of splats. `drawn`: where they are drawn; `tested`: against the saturation depth.
+    fn of_splats(
+        splats: Vec<UncertainSplat>,
+        size: [u32; 2],
+        rounding: &Rounding,
+        drawn: PixelRect,
+        tested: bool,
+    ) -> Self {
+        let ordered = Ordered::new(splats, rounding.keys.largest());
+        let samples = tested.then(|| SaturatedKeys::new(&ordered, size, rounding));
+        let width = size[0] as usize;
+        let mut pixels = vec![PixelBound::default(); width * size[1] as usize];
+        pixels
+            .par_chunks_mut(width)
+            .enumerate()
+            .for_each(|(y, row)| {
+                let grid = Row {
+                    y: y as f64 + 0.5,
+                    first: 0.5,
+                    step: 1.0,
+                    count: width,
+                };
+                for (x, mut layers) in grid.layers(&ordered).into_iter().enumerate() {
+                    if !contains(drawn, [x, y]) {
+                        for layer in &mut layers {
+                            if ordered.splats[layer.rank as usize].strays {
+                                layer.alpha.low = 0.0;
+                            }
+                        }
+                    }
+                    let lost = samples.as_ref().map_or(0.0, |samples| samples.at([x, y]));
+                    row[x] = ordered.blend(&mut layers, rounding, lost);
+                }
+            });
+        Self { size, pixels }
+    }
+
+    /// The reference's image.
+    pub fn reference(&self) -> FrameImage {
+        FrameImage {
+            size: self.size,
+            pixels: self
+                .pixels
+                .iter()
+                .map(|pixel| pixel.value.map(|v| v as f32))
+                .collect(),
+        }
+    }
+
+    /// Compares an image with the bound.
+    ///
+    /// # Panics
+    /// If the sizes differ.
+    pub fn used_by(&self, image: &FrameImage) -> BoundUse {
+        assert_eq!(image.size, self.size, "the bound is of another image");
+        let mut used = BoundUse {
+            largest: 0.0,
+            pixel: [0; 2],
+            channel: 0,
+            error: 0.0,
+            bound: 0.0,
+            allowed_db: f64::INFINITY,
+            tight: 1.0,
+        };
+        let [mut squares, mut covered, mut tight] = [0.0, 0.0, 0.0];
+        for (at, (bound, pixel)) in self.pixels.iter().zip(&image.pixels).enumerate() {
+            let mut widest: f64 = 0.0;
+            for channel in 0..4 {
+                let difference = f64::from(pixel[channel]) - bound.value[channel];
+                let allowed = if difference < 0.0 {
+                    bound.below[channel]
+                } else {
+                    bound.above[channel]
+                };
+                let most = bound.below[channel].max(bound.above[channel]);
+                widest = widest.max(most);
+                if bound.value[3] >= effigy_core::constants::ALPHA_MIN {
+                    squares += if channel < 3 { most * most } else { 0.0 };
+                }
+                let error = difference.abs();
+                let share = if error.is_nan() {
+                    f64::INFINITY
+                } else if error <= NOTHING {
+                    0.0
+                } else {
+                    error / allowed.max(f64::MIN_POSITIVE)
+                };
+                if share > used.largest {
+                    used.largest = share;
+                    used.pixel = [at as u32 % self.size[0], at as u32 / self.size[0]];
+                    used.channel = channel;
+                    used.error = error;
+                    used.bound = allowed;
+                }
+            }
+            if bound.value[3] >= effigy_core::constants::ALPHA_MIN {
+                covered += 1.0;
+                tight += if widest <= TIGHT { 1.0 } else { 0.0 };
+            }
+        }
+        if covered > 0.0 {
+            used.allowed_db = -10.0 * (squares / (3.0 * covered)).log10();
+            used.tight = tight / covered;
+        }
+        used
+    }
+}
+
+fn contains(rect: PixelRect, pixel: [usize; 2]) -> bool {
+    let at = UVec2::from(pixel.map(|v| v as u32));
+    rect.min.cmple(at).all() && at.cmplt(rect.max).all()
+}
+
+/// Places in a row of the image.
+struct Row {
+    y: f64,
+    first: f64,
+    step: f64,
+    count: usize,
+}
+
+impl Row {
+    /// The layers at each place, nearest first.
+    fn layers(&self, ordered: &Ordered) -> Vec<Vec<Layer>> {
+        let mut all = vec![Vec::new(); self.count];
+        for (rank, splat) in ordered.splats.iter().enumerate() {
+            if (self.y - splat.center.y).abs() > splat.reach.y {
+                continue;
+            }
+            let place = |x: f64| (x - self.first) / self.step;
+            // The casts saturate.
+            let from = place(splat.center.x - splat.reach.x).ceil().max(0.0) as usize;
+            let end = (place(splat.center.x + splat.reach.x).floor() + 1.0).max(0.0) as usize;
+            for x in from..end.min(self.count) {
+                let at = DVec2::new(self.first + self.step * x as f64, self.y);
+                if let Some(alpha) = splat.alpha(at) {
+                    all[x].push(Layer {
+                        rank: rank as u32,
+                        alpha,
+                    });
+                }
+            }
+        }
+        all
+    }
+}
+
+/// The largest key at which each sample of the saturation stage may be saturated: at every second
+/// pixel, where four of them meet.
+struct SaturatedKeys {
+    size: [usize; 2],
+    keys: Vec<f64>,
+}
+
+impl SaturatedKeys {
+    fn new(ordered: &Ordered, size: [u32; 2], rounding: &Rounding) -> Self {
+        let [width, height] = size.map(|side| side.div_ceil(2) as usize);
+        let keys = (0..height)
+            .into_par_iter()
+            .flat_map_iter(|y| {
+                let row = Row {
+                    y: 2.0 * y as f64 + 1.0,
+                    first: 1.0,
+                    step: 2.0,
+                    count: width,
+                };
+                let layers = row.layers(ordered);
+                layers.into_iter().map(|layers| {
+                    ordered.saturated_key(&layers, SATURATION_CUTOFFS * rounding.cutoff)
+                })
+            })
+            .collect();
+        Self {
+            size: [width, height],
+            keys,
+        }
+    }
+
+    /// The smallest of the four samples around a pixel, beyond the edge those at it.
+    fn at(&self, pixel: [usize; 2]) -> f64 {
+        let [columns, rows] = [0, 1].map(|axis| {
+            let after = pixel[axis].div_ceil(2).min(self.size[axis] - 1);
+            [pixel[axis].div_ceil(2).saturating_sub(1).min(after), after]
+        });
+        rows.into_iter()
+            .flat_map(|y| columns.map(|x| self.keys[y * self.size[0] + x]))
+            .fold(f64::INFINITY, f64::min)
+    }
+}
