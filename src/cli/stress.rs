@@ -6,7 +6,9 @@ use effigy::vulkan::Gpu;
 use effigy_core::scene::FrameImage;
 use effigy_measure::{
     error::ErrorMetrics,
-    stress::{self, BoundUse, CaseOutcome, CategoryReport, StressCase, StressReport, StressSettings},
+    stress::{
+        self, BoundUse, CaseOutcome, CategoryReport, StressCase, StressReport, StressSettings,
+    },
 };
 use std::{
     path::{Path, PathBuf},

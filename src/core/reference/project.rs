@@ -110,8 +110,8 @@ pub fn gaussians_from(
                 corrective(&avatar.scale_rows, k, e),
             ));
             let s = log_scale.min(DVec3::splat(constants::LOG_SCALE_MAX)).exp();
-            let c = plus(own.color, corrective(&avatar.color_rows, k, e))
-                .map(|c| c.clamp(0.0, 1.0));
+            let c =
+                plus(own.color, corrective(&avatar.color_rows, k, e)).map(|c| c.clamp(0.0, 1.0));
             // Steps 6 and 7.
             let g = skinning(&posed.joints, neutral.joint[k], neutral.joint_weight[k]);
             Gaussian {

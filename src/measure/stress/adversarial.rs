@@ -11,7 +11,7 @@ use effigy_core::{
     reference::project::Gaussian,
     scene::Camera,
 };
-use glam::{DAffine3, DMat3, DVec2, DVec3};
+use glam::{DAffine3, DMat3, DQuat, DVec2, DVec3};
 use half::f16;
 use std::f64::consts::PI;
 
@@ -310,6 +310,28 @@ fn torn(random: &mut Random, draft: &mut Draft) {
     for rotation in &mut draft.pose.rotation {
         *rotation = random.direction() * random.range(0.0, max_angle);
     }
+    // Half of them are also stretched: joints pull by more than they turn, as no skeleton does.
+    if below(random, 2) == 0 {
+        let most = random.range(1.1, 2.5);
+        let apart = random.range(0.0, 0.3);
+        draft.note += &format!(", stretched by up to {most:.1} and {apart:.2} m apart");
+        draft.stretched = (0..draft.sizes.joints)
+            .map(|_| stretch(random, most, apart))
+            .collect();
+    }
+}
+
+/// Scales by up to `most` along one direction and its inverse along others, around the middle of the
+/// body, and moves by up to `apart`, metres.
+fn stretch(random: &mut Random, most: f64, apart: f64) -> DAffine3 {
+    let turn = DQuat::from_rotation_arc(DVec3::X, random.direction());
+    let scale = DVec3::from_array(std::array::from_fn(|_| most.powf(random.range(-1.0, 1.0))));
+    let matrix =
+        DMat3::from_quat(turn) * DMat3::from_diagonal(scale) * DMat3::from_quat(turn.inverse());
+    let moved = random.direction() * random.range(0.0, apart);
+    DAffine3::from_translation(DVec3::Y + moved)
+        * DAffine3::from_mat3(matrix)
+        * DAffine3::from_translation(-DVec3::Y)
 }
 
 /// A scene of [`near_plane`].

@@ -75,7 +75,7 @@ impl Rasterizer {
     }
 
     /// Sets the options that choose it.
-    fn choose(self, options: &mut RendererOptions) {
+    pub fn choose(self, options: &mut RendererOptions) {
         options.skip.set(Skip::DEPTH, self == Self::TestedQuads);
         options.method = Some(match self {
             Self::Quads | Self::TestedQuads => RasterMethod::Quads,

@@ -38,7 +38,7 @@ pub enum Category {
     Mixed,
     /// A closed body with an occluder.
     Solid,
-    /// A closed body that its pose pulls apart.
+    /// A closed body that its pose pulls apart or stretches.
     Torn,
     /// Inputs that can't be drawn.
     Refused,
@@ -129,7 +129,9 @@ impl Category {
             Self::Views => "fields of view from 1° to 170°",
             Self::Mixed => "several of these at once",
             Self::Solid => "a closed body, whose occluder hides Gaussians inside and behind it",
-            Self::Torn => "a closed body that bent joints pull apart, so that its inside shows",
+            Self::Torn => {
+                "a closed body that joints pull apart, half of them stretch, so that its inside shows"
+            }
             Self::Refused => "NaN, infinity and other numbers that can't be drawn, in every input",
         }
     }

@@ -15,6 +15,8 @@ pub struct Draft {
     pub pose: Pose,
     /// Moves the posed avatar.
     pub placed: DAffine3,
+    /// What is done to each joint in its own canonical place before the pose; none: nothing.
+    pub stretched: Vec<DAffine3>,
     /// Width and height of the image, px.
     pub size: [u32; 2],
     /// Vertical field of view, radians.
@@ -48,6 +50,7 @@ impl Draft {
             avatar,
             pose,
             placed: DAffine3::IDENTITY,
+            stretched: vec![],
             size,
             fov: random.range(0.4, 1.2),
             distance: random.range(0.6, 1.3),
@@ -64,6 +67,9 @@ impl Draft {
     /// The posed avatar in its place.
     pub fn posed(&self) -> Posed {
         let mut posed = Posed::new(&self.avatar, &self.pose);
+        for (joint, stretch) in posed.joints.iter_mut().zip(&self.stretched) {
+            *joint *= *stretch;
+        }
         for joint in &mut posed.joints {
             *joint = self.placed * *joint;
         }

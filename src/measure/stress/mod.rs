@@ -17,6 +17,8 @@ mod case;
 mod category;
 mod check;
 mod draft;
+#[cfg(test)]
+mod faults;
 mod refusal;
 mod report;
 mod run;

@@ -88,8 +88,8 @@ impl ImageBound {
         } = *scene;
         let bounds = AvatarBounds::new(avatar);
         let dependencies = PartDependencies::new(avatar);
-        let has_occluder = rounding.skip.contains(Skip::HIDDEN)
-            && !Occluder::new(avatar).triangles.is_empty();
+        let has_occluder =
+            rounding.skip.contains(Skip::HIDDEN) && !Occluder::new(avatar).triangles.is_empty();
         let plan = FrameState::default().plan(PlanInput {
             poses: &[posed],
             camera,

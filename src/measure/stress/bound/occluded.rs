@@ -1,10 +1,10 @@
-//! Which Gaussians a device may leave out as hidden by the occluder: those behind its mesh wherever
-//! in a texel the device samples it, and one texel aside.
+//! Which Gaussians a device may leave out as hidden by the occluder: those that its test takes for
+//! hidden wherever around the middle of a texel it samples the mesh.
 
 use super::splats::UncertainSplat;
 use effigy_core::{
     avatar::Avatar,
-    layout::PYRAMID_SIDE,
+    layout::{PYRAMID_LEVELS, PYRAMID_SIDE},
     occluder::{Occluder, mesh::OPAQUE_DEPTH},
     reference::occluder::{self, OccluderDrawing, PosedVertex},
     scene::{Camera, OccluderView, Posed},
@@ -16,8 +16,9 @@ const STRETCH: f64 = 0.99;
 /// How far a depth of the pyramid may be off: steps of a 16-bit depth image, of a vertex's 16-bit
 /// position, and of the rasterizer's grid.
 const DEPTH: f64 = 12.0 / 65535.0;
-/// Where in a texel a device may sample, off its middle, texels.
-const OFFSETS: [f64; 3] = [-0.5, 0.0, 0.5];
+/// How far off a texel's middle a device may seem to sample, texels: vertices lie on a grid of 1/16 of
+/// a texel at least, and their positions are 16-bit.
+const OFFSET: f64 = 1.0 / 16.0;
 
 /// The nearest that the pyramid may hold at each texel of its finest level; None where the mesh
 /// reaches behind the camera, and anything may be.
@@ -71,43 +72,57 @@ impl Occluded {
             return true;
         };
         let last = f64::from(PYRAMID_SIDE - 1);
-        let texel = |at: DVec2| (at * self.scale - self.origin).floor();
-        let middle = texel(splat.center);
-        let radius = DVec2::splat((0.98 * splat.occluder_radius - splat.shift.max_element()).max(0.0));
-        let low = (texel(splat.center - radius) + 1.0).min(middle);
-        let high = (texel(splat.center + radius) - 1.0).max(middle);
-        let clamp = |at: DVec2| at.clamp(DVec2::ZERO, DVec2::splat(last)).as_uvec2();
-        let [low, high] = [clamp(low), clamp(high)];
+        // The texels that the device surely looks at: its square, without what errors may add to it.
+        let spare = splat.shift.max_element() + 1e-3 * splat.occluder_radius;
+        let radius = (splat.occluder_radius - spare).max(0.0);
+        let place = |by: f64| {
+            ((splat.center + by * radius) * self.scale - self.origin + by * 0.5)
+                .clamp(DVec2::ZERO, DVec2::splat(last))
+        };
+        let [low, high] = [-1.0, 1.0].map(place);
+        // Within rounding of a texel's edge it may be either.
+        let [low, high] = [
+            (low + 1e-3).as_uvec2(),
+            (high - 1e-3).max(DVec2::ZERO).as_uvec2(),
+        ];
+        let high = high.max(low);
+        // The level on which the square spans at most five texels along each side.
+        let span = (high - low).max_element();
+        let level = if span <= 3 { 0 } else { (span - 1).ilog2() - 1 };
+        if level >= PYRAMID_LEVELS {
+            return false;
+        }
+        let [low, high] = [
+            low >> level << level,
+            (high >> level << level) + (1 << level) - 1,
+        ];
         let depth = 1.0 - splat.key[0] + DEPTH;
-        (low.y..=high.y).all(|y| {
-            (low.x..=high.x).all(|x| depth > nearest[(y * PYRAMID_SIDE + x) as usize])
-        })
+        (low.y..=high.y)
+            .all(|y| (low.x..=high.x).all(|x| depth > nearest[(y * PYRAMID_SIDE + x) as usize]))
     }
 }
 
 fn nearest(input: &OccludedInput, vertices: &[PosedVertex], triangles: &[[u32; 3]]) -> Vec<f64> {
     let side = PYRAMID_SIDE as usize;
     let mut all = vec![1.0f64; side * side];
-    for y in OFFSETS {
-        for x in OFFSETS {
-            let drawing = OccluderDrawing {
-                camera: input.camera,
-                view: input.view,
-                depth_range: input.depth_range,
-                margin: input.margin,
-                offset: DVec2::new(x, y),
-            };
-            let pyramid = occluder::pyramid(vertices, triangles, &drawing);
-            for (all, depth) in all.iter_mut().zip(pyramid) {
-                *all = all.min(depth);
-            }
+    for [x, y] in [
+        [0.0, 0.0],
+        [-1.0, -1.0],
+        [1.0, -1.0],
+        [-1.0, 1.0],
+        [1.0, 1.0],
+    ] {
+        let drawing = OccluderDrawing {
+            camera: input.camera,
+            view: input.view,
+            depth_range: input.depth_range,
+            margin: input.margin,
+            offset: OFFSET * DVec2::new(x, y),
+        };
+        let pyramid = occluder::pyramid(vertices, triangles, &drawing);
+        for (all, depth) in all.iter_mut().zip(pyramid) {
+            *all = all.min(depth);
         }
     }
-    let at = |x: usize, y: usize| {
-        let rows = y.saturating_sub(1)..(y + 2).min(side);
-        rows.flat_map(|y| (x.saturating_sub(1)..(x + 2).min(side)).map(move |x| y * side + x))
-            .map(|at| all[at])
-            .fold(1.0, f64::min)
-    };
-    (0..side * side).map(|k| at(k % side, k / side)).collect()
+    all
 }

@@ -42,7 +42,8 @@ const POSITION_ROUNDINGS: f64 = 12.0;
 const AXIS_ROUNDINGS: f64 = 28.0;
 /// Those of the covariance, its roots and its axes.
 const SHAPE_ROUNDINGS: f64 = 8.0;
-/// Share of a step that rounding adds to the half step of the splat's fixed-point centre.
+/// By how much f32 may move the number that is rounded to a splat's fixed-point centre, steps: numbers
+/// of 20 bits have 4 left.
 const FIXED_SLACK: f64 = 0.125;
 /// Error of a key, 0 to 1, beyond its step: f32 resolves no more.
 const KEY_ROUNDING: f64 = 8.0 * F32;
@@ -122,8 +123,9 @@ pub struct UncertainSplat {
     pub depth: f64,
     /// Lowest and highest key, 0 to 1.
     pub key: [f64; 2],
+    /// Middle of where a device may have its centre, px: on or between two points of its grid.
     pub center: DVec2,
-    /// Largest error of the centre along each axis, px.
+    /// How far from there along each axis, px.
     pub shift: DVec2,
     pub color: DVec3,
     /// Largest error of a channel.
@@ -225,8 +227,7 @@ impl SplatInput<'_> {
         let mean_error = if self.rounding.exact_positions {
             DVec3::ZERO
         } else {
-            linear_size * x_error
-                + POSITION_ROUNDINGS * F32 * (linear_size * x.abs() + moved_size)
+            linear_size * x_error + POSITION_ROUNDINGS * F32 * (linear_size * x.abs() + moved_size)
         };
 
         let turn = corrective(&stored.rotation_rows, k, e, ee);
@@ -266,9 +267,8 @@ impl SplatInput<'_> {
         let axes = view.matrix3 * self.gaussians[k].axes;
         let rows = row_lengths(linear_size);
         let size = linear_size * magnitudes(rotation);
-        let column_error = |axis: usize| {
-            scale[axis] * (AXIS_ROUNDINGS * F32 * size.col(axis) + angle * rows)
-        };
+        let column_error =
+            |axis: usize| scale[axis] * (AXIS_ROUNDINGS * F32 * size.col(axis) + angle * rows);
         let axes_error = DMat3::from_cols(column_error(0), column_error(1), column_error(2));
 
         let tint = corrective(&stored.color_rows, k, e, ee);
@@ -286,8 +286,12 @@ impl SplatInput<'_> {
             .fold(f64::NEG_INFINITY, f64::max);
         let largest_row = |m: DMat3| row_lengths(m).max_element();
         let linear = view.matrix3
-            * project::skinning(&self.posed.joints, neutral.joint[k], neutral.joint_weight[k])
-                .matrix3;
+            * project::skinning(
+                &self.posed.joints,
+                neutral.joint[k],
+                neutral.joint_weight[k],
+            )
+            .matrix3;
         let corrected = log_scale.into_iter().fold(f64::NEG_INFINITY, f64::max);
         // As `project.comp` has it, from scales without correctives.
         let longest = LONGEST_MARGIN * neutral_longest.exp() * largest_row(linear);
@@ -355,7 +359,8 @@ impl SplatInput<'_> {
         } else {
             0.0
         };
-        let step = |row: usize| 0.5 * unit * (1.0 + 8.0 * F32) + row_error[row] + 8.0 * F32 * rows[row];
+        let step =
+            |row: usize| 0.5 * unit * (1.0 + 8.0 * F32) + row_error[row] + 8.0 * F32 * rows[row];
         let swept = lost * c.length();
         let axes_error = DMat3::from_cols(
             DVec3::new(step(0), step(1), step(2)),
@@ -369,8 +374,7 @@ impl SplatInput<'_> {
             mean_error: size * position_error
                 + 8.0 * F32 * (size * stored.mean.abs() + to_camera.translation.abs()),
             axes: to_camera.matrix3 * axes,
-            axes_error: size * axes_error
-                + AXIS_ROUNDINGS * F32 * (size * magnitudes(axes)),
+            axes_error: size * axes_error + AXIS_ROUNDINGS * F32 * (size * magnitudes(axes)),
             scale_error: [0.0; 3],
             ..stored
         })
@@ -517,11 +521,18 @@ impl SplatInput<'_> {
         splat.shorter = (determinant / longer).sqrt();
         let d = splat.direction;
         // Each component of the axis is off by a step, or taken for 0 where it is no normal number.
-        splat.turn = 2.0 * (d.x * d.y).abs() * F16
-            + (F16_NORMAL / splat.longer).min(d.abs().min_element());
+        splat.turn =
+            2.0 * (d.x * d.y).abs() * F16 + (F16_NORMAL / splat.longer).min(d.abs().min_element());
         splat.turn_f32 = SHAPE_ROUNDINGS * F32 * (a + c) / (2.0 * root).max(f64::MIN_POSITIVE);
-        splat.center = center;
-        splat.shift = projected + (0.5 + FIXED_SLACK) / fixed_scale(guard);
+        // The centre is rounded to a grid: it is known exactly unless rounding may go either way.
+        let scale = fixed_scale(guard);
+        let step = |by: f64| {
+            let slack = by * (projected + FIXED_SLACK / scale);
+            ((center + guard + slack) * scale).round() / scale - guard
+        };
+        let [low, high] = [step(-1.0), step(1.0)];
+        splat.center = 0.5 * (low + high);
+        splat.shift = 0.5 * (high - low);
         let opaque = (2.0 * 255f64.ln()).sqrt();
         if rounding.quads() {
             // Corners in clip space and on the grid of the rasterizer.
@@ -533,10 +544,7 @@ impl SplatInput<'_> {
             splat.evaluated_from = 4.0;
         }
         splat.occluder_radius = opaque
-            * (posed.longest
-                * slope.extend(1.0).length()
-                * camera.focal.max_element().abs()
-                / t.z
+            * (posed.longest * slope.extend(1.0).length() * camera.focal.max_element().abs() / t.z
                 + LOW_PASS.sqrt());
         splat.anywhere = false;
 
@@ -633,16 +641,18 @@ impl UncertainSplat {
 
         let evaluated = self.evaluation(d) + self.varying;
         let shape = SHAPE_ROUNDINGS * F32;
-        let [long_low, long_high] = [-1.0, 1.0].map(|sign| {
-            self.longer.min(F16_MAX) * (1.0 + sign * (F16 + shape))
-        });
-        let [short_low, short_high] = [-1.0, 1.0].map(|sign| {
-            self.shorter.min(F16_MAX) * (1.0 + sign * (F16 + shape))
-        });
+        let [long_low, long_high] =
+            [-1.0, 1.0].map(|sign| self.longer.min(F16_MAX) * (1.0 + sign * (F16 + shape)));
+        let [short_low, short_high] =
+            [-1.0, 1.0].map(|sign| self.shorter.min(F16_MAX) * (1.0 + sign * (F16 + shape)));
         let far = (along * self.longer / long_low + evaluated).powi(2)
             + (across * self.shorter / short_low + evaluated).powi(2);
-        let near = (along * self.longer / long_high - evaluated).max(0.0).powi(2)
-            + (across * self.shorter / short_high - evaluated).max(0.0).powi(2);
+        let near = (along * self.longer / long_high - evaluated)
+            .max(0.0)
+            .powi(2)
+            + (across * self.shorter / short_high - evaluated)
+                .max(0.0)
+                .powi(2);
 
         let mut first = v.abs().dot(self.shift);
         let mut offset = DVec2::ZERO;
