@@ -2,10 +2,11 @@
 
 use super::basis::combine;
 use crate::avatar::Avatar;
+use crate::constants::FEATURE_MAX;
 use glam::DVec3;
 
-/// δx_s = offset + B_s · e of each node, with its part's features; metres, canonical pose; length
-/// N_s.
+/// δx_s = offset + B_s · e of each node, with its part's features, clamped to ±[`FEATURE_MAX`];
+/// metres, canonical pose; length N_s.
 ///
 /// `features` has shape N_G, E. Where E is twice N_B, nodes use the second half.
 pub fn nodes(avatar: &Avatar, features: &[f64]) -> Vec<DVec3> {
@@ -16,7 +17,9 @@ pub fn nodes(avatar: &Avatar, features: &[f64]) -> Vec<DVec3> {
             let e = &features[part * avatar.networks.output()..][avatar.node_feature_start()..]
                 [..basis_len];
             let corrective: [f64; 3] = combine(avatar.nodes.basis.row(node, 3 * basis_len), e);
-            DVec3::from(avatar.nodes.offset[node].map(f64::from)) + DVec3::from(corrective)
+            let moved =
+                DVec3::from(avatar.nodes.offset[node].map(f64::from)) + DVec3::from(corrective);
+            moved.clamp(DVec3::splat(-FEATURE_MAX), DVec3::splat(FEATURE_MAX))
         })
         .collect()
 }

@@ -147,6 +147,11 @@ fn drawings() -> Vec<Drawing> {
         skip: Skip::empty(),
         ..tiles
     });
+    all.push(Drawing {
+        rasterizer: Rasterizer::Quads,
+        color: ColorFormat::Rgba8,
+        ..tiles
+    });
     all
 }
 

@@ -203,8 +203,8 @@ pub fn nodes(stored: &Avatar, features: &Uncertain) -> Vec<[UncertainSum; 3]> {
                 );
                 let exact = offset + sum.value;
                 let error = sum.error + roundings(basis) * F32 * offset.abs();
-                let value = f16::from_f64(exact).to_f64();
                 let clamp = |v: f64| v.clamp(-FEATURE_MAX, FEATURE_MAX);
+                let value = f16::from_f64(clamp(exact)).to_f64();
                 let low = half_below(clamp(exact - error));
                 let high = -half_below(-clamp(exact + error));
                 UncertainSum {

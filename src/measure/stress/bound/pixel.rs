@@ -115,6 +115,7 @@ impl Ordered {
             let alpha = layer.alpha.exact;
             bound.value = over(alpha, self.color(layer), bound.value);
         }
+        let reordered = self.swaps(layers, &mut bound);
         let mut light = 1.0;
         let mut weight: f64 = 0.0;
         let mut color_error: f64 = 0.0;
@@ -143,14 +144,18 @@ impl Ordered {
             light *= 1.0 - low;
             least *= 1.0 - high;
             if least < rounding.saturated() && lost.is_none() {
-                lost = Some(light.min(rounding.saturated()));
+                // In another order the light may fall under the threshold by less.
+                lost = Some(if reordered {
+                    rounding.saturated()
+                } else {
+                    light.min(rounding.saturated())
+                });
             }
         }
         for channel in 0..3 {
             bound.above[channel] += color_error * weight.min(1.0);
             bound.below[channel] += color_error * weight.min(1.0);
         }
-        self.swaps(layers, &mut bound);
         if let Some(lost) = lost {
             for channel in 0..4 {
                 bound.below[channel] += lost * self.brightest(layers, channel);
@@ -199,8 +204,9 @@ impl Ordered {
         })
     }
 
-    /// Step 3: pairs that may be swapped.
-    fn swaps(&self, layers: &[Layer], bound: &mut PixelBound) {
+    /// Step 3: pairs that may be swapped. Whether there are any.
+    fn swaps(&self, layers: &[Layer], bound: &mut PixelBound) -> bool {
+        let mut any = false;
         let mut light = 1.0;
         // Layers before the current one that one behind it may pass.
         let mut open: Vec<&Layer> = Vec::new();
@@ -218,6 +224,7 @@ impl Ordered {
                 .take_while(|layer| layer.rank <= furthest)
                 .filter(|further| self.may_swap(nearer, further))
             {
+                any = true;
                 let [a, b] = [self.color(nearer), self.color(further)];
                 let error = self.at(nearer).color_error + self.at(further).color_error;
                 let share = light * nearer.alpha.high * further.alpha.high;
@@ -229,6 +236,7 @@ impl Ordered {
             }
             open.push(nearer);
         }
+        any
     }
 }
 
