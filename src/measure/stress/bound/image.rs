@@ -216,8 +216,8 @@ impl ImageBound {
         let [mut squares, mut covered, mut tight] = [0.0, 0.0, 0.0];
         for (at, (bound, pixel)) in self.pixels.iter().zip(&image.pixels).enumerate() {
             let mut widest: f64 = 0.0;
-            for channel in 0..4 {
-                let difference = f64::from(pixel[channel]) - bound.value[channel];
+            for (channel, &drawn) in pixel.iter().enumerate() {
+                let difference = f64::from(drawn) - bound.value[channel];
                 let allowed = if difference < 0.0 {
                     bound.below[channel]
                 } else {
@@ -282,10 +282,11 @@ impl Row {
             // The casts saturate.
             let from = place(splat.center.x - splat.reach.x).ceil().max(0.0) as usize;
             let end = (place(splat.center.x + splat.reach.x).floor() + 1.0).max(0.0) as usize;
-            for x in from..end.min(self.count) {
+            let end = end.min(self.count);
+            for (x, layers) in all[..end].iter_mut().enumerate().skip(from) {
                 let at = DVec2::new(self.first + self.step * x as f64, self.y);
                 if let Some(alpha) = splat.alpha(at) {
-                    all[x].push(Layer {
+                    layers.push(Layer {
                         rank: rank as u32,
                         alpha,
                     });

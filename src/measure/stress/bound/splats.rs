@@ -334,7 +334,8 @@ impl SplatInput<'_> {
             .longest
             .max((rows + row_error).max_element())
             .max(cache.unit * CACHE_FIRST.exp2());
-        if !(longest <= cache.unit * (CACHE_LAST / CACHE_OCTAVE + CACHE_FIRST).exp2()) {
+        let most = cache.unit * (CACHE_LAST / CACHE_OCTAVE + CACHE_FIRST).exp2();
+        if longest.is_nan() || longest > most {
             return None;
         }
         let unit = longest * (1.0 / CACHE_OCTAVE).exp2() * (1.0 + 32.0 * F32) / CACHE_STEPS;
