@@ -174,7 +174,8 @@ fn print_category(report: &CategoryReport) {
     let used = format!("{:.2}{}", report.largest_use, case(report.largest_use_case));
     let max_error = format!("{:.4}{}", report.max_error, case(report.max_error_case));
     println!(
-        "{:15} {:>5} {:>6} {used:>13} {:>4.0} % {worst:>19} {device:>19} {max_error:>19} {:>6.1} s  {}",
+        "{:15} {:>5} {:>6} {used:>13} {:>4.0} % {worst:>19} {device:>19} {max_error:>19} \
+         {:>6.1} s  {}",
         report.category.name(),
         report.cases,
         report.failed,
@@ -253,8 +254,8 @@ fn print_use(name: &str, used: &Option<BoundUse>) {
         return;
     };
     println!(
-        "{name:8} {:.3} of it used, by {} of pixel {:?}: {:.5} of {:.5}; {:.2} dB allowed; {:.0} % of \
-         covered pixels are bound to within 0.05",
+        "{name:8} {:.3} of it used, by {} of pixel {:?}: {:.5} of {:.5}; {:.2} dB allowed; \
+         {:.0} % of covered pixels are bound to within 0.05",
         used.largest,
         ["red", "green", "blue", "coverage"][used.channel],
         used.pixel,

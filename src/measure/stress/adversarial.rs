@@ -321,8 +321,8 @@ fn torn(random: &mut Random, draft: &mut Draft) {
     }
 }
 
-/// Scales by up to `most` along one direction and its inverse along others, around the middle of the
-/// body, and moves by up to `apart`, metres.
+/// Scales by up to `most` along one direction and its inverse along others, around the middle of
+/// the body, and moves by up to `apart`, metres.
 fn stretch(random: &mut Random, most: f64, apart: f64) -> DAffine3 {
     let turn = DQuat::from_rotation_arc(DVec3::X, random.direction());
     let scale = DVec3::from_array(std::array::from_fn(|_| most.powf(random.range(-1.0, 1.0))));

@@ -130,7 +130,7 @@ impl Category {
             Self::Mixed => "several of these at once",
             Self::Solid => "a closed body, whose occluder hides Gaussians inside and behind it",
             Self::Torn => {
-                "a closed body that joints pull apart, half of them stretch, so that its inside shows"
+                "a closed body that joints pull apart or stretch, so that its inside shows"
             }
             Self::Refused => "NaN, infinity and other numbers that can't be drawn, in every input",
         }

@@ -96,8 +96,8 @@ impl Frame {
         raster::raster(&splats, &self.order, &self.case.camera).to_image()
     }
 
-    /// The image with a splat drawn behind one that the reference has well behind it, and that one in
-    /// front: the pair of other colours that overlap most.
+    /// The image with a splat drawn behind one that the reference has well behind it, and that one
+    /// in front: the pair of other colours that overlap most.
     fn swapped(&self, at: usize) -> Option<FrameImage> {
         let nearer = self.splats[at].as_ref().ok()?;
         let further = (0..self.splats.len()).filter_map(|other| {

@@ -4,8 +4,8 @@
 //! how). The device and the f64 reference draw it. No pixel may be NaN or out of range, drawing the
 //! frame again must give equal bits, nothing may hang, validation must stay silent, and every pixel
 //! must be within its bound ([`ImageBound`]) of the reference's image of the model as device memory
-//! holds it, computed from the model and, where a case allows it, from the pose cache. A case follows
-//! from the seed and its number alone.
+//! holds it, computed from the model and, where a case allows it, from the pose cache. A case
+//! follows from the seed and its number alone.
 //!
 //! A `draft` of a `body` is made hard by `adversarial`, becomes a `case`, and is drawn and compared
 //! by `check`, with the bounds of `bound`; broken inputs are tried by `refusal`.

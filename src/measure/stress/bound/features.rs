@@ -1,9 +1,9 @@
 //! The networks' features and the nodes' displacements, and how far f32 may take them from the
 //! reference's.
 //!
-//! What a sum rounds is an error of its own, from −1 to 1 times its largest size, and each number of a
-//! later layer is a linear form in all errors before it: errors that cancel do so here too. Summing
-//! absolute values layer by layer instead gives a thousand times as much after three layers of 64.
+//! What a sum rounds is an error of its own, from −1 to 1 times its largest size, and each number
+//! of a later layer is a linear form in all errors before it: errors that cancel do so here too.
+//! Sums of absolute values would grow with the weights' absolute sums, layer by layer.
 
 use super::rounding::F32;
 use effigy_core::{

@@ -19,9 +19,9 @@ use glam::{DVec2, DVec3, UVec2};
 use rayon::prelude::*;
 use serde::Serialize;
 
-/// A pixel fails if it is further from the reference than this many times its bound. The bound counts
-/// errors to first order and errors of errors roughly; a hundredth is more than what that leaves out
-/// where the bound is small, and nothing where it is not.
+/// A pixel fails if it is further from the reference than this many times its bound. The bound
+/// counts errors to first order and errors of errors roughly; a hundredth is more than what that
+/// leaves out where the bound is small, and nothing where it is not.
 pub const SLACK: f64 = 1.01;
 /// Errors no larger than this are none: the images that are compared are f32.
 const NOTHING: f64 = 4.0 * f32::EPSILON as f64;

@@ -16,8 +16,8 @@ const STRETCH: f64 = 0.99;
 /// How far a depth of the pyramid may be off: steps of a 16-bit depth image, of a vertex's 16-bit
 /// position, and of the rasterizer's grid.
 const DEPTH: f64 = 12.0 / 65535.0;
-/// How far off a texel's middle a device may seem to sample, texels: vertices lie on a grid of 1/16 of
-/// a texel at least, and their positions are 16-bit.
+/// How far off a texel's middle a device may seem to sample, texels: vertices lie on a grid of 1/16
+/// of a texel at least, and their positions are 16-bit.
 const OFFSET: f64 = 1.0 / 16.0;
 
 /// The nearest that the pyramid may hold at each texel of its finest level; None where the mesh
@@ -72,7 +72,8 @@ impl Occluded {
             return true;
         };
         let last = f64::from(PYRAMID_SIDE - 1);
-        // The texels that the device surely looks at: its square, without what errors may add to it.
+        // The texels that the device surely looks at: its square, without what errors may add to
+        // it.
         let spare = splat.shift.max_element() + 1e-3 * splat.occluder_radius;
         let radius = (splat.occluder_radius - spare).max(0.0);
         let place = |by: f64| {

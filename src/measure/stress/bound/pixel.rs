@@ -1,11 +1,11 @@
 //! A pixel blended on intervals: how far any device's value may be from the reference's, below and
 //! above, channel by channel.
 //!
-//! Let a splat i of opacity α and colour c lie behind transmittance T and before the colour B, all as
-//! the reference has them. A device's value comes from the reference's in five steps:
+//! Let a splat i of opacity α and colour c lie behind transmittance T and before the colour B, all
+//! as the reference has them. A device's value comes from the reference's in five steps:
 //!
-//! 1. Each α becomes the device's, the rearmost first: the value changes by T' (α' − α) (c − B), with
-//!    T' of the device's α before it. This is exact, and so is the bound with the largest T'.
+//! 1. Each α becomes the device's, the rearmost first: the value changes by T' (α' − α) (c − B),
+//!    with T' of the device's α before it. This is exact, and so is the bound with the largest T'.
 //! 2. Each colour becomes the device's: by at most the sum of T' α' δc, and T' α' sum to at most 1.
 //! 3. The order becomes the device's, by swaps of neighbours. Each pair that ends up swapped is
 //!    swapped once, which changes the value by T' α₁' α₂' (c₂ − c₁). Only pairs whose keys may be

@@ -23,8 +23,8 @@ pub const BYTE: f64 = 0.6 / 255.0;
 /// `cooperative.glsl`): an exponential of up to 2^±60, whose argument and value are off by up to
 /// (3 + 2 · 60) ulp each, enters a row's last pixel once, its factor and bend three times.
 const STEPPED: f64 = 7.0 * 2.0 * 123.0 * F32;
-/// Relative error of α by the kernels that evaluate each pixel: a logarithm (2⁻²¹) and an exponential
-/// of up to 2⁻¹⁶ (3 + 2 · 16 ulp), whose argument is off as much.
+/// Relative error of α by the kernels that evaluate each pixel: a logarithm (2⁻²¹) and an
+/// exponential of up to 2⁻¹⁶ (3 + 2 · 16 ulp), whose argument is off as much.
 const EVALUATED: f64 = (8.0 + 70.0) * F32;
 
 /// What a renderer rounds beside the numbers of the avatar and the camera.
@@ -47,8 +47,8 @@ pub struct Rounding {
     /// Half a step of the grid that corners of triangles lie on, px.
     pub snap: f64,
     /// How often the blender rounds a layer of an image in f16: once where it computes in f32 and
-    /// converts the sum, as CPU drivers do; Vulkan promises no more than the format's own precision,
-    /// which is three roundings.
+    /// converts the sum, as CPU drivers do; Vulkan promises no more than the format's own
+    /// precision, which is three roundings.
     pub blend_roundings: f64,
     /// Relative error of numbers between the shaders of quads that are declared `mediump`. CPU
     /// drivers have f32 there.

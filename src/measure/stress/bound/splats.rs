@@ -37,13 +37,13 @@ const CACHE_LAST: f64 = 255.0;
 /// Roundings that a position goes through: of the joints' matrices, the weights, four joints' sum
 /// and a product of four.
 const POSITION_ROUNDINGS: f64 = 12.0;
-/// Those of an axis on its way into the image: the same, the rotation's matrix, and the products with
-/// the derivative of the perspective and with each other.
+/// Those of an axis on its way into the image: the same, the rotation's matrix, and the products
+/// with the derivative of the perspective and with each other.
 const AXIS_ROUNDINGS: f64 = 28.0;
 /// Those of the covariance, its roots and its axes.
 const SHAPE_ROUNDINGS: f64 = 8.0;
-/// By how much f32 may move the number that is rounded to a splat's fixed-point centre, steps: numbers
-/// of 20 bits have 4 left.
+/// By how much f32 may move the number that is rounded to a splat's fixed-point centre, steps:
+/// numbers of 20 bits have 4 left.
 const FIXED_SLACK: f64 = 0.125;
 /// Error of a key, 0 to 1, beyond its step: f32 resolves no more.
 const KEY_ROUNDING: f64 = 8.0 * F32;
@@ -132,7 +132,8 @@ pub struct UncertainSplat {
     pub color_error: f64,
     /// Half the sides of a box outside which no device draws it, px.
     pub reach: DVec2,
-    /// A device's longest axis may be this long, px, by what a pixel is tested against the occluder.
+    /// A device's longest axis may be this long, px, by what a pixel is tested against the
+    /// occluder.
     pub occluder_radius: f64,
     /// The reference's own; None where it culls it.
     exact: Option<Splat>,
