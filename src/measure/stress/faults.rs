@@ -34,6 +34,19 @@ struct Drawing {
     skip: Skip,
 }
 
+impl Drawing {
+    /// How many of so many faults its bound must see: all, but one where quads round each layer to 8
+    /// bits, which hides small ones behind others.
+    fn least_seen(self, faults: usize) -> usize {
+        let is_quads = matches!(self.rasterizer, Rasterizer::Quads | Rasterizer::TestedQuads);
+        if is_quads && self.color == ColorFormat::Rgba8 {
+            1
+        } else {
+            faults
+        }
+    }
+}
+
 /// Splats that most of the image depends on: it must be one of these that a fault changes.
 const CANDIDATES: usize = 8;
 
@@ -226,12 +239,8 @@ fn assert_sees_every_fault(frame: &Frame) {
             assert!(!images.is_empty(), "{what}: no such fault in this case");
             let seen = images.iter().filter(|image| !bound.used_by(image).holds());
             let seen = seen.count();
-            println!(
-                "{what}: seen {seen} of {} times with {drawing:?}",
-                images.len()
-            );
             assert!(
-                2 * seen >= images.len(),
+                seen >= drawing.least_seen(images.len()),
                 "{what}: seen {seen} of {} times with {drawing:?}",
                 images.len()
             );

@@ -211,6 +211,11 @@ impl Ordered {
         // Layers before the current one that one behind it may pass.
         let mut open: Vec<&Layer> = Vec::new();
         for (at, nearer) in layers.iter().enumerate() {
+            // A channel can't be off by more: all pairs of hundreds that may be anywhere take long.
+            let full = (0..3).all(|k| bound.above[k] >= 1.0 && bound.below[k] >= 1.0);
+            if full {
+                break;
+            }
             open.retain(|layer| {
                 let surely_before = self.furthest[layer.rank as usize] < nearer.rank;
                 if surely_before {
