@@ -56,13 +56,20 @@ enum Fault {
     Refuses,
 }
 
+/// Says of some candidates that they are meant.
+type Holds = fn(&Candidate) -> bool;
+
+/// How long a driver takes with some candidates, by the time that it takes otherwise.
+#[derive(Clone, Copy)]
+struct Speed(Holds, f64);
+
 /// A driver that takes 10 ms for a frame, and more or less with some candidates.
 #[derive(Clone)]
 struct Driver<'a> {
     /// Times of a frame by that of the safest, for candidates that hold.
-    speeds: &'a [(fn(&Candidate) -> bool, f64)],
+    speeds: &'a [Speed],
     /// Which candidates it fails with, and how.
-    fault: Option<(fn(&Candidate) -> bool, Fault)>,
+    fault: Option<(Holds, Fault)>,
     /// The record, to be looked at while kernels are compiled.
     file: PathBuf,
     is_cpu: bool,
@@ -72,8 +79,8 @@ struct Driver<'a> {
 
 impl Driver<'_> {
     fn frame_ms(&self, candidate: &Candidate) -> f64 {
-        let factors = self.speeds.iter().filter(|(holds, _)| holds(candidate));
-        10.0 * factors.map(|(_, factor)| factor).product::<f64>()
+        let factors = self.speeds.iter().filter(|speed| speed.0(candidate));
+        10.0 * factors.map(|speed| speed.1).product::<f64>()
     }
 
     fn fault(&self, candidate: &Candidate) -> Option<Fault> {
@@ -152,7 +159,7 @@ struct Bench<'a> {
 }
 
 impl<'a> Bench<'a> {
-    fn new(speeds: &'a [(fn(&Candidate) -> bool, f64)]) -> Self {
+    fn new(speeds: &'a [Speed]) -> Self {
         let folder = tempfile::tempdir().unwrap();
         let gpu = gpu::gpu();
         // The record's name is its own business.
@@ -177,7 +184,7 @@ impl<'a> Bench<'a> {
         }
     }
 
-    fn failing(mut self, fault: Fault, holds: fn(&Candidate) -> bool) -> Self {
+    fn failing(mut self, fault: Fault, holds: Holds) -> Self {
         self.driver.fault = Some((holds, fault));
         self
     }
@@ -259,7 +266,7 @@ fn only_file(folder: &Path) -> PathBuf {
     files.remove(0)
 }
 
-fn outcome<'a>(tuning: &'a Tuning, holds: fn(&Candidate) -> bool) -> &'a Outcome {
+fn outcome(tuning: &Tuning, holds: Holds) -> &Outcome {
     let mut tried = tuning.tried.iter();
     &tried
         .find(|tried| holds(&tried.candidate))
@@ -284,7 +291,11 @@ fn is_small(candidate: &Candidate) -> bool {
 }
 
 fn the_fastest_of_every_axis_is_found() {
-    let mut bench = Bench::new(&[(is_tested, 0.7), (is_tiles, 0.8), (is_onesweep, 0.9)]);
+    let mut bench = Bench::new(&[
+        Speed(is_tested, 0.7),
+        Speed(is_tiles, 0.8),
+        Speed(is_onesweep, 0.9),
+    ]);
     let tuning = bench.run().unwrap();
     assert_eq!(
         tuning.best,
@@ -307,12 +318,12 @@ fn the_fastest_of_every_axis_is_found() {
 }
 
 fn what_is_faster_by_less_than_the_noise_is_not_taken() {
-    let mut bench = Bench::new(&[(is_tested, 0.99), (is_tiles, 0.995)]);
+    let mut bench = Bench::new(&[Speed(is_tested, 0.99), Speed(is_tiles, 0.995)]);
     assert_eq!(bench.run().unwrap().best, SAFEST);
 }
 
 fn what_is_far_slower_gets_one_pair_of_frames() {
-    let mut bench = Bench::new(&[(is_tested, 4.0), (is_tiles, 1.3)]);
+    let mut bench = Bench::new(&[Speed(is_tested, 4.0), Speed(is_tiles, 1.3)]);
     let tuning = bench.run().unwrap();
     let frames = |holds| match outcome(&tuning, holds) {
         Outcome::Timed(timing) => timing.frames,
@@ -324,8 +335,8 @@ fn what_is_far_slower_gets_one_pair_of_frames() {
 }
 
 fn a_wrong_image_is_never_drawn_however_fast() {
-    let mut bench =
-        Bench::new(&[(is_tiles, 0.1), (is_tested, 0.9)]).failing(Fault::Miscompiles, is_tiles);
+    let mut bench = Bench::new(&[Speed(is_tiles, 0.1), Speed(is_tested, 0.9)])
+        .failing(Fault::Miscompiles, is_tiles);
     let tuning = bench.run().unwrap();
     assert_eq!(tuning.best, TESTED);
     assert!(
@@ -335,8 +346,8 @@ fn a_wrong_image_is_never_drawn_however_fast() {
 }
 
 fn a_kernel_that_is_not_compiled_costs_only_itself() {
-    let mut bench =
-        Bench::new(&[(is_tested, 0.5), (is_small, 0.9)]).failing(Fault::Refuses, is_tested);
+    let mut bench = Bench::new(&[Speed(is_tested, 0.5), Speed(is_small, 0.9)])
+        .failing(Fault::Refuses, is_tested);
     let tuning = bench.run().unwrap();
     assert!(matches!(outcome(&tuning, is_tested), Outcome::Refused(_)));
     assert!(is_small(&tuning.best), "the others are tried: {tuning:#?}");
@@ -344,7 +355,8 @@ fn a_kernel_that_is_not_compiled_costs_only_itself() {
 
 fn a_candidate_that_loses_or_hangs_the_device_is_tried_once() {
     for fault in [Fault::Loses, Fault::Hangs] {
-        let mut bench = Bench::new(&[(is_tested, 0.5), (is_tiles, 0.6)]).failing(fault, is_tested);
+        let mut bench =
+            Bench::new(&[Speed(is_tested, 0.5), Speed(is_tiles, 0.6)]).failing(fault, is_tested);
         let error = bench.run().unwrap_err();
         println!("{fault:?}: {error}");
         // The next start.
@@ -367,7 +379,7 @@ fn a_candidate_that_loses_or_hangs_the_device_is_tried_once() {
 }
 
 fn a_busy_cpu_refuses_nothing_for_good() {
-    let mut bench = Bench::new(&[(is_tiles, 0.6)]).failing(Fault::Hangs, is_tested);
+    let mut bench = Bench::new(&[Speed(is_tiles, 0.6)]).failing(Fault::Hangs, is_tested);
     bench.driver.is_cpu = true;
     assert!(bench.run().is_err());
     let tuning = bench.run().unwrap();
@@ -377,7 +389,7 @@ fn a_busy_cpu_refuses_nothing_for_good() {
 
 fn a_driver_that_ends_the_program_strikes_the_candidate_off() {
     let mut bench =
-        Bench::new(&[(is_tested, 0.5), (is_tiles, 0.6)]).failing(Fault::Dies, is_tested);
+        Bench::new(&[Speed(is_tested, 0.5), Speed(is_tiles, 0.6)]).failing(Fault::Dies, is_tested);
     for start in 0..2 {
         let ended = catch_unwind(AssertUnwindSafe(|| bench.run()));
         assert!(ended.is_err(), "start {start}: the user may have ended it");
@@ -393,7 +405,7 @@ fn a_driver_that_ends_the_program_strikes_the_candidate_off() {
 }
 
 fn a_best_that_fails_gives_way_to_the_safest() {
-    let mut bench = Bench::new(&[(is_tested, 0.5)]);
+    let mut bench = Bench::new(&[Speed(is_tested, 0.5)]);
     // Before anything but the raster method was measured.
     let tuning = bench.run_with(1000, 200.0).unwrap();
     assert!(is_tested(&tuning.best) && !tuning.is_done(), "{tuning:#?}");
@@ -405,8 +417,11 @@ fn a_best_that_fails_gives_way_to_the_safest() {
 }
 
 fn a_start_takes_no_longer_than_its_budget() {
-    let speeds: &[(fn(&Candidate) -> bool, f64)] =
-        &[(is_tested, 0.7), (is_tiles, 0.8), (is_onesweep, 0.9)];
+    let speeds = &[
+        Speed(is_tested, 0.7),
+        Speed(is_tiles, 0.8),
+        Speed(is_onesweep, 0.9),
+    ];
     let at_once = Bench::new(speeds).run().unwrap();
     let mut bench = Bench::new(speeds);
     let budget = 60.0;
@@ -427,7 +442,7 @@ fn a_start_takes_no_longer_than_its_budget() {
 }
 
 fn a_damaged_or_old_record_is_measured_again() {
-    let mut bench = Bench::new(&[(is_tested, 0.7)]);
+    let mut bench = Bench::new(&[Speed(is_tested, 0.7)]);
     let tuning = bench.run().unwrap();
     let file = only_file(bench.folder.path());
     let text = fs::read_to_string(&file).unwrap();
