@@ -21,6 +21,7 @@ use std::{
     io::{BufRead, BufReader, Read, Seek, SeekFrom, Write},
     net::{TcpListener, TcpStream},
     panic,
+    path::Path,
     process::{Child, Command, ExitCode, ExitStatus, Stdio},
     sync::{Arc, Mutex, MutexGuard, PoisonError},
     thread,
@@ -393,7 +394,12 @@ impl Worker {
         let printed = file.reopen()?;
         let listener = TcpListener::bind(("127.0.0.1", 0))?;
         listener.set_nonblocking(true)?;
+        // What was measured for the user, or in another group, must not decide how tests draw.
+        let cache = Path::new(env!("CARGO_TARGET_TMPDIR"))
+            .join("cache")
+            .join(env!("CARGO_CRATE_NAME"));
         let process = Command::new(env::current_exe()?)
+            .env("XDG_CACHE_HOME", cache)
             .env(PORT, listener.local_addr()?.port().to_string())
             .stdin(Stdio::null())
             .stdout(printed.try_clone()?)

@@ -54,6 +54,8 @@ enum Fault {
     Miscompiles,
     /// It refuses the kernel.
     Refuses,
+    /// Its images are 54 dB from others: right for a way to rasterize.
+    Rounds,
 }
 
 /// Says of some candidates that they are meant.
@@ -122,6 +124,7 @@ impl Trials for Driver<'_> {
                 });
             }
             Some(Fault::Miscompiles) => image.pixels[7] = [0.0; 4],
+            Some(Fault::Rounds) => image.pixels.fill([0.502, 0.402, 0.302, 0.998]),
             _ => {}
         }
         let ms = self.frame_ms(candidate);
@@ -341,6 +344,23 @@ fn a_wrong_image_is_never_drawn_however_fast() {
     assert_eq!(tuning.best, TESTED);
     assert!(
         matches!(outcome(&tuning, is_tiles), Outcome::Refused(why) if why.contains("wrong")),
+        "{tuning:#?}"
+    );
+}
+
+fn images_are_held_against_the_best_so_far() {
+    let speeds = &[Speed(is_tiles, 0.5), Speed(is_onesweep, 0.8)];
+    let mut bench = Bench::new(speeds).failing(Fault::Rounds, is_tiles);
+    let tuning = bench.run().unwrap();
+    assert!(
+        is_tiles(&tuning.best) && is_onesweep(&tuning.best),
+        "{tuning:#?}"
+    );
+    // What only a way to rasterize may do.
+    let mut bench = Bench::new(speeds).failing(Fault::Rounds, is_onesweep);
+    let tuning = bench.run().unwrap();
+    assert!(
+        matches!(outcome(&tuning, is_onesweep), Outcome::Refused(_)),
         "{tuning:#?}"
     );
 }
@@ -670,6 +690,7 @@ tests! {
     what_is_faster_by_less_than_the_noise_is_not_taken,
     what_is_far_slower_gets_one_pair_of_frames,
     a_wrong_image_is_never_drawn_however_fast,
+    images_are_held_against_the_best_so_far,
     a_kernel_that_is_not_compiled_costs_only_itself,
     a_candidate_that_loses_or_hangs_the_device_is_tried_once,
     a_busy_cpu_refuses_nothing_for_good,

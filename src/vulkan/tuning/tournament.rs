@@ -71,8 +71,8 @@ pub struct Tournament<'a> {
     pub record: &'a Record,
 }
 
-/// What draws with the best so far, and its image.
-struct Best<R> {
+/// What draws with a candidate, and its image.
+struct Opened<R> {
     renderer: R,
     image: FrameImage,
 }
@@ -95,7 +95,7 @@ impl Tournament<'_> {
             _ => Tuning::new(self.workload.clone(), self.safest),
         };
         let mut spent_ms = 0.0;
-        let mut best: Option<Best<T::Renderer>> = None;
+        let mut best: Option<Opened<T::Renderer>> = None;
         while let Some((axis, candidate)) = tuning.next(&self.choices) {
             if let Some(why) = self.record.refusal(axis, &candidate) {
                 tuning.note(Outcome::Refused(why));
@@ -112,13 +112,13 @@ impl Tournament<'_> {
             progress(&candidate);
             // Before anything is compiled: a driver may end the program there.
             self.record.begin(axis, candidate);
-            let mut renderer = None;
+            let mut opened = None;
             let step = self.try_candidate(
                 trials,
                 current,
                 axis,
                 &candidate,
-                &mut renderer,
+                &mut opened,
                 &mut tuning.pairs,
                 &mut spent_ms,
             );
@@ -141,9 +141,9 @@ impl Tournament<'_> {
             tuning.note(outcome);
             self.record.write(&tuning);
             if tuning.best == candidate
-                && let Some(renderer) = renderer
+                && let Some(winner) = opened
             {
-                current.renderer = renderer;
+                *current = winner;
             }
         }
         self.record.write(&tuning);
@@ -156,12 +156,12 @@ impl Tournament<'_> {
         trials: &mut T,
         tuning: &mut Tuning,
         spent_ms: &mut f64,
-    ) -> Result<Best<T::Renderer>> {
+    ) -> Result<Opened<T::Renderer>> {
         let mut open = |candidate: &Candidate| {
             let mut renderer = trials.open(candidate)?;
             let TrialImage { image, ms } = trials.image(&mut renderer)?;
             *spent_ms += ms;
-            Ok(Best { renderer, image })
+            Ok(Opened { renderer, image })
         };
         match open(&tuning.best) {
             Err(error) if tuning.best != self.safest && !is_of_the_workload(&error) => {
@@ -179,19 +179,20 @@ impl Tournament<'_> {
     fn try_candidate<T: Trials>(
         &self,
         trials: &mut T,
-        best: &mut Best<T::Renderer>,
+        best: &mut Opened<T::Renderer>,
         axis: Axis,
         candidate: &Candidate,
-        opened: &mut Option<T::Renderer>,
+        opened: &mut Option<Opened<T::Renderer>>,
         pairs: &mut Vec<FramePair>,
         spent_ms: &mut f64,
     ) -> Result<Step> {
-        let renderer = opened.insert(trials.open(candidate)?);
-        let TrialImage { image, ms } = trials.image(renderer)?;
+        let mut renderer = trials.open(candidate)?;
+        let TrialImage { image, ms } = trials.image(&mut renderer)?;
         *spent_ms += ms;
         if let Some(fault) = difference(&best.image, &image, axis) {
             return Ok(Step::Decided(Outcome::Refused(fault)));
         }
+        let Opened { renderer, .. } = opened.insert(Opened { renderer, image });
         loop {
             let pair = trials.pair(&mut best.renderer, renderer, pairs.len())?;
             *spent_ms += pair.best + pair.candidate;
