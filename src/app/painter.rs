@@ -10,6 +10,7 @@ use effigy::vulkan::{
     GpuOptions, PixelCounts, PreTransform, Present, PresentFeedback, Presentation, PresentedImage,
     Recording, Renderer, RendererOptions, Result,
     swapchain::{Acquired, Surface, Swapchain, Target},
+    tuning::Workload,
 };
 use effigy_core::{
     avatar::Avatar,
@@ -105,7 +106,7 @@ impl WindowPainter {
         } = device::open(window, options)?;
         let present = Present::new(&gpu, surface.format())?;
         let renderer = Renderer::new(&gpu, avatar, full_quality)?;
-        let drawing = drawing(&renderer);
+        let drawing = drawing(&renderer, full_quality);
         // SAFETY: nothing uses it yet. Every frame leaves the image in this state, and `fit` sets
         // another after a resize.
         unsafe { present.set_image(renderer.raster().image()) };
@@ -392,19 +393,23 @@ impl Drop for WindowPainter {
     }
 }
 
-/// Turns an error of the panel's renderer into one of ours.
 /// What a renderer draws with, and why.
-fn drawing(renderer: &Renderer) -> String {
+fn drawing(renderer: &Renderer, full_quality: RendererOptions) -> String {
     match renderer.tuning() {
         Some(tuning) => format!("{}: {}", tuning.best, tuning.reason()),
         None => {
             let options = renderer.options();
             let name = options.method.map_or("", |method| method.name());
-            format!("{name}: nothing else was measured yet")
+            if Workload::is_open(&full_quality) {
+                format!("{name}: nothing else was measured yet")
+            } else {
+                format!("{name}, as the options say")
+            }
         }
     }
 }
 
+/// Turns an error of the panel's renderer into one of ours.
 fn panel_error<T>(result: std::result::Result<T, RendererError>) -> Result<T> {
     match result {
         Ok(value) => Ok(value),

@@ -9,6 +9,9 @@ const SURFACES: u32 = 5;
 /// After this many seconds of frames, a device counts as one that was never lost.
 const FORGIVEN: f64 = 5.0;
 
+/// The call at which a rehearsed loss happens.
+pub const REHEARSAL: &str = "a rehearsal";
+
 /// Recent losses, and losses that are yet to be simulated.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Recovery {
@@ -77,11 +80,11 @@ impl Recovery {
             return Ok(());
         };
         Err(match self.rehearsals.remove(due).loss {
-            Loss::Surface => Error::SurfaceLost("a rehearsal"),
-            Loss::Device => Error::DeviceLost("a rehearsal"),
+            Loss::Surface => Error::SurfaceLost(REHEARSAL),
+            Loss::Device => Error::DeviceLost(REHEARSAL),
             Loss::Memory => Error::OutOfMemory {
                 memory: "device",
-                call: "a rehearsal",
+                call: REHEARSAL,
             },
         })
     }

@@ -13,7 +13,7 @@ use crate::{
     options::{Loss, ViewerOptions},
     painter::WindowPainter,
     quality_control::QualityController,
-    recovery::Recovery,
+    recovery::{REHEARSAL, Recovery},
     scene::{FrameContent, ViewerScene},
     tuning,
     ui::{Overlay, OverlayFrame, panel::PanelFacts},
@@ -682,8 +682,10 @@ impl Viewer {
         loop {
             // A device that hangs is opened again only to be drawn on in another way.
             let may_reopen = match error.downcast_ref::<Error>() {
-                Some(failure @ Error::DeviceLost(_)) => {
-                    self.strike_off(failure);
+                Some(failure @ Error::DeviceLost(call)) => {
+                    if *call != REHEARSAL {
+                        self.strike_off(failure);
+                    }
                     true
                 }
                 Some(failure @ Error::Timeout { .. }) => self.strike_off(failure),
@@ -701,7 +703,7 @@ impl Viewer {
                 Some(Error::DeviceLost(_) | Error::Timeout { .. }) if may_reopen => {
                     if !self.recovery.device_lost() {
                         return Err(error.context(
-                            "the device was lost for the second time in a row; is its driver up to date?",
+                            "the device was lost or hung for the second time in a row; is its driver up to date?",
                         ));
                     }
                     tracing::warn!("{error}; opening it again");

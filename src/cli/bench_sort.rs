@@ -221,7 +221,12 @@ fn measure(
     Ok(SortSpeed {
         ms,
         wall_ms: median.wall.as_secs_f64() * 1e3,
-        mkeys_per_s: keys.len() as f64 / ms / 1e3,
+        // A clock may not resolve so few keys.
+        mkeys_per_s: if ms > 0.0 {
+            keys.len() as f64 / ms / 1e3
+        } else {
+            0.0
+        },
         memory_bytes: sorter.sort().memory(),
     })
 }

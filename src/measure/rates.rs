@@ -52,12 +52,14 @@ impl RatesReport {
     }
 
     /// Bytes a second of the kernel at the largest size that is not above `bytes`, read and
-    /// written. A stage that moves so much may find it in caches.
+    /// written. A stage that moves so much may find it in caches. None where no copy is within a
+    /// factor of 8: a smaller one takes the time of a dispatch, not of its bytes.
     pub fn bandwidth_at(&self, bytes: u64) -> Option<f64> {
-        let by_kernel = self
-            .copies
-            .iter()
-            .filter(|copy| copy.method == CopyMethod::Kernel.name() && 2 * copy.bytes <= bytes);
+        let by_kernel = self.copies.iter().filter(|copy| {
+            copy.method == CopyMethod::Kernel.name()
+                && 2 * copy.bytes <= bytes
+                && 16 * copy.bytes > bytes
+        });
         let largest = by_kernel.max_by_key(|copy| copy.bytes)?;
         Some(largest.bytes_a_second)
     }
@@ -326,7 +328,8 @@ mod tests {
             copy(1000, CopyMethod::Transfer, 6.0),
         ]);
         assert_eq!(rates.memory_bandwidth(), Some(6.0));
-        assert_eq!(rates.bandwidth_at(1999), Some(9.0));
+        assert_eq!(rates.bandwidth_at(1500), Some(9.0));
+        assert_eq!(rates.bandwidth_at(1999), None);
         assert_eq!(rates.bandwidth_at(2000), Some(5.0));
         assert_eq!(rates.bandwidth_at(10), None);
         assert_eq!(report(Vec::new()).memory_bandwidth(), None);

@@ -4,6 +4,7 @@ use super::{
     device::{error::Result, gpu::Gpu, options::GpuOptions},
     raster::resolved,
     renderer::Renderer,
+    sort::choice,
     tuning::{
         Candidate, Choices, FramePair, Progress, Record, Tournament, TrialImage, Trials, Tuning,
         Workload,
@@ -72,7 +73,7 @@ pub struct TuningTask<'a> {
     pub avatar: &'a Avatar,
     /// How to draw it; what is None is measured.
     pub options: RendererOptions,
-    /// The frames, at least one.
+    /// The frames, at least three that differ.
     pub scenes: &'a [TrialScene],
     /// Time of frames after which it ends, ms.
     pub budget_ms: f64,
@@ -86,7 +87,7 @@ impl TuningTask<'_> {
     /// When nothing can be drawn, or a candidate brings the device down, which later starts do not
     /// try again.
     pub fn run(&self, gpu: &Arc<Gpu>, record: &Record, progress: Progress) -> Result<Tuning> {
-        let mut trials = RendererTrials { gpu, task: *self };
+        let mut trials = RendererTrials::new(gpu, *self);
         self.tournament(gpu, record)?.run(&mut trials, progress)
     }
 
@@ -95,6 +96,10 @@ impl TuningTask<'_> {
     /// # Errors
     /// When no sort is right on the device.
     pub fn tournament<'a>(&self, gpu: &Arc<Gpu>, record: &'a Record) -> Result<Tournament<'a>> {
+        // The safest sort depends on the test: it would be another at the next start.
+        if self.options.sort.is_none() {
+            choice::choose(gpu)?;
+        }
         let safest = Candidate::safest(gpu, &self.options)?;
         Ok(Tournament {
             workload: Workload::new(self.avatar, &self.options),
@@ -112,9 +117,20 @@ pub struct RendererTrials<'a> {
     pub gpu: &'a Arc<Gpu>,
     /// What to draw.
     pub task: TuningTask<'a>,
+    /// Pairs that were drawn.
+    pairs: usize,
 }
 
-impl RendererTrials<'_> {
+impl<'a> RendererTrials<'a> {
+    /// Draws a task's scenes on a device.
+    pub fn new(gpu: &'a Arc<Gpu>, task: TuningTask<'a>) -> Self {
+        Self {
+            gpu,
+            task,
+            pairs: 0,
+        }
+    }
+
     fn draw(&self, renderer: &mut Renderer, number: usize) -> Result<()> {
         let scene = &self.task.scenes[number % self.task.scenes.len()];
         let poses: Vec<&Posed> = scene.poses.iter().collect();
@@ -159,8 +175,10 @@ impl Trials for RendererTrials<'_> {
         candidate: &mut Renderer,
         number: usize,
     ) -> Result<FramePair> {
-        // The first scene was drawn for the image, and the next frame has to differ.
-        let scene = number + 1;
+        // No scene follows itself, also where another candidate begins: a frame in which nothing
+        // changes takes no time. The first is the image's.
+        let scene = 1 + self.pairs % (self.task.scenes.len() - 1).max(1);
+        self.pairs += 1;
         if self.gpu.probe.timestamp_bits == 0 {
             return Ok(FramePair {
                 best: self.time(best, scene)?,

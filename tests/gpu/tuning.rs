@@ -398,6 +398,21 @@ fn a_candidate_that_loses_or_hangs_the_device_is_tried_once() {
     }
 }
 
+fn what_is_refused_is_no_workloads_best() {
+    let mut bench = Bench::new(&[Speed(is_tested, 0.5)]);
+    let first = bench.run().unwrap();
+    assert!(is_tested(&first.best));
+    assert_eq!(bench.record().tuning(&first.workload), Some(first.clone()));
+    let mut bench = bench.failing(Fault::Loses, is_tested);
+    assert!(bench.run_with(100_000, f64::INFINITY).is_err());
+    assert_eq!(bench.record().tuning(&first.workload), None);
+    // One that still holds it, as trials on a thread of their own do, brings it back no more.
+    let record = bench.record();
+    record.strike_off(&first, "a test");
+    let again = bench.run().unwrap();
+    assert!(!is_tested(&again.best), "{again:#?}");
+}
+
 fn a_busy_cpu_refuses_nothing_for_good() {
     let mut bench = Bench::new(&[Speed(is_tiles, 0.6)]).failing(Fault::Hangs, is_tested);
     bench.driver.is_cpu = true;
@@ -610,7 +625,7 @@ fn a_real_device_that_is_lost_in_a_trial_is_opened_again() {
     for _ in 0..3 {
         let device = Gpu::new(&GpuOptions::headless(None)).unwrap();
         let record = Record::new(&device, Some(folder.path()));
-        let mut trials = Losing(RendererTrials { gpu: &device, task });
+        let mut trials = Losing(RendererTrials::new(&device, task));
         let tournament = task.tournament(&device, &record).unwrap();
         match tournament.run(&mut trials, &mut |_| {}) {
             Ok(tuning) => {
@@ -693,6 +708,7 @@ tests! {
     images_are_held_against_the_best_so_far,
     a_kernel_that_is_not_compiled_costs_only_itself,
     a_candidate_that_loses_or_hangs_the_device_is_tried_once,
+    what_is_refused_is_no_workloads_best,
     a_busy_cpu_refuses_nothing_for_good,
     a_driver_that_ends_the_program_strikes_the_candidate_off,
     a_best_that_fails_gives_way_to_the_safest,

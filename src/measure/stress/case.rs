@@ -12,6 +12,7 @@ use effigy::vulkan::{
 use effigy_core::{
     avatar::{Avatar, Pose},
     frame::Skip,
+    layout::PROJECT_WORKGROUP,
     random::Random,
     reference::{self, Culled, project::Gaussian},
     scene::{Camera, Posed},
@@ -213,6 +214,9 @@ impl StressCase {
         if options.kernel == Some(TileKernel::Cooperative) && !cooperates {
             options.kernel = Some(TileKernel::PerThread);
         }
+        // What was measured for the user must not decide how a number is replayed.
+        options.packed_words = Some(false);
+        options.workgroup = Some(PROJECT_WORKGROUP);
         self
     }
 

@@ -124,6 +124,9 @@ impl Verdict {
             };
             faults.extend(count(&tests.failed, "failed"));
             faults.extend(count(&tests.unheard, "did not end"));
+            if !tests.is_right() && tests.failed.is_empty() && tests.unheard.is_empty() {
+                faults.push("no test passed".into());
+            }
         }
         faults.extend(self.unread.iter().cloned());
         faults

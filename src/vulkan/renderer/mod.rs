@@ -30,7 +30,7 @@ use super::{
         resolved, tile_kernel,
     },
     sort::{Sort, SortOptions, choice},
-    tuning::{Record, Tuning, Workload, device_lives},
+    tuning::{Record, Tuning, Workload, device_lives, is_of_the_workload},
 };
 use crate::ndk::section;
 use ash::vk;
@@ -126,7 +126,6 @@ impl Renderer {
     /// When the options can't be drawn with, [`Avatar::check`] finds a fault, the device's memory
     /// does not suffice, or it fails.
     pub fn new(gpu: &Arc<Gpu>, avatar: &Avatar, options: RendererOptions) -> Result<Self> {
-        options.check()?;
         avatar.check()?;
         let record = Record::of_device(gpu);
         let tuning = Workload::is_open(&options)
@@ -140,7 +139,9 @@ impl Renderer {
                 tuning: Some(tuning),
                 ..renderer
             }),
-            Err(error) if matches!(error, Error::OutOfMemory { .. }) => Err(error),
+            Err(error) if tuning.best == tuning.safest => Err(error),
+            // The safest may need less.
+            Err(error) if is_of_the_workload(&error) => Self::with(gpu, avatar, options),
             Err(error) => {
                 tracing::warn!("{} failed, and is not used any more: {error}", tuning.best);
                 record.strike_off(&tuning, &error.to_string());
@@ -154,6 +155,7 @@ impl Renderer {
 
     /// Without measurements.
     fn with(gpu: &Arc<Gpu>, avatar: &Avatar, options: RendererOptions) -> Result<Self> {
+        options.check()?;
         let mut options = resolved(gpu, options);
         // Where colours change with the view, poses are not cached.
         if avatar.sh.is_some() {

@@ -1,5 +1,6 @@
-//! How to draw, chosen by measuring: which raster method, colour format, sort and form of f16 is
-//! fastest on a device for a workload.
+//! How to draw, chosen by measuring: which raster method and kernel, with the saturation depth or
+//! without, which colour format, sort, form of f16 and size of workgroups is fastest on a device for
+//! a workload.
 //!
 //! A [`Candidate`] is a way to draw. The tournament times it against the best so far, frame by
 //! frame in turn, along one [`Axis`] after the other, and takes it if it wins by more than the
@@ -14,5 +15,5 @@ mod tournament;
 pub use candidate::{Axis, Candidate, Choices, Workload};
 pub use outcome::{FramePair, Outcome, Timing, TriedCandidate, Tuning};
 pub use record::Record;
-pub(crate) use tournament::device_lives;
 pub use tournament::{Progress, Tournament, TrialImage, Trials};
+pub(crate) use tournament::{device_lives, is_of_the_workload};

@@ -24,6 +24,12 @@ struct Refusal {
     why: String,
 }
 
+impl Refusal {
+    fn is_of(&self, axis: Axis, candidate: &Candidate) -> bool {
+        self.axis == axis && axis.is_same(&self.candidate, candidate)
+    }
+}
+
 /// A candidate that is being tried.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 struct Attempt {
@@ -69,20 +75,23 @@ impl Record {
         self.content().tunings
     }
 
-    /// What was measured of a workload. None where nothing was.
+    /// What was measured of a workload. None where nothing was, or its best is refused since.
     pub fn tuning(&self, workload: &Workload) -> Option<Tuning> {
         let mut tunings = self.tunings().into_iter();
-        tunings.find(|tuning| tuning.workload == *workload)
+        let tuning = tunings.find(|tuning| tuning.workload == *workload)?;
+        let is_refused = Axis::ALL.into_iter().any(|axis| {
+            !axis.is_same(&tuning.best, &tuning.safest)
+                && self.refusal(axis, &tuning.best).is_some()
+        });
+        (!is_refused).then_some(tuning)
     }
 
     /// Why a candidate must not be drawn with, if it must not.
     pub fn refusal(&self, axis: Axis, candidate: &Candidate) -> Option<String> {
-        let refused =
-            |refusal: &Refusal| refusal.axis == axis && axis.is_same(&refusal.candidate, candidate);
         let refusals = self.content().refusals;
         refusals
             .into_iter()
-            .find(refused)
+            .find(|refusal| refusal.is_of(axis, candidate))
             .map(|refusal| refusal.why)
     }
 
@@ -121,13 +130,16 @@ impl Record {
         self.save(&content);
     }
 
-    /// Notes that the best of a workload failed: from now on it is drawn with the safest, and what
-    /// the best differed in is refused.
+    /// Notes that the best of a workload failed: from now on it is drawn with the safest, and the
+    /// first axis on which the best differs is refused. If that was not it, the next failure refuses
+    /// the next.
     pub fn strike_off(&self, tuning: &Tuning, why: &str) {
         let mut content = self.content();
         content.trying = None;
         for axis in Axis::ALL {
-            if !axis.is_same(&tuning.best, &tuning.safest) {
+            if !axis.is_same(&tuning.best, &tuning.safest)
+                && !is_refused(&content, axis, &tuning.best)
+            {
                 content.refusals.push(Refusal {
                     axis,
                     candidate: tuning.best,
@@ -180,6 +192,11 @@ impl Record {
             tracing::debug!("what was measured is not in {}: {error}", path.display());
         }
     }
+}
+
+fn is_refused(content: &Content, axis: Axis, candidate: &Candidate) -> bool {
+    let mut refusals = content.refusals.iter();
+    refusals.any(|refusal| refusal.is_of(axis, candidate))
 }
 
 /// Puts a tuning in place of the one of its workload.

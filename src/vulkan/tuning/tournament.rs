@@ -78,8 +78,11 @@ struct Opened<R> {
 }
 
 /// How far a candidate's trial came.
-enum Step {
-    Decided(Outcome),
+enum Step<R> {
+    /// It was timed.
+    Timed(Outcome, Opened<R>),
+    /// Its image is wrong.
+    Wrong(String),
     /// The budget is spent.
     Spent,
 }
@@ -112,18 +115,21 @@ impl Tournament<'_> {
             progress(&candidate);
             // Before anything is compiled: a driver may end the program there.
             self.record.begin(axis, candidate);
-            let mut opened = None;
             let step = self.try_candidate(
                 trials,
                 current,
                 axis,
                 &candidate,
-                &mut opened,
                 &mut tuning.pairs,
                 &mut spent_ms,
             );
+            let mut winner = None;
             let outcome = match step {
-                Ok(Step::Decided(outcome)) => outcome,
+                Ok(Step::Timed(outcome, opened)) => {
+                    winner = Some(opened);
+                    outcome
+                }
+                Ok(Step::Wrong(why)) => Outcome::Refused(why),
                 Ok(Step::Spent) => {
                     self.record.write(&tuning);
                     break;
@@ -141,7 +147,7 @@ impl Tournament<'_> {
             tuning.note(outcome);
             self.record.write(&tuning);
             if tuning.best == candidate
-                && let Some(winner) = opened
+                && let Some(winner) = winner
             {
                 *current = winner;
             }
@@ -157,6 +163,7 @@ impl Tournament<'_> {
         tuning: &mut Tuning,
         spent_ms: &mut f64,
     ) -> Result<Opened<T::Renderer>> {
+        let is_cpu = trials.is_cpu();
         let mut open = |candidate: &Candidate| {
             let mut renderer = trials.open(candidate)?;
             let TrialImage { image, ms } = trials.image(&mut renderer)?;
@@ -164,7 +171,7 @@ impl Tournament<'_> {
             Ok(Opened { renderer, image })
         };
         match open(&tuning.best) {
-            Err(error) if tuning.best != self.safest && !is_of_the_workload(&error) => {
+            Err(error) if tuning.best != self.safest && !may_pass(&error, is_cpu) => {
                 self.record.strike_off(tuning, &error.to_string());
                 if !device_lives(&error) {
                     return Err(error);
@@ -182,23 +189,21 @@ impl Tournament<'_> {
         best: &mut Opened<T::Renderer>,
         axis: Axis,
         candidate: &Candidate,
-        opened: &mut Option<Opened<T::Renderer>>,
         pairs: &mut Vec<FramePair>,
         spent_ms: &mut f64,
-    ) -> Result<Step> {
+    ) -> Result<Step<T::Renderer>> {
         let mut renderer = trials.open(candidate)?;
         let TrialImage { image, ms } = trials.image(&mut renderer)?;
         *spent_ms += ms;
         if let Some(fault) = difference(&best.image, &image, axis) {
-            return Ok(Step::Decided(Outcome::Refused(fault)));
+            return Ok(Step::Wrong(fault));
         }
-        let Opened { renderer, .. } = opened.insert(Opened { renderer, image });
         loop {
-            let pair = trials.pair(&mut best.renderer, renderer, pairs.len())?;
+            let pair = trials.pair(&mut best.renderer, &mut renderer, pairs.len())?;
             *spent_ms += pair.best + pair.candidate;
             pairs.push(pair);
             if let Some(outcome) = decided(pairs) {
-                return Ok(Step::Decided(outcome));
+                return Ok(Step::Timed(outcome, Opened { renderer, image }));
             }
             if *spent_ms >= self.budget_ms {
                 return Ok(Step::Spent);
@@ -209,8 +214,7 @@ impl Tournament<'_> {
     /// What an error makes of the candidate that was tried.
     fn failed(&self, axis: Axis, candidate: Candidate, error: &Error, is_cpu: bool) -> Outcome {
         let why = error.to_string();
-        let busy = is_cpu && matches!(error, Error::Timeout { .. });
-        if is_of_the_workload(error) || busy {
+        if may_pass(error, is_cpu) {
             return Outcome::Untried(why);
         }
         self.record.refuse(axis, candidate, &why);
@@ -263,15 +267,19 @@ fn difference(best: &FrameImage, image: &FrameImage, axis: Axis) -> Option<Strin
     (!is_right).then(|| format!("its image is wrong: {db:.1} dB, where {least} is right"))
 }
 
+/// Whether an error says nothing of a candidate: a CPU may have been busy.
+fn may_pass(error: &Error, is_cpu: bool) -> bool {
+    is_of_the_workload(error) || is_cpu && matches!(error, Error::Timeout { .. })
+}
+
 /// Whether an error may not happen next time, or with another avatar.
-fn is_of_the_workload(error: &Error) -> bool {
+pub(crate) fn is_of_the_workload(error: &Error) -> bool {
     matches!(
         error,
         Error::OutOfMemory { .. }
             | Error::Allocation { .. }
             | Error::TooLarge { .. }
             | Error::ImageSize { .. }
-            | Error::Unsupported { .. }
     )
 }
 
