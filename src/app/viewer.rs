@@ -703,7 +703,7 @@ impl Viewer {
                 Some(Error::DeviceLost(_) | Error::Timeout { .. }) if may_reopen => {
                     if !self.recovery.device_lost() {
                         return Err(error.context(
-                            "the device was lost or hung for the second time in a row; is its driver up to date?",
+                            "the device was lost for the second time in a row; is its driver up to date?",
                         ));
                     }
                     tracing::warn!("{error}; opening it again");
