@@ -18,11 +18,11 @@ pub struct Args {
     #[arg(long, value_name = "WxH", value_parser = options::size, default_value = "2048x2048")]
     size: [u32; 2],
     /// Largest copy, MiB
-    #[arg(long, value_name = "MIB", default_value_t = 256, value_parser = clap::value_parser!(u64).range(1..=4096))]
-    max_copy: u64,
+    #[arg(long, value_name = "MIB", default_value_t = 256, value_parser = options::count(1, 4096))]
+    max_copy: usize,
     /// Least time of a measurement, milliseconds
-    #[arg(long, value_name = "MS", default_value_t = 20, value_parser = clap::value_parser!(u64).range(1..=10_000))]
-    min_ms: u64,
+    #[arg(long, value_name = "MS", default_value_t = 20, value_parser = options::count(1, 10_000))]
+    min_ms: usize,
     /// Also write the result as JSON
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
@@ -33,8 +33,8 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     println!("device   {} ({})\n", gpu.probe.name, gpu.probe.driver);
     let settings = RatesSettings {
         size: args.size,
-        least: Duration::from_millis(args.min_ms),
-        largest: args.max_copy << 20,
+        least: Duration::from_millis(args.min_ms as u64),
+        largest: (args.max_copy as u64) << 20,
     };
     let command = std::env::args().collect();
     let report = measure_rates(&gpu, &settings, command, &mut |what| {

@@ -61,7 +61,7 @@ pub fn sort_name(variant: &str, subgroup: Option<u32>) -> String {
 pub struct SortSpeed {
     /// Time of the median run by the device's clock, ms.
     pub ms: f64,
-    /// The same by the host's clock.
+    /// Time of the median run by the host's clock, ms.
     pub wall_ms: f64,
     /// Millions of keys a second.
     pub mkeys_per_s: f64,

@@ -211,12 +211,30 @@ impl Trials for RendererTrials<'_> {
     }
 }
 
-/// Options with everything that was left open set as is fastest for a clip of an avatar. What nobody
-/// tried yet is tried first, to the end.
+/// Times every candidate that nobody tried yet, by a clip of an avatar. The record is the device's.
 ///
 /// # Errors
-/// When nothing can be drawn, or a candidate brings the device down, which later starts do not try
-/// again.
+/// Those of [`TuningTask::run`].
+pub fn measure(
+    gpu: &Arc<Gpu>,
+    avatar: &Avatar,
+    player: &Player,
+    options: RendererOptions,
+    progress: Progress,
+) -> Result<Tuning> {
+    let task = TuningTask {
+        avatar,
+        options,
+        scenes: &TrialScene::of_clip(avatar, player, options.size),
+        budget_ms: f64::INFINITY,
+    };
+    task.run(gpu, &Record::of_device(gpu), progress)
+}
+
+/// Options with everything that was left open set as [`measure`] finds it fastest.
+///
+/// # Errors
+/// Those of [`TuningTask::run`].
 pub fn tune(
     gpu: &Arc<Gpu>,
     avatar: &Avatar,
@@ -227,19 +245,13 @@ pub fn tune(
     if !Workload::is_open(&options) {
         return Ok(resolved(gpu, options));
     }
-    let task = TuningTask {
-        avatar,
-        options,
-        scenes: &TrialScene::of_clip(avatar, player, options.size),
-        budget_ms: f64::INFINITY,
-    };
-    let tuning = task.run(gpu, &Record::of_device(gpu), progress)?;
+    let tuning = measure(gpu, avatar, player, options, progress)?;
     Ok(resolved(gpu, tuning.best.apply(options)))
 }
 
 /// Times candidates for the next start while a window is drawn to: on a device of its own, so that
-/// a driver that hangs or is lost in a trial takes nothing from the window. `device`: as the window's
-/// was opened. Meant for a thread of its own.
+/// a driver that hangs or is lost in a trial takes nothing from the window. `device`: how the
+/// window's was opened. Meant for a thread of its own.
 ///
 /// # Errors
 /// Those of [`TuningTask::run`], and when the device can't be opened.

@@ -18,7 +18,8 @@ pub fn resolved(gpu: &Gpu, options: RendererOptions) -> RendererOptions {
     let method = options.method.unwrap_or_else(|| {
         crate::quirks::recommended_method(gpu.is_cpu(), gpu.name(), &gpu.driver())
     });
-    // WebGPU has no saturation stage to test fragments against, and its render passes draw the whole image.
+    // WebGPU has no saturation stage to test fragments against, and its render passes draw the
+    // whole image.
     let whole = if method == RasterMethod::Quads {
         Skip::DAMAGE
     } else {

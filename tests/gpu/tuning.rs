@@ -63,26 +63,33 @@ type Holds = fn(&Candidate) -> bool;
 
 /// How long a driver takes with some candidates, by the time that it takes otherwise.
 #[derive(Clone, Copy)]
-struct Speed(Holds, f64);
+struct Speed {
+    holds: Holds,
+    factor: f64,
+}
+
+const fn speed(holds: Holds, factor: f64) -> Speed {
+    Speed { holds, factor }
+}
 
 /// A driver that takes 10 ms for a frame, and more or less with some candidates.
 #[derive(Clone)]
-struct Driver<'a> {
+struct Driver {
     /// Times of a frame by that of the safest, for candidates that hold.
-    speeds: &'a [Speed],
+    speeds: Vec<Speed>,
     /// Which candidates it fails with, and how.
     fault: Option<(Holds, Fault)>,
-    /// The record, to be looked at while kernels are compiled.
-    file: PathBuf,
+    /// Where the record is, to be looked at while kernels are compiled.
+    folder: PathBuf,
     is_cpu: bool,
     opened: usize,
     ms: f64,
 }
 
-impl Driver<'_> {
+impl Driver {
     fn frame_ms(&self, candidate: &Candidate) -> f64 {
-        let factors = self.speeds.iter().filter(|speed| speed.0(candidate));
-        10.0 * factors.map(|speed| speed.1).product::<f64>()
+        let factors = self.speeds.iter().filter(|speed| (speed.holds)(candidate));
+        10.0 * factors.map(|speed| speed.factor).product::<f64>()
     }
 
     fn fault(&self, candidate: &Candidate) -> Option<Fault> {
@@ -91,14 +98,14 @@ impl Driver<'_> {
     }
 }
 
-impl Trials for Driver<'_> {
+impl Trials for Driver {
     type Renderer = Candidate;
 
     fn open(&mut self, candidate: &Candidate) -> Result<Candidate> {
         self.opened += 1;
         match self.fault(candidate) {
             Some(Fault::Dies) => {
-                let text = fs::read_to_string(&self.file).unwrap();
+                let text = fs::read_to_string(only_file(&self.folder)).unwrap();
                 let record: serde_json::Value = serde_json::from_str(&text).unwrap();
                 let trying: Candidate =
                     serde_json::from_value(record["trying"]["candidate"].clone()).unwrap();
@@ -155,27 +162,20 @@ impl Trials for Driver<'_> {
 }
 
 /// A folder for a record, and a driver.
-struct Bench<'a> {
+struct Bench {
     folder: tempfile::TempDir,
     gpu: Arc<Gpu>,
-    driver: Driver<'a>,
+    driver: Driver,
 }
 
-impl<'a> Bench<'a> {
-    fn new(speeds: &'a [Speed]) -> Self {
+impl Bench {
+    fn new(speeds: &[Speed]) -> Self {
         let folder = tempfile::tempdir().unwrap();
         let gpu = gpu::gpu();
-        // The record's name is its own business.
-        Record::new(&gpu, Some(folder.path())).strike_off(
-            &tuning_of(&workload(1), &gpu, folder.path()),
-            "so that there is a file",
-        );
-        let file = only_file(folder.path());
-        fs::remove_file(&file).unwrap();
         let driver = Driver {
-            speeds,
+            speeds: speeds.to_vec(),
             fault: None,
-            file,
+            folder: folder.path().to_owned(),
             is_cpu: false,
             opened: 0,
             ms: 0.0,
@@ -231,34 +231,6 @@ fn workload(gaussians: usize) -> Workload {
     Workload::new(&common::avatar(1, sizes), &RendererOptions::new([64, 64]))
 }
 
-/// A tuning that nothing was tried of.
-fn tuning_of(workload: &Workload, gpu: &Gpu, folder: &Path) -> Tuning {
-    let record = Record::new(gpu, Some(&folder.join("nowhere").join("nothing")));
-    let none = Choices {
-        rasters: Vec::new(),
-        fixed_color: Some(ColorFormat::Rgba8),
-        sorts: Vec::new(),
-        both_storages: false,
-        workgroups: Vec::new(),
-    };
-    let tournament = Tournament {
-        workload: workload.clone(),
-        safest: SAFEST,
-        choices: none,
-        budget_ms: 0.0,
-        record: &record,
-    };
-    let mut driver = Driver {
-        speeds: &[],
-        fault: None,
-        file: PathBuf::new(),
-        is_cpu: false,
-        opened: 0,
-        ms: 0.0,
-    };
-    tournament.run(&mut driver, &mut |_| {}).unwrap()
-}
-
 fn only_file(folder: &Path) -> PathBuf {
     let mut files: Vec<PathBuf> = fs::read_dir(folder)
         .unwrap()
@@ -295,9 +267,9 @@ fn is_small(candidate: &Candidate) -> bool {
 
 fn the_fastest_of_every_axis_is_found() {
     let mut bench = Bench::new(&[
-        Speed(is_tested, 0.7),
-        Speed(is_tiles, 0.8),
-        Speed(is_onesweep, 0.9),
+        speed(is_tested, 0.7),
+        speed(is_tiles, 0.8),
+        speed(is_onesweep, 0.9),
     ]);
     let tuning = bench.run().unwrap();
     assert_eq!(
@@ -321,12 +293,12 @@ fn the_fastest_of_every_axis_is_found() {
 }
 
 fn what_is_faster_by_less_than_the_noise_is_not_taken() {
-    let mut bench = Bench::new(&[Speed(is_tested, 0.99), Speed(is_tiles, 0.995)]);
+    let mut bench = Bench::new(&[speed(is_tested, 0.99), speed(is_tiles, 0.995)]);
     assert_eq!(bench.run().unwrap().best, SAFEST);
 }
 
 fn what_is_far_slower_gets_one_pair_of_frames() {
-    let mut bench = Bench::new(&[Speed(is_tested, 4.0), Speed(is_tiles, 1.3)]);
+    let mut bench = Bench::new(&[speed(is_tested, 4.0), speed(is_tiles, 1.3)]);
     let tuning = bench.run().unwrap();
     let frames = |holds| match outcome(&tuning, holds) {
         Outcome::Timed(timing) => timing.frames,
@@ -338,7 +310,7 @@ fn what_is_far_slower_gets_one_pair_of_frames() {
 }
 
 fn a_wrong_image_is_never_drawn_however_fast() {
-    let mut bench = Bench::new(&[Speed(is_tiles, 0.1), Speed(is_tested, 0.9)])
+    let mut bench = Bench::new(&[speed(is_tiles, 0.1), speed(is_tested, 0.9)])
         .failing(Fault::Miscompiles, is_tiles);
     let tuning = bench.run().unwrap();
     assert_eq!(tuning.best, TESTED);
@@ -349,7 +321,7 @@ fn a_wrong_image_is_never_drawn_however_fast() {
 }
 
 fn images_are_held_against_the_best_so_far() {
-    let speeds = &[Speed(is_tiles, 0.5), Speed(is_onesweep, 0.8)];
+    let speeds = &[speed(is_tiles, 0.5), speed(is_onesweep, 0.8)];
     let mut bench = Bench::new(speeds).failing(Fault::Rounds, is_tiles);
     let tuning = bench.run().unwrap();
     assert!(
@@ -366,7 +338,7 @@ fn images_are_held_against_the_best_so_far() {
 }
 
 fn a_kernel_that_is_not_compiled_costs_only_itself() {
-    let mut bench = Bench::new(&[Speed(is_tested, 0.5), Speed(is_small, 0.9)])
+    let mut bench = Bench::new(&[speed(is_tested, 0.5), speed(is_small, 0.9)])
         .failing(Fault::Refuses, is_tested);
     let tuning = bench.run().unwrap();
     assert!(matches!(outcome(&tuning, is_tested), Outcome::Refused(_)));
@@ -376,7 +348,7 @@ fn a_kernel_that_is_not_compiled_costs_only_itself() {
 fn a_candidate_that_loses_or_hangs_the_device_is_tried_once() {
     for fault in [Fault::Loses, Fault::Hangs] {
         let mut bench =
-            Bench::new(&[Speed(is_tested, 0.5), Speed(is_tiles, 0.6)]).failing(fault, is_tested);
+            Bench::new(&[speed(is_tested, 0.5), speed(is_tiles, 0.6)]).failing(fault, is_tested);
         let error = bench.run().unwrap_err();
         println!("{fault:?}: {error}");
         // The next start.
@@ -399,7 +371,7 @@ fn a_candidate_that_loses_or_hangs_the_device_is_tried_once() {
 }
 
 fn what_is_refused_is_no_workloads_best() {
-    let mut bench = Bench::new(&[Speed(is_tested, 0.5)]);
+    let mut bench = Bench::new(&[speed(is_tested, 0.5)]);
     let first = bench.run().unwrap();
     assert!(is_tested(&first.best));
     assert_eq!(bench.record().tuning(&first.workload), Some(first.clone()));
@@ -414,7 +386,7 @@ fn what_is_refused_is_no_workloads_best() {
 }
 
 fn a_busy_cpu_refuses_nothing_for_good() {
-    let mut bench = Bench::new(&[Speed(is_tiles, 0.6)]).failing(Fault::Hangs, is_tested);
+    let mut bench = Bench::new(&[speed(is_tiles, 0.6)]).failing(Fault::Hangs, is_tested);
     bench.driver.is_cpu = true;
     assert!(bench.run().is_err());
     let tuning = bench.run().unwrap();
@@ -424,7 +396,7 @@ fn a_busy_cpu_refuses_nothing_for_good() {
 
 fn a_driver_that_ends_the_program_strikes_the_candidate_off() {
     let mut bench =
-        Bench::new(&[Speed(is_tested, 0.5), Speed(is_tiles, 0.6)]).failing(Fault::Dies, is_tested);
+        Bench::new(&[speed(is_tested, 0.5), speed(is_tiles, 0.6)]).failing(Fault::Dies, is_tested);
     for start in 0..2 {
         let ended = catch_unwind(AssertUnwindSafe(|| bench.run()));
         assert!(ended.is_err(), "start {start}: the user may have ended it");
@@ -440,7 +412,7 @@ fn a_driver_that_ends_the_program_strikes_the_candidate_off() {
 }
 
 fn a_best_that_fails_gives_way_to_the_safest() {
-    let mut bench = Bench::new(&[Speed(is_tested, 0.5)]);
+    let mut bench = Bench::new(&[speed(is_tested, 0.5)]);
     // Before anything but the raster method was measured.
     let tuning = bench.run_with(1000, 200.0).unwrap();
     assert!(is_tested(&tuning.best) && !tuning.is_done(), "{tuning:#?}");
@@ -453,9 +425,9 @@ fn a_best_that_fails_gives_way_to_the_safest() {
 
 fn a_start_takes_no_longer_than_its_budget() {
     let speeds = &[
-        Speed(is_tested, 0.7),
-        Speed(is_tiles, 0.8),
-        Speed(is_onesweep, 0.9),
+        speed(is_tested, 0.7),
+        speed(is_tiles, 0.8),
+        speed(is_onesweep, 0.9),
     ];
     let at_once = Bench::new(speeds).run().unwrap();
     let mut bench = Bench::new(speeds);
@@ -477,7 +449,7 @@ fn a_start_takes_no_longer_than_its_budget() {
 }
 
 fn a_damaged_or_old_record_is_measured_again() {
-    let mut bench = Bench::new(&[Speed(is_tested, 0.7)]);
+    let mut bench = Bench::new(&[speed(is_tested, 0.7)]);
     let tuning = bench.run().unwrap();
     let file = only_file(bench.folder.path());
     let text = fs::read_to_string(&file).unwrap();

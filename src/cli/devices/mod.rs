@@ -10,7 +10,7 @@ use effigy::vulkan::{
     instance::Instance,
     probe::version,
     sort::{choice::choose, sort_choice::SortChoice},
-    trials::{TrialScene, TuningTask},
+    trials,
     tuning::{Record, Tuning},
 };
 use effigy_core::avatar::motion::Player;
@@ -101,7 +101,11 @@ fn print(number: usize, probe: &Probe) {
         None => {}
     }
     match tunings(number, probe) {
-        Some(Ok(tunings)) => tunings.iter().for_each(print_tuning),
+        Some(Ok(tunings)) => {
+            for tuning in &tunings {
+                print_tuning(tuning);
+            }
+        }
         Some(Err(error)) => println!("   drawing          {error}"),
         None => {}
     }
@@ -222,21 +226,15 @@ fn tunings(number: usize, probe: &Probe) -> Option<anyhow::Result<Vec<Tuning>>> 
 
 fn measured(number: usize) -> anyhow::Result<Vec<Tuning>> {
     let gpu = Gpu::new(&GpuOptions::headless(Some(number.to_string())))?;
-    let record = Record::of_device(&gpu);
-    let known = record.tunings();
+    let known = Record::of_device(&gpu).tunings();
     if !known.is_empty() && known.iter().all(Tuning::is_done) {
         return Ok(known);
     }
     let avatar = effigy_demo::avatar()?;
     let player = Player::new(effigy_demo::clip()?, &avatar.skeleton);
     let bar = progress::tuning();
-    let task = TuningTask {
-        avatar: &avatar,
-        options: RendererOptions::new(DEMO_SIZE),
-        scenes: &TrialScene::of_clip(&avatar, &player, DEMO_SIZE),
-        budget_ms: f64::INFINITY,
-    };
-    let tuning = task.run(&gpu, &record, &mut |candidate| {
+    let options = RendererOptions::new(DEMO_SIZE);
+    let tuning = trials::measure(&gpu, &avatar, &player, options, &mut |candidate| {
         bar.set_message(format!("trying {candidate}"));
     })?;
     bar.finish_and_clear();

@@ -7,13 +7,14 @@ use crate::scene::{AvatarBounds, Camera, Posed, avatar_bounds::enlargement};
 use glam::{DAffine3, DVec3, Vec4};
 
 /// How one avatar's pose cache was stored, which is what frames need to read it.
+#[derive(Clone, Copy, Debug)]
 pub struct PoseCache {
     /// World to the camera that filled the cache.
-    view: DAffine3,
-    /// Lower and upper corner of a box around the posed avatar, in that camera's space.
-    bounds: [DVec3; 2],
+    pub view: DAffine3,
+    /// Lower and upper corner of a box around the posed avatar, in that camera's space, metres.
+    pub bounds: [DVec3; 2],
     /// Length that stored lengths are relative to.
-    unit: f64,
+    pub unit: f64,
 }
 
 impl Default for PoseCache {

@@ -183,7 +183,7 @@ pub struct Neutral {
 }
 
 impl Neutral {
-    /// As the avatar has them.
+    /// The numbers of the avatar itself.
     pub fn exact(avatar: &Avatar, gaussian: usize) -> Self {
         Self {
             node_weights: avatar.node_weights(gaussian),
@@ -192,7 +192,7 @@ impl Neutral {
         }
     }
 
-    /// As the GPU's model has them.
+    /// The avatar's numbers, rounded to what the GPU's model stores.
     pub fn stored(avatar: &Avatar, gaussian: usize) -> Self {
         let exact = Self::exact(avatar, gaussian);
         let (word, _) = encode_quaternion(exact.rotation);

@@ -210,8 +210,7 @@ impl StressCase {
             options.method = Some(RasterMethod::Tiles);
             options.skip -= Skip::HIDDEN | Skip::DEPTH;
         }
-        let cooperates = probe.subgroup_shuffle && probe.subgroup_size == 8;
-        if options.kernel == Some(TileKernel::Cooperative) && !cooperates {
+        if options.kernel == Some(TileKernel::Cooperative) && !probe.can_cooperate() {
             options.kernel = Some(TileKernel::PerThread);
         }
         // What was measured for the user must not decide how a number is replayed.

@@ -38,7 +38,7 @@ pub struct CaseOutcome {
     pub arithmetic: Option<ErrorMetrics>,
     /// How much of their bound the pixels use: computed from the model.
     pub used: Option<BoundUse>,
-    /// The same from the pose cache, where the case skips skinning.
+    /// How much of its bound the image from the pose cache uses, where the case skips skinning.
     pub used_cached: Option<BoundUse>,
     /// A sentence for everything that is wrong.
     pub faults: Vec<String>,

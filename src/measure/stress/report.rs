@@ -132,7 +132,7 @@ pub struct StressCaseReport {
     pub arithmetic_max_error: f64,
     /// How much of its bound it uses, computed from the model.
     pub used: Option<BoundUse>,
-    /// The same from the pose cache, where the case skips skinning.
+    /// How much of its bound the image from the pose cache uses, where the case skips skinning.
     pub used_cached: Option<BoundUse>,
 }
 

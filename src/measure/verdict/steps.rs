@@ -17,7 +17,7 @@ pub enum StepOutcome {
 }
 
 impl StepOutcome {
-    /// As people read it.
+    /// The outcome in words, in Markdown: what is wrong is bold.
     pub fn words(self) -> &'static str {
         match self {
             Self::Passed => "passed",

@@ -20,9 +20,10 @@ pub struct StageTraffic {
     pub bytes: u64,
     /// Those a second.
     pub bytes_a_second: f64,
-    /// As a share of a copy of much memory, 1 = as fast. Null without a copy.
+    /// Bytes a second as a share of those of a copy of much memory, 1 = as fast. Null without a
+    /// copy.
     pub of_memory: Option<f64>,
-    /// As a share of a copy of as many bytes, which may lie in caches.
+    /// Bytes a second as a share of those of a copy of as many bytes, which may lie in caches.
     pub of_same_size: Option<f64>,
 }
 

@@ -11,6 +11,7 @@ pub(crate) mod logical;
 pub(crate) mod moment;
 pub(crate) mod options;
 pub mod probe;
+pub(crate) mod record_file;
 pub(crate) mod recording;
 pub mod sort_choice;
 pub(crate) mod statistics;

@@ -65,6 +65,11 @@ impl Probe {
         self.kind == vk::PhysicalDeviceType::CPU
     }
 
+    /// Whether it can run the cooperative kernel of tiles, which is written for subgroups of 8.
+    pub fn can_cooperate(&self) -> bool {
+        self.subgroup_shuffle && self.subgroup_size == 8
+    }
+
     /// Whether the driver can draw triangles without crashing.
     pub fn draws_triangles(&self) -> bool {
         quirks::draws_triangles(&self.name)

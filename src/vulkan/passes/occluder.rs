@@ -151,12 +151,7 @@ impl OccluderPass {
                 height: OCCLUDER_SIDE,
             },
         };
-        let clear = [vk::ClearValue {
-            depth_stencil: vk::ClearDepthStencilValue {
-                depth: 1.0,
-                stencil: 0,
-            },
-        }];
+        let clear = [graphics::FURTHEST];
         let begin = vk::RenderPassBeginInfo::default()
             .render_pass(self.render_pass.raw())
             .framebuffer(self.framebuffer.raw())

@@ -29,6 +29,26 @@ pub(crate) struct Attachment {
     pub final_layout: Option<vk::ImageLayout>,
 }
 
+/// What a depth attachment is cleared to: as far as can be.
+pub(crate) const FURTHEST: vk::ClearValue = vk::ClearValue {
+    depth_stencil: vk::ClearDepthStencilValue {
+        depth: 1.0,
+        stencil: 0,
+    },
+};
+
+/// "Over", back to front: C = αc + (1 − α) C, and coverage likewise, which leaves the image
+/// premultiplied. The fragment's colour is not, so that a blender that rounds uses one rounded
+/// alpha for both terms.
+pub(crate) fn over() -> vk::PipelineColorBlendAttachmentState {
+    vk::PipelineColorBlendAttachmentState::default()
+        .blend_enable(true)
+        .src_color_blend_factor(vk::BlendFactor::SRC_ALPHA)
+        .dst_color_blend_factor(vk::BlendFactor::ONE_MINUS_SRC_ALPHA)
+        .src_alpha_blend_factor(vk::BlendFactor::ONE)
+        .dst_alpha_blend_factor(vk::BlendFactor::ONE_MINUS_SRC_ALPHA)
+}
+
 /// A depth attachment that is cleared.
 pub(crate) fn depth(final_layout: Option<vk::ImageLayout>) -> Attachment {
     Attachment {

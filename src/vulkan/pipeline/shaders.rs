@@ -8,7 +8,7 @@
 use crate::hash;
 use ash::vk;
 use effigy_core::layout;
-use std::{fs, io, iter, path::Path};
+use std::{fs, io, iter, path::Path, sync::LazyLock};
 
 /// A shader and what it compiles to.
 pub struct Module {
@@ -113,12 +113,21 @@ modules! {
     PRESENT_FRAGMENT = "present/present.frag";
 }
 
-/// A hash of all modules whose path starts with `path`, with and without f16 storage buffers. What
-/// was measured of modules holds only for those that ran.
-pub(crate) fn hash(path: &str) -> u64 {
-    let modules = MODULES
-        .iter()
-        .filter(|module| module.file.starts_with(path));
+/// A hash of the sort's modules: what was found of them holds only for those that ran.
+pub(crate) fn sort_hash() -> u64 {
+    static HASH: LazyLock<u64> =
+        LazyLock::new(|| hash_of(|module| module.file.starts_with("sort/")));
+    *HASH
+}
+
+/// A hash of all modules. It takes a millisecond and more, so it is worked out once.
+pub(crate) fn all_hash() -> u64 {
+    static HASH: LazyLock<u64> = LazyLock::new(|| hash_of(|_| true));
+    *HASH
+}
+
+fn hash_of(is_meant: impl Fn(&Module) -> bool) -> u64 {
+    let modules = MODULES.iter().filter(|module| is_meant(module));
     let bytes = modules
         .flat_map(|module| module.compiled_modules())
         .flatten();

@@ -19,6 +19,6 @@ mod tiles;
 pub use bins::BinLists;
 pub use effigy_core::frame::{ColorFormat, Damage, RasterMethod, TileKernel};
 pub use options::resolved;
-pub(crate) use options::{can_cooperate, tile_kernel};
+pub(crate) use options::tile_kernel;
 pub use runs::TileLists;
 pub use stage::Raster;

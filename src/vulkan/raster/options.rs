@@ -13,18 +13,13 @@ pub(crate) fn method(options: &RendererOptions, gpu: &Gpu) -> RasterMethod {
     })
 }
 
-/// Whether a device can run the cooperative kernel, which is written for subgroups of 8.
-pub(crate) fn can_cooperate(gpu: &Gpu) -> bool {
-    gpu.probe.subgroup_shuffle && gpu.probe.subgroup_size == 8
-}
-
 /// The kernel of the tile rasterizer with these options on a device. CPU drivers execute a few
 /// invocations at a time: they have kernels of their own. Subgroups of 16 have not been timed.
 pub(crate) fn tile_kernel(options: &RendererOptions, gpu: &Gpu) -> TileKernel {
     options.kernel.unwrap_or_else(|| {
         if !gpu.probe.is_cpu() {
             TileKernel::Shared
-        } else if can_cooperate(gpu) && !gpu.probe.driver.starts_with("SwiftShader") {
+        } else if gpu.probe.can_cooperate() && !gpu.probe.driver.starts_with("SwiftShader") {
             TileKernel::Cooperative
         } else {
             TileKernel::PerThread

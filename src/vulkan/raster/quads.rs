@@ -185,16 +185,7 @@ impl Quads {
             self.forget(commands);
         }
         let viewport = graphics::viewport(0.0, 0.0, width as f32, height as f32);
-        let depth = vk::ClearDepthStencilValue {
-            depth: 1.0,
-            stencil: 0,
-        };
-        let clear = [
-            vk::ClearValue::default(),
-            vk::ClearValue {
-                depth_stencil: depth,
-            },
-        ];
+        let clear = [vk::ClearValue::default(), graphics::FURTHEST];
         let begin = vk::RenderPassBeginInfo::default()
             .render_pass(self.render_pass.raw())
             .framebuffer(self.target.framebuffer.raw())
@@ -323,15 +314,6 @@ fn pipeline(
     saturation: Option<&Saturation>,
     options: &RendererOptions,
 ) -> Result<Pipeline> {
-    // "Over": C = αc + (1 − α) C, and coverage likewise, which leaves the image premultiplied. The
-    // fragment's colour is not, so that a blender that rounds uses one rounded alpha for both
-    // terms.
-    let over = vk::PipelineColorBlendAttachmentState::default()
-        .blend_enable(true)
-        .src_color_blend_factor(vk::BlendFactor::SRC_ALPHA)
-        .dst_color_blend_factor(vk::BlendFactor::ONE_MINUS_SRC_ALPHA)
-        .src_alpha_blend_factor(vk::BlendFactor::ONE)
-        .dst_alpha_blend_factor(vk::BlendFactor::ONE_MINUS_SRC_ALPHA);
     let cutoff_exponent = options.cutoff.log2() as f32;
     let quad_exponent = if options.skip.contains(Skip::FAINT) {
         cutoff_exponent
@@ -354,7 +336,7 @@ fn pipeline(
         constants: &constants,
         layout,
         render_pass: render_pass.raw(),
-        blend: Some(over),
+        blend: Some(graphics::over()),
         depth: match saturation {
             Some(_) => Depth::Test,
             None => Depth::Without,

@@ -3,7 +3,7 @@
 use super::{
     bins::{BinLists, Bins},
     draw::{Draw, RasterInputs},
-    options::{can_cooperate, method, tile_kernel},
+    options::{method, tile_kernel},
     quads::Quads,
     runs::{Runs, TileLists},
     saturation::Saturation,
@@ -41,7 +41,7 @@ impl Raster {
             RasterMethod::Quads => Self::Quads(Box::new(Quads::new(gpu, inputs, options)?)),
             RasterMethod::Tiles => {
                 let kernel = tile_kernel(options, gpu);
-                if kernel == TileKernel::Cooperative && !can_cooperate(gpu) {
+                if kernel == TileKernel::Cooperative && !gpu.probe.can_cooperate() {
                     return Err(Error::Unsupported {
                         device: gpu.probe.name.clone(),
                         missing: "for cooperative tiles: subgroups of 8 with shuffles".into(),

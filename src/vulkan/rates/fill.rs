@@ -188,15 +188,7 @@ impl Fill {
             offset: vk::Offset2D::default(),
             extent: vk::Extent2D { width, height },
         };
-        let clear = [
-            vk::ClearValue::default(),
-            vk::ClearValue {
-                depth_stencil: vk::ClearDepthStencilValue {
-                    depth: 1.0,
-                    stencil: 0,
-                },
-            },
-        ];
+        let clear = [vk::ClearValue::default(), graphics::FURTHEST];
         let begin = vk::RenderPassBeginInfo::default()
             .render_pass(self.render_pass.raw())
             .framebuffer(self.framebuffer.raw())
@@ -230,17 +222,13 @@ impl Fill {
 
 /// "Over" back to front, as the quads are blended; "under" front to back.
 fn blend(filling: Filling) -> vk::PipelineColorBlendAttachmentState {
-    let state = vk::PipelineColorBlendAttachmentState::default().blend_enable(filling.blended);
-    match filling.order {
-        FillOrder::BackToFront => state
-            .src_color_blend_factor(vk::BlendFactor::SRC_ALPHA)
-            .dst_color_blend_factor(vk::BlendFactor::ONE_MINUS_SRC_ALPHA)
-            .src_alpha_blend_factor(vk::BlendFactor::ONE)
-            .dst_alpha_blend_factor(vk::BlendFactor::ONE_MINUS_SRC_ALPHA),
-        FillOrder::FrontToBack => state
+    let state = match filling.order {
+        FillOrder::BackToFront => graphics::over(),
+        FillOrder::FrontToBack => vk::PipelineColorBlendAttachmentState::default()
             .src_color_blend_factor(vk::BlendFactor::ONE_MINUS_DST_ALPHA)
             .dst_color_blend_factor(vk::BlendFactor::ONE)
             .src_alpha_blend_factor(vk::BlendFactor::ONE_MINUS_DST_ALPHA)
             .dst_alpha_blend_factor(vk::BlendFactor::ONE),
-    }
+    };
+    state.blend_enable(filling.blended)
 }

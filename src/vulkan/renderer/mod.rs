@@ -127,11 +127,11 @@ impl Renderer {
     /// does not suffice, or it fails.
     pub fn new(gpu: &Arc<Gpu>, avatar: &Avatar, options: RendererOptions) -> Result<Self> {
         avatar.check()?;
+        if !Workload::is_open(&options) {
+            return Self::with(gpu, avatar, options);
+        }
         let record = Record::of_device(gpu);
-        let tuning = Workload::is_open(&options)
-            .then(|| record.tuning(&Workload::new(avatar, &options)))
-            .flatten();
-        let Some(tuning) = tuning else {
+        let Some(tuning) = record.tuning(&Workload::new(avatar, &options)) else {
             return Self::with(gpu, avatar, options);
         };
         match Self::with(gpu, avatar, tuning.best.apply(options)) {
@@ -143,7 +143,6 @@ impl Renderer {
             // The safest may need less.
             Err(error) if is_of_the_workload(&error) => Self::with(gpu, avatar, options),
             Err(error) => {
-                tracing::warn!("{} failed, and is not used any more: {error}", tuning.best);
                 record.strike_off(&tuning, &error.to_string());
                 if !device_lives(&error) {
                     return Err(error);
@@ -307,7 +306,6 @@ impl Renderer {
         else {
             return false;
         };
-        tracing::warn!("{} failed, and is not used any more: {why}", tuning.best);
         Record::of_device(&self.gpu).strike_off(tuning, why);
         true
     }

@@ -3,56 +3,39 @@
 
 use crate::vulkan::{
     device::{
-        cache,
         gpu::Gpu,
-        identity::Identity,
+        record_file::RecordFile,
         sort_choice::{ATTEMPTS, Outcome, TestedVariant},
     },
     pipeline::shaders,
 };
 use effigy_core::frame::SortVariant;
 use serde::{Deserialize, Serialize};
-use std::{
-    fs,
-    path::{Path, PathBuf},
-};
+use std::path::Path;
 
-#[derive(Serialize, Deserialize)]
+#[derive(Default, Serialize, Deserialize)]
 struct Content {
-    identity: Identity,
     /// The variant under test when this was written, and how many such tests were begun.
     trying: Option<(SortVariant, u32)>,
     tried: Vec<TestedVariant>,
 }
 
-/// The file. Every failure to read or write it only costs the time of a test.
+/// What the file says.
 pub struct Record {
-    path: Option<PathBuf>,
-    identity: Identity,
+    file: RecordFile,
 }
 
 impl Record {
     /// `folder`: None remembers nothing.
     pub fn new(gpu: &Gpu, folder: Option<&Path>) -> Self {
-        let key = gpu.probe.cache_key();
         Self {
-            path: folder.map(|folder| folder.join(format!("sort-{key}.json"))),
-            identity: Identity::new(gpu, shaders::hash("sort/")),
+            file: RecordFile::new(gpu, folder, "sort", shaders::sort_hash()),
         }
-    }
-
-    fn content(&self) -> Option<Content> {
-        let text = fs::read(self.path.as_ref()?).ok()?;
-        serde_json::from_slice::<Content>(&text)
-            .ok()
-            .filter(|content| content.identity == self.identity)
     }
 
     /// How each variant did that was tested before, here and by this program.
     pub fn read(&self) -> Vec<TestedVariant> {
-        let Some(mut content) = self.content() else {
-            return Vec::new();
-        };
+        let mut content: Content = self.file.read();
         let ended = content.trying.filter(|&(_, attempts)| attempts >= ATTEMPTS);
         content
             .tried
@@ -66,41 +49,24 @@ impl Record {
     /// Notes that a variant's test begins. What is not followed by [`Self::write`] counts against
     /// it, after a second time.
     pub fn begin(&self, tried: &[TestedVariant], variant: SortVariant) {
-        let before = self
-            .content()
-            .and_then(|content| content.trying)
-            .filter(|&(trying, _)| trying == variant);
-        self.save(
-            tried,
-            Some((variant, 1 + before.map_or(0, |(_, attempts)| attempts))),
-        );
+        let content: Content = self.file.read();
+        let before = content.trying.filter(|&(trying, _)| trying == variant);
+        self.file.write(&Content {
+            trying: Some((variant, 1 + before.map_or(0, |(_, attempts)| attempts))),
+            tried: tried.to_vec(),
+        });
     }
 
     /// Notes what was found so far.
     pub fn write(&self, tried: &[TestedVariant]) {
-        self.save(tried, None);
+        self.file.write(&Content {
+            trying: None,
+            tried: tried.to_vec(),
+        });
     }
 
     /// The record's file, for a message.
     pub fn path(&self) -> Option<&Path> {
-        self.path.as_deref()
-    }
-
-    fn save(&self, tried: &[TestedVariant], trying: Option<(SortVariant, u32)>) {
-        let Some(path) = &self.path else { return };
-        let content = Content {
-            identity: self.identity.clone(),
-            trying,
-            tried: tried.to_vec(),
-        };
-        let written = serde_json::to_vec_pretty(&content)
-            .map_err(std::io::Error::other)
-            .and_then(|text| cache::write(path, &text));
-        if let Err(error) = written {
-            tracing::debug!(
-                "the sort's self-test was not saved to {}: {error}",
-                path.display()
-            );
-        }
+        self.file.path()
     }
 }

@@ -4,7 +4,7 @@ use crate::{
     quirks::leaves_loops,
     vulkan::{
         device::{error::Result, gpu::Gpu, sort_choice::Outcome},
-        raster::{can_cooperate, resolved},
+        raster::resolved,
         sort::choice,
     },
 };
@@ -242,7 +242,7 @@ fn rasters(gpu: &Gpu, options: &RendererOptions, safest: &Candidate) -> Vec<Cand
     let open = options.method != Some(RasterMethod::Quads) && options.kernel.is_none();
     if open && !leaves_loops(&gpu.probe.driver) {
         for kernel in TileKernel::ALL {
-            if kernel != TileKernel::Cooperative || can_cooperate(gpu) {
+            if kernel != TileKernel::Cooperative || gpu.probe.can_cooperate() {
                 rasters.push(Candidate {
                     method: RasterMethod::Tiles,
                     kernel,

@@ -172,6 +172,13 @@ impl Tuning {
         });
     }
 
+    /// The axes on which the best differs from the safest.
+    pub(super) fn axes_of_best(&self) -> impl Iterator<Item = Axis> {
+        Axis::ALL
+            .into_iter()
+            .filter(|axis| !axis.is_same(&self.best, &self.safest))
+    }
+
     /// Why the best is drawn with, in a few words.
     pub fn reason(&self) -> String {
         let timed = |tried: &TriedCandidate| match &tried.outcome {

@@ -6,14 +6,11 @@ use super::{
     outcome::Tuning,
 };
 use crate::vulkan::{
-    device::{cache, gpu::Gpu, identity::Identity, sort_choice::ATTEMPTS},
+    device::{cache, gpu::Gpu, record_file::RecordFile, sort_choice::ATTEMPTS},
     pipeline::shaders,
 };
 use serde::{Deserialize, Serialize};
-use std::{
-    fs,
-    path::{Path, PathBuf},
-};
+use std::path::Path;
 
 /// A candidate that must not be drawn with on this device.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -22,12 +19,6 @@ struct Refusal {
     axis: Axis,
     candidate: Candidate,
     why: String,
-}
-
-impl Refusal {
-    fn is_of(&self, axis: Axis, candidate: &Candidate) -> bool {
-        self.axis == axis && axis.is_same(&self.candidate, candidate)
-    }
 }
 
 /// A candidate that is being tried.
@@ -39,29 +30,38 @@ struct Attempt {
     number: u32,
 }
 
-#[derive(Serialize, Deserialize)]
+#[derive(Default, Serialize, Deserialize)]
 struct Content {
-    identity: Identity,
     /// Written before the candidate's kernels are compiled, and taken back after its frames.
     trying: Option<Attempt>,
     refusals: Vec<Refusal>,
     tunings: Vec<Tuning>,
 }
 
-/// The file. Every failure to read or write it only costs the time of measuring again: a file that
-/// is cut, or of another device, driver or program, is as none.
+impl Content {
+    fn refusal(&self, axis: Axis, candidate: &Candidate) -> Option<&Refusal> {
+        let mut refusals = self.refusals.iter();
+        refusals.find(|refusal| refusal.axis == axis && axis.is_same(&refusal.candidate, candidate))
+    }
+
+    /// Puts a tuning in place of the one of its workload.
+    fn put(&mut self, tuning: Tuning) {
+        self.tunings
+            .retain(|other| other.workload != tuning.workload);
+        self.tunings.push(tuning);
+    }
+}
+
+/// What the file says.
 pub struct Record {
-    path: Option<PathBuf>,
-    identity: Identity,
+    file: RecordFile,
 }
 
 impl Record {
     /// `folder`: None remembers nothing.
     pub fn new(gpu: &Gpu, folder: Option<&Path>) -> Self {
-        let key = gpu.probe.cache_key();
         Self {
-            path: folder.map(|folder| folder.join(format!("tuning-{key}.json"))),
-            identity: Identity::new(gpu, shaders::hash("")),
+            file: RecordFile::new(gpu, folder, "tuning", shaders::all_hash()),
         }
     }
 
@@ -77,22 +77,21 @@ impl Record {
 
     /// What was measured of a workload. None where nothing was, or its best is refused since.
     pub fn tuning(&self, workload: &Workload) -> Option<Tuning> {
-        let mut tunings = self.tunings().into_iter();
+        let content = self.content();
+        let mut tunings = content.tunings.iter();
         let tuning = tunings.find(|tuning| tuning.workload == *workload)?;
-        let is_refused = Axis::ALL.into_iter().any(|axis| {
-            !axis.is_same(&tuning.best, &tuning.safest)
-                && self.refusal(axis, &tuning.best).is_some()
-        });
-        (!is_refused).then_some(tuning)
+        let is_refused = tuning
+            .axes_of_best()
+            .any(|axis| content.refusal(axis, &tuning.best).is_some());
+        (!is_refused).then(|| tuning.clone())
     }
 
     /// Why a candidate must not be drawn with, if it must not.
     pub fn refusal(&self, axis: Axis, candidate: &Candidate) -> Option<String> {
-        let refusals = self.content().refusals;
-        refusals
-            .into_iter()
-            .find(|refusal| refusal.is_of(axis, candidate))
-            .map(|refusal| refusal.why)
+        let content = self.content();
+        content
+            .refusal(axis, candidate)
+            .map(|refusal| refusal.why.clone())
     }
 
     /// Notes that a candidate is tried from now on. If nothing follows, the program has ended:
@@ -107,15 +106,15 @@ impl Record {
             candidate,
             number: 1 + before.map_or(0, |attempt| attempt.number),
         });
-        self.save(&content);
+        self.file.write(&content);
     }
 
     /// Notes how far a workload's measurements have come. No candidate is being tried then.
     pub(super) fn write(&self, tuning: &Tuning) {
         let mut content = self.content();
         content.trying = None;
-        put(&mut content, tuning.clone());
-        self.save(&content);
+        content.put(tuning.clone());
+        self.file.write(&content);
     }
 
     /// Notes that a candidate must not be drawn with on this device: for no workload.
@@ -127,32 +126,26 @@ impl Record {
             candidate,
             why: why.to_owned(),
         });
-        self.save(&content);
+        self.file.write(&content);
     }
 
     /// Notes that the best of a workload failed: from now on it is drawn with the safest, and the
     /// first axis on which the best differs is refused. If that was not it, the next failure refuses
     /// the next.
     pub fn strike_off(&self, tuning: &Tuning, why: &str) {
+        tracing::warn!("{} failed, and is not used any more: {why}", tuning.best);
         let mut content = self.content();
         content.trying = None;
-        for axis in Axis::ALL {
-            if !axis.is_same(&tuning.best, &tuning.safest)
-                && !is_refused(&content, axis, &tuning.best)
-            {
-                content.refusals.push(Refusal {
-                    axis,
-                    candidate: tuning.best,
-                    why: why.to_owned(),
-                });
-                break;
-            }
-        }
-        put(
-            &mut content,
-            Tuning::new(tuning.workload.clone(), tuning.safest),
-        );
-        self.save(&content);
+        let axis = tuning
+            .axes_of_best()
+            .find(|axis| content.refusal(*axis, &tuning.best).is_none());
+        content.refusals.extend(axis.map(|axis| Refusal {
+            axis,
+            candidate: tuning.best,
+            why: why.to_owned(),
+        }));
+        content.put(Tuning::new(tuning.workload.clone(), tuning.safest));
+        self.file.write(&content);
     }
 
     /// Refuses a candidate during whose trials the program ended, twice: the user may have ended it
@@ -168,41 +161,10 @@ impl Record {
             candidate: attempt.candidate,
             why: format!("the program ended while it was tried, {ATTEMPTS} times"),
         });
-        self.save(&content);
+        self.file.write(&content);
     }
 
     fn content(&self) -> Content {
-        let text = self.path.as_ref().and_then(|path| fs::read(path).ok());
-        let read: Option<Content> = text.and_then(|text| serde_json::from_slice(&text).ok());
-        read.filter(|content| content.identity == self.identity)
-            .unwrap_or_else(|| Content {
-                identity: self.identity.clone(),
-                trying: None,
-                refusals: Vec::new(),
-                tunings: Vec::new(),
-            })
+        self.file.read()
     }
-
-    fn save(&self, content: &Content) {
-        let Some(path) = &self.path else { return };
-        let written = serde_json::to_vec_pretty(content)
-            .map_err(std::io::Error::other)
-            .and_then(|text| cache::write(path, &text));
-        if let Err(error) = written {
-            tracing::debug!("what was measured is not in {}: {error}", path.display());
-        }
-    }
-}
-
-fn is_refused(content: &Content, axis: Axis, candidate: &Candidate) -> bool {
-    let mut refusals = content.refusals.iter();
-    refusals.any(|refusal| refusal.is_of(axis, candidate))
-}
-
-/// Puts a tuning in place of the one of its workload.
-fn put(content: &mut Content, tuning: Tuning) {
-    content
-        .tunings
-        .retain(|other| other.workload != tuning.workload);
-    content.tunings.push(tuning);
 }

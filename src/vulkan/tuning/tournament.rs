@@ -92,9 +92,10 @@ impl Tournament<'_> {
     /// later starts do not try again, or the safest can't be drawn with.
     pub fn run<T: Trials>(&self, trials: &mut T, progress: Progress) -> Result<Tuning> {
         self.record.settle();
-        let mut tuning = match self.record.tuning(&self.workload) {
+        let known = self.record.tuning(&self.workload);
+        let mut tuning = match &known {
             // A driver may have lost an ability that its version does not tell.
-            Some(tuning) if tuning.safest == self.safest => tuning,
+            Some(tuning) if tuning.safest == self.safest => tuning.clone(),
             _ => Tuning::new(self.workload.clone(), self.safest),
         };
         let mut spent_ms = 0.0;
@@ -130,10 +131,7 @@ impl Tournament<'_> {
                     outcome
                 }
                 Ok(Step::Wrong(why)) => Outcome::Refused(why),
-                Ok(Step::Spent) => {
-                    self.record.write(&tuning);
-                    break;
-                }
+                Ok(Step::Spent) => break,
                 Err(error) => {
                     let outcome = self.failed(axis, candidate, &error, trials.is_cpu());
                     if !device_lives(&error) {
@@ -152,7 +150,9 @@ impl Tournament<'_> {
                 *current = winner;
             }
         }
-        self.record.write(&tuning);
+        if known.as_ref() != Some(&tuning) {
+            self.record.write(&tuning);
+        }
         Ok(tuning)
     }
 

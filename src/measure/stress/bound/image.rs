@@ -5,12 +5,15 @@ use super::{
     occluded::{Occluded, OccludedInput},
     pixel::{Layer, Ordered, PixelBound},
     rounding::Rounding,
-    splats::{self, CacheSpace, SplatInput, UncertainSplat},
+    splats::{self, SplatInput, UncertainSplat},
 };
 use effigy_core::{
     avatar::Avatar,
     constants::SATURATION_CUTOFFS,
-    frame::{FrameState, PlanInput, RendererOptions, Skip, schedule::SATURATION_PIXELS},
+    frame::{
+        FrameState, PlanInput, RendererOptions, Skip, pose_cache::PoseCache,
+        schedule::SATURATION_PIXELS,
+    },
     occluder::Occluder,
     reference,
     scene::{AvatarBounds, Camera, FrameImage, PartDependencies, PartSet, PixelRect, Posed},
@@ -104,7 +107,7 @@ impl ImageBound {
         let nodes = features::nodes(&stored, &features);
         let cache = scene
             .cached_by
-            .map(|filled_by| CacheSpace::new(&bounds, posed, filled_by));
+            .map(|filled_by| PoseCache::new(&bounds, posed, filled_by));
         let mut splats = splats::splats(&SplatInput {
             avatar,
             stored: &stored,

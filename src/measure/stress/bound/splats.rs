@@ -16,10 +16,10 @@ use effigy_core::{
     constants::{
         ALPHA_MAX, F16_MAX, LOG_SCALE_MAX, LONGEST_MARGIN, LOW_PASS, ROTATION_MIN, VARIANCE_MAX,
     },
-    frame::{Skip, fixed_scale},
+    frame::{Skip, fixed_scale, pose_cache::PoseCache},
     layout::compact::Neutral,
     reference::{Gaussian, Splat, project},
-    scene::{AvatarBounds, Camera, PartSet, Posed, avatar_bounds::enlargement},
+    scene::{AvatarBounds, Camera, PartSet, Posed},
 };
 use glam::{DAffine3, DMat3, DQuat, DVec2, DVec3};
 use rayon::prelude::*;
@@ -51,33 +51,6 @@ const KEY_ROUNDING: f64 = 8.0 * F32;
 /// looked for in the whole image.
 const EXPONENT_MARGIN: f64 = 0.5;
 
-/// The camera that filled the pose cache, and the cache's box.
-#[derive(Clone, Copy, Debug)]
-pub struct CacheSpace {
-    view: DAffine3,
-    min: DVec3,
-    size: DVec3,
-    unit: f64,
-}
-
-impl CacheSpace {
-    /// As [`effigy_core::frame::pose_cache::PoseCache`] makes it.
-    pub fn new(bounds: &AvatarBounds, posed: &Posed, filled_by: &Camera) -> Self {
-        let joints: Vec<DAffine3> = posed
-            .joints
-            .iter()
-            .map(|joint| filled_by.view * *joint)
-            .collect();
-        let [min, max] = bounds.bounds(&joints);
-        Self {
-            view: filled_by.view,
-            min,
-            size: max - min,
-            unit: enlargement(&joints),
-        }
-    }
-}
-
 /// What the splats of a frame follow from.
 pub struct SplatInput<'a> {
     /// The avatar as the file has it.
@@ -98,7 +71,7 @@ pub struct SplatInput<'a> {
     /// The whole avatar is culled.
     pub culled: bool,
     /// Skinned Gaussians come from the pose cache.
-    pub cache: Option<CacheSpace>,
+    pub cache: Option<PoseCache>,
     pub rounding: &'a Rounding,
 }
 
@@ -310,9 +283,11 @@ impl SplatInput<'_> {
     }
 
     /// A Gaussian that comes from the pose cache. None if the cache can't hold it.
-    fn cached(&self, k: usize, cache: &CacheSpace) -> Option<Posed3> {
+    fn cached(&self, k: usize, cache: &PoseCache) -> Option<Posed3> {
         let stored = self.posed(k, cache.view);
-        let relative = (stored.mean - cache.min) / cache.size.max(DVec3::splat(1e-38));
+        let [min, max] = cache.bounds;
+        let size = max - min;
+        let relative = (stored.mean - min) / size.max(DVec3::splat(1e-38));
         // A code, and what f32 does to a number between 0 and 1 on its way there and back.
         let code = 1.0 / CACHE_CODES + 6.0 * F32;
         let step = relative.to_array().map(|at| {
@@ -325,8 +300,8 @@ impl SplatInput<'_> {
             }
         });
         let position_error = stored.mean_error
-            + cache.size * DVec3::from(step)
-            + 4.0 * F32 * (cache.min.abs() + cache.size + stored.mean.abs());
+            + size * DVec3::from(step)
+            + 4.0 * F32 * (min.abs() + size + stored.mean.abs());
 
         let rows = row_lengths(stored.axes);
         let row_error = row_lengths(stored.axes_error)
