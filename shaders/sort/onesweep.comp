@@ -220,7 +220,7 @@ void main() {
             uint place = offset[digit] + counter(own_column, digit) + rank;
             write_entry(place, key[r], value_at(from + r * width, key[r]));
             if (WRITES != VALUES) {
-                atomicAdd(next[key[r] >> SHIFT + 8u & DIGIT_MASK], 1u);
+                atomicAdd(next[later_bits(key[r]) & DIGIT_MASK], 1u);
             }
         }
     }

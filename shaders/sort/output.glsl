@@ -1,11 +1,17 @@
 // The entries that a pass writes.
 layout(std430, set = 0, binding = 4) writeonly buffer Sorted { uint sorted[]; };
 
+// What later passes sort by.
+uint later_bits(uint key) {
+    uint later = rest_of(key) >> 8u;
+    return WRITES == PACKED ? later << VALUE_BITS >> VALUE_BITS : later;
+}
+
 void write_entry(uint at, uint key, uint value) {
     if (WRITES == VALUES) {
         sorted[at] = value;
     } else if (WRITES == PACKED) {
-        sorted[at] = (key >> SHIFT + 8u & DIGIT_MASK) << 24u | value;
+        sorted[at] = later_bits(key) << VALUE_BITS | value;
     } else {
         sorted[2u * at] = key;
         sorted[2u * at + 1u] = value;

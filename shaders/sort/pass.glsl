@@ -4,8 +4,8 @@
 //   KEYS     a key a word; its value is its index. Before the first pass.
 //   HALVES   the same with two keys of 16 bits a word; the largest stands for SORT_CULLED.
 //   PAIRS    a key and a value in turn.
-//   PACKED   the last digit in the high 8 bits, the value in the others. Before the last pass, if
-//            values fit.
+//   PACKED   the digits that are left in the high bits, the value in the VALUE_BITS others. As soon
+//            as both fit: with keys of 22 bits and 2^18 values, after the first pass.
 //   VALUES   a value a word. After the last pass.
 #include "common/platform.glsl"
 #include "common/control.glsl"
@@ -21,10 +21,16 @@ PARAMETER(5, uint, CAPACITY, 1u)
 // Whether `scan` has turned the histograms into offsets.
 PARAMETER(6, bool, SCANNED, false)
 
+// Bits of the value in the form PACKED.
+PARAMETER(9, uint, VALUE_BITS, 24u)
+#ifdef WEB
+const uint VALUE_BITS = 24u;
+#endif
+
 const bool FIRST = READS == KEYS || READS == HALVES;
 const uint SHIFT = 8u * PASS;
 const uint DIGIT_MASK = SORT_DIGITS - 1u;
-const uint VALUE_MASK = 0xffffffu;
+DERIVED uint VALUE_MASK = (1u << VALUE_BITS) - 1u;
 
 // Where things start in the counts, in words: the tiles' histograms, the state of a sort, the
 // histograms of the passes to come, those of groups of tiles, and then either the two areas through
@@ -36,7 +42,10 @@ DERIVED uint STATUS_START =
     GROUPS_START + (TILES + SORT_GROUP - 1u) / SORT_GROUP * SORT_DIGITS;
 DERIVED uint COUNTERS_START = STATUS_START;
 
-uint digit_of(uint key) { return READS == PACKED ? key >> 24u : key >> SHIFT & DIGIT_MASK; }
+// The bits of a key that no pass before this one has sorted by.
+uint rest_of(uint key) { return READS == PACKED ? key >> VALUE_BITS : key >> SHIFT; }
+
+uint digit_of(uint key) { return rest_of(key) & DIGIT_MASK; }
 
 // Whether an entry is sorted: the first pass drops culled keys.
 bool is_kept(uint key) { return !FIRST || key != SORT_CULLED; }

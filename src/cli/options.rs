@@ -274,8 +274,8 @@ pub enum KeysArg {
     #[value(name = "16")]
     Bits16,
     /// Three sort passes; depth steps under 1 µm
-    #[value(name = "24")]
-    Bits24,
+    #[value(name = "22", alias = "24")]
+    Bits22,
     /// Four sort passes; the finest steps
     #[value(name = "32")]
     Bits32,
@@ -285,7 +285,7 @@ impl From<KeysArg> for KeyBits {
     fn from(keys: KeysArg) -> Self {
         match keys {
             KeysArg::Bits16 => Self::Sixteen,
-            KeysArg::Bits24 => Self::TwentyFour,
+            KeysArg::Bits22 => Self::TwentyTwo,
             KeysArg::Bits32 => Self::ThirtyTwo,
         }
     }

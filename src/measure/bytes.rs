@@ -532,18 +532,19 @@ fn stored_sort_bytes(options: &RendererOptions, counts: WorkCounts, passes: u64)
         .iter()
         .map(|&variant| counter_bytes(variant, counts.gaussians, passes));
     // An entry of a later pass is read twice, to count and to scatter, and was written once. The
-    // last pass finds digit and index in one word. The first pass reads the keys of culled
-    // Gaussians too.
-    let entry = |pass: u64| {
-        if pass + 1 == passes {
+    // first pass reads the keys of culled Gaussians too.
+    let bits = options.keys();
+    let count = u32::try_from(counts.gaussians).unwrap_or(u32::MAX);
+    let entry = |pass: u32| {
+        if bits.packs_before(pass, count) {
             WORD
         } else {
             WORD + SORT_VALUE
         }
     };
-    let later_passes: u64 = (1..passes).map(|pass| 3 * entry(pass)).sum();
+    let later_passes: u64 = (1..bits.passes()).map(|pass| 3 * entry(pass)).sum();
     counters.max().unwrap_or_default()
-        + options.keys().bytes(counts.gaussians)
+        + bits.bytes(counts.gaussians)
         + counts.drawn * (later_passes + SORT_VALUE)
 }
 
@@ -657,7 +658,7 @@ mod tests {
             vertices: 500,
             triangles: 900,
         };
-        for key_bits in [KeyBits::Sixteen, KeyBits::TwentyFour, KeyBits::ThirtyTwo] {
+        for key_bits in [KeyBits::Sixteen, KeyBits::TwentyTwo, KeyBits::ThirtyTwo] {
             let options = RendererOptions {
                 key_bits: Some(key_bits),
                 ..RendererOptions::new([256, 256])
@@ -744,13 +745,12 @@ mod tests {
             sort(&options, counts)
         };
         let two = work(KeyBits::Sixteen, SortVariant::ReduceThenScan);
-        let three = work(KeyBits::TwentyFour, SortVariant::ReduceThenScan);
-        // Two keys a word and one pass between words; a key a word, one pass between pairs and one
-        // between words.
+        let three = work(KeyBits::TwentyTwo, SortVariant::ReduceThenScan);
+        // Two keys a word and one pass between words; a key a word, and two between words.
         let counters = |passes| 3 * 4 * u64::from(SORT_DIGITS) * passes;
         let expected = [
             (2 + 3 * 4 + 4) * 1000 + counters(2),
-            (4 + 3 * 8 + 3 * 4 + 4) * 1000 + counters(3),
+            (4 + 3 * 4 + 3 * 4 + 4) * 1000 + counters(3),
         ];
         assert_eq!([two.bytes, three.bytes], expected);
         // 2 in, 1 + 4 out, 1 + 4 in, 4 out; then 3 in, 2 + 4 out, 2 + 4 in, 1 + 4 out, 1 + 4 in, 4

@@ -192,7 +192,7 @@ fn raster_name(options: &RendererOptions) -> String {
 
 /// Bits of a depth key.
 pub fn bits_of_keys(bits: KeyBits) -> u32 {
-    8 * bits.passes()
+    bits.bits()
 }
 
 /// The worst error of the frames that were compared with the reference, each number by itself.

@@ -108,7 +108,7 @@ fn sorts(gpu: &Arc<Gpu>) -> Result<()> {
             .into_iter()
             .filter(|variant| unsupported(*variant, gpu).is_none())
         {
-            for bits in [KeyBits::Sixteen, KeyBits::TwentyFour, KeyBits::ThirtyTwo] {
+            for bits in [KeyBits::Sixteen, KeyBits::TwentyTwo, KeyBits::ThirtyTwo] {
                 let options = SortOptions::new(bits, variant);
                 // SAFETY: nothing is recorded with it.
                 unsafe { Sort::new(gpu, (&keys).into(), &control, count, options) }?;

@@ -390,7 +390,7 @@ impl AvatarCanvas {
         serde_json::json!({
             "color": format!("{:?}", options.color.unwrap_or_default()).to_lowercase(),
             "raster": options.method.map_or("", |method| method.name()),
-            "key_bits": 8 * options.keys().passes(),
+            "key_bits": options.keys().bits(),
             "skip": options.skip.to_string(),
             "cutoff": options.cutoff,
             "margin": options.margin,

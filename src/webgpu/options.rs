@@ -56,7 +56,7 @@ pub fn resolved(gpu: &Gpu, options: RendererOptions) -> RendererOptions {
 pub fn accepted(gpu: &Gpu, avatar: &Avatar, options: RendererOptions) -> Result<RendererOptions> {
     options.check()?;
     if let Some(bits) = options.key_bits.filter(|bits| *bits != KeyBits::Sixteen) {
-        return Err(Error::KeyBits(8 * bits.passes()));
+        return Err(Error::KeyBits(bits.bits()));
     }
     if options.sort == Some(SortVariant::OneSweep) {
         return Err(Error::Sort);

@@ -562,10 +562,10 @@ fn options_of_the_vulkan_backend_are_refused() {
         ),
         (
             RendererOptions {
-                key_bits: Some(KeyBits::TwentyFour),
+                key_bits: Some(KeyBits::TwentyTwo),
                 ..options
             },
-            "24",
+            "22",
         ),
         (
             RendererOptions {

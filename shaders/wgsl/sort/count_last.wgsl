@@ -51,61 +51,61 @@ var<storage, read_write> global_4: type_15;
 
 @compute @workgroup_size(128, 1, 1) 
 fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) param_1: vec3<u32>) {
-    var phi_320_: u32;
-    var phi_322_: u32;
-    var phi_323_: u32;
+    var phi_335_: u32;
+    var phi_337_: u32;
+    var phi_338_: u32;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e16 = bitcast<u32>(param[0u]);
-            let _e18 = bitcast<u32>(param_1[0u]);
-            let _e21 = global_1.member.member_6;
-            let _e23 = global.member_5;
-            let _e24 = min(_e21, _e23);
-            if (_e18 >= max(((_e24 + 4095u) / 4096u), 1u)) {
+            let _e17 = bitcast<u32>(param[0u]);
+            let _e19 = bitcast<u32>(param_1[0u]);
+            let _e22 = global_1.member.member_6;
+            let _e24 = global.member_5;
+            let _e25 = min(_e22, _e24);
+            if (_e19 >= max(((_e25 + 4095u) / 4096u), 1u)) {
                 break;
             }
-            phi_320_ = _e16;
+            phi_335_ = _e17;
             loop {
-                let _e30 = phi_320_;
-                if (_e30 < 256u) {
+                let _e31 = phi_335_;
+                if (_e31 < 256u) {
                     continue;
                 } else {
                     break;
                 }
                 continuing {
-                    atomicStore((&global_3[_e30]), 0u);
-                    phi_320_ = (_e30 + 128u);
+                    atomicStore((&global_3[_e31]), 0u);
+                    phi_335_ = (_e31 + 128u);
                 }
             }
             workgroupBarrier();
-            phi_322_ = ((_e18 * 4096u) + _e16);
+            phi_337_ = ((_e19 * 4096u) + _e17);
             loop {
-                let _e37 = phi_322_;
-                if (_e37 < min(_e24, ((_e18 + 1u) * 4096u))) {
+                let _e38 = phi_337_;
+                if (_e38 < min(_e25, ((_e19 + 1u) * 4096u))) {
                     continue;
                 } else {
                     break;
                 }
                 continuing {
-                    let _e44 = global_2.member[_e37];
-                    let _e48 = atomicAdd((&global_3[(_e44 >> bitcast<u32>(24u))]), 1u);
-                    phi_322_ = (_e37 + 128u);
+                    let _e45 = global_2.member[_e38];
+                    let _e50 = atomicAdd((&global_3[((_e45 >> bitcast<u32>(24u)) & 255u)]), 1u);
+                    phi_337_ = (_e38 + 128u);
                 }
             }
             workgroupBarrier();
-            phi_323_ = _e16;
+            phi_338_ = _e17;
             loop {
-                let _e51 = phi_323_;
-                if (_e51 < 256u) {
+                let _e53 = phi_338_;
+                if (_e53 < 256u) {
                     continue;
                 } else {
                     break;
                 }
                 continuing {
-                    let _e56 = atomicLoad((&global_3[_e51]));
-                    global_4.member[((_e18 * 256u) + _e51)] = _e56;
-                    phi_323_ = (_e51 + 128u);
+                    let _e58 = atomicLoad((&global_3[_e53]));
+                    global_4.member[((_e19 * 256u) + _e53)] = _e58;
+                    phi_338_ = (_e53 + 128u);
                 }
             }
             break;

@@ -50,85 +50,85 @@ var<storage, read_write> global_3: type_13;
 
 @compute @workgroup_size(8, 1, 1) 
 fn main(@builtin(workgroup_id) param: vec3<u32>, @builtin(local_invocation_id) param_1: vec3<u32>) {
-    var phi_503_: u32;
-    var phi_504_: u32;
-    var phi_505_: u32;
-    var phi_508_: u32;
-    var phi_506_: u32;
+    var phi_518_: u32;
+    var phi_519_: u32;
+    var phi_520_: u32;
+    var phi_523_: u32;
+    var phi_521_: u32;
     var local: u32;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e21 = global.member_4;
-            let _e27 = (((_e21 * 256u) + 784u) + (((_e21 + 63u) / 64u) * 256u));
-            let _e29 = bitcast<u32>(param_1[0u]);
-            let _e31 = bitcast<u32>(param[0u]);
-            let _e34 = global_1.member.member_6;
-            let _e36 = global.member_5;
-            let _e37 = min(_e34, _e36);
-            if (_e31 >= max(((_e37 + 4095u) / 4096u), 1u)) {
+            let _e22 = global.member_4;
+            let _e28 = (((_e22 * 256u) + 784u) + (((_e22 + 63u) / 64u) * 256u));
+            let _e30 = bitcast<u32>(param_1[0u]);
+            let _e32 = bitcast<u32>(param[0u]);
+            let _e35 = global_1.member.member_6;
+            let _e37 = global.member_5;
+            let _e38 = min(_e35, _e37);
+            if (_e32 >= max(((_e38 + 4095u) / 4096u), 1u)) {
                 break;
             }
-            phi_503_ = 0u;
+            phi_518_ = 0u;
             loop {
-                let _e43 = phi_503_;
-                if (_e43 < 256u) {
+                let _e44 = phi_518_;
+                if (_e44 < 256u) {
                     continue;
                 } else {
                     break;
                 }
                 continuing {
-                    global_3.member[(((_e27 + (_e31 * 2304u)) + (_e43 * 8u)) + _e29)] = 0u;
-                    phi_503_ = (_e43 + bitcast<u32>(1i));
+                    global_3.member[(((_e28 + (_e32 * 2304u)) + (_e44 * 8u)) + _e30)] = 0u;
+                    phi_518_ = (_e44 + bitcast<u32>(1i));
                 }
             }
-            let _e56 = ((_e31 * 4096u) + (_e29 * 512u));
-            phi_504_ = _e56;
+            let _e57 = ((_e32 * 4096u) + (_e30 * 512u));
+            phi_519_ = _e57;
             loop {
-                let _e58 = phi_504_;
-                if (_e58 < min(_e37, (_e56 + 512u))) {
+                let _e59 = phi_519_;
+                if (_e59 < min(_e38, (_e57 + 512u))) {
                     continue;
                 } else {
                     break;
                 }
                 continuing {
-                    let _e64 = global_2.member[_e58];
-                    let _e74 = global_3.member[(((_e27 + (_e31 * 2304u)) + ((_e64 >> bitcast<u32>(24u)) * 8u)) + _e29)];
-                    global_3.member[(((_e27 + (_e31 * 2304u)) + ((_e64 >> bitcast<u32>(24u)) * 8u)) + _e29)] = (_e74 + 1u);
-                    phi_504_ = (_e58 + bitcast<u32>(1i));
+                    let _e65 = global_2.member[_e59];
+                    let _e76 = global_3.member[(((_e28 + (_e32 * 2304u)) + (((_e65 >> bitcast<u32>(24u)) & 255u) * 8u)) + _e30)];
+                    global_3.member[(((_e28 + (_e32 * 2304u)) + (((_e65 >> bitcast<u32>(24u)) & 255u) * 8u)) + _e30)] = (_e76 + 1u);
+                    phi_519_ = (_e59 + bitcast<u32>(1i));
                 }
             }
             storageBarrier();
             workgroupBarrier();
-            phi_505_ = _e29;
+            phi_520_ = _e30;
             loop {
-                let _e81 = phi_505_;
-                if (_e81 < 256u) {
-                    phi_508_ = 0u;
-                    phi_506_ = 0u;
+                let _e83 = phi_520_;
+                if (_e83 < 256u) {
+                    phi_523_ = 0u;
+                    phi_521_ = 0u;
                     loop {
-                        let _e84 = phi_508_;
-                        let _e86 = phi_506_;
-                        local = _e84;
-                        if (_e86 < min(8u, (_e37 | 8u))) {
+                        let _e86 = phi_523_;
+                        let _e88 = phi_521_;
+                        local = _e86;
+                        if (_e88 < min(8u, (_e38 | 8u))) {
                             continue;
                         } else {
                             break;
                         }
                         continuing {
-                            let _e95 = global_3.member[(((_e27 + (_e31 * 2304u)) + (_e81 * 8u)) + _e86)];
-                            phi_508_ = (_e84 + _e95);
-                            phi_506_ = (_e86 + bitcast<u32>(1i));
+                            let _e97 = global_3.member[(((_e28 + (_e32 * 2304u)) + (_e83 * 8u)) + _e88)];
+                            phi_523_ = (_e86 + _e97);
+                            phi_521_ = (_e88 + bitcast<u32>(1i));
                         }
                     }
-                    let _e104 = local;
-                    global_3.member[((_e31 * 256u) + _e81)] = _e104;
+                    let _e106 = local;
+                    global_3.member[((_e32 * 256u) + _e83)] = _e106;
                     continue;
                 } else {
                     break;
                 }
                 continuing {
-                    phi_505_ = (_e81 + 8u);
+                    phi_520_ = (_e83 + 8u);
                 }
             }
             break;

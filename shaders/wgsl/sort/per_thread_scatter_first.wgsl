@@ -57,29 +57,29 @@ var<workgroup> global_5: array<u32, 8>;
 
 @compute @workgroup_size(8, 1, 1) 
 fn main(@builtin(workgroup_id) param: vec3<u32>, @builtin(local_invocation_id) param_1: vec3<u32>) {
-    var phi_1243_: u32;
-    var phi_1244_: u32;
-    var phi_1247_: u32;
-    var phi_1246_: u32;
-    var phi_1261_: u32;
-    var phi_1258_: u32;
-    var phi_1266_: u32;
-    var phi_1259_: u32;
+    var phi_1304_: u32;
+    var phi_1305_: u32;
+    var phi_1308_: u32;
+    var phi_1307_: u32;
+    var phi_1322_: u32;
+    var phi_1319_: u32;
+    var phi_1327_: u32;
+    var phi_1320_: u32;
     var local: u32;
     var local_1: u32;
     var local_2: u32;
     var local_3: u32;
-    var phi_1251_: u32;
-    var phi_1248_: u32;
-    var phi_1249_: u32;
+    var phi_1312_: u32;
+    var phi_1309_: u32;
+    var phi_1310_: u32;
     var local_4: u32;
     var local_5: u32;
     var local_6: u32;
-    var phi_1245_: u32;
-    var phi_1252_: u32;
-    var phi_1257_: u32;
-    var phi_1255_: u32;
-    var phi_1253_: u32;
+    var phi_1306_: u32;
+    var phi_1313_: u32;
+    var phi_1318_: u32;
+    var phi_1316_: u32;
+    var phi_1314_: u32;
     var local_7: u32;
     var local_8: u32;
 
@@ -97,9 +97,9 @@ fn main(@builtin(workgroup_id) param: vec3<u32>, @builtin(local_invocation_id) p
                 break;
             }
             let _e55 = min(32u, (_e49 | 32u));
-            phi_1243_ = 0u;
+            phi_1304_ = 0u;
             loop {
-                let _e59 = phi_1243_;
+                let _e59 = phi_1304_;
                 if (_e59 < 256u) {
                     continue;
                 } else {
@@ -107,13 +107,13 @@ fn main(@builtin(workgroup_id) param: vec3<u32>, @builtin(local_invocation_id) p
                 }
                 continuing {
                     global_4.member[(((_e40 + (_e44 * 2304u)) + (_e59 * 8u)) + _e42)] = 0u;
-                    phi_1243_ = (_e59 + bitcast<u32>(1i));
+                    phi_1304_ = (_e59 + bitcast<u32>(1i));
                 }
             }
             let _e72 = ((_e44 * 4096u) + (_e42 * 512u));
-            phi_1244_ = _e72;
+            phi_1305_ = _e72;
             loop {
-                let _e74 = phi_1244_;
+                let _e74 = phi_1305_;
                 let _e76 = min(_e49, (_e72 + 512u));
                 local_7 = _e76;
                 if (_e74 < _e76) {
@@ -129,28 +129,28 @@ fn main(@builtin(workgroup_id) param: vec3<u32>, @builtin(local_invocation_id) p
                     break;
                 }
                 continuing {
-                    phi_1244_ = (_e74 + bitcast<u32>(1i));
+                    phi_1305_ = (_e74 + bitcast<u32>(1i));
                 }
             }
             switch bitcast<i32>(0u) {
                 default: {
                     let _e106 = global.member_6;
                     if !((_e106 != 0u)) {
-                        phi_1247_ = 0u;
-                        phi_1246_ = 0u;
+                        phi_1308_ = 0u;
+                        phi_1307_ = 0u;
                         loop {
-                            let _e110 = phi_1247_;
-                            let _e112 = phi_1246_;
+                            let _e110 = phi_1308_;
+                            let _e112 = phi_1307_;
                             local_3 = _e110;
                             local_6 = _e110;
                             if (_e112 < _e55) {
                                 let _e114 = (_e42 * 32u);
                                 let _e115 = (_e114 + _e112);
-                                phi_1261_ = 0u;
-                                phi_1258_ = 0u;
+                                phi_1322_ = 0u;
+                                phi_1319_ = 0u;
                                 loop {
-                                    let _e117 = phi_1261_;
-                                    let _e119 = phi_1258_;
+                                    let _e117 = phi_1322_;
+                                    let _e119 = phi_1319_;
                                     local = _e117;
                                     local_1 = _e117;
                                     if (_e119 < _e44) {
@@ -160,15 +160,15 @@ fn main(@builtin(workgroup_id) param: vec3<u32>, @builtin(local_invocation_id) p
                                     }
                                     continuing {
                                         let _e125 = global_4.member[((_e119 * 256u) + _e115)];
-                                        phi_1261_ = (_e117 + _e125);
-                                        phi_1258_ = (_e119 + bitcast<u32>(1i));
+                                        phi_1322_ = (_e117 + _e125);
+                                        phi_1319_ = (_e119 + bitcast<u32>(1i));
                                     }
                                 }
-                                phi_1266_ = 0u;
-                                phi_1259_ = _e44;
+                                phi_1327_ = 0u;
+                                phi_1320_ = _e44;
                                 loop {
-                                    let _e130 = phi_1266_;
-                                    let _e132 = phi_1259_;
+                                    let _e130 = phi_1327_;
+                                    let _e132 = phi_1320_;
                                     local_2 = _e130;
                                     if (_e132 < _e52) {
                                         continue;
@@ -177,8 +177,8 @@ fn main(@builtin(workgroup_id) param: vec3<u32>, @builtin(local_invocation_id) p
                                     }
                                     continuing {
                                         let _e138 = global_4.member[((_e132 * 256u) + _e115)];
-                                        phi_1266_ = (_e130 + _e138);
-                                        phi_1259_ = (_e132 + bitcast<u32>(1i));
+                                        phi_1327_ = (_e130 + _e138);
+                                        phi_1320_ = (_e132 + bitcast<u32>(1i));
                                     }
                                 }
                                 let _e143 = local;
@@ -191,19 +191,19 @@ fn main(@builtin(workgroup_id) param: vec3<u32>, @builtin(local_invocation_id) p
                                 break;
                             }
                             continuing {
-                                let _e296 = local_8;
-                                phi_1247_ = _e296;
-                                phi_1246_ = (_e112 + bitcast<u32>(1i));
+                                let _e299 = local_8;
+                                phi_1308_ = _e299;
+                                phi_1307_ = (_e112 + bitcast<u32>(1i));
                             }
                         }
                         let _e162 = local_3;
                         global_5[_e42] = _e162;
                         workgroupBarrier();
-                        phi_1251_ = 0u;
-                        phi_1248_ = 0u;
+                        phi_1312_ = 0u;
+                        phi_1309_ = 0u;
                         loop {
-                            let _e164 = phi_1251_;
-                            let _e166 = phi_1248_;
+                            let _e164 = phi_1312_;
+                            let _e166 = phi_1309_;
                             local_4 = _e164;
                             local_5 = _e164;
                             if (_e166 < _e42) {
@@ -213,13 +213,13 @@ fn main(@builtin(workgroup_id) param: vec3<u32>, @builtin(local_invocation_id) p
                             }
                             continuing {
                                 let _e169 = global_5[_e166];
-                                phi_1251_ = (_e164 + _e169);
-                                phi_1248_ = (_e166 + bitcast<u32>(1i));
+                                phi_1312_ = (_e164 + _e169);
+                                phi_1309_ = (_e166 + bitcast<u32>(1i));
                             }
                         }
-                        phi_1249_ = 0u;
+                        phi_1310_ = 0u;
                         loop {
-                            let _e174 = phi_1249_;
+                            let _e174 = phi_1310_;
                             if (_e174 < _e55) {
                                 continue;
                             } else {
@@ -229,7 +229,7 @@ fn main(@builtin(workgroup_id) param: vec3<u32>, @builtin(local_invocation_id) p
                                 let _e184 = global_4.member[((((_e40 + (_e44 * 2304u)) + 2048u) + (_e42 * 32u)) + _e174)];
                                 let _e186 = local_4;
                                 global_4.member[((((_e40 + (_e44 * 2304u)) + 2048u) + (_e42 * 32u)) + _e174)] = (_e184 + _e186);
-                                phi_1249_ = (_e174 + bitcast<u32>(1i));
+                                phi_1310_ = (_e174 + bitcast<u32>(1i));
                             }
                         }
                         workgroupBarrier();
@@ -242,9 +242,9 @@ fn main(@builtin(workgroup_id) param: vec3<u32>, @builtin(local_invocation_id) p
                         }
                         break;
                     }
-                    phi_1245_ = 0u;
+                    phi_1306_ = 0u;
                     loop {
-                        let _e206 = phi_1245_;
+                        let _e206 = phi_1306_;
                         if (_e206 < _e55) {
                             continue;
                         } else {
@@ -254,7 +254,7 @@ fn main(@builtin(workgroup_id) param: vec3<u32>, @builtin(local_invocation_id) p
                             let _e209 = (_e42 * 32u);
                             let _e214 = global_4.member[(((_e44 * 256u) + _e209) + _e206)];
                             global_4.member[((((_e40 + (_e44 * 2304u)) + 2048u) + _e209) + _e206)] = _e214;
-                            phi_1245_ = (_e206 + bitcast<u32>(1i));
+                            phi_1306_ = (_e206 + bitcast<u32>(1i));
                         }
                     }
                     workgroupBarrier();
@@ -263,18 +263,18 @@ fn main(@builtin(workgroup_id) param: vec3<u32>, @builtin(local_invocation_id) p
             }
             storageBarrier();
             workgroupBarrier();
-            phi_1252_ = 0u;
+            phi_1313_ = 0u;
             loop {
-                let _e225 = phi_1252_;
+                let _e225 = phi_1313_;
                 if (_e225 < _e55) {
                     let _e228 = (_e40 + (_e44 * 2304u));
                     let _e230 = (_e42 * 32u);
                     let _e235 = global_4.member[(((_e228 + 2048u) + _e230) + _e225)];
-                    phi_1257_ = _e235;
-                    phi_1255_ = 0u;
+                    phi_1318_ = _e235;
+                    phi_1316_ = 0u;
                     loop {
-                        let _e237 = phi_1257_;
-                        let _e239 = phi_1255_;
+                        let _e237 = phi_1318_;
+                        let _e239 = phi_1316_;
                         if (_e239 < min(8u, (_e49 | 8u))) {
                             continue;
                         } else {
@@ -283,8 +283,8 @@ fn main(@builtin(workgroup_id) param: vec3<u32>, @builtin(local_invocation_id) p
                         continuing {
                             let _e247 = global_4.member[((_e228 + ((_e230 + _e225) * 8u)) + _e239)];
                             global_4.member[((_e228 + ((_e230 + _e225) * 8u)) + _e239)] = _e237;
-                            phi_1257_ = (_e237 + _e247);
-                            phi_1255_ = (_e239 + bitcast<u32>(1i));
+                            phi_1318_ = (_e237 + _e247);
+                            phi_1316_ = (_e239 + bitcast<u32>(1i));
                         }
                     }
                     continue;
@@ -292,14 +292,14 @@ fn main(@builtin(workgroup_id) param: vec3<u32>, @builtin(local_invocation_id) p
                     break;
                 }
                 continuing {
-                    phi_1252_ = (_e225 + bitcast<u32>(1i));
+                    phi_1313_ = (_e225 + bitcast<u32>(1i));
                 }
             }
             storageBarrier();
             workgroupBarrier();
-            phi_1253_ = _e72;
+            phi_1314_ = _e72;
             loop {
-                let _e254 = phi_1253_;
+                let _e254 = phi_1314_;
                 let _e256 = local_7;
                 if (_e254 < _e256) {
                     let _e262 = global_2.member[(_e254 >> bitcast<u32>(1u))];
@@ -308,14 +308,14 @@ fn main(@builtin(workgroup_id) param: vec3<u32>, @builtin(local_invocation_id) p
                     if (false || (_e269 != 4294967295u)) {
                         let _e280 = global_4.member[(((_e40 + (_e44 * 2304u)) + ((_e269 & 255u) * 8u)) + _e42)];
                         global_4.member[(((_e40 + (_e44 * 2304u)) + ((_e269 & 255u) * 8u)) + _e42)] = (_e280 + 1u);
-                        global_3.member[_e280] = ((((_e269 >> bitcast<u32>(8u)) & 255u) << bitcast<u32>(24u)) | _e254);
+                        global_3.member[_e280] = (((((_e269 >> bitcast<u32>(8u)) << bitcast<u32>(24u)) >> bitcast<u32>(24u)) << bitcast<u32>(24u)) | _e254);
                     }
                     continue;
                 } else {
                     break;
                 }
                 continuing {
-                    phi_1253_ = (_e254 + bitcast<u32>(1i));
+                    phi_1314_ = (_e254 + bitcast<u32>(1i));
                 }
             }
             break;

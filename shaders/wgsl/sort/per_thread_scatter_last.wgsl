@@ -57,155 +57,155 @@ var<workgroup> global_5: array<u32, 8>;
 
 @compute @workgroup_size(8, 1, 1) 
 fn main(@builtin(workgroup_id) param: vec3<u32>, @builtin(local_invocation_id) param_1: vec3<u32>) {
-    var phi_1117_: u32;
-    var phi_1116_: u32;
-    var phi_1131_: u32;
-    var phi_1128_: u32;
-    var phi_1136_: u32;
-    var phi_1129_: u32;
+    var phi_1154_: u32;
+    var phi_1153_: u32;
+    var phi_1168_: u32;
+    var phi_1165_: u32;
+    var phi_1173_: u32;
+    var phi_1166_: u32;
     var local: u32;
     var local_1: u32;
     var local_2: u32;
     var local_3: u32;
-    var phi_1121_: u32;
-    var phi_1118_: u32;
-    var phi_1119_: u32;
+    var phi_1158_: u32;
+    var phi_1155_: u32;
+    var phi_1156_: u32;
     var local_4: u32;
-    var phi_1115_: u32;
-    var phi_1122_: u32;
-    var phi_1127_: u32;
-    var phi_1125_: u32;
-    var phi_1123_: u32;
+    var phi_1152_: u32;
+    var phi_1159_: u32;
+    var phi_1164_: u32;
+    var phi_1162_: u32;
+    var phi_1160_: u32;
     var local_5: u32;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e26 = global.member_4;
-            let _e32 = (((_e26 * 256u) + 784u) + (((_e26 + 63u) / 64u) * 256u));
-            let _e34 = bitcast<u32>(param_1[0u]);
-            let _e36 = bitcast<u32>(param[0u]);
-            let _e39 = global_1.member.member_6;
-            let _e41 = global.member_5;
-            let _e42 = min(_e39, _e41);
-            let _e45 = max(((_e42 + 4095u) / 4096u), 1u);
-            if (_e36 >= _e45) {
+            let _e27 = global.member_4;
+            let _e33 = (((_e27 * 256u) + 784u) + (((_e27 + 63u) / 64u) * 256u));
+            let _e35 = bitcast<u32>(param_1[0u]);
+            let _e37 = bitcast<u32>(param[0u]);
+            let _e40 = global_1.member.member_6;
+            let _e42 = global.member_5;
+            let _e43 = min(_e40, _e42);
+            let _e46 = max(((_e43 + 4095u) / 4096u), 1u);
+            if (_e37 >= _e46) {
                 break;
             }
-            let _e48 = min(32u, (_e42 | 32u));
+            let _e49 = min(32u, (_e43 | 32u));
             switch bitcast<i32>(0u) {
                 default: {
-                    let _e53 = global.member_6;
-                    if !((_e53 != 0u)) {
-                        phi_1117_ = 0u;
-                        phi_1116_ = 0u;
+                    let _e54 = global.member_6;
+                    if !((_e54 != 0u)) {
+                        phi_1154_ = 0u;
+                        phi_1153_ = 0u;
                         loop {
-                            let _e57 = phi_1117_;
-                            let _e59 = phi_1116_;
-                            local_3 = _e57;
-                            if (_e59 < _e48) {
-                                let _e61 = (_e34 * 32u);
-                                let _e62 = (_e61 + _e59);
-                                phi_1131_ = 0u;
-                                phi_1128_ = 0u;
+                            let _e58 = phi_1154_;
+                            let _e60 = phi_1153_;
+                            local_3 = _e58;
+                            if (_e60 < _e49) {
+                                let _e62 = (_e35 * 32u);
+                                let _e63 = (_e62 + _e60);
+                                phi_1168_ = 0u;
+                                phi_1165_ = 0u;
                                 loop {
-                                    let _e64 = phi_1131_;
-                                    let _e66 = phi_1128_;
-                                    local = _e64;
-                                    local_1 = _e64;
-                                    if (_e66 < _e36) {
+                                    let _e65 = phi_1168_;
+                                    let _e67 = phi_1165_;
+                                    local = _e65;
+                                    local_1 = _e65;
+                                    if (_e67 < _e37) {
                                         continue;
                                     } else {
                                         break;
                                     }
                                     continuing {
-                                        let _e72 = global_4.member[((_e66 * 256u) + _e62)];
-                                        phi_1131_ = (_e64 + _e72);
-                                        phi_1128_ = (_e66 + bitcast<u32>(1i));
+                                        let _e73 = global_4.member[((_e67 * 256u) + _e63)];
+                                        phi_1168_ = (_e65 + _e73);
+                                        phi_1165_ = (_e67 + bitcast<u32>(1i));
                                     }
                                 }
-                                phi_1136_ = 0u;
-                                phi_1129_ = _e36;
+                                phi_1173_ = 0u;
+                                phi_1166_ = _e37;
                                 loop {
-                                    let _e77 = phi_1136_;
-                                    let _e79 = phi_1129_;
-                                    local_2 = _e77;
-                                    if (_e79 < _e45) {
+                                    let _e78 = phi_1173_;
+                                    let _e80 = phi_1166_;
+                                    local_2 = _e78;
+                                    if (_e80 < _e46) {
                                         continue;
                                     } else {
                                         break;
                                     }
                                     continuing {
-                                        let _e85 = global_4.member[((_e79 * 256u) + _e62)];
-                                        phi_1136_ = (_e77 + _e85);
-                                        phi_1129_ = (_e79 + bitcast<u32>(1i));
+                                        let _e86 = global_4.member[((_e80 * 256u) + _e63)];
+                                        phi_1173_ = (_e78 + _e86);
+                                        phi_1166_ = (_e80 + bitcast<u32>(1i));
                                     }
                                 }
-                                let _e90 = local;
-                                global_4.member[((((_e32 + (_e36 * 2304u)) + 2048u) + _e61) + _e59)] = (_e90 + _e57);
-                                let _e100 = local_1;
-                                let _e102 = local_2;
-                                local_5 = (_e57 + (_e100 + _e102));
+                                let _e91 = local;
+                                global_4.member[((((_e33 + (_e37 * 2304u)) + 2048u) + _e62) + _e60)] = (_e91 + _e58);
+                                let _e101 = local_1;
+                                let _e103 = local_2;
+                                local_5 = (_e58 + (_e101 + _e103));
                                 continue;
                             } else {
                                 break;
                             }
                             continuing {
-                                let _e214 = local_5;
-                                phi_1117_ = _e214;
-                                phi_1116_ = (_e59 + bitcast<u32>(1i));
+                                let _e216 = local_5;
+                                phi_1154_ = _e216;
+                                phi_1153_ = (_e60 + bitcast<u32>(1i));
                             }
                         }
-                        let _e109 = local_3;
-                        global_5[_e34] = _e109;
+                        let _e110 = local_3;
+                        global_5[_e35] = _e110;
                         workgroupBarrier();
-                        phi_1121_ = 0u;
-                        phi_1118_ = 0u;
+                        phi_1158_ = 0u;
+                        phi_1155_ = 0u;
                         loop {
-                            let _e111 = phi_1121_;
-                            let _e113 = phi_1118_;
-                            local_4 = _e111;
-                            if (_e113 < _e34) {
+                            let _e112 = phi_1158_;
+                            let _e114 = phi_1155_;
+                            local_4 = _e112;
+                            if (_e114 < _e35) {
                                 continue;
                             } else {
                                 break;
                             }
                             continuing {
-                                let _e116 = global_5[_e113];
-                                phi_1121_ = (_e111 + _e116);
-                                phi_1118_ = (_e113 + bitcast<u32>(1i));
+                                let _e117 = global_5[_e114];
+                                phi_1158_ = (_e112 + _e117);
+                                phi_1155_ = (_e114 + bitcast<u32>(1i));
                             }
                         }
-                        phi_1119_ = 0u;
+                        phi_1156_ = 0u;
                         loop {
-                            let _e121 = phi_1119_;
-                            if (_e121 < _e48) {
+                            let _e122 = phi_1156_;
+                            if (_e122 < _e49) {
                                 continue;
                             } else {
                                 break;
                             }
                             continuing {
-                                let _e131 = global_4.member[((((_e32 + (_e36 * 2304u)) + 2048u) + (_e34 * 32u)) + _e121)];
-                                let _e133 = local_4;
-                                global_4.member[((((_e32 + (_e36 * 2304u)) + 2048u) + (_e34 * 32u)) + _e121)] = (_e131 + _e133);
-                                phi_1119_ = (_e121 + bitcast<u32>(1i));
+                                let _e132 = global_4.member[((((_e33 + (_e37 * 2304u)) + 2048u) + (_e35 * 32u)) + _e122)];
+                                let _e134 = local_4;
+                                global_4.member[((((_e33 + (_e37 * 2304u)) + 2048u) + (_e35 * 32u)) + _e122)] = (_e132 + _e134);
+                                phi_1156_ = (_e122 + bitcast<u32>(1i));
                             }
                         }
                         workgroupBarrier();
                         break;
                     }
-                    phi_1115_ = 0u;
+                    phi_1152_ = 0u;
                     loop {
-                        let _e138 = phi_1115_;
-                        if (_e138 < _e48) {
+                        let _e139 = phi_1152_;
+                        if (_e139 < _e49) {
                             continue;
                         } else {
                             break;
                         }
                         continuing {
-                            let _e141 = (_e34 * 32u);
-                            let _e146 = global_4.member[(((_e36 * 256u) + _e141) + _e138)];
-                            global_4.member[((((_e32 + (_e36 * 2304u)) + 2048u) + _e141) + _e138)] = _e146;
-                            phi_1115_ = (_e138 + bitcast<u32>(1i));
+                            let _e142 = (_e35 * 32u);
+                            let _e147 = global_4.member[(((_e37 * 256u) + _e142) + _e139)];
+                            global_4.member[((((_e33 + (_e37 * 2304u)) + 2048u) + _e142) + _e139)] = _e147;
+                            phi_1152_ = (_e139 + bitcast<u32>(1i));
                         }
                     }
                     workgroupBarrier();
@@ -214,28 +214,28 @@ fn main(@builtin(workgroup_id) param: vec3<u32>, @builtin(local_invocation_id) p
             }
             storageBarrier();
             workgroupBarrier();
-            phi_1122_ = 0u;
+            phi_1159_ = 0u;
             loop {
-                let _e157 = phi_1122_;
-                if (_e157 < _e48) {
-                    let _e160 = (_e32 + (_e36 * 2304u));
-                    let _e162 = (_e34 * 32u);
-                    let _e167 = global_4.member[(((_e160 + 2048u) + _e162) + _e157)];
-                    phi_1127_ = _e167;
-                    phi_1125_ = 0u;
+                let _e158 = phi_1159_;
+                if (_e158 < _e49) {
+                    let _e161 = (_e33 + (_e37 * 2304u));
+                    let _e163 = (_e35 * 32u);
+                    let _e168 = global_4.member[(((_e161 + 2048u) + _e163) + _e158)];
+                    phi_1164_ = _e168;
+                    phi_1162_ = 0u;
                     loop {
-                        let _e169 = phi_1127_;
-                        let _e171 = phi_1125_;
-                        if (_e171 < min(8u, (_e42 | 8u))) {
+                        let _e170 = phi_1164_;
+                        let _e172 = phi_1162_;
+                        if (_e172 < min(8u, (_e43 | 8u))) {
                             continue;
                         } else {
                             break;
                         }
                         continuing {
-                            let _e179 = global_4.member[((_e160 + ((_e162 + _e157) * 8u)) + _e171)];
-                            global_4.member[((_e160 + ((_e162 + _e157) * 8u)) + _e171)] = _e169;
-                            phi_1127_ = (_e169 + _e179);
-                            phi_1125_ = (_e171 + bitcast<u32>(1i));
+                            let _e180 = global_4.member[((_e161 + ((_e163 + _e158) * 8u)) + _e172)];
+                            global_4.member[((_e161 + ((_e163 + _e158) * 8u)) + _e172)] = _e170;
+                            phi_1164_ = (_e170 + _e180);
+                            phi_1162_ = (_e172 + bitcast<u32>(1i));
                         }
                     }
                     continue;
@@ -243,26 +243,26 @@ fn main(@builtin(workgroup_id) param: vec3<u32>, @builtin(local_invocation_id) p
                     break;
                 }
                 continuing {
-                    phi_1122_ = (_e157 + bitcast<u32>(1i));
+                    phi_1159_ = (_e158 + bitcast<u32>(1i));
                 }
             }
             storageBarrier();
             workgroupBarrier();
-            let _e187 = ((_e36 * 4096u) + (_e34 * 512u));
-            phi_1123_ = _e187;
+            let _e188 = ((_e37 * 4096u) + (_e35 * 512u));
+            phi_1160_ = _e188;
             loop {
-                let _e189 = phi_1123_;
-                if (_e189 < min(_e42, (_e187 + 512u))) {
+                let _e190 = phi_1160_;
+                if (_e190 < min(_e43, (_e188 + 512u))) {
                     continue;
                 } else {
                     break;
                 }
                 continuing {
-                    let _e195 = global_2.member[_e189];
-                    let _e205 = global_4.member[(((_e32 + (_e36 * 2304u)) + ((_e195 >> bitcast<u32>(24u)) * 8u)) + _e34)];
-                    global_4.member[(((_e32 + (_e36 * 2304u)) + ((_e195 >> bitcast<u32>(24u)) * 8u)) + _e34)] = (_e205 + 1u);
-                    global_3.member[_e205] = (_e195 & 16777215u);
-                    phi_1123_ = (_e189 + bitcast<u32>(1i));
+                    let _e196 = global_2.member[_e190];
+                    let _e207 = global_4.member[(((_e33 + (_e37 * 2304u)) + (((_e196 >> bitcast<u32>(24u)) & 255u) * 8u)) + _e35)];
+                    global_4.member[(((_e33 + (_e37 * 2304u)) + (((_e196 >> bitcast<u32>(24u)) & 255u) * 8u)) + _e35)] = (_e207 + 1u);
+                    global_3.member[_e207] = (_e196 & 16777215u);
+                    phi_1160_ = (_e190 + bitcast<u32>(1i));
                 }
             }
             break;

@@ -27,24 +27,24 @@ var<storage, read_write> global_1: type_9;
 
 @compute @workgroup_size(128, 1, 1) 
 fn main(@builtin(workgroup_id) param: vec3<u32>, @builtin(local_invocation_id) param_1: vec3<u32>) {
-    var phi_176_: u32;
+    var phi_178_: u32;
+    var phi_181_: u32;
     var phi_179_: u32;
-    var phi_177_: u32;
     var local: u32;
 
     let _e14 = global.member_4;
     let _e18 = bitcast<u32>(param[0u]);
     let _e20 = global.member_7;
     let _e22 = global.member_5;
-    phi_176_ = bitcast<u32>(param_1[0u]);
+    phi_178_ = bitcast<u32>(param_1[0u]);
     loop {
-        let _e30 = phi_176_;
+        let _e30 = phi_178_;
         if (_e30 < 256u) {
-            phi_179_ = 0u;
-            phi_177_ = (_e18 * 64u);
+            phi_181_ = 0u;
+            phi_179_ = (_e18 * 64u);
             loop {
-                let _e34 = phi_179_;
-                let _e36 = phi_177_;
+                let _e34 = phi_181_;
+                let _e36 = phi_179_;
                 local = _e34;
                 if (_e36 < min(max(((min(_e20, _e22) + 4095u) / 4096u), 1u), ((_e18 + 1u) * 64u))) {
                     continue;
@@ -53,8 +53,8 @@ fn main(@builtin(workgroup_id) param: vec3<u32>, @builtin(local_invocation_id) p
                 }
                 continuing {
                     let _e45 = global_1.member[((_e36 * 256u) + _e30)];
-                    phi_179_ = (_e34 + _e45);
-                    phi_177_ = (_e36 + bitcast<u32>(1i));
+                    phi_181_ = (_e34 + _e45);
+                    phi_179_ = (_e36 + bitcast<u32>(1i));
                 }
             }
             let _e55 = local;
@@ -64,7 +64,7 @@ fn main(@builtin(workgroup_id) param: vec3<u32>, @builtin(local_invocation_id) p
             break;
         }
         continuing {
-            phi_176_ = (_e30 + 128u);
+            phi_178_ = (_e30 + 128u);
         }
     }
     return;

@@ -44,24 +44,24 @@ var<storage, read_write> global_2: type_11;
 
 @compute @workgroup_size(128, 1, 1) 
 fn main(@builtin(workgroup_id) param: vec3<u32>, @builtin(local_invocation_id) param_1: vec3<u32>) {
-    var phi_177_: u32;
+    var phi_179_: u32;
+    var phi_182_: u32;
     var phi_180_: u32;
-    var phi_178_: u32;
     var local: u32;
 
     let _e15 = global.member_4;
     let _e19 = bitcast<u32>(param[0u]);
     let _e22 = global_1.member.member_6;
     let _e24 = global.member_5;
-    phi_177_ = bitcast<u32>(param_1[0u]);
+    phi_179_ = bitcast<u32>(param_1[0u]);
     loop {
-        let _e32 = phi_177_;
+        let _e32 = phi_179_;
         if (_e32 < 256u) {
-            phi_180_ = 0u;
-            phi_178_ = (_e19 * 64u);
+            phi_182_ = 0u;
+            phi_180_ = (_e19 * 64u);
             loop {
-                let _e36 = phi_180_;
-                let _e38 = phi_178_;
+                let _e36 = phi_182_;
+                let _e38 = phi_180_;
                 local = _e36;
                 if (_e38 < min(max(((min(_e22, _e24) + 4095u) / 4096u), 1u), ((_e19 + 1u) * 64u))) {
                     continue;
@@ -70,8 +70,8 @@ fn main(@builtin(workgroup_id) param: vec3<u32>, @builtin(local_invocation_id) p
                 }
                 continuing {
                     let _e47 = global_2.member[((_e38 * 256u) + _e32)];
-                    phi_180_ = (_e36 + _e47);
-                    phi_178_ = (_e38 + bitcast<u32>(1i));
+                    phi_182_ = (_e36 + _e47);
+                    phi_180_ = (_e38 + bitcast<u32>(1i));
                 }
             }
             let _e57 = local;
@@ -81,7 +81,7 @@ fn main(@builtin(workgroup_id) param: vec3<u32>, @builtin(local_invocation_id) p
             break;
         }
         continuing {
-            phi_177_ = (_e32 + 128u);
+            phi_179_ = (_e32 + 128u);
         }
     }
     return;

@@ -46,25 +46,25 @@ var<storage, read_write> global_4: type_14;
 
 @compute @workgroup_size(128, 1, 1) 
 fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) param_1: vec3<u32>) {
-    var phi_554_: u32;
-    var phi_553_: u32;
+    var phi_556_: u32;
+    var phi_555_: u32;
+    var phi_568_: u32;
+    var phi_565_: u32;
+    var phi_573_: u32;
     var phi_566_: u32;
-    var phi_563_: u32;
-    var phi_571_: u32;
-    var phi_564_: u32;
     var local: u32;
     var local_1: u32;
     var local_2: u32;
     var local_3: u32;
+    var phi_560_: u32;
+    var phi_557_: u32;
     var phi_558_: u32;
-    var phi_555_: u32;
-    var phi_556_: u32;
     var local_4: u32;
     var local_5: u32;
     var local_6: u32;
-    var phi_559_: u32;
+    var phi_561_: u32;
+    var phi_564_: u32;
     var phi_562_: u32;
-    var phi_560_: u32;
     var local_7: u32;
 
     switch bitcast<i32>(0u) {
@@ -80,20 +80,20 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
             if (_e28 >= _e38) {
                 break;
             }
-            phi_554_ = 0u;
-            phi_553_ = 0u;
+            phi_556_ = 0u;
+            phi_555_ = 0u;
             loop {
-                let _e41 = phi_554_;
-                let _e43 = phi_553_;
+                let _e41 = phi_556_;
+                let _e43 = phi_555_;
                 local_3 = _e41;
                 local_6 = _e41;
                 if (_e43 < 2u) {
                     let _e46 = ((_e26 * 2u) + _e43);
-                    phi_566_ = 0u;
-                    phi_563_ = 0u;
+                    phi_568_ = 0u;
+                    phi_565_ = 0u;
                     loop {
-                        let _e48 = phi_566_;
-                        let _e50 = phi_563_;
+                        let _e48 = phi_568_;
+                        let _e50 = phi_565_;
                         local = _e48;
                         local_1 = _e48;
                         if (_e50 < _e28) {
@@ -103,15 +103,15 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                         }
                         continuing {
                             let _e57 = global_4.member[((_e24 + (_e50 * 256u)) + _e46)];
-                            phi_566_ = (_e48 + _e57);
-                            phi_563_ = (_e50 + bitcast<u32>(1i));
+                            phi_568_ = (_e48 + _e57);
+                            phi_565_ = (_e50 + bitcast<u32>(1i));
                         }
                     }
-                    phi_571_ = 0u;
-                    phi_564_ = _e28;
+                    phi_573_ = 0u;
+                    phi_566_ = _e28;
                     loop {
-                        let _e62 = phi_571_;
-                        let _e64 = phi_564_;
+                        let _e62 = phi_573_;
+                        let _e64 = phi_566_;
                         local_2 = _e62;
                         if (_e64 < _e38) {
                             continue;
@@ -120,8 +120,8 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                         }
                         continuing {
                             let _e71 = global_4.member[((_e24 + (_e64 * 256u)) + _e46)];
-                            phi_571_ = (_e62 + _e71);
-                            phi_564_ = (_e64 + bitcast<u32>(1i));
+                            phi_573_ = (_e62 + _e71);
+                            phi_566_ = (_e64 + bitcast<u32>(1i));
                         }
                     }
                     let _e76 = local;
@@ -135,18 +135,18 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                 }
                 continuing {
                     let _e152 = local_7;
-                    phi_554_ = _e152;
-                    phi_553_ = (_e43 + bitcast<u32>(1i));
+                    phi_556_ = _e152;
+                    phi_555_ = (_e43 + bitcast<u32>(1i));
                 }
             }
             let _e89 = local_3;
             global_3[_e26] = _e89;
             workgroupBarrier();
-            phi_558_ = 0u;
-            phi_555_ = 0u;
+            phi_560_ = 0u;
+            phi_557_ = 0u;
             loop {
-                let _e91 = phi_558_;
-                let _e93 = phi_555_;
+                let _e91 = phi_560_;
+                let _e93 = phi_557_;
                 local_4 = _e91;
                 local_5 = _e91;
                 if (_e93 < _e26) {
@@ -156,13 +156,13 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                 }
                 continuing {
                     let _e96 = global_3[_e93];
-                    phi_558_ = (_e91 + _e96);
-                    phi_555_ = (_e93 + bitcast<u32>(1i));
+                    phi_560_ = (_e91 + _e96);
+                    phi_557_ = (_e93 + bitcast<u32>(1i));
                 }
             }
-            phi_556_ = 0u;
+            phi_558_ = 0u;
             loop {
-                let _e101 = phi_556_;
+                let _e101 = phi_558_;
                 if (_e101 < 2u) {
                     continue;
                 } else {
@@ -172,7 +172,7 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                     let _e106 = global_2[((_e26 * 2u) + _e101)];
                     let _e108 = local_4;
                     global_2[((_e26 * 2u) + _e101)] = (_e106 + _e108);
-                    phi_556_ = (_e101 + bitcast<u32>(1i));
+                    phi_558_ = (_e101 + bitcast<u32>(1i));
                 }
             }
             workgroupBarrier();
@@ -183,16 +183,16 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                 global_1.member.member_6 = _e116;
                 global_1.member.member_1 = ((_e116 + 127u) / 128u);
             }
-            phi_559_ = _e26;
+            phi_561_ = _e26;
             loop {
-                let _e128 = phi_559_;
+                let _e128 = phi_561_;
                 if (_e128 < 256u) {
                     let _e131 = global_2[_e128];
-                    phi_562_ = _e131;
-                    phi_560_ = (_e28 * 64u);
+                    phi_564_ = _e131;
+                    phi_562_ = (_e28 * 64u);
                     loop {
-                        let _e134 = phi_562_;
-                        let _e136 = phi_560_;
+                        let _e134 = phi_564_;
+                        let _e136 = phi_562_;
                         if (_e136 < min(_e36, ((_e28 + 1u) * 64u))) {
                             continue;
                         } else {
@@ -201,8 +201,8 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                         continuing {
                             let _e145 = global_4.member[((_e136 * 256u) + _e128)];
                             global_4.member[((_e136 * 256u) + _e128)] = _e134;
-                            phi_562_ = (_e134 + _e145);
-                            phi_560_ = (_e136 + bitcast<u32>(1i));
+                            phi_564_ = (_e134 + _e145);
+                            phi_562_ = (_e136 + bitcast<u32>(1i));
                         }
                     }
                     continue;
@@ -210,7 +210,7 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                     break;
                 }
                 continuing {
-                    phi_559_ = (_e128 + 128u);
+                    phi_561_ = (_e128 + 128u);
                 }
             }
             break;

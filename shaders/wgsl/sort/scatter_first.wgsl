@@ -59,38 +59,38 @@ var<workgroup> global_7: array<atomic<u32>, 2048>;
 
 @compute @workgroup_size(128, 1, 1) 
 fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) param_1: vec3<u32>) {
-    var phi_959_: u32;
-    var phi_962_: u32;
-    var phi_961_: u32;
-    var phi_1012_: u32;
-    var phi_1009_: u32;
+    var phi_1015_: u32;
+    var phi_1018_: u32;
     var phi_1017_: u32;
-    var phi_1010_: u32;
+    var phi_1068_: u32;
+    var phi_1065_: u32;
+    var phi_1073_: u32;
+    var phi_1066_: u32;
     var local: u32;
     var local_1: u32;
     var local_2: u32;
     var local_3: u32;
-    var phi_966_: u32;
-    var phi_963_: u32;
-    var phi_964_: u32;
+    var phi_1022_: u32;
+    var phi_1019_: u32;
+    var phi_1020_: u32;
     var local_4: u32;
     var local_5: u32;
     var local_6: u32;
-    var phi_960_: u32;
-    var phi_968_: u32;
-    var phi_967_: u32;
-    var phi_980_: u32;
-    var phi_970_: u32;
-    var phi_969_: bool;
-    var phi_988_: u32;
-    var phi_975_: u32;
-    var phi_972_: u32;
-    var phi_1003_: u32;
-    var phi_1004_: u32;
+    var phi_1016_: u32;
+    var phi_1024_: u32;
+    var phi_1023_: u32;
+    var phi_1036_: u32;
+    var phi_1026_: u32;
+    var phi_1025_: bool;
+    var phi_1044_: u32;
+    var phi_1031_: u32;
+    var phi_1028_: u32;
+    var phi_1059_: u32;
+    var phi_1060_: u32;
     var local_7: u32;
-    var phi_985_: u32;
-    var phi_983_: u32;
-    var phi_989_: u32;
+    var phi_1041_: u32;
+    var phi_1039_: u32;
+    var phi_1045_: u32;
     var local_8: u32;
     var local_9: u32;
     var local_10: u32;
@@ -108,9 +108,9 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
             if (_e36 >= _e44) {
                 break;
             }
-            phi_959_ = _e34;
+            phi_1015_ = _e34;
             loop {
-                let _e47 = phi_959_;
+                let _e47 = phi_1015_;
                 if (_e47 < 2048u) {
                     continue;
                 } else {
@@ -118,27 +118,27 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                 }
                 continuing {
                     atomicStore((&global_7[_e47]), 0u);
-                    phi_959_ = (_e47 + 128u);
+                    phi_1015_ = (_e47 + 128u);
                 }
             }
             switch bitcast<i32>(0u) {
                 default: {
                     let _e53 = global.member_6;
                     if !((_e53 != 0u)) {
-                        phi_962_ = 0u;
-                        phi_961_ = 0u;
+                        phi_1018_ = 0u;
+                        phi_1017_ = 0u;
                         loop {
-                            let _e57 = phi_962_;
-                            let _e59 = phi_961_;
+                            let _e57 = phi_1018_;
+                            let _e59 = phi_1017_;
                             local_3 = _e57;
                             local_6 = _e57;
                             if (_e59 < 2u) {
                                 let _e62 = ((_e34 * 2u) + _e59);
-                                phi_1012_ = 0u;
-                                phi_1009_ = 0u;
+                                phi_1068_ = 0u;
+                                phi_1065_ = 0u;
                                 loop {
-                                    let _e64 = phi_1012_;
-                                    let _e66 = phi_1009_;
+                                    let _e64 = phi_1068_;
+                                    let _e66 = phi_1065_;
                                     local = _e64;
                                     local_1 = _e64;
                                     if (_e66 < _e36) {
@@ -148,15 +148,15 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                                     }
                                     continuing {
                                         let _e72 = global_6.member[((_e66 * 256u) + _e62)];
-                                        phi_1012_ = (_e64 + _e72);
-                                        phi_1009_ = (_e66 + bitcast<u32>(1i));
+                                        phi_1068_ = (_e64 + _e72);
+                                        phi_1065_ = (_e66 + bitcast<u32>(1i));
                                     }
                                 }
-                                phi_1017_ = 0u;
-                                phi_1010_ = _e36;
+                                phi_1073_ = 0u;
+                                phi_1066_ = _e36;
                                 loop {
-                                    let _e77 = phi_1017_;
-                                    let _e79 = phi_1010_;
+                                    let _e77 = phi_1073_;
+                                    let _e79 = phi_1066_;
                                     local_2 = _e77;
                                     if (_e79 < _e44) {
                                         continue;
@@ -165,8 +165,8 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                                     }
                                     continuing {
                                         let _e85 = global_6.member[((_e79 * 256u) + _e62)];
-                                        phi_1017_ = (_e77 + _e85);
-                                        phi_1010_ = (_e79 + bitcast<u32>(1i));
+                                        phi_1073_ = (_e77 + _e85);
+                                        phi_1066_ = (_e79 + bitcast<u32>(1i));
                                     }
                                 }
                                 let _e90 = local;
@@ -179,19 +179,19 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                                 break;
                             }
                             continuing {
-                                let _e263 = local_8;
-                                phi_962_ = _e263;
-                                phi_961_ = (_e59 + bitcast<u32>(1i));
+                                let _e266 = local_8;
+                                phi_1018_ = _e266;
+                                phi_1017_ = (_e59 + bitcast<u32>(1i));
                             }
                         }
                         let _e103 = local_3;
                         global_5[_e34] = _e103;
                         workgroupBarrier();
-                        phi_966_ = 0u;
-                        phi_963_ = 0u;
+                        phi_1022_ = 0u;
+                        phi_1019_ = 0u;
                         loop {
-                            let _e105 = phi_966_;
-                            let _e107 = phi_963_;
+                            let _e105 = phi_1022_;
+                            let _e107 = phi_1019_;
                             local_4 = _e105;
                             local_5 = _e105;
                             if (_e107 < _e34) {
@@ -201,13 +201,13 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                             }
                             continuing {
                                 let _e110 = global_5[_e107];
-                                phi_966_ = (_e105 + _e110);
-                                phi_963_ = (_e107 + bitcast<u32>(1i));
+                                phi_1022_ = (_e105 + _e110);
+                                phi_1019_ = (_e107 + bitcast<u32>(1i));
                             }
                         }
-                        phi_964_ = 0u;
+                        phi_1020_ = 0u;
                         loop {
-                            let _e115 = phi_964_;
+                            let _e115 = phi_1020_;
                             if (_e115 < 2u) {
                                 continue;
                             } else {
@@ -217,7 +217,7 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                                 let _e120 = global_4[((_e34 * 2u) + _e115)];
                                 let _e122 = local_4;
                                 global_4[((_e34 * 2u) + _e115)] = (_e120 + _e122);
-                                phi_964_ = (_e115 + bitcast<u32>(1i));
+                                phi_1020_ = (_e115 + bitcast<u32>(1i));
                             }
                         }
                         workgroupBarrier();
@@ -230,9 +230,9 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                         }
                         break;
                     }
-                    phi_960_ = 0u;
+                    phi_1016_ = 0u;
                     loop {
-                        let _e142 = phi_960_;
+                        let _e142 = phi_1016_;
                         if (_e142 < 2u) {
                             continue;
                         } else {
@@ -242,7 +242,7 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                             let _e145 = (_e34 * 2u);
                             let _e150 = global_6.member[(((_e36 * 256u) + _e145) + _e142)];
                             global_4[(_e145 + _e142)] = _e150;
-                            phi_960_ = (_e142 + bitcast<u32>(1i));
+                            phi_1016_ = (_e142 + bitcast<u32>(1i));
                         }
                     }
                     workgroupBarrier();
@@ -252,43 +252,43 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
             let _e155 = (_e34 / 32u);
             let _e158 = (1u << bitcast<u32>((_e34 & 31u)));
             let _e162 = min(_e41, ((_e36 + 1u) * 4096u));
-            phi_968_ = 0u;
-            phi_967_ = (_e36 * 4096u);
+            phi_1024_ = 0u;
+            phi_1023_ = (_e36 * 4096u);
             loop {
-                let _e165 = phi_968_;
-                let _e167 = phi_967_;
+                let _e165 = phi_1024_;
+                let _e167 = phi_1023_;
                 if (_e167 < _e162) {
                     let _e169 = (_e167 + _e34);
                     let _e171 = ((_e165 & 1u) * 1024u);
                     let _e172 = (_e169 < _e162);
-                    phi_980_ = 0u;
-                    phi_970_ = 0u;
-                    phi_969_ = _e172;
+                    phi_1036_ = 0u;
+                    phi_1026_ = 0u;
+                    phi_1025_ = _e172;
                     if _e172 {
                         let _e177 = global_2.member[(_e169 >> bitcast<u32>(1u))];
                         let _e182 = ((_e177 >> bitcast<u32>((16u * (_e169 & 1u)))) & 65535u);
                         let _e184 = select(_e182, 4294967295u, (_e182 == 65535u));
-                        phi_980_ = _e184;
-                        phi_970_ = (_e184 & 255u);
-                        phi_969_ = (false || (_e184 != 4294967295u));
+                        phi_1036_ = _e184;
+                        phi_1026_ = (_e184 & 255u);
+                        phi_1025_ = (false || (_e184 != 4294967295u));
                     }
-                    let _e189 = phi_980_;
-                    let _e191 = phi_970_;
-                    let _e193 = phi_969_;
+                    let _e189 = phi_1036_;
+                    let _e191 = phi_1026_;
+                    let _e193 = phi_1025_;
                     if _e193 {
                         let _e198 = atomicOr((&global_7[((_e171 + (_e155 * 256u)) + _e191)]), _e158);
                     }
                     workgroupBarrier();
-                    phi_985_ = 0u;
-                    phi_983_ = 0u;
+                    phi_1041_ = 0u;
+                    phi_1039_ = 0u;
                     if _e193 {
-                        phi_988_ = 0u;
-                        phi_975_ = 0u;
-                        phi_972_ = 0u;
+                        phi_1044_ = 0u;
+                        phi_1031_ = 0u;
+                        phi_1028_ = 0u;
                         loop {
-                            let _e200 = phi_988_;
-                            let _e202 = phi_975_;
-                            let _e204 = phi_972_;
+                            let _e200 = phi_1044_;
+                            let _e202 = phi_1031_;
+                            let _e204 = phi_1028_;
                             local_7 = _e202;
                             local_11 = _e200;
                             local_12 = _e202;
@@ -297,55 +297,55 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                                 let _e212 = bitcast<u32>(countOneBits(_e210));
                                 local_9 = (_e200 + _e212);
                                 if (_e204 < _e155) {
-                                    phi_1004_ = _e212;
+                                    phi_1060_ = _e212;
                                 } else {
                                     if (_e204 == _e155) {
-                                        phi_1003_ = bitcast<u32>(countOneBits((_e210 & (_e158 - 1u))));
+                                        phi_1059_ = bitcast<u32>(countOneBits((_e210 & (_e158 - 1u))));
                                     } else {
-                                        phi_1003_ = 0u;
+                                        phi_1059_ = 0u;
                                     }
-                                    let _e220 = phi_1003_;
-                                    phi_1004_ = _e220;
+                                    let _e220 = phi_1059_;
+                                    phi_1060_ = _e220;
                                 }
-                                let _e222 = phi_1004_;
+                                let _e222 = phi_1060_;
                                 local_10 = (_e202 + _e222);
                                 continue;
                             } else {
                                 break;
                             }
                             continuing {
-                                let _e287 = local_9;
-                                phi_988_ = _e287;
-                                let _e290 = local_10;
-                                phi_975_ = _e290;
-                                phi_972_ = (_e204 + bitcast<u32>(1i));
+                                let _e290 = local_9;
+                                phi_1044_ = _e290;
+                                let _e293 = local_10;
+                                phi_1031_ = _e293;
+                                phi_1028_ = (_e204 + bitcast<u32>(1i));
                             }
                         }
                         let _e227 = global_4[_e191];
                         let _e229 = local_7;
-                        global_3.member[(_e227 + _e229)] = ((((_e189 >> bitcast<u32>(8u)) & 255u) << bitcast<u32>(24u)) | _e169);
-                        let _e297 = local_11;
-                        phi_985_ = _e297;
-                        let _e300 = local_12;
-                        phi_983_ = _e300;
+                        global_3.member[(_e227 + _e229)] = (((((_e189 >> bitcast<u32>(8u)) << bitcast<u32>(24u)) >> bitcast<u32>(24u)) << bitcast<u32>(24u)) | _e169);
+                        let _e300 = local_11;
+                        phi_1041_ = _e300;
+                        let _e303 = local_12;
+                        phi_1039_ = _e303;
                     }
-                    let _e240 = phi_985_;
-                    let _e242 = phi_983_;
+                    let _e243 = phi_1041_;
+                    let _e245 = phi_1039_;
                     workgroupBarrier();
-                    if (_e193 && (_e242 == 0u)) {
-                        let _e246 = global_4[_e191];
-                        global_4[_e191] = (_e246 + _e240);
-                        phi_989_ = 0u;
+                    if (_e193 && (_e245 == 0u)) {
+                        let _e249 = global_4[_e191];
+                        global_4[_e191] = (_e249 + _e243);
+                        phi_1045_ = 0u;
                         loop {
-                            let _e249 = phi_989_;
-                            if (_e249 < 4u) {
+                            let _e252 = phi_1045_;
+                            if (_e252 < 4u) {
                                 continue;
                             } else {
                                 break;
                             }
                             continuing {
-                                atomicStore((&global_7[((_e171 + (_e249 * 256u)) + _e191)]), 0u);
-                                phi_989_ = (_e249 + bitcast<u32>(1i));
+                                atomicStore((&global_7[((_e171 + (_e252 * 256u)) + _e191)]), 0u);
+                                phi_1045_ = (_e252 + bitcast<u32>(1i));
                             }
                         }
                     }
@@ -354,8 +354,8 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                     break;
                 }
                 continuing {
-                    phi_968_ = (_e165 + bitcast<u32>(1i));
-                    phi_967_ = (_e167 + 128u);
+                    phi_1024_ = (_e165 + bitcast<u32>(1i));
+                    phi_1023_ = (_e167 + 128u);
                 }
             }
             break;

@@ -59,35 +59,35 @@ var<workgroup> global_7: array<atomic<u32>, 2048>;
 
 @compute @workgroup_size(128, 1, 1) 
 fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) param_1: vec3<u32>) {
-    var phi_948_: u32;
-    var phi_951_: u32;
-    var phi_950_: u32;
-    var phi_1001_: u32;
-    var phi_998_: u32;
-    var phi_1006_: u32;
-    var phi_999_: u32;
+    var phi_985_: u32;
+    var phi_988_: u32;
+    var phi_987_: u32;
+    var phi_1038_: u32;
+    var phi_1035_: u32;
+    var phi_1043_: u32;
+    var phi_1036_: u32;
     var local: u32;
     var local_1: u32;
     var local_2: u32;
     var local_3: u32;
-    var phi_955_: u32;
-    var phi_952_: u32;
-    var phi_953_: u32;
-    var local_4: u32;
-    var phi_949_: u32;
-    var phi_957_: u32;
-    var phi_956_: u32;
-    var phi_969_: u32;
-    var phi_959_: u32;
-    var phi_977_: u32;
-    var phi_964_: u32;
-    var phi_961_: u32;
     var phi_992_: u32;
+    var phi_989_: u32;
+    var phi_990_: u32;
+    var local_4: u32;
+    var phi_986_: u32;
+    var phi_994_: u32;
     var phi_993_: u32;
+    var phi_1006_: u32;
+    var phi_996_: u32;
+    var phi_1014_: u32;
+    var phi_1001_: u32;
+    var phi_998_: u32;
+    var phi_1029_: u32;
+    var phi_1030_: u32;
     var local_5: u32;
-    var phi_974_: u32;
-    var phi_972_: u32;
-    var phi_978_: u32;
+    var phi_1011_: u32;
+    var phi_1009_: u32;
+    var phi_1015_: u32;
     var local_6: u32;
     var local_7: u32;
     var local_8: u32;
@@ -96,240 +96,240 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e28 = bitcast<u32>(param[0u]);
-            let _e30 = bitcast<u32>(param_1[0u]);
-            let _e33 = global_1.member.member_6;
-            let _e35 = global.member_5;
-            let _e36 = min(_e33, _e35);
-            let _e39 = max(((_e36 + 4095u) / 4096u), 1u);
-            if (_e30 >= _e39) {
+            let _e29 = bitcast<u32>(param[0u]);
+            let _e31 = bitcast<u32>(param_1[0u]);
+            let _e34 = global_1.member.member_6;
+            let _e36 = global.member_5;
+            let _e37 = min(_e34, _e36);
+            let _e40 = max(((_e37 + 4095u) / 4096u), 1u);
+            if (_e31 >= _e40) {
                 break;
             }
-            phi_948_ = _e28;
+            phi_985_ = _e29;
             loop {
-                let _e42 = phi_948_;
-                if (_e42 < 2048u) {
+                let _e43 = phi_985_;
+                if (_e43 < 2048u) {
                     continue;
                 } else {
                     break;
                 }
                 continuing {
-                    atomicStore((&global_7[_e42]), 0u);
-                    phi_948_ = (_e42 + 128u);
+                    atomicStore((&global_7[_e43]), 0u);
+                    phi_985_ = (_e43 + 128u);
                 }
             }
             switch bitcast<i32>(0u) {
                 default: {
-                    let _e48 = global.member_6;
-                    if !((_e48 != 0u)) {
-                        phi_951_ = 0u;
-                        phi_950_ = 0u;
+                    let _e49 = global.member_6;
+                    if !((_e49 != 0u)) {
+                        phi_988_ = 0u;
+                        phi_987_ = 0u;
                         loop {
-                            let _e52 = phi_951_;
-                            let _e54 = phi_950_;
-                            local_3 = _e52;
-                            if (_e54 < 2u) {
-                                let _e57 = ((_e28 * 2u) + _e54);
-                                phi_1001_ = 0u;
-                                phi_998_ = 0u;
+                            let _e53 = phi_988_;
+                            let _e55 = phi_987_;
+                            local_3 = _e53;
+                            if (_e55 < 2u) {
+                                let _e58 = ((_e29 * 2u) + _e55);
+                                phi_1038_ = 0u;
+                                phi_1035_ = 0u;
                                 loop {
-                                    let _e59 = phi_1001_;
-                                    let _e61 = phi_998_;
-                                    local = _e59;
-                                    local_1 = _e59;
-                                    if (_e61 < _e30) {
+                                    let _e60 = phi_1038_;
+                                    let _e62 = phi_1035_;
+                                    local = _e60;
+                                    local_1 = _e60;
+                                    if (_e62 < _e31) {
                                         continue;
                                     } else {
                                         break;
                                     }
                                     continuing {
-                                        let _e67 = global_6.member[((_e61 * 256u) + _e57)];
-                                        phi_1001_ = (_e59 + _e67);
-                                        phi_998_ = (_e61 + bitcast<u32>(1i));
+                                        let _e68 = global_6.member[((_e62 * 256u) + _e58)];
+                                        phi_1038_ = (_e60 + _e68);
+                                        phi_1035_ = (_e62 + bitcast<u32>(1i));
                                     }
                                 }
-                                phi_1006_ = 0u;
-                                phi_999_ = _e30;
+                                phi_1043_ = 0u;
+                                phi_1036_ = _e31;
                                 loop {
-                                    let _e72 = phi_1006_;
-                                    let _e74 = phi_999_;
-                                    local_2 = _e72;
-                                    if (_e74 < _e39) {
+                                    let _e73 = phi_1043_;
+                                    let _e75 = phi_1036_;
+                                    local_2 = _e73;
+                                    if (_e75 < _e40) {
                                         continue;
                                     } else {
                                         break;
                                     }
                                     continuing {
-                                        let _e80 = global_6.member[((_e74 * 256u) + _e57)];
-                                        phi_1006_ = (_e72 + _e80);
-                                        phi_999_ = (_e74 + bitcast<u32>(1i));
+                                        let _e81 = global_6.member[((_e75 * 256u) + _e58)];
+                                        phi_1043_ = (_e73 + _e81);
+                                        phi_1036_ = (_e75 + bitcast<u32>(1i));
                                     }
                                 }
-                                let _e85 = local;
-                                global_4[_e57] = (_e85 + _e52);
-                                let _e89 = local_1;
-                                let _e91 = local_2;
-                                local_6 = (_e52 + (_e89 + _e91));
+                                let _e86 = local;
+                                global_4[_e58] = (_e86 + _e53);
+                                let _e90 = local_1;
+                                let _e92 = local_2;
+                                local_6 = (_e53 + (_e90 + _e92));
                                 continue;
                             } else {
                                 break;
                             }
                             continuing {
-                                let _e227 = local_6;
-                                phi_951_ = _e227;
-                                phi_950_ = (_e54 + bitcast<u32>(1i));
+                                let _e229 = local_6;
+                                phi_988_ = _e229;
+                                phi_987_ = (_e55 + bitcast<u32>(1i));
                             }
                         }
-                        let _e98 = local_3;
-                        global_5[_e28] = _e98;
+                        let _e99 = local_3;
+                        global_5[_e29] = _e99;
                         workgroupBarrier();
-                        phi_955_ = 0u;
-                        phi_952_ = 0u;
+                        phi_992_ = 0u;
+                        phi_989_ = 0u;
                         loop {
-                            let _e100 = phi_955_;
-                            let _e102 = phi_952_;
-                            local_4 = _e100;
-                            if (_e102 < _e28) {
+                            let _e101 = phi_992_;
+                            let _e103 = phi_989_;
+                            local_4 = _e101;
+                            if (_e103 < _e29) {
                                 continue;
                             } else {
                                 break;
                             }
                             continuing {
-                                let _e105 = global_5[_e102];
-                                phi_955_ = (_e100 + _e105);
-                                phi_952_ = (_e102 + bitcast<u32>(1i));
+                                let _e106 = global_5[_e103];
+                                phi_992_ = (_e101 + _e106);
+                                phi_989_ = (_e103 + bitcast<u32>(1i));
                             }
                         }
-                        phi_953_ = 0u;
+                        phi_990_ = 0u;
                         loop {
-                            let _e110 = phi_953_;
-                            if (_e110 < 2u) {
+                            let _e111 = phi_990_;
+                            if (_e111 < 2u) {
                                 continue;
                             } else {
                                 break;
                             }
                             continuing {
-                                let _e115 = global_4[((_e28 * 2u) + _e110)];
-                                let _e117 = local_4;
-                                global_4[((_e28 * 2u) + _e110)] = (_e115 + _e117);
-                                phi_953_ = (_e110 + bitcast<u32>(1i));
+                                let _e116 = global_4[((_e29 * 2u) + _e111)];
+                                let _e118 = local_4;
+                                global_4[((_e29 * 2u) + _e111)] = (_e116 + _e118);
+                                phi_990_ = (_e111 + bitcast<u32>(1i));
                             }
                         }
                         workgroupBarrier();
                         break;
                     }
-                    phi_949_ = 0u;
+                    phi_986_ = 0u;
                     loop {
-                        let _e122 = phi_949_;
-                        if (_e122 < 2u) {
+                        let _e123 = phi_986_;
+                        if (_e123 < 2u) {
                             continue;
                         } else {
                             break;
                         }
                         continuing {
-                            let _e125 = (_e28 * 2u);
-                            let _e130 = global_6.member[(((_e30 * 256u) + _e125) + _e122)];
-                            global_4[(_e125 + _e122)] = _e130;
-                            phi_949_ = (_e122 + bitcast<u32>(1i));
+                            let _e126 = (_e29 * 2u);
+                            let _e131 = global_6.member[(((_e31 * 256u) + _e126) + _e123)];
+                            global_4[(_e126 + _e123)] = _e131;
+                            phi_986_ = (_e123 + bitcast<u32>(1i));
                         }
                     }
                     workgroupBarrier();
                     break;
                 }
             }
-            let _e135 = (_e28 / 32u);
-            let _e138 = (1u << bitcast<u32>((_e28 & 31u)));
-            let _e142 = min(_e36, ((_e30 + 1u) * 4096u));
-            phi_957_ = 0u;
-            phi_956_ = (_e30 * 4096u);
+            let _e136 = (_e29 / 32u);
+            let _e139 = (1u << bitcast<u32>((_e29 & 31u)));
+            let _e143 = min(_e37, ((_e31 + 1u) * 4096u));
+            phi_994_ = 0u;
+            phi_993_ = (_e31 * 4096u);
             loop {
-                let _e145 = phi_957_;
-                let _e147 = phi_956_;
-                if (_e147 < _e142) {
-                    let _e149 = (_e147 + _e28);
-                    let _e151 = ((_e145 & 1u) * 1024u);
-                    let _e152 = (_e149 < _e142);
-                    phi_969_ = 0u;
-                    phi_959_ = 0u;
-                    if _e152 {
-                        let _e155 = global_2.member[_e149];
-                        phi_969_ = _e155;
-                        phi_959_ = (_e155 >> bitcast<u32>(24u));
+                let _e146 = phi_994_;
+                let _e148 = phi_993_;
+                if (_e148 < _e143) {
+                    let _e150 = (_e148 + _e29);
+                    let _e152 = ((_e146 & 1u) * 1024u);
+                    let _e153 = (_e150 < _e143);
+                    phi_1006_ = 0u;
+                    phi_996_ = 0u;
+                    if _e153 {
+                        let _e156 = global_2.member[_e150];
+                        phi_1006_ = _e156;
+                        phi_996_ = ((_e156 >> bitcast<u32>(24u)) & 255u);
                     }
-                    let _e159 = phi_969_;
-                    let _e161 = phi_959_;
-                    let _e162 = select(_e152, true, _e152);
-                    if _e162 {
-                        let _e167 = atomicOr((&global_7[((_e151 + (_e135 * 256u)) + _e161)]), _e138);
+                    let _e161 = phi_1006_;
+                    let _e163 = phi_996_;
+                    let _e164 = select(_e153, true, _e153);
+                    if _e164 {
+                        let _e169 = atomicOr((&global_7[((_e152 + (_e136 * 256u)) + _e163)]), _e139);
                     }
                     workgroupBarrier();
-                    phi_974_ = 0u;
-                    phi_972_ = 0u;
-                    if _e162 {
-                        phi_977_ = 0u;
-                        phi_964_ = 0u;
-                        phi_961_ = 0u;
+                    phi_1011_ = 0u;
+                    phi_1009_ = 0u;
+                    if _e164 {
+                        phi_1014_ = 0u;
+                        phi_1001_ = 0u;
+                        phi_998_ = 0u;
                         loop {
-                            let _e169 = phi_977_;
-                            let _e171 = phi_964_;
-                            let _e173 = phi_961_;
-                            local_5 = _e171;
-                            local_9 = _e169;
-                            local_10 = _e171;
-                            if (_e173 < 4u) {
-                                let _e179 = atomicLoad((&global_7[((_e151 + (_e173 * 256u)) + _e161)]));
-                                let _e181 = bitcast<u32>(countOneBits(_e179));
-                                local_7 = (_e169 + _e181);
-                                if (_e173 < _e135) {
-                                    phi_993_ = _e181;
+                            let _e171 = phi_1014_;
+                            let _e173 = phi_1001_;
+                            let _e175 = phi_998_;
+                            local_5 = _e173;
+                            local_9 = _e171;
+                            local_10 = _e173;
+                            if (_e175 < 4u) {
+                                let _e181 = atomicLoad((&global_7[((_e152 + (_e175 * 256u)) + _e163)]));
+                                let _e183 = bitcast<u32>(countOneBits(_e181));
+                                local_7 = (_e171 + _e183);
+                                if (_e175 < _e136) {
+                                    phi_1030_ = _e183;
                                 } else {
-                                    if (_e173 == _e135) {
-                                        phi_992_ = bitcast<u32>(countOneBits((_e179 & (_e138 - 1u))));
+                                    if (_e175 == _e136) {
+                                        phi_1029_ = bitcast<u32>(countOneBits((_e181 & (_e139 - 1u))));
                                     } else {
-                                        phi_992_ = 0u;
+                                        phi_1029_ = 0u;
                                     }
-                                    let _e189 = phi_992_;
-                                    phi_993_ = _e189;
+                                    let _e191 = phi_1029_;
+                                    phi_1030_ = _e191;
                                 }
-                                let _e191 = phi_993_;
-                                local_8 = (_e171 + _e191);
+                                let _e193 = phi_1030_;
+                                local_8 = (_e173 + _e193);
                                 continue;
                             } else {
                                 break;
                             }
                             continuing {
-                                let _e248 = local_7;
-                                phi_977_ = _e248;
-                                let _e251 = local_8;
-                                phi_964_ = _e251;
-                                phi_961_ = (_e173 + bitcast<u32>(1i));
+                                let _e250 = local_7;
+                                phi_1014_ = _e250;
+                                let _e253 = local_8;
+                                phi_1001_ = _e253;
+                                phi_998_ = (_e175 + bitcast<u32>(1i));
                             }
                         }
-                        let _e196 = global_4[_e161];
-                        let _e198 = local_5;
-                        global_3.member[(_e196 + _e198)] = (_e159 & 16777215u);
-                        let _e258 = local_9;
-                        phi_974_ = _e258;
-                        let _e261 = local_10;
-                        phi_972_ = _e261;
+                        let _e198 = global_4[_e163];
+                        let _e200 = local_5;
+                        global_3.member[(_e198 + _e200)] = (_e161 & 16777215u);
+                        let _e260 = local_9;
+                        phi_1011_ = _e260;
+                        let _e263 = local_10;
+                        phi_1009_ = _e263;
                     }
-                    let _e204 = phi_974_;
-                    let _e206 = phi_972_;
+                    let _e206 = phi_1011_;
+                    let _e208 = phi_1009_;
                     workgroupBarrier();
-                    if (_e162 && (_e206 == 0u)) {
-                        let _e210 = global_4[_e161];
-                        global_4[_e161] = (_e210 + _e204);
-                        phi_978_ = 0u;
+                    if (_e164 && (_e208 == 0u)) {
+                        let _e212 = global_4[_e163];
+                        global_4[_e163] = (_e212 + _e206);
+                        phi_1015_ = 0u;
                         loop {
-                            let _e213 = phi_978_;
-                            if (_e213 < 4u) {
+                            let _e215 = phi_1015_;
+                            if (_e215 < 4u) {
                                 continue;
                             } else {
                                 break;
                             }
                             continuing {
-                                atomicStore((&global_7[((_e151 + (_e213 * 256u)) + _e161)]), 0u);
-                                phi_978_ = (_e213 + bitcast<u32>(1i));
+                                atomicStore((&global_7[((_e152 + (_e215 * 256u)) + _e163)]), 0u);
+                                phi_1015_ = (_e215 + bitcast<u32>(1i));
                             }
                         }
                     }
@@ -338,8 +338,8 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                     break;
                 }
                 continuing {
-                    phi_957_ = (_e145 + bitcast<u32>(1i));
-                    phi_956_ = (_e147 + 128u);
+                    phi_994_ = (_e146 + bitcast<u32>(1i));
+                    phi_993_ = (_e148 + 128u);
                 }
             }
             break;

@@ -7,21 +7,38 @@ use crate::layout::SORT_CULLED;
 pub enum KeyBits {
     /// Two passes; two keys a word.
     Sixteen,
-    /// Three passes.
+    /// Three passes. What is left of a key after the first shares a word with the index of one of
+    /// 2¹⁸ Gaussians.
     #[default]
-    TwentyFour,
+    TwentyTwo,
     /// Four passes.
     ThirtyTwo,
 }
 
 impl KeyBits {
+    /// Bits of a key.
+    pub fn bits(self) -> u32 {
+        match self {
+            Self::Sixteen => 16,
+            Self::TwentyTwo => 22,
+            Self::ThirtyTwo => 32,
+        }
+    }
+
     /// Passes of the sort.
     pub fn passes(self) -> u32 {
-        match self {
-            Self::Sixteen => 2,
-            Self::TwentyFour => 3,
-            Self::ThirtyTwo => 4,
-        }
+        self.bits().div_ceil(8)
+    }
+
+    /// Bits of a key that no pass before this one sorts by.
+    pub fn bits_left(self, pass: u32) -> u32 {
+        self.bits().saturating_sub(8 * pass)
+    }
+
+    /// Whether what is left of a key before a pass, which is not the first, shares a word with the
+    /// index of one of so many.
+    pub fn packs_before(self, pass: u32, count: u32) -> bool {
+        u64::from(count) <= 1 << (32 - self.bits_left(pass))
     }
 
     /// Whether two keys share a word, the first in its low half. The largest 16-bit key then means
@@ -63,7 +80,7 @@ impl KeyBits {
     pub fn largest(self) -> u32 {
         match self {
             Self::Sixteen => 0xfffe,
-            Self::TwentyFour => 0xff_ffff,
+            Self::TwentyTwo => 0x3f_ffff,
             Self::ThirtyTwo => 0xffff_ff00,
         }
     }

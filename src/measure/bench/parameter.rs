@@ -18,7 +18,7 @@ use std::{fmt, str::FromStr};
 pub const PRESET: &str = "preset";
 
 const COLORS: [ColorFormat; 2] = [ColorFormat::Rgba8, ColorFormat::Rgba16F];
-const KEYS: [KeyBits; 3] = [KeyBits::Sixteen, KeyBits::TwentyFour, KeyBits::ThirtyTwo];
+const KEYS: [KeyBits; 3] = [KeyBits::Sixteen, KeyBits::TwentyTwo, KeyBits::ThirtyTwo];
 /// Opacity cutoffs, of 255.
 const CUTOFFS: [f64; 4] = [1.0, 2.0, 4.0, 8.0];
 /// Shares of the basis rows.

@@ -128,8 +128,8 @@ fn options(random: &mut Random, size: [u32; 2]) -> RendererOptions {
         key_bits: Some(
             [
                 KeyBits::Sixteen,
-                KeyBits::TwentyFour,
-                KeyBits::TwentyFour,
+                KeyBits::TwentyTwo,
+                KeyBits::TwentyTwo,
                 KeyBits::ThirtyTwo,
             ][below(random, 4)],
         ),

@@ -139,7 +139,7 @@ fn drawings() -> Vec<Drawing> {
         .map(|rasterizer| Drawing {
             rasterizer,
             color: ColorFormat::Rgba16F,
-            keys: KeyBits::TwentyFour,
+            keys: KeyBits::TwentyTwo,
             skip: Skip::all(),
         })
         .collect();

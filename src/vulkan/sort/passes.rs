@@ -67,13 +67,21 @@ impl SortSize {
         if pass == passes {
             return Form::Values;
         }
-        // The last pass needs 8 bits of the key; the value, which is an index, has the other 24.
-        let values_fit = self.capacity <= 1 << 24;
-        if pass + 1 == passes && values_fit {
+        if self.options.bits.packs_before(pass, self.capacity) {
             Form::Packed
         } else {
             Form::Pairs
         }
+    }
+
+    /// Bits that the value, which is an index, has beside the bits left of the key in the packed
+    /// form: all that are left when it begins. 24 where it never does.
+    fn value_bits(&self) -> u32 {
+        let bits = self.options.bits;
+        let packed = |&pass: &u32| bits.packs_before(pass, self.capacity);
+        (1..bits.passes())
+            .find(packed)
+            .map_or(24, |pass| 32 - bits.bits_left(pass))
     }
 
     /// Bytes of the buffers between passes, which passes write and read in turn.
@@ -88,7 +96,7 @@ impl SortSize {
         };
         match self.options.bits {
             KeyBits::Sixteen => vec![bytes(0)],
-            KeyBits::TwentyFour | KeyBits::ThirtyTwo => vec![bytes(0), bytes(1)],
+            KeyBits::TwentyTwo | KeyBits::ThirtyTwo => vec![bytes(0), bytes(1)],
         }
     }
 
@@ -129,7 +137,12 @@ impl SortSize {
         let constants = [
             &entries[..],
             &sizes,
-            &[u32::from(scanned), self.options.stall, u32::from(unrolled)],
+            &[
+                u32::from(scanned),
+                self.options.stall,
+                u32::from(unrolled),
+                self.value_bits(),
+            ],
         ]
         .concat();
         let kernel = |module: &'static Module, storage: &[Slice], subgroup| {

@@ -132,7 +132,7 @@ impl StandaloneSort {
 
 /// The order that a sort of so many bits must give.
 pub fn expected(keys: &[u32], bits: KeyBits) -> Vec<u32> {
-    let mask = u32::MAX >> (32 - 8 * bits.passes());
+    let mask = u32::MAX >> (32 - bits.bits());
     let mut order: Vec<u32> = (0..keys.len() as u32)
         .filter(|&i| !bits.drops(keys[i as usize]))
         .collect();

@@ -290,7 +290,7 @@ impl Workload {
             gaussians: rounded((avatar.gaussians.len() * options.instances) as u64),
             pixels: rounded(pixels),
             skip: options.skip.to_string(),
-            key_bits: 8 * options.keys().passes(),
+            key_bits: options.keys().bits(),
             fixed: fixed.join(", "),
         }
     }

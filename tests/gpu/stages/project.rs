@@ -493,7 +493,7 @@ fn workgroups_of_every_size_give_the_same() {
         view: DAffine3::from_translation(DVec3::new(0.05, 0.0, 0.0)) * camera.view,
         ..camera
     };
-    for key_bits in [KeyBits::Sixteen, KeyBits::TwentyFour] {
+    for key_bits in [KeyBits::Sixteen, KeyBits::TwentyTwo] {
         let outputs = PROJECT_WORKGROUPS.map(|workgroup| {
             let options = RendererOptions {
                 workgroup: Some(workgroup),

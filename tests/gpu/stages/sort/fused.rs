@@ -16,7 +16,7 @@ fn counts_of_the_callers_give_the_same_order(variant: SortVariant) {
     keys.iter_mut()
         .step_by(7)
         .for_each(|key| *key = SORT_CULLED);
-    for bits in [KeyBits::Sixteen, KeyBits::TwentyFour] {
+    for bits in [KeyBits::Sixteen, KeyBits::TwentyTwo] {
         let usage = vk::BufferUsageFlags::STORAGE_BUFFER
             | vk::BufferUsageFlags::TRANSFER_SRC
             | vk::BufferUsageFlags::TRANSFER_DST;

@@ -19,7 +19,7 @@ use effigy::vulkan::{
 use effigy_core::layout::SORT_CULLED;
 use std::sync::Arc;
 
-const BITS: [KeyBits; 3] = [KeyBits::Sixteen, KeyBits::TwentyFour, KeyBits::ThirtyTwo];
+const BITS: [KeyBits; 3] = [KeyBits::Sixteen, KeyBits::TwentyTwo, KeyBits::ThirtyTwo];
 
 /// The device, for a variant that it can run. Ends the test on others.
 fn running(variant: SortVariant) -> Arc<Gpu> {
@@ -89,7 +89,7 @@ fn random_keys(seed: u64, count: usize) -> Vec<u32> {
 /// Key patterns that sorts have failed at.
 fn patterns(count: usize, bits: KeyBits) -> Vec<Vec<u32>> {
     let random = &mut Random(count as u64);
-    let top = (u32::MAX >> (32 - 8 * bits.passes())).min(SORT_CULLED - 1);
+    let top = (u32::MAX >> (32 - bits.bits())).min(SORT_CULLED - 1);
     let shift = 8 * bits.passes() - 8;
     vec![
         random_keys(count as u64 + 1, count),
