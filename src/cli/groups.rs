@@ -34,7 +34,7 @@ const GROUPS: [CommandGroup; 4] = [
     },
     CommandGroup {
         title: "Files",
-        commands: &["inspect", "pack", "export-ply"],
+        commands: &["inspect", "import", "export", "pack", "export-ply"],
     },
 ];
 

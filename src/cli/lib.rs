@@ -21,10 +21,12 @@ mod compare;
 mod dataset;
 mod devices;
 mod evaluate;
+mod export;
 mod export_ply;
 mod files;
 mod fit;
 mod groups;
+mod import;
 mod inspect;
 mod options;
 mod pack;
@@ -98,6 +100,10 @@ enum Command {
     Analyse(analyse::Args),
     /// Show what an avatar or motion file contains
     Inspect(inspect::Args),
+    /// Make an avatar file from the paper's model
+    Import(import::Args),
+    /// Write an avatar as the paper's model
+    Export(export::Args),
     /// Make an avatar's file smaller, and show what each step saves and costs
     Pack(pack::Args),
     /// Write an avatar in one pose as a 3DGS .ply, for other viewers
@@ -126,6 +132,8 @@ impl Command {
             Self::Evaluate(args) => evaluate::run(args),
             Self::Analyse(args) => analyse::run(args),
             Self::Inspect(args) => inspect::run(args),
+            Self::Import(args) => import::run(args),
+            Self::Export(args) => export::run(args),
             Self::Pack(args) => pack::run(args),
             Self::ExportPly(args) => export_ply::run(args),
         }

@@ -11,15 +11,20 @@ use effigy_core::{
     },
     scene::Camera,
 };
+use effigy_formats::{
+    assumption::Assumption,
+    open::{self, OpenOptions},
+};
 use std::path::{Path, PathBuf};
 
 /// The avatar and clips of every command that draws.
 #[derive(clap::Args, Clone, Debug)]
 pub struct Source {
-    /// Avatar to draw: an .avatar file, or a 3DGS .ply, which stands still [default: the built-in
-    /// demo]
+    /// Avatar to draw: an .avatar file, the paper's .npz, or a 3DGS .ply, which stands still
+    /// [default: the built-in demo]
     pub avatar: Option<PathBuf>,
-    /// Clip that moves the avatar; repeat for several [default: the built-in demo clip]
+    /// Clip that moves the avatar, a .motion file or the paper's _poses.json; repeat for several
+    /// [default: the poses beside an .npz, else the built-in demo clip]
     #[arg(long, value_name = "FILE")]
     pub motion: Vec<PathBuf>,
     /// Axis that points up in a .ply [default: the file's own, else -y, as 3DGS trains]
@@ -70,7 +75,15 @@ impl Source {
             "--up is for a .ply only: an avatar file says which axis points up"
         );
         let mut avatar = match &self.avatar {
-            Some(path) => ply::open(path, self.up)?,
+            Some(path) => {
+                let options = OpenOptions {
+                    up: self.up,
+                    ..OpenOptions::default()
+                };
+                let imported = open::avatar(path, &options)?;
+                print_assumptions(path, &imported.assumptions);
+                imported.avatar
+            }
             None => effigy_demo::avatar()?,
         };
         if self.project == PoseProjection::Off {
@@ -102,7 +115,8 @@ impl Source {
     }
 
     fn clips(&self, avatar: &Avatar) -> anyhow::Result<Vec<Clip>> {
-        if self.motion.is_empty() {
+        let beside = self.avatar.as_deref().and_then(poses_of);
+        if self.motion.is_empty() && beside.is_none() {
             let clip = if avatar.is_static() {
                 Clip::still(&avatar.skeleton)
             } else {
@@ -110,8 +124,36 @@ impl Source {
             };
             return Ok(vec![clip]);
         }
-        let read = self.motion.iter().map(|path| Clip::read(path));
+        let files: Vec<&PathBuf> = if self.motion.is_empty() {
+            beside.iter().collect()
+        } else {
+            self.motion.iter().collect()
+        };
+        let read = files
+            .iter()
+            .map(|path| open::clip(path, &avatar.skeleton, POSES_RATE));
         Ok(read.collect::<Result<_, _>>()?)
+    }
+}
+
+/// Frames a second of poses whose file does not say.
+pub const POSES_RATE: f64 = 30.0;
+
+/// The poses beside an avatar of another program.
+fn poses_of(avatar: &Path) -> Option<PathBuf> {
+    open::is_foreign(avatar)
+        .then(|| open::poses_beside(avatar))
+        .flatten()
+}
+
+/// Says what a file left open, and who can say otherwise.
+pub fn print_assumptions(file: &Path, assumptions: &[Assumption]) {
+    if assumptions.is_empty() {
+        return;
+    }
+    eprintln!("{} leaves some things open; taken:", file.display());
+    for assumption in assumptions {
+        eprintln!("  {assumption}");
     }
 }
 

@@ -84,6 +84,8 @@ const LAYERS: &[Layers] = &[
             "capture",
             "export_ply",
             "pack",
+            "export",
+            "import",
             "render",
             "soak",
             "stress",
@@ -108,6 +110,10 @@ const LAYERS: &[Layers] = &[
     Layers {
         package: "src/demo",
         modules: &[],
+    },
+    Layers {
+        package: "src/formats",
+        modules: &["assumption", "npz", "webavatar", "open"],
     },
     Layers {
         package: "src/learn",

@@ -24,6 +24,7 @@ mod sources;
 mod thermals;
 #[cfg(feature = "window")]
 mod viewer;
+mod webavatar;
 
 use crate::common::harness::{self, Group};
 use std::process::ExitCode;
@@ -60,6 +61,8 @@ fn main() -> ExitCode {
             thermals,
             #[cfg(feature = "window")]
             viewer,
+            webavatar,
+            webavatar::hostile,
         ],
     )
 }

@@ -4,12 +4,14 @@ mod avatar;
 mod motion;
 mod text;
 
+use crate::source::print_assumptions;
 use anyhow::Context;
 use avatar::AvatarSummary;
 use effigy_core::io::{
     file::{FileContent, tensors},
     ply,
 };
+use effigy_formats::open::{self, OpenOptions};
 use motion::MotionSummary;
 use serde::Serialize;
 use std::fmt;
@@ -18,7 +20,7 @@ use std::path::{Path, PathBuf};
 
 #[derive(clap::Args, Debug)]
 pub struct Args {
-    /// Avatar or motion file, or a 3DGS .ply [default: the built-in demo avatar]
+    /// Avatar or motion file, the paper's .npz, or a 3DGS .ply [default: the built-in demo avatar]
     file: Option<PathBuf>,
     /// Print JSON
     #[arg(long)]
@@ -30,8 +32,10 @@ pub fn run(args: Args) -> anyhow::Result<()> {
         let demo = effigy_demo::avatar()?;
         return print(&AvatarSummary::new(&demo, demo.tensors()), args.json);
     };
-    if ply::is_ply(file) {
-        let avatar = ply::open(file, None)?;
+    if ply::is_ply(file) || open::is_foreign(file) {
+        let imported = open::avatar(file, &OpenOptions::default())?;
+        print_assumptions(file, &imported.assumptions);
+        let avatar = imported.avatar;
         return print(&AvatarSummary::new(&avatar, avatar.tensors()), args.json);
     }
     inspect_file(file, args.json)

@@ -1,0 +1,50 @@
+//! `effigy export`: writes an avatar, and a clip that moves it, in the form of another program.
+
+use crate::{files, source::Source};
+use effigy_formats::webavatar::{self, Loss};
+use std::path::{Path, PathBuf};
+
+#[derive(clap::Args, Debug)]
+pub struct Args {
+    #[command(flatten)]
+    source: Source,
+    /// The paper's model to write, NAME.npz; the clip becomes NAME_poses.json beside it
+    #[arg(long, value_name = "FILE")]
+    npz: PathBuf,
+}
+
+pub fn run(args: Args) -> anyhow::Result<()> {
+    let (avatar, clips) = args.source.load()?;
+    let (bytes, losses) = webavatar::to_bytes(&avatar)?;
+    files::write(&args.npz, &bytes)?;
+    println!("{}: {:.1} MB", args.npz.display(), bytes.len() as f64 / 1e6);
+    for loss in losses {
+        println!("not in it: {}", in_words(loss));
+    }
+    let Some(clip) = clips.first() else {
+        return Ok(());
+    };
+    let poses = poses_path(&args.npz);
+    files::write(&poses, webavatar::write_poses(clip))?;
+    println!(
+        "{}: {} frames; at {} a second, which is not in it",
+        poses.display(),
+        clip.frames(),
+        clip.rate
+    );
+    Ok(())
+}
+
+fn in_words(loss: Loss) -> &'static str {
+    match loss {
+        Loss::PoseSpace => "the training poses, onto which poses are projected",
+        Loss::Credit => "the credit: who made it, and on what terms",
+    }
+}
+
+/// `NAME_poses.json` beside `NAME.npz`.
+fn poses_path(npz: &Path) -> PathBuf {
+    let mut name = npz.file_stem().unwrap_or_default().to_owned();
+    name.push("_poses.json");
+    npz.with_file_name(name)
+}

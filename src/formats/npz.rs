@@ -1,0 +1,124 @@
+//! NumPy's `.npz`: a zip of `.npy` arrays.
+//!
+//! The arrays are read here and not by the crate `npyz`, which multiplies the sizes of a shape
+//! without looking for overflow and believes a header about its own length.
+
+mod array;
+mod header;
+mod write;
+
+pub use array::Array;
+pub use write::{NpzWriter, Number};
+
+use effigy_core::io::file::FormatError;
+use std::{
+    collections::BTreeMap,
+    io::{Cursor, Read},
+};
+use zip::ZipArchive;
+
+/// How many times its own size an archive may unpack to, beside [`MAX_SMALL`]: real arrays of
+/// numbers deflate to half at best.
+pub const MAX_GROWTH: u64 = 3;
+/// Bytes that any archive may unpack to.
+pub const MAX_SMALL: u64 = 32 << 20;
+
+/// Whether bytes begin as a zip does.
+pub fn is_zip(bytes: &[u8]) -> bool {
+    bytes.starts_with(b"PK\x03\x04") || bytes.starts_with(b"PK\x05\x06")
+}
+
+/// The arrays of an archive, unpacked.
+#[derive(Clone, Debug, Default)]
+pub struct Npz {
+    arrays: BTreeMap<String, Array>,
+}
+
+impl Npz {
+    /// Reads every array of an archive.
+    ///
+    /// # Errors
+    /// When the bytes are no zip, hold something else than arrays of numbers, or unpack to more
+    /// than the limits.
+    pub fn from_bytes(bytes: &[u8]) -> Result<Self, FormatError> {
+        let unreadable = |error: zip::result::ZipError| {
+            FormatError::container(format!("a zip that can't be read: {error}"), "a NumPy .npz")
+        };
+        let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(unreadable)?;
+        let limit = (MAX_GROWTH * bytes.len() as u64).max(MAX_SMALL);
+        let mut left = limit;
+        let mut arrays = BTreeMap::new();
+        for index in 0..archive.len() {
+            let mut entry = archive.by_index(index).map_err(unreadable)?;
+            let full = entry.name().map_err(unreadable)?.into_owned();
+            let Some(name) = full.strip_suffix(".npy") else {
+                return Err(FormatError::container(
+                    format!("`{}` in the archive", excerpt(&full)),
+                    "names that end in .npy alone",
+                ));
+            };
+            let too_large = || {
+                FormatError::container(
+                    format!("an archive that unpacks to more than {limit} bytes"),
+                    format!("at most {MAX_GROWTH} times its size"),
+                )
+            };
+            // A zip may say less than an entry has, but not more than is read here.
+            let promised = entry.size();
+            if promised > left {
+                return Err(too_large());
+            }
+            let mut content = Vec::with_capacity(promised as usize);
+            (&mut entry)
+                .take(promised + 1)
+                .read_to_end(&mut content)
+                .map_err(|error| tensor(name, format!("no data: {error}"), "an array"))?;
+            if content.len() as u64 > promised {
+                return Err(too_large());
+            }
+            left -= promised;
+            let array = Array::from_npy(name, content)?;
+            arrays.insert(name.to_owned(), array);
+        }
+        Ok(Self { arrays })
+    }
+
+    /// The names of the arrays, in alphabetical order.
+    pub fn names(&self) -> impl Iterator<Item = &str> {
+        self.arrays.keys().map(String::as_str)
+    }
+
+    /// Whether there is an array of a name.
+    pub fn has(&self, name: &str) -> bool {
+        self.arrays.contains_key(name)
+    }
+
+    /// Takes an array out.
+    ///
+    /// # Errors
+    /// When there is none of that name. The error lists those that there are.
+    pub fn take(&mut self, name: &str) -> Result<Array, FormatError> {
+        self.arrays.remove(name).ok_or_else(|| {
+            let names: Vec<&str> = self.names().collect();
+            tensor(
+                name,
+                "nothing",
+                format!("the array; the file has also {}", names.join(", ")),
+            )
+        })
+    }
+}
+
+/// An array breaks a rule.
+pub(crate) fn tensor(name: &str, found: impl ToString, expected: impl ToString) -> FormatError {
+    FormatError::Tensor {
+        tensor: name.into(),
+        found: found.to_string(),
+        expected: expected.to_string(),
+    }
+}
+
+/// The beginning of a text from a file, for messages.
+pub(crate) fn excerpt(text: &str) -> String {
+    effigy_core::io::file::excerpt(text)
+}

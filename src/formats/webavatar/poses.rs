@@ -1,0 +1,215 @@
+//! `NAME_poses.json`: a list of frames, each with the axis-angle rotations of SMPL-X's joints and
+//! what moves the body after skinning, a rotation Rh and a translation Th.
+
+use super::skeleton::SMPL_X;
+use effigy_core::{
+    avatar::{Clip, Skeleton},
+    io::file::FormatError,
+};
+use glam::{DMat3, DQuat, DVec3};
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+
+#[derive(Serialize, Deserialize)]
+struct Frame {
+    frame_id: Value,
+    /// Axis-angle, radians; shape J, 3.
+    pose: Vec<f64>,
+    #[serde(rename = "Th")]
+    translation: [f64; 3],
+    #[serde(rename = "Rh")]
+    rotation: Turn,
+    #[serde(default)]
+    expression: Option<Vec<f32>>,
+}
+
+/// A rotation, as rows of a matrix or as an axis times an angle.
+#[derive(Serialize, Deserialize)]
+#[serde(untagged)]
+enum Turn {
+    Matrix([[f64; 3]; 3]),
+    Axis([f64; 3]),
+}
+
+impl Turn {
+    /// None: it is no rotation.
+    fn quaternion(&self) -> Option<DQuat> {
+        match self {
+            Self::Axis(axis) => Some(DQuat::from_scaled_axis(DVec3::from(*axis))),
+            Self::Matrix(rows) => {
+                let matrix = DMat3::from_cols_array_2d(rows).transpose();
+                let turns = (matrix * matrix.transpose()).abs_diff_eq(DMat3::IDENTITY, 1e-3)
+                    && matrix.determinant() > 0.0;
+                turns.then(|| DQuat::from_mat3(&matrix).normalize())
+            }
+        }
+    }
+}
+
+/// Reads a clip for an avatar of SMPL-X's skeleton. `rate`: frames a second, which the file does
+/// not say.
+///
+/// # Errors
+/// When it is not such a list, is empty, or a frame has other lengths than the rest.
+pub fn read_poses(
+    bytes: &[u8],
+    name: &str,
+    skeleton: &Skeleton,
+    rate: f64,
+) -> Result<Clip, FormatError> {
+    let frames: Vec<Frame> = serde_json::from_slice(bytes).map_err(|error| {
+        FormatError::container(error, "a list of poses: frame_id, pose, Th, Rh")
+    })?;
+    if frames.is_empty() {
+        return Err(FormatError::container("no pose", "at least one"));
+    }
+    // Frames without an expression have a neutral one.
+    let given = frames.iter().find_map(|frame| frame.expression.as_ref());
+    let expression_len = given.map_or(0, Vec::len);
+    let root = skeleton
+        .rest
+        .first()
+        .map_or(DVec3::ZERO, |rest| DVec3::from(rest.map(f64::from)));
+    let joints = SMPL_X.len();
+    let mut clip = Clip {
+        name: name.into(),
+        credit: String::new(),
+        rate,
+        joint: SMPL_X.iter().map(|joint| joint.name.into()).collect(),
+        rotation: Vec::with_capacity(frames.len() * joints),
+        translation: Vec::with_capacity(frames.len()),
+        expression: vec![],
+        expression_len,
+    };
+    for (at, frame) in frames.iter().enumerate() {
+        let field = |name: &str| format!("[{at}].{name}");
+        if frame.pose.len() != 3 * joints {
+            let found = format!("{} numbers", frame.pose.len());
+            return Err(FormatError::metadata(&field("pose"), found, 3 * joints));
+        }
+        let expression = frame.expression.as_deref().unwrap_or_default();
+        if !expression.is_empty() && expression.len() != expression_len {
+            let found = format!("{} numbers", expression.len());
+            return Err(FormatError::metadata(
+                &field("expression"),
+                found,
+                expression_len,
+            ));
+        }
+        let Some(turn) = frame.rotation.quaternion() else {
+            return Err(FormatError::metadata(
+                &field("Rh"),
+                "a matrix",
+                "a rotation",
+            ));
+        };
+        let rotations = frame.pose.chunks_exact(3);
+        let rotations = rotations.map(|r| DVec3::new(r[0], r[1], r[2]));
+        let mut rotations: Vec<DVec3> = rotations.collect();
+        let hips = turn * DQuat::from_scaled_axis(rotations[0]);
+        rotations[0] = hips.to_scaled_axis();
+        // Rh and Th act on the posed body: on the root joint, which is at rest where it is.
+        let translation = turn * root + DVec3::from(frame.translation) - root;
+        clip.rotation
+            .extend(rotations.iter().map(|r| r.as_vec3().to_array()));
+        clip.translation.push(translation.as_vec3().to_array());
+        let start = clip.expression.len();
+        clip.expression.extend(expression);
+        clip.expression.resize(start + expression_len, 0.0);
+    }
+    // The same rules as for a clip of Effigy's own.
+    clip.to_bytes()?;
+    Ok(clip)
+}
+
+/// Writes the frames of a clip that moves an avatar, as [`read_poses`] reads them. Joints that the
+/// clip lacks stay at rest.
+pub fn write_poses(clip: &Clip) -> String {
+    let place = |name: &str| clip.joint.iter().position(|joint| joint == name);
+    let places: Vec<Option<usize>> = SMPL_X.iter().map(|joint| place(joint.name)).collect();
+    let frame = |at: usize| {
+        let pose = clip.frame(at);
+        let rotation = |place: &Option<usize>| place.map_or(DVec3::ZERO, |k| pose.rotation[k]);
+        Frame {
+            frame_id: at.into(),
+            pose: places
+                .iter()
+                .flat_map(|place| rotation(place).to_array())
+                .collect(),
+            translation: pose.translation.to_array(),
+            rotation: Turn::Matrix(DMat3::IDENTITY.to_cols_array_2d()),
+            expression: (clip.expression_len > 0)
+                .then(|| pose.expression.iter().map(|&e| e as f32).collect()),
+        }
+    };
+    let frames: Vec<Frame> = (0..clip.frames()).map(frame).collect();
+    serde_json::to_string(&frames).unwrap_or_default()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::webavatar::skeleton::smpl_x;
+
+    fn skeleton() -> Skeleton {
+        smpl_x((0..55).map(|k| [0.1, 0.9 + 0.01 * k as f32, 0.0]).collect())
+    }
+
+    #[test]
+    fn the_global_turn_moves_every_joint_as_one() {
+        let mut pose = vec![0.0; 165];
+        pose[1] = 0.4;
+        pose[3 * 18] = 0.7;
+        let text = serde_json::json!([{
+            "frame_id": 3, "pose": pose, "Th": [0.5, -0.2, 3.0],
+            "Rh": [[0.0, 0.0, 1.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]], "expression": null,
+        }]);
+        let skeleton = skeleton();
+        let clip = read_poses(text.to_string().as_bytes(), "a", &skeleton, 30.0).expect("poses");
+        let turned = skeleton.joints(&clip.frame(0));
+        let mut still = clip.frame(0);
+        still.rotation[0] = DVec3::new(0.0, 0.4, 0.0);
+        still.translation = DVec3::ZERO;
+        for (turned, still) in turned.iter().zip(skeleton.joints(&still)) {
+            let x = still.translation;
+            let expected = DVec3::new(x.z, x.y, -x.x) + DVec3::new(0.5, -0.2, 3.0);
+            assert!(turned.translation.distance(expected) < 1e-6);
+        }
+    }
+
+    #[test]
+    fn a_clip_that_was_written_is_read_again() {
+        let clip = effigy_demo::clip().expect("the demo's clip");
+        let text = write_poses(&clip);
+        let read = read_poses(text.as_bytes(), "a", &skeleton(), clip.rate).expect("poses");
+        assert_eq!(read.frames(), clip.frames());
+        let map = clip.map_to(&skeleton());
+        let frame = clip.frames() / 2;
+        let [a, b] = [clip.frame(frame), read.frame(frame)];
+        assert!(a.translation.distance(b.translation) < 1e-6);
+        for (own, place) in b.rotation.iter().zip(map) {
+            let expected = place.map_or(DVec3::ZERO, |place| a.rotation[place]);
+            assert!(own.distance(expected) < 1e-6, "{own} {expected}");
+        }
+    }
+
+    #[test]
+    fn faults_name_the_frame_and_field() {
+        let fault = |text: &str| {
+            let error = read_poses(text.as_bytes(), "a", &skeleton(), 30.0);
+            error.map_or_else(|error| error.to_string(), |_| "none".into())
+        };
+        assert!(fault("[]").contains("no pose"));
+        let short = r#"[{"frame_id":0,"pose":[1.0],"Th":[0,0,0],"Rh":[0,0,0]}]"#;
+        assert!(
+            fault(short).contains("`[0].pose` found 1 numbers"),
+            "{}",
+            fault(short)
+        );
+        let zeros = vec!["0"; 165].join(",");
+        let flat = format!(
+            r#"[{{"frame_id":0,"pose":[{zeros}],"Th":[0,0,0],"Rh":[[0,0,0],[0,0,0],[0,0,0]]}}]"#
+        );
+        assert!(fault(&flat).contains("`[0].Rh`"), "{}", fault(&flat));
+    }
+}
