@@ -13,6 +13,7 @@ mod governor;
 mod layout;
 mod learned;
 mod memory;
+mod onesweep;
 mod phone_model;
 mod ply;
 mod projection;
@@ -47,6 +48,7 @@ fn main() -> ExitCode {
             governor,
             layout,
             learned,
+            onesweep,
             phone_model,
             ply,
             ply::cameras,
