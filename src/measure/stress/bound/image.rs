@@ -62,9 +62,9 @@ pub struct BoundUse {
     pub pixel: [u32; 2],
     /// Its channel, of red, green, blue and coverage.
     pub channel: usize,
-    /// That error, and its bound, 0 to 1.
+    /// The error of that channel there, 0 to 1.
     pub error: f64,
-    /// The bound of that error.
+    /// The bound of that error, 0 to 1.
     pub bound: f64,
     /// Lowest PSNR that the bound allows, dB, over covered pixels.
     pub allowed_db: f64,
