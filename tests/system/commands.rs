@@ -425,7 +425,7 @@ fn read_json(path: &Path) -> serde_json::Value {
     serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap()
 }
 
-/// The step of a bundle whose time is over is killed.
+/// The step of a bundle whose time is over is killed. Each command measures at least 8 things.
 fn what_is_killed_leaves_what_it_had_measured() {
     for (arguments, list) in [
         (
@@ -438,7 +438,8 @@ fn what_is_killed_leaves_what_it_had_measured() {
         ),
         (
             "bench --size 96x96 --frames 4 --check 1 --spread 0 --raster tiles --color rgba8 \
-             --sort per-thread --words --workgroup 64 --case full,camera,orbit,expression,static,close,far,four --json",
+             --sort per-thread --words --workgroup 64 \
+             --case full,camera,orbit,expression,static,close,far,four --json",
             "cases",
         ),
     ] {
@@ -452,12 +453,10 @@ fn what_is_killed_leaves_what_it_had_measured() {
         while !path.exists() && begun.elapsed() < Duration::from_secs(100) {
             std::thread::sleep(Duration::from_millis(1));
         }
-        let has_ended = child.try_wait().unwrap().is_some();
         child.kill().unwrap();
         child.wait().unwrap();
-        assert!(!has_ended, "{arguments}: it writes nothing before its end");
         let measured = read_json(&path)[list].as_array().unwrap().len();
-        assert!(measured > 0, "{arguments}");
+        assert!((1..8).contains(&measured), "{arguments}: {measured}");
     }
 }
 

@@ -209,9 +209,9 @@ impl Run<'_> {
         let from = tile * TILE + (seat >> 16) as usize * ROUNDS + lane;
         let mut key = [0; ROUNDS];
         let mut ranks = [None; ROUNDS];
-        for r in 0..ROUNDS {
+        for (r, key) in key.iter_mut().enumerate() {
             if from + r * width < end {
-                key[r] = own.load(&pass.entry, from + r * width).await;
+                *key = own.load(&pass.entry, from + r * width).await;
             }
         }
         for sharer in 0..sharers {
