@@ -15,7 +15,7 @@ use crate::{
     quality_control::QualityController,
     recovery::{REHEARSAL, Recovery},
     scene::{FrameContent, ViewerScene},
-    tuning,
+    tuning::BackgroundTrials,
     ui::{Overlay, OverlayFrame, panel::PanelFacts},
 };
 use anyhow::Context;
@@ -50,6 +50,8 @@ pub struct Viewer {
     /// Created with the first device, if a frame rate is to be held.
     quality: Option<QualityController>,
     recovery: Recovery,
+    /// Started with the first frame, if there is anything left to time.
+    trials: Option<BackgroundTrials>,
     /// From a device's opening to its first frame.
     slow_start: Option<SlowStart>,
     /// Shown before, until the first frame of the scene is drawn.
@@ -96,6 +98,7 @@ impl Viewer {
             clock: FrameClock::new(options.frames),
             quality: None,
             recovery: Recovery::new(std::mem::take(&mut options.rehearse)),
+            trials: None,
             slow_start: None,
             previous: None,
             captures: Captures::new(
@@ -192,6 +195,10 @@ impl Viewer {
         self.window.suspend();
         self.clock.rest();
         self.release_pointers();
+        // The system may end the program now, as it likes.
+        if let Some(trials) = &self.trials {
+            trials.withdraw();
+        }
         if let Some(painter) = &mut self.painter
             && let Err(error) = painter.suspend()
         {
@@ -592,7 +599,7 @@ impl Viewer {
                 .as_ref()
                 .is_some_and(QualityController::is_soaking);
             if self.options.frames.is_none() && !is_soaking {
-                tuning::start(&self.options.gpu, painter, &self.scene);
+                self.trials = BackgroundTrials::start(&self.options.gpu, painter, &self.scene);
             }
         }
         self.previous = None;
@@ -680,15 +687,17 @@ impl Viewer {
     /// before. Returns errors that none of this helps against.
     fn recover(&mut self, mut error: anyhow::Error) -> anyhow::Result<()> {
         loop {
-            // A device that hangs is opened again only to be drawn on in another way.
+            let excused = self.is_excused(&error);
+            // A device that hangs is opened again only to be drawn on in another way, or without
+            // trials.
             let may_reopen = match error.downcast_ref::<Error>() {
                 Some(failure @ Error::DeviceLost(call)) => {
-                    if *call != REHEARSAL {
+                    if *call != REHEARSAL && !excused {
                         self.strike_off(failure);
                     }
                     true
                 }
-                Some(failure @ Error::Timeout { .. }) => self.strike_off(failure),
+                Some(failure @ Error::Timeout { .. }) => excused || self.strike_off(failure),
                 _ => false,
             };
             let recovered = match error.downcast_ref::<Error>() {
@@ -701,7 +710,7 @@ impl Viewer {
                     }
                 }
                 Some(Error::DeviceLost(_) | Error::Timeout { .. }) if may_reopen => {
-                    if !self.recovery.device_lost() {
+                    if !excused && !self.recovery.device_lost() {
                         return Err(error.context(
                             "the device was lost for the second time in a row; is its driver up to date?",
                         ));
@@ -724,6 +733,22 @@ impl Viewer {
                 Err(next) => error = next,
             }
         }
+    }
+
+    /// Whether the device was lost or hangs, and trials behind the window may be to blame. Then the
+    /// way to draw is not, before it loses the device again.
+    fn is_excused(&self, error: &anyhow::Error) -> bool {
+        let is_lost = match error.downcast_ref::<Error>() {
+            Some(Error::DeviceLost(call)) => *call != REHEARSAL,
+            Some(Error::Timeout { .. }) => true,
+            _ => false,
+        };
+        let trials = self.trials.as_ref().filter(|_| is_lost);
+        let is_excused = trials.is_some_and(BackgroundTrials::may_have_lost_the_device);
+        if is_excused {
+            tracing::warn!("the device was lost while ways to draw were timed on another");
+        }
+        is_excused
     }
 
     /// The device was lost or hangs. Returns whether the next one draws in another way: the way that
@@ -763,6 +788,9 @@ impl Viewer {
             Some(quality) => quality.conclude(&self.scene, None),
             None => Ok(()),
         };
+        if let Some(trials) = &self.trials {
+            trials.withdraw();
+        }
         if let Some(painter) = &self.painter {
             self.captures.write_trace(painter.gpu());
         }

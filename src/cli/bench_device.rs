@@ -7,7 +7,7 @@ use crate::{
 };
 use anyhow::ensure;
 use effigy::vulkan::Gpu;
-use effigy_measure::rates::{CopyReport, FillReport, RatesSettings, measure_rates};
+use effigy_measure::rates::{CopyReport, FillReport, RatesReport, RatesSettings, measure_rates};
 use std::{path::PathBuf, time::Duration};
 
 #[derive(clap::Args, Debug)]
@@ -37,13 +37,19 @@ pub fn run(args: Args) -> anyhow::Result<()> {
         largest: (args.max_copy as u64) << 20,
     };
     let command = std::env::args().collect();
-    let report = measure_rates(&gpu, &settings, command, &mut |what| {
-        tracing::info!("measuring {what}");
-    })?;
+    let mut show = |what: &str| tracing::info!("measuring {what}");
+    let mut kept = Ok(());
+    // What is measured by then is not lost if the program is stopped.
+    let mut keep = |report: &RatesReport| {
+        if let (Some(path), Ok(())) = (&args.json, &kept) {
+            kept = files::write_json(path, report);
+        }
+    };
+    let report = measure_rates(&gpu, &settings, command, &mut show, &mut keep)?;
+    kept?;
     print_copies(&report.copies);
     print_fills(&report.fills, report.fill_size);
     if let Some(path) = &args.json {
-        files::write_json(path, &report)?;
         println!("wrote {}", path.display());
     }
     let wrong = report.copies.iter().filter(|copy| !copy.right).count();

@@ -82,22 +82,21 @@ pub fn run(args: Args) -> anyhow::Result<()> {
         .filter(is_measured)
         .flat_map(|variant| contenders(variant, &gpu, args.subgroups))
         .collect();
-    let rows = measure_all(&gpu, &args, &contenders);
-    for row in &rows {
+    let mut report = SortsReport {
+        schema: SCHEMA.to_owned(),
+        program: Program::current(std::env::args().collect()),
+        device: DeviceReport::from_vulkan(&gpu),
+        runs: args.runs,
+        auto: auto.name().to_owned(),
+        rows: Vec::new(),
+    };
+    measure_all(&gpu, &args, &contenders, &mut report)?;
+    for row in &report.rows {
         if let Some(failure) = &row.failed {
             println!("{failure}");
         }
     }
     if let Some(path) = &args.json {
-        let result = SortsReport {
-            schema: SCHEMA.to_owned(),
-            program: Program::current(std::env::args().collect()),
-            device: DeviceReport::from_vulkan(&gpu),
-            runs: args.runs,
-            auto: auto.name().to_owned(),
-            rows: rows.clone(),
-        };
-        files::write_json(path, &result)?;
         println!("wrote {}", path.display());
     }
     // A variant that was not asked for and that the self-test does not choose, or that it chooses at
@@ -110,7 +109,8 @@ pub fn run(args: Args) -> anyhow::Result<()> {
             wanted.iter().any(|variant| row.variant == variant.name())
         }
     };
-    let wrong = rows
+    let wrong = report
+        .rows
         .iter()
         .any(|row| row.failed.is_some() && is_required(row));
     ensure!(!wrong, "not every sort was right, see above");
@@ -145,14 +145,19 @@ fn contenders(variant: SortVariant, gpu: &Gpu, every_size: bool) -> Vec<Contende
         .collect()
 }
 
-/// Measures every count, key size and contender, printing a line per count and key size.
-fn measure_all(gpu: &Arc<Gpu>, args: &Args, contenders: &[Contender]) -> Vec<SortRow> {
+/// Measures every count, key size and contender, printing a line per count and key size. With each
+/// line the report is written: it is not lost if the program is stopped.
+fn measure_all(
+    gpu: &Arc<Gpu>,
+    args: &Args,
+    contenders: &[Contender],
+    report: &mut SortsReport,
+) -> anyhow::Result<()> {
     print!("{:>9} {:>4}", "keys", "bits");
     for contender in contenders {
         print!(" {:>10}", contender.name());
     }
     println!();
-    let mut rows = Vec::new();
     for &bits in &args.keys {
         let bits = KeyBits::from(bits);
         let counts = iter::successors(Some(args.min_keys), |count| count.checked_mul(4));
@@ -165,12 +170,15 @@ fn measure_all(gpu: &Arc<Gpu>, args: &Args, contenders: &[Contender]) -> Vec<Sor
                     Some(speed) => print!(" {:>10.2}", speed.mkeys_per_s),
                     None => print!(" {:>10}", "–"),
                 }
-                rows.push(row);
+                report.rows.push(row);
             }
             println!();
+            if let Some(path) = &args.json {
+                files::write_json(path, report)?;
+            }
         }
     }
-    rows
+    Ok(())
 }
 
 /// Checks and measures one sort; the row holds its times, or how it failed.

@@ -146,8 +146,8 @@ const FILLINGS: [Filling; 6] = {
     ]
 };
 
-/// Measures all rates of a device; `show` hears of each when it begins. No image is filled where
-/// the driver can't draw triangles.
+/// Measures all rates of a device. `show` hears of each when it begins; `keep` gets what is measured
+/// so far after each. No image is filled where the driver can't draw triangles.
 ///
 /// # Errors
 /// When the device fails.
@@ -156,33 +156,36 @@ pub fn measure_rates(
     settings: &RatesSettings,
     command: Vec<String>,
     show: &mut dyn FnMut(&str),
+    keep: &mut dyn FnMut(&RatesReport),
 ) -> Result<RatesReport> {
     let limit = u64::from(gpu.probe.limits.max_storage_buffer_range);
-    let mut copies: Vec<CopyReport> = Vec::new();
-    for bytes in COPIES.map(|bytes| bytes.min(settings.largest).min(limit)) {
-        if copies.iter().any(|copy| copy.bytes == bytes) {
-            continue;
-        }
-        show(&format!("copies of {bytes} bytes"));
-        copies.extend(measure_copies(gpu, bytes, settings.least)?);
-    }
-    let mut fills = Vec::new();
-    if gpu.probe.draws_triangles() {
-        for format in [ColorFormat::Rgba8, ColorFormat::Rgba16F] {
-            for filling in FILLINGS.map(|filling| Filling { format, ..filling }) {
-                let report = measure_fill(gpu, filling, settings, show)?;
-                fills.push(report);
-            }
-        }
-    }
-    Ok(RatesReport {
+    let mut report = RatesReport {
         schema: SCHEMA.to_owned(),
         program: Program::current(command),
         device: DeviceReport::from_vulkan(gpu),
-        copies,
+        copies: Vec::new(),
         fill_size: settings.size,
-        fills,
-    })
+        fills: Vec::new(),
+    };
+    for bytes in COPIES.map(|bytes| bytes.min(settings.largest).min(limit)) {
+        if report.copies.iter().any(|copy| copy.bytes == bytes) {
+            continue;
+        }
+        show(&format!("copies of {bytes} bytes"));
+        let measured = measure_copies(gpu, bytes, settings.least)?;
+        report.copies.extend(measured);
+        keep(&report);
+    }
+    if gpu.probe.draws_triangles() {
+        for format in [ColorFormat::Rgba8, ColorFormat::Rgba16F] {
+            for filling in FILLINGS.map(|filling| Filling { format, ..filling }) {
+                let measured = measure_fill(gpu, filling, settings, show)?;
+                report.fills.push(measured);
+                keep(&report);
+            }
+        }
+    }
+    Ok(report)
 }
 
 fn measure_copies(gpu: &Arc<Gpu>, bytes: u64, least: Duration) -> Result<Vec<CopyReport>> {

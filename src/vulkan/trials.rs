@@ -251,16 +251,16 @@ pub fn tune(
 
 /// Times candidates for the next start while a window is drawn to: on a device of its own, so that
 /// a driver that hangs or is lost in a trial takes nothing from the window. `device`: how the
-/// window's was opened. Meant for a thread of its own.
+/// window's was opened; `record`: of that device. Meant for a thread of its own.
 ///
 /// # Errors
 /// Those of [`TuningTask::run`], and when the device can't be opened.
-pub fn tune_aside(device: &GpuOptions, task: &TuningTask) -> Result<Tuning> {
+pub fn tune_aside(device: &GpuOptions, record: &Record, task: &TuningTask) -> Result<Tuning> {
     let gpu = Gpu::new(&GpuOptions {
         surface_extensions: Vec::new(),
         ..device.clone()
     })?;
-    task.run(&gpu, &Record::of_device(&gpu), &mut |candidate| {
+    task.run(&gpu, record, &mut |candidate| {
         tracing::debug!("trying {candidate}");
     })
 }

@@ -60,6 +60,9 @@ pub enum Error {
     /// The options ask for workgroups of another size than the shaders have.
     #[error("the WebGPU backend has workgroups of 64 in the project stage, not of {0}")]
     Workgroup(u32),
+    /// The options ask for f16 that is not read as words.
+    #[error("the WebGPU backend reads f16 as words: it has no 16-bit storage")]
+    PackedWords,
     /// The device was lost or closed, for the reason given.
     #[error("the device was lost: {0}")]
     DeviceLost(String),

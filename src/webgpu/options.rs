@@ -70,6 +70,9 @@ pub fn accepted(gpu: &Gpu, avatar: &Avatar, options: RendererOptions) -> Result<
     if let Some(size) = options.workgroup.filter(|size| *size != PROJECT_WORKGROUP) {
         return Err(Error::Workgroup(size));
     }
+    if options.packed_words == Some(false) {
+        return Err(Error::PackedWords);
+    }
     let keys =
         options.instances as u64 * u64::from(state::padded_count(avatar.gaussians.len() as u32));
     if keys > u64::from(sort::MAX_KEYS) {

@@ -4,6 +4,7 @@
 use crate::common::{self, Sizes, gpu};
 use effigy::vulkan::{
     Error, Gpu, GpuOptions, Renderer, RendererOptions, Result, cache,
+    sort::choice::choose_in,
     trials::{RendererTrials, TrialScene, TuningTask},
     tuning::{
         Axis, Candidate, Choices, FramePair, Outcome, Record, Tournament, TrialImage, Trials,
@@ -56,6 +57,8 @@ enum Fault {
     Refuses,
     /// Its images are 54 dB from others: right for a way to rasterize.
     Rounds,
+    /// The user closes the window while it compiles, and the program ends before it has.
+    Closes,
 }
 
 /// Says of some candidates that they are meant.
@@ -81,6 +84,8 @@ struct Driver {
     fault: Option<(Holds, Fault)>,
     /// Where the record is, to be looked at while kernels are compiled.
     folder: PathBuf,
+    /// The record of the tournament under way.
+    record: Option<Arc<Record>>,
     is_cpu: bool,
     opened: usize,
     ms: f64,
@@ -111,6 +116,10 @@ impl Trials for Driver {
                     serde_json::from_value(record["trying"]["candidate"].clone()).unwrap();
                 assert_eq!(trying, *candidate, "on disk before it is compiled");
                 panic!("the driver ends the program");
+            }
+            Some(Fault::Closes) => {
+                self.record.as_ref().unwrap().withdraw();
+                panic!("the program ends");
             }
             Some(Fault::Refuses) => Err(Error::Overlay("the kernel is not compiled".into())),
             _ => Ok(*candidate),
@@ -176,6 +185,7 @@ impl Bench {
             speeds: speeds.to_vec(),
             fault: None,
             folder: folder.path().to_owned(),
+            record: None,
             is_cpu: false,
             opened: 0,
             ms: 0.0,
@@ -197,7 +207,8 @@ impl Bench {
     }
 
     fn run_with(&mut self, gaussians: usize, budget_ms: f64) -> Result<Tuning> {
-        let record = Record::new(&self.gpu, Some(self.folder.path()));
+        let record = Arc::new(self.record());
+        self.driver.record = Some(record.clone());
         let tournament = Tournament {
             workload: workload(gaussians),
             safest: SAFEST,
@@ -409,6 +420,68 @@ fn a_driver_that_ends_the_program_strikes_the_candidate_off() {
     assert!(is_tiles(&tuning.best));
     let other = bench.run_with(100_000, f64::INFINITY).unwrap();
     assert!(matches!(outcome(&other, is_tested), Outcome::Refused(_)));
+}
+
+fn a_window_closed_while_a_candidate_compiles_strikes_nothing_off() {
+    let mut bench = Bench::new(&[speed(is_tested, 0.5), speed(is_tiles, 0.6)])
+        .failing(Fault::Closes, is_tested);
+    for start in 0..5 {
+        let ended = catch_unwind(AssertUnwindSafe(|| bench.run()));
+        assert!(ended.is_err(), "start {start}");
+        assert_eq!(bench.record().refusal(Axis::Raster, &TESTED), None);
+    }
+    // A crash still counts, and closing the window takes none back.
+    bench = bench.failing(Fault::Dies, is_tested);
+    assert!(catch_unwind(AssertUnwindSafe(|| bench.run())).is_err());
+    bench = bench.failing(Fault::Closes, is_tested);
+    assert!(catch_unwind(AssertUnwindSafe(|| bench.run())).is_err());
+    bench = bench.failing(Fault::Dies, is_tested);
+    assert!(catch_unwind(AssertUnwindSafe(|| bench.run())).is_err());
+    let tuning = bench.run().unwrap();
+    assert!(matches!(outcome(&tuning, is_tested), Outcome::Refused(_)));
+    assert!(is_tiles(&tuning.best), "{tuning:#?}");
+}
+
+fn nothing_is_begun_once_the_program_ends() {
+    let mut bench = Bench::new(&[speed(is_tested, 0.5)]);
+    let record = bench.record();
+    record.withdraw();
+    let tournament = Tournament {
+        workload: workload(1000),
+        safest: SAFEST,
+        choices: choices(),
+        budget_ms: f64::INFINITY,
+        record: &record,
+    };
+    let tuning = tournament.run(&mut bench.driver, &mut |_| {}).unwrap();
+    assert!(tuning.tried.is_empty(), "{tuning:#?}");
+    assert!(
+        is_tested(&bench.run().unwrap().best),
+        "the next start tries it"
+    );
+}
+
+fn a_window_closed_during_the_sorts_test_strikes_nothing_off() {
+    let folder = tempfile::tempdir().unwrap();
+    let device = gpu::gpu();
+    let record = Record::new(&device, Some(folder.path()));
+    let trying = || {
+        let file = fs::read_dir(folder.path()).unwrap().next()?.unwrap().path();
+        let text = fs::read_to_string(file).unwrap();
+        let content: serde_json::Value = serde_json::from_str(&text).ok()?;
+        content["trying"].is_array().then_some(content)
+    };
+    std::thread::scope(|scope| {
+        let test = scope.spawn(|| choose_in(&device, Some(folder.path())));
+        while trying().is_none() {
+            assert!(!test.is_finished(), "no test was seen");
+            std::thread::yield_now();
+        }
+        record.withdraw();
+        while !test.is_finished() {
+            assert_eq!(trying(), None);
+        }
+    });
 }
 
 fn a_best_that_fails_gives_way_to_the_safest() {
@@ -683,6 +756,9 @@ tests! {
     what_is_refused_is_no_workloads_best,
     a_busy_cpu_refuses_nothing_for_good,
     a_driver_that_ends_the_program_strikes_the_candidate_off,
+    a_window_closed_while_a_candidate_compiles_strikes_nothing_off: own_process,
+    a_window_closed_during_the_sorts_test_strikes_nothing_off: own_process,
+    nothing_is_begun_once_the_program_ends: own_process,
     a_best_that_fails_gives_way_to_the_safest,
     a_start_takes_no_longer_than_its_budget,
     a_damaged_or_old_record_is_measured_again,

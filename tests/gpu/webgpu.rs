@@ -581,6 +581,13 @@ fn options_of_the_vulkan_backend_are_refused() {
             },
             "128",
         ),
+        (
+            RendererOptions {
+                packed_words: Some(false),
+                ..options
+            },
+            "words",
+        ),
     ] {
         let error = Renderer::new(&device, &avatar, options).err().unwrap();
         assert!(error.to_string().contains(named), "{error}");

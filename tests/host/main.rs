@@ -13,6 +13,7 @@ mod governor;
 mod layout;
 mod learned;
 mod memory;
+mod onesweep;
 mod phone_model;
 mod ply;
 mod projection;
@@ -48,6 +49,7 @@ fn main() -> ExitCode {
             governor,
             layout,
             learned,
+            onesweep,
             phone_model,
             ply,
             ply::cameras,

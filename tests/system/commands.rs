@@ -4,18 +4,23 @@ use crate::common::{self, gpu};
 use effigy_measure::error;
 use std::{
     path::Path,
-    process::{Command, Output},
+    process::{Command, Output, Stdio},
+    time::{Duration, Instant},
 };
 
-fn effigy(folder: &Path, arguments: &str) -> Output {
-    // Without a display, whatever the machine has.
-    Command::new(common::program())
+fn command(folder: &Path, arguments: &str) -> Command {
+    let mut command = Command::new(common::program());
+    command
         .args(arguments.split_whitespace())
         .current_dir(folder)
+        // Without a display, whatever the machine has.
         .env_remove("DISPLAY")
-        .env_remove("WAYLAND_DISPLAY")
-        .output()
-        .unwrap()
+        .env_remove("WAYLAND_DISPLAY");
+    command
+}
+
+fn effigy(folder: &Path, arguments: &str) -> Output {
+    command(folder, arguments).output().unwrap()
 }
 
 /// Runs a command that must work and must not upset the validation layer.
@@ -412,6 +417,47 @@ fn devices_lists_every_device_and_its_use() {
     let json: serde_json::Value =
         serde_json::from_str(&works(folder.path(), "devices --json")).unwrap();
     assert!(json[0]["name"].is_string() && json[0]["optional"]["timestamps"]["has"].is_boolean());
+    works(folder.path(), "devices --json devices.json");
+    assert_eq!(read_json(&folder.path().join("devices.json")), json);
+}
+
+fn read_json(path: &Path) -> serde_json::Value {
+    serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap()
+}
+
+/// The step of a bundle whose time is over is killed. Each command measures at least 8 things.
+fn what_is_killed_leaves_what_it_had_measured() {
+    for (arguments, list) in [
+        (
+            "bench-sort --sort per-thread --keys 16 --runs 9 --json",
+            "rows",
+        ),
+        (
+            "bench-device --size 512x512 --max-copy 64 --min-ms 400 --json",
+            "copies",
+        ),
+        (
+            "bench --size 96x96 --frames 4 --check 1 --spread 0 --raster tiles --color rgba8 \
+             --sort per-thread --words --workgroup 64 \
+             --case full,camera,orbit,expression,static,close,far,four --json",
+            "cases",
+        ),
+    ] {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("part.json");
+        let mut child = command(folder.path(), &format!("{arguments} part.json"))
+            .stdout(Stdio::null())
+            .spawn()
+            .unwrap();
+        let begun = Instant::now();
+        while !path.exists() && begun.elapsed() < Duration::from_secs(100) {
+            std::thread::sleep(Duration::from_millis(1));
+        }
+        child.kill().unwrap();
+        child.wait().unwrap();
+        let measured = read_json(&path)[list].as_array().unwrap().len();
+        assert!((1..8).contains(&measured), "{arguments}: {measured}");
+    }
 }
 
 fn shader_statistics_are_a_table_or_a_sentence() {
@@ -470,6 +516,7 @@ tests! {
     bad_input_is_answered_with_one_sentence: no_device,
     image_sizes_that_no_device_draws_are_refused,
     devices_lists_every_device_and_its_use,
+    what_is_killed_leaves_what_it_had_measured,
     shader_statistics_are_a_table_or_a_sentence,
     a_capture_without_renderdoc_says_how_to_attach_it,
 }

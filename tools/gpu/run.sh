@@ -88,7 +88,7 @@ bench() { # NAME ARGS...
 }
 do_step() { # NAME SECONDS
   case $1 in
-    devices) "$effigy" devices --json > "$work/devices.json" && "$effigy" devices ;;
+    devices) "$effigy" devices --json "$work/devices.json" && "$effigy" devices ;;
     rates) "$effigy" bench-device "${rates[@]}" --json "$work/rates.json" ;;
     sorts) "$effigy" bench-sort --subgroups "${sorts[@]}" --json "$work/sorts.json" ;;
     tests)

@@ -53,6 +53,14 @@ pub fn chart(text: &str) -> Result<ChartFile, String> {
     }
 }
 
+/// Writes what is measured so far, if JSON goes to a file: it is not lost if the program is stopped.
+pub fn keep(report: &BenchReport, json: Option<&JsonOutput>) -> anyhow::Result<()> {
+    match json {
+        Some(JsonOutput::File(path)) => files::write_json(path, report),
+        _ => Ok(()),
+    }
+}
+
 /// Writes the files that were asked for, and prints their names unless the JSON goes to the
 /// standard output.
 pub fn write(

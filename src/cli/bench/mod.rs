@@ -14,6 +14,7 @@ use anyhow::{Context, ensure};
 use effigy_core::{frame::RendererOptions, io::cameras, scene::Camera};
 use effigy_measure::bench::{
     BenchCase, BenchTask, Parameter, RenderSetting, measured, open,
+    report::SweepReport,
     scene::RATE,
     spread::{self, SpreadInputs},
     sweep::{Sweep, run_sweep},
@@ -276,6 +277,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
             bar.suspend(|| report::print_case(case, &measured));
         }
         report.cases.push(measured);
+        files::keep(&report, args.json.as_ref())?;
     }
     if args.spread > 0 && !job.cases.is_empty() {
         let inputs = SpreadInputs {
@@ -289,6 +291,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
         if let (Some(spread), false) = (&report.spread, quiet) {
             bar.suspend(|| report::print_spread(spread));
         }
+        files::keep(&report, args.json.as_ref())?;
     }
     if !job.parameters.is_empty() {
         let task = BenchTask {
@@ -301,7 +304,15 @@ pub fn run(args: Args) -> anyhow::Result<()> {
             rounds: args.rounds,
             base: job.setting,
         };
-        report.sweep = Some(run_sweep(&gpu, &task, &plan, &mut show)?);
+        let mut kept = Ok(());
+        let mut keep = |sweep: SweepReport| {
+            report.sweep = Some(sweep);
+            if kept.is_ok() {
+                kept = files::keep(&report, args.json.as_ref());
+            }
+        };
+        run_sweep(&gpu, &task, &plan, &mut show, &mut keep)?;
+        kept?;
     }
     bar.finish_and_clear();
     if let (Some((path, gpu)), Some(trace)) = (traced, &trace) {

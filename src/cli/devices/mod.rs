@@ -1,30 +1,23 @@
 //! `effigy devices`: the features of each GPU, what is missing, and what Effigy would use.
 
+mod facts;
+mod json;
 mod shaders;
 
-use crate::{advice::NO_TRIANGLES, options::DeviceArgs, progress};
+use crate::options::DeviceArgs;
 use anyhow::ensure;
-use ash::{ext, khr};
-use effigy::vulkan::{
-    Error, Gpu, GpuOptions, Probe, RendererOptions, Result,
-    instance::Instance,
-    probe::version,
-    sort::{choice::choose, sort_choice::SortChoice},
-    trials,
-    tuning::{Record, Tuning},
-};
-use effigy_core::avatar::motion::Player;
-use serde_json::json;
+use effigy::vulkan::{Error, Probe, instance::Instance, probe::version, tuning::Tuning};
+use facts::{optional, sort, tunings};
 use std::path::PathBuf;
-
-/// Size of the images of the demo that are drawn to measure a device, px.
-const DEMO_SIZE: [u32; 2] = [512, 512];
 
 #[derive(clap::Args, Debug)]
 pub struct Args {
-    /// Print JSON
+    /// Print JSON, or write it to a file with what is known so far as it is found
+    #[arg(long, value_name = "FILE", num_args = 0..=1, value_parser = crate::files::json_path)]
+    json: Option<Option<PathBuf>>,
+    /// Also time ways to draw on CPU drivers beside a GPU, which takes them half a minute and more
     #[arg(long)]
-    json: bool,
+    cpu: bool,
     /// Print what the driver's compiler makes of every shader, in place of the list: instructions,
     /// registers and spills, as the driver counts them
     #[arg(long)]
@@ -38,7 +31,11 @@ pub struct Args {
 
 pub fn run(args: Args) -> anyhow::Result<()> {
     if args.shader_stats {
-        return shaders::run(&args.device, args.json, args.csv.as_deref());
+        ensure!(
+            !matches!(args.json, Some(Some(_))),
+            "--shader-stats prints JSON; --csv writes a file"
+        );
+        return shaders::run(&args.device, args.json.is_some(), args.csv.as_deref());
     }
     ensure!(
         args.device.name.is_none(),
@@ -46,25 +43,29 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     );
     let instance = Instance::new(false, &[])?;
     let probes = Probe::all(&instance)?;
-    if args.json {
-        let devices: Vec<_> = probes
-            .iter()
-            .enumerate()
-            .map(|(number, probe)| describe(number, probe))
-            .collect();
-        println!("{}", serde_json::to_string_pretty(&devices)?);
-        return Ok(());
+    let has_gpu = probes
+        .iter()
+        .any(|probe| !probe.is_cpu() && probe.missing_requirements().is_empty());
+    let measures = |probe: &Probe| measures(probe.is_cpu(), has_gpu, args.cpu);
+    if let Some(file) = &args.json {
+        return json::write(&probes, file.as_deref(), measures);
     }
     if probes.is_empty() {
         return Err(Error::NoDevice.into());
     }
     for (number, probe) in probes.iter().enumerate() {
-        print(number, probe);
+        print(number, probe, measures(probe));
     }
     Ok(())
 }
 
-fn print(number: usize, probe: &Probe) {
+/// Whether ways to draw on a device are timed. `asked`: for those on CPU drivers.
+fn measures(is_cpu: bool, has_gpu: bool, asked: bool) -> bool {
+    !is_cpu || !has_gpu || asked
+}
+
+/// `measures`: whether ways to draw are timed that nobody timed yet.
+fn print(number: usize, probe: &Probe, measures: bool) {
     let limits = &probe.limits;
     let image_side = limits
         .max_framebuffer_width
@@ -100,10 +101,13 @@ fn print(number: usize, probe: &Probe) {
         Some(Err(error)) => println!("   sort             {error}"),
         None => {}
     }
-    match tunings(number, probe) {
+    match tunings(number, probe, measures, &mut |_| Ok(())) {
         Some(Ok(tunings)) => {
             for tuning in &tunings {
                 print_tuning(tuning);
+            }
+            if tunings.is_empty() && !measures {
+                println!("   drawing          not timed beside a GPU; --cpu times it");
             }
         }
         Some(Err(error)) => println!("   drawing          {error}"),
@@ -117,133 +121,6 @@ fn print(number: usize, probe: &Probe) {
     }
 }
 
-/// Something that a device may have.
-struct Optional {
-    name: &'static str,
-    has: bool,
-    /// Effect of having or lacking it.
-    means: String,
-}
-
-/// The optional features, and what Effigy does with or without each.
-fn optional(probe: &Probe) -> Vec<Optional> {
-    let part = |name, has, yes: &str, no: &str| Optional {
-        name,
-        has,
-        means: if has { yes } else { no }.to_string(),
-    };
-    vec![
-        part(
-            "16-bit storage",
-            probe.half_storage,
-            "f16 storage buffers",
-            "f16 unpacked from words, same bytes",
-        ),
-        part(
-            "timestamps",
-            probe.timestamp_bits > 0,
-            "times of each stage",
-            "times of whole frames only",
-        ),
-        Optional {
-            name: "subgroup ballots",
-            has: probe.subgroup_ballot,
-            means: subgroups(probe),
-        },
-        part(
-            "triangles",
-            probe.draws_triangles(),
-            "quads, windows, occluders",
-            &format!(
-                "its driver crashes when it draws them with vectors of 512 bits: {NO_TRIANGLES}"
-            ),
-        ),
-        part(
-            "swapchain",
-            probe.has(khr::swapchain::NAME),
-            "windows",
-            "images only",
-        ),
-        part(
-            "shader statistics",
-            probe.shader_statistics,
-            "`effigy devices --shader-stats` prints them",
-            "no way to see what became of shaders",
-        ),
-        part(
-            "calibrated clock",
-            probe.clock_extension().is_some(),
-            "`--trace` aligns both clocks by it",
-            "`--trace` aligns both clocks by timestamps that it waits for",
-        ),
-        part(
-            "performance query",
-            probe.has(khr::performance_query::NAME),
-            "profilers may read its counters; nothing here does",
-            "profilers have counters of their own or none",
-        ),
-        part(
-            "memory budget",
-            probe.has(ext::memory_budget::NAME),
-            "reported by the driver",
-            "own count only",
-        ),
-    ]
-}
-
-/// Whether the device can sort with subgroups, and their sizes.
-fn subgroups(probe: &Probe) -> String {
-    let sorts = if probe.subgroup_ballot {
-        "OneSweep may sort"
-    } else {
-        "sorts without"
-    };
-    let size = probe.subgroup_size;
-    match probe.subgroup_sizes {
-        Some([low, high]) => format!("{sorts} (subgroups of {size}; {low} to {high} on request)"),
-        None => format!("{sorts} (subgroups of {size})"),
-    }
-}
-
-/// The self-test's choice of the sort variant, from its record or by running it. None where the
-/// device can't serve.
-fn sort(number: usize, probe: &Probe) -> Option<Result<SortChoice>> {
-    if !probe.missing_requirements().is_empty() {
-        return None;
-    }
-    let gpu = Gpu::new(&GpuOptions::headless(Some(number.to_string())));
-    Some(gpu.and_then(|gpu| choose(&gpu)))
-}
-
-/// What was measured of the ways to draw on a device. Where nothing was, the demo is drawn to
-/// measure it. None where the device can't serve.
-fn tunings(number: usize, probe: &Probe) -> Option<anyhow::Result<Vec<Tuning>>> {
-    if !probe.missing_requirements().is_empty() {
-        return None;
-    }
-    Some(measured(number))
-}
-
-fn measured(number: usize) -> anyhow::Result<Vec<Tuning>> {
-    let gpu = Gpu::new(&GpuOptions::headless(Some(number.to_string())))?;
-    let known = Record::of_device(&gpu).tunings();
-    if !known.is_empty() && known.iter().all(Tuning::is_done) {
-        return Ok(known);
-    }
-    let avatar = effigy_demo::avatar()?;
-    let player = Player::new(effigy_demo::clip()?, &avatar.skeleton);
-    let bar = progress::tuning();
-    let options = RendererOptions::new(DEMO_SIZE);
-    let tuning = trials::measure(&gpu, &avatar, &player, options, &mut |candidate| {
-        bar.set_message(format!("trying {candidate}"));
-    })?;
-    bar.finish_and_clear();
-    let mut tunings = known;
-    tunings.retain(|known| known.workload != tuning.workload);
-    tunings.push(tuning);
-    Ok(tunings)
-}
-
 fn print_tuning(tuning: &Tuning) {
     println!("   drawing          {}", tuning.workload);
     println!("     {}", tuning.best);
@@ -253,38 +130,14 @@ fn print_tuning(tuning: &Tuning) {
     }
 }
 
-/// A device as JSON.
-fn describe(number: usize, probe: &Probe) -> serde_json::Value {
-    let optional: serde_json::Map<_, _> = optional(probe)
-        .into_iter()
-        .map(|part| {
-            (
-                part.name.into(),
-                json!({ "has": part.has, "use": part.means }),
-            )
-        })
-        .collect();
-    let sort = sort(number, probe).map(|choice| match choice {
-        Ok(choice) => json!(choice),
-        Err(error) => json!({ "failed": error.to_string() }),
-    });
-    let drawing = tunings(number, probe).map(|tunings| match tunings {
-        Ok(tunings) => json!(tunings),
-        Err(error) => json!({ "failed": error.to_string() }),
-    });
-    json!({
-        "name": probe.name,
-        "driver": probe.driver,
-        "vulkan": version(probe.api_version),
-        "device_memory_bytes": probe.device_memory,
-        "max_storage_buffer_range": probe.limits.max_storage_buffer_range,
-        "max_image_side": probe.limits.max_framebuffer_width.min(probe.limits.max_image_dimension2_d),
-        "max_workgroup_invocations": probe.limits.max_compute_work_group_invocations,
-        "max_shared_memory_bytes": probe.limits.max_compute_shared_memory_size,
-        "subgroup_size": probe.subgroup_size,
-        "optional": optional,
-        "sort": sort,
-        "drawing": drawing,
-        "missing": probe.missing_requirements(),
-    })
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn cpu_drivers_are_timed_where_there_is_no_gpu_or_they_are_asked_for() {
+        let cpu = |has_gpu, asked| measures(true, has_gpu, asked);
+        assert!(cpu(false, false) && cpu(true, true) && !cpu(true, false));
+        assert!(measures(false, true, false), "a GPU always is");
+    }
 }

@@ -25,7 +25,7 @@ pub struct RendererOptions {
     /// How to sort. None: the fastest variant that passes the device's self-test.
     pub sort: Option<SortVariant>,
     /// Read f16 as words even where the device has 16-bit storage. None: where that was measured to
-    /// be faster.
+    /// be faster. WebGPU has nothing else.
     pub packed_words: Option<bool>,
     /// Invocations of a workgroup of the `project` stage: one of [`PROJECT_WORKGROUPS`]. None: as was
     /// measured to be fastest, else 64. WebGPU has no others.

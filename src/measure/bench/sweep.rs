@@ -7,8 +7,7 @@
 //! even where milliseconds do not.
 
 use super::{
-    backend::BenchDevice,
-    backend::Result,
+    backend::{BenchDevice, Result},
     case::BenchCase,
     check::{self, ReferenceImages},
     measured,
@@ -37,7 +36,8 @@ pub struct Sweep<'a> {
     pub base: RenderSetting,
 }
 
-/// Measures every value of every parameter.
+/// Measures every value of every parameter. `keep` gets what is measured so far with each point, and
+/// the whole at last.
 ///
 /// # Errors
 /// When the device fails, or refuses the base setting.
@@ -46,7 +46,8 @@ pub fn run_sweep(
     task: &BenchTask,
     sweep: &Sweep,
     progress: Progress,
-) -> Result<SweepReport> {
+    keep: &mut dyn FnMut(SweepReport),
+) -> Result<()> {
     let mut run = SweepRun {
         gpu,
         task,
@@ -58,17 +59,17 @@ pub fn run_sweep(
     for &parameter in sweep.parameters {
         let mut entries = run.open(parameter)?;
         run.time(&mut entries, progress)?;
-        groups.push(run.points(entries, progress)?);
+        groups.push(Vec::new());
+        let mut base: Option<EntryTimes> = None;
+        for entry in entries {
+            let times = EntryTimes::new(&entry.rounds);
+            let base = base.get_or_insert_with(|| times.clone());
+            let point = run.point(entry, &times, base, progress)?;
+            groups.last_mut().expect("its own").push(point);
+            keep(run.report(groups.clone()));
+        }
     }
-    let mut points = gather(groups);
-    mark_front(&mut points);
-    Ok(SweepReport {
-        case: sweep.case.to_string(),
-        frames: task.frames,
-        rounds: sweep.rounds,
-        points,
-        failed: run.failed,
-    })
+    Ok(())
 }
 
 /// A setting while it is measured.
@@ -157,16 +158,17 @@ impl SweepRun<'_> {
         Ok(())
     }
 
-    /// The points of a group, the base setting first.
-    fn points(&mut self, entries: Vec<SweepEntry>, progress: Progress) -> Result<Vec<SweepPoint>> {
-        let mut points = Vec::new();
-        let mut base: Option<EntryTimes> = None;
-        for entry in entries {
-            let times = EntryTimes::new(&entry.rounds);
-            let base = base.get_or_insert_with(|| times.clone());
-            points.push(self.point(entry, &times, base, progress)?);
+    /// What is measured so far, by groups of points, the base setting first in each.
+    fn report(&self, groups: Vec<Vec<SweepPoint>>) -> SweepReport {
+        let mut points = gather(groups);
+        mark_front(&mut points);
+        SweepReport {
+            case: self.sweep.case.to_string(),
+            frames: self.task.frames,
+            rounds: self.sweep.rounds,
+            points,
+            failed: self.failed.clone(),
         }
-        Ok(points)
     }
 
     fn point(

@@ -127,7 +127,7 @@ impl DeviceRates {
             bytes: rate("bandwidth")? * 1e6,
             blended: rate("blending")? * 1e6,
             vertex_runs: rate("vertex runs")?,
-            vertex_bytes: rate("vertex traffic")?,
+            vertex_bytes: inputs.amount(device, "vertex traffic")?,
         })
     }
 }

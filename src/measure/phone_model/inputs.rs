@@ -33,6 +33,24 @@ pub enum InputError {
     /// Something is in no file.
     #[error("there is no {0}")]
     Missing(String),
+    /// A file has several lines where it must have one.
+    #[error("there are {found} lines with the {what}, where one is expected")]
+    Repeated {
+        /// What they are about.
+        what: String,
+        /// How many there are.
+        found: usize,
+    },
+    /// A device can't do something at all.
+    #[error("the {what} is from {low} {unit}, where more than 0 is expected")]
+    NoRate {
+        /// The rate and its device.
+        what: String,
+        /// Its lower bound.
+        low: f64,
+        /// The unit.
+        unit: String,
+    },
 }
 
 /// A device, a line of `devices.csv`.
@@ -150,33 +168,71 @@ impl Inputs {
         })
     }
 
-    /// A rate of a device.
+    /// A rate of a device, by which work is divided: more than 0.
     pub(super) fn rate(&self, device: &Device, name: &str) -> Result<Range, InputError> {
-        let is_it = |rate: &&Rate| rate.device == device.device && rate.rate == name;
-        let rate = self.rates.iter().find(is_it);
-        let rate =
-            rate.ok_or_else(|| InputError::Missing(format!("rate `{name}` of {}", device.device)))?;
+        let rate = self.line(device, name)?;
+        if rate.low <= 0.0 {
+            return Err(InputError::NoRate {
+                what: format!("rate `{name}` of {}", device.device),
+                low: rate.low,
+                unit: rate.unit.clone(),
+            });
+        }
         Ok(Range {
             low: rate.low,
             high: rate.high,
         })
     }
 
-    /// Instructions of a shader on a device: all of its programs whose names end in `program`.
+    /// An amount that a device moves, which may be 0.
+    pub(super) fn amount(&self, device: &Device, name: &str) -> Result<Range, InputError> {
+        let amount = self.line(device, name)?;
+        Ok(Range {
+            low: amount.low,
+            high: amount.high,
+        })
+    }
+
+    fn line(&self, device: &Device, name: &str) -> Result<&Rate, InputError> {
+        let is_it = |rate: &&Rate| rate.device == device.device && rate.rate == name;
+        only(self.rates.iter().filter(is_it), || {
+            format!("rate `{name}` of {}", device.device)
+        })
+    }
+
+    /// Instructions of a shader on a device. `program`: the names that compilers give the one
+    /// program that is meant.
     pub(super) fn instructions(
         &self,
         device: &Device,
         shader: &str,
         program: &[&str],
     ) -> Result<f64, InputError> {
-        let found = self.programs.iter().find(|row| {
+        let is_it = |row: &&Program| {
             row.device == device.compiled_as
                 && row.shader == shader
                 && program.contains(&row.program.as_str())
-        });
-        found.map(|row| row.instructions).ok_or_else(|| {
-            InputError::Missing(format!("count of {shader} on {}", device.compiled_as))
-        })
+        };
+        let found = only(self.programs.iter().filter(is_it), || {
+            let names = program.join("` or `");
+            format!("count of {shader}, `{names}`, on {}", device.compiled_as)
+        })?;
+        Ok(found.instructions)
+    }
+}
+
+/// The only one of some lines. `what`: what they are about.
+fn only<'a, T>(
+    mut lines: impl Iterator<Item = &'a T>,
+    what: impl Fn() -> String,
+) -> Result<&'a T, InputError> {
+    let line = lines.next().ok_or_else(|| InputError::Missing(what()))?;
+    match lines.count() {
+        0 => Ok(line),
+        more => Err(InputError::Repeated {
+            what: what(),
+            found: 1 + more,
+        }),
     }
 }
 

@@ -116,13 +116,14 @@ fn skinning(joints: &[DVec3], point: DVec3) -> JointBinding {
 
 /// The three points nearest to `target`; of fewer points the last is repeated.
 fn nearest(points: &[DVec3], target: DVec3) -> [u16; 3] {
-    let mut near: Vec<usize> = (0..points.len()).collect();
-    near.sort_by(|&a, &b| {
-        points[a]
-            .distance_squared(target)
-            .total_cmp(&points[b].distance_squared(target))
-    });
-    std::array::from_fn(|k| near[k.min(points.len() - 1)] as u16)
+    let mut near: Vec<(f64, usize)> = points
+        .iter()
+        .map(|point| point.distance_squared(target))
+        .zip(0..)
+        .collect();
+    // The place decides between equal distances, as in a stable sort.
+    near.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+    std::array::from_fn(|k| near[k.min(points.len() - 1)].1 as u16)
 }
 
 fn gaussians(

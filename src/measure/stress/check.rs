@@ -52,52 +52,76 @@ pub struct CaseOutcome {
 
 /// Draws a case and checks it.
 pub fn check_case(gpu: &Arc<Gpu>, case: &StressCase) -> CaseOutcome {
-    let messages_before = validation_messages();
-    let mut outcome = CaseOutcome {
-        time: Duration::ZERO,
-        error: None,
-        arithmetic: None,
-        used: None,
-        used_cached: None,
-        faults: vec![],
-        digest: 0,
-        lost: false,
-        images: None,
-    };
-    let start = Instant::now();
-    let drawn = if case.category == Category::Refused {
-        refusal::run(gpu, case, &mut outcome.faults).map(|[first, second]| Drawn {
-            first,
-            second,
-            cached: None,
-        })
-    } else {
-        draw(gpu, case)
-    };
-    outcome.time = start.elapsed();
-    match drawn {
-        Ok(drawn) => outcome.check_images(gpu, case, drawn),
-        Err(error) => {
-            outcome.lost = matches!(
-                error,
-                vulkan::Error::DeviceLost(_) | vulkan::Error::Timeout { .. }
-            );
-            outcome.faults.push(format!("drawing failed: {error}"));
+    DrawnCase::draw(gpu, case).check(gpu, case)
+}
+
+/// A case that was drawn, before its images are looked at: that needs no device.
+pub struct DrawnCase {
+    time: Duration,
+    drawn: vulkan::Result<Drawn>,
+    faults: Vec<String>,
+}
+
+impl DrawnCase {
+    /// Draws a case.
+    pub fn draw(gpu: &Arc<Gpu>, case: &StressCase) -> Self {
+        let messages_before = validation_messages();
+        let mut faults = vec![];
+        let start = Instant::now();
+        let drawn = if case.category == Category::Refused {
+            refusal::run(gpu, case, &mut faults).map(|[first, second]| Drawn {
+                first,
+                second,
+                cached: None,
+            })
+        } else {
+            draw(gpu, case)
+        };
+        let time = start.elapsed();
+        if time > LIMIT {
+            faults.push(format!(
+                "it took {:.1} s, {} s are allowed",
+                time.as_secs_f64(),
+                LIMIT.as_secs()
+            ));
+        }
+        if validation_messages() != messages_before {
+            faults.push("the validation layer complained, see above".into());
+        }
+        Self {
+            time,
+            drawn,
+            faults,
         }
     }
-    if outcome.time > LIMIT {
-        outcome.faults.push(format!(
-            "it took {:.1} s, {} s are allowed",
-            outcome.time.as_secs_f64(),
-            LIMIT.as_secs()
-        ));
+
+    /// Whether the device can't be used any longer.
+    pub fn is_lost(&self) -> bool {
+        matches!(
+            self.drawn,
+            Err(vulkan::Error::DeviceLost(_) | vulkan::Error::Timeout { .. })
+        )
     }
-    if validation_messages() != messages_before {
+
+    /// Checks the images against the reference.
+    pub fn check(self, gpu: &Gpu, case: &StressCase) -> CaseOutcome {
+        let mut outcome = CaseOutcome {
+            time: self.time,
+            error: None,
+            arithmetic: None,
+            used: None,
+            used_cached: None,
+            lost: self.is_lost(),
+            faults: self.faults,
+            digest: 0,
+            images: None,
+        };
+        match self.drawn {
+            Ok(drawn) => outcome.check_images(gpu, case, drawn),
+            Err(error) => outcome.faults.push(format!("drawing failed: {error}")),
+        }
         outcome
-            .faults
-            .push("the validation layer complained, see above".into());
     }
-    outcome
 }
 
 /// A case's frame, drawn several times.

@@ -3,12 +3,20 @@
 use super::{
     case::{Rasterizer, StressCase},
     category::Category,
-    check::check_case,
+    check::DrawnCase,
     report::{CategoryReport, RasterizerReport, StressReport},
 };
 use effigy::vulkan::Gpu;
 use effigy_core::random::hash;
-use std::{ops::Range, sync::Arc, time::Instant};
+use std::{
+    ops::Range,
+    sync::{Arc, mpsc},
+    thread,
+    time::Instant,
+};
+
+/// Cases that may wait with their images until they are checked: one of 8192 × 8192 px has 3 GB.
+const WAITING: usize = 4;
 
 /// The cases to draw.
 #[derive(Clone, Debug)]
@@ -44,18 +52,32 @@ pub fn run(
         lost: false,
     };
     let total = (settings.cases.end - settings.cases.start) as usize;
+    // Every case has a renderer of its own; only its pipelines are those of cases before it.
+    gpu.keep_pipelines();
     let mut digest = 0;
-    for number in settings.cases.clone() {
-        let case = StressCase::new(settings.seed, number, settings.large).for_device(&gpu.probe);
-        let outcome = check_case(gpu, &case);
-        digest = hash(digest ^ outcome.digest);
-        report.add(&case, &outcome);
-        progress(report.cases, total, report.failures.len());
-        if outcome.lost {
-            report.lost = true;
-            break;
+    let waiting = if settings.large { 0 } else { WAITING };
+    let (sender, receiver) = mpsc::sync_channel(waiting);
+    thread::scope(|scope| {
+        // The device draws the next cases while the images of one are checked.
+        scope.spawn(move || {
+            for number in settings.cases.clone() {
+                let case = StressCase::new(settings.seed, number, settings.large);
+                let case = case.for_device(&gpu.probe);
+                let drawn = DrawnCase::draw(gpu, &case);
+                let is_lost = drawn.is_lost();
+                if sender.send((case, drawn)).is_err() || is_lost {
+                    break;
+                }
+            }
+        });
+        for (case, drawn) in receiver {
+            let outcome = drawn.check(gpu, &case);
+            digest = hash(digest ^ outcome.digest);
+            report.add(&case, &outcome);
+            report.lost |= outcome.lost;
+            progress(report.cases, total, report.failures.len());
         }
-    }
+    });
     report.categories.retain(|category| category.cases > 0);
     report.rasterizers.retain(|rasterizer| rasterizer.cases > 0);
     report.digest = format!("{digest:016x}");

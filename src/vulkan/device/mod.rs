@@ -7,6 +7,7 @@ pub(crate) mod gpu;
 pub(crate) mod handle;
 pub(crate) mod identity;
 pub mod instance;
+pub(crate) mod kept_pipelines;
 pub(crate) mod logical;
 pub(crate) mod moment;
 pub(crate) mod options;

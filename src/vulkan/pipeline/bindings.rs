@@ -6,7 +6,7 @@
 
 use super::set::Set;
 use crate::vulkan::{
-    device::{error::Result, gpu::Gpu, recording::Recording},
+    device::{error::Result, gpu::Gpu, kept_pipelines::Layouts, recording::Recording},
     memory::Slice,
 };
 use ash::vk;
@@ -58,6 +58,8 @@ pub(crate) struct Bindings {
     set: Set,
     /// Whether there is a frame block.
     uniform: bool,
+    /// How many storage buffers there are.
+    storage: u32,
     /// Number of the image's binding, where there is one, and what it is.
     image: Option<(u32, BoundImage)>,
 }
@@ -89,6 +91,7 @@ impl Bindings {
             gpu: gpu.clone(),
             set: Set::new(gpu, name, stages, &kinds, 0)?,
             uniform: uniform.is_some(),
+            storage: count,
             image: image.map(|image| (count + 1, image)),
         };
         if let Some(uniform) = uniform {
@@ -102,7 +105,20 @@ impl Bindings {
 
     /// The layout of pipelines that use the set.
     pub fn layout(&self) -> vk::PipelineLayout {
-        self.set.layout.raw()
+        self.set.layouts.pipeline.raw()
+    }
+
+    /// The layouts, for who keeps them.
+    pub fn layouts(&self) -> &Arc<Layouts> {
+        &self.set.layouts
+    }
+
+    /// What decides the layout of a stage's bindings: see [`PipelineKey`].
+    ///
+    /// [`PipelineKey`]: crate::vulkan::device::kept_pipelines::PipelineKey
+    pub fn shape(&self) -> [u32; 3] {
+        let image = self.image.map_or(u32::MAX, |(_, image)| image as u32);
+        [u32::from(self.uniform), self.storage, image]
     }
 
     /// The set must not be in use, so this is for new ones only.

@@ -9,6 +9,7 @@ use crate::vulkan::device::{
     error::{During, Result},
     gpu::Gpu,
     handle::Pipeline,
+    kept_pipelines::{PipelineKey, SharedPipeline},
     recording::Recording,
 };
 use ash::vk;
@@ -32,7 +33,7 @@ pub struct Launch {
 pub struct Kernel {
     gpu: Arc<Gpu>,
     module: &'static Module,
-    pipeline: Pipeline,
+    pipeline: Arc<SharedPipeline>,
     bindings: Bindings,
 }
 
@@ -48,7 +49,7 @@ impl Kernel {
     ) -> Result<Self> {
         let stages = vk::ShaderStageFlags::COMPUTE;
         let bindings = Bindings::new(gpu, module.file, stages, resources)?;
-        let pipeline = compute_pipeline(gpu, module, constants, bindings.layout(), launch)?;
+        let pipeline = compute_pipeline(gpu, module, constants, &bindings, launch)?;
         Ok(Self {
             gpu: gpu.clone(),
             module,
@@ -62,8 +63,8 @@ impl Kernel {
     /// # Safety
     /// No submitted work may use the kernel.
     pub unsafe fn specialize(&mut self, constants: &[u32], launch: Launch) -> Result<()> {
-        let layout = self.bindings.layout();
-        self.pipeline = compute_pipeline(&self.gpu, self.module, constants, layout, launch)?;
+        self.pipeline =
+            compute_pipeline(&self.gpu, self.module, constants, &self.bindings, launch)?;
         Ok(())
     }
 
@@ -126,13 +127,39 @@ impl Kernel {
         unsafe {
             self.gpu
                 .raw
-                .cmd_bind_pipeline(commands.raw(), point, self.pipeline.raw())
+                .cmd_bind_pipeline(commands.raw(), point, self.pipeline.pipeline.raw())
         };
     }
 }
 
-/// The pipeline of a kernel.
+/// The pipeline of a kernel: one that is kept, or a new one.
 fn compute_pipeline(
+    gpu: &Arc<Gpu>,
+    module: &'static Module,
+    constants: &[u32],
+    bindings: &Bindings,
+    launch: Launch,
+) -> Result<Arc<SharedPipeline>> {
+    let key = PipelineKey {
+        module: module.file,
+        packed_words: launch.packed_words,
+        constants: constants.to_vec(),
+        subgroup: launch.subgroup,
+        anywhere: launch.anywhere,
+        bindings: bindings.shape(),
+    };
+    if let Some(kept) = gpu.kept_pipelines.get(&key) {
+        return Ok(kept);
+    }
+    let new = Arc::new(SharedPipeline {
+        pipeline: new_pipeline(gpu, module, constants, bindings.layout(), launch)?,
+        _layouts: bindings.layouts().clone(),
+    });
+    gpu.kept_pipelines.put(key, &new);
+    Ok(new)
+}
+
+fn new_pipeline(
     gpu: &Arc<Gpu>,
     module: &Module,
     constants: &[u32],

@@ -4,16 +4,18 @@ use crate::vulkan::device::{
     error::{During, Result},
     gpu::Gpu,
     handle::{DescriptorPool, PipelineLayout, SetLayout},
+    kept_pipelines::Layouts,
 };
 use ash::vk;
+use std::sync::Arc;
 
 /// A descriptor set, and the layout of pipelines that use it and nothing else.
 pub(crate) struct Set {
     pub raw: vk::DescriptorSet,
-    pub layout: PipelineLayout,
+    /// Pipelines may need them for longer than the set lives.
+    pub layouts: Arc<Layouts>,
     /// The set's.
     _pool: DescriptorPool,
-    _set_layout: SetLayout,
 }
 
 impl Set {
@@ -42,9 +44,11 @@ impl Set {
         };
         Ok(Self {
             raw,
-            layout,
+            layouts: Arc::new(Layouts {
+                pipeline: layout,
+                _set: set_layout,
+            }),
             _pool: pool,
-            _set_layout: set_layout,
         })
     }
 }

@@ -32,7 +32,7 @@
 pub mod choice;
 mod options;
 mod passes;
-mod record;
+pub(crate) mod record;
 mod stage;
 pub mod standalone;
 

@@ -11,13 +11,32 @@ use crate::vulkan::{
 };
 use effigy_core::frame::SortVariant;
 use serde::{Deserialize, Serialize};
-use std::path::Path;
+use std::{
+    path::Path,
+    sync::{Mutex, MutexGuard, PoisonError},
+};
 
 #[derive(Default, Serialize, Deserialize)]
 struct Content {
     /// The variant under test when this was written, and how many such tests were begun.
     trying: Option<(SortVariant, u32)>,
     tried: Vec<TestedVariant>,
+}
+
+/// The self-test of this program.
+#[derive(PartialEq)]
+enum Test {
+    None,
+    /// That of the variant that the file names.
+    Begun,
+    /// The program ends: what is tested from now on is not noted.
+    Withdrawn,
+}
+
+static TEST: Mutex<Test> = Mutex::new(Test::None);
+
+fn test() -> MutexGuard<'static, Test> {
+    TEST.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// What the file says.
@@ -49,6 +68,11 @@ impl Record {
     /// Notes that a variant's test begins. What is not followed by [`Self::write`] counts against
     /// it, after a second time.
     pub fn begin(&self, tried: &[TestedVariant], variant: SortVariant) {
+        let mut test = test();
+        if *test == Test::Withdrawn {
+            return;
+        }
+        *test = Test::Begun;
         let content: Content = self.file.read();
         let before = content.trying.filter(|&(trying, _)| trying == variant);
         self.file.write(&Content {
@@ -57,8 +81,27 @@ impl Record {
         });
     }
 
+    /// The program ends in good order: that a test on some thread has no end says nothing about its
+    /// variant.
+    pub fn withdraw(&self) {
+        let mut test = test();
+        if *test == Test::Begun {
+            let mut content: Content = self.file.read();
+            content.trying = content
+                .trying
+                .map(|(variant, attempts)| (variant, attempts.saturating_sub(1)))
+                .filter(|&(_, attempts)| attempts > 0);
+            self.file.write(&content);
+        }
+        *test = Test::Withdrawn;
+    }
+
     /// Notes what was found so far.
     pub fn write(&self, tried: &[TestedVariant]) {
+        let mut test = test();
+        if *test == Test::Begun {
+            *test = Test::None;
+        }
         self.file.write(&Content {
             trying: None,
             tried: tried.to_vec(),

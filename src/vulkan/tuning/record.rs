@@ -8,9 +8,13 @@ use super::{
 use crate::vulkan::{
     device::{cache, gpu::Gpu, record_file::RecordFile, sort_choice::ATTEMPTS},
     pipeline::shaders,
+    sort::record::Record as SortRecord,
 };
 use serde::{Deserialize, Serialize};
-use std::path::Path;
+use std::{
+    path::Path,
+    sync::{Mutex, MutexGuard, PoisonError},
+};
 
 /// A candidate that must not be drawn with on this device.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -52,9 +56,26 @@ impl Content {
     }
 }
 
+/// Held while the file is read and written: a window strikes its way to draw off while trials go on
+/// behind it.
+static CHANGING: Mutex<()> = Mutex::new(());
+
+/// What a record has under way.
+#[derive(Clone, Copy, PartialEq)]
+enum Trial {
+    None,
+    /// The attempt that the file names.
+    Begun,
+    /// The program ends: no trial begins any more.
+    Withdrawn,
+}
+
 /// What the file says.
 pub struct Record {
     file: RecordFile,
+    trial: Mutex<Trial>,
+    /// That of the sorts, which are tested before anything is tried.
+    sorts: SortRecord,
 }
 
 impl Record {
@@ -62,6 +83,8 @@ impl Record {
     pub fn new(gpu: &Gpu, folder: Option<&Path>) -> Self {
         Self {
             file: RecordFile::new(gpu, folder, "tuning", shaders::all_hash()),
+            trial: Mutex::new(Trial::None),
+            sorts: SortRecord::new(gpu, folder),
         }
     }
 
@@ -95,38 +118,70 @@ impl Record {
     }
 
     /// Notes that a candidate is tried from now on. If nothing follows, the program has ended:
-    /// [`Self::settle`] reads that.
-    pub(super) fn begin(&self, axis: Axis, candidate: Candidate) {
-        let mut content = self.content();
-        let before = content
-            .trying
-            .filter(|attempt| attempt.axis == axis && attempt.candidate == candidate);
-        content.trying = Some(Attempt {
-            axis,
-            candidate,
-            number: 1 + before.map_or(0, |attempt| attempt.number),
+    /// [`Self::settle`] reads that. Returns false after [`Self::withdraw`]: it must not be tried.
+    #[must_use]
+    pub(super) fn begin(&self, axis: Axis, candidate: Candidate) -> bool {
+        let mut trial = self.trial();
+        if *trial == Trial::Withdrawn {
+            return false;
+        }
+        *trial = Trial::Begun;
+        self.change(|content| {
+            let before = content
+                .trying
+                .filter(|attempt| attempt.axis == axis && attempt.candidate == candidate);
+            content.trying = Some(Attempt {
+                axis,
+                candidate,
+                number: 1 + before.map_or(0, |attempt| attempt.number),
+            });
         });
-        self.file.write(&content);
+        true
+    }
+
+    /// The program ends in good order: that a candidate's trial, or a sort's test before it, has no
+    /// end says nothing about it.
+    /// Whatever the trials' thread still does, no other candidate is begun.
+    pub fn withdraw(&self) {
+        self.sorts.withdraw();
+        let mut trial = self.trial();
+        if *trial == Trial::Begun {
+            self.change(|content| {
+                content.trying = content.trying.and_then(|attempt| {
+                    let number = attempt.number.checked_sub(1)?;
+                    (number > 0).then_some(Attempt { number, ..attempt })
+                });
+            });
+        }
+        *trial = Trial::Withdrawn;
     }
 
     /// Notes how far a workload's measurements have come. No candidate is being tried then.
     pub(super) fn write(&self, tuning: &Tuning) {
-        let mut content = self.content();
-        content.trying = None;
-        content.put(tuning.clone());
-        self.file.write(&content);
+        self.end_trial(|content| content.put(tuning.clone()));
     }
 
     /// Notes that a candidate must not be drawn with on this device: for no workload.
     pub(super) fn refuse(&self, axis: Axis, candidate: Candidate, why: &str) {
-        let mut content = self.content();
-        content.trying = None;
-        content.refusals.push(Refusal {
-            axis,
-            candidate,
-            why: why.to_owned(),
+        self.end_trial(|content| {
+            content.refusals.push(Refusal {
+                axis,
+                candidate,
+                why: why.to_owned(),
+            });
         });
-        self.file.write(&content);
+    }
+
+    /// Changes the content, in which nothing is tried any more.
+    fn end_trial(&self, change: impl FnOnce(&mut Content)) {
+        let mut trial = self.trial();
+        if *trial == Trial::Begun {
+            *trial = Trial::None;
+        }
+        self.change(|content| {
+            content.trying = None;
+            change(content);
+        });
     }
 
     /// Notes that the best of a workload failed: from now on it is drawn with the safest, and the
@@ -134,33 +189,47 @@ impl Record {
     /// the next.
     pub fn strike_off(&self, tuning: &Tuning, why: &str) {
         tracing::warn!("{} failed, and is not used any more: {why}", tuning.best);
-        let mut content = self.content();
-        content.trying = None;
-        let axis = tuning
-            .axes_of_best()
-            .find(|axis| content.refusal(*axis, &tuning.best).is_none());
-        content.refusals.extend(axis.map(|axis| Refusal {
-            axis,
-            candidate: tuning.best,
-            why: why.to_owned(),
-        }));
-        content.put(Tuning::new(tuning.workload.clone(), tuning.safest));
-        self.file.write(&content);
+        self.change(|content| {
+            let axis = tuning
+                .axes_of_best()
+                .find(|axis| content.refusal(*axis, &tuning.best).is_none());
+            content.refusals.extend(axis.map(|axis| Refusal {
+                axis,
+                candidate: tuning.best,
+                why: why.to_owned(),
+            }));
+            content.put(Tuning::new(tuning.workload.clone(), tuning.safest));
+        });
     }
 
     /// Refuses a candidate during whose trials the program ended, twice: the user may have ended it
     /// the first time. Call it before anything is tried.
     pub(super) fn settle(&self) {
-        let mut content = self.content();
-        let Some(attempt) = content.trying.filter(|attempt| attempt.number >= ATTEMPTS) else {
+        if self.content().trying.is_none() {
             return;
-        };
-        content.trying = None;
-        content.refusals.push(Refusal {
-            axis: attempt.axis,
-            candidate: attempt.candidate,
-            why: format!("the program ended while it was tried, {ATTEMPTS} times"),
+        }
+        self.change(|content| {
+            let Some(attempt) = content.trying.filter(|attempt| attempt.number >= ATTEMPTS) else {
+                return;
+            };
+            content.trying = None;
+            content.refusals.push(Refusal {
+                axis: attempt.axis,
+                candidate: attempt.candidate,
+                why: format!("the program ended while it was tried, {ATTEMPTS} times"),
+            });
         });
+    }
+
+    fn trial(&self) -> MutexGuard<'_, Trial> {
+        self.trial.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Replaces the content, as one step for all threads.
+    fn change(&self, change: impl FnOnce(&mut Content)) {
+        let _changing = CHANGING.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut content = self.content();
+        change(&mut content);
         self.file.write(&content);
     }
 

@@ -115,7 +115,9 @@ impl Tournament<'_> {
             };
             progress(&candidate);
             // Before anything is compiled: a driver may end the program there.
-            self.record.begin(axis, candidate);
+            if !self.record.begin(axis, candidate) {
+                break;
+            }
             let step = self.try_candidate(
                 trials,
                 current,

@@ -79,7 +79,7 @@ impl Present {
         let render_pass = render_pass(gpu, format, layout)?;
         Ok(Self {
             gpu: gpu.clone(),
-            pipeline: pipeline(gpu, &render_pass, set.layout.raw())?,
+            pipeline: pipeline(gpu, &render_pass, set.layouts.pipeline.raw())?,
             render_pass,
             set,
             sampler: Sampler::with(&gpu.device, &info, "present")?,
@@ -140,7 +140,7 @@ impl Present {
         let device = &self.gpu.raw;
         let raw = commands.raw();
         let point = vk::PipelineBindPoint::GRAPHICS;
-        let layout = self.set.layout.raw();
+        let layout = self.set.layouts.pipeline.raw();
         let stages = vk::ShaderStageFlags::FRAGMENT;
         // SAFETY: the command buffer is recording; every object is alive and fits the pipeline's
         // layout and the render pass.

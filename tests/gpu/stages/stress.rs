@@ -1,7 +1,7 @@
 //! Numerical stability on the device: some cases of every category, twice, and what is refused.
 
 use crate::common::{self, gpu};
-use effigy::vulkan::{GpuOptions, RendererOptions};
+use effigy::vulkan::{Gpu, GpuOptions, RendererOptions};
 use effigy_core::{
     avatar::Avatar,
     frame::Skip,
@@ -70,6 +70,25 @@ fn the_least_device_is_as_stable() {
         },
         0..1,
     );
+}
+
+fn pipelines_that_are_kept_change_no_bit() {
+    let seed = 1;
+    let cases = 0..Category::ROUND;
+    let fresh = Gpu::new(&GpuOptions::headless(None)).unwrap();
+    let mut expected = Vec::new();
+    for number in cases.clone() {
+        let case = StressCase::new(seed, number, false).for_device(&fresh.probe);
+        expected.push(stress::check_case(&fresh, &case).digest);
+    }
+    // Most pipelines of a case are then those of others, which differ in sizes, keys and rasterizers.
+    fresh.keep_pipelines();
+    for (number, expected) in cases.zip(expected) {
+        let case = StressCase::new(seed, number, false).for_device(&fresh.probe);
+        let found = stress::check_case(&fresh, &case);
+        assert_eq!(found.faults, [""; 0], "case {number}");
+        assert_eq!(found.digest, expected, "case {number}");
+    }
 }
 
 fn features_stay_finite_whatever_the_weights() {
@@ -276,6 +295,7 @@ tests! {
     every_category_is_drawn_within_its_bounds,
     more_of_every_category_is_drawn_within_its_bounds,
     the_least_device_is_as_stable,
+    pipelines_that_are_kept_change_no_bit,
     features_stay_finite_whatever_the_weights,
     cases_are_as_hard_as_they_say: no_device,
     what_light_passes_hides_nothing: no_device,

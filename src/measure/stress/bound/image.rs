@@ -62,9 +62,9 @@ pub struct BoundUse {
     pub pixel: [u32; 2],
     /// Its channel, of red, green, blue and coverage.
     pub channel: usize,
-    /// That error, and its bound, 0 to 1.
+    /// The error of that channel there, 0 to 1.
     pub error: f64,
-    /// The bound of that error.
+    /// The bound of that error, 0 to 1.
     pub bound: f64,
     /// Lowest PSNR that the bound allows, dB, over covered pixels.
     pub allowed_db: f64,
@@ -167,23 +167,24 @@ impl ImageBound {
         pixels
             .par_chunks_mut(width)
             .enumerate()
-            .for_each(|(y, row)| {
+            .for_each_init(Vec::new, |layers, (y, row)| {
                 let grid = Row {
                     y: y as f64 + 0.5,
                     first: 0.5,
                     step: 1.0,
                     count: width,
                 };
-                for (x, mut layers) in grid.layers(&ordered).into_iter().enumerate() {
+                grid.find_layers(&ordered, layers);
+                for (x, layers) in layers.iter_mut().enumerate() {
                     if !contains(drawn, [x, y]) {
-                        for layer in &mut layers {
+                        for layer in layers.iter_mut() {
                             if ordered.splats[layer.rank as usize].strays {
                                 layer.alpha.low = 0.0;
                             }
                         }
                     }
                     let lost = samples.as_ref().map_or(0.0, |samples| samples.at([x, y]));
-                    row[x] = ordered.blend(&mut layers, rounding, lost);
+                    row[x] = ordered.blend(layers, rounding, lost);
                 }
             });
         Self { size, pixels }
@@ -274,9 +275,11 @@ struct Row {
 }
 
 impl Row {
-    /// The layers at each place, nearest first.
-    fn layers(&self, ordered: &Ordered) -> Vec<Vec<Layer>> {
-        let mut all = vec![Vec::new(); self.count];
+    /// The layers at each place, nearest first, in place of those that are there: their memory
+    /// serves many rows.
+    fn find_layers(&self, ordered: &Ordered, all: &mut Vec<Vec<Layer>>) {
+        all.resize_with(self.count, Vec::new);
+        all.iter_mut().for_each(Vec::clear);
         for (rank, splat) in ordered.splats.iter().enumerate() {
             if (self.y - splat.center.y).abs() > splat.reach.y {
                 continue;
@@ -296,7 +299,6 @@ impl Row {
                 }
             }
         }
-        all
     }
 }
 
@@ -319,7 +321,8 @@ impl SaturatedKeys {
                     step: 2.0,
                     count: width,
                 };
-                let layers = row.layers(ordered);
+                let mut layers = Vec::new();
+                row.find_layers(ordered, &mut layers);
                 layers.into_iter().map(|layers| {
                     ordered.saturated_key(&layers, SATURATION_CUTOFFS * rounding.cutoff)
                 })

@@ -137,10 +137,32 @@ impl Rounding {
     }
 }
 
-/// The step from an f16 to the next above it.
+/// The step from an f16 to the next above it. `value`: at most f16's largest.
 pub fn half_ulp(value: f64) -> f64 {
     if value <= 0.0 {
         return 0.0;
     }
-    (value.log2().floor().max(-14.0) - 10.0).exp2()
+    let bits = |exponent: i32| f64::from_bits(((exponent + 1023) as u64) << 52);
+    let exponent = (value.to_bits() >> 52) as i32 - 1023;
+    bits(exponent.max(-14) - 10)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn steps_of_halves_are_those_between_neighbours() {
+        for bits in (0..0x7bff).step_by(7) {
+            let [value, next] = [bits, bits + 1].map(|bits| half::f16::from_bits(bits).to_f64());
+            let step = next - value;
+            // A zero has no error: it is stored as it is.
+            assert_eq!(
+                half_ulp(value),
+                if bits == 0 { 0.0 } else { step },
+                "{value}"
+            );
+            assert_eq!(half_ulp(0.5 * (value + next)), step, "after {value}");
+        }
+    }
 }

@@ -127,10 +127,30 @@ pub struct UncertainSplat {
     evaluated_from: f64,
     /// Error of the deviation between shaders, standard deviations.
     varying: f64,
+    /// What [`Self::alpha`] needs of these, computed once.
+    shape: Shape,
+    /// Exponent above which α is surely under the cutoff.
+    far_exponent: f64,
     alpha_error: f64,
     cutoff: f64,
     /// Nothing is known of its place and shape.
     anywhere: bool,
+}
+
+/// Terms of a splat's α that are the same at each place.
+#[derive(Clone, Copy, Debug, Default)]
+struct Shape {
+    /// Shortest and longest of each axis, px.
+    longer: [f64; 2],
+    shorter: [f64; 2],
+    /// What an error of the axis' direction does to a product of deviations.
+    turned: f64,
+    /// Half of its square, by how much the axes differ, and their product.
+    turned_square: f64,
+    apart: f64,
+    area: f64,
+    /// What the whole shift does by itself.
+    shift: f64,
 }
 
 /// A Gaussian in the camera's space, with errors.
@@ -396,6 +416,8 @@ impl SplatInput<'_> {
             scale_error: [0.0; 3],
             evaluated_from: 0.0,
             varying: 0.0,
+            shape: Shape::default(),
+            far_exponent: f64::INFINITY,
             alpha_error: rounding.alpha(),
             cutoff: rounding.cutoff,
             anywhere: true,
@@ -524,6 +546,11 @@ impl SplatInput<'_> {
             * (posed.longest * slope.extend(1.0).length() * camera.focal.max_element().abs() / t.z
                 + LOW_PASS.sqrt());
         splat.anywhere = false;
+        splat.shape = splat.shape();
+        let relative = splat.opacity_error + splat.alpha_error;
+        // Far enough beyond the cutoff that rounding of the exponential does not matter.
+        let margin = 1e-5;
+        splat.far_exponent = (splat.opacity * (1.0 + relative) / splat.cutoff).ln() + margin;
 
         let exponent = (splat.opacity / splat.cutoff).ln();
         // How wide the interval is at the ellipse where α is the cutoff.
@@ -570,14 +597,29 @@ impl UncertainSplat {
         own * (1.0 + (2.0 * own).min(1.0))
     }
 
-    /// By how much the axis' direction may change the exponent; `along`, `across`: deviations;
-    /// `squared`: distance from the centre, px².
-    fn turned(&self, along: f64, across: f64, squared: f64) -> f64 {
+    fn shape(&self) -> Shape {
         let ratio = self.longer / self.shorter;
         let apart = ratio - 1.0 / ratio;
         let turn = (self.turn + self.turn_f32).min(1.0);
-        (self.turn * apart + 2.0 * SHAPE_ROUNDINGS * F32 * (ratio + 1.0 / ratio)) * along * across
-            + 0.5 * turn * turn * squared * apart / (self.longer * self.shorter)
+        let rounded = |axis: f64| {
+            [-1.0, 1.0].map(|sign| axis.min(F16_MAX) * (1.0 + sign * (F16 + SHAPE_ROUNDINGS * F32)))
+        };
+        Shape {
+            longer: rounded(self.longer),
+            shorter: rounded(self.shorter),
+            turned: self.turn * apart + 2.0 * SHAPE_ROUNDINGS * F32 * (ratio + 1.0 / ratio),
+            turned_square: 0.5 * turn * turn,
+            apart,
+            area: self.longer * self.shorter,
+            shift: self.shift.length_squared() / (2.0 * self.shorter.powi(2)),
+        }
+    }
+
+    /// By how much the axis' direction may change the exponent; `along`, `across`: deviations;
+    /// `squared`: distance from the centre, px².
+    fn turned(&self, along: f64, across: f64, squared: f64) -> f64 {
+        let shape = &self.shape;
+        shape.turned * along * across + shape.turned_square * squared * shape.apart / shape.area
     }
 
     /// Error of a deviation by f32, standard deviations. `d`: from the centre, px.
@@ -600,10 +642,9 @@ impl UncertainSplat {
 
     /// α at a place of the image, px. None where it is under the cutoff on any device.
     pub fn alpha(&self, at: DVec2) -> Option<Alpha> {
-        let exact = self.exact_alpha(at);
         if self.anywhere {
             return Some(Alpha {
-                exact,
+                exact: self.exact_alpha(at),
                 low: 0.0,
                 high: (self.opacity * (1.0 + self.opacity_error)).min(ALPHA_MAX),
             });
@@ -617,11 +658,8 @@ impl UncertainSplat {
             + side * (across_px / self.shorter.powi(2));
 
         let evaluated = self.evaluation(d) + self.varying;
-        let shape = SHAPE_ROUNDINGS * F32;
-        let [long_low, long_high] =
-            [-1.0, 1.0].map(|sign| self.longer.min(F16_MAX) * (1.0 + sign * (F16 + shape)));
-        let [short_low, short_high] =
-            [-1.0, 1.0].map(|sign| self.shorter.min(F16_MAX) * (1.0 + sign * (F16 + shape)));
+        let [long_low, long_high] = self.shape.longer;
+        let [short_low, short_high] = self.shape.shorter;
         let far = (along * self.longer / long_low + evaluated).powi(2)
             + (across * self.shorter / short_low + evaluated).powi(2);
         let near = (along * self.longer / long_high - evaluated)
@@ -642,20 +680,22 @@ impl UncertainSplat {
             dual += 0.5 * (by + self.scale_error[k] * y).powi(2);
         }
         first += self.turned(along, across, d.length_squared());
-        let more = first
-            + offset.length_squared() / (2.0 * LOW_PASS)
-            + self.shift.length_squared() / (2.0 * self.shorter.powi(2));
+        let more = first + offset.length_squared() / (2.0 * LOW_PASS) + self.shape.shift;
         let less = first + dual;
         // Errors of errors: a second error acts on what the first has left.
         let compounded = |by: f64| by * (1.0 + (2.0 * by).min(1.0));
-        let farthest = 0.5 * far + compounded(more);
         let nearest = (0.5 * near - compounded(less)).max(0.0);
+        if nearest > self.far_exponent {
+            return None;
+        }
+        let farthest = 0.5 * far + compounded(more);
         let relative = self.opacity_error + self.alpha_error;
-        let mut low = (self.opacity * (-farthest).exp() * (1.0 - relative)).min(ALPHA_MAX);
         let high = (self.opacity * (-nearest).exp() * (1.0 + relative)).min(ALPHA_MAX);
         if high < self.cutoff * (1.0 - 1e-6) {
             return None;
         }
+        let exact = self.exact_alpha(at);
+        let mut low = (self.opacity * (-farthest).exp() * (1.0 - relative)).min(ALPHA_MAX);
         if self.may_vanish || low < self.cutoff * (1.0 + 1e-6) {
             low = 0.0;
         }

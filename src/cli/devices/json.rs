@@ -1,0 +1,80 @@
+//! The list of devices as JSON. What is measured comes after what is known at once, and a file is
+//! written with each: it is not lost if the program is stopped.
+
+use super::facts::{optional, sort, tunings};
+use crate::files;
+use effigy::vulkan::{Probe, probe::version, tuning::Tuning};
+use serde_json::{Value, json};
+use std::path::Path;
+
+/// Prints the devices, or writes them to a file. `measures`: whether ways to draw on a device are
+/// timed that nobody timed yet.
+pub fn write(
+    probes: &[Probe],
+    file: Option<&Path>,
+    measures: impl Fn(&Probe) -> bool,
+) -> anyhow::Result<()> {
+    let keep = |devices: &[Value]| match file {
+        Some(file) => files::write_json(file, &devices),
+        None => Ok(()),
+    };
+    let mut devices: Vec<Value> = probes.iter().map(describe).collect();
+    keep(&devices)?;
+    for (number, probe) in probes.iter().enumerate() {
+        devices[number]["sort"] = match sort(number, probe) {
+            Some(Ok(choice)) => json!(choice),
+            Some(Err(error)) => failed(&error),
+            None => Value::Null,
+        };
+        keep(&devices)?;
+        let mut keep_tunings = |tunings: &[Tuning]| {
+            devices[number]["drawing"] = json!(tunings);
+            keep(&devices)
+        };
+        let drawing = match tunings(number, probe, measures(probe), &mut keep_tunings) {
+            Some(Ok(tunings)) => json!(tunings),
+            Some(Err(error)) => failed(&error),
+            None => Value::Null,
+        };
+        devices[number]["drawing"] = drawing;
+        keep(&devices)?;
+    }
+    match file {
+        Some(file) => println!("wrote {}", file.display()),
+        None => println!("{}", serde_json::to_string_pretty(&devices)?),
+    }
+    Ok(())
+}
+
+fn failed(error: &impl std::fmt::Display) -> Value {
+    json!({ "failed": error.to_string() })
+}
+
+/// A device before anything is measured.
+fn describe(probe: &Probe) -> Value {
+    let optional: serde_json::Map<_, _> = optional(probe)
+        .into_iter()
+        .map(|part| {
+            (
+                part.name.into(),
+                json!({ "has": part.has, "use": part.means }),
+            )
+        })
+        .collect();
+    let limits = &probe.limits;
+    json!({
+        "name": probe.name,
+        "driver": probe.driver,
+        "vulkan": version(probe.api_version),
+        "device_memory_bytes": probe.device_memory,
+        "max_storage_buffer_range": limits.max_storage_buffer_range,
+        "max_image_side": limits.max_framebuffer_width.min(limits.max_image_dimension2_d),
+        "max_workgroup_invocations": limits.max_compute_work_group_invocations,
+        "max_shared_memory_bytes": limits.max_compute_shared_memory_size,
+        "subgroup_size": probe.subgroup_size,
+        "optional": optional,
+        "sort": Value::Null,
+        "drawing": Value::Null,
+        "missing": probe.missing_requirements(),
+    })
+}
