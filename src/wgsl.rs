@@ -65,6 +65,7 @@ modules! {
     PROJECT_STORE = "project/project_store", "project/project.comp", &[("STORE", "true")];
     PROJECT_CACHED = "project/project_cached", "project/project_cached.comp", &[];
     SORT_SCATTER_FIRST = "sort/scatter_first", "sort/scatter.comp", FIRST_PASS;
+    SORT_COUNT_FIRST = "sort/count_first", "sort/count.comp", FIRST_PASS;
     SORT_REDUCE_FIRST = "sort/reduce_first", "sort/reduce.comp", FIRST_PASS;
     SORT_SCAN_FIRST = "sort/scan_first", "sort/scan.comp", FIRST_PASS;
     SORT_COUNT_LAST = "sort/count_last", "sort/count.comp", LAST_PASS;
@@ -78,9 +79,17 @@ modules! {
     SORT_PER_THREAD_SCATTER_LAST =
         "sort/per_thread_scatter_last", "sort/per_thread_scatter.comp", LAST_PASS;
     BINNING = "binning/binning", "binning/binning.comp", &[];
+    BINNING_COUNT = "binning/count", "binning/count.comp", &[];
+    BINNING_SCAN = "binning/scan", "binning/scan.comp", &[];
+    BINNING_PAIRS = "binning/pairs", "binning/pairs.comp", &[];
+    BINNING_STARTS = "binning/starts", "binning/starts.comp", &[];
+    SATURATION = "saturation/saturation", "saturation/saturation.comp", &[];
+    SATURATION_DEPTH = "saturation/depth", "saturation/depth.frag", &[];
     QUADS_VERTEX = "raster/quads_vertex", "raster/quads.vert", &[("DEPTH", "false")];
+    QUADS_TESTED_VERTEX = "raster/quads_tested_vertex", "raster/quads.vert", &[("DEPTH", "true")];
     QUADS_FRAGMENT = "raster/quads_fragment", "raster/quads.frag", &[];
     RASTER = "raster/per_thread", "raster/per_thread_rgba8.comp", &[];
+    RASTER_SHARED = "raster/shared", "raster/shared_rgba8.comp", &[];
     PRESENT_VERTEX = "present/present_vertex", "present/present.vert", &[];
     PRESENT_FRAGMENT = "present/present_fragment", "present/present.frag", &[];
 }

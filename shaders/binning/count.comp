@@ -1,4 +1,5 @@
-// Counts the pairs of each block of splats, for each side that bins may have, and clears the marks.
+// Counts the pairs of each block of splats, for each side that bins may have, and clears the marks
+// (on WebGPU the host does).
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #include "binning/boxes.glsl"
@@ -8,9 +9,11 @@ shared uint sums[BIN_SIDES];
 void main() {
     uint thread = gl_LocalInvocationID.x;
     uint block = gl_WorkGroupID.x;
+#ifndef WEB
     for (uint w = thread; w < BIN_BLOCK / 32u; w += BIN_WORKGROUP) {
-        bins[MARKS_START + block * (BIN_BLOCK / 32u) + w] = 0u;
+        MARK_WORD(block * (BIN_BLOCK / 32u) + w) = 0u;
     }
+#endif
     if (block * BIN_BLOCK >= control.visible_count) {
         return;
     }

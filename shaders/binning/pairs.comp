@@ -3,6 +3,9 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #include "binning/boxes.glsl"
+#ifdef WEB
+layout(std430, set = 0, binding = 5) writeonly buffer PairKeys { uint pair_keys[]; };
+#endif
 
 const uint NO_BIN = 0xffffu;
 // Of each splat: where its pairs end in the block, its index, its first bin's column and row, and
@@ -75,6 +78,6 @@ void main() {
         Pair a = pair_at(number, columns), b = pair_at(number + 1u, columns);
         bins[PAIRS_START + first + number] = a.splat;
         bins[PAIRS_START + first + number + 1u] = b.splat;
-        bins[KEYS_START + (first + number) / 2u] = a.bin | b.bin << 16u;
+        PAIR_KEY_WORD((first + number) / 2u) = a.bin | b.bin << 16u;
     }
 }

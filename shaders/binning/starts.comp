@@ -7,12 +7,15 @@
 layout(local_size_x = BIN_WORKGROUP) in;
 layout(std430, set = 0, binding = 1) readonly buffer Sorted { uint sorted[]; };
 layout(std430, set = 0, binding = 2) buffer Bins { uint bins[]; };
+#ifdef WEB
+layout(std430, set = 0, binding = 3) readonly buffer PairKeys { uint pair_keys[]; };
+#endif
 #include "common/bins.glsl"
 
 // The bin of the pair at a place of the sorted order.
 uint bin_at(uint place) {
     uint pair = sorted[place];
-    return bins[KEYS_START + (pair >> 1u)] >> 16u * (pair & 1u) & 0xffffu;
+    return PAIR_KEY_WORD(pair >> 1u) >> 16u * (pair & 1u) & 0xffffu;
 }
 
 void main() {

@@ -14,6 +14,10 @@
 //   PAIRS_START    the splat of each pair
 //   KEYS_START     the bin of each pair, two a word
 //   MARKS_START    a bit for each splat that some region met before it was saturated
+//
+// On WebGPU keys and marks have buffers of their own, `pair_keys` and `marks`, which the including
+// shader declares: there a kernel can't write one part of a buffer and bind another to be read,
+// and a barrier must not depend on a buffer that is written.
 PARAMETER(3, uint, COUNTS_START, 0u)
 PARAMETER(4, uint, STARTS_START, 0u)
 PARAMETER(5, uint, PAIRS_START, 0u)
@@ -23,6 +27,14 @@ PARAMETER(7, uint, MARKS_START, 0u)
 PARAMETER(8, uint, PAIR_CAPACITY, 1u)
 // How far outside a bin a splat's box may lie and still meet it, px.
 PARAMETER(9, float, MARGIN, 0.0)
+
+#ifdef WEB
+#define PAIR_KEY_WORD(word) pair_keys[word]
+#define MARK_WORD(word) marks[word]
+#else
+#define PAIR_KEY_WORD(word) bins[KEYS_START + (word)]
+#define MARK_WORD(word) bins[MARKS_START + (word)]
+#endif
 
 // Members of the Control: key_count and visible_count.
 const uint PAIR_COUNT_AT = 5u;

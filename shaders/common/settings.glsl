@@ -12,6 +12,11 @@ layout(std140, set = 0, binding = 7) uniform SettingsBlock {
     uint blocks;
     uint counted;
     uvec2 first_region;
+    uint counts_start;
+    uint starts_start;
+    uint pairs_start;
+    uint pair_capacity;
+    float bin_margin;
 } settings;
 
 #define CUTOFF_EXPONENT settings.cutoff_exponent
@@ -25,3 +30,8 @@ layout(std140, set = 0, binding = 7) uniform SettingsBlock {
 #define BLOCKS settings.blocks
 #define COUNTED (settings.counted != 0u)
 #define FIRST_REGION settings.first_region
+#define COUNTS_START settings.counts_start
+#define STARTS_START settings.starts_start
+#define PAIRS_START settings.pairs_start
+#define PAIR_CAPACITY settings.pair_capacity
+#define MARGIN settings.bin_margin

@@ -15,10 +15,13 @@ layout(local_size_x = RASTER_WORKGROUP) in;
 layout(std430, set = 0, binding = 1) readonly buffer Splats { uvec4 splats[]; };  // then the keys
 layout(std430, set = 0, binding = 2) buffer ControlBuffer { Control control; };
 layout(std430, set = 0, binding = 3) readonly buffer Sorted { uint sorted[]; };
-#ifdef MARKS
+#if defined(MARKS) && !defined(WEB)
 layout(std430, set = 0, binding = 4) buffer Bins { uint bins[]; };
 #else
 layout(std430, set = 0, binding = 4) readonly buffer Bins { uint bins[]; };
+#endif
+#if defined(MARKS) && defined(WEB)
+layout(std430, set = 0, binding = 6) buffer Marks { uint marks[]; };
 #endif
 // Exponent of the opacity under which nothing is drawn.
 PARAMETER(0, float, CUTOFF_EXPONENT, -7.994353)
@@ -48,7 +51,8 @@ shared uint batch_seen[RASTER_WORKGROUP];
 // A bit for each splat of the batch that meets a quarter of the region; a row of words a quarter.
 const uint HIT_WORDS = RASTER_WORKGROUP / 32u;
 shared uint batch_hits[4u * HIT_WORDS];
-// Whether some invocation has a sample that is not saturated.
+// Whether some invocation has a sample that is not saturated. It is no array: on WebGPU a read of it
+// is one that all invocations make together (tools/shaders/wgsl.rs).
 shared uint batch_open;
 
 // A splat of the batch as an invocation sees it.

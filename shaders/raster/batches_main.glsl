@@ -49,7 +49,7 @@ void blend_bin(inout Samples samples, uvec2 corner, vec2 first) {
         barrier();
 #ifdef MARKS
         if (batch_seen[thread] != 0u) {
-            atomicOr(bins[MARKS_START + (i >> 5u)], 1u << (i & 31u));
+            atomicOr(MARK_WORD(i >> 5u), 1u << (i & 31u));
         }
 #endif
     }

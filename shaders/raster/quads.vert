@@ -7,9 +7,7 @@
 #include "common/splat.glsl"
 #include "common/control.glsl"
 #include "raster/quads.glsl"
-#ifndef WEB
 #include "common/bins.glsl"
-#endif
 
 // Quads are at least as large as for this exponent, which is no less than CUTOFF_EXPONENT.
 PARAMETER(1, float, QUAD_EXPONENT, -7.994353)
@@ -20,15 +18,15 @@ layout(std430, set = 0, binding = 1) readonly buffer Order { uint order[]; };
 layout(std430, set = 0, binding = 2) readonly buffer Splats { uvec4 splats[]; };  // then the keys
 layout(std430, set = 0, binding = 3) readonly buffer ControlBuffer { Control control; };
 #include "common/key_at.glsl"
-#ifdef WEB
-bool marked(uint i) { return true; }
-#else
 // Bound to anything where DEPTH is false.
+#ifdef WEB
+layout(std430, set = 0, binding = 4) readonly buffer Marks { uint marks[]; };
+#else
 layout(std430, set = 0, binding = 4) readonly buffer Bins { uint bins[]; };
+#endif
 
 // Whether some part of the image met the splat before it was saturated.
-bool marked(uint i) { return (bins[MARKS_START + (i >> 5u)] >> (i & 31u) & 1u) != 0u; }
-#endif
+bool marked(uint i) { return (MARK_WORD(i >> 5u) >> (i & 31u) & 1u) != 0u; }
 
 // Where in the quad, in standard deviations of √(2 ln 2): at most 3, so 16 bits suffice on a device
 // that has such varyings.

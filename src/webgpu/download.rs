@@ -1,4 +1,4 @@
-//! Brings the image from the device to the host.
+//! Brings images from the device to the host.
 
 use super::{buffer, device::Gpu, error::Result, raster::Raster};
 use effigy_core::{frame::ColorFormat, scene::FrameImage};
@@ -8,9 +8,31 @@ use wgpu::BufferUsages;
 /// Copies an image that was drawn at least once, and waits.
 pub fn read_image(gpu: &Gpu, raster: &Raster) -> Result<FrameImage> {
     let image = raster.image();
-    let width = image.width();
-    let height = image.height();
-    let row = width as usize * raster.format().bytes();
+    let bytes = texels(gpu, image, raster.format().bytes())?;
+    let pixels = match raster.format() {
+        ColorFormat::Rgba8 => bytes
+            .chunks_exact(4)
+            .map(|p| [p[0], p[1], p[2], p[3]].map(|v| f32::from(v) / 255.0))
+            .collect(),
+        ColorFormat::Rgba16F => {
+            let half = |p: &[u8], k: usize| f16::from_le_bytes([p[2 * k], p[2 * k + 1]]).to_f32();
+            bytes
+                .chunks_exact(8)
+                .map(|p| std::array::from_fn(|k| half(p, k)))
+                .collect()
+        }
+    };
+    Ok(FrameImage {
+        size: [image.width(), image.height()],
+        pixels,
+    })
+}
+
+/// Copies the texels of a texture, each of some bytes, row by row, and waits.
+pub fn texels(gpu: &Gpu, texture: &wgpu::Texture, bytes_each: usize) -> Result<Vec<u8>> {
+    let width = texture.width();
+    let height = texture.height();
+    let row = width as usize * bytes_each;
     let pitch = row.next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT as usize);
     let bytes = pitch * height as usize;
     let staging = buffer::empty(
@@ -26,7 +48,7 @@ pub fn read_image(gpu: &Gpu, raster: &Raster) -> Result<FrameImage> {
         rows_per_image: None,
     };
     encoder.copy_texture_to_buffer(
-        image.as_image_copy(),
+        texture.as_image_copy(),
         wgpu::TexelCopyBufferInfo {
             buffer: &staging,
             layout,
@@ -38,21 +60,6 @@ pub fn read_image(gpu: &Gpu, raster: &Raster) -> Result<FrameImage> {
         },
     );
     let bytes = buffer::mapped(gpu, &staging, encoder.finish(), bytes)?;
-    let rows = bytes.chunks_exact(pitch).map(|line| &line[..row]);
-    let pixels = match raster.format() {
-        ColorFormat::Rgba8 => rows
-            .flat_map(|row| row.chunks_exact(4))
-            .map(|p| [p[0], p[1], p[2], p[3]].map(|v| f32::from(v) / 255.0))
-            .collect(),
-        ColorFormat::Rgba16F => {
-            let half = |p: &[u8], k: usize| f16::from_le_bytes([p[2 * k], p[2 * k + 1]]).to_f32();
-            rows.flat_map(|row| row.chunks_exact(8))
-                .map(|p| std::array::from_fn(|k| half(p, k)))
-                .collect()
-        }
-    };
-    Ok(FrameImage {
-        size: [width, height],
-        pixels,
-    })
+    let rows = bytes.chunks_exact(pitch);
+    Ok(rows.flat_map(|line| &line[..row]).copied().collect())
 }

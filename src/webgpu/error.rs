@@ -54,8 +54,8 @@ pub enum Error {
     /// The options ask for [`SortVariant::OneSweep`](effigy_core::frame::SortVariant::OneSweep).
     #[error("the WebGPU backend has no OneSweep, which needs subgroups")]
     Sort,
-    /// The options ask for another kernel of the tile rasterizer than the per-thread one.
-    #[error("the WebGPU backend has the per-thread tile kernel, not the {0} one")]
+    /// The options ask for a kernel of the tile rasterizer that needs subgroups.
+    #[error("the WebGPU backend has no {0} tile kernel, which needs subgroups")]
     TileKernel(&'static str),
     /// The options ask for workgroups of another size than the shaders have.
     #[error("the WebGPU backend has workgroups of 64 in the project stage, not of {0}")]

@@ -49,8 +49,8 @@ enum Place {
     Encoder,
     /// A compute pass, with the passes beside it that run in one too.
     Compute,
-    /// Render passes of its own, and what these need.
-    Draw,
+    /// Render passes of its own, or more than one pass.
+    Own,
 }
 
 fn place(pass: &Pass) -> Place {
@@ -63,10 +63,9 @@ fn place(pass: &Pass) -> Place {
         | Pass::Project { .. }
         | Pass::Sort
         | Pass::Binning
-        | Pass::Bin
         | Pass::Saturation
         | Pass::RasterTiles { .. } => Place::Compute,
-        Pass::Occluder { .. } | Pass::RasterQuads { .. } => Place::Draw,
+        Pass::Occluder { .. } | Pass::Bin | Pass::RasterQuads { .. } => Place::Own,
     }
 }
 
@@ -113,7 +112,7 @@ impl Executor<'_> {
             ];
             match place(group[0]) {
                 Place::Encoder => self.encode(encoder, group[0]),
-                Place::Draw => self.draw(in_flight, encoder, group[0], writes),
+                Place::Own => self.own(in_flight, encoder, group[0], writes),
                 Place::Compute => {
                     let mut compute = in_flight.pass(encoder, scheduled.stage, writes);
                     for pass in group {
@@ -146,7 +145,7 @@ impl Executor<'_> {
                     .write_buffer(self.control, 0, bytes_of(&control));
             }
             Pass::ClearCounts => self.project.clear(encoder),
-            Pass::ClearTileLists => self.raster.way().clear_tile_lists(encoder),
+            Pass::ClearTileLists => self.raster.clear_tile_lists(encoder),
             // The counts are copied where the frame is submitted.
             Pass::ReadCounts => {}
             Pass::Mlp { .. }
@@ -162,7 +161,7 @@ impl Executor<'_> {
         }
     }
 
-    fn draw(
+    fn own(
         &self,
         in_flight: &FrameInFlight,
         encoder: &mut wgpu::CommandEncoder,
@@ -174,12 +173,16 @@ impl Executor<'_> {
                 let occluder = self.occluder.expect(SCHEDULED);
                 occluder.record(in_flight, encoder, self.blocks, writes);
             }
-            Pass::RasterQuads { .. } => {
+            Pass::Bin => {
+                let block = self.image_block();
+                self.raster.record_bins(in_flight, encoder, block, writes);
+            }
+            Pass::RasterQuads { tested } => {
                 let block = self.image_block();
                 self.raster
-                    .record_quads(in_flight, encoder, block, self.control, writes);
+                    .record_quads(in_flight, encoder, block, self.control, *tested, writes);
             }
-            _ => unreachable!("{pass:?} draws no triangles: `place` says so"),
+            _ => unreachable!("{pass:?} has no passes of its own: `place` says so"),
         }
     }
 
@@ -204,13 +207,14 @@ impl Executor<'_> {
                 self.project.record(compute, block, gaussians, skinning);
             }
             Pass::Sort => self.sort.record(compute),
-            Pass::Binning => {
-                let way = self.raster.way();
-                way.record_binning(compute, self.image_block());
+            Pass::Binning => self.raster.record_binning(compute, self.image_block()),
+            Pass::Saturation => {
+                let block = self.image_block();
+                self.raster.record_saturation(compute, block, self.damage);
             }
             Pass::RasterTiles { .. } => {
-                let way = self.raster.way();
-                way.record_tiles(compute, self.image_block(), self.damage);
+                let block = self.image_block();
+                self.raster.record_tiles(compute, block, self.damage);
             }
             _ => unreachable!("{pass:?} is no kernel: `place` says so"),
         }

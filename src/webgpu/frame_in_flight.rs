@@ -45,6 +45,8 @@ pub struct FrameInFlight {
     submission: Option<wgpu::SubmissionIndex>,
     known: Counters,
     counted: bool,
+    /// Whether the control counts samples of the saturation depth, not fragments.
+    samples: bool,
     marked: Vec<&'static str>,
     skipped: Vec<&'static str>,
 }
@@ -76,6 +78,7 @@ impl FrameInFlight {
             submission: None,
             known: Counters::default(),
             counted: false,
+            samples: false,
             marked: Vec::with_capacity(STAGES.len()),
             skipped: Vec::with_capacity(STAGES.len()),
         })
@@ -116,12 +119,14 @@ impl FrameInFlight {
         let (counts, ticks) = bytes.split_at(COUNTS as usize);
         let (control, reasons) = counts.split_at(size_of::<Control>());
         let control: Control = bytemuck::pod_read_unaligned(control);
+        let evaluated =
+            (self.counted && control.fragments > 0).then_some(u64::from(control.fragments));
         let counters = self.known.with_device_counts(
             &control,
             self.counted
                 .then_some(bytemuck::pod_read_unaligned(reasons)),
-            (self.counted && control.fragments > 0).then_some(control.fragments.into()),
-            None,
+            evaluated.filter(|_| !self.samples),
+            evaluated.filter(|_| self.samples),
         );
         let ticks: Vec<u64> = bytemuck::pod_collect_to_vec(ticks);
         let ms = |pair: &[u64]| pair[1].saturating_sub(pair[0]) as f64 * self.period;
@@ -144,6 +149,7 @@ impl FrameInFlight {
     pub fn begin(&mut self, known: Counters, counted: bool) {
         self.known = known;
         self.counted = counted;
+        self.samples = false;
         self.marked.clear();
         self.skipped.clear();
     }
@@ -156,6 +162,7 @@ impl FrameInFlight {
     /// The timestamps at the beginning and the end of a stage. Stages share their borders: the end
     /// of one is the beginning of the next.
     pub fn stage(&mut self, stage: Stage) -> Writes {
+        self.samples |= stage == Stage::Saturation;
         let begin = self.marked.is_empty().then_some(0);
         self.marked.push(stage.name());
         [begin, Some(self.marked.len() as u32)]

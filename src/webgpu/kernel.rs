@@ -102,8 +102,13 @@ impl Blocks {
 
     /// The binding of the settings block.
     pub fn settings(&self) -> (u32, Bound<'_>) {
-        (SETTINGS, Bound::Uniform(&self.settings))
+        settings(&self.settings)
     }
+}
+
+/// The binding of a [`SettingsBlock`].
+pub fn settings(buffer: &wgpu::Buffer) -> (u32, Bound<'_>) {
+    (SETTINGS, Bound::Uniform(buffer))
 }
 
 /// The bind group of a shader.

@@ -9,6 +9,7 @@ mod buffer;
 pub mod device;
 #[cfg(not(target_arch = "wasm32"))]
 mod download;
+mod drawing;
 pub mod error;
 mod execute;
 mod frame_in_flight;

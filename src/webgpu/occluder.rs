@@ -5,6 +5,7 @@
 use super::{
     buffer::{STORAGE, filled},
     device::Gpu,
+    drawing::{DEPTH_FORMAT, depth_test, texture},
     error::Result,
     frame_in_flight::{FrameInFlight, Writes},
     kernel::{Bindings, Blocks, Bound, Kernel, module},
@@ -23,10 +24,8 @@ use effigy_core::{
 };
 use wgpu::{
     BufferUsages, Face, LoadOp, Operations, RenderPassDepthStencilAttachment, ShaderStages,
-    StoreOp, TextureFormat, TextureUsages,
+    StoreOp, TextureUsages,
 };
-
-const FORMAT: TextureFormat = TextureFormat::Depth16Unorm;
 
 /// The occluder mesh in device memory, and its pipelines; see `shaders/occluder/depth.vert`.
 pub struct OccluderPass {
@@ -71,7 +70,7 @@ impl OccluderPass {
         ];
         let mesh = Bindings::new(gpu, ShaderStages::VERTEX, &drawn);
         let usage = TextureUsages::RENDER_ATTACHMENT | TextureUsages::TEXTURE_BINDING;
-        let image = super::raster::texture(gpu, "occluder", [OCCLUDER_SIDE; 2], FORMAT, usage);
+        let image = texture(gpu, "occluder", [OCCLUDER_SIDE; 2], DEPTH_FORMAT, usage);
         let view = image.create_view(&Default::default());
         let bound = [
             blocks.frame(),
@@ -94,13 +93,7 @@ impl OccluderPass {
                     cull_mode: Some(Face::Back),
                     ..Default::default()
                 },
-                depth_stencil: Some(wgpu::DepthStencilState {
-                    format: FORMAT,
-                    depth_write_enabled: Some(true),
-                    depth_compare: Some(wgpu::CompareFunction::LessEqual),
-                    stencil: Default::default(),
-                    bias: Default::default(),
-                }),
+                depth_stencil: Some(depth_test(true)),
                 multisample: Default::default(),
                 fragment: None,
                 multiview_mask: None,

@@ -18,8 +18,7 @@ pub fn resolved(gpu: &Gpu, options: RendererOptions) -> RendererOptions {
     let method = options.method.unwrap_or_else(|| {
         crate::quirks::recommended_method(gpu.is_cpu(), gpu.name(), &gpu.driver())
     });
-    // WebGPU has no saturation stage to test fragments against, and its render passes draw the
-    // whole image.
+    // WebGPU's render passes draw the whole image.
     let whole = if method == RasterMethod::Quads {
         Skip::DAMAGE
     } else {
@@ -28,9 +27,22 @@ pub fn resolved(gpu: &Gpu, options: RendererOptions) -> RendererOptions {
     let hidden = if draws_triangles(gpu.name()) {
         Skip::empty()
     } else {
-        Skip::HIDDEN
+        Skip::HIDDEN | Skip::DEPTH
     };
-    let skip = options.skip - Skip::DEPTH - whole - hidden;
+    // As with Vulkan, whose own choice is measured: on CPU drivers the depth test costs more than
+    // it saves (docs/experiments/038).
+    let tested = if options.method.is_none() {
+        Skip::DEPTH
+    } else {
+        Skip::empty()
+    };
+    let skip = options.skip - whole - hidden - tested;
+    // CPU drivers execute a few invocations at a time: they have a kernel of their own.
+    let kernel = options.kernel.unwrap_or(if gpu.is_cpu() {
+        TileKernel::PerThread
+    } else {
+        TileKernel::Shared
+    });
     let sort = options.sort.unwrap_or(if gpu.is_cpu() {
         SortVariant::PerThread
     } else {
@@ -39,7 +51,7 @@ pub fn resolved(gpu: &Gpu, options: RendererOptions) -> RendererOptions {
     RendererOptions {
         method: Some(method),
         color: Some(options.color.unwrap_or(method.color())),
-        kernel: Some(options.kernel.unwrap_or(TileKernel::PerThread)),
+        kernel: Some(kernel),
         key_bits: Some(options.key_bits.unwrap_or(KeyBits::Sixteen)),
         sort: Some(sort),
         packed_words: Some(true),
@@ -63,7 +75,7 @@ pub fn accepted(gpu: &Gpu, avatar: &Avatar, options: RendererOptions) -> Result<
     }
     if let Some(kernel) = options
         .kernel
-        .filter(|kernel| *kernel != TileKernel::PerThread)
+        .filter(|kernel| *kernel == TileKernel::Cooperative)
     {
         return Err(Error::TileKernel(kernel.name()));
     }

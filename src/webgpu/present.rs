@@ -4,10 +4,10 @@
 use super::{
     buffer,
     device::Gpu,
+    drawing::Drawing,
     error::Result,
     kernel::{Bindings, Bound},
     owned::Buffer,
-    raster::draw_pipeline,
 };
 use crate::wgsl;
 use wgpu::{BufferUsages, ShaderStages, TextureFormat};
@@ -35,15 +35,16 @@ impl Present {
             blend: None,
             write_mask: wgpu::ColorWrites::ALL,
         };
-        let pipeline = draw_pipeline(
-            gpu,
-            "present",
-            &bindings,
-            &bound,
-            &wgsl::PRESENT_VERTEX,
-            &wgsl::PRESENT_FRAGMENT,
+        let drawing = Drawing {
+            label: "present",
+            bindings: &bindings,
+            bound: &bound,
+            vertex: &wgsl::PRESENT_VERTEX,
+            fragment: &wgsl::PRESENT_FRAGMENT,
             target,
-        )?;
+            depth: None,
+        };
+        let pipeline = drawing.pipeline(gpu)?;
         Ok(Self {
             background,
             bindings,

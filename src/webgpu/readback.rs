@@ -5,7 +5,7 @@ use super::{
     buffer, download, error::Result, frame_in_flight::FRAMES_IN_FLIGHT, renderer::Renderer,
 };
 use effigy_core::{
-    layout::{Control, widened_key},
+    layout::{BinLists, Control, widened_key},
     scene::FrameImage,
 };
 use half::f16;
@@ -50,6 +50,28 @@ impl Renderer {
     pub fn read_image(&mut self) -> Result<FrameImage> {
         self.finish()?;
         download::read_image(&self.gpu, &self.raster)
+    }
+
+    /// Waits, and copies the saturation depth of each sample of the last frame to the host, row by
+    /// row. None where quads are not tested against it.
+    ///
+    /// # Errors
+    /// When the device is lost or hangs.
+    pub fn saturation_depths(&mut self) -> Result<Option<Vec<f32>>> {
+        self.finish()?;
+        let read = |samples| download::texels(&self.gpu, samples, 4);
+        let bytes = self.raster.samples().map(read).transpose()?;
+        Ok(bytes.map(|bytes| bytemuck::pod_collect_to_vec(&bytes)))
+    }
+
+    /// Waits, and copies the lists of bins of the last frame to the host. None where there are
+    /// none.
+    ///
+    /// # Errors
+    /// When the device is lost or hangs.
+    pub fn bin_lists(&mut self) -> Result<Option<BinLists>> {
+        self.finish()?;
+        self.raster.bin_lists(&self.gpu)
     }
 
     /// Waits, and copies every stage's output of the last frame to the host.

@@ -22,16 +22,13 @@ use bytemuck::bytes_of;
 use effigy_core::{
     avatar::Avatar,
     frame::{
-        Counters, Damage, FrameReport, RendererOptions, Schedule, Skinning, Skip, Stage,
-        TileKernel, block,
+        Counters, Damage, FrameReport, RendererOptions, Schedule, Skinning, Skip, Stage, block,
         pose_cache::PoseCache,
         schedule::{DeviceState, Equipment},
         state::{AvatarInstance, FramePlan, FrameState, PlanInput, StageDispatches},
         validate,
     },
-    layout::{
-        Control, FrameBlock, PYRAMID_WORDS, RASTER_REGION, SORT_TILE, SettingsBlock, TILING_WEB,
-    },
+    layout::{Control, FrameBlock, PYRAMID_WORDS, SORT_TILE, SettingsBlock, TILING_WEB},
     scene::{AvatarBounds, Camera, PartDependencies, PixelRect, Posed},
 };
 use std::sync::Arc;
@@ -111,10 +108,12 @@ impl Renderer {
         let sort_inputs = SortInputs {
             keys: project.keys(),
             counts: project.counts(),
-            control: &control,
+            control: (&control).into(),
             capacity: project.capacity(),
+            counted: true,
         };
-        let sort = Sort::new(gpu, &blocks, sort_inputs, sort::variant(&options))?;
+        let variant = sort::variant(&options);
+        let sort = Sort::new(gpu, blocks.settings(), sort_inputs, variant)?;
         let inputs = RasterInputs {
             order: sort.order(),
             splats: project.all(),
@@ -127,7 +126,7 @@ impl Renderer {
         let sh = SphericalHarmonics::new(gpu, avatar, &model, &blocks)?;
         let mut settings = SettingsBlock::default();
         sort.fill(&mut settings);
-        Raster::fill(&mut settings, &options, project.capacity());
+        raster.fill(&mut settings, &options, project.capacity());
         let new = Self {
             frames_in_flight: (0..FRAMES_IN_FLIGHT)
                 .map(|_| FrameInFlight::new(gpu))
@@ -219,8 +218,8 @@ impl Renderer {
         Equipment {
             sh: self.sh.is_some(),
             occluder: self.occluder.is_some(),
-            method: self.raster.way().method(),
-            kernel: TileKernel::PerThread,
+            method: self.raster.method(),
+            kernel: self.raster.kernel(),
             skip: self.options.skip,
         }
     }
@@ -359,7 +358,7 @@ impl Renderer {
     ) {
         let settings = SettingsBlock {
             key_count: schedule.key_count,
-            first_region: damage.regions(RASTER_REGION)[0],
+            first_region: self.raster.first_region(damage),
             ..self.settings
         };
         if self.key_count.is_none() || self.settings != settings {

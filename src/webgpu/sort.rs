@@ -7,7 +7,7 @@ use super::{
     buffer::{STORAGE, Slice, empty},
     device::Gpu,
     error::Result,
-    kernel::{Blocks, Bound, Kernel},
+    kernel::{Bound, Kernel},
     owned::Buffer,
 };
 use crate::wgsl;
@@ -46,16 +46,21 @@ pub fn first_counts_size(capacity: u32) -> u64 {
 pub struct SortInputs<'a> {
     /// Keys of 16 bits, two a word.
     pub keys: Slice<'a>,
-    /// Counts of the keys' lowest digits, filled by the stage that makes the keys.
+    /// Counts of the keys' lowest digits, and room for more: [`counts_size`].
     pub counts: Slice<'a>,
     /// A [`Control`](effigy_core::layout::Control): gets the number of visible keys.
-    pub control: &'a wgpu::Buffer,
+    pub control: Slice<'a>,
     /// The most keys to sort.
     pub capacity: u32,
+    /// Whether what makes the keys counts their lowest digits. If not, the sort does, which only
+    /// the reduce-then-scan variant can.
+    pub counted: bool,
 }
 
 /// The kernels of the sort, and the buffers that they write.
 pub struct Sort {
+    /// None where the keys come counted.
+    first_count: Option<Kernel>,
     first_scan: Option<[Kernel; 2]>,
     first: Kernel,
     last_count: Kernel,
@@ -69,9 +74,10 @@ pub struct Sort {
 }
 
 impl Sort {
+    /// `settings`: the binding of a block with what [`Self::fill`] writes, and the number of keys.
     pub fn new(
         gpu: &Gpu,
-        blocks: &Blocks,
+        settings: (u32, Bound),
         inputs: SortInputs,
         variant: SortVariant,
     ) -> Result<Self> {
@@ -80,15 +86,15 @@ impl Sort {
             counts,
             control,
             capacity,
+            counted,
         } = inputs;
-        let control = Slice::from(control);
         let between = empty(gpu, "sort entries", 4 * u64::from(capacity), STORAGE)?;
         let order = empty(gpu, "order", 4 * u64::from(capacity), STORAGE)?;
         let entries = Slice::from(&between);
         let read = Bound::Read;
         let write = Bound::Write;
         let kernel = |module, bound: &[(u32, Bound)]| {
-            Kernel::new(gpu, module, &[bound, &[blocks.settings()]].concat())
+            Kernel::new(gpu, module, &[bound, &[settings]].concat())
         };
         let scanned = tiles(capacity) > MAX_SUMMED_TILES;
         let per_thread = variant == SortVariant::PerThread;
@@ -109,6 +115,10 @@ impl Sort {
                 &wgsl::SORT_COUNT_LAST,
                 &wgsl::SORT_SCATTER_LAST,
             ]
+        };
+        let first_count = || {
+            let bound = [(1, read(keys)), (2, write(counts)), (3, read(control))];
+            kernel(&wgsl::SORT_COUNT_FIRST, &bound)
         };
         let first_scan = || {
             [
@@ -132,6 +142,7 @@ impl Sort {
             ]
         };
         Ok(Self {
+            first_count: (!counted).then(first_count),
             first_scan: scanned.then(first_scan),
             first: kernel(
                 first,
@@ -176,13 +187,18 @@ impl Sort {
     }
 
     pub fn dispatches(&self) -> usize {
-        3 + 2 * usize::from(self.first_scan.is_some()) + 2 * usize::from(self.last_scan.is_some())
+        3 + usize::from(self.first_count.is_some())
+            + 2 * usize::from(self.first_scan.is_some())
+            + 2 * usize::from(self.last_scan.is_some())
     }
 
-    /// Sorts keys whose lowest digits are counted.
+    /// Sorts.
     pub fn record(&self, pass: &mut wgpu::ComputePass) {
         let tiles = [self.tiles, 1];
         let groups = [self.tiles.div_ceil(SORT_GROUP), 1];
+        if let Some(count) = &self.first_count {
+            count.dispatch(pass, 0, tiles);
+        }
         for kernel in self.first_scan.iter().flatten() {
             kernel.dispatch(pass, 0, groups);
         }

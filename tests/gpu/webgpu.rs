@@ -1,18 +1,26 @@
 //! The WebGPU backend, natively: its stages and images against the reference and against the
 //! Vulkan backend.
 
-use crate::common::{self, Sizes, gpu};
+use crate::{
+    common::{
+        self, Sizes,
+        gpu::{
+            self,
+            Raster::{self, Quads, SharedTiles, TestedQuads, Tiles},
+        },
+    },
+    stages::{
+        raster::{avatar_in_bins, check_bins, views_of_bins},
+        saturation::{Sampled, sampled_frames},
+    },
+};
 use effigy::{
     quirks::draws_triangles,
     webgpu::{Error, Gpu, Renderer},
 };
 use effigy_core::{
     avatar::{Avatar, ShCoefficients},
-    frame::{
-        KeyBits,
-        RasterMethod::{self, Quads, Tiles},
-        RendererOptions, Skinning, Skip, SortVariant, TileKernel,
-    },
+    frame::{KeyBits, RasterMethod, RendererOptions, Skinning, Skip, SortVariant, TileKernel},
     io::{file::Neutral, pack::PackQuality},
     layout::SORT_CULLED,
     reference,
@@ -57,9 +65,9 @@ fn scene(size: [u32; 2]) -> (Avatar, Posed, Camera) {
     (avatar, posed, camera)
 }
 
-fn images_agree_with_the_reference(method: RasterMethod) {
+fn images_agree_with_the_reference(raster: Raster) {
     let device = open();
-    let options = gpu::with_method(device.name(), method, [200, 260]);
+    let options = raster.options(device.name(), [200, 260]);
     for seed in 0..3 {
         let (avatar, posed) = body(seed, 4000);
         let camera = gpu::camera(&avatar, &posed, options.size);
@@ -78,10 +86,16 @@ fn images_agree_with_the_reference(method: RasterMethod) {
     device.check().unwrap();
 }
 
-fn images_agree_with_the_vulkan_backend(method: RasterMethod) {
+fn images_agree_with_the_vulkan_backend(raster: Raster) {
     let (device, vulkan) = (open(), gpu::gpu());
-    let (avatar, posed, camera) = scene([512, 512]);
-    let options = gpu::with_method(device.name(), method, camera.size);
+    // Where quads are tested against the saturation depth, an avatar is large in the image.
+    let size = if raster == TestedQuads {
+        [900, 1100]
+    } else {
+        [512, 512]
+    };
+    let (avatar, posed, camera) = scene(size);
+    let options = raster.options(device.name(), camera.size);
     let mut ours = Renderer::new(&device, &avatar, options).unwrap();
     ours.draw(&posed, &camera).unwrap();
     let mut theirs = effigy::vulkan::Renderer::new(&vulkan, &avatar, options).unwrap();
@@ -100,6 +114,80 @@ fn images_agree_with_the_vulkan_backend(method: RasterMethod) {
         covered > 10_000 && off as f64 <= 1e-3 * covered as f64,
         "{off} of {covered} pixels differ, {options:?}"
     );
+}
+
+/// The images differ from those without the depth test, by as little as Vulkan's may.
+fn fragments_behind_the_saturation_depth_are_left_out_within_the_budget() {
+    let device = open();
+    for size in [[960, 1520], [61, 97]] {
+        let (avatar, posed, camera) = scene(size);
+        let [(exact, _), (image, samples)] = [Quads, TestedQuads].map(|raster| {
+            let options = RendererOptions {
+                count: true,
+                ..raster.options(device.name(), size)
+            };
+            let mut renderer = Renderer::new(&device, &avatar, options).unwrap();
+            renderer.draw(&posed, &camera).unwrap();
+            let image = renderer.read_image().unwrap();
+            let counters = renderer.report().counters;
+            assert_eq!(counters.fragments, None, "quads' fragments are not counted");
+            (image, counters.samples)
+        });
+        let difference = error::between(&image, &exact);
+        // Where Gaussians are small in the image, they would fall between the samples, and no depth
+        // is tested.
+        let small = size[0] < 100;
+        assert!(
+            difference.covered.psnr_db > 55.0
+                && difference.whole.max_error < 0.05
+                && (image == exact) == small
+                && samples.is_none() == small,
+            "{size:?}, {samples:?} samples: {:?}",
+            difference.covered
+        );
+    }
+    device.check().unwrap();
+}
+
+fn samples_are_saturated_where_the_references_are() {
+    let device = open();
+    gpu::require_method(device.name(), RasterMethod::Quads);
+    let key_bits = KeyBits::Sixteen;
+    let (avatar, frames) = sampled_frames(key_bits);
+    for (posed, camera, options) in frames {
+        let mut renderer = Renderer::new(&device, &avatar, options).unwrap();
+        renderer.draw(&posed, &camera).unwrap();
+        let found = renderer.saturation_depths().unwrap().unwrap();
+        let stages = renderer.stages().unwrap();
+        let sampled = Sampled {
+            avatar: &avatar,
+            posed: &posed,
+            camera,
+            found,
+            keys: &stages.keys,
+            key_bits,
+            order: &stages.order,
+        };
+        sampled.check();
+    }
+}
+
+/// Every bin has the splats whose boxes meet it. With 16-bit keys the order is the device's own.
+fn each_bin_has_the_splats_that_meet_it_nearest_first() {
+    let device = open();
+    let avatar = avatar_in_bins();
+    let mut sides = Vec::new();
+    for (distance, posed, camera) in views_of_bins(&avatar) {
+        let options = SharedTiles.options(device.name(), camera.size);
+        let mut renderer = Renderer::new(&device, &avatar, options).unwrap();
+        renderer.draw(&posed, &camera).unwrap();
+        let bins = renderer.bin_lists().unwrap().unwrap();
+        let order = renderer.stages().unwrap().order;
+        let reference = reference::ReferenceFrame::new(&avatar, &posed, &camera);
+        check_bins(&bins, &order, &reference, 0.0, distance);
+        sides.push(bins.side);
+    }
+    assert!(sides.contains(&32) && sides.contains(&64), "{sides:?}");
 }
 
 fn stages_are_those_of_the_vulkan_backend() {
@@ -213,15 +301,15 @@ fn the_order_is_that_of_a_stable_sort() {
     }
 }
 
-fn only_what_changed_is_drawn_again(method: RasterMethod) {
+fn only_what_changed_is_drawn_again(raster: Raster) {
     let device = open();
     let (avatar, posed, camera) = scene([320, 320]);
     // All Gaussians, and every second.
-    let level = u32::from(method == RasterMethod::Quads);
+    let level = u32::from(raster == Quads);
     let options = RendererOptions {
         count: true,
         detail: Detail::FULL.at_least(level),
-        ..gpu::with_method(device.name(), method, camera.size)
+        ..raster.options(device.name(), camera.size)
     };
     let mut renderer = Renderer::new(&device, &avatar, options).unwrap();
     let cameras: Vec<_> = (0..3)
@@ -351,10 +439,10 @@ fn avatars_of_different_levels_are_those_of_the_vulkan_backend() {
     );
 }
 
-fn images_of_any_size_follow_a_resize(method: RasterMethod) {
+fn images_of_any_size_follow_a_resize(raster: Raster) {
     let device = open();
     let (avatar, posed) = body(2, 500);
-    let options = gpu::with_method(device.name(), method, [64, 64]);
+    let options = raster.options(device.name(), [64, 64]);
     let mut renderer = Renderer::new(&device, &avatar, options).unwrap();
     for size in [[1, 1], [7, 300], [640, 3], [200, 200]] {
         renderer.resize(size).unwrap();
@@ -402,7 +490,7 @@ fn colours_that_follow_the_camera_agree_with_the_reference() {
     }
 }
 
-fn an_avatar_is_drawn_before_its_correctives_are_there(method: RasterMethod) {
+fn an_avatar_is_drawn_before_its_correctives_are_there(raster: Raster) {
     let device = open();
     let (avatar, posed) = body(31, 2000);
     let small = avatar.packed(PackQuality::Small);
@@ -411,7 +499,7 @@ fn an_avatar_is_drawn_before_its_correctives_are_there(method: RasterMethod) {
         (&avatar, avatar.to_packed_bytes()),
         (&small, small.to_packed_bytes()),
     ];
-    let options = gpu::with_method(device.name(), method, [160, 160]);
+    let options = raster.options(device.name(), [160, 160]);
     for (avatar, file) in files {
         let file = file.unwrap();
         let neutral = neutral(&file);
@@ -478,7 +566,7 @@ fn neutral(file: &[u8]) -> Avatar {
 
 /// Where nothing is and nothing was, tiles leave the image as it is: while the avatar crosses it,
 /// comes near, leaves it and comes again.
-fn only_a_box_around_the_avatar_is_drawn() {
+fn only_a_box_around_the_avatar_is_drawn(raster: Raster) {
     let device = open();
     let (avatar, posed) = body(3, 3000);
     let size = [300, 200];
@@ -486,8 +574,7 @@ fn only_a_box_around_the_avatar_is_drawn() {
     let draw = |skip| {
         let options = RendererOptions {
             skip,
-            method: Some(RasterMethod::Tiles),
-            ..RendererOptions::new(size)
+            ..raster.options(device.name(), size)
         };
         let mut renderer = Renderer::new(&device, &avatar, options).unwrap();
         let views = [
@@ -555,10 +642,10 @@ fn options_of_the_vulkan_backend_are_refused() {
     for (options, named) in [
         (
             RendererOptions {
-                kernel: Some(TileKernel::Shared),
+                kernel: Some(TileKernel::Cooperative),
                 ..options
             },
-            "shared",
+            "cooperative",
         ),
         (
             RendererOptions {
@@ -623,20 +710,32 @@ fn a_lost_device_says_so_and_another_goes_on() {
 tests! {
     images_agree_with_the_reference[Quads],
     images_agree_with_the_reference[Tiles],
+    images_agree_with_the_reference[TestedQuads],
+    images_agree_with_the_reference[SharedTiles],
     images_agree_with_the_vulkan_backend[Quads],
     images_agree_with_the_vulkan_backend[Tiles],
+    images_agree_with_the_vulkan_backend[TestedQuads],
+    images_agree_with_the_vulkan_backend[SharedTiles],
+    fragments_behind_the_saturation_depth_are_left_out_within_the_budget,
+    samples_are_saturated_where_the_references_are,
+    each_bin_has_the_splats_that_meet_it_nearest_first,
     stages_are_those_of_the_vulkan_backend,
     the_order_is_that_of_a_stable_sort,
     only_what_changed_is_drawn_again[Quads],
     only_what_changed_is_drawn_again[Tiles],
+    only_what_changed_is_drawn_again[SharedTiles],
     scenes_of_several_leave_out_who_is_not_seen,
     avatars_of_different_levels_are_those_of_the_vulkan_backend,
     images_of_any_size_follow_a_resize[Quads],
     images_of_any_size_follow_a_resize[Tiles],
+    images_of_any_size_follow_a_resize[TestedQuads],
+    images_of_any_size_follow_a_resize[SharedTiles],
     colours_that_follow_the_camera_agree_with_the_reference,
     an_avatar_is_drawn_before_its_correctives_are_there[Quads],
     an_avatar_is_drawn_before_its_correctives_are_there[Tiles],
-    only_a_box_around_the_avatar_is_drawn,
+    an_avatar_is_drawn_before_its_correctives_are_there[SharedTiles],
+    only_a_box_around_the_avatar_is_drawn[Tiles],
+    only_a_box_around_the_avatar_is_drawn[SharedTiles],
     what_a_device_refuses_while_it_is_watched_is_the_watchs_error,
     options_of_the_vulkan_backend_are_refused,
     a_lost_device_says_so_and_another_goes_on,

@@ -2,7 +2,7 @@
 // usage: node page.mjs PAGE_DIR REFERENCE.png OUT_DIR      (tools/test_web.sh makes all three)
 // REFERENCE.png is the demo at 1.3 s: `effigy render --reference --size 512x512 --time 1.3`.
 import assert from "node:assert/strict";
-import { readFile, writeFile } from "node:fs/promises";
+import { readFile, readdir, writeFile } from "node:fs/promises";
 import { join } from "node:path";
 import { api } from "./api.mjs";
 import {
@@ -42,6 +42,41 @@ const decibels = (page, url) =>
 
 const tests = {
   ...api,
+  // Those that no page uses on this adapter too. Browsers are stricter than wgpu outside of them:
+  // what may differ between invocations must not decide whether they come to a barrier.
+  async "every shader compiles"() {
+    const folder = "shaders/wgsl";
+    const files = await readdir(folder, { recursive: true });
+    const modules = [];
+    for (const file of files.filter((name) => name.endsWith(".wgsl"))) {
+      const text = await readFile(join(folder, file), "utf8");
+      const lengths = new Set(text.match(/LENGTH_\w+/g));
+      const constants = [...lengths].map((name) => `const ${name}: u32 = 1024u;\n`);
+      modules.push([file, constants.join("") + text]);
+    }
+    assert(modules.length > 30);
+    const page = await openPage("one.html");
+    const messages = await page.evaluate(async (modules) => {
+      const adapter = await navigator.gpu.requestAdapter();
+      const device = await adapter.requestDevice();
+      const messages = [];
+      for (const [file, code] of modules) {
+        device.pushErrorScope("validation");
+        const module = device.createShaderModule({ code });
+        const info = await module.getCompilationInfo();
+        messages.push(...info.messages.map((one) => `${file}:${one.lineNum}: ${one.message}`));
+        if (/@compute/.test(code)) {
+          const compute = { module };
+          await device.createComputePipelineAsync({ layout: "auto", compute }).catch(() => {});
+        }
+        const error = await device.popErrorScope();
+        if (error) messages.push(`${file}: ${error.message}`);
+      }
+      return messages;
+    }, modules);
+    assert.deepEqual(messages, []);
+    return page;
+  },
   async "the demo plays at once, and pauses"() {
     const page = await openMoving();
     const before = await page.evaluate(() => effigy.time);

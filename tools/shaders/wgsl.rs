@@ -43,9 +43,25 @@ pub fn translate(spirv: &[u8]) -> anyhow::Result<String> {
     let info = validate(&module)?;
     let text = wgsl::write_string(&module, &info, WriterFlags::empty())
         .context("naga can't write it as WGSL")?;
-    Ok(lengths.iter().fold(text, |text, (number, name)| {
+    let text = lengths.iter().fold(text, |text, (number, name)| {
         text.replace(&number.to_string(), name)
-    }))
+    });
+    Ok(read_uniformly(&text))
+}
+
+/// Reads each shared variable that is one number with `workgroupUniformLoad`. WGSL takes any other
+/// read of it for one that may differ between invocations, after which it allows no barrier. It is
+/// a barrier as well, so all invocations must read such a variable at once; a shader that must not
+/// has an array of one.
+fn read_uniformly(text: &str) -> String {
+    let names = text.lines().filter_map(|line| {
+        let variable = line.strip_prefix("var<workgroup> ")?;
+        variable.strip_suffix(": u32;")
+    });
+    names.fold(text.to_string(), |text, name| {
+        let read = format!(" = {name};");
+        text.replace(&read, &format!(" = workgroupUniformLoad((&{name}));"))
+    })
 }
 
 /// Gives the arrays of storage buffers a length that is a named constant, defined when the module
@@ -100,8 +116,9 @@ fn name_lengths(module: &mut Module) -> Vec<(u32, String)> {
     lengths
 }
 
-/// Passes a compute shader's built-ins as arguments of its entry point. naga reads them from a
-/// variable, which WGSL does not accept in the control flow around a barrier.
+/// Passes a compute shader's built-ins to its `main` as arguments of its entry point. naga reads
+/// them from variables, which WGSL does not accept in the control flow around a barrier. Other
+/// functions go on reading the variables.
 fn pass_built_ins(module: &mut Module) {
     let Module {
         entry_points,
@@ -111,14 +128,15 @@ fn pass_built_ins(module: &mut Module) {
     let [entry] = entry_points.as_mut_slice() else {
         return;
     };
-    let Some((_, body)) = functions
-        .iter()
-        .next()
-        .filter(|_| functions.len() == 1 && entry.stage == ShaderStage::Compute)
-    else {
+    let outer = &entry.function;
+    let called = outer.body.iter().find_map(|statement| match *statement {
+        Statement::Call { function, .. } => Some(function),
+        _ => None,
+    });
+    let Some(called) = called.filter(|_| entry.stage == ShaderStage::Compute) else {
         return;
     };
-    let outer = &entry.function;
+    let body = &functions[called];
     // The variable that each argument is stored in before the body is called.
     let stores = outer.body.iter().filter_map(|statement| match *statement {
         Statement::Store { pointer, value } => {
@@ -161,6 +179,21 @@ fn pass_built_ins(module: &mut Module) {
             }
             _ => false,
         };
+    }
+    if functions.len() > 1 {
+        let span = naga::Span::UNDEFINED;
+        let mut whole = naga::Block::new();
+        for (variable, argument) in stores {
+            let variable = Expression::GlobalVariable(variable);
+            let argument = Expression::FunctionArgument(argument);
+            let store = Statement::Store {
+                pointer: inner.expressions.append(variable, span),
+                value: inner.expressions.append(argument, span),
+            };
+            whole.push(store, span);
+        }
+        whole.append(&mut inner.body);
+        inner.body = whole;
     }
     entry.function = inner;
     naga::compact::compact(module, naga::compact::KeepUnused::No);

@@ -75,10 +75,6 @@ struct FrameBlock {
     joint: array<vec4<f32>, 768>,
 }
 
-struct Bins {
-    bins: array<u32>,
-}
-
 struct Control {
     index_count: u32,
     instance_count: u32,
@@ -106,6 +102,11 @@ struct SettingsBlock {
     blocks: u32,
     counted: u32,
     first_region: vec2<u32>,
+    counts_start: u32,
+    starts_start: u32,
+    pairs_start: u32,
+    pair_capacity: u32,
+    bin_margin: f32,
 }
 
 struct Order {
@@ -116,11 +117,11 @@ struct Splats {
     splats: array<vec4<u32>>,
 }
 
-struct Bins_1 {
+struct Bins {
     bins: array<atomic<u32>>,
 }
 
-struct Bins_2 {
+struct Bins_1 {
     bins: array<atomic<u32>, LENGTH_4_4>,
 }
 
@@ -135,7 +136,7 @@ struct Splats_1 {
 @group(0) @binding(0) 
 var<uniform> frame: FrameBlock;
 @group(0) @binding(4) 
-var<storage, read_write> unnamed: Bins_2;
+var<storage, read_write> unnamed: Bins_1;
 var<private> gl_GlobalInvocationID_1: vec3<u32>;
 @group(0) @binding(3) 
 var<storage, read_write> unnamed_1: ControlBuffer;
@@ -146,275 +147,276 @@ var<storage> unnamed_2: Order_1;
 @group(0) @binding(2) 
 var<storage> unnamed_3: Splats_1;
 
-fn needs_block_u0028_u1_u003b(head: ptr<function, u32>) -> bool {
+fn needs_block_u0028_u1_u003b(head_1: ptr<function, u32>) -> bool {
     var phi_242_: bool;
 
-    let _e49 = (*head);
-    let _e50 = (_e49 == 0u);
-    phi_242_ = _e50;
-    if !(_e50) {
-        let _e52 = (*head);
-        phi_242_ = ((_e52 & 7u) == 7u);
+    let _e3 = (*head_1);
+    let _e4 = (_e3 == 0u);
+    phi_242_ = _e4;
+    if !(_e4) {
+        let _e6 = (*head_1);
+        phi_242_ = ((_e6 & 7u) == 7u);
     }
-    let _e56 = phi_242_;
-    return _e56;
+    let _e10 = phi_242_;
+    return _e10;
 }
 
-fn push_u0028_u1_u003b_u1_u003b_u1_u003b_u1_u003b(splat: ptr<function, u32>, at: ptr<function, u32>, head_1: ptr<function, u32>, block: ptr<function, u32>) {
-    var param: u32;
+fn push_u0028_u1_u003b_u1_u003b_u1_u003b_u1_u003b(splat_1: ptr<function, u32>, at_1: ptr<function, u32>, head_2: ptr<function, u32>, block_1: ptr<function, u32>) {
+    var param_22: u32;
 
-    let _e53 = (*head_1);
-    param = _e53;
-    let _e54 = needs_block_u0028_u1_u003b((&param));
-    if _e54 {
-        let _e55 = (*block);
-        let _e58 = (*head_1);
-        atomicStore((&unnamed.bins[(2306330u + (8u * _e55))]), _e58);
-        let _e61 = (*block);
-        (*head_1) = (8u * _e61);
+    let _e9 = (*head_2);
+    param_22 = _e9;
+    let _e10 = needs_block_u0028_u1_u003b((&param_22));
+    if _e10 {
+        let _e11 = (*block_1);
+        let _e14 = (*head_2);
+        atomicStore((&unnamed.bins[(2306330u + (8u * _e11))]), _e14);
+        let _e17 = (*block_1);
+        (*head_2) = (8u * _e17);
     }
-    let _e63 = (*head_1);
-    (*head_1) = (_e63 + bitcast<u32>(1i));
-    let _e66 = (*head_1);
-    let _e68 = (*splat);
-    atomicStore((&unnamed.bins[(2306330u + _e66)]), _e68);
-    let _e71 = (*at);
-    let _e72 = (*head_1);
-    atomicStore((&unnamed.bins[_e71]), _e72);
+    let _e19 = (*head_2);
+    (*head_2) = (_e19 + bitcast<u32>(1i));
+    let _e22 = (*head_2);
+    let _e24 = (*splat_1);
+    atomicStore((&unnamed.bins[(2306330u + _e22)]), _e24);
+    let _e27 = (*at_1);
+    let _e28 = (*head_2);
+    atomicStore((&unnamed.bins[_e27]), _e28);
     return;
 }
 
-fn tile_index_u0028_u1_u003b_vu2_u003b(level: ptr<function, u32>, at_1: ptr<function, vec2<u32>>) -> u32 {
-    let _e50 = (*level);
-    let _e58 = (*at_1)[1u];
-    let _e59 = (*level);
-    let _e66 = (*at_1)[0u];
-    return (((((65536u - (65536u >> bitcast<u32>((4u * _e50)))) / 15u) * 16u) + (_e58 * (256u >> bitcast<u32>((2u * _e59))))) + _e66);
+fn tile_index_u0028_u1_u003b_vu2_u003b(level_1: ptr<function, u32>, at_2: ptr<function, vec2<u32>>) -> u32 {
+    let _e10 = (*level_1);
+    let _e18 = (*at_2)[1u];
+    let _e19 = (*level_1);
+    let _e26 = (*at_2)[0u];
+    return (((((65536u - (65536u >> bitcast<u32>((4u * _e10)))) / 15u) * 16u) + (_e18 * (256u >> bitcast<u32>((2u * _e19))))) + _e26);
 }
 
-fn head_at_u0028_u1_u003b_vu2_u003b_u1_u003b(level_1: ptr<function, u32>, at_2: ptr<function, vec2<u32>>, run: ptr<function, u32>) -> u32 {
-    var param_1: u32;
-    var param_2: vec2<u32>;
+fn head_at_u0028_u1_u003b_vu2_u003b_u1_u003b(level_2: ptr<function, u32>, at_3: ptr<function, vec2<u32>>, run_1: ptr<function, u32>) -> u32 {
+    var param_23: u32;
+    var param_24: vec2<u32>;
 
-    let _e53 = (*level_1);
-    param_1 = _e53;
-    let _e54 = (*at_2);
-    param_2 = _e54;
-    let _e55 = tile_index_u0028_u1_u003b_vu2_u003b((&param_1), (&param_2));
-    let _e58 = (*run);
-    return ((69890u + (_e55 * 32u)) + _e58);
+    let _e7 = (*level_2);
+    param_23 = _e7;
+    let _e8 = (*at_3);
+    param_24 = _e8;
+    let _e9 = tile_index_u0028_u1_u003b_vu2_u003b((&param_23), (&param_24));
+    let _e12 = (*run_1);
+    return ((69890u + (_e9 * 32u)) + _e12);
 }
 
-fn half_box_u0028_struct_u002d_Splat_u002d_vf2_u002d_vf2_u002d_f1_u002d_vf3_u002d_u11_u003b_f1_u003b(splat_1: ptr<function, Splat>, radius: ptr<function, f32>) -> vec2<f32> {
+fn half_box_u0028_struct_u002d_Splat_u002d_vf2_u002d_vf2_u002d_f1_u002d_vf3_u002d_u11_u003b_f1_u003b(splat_2: ptr<function, Splat>, radius: ptr<function, f32>) -> vec2<f32> {
     var steep: f32;
 
-    let _e52 = (*splat_1).shorter;
-    let _e54 = (*splat_1).axis;
-    let _e56 = (*splat_1).axis;
-    steep = (_e52 * inverseSqrt(dot(_e54, _e56)));
-    let _e60 = (*radius);
-    let _e62 = (*splat_1).axis;
-    let _e64 = (*splat_1).axis;
-    let _e66 = steep;
-    let _e67 = steep;
-    let _e70 = (*splat_1).axis;
-    let _e74 = (*splat_1).axis;
-    return (sqrt(((_e62 * _e64) + ((_e70.yx * (_e66 * _e67)) * _e74.yx))) * _e60);
+    let _e4 = (*splat_2).shorter;
+    let _e6 = (*splat_2).axis;
+    let _e8 = (*splat_2).axis;
+    steep = (_e4 * inverseSqrt(dot(_e6, _e8)));
+    let _e12 = (*radius);
+    let _e14 = (*splat_2).axis;
+    let _e16 = (*splat_2).axis;
+    let _e18 = steep;
+    let _e19 = steep;
+    let _e22 = (*splat_2).axis;
+    let _e26 = (*splat_2).axis;
+    return (sqrt(((_e14 * _e16) + ((_e22.yx * (_e18 * _e19)) * _e26.yx))) * _e12);
 }
 
 fn radius_of_u0028_u1_u003b(opacity: ptr<function, u32>) -> f32 {
-    let _e49 = (*opacity);
-    let _e52 = frame.quad_opacity;
-    let _e55 = frame.cutoff;
-    return sqrt((2f * log(max((max(f32(_e49), _e52) / _e55), 1f))));
+    let _e4 = (*opacity);
+    let _e7 = frame.quad_opacity;
+    let _e10 = frame.cutoff;
+    return sqrt((2f * log(max((max(f32(_e4), _e7) / _e10), 1f))));
 }
 
 fn fixed_center_u0028_vu4_u003b(words: ptr<function, vec4<u32>>) -> vec2<f32> {
-    let _e49 = (*words);
-    return vec2<f32>((_e49.xy & vec2(1048575u)));
+    let _e2 = (*words);
+    return vec2<f32>((_e2.xy & vec2(1048575u)));
 }
 
 fn unpack_splat_u0028_vu4_u003b(words_1: ptr<function, vec4<u32>>) -> Splat {
-    var splat_2: Splat;
-    var param_3: vec4<u32>;
+    var splat_3: Splat;
+    var param_25: vec4<u32>;
     var blue: u32;
     var red: u32;
     var green: u32;
 
-    let _e54 = (*words_1);
-    param_3 = _e54;
-    let _e55 = fixed_center_u0028_vu4_u003b((&param_3));
-    let _e57 = frame.fixed_scale;
-    let _e61 = frame.guard;
-    splat_2.center = ((_e55 / vec2(_e57)) - vec2(_e61));
-    let _e66 = (*words_1)[2u];
-    splat_2.axis = unpack2x16float(_e66);
+    let _e18 = (*words_1);
+    param_25 = _e18;
+    let _e19 = fixed_center_u0028_vu4_u003b((&param_25));
+    let _e21 = frame.fixed_scale;
+    let _e25 = frame.guard;
+    splat_3.center = ((_e19 / vec2(_e21)) - vec2(_e25));
+    let _e30 = (*words_1)[2u];
+    splat_3.axis = unpack2x16float(_e30);
+    let _e34 = (*words_1)[3u];
+    splat_3.shorter = unpack2x16float(_e34).x;
+    let _e39 = (*words_1)[3u];
+    let _e45 = (*words_1)[0u];
+    blue = (((_e39 >> bitcast<u32>(24u)) << bitcast<u32>(2u)) | (_e45 >> bitcast<u32>(30u)));
+    let _e50 = (*words_1)[0u];
+    red = ((_e50 >> bitcast<u32>(20u)) & 1023u);
+    let _e55 = (*words_1)[1u];
+    green = ((_e55 >> bitcast<u32>(20u)) & 1023u);
+    let _e59 = red;
+    let _e61 = green;
+    let _e63 = blue;
+    splat_3.color = (vec3<f32>(f32(_e59), f32(_e61), f32(_e63)) / vec3(1023f));
     let _e70 = (*words_1)[3u];
-    splat_2.shorter = unpack2x16float(_e70).x;
-    let _e75 = (*words_1)[3u];
-    let _e81 = (*words_1)[0u];
-    blue = (((_e75 >> bitcast<u32>(24u)) << bitcast<u32>(2u)) | (_e81 >> bitcast<u32>(30u)));
-    let _e86 = (*words_1)[0u];
-    red = ((_e86 >> bitcast<u32>(20u)) & 1023u);
-    let _e91 = (*words_1)[1u];
-    green = ((_e91 >> bitcast<u32>(20u)) & 1023u);
-    let _e95 = red;
-    let _e97 = green;
-    let _e99 = blue;
-    splat_2.color = (vec3<f32>(f32(_e95), f32(_e97), f32(_e99)) / vec3(1023f));
-    let _e106 = (*words_1)[3u];
-    splat_2.opacity = ((_e106 >> bitcast<u32>(16u)) & 255u);
-    let _e111 = splat_2;
-    return _e111;
+    splat_3.opacity = ((_e70 >> bitcast<u32>(16u)) & 255u);
+    let _e75 = splat_3;
+    return _e75;
 }
 
-fn main_1() {
-    var run_1: u32;
+@compute @workgroup_size(8, 1, 1) 
+fn main(@builtin(global_invocation_id) gl_GlobalInvocationID: vec3<u32>) {
+    var run: u32;
     var length_: u32;
     var end: u32;
     var image_block: u32;
     var number: u32;
     var i: u32;
-    var splat_3: Splat;
-    var param_4: vec4<u32>;
+    var splat: Splat;
+    var param: vec4<u32>;
     var box: vec2<f32>;
-    var param_5: u32;
-    var param_6: Splat;
-    var param_7: f32;
+    var param_1: u32;
+    var param_2: Splat;
+    var param_3: f32;
     var low: vec2<u32>;
     var high: vec2<u32>;
-    var block_1: u32;
-    var level_2: u32;
+    var block: u32;
+    var level: u32;
     var side: f32;
     var last: f32;
     var needed: u32;
     var y: u32;
     var x: u32;
+    var param_4: u32;
+    var param_5: vec2<u32>;
+    var param_6: u32;
+    var param_7: u32;
+    var local: u32;
     var param_8: u32;
     var param_9: vec2<u32>;
     var param_10: u32;
     var param_11: u32;
-    var local: u32;
+    var y_1: u32;
+    var x_1: u32;
+    var at: u32;
     var param_12: u32;
     var param_13: vec2<u32>;
     var param_14: u32;
+    var head: u32;
     var param_15: u32;
-    var y_1: u32;
-    var x_1: u32;
-    var at_3: u32;
-    var param_16: u32;
-    var param_17: vec2<u32>;
+    var param_16: vec2<u32>;
+    var param_17: u32;
     var param_18: u32;
-    var head_2: u32;
     var param_19: u32;
-    var param_20: vec2<u32>;
+    var param_20: u32;
     var param_21: u32;
-    var param_22: u32;
-    var param_23: u32;
-    var param_24: u32;
-    var param_25: u32;
 
-    let _e93 = gl_GlobalInvocationID_1[0u];
-    run_1 = _e93;
-    let _e94 = run_1;
-    if (_e94 == 0u) {
+    gl_GlobalInvocationID_1 = gl_GlobalInvocationID;
+    run = bitcast<u32>(gl_GlobalInvocationID[0u]);
+    let _e65 = run;
+    if (_e65 == 0u) {
         unnamed_1.control.fragments = 0u;
     }
-    let _e100 = unnamed_1.control.visible_count;
-    length_ = (((_e100 + 32u) - 1u) / 32u);
-    let _e104 = run_1;
-    let _e106 = length_;
-    let _e110 = unnamed_1.control.visible_count;
-    end = min(((_e104 + 1u) * _e106), _e110);
-    let _e113 = settings.blocks;
-    let _e115 = run_1;
-    let _e116 = length_;
-    image_block = ((_e113 + 1u) + (_e115 * (((_e116 + 7u) - 1u) / 7u)));
-    let _e122 = run_1;
-    let _e123 = length_;
-    number = (_e122 * _e123);
+    let _e71 = unnamed_1.control.visible_count;
+    length_ = (((_e71 + 32u) - 1u) / 32u);
+    let _e75 = run;
+    let _e77 = length_;
+    let _e81 = unnamed_1.control.visible_count;
+    end = min(((_e75 + 1u) * _e77), _e81);
+    let _e84 = settings.blocks;
+    let _e86 = run;
+    let _e87 = length_;
+    image_block = ((_e84 + 1u) + (_e86 * (((_e87 + 7u) - 1u) / 7u)));
+    let _e93 = run;
+    let _e94 = length_;
+    number = (_e93 * _e94);
     loop {
-        let _e125 = number;
-        let _e126 = end;
-        if (_e125 < _e126) {
-            let _e128 = number;
-            let _e131 = unnamed_2.order[_e128];
-            i = _e131;
-            let _e132 = i;
-            let _e135 = unnamed_3.splats[_e132];
-            param_4 = _e135;
-            let _e136 = unpack_splat_u0028_vu4_u003b((&param_4));
-            splat_3 = _e136;
-            let _e138 = splat_3.opacity;
-            param_5 = _e138;
-            let _e139 = radius_of_u0028_u1_u003b((&param_5));
-            let _e140 = splat_3;
-            param_6 = _e140;
-            param_7 = _e139;
-            let _e141 = half_box_u0028_struct_u002d_Splat_u002d_vf2_u002d_vf2_u002d_f1_u002d_vf3_u002d_u11_u003b_f1_u003b((&param_6), (&param_7));
-            box = _e141;
+        let _e96 = number;
+        let _e97 = end;
+        if (_e96 < _e97) {
+            let _e99 = number;
+            let _e102 = unnamed_2.order[_e99];
+            i = _e102;
+            let _e103 = i;
+            let _e106 = unnamed_3.splats[_e103];
+            param = _e106;
+            let _e107 = unpack_splat_u0028_vu4_u003b((&param));
+            splat = _e107;
+            let _e109 = splat.opacity;
+            param_1 = _e109;
+            let _e110 = radius_of_u0028_u1_u003b((&param_1));
+            let _e111 = splat;
+            param_2 = _e111;
+            param_3 = _e110;
+            let _e112 = half_box_u0028_struct_u002d_Splat_u002d_vf2_u002d_vf2_u002d_f1_u002d_vf3_u002d_u11_u003b_f1_u003b((&param_2), (&param_3));
+            box = _e112;
             low = vec2<u32>(0u, 0u);
             high = vec2<u32>(0u, 0u);
-            block_1 = 0u;
-            level_2 = 0u;
+            block = 0u;
+            level = 0u;
             loop {
-                let _e142 = level_2;
-                if (_e142 < 3u) {
-                    let _e145 = frame.tile_side;
-                    let _e146 = level_2;
-                    side = (_e145 * f32((1u << bitcast<u32>((2u * _e146)))));
-                    let _e152 = level_2;
-                    last = f32(((256u >> bitcast<u32>((2u * _e152))) - 1u));
-                    let _e159 = splat_3.center;
-                    let _e160 = box;
-                    let _e162 = side;
-                    let _e165 = last;
-                    low = vec2<u32>(clamp(((_e159 - _e160) / vec2(_e162)), vec2(0f), vec2(_e165)));
-                    let _e171 = splat_3.center;
-                    let _e172 = box;
-                    let _e174 = side;
-                    let _e177 = last;
-                    high = vec2<u32>(clamp(((_e171 + _e172) / vec2(_e174)), vec2(0f), vec2(_e177)));
-                    let _e183 = high[0u];
-                    let _e185 = low[0u];
-                    let _e189 = high[1u];
-                    let _e191 = low[1u];
-                    if ((((_e183 - _e185) + 1u) * ((_e189 - _e191) + 1u)) > 16u) {
+                let _e113 = level;
+                if (_e113 < 3u) {
+                    let _e116 = frame.tile_side;
+                    let _e117 = level;
+                    side = (_e116 * f32((1u << bitcast<u32>((2u * _e117)))));
+                    let _e123 = level;
+                    last = f32(((256u >> bitcast<u32>((2u * _e123))) - 1u));
+                    let _e130 = splat.center;
+                    let _e131 = box;
+                    let _e133 = side;
+                    let _e136 = last;
+                    low = vec2<u32>(clamp(((_e130 - _e131) / vec2(_e133)), vec2(0f), vec2(_e136)));
+                    let _e142 = splat.center;
+                    let _e143 = box;
+                    let _e145 = side;
+                    let _e148 = last;
+                    high = vec2<u32>(clamp(((_e142 + _e143) / vec2(_e145)), vec2(0f), vec2(_e148)));
+                    let _e154 = high[0u];
+                    let _e156 = low[0u];
+                    let _e160 = high[1u];
+                    let _e162 = low[1u];
+                    if ((((_e154 - _e156) + 1u) * ((_e160 - _e162) + 1u)) > 16u) {
                         continue;
                     }
                     needed = 0u;
-                    let _e197 = low[1u];
-                    y = _e197;
+                    let _e168 = low[1u];
+                    y = _e168;
                     loop {
-                        let _e198 = y;
-                        let _e200 = high[1u];
-                        if (_e198 <= _e200) {
-                            let _e203 = low[0u];
-                            x = _e203;
+                        let _e169 = y;
+                        let _e171 = high[1u];
+                        if (_e169 <= _e171) {
+                            let _e174 = low[0u];
+                            x = _e174;
                             loop {
-                                let _e204 = x;
-                                let _e206 = high[0u];
-                                if (_e204 <= _e206) {
-                                    let _e208 = x;
-                                    let _e209 = y;
-                                    let _e211 = level_2;
-                                    param_8 = _e211;
-                                    param_9 = vec2<u32>(_e208, _e209);
-                                    let _e212 = run_1;
-                                    param_10 = _e212;
-                                    let _e213 = head_at_u0028_u1_u003b_vu2_u003b_u1_u003b((&param_8), (&param_9), (&param_10));
-                                    let _e216 = atomicLoad((&unnamed.bins[_e213]));
-                                    param_11 = _e216;
-                                    let _e217 = needs_block_u0028_u1_u003b((&param_11));
-                                    let _e219 = needed;
-                                    needed = (_e219 + select(0u, 1u, _e217));
+                                let _e175 = x;
+                                let _e177 = high[0u];
+                                if (_e175 <= _e177) {
+                                    let _e179 = x;
+                                    let _e180 = y;
+                                    let _e182 = level;
+                                    param_4 = _e182;
+                                    param_5 = vec2<u32>(_e179, _e180);
+                                    let _e183 = run;
+                                    param_6 = _e183;
+                                    let _e184 = head_at_u0028_u1_u003b_vu2_u003b_u1_u003b((&param_4), (&param_5), (&param_6));
+                                    let _e187 = atomicLoad((&unnamed.bins[_e184]));
+                                    param_7 = _e187;
+                                    let _e188 = needs_block_u0028_u1_u003b((&param_7));
+                                    let _e190 = needed;
+                                    needed = (_e190 + select(0u, 1u, _e188));
                                     continue;
                                 } else {
                                     break;
                                 }
                                 continuing {
-                                    let _e221 = x;
-                                    x = (_e221 + bitcast<u32>(1i));
+                                    let _e192 = x;
+                                    x = (_e192 + bitcast<u32>(1i));
                                 }
                             }
                             continue;
@@ -422,24 +424,24 @@ fn main_1() {
                             break;
                         }
                         continuing {
-                            let _e224 = y;
-                            y = (_e224 + bitcast<u32>(1i));
+                            let _e195 = y;
+                            y = (_e195 + bitcast<u32>(1i));
                         }
                     }
-                    let _e227 = needed;
-                    if (_e227 > 0u) {
-                        let _e231 = needed;
-                        let _e232 = atomicAdd((&unnamed.bins[0i]), _e231);
-                        local = (_e232 + 1u);
+                    let _e198 = needed;
+                    if (_e198 > 0u) {
+                        let _e202 = needed;
+                        let _e203 = atomicAdd((&unnamed.bins[0i]), _e202);
+                        local = (_e203 + 1u);
                     } else {
                         local = 1u;
                     }
-                    let _e234 = local;
-                    block_1 = _e234;
-                    let _e235 = block_1;
-                    let _e236 = needed;
-                    let _e239 = settings.blocks;
-                    if ((_e235 + _e236) <= (_e239 + 1u)) {
+                    let _e205 = local;
+                    block = _e205;
+                    let _e206 = block;
+                    let _e207 = needed;
+                    let _e210 = settings.blocks;
+                    if ((_e206 + _e207) <= (_e210 + 1u)) {
                         break;
                     }
                     continue;
@@ -447,84 +449,84 @@ fn main_1() {
                     break;
                 }
                 continuing {
-                    let _e242 = level_2;
-                    level_2 = (_e242 + bitcast<u32>(1i));
+                    let _e213 = level;
+                    level = (_e213 + bitcast<u32>(1i));
                 }
             }
-            let _e245 = level_2;
-            if (_e245 == 3u) {
+            let _e216 = level;
+            if (_e216 == 3u) {
                 low = vec2<u32>(0u, 0u);
                 high = vec2<u32>(0u, 0u);
-                let _e247 = image_block;
-                block_1 = _e247;
-                param_12 = 3u;
-                let _e248 = low;
-                param_13 = _e248;
-                let _e249 = run_1;
-                param_14 = _e249;
-                let _e250 = head_at_u0028_u1_u003b_vu2_u003b_u1_u003b((&param_12), (&param_13), (&param_14));
-                let _e253 = atomicLoad((&unnamed.bins[_e250]));
-                param_15 = _e253;
-                let _e254 = needs_block_u0028_u1_u003b((&param_15));
-                let _e256 = image_block;
-                image_block = (_e256 + select(0u, 1u, _e254));
+                let _e218 = image_block;
+                block = _e218;
+                param_8 = 3u;
+                let _e219 = low;
+                param_9 = _e219;
+                let _e220 = run;
+                param_10 = _e220;
+                let _e221 = head_at_u0028_u1_u003b_vu2_u003b_u1_u003b((&param_8), (&param_9), (&param_10));
+                let _e224 = atomicLoad((&unnamed.bins[_e221]));
+                param_11 = _e224;
+                let _e225 = needs_block_u0028_u1_u003b((&param_11));
+                let _e227 = image_block;
+                image_block = (_e227 + select(0u, 1u, _e225));
             }
-            let _e259 = low[1u];
-            y_1 = _e259;
+            let _e230 = low[1u];
+            y_1 = _e230;
             loop {
-                let _e260 = y_1;
-                let _e262 = high[1u];
-                if (_e260 <= _e262) {
-                    let _e265 = low[0u];
-                    x_1 = _e265;
+                let _e231 = y_1;
+                let _e233 = high[1u];
+                if (_e231 <= _e233) {
+                    let _e236 = low[0u];
+                    x_1 = _e236;
                     loop {
-                        let _e266 = x_1;
-                        let _e268 = high[0u];
-                        if (_e266 <= _e268) {
-                            let _e270 = x_1;
-                            let _e271 = y_1;
-                            let _e273 = level_2;
-                            param_16 = _e273;
-                            param_17 = vec2<u32>(_e270, _e271);
-                            let _e274 = run_1;
-                            param_18 = _e274;
-                            let _e275 = head_at_u0028_u1_u003b_vu2_u003b_u1_u003b((&param_16), (&param_17), (&param_18));
-                            at_3 = _e275;
-                            let _e276 = at_3;
-                            let _e279 = atomicLoad((&unnamed.bins[_e276]));
-                            head_2 = _e279;
-                            let _e280 = head_2;
-                            if (_e280 == 0u) {
-                                let _e282 = x_1;
-                                let _e283 = y_1;
-                                let _e285 = level_2;
-                                param_19 = _e285;
-                                param_20 = vec2<u32>(_e282, _e283);
-                                let _e286 = tile_index_u0028_u1_u003b_vu2_u003b((&param_19), (&param_20));
-                                let _e290 = run_1;
-                                let _e293 = atomicOr((&unnamed.bins[(1u + _e286)]), (1u << bitcast<u32>(_e290)));
+                        let _e237 = x_1;
+                        let _e239 = high[0u];
+                        if (_e237 <= _e239) {
+                            let _e241 = x_1;
+                            let _e242 = y_1;
+                            let _e244 = level;
+                            param_12 = _e244;
+                            param_13 = vec2<u32>(_e241, _e242);
+                            let _e245 = run;
+                            param_14 = _e245;
+                            let _e246 = head_at_u0028_u1_u003b_vu2_u003b_u1_u003b((&param_12), (&param_13), (&param_14));
+                            at = _e246;
+                            let _e247 = at;
+                            let _e250 = atomicLoad((&unnamed.bins[_e247]));
+                            head = _e250;
+                            let _e251 = head;
+                            if (_e251 == 0u) {
+                                let _e253 = x_1;
+                                let _e254 = y_1;
+                                let _e256 = level;
+                                param_15 = _e256;
+                                param_16 = vec2<u32>(_e253, _e254);
+                                let _e257 = tile_index_u0028_u1_u003b_vu2_u003b((&param_15), (&param_16));
+                                let _e261 = run;
+                                let _e264 = atomicOr((&unnamed.bins[(1u + _e257)]), (1u << bitcast<u32>(_e261)));
                             }
-                            let _e294 = i;
-                            param_21 = _e294;
-                            let _e295 = at_3;
-                            param_22 = _e295;
-                            let _e296 = head_2;
-                            param_23 = _e296;
-                            let _e297 = block_1;
-                            param_24 = _e297;
-                            push_u0028_u1_u003b_u1_u003b_u1_u003b_u1_u003b((&param_21), (&param_22), (&param_23), (&param_24));
-                            let _e298 = head_2;
-                            param_25 = _e298;
-                            let _e299 = needs_block_u0028_u1_u003b((&param_25));
-                            let _e301 = block_1;
-                            block_1 = (_e301 + select(0u, 1u, _e299));
+                            let _e265 = i;
+                            param_17 = _e265;
+                            let _e266 = at;
+                            param_18 = _e266;
+                            let _e267 = head;
+                            param_19 = _e267;
+                            let _e268 = block;
+                            param_20 = _e268;
+                            push_u0028_u1_u003b_u1_u003b_u1_u003b_u1_u003b((&param_17), (&param_18), (&param_19), (&param_20));
+                            let _e269 = head;
+                            param_21 = _e269;
+                            let _e270 = needs_block_u0028_u1_u003b((&param_21));
+                            let _e272 = block;
+                            block = (_e272 + select(0u, 1u, _e270));
                             continue;
                         } else {
                             break;
                         }
                         continuing {
-                            let _e303 = x_1;
-                            x_1 = (_e303 + bitcast<u32>(1i));
+                            let _e274 = x_1;
+                            x_1 = (_e274 + bitcast<u32>(1i));
                         }
                     }
                     continue;
@@ -532,8 +534,8 @@ fn main_1() {
                     break;
                 }
                 continuing {
-                    let _e306 = y_1;
-                    y_1 = (_e306 + bitcast<u32>(1i));
+                    let _e277 = y_1;
+                    y_1 = (_e277 + bitcast<u32>(1i));
                 }
             }
             continue;
@@ -541,15 +543,9 @@ fn main_1() {
             break;
         }
         continuing {
-            let _e309 = number;
-            number = (_e309 + bitcast<u32>(1i));
+            let _e280 = number;
+            number = (_e280 + bitcast<u32>(1i));
         }
     }
     return;
-}
-
-@compute @workgroup_size(8, 1, 1) 
-fn main(@builtin(global_invocation_id) gl_GlobalInvocationID: vec3<u32>) {
-    gl_GlobalInvocationID_1 = gl_GlobalInvocationID;
-    main_1();
 }

@@ -109,6 +109,11 @@ struct type_34 {
     member_8: u32,
     member_9: u32,
     member_10: vec2<u32>,
+    member_11: u32,
+    member_12: u32,
+    member_13: u32,
+    member_14: u32,
+    member_15: f32,
 }
 
 struct VertexOutput {
@@ -142,8 +147,8 @@ var<private> global_8: vec2<f32>;
 var<private> global_9: vec2<u32>;
 
 fn function_() {
-    var phi_488_: f32;
-    var phi_489_: f32;
+    var phi_504_: f32;
+    var phi_505_: f32;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -163,17 +168,17 @@ fn function_() {
             let _e99 = global_7.member;
             let _e101 = sqrt((max(_e94, _e96) - _e99));
             if ((_e46 & 1i) == 0i) {
-                phi_488_ = -(_e101);
+                phi_504_ = -(_e101);
             } else {
-                phi_488_ = _e101;
+                phi_504_ = _e101;
             }
-            let _e106 = phi_488_;
+            let _e106 = phi_504_;
             if ((_e46 & 2i) == 0i) {
-                phi_489_ = -(_e101);
+                phi_505_ = -(_e101);
             } else {
-                phi_489_ = _e101;
+                phi_505_ = _e101;
             }
-            let _e111 = phi_489_;
+            let _e111 = phi_505_;
             global_8 = vec2<f32>(_e106, _e111);
             let _e123 = global.member_13[2u];
             let _e128 = global.member_13[3u];

@@ -10,6 +10,11 @@ struct type_3 {
     member_8: u32,
     member_9: u32,
     member_10: vec2<u32>,
+    member_11: u32,
+    member_12: u32,
+    member_13: u32,
+    member_14: u32,
+    member_15: f32,
 }
 
 struct type_5 {

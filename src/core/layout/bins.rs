@@ -8,6 +8,10 @@ const BIN_SIDE: u32 = super::SATURATION_REGION;
 /// no bin.
 const BINS_MAX: u32 = 1 << 14;
 
+/// Word of the bins' buffer that says how often the finest side is doubled. A [`Control`] comes
+/// before it.
+const BIN_SHIFT_AT: usize = size_of::<Control>() / 4;
+
 /// Side of the finest bins of an image of a size, px: the smallest power of two with which there
 /// are at most `BINS_MAX`.
 pub fn bin_side(size: [u32; 2]) -> u32 {
@@ -62,6 +66,38 @@ impl BinLayout {
             keys_start,
             marks_start,
             words: marks_start + BIN_BLOCK / 32 * blocks,
+        }
+    }
+}
+
+/// The lists of bins, read back from a device.
+pub struct BinLists {
+    /// Side of a bin, px.
+    pub side: u32,
+    /// Bins in a row.
+    pub columns: u32,
+    /// Of each bin, row by row from the top left, the indices of its splats, nearest first.
+    pub lists: Vec<Vec<u32>>,
+}
+
+impl BinLists {
+    /// Those of an image of a size, px. `words`: of the bins' buffer; `sorted`: the pairs in the
+    /// order of bins.
+    pub fn new(layout: &BinLayout, size: [u32; 2], words: &[u32], sorted: &[u32]) -> Self {
+        let side = bin_side(size) << words[BIN_SHIFT_AT];
+        let columns = size[0].div_ceil(side);
+        let start = layout.starts_start as usize;
+        let list = |bin: usize| {
+            let places = words[start + bin] as usize..words[start + bin + 1] as usize;
+            let splat = |&pair: &u32| words[(layout.pairs_start + pair) as usize];
+            sorted[places].iter().map(splat).collect()
+        };
+        Self {
+            side,
+            columns,
+            lists: (0..(columns * size[1].div_ceil(side)) as usize)
+                .map(list)
+                .collect(),
         }
     }
 }

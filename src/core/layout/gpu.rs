@@ -300,6 +300,18 @@ pub struct SettingsBlock {
     pub counted: u32,
     /// Column and row of the first region to draw.
     pub first_region: [u32; 2],
+    /// [`BinLayout::counts_start`](super::BinLayout::counts_start).
+    pub counts_start: u32,
+    /// [`BinLayout::starts_start`](super::BinLayout::starts_start).
+    pub starts_start: u32,
+    /// [`BinLayout::pairs_start`](super::BinLayout::pairs_start).
+    pub pairs_start: u32,
+    /// [`BinLayout::pairs`](super::BinLayout::pairs).
+    pub pair_capacity: u32,
+    /// How far outside a bin a splat's box may lie and still be in its list, px.
+    pub bin_margin: f32,
+    /// Padding.
+    pub unused: [u32; 3],
 }
 
 /// A corner of the occluder mesh, packed: two vectors; see `shaders/occluder/depth.vert`.

@@ -14,20 +14,10 @@ use crate::vulkan::{
 use ash::vk;
 use effigy_core::{
     frame::KeyBits,
-    layout::{BIN_WORKGROUP, BinLayout, Control, bin_side},
+    layout::{BIN_WORKGROUP, BinLayout, BinLists, Control, bin_side},
 };
 use gpu_allocator::MemoryLocation;
 use std::sync::Arc;
-
-/// The lists of bins, read back.
-pub struct BinLists {
-    /// Side of a bin, px.
-    pub side: u32,
-    /// Bins in a row.
-    pub columns: u32,
-    /// Of each bin, row by row from the top left, the indices of its splats, nearest first.
-    pub lists: Vec<Vec<u32>>,
-}
 
 /// The kernels that make the lists, and their memory.
 pub struct Bins {
@@ -122,21 +112,7 @@ impl Bins {
             bytemuck::pod_collect_to_vec(&self.buffer.download(self.buffer.size as usize)?);
         let control: Control = bytemuck::pod_read_unaligned(bytemuck::cast_slice(&words[..8]));
         let sorted = self.sort.download(control.visible_count)?;
-        let side = bin_side(size) << words[8];
-        let columns = size[0].div_ceil(side);
-        let start = self.layout.starts_start as usize;
-        let list = |bin: usize| {
-            let places = words[start + bin] as usize..words[start + bin + 1] as usize;
-            let splat = |&pair: &u32| words[(self.layout.pairs_start + pair) as usize];
-            sorted[places].iter().map(splat).collect()
-        };
-        Ok(BinLists {
-            side,
-            columns,
-            lists: (0..(columns * size[1].div_ceil(side)) as usize)
-                .map(list)
-                .collect(),
-        })
+        Ok(BinLists::new(&self.layout, size, &words, &sorted))
     }
 }
 

@@ -16,8 +16,10 @@ mod stage;
 pub(crate) mod target;
 mod tiles;
 
-pub use bins::BinLists;
-pub use effigy_core::frame::{ColorFormat, Damage, RasterMethod, TileKernel};
+pub use effigy_core::{
+    frame::{ColorFormat, Damage, RasterMethod, TileKernel},
+    layout::BinLists,
+};
 pub use options::resolved;
 pub(crate) use options::tile_kernel;
 pub use runs::TileLists;

@@ -1,7 +1,7 @@
 //! One of the two methods, as the frame sees it.
 
 use super::{
-    bins::{BinLists, Bins},
+    bins::Bins,
     draw::{Draw, RasterInputs},
     options::{method, tile_kernel},
     quads::Quads,
@@ -20,7 +20,10 @@ use crate::{
         memory::Image,
     },
 };
-use effigy_core::frame::{ColorFormat, RasterMethod, RendererOptions, TileKernel};
+use effigy_core::{
+    frame::{ColorFormat, RasterMethod, RendererOptions, TileKernel},
+    layout::BinLists,
+};
 use std::sync::Arc;
 
 /// The `raster` stage, by one of its methods.

@@ -16,8 +16,8 @@ use effigy::vulkan::{
 use effigy_core::{
     avatar::Avatar,
     frame::Skip,
-    layout::{TILE_LEVELS, TILING},
-    reference::binning,
+    layout::{BinLists, TILE_LEVELS, TILING},
+    reference::{ReferenceFrame, binning},
     scene::{Camera, Posed},
 };
 use effigy_measure::error;
@@ -78,7 +78,7 @@ fn the_order_is_the_references_but_for_depths_closer_than_a_key() {
 /// Where an avatar's first Gaussian is in a pose, metres.
 fn first_gaussian(avatar: &Avatar, posed: &Posed) -> DVec3 {
     let camera = gpu::camera(avatar, posed, [64, 64]);
-    effigy_core::reference::ReferenceFrame::new(avatar, posed, &camera).gaussians[0].mean
+    ReferenceFrame::new(avatar, posed, &camera).gaussians[0].mean
 }
 
 fn few_gaussians_agree_pixel_by_pixel(raster: Raster) {
@@ -243,7 +243,7 @@ fn each_tile_has_the_splats_that_meet_it_nearest_first() {
         renderer.draw(&posed, &camera, None).unwrap();
         let bins = renderer.raster().tile_lists().unwrap().unwrap();
         let order = renderer.stages().unwrap().order;
-        let reference = effigy_core::reference::ReferenceFrame::new(&avatar, &posed, &camera);
+        let reference = ReferenceFrame::new(&avatar, &posed, &camera);
         let place = |splat: &u32| order.iter().position(|other| other == splat).unwrap();
         let side = TILING.tile(size);
         let mut met = [0; TILE_LEVELS as usize];
@@ -296,52 +296,75 @@ fn each_tile_has_the_splats_that_meet_it_nearest_first() {
     }
 }
 
+/// Distances, poses and cameras in which [`avatar_in_bins`] is seen, some so near that the pairs of
+/// splats and bins are too many for the finest bins.
+pub fn views_of_bins(avatar: &Avatar) -> impl Iterator<Item = (f64, Posed, Camera)> {
+    [4.0, 0.6, 0.1].into_iter().map(|distance| {
+        let posed = Posed::new(avatar, &common::pose(4, avatar));
+        let target = first_gaussian(avatar, &posed);
+        let camera = Camera::orbit(target, 0.3, 0.1, distance, 0.7, [600, 400]);
+        (distance, posed, camera)
+    })
+}
+
+/// One of few Gaussians, for [`views_of_bins`].
+pub fn avatar_in_bins() -> Avatar {
+    common::avatar(
+        4,
+        Sizes {
+            gaussians: 4000,
+            ..Sizes::default()
+        },
+    )
+}
+
+/// Every bin must have the splats whose boxes come within `margin` of it, px, in the drawing order.
+/// `distance`: of the camera, metres.
+pub fn check_bins(
+    bins: &BinLists,
+    order: &[u32],
+    reference: &ReferenceFrame,
+    margin: f64,
+    distance: f64,
+) {
+    let mut met = 0;
+    for (number, list) in (0..).zip(&bins.lists) {
+        let bin = [number % bins.columns, number / bins.columns];
+        // Near splats are large, and so is what rounding their axes moves their edges by.
+        let rounding = 0.3 / distance;
+        let [must, may] = [margin - rounding, margin + rounding]
+            .map(|slack| binning::bin(&reference.splats, order, bin, bins.side, slack));
+        // Both are in the drawing order: what must be there is a subsequence of the list, and the
+        // list one of what may be there.
+        let mut rest = list.iter();
+        let missing = must.iter().find(|splat| !rest.any(|other| other == *splat));
+        assert_eq!(missing, None, "bin {bin:?} from {distance} m");
+        let mut rest = may.iter();
+        let surplus = list.iter().find(|splat| !rest.any(|other| other == *splat));
+        assert_eq!(surplus, None, "bin {bin:?} from {distance} m");
+        met += list.len();
+    }
+    assert!(met > 100, "{met} pairs from {distance} m");
+}
+
 /// Every bin has the splats whose boxes meet it, and with quads those that come within a pixel.
 fn each_bin_has_the_splats_that_meet_it_nearest_first(raster: Raster) {
     let device = gpu::gpu();
     let margin = if raster == TestedQuads { 1.0 } else { 0.0 };
     let mut sides = Vec::new();
-    // So near that the pairs of splats and bins are too many for the finest bins.
-    for distance in [4.0, 0.6, 0.1] {
-        let avatar = common::avatar(
-            4,
-            Sizes {
-                gaussians: 4000,
-                ..Sizes::default()
-            },
-        );
-        let posed = Posed::new(&avatar, &common::pose(4, &avatar));
-        let size = [600, 400];
-        let target = first_gaussian(&avatar, &posed);
-        let camera = Camera::orbit(target, 0.3, 0.1, distance, 0.7, size);
+    let avatar = avatar_in_bins();
+    for (distance, posed, camera) in views_of_bins(&avatar) {
         let options = RendererOptions {
             key_bits: Some(KeyBits::ThirtyTwo),
-            ..raster.options(&device.probe.name, size)
+            ..raster.options(&device.probe.name, camera.size)
         };
         let mut renderer = Renderer::new(&device, &avatar, options).unwrap();
         renderer.draw(&posed, &camera, None).unwrap();
         renderer.finish().unwrap();
         let bins = renderer.raster().bin_lists().unwrap().unwrap();
         let order = renderer.stages().unwrap().order;
-        let reference = effigy_core::reference::ReferenceFrame::new(&avatar, &posed, &camera);
-        let mut met = 0;
-        for (number, list) in (0..).zip(&bins.lists) {
-            let bin = [number % bins.columns, number / bins.columns];
-            // Near splats are large, and so is what rounding their axes moves their edges by.
-            let rounding = 0.3 / distance;
-            let [must, may] = [margin - rounding, margin + rounding]
-                .map(|slack| binning::bin(&reference.splats, &order, bin, bins.side, slack));
-            // Both are in the drawing order: what must be there is a subsequence of the list, and
-            // the list one of what may be there.
-            let mut rest = list.iter();
-            let missing = must.iter().find(|splat| !rest.any(|other| other == *splat));
-            assert_eq!(missing, None, "bin {bin:?} from {distance} m");
-            let mut rest = may.iter();
-            let surplus = list.iter().find(|splat| !rest.any(|other| other == *splat));
-            assert_eq!(surplus, None, "bin {bin:?} from {distance} m");
-            met += list.len();
-        }
-        assert!(met > 100, "{met} pairs from {distance} m");
+        let reference = ReferenceFrame::new(&avatar, &posed, &camera);
+        check_bins(&bins, &order, &reference, margin, distance);
         sides.push(bins.side);
     }
     assert!(sides.contains(&32) && sides.contains(&64), "{sides:?}");

@@ -7,50 +7,47 @@ use effigy::vulkan::{
     sort::KeyBits::{self, Sixteen, ThirtyTwo},
 };
 use effigy_core::{
-    avatar::motion::Player,
+    avatar::{Avatar, motion::Player},
     constants::ALPHA_MIN,
     frame::Skip,
     reference::{ReferenceFrame, saturation},
     scene::{AvatarBounds, Camera, Posed},
 };
 
-/// Each sample has the depth of the splat with which the reference's is saturated. The device's
-/// opacities are rounded, so that is asked for with thresholds a little above and below.
-fn samples_are_saturated_where_the_references_are(key_bits: KeyBits) {
-    let device = gpu::drawing();
-    let avatar = effigy_demo::avatar().unwrap();
-    let player = Player::new(effigy_demo::clip().unwrap(), &avatar.skeleton);
-    for (seconds, yaw, size) in [(0.5, 0.3, [861, 1363]), (2.0, 3.4, [960, 1520])] {
-        let posed = Posed::new(&avatar, &player.pose(seconds));
-        let bounds = AvatarBounds::new(&avatar).bounds(&posed.joints);
-        let camera = Camera::around(bounds, yaw, 0.1, 0.6, size);
-        let options = RendererOptions {
-            skip: Skip::DEPTH | Skip::FAINT,
-            method: Some(RasterMethod::Quads),
-            key_bits: Some(key_bits),
-            ..RendererOptions::new(size)
-        };
-        let mut renderer = Renderer::new(&device, &avatar, options).unwrap();
-        renderer.draw(&posed, &camera, None).unwrap();
-        renderer.finish().unwrap();
-        let found = renderer.raster().saturation_depths().unwrap().unwrap();
-        let stages = renderer.stages().unwrap();
-        let reference = ReferenceFrame::new(&avatar, &posed, &camera);
+/// A frame of which a device found the saturation depths.
+pub struct Sampled<'a> {
+    pub avatar: &'a Avatar,
+    pub posed: &'a Posed,
+    pub camera: Camera,
+    /// The depth of each sample, row by row.
+    pub found: Vec<f32>,
+    /// What the depths come from: the key of each splat, of so many bits, and the drawing order.
+    pub keys: &'a [u32],
+    pub key_bits: KeyBits,
+    pub order: &'a [u32],
+}
+
+impl Sampled<'_> {
+    /// Each sample must have the depth of the splat with which the reference's is saturated. The
+    /// device's opacities are rounded, so that is asked for with thresholds a little above and
+    /// below.
+    pub fn check(self) {
+        let reference = ReferenceFrame::new(self.avatar, self.posed, &self.camera);
         let depth = |splat: Option<u32>| {
             splat.map_or(1.0, |splat| {
-                let key = f64::from(stages.keys[splat as usize]);
-                (1.0 - key / f64::from(key_bits.largest()) + 1.0 / 65535.0).min(1.0)
+                let key = f64::from(self.keys[splat as usize]);
+                (1.0 - key / f64::from(self.key_bits.largest()) + 1.0 / 65535.0).min(1.0)
             })
         };
         let threshold = 2.0 * ALPHA_MIN;
         let [nearest, furthest] = [1.1, 1.0 / 1.1].map(|factor| {
             let threshold = factor * threshold;
-            saturation::saturating(&reference.splats, &stages.order, &camera, threshold)
+            saturation::saturating(&reference.splats, self.order, &self.camera, threshold)
         });
-        assert_eq!(found.len(), nearest.len());
+        assert_eq!(self.found.len(), nearest.len());
         let mut saturated = 0;
         let mut wrong = Vec::new();
-        for (at, &found) in found.iter().enumerate() {
+        for (at, &found) in self.found.iter().enumerate() {
             let [low, high] = [nearest[at], furthest[at]].map(depth);
             if !(low - 1e-6..=high + 1e-6).contains(&f64::from(found)) {
                 wrong.push((at, found, low, high));
@@ -65,6 +62,53 @@ fn samples_are_saturated_where_the_references_are(key_bits: KeyBits) {
             wrong.len(),
             &wrong[..wrong.len().min(4)]
         );
+    }
+}
+
+/// The demo in two poses, and options with which each frame finds the saturation depth.
+pub fn sampled_frames(
+    key_bits: KeyBits,
+) -> (
+    Avatar,
+    impl Iterator<Item = (Posed, Camera, RendererOptions)>,
+) {
+    let avatar = effigy_demo::avatar().unwrap();
+    let player = Player::new(effigy_demo::clip().unwrap(), &avatar.skeleton);
+    let frames = [(0.5, 0.3, [861, 1363]), (2.0, 3.4, [960, 1520])];
+    let frames = frames.map(|(seconds, yaw, size)| {
+        let posed = Posed::new(&avatar, &player.pose(seconds));
+        let bounds = AvatarBounds::new(&avatar).bounds(&posed.joints);
+        let camera = Camera::around(bounds, yaw, 0.1, 0.6, size);
+        let options = RendererOptions {
+            skip: Skip::DEPTH | Skip::FAINT,
+            method: Some(RasterMethod::Quads),
+            key_bits: Some(key_bits),
+            ..RendererOptions::new(size)
+        };
+        (posed, camera, options)
+    });
+    (avatar, frames.into_iter())
+}
+
+fn samples_are_saturated_where_the_references_are(key_bits: KeyBits) {
+    let device = gpu::drawing();
+    let (avatar, frames) = sampled_frames(key_bits);
+    for (posed, camera, options) in frames {
+        let mut renderer = Renderer::new(&device, &avatar, options).unwrap();
+        renderer.draw(&posed, &camera, None).unwrap();
+        renderer.finish().unwrap();
+        let found = renderer.raster().saturation_depths().unwrap().unwrap();
+        let stages = renderer.stages().unwrap();
+        let sampled = Sampled {
+            avatar: &avatar,
+            posed: &posed,
+            camera,
+            found,
+            keys: &stages.keys,
+            key_bits,
+            order: &stages.order,
+        };
+        sampled.check();
     }
 }
 

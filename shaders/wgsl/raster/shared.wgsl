@@ -1,0 +1,804 @@
+struct Splat {
+    center: vec2<f32>,
+    axis: vec2<f32>,
+    shorter: f32,
+    color: vec3<f32>,
+    opacity: u32,
+}
+
+struct Seen {
+    deviation: vec2<f32>,
+    right: vec2<f32>,
+    down: vec2<f32>,
+    exponent: f32,
+    color: u32,
+}
+
+struct Samples {
+    pixels: array<vec4<f32>, 4>,
+    open: bool,
+    evaluated: u32,
+}
+
+struct Layer {
+    input_quads: u32,
+    output_count: u32,
+    weight: u32,
+    bias: u32,
+}
+
+struct FrameBlock {
+    focal: vec2<f32>,
+    center: vec2<f32>,
+    derivative_min: vec2<f32>,
+    derivative_max: vec2<f32>,
+    size: vec2<f32>,
+    guard: f32,
+    near: f32,
+    key_far: f32,
+    key_scale: f32,
+    key_max: u32,
+    fixed_scale: f32,
+    position_min: vec4<f32>,
+    position_step: vec4<f32>,
+    clip: vec4<f32>,
+    gaussians: u32,
+    nodes: u32,
+    parts: u32,
+    head_parts: u32,
+    basis_quads: u32,
+    feature_quads: u32,
+    node_feature: u32,
+    node_start: u32,
+    rotation_start: u32,
+    scale_start: u32,
+    color_start: u32,
+    slope: f32,
+    layers: u32,
+    network_quads: u32,
+    key_start: u32,
+    cutoff: f32,
+    occluder_margin: f32,
+    pyramid_start: u32,
+    occluder_origin: vec2<f32>,
+    occluder_scale: vec2<f32>,
+    quad_opacity: f32,
+    body_quads: u32,
+    log_scale_min: f32,
+    log_scale_step: f32,
+    sh_color_start: u32,
+    half_keys: u32,
+    count_start: u32,
+    count_tile: u32,
+    cache_start: u32,
+    cache_unit: f32,
+    feature_start: u32,
+    first_splat: u32,
+    tile_side: f32,
+    detail_level: u32,
+    drawn: u32,
+    covariance_scale: f32,
+    bin_side: u32,
+    cache_min: vec4<f32>,
+    cache_size: vec4<f32>,
+    camera_from_cache: array<vec4<f32>, 3>,
+    idle_parts: array<vec4<u32>, 8>,
+    culled_parts: array<vec4<u32>, 8>,
+    layer: array<Layer, 8>,
+    network_input: array<vec4<f32>, 128>,
+    joint: array<vec4<f32>, 768>,
+}
+
+struct Splats {
+    splats: array<vec4<u32>>,
+}
+
+struct SettingsBlock {
+    cutoff_exponent: f32,
+    quad_exponent: f32,
+    cutoff: f32,
+    saturation: f32,
+    sort_tiles: u32,
+    key_capacity: u32,
+    scanned: u32,
+    key_count: u32,
+    blocks: u32,
+    counted: u32,
+    first_region: vec2<u32>,
+    counts_start: u32,
+    starts_start: u32,
+    pairs_start: u32,
+    pair_capacity: u32,
+    bin_margin: f32,
+}
+
+struct Bins {
+    bins: array<u32>,
+}
+
+struct Sorted {
+    sorted: array<u32>,
+}
+
+struct Control {
+    index_count: u32,
+    instance_count: u32,
+    first_index: u32,
+    vertex_offset: i32,
+    first_instance: u32,
+    key_count: u32,
+    visible_count: u32,
+    fragments: atomic<u32>,
+}
+
+struct ControlBuffer {
+    control: Control,
+}
+
+struct Splats_1 {
+    splats: array<vec4<u32>, LENGTH_1_16>,
+}
+
+struct Bins_1 {
+    bins: array<u32, LENGTH_4_4>,
+}
+
+struct Sorted_1 {
+    sorted: array<u32, LENGTH_3_4>,
+}
+
+@group(0) @binding(0) 
+var<uniform> frame: FrameBlock;
+@group(0) @binding(1) 
+var<storage> unnamed: Splats_1;
+@group(0) @binding(7) 
+var<uniform> settings: SettingsBlock;
+var<workgroup> batch_hits: array<atomic<u32>, 8>;
+var<workgroup> batch_place: array<vec4<f32>, 64>;
+var<workgroup> batch_shape: array<vec4<f32>, 64>;
+var<private> gl_LocalInvocationIndex_1: u32;
+@group(0) @binding(4) 
+var<storage> unnamed_1: Bins_1;
+var<workgroup> batch_open: u32;
+@group(0) @binding(3) 
+var<storage> unnamed_2: Sorted_1;
+@group(0) @binding(5) 
+var image: texture_storage_2d<rgba8unorm,write>;
+var<private> gl_WorkGroupID_1: vec3<u32>;
+@group(0) @binding(2) 
+var<storage, read_write> unnamed_3: ControlBuffer;
+
+fn store_u0028_vu2_u003b_vf4_u003b(at: ptr<function, vec2<u32>>, pixel: ptr<function, vec4<f32>>) {
+    let _e7 = (*at);
+    let _e9 = frame.size;
+    if all((_e7 < vec2<u32>(_e9))) {
+        let _e13 = (*at);
+        let _e15 = (*pixel);
+        let _e18 = (_e15.xyz / vec3(1023f));
+        let _e20 = (*pixel)[3u];
+        textureStore(image, bitcast<vec2<i32>>(_e13), vec4<f32>(_e18.x, _e18.y, _e18.z, (1f - _e20)));
+    }
+    return;
+}
+
+fn opacity_at_u0028_vf2_u003b_f1_u003b(deviation: ptr<function, vec2<f32>>, exponent: ptr<function, f32>) -> f32 {
+    var power: f32;
+    var local: f32;
+
+    let _e7 = (*exponent);
+    let _e8 = (*deviation);
+    let _e9 = (*deviation);
+    power = (_e7 - dot(_e8, _e9));
+    let _e12 = power;
+    let _e14 = settings.cutoff_exponent;
+    if (_e12 >= _e14) {
+        let _e16 = power;
+        local = min(0.99f, exp2(_e16));
+    } else {
+        local = 0f;
+    }
+    let _e19 = local;
+    return _e19;
+}
+
+fn blend_pixel_u0028_vf4_u003b_vf2_u003b_f1_u003b_vf3_u003b(pixel_1: ptr<function, vec4<f32>>, deviation_1: ptr<function, vec2<f32>>, exponent_1: ptr<function, f32>, color: ptr<function, vec3<f32>>) {
+    var share: f32;
+    var param_12: vec2<f32>;
+    var param_13: f32;
+
+    let _e8 = (*deviation_1);
+    param_12 = _e8;
+    let _e9 = (*exponent_1);
+    param_13 = _e9;
+    let _e10 = opacity_at_u0028_vf2_u003b_f1_u003b((&param_12), (&param_13));
+    let _e12 = (*pixel_1)[3u];
+    share = (_e10 * _e12);
+    let _e14 = (*pixel_1);
+    let _e16 = share;
+    let _e17 = (*color);
+    let _e19 = (_e14.xyz + (_e17 * _e16));
+    let _e21 = (*pixel_1)[3u];
+    let _e22 = share;
+    (*pixel_1) = vec4<f32>(_e19.x, _e19.y, _e19.z, (_e21 - _e22));
+    return;
+}
+
+fn see_u0028_u1_u003b_vf2_u003b(k: ptr<function, u32>, first_1: ptr<function, vec2<f32>>) -> Seen {
+    var place: vec4<f32>;
+    var shape: vec4<f32>;
+    var from_: vec2<f32>;
+    var seen: Seen;
+
+    let _e13 = (*k);
+    let _e15 = batch_place[_e13];
+    place = _e15;
+    let _e16 = (*k);
+    let _e18 = batch_shape[_e16];
+    shape = _e18;
+    let _e19 = (*first_1);
+    let _e20 = place;
+    from_ = (_e19 - _e20.xy);
+    let _e23 = from_;
+    let _e24 = place;
+    let _e27 = from_;
+    let _e28 = shape;
+    seen.deviation = vec2<f32>(dot(_e23, _e24.zw), dot(_e27, _e28.xy));
+    let _e34 = place[2u];
+    let _e36 = shape[0u];
+    seen.right = (vec2<f32>(_e34, _e36) * 1f);
+    let _e41 = place[3u];
+    let _e43 = shape[1u];
+    seen.down = (vec2<f32>(_e41, _e43) * 1f);
+    let _e48 = shape[2u];
+    seen.exponent = _e48;
+    let _e51 = shape[3u];
+    seen.color = bitcast<u32>(_e51);
+    let _e54 = seen;
+    return _e54;
+}
+
+fn blend_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u11_u003b_u1_u003b_vf2_u003b(samples_1: ptr<function, Samples>, k_1: ptr<function, u32>, first_2: ptr<function, vec2<f32>>) {
+    var seen_1: Seen;
+    var param_14: u32;
+    var param_15: vec2<f32>;
+    var color_1: vec3<f32>;
+    var right: vec2<f32>;
+    var param_16: vec4<f32>;
+    var param_17: vec2<f32>;
+    var param_18: f32;
+    var param_19: vec3<f32>;
+    var param_20: vec4<f32>;
+    var param_21: vec2<f32>;
+    var param_22: f32;
+    var param_23: vec3<f32>;
+    var param_24: vec4<f32>;
+    var param_25: vec2<f32>;
+    var param_26: f32;
+    var param_27: vec3<f32>;
+    var param_28: vec4<f32>;
+    var param_29: vec2<f32>;
+    var param_30: f32;
+    var param_31: vec3<f32>;
+
+    let _e34 = (*k_1);
+    param_14 = _e34;
+    let _e35 = (*first_2);
+    param_15 = _e35;
+    let _e36 = see_u0028_u1_u003b_vf2_u003b((&param_14), (&param_15));
+    seen_1 = _e36;
+    let _e38 = seen_1.color;
+    let _e42 = seen_1.color;
+    let _e48 = seen_1.color;
+    color_1 = vec3<f32>(f32((_e38 & 1023u)), f32(((_e42 >> bitcast<u32>(10u)) & 1023u)), f32((_e48 >> bitcast<u32>(20u))));
+    let _e54 = seen_1.deviation;
+    let _e56 = seen_1.right;
+    right = (_e54 + _e56);
+    let _e60 = (*samples_1).pixels[0i];
+    param_16 = _e60;
+    let _e62 = seen_1.deviation;
+    param_17 = _e62;
+    let _e64 = seen_1.exponent;
+    param_18 = _e64;
+    let _e65 = color_1;
+    param_19 = _e65;
+    blend_pixel_u0028_vf4_u003b_vf2_u003b_f1_u003b_vf3_u003b((&param_16), (&param_17), (&param_18), (&param_19));
+    let _e66 = param_16;
+    (*samples_1).pixels[0i] = _e66;
+    let _e71 = (*samples_1).pixels[1i];
+    param_20 = _e71;
+    let _e72 = right;
+    param_21 = _e72;
+    let _e74 = seen_1.exponent;
+    param_22 = _e74;
+    let _e75 = color_1;
+    param_23 = _e75;
+    blend_pixel_u0028_vf4_u003b_vf2_u003b_f1_u003b_vf3_u003b((&param_20), (&param_21), (&param_22), (&param_23));
+    let _e76 = param_20;
+    (*samples_1).pixels[1i] = _e76;
+    let _e80 = seen_1.deviation;
+    let _e82 = seen_1.down;
+    let _e86 = (*samples_1).pixels[2i];
+    param_24 = _e86;
+    param_25 = (_e80 + _e82);
+    let _e88 = seen_1.exponent;
+    param_26 = _e88;
+    let _e89 = color_1;
+    param_27 = _e89;
+    blend_pixel_u0028_vf4_u003b_vf2_u003b_f1_u003b_vf3_u003b((&param_24), (&param_25), (&param_26), (&param_27));
+    let _e90 = param_24;
+    (*samples_1).pixels[2i] = _e90;
+    let _e93 = right;
+    let _e95 = seen_1.down;
+    let _e99 = (*samples_1).pixels[3i];
+    param_28 = _e99;
+    param_29 = (_e93 + _e95);
+    let _e101 = seen_1.exponent;
+    param_30 = _e101;
+    let _e102 = color_1;
+    param_31 = _e102;
+    blend_pixel_u0028_vf4_u003b_vf2_u003b_f1_u003b_vf3_u003b((&param_28), (&param_29), (&param_30), (&param_31));
+    let _e103 = param_28;
+    (*samples_1).pixels[3i] = _e103;
+    let _e109 = (*samples_1).pixels[0i][3u];
+    let _e113 = (*samples_1).pixels[1i][3u];
+    let _e118 = (*samples_1).pixels[2i][3u];
+    let _e122 = (*samples_1).pixels[3i][3u];
+    let _e126 = settings.saturation;
+    (*samples_1).open = (max(max(_e109, _e113), max(_e118, _e122)) >= _e126);
+    let _e130 = (*samples_1).evaluated;
+    (*samples_1).evaluated = (_e130 + 4u);
+    return;
+}
+
+fn nearest_u0028_f1_u003b_f1_u003b_f1_u003b_vf2_u003b_vf2_u003b(a: ptr<function, f32>, b: ptr<function, f32>, c: ptr<function, f32>, low: ptr<function, vec2<f32>>, high: ptr<function, vec2<f32>>) -> f32 {
+    var side: vec2<f32>;
+    var p: vec2<f32>;
+    var q: vec2<f32>;
+
+    let _e12 = (*low);
+    let _e13 = (*high);
+    side = clamp(vec2<f32>(0f, 0f), _e12, _e13);
+    let _e16 = side[0u];
+    let _e17 = (*b);
+    let _e20 = side[0u];
+    let _e22 = (*c);
+    let _e25 = (*low)[1u];
+    let _e27 = (*high)[1u];
+    p = vec2<f32>(_e16, clamp(((-(_e17) * _e20) / _e22), _e25, _e27));
+    let _e30 = (*b);
+    let _e33 = side[1u];
+    let _e35 = (*a);
+    let _e38 = (*low)[0u];
+    let _e40 = (*high)[0u];
+    let _e43 = side[1u];
+    q = vec2<f32>(clamp(((-(_e30) * _e33) / _e35), _e38, _e40), _e43);
+    let _e45 = (*a);
+    let _e47 = p[0u];
+    let _e50 = p[0u];
+    let _e52 = (*b);
+    let _e55 = p[0u];
+    let _e58 = p[1u];
+    let _e61 = (*c);
+    let _e63 = p[1u];
+    let _e66 = p[1u];
+    let _e69 = (*a);
+    let _e71 = q[0u];
+    let _e74 = q[0u];
+    let _e76 = (*b);
+    let _e79 = q[0u];
+    let _e82 = q[1u];
+    let _e85 = (*c);
+    let _e87 = q[1u];
+    let _e90 = q[1u];
+    return min(((((_e45 * _e47) * _e50) + (((2f * _e52) * _e55) * _e58)) + ((_e61 * _e63) * _e66)), ((((_e69 * _e71) * _e74) + (((2f * _e76) * _e79) * _e82)) + ((_e85 * _e87) * _e90)));
+}
+
+fn fixed_center_u0028_vu4_u003b(words: ptr<function, vec4<u32>>) -> vec2<f32> {
+    let _e2 = (*words);
+    return vec2<f32>((_e2.xy & vec2(1048575u)));
+}
+
+fn unpack_splat_u0028_vu4_u003b(words_1: ptr<function, vec4<u32>>) -> Splat {
+    var splat: Splat;
+    var param_32: vec4<u32>;
+    var blue: u32;
+    var red: u32;
+    var green: u32;
+
+    let _e18 = (*words_1);
+    param_32 = _e18;
+    let _e19 = fixed_center_u0028_vu4_u003b((&param_32));
+    let _e21 = frame.fixed_scale;
+    let _e25 = frame.guard;
+    splat.center = ((_e19 / vec2(_e21)) - vec2(_e25));
+    let _e30 = (*words_1)[2u];
+    splat.axis = unpack2x16float(_e30);
+    let _e34 = (*words_1)[3u];
+    splat.shorter = unpack2x16float(_e34).x;
+    let _e39 = (*words_1)[3u];
+    let _e45 = (*words_1)[0u];
+    blue = (((_e39 >> bitcast<u32>(24u)) << bitcast<u32>(2u)) | (_e45 >> bitcast<u32>(30u)));
+    let _e50 = (*words_1)[0u];
+    red = ((_e50 >> bitcast<u32>(20u)) & 1023u);
+    let _e55 = (*words_1)[1u];
+    green = ((_e55 >> bitcast<u32>(20u)) & 1023u);
+    let _e59 = red;
+    let _e61 = green;
+    let _e63 = blue;
+    splat.color = (vec3<f32>(f32(_e59), f32(_e61), f32(_e63)) / vec3(1023f));
+    let _e70 = (*words_1)[3u];
+    splat.opacity = ((_e70 >> bitcast<u32>(16u)) & 255u);
+    let _e75 = splat;
+    return _e75;
+}
+
+fn load_u0028_u1_u003b_u1_u003b_vf2_u003b(thread: ptr<function, u32>, i: ptr<function, u32>, corner_1: ptr<function, vec2<f32>>) {
+    var splat_1: Splat;
+    var param_33: vec4<u32>;
+    var inverse: f32;
+    var along: vec2<f32>;
+    var across: vec2<f32>;
+    var exponent_2: f32;
+    var center: vec2<f32>;
+    var a_1: f32;
+    var b_1: f32;
+    var c_1: f32;
+    var meets: bool;
+    var quarter: u32;
+    var low_1: vec2<f32>;
+    var high_1: vec2<f32>;
+    var param_34: f32;
+    var param_35: f32;
+    var param_36: f32;
+    var param_37: vec2<f32>;
+    var param_38: vec2<f32>;
+    var color_2: vec3<u32>;
+
+    let _e46 = (*i);
+    let _e49 = unnamed.splats[_e46];
+    param_33 = _e49;
+    let _e50 = unpack_splat_u0028_vu4_u003b((&param_33));
+    splat_1 = _e50;
+    let _e52 = splat_1.axis;
+    let _e54 = splat_1.axis;
+    inverse = (1f / dot(_e52, _e54));
+    let _e57 = inverse;
+    let _e60 = splat_1.axis;
+    along = (_e60 * (0.8493218f * _e57));
+    let _e62 = inverse;
+    let _e66 = splat_1.shorter;
+    let _e70 = splat_1.axis[1u];
+    let _e74 = splat_1.axis[0u];
+    across = (vec2<f32>(-(_e70), _e74) * ((0.8493218f * sqrt(_e62)) / _e66));
+    let _e78 = splat_1.opacity;
+    exponent_2 = log2((f32(_e78) / 255f));
+    let _e83 = splat_1.center;
+    let _e84 = (*corner_1);
+    center = (_e83 - _e84);
+    let _e87 = along[0u];
+    let _e89 = along[0u];
+    let _e92 = across[0u];
+    let _e94 = across[0u];
+    a_1 = ((_e87 * _e89) + (_e92 * _e94));
+    let _e98 = along[0u];
+    let _e100 = along[1u];
+    let _e103 = across[0u];
+    let _e105 = across[1u];
+    b_1 = ((_e98 * _e100) + (_e103 * _e105));
+    let _e109 = along[1u];
+    let _e111 = along[1u];
+    let _e114 = across[1u];
+    let _e116 = across[1u];
+    c_1 = ((_e109 * _e111) + (_e114 * _e116));
+    meets = false;
+    quarter = 0u;
+    loop {
+        let _e119 = quarter;
+        if (_e119 < 4u) {
+            let _e121 = quarter;
+            let _e124 = quarter;
+            let _e130 = center;
+            low_1 = ((vec2<f32>(f32((_e121 & 1u)), f32((_e124 >> bitcast<u32>(1u)))) * 8f) - _e130);
+            let _e132 = low_1;
+            high_1 = (_e132 + vec2(8f));
+            let _e136 = settings.bin_margin;
+            let _e138 = low_1;
+            low_1 = (_e138 + vec2((0.5f - _e136)));
+            let _e142 = settings.bin_margin;
+            let _e144 = high_1;
+            high_1 = (_e144 - vec2((0.5f - _e142)));
+            let _e147 = a_1;
+            param_34 = _e147;
+            let _e148 = b_1;
+            param_35 = _e148;
+            let _e149 = c_1;
+            param_36 = _e149;
+            let _e150 = low_1;
+            param_37 = _e150;
+            let _e151 = high_1;
+            param_38 = _e151;
+            let _e152 = nearest_u0028_f1_u003b_f1_u003b_f1_u003b_vf2_u003b_vf2_u003b((&param_34), (&param_35), (&param_36), (&param_37), (&param_38));
+            let _e153 = exponent_2;
+            let _e155 = settings.cutoff_exponent;
+            if !((_e152 > ((_e153 - _e155) + 0.00390625f))) {
+                let _e160 = quarter;
+                let _e162 = (*thread);
+                let _e167 = (*thread);
+                let _e171 = atomicOr((&batch_hits[((_e160 * 2u) + (_e162 >> bitcast<u32>(5u)))]), (1u << bitcast<u32>((_e167 & 31u))));
+                meets = true;
+            }
+            continue;
+        } else {
+            break;
+        }
+        continuing {
+            let _e172 = quarter;
+            quarter = (_e172 + bitcast<u32>(1i));
+        }
+    }
+    let _e175 = meets;
+    if !(_e175) {
+        return;
+    }
+    let _e178 = splat_1.color;
+    color_2 = vec3<u32>(round((_e178 * 1023f)));
+    let _e182 = (*thread);
+    let _e183 = center;
+    let _e184 = along;
+    batch_place[_e182] = vec4<f32>(_e183.x, _e183.y, _e184.x, _e184.y);
+    let _e191 = (*thread);
+    let _e192 = across;
+    let _e193 = exponent_2;
+    let _e195 = color_2[0u];
+    let _e197 = color_2[1u];
+    let _e202 = color_2[2u];
+    batch_shape[_e191] = vec4<f32>(_e192.x, _e192.y, _e193, bitcast<f32>(((_e195 | (_e197 << bitcast<u32>(10u))) | (_e202 << bitcast<u32>(20u)))));
+    return;
+}
+
+fn bins_of_u0028_u1_u003b(shift: ptr<function, u32>) -> vec2<u32> {
+    var side_1: u32;
+
+    let _e5 = frame.bin_side;
+    let _e6 = (*shift);
+    side_1 = (_e5 << bitcast<u32>(_e6));
+    let _e10 = frame.size;
+    let _e12 = side_1;
+    let _e17 = side_1;
+    return (((vec2<u32>(_e10) + vec2(_e12)) - vec2(1u)) / vec2(_e17));
+}
+
+fn blend_bin_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u11_u003b_vu2_u003b_vf2_u003b(samples_2: ptr<function, Samples>, corner_2: ptr<function, vec2<u32>>, first_3: ptr<function, vec2<f32>>) {
+    var thread_1: u32;
+    var quarter_1: u32;
+    var shift_1: u32;
+    var at_1: vec2<u32>;
+    var bin: u32;
+    var param_39: u32;
+    var end: u32;
+    var from_1: u32;
+    var i_1: u32;
+    var local_1: u32;
+    var param_40: u32;
+    var param_41: u32;
+    var param_42: vec2<f32>;
+    var word: u32;
+    var hits: u32;
+    var k_2: u32;
+    var param_43: Samples;
+    var param_44: u32;
+    var param_45: vec2<f32>;
+
+    let _e38 = gl_LocalInvocationIndex_1;
+    thread_1 = _e38;
+    let _e39 = thread_1;
+    quarter_1 = (_e39 / 16u);
+    let _e43 = unnamed_1.bins[8i];
+    shift_1 = _e43;
+    let _e44 = (*corner_2);
+    let _e46 = frame.bin_side;
+    let _e47 = shift_1;
+    at_1 = (_e44 / vec2((_e46 << bitcast<u32>(_e47))));
+    let _e53 = at_1[1u];
+    let _e54 = shift_1;
+    param_39 = _e54;
+    let _e55 = bins_of_u0028_u1_u003b((&param_39));
+    let _e59 = at_1[0u];
+    bin = ((_e53 * _e55.x) + _e59);
+    let _e62 = settings.starts_start;
+    let _e63 = bin;
+    let _e68 = unnamed_1.bins[((_e62 + _e63) + 1u)];
+    end = _e68;
+    let _e70 = settings.starts_start;
+    let _e71 = bin;
+    let _e75 = unnamed_1.bins[(_e70 + _e71)];
+    from_1 = _e75;
+    loop {
+        let _e76 = from_1;
+        let _e77 = end;
+        if (_e76 < _e77) {
+            let _e79 = thread_1;
+            if (_e79 < 8u) {
+                let _e81 = thread_1;
+                atomicStore((&batch_hits[_e81]), 0u);
+            }
+            let _e83 = thread_1;
+            if (_e83 == 0u) {
+                batch_open = 0u;
+            }
+            workgroupBarrier();
+            let _e86 = (*samples_2).open;
+            if _e86 {
+                batch_open = 1u;
+            }
+            let _e87 = from_1;
+            let _e88 = thread_1;
+            let _e90 = end;
+            if ((_e87 + _e88) < _e90) {
+                let _e93 = settings.pairs_start;
+                let _e94 = from_1;
+                let _e95 = thread_1;
+                let _e99 = unnamed_2.sorted[(_e94 + _e95)];
+                let _e103 = unnamed_1.bins[(_e93 + _e99)];
+                local_1 = _e103;
+            } else {
+                local_1 = 0u;
+            }
+            let _e104 = local_1;
+            i_1 = _e104;
+            let _e105 = from_1;
+            let _e106 = thread_1;
+            let _e108 = end;
+            if ((_e105 + _e106) < _e108) {
+                let _e110 = (*corner_2);
+                let _e112 = thread_1;
+                param_40 = _e112;
+                let _e113 = i_1;
+                param_41 = _e113;
+                param_42 = vec2<f32>(_e110);
+                load_u0028_u1_u003b_u1_u003b_vf2_u003b((&param_40), (&param_41), (&param_42));
+            }
+            workgroupBarrier();
+            let _e114 = workgroupUniformLoad((&batch_open));
+            if (_e114 == 0u) {
+                break;
+            }
+            word = 0u;
+            loop {
+                let _e116 = word;
+                if (_e116 < 2u) {
+                    let _e118 = quarter_1;
+                    let _e120 = word;
+                    let _e123 = atomicLoad((&batch_hits[((_e118 * 2u) + _e120)]));
+                    hits = _e123;
+                    loop {
+                        let _e124 = hits;
+                        let _e127 = (*samples_2).open;
+                        if ((_e124 != 0u) && _e127) {
+                            let _e129 = hits;
+                            k_2 = bitcast<u32>(firstTrailingBit(_e129));
+                            let _e132 = hits;
+                            let _e134 = hits;
+                            hits = (_e134 & (_e132 - 1u));
+                            let _e136 = word;
+                            let _e138 = k_2;
+                            let _e140 = (*samples_2);
+                            param_43 = _e140;
+                            param_44 = ((32u * _e136) + _e138);
+                            let _e141 = (*first_3);
+                            param_45 = _e141;
+                            blend_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u11_u003b_u1_u003b_vf2_u003b((&param_43), (&param_44), (&param_45));
+                            let _e142 = param_43;
+                            (*samples_2) = _e142;
+                            continue;
+                        } else {
+                            break;
+                        }
+                    }
+                    continue;
+                } else {
+                    break;
+                }
+                continuing {
+                    let _e143 = word;
+                    word = (_e143 + bitcast<u32>(1i));
+                }
+            }
+            workgroupBarrier();
+            continue;
+        } else {
+            break;
+        }
+        continuing {
+            let _e146 = from_1;
+            from_1 = (_e146 + 64u);
+        }
+    }
+    return;
+}
+
+fn place_of_u0028_u1_u003b(index: ptr<function, u32>) -> vec2<u32> {
+    let _e5 = (*index);
+    let _e7 = (*index);
+    let _e12 = (*index);
+    let _e17 = (*index);
+    let _e21 = (*index);
+    let _e26 = (*index);
+    return vec2<u32>((((_e5 & 1u) | ((_e7 >> bitcast<u32>(1u)) & 2u)) | ((_e12 >> bitcast<u32>(2u)) & 4u)), ((((_e17 >> bitcast<u32>(1u)) & 1u) | ((_e21 >> bitcast<u32>(2u)) & 2u)) | ((_e26 >> bitcast<u32>(3u)) & 4u)));
+}
+
+@compute @workgroup_size(64, 1, 1) 
+fn main(@builtin(local_invocation_index) gl_LocalInvocationIndex: u32, @builtin(workgroup_id) gl_WorkGroupID: vec3<u32>) {
+    var corner: vec2<u32>;
+    var first: vec2<u32>;
+    var param: u32;
+    var samples: Samples;
+    var param_1: Samples;
+    var param_2: vec2<u32>;
+    var param_3: vec2<f32>;
+    var param_4: vec2<u32>;
+    var param_5: vec4<f32>;
+    var param_6: vec2<u32>;
+    var param_7: vec4<f32>;
+    var param_8: vec2<u32>;
+    var param_9: vec4<f32>;
+    var param_10: vec2<u32>;
+    var param_11: vec4<f32>;
+    var phi_1018_: bool;
+
+    gl_LocalInvocationIndex_1 = gl_LocalInvocationIndex;
+    gl_WorkGroupID_1 = gl_WorkGroupID;
+    let _e33 = settings.first_region;
+    corner = ((_e33 + bitcast<vec3<u32>>(gl_WorkGroupID).xy) * vec2(16u));
+    param = bitcast<u32>(gl_LocalInvocationIndex);
+    let _e40 = place_of_u0028_u1_u003b((&param));
+    first = (vec2(2u) * _e40);
+    samples.open = true;
+    samples.evaluated = 0u;
+    samples.pixels = array<vec4<f32>, 4>(vec4<f32>(0f, 0f, 0f, 1f), vec4<f32>(0f, 0f, 0f, 1f), vec4<f32>(0f, 0f, 0f, 1f), vec4<f32>(0f, 0f, 0f, 1f));
+    let _e46 = first;
+    let _e50 = samples;
+    param_1 = _e50;
+    let _e51 = corner;
+    param_2 = _e51;
+    param_3 = (vec2<f32>(_e46) + vec2(0.5f));
+    blend_bin_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u11_u003b_vu2_u003b_vf2_u003b((&param_1), (&param_2), (&param_3));
+    let _e52 = param_1;
+    samples = _e52;
+    let _e53 = corner;
+    let _e54 = first;
+    first = (_e54 + _e53);
+    let _e56 = first;
+    param_4 = _e56;
+    let _e59 = samples.pixels[0i];
+    param_5 = _e59;
+    store_u0028_vu2_u003b_vf4_u003b((&param_4), (&param_5));
+    let _e60 = first;
+    param_6 = (_e60 + vec2<u32>(1u, 0u));
+    let _e64 = samples.pixels[1i];
+    param_7 = _e64;
+    store_u0028_vu2_u003b_vf4_u003b((&param_6), (&param_7));
+    let _e65 = first;
+    param_8 = (_e65 + vec2<u32>(0u, 1u));
+    let _e69 = samples.pixels[2i];
+    param_9 = _e69;
+    store_u0028_vu2_u003b_vf4_u003b((&param_8), (&param_9));
+    let _e70 = first;
+    param_10 = (_e70 + vec2<u32>(1u, 1u));
+    let _e74 = samples.pixels[3i];
+    param_11 = _e74;
+    store_u0028_vu2_u003b_vf4_u003b((&param_10), (&param_11));
+    let _e76 = settings.counted;
+    let _e77 = (_e76 != 0u);
+    phi_1018_ = _e77;
+    if _e77 {
+        let _e79 = samples.evaluated;
+        phi_1018_ = (_e79 > 0u);
+    }
+    let _e82 = phi_1018_;
+    if _e82 {
+        let _e86 = samples.evaluated;
+        let _e87 = atomicAdd((&unnamed_3.control.fragments), _e86);
+    }
+    return;
+}

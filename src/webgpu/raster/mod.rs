@@ -1,0 +1,287 @@
+//! The `raster` stage: splats in drawing order go in, an image comes out (model.md, step 10). Two
+//! ways, as [`RasterMethod`] says.
+
+mod bins;
+mod inputs;
+mod quads;
+mod runs;
+mod saturation;
+mod tiles;
+
+pub use inputs::RasterInputs;
+
+use super::{
+    device::Gpu,
+    drawing::texture,
+    error::{Error, Result},
+    frame_in_flight::{FrameInFlight, Writes},
+    kernel::Blocks,
+    owned::Texture,
+};
+use bins::Bins;
+use effigy_core::{
+    frame::{ColorFormat, Damage, RasterMethod, RendererOptions, Skip, TileKernel},
+    layout::{SATURATION_REGION, SettingsBlock, TILING_WEB},
+};
+use quads::{QuadFrame, Quads};
+use saturation::Saturation;
+use tiles::Tiles;
+use wgpu::{TextureFormat, TextureUsages, TextureView};
+
+/// One way to draw, as [`RasterMethod`] says.
+enum Way {
+    Quads(Box<Quads>),
+    Tiles(Box<Tiles>),
+}
+
+pub struct Raster {
+    way: Way,
+    format: ColorFormat,
+    image: Texture,
+    view: TextureView,
+}
+
+impl Raster {
+    /// `options` with colour, method and kernel resolved.
+    pub fn new(
+        gpu: &Gpu,
+        blocks: &Blocks,
+        inputs: RasterInputs,
+        options: &RendererOptions,
+    ) -> Result<Self> {
+        let method = options.method.unwrap_or(RasterMethod::Quads);
+        let format = options.color.unwrap_or(method.color());
+        let image = create_image(gpu, format, options.size)?;
+        let view = image.create_view(&Default::default());
+        let texels = wgpu_format(format);
+        let way = match method {
+            RasterMethod::Quads => {
+                Way::Quads(Box::new(Quads::new(gpu, blocks, inputs, texels, options)?))
+            }
+            RasterMethod::Tiles => {
+                let kernel = options.kernel.unwrap_or(TileKernel::PerThread);
+                let tiles = Tiles::new(gpu, blocks, inputs, kernel, texels, &view)?;
+                Way::Tiles(Box::new(tiles))
+            }
+        };
+        Ok(Self {
+            way,
+            format,
+            image,
+            view,
+        })
+    }
+
+    /// Writes the options that the shaders read to the settings block.
+    pub fn fill(&self, settings: &mut SettingsBlock, options: &RendererOptions, capacity: u32) {
+        settings.cutoff = options.cutoff as f32;
+        settings.cutoff_exponent = options.cutoff.log2() as f32;
+        settings.quad_exponent = if options.skip.contains(Skip::FAINT) {
+            settings.cutoff_exponent
+        } else {
+            0.0
+        };
+        settings.blocks = TILING_WEB.blocks(capacity)[0];
+        settings.counted = options.count.into();
+        match &self.way {
+            Way::Quads(_) => Saturation::fill(settings, options, capacity),
+            Way::Tiles(_) => {
+                settings.saturation = if options.skip.contains(Skip::SATURATED) {
+                    settings.cutoff
+                } else {
+                    0.0
+                };
+                Bins::fill(settings, capacity, 0.0);
+            }
+        }
+    }
+
+    /// The image: premultiplied colour.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub fn image(&self) -> &wgpu::Texture {
+        &self.image
+    }
+
+    pub fn view(&self) -> &TextureView {
+        &self.view
+    }
+
+    #[cfg(not(target_arch = "wasm32"))]
+    pub fn format(&self) -> ColorFormat {
+        self.format
+    }
+
+    /// The saturation depth of each sample of the last frame, for tests. None without the stage.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub fn samples(&self) -> Option<&wgpu::Texture> {
+        match &self.way {
+            Way::Quads(quads) => quads.saturation().map(Saturation::samples),
+            Way::Tiles(_) => None,
+        }
+    }
+
+    /// The lists of bins of the last frame, read back for tests. None where there are none.
+    #[cfg(not(target_arch = "wasm32"))]
+    pub fn bin_lists(&self, gpu: &Gpu) -> Result<Option<effigy_core::layout::BinLists>> {
+        let size = [self.image.width(), self.image.height()];
+        self.bins().map(|bins| bins.download(gpu, size)).transpose()
+    }
+
+    /// The method that it draws by.
+    pub fn method(&self) -> RasterMethod {
+        match self.way {
+            Way::Quads(_) => RasterMethod::Quads,
+            Way::Tiles(_) => RasterMethod::Tiles,
+        }
+    }
+
+    /// The kernel of [`RasterMethod::Tiles`].
+    pub fn kernel(&self) -> TileKernel {
+        match &self.way {
+            Way::Quads(_) => TileKernel::PerThread,
+            Way::Tiles(tiles) => tiles.kernel(),
+        }
+    }
+
+    fn bins(&self) -> Option<&Bins> {
+        match &self.way {
+            Way::Quads(quads) => quads.saturation().map(Saturation::bins),
+            Way::Tiles(tiles) => tiles.bins(),
+        }
+    }
+
+    /// Dispatches of a frame.
+    pub fn dispatches(&self) -> u64 {
+        match self.way {
+            Way::Quads(_) => self.bins().map_or(0, |bins| bins.dispatches() + 1),
+            Way::Tiles(_) => 1 + self.bins().map_or(1, Bins::dispatches),
+        }
+    }
+
+    /// Column and row of the first region that a frame draws.
+    pub fn first_region(&self, damage: &Damage) -> [u32; 2] {
+        let side = match &self.way {
+            Way::Quads(_) => SATURATION_REGION,
+            Way::Tiles(tiles) => tiles.region(),
+        };
+        damage.regions(side)[0]
+    }
+
+    /// Changes the image's size. On failure the old image stays.
+    pub fn resize(
+        &mut self,
+        gpu: &Gpu,
+        blocks: &Blocks,
+        inputs: RasterInputs,
+        size: [u32; 2],
+    ) -> Result<()> {
+        let image = create_image(gpu, self.format, size)?;
+        let view = image.create_view(&Default::default());
+        match &mut self.way {
+            Way::Quads(quads) => quads.resize(gpu, blocks, inputs, size),
+            Way::Tiles(tiles) => tiles.set_image(gpu, blocks, inputs, &view),
+        }
+        self.image = image;
+        self.view = view;
+        Ok(())
+    }
+
+    /// Empties the tiles' lists, if there are any.
+    pub fn clear_tile_lists(&self, encoder: &mut wgpu::CommandEncoder) {
+        if let Way::Tiles(tiles) = &self.way
+            && let Some(runs) = tiles.runs()
+        {
+            runs.clear(encoder);
+        }
+    }
+
+    /// Writes splats to the lists of the tiles that they meet, if there are any.
+    pub fn record_binning(&self, pass: &mut wgpu::ComputePass, block: u32) {
+        if let Way::Tiles(tiles) = &self.way
+            && let Some(runs) = tiles.runs()
+        {
+            runs.record(pass, block);
+        }
+    }
+
+    /// Makes the lists of bins, if there are any. `block`: where a uniform block with the image's
+    /// size is, bytes. `writes`: its timestamps.
+    pub fn record_bins(
+        &self,
+        in_flight: &FrameInFlight,
+        encoder: &mut wgpu::CommandEncoder,
+        block: u32,
+        writes: Writes,
+    ) {
+        if let Some(bins) = self.bins() {
+            let size = [self.image.width(), self.image.height()];
+            bins.record(in_flight, encoder, block, size, writes);
+        }
+    }
+
+    /// Finds the saturation depth, if quads are tested against it.
+    pub fn record_saturation(&self, pass: &mut wgpu::ComputePass, block: u32, damage: &Damage) {
+        if let Way::Quads(quads) = &self.way
+            && let Some(saturation) = quads.saturation()
+        {
+            saturation.record(pass, block, damage);
+        }
+    }
+
+    /// Blends the lists of the damage rectangle.
+    pub fn record_tiles(&self, pass: &mut wgpu::ComputePass, block: u32, damage: &Damage) {
+        if let Way::Tiles(tiles) = &self.way {
+            tiles.record(pass, block, damage);
+        }
+    }
+
+    /// Blends every quad; see [`Quads::record`].
+    pub fn record_quads(
+        &self,
+        in_flight: &FrameInFlight,
+        encoder: &mut wgpu::CommandEncoder,
+        block: u32,
+        control: &wgpu::Buffer,
+        tested: bool,
+        writes: Writes,
+    ) {
+        if let Way::Quads(quads) = &self.way {
+            let frame = QuadFrame {
+                image: &self.view,
+                block,
+                control,
+                tested,
+            };
+            quads.record(in_flight, encoder, &frame, writes);
+        }
+    }
+}
+
+fn wgpu_format(format: ColorFormat) -> TextureFormat {
+    match format {
+        ColorFormat::Rgba8 => TextureFormat::Rgba8Unorm,
+        ColorFormat::Rgba16F => TextureFormat::Rgba16Float,
+    }
+}
+
+fn create_image(gpu: &Gpu, format: ColorFormat, size: [u32; 2]) -> Result<Texture> {
+    let limit = gpu.device.limits().max_texture_dimension_2d;
+    if size.iter().any(|&side| side == 0 || side > limit) {
+        let found = format!("{} × {}", size[0], size[1]);
+        return Err(Error::ImageSize {
+            found,
+            limit,
+            device: gpu.name().into(),
+        });
+    }
+    let all = [
+        TextureUsages::RENDER_ATTACHMENT,
+        TextureUsages::STORAGE_BINDING,
+        TextureUsages::TEXTURE_BINDING,
+        TextureUsages::COPY_SRC,
+    ];
+    let usage = all
+        .into_iter()
+        .fold(TextureUsages::empty(), |all, one| all | one);
+    Ok(texture(gpu, "target", size, wgpu_format(format), usage))
+}
