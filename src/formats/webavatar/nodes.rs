@@ -151,8 +151,8 @@ fn deviation(position: &[DVec3], influence: &[Influence], nodes: &[DVec3]) -> f6
             .node
             .map(|node| 1.0 / nodes[usize::from(node)].distance(x).max(NEAREST));
         let total: f64 = inverse.iter().sum();
-        for k in 0..3 {
-            sum += (inverse[k] / total - near.weight[k]).powi(2);
+        for (part, weight) in inverse.iter().zip(near.weight) {
+            sum += (part / total - weight).powi(2);
         }
     }
     (sum / (3 * position.len().max(1)) as f64).sqrt()
