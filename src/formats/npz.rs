@@ -10,7 +10,8 @@ mod write;
 pub use array::Array;
 pub use write::{NpzWriter, Number};
 
-use effigy_core::io::file::FormatError;
+use crate::fault::tensor;
+use effigy_core::io::file::{FormatError, excerpt};
 use std::{
     collections::BTreeMap,
     io::{Cursor, Read},
@@ -107,18 +108,4 @@ impl Npz {
             )
         })
     }
-}
-
-/// An array breaks a rule.
-pub(crate) fn tensor(name: &str, found: impl ToString, expected: impl ToString) -> FormatError {
-    FormatError::Tensor {
-        tensor: name.into(),
-        found: found.to_string(),
-        expected: expected.to_string(),
-    }
-}
-
-/// The beginning of a text from a file, for messages.
-pub(crate) fn excerpt(text: &str) -> String {
-    effigy_core::io::file::excerpt(text)
 }

@@ -1,9 +1,7 @@
 //! An array of numbers.
 
-use super::{
-    header::{Element, Header, Kind},
-    tensor,
-};
+use super::header::{Element, Header, Kind};
+use crate::fault::tensor;
 use effigy_core::io::file::FormatError;
 use half::f16;
 

@@ -1,7 +1,7 @@
 //! The header of a `.npy` file: a Python dictionary with the type, order and shape of the numbers
 //! (NEP 1, "A simple file format for NumPy arrays").
 
-use super::excerpt;
+use effigy_core::io::file::excerpt;
 
 /// Dimensions of an array, at most: NumPy's own limit.
 const MAX_DIMENSIONS: usize = 32;

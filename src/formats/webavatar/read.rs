@@ -8,7 +8,8 @@ use super::{
 };
 use crate::{
     assumption::Assumption,
-    npz::{Array, Npz, tensor},
+    fault::tensor,
+    npz::{Array, Npz},
 };
 use effigy_core::{
     avatar::{
