@@ -1,12 +1,12 @@
 // Blending where each invocation walks its tiles' lists by itself.
 //
 // It is written for CPU drivers that execute a few invocations at a time, SwiftShader above all;
-// until there is a kernel for GPUs, every GPU runs it with `--raster tiles`. On SwiftShader each
-// use of a uniform costs a hundred instructions; a shift by a constant and `min` cost as much as
-// the arithmetic of two pixels; an array indexed by a variable is read invocation by invocation;
-// and an `if` skips nothing, but costs a few instructions for each number that it may change. So
-// uniforms are read once, numbers are unpacked by masks and products, pixels are indexed by
-// constants, and a splat that does not touch the pixels is blended with opacity 0.
+// GPUs have another (raster/shared.glsl). On SwiftShader each use of a uniform costs a hundred
+// instructions; a shift by a constant and `min` cost as much as the arithmetic of two pixels; an
+// array indexed by a variable is read invocation by invocation; and an `if` skips nothing, but
+// costs a few instructions for each number that it may change. So uniforms are read once, numbers
+// are unpacked by masks and products, pixels are indexed by constants, and a splat that does not
+// touch the pixels is blended with opacity 0.
 
 uint index_in_workgroup() { return gl_LocalInvocationIndex; }
 

@@ -30,6 +30,8 @@ const MARGIN: f64 = 1.0;
 
 /// What is made anew when the image's size changes.
 struct Images {
+    /// Read back by tests, which are not run in browsers.
+    #[cfg_attr(target_arch = "wasm32", expect(dead_code))]
     samples: Texture,
     sampled: TextureView,
     _depth: Texture,
