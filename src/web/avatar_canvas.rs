@@ -320,6 +320,18 @@ impl AvatarCanvas {
         Ok(Drawn::Frame)
     }
 
+    /// Lets the avatar hide what lies behind it, in the frames from now on. It takes as long as the
+    /// upload of the avatar: call it once its first frame was drawn.
+    pub fn add_occluder(&mut self) -> Result<(), JsValue> {
+        let Some(DrawableAvatar {
+            avatar, renderer, ..
+        }) = &mut self.shown
+        else {
+            return Ok(());
+        };
+        renderer.add_occluder(avatar).map_err(js_error)
+    }
+
     /// Whether the device is lost. Then nothing is drawn before [`Self::replace_device`].
     pub fn is_lost(&self) -> bool {
         matches!(self.surface.gpu.check(), Err(Error::DeviceLost(_)))

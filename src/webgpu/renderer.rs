@@ -37,6 +37,8 @@ use std::sync::Arc;
 pub struct Renderer {
     pub(super) frames_in_flight: Vec<FrameInFlight>,
     pub(super) occluder: Option<OccluderPass>,
+    /// Whether there is an occluder, or the avatar is too thin for one.
+    occluder_sought: bool,
     mlp: Mlp,
     sh: Option<SphericalHarmonics>,
     pub(super) project: Project,
@@ -78,12 +80,13 @@ impl Renderer {
     pub fn new(gpu: &Arc<Gpu>, avatar: &Avatar, options: RendererOptions) -> Result<Self> {
         let mut new = Self::empty(gpu, avatar, options)?;
         new.write(avatar)?;
+        new.add_occluder(avatar)?;
         Ok(new)
     }
 
     /// Buffers and kernels for an avatar. A browser compiles kernels on other threads: meanwhile
-    /// call [`Self::upload`], which fills them and makes the occluder. Nothing may be drawn before
-    /// that.
+    /// call [`Self::upload`], which fills them. Nothing may be drawn before that. Without
+    /// [`Self::add_occluder`] nothing is hidden.
     ///
     /// # Errors
     /// When the options can't be drawn with, [`Avatar::check`] finds a fault, or the device is out
@@ -132,6 +135,7 @@ impl Renderer {
                 .map(|_| FrameInFlight::new(gpu))
                 .collect::<Result<_>>()?,
             occluder: None,
+            occluder_sought: false,
             mlp,
             sh,
             project,
@@ -176,12 +180,24 @@ impl Renderer {
         if !self.model.fill(&self.gpu, avatar) {
             return Ok(false);
         }
-        if self.occluder.is_none() && self.options.skip.contains(Skip::HIDDEN) {
-            self.occluder =
-                OccluderPass::new(&self.gpu, avatar, &self.model, &self.blocks, &self.pose)?;
-        }
         self.gpu.check()?;
         Ok(true)
+    }
+
+    /// Makes the occluder of the avatar that was uploaded, which takes about as long as the upload:
+    /// a page does so once its first frame is under way. Without effect where there is one, or it
+    /// was found that there can be none.
+    ///
+    /// # Errors
+    /// When the device is lost or out of memory.
+    pub fn add_occluder(&mut self, avatar: &Avatar) -> Result<()> {
+        if self.occluder_sought || !self.options.skip.contains(Skip::HIDDEN) {
+            return Ok(());
+        }
+        self.occluder =
+            OccluderPass::new(&self.gpu, avatar, &self.model, &self.blocks, &self.pose)?;
+        self.occluder_sought = true;
+        self.gpu.check()
     }
 
     /// Draws this avatar from now on, which has the Gaussians and the nodes of the one before and

@@ -283,10 +283,15 @@ export const api = {
       };
     });
     const found = await page.evaluate(async () => {
-      await effigy.loadAvatar("demo.avatar");
-      const once = live.size;
-      await effigy.loadAvatar("other.avatar");
-      const twice = live.size;
+      // What an avatar hides itself with is made right after its first frame.
+      const load = async (file) => {
+        await effigy.loadAvatar(file);
+        await event("frame");
+        await new Promise((resolve) => setTimeout(resolve));
+        return live.size;
+      };
+      const once = await load("demo.avatar");
+      const twice = await load("other.avatar");
       globalThis.refuse = true;
       const refused = await effigy.loadAvatar("demo.avatar").then(
         () => "",

@@ -49,6 +49,8 @@ export class Effigy extends EventTarget {
   #description = {};
   /** The ticket of the avatar that is shown; 0 if there is none. */
   #shownTicket = 0;
+  /** The ticket of the last avatar that was told to hide what lies behind it. */
+  #occludedTicket = 0;
   #playback = new Playback();
   /** When the last live pose came, ms; 0 if a clip is shown. */
   #livePoseAt = 0;
@@ -403,6 +405,7 @@ export class Effigy extends EventTarget {
     if (drawn === Drawn.Frame) {
       this.#frameTimes.frameDrawn(now);
       if (this.#screenshots.areWanted) this.#screenshots.take(this.#canvas);
+      if (this.#shownTicket !== this.#occludedTicket) this.#occludeLater();
       this.dispatchEvent(this.#frameEvent);
     } else if (drawn === Drawn.Nothing) {
       this.#frameTimes.startPause();
@@ -410,6 +413,19 @@ export class Effigy extends EventTarget {
     const isLive = now - this.#livePoseAt < LIVE_POSE_MS;
     if (this.playing || isLive || drawn === Drawn.Later) this.#requestFrame();
     if (!this.#frameRequest) this.#frameTimes.rest();
+  }
+
+  /** Lets an avatar hide what lies behind it, while the device draws its first frame. */
+  #occludeLater() {
+    this.#occludedTicket = this.#shownTicket;
+    setTimeout(() => {
+      if (!this.#canDraw()) return;
+      try {
+        this.#call(() => this.#view.add_occluder());
+      } catch (error) {
+        if (moduleFailure() || !this.#recoverIfLost()) this.#fail(error);
+      }
+    });
   }
 
   #advance(now) {
