@@ -1,6 +1,7 @@
 //! `effigy bake`: makes an avatar or a clip from the source files that tools/fetch_assets.sh gets.
 
 use crate::{
+    files,
     options::{count, named},
     progress,
 };
@@ -187,16 +188,9 @@ fn default_clip(assets: &Assets, shape: BodyShape) -> anyhow::Result<Clip> {
 
 fn summarise(avatar: &Avatar, out: &Path, start: Instant) -> anyhow::Result<()> {
     println!(
-        "{}: {} Gaussians, {} parts ({} of the head), {} nodes, {} + {} + {} corrective rows, {} joints; {:.1} MB in {:.1} s",
+        "{}: {}; {:.1} MB in {:.1} s",
         out.display(),
-        avatar.gaussians.len(),
-        avatar.parts.len(),
-        avatar.parts.head,
-        avatar.nodes.len(),
-        avatar.rotation_rows.gaussian.len(),
-        avatar.scale_rows.gaussian.len(),
-        avatar.color_rows.gaussian.len(),
-        avatar.skeleton.len(),
+        files::describe(avatar),
         megabytes(out)?,
         start.elapsed().as_secs_f64(),
     );

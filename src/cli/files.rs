@@ -1,6 +1,7 @@
 //! Writing the files that a command was asked for, with errors that name them.
 
 use anyhow::Context;
+use effigy_core::avatar::Avatar;
 use serde::Serialize;
 use std::{
     fs, io,
@@ -32,6 +33,28 @@ fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
 /// Writes a value as indented JSON.
 pub fn write_json(path: &Path, value: &impl Serialize) -> anyhow::Result<()> {
     write(path, serde_json::to_string_pretty(value)? + "\n")
+}
+
+/// What an avatar that was written has, in a line.
+pub fn describe(avatar: &Avatar) -> String {
+    let parts = &avatar.parts;
+    let rows = [
+        avatar.rotation_rows.gaussian.len(),
+        avatar.scale_rows.gaussian.len(),
+        avatar.color_rows.gaussian.len(),
+    ];
+    format!(
+        "{} Gaussians, {} parts ({} of the head), {} nodes, {} + {} + {} corrective rows, \
+         {} joints",
+        avatar.gaussians.len(),
+        parts.len(),
+        parts.head,
+        avatar.nodes.len(),
+        rows[0],
+        rows[1],
+        rows[2],
+        avatar.skeleton.len(),
+    )
 }
 
 /// Reads a text file.

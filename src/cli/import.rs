@@ -1,7 +1,7 @@
 //! `effigy import`: makes an avatar file, and motion files, from those of another program.
 
 use crate::{
-    options, progress,
+    files, options, progress,
     source::{POSES_RATE, print_assumptions},
 };
 use anyhow::Context;
@@ -111,7 +111,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
         );
     }
     avatar.write(&args.out)?;
-    println!("{}: {}", args.out.display(), describe(avatar));
+    println!("{}: {}", args.out.display(), files::describe(avatar));
     Ok(())
 }
 
@@ -141,18 +141,4 @@ fn project_onto(avatar: &mut Avatar, files: &[PathBuf], rate: f64) -> anyhow::Re
     avatar.inputs.pose_space = Some(space);
     avatar.check().context("of the training poses")?;
     Ok(())
-}
-
-fn describe(avatar: &Avatar) -> String {
-    format!(
-        "{} Gaussians, {} parts ({} of the head), {} nodes, {} + {} + {} corrective rows, {} joints",
-        avatar.gaussians.len(),
-        avatar.parts.len(),
-        avatar.parts.head,
-        avatar.nodes.len(),
-        avatar.rotation_rows.gaussian.len(),
-        avatar.scale_rows.gaussian.len(),
-        avatar.color_rows.gaussian.len(),
-        avatar.skeleton.len(),
-    )
 }

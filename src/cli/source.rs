@@ -115,8 +115,14 @@ impl Source {
     }
 
     fn clips(&self, avatar: &Avatar) -> anyhow::Result<Vec<Clip>> {
-        let beside = self.avatar.as_deref().and_then(poses_of);
-        if self.motion.is_empty() && beside.is_none() {
+        let mut files = self.motion.clone();
+        if let Some(path) = &self.avatar
+            && files.is_empty()
+            && open::is_foreign(path)
+        {
+            files.extend(open::poses_beside(path));
+        }
+        if files.is_empty() {
             let clip = if avatar.is_static() {
                 Clip::still(&avatar.skeleton)
             } else {
@@ -124,11 +130,6 @@ impl Source {
             };
             return Ok(vec![clip]);
         }
-        let files: Vec<&PathBuf> = if self.motion.is_empty() {
-            beside.iter().collect()
-        } else {
-            self.motion.iter().collect()
-        };
         let read = files
             .iter()
             .map(|path| open::clip(path, &avatar.skeleton, POSES_RATE));
@@ -138,13 +139,6 @@ impl Source {
 
 /// Frames a second of poses whose file does not say.
 pub const POSES_RATE: f64 = 30.0;
-
-/// The poses beside an avatar of another program.
-fn poses_of(avatar: &Path) -> Option<PathBuf> {
-    open::is_foreign(avatar)
-        .then(|| open::poses_beside(avatar))
-        .flatten()
-}
 
 /// Says what a file left open, and who can say otherwise.
 pub fn print_assumptions(file: &Path, assumptions: &[Assumption]) {

@@ -1,12 +1,11 @@
 //! Opening of avatars and clips of any kind, told apart by content.
 
 use crate::{
-    assumption::Assumption,
     npz,
     webavatar::{self, Imported},
 };
 use effigy_core::{
-    avatar::{Avatar, Clip, Skeleton},
+    avatar::{Clip, Skeleton},
     io::{
         file::{FileError, read_with},
         ply::{self, Up},
@@ -67,19 +66,16 @@ pub fn is_foreign(path: &Path) -> bool {
 /// # Errors
 /// When the file cannot be opened, is none of them, or breaks a rule.
 pub fn avatar(path: &Path, options: &OpenOptions) -> Result<Imported, FileError> {
-    let own = |avatar: Avatar| Imported {
-        avatar,
-        assumptions: Vec::<Assumption>::new(),
-    };
-    match Content::of(path) {
-        Content::Zip => {
-            let name = path.file_stem().unwrap_or_default().to_string_lossy();
-            read_with(path, |bytes| {
-                webavatar::from_bytes(bytes, &name, &options.webavatar)
-            })
-        }
-        _ => Ok(own(ply::open(path, options.up)?)),
+    if !is_foreign(path) {
+        return Ok(Imported {
+            avatar: ply::open(path, options.up)?,
+            assumptions: vec![],
+        });
     }
+    let name = path.file_stem().unwrap_or_default().to_string_lossy();
+    read_with(path, |bytes| {
+        webavatar::from_bytes(bytes, &name, &options.webavatar)
+    })
 }
 
 /// Reads a clip for an avatar: Effigy's own, or the poses beside the paper's model. `rate`: frames

@@ -186,9 +186,7 @@ struct Order {
 impl Order {
     fn read(file: &mut Npz, count: usize, parts: usize) -> Result<Self, FormatError> {
         let array = file.take("gs_feat_knn")?;
-        if array.shape() != [count, 1] {
-            array.expect_shape(&[count])?;
-        }
+        expect_column(&array, count)?;
         let part = array.integers(parts)?;
         let mut starts = vec![0u32; parts + 1];
         for &part in &part {
@@ -215,6 +213,14 @@ impl Order {
         let row = |&gaussian: &u32| std::array::from_fn(|at| numbers[C * gaussian as usize + at]);
         self.old.iter().map(row).collect()
     }
+}
+
+/// Fails unless there are so many numbers, each in a row of its own or not.
+fn expect_column(array: &Array, count: usize) -> Result<(), FormatError> {
+    if array.shape() == [count, 1] {
+        return Ok(());
+    }
+    array.expect_shape(&[count])
 }
 
 fn halves(file: &mut Npz, name: &str, shape: &[usize]) -> Result<Vec<f16>, FormatError> {
@@ -382,9 +388,7 @@ struct ReadNodes {
 fn read_nodes(file: &mut Npz, networks: &ReadNetworks) -> Result<ReadNodes, FormatError> {
     let part = file.take("ctrl_feat_knn")?;
     let count = part.dimension(0)?;
-    if part.shape() != [count, 1] {
-        part.expect_shape(&[count])?;
-    }
+    expect_column(&part, count)?;
     if count == 0 || count > limits::NODES {
         let expected = format!("1 to {} nodes", limits::NODES);
         return Err(tensor("ctrl_feat_knn", count, expected));
@@ -425,9 +429,7 @@ fn read_colors(file: &mut Npz, order: &Order, unit: f64) -> Result<Vec<[f16; 3]>
 
 fn read_opacity(file: &mut Npz, order: &Order) -> Result<Vec<u8>, FormatError> {
     let array = file.take("opacity")?;
-    if array.shape() != [order.len(), 1] {
-        array.expect_shape(&[order.len()])?;
-    }
+    expect_column(&array, order.len())?;
     let opacity = array.integers(256)?;
     Ok(order
         .old

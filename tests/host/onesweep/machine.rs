@@ -17,7 +17,7 @@ pub type Words = Vec<Cell<u32>>;
 pub struct Device {
     /// Invocations of a subgroup.
     pub width: usize,
-    /// As lavapipe: a subgroup's barrier waits for the workgroup, with whatever barriers others are
+    /// Lavapipe's: a subgroup's barrier waits for the workgroup, with whatever barriers others are
     /// at.
     pub mixes_barriers: bool,
     /// Whether some workgroups stop somewhere until no other can go on.

@@ -13,7 +13,7 @@ use glam::DVec3;
 use serde::Deserialize;
 
 pub const SMALL: &[u8] = include_bytes!("../../data/webavatar/small.npz");
-/// The same in other widths and orders of memory, with a padded input of 80 numbers.
+/// The numbers of [`SMALL`] in other widths and orders of memory, with a padded input of 80.
 const WIDE: &[u8] = include_bytes!("../../data/webavatar/wide.npz");
 const POSES: &[u8] = include_bytes!("../../data/webavatar/small_poses.json");
 
