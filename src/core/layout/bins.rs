@@ -16,10 +16,19 @@ const BIN_SHIFT_AT: usize = size_of::<Control>() / 4;
 /// are at most `BINS_MAX`.
 pub fn bin_side(size: [u32; 2]) -> u32 {
     let mut side = BIN_SIDE;
-    while size[0].div_ceil(side) * size[1].div_ceil(side) > BINS_MAX {
+    while bins_of(size, side) > BINS_MAX {
         side *= 2;
     }
     side
+}
+
+/// Number of the finest bins of an image of a size, px.
+pub fn bin_count(size: [u32; 2]) -> u32 {
+    bins_of(size, bin_side(size))
+}
+
+fn bins_of(size: [u32; 2], side: u32) -> u32 {
+    size[0].div_ceil(side) * size[1].div_ceil(side)
 }
 
 /// Where the parts of the bins' buffer are, in words.
@@ -95,9 +104,7 @@ impl BinLists {
         Self {
             side,
             columns,
-            lists: (0..(columns * size[1].div_ceil(side)) as usize)
-                .map(list)
-                .collect(),
+            lists: (0..bins_of(size, side) as usize).map(list).collect(),
         }
     }
 }

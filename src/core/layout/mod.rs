@@ -9,6 +9,6 @@ pub mod pack;
 pub mod sh;
 
 pub use binning::{TILING, TILING_WEB};
-pub use bins::{BinLayout, BinLists, bin_side};
+pub use bins::{BinLayout, BinLists, bin_count, bin_side};
 pub use gpu::*;
 pub use macros::{MACROS, MacroValue};

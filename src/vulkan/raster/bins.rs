@@ -14,7 +14,7 @@ use crate::vulkan::{
 use ash::vk;
 use effigy_core::{
     frame::KeyBits,
-    layout::{BIN_WORKGROUP, BinLayout, BinLists, Control, bin_side},
+    layout::{BIN_WORKGROUP, BinLayout, BinLists, Control, bin_count},
 };
 use gpu_allocator::MemoryLocation;
 use std::sync::Arc;
@@ -100,8 +100,7 @@ impl Bins {
         then();
         self.sort.record(commands);
         then();
-        let side = bin_side(size);
-        let bins = size[0].div_ceil(side) * size[1].div_ceil(side);
+        let bins = bin_count(size);
         self.starts
             .dispatch(commands, frame, (bins + 1).div_ceil(BIN_WORKGROUP));
     }

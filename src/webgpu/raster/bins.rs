@@ -17,7 +17,7 @@ use crate::wgsl;
 use bytemuck::bytes_of;
 use effigy_core::{
     frame::{SortVariant, Stage},
-    layout::{BIN_WORKGROUP, BinLayout, Control, SettingsBlock, bin_side},
+    layout::{BIN_WORKGROUP, BinLayout, Control, SettingsBlock, bin_count},
 };
 use std::mem::offset_of;
 use wgpu::BufferUsages;
@@ -174,8 +174,7 @@ impl Bins {
         encoder.copy_buffer_to_buffer(&self.buffer, from, &self.settings, to, 4);
         let mut pass = in_flight.pass(encoder, Stage::Binning, [None, end]);
         self.sort.record(&mut pass);
-        let side = bin_side(size);
-        let bins = size[0].div_ceil(side) * size[1].div_ceil(side);
+        let bins = bin_count(size);
         let groups = [(bins + 1).div_ceil(BIN_WORKGROUP), 1];
         self.starts.dispatch(&mut pass, block, groups);
     }
