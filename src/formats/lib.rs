@@ -6,6 +6,7 @@
 //! times its size, and every count is checked before memory is taken for it.
 
 pub mod assumption;
+pub mod capture;
 mod fault;
 pub mod npz;
 pub mod open;

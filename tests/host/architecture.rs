@@ -113,7 +113,7 @@ const LAYERS: &[Layers] = &[
     },
     Layers {
         package: "src/formats",
-        modules: &["assumption", "fault", "npz", "webavatar", "open"],
+        modules: &["assumption", "capture", "fault", "npz", "webavatar", "open"],
     },
     Layers {
         package: "src/learn",

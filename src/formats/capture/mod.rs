@@ -1,0 +1,85 @@
+//! Motion as files of other programs have it: any tree of joints, in the file's own units and axes.
+//! Each reader gives a [`Capture`].
+
+use glam::{DAffine3, DQuat, DVec3};
+
+/// Most joints that a capture may have: several people with hands, and what they carry.
+pub const MAX_JOINTS: usize = 4096;
+/// Most frames of a capture: more than two hours at 240 frames a second.
+pub const MAX_FRAMES: usize = 2_000_000;
+/// Most rotations, frames × joints, of a capture.
+pub const MAX_ROTATIONS: usize = 200_000_000;
+
+/// A joint of a capture.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CaptureJoint {
+    /// The name in the file; need not be the only one.
+    pub name: String,
+    /// An index into [`Capture::joints`] below the joint's own; None for a root.
+    pub parent: Option<usize>,
+    /// From the parent in the rest pose, in the parent's axes and the file's unit.
+    pub offset: DVec3,
+    /// Relative to the parent in the rest pose.
+    pub rest: DQuat,
+}
+
+/// A joint's place relative to its parent.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LocalPose {
+    /// Relative to the parent.
+    pub rotation: DQuat,
+    /// From the parent, in the parent's axes and the file's unit.
+    pub offset: DVec3,
+}
+
+/// A skeleton and its motion as in their file.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Capture {
+    /// Parents come before their children.
+    pub joints: Vec<CaptureJoint>,
+    /// Frames a second, above 0.
+    pub rate: f64,
+    /// Shape F, J.
+    pub local: Vec<LocalPose>,
+    /// Metres a unit of the file, where it or its format says.
+    pub unit: Option<f64>,
+    /// The axis that points up, where the file or its format says.
+    pub up: Option<DVec3>,
+    /// Strengths of the face's expression, shape F, `expression_len`; as in the file.
+    pub expression: Vec<f32>,
+    /// Numbers of an expression.
+    pub expression_len: usize,
+}
+
+impl Capture {
+    /// Number of frames, F.
+    pub fn frames(&self) -> usize {
+        self.local.len() / self.joints.len().max(1)
+    }
+
+    /// Joints to world in a frame: the file's axes and unit.
+    ///
+    /// # Panics
+    /// When there is no such frame.
+    pub fn world(&self, frame: usize) -> Vec<DAffine3> {
+        let count = self.joints.len();
+        self.compose(self.local[frame * count..][..count].iter().copied())
+    }
+
+    /// Joints to world in the rest pose.
+    pub fn rest(&self) -> Vec<DAffine3> {
+        self.compose(self.joints.iter().map(|joint| LocalPose {
+            rotation: joint.rest,
+            offset: joint.offset,
+        }))
+    }
+
+    fn compose(&self, local: impl Iterator<Item = LocalPose>) -> Vec<DAffine3> {
+        let mut world: Vec<DAffine3> = Vec::with_capacity(self.joints.len());
+        for (joint, local) in self.joints.iter().zip(local) {
+            let own = DAffine3::from_rotation_translation(local.rotation, local.offset);
+            world.push(joint.parent.map_or(own, |parent| world[parent] * own));
+        }
+        world
+    }
+}
