@@ -2,28 +2,38 @@
 
 use crate::{
     files, options, progress,
-    source::{POSES_RATE, print_assumptions},
+    source::{self, JointsArg, POSES_RATE, print_assumptions},
 };
 use anyhow::Context;
 use clap::ValueEnum;
 use effigy_core::avatar::{Activation, Avatar, Clip};
 use effigy_formats::{
-    open::{self, OpenOptions},
+    open::{self, ClipOptions, OpenOptions},
+    retarget::RetargetOptions,
     webavatar::{self, ColorCode},
 };
 use effigy_learn::math::pca::pca;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Principal components of the training poses that the paper's avatars have.
 const POSE_COMPONENTS: usize = 20;
 
 #[derive(clap::Args, Debug)]
 pub struct Args {
-    /// The paper's model, a .npz file
+    /// The paper's model, a .npz file, or motion capture, a .bvh file
     file: PathBuf,
-    /// Avatar file to write
+    /// Avatar or motion file to write
     #[arg(short, long, value_name = "FILE")]
     out: PathBuf,
+    /// Avatar that motion capture is to move [default: the built-in demo]
+    #[arg(long, value_name = "FILE")]
+    avatar: Option<PathBuf>,
+    #[command(flatten)]
+    joints: JointsArg,
+    /// Leave feet where joints put them: neither held in place where they stand in the capture, nor
+    /// lifted out of the ground
+    #[arg(long)]
+    keep_feet: bool,
     /// Poses that the avatar was trained for, as the paper's _poses.json; repeat for several.
     /// Networks then see the nearest such pose
     #[arg(long, value_name = "FILE")]
@@ -34,9 +44,10 @@ pub struct Args {
     /// Motion file to write
     #[arg(long, value_name = "FILE", requires = "poses")]
     motion_out: Option<PathBuf>,
-    /// Frames a second of the poses
-    #[arg(long, value_name = "N", default_value_t = POSES_RATE, value_parser = options::rate)]
-    fps: f64,
+    /// Frames a second: of poses, whose file does not say [default: 30], or of the clip to make of
+    /// motion capture [default: its own, at most 60]
+    #[arg(long, value_name = "N", value_parser = options::rate)]
+    fps: Option<f64>,
     /// Nonlinearity of the networks' hidden layers
     #[arg(long, value_enum, default_value_t)]
     activation: ActivationArg,
@@ -83,7 +94,41 @@ impl From<ColorArg> for ColorCode {
     }
 }
 
+impl Args {
+    fn clip_options(&self) -> anyhow::Result<ClipOptions> {
+        Ok(ClipOptions {
+            rate_unsaid: self.fps.unwrap_or(POSES_RATE),
+            retarget: RetargetOptions {
+                rate: self.fps,
+                corrections: self.joints.read()?,
+                keep_feet: self.keep_feet,
+            },
+        })
+    }
+}
+
+/// Reads a clip for an avatar and writes it.
+fn convert_clip(args: &Args, file: &Path, avatar: &Avatar, out: &Path) -> anyhow::Result<()> {
+    let clip = source::clip(file, avatar, &args.clip_options()?)?;
+    clip.write(out)?;
+    println!(
+        "{}: {} frames at {:.4} per second, {:.1} s",
+        out.display(),
+        clip.frames(),
+        clip.rate,
+        clip.duration()
+    );
+    Ok(())
+}
+
 pub fn run(args: Args) -> anyhow::Result<()> {
+    if open::is_capture(&args.file) {
+        let avatar = match &args.avatar {
+            Some(path) => open::avatar(path, &OpenOptions::default())?.avatar,
+            None => effigy_demo::avatar()?,
+        };
+        return convert_clip(&args, &args.file, &avatar, &args.out);
+    }
     let options = OpenOptions {
         webavatar: webavatar::Options {
             activation: args.activation.into(),
@@ -98,17 +143,10 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     print_assumptions(&args.file, &imported.assumptions);
     let avatar = &mut imported.avatar;
     if !args.trained.is_empty() {
-        project_onto(avatar, &args.trained, args.fps)?;
+        project_onto(avatar, &args.trained, &args.clip_options()?)?;
     }
     if let (Some(poses), Some(out)) = (&args.poses, &args.motion_out) {
-        let clip = open::clip(poses, &avatar.skeleton, args.fps)?;
-        clip.write(out)?;
-        println!(
-            "{}: {} frames, {:.1} s",
-            out.display(),
-            clip.frames(),
-            clip.duration()
-        );
+        convert_clip(&args, poses, avatar, out)?;
     }
     avatar.write(&args.out)?;
     println!("{}: {}", args.out.display(), files::describe(avatar));
@@ -116,8 +154,12 @@ pub fn run(args: Args) -> anyhow::Result<()> {
 }
 
 /// Gives an avatar the principal components of these poses.
-fn project_onto(avatar: &mut Avatar, files: &[PathBuf], rate: f64) -> anyhow::Result<()> {
-    let read = |path: &PathBuf| open::clip(path, &avatar.skeleton, rate);
+fn project_onto(
+    avatar: &mut Avatar,
+    files: &[PathBuf],
+    options: &ClipOptions,
+) -> anyhow::Result<()> {
+    let read = |path: &PathBuf| source::clip(path, avatar, options);
     let clips: Vec<Clip> = files.iter().map(read).collect::<Result<_, _>>()?;
     let inputs = |clip: &Clip| -> Vec<Vec<f64>> {
         let pose = |frame| avatar.inputs.unprojected(&clip.frame(frame));

@@ -13,20 +13,28 @@ use effigy_core::{
 };
 use effigy_formats::{
     assumption::Assumption,
-    open::{self, OpenOptions},
+    open::{self, ClipOptions, OpenOptions},
+    retarget::{Correction, RetargetOptions},
 };
-use std::path::{Path, PathBuf};
+use std::{
+    collections::BTreeMap,
+    path::{Path, PathBuf},
+};
 
 /// The avatar and clips of every command that draws.
 #[derive(clap::Args, Clone, Debug)]
 pub struct Source {
-    /// Avatar to draw: an .avatar file, the paper's .npz, or a 3DGS .ply, which stands still
-    /// [default: the built-in demo]
+    /// Avatar to draw: an .avatar file, the paper's .npz, or a 3DGS .ply, which stands still.
+    /// Motion capture moves the demo [default: the built-in demo]
     pub avatar: Option<PathBuf>,
-    /// Clip that moves the avatar, a .motion file or the paper's _poses.json; repeat for several
-    /// [default: the poses beside an .npz, else the built-in demo clip]
+    /// Clip that moves the avatar: a .motion file, motion capture (.bvh), or the paper's
+    /// _poses.json; repeat for several [default: the poses beside an .npz, else the built-in demo
+    /// clip]
     #[arg(long, value_name = "FILE")]
     pub motion: Vec<PathBuf>,
+    /// Which joints of motion capture are which.
+    #[command(flatten)]
+    pub joints: JointsArg,
     /// Axis that points up in a .ply [default: the file's own, else -y, as 3DGS trains]
     #[arg(long, value_parser = named(Up::NAMES, Up::ALL), value_name = "AXIS", allow_hyphen_values = true)]
     pub up: Option<Up>,
@@ -34,6 +42,30 @@ pub struct Source {
     /// each principal component of its training poses; off: the pose itself
     #[arg(long, value_enum, default_value_t = PoseProjection::On)]
     pub project: PoseProjection,
+}
+
+/// Which joints of motion capture are which.
+#[derive(clap::Args, Clone, Debug, Default)]
+pub struct JointsArg {
+    /// Joints of motion capture that are other parts than they seem: a JSON file,
+    /// {"LeftArm": "their joint", …}
+    #[arg(long, value_name = "FILE")]
+    joints: Option<PathBuf>,
+}
+
+impl JointsArg {
+    /// Reads the file, if there is one.
+    pub fn read(&self) -> anyhow::Result<Vec<Correction>> {
+        let Some(path) = &self.joints else {
+            return Ok(vec![]);
+        };
+        let text = std::fs::read_to_string(path)
+            .with_context(|| format!("cannot read {}", path.display()))?;
+        let map: BTreeMap<String, String> = serde_json::from_str(&text)
+            .with_context(|| format!("{} is no list of joints", path.display()))?;
+        let correction = |(part, joint)| Correction { part, joint };
+        Ok(map.into_iter().map(correction).collect())
+    }
 }
 
 /// The projection of poses in
@@ -75,7 +107,7 @@ impl Source {
             "--up is for a .ply only: an avatar file says which axis points up"
         );
         let mut avatar = match &self.avatar {
-            Some(path) => {
+            Some(path) if !open::is_capture(path) => {
                 let options = OpenOptions {
                     up: self.up,
                     ..OpenOptions::default()
@@ -84,7 +116,7 @@ impl Source {
                 print_assumptions(path, &imported.assumptions);
                 imported.avatar
             }
-            None => effigy_demo::avatar()?,
+            _ => effigy_demo::avatar()?,
         };
         if self.project == PoseProjection::Off {
             avatar.inputs.pose_space = None;
@@ -116,11 +148,12 @@ impl Source {
 
     fn clips(&self, avatar: &Avatar) -> anyhow::Result<Vec<Clip>> {
         let mut files = self.motion.clone();
-        if let Some(path) = &self.avatar
-            && files.is_empty()
-            && open::is_foreign(path)
-        {
-            files.extend(open::poses_beside(path));
+        if let Some(path) = &self.avatar {
+            if open::is_capture(path) {
+                files.insert(0, path.clone());
+            } else if files.is_empty() && open::is_foreign(path) {
+                files.extend(open::poses_beside(path));
+            }
         }
         if files.is_empty() {
             let clip = if avatar.is_static() {
@@ -130,11 +163,32 @@ impl Source {
             };
             return Ok(vec![clip]);
         }
-        let read = files
-            .iter()
-            .map(|path| open::clip(path, &avatar.skeleton, POSES_RATE));
-        Ok(read.collect::<Result<_, _>>()?)
+        let options = ClipOptions {
+            rate_unsaid: POSES_RATE,
+            retarget: RetargetOptions {
+                corrections: self.joints.read()?,
+                ..RetargetOptions::default()
+            },
+        };
+        let read = files.iter().map(|path| clip(path, avatar, &options));
+        read.collect()
     }
+}
+
+/// Reads a clip for an avatar, and says what its file left open and how it was made.
+pub fn clip(path: &Path, avatar: &Avatar, options: &ClipOptions) -> anyhow::Result<Clip> {
+    let opened = open::clip(path, &avatar.skeleton, options)?;
+    print_assumptions(path, &opened.assumptions);
+    if let Some(report) = &opened.report {
+        eprintln!(
+            "{} moves {} of {} joints, their bones within {:.1}° on average (`effigy inspect` lists the joints)",
+            path.display(),
+            report.driven,
+            report.all,
+            report.directions.mean
+        );
+    }
+    Ok(opened.clip)
 }
 
 /// Frames a second of poses whose file does not say.

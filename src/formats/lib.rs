@@ -6,8 +6,10 @@
 //! times its size, and every count is checked before memory is taken for it.
 
 pub mod assumption;
+pub mod bvh;
 pub mod capture;
 mod fault;
 pub mod npz;
 pub mod open;
+pub mod retarget;
 pub mod webavatar;

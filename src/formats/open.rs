@@ -1,7 +1,11 @@
 //! Opening of avatars and clips of any kind, told apart by content.
 
 use crate::{
+    assumption::Assumption,
+    bvh,
+    capture::Captured,
     npz,
+    retarget::{self, Report, RetargetOptions},
     webavatar::{self, Imported},
 };
 use effigy_core::{
@@ -32,6 +36,7 @@ enum Content {
     Ply,
     Zip,
     Json,
+    Bvh,
     /// Effigy's own, or nothing that is known.
     Other,
 }
@@ -48,6 +53,8 @@ impl Content {
         let first = start.iter().find(|byte| !byte.is_ascii_whitespace());
         if npz::is_zip(start) {
             Self::Zip
+        } else if bvh::is_bvh(start) {
+            Self::Bvh
         } else if first == Some(&b'[') {
             Self::Json
         } else {
@@ -78,19 +85,75 @@ pub fn avatar(path: &Path, options: &OpenOptions) -> Result<Imported, FileError>
     })
 }
 
-/// Reads a clip for an avatar: Effigy's own, or the poses beside the paper's model. `rate`: frames
-/// a second of a file that does not say.
+/// How a motion file becomes a clip.
+#[derive(Clone, Debug)]
+pub struct ClipOptions {
+    /// Frames a second of a file that does not say.
+    pub rate_unsaid: f64,
+    /// For motion of other bodies.
+    pub retarget: RetargetOptions,
+}
+
+/// A clip, and how it was made of its file.
+#[derive(Clone, Debug)]
+pub struct OpenedClip {
+    /// Moves the avatar.
+    pub clip: Clip,
+    /// What the file left open.
+    pub assumptions: Vec<Assumption>,
+    /// How well the avatar follows; None: the file is made for such avatars.
+    pub report: Option<Report>,
+}
+
+/// Whether a file is motion of another program, of a body that the avatar need not have.
+pub fn is_capture(path: &Path) -> bool {
+    Content::of(path) == Content::Bvh
+}
+
+/// Reads motion of another program.
 ///
 /// # Errors
-/// When the file cannot be opened, is neither, or breaks a rule.
-pub fn clip(path: &Path, skeleton: &Skeleton, rate: f64) -> Result<Clip, FileError> {
-    if Content::of(path) != Content::Json {
-        return Clip::read(path);
-    }
+/// When the file cannot be opened, is of no known kind, or breaks a rule.
+pub fn capture(path: &Path) -> Result<Captured, FileError> {
+    read_with(path, bvh::from_bytes)
+}
+
+/// Reads a clip for an avatar: Effigy's own, the poses beside the paper's model, or motion of
+/// another body, which is retargeted.
+///
+/// # Errors
+/// When the file cannot be opened, is none of them, or breaks a rule.
+pub fn clip(
+    path: &Path,
+    skeleton: &Skeleton,
+    options: &ClipOptions,
+) -> Result<OpenedClip, FileError> {
+    let made_for_it = |clip| OpenedClip {
+        clip,
+        assumptions: vec![],
+        report: None,
+    };
     let name = path.file_stem().unwrap_or_default().to_string_lossy();
-    read_with(path, |bytes| {
-        webavatar::read_poses(bytes, &name, skeleton, rate)
-    })
+    if is_capture(path) {
+        let captured = capture(path)?;
+        let made = retarget::retarget(&captured.capture, skeleton, &name, &options.retarget);
+        let made = made.map_err(|fault| FileError::Content {
+            file: path.to_owned(),
+            fault,
+        })?;
+        return Ok(OpenedClip {
+            clip: made.clip,
+            assumptions: captured.assumptions,
+            report: Some(made.report),
+        });
+    }
+    if Content::of(path) != Content::Json {
+        return Clip::read(path).map(made_for_it);
+    }
+    let poses = read_with(path, |bytes| {
+        webavatar::read_poses(bytes, &name, skeleton, options.rate_unsaid)
+    });
+    poses.map(made_for_it)
 }
 
 /// The poses that belong to `NAME.npz`: `NAME_poses.json` beside it, where there is one.

@@ -113,7 +113,16 @@ const LAYERS: &[Layers] = &[
     },
     Layers {
         package: "src/formats",
-        modules: &["assumption", "capture", "fault", "npz", "webavatar", "open"],
+        modules: &[
+            "assumption",
+            "capture",
+            "fault",
+            "bvh",
+            "npz",
+            "retarget",
+            "webavatar",
+            "open",
+        ],
     },
     Layers {
         package: "src/learn",

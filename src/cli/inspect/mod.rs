@@ -1,17 +1,23 @@
 //! `effigy inspect`: what a file contains, as text or as JSON.
 
 mod avatar;
+mod capture;
 mod motion;
 mod text;
 
-use crate::source::print_assumptions;
-use anyhow::Context;
+use crate::source::{JointsArg, print_assumptions};
+use anyhow::{Context, bail};
 use avatar::AvatarSummary;
+use capture::{CaptureSummary, ComparisonSummary};
+use effigy_core::avatar::Skeleton;
 use effigy_core::io::{
     file::{FileContent, tensors},
     ply,
 };
-use effigy_formats::open::{self, OpenOptions};
+use effigy_formats::{
+    open::{self, OpenOptions},
+    retarget,
+};
 use motion::MotionSummary;
 use serde::Serialize;
 use std::fmt;
@@ -20,8 +26,17 @@ use std::path::{Path, PathBuf};
 
 #[derive(clap::Args, Debug)]
 pub struct Args {
-    /// Avatar or motion file, the paper's .npz, or a 3DGS .ply [default: the built-in demo avatar]
+    /// Avatar or motion file, the paper's .npz, a 3DGS .ply, or motion capture (.bvh) [default: the
+    /// built-in demo avatar]
     file: Option<PathBuf>,
+    /// Motion capture that the motion file was made of: says how well it follows
+    #[arg(long, value_name = "FILE", requires = "file")]
+    against: Option<PathBuf>,
+    /// Avatar that motion capture is to move [default: the built-in demo]
+    #[arg(long, value_name = "FILE")]
+    avatar: Option<PathBuf>,
+    #[command(flatten)]
+    joints: JointsArg,
     /// Print JSON
     #[arg(long)]
     json: bool,
@@ -32,6 +47,24 @@ pub fn run(args: Args) -> anyhow::Result<()> {
         let demo = effigy_demo::avatar()?;
         return print(&AvatarSummary::new(&demo, demo.tensors()), args.json);
     };
+    if let Some(against) = &args.against {
+        return compare(&args, file, against);
+    }
+    if open::is_capture(file) {
+        let captured = open::capture(file)?;
+        print_assumptions(file, &captured.assumptions);
+        let options = retarget::RetargetOptions {
+            corrections: args.joints.read()?,
+            ..Default::default()
+        };
+        let skeleton = args.skeleton()?;
+        let made = retarget::retarget(&captured.capture, &skeleton, "", &options);
+        let made = made.with_context(|| format!("of {}", file.display()))?;
+        return print(
+            &CaptureSummary::new(&captured.capture, &made.report),
+            args.json,
+        );
+    }
     if ply::is_ply(file) || open::is_foreign(file) {
         let imported = open::avatar(file, &OpenOptions::default())?;
         print_assumptions(file, &imported.assumptions);
@@ -39,6 +72,29 @@ pub fn run(args: Args) -> anyhow::Result<()> {
         return print(&AvatarSummary::new(&avatar, avatar.tensors()), args.json);
     }
     inspect_file(file, args.json)
+}
+
+impl Args {
+    /// The skeleton that motion capture is to move.
+    fn skeleton(&self) -> anyhow::Result<Skeleton> {
+        Ok(match &self.avatar {
+            Some(path) => open::avatar(path, &OpenOptions::default())?.avatar.skeleton,
+            None => effigy_demo::avatar()?.skeleton,
+        })
+    }
+}
+
+/// Says how well a clip follows a capture.
+fn compare(args: &Args, file: &Path, against: &Path) -> anyhow::Result<()> {
+    let FileContent::Clip(clip) = FileContent::read(file)? else {
+        bail!("{} is an avatar: --against is for motion", file.display());
+    };
+    let captured = open::capture(against)?;
+    print_assumptions(against, &captured.assumptions);
+    let corrections = args.joints.read()?;
+    let report = retarget::compare(&clip, &captured.capture, &args.skeleton()?, &corrections)
+        .with_context(|| format!("of {}", against.display()))?;
+    print(&ComparisonSummary::new(&report), args.json)
 }
 
 fn inspect_file(file: &Path, json: bool) -> anyhow::Result<()> {

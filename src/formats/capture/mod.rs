@@ -1,6 +1,7 @@
 //! Motion as files of other programs have it: any tree of joints, in the file's own units and axes.
 //! Each reader gives a [`Capture`].
 
+use crate::assumption::Assumption;
 use glam::{DAffine3, DQuat, DVec3};
 
 /// Most joints that a capture may have: several people with hands, and what they carry.
@@ -51,10 +52,24 @@ pub struct Capture {
     pub expression_len: usize,
 }
 
+/// What a reader gives.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Captured {
+    /// The motion.
+    pub capture: Capture,
+    /// What the file left open.
+    pub assumptions: Vec<Assumption>,
+}
+
 impl Capture {
     /// Number of frames, F.
     pub fn frames(&self) -> usize {
         self.local.len() / self.joints.len().max(1)
+    }
+
+    /// Seconds from the first frame to the last.
+    pub fn duration(&self) -> f64 {
+        self.frames().saturating_sub(1) as f64 / self.rate
     }
 
     /// Joints to world in a frame: the file's axes and unit.
@@ -64,6 +79,25 @@ impl Capture {
     pub fn world(&self, frame: usize) -> Vec<DAffine3> {
         let count = self.joints.len();
         self.compose(self.local[frame * count..][..count].iter().copied())
+    }
+
+    /// Joints to world at a moment, seconds; between frames each joint rotates the shortest way,
+    /// and before the first and after the last it stands still. The file's axes and unit.
+    ///
+    /// # Panics
+    /// When there is no frame.
+    pub fn world_at(&self, seconds: f64) -> Vec<DAffine3> {
+        let count = self.joints.len();
+        let last = self.frames().saturating_sub(1);
+        let at = (seconds * self.rate).max(0.0).min(last as f64);
+        let first = at.floor() as usize;
+        let share = at.fract();
+        let frame = |frame: usize| self.local[frame * count..][..count].iter();
+        let next = frame((first + 1).min(last));
+        self.compose(frame(first).zip(next).map(|(a, b)| LocalPose {
+            rotation: a.rotation.slerp(b.rotation, share),
+            offset: a.offset.lerp(b.offset, share),
+        }))
     }
 
     /// Joints to world in the rest pose.

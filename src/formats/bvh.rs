@@ -1,0 +1,379 @@
+//! Biovision motion capture files (`.bvh`): a tree of joints with their channels, and one row of
+//! numbers a frame.
+//!
+//! There is no standard beside the first program's habits, so the reader takes what programs write:
+//! any white space, names with spaces, several roots, channels in any order or none, a brace on the
+//! line of its joint, rows broken over lines, a wrong count of frames, a last row that was cut.
+
+use crate::{
+    assumption::Assumption,
+    capture::{Capture, CaptureJoint, Captured, LocalPose, MAX_FRAMES, MAX_JOINTS, MAX_ROTATIONS},
+};
+use effigy_core::io::file::{FormatError, excerpt};
+use glam::{DQuat, DVec3};
+
+/// Whether bytes begin as a BVH file does.
+pub fn is_bvh(bytes: &[u8]) -> bool {
+    let start = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+    start
+        .trim_ascii_start()
+        .get(..9)
+        .is_some_and(|word| word.eq_ignore_ascii_case(b"HIERARCHY"))
+}
+
+/// The meaning of one number of a frame.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Channel {
+    /// Moves along axis 0, 1 or 2.
+    Position(usize),
+    /// Turns about axis 0, 1 or 2, degrees; a joint's rotations apply in the file's order, the last
+    /// one first.
+    Rotation(usize),
+}
+
+/// A line of the file.
+#[derive(Clone, Copy)]
+struct Line<'a> {
+    /// Counted from 1.
+    number: usize,
+    /// Without spaces at its ends.
+    text: &'a str,
+}
+
+impl Line<'_> {
+    fn error(self, found: impl std::fmt::Display, expected: &str) -> FormatError {
+        FormatError::container(format!("{found} in line {}", self.number), expected)
+    }
+
+    fn number(self, word: Option<&str>) -> Result<f64, FormatError> {
+        let number = word.and_then(|word| word.parse::<f64>().ok());
+        number.filter(|value| value.is_finite()).ok_or_else(|| {
+            let found = word.map_or("the end".into(), |word| format!("`{}`", excerpt(word)));
+            self.error(found, "a finite number")
+        })
+    }
+}
+
+/// Reads a file.
+///
+/// Position channels replace a joint's offset. Joints whose position channels are zero throughout
+/// keep it.
+///
+/// # Errors
+/// When the hierarchy is malformed, a number is none, or there is no whole frame.
+pub fn from_bytes(bytes: &[u8]) -> Result<Captured, FormatError> {
+    let text = String::from_utf8_lossy(bytes);
+    let text = text.strip_prefix('\u{feff}').unwrap_or(&text);
+    let mut lines = text.lines().enumerate().map(|(at, text)| Line {
+        number: at + 1,
+        text: text.trim(),
+    });
+    let mut hierarchy = Hierarchy::default();
+    loop {
+        let Some(line) = lines.next() else {
+            let found = "a file without a MOTION section";
+            return Err(FormatError::container(found, "one after the HIERARCHY"));
+        };
+        if line.text.eq_ignore_ascii_case("MOTION") {
+            break;
+        }
+        hierarchy.read_line(line)?;
+    }
+    hierarchy.finish()?;
+    let mut lines = lines.filter(|line| !line.text.is_empty());
+    let announced = header(lines.next(), "Frames:")?;
+    let frame_time = header(lines.next(), "Frame Time:")?;
+    if !(frame_time > 0.0 && (1.0 / frame_time).is_finite()) {
+        let found = format!("a frame time of {frame_time} s");
+        return Err(FormatError::container(found, "more than 0"));
+    }
+    let mut frames = Frames::new(&hierarchy);
+    for line in lines {
+        for word in line.text.split_ascii_whitespace() {
+            frames.push(line.number(Some(word))?)?;
+        }
+    }
+    let mut assumptions = Vec::new();
+    frames.report(announced, &mut assumptions)?;
+    let mut local = frames.local;
+    keep_offsets(&hierarchy, &mut local, &mut assumptions);
+    Ok(Captured {
+        capture: Capture {
+            joints: hierarchy.joints,
+            rate: 1.0 / frame_time,
+            local,
+            unit: None,
+            up: None,
+            expression: vec![],
+            expression_len: 0,
+        },
+        assumptions,
+    })
+}
+
+/// The number after a word.
+fn header(line: Option<Line>, word: &str) -> Result<f64, FormatError> {
+    let expected = format!("`{word}` and a number");
+    let Some(line) = line else {
+        return Err(FormatError::container("the end of the file", expected));
+    };
+    let start = line.text.get(..word.len());
+    if !start.is_some_and(|start| start.eq_ignore_ascii_case(word)) {
+        return Err(line.error(format!("`{}`", excerpt(line.text)), &expected));
+    }
+    line.number(line.text[word.len()..].split_ascii_whitespace().next())
+}
+
+/// Gives joints whose position channels are zero throughout their offsets back: some programs write
+/// six channels for each joint and fill three of them.
+fn keep_offsets(hierarchy: &Hierarchy, local: &mut [LocalPose], assumptions: &mut Vec<Assumption>) {
+    let count = hierarchy.joints.len();
+    let mut kept = 0;
+    for (at, joint) in hierarchy.joints.iter().enumerate() {
+        let moves = |channel: &Channel| matches!(channel, Channel::Position(_));
+        let own = || local.iter().skip(at).step_by(count);
+        if joint.parent.is_some()
+            && joint.offset != DVec3::ZERO
+            && hierarchy.channels[at].iter().any(moves)
+            && own().all(|pose| pose.offset == DVec3::ZERO)
+        {
+            for pose in local.iter_mut().skip(at).step_by(count) {
+                pose.offset = joint.offset;
+            }
+            kept += 1;
+        }
+    }
+    if kept > 0 {
+        assumptions.push(Assumption {
+            what: "joints with positions of 0 in every frame",
+            taken: format!("{kept}, which keep their offsets"),
+            because: "they would all be at one point".into(),
+        });
+    }
+}
+
+/// The frames that were read so far.
+struct Frames<'a> {
+    hierarchy: &'a Hierarchy,
+    local: Vec<LocalPose>,
+    /// Numbers of the frame that is being read.
+    row: Vec<f64>,
+    width: usize,
+}
+
+impl<'a> Frames<'a> {
+    fn new(hierarchy: &'a Hierarchy) -> Self {
+        Self {
+            hierarchy,
+            local: vec![],
+            row: vec![],
+            width: hierarchy.channels.iter().map(Vec::len).sum(),
+        }
+    }
+
+    fn count(&self) -> usize {
+        self.local.len() / self.hierarchy.joints.len()
+    }
+
+    fn push(&mut self, value: f64) -> Result<(), FormatError> {
+        self.row.push(value);
+        if self.row.len() < self.width {
+            return Ok(());
+        }
+        let most = MAX_FRAMES.min(MAX_ROTATIONS / self.hierarchy.joints.len());
+        if self.count() == most {
+            let found = format!("more than {most} frames");
+            return Err(FormatError::container(found, "at most as many"));
+        }
+        let mut values = self.row.drain(..);
+        for (joint, channels) in self.hierarchy.joints.iter().zip(&self.hierarchy.channels) {
+            let mut pose = LocalPose {
+                rotation: DQuat::IDENTITY,
+                offset: joint.offset,
+            };
+            for (channel, value) in channels.iter().zip(&mut values) {
+                match *channel {
+                    Channel::Position(axis) => pose.offset[axis] = value,
+                    Channel::Rotation(axis) => {
+                        pose.rotation *=
+                            DQuat::from_axis_angle(DVec3::AXES[axis], value.to_radians());
+                    }
+                }
+            }
+            self.local.push(pose);
+        }
+        Ok(())
+    }
+
+    /// Says where the frames are not those that the file announces.
+    fn report(&self, announced: f64, assumptions: &mut Vec<Assumption>) -> Result<(), FormatError> {
+        let count = self.count();
+        if count == 0 {
+            let found = format!("{} numbers in the motion", self.row.len());
+            let expected = format!("a frame of {} or more", self.width.max(1));
+            return Err(FormatError::container(found, expected));
+        }
+        if count as f64 != announced {
+            assumptions.push(Assumption {
+                what: "frames",
+                taken: count.to_string(),
+                because: format!("the file announces {announced}, and has as many"),
+            });
+        }
+        if !self.row.is_empty() {
+            assumptions.push(Assumption {
+                what: "the end of the motion",
+                taken: format!("{} numbers left out", self.row.len()),
+                because: format!("a frame has {}", self.width),
+            });
+        }
+        Ok(())
+    }
+}
+
+/// The owner of an open brace.
+#[derive(Clone, Copy)]
+struct Block {
+    joint: usize,
+    /// Whether it is the end of a chain, which has no channels.
+    is_end: bool,
+}
+
+/// The part of the tree that was read so far.
+#[derive(Default)]
+struct Hierarchy {
+    /// Ends of chains are joints too, since they say where a bone points.
+    joints: Vec<CaptureJoint>,
+    /// One list a joint.
+    channels: Vec<Vec<Channel>>,
+    /// Blocks whose braces are open, the innermost last.
+    open: Vec<Block>,
+    /// A block that was named and whose brace is to follow.
+    announced: Option<Block>,
+}
+
+impl Hierarchy {
+    fn read_line(&mut self, line: Line) -> Result<(), FormatError> {
+        let (text, opens) = match line.text.strip_suffix('{') {
+            Some(text) => (text.trim_end(), true),
+            None => (line.text, false),
+        };
+        let (word, rest) = text.split_once(char::is_whitespace).unwrap_or((text, ""));
+        match word.to_ascii_uppercase().as_str() {
+            "" | "HIERARCHY" => {}
+            "ROOT" | "JOINT" => self.begin(line, rest.trim(), false)?,
+            "END" => self.begin(line, "", true)?,
+            "}" => {
+                if self.open.pop().is_none() {
+                    return Err(line.error("`}`", "an open brace before it"));
+                }
+            }
+            "OFFSET" => {
+                let Some(block) = self.open.last() else {
+                    return Err(line.error("OFFSET", "a joint around it"));
+                };
+                let mut words = rest.split_ascii_whitespace();
+                let mut offset = DVec3::ZERO;
+                for axis in 0..3 {
+                    offset[axis] = line.number(words.next())?;
+                }
+                self.joints[block.joint].offset = offset;
+            }
+            "CHANNELS" => self.read_channels(line, rest)?,
+            _ => {
+                let found = format!("`{}`", excerpt(line.text));
+                let expected = "ROOT, JOINT, End Site, OFFSET, CHANNELS, a brace or MOTION";
+                return Err(line.error(found, expected));
+            }
+        }
+        if opens {
+            match self.announced.take() {
+                Some(block) => self.open.push(block),
+                None => return Err(line.error("`{`", "a joint before it")),
+            }
+        }
+        Ok(())
+    }
+
+    /// A joint or the end of a chain, in the joint whose brace is open.
+    fn begin(&mut self, line: Line, name: &str, is_end: bool) -> Result<(), FormatError> {
+        let parent = self.open.last();
+        if parent.is_some_and(|parent| parent.is_end) || (is_end && parent.is_none()) {
+            let found = format!("`{}`", excerpt(line.text));
+            return Err(line.error(found, "a joint around it, if any"));
+        }
+        if self.announced.is_some() {
+            return Err(line.error(format!("`{}`", excerpt(line.text)), "`{`"));
+        }
+        if self.joints.len() == MAX_JOINTS {
+            return Err(line.error(format!("more than {MAX_JOINTS} joints"), "at most as many"));
+        }
+        let parent = parent.map(|block| block.joint);
+        let name = match parent {
+            Some(parent) if is_end => format!("{} end", self.joints[parent].name),
+            _ if name.is_empty() => return Err(line.error("no name", "a joint's name")),
+            _ => excerpt(name),
+        };
+        self.announced = Some(Block {
+            joint: self.joints.len(),
+            is_end,
+        });
+        self.channels.push(vec![]);
+        self.joints.push(CaptureJoint {
+            name,
+            parent,
+            offset: DVec3::ZERO,
+            rest: DQuat::IDENTITY,
+        });
+        Ok(())
+    }
+
+    fn read_channels(&mut self, line: Line, rest: &str) -> Result<(), FormatError> {
+        let Some(&Block {
+            joint,
+            is_end: false,
+        }) = self.open.last()
+        else {
+            return Err(line.error("CHANNELS", "a joint around it"));
+        };
+        let mut words = rest.split_ascii_whitespace();
+        let count = line.number(words.next())?;
+        let channels: Vec<Channel> = words
+            .map(|word| channel(line, word))
+            .collect::<Result<_, _>>()?;
+        if channels.len() as f64 != count || !self.channels[joint].is_empty() {
+            let found = format!("{} channels", channels.len());
+            return Err(line.error(found, &format!("{count}, once a joint")));
+        }
+        self.channels[joint] = channels;
+        Ok(())
+    }
+
+    fn finish(&self) -> Result<(), FormatError> {
+        let expected = "every brace closed before MOTION";
+        if let Some(block) = self.open.last().or(self.announced.as_ref()) {
+            let found = format!("`{}` without its end", self.joints[block.joint].name);
+            return Err(FormatError::container(found, expected));
+        }
+        if self.channels.iter().all(Vec::is_empty) {
+            return Err(FormatError::container(
+                "no joint with channels",
+                "at least one",
+            ));
+        }
+        Ok(())
+    }
+}
+
+fn channel(line: Line, word: &str) -> Result<Channel, FormatError> {
+    let lower = word.to_ascii_lowercase();
+    let axis = lower.bytes().next().unwrap_or_default().wrapping_sub(b'x');
+    match (usize::from(axis), lower.get(1..)) {
+        (axis @ 0..3, Some("position")) => Ok(Channel::Position(axis)),
+        (axis @ 0..3, Some("rotation")) => Ok(Channel::Rotation(axis)),
+        _ => Err(line.error(
+            format!("`{}`", excerpt(word)),
+            "Xposition to Zposition or Xrotation to Zrotation",
+        )),
+    }
+}

@@ -1,0 +1,457 @@
+//! How the joints of a capture stand when the avatar is in its rest pose.
+//!
+//! A joint's world rotation W in a frame turns the avatar's joint by W Q⁻¹, where Q is W in a
+//! *reference*: the pose of the capture in which its bones point where the avatar's do at rest.
+//!
+//! - If the capture's rest pose stands as a body does (T, A, arms lowered), the reference is the
+//!   rest pose with each limb bone turned by the smallest rotation that aligns it. The trunk, collar
+//!   bones and toes are taken as they are.
+//! - Else (LaFAN1, Bandai-Namco: every bone lies along one axis at rest) it follows from where bones
+//!   are in their joints' axes: hips, chest and hands have several, elbows and knees bend about one
+//!   axis alone, and all others are on average turned as the joint above them is.
+
+use super::{
+    humanoid::{Arm, Humanoid},
+    tree::{Tree, positions},
+    upright::{self, Upright, spread},
+};
+use glam::{DAffine3, DMat3, DQuat, DVec3};
+
+/// Rotations of joints from their world matrices.
+pub fn rotations(world: &[DAffine3]) -> Vec<DQuat> {
+    let rotation = |joint: &DAffine3| DQuat::from_mat3(&joint.matrix3).normalize();
+    world.iter().map(rotation).collect()
+}
+
+/// What the references rest on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Basis {
+    /// The capture's rest pose.
+    Rest,
+    /// Its bones' axes and its motion.
+    Motion,
+}
+
+/// The references of a capture's joints.
+#[derive(Clone, Debug)]
+pub struct Alignment {
+    /// Q⁻¹ of each joint of the capture; the identity for those that nothing uses.
+    pub inverse: Vec<DQuat>,
+    /// What they rest on.
+    pub basis: Basis,
+}
+
+/// Both bodies.
+pub struct Bodies<'a> {
+    /// The capture's joints.
+    pub tree: &'a Tree,
+    /// Its body.
+    pub source: &'a Humanoid,
+    /// The avatar's joints.
+    pub target_tree: &'a Tree,
+    /// Its body.
+    pub target: &'a Humanoid,
+}
+
+/// A bone of both bodies: from a joint to another one.
+#[derive(Clone, Copy)]
+struct Bone {
+    joint: usize,
+    end: usize,
+    target: usize,
+    target_end: usize,
+}
+
+impl Bodies<'_> {
+    /// Where a bone of the avatar points at rest.
+    fn target_along(&self, bone: Bone) -> Option<DVec3> {
+        let rest = &self.target_tree.rest;
+        (rest[bone.target_end] - rest[bone.target]).try_normalize()
+    }
+
+    /// Bones of arms and legs and fingers, from the trunk outwards; without collar bones and feet.
+    fn limb_bones(&self) -> Vec<Bone> {
+        let mut bones = vec![];
+        let children = self.tree.children();
+        for (own, theirs) in self.source.arms.iter().zip(&self.target.arms) {
+            bones.push(Bone {
+                joint: own.upper,
+                end: own.forearm,
+                target: theirs.upper,
+                target_end: theirs.forearm,
+            });
+            bones.push(Bone {
+                joint: own.forearm,
+                end: own.hand,
+                target: theirs.forearm,
+                target_end: theirs.hand,
+            });
+            if let Some(bone) = hand_bone(self.tree, &children, own, theirs) {
+                bones.push(bone);
+            }
+            bones.extend(finger_bones(&children, own, theirs));
+        }
+        for (own, theirs) in self.source.legs.iter().zip(&self.target.legs) {
+            bones.push(Bone {
+                joint: own.thigh,
+                end: own.shin,
+                target: theirs.thigh,
+                target_end: theirs.shin,
+            });
+            bones.push(Bone {
+                joint: own.shin,
+                end: own.foot,
+                target: theirs.shin,
+                target_end: theirs.foot,
+            });
+        }
+        bones
+    }
+}
+
+/// From the wrist to the knuckle of the middle finger, else to what hangs furthest from the wrist.
+fn hand_bone(tree: &Tree, children: &[Vec<usize>], own: &Arm, theirs: &Arm) -> Option<Bone> {
+    let far = |&&joint: &&usize| tree.offsets[joint].length();
+    let furthest = children[own.hand]
+        .iter()
+        .filter(|joint| far(joint) > 0.0)
+        .max_by(|a, b| far(a).total_cmp(&far(b)));
+    Some(Bone {
+        joint: own.hand,
+        end: *own.fingers[2].first().or(furthest)?,
+        target: theirs.hand,
+        target_end: *theirs.fingers[2].first()?,
+    })
+}
+
+fn finger_bones(children: &[Vec<usize>], own: &Arm, theirs: &Arm) -> Vec<Bone> {
+    let mut bones = vec![];
+    for (own, theirs) in own.fingers.iter().zip(&theirs.fingers) {
+        for (at, (&joint, &target)) in own.iter().zip(theirs).enumerate() {
+            let end = own.get(at + 1).or_else(|| children[joint].first());
+            if let (Some(&end), Some(&target_end)) = (end, theirs.get(at + 1)) {
+                bones.push(Bone {
+                    joint,
+                    end,
+                    target,
+                    target_end,
+                });
+            }
+        }
+    }
+    bones
+}
+
+impl Alignment {
+    /// The references of a capture.
+    pub fn new(bodies: &Bodies, upright: &Upright) -> Self {
+        let rest = positions(&upright.rest());
+        if upright::stands(bodies.source, &rest, DVec3::Y) {
+            Self {
+                inverse: from_rest(bodies, upright),
+                basis: Basis::Rest,
+            }
+        } else {
+            Self {
+                inverse: Motion::new(bodies, upright).references(),
+                basis: Basis::Motion,
+            }
+        }
+    }
+}
+
+/// The rotation about the vertical that makes these hips face +z: their left thigh is at +x.
+fn heading(source: &Humanoid, at: &[DVec3]) -> DQuat {
+    let [left, right] = [&source.legs[0], &source.legs[1]].map(|leg| at[leg.thigh]);
+    let across = left - right;
+    DQuat::from_rotation_y(across.z.atan2(across.x))
+}
+
+fn from_rest(bodies: &Bodies, upright: &Upright) -> Vec<DQuat> {
+    let world = upright.rest();
+    let at = positions(&world);
+    let turn = heading(bodies.source, &at);
+    let mut references: Vec<DQuat> = rotations(&world).iter().map(|own| turn * *own).collect();
+    let mut align = |joint: usize, from: DVec3, to: DVec3| {
+        if let (Some(from), Some(to)) = (from.try_normalize(), to.try_normalize()) {
+            references[joint] = DQuat::from_rotation_arc(from, to) * references[joint];
+        }
+    };
+    for bone in bodies.limb_bones() {
+        if let Some(to) = bodies.target_along(bone) {
+            align(bone.joint, turn * (at[bone.end] - at[bone.joint]), to);
+        }
+    }
+    let children = bodies.tree.children();
+    let target_rest = &bodies.target_tree.rest;
+    for (own, theirs) in bodies.source.legs.iter().zip(&bodies.target.legs) {
+        // Soles are flat in both rest poses: only the direction over the ground is aligned.
+        let ball = own.toe.or_else(|| children[own.foot].first().copied());
+        if let (Some(ball), Some(their_ball)) = (ball, theirs.toe) {
+            let flat = |way: DVec3| way.with_y(0.0);
+            let from = flat(turn * (at[ball] - at[own.foot]));
+            let to = flat(target_rest[their_ball] - target_rest[theirs.foot]);
+            align(own.foot, from, to);
+            if let Some(toe) = own.toe {
+                align(toe, from, to);
+            }
+        }
+    }
+    references.iter().map(|own| own.inverse()).collect()
+}
+
+/// A rotation that takes a first direction to another, and a second one as near as it can.
+fn from_two(from: [DVec3; 2], to: [DVec3; 2]) -> Option<DQuat> {
+    let frame = |[first, second]: [DVec3; 2]| {
+        let first = first.try_normalize()?;
+        let second = second.reject_from_normalized(first).try_normalize()?;
+        Some(DMat3::from_cols(first, second, first.cross(second)))
+    };
+    Some(DQuat::from_mat3(&(frame(to)? * frame(from)?.transpose())).normalize())
+}
+
+/// The mean of rotations that are not far from each other.
+fn mean(rotations: impl Iterator<Item = DQuat>) -> Option<DQuat> {
+    let mut sum = DQuat::from_xyzw(0.0, 0.0, 0.0, 0.0);
+    for rotation in rotations {
+        let same = if sum.dot(rotation) < 0.0 {
+            -rotation
+        } else {
+            rotation
+        };
+        sum = sum + same;
+    }
+    let length = sum.length();
+    (length > 1e-9).then(|| sum / length)
+}
+
+/// References from bones' axes and the capture's motion.
+struct Motion<'a> {
+    bodies: &'a Bodies<'a>,
+    children: Vec<Vec<usize>>,
+    /// Rotations and positions of all joints, in frames spread over the capture.
+    frames: Vec<Frame>,
+    inverse: Vec<DQuat>,
+}
+
+struct Frame {
+    rotation: Vec<DQuat>,
+    position: Vec<DVec3>,
+}
+
+/// Sum of sines of an elbow's or knee's bends, a frame each, above which its axis is known.
+const BENT: f64 = 0.3;
+
+impl<'a> Motion<'a> {
+    fn new(bodies: &'a Bodies<'a>, upright: &Upright) -> Self {
+        let frames = spread(upright.capture().frames())
+            .map(|frame| {
+                let world = upright.world(frame);
+                Frame {
+                    rotation: rotations(&world),
+                    position: positions(&world),
+                }
+            })
+            .collect();
+        Self {
+            bodies,
+            children: bodies.tree.children(),
+            frames,
+            inverse: vec![DQuat::IDENTITY; bodies.tree.len()],
+        }
+    }
+
+    fn references(mut self) -> Vec<DQuat> {
+        let source = self.bodies.source;
+        let target = self.bodies.target;
+        let target_rest = &self.bodies.target_tree.rest;
+        self.inverse[source.hips] = self.hips().unwrap_or(DQuat::IDENTITY);
+        let chest = source.chest();
+        let own_chest = self.chest();
+        if let Some(chest_inverse) = own_chest {
+            self.inverse[chest] = chest_inverse;
+        }
+        let mut above = source.hips;
+        for &joint in &source.spine {
+            if joint != chest || own_chest.is_none() {
+                self.follow(joint, above, None);
+            }
+            above = joint;
+        }
+        for &joint in source.neck.iter().chain([&source.head]) {
+            self.follow(joint, above, None);
+            above = joint;
+        }
+        if let Some(joint) = source.jaw {
+            self.follow(joint, above, None);
+        }
+        for side in [0, 1] {
+            let (own, theirs) = (&source.arms[side], &target.arms[side]);
+            let mut above = chest;
+            if let Some(clavicle) = own.clavicle {
+                self.follow(clavicle, above, None);
+                above = clavicle;
+            }
+            let along = target_rest[theirs.forearm] - target_rest[theirs.upper];
+            // Elbows bend forwards, so about the axis that is left of an arm held out.
+            let hinge = along.cross(DVec3::Z);
+            let limb = [own.upper, own.forearm, own.hand];
+            let target_limb = [theirs.upper, theirs.forearm, theirs.hand];
+            self.hinge(limb, target_limb, hinge, above);
+            self.hand(own, theirs);
+            let (own, theirs) = (&source.legs[side], &target.legs[side]);
+            let limb = [own.thigh, own.shin, own.foot];
+            let target_limb = [theirs.thigh, theirs.shin, theirs.foot];
+            self.hinge(limb, target_limb, DVec3::X, source.hips);
+            let ball = own.toe.or_else(|| self.children[own.foot].first().copied());
+            let foot = ball.zip(theirs.toe).map(|(ball, their_ball)| Bone {
+                joint: own.foot,
+                end: ball,
+                target: theirs.foot,
+                target_end: their_ball,
+            });
+            self.follow(own.foot, own.shin, foot);
+            if let Some(toe) = own.toe {
+                self.follow(toe, own.foot, None);
+            }
+        }
+        self.inverse
+    }
+
+    /// Hips, from their three bones.
+    fn hips(&self) -> Option<DQuat> {
+        let Bodies { source, target, .. } = self.bodies;
+        let target_rest = &self.bodies.target_tree.rest;
+        let next = source
+            .spine
+            .first()
+            .or(source.neck.first())
+            .unwrap_or(&source.head);
+        let target_next = target.spine.first().unwrap_or(&target.head);
+        let below = |joint: usize| self.local(source.hips, joint);
+        let from = [
+            below(source.legs[0].thigh) - below(source.legs[1].thigh),
+            below(*next),
+        ];
+        let to = [
+            target_rest[target.legs[0].thigh] - target_rest[target.legs[1].thigh],
+            target_rest[*target_next] - target_rest[target.hips],
+        ];
+        from_two(from, to).map(|reference| reference.inverse())
+    }
+
+    /// The chest, from collar bones and neck.
+    fn chest(&self) -> Option<DQuat> {
+        let Bodies { source, target, .. } = self.bodies;
+        let chest = source.chest();
+        if chest == source.hips {
+            return None;
+        }
+        let target_rest = &self.bodies.target_tree.rest;
+        let first = |arm: &Arm| arm.clavicle.unwrap_or(arm.upper);
+        let below = |joint: usize| self.local(chest, joint);
+        let next = source.neck.first().unwrap_or(&source.head);
+        let target_next = target.neck.first().unwrap_or(&target.head);
+        let from = [
+            below(first(&source.arms[0])) - below(first(&source.arms[1])),
+            below(*next),
+        ];
+        let to = [
+            target_rest[first(&target.arms[0])] - target_rest[first(&target.arms[1])],
+            target_rest[*target_next] - target_rest[target.chest()],
+        ];
+        from_two(from, to).map(|reference| reference.inverse())
+    }
+
+    /// From a joint to one below it, in the upper one's axes, in the first frame: joints between
+    /// them turn little.
+    fn local(&self, joint: usize, below: usize) -> DVec3 {
+        self.frames.first().map_or(DVec3::ZERO, |frame| {
+            frame.rotation[joint].inverse() * (frame.position[below] - frame.position[joint])
+        })
+    }
+
+    /// A joint that is on average turned as the one above it, and whose bone points along the
+    /// avatar's.
+    fn follow(&mut self, joint: usize, above: usize, bone: Option<Bone>) {
+        let inverse = mean(self.frames.iter().map(|frame| {
+            frame.rotation[joint].inverse() * frame.rotation[above] * self.inverse[above]
+        }));
+        let mut inverse = inverse.unwrap_or(DQuat::IDENTITY);
+        if let Some(bone) = bone
+            && let Some(to) = self.bodies.target_along(bone)
+            && let Some(along) = self.local(joint, bone.end).try_normalize()
+        {
+            let reference = inverse.inverse();
+            let turned = DQuat::from_rotation_arc(reference * along, to) * reference;
+            inverse = turned.inverse();
+        }
+        self.inverse[joint] = inverse;
+    }
+
+    /// Two bones that bend about one axis. `hinge`: that axis in the avatar's rest pose, so that
+    /// first × second bone points along it.
+    fn hinge(&mut self, limb: [usize; 3], target: [usize; 3], hinge: DVec3, above: usize) {
+        let mut axes = [DVec3::ZERO; 2];
+        for frame in &self.frames {
+            let at = limb.map(|joint| frame.position[joint]);
+            let [first, second] = [at[1] - at[0], at[2] - at[1]].map(DVec3::normalize_or_zero);
+            for (axis, joint) in axes.iter_mut().zip(limb) {
+                *axis += frame.rotation[joint].inverse() * first.cross(second);
+            }
+        }
+        for at in [0, 1] {
+            let bone = Bone {
+                joint: limb[at],
+                end: limb[at + 1],
+                target: target[at],
+                target_end: target[at + 1],
+            };
+            let along = self.local(bone.joint, bone.end);
+            let bent = axes[at].length() > BENT;
+            let reference = self
+                .bodies
+                .target_along(bone)
+                .and_then(|to| bent.then(|| from_two([along, axes[at]], [to, hinge]))?);
+            match reference {
+                Some(reference) => self.inverse[bone.joint] = reference.inverse(),
+                None => {
+                    let above = if at == 0 { above } else { limb[0] };
+                    self.follow(bone.joint, above, Some(bone));
+                }
+            }
+        }
+    }
+
+    /// A hand and its fingers.
+    fn hand(&mut self, own: &Arm, theirs: &Arm) {
+        let target_rest = &self.bodies.target_tree.rest;
+        let bone = hand_bone(self.bodies.tree, &self.children, own, theirs);
+        let knuckles = |arm: &Arm| Some([*arm.fingers[1].first()?, *arm.fingers[4].first()?]);
+        let reference = knuckles(own).zip(knuckles(theirs)).zip(bone);
+        let reference = reference.and_then(|(([index, little], [to_index, to_little]), bone)| {
+            let along = self.local(own.hand, bone.end);
+            let across = self.local(own.hand, index) - self.local(own.hand, little);
+            let to = self.bodies.target_along(bone)?;
+            from_two(
+                [along, across],
+                [to, target_rest[to_index] - target_rest[to_little]],
+            )
+        });
+        match reference {
+            Some(reference) => self.inverse[own.hand] = reference.inverse(),
+            None => self.follow(own.hand, own.forearm, bone),
+        }
+        let bones = finger_bones(&self.children, own, theirs);
+        for joint in own.fingers.iter().flatten() {
+            let bone = bones.iter().copied().find(|bone| bone.joint == *joint);
+            let above = self.bodies.tree.parents[*joint].unwrap_or(own.hand);
+            let above = if own.fingers.iter().flatten().any(|own| *own == above) {
+                above
+            } else {
+                own.hand
+            };
+            self.follow(*joint, above, bone);
+        }
+    }
+}

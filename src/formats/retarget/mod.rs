@@ -1,0 +1,290 @@
+//! Moves an avatar as a capture of any other body moves.
+//!
+//! 1. `humanoid` finds hips, spine, limbs and head in both skeletons, by names (`names`) or by the
+//!    tree's shape (`shape`).
+//! 2. `upright` turns the file's axes, and `align` finds how its joints stand when the avatar is in
+//!    its rest pose.
+//! 3. `transfer` gives each joint of the avatar the rotation of its counterpart; legs' lengths are
+//!    the scale.
+//! 4. `feet` holds standing feet in place and soles above the ground.
+//! 5. `report` measures what is left between the two.
+
+mod align;
+mod curl;
+mod feet;
+mod humanoid;
+mod legs;
+mod names;
+mod part;
+mod report;
+mod shape;
+mod transfer;
+mod tree;
+mod upright;
+
+pub use align::Basis;
+pub use humanoid::Correction;
+pub use report::{JointGuess, Report, Spread};
+pub use upright::Unit;
+
+use crate::capture::Capture;
+use align::{Alignment, Bodies};
+use effigy_core::{
+    avatar::{Clip, Pose, Skeleton, motion::Player},
+    io::file::FormatError,
+};
+use feet::Track;
+use glam::DVec3;
+use humanoid::{Humanoid, NamedPart};
+use report::Compared;
+use std::ops::Range;
+use transfer::{Transfer, leg_length};
+use tree::{Tree, positions};
+use upright::Upright;
+
+/// How a capture becomes a clip.
+#[derive(Clone, Debug, Default)]
+pub struct RetargetOptions {
+    /// Frames a second; None: the capture's own, at most [`MAX_RATE`].
+    pub rate: Option<f64>,
+    /// Joints of the capture that are other parts than they seem.
+    pub corrections: Vec<Correction>,
+    /// Leaves feet where the joints' rotations put them.
+    pub keep_feet: bool,
+}
+
+/// Frames a second that a clip has at most unless its user says another number: clips are
+/// interpolated when they are played.
+pub const MAX_RATE: f64 = 60.0;
+
+/// A clip and how it was made.
+#[derive(Clone, Debug)]
+pub struct Retargeted {
+    /// Moves the skeleton; its soles touch y = 0.
+    pub clip: Clip,
+    /// What was found and measured.
+    pub report: Report,
+}
+
+/// Makes a clip of a capture for a skeleton, whose rest pose stands upright, y up, and faces +z.
+/// `name`: the clip's.
+///
+/// # Errors
+/// When no body is found in either.
+pub fn retarget(
+    capture: &Capture,
+    skeleton: &Skeleton,
+    name: &str,
+    options: &RetargetOptions,
+) -> Result<Retargeted, FormatError> {
+    let matched = Match::new(capture, skeleton, &options.corrections)?;
+    let rate = options.rate.unwrap_or(capture.rate.min(MAX_RATE));
+    let Match { source, target, .. } = &matched;
+    let transfer = Transfer::new(skeleton, source, target, &matched.alignment, matched.scale);
+    let count = (capture.duration() * rate + 1e-6).floor() as usize + 1;
+    let poses =
+        (0..count).map(|frame| transfer.pose(&matched.upright.world_at(frame as f64 / rate)));
+    let mut poses: Vec<Pose> = poses.collect();
+    let way = matched.way(count, rate);
+    if options.keep_feet {
+        feet::stand(skeleton, target, &mut poses);
+    } else {
+        feet::place(skeleton, target, &mut poses, &way.contacts, rate);
+    }
+    Ok(Retargeted {
+        clip: clip(capture, skeleton, name, rate, &poses),
+        report: matched.report(&poses, &way, transfer.driven()),
+    })
+}
+
+/// Measures how well a clip follows a capture, whoever made it. Both begin at the same moment.
+///
+/// # Errors
+/// When no body is found in either.
+pub fn compare(
+    clip: &Clip,
+    capture: &Capture,
+    skeleton: &Skeleton,
+    corrections: &[Correction],
+) -> Result<Report, FormatError> {
+    let matched = Match::new(capture, skeleton, corrections)?;
+    let seconds = clip.duration().min(capture.duration());
+    let count = (seconds * clip.rate + 1e-6).floor() as usize + 1;
+    let player = Player::new(clip.clone(), skeleton);
+    let poses = (0..count).map(|frame| player.pose(frame as f64 / clip.rate));
+    let poses: Vec<Pose> = poses.collect();
+    let way = matched.way(count, clip.rate);
+    Ok(matched.report(&poses, &way, player.mapped()))
+}
+
+/// A capture's body beside an avatar's.
+struct Match<'a> {
+    skeleton: &'a Skeleton,
+    tree: Tree,
+    source: Humanoid,
+    target: Humanoid,
+    up: DVec3,
+    upright: Upright<'a>,
+    alignment: Alignment,
+    /// Length of the capture's legs, the file's unit.
+    leg: f64,
+    /// Metres of the avatar a unit of the file.
+    scale: f64,
+}
+
+/// What a capture does, frame by frame.
+struct Way {
+    /// Positions of its joints, metres of the avatar and y up.
+    world: Vec<Vec<DVec3>>,
+    tracks: [Track; 2],
+    contacts: [Vec<Range<usize>>; 2],
+    /// Frames a second.
+    rate: f64,
+}
+
+impl<'a> Match<'a> {
+    fn new(
+        capture: &'a Capture,
+        skeleton: &'a Skeleton,
+        corrections: &[Correction],
+    ) -> Result<Self, FormatError> {
+        let tree = Tree::of_capture(capture);
+        let target_tree = Tree::of_skeleton(skeleton);
+        let source = Humanoid::find(&tree, corrections)?;
+        let target = Humanoid::find(&target_tree, &[])?;
+        let up = upright::up_axis(capture, &source);
+        let upright = Upright::new(capture, up);
+        let bodies = Bodies {
+            tree: &tree,
+            source: &source,
+            target_tree: &target_tree,
+            target: &target,
+        };
+        let alignment = Alignment::new(&bodies, &upright);
+        let own_leg = leg_length(&target, &target_tree.rest);
+        let leg = leg_length(&source, &positions(&upright.world(0)));
+        if !(leg > 0.0 && own_leg > 0.0) {
+            return Err(FormatError::container(
+                format!("legs {leg} units long, the avatar's {own_leg} m"),
+                "both above 0",
+            ));
+        }
+        Ok(Self {
+            skeleton,
+            tree,
+            source,
+            target,
+            up,
+            upright,
+            alignment,
+            leg,
+            scale: own_leg / leg,
+        })
+    }
+
+    fn way(&self, count: usize, rate: f64) -> Way {
+        let world: Vec<Vec<DVec3>> = (0..count)
+            .map(|frame| {
+                let joints = self.upright.world_at(frame as f64 / rate);
+                let metres = |at: DVec3| self.scale * at;
+                positions(&joints).into_iter().map(metres).collect()
+            })
+            .collect();
+        let tracks = tracks(&self.tree, &self.source, &world);
+        let grounds = tracks.each_ref().map(Track::ground);
+        let ground = grounds[0].min(grounds[1]);
+        let contacts = |track: &Track| track.contacts(rate, ground);
+        Way {
+            contacts: tracks.each_ref().map(contacts),
+            world,
+            tracks,
+            rate,
+        }
+    }
+
+    /// `driven`: joints of the avatar that the clip moves.
+    fn report(&self, poses: &[Pose], way: &Way, driven: usize) -> Report {
+        let compared = Compared {
+            source: &self.source,
+            world: &way.world,
+            skeleton: self.skeleton,
+            target: &self.target,
+            poses,
+            contacts: &way.contacts,
+            tracks: &way.tracks,
+            rate: way.rate,
+        };
+        let differences = compared.differences();
+        let standing: usize = way.contacts.iter().flatten().map(Range::len).sum();
+        let said = self.upright.capture().unit;
+        let unit = said.map_or_else(|| upright::unit(self.leg), upright::said_unit);
+        let guess = |named: NamedPart| JointGuess {
+            part: named.part,
+            joint: named.joint.to_owned(),
+        };
+        Report {
+            joints: self
+                .source
+                .named(&self.tree)
+                .into_iter()
+                .map(guess)
+                .collect(),
+            basis: self.alignment.basis,
+            up: self.up,
+            unit,
+            scale: self.scale / unit.metres,
+            driven,
+            all: self.skeleton.len(),
+            hips: differences.hips,
+            positions: differences.positions,
+            directions: differences.directions,
+            contacts: way.contacts.iter().map(Vec::len).sum(),
+            standing: standing as f64 / (2 * poses.len()).max(1) as f64,
+            slide: differences.slide,
+            source_slide: differences.source_slide,
+            sink: differences.sink,
+        }
+    }
+}
+
+/// The ways of both feet, metres of the avatar.
+fn tracks(tree: &Tree, source: &Humanoid, world: &[Vec<DVec3>]) -> [Track; 2] {
+    let children = tree.children();
+    source.legs.each_ref().map(|leg| {
+        let ball = leg.toe.or_else(|| children[leg.foot].first().copied());
+        let ball = ball.unwrap_or(leg.foot);
+        Track {
+            ball: world.iter().map(|at| at[ball]).collect(),
+        }
+    })
+}
+
+fn clip(capture: &Capture, skeleton: &Skeleton, name: &str, rate: f64, poses: &[Pose]) -> Clip {
+    Clip {
+        name: name.into(),
+        credit: String::new(),
+        rate,
+        joint: skeleton.name.clone(),
+        rotation: poses
+            .iter()
+            .flat_map(|pose| pose.rotation.iter().map(|turn| turn.as_vec3().to_array()))
+            .collect(),
+        translation: poses
+            .iter()
+            .map(|pose| pose.translation.as_vec3().to_array())
+            .collect(),
+        expression: expression(capture, rate, poses.len()),
+        expression_len: capture.expression_len,
+    }
+}
+
+/// The expressions of the nearest frames of the capture.
+fn expression(capture: &Capture, rate: f64, count: usize) -> Vec<f32> {
+    let length = capture.expression_len;
+    let row = |frame: usize| {
+        let at = (frame as f64 / rate * capture.rate).round() as usize;
+        let at = at.min(capture.frames() - 1);
+        capture.expression[at * length..][..length].iter().copied()
+    };
+    (0..count).flat_map(row).collect()
+}

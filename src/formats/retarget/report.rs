@@ -1,0 +1,231 @@
+//! How well an avatar follows a capture, in numbers.
+
+use super::{
+    align::Basis,
+    feet::{Soles, Track},
+    humanoid::Humanoid,
+    transfer::middle_of_hips,
+    tree::positions,
+    upright::Unit,
+};
+use effigy_core::avatar::{Pose, Skeleton};
+use glam::{DAffine3, DVec3};
+use std::ops::Range;
+
+/// A number over a clip.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Spread {
+    /// The mean.
+    pub mean: f64,
+    /// The largest.
+    pub max: f64,
+}
+
+impl Spread {
+    /// Of these numbers; zeros if there are none.
+    pub fn of(values: impl Iterator<Item = f64>) -> Self {
+        let mut count = 0.0;
+        let mut spread = Self::default();
+        for value in values {
+            count += 1.0;
+            spread.mean += value;
+            spread.max = spread.max.max(value);
+        }
+        spread.mean /= f64::max(count, 1.0);
+        spread
+    }
+}
+
+/// What was found in a capture, and how well the avatar follows it. The capture counts in the
+/// avatar's metres: scaled so that legs are as long.
+#[derive(Clone, Debug)]
+pub struct Report {
+    /// Parts and the joints that were taken for them.
+    pub joints: Vec<JointGuess>,
+    /// What aligns both bodies.
+    pub basis: Basis,
+    /// The file's axis that points up.
+    pub up: DVec3,
+    /// The unit of the file: said by it, else guessed from the legs.
+    pub unit: Unit,
+    /// Metres of the avatar a metre of the capture's body.
+    pub scale: f64,
+    /// The avatar's joints that move, of all.
+    pub driven: usize,
+    /// Joints of the avatar.
+    pub all: usize,
+    /// Between the heights of the hips over the lower ankle, metres.
+    pub hips: Spread,
+    /// Between positions of elbows, wrists, knees, ankles and head, each from the hips, metres.
+    pub positions: Spread,
+    /// Between the directions of upper arms, forearms, thighs and shins, degrees.
+    pub directions: Spread,
+    /// Contacts of both feet with the ground.
+    pub contacts: usize,
+    /// Share of all frames and feet that stand.
+    pub standing: f64,
+    /// Speed of the avatar's ball over the ground in contacts, metres a second.
+    pub slide: Spread,
+    /// The same of the capture.
+    pub source_slide: Spread,
+    /// How deep the avatar's soles are under the ground, metres.
+    pub sink: Spread,
+}
+
+/// A part and the joint that was taken for it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct JointGuess {
+    /// As Effigy's own rigs name it.
+    pub part: String,
+    /// As the file names it.
+    pub joint: String,
+}
+
+/// Frames of both bodies, side by side.
+pub struct Compared<'a> {
+    /// The capture's body.
+    pub source: &'a Humanoid,
+    /// Its joints, metres of the avatar and y up, a list a frame.
+    pub world: &'a [Vec<DVec3>],
+    /// The avatar.
+    pub skeleton: &'a Skeleton,
+    /// Its body.
+    pub target: &'a Humanoid,
+    /// Its poses.
+    pub poses: &'a [Pose],
+    /// Where each foot stands.
+    pub contacts: &'a [Vec<Range<usize>>; 2],
+    /// The ways of the capture's feet.
+    pub tracks: &'a [Track; 2],
+    /// Frames a second.
+    pub rate: f64,
+}
+
+/// The differences between two bodies.
+pub struct Differences {
+    /// See [`Report::hips`].
+    pub hips: Spread,
+    /// See [`Report::positions`].
+    pub positions: Spread,
+    /// See [`Report::directions`].
+    pub directions: Spread,
+    /// See [`Report::slide`].
+    pub slide: Spread,
+    /// See [`Report::source_slide`].
+    pub source_slide: Spread,
+    /// See [`Report::sink`].
+    pub sink: Spread,
+}
+
+/// A bone, as joints of both bodies.
+struct Pair {
+    source: [usize; 2],
+    target: [usize; 2],
+}
+
+fn bones(source: &Humanoid, target: &Humanoid) -> Vec<Pair> {
+    let arms = source.arms.iter().zip(&target.arms);
+    let legs = source.legs.iter().zip(&target.legs);
+    let arms = arms.flat_map(|(own, theirs)| {
+        [
+            Pair {
+                source: [own.upper, own.forearm],
+                target: [theirs.upper, theirs.forearm],
+            },
+            Pair {
+                source: [own.forearm, own.hand],
+                target: [theirs.forearm, theirs.hand],
+            },
+        ]
+    });
+    let legs = legs.flat_map(|(own, theirs)| {
+        [
+            Pair {
+                source: [own.thigh, own.shin],
+                target: [theirs.thigh, theirs.shin],
+            },
+            Pair {
+                source: [own.shin, own.foot],
+                target: [theirs.shin, theirs.foot],
+            },
+        ]
+    });
+    arms.chain(legs).collect()
+}
+
+/// Height of the lower ankle.
+fn low_ankle(humanoid: &Humanoid, at: &[DVec3]) -> f64 {
+    let [left, right] = humanoid.legs.each_ref().map(|leg| at[leg.foot].y);
+    left.min(right)
+}
+
+impl Compared<'_> {
+    /// Compares them.
+    pub fn differences(&self) -> Differences {
+        let joints: Vec<Vec<DAffine3>> = self
+            .poses
+            .iter()
+            .map(|pose| self.skeleton.joints(pose))
+            .collect();
+        let own: Vec<Vec<DVec3>> = joints.iter().map(|joints| positions(joints)).collect();
+        let frames = || self.world.iter().zip(&own);
+        let bones = bones(self.source, self.target);
+        let soles = Soles::new(self.skeleton, self.target);
+        // Over the lowest ankle: soles are of different heights.
+        let height = |humanoid: &Humanoid, at: &[DVec3]| {
+            middle_of_hips(humanoid, at).y - low_ankle(humanoid, at)
+        };
+        let hips = frames()
+            .map(|(theirs, own)| (height(self.target, own) - height(self.source, theirs)).abs());
+        let from_hips = |humanoid: &Humanoid, at: &[DVec3], joint: usize| {
+            at[joint] - middle_of_hips(humanoid, at)
+        };
+        let ends = || {
+            let heads = [self.source.head, self.target.head];
+            let limbs = bones.iter().map(|bone| [bone.source[1], bone.target[1]]);
+            limbs.chain([heads])
+        };
+        let positions = frames().flat_map(|(theirs, own)| {
+            ends().map(move |[source, target]| {
+                let source = from_hips(self.source, theirs, source);
+                source.distance(from_hips(self.target, own, target))
+            })
+        });
+        let directions = frames().flat_map(|(theirs, own)| {
+            bones.iter().map(move |bone| {
+                let along = |at: &[DVec3], [from, to]: [usize; 2]| at[to] - at[from];
+                let source = along(theirs, bone.source);
+                source.angle_between(along(own, bone.target)).to_degrees()
+            })
+        });
+        let balls: [Vec<DVec3>; 2] = [0, 1].map(|foot| {
+            joints
+                .iter()
+                .map(|joints| soles.ball(foot, joints))
+                .collect()
+        });
+        let sink = joints
+            .iter()
+            .flat_map(|joints| [0, 1].map(|foot| (-soles.lowest(foot, joints)).max(0.0)));
+        Differences {
+            hips: Spread::of(hips),
+            positions: Spread::of(positions),
+            directions: Spread::of(directions),
+            slide: self.slide([&balls[0], &balls[1]]),
+            source_slide: self.slide([&self.tracks[0].ball, &self.tracks[1].ball]),
+            sink: Spread::of(sink),
+        }
+    }
+
+    /// Speeds over the ground during contacts.
+    fn slide(&self, balls: [&[DVec3]; 2]) -> Spread {
+        let each = balls.into_iter().zip(self.contacts);
+        Spread::of(each.flat_map(|(ball, contacts)| {
+            contacts.iter().flat_map(move |contact| {
+                let frames = &ball[contact.clone()];
+                let step = |pair: &[DVec3]| (pair[1] - pair[0]).with_y(0.0).length() * self.rate;
+                frames.windows(2).map(step)
+            })
+        }))
+    }
+}

@@ -1,0 +1,200 @@
+//! The parts of a body by the shape of a tree alone: which joints are legs, arms and head where
+//! names say nothing.
+//!
+//! Two limbs are a pair if their bones are of the same lengths. The longest pair at the lowest fork
+//! are the legs; the longest pair above it, beside a third branch, are the arms, and that branch is
+//! neck and head. Feet point forward, which tells left from right.
+
+use super::{
+    part::{Bone, Part, Side},
+    tree::Tree,
+};
+use glam::DVec3;
+
+/// Relative difference of lengths that a pair of limbs may have.
+const PAIR: f64 = 0.15;
+
+/// For each joint the part that it is; None: the tree is no body's.
+pub fn parts(tree: &Tree) -> Option<Vec<Option<Part>>> {
+    let children = tree.children();
+    let reach = reach(tree, &children);
+    let longest = |joint: usize| -> Vec<usize> {
+        let next = |&joint: &usize| {
+            let below = children[joint].iter().copied();
+            below.max_by(|&a, &b| {
+                (length(tree, a) + reach[a]).total_cmp(&(length(tree, b) + reach[b]))
+            })
+        };
+        std::iter::successors(Some(joint), next).collect()
+    };
+    let pairs = |joint: usize| pair(tree, &children[joint], &reach);
+    // The hips: the fork with the longest pair of limbs and something that reaches up beside them.
+    let hips = (0..tree.len())
+        .filter(|&joint| children[joint].len() >= 3)
+        .max_by(|&a, &b| length_of(&pairs(a)).total_cmp(&length_of(&pairs(b))))?;
+    let legs = pairs(hips)?;
+    let mut trunk = children[hips]
+        .iter()
+        .copied()
+        .filter(|child| !legs.limbs.contains(child))
+        .max_by(|&a, &b| reach[a].total_cmp(&reach[b]))?;
+    let arms = loop {
+        let pair = pairs(trunk);
+        // Arms are about as long as legs; a pair of eyes or breasts is not.
+        if let Some(pair) = pair
+            && pair.length > 0.4 * legs.length
+        {
+            break pair;
+        }
+        trunk = children[trunk]
+            .iter()
+            .copied()
+            .max_by(|&a, &b| reach[a].total_cmp(&reach[b]))?;
+    };
+    let neck = children[trunk]
+        .iter()
+        .copied()
+        .filter(|child| !arms.limbs.contains(child))
+        .max_by(|&a, &b| reach[a].total_cmp(&reach[b]))?;
+    let mut parts = vec![None; tree.len()];
+    parts[hips] = Some(Part::Hips);
+    let up: Vec<usize> = longest(neck);
+    // The last joint of a chain is its end.
+    let head = up[up.len().saturating_sub(2).min(1)];
+    parts[head] = Some(Part::Head);
+    let leg_chains = legs.limbs.map(&longest);
+    let left = left_of(tree, &leg_chains, hips, trunk)?;
+    let arm_chains = arms.limbs.map(&longest);
+    let arm_left = same_side(tree, &arm_chains, &leg_chains[left], hips, trunk)?;
+    for (at, chain) in leg_chains.iter().enumerate() {
+        let side = side(at == left);
+        let bones = [Bone::Thigh, Bone::Shin, Bone::Foot, Bone::Toe];
+        let joints = long_bones(tree, chain, 2);
+        for (bone, joint) in bones.into_iter().zip(joints) {
+            parts[joint] = Some(Part::Bone { side, bone });
+        }
+    }
+    for (at, chain) in arm_chains.iter().enumerate() {
+        let side = side(at == arm_left);
+        let bones = [Bone::UpperArm, Bone::Forearm, Bone::Hand];
+        let joints = long_bones(tree, chain, 2);
+        let clavicle = chain
+            .first()
+            .filter(|first| Some(first) != joints.first().as_ref());
+        if let Some(&joint) = clavicle {
+            let bone = Bone::Clavicle;
+            parts[joint] = Some(Part::Bone { side, bone });
+        }
+        for (bone, joint) in bones.into_iter().zip(joints) {
+            parts[joint] = Some(Part::Bone { side, bone });
+        }
+    }
+    Some(parts)
+}
+
+fn side(is_left: bool) -> Side {
+    if is_left { Side::Left } else { Side::Right }
+}
+
+/// The length of the bone that ends at a joint.
+fn length(tree: &Tree, joint: usize) -> f64 {
+    tree.offsets[joint].length()
+}
+
+/// How far each joint's longest chain goes, from the joint on.
+fn reach(tree: &Tree, children: &[Vec<usize>]) -> Vec<f64> {
+    let mut reach = vec![0.0_f64; tree.len()];
+    for joint in (0..tree.len()).rev() {
+        let below = children[joint].iter();
+        reach[joint] = below
+            .map(|&child| length(tree, child) + reach[child])
+            .fold(0.0, f64::max);
+    }
+    reach
+}
+
+/// Two limbs of the same length at one joint.
+#[derive(Clone, Copy, Debug)]
+struct Pair {
+    limbs: [usize; 2],
+    length: f64,
+}
+
+fn length_of(pair: &Option<Pair>) -> f64 {
+    pair.map_or(0.0, |pair| pair.length)
+}
+
+/// The longest pair among a joint's children.
+fn pair(tree: &Tree, children: &[usize], reach: &[f64]) -> Option<Pair> {
+    let mut best: Option<Pair> = None;
+    for (at, &a) in children.iter().enumerate() {
+        for &b in &children[at + 1..] {
+            let [first, second] = [a, b].map(|limb| reach[limb]);
+            let longer = first.max(second);
+            let alike = (first - second).abs() <= PAIR * longer
+                && (length(tree, a) - length(tree, b)).abs() <= PAIR * longer;
+            if alike && longer > length_of(&best) {
+                best = Some(Pair {
+                    limbs: [a, b],
+                    length: longer,
+                });
+            }
+        }
+    }
+    best
+}
+
+/// The joints of a chain from the first long bone on: `count` long bones, and what follows them.
+fn long_bones(tree: &Tree, chain: &[usize], count: usize) -> Vec<usize> {
+    let bones: Vec<f64> = chain[1..]
+        .iter()
+        .map(|&joint| length(tree, joint))
+        .collect();
+    let longest = bones.iter().copied().fold(0.0, f64::max);
+    let first = bones.iter().position(|bone| *bone > 0.5 * longest);
+    let mut joints = vec![];
+    let mut at = first.unwrap_or(0);
+    while at < chain.len() && joints.len() < count + 2 {
+        // A bone that is cut in two has a joint that does not matter, a short way along it.
+        if joints.len() > count || bones.get(at).is_none_or(|bone| *bone > 0.02 * longest) {
+            joints.push(chain[at]);
+        }
+        at += 1;
+    }
+    joints
+}
+
+/// Which of two legs is the left one: feet point forward.
+fn left_of(tree: &Tree, legs: &[Vec<usize>; 2], hips: usize, trunk: usize) -> Option<usize> {
+    let up = (tree.rest[trunk] - tree.rest[hips]).try_normalize()?;
+    let forward: DVec3 = legs
+        .iter()
+        .map(|leg| {
+            let joints = long_bones(tree, leg, 2);
+            match joints.as_slice() {
+                [_, _, foot, toe, ..] => tree.rest[*toe] - tree.rest[*foot],
+                _ => DVec3::ZERO,
+            }
+        })
+        .sum();
+    let forward = forward.reject_from_normalized(up).try_normalize()?;
+    let across = tree.rest[legs[0][0]] - tree.rest[legs[1][0]];
+    let left = up.cross(forward);
+    Some(usize::from(across.dot(left) < 0.0))
+}
+
+/// Which of two arms is on a leg's side.
+fn same_side(
+    tree: &Tree,
+    arms: &[Vec<usize>; 2],
+    leg: &[usize],
+    hips: usize,
+    trunk: usize,
+) -> Option<usize> {
+    let out = tree.rest[*leg.first()?] - tree.rest[hips];
+    let far = |arm: &Vec<usize>| {
+        let last = arm.last().copied().unwrap_or(trunk);
+        (tree.rest[last] - tree.rest[trunk]).dot(out)
+    };
+    Some(usize::from(far(&arms[0]) < far(&arms[1])))
+}

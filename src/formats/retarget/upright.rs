@@ -1,0 +1,165 @@
+//! Which way is up in a capture, and how long its unit is.
+
+use super::{humanoid::Humanoid, tree::positions};
+use crate::capture::Capture;
+use glam::{DAffine3, DQuat, DVec3};
+
+/// Frames that are looked at, spread over the capture.
+pub const LOOKED_AT: usize = 400;
+
+/// Indices of at most [`LOOKED_AT`] frames.
+pub fn spread(frames: usize) -> impl Iterator<Item = usize> + Clone {
+    let count = frames.min(LOOKED_AT);
+    (0..count).map(move |at| at * frames / count)
+}
+
+/// From the feet to the head.
+fn feet_to_head(humanoid: &Humanoid, at: &[DVec3]) -> DVec3 {
+    let feet: DVec3 = humanoid.legs.iter().map(|leg| at[leg.foot]).sum();
+    at[humanoid.head] - feet / 2.0
+}
+
+/// Whether joints stand as a body does: feet under knees under hips under the head.
+pub fn stands(humanoid: &Humanoid, at: &[DVec3], up: DVec3) -> bool {
+    let feet_to_head = feet_to_head(humanoid, at);
+    let height = feet_to_head.dot(up);
+    let higher = |a: usize, b: usize, share: f64| (at[a] - at[b]).dot(up) > share * height;
+    height > 0.7 * feet_to_head.length()
+        && higher(humanoid.head, humanoid.chest(), 0.05)
+        && humanoid.legs.iter().all(|leg| {
+            higher(leg.thigh, leg.shin, 0.12)
+                && higher(leg.shin, leg.foot, 0.12)
+                && higher(humanoid.head, leg.thigh, 0.3)
+        })
+}
+
+/// The axis of the file that points up: the one that most frames stand along.
+pub fn up_axis(capture: &Capture, humanoid: &Humanoid) -> DVec3 {
+    if let Some(up) = capture.up {
+        return up;
+    }
+    let rest = positions(&capture.rest());
+    let axes = DVec3::AXES.into_iter().flat_map(|axis| [axis, -axis]);
+    // Most files stand in their rest pose, and lie or tumble in some frames at most.
+    if let Some(up) = axes.clone().find(|up| stands(humanoid, &rest, *up)) {
+        return up;
+    }
+    let frames: DVec3 = spread(capture.frames())
+        .map(|frame| {
+            let at = positions(&capture.world(frame));
+            feet_to_head(humanoid, &at).normalize_or_zero()
+        })
+        .sum();
+    let along = |axis: &DVec3| frames.dot(*axis);
+    axes.max_by(|a, b| along(a).total_cmp(&along(b)))
+        .unwrap_or(DVec3::Y)
+}
+
+/// Turns a file's axes so that +y points up, and as little as possible.
+fn to_y_up(up: DVec3) -> DAffine3 {
+    DAffine3::from_quat(if up == -DVec3::Y {
+        DQuat::from_rotation_x(std::f64::consts::PI)
+    } else {
+        DQuat::from_rotation_arc(up, DVec3::Y)
+    })
+}
+
+/// A capture in axes whose y points up, looked at joint by joint.
+pub struct Upright<'a> {
+    capture: &'a Capture,
+    to_y_up: DAffine3,
+}
+
+impl<'a> Upright<'a> {
+    /// `up`: the capture's axis that points up.
+    pub fn new(capture: &'a Capture, up: DVec3) -> Self {
+        Self {
+            capture,
+            to_y_up: to_y_up(up),
+        }
+    }
+
+    /// The capture as in its file.
+    pub fn capture(&self) -> &'a Capture {
+        self.capture
+    }
+
+    /// Joints to world in a frame; the file's unit.
+    pub fn world(&self, frame: usize) -> Vec<DAffine3> {
+        self.turn(self.capture.world(frame))
+    }
+
+    /// Joints to world in the rest pose; the file's unit.
+    pub fn rest(&self) -> Vec<DAffine3> {
+        self.turn(self.capture.rest())
+    }
+
+    /// Joints to world at a moment, seconds; the file's unit.
+    pub fn world_at(&self, seconds: f64) -> Vec<DAffine3> {
+        self.turn(self.capture.world_at(seconds))
+    }
+
+    fn turn(&self, mut world: Vec<DAffine3>) -> Vec<DAffine3> {
+        for joint in &mut world {
+            *joint = self.to_y_up * *joint;
+        }
+        world
+    }
+}
+
+/// A unit of length.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Unit {
+    /// Its name.
+    pub name: &'static str,
+    /// Metres.
+    pub metres: f64,
+}
+
+/// Units of captures.
+const UNITS: [Unit; 6] = [
+    Unit {
+        name: "metres",
+        metres: 1.0,
+    },
+    Unit {
+        name: "centimetres",
+        metres: 0.01,
+    },
+    Unit {
+        name: "millimetres",
+        metres: 0.001,
+    },
+    Unit {
+        name: "inches",
+        metres: 0.0254,
+    },
+    Unit {
+        name: "CMU's units of 1/0.45 inch",
+        metres: 0.0254 / 0.45,
+    },
+    Unit {
+        name: "decimetres",
+        metres: 0.1,
+    },
+];
+/// Length of thigh and shin of most people, metres.
+const LEG: f64 = 0.82;
+
+/// The unit in which these legs, thigh and shin, are most like a person's.
+pub fn unit(leg: f64) -> Unit {
+    let far = |unit: &Unit| (leg * unit.metres / LEG).ln().abs();
+    UNITS
+        .into_iter()
+        .min_by(|a, b| far(a).total_cmp(&far(b)))
+        .unwrap_or(UNITS[0])
+}
+
+/// A unit that a file says.
+pub fn said_unit(metres: f64) -> Unit {
+    let same = |unit: &Unit| (unit.metres / metres - 1.0).abs() < 1e-3;
+    UNITS.into_iter().find(same).unwrap_or(Unit {
+        name: "its own units",
+        metres,
+    })
+}
