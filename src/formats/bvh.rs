@@ -7,10 +7,13 @@
 
 use crate::{
     assumption::Assumption,
-    capture::{Capture, CaptureJoint, Captured, LocalPose, MAX_FRAMES, MAX_JOINTS, MAX_ROTATIONS},
+    capture::{
+        Capture, CaptureJoint, Captured, LocalPose, MAX_FRAMES, MAX_JOINTS, MAX_ROTATIONS,
+        memory_limit,
+    },
 };
 use effigy_core::io::file::{FormatError, excerpt};
-use glam::{DQuat, DVec3};
+use glam::{DQuat, DVec3, Vec3};
 
 /// Whether bytes begin as a BVH file does.
 pub fn is_bvh(bytes: &[u8]) -> bool {
@@ -87,8 +90,11 @@ pub fn from_bytes(bytes: &[u8]) -> Result<Captured, FormatError> {
         let found = format!("a frame time of {frame_time} s");
         return Err(FormatError::container(found, "more than 0"));
     }
-    let mut frames = Frames::new(&hierarchy);
+    let mut frames = Frames::new(&hierarchy, memory_limit(bytes.len()));
     for line in lines {
+        if frames.local.len() == hierarchy.joints.len() {
+            frames.reserve(bytes.len() / line.text.len().max(1));
+        }
         for word in line.text.split_ascii_whitespace() {
             frames.push(line.number(Some(word))?)?;
         }
@@ -135,10 +141,10 @@ fn keep_offsets(hierarchy: &Hierarchy, local: &mut [LocalPose], assumptions: &mu
         if joint.parent.is_some()
             && joint.offset != DVec3::ZERO
             && hierarchy.channels[at].iter().any(moves)
-            && own().all(|pose| pose.offset == DVec3::ZERO)
+            && own().all(|pose| pose.offset == Vec3::ZERO)
         {
             for pose in local.iter_mut().skip(at).step_by(count) {
-                pose.offset = joint.offset;
+                pose.offset = joint.offset.as_vec3();
             }
             kept += 1;
         }
@@ -159,16 +165,29 @@ struct Frames<'a> {
     /// Numbers of the frame that is being read.
     row: Vec<f64>,
     width: usize,
+    /// Most frames.
+    limit: usize,
 }
 
 impl<'a> Frames<'a> {
-    fn new(hierarchy: &'a Hierarchy) -> Self {
+    /// `bytes`: what the frames may take.
+    fn new(hierarchy: &'a Hierarchy, bytes: usize) -> Self {
+        let joints = hierarchy.joints.len();
+        let fits = bytes / (joints * size_of::<LocalPose>());
         Self {
             hierarchy,
             local: vec![],
             row: vec![],
             width: hierarchy.channels.iter().map(Vec::len).sum(),
+            limit: fits.min(MAX_FRAMES).min(MAX_ROTATIONS / joints),
         }
+    }
+
+    /// Takes memory for about as many frames as the file can have, so that it is not copied.
+    fn reserve(&mut self, frames: usize) {
+        let frames = frames.min(self.limit);
+        self.local
+            .reserve_exact(frames * self.hierarchy.joints.len());
     }
 
     fn count(&self) -> usize {
@@ -180,27 +199,27 @@ impl<'a> Frames<'a> {
         if self.row.len() < self.width {
             return Ok(());
         }
-        let most = MAX_FRAMES.min(MAX_ROTATIONS / self.hierarchy.joints.len());
-        if self.count() == most {
-            let found = format!("more than {most} frames");
-            return Err(FormatError::container(found, "at most as many"));
+        if self.count() == self.limit {
+            let found = format!("more than {} frames", self.limit);
+            let expected = "at most as many, of so many joints in so small a file";
+            return Err(FormatError::container(found, expected));
         }
         let mut values = self.row.drain(..);
         for (joint, channels) in self.hierarchy.joints.iter().zip(&self.hierarchy.channels) {
-            let mut pose = LocalPose {
-                rotation: DQuat::IDENTITY,
-                offset: joint.offset,
-            };
+            let mut rotation = DQuat::IDENTITY;
+            let mut offset = joint.offset;
             for (channel, value) in channels.iter().zip(&mut values) {
                 match *channel {
-                    Channel::Position(axis) => pose.offset[axis] = value,
+                    Channel::Position(axis) => offset[axis] = value,
                     Channel::Rotation(axis) => {
-                        pose.rotation *=
-                            DQuat::from_axis_angle(DVec3::AXES[axis], value.to_radians());
+                        rotation *= DQuat::from_axis_angle(DVec3::AXES[axis], value.to_radians());
                     }
                 }
             }
-            self.local.push(pose);
+            self.local.push(LocalPose {
+                rotation: rotation.as_quat(),
+                offset: offset.as_vec3(),
+            });
         }
         Ok(())
     }
@@ -217,7 +236,7 @@ impl<'a> Frames<'a> {
             assumptions.push(Assumption {
                 what: "frames",
                 taken: count.to_string(),
-                because: format!("the file announces {announced}, and has as many"),
+                because: format!("the file announces {announced}"),
             });
         }
         if !self.row.is_empty() {

@@ -13,6 +13,7 @@ mod governor;
 mod layout;
 mod learned;
 mod memory;
+mod motion;
 mod onesweep;
 mod phone_model;
 mod ply;
@@ -49,6 +50,8 @@ fn main() -> ExitCode {
             governor,
             layout,
             learned,
+            motion,
+            motion::hostile,
             onesweep,
             phone_model,
             ply,

@@ -2,7 +2,7 @@
 //! Each reader gives a [`Capture`].
 
 use crate::assumption::Assumption;
-use glam::{DAffine3, DQuat, DVec3};
+use glam::{DAffine3, DQuat, DVec3, Quat, Vec3};
 
 /// Most joints that a capture may have: several people with hands, and what they carry.
 pub const MAX_JOINTS: usize = 4096;
@@ -24,13 +24,26 @@ pub struct CaptureJoint {
     pub rest: DQuat,
 }
 
-/// A joint's place relative to its parent.
+/// A joint's place relative to its parent. In 32 bits, since captures have millions of them: a
+/// millionth of a radian.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LocalPose {
     /// Relative to the parent.
-    pub rotation: DQuat,
+    pub rotation: Quat,
     /// From the parent, in the parent's axes and the file's unit.
-    pub offset: DVec3,
+    pub offset: Vec3,
+}
+
+impl LocalPose {
+    fn matrix(self) -> DAffine3 {
+        let rotation = self.rotation.as_dquat().normalize();
+        DAffine3::from_rotation_translation(rotation, self.offset.as_dvec3())
+    }
+}
+
+/// Bytes that the frames of a capture may take, for a file of so many bytes.
+pub fn memory_limit(bytes: usize) -> usize {
+    3 * bytes + (32 << 20)
 }
 
 /// A skeleton and its motion as in their file.
@@ -77,8 +90,7 @@ impl Capture {
     /// # Panics
     /// When there is no such frame.
     pub fn world(&self, frame: usize) -> Vec<DAffine3> {
-        let count = self.joints.len();
-        self.compose(self.local[frame * count..][..count].iter().copied())
+        self.compose(self.frame(frame).iter().map(|pose| pose.matrix()))
     }
 
     /// Joints to world at a moment, seconds; between frames each joint rotates the shortest way,
@@ -87,31 +99,36 @@ impl Capture {
     /// # Panics
     /// When there is no frame.
     pub fn world_at(&self, seconds: f64) -> Vec<DAffine3> {
-        let count = self.joints.len();
         let last = self.frames().saturating_sub(1);
         let at = (seconds * self.rate).max(0.0).min(last as f64);
         let first = at.floor() as usize;
         let share = at.fract();
-        let frame = |frame: usize| self.local[frame * count..][..count].iter();
-        let next = frame((first + 1).min(last));
-        self.compose(frame(first).zip(next).map(|(a, b)| LocalPose {
-            rotation: a.rotation.slerp(b.rotation, share),
-            offset: a.offset.lerp(b.offset, share),
+        let next = self.frame((first + 1).min(last));
+        self.compose(self.frame(first).iter().zip(next).map(|(a, b)| {
+            let [from, to] = [a, b].map(|pose| pose.rotation.as_dquat().normalize());
+            DAffine3::from_rotation_translation(
+                from.slerp(to, share),
+                a.offset.as_dvec3().lerp(b.offset.as_dvec3(), share),
+            )
         }))
     }
 
     /// Joints to world in the rest pose.
     pub fn rest(&self) -> Vec<DAffine3> {
-        self.compose(self.joints.iter().map(|joint| LocalPose {
-            rotation: joint.rest,
-            offset: joint.offset,
-        }))
+        let joints = self.joints.iter();
+        self.compose(
+            joints.map(|joint| DAffine3::from_rotation_translation(joint.rest, joint.offset)),
+        )
     }
 
-    fn compose(&self, local: impl Iterator<Item = LocalPose>) -> Vec<DAffine3> {
+    fn frame(&self, frame: usize) -> &[LocalPose] {
+        let count = self.joints.len();
+        &self.local[frame * count..][..count]
+    }
+
+    fn compose(&self, local: impl Iterator<Item = DAffine3>) -> Vec<DAffine3> {
         let mut world: Vec<DAffine3> = Vec::with_capacity(self.joints.len());
-        for (joint, local) in self.joints.iter().zip(local) {
-            let own = DAffine3::from_rotation_translation(local.rotation, local.offset);
+        for (joint, own) in self.joints.iter().zip(local) {
             world.push(joint.parent.map_or(own, |parent| world[parent] * own));
         }
         world

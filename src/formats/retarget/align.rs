@@ -171,10 +171,16 @@ fn from_rest(bodies: &Bodies, upright: &Upright) -> Vec<DQuat> {
     let world = upright.rest();
     let at = positions(&world);
     let turn = heading(bodies.source, &at);
-    let mut references: Vec<DQuat> = rotations(&world).iter().map(|own| turn * *own).collect();
+    // What turns each limb bone from where it is at rest to where the avatar's is. A bone is turned
+    // as the one above it first, so that what is left is small, and does not twist it.
+    let mut turns: Vec<Option<DQuat>> = vec![None; bodies.tree.len()];
     let mut align = |joint: usize, from: DVec3, to: DVec3| {
-        if let (Some(from), Some(to)) = (from.try_normalize(), to.try_normalize()) {
-            references[joint] = DQuat::from_rotation_arc(from, to) * references[joint];
+        let mut above = bodies.tree.chain_up(joint).skip(1);
+        let above = above
+            .find_map(|above| turns[above])
+            .unwrap_or(DQuat::IDENTITY);
+        if let (Some(from), Some(to)) = ((above * from).try_normalize(), to.try_normalize()) {
+            turns[joint] = Some(DQuat::from_rotation_arc(from, to) * above);
         }
     };
     for bone in bodies.limb_bones() {
@@ -188,16 +194,20 @@ fn from_rest(bodies: &Bodies, upright: &Upright) -> Vec<DQuat> {
         // Soles are flat in both rest poses: only the direction over the ground is aligned.
         let ball = own.toe.or_else(|| children[own.foot].first().copied());
         if let (Some(ball), Some(their_ball)) = (ball, theirs.toe) {
-            let flat = |way: DVec3| way.with_y(0.0);
-            let from = flat(turn * (at[ball] - at[own.foot]));
-            let to = flat(target_rest[their_ball] - target_rest[theirs.foot]);
-            align(own.foot, from, to);
-            if let Some(toe) = own.toe {
-                align(toe, from, to);
+            let from = (turn * (at[ball] - at[own.foot])).with_y(0.0);
+            let to = (target_rest[their_ball] - target_rest[theirs.foot]).with_y(0.0);
+            if let (Some(from), Some(to)) = (from.try_normalize(), to.try_normalize()) {
+                let flat = Some(DQuat::from_rotation_arc(from, to));
+                turns[own.foot] = flat;
+                if let Some(toe) = own.toe {
+                    turns[toe] = flat;
+                }
             }
         }
     }
-    references.iter().map(|own| own.inverse()).collect()
+    let own = rotations(&world).into_iter().zip(turns);
+    own.map(|(own, limb)| (limb.unwrap_or(DQuat::IDENTITY) * turn * own).inverse())
+        .collect()
 }
 
 /// A rotation that takes a first direction to another, and a second one as near as it can.

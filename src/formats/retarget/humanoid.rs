@@ -269,14 +269,11 @@ fn arm(tree: &Tree, parts: &[Option<Part>], side: Side) -> Option<Arm> {
 }
 
 fn fingers(tree: &Tree, parts: &[Option<Part>], side: Side, hand: usize) -> [Vec<usize>; 5] {
-    let children = tree.children();
     let fingers = [0, 1, 2, 3, 4].map(|finger| {
         let part = Part::Finger { side, finger };
         let below = joints_of(parts, part).filter(|&joint| tree.is_above(hand, joint));
-        let joints: Vec<usize> = below.take(3).collect();
-        // A finger's end does not turn.
-        let turns = |joint: &usize| !children[*joint].is_empty() || joints.len() == 1;
-        joints.iter().copied().filter(turns).collect::<Vec<_>>()
+        // A fourth one is the finger's tip.
+        below.take(3).collect::<Vec<usize>>()
     });
     let found = fingers.iter().filter(|joints| !joints.is_empty()).count();
     if found < 3 {

@@ -1,7 +1,7 @@
 //! The parts of a body by the shape of a tree alone: which joints are legs, arms and head where
 //! names say nothing.
 //!
-//! Two limbs are a pair if their bones are of the same lengths. The longest pair at the lowest fork
+//! Two limbs are a pair if their longest chains have as many bones, of the same lengths. The longest pair at the lowest fork
 //! are the legs; the longest pair above it, beside a third branch, are the arms, and that branch is
 //! neck and head. Feet point forward, which tells left from right.
 
@@ -11,35 +11,29 @@ use super::{
 };
 use glam::DVec3;
 
-/// Relative difference of lengths that a pair of limbs may have.
-const PAIR: f64 = 0.15;
+/// Difference of two bones of a pair, beside the length of the limb.
+const PAIR: f64 = 0.05;
 
 /// For each joint the part that it is; None: the tree is no body's.
 pub fn parts(tree: &Tree) -> Option<Vec<Option<Part>>> {
-    let children = tree.children();
-    let reach = reach(tree, &children);
-    let longest = |joint: usize| -> Vec<usize> {
-        let next = |&joint: &usize| {
-            let below = children[joint].iter().copied();
-            below.max_by(|&a, &b| {
-                (length(tree, a) + reach[a]).total_cmp(&(length(tree, b) + reach[b]))
-            })
-        };
-        std::iter::successors(Some(joint), next).collect()
-    };
-    let pairs = |joint: usize| pair(tree, &children[joint], &reach);
+    let shape = Shape::new(tree);
+    let Shape {
+        children, reach, ..
+    } = &shape;
+    let pairs: Vec<Option<Pair>> = (0..tree.len()).map(|joint| shape.pair(joint)).collect();
+    let longest = |joint: usize| shape.chain(joint);
     // The hips: the fork with the longest pair of limbs and something that reaches up beside them.
     let hips = (0..tree.len())
         .filter(|&joint| children[joint].len() >= 3)
-        .max_by(|&a, &b| length_of(&pairs(a)).total_cmp(&length_of(&pairs(b))))?;
-    let legs = pairs(hips)?;
+        .max_by(|&a, &b| length_of(&pairs[a]).total_cmp(&length_of(&pairs[b])))?;
+    let legs = pairs[hips]?;
     let mut trunk = children[hips]
         .iter()
         .copied()
         .filter(|child| !legs.limbs.contains(child))
         .max_by(|&a, &b| reach[a].total_cmp(&reach[b]))?;
     let arms = loop {
-        let pair = pairs(trunk);
+        let pair = pairs[trunk];
         // Arms are about as long as legs; a pair of eyes or breasts is not.
         if let Some(pair) = pair
             && pair.length > 0.4 * legs.length
@@ -62,14 +56,14 @@ pub fn parts(tree: &Tree) -> Option<Vec<Option<Part>>> {
     // The last joint of a chain is its end.
     let head = up[up.len().saturating_sub(2).min(1)];
     parts[head] = Some(Part::Head);
-    let leg_chains = legs.limbs.map(&longest);
+    let leg_chains = legs.limbs.map(longest);
     let left = left_of(tree, &leg_chains, hips, trunk)?;
-    let arm_chains = arms.limbs.map(&longest);
+    let arm_chains = arms.limbs.map(longest);
     let arm_left = same_side(tree, &arm_chains, &leg_chains[left], hips, trunk)?;
     for (at, chain) in leg_chains.iter().enumerate() {
         let side = side(at == left);
         let bones = [Bone::Thigh, Bone::Shin, Bone::Foot, Bone::Toe];
-        let joints = long_bones(tree, chain, 2);
+        let joints = long_bones(tree, chain);
         for (bone, joint) in bones.into_iter().zip(joints) {
             parts[joint] = Some(Part::Bone { side, bone });
         }
@@ -77,7 +71,7 @@ pub fn parts(tree: &Tree) -> Option<Vec<Option<Part>>> {
     for (at, chain) in arm_chains.iter().enumerate() {
         let side = side(at == arm_left);
         let bones = [Bone::UpperArm, Bone::Forearm, Bone::Hand];
-        let joints = long_bones(tree, chain, 2);
+        let joints = long_bones(tree, chain);
         let clavicle = chain
             .first()
             .filter(|first| Some(first) != joints.first().as_ref());
@@ -101,18 +95,6 @@ fn length(tree: &Tree, joint: usize) -> f64 {
     tree.offsets[joint].length()
 }
 
-/// How far each joint's longest chain goes, from the joint on.
-fn reach(tree: &Tree, children: &[Vec<usize>]) -> Vec<f64> {
-    let mut reach = vec![0.0_f64; tree.len()];
-    for joint in (0..tree.len()).rev() {
-        let below = children[joint].iter();
-        reach[joint] = below
-            .map(|&child| length(tree, child) + reach[child])
-            .fold(0.0, f64::max);
-    }
-    reach
-}
-
 /// Two limbs of the same length at one joint.
 #[derive(Clone, Copy, Debug)]
 struct Pair {
@@ -124,44 +106,79 @@ fn length_of(pair: &Option<Pair>) -> f64 {
     pair.map_or(0.0, |pair| pair.length)
 }
 
-/// The longest pair among a joint's children.
-fn pair(tree: &Tree, children: &[usize], reach: &[f64]) -> Option<Pair> {
-    let mut best: Option<Pair> = None;
-    for (at, &a) in children.iter().enumerate() {
-        for &b in &children[at + 1..] {
-            let [first, second] = [a, b].map(|limb| reach[limb]);
-            let longer = first.max(second);
-            let alike = (first - second).abs() <= PAIR * longer
-                && (length(tree, a) - length(tree, b)).abs() <= PAIR * longer;
-            if alike && longer > length_of(&best) {
-                best = Some(Pair {
-                    limbs: [a, b],
-                    length: longer,
-                });
-            }
-        }
-    }
-    best
+/// A tree and the lengths in it.
+struct Shape<'a> {
+    tree: &'a Tree,
+    children: Vec<Vec<usize>>,
+    /// How far each joint's longest chain goes, from the joint on.
+    reach: Vec<f64>,
 }
 
-/// The joints of a chain from the first long bone on: `count` long bones, and what follows them.
-fn long_bones(tree: &Tree, chain: &[usize], count: usize) -> Vec<usize> {
+impl<'a> Shape<'a> {
+    fn new(tree: &'a Tree) -> Self {
+        let children = tree.children();
+        let mut reach = vec![0.0_f64; tree.len()];
+        for joint in (0..tree.len()).rev() {
+            let below = children[joint].iter();
+            reach[joint] = below
+                .map(|&child| length(tree, child) + reach[child])
+                .fold(0.0, f64::max);
+        }
+        Self {
+            tree,
+            children,
+            reach,
+        }
+    }
+
+    /// The longest chain from a joint on.
+    fn chain(&self, joint: usize) -> Vec<usize> {
+        let far = |joint: usize| length(self.tree, joint) + self.reach[joint];
+        let next = |&joint: &usize| {
+            let below = self.children[joint].iter().copied();
+            below.max_by(|&a, &b| far(a).total_cmp(&far(b)))
+        };
+        std::iter::successors(Some(joint), next).collect()
+    }
+
+    /// Whether two limbs are alike, bone by bone.
+    fn alike(&self, limbs: [usize; 2]) -> bool {
+        let [first, second] = limbs.map(|limb| self.chain(limb));
+        let most = PAIR * self.reach[limbs[0]].max(self.reach[limbs[1]]);
+        let mut bones = first.iter().zip(&second);
+        first.len() == second.len()
+            && bones.all(|(&a, &b)| (length(self.tree, a) - length(self.tree, b)).abs() <= most)
+    }
+
+    /// The longest pair among a joint's children.
+    fn pair(&self, joint: usize) -> Option<Pair> {
+        let children = &self.children[joint];
+        let pairs = children.iter().enumerate().flat_map(|(at, &a)| {
+            let others = children[at + 1..].iter();
+            others.map(move |&b| [a, b])
+        });
+        pairs
+            .filter(|limbs| self.alike(*limbs))
+            .map(|limbs| Pair {
+                limbs,
+                length: self.reach[limbs[0]],
+            })
+            .max_by(|a, b| a.length.total_cmp(&b.length))
+    }
+}
+
+/// The joints of a limb from its two long bones on, which are the last ones that are long: hands and
+/// feet are short, collar bones need not be.
+fn long_bones(tree: &Tree, chain: &[usize]) -> Vec<usize> {
     let bones: Vec<f64> = chain[1..]
         .iter()
         .map(|&joint| length(tree, joint))
         .collect();
     let longest = bones.iter().copied().fold(0.0, f64::max);
-    let first = bones.iter().position(|bone| *bone > 0.5 * longest);
-    let mut joints = vec![];
-    let mut at = first.unwrap_or(0);
-    while at < chain.len() && joints.len() < count + 2 {
-        // A bone that is cut in two has a joint that does not matter, a short way along it.
-        if joints.len() > count || bones.get(at).is_none_or(|bone| *bone > 0.02 * longest) {
-            joints.push(chain[at]);
-        }
-        at += 1;
-    }
-    joints
+    let last = bones.iter().rposition(|bone| *bone > 0.5 * longest);
+    let first = last.unwrap_or(0).saturating_sub(1);
+    let joints = chain[first..].iter().copied();
+    joints.take(4).collect()
 }
 
 /// Which of two legs is the left one: feet point forward.
@@ -170,7 +187,7 @@ fn left_of(tree: &Tree, legs: &[Vec<usize>; 2], hips: usize, trunk: usize) -> Op
     let forward: DVec3 = legs
         .iter()
         .map(|leg| {
-            let joints = long_bones(tree, leg, 2);
+            let joints = long_bones(tree, leg);
             match joints.as_slice() {
                 [_, _, foot, toe, ..] => tree.rest[*toe] - tree.rest[*foot],
                 _ => DVec3::ZERO,

@@ -134,6 +134,7 @@ fn a_static_avatar_needs_no_clip() {
     let (avatar, clips) = Source {
         avatar: Some(path),
         motion: vec![],
+        joints: Default::default(),
         up: Some(Up::Y),
         project: Default::default(),
     }
@@ -149,6 +150,7 @@ fn a_static_avatar_needs_no_clip() {
     let missing = Source {
         avatar: Some(folder.path().join("none.ply")),
         motion: vec![],
+        joints: Default::default(),
         up: None,
         project: Default::default(),
     }
