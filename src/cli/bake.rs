@@ -7,7 +7,7 @@ use crate::{
 };
 use anyhow::{Context, ensure};
 use effigy_core::avatar::{Avatar, Clip, limits};
-use effigy_learn::bake::{self, Assets, BakeSizes, BodyShape, RetargetOptions};
+use effigy_learn::bake::{self, Assets, BakeSizes, BodyShape, CutOptions, credits::MOTION_CREDIT};
 use std::{
     cell::Cell,
     path::{Path, PathBuf},
@@ -24,7 +24,7 @@ pub struct Args {
 enum BakeCommand {
     /// Make an avatar from the MakeHuman body
     Body(BodyArgs),
-    /// Make a clip from CMU motion capture
+    /// Make a clip from motion capture, cut and with a face that moves
     Motion(MotionArgs),
 }
 
@@ -105,8 +105,7 @@ struct BodyArgs {
 
 #[derive(clap::Args, Debug)]
 struct MotionArgs {
-    /// Motion capture, a .bvh file with CMU's joint names; a file name alone is also looked for
-    /// among the assets
+    /// Motion capture, a .bvh file; a file name alone is also looked for among the assets
     capture: PathBuf,
     /// Motion file to write
     #[arg(short, long, value_name = "FILE")]
@@ -170,13 +169,14 @@ fn body(args: &BodyArgs) -> anyhow::Result<()> {
 
 /// The clip that the body is baked for unless the user names others.
 fn default_clip(assets: &Assets, shape: BodyShape) -> anyhow::Result<Clip> {
-    let options = RetargetOptions {
+    let options = CutOptions {
         rate: 30.0,
         from: 0.0,
         to: None,
         in_place: false,
         start: None,
         fade: 0.0,
+        credit: MOTION_CREDIT.into(),
     };
     let skeleton = bake::skeleton(assets, shape)?;
     Ok(bake::motion(
@@ -216,13 +216,18 @@ fn motion(args: &MotionArgs) -> anyhow::Result<()> {
     } else {
         &args.capture
     };
-    let options = RetargetOptions {
+    let options = CutOptions {
         rate: f64::from(args.fps),
         from: args.from,
         to: args.to,
         in_place: args.in_place,
         start: args.start,
         fade: args.fade,
+        credit: if capture.starts_with(&args.assets.assets) {
+            MOTION_CREDIT.into()
+        } else {
+            String::new()
+        },
     };
     let clip = bake::motion(capture, &skeleton, &options)?;
     clip.write(&args.out)?;

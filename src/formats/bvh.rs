@@ -103,6 +103,7 @@ pub fn from_bytes(bytes: &[u8]) -> Result<Captured, FormatError> {
     frames.report(announced, &mut assumptions)?;
     let mut local = frames.local;
     keep_offsets(&hierarchy, &mut local, &mut assumptions);
+    leave_out_rest(hierarchy.joints.len(), &mut local, &mut assumptions);
     Ok(Captured {
         capture: Capture {
             joints: hierarchy.joints,
@@ -154,6 +155,26 @@ fn keep_offsets(hierarchy: &Hierarchy, local: &mut [LocalPose], assumptions: &mu
             what: "joints with positions of 0 in every frame",
             taken: format!("{kept}, which keep their offsets"),
             because: "they would all be at one point".into(),
+        });
+    }
+}
+
+/// Puts the second frame in the place of the first one if that is the rest pose, which programs
+/// write before the motion.
+fn leave_out_rest(joints: usize, local: &mut [LocalPose], assumptions: &mut Vec<Assumption>) {
+    let Some((first, rest)) = local.split_at_mut_checked(joints) else {
+        return;
+    };
+    let rests = |pose: &LocalPose| pose.rotation.is_near_identity();
+    let Some(second) = rest.get(..joints) else {
+        return;
+    };
+    if first.iter().all(rests) && !second.iter().all(rests) {
+        first.copy_from_slice(second);
+        assumptions.push(Assumption {
+            what: "the first frame",
+            taken: "left out".into(),
+            because: "it is the rest pose, and the second is not".into(),
         });
     }
 }

@@ -4,8 +4,7 @@
 use crate::common;
 use effigy_core::avatar::{Avatar, Clip, Pose};
 use effigy_learn::bake::{
-    self, Assets, BakeSizes, BodyShape, RetargetOptions, SourceError,
-    source::bvh::Bvh,
+    self, Assets, BakeSizes, BodyShape, CutOptions, SourceError,
     source::obj::Obj,
     source::rig::{self, Influence},
     source::target::MorphTarget,
@@ -162,68 +161,8 @@ fn a_bad_rig_is_refused() {
     assert_says(weights("[[7, 1]]"), &["vertex 7", "below 2"]);
 }
 
-const BVH: &str = "HIERARCHY
-ROOT Hips
-{
-  OFFSET 0 1 0
-  CHANNELS 6 Xposition Yposition Zposition Zrotation Yrotation Xrotation
-  JOINT Knee
-  {
-    OFFSET 0 -1 0
-    CHANNELS 3 Zrotation Yrotation Xrotation
-    End Site
-    {
-      OFFSET 0 -1 0
-    }
-  }
-}
-MOTION
-Frames: 2
-Frame Time: 0.5
-0 1 0 0 0 0 0 0 0
-5 6 7 90 0 0 0 0 90
-";
-
-fn a_bvh_gives_rotations_and_positions_by_frame() {
-    let clip = Bvh::parse(file(), BVH).expect("a sound file");
-    assert_eq!(
-        (clip.frames(), clip.joints.len(), clip.joints[1].parent),
-        (2, 2, Some(0))
-    );
-    assert_eq!(clip.position(1, 0), DVec3::new(5.0, 6.0, 7.0));
-    assert_eq!(clip.position(1, 1), DVec3::NEG_Y);
-    let turned = clip.rotation(1, 0) * DVec3::X;
-    assert!(turned.distance(DVec3::Y) < 1e-12, "{turned}");
-    let turned = clip.rotation(1, 1) * DVec3::Y;
-    assert!(turned.distance(DVec3::Z) < 1e-12, "{turned}");
-}
-
-fn a_bad_bvh_is_refused() {
-    let with = |from: &str, to: &str| Bvh::parse(file(), &BVH.replacen(from, to, 1));
-    assert_says(
-        with("0 1 0 0 0 0 0 0 0\n", "0 1 0\n"),
-        &["line 19", "3 numbers", "9, one a channel"],
-    );
-    assert_says(
-        with("Frames: 2", "Frames: 3"),
-        &["2 frames", "3 are announced"],
-    );
-    assert_says(with("CHANNELS 3", "CHANNELS 4"), &["line 9", "3 channels"]);
-    assert_says(with("Xposition", "Wposition"), &["line 5", "\"Wposition\""]);
-    assert_says(with("ROOT Hips\n{", "{"), &["line 2", "a joint before it"]);
-    assert_says(with("MOTION", ""), &["Frames:"]);
-    assert_says(
-        Bvh::parse(file(), "HIERARCHY\n}\n"),
-        &["line 2", "an open brace"],
-    );
-    assert_says(Bvh::parse(file(), ""), &["no MOTION"]);
-}
-
 fn cut_files_never_panic() {
     let rig = rig_text("mixamorig:Hips");
-    for end in 0..BVH.len() {
-        let _ = Bvh::parse(file(), &BVH[..end]);
-    }
     for end in 0..rig.len() {
         assert!(
             rig::bones(file(), &rig[..end], 2).is_err(),
@@ -277,13 +216,14 @@ fn baked() -> &'static Baked {
 
 fn make(assets: &Assets) -> Baked {
     let skeleton = bake::skeleton(assets, BodyShape::Male).expect("the assets are whole");
-    let options = RetargetOptions {
+    let options = CutOptions {
         rate: 30.0,
         from: 1.0,
         to: Some(12.0),
         in_place: false,
         start: None,
         fade: 0.0,
+        credit: String::new(),
     };
     let clip =
         bake::motion(&assets.path("01_01.bvh"), &skeleton, &options).expect("the capture is whole");
@@ -496,8 +436,6 @@ tests! {
     a_target_moves_the_vertices_it_names,
     a_rig_gives_joints_in_smplx_order_and_weights_that_sum_to_one,
     a_bad_rig_is_refused,
-    a_bvh_gives_rotations_and_positions_by_frame,
-    a_bad_bvh_is_refused,
     cut_files_never_panic,
     quantised_weights_sum_to_255,
     a_baked_avatar_passes_its_files_checks_and_has_the_sizes_asked_for,

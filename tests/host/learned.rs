@@ -3,7 +3,7 @@
 
 use crate::common;
 use effigy_core::avatar::{Avatar, Pose};
-use effigy_learn::bake::{self, Assets, BakeSizes, BodyShape, RetargetOptions};
+use effigy_learn::bake::{self, Assets, BakeSizes, BodyShape, CutOptions};
 use effigy_learn::dataset::Dataset;
 use effigy_learn::ground_truth::GroundTruth;
 use glam::DVec3;
@@ -189,13 +189,14 @@ fn ground_truth_depends_on_neither_threads_nor_the_hips_turn() {
     let assets = common::assets();
     let assets = Assets::new(assets);
     let skeleton = bake::skeleton(&assets, BodyShape::Male).expect("the assets are whole");
-    let options = RetargetOptions {
+    let options = CutOptions {
         rate: 10.0,
         from: 1.0,
         to: Some(12.0),
         in_place: false,
         start: None,
         fade: 0.0,
+        credit: String::new(),
     };
     let clip =
         bake::motion(&assets.path("01_01.bvh"), &skeleton, &options).expect("the capture is whole");

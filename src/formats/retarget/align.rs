@@ -86,7 +86,7 @@ impl Bodies<'_> {
                 target: theirs.forearm,
                 target_end: theirs.hand,
             });
-            if let Some(bone) = hand_bone(self.tree, &children, own, theirs) {
+            if let Some(bone) = hand_bone(self.tree, own, theirs) {
                 bones.push(bone);
             }
             bones.extend(finger_bones(&children, own, theirs));
@@ -109,16 +109,15 @@ impl Bodies<'_> {
     }
 }
 
-/// From the wrist to the knuckle of the middle finger, else to what hangs furthest from the wrist.
-fn hand_bone(tree: &Tree, children: &[Vec<usize>], own: &Arm, theirs: &Arm) -> Option<Bone> {
-    let far = |&&joint: &&usize| tree.offsets[joint].length();
-    let furthest = children[own.hand]
-        .iter()
-        .filter(|joint| far(joint) > 0.0)
-        .max_by(|a, b| far(a).total_cmp(&far(b)));
+/// From the wrist to the knuckle of the middle finger, else to what is furthest from the wrist.
+fn hand_bone(tree: &Tree, own: &Arm, theirs: &Arm) -> Option<Bone> {
+    let far = |joint: usize| tree.rest[joint].distance(tree.rest[own.hand]);
+    let furthest = (0..tree.len())
+        .filter(|&joint| tree.is_above(own.hand, joint) && far(joint) > 0.0)
+        .max_by(|&a, &b| far(a).total_cmp(&far(b)));
     Some(Bone {
         joint: own.hand,
-        end: *own.fingers[2].first().or(furthest)?,
+        end: own.fingers[2].first().copied().or(furthest)?,
         target: theirs.hand,
         target_end: *theirs.fingers[2].first()?,
     })
@@ -186,6 +185,13 @@ fn from_rest(bodies: &Bodies, upright: &Upright) -> Vec<DQuat> {
     for bone in bodies.limb_bones() {
         if let Some(to) = bodies.target_along(bone) {
             align(bone.joint, turn * (at[bone.end] - at[bone.joint]), to);
+        }
+    }
+    // Hands and fingers without a bone are turned as what they hang from.
+    for arm in &bodies.source.arms {
+        for &joint in [arm.hand].iter().chain(arm.fingers.iter().flatten()) {
+            let mut above = bodies.tree.chain_up(joint);
+            turns[joint] = above.find_map(|above| turns[above]);
         }
     }
     let children = bodies.tree.children();
@@ -436,7 +442,7 @@ impl<'a> Motion<'a> {
     /// A hand and its fingers.
     fn hand(&mut self, own: &Arm, theirs: &Arm) {
         let target_rest = &self.bodies.target_tree.rest;
-        let bone = hand_bone(self.bodies.tree, &self.children, own, theirs);
+        let bone = hand_bone(self.bodies.tree, own, theirs);
         let knuckles = |arm: &Arm| Some([*arm.fingers[1].first()?, *arm.fingers[4].first()?]);
         let reference = knuckles(own).zip(knuckles(theirs)).zip(bone);
         let reference = reference.and_then(|(([index, little], [to_index, to_little]), bone)| {

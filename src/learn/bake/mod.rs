@@ -5,7 +5,7 @@
 //!                                                ↓
 //!                   sky_light: a sky baked in ── spacing: evenly spaced points
 //!                                                ↓
-//! 01_01.bvh ── retarget: a clip ─────────── assemble: Gaussians, parts, nodes, bases, networks
+//! 01_01.bvh ── clip: retargeted and cut ──── assemble: Gaussians, parts, nodes, bases, networks
 //! ```
 //!
 //! Geometry, skin weights, expressions and motion are real. Clothes, hair and colours are ours.
@@ -15,12 +15,12 @@
 pub mod assemble;
 pub mod bases;
 pub mod body;
+pub mod clip;
 pub mod credits;
 pub mod joints;
 pub mod networks;
 pub mod outfit;
 pub mod partition;
-pub mod retarget;
 pub mod sky;
 pub mod sky_light;
 pub mod source;
@@ -30,12 +30,11 @@ pub mod surface;
 
 pub use assemble::BakeSizes;
 pub use body::{Body, BodyShape};
+pub use clip::{CutOptions, motion};
 use effigy_core::avatar::{Avatar, Clip, Pose, Skeleton};
 use glam::DVec3;
-pub use retarget::RetargetOptions;
 pub use source::Assets;
 pub use source::text::SourceError;
-use std::path::Path;
 
 /// A dressed body with all that it was made from.
 pub struct Dressed {
@@ -138,17 +137,4 @@ fn poses(clips: &[Clip], skeleton: &Skeleton) -> Result<Vec<Pose>, SourceError> 
 /// When a source file is missing or damaged.
 pub fn skeleton(assets: &Assets, shape: BodyShape) -> Result<Skeleton, SourceError> {
     Ok(Body::load(assets, shape)?.skeleton)
-}
-
-/// Makes a clip of a skeleton from a capture (`.bvh`).
-///
-/// # Errors
-/// When the capture is missing or damaged, lacks a joint, or is shorter than the options ask for.
-pub fn motion(
-    file: &Path,
-    skeleton: &Skeleton,
-    options: &RetargetOptions,
-) -> Result<Clip, SourceError> {
-    let capture = source::bvh::Bvh::parse(file, &source::text::read(file)?)?;
-    retarget::retarget(&capture, skeleton, options, file)
 }

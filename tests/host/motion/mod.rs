@@ -324,6 +324,31 @@ fn who_has_no_body_is_told_what_is_missing() {
     assert!(error.contains("LeftUpLeg"), "{error}");
 }
 
+fn a_rest_pose_before_the_motion_is_left_out() {
+    let file = |first: &str| {
+        format!(
+            "HIERARCHY\nROOT a {{\nCHANNELS 3 Xrotation Yrotation Zrotation\n}}\nMOTION\nFrames: 2\nFrame Time: 1\n{first}\n90 0 0\n"
+        )
+    };
+    let first = |text: &str| {
+        let read = read(text.as_bytes());
+        let turn = read.capture.local[0].rotation.to_axis_angle().1;
+        (turn.to_degrees(), read.assumptions.len())
+    };
+    let (turn, assumptions) = first(&file("0 0 0"));
+    assert!((turn - 90.0).abs() < 1e-3 && assumptions == 1, "{turn}");
+    let (turn, assumptions) = first(&file("45 0 0"));
+    assert!((turn - 45.0).abs() < 1e-3 && assumptions == 0, "{turn}");
+}
+
+fn positions_of_zero_do_not_take_joints_to_one_point() {
+    let text = "HIERARCHY\nROOT a {\nCHANNELS 3 Xposition Yposition Zposition\nJOINT b {\nOFFSET 1 2 3\nCHANNELS 4 Xrotation Xposition Yposition Zposition\n}\n}\nMOTION\nFrames: 1\nFrame Time: 1\n4 0 0 10 0 0 0\n";
+    let read = read(text.as_bytes());
+    assert_eq!(read.capture.local[1].offset, glam::Vec3::new(1.0, 2.0, 3.0));
+    assert_eq!(read.capture.local[0].offset, glam::Vec3::new(4.0, 0.0, 0.0));
+    assert_eq!(read.assumptions.len(), 1);
+}
+
 fn a_clip_has_the_rate_that_is_asked_for() {
     let clip = |rate: f64| {
         let options = RetargetOptions {
@@ -349,5 +374,7 @@ tests! {
     feet_that_are_kept_slide_on_another_body,
     a_correction_says_which_joint_is_which,
     who_has_no_body_is_told_what_is_missing,
+    a_rest_pose_before_the_motion_is_left_out,
+    positions_of_zero_do_not_take_joints_to_one_point,
     a_clip_has_the_rate_that_is_asked_for,
 }

@@ -1,7 +1,6 @@
 //! Readers of the bake's source files. Every error names the file and, in text files, the line.
 
 pub mod assets;
-pub mod bvh;
 pub mod masks;
 pub mod obj;
 pub mod rig;

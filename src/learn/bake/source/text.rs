@@ -1,5 +1,6 @@
 //! Lines, words and numbers of text files, for the parsers of this folder.
 
+use effigy_core::io::file::FileError;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
@@ -26,6 +27,9 @@ pub enum SourceError {
         /// The text or number that should be there.
         expected: String,
     },
+    /// A motion file can't be read.
+    #[error(transparent)]
+    Motion(#[from] FileError),
     /// The file as a whole breaks a rule.
     #[error("{}: found {found}, expected {expected}", file.display())]
     Content {
