@@ -102,6 +102,7 @@ impl Args {
                 rate: self.fps,
                 corrections: self.joints.read()?,
                 keep_feet: self.keep_feet,
+                girth: None,
             },
         })
     }

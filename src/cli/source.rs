@@ -177,7 +177,7 @@ impl Source {
 
 /// Reads a clip for an avatar, and says what its file left open and how it was made.
 pub fn clip(path: &Path, avatar: &Avatar, options: &ClipOptions) -> anyhow::Result<Clip> {
-    let opened = open::clip(path, &avatar.skeleton, options)?;
+    let opened = open::clip(path, avatar, options)?;
     print_assumptions(path, &opened.assumptions);
     if let Some(report) = &opened.report {
         eprintln!(

@@ -5,11 +5,11 @@ use crate::{
     bvh,
     capture::Captured,
     npz,
-    retarget::{self, Report, RetargetOptions},
+    retarget::{self, Girth, Report, RetargetOptions},
     webavatar::{self, Imported},
 };
 use effigy_core::{
-    avatar::{Clip, Skeleton},
+    avatar::{Avatar, Clip},
     io::{
         file::{FileError, read_with},
         ply::{self, Up},
@@ -123,11 +123,7 @@ pub fn capture(path: &Path) -> Result<Captured, FileError> {
 ///
 /// # Errors
 /// When the file cannot be opened, is none of them, or breaks a rule.
-pub fn clip(
-    path: &Path,
-    skeleton: &Skeleton,
-    options: &ClipOptions,
-) -> Result<OpenedClip, FileError> {
+pub fn clip(path: &Path, avatar: &Avatar, options: &ClipOptions) -> Result<OpenedClip, FileError> {
     let made_for_it = |clip| OpenedClip {
         clip,
         assumptions: vec![],
@@ -136,7 +132,11 @@ pub fn clip(
     let name = path.file_stem().unwrap_or_default().to_string_lossy();
     if is_capture(path) {
         let captured = capture(path)?;
-        let made = retarget::retarget(&captured.capture, skeleton, &name, &options.retarget);
+        let mut retargeting = options.retarget.clone();
+        if retargeting.girth.is_none() {
+            retargeting.girth = Girth::of(avatar);
+        }
+        let made = retarget::retarget(&captured.capture, &avatar.skeleton, &name, &retargeting);
         let made = made.map_err(|fault| FileError::Content {
             file: path.to_owned(),
             fault,
@@ -151,7 +151,7 @@ pub fn clip(
         return Clip::read(path).map(made_for_it);
     }
     let poses = read_with(path, |bytes| {
-        webavatar::read_poses(bytes, &name, skeleton, options.rate_unsaid)
+        webavatar::read_poses(bytes, &name, &avatar.skeleton, options.rate_unsaid)
     });
     poses.map(made_for_it)
 }

@@ -48,6 +48,10 @@ pub struct ComparisonSummary {
     slide_mm_per_second: Range,
     capture_slide_mm_per_second: Range,
     sink_mm: Range,
+    /// How much deeper than the capture's the avatar's arms are inside its trunk.
+    arms_inside_mm: Option<Range>,
+    /// The same before shoulders were turned.
+    arms_inside_before_mm: Option<Range>,
 }
 
 #[derive(Serialize)]
@@ -116,6 +120,8 @@ impl ComparisonSummary {
             slide_mm_per_second: millimetres(report.slide),
             capture_slide_mm_per_second: millimetres(report.source_slide),
             sink_mm: millimetres(report.sink),
+            arms_inside_mm: report.arms.map(|arms| millimetres(arms.after)),
+            arms_inside_before_mm: report.arms.map(|arms| millimetres(arms.before)),
         }
     }
 }
@@ -145,7 +151,14 @@ impl fmt::Display for ComparisonSummary {
             self.slide_mm_per_second, self.capture_slide_mm_per_second
         );
         line(f, "slide", slide)?;
-        line(f, "sink", format_args!("{} mm", self.sink_mm))
+        line(f, "sink", format_args!("{} mm", self.sink_mm))?;
+        if let (Some(after), Some(before)) = (&self.arms_inside_mm, &self.arms_inside_before_mm) {
+            let inside = format!(
+                "{after} mm deeper in the trunk than the capture's; before turning the shoulders: {before}"
+            );
+            line(f, "arms", inside)?;
+        }
+        Ok(())
     }
 }
 

@@ -9,7 +9,7 @@ use crate::source::{JointsArg, print_assumptions};
 use anyhow::{Context, bail};
 use avatar::AvatarSummary;
 use capture::{CaptureSummary, ComparisonSummary};
-use effigy_core::avatar::Skeleton;
+use effigy_core::avatar::Avatar;
 use effigy_core::io::{
     file::{FileContent, tensors},
     ply,
@@ -53,12 +53,13 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     if open::is_capture(file) {
         let captured = open::capture(file)?;
         print_assumptions(file, &captured.assumptions);
+        let moved = args.moved()?;
         let options = retarget::RetargetOptions {
             corrections: args.joints.read()?,
+            girth: retarget::Girth::of(&moved),
             ..Default::default()
         };
-        let skeleton = args.skeleton()?;
-        let made = retarget::retarget(&captured.capture, &skeleton, "", &options);
+        let made = retarget::retarget(&captured.capture, &moved.skeleton, "", &options);
         let made = made.with_context(|| format!("of {}", file.display()))?;
         return print(
             &CaptureSummary::new(&captured.capture, &made.report),
@@ -75,11 +76,11 @@ pub fn run(args: Args) -> anyhow::Result<()> {
 }
 
 impl Args {
-    /// The skeleton that motion capture is to move.
-    fn skeleton(&self) -> anyhow::Result<Skeleton> {
+    /// The avatar that motion capture is to move.
+    fn moved(&self) -> anyhow::Result<Avatar> {
         Ok(match &self.avatar {
-            Some(path) => open::avatar(path, &OpenOptions::default())?.avatar.skeleton,
-            None => effigy_demo::avatar()?.skeleton,
+            Some(path) => open::avatar(path, &OpenOptions::default())?.avatar,
+            None => effigy_demo::avatar()?,
         })
     }
 }
@@ -92,8 +93,13 @@ fn compare(args: &Args, file: &Path, against: &Path) -> anyhow::Result<()> {
     let captured = open::capture(against)?;
     print_assumptions(against, &captured.assumptions);
     let corrections = args.joints.read()?;
-    let report = retarget::compare(&clip, &captured.capture, &args.skeleton()?, &corrections)
-        .with_context(|| format!("of {}", against.display()))?;
+    let report = retarget::compare(
+        &clip,
+        &captured.capture,
+        &args.moved()?.skeleton,
+        &corrections,
+    )
+    .with_context(|| format!("of {}", against.display()))?;
     print(&ComparisonSummary::new(&report), args.json)
 }
 

@@ -7,11 +7,14 @@
 //! 3. `transfer` gives each joint of the avatar the rotation of its counterpart; legs' lengths are
 //!    the scale.
 //! 4. `feet` holds standing feet in place and soles above the ground.
-//! 5. `report` measures what is left between the two.
+//! 5. `arms` turns arms out of the trunk, whose thickness `girth` measures.
+//! 6. `report` measures what is left between the two.
 
 mod align;
+mod arms;
 mod curl;
 mod feet;
+mod girth;
 mod humanoid;
 mod legs;
 mod names;
@@ -23,12 +26,14 @@ mod tree;
 mod upright;
 
 pub use align::Basis;
+pub use girth::Girth;
 pub use humanoid::Correction;
-pub use report::{JointGuess, Report, Spread};
+pub use report::{ArmsInside, JointGuess, Report, Spread};
 pub use upright::Unit;
 
 use crate::capture::Capture;
 use align::{Alignment, Bodies};
+use arms::{Body, Depths};
 use effigy_core::{
     avatar::{Clip, Pose, Skeleton, motion::Player},
     io::file::FormatError,
@@ -51,6 +56,8 @@ pub struct RetargetOptions {
     pub corrections: Vec<Correction>,
     /// Leaves feet where the joints' rotations put them.
     pub keep_feet: bool,
+    /// The avatar's thickness: keeps arms out of its trunk. None: they may enter it.
+    pub girth: Option<Girth>,
 }
 
 /// Frames a second that a clip has at most unless its user says another number: clips are
@@ -91,9 +98,19 @@ pub fn retarget(
     } else {
         feet::place(skeleton, target, &mut poses, &way.contacts, rate);
     }
+    let girth = options.girth.as_ref();
+    let arms = girth.map(|girth| {
+        let body = matched.body(girth);
+        let before = excess(&body.excess(&poses, source, &way.world));
+        body.move_out(&mut poses, source, &way.world, rate);
+        ArmsInside {
+            before,
+            after: excess(&body.excess(&poses, source, &way.world)),
+        }
+    });
     Ok(Retargeted {
         clip: clip(capture, skeleton, name, rate, &poses),
-        report: matched.report(&poses, &way, transfer.driven()),
+        report: matched.report(&poses, &way, transfer.driven(), arms),
     })
 }
 
@@ -114,7 +131,13 @@ pub fn compare(
     let poses = (0..count).map(|frame| player.pose(frame as f64 / clip.rate));
     let poses: Vec<Pose> = poses.collect();
     let way = matched.way(count, clip.rate);
-    Ok(matched.report(&poses, &way, player.mapped()))
+    Ok(matched.report(&poses, &way, player.mapped(), None))
+}
+
+/// How much deeper than the capture's arms are, over frames and arms.
+fn excess(depths: &Depths) -> Spread {
+    let deeper = depths.iter().flatten();
+    Spread::of(deeper.map(|depth| depth.max(0.0)))
 }
 
 /// A capture's body beside an avatar's.
@@ -182,6 +205,14 @@ impl<'a> Match<'a> {
         })
     }
 
+    fn body<'b>(&'b self, girth: &'b Girth) -> Body<'b> {
+        Body {
+            skeleton: self.skeleton,
+            target: &self.target,
+            girth,
+        }
+    }
+
     fn way(&self, count: usize, rate: f64) -> Way {
         let world: Vec<Vec<DVec3>> = (0..count)
             .map(|frame| {
@@ -203,7 +234,7 @@ impl<'a> Match<'a> {
     }
 
     /// `driven`: joints of the avatar that the clip moves.
-    fn report(&self, poses: &[Pose], way: &Way, driven: usize) -> Report {
+    fn report(&self, poses: &[Pose], way: &Way, driven: usize, arms: Option<ArmsInside>) -> Report {
         let compared = Compared {
             source: &self.source,
             world: &way.world,
@@ -243,6 +274,7 @@ impl<'a> Match<'a> {
             slide: differences.slide,
             source_slide: differences.source_slide,
             sink: differences.sink,
+            arms,
         }
     }
 }

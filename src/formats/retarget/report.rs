@@ -70,6 +70,18 @@ pub struct Report {
     pub source_slide: Spread,
     /// How deep the avatar's soles are under the ground, metres.
     pub sink: Spread,
+    /// None: the avatar's thickness is not known.
+    pub arms: Option<ArmsInside>,
+}
+
+/// How much deeper the avatar's arms are inside its trunk than the capture's are inside a trunk like
+/// it, metres.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ArmsInside {
+    /// With the capture's rotations.
+    pub before: Spread,
+    /// In the clip.
+    pub after: Spread,
 }
 
 /// A part and the joint that was taken for it.

@@ -7,7 +7,7 @@ use effigy_core::avatar::{Avatar, Clip, Pose, Skeleton};
 use effigy_formats::{
     bvh,
     capture::{Capture, CaptureJoint, Captured, LocalPose},
-    retarget::{self, Basis, Correction, RetargetOptions, Retargeted},
+    retarget::{self, ArmsInside, Basis, Correction, Girth, RetargetOptions, Retargeted},
 };
 use glam::{DQuat, DVec3};
 use serde::Deserialize;
@@ -285,6 +285,40 @@ fn feet_that_are_kept_slide_on_another_body() {
     assert!(report.slide.max > 5e-3, "{:?}", report.slide);
 }
 
+fn arms_stay_out_of_the_body_where_the_captures_do() {
+    let avatar = demo();
+    let skeleton = &avatar.skeleton;
+    let index = |name: &str| skeleton.name.iter().position(|own| own == name).unwrap();
+    let rest = |joint: usize| DVec3::from(skeleton.rest[joint].map(f64::from));
+    // Arms hang towards the hips, from shoulders that are twice as wide.
+    let mut clip = Clip::still(skeleton);
+    for (side, x) in [("Left", 1.0), ("Right", -1.0)] {
+        let [upper, forearm] = ["Arm", "ForeArm"].map(|name| index(&format!("{side}{name}")));
+        let along = (rest(forearm) - rest(upper)).normalize();
+        let way = DVec3::new(-0.3 * x, -1.0, 0.0).normalize();
+        let turn = DQuat::from_rotation_arc(along, way).to_scaled_axis();
+        clip.rotation[upper] = turn.as_vec3().to_array();
+    }
+    let mut capture = captured_clip(skeleton, &clip);
+    for side in ["Left", "Right"] {
+        let shoulder = index(&format!("{side}Arm"));
+        capture.joints[shoulder].offset.x *= 2.0;
+        capture.local[shoulder].offset.x *= 2.0;
+    }
+    let options = RetargetOptions {
+        girth: Girth::of(&avatar),
+        ..RetargetOptions::default()
+    };
+    let made = retarget::retarget(&capture, skeleton, "reach", &options).unwrap();
+    let ArmsInside { before, after } = made.report.arms.unwrap();
+    assert!(before.max > 0.015, "{before:?}");
+    assert!(after.max < 0.006, "{after:?}, {before:?} before");
+    // The capture of the same body as the avatar's is left as it is.
+    let same = captured_clip(skeleton, &clip);
+    let made = retarget::retarget(&same, skeleton, "reach", &options).unwrap();
+    assert!(made.report.directions.max < 0.1, "{:?}", made.report);
+}
+
 fn a_correction_says_which_joint_is_which() {
     let options = |part: &str, joint: &str| RetargetOptions {
         corrections: vec![Correction {
@@ -372,6 +406,7 @@ tests! {
     a_clip_that_is_read_as_a_capture_comes_back,
     standing_feet_neither_slide_nor_sink,
     feet_that_are_kept_slide_on_another_body,
+    arms_stay_out_of_the_body_where_the_captures_do,
     a_correction_says_which_joint_is_which,
     who_has_no_body_is_told_what_is_missing,
     a_rest_pose_before_the_motion_is_left_out,

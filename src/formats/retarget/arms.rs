@@ -1,0 +1,177 @@
+//! Arms outside the body: where the avatar's arm is deeper inside its trunk than the capture's arm
+//! is inside its own, the shoulder turns it out.
+//!
+//! A capture has no flesh. Its trunk is taken to be the avatar's, as much wider as its shoulders are.
+
+use super::{
+    align::rotations,
+    girth::{Depth, Girth},
+    humanoid::{Arm, Humanoid},
+    tree::positions,
+};
+use effigy_core::avatar::{Pose, Skeleton};
+use glam::{DAffine3, DQuat, DVec3};
+
+/// Places along an arm that are looked at: shares of the way from the elbow to the wrist, and beyond
+/// it along the hand.
+const LOOKED_AT: [f64; 5] = [0.0, 0.35, 0.7, 1.0, 1.25];
+/// An arm may be this much deeper than the capture's, metres: skin gives way.
+const LEEWAY: f64 = 0.005;
+/// Seconds over which a shoulder's turn is smoothed.
+const SMOOTH: f64 = 0.12;
+/// Times that what is left is corrected.
+const ROUNDS: usize = 4;
+/// A shoulder turns at most this far, radians.
+const MOST: f64 = 0.6;
+
+/// How deep arms are inside the trunk, frame by frame and arm by arm; below 0 outside, metres.
+pub type Depths = Vec<[f64; 2]>;
+
+/// An avatar and its thickness.
+pub struct Body<'a> {
+    /// The avatar's joints.
+    pub skeleton: &'a Skeleton,
+    /// Its parts.
+    pub target: &'a Humanoid,
+    /// Its thickness.
+    pub girth: &'a Girth,
+}
+
+/// Places of elbow and wrist, and what lies between.
+fn places(elbow: DVec3, wrist: DVec3) -> [DVec3; 5] {
+    LOOKED_AT.map(|share| elbow + share * (wrist - elbow))
+}
+
+/// Width of the shoulders.
+fn shoulders(humanoid: &Humanoid, at: &[DVec3]) -> f64 {
+    at[humanoid.arms[0].upper].distance(at[humanoid.arms[1].upper])
+}
+
+impl Body<'_> {
+    /// The deepest place of an arm. `wide`: see [`Girth::depth`].
+    fn deepest(&self, joints: &[DAffine3], places: [DVec3; 5], wide: f64) -> Deepest {
+        let depths = places.map(|place| Deepest {
+            place,
+            depth: self.girth.depth(joints, place, wide),
+        });
+        let metres = |own: &Deepest| own.depth.metres;
+        let mut deepest = depths[0];
+        for own in depths {
+            if metres(&own) > metres(&deepest) {
+                deepest = own;
+            }
+        }
+        deepest.depth.metres += self.girth.arm;
+        deepest
+    }
+
+    /// How deep the capture's arms are inside a trunk like the avatar's. `joints`: the avatar's in a
+    /// frame; `source`, `at`: the capture's body and where its joints are, metres of the avatar.
+    fn of_capture(&self, joints: &[DAffine3], source: &Humanoid, at: &[DVec3]) -> [f64; 2] {
+        let own = positions(joints);
+        let wide = shoulders(source, at) / shoulders(self.target, &own).max(1e-6);
+        let chest = |humanoid: &Humanoid, at: &[DVec3]| {
+            (at[humanoid.arms[0].upper] + at[humanoid.arms[1].upper]) / 2.0
+        };
+        // Both trunks hang from the shoulders.
+        let moved = chest(self.target, &own) - chest(source, at);
+        source.arms.each_ref().map(|arm| {
+            let places = places(at[arm.forearm] + moved, at[arm.hand] + moved);
+            self.deepest(joints, places, wide).depth.metres
+        })
+    }
+
+    fn of_avatar(&self, joints: &[DAffine3], arm: &Arm) -> Deepest {
+        let [elbow, wrist] = [arm.forearm, arm.hand].map(|joint| joints[joint].translation);
+        self.deepest(joints, places(elbow, wrist), 1.0)
+    }
+
+    /// How much deeper than the capture's the avatar's arms are, a frame each; below 0 where they
+    /// are not.
+    pub fn excess(&self, poses: &[Pose], source: &Humanoid, world: &[Vec<DVec3>]) -> Depths {
+        let frames = poses.iter().zip(world);
+        frames
+            .map(|(pose, at)| {
+                let joints = self.skeleton.joints(pose);
+                let theirs = self.of_capture(&joints, source, at);
+                [0, 1].map(|side| {
+                    let own = self.of_avatar(&joints, &self.target.arms[side]);
+                    own.depth.metres.max(0.0) - theirs[side].max(0.0)
+                })
+            })
+            .collect()
+    }
+
+    /// Turns shoulders so that arms are no deeper than the capture's. `rate`: frames a second.
+    pub fn move_out(&self, poses: &mut [Pose], source: &Humanoid, world: &[Vec<DVec3>], rate: f64) {
+        let half = (SMOOTH * rate).ceil() as usize;
+        for side in [0, 1] {
+            let arm = &self.target.arms[side];
+            let first: Vec<DVec3> = poses.iter().map(|pose| pose.rotation[arm.upper]).collect();
+            // The turn of the upper arm, in world axes.
+            let mut turns = vec![DVec3::ZERO; poses.len()];
+            for _ in 0..ROUNDS {
+                let mut any = false;
+                for (frame, pose) in poses.iter().enumerate() {
+                    let joints = self.skeleton.joints(pose);
+                    let theirs = self.of_capture(&joints, source, &world[frame])[side];
+                    let own = self.of_avatar(&joints, arm);
+                    let excess = own.depth.metres - theirs.max(0.0) - LEEWAY;
+                    if excess > 0.0 {
+                        let lever = own.place - joints[arm.upper].translation;
+                        let axis = lever.cross(own.depth.out) / lever.length_squared().max(1e-6);
+                        turns[frame] = (turns[frame] + excess * axis).clamp_length_max(MOST);
+                        any = true;
+                    }
+                }
+                if !any {
+                    break;
+                }
+                let smooth = smooth(&turns, half);
+                for (frame, pose) in poses.iter_mut().enumerate() {
+                    pose.rotation[arm.upper] = first[frame];
+                    turn(self.skeleton, pose, arm.upper, smooth[frame]);
+                }
+            }
+        }
+    }
+}
+
+/// A place of an arm and how deep it is.
+#[derive(Clone, Copy)]
+struct Deepest {
+    place: DVec3,
+    depth: Depth,
+}
+
+/// Turns a joint by an axis times an angle, in world axes.
+fn turn(skeleton: &Skeleton, pose: &mut Pose, joint: usize, axis: DVec3) {
+    if axis == DVec3::ZERO {
+        return;
+    }
+    let world = rotations(&skeleton.joints(pose));
+    let own = DQuat::from_scaled_axis(pose.rotation[joint]);
+    let parent = world[joint] * own.inverse();
+    let local = parent.inverse() * DQuat::from_scaled_axis(axis) * world[joint];
+    let local = if local.w < 0.0 { -local } else { local };
+    pose.rotation[joint] = local.normalize().to_scaled_axis();
+}
+
+/// The longest of each window, and then the mean over it: nowhere much less than before.
+fn smooth(turns: &[DVec3], half: usize) -> Vec<DVec3> {
+    let window = |at: usize| at.saturating_sub(half)..(at + half + 1).min(turns.len());
+    let longest = |turns: &[DVec3]| {
+        let each = turns.iter().copied();
+        each.max_by(|a, b| a.length_squared().total_cmp(&b.length_squared()))
+            .unwrap_or_default()
+    };
+    let longest: Vec<DVec3> = (0..turns.len())
+        .map(|at| longest(&turns[window(at)]))
+        .collect();
+    (0..turns.len())
+        .map(|at| {
+            let window = &longest[window(at)];
+            window.iter().sum::<DVec3>() / window.len() as f64
+        })
+        .collect()
+}
