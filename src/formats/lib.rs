@@ -10,4 +10,5 @@ pub mod capture;
 mod fault;
 pub mod npz;
 pub mod open;
+mod smpl_joints;
 pub mod webavatar;

@@ -113,7 +113,19 @@ const LAYERS: &[Layers] = &[
     },
     Layers {
         package: "src/formats",
-        modules: &["assumption", "capture", "fault", "npz", "webavatar", "open"],
+        modules: &[
+            "assumption",
+            "capture",
+            "fault",
+            "npz",
+            "pickle",
+            "smpl_joints",
+            "smpl",
+            "gltf_motion",
+            "fbx",
+            "webavatar",
+            "open",
+        ],
     },
     Layers {
         package: "src/learn",

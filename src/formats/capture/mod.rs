@@ -1,6 +1,8 @@
 //! Motion as files of other programs have it: any tree of joints, in the file's own units and axes.
 //! Each reader gives a [`Capture`].
 
+use crate::assumption::Assumption;
+use effigy_core::io::file::FormatError;
 use glam::{DAffine3, DQuat, DVec3};
 
 /// Most joints that a capture may have: several people with hands, and what they carry.
@@ -82,4 +84,30 @@ impl Capture {
         }
         world
     }
+}
+
+/// A capture, and what its reader took where the file left a question open.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Captured {
+    /// The skeleton and its motion.
+    pub capture: Capture,
+    /// What the file left open.
+    pub assumptions: Vec<Assumption>,
+}
+
+/// Refuses a capture of more than [`MAX_JOINTS`], [`MAX_FRAMES`] or [`MAX_ROTATIONS`], or of none:
+/// readers ask before they take memory.
+pub(crate) fn check_size(frames: usize, joints: usize) -> Result<(), FormatError> {
+    let within = (1..=MAX_JOINTS).contains(&joints)
+        && (1..=MAX_FRAMES).contains(&frames)
+        && frames.saturating_mul(joints) <= MAX_ROTATIONS;
+    if within {
+        return Ok(());
+    }
+    Err(FormatError::container(
+        format!("{frames} frames of {joints} joints"),
+        format!(
+            "1 to {MAX_FRAMES} frames of 1 to {MAX_JOINTS} joints, {MAX_ROTATIONS} rotations in all"
+        ),
+    ))
 }

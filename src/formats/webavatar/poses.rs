@@ -1,7 +1,7 @@
 //! `NAME_poses.json`: a list of frames, each with the axis-angle rotations of SMPL-X's joints and
 //! what moves the body after skinning, a rotation Rh and a translation Th.
 
-use super::skeleton::SMPL_X;
+use crate::smpl_joints::SMPL_X;
 use effigy_core::{
     avatar::{Clip, Skeleton},
     io::file::FormatError,
