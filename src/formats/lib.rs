@@ -10,5 +10,7 @@ pub mod capture;
 mod fault;
 pub mod npz;
 pub mod open;
+pub mod pickle;
+pub mod smpl;
 mod smpl_joints;
 pub mod webavatar;
