@@ -20,6 +20,7 @@ mod projection;
 mod reference;
 mod reference_bodies;
 mod shaders;
+mod smpl;
 mod sources;
 #[cfg(target_os = "linux")]
 mod thermals;
@@ -58,6 +59,8 @@ fn main() -> ExitCode {
             reference,
             reference_bodies,
             shaders,
+            smpl,
+            smpl::hostile,
             sources,
             #[cfg(target_os = "linux")]
             thermals,

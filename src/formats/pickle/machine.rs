@@ -1,5 +1,6 @@
 //! The stack machine of pickles (PEP 3154, PEP 574 and the module `pickletools`, which lists every
-//! opcode). It builds values of a few types and calls nothing.
+//! opcode). It builds values of a few types and calls nothing. Opcodes that protocols 2 and later
+//! never write are left out, as text in Python's own spelling.
 
 use super::{
     globals::global,
@@ -239,27 +240,6 @@ impl<'a> Machine<'a> {
                 let bytes = input.counted(if opcode == 0x8a { 1 } else { 4 })?;
                 self.push_new(frame, long(bytes))?;
             }
-            b'I' | b'L' => {
-                let line = input.line()?;
-                let node = match line {
-                    "00" => Node::Bool(false),
-                    "01" => Node::Bool(true),
-                    _ => {
-                        let number = line.trim_end_matches('L').parse().map_err(|_| {
-                            fault(format!("`{}`", excerpt(line)), "an integer of 64 bits")
-                        })?;
-                        Node::Int(number)
-                    }
-                };
-                self.push_new(frame, node)?;
-            }
-            b'F' => {
-                let line = input.line()?;
-                let number = line
-                    .parse()
-                    .map_err(|_| fault(format!("`{}`", excerpt(line)), "a number"))?;
-                self.push_new(frame, Node::Float(number))?;
-            }
             b'G' => {
                 let number = input.number(8)?.swap_bytes();
                 self.push_new(frame, Node::Float(f64::from_bits(number)))?;
@@ -283,16 +263,6 @@ impl<'a> Machine<'a> {
                     _ => 8,
                 })?;
                 self.push_new(frame, Node::Text(text))?;
-            }
-            b'V' => {
-                let line = input.line()?;
-                self.push_new(frame, Node::Text(line))?;
-            }
-            b'S' => {
-                let line = input.line()?;
-                // Escapes stay as they are: no name that matters has one.
-                let inside = line.trim_matches(['\'', '"']);
-                self.push_new(frame, Node::Text(inside))?;
             }
             b']' | 0x8f => self.push_new(frame, Node::List(vec![]))?,
             b')' => self.push_new(frame, Node::Tuple(vec![]))?,
@@ -335,11 +305,6 @@ impl<'a> Machine<'a> {
                 let items = frame.above_mark()?;
                 self.set(frame.top()?, entries(&items)?)?;
             }
-            b'p' => {
-                let line = input.line()?;
-                let place = line.parse().map_err(|_| fault("no number", "a place"))?;
-                self.remember(frame, place)?;
-            }
             b'q' => {
                 let place = input.number(1)?;
                 self.remember(frame, place)?;
@@ -349,11 +314,6 @@ impl<'a> Machine<'a> {
                 self.remember(frame, place)?;
             }
             0x94 => self.remember(frame, frame.filled as u64)?,
-            b'g' => {
-                let line = input.line()?;
-                let place = line.parse().map_err(|_| fault("no number", "a place"))?;
-                self.recall(frame, place)?;
-            }
             b'h' => {
                 let place = input.number(1)?;
                 self.recall(frame, place)?;
@@ -396,7 +356,7 @@ impl<'a> Machine<'a> {
             _ => {
                 return Err(fault(
                     format!("the opcode {opcode:#04x}"),
-                    "plain containers, numbers, text, NumPy's arrays and PyTorch's tensors",
+                    "what protocols 2 to 5 write of containers, numbers, text and arrays",
                 ));
             }
         }
