@@ -8,6 +8,7 @@
 pub mod assumption;
 pub mod capture;
 mod fault;
+pub mod gltf_motion;
 pub mod npz;
 pub mod open;
 pub mod pickle;

@@ -45,16 +45,18 @@ pub fn names(bytes: &[u8]) -> Result<Vec<String>, FormatError> {
     Ok(names)
 }
 
-/// The `.npy` files of an archive whose names, without that ending, are wanted.
+/// The `.npy` files of an archive whose names, without that ending, are wanted. `small`: what any
+/// archive may unpack to, bytes.
 ///
 /// # Errors
 /// When the bytes are no zip, hold something else than arrays, or unpack to more than the limits.
 pub fn members(
     bytes: &[u8],
+    small: u64,
     wanted: impl Fn(&str) -> bool,
 ) -> Result<BTreeMap<String, Vec<u8>>, FormatError> {
     let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(unreadable)?;
-    let limit = (MAX_GROWTH * bytes.len() as u64).max(MAX_SMALL);
+    let limit = (MAX_GROWTH * bytes.len() as u64).max(small);
     let mut left = limit;
     let mut members = BTreeMap::new();
     for index in 0..archive.len() {
@@ -122,19 +124,21 @@ impl Npz {
     /// When the bytes are no zip, hold something else than arrays of numbers, or unpack to more
     /// than the limits.
     pub fn from_bytes(bytes: &[u8]) -> Result<Self, FormatError> {
-        Self::some_from_bytes(bytes, |_| true)
+        Self::some_from_bytes(bytes, MAX_SMALL, |_| true)
     }
 
     /// Reads the arrays of an archive whose names are wanted. The others may hold anything.
+    /// `small`: what any archive may unpack to, bytes.
     ///
     /// # Errors
     /// As [`Self::from_bytes`].
     pub fn some_from_bytes(
         bytes: &[u8],
+        small: u64,
         wanted: impl Fn(&str) -> bool,
     ) -> Result<Self, FormatError> {
         let mut arrays = BTreeMap::new();
-        for (name, content) in members(bytes, wanted)? {
+        for (name, content) in members(bytes, small, wanted)? {
             arrays.insert(name.clone(), Array::from_npy(&name, content)?);
         }
         Ok(Self { arrays })

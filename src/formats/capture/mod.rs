@@ -12,6 +12,11 @@ pub const MAX_FRAMES: usize = 2_000_000;
 /// Most rotations, frames × joints, of a capture.
 pub const MAX_ROTATIONS: usize = 200_000_000;
 
+/// Bytes of memory that the poses of any capture may take, and how many more for a byte of its
+/// file: rotations of f32 take five times as much here.
+const SMALL: usize = 48 << 20;
+const GROWTH: usize = 5;
+
 /// A joint of a capture.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CaptureJoint {
@@ -95,12 +100,19 @@ pub struct Captured {
     pub assumptions: Vec<Assumption>,
 }
 
-/// Refuses a capture of more than [`MAX_JOINTS`], [`MAX_FRAMES`] or [`MAX_ROTATIONS`], or of none:
-/// readers ask before they take memory.
-pub(crate) fn check_size(frames: usize, joints: usize) -> Result<(), FormatError> {
+/// Refuses a capture of more than [`MAX_JOINTS`], [`MAX_FRAMES`] or [`MAX_ROTATIONS`], or of none,
+/// or of more than a file of `size` bytes can mean: readers ask before they take memory.
+pub(crate) fn check_size(frames: usize, joints: usize, size: usize) -> Result<(), FormatError> {
     let within = (1..=MAX_JOINTS).contains(&joints)
         && (1..=MAX_FRAMES).contains(&frames)
         && frames.saturating_mul(joints) <= MAX_ROTATIONS;
+    let most = (SMALL + GROWTH * size) / size_of::<LocalPose>();
+    if within && frames * joints > most {
+        return Err(FormatError::container(
+            format!("{frames} frames of {joints} joints"),
+            format!("at most {most} rotations in a file of {size} bytes; fewer frames a second"),
+        ));
+    }
     if within {
         return Ok(());
     }

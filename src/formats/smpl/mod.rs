@@ -41,6 +41,9 @@ pub struct Options {
     pub person: usize,
 }
 
+/// Bytes that any archive may unpack to: what a small one of a motion would be takes much more
+/// memory as a capture.
+const SMALL: u64 = 8 << 20;
 /// ROMP's arrays of objects.
 const ROMP: [&str; 2] = ["results", "sequence_results"];
 
@@ -63,7 +66,7 @@ pub fn from_bytes(bytes: &[u8], options: &Options) -> Result<Captured, FormatErr
             Ok(names) if names.iter().any(|name| ROMP.contains(&&name[..])) => romp(bytes, person)?,
             Ok(_) => {
                 let wanted = |name: &str| recognise::NAMES.contains(&name);
-                let arrays = Npz::some_from_bytes(bytes, wanted)?;
+                let arrays = Npz::some_from_bytes(bytes, SMALL, wanted)?;
                 recognise::recognise(&mut Fields::Archive(arrays))?
             }
             Err(_) => pickled::from_pickle(Pickle::from_bytes(bytes)?.root(), person)?,
@@ -76,11 +79,11 @@ pub fn from_bytes(bytes: &[u8], options: &Options) -> Result<Captured, FormatErr
     } else {
         pickled::from_pickle(Pickle::from_bytes(bytes)?.root().inside(), person)?
     };
-    track.into_capture(options.rate)
+    track.into_capture(options.rate, bytes.len())
 }
 
 fn romp(bytes: &[u8], person: usize) -> Result<track::Track, FormatError> {
-    let members = npz::members(bytes, |name| ROMP.contains(&name))?;
+    let members = npz::members(bytes, SMALL, |name| ROMP.contains(&name))?;
     let pickle = |name: &str| {
         let member = members.get(name).and_then(|member| npz::pickle_of(member));
         member.map(Pickle::from_bytes).transpose()

@@ -131,7 +131,7 @@ impl Seen {
         Ok(Track {
             family: Family::Smpl,
             parts: vec![Part {
-                table,
+                table: table.into(),
                 matrices,
                 first: 0,
                 joints: 0..BODY,

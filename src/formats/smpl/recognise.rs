@@ -9,7 +9,7 @@ use super::{
 use crate::{assumption::Assumption, smpl_joints::BODY};
 use effigy_core::io::file::FormatError;
 use glam::DVec3;
-use std::ops::Range;
+use std::{ops::Range, rc::Rc};
 
 /// Numbers of a row of SMPL's rotations: 22 joints, 24 with SMPL's hands, 52 of SMPL-H, 55 of
 /// SMPL-X.
@@ -81,6 +81,7 @@ fn camera(track: &mut Track, what: &str) {
 /// A track of whole rows of rotations.
 fn track(poses: Table) -> Track {
     let smpl_x = poses.width == 165;
+    let poses = Rc::new(poses);
     let parts = if poses.width == 156 {
         let hands = Part::axes(poses.clone(), BODY, LEFT_HAND.start..RIGHT_HAND.end);
         vec![Part::axes(poses, 0, 0..BODY), hands]
@@ -208,7 +209,7 @@ fn tram(fields: &mut Fields) -> Result<Track, FormatError> {
     let table = need(table, "pred_rotmat", fields)?;
     let translation = fields.table("pred_trans", &[3])?;
     let part = Part {
-        table,
+        table: table.into(),
         matrices: true,
         first: 0,
         joints: 0..BODY,

@@ -12,7 +12,7 @@ use crate::{
 };
 use effigy_core::io::file::FormatError;
 use glam::{DMat3, DQuat, DVec3};
-use std::ops::Range;
+use std::{ops::Range, rc::Rc};
 
 /// Frames a second where neither the file nor its format says.
 const RATE: f64 = 30.0;
@@ -22,7 +22,7 @@ const MATRIX_SLACK: f64 = 1e-2;
 /// Rotations of consecutive joints.
 pub struct Part {
     /// Axis-angle in radians, or matrices in rows.
-    pub table: Table,
+    pub table: Rc<Table>,
     pub matrices: bool,
     /// Which rotation of a row is the first joint's.
     pub first: usize,
@@ -57,9 +57,9 @@ pub struct Track {
 
 impl Part {
     /// Axis-angle rotations of some of a row's joints.
-    pub fn axes(table: Table, first: usize, joints: Range<usize>) -> Self {
+    pub fn axes(table: impl Into<Rc<Table>>, first: usize, joints: Range<usize>) -> Self {
         Self {
-            table,
+            table: table.into(),
             matrices: false,
             first,
             joints,
@@ -88,12 +88,12 @@ impl Part {
 
 impl Track {
     /// The motion of a skeleton of an average body. `rate`: frames a second; None: as the file
-    /// says.
-    pub fn into_capture(mut self, rate: Option<f64>) -> Result<Captured, FormatError> {
+    /// says. `size`: bytes of the file.
+    pub fn into_capture(mut self, rate: Option<f64>, size: usize) -> Result<Captured, FormatError> {
         let rate = self.rate(rate)?;
         let given = self.parts.iter().map(|part| part.table.rows()).max();
         let given = given.unwrap_or_default();
-        let tables = self.parts.iter().map(|part| &part.table);
+        let tables = self.parts.iter().map(|part| &*part.table);
         let tables = tables.chain(&self.translation).chain(&self.expression);
         for table in tables {
             if table.rows() != given && table.rows() != 1 {
@@ -112,7 +112,7 @@ impl Track {
             .iter()
             .flat_map(|part| part.joints.clone())
             .collect();
-        check_size(frames, kept.len())?;
+        check_size(frames, kept.len(), size)?;
         let expression_len = self.expression.as_ref().map_or(0, |table| table.width);
         let mut capture = Capture {
             joints: self.joints(&kept),

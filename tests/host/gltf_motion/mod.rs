@@ -1,0 +1,1 @@
+pub mod hostile; pub const TESTS: &[crate::common::harness::Test] = &[];
