@@ -9,6 +9,7 @@ mod bake;
 mod drift;
 mod files;
 mod fit;
+mod gltf_motion;
 mod governor;
 mod layout;
 mod learned;
@@ -47,6 +48,8 @@ fn main() -> ExitCode {
             files::packed,
             files::rules,
             fit,
+            gltf_motion,
+            gltf_motion::hostile,
             governor,
             layout,
             learned,

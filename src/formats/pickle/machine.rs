@@ -623,10 +623,7 @@ impl<'a> Machine<'a> {
         let Node::Global(Global::StorageType(element)) = *self.nodes.get(class) else {
             return Err(wrong());
         };
-        let key: &'a str = match self.nodes.get(key) {
-            Node::Text(key) => key,
-            _ => return Err(wrong()),
-        };
+        let key = name(self.nodes.get(key)).ok_or_else(wrong)?;
         Ok(Node::Storage(Box::new(Storage {
             key,
             element,
@@ -656,9 +653,8 @@ impl<'a> Machine<'a> {
         };
         let mut found = BTreeMap::new();
         for &key in self.nodes.list(keys.root).unwrap_or_default() {
-            let Node::Text(key) = *self.nodes.get(key) else {
-                return Err(fault("a storage without a name", "keys of storages"));
-            };
+            let key = name(self.nodes.get(key));
+            let key = key.ok_or_else(|| fault("a storage without a name", "keys of storages"))?;
             let size = sizes.get(key).copied().unwrap_or_default() as u64;
             let length = input.number(8)?.checked_mul(size);
             found.insert(key, input.take(length.ok_or_else(cut)?)?);
@@ -671,6 +667,15 @@ impl<'a> Machine<'a> {
             }
         }
         Ok(object.root)
+    }
+}
+
+/// Text of the file; Python 2 wrote bytes.
+fn name<'a>(node: &Node<'a>) -> Option<&'a str> {
+    match *node {
+        Node::Text(text) => Some(text),
+        Node::Bytes(bytes) => std::str::from_utf8(bytes).ok(),
+        _ => None,
     }
 }
 

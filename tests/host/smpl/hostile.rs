@@ -82,7 +82,10 @@ fn each_fault_is_named() {
         fault(&archive(&members, CompressionMethod::Stored))
     };
     let zeros = [0; 4 * 150];
-    let without = archive(&[("betas.npy", npy("<f4", "(10,)", &[0; 40]))], CompressionMethod::Stored);
+    let without = archive(
+        &[("betas.npy", npy("<f4", "(10,)", &[0; 40]))],
+        CompressionMethod::Stored,
+    );
     let cases = [
         (fault(b"nothing"), "the opcode 0x6e in a pickle"),
         (fault(b""), "an end inside a value"),
@@ -93,7 +96,10 @@ fn each_fault_is_named() {
         (fault(&without), "SMPL's parameters"),
         (poses("(2, 75)", &zeros), "found the shape [2, 75]"),
         (poses("(0, 72)", &[]), "found the shape [0, 72]"),
-        (poses("(1, 72)", &f32::NAN.to_le_bytes().repeat(72)), "NaN at 0"),
+        (
+            poses("(1, 72)", &f32::NAN.to_le_bytes().repeat(72)),
+            "NaN at 0",
+        ),
         (
             fault(&npy("<f4", "(1,)", &[0; 4])),
             "found an array of numbers",
@@ -124,7 +130,10 @@ fn pickles_take_what_their_size_allows() {
         let text = "x".repeat(1 << 20);
         let length = (text.len() as u32).to_le_bytes();
         let mut bytes = joined(&[
-            b"\x80\x02c_codecs\nencode\nq\0X", &length, text.as_bytes(), b"X\x06\0\0\0latin1\x86q\x01",
+            b"\x80\x02c_codecs\nencode\nq\0X",
+            &length,
+            text.as_bytes(),
+            b"X\x06\0\0\0latin1\x86q\x01",
         ]);
         bytes.extend(b"h\0h\x01R".repeat(100_000));
         bytes.push(b'.');
@@ -156,9 +165,14 @@ fn pickles_take_what_their_size_allows() {
     ];
     for (case, bytes) in cases.iter().enumerate() {
         let start = Instant::now();
-        let (_, peak) = memory::peak(|| Pickle::from_bytes(bytes).map(|pickle| pickle.root().describe()));
+        let (_, peak) =
+            memory::peak(|| Pickle::from_bytes(bytes).map(|pickle| pickle.root().describe()));
         let allowed = 4 * bytes.len() + (64 << 20);
-        assert!(peak < allowed, "case {case}: {peak} bytes of {}", bytes.len());
+        assert!(
+            peak < allowed,
+            "case {case}: {peak} bytes of {}",
+            bytes.len()
+        );
         let seconds = start.elapsed().as_secs_f64();
         assert!(seconds < 5.0, "case {case}: {seconds} s");
     }
@@ -176,7 +190,10 @@ fn memory_follows_from_the_file_not_from_its_word() {
         assert!(found.contains("bytes of numbers"), "{found}");
         assert!(peak < 4 * bytes.len() + (1 << 20), "{shape}: {peak} bytes");
     }
-    let members = [("poses.npy", npy("<f4", "(500000, 72)", &vec![0; 144_000_000]))];
+    let members = [(
+        "poses.npy",
+        npy("<f4", "(500000, 72)", &vec![0; 144_000_000]),
+    )];
     let bytes = archive(&members, CompressionMethod::Deflated);
     let (found, peak) = memory::peak(|| fault(&bytes));
     assert!(found.contains("unpacks to more than"), "{found}");

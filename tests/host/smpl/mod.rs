@@ -84,7 +84,11 @@ fn rotations_in_the_world_are_those_that_numpy_computes() {
             for (joint, rows) in frame.rotation.iter().enumerate() {
                 let expected = DMat3::from_cols_array_2d(rows).transpose();
                 let off = world[joint].matrix3 - expected;
-                let off = off.to_cols_array().map(f64::abs).into_iter().fold(0.0, f64::max);
+                let off = off
+                    .to_cols_array()
+                    .map(f64::abs)
+                    .into_iter()
+                    .fold(0.0, f64::max);
                 let joint = &capture.joints[joint].name;
                 assert!(off < 2e-6, "{name}: {joint} of frame {at} is {off} off");
             }
