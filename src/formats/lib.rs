@@ -8,10 +8,13 @@
 pub mod assumption;
 pub mod capture;
 mod fault;
+#[cfg(feature = "fbx")]
+pub mod fbx;
 pub mod gltf_motion;
 pub mod npz;
 pub mod open;
 pub mod pickle;
+mod scene_tree;
 pub mod smpl;
 mod smpl_joints;
 pub mod webavatar;

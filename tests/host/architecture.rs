@@ -121,6 +121,7 @@ const LAYERS: &[Layers] = &[
             "pickle",
             "smpl_joints",
             "smpl",
+            "scene_tree",
             "gltf_motion",
             "fbx",
             "webavatar",

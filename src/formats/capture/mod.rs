@@ -91,6 +91,17 @@ impl Capture {
     }
 }
 
+/// Where joints are at rest, in files of models that are posed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Rest {
+    /// Where they were when skins were made, as far as the file says; nodes for the others. VRM:
+    /// nodes, which it asks to stand in a T-pose.
+    #[default]
+    Bind,
+    /// Where nodes are without an animation.
+    Nodes,
+}
+
 /// A capture, and what its reader took where the file left a question open.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Captured {

@@ -17,14 +17,15 @@ mod tree;
 
 use crate::{
     assumption::Assumption,
-    capture::{Capture, CaptureJoint, Captured, LocalPose, check_size},
+    capture::{Capture, Captured, LocalPose, Rest, check_size},
+    scene_tree::{Joint, Place},
 };
 use accessor::Source;
 use curve::{Curve, times};
 use document::{Animation, Document, Path};
 use effigy_core::io::file::{FormatError, excerpt};
 use glam::{DQuat, DVec3};
-use tree::{Bind, Place, Tree, bind};
+use tree::{Bind, Tree, bind};
 
 /// Frames a second at most, where keys are denser.
 const MAX_RATE: f64 = 60.0;
@@ -35,16 +36,6 @@ const SPARSE: f64 = 24.0;
 const MAX_KEYS: usize = 50_000_000;
 /// Animations that an error or assumption names.
 const NAMED: usize = 20;
-
-/// Where joints are at rest.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Rest {
-    /// Where the skins' inverse bind matrices say, and nodes where there is none. VRM: nodes.
-    #[default]
-    Bind,
-    /// Where nodes are without an animation.
-    Nodes,
-}
 
 /// What a file leaves open.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -82,12 +73,10 @@ pub fn from_bytes(
     Reading::new(&source, options)?.captured(bytes.len().max(held))
 }
 
-/// A joint on its way into a capture.
-struct Joint {
-    node: usize,
-    /// Of the joint that is its parent, or the world, with nodes between them.
-    outer: Place,
-    rest: Place,
+/// Joints, parents before their children, and where nodes are at rest.
+struct Resting {
+    joints: Vec<Joint>,
+    rest: Vec<Place>,
 }
 
 /// The curves of a node.
@@ -145,7 +134,7 @@ impl<'a> Reading<'a> {
 
     /// Nodes that become joints.
     fn kept(&self) -> Result<Vec<bool>, FormatError> {
-        let count = self.tree.parent.len();
+        let count = self.tree.nodes.parent.len();
         let mut animated = vec![false; count];
         for channel in &self.animation.channels {
             if let (Path::Translation | Path::Rotation, Some(node)) =
@@ -173,20 +162,19 @@ impl<'a> Reading<'a> {
         if !marked.contains(&true) {
             return Ok(animated);
         }
-        let above = self.tree.with_ancestors(&marked);
+        let above = self.tree.nodes.with_ancestors(&marked);
         let kept = (0..count).map(|node| marked[node] || (above[node] && animated[node]));
         Ok(kept.collect())
     }
 
-    /// Joints with their parents before them.
-    fn joints(&mut self) -> Result<Vec<Joint>, FormatError> {
+    fn joints(&mut self) -> Result<Resting, FormatError> {
         let kept = self.kept()?;
         let rest = match self.rest {
             Rest::Nodes => Bind {
-                place: self.tree.place.clone(),
+                place: self.tree.nodes.place.clone(),
                 differ: 0,
             },
-            Rest::Bind => bind(self.source, &self.tree)?,
+            Rest::Bind => bind(self.source, &self.tree.nodes)?,
         };
         if rest.differ > 0 {
             self.assumptions.push(Assumption {
@@ -202,32 +190,11 @@ impl<'a> Reading<'a> {
                 because: format!("{} nodes have another", self.tree.odd_scales),
             });
         }
-        let base = Place {
-            translation: DVec3::ZERO,
-            rotation: DQuat::IDENTITY,
-            scale: 1.0,
-        };
-        // What is between a node and the joint above it, and the scale of the world.
-        let mut inside = vec![base; kept.len()];
-        let mut joints = vec![];
-        for &node in &self.tree.order {
-            let parent = self.tree.parent[node];
-            let outer = parent.map_or(base, |parent| inside[parent]);
-            inside[node] = outer.then(&self.tree.place[node]);
-            if kept[node] {
-                joints.push(Joint {
-                    node,
-                    outer,
-                    rest: rest.place[node],
-                });
-                // Offsets below it are in its own axes.
-                inside[node] = Place {
-                    scale: inside[node].scale,
-                    ..base
-                };
-            }
-        }
-        Ok(joints)
+        let joints = self.tree.nodes.joints(&kept);
+        Ok(Resting {
+            joints,
+            rest: rest.place,
+        })
     }
 
     /// The channels of joints, and when their keys stand.
@@ -316,8 +283,8 @@ impl<'a> Reading<'a> {
 
     /// `size`: bytes of the file.
     fn captured(mut self, size: usize) -> Result<Captured, FormatError> {
-        let joints = self.joints()?;
-        let mut index = vec![None; self.tree.parent.len()];
+        let Resting { joints, rest } = self.joints()?;
+        let mut index = vec![None; self.tree.nodes.parent.len()];
         for (at, joint) in joints.iter().enumerate() {
             index[joint.node] = Some(at);
         }
@@ -332,7 +299,10 @@ impl<'a> Reading<'a> {
         };
         check_size(frames, joints.len(), size)?;
         let mut capture = Capture {
-            joints: self.capture_joints(&joints, &index),
+            joints: joints
+                .iter()
+                .map(|joint| joint.at_rest(self.name(joint.node), &rest[joint.node]))
+                .collect(),
             rate,
             local: vec![
                 LocalPose {
@@ -369,7 +339,7 @@ impl<'a> Reading<'a> {
                     curves.translation = Some(curve);
                 }
             }
-            let still = &self.tree.place[joint.node];
+            let still = &self.tree.nodes.place[joint.node];
             for frame in 0..frames {
                 let time = span.start + frame as f64 / rate;
                 let moving = curves.translation.as_ref().map(|curve| curve.vector(time));
@@ -389,11 +359,7 @@ impl<'a> Reading<'a> {
                     rotation,
                     scale: 1.0,
                 };
-                let placed = joint.outer.then(&own);
-                capture.local[frame * joints.len() + at] = LocalPose {
-                    rotation: placed.rotation,
-                    offset: placed.translation,
-                };
+                capture.local[frame * joints.len() + at] = joint.pose(&own);
             }
         }
         Ok(Captured {
@@ -402,25 +368,10 @@ impl<'a> Reading<'a> {
         })
     }
 
-    fn capture_joints(&self, joints: &[Joint], index: &[Option<usize>]) -> Vec<CaptureJoint> {
-        let make = |joint: &Joint| {
-            let rest = joint.outer.then(&joint.rest);
-            let above = self.tree.upward(joint.node).skip(1);
-            let name = match (
-                &self.names[joint.node],
-                &self.source.document.nodes[joint.node].name,
-            ) {
-                (Some(name), _) | (None, Some(name)) => name.clone(),
-                (None, None) => format!("node {}", joint.node),
-            };
-            CaptureJoint {
-                name,
-                parent: above.filter_map(|node| index[node]).next(),
-                offset: rest.translation,
-                rest: rest.rotation,
-            }
-        };
-        joints.iter().map(make).collect()
+    fn name(&self, node: usize) -> String {
+        let bone = self.names[node].as_ref();
+        let name = bone.or(self.source.document.nodes[node].name.as_ref());
+        name.cloned().unwrap_or_else(|| format!("node {node}"))
     }
 }
 

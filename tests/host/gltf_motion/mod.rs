@@ -4,8 +4,8 @@
 pub mod hostile;
 
 use effigy_formats::{
-    capture::{Capture, Captured},
-    gltf_motion::{self, Options, Rest},
+    capture::{Capture, Captured, Rest},
+    gltf_motion::{self, Options},
 };
 use glam::{DAffine3, DMat3, DVec3};
 use serde::Deserialize;
