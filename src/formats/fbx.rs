@@ -14,8 +14,8 @@ use crate::{
 use effigy_core::io::file::{FormatError, excerpt};
 use glam::{DQuat, DVec3, DVec4};
 use ufbx::{
-    AllocatorOpts, Anim, AnimStack, CoordinateAxis, ElementType, FileFormat, InheritModeHandling,
-    LoadOpts, Node, SceneRoot, Transform,
+    AllocatorOpts, Anim, AnimStack, BakeOpts, CoordinateAxis, ElementType, FileFormat,
+    InheritModeHandling, LoadOpts, Node, SceneRoot, Transform,
 };
 
 /// Bytes that the library may take for any file, and how many more for a byte of it; twice: for
@@ -62,7 +62,8 @@ pub fn from_bytes(bytes: &[u8], options: &Options) -> Result<Captured, FormatErr
     let mut assumptions = vec![];
     let stack = chosen(&scene, options.animation.as_deref(), &mut assumptions)?;
     let rate = rate(&scene, options.rate)?;
-    let seconds = stack.time_end - stack.time_begin;
+    let span = span(&scene, stack, bytes.len())?;
+    let seconds = span.end - span.start;
     if !(0.0..=MAX_SECONDS).contains(&seconds) {
         return Err(FormatError::metadata(
             "time",
@@ -72,13 +73,19 @@ pub fn from_bytes(bytes: &[u8], options: &Options) -> Result<Captured, FormatErr
     }
     let frames = (seconds * rate + 1e-3).floor() as usize + 1;
     let times = Times {
-        start: stack.time_begin,
+        start: span.start,
         rate,
         frames,
     };
     let tree = tree(&scene)?;
     let kept = kept(&scene, &tree, &stack.anim, &times, bytes.len())?;
     let joints = tree.joints(&kept);
+    if joints.is_empty() {
+        return Err(FormatError::container(
+            "no bone, and no node that moves",
+            "an animated skeleton",
+        ));
+    }
     check_size(frames, joints.len(), bytes.len())?;
     let rest = rest(&scene, &tree, &joints, options.rest, &mut assumptions)?;
     let mut local = Vec::with_capacity(frames * joints.len());
@@ -87,7 +94,10 @@ pub fn from_bytes(bytes: &[u8], options: &Options) -> Result<Captured, FormatErr
             local.push(joint.pose(&placed(&scene, &stack.anim, joint.node, times.at(frame))?));
         }
     }
-    let name = |joint: &Joint| scene.nodes[joint.node].element.name.to_string();
+    let name = |joint: &Joint| match &*scene.nodes[joint.node].element.name {
+        "" => format!("node {}", joint.node),
+        name => name.to_owned(),
+    };
     let at_rest = joints.iter().zip(&rest);
     let settings = &scene.settings;
     Ok(Captured {
@@ -106,6 +116,33 @@ pub fn from_bytes(bytes: &[u8], options: &Options) -> Result<Captured, FormatErr
     })
 }
 
+/// When an animation plays, seconds.
+struct Span {
+    start: f64,
+    end: f64,
+}
+
+/// When an animation says that it plays, or else when its keys are.
+fn span(scene: &SceneRoot, stack: &AnimStack, size: usize) -> Result<Span, FormatError> {
+    if stack.time_end > stack.time_begin {
+        return Ok(Span {
+            start: stack.time_begin,
+            end: stack.time_end,
+        });
+    }
+    let options = BakeOpts {
+        temp_allocator: allocator(size),
+        result_allocator: allocator(size),
+        ..BakeOpts::default()
+    };
+    let baked = ufbx::bake_anim(scene, &stack.anim, options).map_err(|error| refused(&error))?;
+    let start = baked.key_time_min;
+    Ok(Span {
+        start,
+        end: baked.key_time_max.max(start),
+    })
+}
+
 /// When frames are.
 struct Times {
     start: f64,
@@ -119,14 +156,23 @@ impl Times {
     }
 }
 
-fn load(bytes: &[u8]) -> Result<SceneRoot, FormatError> {
-    let allocator = || AllocatorOpts {
-        memory_limit: SMALL + GROWTH * bytes.len(),
+/// Limits for a file of `size` bytes.
+fn allocator(size: usize) -> AllocatorOpts {
+    AllocatorOpts {
+        memory_limit: SMALL + GROWTH * size,
         ..AllocatorOpts::default()
-    };
+    }
+}
+
+fn refused(error: &ufbx::Error) -> FormatError {
+    let said = excerpt(&error.description);
+    FormatError::container(format!("what ufbx can't read: {said}"), "an FBX file")
+}
+
+fn load(bytes: &[u8]) -> Result<SceneRoot, FormatError> {
     let options = LoadOpts {
-        temp_allocator: allocator(),
-        result_allocator: allocator(),
+        temp_allocator: allocator(bytes.len()),
+        result_allocator: allocator(bytes.len()),
         ignore_geometry: true,
         ignore_embedded: true,
         file_format: FileFormat::Fbx,
@@ -135,10 +181,7 @@ fn load(bytes: &[u8]) -> Result<SceneRoot, FormatError> {
         inherit_mode_handling: InheritModeHandling::Compensate,
         ..LoadOpts::default()
     };
-    ufbx::load_memory(bytes, options).map_err(|error| {
-        let said = excerpt(&error.description);
-        FormatError::container(format!("what ufbx can't read: {said}"), "an FBX file")
-    })
+    ufbx::load_memory(bytes, options).map_err(|error| refused(&error))
 }
 
 fn axis(axis: CoordinateAxis) -> Option<DVec3> {
@@ -281,6 +324,12 @@ fn kept(
         scene.nodes.iter().map(|node| !node.is_root).collect()
     };
     let count = candidates.iter().filter(|&&candidate| candidate).count();
+    if count == 0 {
+        return Err(FormatError::container(
+            "no node",
+            "bones, or nodes that move",
+        ));
+    }
     check_size(times.frames, count, size)?;
     let mut kept = bones;
     for node in 0..kept.len() {
@@ -347,4 +396,147 @@ fn rest(
         });
     }
     Ok(places)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::{DAffine3, DMat3};
+    use proptest::prelude::*;
+    use serde::Deserialize;
+    use std::{collections::BTreeMap, time::Instant};
+
+    /// `tests/data/fbx/make.py`, which knows nothing of Effigy, wrote it and computed where its joints
+    /// are.
+    const WALK: &[u8] = include_bytes!("../../tests/data/fbx/walk.fbx");
+    const NAMES: [&str; 4] = ["Hips", "Spine", "Arm", "Still"];
+
+    /// Joints in the world, by [`NAMES`].
+    #[derive(Deserialize)]
+    struct Joints {
+        /// Rows.
+        rotation: Vec<[[f64; 3]; 3]>,
+        translation: Vec<[f64; 3]>,
+    }
+
+    #[derive(Deserialize)]
+    struct Shown {
+        frames: Vec<Joints>,
+        nodes: Joints,
+        bind: Joints,
+    }
+
+    fn shown() -> Shown {
+        serde_json::from_str(include_str!("../../tests/data/fbx/shown.json")).expect("shown")
+    }
+
+    fn read(options: &Options) -> Captured {
+        from_bytes(WALK, options).expect("an animation")
+    }
+
+    fn compare(what: &str, capture: &Capture, own: &[DAffine3], expected: &Joints) {
+        let own: BTreeMap<&str, &DAffine3> = capture
+            .joints
+            .iter()
+            .map(|joint| &*joint.name)
+            .zip(own)
+            .collect();
+        assert_eq!(own.len(), NAMES.len(), "{what}");
+        for (joint, name) in NAMES.into_iter().enumerate() {
+            let rows = DMat3::from_cols_array_2d(&expected.rotation[joint]).transpose();
+            let off = (own[name].matrix3 - rows).to_cols_array();
+            let off = off.iter().fold(0.0, |most: f64, n| most.max(n.abs()));
+            assert!(off < 2e-5, "{what}: {name} is turned {off} off");
+            let off = own[name]
+                .translation
+                .distance(DVec3::from(expected.translation[joint]));
+            assert!(off < 2e-4, "{what}: {name} is {off} cm off");
+        }
+    }
+
+    #[test]
+    fn joints_are_where_numpy_computes_them() {
+        let captured = read(&Options::default());
+        let capture = &captured.capture;
+        let shown = shown();
+        assert_eq!((capture.frames(), capture.rate), (shown.frames.len(), 25.0));
+        assert_eq!((capture.unit, capture.up), (Some(0.01), Some(DVec3::Z)));
+        for (at, frame) in shown.frames.iter().enumerate() {
+            compare(&format!("frame {at}"), capture, &capture.world(at), frame);
+        }
+        compare("bind", capture, &capture.rest(), &shown.bind);
+        let said = captured.assumptions.iter().find(|a| a.what == "rest pose");
+        assert!(said.is_some());
+        let nodes = read(&Options {
+            rest: Rest::Nodes,
+            ..Options::default()
+        });
+        compare("nodes", &nodes.capture, &nodes.capture.rest(), &shown.nodes);
+    }
+
+    #[test]
+    fn animations_and_rates_are_chosen() {
+        let asked = |animation: &str, rate| {
+            let options = Options {
+                animation: Some(animation.into()),
+                rate,
+                ..Options::default()
+            };
+            from_bytes(WALK, &options)
+        };
+        let fault = |result: Result<Captured, FormatError>| match result {
+            Ok(_) => "none".to_owned(),
+            Err(error) => error.to_string(),
+        };
+        let first = read(&Options::default());
+        assert_eq!(asked("Walk", None).map(|c| c.capture), Ok(first.capture));
+        assert_eq!(asked("1", None), asked("Rest", None));
+        assert!(
+            fault(asked("Run", None))
+                .contains("no animation `Run`, expected one of `Walk`, `Rest`")
+        );
+        assert_eq!(asked("Walk", Some(50.0)).map(|c| c.capture.frames()), Ok(9));
+        for rate in [0.0, f64::NAN, 1e15] {
+            assert_ne!(fault(asked("Walk", Some(rate))), "none", "{rate}");
+        }
+        let nothing = from_bytes(b"nothing", &Options::default());
+        assert!(fault(nothing).contains("what ufbx can't read"));
+    }
+
+    /// Text may end anywhere after its objects and still be whole: no prefix may do harm.
+    #[test]
+    fn a_file_that_ends_too_soon_does_no_harm() {
+        for end in 0..WALK.len() {
+            let _ = from_bytes(&WALK[..end], &Options::default());
+        }
+    }
+
+    #[test]
+    fn a_tower_of_nodes_ends_soon() {
+        let mut text = String::from("; FBX 7.4.0 project file\nFBXVersion: 7400\nObjects: {\n");
+        let start = Instant::now();
+        text.push_str(&"A: {".repeat(1_000_000));
+        assert!(from_bytes(text.as_bytes(), &Options::default()).is_err());
+        assert!(start.elapsed().as_secs_f64() < 5.0);
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(1000))]
+
+        #[test]
+        fn changed_bytes_do_no_harm(
+            changes in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 1..8),
+        ) {
+            let mut bytes = WALK.to_vec();
+            for (at, byte) in changes {
+                let at = at.index(bytes.len());
+                bytes[at] = byte;
+            }
+            if let Ok(captured) = from_bytes(&bytes, &Options::default()) {
+                let capture = captured.capture;
+                prop_assert_eq!(capture.local.len(), capture.frames() * capture.joints.len());
+                prop_assert!(capture.local.iter().all(|pose| pose.offset.is_finite()));
+            }
+        }
+    }
 }
