@@ -41,7 +41,7 @@ const SAME_TURN: f64 = 0.02;
 pub struct Options {
     /// Frames a second; None: the file's.
     pub rate: Option<f64>,
-    /// The name of an animation, or its number from 0; None: the first.
+    /// The name of an animation, or its number from 0; None: the first that moves.
     pub animation: Option<String>,
     /// Which pose is that at rest.
     pub rest: Rest,
@@ -226,8 +226,13 @@ fn chosen<'a>(
         names.push(format!("{} more", stacks.len() - NAMED));
     }
     let names = names.join(", ");
+    // Exporters leave an empty one before that which moves.
+    let moves = |stack: &AnimStack| {
+        let mut layers = stack.layers.iter();
+        layers.any(|layer| !layer.anim_props.is_empty())
+    };
     let found = match asked {
-        None => Some(0),
+        None => Some(stacks.iter().position(|stack| moves(stack)).unwrap_or(0)),
         Some(asked) => {
             let by_name = stacks
                 .iter()
@@ -251,7 +256,7 @@ fn chosen<'a>(
         assumptions.push(Assumption {
             what: "animation",
             taken: name(found),
-            because: format!("it is the first of {names}"),
+            because: format!("it is the first that moves of {names}"),
         });
     }
     Ok(&stacks[found])

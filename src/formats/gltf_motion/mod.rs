@@ -172,15 +172,15 @@ impl<'a> Reading<'a> {
         let rest = match self.rest {
             Rest::Nodes => Bind {
                 place: self.tree.nodes.place.clone(),
-                differ: 0,
+                differ: Default::default(),
             },
             Rest::Bind => bind(self.source, &self.tree.nodes)?,
         };
-        if rest.differ > 0 {
+        if !rest.differ.is_empty() {
             self.assumptions.push(Assumption {
                 what: "rest pose",
                 taken: "that of the skins' bind matrices".into(),
-                because: format!("{} joints' nodes are elsewhere", rest.differ),
+                because: format!("{} joints' nodes are elsewhere", rest.differ.len()),
             });
         }
         if self.tree.odd_scales > 0 {

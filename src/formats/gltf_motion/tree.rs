@@ -7,7 +7,7 @@ use super::{
 use crate::scene_tree::{Place, SceneTree};
 use effigy_core::io::file::FormatError;
 use glam::{DMat4, DQuat, DVec3, DVec4};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// How far the bind pose may be from the nodes' before it counts as another: radians, and a share
 /// of a bone's length.
@@ -113,7 +113,7 @@ impl Tree {
 pub struct Bind {
     pub place: Vec<Place>,
     /// Joints whose nodes say otherwise.
-    pub differ: usize,
+    pub differ: BTreeSet<usize>,
 }
 
 /// The pose of the skins' inverse bind matrices: of each joint whose parent is a joint of the same
@@ -121,7 +121,7 @@ pub struct Bind {
 pub fn bind(source: &Source, tree: &SceneTree) -> Result<Bind, FormatError> {
     let mut bind = Bind {
         place: tree.place.clone(),
-        differ: 0,
+        differ: BTreeSet::new(),
     };
     for skin in &source.document.skins {
         let Some(accessor) = skin.inverse_bind else {
@@ -147,7 +147,9 @@ pub fn bind(source: &Source, tree: &SceneTree) -> Result<Bind, FormatError> {
                     "inverse bind matrices",
                 ));
             };
-            bind.differ += usize::from(differ(&place, &tree.place[joint]));
+            if differ(&place, &tree.place[joint]) {
+                bind.differ.insert(joint);
+            }
             bind.place[joint] = place;
         }
     }

@@ -4,8 +4,11 @@
 //! here, and from numbers of a shape. These places are our own, in whole centimetres. They serve
 //! directions and scale, which retargeting takes from a rest pose; nothing else.
 
-use crate::smpl_joints::{BODY, SMPL_X};
-use glam::DVec3;
+use crate::{
+    capture::CaptureJoint,
+    smpl_joints::{BODY, SMPL_X},
+};
+use glam::{DQuat, DVec3};
 
 /// Which model a file's numbers are for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -79,6 +82,22 @@ pub fn offset(joint: usize, family: Family) -> DVec3 {
         _ => OFFSETS[joint],
     };
     DVec3::from(offset)
+}
+
+/// Joints of SMPL-X at rest, as its files that say no rest pose have them.
+pub fn joints(family: Family, kept: impl Fn(usize) -> bool) -> Vec<CaptureJoint> {
+    let mut places = [None; SMPL_X.len()];
+    let mut joints = vec![];
+    for (at, joint) in SMPL_X.iter().enumerate().filter(|&(at, _)| kept(at)) {
+        places[at] = Some(joints.len());
+        joints.push(CaptureJoint {
+            name: joint.name.into(),
+            parent: joint.parent.and_then(|parent| places[usize::from(parent)]),
+            offset: offset(at, family),
+            rest: DQuat::IDENTITY,
+        });
+    }
+    joints
 }
 
 /// From the pelvis to the middle between the hip joints, metres.

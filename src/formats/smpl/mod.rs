@@ -25,10 +25,11 @@ mod timeline;
 mod track;
 
 use crate::{
-    capture::Captured,
+    capture::{CaptureJoint, Captured},
     npz::{self, Npz, is_zip},
     pickle::Pickle,
 };
+use body::Family;
 use effigy_core::io::file::FormatError;
 use fields::Fields;
 
@@ -44,6 +45,12 @@ pub struct Options {
 /// Bytes that any archive may unpack to: what a small one of a motion would be takes much more
 /// memory as a capture.
 const SMALL: u64 = 8 << 20;
+/// The joints of SMPL-X in a T-pose of an average body: metres, x to the person's left, y up, z
+/// forward. They serve directions and scale.
+pub fn average_joints() -> Vec<CaptureJoint> {
+    body::joints(Family::SmplX, |_| true)
+}
+
 /// ROMP's arrays of objects.
 const ROMP: [&str; 2] = ["results", "sequence_results"];
 

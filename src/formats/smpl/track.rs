@@ -7,7 +7,7 @@ use super::{
 };
 use crate::{
     assumption::Assumption,
-    capture::{Capture, CaptureJoint, Captured, LocalPose, check_size},
+    capture::{Capture, Captured, LocalPose, check_size},
     smpl_joints::SMPL_X,
 };
 use effigy_core::io::file::FormatError;
@@ -115,7 +115,7 @@ impl Track {
         check_size(frames, kept.len(), size)?;
         let expression_len = self.expression.as_ref().map_or(0, |table| table.width);
         let mut capture = Capture {
-            joints: self.joints(&kept),
+            joints: body::joints(self.family, |joint| kept.contains(&joint)),
             rate,
             local: Vec::with_capacity(frames * kept.len()),
             unit: Some(1.0),
@@ -174,18 +174,6 @@ impl Track {
             format!("{rate} frames a second"),
             "a number above 0",
         ))
-    }
-
-    /// Joints of SMPL-X that the file has.
-    fn joints(&self, kept: &[usize]) -> Vec<CaptureJoint> {
-        let place = |joint: usize| kept.iter().position(|&kept| kept == joint);
-        let joint = |&joint: &usize| CaptureJoint {
-            name: SMPL_X[joint].name.into(),
-            parent: SMPL_X[joint].parent.and_then(|parent| place(parent.into())),
-            offset: body::offset(joint, self.family),
-            rest: DQuat::IDENTITY,
-        };
-        kept.iter().map(joint).collect()
     }
 
     fn pose(&self, slot: Slot, capture: &mut Capture) -> Result<(), FormatError> {

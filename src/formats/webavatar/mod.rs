@@ -32,7 +32,7 @@ mod read;
 mod skeleton;
 mod write;
 
-pub use poses::{read_poses, write_poses};
+pub use poses::{capture_poses, read_poses, write_poses};
 pub use read::{Imported, from_bytes};
 pub use write::{Loss, to_bytes};
 
