@@ -117,7 +117,7 @@ pub(crate) fn check_size(frames: usize, joints: usize, size: usize) -> Result<()
     let within = (1..=MAX_JOINTS).contains(&joints)
         && (1..=MAX_FRAMES).contains(&frames)
         && frames.saturating_mul(joints) <= MAX_ROTATIONS;
-    let most = (SMALL + GROWTH * size) / size_of::<LocalPose>();
+    let most = GROWTH.saturating_mul(size).saturating_add(SMALL) / size_of::<LocalPose>();
     if within && frames * joints > most {
         return Err(FormatError::container(
             format!("{frames} frames of {joints} joints"),

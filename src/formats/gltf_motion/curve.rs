@@ -17,6 +17,14 @@ pub struct Curve {
     interpolation: Interpolation,
 }
 
+/// A time between keys.
+struct Moment {
+    /// The key at or before it.
+    key: usize,
+    /// Of the way to the next, from 0 to 1.
+    share: f64,
+}
+
 /// The times of a sampler's keys, seconds.
 pub fn times(source: &Source, sampler: &Sampler) -> Result<Vec<f32>, FormatError> {
     let count = source.count(sampler.input)?;
@@ -59,20 +67,25 @@ impl Curve {
         DVec4::new(row[0].into(), row[1].into(), row[2].into(), w.into())
     }
 
-    /// The key at or before a time, and the share of the way to the next.
-    fn place(&self, time: f64) -> (usize, f64) {
+    fn moment(&self, time: f64) -> Moment {
         let after = self.times.partition_point(|&key| f64::from(key) <= time);
         let before = after.saturating_sub(1);
         let [Some(&a), Some(&b)] = [self.times.get(before), self.times.get(before + 1)] else {
-            return (before, 0.0);
+            return Moment {
+                key: before,
+                share: 0.0,
+            };
         };
         let share = (time - f64::from(a)) / f64::from(b - a);
-        (before, share.clamp(0.0, 1.0))
+        Moment {
+            key: before,
+            share: share.clamp(0.0, 1.0),
+        }
     }
 
     /// The numbers at a time, before anything is made of them.
     fn sample(&self, time: f64) -> DVec4 {
-        let (key, share) = self.place(time);
+        let Moment { key, share } = self.moment(time);
         match self.interpolation {
             Interpolation::Step => self.row(key),
             Interpolation::Linear if share == 0.0 => self.row(key),
@@ -99,7 +112,7 @@ impl Curve {
     /// A rotation; None where the numbers are those of none.
     pub fn rotation(&self, time: f64) -> Option<DQuat> {
         let unit = |row: DVec4| row.try_normalize().map(DQuat::from_vec4);
-        let (key, share) = self.place(time);
+        let Moment { key, share } = self.moment(time);
         if self.interpolation == Interpolation::Linear && share > 0.0 {
             // The shorter way round.
             return Some(unit(self.row(key))?.slerp(unit(self.row(key + 1))?, share));

@@ -428,8 +428,12 @@ impl<'a> Machine<'a> {
                 let &[element, data] = &arguments[..] else {
                     return Err(wrong());
                 };
-                let Node::Element(Some(element)) = *self.nodes.get(element) else {
+                let Node::Element(element) = *self.nodes.get(element) else {
                     return Err(wrong());
+                };
+                let Some(element) = element else {
+                    // Text, or a date.
+                    return self.add(Node::None);
                 };
                 let bytes = self.nodes.bytes(data);
                 let bytes = bytes.filter(|bytes| bytes.len() == element.size);

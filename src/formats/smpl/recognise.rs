@@ -173,10 +173,10 @@ fn aist(fields: &mut Fields) -> Result<Track, FormatError> {
 
 fn wham(fields: &mut Fields) -> Result<Track, FormatError> {
     let world = fields.has("pose_world");
-    let (poses, places) = if world {
-        ("pose_world", "trans_world")
+    let [poses, places] = if world {
+        ["pose_world", "trans_world"]
     } else {
-        ("pose", "trans")
+        ["pose", "trans"]
     };
     let poses = fields.table(poses, &[72])?;
     let mut track = track(need(poses, "pose", fields)?);
