@@ -2,7 +2,7 @@
 
 use crate::{
     files, options, progress,
-    source::{self, JointsArg, POSES_RATE, print_assumptions},
+    source::{self, CaptureArgs, print_assumptions},
 };
 use anyhow::Context;
 use clap::ValueEnum;
@@ -20,7 +20,8 @@ const POSE_COMPONENTS: usize = 20;
 
 #[derive(clap::Args, Debug)]
 pub struct Args {
-    /// The paper's model, a .npz file, or motion capture, a .bvh file
+    /// The paper's model, a .npz file, or motion of any body: .bvh, .fbx, glTF, VRM, SMPL's
+    /// parameters, the paper's _poses.json
     file: PathBuf,
     /// Avatar or motion file to write
     #[arg(short, long, value_name = "FILE")]
@@ -29,7 +30,7 @@ pub struct Args {
     #[arg(long, value_name = "FILE")]
     avatar: Option<PathBuf>,
     #[command(flatten)]
-    joints: JointsArg,
+    capture: CaptureArgs,
     /// Leave feet where joints put them: neither held in place where they stand in the capture, nor
     /// lifted out of the ground
     #[arg(long)]
@@ -97,10 +98,10 @@ impl From<ColorArg> for ColorCode {
 impl Args {
     fn clip_options(&self) -> anyhow::Result<ClipOptions> {
         Ok(ClipOptions {
-            rate_unsaid: self.fps.unwrap_or(POSES_RATE),
+            capture: self.capture.capture(self.fps),
             retarget: RetargetOptions {
                 rate: self.fps,
-                corrections: self.joints.read()?,
+                corrections: self.capture.corrections()?,
                 keep_feet: self.keep_feet,
                 girth: None,
             },

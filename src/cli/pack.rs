@@ -2,7 +2,7 @@
 
 use crate::{
     files, options, progress,
-    source::{JointsArg, PoseProjection, Source},
+    source::{CaptureArgs, PoseProjection, Source},
 };
 use anyhow::ensure;
 use clap::ValueEnum;
@@ -75,7 +75,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     let source = Source {
         avatar: args.avatar.clone(),
         motion: args.motion.iter().cloned().collect(),
-        joints: JointsArg::default(),
+        capture: CaptureArgs::default(),
         up: None,
         project: PoseProjection::On,
     };

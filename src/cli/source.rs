@@ -13,7 +13,7 @@ use effigy_core::{
 };
 use effigy_formats::{
     assumption::Assumption,
-    open::{self, ClipOptions, OpenOptions},
+    open::{self, CaptureOptions, ClipOptions, OpenOptions},
     retarget::{Correction, RetargetOptions},
 };
 use std::{
@@ -27,14 +27,14 @@ pub struct Source {
     /// Avatar to draw: an .avatar file, the paper's .npz, or a 3DGS .ply, which stands still.
     /// Motion capture moves the demo [default: the built-in demo]
     pub avatar: Option<PathBuf>,
-    /// Clip that moves the avatar: a .motion file, motion capture (.bvh), or the paper's
-    /// _poses.json; repeat for several [default: the poses beside an .npz, else the built-in demo
-    /// clip]
+    /// Clip that moves the avatar: a .motion file, or motion of any body (.bvh, .fbx, glTF, VRM,
+    /// SMPL's parameters, the paper's _poses.json); repeat for several [default: the poses beside
+    /// an .npz, else the built-in demo clip]
     #[arg(long, value_name = "FILE")]
     pub motion: Vec<PathBuf>,
-    /// Which joints of motion capture are which.
+    /// Which motion of a file, and of which joints.
     #[command(flatten)]
-    pub joints: JointsArg,
+    pub capture: CaptureArgs,
     /// Axis that points up in a .ply [default: the file's own, else -y, as 3DGS trains]
     #[arg(long, value_parser = named(Up::NAMES, Up::ALL), value_name = "AXIS", allow_hyphen_values = true)]
     pub up: Option<Up>,
@@ -44,18 +44,33 @@ pub struct Source {
     pub project: PoseProjection,
 }
 
-/// Which joints of motion capture are which.
+/// Which motion of a file of another program, and of which joints.
 #[derive(clap::Args, Clone, Debug, Default)]
-pub struct JointsArg {
+pub struct CaptureArgs {
     /// Joints of motion capture that are other parts than they seem: a JSON file,
     /// {"LeftArm": "their joint", …}
     #[arg(long, value_name = "FILE")]
     joints: Option<PathBuf>,
+    /// Animation of a file with several, by its name or its number from 0 [default: the first]
+    #[arg(long, value_name = "NAME")]
+    animation: Option<String>,
+    /// Person of a file with several, from 0: those who are seen longer come first
+    #[arg(long, value_name = "N", default_value_t)]
+    person: usize,
 }
 
-impl JointsArg {
-    /// Reads the file, if there is one.
-    pub fn read(&self) -> anyhow::Result<Vec<Correction>> {
+impl CaptureArgs {
+    /// Which motion of a file. `rate`: frames a second where the file leaves it open.
+    pub fn capture(&self, rate: Option<f64>) -> CaptureOptions {
+        CaptureOptions {
+            rate,
+            animation: self.animation.clone(),
+            person: self.person,
+        }
+    }
+
+    /// Reads which joints are which, where the user says.
+    pub fn corrections(&self) -> anyhow::Result<Vec<Correction>> {
         let Some(path) = &self.joints else {
             return Ok(vec![]);
         };
@@ -164,9 +179,9 @@ impl Source {
             return Ok(vec![clip]);
         }
         let options = ClipOptions {
-            rate_unsaid: POSES_RATE,
+            capture: self.capture.capture(None),
             retarget: RetargetOptions {
-                corrections: self.joints.read()?,
+                corrections: self.capture.corrections()?,
                 ..RetargetOptions::default()
             },
         };
@@ -190,9 +205,6 @@ pub fn clip(path: &Path, avatar: &Avatar, options: &ClipOptions) -> anyhow::Resu
     }
     Ok(opened.clip)
 }
-
-/// Frames a second of poses whose file does not say.
-pub const POSES_RATE: f64 = 30.0;
 
 /// Says what a file left open, and who can say otherwise.
 pub fn print_assumptions(file: &Path, assumptions: &[Assumption]) {

@@ -7,10 +7,7 @@
 
 use crate::{
     assumption::Assumption,
-    capture::{
-        Capture, CaptureJoint, Captured, LocalPose, MAX_FRAMES, MAX_JOINTS, MAX_ROTATIONS,
-        memory_limit,
-    },
+    capture::{Capture, CaptureJoint, Captured, LocalPose, MAX_FRAMES, MAX_JOINTS, most_poses},
 };
 use effigy_core::io::file::{FormatError, excerpt};
 use glam::{DQuat, DVec3, Vec3};
@@ -90,7 +87,7 @@ pub fn from_bytes(bytes: &[u8]) -> Result<Captured, FormatError> {
         let found = format!("a frame time of {frame_time} s");
         return Err(FormatError::container(found, "more than 0"));
     }
-    let mut frames = Frames::new(&hierarchy, memory_limit(bytes.len()));
+    let mut frames = Frames::new(&hierarchy, most_poses(bytes.len()));
     for line in lines {
         if frames.local.len() == hierarchy.joints.len() {
             frames.reserve(bytes.len() / line.text.len().max(1));
@@ -191,16 +188,14 @@ struct Frames<'a> {
 }
 
 impl<'a> Frames<'a> {
-    /// `bytes`: what the frames may take.
-    fn new(hierarchy: &'a Hierarchy, bytes: usize) -> Self {
-        let joints = hierarchy.joints.len();
-        let fits = bytes / (joints * size_of::<LocalPose>());
+    /// `poses`: of single joints, at most.
+    fn new(hierarchy: &'a Hierarchy, poses: usize) -> Self {
         Self {
             hierarchy,
             local: vec![],
             row: vec![],
             width: hierarchy.channels.iter().map(Vec::len).sum(),
-            limit: fits.min(MAX_FRAMES).min(MAX_ROTATIONS / joints),
+            limit: (poses / hierarchy.joints.len()).min(MAX_FRAMES),
         }
     }
 
@@ -237,10 +232,7 @@ impl<'a> Frames<'a> {
                     }
                 }
             }
-            self.local.push(LocalPose {
-                rotation: rotation.as_quat(),
-                offset: offset.as_vec3(),
-            });
+            self.local.push(LocalPose::new(rotation, offset));
         }
         Ok(())
     }

@@ -9,7 +9,14 @@ pub mod assumption;
 pub mod bvh;
 pub mod capture;
 mod fault;
+#[cfg(feature = "fbx")]
+pub mod fbx;
+pub mod gltf_motion;
 pub mod npz;
 pub mod open;
+pub mod pickle;
 pub mod retarget;
+mod scene_tree;
+pub mod smpl;
+mod smpl_joints;
 pub mod webavatar;

@@ -9,6 +9,7 @@ mod bake;
 mod drift;
 mod files;
 mod fit;
+mod gltf_motion;
 mod governor;
 mod layout;
 mod learned;
@@ -21,6 +22,7 @@ mod projection;
 mod reference;
 mod reference_bodies;
 mod shaders;
+mod smpl;
 mod sources;
 #[cfg(target_os = "linux")]
 mod thermals;
@@ -47,6 +49,8 @@ fn main() -> ExitCode {
             files::packed,
             files::rules,
             fit,
+            gltf_motion,
+            gltf_motion::hostile,
             governor,
             layout,
             learned,
@@ -61,6 +65,8 @@ fn main() -> ExitCode {
             reference,
             reference_bodies,
             shaders,
+            smpl,
+            smpl::hostile,
             sources,
             #[cfg(target_os = "linux")]
             thermals,

@@ -5,7 +5,7 @@ mod capture;
 mod motion;
 mod text;
 
-use crate::source::{JointsArg, print_assumptions};
+use crate::source::{CaptureArgs, print_assumptions};
 use anyhow::{Context, bail};
 use avatar::AvatarSummary;
 use capture::{CaptureSummary, ComparisonSummary};
@@ -26,8 +26,8 @@ use std::path::{Path, PathBuf};
 
 #[derive(clap::Args, Debug)]
 pub struct Args {
-    /// Avatar or motion file, the paper's .npz, a 3DGS .ply, or motion capture (.bvh) [default: the
-    /// built-in demo avatar]
+    /// Avatar or motion file, of Effigy or of any program that it reads [default: the built-in demo
+    /// avatar]
     file: Option<PathBuf>,
     /// Motion capture that the motion file was made of: says how well it follows
     #[arg(long, value_name = "FILE", requires = "file")]
@@ -36,7 +36,7 @@ pub struct Args {
     #[arg(long, value_name = "FILE")]
     avatar: Option<PathBuf>,
     #[command(flatten)]
-    joints: JointsArg,
+    capture: CaptureArgs,
     /// Print JSON
     #[arg(long)]
     json: bool,
@@ -51,11 +51,11 @@ pub fn run(args: Args) -> anyhow::Result<()> {
         return compare(&args, file, against);
     }
     if open::is_capture(file) {
-        let captured = open::capture(file)?;
+        let captured = open::capture(file, &args.capture.capture(None))?;
         print_assumptions(file, &captured.assumptions);
         let moved = args.moved()?;
         let options = retarget::RetargetOptions {
-            corrections: args.joints.read()?,
+            corrections: args.capture.corrections()?,
             girth: retarget::Girth::of(&moved),
             ..Default::default()
         };
@@ -90,9 +90,9 @@ fn compare(args: &Args, file: &Path, against: &Path) -> anyhow::Result<()> {
     let FileContent::Clip(clip) = FileContent::read(file)? else {
         bail!("{} is an avatar: --against is for motion", file.display());
     };
-    let captured = open::capture(against)?;
+    let captured = open::capture(against, &args.capture.capture(None))?;
     print_assumptions(against, &captured.assumptions);
-    let corrections = args.joints.read()?;
+    let corrections = args.capture.corrections()?;
     let report = retarget::compare(
         &clip,
         &captured.capture,

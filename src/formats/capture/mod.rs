@@ -2,6 +2,7 @@
 //! Each reader gives a [`Capture`].
 
 use crate::assumption::Assumption;
+use effigy_core::io::file::FormatError;
 use glam::{DAffine3, DQuat, DVec3, Quat, Vec3};
 
 /// Most joints that a capture may have: several people with hands, and what they carry.
@@ -10,6 +11,13 @@ pub const MAX_JOINTS: usize = 4096;
 pub const MAX_FRAMES: usize = 2_000_000;
 /// Most rotations, frames × joints, of a capture.
 pub const MAX_ROTATIONS: usize = 200_000_000;
+
+/// Bytes of memory that the poses of any capture may take.
+const SMALL: usize = 48 << 20;
+/// How many more they may take for a byte of the file: a rotation of three f32 takes 28 bytes here.
+const GROWTH: usize = 3;
+/// Longest offset along an axis: what is longer is no body's.
+const LONGEST: f64 = 1e9;
 
 /// A joint of a capture.
 #[derive(Clone, Debug, PartialEq)]
@@ -35,15 +43,19 @@ pub struct LocalPose {
 }
 
 impl LocalPose {
+    /// Rounds to 32 bits. `offset` is cut to a billion units.
+    pub fn new(rotation: DQuat, offset: DVec3) -> Self {
+        let longest = DVec3::splat(LONGEST);
+        Self {
+            rotation: rotation.as_quat(),
+            offset: offset.clamp(-longest, longest).as_vec3(),
+        }
+    }
+
     fn matrix(self) -> DAffine3 {
         let rotation = self.rotation.as_dquat().normalize();
         DAffine3::from_rotation_translation(rotation, self.offset.as_dvec3())
     }
-}
-
-/// Bytes that the frames of a capture may take, for a file of so many bytes.
-pub fn memory_limit(bytes: usize) -> usize {
-    3 * bytes + (32 << 20)
 }
 
 /// A skeleton and its motion as in their file.
@@ -63,15 +75,6 @@ pub struct Capture {
     pub expression: Vec<f32>,
     /// Numbers of an expression.
     pub expression_len: usize,
-}
-
-/// What a reader gives.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Captured {
-    /// The motion.
-    pub capture: Capture,
-    /// What the file left open.
-    pub assumptions: Vec<Assumption>,
 }
 
 impl Capture {
@@ -133,4 +136,54 @@ impl Capture {
         }
         world
     }
+}
+
+/// Where joints are at rest, in files of models that are posed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Rest {
+    /// Where they were when skins were made, as far as the file says; nodes for the others. VRM:
+    /// nodes, which it asks to stand in a T-pose.
+    #[default]
+    Bind,
+    /// Where nodes are without an animation.
+    Nodes,
+}
+
+/// A capture, and what its reader took where the file left a question open.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Captured {
+    /// The skeleton and its motion.
+    pub capture: Capture,
+    /// What the file left open.
+    pub assumptions: Vec<Assumption>,
+}
+
+/// Poses of single joints that a capture may have whose file has so many bytes.
+pub(crate) fn most_poses(size: usize) -> usize {
+    let bytes = GROWTH.saturating_mul(size).saturating_add(SMALL);
+    (bytes / size_of::<LocalPose>()).min(MAX_ROTATIONS)
+}
+
+/// Refuses a capture of more than [`MAX_JOINTS`], [`MAX_FRAMES`] or [`MAX_ROTATIONS`], or of none,
+/// or of more than a file of `size` bytes can mean: readers ask before they take memory.
+pub(crate) fn check_size(frames: usize, joints: usize, size: usize) -> Result<(), FormatError> {
+    let within = (1..=MAX_JOINTS).contains(&joints)
+        && (1..=MAX_FRAMES).contains(&frames)
+        && frames.saturating_mul(joints) <= MAX_ROTATIONS;
+    let most = most_poses(size);
+    if within && frames * joints > most {
+        return Err(FormatError::container(
+            format!("{frames} frames of {joints} joints"),
+            format!("at most {most} rotations in a file of {size} bytes; fewer frames a second"),
+        ));
+    }
+    if within {
+        return Ok(());
+    }
+    Err(FormatError::container(
+        format!("{frames} frames of {joints} joints"),
+        format!(
+            "1 to {MAX_FRAMES} frames of 1 to {MAX_JOINTS} joints, {MAX_ROTATIONS} rotations in all"
+        ),
+    ))
 }

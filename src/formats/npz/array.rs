@@ -1,6 +1,6 @@
 //! An array of numbers.
 
-use super::header::{Element, Header, Kind};
+use super::{element::Kind, header::Header};
 use crate::fault::tensor;
 use effigy_core::io::file::FormatError;
 use half::f16;
@@ -92,7 +92,7 @@ impl Array {
         let element = self.header.element;
         let numbers: Vec<f32> = self
             .elements()
-            .map(|bytes| float(element, bytes) as f32)
+            .map(|bytes| element.float(bytes) as f32)
             .collect();
         match numbers.iter().position(|number| !number.is_finite()) {
             Some(at) => Err(tensor(
@@ -112,7 +112,7 @@ impl Array {
         let element = self.header.element;
         let numbers: Vec<f16> = self
             .elements()
-            .map(|bytes| f16::from_f64(float(element, bytes)))
+            .map(|bytes| f16::from_f64(element.float(bytes)))
             .collect();
         match numbers.iter().position(|number| !number.is_finite()) {
             Some(at) => Err(tensor(
@@ -136,42 +136,11 @@ impl Array {
         }
         let mut numbers = Vec::with_capacity(self.bytes.len() / element.size);
         for (at, bytes) in self.elements().enumerate() {
-            let number = integer(element, bytes);
+            let number = element.integer(bytes);
             let small = u32::try_from(number).ok().filter(|&n| (n as usize) < end);
             numbers.push(small.ok_or_else(|| fault(format!("{number} at {at}")))?);
         }
         Ok(numbers)
-    }
-}
-
-/// A number as a float.
-fn float(element: Element, bytes: &[u8]) -> f64 {
-    let word = word(element, bytes);
-    match (element.kind, element.size) {
-        (Kind::Float, 2) => f16::from_bits(word as u16).to_f64(),
-        (Kind::Float, 4) => f64::from(f32::from_bits(word as u32)),
-        (Kind::Float, _) => f64::from_bits(word),
-        _ => integer(element, bytes) as f64,
-    }
-}
-
-/// A number that is an integer.
-fn integer(element: Element, bytes: &[u8]) -> i128 {
-    let word = word(element, bytes);
-    let unused = 64 - 8 * element.size as u32;
-    match element.kind {
-        Kind::Signed => i128::from((word << unused) as i64 >> unused),
-        _ => i128::from(word),
-    }
-}
-
-/// The bits of a number.
-fn word(element: Element, bytes: &[u8]) -> u64 {
-    let add = |word, &byte: &u8| word << 8 | u64::from(byte);
-    if element.big_endian {
-        bytes.iter().fold(0, add)
-    } else {
-        bytes.iter().rev().fold(0, add)
     }
 }
 

@@ -1,27 +1,12 @@
 //! The header of a `.npy` file: a Python dictionary with the type, order and shape of the numbers
 //! (NEP 1, "A simple file format for NumPy arrays").
 
+use super::element::Element;
 use effigy_core::io::file::excerpt;
+use std::borrow::Cow;
 
 /// Dimensions of an array, at most: NumPy's own limit.
 const MAX_DIMENSIONS: usize = 32;
-
-/// What kind of numbers an array holds.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
-    Float,
-    Signed,
-    Unsigned,
-}
-
-/// The type of an array's numbers.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Element {
-    pub kind: Kind,
-    /// Bytes.
-    pub size: usize,
-    pub big_endian: bool,
-}
 
 /// What a header says.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -40,32 +25,49 @@ pub struct Fault {
     pub expected: &'static str,
 }
 
+/// A header as it stands in the file.
+pub struct Text<'a> {
+    pub content: Cow<'a, str>,
+    /// Where in the file it ends, bytes.
+    pub end: usize,
+}
+
+/// The header of a `.npy` file.
+pub fn text(bytes: &[u8]) -> Result<Text<'_>, Fault> {
+    let fault = |found: &str, expected| Fault {
+        found: found.to_owned(),
+        expected,
+    };
+    let Some((magic, rest)) = bytes.split_at_checked(8) else {
+        return Err(fault("fewer than 8 bytes", "a NumPy array"));
+    };
+    if &magic[..6] != b"\x93NUMPY" {
+        return Err(fault("no \\x93NUMPY at the start", "a NumPy array"));
+    }
+    // Version 1 has two bytes of length, later ones four.
+    let field = if magic[6] == 1 { 2 } else { 4 };
+    let length = rest.get(..field).map(|bytes| {
+        bytes
+            .iter()
+            .rev()
+            .fold(0, |sum, &b| sum << 8 | usize::from(b))
+    });
+    let text = length.and_then(|length| rest.get(field..field.checked_add(length)?));
+    let Some(text) = text else {
+        return Err(fault("an end inside the header", "a whole header"));
+    };
+    Ok(Text {
+        content: String::from_utf8_lossy(text),
+        end: magic.len() + field + text.len(),
+    })
+}
+
 impl Header {
     pub fn parse(bytes: &[u8]) -> Result<Self, Fault> {
-        let fault = |found: &str, expected| Fault {
-            found: found.to_owned(),
-            expected,
-        };
-        let Some((magic, rest)) = bytes.split_at_checked(8) else {
-            return Err(fault("fewer than 8 bytes", "a NumPy array"));
-        };
-        if &magic[..6] != b"\x93NUMPY" {
-            return Err(fault("no \\x93NUMPY at the start", "a NumPy array"));
-        }
-        // Version 1 has two bytes of length, later ones four.
-        let field = if magic[6] == 1 { 2 } else { 4 };
-        let length = rest.get(..field).map(|bytes| {
-            bytes
-                .iter()
-                .rev()
-                .fold(0, |sum, &b| sum << 8 | usize::from(b))
-        });
-        let text = length.and_then(|length| rest.get(field..field.checked_add(length)?));
-        let Some(text) = text else {
-            return Err(fault("an end inside the header", "a whole header"));
-        };
-        let start = magic.len() + field + text.len();
-        let text = String::from_utf8_lossy(text);
+        let Text {
+            content: text,
+            end: start,
+        } = text(bytes)?;
         let value = |key: &str| {
             let (_, after) = text.split_once(&format!("'{key}':"))?;
             Some(after.trim_start())
@@ -101,28 +103,9 @@ impl Header {
     }
 }
 
-/// Reads a type such as `'<f2'`. None: a type that is not of plain numbers.
+/// Reads a type in quotes.
 fn element(text: &str) -> Option<Element> {
-    let quoted = text.strip_prefix('\'')?.split_once('\'')?.0;
-    let mut letters = quoted.chars();
-    let order = letters.next()?;
-    let (big_endian, kind) = match order {
-        '<' | '|' | '=' => (false, letters.next()?),
-        '>' => (true, letters.next()?),
-        kind => (false, kind),
-    };
-    let size: usize = letters.as_str().parse().ok()?;
-    let kind = match kind {
-        'f' if matches!(size, 2 | 4 | 8) => Kind::Float,
-        'i' if matches!(size, 1 | 2 | 4 | 8) => Kind::Signed,
-        'u' | 'b' if matches!(size, 1 | 2 | 4 | 8) => Kind::Unsigned,
-        _ => return None,
-    };
-    Some(Element {
-        kind,
-        size,
-        big_endian,
-    })
+    Element::parse(text.strip_prefix('\'')?.split_once('\'')?.0)
 }
 
 /// Reads a tuple such as `(200000, 3)`, `(5,)` or `()`.
@@ -140,6 +123,7 @@ fn dimensions(text: &str) -> Option<Vec<usize>> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::npz::element::Kind;
 
     fn npy(text: &str) -> Vec<u8> {
         let mut bytes = b"\x93NUMPY\x01\x00".to_vec();

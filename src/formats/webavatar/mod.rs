@@ -32,11 +32,14 @@ mod read;
 mod skeleton;
 mod write;
 
-pub use poses::{read_poses, write_poses};
+pub use poses::{POSES_RATE, capture_poses, read_poses, write_poses};
 pub use read::{Imported, from_bytes};
 pub use write::{Loss, to_bytes};
 
 use effigy_core::avatar::{Activation, ShCoefficients};
+
+/// The array that no model's file lacks: positions.
+pub const POSITIONS: &str = "_xyz";
 
 /// What `_sh0` and `color_basis` count in.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

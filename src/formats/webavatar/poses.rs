@@ -1,7 +1,13 @@
 //! `NAME_poses.json`: a list of frames, each with the axis-angle rotations of SMPL-X's joints and
 //! what moves the body after skinning, a rotation Rh and a translation Th.
 
-use super::skeleton::SMPL_X;
+use super::skeleton::smpl_x;
+use crate::{
+    assumption::Assumption,
+    capture::{Capture, Captured, LocalPose, check_size},
+    smpl,
+    smpl_joints::SMPL_X,
+};
 use effigy_core::{
     avatar::{Clip, Skeleton},
     io::file::FormatError,
@@ -9,6 +15,9 @@ use effigy_core::{
 use glam::{DMat3, DQuat, DVec3};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
+
+/// Frames a second where nobody says.
+pub const POSES_RATE: f64 = 30.0;
 
 #[derive(Serialize, Deserialize)]
 struct Frame {
@@ -122,6 +131,62 @@ pub fn read_poses(
     Ok(clip)
 }
 
+/// Reads poses for avatars of other skeletons, with an average body for the rest pose. `rate`:
+/// frames a second; None: 30.
+///
+/// # Errors
+/// As [`read_poses`].
+pub fn capture_poses(bytes: &[u8], rate: Option<f64>) -> Result<Captured, FormatError> {
+    let mut assumptions = vec![Assumption {
+        what: "rest pose",
+        taken: "a T-pose of an average body".into(),
+        because: "poses are beside a model that has the skeleton".into(),
+    }];
+    if rate.is_none() {
+        assumptions.push(Assumption {
+            what: "frames a second",
+            taken: POSES_RATE.to_string(),
+            because: "the file does not say".into(),
+        });
+    }
+    let joints = smpl::average_joints();
+    let mut rest: Vec<DVec3> = vec![];
+    for joint in &joints {
+        let parent = joint.parent.map_or(DVec3::ZERO, |parent| rest[parent]);
+        rest.push(parent + joint.offset);
+    }
+    let rest = rest.iter().map(|place| place.as_vec3().to_array());
+    let skeleton = smpl_x(rest.collect());
+    let clip = read_poses(bytes, "", &skeleton, rate.unwrap_or(POSES_RATE))?;
+    check_size(clip.frames(), joints.len(), bytes.len())?;
+    let local = clip.rotation.iter().enumerate().map(|(at, axis)| {
+        let joint = at % joints.len();
+        let moved = clip.translation[at / joints.len()].map(f64::from);
+        let moved = if joint == 0 {
+            DVec3::from(moved)
+        } else {
+            DVec3::ZERO
+        };
+        LocalPose::new(
+            DQuat::from_scaled_axis(DVec3::from(axis.map(f64::from))),
+            joints[joint].offset + moved,
+        )
+    });
+    let local = local.collect();
+    Ok(Captured {
+        capture: Capture {
+            joints,
+            rate: clip.rate,
+            local,
+            unit: Some(1.0),
+            up: None,
+            expression: clip.expression,
+            expression_len: clip.expression_len,
+        },
+        assumptions,
+    })
+}
+
 /// Writes the frames of a clip that moves an avatar, as [`read_poses`] reads them. Joints that the
 /// clip lacks stay at rest.
 pub fn write_poses(clip: &Clip) -> String {
@@ -149,7 +214,6 @@ pub fn write_poses(clip: &Clip) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::webavatar::skeleton::smpl_x;
 
     fn skeleton() -> Skeleton {
         smpl_x((0..55).map(|k| [0.1, 0.9 + 0.01 * k as f32, 0.0]).collect())
@@ -190,6 +254,28 @@ mod tests {
         for (own, place) in b.rotation.iter().zip(map) {
             let expected = place.map_or(DVec3::ZERO, |place| a.rotation[place]);
             assert!(own.distance(expected) < 1e-6, "{own} {expected}");
+        }
+    }
+
+    #[test]
+    fn a_capture_of_poses_moves_as_their_clip_does() {
+        let clip = effigy_demo::clip().expect("the demo's clip");
+        let text = write_poses(&clip);
+        let captured = capture_poses(text.as_bytes(), None).expect("a capture");
+        let capture = captured.capture;
+        assert_eq!((capture.frames(), capture.rate), (clip.frames(), 30.0));
+        assert_eq!(captured.assumptions.len(), 2);
+        let rest: Vec<[f32; 3]> = capture
+            .rest()
+            .iter()
+            .map(|joint| joint.translation.as_vec3().to_array())
+            .collect();
+        let skeleton = smpl_x(rest);
+        let read = read_poses(text.as_bytes(), "a", &skeleton, 30.0).expect("poses");
+        let frame = clip.frames() / 2;
+        let expected = skeleton.joints(&read.frame(frame));
+        for (own, expected) in capture.world(frame).iter().zip(expected) {
+            assert!(own.translation.distance(expected.translation) < 1e-5);
         }
     }
 

@@ -4,12 +4,13 @@
 use super::{
     Options,
     nodes::{self, Influence},
-    skeleton::{self, BODY, SMPL_X},
+    skeleton,
 };
 use crate::{
     assumption::Assumption,
     fault::tensor,
     npz::{Array, Npz},
+    smpl_joints::{BODY, SMPL_X},
 };
 use effigy_core::{
     avatar::{

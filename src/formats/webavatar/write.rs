@@ -1,7 +1,10 @@
 //! Writing of an avatar as `NAME.npz`.
 
-use super::skeleton::{BODY, SMPL_X, canonical, places};
-use crate::npz::NpzWriter;
+use super::skeleton::{canonical, places};
+use crate::{
+    npz::NpzWriter,
+    smpl_joints::{BODY, SMPL_X},
+};
 use effigy_core::{
     avatar::{Activation, Avatar, Layer, Matrix, ShCoefficients},
     io::file::FormatError,

@@ -35,7 +35,7 @@ pub struct CutOptions {
 /// When the file can't be read, no body is found in it, or it does not have the seconds that the
 /// options ask for.
 pub fn motion(file: &Path, skeleton: &Skeleton, options: &CutOptions) -> Result<Clip, SourceError> {
-    let capture = open::capture(file)?.capture;
+    let capture = open::capture(file, &open::CaptureOptions::default())?.capture;
     let retargeting = retarget::RetargetOptions {
         rate: Some(options.rate),
         ..retarget::RetargetOptions::default()

@@ -134,7 +134,7 @@ fn a_static_avatar_needs_no_clip() {
     let (avatar, clips) = Source {
         avatar: Some(path),
         motion: vec![],
-        joints: Default::default(),
+        capture: Default::default(),
         up: Some(Up::Y),
         project: Default::default(),
     }
@@ -150,7 +150,7 @@ fn a_static_avatar_needs_no_clip() {
     let missing = Source {
         avatar: Some(folder.path().join("none.ply")),
         motion: vec![],
-        joints: Default::default(),
+        capture: Default::default(),
         up: None,
         project: Default::default(),
     }

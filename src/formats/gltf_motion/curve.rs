@@ -1,0 +1,122 @@
+//! Keys of a channel, and values between them.
+
+use super::{
+    accessor::Source,
+    document::{Interpolation, Path, Sampler, Shape},
+};
+use effigy_core::io::file::FormatError;
+use glam::{DQuat, DVec3, DVec4};
+
+/// Keys and what stands at them.
+pub struct Curve {
+    /// Seconds, rising.
+    times: Vec<f32>,
+    /// Rows of 3, or of 4 for rotations; for splines three a key: tangent in, value, tangent out.
+    values: Vec<f32>,
+    columns: usize,
+    interpolation: Interpolation,
+}
+
+/// A time between keys.
+struct Moment {
+    /// The key at or before it.
+    key: usize,
+    /// Of the way to the next, from 0 to 1.
+    share: f64,
+}
+
+/// The times of a sampler's keys, seconds.
+pub fn times(source: &Source, sampler: &Sampler) -> Result<Vec<f32>, FormatError> {
+    let count = source.count(sampler.input)?;
+    let times = source.numbers(sampler.input, Shape::Scalar, count)?;
+    let rise = times.windows(2).all(|pair| pair[0] < pair[1]);
+    if rise && times.iter().all(|&time| time >= 0.0) {
+        return Ok(times);
+    }
+    Err(FormatError::metadata(
+        &format!("accessors[{}]", sampler.input),
+        "times that do not rise",
+        "seconds from 0 that rise from key to key",
+    ))
+}
+
+impl Curve {
+    /// Reads a channel's keys.
+    pub fn read(source: &Source, sampler: &Sampler, path: Path) -> Result<Self, FormatError> {
+        let times = times(source, sampler)?;
+        let (shape, columns) = match path {
+            Path::Rotation => (Shape::Vec4, 4),
+            _ => (Shape::Vec3, 3),
+        };
+        let each = match sampler.interpolation {
+            Interpolation::CubicSpline => 3,
+            _ => 1,
+        };
+        let values = source.numbers(sampler.output, shape, each * times.len() as u64)?;
+        Ok(Self {
+            times,
+            values,
+            columns,
+            interpolation: sampler.interpolation,
+        })
+    }
+
+    fn row(&self, at: usize) -> DVec4 {
+        let row = &self.values[at * self.columns..][..self.columns];
+        let w = row.get(3).copied().unwrap_or_default();
+        DVec4::new(row[0].into(), row[1].into(), row[2].into(), w.into())
+    }
+
+    fn moment(&self, time: f64) -> Moment {
+        let after = self.times.partition_point(|&key| f64::from(key) <= time);
+        let before = after.saturating_sub(1);
+        let [Some(&a), Some(&b)] = [self.times.get(before), self.times.get(before + 1)] else {
+            return Moment {
+                key: before,
+                share: 0.0,
+            };
+        };
+        let share = (time - f64::from(a)) / f64::from(b - a);
+        Moment {
+            key: before,
+            share: share.clamp(0.0, 1.0),
+        }
+    }
+
+    /// The numbers at a time, before anything is made of them.
+    fn sample(&self, time: f64) -> DVec4 {
+        let Moment { key, share } = self.moment(time);
+        match self.interpolation {
+            Interpolation::Step => self.row(key),
+            Interpolation::Linear if share == 0.0 => self.row(key),
+            Interpolation::Linear => self.row(key).lerp(self.row(key + 1), share),
+            Interpolation::CubicSpline if share == 0.0 => self.row(3 * key + 1),
+            Interpolation::CubicSpline => {
+                let span = f64::from(self.times[key + 1] - self.times[key]);
+                let [from, out] = [self.row(3 * key + 1), self.row(3 * key + 2)];
+                let [into, to] = [self.row(3 * key + 3), self.row(3 * key + 4)];
+                let (s, s2, s3) = (share, share * share, share * share * share);
+                (2.0 * s3 - 3.0 * s2 + 1.0) * from
+                    + span * (s3 - 2.0 * s2 + s) * out
+                    + (3.0 * s2 - 2.0 * s3) * to
+                    + span * (s3 - s2) * into
+            }
+        }
+    }
+
+    /// A translation.
+    pub fn vector(&self, time: f64) -> DVec3 {
+        self.sample(time).truncate()
+    }
+
+    /// A rotation; None where the numbers are those of none.
+    pub fn rotation(&self, time: f64) -> Option<DQuat> {
+        let unit = |row: DVec4| row.try_normalize().map(DQuat::from_vec4);
+        let Moment { key, share } = self.moment(time);
+        if self.interpolation == Interpolation::Linear && share > 0.0 {
+            // The shorter way round.
+            return Some(unit(self.row(key))?.slerp(unit(self.row(key + 1))?, share));
+        }
+        unit(self.sample(time))
+    }
+}
