@@ -131,8 +131,8 @@ fn time_and_memory_follow_from_the_file() {
         format!(r#"{{"{name}":[{entries}]}}"#).into_bytes()
     };
     let mut far = document();
-    // Two keys that are half a day apart.
-    let days = [0f32, 40_000.0].map(f32::to_le_bytes).concat();
+    // Two keys that are most of a day apart.
+    let days = [0f32, 65_000.0].map(f32::to_le_bytes).concat();
     let rest = [[0f32; 4]; 2]
         .map(|_| [0f32, 0.0, 0.0, 1.0].map(f32::to_le_bytes).concat())
         .concat();
