@@ -144,17 +144,16 @@ fn finger_bones(children: &[Vec<usize>], own: &Arm, theirs: &Arm) -> Vec<Bone> {
 impl Alignment {
     /// The references of a capture.
     pub fn new(bodies: &Bodies, upright: &Upright) -> Self {
-        let rest = positions(&upright.rest());
-        if upright::stands(bodies.source, &rest, DVec3::Y) {
-            Self {
-                inverse: from_rest(bodies, upright),
+        let capture = upright.capture();
+        match upright::rest_up(capture, bodies.source, upright.up()) {
+            Some(up) => Self {
+                inverse: from_rest(bodies, &Upright::new(capture, up).rest()),
                 basis: Basis::Rest,
-            }
-        } else {
-            Self {
+            },
+            None => Self {
                 inverse: Motion::new(bodies, upright).references(),
                 basis: Basis::Motion,
-            }
+            },
         }
     }
 }
@@ -166,9 +165,9 @@ fn heading(source: &Humanoid, at: &[DVec3]) -> DQuat {
     DQuat::from_rotation_y(across.z.atan2(across.x))
 }
 
-fn from_rest(bodies: &Bodies, upright: &Upright) -> Vec<DQuat> {
-    let world = upright.rest();
-    let at = positions(&world);
+/// `world`: the capture's rest pose, y up.
+fn from_rest(bodies: &Bodies, world: &[DAffine3]) -> Vec<DQuat> {
+    let at = positions(world);
     let turn = heading(bodies.source, &at);
     // What turns each limb bone from where it is at rest to where the avatar's is. A bone is turned
     // as the one above it first, so that what is left is small, and does not twist it.
@@ -211,7 +210,7 @@ fn from_rest(bodies: &Bodies, upright: &Upright) -> Vec<DQuat> {
             }
         }
     }
-    let own = rotations(&world).into_iter().zip(turns);
+    let own = rotations(world).into_iter().zip(turns);
     own.map(|(own, limb)| (limb.unwrap_or(DQuat::IDENTITY) * turn * own).inverse())
         .collect()
 }

@@ -146,7 +146,6 @@ struct Match<'a> {
     tree: Tree,
     source: Humanoid,
     target: Humanoid,
-    up: DVec3,
     upright: Upright<'a>,
     alignment: Alignment,
     /// Length of the capture's legs, the file's unit.
@@ -197,7 +196,6 @@ impl<'a> Match<'a> {
             tree,
             source,
             target,
-            up,
             upright,
             alignment,
             leg,
@@ -261,7 +259,7 @@ impl<'a> Match<'a> {
                 .map(guess)
                 .collect(),
             basis: self.alignment.basis,
-            up: self.up,
+            up: self.upright.up(),
             unit,
             scale: self.scale / unit.metres,
             driven,

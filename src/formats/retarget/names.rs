@@ -120,7 +120,7 @@ fn candidates(core: &str) -> &'static [Bone] {
         }
         "forearm" | "lowerarm" | "lowarm" | "farm" | "elbow" | "forearmbend" | "armlower"
         | "radius" => &[Bone::Forearm],
-        "hand" | "wrist" => &[Bone::Hand],
+        "hand" | "wrist" | "palm" => &[Bone::Hand],
         "upleg" | "upperleg" | "thigh" | "thighbend" | "hip" | "legupper" | "femur" | "uleg" => {
             &[Bone::Thigh]
         }

@@ -20,7 +20,7 @@ fn feet_to_head(humanoid: &Humanoid, at: &[DVec3]) -> DVec3 {
 }
 
 /// Whether joints stand as a body does: feet under knees under hips under the head.
-pub fn stands(humanoid: &Humanoid, at: &[DVec3], up: DVec3) -> bool {
+fn stands(humanoid: &Humanoid, at: &[DVec3], up: DVec3) -> bool {
     let feet_to_head = feet_to_head(humanoid, at);
     let height = feet_to_head.dot(up);
     let higher = |a: usize, b: usize, share: f64| (at[a] - at[b]).dot(up) > share * height;
@@ -33,15 +33,26 @@ pub fn stands(humanoid: &Humanoid, at: &[DVec3], up: DVec3) -> bool {
         })
 }
 
+/// The axes of a file, either way.
+fn axes() -> impl Iterator<Item = DVec3> + Clone {
+    DVec3::AXES.into_iter().flat_map(|axis| [axis, -axis])
+}
+
+/// The axis along which the rest pose stands, which need not be the motion's: SMPL rests with y up
+/// whatever its motion does. None: it does not stand.
+pub fn rest_up(capture: &Capture, humanoid: &Humanoid, motion: DVec3) -> Option<DVec3> {
+    let rest = positions(&capture.rest());
+    let mut either = [motion].into_iter().chain(axes());
+    either.find(|up| stands(humanoid, &rest, *up))
+}
+
 /// The axis of the file that points up: the one that most frames stand along.
 pub fn up_axis(capture: &Capture, humanoid: &Humanoid) -> DVec3 {
     if let Some(up) = capture.up {
         return up;
     }
-    let rest = positions(&capture.rest());
-    let axes = DVec3::AXES.into_iter().flat_map(|axis| [axis, -axis]);
     // Most files stand in their rest pose, and lie or tumble in some frames at most.
-    if let Some(up) = axes.clone().find(|up| stands(humanoid, &rest, *up)) {
+    if let Some(up) = rest_up(capture, humanoid, DVec3::Y) {
         return up;
     }
     let frames: DVec3 = spread(capture.frames())
@@ -51,12 +62,13 @@ pub fn up_axis(capture: &Capture, humanoid: &Humanoid) -> DVec3 {
         })
         .sum();
     let along = |axis: &DVec3| frames.dot(*axis);
-    axes.max_by(|a, b| along(a).total_cmp(&along(b)))
+    axes()
+        .max_by(|a, b| along(a).total_cmp(&along(b)))
         .unwrap_or(DVec3::Y)
 }
 
 /// Turns a file's axes so that +y points up, and as little as possible.
-fn to_y_up(up: DVec3) -> DAffine3 {
+pub fn to_y_up(up: DVec3) -> DAffine3 {
     DAffine3::from_quat(if up == -DVec3::Y {
         DQuat::from_rotation_x(std::f64::consts::PI)
     } else {
@@ -67,6 +79,7 @@ fn to_y_up(up: DVec3) -> DAffine3 {
 /// A capture in axes whose y points up, looked at joint by joint.
 pub struct Upright<'a> {
     capture: &'a Capture,
+    up: DVec3,
     to_y_up: DAffine3,
 }
 
@@ -75,6 +88,7 @@ impl<'a> Upright<'a> {
     pub fn new(capture: &'a Capture, up: DVec3) -> Self {
         Self {
             capture,
+            up,
             to_y_up: to_y_up(up),
         }
     }
@@ -84,14 +98,19 @@ impl<'a> Upright<'a> {
         self.capture
     }
 
-    /// Joints to world in a frame; the file's unit.
-    pub fn world(&self, frame: usize) -> Vec<DAffine3> {
-        self.turn(self.capture.world(frame))
+    /// The capture's axis that points up.
+    pub fn up(&self) -> DVec3 {
+        self.up
     }
 
     /// Joints to world in the rest pose; the file's unit.
     pub fn rest(&self) -> Vec<DAffine3> {
         self.turn(self.capture.rest())
+    }
+
+    /// Joints to world in a frame; the file's unit.
+    pub fn world(&self, frame: usize) -> Vec<DAffine3> {
+        self.turn(self.capture.world(frame))
     }
 
     /// Joints to world at a moment, seconds; the file's unit.
