@@ -7,7 +7,8 @@ use effigy_core::{
     avatar::{Avatar, Clip, Pose, motion::Player},
     io::{
         cameras,
-        ply::{self, Up},
+        ply,
+        splats::Up,
     },
     scene::Camera,
 };

@@ -10,4 +10,5 @@ pub mod capture;
 mod fault;
 pub mod npz;
 pub mod open;
+pub mod splats;
 pub mod webavatar;

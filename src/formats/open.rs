@@ -8,7 +8,8 @@ use effigy_core::{
     avatar::{Clip, Skeleton},
     io::{
         file::{FileError, read_with},
-        ply::{self, Up},
+        ply,
+        splats::Up,
     },
 };
 use std::{

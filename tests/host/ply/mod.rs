@@ -10,7 +10,8 @@ use effigy_cli::source::Source;
 use effigy_core::{
     avatar::{Avatar, Clip},
     io::{
-        ply::{self, Up},
+        ply,
+        splats::Up,
         ply_export::{self, Uniform},
     },
     reference,

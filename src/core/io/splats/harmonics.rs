@@ -127,7 +127,8 @@ mod tests {
     }
 
     fn look(splats: &Splats, d: DVec3) -> f64 {
-        let terms = functions(d)[1..].iter().zip(&splats.harmonics);
+        let functions = functions(d);
+        let terms = functions[1..].iter().zip(&splats.harmonics);
         terms.map(|(f, c)| f * f64::from(c[0])).sum()
     }
 

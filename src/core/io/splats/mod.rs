@@ -3,6 +3,7 @@
 //! and every writer takes them.
 
 mod avatar;
+mod axes;
 mod check;
 mod each;
 mod harmonics;
@@ -10,10 +11,11 @@ mod harmonics;
 mod posed;
 mod up;
 
+pub use axes::principal_axes;
 pub use check::check_count;
 pub use harmonics::functions_of;
 #[cfg(not(target_arch = "wasm32"))]
-pub use posed::{Uniform, posed, principal_axes};
+pub use posed::{Uniform, posed};
 pub use up::Up;
 
 /// N Gaussians of a static scene, in the file's own axes and order. What no reader has checked,
