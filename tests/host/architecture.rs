@@ -82,6 +82,7 @@ const LAYERS: &[Layers] = &[
             "evaluate",
             "bench",
             "capture",
+            "convert",
             "export_ply",
             "pack",
             "export",
@@ -113,7 +114,15 @@ const LAYERS: &[Layers] = &[
     },
     Layers {
         package: "src/formats",
-        modules: &["assumption", "capture", "fault", "npz", "webavatar", "open"],
+        modules: &[
+            "assumption",
+            "capture",
+            "fault",
+            "npz",
+            "splats",
+            "webavatar",
+            "open",
+        ],
     },
     Layers {
         package: "src/learn",

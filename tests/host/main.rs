@@ -21,6 +21,7 @@ mod reference;
 mod reference_bodies;
 mod shaders;
 mod sources;
+mod splats;
 #[cfg(target_os = "linux")]
 mod thermals;
 #[cfg(feature = "window")]
@@ -59,6 +60,9 @@ fn main() -> ExitCode {
             reference_bodies,
             shaders,
             sources,
+            splats,
+            splats::hostile,
+            splats::written,
             #[cfg(target_os = "linux")]
             thermals,
             #[cfg(feature = "window")]

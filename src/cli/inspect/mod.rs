@@ -7,10 +7,7 @@ mod text;
 use crate::source::print_assumptions;
 use anyhow::Context;
 use avatar::AvatarSummary;
-use effigy_core::io::{
-    file::{FileContent, tensors},
-    ply,
-};
+use effigy_core::io::file::{FileContent, tensors};
 use effigy_formats::open::{self, OpenOptions};
 use motion::MotionSummary;
 use serde::Serialize;
@@ -20,7 +17,7 @@ use std::path::{Path, PathBuf};
 
 #[derive(clap::Args, Debug)]
 pub struct Args {
-    /// Avatar or motion file, the paper's .npz, or a 3DGS .ply [default: the built-in demo avatar]
+    /// Avatar or motion file, the paper's .npz, or splats [default: the built-in demo avatar]
     file: Option<PathBuf>,
     /// Print JSON
     #[arg(long)]
@@ -32,7 +29,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
         let demo = effigy_demo::avatar()?;
         return print(&AvatarSummary::new(&demo, demo.tensors()), args.json);
     };
-    if ply::is_ply(file) || open::is_foreign(file) {
+    if open::is_splats(file) || open::is_foreign(file) {
         let imported = open::avatar(file, &OpenOptions::default())?;
         print_assumptions(file, &imported.assumptions);
         let avatar = imported.avatar;

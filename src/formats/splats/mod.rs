@@ -10,7 +10,7 @@
 //! | mkkellogg's `.ksplat` | `Ksplat` | version 0.1, compression 0 to 2 | no |
 //! | glTF with `KHR_gaussian_splatting`, plain or as SPZ | `Glb`, `Gltf` | yes | plain `.glb` |
 //!
-//! Files that unpack are held to [`plausible::BYTES_PER_SPLAT`]: memory follows from a file's size.
+//! Files that unpack are held to [`BYTES_PER_SPLAT`]: memory follows from a file's size.
 
 mod antimatter;
 mod beside;
@@ -31,4 +31,5 @@ pub use found::Found;
 pub use plausible::{BYTES_PER_SPLAT, SMALL};
 pub use read::read;
 pub use recognise::SplatFormat;
+pub use sog::is_sog;
 pub use write::{WRITTEN, write};

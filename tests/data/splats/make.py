@@ -10,9 +10,9 @@ random numbers are the same in every run; splat-transform's palettes are not.
 
 | file | written by |
 |---|---|
-| truth.ply | plyfile: 80 Gaussians of degree 3, y down |
+| truth.ply | plyfile: 64 Gaussians of degree 3, y down |
 | small.compressed.ply, small.sog, small-4.spz, small.glb | splat-transform |
-| many.compressed.ply | splat-transform, of four copies of the truth a metre apart along x, degree 0 |
+| many.compressed.ply | splat-transform, of five copies of the truth a metre apart along x, degree 0 |
 | small-0.spz to small-2.spz | spz (PyPI): degrees 0 to 2 |
 | small-js.spz | spz-js |
 | small-v1.spz | NumPy, after the format's own source: no program writes version 1 any more |
@@ -30,15 +30,20 @@ import json
 import os
 import struct
 import subprocess
+import sys
 import tempfile
 import zipfile
+from importlib.util import find_spec
 
 import numpy as np
-import spz
 from PIL import Image
 from plyfile import PlyData, PlyElement
 
-COUNT = 80
+# The package's own __init__ imports itself (0.0.1); its library is beside that.
+sys.path.insert(0, find_spec("spz").submodule_search_locations[0])
+import spz  # noqa: E402
+
+COUNT = 64
 HARMONIC = 0.28209479177387814
 SPLATS = os.environ["SPLATS"]
 
@@ -46,7 +51,7 @@ SPLATS = os.environ["SPLATS"]
 def make_truth(random):
     """Columns of a 3DGS .ply."""
     # On a grid of 20 cm and a little off it: each is found again by its place.
-    grid = np.stack(np.unravel_index(np.arange(COUNT), (4, 5, 4)), axis=1) - [1.5, 2.0, 1.5]
+    grid = np.stack(np.unravel_index(np.arange(COUNT), (4, 4, 4)), axis=1) - 1.5
     position = 0.2 * grid + random.uniform(-0.05, 0.05, (COUNT, 3))
     rotation = random.normal(size=(COUNT, 4))
     columns = {}
@@ -176,7 +181,7 @@ def write_sog_1(columns):
     # Every splat has a palette entry of its own, in another order.
     sh = harmonics(columns, 1).astype(float)
     low, high = sh.min(), sh.max()
-    labels = (7 * np.arange(COUNT) + 3) % COUNT
+    labels = (7 * np.arange(COUNT) + 3) % 66
     palette = np.full((2, 64, 3, 4), 255, np.uint8)
     for k, label in enumerate(labels):
         palette[label // 64, label % 64, :, :3] = np.round(255 * (sh[k] - low) / (high - low))
@@ -230,7 +235,7 @@ def write_gltf(columns):
         (own + "SH_DEGREE_0_COEF_0", of(columns, "f_dc", 3), 5126, "VEC3"),
     ]:
         # Rows start at multiples of 4.
-        row = values.reshape(COUNT, -1).view(np.uint8).reshape(COUNT, -1)
+        row = np.ascontiguousarray(values.reshape(COUNT, -1)).view(np.uint8).reshape(COUNT, -1)
         row = np.pad(row, ((0, 0), (0, -row.shape[1] % 4)))
         attributes[attribute] = len(views)
         views.append({"buffer": 0, "byteOffset": len(binary), "byteLength": row.size,
@@ -256,11 +261,12 @@ def main():
     columns = make_truth(np.random.default_rng(20261126))
     write_ply("truth.ply", columns)
     transform("truth.ply", "small.compressed.ply")
-    transform("truth.ply", "small.sog")
+    # Its compression of harmonics wants a GPU unless told otherwise.
+    transform("-g", "cpu", "truth.ply", "small.sog")
     transform("truth.ply", "--spz-version", 4, "small-4.spz")
     transform("truth.ply", "small.glb")
     flat = {name: column for name, column in columns.items() if not name.startswith("f_rest")}
-    copies = [dict(flat, x=flat["x"] + np.float32(k)) for k in range(4)]
+    copies = [dict(flat, x=flat["x"] + np.float32(k)) for k in range(5)]
     many = {name: np.concatenate([copy[name] for copy in copies]) for name in flat}
     with tempfile.TemporaryDirectory() as folder:
         write_ply(f"{folder}/many.ply", many)

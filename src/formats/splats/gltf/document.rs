@@ -4,8 +4,9 @@ use effigy_core::io::file::FormatError;
 use serde::Deserialize;
 use std::collections::BTreeMap;
 
-/// Objects in a document, at most: each takes more memory than its text.
+/// Objects and values in a document, at most: each takes more memory than its text.
 const OBJECTS: usize = 50_000;
+const VALUES: usize = 500_000;
 
 /// A glTF document, as far as splats are concerned.
 #[derive(Deserialize)]
@@ -126,11 +127,12 @@ pub struct Buffer {
 
 impl Document {
     pub fn parse(bytes: &[u8]) -> Result<Self, FormatError> {
-        let objects = bytes.iter().filter(|byte| **byte == b'{').count();
-        if objects > OBJECTS {
+        let count = |sign: u8| bytes.iter().filter(|byte| **byte == sign).count();
+        let (objects, values) = (count(b'{'), count(b','));
+        if objects > OBJECTS || values > VALUES {
             return Err(FormatError::container(
-                format!("a glTF document of {objects} objects"),
-                format!("at most {OBJECTS}"),
+                format!("a glTF document of {objects} objects and {values} values"),
+                format!("at most {OBJECTS} and {VALUES}"),
             ));
         }
         serde_json::from_slice(bytes).map_err(|error| {

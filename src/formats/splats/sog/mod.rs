@@ -13,7 +13,7 @@ mod document;
 mod read;
 mod texture;
 
-pub use read::{in_archive, in_folder};
+pub use read::{in_archive, in_folder, is_sog};
 
 /// The document's name in an archive.
 pub const META: &str = "meta.json";

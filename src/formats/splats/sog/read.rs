@@ -18,7 +18,7 @@ use effigy_core::{
 };
 use std::{
     f32::consts::FRAC_1_SQRT_2,
-    io::{Cursor, Read},
+    io::{Cursor, Read, Seek},
 };
 use zip::ZipArchive;
 
@@ -31,15 +31,30 @@ const SPARE_PIXELS: u64 = 64 << 10;
 /// The code of a rotation's A, less the index of its largest part.
 const ROTATION_MARK: u8 = 252;
 
+/// Bytes that any archive may unpack to, and how many times its size: images do not deflate.
+const SMALL: u64 = 1 << 20;
+const GROWTH: u64 = 2;
+
 /// The files of a zip.
-struct Archive<'a>(ZipArchive<Cursor<&'a [u8]>>);
+struct Archive<'a> {
+    zip: ZipArchive<Cursor<&'a [u8]>>,
+    /// Bytes that may still be unpacked.
+    left: u64,
+}
 
 impl Beside for Archive<'_> {
     fn file(&mut self, name: &str, most: u64) -> Result<Vec<u8>, FormatError> {
-        let entry = self.0.by_name(name);
+        let entry = self.zip.by_name(name);
         let entry = entry.map_err(|error| missing(name, &error.to_string()))?;
-        limited(entry, name, most)
+        let bytes = limited(entry, name, most.min(self.left))?;
+        self.left -= bytes.len() as u64;
+        Ok(bytes)
     }
+}
+
+/// Whether a zip is a SOG: it has a document of that name.
+pub fn is_sog(zip: impl Read + Seek) -> bool {
+    ZipArchive::new(zip).is_ok_and(|archive| archive.index_for_name(META).is_some())
 }
 
 /// Reads a `.sog`.
@@ -47,10 +62,11 @@ impl Beside for Archive<'_> {
 /// # Errors
 /// When the bytes are no zip or hold no SOG.
 pub fn in_archive(bytes: &[u8]) -> Result<Splats, FormatError> {
-    let archive = ZipArchive::new(Cursor::new(bytes)).map_err(|error| {
+    let zip = ZipArchive::new(Cursor::new(bytes)).map_err(|error| {
         FormatError::container(format!("a zip that can't be read: {error}"), "a .sog")
     })?;
-    let mut files = Archive(archive);
+    let left = SMALL.max(GROWTH * bytes.len() as u64);
+    let mut files = Archive { zip, left };
     let meta = files.file(META, document::MAX)?;
     read(&meta, &mut files)
 }
