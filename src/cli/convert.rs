@@ -8,7 +8,7 @@ use crate::{
 use anyhow::{Context, ensure};
 use effigy_core::{
     avatar::Avatar,
-    io::splats::{Splats, Uniform, Up, posed},
+    io::splats::{Splats, Uniform, Up, from_gaussians},
     reference::{mlp, nodes, project},
     scene::Posed,
 };
@@ -115,7 +115,7 @@ pub fn posed_splats(
             avatar.name
         );
     }
-    Ok(posed(&gaussians, uniform))
+    Ok(from_gaussians(&gaussians, uniform))
 }
 
 #[cfg(test)]

@@ -9,7 +9,11 @@ use std::{
 };
 
 fn data() -> PathBuf {
-    Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/data/splats")).to_owned()
+    Path::new(concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../../tests/data/splats"
+    ))
+    .to_owned()
 }
 
 fn effigy(folder: &Path, arguments: &[&str]) -> Output {

@@ -43,10 +43,10 @@ impl SplatFormat {
         }
         if is_object(start) {
             let has = |word: &[u8]| start.windows(word.len()).any(|part| part == word);
-            return if has(b"\"asset\"") || has(b"\"extensionsUsed\"") || has(b"\"bufferViews\"") {
-                Some(Self::Gltf)
-            } else if has(b"\"means\"") || has(b"\"count\"") {
+            return if has(b"\"means\"") {
                 Some(Self::SogMeta)
+            } else if has(b"\"asset\"") || has(b"\"buffers\"") || has(b"\"accessors\"") {
+                Some(Self::Gltf)
             } else {
                 None
             };

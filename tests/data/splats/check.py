@@ -82,7 +82,9 @@ def glb(path):
 def spz_file(path):
     cloud = spz.load(str(path))
     sh = np.array(cloud.spherical_harmonics).reshape(cloud.num_points, -1, 3)
-    return dict(position=np.array(cloud.positions).reshape(-1, 3), rotation=np.array(cloud.rotations),
+    return dict(position=np.array(cloud.positions).reshape(-1, 3), 
+                # x y z w, other than its documentation has it.
+                rotation=np.array(cloud.rotations)[:, [3, 0, 1, 2]],
                 scale=np.array(cloud.scales).reshape(-1, 3), opacity=sigmoid(np.array(cloud.alphas)),
                 color=np.array(cloud.colors).reshape(-1, 3), rest=sh)
 
@@ -102,11 +104,14 @@ def check(name, truth, read, limits):
     if len(set(order)) == len(truth["position"]):
         unit = lambda q: q / np.linalg.norm(q, axis=1, keepdims=True)
         a, b = unit(truth["rotation"][order]), unit(read["rotation"])
-        b = b * np.where((a * b).sum(axis=1) < 0, -1, 1)[:, None]
+        # An ellipsoid is the same after half a turn about one of its axes; programs differ in that.
+        w, x, y, z = b.T
+        halves = [np.stack(q, axis=1) for q in [(w, x, y, z), (-x, w, z, -y), (-y, -z, w, x), (-z, y, -x, w)]]
+        chords = [np.linalg.norm(a - q * np.where((a * q).sum(axis=1) < 0, -1, 1)[:, None], axis=1) for q in halves]
         shown = lambda c: np.clip(0.5 + HARMONIC * c, 0, 1)
         found = dict(
             position=np.abs(truth["position"][order] - read["position"]).max(),
-            rotation=(4 * np.arcsin(np.linalg.norm(a - b, axis=1) / 2)).max(),
+            rotation=(4 * np.arcsin(np.min(chords, axis=0) / 2)).max(),
             scale=np.abs(truth["scale"][order] - read["scale"]).max(),
             opacity=np.abs(truth["opacity"][order] - read["opacity"]).max(),
             color=np.abs(shown(truth["color"][order]) - shown(read["color"])).max())
@@ -134,7 +139,7 @@ def main():
         check("a.ply, plyfile", truth, ply(folder / "a.ply"), exact),
         check("a.ply, splat-transform", truth, transformed(folder / "a.ply"), dict(exact, rotation=1e-6, opacity=1e-6)),
         check("a.spz, spz", up, spz_file(folder / "a.spz"), codes),
-        check("a.spz, splat-transform", up, transformed(folder / "a.spz"), codes),
+        check("a.spz, splat-transform", truth, transformed(folder / "a.spz"), codes),
         check("a.splat, splat-transform", truth, transformed(folder / "a.splat"), bytes_),
         check("a.glb, pygltflib", up, glb(folder / "a.glb"), floats),
     ]

@@ -25,7 +25,7 @@ const array = splats3d.PlyParser.parseToUncompressedSplatArray(buffer, degree);
 for (const compression of [0, 1, 2]) {
   const alphaRemoval = 0;
   const generator = splats3d.SplatBufferGenerator.getStandardGenerator(
-    alphaRemoval, compression, 0, undefined, 5.0, 16);
+    alphaRemoval, compression, 0, undefined, 5.0, 10);
   const packed = generator.generateFromUncompressedSplatArray(array);
   writeFileSync(`small-${compression}.ksplat`, Buffer.from(packed.bufferData));
 }

@@ -105,7 +105,9 @@ def write_spz(columns):
         sh = harmonics(columns, degree).reshape(COUNT, -1)
         cloud = spz.GaussianSplat(
             positions=stack(columns, "x", "y", "z"), scales=of(columns, "scale", 3),
-            rotations=of(columns, "rot", 4), alphas=columns["opacity"],
+            # x y z w, other than its documentation has it.
+            rotations=np.ascontiguousarray(of(columns, "rot", 4)[:, [1, 2, 3, 0]]),
+            alphas=columns["opacity"],
             colors=of(columns, "f_dc", 3), sh_degree=degree,
             spherical_harmonics=sh if degree > 0 else None)
         cloud.save(f"small-{degree}.spz")

@@ -48,14 +48,15 @@ struct Member {
 
 fn members(file: &File) -> Vec<Member> {
     let mut archive = ZipArchive::new(Cursor::new(file.bytes)).unwrap();
-    let names: Vec<String> = archive.file_names().map(String::from).collect();
-    let read = |name: String| {
+    let count = archive.len();
+    let read = |index: usize| {
         let mut bytes = Vec::new();
-        let mut entry = archive.by_name(&name).unwrap();
+        let mut entry = archive.by_index(index).unwrap();
+        let name = entry.name().unwrap().into_owned();
         entry.read_to_end(&mut bytes).unwrap();
         Member { name, bytes }
     };
-    names.into_iter().map(read).collect()
+    (0..count).map(read).collect()
 }
 
 fn archive(members: &[Member], method: CompressionMethod) -> Vec<u8> {
@@ -250,7 +251,7 @@ fn memory_follows_from_the_file_not_from_its_word() {
         content.extend(version.to_le_bytes());
         content.extend(count.to_le_bytes());
         content.extend([degree, 12, 0, 0]);
-        content.resize(content.len() + (24 + 3 * 15) * count as usize, 0);
+        content.resize(content.len() + (20 + 3 * 15) * count as usize, 0);
         gzip(&content)
     };
     check(&spz(100_000, 3, 3), SplatFormat::Spz, "none");
@@ -361,6 +362,13 @@ fn a_file_that_ends_too_soon_is_refused_wherever_it_ends() {
 fn no_reader_panics_over_another_format() {
     for file in FILES {
         for other in FILES.iter().filter(|other| other.format != file.format) {
+            // One reader has both.
+            if [file, other]
+                .iter()
+                .all(|f| matches!(f.format, SplatFormat::Glb | SplatFormat::Gltf))
+            {
+                continue;
+            }
             let found = fault(file.bytes, other.format);
             let any = other.format == SplatFormat::Splat && file.bytes.len() % 32 == 0;
             assert!(

@@ -15,7 +15,7 @@ pub use axes::principal_axes;
 pub use check::check_count;
 pub use harmonics::functions_of;
 #[cfg(not(target_arch = "wasm32"))]
-pub use posed::{Uniform, posed};
+pub use posed::{Uniform, from_gaussians};
 pub use up::Up;
 
 /// N Gaussians of a static scene, in the file's own axes and order. What no reader has checked,

@@ -18,7 +18,7 @@ pub struct Uniform {
 }
 
 /// Gaussians of the posed world, in their order. `uniform` replaces their shapes and opacities.
-pub fn posed(gaussians: &[Gaussian], uniform: Option<Uniform>) -> Splats {
+pub fn from_gaussians(gaussians: &[Gaussian], uniform: Option<Uniform>) -> Splats {
     let count = gaussians.len();
     let mut splats = Splats {
         position: Vec::with_capacity(count),
