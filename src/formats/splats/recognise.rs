@@ -4,6 +4,17 @@ use super::{antimatter, ksplat, spz};
 use effigy_core::io::ply;
 use std::path::Path;
 
+/// Keys that a SOG's document has and no glTF, and keys of which every glTF has one.
+const SOG_KEYS: [&str; 4] = ["means", "quats", "sh0", "codebook"];
+const GLTF_KEYS: [&str; 6] = [
+    "asset",
+    "accessors",
+    "bufferViews",
+    "buffers",
+    "extensionsUsed",
+    "meshes",
+];
+
 /// A format of splats.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SplatFormat {
@@ -42,10 +53,15 @@ impl SplatFormat {
             return Some(Self::Spz);
         }
         if is_object(start) {
-            let has = |word: &[u8]| start.windows(word.len()).any(|part| part == word);
-            return if has(b"\"means\"") {
+            let has = |words: &[&str]| {
+                let text = String::from_utf8_lossy(start);
+                words
+                    .iter()
+                    .any(|word| text.contains(&format!("\"{word}\"")))
+            };
+            return if has(&SOG_KEYS) {
                 Some(Self::SogMeta)
-            } else if has(b"\"asset\"") || has(b"\"buffers\"") || has(b"\"accessors\"") {
+            } else if has(&GLTF_KEYS) {
                 Some(Self::Gltf)
             } else {
                 None

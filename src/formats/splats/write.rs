@@ -1,7 +1,11 @@
 //! One writer for all formats.
 
 use super::{SplatFormat, antimatter, gltf, spz};
-use effigy_core::io::{file::FormatError, ply_export::to_ply, splats::Splats};
+use effigy_core::io::{
+    file::FormatError,
+    ply_export::to_ply,
+    splats::{Splats, Up},
+};
 
 /// The endings of files that can be written.
 pub const WRITTEN: [&str; 4] = ["ply", "spz", "splat", "glb"];
@@ -13,7 +17,7 @@ pub const WRITTEN: [&str; 4] = ["ply", "spz", "splat", "glb"];
 pub fn write(splats: Splats, format: SplatFormat) -> Result<Vec<u8>, FormatError> {
     splats.check()?;
     match format {
-        SplatFormat::Ply => Ok(to_ply(&splats)),
+        SplatFormat::Ply => Ok(to_ply(&splats.with_up(Up::TRAINED))),
         SplatFormat::Splat => Ok(antimatter::write(splats)),
         SplatFormat::Spz => spz::write(splats).map_err(|error| {
             FormatError::container(format!("an error of compression, {error}"), "none")
