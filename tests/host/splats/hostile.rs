@@ -231,6 +231,14 @@ fn each_fault_is_named() {
     for (found, expected) in cases {
         assert!(found.contains(expected), "{found}, expected {expected}");
     }
+    let required = with_text(
+        "extensionsUsed\": [\"KHR",
+        "extensionsRequired\": [\"EXT_x\", \"KHR",
+    );
+    assert!(
+        required.contains("the required extension `EXT_x`"),
+        "{required}"
+    );
 }
 
 /// Neither a count nor what a file unpacks to costs more than the file allows.

@@ -422,6 +422,31 @@ fn an_unpacked_sog_is_read_by_its_document() {
     assert!(error.to_string().contains("for `quats.webp`"), "{error}");
 }
 
+/// A glTF whose numbers lie in a file beside it.
+fn a_gltf_finds_its_buffers_beside_it() {
+    let word = |at: usize| u32::from_le_bytes(GLB.bytes[at..at + 4].try_into().unwrap()) as usize;
+    let length = word(12);
+    let text = std::str::from_utf8(&GLB.bytes[20..20 + length]).unwrap();
+    let folder = tempfile::tempdir().unwrap();
+    let buffers = "\"buffers\":[{";
+    assert!(text.contains(buffers), "{text}");
+    let text = text.replacen(buffers, "\"buffers\":[{\"uri\":\"the%20scene.bin\",", 1);
+    let path = folder.path().join("scene.gltf");
+    std::fs::write(&path, text).unwrap();
+    let error = effigy_formats::open::splats(&path, None).unwrap_err();
+    assert!(error.to_string().contains("for `the scene.bin`"), "{error}");
+    let binary = &GLB.bytes[28 + length..];
+    std::fs::write(folder.path().join("the scene.bin"), binary).unwrap();
+    let found = effigy_formats::open::splats(&path, None).unwrap();
+    assert_eq!(found.splats, GLB.read());
+    std::fs::write(folder.path().join("the scene.bin"), &binary[..99]).unwrap();
+    let error = effigy_formats::open::splats(&path, None).unwrap_err();
+    assert!(
+        error.to_string().contains("found 99 bytes of buffer 0"),
+        "{error}"
+    );
+}
+
 tests! {
     every_format_gives_the_numbers_that_another_program_wrote,
     chunks_of_a_compressed_ply_follow_each_other,
@@ -429,4 +454,5 @@ tests! {
     each_format_has_its_axis_that_points_up,
     files_are_told_apart_by_content,
     an_unpacked_sog_is_read_by_its_document,
+    a_gltf_finds_its_buffers_beside_it,
 }

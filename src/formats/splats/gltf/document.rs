@@ -1,6 +1,7 @@
 //! What is read of the document.
 
-use effigy_core::io::file::FormatError;
+use super::EXTENSION;
+use effigy_core::io::file::{FormatError, excerpt};
 use serde::Deserialize;
 use std::collections::BTreeMap;
 
@@ -8,11 +9,28 @@ use std::collections::BTreeMap;
 const OBJECTS: usize = 50_000;
 const VALUES: usize = 500_000;
 
+/// Extensions that files may require: what they change is read here.
+const UNDERSTOOD: [&str; 5] = [
+    EXTENSION,
+    "KHR_gaussian_splatting_compression_spz_2",
+    "KHR_gaussian_splatting_compression_spz",
+    "KHR_spz_gaussian_splats_compression",
+    "KHR_mesh_quantization",
+];
+
+/// Whether splats are read rightly without more knowledge of an extension: those of materials,
+/// textures and lights do not touch them.
+fn is_understood(name: &str) -> bool {
+    let elsewhere = ["KHR_materials_", "KHR_texture_", "KHR_lights_"];
+    UNDERSTOOD.contains(&name) || elsewhere.iter().any(|start| name.starts_with(start))
+}
+
 /// A glTF document, as far as splats are concerned.
 #[derive(Deserialize)]
 #[serde(rename_all = "camelCase", default)]
 #[derive(Default)]
 pub struct Document {
+    extensions_required: Vec<String>,
     pub scene: Option<usize>,
     pub scenes: Vec<Scene>,
     pub nodes: Vec<Node>,
@@ -135,12 +153,20 @@ impl Document {
                 format!("at most {OBJECTS} and {VALUES}"),
             ));
         }
-        serde_json::from_slice(bytes).map_err(|error| {
+        let document: Self = serde_json::from_slice(bytes).map_err(|error| {
             FormatError::container(
                 format!("a glTF document that can't be read: {error}"),
                 "JSON as glTF 2.0 has it",
             )
-        })
+        })?;
+        let mut required = document.extensions_required.iter();
+        match required.find(|name| !is_understood(name)) {
+            None => Ok(document),
+            Some(name) => Err(FormatError::container(
+                format!("the required extension `{}`", excerpt(name)),
+                UNDERSTOOD.join(", "),
+            )),
+        }
     }
 }
 
