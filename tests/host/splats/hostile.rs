@@ -27,13 +27,13 @@ fn with(file: &File, at: usize, bytes: &[u8]) -> String {
     fault(&changed, file.format)
 }
 
-fn gunzip(bytes: &[u8]) -> Vec<u8> {
+pub fn gunzip(bytes: &[u8]) -> Vec<u8> {
     let mut content = Vec::new();
     GzDecoder::new(bytes).read_to_end(&mut content).unwrap();
     content
 }
 
-fn gzip(content: &[u8]) -> Vec<u8> {
+pub fn gzip(content: &[u8]) -> Vec<u8> {
     let mut writer = GzEncoder::new(Vec::new(), Compression::best());
     writer.write_all(content).unwrap();
     writer.finish().unwrap()

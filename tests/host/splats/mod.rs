@@ -422,6 +422,42 @@ fn an_unpacked_sog_is_read_by_its_document() {
     assert!(error.to_string().contains("for `quats.webp`"), "{error}");
 }
 
+/// What can't be taken as it stands is said.
+fn what_is_left_out_is_an_assumption() {
+    // Degree 4: 24 functions a splat, where degree 3 has 15.
+    let content = hostile::gunzip(SPZ_2.bytes);
+    let count = SPZ_2.read().len();
+    let (before, harmonics) = content.split_at(content.len() - 45 * count);
+    let mut longer = before.to_vec();
+    longer[12] = 4;
+    for row in harmonics.chunks_exact(45) {
+        longer.extend(row);
+        longer.extend([255; 27]);
+    }
+    let bytes = hostile::gzip(&longer);
+    let found = splats::read(&bytes, SplatFormat::Spz, &mut Nothing).unwrap();
+    assert_eq!(found.splats, SPZ_2.read());
+    assert_eq!(found.assumptions.len(), 1);
+    assert!(found.assumptions[0].because.contains("degree 4"));
+
+    let text = std::str::from_utf8(GLTF.bytes).unwrap();
+    let linear = text.replace("srgb_rec709_display", "lin_rec709_display");
+    let found = splats::read(linear.as_bytes(), SplatFormat::Gltf, &mut Nothing).unwrap();
+    assert_eq!(found.splats, GLTF.read());
+    assert!(found.assumptions[0].because.contains("lin_rec709_display"));
+}
+
+/// The user's word on the axis goes before the file's, and harmonics follow.
+fn the_axis_can_be_said() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a");
+    std::fs::write(&path, SPZ_4.bytes).unwrap();
+    for up in Up::ALL {
+        let found = effigy_formats::open::splats(&path, Some(up)).unwrap();
+        assert_eq!(found.splats, Splats { up, ..SPZ_4.read() });
+    }
+}
+
 /// A glTF whose numbers lie in a file beside it.
 fn a_gltf_finds_its_buffers_beside_it() {
     let word = |at: usize| u32::from_le_bytes(GLB.bytes[at..at + 4].try_into().unwrap()) as usize;
@@ -455,4 +491,6 @@ tests! {
     files_are_told_apart_by_content,
     an_unpacked_sog_is_read_by_its_document,
     a_gltf_finds_its_buffers_beside_it,
+    what_is_left_out_is_an_assumption,
+    the_axis_can_be_said,
 }
