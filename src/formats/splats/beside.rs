@@ -49,7 +49,7 @@ impl Beside for Folder {
             return Err(missing(name, "a folder or device"));
         }
         let file = File::open(path).map_err(unreadable)?;
-        limited(file, name, most)
+        limited(file, most).map_err(|found| missing(name, &found))
     }
 }
 
@@ -61,13 +61,13 @@ fn is_plain(name: &str) -> bool {
 /// Reads at most `most` bytes; more are an error.
 ///
 /// # Errors
-/// When the reader fails or has more.
-pub fn limited(reader: impl Read, name: &str, most: u64) -> Result<Vec<u8>, FormatError> {
+/// What was found instead, when the reader fails or has more.
+pub fn limited(reader: impl Read, most: u64) -> Result<Vec<u8>, String> {
     let mut bytes = Vec::new();
     let read = reader.take(most.saturating_add(1)).read_to_end(&mut bytes);
-    read.map_err(|error| missing(name, &error.to_string()))?;
+    read.map_err(|error| error.to_string())?;
     if bytes.len() as u64 > most {
-        return Err(missing(name, &format!("more than {most} bytes")));
+        return Err(format!("more than {most} bytes"));
     }
     Ok(bytes)
 }

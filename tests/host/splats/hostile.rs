@@ -89,7 +89,10 @@ fn with_text(from: &str, to: &str) -> String {
 fn each_fault_is_named() {
     let word = |value: u32| value.to_le_bytes();
     let cases = [
-        (fault(b"", SplatFormat::Spz), "the .spz's header"),
+        (
+            fault(b"", SplatFormat::Spz),
+            "in the gzip, expected an .spz",
+        ),
         (fault(b"NGSP", SplatFormat::Spz), "16 bytes of a header"),
         (fault(b"glTF", SplatFormat::Glb), "12 bytes of a header"),
         (fault(b"PK", SplatFormat::Sog), "a zip that can't be read"),

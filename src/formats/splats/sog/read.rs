@@ -46,7 +46,7 @@ impl Beside for Archive<'_> {
     fn file(&mut self, name: &str, most: u64) -> Result<Vec<u8>, FormatError> {
         let entry = self.zip.by_name(name);
         let entry = entry.map_err(|error| missing(name, &error.to_string()))?;
-        let bytes = limited(entry, name, most.min(self.left))?;
+        let bytes = limited(entry, most.min(self.left)).map_err(|found| missing(name, &found))?;
         self.left -= bytes.len() as u64;
         Ok(bytes)
     }

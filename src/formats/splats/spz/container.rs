@@ -132,11 +132,11 @@ pub fn unpack(bytes: &[u8]) -> Result<Unpacked, FormatError> {
 }
 
 fn unpack_gzip(bytes: &[u8]) -> Result<Unpacked, FormatError> {
-    let start = limited(
-        std::io::Read::take(GzDecoder::new(bytes), HEADER as u64),
-        "the .spz's header",
-        HEADER as u64,
-    )?;
+    let unreadable = |found: String| {
+        FormatError::container(format!("{found} in the gzip"), "an .spz of version 1 to 3")
+    };
+    let gzip = std::io::Read::take(GzDecoder::new(bytes), HEADER as u64);
+    let start = limited(gzip, HEADER as u64).map_err(unreadable)?;
     let header = Header::read(&start, bytes.len())?;
     if !(1..=3).contains(&header.version) {
         return Err(wrong_version(header.version, "1, 2 or 3 in a gzip"));
@@ -147,7 +147,7 @@ fn unpack_gzip(bytes: &[u8]) -> Result<Unpacked, FormatError> {
         .map(|width| width * header.count)
         .sum();
     let most = HEADER as u64 + total + SLACK;
-    let whole = limited(GzDecoder::new(bytes), "the .spz's content", most)?;
+    let whole = limited(GzDecoder::new(bytes), most).map_err(unreadable)?;
     let mut at = HEADER as u64;
     let mut parts = [const { Vec::new() }; 6];
     for (part, width) in parts.iter_mut().zip(header.widths()) {
@@ -217,7 +217,7 @@ fn unzstd(frame: &[u8], length: u64) -> Result<Vec<u8>, FormatError> {
         return Err(unreadable(format!("a window of {window} bytes")));
     }
     let decoder = StreamingDecoder::new(frame).map_err(|error| unreadable(error.to_string()))?;
-    let unpacked = limited(decoder, "a zstd frame", length)?;
+    let unpacked = limited(decoder, length).map_err(unreadable)?;
     if unpacked.len() as u64 != length {
         return Err(unreadable(format!("{} bytes", unpacked.len())));
     }
