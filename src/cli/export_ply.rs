@@ -1,14 +1,9 @@
 //! `effigy export-ply`: writes an avatar in one pose as a 3DGS .ply, and cameras around it.
 
-use crate::{files, options, source::Source};
-use anyhow::ensure;
+use crate::{convert::posed_splats, files, options, source::Source};
 use effigy_core::{
     avatar::Avatar,
-    io::{
-        cameras,
-        ply_export::{self, Uniform},
-    },
-    reference::{mlp, nodes, project},
+    io::{cameras, ply_export::to_ply, splats::Uniform},
     scene::{AvatarBounds, Camera, Posed, upright},
 };
 use effigy_measure::viewpoint::{FOV, PITCH, yaw_of_view};
@@ -62,7 +57,7 @@ fn uniform(text: &str) -> Result<Uniform, String> {
 pub fn run(args: Args) -> anyhow::Result<()> {
     let (avatar, player) = args.source.load_player()?;
     let posed = Posed::new(&avatar, &player.pose(args.time));
-    let ply = posed_ply(&avatar, &posed, args.uniform)?;
+    let ply = to_ply(&posed_splats(&avatar, &posed, args.uniform)?);
     files::write(&args.out, &ply)?;
     println!(
         "wrote {}: {} Gaussians, {:.1} MB",
@@ -70,34 +65,12 @@ pub fn run(args: Args) -> anyhow::Result<()> {
         avatar.gaussians.len(),
         ply.len() as f64 / 1e6
     );
-    if avatar.sh.is_some() {
-        tracing::warn!(
-            "the spherical harmonics of `{}` are left out: colours are written without them",
-            avatar.name
-        );
-    }
     if let Some(path) = &args.cameras_out {
         let cameras = views(&avatar, &posed, usize::from(args.views), args.size);
         files::write(path, cameras::to_json(&cameras) + "\n")?;
         println!("wrote {}: {} cameras", path.display(), args.views);
     }
     Ok(())
-}
-
-/// The bytes of a posed avatar's file. An error if a Gaussian is not finite in this pose.
-fn posed_ply(avatar: &Avatar, posed: &Posed, uniform: Option<Uniform>) -> anyhow::Result<Vec<u8>> {
-    let features = mlp::features(avatar, &posed.input);
-    let gaussians = project::gaussians(avatar, posed, &features, &nodes::nodes(avatar, &features));
-    let bad = gaussians
-        .iter()
-        .position(|g| !(g.mean.is_finite() && g.axes.is_finite() && g.color.is_finite()));
-    ensure!(
-        bad.is_none(),
-        "Gaussian {} of `{}` is not finite in this pose: choose another with --time",
-        bad.unwrap_or(0),
-        avatar.name
-    );
-    Ok(ply_export::to_ply(&gaussians, uniform))
 }
 
 /// `count` cameras around the avatar for images of `size` pixels, those of the benchmark.

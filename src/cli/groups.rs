@@ -34,7 +34,14 @@ const GROUPS: [CommandGroup; 4] = [
     },
     CommandGroup {
         title: "Files",
-        commands: &["inspect", "import", "export", "pack", "export-ply"],
+        commands: &[
+            "inspect",
+            "import",
+            "export",
+            "convert",
+            "pack",
+            "export-ply",
+        ],
     },
 ];
 

@@ -18,6 +18,7 @@ mod bench_device;
 mod bench_sort;
 mod capture;
 mod compare;
+mod convert;
 mod dataset;
 mod devices;
 mod evaluate;
@@ -106,6 +107,8 @@ enum Command {
     Export(export::Args),
     /// Make an avatar's file smaller, and show what each step saves and costs
     Pack(pack::Args),
+    /// Write splats, or an avatar in one pose, as .ply, .spz, .splat or .glb
+    Convert(convert::Args),
     /// Write an avatar in one pose as a 3DGS .ply, for other viewers
     ExportPly(export_ply::Args),
 }
@@ -135,6 +138,7 @@ impl Command {
             Self::Import(args) => import::run(args),
             Self::Export(args) => export::run(args),
             Self::Pack(args) => pack::run(args),
+            Self::Convert(args) => convert::run(args),
             Self::ExportPly(args) => export_ply::run(args),
         }
     }

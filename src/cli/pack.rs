@@ -6,10 +6,8 @@ use crate::{
 };
 use anyhow::ensure;
 use clap::ValueEnum;
-use effigy_core::{
-    avatar::Avatar,
-    io::{pack::PackQuality, ply},
-};
+use effigy_core::{avatar::Avatar, io::pack::PackQuality};
+use effigy_formats::open;
 use effigy_measure::packing::{self, PackingStep, Views};
 use std::{
     path::{Path, PathBuf},
@@ -69,8 +67,8 @@ impl From<QualityArg> for PackQuality {
 
 pub fn run(args: Args) -> anyhow::Result<()> {
     ensure!(
-        !args.avatar.as_deref().is_some_and(ply::is_ply),
-        "a .ply has neither networks nor bases to pack: give an .avatar file"
+        !args.avatar.as_deref().is_some_and(open::is_splats),
+        "splats have neither networks nor bases to pack: give an .avatar file"
     );
     let source = Source {
         avatar: args.avatar.clone(),

@@ -5,10 +5,7 @@ use crate::options::named;
 use anyhow::{Context, ensure};
 use effigy_core::{
     avatar::{Avatar, Clip, Pose, motion::Player},
-    io::{
-        cameras,
-        ply::{self, Up},
-    },
+    io::{cameras, splats::Up},
     scene::Camera,
 };
 use effigy_formats::{
@@ -24,8 +21,9 @@ use std::{
 /// The avatar and clips of every command that draws.
 #[derive(clap::Args, Clone, Debug)]
 pub struct Source {
-    /// Avatar to draw: an .avatar file, the paper's .npz, or a 3DGS .ply, which stands still.
-    /// Motion capture moves the demo [default: the built-in demo]
+    /// Avatar to draw: an .avatar file, the paper's .npz, or splats, which stand still: .ply, .splat,
+    /// .spz, .sog, .ksplat, .glb or .gltf. Motion of any body moves the demo [default: the built-in
+    /// demo]
     pub avatar: Option<PathBuf>,
     /// Clip that moves the avatar: a .motion file, or motion of any body (.bvh, .fbx, glTF, VRM,
     /// SMPL's parameters, the paper's _poses.json); repeat for several [default: the poses beside
@@ -35,7 +33,8 @@ pub struct Source {
     /// Which motion of a file, and of which joints.
     #[command(flatten)]
     pub capture: CaptureArgs,
-    /// Axis that points up in a .ply [default: the file's own, else -y, as 3DGS trains]
+    /// Axis that points up in splats [default: the file's own, else its format's: y in .spz, .glb
+    /// and .gltf, -y in others, as 3DGS trains]
     #[arg(long, value_parser = named(Up::NAMES, Up::ALL), value_name = "AXIS", allow_hyphen_values = true)]
     pub up: Option<Up>,
     /// Whether the networks see the nearest pose that the avatar was trained for, within 2σ along
@@ -98,15 +97,15 @@ pub enum PoseProjection {
 }
 
 impl Source {
-    /// These arguments for another avatar, without those that do not apply to it: a .ply takes no
-    /// clips, and nothing else takes an axis.
+    /// These arguments for another avatar, without those that do not apply to it: splats take
+    /// no clips, and nothing else takes an axis.
     #[cfg(feature = "window")]
     pub fn for_avatar(&self, path: &Path) -> Self {
         let mut source = Self {
             avatar: Some(path.to_owned()),
             ..self.clone()
         };
-        if ply::is_ply(path) {
+        if open::is_splats(path) {
             source.motion.clear()
         } else {
             source.up = None
@@ -118,8 +117,8 @@ impl Source {
     /// single pose. A clip that moves no joint of the avatar is an error.
     pub fn load(&self) -> anyhow::Result<(Avatar, Vec<Clip>)> {
         ensure!(
-            self.up.is_none() || self.avatar.as_deref().is_some_and(ply::is_ply),
-            "--up is for a .ply only: an avatar file says which axis points up"
+            self.up.is_none() || self.avatar.as_deref().is_some_and(open::is_splats),
+            "--up is for splats only: an avatar file says which axis points up"
         );
         let mut avatar = match &self.avatar {
             Some(path) if !open::is_capture(path) => {

@@ -19,4 +19,5 @@ pub mod retarget;
 mod scene_tree;
 pub mod smpl;
 mod smpl_joints;
+pub mod splats;
 pub mod webavatar;

@@ -9,13 +9,14 @@ use crate::{
     gltf_motion, npz, pickle,
     retarget::{self, Girth, Report, RetargetOptions},
     smpl,
+    splats::{self, Folder, Found, SplatFormat},
     webavatar::{self, Imported},
 };
 use effigy_core::{
     avatar::{Avatar, Clip, Skeleton},
     io::{
         file::{FileError, FormatError, read_with},
-        ply::{self, Up},
+        splats::Up,
     },
 };
 use glam::DVec3;
@@ -28,16 +29,16 @@ use std::{
 /// What files leave open.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct OpenOptions {
-    /// The axis of a `.ply` that points up; None: as the file says.
+    /// The axis of a splat file that points up; None: as the file or its format says.
     pub up: Option<Up>,
     /// Of the paper's model.
     pub webavatar: webavatar::Options,
 }
 
-/// What a file is by its first bytes.
+/// What a file is by its content.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Content {
-    Ply,
+    Splats(SplatFormat),
     /// The paper's model.
     Model,
     /// The paper's poses.
@@ -58,66 +59,149 @@ enum CaptureFormat {
 
 impl Content {
     fn of(path: &Path) -> Self {
-        if ply::is_ply(path) {
-            return Self::Ply;
-        }
         // A file that can't be read gives its error when it is opened.
-        Self::read(path).unwrap_or(Self::Other)
-    }
-
-    fn read(path: &Path) -> io::Result<Self> {
-        let mut file = File::open(path)?;
-        let mut start = [0; 64];
-        let length = file.read(&mut start)?;
-        let start = &start[..length];
-        let text = start.trim_ascii_start();
-        let capture = if npz::is_zip(start) {
-            if npz::lists(file, webavatar::POSITIONS) {
-                return Ok(Self::Model);
-            }
-            CaptureFormat::Smpl
-        } else if bvh::is_bvh(start) {
-            CaptureFormat::Bvh
-        } else if gltf_motion::is_glb(start) || text.starts_with(b"{") {
-            CaptureFormat::Gltf
-        } else if is_fbx(start) {
-            CaptureFormat::Fbx
-        } else if start.starts_with(b"\x93NUMPY") || pickle::is_pickle(start) {
-            CaptureFormat::Smpl
-        } else if text.starts_with(b"[") {
-            return Ok(Self::Poses);
-        } else {
-            return Ok(Self::Other);
-        };
-        Ok(Self::Capture(capture))
+        let known = Start::read(path).ok().and_then(Start::content);
+        let named = || SplatFormat::of_name(path).map(Self::Splats);
+        known.or_else(named).unwrap_or(Self::Other)
     }
 }
+
+/// The first bytes of a file.
+struct Start {
+    file: File,
+    bytes: Vec<u8>,
+    /// Of the whole file.
+    length: u64,
+}
+
+impl Start {
+    fn read(path: &Path) -> io::Result<Self> {
+        let file = File::open(path)?;
+        let length = file.metadata()?.len();
+        let mut bytes = Vec::new();
+        (&file)
+            .take(SplatFormat::START as u64)
+            .read_to_end(&mut bytes)?;
+        Ok(Self {
+            file,
+            bytes,
+            length,
+        })
+    }
+
+    fn content(self) -> Option<Content> {
+        let start = &self.bytes[..];
+        if npz::is_zip(start) {
+            return Some(self.content_of_zip());
+        }
+        if bvh::is_bvh(start) {
+            return Some(Content::Capture(CaptureFormat::Bvh));
+        }
+        if is_fbx(start) {
+            return Some(Content::Capture(CaptureFormat::Fbx));
+        }
+        if start.starts_with(b"\x93NUMPY") || pickle::is_pickle(start) {
+            return Some(Content::Capture(CaptureFormat::Smpl));
+        }
+        if start.trim_ascii_start().starts_with(b"[") {
+            return Some(Content::Poses);
+        }
+        match SplatFormat::of(start, self.length)? {
+            SplatFormat::Glb | SplatFormat::Gltf if !self.names_splats() => {
+                Some(Content::Capture(CaptureFormat::Gltf))
+            }
+            format => Some(Content::Splats(format)),
+        }
+    }
+
+    fn content_of_zip(&self) -> Content {
+        if splats::is_sog(&self.file) {
+            Content::Splats(SplatFormat::Sog)
+        } else if npz::lists(&self.file, webavatar::POSITIONS) {
+            Content::Model
+        } else {
+            Content::Capture(CaptureFormat::Smpl)
+        }
+    }
+
+    /// Whether a glTF's document names the extension of splats.
+    fn names_splats(&self) -> bool {
+        let name = SPLATS_EXTENSION.as_bytes();
+        let mut document = self.bytes.clone();
+        // What can't be read is found out when it is opened.
+        let _ = (&self.file)
+            .take(LONGEST_DOCUMENT)
+            .read_to_end(&mut document);
+        document.windows(name.len()).any(|word| word == name)
+    }
+}
+
+/// The extension of glTF without which it has no splats.
+const SPLATS_EXTENSION: &str = "KHR_gaussian_splatting";
+/// Bytes of a glTF that are searched for it.
+const LONGEST_DOCUMENT: u64 = 4 << 20;
 
 /// Whether bytes begin as an FBX does.
 fn is_fbx(start: &[u8]) -> bool {
     start.starts_with(b"Kaydara FBX Binary") || start.starts_with(b"; FBX")
 }
 
-/// Whether a file is an avatar of another program and not a `.ply`.
+/// Whether a file is the paper's model.
 pub fn is_foreign(path: &Path) -> bool {
     Content::of(path) == Content::Model
 }
 
-/// Reads an avatar: Effigy's own, a 3DGS `.ply` or the paper's `.npz`.
+/// Whether a file consists of splats: by its content, or by its name where that tells nothing.
+pub fn is_splats(path: &Path) -> bool {
+    matches!(Content::of(path), Content::Splats(_))
+}
+
+/// Reads the splats of a file. `up`: the axis that points up; None: as the file or its format says.
+///
+/// # Errors
+/// When the file cannot be opened, has no splats, or breaks a rule.
+pub fn splats(path: &Path, up: Option<Up>) -> Result<Found, FileError> {
+    // What is of no known format is refused as the most common one.
+    let format = match Content::of(path) {
+        Content::Splats(format) => format,
+        _ => SplatFormat::Ply,
+    };
+    let mut found = read_with(path, |bytes| {
+        splats::read(bytes, format, &mut Folder::of(path))
+    })?;
+    found.splats.up = up.unwrap_or(found.splats.up);
+    Ok(found)
+}
+
+/// Reads an avatar: Effigy's own, the paper's `.npz` or splats.
 ///
 /// # Errors
 /// When the file cannot be opened, is none of them, or breaks a rule.
 pub fn avatar(path: &Path, options: &OpenOptions) -> Result<Imported, FileError> {
-    if !is_foreign(path) {
-        return Ok(Imported {
-            avatar: ply::open(path, options.up)?,
-            assumptions: vec![],
-        });
-    }
     let name = path.file_stem().unwrap_or_default().to_string_lossy();
-    read_with(path, |bytes| {
-        webavatar::from_bytes(bytes, &name, &options.webavatar)
-    })
+    match Content::of(path) {
+        Content::Splats(_) => {
+            let Found {
+                splats,
+                assumptions,
+            } = splats(path, options.up)?;
+            let avatar = splats.to_avatar(&name);
+            Ok(Imported {
+                avatar: avatar.map_err(|fault| FileError::Content {
+                    file: path.into(),
+                    fault,
+                })?,
+                assumptions,
+            })
+        }
+        Content::Model => read_with(path, |bytes| {
+            webavatar::from_bytes(bytes, &name, &options.webavatar)
+        }),
+        Content::Poses | Content::Capture(_) | Content::Other => Ok(Imported {
+            avatar: Avatar::read(path)?,
+            assumptions: vec![],
+        }),
+    }
 }
 
 /// How a motion file becomes a clip.

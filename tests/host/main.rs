@@ -24,6 +24,7 @@ mod reference_bodies;
 mod shaders;
 mod smpl;
 mod sources;
+mod splats;
 #[cfg(target_os = "linux")]
 mod thermals;
 #[cfg(feature = "window")]
@@ -68,6 +69,9 @@ fn main() -> ExitCode {
             smpl,
             smpl::hostile,
             sources,
+            splats,
+            splats::hostile,
+            splats::written,
             #[cfg(target_os = "linux")]
             thermals,
             #[cfg(feature = "window")]

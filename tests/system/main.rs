@@ -6,6 +6,7 @@ mod common;
 mod commands;
 mod pack;
 mod soak;
+mod splats;
 mod trace;
 #[cfg(all(feature = "window", target_os = "linux"))]
 mod window;
@@ -21,6 +22,7 @@ fn main() -> ExitCode {
             commands,
             pack,
             soak,
+            splats,
             trace,
             #[cfg(all(feature = "window", target_os = "linux"))]
             window,

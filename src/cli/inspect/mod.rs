@@ -10,10 +10,7 @@ use anyhow::{Context, bail};
 use avatar::AvatarSummary;
 use capture::{CaptureSummary, ComparisonSummary};
 use effigy_core::avatar::Avatar;
-use effigy_core::io::{
-    file::{FileContent, tensors},
-    ply,
-};
+use effigy_core::io::file::{FileContent, tensors};
 use effigy_formats::{
     open::{self, OpenOptions},
     retarget,
@@ -66,7 +63,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
             args.json,
         );
     }
-    if ply::is_ply(file) || open::is_foreign(file) {
+    if open::is_splats(file) || open::is_foreign(file) {
         let imported = open::avatar(file, &OpenOptions::default())?;
         print_assumptions(file, &imported.assumptions);
         let avatar = imported.avatar;

@@ -6,6 +6,7 @@
 //! N_s position nodes, J joints.
 
 pub mod bounds;
+pub mod harmonics;
 pub mod inputs;
 pub mod limits;
 pub mod matrix;

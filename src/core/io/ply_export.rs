@@ -1,174 +1,69 @@
-//! Export of posed Gaussians as a 3DGS `.ply`, for other viewers.
-//!
-//! y is up, lengths are metres, colours have no spherical harmonics. A skinned Gaussian's axes are
-//! in general not at right angles; the file has the principal axes of the ellipsoid.
+//! Writing of splats as a 3DGS `.ply`.
 
-use super::ply::UP_COMMENT;
-use crate::avatar::ShCoefficients;
-use crate::reference::Gaussian;
-use glam::{DMat3, DQuat, DVec3};
+use super::{
+    ply::UP_COMMENT,
+    splats::{Splats, Up, functions_of},
+};
 
-/// Properties of a vertex without spherical harmonics, in 3DGS's order.
-const PROPERTIES: [&str; 17] = [
-    "x", "y", "z", "nx", "ny", "nz", "f_dc_0", "f_dc_1", "f_dc_2", "opacity", "scale_0", "scale_1",
-    "scale_2", "rot_0", "rot_1", "rot_2", "rot_3",
-];
-/// Smallest standard deviation that is written, metres, since the file stores logarithms.
-const MIN_DEVIATION: f64 = 1e-9;
-/// Sweeps after which the axes are orthogonal to the last bit; three or four are enough.
-const SWEEPS: usize = 16;
+/// Smallest logarithm of a standard deviation that is written: a nanometre, since a file that other
+/// programs read has finite numbers.
+const MIN_LOG_SCALE: f32 = -20.723_266;
+/// Opacities stay this far from 0 and 1, whose logits are infinite: a quarter of a step of 8 bits,
+/// so that they read back as the same 8 bits.
+const MIN_OPACITY: f64 = 0.25 / 255.0;
 
-/// Makes all Gaussians balls of one size and opacity, to measure renderers with Gaussians of known
-/// size.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Uniform {
-    /// Standard deviation, metres.
-    pub deviation: f64,
-    /// 0 to 1.
-    pub opacity: f64,
-}
-
-/// The bytes of a file with Gaussians of the posed world, in their order. `uniform` replaces their
-/// shapes and opacities.
-pub fn to_ply(gaussians: &[Gaussian], uniform: Option<Uniform>) -> Vec<u8> {
-    let properties: String = PROPERTIES
+/// The bytes of a file with the splats in their order, lengths in metres. A comment names the axis
+/// that points up.
+pub fn to_ply(splats: &Splats) -> Vec<u8> {
+    let functions = functions_of(splats.degree);
+    let mut names: Vec<String> = [
+        "x", "y", "z", "nx", "ny", "nz", "f_dc_0", "f_dc_1", "f_dc_2",
+    ]
+    .map(String::from)
+    .into();
+    names.extend((0..3 * functions).map(|k| format!("f_rest_{k}")));
+    names.extend(
+        [
+            "opacity", "scale_0", "scale_1", "scale_2", "rot_0", "rot_1", "rot_2", "rot_3",
+        ]
+        .map(String::from),
+    );
+    let properties: String = names
         .iter()
         .map(|name| format!("property float {name}\n"))
         .collect();
-    let count = gaussians.len();
+    let count = splats.len();
+    let up = Up::ALL.iter().position(|&up| up == splats.up);
+    let up = Up::NAMES[up.unwrap_or_default()];
     let header = format!(
-        "ply\nformat binary_little_endian 1.0\ncomment written by Effigy, lengths in metres\ncomment {UP_COMMENT} y\n\
+        "ply\nformat binary_little_endian 1.0\ncomment written by Effigy, lengths in metres\ncomment {UP_COMMENT} {up}\n\
          element vertex {count}\n{properties}end_header\n"
     );
     let mut bytes = header.into_bytes();
-    bytes.reserve(4 * PROPERTIES.len() * count);
-    for gaussian in gaussians {
-        bytes.extend(
-            vertex(gaussian, uniform)
-                .iter()
-                .flat_map(|&number| (number as f32).to_le_bytes()),
-        );
+    bytes.reserve(4 * names.len() * count);
+    let limit = ((1.0 - MIN_OPACITY) / MIN_OPACITY).ln() as f32;
+    for vertex in 0..count {
+        let rest = &splats.harmonics[functions * vertex..][..functions];
+        // All reds come first, then all greens, then all blues.
+        let rest = (0..3).flat_map(|channel| rest.iter().map(move |rgb| rgb[channel]));
+        let numbers = splats.position[vertex]
+            .into_iter()
+            .chain([0.0; 3])
+            .chain(splats.color[vertex])
+            .chain(rest)
+            .chain([finite_logit(splats.opacity[vertex], limit)])
+            .chain(splats.log_scale[vertex].map(|s| s.max(MIN_LOG_SCALE)))
+            .chain(splats.rotation[vertex]);
+        bytes.extend(numbers.flat_map(f32::to_le_bytes));
     }
     bytes
 }
 
-/// The properties of a Gaussian's vertex.
-fn vertex(gaussian: &Gaussian, uniform: Option<Uniform>) -> [f64; 17] {
-    let (rotation, deviation, opacity) = match uniform {
-        Some(Uniform { deviation, opacity }) => (DQuat::IDENTITY, DVec3::splat(deviation), opacity),
-        None => {
-            let (rotation, deviation) = principal_axes(gaussian.axes);
-            (rotation, deviation, f64::from(gaussian.opacity) / 255.0)
-        }
-    };
-    let [x, y, z] = gaussian.mean.to_array();
-    let [red, green, blue] = ((gaussian.color - 0.5) / ShCoefficients::CONSTANT).to_array();
-    // The logit is infinite at 0 and 1: stay a quarter of a step away, which reads back as the same
-    // 8 bits.
-    let opacity = opacity.clamp(0.25 / 255.0, 254.75 / 255.0);
-    let [sx, sy, sz] = deviation
-        .max(DVec3::splat(MIN_DEVIATION))
-        .to_array()
-        .map(f64::ln);
-    let logit = (opacity / (1.0 - opacity)).ln();
-    [
-        x, y, z, 0.0, 0.0, 0.0, red, green, blue, logit, sx, sy, sz, rotation.w, rotation.x,
-        rotation.y, rotation.z,
-    ]
-}
-
-/// Rotation and standard deviations, longest first, of the ellipsoid M Mᵀ. One-sided Jacobi:
-/// rotating pairs of M's columns until they are orthogonal leaves the product unchanged and keeps a
-/// needle's thin axes, which squaring M would lose.
-pub fn principal_axes(m: DMat3) -> (DQuat, DVec3) {
-    let mut axes = [m.x_axis, m.y_axis, m.z_axis];
-    for _ in 0..SWEEPS {
-        let mut rotated = false;
-        for (p, q) in [(0, 1), (0, 2), (1, 2)] {
-            let a = axes[p].length_squared();
-            let b = axes[q].length_squared();
-            let product = axes[p].dot(axes[q]);
-            if product.abs() <= 1e-15 * (a * b).sqrt() {
-                continue;
-            }
-            rotated = true;
-            let half = (b - a) / (2.0 * product);
-            let tangent = half.signum() / (half.abs() + (1.0 + half * half).sqrt());
-            let cosine = 1.0 / (1.0 + tangent * tangent).sqrt();
-            let rotated_p = cosine * (axes[p] - tangent * axes[q]);
-            let rotated_q = cosine * (axes[q] + tangent * axes[p]);
-            axes[p] = rotated_p;
-            axes[q] = rotated_q;
-        }
-        if !rotated {
-            break;
-        }
-    }
-    axes.sort_by(|a, b| b.length_squared().total_cmp(&a.length_squared()));
-    let first = axes[0].try_normalize().unwrap_or(DVec3::X);
-    let second = axes[1]
-        .reject_from_normalized(first)
-        .try_normalize()
-        .unwrap_or_else(|| first.any_orthonormal_vector());
-    let rotation =
-        DQuat::from_mat3(&DMat3::from_cols(first, second, first.cross(second))).normalize();
-    (rotation, DVec3::from(axes.map(DVec3::length)))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn covariance(rotation: DQuat, deviation: DVec3) -> DMat3 {
-        let m = DMat3::from_quat(rotation) * DMat3::from_diagonal(deviation);
-        m * m.transpose()
-    }
-
-    #[test]
-    fn sheared_needles_and_sheets_keep_their_covariance() {
-        let turn = DMat3::from_quat(DQuat::from_euler(glam::EulerRot::XYZ, 0.3, -1.1, 2.0));
-        let shear = DMat3::from_cols(
-            DVec3::new(0.9, 0.1, -0.2),
-            DVec3::new(0.3, 1.1, 0.0),
-            DVec3::new(-0.1, 0.2, 0.8),
-        );
-        for scale in [
-            [1.0, 1.0, 1.0],
-            [0.1, 1e-5, 1e-5],
-            [0.1, 0.1, 1e-5],
-            [1e-3, 2e-3, 3e-3],
-            [0.1, 0.0, 0.0],
-            [0.0; 3],
-        ] {
-            let m = shear * turn * DMat3::from_diagonal(DVec3::from(scale));
-            let (rotation, deviation) = principal_axes(m);
-            let got = covariance(rotation, deviation);
-            let expected = m * m.transpose();
-            let size = expected
-                .to_cols_array()
-                .into_iter()
-                .map(f64::abs)
-                .fold(1e-30, f64::max);
-            let error = (got - expected)
-                .to_cols_array()
-                .into_iter()
-                .map(f64::abs)
-                .fold(0.0, f64::max);
-            assert!(error <= 1e-13 * size, "{scale:?}: {error} of {size}");
-        }
-    }
-
-    #[test]
-    fn a_needles_thin_axes_come_back_to_ten_digits() {
-        let turn = DMat3::from_quat(DQuat::from_rotation_y(0.7));
-        let (_, deviation) =
-            principal_axes(turn * DMat3::from_diagonal(DVec3::new(2e-9, 0.1, 1e-9)));
-        assert!(
-            (deviation / DVec3::new(0.1, 2e-9, 1e-9) - 1.0)
-                .abs()
-                .max_element()
-                < 1e-10,
-            "{deviation}"
-        );
+/// A logit as it is, but for the infinite ones of 0 and 1.
+fn finite_logit(logit: f32, limit: f32) -> f32 {
+    if logit.is_finite() {
+        logit
+    } else {
+        logit.clamp(-limit, limit)
     }
 }

@@ -102,7 +102,7 @@ fn each_fault_is_named() {
     assert!(
         read(&[compressed.as_bytes(), &[0; 8]].concat())
             .unwrap_err()
-            .starts_with("found a compressed .ply, expected a plain")
+            .starts_with("found chunks without all their extremes, expected min_x to max_z")
     );
 }
 

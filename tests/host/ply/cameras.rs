@@ -2,7 +2,7 @@
 //! where they can't see.
 
 use effigy_core::{
-    io::{cameras, ply::Up},
+    io::{cameras, splats::Up},
     scene::Camera,
 };
 use glam::{DAffine3, DMat3, DVec2, DVec3};

@@ -10,8 +10,9 @@ use effigy_cli::source::Source;
 use effigy_core::{
     avatar::{Avatar, Clip},
     io::{
-        ply::{self, Up},
-        ply_export::{self, Uniform},
+        ply,
+        ply_export::to_ply,
+        splats::{Uniform, Up, from_gaussians},
     },
     reference,
     scene::{AvatarBounds, Posed},
@@ -181,7 +182,8 @@ fn an_exported_pose_looks_like_the_avatar() {
     let posed = Posed::new(&avatar, &common::pose(5, &avatar));
     let camera = common::gpu::camera(&avatar, &posed, [300, 300]);
     let stages = reference::ReferenceFrame::new(&avatar, &posed, &camera);
-    let file = ply::from_bytes(&ply_export::to_ply(&stages.gaussians, None), "", None).unwrap();
+    let file =
+        ply::from_bytes(&to_ply(&from_gaussians(&stages.gaussians, None)), "", None).unwrap();
     let still = Posed::new(&file, &Clip::still(&file.skeleton).sample(0.0));
     let error = error::between(
         &reference::render(&file, &still, &camera),
@@ -217,13 +219,11 @@ fn a_uniform_body_is_of_equal_balls() {
         &posed,
         &common::gpu::camera(&avatar, &posed, [20, 20]),
     );
-    let body = ply_export::to_ply(
-        &stages.gaussians,
-        Some(Uniform {
-            deviation: 0.003,
-            opacity: 0.9,
-        }),
-    );
+    let balls = Uniform {
+        deviation: 0.003,
+        opacity: 0.9,
+    };
+    let body = to_ply(&from_gaussians(&stages.gaussians, Some(balls)));
     let body = ply::from_bytes(&body, "", None).unwrap();
     assert!(
         body.gaussians

@@ -1,7 +1,9 @@
 //! The text header of a `.ply` file: which properties a vertex has, and where they are.
 
-use super::up::Up;
-use crate::io::file::{FormatError, excerpt};
+use crate::io::{
+    file::{FormatError, excerpt},
+    splats::Up,
+};
 
 /// Maximum length of a header, bytes; 3DGS writes 1.5 KB.
 const HEADER_MAX: usize = 64 << 10;
@@ -79,21 +81,31 @@ struct ElementHeader {
     row: usize,
 }
 
-/// Where a file has its vertices, and what they consist of.
+/// Where a file has an element's entries, and what they consist of.
+#[derive(Clone, Debug)]
+pub struct Element {
+    /// Number of entries.
+    pub count: u64,
+    pub properties: Vec<Property>,
+    /// Bytes of an entry in binary files.
+    pub row: usize,
+    /// Length of what is between the header and the entries: bytes, or lines of text.
+    pub before: u64,
+}
+
+/// What a file says about itself.
 #[derive(Debug)]
 pub struct PlyHeader {
     pub encoding: Encoding,
-    /// Number of vertices.
-    pub count: u64,
-    pub properties: Vec<Property>,
-    /// Bytes of a vertex in binary files.
-    pub row: usize,
     /// Where the header ends, bytes.
     pub end: usize,
-    /// Length of what is between the header and the vertices: bytes, or lines of text.
-    pub before: u64,
     /// The axis that points up, if a comment names it.
     pub up: Option<Up>,
+    pub vertices: Element,
+    /// Ranges of a compressed file's numbers: the element `chunk`.
+    pub chunks: Option<Element>,
+    /// Spherical harmonics of a compressed file: the element `sh`.
+    pub harmonics: Option<Element>,
 }
 
 /// The lines of a header.
@@ -173,7 +185,7 @@ pub fn parse(bytes: &[u8]) -> Result<PlyHeader, FormatError> {
             "`format binary_little_endian 1.0`",
         )
     })?;
-    vertices(elements, encoding, lines.at, up)
+    places(elements, encoding, lines.at, up)
 }
 
 /// An error about a line of the header.
@@ -237,8 +249,8 @@ fn property(
     Ok(())
 }
 
-/// Finds the vertices among the elements.
-fn vertices(
+/// Finds the elements that are read. What follows the vertices is skipped unless it is harmonics.
+fn places(
     elements: Vec<ElementHeader>,
     encoding: Encoding,
     end: usize,
@@ -246,12 +258,17 @@ fn vertices(
 ) -> Result<PlyHeader, FormatError> {
     let text = encoding == Encoding::Ascii;
     let mut before = 0u64;
+    let [mut vertices, mut chunks, mut harmonics] = [None, None, None];
     for element in elements {
         let list = element
             .list
             .as_deref()
             .filter(|_| element.name == "vertex" || !text);
         if let Some(list) = list {
+            // Nothing behind a list of unknown length can be found.
+            if vertices.is_some() {
+                break;
+            }
             let found = format!(
                 "the list `{}` of the element `{}`",
                 excerpt(list),
@@ -262,46 +279,60 @@ fn vertices(
                 "elements of plain numbers up to the vertices, as 3DGS writes them",
             ));
         }
-        if element.name == "vertex" {
-            let ElementHeader {
-                count,
-                mut properties,
-                row,
-                ..
-            } = element;
-            if text {
-                for (index, property) in properties.iter_mut().enumerate() {
-                    property.offset = index;
-                }
+        let ElementHeader {
+            name,
+            count,
+            mut properties,
+            row,
+            ..
+        } = element;
+        if text {
+            for (index, property) in properties.iter_mut().enumerate() {
+                property.offset = index;
             }
-            return Ok(PlyHeader {
-                encoding,
+        }
+        let place = match name.as_str() {
+            "vertex" => Some(&mut vertices),
+            "chunk" => Some(&mut chunks),
+            "sh" => Some(&mut harmonics),
+            _ => None,
+        };
+        if let Some(place) = place
+            && place.is_none()
+        {
+            *place = Some(Element {
                 count,
                 properties,
                 row,
-                end,
                 before,
-                up,
             });
         }
         let size = if text {
-            Some(element.count)
+            Some(count)
         } else {
-            element.count.checked_mul(element.row as u64)
+            count.checked_mul(row as u64)
         };
-        before = size
-            .and_then(|size| size.checked_add(before))
-            .ok_or_else(|| {
-                FormatError::container(
-                    format!("{} of `{}`", element.count, excerpt(&element.name)),
+        match size.and_then(|size| size.checked_add(before)) {
+            Some(after) => before = after,
+            None if vertices.is_some() => break,
+            None => {
+                return Err(FormatError::container(
+                    format!("{count} of `{}`", excerpt(&name)),
                     "a number that a file can hold",
-                )
-            })?;
+                ));
+            }
+        }
     }
-    Err(FormatError::container(
-        "a header without an element `vertex`",
-        "a 3DGS .ply file",
-    ))
+    Ok(PlyHeader {
+        encoding,
+        end,
+        up,
+        vertices: vertices.ok_or_else(|| {
+            FormatError::container("a header without an element `vertex`", "a 3DGS .ply file")
+        })?,
+        chunks,
+        harmonics,
+    })
 }
 
 #[cfg(test)]
@@ -318,12 +349,17 @@ mod tests {
                     element vertex 2\r\nproperty uchar u\r\nproperty float x\r\nelement face 1\r\nproperty list uchar int i\r\nend_header\r\n";
         let header = header(text).unwrap();
         assert_eq!(
-            (header.encoding, header.count, header.row, header.before),
+            (
+                header.encoding,
+                header.vertices.count,
+                header.vertices.row,
+                header.vertices.before
+            ),
             (Encoding::Big, 2, 5, 24)
         );
         assert_eq!((header.end, header.up), (text.len(), Some(Up::MinusY)));
         assert_eq!(
-            header.properties[1],
+            header.vertices.properties[1],
             Property {
                 name: "x".into(),
                 kind: Scalar::F32,

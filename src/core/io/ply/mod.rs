@@ -1,17 +1,11 @@
-//! Import of 3DGS `.ply` files: each becomes a static [`Avatar`](crate::avatar::Avatar) with one
-//! joint, which rotates the file's axes to ours. [`super::cameras`] reads the cameras that belong
-//! to it.
-//!
-//! The canonical space is the file's own, so that spherical harmonics keep their directions.
-//! Numbers are stored as in every avatar: positions as 16-bit coordinates in the Gaussians' box,
-//! opacity in 8 bits, all else in f16.
+//! 3DGS `.ply` files, plain or compressed as SuperSplat does. [`super::cameras`] reads the cameras
+//! that belong to one, [`super::ply_export`] writes one.
 
-mod gaussians;
+mod compressed;
 mod header;
+mod plain;
 mod read;
-mod up;
-mod vertices;
+mod table;
 
 pub use header::UP_COMMENT;
-pub use read::{from_bytes, is_ply, open};
-pub use up::Up;
+pub use read::{from_bytes, is_ply, open, read, starts_ply};

@@ -1,9 +1,13 @@
-//! Reading of a `.ply` into an avatar.
+//! Reading of a `.ply`.
 
-use super::{gaussians, header, up::Up, vertices::VertexTable};
-use crate::avatar::{Activation, Avatar, Inputs, Matrix, Networks, Nodes, Parts, Rows, Skeleton};
-use crate::io::file::{FileError, FormatError, read_with};
-use half::f16;
+use super::{compressed, header, plain, table::Table};
+use crate::{
+    avatar::Avatar,
+    io::{
+        file::{FileError, FormatError, read_with},
+        splats::{Splats, Up, check_count},
+    },
+};
 use std::{fs::File, io::Read, path::Path};
 
 /// Reads an avatar file or a 3DGS `.ply`, told apart by content. `up` is the axis of a `.ply` that
@@ -28,7 +32,12 @@ pub fn is_ply(path: &Path) -> bool {
     let named = path
         .extension()
         .is_some_and(|ending| ending.eq_ignore_ascii_case("ply"));
-    named || read.is_ok() && matches!(&start, b"ply\n" | b"ply\r")
+    named || read.is_ok() && starts_ply(&start)
+}
+
+/// Whether bytes begin as a `.ply` does.
+pub fn starts_ply(bytes: &[u8]) -> bool {
+    matches!(bytes, [b'p', b'l', b'y', b'\r' | b'\n', ..])
 }
 
 /// Reads an avatar from the bytes of a `.ply`. `up`: see [`open`].
@@ -36,49 +45,22 @@ pub fn is_ply(path: &Path) -> bool {
 /// # Errors
 /// When a property is missing, a number is not finite, or the file ends too soon.
 pub fn from_bytes(bytes: &[u8], name: &str, up: Option<Up>) -> Result<Avatar, FormatError> {
+    let mut splats = read(bytes)?;
+    splats.up = up.unwrap_or(splats.up);
+    splats.to_avatar(name)
+}
+
+/// Reads the splats of a `.ply`, plain or compressed as SuperSplat does.
+///
+/// # Errors
+/// When a property is missing or the file ends too soon.
+pub fn read(bytes: &[u8]) -> Result<Splats, FormatError> {
     let header = header::parse(bytes)?;
-    let up = up.or(header.up).unwrap_or(Up::TRAINED);
-    let (gaussians, sh) = gaussians::read(&VertexTable::new(bytes, header)?)?;
-    let canonical = up
-        .rotation()
-        .inverse()
-        .to_scaled_axis()
-        .as_vec3()
-        .to_array();
-    Ok(Avatar {
-        name: name.into(),
-        credit: String::new(),
-        skeleton: Skeleton {
-            name: vec!["root".into()],
-            parent: vec![None],
-            rest: vec![[0.0; 3]],
-            canonical: vec![canonical],
-        },
-        parts: Parts {
-            start: vec![0, gaussians.len() as u32],
-            head: 0,
-        },
-        networks: Networks {
-            activation: Activation::Relu,
-            layers: vec![],
-        },
-        rotation_rows: Rows::default(),
-        scale_rows: Rows::default(),
-        color_rows: Rows::default(),
-        // One node that moves nothing: every Gaussian must name three.
-        nodes: Nodes {
-            position: vec![[0; 3]],
-            part: vec![0],
-            offset: vec![[f16::ZERO; 3]],
-            basis: Matrix::default(),
-        },
-        inputs: Inputs {
-            joint: vec![],
-            expression: 0,
-            pose_space: None,
-            expression_space: None,
-        },
-        gaussians,
-        sh,
-    })
+    check_count(header.vertices.count)?;
+    let up = header.up.unwrap_or(Up::TRAINED);
+    if compressed::is_compressed(&header) {
+        compressed::read(bytes, &header, up)
+    } else {
+        plain::read(&Table::new(bytes, &header, &header.vertices)?, up)
+    }
 }

@@ -1,21 +1,18 @@
-//! The numbers of a `.ply` file's vertices.
+//! The numbers of an element of a `.ply` file.
 
-use super::header::{Encoding, PlyHeader, Property, Scalar};
-use crate::{
-    avatar::limits,
-    io::file::{FormatError, excerpt},
-};
+use super::header::{Element, Encoding, PlyHeader, Property, Scalar};
+use crate::io::file::{FormatError, excerpt};
 use std::borrow::Cow;
 
-/// A property of all vertices.
+/// A property of all entries.
 #[derive(Clone, Copy, Debug)]
 pub struct Column {
     kind: Scalar,
     offset: usize,
 }
 
-/// The vertices of a file, from which any property of any vertex can be read.
-pub struct VertexTable<'a> {
+/// The entries of an element, from which any property of any entry can be read.
+pub struct Table<'a> {
     bytes: Cow<'a, [u8]>,
     row: usize,
     encoding: Encoding,
@@ -23,27 +20,22 @@ pub struct VertexTable<'a> {
     count: usize,
 }
 
-impl<'a> VertexTable<'a> {
-    /// Finds the vertices after the header. Text is converted to f32, which takes at most twice the
-    /// file's size.
+impl<'a> Table<'a> {
+    /// Finds an element's entries after the header. Text is converted to f32, which takes at most
+    /// twice the file's size.
     ///
     /// # Errors
-    /// When the file holds fewer vertices than the header says, or more than [`limits::GAUSSIANS`].
-    pub fn new(bytes: &'a [u8], header: PlyHeader) -> Result<Self, FormatError> {
-        let PlyHeader {
-            encoding,
-            mut properties,
-            ..
-        } = header;
-        let count = usize::try_from(header.count).unwrap_or(usize::MAX);
-        if count == 0 || count > limits::GAUSSIANS {
-            return Err(FormatError::container(
-                format!("{} Gaussians", header.count),
-                format!("1 to {}", limits::GAUSSIANS),
-            ));
-        }
+    /// When the file holds fewer entries than the header says.
+    pub fn new(
+        bytes: &'a [u8],
+        header: &PlyHeader,
+        element: &Element,
+    ) -> Result<Self, FormatError> {
+        let encoding = header.encoding;
+        let mut properties = element.properties.clone();
+        let count = usize::try_from(element.count).unwrap_or(usize::MAX);
         let body = &bytes[header.end..];
-        let before = usize::try_from(header.before).unwrap_or(usize::MAX);
+        let before = usize::try_from(element.before).unwrap_or(usize::MAX);
         if encoding == Encoding::Ascii {
             let bytes = Cow::Owned(text(body, before, count, properties.len())?);
             for property in &mut properties {
@@ -61,19 +53,19 @@ impl<'a> VertexTable<'a> {
         }
         let rest = body.get(before..).unwrap_or_default();
         let rows = count
-            .checked_mul(header.row)
+            .checked_mul(element.row)
             .and_then(|size| rest.get(..size))
-            .ok_or_else(|| cut_off(rest.len() / header.row.max(1), count))?;
+            .ok_or_else(|| cut_off(rest.len() / element.row.max(1), count))?;
         Ok(Self {
             bytes: rows.into(),
-            row: header.row,
+            row: element.row,
             encoding,
             properties,
             count,
         })
     }
 
-    /// Number of vertices.
+    /// Number of entries.
     pub fn len(&self) -> usize {
         self.count
     }
@@ -101,7 +93,18 @@ impl<'a> VertexTable<'a> {
         self.properties.iter().filter(number).count()
     }
 
-    /// A property of a vertex.
+    /// Some properties of an entry.
+    pub fn values<const N: usize>(&self, entry: usize, columns: [Column; N]) -> [f32; N] {
+        columns.map(|column| self.value(entry, column) as f32)
+    }
+
+    /// Some properties of all entries.
+    pub fn all<const N: usize>(&self, columns: [Column; N]) -> Vec<[f32; N]> {
+        let entries = 0..self.count;
+        entries.map(|entry| self.values(entry, columns)).collect()
+    }
+
+    /// A property of an entry.
     pub fn value(&self, vertex: usize, column: Column) -> f64 {
         let bytes = &self.bytes[vertex * self.row + column.offset..];
         let little = self.encoding == Encoding::Little;

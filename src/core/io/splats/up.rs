@@ -1,4 +1,4 @@
-//! The axis of a `.ply` file that points up.
+//! The axis of a splat file that points up.
 
 use glam::DQuat;
 use std::f64::consts::FRAC_PI_2;

@@ -1,0 +1,140 @@
+//! `effigy convert`: writes splats, or an avatar in one pose, as a splat file of another program.
+
+use crate::{
+    files,
+    options::{self, named},
+    source::{CaptureArgs, PoseProjection, Source, print_assumptions},
+};
+use anyhow::{Context, ensure};
+use effigy_core::{
+    avatar::Avatar,
+    io::splats::{Splats, Uniform, Up, from_gaussians},
+    reference::{mlp, nodes, project},
+    scene::Posed,
+};
+use effigy_formats::{
+    open,
+    splats::{SplatFormat, WRITTEN, write},
+};
+use std::path::{Path, PathBuf};
+
+#[derive(clap::Args, Debug)]
+pub struct Args {
+    /// Splats, or an avatar to write in one pose
+    file: PathBuf,
+    /// File to write, in the format that its ending names: .ply, .spz, .splat or .glb
+    out: PathBuf,
+    /// Clip that poses an avatar [default: the poses beside an .npz, else the built-in demo clip]
+    #[arg(long, value_name = "FILE")]
+    motion: Option<PathBuf>,
+    #[command(flatten)]
+    capture: CaptureArgs,
+    /// Time in the clip, seconds
+    #[arg(long, alias = "at", value_name = "SECONDS", default_value_t = 0.0, value_parser = options::seconds)]
+    time: f64,
+    /// Axis that points up in splats [default: the file's own, else its format's: y in .spz, .glb
+    /// and .gltf, -y in others, as 3DGS trains]
+    #[arg(long, value_parser = named(Up::NAMES, Up::ALL), value_name = "AXIS", allow_hyphen_values = true)]
+    up: Option<Up>,
+    /// Whether the networks see the nearest pose that the avatar was trained for, within 2σ along
+    /// each principal component of its training poses; off: the pose itself
+    #[arg(long, value_enum, default_value_t = PoseProjection::On)]
+    project: PoseProjection,
+}
+
+pub fn run(args: Args) -> anyhow::Result<()> {
+    let format = format(&args.out)?;
+    let splats = if open::is_splats(&args.file) {
+        ensure!(
+            args.motion.is_none(),
+            "--motion is for avatars: {} has splats, which stand still",
+            args.file.display()
+        );
+        let found = open::splats(&args.file, args.up)?;
+        print_assumptions(&args.file, &found.assumptions);
+        found.splats
+    } else {
+        posed_file(&args)?
+    };
+    let count = splats.len();
+    if format == SplatFormat::Splat && splats.degree > 0 {
+        tracing::warn!("a .splat has no spherical harmonics above degree 0: they are left out");
+    }
+    let bytes = write(splats, format).with_context(|| args.file.display().to_string())?;
+    files::write(&args.out, &bytes)?;
+    println!(
+        "wrote {}: {count} Gaussians, {:.1} MB",
+        args.out.display(),
+        bytes.len() as f64 / 1e6
+    );
+    Ok(())
+}
+
+/// The format of a file to write, by its ending.
+fn format(out: &Path) -> anyhow::Result<SplatFormat> {
+    let ending = out.extension().unwrap_or_default().to_string_lossy();
+    let is_written = WRITTEN
+        .iter()
+        .any(|known| ending.eq_ignore_ascii_case(known));
+    SplatFormat::of_name(out)
+        .filter(|_| is_written)
+        .with_context(|| format!("{} does not end in .{}", out.display(), WRITTEN.join(", .")))
+}
+
+/// The Gaussians of an avatar's file in a pose.
+fn posed_file(args: &Args) -> anyhow::Result<Splats> {
+    let source = Source {
+        avatar: Some(args.file.clone()),
+        motion: args.motion.iter().cloned().collect(),
+        capture: args.capture.clone(),
+        up: args.up,
+        project: args.project,
+    };
+    let (avatar, player) = source.load_player()?;
+    posed_splats(&avatar, &Posed::new(&avatar, &player.pose(args.time)), None)
+}
+
+/// The Gaussians of an avatar in a pose, without spherical harmonics. An error if one is not
+/// finite. `uniform` replaces their shapes.
+pub fn posed_splats(
+    avatar: &Avatar,
+    pose: &Posed,
+    uniform: Option<Uniform>,
+) -> anyhow::Result<Splats> {
+    let features = mlp::features(avatar, &pose.input);
+    let gaussians = project::gaussians(avatar, pose, &features, &nodes::nodes(avatar, &features));
+    let bad = gaussians
+        .iter()
+        .position(|g| !(g.mean.is_finite() && g.axes.is_finite() && g.color.is_finite()));
+    ensure!(
+        bad.is_none(),
+        "Gaussian {} of `{}` is not finite in this pose: choose another with --time",
+        bad.unwrap_or(0),
+        avatar.name
+    );
+    if avatar.sh.is_some() {
+        tracing::warn!(
+            "the spherical harmonics of `{}` are left out: colours are written without them",
+            avatar.name
+        );
+    }
+    Ok(from_gaussians(&gaussians, uniform))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_ending_names_the_format() {
+        let of = |name: &str| format(Path::new(name)).ok();
+        assert_eq!(of("a.PLY"), Some(SplatFormat::Ply));
+        assert_eq!(of("a.spz"), Some(SplatFormat::Spz));
+        assert_eq!(of("a.splat"), Some(SplatFormat::Splat));
+        assert_eq!(of("a.b/c.glb"), Some(SplatFormat::Glb));
+        for other in ["a", "a.sog", "a.gltf", "ply", "a.avatar"] {
+            let error = format(Path::new(other)).unwrap_err().to_string();
+            assert!(error.contains(".ply, .spz, .splat, .glb"), "{error}");
+        }
+    }
+}

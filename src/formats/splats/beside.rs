@@ -1,0 +1,104 @@
+//! Files that a file refers to by name: beside it in a folder, or in the same archive.
+
+use effigy_core::io::file::{FormatError, excerpt};
+use std::{
+    fs::File,
+    io::Read,
+    path::{Path, PathBuf},
+};
+
+/// Where a file finds those that it refers to.
+pub trait Beside {
+    /// Reads a file of at most `most` bytes.
+    ///
+    /// # Errors
+    /// When there is no such file, it is longer, or the name leads elsewhere.
+    fn file(&mut self, name: &str, most: u64) -> Result<Vec<u8>, FormatError>;
+}
+
+/// No file at all.
+#[derive(Clone, Copy, Debug)]
+pub struct Nothing;
+
+impl Beside for Nothing {
+    fn file(&mut self, name: &str, _: u64) -> Result<Vec<u8>, FormatError> {
+        Err(missing(name, "no files beside this one"))
+    }
+}
+
+/// The files of a folder.
+#[derive(Clone, Debug)]
+pub struct Folder(PathBuf);
+
+impl Folder {
+    /// The folder that a file is in.
+    pub fn of(file: &Path) -> Self {
+        Self(file.parent().unwrap_or(Path::new("")).to_owned())
+    }
+}
+
+impl Beside for Folder {
+    fn file(&mut self, name: &str, most: u64) -> Result<Vec<u8>, FormatError> {
+        if !is_plain(name) {
+            return Err(missing(name, "a name with a path"));
+        }
+        let unreadable = |error: std::io::Error| missing(name, &error.to_string());
+        let path = self.0.join(name);
+        // A pipe or device could make a reader wait for ever.
+        if !path.metadata().map_err(unreadable)?.is_file() {
+            return Err(missing(name, "a folder or device"));
+        }
+        let file = File::open(path).map_err(unreadable)?;
+        limited(file, most).map_err(|found| missing(name, &found))
+    }
+}
+
+/// Whether a name stays in its folder on every system.
+fn is_plain(name: &str) -> bool {
+    !name.is_empty() && !name.starts_with('.') && !name.contains(['/', '\\', ':', '\0'])
+}
+
+/// Reads at most `most` bytes; more are an error.
+///
+/// # Errors
+/// What was found instead, when the reader fails or has more.
+pub fn limited(reader: impl Read, most: u64) -> Result<Vec<u8>, String> {
+    let mut bytes = Vec::new();
+    let read = reader.take(most.saturating_add(1)).read_to_end(&mut bytes);
+    read.map_err(|error| error.to_string())?;
+    if bytes.len() as u64 > most {
+        return Err(format!("more than {most} bytes"));
+    }
+    Ok(bytes)
+}
+
+/// A file that is referred to can't be read.
+pub fn missing(name: &str, found: &str) -> FormatError {
+    FormatError::container(
+        format!("{found} for `{}`", excerpt(name)),
+        "a file of that name, of a plausible size",
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_stay_in_their_folder() {
+        for name in [
+            "",
+            "..",
+            "../a",
+            "/etc/passwd",
+            "a/b",
+            "a\\b",
+            "C:a",
+            ".git",
+            "a\0",
+        ] {
+            assert!(!is_plain(name), "{name}");
+        }
+        assert!(is_plain("means_l.webp") && is_plain("scene 1.bin"));
+    }
+}
