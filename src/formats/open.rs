@@ -9,7 +9,7 @@ use crate::{
     gltf_motion, npz, pickle,
     retarget::{self, Girth, Report, RetargetOptions},
     smpl,
-    splats::{self, Folder, Found, SplatFormat},
+    splats::{self, Beside, Folder, Found, SplatFormat},
     webavatar::{self, Imported},
 };
 use effigy_core::{
@@ -138,6 +138,8 @@ impl Start {
 
 /// The extension of glTF without which it has no splats.
 const SPLATS_EXTENSION: &str = "KHR_gaussian_splatting";
+/// Bytes of a file beside a glTF of motion.
+const LONGEST_BESIDE: u64 = 256 << 20;
 /// Bytes of a glTF that are searched for it.
 const LONGEST_DOCUMENT: u64 = 4 << 20;
 
@@ -248,8 +250,8 @@ pub fn is_capture(path: &Path) -> bool {
 /// When the file cannot be opened, is of no known kind, or breaks a rule.
 pub fn capture(path: &Path, options: &CaptureOptions) -> Result<Captured, FileError> {
     let content = Content::of(path);
-    let folder = path.parent().unwrap_or(Path::new(""));
-    let mut beside = |name: &str| std::fs::read(folder.join(name)).ok();
+    let mut folder = Folder::of(path);
+    let mut beside = |name: &str| folder.file(name, LONGEST_BESIDE).ok();
     read_with(path, |bytes| match content {
         Content::Capture(CaptureFormat::Gltf) => {
             let options = gltf_motion::Options {

@@ -9,6 +9,7 @@ mod bake;
 mod drift;
 mod files;
 mod fit;
+mod fuzz;
 mod gltf_motion;
 mod governor;
 mod layout;
@@ -50,6 +51,7 @@ fn main() -> ExitCode {
             files::packed,
             files::rules,
             fit,
+            fuzz,
             gltf_motion,
             gltf_motion::hostile,
             governor,
