@@ -6,7 +6,7 @@ use crate::{
     assumption::Assumption,
     bvh,
     capture::{Captured, Rest},
-    gltf_motion, npz, pickle,
+    gltf_motion, guess, npz, pickle,
     retarget::{self, Girth, Report, RetargetOptions},
     smpl,
     splats::{self, Beside, Folder, Found, SplatFormat},
@@ -199,8 +199,12 @@ pub fn avatar(path: &Path, options: &OpenOptions) -> Result<Imported, FileError>
         Content::Model => read_with(path, |bytes| {
             webavatar::from_bytes(bytes, &name, &options.webavatar)
         }),
-        Content::Poses | Content::Capture(_) | Content::Other => Ok(Imported {
-            avatar: Avatar::read(path)?,
+        Content::Poses | Content::Capture(_) => Err(FileError::Content {
+            file: path.into(),
+            fault: FormatError::container("motion", "an avatar, or `--motion` before it"),
+        }),
+        Content::Other => Ok(Imported {
+            avatar: Avatar::read(path).map_err(|error| unknown(path, error))?,
             assumptions: vec![],
         }),
     }
@@ -318,7 +322,8 @@ pub fn clip(path: &Path, avatar: &Avatar, options: &ClipOptions) -> Result<Opene
     let name = path.file_stem().unwrap_or_default().to_string_lossy();
     let content = Content::of(path);
     if content == Content::Other || content == Content::Model {
-        return Clip::read(path).map(made_for_it);
+        let clip = Clip::read(path).map_err(|error| unknown(path, error))?;
+        return Ok(made_for_it(clip));
     }
     if content == Content::Poses && rests_in_t_pose(&avatar.skeleton) {
         let rate = options.capture.rate.unwrap_or(webavatar::POSES_RATE);
@@ -341,6 +346,45 @@ pub fn clip(path: &Path, avatar: &Avatar, options: &ClipOptions) -> Result<Opene
         clip: made.clip,
         assumptions: captured.assumptions,
         report: Some(made.report),
+    })
+}
+
+/// What is read of other programs, for errors.
+const KNOWN: &str = "an avatar (.avatar, the paper's .npz), splats (.ply, .splat, .spz, .sog, .ksplat, .glb) or motion \
+                     (.motion, .bvh, .fbx, .glb, .vrma, .npz, .pkl)";
+
+/// The error of a file that is no avatar or motion of Effigy's: what it seems to be, where that is
+/// known.
+pub fn unknown(path: &Path, error: FileError) -> FileError {
+    let is_content = matches!(error, FileError::Content { .. });
+    let start = Start::read(path).ok().filter(|_| is_content);
+    match start.and_then(|start| guess::seems(&start.bytes)) {
+        Some(what) => FileError::Content {
+            file: path.into(),
+            fault: FormatError::container(what, KNOWN),
+        },
+        None => error,
+    }
+}
+
+/// What a file is, in a word or two; None: of no known kind, or Effigy's own.
+pub fn kind(path: &Path) -> Option<&'static str> {
+    Some(match Content::of(path) {
+        Content::Splats(format) => match format {
+            SplatFormat::Ply => "splats, .ply",
+            SplatFormat::Splat => "splats, .splat",
+            SplatFormat::Spz => "splats, .spz",
+            SplatFormat::Sog | SplatFormat::SogMeta => "splats, SOG",
+            SplatFormat::Ksplat => "splats, .ksplat",
+            SplatFormat::Glb | SplatFormat::Gltf => "splats, glTF",
+        },
+        Content::Model => "the paper's model",
+        Content::Poses => "the paper's poses",
+        Content::Capture(CaptureFormat::Bvh) => "motion, BVH",
+        Content::Capture(CaptureFormat::Gltf) => "glTF",
+        Content::Capture(CaptureFormat::Fbx) => "motion, FBX",
+        Content::Capture(CaptureFormat::Smpl) => "motion, SMPL",
+        Content::Other => return None,
     })
 }
 
