@@ -48,6 +48,7 @@ fn main() -> ExitCode {
             drift,
             files,
             files::adversarial,
+            files::kept,
             files::packed,
             files::rules,
             fit,
