@@ -8,6 +8,7 @@
 pub mod assumption;
 pub mod bvh;
 pub mod capture;
+pub mod content;
 mod fault;
 #[cfg(feature = "fbx")]
 pub mod fbx;
@@ -16,6 +17,7 @@ mod guess;
 pub mod npz;
 pub mod open;
 pub mod pickle;
+pub mod read;
 pub mod retarget;
 mod scene_tree;
 pub mod smpl;

@@ -168,7 +168,7 @@ fn inspect_says_what_any_file_is() {
     let expected = [
         "motion, SMPL",
         "avatar",
-        "glTF",
+        "motion, glTF",
         "motion, BVH",
         "splats, SOG",
         "motion, FBX",

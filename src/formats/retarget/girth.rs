@@ -1,7 +1,7 @@
 //! How thick a body is: its trunk, slice by slice, and its arms. Measured on an avatar's Gaussians.
 
 use super::humanoid::Humanoid;
-use effigy_core::avatar::{Avatar, Pose};
+use effigy_core::avatar::{Avatar, Bounds, Pose, Skeleton};
 use glam::{DAffine3, DVec3};
 
 /// Height of a slice, metres.
@@ -39,6 +39,34 @@ pub struct Girth {
     pub arm: f64,
 }
 
+/// What of an avatar its thickness is measured on, of N Gaussians.
+#[derive(Clone, Copy, Debug)]
+pub struct Skin<'a> {
+    /// The avatar's.
+    pub skeleton: &'a Skeleton,
+    /// The box that positions are coordinates in.
+    pub bounds: Bounds,
+    /// Means in the canonical pose; shape N, 3.
+    pub position: &'a [[u16; 3]],
+    /// Four joints that move each Gaussian, all of the skeleton; shape N, 4.
+    pub joint: &'a [[u8; 4]],
+    /// Their weights, of 255; shape N, 4.
+    pub joint_weight: &'a [[u8; 4]],
+}
+
+impl<'a> From<&'a Avatar> for Skin<'a> {
+    fn from(avatar: &'a Avatar) -> Self {
+        let gaussians = &avatar.gaussians;
+        Self {
+            skeleton: &avatar.skeleton,
+            bounds: gaussians.bounds,
+            position: &gaussians.position,
+            joint: &gaussians.joint,
+            joint_weight: &gaussians.joint_weight,
+        }
+    }
+}
+
 /// Points of a body, each in the axes of the joint that moves it most, from that joint, at rest.
 struct Points {
     joint: Vec<usize>,
@@ -46,25 +74,20 @@ struct Points {
 }
 
 impl Points {
-    fn of(avatar: &Avatar) -> Self {
-        let skeleton = &avatar.skeleton;
-        let gaussians = &avatar.gaussians;
+    fn of(skin: Skin) -> Self {
+        let skeleton = skin.skeleton;
         let rest = Pose::rest(skeleton.len(), 0);
         let to_rest = skeleton.matrices(&rest);
         let mut points = Self {
             joint: vec![],
             at: vec![],
         };
-        for ((position, joints), weights) in gaussians
-            .position
-            .iter()
-            .zip(&gaussians.joint)
-            .zip(&gaussians.joint_weight)
-        {
+        let gaussians = skin.position.iter().zip(skin.joint);
+        for ((position, joints), weights) in gaussians.zip(skin.joint_weight) {
             let most = (0..4).max_by_key(|&k| weights[k]).unwrap_or(0);
             let joint = usize::from(joints[most]);
             let own = DVec3::from(skeleton.rest[joint].map(f64::from));
-            let place = to_rest[joint].transform_point3(gaussians.bounds.decode(*position));
+            let place = to_rest[joint].transform_point3(skin.bounds.decode(*position));
             points.joint.push(joint);
             points.at.push(place - own);
         }
@@ -88,9 +111,14 @@ fn quantile(mut values: Vec<f64>, share: f64) -> f64 {
 impl Girth {
     /// Measures an avatar; None: it has no body.
     pub fn of(avatar: &Avatar) -> Option<Self> {
-        let tree = super::tree::Tree::of_skeleton(&avatar.skeleton);
+        Self::of_skin(avatar.into())
+    }
+
+    /// Measures the skin of an avatar; None: it has no body.
+    pub fn of_skin(skin: Skin) -> Option<Self> {
+        let tree = super::tree::Tree::of_skeleton(skin.skeleton);
         let body = Humanoid::find(&tree, &[]).ok()?;
-        let points = Points::of(avatar);
+        let points = Points::of(skin);
         let trunk = [body.hips].into_iter().chain(body.spine.iter().copied());
         let sections = trunk.filter_map(|joint| section(&points, joint)).collect();
         let forearm = body.arms[0].forearm;

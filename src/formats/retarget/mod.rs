@@ -26,7 +26,7 @@ mod tree;
 mod upright;
 
 pub use align::Basis;
-pub use girth::Girth;
+pub use girth::{Girth, Skin};
 pub use humanoid::Correction;
 pub use report::{ArmsInside, JointGuess, Report, Spread};
 pub use upright::Unit;

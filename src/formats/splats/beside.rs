@@ -26,7 +26,7 @@ impl Beside for Nothing {
     }
 }
 
-/// The files of a folder.
+/// The files of a folder and of folders in it.
 #[derive(Clone, Debug)]
 pub struct Folder(PathBuf);
 
@@ -39,8 +39,8 @@ impl Folder {
 
 impl Beside for Folder {
     fn file(&mut self, name: &str, most: u64) -> Result<Vec<u8>, FormatError> {
-        if !is_plain(name) {
-            return Err(missing(name, "a name with a path"));
+        if !name.split('/').all(is_plain) {
+            return Err(missing(name, "a name that leads elsewhere"));
         }
         let unreadable = |error: std::io::Error| missing(name, &error.to_string());
         let path = self.0.join(name);
@@ -53,7 +53,7 @@ impl Beside for Folder {
     }
 }
 
-/// Whether a name stays in its folder on every system.
+/// Whether a name, of a file or a folder, stays in its folder on every system.
 fn is_plain(name: &str) -> bool {
     !name.is_empty() && !name.starts_with('.') && !name.contains(['/', '\\', ':', '\0'])
 }
