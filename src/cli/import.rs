@@ -4,7 +4,7 @@ use crate::{
     files, options, progress,
     source::{self, CaptureArgs, print_assumptions},
 };
-use anyhow::Context;
+use anyhow::{Context, ensure};
 use clap::ValueEnum;
 use effigy_core::avatar::{Activation, Avatar, Clip};
 use effigy_formats::{
@@ -35,11 +35,11 @@ pub struct Args {
     /// lifted out of the ground
     #[arg(long)]
     keep_feet: bool,
-    /// Poses that the avatar was trained for, as the paper's _poses.json; repeat for several.
+    /// Poses that the avatar was trained for, motion of any kind; repeat for several.
     /// Networks then see the nearest such pose
     #[arg(long, value_name = "FILE")]
     trained: Vec<PathBuf>,
-    /// Poses to write as a clip, as the paper's _poses.json
+    /// Poses to write as a clip, motion of any kind
     #[arg(long, value_name = "FILE", requires = "motion_out")]
     poses: Option<PathBuf>,
     /// Motion file to write
@@ -123,8 +123,40 @@ fn convert_clip(args: &Args, file: &Path, avatar: &Avatar, out: &Path) -> anyhow
     Ok(())
 }
 
+/// Refuses options that say nothing of the file, and a name that promises another one.
+fn check(args: &Args, is_motion: bool) -> anyhow::Result<()> {
+    let ending = if is_motion { "motion" } else { "avatar" };
+    ensure!(
+        args.out.extension().is_some_and(|own| own == ending),
+        "{} does not end in .{ending}, which {} becomes",
+        args.out.display(),
+        args.file.display()
+    );
+    if is_motion {
+        ensure!(
+            args.trained.is_empty() && args.poses.is_none(),
+            "--trained and --poses are for avatars: {} is motion",
+            args.file.display()
+        );
+    } else {
+        ensure!(
+            args.avatar.is_none() && !args.keep_feet,
+            "--avatar and --keep-feet are for motion: {} is none",
+            args.file.display()
+        );
+        ensure!(
+            !open::is_splats(&args.file),
+            "{} has splats, which are drawn as they are; `effigy convert` writes other formats",
+            args.file.display()
+        );
+    }
+    Ok(())
+}
+
 pub fn run(args: Args) -> anyhow::Result<()> {
-    if open::is_capture(&args.file) {
+    let is_motion = open::is_capture(&args.file);
+    check(&args, is_motion)?;
+    if is_motion {
         let avatar = match &args.avatar {
             Some(path) => open::avatar(path, &OpenOptions::default())?.avatar,
             None => effigy_demo::avatar()?,

@@ -100,9 +100,9 @@ enum Command {
     /// Make the paper's tables and curves from a dataset
     #[command(alias = "analyze")]
     Analyse(analyse::Args),
-    /// Show what an avatar or motion file contains
+    /// Show what a file, or each file of a folder, contains
     Inspect(inspect::Args),
-    /// Make an avatar file from the paper's model
+    /// Make an avatar or motion file from one of another program
     Import(import::Args),
     /// Write an avatar as the paper's model
     Export(export::Args),
@@ -154,7 +154,8 @@ fn end_quietly_on_closed_pipe() {
             .payload()
             .downcast_ref::<String>()
             .map_or("", String::as_str);
-        if message.starts_with("failed printing to stdout: Broken pipe") {
+        let is_printing = message.starts_with("failed printing to std");
+        if is_printing && message.contains("Broken pipe") {
             std::process::exit(141);
         }
         default_hook(panic);

@@ -10,7 +10,7 @@ use effigy_core::{
 };
 use effigy_formats::{
     assumption::Assumption,
-    open::{self, CaptureOptions, ClipOptions, OpenOptions},
+    open::{self, CaptureOptions, ClipOptions, OpenOptions, OpenedClip},
     retarget::{Correction, RetargetOptions},
 };
 use std::{
@@ -121,7 +121,7 @@ impl Source {
             "--up is for splats only: an avatar file says which axis points up"
         );
         let mut avatar = match &self.avatar {
-            Some(path) if !open::is_capture(path) => {
+            Some(path) if !open::is_motion(path) => {
                 let options = OpenOptions {
                     up: self.up,
                     ..OpenOptions::default()
@@ -163,7 +163,7 @@ impl Source {
     fn clips(&self, avatar: &Avatar) -> anyhow::Result<Vec<Clip>> {
         let mut files = self.motion.clone();
         if let Some(path) = &self.avatar {
-            if open::is_capture(path) {
+            if open::is_motion(path) {
                 files.insert(0, path.clone());
             } else if files.is_empty() && open::is_foreign(path) {
                 files.extend(open::poses_beside(path));
@@ -177,6 +177,11 @@ impl Source {
             };
             return Ok(vec![clip]);
         }
+        ensure!(
+            !avatar.is_static(),
+            "`{}` has splats, which stand still: motion is for avatars",
+            avatar.name
+        );
         let options = ClipOptions {
             capture: self.capture.capture(None),
             retarget: RetargetOptions {
@@ -191,8 +196,7 @@ impl Source {
 
 /// Reads a clip for an avatar, and says what its file left open and how it was made.
 pub fn clip(path: &Path, avatar: &Avatar, options: &ClipOptions) -> anyhow::Result<Clip> {
-    let opened = open::clip(path, avatar, options)?;
-    print_assumptions(path, &opened.assumptions);
+    let opened = open_clip(path, avatar, options)?;
     if let Some(report) = &opened.report {
         eprintln!(
             "{} moves {} of {} joints, their bones within {:.1}° on average (`effigy inspect` lists the joints)",
@@ -203,6 +207,17 @@ pub fn clip(path: &Path, avatar: &Avatar, options: &ClipOptions) -> anyhow::Resu
         );
     }
     Ok(opened.clip)
+}
+
+/// Reads a clip for an avatar, and says what its file left open.
+pub fn open_clip(
+    path: &Path,
+    avatar: &Avatar,
+    options: &ClipOptions,
+) -> anyhow::Result<OpenedClip> {
+    let opened = open::clip(path, avatar, options)?;
+    print_assumptions(path, &opened.assumptions);
+    Ok(opened)
 }
 
 /// Says what a file left open, and who can say otherwise.

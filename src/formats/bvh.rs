@@ -11,6 +11,7 @@ use crate::{
 };
 use effigy_core::io::file::{FormatError, excerpt};
 use glam::{DQuat, DVec3, Vec3};
+use std::ops::RangeInclusive;
 
 /// Whether bytes begin as a BVH file does.
 pub fn is_bvh(bytes: &[u8]) -> bool {
@@ -20,6 +21,9 @@ pub fn is_bvh(bytes: &[u8]) -> bool {
         .get(..9)
         .is_some_and(|word| word.eq_ignore_ascii_case(b"HIERARCHY"))
 }
+
+/// Seconds that a frame may take.
+const FRAME_TIMES: RangeInclusive<f64> = 1e-6..=1e3;
 
 /// The meaning of one number of a frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -64,7 +68,9 @@ impl Line<'_> {
 pub fn from_bytes(bytes: &[u8]) -> Result<Captured, FormatError> {
     let text = String::from_utf8_lossy(bytes);
     let text = text.strip_prefix('\u{feff}').unwrap_or(&text);
-    let mut lines = text.lines().enumerate().map(|(at, text)| Line {
+    // Old programs end lines by a carriage return alone.
+    let end = if text.contains('\n') { '\n' } else { '\r' };
+    let mut lines = text.split(end).enumerate().map(|(at, text)| Line {
         number: at + 1,
         text: text.trim(),
     });
@@ -77,15 +83,22 @@ pub fn from_bytes(bytes: &[u8]) -> Result<Captured, FormatError> {
         if line.text.eq_ignore_ascii_case("MOTION") {
             break;
         }
-        hierarchy.read_line(line)?;
+        // A brace may stand on any line, with others.
+        for piece in line.text.split_inclusive(['{', '}']) {
+            let brace = piece.len() - piece.trim_end_matches(['{', '}']).len();
+            let (words, brace) = piece.split_at(piece.len() - brace);
+            for text in [words.trim(), brace] {
+                hierarchy.read_line(Line { text, ..line })?;
+            }
+        }
     }
     hierarchy.finish()?;
     let mut lines = lines.filter(|line| !line.text.is_empty());
     let announced = header(lines.next(), "Frames:")?;
     let frame_time = header(lines.next(), "Frame Time:")?;
-    if !(frame_time > 0.0 && (1.0 / frame_time).is_finite()) {
+    if !FRAME_TIMES.contains(&frame_time) {
         let found = format!("a frame time of {frame_time} s");
-        return Err(FormatError::container(found, "more than 0"));
+        return Err(FormatError::container(found, "a millionth to a thousand"));
     }
     let mut frames = Frames::new(&hierarchy, most_poses(bytes.len()));
     for line in lines {
@@ -108,6 +121,7 @@ pub fn from_bytes(bytes: &[u8]) -> Result<Captured, FormatError> {
             local,
             unit: None,
             up: None,
+            model_rest: false,
             expression: vec![],
             expression_len: 0,
         },
@@ -170,7 +184,7 @@ fn leave_out_rest(joints: usize, local: &mut [LocalPose], assumptions: &mut Vec<
         first.copy_from_slice(second);
         assumptions.push(Assumption {
             what: "the first frame",
-            taken: "left out".into(),
+            taken: "the second in its place".into(),
             because: "it is the rest pose, and the second is not".into(),
         });
     }
@@ -286,15 +300,16 @@ struct Hierarchy {
 
 impl Hierarchy {
     fn read_line(&mut self, line: Line) -> Result<(), FormatError> {
-        let (text, opens) = match line.text.strip_suffix('{') {
-            Some(text) => (text.trim_end(), true),
-            None => (line.text, false),
-        };
+        let text = line.text;
         let (word, rest) = text.split_once(char::is_whitespace).unwrap_or((text, ""));
         match word.to_ascii_uppercase().as_str() {
             "" | "HIERARCHY" => {}
             "ROOT" | "JOINT" => self.begin(line, rest.trim(), false)?,
             "END" => self.begin(line, "", true)?,
+            "{" => match self.announced.take() {
+                Some(block) => self.open.push(block),
+                None => return Err(line.error("`{`", "a joint before it")),
+            },
             "}" => {
                 if self.open.pop().is_none() {
                     return Err(line.error("`}`", "an open brace before it"));
@@ -316,12 +331,6 @@ impl Hierarchy {
                 let found = format!("`{}`", excerpt(line.text));
                 let expected = "ROOT, JOINT, End Site, OFFSET, CHANNELS, a brace or MOTION";
                 return Err(line.error(found, expected));
-            }
-        }
-        if opens {
-            match self.announced.take() {
-                Some(block) => self.open.push(block),
-                None => return Err(line.error("`{`", "a joint before it")),
             }
         }
         Ok(())

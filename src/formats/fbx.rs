@@ -109,6 +109,7 @@ pub fn from_bytes(bytes: &[u8], options: &Options) -> Result<Captured, FormatErr
             local,
             unit: Some(settings.unit_meters).filter(|unit| unit.is_finite() && *unit > 0.0),
             up: axis(settings.axes.up),
+            model_rest: false,
             expression: vec![],
             expression_len: 0,
         },

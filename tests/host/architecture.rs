@@ -131,6 +131,8 @@ const LAYERS: &[Layers] = &[
             "retarget",
             "splats",
             "webavatar",
+            "content",
+            "read",
             "open",
         ],
     },

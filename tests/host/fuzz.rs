@@ -8,13 +8,14 @@ use effigy_formats::{
     bvh,
     capture::Captured,
     fbx, gltf_motion,
-    retarget::{self, RetargetOptions},
+    retarget::{self, Girth, RetargetOptions},
     smpl,
     splats::{self, Nothing, SplatFormat},
     webavatar,
 };
 use std::{
     panic::{AssertUnwindSafe, catch_unwind},
+    sync::OnceLock,
     time::{Duration, Instant},
 };
 
@@ -143,11 +144,27 @@ fn skeleton() -> Skeleton {
     effigy_demo::avatar().expect("the demo").skeleton
 }
 
+/// The demo's thickness, measured once.
+fn girth() -> Option<Girth> {
+    static GIRTH: OnceLock<Option<Girth>> = OnceLock::new();
+    GIRTH
+        .get_or_init(|| Girth::of(&effigy_demo::avatar().expect("the demo")))
+        .clone()
+}
+
 /// Moves the demo by what a reader gives.
 fn retarget(skeleton: &Skeleton, captured: &Captured) {
     // A long motion takes its time, and nothing else.
-    if captured.capture.frames() <= 64 {
-        let options = RetargetOptions::default();
+    if captured.capture.frames() <= 64 && captured.capture.duration() < 1e4 {
+        let options = RetargetOptions {
+            rate: Some(if captured.capture.duration() < 10.0 {
+                30.0
+            } else {
+                0.5
+            }),
+            girth: girth(),
+            ..RetargetOptions::default()
+        };
         let _ = retarget::retarget(&captured.capture, skeleton, "edited", &options);
     }
 }

@@ -129,7 +129,7 @@ impl ComparisonSummary {
 impl fmt::Display for ComparisonSummary {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let moved = format!(
-            "{} of {} joints; its legs are {:.2} times as long",
+            "{} of {} joints move; its legs are {:.2} times as long as the capture's",
             self.moved, self.of, self.scale
         );
         line(f, "avatar", moved)?;

@@ -7,7 +7,7 @@ mod motion;
 mod text;
 
 use crate::{
-    source::{CaptureArgs, print_assumptions},
+    source::{CaptureArgs, open_clip, print_assumptions},
     thumbnail,
 };
 use anyhow::{Context, bail, ensure};
@@ -16,8 +16,8 @@ use capture::{CaptureSummary, ComparisonSummary};
 use effigy_core::avatar::{Avatar, Clip, motion::Player};
 use effigy_core::io::file::{FileContent, tensors};
 use effigy_formats::{
-    open::{self, OpenOptions},
-    retarget,
+    open::{self, ClipOptions, OpenOptions},
+    retarget::{self, RetargetOptions},
 };
 use folder::FolderSummary;
 use motion::MotionSummary;
@@ -54,7 +54,11 @@ pub fn run(args: Args) -> anyhow::Result<()> {
         return print(&AvatarSummary::new(&demo, demo.tensors()), args.json);
     };
     if file.is_dir() {
-        ensure!(args.png.is_none(), "--png is for a file, not for a folder");
+        let alone = args.png.is_none() && args.against.is_none();
+        ensure!(
+            alone,
+            "--png and --against are for a file, not for a folder"
+        );
         return print(&FolderSummary::new(file)?, args.json);
     }
     if let Some(against) = &args.against {
@@ -74,21 +78,21 @@ pub fn run(args: Args) -> anyhow::Result<()> {
 }
 
 fn inspect_capture(args: &Args, file: &Path) -> anyhow::Result<()> {
-    let captured = open::capture(file, &args.capture.capture(None))?;
-    print_assumptions(file, &captured.assumptions);
     let moved = args.moved()?;
-    let options = retarget::RetargetOptions {
-        corrections: args.capture.corrections()?,
-        girth: retarget::Girth::of(&moved),
-        ..Default::default()
+    let options = ClipOptions {
+        capture: args.capture.capture(None),
+        retarget: RetargetOptions {
+            corrections: args.capture.corrections()?,
+            ..RetargetOptions::default()
+        },
     };
-    let made = retarget::retarget(&captured.capture, &moved.skeleton, "", &options);
-    let made = made.with_context(|| format!("of {}", file.display()))?;
-    args.draw(&moved, &made.clip)?;
-    print(
-        &CaptureSummary::new(&captured.capture, &made.report),
-        args.json,
-    )
+    let opened = open_clip(file, &moved, &options)?;
+    args.draw(&moved, &opened.clip)?;
+    let (Some(capture), Some(report)) = (&opened.capture, &opened.report) else {
+        // The poses of an avatar like this one are its clip as they are.
+        return print(&MotionSummary::new(&opened.clip), args.json);
+    };
+    print(&CaptureSummary::new(capture, report), args.json)
 }
 
 /// A file of Effigy's own.
@@ -128,7 +132,8 @@ impl Args {
 
 /// Says how well a clip follows a capture.
 fn compare(args: &Args, file: &Path, against: &Path) -> anyhow::Result<()> {
-    let FileContent::Clip(clip) = FileContent::read(file)? else {
+    let content = FileContent::read(file).map_err(|error| open::unknown(file, error))?;
+    let FileContent::Clip(clip) = content else {
         bail!("{} is an avatar: --against is for motion", file.display());
     };
     let captured = open::capture(against, &args.capture.capture(None))?;

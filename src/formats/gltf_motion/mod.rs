@@ -307,6 +307,7 @@ impl<'a> Reading<'a> {
             local: vec![LocalPose::new(DQuat::IDENTITY, DVec3::ZERO); frames * joints.len()],
             unit: Some(1.0),
             up: Some(DVec3::Y),
+            model_rest: false,
             expression: vec![],
             expression_len: 0,
         };

@@ -198,7 +198,7 @@ fn from_rest(bodies: &Bodies, world: &[DAffine3]) -> Vec<DQuat> {
     let target_rest = &bodies.target_tree.rest;
     for (own, theirs) in bodies.source.legs.iter().zip(&bodies.target.legs) {
         // Soles are flat in both rest poses: only the direction over the ground is aligned.
-        let ball = own.toe.or_else(|| children[own.foot].first().copied());
+        let ball = own.ball(&children);
         if let (Some(ball), Some(their_ball)) = (ball, theirs.toe) {
             let from = (turn * (at[ball] - at[own.foot])).with_y(0.0);
             let to = (target_rest[their_ball] - target_rest[theirs.foot]).with_y(0.0);
@@ -318,7 +318,7 @@ impl<'a> Motion<'a> {
                 above = clavicle;
             }
             let along = target_rest[theirs.forearm] - target_rest[theirs.upper];
-            // Elbows bend forwards, so about the axis that is left of an arm held out.
+            // Elbows bend forwards: upper arm × forearm points along upper arm × forward.
             let hinge = along.cross(DVec3::Z);
             let limb = [own.upper, own.forearm, own.hand];
             let target_limb = [theirs.upper, theirs.forearm, theirs.hand];
@@ -328,7 +328,7 @@ impl<'a> Motion<'a> {
             let limb = [own.thigh, own.shin, own.foot];
             let target_limb = [theirs.thigh, theirs.shin, theirs.foot];
             self.hinge(limb, target_limb, DVec3::X, source.hips);
-            let ball = own.toe.or_else(|| self.children[own.foot].first().copied());
+            let ball = own.ball(&self.children);
             let foot = ball.zip(theirs.toe).map(|(ball, their_ball)| Bone {
                 joint: own.foot,
                 end: ball,

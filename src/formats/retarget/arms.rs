@@ -4,20 +4,20 @@
 //! A capture has no flesh. Its trunk is taken to be the avatar's, as much wider as its shoulders are.
 
 use super::{
-    align::rotations,
     girth::{Depth, Girth},
     humanoid::{Arm, Humanoid},
     tree::positions,
+    turn,
 };
 use effigy_core::avatar::{Pose, Skeleton};
 use glam::{DAffine3, DQuat, DVec3};
 
 /// Places along an arm that are looked at: shares of the way from the elbow to the wrist, and beyond
 /// it along the hand.
-const LOOKED_AT: [f64; 5] = [0.0, 0.35, 0.7, 1.0, 1.25];
+const PLACES: [f64; 5] = [0.0, 0.35, 0.7, 1.0, 1.25];
 /// An arm may be this much deeper than the capture's, metres: skin gives way.
 const LEEWAY: f64 = 0.005;
-/// Seconds over which a shoulder's turn is smoothed.
+/// A shoulder's turn is smoothed over so many seconds before and after.
 const SMOOTH: f64 = 0.12;
 /// Times that what is left is corrected.
 const ROUNDS: usize = 4;
@@ -39,7 +39,7 @@ pub struct Body<'a> {
 
 /// Places of elbow and wrist, and what lies between.
 fn places(elbow: DVec3, wrist: DVec3) -> [DVec3; 5] {
-    LOOKED_AT.map(|share| elbow + share * (wrist - elbow))
+    PLACES.map(|share| elbow + share * (wrist - elbow))
 }
 
 /// Width of the shoulders.
@@ -130,7 +130,7 @@ impl Body<'_> {
                 let smooth = smooth(&turns, half);
                 for (frame, pose) in poses.iter_mut().enumerate() {
                     pose.rotation[arm.upper] = first[frame];
-                    turn(self.skeleton, pose, arm.upper, smooth[frame]);
+                    turn_by(self.skeleton, pose, arm.upper, smooth[frame]);
                 }
             }
         }
@@ -145,16 +145,17 @@ struct Deepest {
 }
 
 /// Turns a joint by an axis times an angle, in world axes.
-fn turn(skeleton: &Skeleton, pose: &mut Pose, joint: usize, axis: DVec3) {
+fn turn_by(skeleton: &Skeleton, pose: &mut Pose, joint: usize, axis: DVec3) {
     if axis == DVec3::ZERO {
         return;
     }
-    let world = rotations(&skeleton.joints(pose));
-    let own = DQuat::from_scaled_axis(pose.rotation[joint]);
-    let parent = world[joint] * own.inverse();
-    let local = parent.inverse() * DQuat::from_scaled_axis(axis) * world[joint];
-    let local = if local.w < 0.0 { -local } else { local };
-    pose.rotation[joint] = local.normalize().to_scaled_axis();
+    let world = turn::world(skeleton, pose)[joint];
+    let parent = turn::parent(pose, joint, world);
+    turn::set(
+        pose,
+        joint,
+        parent.inverse() * DQuat::from_scaled_axis(axis) * world,
+    );
 }
 
 /// The longest of each window, and then the mean over it: nowhere much less than before.

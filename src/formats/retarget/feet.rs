@@ -15,6 +15,8 @@ use std::ops::Range;
 const SLOW: f64 = 0.2;
 /// One that moves faster ends it.
 const FAST: f64 = 0.35;
+/// Speeds are measured over so many seconds before and after.
+const STEP: f64 = 1.0 / 60.0;
 /// Metres above the ground, beyond where the ball is when it stands.
 const LOW: f64 = 0.05;
 /// Seconds that a contact lasts at least.
@@ -23,7 +25,7 @@ const SHORTEST: f64 = 0.08;
 const FADE: f64 = 0.25;
 /// Share of a leg's length beyond which it is not stretched.
 const REACH: f64 = 0.998;
-/// Seconds over which sinking hips are smoothed.
+/// Sinking hips are smoothed over so many seconds before and after.
 const SMOOTH: f64 = 0.1;
 
 /// A way of a foot over the ground, a position each frame, metres and y up.
@@ -40,9 +42,11 @@ impl Track {
 
     /// Frames in which the foot stands. `rate`: frames a second.
     pub fn contacts(&self, rate: f64, ground: f64) -> Vec<Range<usize>> {
+        // Between two frames of a high rate there is more noise than way.
+        let step = (rate * STEP).round().max(1.0) as usize;
         let speed = |frame: usize| {
             let last = self.ball.len() - 1;
-            let [before, after] = [frame.saturating_sub(1), (frame + 1).min(last)];
+            let [before, after] = [frame.saturating_sub(step), (frame + step).min(last)];
             let seconds = (after - before).max(1) as f64 / rate;
             self.ball[after].distance(self.ball[before]) / seconds
         };
@@ -152,52 +156,74 @@ pub fn place(
     rate: f64,
 ) {
     let soles = Soles::new(skeleton, body);
-    let joints: Vec<Vec<DAffine3>> = poses.iter().map(|pose| skeleton.joints(pose)).collect();
-    let ground = low(joints
+    let mut legs: Vec<[LegFrame; 2]> = poses
         .iter()
-        .map(|joints| soles.lowest(0, joints).min(soles.lowest(1, joints))));
-    // How far each ankle is moved, a frame each.
-    let moves: [Vec<DVec3>; 2] = [0, 1].map(|foot| {
-        let balls: Vec<DVec3> = joints
-            .iter()
-            .map(|joints| soles.ball(foot, joints) - DVec3::Y * ground)
-            .collect();
-        let mut moves = corrections(&balls, &contacts[foot], rate);
-        for (way, joints) in moves.iter_mut().zip(&joints) {
-            let height = soles.lowest(foot, joints) - ground + way.y;
-            way.y += (-height).max(0.0);
+        .map(|pose| LegFrame::both(skeleton, body, &soles, pose))
+        .collect();
+    let ground = low(legs.iter().map(|[a, b]| a.lowest.min(b.lowest)));
+    for leg in legs.iter_mut().flatten() {
+        leg.lower(ground);
+    }
+    for foot in [0, 1] {
+        let balls: Vec<DVec3> = legs.iter().map(|legs| legs[foot].ball).collect();
+        let moves = corrections(&balls, &contacts[foot], rate);
+        for (legs, mut way) in legs.iter_mut().zip(moves) {
+            let leg = &mut legs[foot];
+            way.y += (-leg.lowest - way.y).max(0.0);
+            leg.ankle += way;
         }
-        moves
-    });
-    let goals = |frame: usize, at: &[DVec3]| {
-        [0, 1].map(|foot| at[body.legs[foot].foot] - DVec3::Y * ground + moves[foot][frame])
-    };
-    let mut drops: Vec<f64> = joints
+    }
+    let drop = |leg: &LegFrame| drop_to_reach(leg.hip, leg.ankle, REACH * leg.length);
+    let mut drops: Vec<f64> = legs
         .iter()
-        .enumerate()
-        .map(|(frame, joints)| {
-            let at = positions(joints);
-            let goals = goals(frame, &at);
-            let drop = |foot: usize| {
-                let leg = &body.legs[foot];
-                let length =
-                    at[leg.thigh].distance(at[leg.shin]) + at[leg.shin].distance(at[leg.foot]);
-                drop_to_reach(
-                    at[leg.thigh] - DVec3::Y * ground,
-                    goals[foot],
-                    REACH * length,
-                )
-            };
-            drop(0).max(drop(1))
-        })
+        .map(|[left, right]| drop(left).max(drop(right)))
         .collect();
     smooth(&mut drops, (SMOOTH * rate) as usize);
-    for (frame, pose) in poses.iter_mut().enumerate() {
-        let goals = goals(frame, &positions(&joints[frame]));
-        pose.translation.y -= ground + drops[frame];
-        for (leg, goal) in body.legs.iter().zip(goals) {
-            bend(skeleton, pose, leg, goal);
+    for ((pose, legs), drop) in poses.iter_mut().zip(&legs).zip(drops) {
+        pose.translation.y -= ground + drop;
+        for (leg, own) in body.legs.iter().zip(legs) {
+            bend(skeleton, pose, leg, own.ankle);
         }
+    }
+}
+
+/// A leg in a frame, metres.
+struct LegFrame {
+    /// The hip joint.
+    hip: DVec3,
+    /// Where the ankle is, and then where it shall be.
+    ankle: DVec3,
+    /// Of thigh and shin.
+    length: f64,
+    /// Where the ball touches the ground.
+    ball: DVec3,
+    /// Height of the lowest point of the sole.
+    lowest: f64,
+}
+
+impl LegFrame {
+    fn both(skeleton: &Skeleton, body: &Humanoid, soles: &Soles, pose: &Pose) -> [Self; 2] {
+        let joints = skeleton.joints(pose);
+        let at = positions(&joints);
+        [0, 1].map(|foot| {
+            let leg = &body.legs[foot];
+            let [hip, knee, ankle] = [leg.thigh, leg.shin, leg.foot].map(|joint| at[joint]);
+            Self {
+                hip,
+                ankle,
+                length: hip.distance(knee) + knee.distance(ankle),
+                ball: soles.ball(foot, &joints),
+                lowest: soles.lowest(foot, &joints),
+            }
+        })
+    }
+
+    /// Moves all of it down.
+    fn lower(&mut self, height: f64) {
+        for place in [&mut self.hip, &mut self.ankle, &mut self.ball] {
+            place.y -= height;
+        }
+        self.lowest -= height;
     }
 }
 
@@ -213,14 +239,16 @@ fn corrections(balls: &[DVec3], contacts: &[Range<usize>], rate: f64) -> Vec<DVe
     }
     let fade = (FADE * rate).max(1.0);
     let mut before: Option<usize> = None;
-    let mut after = contacts.iter().map(|contact| contact.start).peekable();
+    // The contact that a frame is in, or the next one.
+    let mut ahead = contacts.iter().peekable();
     for frame in 0..balls.len() {
-        if contacts.iter().any(|contact| contact.contains(&frame)) {
-            before = Some(frame);
+        while let Some(past) = ahead.next_if(|contact| contact.end <= frame) {
+            before = Some(past.end - 1);
+        }
+        let next = ahead.peek().map(|contact| contact.start);
+        if next.is_some_and(|start| start <= frame) {
             continue;
         }
-        while after.next_if(|start| *start <= frame).is_some() {}
-        let next = after.peek().copied();
         moves[frame] = match (before, next) {
             (Some(before), Some(next)) => {
                 let share = (frame - before) as f64 / (next - before) as f64;

@@ -6,6 +6,8 @@ use glam::{DAffine3, DVec3};
 
 /// Height of a slice, metres.
 const SLICE: f64 = 0.03;
+/// Gaussians that are further above or below a joint of the trunk are not its flesh, metres.
+const TALLEST: f64 = 1.5;
 /// Gaussians that a slice has at least to count.
 const FEWEST: usize = 12;
 /// Share of a slice's Gaussians that are inside its outline: some stand off.
@@ -175,36 +177,39 @@ pub struct Depth {
 }
 
 fn section(points: &Points, joint: usize) -> Option<Section> {
-    let own: Vec<DVec3> = points.of_joint(joint).collect();
-    let bottom = own.iter().map(|at| at.y).fold(f64::INFINITY, f64::min);
-    let top = own.iter().map(|at| at.y).fold(f64::NEG_INFINITY, f64::max);
-    if !(top > bottom) {
-        return None;
-    }
-    let count = ((top - bottom) / SLICE).ceil() as usize;
+    let mut own: Vec<DVec3> = points
+        .of_joint(joint)
+        .filter(|at| at.y.abs() < TALLEST)
+        .collect();
+    own.sort_by(|a, b| a.y.total_cmp(&b.y));
+    let bottom = own.first()?.y;
+    let count = ((own.last()?.y - bottom) / SLICE).floor() as usize + 1;
+    let mut above = &own[..];
     let slices = (0..count).map(|at| {
-        let low = bottom + at as f64 * SLICE;
-        let of_slice = own.iter().filter(|at| (low..low + SLICE).contains(&at.y));
-        let of_slice: Vec<&DVec3> = of_slice.collect();
-        if of_slice.len() < FEWEST {
-            return Slice::default();
-        }
-        let reach = |part: &dyn Fn(&DVec3) -> f64| {
-            let values = of_slice
-                .iter()
-                .map(|at| part(at))
-                .filter(|part| *part > 0.0);
-            quantile(values.collect(), INSIDE)
-        };
-        Slice {
-            width: reach(&|at| at.x.abs()),
-            front: reach(&|at| at.z),
-            back: reach(&|at| -at.z),
-        }
+        let top = bottom + (at + 1) as f64 * SLICE;
+        let (of_slice, rest) = above.split_at(above.partition_point(|at| at.y < top));
+        above = rest;
+        slice(of_slice)
     });
     Some(Section {
         joint,
         bottom,
         slices: slices.collect(),
     })
+}
+
+/// The outline of the points of a slice.
+fn slice(points: &[DVec3]) -> Slice {
+    if points.len() < FEWEST {
+        return Slice::default();
+    }
+    let reach = |part: &dyn Fn(&DVec3) -> f64| {
+        let values = points.iter().map(part).filter(|part| *part > 0.0);
+        quantile(values.collect(), INSIDE)
+    };
+    Slice {
+        width: reach(&|at| at.x.abs()),
+        front: reach(&|at| at.z),
+        back: reach(&|at| -at.z),
+    }
 }

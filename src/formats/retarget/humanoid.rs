@@ -37,6 +37,13 @@ pub struct Leg {
     pub toe: Option<usize>,
 }
 
+impl Leg {
+    /// The joint of the ball, else what hangs from the ankle first. `children`: of each joint.
+    pub fn ball(&self, children: &[Vec<usize>]) -> Option<usize> {
+        self.toe.or_else(|| children[self.foot].first().copied())
+    }
+}
+
 /// A body's joints in a tree. The left limb comes first.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Humanoid {
@@ -115,7 +122,6 @@ impl Humanoid {
     }
 
     fn of_parts(tree: &Tree, parts: &[Option<Part>]) -> Option<Self> {
-        let single = |part: Part| joints_of(parts, part).next();
         let [left_leg, right_leg] = Side::ALL.map(|side| leg(tree, parts, side));
         let legs = [left_leg?, right_leg?];
         let [left_arm, right_arm] = Side::ALL.map(|side| arm(tree, parts, side));
@@ -129,6 +135,8 @@ impl Humanoid {
         let hips = tree.fork(&[legs[0].thigh, legs[1].thigh, chest])?;
         // A head that is not above the arms belongs to somebody else.
         let head = joints_of(parts, Part::Head).find(|&head| tree.is_above(chest, head))?;
+        // Jaw and eyes may be another person's too.
+        let of_head = |part: Part| joints_of(parts, part).find(|&joint| tree.is_above(head, joint));
         let mut neck = tree.path(chest, head);
         neck.pop();
         Some(Self {
@@ -136,8 +144,8 @@ impl Humanoid {
             spine: tree.path(hips, chest),
             neck,
             head,
-            jaw: single(Part::Jaw),
-            eyes: Side::ALL.map(|side| single(Part::Eye(side))),
+            jaw: of_head(Part::Jaw),
+            eyes: Side::ALL.map(|side| of_head(Part::Eye(side))),
             arms,
             legs,
         })
@@ -163,6 +171,12 @@ impl Humanoid {
             add(format!("neck {}", at + 1), joint);
         }
         add(Part::Head.to_string(), self.head);
+        let face = [Part::Jaw, Part::Eye(Side::Left), Part::Eye(Side::Right)];
+        for (part, joint) in face.into_iter().zip([self.jaw, self.eyes[0], self.eyes[1]]) {
+            if let Some(joint) = joint {
+                add(part.to_string(), joint);
+            }
+        }
         for (side, (arm, leg)) in Side::ALL.into_iter().zip(self.arms.iter().zip(&self.legs)) {
             let bones = [
                 (Bone::Clavicle, arm.clavicle),
@@ -219,8 +233,8 @@ fn correct(
     let Some(part) = Part::named(&correction.part) else {
         return Err(FormatError::metadata(
             &excerpt(&correction.part),
-            "a part of that name",
-            "Hips, Head, LeftArm, LeftForeArm, …: the joints of `effigy inspect` of an avatar",
+            "no part of that name",
+            "Hips, Neck, Head, LeftArm, LeftForeArm, …; spines and fingers follow from the others",
         ));
     };
     let named = |name: &String| *name == correction.joint;

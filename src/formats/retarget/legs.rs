@@ -1,8 +1,11 @@
 //! Bends a leg so that its ankle is where it should be.
 
-use super::{humanoid::Leg, tree::positions};
+use super::{humanoid::Leg, tree::positions, turn};
 use effigy_core::avatar::{Pose, Skeleton};
 use glam::{DMat3, DQuat, DVec3};
+
+/// Bones that are shorter, metres, are none.
+const SHORTEST: f64 = 1e-4;
 
 /// Turns thigh and shin so that the ankle comes to a place, or as near as the leg is long. The knee
 /// stays in the plane that it was in, and the foot keeps its direction.
@@ -16,13 +19,15 @@ pub fn bend(skeleton: &Skeleton, pose: &mut Pose, leg: &Leg, goal: DVec3) {
     let rotation = |joint: usize| DQuat::from_mat3(&joints[joint].matrix3).normalize();
     let [thigh, shin, foot] = [leg.thigh, leg.shin, leg.foot].map(rotation);
     let lengths = [hip.distance(knee), knee.distance(ankle)];
+    if !(lengths[0].min(lengths[1]) > SHORTEST && goal.is_finite()) {
+        return;
+    }
     let Some(way) = (goal - hip).try_normalize() else {
         return;
     };
-    let reach = hip.distance(goal).clamp(
-        (lengths[0] - lengths[1]).abs() + 1e-6,
-        lengths[0] + lengths[1] - 1e-9,
-    );
+    let shortest = (lengths[0] - lengths[1]).abs() + 1e-6;
+    let longest = lengths[0] + lengths[1] - 1e-9;
+    let reach = hip.distance(goal).max(shortest).min(longest);
     let old_way = (ankle - hip).normalize_or(way);
     // Knees point forward where the leg is straight: across is the thigh's own x.
     let bent = (knee - hip).reject_from(old_way);
@@ -40,7 +45,7 @@ pub fn bend(skeleton: &Skeleton, pose: &mut Pose, leg: &Leg, goal: DVec3) {
     let sine = (1.0 - cosine * cosine).sqrt();
     let new_knee = hip + lengths[0] * (cosine * way + sine * front);
     let new_ankle = hip + reach * way;
-    let turn = |from: DVec3, to: DVec3| {
+    let moved = |from: DVec3, to: DVec3| {
         let frame = |along: DVec3, front: DVec3, way: DVec3| {
             let along = along.normalize_or(way);
             let across = way.cross(front);
@@ -49,19 +54,16 @@ pub fn bend(skeleton: &Skeleton, pose: &mut Pose, leg: &Leg, goal: DVec3) {
         let turn = frame(to, front, way) * frame(from, old_front, old_way).transpose();
         DQuat::from_mat3(&turn).normalize()
     };
-    let new_thigh = turn(knee - hip, new_knee - hip) * thigh;
-    let new_shin = turn(ankle - knee, new_ankle - new_knee) * shin;
-    // Joints between these, of twists, keep their rotations relative to them.
-    let set = |pose: &mut Pose, joint: usize, old: DQuat, new: DQuat, above: DQuat| {
-        let own = DQuat::from_scaled_axis(pose.rotation[joint]);
-        // old = parent · own, so that new = parent · own' has own' = own · old⁻¹ · above⁻¹… in the
-        // parent's axes.
-        let parent = above * (old * own.inverse());
-        let local = parent.inverse() * new;
-        let local = if local.w < 0.0 { -local } else { local };
-        pose.rotation[joint] = local.normalize().to_scaled_axis();
+    let new_thigh = moved(knee - hip, new_knee - hip) * thigh;
+    let new_shin = moved(ankle - knee, new_ankle - new_knee) * shin;
+    // What is above a bone turns as the bone above it does.
+    let local = |joint: usize, old: DQuat, new: DQuat, above: DQuat| {
+        (above * turn::parent(pose, joint, old)).inverse() * new
     };
-    set(pose, leg.thigh, thigh, new_thigh, DQuat::IDENTITY);
-    set(pose, leg.shin, shin, new_shin, new_thigh * thigh.inverse());
-    set(pose, leg.foot, foot, foot, new_shin * shin.inverse());
+    let own_thigh = local(leg.thigh, thigh, new_thigh, DQuat::IDENTITY);
+    let own_shin = local(leg.shin, shin, new_shin, new_thigh * thigh.inverse());
+    let own_foot = local(leg.foot, foot, foot, new_shin * shin.inverse());
+    turn::set(pose, leg.thigh, own_thigh);
+    turn::set(pose, leg.shin, own_shin);
+    turn::set(pose, leg.foot, own_foot);
 }

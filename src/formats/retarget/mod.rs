@@ -23,6 +23,7 @@ mod report;
 mod shape;
 mod transfer;
 mod tree;
+mod turn;
 mod upright;
 
 pub use align::Basis;
@@ -64,6 +65,12 @@ pub struct RetargetOptions {
 /// interpolated when they are played.
 pub const MAX_RATE: f64 = 60.0;
 
+/// Most rotations, frames × joints of the avatar or of the capture, that a clip is made of.
+const MOST_ROTATIONS: f64 = 20e6;
+/// Length of a capture's legs, its own units, and metres of the avatar a unit: beyond these numbers
+/// are nobody's.
+const PLAUSIBLE: std::ops::RangeInclusive<f64> = 1e-4..=1e5;
+
 /// A clip and how it was made.
 #[derive(Clone, Debug)]
 pub struct Retargeted {
@@ -88,7 +95,7 @@ pub fn retarget(
     let rate = options.rate.unwrap_or(capture.rate.min(MAX_RATE));
     let Match { source, target, .. } = &matched;
     let transfer = Transfer::new(skeleton, source, target, &matched.alignment, matched.scale);
-    let count = (capture.duration() * rate + 1e-6).floor() as usize + 1;
+    let count = matched.count(capture.duration(), rate)?;
     let poses =
         (0..count).map(|frame| transfer.pose(&matched.upright.world_at(frame as f64 / rate)));
     let mut poses: Vec<Pose> = poses.collect();
@@ -126,7 +133,7 @@ pub fn compare(
 ) -> Result<Report, FormatError> {
     let matched = Match::new(capture, skeleton, corrections)?;
     let seconds = clip.duration().min(capture.duration());
-    let count = (seconds * clip.rate + 1e-6).floor() as usize + 1;
+    let count = matched.count(seconds, clip.rate)?;
     let player = Player::new(clip.clone(), skeleton);
     let poses = (0..count).map(|frame| player.pose(frame as f64 / clip.rate));
     let poses: Vec<Pose> = poses.collect();
@@ -173,7 +180,12 @@ impl<'a> Match<'a> {
         let tree = Tree::of_capture(capture);
         let target_tree = Tree::of_skeleton(skeleton);
         let source = Humanoid::find(&tree, corrections)?;
-        let target = Humanoid::find(&target_tree, &[])?;
+        let target = Humanoid::find(&target_tree, &[]).map_err(|_| {
+            FormatError::container(
+                format!("an avatar of {} joints without a body", target_tree.len()),
+                "one with arms, legs and a head, to be moved by motion of another body",
+            )
+        })?;
         let up = upright::up_axis(capture, &source);
         let upright = Upright::new(capture, up);
         let bodies = Bodies {
@@ -185,10 +197,10 @@ impl<'a> Match<'a> {
         let alignment = Alignment::new(&bodies, &upright);
         let own_leg = leg_length(&target, &target_tree.rest);
         let leg = leg_length(&source, &positions(&upright.world(0)));
-        if !(leg > 0.0 && own_leg > 0.0) {
+        if !(PLAUSIBLE.contains(&leg) && PLAUSIBLE.contains(&(own_leg / leg))) {
             return Err(FormatError::container(
                 format!("legs {leg} units long, the avatar's {own_leg} m"),
-                "both above 0",
+                "units from a tenth of a millimetre to kilometres",
             ));
         }
         Ok(Self {
@@ -209,6 +221,19 @@ impl<'a> Match<'a> {
             target: &self.target,
             girth,
         }
+    }
+
+    /// Frames of so many seconds.
+    fn count(&self, seconds: f64, rate: f64) -> Result<usize, FormatError> {
+        let count = (seconds * rate + 1e-6).floor() + 1.0;
+        let joints = self.tree.len().max(self.skeleton.len()) as f64;
+        if count * joints <= MOST_ROTATIONS {
+            return Ok(count as usize);
+        }
+        Err(FormatError::container(
+            format!("{count} frames of {joints} joints: {seconds:.0} s at {rate} a second"),
+            format!("at most {MOST_ROTATIONS} rotations; fewer frames a second"),
+        ))
     }
 
     fn way(&self, count: usize, rate: f64) -> Way {
@@ -281,7 +306,7 @@ impl<'a> Match<'a> {
 fn tracks(tree: &Tree, source: &Humanoid, world: &[Vec<DVec3>]) -> [Track; 2] {
     let children = tree.children();
     source.legs.each_ref().map(|leg| {
-        let ball = leg.toe.or_else(|| children[leg.foot].first().copied());
+        let ball = leg.ball(&children);
         let ball = ball.unwrap_or(leg.foot);
         Track {
             ball: world.iter().map(|at| at[ball]).collect(),

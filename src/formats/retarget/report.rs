@@ -5,11 +5,11 @@ use super::{
     feet::{Soles, Track},
     humanoid::Humanoid,
     transfer::middle_of_hips,
-    tree::positions,
+    tree,
     upright::Unit,
 };
 use effigy_core::avatar::{Pose, Skeleton};
-use glam::{DAffine3, DVec3};
+use glam::DVec3;
 use std::ops::Range;
 
 /// A number over a clip.
@@ -24,15 +24,32 @@ pub struct Spread {
 impl Spread {
     /// Of these numbers; zeros if there are none.
     pub fn of(values: impl Iterator<Item = f64>) -> Self {
-        let mut count = 0.0;
-        let mut spread = Self::default();
-        for value in values {
-            count += 1.0;
-            spread.mean += value;
-            spread.max = spread.max.max(value);
+        let mut sum = Sum::default();
+        values.for_each(|value| sum.add(value));
+        sum.spread()
+    }
+}
+
+/// A spread of the numbers so far.
+#[derive(Default)]
+struct Sum {
+    count: f64,
+    sum: f64,
+    max: f64,
+}
+
+impl Sum {
+    fn add(&mut self, value: f64) {
+        self.count += 1.0;
+        self.sum += value;
+        self.max = self.max.max(value);
+    }
+
+    fn spread(&self) -> Spread {
+        Spread {
+            mean: self.sum / self.count.max(1.0),
+            max: self.max,
         }
-        spread.mean /= f64::max(count, 1.0);
-        spread
     }
 }
 
@@ -174,58 +191,51 @@ fn low_ankle(humanoid: &Humanoid, at: &[DVec3]) -> f64 {
 impl Compared<'_> {
     /// Compares them.
     pub fn differences(&self) -> Differences {
-        let joints: Vec<Vec<DAffine3>> = self
-            .poses
-            .iter()
-            .map(|pose| self.skeleton.joints(pose))
-            .collect();
-        let own: Vec<Vec<DVec3>> = joints.iter().map(|joints| positions(joints)).collect();
-        let frames = || self.world.iter().zip(&own);
-        let bones = bones(self.source, self.target);
         let soles = Soles::new(self.skeleton, self.target);
-        // Over the lowest ankle: soles are of different heights.
-        let height = |humanoid: &Humanoid, at: &[DVec3]| {
-            middle_of_hips(humanoid, at).y - low_ankle(humanoid, at)
-        };
-        let hips = frames()
-            .map(|(theirs, own)| (height(self.target, own) - height(self.source, theirs)).abs());
-        let from_hips = |humanoid: &Humanoid, at: &[DVec3], joint: usize| {
-            at[joint] - middle_of_hips(humanoid, at)
-        };
-        let ends = || {
+        let bones = bones(self.source, self.target);
+        let mut hips = Sum::default();
+        let mut positions = Sum::default();
+        let mut directions = Sum::default();
+        let mut sink = Sum::default();
+        let mut balls: [Vec<DVec3>; 2] = Default::default();
+        for (pose, theirs) in self.poses.iter().zip(self.world) {
+            let joints = self.skeleton.joints(pose);
+            let own = tree::positions(&joints);
+            // Over the lowest ankle: soles are of different heights.
+            let height = |humanoid: &Humanoid, at: &[DVec3]| {
+                middle_of_hips(humanoid, at).y - low_ankle(humanoid, at)
+            };
+            hips.add((height(self.target, &own) - height(self.source, theirs)).abs());
+            let from_hips = |humanoid: &Humanoid, at: &[DVec3], joint: usize| {
+                at[joint] - middle_of_hips(humanoid, at)
+            };
             let heads = [self.source.head, self.target.head];
             let limbs = bones.iter().map(|bone| [bone.source[1], bone.target[1]]);
-            limbs.chain([heads])
-        };
-        let positions = frames().flat_map(|(theirs, own)| {
-            ends().map(move |[source, target]| {
+            for [source, target] in limbs.chain([heads]) {
                 let source = from_hips(self.source, theirs, source);
-                source.distance(from_hips(self.target, own, target))
-            })
-        });
-        let directions = frames().flat_map(|(theirs, own)| {
-            bones.iter().map(move |bone| {
-                let along = |at: &[DVec3], [from, to]: [usize; 2]| at[to] - at[from];
-                let source = along(theirs, bone.source);
-                source.angle_between(along(own, bone.target)).to_degrees()
-            })
-        });
-        let balls: [Vec<DVec3>; 2] = [0, 1].map(|foot| {
-            joints
-                .iter()
-                .map(|joints| soles.ball(foot, joints))
-                .collect()
-        });
-        let sink = joints
-            .iter()
-            .flat_map(|joints| [0, 1].map(|foot| (-soles.lowest(foot, joints)).max(0.0)));
+                positions.add(source.distance(from_hips(self.target, &own, target)));
+            }
+            for bone in &bones {
+                let along =
+                    |at: &[DVec3], [from, to]: [usize; 2]| (at[to] - at[from]).try_normalize();
+                // A bone without length points nowhere.
+                let both = along(theirs, bone.source).zip(along(&own, bone.target));
+                if let Some((source, target)) = both {
+                    directions.add(source.angle_between(target).to_degrees());
+                }
+            }
+            for (foot, balls) in balls.iter_mut().enumerate() {
+                balls.push(soles.ball(foot, &joints));
+                sink.add((-soles.lowest(foot, &joints)).max(0.0));
+            }
+        }
         Differences {
-            hips: Spread::of(hips),
-            positions: Spread::of(positions),
-            directions: Spread::of(directions),
+            hips: hips.spread(),
+            positions: positions.spread(),
+            directions: directions.spread(),
             slide: self.slide([&balls[0], &balls[1]]),
             source_slide: self.slide([&self.tracks[0].ball, &self.tracks[1].ball]),
-            sink: Spread::of(sink),
+            sink: sink.spread(),
         }
     }
 

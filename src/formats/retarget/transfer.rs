@@ -5,6 +5,7 @@ use super::{
     curl::curl,
     humanoid::{Humanoid, Leg},
     tree::positions,
+    turn::shorter,
 };
 use effigy_core::avatar::{Pose, Skeleton};
 use glam::{DAffine3, DQuat, DVec3};
@@ -136,16 +137,9 @@ impl<'a> Transfer<'a> {
     }
 }
 
-/// The quaternion of the same rotation that turns by at most half a circle.
-pub fn shorter(q: DQuat) -> DQuat {
-    let q = q.normalize();
-    if q.w < 0.0 { -q } else { q }
-}
-
 fn drives(skeleton: &Skeleton, source: &Humanoid, target: &Humanoid) -> Vec<Drive> {
     let mut drives = vec![Drive::Rest; skeleton.len()];
     drives[target.hips] = Drive::by(source.hips);
-    // Joints above the hips turn with them.
     let trunk: Vec<usize> = [&[source.hips], source.spine.as_slice()].concat();
     for (at, &joint) in target.spine.iter().enumerate() {
         drives[joint] = Drive::along(&trunk, at, target.spine.len());

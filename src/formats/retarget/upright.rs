@@ -52,7 +52,9 @@ pub fn up_axis(capture: &Capture, humanoid: &Humanoid) -> DVec3 {
         return up;
     }
     // Most files stand in their rest pose, and lie or tumble in some frames at most.
-    if let Some(up) = rest_up(capture, humanoid, DVec3::Y) {
+    if !capture.model_rest
+        && let Some(up) = rest_up(capture, humanoid, DVec3::Y)
+    {
         return up;
     }
     let frames: DVec3 = spread(capture.frames())

@@ -36,7 +36,7 @@ use fields::Fields;
 /// What a file leaves open.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Options {
-    /// Frames a second; None: as the file or its format says, or 30.
+    /// Frames a second of a file that does not say, nor its format; None: 30.
     pub rate: Option<f64>,
     /// Which person of several: those who are seen longer come first.
     pub person: usize,

@@ -120,6 +120,7 @@ impl Track {
             local: Vec::with_capacity(frames * kept.len()),
             unit: Some(1.0),
             up: self.up,
+            model_rest: true,
             expression: Vec::with_capacity(frames * expression_len),
             expression_len,
         };
@@ -158,7 +159,8 @@ impl Track {
     }
 
     fn rate(&mut self, said: Option<f64>) -> Result<f64, FormatError> {
-        let rate = said.or(self.rate);
+        // What the file or its format says goes before what the user says for files that don't.
+        let rate = self.rate.or(said);
         if rate.is_none() {
             self.assumptions.push(Assumption {
                 what: "frames a second",

@@ -180,6 +180,7 @@ pub fn capture_poses(bytes: &[u8], rate: Option<f64>) -> Result<Captured, Format
             local,
             unit: Some(1.0),
             up: None,
+            model_rest: true,
             expression: clip.expression,
             expression_len: clip.expression_len,
         },

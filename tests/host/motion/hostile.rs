@@ -65,6 +65,17 @@ fn each_fault_is_named_with_its_line() {
             "a frame time of 0 s",
         ),
         (
+            with("MOTION\nFrames: 1\nFrame Time: 1e7\n0 0 0\n"),
+            "expected a millionth to a thousand",
+        ),
+        (
+            // Braces anywhere, and lines that end as on old machines.
+            fault(
+                "HIERARCHY\rROOT a { OFFSET 0 0 0\rCHANNELS 3 Xrotation Yrotation Zrotation\rEnd Site { OFFSET 0 1 0 } }\rMOTION\rFrames: 1\rFrame Time: 1\r0 0 0\r",
+            ),
+            "none",
+        ),
+        (
             with("MOTION\nFrames: 1\nFrame Time: 1\n0 0\n"),
             "2 numbers in the motion, expected a frame of 3",
         ),

@@ -257,6 +257,7 @@ fn captured_clip(skeleton: &Skeleton, clip: &Clip) -> Capture {
         local: local.collect(),
         unit: Some(1.0),
         up: Some(DVec3::Y),
+        model_rest: false,
         expression: vec![],
         expression_len: 0,
     }
@@ -338,7 +339,7 @@ fn a_correction_says_which_joint_is_which() {
         let made = retarget::retarget(&capture, &skeleton, "walk", options);
         made.map_or_else(|error| error.to_string(), |_| "none".into())
     };
-    assert!(fault(&options("LeftKnee", "x")).contains("a part of that name"));
+    assert!(fault(&options("LeftKnee", "x")).contains("no part of that name"));
     assert!(fault(&options("LeftLeg", "x")).contains("a joint of the file"));
     // A knee that is an elbow is no leg's.
     assert!(fault(&options("LeftLeg", "mixamorig:LeftForeArm")).contains("no body"));
@@ -354,6 +355,69 @@ fn a_correction_says_which_joint_is_which() {
     assert_eq!(head.unwrap().joint, "mixamorig:Neck");
 }
 
+fn a_models_rest_pose_says_nothing_of_which_way_is_up() {
+    let mut capture = read(MIXAMO).capture;
+    let roots = capture.local.iter_mut().step_by(capture.joints.len());
+    // The file's own axes are turned: what was up is x.
+    let turn = glam::Quat::from_rotation_z(-std::f32::consts::FRAC_PI_2);
+    for root in roots {
+        root.rotation = turn * root.rotation;
+        root.offset = turn * root.offset;
+    }
+    let up = |capture: &Capture| {
+        let skeleton = demo().skeleton;
+        let made = retarget::retarget(capture, &skeleton, "x", &keep_feet());
+        made.unwrap().report.up
+    };
+    assert_eq!(up(&capture), DVec3::Y);
+    capture.model_rest = true;
+    assert_eq!(up(&capture), DVec3::X);
+}
+
+fn absurd_captures_are_refused() {
+    let skeleton = demo().skeleton;
+    let fault = |capture: &Capture, options: &RetargetOptions| {
+        let made = retarget::retarget(capture, &skeleton, "x", options);
+        made.map_or_else(|error| error.to_string(), |_| "none".into())
+    };
+    let mut capture = read(MIXAMO).capture;
+    capture.rate = 1e-3;
+    let fast = RetargetOptions {
+        rate: Some(1000.0),
+        ..keep_feet()
+    };
+    let found = fault(&capture, &fast);
+    assert!(found.contains("frames of 52 joints"), "{found}");
+    let mut capture = read(MIXAMO).capture;
+    for joint in &mut capture.joints {
+        joint.offset *= 1e-9;
+    }
+    for pose in &mut capture.local {
+        pose.offset *= 1e-9;
+    }
+    let found = fault(&capture, &RetargetOptions::default());
+    assert!(found.contains("units long"), "{found}");
+    // A hand at its elbow, and a shin without length.
+    let mut capture = read(MIXAMO).capture;
+    let joints = capture.joints.len();
+    let named = |name: &str| {
+        read(MIXAMO)
+            .capture
+            .joints
+            .iter()
+            .position(|joint| joint.name.ends_with(name))
+    };
+    for joint in ["LeftHand", "LeftFoot"].map(|name| named(name).unwrap()) {
+        for pose in capture.local.iter_mut().skip(joint).step_by(joints) {
+            pose.offset = glam::Vec3::ZERO;
+        }
+    }
+    let made = retarget::retarget(&capture, &skeleton, "x", &RetargetOptions::default()).unwrap();
+    assert!(made.report.directions.mean.is_finite());
+    let mut turns = made.clip.rotation.iter().flatten();
+    assert!(turns.all(|turn| turn.is_finite()));
+}
+
 fn who_has_no_body_is_told_what_is_missing() {
     let text = "HIERARCHY\nROOT Hips\n{\nOFFSET 0 0 0\nCHANNELS 3 Xposition Yposition Zposition\n}\nMOTION\nFrames: 1\nFrame Time: 0.1\n0 0 0\n";
     let capture = read(text.as_bytes()).capture;
@@ -361,6 +425,18 @@ fn who_has_no_body_is_told_what_is_missing() {
     let error = made.unwrap_err().to_string();
     assert!(error.contains("no body among 1 joints (Hips"), "{error}");
     assert!(error.contains("LeftUpLeg"), "{error}");
+    let mut static_one = demo().skeleton;
+    for name in &mut static_one.name {
+        *name = "bone".into();
+    }
+    static_one.rest.fill([0.0; 3]);
+    let walk = read(MIXAMO).capture;
+    let made = retarget::retarget(&walk, &static_one, "x", &RetargetOptions::default());
+    let error = made.unwrap_err().to_string();
+    assert!(
+        error.contains("an avatar of 52 joints without a body"),
+        "{error}"
+    );
 }
 
 fn a_rest_pose_before_the_motion_is_left_out() {
@@ -413,6 +489,8 @@ tests! {
     feet_that_are_kept_slide_on_another_body,
     arms_stay_out_of_the_body_where_the_captures_do,
     a_correction_says_which_joint_is_which,
+    a_models_rest_pose_says_nothing_of_which_way_is_up,
+    absurd_captures_are_refused,
     who_has_no_body_is_told_what_is_missing,
     a_rest_pose_before_the_motion_is_left_out,
     positions_of_zero_do_not_take_joints_to_one_point,
