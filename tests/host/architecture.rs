@@ -129,6 +129,8 @@ const LAYERS: &[Layers] = &[
             "retarget",
             "splats",
             "webavatar",
+            "content",
+            "read",
             "open",
         ],
     },
@@ -183,6 +185,10 @@ const LAYERS: &[Layers] = &[
     Layers {
         package: "src/web",
         modules: &["motion", "panics", "surface", "avatar_canvas"],
+    },
+    Layers {
+        package: "src/web_import",
+        modules: &["body", "import", "exports"],
     },
     Layers {
         package: "tools/shaders",
