@@ -39,6 +39,7 @@ pub mod source;
 #[cfg(test)]
 mod spellings;
 mod stress;
+mod thumbnail;
 mod verdict;
 mod view;
 

@@ -78,6 +78,27 @@ impl Content {
         }
     }
 
+    /// Its kind in a word or two; None: of no known kind, or Effigy's own.
+    pub fn name(self) -> Option<&'static str> {
+        Some(match self {
+            Self::Splats(format) => match format {
+                SplatFormat::Ply => "splats, .ply",
+                SplatFormat::Splat => "splats, .splat",
+                SplatFormat::Spz => "splats, .spz",
+                SplatFormat::Sog | SplatFormat::SogMeta => "splats, SOG",
+                SplatFormat::Ksplat => "splats, .ksplat",
+                SplatFormat::Glb | SplatFormat::Gltf => "splats, glTF",
+            },
+            Self::Model => "the paper's model",
+            Self::Poses => "the paper's poses",
+            Self::Capture(CaptureFormat::Bvh) => "motion, BVH",
+            Self::Capture(CaptureFormat::Gltf) => "glTF",
+            Self::Capture(CaptureFormat::Fbx) => "motion, FBX",
+            Self::Capture(CaptureFormat::Smpl) => "motion, SMPL",
+            Self::Other => return None,
+        })
+    }
+
     /// Whether it is an avatar of another program.
     pub fn is_avatar(self) -> bool {
         matches!(self, Self::Splats(_) | Self::Model)

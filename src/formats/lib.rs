@@ -13,6 +13,7 @@ mod fault;
 #[cfg(feature = "fbx")]
 pub mod fbx;
 pub mod gltf_motion;
+mod guess;
 pub mod npz;
 pub mod open;
 pub mod pickle;

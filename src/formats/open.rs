@@ -39,6 +39,24 @@ fn read_file<T>(
     })
 }
 
+/// What a file is, in a word or two; None: of no known kind, or Effigy's own.
+pub fn kind(path: &Path) -> Option<&'static str> {
+    content(path).name()
+}
+
+/// The error of a file that is no avatar or motion of Effigy's: what it seems to be, where that is
+/// known.
+pub fn unknown(path: &Path, error: FileError) -> FileError {
+    let FileError::Content { file, fault } = error else {
+        return error;
+    };
+    let seems = read_with(path, |bytes| Ok(read::seems(bytes)));
+    FileError::Content {
+        file,
+        fault: seems.ok().flatten().unwrap_or(fault),
+    }
+}
+
 /// Whether a file is the paper's model.
 pub fn is_foreign(path: &Path) -> bool {
     content(path) == Content::Model

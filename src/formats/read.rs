@@ -8,7 +8,7 @@ use crate::{
     bvh,
     capture::{Captured, Rest},
     content::{CaptureFormat, Content},
-    gltf_motion,
+    gltf_motion, guess,
     retarget::{self, Girth, Report, RetargetOptions},
     smpl,
     splats::{self, Beside, Found, SplatFormat},
@@ -21,8 +21,11 @@ use effigy_core::{
 use glam::DVec3;
 use std::path::Path;
 
-/// Bytes that a file beside a glTF of motion may have.
-const MOST_BESIDE: u64 = 1 << 30;
+/// Bytes of a file beside a glTF of motion.
+const LONGEST_BESIDE: u64 = 256 << 20;
+/// What is read of other programs, for errors.
+const KNOWN: &str = "an avatar (.avatar, the paper's .npz), splats (.ply, .splat, .spz, .sog, .ksplat, .glb) or motion \
+                     (.motion, .bvh, .fbx, .glb, .vrma, .npz, .pkl)";
 
 /// A file of another program, whole.
 pub struct Source<'a> {
@@ -54,6 +57,13 @@ pub struct OpenOptions {
     pub up: Option<Up>,
     /// Of the paper's model.
     pub webavatar: webavatar::Options,
+}
+
+/// The error of a file that is no avatar or motion of Effigy's: what it seems to be, where that is
+/// known.
+pub fn seems(bytes: &[u8]) -> Option<FormatError> {
+    let start = &bytes[..bytes.len().min(SplatFormat::START)];
+    guess::seems(start).map(|what| FormatError::container(what, KNOWN))
 }
 
 /// Reads splats. `up`: the axis that points up; None: as the file or its format says.
@@ -89,10 +99,17 @@ pub fn avatar(source: Source, options: &OpenOptions) -> Result<Imported, FormatE
             })
         }
         Content::Model => webavatar::from_bytes(source.bytes, &name, &options.webavatar),
-        Content::Poses | Content::Capture(_) | Content::Other => Ok(Imported {
-            avatar: Avatar::from_bytes(source.bytes)?,
-            assumptions: vec![],
-        }),
+        Content::Poses | Content::Capture(_) => Err(FormatError::container(
+            "motion",
+            "an avatar, or `--motion` before it",
+        )),
+        Content::Other => {
+            let avatar = Avatar::from_bytes(source.bytes);
+            Ok(Imported {
+                avatar: avatar.map_err(|fault| seems(source.bytes).unwrap_or(fault))?,
+                assumptions: vec![],
+            })
+        }
     }
 }
 
@@ -143,7 +160,7 @@ pub fn capture(source: Source, options: &CaptureOptions) -> Result<Captured, For
                 animation: options.animation.clone(),
                 rest: Rest::Bind,
             };
-            let mut beside = |name: &str| beside.file(name, MOST_BESIDE).ok();
+            let mut beside = |name: &str| beside.file(name, LONGEST_BESIDE).ok();
             gltf_motion::from_bytes(bytes, &options, &mut beside)
         }
         Content::Capture(CaptureFormat::Fbx) => read_fbx(bytes, options),
@@ -209,7 +226,8 @@ pub fn clip(
     let name = source.stem();
     let content = source.content();
     if content == Content::Other || content == Content::Model {
-        return Clip::from_bytes(source.bytes).map(made_for_it);
+        let clip = Clip::from_bytes(source.bytes).map(made_for_it);
+        return clip.map_err(|fault| seems(source.bytes).unwrap_or(fault));
     }
     if content == Content::Poses && rests_in_t_pose(skeleton) {
         let rate = options.capture.rate.unwrap_or(webavatar::POSES_RATE);

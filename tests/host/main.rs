@@ -9,6 +9,7 @@ mod bake;
 mod drift;
 mod files;
 mod fit;
+mod fuzz;
 mod gltf_motion;
 mod governor;
 mod layout;
@@ -47,9 +48,11 @@ fn main() -> ExitCode {
             drift,
             files,
             files::adversarial,
+            files::kept,
             files::packed,
             files::rules,
             fit,
+            fuzz,
             gltf_motion,
             gltf_motion::hostile,
             governor,

@@ -4,6 +4,7 @@
 #[path = "../common/mod.rs"]
 mod common;
 mod commands;
+mod motion;
 mod pack;
 mod soak;
 mod splats;
@@ -20,6 +21,7 @@ fn main() -> ExitCode {
         Group::Device,
         modules![
             commands,
+            motion,
             pack,
             soak,
             splats,

@@ -2,19 +2,24 @@
 
 mod avatar;
 mod capture;
+mod folder;
 mod motion;
 mod text;
 
-use crate::source::{CaptureArgs, print_assumptions};
-use anyhow::{Context, bail};
+use crate::{
+    source::{CaptureArgs, print_assumptions},
+    thumbnail,
+};
+use anyhow::{Context, bail, ensure};
 use avatar::AvatarSummary;
 use capture::{CaptureSummary, ComparisonSummary};
-use effigy_core::avatar::Avatar;
+use effigy_core::avatar::{Avatar, Clip, motion::Player};
 use effigy_core::io::file::{FileContent, tensors};
 use effigy_formats::{
     open::{self, OpenOptions},
     retarget,
 };
+use folder::FolderSummary;
 use motion::MotionSummary;
 use serde::Serialize;
 use std::fmt;
@@ -23,8 +28,8 @@ use std::path::{Path, PathBuf};
 
 #[derive(clap::Args, Debug)]
 pub struct Args {
-    /// Avatar or motion file, of Effigy or of any program that it reads [default: the built-in demo
-    /// avatar]
+    /// Avatar or motion file, of Effigy or of any program that it reads, or a folder of them
+    /// [default: the built-in demo avatar]
     file: Option<PathBuf>,
     /// Motion capture that the motion file was made of: says how well it follows
     #[arg(long, value_name = "FILE", requires = "file")]
@@ -34,6 +39,9 @@ pub struct Args {
     avatar: Option<PathBuf>,
     #[command(flatten)]
     capture: CaptureArgs,
+    /// Write a picture of it too: the avatar, or one that the motion moves, half way through
+    #[arg(long, value_name = "FILE")]
+    png: Option<PathBuf>,
     /// Print JSON
     #[arg(long)]
     json: bool,
@@ -42,37 +50,73 @@ pub struct Args {
 pub fn run(args: Args) -> anyhow::Result<()> {
     let Some(file) = &args.file else {
         let demo = effigy_demo::avatar()?;
+        args.draw(&demo, &effigy_demo::clip()?)?;
         return print(&AvatarSummary::new(&demo, demo.tensors()), args.json);
     };
+    if file.is_dir() {
+        ensure!(args.png.is_none(), "--png is for a file, not for a folder");
+        return print(&FolderSummary::new(file)?, args.json);
+    }
     if let Some(against) = &args.against {
         return compare(&args, file, against);
     }
     if open::is_capture(file) {
-        let captured = open::capture(file, &args.capture.capture(None))?;
-        print_assumptions(file, &captured.assumptions);
-        let moved = args.moved()?;
-        let options = retarget::RetargetOptions {
-            corrections: args.capture.corrections()?,
-            girth: retarget::Girth::of(&moved),
-            ..Default::default()
-        };
-        let made = retarget::retarget(&captured.capture, &moved.skeleton, "", &options);
-        let made = made.with_context(|| format!("of {}", file.display()))?;
-        return print(
-            &CaptureSummary::new(&captured.capture, &made.report),
-            args.json,
-        );
+        return inspect_capture(&args, file);
     }
     if open::is_splats(file) || open::is_foreign(file) {
         let imported = open::avatar(file, &OpenOptions::default())?;
         print_assumptions(file, &imported.assumptions);
         let avatar = imported.avatar;
+        args.draw(&avatar, &Clip::still(&avatar.skeleton))?;
         return print(&AvatarSummary::new(&avatar, avatar.tensors()), args.json);
     }
-    inspect_file(file, args.json)
+    inspect_own(&args, file)
+}
+
+fn inspect_capture(args: &Args, file: &Path) -> anyhow::Result<()> {
+    let captured = open::capture(file, &args.capture.capture(None))?;
+    print_assumptions(file, &captured.assumptions);
+    let moved = args.moved()?;
+    let options = retarget::RetargetOptions {
+        corrections: args.capture.corrections()?,
+        girth: retarget::Girth::of(&moved),
+        ..Default::default()
+    };
+    let made = retarget::retarget(&captured.capture, &moved.skeleton, "", &options);
+    let made = made.with_context(|| format!("of {}", file.display()))?;
+    args.draw(&moved, &made.clip)?;
+    print(
+        &CaptureSummary::new(&captured.capture, &made.report),
+        args.json,
+    )
+}
+
+/// A file of Effigy's own.
+fn inspect_own(args: &Args, file: &Path) -> anyhow::Result<()> {
+    let content = FileContent::read(file).map_err(|error| open::unknown(file, error))?;
+    let tensors = tensors(file)?;
+    match content {
+        FileContent::Avatar(avatar) => {
+            args.draw(&avatar, &Clip::still(&avatar.skeleton))?;
+            print(&AvatarSummary::new(&avatar, tensors), args.json)
+        }
+        FileContent::Clip(clip) => {
+            args.draw(&args.moved()?, &clip)?;
+            print(&MotionSummary::new(&clip), args.json)
+        }
+    }
 }
 
 impl Args {
+    /// Writes the picture, if one is wanted: an avatar half way through a clip.
+    fn draw(&self, avatar: &Avatar, clip: &Clip) -> anyhow::Result<()> {
+        let Some(out) = &self.png else {
+            return Ok(());
+        };
+        let player = Player::new(clip.clone(), &avatar.skeleton);
+        thumbnail::write(avatar, &player.pose(clip.duration() / 2.0), out)
+    }
+
     /// The avatar that motion capture is to move.
     fn moved(&self) -> anyhow::Result<Avatar> {
         Ok(match &self.avatar {
@@ -98,15 +142,6 @@ fn compare(args: &Args, file: &Path, against: &Path) -> anyhow::Result<()> {
     )
     .with_context(|| format!("of {}", against.display()))?;
     print(&ComparisonSummary::new(&report), args.json)
-}
-
-fn inspect_file(file: &Path, json: bool) -> anyhow::Result<()> {
-    let content = FileContent::read(file)?;
-    let tensors = tensors(file)?;
-    match content {
-        FileContent::Avatar(avatar) => print(&AvatarSummary::new(&avatar, tensors), json),
-        FileContent::Clip(clip) => print(&MotionSummary::new(&clip), json),
-    }
 }
 
 fn print(summary: &(impl Serialize + fmt::Display), json: bool) -> anyhow::Result<()> {

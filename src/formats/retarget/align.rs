@@ -7,8 +7,9 @@
 //!   rest pose with each limb bone turned by the smallest rotation that aligns it. The trunk, collar
 //!   bones and toes are taken as they are.
 //! - Else (LaFAN1, Bandai-Namco: every bone lies along one axis at rest) it follows from where bones
-//!   are in their joints' axes: hips, chest and hands have several, elbows and knees bend about one
-//!   axis alone, and all others are on average turned as the joint above them is.
+//!   are in their joints' axes: two limbs leave hips and chest, whose third direction is that of the
+//!   trunk while it stands; knuckles are across a hand; elbows and knees bend about one axis alone;
+//!   all others are on average turned as the joint above them is.
 
 use super::{
     humanoid::{Arm, Humanoid},
@@ -254,6 +255,15 @@ struct Frame {
     position: Vec<DVec3>,
 }
 
+/// How far a trunk that stands leans at most, radians.
+const STANDING: f64 = 0.6;
+
+/// From between the hips to where the neck begins.
+fn trunk(humanoid: &Humanoid, at: &[DVec3]) -> DVec3 {
+    let hips = humanoid.legs.each_ref().map(|leg| at[leg.thigh]);
+    at[*humanoid.neck.first().unwrap_or(&humanoid.head)] - (hips[0] + hips[1]) / 2.0
+}
+
 /// Sum of sines of an elbow's or knee's bends, a frame each, above which its axis is known.
 const BENT: f64 = 0.3;
 
@@ -333,49 +343,69 @@ impl<'a> Motion<'a> {
         self.inverse
     }
 
-    /// Hips, from their three bones.
+    /// Hips, from the thighs that leave them and the trunk.
     fn hips(&self) -> Option<DQuat> {
         let Bodies { source, target, .. } = self.bodies;
-        let target_rest = &self.bodies.target_tree.rest;
-        let next = source
-            .spine
-            .first()
-            .or(source.neck.first())
-            .unwrap_or(&source.head);
+        let thighs = |humanoid: &Humanoid| humanoid.legs.each_ref().map(|leg| leg.thigh);
+        let next = source.spine.first().unwrap_or(&source.head);
         let target_next = target.spine.first().unwrap_or(&target.head);
-        let below = |joint: usize| self.local(source.hips, joint);
-        let from = [
-            below(source.legs[0].thigh) - below(source.legs[1].thigh),
-            below(*next),
-        ];
-        let to = [
-            target_rest[target.legs[0].thigh] - target_rest[target.legs[1].thigh],
-            target_rest[*target_next] - target_rest[target.hips],
-        ];
-        from_two(from, to).map(|reference| reference.inverse())
+        self.of_trunk(
+            [source.hips, target.hips],
+            [thighs(source), thighs(target)],
+            [*next, *target_next],
+        )
     }
 
-    /// The chest, from collar bones and neck.
+    /// The chest, from the arms that leave it and the trunk.
     fn chest(&self) -> Option<DQuat> {
         let Bodies { source, target, .. } = self.bodies;
-        let chest = source.chest();
-        if chest == source.hips {
+        if source.chest() == source.hips {
             return None;
         }
-        let target_rest = &self.bodies.target_tree.rest;
         let first = |arm: &Arm| arm.clavicle.unwrap_or(arm.upper);
-        let below = |joint: usize| self.local(chest, joint);
-        let next = source.neck.first().unwrap_or(&source.head);
-        let target_next = target.neck.first().unwrap_or(&target.head);
-        let from = [
-            below(first(&source.arms[0])) - below(first(&source.arms[1])),
-            below(*next),
-        ];
-        let to = [
-            target_rest[first(&target.arms[0])] - target_rest[first(&target.arms[1])],
-            target_rest[*target_next] - target_rest[target.chest()],
-        ];
-        from_two(from, to).map(|reference| reference.inverse())
+        let arms = |humanoid: &Humanoid| humanoid.arms.each_ref().map(first);
+        let above = |humanoid: &Humanoid| *humanoid.neck.first().unwrap_or(&humanoid.head);
+        self.of_trunk(
+            [source.chest(), target.chest()],
+            [arms(source), arms(target)],
+            [above(source), above(target)],
+        )
+    }
+
+    /// A joint of the trunk from the two limbs that leave it and the way of the whole trunk. Each
+    /// pair: the capture's, the avatar's. `next`: the joint above, for a capture that never stands.
+    fn of_trunk(
+        &self,
+        joint: [usize; 2],
+        limbs: [[usize; 2]; 2],
+        next: [usize; 2],
+    ) -> Option<DQuat> {
+        let target_rest = &self.bodies.target_tree.rest;
+        let across = self.local(joint[0], limbs[0][0]) - self.local(joint[0], limbs[0][1]);
+        let target_across = target_rest[limbs[1][0]] - target_rest[limbs[1][1]];
+        let (up, target_up) = match self.trunk(joint[0]) {
+            Some(up) => (up, trunk(self.bodies.target, target_rest)),
+            None => (
+                self.local(joint[0], next[0]),
+                target_rest[next[1]] - target_rest[joint[1]],
+            ),
+        };
+        from_two([across, up], [target_across, target_up]).map(|reference| reference.inverse())
+    }
+
+    /// The mean way of the trunk in a joint's axes, over frames in which it stands; None: it hardly
+    /// ever does. Where bones of the spine begin differs from rig to rig more than how people stand.
+    fn trunk(&self, joint: usize) -> Option<DVec3> {
+        let mut sum = DVec3::ZERO;
+        let mut count = 0;
+        for frame in &self.frames {
+            let way = trunk(self.bodies.source, &frame.position);
+            if way.angle_between(DVec3::Y) < STANDING {
+                sum += frame.rotation[joint].inverse() * way;
+                count += 1;
+            }
+        }
+        (10 * count > self.frames.len()).then_some(sum)
     }
 
     /// From a joint to one below it, in the upper one's axes, in the first frame: joints between

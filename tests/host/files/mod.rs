@@ -3,6 +3,7 @@
 
 pub mod adversarial;
 mod edit;
+pub mod kept;
 pub mod packed;
 pub mod rules;
 

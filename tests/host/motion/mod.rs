@@ -167,8 +167,8 @@ fn one_walk_moves_the_body_alike_whatever_the_rig() {
     // elbows and knees bend, and those of the trunk from where its bones point.
     for (name, bytes, most) in [
         ("poser", WILD, 1.0),
-        ("lafan", LAFAN, 20.0),
-        ("bandai", BANDAI, 20.0),
+        ("lafan", LAFAN, 12.0),
+        ("bandai", BANDAI, 12.0),
     ] {
         let clip = made(bytes, &keep_feet()).clip;
         let joints = clip.joint.len();

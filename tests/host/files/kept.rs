@@ -1,0 +1,52 @@
+//! Files of every version are read for ever: one of each is kept in tests/data/kept, as the program
+//! wrote it that brought the version. `EFFIGY_KEEP=1` writes those that are missing; none is ever
+//! written again.
+
+use super::{clip_bytes, tiny};
+use effigy_core::{
+    avatar::{Avatar, Clip},
+    io::pack::PackQuality,
+};
+use std::path::{Path, PathBuf};
+
+fn kept(name: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/data/kept");
+    folder.join(name)
+}
+
+/// The bytes of a kept file. `write`: the file, as today's program makes it.
+fn bytes(name: &str, write: impl Fn() -> Vec<u8>) -> Vec<u8> {
+    let path = kept(name);
+    if !path.exists() && std::env::var_os("EFFIGY_KEEP").is_some() {
+        std::fs::write(&path, write()).expect("the folder of kept files");
+    }
+    std::fs::read(&path).expect("a file of each version is kept")
+}
+
+fn avatars_of_version_1_are_read() {
+    let read = Avatar::from_bytes(&bytes("1.avatar", || tiny().to_bytes().unwrap())).unwrap();
+    assert_eq!(read, tiny());
+}
+
+fn avatars_of_version_2_are_read() {
+    let packed = |quality| tiny().packed(quality);
+    for (name, quality) in [
+        ("2-lossless.avatar", PackQuality::Lossless),
+        ("2-small.avatar", PackQuality::Small),
+    ] {
+        let write = || packed(quality).to_packed_bytes().unwrap();
+        let read = Avatar::from_bytes(&bytes(name, write)).unwrap();
+        assert_eq!(read, packed(quality), "{name}");
+    }
+}
+
+fn motion_of_version_1_is_read() {
+    let read = Clip::from_bytes(&bytes("1.motion", clip_bytes)).unwrap();
+    assert_eq!(read, Clip::from_bytes(&clip_bytes()).unwrap());
+}
+
+tests! {
+    avatars_of_version_1_are_read,
+    avatars_of_version_2_are_read,
+    motion_of_version_1_is_read,
+}

@@ -1,0 +1,289 @@
+//! Every reader of other programs' files on edited files, for a while: `EFFIGY_FUZZ_SECONDS` each, a
+//! fraction of one unless it is set. The files of tests/data are the corpus. A failure leaves the
+//! file that caused it in the system's folder for temporary files, and says where.
+
+use crate::memory;
+use effigy_core::{avatar::Skeleton, io::file::FormatError, random::hash};
+use effigy_formats::{
+    bvh,
+    capture::Captured,
+    fbx, gltf_motion,
+    retarget::{self, RetargetOptions},
+    smpl,
+    splats::{self, Nothing, SplatFormat},
+    webavatar,
+};
+use std::{
+    panic::{AssertUnwindSafe, catch_unwind},
+    time::{Duration, Instant},
+};
+
+/// Seconds for each reader where nobody says: what a test may take.
+const SECONDS: f64 = 0.3;
+/// Bytes that reading any file may take, beside four times its size.
+const SMALL: usize = 64 << 20;
+/// Seconds that reading a file of the corpus's size takes at most: an optimised build takes a
+/// twentieth of what a debug build takes.
+const SLOWEST: f64 = 5.0;
+
+/// A source of numbers that is the same in each run.
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> u64 {
+        self.0 = hash(self.0);
+        self.0
+    }
+
+    fn below(&mut self, limit: usize) -> usize {
+        (self.next() % limit.max(1) as u64) as usize
+    }
+}
+
+/// Numbers that readers stumble over.
+const ODD: [&[u8]; 14] = [
+    &[0xff; 4],
+    &[0xff; 8],
+    &[0; 4],
+    &[0; 8],
+    &[0xff, 0xff, 0xff, 0x7f],
+    &[0, 0, 0, 0x80],
+    &[0, 0, 0xc0, 0x7f],
+    &[0, 0, 0x80, 0xff],
+    b"-1",
+    b"NaN",
+    b"1e999",
+    b"99999999999999999999",
+    b"{[",
+    b"\n\n",
+];
+
+/// Edits a file in one to six places.
+fn edited(random: &mut Random, corpus: &[&[u8]]) -> Vec<u8> {
+    let mut bytes = corpus[random.below(corpus.len())].to_vec();
+    for _ in 0..=random.below(6) {
+        let at = random.below(bytes.len() + 1);
+        let end = (at + 1 + random.below(64)).min(bytes.len());
+        match random.below(8) {
+            0 | 1 => {
+                if let Some(byte) = bytes.get_mut(at) {
+                    *byte ^= 1 << random.below(8);
+                }
+            }
+            2 => {
+                if let Some(byte) = bytes.get_mut(at) {
+                    *byte = random.next() as u8;
+                }
+            }
+            3 => {
+                let odd = ODD[random.below(ODD.len())];
+                let end = (at + odd.len()).min(bytes.len());
+                bytes.splice(at..end, odd.iter().copied());
+            }
+            4 => {
+                bytes.drain(at..end);
+            }
+            5 => {
+                let again = bytes[at..end].to_vec();
+                bytes.splice(at..at, again);
+            }
+            6 => {
+                let other = corpus[random.below(corpus.len())];
+                let from = random.below(other.len());
+                let piece = &other[from..(from + end - at).min(other.len())];
+                bytes.splice(at..end, piece.iter().copied());
+            }
+            _ => {
+                if random.below(8) == 0 {
+                    bytes.truncate(at);
+                }
+            }
+        }
+    }
+    bytes
+}
+
+/// Reads edited files until the time is over.
+fn fuzz(name: &str, corpus: &[&[u8]], read: &dyn Fn(&[u8]) -> Result<(), FormatError>) {
+    let seconds = std::env::var("EFFIGY_FUZZ_SECONDS").ok();
+    let seconds = seconds.map_or(SECONDS, |text| text.parse().expect("a number of seconds"));
+    let end = Instant::now() + Duration::from_secs_f64(seconds);
+    let mut random = Random(hash(name.len() as u64));
+    let mut refused = 0;
+    let mut count = 0;
+    while Instant::now() < end {
+        let bytes = edited(&mut random, corpus);
+        let start = Instant::now();
+        let caught = catch_unwind(AssertUnwindSafe(|| memory::peak(|| read(&bytes).is_err())));
+        let fault = match caught {
+            Err(_) => Some("it panicked".to_owned()),
+            Ok((_, peak)) if peak > 4 * bytes.len() + SMALL => {
+                Some(format!("it took {peak} bytes"))
+            }
+            Ok(_) if start.elapsed().as_secs_f64() > SLOWEST => {
+                Some(format!("it took {:?}", start.elapsed()))
+            }
+            Ok((is_refused, _)) => {
+                refused += usize::from(is_refused);
+                None
+            }
+        };
+        if let Some(fault) = fault {
+            let file = std::env::temp_dir().join(format!("effigy-fuzz-{name}"));
+            std::fs::write(&file, &bytes).expect("a folder for temporary files");
+            panic!("{name}, edit {count}, {}: {fault}", file.display());
+        }
+        count += 1;
+    }
+    assert!(count > 0 && refused > 0, "{name}: {refused} of {count}");
+    println!("{name}: {count} edited files, {refused} refused");
+}
+
+fn skeleton() -> Skeleton {
+    effigy_demo::avatar().expect("the demo").skeleton
+}
+
+/// Moves the demo by what a reader gives.
+fn retarget(skeleton: &Skeleton, captured: &Captured) {
+    // A long motion takes its time, and nothing else.
+    if captured.capture.frames() <= 64 {
+        let options = RetargetOptions::default();
+        let _ = retarget::retarget(&captured.capture, skeleton, "edited", &options);
+    }
+}
+
+fn edited_bvh_files() {
+    let skeleton = skeleton();
+    let corpus: [&[u8]; 3] = [
+        include_bytes!("../data/motion/poser_wild.bvh"),
+        include_bytes!("../data/motion/bandai.bvh"),
+        include_bytes!("../data/motion/nameless.bvh"),
+    ];
+    fuzz("bvh", &corpus, &|bytes| {
+        retarget(&skeleton, &bvh::from_bytes(bytes)?);
+        Ok(())
+    });
+}
+
+fn edited_files_of_smpl() {
+    let skeleton = skeleton();
+    let corpus: [&[u8]; 8] = [
+        include_bytes!("../data/smpl/amass_h.npz"),
+        include_bytes!("../data/smpl/smpl_params.npz"),
+        include_bytes!("../data/smpl/romp_video.npz"),
+        include_bytes!("../data/smpl/aist_2.pkl"),
+        include_bytes!("../data/smpl/wham_output.pkl"),
+        include_bytes!("../data/smpl/demo_gymnasts.pkl"),
+        include_bytes!("../data/smpl/hmr4d_results.pt"),
+        include_bytes!("../data/smpl/hmr4d_results_legacy.pt"),
+    ];
+    fuzz("smpl", &corpus, &|bytes| {
+        retarget(&skeleton, &smpl::from_bytes(bytes, &Default::default())?);
+        Ok(())
+    });
+}
+
+fn edited_gltf_files() {
+    let skeleton = skeleton();
+    let corpus: [&[u8]; 5] = [
+        include_bytes!("../data/gltf/dance.glb"),
+        include_bytes!("../data/gltf/dance.gltf"),
+        include_bytes!("../data/gltf/dance.vrma"),
+        include_bytes!("../data/gltf/vrm0.vrm"),
+        include_bytes!("../data/gltf/vrm1.vrm"),
+    ];
+    fuzz("gltf", &corpus, &|bytes| {
+        let read = gltf_motion::from_bytes(bytes, &Default::default(), &mut |_| None);
+        retarget(&skeleton, &read?);
+        Ok(())
+    });
+}
+
+fn edited_fbx_files() {
+    let skeleton = skeleton();
+    let corpus: [&[u8]; 1] = [include_bytes!("../data/fbx/walk.fbx")];
+    fuzz("fbx", &corpus, &|bytes| {
+        retarget(&skeleton, &fbx::from_bytes(bytes, &Default::default())?);
+        Ok(())
+    });
+}
+
+fn edited_models_and_poses() {
+    let corpus: [&[u8]; 2] = [
+        include_bytes!("../data/webavatar/small.npz"),
+        include_bytes!("../data/webavatar/wide.npz"),
+    ];
+    fuzz("webavatar", &corpus, &|bytes| {
+        webavatar::from_bytes(bytes, "edited", &Default::default()).map(drop)
+    });
+    let skeleton = skeleton();
+    let corpus: [&[u8]; 1] = [include_bytes!("../data/webavatar/small_poses.json")];
+    fuzz("poses", &corpus, &|bytes| {
+        retarget(&skeleton, &webavatar::capture_poses(bytes, None)?);
+        Ok(())
+    });
+}
+
+fn edited_splats() {
+    let files: [(SplatFormat, &[&[u8]]); 7] = [
+        (
+            SplatFormat::Ply,
+            &[
+                include_bytes!("../data/splats/truth.ply"),
+                include_bytes!("../data/splats/small.compressed.ply"),
+            ],
+        ),
+        (
+            SplatFormat::Splat,
+            &[include_bytes!("../data/splats/small.splat")],
+        ),
+        (
+            SplatFormat::Spz,
+            &[
+                include_bytes!("../data/splats/small-2.spz"),
+                include_bytes!("../data/splats/small-4.spz"),
+                include_bytes!("../data/splats/small-v1.spz"),
+            ],
+        ),
+        (
+            SplatFormat::Sog,
+            &[
+                include_bytes!("../data/splats/small.sog"),
+                include_bytes!("../data/splats/small-v1.sog"),
+            ],
+        ),
+        (
+            SplatFormat::Ksplat,
+            &[
+                include_bytes!("../data/splats/small-0.ksplat"),
+                include_bytes!("../data/splats/small-2.ksplat"),
+            ],
+        ),
+        (
+            SplatFormat::Glb,
+            &[
+                include_bytes!("../data/splats/small.glb"),
+                include_bytes!("../data/splats/packed.glb"),
+            ],
+        ),
+        (
+            SplatFormat::Gltf,
+            &[include_bytes!("../data/splats/small.gltf")],
+        ),
+    ];
+    for (format, corpus) in files {
+        fuzz(&format!("{format:?}"), corpus, &|bytes| {
+            let found = splats::read(bytes, format, &mut Nothing)?;
+            found.splats.to_avatar("edited").map(drop)
+        });
+    }
+}
+
+tests! {
+    edited_bvh_files,
+    edited_files_of_smpl,
+    edited_gltf_files,
+    edited_fbx_files,
+    edited_models_and_poses,
+    edited_splats,
+}
