@@ -54,7 +54,7 @@ fi
 if wanted web; then
   tools/web.sh target/web
   cp LICENSE-MIT LICENSE-APACHE target/web/
-  python3 tools/release/licences.py wasm32-unknown-unknown effigy-web > target/web/THIRD-PARTY-LICENSES.txt
+  python3 tools/release/licences.py wasm32-unknown-unknown effigy-web,effigy-web-import > target/web/THIRD-PARTY-LICENSES.txt
   cp src/demo/README.md target/web/DEMO-CREDITS.md
   tar --sort=name --owner=0 --group=0 --mtime=@0 --transform "s,^web,effigy-$version-web," -C target -czf "$out/effigy-$version-web.tar.gz" web
 fi

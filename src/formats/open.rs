@@ -20,7 +20,7 @@ use effigy_core::{
 use std::path::{Path, PathBuf};
 
 /// What a file is. One that can't be read gives its error when it is opened.
-fn content(path: &Path) -> Content {
+pub fn content(path: &Path) -> Content {
     let content = read_with(path, |bytes| Ok(Content::of(bytes, path)));
     content.unwrap_or_else(|_| Content::of(&[], path))
 }

@@ -21,8 +21,11 @@ use effigy_core::{
 use glam::DVec3;
 use std::path::Path;
 
-/// Bytes that a file beside a glTF of motion may have.
-const MOST_BESIDE: u64 = 1 << 30;
+/// Bytes of a file beside a glTF of motion.
+const LONGEST_BESIDE: u64 = 256 << 20;
+/// What is read of other programs, for errors.
+const KNOWN: &str = "an avatar (.avatar, the paper's .npz), splats (.ply, .splat, .spz, .sog, .ksplat, .glb) or motion \
+                     (.motion, .bvh, .fbx, .glb, .vrma, .npz, .pkl)";
 
 /// A file of another program, whole.
 pub struct Source<'a> {
@@ -149,7 +152,7 @@ pub fn capture(source: Source, options: &CaptureOptions) -> Result<Captured, For
                 animation: options.animation.clone(),
                 rest: Rest::Bind,
             };
-            let mut beside = |name: &str| beside.file(name, MOST_BESIDE).ok();
+            let mut beside = |name: &str| beside.file(name, LONGEST_BESIDE).ok();
             gltf_motion::from_bytes(bytes, &options, &mut beside)
         }
         Content::Capture(CaptureFormat::Fbx) => read_fbx(bytes, options),
@@ -173,9 +176,6 @@ pub fn capture(source: Source, options: &CaptureOptions) -> Result<Captured, For
     }
 }
 
-/// What is read, for errors.
-const KNOWN: &str = "an avatar (.avatar, the paper's .npz), splats (.ply, .splat, .spz, .sog, .ksplat, .glb) or motion \
-                     (.motion, .bvh, .fbx, .glb, .vrma, .npz, .pkl)";
 /// Bytes of a file's start that tell what it seems to be.
 const START: usize = 256;
 

@@ -8,7 +8,10 @@ use effigy::webgpu::Error;
 use effigy_core::{
     avatar::{Avatar, Clip},
     frame::RendererOptions,
-    io::file::Neutral,
+    io::{
+        file::{FileContent, Neutral},
+        splats,
+    },
     scene::{Camera, Posed},
 };
 use glam::DVec3;
@@ -17,6 +20,8 @@ use wasm_bindgen::prelude::*;
 
 /// Largest pitch, radians: a view straight up or down has no left and right.
 const PITCH_MAX: f64 = 1.55;
+
+const NO_AVATAR: &str = "there is no avatar yet to add a clip to: load one first";
 
 /// The camera, and the colour behind the avatar.
 #[derive(Clone, Copy, PartialEq)]
@@ -110,6 +115,13 @@ impl AvatarCanvas {
         self.surface.candidate(avatar).map_err(js_error)
     }
 
+    /// Prepares splats, given what the library that reads them hands over. The avatar that is shown
+    /// stays.
+    pub fn prepare_splats(&self, columns: &[u8]) -> Result<PreparedAvatar, JsValue> {
+        let avatar = splats::from_columns(columns).map_err(js_error)?;
+        self.surface.candidate(avatar).map_err(js_error)
+    }
+
     /// Prepares the avatar of a file of `length` bytes without its correctives, given the beginning
     /// of the file. The one that is shown stays.
     pub fn prepare_neutral(&self, bytes: &[u8], length: usize) -> Result<PreparedAvatar, JsValue> {
@@ -180,10 +192,7 @@ impl AvatarCanvas {
     /// Adds the clip of a motion file, given its bytes. Returns its index.
     pub fn add_clip(&mut self, bytes: &[u8]) -> Result<usize, JsValue> {
         let clip = Clip::from_bytes(bytes).map_err(js_error)?;
-        let shown = self
-            .shown
-            .as_mut()
-            .ok_or_else(|| js_error("there is no avatar yet to add a clip to: load one first"))?;
+        let shown = self.shown.as_mut().ok_or_else(|| js_error(NO_AVATAR))?;
         shown.motion.add(clip, &shown.avatar).map_err(js_error)
     }
 
@@ -452,6 +461,48 @@ impl AvatarCanvas {
         })
         .to_string()
     }
+
+    /// The skeleton of the avatar that is shown and the box of its Gaussians, JSON, for the library
+    /// that reads motion of other bodies.
+    pub fn skeleton(&self) -> Result<String, JsValue> {
+        let Some(DrawableAvatar { avatar, .. }) = &self.shown else {
+            return Err(js_error(NO_AVATAR));
+        };
+        let skeleton = &avatar.skeleton;
+        let bounds = avatar.gaussians.bounds;
+        let document = serde_json::json!({
+            "joints": skeleton.name,
+            "parents": skeleton.parent,
+            "rest": skeleton.rest,
+            "canonical": skeleton.canonical,
+            "bounds": [bounds.min, bounds.max],
+        });
+        Ok(document.to_string())
+    }
+
+    /// The Gaussians of the avatar that is shown as far as its joints move them, 14 bytes each: three
+    /// 16-bit coordinates in their box, four joints, and four weights of 255.
+    pub fn skin(&self) -> Vec<u8> {
+        let Some(DrawableAvatar { avatar, .. }) = &self.shown else {
+            return vec![];
+        };
+        let gaussians = &avatar.gaussians;
+        let joints = gaussians.joint.iter().zip(&gaussians.joint_weight);
+        let points = gaussians.position.iter().zip(joints);
+        let mut skin = Vec::with_capacity(14 * gaussians.len());
+        for (position, (joint, weight)) in points {
+            skin.extend(position.iter().flat_map(|number| number.to_ne_bytes()));
+            skin.extend(joint);
+            skin.extend(weight);
+        }
+        skin
+    }
+}
+
+/// Whether the bytes of a file of Effigy's own are a clip, not an avatar.
+#[wasm_bindgen]
+pub fn is_motion(bytes: &[u8]) -> Result<bool, JsValue> {
+    FileContent::is_clip(bytes).map_err(js_error)
 }
 
 /// Uploads an avatar to another device, for frames of `size` px.

@@ -189,6 +189,10 @@ const LAYERS: &[Layers] = &[
         modules: &["motion", "panics", "surface", "avatar_canvas"],
     },
     Layers {
+        package: "src/web_import",
+        modules: &["body", "import", "exports"],
+    },
+    Layers {
         package: "tools/shaders",
         modules: &["wgsl"],
     },

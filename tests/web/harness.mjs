@@ -17,7 +17,10 @@ const types = {
 };
 const style =
   "<!doctype html><link rel=icon href=data:,><style>body{height:4000px}canvas{width:200px;height:260px}</style>";
-/** Contents that the server makes, by path; all other paths are files of the page. */
+/**
+ * Contents that the server makes, by path; all other paths are files of the page, or below /data/
+ * those of the tests.
+ */
 const routes = {
   "/one.html": () => `${style}<canvas id=a></canvas>`,
   "/two.html": () => `${style}<canvas id=a></canvas><canvas id=b></canvas>`,
@@ -72,13 +75,18 @@ function reorderForPreview(file) {
   return Buffer.concat([length, text, ...tensors]);
 }
 
+/** The content of a file. */
+function read(path) {
+  const [folder, name] = path.startsWith("/data/")
+    ? ["tests/data", path.slice("/data/".length)]
+    : [root, path === "/" ? "/index.html" : path];
+  return readFile(join(folder, normalize(name)));
+}
+
 async function send(request, response) {
   const url = new URL(request.url, "http://localhost");
   const path = decodeURIComponent(url.pathname);
-  const body = Buffer.from(
-    await (routes[path]?.() ??
-      readFile(join(root, normalize(path === "/" ? "/index.html" : path)))),
-  );
+  const body = Buffer.from(await (routes[path]?.() ?? read(path)));
   response.writeHead(200, {
     "content-type":
       types[extname(path)] ?? (path.endsWith("/") ? "text/html" : "application/octet-stream"),

@@ -1,10 +1,12 @@
-// Tests the page, and its API (api.mjs), in Chromium.
+// Tests the page, its API (api.mjs) and files of other programs (foreign.mjs) in Chromium, from the
+// repository's root.
 // usage: node page.mjs PAGE_DIR REFERENCE.png OUT_DIR      (tools/test_web.sh makes all three)
 // REFERENCE.png is the demo at 1.3 s: `effigy render --reference --size 512x512 --time 1.3`.
 import assert from "node:assert/strict";
 import { readFile, readdir, writeFile } from "node:fs/promises";
 import { join } from "node:path";
 import { api } from "./api.mjs";
+import { foreign } from "./foreign.mjs";
 import {
   browser,
   waitForFrames,
@@ -42,6 +44,7 @@ const decibels = (page, url) =>
 
 const tests = {
   ...api,
+  ...foreign,
   // Those that no page uses on this adapter too. Browsers are stricter than wgpu outside of them:
   // what may differ between invocations must not decide whether they come to a barrier.
   async "every shader compiles"() {

@@ -1,6 +1,6 @@
-"""Writes the licences of every crate that a program is linked from.
+"""Writes the licences of every crate that a program, or several, is linked from.
 
-usage: licences.py TARGET PACKAGE [FEATURE...] > FILE
+usage: licences.py TARGET PACKAGE[,PACKAGE...] [FEATURE...] > FILE
 
 The crates are those that `cargo tree` names for the target without build and development
 dependencies; the texts are the files that each crate ships. A crate that ships none is listed with
@@ -22,7 +22,7 @@ def cargo(*arguments):
 def main():
     target, package, *features = sys.argv[1:]
     tree = cargo(
-        "tree", "--package", package, "--target", target, "--edges", "normal,no-proc-macro",
+        "tree", *(f"--package={name}" for name in package.split(",")), "--target", target, "--edges", "normal,no-proc-macro",
         "--features", ",".join(features), "--prefix", "none", "--format", "{p}",
     )
     linked = set()

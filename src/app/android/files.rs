@@ -1,16 +1,24 @@
 //! The avatars and clips on a phone: the demo in the package, files in the app's folder, and a file
-//! that another app opens with this one.
+//! that another app opens with this one. Files of other programs are told apart by their content.
 
 use super::java;
 use crate::file_list::FileList;
 use anyhow::{Context, anyhow};
 use effigy_core::{
     avatar::{Avatar, Clip},
-    io::{file::FileContent, ply},
+    io::file::FileContent,
+};
+use effigy_formats::{
+    assumption::Assumption,
+    content::Content,
+    open,
+    read::{self, ClipOptions, OpenOptions, OpenedClip, Source},
+    retarget::Girth,
+    splats::Nothing,
 };
 use std::{
     ffi::CStr,
-    fs::{self, File},
+    fs,
     io::Read,
     path::{Path, PathBuf},
 };
@@ -18,6 +26,8 @@ use winit::platform::android::activity::AndroidApp;
 
 const DEMO: &CStr = c"demo.avatar";
 const DEMO_CLIP: &CStr = c"demo.motion";
+/// What a file is called that another app opens: its name is not passed on.
+const OPENED: &str = "opened";
 
 /// The avatars and clips on a phone.
 pub struct Files {
@@ -33,7 +43,9 @@ pub struct Files {
 impl Files {
     /// Lists the avatars in `folder`.
     pub fn new(app: &AndroidApp, folder: Option<PathBuf>) -> Self {
-        let avatars = list_files(folder.as_deref(), &["avatar", "ply"]);
+        let is_avatar =
+            |path: &Path| has_extension(path, "avatar") || open::content(path).is_avatar();
+        let avatars = list_files(folder.as_deref(), is_avatar);
         Self {
             app: app.clone(),
             folder,
@@ -64,54 +76,91 @@ impl Files {
         FileList::new(names, 0, move |index| self.load(index))
     }
 
-    /// The avatar to start with: the demo, which loads at once.
+    /// The avatar to start with: the demo, which loads at once. Motion of other programs, which takes
+    /// longer, is there when it is chosen again.
     pub fn first(&self) -> anyhow::Result<(Avatar, Vec<Clip>)> {
-        Ok(self.with_clips(self.demo()?, None))
+        let demo = self.demo()?;
+        let clips = self.own_clips(&demo);
+        Ok(with_any(demo, clips))
     }
 
     /// Reads the avatar with an index in the file list.
     fn load(&self, index: usize) -> anyhow::Result<(Avatar, Vec<Clip>)> {
-        let avatar = if index == 0 {
-            self.demo()?
-        } else if let Some(path) = self.avatars.get(index - 1) {
-            ply::open(path, None)?
-        } else {
+        if index == 0 {
+            let demo = self.demo()?;
+            let clips = self.clips(&demo);
+            return Ok(with_any(demo, clips));
+        }
+        let Some(path) = self.avatars.get(index - 1) else {
             return self
                 .opened()
                 .context("the file that was opened can't be shown");
         };
-        Ok(self.with_clips(avatar, None))
+        let imported = open::avatar(path, &OpenOptions::default())?;
+        log(&imported.assumptions);
+        let avatar = imported.avatar;
+        let mut clips = self.clips(&avatar);
+        // The poses beside a model of the paper are its own: they come first.
+        if let Some(poses) = open::poses_beside(path)
+            && let Some(stem) = poses.file_stem()
+        {
+            clips.sort_by_key(|clip| stem != clip.name.as_str());
+        }
+        Ok(with_any(avatar, clips))
     }
 
-    /// The file that another app has opened. A clip is shown with the demo.
+    /// The file that another app has opened. Motion is shown with the demo.
     fn opened(&self) -> anyhow::Result<(Avatar, Vec<Clip>)> {
-        Ok(match read_content(java::opened_file(&self.app)?)? {
-            FileContent::Avatar(avatar) => self.with_clips(*avatar, None),
-            FileContent::Clip(clip) => self.with_clips(self.demo()?, Some(*clip)),
-        })
+        let mut bytes = Vec::new();
+        java::opened_file(&self.app)?.read_to_end(&mut bytes)?;
+        let content = Content::of(&bytes, Path::new(OPENED));
+        let source = Source {
+            bytes: &bytes,
+            name: Path::new(OPENED),
+            beside: &mut Nothing,
+        };
+        let (avatar, first) = if content.is_avatar() {
+            let imported = read::avatar(source, &OpenOptions::default())?;
+            log(&imported.assumptions);
+            (imported.avatar, None)
+        } else if content.is_motion() {
+            let demo = self.demo()?;
+            let girth = || Girth::of(&demo);
+            let opened = read::clip(source, &demo.skeleton, girth, &ClipOptions::default())?;
+            let clip = logged(opened);
+            (demo, Some(clip))
+        } else {
+            match FileContent::from_bytes(&bytes)? {
+                FileContent::Avatar(avatar) => (*avatar, None),
+                FileContent::Clip(clip) => (self.demo()?, Some(*clip)),
+            }
+        };
+        let clips = first.into_iter().chain(self.clips(&avatar)).collect();
+        Ok(with_any(avatar, clips))
     }
 
-    /// Adds the clips that move a joint of the avatar, `first` before the others.
-    fn with_clips(&self, avatar: Avatar, first: Option<Clip>) -> (Avatar, Vec<Clip>) {
-        let mut clips: Vec<Clip> = first.into_iter().collect();
+    /// The demo's clip and those of Effigy's own in the folder.
+    fn own_clips(&self, avatar: &Avatar) -> Vec<Clip> {
+        if avatar.is_static() {
+            return vec![];
+        }
+        let demo = self.asset(DEMO_CLIP).ok();
+        let demo = demo.and_then(|bytes| Clip::from_bytes(&bytes).ok());
+        let is_motion = |path: &Path| has_extension(path, "motion");
+        let files = list_files(self.folder.as_deref(), is_motion);
+        let own = files.iter().filter_map(|path| open_clip(path, avatar));
+        demo.into_iter().chain(own).collect()
+    }
+
+    /// [`Self::own_clips`], and motion of other programs in the folder.
+    fn clips(&self, avatar: &Avatar) -> Vec<Clip> {
+        let mut clips = self.own_clips(avatar);
         if !avatar.is_static() {
-            if let Ok(bytes) = self.asset(DEMO_CLIP)
-                && let Ok(clip) = Clip::from_bytes(&bytes)
-            {
-                clips.push(clip);
-            }
-            for path in list_files(self.folder.as_deref(), &["motion"]) {
-                match Clip::read(&path) {
-                    Ok(clip) => clips.push(clip),
-                    Err(error) => tracing::warn!("{error}"),
-                }
-            }
+            let is_motion = |path: &Path| open::is_capture(path);
+            let files = list_files(self.folder.as_deref(), is_motion);
+            clips.extend(files.iter().filter_map(|path| open_clip(path, avatar)));
         }
-        clips.retain(|clip| clip.map_to(&avatar.skeleton).iter().flatten().count() > 0);
-        if clips.is_empty() {
-            clips.push(Clip::still(&avatar.skeleton));
-        }
-        (avatar, clips)
+        clips
     }
 
     fn demo(&self) -> anyhow::Result<Avatar> {
@@ -129,33 +178,52 @@ impl Files {
     }
 }
 
-/// Files in a folder with one of these extensions, sorted by name.
-fn list_files(folder: Option<&Path>, extensions: &[&str]) -> Vec<PathBuf> {
+/// Files in a folder that are wanted, sorted by name.
+fn list_files(folder: Option<&Path>, wanted: impl Fn(&Path) -> bool) -> Vec<PathBuf> {
     let entries = folder
         .and_then(|folder| fs::read_dir(folder).ok())
         .into_iter()
         .flatten()
         .flatten();
-    let fits = |path: &PathBuf| {
-        path.extension().is_some_and(|extension| {
-            extensions
-                .iter()
-                .any(|known| extension.eq_ignore_ascii_case(known))
-        })
-    };
-    let mut found: Vec<_> = entries.map(|entry| entry.path()).filter(fits).collect();
+    let paths = entries.map(|entry| entry.path());
+    let mut found: Vec<_> = paths.filter(|path| wanted(path)).collect();
     found.sort();
     found
 }
 
-/// Reads an avatar, a .ply file or a clip.
-fn read_content(mut file: File) -> anyhow::Result<FileContent> {
-    let mut bytes = Vec::new();
-    file.read_to_end(&mut bytes)?;
-    if bytes.starts_with(b"ply") {
-        return Ok(FileContent::Avatar(Box::new(ply::from_bytes(
-            &bytes, "opened", None,
-        )?)));
+fn has_extension(path: &Path, extension: &str) -> bool {
+    path.extension()
+        .is_some_and(|own| own.eq_ignore_ascii_case(extension))
+}
+
+/// Reads a clip for an avatar. One that can't be read is logged.
+fn open_clip(path: &Path, avatar: &Avatar) -> Option<Clip> {
+    match open::clip(path, avatar, &ClipOptions::default()) {
+        Ok(opened) => Some(logged(opened)),
+        Err(error) => {
+            tracing::warn!("{error}");
+            None
+        }
     }
-    Ok(FileContent::from_bytes(&bytes)?)
+}
+
+/// The clip of a file, after what was assumed of it is logged.
+fn logged(opened: OpenedClip) -> Clip {
+    log(&opened.assumptions);
+    opened.clip
+}
+
+fn log(assumptions: &[Assumption]) {
+    for assumption in assumptions {
+        tracing::info!("{assumption}");
+    }
+}
+
+/// An avatar with the clips that move a joint of it: one that stands still if there are none.
+fn with_any(avatar: Avatar, mut clips: Vec<Clip>) -> (Avatar, Vec<Clip>) {
+    clips.retain(|clip| clip.map_to(&avatar.skeleton).iter().flatten().count() > 0);
+    if clips.is_empty() {
+        clips.push(Clip::still(&avatar.skeleton));
+    }
+    (avatar, clips)
 }

@@ -1,6 +1,10 @@
 /** Draws animatable avatars of 3D Gaussians on a canvas, with WebGPU. */
 
-/** A URL, a file, or the bytes themselves. */
+/**
+ * A URL, a file, or the bytes themselves: of Effigy's own files, or of other programs' (docs/formats.md
+ * lists them; all but FBX). What reads those is loaded when it is first needed, and runs in a worker:
+ * this module must be of the page's own origin for them. They may not refer to files beside them.
+ */
 export type Source = string | URL | Blob | ArrayBuffer | Uint8Array;
 
 /**
@@ -95,6 +99,12 @@ export interface Statistics {
 /** Whether this browser has WebGPU. It may still have no device: then `create` fails. */
 export function isSupported(): boolean;
 
+/**
+ * What a file is by its content: whether it is for `loadAvatar` or for `loadMotion`. There must be
+ * an `Effigy` already.
+ */
+export function kindOf(file: Blob): Promise<"avatar" | "motion" | "unknown">;
+
 /** There is no WebGPU, or no device for it. */
 export class Unsupported extends Error {}
 
@@ -105,6 +115,8 @@ export class Unsupported extends Error {}
  * Events:
  * - `frame` after each frame.
  * - `play` and `pause`.
+ * - `import`, a CustomEvent whose `detail` has the `name` of a file of another program that was
+ *   loaded, and `notes`: a line on each thing that it left open, and what was taken.
  * - `lost` and `restored`: the device was lost, or replaced.
  * - `error`, a CustomEvent whose `detail` is the Error. Nothing more is drawn until something is
  *   changed. A device that is lost five times in a minute, or can't be replaced for some seconds,
@@ -124,7 +136,8 @@ export class Effigy extends EventTarget {
    */
   loadAvatar(source: Source, options?: LoadOptions & { frame?: boolean }): Promise<Description>;
   /**
-   * Adds a clip and plays it. Returns its index. The clip is for the avatar that was requested last,
+   * Adds a clip and plays it. Returns its index. Motion of another body is retargeted to the avatar.
+   * The clip is for the avatar that was requested last,
    * which may still be loading. If that one fails or is replaced, this fails with an AbortError.
    */
   loadMotion(source: Source, options?: LoadOptions & { play?: boolean }): Promise<number>;

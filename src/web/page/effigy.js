@@ -8,6 +8,7 @@ import { DEFAULT_CAMERA, checkedCamera, fitCanvas, framing } from "./camera.js";
 import { DeviceRecovery } from "./device_recovery.js";
 import { readBytes } from "./download.js";
 import { AvatarCanvas, Drawn } from "./effigy_core.js";
+import { fileName, importMotion, isOwn, kindOf } from "./foreign.js";
 import { FrameTimes } from "./frame_times.js";
 import { Loader } from "./loader.js";
 import {
@@ -23,7 +24,7 @@ import { Screenshots } from "./screenshots.js";
 import { abortError, checkedNumber } from "./validate.js";
 import { Visibility } from "./visibility.js";
 
-export { Unsupported, isSupported };
+export { Unsupported, isSupported, kindOf };
 
 const DISPOSED = "this avatar's canvas was disposed of";
 /** A live pose is interpolated for this long, ms: frames are drawn meanwhile. */
@@ -80,6 +81,7 @@ export class Effigy extends EventTarget {
     saveState: () => this.#saveState(),
     avatarShown: (ticket, frame) => this.#avatarShown(ticket, frame),
     avatarCompleted: () => this.#avatarCompleted(),
+    fileImported: (name, notes) => this.#fileImported(name, notes),
     revert: (ticket, state) => this.#revert(ticket, state),
   });
 
@@ -157,12 +159,25 @@ export class Effigy extends EventTarget {
     await request?.shown.catch(() => {
       throw abortError("the avatar that this clip was for could not be loaded");
     });
-    this.#checkOpen();
-    signal?.throwIfAborted();
-    if (this.#shownTicket !== ticket) throw abortError("another avatar is shown by now");
-    const index = this.#call(() => this.#view.add_clip(bytes));
+    const checkWanted = () => {
+      this.#checkOpen();
+      signal?.throwIfAborted();
+      if (this.#shownTicket !== ticket) throw abortError("another avatar is shown by now");
+    };
+    checkWanted();
+    const name = fileName(source);
+    let clip = { bytes };
+    if (!isOwn(bytes)) {
+      // How long its reader takes is not known.
+      onProgress?.(bytes.length);
+      const body = this.#call(() => ({ skeleton: this.#view.skeleton(), skin: this.#view.skin() }));
+      clip = await importMotion(bytes, name, body, signal);
+      checkWanted();
+    }
+    const index = this.#call(() => this.#view.add_clip(clip.bytes));
     this.#describe();
     if (play) this.play(index);
+    if (clip.notes) this.#fileImported(name, clip.notes);
     return index;
   }
 
@@ -185,6 +200,10 @@ export class Effigy extends EventTarget {
   #avatarCompleted() {
     this.#describe();
     this.#changed();
+  }
+
+  #fileImported(name, notes) {
+    this.dispatchEvent(new CustomEvent("import", { detail: { name, notes } }));
   }
 
   /** The rest of an avatar's file did not come: shows the avatar from before again. */

@@ -1,6 +1,7 @@
 // Loads avatars. Only the last one requested is shown, first without its correctives if the rest of
 // its file takes a while.
 import { readBytes } from "./download.js";
+import { fileName, importAvatar, isOwn } from "./foreign.js";
 import { isPanic, moduleFailure, pageError } from "./module.js";
 import { Preview } from "./preview.js";
 import { abortError } from "./validate.js";
@@ -15,6 +16,7 @@ import { abortError } from "./validate.js";
  * - `avatarShown(ticket, frame)`: another avatar is shown. `frame`: the camera should show all of
  *   it.
  * - `avatarCompleted()`: the avatar has its correctives.
+ * - `fileImported(name, notes)`: what is shown is a file of another program.
  * - `revert(ticket, state)` brings the avatar from before back, if `ticket` is still shown.
  *
  * @typedef {object} LoaderHost
@@ -88,13 +90,29 @@ export class Loader {
         this.#host.avatarCompleted();
         return;
       }
-      await this.#show((view) => view.prepare(bytes), request, { keep: false });
-      this.#shown(request);
+      if (isOwn(bytes)) {
+        await this.#show((view) => view.prepare(bytes), request, { keep: false });
+        this.#shown(request);
+      } else {
+        await this.#importAndShow(bytes, fileName(source), request);
+      }
     } catch (error) {
       await preview.shown;
       if (previousState && !moduleFailure()) this.#host.revert(request.ticket, previousState);
       throw error;
     }
+  }
+
+  /** Shows the avatar of another program. */
+  async #importAndShow(bytes, name, request) {
+    // How long its reader takes is not known.
+    request.onProgress?.(bytes.length);
+    const avatar = await importAvatar(bytes, name, request.signal);
+    const prepare = (view) =>
+      avatar.isSplats ? view.prepare_splats(avatar.bytes) : view.prepare(avatar.bytes);
+    await this.#show(prepare, request, { keep: false });
+    this.#shown(request);
+    this.#host.fileImported(name, avatar.notes);
   }
 
   #shown(request) {

@@ -1,7 +1,7 @@
 // The page: an avatar with controls for pointers, keys and buttons.
 import { bench } from "./bench.js";
 import { DEFAULT_CAMERA } from "./camera.js";
-import { Effigy, Unsupported, isSupported } from "./effigy.js";
+import { Effigy, Unsupported, isSupported, kindOf } from "./effigy.js";
 import { orbitControls } from "./orbit.js";
 
 /** Time between updates of the page's numbers, ms: faster ones can't be read. */
@@ -23,6 +23,21 @@ function showError(error) {
   if (error.name === "AbortError") return;
   element("text").textContent = error.message ?? String(error);
   element("message").hidden = false;
+}
+
+/** Shows what a file of another program left open. */
+function showNotes({ name, notes }) {
+  for (const note of notes) {
+    const line = document.createElement("li");
+    line.textContent = `${name}: ${note}`;
+    element("notes-list").append(line);
+  }
+  if (notes.length > 0) element("notes").hidden = false;
+}
+
+function closeNotes() {
+  element("notes").hidden = true;
+  element("notes-list").replaceChildren();
 }
 
 /** Loads under way: what to call each, and the share of it that has arrived, if known. */
@@ -61,21 +76,24 @@ async function withProgress(what, act) {
   }
 }
 
-/** Opens the last of some avatars, and all clips. */
+/** Opens the last of some avatars, and all clips, told apart by their content. */
 async function openFiles(files) {
-  const withExtension = (extension) =>
-    [...files].filter((file) => file.name.toLowerCase().endsWith(extension));
-  const avatars = withExtension(".avatar");
-  const motions = withExtension(".motion");
-  const unknown = [...files].find((file) => !avatars.includes(file) && !motions.includes(file));
-  if (unknown) showError(new Error(`${unknown.name} is neither an .avatar nor a .motion file`));
+  const found = { avatar: [], motion: [], unknown: [] };
+  const sort = async (file) => found[await kindOf(file)].push(file);
+  // A list of the page's own: that of an input is emptied meanwhile.
+  const all = [...files];
+  await withProgress("Opening files", () => Promise.all(all.map(sort)));
+  const [unknown] = found.unknown;
+  if (unknown) {
+    showError(new Error(`${unknown.name} is neither an avatar nor motion of a known format`));
+  }
 
   const opened = [];
-  const avatar = avatars.at(-1);
+  const avatar = found.avatar.at(-1);
   if (avatar) {
     opened.push(withProgress(`Opening ${avatar.name}`, () => effigy.loadAvatar(avatar)));
   }
-  for (const motion of motions) {
+  for (const motion of found.motion) {
     opened.push(withProgress(`Opening ${motion.name}`, () => effigy.loadMotion(motion)));
   }
   await Promise.all(opened);
@@ -135,6 +153,7 @@ function connectControls() {
   element("close").onclick = () => {
     element("message").hidden = true;
   };
+  element("notes-close").onclick = closeNotes;
   element("canvas").addEventListener("keydown", (event) => {
     if (event.key === " ") {
       togglePlaying();
@@ -142,6 +161,7 @@ function connectControls() {
     }
   });
   effigy.addEventListener("error", (event) => showError(event.detail));
+  effigy.addEventListener("import", (event) => showNotes(event.detail));
 }
 
 /** Shows the time and the statistics of the frames that are drawn. */
@@ -208,6 +228,25 @@ async function showBench() {
   document.body.append(report);
 }
 
+/** Opens what the address names, or the demo. */
+async function openFirst() {
+  const avatar = query.get("avatar") ?? "demo.avatar";
+  const motion = query.get("motion") ?? "demo.motion";
+  const loadMotion = () =>
+    withProgress("Loading the motion", (onProgress) => effigy.loadMotion(motion, { onProgress }));
+  const loaded = withProgress("Loading the avatar", (onProgress) =>
+    effigy.loadAvatar(avatar, { onProgress }),
+  );
+  if (query.has("avatar") && !query.has("motion")) {
+    // The demo's clip is not for splats, which have one joint.
+    await loaded;
+    if (effigy.description.joints?.length > 1) await loadMotion();
+  } else {
+    // At the same time: the clip waits for the avatar.
+    await Promise.all([loaded, loadMotion()]);
+  }
+}
+
 async function main() {
   if (!isSupported()) {
     showUnsupported();
@@ -231,13 +270,7 @@ async function main() {
   connectDropping();
   orbitControls(effigy, element("canvas"));
 
-  // At the same time: the clip waits for the avatar.
-  const avatar = query.get("avatar") ?? "demo.avatar";
-  const motion = query.get("motion") ?? "demo.motion";
-  await Promise.all([
-    withProgress("Loading the avatar", (onProgress) => effigy.loadAvatar(avatar, { onProgress })),
-    withProgress("Loading the motion", (onProgress) => effigy.loadMotion(motion, { onProgress })),
-  ]);
+  await openFirst();
   if (query.get("bench")) await showBench();
   if ("serviceWorker" in navigator && location.protocol.startsWith("http")) {
     // Without it the page needs a network, and nothing else changes.

@@ -3,6 +3,8 @@
 const CACHE_PREFIX = `effigy ${registration.scope} `;
 const CACHE = `${CACHE_PREFIX}@STAMP@`;
 const FILES = ["./", "@FILES@"];
+/** Kept once they have been used: most visitors open no file of another program. */
+const LATER_FILES = ["@LATER@"];
 
 /** Fetches all files past the browser's own cache: they must be of one version. */
 async function install() {
@@ -21,7 +23,12 @@ async function activate() {
 
 async function respond(request) {
   const cache = await caches.open(CACHE);
-  return (await cache.match(request, { ignoreSearch: true })) ?? fetch(request);
+  const kept = await cache.match(request, { ignoreSearch: true });
+  if (kept) return kept;
+  const response = await fetch(request);
+  const isLater = LATER_FILES.some((file) => request.url === new URL(file, location).href);
+  if (isLater && response.ok) await cache.put(request, response.clone());
+  return response;
 }
 
 self.addEventListener("install", (event) => event.waitUntil(install()));

@@ -36,7 +36,7 @@ impl FileContent {
     /// # Errors
     /// When the bytes are neither, or break a rule.
     pub fn from_bytes(bytes: &[u8]) -> Result<Self, FormatError> {
-        if container::has_format::<ClipHeader>(bytes)? {
+        if Self::is_clip(bytes)? {
             Ok(Self::Clip(Box::new(container::decode::<ClipHeader>(
                 bytes,
             )?)))
@@ -44,6 +44,14 @@ impl FileContent {
             let avatar = container::decode::<AvatarHeader>(bytes)?;
             Ok(Self::Avatar(Box::new(avatar)))
         }
+    }
+
+    /// Whether a file's bytes say that they are a clip, not an avatar.
+    ///
+    /// # Errors
+    /// When they are neither.
+    pub fn is_clip(bytes: &[u8]) -> Result<bool, FormatError> {
+        container::has_format::<ClipHeader>(bytes)
     }
 }
 

@@ -1,7 +1,7 @@
 //! The avatar of splats: static, with one joint, which rotates the file's axes to ours. Gaussians
 //! come in the order of a space-filling curve, so that neighbours in memory are neighbours in space.
 
-use super::{Splats, Up, each, functions_of};
+use super::{Splats, each, functions_of};
 use crate::{
     avatar::{
         Activation, Avatar, Bounds, Gaussians, Inputs, Matrix, Networks, Nodes, Parts, Rows,
@@ -34,37 +34,8 @@ impl Splats {
     pub fn to_avatar(&self, name: &str) -> Result<Avatar, FormatError> {
         self.check()?;
         let (gaussians, sh) = self.gaussians();
-        Ok(Avatar {
-            name: name.into(),
-            credit: String::new(),
-            skeleton: skeleton(self.up),
-            parts: Parts {
-                start: vec![0, gaussians.len() as u32],
-                head: 0,
-            },
-            networks: Networks {
-                activation: Activation::Relu,
-                layers: vec![],
-            },
-            rotation_rows: Rows::default(),
-            scale_rows: Rows::default(),
-            color_rows: Rows::default(),
-            // One node that moves nothing: every Gaussian must name three.
-            nodes: Nodes {
-                position: vec![[0; 3]],
-                part: vec![0],
-                offset: vec![[f16::ZERO; 3]],
-                basis: Matrix::default(),
-            },
-            inputs: Inputs {
-                joint: vec![],
-                expression: 0,
-                pose_space: None,
-                expression_space: None,
-            },
-            gaussians,
-            sh,
-        })
+        let canonical = self.up.rotation().inverse().to_scaled_axis();
+        Ok(scene(name, canonical.as_vec3().to_array(), gaussians, sh))
     }
 
     /// The Gaussians; the spherical harmonics are None if there are none above degree 0.
@@ -89,9 +60,7 @@ impl Splats {
                 .collect(),
             color: converted.iter().map(|gaussian| gaussian.color).collect(),
             opacity: converted.iter().map(|gaussian| gaussian.opacity).collect(),
-            joint: vec![[0; 4]; count],
-            joint_weight: vec![[255, 0, 0, 0]; count],
-            node: vec![[0; 3]; count],
+            ..Gaussians::of_one_joint(count)
         };
         warn_of_coarse_steps(&gaussians);
         let functions = functions_of(self.degree);
@@ -127,18 +96,68 @@ struct Place {
     splat: u32,
 }
 
-fn skeleton(up: Up) -> Skeleton {
-    let canonical = up
-        .rotation()
-        .inverse()
-        .to_scaled_axis()
-        .as_vec3()
-        .to_array();
-    Skeleton {
-        name: vec!["root".into()],
-        parent: vec![None],
-        rest: vec![[0.0; 3]],
-        canonical: vec![canonical],
+/// The avatar of splats. `canonical`: the axis-angle rotation of its canonical pose, radians.
+pub fn scene(
+    name: &str,
+    canonical: [f32; 3],
+    gaussians: Gaussians,
+    sh: Option<ShCoefficients>,
+) -> Avatar {
+    Avatar {
+        name: name.into(),
+        credit: String::new(),
+        skeleton: Skeleton {
+            name: vec!["root".into()],
+            parent: vec![None],
+            rest: vec![[0.0; 3]],
+            canonical: vec![canonical],
+        },
+        parts: Parts {
+            start: vec![0, gaussians.len() as u32],
+            head: 0,
+        },
+        networks: Networks {
+            activation: Activation::Relu,
+            layers: vec![],
+        },
+        rotation_rows: Rows::default(),
+        scale_rows: Rows::default(),
+        color_rows: Rows::default(),
+        // One node that moves nothing: every Gaussian must name three.
+        nodes: Nodes {
+            position: vec![[0; 3]],
+            part: vec![0],
+            offset: vec![[f16::ZERO; 3]],
+            basis: Matrix::default(),
+        },
+        inputs: Inputs {
+            joint: vec![],
+            expression: 0,
+            pose_space: None,
+            expression_space: None,
+        },
+        gaussians,
+        sh,
+    }
+}
+
+impl Gaussians {
+    /// Of `count` Gaussians what follows from a skeleton of one joint. The other arrays are empty.
+    pub(super) fn of_one_joint(count: usize) -> Self {
+        Self {
+            bounds: Bounds {
+                min: [0.0; 3],
+                max: [0.0; 3],
+            },
+            position: vec![],
+            rotation: vec![],
+            log_scale: vec![],
+            color: vec![],
+            opacity: vec![],
+            joint: vec![[0; 4]; count],
+            joint_weight: vec![[255, 0, 0, 0]; count],
+            node: vec![[0; 3]; count],
+        }
     }
 }
 

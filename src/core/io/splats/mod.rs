@@ -5,6 +5,7 @@
 mod avatar;
 mod axes;
 mod check;
+mod columns;
 mod each;
 mod harmonics;
 #[cfg(not(target_arch = "wasm32"))]
@@ -13,6 +14,7 @@ mod up;
 
 pub use axes::principal_axes;
 pub use check::check_count;
+pub use columns::{from_columns, to_columns};
 pub use harmonics::functions_of;
 #[cfg(not(target_arch = "wasm32"))]
 pub use posed::{Uniform, from_gaussians};
