@@ -112,7 +112,8 @@ struct MotionArgs {
     out: PathBuf,
     #[command(flatten)]
     assets: AssetArgs,
-    /// Take the skeleton from this avatar instead of the assets
+    /// Avatar that motion of another body is to move [default: the built-in demo; of `bake motion`
+    /// the assets' body]
     #[arg(long, value_name = "FILE")]
     avatar: Option<PathBuf>,
     /// Frames per second of the clip, 1 to 240

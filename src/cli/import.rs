@@ -26,7 +26,8 @@ pub struct Args {
     /// Avatar or motion file to write
     #[arg(short, long, value_name = "FILE")]
     out: PathBuf,
-    /// Avatar that motion capture is to move [default: the built-in demo]
+    /// Avatar that motion of another body is to move [default: the built-in demo; of `bake motion`
+    /// the assets' body]
     #[arg(long, value_name = "FILE")]
     avatar: Option<PathBuf>,
     #[command(flatten)]

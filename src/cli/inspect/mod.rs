@@ -34,7 +34,8 @@ pub struct Args {
     /// Motion capture that the motion file was made of: says how well it follows
     #[arg(long, value_name = "FILE", requires = "file")]
     against: Option<PathBuf>,
-    /// Avatar that motion capture is to move [default: the built-in demo]
+    /// Avatar that motion of another body is to move [default: the built-in demo; of `bake motion`
+    /// the assets' body]
     #[arg(long, value_name = "FILE")]
     avatar: Option<PathBuf>,
     #[command(flatten)]
