@@ -178,10 +178,12 @@ fn section(points: &Points, joint: usize) -> Option<Section> {
     let own: Vec<DVec3> = points.of_joint(joint).collect();
     let bottom = own.iter().map(|at| at.y).fold(f64::INFINITY, f64::min);
     let top = own.iter().map(|at| at.y).fold(f64::NEG_INFINITY, f64::max);
-    if !(top > bottom) {
+    let height = top - bottom;
+    // −∞ without a point.
+    if height <= 0.0 {
         return None;
     }
-    let count = ((top - bottom) / SLICE).ceil() as usize;
+    let count = (height / SLICE).ceil() as usize;
     let slices = (0..count).map(|at| {
         let low = bottom + at as f64 * SLICE;
         let of_slice = own.iter().filter(|at| (low..low + SLICE).contains(&at.y));
