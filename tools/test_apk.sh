@@ -61,6 +61,13 @@ for file in json csv svg png; do
 done
 play tools/android-host/scripts/open.txt HOST_OPEN="$PWD/src/demo/demo.avatar"
 [ "$(grep -c 'showing `' $work/open.log)" = 2 ] || fail "open: the file that was opened is not shown"
+# Of other programs: an avatar, and motion for the demo.
+for file in webavatar/small.npz motion/mixamo.bvh; do
+  name=open-$(basename "${file%.*}")
+  cp tools/android-host/scripts/open.txt "$work/scripts/$name.txt"
+  play "$work/scripts/$name.txt" HOST_OPEN="$PWD/tests/data/$file"
+  [ "$(grep -c 'showing `' "$work/$name.log")" = 2 ] || fail "$name: the file that was opened is not shown"
+done
 play tools/android-host/scripts/refused.txt HOST_OPEN="$PWD/README.md"
 grep -q "the file that was opened can't be shown" $work/refused.log ||
   fail "refused: nothing is said of a file that can't be shown"

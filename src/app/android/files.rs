@@ -130,7 +130,8 @@ impl Files {
             let clip = logged(opened);
             (demo, Some(clip))
         } else {
-            match FileContent::from_bytes(&bytes)? {
+            let found = FileContent::from_bytes(&bytes);
+            match found.map_err(|fault| read::seems(&bytes).unwrap_or(fault))? {
                 FileContent::Avatar(avatar) => (*avatar, None),
                 FileContent::Clip(clip) => (self.demo()?, Some(*clip)),
             }

@@ -235,7 +235,7 @@ fn mean(rotations: impl Iterator<Item = DQuat>) -> Option<DQuat> {
         } else {
             rotation
         };
-        sum = sum + same;
+        sum += same;
     }
     let length = sum.length();
     (length > 1e-9).then(|| sum / length)

@@ -172,7 +172,9 @@ fn position(low: &[u8; 4], high: &[u8; 4], range: &Extremes<3>) -> [f32; 3] {
     std::array::from_fn(|k| {
         let code = u16::from_le_bytes([low[k], high[k]]);
         let logarithm = range.at(k, f32::from(code) / 65535.0);
-        logarithm.signum() * logarithm.abs().exp_m1()
+        // In f64: of the C libraries' functions on f32 some are a step off.
+        let size = f64::from(logarithm.abs()).exp_m1();
+        logarithm.signum() * size as f32
     })
 }
 
