@@ -131,7 +131,7 @@ impl Files {
             (demo, Some(clip))
         } else {
             let found = FileContent::from_bytes(&bytes);
-            match found.map_err(|fault| read::seems(&bytes).unwrap_or(fault))? {
+            match found.map_err(|fault| read::unknown(&bytes, fault))? {
                 FileContent::Avatar(avatar) => (*avatar, None),
                 FileContent::Clip(clip) => (self.demo()?, Some(*clip)),
             }
