@@ -30,7 +30,7 @@ impl fmt::Display for Outcome {
 pub struct Timing {
     /// The median ratio.
     pub ratio: f64,
-    /// The median distance of the ratios from their median, at least [`NOISE`].
+    /// The median distance of the ratios from their median, at least `NOISE`.
     pub noise: f64,
     /// The median time of a frame, ms.
     pub ms: f64,
