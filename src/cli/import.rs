@@ -9,7 +9,6 @@ use clap::ValueEnum;
 use effigy_core::avatar::{Activation, Avatar, Clip};
 use effigy_formats::{
     open::{self, ClipOptions, OpenOptions},
-    retarget::RetargetOptions,
     webavatar::{self, ColorCode},
 };
 use effigy_learn::math::pca::pca;
@@ -98,15 +97,10 @@ impl From<ColorArg> for ColorCode {
 
 impl Args {
     fn clip_options(&self) -> anyhow::Result<ClipOptions> {
-        Ok(ClipOptions {
-            capture: self.capture.capture(self.fps),
-            retarget: RetargetOptions {
-                rate: self.fps,
-                corrections: self.capture.corrections()?,
-                keep_feet: self.keep_feet,
-                girth: None,
-            },
-        })
+        let mut options = self.capture.clip_options(self.fps)?;
+        options.retarget.rate = self.fps;
+        options.retarget.keep_feet = self.keep_feet;
+        Ok(options)
     }
 }
 
@@ -158,10 +152,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     let is_motion = open::is_capture(&args.file);
     check(&args, is_motion)?;
     if is_motion {
-        let avatar = match &args.avatar {
-            Some(path) => open::avatar(path, &OpenOptions::default())?.avatar,
-            None => effigy_demo::avatar()?,
-        };
+        let avatar = source::avatar_to_move(args.avatar.as_deref())?;
         return convert_clip(&args, &args.file, &avatar, &args.out);
     }
     let options = OpenOptions {

@@ -21,9 +21,9 @@ use std::{
 /// The avatar and clips of every command that draws.
 #[derive(clap::Args, Clone, Debug)]
 pub struct Source {
-    /// Avatar to draw: an .avatar file, the paper's .npz, or splats, which stand still: .ply, .splat,
-    /// .spz, .sog, .ksplat, .glb or .gltf. Motion of any body moves the demo [default: the built-in
-    /// demo]
+    /// Avatar to draw: an .avatar file, the paper's .npz, or splats, which stand still: .ply,
+    /// .splat, .spz, .sog, .ksplat, .glb or .gltf. Motion of any body moves the demo [default: the
+    /// built-in demo]
     pub avatar: Option<PathBuf>,
     /// Clip that moves the avatar: a .motion file, or motion of any body (.bvh, .fbx, glTF, VRM,
     /// SMPL's parameters, the paper's _poses.json); repeat for several [default: the poses beside
@@ -66,6 +66,17 @@ impl CaptureArgs {
             animation: self.animation.clone(),
             person: self.person,
         }
+    }
+
+    /// How a motion file becomes a clip. `rate`: frames a second where the file leaves it open.
+    pub fn clip_options(&self, rate: Option<f64>) -> anyhow::Result<ClipOptions> {
+        Ok(ClipOptions {
+            capture: self.capture(rate),
+            retarget: RetargetOptions {
+                corrections: self.corrections()?,
+                ..RetargetOptions::default()
+            },
+        })
     }
 
     /// Reads which joints are which, where the user says.
@@ -182,16 +193,18 @@ impl Source {
             "`{}` has splats, which stand still: motion is for avatars",
             avatar.name
         );
-        let options = ClipOptions {
-            capture: self.capture.capture(None),
-            retarget: RetargetOptions {
-                corrections: self.capture.corrections()?,
-                ..RetargetOptions::default()
-            },
-        };
+        let options = self.capture.clip_options(None)?;
         let read = files.iter().map(|path| clip(path, avatar, &options));
         read.collect()
     }
+}
+
+/// Reads the avatar that motion of another body is to move: the demo unless the user names one.
+pub fn avatar_to_move(path: Option<&Path>) -> anyhow::Result<Avatar> {
+    Ok(match path {
+        Some(path) => open::avatar(path, &OpenOptions::default())?.avatar,
+        None => effigy_demo::avatar()?,
+    })
 }
 
 /// Reads a clip for an avatar, and says what its file left open and how it was made.

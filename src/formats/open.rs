@@ -49,11 +49,6 @@ pub fn is_splats(path: &Path) -> bool {
     matches!(content(path), Content::Splats(_))
 }
 
-/// What a file is, in a word or two; None: of no known kind, or Effigy's own.
-pub fn kind(path: &Path) -> Option<&'static str> {
-    content(path).kind()
-}
-
 /// The error of a file that is no avatar or motion of Effigy's: what it seems to be, where that is
 /// known.
 pub fn unknown(path: &Path, error: FileError) -> FileError {

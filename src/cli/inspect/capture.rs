@@ -25,7 +25,7 @@ pub struct CaptureSummary {
     aligned_by: &'static str,
     /// Parts of a body and the joints that were taken for them.
     parts: BTreeMap<String, String>,
-    /// The same in the order of the body.
+    /// `parts` in the order of the body, a line each.
     #[serde(skip)]
     in_order: Vec<String>,
     moves: ComparisonSummary,
@@ -50,7 +50,7 @@ pub struct ComparisonSummary {
     sink_mm: Range,
     /// How much deeper than the capture's the avatar's arms are inside its trunk.
     arms_inside_mm: Option<Range>,
-    /// The same before shoulders were turned.
+    /// `arms_inside_mm` before shoulders were turned.
     arms_inside_before_mm: Option<Range>,
 }
 

@@ -4,7 +4,10 @@ use super::text::{line, thousands};
 use crate::files;
 use anyhow::Context;
 use effigy_core::{avatar::Avatar, io::file::FileContent};
-use effigy_formats::open::{self, CaptureOptions, OpenOptions};
+use effigy_formats::{
+    content::Content,
+    open::{self, CaptureOptions, OpenOptions},
+};
 use serde::Serialize;
 use std::{
     fmt,
@@ -74,10 +77,11 @@ fn list(folder: &Path, depth: usize, paths: &mut Vec<PathBuf>) -> std::io::Resul
 impl Entry {
     /// None: it is nothing that Effigy reads.
     fn new(path: &Path, folder: &Path) -> Option<Self> {
-        let read = match open::kind(path) {
+        let content = open::content(path);
+        let read = match content.kind() {
             Some(kind) => Read {
                 kind,
-                content: foreign(path),
+                content: foreign(path, content),
             },
             None => own(path)?,
         };
@@ -102,14 +106,14 @@ struct Read {
 }
 
 /// A file of another program.
-fn foreign(path: &Path) -> Result<String, String> {
+fn foreign(path: &Path, content: Content) -> Result<String, String> {
     // Errors name the file, which the list does already.
     let short = |error: &dyn fmt::Display| {
         let text = error.to_string();
         let name = format!("{}: ", path.display());
         text.strip_prefix(&name).unwrap_or(&text).to_owned()
     };
-    if open::is_capture(path) {
+    if content.is_motion() {
         let read = open::capture(path, &CaptureOptions::default());
         return read
             .map(|captured| {

@@ -7,17 +7,17 @@ mod motion;
 mod text;
 
 use crate::{
-    source::{CaptureArgs, open_clip, print_assumptions},
+    source::{CaptureArgs, avatar_to_move, open_clip, print_assumptions},
     thumbnail,
 };
 use anyhow::{Context, bail, ensure};
 use avatar::AvatarSummary;
 use capture::{CaptureSummary, ComparisonSummary};
 use effigy_core::avatar::{Avatar, Clip, motion::Player};
-use effigy_core::io::file::{FileContent, tensors};
+use effigy_core::io::file::{FileContent, FileError, tensors};
 use effigy_formats::{
-    open::{self, ClipOptions, OpenOptions},
-    retarget::{self, RetargetOptions},
+    open::{self, OpenOptions},
+    retarget,
 };
 use folder::FolderSummary;
 use motion::MotionSummary;
@@ -65,10 +65,11 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     if let Some(against) = &args.against {
         return compare(&args, file, against);
     }
-    if open::is_capture(file) {
+    let content = open::content(file);
+    if content.is_motion() {
         return inspect_capture(&args, file);
     }
-    if open::is_splats(file) || open::is_foreign(file) {
+    if content.is_avatar() {
         let imported = open::avatar(file, &OpenOptions::default())?;
         print_assumptions(file, &imported.assumptions);
         let avatar = imported.avatar;
@@ -80,13 +81,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
 
 fn inspect_capture(args: &Args, file: &Path) -> anyhow::Result<()> {
     let moved = args.moved()?;
-    let options = ClipOptions {
-        capture: args.capture.capture(None),
-        retarget: RetargetOptions {
-            corrections: args.capture.corrections()?,
-            ..RetargetOptions::default()
-        },
-    };
+    let options = args.capture.clip_options(None)?;
     let opened = open_clip(file, &moved, &options)?;
     args.draw(&moved, &opened.clip)?;
     let (Some(capture), Some(report)) = (&opened.capture, &opened.report) else {
@@ -98,7 +93,7 @@ fn inspect_capture(args: &Args, file: &Path) -> anyhow::Result<()> {
 
 /// A file of Effigy's own.
 fn inspect_own(args: &Args, file: &Path) -> anyhow::Result<()> {
-    let content = FileContent::read(file).map_err(|error| open::unknown(file, error))?;
+    let content = read_own(file)?;
     let tensors = tensors(file)?;
     match content {
         FileContent::Avatar(avatar) => {
@@ -122,19 +117,20 @@ impl Args {
         thumbnail::write(avatar, &player.pose(clip.duration() / 2.0), out)
     }
 
-    /// The avatar that motion capture is to move.
+    /// The avatar that motion of another body is to move.
     fn moved(&self) -> anyhow::Result<Avatar> {
-        Ok(match &self.avatar {
-            Some(path) => open::avatar(path, &OpenOptions::default())?.avatar,
-            None => effigy_demo::avatar()?,
-        })
+        avatar_to_move(self.avatar.as_deref())
     }
+}
+
+/// Reads a file of Effigy's own; an error says what another file seems to be.
+fn read_own(file: &Path) -> Result<FileContent, FileError> {
+    FileContent::read(file).map_err(|error| open::unknown(file, error))
 }
 
 /// Says how well a clip follows a capture.
 fn compare(args: &Args, file: &Path, against: &Path) -> anyhow::Result<()> {
-    let content = FileContent::read(file).map_err(|error| open::unknown(file, error))?;
-    let FileContent::Clip(clip) = content else {
+    let FileContent::Clip(clip) = read_own(file)? else {
         bail!("{} is an avatar: --against is for motion", file.display());
     };
     let captured = open::capture(against, &args.capture.capture(None))?;

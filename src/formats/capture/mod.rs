@@ -71,7 +71,7 @@ pub struct Capture {
     pub unit: Option<f64>,
     /// The axis that points up, where the file or its format says.
     pub up: Option<DVec3>,
-    /// Whether the rest pose is a model's, so that it says nothing of which way is up in the motion.
+    /// Whether the rest pose is a model's: it says nothing of which way is up in the motion.
     pub model_rest: bool,
     /// Strengths of the face's expression, shape F, `expression_len`; as in the file.
     pub expression: Vec<f32>,

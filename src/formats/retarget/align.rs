@@ -13,16 +13,10 @@
 
 use super::{
     humanoid::{Arm, Humanoid},
-    tree::{Tree, positions},
+    tree::{Tree, positions, rotations},
     upright::{self, Upright, spread},
 };
 use glam::{DAffine3, DMat3, DQuat, DVec3};
-
-/// Rotations of joints from their world matrices.
-pub fn rotations(world: &[DAffine3]) -> Vec<DQuat> {
-    let rotation = |joint: &DAffine3| DQuat::from_mat3(&joint.matrix3).normalize();
-    world.iter().map(rotation).collect()
-}
 
 /// What the references rest on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -260,8 +254,7 @@ const STANDING: f64 = 0.6;
 
 /// From between the hips to where the neck begins.
 fn trunk(humanoid: &Humanoid, at: &[DVec3]) -> DVec3 {
-    let hips = humanoid.legs.each_ref().map(|leg| at[leg.thigh]);
-    at[*humanoid.neck.first().unwrap_or(&humanoid.head)] - (hips[0] + hips[1]) / 2.0
+    at[humanoid.above_chest()] - humanoid.middle_of_hips(at)
 }
 
 /// Sum of sines of an elbow's or knee's bends, a frame each, above which its axis is known.
@@ -364,11 +357,10 @@ impl<'a> Motion<'a> {
         }
         let first = |arm: &Arm| arm.clavicle.unwrap_or(arm.upper);
         let arms = |humanoid: &Humanoid| humanoid.arms.each_ref().map(first);
-        let above = |humanoid: &Humanoid| *humanoid.neck.first().unwrap_or(&humanoid.head);
         self.of_trunk(
             [source.chest(), target.chest()],
             [arms(source), arms(target)],
-            [above(source), above(target)],
+            [source.above_chest(), target.above_chest()],
         )
     }
 

@@ -6,8 +6,9 @@
 use super::{
     girth::{Depth, Girth},
     humanoid::{Arm, Humanoid},
-    tree::positions,
+    tree::{positions, rotation},
     turn,
+    window::smooth,
 };
 use effigy_core::avatar::{Pose, Skeleton};
 use glam::{DAffine3, DQuat, DVec3};
@@ -86,14 +87,21 @@ impl Body<'_> {
         self.deepest(joints, places(elbow, wrist), 1.0)
     }
 
-    /// How much deeper than the capture's the avatar's arms are, a frame each; below 0 where they
-    /// are not.
-    pub fn excess(&self, poses: &[Pose], source: &Humanoid, world: &[Vec<DVec3>]) -> Depths {
+    /// How deep the capture's arms are in each frame. It does not change with the avatar's arms.
+    pub fn of_captures(&self, poses: &[Pose], source: &Humanoid, world: &[Vec<DVec3>]) -> Depths {
         let frames = poses.iter().zip(world);
         frames
-            .map(|(pose, at)| {
+            .map(|(pose, at)| self.of_capture(&self.skeleton.joints(pose), source, at))
+            .collect()
+    }
+
+    /// How much deeper than the capture's, `theirs`, the avatar's arms are; below 0 where they are
+    /// not.
+    pub fn excess(&self, poses: &[Pose], theirs: &Depths) -> Depths {
+        let frames = poses.iter().zip(theirs);
+        frames
+            .map(|(pose, theirs)| {
                 let joints = self.skeleton.joints(pose);
-                let theirs = self.of_capture(&joints, source, at);
                 [0, 1].map(|side| {
                     let own = self.of_avatar(&joints, &self.target.arms[side]);
                     own.depth.metres.max(0.0) - theirs[side].max(0.0)
@@ -102,8 +110,9 @@ impl Body<'_> {
             .collect()
     }
 
-    /// Turns shoulders so that arms are no deeper than the capture's. `rate`: frames a second.
-    pub fn move_out(&self, poses: &mut [Pose], source: &Humanoid, world: &[Vec<DVec3>], rate: f64) {
+    /// Turns shoulders so that arms are no deeper than the capture's, `theirs`. `rate`: frames a
+    /// second.
+    pub fn move_out(&self, poses: &mut [Pose], theirs: &Depths, rate: f64) {
         let half = (SMOOTH * rate).ceil() as usize;
         for side in [0, 1] {
             let arm = &self.target.arms[side];
@@ -112,22 +121,21 @@ impl Body<'_> {
             let mut turns = vec![DVec3::ZERO; poses.len()];
             for _ in 0..ROUNDS {
                 let mut any = false;
-                for (frame, pose) in poses.iter().enumerate() {
+                for ((pose, theirs), turn) in poses.iter().zip(theirs).zip(&mut turns) {
                     let joints = self.skeleton.joints(pose);
-                    let theirs = self.of_capture(&joints, source, &world[frame])[side];
                     let own = self.of_avatar(&joints, arm);
-                    let excess = own.depth.metres - theirs.max(0.0) - LEEWAY;
+                    let excess = own.depth.metres - theirs[side].max(0.0) - LEEWAY;
                     if excess > 0.0 {
                         let lever = own.place - joints[arm.upper].translation;
                         let axis = lever.cross(own.depth.out) / lever.length_squared().max(1e-6);
-                        turns[frame] = (turns[frame] + excess * axis).clamp_length_max(MOST);
+                        *turn = (*turn + excess * axis).clamp_length_max(MOST);
                         any = true;
                     }
                 }
                 if !any {
                     break;
                 }
-                let smooth = smooth(&turns, half);
+                let smooth = smooth(&turns, half, DVec3::length_squared);
                 for (frame, pose) in poses.iter_mut().enumerate() {
                     pose.rotation[arm.upper] = first[frame];
                     turn_by(self.skeleton, pose, arm.upper, smooth[frame]);
@@ -149,30 +157,11 @@ fn turn_by(skeleton: &Skeleton, pose: &mut Pose, joint: usize, axis: DVec3) {
     if axis == DVec3::ZERO {
         return;
     }
-    let world = turn::world(skeleton, pose)[joint];
+    let world = rotation(&skeleton.joints(pose)[joint]);
     let parent = turn::parent(pose, joint, world);
     turn::set(
         pose,
         joint,
         parent.inverse() * DQuat::from_scaled_axis(axis) * world,
     );
-}
-
-/// The longest of each window, and then the mean over it: nowhere much less than before.
-fn smooth(turns: &[DVec3], half: usize) -> Vec<DVec3> {
-    let window = |at: usize| at.saturating_sub(half)..(at + half + 1).min(turns.len());
-    let longest = |turns: &[DVec3]| {
-        let each = turns.iter().copied();
-        each.max_by(|a, b| a.length_squared().total_cmp(&b.length_squared()))
-            .unwrap_or_default()
-    };
-    let longest: Vec<DVec3> = (0..turns.len())
-        .map(|at| longest(&turns[window(at)]))
-        .collect();
-    (0..turns.len())
-        .map(|at| {
-            let window = &longest[window(at)];
-            window.iter().sum::<DVec3>() / window.len() as f64
-        })
-        .collect()
 }

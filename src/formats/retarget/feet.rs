@@ -6,7 +6,7 @@
 //! on average during the contact, corrections fade from one contact to the next, hips sink where a
 //! leg would be too short, and the knee is bent to suit.
 
-use super::{humanoid::Humanoid, legs::bend, tree::positions};
+use super::{humanoid::Humanoid, legs::bend, tree::positions, window::smooth};
 use effigy_core::avatar::{Pose, Skeleton};
 use glam::{DAffine3, DVec3};
 use std::ops::Range;
@@ -174,11 +174,11 @@ pub fn place(
         }
     }
     let drop = |leg: &LegFrame| drop_to_reach(leg.hip, leg.ankle, REACH * leg.length);
-    let mut drops: Vec<f64> = legs
+    let drops: Vec<f64> = legs
         .iter()
         .map(|[left, right]| drop(left).max(drop(right)))
         .collect();
-    smooth(&mut drops, (SMOOTH * rate) as usize);
+    let drops = smooth(&drops, (SMOOTH * rate) as usize, |drop| drop);
     for ((pose, legs), drop) in poses.iter_mut().zip(&legs).zip(drops) {
         pose.translation.y -= ground + drop;
         for (leg, own) in body.legs.iter().zip(legs) {
@@ -276,19 +276,4 @@ fn drop_to_reach(hip: DVec3, goal: DVec3, length: f64) -> f64 {
         return 0.0;
     }
     (way.y - (length * length - flat * flat).sqrt()).max(0.0)
-}
-
-/// The largest value within a window, and then the mean over it: nowhere less than before.
-fn smooth(values: &mut [f64], half: usize) {
-    let window = |at: usize| at.saturating_sub(half)..(at + half + 1).min(values.len());
-    let largest: Vec<f64> = (0..values.len())
-        .map(|at| values[window(at)].iter().copied().fold(0.0, f64::max))
-        .collect();
-    let mean: Vec<f64> = (0..values.len())
-        .map(|at| {
-            let window = &largest[window(at)];
-            window.iter().sum::<f64>() / window.len() as f64
-        })
-        .collect();
-    values.copy_from_slice(&mean);
 }

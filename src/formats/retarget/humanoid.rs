@@ -7,13 +7,14 @@ use super::{
     tree::Tree,
 };
 use effigy_core::io::file::{FormatError, excerpt};
+use glam::DVec3;
 
 /// Which joints begin the bones of an arm.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Arm {
     /// The collar bone.
     pub clavicle: Option<usize>,
-    /// Shoulder, elbow, wrist.
+    /// The shoulder.
     pub upper: usize,
     /// The elbow.
     pub forearm: usize,
@@ -156,6 +157,23 @@ impl Humanoid {
         self.spine.last().copied().unwrap_or(self.hips)
     }
 
+    /// What is next above the chest: the neck, else the head.
+    pub fn above_chest(&self) -> usize {
+        self.neck.first().copied().unwrap_or(self.head)
+    }
+
+    /// Half way between the hip joints. `at`: where joints are.
+    pub fn middle_of_hips(&self, at: &[DVec3]) -> DVec3 {
+        (at[self.legs[0].thigh] + at[self.legs[1].thigh]) / 2.0
+    }
+
+    /// Lengths of thigh and shin together, the mean of both sides. `at`: where joints are.
+    pub fn leg_length(&self, at: &[DVec3]) -> f64 {
+        let leg =
+            |leg: &Leg| at[leg.thigh].distance(at[leg.shin]) + at[leg.shin].distance(at[leg.foot]);
+        (leg(&self.legs[0]) + leg(&self.legs[1])) / 2.0
+    }
+
     /// Each part that was found and its joint, for people.
     pub fn named<'a>(&self, tree: &'a Tree) -> Vec<NamedPart<'a>> {
         let mut list = vec![];
@@ -209,9 +227,9 @@ impl Humanoid {
 /// A part and its joint's name.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NamedPart<'a> {
-    /// As Effigy's own rigs name it.
+    /// Its name in Effigy's own rigs.
     pub part: String,
-    /// As the file names it.
+    /// The joint's name in the file.
     pub joint: &'a str,
 }
 

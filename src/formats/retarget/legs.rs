@@ -1,6 +1,10 @@
 //! Bends a leg so that its ankle is where it should be.
 
-use super::{humanoid::Leg, tree::positions, turn};
+use super::{
+    humanoid::Leg,
+    tree::{positions, rotation},
+    turn,
+};
 use effigy_core::avatar::{Pose, Skeleton};
 use glam::{DMat3, DQuat, DVec3};
 
@@ -16,8 +20,7 @@ pub fn bend(skeleton: &Skeleton, pose: &mut Pose, leg: &Leg, goal: DVec3) {
     if ankle.distance(goal) < 1e-6 {
         return;
     }
-    let rotation = |joint: usize| DQuat::from_mat3(&joints[joint].matrix3).normalize();
-    let [thigh, shin, foot] = [leg.thigh, leg.shin, leg.foot].map(rotation);
+    let [thigh, shin, foot] = [leg.thigh, leg.shin, leg.foot].map(|joint| rotation(&joints[joint]));
     let lengths = [hip.distance(knee), knee.distance(ankle)];
     if !(lengths[0].min(lengths[1]) > SHORTEST && goal.is_finite()) {
         return;

@@ -25,11 +25,13 @@ mod transfer;
 mod tree;
 mod turn;
 mod upright;
+mod window;
 
 pub use align::Basis;
 pub use girth::{Girth, Skin};
 pub use humanoid::Correction;
 pub use report::{ArmsInside, JointGuess, Report, Spread};
+pub use turn::shorter;
 pub use upright::Unit;
 
 use crate::capture::Capture;
@@ -40,11 +42,11 @@ use effigy_core::{
     io::file::FormatError,
 };
 use feet::Track;
-use glam::DVec3;
+use glam::{DAffine3, DVec3};
 use humanoid::{Humanoid, NamedPart};
 use report::Compared;
 use std::ops::Range;
-use transfer::{Transfer, leg_length};
+use transfer::Transfer;
 use tree::{Tree, positions};
 use upright::Upright;
 
@@ -96,10 +98,8 @@ pub fn retarget(
     let Match { source, target, .. } = &matched;
     let transfer = Transfer::new(skeleton, source, target, &matched.alignment, matched.scale);
     let count = matched.count(capture.duration(), rate)?;
-    let poses =
-        (0..count).map(|frame| transfer.pose(&matched.upright.world_at(frame as f64 / rate)));
-    let mut poses: Vec<Pose> = poses.collect();
-    let way = matched.way(count, rate);
+    let mut poses: Vec<Pose> = Vec::with_capacity(count);
+    let way = matched.way(count, rate, |joints| poses.push(transfer.pose(joints)));
     if options.keep_feet {
         feet::stand(skeleton, target, &mut poses);
     } else {
@@ -108,11 +108,12 @@ pub fn retarget(
     let girth = options.girth.as_ref();
     let arms = girth.map(|girth| {
         let body = matched.body(girth);
-        let before = excess(&body.excess(&poses, source, &way.world));
-        body.move_out(&mut poses, source, &way.world, rate);
+        let theirs = body.of_captures(&poses, source, &way.world);
+        let before = excess(&body.excess(&poses, &theirs));
+        body.move_out(&mut poses, &theirs, rate);
         ArmsInside {
             before,
-            after: excess(&body.excess(&poses, source, &way.world)),
+            after: excess(&body.excess(&poses, &theirs)),
         }
     });
     Ok(Retargeted {
@@ -137,7 +138,7 @@ pub fn compare(
     let player = Player::new(clip.clone(), skeleton);
     let poses = (0..count).map(|frame| player.pose(frame as f64 / clip.rate));
     let poses: Vec<Pose> = poses.collect();
-    let way = matched.way(count, clip.rate);
+    let way = matched.way(count, clip.rate, |_| ());
     Ok(matched.report(&poses, &way, player.mapped(), None))
 }
 
@@ -195,8 +196,8 @@ impl<'a> Match<'a> {
             target: &target,
         };
         let alignment = Alignment::new(&bodies, &upright);
-        let own_leg = leg_length(&target, &target_tree.rest);
-        let leg = leg_length(&source, &positions(&upright.world(0)));
+        let own_leg = target.leg_length(&target_tree.rest);
+        let leg = source.leg_length(&positions(&upright.world(0)));
         if !(PLAUSIBLE.contains(&leg) && PLAUSIBLE.contains(&(own_leg / leg))) {
             return Err(FormatError::container(
                 format!("legs {leg} units long, the avatar's {own_leg} m"),
@@ -236,10 +237,12 @@ impl<'a> Match<'a> {
         ))
     }
 
-    fn way(&self, count: usize, rate: f64) -> Way {
+    /// `each`: is given the capture's joints in each frame, y up and in the file's unit.
+    fn way(&self, count: usize, rate: f64, mut each: impl FnMut(&[DAffine3])) -> Way {
         let world: Vec<Vec<DVec3>> = (0..count)
             .map(|frame| {
                 let joints = self.upright.world_at(frame as f64 / rate);
+                each(&joints);
                 let metres = |at: DVec3| self.scale * at;
                 positions(&joints).into_iter().map(metres).collect()
             })

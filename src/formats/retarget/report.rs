@@ -4,7 +4,6 @@ use super::{
     align::Basis,
     feet::{Soles, Track},
     humanoid::Humanoid,
-    transfer::middle_of_hips,
     tree,
     upright::Unit,
 };
@@ -83,7 +82,7 @@ pub struct Report {
     pub standing: f64,
     /// Speed of the avatar's ball over the ground in contacts, metres a second.
     pub slide: Spread,
-    /// The same of the capture.
+    /// Speed of the capture's ball over the ground in contacts, metres of the avatar a second.
     pub source_slide: Spread,
     /// How deep the avatar's soles are under the ground, metres.
     pub sink: Spread,
@@ -104,9 +103,9 @@ pub struct ArmsInside {
 /// A part and the joint that was taken for it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct JointGuess {
-    /// As Effigy's own rigs name it.
+    /// Its name in Effigy's own rigs.
     pub part: String,
-    /// As the file names it.
+    /// The joint's name in the file.
     pub joint: String,
 }
 
@@ -203,11 +202,11 @@ impl Compared<'_> {
             let own = tree::positions(&joints);
             // Over the lowest ankle: soles are of different heights.
             let height = |humanoid: &Humanoid, at: &[DVec3]| {
-                middle_of_hips(humanoid, at).y - low_ankle(humanoid, at)
+                humanoid.middle_of_hips(at).y - low_ankle(humanoid, at)
             };
             hips.add((height(self.target, &own) - height(self.source, theirs)).abs());
             let from_hips = |humanoid: &Humanoid, at: &[DVec3], joint: usize| {
-                at[joint] - middle_of_hips(humanoid, at)
+                at[joint] - humanoid.middle_of_hips(at)
             };
             let heads = [self.source.head, self.target.head];
             let limbs = bones.iter().map(|bone| [bone.source[1], bone.target[1]]);

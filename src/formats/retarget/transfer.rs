@@ -1,10 +1,10 @@
 //! A frame of a capture as a pose of an avatar, before feet are put on the ground.
 
 use super::{
-    align::{Alignment, rotations},
+    align::Alignment,
     curl::curl,
-    humanoid::{Humanoid, Leg},
-    tree::positions,
+    humanoid::Humanoid,
+    tree::{positions, rotations},
     turn::shorter,
 };
 use effigy_core::avatar::{Pose, Skeleton};
@@ -60,18 +60,6 @@ pub struct Transfer<'a> {
     drives: Vec<Drive>,
     /// Metres of the avatar a unit of the capture.
     pub scale: f64,
-}
-
-/// Lengths of thigh and shin together, the mean of both sides.
-pub fn leg_length(humanoid: &Humanoid, at: &[DVec3]) -> f64 {
-    let leg =
-        |leg: &Leg| at[leg.thigh].distance(at[leg.shin]) + at[leg.shin].distance(at[leg.foot]);
-    (leg(&humanoid.legs[0]) + leg(&humanoid.legs[1])) / 2.0
-}
-
-/// Half way between the hip joints.
-pub fn middle_of_hips(humanoid: &Humanoid, at: &[DVec3]) -> DVec3 {
-    (at[humanoid.legs[0].thigh] + at[humanoid.legs[1].thigh]) / 2.0
 }
 
 impl<'a> Transfer<'a> {
@@ -130,9 +118,9 @@ impl<'a> Transfer<'a> {
             translation: DVec3::ZERO,
             expression: vec![],
         };
-        let goal = self.scale * middle_of_hips(self.source, &positions(world));
+        let goal = self.scale * self.source.middle_of_hips(&positions(world));
         let joints = self.skeleton.joints(&pose);
-        pose.translation = goal - middle_of_hips(self.target, &positions(&joints));
+        pose.translation = goal - self.target.middle_of_hips(&positions(&joints));
         pose
     }
 }

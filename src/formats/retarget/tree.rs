@@ -2,7 +2,7 @@
 
 use crate::capture::Capture;
 use effigy_core::avatar::Skeleton;
-use glam::{DAffine3, DVec3};
+use glam::{DAffine3, DQuat, DVec3};
 
 /// Names, parents and places of joints. Parents come before their children.
 #[derive(Clone, Debug)]
@@ -93,4 +93,14 @@ impl Tree {
 /// Positions of joints.
 pub fn positions(world: &[DAffine3]) -> Vec<DVec3> {
     world.iter().map(|joint| joint.translation).collect()
+}
+
+/// A joint's rotation.
+pub fn rotation(joint: &DAffine3) -> DQuat {
+    DQuat::from_mat3(&joint.matrix3).normalize()
+}
+
+/// Rotations of joints.
+pub fn rotations(world: &[DAffine3]) -> Vec<DQuat> {
+    world.iter().map(rotation).collect()
 }

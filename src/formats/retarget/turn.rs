@@ -1,6 +1,6 @@
 //! Rotations of a pose's joints.
 
-use effigy_core::avatar::{Pose, Skeleton};
+use effigy_core::avatar::Pose;
 use glam::DQuat;
 
 /// The quaternion of the same rotation that turns by at most half a circle.
@@ -17,11 +17,4 @@ pub fn set(pose: &mut Pose, joint: usize, local: DQuat) {
 /// The rotation of a joint's parent. `world`: the joint's own in the pose.
 pub fn parent(pose: &Pose, joint: usize, world: DQuat) -> DQuat {
     world * DQuat::from_scaled_axis(pose.rotation[joint]).inverse()
-}
-
-/// Rotations of all joints in the world.
-pub fn world(skeleton: &Skeleton, pose: &Pose) -> Vec<DQuat> {
-    let joints = skeleton.joints(pose);
-    let rotation = |joint: &glam::DAffine3| DQuat::from_mat3(&joint.matrix3).normalize();
-    joints.iter().map(rotation).collect()
 }

@@ -142,15 +142,9 @@ fn face_forward(poses: &mut [Pose], skeleton: &Skeleton) {
     let turn = DQuat::from_rotation_y(-forward.x.atan2(forward.z));
     for pose in poses {
         let hips = DQuat::from_scaled_axis(pose.rotation[0]);
-        pose.rotation[0] = shorter_turn(turn * hips).to_scaled_axis();
+        pose.rotation[0] = retarget::shorter(turn * hips).to_scaled_axis();
         pose.translation = turn * (pose.translation + root) - root;
     }
-}
-
-/// The quaternion of the same rotation that turns by at most half a circle.
-fn shorter_turn(q: DQuat) -> DQuat {
-    let q = q.normalize();
-    if q.w < 0.0 { -q } else { q }
 }
 
 /// Removes the way over the ground. The sway about the mean over a second and a half stays.

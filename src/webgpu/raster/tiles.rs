@@ -50,7 +50,7 @@ impl Tiles {
                 (Lists::Runs(Runs::new(gpu, blocks, inputs)?), &wgsl::RASTER)
             }
         };
-        let bound = bindings(blocks, inputs, &lists, (image, format));
+        let bound = bindings(blocks, inputs, &lists, Bound::FrameImage(image, format));
         Ok(Self {
             raster: Kernel::new(gpu, module, &bound),
             lists,
@@ -96,7 +96,12 @@ impl Tiles {
         inputs: RasterInputs,
         image: &TextureView,
     ) {
-        let bound = bindings(blocks, inputs, &self.lists, (image, self.format));
+        let bound = bindings(
+            blocks,
+            inputs,
+            &self.lists,
+            Bound::FrameImage(image, self.format),
+        );
         self.raster.bindings.set(gpu, &bound);
     }
 
@@ -112,9 +117,8 @@ fn bindings<'a>(
     blocks: &'a Blocks,
     inputs: RasterInputs<'a>,
     lists: &'a Lists,
-    (image, format): (&'a TextureView, TextureFormat),
+    image: Bound<'a>,
 ) -> [(u32, Bound<'a>); 7] {
-    let image = Bound::FrameImage(image, format);
     let [third, fourth, fifth] = match lists {
         Lists::Runs(runs) => [Bound::Read(runs.buffer()), image, Bound::Read(inputs.keys)],
         Lists::Bins(bins) => [
