@@ -118,8 +118,9 @@ uint write_splat(uint index, vec3 p, vec2 center, float key, mat3 rows, mat3 axe
     determinant *= frame.covariance_scale * frame.covariance_scale;
     opacity = detail_opacity(opacity);
     vec2 half_sides = radius_of(opacity) * sqrt(covariance.xz);
-    if (!(all(greaterThan(center + half_sides, vec2(0.0))) &&
-          all(lessThan(center - half_sides, frame.size)))) {
+    vec2 reach = frame.area_reach * half_sides;
+    if (!(all(greaterThan(center + reach, frame.area.xy)) &&
+          all(lessThan(center - reach, frame.area.zw)))) {
         count_culled(OUTSIDE);
         return SORT_CULLED;
     }

@@ -14,7 +14,7 @@ use effigy::vulkan::{
 use effigy_core::{
     frame::Skip,
     layout::PROJECT_WORKGROUPS,
-    scene::{Camera, Detail},
+    scene::{Camera, Detail, Supersampling},
 };
 use effigy_runtime::trace::Trace;
 use glam::DVec3;
@@ -156,6 +156,10 @@ pub struct QualityArgs {
     /// avatars that are small in the image [default: as the preset says]
     #[arg(long, value_name = "SHARE")]
     pub detail: Option<Detail>,
+    /// How many times its size to draw an avatar, before it is averaged: 1, 2, 4, or auto, which
+    /// draws avatars larger that are small in the image [default: as the preset says]
+    #[arg(long, value_name = "FACTOR")]
+    pub supersample: Option<Supersampling>,
 }
 
 impl QualityArgs {
@@ -181,6 +185,7 @@ impl QualityArgs {
             cutoff: self.cutoff.map_or(preset.cutoff, |n| n / 255.0),
             margin: self.margin.map_or(preset.margin, |mm| mm / 1e3),
             detail: self.detail.unwrap_or(preset.detail),
+            supersampling: self.supersample.unwrap_or(preset.supersampling),
             ..preset
         }
     }

@@ -310,6 +310,7 @@ pub fn work_per_stage(
         let equipment = Equipment {
             sh: avatar.sh.is_some(),
             occluder: has_occluder,
+            supersampling: options.supersampling.is_on(),
             method,
             kernel: options.kernel.unwrap_or(TileKernel::PerThread),
             skip: options.skip,

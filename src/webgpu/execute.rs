@@ -55,17 +55,22 @@ enum Place {
 
 fn place(pass: &Pass) -> Place {
     match pass {
-        Pass::SetKeyCount { .. } | Pass::ClearCounts | Pass::ClearTileLists | Pass::ReadCounts => {
-            Place::Encoder
-        }
+        Pass::SetKeyCount { .. }
+        | Pass::ClearCounts
+        | Pass::ClearTileLists
+        | Pass::KeepCounts
+        | Pass::ReadCounts => Place::Encoder,
         Pass::Mlp { .. }
         | Pass::Sh { .. }
         | Pass::Project { .. }
         | Pass::Sort
-        | Pass::Binning
+        | Pass::Binning { .. }
         | Pass::Saturation
         | Pass::RasterTiles { .. } => Place::Compute,
-        Pass::Occluder { .. } | Pass::Bin | Pass::RasterQuads { .. } => Place::Own,
+        Pass::Occluder { .. }
+        | Pass::Bin { .. }
+        | Pass::RasterQuads { .. }
+        | Pass::Resolve { .. } => Place::Own,
     }
 }
 
@@ -147,17 +152,18 @@ impl Executor<'_> {
             Pass::ClearCounts => self.project.clear(encoder),
             Pass::ClearTileLists => self.raster.clear_tile_lists(encoder),
             // The counts are copied where the frame is submitted.
-            Pass::ReadCounts => {}
+            Pass::KeepCounts | Pass::ReadCounts => {}
             Pass::Mlp { .. }
             | Pass::Sh { .. }
             | Pass::Occluder { .. }
             | Pass::Project { .. }
             | Pass::Sort
-            | Pass::Binning
-            | Pass::Bin
+            | Pass::Binning { .. }
+            | Pass::Bin { .. }
             | Pass::Saturation
             | Pass::RasterTiles { .. }
-            | Pass::RasterQuads { .. } => unreachable!("{pass:?} is part of a stage and no copy"),
+            | Pass::RasterQuads { .. }
+            | Pass::Resolve { .. } => unreachable!("{pass:?} is part of a stage and no copy"),
         }
     }
 
@@ -173,11 +179,11 @@ impl Executor<'_> {
                 let occluder = self.occluder.expect(SCHEDULED);
                 occluder.record(in_flight, encoder, self.blocks, writes);
             }
-            Pass::Bin => {
+            Pass::Bin { .. } => {
                 let block = self.image_block();
                 self.raster.record_bins(in_flight, encoder, block, writes);
             }
-            Pass::RasterQuads { tested } => {
+            Pass::RasterQuads { tested, .. } => {
                 let block = self.image_block();
                 self.raster
                     .record_quads(in_flight, encoder, block, self.control, *tested, writes);
@@ -207,7 +213,7 @@ impl Executor<'_> {
                 self.project.record(compute, block, gaussians, skinning);
             }
             Pass::Sort => self.sort.record(compute),
-            Pass::Binning => self.raster.record_binning(compute, self.image_block()),
+            Pass::Binning { .. } => self.raster.record_binning(compute, self.image_block()),
             Pass::Saturation => {
                 let block = self.image_block();
                 self.raster.record_saturation(compute, block, self.damage);

@@ -10,6 +10,7 @@ use effigy_core::{
     avatar::Avatar,
     frame::{KeyBits, RasterMethod, RendererOptions, Skip, SortVariant, TileKernel, state},
     layout::PROJECT_WORKGROUP,
+    scene::Supersampling,
 };
 
 /// Options with every open choice made for a device, and without skips that this backend or the
@@ -56,6 +57,7 @@ pub fn resolved(gpu: &Gpu, options: RendererOptions) -> RendererOptions {
         sort: Some(sort),
         packed_words: Some(true),
         workgroup: Some(PROJECT_WORKGROUP),
+        supersampling: Supersampling::OFF,
         skip,
         ..options
     }

@@ -25,7 +25,7 @@ use effigy_core::{
         Counters, Damage, FrameReport, RendererOptions, Schedule, Skinning, Skip, Stage, block,
         pose_cache::PoseCache,
         schedule::{DeviceState, Equipment},
-        state::{AvatarInstance, FramePlan, FrameState, PlanInput, StageDispatches},
+        state::{AvatarInstance, FramePlan, FrameState, Layer, PlanInput, StageDispatches},
         validate,
     },
     layout::{Control, FrameBlock, PYRAMID_WORDS, SORT_TILE, SettingsBlock, TILING_WEB},
@@ -234,6 +234,7 @@ impl Renderer {
         Equipment {
             sh: self.sh.is_some(),
             occluder: self.occluder.is_some(),
+            supersampling: self.options.supersampling.is_on(),
             method: self.raster.method(),
             kernel: self.raster.kernel(),
             skip: self.options.skip,
@@ -334,8 +335,7 @@ impl Renderer {
             ..plan.counters(self.model.constants.gaussians, &stages)
         };
         let blocks: Vec<u32> = plan
-            .instances
-            .iter()
+            .instances()
             .map(|instance| block_offset(instance.index))
             .collect();
         let executor = Executor {
@@ -384,36 +384,36 @@ impl Renderer {
                 .write_buffer(&self.blocks.settings, 0, bytes_of(&settings));
         }
         for instance in plan
-            .instances
-            .iter()
+            .instances()
             .filter(|instance| instance.changes.skinning == Skinning::ComputeAndStore)
         {
             self.pose_caches[instance.index] =
                 PoseCache::new(&self.avatar_bounds, instance.posed, camera);
         }
         // A frame without avatars has a size too.
-        if plan.instances.is_empty() {
-            self.write_block(plan, camera, 0, None);
+        let layer = &plan.image;
+        if layer.instances.is_empty() {
+            self.write_block(layer, camera, 0, None);
         }
-        for instance in &plan.instances {
-            self.write_block(plan, camera, instance.index, Some(instance));
+        for instance in &layer.instances {
+            self.write_block(layer, camera, instance.index, Some(instance));
         }
     }
 
     fn write_block(
         &mut self,
-        plan: &FramePlan,
+        layer: &Layer,
         camera: &Camera,
         number: usize,
         instance: Option<&AvatarInstance>,
     ) {
         let block = &mut *self.frame;
-        block::write_shared(block, &self.options, plan, camera);
+        block::write_shared(block, &self.options, layer, camera);
         self.project.fill(block);
-        block.tile_side = TILING_WEB.tile(camera.size) as f32;
+        block.tile_side = TILING_WEB.tile(layer.size) as f32;
         block.count_tile = SORT_TILE;
         if let Some(instance) = instance {
-            block::write_instance(block, &self.options, instance, camera);
+            block::write_instance(block, &self.options, instance);
             self.project.fill_instance(block, number as u32);
             self.pose_caches[number].write_to(block, camera);
         }

@@ -13,7 +13,7 @@ use effigy_core::{
     avatar::Avatar,
     frame::{RasterMethod, Skip, TileKernel},
     reference,
-    scene::{AvatarBounds, Camera, Detail, Posed},
+    scene::{AvatarBounds, Camera, Detail, Posed, Supersampling},
 };
 use std::{
     cell::LazyCell,
@@ -211,8 +211,12 @@ pub fn draw_after(
     }
 }
 
+/// The defaults, but everything is drawn as large as it is shown, as the reference draws it.
 pub fn options(size: [u32; 2]) -> RendererOptions {
-    RendererOptions::new(size)
+    RendererOptions {
+        supersampling: Supersampling::OFF,
+        ..RendererOptions::new(size)
+    }
 }
 
 /// The same at a level of detail.

@@ -191,6 +191,7 @@ fn stages_whose_inputs_did_not_change_are_skipped() {
     let equipment = Equipment {
         sh: false,
         occluder: renderer.occluder_size()[1] > 0,
+        supersampling: false,
         method: renderer.raster().method(),
         kernel: renderer.options().kernel.unwrap(),
         skip: renderer.options().skip,

@@ -2,7 +2,7 @@
 //! first ones took.
 
 use crate::common::{self, Sizes, gpu, harness::not_run};
-use effigy::vulkan::{Gpu, Renderer, RendererOptions};
+use effigy::vulkan::{Gpu, Renderer};
 use effigy_core::{
     constants::ALPHA_MIN,
     scene::{Detail, Posed},
@@ -19,7 +19,7 @@ fn before_and_after<T>(device: &std::sync::Arc<Gpu>, read: impl Fn() -> T) -> [T
         },
     );
     let size = [96, 120];
-    let mut renderer = Renderer::new(device, &avatar, RendererOptions::new(size)).unwrap();
+    let mut renderer = Renderer::new(device, &avatar, gpu::options(size)).unwrap();
     let poses: Vec<_> = (0..20)
         .map(|seed| Posed::new(&avatar, &common::pose(seed, &avatar)))
         .collect();

@@ -29,7 +29,7 @@ fn a_stretched_image_agrees_with_the_reference() {
             let options = RendererOptions {
                 method: Some(method),
                 color: Some(color),
-                ..RendererOptions::new(size)
+                ..gpu::options(size)
             };
             let mut renderer = Renderer::new(&device, &avatar, options).unwrap();
             let screen = Offscreen::new(&device, size).unwrap();
@@ -82,7 +82,7 @@ fn every_rung_is_drawn_as_if_it_was_made_for_it(method: RasterMethod) {
     let screen = [160, 200];
     let options = RendererOptions {
         method: Some(method),
-        ..RendererOptions::new(screen)
+        ..gpu::options(screen)
     };
     let mut renderer = Renderer::new(&device, &avatar, options).unwrap();
     let camera = gpu::camera(&avatar, &posed, screen);
@@ -137,7 +137,7 @@ fn validated_pixels_are_those_that_the_frame_drew(method: RasterMethod) {
     let size = [120, 140];
     let options = RendererOptions {
         method: Some(method),
-        ..RendererOptions::new(size)
+        ..gpu::options(size)
     };
     let mut renderer = Renderer::new(&device, &avatar, options).unwrap();
     let camera = gpu::camera(&avatar, &posed, size);

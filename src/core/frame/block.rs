@@ -3,27 +3,26 @@
 
 use super::{
     RendererOptions, Skip,
-    state::{AvatarInstance, FramePlan},
+    state::{AvatarInstance, Layer},
 };
 use crate::layout::{FrameBlock, POSITION_BITS, TILING, bin_side};
-use crate::scene::{Camera, detail};
+use crate::scene::{Camera, PixelRect, camera::guard, detail};
 use glam::DAffine3;
 
-/// Writes what all avatars of a frame share. `block` must hold the model's constants.
+/// Writes what all avatars of a layer share. `camera`: the frame's. `block` must hold the model's
+/// constants.
 pub fn write_shared(
     block: &mut FrameBlock,
     options: &RendererOptions,
-    plan: &FramePlan,
+    layer: &Layer,
     camera: &Camera,
 ) {
-    let [near, far] = plan.depth_range;
-    let guard = camera.guard();
+    let [near, far] = layer.depth_range;
+    let guard = guard(layer.size);
     let [derivative_min, derivative_max] = camera.derivative_limits();
-    block.focal = camera.focal.as_vec2().to_array();
-    block.center = camera.center.as_vec2().to_array();
     block.derivative_min = derivative_min.as_vec2().to_array();
     block.derivative_max = derivative_max.as_vec2().to_array();
-    block.size = camera.size.map(|side| side as f32);
+    block.size = layer.size.map(|side| side as f32);
     block.guard = guard as f32;
     block.near = camera.near as f32;
     block.key_far = far as f32;
@@ -35,11 +34,11 @@ pub fn write_shared(
     } else {
         255.0
     };
-    block.tile_side = TILING.tile(camera.size) as f32;
-    block.bin_side = bin_side(camera.size);
+    block.tile_side = TILING.tile(layer.size) as f32;
+    block.bin_side = bin_side(layer.size);
     block.occluder_margin = options.margin as f32;
     block.pyramid_start = 0;
-    if let Some(view) = plan.occluder_view
+    if let Some(view) = layer.occluder_view
         && options.skip.contains(Skip::HIDDEN)
     {
         // The depth pyramid follows all avatars' features and displacements; 4 words a vector.
@@ -49,7 +48,7 @@ pub fn write_shared(
     // Clip space of the quads: a splat's coordinates are in steps of 1 / `steps` px.
     let steps = fixed_scale(guard);
     block.fixed_scale = steps as f32;
-    let [x, y] = camera.size.map(|side| 2.0 / (steps * f64::from(side)));
+    let [x, y] = layer.size.map(|side| 2.0 / (steps * f64::from(side)));
     block.clip = [
         x,
         y,
@@ -64,9 +63,16 @@ pub fn write_instance(
     block: &mut FrameBlock,
     options: &RendererOptions,
     instance: &AvatarInstance,
-    camera: &Camera,
 ) {
     let posed = instance.posed;
+    let camera = &instance.camera;
+    block.focal = camera.focal.as_vec2().to_array();
+    block.center = camera.center.as_vec2().to_array();
+    // In the image a splat is drawn if some of it is inside, in an atlas if all of it is.
+    let area = instance.slot.unwrap_or(PixelRect::whole(camera.size));
+    let [min, max] = [area.min, area.max].map(|corner| corner.as_vec2());
+    block.area = [min.x, min.y, max.x, max.y];
+    block.area_reach = if instance.slot.is_some() { -1.0 } else { 1.0 };
     block.feature_start = instance.index as u32 * pose_vectors(block);
     block.node_start = block.feature_start + block.parts * block.feature_quads;
     block.first_splat = instance.first_key;

@@ -1,6 +1,6 @@
 //! Which stages an avatar needs, from what changed since its last frame.
 
-use super::Skip;
+use super::{Skip, atlas::Slot};
 use crate::scene::{Camera, PartDependencies, PartSet, Posed};
 use glam::DAffine3;
 
@@ -28,6 +28,17 @@ pub struct Changes {
     pub skinning: Skinning,
 }
 
+/// How a frame sees an avatar.
+#[derive(Clone, Copy, Debug)]
+pub struct View {
+    /// The camera of the image that it is drawn into.
+    pub camera: Camera,
+    /// Level of detail ([`crate::scene::detail`]).
+    pub level: u32,
+    /// Its slot of the atlas, if it is drawn larger than it is shown.
+    pub slot: Option<Slot>,
+}
+
 /// The state of an avatar in the last image.
 #[derive(Clone, Debug)]
 struct Shown {
@@ -35,6 +46,8 @@ struct Shown {
     camera: Camera,
     /// Level of detail.
     level: u32,
+    /// Its slot of the atlas, if it was drawn larger than it was shown.
+    slot: Option<Slot>,
 }
 
 /// Remembers what the last frame showed of an avatar.
@@ -67,9 +80,20 @@ impl ChangeTracker {
         self.shown.as_ref().map_or(0, |shown| shown.level)
     }
 
+    /// How many times its size the last frame drew it; 1 before the first.
+    pub fn factor(&self) -> u32 {
+        let slot = self.shown.as_ref().and_then(|shown| shown.slot);
+        slot.map_or(1, |slot| slot.factor)
+    }
+
     /// Returns the work of the next frame, without what `skip` lets it leave out, and remembers the
-    /// frame as the last one. `level`: of detail ([`crate::scene::detail`]).
-    pub fn update(&mut self, posed: &Posed, camera: &Camera, skip: Skip, level: u32) -> Changes {
+    /// frame as the last one.
+    pub fn update(&mut self, posed: &Posed, view: &View, skip: Skip) -> Changes {
+        let View {
+            camera,
+            level,
+            slot,
+        } = *view;
         let input_changed = self.input.as_ref() != Some(&posed.input);
         let pose = input_changed || !skip.contains(Skip::POSE);
         let expression_only = pose && skip.contains(Skip::EXPRESSION) && self.same_body(posed);
@@ -79,7 +103,8 @@ impl ChangeTracker {
         let mut same_camera = false;
         if let Some(shown) = &self.shown {
             same_gaussians = !input_changed && shown.joints == posed.joints && shown.level == level;
-            same_camera = shown.camera == *camera;
+            // A slot that moves in the image may hold the same.
+            same_camera = shown.camera == camera && shown.slot == slot;
         }
         let redraw = pose || !skip.contains(Skip::FRAME) || !(same_gaussians && same_camera);
         let skinning = if !same_gaussians || !skip.contains(Skip::SKINNING) {
@@ -96,8 +121,9 @@ impl ChangeTracker {
         if redraw {
             self.shown = Some(Shown {
                 joints: posed.joints.clone(),
-                camera: *camera,
+                camera,
                 level,
+                slot,
             });
             self.cached = skinning != Skinning::Compute;
         }
@@ -184,6 +210,14 @@ mod tests {
         Camera::orbit(DVec3::ZERO, yaw, 0.0, 2.0, 0.7, [64, 64])
     }
 
+    fn view(yaw: f64, level: u32) -> View {
+        View {
+            camera: camera(yaw),
+            level,
+            slot: None,
+        }
+    }
+
     fn pose(input: &[f64], expression: usize) -> Posed {
         Posed {
             joints: vec![DAffine3::IDENTITY],
@@ -196,7 +230,7 @@ mod tests {
     fn a_moving_camera_fills_and_reads_the_pose_cache() {
         let posed = pose(&[0.0], 0);
         let mut tracker = ChangeTracker::default();
-        let mut update = |yaw, level| tracker.update(&posed, &camera(yaw), Skip::all(), level);
+        let mut update = |yaw, level| tracker.update(&posed, &view(yaw, level), Skip::all());
         assert_eq!(update(0.0, 0), posed_again(Skinning::Compute));
         assert_eq!(update(0.0, 0), unchanged(Skinning::ComputeAndStore));
         assert_eq!(update(0.1, 0), redrawn(Skinning::ComputeAndStore));
@@ -210,7 +244,7 @@ mod tests {
     fn only_what_changed_runs_again() {
         let mut posed = pose(&[0.0], 0);
         let mut tracker = ChangeTracker::default();
-        let mut update = |posed: &Posed, skip| tracker.update(posed, &camera(0.1), skip, 0);
+        let mut update = |posed: &Posed, skip| tracker.update(posed, &view(0.1, 0), skip);
         update(&posed, Skip::all());
         posed.joints[0] = DAffine3::from_translation(DVec3::X);
         assert_eq!(update(&posed, Skip::all()), redrawn(Skinning::Compute));
@@ -231,8 +265,7 @@ mod tests {
     fn a_new_expression_runs_only_the_head() {
         let mut tracker = ChangeTracker::default();
         // The last number is the expression's.
-        let mut update =
-            |input: &[f64], skip| tracker.update(&pose(input, 1), &camera(0.1), skip, 0);
+        let mut update = |input: &[f64], skip| tracker.update(&pose(input, 1), &view(0.1, 0), skip);
         assert!(!update(&[1.0, 2.0], Skip::all()).expression_only);
         assert_eq!(
             update(&[1.0, 3.0], Skip::all()),

@@ -16,6 +16,9 @@ pub struct Counters {
     /// Gaussians that the level of detail skips: part of `culled`.
     #[serde(alias = "thinned")]
     pub skipped_by_detail: u64,
+    /// Avatars drawn larger than they are shown, then averaged.
+    #[serde(default)]
+    pub supersampled: u64,
     /// Gaussians that were not drawn: those of culled avatars, those that the level of detail
     /// skips, and those culled one by one.
     pub culled: u64,
@@ -100,6 +103,7 @@ impl Counters {
             ("gaussians", Some(self.gaussians)),
             ("culled", Some(self.culled)),
             ("skipped_by_detail", Some(self.skipped_by_detail)),
+            ("supersampled", Some(self.supersampled)),
             ("outside", self.reasons.map(|reasons| reasons.outside)),
             ("hidden", self.reasons.map(|reasons| reasons.hidden)),
             ("faint", self.reasons.map(|reasons| reasons.faint)),

@@ -1,6 +1,7 @@
 //! A frame, whatever draws it: options, what has to run again and what is skipped, the uniform
 //! block, and what a finished frame reports.
 
+pub mod atlas;
 pub mod block;
 pub mod changes;
 pub mod check;
@@ -28,4 +29,4 @@ pub use passes::Stage;
 pub use report::FrameReport;
 pub use schedule::Schedule;
 pub use skip::Skip;
-pub use state::{AvatarInstance, FramePlan, FrameState, PlanInput, StageDispatches};
+pub use state::{AvatarInstance, FramePlan, FrameState, Layer, PlanInput, StageDispatches};

@@ -6,7 +6,10 @@ use crate::layout::PROJECT_WORKGROUPS;
 use crate::layout::{
     SORT_DIGITS, SORT_GROUP, SORT_ONESWEEP_TILE, SORT_RUNS, SORT_STATE, SORT_TILE,
 };
-use crate::{constants::ALPHA_MIN, scene::Detail};
+use crate::{
+    constants::ALPHA_MIN,
+    scene::{Detail, Supersampling},
+};
 use serde::{Deserialize, Serialize};
 
 /// The options of a renderer. [`RendererOptions::check`] says whether they are valid.
@@ -38,6 +41,9 @@ pub struct RendererOptions {
     pub margin: f64,
     /// How many of an avatar's Gaussians are drawn.
     pub detail: Detail,
+    /// How many times its size an avatar is drawn, before it is averaged. WebGPU draws everything
+    /// as large as it is shown.
+    pub supersampling: Supersampling,
     /// Most copies of the avatar in a scene, 1 to 256; memory grows with it.
     pub instances: usize,
     /// Count fragments, where the device can, and why Gaussians are culled. For measurements: some
@@ -66,6 +72,7 @@ impl RendererOptions {
             cutoff: ALPHA_MIN,
             margin: 0.005,
             detail: Detail::FULL,
+            supersampling: Supersampling::BySize,
             instances: 1,
             count: false,
         }

@@ -23,13 +23,15 @@ pub enum Stage {
     Saturation,
     /// Splats blended into an image.
     Raster,
+    /// Avatars that were drawn larger than they are shown, averaged and blended into the image.
+    Resolve,
     /// The image over the background, into a window.
     Present,
 }
 
 impl Stage {
     /// Every stage, in the order that a frame runs them.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 10] = [
         Self::Mlp,
         Self::Sh,
         Self::Occluder,
@@ -38,6 +40,7 @@ impl Stage {
         Self::Binning,
         Self::Saturation,
         Self::Raster,
+        Self::Resolve,
         Self::Present,
     ];
 
@@ -52,6 +55,7 @@ impl Stage {
             Self::Binning => "binning",
             Self::Saturation => "saturation",
             Self::Raster => "raster",
+            Self::Resolve => "resolve",
             Self::Present => "present",
         }
     }
@@ -82,13 +86,15 @@ pub enum Resource {
     Bins,
     /// Samples of the saturation depth.
     Saturation,
+    /// The image of avatars that are drawn larger than they are shown.
+    Atlas,
     /// The image that the frame makes.
     Image,
 }
 
 impl Resource {
     /// Every resource.
-    pub const ALL: [Self; 12] = [
+    pub const ALL: [Self; 13] = [
         Self::Control,
         Self::Counts,
         Self::Pose,
@@ -100,6 +106,7 @@ impl Resource {
         Self::TileLists,
         Self::Bins,
         Self::Saturation,
+        Self::Atlas,
         Self::Image,
     ];
 }
@@ -155,12 +162,31 @@ impl ListForm {
     }
 }
 
+/// An image that a layer of avatars is drawn into.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Target {
+    /// The image of avatars that are drawn larger than they are shown.
+    Atlas,
+    /// The image that the frame makes.
+    Image,
+}
+
+impl Target {
+    /// Its memory.
+    fn resource(self) -> Resource {
+        match self {
+            Self::Atlas => Resource::Atlas,
+            Self::Image => Resource::Image,
+        }
+    }
+}
+
 /// Work that a backend records as one unit, without barriers of its own between resources.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Pass {
     /// Writes the number of keys that the sort takes to the control.
     SetKeyCount {
-        /// Keys of all avatars in view, padding included.
+        /// Keys of all avatars of a layer, padding included.
         keys: u32,
     },
     /// Clears histograms and counts of culled Gaussians.
@@ -179,10 +205,12 @@ pub enum Pass {
         /// How many Gaussians its level of detail draws.
         gaussians: u32,
     },
-    /// Draws the occluders of all avatars in view, and makes the pyramid.
+    /// Draws the occluders of all avatars of a layer, and makes the pyramid.
     Occluder {
         /// The part of the image that the pyramid covers.
         view: OccluderView,
+        /// The layer's image.
+        target: Target,
     },
     /// Projects an avatar's first `gaussians` Gaussians.
     Project {
@@ -193,26 +221,43 @@ pub enum Pass {
         /// Where skinned Gaussians come from.
         skinning: Skinning,
     },
-    /// Sorts the keys of all avatars.
+    /// Sorts the keys of all avatars of a layer.
     Sort,
     /// Empties the tiles' lists.
     ClearTileLists,
     /// Writes each splat to the lists of the tiles that it meets.
-    Binning,
+    Binning {
+        /// The layer's image.
+        target: Target,
+    },
     /// Makes the lists of splats of each bin.
-    Bin,
+    Bin {
+        /// The layer's image.
+        target: Target,
+    },
     /// Finds the depth behind which nothing shows, at every second pixel.
     Saturation,
     /// Blends the lists of splats, tile by tile, in a compute kernel.
     RasterTiles {
         /// Which lists it walks.
         lists: ListForm,
+        /// The layer's image.
+        target: Target,
     },
     /// Blends quads with the device's blender.
     RasterQuads {
         /// Whether fragments are tested against the saturation depth.
         tested: bool,
+        /// The layer's image.
+        target: Target,
     },
+    /// Averages the atlas's slots, and blends them into the image.
+    Resolve {
+        /// Whether nothing was drawn into the image before: then it is cleared.
+        clear: bool,
+    },
+    /// Adds the counts of a layer to those of the frame, before another layer's replace them.
+    KeepCounts,
     /// Copies the frame's counts to where the host reads them.
     ReadCounts,
 }
@@ -221,15 +266,18 @@ impl Pass {
     /// The stage that it belongs to. None for what stands between stages.
     pub fn stage(&self) -> Option<Stage> {
         match self {
-            Self::SetKeyCount { .. } | Self::ClearCounts | Self::ReadCounts => None,
+            Self::SetKeyCount { .. } | Self::ClearCounts | Self::KeepCounts | Self::ReadCounts => {
+                None
+            }
             Self::Mlp { .. } => Some(Stage::Mlp),
             Self::Sh { .. } => Some(Stage::Sh),
             Self::Occluder { .. } => Some(Stage::Occluder),
             Self::Project { .. } => Some(Stage::Project),
             Self::Sort => Some(Stage::Sort),
-            Self::ClearTileLists | Self::Binning | Self::Bin => Some(Stage::Binning),
+            Self::ClearTileLists | Self::Binning { .. } | Self::Bin { .. } => Some(Stage::Binning),
             Self::Saturation => Some(Stage::Saturation),
             Self::RasterTiles { .. } | Self::RasterQuads { .. } => Some(Stage::Raster),
+            Self::Resolve { .. } => Some(Stage::Resolve),
         }
     }
 
@@ -286,13 +334,13 @@ impl Pass {
                 write(Order, Stages::COMPUTE),
             ],
             Self::ClearTileLists => vec![write(TileLists, Stages::TRANSFER)],
-            Self::Binning => vec![
+            Self::Binning { .. } => vec![
                 read(Control, Stages::COMPUTE),
                 read(Order, Stages::COMPUTE),
                 read(Splats, Stages::COMPUTE),
                 write(TileLists, Stages::COMPUTE),
             ],
-            Self::Bin => vec![
+            Self::Bin { .. } => vec![
                 read(Order, Stages::COMPUTE),
                 read(Splats, Stages::COMPUTE),
                 write(Control, Stages::COMPUTE),
@@ -304,18 +352,18 @@ impl Pass {
                 write(Control, Stages::COMPUTE),
                 write(Saturation, Stages::COMPUTE),
             ],
-            Self::RasterTiles { lists } => vec![
+            Self::RasterTiles { lists, target } => vec![
                 read(lists.resource(), Stages::COMPUTE),
                 read(Splats, Stages::COMPUTE),
                 write(Control, Stages::COMPUTE),
-                write(Image, Stages::COMPUTE),
+                write(target.resource(), Stages::COMPUTE),
             ],
-            Self::RasterQuads { tested } => {
+            Self::RasterQuads { tested, target } => {
                 let mut uses = vec![
                     read(Control, Stages::INDIRECT | Stages::VERTEX),
                     read(Order, Stages::VERTEX),
                     read(Splats, Stages::VERTEX),
-                    write(Image, Stages::COLOR),
+                    write(target.resource(), Stages::COLOR),
                 ];
                 if tested {
                     uses.push(read(Saturation, Stages::FRAGMENT));
@@ -323,7 +371,10 @@ impl Pass {
                 }
                 uses
             }
-            Self::ReadCounts => vec![
+            Self::Resolve { .. } => {
+                vec![read(Atlas, Stages::FRAGMENT), write(Image, Stages::COLOR)]
+            }
+            Self::KeepCounts | Self::ReadCounts => vec![
                 read(Control, Stages::TRANSFER),
                 read(Counts, Stages::TRANSFER),
             ],

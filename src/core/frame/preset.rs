@@ -2,7 +2,10 @@
 //! them.
 
 use super::{ColorFormat, KeyBits, RendererOptions, Skip};
-use crate::{constants::ALPHA_MIN, scene::Detail};
+use crate::{
+    constants::ALPHA_MIN,
+    scene::{Detail, Supersampling},
+};
 use std::{fmt, str::FromStr};
 
 /// How much error an image may have for the sake of time.
@@ -27,6 +30,7 @@ struct Values {
     cutoff: f64,
     margin: f64,
     detail: Detail,
+    supersampling: Supersampling,
 }
 
 impl Preset {
@@ -42,6 +46,7 @@ impl Preset {
                 cutoff: 4.0 * ALPHA_MIN,
                 margin: 0.003,
                 detail: Detail::AUTO,
+                supersampling: Supersampling::BySize,
             },
             Self::Balanced => Values {
                 color: None,
@@ -50,6 +55,7 @@ impl Preset {
                 cutoff: 2.0 * ALPHA_MIN,
                 margin: 0.004,
                 detail: Detail::FULL,
+                supersampling: Supersampling::BySize,
             },
             Self::High => Values {
                 color: None,
@@ -58,8 +64,10 @@ impl Preset {
                 cutoff: ALPHA_MIN,
                 margin: 0.005,
                 detail: Detail::FULL,
+                supersampling: Supersampling::BySize,
             },
-            // Without the occluder and the saturation depth, whose culling shows a little.
+            // Without the occluder and the saturation depth, whose culling shows a little; and what
+            // is small as the model says, not as the area of each pixel shows it.
             Self::Exact => Values {
                 color: Some(ColorFormat::Rgba16F),
                 key_bits: Some(KeyBits::ThirtyTwo),
@@ -67,6 +75,7 @@ impl Preset {
                 cutoff: ALPHA_MIN,
                 margin: 0.005,
                 detail: Detail::FULL,
+                supersampling: Supersampling::OFF,
             },
         }
     }
@@ -80,6 +89,7 @@ impl Preset {
             cutoff,
             margin,
             detail,
+            supersampling,
         } = self.values();
         RendererOptions {
             color,
@@ -88,6 +98,7 @@ impl Preset {
             cutoff,
             margin,
             detail,
+            supersampling,
             ..options
         }
     }

@@ -4,8 +4,8 @@ use super::{Counters, Stage, schedule::Equipment};
 use std::time::Instant;
 
 /// Names of the stages, in the order that a frame runs them.
-pub const STAGES: [&str; 8] = {
-    let mut names = [""; 8];
+pub const STAGES: [&str; 9] = {
+    let mut names = [""; 9];
     let mut at = 0;
     while at < names.len() {
         names[at] = Stage::ALL[at].name();
@@ -32,7 +32,8 @@ pub struct HostTimes {
 /// The report of a finished frame.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct FrameReport {
-    /// GPU time of each stage that ran, ms. Empty where the device has no timestamps.
+    /// GPU time of each stage that ran, ms, in order. A stage that ran for two layers is there twice.
+    /// Empty where the device has no timestamps.
     pub stages: Vec<(&'static str, f64)>,
     /// When each of them began and ended, in ticks of the device, whose low
     /// `vulkan::Probe::timestamp_bits` bits are valid. Empty where ticks of different frames can't

@@ -3,7 +3,8 @@
 use super::{
     FramePlan, RasterMethod, Skip,
     options::TileKernel,
-    passes::{ListForm, Pass, PipelineStages, Resource, Stage},
+    passes::{ListForm, Pass, PipelineStages, Resource, Stage, Target},
+    state::Layer,
 };
 
 /// A barrier over all memory: what `before` names is done, and what it wrote can be seen, before
@@ -17,7 +18,7 @@ pub struct Barrier {
 }
 
 /// Quads are tested against the saturation depth where avatars have at least this many pixels a
-/// Gaussian ([`FramePlan::pixels_a_gaussian`]). With fewer, the samples cost more than the test
+/// Gaussian ([`Layer::pixels_a_gaussian`]). With fewer, the samples cost more than the test
 /// saves, and Gaussians fall between them: on the 200K body there are 1.8 samples for each fragment
 /// saved at 1448 × 1448 px and 2.6 at 1024 × 1024; at 256 × 256 the image loses 2.7 dB
 /// (docs/experiments/038).
@@ -32,6 +33,8 @@ pub enum SkipReason {
     NothingInView,
     /// It would cost more than it saves.
     NotWorthwhile,
+    /// No avatar is drawn larger than it is shown.
+    NothingSmall,
 }
 
 /// What a backend records.
@@ -96,6 +99,8 @@ pub struct Equipment {
     pub sh: bool,
     /// There is an occluder mesh to draw.
     pub occluder: bool,
+    /// Avatars may be drawn larger than they are shown.
+    pub supersampling: bool,
     /// How splats are rasterized.
     pub method: RasterMethod,
     /// The kernel of [`RasterMethod::Tiles`].
@@ -113,6 +118,7 @@ impl Equipment {
             Stage::Occluder => self.occluder && self.skip.contains(Skip::HIDDEN),
             Stage::Binning => self.lists().is_some(),
             Stage::Saturation => self.tests_depth(),
+            Stage::Resolve => self.supersampling,
             Stage::Present => false,
         }
     }
@@ -157,66 +163,62 @@ impl Schedule {
     /// The frame: which passes run, in which order, what is skipped and why. This is the one place
     /// that says so.
     pub fn new(plan: &FramePlan, equipment: &Equipment, device_state: DeviceState) -> Self {
-        let mut steps = Recorder::new();
-        let known = device_state.key_count.unwrap_or_default();
-        let key_count = if plan.redraw { plan.key_count() } else { known };
-        if device_state.key_count != Some(key_count) {
-            steps.run(Pass::SetKeyCount { keys: key_count });
-        }
-        if plan.redraw {
-            steps.run(Pass::ClearCounts);
-        }
-
+        let mut steps = Recorder::new(device_state.key_count);
         let posed: Vec<_> = plan
-            .instances
-            .iter()
+            .instances()
             .filter(|instance| !instance.networks.is_empty())
             .map(|instance| Pass::Mlp {
                 instance: instance.index,
                 parts: instance.networks.end() as u32,
             })
             .collect();
-        let reason = if plan.redraw && plan.instances.is_empty() {
-            SkipReason::NothingInView
+        let first = plan.layers().next();
+        if plan.redraw {
+            steps.set_key_count(first.map_or(0, Layer::key_count));
+            steps.run(Pass::ClearCounts);
         } else {
-            SkipReason::Unchanged
-        };
-        if posed.is_empty() {
-            steps.skip(Stage::Mlp, reason);
-        } else {
+            steps.set_key_count(device_state.key_count.unwrap_or_default());
+        }
+        if !posed.is_empty() {
             steps.stage(Stage::Mlp, posed);
         }
-
-        if !plan.redraw {
-            for stage in equipment.stages().filter(|stage| *stage != Stage::Mlp) {
-                steps.skip(stage, reason);
-            }
-        } else if plan.instances.is_empty() {
-            // An empty image is made by the stages that make any.
-            let makes_image: &[Stage] = match equipment.method {
-                RasterMethod::Quads => &[Stage::Raster],
-                RasterMethod::Tiles => &[Stage::Binning, Stage::Raster],
-            };
-            for stage in equipment.stages() {
-                if stage != Stage::Mlp && !makes_image.contains(&stage) {
-                    steps.skip(stage, reason);
+        let in_image = !plan.image.instances.is_empty();
+        if plan.redraw {
+            if let Some(atlas) = &plan.atlas {
+                steps.layer(&atlas.layer, Target::Atlas, equipment);
+                if in_image {
+                    steps.run(Pass::KeepCounts);
+                    steps.set_key_count(plan.image.key_count());
+                    steps.run(Pass::ClearCounts);
                 }
             }
-            steps.raster(equipment, false);
-        } else {
-            steps.geometry(plan, equipment);
-            steps.stage(Stage::Sort, vec![Pass::Sort]);
-            let tested = equipment.tests_depth() && plan.pixels_a_gaussian >= SATURATION_PIXELS;
-            if equipment.tests_depth() && !tested {
-                steps.skip(Stage::Binning, SkipReason::NotWorthwhile);
-                steps.skip(Stage::Saturation, SkipReason::NotWorthwhile);
+            if in_image {
+                steps.layer(&plan.image, Target::Image, equipment);
+            } else if plan.atlas.is_none() {
+                // An empty image is made by the stages that make any.
+                steps.raster(equipment, false, Target::Image);
             }
-            steps.raster(equipment, tested);
+            if plan.atlas.is_some() {
+                steps.stage(Stage::Resolve, vec![Pass::Resolve { clear: !in_image }]);
+            }
+        }
+        for stage in equipment.stages() {
+            if steps.has(stage) {
+                continue;
+            }
+            let reason = match stage {
+                _ if !plan.redraw => SkipReason::Unchanged,
+                _ if first.is_none() => SkipReason::NothingInView,
+                Stage::Mlp => SkipReason::Unchanged,
+                Stage::Resolve => SkipReason::NothingSmall,
+                _ => SkipReason::NotWorthwhile,
+            };
+            steps.skip(stage, reason);
         }
         steps.run(Pass::ReadCounts);
         Self {
+            key_count: steps.key_count.unwrap_or_default(),
             steps: steps.steps,
-            key_count,
         }
     }
 
@@ -282,6 +284,8 @@ impl Default for History {
 /// Puts steps in order, with the barriers that the passes' uses of memory ask for.
 struct Recorder {
     steps: Vec<Step>,
+    /// Keys that the control says the sort takes; None where that is not known.
+    key_count: Option<u32>,
     /// The stage that commands go into, while there is one.
     open: Option<ScheduledStage>,
     history: [History; Resource::ALL.len()],
@@ -290,8 +294,9 @@ struct Recorder {
 impl Recorder {
     /// Begins with what the frame before may still use, anywhere. Its image is its own until the
     /// backend hands it over.
-    fn new() -> Self {
+    fn new(key_count: Option<u32>) -> Self {
         Self {
+            key_count,
             steps: vec![Step::Command(Command::Barrier(Barrier {
                 before: PipelineStages::all() - PipelineStages::COLOR,
                 after: PipelineStages::all() - PipelineStages::COLOR,
@@ -328,12 +333,37 @@ impl Recorder {
         self.steps.extend(self.open.take().map(Step::Stage));
     }
 
+    /// Has the sort take that many keys.
+    fn set_key_count(&mut self, keys: u32) {
+        if self.key_count != Some(keys) {
+            self.run(Pass::SetKeyCount { keys });
+            self.key_count = Some(keys);
+        }
+    }
+
+    /// Whether a stage is among the steps.
+    fn has(&self, stage: Stage) -> bool {
+        self.steps
+            .iter()
+            .any(|step| matches!(step, Step::Stage(own) if own.stage == stage))
+    }
+
     fn skip(&mut self, stage: Stage, reason: SkipReason) {
         self.steps.push(Step::Skip(stage, reason));
     }
 
-    /// Colours, occluders and projection of all avatars in view.
-    fn geometry(&mut self, plan: &FramePlan, equipment: &Equipment) {
+    /// Draws the avatars of a layer, at least one.
+    fn layer(&mut self, layer: &Layer, target: Target, equipment: &Equipment) {
+        self.geometry(layer, target, equipment);
+        self.stage(Stage::Sort, vec![Pass::Sort]);
+        let tested = target == Target::Image
+            && equipment.tests_depth()
+            && layer.pixels_a_gaussian >= SATURATION_PIXELS;
+        self.raster(equipment, tested, target);
+    }
+
+    /// Colours, occluders and projection of all avatars of a layer.
+    fn geometry(&mut self, layer: &Layer, target: Target, equipment: &Equipment) {
         let sh = |instance: &super::AvatarInstance| Pass::Sh {
             instance: instance.index,
             gaussians: instance.gaussians,
@@ -341,16 +371,16 @@ impl Recorder {
         if equipment.sh {
             self.stage(
                 Stage::Sh,
-                plan.instances.first().map(sh).into_iter().collect(),
+                layer.instances.first().map(sh).into_iter().collect(),
             );
         }
-        if let Some(view) = plan.occluder_view
+        if let Some(view) = layer.occluder_view
             && equipment.has(Stage::Occluder)
         {
-            self.stage(Stage::Occluder, vec![Pass::Occluder { view }]);
+            self.stage(Stage::Occluder, vec![Pass::Occluder { view, target }]);
         }
         let mut passes = Vec::new();
-        for (position, instance) in plan.instances.iter().enumerate() {
+        for (position, instance) in layer.instances.iter().enumerate() {
             // All avatars share one buffer of colours: each one's replace those of the one before,
             // once these are used.
             if equipment.sh && position > 0 {
@@ -366,23 +396,24 @@ impl Recorder {
     }
 
     /// `tested`: whether quads are tested against the saturation depth.
-    fn raster(&mut self, equipment: &Equipment, tested: bool) {
+    fn raster(&mut self, equipment: &Equipment, tested: bool, target: Target) {
         let lists = equipment
             .lists()
             .filter(|_| tested || equipment.method == RasterMethod::Tiles);
         match lists {
             Some(ListForm::Tiles) => {
-                self.stage(Stage::Binning, vec![Pass::ClearTileLists, Pass::Binning]);
+                let lists = vec![Pass::ClearTileLists, Pass::Binning { target }];
+                self.stage(Stage::Binning, lists);
             }
-            Some(ListForm::Bins) => self.stage(Stage::Binning, vec![Pass::Bin]),
+            Some(ListForm::Bins) => self.stage(Stage::Binning, vec![Pass::Bin { target }]),
             None => {}
         }
         if tested {
             self.stage(Stage::Saturation, vec![Pass::Saturation]);
         }
         let raster = match (equipment.method, lists) {
-            (RasterMethod::Tiles, Some(lists)) => Pass::RasterTiles { lists },
-            _ => Pass::RasterQuads { tested },
+            (RasterMethod::Tiles, Some(lists)) => Pass::RasterTiles { lists, target },
+            _ => Pass::RasterQuads { tested, target },
         };
         self.stage(Stage::Raster, vec![raster]);
     }
@@ -508,6 +539,7 @@ mod tests {
         Equipment {
             sh,
             occluder: true,
+            supersampling: false,
             method,
             kernel: TileKernel::PerThread,
             skip: Skip::all() - Skip::DEPTH,
@@ -694,7 +726,7 @@ mod tests {
         let tests = |frame: &Schedule| {
             frame
                 .passes()
-                .any(|pass| *pass == Pass::RasterQuads { tested: true })
+                .any(|pass| matches!(pass, Pass::RasterQuads { tested: true, .. }))
         };
         let large = frame([2048, 2048], 0.0);
         let last = ["sort", "binning", "saturation", "raster"];

@@ -1,7 +1,11 @@
 //! Plans a frame before anything is asked of the device: which avatars are in view, what each of
 //! them has to compute again, and what all of them share.
 
-use super::{ChangeTracker, Changes, Counters, RendererOptions, Skinning, Skip};
+use super::{
+    ChangeTracker, Changes, Counters, RendererOptions, Skinning, Skip,
+    atlas::{Arrangement, Seen, Slot, arrange},
+    changes::View,
+};
 use crate::scene::{
     AvatarBounds, Camera, OccluderView, PartDependencies, PartSet, PixelRect, Posed, Visible,
     detail,
@@ -13,12 +17,16 @@ pub struct AvatarInstance<'a> {
     pub index: usize,
     /// Its evaluated pose.
     pub posed: &'a Posed,
+    /// The camera that sees it in the image that its layer is drawn into.
+    pub camera: Camera,
+    /// The part of the atlas that it must stay in; None in the image.
+    pub slot: Option<PixelRect>,
     /// Level of detail ([`detail`]).
     pub level: u32,
     /// Gaussians that this level draws.
     pub gaussians: u32,
-    /// Where its splats and keys start among those of all avatars. Always even, so that no 32-bit
-    /// word holds 16-bit keys of two avatars.
+    /// Where its splats and keys start among those of its layer's avatars. Always even, so that no
+    /// 32-bit word holds 16-bit keys of two avatars.
     pub first_key: u32,
     /// Which stages it needs.
     pub changes: Changes,
@@ -37,24 +45,49 @@ impl AvatarInstance<'_> {
     }
 }
 
-/// The plan of one frame.
-pub struct FramePlan<'a> {
+/// Avatars that are drawn into one image, sorted together.
+pub struct Layer<'a> {
     /// The avatars in view.
     pub instances: Vec<AvatarInstance<'a>>,
-    /// Whether project, sort and raster run: something in the image has changed.
-    pub redraw: bool,
+    /// Width and height of the image, px.
+    pub size: [u32; 2],
     /// Nearest and furthest expected depth along the camera's axis, metres.
     pub depth_range: [f64; 2],
     /// The view of the occluder pass. None where there is no occluder or nothing in view.
     pub occluder_view: Option<OccluderView>,
-    /// Avatars in the scene, in view or not.
-    pub avatar_count: usize,
-    /// A rectangle around all that is drawn, except correctives beyond what
-    /// [`AvatarBounds::visible`] allows for; the whole image without [`Skip::DAMAGE`].
-    pub drawn_rect: PixelRect,
     /// Pixels of the box around an avatar for each Gaussian of it that is drawn: of the avatar in
     /// view that has the fewest. Infinite where that decides nothing.
     pub pixels_a_gaussian: f64,
+}
+
+impl Layer<'_> {
+    /// Keys of all its avatars, padding included.
+    pub fn key_count(&self) -> u32 {
+        self.instances.last().map_or(0, AvatarInstance::end_key)
+    }
+}
+
+/// Avatars that are drawn larger than they are shown.
+pub struct Atlas<'a> {
+    /// The avatars, and the image that they are drawn into.
+    pub layer: Layer<'a>,
+    /// The parts of the frame's image that it holds, in the order in which they are blended.
+    pub slots: Vec<Slot>,
+}
+
+/// The plan of one frame.
+pub struct FramePlan<'a> {
+    /// The avatars drawn as large as they are shown.
+    pub image: Layer<'a>,
+    /// The others; None where there are none.
+    pub atlas: Option<Atlas<'a>>,
+    /// Whether project, sort and raster run: something in the image has changed.
+    pub redraw: bool,
+    /// Avatars in the scene, in view or not.
+    pub avatar_count: usize,
+    /// A rectangle of the image around all that is drawn, except correctives beyond what
+    /// [`AvatarBounds::visible`] allows for; the whole image without [`Skip::DAMAGE`].
+    pub drawn_rect: PixelRect,
 }
 
 /// Everything that decides what the next frame has to do.
@@ -98,6 +131,14 @@ pub struct FrameState {
     last_drawn: Option<Vec<usize>>,
 }
 
+/// An avatar in view, before its place is known.
+struct Candidate {
+    /// Index of its pose.
+    index: usize,
+    /// None where visibility does not matter.
+    visible: Option<Visible>,
+}
+
 impl FrameState {
     /// Plans the next frame and remembers it as drawn. Callers that fail to draw it must restore
     /// or reset this state, so that the next frame does not rely on it.
@@ -118,11 +159,11 @@ impl FrameState {
         } else {
             whole
         };
-        let mut instances: Vec<AvatarInstance> = Vec::with_capacity(poses.len());
+        let mut candidates = Vec::with_capacity(poses.len());
         for (index, &posed) in poses.iter().enumerate() {
-            let visible = skip
-                .intersects(Skip::AVATARS | Skip::PARTS | Skip::DAMAGE)
-                .then(|| bounds.visible(&posed.joints, camera));
+            let visible = (skip.intersects(Skip::AVATARS | Skip::PARTS | Skip::DAMAGE)
+                || options.supersampling.is_on())
+            .then(|| bounds.visible(&posed.joints, camera));
             let nothing_visible = visible
                 .as_ref()
                 .is_some_and(|visible| visible.parts.is_empty());
@@ -133,19 +174,33 @@ impl FrameState {
                 Some(visible) if skip.contains(Skip::DAMAGE) => visible.rect,
                 _ => whole,
             });
+            candidates.push(Candidate { index, visible });
+        }
+        let arrangement = self.arrange(&input, &candidates);
+        let mut image = Vec::with_capacity(candidates.len());
+        let mut atlas = Vec::new();
+        for (place, candidate) in candidates.into_iter().enumerate() {
+            let slot = arrangement.slot_of[place].map(|slot| &arrangement.slots[slot]);
+            let instances = if slot.is_some() {
+                &mut atlas
+            } else {
+                &mut image
+            };
             let first_key = instances.last().map_or(0, AvatarInstance::end_key);
-            instances.push(self.instance(input, index, visible, first_key));
+            let instance = self.instance(input, candidate, slot, arrangement.size, first_key);
+            instances.push(instance);
         }
 
-        let in_view: Vec<_> = instances.iter().map(|instance| instance.index).collect();
+        let mut in_view: Vec<_> = image.iter().chain(&atlas).map(|own| own.index).collect();
+        in_view.sort_unstable();
         let others_in_view = self.last_drawn.as_ref() != Some(&in_view);
         let redraw = !skip.contains(Skip::FRAME)
             || others_in_view
-            || instances.iter().any(|instance| instance.changes.redraw);
+            || image.iter().chain(&atlas).any(|own| own.changes.redraw);
         self.last_drawn = Some(in_view);
         // A frame that is not submitted runs no networks: they stay due.
         if redraw || input.always_submit {
-            for instance in &mut instances {
+            for instance in image.iter_mut().chain(&mut atlas) {
                 let tracker = &mut self.trackers[instance.index];
                 instance.networks = tracker.schedule_networks(
                     &instance.changes,
@@ -157,48 +212,104 @@ impl FrameState {
                 }
             }
         }
-        let occluder_view = (input.has_occluder && !instances.is_empty())
-            .then(|| OccluderView::new(camera.size, screen_rect(&instances, bounds, camera)));
-        FramePlan {
-            depth_range: depth_range(&instances, bounds, camera),
+        // Fewer Gaussians than pixels, and never hidden parts, are worth the saturation depth and
+        // the occluder: of small avatars only what one alone hides of itself.
+        let occluder = |instances: &[AvatarInstance]| input.has_occluder && !instances.is_empty();
+        let image = Layer {
+            occluder_view: occluder(&image)
+                .then(|| OccluderView::new(camera.size, screen_rect(&image, bounds))),
+            depth_range: depth_range(&image, bounds, camera),
             pixels_a_gaussian: if redraw && skip.contains(Skip::DEPTH) {
-                pixels_a_gaussian(&instances, bounds, camera)
+                pixels_a_gaussian(&image, bounds)
             } else {
                 f64::INFINITY
             },
-            instances,
+            instances: image,
+            size: camera.size,
+        };
+        let size = arrangement.size;
+        let atlas = (!atlas.is_empty()).then(|| Atlas {
+            layer: Layer {
+                occluder_view: (occluder(&atlas) && atlas.len() == 1)
+                    .then(|| OccluderView::new(size, screen_rect(&atlas, bounds))),
+                depth_range: depth_range(&atlas, bounds, camera),
+                pixels_a_gaussian: f64::INFINITY,
+                instances: atlas,
+                size,
+            },
+            slots: arrangement.slots,
+        });
+        FramePlan {
+            image,
+            atlas,
             redraw,
-            occluder_view,
             avatar_count: poses.len(),
             drawn_rect,
         }
     }
 
-    /// An avatar in view, whose networks are still to be scheduled.
+    /// Where avatars in view are drawn.
+    fn arrange(&self, input: &PlanInput, candidates: &[Candidate]) -> Arrangement {
+        let options = input.options;
+        let seen = |candidate: &Candidate| {
+            let joints = &input.poses[candidate.index].joints;
+            let factor = match &candidate.visible {
+                Some(visible) if options.supersampling.is_on() && visible.around.is_some() => {
+                    let before = self.trackers[candidate.index].factor();
+                    let sides = input.bounds.sides(joints, input.camera);
+                    sides.map_or(1, |sides| {
+                        options.supersampling.factor(sides.max_element(), before)
+                    })
+                }
+                _ => 1,
+            };
+            Seen {
+                around: candidate
+                    .visible
+                    .as_ref()
+                    .and_then(|visible| visible.around),
+                depth: input.bounds.depth(joints, input.camera),
+                factor,
+            }
+        };
+        if !options.supersampling.is_on() {
+            return Arrangement::without_slots(candidates.len());
+        }
+        let seen: Vec<Seen> = candidates.iter().map(seen).collect();
+        arrange(&seen, input.camera.size)
+    }
+
+    /// An avatar in view, whose networks are still to be scheduled. `slot`: where it is drawn in an
+    /// atlas of a size; None in the image.
     fn instance<'pose>(
         &mut self,
         input: PlanInput<'_, 'pose>,
-        index: usize,
-        visible: Option<Visible>,
+        candidate: Candidate,
+        slot: Option<&Slot>,
+        atlas_size: [u32; 2],
         first_key: u32,
     ) -> AvatarInstance<'pose> {
         let PlanInput {
-            camera,
-            bounds,
-            options,
-            ..
+            bounds, options, ..
         } = input;
+        let Candidate { index, visible } = candidate;
         let posed = input.poses[index];
         let tracker = &mut self.trackers[index];
         let visible_parts = visible
             .filter(|_| options.skip.contains(Skip::PARTS))
             .map(|visible| visible.parts);
+        let camera = slot.map_or(*input.camera, |slot| slot.camera(input.camera, atlas_size));
         let level = options
             .detail
             .level(bounds.gaussians(), tracker.level(), || {
-                bounds.pixels(&posed.joints, camera)
+                bounds.pixels(&posed.joints, &camera)
             });
-        let changes = tracker.update(posed, camera, options.skip, level);
+        let view = View {
+            camera,
+            level,
+            slot: slot.copied(),
+        };
+        let changes = tracker.update(posed, &view, options.skip);
         // The pose cache needs all parts: other cameras will see them.
         let culled_parts = match visible_parts {
             Some(visible) if changes.skinning != Skinning::ComputeAndStore => {
@@ -209,6 +320,8 @@ impl FrameState {
         AvatarInstance {
             index,
             posed,
+            camera,
+            slot: slot.map(Slot::rect),
             level,
             gaussians: detail::gaussian_count(bounds.gaussians() as u32, level),
             first_key,
@@ -220,16 +333,23 @@ impl FrameState {
     }
 }
 
-impl FramePlan<'_> {
-    /// Keys of all avatars in view, padding included.
-    pub fn key_count(&self) -> u32 {
-        self.instances.last().map_or(0, AvatarInstance::end_key)
+impl<'a> FramePlan<'a> {
+    /// The layers that have avatars, in the order in which they are drawn.
+    pub fn layers(&self) -> impl Iterator<Item = &Layer<'a>> {
+        let atlas = self.atlas.as_ref().map(|atlas| &atlas.layer);
+        let image = (!self.image.instances.is_empty()).then_some(&self.image);
+        atlas.into_iter().chain(image)
+    }
+
+    /// All avatars in view.
+    pub fn instances(&self) -> impl Iterator<Item = &AvatarInstance<'a>> {
+        self.layers().flat_map(|layer| &layer.instances)
     }
 
     /// The counts that are known before the frame is drawn. `gaussians`: how many one avatar has.
     pub fn counters(&self, gaussians: u32, stages: &StageDispatches) -> Counters {
         let avatars = self.avatar_count as u64;
-        let drawn = self.instances.len() as u64;
+        let drawn = self.instances().count() as u64;
         let mut counters = Counters {
             avatars,
             avatars_culled: avatars - drawn,
@@ -237,8 +357,9 @@ impl FramePlan<'_> {
             submitted: 1,
             ..Counters::default()
         };
-        for instance in &self.instances {
+        for instance in self.instances() {
             counters.skipped_by_detail += u64::from(gaussians - instance.gaussians);
+            counters.supersampled += u64::from(instance.slot.is_some());
             counters.networks += instance.networks.len() as u64;
             counters.parts_outside += instance.culled_parts.len() as u64;
             if self.redraw && instance.changes.skinning == Skinning::Cached {
@@ -250,10 +371,10 @@ impl FramePlan<'_> {
         }
         if self.redraw {
             // Project, and sh where colours depend on the view, run once an avatar.
-            counters.dispatches += drawn * (1 + u64::from(stages.has_sh)) + stages.raster;
-            if drawn > 0 {
-                counters.dispatches += u64::from(stages.has_occluder) + stages.sort;
-            }
+            let layers = self.layers().count() as u64;
+            counters.dispatches +=
+                drawn * (1 + u64::from(stages.has_sh)) + stages.raster * layers.max(1);
+            counters.dispatches += layers * (u64::from(stages.has_occluder) + stages.sort);
         }
         counters
     }
@@ -264,22 +385,22 @@ pub fn padded_count(gaussians: u32) -> u32 {
     gaussians.next_multiple_of(2)
 }
 
-/// A rectangle around all avatars in view.
-fn screen_rect(instances: &[AvatarInstance], bounds: &AvatarBounds, camera: &Camera) -> PixelRect {
+/// A rectangle around all avatars in view of a layer.
+fn screen_rect(instances: &[AvatarInstance], bounds: &AvatarBounds) -> PixelRect {
     instances
         .iter()
-        .map(|instance| bounds.screen(&instance.posed.joints, camera))
+        .map(|instance| bounds.screen(&instance.posed.joints, &instance.camera))
         .filter(|rect| !rect.is_empty())
         .reduce(PixelRect::union)
         .unwrap_or(PixelRect::whole([0, 0]))
 }
 
-/// [`FramePlan::pixels_a_gaussian`]; infinite where all avatars in view cross the near plane.
-fn pixels_a_gaussian(instances: &[AvatarInstance], bounds: &AvatarBounds, camera: &Camera) -> f64 {
+/// [`Layer::pixels_a_gaussian`]; infinite where all avatars in view cross the near plane.
+fn pixels_a_gaussian(instances: &[AvatarInstance], bounds: &AvatarBounds) -> f64 {
     instances
         .iter()
         .filter_map(|instance| {
-            let pixels = bounds.pixels(&instance.posed.joints, camera)?;
+            let pixels = bounds.pixels(&instance.posed.joints, &instance.camera)?;
             Some(pixels / f64::from(instance.gaussians.max(1)))
         })
         .fold(f64::INFINITY, f64::min)

@@ -248,8 +248,10 @@ pub struct FrameBlock {
     pub covariance_scale: f32,
     /// Side of the finest bins, px.
     pub bin_side: u32,
-    /// Padding.
-    pub unused: u32,
+    /// How much of a splat must be within `area`: 1 any of it, −1 all of it.
+    pub area_reach: f32,
+    /// First and last corner of what this avatar may draw to, px.
+    pub area: [f32; 4],
     /// Lower corner of the box that positions in the pose cache are relative to, metres.
     pub cache_min: [f32; 4],
     /// Sides of that box, metres.

@@ -110,6 +110,18 @@ pub fn render_scene(avatar: &Avatar, instances: &[&Posed], camera: &Camera) -> F
     render_gaussians(&gaussians, camera)
 }
 
+/// What the area of each pixel shows: the image of [`render_scene`], drawn `factor` times as large,
+/// at least 1, and averaged.
+pub fn render_supersampled(
+    avatar: &Avatar,
+    instances: &[&Posed],
+    camera: &Camera,
+    factor: u32,
+) -> FrameImage {
+    let larger = camera.stretched(camera.size.map(|side| factor * side));
+    render_scene(avatar, instances, &larger).averaged(factor)
+}
+
 /// The image of Gaussians in the posed world.
 pub fn render_gaussians(gaussians: &[Gaussian], camera: &Camera) -> FrameImage {
     let splats = project::splats(gaussians, camera, 0);

@@ -17,6 +17,9 @@ pub mod saturation;
 pub mod sh;
 pub mod sort;
 
-pub use frame::{ReferenceFrame, render, render_gaussians, render_scene, render_stored, stored};
+pub use frame::{
+    ReferenceFrame, render, render_gaussians, render_scene, render_stored, render_supersampled,
+    stored,
+};
 pub use project::{Culled, Gaussian, Splat};
 pub use raster::Canvas;

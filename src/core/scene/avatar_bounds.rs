@@ -1,7 +1,7 @@
 //! Where a posed avatar is, from boxes around its parts: bounds that cost some thousand points a
 //! frame instead of one a Gaussian.
 
-use super::{Camera, PartSet, PixelRect, detail, radius_in_sigmas};
+use super::{Camera, PartSet, PixelRect, PlaneRect, detail, radius_in_sigmas};
 use crate::avatar::Avatar;
 use crate::constants::{LOG_SCALE_MAX, LONGEST_MARGIN};
 use glam::{DAffine3, DVec2, DVec3, UVec2};
@@ -14,6 +14,8 @@ const MARGIN: f64 = 0.05;
 /// correctives move nodes by (the demo's by 5 cm in its own clip, by 11 where every input is at its
 /// furthest). What a model's correctives move further is cut off.
 const RECT_MARGIN: f64 = 0.15;
+/// Coordinates in the plane of the image beyond this, px, belong to nothing that is drawn.
+const PLANE_MAX: f64 = 1e6;
 /// Minimum skin weight (0–255) for a joint to widen the avatar's bounds. Culling of parts uses all
 /// joints.
 const MIN_WEIGHT: u8 = 8;
@@ -43,6 +45,9 @@ pub struct Visible {
     /// A rectangle around them in the image, with a wider margin than visibility needs;
     /// [`PixelRect::EMPTY`] where there are none.
     pub rect: PixelRect,
+    /// A rectangle around all of the avatar with that margin, inside the image and outside. None
+    /// where it comes near the near plane.
+    pub around: Option<PlaneRect>,
 }
 
 /// A box in the plane of the image, px; it may lie outside the image.
@@ -71,6 +76,23 @@ impl PlaneBox {
             min: clamp(self.min.floor()),
             max: clamp(self.max.ceil()),
         }
+    }
+
+    /// The smallest box around both.
+    fn union(self, other: Self) -> Self {
+        Self {
+            min: self.min.min(other.min),
+            max: self.max.max(other.max),
+        }
+    }
+
+    /// The pixels of the plane that it touches. None where it is empty, or too large to be drawn.
+    fn pixels(&self) -> Option<PlaneRect> {
+        let drawn = |at: DVec2| at.abs().max_element() < PLANE_MAX;
+        (drawn(self.min) && drawn(self.max)).then(|| PlaneRect {
+            min: self.min.floor().as_ivec2(),
+            max: self.max.ceil().as_ivec2(),
+        })
     }
 }
 
@@ -178,15 +200,19 @@ impl AvatarBounds {
         let mut visible = Visible {
             parts: PartSet::EMPTY,
             rect: PixelRect::EMPTY,
+            around: None,
         };
+        let mut around = PlaneBox::EMPTY;
         for part in &self.parts {
             let projected = part.project(joints, camera, scale);
+            around = around.union(projected.padded);
             if projected.is_outside(size) {
                 continue;
             }
             visible.parts.insert(part.part);
             visible.rect = visible.rect.union(projected.drawn_rect(size));
         }
+        visible.around = around.pixels();
         visible
     }
 
@@ -234,9 +260,14 @@ impl AvatarBounds {
     /// Area of a rectangle around the avatar without a margin, px², which may extend beyond the
     /// image. None where the avatar crosses the near plane.
     pub fn pixels(&self, joints: &[DAffine3], camera: &Camera) -> Option<f64> {
-        let projected = self.project(joints, camera, 0.0)?;
-        let sides = (projected.max - projected.min).max(DVec2::ZERO);
+        let sides = self.sides(joints, camera)?;
         Some(sides.x * sides.y)
+    }
+
+    /// Width and height of that rectangle, px. None where the avatar crosses the near plane.
+    pub fn sides(&self, joints: &[DAffine3], camera: &Camera) -> Option<DVec2> {
+        let projected = self.project(joints, camera, 0.0)?;
+        Some((projected.max - projected.min).max(DVec2::ZERO))
     }
 
     /// A box around the avatar in the plane of the image, with a margin in metres. None where it

@@ -21,6 +21,48 @@ impl FrameImage {
             pixels: vec![[0.0; 4]; size[0] as usize * size[1] as usize],
         }
     }
+
+    /// Each pixel the mean of `factor` by `factor`, at least 1. What does not fill a pixel at the
+    /// right and lower edge is left out.
+    pub fn averaged(&self, factor: u32) -> Self {
+        let size = self.size.map(|side| side / factor);
+        let share = 1.0 / (f64::from(factor) * f64::from(factor));
+        let mean = |pixel: u64| {
+            let column = pixel % u64::from(size[0]) * u64::from(factor);
+            let row = pixel / u64::from(size[0]) * u64::from(factor);
+            let mut sum = [0.0; 4];
+            for y in row..row + u64::from(factor) {
+                let start = (y * u64::from(self.size[0]) + column) as usize;
+                for own in &self.pixels[start..start + factor as usize] {
+                    for (sum, own) in sum.iter_mut().zip(own) {
+                        *sum += f64::from(*own);
+                    }
+                }
+            }
+            sum.map(|sum| (share * sum) as f32)
+        };
+        Self {
+            size,
+            pixels: (0..u64::from(size[0]) * u64::from(size[1]))
+                .map(mean)
+                .collect(),
+        }
+    }
+
+    /// Blends it over another of its size.
+    ///
+    /// # Panics
+    /// Where that has another size.
+    pub fn blended_over(&self, behind: &Self) -> Self {
+        assert_eq!(self.size, behind.size, "images of one size are blended");
+        let over = |(own, behind): (&[f32; 4], &[f32; 4])| {
+            std::array::from_fn(|k| own[k] + (1.0 - own[3]) * behind[k])
+        };
+        Self {
+            size: self.size,
+            pixels: self.pixels.iter().zip(&behind.pixels).map(over).collect(),
+        }
+    }
 }
 
 #[cfg(not(target_arch = "wasm32"))]

@@ -1,5 +1,5 @@
-//! The scene: camera, posed avatar, bounds, level of detail, dependencies of parts, and images in
-//! memory.
+//! The scene: camera, posed avatar, bounds, level of detail, supersampling, dependencies of parts,
+//! and images in memory.
 
 pub mod avatar_bounds;
 pub mod camera;
@@ -9,6 +9,7 @@ pub mod occluder_view;
 pub mod parts;
 pub mod pixel_rect;
 pub mod posed;
+pub mod supersampling;
 
 pub use avatar_bounds::{AvatarBounds, PoseShape, Visible, upright};
 pub use camera::Camera;
@@ -16,5 +17,6 @@ pub use detail::Detail;
 pub use frame_image::FrameImage;
 pub use occluder_view::OccluderView;
 pub use parts::{PartDependencies, PartSet};
-pub use pixel_rect::PixelRect;
+pub use pixel_rect::{PixelRect, PlaneRect};
 pub use posed::{Posed, radius_in_sigmas};
+pub use supersampling::Supersampling;

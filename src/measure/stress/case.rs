@@ -15,7 +15,7 @@ use effigy_core::{
     layout::PROJECT_WORKGROUP,
     random::Random,
     reference::{self, Culled, project::Gaussian},
-    scene::{Camera, Posed},
+    scene::{Camera, Posed, Supersampling},
 };
 use glam::DAffine3;
 use serde::Serialize;
@@ -134,6 +134,7 @@ fn options(random: &mut Random, size: [u32; 2]) -> RendererOptions {
             ][below(random, 4)],
         ),
         skip,
+        supersampling: Supersampling::OFF,
         ..RendererOptions::new(size)
     };
     Rasterizer::ALL[below(random, Rasterizer::ALL.len())].choose(&mut options);

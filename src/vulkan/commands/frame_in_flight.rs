@@ -25,8 +25,12 @@ use std::{ffi::CString, sync::Arc, time::Instant};
 /// Frames that may be under way at once.
 pub const FRAMES_IN_FLIGHT: usize = 2;
 
-/// Timestamps of a frame: one before its first stage, and one after each.
-const BORDERS: usize = STAGES.len() + 1;
+/// Layers that a frame may have: the atlas and the image.
+const LAYERS: usize = 2;
+/// Timestamps of a frame: one before its first stage, and one after each, of each layer.
+const BORDERS: usize = LAYERS * STAGES.len() + 1;
+/// Bytes of the counts of a layer.
+const LAYER_COUNTS: u64 = size_of::<Control>() as u64 + REASONS;
 
 /// What a frame waits for and signals.
 #[derive(Clone, Copy)]
@@ -78,6 +82,10 @@ pub struct FrameInFlight {
     /// Counts fragments. None where the device can't.
     statistics: Option<QueryPool>,
     counted: Counted,
+    /// Draws whose fragments the device's statistics count.
+    counted_draws: u32,
+    /// Layers whose counts were copied.
+    kept_layers: u64,
     /// Whether the frame's kernels count samples of the saturation depth, in the control.
     samples: bool,
     /// What was known of the frame before it was drawn.
@@ -95,11 +103,10 @@ pub struct FrameInFlight {
 
 impl FrameInFlight {
     pub fn new(gpu: &Arc<Gpu>) -> Result<Self> {
-        let size = size_of::<Control>() as u64 + REASONS;
         let counts = Buffer::new(
             gpu,
             "frame counts",
-            size,
+            LAYERS as u64 * LAYER_COUNTS,
             vk::BufferUsageFlags::TRANSFER_DST,
             MemoryLocation::GpuToCpu,
         )?;
@@ -114,7 +121,11 @@ impl FrameInFlight {
             None
         };
         let statistics = if gpu.probe.pipeline_statistics {
-            Some(QueryPool::fragments(&gpu.device, "fragments")?)
+            Some(QueryPool::fragments(
+                &gpu.device,
+                LAYERS as u32,
+                "fragments",
+            )?)
         } else {
             None
         };
@@ -126,6 +137,8 @@ impl FrameInFlight {
             queries,
             statistics,
             counted: Counted::No,
+            counted_draws: 0,
+            kept_layers: 0,
             samples: false,
             known: Counters::default(),
             reasons: false,
@@ -145,9 +158,21 @@ impl FrameInFlight {
         self.fence.wait("a frame")?;
         let finished = Instant::now();
         self.pending = false;
-        let (control, reasons) = self.counts.mapped().split_at(size_of::<Control>());
-        let control: Control = bytemuck::pod_read_unaligned(control);
-        let reasons = bytemuck::pod_read_unaligned(&reasons[..REASONS as usize]);
+        let mut control = Control::default();
+        let mut reasons = [0; REASONS as usize / 4];
+        let counts = self.counts.mapped().chunks_exact(LAYER_COUNTS as usize);
+        for layer in counts.take(self.kept_layers as usize) {
+            let (own, own_reasons) = layer.split_at(size_of::<Control>());
+            let own: Control = bytemuck::pod_read_unaligned(own);
+            control.visible_count += own.visible_count;
+            control.fragments += own.fragments;
+            let own_reasons: [u32; REASONS as usize / 4] =
+                bytemuck::pod_read_unaligned(own_reasons);
+            // Nothing writes them where they are not counted.
+            for (sum, own) in reasons.iter_mut().zip(own_reasons) {
+                *sum += if self.reasons { own } else { 0 };
+            }
+        }
         let counters = self.known.with_device_counts(
             &control,
             self.reasons.then_some(reasons),
@@ -190,6 +215,8 @@ impl FrameInFlight {
         self.marked.clear();
         self.skipped.clear();
         self.counted = Counted::No;
+        self.counted_draws = 0;
+        self.kept_layers = 0;
         self.samples = false;
         let device = &self.gpu.raw;
         // SAFETY: its last frame is done, so its pool, and with it the command buffer, is free.
@@ -206,7 +233,7 @@ impl FrameInFlight {
                 device.cmd_reset_query_pool(self.commands, queries.raw(), 0, BORDERS as u32);
             }
             if let Some(statistics) = &self.statistics {
-                device.cmd_reset_query_pool(self.commands, statistics.raw(), 0, 1);
+                device.cmd_reset_query_pool(self.commands, statistics.raw(), 0, LAYERS as u32);
             }
         }
         Ok(())
@@ -249,14 +276,16 @@ impl FrameInFlight {
         let pool = pool.raw();
         let gpu = self.gpu.clone();
         self.counted = Counted::Statistics;
+        let query = self.counted_draws;
+        self.counted_draws += 1;
         self.stage(name, |commands| {
             let none = vk::QueryControlFlags::empty();
             // SAFETY: the command buffer is recording outside a render pass; the pool is alive, and
             // its query was reset in `begin`.
-            unsafe { gpu.raw.cmd_begin_query(commands.raw(), pool, 0, none) };
+            unsafe { gpu.raw.cmd_begin_query(commands.raw(), pool, query, none) };
             record(commands);
             // SAFETY: the query was begun above.
-            unsafe { gpu.raw.cmd_end_query(commands.raw(), pool, 0) };
+            unsafe { gpu.raw.cmd_end_query(commands.raw(), pool, query) };
         });
     }
 
@@ -280,11 +309,10 @@ impl FrameInFlight {
         match (self.counted, &self.statistics) {
             (Counted::Itself, _) => Ok(Some(control.fragments.into())),
             (Counted::Statistics, Some(statistics)) => {
-                let mut count = [0];
-                statistics
-                    .read(&mut count)
-                    .during("vkGetQueryPoolResults")?;
-                Ok(Some(count[0]))
+                let mut counts = [0; LAYERS];
+                let counts = &mut counts[..self.counted_draws as usize];
+                statistics.read(counts).during("vkGetQueryPoolResults")?;
+                Ok(Some(counts.iter().sum()))
             }
             _ => Ok(None),
         }
@@ -340,6 +368,41 @@ impl FrameInFlight {
         }
     }
 
+    /// Adds a layer's counts to the frame's: a transfer. `reasons` as for [`Self::submit`].
+    ///
+    /// # Safety
+    /// It must be recording outside a render pass, with at most one layer kept before, and the
+    /// buffers must stay alive until this frame is finished or dropped.
+    pub unsafe fn keep_counts(&mut self, control: &Buffer, reasons: Option<Slice>) {
+        let start = self.kept_layers * LAYER_COUNTS;
+        self.kept_layers += 1;
+        let size = size_of::<Control>() as u64;
+        let copy = |from: vk::Buffer, region: vk::BufferCopy| {
+            let to = self.counts.raw();
+            // SAFETY: the command buffer is recording, as the caller promises; both buffers are
+            // alive and hold the region.
+            unsafe {
+                self.gpu
+                    .raw
+                    .cmd_copy_buffer(self.commands, from, to, &[region])
+            };
+        };
+        let region = vk::BufferCopy {
+            src_offset: 0,
+            dst_offset: start,
+            size,
+        };
+        copy(control.raw(), region);
+        if let Some(reasons) = reasons {
+            let region = vk::BufferCopy {
+                src_offset: reasons.offset,
+                dst_offset: start + size,
+                size: reasons.size,
+            };
+            copy(reasons.buffer, region);
+        }
+    }
+
     /// Copies the frame's counts, ends recording and submits. `reasons`: numbers of Gaussians
     /// culled for each reason, where they were counted.
     ///
@@ -353,27 +416,9 @@ impl FrameInFlight {
         reasons: Option<Slice>,
         semaphores: Option<Semaphores>,
     ) -> Result<()> {
+        // SAFETY: the caller promises that it is recording and that the buffers stay alive.
+        unsafe { self.keep_counts(control, reasons) };
         let device = &self.gpu.raw;
-        let size = size_of::<Control>() as u64;
-        let copy = |from: vk::Buffer, region: vk::BufferCopy| {
-            // SAFETY: the command buffer is recording, as the caller promises; both buffers are
-            // alive and hold the region.
-            unsafe { device.cmd_copy_buffer(self.commands, from, self.counts.raw(), &[region]) };
-        };
-        let region = vk::BufferCopy {
-            src_offset: 0,
-            dst_offset: 0,
-            size,
-        };
-        copy(control.raw(), region);
-        if let Some(reasons) = reasons {
-            let region = vk::BufferCopy {
-                src_offset: reasons.offset,
-                dst_offset: size,
-                size: reasons.size,
-            };
-            copy(reasons.buffer, region);
-        }
         self.recording().show_host();
         // SAFETY: the command buffer is recording, and the fence is free: its last frame is done.
         unsafe {

@@ -229,11 +229,11 @@ impl QueryPool {
         Self::with(device, &info, name)
     }
 
-    /// For one count of fragments. The device must have pipeline statistics.
-    pub(crate) fn fragments(device: &Arc<Device>, name: &str) -> Result<Self> {
+    /// For counts of fragments. The device must have pipeline statistics.
+    pub(crate) fn fragments(device: &Arc<Device>, counts: u32, name: &str) -> Result<Self> {
         let info = vk::QueryPoolCreateInfo::default()
             .query_type(vk::QueryType::PIPELINE_STATISTICS)
-            .query_count(1)
+            .query_count(counts)
             .pipeline_statistics(vk::QueryPipelineStatisticFlags::FRAGMENT_SHADER_INVOCATIONS);
         Self::with(device, &info, name)
     }

@@ -2,9 +2,10 @@
 
 use crate::vulkan::memory::Slice;
 use ash::vk;
-use effigy_core::frame::{Damage, SortVariant};
+use effigy_core::frame::{Damage, SortVariant, passes::Target};
 
 /// Inputs of the stage.
+#[derive(Clone, Copy)]
 pub struct RasterInputs {
     /// The ring of frame blocks.
     pub frame: Slice,
@@ -20,8 +21,12 @@ pub struct RasterInputs {
     pub sort: SortVariant,
 }
 
-/// The draw of a frame.
+/// The draw of a layer.
 pub struct Draw<'a> {
+    /// The image that it goes into.
+    pub target: Target,
+    /// Width and height of what is drawn, in the target's upper left corner, px.
+    pub size: [u32; 2],
     /// Where in the ring of blocks the one with the image's size is, bytes.
     pub frame: u32,
     /// The control: holds the arguments of the indirect draw.
@@ -30,4 +35,22 @@ pub struct Draw<'a> {
     pub damage: &'a Damage,
     /// Whether to count fragments.
     pub count: bool,
+}
+
+impl Draw<'_> {
+    /// The rectangle to draw.
+    pub fn area(&self) -> vk::Rect2D {
+        let [x, y] = self.damage.min;
+        let [right, bottom] = self.damage.max;
+        vk::Rect2D {
+            offset: vk::Offset2D {
+                x: x as i32,
+                y: y as i32,
+            },
+            extent: vk::Extent2D {
+                width: right - x,
+                height: bottom - y,
+            },
+        }
+    }
 }

@@ -1,4 +1,5 @@
-//! The `raster` stage: splats in drawing order go in, an image comes out (model.md, step 10).
+//! The `raster` stage: splats in drawing order go in, an image comes out (model.md, step 10); and
+//! `resolve`, for what is drawn larger than it is shown.
 //!
 //! | method | how | fragments |
 //! |---|---|---|
@@ -10,6 +11,7 @@ pub(crate) mod download;
 pub(crate) mod draw;
 mod options;
 mod quads;
+mod resolve;
 mod runs;
 mod saturation;
 mod stage;

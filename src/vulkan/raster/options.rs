@@ -4,6 +4,7 @@ use crate::{quirks::recommended_method, vulkan::device::gpu::Gpu};
 use effigy_core::{
     frame::{RasterMethod, RendererOptions, Skip, TileKernel},
     layout::PROJECT_WORKGROUP,
+    scene::Supersampling,
 };
 
 /// How a renderer with these options draws on a device.
@@ -31,8 +32,10 @@ pub(crate) fn tile_kernel(options: &RendererOptions, gpu: &Gpu) -> TileKernel {
 pub fn resolved(gpu: &Gpu, options: RendererOptions) -> RendererOptions {
     let method = method(&options, gpu);
     let mut skip = options.skip;
+    let mut supersampling = options.supersampling;
     if !gpu.probe.draws_triangles() {
         skip -= Skip::HIDDEN | Skip::DEPTH;
+        supersampling = Supersampling::OFF;
     }
     // Whether the depth test saves more than it costs is measured: on CPU drivers it does not
     // (docs/experiments/038).
@@ -47,6 +50,7 @@ pub fn resolved(gpu: &Gpu, options: RendererOptions) -> RendererOptions {
         packed_words: Some(options.packed_words.unwrap_or(!gpu.half_storage)),
         color: Some(options.color.unwrap_or_else(|| method.color())),
         skip,
+        supersampling,
         ..options
     }
 }

@@ -4,7 +4,7 @@
 use super::{
     draw::{Draw, RasterInputs},
     saturation::Saturation,
-    target::{FINAL_LAYOUT, READER_SCOPE, READER_STAGES, check_size, vulkan_format},
+    target::{FINAL_LAYOUT, READER_SCOPE, READER_STAGES, check_size, forget, vulkan_format},
 };
 use crate::vulkan::{
     device::{
@@ -13,7 +13,7 @@ use crate::vulkan::{
         handle::{Framebuffer, Pipeline, RenderPass},
         recording::Recording,
     },
-    memory::{Buffer, DEPTH_FORMAT, Image, LayoutChange, Scope},
+    memory::{Buffer, DEPTH_FORMAT, Image, Scope},
     pipeline::{
         Resources,
         bindings::Bindings,
@@ -23,7 +23,7 @@ use crate::vulkan::{
 };
 use ash::vk;
 use effigy_core::{
-    frame::{ColorFormat, RasterMethod, RendererOptions, Skip},
+    frame::{ColorFormat, RasterMethod, RendererOptions, Skip, passes::Target},
     layout::QUADS_PER_INSTANCE,
 };
 use std::sync::Arc;
@@ -52,6 +52,8 @@ pub struct Quads {
     bindings: Bindings,
     indices: Buffer,
     target: QuadTarget,
+    /// Where avatars are drawn larger than they are shown; None until a frame has one.
+    atlas: Option<QuadTarget>,
     render_pass: RenderPass,
     /// The part of the target that is drawn, from its upper left corner, px.
     drawn: [u32; 2],
@@ -105,6 +107,7 @@ impl Quads {
             bindings,
             indices,
             target,
+            atlas: None,
             render_pass,
             drawn: options.size,
         })
@@ -124,6 +127,22 @@ impl Quads {
         self.target = target;
         self.drawn = size;
         Ok(())
+    }
+
+    /// Makes an atlas of a size. On failure the one before stays.
+    ///
+    /// # Safety
+    /// No submitted work may use the one before.
+    pub unsafe fn make_atlas(&mut self, size: [u32; 2]) -> Result<()> {
+        let depth = self.test.is_some();
+        let atlas = target(&self.gpu, &self.render_pass, self.format, depth, size)?;
+        self.atlas = Some(atlas);
+        Ok(())
+    }
+
+    /// The atlas, if there is one.
+    pub fn atlas(&self) -> Option<&Image> {
+        self.atlas.as_ref().map(|atlas| &atlas.image)
     }
 
     pub fn draw_within(&mut self, size: [u32; 2]) {
@@ -168,27 +187,20 @@ impl Quads {
     /// Clears the damage rectangle, and draws the control's splats there; graphics. `tested`:
     /// whether [`Self::saturation`] found this frame's depths.
     pub fn record(&self, commands: Recording, draw: &Draw, tested: bool) {
-        let [width, height] = self.drawn;
-        let [x, y] = draw.damage.min;
-        let [right, bottom] = draw.damage.max;
-        let area = vk::Rect2D {
-            offset: vk::Offset2D {
-                x: x as i32,
-                y: y as i32,
-            },
-            extent: vk::Extent2D {
-                width: right - x,
-                height: bottom - y,
-            },
+        let target = match (draw.target, &self.atlas) {
+            (Target::Atlas, Some(atlas)) => atlas,
+            _ => &self.target,
         };
+        let [width, height] = draw.size;
+        let area = draw.area();
         if draw.damage.whole {
-            self.forget(commands);
+            forget(commands, &target.image);
         }
         let viewport = graphics::viewport(0.0, 0.0, width as f32, height as f32);
         let clear = [vk::ClearValue::default(), graphics::FURTHEST];
         let begin = vk::RenderPassBeginInfo::default()
             .render_pass(self.render_pass.raw())
-            .framebuffer(self.target.framebuffer.raw())
+            .framebuffer(target.framebuffer.raw())
             .render_area(area)
             .clear_values(&clear);
         let device = &self.gpu.raw;
@@ -211,20 +223,6 @@ impl Quads {
             device.cmd_draw_indexed_indirect(raw, draw.control, 0, 1, 0);
             device.cmd_end_render_pass(raw);
         }
-    }
-
-    /// Has the image in the layout that the render pass expects, whatever it holds.
-    fn forget(&self, commands: Recording) {
-        let output = vk::PipelineStageFlags::COLOR_ATTACHMENT_OUTPUT;
-        let write = vk::AccessFlags::COLOR_ATTACHMENT_WRITE;
-        let change = LayoutChange {
-            from: Scope::new(READER_STAGES | output, write),
-            to: Scope::new(output, write),
-            old: vk::ImageLayout::UNDEFINED,
-            new: FINAL_LAYOUT,
-        };
-        // SAFETY: the image is alive.
-        unsafe { commands.change_layout(self.target.image.raw(), change) };
     }
 }
 

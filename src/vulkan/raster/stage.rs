@@ -5,8 +5,10 @@ use super::{
     draw::{Draw, RasterInputs},
     options::{method, tile_kernel},
     quads::Quads,
+    resolve::Resolve,
     runs::{Runs, TileLists},
     saturation::Saturation,
+    target::forget,
     tiles::Tiles,
 };
 use crate::{
@@ -21,13 +23,25 @@ use crate::{
     },
 };
 use effigy_core::{
-    frame::{ColorFormat, RasterMethod, RendererOptions, TileKernel},
+    frame::{ColorFormat, RasterMethod, RendererOptions, TileKernel, atlas::Slot},
     layout::BinLists,
 };
 use std::sync::Arc;
 
+/// Sides of atlases are multiples of this, px, so that a crowd that comes nearer does not make a new
+/// one in each frame.
+const ATLAS_STEP: u32 = 256;
+
+/// The `raster` stage, and `resolve`.
+pub struct Raster {
+    /// None until a frame has an avatar that is drawn larger than it is shown.
+    resolve: Option<Resolve>,
+    method: Method,
+    gpu: Arc<Gpu>,
+}
+
 /// The `raster` stage, by one of its methods.
-pub enum Raster {
+enum Method {
     /// Blends quads far to near with the device's blender.
     Quads(Box<Quads>),
     /// Blends the splats of each tile near to far in a compute kernel.
@@ -40,8 +54,8 @@ impl Raster {
         inputs: &RasterInputs,
         options: &RendererOptions,
     ) -> Result<Self> {
-        Ok(match method(options, gpu) {
-            RasterMethod::Quads => Self::Quads(Box::new(Quads::new(gpu, inputs, options)?)),
+        let method = match method(options, gpu) {
+            RasterMethod::Quads => Method::Quads(Box::new(Quads::new(gpu, inputs, options)?)),
             RasterMethod::Tiles => {
                 let kernel = tile_kernel(options, gpu);
                 if kernel == TileKernel::Cooperative && !gpu.probe.can_cooperate() {
@@ -56,64 +70,69 @@ impl Raster {
                         gpu.probe.driver
                     );
                 }
-                Self::Tiles(Box::new(Tiles::new(gpu, inputs, options)?))
+                Method::Tiles(Box::new(Tiles::new(gpu, inputs, options)?))
             }
+        };
+        Ok(Self {
+            resolve: None,
+            method,
+            gpu: gpu.clone(),
         })
     }
 
     /// The method that it draws by.
     pub fn method(&self) -> RasterMethod {
-        match self {
-            Self::Quads(_) => RasterMethod::Quads,
-            Self::Tiles(_) => RasterMethod::Tiles,
+        match &self.method {
+            Method::Quads(_) => RasterMethod::Quads,
+            Method::Tiles(_) => RasterMethod::Tiles,
         }
     }
 
     /// The image: premultiplied colour, in `SHADER_READ_ONLY_OPTIMAL` after every frame, visible to
     /// fragment shaders and transfers.
     pub fn image(&self) -> &Image {
-        match self {
-            Self::Quads(quads) => quads.image(),
-            Self::Tiles(tiles) => tiles.image(),
+        match &self.method {
+            Method::Quads(quads) => quads.image(),
+            Method::Tiles(tiles) => tiles.image(),
         }
     }
 
     /// Width and height of what is drawn, in the image's upper left corner, px: all of it until
     /// `draw_within`.
     pub fn drawn(&self) -> [u32; 2] {
-        match self {
-            Self::Quads(quads) => quads.drawn(),
-            Self::Tiles(tiles) => tiles.drawn(),
+        match &self.method {
+            Method::Quads(quads) => quads.drawn(),
+            Method::Tiles(tiles) => tiles.drawn(),
         }
     }
 
     /// The image's colour format.
     pub fn format(&self) -> ColorFormat {
-        match self {
-            Self::Quads(quads) => quads.format(),
-            Self::Tiles(tiles) => tiles.format(),
+        match &self.method {
+            Method::Quads(quads) => quads.format(),
+            Method::Tiles(tiles) => tiles.format(),
         }
     }
 
     /// Dispatches of a frame.
     pub fn dispatches(&self) -> u64 {
-        match self {
-            Self::Quads(_) => self.bins().map_or(0, |bins| bins.dispatches() + 1),
-            Self::Tiles(_) => 1 + self.bins().map_or(1, Bins::dispatches),
+        match &self.method {
+            Method::Quads(_) => self.bins().map_or(0, |bins| bins.dispatches() + 1),
+            Method::Tiles(_) => 1 + self.bins().map_or(1, Bins::dispatches),
         }
     }
 
     fn runs(&self) -> Option<&Runs> {
-        match self {
-            Self::Quads(_) => None,
-            Self::Tiles(tiles) => tiles.runs(),
+        match &self.method {
+            Method::Quads(_) => None,
+            Method::Tiles(tiles) => tiles.runs(),
         }
     }
 
     fn bins(&self) -> Option<&Bins> {
-        match self {
-            Self::Quads(quads) => quads.saturation().map(Saturation::bins),
-            Self::Tiles(tiles) => tiles.bins(),
+        match &self.method {
+            Method::Quads(quads) => quads.saturation().map(Saturation::bins),
+            Method::Tiles(tiles) => tiles.bins(),
         }
     }
 
@@ -132,15 +151,15 @@ impl Raster {
     }
 
     /// Makes the lists of bins, if there are any; compute.
-    pub(crate) fn record_bins(&self, commands: Recording, frame: u32) {
+    pub(crate) fn record_bins(&self, commands: Recording, draw: &Draw) {
         if let Some(bins) = self.bins() {
-            bins.record(commands, frame, self.drawn());
+            bins.record(commands, draw.frame, draw.size);
         }
     }
 
     /// Finds the saturation depth, if quads are tested against it; compute.
     pub(crate) fn record_saturation(&self, commands: Recording, draw: &Draw) {
-        if let Self::Quads(quads) = self
+        if let Method::Quads(quads) = &self.method
             && let Some(saturation) = quads.saturation()
         {
             saturation.record(commands, draw);
@@ -150,9 +169,9 @@ impl Raster {
     /// Draws what the sort left. `tested`: whether quads are tested against the saturation depth,
     /// which this frame found.
     pub(crate) fn record(&self, commands: Recording, draw: &Draw, tested: bool) {
-        match self {
-            Self::Quads(quads) => quads.record(commands, draw, tested),
-            Self::Tiles(tiles) => tiles.record(commands, draw),
+        match &self.method {
+            Method::Quads(quads) => quads.record(commands, draw, tested),
+            Method::Tiles(tiles) => tiles.record(commands, draw),
         }
     }
 
@@ -171,9 +190,9 @@ impl Raster {
     /// The saturation depth of each sample of the last frame, row by row, read back for tests. None
     /// without the stage.
     pub fn saturation_depths(&self) -> Result<Option<Vec<f32>>> {
-        match self {
-            Self::Quads(quads) => quads.saturation().map(Saturation::download).transpose(),
-            Self::Tiles(_) => Ok(None),
+        match &self.method {
+            Method::Quads(quads) => quads.saturation().map(Saturation::download).transpose(),
+            Method::Tiles(_) => Ok(None),
         }
     }
 
@@ -182,19 +201,83 @@ impl Raster {
     /// # Safety
     /// No submitted work may use the image.
     pub(crate) unsafe fn resize(&mut self, size: [u32; 2]) -> Result<()> {
-        match self {
+        match &mut self.method {
             // SAFETY: the caller promises that no work uses the image.
-            Self::Quads(quads) => unsafe { quads.resize(size) },
+            Method::Quads(quads) => unsafe { quads.resize(size) },
             // SAFETY: the caller promises that no work uses the image.
-            Self::Tiles(tiles) => unsafe { tiles.resize(size) },
+            Method::Tiles(tiles) => unsafe { tiles.resize(size) },
+        }?;
+        // The next frame that resolves anything makes another for this image.
+        self.resolve = None;
+        Ok(())
+    }
+
+    /// Whether there is an atlas of at least a size, and what resolves it.
+    pub(crate) fn has_atlas(&self, size: [u32; 2]) -> bool {
+        self.resolve.is_some()
+            && self.atlas().is_some_and(|atlas| {
+                let [width, height] = atlas.size();
+                width >= size[0] && height >= size[1]
+            })
+    }
+
+    fn atlas(&self) -> Option<&Image> {
+        match &self.method {
+            Method::Quads(quads) => quads.atlas(),
+            Method::Tiles(tiles) => tiles.atlas(),
+        }
+    }
+
+    /// Makes an atlas of at least a size, px, and what resolves it.
+    ///
+    /// # Safety
+    /// No submitted work may use the ones before.
+    pub(crate) unsafe fn make_atlas(&mut self, size: [u32; 2]) -> Result<()> {
+        let before = self.atlas().map_or([0; 2], Image::size);
+        let grown = [0, 1].map(|axis| size[axis].next_multiple_of(ATLAS_STEP).max(before[axis]));
+        if grown != before {
+            match &mut self.method {
+                // SAFETY: the caller promises that no work uses the one before.
+                Method::Quads(quads) => unsafe { quads.make_atlas(grown) },
+                // SAFETY: the caller promises that no work uses the one before.
+                Method::Tiles(tiles) => unsafe { tiles.make_atlas(grown) },
+            }?;
+        }
+        let resolve = match self.resolve.take() {
+            Some(resolve) => resolve,
+            None => Resolve::new(&self.gpu, self.image(), self.format())?,
+        };
+        if let Some(atlas) = self.atlas() {
+            // SAFETY: the caller promises that no work uses it. The atlas lives as long as this or
+            // until it gets another, and every layer leaves it in the layout for readers.
+            unsafe { resolve.set_atlas(atlas) };
+        }
+        self.resolve = Some(resolve);
+        Ok(())
+    }
+
+    /// Averages slots of the atlas into the image. `clear`: whether the frame drew nothing else
+    /// into it.
+    pub(crate) fn record_resolve(
+        &self,
+        commands: Recording,
+        draw: &Draw,
+        slots: &[Slot],
+        clear: bool,
+    ) {
+        if clear && draw.damage.whole {
+            forget(commands, self.image());
+        }
+        if let Some(resolve) = &self.resolve {
+            resolve.record(commands, draw, slots, clear);
         }
     }
 
     /// Draws that much of the image from now on. It must fit.
     pub(crate) fn draw_within(&mut self, size: [u32; 2]) {
-        match self {
-            Self::Quads(quads) => quads.draw_within(size),
-            Self::Tiles(tiles) => tiles.draw_within(size),
+        match &mut self.method {
+            Method::Quads(quads) => quads.draw_within(size),
+            Method::Tiles(tiles) => tiles.draw_within(size),
         }
     }
 
@@ -203,11 +286,11 @@ impl Raster {
     /// # Safety
     /// No submitted work may draw with it.
     pub(crate) unsafe fn set_cutoff(&mut self, options: &RendererOptions) -> Result<()> {
-        match self {
+        match &mut self.method {
             // SAFETY: the caller promises that no work draws with it.
-            Self::Quads(quads) => unsafe { quads.set_cutoff(options) },
+            Method::Quads(quads) => unsafe { quads.set_cutoff(options) },
             // SAFETY: the caller promises that no work draws with it.
-            Self::Tiles(tiles) => unsafe { tiles.set_cutoff(options) },
+            Method::Tiles(tiles) => unsafe { tiles.set_cutoff(options) },
         }
     }
 }

@@ -1,11 +1,12 @@
-//! The image that both methods draw to.
+//! The images that both methods draw to.
 
 use crate::vulkan::{
     device::{
         error::{Error, Result},
         gpu::Gpu,
+        recording::Recording,
     },
-    memory::Scope,
+    memory::{Image, LayoutChange, Scope},
 };
 use ash::vk::{self, AccessFlags, PipelineStageFlags};
 use effigy_core::frame::ColorFormat;
@@ -42,4 +43,18 @@ pub(crate) fn check_size(gpu: &Gpu, size: [u32; 2], limit: u32) -> Result<()> {
         });
     }
     Ok(())
+}
+
+/// Has an image in the layout that render passes expect, whatever it holds.
+pub(crate) fn forget(commands: Recording, image: &Image) {
+    let output = PipelineStageFlags::COLOR_ATTACHMENT_OUTPUT;
+    let write = AccessFlags::COLOR_ATTACHMENT_WRITE;
+    let change = LayoutChange {
+        from: Scope::new(READER_STAGES | output, write),
+        to: Scope::new(output, write),
+        old: vk::ImageLayout::UNDEFINED,
+        new: FINAL_LAYOUT,
+    };
+    // SAFETY: the image is alive.
+    unsafe { commands.change_layout(image.raw(), change) };
 }

@@ -15,7 +15,7 @@ use crate::vulkan::{
 };
 use ash::vk::{self, AccessFlags, ImageLayout};
 use effigy_core::{
-    frame::{ColorFormat, RasterMethod, RendererOptions, Skip, TileKernel},
+    frame::{ColorFormat, RasterMethod, RendererOptions, Skip, TileKernel, passes::Target},
     layout::{RASTER_REGION, SHARED_REGION},
 };
 use std::sync::Arc;
@@ -26,13 +26,59 @@ enum Lists {
     Bins(Box<Bins>),
 }
 
+/// An image, and the kernel that writes it.
+struct TileTarget {
+    kernel: Kernel,
+    image: Image,
+}
+
+impl TileTarget {
+    /// Draws what `lists` say to an image of a size, px. `options`: resolved.
+    fn new(
+        gpu: &Arc<Gpu>,
+        lists: &Lists,
+        inputs: &RasterInputs,
+        options: &RendererOptions,
+        size: [u32; 2],
+    ) -> Result<Self> {
+        let kernel = tile_kernel(options, gpu);
+        let color = format(options);
+        let module = match (kernel, color) {
+            (TileKernel::PerThread, ColorFormat::Rgba8) => &shaders::RASTER_PER_THREAD_RGBA8,
+            (TileKernel::PerThread, ColorFormat::Rgba16F) => &shaders::RASTER_PER_THREAD_RGBA16F,
+            (TileKernel::Cooperative, ColorFormat::Rgba8) => &shaders::RASTER_COOPERATIVE_RGBA8,
+            (TileKernel::Cooperative, ColorFormat::Rgba16F) => &shaders::RASTER_COOPERATIVE_RGBA16F,
+            (TileKernel::Shared, ColorFormat::Rgba8) => &shaders::RASTER_SHARED_RGBA8,
+            (TileKernel::Shared, ColorFormat::Rgba16F) => &shaders::RASTER_SHARED_RGBA16F,
+        };
+        let mut storage = vec![inputs.splats, inputs.control];
+        match lists {
+            Lists::Runs(runs) => storage.push(runs.storage()),
+            Lists::Bins(bins) => storage.extend(bins.storage()),
+        }
+        let resources = Resources {
+            uniform: Some(inputs.frame),
+            storage: &storage,
+            image: Some(BoundImage::Written),
+        };
+        let constants = constants(lists, options);
+        let image = create_image(gpu, options, size)?;
+        let kernel = Kernel::new(gpu, module, &constants, resources, launch(gpu, kernel))?;
+        // SAFETY: nothing uses the kernel yet; `record` has the image in the layout that it writes,
+        // and the image lives as long as the kernel, or until it gets another.
+        unsafe { kernel.set_image(vk::Sampler::null(), image.view()) };
+        Ok(Self { kernel, image })
+    }
+}
+
 pub struct Tiles {
     gpu: Arc<Gpu>,
     lists: Lists,
-    raster: Kernel,
-    kernel: TileKernel,
-    format: ColorFormat,
-    image: Image,
+    target: TileTarget,
+    /// Where avatars are drawn larger than they are shown; None until a frame has one.
+    atlas: Option<TileTarget>,
+    inputs: RasterInputs,
+    options: RendererOptions,
     /// The part of the image that is drawn, from its upper left corner, px.
     drawn: [u32; 2],
 }
@@ -46,44 +92,19 @@ impl Tiles {
             }
             TileKernel::Shared => Lists::Bins(Box::new(Bins::new(gpu, inputs, 0.0)?)),
         };
-        let color = options.color.unwrap_or(RasterMethod::Tiles.color());
-        let module = match (kernel, color) {
-            (TileKernel::PerThread, ColorFormat::Rgba8) => &shaders::RASTER_PER_THREAD_RGBA8,
-            (TileKernel::PerThread, ColorFormat::Rgba16F) => &shaders::RASTER_PER_THREAD_RGBA16F,
-            (TileKernel::Cooperative, ColorFormat::Rgba8) => &shaders::RASTER_COOPERATIVE_RGBA8,
-            (TileKernel::Cooperative, ColorFormat::Rgba16F) => &shaders::RASTER_COOPERATIVE_RGBA16F,
-            (TileKernel::Shared, ColorFormat::Rgba8) => &shaders::RASTER_SHARED_RGBA8,
-            (TileKernel::Shared, ColorFormat::Rgba16F) => &shaders::RASTER_SHARED_RGBA16F,
-        };
-        let mut storage = vec![inputs.splats, inputs.control];
-        match &lists {
-            Lists::Runs(runs) => storage.push(runs.storage()),
-            Lists::Bins(bins) => storage.extend(bins.storage()),
-        }
-        let resources = Resources {
-            uniform: Some(inputs.frame),
-            storage: &storage,
-            image: Some(BoundImage::Written),
-        };
-        let constants = constants(&lists, options);
-        let raster = Kernel::new(gpu, module, &constants, resources, launch(gpu, kernel))?;
-        let image = create_image(gpu, color, options.size)?;
-        // SAFETY: nothing uses the kernel yet; `record` has the image in the layout that it writes,
-        // and the image lives as long as the kernel, or until it gets another.
-        unsafe { raster.set_image(vk::Sampler::null(), image.view()) };
         Ok(Self {
             gpu: gpu.clone(),
+            target: TileTarget::new(gpu, &lists, inputs, options, options.size)?,
+            atlas: None,
             lists,
-            raster,
-            kernel,
-            format: color,
-            image,
+            inputs: *inputs,
+            options: *options,
             drawn: options.size,
         })
     }
 
     pub fn image(&self) -> &Image {
-        &self.image
+        &self.target.image
     }
 
     pub fn drawn(&self) -> [u32; 2] {
@@ -91,7 +112,7 @@ impl Tiles {
     }
 
     pub fn format(&self) -> ColorFormat {
-        self.format
+        format(&self.options)
     }
 
     /// Changes the image's size. On failure it stays.
@@ -99,16 +120,33 @@ impl Tiles {
     /// # Safety
     /// No submitted work may use the image or draw to it.
     pub unsafe fn resize(&mut self, size: [u32; 2]) -> Result<()> {
-        self.image = create_image(&self.gpu, self.format, size)?;
+        let image = create_image(&self.gpu, &self.options, size)?;
         // SAFETY: no work uses the kernel, as the caller promises; `record` has the image in the
         // layout that it writes, and the image lives as long as the kernel, or until it gets
         // another.
         unsafe {
-            self.raster
-                .set_image(vk::Sampler::null(), self.image.view())
+            self.target
+                .kernel
+                .set_image(vk::Sampler::null(), image.view())
         };
+        self.target.image = image;
         self.drawn = size;
         Ok(())
+    }
+
+    /// Makes an atlas of a size. On failure the one before stays.
+    ///
+    /// # Safety
+    /// No submitted work may use the one before.
+    pub unsafe fn make_atlas(&mut self, size: [u32; 2]) -> Result<()> {
+        let atlas = TileTarget::new(&self.gpu, &self.lists, &self.inputs, &self.options, size)?;
+        self.atlas = Some(atlas);
+        Ok(())
+    }
+
+    /// The atlas, if there is one.
+    pub fn atlas(&self) -> Option<&Image> {
+        self.atlas.as_ref().map(|atlas| &atlas.image)
     }
 
     pub fn draw_within(&mut self, size: [u32; 2]) {
@@ -120,10 +158,14 @@ impl Tiles {
     /// # Safety
     /// No submitted work may draw with it.
     pub unsafe fn set_cutoff(&mut self, options: &RendererOptions) -> Result<()> {
-        let launch = launch(&self.gpu, self.kernel);
+        let launch = launch(&self.gpu, tile_kernel(options, &self.gpu));
         let constants = constants(&self.lists, options);
-        // SAFETY: the caller promises that no work uses the kernel.
-        unsafe { self.raster.specialize(&constants, launch) }
+        for target in std::iter::once(&mut self.target).chain(&mut self.atlas) {
+            // SAFETY: the caller promises that no work uses the kernel.
+            unsafe { target.kernel.specialize(&constants, launch) }?;
+        }
+        self.options = *options;
+        Ok(())
     }
 
     /// The lists of tiles, if the kernel walks those.
@@ -144,7 +186,11 @@ impl Tiles {
 
     /// Draws every pixel of the damage rectangle. Reads the output of `binning`; compute.
     pub fn record(&self, commands: Recording, draw: &Draw) {
-        let image = self.image.raw();
+        let target = match (draw.target, &self.atlas) {
+            (Target::Atlas, Some(atlas)) => atlas,
+            _ => &self.target,
+        };
+        let image = target.image.raw();
         let begin = LayoutChange {
             from: Scope::new(READER_STAGES, AccessFlags::empty()),
             to: Scope::KERNEL_WRITES,
@@ -163,12 +209,13 @@ impl Tiles {
         };
         // SAFETY: the image is alive, and as the frame before left it, or as nobody did.
         unsafe { commands.change_layout(image, begin) };
-        let region = match self.kernel {
+        let region = match tile_kernel(&self.options, &self.gpu) {
             TileKernel::PerThread | TileKernel::Cooperative => RASTER_REGION,
             TileKernel::Shared => SHARED_REGION,
         };
         let [first, beyond] = draw.damage.regions(region);
-        self.raster
+        target
+            .kernel
             .dispatch_within(commands, draw.frame, first, beyond);
         // SAFETY: the image is alive, and in the layout that the kernel writes.
         unsafe { commands.change_layout(image, end) };
@@ -208,10 +255,17 @@ fn launch(gpu: &Gpu, kernel: TileKernel) -> Launch {
     }
 }
 
-fn create_image(gpu: &Arc<Gpu>, format: ColorFormat, size: [u32; 2]) -> Result<Image> {
+fn format(options: &RendererOptions) -> ColorFormat {
+    options.color.unwrap_or(RasterMethod::Tiles.color())
+}
+
+fn create_image(gpu: &Arc<Gpu>, options: &RendererOptions, size: [u32; 2]) -> Result<Image> {
     check_size(gpu, size, gpu.probe.limits.max_image_dimension2_d)?;
-    let usage = vk::ImageUsageFlags::STORAGE
+    let mut usage = vk::ImageUsageFlags::STORAGE
         | vk::ImageUsageFlags::SAMPLED
         | vk::ImageUsageFlags::TRANSFER_SRC;
-    Image::new(gpu, "target", size, vulkan_format(format), usage)
+    if options.supersampling.is_on() {
+        usage |= vk::ImageUsageFlags::COLOR_ATTACHMENT;
+    }
+    Image::new(gpu, "target", size, vulkan_format(format(options)), usage)
 }

@@ -13,7 +13,7 @@ use effigy_core::{
     frame::{
         RendererOptions, Skinning, block,
         pose_cache::PoseCache,
-        state::{AvatarInstance, FramePlan},
+        state::{AvatarInstance, FramePlan, Layer},
     },
     layout::FrameBlock,
     scene::{AvatarBounds, Camera},
@@ -43,7 +43,8 @@ pub(super) struct BlockSources<'a> {
 impl Blocks {
     /// For so many avatars a frame. `constants`: what no frame changes.
     pub fn new(gpu: &Arc<Gpu>, instances: usize, constants: &FrameBlock) -> Result<Self> {
-        let count = FRAMES_IN_FLIGHT * instances;
+        // One more for an image without avatars.
+        let count = FRAMES_IN_FLIGHT * (instances + 1);
         let mut buffer = Buffer::new(
             gpu,
             "frames",
@@ -73,7 +74,17 @@ impl Blocks {
     /// Where in the ring an avatar's block is, bytes. `frame`: index of the frame in flight.
     /// `number`: the avatar's place in the renderer.
     pub fn offset(&self, frame: usize, number: usize) -> usize {
-        (frame * self.instances + number) * STRIDE
+        (frame * (self.instances + 1) + number) * STRIDE
+    }
+
+    /// Where in the ring the block of a layer's image is, bytes: its first avatar's, or one of its
+    /// own. `frame`: index of the frame in flight.
+    pub fn of_layer(&self, frame: usize, layer: &Layer) -> u32 {
+        let first = layer.instances.first();
+        self.offset(
+            frame,
+            first.map_or(self.instances, |instance| instance.index),
+        ) as u32
     }
 
     /// Fills the blocks of a frame. `frame`: index of the frame in flight.
@@ -84,36 +95,39 @@ impl Blocks {
         camera: &Camera,
         sources: &BlockSources,
     ) {
-        for instance in &plan.instances {
+        for instance in plan.instances() {
             if plan.redraw && instance.changes.skinning == Skinning::ComputeAndStore {
                 self.pose_caches[instance.index] =
                     PoseCache::new(sources.extent, instance.posed, camera);
             }
         }
-        // A frame without avatars has a size too.
-        self.fill(frame, 0, None, plan, camera, sources);
-        for instance in &plan.instances {
-            self.fill(frame, instance.index, Some(instance), plan, camera, sources);
+        for layer in plan.layers() {
+            for instance in &layer.instances {
+                self.fill(frame, Some(instance), layer, camera, sources);
+            }
+        }
+        if plan.image.instances.is_empty() {
+            self.fill(frame, None, &plan.image, camera, sources);
         }
     }
 
     fn fill(
         &mut self,
         frame: usize,
-        number: usize,
         instance: Option<&AvatarInstance>,
-        plan: &FramePlan,
+        layer: &Layer,
         camera: &Camera,
         sources: &BlockSources,
     ) {
+        let number = instance.map_or(self.instances, |instance| instance.index);
         let start = self.offset(frame, number);
         let bytes = &mut self.buffer.mapped()[start..][..size_of::<FrameBlock>()];
         let block: &mut FrameBlock = from_bytes_mut(bytes);
-        block::write_shared(block, sources.options, plan, camera);
+        block::write_shared(block, sources.options, layer, camera);
         sources.splats.fill(block);
         block.count_tile = sources.sort.tile();
         if let Some(instance) = instance {
-            block::write_instance(block, sources.options, instance, camera);
+            block::write_instance(block, sources.options, instance);
             sources.splats.fill_instance(block, number as u32);
             self.pose_caches[number].write_to(block, camera);
         }

@@ -4,15 +4,15 @@ use super::blocks::Blocks;
 use crate::vulkan::{
     commands::{control::set_control, frame_in_flight::FrameInFlight},
     device::recording::Recording,
-    memory::Scope,
+    memory::{Buffer, Scope},
     passes::{mlp::Mlp, occluder::OccluderPass, project::Project, sh::SphericalHarmonics},
     raster::{Raster, draw::Draw},
     sort::Sort,
 };
-use ash::vk::{self, AccessFlags, PipelineStageFlags};
+use ash::vk::{AccessFlags, PipelineStageFlags};
 use effigy_core::frame::{
-    RasterMethod, Schedule,
-    passes::{Pass, PipelineStages, Stage},
+    FramePlan, Layer, RasterMethod, Schedule,
+    passes::{Pass, PipelineStages, Stage, Target},
     schedule::{Command, Step},
 };
 
@@ -94,22 +94,29 @@ pub(super) struct Executor<'a> {
     pub project: &'a Project,
     pub sort: &'a Sort,
     pub raster: &'a Raster,
-    pub control: vk::Buffer,
+    pub control: &'a Buffer,
     pub blocks: &'a Blocks,
-    /// Offsets in the ring, bytes, of the blocks of the avatars in view.
-    pub avatars: &'a [u32],
+    pub plan: &'a FramePlan<'a>,
     /// Index of the frame in flight.
     pub frame: usize,
-    pub draw: Draw<'a>,
+    /// The draw into the frame's image.
+    pub image: Draw<'a>,
+    /// The draw into the atlas, if there is one.
+    pub atlas: Option<Draw<'a>>,
 }
 
 impl Executor<'_> {
     /// Records a schedule into a frame in flight, which must be recording.
     pub fn execute(&self, in_flight: &mut FrameInFlight, schedule: &Schedule) {
-        let count = self.draw.count;
+        let count = self.image.count;
         for step in &schedule.steps {
             match step {
                 Step::Skip(stage, _) => in_flight.skip(stage.name()),
+                Step::Command(Command::Run(Pass::KeepCounts)) => {
+                    // SAFETY: the frame is recording; the renderer drops both buffers after the
+                    // frames in flight.
+                    unsafe { in_flight.keep_counts(self.control, self.project.reasons()) };
+                }
                 Step::Command(command) => {
                     in_flight.record(|commands| self.record(commands, command));
                 }
@@ -142,10 +149,30 @@ impl Executor<'_> {
         self.blocks.offset(self.frame, instance) as u32
     }
 
+    /// The draw into a layer's image.
+    fn draw(&self, target: Target) -> &Draw<'_> {
+        match target {
+            Target::Atlas => self.atlas.as_ref().expect(SCHEDULED),
+            Target::Image => &self.image,
+        }
+    }
+
+    /// The avatars of a layer.
+    fn layer(&self, target: Target) -> &Layer<'_> {
+        match target {
+            Target::Atlas => &self.plan.atlas.as_ref().expect(SCHEDULED).layer,
+            Target::Image => &self.plan.image,
+        }
+    }
+
     fn record(&self, commands: Recording, command: &Command) {
         match command {
             Command::Barrier(barrier) => {
-                commands.barrier(before(barrier.before), after(barrier.after));
+                let [from, to] = [before(barrier.before), after(barrier.after)];
+                // Where nothing is left of it, render passes order it.
+                if !from.stages.is_empty() && !to.stages.is_empty() {
+                    commands.barrier(from, to);
+                }
             }
             Command::Run(pass) => self.run(commands, pass),
         }
@@ -155,7 +182,7 @@ impl Executor<'_> {
         match *pass {
             Pass::SetKeyCount { keys } => {
                 // SAFETY: the buffer holds a control, and is dropped after the frames in flight.
-                unsafe { set_control(commands, self.control, keys) };
+                unsafe { set_control(commands, self.control.raw(), keys) };
             }
             Pass::ClearCounts => {
                 self.sort.clear(commands);
@@ -171,9 +198,15 @@ impl Executor<'_> {
                 let sh = self.sh.expect(SCHEDULED);
                 sh.record(commands, self.block(instance), gaussians);
             }
-            Pass::Occluder { view } => {
+            Pass::Occluder { view, target } => {
                 let occluder = self.occluder.expect(SCHEDULED);
-                occluder.record(commands, self.avatars, &view);
+                let avatars: Vec<u32> = self
+                    .layer(target)
+                    .instances
+                    .iter()
+                    .map(|instance| self.block(instance.index))
+                    .collect();
+                occluder.record(commands, &avatars, &view);
             }
             Pass::Project {
                 instance,
@@ -185,11 +218,25 @@ impl Executor<'_> {
             }
             Pass::Sort => self.sort.record_counted(commands),
             Pass::ClearTileLists => self.raster.clear_tile_lists(commands),
-            Pass::Binning => self.raster.record_binning(commands, self.draw.frame),
-            Pass::Bin => self.raster.record_bins(commands, self.draw.frame),
-            Pass::Saturation => self.raster.record_saturation(commands, &self.draw),
-            Pass::RasterTiles { .. } => self.raster.record(commands, &self.draw, false),
-            Pass::RasterQuads { tested } => self.raster.record(commands, &self.draw, tested),
+            Pass::Binning { target } => {
+                self.raster
+                    .record_binning(commands, self.draw(target).frame);
+            }
+            Pass::Bin { target } => self.raster.record_bins(commands, self.draw(target)),
+            Pass::Saturation => self.raster.record_saturation(commands, &self.image),
+            Pass::RasterTiles { target, .. } => {
+                self.raster.record(commands, self.draw(target), false);
+            }
+            Pass::RasterQuads { tested, target } => {
+                self.raster.record(commands, self.draw(target), tested);
+            }
+            Pass::Resolve { clear } => {
+                let slots = &self.plan.atlas.as_ref().expect(SCHEDULED).slots;
+                self.raster
+                    .record_resolve(commands, &self.image, slots, clear);
+            }
+            // A step of its own.
+            Pass::KeepCounts => {}
             // The counts are copied where the frame is submitted.
             Pass::ReadCounts => {}
         }

@@ -39,8 +39,9 @@ use bytemuck::bytes_of;
 use effigy_core::{
     avatar::Avatar,
     frame::{
-        Counters, Damage, FramePlan, RendererOptions, Schedule, Skip, Stage, StageDispatches,
-        Unusable, block,
+        Counters, Damage, FramePlan, Layer, RendererOptions, Schedule, Skip, Stage,
+        StageDispatches, Unusable, block,
+        passes::Target,
         schedule::{DeviceState, Equipment},
         state::{FrameState, PlanInput},
         validate,
@@ -258,6 +259,7 @@ impl Renderer {
         Equipment {
             sh: self.sh.is_some(),
             occluder: self.occluder.is_some(),
+            supersampling: self.options.supersampling.is_on(),
             method: self.raster.method(),
             kernel: tile_kernel(&self.options, &self.gpu),
             skip: self.options.skip,
@@ -368,6 +370,14 @@ impl Renderer {
             self.report = FrameReport::idle(&self.equipment());
             return Ok(());
         }
+        if let Some(atlas) = &plan.atlas
+            && plan.redraw
+            && !self.raster.has_atlas(atlas.layer.size)
+        {
+            self.finish()?;
+            // SAFETY: every frame is done.
+            unsafe { self.raster.make_atlas(atlas.layer.size) }?;
+        }
         let recording = section(c"record");
         let sources = blocks::BlockSources {
             extent: &self.extent,
@@ -431,11 +441,21 @@ impl Renderer {
             damaged: if plan.redraw { damage.pixels() } else { 0 },
             ..plan.counters(self.model.constants.gaussians, &stages)
         };
-        let blocks: Vec<u32> = plan
-            .instances
-            .iter()
-            .map(|instance| self.blocks.offset(frame, instance.index) as u32)
-            .collect();
+        let draw = |layer: &Layer, target, damage| Draw {
+            target,
+            size: layer.size,
+            frame: self.blocks.of_layer(frame, layer),
+            control: self.control.raw(),
+            damage,
+            count: self.options.count,
+        };
+        // An atlas holds one frame's avatars: nothing of the frame before is of use.
+        let whole_atlas = plan.atlas.as_ref().map(|atlas| Damage {
+            min: [0; 2],
+            max: atlas.layer.size,
+            whole: true,
+        });
+        let atlas = plan.atlas.as_ref().zip(whole_atlas.as_ref());
         let executor = Executor {
             mlp: &self.mlp,
             sh: self.sh.as_ref(),
@@ -443,20 +463,12 @@ impl Renderer {
             project: &self.project,
             sort: &self.sort,
             raster: &self.raster,
-            control: self.control.raw(),
+            control: &self.control,
             blocks: &self.blocks,
-            avatars: &blocks,
+            plan,
             frame,
-            draw: Draw {
-                // An empty image has a size too: the first block's.
-                frame: match blocks.first() {
-                    Some(block) => *block,
-                    None => self.blocks.offset(frame, 0) as u32,
-                },
-                control: self.control.raw(),
-                damage,
-                count: self.options.count,
-            },
+            image: draw(&plan.image, Target::Image, damage),
+            atlas: atlas.map(|(atlas, damage)| draw(&atlas.layer, Target::Atlas, damage)),
         };
         let in_flight = &mut self.frames_in_flight[frame];
         in_flight.note(counters);

@@ -31,23 +31,6 @@ fn distant(tall: f64, size: [u32; 2]) -> (Avatar, Posed, Camera) {
     (avatar, posed, camera)
 }
 
-/// Each pixel the mean of `n` by `n`.
-fn averaged(image: &FrameImage, n: u32) -> FrameImage {
-    let size = image.size.map(|side| side / n);
-    let mean = |k: u32| {
-        let (column, row) = (k % size[0] * n, k / size[0] * n);
-        let inside = (0..n * n)
-            .map(|i| image.pixels[((row + i / n) * image.size[0] + column + i % n) as usize]);
-        inside.fold([0.0; 4], |sum: [f32; 4], pixel| {
-            std::array::from_fn(|c| sum[c] + pixel[c] / (n * n) as f32)
-        })
-    };
-    FrameImage {
-        size,
-        pixels: (0..size[0] * size[1]).map(mean).collect(),
-    }
-}
-
 fn each_level_agrees_with_the_reference(method: RasterMethod) {
     let device = gpu::gpu();
     for level in 1..4 {
@@ -96,13 +79,7 @@ fn small_avatars_stay_within_the_budget() {
                 .to_image()
         };
         let (full, thin) = (draw(&camera, 0), draw(&camera, level));
-        let close = Camera {
-            focal: 8.0 * camera.focal,
-            center: 8.0 * camera.center,
-            size: camera.size.map(|side| 8 * side),
-            ..camera
-        };
-        let area = averaged(&draw(&close, 0), 8);
+        let area = draw(&camera.stretched(camera.size.map(|side| 8 * side)), 0).averaged(8);
         let between = |a: &FrameImage, b: &FrameImage| error::between(a, b).covered.psnr_db;
         let (off, from_area, full_from_area) = (
             between(&thin, &full),

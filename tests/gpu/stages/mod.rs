@@ -8,6 +8,7 @@ pub mod nodes;
 pub mod occluder;
 pub mod project;
 pub mod raster;
+pub mod resolve;
 pub mod saturation;
 pub mod scene;
 pub mod sh;

@@ -73,8 +73,8 @@ impl Scene {
             has_occluder: true,
             always_submit: true,
         });
-        let depth_range = plan.depth_range;
-        let view = plan.occluder_view.expect("the demo has an occluder");
+        let depth_range = plan.image.depth_range;
+        let view = plan.image.occluder_view.expect("the demo has an occluder");
         Self {
             frame: gpu::draw(&device, avatar, posed, camera, options),
             mesh,
@@ -241,7 +241,7 @@ struct Drawn {
 fn drawn(device: &Arc<Gpu>, avatar: &Avatar, posed: &Posed, camera: &Camera, skip: Skip) -> Drawn {
     let options = RendererOptions {
         skip,
-        ..RendererOptions::new(camera.size)
+        ..gpu::options(camera.size)
     };
     let mut renderer = Renderer::new(device, avatar, options).expect("a renderer");
     renderer.draw(posed, camera, None).expect("a frame");

@@ -83,7 +83,7 @@ pub fn sampled_frames(
             skip: Skip::DEPTH | Skip::FAINT,
             method: Some(RasterMethod::Quads),
             key_bits: Some(key_bits),
-            ..RendererOptions::new(size)
+            ..gpu::options(size)
         };
         (posed, camera, options)
     });

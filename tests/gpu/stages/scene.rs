@@ -36,7 +36,7 @@ fn renderer(device: &Arc<Gpu>, avatar: &Avatar, instances: usize, skip: Skip) ->
         RendererOptions {
             instances,
             skip,
-            ..RendererOptions::new(SIZE)
+            ..gpu::options(SIZE)
         },
     )
     .unwrap()
@@ -259,7 +259,7 @@ fn each_avatar_has_its_own_state_from_frame_to_frame() {
     );
     let none = RendererOptions {
         instances: 0,
-        ..RendererOptions::new(SIZE)
+        ..gpu::options(SIZE)
     };
     assert!(
         Renderer::new(&device, &avatar, none)

@@ -32,7 +32,7 @@ fn frames(
     let size = [160, 200];
     let options = RendererOptions {
         skip,
-        ..RendererOptions::new(size)
+        ..gpu::options(size)
     };
     let mut renderer = Renderer::new(device, avatar, options).unwrap();
     let draw = |posed| {
@@ -99,7 +99,7 @@ fn a_frame_that_needs_nothing_is_not_submitted() {
     let avatar = common::avatar(3, Sizes::default());
     let posed = Posed::new(&avatar, &common::pose(1, &avatar));
     let size = [64, 64];
-    let mut renderer = Renderer::new(&device, &avatar, RendererOptions::new(size)).unwrap();
+    let mut renderer = Renderer::new(&device, &avatar, gpu::options(size)).unwrap();
     let mut submitted = |yaw| {
         renderer.draw(&posed, &camera(size, yaw), None).unwrap();
         renderer.finish().unwrap();
@@ -130,7 +130,7 @@ fn hidden_gaussians_are_left_out_within_the_budget() {
                 &avatar,
                 RendererOptions {
                     skip,
-                    ..RendererOptions::new(size)
+                    ..gpu::options(size)
                 },
             )
             .unwrap();
@@ -166,7 +166,7 @@ fn with_and_without_depth(
             skip,
             method: Some(RasterMethod::Quads),
             count: true,
-            ..RendererOptions::new(size)
+            ..gpu::options(size)
         };
         let mut renderer = Renderer::new(device, &avatar, options).unwrap();
         renderer.draw(posed, &camera, None).unwrap();
@@ -255,7 +255,7 @@ fn turn(
     let avatar = effigy_demo::avatar().unwrap();
     let options = RendererOptions {
         skip,
-        ..RendererOptions::new(cameras[0].size)
+        ..gpu::options(cameras[0].size)
     };
     let mut renderer = Renderer::new(device, &avatar, options).unwrap();
     let draw = |(posed, camera)| {

@@ -117,16 +117,17 @@ impl ImageBound {
             nodes: &nodes,
             gaussians: &gaussians,
             bounds: &bounds,
-            depth_range: plan.depth_range,
+            depth_range: plan.image.depth_range,
             culled_parts: plan
+                .image
                 .instances
                 .first()
                 .map_or(PartSet::EMPTY, |instance| instance.culled_parts),
-            culled: plan.instances.is_empty(),
+            culled: plan.image.instances.is_empty(),
             cache,
             rounding,
         });
-        if let Some(view) = &plan.occluder_view {
+        if let Some(view) = &plan.image.occluder_view {
             let nodes: Vec<DVec3> = nodes
                 .iter()
                 .map(|node| DVec3::from(features::values(*node)))
@@ -137,7 +138,7 @@ impl ImageBound {
                 camera,
                 nodes: &nodes,
                 view,
-                depth_range: plan.depth_range,
+                depth_range: plan.image.depth_range,
                 margin: rounding.margin,
             });
             if let Some(occluded) = occluded {
@@ -148,7 +149,7 @@ impl ImageBound {
         }
         let tested = rounding.quads()
             && rounding.skip.contains(Skip::DEPTH)
-            && plan.pixels_a_gaussian >= SATURATION_PIXELS;
+            && plan.image.pixels_a_gaussian >= SATURATION_PIXELS;
         Self::of_splats(splats, camera.size, rounding, plan.drawn_rect, tested)
     }
 

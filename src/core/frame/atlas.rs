@@ -1,0 +1,296 @@
+//! Which avatars are drawn larger than they are shown, and where: the atlas is an image with a slot
+//! for each such avatar. Its slots are averaged and blended into the frame's image.
+//!
+//! Avatars that may pass through each other share a slot, and are sorted together as always. One
+//! that may pass through an avatar that is drawn at its size is drawn at its size too. So slots
+//! and whatever else meets them in the image are entirely before or behind each other.
+
+use crate::scene::{Camera, PixelRect, PlaneRect};
+use glam::UVec2;
+
+/// Slots start at multiples of this, px, so that no tile has splats of two.
+const ALIGNMENT: u32 = 16;
+/// Longest side of an atlas, px: the least that a Vulkan device may have.
+const LONGEST: u32 = 4096;
+/// Pixels that an atlas may have where the image has fewer.
+const LEAST_PIXELS: u64 = 1 << 20;
+
+/// An avatar in view.
+#[derive(Clone, Copy, Debug)]
+pub struct Seen {
+    /// PlaneRect all that is drawn of it. None where that is not bounded; such avatars are drawn as
+    /// large as they are shown.
+    pub around: Option<PlaneRect>,
+    /// Nearest and furthest depth, metres.
+    pub depth: [f64; 2],
+    /// How many times its size it should be drawn.
+    pub factor: u32,
+}
+
+/// A part of the image, drawn larger.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Slot {
+    /// The part of the image's plane that it holds, px of the image.
+    pub around: PlaneRect,
+    /// Pixels of the atlas in a pixel of the image, each way.
+    pub factor: u32,
+    /// Column and row in the atlas of its first pixel.
+    pub at: UVec2,
+    /// Whether it is blended behind what the image holds, not over it.
+    pub behind: bool,
+}
+
+impl Slot {
+    /// Its pixels in the atlas.
+    pub fn rect(&self) -> PixelRect {
+        PixelRect {
+            min: self.at,
+            max: self.at + self.around.sides() * self.factor,
+        }
+    }
+
+    /// The pixels of an image of a size that it is averaged into.
+    pub fn shown(&self, size: [u32; 2]) -> PixelRect {
+        self.around.within(size)
+    }
+
+    /// The camera that sees the image's plane as its slot holds it. `size`: the atlas's.
+    pub fn camera(&self, camera: &Camera, size: [u32; 2]) -> Camera {
+        let factor = f64::from(self.factor);
+        Camera {
+            focal: factor * camera.focal,
+            center: factor * (camera.center - self.around.min.as_dvec2()) + self.at.as_dvec2(),
+            size,
+            ..*camera
+        }
+    }
+}
+
+/// Where avatars are drawn.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Arrangement {
+    /// Index of the slot of each avatar; None for those drawn as large as they are shown.
+    pub slot_of: Vec<Option<usize>>,
+    /// The slots, in the order in which they are blended.
+    pub slots: Vec<Slot>,
+    /// Width and height of the atlas, px; 0 without slots.
+    pub size: [u32; 2],
+}
+
+impl Arrangement {
+    /// All of so many avatars are drawn as large as they are shown.
+    pub fn without_slots(avatars: usize) -> Self {
+        Self {
+            slot_of: vec![None; avatars],
+            ..Self::default()
+        }
+    }
+}
+
+/// Avatars that share a slot, or one that is drawn as large as it is shown.
+struct Group {
+    members: Vec<usize>,
+    around: Option<PlaneRect>,
+    depth: [f64; 2],
+    factor: u32,
+    behind: bool,
+}
+
+impl Group {
+    fn meets(&self, other: &Self) -> bool {
+        match (self.around, other.around) {
+            (Some(own), Some(others)) => own.meets(others),
+            _ => true,
+        }
+    }
+
+    fn is_small(&self) -> bool {
+        self.factor > 1
+    }
+
+    /// Whether some of one is as far as some of the other.
+    fn passes_through(&self, other: &Self) -> bool {
+        self.meets(other) && self.depth[0] < other.depth[1] && other.depth[0] < self.depth[1]
+    }
+
+    fn is_behind(&self, other: &Self) -> bool {
+        self.depth[0] >= other.depth[1]
+    }
+
+    fn join(&mut self, other: Self) {
+        self.members.extend(other.members);
+        self.around = match (self.around, other.around) {
+            (Some(own), Some(others)) => Some(own.union(others)),
+            _ => None,
+        };
+        self.depth = [
+            self.depth[0].min(other.depth[0]),
+            self.depth[1].max(other.depth[1]),
+        ];
+        self.factor = self.factor.min(other.factor);
+    }
+}
+
+/// Arranges avatars in view. `size`: of the image, px.
+pub fn arrange(seen: &[Seen], size: [u32; 2]) -> Arrangement {
+    let mut groups: Vec<Group> = seen
+        .iter()
+        .enumerate()
+        .map(|(index, seen)| Group {
+            members: vec![index],
+            around: seen.around,
+            depth: seen.depth,
+            factor: if seen.around.is_some() {
+                seen.factor
+            } else {
+                1
+            },
+            behind: false,
+        })
+        .collect();
+    while groups.iter().any(Group::is_small) {
+        join_small(&mut groups);
+        if !settle_sides(&mut groups) {
+            continue;
+        }
+        match pack(&groups, seen.len(), size) {
+            Some(arrangement) => return arrangement,
+            None => {
+                for group in groups.iter_mut().filter(|group| group.is_small()) {
+                    group.factor /= 2;
+                }
+            }
+        }
+    }
+    Arrangement::without_slots(seen.len())
+}
+
+/// Joins small groups that may pass through each other, until none may.
+fn join_small(groups: &mut Vec<Group>) {
+    let mut at = 0;
+    while at < groups.len() {
+        let other = (at + 1..groups.len()).find(|&other| {
+            groups[at].is_small()
+                && groups[other].is_small()
+                && groups[at].passes_through(&groups[other])
+        });
+        match other {
+            Some(other) => {
+                let other = groups.swap_remove(other);
+                groups[at].join(other);
+                // The group has grown: it may meet those before it now.
+                at = 0;
+            }
+            None => at += 1,
+        }
+    }
+}
+
+/// Says of each small group whether it lies behind the large ones that it meets. A group that is
+/// neither before nor behind them all is drawn as large as it is shown from now on; then this
+/// returns false, and the groups have to be looked at again.
+fn settle_sides(groups: &mut [Group]) -> bool {
+    let mut settled = true;
+    for at in 0..groups.len() {
+        if !groups[at].is_small() {
+            continue;
+        }
+        let large = || {
+            let group = &groups[at];
+            groups
+                .iter()
+                .filter(move |other| !other.is_small() && other.meets(group))
+        };
+        let behind = large().any(|other| groups[at].is_behind(other));
+        let apart = large().all(|other| {
+            if behind {
+                groups[at].is_behind(other)
+            } else {
+                other.is_behind(&groups[at])
+            }
+        });
+        groups[at].behind = behind;
+        if !apart {
+            groups[at].factor = 1;
+            settled = false;
+        }
+    }
+    // What is blended over the image covers what is blended behind it.
+    for at in 0..groups.len() {
+        let covers = |other: &Group| {
+            other.is_small()
+                && !other.behind
+                && other.meets(&groups[at])
+                && other.is_behind(&groups[at])
+        };
+        if groups[at].is_small() && groups[at].behind && groups.iter().any(covers) {
+            groups[at].factor = 1;
+            settled = false;
+        }
+    }
+    settled
+}
+
+/// Places the slots of small groups in rows, the tallest first. None where they do not fit.
+fn pack(groups: &[Group], count: usize, size: [u32; 2]) -> Option<Arrangement> {
+    let mut arrangement = Arrangement::without_slots(count);
+    let mut small: Vec<&Group> = groups.iter().filter(|group| group.is_small()).collect();
+    // Behind the image the nearest comes first, over it the furthest.
+    small.sort_by(|a, b| {
+        b.behind.cmp(&a.behind).then_with(|| {
+            if a.behind {
+                a.depth[0].total_cmp(&b.depth[0])
+            } else {
+                b.depth[0].total_cmp(&a.depth[0])
+            }
+        })
+    });
+    for group in small {
+        for &member in &group.members {
+            arrangement.slot_of[member] = Some(arrangement.slots.len());
+        }
+        arrangement.slots.push(Slot {
+            around: group.around?,
+            factor: group.factor,
+            at: UVec2::ZERO,
+            behind: group.behind,
+        });
+    }
+    let room = |slot: &Slot| {
+        let sides = slot.rect().max - slot.at;
+        UVec2::new(
+            sides.x.next_multiple_of(ALIGNMENT),
+            sides.y.next_multiple_of(ALIGNMENT),
+        )
+    };
+    let area: u64 = arrangement
+        .slots
+        .iter()
+        .map(|slot| u64::from(room(slot).x) * u64::from(room(slot).y))
+        .sum();
+    let pixels = LEAST_PIXELS.max(u64::from(size[0]) * u64::from(size[1]));
+    let widest = arrangement.slots.iter().map(|slot| room(slot).x).max()?;
+    let width = widest.max((area as f64).sqrt().ceil() as u32);
+    if area > pixels || width > LONGEST {
+        return None;
+    }
+    let mut order: Vec<usize> = (0..arrangement.slots.len()).collect();
+    order.sort_by_key(|&slot| std::cmp::Reverse(room(&arrangement.slots[slot]).y));
+    let mut next = UVec2::ZERO;
+    let mut row_height = 0;
+    let mut used = UVec2::ZERO;
+    for slot in order {
+        let slot = &mut arrangement.slots[slot];
+        let room = room(slot);
+        if next.x + room.x > width {
+            next = UVec2::new(0, next.y + row_height);
+            row_height = 0;
+        }
+        slot.at = next;
+        row_height = row_height.max(room.y);
+        next.x += room.x;
+        used = used.max(slot.at + room);
+    }
+    arrangement.size = used.into();
+    (used.y <= LONGEST).then_some(arrangement)
+}

@@ -1,0 +1,215 @@
+//! Avatars that are drawn larger than they are shown, against the reference's average; and which
+//! avatars go before and behind which.
+
+use crate::common::{
+    self, Sizes,
+    gpu::{
+        self,
+        Raster::{self, Quads, SharedTiles, TestedQuads, Tiles},
+    },
+};
+use effigy::vulkan::{FrameReport, Renderer};
+use effigy_core::{
+    avatar::Avatar,
+    frame::RendererOptions,
+    reference,
+    scene::{Camera, FrameImage, Posed, Supersampling},
+};
+use effigy_measure::error;
+use glam::{DAffine3, DVec3};
+
+const SIZE: [u32; 2] = [320, 240];
+/// An image in which an avatar may be large.
+const LARGE: [u32; 2] = [640, 560];
+
+/// A small avatar, and a camera that sees it from a distance in metres.
+fn scene(distance: f64, size: [u32; 2]) -> (Avatar, Camera) {
+    let avatar = common::avatar(
+        4,
+        Sizes {
+            gaussians: 3001,
+            ..Sizes::default()
+        },
+    );
+    let camera = Camera::orbit(DVec3::new(0.0, 0.9, 0.0), 0.3, 0.1, distance, 0.7, size);
+    (avatar, camera)
+}
+
+/// In a pose, at a place in the camera's axes: to the right, up and away from it, metres.
+fn posed(avatar: &Avatar, camera: &Camera, seed: u64, place: DVec3) -> Posed {
+    let axes = camera.view.matrix3.transpose();
+    let world = place.x * axes.x_axis - place.y * axes.y_axis + place.z * axes.z_axis;
+    Posed::new(avatar, &common::pose(seed, avatar)).placed(DAffine3::from_translation(world))
+}
+
+/// What a renderer draws of some avatars, the second time: the first frame makes the atlas.
+fn drawn(
+    avatar: &Avatar,
+    poses: &[&Posed],
+    camera: &Camera,
+    options: RendererOptions,
+) -> (FrameImage, FrameReport) {
+    let options = RendererOptions {
+        instances: poses.len(),
+        count: true,
+        ..options
+    };
+    let mut renderer = Renderer::new(&gpu::gpu(), avatar, options).unwrap();
+    let aside = Camera {
+        center: camera.center + 9.0,
+        ..*camera
+    };
+    renderer.draw_scene(poses, &aside, None).unwrap();
+    renderer.draw_scene(poses, camera, None).unwrap();
+    let image = renderer.read_image().unwrap();
+    renderer.finish().unwrap();
+    (image, renderer.report().clone())
+}
+
+fn supersampled(raster: Raster, camera: &Camera, factor: Supersampling) -> RendererOptions {
+    RendererOptions {
+        supersampling: factor,
+        ..raster.options(&gpu::drawing().probe.name, camera.size)
+    }
+}
+
+fn assert_near(what: &str, image: &FrameImage, expected: &FrameImage, psnr: f64) {
+    let error = error::between(image, expected).covered;
+    assert!(
+        error.pixels > 100 && error.psnr_db >= psnr,
+        "{what}: {error:?}"
+    );
+}
+
+/// In the middle, and where the image cuts it off.
+fn a_small_avatar_is_its_own_average(raster: Raster) {
+    let (avatar, camera) = scene(9.0, SIZE);
+    for (factor, place) in [
+        (4, DVec3::ZERO),
+        (2, DVec3::new(0.3, 0.2, 0.0)),
+        (4, DVec3::new(4.2, 0.4, 0.0)),
+        (2, DVec3::new(-4.0, 3.0, 0.0)),
+    ] {
+        let posed = posed(&avatar, &camera, 3, place);
+        let options = supersampled(raster, &camera, Supersampling::Times(factor));
+        let (image, report) = drawn(&avatar, &[&posed], &camera, options);
+        let expected = reference::render_supersampled(&avatar, &[&posed], &camera, factor);
+        let what = format!("{factor} times at {place}");
+        assert_near(&what, &image, &expected, 48.0);
+        assert_eq!(report.counters.supersampled, 1);
+        assert!(report.counters.drawn > 0 && report.counters.fragments != Some(0));
+        // As large as it is shown it is another image.
+        let once = reference::render(&avatar, &posed, &camera);
+        assert!(error::between(&image, &once).covered.psnr_db < 40.0);
+    }
+}
+
+/// One near avatar, one far before it, and one far behind; in any order of poses.
+fn small_avatars_go_before_and_behind_large_ones(raster: Raster) {
+    let (avatar, camera) = scene(2.6, LARGE);
+    let near = posed(&avatar, &camera, 1, DVec3::ZERO);
+    // A doll on the left before the near one, and a giant's distance behind it on the right.
+    let at = camera
+        .view
+        .inverse()
+        .transform_point3(DVec3::new(-0.1, 0.1, 1.2));
+    let to = DAffine3::from_translation(at - DVec3::new(0.0, 0.9 * 0.1, 0.0));
+    let doll = posed(&avatar, &camera, 2, DVec3::ZERO)
+        .placed(to * DAffine3::from_scale(DVec3::splat(0.1)));
+    let far = posed(&avatar, &camera, 3, DVec3::new(1.0, 0.5, 12.0));
+    let options = supersampled(raster, &camera, Supersampling::BySize);
+    let large = reference::render(&avatar, &near, &camera);
+    let average = |posed: &Posed| {
+        let factor = 4;
+        reference::render_supersampled(&avatar, &[posed], &camera, factor)
+    };
+    let expected = average(&doll)
+        .blended_over(&large)
+        .blended_over(&average(&far));
+    for poses in [
+        [&near, &doll, &far],
+        [&far, &near, &doll],
+        [&doll, &far, &near],
+    ] {
+        let (image, report) = drawn(&avatar, &poses, &camera, options);
+        assert_eq!(report.counters.supersampled, 2);
+        assert_near("three avatars", &image, &expected, 46.0);
+        let stages: Vec<_> = report.stages.iter().map(|stage| stage.0).collect();
+        if !stages.is_empty() {
+            let sorts = stages.iter().filter(|stage| **stage == "sort").count();
+            assert!(sorts == 2 && stages.ends_with(&["resolve"]), "{stages:?}");
+        }
+    }
+}
+
+/// Two that may pass through each other are sorted together; a third stands apart.
+fn small_avatars_that_touch_are_sorted_together(raster: Raster) {
+    let (avatar, camera) = scene(10.0, SIZE);
+    let poses = [
+        posed(&avatar, &camera, 1, DVec3::ZERO),
+        posed(&avatar, &camera, 2, DVec3::new(0.3, 0.0, 0.1)),
+        posed(&avatar, &camera, 3, DVec3::new(2.5, 0.0, 0.0)),
+    ];
+    let poses = poses.each_ref();
+    let options = supersampled(raster, &camera, Supersampling::Times(4));
+    let (image, report) = drawn(&avatar, &poses, &camera, options);
+    let expected = reference::render_supersampled(&avatar, &poses, &camera, 4);
+    assert_eq!(report.counters.supersampled, 3);
+    assert_near("three avatars", &image, &expected, 48.0);
+}
+
+/// From near to far and back, out of the image and in again, the whole image each time as one that
+/// knows no other frame: nothing of an earlier frame stays.
+fn frames_leave_nothing_behind(raster: Raster) {
+    let (avatar, camera) = scene(8.0, LARGE);
+    let options = RendererOptions {
+        instances: 2,
+        ..supersampled(raster, &camera, Supersampling::BySize)
+    };
+    let mut renderer = Renderer::new(&gpu::gpu(), &avatar, options).unwrap();
+    let near = DVec3::new(-0.5, 0.0, -6.0);
+    let far = DVec3::new(1.0, 0.4, 6.0);
+    let gone = DVec3::new(0.0, 0.0, -400.0);
+    let mut factors = vec![];
+    for places in [
+        [far, gone],
+        [near, far],
+        [near, gone],
+        [gone, gone],
+        [far, far + DVec3::X],
+        [far, far + DVec3::X],
+        [near, far],
+    ] {
+        let poses = places.map(|place| posed(&avatar, &camera, 5, place));
+        renderer
+            .draw_scene(&poses.each_ref(), &camera, None)
+            .unwrap();
+        let image = renderer.read_image().unwrap();
+        let mut fresh = Renderer::new(&gpu::gpu(), &avatar, options).unwrap();
+        fresh.draw_scene(&poses.each_ref(), &camera, None).unwrap();
+        let difference = error::between(&image, &fresh.read_image().unwrap());
+        assert!(
+            difference.whole.max_error <= 0.02,
+            "{places:?}: {:?}",
+            difference.whole
+        );
+        factors.push(renderer.report().counters.supersampled);
+    }
+    assert_eq!(factors, [1, 1, 0, 0, 2, 0, 1]);
+}
+
+tests! {
+    a_small_avatar_is_its_own_average[Quads],
+    a_small_avatar_is_its_own_average[TestedQuads],
+    a_small_avatar_is_its_own_average[Tiles],
+    a_small_avatar_is_its_own_average[SharedTiles],
+    small_avatars_go_before_and_behind_large_ones[Quads],
+    small_avatars_go_before_and_behind_large_ones[TestedQuads],
+    small_avatars_go_before_and_behind_large_ones[Tiles],
+    small_avatars_go_before_and_behind_large_ones[SharedTiles],
+    small_avatars_that_touch_are_sorted_together[Tiles],
+    small_avatars_that_touch_are_sorted_together[Quads],
+    frames_leave_nothing_behind[TestedQuads],
+    frames_leave_nothing_behind[Tiles],
+    frames_leave_nothing_behind[SharedTiles],
+}
