@@ -60,6 +60,8 @@ layout(std140, set = 0, binding = 0) uniform FrameBlock {
     uint drawn;
     float covariance_scale;
     uint bin_side;
+    float low_pass;
+    uint compensated;
     float area_reach;
     vec4 area;
     vec4 cache_min;

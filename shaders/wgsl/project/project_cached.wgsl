@@ -58,15 +58,17 @@ struct type_15 {
     member_49: f32,
     member_50: u32,
     member_51: f32,
-    member_52: vec4<f32>,
-    member_53: vec4<f32>,
+    member_52: u32,
+    member_53: f32,
     member_54: vec4<f32>,
-    member_55: array<vec4<f32>, 3>,
-    member_56: array<vec4<u32>, 8>,
-    member_57: array<vec4<u32>, 8>,
-    member_58: array<type_11, 8>,
-    member_59: array<vec4<f32>, 128>,
-    member_60: array<vec4<f32>, 768>,
+    member_55: vec4<f32>,
+    member_56: vec4<f32>,
+    member_57: array<vec4<f32>, 3>,
+    member_58: array<vec4<u32>, 8>,
+    member_59: array<vec4<u32>, 8>,
+    member_60: array<type_11, 8>,
+    member_61: array<vec4<f32>, 128>,
+    member_62: array<vec4<f32>, 768>,
 }
 
 struct type_19 {
@@ -126,355 +128,374 @@ var<workgroup> global_5: array<u32, 64>;
 
 @compute @workgroup_size(64, 1, 1) 
 fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocation_id) param_1: vec3<u32>) {
-    var phi_1650_: bool;
-    var phi_2602_: f32;
-    var phi_2603_: f32;
-    var phi_2607_: u32;
-    var phi_2613_: u32;
-    var phi_2612_: f32;
-    var phi_2610_: u32;
+    var phi_1686_: bool;
+    var phi_2683_: f32;
+    var phi_2684_: f32;
+    var phi_2688_: u32;
+    var phi_2694_: u32;
+    var phi_2693_: f32;
+    var phi_2691_: u32;
     var local: f32;
-    var phi_2617_: bool;
-    var phi_1696_: bool;
-    var phi_2628_: f32;
-    var phi_2619_: vec2<f32>;
-    var phi_2618_: bool;
-    var phi_2159_: bool;
-    var phi_2165_: bool;
-    var phi_2645_: f32;
-    var phi_2644_: u32;
+    var phi_2698_: bool;
+    var phi_1735_: bool;
+    var phi_2709_: f32;
+    var phi_2700_: vec2<f32>;
+    var phi_2699_: bool;
+    var phi_2208_: bool;
+    var phi_2214_: bool;
+    var phi_2723_: f32;
+    var phi_2722_: u32;
     var local_1: f32;
-    var phi_2211_: bool;
-    var phi_2651_: vec2<f32>;
-    var phi_2652_: vec2<f32>;
-    var phi_2653_: u32;
-    var phi_2654_: u32;
-    var phi_2655_: u32;
+    var phi_2731_: u32;
+    var phi_2282_: bool;
+    var phi_2735_: vec2<f32>;
+    var phi_2736_: vec2<f32>;
+    var phi_2737_: u32;
+    var phi_2738_: u32;
+    var phi_2739_: u32;
 
-    let _e68 = bitcast<u32>(param_1[0u]);
-    let _e70 = global.member_48;
-    let _e71 = (_e68 < _e70);
-    if _e71 {
+    let _e66 = bitcast<u32>(param_1[0u]);
+    let _e68 = global.member_48;
+    let _e69 = (_e66 < _e68);
+    if _e69 {
         switch bitcast<i32>(0u) {
             default: {
-                let _e74 = global.member_42;
-                let _e75 = (3u * _e68);
-                let _e76 = (_e74 + _e75);
-                let _e79 = global_4.member[_e76];
-                let _e83 = global_4.member[(_e76 + 1u)];
-                let _e87 = global_4.member[(_e76 + 2u)];
-                let _e105 = global.member_53;
-                let _e108 = global.member_54;
-                let _e111 = (vec3<f32>(((vec3<u32>((_e79 & 65535u), (_e79 >> bitcast<u32>(16u)), (_e83 & 65535u)) << bitcast<vec3<u32>>(vec3<u32>(8u, 8u, 8u))) | (vec3<u32>(_e87, (_e87 >> bitcast<u32>(8u)), (_e87 >> bitcast<u32>(16u))) & vec3<u32>(255u, 255u, 255u)))) * vec3<f32>(0.00000005960465f, 0.00000005960465f, 0.00000005960465f));
-                let _e125 = (_e105.xyz + (_e108.xyz * select(select(((_e111 - vec3<f32>(0.015625f, 0.015625f, 0.015625f)) * vec3<f32>(1.032258f, 1.032258f, 1.032258f)), (vec3<f32>(1f, 1f, 1f) - (vec3<f32>(0.015625f, 0.015625f, 0.015625f) / max(_e111, vec3<f32>(0.000000029802326f, 0.000000029802326f, 0.000000029802326f)))), (_e111 < vec3<f32>(0.015625f, 0.015625f, 0.015625f))), (vec3<f32>(0.015625f, 0.015625f, 0.015625f) / max((vec3<f32>(1f, 1f, 1f) - _e111), vec3<f32>(0.000000029802326f, 0.000000029802326f, 0.000000029802326f))), (_e111 > vec3<f32>(0.984375f, 0.984375f, 0.984375f)))));
-                let _e129 = vec4<f32>(_e125.x, _e125.y, _e125.z, 1f);
-                let _e132 = global.member_55[0i];
-                let _e136 = global.member_55[1i];
-                let _e140 = global.member_55[2i];
-                let _e141 = dot(_e140, _e129);
-                let _e142 = vec3<f32>(dot(_e132, _e129), dot(_e136, _e129), _e141);
-                let _e144 = global.member_43;
-                let _e152 = (_e144 * exp2(((f32(((_e83 >> bitcast<u32>(16u)) & 255u)) * 0.125f) - 19f)));
+                let _e72 = global.member_42;
+                let _e73 = (3u * _e66);
+                let _e74 = (_e72 + _e73);
+                let _e77 = global_4.member[_e74];
+                let _e81 = global_4.member[(_e74 + 1u)];
+                let _e85 = global_4.member[(_e74 + 2u)];
+                let _e103 = global.member_55;
+                let _e106 = global.member_56;
+                let _e109 = (vec3<f32>(((vec3<u32>((_e77 & 65535u), (_e77 >> bitcast<u32>(16u)), (_e81 & 65535u)) << bitcast<vec3<u32>>(vec3<u32>(8u, 8u, 8u))) | (vec3<u32>(_e85, (_e85 >> bitcast<u32>(8u)), (_e85 >> bitcast<u32>(16u))) & vec3<u32>(255u, 255u, 255u)))) * vec3<f32>(0.00000005960465f, 0.00000005960465f, 0.00000005960465f));
+                let _e123 = (_e103.xyz + (_e106.xyz * select(select(((_e109 - vec3<f32>(0.015625f, 0.015625f, 0.015625f)) * vec3<f32>(1.032258f, 1.032258f, 1.032258f)), (vec3<f32>(1f, 1f, 1f) - (vec3<f32>(0.015625f, 0.015625f, 0.015625f) / max(_e109, vec3<f32>(0.000000029802326f, 0.000000029802326f, 0.000000029802326f)))), (_e109 < vec3<f32>(0.015625f, 0.015625f, 0.015625f))), (vec3<f32>(0.015625f, 0.015625f, 0.015625f) / max((vec3<f32>(1f, 1f, 1f) - _e109), vec3<f32>(0.000000029802326f, 0.000000029802326f, 0.000000029802326f))), (_e109 > vec3<f32>(0.984375f, 0.984375f, 0.984375f)))));
+                let _e127 = vec4<f32>(_e123.x, _e123.y, _e123.z, 1f);
+                let _e130 = global.member_57[0i];
+                let _e134 = global.member_57[1i];
+                let _e138 = global.member_57[2i];
+                let _e139 = dot(_e138, _e127);
+                let _e140 = vec3<f32>(dot(_e130, _e127), dot(_e134, _e127), _e139);
+                let _e142 = global.member_43;
+                let _e150 = (_e142 * exp2(((f32(((_e81 >> bitcast<u32>(16u)) & 255u)) * 0.125f) - 19f)));
                 switch bitcast<i32>(0u) {
                     default: {
-                        let _e155 = global.member_6;
-                        if !((_e141 >= _e155)) {
-                            let _e159 = global_2.member_9;
-                            if (_e159 != 0u) {
-                                let _e163 = atomicAdd((&global_1.member[0u]), 1u);
+                        let _e153 = global.member_6;
+                        if !((_e139 >= _e153)) {
+                            let _e157 = global_2.member_9;
+                            if (_e157 != 0u) {
+                                let _e161 = atomicAdd((&global_1.member[0u]), 1u);
                             }
-                            phi_2628_ = 0f;
-                            phi_2619_ = vec2<f32>(0f, 0f);
-                            phi_2618_ = false;
+                            phi_2709_ = 0f;
+                            phi_2700_ = vec2<f32>(0f, 0f);
+                            phi_2699_ = false;
                             break;
                         }
-                        let _e165 = global.member;
-                        let _e166 = _e142.xy;
-                        let _e168 = vec2(_e141);
-                        let _e171 = global.member_1;
-                        let _e172 = (((_e165 * _e166) / _e168) + _e171);
-                        let _e174 = global.member_5;
-                        let _e178 = all((_e172 >= vec2(-(_e174))));
-                        phi_1650_ = _e178;
-                        if _e178 {
-                            let _e180 = global.member_4;
-                            phi_1650_ = all((_e172 <= (_e180 + vec2(_e174))));
+                        let _e163 = global.member;
+                        let _e164 = _e140.xy;
+                        let _e166 = vec2(_e139);
+                        let _e169 = global.member_1;
+                        let _e170 = (((_e163 * _e164) / _e166) + _e169);
+                        let _e172 = global.member_5;
+                        let _e176 = all((_e170 >= vec2(-(_e172))));
+                        phi_1686_ = _e176;
+                        if _e176 {
+                            let _e178 = global.member_4;
+                            phi_1686_ = all((_e170 <= (_e178 + vec2(_e172))));
                         }
-                        let _e186 = phi_1650_;
-                        if !(_e186) {
-                            let _e189 = global_2.member_9;
-                            if (_e189 != 0u) {
-                                let _e193 = atomicAdd((&global_1.member[0u]), 1u);
+                        let _e184 = phi_1686_;
+                        if !(_e184) {
+                            let _e187 = global_2.member_9;
+                            if (_e187 != 0u) {
+                                let _e191 = atomicAdd((&global_1.member[0u]), 1u);
                             }
-                            phi_2628_ = 0f;
-                            phi_2619_ = _e172;
-                            phi_2618_ = false;
+                            phi_2709_ = 0f;
+                            phi_2700_ = _e170;
+                            phi_2699_ = false;
                             break;
                         }
-                        let _e195 = global.member_7;
-                        let _e198 = global.member_8;
-                        let _e199 = ((_e195 - _e141) * _e198);
-                        if (_e199 < 0f) {
-                            phi_2603_ = (0.015625f / (1f - _e199));
+                        let _e193 = global.member_7;
+                        let _e196 = global.member_8;
+                        let _e197 = ((_e193 - _e139) * _e196);
+                        if (_e197 < 0f) {
+                            phi_2684_ = (0.015625f / (1f - _e197));
                         } else {
-                            if (_e199 > 1f) {
-                                phi_2602_ = (1f - (0.015625f / _e199));
+                            if (_e197 > 1f) {
+                                phi_2683_ = (1f - (0.015625f / _e197));
                             } else {
-                                phi_2602_ = (0.015625f + (0.96875f * clamp(_e199, 0f, 1f)));
+                                phi_2683_ = (0.015625f + (0.96875f * clamp(_e197, 0f, 1f)));
                             }
-                            let _e210 = phi_2602_;
-                            phi_2603_ = _e210;
+                            let _e208 = phi_2683_;
+                            phi_2684_ = _e208;
                         }
-                        let _e212 = phi_2603_;
-                        let _e213 = (_e166 / _e168);
-                        let _e221 = global.member[0u];
-                        let _e224 = global.member[1u];
-                        let _e229 = global.member_31;
-                        let _e230 = (_e229 > 0u);
-                        phi_1696_ = _e230;
-                        if _e230 {
-                            let _e232 = global.member_34;
-                            let _e235 = global.member_29;
-                            let _e242 = global.member_49;
+                        let _e210 = phi_2684_;
+                        let _e211 = (_e164 / _e166);
+                        let _e219 = global.member[0u];
+                        let _e222 = global.member[1u];
+                        let _e227 = global.member_31;
+                        let _e228 = (_e227 > 0u);
+                        phi_1735_ = _e228;
+                        if _e228 {
+                            let _e230 = global.member_34;
+                            let _e233 = global.member_29;
+                            let _e240 = global.member_49;
+                            let _e244 = global.member_51;
                             switch bitcast<i32>(0u) {
                                 default: {
-                                    let _e249 = vec2(((sqrt((2f * log(max((max(255f, _e232) / _e235), 1f)))) * sqrt(_e242)) * ((((_e152 * length(vec3<f32>(_e213.x, _e213.y, 1f))) * max(_e221, _e224)) / _e141) + 0.5477226f)));
-                                    let _e252 = global.member_32;
-                                    let _e255 = global.member_33;
-                                    let _e263 = vec2<u32>(clamp(((((_e172 - _e249) - _e252) * _e255) - vec2<f32>(0.5f, 0.5f)), vec2<f32>(0f, 0f), vec2<f32>(191f, 191f)));
-                                    let _e265 = vec2<u32>(clamp(((((_e172 + _e249) - _e252) * _e255) + vec2<f32>(0.5f, 0.5f)), vec2<f32>(0f, 0f), vec2<f32>(191f, 191f)));
-                                    let _e272 = max((_e265.x - _e263.x), (_e265.y - _e263.y));
-                                    if (_e272 <= 3u) {
-                                        phi_2607_ = 0u;
+                                    let _e250 = vec2(((sqrt((2f * log(max((max(255f, _e230) / _e233), 1f)))) * sqrt(_e240)) * ((((_e150 * length(vec3<f32>(_e211.x, _e211.y, 1f))) * max(_e219, _e222)) / _e139) + sqrt(_e244))));
+                                    let _e253 = global.member_32;
+                                    let _e256 = global.member_33;
+                                    let _e264 = vec2<u32>(clamp(((((_e170 - _e250) - _e253) * _e256) - vec2<f32>(0.5f, 0.5f)), vec2<f32>(0f, 0f), vec2<f32>(191f, 191f)));
+                                    let _e266 = vec2<u32>(clamp(((((_e170 + _e250) - _e253) * _e256) + vec2<f32>(0.5f, 0.5f)), vec2<f32>(0f, 0f), vec2<f32>(191f, 191f)));
+                                    let _e273 = max((_e266.x - _e264.x), (_e266.y - _e264.y));
+                                    if (_e273 <= 3u) {
+                                        phi_2688_ = 0u;
                                     } else {
-                                        phi_2607_ = (bitcast<u32>(firstLeadingBit((_e272 - 1u))) - 1u);
+                                        phi_2688_ = (bitcast<u32>(firstLeadingBit((_e273 - 1u))) - 1u);
                                     }
-                                    let _e279 = phi_2607_;
-                                    if !((_e279 < 4u)) {
-                                        phi_2617_ = false;
+                                    let _e280 = phi_2688_;
+                                    if !((_e280 < 4u)) {
+                                        phi_2698_ = false;
                                         break;
                                     }
-                                    let _e289 = vec2(_e279);
-                                    let _e291 = (_e263 >> bitcast<vec2<u32>>(_e289));
-                                    let _e293 = (_e265 >> bitcast<vec2<u32>>(_e289));
-                                    let _e295 = (_e291.x & 4294967292u);
-                                    phi_2613_ = _e295;
-                                    phi_2612_ = 0f;
-                                    phi_2610_ = _e291.y;
+                                    let _e290 = vec2(_e280);
+                                    let _e292 = (_e264 >> bitcast<vec2<u32>>(_e290));
+                                    let _e294 = (_e266 >> bitcast<vec2<u32>>(_e290));
+                                    let _e296 = (_e292.x & 4294967292u);
+                                    phi_2694_ = _e296;
+                                    phi_2693_ = 0f;
+                                    phi_2691_ = _e292.y;
                                     loop {
-                                        let _e298 = phi_2613_;
-                                        let _e300 = phi_2612_;
-                                        let _e302 = phi_2610_;
-                                        local = _e300;
-                                        if (_e302 <= _e293.y) {
+                                        let _e299 = phi_2694_;
+                                        let _e301 = phi_2693_;
+                                        let _e303 = phi_2691_;
+                                        local = _e301;
+                                        if (_e303 <= _e294.y) {
                                             continue;
                                         } else {
                                             break;
                                         }
                                         continuing {
-                                            let _e307 = (vec4(f32(_e298)) + vec4<f32>(0f, 1f, 2f, 3f));
-                                            let _e325 = global_3.member[((_e229 >> bitcast<u32>(1u)) + ((((4u * (12288u - (12288u >> bitcast<u32>((2u * _e279))))) + (_e302 * (192u >> bitcast<u32>(_e279)))) + _e298) >> bitcast<u32>(2u)))];
-                                            let _e327 = unpack2x16unorm(_e325.x);
-                                            let _e329 = unpack2x16unorm(_e325.y);
-                                            let _e336 = select(select(vec4<f32>(_e327.x, _e327.y, _e329.x, _e329.y), vec4<f32>(0f, 0f, 0f, 0f), (_e307 < vec4(f32(_e291.x)))), vec4<f32>(0f, 0f, 0f, 0f), (_e307 > vec4(f32(_e293.x))));
-                                            let _e345 = (_e298 + 4u);
-                                            let _e346 = (_e345 > _e293.x);
-                                            phi_2613_ = select(_e345, _e295, _e346);
-                                            phi_2612_ = max(_e300, max(max(_e336.x, _e336.y), max(_e336.z, _e336.w)));
-                                            phi_2610_ = (_e302 + select(0u, 1u, _e346));
+                                            let _e308 = (vec4(f32(_e299)) + vec4<f32>(0f, 1f, 2f, 3f));
+                                            let _e326 = global_3.member[((_e227 >> bitcast<u32>(1u)) + ((((4u * (12288u - (12288u >> bitcast<u32>((2u * _e280))))) + (_e303 * (192u >> bitcast<u32>(_e280)))) + _e299) >> bitcast<u32>(2u)))];
+                                            let _e328 = unpack2x16unorm(_e326.x);
+                                            let _e330 = unpack2x16unorm(_e326.y);
+                                            let _e337 = select(select(vec4<f32>(_e328.x, _e328.y, _e330.x, _e330.y), vec4<f32>(0f, 0f, 0f, 0f), (_e308 < vec4(f32(_e292.x)))), vec4<f32>(0f, 0f, 0f, 0f), (_e308 > vec4(f32(_e294.x))));
+                                            let _e346 = (_e299 + 4u);
+                                            let _e347 = (_e346 > _e294.x);
+                                            phi_2694_ = select(_e346, _e296, _e347);
+                                            phi_2693_ = max(_e301, max(max(_e337.x, _e337.y), max(_e337.z, _e337.w)));
+                                            phi_2691_ = (_e303 + select(0u, 1u, _e347));
                                         }
                                     }
-                                    let _e351 = local;
-                                    phi_2617_ = ((1f - _e212) > _e351);
+                                    let _e352 = local;
+                                    phi_2698_ = ((1f - _e210) > _e352);
                                     break;
                                 }
                             }
-                            let _e354 = phi_2617_;
-                            phi_1696_ = _e354;
+                            let _e355 = phi_2698_;
+                            phi_1735_ = _e355;
                         }
-                        let _e356 = phi_1696_;
-                        if _e356 {
-                            let _e358 = global_2.member_9;
-                            if (_e358 != 0u) {
-                                let _e362 = atomicAdd((&global_1.member[1u]), 1u);
+                        let _e357 = phi_1735_;
+                        if _e357 {
+                            let _e359 = global_2.member_9;
+                            if (_e359 != 0u) {
+                                let _e363 = atomicAdd((&global_1.member[1u]), 1u);
                             }
-                            phi_2628_ = _e212;
-                            phi_2619_ = _e172;
-                            phi_2618_ = false;
+                            phi_2709_ = _e210;
+                            phi_2700_ = _e170;
+                            phi_2699_ = false;
                             break;
                         }
-                        phi_2628_ = _e212;
-                        phi_2619_ = _e172;
-                        phi_2618_ = true;
+                        phi_2709_ = _e210;
+                        phi_2700_ = _e170;
+                        phi_2699_ = true;
                         break;
                     }
                 }
-                let _e364 = phi_2628_;
-                let _e366 = phi_2619_;
-                let _e368 = phi_2618_;
-                if !(_e368) {
-                    phi_2654_ = 4294967295u;
+                let _e365 = phi_2709_;
+                let _e367 = phi_2700_;
+                let _e369 = phi_2699_;
+                if !(_e369) {
+                    phi_2738_ = 4294967295u;
                     break;
                 }
-                let _e370 = f32((_e83 >> bitcast<u32>(24u)));
-                let _e372 = global.member_29;
-                if (_e370 <= _e372) {
-                    let _e375 = global_2.member_9;
-                    if (_e375 != 0u) {
-                        let _e379 = atomicAdd((&global_1.member[2u]), 1u);
+                let _e371 = f32((_e81 >> bitcast<u32>(24u)));
+                let _e373 = global.member_29;
+                if (_e371 <= _e373) {
+                    let _e376 = global_2.member_9;
+                    if (_e376 != 0u) {
+                        let _e380 = atomicAdd((&global_1.member[2u]), 1u);
                     }
-                    phi_2654_ = 4294967295u;
+                    phi_2738_ = 4294967295u;
                     break;
                 }
-                let _e381 = global.member_14;
-                let _e384 = ((_e74 + (3u * _e381)) + _e75);
-                let _e387 = global_4.member[_e384];
-                let _e391 = global_4.member[(_e384 + 1u)];
-                let _e395 = global_4.member[(_e384 + 2u)];
-                let _e396 = vec3<u32>(_e387, _e391, _e395);
-                let _e408 = vec3<f32>(_e140.x, _e140.y, _e140.z);
-                let _e409 = (_e152 * 0.0009775171f);
-                let _e413 = ((vec3<f32>((_e396 & vec3<u32>(2047u, 2047u, 2047u))) - vec3<f32>(1023f, 1023f, 1023f)) * _e409);
-                let _e419 = ((vec3<f32>(((_e396 >> bitcast<vec3<u32>>(vec3<u32>(11u, 11u, 11u))) & vec3<u32>(2047u, 2047u, 2047u))) - vec3<f32>(1023f, 1023f, 1023f)) * _e409);
-                let _e429 = mat3x3<f32>(vec3<f32>(_e413.x, _e419.x, _e419.y), vec3<f32>(0f, _e413.y, _e413.z), vec3<f32>(0f, 0f, _e419.z));
+                let _e382 = global.member_14;
+                let _e385 = ((_e72 + (3u * _e382)) + _e73);
+                let _e388 = global_4.member[_e385];
+                let _e392 = global_4.member[(_e385 + 1u)];
+                let _e396 = global_4.member[(_e385 + 2u)];
+                let _e397 = vec3<u32>(_e388, _e392, _e396);
+                let _e409 = vec3<f32>(_e138.x, _e138.y, _e138.z);
+                let _e410 = (_e150 * 0.0009775171f);
+                let _e414 = ((vec3<f32>((_e397 & vec3<u32>(2047u, 2047u, 2047u))) - vec3<f32>(1023f, 1023f, 1023f)) * _e410);
+                let _e420 = ((vec3<f32>(((_e397 >> bitcast<vec3<u32>>(vec3<u32>(11u, 11u, 11u))) & vec3<u32>(2047u, 2047u, 2047u))) - vec3<f32>(1023f, 1023f, 1023f)) * _e410);
+                let _e430 = mat3x3<f32>(vec3<f32>(_e414.x, _e420.x, _e420.y), vec3<f32>(0f, _e414.y, _e414.z), vec3<f32>(0f, 0f, _e420.z));
                 switch bitcast<i32>(0u) {
                     default: {
-                        let _e439 = global.member_2;
-                        let _e441 = global.member_3;
-                        let _e442 = clamp((_e142.xy / vec2(_e141)), _e439, _e441);
-                        let _e445 = global.member[0u];
-                        let _e451 = (((vec3<f32>(_e132.x, _e132.y, _e132.z) - (_e408 * _e442.x)) * (_e445 / _e141)) * _e429);
-                        let _e454 = global.member[1u];
-                        let _e460 = (((vec3<f32>(_e136.x, _e136.y, _e136.z) - (_e408 * _e442.y)) * (_e454 / _e141)) * _e429);
-                        let _e462 = (dot(_e451, _e451) + 0.3f);
-                        let _e465 = (dot(_e460, _e460) + 0.3f);
-                        let _e467 = cross(_e451, _e460);
-                        let _e472 = (dot(_e467, _e467) + (0.3f * ((_e462 + _e465) - 0.3f)));
-                        let _e473 = (_e472 > 0f);
-                        phi_2159_ = _e473;
-                        if _e473 {
-                            phi_2159_ = (_e462 <= 1000000000000000000f);
-                        }
-                        let _e476 = phi_2159_;
-                        phi_2165_ = _e476;
+                        let _e440 = global.member_2;
+                        let _e442 = global.member_3;
+                        let _e443 = clamp((_e140.xy / vec2(_e139)), _e440, _e442);
+                        let _e446 = global.member[0u];
+                        let _e452 = (((vec3<f32>(_e130.x, _e130.y, _e130.z) - (_e409 * _e443.x)) * (_e446 / _e139)) * _e430);
+                        let _e455 = global.member[1u];
+                        let _e461 = (((vec3<f32>(_e134.x, _e134.y, _e134.z) - (_e409 * _e443.y)) * (_e455 / _e139)) * _e430);
+                        let _e463 = global.member_51;
+                        let _e465 = (dot(_e452, _e452) + _e463);
+                        let _e468 = (dot(_e461, _e461) + _e463);
+                        let _e470 = cross(_e452, _e461);
+                        let _e471 = dot(_e470, _e470);
+                        let _e475 = (_e471 + (_e463 * ((_e465 + _e468) - _e463)));
+                        let _e476 = (_e475 > 0f);
+                        phi_2208_ = _e476;
                         if _e476 {
-                            phi_2165_ = (_e465 <= 1000000000000000000f);
+                            phi_2208_ = (_e465 <= 1000000000000000000f);
                         }
-                        let _e479 = phi_2165_;
-                        if !(_e479) {
-                            let _e482 = global_2.member_9;
-                            if (_e482 != 0u) {
-                                let _e486 = atomicAdd((&global_1.member[3u]), 1u);
+                        let _e479 = phi_2208_;
+                        phi_2214_ = _e479;
+                        if _e479 {
+                            phi_2214_ = (_e468 <= 1000000000000000000f);
+                        }
+                        let _e482 = phi_2214_;
+                        if !(_e482) {
+                            let _e485 = global_2.member_9;
+                            if (_e485 != 0u) {
+                                let _e489 = atomicAdd((&global_1.member[3u]), 1u);
                             }
-                            phi_2653_ = 4294967295u;
+                            phi_2737_ = 4294967295u;
                             break;
                         }
-                        let _e488 = global.member_49;
-                        let _e489 = (vec3<f32>(_e462, dot(_e451, _e460), _e465) * _e488);
-                        phi_2645_ = (1f - (_e370 * 0.003921569f));
-                        phi_2644_ = 0u;
+                        phi_2723_ = (1f - (_e371 * 0.003921569f));
+                        phi_2722_ = 0u;
                         loop {
-                            let _e495 = phi_2645_;
-                            let _e497 = phi_2644_;
-                            let _e499 = global.member_47;
-                            local_1 = _e495;
-                            if (_e497 < _e499) {
+                            let _e493 = phi_2723_;
+                            let _e495 = phi_2722_;
+                            let _e497 = global.member_47;
+                            local_1 = _e493;
+                            if (_e495 < _e497) {
                                 continue;
                             } else {
                                 break;
                             }
                             continuing {
-                                phi_2645_ = (_e495 * _e495);
-                                phi_2644_ = (_e497 + bitcast<u32>(1i));
+                                phi_2723_ = (_e493 * _e493);
+                                phi_2722_ = (_e495 + bitcast<u32>(1i));
                             }
                         }
-                        let _e505 = local_1;
-                        let _e509 = u32(round((255f * (1f - _e505))));
-                        let _e512 = global.member_34;
-                        let _e523 = global.member_51;
-                        let _e524 = ((sqrt(_e489.xz) * sqrt((2f * log(max((max(f32(_e509), _e512) / _e372), 1f))))) * _e523);
-                        let _e527 = global.member_52;
-                        let _e530 = all(((_e366 + _e524) > _e527.xy));
-                        phi_2211_ = _e530;
-                        if _e530 {
-                            phi_2211_ = all(((_e366 - _e524) < _e527.zw));
-                        }
-                        let _e536 = phi_2211_;
-                        if !(_e536) {
-                            let _e539 = global_2.member_9;
-                            if (_e539 != 0u) {
-                                let _e543 = atomicAdd((&global_1.member[0u]), 1u);
+                        let _e503 = local_1;
+                        let _e507 = u32(round((255f * (1f - _e503))));
+                        let _e509 = global.member_52;
+                        phi_2731_ = _e507;
+                        if (_e509 != 0u) {
+                            let _e516 = u32(round((f32(_e507) * sqrt((_e471 / _e475)))));
+                            if (f32(_e516) <= _e373) {
+                                let _e520 = global_2.member_9;
+                                if (_e520 != 0u) {
+                                    let _e524 = atomicAdd((&global_1.member[2u]), 1u);
+                                }
+                                phi_2737_ = 4294967295u;
+                                break;
                             }
-                            phi_2653_ = 4294967295u;
+                            phi_2731_ = _e516;
+                        }
+                        let _e526 = phi_2731_;
+                        let _e528 = global.member_49;
+                        let _e529 = (vec3<f32>(_e465, dot(_e452, _e461), _e468) * _e528);
+                        let _e534 = global.member_34;
+                        let _e545 = global.member_53;
+                        let _e546 = ((sqrt(_e529.xz) * sqrt((2f * log(max((max(f32(_e526), _e534) / _e373), 1f))))) * _e545);
+                        let _e549 = global.member_54;
+                        let _e552 = all(((_e367 + _e546) > _e549.xy));
+                        phi_2282_ = _e552;
+                        if _e552 {
+                            phi_2282_ = all(((_e367 - _e546) < _e549.zw));
+                        }
+                        let _e558 = phi_2282_;
+                        if !(_e558) {
+                            let _e561 = global_2.member_9;
+                            if (_e561 != 0u) {
+                                let _e565 = atomicAdd((&global_1.member[0u]), 1u);
+                            }
+                            phi_2737_ = 4294967295u;
                             break;
                         }
-                        let _e548 = (0.5f * (_e489.x - _e489.z));
-                        let _e553 = sqrt(((_e548 * _e548) + (_e489.y * _e489.y)));
-                        let _e556 = ((0.5f * (_e489.x + _e489.z)) + _e553);
-                        if (_e548 >= 0f) {
-                            phi_2651_ = vec2<f32>((_e548 + _e553), _e489.y);
+                        let _e570 = (0.5f * (_e529.x - _e529.z));
+                        let _e575 = sqrt(((_e570 * _e570) + (_e529.y * _e529.y)));
+                        let _e578 = ((0.5f * (_e529.x + _e529.z)) + _e575);
+                        if (_e570 >= 0f) {
+                            phi_2735_ = vec2<f32>((_e570 + _e575), _e529.y);
                         } else {
-                            phi_2651_ = vec2<f32>(_e489.y, (_e553 - _e548));
+                            phi_2735_ = vec2<f32>(_e529.y, (_e575 - _e570));
                         }
-                        let _e563 = phi_2651_;
-                        let _e564 = length(_e563);
-                        if (_e564 > 0f) {
-                            phi_2652_ = (_e563 / vec2(_e564));
+                        let _e585 = phi_2735_;
+                        let _e586 = length(_e585);
+                        if (_e586 > 0f) {
+                            phi_2736_ = (_e585 / vec2(_e586));
                         } else {
-                            phi_2652_ = vec2<f32>(1f, 0f);
+                            phi_2736_ = vec2<f32>(1f, 0f);
                         }
-                        let _e569 = phi_2652_;
-                        let _e576 = global.member_5;
-                        let _e580 = global.member_10;
-                        let _e584 = vec2<u32>(clamp(round(((_e366 + vec2(_e576)) * _e580)), vec2<f32>(0f, 0f), vec2<f32>(1048575f, 1048575f)));
-                        let _e587 = vec3<u32>(round((clamp((vec3<f32>((_e396 >> bitcast<vec3<u32>>(vec3<u32>(22u, 22u, 22u)))) * vec3<f32>(0.0009775171f, 0.0009775171f, 0.0009775171f)), vec3<f32>(0f, 0f, 0f), vec3<f32>(1f, 1f, 1f)) * 1023f)));
-                        let _e615 = global.member_45;
-                        let _e617 = (4u * (_e615 + _e68));
-                        global_4.member[_e617] = ((_e584.x | (_e587.x << bitcast<u32>(20u))) | (_e587.z << bitcast<u32>(30u)));
-                        global_4.member[(_e617 + 1u)] = (_e584.y | (_e587.y << bitcast<u32>(20u)));
-                        global_4.member[(_e617 + 2u)] = pack2x16float((_e569 * min(sqrt(_e556), 65504f)));
-                        global_4.member[(_e617 + 3u)] = ((pack2x16float(vec2<f32>(min(sqrt(((_e472 * (_e488 * _e488)) / _e556)), 65504f), 0f)) | (_e509 << bitcast<u32>(16u))) | ((_e587.z >> bitcast<u32>(2u)) << bitcast<u32>(24u)));
-                        let _e630 = global.member_9;
-                        phi_2653_ = min(u32((_e364 * f32(_e630))), _e630);
+                        let _e591 = phi_2736_;
+                        let _e598 = global.member_5;
+                        let _e602 = global.member_10;
+                        let _e606 = vec2<u32>(clamp(round(((_e367 + vec2(_e598)) * _e602)), vec2<f32>(0f, 0f), vec2<f32>(1048575f, 1048575f)));
+                        let _e609 = vec3<u32>(round((clamp((vec3<f32>((_e397 >> bitcast<vec3<u32>>(vec3<u32>(22u, 22u, 22u)))) * vec3<f32>(0.0009775171f, 0.0009775171f, 0.0009775171f)), vec3<f32>(0f, 0f, 0f), vec3<f32>(1f, 1f, 1f)) * 1023f)));
+                        let _e637 = global.member_45;
+                        let _e639 = (4u * (_e637 + _e66));
+                        global_4.member[_e639] = ((_e606.x | (_e609.x << bitcast<u32>(20u))) | (_e609.z << bitcast<u32>(30u)));
+                        global_4.member[(_e639 + 1u)] = (_e606.y | (_e609.y << bitcast<u32>(20u)));
+                        global_4.member[(_e639 + 2u)] = pack2x16float((_e591 * min(sqrt(_e578), 65504f)));
+                        global_4.member[(_e639 + 3u)] = ((pack2x16float(vec2<f32>(min(sqrt(((_e475 * (_e528 * _e528)) / _e578)), 65504f), 0f)) | (_e526 << bitcast<u32>(16u))) | ((_e609.z >> bitcast<u32>(2u)) << bitcast<u32>(24u)));
+                        let _e652 = global.member_9;
+                        phi_2737_ = min(u32((_e365 * f32(_e652))), _e652);
                         break;
                     }
                 }
-                let _e636 = phi_2653_;
-                phi_2654_ = _e636;
+                let _e658 = phi_2737_;
+                phi_2738_ = _e658;
                 break;
             }
         }
-        let _e638 = phi_2654_;
-        phi_2655_ = _e638;
+        let _e660 = phi_2738_;
+        phi_2739_ = _e660;
     } else {
-        phi_2655_ = 4294967295u;
+        phi_2739_ = 4294967295u;
     }
-    let _e640 = phi_2655_;
+    let _e662 = phi_2739_;
     switch bitcast<i32>(0u) {
         default: {
-            let _e643 = bitcast<u32>(param[0u]);
-            let _e645 = global.member_45;
-            let _e646 = (_e645 + _e68);
-            if (_e640 != 4294967295u) {
-                let _e649 = global.member_41;
-                let _e653 = global.member_40;
-                let _e659 = atomicAdd((&global_1.member[((_e653 + ((_e646 / _e649) * 256u)) + (_e640 & 255u))]), 1u);
+            let _e665 = bitcast<u32>(param[0u]);
+            let _e667 = global.member_45;
+            let _e668 = (_e667 + _e66);
+            if (_e662 != 4294967295u) {
+                let _e671 = global.member_41;
+                let _e675 = global.member_40;
+                let _e681 = atomicAdd((&global_1.member[((_e675 + ((_e668 / _e671) * 256u)) + (_e662 & 255u))]), 1u);
             }
-            let _e661 = global.member_39;
-            if (_e661 == 0u) {
-                if (_e68 < (_e70 + (_e70 & 1u))) {
-                    let _e667 = global.member_28;
-                    global_4.member[(_e667 + _e646)] = _e640;
+            let _e683 = global.member_39;
+            if (_e683 == 0u) {
+                if (_e66 < (_e68 + (_e68 & 1u))) {
+                    let _e689 = global.member_28;
+                    global_4.member[(_e689 + _e668)] = _e662;
                 }
                 break;
             }
-            global_5[_e643] = _e640;
+            global_5[_e665] = _e662;
             workgroupBarrier();
-            let _e673 = ((_e643 & 1u) == 0u);
-            if select(_e673, _e71, _e673) {
-                let _e676 = global.member_28;
-                let _e683 = global_5[(_e643 + 1u)];
-                global_4.member[(_e676 + (_e646 >> bitcast<u32>(1u)))] = ((_e640 & 65535u) | (_e683 << bitcast<u32>(16u)));
+            let _e695 = ((_e665 & 1u) == 0u);
+            if select(_e695, _e69, _e695) {
+                let _e698 = global.member_28;
+                let _e705 = global_5[(_e665 + 1u)];
+                global_4.member[(_e698 + (_e668 >> bitcast<u32>(1u)))] = ((_e662 & 65535u) | (_e705 << bitcast<u32>(16u)));
             }
             break;
         }

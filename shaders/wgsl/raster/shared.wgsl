@@ -79,6 +79,8 @@ struct FrameBlock {
     drawn: u32,
     covariance_scale: f32,
     bin_side: u32,
+    low_pass: f32,
+    compensated: u32,
     area_reach: f32,
     area: vec4<f32>,
     cache_min: vec4<f32>,

@@ -36,6 +36,8 @@ pub fn write_shared(
     };
     block.tile_side = TILING.tile(layer.size) as f32;
     block.bin_side = bin_side(layer.size);
+    block.low_pass = layer.filter.variance as f32;
+    block.compensated = layer.filter.compensated.into();
     block.occluder_margin = options.margin as f32;
     block.pyramid_start = 0;
     if let Some(view) = layer.occluder_view

@@ -143,7 +143,7 @@ mod tests {
             ..Counters::default()
         };
         assert_eq!(counted.overdraw(), Some(2.5));
-        assert_eq!(counted.named().count(), 14);
+        assert_eq!(counted.named().count(), 15);
         assert_eq!(
             Counters {
                 reasons: Some(CullReasons::default()),
@@ -151,9 +151,9 @@ mod tests {
             }
             .named()
             .count(),
-            18
+            19
         );
-        assert_eq!(Counters::default().named().count(), 12);
+        assert_eq!(Counters::default().named().count(), 13);
         assert_eq!(
             Counters {
                 covered: Some(0),

@@ -7,6 +7,7 @@ use crate::layout::{
     SORT_DIGITS, SORT_GROUP, SORT_ONESWEEP_TILE, SORT_RUNS, SORT_STATE, SORT_TILE,
 };
 use crate::{
+    avatar::Filter,
     constants::ALPHA_MIN,
     scene::{Detail, Supersampling},
 };
@@ -44,6 +45,9 @@ pub struct RendererOptions {
     /// How many times its size an avatar is drawn, before it is averaged. WebGPU draws everything
     /// as large as it is shown.
     pub supersampling: Supersampling,
+    /// The low-pass to draw with. None: the avatar's own, with which alone it looks as it was
+    /// learned.
+    pub filter: Option<Filter>,
     /// Most copies of the avatar in a scene, 1 to 256; memory grows with it.
     pub instances: usize,
     /// Count fragments, where the device can, and why Gaussians are culled. For measurements: some
@@ -73,6 +77,7 @@ impl RendererOptions {
             margin: 0.005,
             detail: Detail::FULL,
             supersampling: Supersampling::BySize,
+            filter: None,
             instances: 1,
             count: false,
         }

@@ -473,7 +473,7 @@ mod tests {
     use crate::{
         avatar::{Avatar, Pose},
         frame::{FrameState, PlanInput, RendererOptions, passes::Use},
-        scene::{AvatarBounds, Camera, PartDependencies, Posed, upright},
+        scene::{AvatarBounds, Camera, PartDependencies, Posed, Supersampling, upright},
     };
     use glam::{DAffine3, DVec3};
 
@@ -498,6 +498,7 @@ mod tests {
                 avatar,
                 options: RendererOptions {
                     size: SIZE,
+                    supersampling: Supersampling::OFF,
                     ..options
                 },
                 state: FrameState::default(),
@@ -709,6 +710,52 @@ mod tests {
                         assert_ordered(&frame);
                     }
                 }
+            }
+        }
+    }
+
+    /// The atlas comes first, then the image if it has avatars, and each of both has all stages.
+    #[test]
+    fn small_avatars_are_drawn_first_and_resolved_last() {
+        for raster in every_raster() {
+            let mut planner = Planner::new(RendererOptions {
+                instances: 2,
+                ..RendererOptions::new(SIZE)
+            });
+            planner.options.size = [1024, 1024];
+            planner.options.supersampling = Supersampling::BySize;
+            let equipment = Equipment {
+                supersampling: true,
+                ..raster
+            };
+            let near = planner.posed(0.1, 0.0);
+            let back = planner.camera(0.0).view.matrix3.transpose().z_axis;
+            let far = planner
+                .posed(0.1, 0.0)
+                .placed(DAffine3::from_translation(30.0 * back));
+            let gone = planner.posed(0.1, 1e4);
+            let sorts = |frame: &Schedule| {
+                let names = names(frame);
+                names.iter().filter(|name| **name == "sort").count()
+            };
+            let resolves = |frame: &Schedule| {
+                frame.passes().find_map(|pass| match pass {
+                    Pass::Resolve { clear } => Some(*clear),
+                    _ => None,
+                })
+            };
+            let both = planner.frame(&[near.clone(), far.clone()], 0.0, &equipment);
+            assert_eq!((sorts(&both), resolves(&both)), (2, Some(false)));
+            assert!(names(&both).ends_with(&["raster", "resolve"]));
+            assert!(both.passes().any(|pass| *pass == Pass::KeepCounts));
+            let small = planner.frame(&[gone.clone(), far], 0.0, &equipment);
+            assert_eq!((sorts(&small), resolves(&small)), (1, Some(true)));
+            let large = planner.frame(&[near, gone.clone()], 0.0, &equipment);
+            assert_eq!((sorts(&large), resolves(&large)), (1, None));
+            let none = planner.frame(&[gone.clone(), gone], 0.0, &equipment);
+            assert_eq!((sorts(&none), resolves(&none)), (0, None));
+            for frame in [both, small, large, none] {
+                assert_ordered(&frame);
             }
         }
     }

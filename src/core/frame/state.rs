@@ -6,6 +6,7 @@ use super::{
     atlas::{Arrangement, Seen, Slot, arrange},
     changes::View,
 };
+use crate::avatar::Filter;
 use crate::scene::{
     AvatarBounds, Camera, OccluderView, PartDependencies, PartSet, PixelRect, Posed, Visible,
     detail,
@@ -51,6 +52,8 @@ pub struct Layer<'a> {
     pub instances: Vec<AvatarInstance<'a>>,
     /// Width and height of the image, px.
     pub size: [u32; 2],
+    /// The low-pass that it is drawn with.
+    pub filter: Filter,
     /// Nearest and furthest expected depth along the camera's axis, metres.
     pub depth_range: [f64; 2],
     /// The view of the occluder pass. None where there is no occluder or nothing in view.
@@ -212,8 +215,7 @@ impl FrameState {
                 }
             }
         }
-        // Fewer Gaussians than pixels, and never hidden parts, are worth the saturation depth and
-        // the occluder: of small avatars only what one alone hides of itself.
+        // An occluder's depth is too coarse for the many avatars of an atlas.
         let occluder = |instances: &[AvatarInstance]| input.has_occluder && !instances.is_empty();
         let image = Layer {
             occluder_view: occluder(&image)
@@ -226,6 +228,7 @@ impl FrameState {
             },
             instances: image,
             size: camera.size,
+            filter: bounds.filter(),
         };
         let size = arrangement.size;
         let atlas = (!atlas.is_empty()).then(|| Atlas {
@@ -236,6 +239,7 @@ impl FrameState {
                 pixels_a_gaussian: f64::INFINITY,
                 instances: atlas,
                 size,
+                filter: options.filter.unwrap_or(Filter::SUPERSAMPLED),
             },
             slots: arrangement.slots,
         });

@@ -5,6 +5,8 @@
 //! Buffers are arrays of 32-bit words, of 16-byte vectors, or of "half quads": four f16 in eight
 //! bytes, the same bytes whether a device reads them as f16 or unpacks words.
 
+#[cfg(doc)]
+use crate::avatar::Filter;
 use crate::avatar::limits;
 use bytemuck::{Pod, Zeroable};
 
@@ -248,8 +250,14 @@ pub struct FrameBlock {
     pub covariance_scale: f32,
     /// Side of the finest bins, px.
     pub bin_side: u32,
+    /// [`Filter::variance`], px².
+    pub low_pass: f32,
+    /// [`Filter::compensated`], 0 or 1.
+    pub compensated: u32,
     /// How much of a splat must be within `area`: 1 any of it, −1 all of it.
     pub area_reach: f32,
+    /// Padding.
+    pub unused: [u32; 2],
     /// First and last corner of what this avatar may draw to, px.
     pub area: [f32; 4],
     /// Lower corner of the box that positions in the pose cache are relative to, metres.

@@ -2,7 +2,7 @@
 //! frame instead of one a Gaussian.
 
 use super::{Camera, PartSet, PixelRect, PlaneRect, detail, radius_in_sigmas};
-use crate::avatar::Avatar;
+use crate::avatar::{Avatar, Filter};
 use crate::constants::{LOG_SCALE_MAX, LONGEST_MARGIN};
 use glam::{DAffine3, DVec2, DVec3, UVec2};
 use std::ops::Range;
@@ -19,6 +19,8 @@ const PLANE_MAX: f64 = 1e6;
 /// Minimum skin weight (0–255) for a joint to widen the avatar's bounds. Culling of parts uses all
 /// joints.
 const MIN_WEIGHT: u8 = 8;
+/// How far a Gaussian without extent reaches in the image by [`Filter::DEFAULT`], rounded up, px.
+const FILTER_REACH: f64 = 2.0;
 
 /// A part's box in canonical space, and the joints that move it.
 #[derive(Clone, Debug)]
@@ -150,6 +152,8 @@ pub struct AvatarBounds {
     parts: Vec<PartBox>,
     pose_shape: PoseShape,
     gaussians: usize,
+    /// The low-pass that it is drawn with.
+    filter: Filter,
 }
 
 impl AvatarBounds {
@@ -171,12 +175,27 @@ impl AvatarBounds {
                 expression: avatar.inputs.expression,
             },
             gaussians: avatar.gaussians.len(),
+            filter: avatar.filter,
+        }
+    }
+
+    /// The same for an avatar that is drawn with a filter other than its own; None: its own.
+    #[must_use]
+    pub fn filtered(self, filter: Option<Filter>) -> Self {
+        Self {
+            filter: filter.unwrap_or(self.filter),
+            ..self
         }
     }
 
     /// The shape that a pose of this avatar must have.
     pub fn pose_shape(&self) -> PoseShape {
         self.pose_shape
+    }
+
+    /// The low-pass that it is drawn with where it is drawn as large as it is shown.
+    pub fn filter(&self) -> Filter {
+        self.filter
     }
 
     /// Number of Gaussians of this avatar.
@@ -204,7 +223,7 @@ impl AvatarBounds {
         };
         let mut around = PlaneBox::EMPTY;
         for part in &self.parts {
-            let projected = part.project(joints, camera, scale);
+            let projected = part.project(joints, camera, scale, reach_of(self.filter));
             around = around.union(projected.padded);
             if projected.is_outside(size) {
                 continue;
@@ -219,7 +238,7 @@ impl AvatarBounds {
     /// Whether [`Self::visible`] allows for a Gaussian of a part: one beyond may be cut off.
     /// `displaced`: how far nodes move it; `axis`: its longest axis; metres in canonical space.
     pub fn allows_for(&self, part: usize, displaced: f64, axis: f64) -> bool {
-        let radius = axis * radius_in_sigmas(255).unwrap_or_default();
+        let radius = axis * radius_in_sigmas(255.0).unwrap_or_default();
         self.parts
             .iter()
             .find(|own| own.part == part)
@@ -248,8 +267,8 @@ impl AvatarBounds {
         let Some(mut projected) = self.project(joints, camera, MARGIN) else {
             return PixelRect::whole(camera.size);
         };
-        projected.min -= 2.0;
-        projected.max += 2.0;
+        projected.min -= reach_of(self.filter);
+        projected.max += reach_of(self.filter);
         let rect = projected.clamp(size);
         PixelRect {
             min: rect.min.min(rect.max),
@@ -322,7 +341,7 @@ impl PartBox {
         let radius = LONGEST_MARGIN
             * detail::covariance_scale(detail::COARSEST).sqrt()
             * longest_axis
-            * radius_in_sigmas(255).unwrap_or_default();
+            * radius_in_sigmas(255.0).unwrap_or_default();
 
         let mut min = DVec3::INFINITY;
         let mut max = DVec3::NEG_INFINITY;
@@ -381,8 +400,15 @@ impl PartBox {
         })
     }
 
-    /// The box as a camera sees it. `scale`: how much joints and camera enlarge lengths, at most.
-    fn project(&self, joints: &[DAffine3], camera: &Camera, scale: f64) -> ProjectedBox {
+    /// The box as a camera sees it. `scale`: how much joints and camera enlarge lengths, at most;
+    /// `reach`: what the low-pass adds in the image, px.
+    fn project(
+        &self,
+        joints: &[DAffine3],
+        camera: &Camera,
+        scale: f64,
+        reach: f64,
+    ) -> ProjectedBox {
         let margin = scale * (MARGIN + self.displacement + self.radius);
         let wide_margin = scale * (RECT_MARGIN + self.displacement + 2.0 * self.radius);
         let mut projected = ProjectedBox {
@@ -396,7 +422,7 @@ impl PartBox {
             projected.crosses_near |= p.z - margin < camera.near;
             projected.behind_near &= p.z + margin < camera.near;
             let at = camera.project(p);
-            let radius = |margin| projected_radius(camera, p, margin) + 2.0;
+            let radius = |margin| projected_radius(camera, p, margin) + reach;
             projected.tight.add(at, radius(margin));
             // A point nearer than its margin is wide may appear anywhere.
             let wide_radius = if p.z - wide_margin < camera.near {
@@ -408,6 +434,11 @@ impl PartBox {
         }
         projected
     }
+}
+
+/// How far a Gaussian without extent reaches in the image, px.
+fn reach_of(filter: Filter) -> f64 {
+    FILTER_REACH * (filter.variance / Filter::DEFAULT.variance).sqrt().max(1.0)
 }
 
 /// How far from a point's projection anything within `margin` metres of the point may appear, px.

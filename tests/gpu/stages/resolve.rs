@@ -10,7 +10,7 @@ use crate::common::{
 };
 use effigy::vulkan::{FrameReport, Renderer};
 use effigy_core::{
-    avatar::Avatar,
+    avatar::{Avatar, Filter},
     frame::RendererOptions,
     reference,
     scene::{Camera, FrameImage, Posed, Supersampling},
@@ -93,7 +93,13 @@ fn a_small_avatar_is_its_own_average(raster: Raster) {
         let posed = posed(&avatar, &camera, 3, place);
         let options = supersampled(raster, &camera, Supersampling::Times(factor));
         let (image, report) = drawn(&avatar, &[&posed], &camera, options);
-        let expected = reference::render_supersampled(&avatar, &[&posed], &camera, factor);
+        let expected = reference::render_supersampled(
+            &avatar,
+            &[&posed],
+            &camera,
+            factor,
+            Filter::SUPERSAMPLED,
+        );
         let what = format!("{factor} times at {place}");
         assert_near(&what, &image, &expected, 48.0);
         assert_eq!(report.counters.supersampled, 1);
@@ -121,7 +127,7 @@ fn small_avatars_go_before_and_behind_large_ones(raster: Raster) {
     let large = reference::render(&avatar, &near, &camera);
     let average = |posed: &Posed| {
         let factor = 4;
-        reference::render_supersampled(&avatar, &[posed], &camera, factor)
+        reference::render_supersampled(&avatar, &[posed], &camera, factor, Filter::SUPERSAMPLED)
     };
     let expected = average(&doll)
         .blended_over(&large)
@@ -153,7 +159,8 @@ fn small_avatars_that_touch_are_sorted_together(raster: Raster) {
     let poses = poses.each_ref();
     let options = supersampled(raster, &camera, Supersampling::Times(4));
     let (image, report) = drawn(&avatar, &poses, &camera, options);
-    let expected = reference::render_supersampled(&avatar, &poses, &camera, 4);
+    let expected =
+        reference::render_supersampled(&avatar, &poses, &camera, 4, Filter::SUPERSAMPLED);
     assert_eq!(report.counters.supersampled, 3);
     assert_near("three avatars", &image, &expected, 48.0);
 }
