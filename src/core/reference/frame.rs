@@ -9,8 +9,8 @@ use super::{
 };
 use crate::avatar::{Avatar, Filter};
 use crate::layout::compact::Neutral;
-use crate::scene::{Camera, FrameImage, Posed, detail::COARSEST};
-use glam::DVec3;
+use crate::scene::{Camera, FrameImage, PixelRect, Posed, detail::COARSEST};
+use glam::{DVec2, DVec3, UVec2};
 use half::f16;
 
 /// The results of every stage of one frame.
@@ -124,8 +124,47 @@ pub fn render_supersampled(
     factor: u32,
     filter: Filter,
 ) -> FrameImage {
+    let gaussians = gaussians_of(avatar, instances, camera);
     let larger = camera.stretched(camera.size.map(|side| factor * side));
-    render_gaussians(&gaussians_of(avatar, instances, &larger), &larger, filter).averaged(factor)
+    let mut splats = project::splats(&gaussians, &larger, filter, 0);
+    // Only the pixels that something is drawn into take memory.
+    let scale = f64::from(factor);
+    let size = UVec2::from(camera.size).as_dvec2();
+    let rect = splats
+        .iter()
+        .flatten()
+        .map(|splat| PixelRect {
+            min: ((splat.center - splat.radius) / scale)
+                .floor()
+                .clamp(DVec2::ZERO, size)
+                .as_uvec2(),
+            max: ((splat.center + splat.radius) / scale)
+                .ceil()
+                .clamp(DVec2::ZERO, size)
+                .as_uvec2(),
+        })
+        .fold(PixelRect::EMPTY, PixelRect::union);
+    let mut image = FrameImage::empty(camera.size);
+    if rect.is_empty() {
+        return image;
+    }
+    for splat in splats.iter_mut().flatten() {
+        splat.center -= scale * rect.min.as_dvec2();
+    }
+    let order = sort::order(&splats);
+    let drawn = Camera {
+        size: ((rect.max - rect.min) * factor).into(),
+        ..larger
+    };
+    let average = raster::raster(&splats, &order, &drawn)
+        .to_image()
+        .averaged(factor);
+    let [width, height] = average.size.map(|side| side as usize);
+    for row in 0..height {
+        let to = (rect.min.y as usize + row) * camera.size[0] as usize + rect.min.x as usize;
+        image.pixels[to..to + width].copy_from_slice(&average.pixels[row * width..][..width]);
+    }
+    image
 }
 
 /// The image of Gaussians in the posed world.

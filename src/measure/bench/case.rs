@@ -19,22 +19,31 @@ pub enum BenchCase {
     Static,
     /// Motion in real time, close to the face.
     Close,
+    /// Motion in real time, 30 px tall.
+    Far30,
     /// Motion in real time, 60 px tall.
     Far,
+    /// Motion in real time, 120 px tall.
+    Far120,
+    /// Motion in real time, 240 px tall.
+    Far240,
     /// Four avatars in motion.
     Four,
 }
 
 impl BenchCase {
     /// Every case.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 11] = [
         Self::Full,
         Self::Camera,
         Self::Orbit,
         Self::Expression,
         Self::Static,
         Self::Close,
+        Self::Far30,
         Self::Far,
+        Self::Far120,
+        Self::Far240,
         Self::Four,
     ];
 
@@ -47,7 +56,10 @@ impl BenchCase {
             Self::Expression => "expression",
             Self::Static => "static",
             Self::Close => "close",
+            Self::Far30 => "far30",
             Self::Far => "far",
+            Self::Far120 => "far120",
+            Self::Far240 => "far240",
             Self::Four => "four",
         }
     }
@@ -61,7 +73,10 @@ impl BenchCase {
             Self::Expression => "only the expression changes",
             Self::Static => "nothing changes",
             Self::Close => "motion in real time, the camera a forearm from the face",
+            Self::Far30 => "motion in real time, the avatar 30 px tall",
             Self::Far => "motion in real time, the avatar 60 px tall",
+            Self::Far120 => "motion in real time, the avatar 120 px tall",
+            Self::Far240 => "motion in real time, the avatar 240 px tall",
             Self::Four => {
                 "four avatars in motion a metre apart, a slowly orbiting camera on all or one of them"
             }
@@ -76,7 +91,24 @@ impl BenchCase {
     /// Whether frames follow each other at [`RATE`](super::scene::RATE), so that a pose can be held
     /// for several of them.
     pub fn in_real_time(self) -> bool {
-        matches!(self, Self::Orbit | Self::Close | Self::Far | Self::Four)
+        matches!(self, Self::Orbit | Self::Close | Self::Four) || self.tall().is_some()
+    }
+
+    /// How tall the avatar is in the image, px, where the case says so.
+    pub fn tall(self) -> Option<f64> {
+        match self {
+            Self::Far30 => Some(30.0),
+            Self::Far => Some(60.0),
+            Self::Far120 => Some(120.0),
+            Self::Far240 => Some(240.0),
+            _ => None,
+        }
+    }
+
+    /// How many times its size the reference draws it, before it is averaged. What is small is
+    /// compared with what the area of each pixel shows.
+    pub fn truth_factor(self) -> u32 {
+        if self.tall().is_some() { 8 } else { 1 }
     }
 
     /// Whether the camera moves.
@@ -86,7 +118,7 @@ impl BenchCase {
 
     /// Whether the case keeps its own camera even if cameras are given.
     pub fn own_camera(self) -> bool {
-        matches!(self, Self::Close | Self::Far | Self::Four)
+        matches!(self, Self::Close | Self::Four) || self.tall().is_some()
     }
 }
 

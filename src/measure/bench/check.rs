@@ -3,6 +3,7 @@
 
 use super::{
     backend::Result,
+    case::BenchCase,
     run::{CaseRenderer, Progress},
     scene::BenchScene,
 };
@@ -25,12 +26,14 @@ impl<'a> ReferenceImages<'a> {
         }
     }
 
-    /// The image of a scene, with the clip's pose even while another is held.
-    fn image(&mut self, index: usize, scene: &BenchScene) -> &FrameImage {
+    /// The image of a scene, with the clip's pose even while another is held, drawn `factor` times
+    /// as large and averaged.
+    fn image(&mut self, index: usize, scene: &BenchScene, factor: u32) -> &FrameImage {
         self.images.entry(index).or_insert_with(|| {
             let instances = scene.instances.iter();
             let poses: Vec<_> = instances.map(|instance| &instance.reference).collect();
-            reference::render_scene(self.avatar, &poses, &scene.camera)
+            let filter = self.avatar.filter;
+            reference::render_supersampled(self.avatar, &poses, &scene.camera, factor, filter)
         })
     }
 }
@@ -44,13 +47,14 @@ pub struct CheckResult {
     pub covered: Option<f64>,
 }
 
-/// Draws the scenes with these indices again and compares each. `flip`: whether to compute FLIP
-/// too, which takes seconds an image.
+/// Draws the scenes of a case with these indices again and compares each. `flip`: whether to
+/// compute FLIP too, which takes seconds an image.
 ///
 /// # Errors
 /// When the device fails.
 pub fn check(
     renderer: &mut CaseRenderer,
+    case: BenchCase,
     scenes: &[BenchScene],
     indices: &[usize],
     reference_images: &mut ReferenceImages,
@@ -66,7 +70,7 @@ pub fn check(
         renderer.draw(&scenes[index])?;
         let image = renderer.image()?;
         covered += covered_pixels(&image);
-        let reference = reference_images.image(index, &scenes[index]);
+        let reference = reference_images.image(index, &scenes[index], case.truth_factor());
         let flip = flip.then(|| flip::between(&image, reference).covered);
         let error = ErrorReport::new(&error::between(&image, reference), flip);
         worst = Some(match worst {

@@ -49,6 +49,7 @@ pub fn measure_case(
     let indices = scene::checks(case, scenes.len(), task.checked);
     let checked = check::check(
         &mut renderer,
+        case,
         &scenes,
         &indices,
         &mut ReferenceImages::new(task.avatar),

@@ -10,7 +10,7 @@ use effigy::vulkan::{
 };
 use effigy_core::{
     frame::Skip,
-    scene::{Detail, detail::COARSEST},
+    scene::{Detail, Supersampling, detail::COARSEST},
 };
 use std::{fmt, str::FromStr};
 
@@ -49,6 +49,8 @@ pub enum Parameter {
     Margin,
     /// Level of detail.
     Detail,
+    /// How many times its size a small avatar is drawn.
+    Supersample,
     /// Poses a second.
     PoseRate,
     /// Work that may be skipped: all or none.
@@ -69,7 +71,7 @@ pub struct ParameterValue {
 impl Parameter {
     /// Every parameter. The last is for a closer look at [`Parameter::Skip`] and not part of a
     /// sweep of all.
-    pub const ALL: [Self; 12] = [
+    pub const ALL: [Self; 13] = [
         Self::Preset,
         Self::Storage,
         Self::Keys,
@@ -79,6 +81,7 @@ impl Parameter {
         Self::Rows,
         Self::Margin,
         Self::Detail,
+        Self::Supersample,
         Self::PoseRate,
         Self::Skip,
         Self::SkipBut,
@@ -96,6 +99,7 @@ impl Parameter {
             Self::Rows => "rows",
             Self::Margin => "margin",
             Self::Detail => "detail",
+            Self::Supersample => "supersample",
             Self::PoseRate => "pose-rate",
             Self::Skip => "skip",
             Self::SkipBut => "skip-but",
@@ -161,6 +165,14 @@ impl Parameter {
                 for detail in [Detail::FULL, Detail::AUTO].into_iter().chain(levels) {
                     if detail != options.detail {
                         values.add(detail, |s| s.options.detail = detail);
+                    }
+                }
+            }
+            Self::Supersample => {
+                let factors = [1, 2, 4].map(Supersampling::Times);
+                for factor in [Supersampling::BySize].into_iter().chain(factors) {
+                    if factor != options.supersampling {
+                        values.add(factor, |s| s.options.supersampling = factor);
                     }
                 }
             }
@@ -280,6 +292,7 @@ mod tests {
         assert_eq!(names(Parameter::Cutoff), ["2/255", "4/255", "8/255"]);
         assert_eq!(names(Parameter::Keys).len(), 2);
         assert_eq!(names(Parameter::Detail), ["auto", "1/2", "1/4", "1/8"]);
+        assert_eq!(names(Parameter::Supersample), ["1", "2", "4"]);
         assert_eq!(names(Parameter::Skip), ["none"]);
         assert_eq!(
             names(Parameter::SkipBut).len(),
@@ -335,6 +348,9 @@ mod tests {
                             Parameter::Cutoff => options.cutoff = base().options.cutoff,
                             Parameter::Margin => options.margin = base().options.margin,
                             Parameter::Detail => options.detail = base().options.detail,
+                            Parameter::Supersample => {
+                                options.supersampling = base().options.supersampling;
+                            }
                             _ => options.skip = base().options.skip,
                         }
                         RenderSetting { options, ..setting }

@@ -30,6 +30,7 @@ static COLORS: [RGBColor; Parameter::ALL.len()] = [
     RGBColor(23, 163, 184),
     RGBColor(150, 150, 20),
     RGBColor(0, 120, 120),
+    RGBColor(120, 0, 120),
 ];
 /// Range of the PSNR below the best finite one, dB. Points further down are drawn at the lower
 /// edge, with their PSNR in their name.

@@ -183,6 +183,7 @@ impl SweepRun<'_> {
         let indices = scene::checks(case, entry.scenes.len(), self.task.checked);
         let checked = check::check(
             &mut entry.renderer,
+            case,
             &entry.scenes,
             &indices,
             &mut self.reference_images,
