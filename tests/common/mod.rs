@@ -336,6 +336,7 @@ pub fn avatar(seed: u64, sizes: Sizes) -> Avatar {
         parts,
         inputs,
         sh: None,
+        levels: vec![],
     }
 }
 

@@ -90,6 +90,7 @@ fn avatar(dots: &[Dot]) -> Avatar {
             expression_space: None,
         },
         sh: None,
+        levels: vec![],
     }
 }
 

@@ -8,6 +8,7 @@
 pub mod bounds;
 pub mod harmonics;
 pub mod inputs;
+pub mod levels;
 pub mod limits;
 pub mod matrix;
 pub mod model;
@@ -20,7 +21,8 @@ pub use bounds::Bounds;
 pub use inputs::{Inputs, Subspace};
 pub use matrix::Matrix;
 pub use model::{
-    Activation, Avatar, Gaussians, Layer, Networks, Nodes, Parts, Rows, ShCoefficients,
+    Activation, Avatar, Gaussians, Layer, Level, LevelError, Networks, Nodes, Parts, Rows,
+    ShCoefficients,
 };
 pub use motion::Clip;
 pub use pose::Pose;

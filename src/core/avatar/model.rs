@@ -33,6 +33,9 @@ pub struct Avatar {
     /// How colours change with the viewing direction; None where they don't. Baked and trained
     /// avatars have none.
     pub sh: Option<ShCoefficients>,
+    /// Smaller sets of Gaussians for small images, each with fewer than the one before. May be
+    /// empty.
+    pub levels: Vec<Level>,
 }
 
 /// The neutral attributes, one entry a Gaussian, in the canonical pose. Ordered by part.
@@ -69,6 +72,27 @@ impl Gaussians {
     pub fn is_empty(&self) -> bool {
         self.position.is_empty()
     }
+
+    /// The Gaussians of these indices, in their order.
+    ///
+    /// # Panics
+    /// When an index is not below their number.
+    pub fn pick(&self, gaussians: &[usize]) -> Self {
+        fn pick<T: Copy>(all: &[T], gaussians: &[usize]) -> Vec<T> {
+            gaussians.iter().map(|&at| all[at]).collect()
+        }
+        Self {
+            bounds: self.bounds,
+            position: pick(&self.position, gaussians),
+            rotation: pick(&self.rotation, gaussians),
+            log_scale: pick(&self.log_scale, gaussians),
+            color: pick(&self.color, gaussians),
+            opacity: pick(&self.opacity, gaussians),
+            joint: pick(&self.joint, gaussians),
+            joint_weight: pick(&self.joint_weight, gaussians),
+            node: pick(&self.node, gaussians),
+        }
+    }
 }
 
 /// View-dependent colour of 3DGS: real spherical harmonics of the direction from the camera
@@ -92,6 +116,45 @@ impl ShCoefficients {
     pub fn functions(&self) -> usize {
         (self.degree + 1).pow(2) - 1
     }
+}
+
+/// A level of detail: a smaller set of Gaussians that represents all of an avatar's where it is
+/// small in the image.
+///
+/// Its Gaussians are merged from the avatar's own, within parts and in canonical space, and fitted
+/// to supersampled images of the whole avatar. They move with the same skeleton, networks and
+/// nodes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Level {
+    /// The Gaussians, ordered by part, in the avatar's bounds.
+    pub gaussians: Gaussians,
+    /// Part i is Gaussians `part_start[i]..part_start[i + 1]`, like [`Parts::start`]; as many parts
+    /// as the avatar has, some of which may be empty.
+    pub part_start: Vec<u32>,
+    /// Correctives of the quaternion, w x y z; rows are of this level's Gaussians.
+    pub rotation_rows: Rows<4>,
+    /// Correctives of the log scale.
+    pub scale_rows: Rows<3>,
+    /// Correctives of the colour.
+    pub color_rows: Rows<3>,
+    /// How colours change with the viewing direction; None where the avatar's don't.
+    pub sh: Option<ShCoefficients>,
+    /// Errors of images of this level, by the avatar's size in them. Heights rise, and of equal
+    /// heights samples do.
+    pub measured: Vec<LevelError>,
+}
+
+/// The error of images that draw a level at one size, against images of the whole avatar drawn at
+/// 8 times that size or more and averaged. A mean over several views and poses.
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
+pub struct LevelError {
+    /// Height of the avatar in its canonical pose in the image, px.
+    pub height: f64,
+    /// Samples a pixel along each axis: the level was drawn at this many times the size, and
+    /// averaged.
+    pub samples: u32,
+    /// PSNR over the pixels that the avatar covers, dB.
+    pub psnr_db: f64,
 }
 
 /// Which Gaussians belong to which part, and which parts see the expression.

@@ -153,6 +153,7 @@ pub fn assemble(
         nodes,
         inputs,
         sh: None,
+        levels: vec![],
     };
     Assembled {
         avatar,

@@ -289,6 +289,7 @@ fn from_points(
     let output = sizes.basis * (1 + below(random, 2));
     Avatar {
         sh: None,
+        levels: vec![],
         name: "a stress case".into(),
         credit: String::new(),
         gaussians: gaussians(random, &points, &joints, &nodes, bounds),

@@ -323,6 +323,7 @@ impl Document for AvatarHeader {
             },
             inputs: self.inputs(tensors),
             sh: None,
+            levels: vec![],
             name: self.name,
             credit: self.credit,
         }

@@ -138,6 +138,7 @@ pub fn scene(
         },
         gaussians,
         sh,
+        levels: vec![],
     }
 }
 

@@ -1,0 +1,28 @@
+//! Levels of detail, drawn as avatars are.
+
+use super::{Avatar, Level, Parts};
+
+impl Avatar {
+    /// The avatar with the Gaussians of one of its levels in place of its own, and without levels.
+    /// All that draws an avatar draws it. Copies the networks and nodes.
+    pub fn at_level(&self, level: &Level) -> Self {
+        Self {
+            name: self.name.clone(),
+            credit: self.credit.clone(),
+            skeleton: self.skeleton.clone(),
+            gaussians: level.gaussians.clone(),
+            parts: Parts {
+                start: level.part_start.clone(),
+                head: self.parts.head,
+            },
+            networks: self.networks.clone(),
+            rotation_rows: level.rotation_rows.clone(),
+            scale_rows: level.scale_rows.clone(),
+            color_rows: level.color_rows.clone(),
+            nodes: self.nodes.clone(),
+            inputs: self.inputs.clone(),
+            sh: level.sh.clone(),
+            levels: vec![],
+        }
+    }
+}
