@@ -1,6 +1,7 @@
 //! Constants of the model and its arithmetic, shared by the reference, the GPU and the files.
 
-/// Added to both diagonal entries of a projected covariance, px² (docs/model.md, step 8).
+/// Added to both diagonal entries of a projected covariance, px², where the avatar has no filter of
+/// its own (docs/model.md, step 8).
 pub const LOW_PASS: f64 = 0.3;
 /// Contributions below this opacity are skipped (docs/model.md, step 10).
 pub const ALPHA_MIN: f64 = 1.0 / 255.0;

@@ -146,7 +146,7 @@ pub fn ground_truth_image(
         .into_par_iter()
         .map(gaussian)
         .collect();
-    reference::render_gaussians(&gaussians, camera)
+    reference::render_gaussians(&gaussians, camera, avatar.filter)
 }
 
 /// Scores by clip, by held out or not, and by rendition. `progress` is called with the number of

@@ -315,6 +315,7 @@ pub fn avatar(seed: u64, sizes: Sizes) -> Avatar {
     Avatar {
         name: format!("test body {seed}"),
         credit: "made by the tests from a seed".into(),
+        filter: Filter::DEFAULT,
         gaussians: gaussians(random, &skeleton, &skin, &node_point, bounds),
         networks: networks(random, &sizes, inputs.len()),
         rotation_rows: rows(random, &sizes, &points, 0.1),

@@ -9,6 +9,7 @@ use effigy_core::{
 };
 use glam::{DAffine3, DMat2, DMat3, DQuat, DVec2, DVec3};
 use half::f16;
+use std::f64::consts::PI;
 
 /// A Gaussian of an avatar made by hand.
 #[derive(Clone, Copy)]
@@ -46,6 +47,7 @@ fn avatar(dots: &[Dot]) -> Avatar {
     Avatar {
         name: "by hand".into(),
         credit: String::new(),
+        filter: Filter::DEFAULT,
         skeleton: Skeleton {
             name: vec!["root".into()],
             parent: vec![None],
@@ -275,7 +277,7 @@ fn covariance_projects_by_the_derivative_of_the_projection() {
         1e-12,
     );
 
-    let splat = project::project(&gaussian, &camera, 0).expect("in view");
+    let splat = project::project(&gaussian, &camera, Filter::DEFAULT, 0).expect("in view");
     let t = camera.view.transform_point3(DVec3::from(dot.at));
     near(
         &[splat.center.x, splat.center.y, splat.depth],
@@ -304,6 +306,102 @@ fn covariance_projects_by_the_derivative_of_the_projection() {
         &[ALPHA_MIN, (c / a).sqrt()],
         1e-9,
     );
+}
+
+fn compensation_keeps_what_a_small_gaussian_covers() {
+    // 0.337 px of deviation along one axis, 0.124 along the other.
+    let dot = Dot {
+        rotation: [0.9, 0.1, -0.2, 0.5],
+        log_scale: [-5.0, -6.0, -6.0],
+        ..DOT
+    };
+    let drawn = |variance: f64, compensated: bool| {
+        let mut avatar = avatar(&[dot]);
+        avatar.filter = Filter {
+            variance,
+            compensated,
+        };
+        ReferenceFrame::new(&avatar, &at_rest(&avatar), &camera())
+    };
+    let plain = drawn(0.3, false).splats[0].expect("in view");
+    let [a, b, c] = plain.covariance;
+    let area = ((a - 0.3) * (c - 0.3) - b * b).sqrt();
+    assert!((0.02..0.2).contains(&area), "{area} px²");
+    for variance in [0.1, 0.3, 1.0, 3.0] {
+        let splat = drawn(variance, true).splats[0].expect("in view");
+        let [x, y, z] = splat.covariance;
+        near(
+            &[x - variance, y, z - variance],
+            &[a - 0.3, b, c - 0.3],
+            1e-12,
+        );
+        // The integral of the Gaussian over the image is 2π o √det Σ.
+        near(
+            &[splat.opacity * splat.determinant.sqrt()],
+            &[0.8 * area],
+            1e-9,
+        );
+        // On the border of its box alpha is 1/255 still.
+        let sigmas = splat.radius.x / x.sqrt();
+        near(
+            &[splat.opacity * (-0.5 * sigmas * sigmas).exp()],
+            &[ALPHA_MIN],
+            1e-9,
+        );
+        let uncompensated = drawn(variance, false).splats[0].expect("in view");
+        assert_eq!(uncompensated.covariance, splat.covariance);
+        assert_eq!(uncompensated.opacity, 0.8);
+    }
+    // In pixels: what lies above 1/255 is 1 − (1/255) / (its largest alpha) of the integral.
+    let frame = drawn(0.5, true);
+    let splat = frame.splats[0].expect("in view");
+    let covered: f64 = frame.canvas.pixels.iter().map(|pixel| pixel[3]).sum();
+    let expected = 2.0 * PI * 0.8 * area * (1.0 - ALPHA_MIN / splat.opacity);
+    assert!(
+        (covered / expected - 1.0).abs() < 0.03,
+        "{covered} px are covered, {expected} were expected"
+    );
+}
+
+fn what_compensation_leaves_of_a_gaussian_may_be_too_faint() {
+    let culled = |log_scale: f64, opacity: u8| {
+        let dot = Dot {
+            log_scale: [log_scale; 3],
+            opacity,
+            ..DOT
+        };
+        let mut avatar = avatar(&[dot]);
+        avatar.filter.compensated = true;
+        ReferenceFrame::new(&avatar, &at_rest(&avatar), &camera()).splats[0].err()
+    };
+    // Of a deviation of s px, s² / (s² + 0.3) are left: with 0.0337 px 0.0038, with 0.05 px 0.0083.
+    let pixels = |deviation: f64| (deviation / 50.0).ln();
+    assert_eq!(culled(pixels(0.05), 255), None);
+    assert_eq!(culled(pixels(0.05), 100), Some(Culled::Faint));
+    assert_eq!(culled(pixels(0.03), 255), Some(Culled::Faint));
+    assert_eq!(culled(f64::NEG_INFINITY, 255), Some(Culled::Faint));
+    assert_eq!(culled(pixels(5.0), 2), None);
+}
+
+fn a_level_of_detail_is_compensated_alike() {
+    let dot = Dot {
+        log_scale: [-5.0; 3],
+        ..DOT
+    };
+    let mut avatar = avatar(&[dot]);
+    let opacity = |avatar: &Avatar, level| {
+        let frame = ReferenceFrame::at_level(avatar, &at_rest(avatar), &camera(), level);
+        frame.splats[0].expect("in view").opacity
+    };
+    let plain = [0, 3].map(|level| opacity(&avatar, level));
+    avatar.filter.compensated = true;
+    let compensated = [0, 3].map(|level| opacity(&avatar, level));
+    near(
+        &[compensated[0] / plain[0]],
+        &[compensated[1] / plain[1]],
+        1e-12,
+    );
+    assert!(compensated[0] < 0.5 * plain[0]);
 }
 
 fn beside_the_image_the_derivative_is_taken_at_its_limit() {
@@ -379,6 +477,7 @@ fn every_reason_to_cull_is_reported() {
                 ..gaussian
             },
             &camera(),
+            Filter::DEFAULT,
             0,
         )
         .err()
@@ -563,6 +662,9 @@ tests! {
     a_contribution_is_the_squared_change_by_a_gaussians_colour,
     gaussians_of_one_depth_are_drawn_in_index_order,
     covariance_projects_by_the_derivative_of_the_projection,
+    compensation_keeps_what_a_small_gaussian_covers,
+    what_compensation_leaves_of_a_gaussian_may_be_too_faint,
+    a_level_of_detail_is_compensated_alike,
     beside_the_image_the_derivative_is_taken_at_its_limit,
     every_reason_to_cull_is_reported,
     two_joints_blend_their_matrices,

@@ -6,6 +6,7 @@
 //! N_s position nodes, J joints.
 
 pub mod bounds;
+pub mod filter;
 pub mod harmonics;
 pub mod inputs;
 pub mod levels;
@@ -18,6 +19,7 @@ pub mod prune;
 pub mod skeleton;
 
 pub use bounds::Bounds;
+pub use filter::Filter;
 pub use inputs::{Inputs, Subspace};
 pub use matrix::Matrix;
 pub use model::{

@@ -1,6 +1,6 @@
 //! The arrays of an avatar.
 
-use super::{Bounds, Inputs, Matrix, Skeleton};
+use super::{Bounds, Filter, Inputs, Matrix, Skeleton};
 use glam::DVec3;
 use half::f16;
 
@@ -33,6 +33,8 @@ pub struct Avatar {
     /// How colours change with the viewing direction; None where they don't. Baked and trained
     /// avatars have none.
     pub sh: Option<ShCoefficients>,
+    /// The low-pass that it was learned with.
+    pub filter: Filter,
     /// Smaller sets of Gaussians for small images, each with fewer than the one before. May be
     /// empty.
     pub levels: Vec<Level>,

@@ -7,7 +7,7 @@ use super::{
     raster::Canvas,
     sh, sort,
 };
-use crate::avatar::Avatar;
+use crate::avatar::{Avatar, Filter};
 use crate::layout::compact::Neutral;
 use crate::scene::{Camera, FrameImage, Posed, detail::COARSEST};
 use glam::DVec3;
@@ -50,7 +50,7 @@ impl ReferenceFrame {
         let nodes = nodes::nodes(avatar, &features);
         let gaussians = posed_gaussians(avatar, posed, camera, &features, &nodes);
         let gaussians: Vec<Gaussian> = gaussians.into_iter().step_by(1 << level).collect();
-        let splats = project::splats(&gaussians, camera, level);
+        let splats = project::splats(&gaussians, camera, avatar.filter, level);
         let order = sort::order(&splats);
         let canvas = raster::raster(&splats, &order, camera);
         Self {
@@ -78,7 +78,7 @@ pub fn render(avatar: &Avatar, posed: &Posed, camera: &Camera) -> FrameImage {
 pub fn render_stored(avatar: &Avatar, posed: &Posed, camera: &Camera) -> FrameImage {
     let (stored, features, mut gaussians) = stored(avatar, posed);
     sh::apply_colors(&stored, posed, camera, &features, &mut gaussians);
-    render_gaussians(&gaussians, camera)
+    render_gaussians(&gaussians, camera, avatar.filter)
 }
 
 /// The model as device memory stores it, its features in a pose, and its posed Gaussians, still
@@ -107,12 +107,12 @@ pub fn render_scene(avatar: &Avatar, instances: &[&Posed], camera: &Camera) -> F
             posed_gaussians(avatar, posed, camera, &features, &nodes)
         })
         .collect();
-    render_gaussians(&gaussians, camera)
+    render_gaussians(&gaussians, camera, avatar.filter)
 }
 
 /// The image of Gaussians in the posed world.
-pub fn render_gaussians(gaussians: &[Gaussian], camera: &Camera) -> FrameImage {
-    let splats = project::splats(gaussians, camera, 0);
+pub fn render_gaussians(gaussians: &[Gaussian], camera: &Camera, filter: Filter) -> FrameImage {
+    let splats = project::splats(gaussians, camera, filter, 0);
     raster::raster(&splats, &sort::order(&splats), camera).to_image()
 }
 

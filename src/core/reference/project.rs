@@ -2,7 +2,7 @@
 //! an ellipse in the image, or the reason why it is culled.
 
 use super::basis::{corrective, plus};
-use crate::avatar::Avatar;
+use crate::avatar::{Avatar, Filter};
 use crate::constants;
 use crate::layout::compact::Neutral;
 use crate::scene::{Camera, Posed, detail, radius_in_sigmas};
@@ -54,7 +54,8 @@ pub struct Splat {
 pub enum Culled {
     /// Its centre is nearer than the camera's near plane, or behind the camera.
     Behind,
-    /// It is nowhere as opaque as 1/255.
+    /// It is nowhere as opaque as 1/255. Checked again after [`Culled::Guard`], with the filter's
+    /// compensation.
     Faint,
     /// A number of it is NaN or infinite, or its variance is above [`constants::VARIANCE_MAX`].
     Invalid,
@@ -148,38 +149,44 @@ pub fn skinning(joints: &[DAffine3], joint: [u8; 4], weight: [u8; 4]) -> DAffine
 
 /// Projects every Gaussian, each of which represents 2^`level` ([`detail`]); one entry a Gaussian,
 /// in order.
-pub fn splats(gaussians: &[Gaussian], camera: &Camera, level: u32) -> Vec<Result<Splat, Culled>> {
+pub fn splats(
+    gaussians: &[Gaussian],
+    camera: &Camera,
+    filter: Filter,
+    level: u32,
+) -> Vec<Result<Splat, Culled>> {
     gaussians
         .par_iter()
-        .map(|gaussian| project(gaussian, camera, level))
+        .map(|gaussian| project(gaussian, camera, filter, level))
         .collect()
 }
 
 /// EWA projection of one Gaussian, with the low-pass, and culling (docs/model.md, step 8). The
 /// Gaussian represents 2^`level` ([`detail`]).
-pub fn project(gaussian: &Gaussian, camera: &Camera, level: u32) -> Result<Splat, Culled> {
+pub fn project(
+    gaussian: &Gaussian,
+    camera: &Camera,
+    filter: Filter,
+    level: u32,
+) -> Result<Splat, Culled> {
     let t = camera.view.transform_point3(gaussian.mean);
     if t.z < camera.near {
         return Err(Culled::Behind);
     }
-    let opacity = detail::opacity(gaussian.opacity, level);
+    let opacity = f64::from(detail::opacity(gaussian.opacity, level));
     // One that is invisible alone does not become visible by standing for others.
-    let sigmas = radius_in_sigmas(gaussian.opacity)
+    radius_in_sigmas(f64::from(gaussian.opacity))
         .and(radius_in_sigmas(opacity))
         .ok_or(Culled::Faint)?;
     let center = camera.project(t);
-    let (covariance, determinant) =
-        project_covariance(camera.view.matrix3 * gaussian.axes, t, camera);
-    let valid_shape =
-        determinant > 0.0 && covariance[0].max(covariance[2]) <= constants::VARIANCE_MAX;
-    let spread = detail::covariance_scale(level);
-    let [a, b, c] = covariance.map(|v| spread * v);
-    let determinant = spread * spread * determinant;
-    let radius = sigmas * DVec2::new(a.sqrt(), c.sqrt());
+    let footprint = Footprint::new(camera.view.matrix3 * gaussian.axes, t, camera, filter);
+    let [a, b, c] = footprint.covariance;
+    let valid_shape = footprint.determinant > 0.0 && a.max(c) <= constants::VARIANCE_MAX;
     if !(t.is_finite()
         && center.is_finite()
-        && radius.is_finite()
+        && a.is_finite()
         && b.is_finite()
+        && c.is_finite()
         && gaussian.color.is_finite()
         && valid_shape)
     {
@@ -191,39 +198,59 @@ pub fn project(gaussian: &Gaussian, camera: &Camera, level: u32) -> Result<Splat
     {
         return Err(Culled::Guard);
     }
+    // What a level enlarges covariances by leaves the ratio of their determinants as it is.
+    let opacity = opacity * filter.opacity_factor(footprint.unfiltered, footprint.determinant);
+    let sigmas = radius_in_sigmas(opacity).ok_or(Culled::Faint)?;
+    let spread = detail::covariance_scale(level);
+    let covariance = footprint.covariance.map(|v| spread * v);
+    let radius = sigmas * DVec2::new(covariance[0].sqrt(), covariance[2].sqrt());
     if (center + radius).min_element() < 0.0 || (size + radius - center).min_element() < 0.0 {
         return Err(Culled::Outside);
     }
-    let opacity = f64::from(opacity) / 255.0;
     Ok(Splat {
         center,
         depth: t.z,
-        covariance: [a, b, c],
-        determinant,
+        covariance,
+        determinant: spread * spread * footprint.determinant,
         radius,
-        opacity,
+        opacity: opacity / 255.0,
         color: gaussian.color,
     })
 }
 
-/// Σ' = (J M)(J M)ᵀ + low-pass, px², as [a, b, c], and its determinant. `m` is the axes and `t` the
-/// mean, both in camera coordinates.
-///
-/// J is the derivative of [`Camera::project`] at `t`, with x/z and y/z kept within
-/// [`Camera::derivative_limits`].
-fn project_covariance(m: DMat3, t: DVec3, camera: &Camera) -> ([f64; 3], f64) {
-    let [min, max] = camera.derivative_limits();
-    let slope = (t.truncate() / t.z).clamp(min, max);
-    let f = camera.focal / t.z;
-    let row_x = m.transpose() * DVec3::new(f.x, 0.0, -f.x * slope.x);
-    let row_y = m.transpose() * DVec3::new(0.0, f.y, -f.y * slope.y);
-    let covariance = [
-        row_x.dot(row_x) + constants::LOW_PASS,
-        row_x.dot(row_y),
-        row_y.dot(row_y) + constants::LOW_PASS,
-    ];
-    // Lagrange's identity: without the low-pass the determinant is |row_x × row_y|².
-    let determinant = row_x.cross(row_y).length_squared()
-        + constants::LOW_PASS * (covariance[0] + covariance[2] - constants::LOW_PASS);
-    (covariance, determinant)
+/// A covariance in the image.
+struct Footprint {
+    /// Σ' = (J M)(J M)ᵀ + low-pass as [a, b, c], px².
+    covariance: [f64; 3],
+    /// Its determinant, px⁴.
+    determinant: f64,
+    /// The determinant without the low-pass, px⁴.
+    unfiltered: f64,
+}
+
+impl Footprint {
+    /// `m` is the axes and `t` the mean, both in camera coordinates.
+    ///
+    /// J is the derivative of [`Camera::project`] at `t`, with x/z and y/z kept within
+    /// [`Camera::derivative_limits`].
+    fn new(m: DMat3, t: DVec3, camera: &Camera, filter: Filter) -> Self {
+        let low_pass = filter.variance;
+        let [min, max] = camera.derivative_limits();
+        let slope = (t.truncate() / t.z).clamp(min, max);
+        let f = camera.focal / t.z;
+        let row_x = m.transpose() * DVec3::new(f.x, 0.0, -f.x * slope.x);
+        let row_y = m.transpose() * DVec3::new(0.0, f.y, -f.y * slope.y);
+        let covariance = [
+            row_x.dot(row_x) + low_pass,
+            row_x.dot(row_y),
+            row_y.dot(row_y) + low_pass,
+        ];
+        // Lagrange's identity: without the low-pass the determinant is |row_x × row_y|².
+        let unfiltered = row_x.cross(row_y).length_squared();
+        Self {
+            covariance,
+            determinant: unfiltered + low_pass * (covariance[0] + covariance[2] - low_pass),
+            unfiltered,
+        }
+    }
 }

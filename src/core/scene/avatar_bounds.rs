@@ -193,7 +193,7 @@ impl AvatarBounds {
     /// Whether [`Self::visible`] allows for a Gaussian of a part: one beyond may be cut off.
     /// `displaced`: how far nodes move it; `axis`: its longest axis; metres in canonical space.
     pub fn allows_for(&self, part: usize, displaced: f64, axis: f64) -> bool {
-        let radius = axis * radius_in_sigmas(255).unwrap_or_default();
+        let radius = axis * radius_in_sigmas(255.0).unwrap_or_default();
         self.parts
             .iter()
             .find(|own| own.part == part)
@@ -291,7 +291,7 @@ impl PartBox {
         let radius = LONGEST_MARGIN
             * detail::covariance_scale(detail::COARSEST).sqrt()
             * longest_axis
-            * radius_in_sigmas(255).unwrap_or_default();
+            * radius_in_sigmas(255.0).unwrap_or_default();
 
         let mut min = DVec3::INFINITY;
         let mut max = DVec3::NEG_INFINITY;

@@ -51,8 +51,8 @@ impl Posed {
     }
 }
 
-/// Distance from its centre, in standard deviations, at which a Gaussian of this opacity (0–255)
-/// fades to 1/255: √(2 ln(255 o)). None where it is nowhere that opaque.
-pub fn radius_in_sigmas(opacity: u8) -> Option<f64> {
-    (opacity > 1).then(|| (2.0 * f64::from(opacity).ln()).sqrt())
+/// Distance from its centre, in standard deviations, at which a Gaussian of this opacity, in 255ths,
+/// fades to 1/255: √(2 ln opacity). None where it is nowhere that opaque.
+pub fn radius_in_sigmas(opacity: f64) -> Option<f64> {
+    (opacity > 1.0).then(|| (2.0 * opacity.ln()).sqrt())
 }

@@ -14,8 +14,8 @@ use crate::{
 };
 use effigy_core::{
     avatar::{
-        Activation, Avatar, Bounds, Gaussians, Inputs, Layer, Matrix, Networks, Nodes, Parts, Rows,
-        limits,
+        Activation, Avatar, Bounds, Filter, Gaussians, Inputs, Layer, Matrix, Networks, Nodes,
+        Parts, Rows, limits,
     },
     io::file::FormatError,
 };
@@ -68,6 +68,7 @@ pub fn from_bytes(bytes: &[u8], name: &str, options: &Options) -> Result<Importe
     let avatar = Avatar {
         name: name.into(),
         credit: String::new(),
+        filter: Filter::DEFAULT,
         gaussians: Gaussians {
             bounds,
             position: encode(&position),

@@ -13,7 +13,7 @@ use crate::bake::stretch::Stretch;
 use crate::bake::surface::{Material, Sheet, Site};
 use crate::math::color::encode_srgb;
 use crate::math::pca::pca;
-use effigy_core::avatar::{Avatar, Bounds, Gaussians, Inputs, Nodes, Parts, Pose};
+use effigy_core::avatar::{Avatar, Bounds, Filter, Gaussians, Inputs, Nodes, Parts, Pose};
 use effigy_core::random::Random;
 use glam::{DAffine3, DMat3, DQuat, DVec3};
 use half::f16;
@@ -153,6 +153,7 @@ pub fn assemble(
         nodes,
         inputs,
         sh: None,
+        filter: Filter::DEFAULT,
         levels: vec![],
     };
     Assembled {

@@ -3,8 +3,8 @@
 
 use effigy_core::{
     avatar::{
-        Activation, Avatar, Bounds, Gaussians, Inputs, Layer, Networks, Nodes, Parts, Pose, Rows,
-        Skeleton, Subspace,
+        Activation, Avatar, Bounds, Filter, Gaussians, Inputs, Layer, Networks, Nodes, Parts, Pose,
+        Rows, Skeleton, Subspace,
     },
     random::Random,
 };
@@ -289,6 +289,7 @@ fn from_points(
     let output = sizes.basis * (1 + below(random, 2));
     Avatar {
         sh: None,
+        filter: Filter::DEFAULT,
         levels: vec![],
         name: "a stress case".into(),
         credit: String::new(),

@@ -10,7 +10,7 @@ use effigy::vulkan::{
     sort::KeyBits,
 };
 use effigy_core::{
-    avatar::{Avatar, Pose},
+    avatar::{Avatar, Filter, Pose},
     frame::Skip,
     layout::PROJECT_WORKGROUP,
     random::Random,
@@ -224,6 +224,7 @@ impl StressCase {
     fn keep_off_culling_edges(&mut self) {
         let (_, _, stored) = reference::stored(&self.avatar, &self.posed);
         let exact = gaussians(&self.avatar, &self.posed);
+        let filter = self.avatar.filter;
         for _ in 0..MAX_MOVES {
             let camera = self.camera;
             let moved = |near: f64, by: f64| Camera {
@@ -234,7 +235,7 @@ impl StressCase {
             let tolerance = 0.02 + 1e-5 * camera.guard();
             let cameras = [moved(1.0 - 2e-5, tolerance), moved(1.0 + 2e-5, -tolerance)];
             let mut pairs = exact.iter().zip(&stored);
-            if !pairs.any(|(exact, stored)| is_on_culling_edge(exact, stored, &cameras)) {
+            if !pairs.any(|(exact, stored)| is_on_culling_edge(exact, stored, &cameras, filter)) {
                 return;
             }
             self.camera = moved(1.0 + 1.3e-4, 0.17 * tolerance);
@@ -245,12 +246,17 @@ impl StressCase {
 
 /// Whether cameras that differ slightly, or a Gaussian and its stored form, disagree about drawing
 /// a Gaussian that would be visible.
-fn is_on_culling_edge(exact: &Gaussian, stored: &Gaussian, cameras: &[Camera; 2]) -> bool {
+fn is_on_culling_edge(
+    exact: &Gaussian,
+    stored: &Gaussian,
+    cameras: &[Camera; 2],
+    filter: Filter,
+) -> bool {
     let mut is_drawn = false;
     let mut is_culled = false;
     for camera in cameras {
         for gaussian in [exact, stored] {
-            match reference::project::project(gaussian, camera, 0) {
+            match reference::project::project(gaussian, camera, filter, 0) {
                 Ok(_) => is_drawn = true,
                 Err(Culled::Behind | Culled::Guard | Culled::Invalid) => is_culled = true,
                 // Too faint or too small to be seen, either way.

@@ -145,6 +145,7 @@ fn close_call(frame: &gpu::Frame, at: usize, cached: bool) -> bool {
         effigy_core::reference::project::project(
             &frame.reference.gaussians[at],
             &camera,
+            frame.avatar.filter,
             frame.level,
         )
         .is_ok()

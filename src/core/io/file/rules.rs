@@ -8,7 +8,7 @@ use super::error::{FormatError, excerpt};
 use super::format::{AVATAR, AVATAR_FORMAT, MOTION, MOTION_FORMAT, VERSION, VERSION_PACKED};
 use super::header::{AvatarHeader, ClipHeader};
 use super::tensors::Tensors;
-use crate::avatar::{Avatar, Clip, Nodes, Parts, Subspace, limits};
+use crate::avatar::{Avatar, Clip, Filter, Nodes, Parts, Subspace, limits};
 use std::collections::{BTreeMap, HashSet};
 use std::fmt::Display;
 use std::ops::RangeInclusive;
@@ -323,6 +323,7 @@ impl Document for AvatarHeader {
             },
             inputs: self.inputs(tensors),
             sh: None,
+            filter: Filter::DEFAULT,
             levels: vec![],
             name: self.name,
             credit: self.credit,

@@ -4,8 +4,8 @@
 use super::{Splats, each, functions_of};
 use crate::{
     avatar::{
-        Activation, Avatar, Bounds, Gaussians, Inputs, Matrix, Networks, Nodes, Parts, Rows,
-        ShCoefficients, Skeleton,
+        Activation, Avatar, Bounds, Filter, Gaussians, Inputs, Matrix, Networks, Nodes, Parts,
+        Rows, ShCoefficients, Skeleton,
     },
     constants::F16_MAX,
     io::file::FormatError,
@@ -138,6 +138,7 @@ pub fn scene(
         },
         gaussians,
         sh,
+        filter: Filter::DEFAULT,
         levels: vec![],
     }
 }

@@ -403,7 +403,7 @@ impl SplatInput<'_> {
             color_error: rounding.color_step() + posed.as_ref().map_or(1.0, |p| p.color_error),
             reach: DVec2::INFINITY,
             occluder_radius: 0.0,
-            exact: project::project(gaussian, camera, 0).ok(),
+            exact: project::project(gaussian, camera, self.avatar.filter, 0).ok(),
             opacity,
             opacity_error: rounding.opacity(opacity),
             direction: DVec2::X,

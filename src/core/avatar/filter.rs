@@ -1,0 +1,123 @@
+//! The low-pass filter that every projected Gaussian goes through.
+
+use crate::constants::LOW_PASS;
+use serde::{Deserialize, Serialize};
+use std::{fmt, ops::RangeInclusive, str::FromStr};
+
+/// The low-pass of docs/model.md, step 8: a projected covariance Σ is drawn as Σ + `variance` · I,
+/// so that no Gaussian falls between the centres of pixels.
+///
+/// An avatar is learned with one filter, and looks right with that one alone: a larger variance
+/// thickens what is fine, and compensation on an avatar that was learned without it thins it.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Filter {
+    /// What is added to both diagonal entries of a projected covariance, px², within
+    /// [`Filter::VARIANCES`].
+    pub variance: f64,
+    /// Whether the opacity is multiplied by √(det Σ / det(Σ + `variance` · I)), so that a Gaussian
+    /// covers as much as without the filter, however small it is in the image: the 2D filter of
+    /// Mip-Splatting (Yu et al., CVPR 2024), "antialiased" in other programs.
+    pub compensated: bool,
+}
+
+impl Filter {
+    /// That of 3DGS as it was published, and of every avatar whose file names none.
+    pub const DEFAULT: Self = Self {
+        variance: LOW_PASS,
+        compensated: false,
+    };
+    /// Variances that may be drawn with, px². With less, a Gaussian would fall by more than f32
+    /// holds over the four pixels that the tile rasterizer steps along (shaders/raster/tiles.glsl).
+    pub const VARIANCES: RangeInclusive<f64> = 0.1..=10.0;
+
+    /// Whether the variance may be drawn with.
+    pub fn is_valid(&self) -> bool {
+        Self::VARIANCES.contains(&self.variance)
+    }
+
+    /// Factor on the opacity of a Gaussian. `unfiltered` and `filtered`: the determinants of its
+    /// projected covariance without and with the filter, px⁴.
+    pub fn opacity_factor(&self, unfiltered: f64, filtered: f64) -> f64 {
+        if self.compensated {
+            (unfiltered / filtered).sqrt()
+        } else {
+            1.0
+        }
+    }
+}
+
+impl Default for Filter {
+    fn default() -> Self {
+        Self::DEFAULT
+    }
+}
+
+impl FromStr for Filter {
+    type Err = String;
+
+    /// Reads the variance in px², with `+compensated` after it if opacities are compensated.
+    fn from_str(text: &str) -> Result<Self, String> {
+        let (variance, compensated) = match text.strip_suffix("+compensated") {
+            Some(variance) => (variance, true),
+            None => (text, false),
+        };
+        variance
+            .parse()
+            .map(|variance| Self {
+                variance,
+                compensated,
+            })
+            .ok()
+            .filter(Self::is_valid)
+            .ok_or_else(|| {
+                format!(
+                    "`{text}` is no filter: write a variance from {} to {} px², with or without \
+                     +compensated, for instance 0.1+compensated",
+                    Self::VARIANCES.start(),
+                    Self::VARIANCES.end()
+                )
+            })
+    }
+}
+
+impl fmt::Display for Filter {
+    /// Writes text that [`FromStr`] reads as this filter.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let compensated = if self.compensated { "+compensated" } else { "" };
+        write!(f, "{}{compensated}", self.variance)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn filters_read_back_as_they_are_written() {
+        for text in ["0.3", "0.1+compensated", "10", "0.25+compensated"] {
+            let filter: Filter = text.parse().expect(text);
+            assert_eq!(filter.to_string(), text);
+        }
+        assert_eq!("0.3".parse(), Ok(Filter::DEFAULT));
+    }
+
+    #[test]
+    fn what_is_no_filter_is_refused_with_what_one_is() {
+        for text in [
+            "",
+            "own",
+            "0",
+            "-0.3",
+            "0.09",
+            "10.1",
+            "NaN",
+            "inf",
+            "compensated",
+            "0.1 + compensated",
+        ] {
+            let refused = text.parse::<Filter>().expect_err(text);
+            assert!(refused.contains("0.1 to 10 px²"), "{refused}");
+        }
+    }
+}
