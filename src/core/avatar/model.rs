@@ -124,8 +124,8 @@ impl ShCoefficients {
 /// small in the image.
 ///
 /// Its Gaussians are merged from the avatar's own, within parts and in canonical space, and fitted
-/// to supersampled images of the whole avatar. They move with the same skeleton, networks and
-/// nodes.
+/// to supersampled images of the whole avatar. They move with the same skeleton, and either with
+/// the same networks and nodes or without any.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Level {
     /// The Gaussians, ordered by part, in the avatar's bounds.
@@ -133,6 +133,10 @@ pub struct Level {
     /// Part i is Gaussians `part_start[i]..part_start[i + 1]`, like [`Parts::start`]; as many parts
     /// as the avatar has, some of which may be empty.
     pub part_start: Vec<u32>,
+    /// Whether networks move it: its Gaussians follow the nodes and may have rows. Where they
+    /// don't, the mean of what the networks add is part of the Gaussians, there are no rows, and no
+    /// network needs to run.
+    pub correctives: bool,
     /// Correctives of the quaternion, w x y z; rows are of this level's Gaussians.
     pub rotation_rows: Rows<4>,
     /// Correctives of the log scale.
@@ -147,7 +151,8 @@ pub struct Level {
 }
 
 /// The error of images that draw a level at one size, against images of the whole avatar drawn at
-/// 8 times that size or more and averaged. A mean over several views and poses.
+/// 8 times that size or more and averaged. Over several views, in poses that the level was not
+/// fitted to.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct LevelError {
     /// Height of the avatar in its canonical pose in the image, px.
@@ -155,8 +160,13 @@ pub struct LevelError {
     /// Samples a pixel along each axis: the level was drawn at this many times the size, and
     /// averaged.
     pub samples: u32,
-    /// PSNR over the pixels that the avatar covers, dB.
+    /// PSNR of premultiplied RGB and coverage over the pixels that the avatar covers, dB; the mean
+    /// over images.
     pub psnr_db: f64,
+    /// Largest relative error of a channel's mean over all images, from 0 up.
+    pub color: f64,
+    /// Relative error of the mean coverage over all images, from 0 up.
+    pub coverage: f64,
 }
 
 /// Which Gaussians belong to which part, and which parts see the expression.
@@ -264,6 +274,17 @@ pub struct Nodes {
 }
 
 impl Nodes {
+    /// One node that moves nothing, since every Gaussian must name three: for avatars that have no
+    /// position correctives.
+    pub fn still() -> Self {
+        Self {
+            position: vec![[0; 3]],
+            part: vec![0],
+            offset: vec![[f16::ZERO; 3]],
+            basis: Matrix::default(),
+        }
+    }
+
     /// Number of nodes, N_s.
     pub fn len(&self) -> usize {
         self.position.len()

@@ -83,14 +83,18 @@ fn check_measured(measured: &[LevelError]) -> Result<(), FormatError> {
             height,
             samples,
             psnr_db,
+            color,
+            coverage,
         } = error;
         let good = height > 0.0
             && height.is_finite()
             && (1..=limits::SAMPLES).contains(&samples)
-            && psnr_db.is_finite();
+            && [psnr_db, color, coverage].iter().all(|v| v.is_finite());
         if !good {
             return fault(
-                format!("{psnr_db} dB at {height} px with {samples} samples"),
+                format!(
+                    "{psnr_db} dB, {color} and {coverage} at {height} px with {samples} samples"
+                ),
                 format!(
                     "finite numbers, a height above 0, 1 to {} samples",
                     limits::SAMPLES
@@ -212,6 +216,15 @@ impl Avatar {
                 .map(|sh| format!("degree {}", sh.as_ref().map_or(0, |sh| sh.degree)));
             if found != expected {
                 return fault("sh", found, expected);
+            }
+            let rows = [
+                level.rotation_rows.gaussian.len(),
+                level.scale_rows.gaussian.len(),
+                level.color_rows.gaussian.len(),
+            ];
+            if !level.correctives && rows != [0; 3] {
+                let found = format!("{} without correctives", rows.iter().sum::<usize>());
+                return fault("rows", found, "none".into());
             }
             check_measured(&level.measured).map_err(|error| error.within(&prefix))?;
             self.at_level(level)
@@ -368,6 +381,7 @@ mod tests {
             Level {
                 gaussians: avatar.gaussians.pick(&keep),
                 part_start: avatar.parts.start.iter().map(|s| s.div_ceil(2)).collect(),
+                correctives: true,
                 rotation_rows: Rows::default(),
                 scale_rows: Rows::default(),
                 color_rows: Rows::default(),
@@ -377,6 +391,8 @@ mod tests {
                         height: 60.0,
                         samples,
                         psnr_db: 30.0,
+                        color: 0.01,
+                        coverage: 0.0,
                     })
                     .into(),
             }
@@ -389,8 +405,14 @@ mod tests {
             })
         };
         assert_eq!(level_fault(&|_| ()), "none");
+        // Without correctives there is only the node that moves nothing.
+        let still = |level: &mut Level| {
+            level.correctives = false;
+            level.gaussians.node.fill([0; 3]);
+        };
+        assert_eq!(level_fault(&still), "none");
         type Break<'a> = (&'a str, &'a dyn Fn(&mut Level));
-        let cases: [Break; 10] = [
+        let cases: [Break; 12] = [
             ("`level.0.gaussians` found 0", &|level| {
                 level.gaussians = level.gaussians.pick(&[]);
             }),
@@ -416,7 +438,12 @@ mod tests {
             ("`level.0.joint_weight`", &|level| {
                 level.gaussians.joint_weight[0] = [255; 4];
             }),
-            ("`level.0.measured` found inf dB at 60 px", &|level| {
+            ("`level.0.rows` found 1 without", &|level| {
+                still(level);
+                level.color_rows.gaussian = vec![0];
+            }),
+            ("`level.0.node` found", &|level| level.correctives = false),
+            ("`level.0.measured` found inf dB", &|level| {
                 level.measured[1].psnr_db = f64::INFINITY;
             }),
             (
