@@ -337,6 +337,7 @@ pub fn avatar(seed: u64, sizes: Sizes) -> Avatar {
         parts,
         inputs,
         sh: None,
+        levels: vec![],
     }
 }
 

@@ -92,6 +92,7 @@ fn avatar(dots: &[Dot]) -> Avatar {
             expression_space: None,
         },
         sh: None,
+        levels: vec![],
     }
 }
 

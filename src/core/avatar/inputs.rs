@@ -78,6 +78,16 @@ fn clamped(mut input: Vec<f64>) -> Vec<f64> {
 }
 
 impl Inputs {
+    /// Of networks that there are none of.
+    pub fn none() -> Self {
+        Self {
+            joint: vec![],
+            expression: 0,
+            pose_space: None,
+            expression_space: None,
+        }
+    }
+
     /// Length of θ_p ⊕ θ_e.
     pub fn len(&self) -> usize {
         3 * self.joint.len() + self.expression

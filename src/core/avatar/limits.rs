@@ -3,6 +3,10 @@
 
 /// Gaussians of an avatar.
 pub const GAUSSIANS: usize = 2_000_000;
+/// Levels of detail of an avatar.
+pub const LEVELS: usize = 8;
+/// Samples a pixel along each axis with which a level was measured.
+pub const SAMPLES: u32 = 16;
 /// Parts of an avatar.
 pub const PARTS: usize = 1024;
 /// Basis functions of a part, N_B.

@@ -9,6 +9,7 @@ pub mod bounds;
 pub mod filter;
 pub mod harmonics;
 pub mod inputs;
+pub mod levels;
 pub mod limits;
 pub mod matrix;
 pub mod model;
@@ -22,7 +23,8 @@ pub use filter::Filter;
 pub use inputs::{Inputs, Subspace};
 pub use matrix::Matrix;
 pub use model::{
-    Activation, Avatar, Gaussians, Layer, Networks, Nodes, Parts, Rows, ShCoefficients,
+    Activation, Avatar, Gaussians, Layer, Level, LevelError, Networks, Nodes, Parts, Rows,
+    ShCoefficients,
 };
 pub use motion::Clip;
 pub use pose::Pose;

@@ -35,6 +35,9 @@ pub struct Avatar {
     pub sh: Option<ShCoefficients>,
     /// The low-pass that it was learned with.
     pub filter: Filter,
+    /// Smaller sets of Gaussians for small images, each with fewer than the one before. May be
+    /// empty.
+    pub levels: Vec<Level>,
 }
 
 /// The neutral attributes, one entry a Gaussian, in the canonical pose. Ordered by part.
@@ -71,6 +74,27 @@ impl Gaussians {
     pub fn is_empty(&self) -> bool {
         self.position.is_empty()
     }
+
+    /// The Gaussians of these indices, in their order.
+    ///
+    /// # Panics
+    /// When an index is not below their number.
+    pub fn pick(&self, gaussians: &[usize]) -> Self {
+        fn pick<T: Copy>(all: &[T], gaussians: &[usize]) -> Vec<T> {
+            gaussians.iter().map(|&at| all[at]).collect()
+        }
+        Self {
+            bounds: self.bounds,
+            position: pick(&self.position, gaussians),
+            rotation: pick(&self.rotation, gaussians),
+            log_scale: pick(&self.log_scale, gaussians),
+            color: pick(&self.color, gaussians),
+            opacity: pick(&self.opacity, gaussians),
+            joint: pick(&self.joint, gaussians),
+            joint_weight: pick(&self.joint_weight, gaussians),
+            node: pick(&self.node, gaussians),
+        }
+    }
 }
 
 /// View-dependent colour of 3DGS: real spherical harmonics of the direction from the camera
@@ -94,6 +118,55 @@ impl ShCoefficients {
     pub fn functions(&self) -> usize {
         (self.degree + 1).pow(2) - 1
     }
+}
+
+/// A level of detail: a smaller set of Gaussians that represents all of an avatar's where it is
+/// small in the image.
+///
+/// Its Gaussians are merged from the avatar's own, within parts and in canonical space, and fitted
+/// to supersampled images of the whole avatar. They move with the same skeleton, and either with
+/// the same networks and nodes or without any.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Level {
+    /// The Gaussians, ordered by part, in the avatar's bounds.
+    pub gaussians: Gaussians,
+    /// Part i is Gaussians `part_start[i]..part_start[i + 1]`, like [`Parts::start`]; as many parts
+    /// as the avatar has, some of which may be empty.
+    pub part_start: Vec<u32>,
+    /// Whether networks move it: its Gaussians follow the nodes and may have rows. Where they
+    /// don't, the mean of what the networks add is part of the Gaussians, there are no rows, and no
+    /// network needs to run.
+    pub correctives: bool,
+    /// Correctives of the quaternion, w x y z; rows are of this level's Gaussians.
+    pub rotation_rows: Rows<4>,
+    /// Correctives of the log scale.
+    pub scale_rows: Rows<3>,
+    /// Correctives of the colour.
+    pub color_rows: Rows<3>,
+    /// How colours change with the viewing direction; None where the avatar's don't.
+    pub sh: Option<ShCoefficients>,
+    /// Errors of images of this level, by the avatar's size in them. Heights rise, and of equal
+    /// heights samples do.
+    pub measured: Vec<LevelError>,
+}
+
+/// The error of images that draw a level at one size, against images of the whole avatar drawn at
+/// 8 times that size or more and averaged. Over several views, in poses that the level was not
+/// fitted to.
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
+pub struct LevelError {
+    /// Height of the avatar in its canonical pose in the image, px.
+    pub height: f64,
+    /// Samples a pixel along each axis: the level was drawn at this many times the size, and
+    /// averaged.
+    pub samples: u32,
+    /// PSNR of premultiplied RGB and coverage over the pixels that the avatar covers, dB; the mean
+    /// over images.
+    pub psnr_db: f64,
+    /// Largest relative error of a channel's mean over all images, from 0 up.
+    pub color: f64,
+    /// Relative error of the mean coverage over all images, from 0 up.
+    pub coverage: f64,
 }
 
 /// Which Gaussians belong to which part, and which parts see the expression.
@@ -201,6 +274,17 @@ pub struct Nodes {
 }
 
 impl Nodes {
+    /// One node that moves nothing, since every Gaussian must name three: for avatars that have no
+    /// position correctives.
+    pub fn still() -> Self {
+        Self {
+            position: vec![[0; 3]],
+            part: vec![0],
+            offset: vec![[f16::ZERO; 3]],
+            basis: Matrix::default(),
+        }
+    }
+
     /// Number of nodes, N_s.
     pub fn len(&self) -> usize {
         self.position.len()

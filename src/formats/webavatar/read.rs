@@ -102,6 +102,7 @@ pub fn from_bytes(bytes: &[u8], name: &str, options: &Options) -> Result<Importe
         },
         networks: networks.networks,
         sh: None,
+        levels: vec![],
     };
     avatar.check()?;
     let assumptions = assumptions(&avatar, options, networks.padded, fit.deviation);

@@ -154,6 +154,7 @@ pub fn assemble(
         inputs,
         sh: None,
         filter: Filter::DEFAULT,
+        levels: vec![],
     };
     Assembled {
         avatar,

@@ -290,6 +290,7 @@ fn from_points(
     Avatar {
         sh: None,
         filter: Filter::DEFAULT,
+        levels: vec![],
         name: "a stress case".into(),
         credit: String::new(),
         gaussians: gaussians(random, &points, &joints, &nodes, bounds),

@@ -75,6 +75,31 @@ impl FormatError {
         }
     }
 
+    /// The same error of a model that is stored under names that begin with `prefix`.
+    pub fn within(self, prefix: &str) -> Self {
+        match self {
+            Self::Container { .. } => self,
+            Self::Metadata {
+                field,
+                found,
+                expected,
+            } => Self::Metadata {
+                field: prefix.to_owned() + &field,
+                found,
+                expected,
+            },
+            Self::Tensor {
+                tensor,
+                found,
+                expected,
+            } => Self::Tensor {
+                tensor: prefix.to_owned() + &tensor,
+                found,
+                expected,
+            },
+        }
+    }
+
     /// The container is not as its format says.
     pub fn container(found: impl ToString, expected: impl ToString) -> Self {
         Self::Container {

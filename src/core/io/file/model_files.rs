@@ -10,7 +10,7 @@ use super::{
     order::{self, Neutral},
     tensors::TensorInfo,
 };
-use crate::avatar::{Avatar, Clip};
+use crate::avatar::{Avatar, Clip, LevelError, limits};
 use std::path::Path;
 
 /// The content of a file of either kind.
@@ -75,6 +75,49 @@ pub fn tensors_of(bytes: &[u8]) -> Result<Vec<TensorInfo>, FormatError> {
     }
 }
 
+/// Checks the errors of a level: numbers in range, rising sizes.
+fn check_measured(measured: &[LevelError]) -> Result<(), FormatError> {
+    let fault = |found, expected| Err(FormatError::metadata("measured", found, expected));
+    for error in measured {
+        let &LevelError {
+            height,
+            samples,
+            psnr_db,
+            color,
+            coverage,
+        } = error;
+        let good = height > 0.0
+            && height.is_finite()
+            && (1..=limits::SAMPLES).contains(&samples)
+            && [psnr_db, color, coverage].iter().all(|v| v.is_finite());
+        if !good {
+            return fault(
+                format!(
+                    "{psnr_db} dB, {color} and {coverage} at {height} px with {samples} samples"
+                ),
+                format!(
+                    "finite numbers, a height above 0, 1 to {} samples",
+                    limits::SAMPLES
+                ),
+            );
+        }
+    }
+    let size = |error: &LevelError| (error.height, error.samples);
+    match measured
+        .windows(2)
+        .find(|pair| size(&pair[0]) >= size(&pair[1]))
+    {
+        Some(pair) => fault(
+            format!(
+                "{} px with {} samples after {} px with {}",
+                pair[1].height, pair[1].samples, pair[0].height, pair[0].samples
+            ),
+            "rising heights, and of equal heights rising samples".into(),
+        ),
+        None => Ok(()),
+    }
+}
+
 impl Avatar {
     /// Reads an avatar file. Every rule in [`super::format`] is checked before memory is taken for
     /// the avatar.
@@ -110,6 +153,12 @@ impl Avatar {
             }
         }
         container::check_arrays(&header, self)?;
+        self.check_harmonics()?;
+        self.check_levels()
+    }
+
+    /// Checks the view-dependent colours.
+    fn check_harmonics(&self) -> Result<(), FormatError> {
         let Some(sh) = &self.sh else {
             return Ok(());
         };
@@ -129,6 +178,58 @@ impl Avatar {
                 format!("{} coefficients", sh.coefficients.len()),
                 format!("{expected}, {} a Gaussian", sh.functions()),
             );
+        }
+        Ok(())
+    }
+
+    /// Checks that each level can be drawn in place of the avatar, and is smaller than what comes
+    /// before it.
+    fn check_levels(&self) -> Result<(), FormatError> {
+        let levels = self.levels.len();
+        if levels > limits::LEVELS {
+            let expected = format!("{} at most", limits::LEVELS);
+            return Err(FormatError::metadata("levels", levels, expected));
+        }
+        let mut before = self.gaussians.len();
+        for (index, level) in self.levels.iter().enumerate() {
+            let prefix = format!("level.{index}.");
+            let count = level.gaussians.len();
+            let fault = |field: &str, found: String, expected: String| {
+                Err(FormatError::metadata(field, found, expected).within(&prefix))
+            };
+            if !(1..before).contains(&count) {
+                let expected = format!("1 to {}", before.saturating_sub(1));
+                return fault("gaussians", count.to_string(), expected);
+            }
+            before = count;
+            if level.gaussians.bounds != self.gaussians.bounds {
+                let [found, expected] = [level.gaussians.bounds, self.gaussians.bounds]
+                    .map(|bounds| format!("{:?} to {:?}", bounds.min, bounds.max));
+                return fault("bounds", found, expected);
+            }
+            if level.part_start.len() != self.parts.start.len() {
+                let [found, expected] = [&level.part_start, &self.parts.start]
+                    .map(|starts| format!("{} parts", starts.len().saturating_sub(1)));
+                return fault("part_start", found, expected);
+            }
+            let [found, expected] = [&level.sh, &self.sh]
+                .map(|sh| format!("degree {}", sh.as_ref().map_or(0, |sh| sh.degree)));
+            if found != expected {
+                return fault("sh", found, expected);
+            }
+            let rows = [
+                level.rotation_rows.gaussian.len(),
+                level.scale_rows.gaussian.len(),
+                level.color_rows.gaussian.len(),
+            ];
+            if !level.correctives && rows != [0; 3] {
+                let found = format!("{} without correctives", rows.iter().sum::<usize>());
+                return fault("rows", found, "none".into());
+            }
+            check_measured(&level.measured).map_err(|error| error.within(&prefix))?;
+            self.at_level(level)
+                .check()
+                .map_err(|error| error.within(&prefix))?;
         }
         Ok(())
     }
@@ -236,6 +337,7 @@ impl Clip {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::avatar::{Level, Rows};
     use half::f16;
 
     /// A fault that `break_it` makes in the demo.
@@ -270,5 +372,92 @@ mod tests {
             });
         });
         assert!(sh.contains("`sh` found 5 coefficients"), "{sh}");
+    }
+
+    #[test]
+    fn check_refuses_levels_that_do_not_match_their_avatar() {
+        let every_other = |avatar: &Avatar| {
+            let keep: Vec<usize> = (0..avatar.gaussians.len()).step_by(2).collect();
+            Level {
+                gaussians: avatar.gaussians.pick(&keep),
+                part_start: avatar.parts.start.iter().map(|s| s.div_ceil(2)).collect(),
+                correctives: true,
+                rotation_rows: Rows::default(),
+                scale_rows: Rows::default(),
+                color_rows: Rows::default(),
+                sh: None,
+                measured: [1, 2]
+                    .map(|samples| LevelError {
+                        height: 60.0,
+                        samples,
+                        psnr_db: 30.0,
+                        color: 0.01,
+                        coverage: 0.0,
+                    })
+                    .into(),
+            }
+        };
+        let level_fault = |break_it: &dyn Fn(&mut Level)| {
+            fault(|avatar| {
+                let mut level = every_other(avatar);
+                break_it(&mut level);
+                avatar.levels = vec![level];
+            })
+        };
+        assert_eq!(level_fault(&|_| ()), "none");
+        // Without correctives there is only the node that moves nothing.
+        let still = |level: &mut Level| {
+            level.correctives = false;
+            level.gaussians.node.fill([0; 3]);
+        };
+        assert_eq!(level_fault(&still), "none");
+        type Break<'a> = (&'a str, &'a dyn Fn(&mut Level));
+        let cases: [Break; 12] = [
+            ("`level.0.gaussians` found 0", &|level| {
+                level.gaussians = level.gaussians.pick(&[]);
+            }),
+            ("`level.0.bounds`", &|level| {
+                level.gaussians.bounds.max[1] += 1.0
+            }),
+            ("`level.0.part_start`", &|level| level.part_start.push(9)),
+            ("`level.0.part_start`", &|level| {
+                level.part_start[1] = u32::MAX
+            }),
+            ("`level.0.sh` found degree 1", &|level| {
+                level.sh = Some(crate::avatar::ShCoefficients {
+                    degree: 1,
+                    coefficients: vec![],
+                });
+            }),
+            ("`level.0.log_scale` found NaN at [3, 1]", &|level| {
+                level.gaussians.log_scale[3][1] = f16::NAN;
+            }),
+            ("`level.0.node`", &|level| {
+                level.gaussians.node[0][0] = u16::MAX
+            }),
+            ("`level.0.joint_weight`", &|level| {
+                level.gaussians.joint_weight[0] = [255; 4];
+            }),
+            ("`level.0.rows` found 1 without", &|level| {
+                still(level);
+                level.color_rows.gaussian = vec![0];
+            }),
+            ("`level.0.node` found", &|level| level.correctives = false),
+            ("`level.0.measured` found inf dB", &|level| {
+                level.measured[1].psnr_db = f64::INFINITY;
+            }),
+            (
+                "`level.0.measured` found 60 px with 2 samples after",
+                &|level| {
+                    level.measured[0].samples = 2;
+                },
+            ),
+        ];
+        for (expected, break_it) in cases {
+            let found = level_fault(break_it);
+            assert!(found.contains(expected), "{found}, expected {expected}");
+        }
+        let twice = fault(|avatar| avatar.levels = vec![every_other(avatar); 2]);
+        assert!(twice.contains("`level.1.gaussians`"), "{twice}");
     }
 }

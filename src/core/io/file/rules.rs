@@ -324,6 +324,7 @@ impl Document for AvatarHeader {
             inputs: self.inputs(tensors),
             sh: None,
             filter: Filter::DEFAULT,
+            levels: vec![],
             name: self.name,
             credit: self.credit,
         }

@@ -4,8 +4,8 @@
 use super::{Splats, each, functions_of};
 use crate::{
     avatar::{
-        Activation, Avatar, Bounds, Filter, Gaussians, Inputs, Matrix, Networks, Nodes, Parts,
-        Rows, ShCoefficients, Skeleton,
+        Activation, Avatar, Bounds, Filter, Gaussians, Inputs, Networks, Nodes, Parts, Rows,
+        ShCoefficients, Skeleton,
     },
     constants::F16_MAX,
     io::file::FormatError,
@@ -123,22 +123,12 @@ pub fn scene(
         rotation_rows: Rows::default(),
         scale_rows: Rows::default(),
         color_rows: Rows::default(),
-        // One node that moves nothing: every Gaussian must name three.
-        nodes: Nodes {
-            position: vec![[0; 3]],
-            part: vec![0],
-            offset: vec![[f16::ZERO; 3]],
-            basis: Matrix::default(),
-        },
-        inputs: Inputs {
-            joint: vec![],
-            expression: 0,
-            pose_space: None,
-            expression_space: None,
-        },
+        nodes: Nodes::still(),
+        inputs: Inputs::none(),
         gaussians,
         sh,
         filter: Filter::DEFAULT,
+        levels: vec![],
     }
 }
 
