@@ -200,6 +200,7 @@ impl Executor<'_> {
             Pass::Sh {
                 instance,
                 gaussians,
+                ..
             } => {
                 let sh = self.sh.expect(SCHEDULED);
                 sh.record(compute, (self.block)(instance), gaussians);
@@ -208,6 +209,7 @@ impl Executor<'_> {
                 instance,
                 gaussians,
                 skinning,
+                ..
             } => {
                 let block = (self.block)(instance);
                 self.project.record(compute, block, gaussians, skinning);

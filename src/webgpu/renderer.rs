@@ -22,13 +22,14 @@ use bytemuck::bytes_of;
 use effigy_core::{
     avatar::Avatar,
     frame::{
-        Counters, Damage, FrameReport, RendererOptions, Schedule, Skinning, Skip, Stage, block,
+        Counters, Damage, FrameReport, RendererOptions, Schedule, Skinning, Skip, Stage,
+        block::{self, PoseLayout},
         pose_cache::PoseCache,
         schedule::{DeviceState, Equipment},
         state::{AvatarInstance, FramePlan, FrameState, Layer, PlanInput, StageDispatches},
         validate,
     },
-    layout::{Control, FrameBlock, PYRAMID_WORDS, SORT_TILE, SettingsBlock, TILING_WEB},
+    layout::{Control, FrameBlock, SORT_TILE, SettingsBlock, TILING_WEB},
     scene::{AvatarBounds, Camera, PartDependencies, PixelRect, Posed},
 };
 use std::sync::Arc;
@@ -96,10 +97,8 @@ impl Renderer {
         avatar.check()?;
         let model = Model::empty(gpu, avatar)?;
         let constants = &model.constants;
-        let instances = options.instances as u32;
-        let words = 4 * u64::from(instances) * u64::from(block::pose_vectors(constants))
-            + u64::from(PYRAMID_WORDS);
-        let pose = empty(gpu, "pose", 4 * words.next_multiple_of(4), STORAGE)?;
+        let layout = PoseLayout::new(constants, options.instances);
+        let pose = empty(gpu, "pose", 16 * u64::from(layout.len()), STORAGE)?;
         let control = empty(
             gpu,
             "control",
@@ -407,13 +406,14 @@ impl Renderer {
         number: usize,
         instance: Option<&AvatarInstance>,
     ) {
+        let pose = PoseLayout::new(&self.model.constants, self.options.instances);
         let block = &mut *self.frame;
-        block::write_shared(block, &self.options, layer, camera);
+        block::write_shared(block, &self.options, layer, camera, pose);
         self.project.fill(block);
         block.tile_side = TILING_WEB.tile(layer.size) as f32;
         block.count_tile = SORT_TILE;
         if let Some(instance) = instance {
-            block::write_instance(block, &self.options, instance);
+            block::write_instance(block, &self.options, instance, pose);
             self.project.fill_instance(block, number as u32);
             self.pose_caches[number].write_to(block, camera);
         }

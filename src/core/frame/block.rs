@@ -5,9 +5,51 @@ use super::{
     RendererOptions, Skip,
     state::{AvatarInstance, Layer},
 };
-use crate::layout::{FrameBlock, POSITION_BITS, TILING, bin_side};
+use crate::layout::{FrameBlock, POSITION_BITS, PYRAMID_WORDS, TILING, bin_side};
 use crate::scene::{Camera, PixelRect, camera::guard, detail};
+use bytemuck::{bytes_of, bytes_of_mut};
 use glam::DAffine3;
+use std::mem::offset_of;
+
+/// Where avatars' features and nodes are in the pose buffer, in vectors of 4.
+#[derive(Clone, Copy, Debug)]
+pub struct PoseLayout {
+    /// Vectors of an avatar: its features, then its nodes' displacements, two nodes a vector.
+    pub vectors: u32,
+    /// Avatars in the buffer.
+    pub instances: u32,
+}
+
+impl PoseLayout {
+    /// For so many instances of an avatar with these constants.
+    pub fn new(constants: &FrameBlock, instances: usize) -> Self {
+        Self {
+            vectors: constants.parts * constants.feature_quads + constants.nodes.div_ceil(2),
+            instances: instances as u32,
+        }
+    }
+
+    /// Where the depth pyramid starts: behind all avatars.
+    pub fn pyramid(&self) -> u32 {
+        self.instances * self.vectors
+    }
+
+    /// Where a vector of zeros is, behind the pyramid: the displacement of nodes that nothing moves.
+    pub fn zeros(&self) -> u32 {
+        self.pyramid() + PYRAMID_WORDS.div_ceil(4)
+    }
+
+    /// Vectors of the buffer.
+    pub fn len(&self) -> u32 {
+        self.zeros() + 1
+    }
+}
+
+/// Writes what no frame changes of the level that an avatar is drawn from.
+pub fn write_constants(block: &mut FrameBlock, constants: &FrameBlock) {
+    let constant = offset_of!(FrameBlock, input);
+    bytes_of_mut(block)[..constant].copy_from_slice(&bytes_of(constants)[..constant]);
+}
 
 /// Writes what all avatars of a layer share. `camera`: the frame's. `block` must hold the model's
 /// constants.
@@ -16,6 +58,7 @@ pub fn write_shared(
     options: &RendererOptions,
     layer: &Layer,
     camera: &Camera,
+    pose: PoseLayout,
 ) {
     let [near, far] = layer.depth_range;
     let guard = guard(layer.size);
@@ -44,7 +87,7 @@ pub fn write_shared(
         && options.skip.contains(Skip::HIDDEN)
     {
         // The depth pyramid follows all avatars' features and displacements; 4 words a vector.
-        block.pyramid_start = 4 * options.instances as u32 * pose_vectors(block);
+        block.pyramid_start = 4 * pose.pyramid();
         view.write_to(block);
     }
     // Clip space of the quads: a splat's coordinates are in steps of 1 / `steps` px.
@@ -65,6 +108,7 @@ pub fn write_instance(
     block: &mut FrameBlock,
     options: &RendererOptions,
     instance: &AvatarInstance,
+    pose: PoseLayout,
 ) {
     let posed = instance.posed;
     let camera = &instance.camera;
@@ -75,8 +119,13 @@ pub fn write_instance(
     let [min, max] = [area.min, area.max].map(|corner| corner.as_vec2());
     block.area = [min.x, min.y, max.x, max.y];
     block.area_reach = if instance.slot.is_some() { -1.0 } else { 1.0 };
-    block.feature_start = instance.index as u32 * pose_vectors(block);
-    block.node_start = block.feature_start + block.parts * block.feature_quads;
+    block.feature_start = instance.index as u32 * pose.vectors;
+    // A level that networks don't move has no features, and one node, which stays in its place.
+    block.node_start = if instance.correctives {
+        block.feature_start + block.parts * block.feature_quads
+    } else {
+        pose.zeros()
+    };
     block.first_splat = instance.first_key;
     block.drawn = instance.gaussians;
     block.detail_level = instance.level;
@@ -97,12 +146,6 @@ pub fn write_instance(
     for (rows, joint) in block.joint.iter_mut().zip(&posed.joints) {
         *rows = matrix_rows(camera.view * *joint);
     }
-}
-
-/// Vectors of 4 that an avatar takes up in the pose buffer: its features, then its nodes'
-/// displacements, two nodes a vector.
-pub fn pose_vectors(constants: &FrameBlock) -> u32 {
-    constants.parts * constants.feature_quads + constants.nodes.div_ceil(2)
 }
 
 /// Rows of the 3 × 4 matrix of an affine map.

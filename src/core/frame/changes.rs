@@ -33,6 +33,8 @@ pub struct Changes {
 pub struct View {
     /// The camera of the image that it is drawn into.
     pub camera: Camera,
+    /// Which of the avatar's levels is drawn ([`crate::scene::levels`]); 0 is the avatar itself.
+    pub model: usize,
     /// Level of detail ([`crate::scene::detail`]).
     pub level: u32,
     /// Its slot of the atlas, if it is drawn larger than it is shown.
@@ -44,6 +46,8 @@ pub struct View {
 struct Shown {
     joints: Vec<DAffine3>,
     camera: Camera,
+    /// Which of the avatar's levels was drawn; 0 is the avatar itself.
+    model: usize,
     /// Level of detail.
     level: u32,
     /// Its slot of the atlas, if it was drawn larger than it was shown.
@@ -80,6 +84,11 @@ impl ChangeTracker {
         self.shown.as_ref().map_or(0, |shown| shown.level)
     }
 
+    /// Which of the avatar's levels the last frame drew; 0 is the avatar itself.
+    pub fn model(&self) -> usize {
+        self.shown.as_ref().map_or(0, |shown| shown.model)
+    }
+
     /// How many times its size the last frame drew it; 1 before the first.
     pub fn factor(&self) -> u32 {
         let slot = self.shown.as_ref().and_then(|shown| shown.slot);
@@ -91,6 +100,7 @@ impl ChangeTracker {
     pub fn update(&mut self, posed: &Posed, view: &View, skip: Skip) -> Changes {
         let View {
             camera,
+            model,
             level,
             slot,
         } = *view;
@@ -102,7 +112,10 @@ impl ChangeTracker {
         let mut same_gaussians = false;
         let mut same_camera = false;
         if let Some(shown) = &self.shown {
-            same_gaussians = !input_changed && shown.joints == posed.joints && shown.level == level;
+            same_gaussians = !input_changed
+                && shown.joints == posed.joints
+                && shown.model == model
+                && shown.level == level;
             // A slot that moves in the image may hold the same.
             same_camera = shown.camera == camera && shown.slot == slot;
         }
@@ -122,6 +135,7 @@ impl ChangeTracker {
             self.shown = Some(Shown {
                 joints: posed.joints.clone(),
                 camera,
+                model,
                 level,
                 slot,
             });
@@ -152,12 +166,14 @@ impl ChangeTracker {
 
     /// The parts whose networks run in a frame: those whose input has changed since they ran and
     /// that something in `visible` depends on. The others wait until they come into view. A frame
-    /// that fills the pose cache runs all that is due, and so does one where `visible` is None.
+    /// that fills the pose cache runs all that is due, and so does one where `visible` is None. None
+    /// run where they move nothing that is drawn: `correctives` is false.
     pub fn schedule_networks(
         &mut self,
         changes: &Changes,
         dependencies: &PartDependencies,
         visible: Option<&PartSet>,
+        correctives: bool,
     ) -> PartSet {
         if changes.expression_only {
             self.stale = self.stale | dependencies.head;
@@ -165,6 +181,7 @@ impl ChangeTracker {
             self.stale = dependencies.all();
         }
         let needed = match visible {
+            _ if !correctives => PartSet::EMPTY,
             None => dependencies.all(),
             Some(visible) if changes.skinning == Skinning::Compute => {
                 dependencies.networks(visible)
@@ -213,6 +230,7 @@ mod tests {
     fn view(yaw: f64, level: u32) -> View {
         View {
             camera: camera(yaw),
+            model: 0,
             level,
             slot: None,
         }
@@ -286,7 +304,7 @@ mod tests {
         let one = PartSet::first(1);
         let mut tracker = ChangeTracker::default();
         let mut schedule = |changes: Changes, visible: Option<&PartSet>| {
-            tracker.schedule_networks(&changes, &dependencies, visible)
+            tracker.schedule_networks(&changes, &dependencies, visible, true)
         };
         let new_pose = posed_again(Skinning::Compute);
         let new_expression = Changes {

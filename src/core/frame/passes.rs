@@ -202,6 +202,8 @@ pub enum Pass {
     Sh {
         /// Index of the avatar's pose in [`PlanInput::poses`](super::PlanInput::poses).
         instance: usize,
+        /// Which of the avatar's levels is drawn; 0 is the avatar itself.
+        model: usize,
         /// How many Gaussians its level of detail draws.
         gaussians: u32,
     },
@@ -216,6 +218,8 @@ pub enum Pass {
     Project {
         /// Index of the avatar's pose in [`PlanInput::poses`](super::PlanInput::poses).
         instance: usize,
+        /// Which of the avatar's levels is drawn; 0 is the avatar itself.
+        model: usize,
         /// How many Gaussians its level of detail draws.
         gaussians: u32,
         /// Where skinned Gaussians come from.

@@ -366,6 +366,7 @@ impl Recorder {
     fn geometry(&mut self, layer: &Layer, target: Target, equipment: &Equipment) {
         let sh = |instance: &super::AvatarInstance| Pass::Sh {
             instance: instance.index,
+            model: instance.model,
             gaussians: instance.gaussians,
         };
         if equipment.sh {
@@ -388,6 +389,7 @@ impl Recorder {
             }
             passes.push(Pass::Project {
                 instance: instance.index,
+                model: instance.model,
                 gaussians: instance.gaussians,
                 skinning: instance.changes.skinning,
             });

@@ -8,8 +8,8 @@ use super::{
 };
 use crate::avatar::Filter;
 use crate::scene::{
-    AvatarBounds, Camera, OccluderView, PartDependencies, PartSet, PixelRect, Posed, Visible,
-    detail,
+    AvatarBounds, Camera, OccluderView, PartDependencies, PartSet, PixelRect, Posed, Supersampling,
+    Visible, detail, levels,
 };
 
 /// An avatar in view.
@@ -22,9 +22,13 @@ pub struct AvatarInstance<'a> {
     pub camera: Camera,
     /// The part of the atlas that it must stay in; None in the image.
     pub slot: Option<PixelRect>,
+    /// Which of the avatar's levels is drawn ([`levels`]); 0 is the avatar itself.
+    pub model: usize,
+    /// Whether networks move it.
+    pub correctives: bool,
     /// Level of detail ([`detail`]).
     pub level: u32,
-    /// Gaussians that this level draws.
+    /// Gaussians that are drawn.
     pub gaussians: u32,
     /// Where its splats and keys start among those of its layer's avatars. Always even, so that no
     /// 32-bit word holds 16-bit keys of two avatars.
@@ -209,6 +213,7 @@ impl FrameState {
                     &instance.changes,
                     input.dependencies,
                     instance.visible_parts.as_ref(),
+                    instance.correctives,
                 );
                 if redraw {
                     tracker.mark_drawn(&instance.changes);
@@ -303,13 +308,34 @@ impl FrameState {
             .filter(|_| options.skip.contains(Skip::PARTS))
             .map(|visible| visible.parts);
         let camera = slot.map_or(*input.camera, |slot| slot.camera(input.camera, atlas_size));
-        let level = options
-            .detail
-            .level(bounds.gaussians(), tracker.level(), || {
-                bounds.pixels(&posed.joints, &camera)
-            });
+        // Levels are for what is small, at several samples a pixel.
+        let model = match slot {
+            Some(slot) if options.supersampling == Supersampling::BySize => {
+                let sides = bounds.sides(&posed.joints, input.camera);
+                let height = sides.map_or(f64::INFINITY, |sides| sides.max_element());
+                levels::choose(bounds.levels(), height, slot.factor, tracker.model())
+            }
+            _ => 0,
+        };
+        let level = if model > 0 {
+            0
+        } else {
+            options
+                .detail
+                .level(bounds.gaussians(), tracker.level(), || {
+                    bounds.pixels(&posed.joints, &camera)
+                })
+        };
+        let (gaussians, correctives) = match model {
+            0 => (bounds.gaussians(), true),
+            model => {
+                let level = &bounds.levels()[model - 1];
+                (level.gaussians, level.correctives)
+            }
+        };
         let view = View {
             camera,
+            model,
             level,
             slot: slot.copied(),
         };
@@ -326,8 +352,10 @@ impl FrameState {
             posed,
             camera,
             slot: slot.map(Slot::rect),
+            model,
+            correctives,
             level,
-            gaussians: detail::gaussian_count(bounds.gaussians() as u32, level),
+            gaussians: detail::gaussian_count(gaussians as u32, level),
             first_key,
             changes,
             visible_parts,

@@ -1,7 +1,7 @@
 //! Where a posed avatar is, from boxes around its parts: bounds that cost some thousand points a
 //! frame instead of one a Gaussian.
 
-use super::{Camera, PartSet, PixelRect, PlaneRect, detail, radius_in_sigmas};
+use super::{Camera, LevelChoice, PartSet, PixelRect, PlaneRect, detail, radius_in_sigmas};
 use crate::avatar::{Avatar, Filter};
 use crate::constants::{LOG_SCALE_MAX, LONGEST_MARGIN};
 use glam::{DAffine3, DVec2, DVec3, UVec2};
@@ -154,6 +154,7 @@ pub struct AvatarBounds {
     gaussians: usize,
     /// The low-pass that it is drawn with.
     filter: Filter,
+    levels: Vec<LevelChoice>,
 }
 
 impl AvatarBounds {
@@ -176,6 +177,7 @@ impl AvatarBounds {
             },
             gaussians: avatar.gaussians.len(),
             filter: avatar.filter,
+            levels: LevelChoice::of(avatar),
         }
     }
 
@@ -196,6 +198,11 @@ impl AvatarBounds {
     /// The low-pass that it is drawn with where it is drawn as large as it is shown.
     pub fn filter(&self) -> Filter {
         self.filter
+    }
+
+    /// The avatar's levels, the finest first.
+    pub fn levels(&self) -> &[LevelChoice] {
+        &self.levels
     }
 
     /// Number of Gaussians of this avatar.

@@ -51,6 +51,32 @@ impl OccluderMesh {
     }
 }
 
+/// Gaussians in device memory.
+pub struct GaussianSet {
+    /// In canonical pose.
+    pub gaussians: Buffer,
+    /// Basis rows of their correctives.
+    pub rows: Buffer,
+    /// The uniform block with all that no frame changes.
+    pub constants: Box<FrameBlock>,
+}
+
+impl GaussianSet {
+    fn new(gpu: &Arc<Gpu>, avatar: &Avatar, node_places: &[u16]) -> Result<Self> {
+        let storage = vk::BufferUsageFlags::STORAGE_BUFFER;
+        Ok(Self {
+            gaussians: Buffer::with_data(
+                gpu,
+                "gaussians",
+                cast_slice(&pack::gaussians(avatar, node_places)),
+                storage | vk::BufferUsageFlags::TRANSFER_SRC,
+            )?,
+            rows: Buffer::with_data(gpu, "rows", cast_slice(&pack::rows(avatar)), storage)?,
+            constants: Box::new(pack::constants(avatar)),
+        })
+    }
+}
+
 /// The model in device memory, read-only.
 pub struct Model {
     /// Words; see `shaders/mlp/mlp.glsl`.
@@ -62,14 +88,10 @@ pub struct Model {
     /// Where each of the avatar's nodes is among those of the device, which are in the order of
     /// their parts.
     pub node_places: Vec<u16>,
-    /// The Gaussians in canonical pose.
-    pub gaussians: Buffer,
-    /// Basis rows of the correctives.
-    pub rows: Buffer,
+    /// The Gaussians of the avatar, then those of its levels, the finest first.
+    pub sets: Vec<GaussianSet>,
     /// The occluder mesh of the avatar.
     pub occluder: OccluderMesh,
-    /// The uniform block with all that no frame changes.
-    pub constants: Box<FrameBlock>,
     /// Whether the networks' weights are bytes.
     pub networks_in_bytes: bool,
 }
@@ -77,11 +99,18 @@ pub struct Model {
 impl Model {
     /// `occluder`: whether frames use the occluder mesh.
     pub(crate) fn new(gpu: &Arc<Gpu>, avatar: &Avatar, occluder: bool) -> Result<Self> {
-        let constants = Box::new(pack::constants(avatar));
-        let networks = pack::networks(avatar, &constants);
-        let rows = pack::rows(avatar);
         let (node_places, node_starts) = pack::node_places(avatar);
-        let gaussians = pack::gaussians(avatar, &node_places);
+        let own = GaussianSet::new(gpu, avatar, &node_places)?;
+        let networks = pack::networks(avatar, &own.constants);
+        let mut sets = vec![own];
+        for level in &avatar.levels {
+            let places: &[u16] = if level.correctives {
+                &node_places
+            } else {
+                &[0]
+            };
+            sets.push(GaussianSet::new(gpu, &avatar.at_level(level), places)?);
+        }
         let occluder = if occluder {
             Occluder::new(avatar)
         } else {
@@ -97,31 +126,29 @@ impl Model {
                 storage,
             )?,
             node_starts: Buffer::with_data(gpu, "node starts", cast_slice(&node_starts), storage)?,
-            gaussians: Buffer::with_data(
-                gpu,
-                "gaussians",
-                cast_slice(&gaussians),
-                storage | vk::BufferUsageFlags::TRANSFER_SRC,
-            )?,
-            rows: Buffer::with_data(gpu, "rows", cast_slice(&rows), storage)?,
+            sets,
             occluder: OccluderMesh::new(gpu, avatar, &occluder, &node_places)?,
             node_places,
-            constants,
             networks_in_bytes: avatar.networks.in_bytes(),
         })
     }
 
+    /// The avatar's own Gaussians.
+    pub fn own(&self) -> &GaussianSet {
+        &self.sets[0]
+    }
+
     /// RGB of every Gaussian before correctives, as the last frame saw them, for tests.
     pub fn colors(&self) -> Result<Vec<[f32; 3]>> {
-        let count = self.constants.gaussians as usize;
-        let lit = self.constants.sh_color_start as usize;
+        let count = self.own().constants.gaussians as usize;
+        let lit = self.own().constants.sh_color_start as usize;
         let pairs = if lit > 0 {
             lit + count
         } else {
             GAUSSIAN_PAIRS as usize * count
         };
         let pairs: Vec<[u32; 2]> =
-            bytemuck::pod_collect_to_vec(&self.gaussians.download(8 * pairs)?);
+            bytemuck::pod_collect_to_vec(&self.own().gaussians.download(8 * pairs)?);
         let half = |word: u32| f16::from_bits(word as u16).to_f32();
         let byte = |word: u32| (word & 0xff) as f32 / 255.0;
         Ok(if lit > 0 {

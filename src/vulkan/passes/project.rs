@@ -5,7 +5,7 @@
 //! them, in its camera's space, and those after it only project them.
 //! `shaders/project/pose_cache.glsl` has the 24 bytes of a Gaussian.
 
-use super::model::Model;
+use super::model::{GaussianSet, Model};
 use crate::vulkan::{
     commands::control::REASONS,
     device::{error::Result, gpu::Gpu, recording::Recording},
@@ -27,14 +27,22 @@ const CAPACITY_STEP: u32 = 4096;
 
 /// The kernels of the stage, and the buffer of splats, keys and pose cache that they write.
 pub struct Project {
-    compute: Kernel,
-    /// None where poses are not cached.
-    caching: Option<Caching>,
+    /// Of the avatar, then of its levels, the finest first.
+    sets: Vec<SetKernels>,
     counted: bool,
     /// Invocations of a workgroup.
     workgroup: u32,
+    /// Gaussians of the avatar: no level has more.
+    gaussians: u32,
     layout: SplatBufferLayout,
     buffer: Buffer,
+}
+
+/// The kernels that project a set of Gaussians.
+struct SetKernels {
+    compute: Kernel,
+    /// None where poses are not cached.
+    caching: Option<Caching>,
 }
 
 /// The kernels of frames in which only the camera moves.
@@ -87,7 +95,7 @@ impl Project {
         options: &RendererOptions,
     ) -> Result<Self> {
         let caches = options.skip.contains(Skip::SKINNING);
-        let count = model.constants.gaussians;
+        let count = model.own().constants.gaussians;
         let capacity =
             (options.instances as u32 * padded_count(count)).next_multiple_of(CAPACITY_STEP);
         let layout = SplatBufferLayout::new(capacity, options.keys(), variant);
@@ -116,25 +124,32 @@ impl Project {
             let constants = [stores, counting[0], counting[1], workgroup];
             Kernel::new(gpu, module, &constants, resources, Launch::default())
         };
-        let all = [
-            (&model.gaussians).into(),
-            (&model.rows).into(),
-            pose,
-            (&buffer).into(),
-        ];
-        let caching = if caches {
-            Some(Caching {
-                store: kernel(&shaders::PROJECT, 1, &all)?,
-                cached: kernel(&shaders::PROJECT_CACHED, 0, &all[2..])?,
+        let set = |set: &GaussianSet| -> Result<SetKernels> {
+            let all = [
+                (&set.gaussians).into(),
+                (&set.rows).into(),
+                pose,
+                (&buffer).into(),
+            ];
+            let caching = if caches {
+                Some(Caching {
+                    store: kernel(&shaders::PROJECT, 1, &all)?,
+                    cached: kernel(&shaders::PROJECT_CACHED, 0, &all[2..])?,
+                })
+            } else {
+                None
+            };
+            Ok(SetKernels {
+                compute: kernel(&shaders::PROJECT, 0, &all)?,
+                caching,
             })
-        } else {
-            None
         };
+        let sets = model.sets.iter().map(set).collect::<Result<_>>()?;
         Ok(Self {
-            compute: kernel(&shaders::PROJECT, 0, &all)?,
-            caching,
+            sets,
             counted: options.count,
             workgroup,
+            gaussians: count,
             layout,
             buffer,
         })
@@ -144,7 +159,7 @@ impl Project {
     /// renderer.
     pub fn fill_instance(&self, block: &mut FrameBlock, number: u32) {
         block.cache_start =
-            (self.layout.posed / 4) as u32 + number * POSE_CACHE_WORDS * block.gaussians;
+            (self.layout.posed / 4) as u32 + number * POSE_CACHE_WORDS * self.gaussians;
     }
 
     /// Writes to a frame's block where the buffers of all avatars start.
@@ -224,11 +239,21 @@ impl Project {
 
     /// Projects one avatar, of which the first `drawn` Gaussians are drawn. Reads the output of
     /// `mlp`, and adds to the counts that [`crate::vulkan::sort::Sort::clear`] zeroed; compute.
-    pub fn record(&self, commands: Recording, frame: u32, drawn: u32, skinning: Skinning) {
-        let kernel = match (skinning, &self.caching) {
+    ///
+    /// `model`: which of the avatar's levels; 0 is the avatar itself.
+    pub fn record(
+        &self,
+        commands: Recording,
+        frame: u32,
+        model: usize,
+        drawn: u32,
+        skinning: Skinning,
+    ) {
+        let set = &self.sets[model];
+        let kernel = match (skinning, &set.caching) {
             (Skinning::ComputeAndStore, Some(caching)) => &caching.store,
             (Skinning::Cached, Some(caching)) => &caching.cached,
-            _ => &self.compute,
+            _ => &set.compute,
         };
         kernel.dispatch(commands, frame, drawn.div_ceil(self.workgroup));
     }

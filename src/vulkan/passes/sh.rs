@@ -1,7 +1,7 @@
 //! The `sh` stage (spherical harmonics): the colour of each Gaussian as the camera sees it, for
 //! avatars whose colours depend on that.
 
-use super::model::Model;
+use super::model::GaussianSet;
 use crate::vulkan::{
     device::{error::Result, gpu::Gpu, recording::Recording},
     memory::{Buffer, Slice},
@@ -26,12 +26,12 @@ pub struct SphericalHarmonics {
 }
 
 impl SphericalHarmonics {
-    /// Writes to the colours in `model`. None for an avatar without harmonics. `launch`: whether f16
-    /// is read as words.
+    /// Writes to the colours in `set`, the avatar's Gaussians. None for an avatar without harmonics.
+    /// `launch`: whether f16 is read as words.
     pub(crate) fn new(
         gpu: &Arc<Gpu>,
         avatar: &Avatar,
-        model: &Model,
+        set: &GaussianSet,
         frame: Slice,
         launch: Launch,
     ) -> Result<Option<Self>> {
@@ -51,7 +51,7 @@ impl SphericalHarmonics {
         let high = buffer("high harmonics", SPLIT..groups.max(SPLIT))?;
         let resources = Resources {
             uniform: Some(frame),
-            storage: &[(&model.gaussians).into(), (&low).into(), (&high).into()],
+            storage: &[(&set.gaussians).into(), (&low).into(), (&high).into()],
             image: None,
         };
         let degree = [coefficients.degree as u32];

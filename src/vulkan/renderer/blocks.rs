@@ -4,14 +4,15 @@ use crate::vulkan::{
     commands::FRAMES_IN_FLIGHT,
     device::{error::Result, gpu::Gpu},
     memory::{Buffer, Slice},
-    passes::project::Project,
+    passes::{model::Model, project::Project},
     sort::Sort,
 };
 use ash::vk;
 use bytemuck::{bytes_of, from_bytes_mut};
 use effigy_core::{
     frame::{
-        RendererOptions, Skinning, block,
+        RendererOptions, Skinning,
+        block::{self, PoseLayout},
         pose_cache::PoseCache,
         state::{AvatarInstance, FramePlan, Layer},
     },
@@ -38,6 +39,7 @@ pub(super) struct BlockSources<'a> {
     pub options: &'a RendererOptions,
     pub splats: &'a Project,
     pub sort: &'a Sort,
+    pub model: &'a Model,
 }
 
 impl Blocks {
@@ -123,11 +125,14 @@ impl Blocks {
         let start = self.offset(frame, number);
         let bytes = &mut self.buffer.mapped()[start..][..size_of::<FrameBlock>()];
         let block: &mut FrameBlock = from_bytes_mut(bytes);
-        block::write_shared(block, sources.options, layer, camera);
+        let set = instance.map_or(0, |instance| instance.model);
+        block::write_constants(block, &sources.model.sets[set].constants);
+        let pose = PoseLayout::new(&sources.model.own().constants, sources.options.instances);
+        block::write_shared(block, sources.options, layer, camera, pose);
         sources.splats.fill(block);
         block.count_tile = sources.sort.tile();
         if let Some(instance) = instance {
-            block::write_instance(block, sources.options, instance);
+            block::write_instance(block, sources.options, instance, pose);
             sources.splats.fill_instance(block, number as u32);
             self.pose_caches[number].write_to(block, camera);
         }

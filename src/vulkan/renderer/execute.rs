@@ -89,7 +89,8 @@ const SCHEDULED: &str = "a renderer schedules only stages that it has";
 /// What passes are recorded with: a renderer's stages, and where a frame's data lies.
 pub(super) struct Executor<'a> {
     pub mlp: &'a Mlp,
-    pub sh: Option<&'a SphericalHarmonics>,
+    /// Of the avatar, then of its levels; none where colours don't depend on the view.
+    pub sh: &'a [SphericalHarmonics],
     pub occluder: Option<&'a OccluderPass>,
     pub project: &'a Project,
     pub sort: &'a Sort,
@@ -193,9 +194,10 @@ impl Executor<'_> {
             }
             Pass::Sh {
                 instance,
+                model,
                 gaussians,
             } => {
-                let sh = self.sh.expect(SCHEDULED);
+                let sh = self.sh.get(model).expect(SCHEDULED);
                 sh.record(commands, self.block(instance), gaussians);
             }
             Pass::Occluder { view, target } => {
@@ -210,11 +212,13 @@ impl Executor<'_> {
             }
             Pass::Project {
                 instance,
+                model,
                 gaussians,
                 skinning,
             } => {
                 let block = self.block(instance);
-                self.project.record(commands, block, gaussians, skinning);
+                self.project
+                    .record(commands, block, model, gaussians, skinning);
             }
             Pass::Sort => self.sort.record_counted(commands),
             Pass::ClearTileLists => self.raster.clear_tile_lists(commands),

@@ -40,13 +40,14 @@ use effigy_core::{
     avatar::Avatar,
     frame::{
         Counters, Damage, FramePlan, Layer, RendererOptions, Schedule, Skip, Stage,
-        StageDispatches, Unusable, block,
+        StageDispatches, Unusable,
+        block::PoseLayout,
         passes::Target,
         schedule::{DeviceState, Equipment},
         state::{FrameState, PlanInput},
         validate,
     },
-    layout::{OccluderCorner, PYRAMID_WORDS},
+    layout::OccluderCorner,
     scene::{AvatarBounds, Camera, Detail, FrameImage, PartDependencies, PixelRect, Posed},
 };
 use execute::Executor;
@@ -81,7 +82,8 @@ pub struct Renderer {
     /// None where nothing is left out behind it.
     occluder: Option<OccluderPass>,
     mlp: Mlp,
-    sh: Option<SphericalHarmonics>,
+    /// Of the avatar, then of its levels; none where colours don't depend on the view.
+    sh: Vec<SphericalHarmonics>,
     project: Project,
     sort: Sort,
     raster: Raster,
@@ -163,13 +165,11 @@ impl Renderer {
         }
         let has_occluder = options.skip.contains(Skip::HIDDEN);
         let model = Model::new(gpu, avatar, has_occluder)?;
-        let constants = &model.constants;
+        let constants = &model.own().constants;
         let storage = vk::BufferUsageFlags::STORAGE_BUFFER | vk::BufferUsageFlags::TRANSFER_SRC;
-        let instances = options.instances as u32;
-        let words = 4 * u64::from(instances) * u64::from(block::pose_vectors(constants))
-            + u64::from(PYRAMID_WORDS);
+        let layout = PoseLayout::new(constants, options.instances);
         // Zeros: a corner of the occluder may follow a node of a part that no frame has shown yet.
-        let zeros = vec![0; 4 * words.next_multiple_of(2) as usize];
+        let zeros = vec![0; 16 * layout.len() as usize];
         let pose = Buffer::with_data(gpu, "pose", &zeros, storage)?;
         let blocks = Blocks::new(gpu, options.instances, constants)?;
         let control = Buffer::with_data(
@@ -217,13 +217,23 @@ impl Renderer {
         } else {
             None
         };
+        let mut sh = vec![];
+        if avatar.sh.is_some() {
+            let levels = avatar.levels.iter().map(|level| avatar.at_level(level));
+            for (level, set) in levels.zip(&model.sets[1..]) {
+                sh.extend(SphericalHarmonics::new(gpu, &level, set, frame, launch)?);
+            }
+        }
+        if let Some(own) = SphericalHarmonics::new(gpu, avatar, model.own(), frame, launch)? {
+            sh.insert(0, own);
+        }
         Ok(Self {
             frames_in_flight: (0..FRAMES_IN_FLIGHT)
                 .map(|_| FrameInFlight::new(gpu))
                 .collect::<Result<_>>()?,
             occluder,
             mlp: Mlp::new(gpu, &model, frame, (&pose).into(), launch)?,
-            sh: SphericalHarmonics::new(gpu, avatar, &model, frame, launch)?,
+            sh,
             project,
             sort,
             raster,
@@ -257,7 +267,7 @@ impl Renderer {
 
     fn equipment(&self) -> Equipment {
         Equipment {
-            sh: self.sh.is_some(),
+            sh: !self.sh.is_empty(),
             occluder: self.occluder.is_some(),
             supersampling: self.options.supersampling.is_on(),
             method: self.raster.method(),
@@ -384,6 +394,7 @@ impl Renderer {
             options: &self.options,
             splats: &self.project,
             sort: &self.sort,
+            model: &self.model,
         };
         self.blocks.write(frame, &plan, camera, &sources);
         self.frames_in_flight[frame].begin()?;
@@ -427,7 +438,7 @@ impl Renderer {
     /// Records a schedule. The frame in flight must be recording. `frame`: its index.
     fn record(&mut self, frame: usize, schedule: &Schedule, plan: &FramePlan, damage: &Damage) {
         let stages = StageDispatches {
-            has_sh: self.sh.is_some(),
+            has_sh: !self.sh.is_empty(),
             has_occluder: schedule.runs(Stage::Occluder),
             sort: self.sort.dispatches(true) as u64,
             // Quads have none without the stages before them.
@@ -439,7 +450,7 @@ impl Renderer {
         };
         let counters = Counters {
             damaged: if plan.redraw { damage.pixels() } else { 0 },
-            ..plan.counters(self.model.constants.gaussians, &stages)
+            ..plan.counters(self.model.own().constants.gaussians, &stages)
         };
         let draw = |layer: &Layer, target, damage| Draw {
             target,
@@ -458,7 +469,7 @@ impl Renderer {
         let atlas = plan.atlas.as_ref().zip(whole_atlas.as_ref());
         let executor = Executor {
             mlp: &self.mlp,
-            sh: self.sh.as_ref(),
+            sh: &self.sh,
             occluder: self.occluder.as_ref(),
             project: &self.project,
             sort: &self.sort,
@@ -571,8 +582,8 @@ impl Renderer {
     /// Waits, and copies every stage's output of the last frame to the host.
     pub fn stages(&mut self) -> Result<Stages> {
         self.finish()?;
-        let vectors = block::pose_vectors(&self.model.constants);
-        let pyramid_start = 4 * self.options.instances as u32 * vectors;
+        let layout = PoseLayout::new(&self.model.own().constants, self.options.instances);
+        let pyramid_start = 4 * layout.pyramid();
         let sources = stages::StageSources {
             model: &self.model,
             pose: &self.pose,

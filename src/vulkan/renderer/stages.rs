@@ -44,7 +44,7 @@ pub(super) struct StageSources<'a> {
 impl StageSources<'_> {
     /// Waits, and copies every stage's output of the last frame to the host.
     pub fn download(&self) -> Result<Stages> {
-        let constants = &self.model.constants;
+        let constants = &self.model.own().constants;
         let features = 16 * (constants.parts * constants.feature_quads) as usize;
         let nodes_end = features + 8 * constants.nodes as usize;
         let pyramid = match self.pyramid_start {

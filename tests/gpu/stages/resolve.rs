@@ -205,7 +205,61 @@ fn frames_leave_nothing_behind(raster: Raster) {
     assert_eq!(factors, [1, 1, 0, 0, 2, 0, 1]);
 }
 
+/// As an avatar comes nearer, its levels are drawn as the avatars that they are, and networks run
+/// only for those that they move, also after frames that did without them.
+fn levels_are_drawn_as_avatars(raster: Raster) {
+    let (avatar, camera) = scene(8.0, LARGE);
+    // Up to 120 and 60 px.
+    let avatar = common::with_levels(avatar);
+    let own = [
+        &avatar.at_level(&avatar.levels[0]),
+        &avatar.at_level(&avatar.levels[1]),
+    ];
+    let options = supersampled(raster, &camera, Supersampling::BySize);
+    let mut renderer = Renderer::new(&gpu::gpu(), &avatar, options).unwrap();
+    let mut seen = vec![];
+    for (seed, away, level) in [
+        (1, 28.0, 2),
+        (2, 26.0, 2),
+        (2, 12.0, 1),
+        (3, 11.0, 1),
+        (3, 30.0, 2),
+        (3, 2.0, 0),
+        (4, 2.0, 0),
+        (5, 30.0, 2),
+        (5, 2.0, 0),
+    ] {
+        let posed = posed(&avatar, &camera, seed, DVec3::new(0.2, 0.1, away));
+        renderer.draw(&posed, &camera, None).unwrap();
+        let image = renderer.read_image().unwrap();
+        let drawn = if level == 0 { &avatar } else { own[level - 1] };
+        let factor = if away > 5.0 { 4 } else { 2 };
+        let expected =
+            reference::render_supersampled(drawn, &[&posed], &camera, factor, Filter::SUPERSAMPLED);
+        assert_near(
+            &format!("level {level}, {away} m away"),
+            &image,
+            &expected,
+            44.0,
+        );
+        renderer.finish().unwrap();
+        let counters = renderer.report().counters;
+        let gaussians = counters.gaussians - counters.skipped_by_detail;
+        assert_eq!(gaussians as usize, drawn.gaussians.len());
+        seen.push((level, counters.networks > 0));
+    }
+    let ran: Vec<_> = seen.iter().map(|(_, ran)| *ran).collect();
+    assert_eq!(
+        ran,
+        [false, false, true, true, false, false, true, false, true],
+        "{seen:?}"
+    );
+}
+
 tests! {
+    levels_are_drawn_as_avatars[Quads],
+    levels_are_drawn_as_avatars[Tiles],
+    levels_are_drawn_as_avatars[SharedTiles],
     a_small_avatar_is_its_own_average[Quads],
     a_small_avatar_is_its_own_average[TestedQuads],
     a_small_avatar_is_its_own_average[Tiles],

@@ -1,0 +1,123 @@
+//! Which of an avatar's levels a small image of it is drawn from: the one with the fewest Gaussians
+//! of which it was measured that nothing is lost by it.
+
+use crate::avatar::{Avatar, LevelError};
+
+/// A level is drawn where images of it were measured to be at least this near to the truth, dB.
+const PSNR: f64 = 31.0;
+/// And where its mean colour and coverage were off by no more than this.
+const MEAN_ERROR: f64 = 0.01;
+/// Hysteresis: an avatar that grows keeps its level up to this many times the height that the level
+/// is for.
+const HYSTERESIS: f64 = 1.05;
+
+/// A level, as the choice sees it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LevelChoice {
+    /// Its Gaussians.
+    pub gaussians: usize,
+    /// Whether networks move it.
+    pub correctives: bool,
+    /// At how many samples a pixel along each axis it may be drawn, and up to which height, px.
+    limits: Vec<Limit>,
+}
+
+/// Up to which size a level may be drawn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Limit {
+    samples: u32,
+    height: f64,
+}
+
+impl LevelChoice {
+    /// The levels of an avatar, the finest first.
+    pub fn of(avatar: &Avatar) -> Vec<Self> {
+        let is_near = |error: &&LevelError| {
+            error.psnr_db >= PSNR && error.color <= MEAN_ERROR && error.coverage <= MEAN_ERROR
+        };
+        let limit = |error: &LevelError| Limit {
+            samples: error.samples,
+            height: error.height,
+        };
+        avatar
+            .levels
+            .iter()
+            .map(|level| Self {
+                gaussians: level.gaussians.len(),
+                correctives: level.correctives,
+                limits: level.measured.iter().filter(is_near).map(limit).collect(),
+            })
+            .collect()
+    }
+
+    /// Up to which height an avatar may be drawn from it, px, at so many samples a pixel along each
+    /// axis.
+    fn tallest(&self, samples: u32) -> f64 {
+        self.limits
+            .iter()
+            .filter(|limit| limit.samples <= samples)
+            .map(|limit| limit.height)
+            .fold(0.0, f64::max)
+    }
+}
+
+/// The level to draw an avatar from that is so tall in the image, px, at so many samples a pixel
+/// along each axis; 0 is the avatar itself, then its levels follow, the finest first. `before`: as
+/// the last frame drew it.
+pub fn choose(levels: &[LevelChoice], height: f64, samples: u32, before: usize) -> usize {
+    (1..=levels.len())
+        .rev()
+        .find(|&number| {
+            let keeps = if number <= before { HYSTERESIS } else { 1.0 };
+            height <= keeps * levels[number - 1].tallest(samples)
+        })
+        .unwrap_or(0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn level(gaussians: usize, limits: &[(u32, f64)]) -> LevelChoice {
+        LevelChoice {
+            gaussians,
+            correctives: false,
+            limits: limits
+                .iter()
+                .map(|&(samples, height)| Limit { samples, height })
+                .collect(),
+        }
+    }
+
+    #[test]
+    fn the_coarsest_level_that_was_near_enough_is_drawn() {
+        let levels = [
+            level(400, &[(2, 100.0), (4, 200.0)]),
+            level(100, &[(4, 60.0)]),
+            level(25, &[]),
+        ];
+        let choose = |height, samples| choose(&levels, height, samples, 0);
+        assert_eq!(
+            [10.0, 60.0, 61.0, 200.0, 201.0].map(|height| choose(height, 4)),
+            [2, 2, 1, 1, 0]
+        );
+        assert_eq!(
+            [10.0, 100.0, 150.0].map(|height| choose(height, 2)),
+            [1, 1, 0]
+        );
+        assert_eq!(choose(10.0, 1), 0);
+        assert_eq!(super::choose(&[], 10.0, 4, 0), 0);
+        assert_eq!(choose(f64::NAN, 4), 0);
+    }
+
+    #[test]
+    fn a_level_stays_until_it_is_left_behind() {
+        let levels = [level(400, &[(4, 200.0)]), level(100, &[(4, 60.0)])];
+        let mut before = 0;
+        let walk = [59.0, 62.0, 64.0, 62.0, 205.0, 215.0, 205.0].map(|height| {
+            before = choose(&levels, height, 4, before);
+            before
+        });
+        assert_eq!(walk, [2, 2, 1, 1, 1, 0, 0]);
+    }
+}
