@@ -562,6 +562,7 @@ impl Viewer {
             moving: self.scene.is_moving(),
             stages: &report.stages,
             drawn_gaussians: report.counters.drawn,
+            supersampled: report.counters.supersampled,
             gaussians: self.scene.avatar().gaussians.len(),
             skipped: &report.skipped,
             device: &probe.name,

@@ -8,7 +8,7 @@ use crate::{
     playback::{Playback, Repeat, SPEED},
     ui::icons::{self, Icon},
 };
-use effigy_core::frame::report::STAGES;
+use effigy_core::frame::report::{STAGES, stage_ms};
 use egui::{Align, Color32, Grid, Layout, Pos2, RichText, Sense, Slider, Stroke, Ui, vec2};
 
 /// Width of the panel, points.
@@ -30,6 +30,8 @@ pub struct PanelFacts<'a> {
     pub stages: &'a [(&'static str, f64)],
     /// Gaussians that the last frame drew.
     pub drawn_gaussians: u64,
+    /// Avatars drawn larger than they are shown.
+    pub supersampled: u64,
     /// Gaussians of the avatar.
     pub gaussians: usize,
     /// Stages that the last frame skipped, because their inputs had not changed.
@@ -342,11 +344,7 @@ fn stages(ui: &mut Ui, facts: &PanelFacts) {
         .show(ui, |ui| {
             for name in STAGES {
                 ui.label(name);
-                let ms = facts
-                    .stages
-                    .iter()
-                    .find(|stage| stage.0 == name)
-                    .map(|stage| stage.1);
+                let ms = stage_ms(facts.stages, name);
                 let text = match ms {
                     Some(ms) => format!("{ms:7.2} ms"),
                     None if facts.skipped.contains(&name) => "skipped".into(),
@@ -370,6 +368,9 @@ fn stages(ui: &mut Ui, facts: &PanelFacts) {
         grouped(facts.drawn_gaussians as usize),
         grouped(facts.gaussians)
     ));
+    if facts.supersampled > 0 {
+        ui.label("small: drawn larger, then averaged");
+    }
 }
 
 fn device(ui: &mut Ui, facts: &PanelFacts) {
@@ -445,6 +446,7 @@ mod tests {
             moving: true,
             stages: &[("mlp", 0.5), ("sort", 1.0)],
             drawn_gaussians: 1234,
+            supersampled: 1,
             gaussians: 200_000,
             skipped: &["mlp"],
             device: "a device",

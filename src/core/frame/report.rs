@@ -56,8 +56,22 @@ impl FrameReport {
         }
     }
 
+    /// GPU time of a stage, of all layers, ms. None where it did not run or its time is unknown.
+    pub fn stage_ms(&self, name: &str) -> Option<f64> {
+        stage_ms(&self.stages, name)
+    }
+
     /// Sum over the stages, ms.
     pub fn gpu_ms(&self) -> f64 {
         self.stages.iter().map(|(_, ms)| ms).sum()
     }
+}
+
+/// Time of a stage among [`FrameReport::stages`], of all layers, ms. None where it is not there.
+pub fn stage_ms(stages: &[(&'static str, f64)], name: &str) -> Option<f64> {
+    stages
+        .iter()
+        .filter(|stage| stage.0 == name)
+        .map(|stage| stage.1)
+        .reduce(|sum, ms| sum + ms)
 }

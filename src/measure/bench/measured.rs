@@ -241,10 +241,9 @@ fn stages(reports: &[FrameReport], work: &[StageWork]) -> Vec<StageReport> {
 
 fn stage_report(stage: Stage, reports: &[FrameReport], work: &[StageWork]) -> Option<StageReport> {
     let name = stage.name();
-    let timed = reports.iter().flat_map(|report| &report.stages);
-    let times: Vec<f64> = timed
-        .filter(|stage| stage.0 == name)
-        .map(|stage| stage.1)
+    let times: Vec<f64> = reports
+        .iter()
+        .filter_map(|report| report.stage_ms(name))
         .collect();
     let work = work.iter().find(|work| work.stage == stage).copied();
     if work.is_none() && times.is_empty() {

@@ -4,7 +4,7 @@
 
 use super::{clip_bytes, tiny};
 use effigy_core::{
-    avatar::{Avatar, Clip},
+    avatar::{Avatar, Clip, Filter},
     io::pack::PackQuality,
 };
 use std::path::{Path, PathBuf};
@@ -40,6 +40,34 @@ fn avatars_of_version_2_are_read() {
     }
 }
 
+fn avatars_of_version_3_are_read() {
+    let filtered = |quality| {
+        let avatar = Avatar {
+            filter: Filter {
+                variance: 0.1,
+                compensated: true,
+            },
+            ..tiny()
+        };
+        match quality {
+            Some(quality) => avatar.packed(quality),
+            None => avatar,
+        }
+    };
+    for (name, quality) in [
+        ("3.avatar", None),
+        ("3-small.avatar", Some(PackQuality::Small)),
+    ] {
+        let avatar = filtered(quality);
+        let write = || match quality {
+            Some(_) => avatar.to_packed_bytes().unwrap(),
+            None => avatar.to_bytes().unwrap(),
+        };
+        let read = Avatar::from_bytes(&bytes(name, write)).unwrap();
+        assert_eq!(read, avatar, "{name}");
+    }
+}
+
 fn motion_of_version_1_is_read() {
     let read = Clip::from_bytes(&bytes("1.motion", clip_bytes)).unwrap();
     assert_eq!(read, Clip::from_bytes(&clip_bytes()).unwrap());
@@ -48,5 +76,6 @@ fn motion_of_version_1_is_read() {
 tests! {
     avatars_of_version_1_are_read,
     avatars_of_version_2_are_read,
+    avatars_of_version_3_are_read,
     motion_of_version_1_is_read,
 }

@@ -5,7 +5,9 @@ use super::coding::{self, Coded, LogScaleCodes};
 use super::deflate::Order;
 use super::document::{Document, TensorRow};
 use super::error::{FormatError, excerpt};
-use super::format::{AVATAR, AVATAR_FORMAT, MOTION, MOTION_FORMAT, VERSION, VERSION_PACKED};
+use super::format::{
+    AVATAR, AVATAR_FORMAT, MOTION, MOTION_FORMAT, VERSION, VERSION_FILTER, VERSION_PACKED,
+};
 use super::header::{AvatarHeader, ClipHeader};
 use super::tensors::Tensors;
 use crate::avatar::{Avatar, Clip, Filter, Nodes, Parts, Subspace, limits};
@@ -76,21 +78,41 @@ impl AvatarHeader {
     /// The document of an avatar stored in the fewest bits that hold it exactly.
     pub fn packed(avatar: &Avatar) -> Self {
         let (coded, log_scales) = coding::exact_codes(avatar);
+        let plain = Self::from_model(avatar);
         Self {
-            version: VERSION_PACKED,
+            version: plain.version.max(VERSION_PACKED),
             coded,
             log_scales,
-            ..Self::from_model(avatar)
+            ..plain
         }
+    }
+
+    fn check_filter(&self) -> Result<(), FormatError> {
+        let Some(filter) = self.filter else {
+            return Ok(());
+        };
+        ensure(
+            self.version >= VERSION_FILTER,
+            "version",
+            self.version,
+            format_args!("{VERSION_FILTER}, as there is a filter"),
+        )?;
+        let [least, most] = [Filter::VARIANCES.start(), Filter::VARIANCES.end()];
+        ensure(
+            filter.is_valid(),
+            "filter",
+            format_args!("a variance of {} px²", filter.variance),
+            format_args!("one from {least} to {most} px²"),
+        )
     }
 
     fn check_codes(&self) -> Result<(), FormatError> {
         let plain = self.coded.is_empty() && self.log_scales.is_none() && self.deflated.is_empty();
         ensure(
-            plain || self.version == VERSION_PACKED,
+            plain || self.version >= VERSION_PACKED,
             "version",
             self.version,
-            format_args!("{VERSION_PACKED}, as there are codes"),
+            format_args!("{VERSION_PACKED} or {VERSION_FILTER}, as there are codes"),
         )?;
         let Some(LogScaleCodes { min, step, bits }) = self.log_scales else {
             return Ok(());
@@ -143,6 +165,7 @@ impl AvatarHeader {
     /// Checks what drawing relies on. An avatar without networks, like an import, needs no basis,
     /// which files require.
     pub fn check_drawn(&self) -> Result<(), FormatError> {
+        self.check_filter()?;
         self.check_counts()?;
         self.check_skeleton()?;
         if self.layers() == 0 && self.basis == 0 {
@@ -240,19 +263,20 @@ impl AvatarHeader {
 impl Document for AvatarHeader {
     type Model = Avatar;
     const FORMAT: &'static str = AVATAR_FORMAT;
-    const VERSIONS: [u64; 2] = [VERSION, VERSION_PACKED];
+    const VERSIONS: [u64; 2] = [VERSION, VERSION_FILTER];
     const TENSORS: &'static [TensorRow<Self, Avatar>] = AVATAR;
 
     fn from_model(avatar: &Avatar) -> Self {
         let bounds = avatar.gaussians.bounds;
         let components = |space: &Option<Subspace>| space.as_ref().map(|space| space.sigma.len());
         let coded: Vec<Coded> = coding::matrices(avatar).collect();
+        let filter = (avatar.filter != Filter::DEFAULT).then_some(avatar.filter);
         Self {
             format: AVATAR_FORMAT.into(),
-            version: if coded.is_empty() {
-                VERSION
-            } else {
-                VERSION_PACKED
+            version: match (filter, coded.is_empty()) {
+                (Some(_), _) => VERSION_FILTER,
+                (None, false) => VERSION_PACKED,
+                (None, true) => VERSION,
             },
             name: avatar.name.clone(),
             credit: avatar.credit.clone(),
@@ -279,6 +303,7 @@ impl Document for AvatarHeader {
             coded,
             log_scales: None,
             deflated: BTreeMap::new(),
+            filter,
         }
     }
 
@@ -287,7 +312,7 @@ impl Document for AvatarHeader {
     }
 
     fn set_deflated(&mut self, deflated: BTreeMap<String, Order>) {
-        self.version = VERSION_PACKED;
+        self.version = self.version.max(VERSION_PACKED);
         self.deflated = deflated;
     }
 
@@ -296,6 +321,7 @@ impl Document for AvatarHeader {
         word("up", &self.up, UP)?;
         word("color_space", &self.color_space, COLOR_SPACE)?;
         self.check_codes()?;
+        self.check_filter()?;
         self.check_counts()?;
         self.check_basis()?;
         self.check_skeleton()?;
@@ -323,7 +349,7 @@ impl Document for AvatarHeader {
             },
             inputs: self.inputs(tensors),
             sh: None,
-            filter: Filter::DEFAULT,
+            filter: self.filter.unwrap_or_default(),
             levels: vec![],
             name: self.name,
             credit: self.credit,
