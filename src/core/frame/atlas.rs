@@ -13,7 +13,7 @@ const ALIGNMENT: u32 = 16;
 /// Longest side of an atlas, px: the least that a Vulkan device may have.
 const LONGEST: u32 = 4096;
 /// Pixels that an atlas may have where the image has fewer.
-const LEAST_PIXELS: u64 = 1 << 20;
+const LEAST_PIXELS: u64 = 1 << 22;
 
 /// An avatar in view.
 #[derive(Clone, Copy, Debug)]
@@ -293,4 +293,157 @@ fn pack(groups: &[Group], count: usize, size: [u32; 2]) -> Option<Arrangement> {
     }
     arrangement.size = used.into();
     (used.y <= LONGEST).then_some(arrangement)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::IVec2;
+
+    const SIZE: [u32; 2] = [1000, 800];
+
+    /// An avatar of 50 × 100 px at a place, a metre deep.
+    fn seen(x: i32, y: i32, depth: f64, factor: u32) -> Seen {
+        let min = IVec2::new(x, y);
+        Seen {
+            around: Some(PlaneRect {
+                min,
+                max: min + IVec2::new(50, 100),
+            }),
+            depth: [depth, depth + 1.0],
+            factor,
+        }
+    }
+
+    /// A large one in the middle of the image.
+    fn large(depth: f64) -> Seen {
+        Seen {
+            around: Some(PlaneRect {
+                min: IVec2::new(300, 0),
+                max: IVec2::new(700, 800),
+            }),
+            ..seen(0, 0, depth, 1)
+        }
+    }
+
+    fn slots(seen: &[Seen]) -> Vec<Option<usize>> {
+        arrange(seen, SIZE).slot_of
+    }
+
+    #[test]
+    fn avatars_that_may_pass_through_each_other_share_a_slot() {
+        // The third stands behind the first two, the fourth apart.
+        let all = [
+            seen(10, 10, 5.0, 4),
+            seen(40, 30, 5.5, 2),
+            seen(20, 10, 9.0, 4),
+            seen(500, 10, 5.0, 4),
+        ];
+        let arranged = arrange(&all, SIZE);
+        let [a, b, c, d] = arranged.slot_of[..] else {
+            panic!("four avatars")
+        };
+        assert!(a == b && a != c && c != d && a != d && arranged.slots.len() == 3);
+        let shared = arranged.slots[a.expect("in a slot")];
+        assert_eq!(shared.factor, 2);
+        assert_eq!(shared.around.sides(), UVec2::new(80, 120));
+        // Over what the image holds the furthest comes first.
+        assert!(c < a);
+    }
+
+    #[test]
+    fn slots_do_not_overlap_and_hold_what_they_show() {
+        let all: Vec<Seen> = (0..64)
+            .map(|k| {
+                seen(
+                    90 * (k % 11) - 20,
+                    110 * (k / 11) - 30,
+                    5.0 + f64::from(k),
+                    4,
+                )
+            })
+            .collect();
+        let arranged = arrange(&all, SIZE);
+        assert_eq!(arranged.slots.len(), 64);
+        for (at, slot) in arranged.slots.iter().enumerate() {
+            let rect = slot.rect();
+            assert!(rect.max.cmple(UVec2::from(arranged.size)).all());
+            assert!((rect.min % ALIGNMENT).cmpeq(UVec2::ZERO).all());
+            for other in &arranged.slots[..at] {
+                let other = other.rect();
+                let apart = rect.min.cmpge(other.max).any() || other.min.cmpge(rect.max).any();
+                assert!(apart, "{rect:?} and {other:?}");
+            }
+            assert!(slot.shown(SIZE).max.cmple(UVec2::from(SIZE)).all());
+        }
+    }
+
+    #[test]
+    fn small_avatars_are_before_or_behind_large_ones() {
+        let before = arrange(&[large(5.0), seen(400, 100, 2.0, 4)], SIZE);
+        assert!(before.slot_of == [None, Some(0)] && !before.slots[0].behind);
+        let behind = arrange(&[seen(400, 100, 9.0, 4), large(5.0)], SIZE);
+        assert!(behind.slot_of == [Some(0), None] && behind.slots[0].behind);
+        // Inside the large one, between two of them, and beside one at its depth.
+        assert_eq!(slots(&[large(5.0), seen(400, 100, 5.5, 4)]), [None, None]);
+        let between = [large(5.0), seen(400, 100, 7.0, 4), large(9.0)];
+        assert_eq!(slots(&between), [None, None, None]);
+        assert_eq!(slots(&[large(5.0), seen(0, 100, 5.5, 4)]), [None, Some(0)]);
+    }
+
+    #[test]
+    fn what_is_behind_comes_before_what_is_before() {
+        let all = [
+            large(5.0),
+            seen(400, 100, 1.0, 4),
+            seen(420, 100, 2.5, 4),
+            seen(400, 100, 20.0, 4),
+            seen(420, 100, 10.0, 4),
+        ];
+        // Behind the image the nearest comes first, over it the furthest.
+        assert_eq!(slots(&all), [None, Some(3), Some(2), Some(1), Some(0)]);
+    }
+
+    #[test]
+    fn what_does_not_fit_is_drawn_less_large() {
+        let wide = Seen {
+            around: Some(PlaneRect {
+                min: IVec2::new(0, 0),
+                max: IVec2::new(1000, 100),
+            }),
+            ..seen(0, 0, 5.0, 4)
+        };
+        let factors = |count: usize| {
+            let all: Vec<Seen> = (0..count)
+                .map(|k| Seen {
+                    depth: [k as f64, k as f64 + 0.5],
+                    ..wide
+                })
+                .collect();
+            let arranged = arrange(&all, SIZE);
+            arranged.slots.first().map(|slot| slot.factor)
+        };
+        assert_eq!(
+            [0, 1, 2, 3, 9, 12].map(factors),
+            [None, Some(4), Some(4), Some(2), Some(2), None]
+        );
+        let unbounded = Seen {
+            around: None,
+            ..wide
+        };
+        assert_eq!(slots(&[unbounded]), [None]);
+    }
+
+    #[test]
+    fn a_slots_camera_sees_its_part_of_the_plane() {
+        let camera = Camera::orbit(glam::DVec3::ZERO, 0.3, 0.1, 4.0, 0.7, SIZE);
+        let arranged = arrange(&[seen(100, 40, 5.0, 4), seen(600, 40, 5.0, 2)], SIZE);
+        for slot in &arranged.slots {
+            let own = slot.camera(&camera, arranged.size);
+            let p = glam::DVec3::new(0.3, -0.2, 3.0);
+            let in_image = camera.project(p) - slot.around.min.as_dvec2();
+            let in_slot = own.project(p) - slot.at.as_dvec2();
+            assert!((in_slot - f64::from(slot.factor) * in_image).length() < 1e-9);
+        }
+    }
 }
