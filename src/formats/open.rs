@@ -5,6 +5,8 @@ pub use crate::read::{CaptureOptions, ClipOptions, OpenOptions, OpenedClip};
 use crate::{
     capture::Captured,
     content::Content,
+    mmlphuman::{self, Checkpoint},
+    pickle::Pickle,
     read::{self, Source},
     retarget::Girth,
     splats::{Folder, Found},
@@ -42,6 +44,27 @@ fn read_file<T>(
 /// Whether a file is the paper's model.
 pub fn is_foreign(path: &Path) -> bool {
     content(path) == Content::Model
+}
+
+/// Whether a file is a training checkpoint of mmlphuman.
+pub fn is_checkpoint(path: &Path) -> bool {
+    content(path) == Content::Checkpoint
+}
+
+/// Reads a training checkpoint of mmlphuman and hands it over. Its networks stay in the file, which
+/// is mapped that long.
+///
+/// # Errors
+/// When the file cannot be opened, is none, or breaks a rule.
+pub fn checkpoint<T>(
+    path: &Path,
+    options: &mmlphuman::Options,
+    then: impl FnOnce(Checkpoint) -> T,
+) -> Result<T, FileError> {
+    read_with(path, |bytes| {
+        let pickle = Pickle::from_bytes(bytes)?;
+        Ok(then(Checkpoint::new(&pickle, options)?))
+    })
 }
 
 /// Whether a file consists of splats: by its content, or by its name where that tells nothing.
