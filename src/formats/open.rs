@@ -13,7 +13,7 @@ use crate::{
     webavatar::Imported,
 };
 use effigy_core::{
-    avatar::{Avatar, Clip},
+    avatar::{Avatar, Clip, Skeleton},
     io::{
         file::{FileError, FormatError, read_with},
         splats::Up,
@@ -131,6 +131,20 @@ pub fn clip(path: &Path, avatar: &Avatar, options: &ClipOptions) -> Result<Opene
     let girth = || Girth::of(avatar);
     read_file(path, |source| {
         read::clip(source, &avatar.skeleton, girth, options)
+    })
+}
+
+/// Reads a clip for a skeleton alone: motion of another body may push arms into the trunk.
+///
+/// # Errors
+/// As [`clip`].
+pub fn clip_of(
+    path: &Path,
+    skeleton: &Skeleton,
+    options: &ClipOptions,
+) -> Result<OpenedClip, FileError> {
+    read_file(path, |source| {
+        read::clip(source, skeleton, || None, options)
     })
 }
 

@@ -108,7 +108,7 @@ pub fn avatar(source: Source, options: &OpenOptions) -> Result<Imported, FormatE
 fn checkpoint_as_avatar() -> FormatError {
     FormatError::container(
         "a training checkpoint of mmlphuman",
-        "an avatar, as `effigy import` makes one of it in minutes",
+        "an avatar, such as one that was distilled from it",
     )
 }
 

@@ -150,6 +150,7 @@ const LAYERS: &[Layers] = &[
             "train",
             "prune",
             "fit",
+            "distil",
             "analyse",
         ],
     },

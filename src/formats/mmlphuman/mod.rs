@@ -7,11 +7,11 @@
 //! nearest. `effigy_learn::distil` fits an avatar to it.
 //!
 //! Shapes with N Gaussians, K anchors, S nodes, J joints, B and C basis functions of Gaussians and
-//! of nodes; floats of any width, integers of any width:
+//! of nodes; floats and integers of any width. Positions are those of the canonical pose:
 //!
 //! | entry | shape | what it is |
 //! |---|---|---|
-//! | `_xyz`, `xyz_offset` | N, 3 | position = `_xyz` + reach · tanh(`xyz_offset`), canonical pose, metres |
+//! | `_xyz`, `xyz_offset` | N, 3 | `_xyz` + reach · tanh(`xyz_offset`) is the position, metres |
 //! | `_rotation` | N, 4 | quaternion w x y z of any length |
 //! | `_scaling` | N, 3 | natural logarithm of the standard deviations, metres |
 //! | `_opacity` | N | before the sigmoid |
@@ -23,8 +23,8 @@
 //! | `nbr_gsft`, `nbr_gsft_wght` | N, 3 | anchors of each Gaussian, and their weights |
 //! | `nbr_vtft`, `nbr_vtft_wght` | S, 3 | anchors of each node, and their weights |
 //! | `nbr_gs`, `nbr_gs_invdist` | N, 3 | nodes of each Gaussian, and 1 / distance |
-//! | `xyz_vt`, `dxyz_vt` | S, 3 | nodes in the canonical pose, and their static displacement, metres |
-//! | `encoder_feat_params` | | `layers.L.weight` K, out, in and `layers.L.bias` K, out for L = 0, 2, … |
+//! | `xyz_vt`, `dxyz_vt` | S, 3 | nodes, and their static displacement, metres |
+//! | `encoder_feat_params` | | `layers.L.weight` K, out, in; `layers.L.bias` K, out; L = 0, 2, … |
 //! | `rotation_bs`, `scaling_bs`, `opacity_bs` | N, B, 4; N, B, 3; N, B | bases of the attributes |
 //! | `sh0_bs`, `shN_bs` | N, B, 1, 3; N, B, 3, 3 | bases of the harmonics |
 //! | `dxyz_bs` | S, C, 3 | bases of the nodes' displacements, metres |

@@ -121,7 +121,8 @@ impl<'p> Checkpoint<'p> {
             return Err(tensor("layers.0.weight", networks.count, expected));
         }
         check_memory(fields, &networks)?;
-        let (basis, node_basis) = basis_lengths(fields, &networks, count, node_count)?;
+        let BasisLengths { basis, node_basis } =
+            basis_lengths(fields, &networks, count, node_count)?;
         let degree = fields.get("sh_degree")?.number().unwrap_or_default();
         let harmonic = degree >= 1.0;
         let tree = read_skeleton(fields, options)?;
@@ -220,13 +221,19 @@ fn check_memory(fields: Fields, networks: &NetworkSource) -> Result<(), FormatEr
     Ok(())
 }
 
+/// Basis functions of Gaussians and of nodes.
+struct BasisLengths {
+    basis: usize,
+    node_basis: usize,
+}
+
 /// B and C: from the shapes of the bases, which must be the networks' outputs together.
 fn basis_lengths(
     fields: Fields,
     networks: &NetworkSource,
     count: usize,
     nodes: usize,
-) -> Result<(usize, usize), FormatError> {
+) -> Result<BasisLengths, FormatError> {
     let basis = fields.shape("rotation_bs", &[Some(count), None, Some(4)])?[1];
     let node_basis = fields.shape("dxyz_bs", &[Some(nodes), None, Some(3)])?[1];
     let output = networks.widths.last().copied().unwrap_or_default();
@@ -244,7 +251,7 @@ fn basis_lengths(
             format!("{basis}, as rotation_bs has"),
         ));
     }
-    Ok((basis, node_basis))
+    Ok(BasisLengths { basis, node_basis })
 }
 
 fn read_gaussians(

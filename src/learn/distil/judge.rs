@@ -31,8 +31,7 @@ pub struct Difference {
     pub poses: usize,
     /// Metres.
     pub position: f64,
-    /// Of all Gaussians' axes, where their lengths differ enough to have a direction: metres that
-    /// the ends of the three axes are off, one standard deviation out.
+    /// Of the ends of the Gaussians' axes, one standard deviation out: metres.
     pub axes: f64,
     /// Of the natural logarithm of the standard deviations.
     pub log_scale: f64,
@@ -43,7 +42,9 @@ pub struct Difference {
     /// Images of all that the teacher has, harmonics of degree 1 and opacity that follows the pose
     /// included: mean PSNR within the body's box, dB. None where no image shows the body.
     pub psnr_db: Option<f64>,
-    /// The same of the avatar without what it learned.
+    /// The same where the teacher is drawn without harmonics of degree 1.
+    pub diffuse_db: Option<f64>,
+    /// As `psnr_db`, of the avatar without what it learned.
     pub neutral_db: Option<f64>,
 }
 
@@ -129,12 +130,18 @@ impl Judge<'_, '_, '_> {
             self.add(&look, &self.samples.poses[pose], &mut sums);
         }
         let mut psnr = Vec::new();
+        let mut diffuse = Vec::new();
         let mut neutral = Vec::new();
         for (at, &pose) in evenly_spaced(poses, IMAGES).iter().enumerate() {
             let look = self.teacher.look(self.features, 2 * pose);
             let pose = &self.samples.poses[pose];
             psnr.extend(self.image(&look, pose, YAWS[at % IMAGES], self.avatar));
             neutral.extend(self.image(&look, pose, YAWS[at % IMAGES], self.neutral));
+            let look = Look {
+                harmonics: vec![],
+                ..look
+            };
+            diffuse.extend(self.image(&look, pose, YAWS[at % IMAGES], self.avatar));
         }
         let root = |sum: f64| (sum / sums.count.max(1.0)).sqrt();
         let mean =
@@ -147,6 +154,7 @@ impl Judge<'_, '_, '_> {
             color: root(sums.color / 3.0),
             opacity: root(sums.opacity),
             psnr_db: mean(&psnr),
+            diffuse_db: mean(&diffuse),
             neutral_db: mean(&neutral),
         }
     }
@@ -200,8 +208,8 @@ impl Judge<'_, '_, '_> {
     }
 }
 
-/// Squared metres that the ends of the axes of two Gaussians are apart, summed over the axes: of the
-/// same index, in either direction.
+/// Squared metres that the ends of the axes of two Gaussians are apart, summed over the axes. Those
+/// of one index are compared, in either direction.
 fn axes_off(rotation: [DQuat; 2], log_scale: [DVec3; 2]) -> f64 {
     let axes =
         |at: usize| DMat3::from_quat(rotation[at]) * DMat3::from_diagonal(log_scale[at].exp());

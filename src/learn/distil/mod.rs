@@ -25,7 +25,7 @@ mod students;
 mod teacher;
 
 pub use body::Body;
-pub use judge::Likeness;
+pub use judge::{Difference, Likeness};
 pub use samples::SampleOptions;
 pub use students::{DistilOptions, Distilled, distil};
 pub use teacher::{AnchorFeatures, Look, Teacher};

@@ -1,10 +1,10 @@
 //! The best features of a part, and the best bases for features that a network gives: as
 //! [`crate::train::basis`] has them for a dataset's numbers, from covariances alone.
 //!
-//! Let Δ be the anchors' features less their means (m numbers a row), C the columns' linear map, Σ =
-//! mean ΔΔᵀ, Q = CᵀC. The columns x = C Δ have principal components v with C Σ Cᵀ v = λ v; g = Cᵀ v
-//! solves Q Σ g = λ g. With Σ = L Lᵀ that is the symmetric problem LᵀQL h = λ h, g = Q L h / √λ, and
-//! gᵀΔ is how far x lies along v.
+//! Let Δ be the anchors' features less their means (m numbers a row), C the columns' linear map,
+//! Σ = mean ΔΔᵀ, Q = CᵀC. The columns x = C Δ have principal components v with C Σ Cᵀ v = λ v; g = Cᵀ v
+//! solves Q Σ g = λ g. With Σ = L Lᵀ that is the symmetric problem LᵀQL h = λ h, g = Q L h / √λ,
+//! and gᵀΔ is how far x lies along v.
 //!
 //! For given features e of mean 0 and covariance E, the best basis is C T, T = mean(Δ eᵀ) E⁻¹.
 

@@ -237,8 +237,8 @@ fn orthonormalise(columns: &mut [f64], n: usize, width: usize) {
     }
 }
 
-/// L of order n, 0 above its diagonal, with L Lᵀ = a symmetric positive matrix. Pivots below `floor`
-/// count as `floor`.
+/// L of order n, 0 above its diagonal, with L Lᵀ = a symmetric positive matrix. Pivots below
+/// `floor` count as `floor`.
 pub fn cholesky(matrix: &[f64], n: usize, floor: f64) -> Vec<f64> {
     let mut l = vec![0.0; n * n];
     for i in 0..n {
