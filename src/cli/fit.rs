@@ -17,7 +17,7 @@ use std::{
 };
 
 /// Fewest frames that a fit is made from.
-const MIN_FRAMES: usize = 8;
+pub const MIN_FRAMES: usize = 8;
 
 /// Arguments of both commands.
 #[derive(clap::Args, Debug)]

@@ -1,7 +1,7 @@
 //! `effigy import`: makes an avatar file, and motion files, from those of another program.
 
 use crate::{
-    files,
+    distil, files,
     options::{self, FilterArgs},
     progress,
     source::{self, CaptureArgs, print_assumptions},
@@ -10,6 +10,7 @@ use anyhow::{Context, ensure};
 use clap::ValueEnum;
 use effigy_core::avatar::{Activation, Avatar, Clip};
 use effigy_formats::{
+    mmlphuman,
     open::{self, ClipOptions, OpenOptions},
     webavatar::{self, ColorCode},
 };
@@ -21,7 +22,7 @@ const POSE_COMPONENTS: usize = 20;
 
 #[derive(clap::Args, Debug)]
 pub struct Args {
-    /// The paper's model, a .npz file, or motion of any body: .bvh, .fbx, glTF, VRM, SMPL's
+    /// The paper's model, a .npz file, mmlphuman's checkpoint, a .pth file, or motion of any body: .bvh, .fbx, glTF, VRM, SMPL's
     /// parameters, the paper's _poses.json
     file: PathBuf,
     /// Avatar or motion file to write
@@ -51,21 +52,22 @@ pub struct Args {
     /// motion capture [default: its own, at most 60]
     #[arg(long, value_name = "N", value_parser = options::rate)]
     fps: Option<f64>,
-    /// Nonlinearity of the networks' hidden layers
-    #[arg(long, value_enum, default_value_t)]
-    activation: ActivationArg,
+    /// Nonlinearity of the networks' hidden layers [default: leaky; of mmlphuman relu]
+    #[arg(long, value_enum)]
+    activation: Option<ActivationArg>,
     /// What the file's colours count in
     #[arg(long, value_enum, default_value_t)]
     color_code: ColorArg,
     #[command(flatten)]
     filter: FilterArgs,
+    #[command(flatten)]
+    distil: distil::DistilArgs,
 }
 
 /// [`Activation`] as an argument.
-#[derive(Clone, Copy, Debug, Default, ValueEnum)]
+#[derive(Clone, Copy, Debug, ValueEnum)]
 enum ActivationArg {
     /// max(0.01 x, x)
-    #[default]
     Leaky,
     /// max(0, x)
     Relu,
@@ -131,6 +133,12 @@ fn check(args: &Args, is_motion: bool) -> anyhow::Result<()> {
         args.out.display(),
         args.file.display()
     );
+    ensure!(
+        !args.distil.is_given() || open::is_checkpoint(&args.file),
+        "--samples, --epochs, --basis, --keep, --rows, --seed, --reach and --hips are for \
+         mmlphuman's checkpoint: {} is none",
+        args.file.display()
+    );
     if is_motion {
         ensure!(
             args.trained.is_empty() && args.poses.is_none() && args.filter.filter().is_none(),
@@ -159,9 +167,43 @@ pub fn run(args: Args) -> anyhow::Result<()> {
         let avatar = source::avatar_to_move(args.avatar.as_deref())?;
         return convert_clip(&args, &args.file, &avatar, &args.out);
     }
+    let avatar = &mut if open::is_checkpoint(&args.file) {
+        distilled(&args)?
+    } else {
+        imported(&args)?
+    };
+    args.filter.apply(avatar);
+    if let (Some(poses), Some(out)) = (&args.poses, &args.motion_out) {
+        convert_clip(&args, poses, avatar, out)?;
+    }
+    avatar.write(&args.out)?;
+    println!("{}: {}", args.out.display(), files::describe(avatar));
+    Ok(())
+}
+
+/// Distils the avatar of a checkpoint.
+fn distilled(args: &Args) -> anyhow::Result<Avatar> {
+    let plain = mmlphuman::Options::default();
+    let options = args.distil.file_options(mmlphuman::Options {
+        activation: args.activation.map_or(plain.activation, Into::into),
+        color: args.color_code.into(),
+        ..plain
+    });
+    let job = distil::Job {
+        file: &args.file,
+        trained: &args.trained,
+        clips: &args.clip_options()?,
+        options,
+    };
+    distil::run(&args.distil, &job)
+}
+
+/// Reads the paper's model, or another avatar.
+fn imported(args: &Args) -> anyhow::Result<Avatar> {
+    let plain = webavatar::Options::default();
     let options = OpenOptions {
         webavatar: webavatar::Options {
-            activation: args.activation.into(),
+            activation: args.activation.map_or(plain.activation, Into::into),
             color: args.color_code.into(),
         },
         ..OpenOptions::default()
@@ -171,17 +213,10 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     let mut imported = open::avatar(&args.file, &options)?;
     bar.finish_and_clear();
     print_assumptions(&args.file, &imported.assumptions);
-    let avatar = &mut imported.avatar;
-    args.filter.apply(avatar);
     if !args.trained.is_empty() {
-        project_onto(avatar, &args.trained, &args.clip_options()?)?;
+        project_onto(&mut imported.avatar, &args.trained, &args.clip_options()?)?;
     }
-    if let (Some(poses), Some(out)) = (&args.poses, &args.motion_out) {
-        convert_clip(&args, poses, avatar, out)?;
-    }
-    avatar.write(&args.out)?;
-    println!("{}: {}", args.out.display(), files::describe(avatar));
-    Ok(())
+    Ok(imported.avatar)
 }
 
 /// Gives an avatar the principal components of these poses.

@@ -21,6 +21,7 @@ mod compare;
 mod convert;
 mod dataset;
 mod devices;
+mod distil;
 mod evaluate;
 mod export;
 mod export_ply;

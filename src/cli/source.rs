@@ -1,7 +1,10 @@
 //! Where a command's avatar and clips come from: files that the user names, else the demo inside
 //! the program.
 
-use crate::options::named;
+use crate::{
+    advice::{Advised, DISTIL},
+    options::named,
+};
 use anyhow::{Context, ensure};
 use effigy_core::{
     avatar::{Avatar, Clip, Pose, motion::Player},
@@ -132,6 +135,10 @@ impl Source {
             "--up is for splats only: an avatar file says which axis points up"
         );
         let mut avatar = match &self.avatar {
+            Some(path) if open::is_checkpoint(path) => {
+                let fact = format!("{} is a training checkpoint of mmlphuman", path.display());
+                return Err(Advised::new(fact, DISTIL).into());
+            }
             Some(path) if !open::is_motion(path) => {
                 let options = OpenOptions {
                     up: self.up,

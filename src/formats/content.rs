@@ -1,7 +1,7 @@
 //! What a file is, told by its content.
 
 use crate::{
-    bvh, npz, pickle,
+    bvh, mmlphuman, npz, pickle,
     splats::{self, SplatFormat},
     webavatar,
 };
@@ -14,6 +14,8 @@ pub enum Content {
     Splats(SplatFormat),
     /// The paper's model.
     Model,
+    /// The training checkpoint of mmlphuman, from which an avatar is distilled.
+    Checkpoint,
     /// The paper's poses.
     Poses,
     /// Motion of any body.
@@ -73,6 +75,8 @@ impl Content {
             Self::Splats(SplatFormat::Sog)
         } else if npz::lists(Cursor::new(bytes), webavatar::POSITIONS) {
             Self::Model
+        } else if mmlphuman::is_checkpoint(bytes) {
+            Self::Checkpoint
         } else {
             Self::Capture(CaptureFormat::Smpl)
         }
@@ -90,6 +94,7 @@ impl Content {
                 SplatFormat::Glb | SplatFormat::Gltf => "splats, glTF",
             },
             Self::Model => "the paper's model",
+            Self::Checkpoint => "mmlphuman's checkpoint",
             Self::Poses => "the paper's poses",
             Self::Capture(CaptureFormat::Bvh) => "motion, BVH",
             Self::Capture(CaptureFormat::Gltf) => "motion, glTF",

@@ -14,6 +14,7 @@ mod fault;
 pub mod fbx;
 pub mod gltf_motion;
 mod guess;
+pub mod mmlphuman;
 pub mod npz;
 pub mod open;
 pub mod pickle;

@@ -5,13 +5,15 @@ pub use crate::read::{CaptureOptions, ClipOptions, OpenOptions, OpenedClip};
 use crate::{
     capture::Captured,
     content::Content,
+    mmlphuman::{self, Checkpoint},
+    pickle::Pickle,
     read::{self, Source},
     retarget::Girth,
     splats::{Folder, Found},
     webavatar::Imported,
 };
 use effigy_core::{
-    avatar::{Avatar, Clip},
+    avatar::{Avatar, Clip, Skeleton},
     io::{
         file::{FileError, FormatError, read_with},
         splats::Up,
@@ -42,6 +44,27 @@ fn read_file<T>(
 /// Whether a file is the paper's model.
 pub fn is_foreign(path: &Path) -> bool {
     content(path) == Content::Model
+}
+
+/// Whether a file is a training checkpoint of mmlphuman.
+pub fn is_checkpoint(path: &Path) -> bool {
+    content(path) == Content::Checkpoint
+}
+
+/// Reads a training checkpoint of mmlphuman and hands it over. Its networks stay in the file, which
+/// is mapped that long.
+///
+/// # Errors
+/// When the file cannot be opened, is none, or breaks a rule.
+pub fn checkpoint<T>(
+    path: &Path,
+    options: &mmlphuman::Options,
+    then: impl FnOnce(Checkpoint) -> T,
+) -> Result<T, FileError> {
+    read_with(path, |bytes| {
+        let pickle = Pickle::from_bytes(bytes)?;
+        Ok(then(Checkpoint::new(&pickle, options)?))
+    })
 }
 
 /// Whether a file consists of splats: by its content, or by its name where that tells nothing.
@@ -108,6 +131,20 @@ pub fn clip(path: &Path, avatar: &Avatar, options: &ClipOptions) -> Result<Opene
     let girth = || Girth::of(avatar);
     read_file(path, |source| {
         read::clip(source, &avatar.skeleton, girth, options)
+    })
+}
+
+/// Reads a clip for a skeleton alone: motion of another body may push arms into the trunk.
+///
+/// # Errors
+/// As [`clip`].
+pub fn clip_of(
+    path: &Path,
+    skeleton: &Skeleton,
+    options: &ClipOptions,
+) -> Result<OpenedClip, FileError> {
+    read_file(path, |source| {
+        read::clip(source, skeleton, || None, options)
     })
 }
 

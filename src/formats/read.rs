@@ -92,6 +92,7 @@ pub fn avatar(source: Source, options: &OpenOptions) -> Result<Imported, FormatE
             })
         }
         Content::Model => webavatar::from_bytes(source.bytes, &name, &options.webavatar),
+        Content::Checkpoint => Err(checkpoint_as_avatar()),
         Content::Poses | Content::Capture(_) => {
             let expected = "an avatar or splats; motion goes with --motion";
             Err(FormatError::container("motion", expected))
@@ -101,6 +102,14 @@ pub fn avatar(source: Source, options: &OpenOptions) -> Result<Imported, FormatE
             assumptions: vec![],
         }),
     }
+}
+
+/// The error of a checkpoint where an avatar is drawn.
+fn checkpoint_as_avatar() -> FormatError {
+    FormatError::container(
+        "a training checkpoint of mmlphuman",
+        "an avatar, such as one that was distilled from it",
+    )
 }
 
 /// How a motion file becomes a clip.
@@ -165,7 +174,7 @@ pub fn capture(source: Source, options: &CaptureOptions) -> Result<Captured, For
         }
         Content::Capture(CaptureFormat::Bvh) => bvh::from_bytes(bytes),
         Content::Poses => webavatar::capture_poses(bytes, options.rate),
-        Content::Splats(_) | Content::Model => {
+        Content::Splats(_) | Content::Model | Content::Checkpoint => {
             let expected = "motion; an avatar stands before --motion";
             Err(FormatError::container("an avatar or splats", expected))
         }
@@ -237,7 +246,7 @@ pub fn clip(
     };
     let name = source.stem();
     let content = source.content();
-    if content == Content::Other || content == Content::Model {
+    if content == Content::Other || content == Content::Model || content == Content::Checkpoint {
         let clip = Clip::from_bytes(source.bytes).map_err(|own| unknown(source.bytes, own));
         return clip.map(made_for_it);
     }

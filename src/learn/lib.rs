@@ -14,6 +14,7 @@
 pub mod analyse;
 pub mod bake;
 pub mod dataset;
+pub mod distil;
 pub mod evaluate;
 pub mod fit;
 pub mod ground_truth;

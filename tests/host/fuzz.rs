@@ -8,6 +8,8 @@ use effigy_formats::{
     bvh,
     capture::Captured,
     fbx, gltf_motion,
+    mmlphuman::Checkpoint,
+    pickle::Pickle,
     retarget::{self, Girth, RetargetOptions},
     smpl,
     splats::{self, Nothing, SplatFormat},
@@ -232,6 +234,12 @@ fn edited_models_and_poses() {
     ];
     fuzz("webavatar", &corpus, &|bytes| {
         webavatar::from_bytes(bytes, "edited", &Default::default()).map(drop)
+    });
+    let corpus: [&[u8]; 1] = [include_bytes!("../data/mmlphuman/chkpnt800000.pth")];
+    fuzz("mmlphuman", &corpus, &|bytes| {
+        let pickle = Pickle::from_bytes(bytes)?;
+        let checkpoint = Checkpoint::new(&pickle, &Default::default())?;
+        checkpoint.networks.network(0).map(drop)
     });
     let skeleton = skeleton();
     let corpus: [&[u8]; 1] = [include_bytes!("../data/webavatar/small_poses.json")];

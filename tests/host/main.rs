@@ -15,6 +15,7 @@ mod governor;
 mod layout;
 mod learned;
 mod memory;
+mod mmlphuman;
 mod motion;
 mod onesweep;
 mod phone_model;
@@ -58,6 +59,8 @@ fn main() -> ExitCode {
             governor,
             layout,
             learned,
+            mmlphuman,
+            mmlphuman::hostile,
             motion,
             motion::hostile,
             onesweep,

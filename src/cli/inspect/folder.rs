@@ -1,6 +1,9 @@
 //! What the files of a folder are, a line each.
 
-use super::text::{line, thousands};
+use super::{
+    checkpoint::CheckpointSummary,
+    text::{line, thousands},
+};
 use crate::files;
 use anyhow::Context;
 use effigy_core::{avatar::Avatar, io::file::FileContent};
@@ -126,6 +129,12 @@ fn foreign(path: &Path, content: Content) -> Result<String, String> {
                 )
             })
             .map_err(|error| short(&error));
+    }
+    if content == Content::Checkpoint {
+        let read = open::checkpoint(path, &Default::default(), |checkpoint| {
+            CheckpointSummary::new(&checkpoint).brief()
+        });
+        return read.map_err(|error| short(&error));
     }
     let read = open::avatar(path, &OpenOptions::default());
     let describe = |avatar: &Avatar| {

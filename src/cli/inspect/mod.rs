@@ -2,6 +2,7 @@
 
 mod avatar;
 mod capture;
+mod checkpoint;
 mod folder;
 mod motion;
 mod text;
@@ -13,9 +14,11 @@ use crate::{
 use anyhow::{Context, bail, ensure};
 use avatar::AvatarSummary;
 use capture::{CaptureSummary, ComparisonSummary};
+use checkpoint::CheckpointSummary;
 use effigy_core::avatar::{Avatar, Clip, motion::Player};
 use effigy_core::io::file::{FileContent, FileError, tensors};
 use effigy_formats::{
+    content::Content,
     open::{self, OpenOptions},
     retarget,
 };
@@ -68,6 +71,18 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     let content = open::content(file);
     if content.is_motion() {
         return inspect_capture(&args, file);
+    }
+    if content == Content::Checkpoint {
+        ensure!(
+            args.png.is_none(),
+            "--png draws avatars: {} is a checkpoint, of which `effigy import` makes one",
+            file.display()
+        );
+        let summary = open::checkpoint(file, &Default::default(), |checkpoint| {
+            print_assumptions(file, &checkpoint.assumptions);
+            CheckpointSummary::new(&checkpoint)
+        })?;
+        return print(&summary, args.json);
     }
     if content.is_avatar() {
         let imported = open::avatar(file, &OpenOptions::default())?;

@@ -12,6 +12,24 @@ pub struct Bounds {
 }
 
 impl Bounds {
+    /// The smallest box around points, a thousandth of a millimetre larger on each side so that
+    /// rounding to f32 leaves none outside. A box of no size around the origin where there is none.
+    pub fn around<'a>(points: impl Iterator<Item = &'a DVec3>) -> Self {
+        let empty = [DVec3::INFINITY, DVec3::NEG_INFINITY];
+        let [min, max] = points.fold(empty, |[min, max], &p| [min.min(p), max.max(p)]);
+        if !min.is_finite() {
+            return Self {
+                min: [0.0; 3],
+                max: [0.0; 3],
+            };
+        }
+        let outwards = DVec3::splat(1e-6);
+        Self {
+            min: (min - outwards).as_vec3().to_array(),
+            max: (max + outwards).as_vec3().to_array(),
+        }
+    }
+
     /// The point that three 16-bit coordinates stand for: `min + q / 65535 · (max − min)`.
     pub fn decode(&self, q: [u16; 3]) -> DVec3 {
         let min = DVec3::from(self.min.map(f64::from));

@@ -21,6 +21,13 @@ pub fn global(module: &str, name: &str) -> Option<Global> {
         ("torch._utils", "_rebuild_tensor_v2" | "_rebuild_tensor") => Global::Tensor,
         ("torch._utils", "_rebuild_parameter") => Global::Parameter,
         ("torch.storage", "_load_from_bytes") => Global::Load,
+        ("torch._utils", "_rebuild_meta_tensor_no_storage") => Global::Inert,
+        ("torch", "float32" | "float64" | "float16" | "bfloat16") => Global::Inert,
+        ("torch.nn.modules.container", "Sequential") => Global::Inert,
+        ("torch.nn.modules.linear", "Linear") => Global::Inert,
+        ("torch.nn.modules.activation", "ReLU") => Global::Inert,
+        // The network of mmlphuman's checkpoints, without weights.
+        ("scene.mlp", "MLP") => Global::Inert,
         ("torch" | "torch.storage", _) => Global::StorageType(storage(name)?),
         _ => return None,
     })

@@ -488,6 +488,7 @@ impl<'a> Machine<'a> {
                 Node::Decoded(bytes.ok_or_else(wrong)?)
             }
             Global::Wrapper => Node::Stand,
+            Global::Inert => Node::Inert,
             Global::Tensor => {
                 let &[storage, start, shape, stride, ..] = &arguments[..] else {
                     return Err(wrong());
@@ -568,7 +569,7 @@ impl<'a> Machine<'a> {
                 *self.nodes.get_mut(target) = self.array(array)?;
             }
             // PyTorch hangs versions on a dictionary.
-            Node::Dict(_) => {}
+            Node::Dict(_) | Node::Inert => {}
             _ => return Err(fault("a state of a value", "a state of an array")),
         }
         Ok(())

@@ -12,6 +12,7 @@ mod node;
 mod torch;
 mod value;
 
+pub use torch::pickle_of;
 pub use value::{Numbers, Value};
 
 use crate::npz::is_zip;

@@ -31,6 +31,8 @@ pub enum Node<'a> {
     Storage(Box<Storage<'a>>),
     /// joblib's stand-in for an array that follows in the file.
     Stand,
+    /// An object whose state is not looked at.
+    Inert,
 }
 
 /// A key of a dictionary and its value.
@@ -89,6 +91,8 @@ pub enum Global {
     /// PyTorch: a file in bytes.
     Load,
     StorageType(Element),
+    /// PyTorch: a module or a tensor without memory, which nothing is asked of.
+    Inert,
 }
 
 /// What a file held.

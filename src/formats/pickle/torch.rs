@@ -3,7 +3,7 @@
 
 use super::{machine::Machine, node::Built};
 use effigy_core::io::file::{FormatError, excerpt};
-use std::{collections::BTreeMap, io::Cursor};
+use std::{borrow::Cow, collections::BTreeMap, io::Cursor};
 use zip::{CompressionMethod, ZipArchive};
 
 /// The start of what PyTorch wrote before 1.6: protocol 2, then the integer 0x1950a86a20f9469cfc6c.
@@ -12,6 +12,21 @@ const LEGACY: &[u8] = b"\x80\x02\x8a\x0al\xfc\x9cF\xf9 j\xa8P\x19.";
 /// Whether bytes are a file that PyTorch wrote before its zips.
 pub fn is_legacy(bytes: &[u8]) -> bool {
     bytes.starts_with(LEGACY)
+}
+
+/// The pickle of a zip of PyTorch's; None where there is none.
+pub fn pickle_of(bytes: &[u8]) -> Option<&[u8]> {
+    let mut archive = ZipArchive::new(Cursor::new(bytes)).ok()?;
+    let is_pickle = |name: &Cow<str>| {
+        name.split_once('/')
+            .is_some_and(|(_, name)| name == "data.pkl")
+    };
+    let name = archive.file_names().flatten().find(is_pickle)?.into_owned();
+    let index = archive.index_for_name(&name)?;
+    let entry = archive.by_index_raw(index).ok()?;
+    let start = usize::try_from(entry.data_start()?).ok()?;
+    let size = usize::try_from(entry.size()).ok()?;
+    bytes.get(start..)?.get(..size)
 }
 
 /// Reads a zip of PyTorch's. Entries are stored, so that memory stays in the file.

@@ -1,7 +1,9 @@
 //! Looking at what a pickle holds.
 
 use super::node::{ArrayNode, Node, Nodes, Ref};
+use crate::npz::Kind;
 use effigy_core::io::file::{FormatError, excerpt};
+use std::ops::Range;
 
 /// A value of a pickle.
 #[derive(Clone, Copy)]
@@ -114,6 +116,19 @@ impl<'p> Value<'p> {
     /// # Errors
     /// When it is none, one is not finite, or its shape needs more numbers than it has.
     pub fn numbers(self, name: &str) -> Result<Numbers, FormatError> {
+        self.read(name, None)
+    }
+
+    /// The numbers of some rows of an array or tensor: of a range of its first dimension. `name`:
+    /// for errors.
+    ///
+    /// # Errors
+    /// As [`Self::numbers`], or when there are fewer rows.
+    pub fn rows(self, name: &str, rows: Range<usize>) -> Result<Numbers, FormatError> {
+        self.read(name, Some(rows))
+    }
+
+    fn read(self, name: &str, rows: Option<Range<usize>>) -> Result<Numbers, FormatError> {
         let fault = |found: &str| FormatError::metadata(name, found, "an array of finite numbers");
         let Some(array) = self.array() else {
             let list = self.nodes.list(self.at);
@@ -136,21 +151,34 @@ impl<'p> Value<'p> {
         let bytes = self.nodes.bytes(array.data);
         let bytes = bytes.ok_or_else(|| fault("an array without its memory"))?;
         let held = bytes.len() / element.size;
-        let count = array
-            .shape
+        let shape = match (&rows, &array.shape[..]) {
+            (None, shape) => shape.to_vec(),
+            (Some(rows), [all, row @ ..]) if rows.start <= rows.end && rows.end <= *all => {
+                [&[rows.len()], row].concat()
+            }
+            (Some(rows), shape) => {
+                return Err(fault(&format!("the shape {shape:?}, not {rows:?}")));
+            }
+        };
+        let count = shape
             .iter()
             .try_fold(1usize, |n, &size| n.checked_mul(size));
         // No more than the memory holds, even where a tensor shows parts of it more than once.
         let count = count
             .filter(|&count| count <= held)
             .ok_or_else(|| fault(&format!("the shape {:?} of {held} numbers", array.shape)))?;
+        let first = rows.map_or(0, |rows| {
+            rows.start
+                .saturating_mul(array.stride.first().copied().unwrap_or_default())
+        });
         let mut numbers = Vec::with_capacity(count);
-        let mut index = vec![0; array.shape.len()];
+        let mut index = vec![0; shape.len()];
         for _ in 0..count {
             let steps = index.iter().zip(&array.stride);
-            let place = steps.fold(array.start, |sum, (&index, &stride)| {
-                sum.saturating_add(stride.saturating_mul(index))
-            });
+            let place = steps.fold(
+                array.start.saturating_add(first),
+                |sum, (&index, &stride)| sum.saturating_add(stride.saturating_mul(index)),
+            );
             let start = place.checked_mul(element.size);
             let number = start.and_then(|start| bytes.get(start..)?.get(..element.size));
             let number = element.float(number.ok_or_else(|| fault("numbers beyond its memory"))?);
@@ -158,7 +186,7 @@ impl<'p> Value<'p> {
                 return Err(fault(&format!("{number} at {}", numbers.len())));
             }
             numbers.push(number as f32);
-            for (index, &size) in index.iter_mut().zip(&array.shape).rev() {
+            for (index, &size) in index.iter_mut().zip(&shape).rev() {
                 *index += 1;
                 if *index < size {
                     break;
@@ -166,10 +194,25 @@ impl<'p> Value<'p> {
                 *index = 0;
             }
         }
-        Ok(Numbers {
-            shape: array.shape.clone(),
-            numbers,
-        })
+        Ok(Numbers { shape, numbers })
+    }
+
+    /// Bytes of memory that an array of floats shows, each as often as it is shown. None: it is no
+    /// array of floats.
+    pub fn float_bytes(self) -> Option<u64> {
+        let array = self.array()?;
+        let element = array.element?;
+        let is_float = matches!(element.kind, Kind::Float | Kind::Brain);
+        let count = array
+            .shape
+            .iter()
+            .try_fold(element.size as u64, |n, &size| n.checked_mul(size as u64));
+        count.filter(|_| is_float)
+    }
+
+    /// Bytes of the file.
+    pub fn file_bytes(self) -> u64 {
+        self.nodes.size() as u64
     }
 
     /// How many numbers the arrays of the file have at most, two bytes each.
@@ -195,6 +238,7 @@ impl<'p> Value<'p> {
                 format!("a dictionary of {}", names.join(", "))
             }
             Node::Global(_) | Node::Element(_) | Node::Stand => "a type".into(),
+            Node::Inert => "an object".into(),
             Node::Empty => "an array without its numbers".into(),
             Node::Array(array) => format!("an array of the shape {:?}", array.shape),
             Node::Storage(_) => "a storage".into(),

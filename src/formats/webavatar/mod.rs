@@ -26,7 +26,7 @@
 //! The file has no tree of joints, no canonical pose, no node positions and no training poses. Tree
 //! and canonical pose are SMPL-X's and the exporter's; node positions are derived (`nodes`).
 
-mod nodes;
+pub(crate) mod nodes;
 mod poses;
 mod read;
 mod skeleton;
@@ -54,7 +54,7 @@ pub enum ColorCode {
 
 impl ColorCode {
     /// RGB a unit of the file's numbers.
-    fn unit(self) -> f64 {
+    pub(crate) fn unit(self) -> f64 {
         match self {
             Self::Harmonic => ShCoefficients::CONSTANT,
             Self::Offset => 1.0,

@@ -60,7 +60,7 @@ pub fn from_bytes(bytes: &[u8], name: &str, options: &Options) -> Result<Importe
     let moved = read_nodes(&mut file, &networks)?;
     check_nodes(&influence, moved.part.len())?;
     let fit = nodes::fit(&position, &influence, moved.part.len());
-    let bounds = bounds(position.iter().chain(&fit.position));
+    let bounds = Bounds::around(position.iter().chain(&fit.position));
     let encode = |points: &[DVec3]| points.iter().map(|&p| bounds.encode(p)).collect();
     let basis = moved.basis_len;
     let unit = options.color.unit();
@@ -236,18 +236,6 @@ fn points(rows: &[[f32; 3]]) -> Vec<DVec3> {
     rows.iter()
         .map(|row| DVec3::from(row.map(f64::from)))
         .collect()
-}
-
-/// The smallest box around points.
-fn bounds<'a>(points: impl Iterator<Item = &'a DVec3>) -> Bounds {
-    let empty = [DVec3::INFINITY, DVec3::NEG_INFINITY];
-    let [min, max] = points.fold(empty, |[min, max], &p| [min.min(p), max.max(p)]);
-    // Rounding to f32 must leave no point outside.
-    let outwards = DVec3::splat(1e-6);
-    Bounds {
-        min: (min - outwards).as_vec3().to_array(),
-        max: (max + outwards).as_vec3().to_array(),
-    }
 }
 
 /// The networks, and what their widths tell.

@@ -15,7 +15,7 @@ use crate::dataset::{Dataset, LearnError};
 use crate::fit::checkpoint::{FitState, StageProgress};
 use crate::fit::loss_curve::LossPoint;
 use crate::fit::options::{CheckpointOptions, FitOptions};
-use crate::prune::select_rows;
+use crate::prune::{RowSubject, select_rows};
 use crate::train::block::RetainedRows;
 use crate::train::inputs::fit_subspaces;
 use crate::train::learner::{Learner, StageSchedule};
@@ -26,6 +26,9 @@ use std::time::Instant;
 
 /// About how many points the loss curves have, and how many chances there are for a checkpoint.
 const POINTS: usize = 40;
+
+/// Deviation of the noise added to poses while training, radians: similar poses look alike.
+const POSE_NOISE: f32 = 0.03;
 
 /// The result of a fit.
 pub struct Fitted {
@@ -193,6 +196,7 @@ impl FitRun<'_> {
             seed: self.options.seed,
             stage,
             epochs,
+            noise: POSE_NOISE,
         };
         while state.progress.epoch < epochs {
             let end = (state.progress.epoch + self.options.epochs.div_ceil(POINTS)).min(epochs);
@@ -261,7 +265,19 @@ impl FitRun<'_> {
                     None => problem.refine(&mut state.learner, &state.retained, true),
                 };
                 if let Some(budget) = self.options.budget {
-                    state.retained = select_rows(problem, &state.learner, &unpruned, budget);
+                    let subject = RowSubject {
+                        body: &problem.dataset.avatar,
+                        poses: problem
+                            .training
+                            .iter()
+                            .map(|&frame| &problem.dataset.poses[frame])
+                            .collect(),
+                        mean: &problem.statistics.mean,
+                        covariances: state
+                            .learner
+                            .feature_covariances(&problem.network_inputs, &problem.training),
+                    };
+                    state.retained = select_rows(&subject, &unpruned, budget);
                 }
                 problem.refine(&mut state.learner, &state.retained, false);
             }

@@ -237,21 +237,30 @@ fn orthonormalise(columns: &mut [f64], n: usize, width: usize) {
     }
 }
 
-/// The inverse of a symmetric positive matrix of order n, by Cholesky's decomposition. Pivots below
+/// L of order n, 0 above its diagonal, with L Lᵀ = a symmetric positive matrix. Pivots below
 /// `floor` count as `floor`.
-pub fn inverse(matrix: &[f64], n: usize, floor: f64) -> Vec<f64> {
+pub fn cholesky(matrix: &[f64], n: usize, floor: f64) -> Vec<f64> {
     let mut l = vec![0.0; n * n];
     for i in 0..n {
         for j in 0..=i {
-            let sum: f64 =
-                matrix[i * n + j] - (0..j).map(|k| l[i * n + k] * l[j * n + k]).sum::<f64>();
+            let (before, own) = l.split_at(i * n);
+            let row = if i == j { own } else { &before[j * n..] };
+            let dot: f64 = own[..j].iter().zip(row).map(|(a, b)| a * b).sum();
+            let rest = matrix[i * n + j] - dot;
             l[i * n + j] = if i == j {
-                sum.max(floor).sqrt()
+                rest.max(floor).sqrt()
             } else {
-                sum / l[j * n + j]
+                rest / l[j * n + j]
             };
         }
     }
+    l
+}
+
+/// The inverse of a symmetric positive matrix of order n, by Cholesky's decomposition. Pivots below
+/// `floor` count as `floor`.
+pub fn inverse(matrix: &[f64], n: usize, floor: f64) -> Vec<f64> {
+    let l = cholesky(matrix, n, floor);
     let mut out = vec![0.0; n * n];
     for column in 0..n {
         let mut y = vec![0.0; n];

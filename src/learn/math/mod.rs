@@ -2,6 +2,7 @@
 //! datasets or bodies.
 
 pub mod color;
+pub mod covariance;
 pub mod matrix;
 pub mod noise;
 pub mod pca;

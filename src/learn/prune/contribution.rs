@@ -7,10 +7,9 @@
 //! is measured by leaving all of it out. Images show whole bodies, so detail that only a close view
 //! would show counts for little.
 
-use crate::dataset::Dataset;
 use crate::evaluate::camera_at_pitch;
 use crate::math::sampling::evenly_spaced;
-use crate::train::problem::LearningProblem;
+use crate::prune::subject::RowSubject;
 use effigy_core::avatar::{Avatar, Rows};
 use effigy_core::reference::{Canvas, ReferenceFrame, raster};
 use effigy_core::scene::{AvatarBounds, Camera, Posed};
@@ -30,18 +29,18 @@ const UNSEEN: f64 = 0.01;
 /// summed over pixels and the drawn frames. `gaussians` are the rows' Gaussians;
 /// `variances` the rows' variances, of the same shape.
 pub fn image_costs(
-    problem: &LearningProblem,
+    subject: &RowSubject,
     avatar: &Avatar,
     gaussians: [&Vec<u32>; 3],
     variances: [Vec<f64>; 3],
 ) -> [Vec<f64>; 3] {
     let without: [Avatar; 3] = std::array::from_fn(|attribute| {
-        without_attribute(avatar, &problem.statistics.mean[attribute], attribute)
+        without_attribute(avatar, &subject.mean[attribute], attribute)
     });
     // How much all images show of each Gaussian, and what they lose without each attribute.
     let mut visibility = vec![0.0; avatar.gaussians.len()];
     let mut losses = [0.0; 3];
-    for view in views(problem.dataset, &problem.training, avatar) {
+    for view in views(subject, avatar) {
         let whole = ReferenceFrame::new(avatar, &view.posed, &view.camera);
         let shown = raster::contributions(&whole.splats, &whole.order, &view.camera);
         for (visibility, shown) in visibility.iter_mut().zip(shown) {
@@ -75,19 +74,16 @@ struct ContributionView {
 }
 
 /// Some training frames, seen from all sides in turn.
-fn views(
-    dataset: &Dataset,
-    training: &[usize],
-    avatar: &Avatar,
-) -> impl Iterator<Item = ContributionView> {
-    let bounds = AvatarBounds::new(&dataset.avatar);
-    evenly_spaced(training, FRAMES)
+fn views(subject: &RowSubject, avatar: &Avatar) -> impl Iterator<Item = ContributionView> {
+    let bounds = AvatarBounds::new(subject.body);
+    let all: Vec<usize> = (0..subject.poses.len()).collect();
+    evenly_spaced(&all, FRAMES)
         .into_iter()
         .enumerate()
-        .map(move |(i, frame)| {
+        .map(move |(i, pose)| {
             let yaw = YAWS[i % YAWS.len()];
             let pitch = PITCHES[i % PITCHES.len()];
-            let posed = Posed::new(avatar, &dataset.poses[frame]);
+            let posed = Posed::new(avatar, subject.poses[pose]);
             let camera = camera_at_pitch(&bounds, &posed, yaw, pitch, SIZE);
             ContributionView { posed, camera }
         })

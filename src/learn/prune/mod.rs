@@ -2,5 +2,7 @@
 
 mod contribution;
 mod select;
+mod subject;
 
 pub use select::{Budget, select_rows};
+pub use subject::RowSubject;

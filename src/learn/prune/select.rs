@@ -2,9 +2,8 @@
 //! 3.2), or those that images of the training frames would lose most without.
 
 use crate::prune::contribution::image_costs;
+use crate::prune::subject::RowSubject;
 use crate::train::block::RetainedRows;
-use crate::train::learner::Learner;
-use crate::train::problem::LearningProblem;
 use effigy_core::avatar::{Avatar, Rows};
 use rayon::prelude::*;
 
@@ -18,53 +17,6 @@ pub enum Budget {
     /// So many rows of all three attributes together: those that images of the training frames
     /// would lose most without.
     Contribution(usize),
-}
-
-/// Mean and covariance of N numbers over poses that arrive one after another (Welford's method).
-struct RunningCovariance {
-    count: f64,
-    mean: Vec<f64>,
-    /// Sums of products of deviations, shape N, N.
-    products: Vec<f64>,
-}
-
-impl RunningCovariance {
-    fn new(n: usize) -> Self {
-        Self {
-            count: 0.0,
-            mean: vec![0.0; n],
-            products: vec![0.0; n * n],
-        }
-    }
-
-    fn add(&mut self, x: &[f32]) {
-        self.count += 1.0;
-        let n = self.mean.len();
-        // Deviations from the old mean; from the new one in `after`.
-        let before: Vec<f64> = x
-            .iter()
-            .zip(&self.mean)
-            .map(|(&x, mean)| f64::from(x) - mean)
-            .collect();
-        for (mean, deviation) in self.mean.iter_mut().zip(&before) {
-            *mean += deviation / self.count;
-        }
-        for (i, &x) in x.iter().enumerate() {
-            let after = f64::from(x) - self.mean[i];
-            let row = &mut self.products[i * n..][..n];
-            for (sum, before) in row.iter_mut().zip(&before) {
-                *sum += after * before;
-            }
-        }
-    }
-
-    /// Shape N, N.
-    fn covariance(&self) -> Vec<f64> {
-        self.products
-            .iter()
-            .map(|p| p / self.count.max(1.0))
-            .collect()
-    }
 }
 
 /// The variance of each row's corrective, summed over its components: bᵀ Σ b of the covariance of
@@ -139,25 +91,9 @@ fn divide_budget(costs: &[Vec<f64>; 3], count: usize) -> [usize; 3] {
 }
 
 /// The rows of an avatar that a budget retains, by its networks' features over the training poses.
-pub fn select_rows(
-    problem: &LearningProblem,
-    learner: &Learner,
-    avatar: &Avatar,
-    budget: Budget,
-) -> RetainedRows {
-    let basis = problem.basis;
-    let covariance = |part: usize| {
-        let features = learner.features(part, &problem.network_inputs);
-        let mut running = RunningCovariance::new(basis);
-        for &frame in &problem.training {
-            running.add(&features[frame * 2 * basis..][..basis]);
-        }
-        running.covariance()
-    };
-    let covariances: Vec<Vec<f64>> = (0..avatar.parts.len())
-        .into_par_iter()
-        .map(covariance)
-        .collect();
+pub fn select_rows(subject: &RowSubject, avatar: &Avatar, budget: Budget) -> RetainedRows {
+    let basis = avatar.basis_len();
+    let covariances = &subject.covariances;
     let starts = &avatar.parts.start;
     let gaussians = [
         &avatar.rotation_rows.gaussian,
@@ -165,9 +101,9 @@ pub fn select_rows(
         &avatar.color_rows.gaussian,
     ];
     let variances = [
-        row_variances(&avatar.rotation_rows, starts, basis, &covariances),
-        row_variances(&avatar.scale_rows, starts, basis, &covariances),
-        row_variances(&avatar.color_rows, starts, basis, &covariances),
+        row_variances(&avatar.rotation_rows, starts, basis, covariances),
+        row_variances(&avatar.scale_rows, starts, basis, covariances),
+        row_variances(&avatar.color_rows, starts, basis, covariances),
     ];
     let row_count: usize = gaussians.iter().map(|list| list.len()).sum();
     let mut costs = variances;
@@ -177,7 +113,7 @@ pub fn select_rows(
         // All or none: there is nothing to choose, and no image to draw.
         Budget::Contribution(count) if count == 0 || count >= row_count => [count; 3],
         Budget::Contribution(count) => {
-            costs = image_costs(problem, avatar, gaussians, costs);
+            costs = image_costs(subject, avatar, gaussians, costs);
             divide_budget(&costs, count)
         }
     };
@@ -189,6 +125,7 @@ pub fn select_rows(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::math::covariance::RunningCovariance;
     use half::f16;
 
     #[test]

@@ -9,9 +9,9 @@ use std::ops::Range;
 /// The attributes that have basis rows, in the order of all arrays of three here.
 pub const ATTRIBUTES: [Attribute; 3] = [Attribute::Rotation, Attribute::LogScale, Attribute::Color];
 /// How much of the loss each attribute is. Colour is seen most.
-const ATTRIBUTE_SHARES: [f64; 3] = [0.2, 0.2, 0.6];
+pub const ATTRIBUTE_SHARES: [f64; 3] = [0.2, 0.2, 0.6];
 /// How much of the loss the nodes' displacements are, beside the attributes.
-const NODE_SHARE: f64 = 0.5;
+pub const NODE_SHARE: f64 = 0.5;
 
 /// Which Gaussians keep a corrective, after pruning or before.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -84,6 +84,17 @@ impl NetworkInputs {
             .flat_map(|pose| inputs.unprojected(pose))
             .map(|x| x as f32)
             .collect();
+        Self::from_rows(inputs, raw, projected, training)
+    }
+
+    /// Of rows as they are, of which the learner takes either where it learns a frame. Both of
+    /// shape F, inputs. `training`: the frames that mean and deviation of `raw` are taken over.
+    pub fn from_rows(
+        inputs: &Inputs,
+        raw: Vec<f32>,
+        projected: Vec<f32>,
+        training: &[usize],
+    ) -> Self {
         let width = inputs.len();
         let count = training.len().max(1) as f64;
         let column = |k: usize| {

@@ -1,5 +1,6 @@
 //! All parts' networks with their targets, trained some epochs at a time.
 
+use crate::math::covariance::RunningCovariance;
 use crate::train::inputs::NetworkInputs;
 use crate::train::network::{
     LAYERS, LayerWidths, Network, QuadraticLoss, Scratch, StepSize, WIDTH, layer_start,
@@ -12,8 +13,6 @@ use std::ops::Range;
 
 /// Frames of a step.
 const BATCH: usize = 32;
-/// Deviation of the noise added to poses while training, radians: similar poses look alike.
-const POSE_NOISE: f32 = 0.03;
 /// Learning rate at the start of a stage.
 const RATE: f32 = 2e-3;
 /// The share of [`RATE`] that is left at the end of a stage.
@@ -43,6 +42,8 @@ pub struct StageSchedule {
     pub stage: usize,
     /// Epochs of the whole stage, over which the learning rate falls.
     pub epochs: usize,
+    /// Deviation of the noise that is added to poses, radians.
+    pub noise: f32,
 }
 
 impl StageSchedule {
@@ -199,6 +200,24 @@ impl Learner {
             .to_vec()
     }
 
+    /// Of each part the covariance of its attributes' features over some frames; shape N_B, N_B,
+    /// where nodes have features of their own.
+    pub fn feature_covariances(&self, inputs: &NetworkInputs, frames: &[usize]) -> Vec<Vec<f64>> {
+        let covariance = |part: usize| {
+            let features = self.features(part, inputs);
+            let width = self.networks[part].widths[LAYERS];
+            let mut running = RunningCovariance::new(width / 2);
+            for &frame in frames {
+                running.add(&features[frame * width..][..width / 2]);
+            }
+            running.covariance()
+        };
+        (0..self.networks.len())
+            .into_par_iter()
+            .map(covariance)
+            .collect()
+    }
+
     /// For each group of frames, the share of the targets' energy that all parts together leave
     /// unexplained.
     pub fn unexplained<const N: usize>(
@@ -284,7 +303,7 @@ impl PartTraining<'_> {
             for batch in self.shuffled_frames(&mut random).chunks(BATCH) {
                 for (row, &frame) in batch.iter().enumerate() {
                     let out = &mut batch_inputs[row * width..][..width];
-                    self.sample_inputs(out, frame as usize, &mut random);
+                    self.sample_inputs(out, frame as usize, schedule.noise, &mut random);
                 }
                 self.network.learn(
                     &batch_inputs[..batch.len() * width],
@@ -307,7 +326,7 @@ impl PartTraining<'_> {
 
     /// A frame's inputs for training: projected or not, by chance, so that the network knows both,
     /// with noise on the pose.
-    fn sample_inputs(&self, out: &mut [f32], frame: usize, random: &mut Random) {
+    fn sample_inputs(&self, out: &mut [f32], frame: usize, deviation: f32, random: &mut Random) {
         let inputs = self.inputs;
         let from = if random.bits() & 1 == 0 {
             &inputs.projected
@@ -316,8 +335,9 @@ impl PartTraining<'_> {
         };
         let row = &from[frame * inputs.width..][..inputs.width];
         for (k, out) in out.iter_mut().enumerate() {
-            let noise = if k < inputs.pose_width {
-                POSE_NOISE * (random.normal() as f32)
+            // Most of a step's time is that of drawing noise.
+            let noise = if deviation > 0.0 && k < inputs.pose_width {
+                deviation * (random.normal() as f32)
             } else {
                 0.0
             };

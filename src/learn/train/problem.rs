@@ -275,7 +275,7 @@ impl<'a> LearningProblem<'a> {
 }
 
 /// The losses of attributes and nodes as one: the attributes' features first, then the nodes'.
-fn join(attributes: &HalfLoss, nodes: &HalfLoss, basis: usize) -> QuadraticLoss {
+pub fn join(attributes: &HalfLoss, nodes: &HalfLoss, basis: usize) -> QuadraticLoss {
     let frames = attributes.energy.len();
     let width = 2 * basis;
     let mut joined = QuadraticLoss {
