@@ -98,7 +98,7 @@ impl Renderer {
         let model = Model::empty(gpu, avatar)?;
         let constants = &model.constants;
         let layout = PoseLayout::new(constants, options.instances);
-        let pose = empty(gpu, "pose", 16 * u64::from(layout.len()), STORAGE)?;
+        let pose = empty(gpu, "pose", 16 * u64::from(layout.total()), STORAGE)?;
         let control = empty(
             gpu,
             "control",

@@ -40,7 +40,7 @@ impl PoseLayout {
     }
 
     /// Vectors of the buffer.
-    pub fn len(&self) -> u32 {
+    pub fn total(&self) -> u32 {
         self.zeros() + 1
     }
 }

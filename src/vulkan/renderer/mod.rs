@@ -169,7 +169,7 @@ impl Renderer {
         let storage = vk::BufferUsageFlags::STORAGE_BUFFER | vk::BufferUsageFlags::TRANSFER_SRC;
         let layout = PoseLayout::new(constants, options.instances);
         // Zeros: a corner of the occluder may follow a node of a part that no frame has shown yet.
-        let zeros = vec![0; 16 * layout.len() as usize];
+        let zeros = vec![0; 16 * layout.total() as usize];
         let pose = Buffer::with_data(gpu, "pose", &zeros, storage)?;
         let blocks = Blocks::new(gpu, options.instances, constants)?;
         let control = Buffer::with_data(
