@@ -107,14 +107,20 @@ enum ImageRenderer<'a> {
         renderer: Box<webgpu::Renderer>,
         size: [u32; 2],
     },
-    Reference(&'a Avatar),
+    Reference {
+        avatar: &'a Avatar,
+        quality: &'a QualityArgs,
+    },
 }
 
 impl<'a> ImageRenderer<'a> {
     /// Opens what the arguments name, for images of `size` unless a camera has its own.
-    fn open(args: &Args, avatar: &'a Avatar, image_size: [u32; 2]) -> anyhow::Result<Self> {
+    fn open(args: &'a Args, avatar: &'a Avatar, image_size: [u32; 2]) -> anyhow::Result<Self> {
         if args.reference {
-            return Ok(Self::Reference(avatar));
+            return Ok(Self::Reference {
+                avatar,
+                quality: &args.quality,
+            });
         }
         let options = RendererOptions {
             instances: args.count.into(),
@@ -147,14 +153,21 @@ impl<'a> ImageRenderer<'a> {
     /// Draws one image of the camera's size.
     fn draw(&mut self, poses: &[&Posed], camera: &Camera) -> anyhow::Result<FrameImage> {
         match self {
-            Self::Reference(avatar) => {
+            Self::Reference { avatar, quality } => {
                 let [width, height] = camera.size;
                 let pixels = u64::from(width) * u64::from(height);
                 ensure!(
                     pixels <= REFERENCE_PIXELS,
                     "the reference draws at most {REFERENCE_PIXELS} pixels, not {width} x {height}"
                 );
-                Ok(reference::render_scene(avatar, poses, camera))
+                let options = quality.renderer(camera.size);
+                Ok(reference::render_shown(
+                    avatar,
+                    poses,
+                    camera,
+                    options.supersampling,
+                    options.filter,
+                ))
             }
             Self::Vulkan {
                 renderer,

@@ -173,7 +173,10 @@ fn bench_writes_what_it_measured_of_every_case() {
             "expression",
             "static",
             "close",
+            "far30",
             "far",
+            "far120",
+            "far240",
             "four"
         ]),
         "{names:?}"
@@ -194,8 +197,10 @@ fn bench_writes_what_it_measured_of_every_case() {
             "{name}: {}",
             case["error"]
         );
+        // What is small is held against what the area of each pixel shows.
+        let least = if name.starts_with("far") { 30.0 } else { 45.0 };
         assert!(
-            case["error"]["psnr_db"].as_f64() > Some(45.0),
+            case["error"]["psnr_db"].as_f64() > Some(least),
             "{name}: {}",
             case["error"]
         );
@@ -315,7 +320,8 @@ fn a_sweep_draws_time_against_error() {
 fn bench_finds_the_worst_of_many_poses_and_views() {
     let folder = tempfile::tempdir().unwrap();
     common::small_files(folder.path());
-    let what = "small.avatar --motion small.motion --size 160x160 --frames 1 --check 0 --views 2";
+    let what = "small.avatar --motion small.motion --size 160x160 --frames 1 --check 0 --views 2 \
+                --supersample 1";
     let spread = |options: &str| {
         let out = folder.path().join("out.json");
         let said = works(

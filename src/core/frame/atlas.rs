@@ -5,8 +5,8 @@
 //! that may pass through an avatar that is drawn at its size is drawn at its size too. So slots
 //! and whatever else meets them in the image are entirely before or behind each other.
 
-use crate::scene::{Camera, PixelRect, PlaneRect};
-use glam::UVec2;
+use crate::scene::{AvatarBounds, Camera, PixelRect, PlaneRect, Supersampling, Visible};
+use glam::{DAffine3, UVec2};
 
 /// Slots start at multiples of this, px, so that no tile has splats of two.
 const ALIGNMENT: u32 = 16;
@@ -25,6 +25,28 @@ pub struct Seen {
     pub depth: [f64; 2],
     /// How many times its size it should be drawn.
     pub factor: u32,
+}
+
+impl Seen {
+    /// An avatar that `visible` says is in view of a camera. `joints`: its pose's. `before`: how
+    /// many times its size the last frame drew it, 1 before the first.
+    pub fn new(
+        bounds: &AvatarBounds,
+        joints: &[DAffine3],
+        camera: &Camera,
+        visible: &Visible,
+        supersampling: Supersampling,
+        before: u32,
+    ) -> Self {
+        let side = bounds
+            .sides(joints, camera)
+            .map_or(f64::INFINITY, |sides| sides.max_element());
+        Self {
+            around: visible.around,
+            depth: bounds.depth(joints, camera),
+            factor: supersampling.factor(side, before),
+        }
+    }
 }
 
 /// A part of the image, drawn larger.

@@ -259,32 +259,25 @@ impl FrameState {
 
     /// Where avatars in view are drawn.
     fn arrange(&self, input: &PlanInput, candidates: &[Candidate]) -> Arrangement {
-        let options = input.options;
+        let supersampling = input.options.supersampling;
         let seen = |candidate: &Candidate| {
             let joints = &input.poses[candidate.index].joints;
-            let factor = match &candidate.visible {
-                Some(visible) if options.supersampling.is_on() && visible.around.is_some() => {
-                    let before = self.trackers[candidate.index].factor();
-                    let sides = input.bounds.sides(joints, input.camera);
-                    sides.map_or(1, |sides| {
-                        options.supersampling.factor(sides.max_element(), before)
-                    })
-                }
-                _ => 1,
-            };
-            Seen {
-                around: candidate
-                    .visible
-                    .as_ref()
-                    .and_then(|visible| visible.around),
-                depth: input.bounds.depth(joints, input.camera),
-                factor,
-            }
+            let before = self.trackers[candidate.index].factor();
+            let visible = candidate.visible.as_ref()?;
+            Some(Seen::new(
+                input.bounds,
+                joints,
+                input.camera,
+                visible,
+                supersampling,
+                before,
+            ))
         };
-        if !options.supersampling.is_on() {
+        if !supersampling.is_on() {
             return Arrangement::without_slots(candidates.len());
         }
-        let seen: Vec<Seen> = candidates.iter().map(seen).collect();
+        // Visibility is known of all where supersampling is on.
+        let seen: Vec<Seen> = candidates.iter().filter_map(seen).collect();
         arrange(&seen, input.camera.size)
     }
 

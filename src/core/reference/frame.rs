@@ -104,7 +104,11 @@ pub fn render_scene(avatar: &Avatar, instances: &[&Posed], camera: &Camera) -> F
 }
 
 /// The Gaussians of one avatar in several poses, with the colours that the camera sees.
-fn gaussians_of(avatar: &Avatar, instances: &[&Posed], camera: &Camera) -> Vec<Gaussian> {
+pub(super) fn gaussians_of(
+    avatar: &Avatar,
+    instances: &[&Posed],
+    camera: &Camera,
+) -> Vec<Gaussian> {
     instances
         .iter()
         .flat_map(|posed| {
@@ -124,9 +128,24 @@ pub fn render_supersampled(
     factor: u32,
     filter: Filter,
 ) -> FrameImage {
-    let gaussians = gaussians_of(avatar, instances, camera);
+    average_of(
+        &gaussians_of(avatar, instances, camera),
+        camera,
+        factor,
+        filter,
+    )
+}
+
+/// The image of Gaussians in the posed world, drawn `factor` times as large, at least 1, with a
+/// low-pass, and averaged.
+pub(super) fn average_of(
+    gaussians: &[Gaussian],
+    camera: &Camera,
+    factor: u32,
+    filter: Filter,
+) -> FrameImage {
     let larger = camera.stretched(camera.size.map(|side| factor * side));
-    let mut splats = project::splats(&gaussians, &larger, filter, 0);
+    let mut splats = project::splats(gaussians, &larger, filter, 0);
     // Only the pixels that something is drawn into take memory.
     let scale = f64::from(factor);
     let size = UVec2::from(camera.size).as_dvec2();

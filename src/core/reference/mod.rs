@@ -15,6 +15,7 @@ pub mod project;
 pub mod raster;
 pub mod saturation;
 pub mod sh;
+pub mod shown;
 pub mod sort;
 
 pub use frame::{
@@ -23,3 +24,4 @@ pub use frame::{
 };
 pub use project::{Culled, Gaussian, Splat};
 pub use raster::Canvas;
+pub use shown::render_shown;

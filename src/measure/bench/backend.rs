@@ -178,6 +178,15 @@ impl BenchRenderer {
         })
     }
 
+    /// The options that it draws with, resolved.
+    pub fn options(&self) -> &RendererOptions {
+        match self {
+            Self::Vulkan(renderer) => renderer.options(),
+            #[cfg(feature = "webgpu")]
+            Self::WebGpu(renderer) => renderer.options(),
+        }
+    }
+
     /// The size of the occluder mesh; zeros without one.
     pub fn occluder_size(&self) -> OccluderSize {
         let [vertices, triangles] = match self {

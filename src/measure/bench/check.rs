@@ -8,13 +8,20 @@ use super::{
     scene::BenchScene,
 };
 use crate::{error, flip, report::ErrorReport};
-use effigy_core::{avatar::Avatar, constants::ALPHA_MIN, reference, scene::FrameImage};
+use effigy_core::{
+    avatar::Avatar,
+    constants::ALPHA_MIN,
+    frame::RendererOptions,
+    reference,
+    scene::{FrameImage, Supersampling},
+};
 use std::collections::HashMap;
 
 /// The reference's images of a case's scenes, each computed once for all settings.
 pub struct ReferenceImages<'a> {
     avatar: &'a Avatar,
-    images: HashMap<usize, FrameImage>,
+    /// By scene, and by how what is small is drawn.
+    images: HashMap<(usize, String), FrameImage>,
 }
 
 impl<'a> ReferenceImages<'a> {
@@ -26,14 +33,32 @@ impl<'a> ReferenceImages<'a> {
         }
     }
 
-    /// The image of a scene, with the clip's pose even while another is held, drawn `factor` times
-    /// as large and averaged.
-    fn image(&mut self, index: usize, scene: &BenchScene, factor: u32) -> &FrameImage {
-        self.images.entry(index).or_insert_with(|| {
+    /// The image of a scene, with the clip's pose even while another is held: what the area of each
+    /// pixel shows where the case says so ([`BenchCase::truth_factor`]), else what a renderer with
+    /// these options should draw.
+    fn image(
+        &mut self,
+        index: usize,
+        scene: &BenchScene,
+        case: BenchCase,
+        options: &RendererOptions,
+    ) -> &FrameImage {
+        let factor = case.truth_factor();
+        let supersampling = if factor > 1 {
+            Supersampling::OFF
+        } else {
+            options.supersampling
+        };
+        let key = (index, supersampling.to_string());
+        self.images.entry(key).or_insert_with(|| {
             let instances = scene.instances.iter();
             let poses: Vec<_> = instances.map(|instance| &instance.reference).collect();
-            let filter = self.avatar.filter;
-            reference::render_supersampled(self.avatar, &poses, &scene.camera, factor, filter)
+            let (avatar, camera) = (self.avatar, &scene.camera);
+            if factor > 1 {
+                reference::render_supersampled(avatar, &poses, camera, factor, avatar.filter)
+            } else {
+                reference::render_shown(avatar, &poses, camera, supersampling, options.filter)
+            }
         })
     }
 }
@@ -63,6 +88,7 @@ pub fn check(
 ) -> Result<CheckResult> {
     let mut worst: Option<ErrorReport> = None;
     let mut covered = 0;
+    let options = *renderer.options();
     for (done, &index) in indices.iter().enumerate() {
         progress("comparing with the reference", done, indices.len());
         // The frame before is drawn too: what a frame reuses from it is part of the comparison.
@@ -70,7 +96,7 @@ pub fn check(
         renderer.draw(&scenes[index])?;
         let image = renderer.image()?;
         covered += covered_pixels(&image);
-        let reference = reference_images.image(index, &scenes[index], case.truth_factor());
+        let reference = reference_images.image(index, &scenes[index], case, &options);
         let flip = flip.then(|| flip::between(&image, reference).covered);
         let error = ErrorReport::new(&error::between(&image, reference), flip);
         worst = Some(match worst {

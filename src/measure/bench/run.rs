@@ -109,6 +109,11 @@ impl CaseRenderer {
     pub fn image(&mut self) -> Result<FrameImage> {
         self.renderer.image()
     }
+
+    /// The options that it draws with, resolved.
+    pub fn options(&self) -> &RendererOptions {
+        self.renderer.options()
+    }
 }
 
 /// Timings of some frames, one entry each.

@@ -138,6 +138,7 @@ pub fn measure_spread(
     };
     let exact = RendererOptions {
         skip: Skip::empty(),
+        supersampling: drawn.supersampling,
         ..Preset::Exact.apply(drawn)
     };
     let mut renderer = BenchRenderer::new(gpu, &setting.reduce(inputs.avatar), drawn)?;

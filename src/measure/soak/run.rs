@@ -213,7 +213,9 @@ fn drift(task: &SoakTask, renderer: &mut SoakRenderer, before: &Copied) -> Resul
     let before = before.decode();
     let size = task.setting.options.size;
     let (posed, camera) = middle_frame(task.avatar, task.player, size);
-    let reference = reference::render_scene(task.avatar, &[&posed], &camera);
+    let options = &task.setting.options;
+    let (supersampling, filter) = (options.supersampling, options.filter);
+    let reference = reference::render_shown(task.avatar, &[&posed], &camera, supersampling, filter);
     let error = |image: &FrameImage| ErrorReport::new(&error::between(image, &reference), None);
     Ok(Drift {
         before: error(&before),
