@@ -341,6 +341,61 @@ pub fn avatar(seed: u64, sizes: Sizes) -> Avatar {
     }
 }
 
+/// The avatar with two levels of detail where it has enough Gaussians: every second Gaussian with
+/// its rows, and every fourth without correctives.
+pub fn with_levels(mut avatar: Avatar) -> Avatar {
+    let measured = |height: f64| {
+        [2, 4].map(|samples| LevelError {
+            height,
+            samples,
+            psnr_db: 30.0 + f64::from(samples),
+            color: 0.004,
+            coverage: 0.0025,
+        })
+    };
+    let level = |every: usize| {
+        let keep: Vec<usize> = (0..avatar.gaussians.len()).step_by(every).collect();
+        let correctives = every == 2;
+        let mut level = Level {
+            gaussians: avatar.gaussians.pick(&keep),
+            part_start: avatar
+                .parts
+                .start
+                .iter()
+                .map(|start| start.div_ceil(every as u32))
+                .collect(),
+            correctives,
+            rotation_rows: every_second(&avatar.rotation_rows, correctives),
+            scale_rows: every_second(&avatar.scale_rows, correctives),
+            color_rows: every_second(&avatar.color_rows, correctives),
+            sh: None,
+            measured: measured(240.0 / every as f64).into(),
+        };
+        if !correctives {
+            level.gaussians.node.fill([0; 3]);
+        }
+        level
+    };
+    avatar.levels = [2, 4]
+        .into_iter()
+        .filter(|every| avatar.gaussians.len() > 2 * every)
+        .map(level)
+        .collect();
+    avatar
+}
+
+/// The rows of every second Gaussian, renumbered; none unless `any`.
+fn every_second<const C: usize>(rows: &Rows<C>, any: bool) -> Rows<C> {
+    let kept: Vec<usize> = (0..rows.gaussian.len())
+        .filter(|&row| any && rows.gaussian[row].is_multiple_of(2))
+        .collect();
+    let length = rows.basis.len() / rows.gaussian.len().max(1);
+    Rows {
+        gaussian: kept.iter().map(|&row| rows.gaussian[row] / 2).collect(),
+        basis: rows.basis.pick(&kept, length),
+    }
+}
+
 /// A pose as people take them: every joint bent a little, turned anywhere, near the origin.
 pub fn pose(seed: u64, avatar: &Avatar) -> Pose {
     let random = &mut Random(seed);
