@@ -60,6 +60,8 @@ layout(std140, set = 0, binding = 0) uniform FrameBlock {
     uint drawn;
     float covariance_scale;
     uint bin_side;
+    float low_pass;
+    uint compensated;
     vec4 cache_min;
     vec4 cache_size;
     vec4 camera_from_cache[3];

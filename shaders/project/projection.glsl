@@ -80,7 +80,7 @@ bool project_center(vec3 p, float longest, out vec2 center, out float key) {
     // Its opacity has not been read yet: take the radius of an opaque one.
     if (frame.pyramid_start > 0u &&
         hidden(center,
-               radius_of(255u) * sqrt(frame.covariance_scale) * (stretched + sqrt(LOW_PASS)),
+               radius_of(255u) * sqrt(frame.covariance_scale) * (stretched + sqrt(frame.low_pass)),
                1.0 - key)) {
         count_culled(HIDDEN);
         return false;
@@ -105,18 +105,27 @@ uint write_splat(uint index, vec3 p, vec2 center, float key, mat3 rows, mat3 axe
     vec2 slope = clamp(p.xy / p.z, frame.derivative_min, frame.derivative_max);
     vec3 mu = frame.focal.x / p.z * (rows[0] - slope.x * rows[2]) * axes;
     vec3 mv = frame.focal.y / p.z * (rows[1] - slope.y * rows[2]) * axes;
-    vec3 covariance = vec3(dot(mu, mu) + LOW_PASS, dot(mu, mv), dot(mv, mv) + LOW_PASS);
+    float low_pass = frame.low_pass;
+    vec3 covariance = vec3(dot(mu, mu) + low_pass, dot(mu, mv), dot(mv, mv) + low_pass);
     // |u × v|² is the determinant of the covariance before the low-pass (Lagrange), free of
     // cancellation for needles.
     vec3 across = cross(mu, mv);
-    float determinant = dot(across, across) + LOW_PASS * (covariance.x + covariance.z - LOW_PASS);
+    float unfiltered = dot(across, across);
+    float determinant = unfiltered + low_pass * (covariance.x + covariance.z - low_pass);
     if (!(determinant > 0.0 && covariance.x <= VARIANCE_MAX && covariance.z <= VARIANCE_MAX)) {
         count_culled(DEGENERATE);
         return SORT_CULLED;
     }
+    opacity = detail_opacity(opacity);
+    if (frame.compensated != 0u) {
+        opacity = uint(round(float(opacity) * sqrt(unfiltered / determinant)));
+        if (float(opacity) <= frame.cutoff) {
+            count_culled(FAINT);
+            return SORT_CULLED;
+        }
+    }
     covariance *= frame.covariance_scale;
     determinant *= frame.covariance_scale * frame.covariance_scale;
-    opacity = detail_opacity(opacity);
     vec2 half_sides = radius_of(opacity) * sqrt(covariance.xz);
     if (!(all(greaterThan(center + half_sides, vec2(0.0))) &&
           all(lessThan(center - half_sides, frame.size)))) {

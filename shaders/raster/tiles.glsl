@@ -24,9 +24,10 @@ PARAMETER(2, bool, COUNTED, false)
 const uint SIDE = RASTER_SQUARE;
 // √(½ log₂ e): in standard deviations times this, a Gaussian is 2^−|deviation|².
 const float DEVIATION_UNIT = 0.84932180;
-// The low-pass lets no Gaussian fall faster than from its cutoff to 2^−56 over a row of four
-// pixels. A row that starts with less weight than this does not count.
-const float WEIGHT_MIN = 1e-17;
+// The least low-pass, 0.1 px², lets no Gaussian fall faster than from its cutoff to 2^−119 over a row
+// of four pixels, by 2^51 from one to the next. A row that starts with less weight than 2^−120, which
+// f32 holds still, does not count.
+const float WEIGHT_MIN = 7.5e-37;
 const float FACTOR_EXPONENT_MAX = 60.0;
 
 // The square of pixels that an invocation blends.

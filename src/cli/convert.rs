@@ -2,12 +2,12 @@
 
 use crate::{
     files,
-    options::{self, named},
+    options::{self, FilterArgs, named},
     source::{CaptureArgs, PoseProjection, Source, print_assumptions},
 };
 use anyhow::{Context, ensure};
 use effigy_core::{
-    avatar::Avatar,
+    avatar::{Avatar, Filter},
     io::splats::{Splats, Uniform, Up, from_gaussians},
     reference::{mlp, nodes, project},
     scene::Posed,
@@ -40,11 +40,13 @@ pub struct Args {
     /// each principal component of its training poses; off: the pose itself
     #[arg(long, value_enum, default_value_t = PoseProjection::On)]
     project: PoseProjection,
+    #[command(flatten)]
+    filter: FilterArgs,
 }
 
 pub fn run(args: Args) -> anyhow::Result<()> {
     let format = format(&args.out)?;
-    let splats = if open::is_splats(&args.file) {
+    let mut splats = if open::is_splats(&args.file) {
         ensure!(
             args.motion.is_none(),
             "--motion is for avatars: {} has splats, which stand still",
@@ -56,9 +58,21 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     } else {
         posed_file(&args)?
     };
+    splats.filter = args.filter.filter().unwrap_or(splats.filter);
     let count = splats.len();
     if format == SplatFormat::Splat && splats.degree > 0 {
         tracing::warn!("a .splat has no spherical harmonics above degree 0: they are left out");
+    }
+    let is_kept = match format {
+        SplatFormat::Spz => [Filter::DEFAULT, Filter::ANTIALIASED].contains(&splats.filter),
+        _ => splats.filter == Filter::DEFAULT,
+    };
+    if !is_kept {
+        tracing::warn!(
+            "{} can't say that the splats are drawn with a low-pass of {} px²",
+            args.out.display(),
+            splats.filter
+        );
     }
     let bytes = write(splats, format).with_context(|| args.file.display().to_string())?;
     files::write(&args.out, &bytes)?;
@@ -118,7 +132,10 @@ pub fn posed_splats(
             avatar.name
         );
     }
-    Ok(from_gaussians(&gaussians, uniform))
+    Ok(Splats {
+        filter: avatar.filter,
+        ..from_gaussians(&gaussians, uniform)
+    })
 }
 
 #[cfg(test)]

@@ -1,7 +1,9 @@
 //! `effigy import`: makes an avatar file, and motion files, from those of another program.
 
 use crate::{
-    files, options, progress,
+    files,
+    options::{self, FilterArgs},
+    progress,
     source::{self, CaptureArgs, print_assumptions},
 };
 use anyhow::{Context, ensure};
@@ -55,6 +57,8 @@ pub struct Args {
     /// What the file's colours count in
     #[arg(long, value_enum, default_value_t)]
     color_code: ColorArg,
+    #[command(flatten)]
+    filter: FilterArgs,
 }
 
 /// [`Activation`] as an argument.
@@ -129,8 +133,8 @@ fn check(args: &Args, is_motion: bool) -> anyhow::Result<()> {
     );
     if is_motion {
         ensure!(
-            args.trained.is_empty() && args.poses.is_none(),
-            "--trained and --poses are for avatars: {} is motion",
+            args.trained.is_empty() && args.poses.is_none() && args.filter.filter().is_none(),
+            "--trained, --poses and --filter are for avatars: {} is motion",
             args.file.display()
         );
     } else {
@@ -168,6 +172,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     bar.finish_and_clear();
     print_assumptions(&args.file, &imported.assumptions);
     let avatar = &mut imported.avatar;
+    args.filter.apply(avatar);
     if !args.trained.is_empty() {
         project_onto(avatar, &args.trained, &args.clip_options()?)?;
     }

@@ -12,6 +12,7 @@ use effigy::vulkan::{
     sort::{KeyBits, SortVariant},
 };
 use effigy_core::{
+    avatar::{Avatar, Filter},
     frame::Skip,
     layout::PROJECT_WORKGROUPS,
     scene::{Camera, Detail},
@@ -156,6 +157,49 @@ pub struct QualityArgs {
     /// avatars that are small in the image [default: as the preset says]
     #[arg(long, value_name = "SHARE")]
     pub detail: Option<Detail>,
+    #[command(flatten)]
+    pub filter: FilterArgs,
+}
+
+/// The low-pass that Gaussians are drawn with.
+#[derive(clap::Args, Clone, Copy, Debug)]
+pub struct FilterArgs {
+    /// Low-pass that Gaussians are drawn with: its variance in square pixels, 0.1 to 10, with
+    /// +compensated if the avatar was learned with compensated opacities, for instance
+    /// 0.1+compensated [default: the avatar's own]
+    #[arg(long = "filter", value_name = "VARIANCE", value_parser = filter)]
+    chosen: Option<ChosenFilter>,
+}
+
+impl FilterArgs {
+    /// The filter to draw with; None: the avatar's own.
+    pub fn filter(self) -> Option<Filter> {
+        match self.chosen {
+            Some(ChosenFilter::Other(filter)) => Some(filter),
+            Some(ChosenFilter::Own) | None => None,
+        }
+    }
+
+    /// Gives an avatar that filter, for what draws it without a renderer's options.
+    pub fn apply(self, avatar: &mut Avatar) {
+        avatar.filter = self.filter().unwrap_or(avatar.filter);
+    }
+}
+
+/// What `--filter` says.
+#[derive(Clone, Copy, Debug)]
+enum ChosenFilter {
+    /// The avatar's.
+    Own,
+    Other(Filter),
+}
+
+/// Reads `--filter`.
+fn filter(text: &str) -> Result<ChosenFilter, String> {
+    match text {
+        "own" => Ok(ChosenFilter::Own),
+        _ => text.parse().map(ChosenFilter::Other),
+    }
 }
 
 impl QualityArgs {
@@ -181,6 +225,7 @@ impl QualityArgs {
             cutoff: self.cutoff.map_or(preset.cutoff, |n| n / 255.0),
             margin: self.margin.map_or(preset.margin, |mm| mm / 1e3),
             detail: self.detail.unwrap_or(preset.detail),
+            filter: self.filter.filter(),
             ..preset
         }
     }
@@ -433,7 +478,21 @@ mod tests {
                 ..of(Preset::Exact)
             },
         );
+        expect(
+            "--filter 0.1+compensated",
+            RendererOptions {
+                filter: Some(Filter {
+                    variance: 0.1,
+                    compensated: true,
+                }),
+                ..RendererOptions::new([8, 8])
+            },
+        );
+        expect("--filter own", RendererOptions::new([8, 8]));
         for wrong in [
+            "--filter 0.05",
+            "--filter compensated",
+            "--filter nan",
             "--cutoff 0.5",
             "--cutoff 300",
             "--margin -1",

@@ -245,7 +245,8 @@ impl Shoot<'_> {
 }
 
 pub fn run(args: Args) -> anyhow::Result<()> {
-    let (avatar, player) = args.source.load_player()?;
+    let (mut avatar, player) = args.source.load_player()?;
+    args.quality.filter.apply(&mut avatar);
     // What can't be drawn is refused before a device is opened, which may take seconds.
     if let Some(frames) = &args.frames {
         check_range(frames, player.clip())?;

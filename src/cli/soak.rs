@@ -100,7 +100,8 @@ pub fn run(args: Args) -> anyhow::Result<()> {
         return compare::soaks(a, b);
     }
     let stop = interrupts()?;
-    let (avatar, player) = args.source.load_player()?;
+    let (mut avatar, player) = args.source.load_player()?;
+    args.quality.filter.apply(&mut avatar);
     let gpu = Gpu::new(&args.quality.gpu())?;
     // A soak is of the fastest sort: it is worth the wait.
     choice::choose(&gpu)?;

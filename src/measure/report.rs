@@ -134,6 +134,10 @@ pub struct OptionsReport {
     /// How many of an avatar's Gaussians are drawn: all in reports from before there was a choice.
     #[serde(default = "full_detail")]
     pub detail: String,
+    /// The low-pass as `--filter` spells it: the avatar's own in reports from before there was a
+    /// choice.
+    #[serde(default = "own_filter")]
+    pub filter: String,
     /// How f16 is read: `half` or, packed in 32-bit words, `words`.
     pub storage: String,
     /// Share of the basis rows that is retained, 0 to 1.
@@ -157,6 +161,10 @@ fn full_detail() -> String {
     Detail::FULL.to_string()
 }
 
+fn own_filter() -> String {
+    "own".into()
+}
+
 impl OptionsReport {
     /// The options of a setting.
     pub fn new(setting: &RenderSetting) -> Self {
@@ -174,6 +182,9 @@ impl OptionsReport {
             cutoff: options.cutoff,
             margin: options.margin,
             detail: options.detail.to_string(),
+            filter: options
+                .filter
+                .map_or_else(own_filter, |filter| filter.to_string()),
             storage: storage.to_owned(),
             rows: setting.rows,
             hold: setting.hold,
@@ -391,6 +402,7 @@ pub(crate) mod tests {
             cutoff: 1.0 / 255.0,
             margin: 0.005,
             detail: "full".into(),
+            filter: "own".into(),
             storage: "half".into(),
             rows: 1.0,
             hold: 1,

@@ -146,7 +146,7 @@ impl Renderer {
             blocks,
             settings,
             frame: model.constants.clone(),
-            avatar_bounds: AvatarBounds::new(avatar),
+            avatar_bounds: AvatarBounds::new(avatar).filtered(options.filter),
             needs: PartDependencies::new(avatar),
             pose_caches: (0..options.instances)
                 .map(|_| PoseCache::default())
@@ -211,7 +211,7 @@ impl Renderer {
             return Ok(false);
         }
         self.frame.clone_from(&self.model.constants);
-        self.avatar_bounds = AvatarBounds::new(avatar);
+        self.avatar_bounds = AvatarBounds::new(avatar).filtered(self.options.filter);
         self.needs = PartDependencies::new(avatar);
         for cache in &mut self.pose_caches {
             *cache = PoseCache::default();

@@ -127,8 +127,8 @@ pub fn close() {
 
 /// One frame on the device and in the reference.
 pub struct Frame {
-    /// What the device was given: the reference starts from the same numbers, but for the nodes'
-    /// weights.
+    /// What the device was given, with the filter that it drew with: the reference starts from the
+    /// same numbers, but for the nodes' weights.
     pub avatar: Avatar,
     pub posed: Posed,
     pub camera: Camera,
@@ -193,7 +193,8 @@ pub fn draw_after(
         .for_each(|camera| renderer.draw(&posed, camera, None).unwrap());
     let image = renderer.read_image().unwrap();
     let stages = renderer.stages().unwrap();
-    let avatar = avatar.compact();
+    let mut avatar = avatar.compact();
+    avatar.filter = options.filter.unwrap_or(avatar.filter);
     let level = options.detail.finest;
     let (held, pose) = (avatar.clone(), posed.clone());
     let reference = LazyCell::new(Box::new(move || {

@@ -19,7 +19,7 @@ use effigy::{
     webgpu::{Error, Gpu, Renderer},
 };
 use effigy_core::{
-    avatar::{Avatar, ShCoefficients},
+    avatar::{Avatar, Filter, ShCoefficients},
     frame::{KeyBits, RasterMethod, RendererOptions, Skinning, Skip, SortVariant, TileKernel},
     io::{file::Neutral, pack::PackQuality},
     layout::SORT_CULLED,
@@ -83,6 +83,42 @@ fn images_agree_with_the_reference(raster: Raster) {
             error.covered
         );
     }
+    device.check().unwrap();
+}
+
+/// The avatar's own filter, and another in its place.
+fn filters_draw_the_references_image(raster: Raster) {
+    let device = open();
+    let filter = Filter {
+        variance: 0.1,
+        compensated: true,
+    };
+    let (avatar, posed) = body(1, 4000);
+    let filtered = Avatar {
+        filter,
+        ..avatar.clone()
+    };
+    let options = raster.options(device.name(), [64, 80]);
+    let overridden = RendererOptions {
+        filter: Some(filter),
+        ..options
+    };
+    let camera = gpu::camera(&avatar, &posed, options.size);
+    let images = [(&filtered, options), (&avatar, overridden)].map(|(avatar, options)| {
+        let mut renderer = Renderer::new(&device, avatar, options).unwrap();
+        assert_eq!(renderer.draw(&posed, &camera), Ok(true));
+        renderer.read_image().unwrap()
+    });
+    assert_eq!(images[0], images[1]);
+    let error = error::between(
+        &images[0],
+        &reference::render(&filtered.compact(), &posed, &camera),
+    );
+    assert!(
+        error.covered.psnr_db > 42.0,
+        "{options:?}: {:?}",
+        error.covered
+    );
     device.check().unwrap();
 }
 
@@ -744,6 +780,8 @@ tests! {
     images_agree_with_the_reference[Tiles],
     images_agree_with_the_reference[TestedQuads],
     images_agree_with_the_reference[SharedTiles],
+    filters_draw_the_references_image[Quads],
+    filters_draw_the_references_image[Tiles],
     images_agree_with_the_vulkan_backend[Quads],
     images_agree_with_the_vulkan_backend[Tiles],
     images_agree_with_the_vulkan_backend[TestedQuads],

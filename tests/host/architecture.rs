@@ -144,6 +144,7 @@ const LAYERS: &[Layers] = &[
             "bake",
             "dataset",
             "ground_truth",
+            "levels",
             "evaluate",
             "train",
             "prune",

@@ -162,6 +162,8 @@ fn the_frame_block_is_the_same_on_both_sides() {
         offset_of!(FrameBlock, drawn),
         offset_of!(FrameBlock, covariance_scale),
         offset_of!(FrameBlock, bin_side),
+        offset_of!(FrameBlock, low_pass),
+        offset_of!(FrameBlock, compensated),
         offset_of!(FrameBlock, cache_min),
         offset_of!(FrameBlock, cache_size),
         offset_of!(FrameBlock, camera_from_cache),

@@ -57,14 +57,16 @@ struct type_16 {
     member_48: u32,
     member_49: f32,
     member_50: u32,
-    member_51: vec4<f32>,
-    member_52: vec4<f32>,
-    member_53: array<vec4<f32>, 3>,
-    member_54: array<vec4<u32>, 8>,
-    member_55: array<vec4<u32>, 8>,
-    member_56: array<type_12, 8>,
-    member_57: array<vec4<f32>, 128>,
-    member_58: array<vec4<f32>, 768>,
+    member_51: f32,
+    member_52: u32,
+    member_53: vec4<f32>,
+    member_54: vec4<f32>,
+    member_55: array<vec4<f32>, 3>,
+    member_56: array<vec4<u32>, 8>,
+    member_57: array<vec4<u32>, 8>,
+    member_58: array<type_12, 8>,
+    member_59: array<vec4<f32>, 128>,
+    member_60: array<vec4<f32>, 768>,
 }
 
 struct type_23 {
@@ -149,9 +151,9 @@ fn function_() {
             let _e89 = local_4[_e86];
             let _e90 = (3u * _e89);
             let _e92 = local_5[_e86];
-            let _e95 = global.member_58[_e90];
-            let _e99 = global.member_58[(_e90 + 1u)];
-            let _e103 = global.member_58[(_e90 + 2u)];
+            let _e95 = global.member_60[_e90];
+            let _e99 = global.member_60[(_e90 + 1u)];
+            let _e103 = global.member_60[(_e90 + 2u)];
             let _e105 = (mat3x4<f32>(_e95, _e99, _e103) * _e92);
             phi_1358_ = mat3x4<f32>((_e84[0] + _e105[0]), (_e84[1] + _e105[1]), (_e84[2] + _e105[2]));
             phi_1357_ = (_e86 + bitcast<u32>(1i));
@@ -205,9 +207,9 @@ fn function_() {
             let _e313 = local_2[_e310];
             let _e314 = (3u * _e313);
             let _e316 = local_3[_e310];
-            let _e319 = global.member_58[_e314];
-            let _e323 = global.member_58[(_e314 + 1u)];
-            let _e327 = global.member_58[(_e314 + 2u)];
+            let _e319 = global.member_60[_e314];
+            let _e323 = global.member_60[(_e314 + 1u)];
+            let _e327 = global.member_60[(_e314 + 2u)];
             let _e329 = (mat3x4<f32>(_e319, _e323, _e327) * _e316);
             phi_1360_ = mat3x4<f32>((_e308[0] + _e329[0]), (_e308[1] + _e329[1]), (_e308[2] + _e329[2]));
             phi_1359_ = (_e310 + bitcast<u32>(1i));
@@ -240,9 +242,9 @@ fn function_() {
             let _e424 = local[_e421];
             let _e425 = (3u * _e424);
             let _e427 = local_1[_e421];
-            let _e430 = global.member_58[_e425];
-            let _e434 = global.member_58[(_e425 + 1u)];
-            let _e438 = global.member_58[(_e425 + 2u)];
+            let _e430 = global.member_60[_e425];
+            let _e434 = global.member_60[(_e425 + 1u)];
+            let _e438 = global.member_60[(_e425 + 2u)];
             let _e440 = (mat3x4<f32>(_e430, _e434, _e438) * _e427);
             phi_1362_ = mat3x4<f32>((_e419[0] + _e440[0]), (_e419[1] + _e440[1]), (_e419[2] + _e440[2]));
             phi_1361_ = (_e421 + bitcast<u32>(1i));

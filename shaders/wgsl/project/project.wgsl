@@ -57,14 +57,16 @@ struct type_16 {
     member_48: u32,
     member_49: f32,
     member_50: u32,
-    member_51: vec4<f32>,
-    member_52: vec4<f32>,
-    member_53: array<vec4<f32>, 3>,
-    member_54: array<vec4<u32>, 8>,
-    member_55: array<vec4<u32>, 8>,
-    member_56: array<type_12, 8>,
-    member_57: array<vec4<f32>, 128>,
-    member_58: array<vec4<f32>, 768>,
+    member_51: f32,
+    member_52: u32,
+    member_53: vec4<f32>,
+    member_54: vec4<f32>,
+    member_55: array<vec4<f32>, 3>,
+    member_56: array<vec4<u32>, 8>,
+    member_57: array<vec4<u32>, 8>,
+    member_58: array<type_12, 8>,
+    member_59: array<vec4<f32>, 128>,
+    member_60: array<vec4<f32>, 768>,
 }
 
 struct type_19 {
@@ -136,593 +138,612 @@ var<storage> global_7: type_36;
 
 @compute @workgroup_size(64, 1, 1) 
 fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocation_id) param_1: vec3<u32>) {
-    var phi_5069_: u32;
-    var phi_5068_: bool;
-    var phi_3093_: bool;
+    var phi_5150_: u32;
+    var phi_5149_: bool;
+    var phi_3129_: bool;
     var local: bool;
-    var phi_3501_: bool;
-    var phi_5071_: f32;
-    var phi_5072_: f32;
-    var phi_5076_: u32;
-    var phi_5082_: u32;
-    var phi_5081_: f32;
-    var phi_5079_: u32;
-    var local_1: f32;
-    var phi_5086_: bool;
-    var phi_3547_: bool;
-    var phi_5097_: f32;
-    var phi_5088_: vec2<f32>;
-    var phi_5087_: bool;
-    var phi_5107_: vec4<f32>;
-    var phi_5108_: vec4<f32>;
-    var phi_5109_: vec4<f32>;
-    var phi_5127_: vec3<f32>;
-    var phi_5129_: vec4<f32>;
-    var phi_5128_: u32;
-    var local_2: vec4<f32>;
-    var phi_5144_: vec4<f32>;
-    var phi_5132_: vec3<f32>;
-    var phi_5131_: u32;
-    var local_3: vec3<f32>;
-    var phi_5148_: vec3<f32>;
-    var phi_5141_: vec3<f32>;
-    var phi_5140_: u32;
-    var local_4: vec3<f32>;
-    var phi_5150_: vec3<f32>;
-    var phi_4576_: bool;
-    var phi_4582_: bool;
-    var phi_5158_: f32;
+    var phi_3537_: bool;
+    var phi_5152_: f32;
+    var phi_5153_: f32;
     var phi_5157_: u32;
+    var phi_5163_: u32;
+    var phi_5162_: f32;
+    var phi_5160_: u32;
+    var local_1: f32;
+    var phi_5167_: bool;
+    var phi_3586_: bool;
+    var phi_5178_: f32;
+    var phi_5169_: vec2<f32>;
+    var phi_5168_: bool;
+    var phi_5188_: vec4<f32>;
+    var phi_5189_: vec4<f32>;
+    var phi_5190_: vec4<f32>;
+    var phi_5208_: vec3<f32>;
+    var phi_5210_: vec4<f32>;
+    var phi_5209_: u32;
+    var local_2: vec4<f32>;
+    var phi_5225_: vec4<f32>;
+    var phi_5213_: vec3<f32>;
+    var phi_5212_: u32;
+    var local_3: vec3<f32>;
+    var phi_5229_: vec3<f32>;
+    var phi_5222_: vec3<f32>;
+    var phi_5221_: u32;
+    var local_4: vec3<f32>;
+    var phi_5231_: vec3<f32>;
+    var phi_4625_: bool;
+    var phi_4631_: bool;
+    var phi_5236_: f32;
+    var phi_5235_: u32;
     var local_5: f32;
-    var phi_4620_: bool;
-    var phi_5164_: vec2<f32>;
-    var phi_5165_: vec2<f32>;
-    var phi_5166_: u32;
-    var phi_5167_: u32;
-    var phi_5168_: u32;
+    var phi_5244_: u32;
+    var phi_4691_: bool;
+    var phi_5248_: vec2<f32>;
+    var phi_5249_: vec2<f32>;
+    var phi_5250_: u32;
+    var phi_5251_: u32;
+    var phi_5252_: u32;
 
-    let _e72 = bitcast<u32>(param_1[0u]);
-    let _e74 = global.member_48;
-    let _e75 = (_e72 < _e74);
-    if _e75 {
+    let _e70 = bitcast<u32>(param_1[0u]);
+    let _e72 = global.member_48;
+    let _e73 = (_e70 < _e72);
+    if _e73 {
         switch bitcast<i32>(0u) {
             default: {
-                let _e78 = global.member_14;
-                let _e80 = global.member_47;
-                let _e82 = (_e72 << bitcast<u32>(_e80));
-                let _e86 = (4u * (_e78 + (_e82 >> bitcast<u32>(5u))));
-                let _e91 = global_7.member[(_e86 + 3u)][0u];
-                phi_5069_ = (_e91 & 65535u);
-                phi_5068_ = true;
+                let _e76 = global.member_14;
+                let _e78 = global.member_47;
+                let _e80 = (_e70 << bitcast<u32>(_e78));
+                let _e84 = (4u * (_e76 + (_e80 >> bitcast<u32>(5u))));
+                let _e89 = global_7.member[(_e84 + 3u)][0u];
+                phi_5150_ = (_e89 & 65535u);
+                phi_5149_ = true;
                 loop {
-                    let _e94 = phi_5069_;
-                    let _e96 = phi_5068_;
-                    local = _e96;
-                    phi_3093_ = _e96;
-                    if _e96 {
-                        phi_3093_ = (_e94 <= (_e91 >> bitcast<u32>(16u)));
+                    let _e92 = phi_5150_;
+                    let _e94 = phi_5149_;
+                    local = _e94;
+                    phi_3129_ = _e94;
+                    if _e94 {
+                        phi_3129_ = (_e92 <= (_e89 >> bitcast<u32>(16u)));
                     }
-                    let _e101 = phi_3093_;
-                    if _e101 {
+                    let _e99 = phi_3129_;
+                    if _e99 {
                         continue;
                     } else {
                         break;
                     }
                     continuing {
-                        let _e110 = global.member_55[(_e94 >> bitcast<u32>(7u))][((_e94 >> bitcast<u32>(5u)) & 3u)];
-                        phi_5069_ = (_e94 + bitcast<u32>(1i));
-                        phi_5068_ = (((_e110 >> bitcast<u32>((_e94 & 31u))) & 1u) != 0u);
+                        let _e108 = global.member_57[(_e92 >> bitcast<u32>(7u))][((_e92 >> bitcast<u32>(5u)) & 3u)];
+                        phi_5150_ = (_e92 + bitcast<u32>(1i));
+                        phi_5149_ = (((_e108 >> bitcast<u32>((_e92 & 31u))) & 1u) != 0u);
                     }
                 }
-                let _e119 = local;
-                if _e119 {
-                    let _e121 = global_2.member_9;
-                    if (_e121 != 0u) {
-                        let _e125 = atomicAdd((&global_1.member[0u]), 1u);
+                let _e117 = local;
+                if _e117 {
+                    let _e119 = global_2.member_9;
+                    if (_e119 != 0u) {
+                        let _e123 = atomicAdd((&global_1.member[0u]), 1u);
                     }
-                    phi_5167_ = 4294967295u;
+                    phi_5251_ = 4294967295u;
                     break;
                 }
-                let _e126 = (2u * _e82);
-                let _e129 = global_7.member[_e126];
-                let _e133 = global_7.member[(_e126 + 1u)];
-                let _e138 = global_7.member[((2u * _e78) + _e82)];
-                let _e149 = (vec2<f32>(f32(((_e138.y >> bitcast<u32>(16u)) & 31u)), f32(((_e138.y >> bitcast<u32>(21u)) & 31u))) * vec2<f32>(0.032258064f, 0.032258064f));
-                let _e153 = ((1f + (2f * _e149.x)) * 0.33333334f);
-                let _e154 = (1f - _e153);
-                let _e158 = (_e154 * (0.5f + (0.5f * _e149.y)));
-                let _e176 = global.member_11;
-                let _e179 = global.member_12;
-                let _e184 = global.member_21;
-                let _e185 = (2u * _e184);
-                let _e189 = global_3.member[(_e185 + (_e138.x & 65535u))];
-                let _e191 = unpack2x16float(_e189.x);
-                let _e203 = global_3.member[(_e185 + (_e138.x >> bitcast<u32>(16u)))];
-                let _e205 = unpack2x16float(_e203.x);
-                let _e217 = global_3.member[(_e185 + (_e138.y & 65535u))];
-                let _e219 = unpack2x16float(_e217.x);
-                let _e227 = ((((_e176.xyz + (_e179.xyz * vec3<f32>(f32((_e129.x & 65535u)), f32((_e129.x >> bitcast<u32>(16u))), f32((_e129.y & 65535u))))) + (vec3<f32>(_e191.x, _e191.y, unpack2x16float(_e189.y).x) * _e153)) + (vec3<f32>(_e205.x, _e205.y, unpack2x16float(_e203.y).x) * _e158)) + (vec3<f32>(_e219.x, _e219.y, unpack2x16float(_e217.y).x) * (_e154 - _e158)));
-                let _e231 = vec4<f32>(_e227.x, _e227.y, _e227.z, 1f);
-                let _e244 = (((_e129.y >> bitcast<u32>(16u)) | ((_e133.y >> bitcast<u32>(24u)) << bitcast<u32>(16u))) | ((_e138.y >> bitcast<u32>(26u)) << bitcast<u32>(24u)));
-                let _e256 = global.member_36;
-                let _e258 = global.member_37;
-                let _e261 = (vec3(_e256) + (vec3<f32>(f32((_e244 & 1023u)), f32(((_e244 >> bitcast<u32>(10u)) & 1023u)), f32((_e244 >> bitcast<u32>(20u)))) * _e258));
-                let _e270 = (vec4<u32>(_e133.x, (_e133.x >> bitcast<u32>(8u)), (_e133.x >> bitcast<u32>(16u)), (_e133.x >> bitcast<u32>(24u))) & vec4<u32>(255u, 255u, 255u, 255u));
-                let _e276 = (vec3<u32>(_e133.y, (_e133.y >> bitcast<u32>(8u)), (_e133.y >> bitcast<u32>(16u))) & vec3<u32>(255u, 255u, 255u));
-                let _e277 = vec3<f32>(_e276);
-                let _e289 = (vec4<f32>(_e277.x, _e277.y, _e277.z, f32((((255u - _e276.x) - _e276.y) - _e276.z))) * vec4<f32>(0.003921569f, 0.003921569f, 0.003921569f, 0.003921569f));
-                let _e292 = (3u * _e270.x);
-                let _e295 = global.member_58[_e292];
-                let _e300 = global.member_58[(_e292 + 1u)];
-                let _e305 = global.member_58[(_e292 + 2u)];
-                let _e309 = (3u * _e270.y);
-                let _e312 = global.member_58[_e309];
-                let _e318 = global.member_58[(_e309 + 1u)];
-                let _e324 = global.member_58[(_e309 + 2u)];
-                let _e329 = (3u * _e270.z);
-                let _e332 = global.member_58[_e329];
-                let _e338 = global.member_58[(_e329 + 1u)];
-                let _e344 = global.member_58[(_e329 + 2u)];
-                let _e349 = (3u * _e270.w);
-                let _e352 = global.member_58[_e349];
-                let _e354 = ((((_e295 * _e289.x) + (_e312 * _e289.y)) + (_e332 * _e289.z)) + (_e352 * _e289.w));
-                let _e358 = global.member_58[(_e349 + 1u)];
-                let _e360 = ((((_e300 * _e289.x) + (_e318 * _e289.y)) + (_e338 * _e289.z)) + (_e358 * _e289.w));
-                let _e364 = global.member_58[(_e349 + 2u)];
-                let _e366 = ((((_e305 * _e289.x) + (_e324 * _e289.y)) + (_e344 * _e289.z)) + (_e364 * _e289.w));
-                let _e369 = dot(_e366, _e231);
-                let _e370 = vec3<f32>(dot(_e354, _e231), dot(_e360, _e231), _e369);
-                let _e371 = _e354.xyz;
-                let _e372 = _e360.xyz;
-                let _e373 = _e366.xyz;
-                let _e385 = vec3<f32>(_e366.x, _e366.y, _e366.z);
+                let _e124 = (2u * _e80);
+                let _e127 = global_7.member[_e124];
+                let _e131 = global_7.member[(_e124 + 1u)];
+                let _e136 = global_7.member[((2u * _e76) + _e80)];
+                let _e147 = (vec2<f32>(f32(((_e136.y >> bitcast<u32>(16u)) & 31u)), f32(((_e136.y >> bitcast<u32>(21u)) & 31u))) * vec2<f32>(0.032258064f, 0.032258064f));
+                let _e151 = ((1f + (2f * _e147.x)) * 0.33333334f);
+                let _e152 = (1f - _e151);
+                let _e156 = (_e152 * (0.5f + (0.5f * _e147.y)));
+                let _e174 = global.member_11;
+                let _e177 = global.member_12;
+                let _e182 = global.member_21;
+                let _e183 = (2u * _e182);
+                let _e187 = global_3.member[(_e183 + (_e136.x & 65535u))];
+                let _e189 = unpack2x16float(_e187.x);
+                let _e201 = global_3.member[(_e183 + (_e136.x >> bitcast<u32>(16u)))];
+                let _e203 = unpack2x16float(_e201.x);
+                let _e215 = global_3.member[(_e183 + (_e136.y & 65535u))];
+                let _e217 = unpack2x16float(_e215.x);
+                let _e225 = ((((_e174.xyz + (_e177.xyz * vec3<f32>(f32((_e127.x & 65535u)), f32((_e127.x >> bitcast<u32>(16u))), f32((_e127.y & 65535u))))) + (vec3<f32>(_e189.x, _e189.y, unpack2x16float(_e187.y).x) * _e151)) + (vec3<f32>(_e203.x, _e203.y, unpack2x16float(_e201.y).x) * _e156)) + (vec3<f32>(_e217.x, _e217.y, unpack2x16float(_e215.y).x) * (_e152 - _e156)));
+                let _e229 = vec4<f32>(_e225.x, _e225.y, _e225.z, 1f);
+                let _e242 = (((_e127.y >> bitcast<u32>(16u)) | ((_e131.y >> bitcast<u32>(24u)) << bitcast<u32>(16u))) | ((_e136.y >> bitcast<u32>(26u)) << bitcast<u32>(24u)));
+                let _e254 = global.member_36;
+                let _e256 = global.member_37;
+                let _e259 = (vec3(_e254) + (vec3<f32>(f32((_e242 & 1023u)), f32(((_e242 >> bitcast<u32>(10u)) & 1023u)), f32((_e242 >> bitcast<u32>(20u)))) * _e256));
+                let _e268 = (vec4<u32>(_e131.x, (_e131.x >> bitcast<u32>(8u)), (_e131.x >> bitcast<u32>(16u)), (_e131.x >> bitcast<u32>(24u))) & vec4<u32>(255u, 255u, 255u, 255u));
+                let _e274 = (vec3<u32>(_e131.y, (_e131.y >> bitcast<u32>(8u)), (_e131.y >> bitcast<u32>(16u))) & vec3<u32>(255u, 255u, 255u));
+                let _e275 = vec3<f32>(_e274);
+                let _e287 = (vec4<f32>(_e275.x, _e275.y, _e275.z, f32((((255u - _e274.x) - _e274.y) - _e274.z))) * vec4<f32>(0.003921569f, 0.003921569f, 0.003921569f, 0.003921569f));
+                let _e290 = (3u * _e268.x);
+                let _e293 = global.member_60[_e290];
+                let _e298 = global.member_60[(_e290 + 1u)];
+                let _e303 = global.member_60[(_e290 + 2u)];
+                let _e307 = (3u * _e268.y);
+                let _e310 = global.member_60[_e307];
+                let _e316 = global.member_60[(_e307 + 1u)];
+                let _e322 = global.member_60[(_e307 + 2u)];
+                let _e327 = (3u * _e268.z);
+                let _e330 = global.member_60[_e327];
+                let _e336 = global.member_60[(_e327 + 1u)];
+                let _e342 = global.member_60[(_e327 + 2u)];
+                let _e347 = (3u * _e268.w);
+                let _e350 = global.member_60[_e347];
+                let _e352 = ((((_e293 * _e287.x) + (_e310 * _e287.y)) + (_e330 * _e287.z)) + (_e350 * _e287.w));
+                let _e356 = global.member_60[(_e347 + 1u)];
+                let _e358 = ((((_e298 * _e287.x) + (_e316 * _e287.y)) + (_e336 * _e287.z)) + (_e356 * _e287.w));
+                let _e362 = global.member_60[(_e347 + 2u)];
+                let _e364 = ((((_e303 * _e287.x) + (_e322 * _e287.y)) + (_e342 * _e287.z)) + (_e362 * _e287.w));
+                let _e367 = dot(_e364, _e229);
+                let _e368 = vec3<f32>(dot(_e352, _e229), dot(_e358, _e229), _e367);
+                let _e369 = _e352.xyz;
+                let _e370 = _e358.xyz;
+                let _e371 = _e364.xyz;
+                let _e383 = vec3<f32>(_e364.x, _e364.y, _e364.z);
                 switch bitcast<i32>(0u) {
                     default: {
-                        let _e403 = global.member_6;
-                        if !((_e369 >= _e403)) {
-                            let _e407 = global_2.member_9;
-                            if (_e407 != 0u) {
-                                let _e411 = atomicAdd((&global_1.member[0u]), 1u);
+                        let _e401 = global.member_6;
+                        if !((_e367 >= _e401)) {
+                            let _e405 = global_2.member_9;
+                            if (_e405 != 0u) {
+                                let _e409 = atomicAdd((&global_1.member[0u]), 1u);
                             }
-                            phi_5097_ = 0f;
-                            phi_5088_ = vec2<f32>(0f, 0f);
-                            phi_5087_ = false;
+                            phi_5178_ = 0f;
+                            phi_5169_ = vec2<f32>(0f, 0f);
+                            phi_5168_ = false;
                             break;
                         }
-                        let _e413 = global.member;
-                        let _e414 = _e370.xy;
-                        let _e416 = vec2(_e369);
-                        let _e419 = global.member_1;
-                        let _e420 = (((_e413 * _e414) / _e416) + _e419);
-                        let _e422 = global.member_5;
-                        let _e426 = all((_e420 >= vec2(-(_e422))));
-                        phi_3501_ = _e426;
-                        if _e426 {
-                            let _e428 = global.member_4;
-                            phi_3501_ = all((_e420 <= (_e428 + vec2(_e422))));
+                        let _e411 = global.member;
+                        let _e412 = _e368.xy;
+                        let _e414 = vec2(_e367);
+                        let _e417 = global.member_1;
+                        let _e418 = (((_e411 * _e412) / _e414) + _e417);
+                        let _e420 = global.member_5;
+                        let _e424 = all((_e418 >= vec2(-(_e420))));
+                        phi_3537_ = _e424;
+                        if _e424 {
+                            let _e426 = global.member_4;
+                            phi_3537_ = all((_e418 <= (_e426 + vec2(_e420))));
                         }
-                        let _e434 = phi_3501_;
-                        if !(_e434) {
-                            let _e437 = global_2.member_9;
-                            if (_e437 != 0u) {
-                                let _e441 = atomicAdd((&global_1.member[0u]), 1u);
+                        let _e432 = phi_3537_;
+                        if !(_e432) {
+                            let _e435 = global_2.member_9;
+                            if (_e435 != 0u) {
+                                let _e439 = atomicAdd((&global_1.member[0u]), 1u);
                             }
-                            phi_5097_ = 0f;
-                            phi_5088_ = _e420;
-                            phi_5087_ = false;
+                            phi_5178_ = 0f;
+                            phi_5169_ = _e418;
+                            phi_5168_ = false;
                             break;
                         }
-                        let _e443 = global.member_7;
-                        let _e446 = global.member_8;
-                        let _e447 = ((_e443 - _e369) * _e446);
-                        if (_e447 < 0f) {
-                            phi_5072_ = (0.015625f / (1f - _e447));
+                        let _e441 = global.member_7;
+                        let _e444 = global.member_8;
+                        let _e445 = ((_e441 - _e367) * _e444);
+                        if (_e445 < 0f) {
+                            phi_5153_ = (0.015625f / (1f - _e445));
                         } else {
-                            if (_e447 > 1f) {
-                                phi_5071_ = (1f - (0.015625f / _e447));
+                            if (_e445 > 1f) {
+                                phi_5152_ = (1f - (0.015625f / _e445));
                             } else {
-                                phi_5071_ = (0.015625f + (0.96875f * clamp(_e447, 0f, 1f)));
+                                phi_5152_ = (0.015625f + (0.96875f * clamp(_e445, 0f, 1f)));
                             }
-                            let _e456 = phi_5071_;
-                            phi_5072_ = _e456;
+                            let _e454 = phi_5152_;
+                            phi_5153_ = _e454;
                         }
-                        let _e460 = phi_5072_;
-                        let _e461 = (_e414 / _e416);
-                        let _e469 = global.member[0u];
-                        let _e472 = global.member[1u];
-                        let _e477 = global.member_31;
-                        let _e478 = (_e477 > 0u);
-                        phi_3547_ = _e478;
-                        if _e478 {
-                            let _e480 = global.member_34;
-                            let _e483 = global.member_29;
-                            let _e490 = global.member_49;
+                        let _e458 = phi_5153_;
+                        let _e459 = (_e412 / _e414);
+                        let _e467 = global.member[0u];
+                        let _e470 = global.member[1u];
+                        let _e475 = global.member_31;
+                        let _e476 = (_e475 > 0u);
+                        phi_3586_ = _e476;
+                        if _e476 {
+                            let _e478 = global.member_34;
+                            let _e481 = global.member_29;
+                            let _e488 = global.member_49;
+                            let _e492 = global.member_51;
                             switch bitcast<i32>(0u) {
                                 default: {
-                                    let _e497 = vec2(((sqrt((2f * log(max((max(255f, _e480) / _e483), 1f)))) * sqrt(_e490)) * ((((((1.2f * exp(min(max(max(_e261.x, _e261.y), _e261.z), 9f))) * sqrt(max(max(dot(_e371, _e371), dot(_e372, _e372)), dot(_e373, _e373)))) * length(vec3<f32>(_e461.x, _e461.y, 1f))) * max(_e469, _e472)) / _e369) + 0.5477226f)));
-                                    let _e500 = global.member_32;
-                                    let _e503 = global.member_33;
-                                    let _e511 = vec2<u32>(clamp(((((_e420 - _e497) - _e500) * _e503) - vec2<f32>(0.5f, 0.5f)), vec2<f32>(0f, 0f), vec2<f32>(191f, 191f)));
-                                    let _e513 = vec2<u32>(clamp(((((_e420 + _e497) - _e500) * _e503) + vec2<f32>(0.5f, 0.5f)), vec2<f32>(0f, 0f), vec2<f32>(191f, 191f)));
-                                    let _e520 = max((_e513.x - _e511.x), (_e513.y - _e511.y));
-                                    if (_e520 <= 3u) {
-                                        phi_5076_ = 0u;
+                                    let _e498 = vec2(((sqrt((2f * log(max((max(255f, _e478) / _e481), 1f)))) * sqrt(_e488)) * ((((((1.2f * exp(min(max(max(_e259.x, _e259.y), _e259.z), 9f))) * sqrt(max(max(dot(_e369, _e369), dot(_e370, _e370)), dot(_e371, _e371)))) * length(vec3<f32>(_e459.x, _e459.y, 1f))) * max(_e467, _e470)) / _e367) + sqrt(_e492))));
+                                    let _e501 = global.member_32;
+                                    let _e504 = global.member_33;
+                                    let _e512 = vec2<u32>(clamp(((((_e418 - _e498) - _e501) * _e504) - vec2<f32>(0.5f, 0.5f)), vec2<f32>(0f, 0f), vec2<f32>(191f, 191f)));
+                                    let _e514 = vec2<u32>(clamp(((((_e418 + _e498) - _e501) * _e504) + vec2<f32>(0.5f, 0.5f)), vec2<f32>(0f, 0f), vec2<f32>(191f, 191f)));
+                                    let _e521 = max((_e514.x - _e512.x), (_e514.y - _e512.y));
+                                    if (_e521 <= 3u) {
+                                        phi_5157_ = 0u;
                                     } else {
-                                        phi_5076_ = (bitcast<u32>(firstLeadingBit((_e520 - 1u))) - 1u);
+                                        phi_5157_ = (bitcast<u32>(firstLeadingBit((_e521 - 1u))) - 1u);
                                     }
-                                    let _e527 = phi_5076_;
-                                    if !((_e527 < 4u)) {
-                                        phi_5086_ = false;
+                                    let _e528 = phi_5157_;
+                                    if !((_e528 < 4u)) {
+                                        phi_5167_ = false;
                                         break;
                                     }
-                                    let _e537 = vec2(_e527);
-                                    let _e539 = (_e511 >> bitcast<vec2<u32>>(_e537));
-                                    let _e541 = (_e513 >> bitcast<vec2<u32>>(_e537));
-                                    let _e543 = (_e539.x & 4294967292u);
-                                    phi_5082_ = _e543;
-                                    phi_5081_ = 0f;
-                                    phi_5079_ = _e539.y;
+                                    let _e538 = vec2(_e528);
+                                    let _e540 = (_e512 >> bitcast<vec2<u32>>(_e538));
+                                    let _e542 = (_e514 >> bitcast<vec2<u32>>(_e538));
+                                    let _e544 = (_e540.x & 4294967292u);
+                                    phi_5163_ = _e544;
+                                    phi_5162_ = 0f;
+                                    phi_5160_ = _e540.y;
                                     loop {
-                                        let _e546 = phi_5082_;
-                                        let _e548 = phi_5081_;
-                                        let _e550 = phi_5079_;
-                                        local_1 = _e548;
-                                        if (_e550 <= _e541.y) {
+                                        let _e547 = phi_5163_;
+                                        let _e549 = phi_5162_;
+                                        let _e551 = phi_5160_;
+                                        local_1 = _e549;
+                                        if (_e551 <= _e542.y) {
                                             continue;
                                         } else {
                                             break;
                                         }
                                         continuing {
-                                            let _e555 = (vec4(f32(_e546)) + vec4<f32>(0f, 1f, 2f, 3f));
-                                            let _e573 = global_3.member[((_e477 >> bitcast<u32>(1u)) + ((((4u * (12288u - (12288u >> bitcast<u32>((2u * _e527))))) + (_e550 * (192u >> bitcast<u32>(_e527)))) + _e546) >> bitcast<u32>(2u)))];
-                                            let _e575 = unpack2x16unorm(_e573.x);
-                                            let _e577 = unpack2x16unorm(_e573.y);
-                                            let _e584 = select(select(vec4<f32>(_e575.x, _e575.y, _e577.x, _e577.y), vec4<f32>(0f, 0f, 0f, 0f), (_e555 < vec4(f32(_e539.x)))), vec4<f32>(0f, 0f, 0f, 0f), (_e555 > vec4(f32(_e541.x))));
-                                            let _e593 = (_e546 + 4u);
-                                            let _e594 = (_e593 > _e541.x);
-                                            phi_5082_ = select(_e593, _e543, _e594);
-                                            phi_5081_ = max(_e548, max(max(_e584.x, _e584.y), max(_e584.z, _e584.w)));
-                                            phi_5079_ = (_e550 + select(0u, 1u, _e594));
+                                            let _e556 = (vec4(f32(_e547)) + vec4<f32>(0f, 1f, 2f, 3f));
+                                            let _e574 = global_3.member[((_e475 >> bitcast<u32>(1u)) + ((((4u * (12288u - (12288u >> bitcast<u32>((2u * _e528))))) + (_e551 * (192u >> bitcast<u32>(_e528)))) + _e547) >> bitcast<u32>(2u)))];
+                                            let _e576 = unpack2x16unorm(_e574.x);
+                                            let _e578 = unpack2x16unorm(_e574.y);
+                                            let _e585 = select(select(vec4<f32>(_e576.x, _e576.y, _e578.x, _e578.y), vec4<f32>(0f, 0f, 0f, 0f), (_e556 < vec4(f32(_e540.x)))), vec4<f32>(0f, 0f, 0f, 0f), (_e556 > vec4(f32(_e542.x))));
+                                            let _e594 = (_e547 + 4u);
+                                            let _e595 = (_e594 > _e542.x);
+                                            phi_5163_ = select(_e594, _e544, _e595);
+                                            phi_5162_ = max(_e549, max(max(_e585.x, _e585.y), max(_e585.z, _e585.w)));
+                                            phi_5160_ = (_e551 + select(0u, 1u, _e595));
                                         }
                                     }
-                                    let _e599 = local_1;
-                                    phi_5086_ = ((1f - _e460) > _e599);
+                                    let _e600 = local_1;
+                                    phi_5167_ = ((1f - _e458) > _e600);
                                     break;
                                 }
                             }
-                            let _e602 = phi_5086_;
-                            phi_3547_ = _e602;
+                            let _e603 = phi_5167_;
+                            phi_3586_ = _e603;
                         }
-                        let _e604 = phi_3547_;
-                        if _e604 {
-                            let _e606 = global_2.member_9;
-                            if (_e606 != 0u) {
-                                let _e610 = atomicAdd((&global_1.member[1u]), 1u);
+                        let _e605 = phi_3586_;
+                        if _e605 {
+                            let _e607 = global_2.member_9;
+                            if (_e607 != 0u) {
+                                let _e611 = atomicAdd((&global_1.member[1u]), 1u);
                             }
-                            phi_5097_ = _e460;
-                            phi_5088_ = _e420;
-                            phi_5087_ = false;
+                            phi_5178_ = _e458;
+                            phi_5169_ = _e418;
+                            phi_5168_ = false;
                             break;
                         }
-                        phi_5097_ = _e460;
-                        phi_5088_ = _e420;
-                        phi_5087_ = true;
+                        phi_5178_ = _e458;
+                        phi_5169_ = _e418;
+                        phi_5168_ = true;
                         break;
                     }
                 }
-                let _e612 = phi_5097_;
-                let _e614 = phi_5088_;
-                let _e616 = phi_5087_;
-                if (true && !(_e616)) {
-                    phi_5167_ = 4294967295u;
+                let _e613 = phi_5178_;
+                let _e615 = phi_5169_;
+                let _e617 = phi_5168_;
+                if (true && !(_e617)) {
+                    phi_5251_ = 4294967295u;
                     break;
                 }
-                let _e623 = global_7.member[((3u * _e78) + _e82)];
-                let _e627 = f32((_e623.y >> bitcast<u32>(24u)));
-                let _e629 = global.member_29;
-                if (_e627 <= _e629) {
-                    let _e632 = global_2.member_9;
-                    if (_e632 != 0u) {
-                        let _e636 = atomicAdd((&global_1.member[2u]), 1u);
+                let _e624 = global_7.member[((3u * _e76) + _e80)];
+                let _e628 = f32((_e624.y >> bitcast<u32>(24u)));
+                let _e630 = global.member_29;
+                if (_e628 <= _e630) {
+                    let _e633 = global_2.member_9;
+                    if (_e633 != 0u) {
+                        let _e637 = atomicAdd((&global_1.member[2u]), 1u);
                     }
-                    phi_5167_ = 4294967295u;
+                    phi_5251_ = 4294967295u;
                     break;
                 }
-                let _e650 = ((vec3<f32>(f32((_e623.x & 1023u)), f32(((_e623.x >> bitcast<u32>(10u)) & 1023u)), f32(((_e623.x >> bitcast<u32>(20u)) & 1023u))) - vec3<f32>(512f, 512f, 512f)) * vec3<f32>(0.0013888889f, 0.0013888889f, 0.0013888889f));
-                let _e654 = sqrt(max((1f - dot(_e650, _e650)), 0f));
-                let _e656 = (_e623.x >> bitcast<u32>(30u));
-                if (_e656 == 0u) {
-                    phi_5109_ = vec4<f32>(_e654, _e650.x, _e650.y, _e650.z);
+                let _e651 = ((vec3<f32>(f32((_e624.x & 1023u)), f32(((_e624.x >> bitcast<u32>(10u)) & 1023u)), f32(((_e624.x >> bitcast<u32>(20u)) & 1023u))) - vec3<f32>(512f, 512f, 512f)) * vec3<f32>(0.0013888889f, 0.0013888889f, 0.0013888889f));
+                let _e655 = sqrt(max((1f - dot(_e651, _e651)), 0f));
+                let _e657 = (_e624.x >> bitcast<u32>(30u));
+                if (_e657 == 0u) {
+                    phi_5190_ = vec4<f32>(_e655, _e651.x, _e651.y, _e651.z);
                 } else {
-                    if (_e656 == 1u) {
-                        phi_5108_ = vec4<f32>(_e650.x, _e654, _e650.y, _e650.z);
+                    if (_e657 == 1u) {
+                        phi_5189_ = vec4<f32>(_e651.x, _e655, _e651.y, _e651.z);
                     } else {
-                        if (_e656 == 2u) {
-                            phi_5107_ = vec4<f32>(_e650.x, _e650.y, _e654, _e650.z);
+                        if (_e657 == 2u) {
+                            phi_5188_ = vec4<f32>(_e651.x, _e651.y, _e655, _e651.z);
                         } else {
-                            phi_5107_ = vec4<f32>(_e650.x, _e650.y, _e650.z, _e654);
+                            phi_5188_ = vec4<f32>(_e651.x, _e651.y, _e651.z, _e655);
                         }
-                        let _e669 = phi_5107_;
-                        phi_5108_ = _e669;
+                        let _e670 = phi_5188_;
+                        phi_5189_ = _e670;
                     }
-                    let _e675 = phi_5108_;
-                    phi_5109_ = _e675;
+                    let _e676 = phi_5189_;
+                    phi_5190_ = _e676;
                 }
-                let _e681 = phi_5109_;
-                let _e685 = global.member_38;
-                let _e686 = (_e685 > 0u);
-                phi_5127_ = unpack4x8unorm(_e623.y).xyz;
-                if _e686 {
-                    let _e690 = global_7.member[(_e685 + _e82)];
-                    let _e692 = unpack2x16float(_e690.x);
-                    phi_5127_ = vec3<f32>(_e692.x, _e692.y, unpack2x16float(_e690.y).x);
+                let _e682 = phi_5190_;
+                let _e686 = global.member_38;
+                let _e687 = (_e686 > 0u);
+                phi_5208_ = unpack4x8unorm(_e624.y).xyz;
+                if _e687 {
+                    let _e691 = global_7.member[(_e686 + _e80)];
+                    let _e693 = unpack2x16float(_e691.x);
+                    phi_5208_ = vec3<f32>(_e693.x, _e693.y, unpack2x16float(_e691.y).x);
                 }
-                let _e700 = phi_5127_;
-                let _e703 = (1u << bitcast<u32>((_e82 & 31u)));
-                let _e706 = global_7.member[_e86];
-                let _e710 = global_7.member[(_e86 + 1u)];
-                let _e714 = global_7.member[(_e86 + 2u)];
-                phi_5144_ = _e681;
-                if ((_e706.x & _e703) != 0u) {
-                    let _e725 = global.member_22;
-                    let _e727 = global.member_18;
-                    let _e731 = (_e725 + ((_e710.y + bitcast<u32>(countOneBits((_e706.x & (_e703 - 1u))))) * (1u + (4u * _e727))));
-                    let _e732 = (_e731 + 1u);
-                    let _e735 = global_6.member[_e731];
-                    let _e737 = global.member_44;
-                    let _e741 = global.member_19;
-                    phi_5129_ = vec4<f32>(0f, 0f, 0f, 0f);
-                    phi_5128_ = 0u;
+                let _e701 = phi_5208_;
+                let _e704 = (1u << bitcast<u32>((_e80 & 31u)));
+                let _e707 = global_7.member[_e84];
+                let _e711 = global_7.member[(_e84 + 1u)];
+                let _e715 = global_7.member[(_e84 + 2u)];
+                phi_5225_ = _e682;
+                if ((_e707.x & _e704) != 0u) {
+                    let _e726 = global.member_22;
+                    let _e728 = global.member_18;
+                    let _e732 = (_e726 + ((_e711.y + bitcast<u32>(countOneBits((_e707.x & (_e704 - 1u))))) * (1u + (4u * _e728))));
+                    let _e733 = (_e732 + 1u);
+                    let _e736 = global_6.member[_e732];
+                    let _e738 = global.member_44;
+                    let _e742 = global.member_19;
+                    phi_5210_ = vec4<f32>(0f, 0f, 0f, 0f);
+                    phi_5209_ = 0u;
                     loop {
-                        let _e745 = phi_5129_;
-                        let _e747 = phi_5128_;
-                        let _e749 = (2u * ((_e737 + ((_e735 >> bitcast<u32>(16u)) * _e741)) + _e747));
-                        let _e752 = global_3.member[_e749];
-                        let _e756 = global_3.member[(_e749 + 1u)];
-                        let _e762 = bitcast<vec4<f32>>(vec4<u32>(_e752.x, _e752.y, _e756.x, _e756.y));
-                        let _e766 = global_6.member[(_e732 + _e747)];
-                        let _e773 = global_6.member[((_e732 + _e727) + _e747)];
-                        let _e781 = global_6.member[((_e732 + (2u * _e727)) + _e747)];
-                        let _e789 = global_6.member[((_e732 + (3u * _e727)) + _e747)];
-                        let _e793 = (_e745 + vec4<f32>(dot(unpack4x8snorm(_e766), _e762), dot(unpack4x8snorm(_e773), _e762), dot(unpack4x8snorm(_e781), _e762), dot(unpack4x8snorm(_e789), _e762)));
-                        let _e795 = (_e747 + bitcast<u32>(1i));
-                        phi_5129_ = _e793;
-                        phi_5128_ = _e795;
-                        local_2 = _e793;
-                        if (_e795 < _e727) {
+                        let _e746 = phi_5210_;
+                        let _e748 = phi_5209_;
+                        let _e750 = (2u * ((_e738 + ((_e736 >> bitcast<u32>(16u)) * _e742)) + _e748));
+                        let _e753 = global_3.member[_e750];
+                        let _e757 = global_3.member[(_e750 + 1u)];
+                        let _e763 = bitcast<vec4<f32>>(vec4<u32>(_e753.x, _e753.y, _e757.x, _e757.y));
+                        let _e767 = global_6.member[(_e733 + _e748)];
+                        let _e774 = global_6.member[((_e733 + _e728) + _e748)];
+                        let _e782 = global_6.member[((_e733 + (2u * _e728)) + _e748)];
+                        let _e790 = global_6.member[((_e733 + (3u * _e728)) + _e748)];
+                        let _e794 = (_e746 + vec4<f32>(dot(unpack4x8snorm(_e767), _e763), dot(unpack4x8snorm(_e774), _e763), dot(unpack4x8snorm(_e782), _e763), dot(unpack4x8snorm(_e790), _e763)));
+                        let _e796 = (_e748 + bitcast<u32>(1i));
+                        phi_5210_ = _e794;
+                        phi_5209_ = _e796;
+                        local_2 = _e794;
+                        if (_e796 < _e728) {
                             continue;
                         } else {
                             break;
                         }
                     }
-                    let _e801 = local_2;
-                    let _e803 = (_e681 + (_e801 * (127f * unpack2x16float(_e735).x)));
-                    phi_5144_ = select(_e681, _e803, vec4((length(_e803) >= 0.001f)));
+                    let _e802 = local_2;
+                    let _e804 = (_e682 + (_e802 * (127f * unpack2x16float(_e736).x)));
+                    phi_5225_ = select(_e682, _e804, vec4((length(_e804) >= 0.001f)));
                 }
-                let _e809 = phi_5144_;
-                phi_5148_ = _e261;
-                if ((_e706.y & _e703) != 0u) {
-                    let _e820 = global.member_23;
-                    let _e822 = global.member_18;
-                    let _e826 = (_e820 + ((_e714.x + bitcast<u32>(countOneBits((_e706.y & (_e703 - 1u))))) * (1u + (3u * _e822))));
-                    let _e827 = (_e826 + 1u);
-                    let _e830 = global_6.member[_e826];
-                    let _e832 = global.member_44;
-                    let _e836 = global.member_19;
-                    phi_5132_ = vec3<f32>(0f, 0f, 0f);
-                    phi_5131_ = 0u;
+                let _e810 = phi_5225_;
+                phi_5229_ = _e259;
+                if ((_e707.y & _e704) != 0u) {
+                    let _e821 = global.member_23;
+                    let _e823 = global.member_18;
+                    let _e827 = (_e821 + ((_e715.x + bitcast<u32>(countOneBits((_e707.y & (_e704 - 1u))))) * (1u + (3u * _e823))));
+                    let _e828 = (_e827 + 1u);
+                    let _e831 = global_6.member[_e827];
+                    let _e833 = global.member_44;
+                    let _e837 = global.member_19;
+                    phi_5213_ = vec3<f32>(0f, 0f, 0f);
+                    phi_5212_ = 0u;
                     loop {
-                        let _e840 = phi_5132_;
-                        let _e842 = phi_5131_;
-                        let _e844 = (2u * ((_e832 + ((_e830 >> bitcast<u32>(16u)) * _e836)) + _e842));
-                        let _e847 = global_3.member[_e844];
-                        let _e851 = global_3.member[(_e844 + 1u)];
-                        let _e857 = bitcast<vec4<f32>>(vec4<u32>(_e847.x, _e847.y, _e851.x, _e851.y));
-                        let _e861 = global_6.member[(_e827 + _e842)];
-                        let _e868 = global_6.member[((_e827 + _e822) + _e842)];
-                        let _e876 = global_6.member[((_e827 + (2u * _e822)) + _e842)];
-                        let _e880 = (_e840 + vec3<f32>(dot(unpack4x8snorm(_e861), _e857), dot(unpack4x8snorm(_e868), _e857), dot(unpack4x8snorm(_e876), _e857)));
-                        let _e882 = (_e842 + bitcast<u32>(1i));
-                        phi_5132_ = _e880;
-                        phi_5131_ = _e882;
-                        local_3 = _e880;
-                        if (_e882 < _e822) {
+                        let _e841 = phi_5213_;
+                        let _e843 = phi_5212_;
+                        let _e845 = (2u * ((_e833 + ((_e831 >> bitcast<u32>(16u)) * _e837)) + _e843));
+                        let _e848 = global_3.member[_e845];
+                        let _e852 = global_3.member[(_e845 + 1u)];
+                        let _e858 = bitcast<vec4<f32>>(vec4<u32>(_e848.x, _e848.y, _e852.x, _e852.y));
+                        let _e862 = global_6.member[(_e828 + _e843)];
+                        let _e869 = global_6.member[((_e828 + _e823) + _e843)];
+                        let _e877 = global_6.member[((_e828 + (2u * _e823)) + _e843)];
+                        let _e881 = (_e841 + vec3<f32>(dot(unpack4x8snorm(_e862), _e858), dot(unpack4x8snorm(_e869), _e858), dot(unpack4x8snorm(_e877), _e858)));
+                        let _e883 = (_e843 + bitcast<u32>(1i));
+                        phi_5213_ = _e881;
+                        phi_5212_ = _e883;
+                        local_3 = _e881;
+                        if (_e883 < _e823) {
                             continue;
                         } else {
                             break;
                         }
                     }
-                    let _e888 = local_3;
-                    phi_5148_ = (_e261 + (_e888 * (127f * unpack2x16float(_e830).x)));
+                    let _e889 = local_3;
+                    phi_5229_ = (_e259 + (_e889 * (127f * unpack2x16float(_e831).x)));
                 }
-                let _e892 = phi_5148_;
-                phi_5150_ = _e700;
-                if ((_e710.x & _e703) != 0u) {
-                    let _e903 = global.member_24;
-                    let _e905 = global.member_18;
-                    let _e909 = (_e903 + ((_e714.y + bitcast<u32>(countOneBits((_e710.x & (_e703 - 1u))))) * (3u + (3u * _e905))));
-                    let _e913 = global_6.member[(_e909 + 1u)];
-                    let _e914 = unpack2x16float(_e913);
-                    let _e918 = global_6.member[(_e909 + 2u)];
-                    let _e926 = (_e909 + 3u);
-                    let _e929 = global_6.member[_e909];
-                    let _e931 = global.member_44;
-                    let _e935 = global.member_19;
-                    phi_5141_ = vec3<f32>(0f, 0f, 0f);
-                    phi_5140_ = 0u;
+                let _e893 = phi_5229_;
+                phi_5231_ = _e701;
+                if ((_e711.x & _e704) != 0u) {
+                    let _e904 = global.member_24;
+                    let _e906 = global.member_18;
+                    let _e910 = (_e904 + ((_e715.y + bitcast<u32>(countOneBits((_e711.x & (_e704 - 1u))))) * (3u + (3u * _e906))));
+                    let _e914 = global_6.member[(_e910 + 1u)];
+                    let _e915 = unpack2x16float(_e914);
+                    let _e919 = global_6.member[(_e910 + 2u)];
+                    let _e927 = (_e910 + 3u);
+                    let _e930 = global_6.member[_e910];
+                    let _e932 = global.member_44;
+                    let _e936 = global.member_19;
+                    phi_5222_ = vec3<f32>(0f, 0f, 0f);
+                    phi_5221_ = 0u;
                     loop {
-                        let _e939 = phi_5141_;
-                        let _e941 = phi_5140_;
-                        let _e943 = (2u * ((_e931 + ((_e929 >> bitcast<u32>(16u)) * _e935)) + _e941));
-                        let _e946 = global_3.member[_e943];
-                        let _e950 = global_3.member[(_e943 + 1u)];
-                        let _e956 = bitcast<vec4<f32>>(vec4<u32>(_e946.x, _e946.y, _e950.x, _e950.y));
-                        let _e960 = global_6.member[(_e926 + _e941)];
-                        let _e967 = global_6.member[((_e926 + _e905) + _e941)];
-                        let _e975 = global_6.member[((_e926 + (2u * _e905)) + _e941)];
-                        let _e979 = (_e939 + vec3<f32>(dot(unpack4x8snorm(_e960), _e956), dot(unpack4x8snorm(_e967), _e956), dot(unpack4x8snorm(_e975), _e956)));
-                        let _e981 = (_e941 + bitcast<u32>(1i));
-                        phi_5141_ = _e979;
-                        phi_5140_ = _e981;
-                        local_4 = _e979;
-                        if (_e981 < _e905) {
+                        let _e940 = phi_5222_;
+                        let _e942 = phi_5221_;
+                        let _e944 = (2u * ((_e932 + ((_e930 >> bitcast<u32>(16u)) * _e936)) + _e942));
+                        let _e947 = global_3.member[_e944];
+                        let _e951 = global_3.member[(_e944 + 1u)];
+                        let _e957 = bitcast<vec4<f32>>(vec4<u32>(_e947.x, _e947.y, _e951.x, _e951.y));
+                        let _e961 = global_6.member[(_e927 + _e942)];
+                        let _e968 = global_6.member[((_e927 + _e906) + _e942)];
+                        let _e976 = global_6.member[((_e927 + (2u * _e906)) + _e942)];
+                        let _e980 = (_e940 + vec3<f32>(dot(unpack4x8snorm(_e961), _e957), dot(unpack4x8snorm(_e968), _e957), dot(unpack4x8snorm(_e976), _e957)));
+                        let _e982 = (_e942 + bitcast<u32>(1i));
+                        phi_5222_ = _e980;
+                        phi_5221_ = _e982;
+                        local_4 = _e980;
+                        if (_e982 < _e906) {
                             continue;
                         } else {
                             break;
                         }
                     }
-                    let _e987 = local_4;
-                    phi_5150_ = (select(vec3<f32>(_e914.x, _e914.y, unpack2x16float(_e918).x), _e700, vec3(_e686)) + (_e987 * (127f * unpack2x16float(_e929).x)));
+                    let _e988 = local_4;
+                    phi_5231_ = (select(vec3<f32>(_e915.x, _e915.y, unpack2x16float(_e919).x), _e701, vec3(_e687)) + (_e988 * (127f * unpack2x16float(_e930).x)));
                 }
-                let _e991 = phi_5150_;
-                let _e992 = normalize(_e809);
-                let _e997 = (_e992.z * _e992.z);
-                let _e998 = (_e992.w * _e992.w);
-                let _e1002 = (_e992.y * _e992.z);
-                let _e1003 = (_e992.x * _e992.w);
-                let _e1006 = (_e992.y * _e992.w);
-                let _e1007 = (_e992.x * _e992.z);
-                let _e1012 = (_e992.y * _e992.y);
-                let _e1016 = (_e992.z * _e992.w);
-                let _e1017 = (_e992.x * _e992.y);
-                let _e1031 = exp(min(_e892, vec3<f32>(9f, 9f, 9f)));
-                let _e1038 = mat3x3<f32>((vec3<f32>((1f - (2f * (_e997 + _e998))), (2f * (_e1002 + _e1003)), (2f * (_e1006 - _e1007))) * _e1031.x), (vec3<f32>((2f * (_e1002 - _e1003)), (1f - (2f * (_e1012 + _e998))), (2f * (_e1016 + _e1017))) * _e1031.y), (vec3<f32>((2f * (_e1006 + _e1007)), (2f * (_e1016 - _e1017)), (1f - (2f * (_e1012 + _e997)))) * _e1031.z));
+                let _e992 = phi_5231_;
+                let _e993 = normalize(_e810);
+                let _e998 = (_e993.z * _e993.z);
+                let _e999 = (_e993.w * _e993.w);
+                let _e1003 = (_e993.y * _e993.z);
+                let _e1004 = (_e993.x * _e993.w);
+                let _e1007 = (_e993.y * _e993.w);
+                let _e1008 = (_e993.x * _e993.z);
+                let _e1013 = (_e993.y * _e993.y);
+                let _e1017 = (_e993.z * _e993.w);
+                let _e1018 = (_e993.x * _e993.y);
+                let _e1032 = exp(min(_e893, vec3<f32>(9f, 9f, 9f)));
+                let _e1039 = mat3x3<f32>((vec3<f32>((1f - (2f * (_e998 + _e999))), (2f * (_e1003 + _e1004)), (2f * (_e1007 - _e1008))) * _e1032.x), (vec3<f32>((2f * (_e1003 - _e1004)), (1f - (2f * (_e1013 + _e999))), (2f * (_e1017 + _e1018))) * _e1032.y), (vec3<f32>((2f * (_e1007 + _e1008)), (2f * (_e1017 - _e1018)), (1f - (2f * (_e1013 + _e998)))) * _e1032.z));
                 switch bitcast<i32>(0u) {
                     default: {
-                        let _e1044 = global.member_2;
-                        let _e1046 = global.member_3;
-                        let _e1047 = clamp((_e370.xy / vec2(_e369)), _e1044, _e1046);
-                        let _e1050 = global.member[0u];
-                        let _e1056 = (((vec3<f32>(_e354.x, _e354.y, _e354.z) - (_e385 * _e1047.x)) * (_e1050 / _e369)) * _e1038);
-                        let _e1059 = global.member[1u];
-                        let _e1065 = (((vec3<f32>(_e360.x, _e360.y, _e360.z) - (_e385 * _e1047.y)) * (_e1059 / _e369)) * _e1038);
-                        let _e1067 = (dot(_e1056, _e1056) + 0.3f);
-                        let _e1070 = (dot(_e1065, _e1065) + 0.3f);
-                        let _e1072 = cross(_e1056, _e1065);
-                        let _e1077 = (dot(_e1072, _e1072) + (0.3f * ((_e1067 + _e1070) - 0.3f)));
-                        let _e1078 = (_e1077 > 0f);
-                        phi_4576_ = _e1078;
-                        if _e1078 {
-                            phi_4576_ = (_e1067 <= 1000000000000000000f);
-                        }
-                        let _e1081 = phi_4576_;
-                        phi_4582_ = _e1081;
+                        let _e1045 = global.member_2;
+                        let _e1047 = global.member_3;
+                        let _e1048 = clamp((_e368.xy / vec2(_e367)), _e1045, _e1047);
+                        let _e1051 = global.member[0u];
+                        let _e1057 = (((vec3<f32>(_e352.x, _e352.y, _e352.z) - (_e383 * _e1048.x)) * (_e1051 / _e367)) * _e1039);
+                        let _e1060 = global.member[1u];
+                        let _e1066 = (((vec3<f32>(_e358.x, _e358.y, _e358.z) - (_e383 * _e1048.y)) * (_e1060 / _e367)) * _e1039);
+                        let _e1068 = global.member_51;
+                        let _e1070 = (dot(_e1057, _e1057) + _e1068);
+                        let _e1073 = (dot(_e1066, _e1066) + _e1068);
+                        let _e1075 = cross(_e1057, _e1066);
+                        let _e1076 = dot(_e1075, _e1075);
+                        let _e1080 = (_e1076 + (_e1068 * ((_e1070 + _e1073) - _e1068)));
+                        let _e1081 = (_e1080 > 0f);
+                        phi_4625_ = _e1081;
                         if _e1081 {
-                            phi_4582_ = (_e1070 <= 1000000000000000000f);
+                            phi_4625_ = (_e1070 <= 1000000000000000000f);
                         }
-                        let _e1084 = phi_4582_;
-                        if !(_e1084) {
-                            let _e1087 = global_2.member_9;
-                            if (_e1087 != 0u) {
-                                let _e1091 = atomicAdd((&global_1.member[3u]), 1u);
+                        let _e1084 = phi_4625_;
+                        phi_4631_ = _e1084;
+                        if _e1084 {
+                            phi_4631_ = (_e1073 <= 1000000000000000000f);
+                        }
+                        let _e1087 = phi_4631_;
+                        if !(_e1087) {
+                            let _e1090 = global_2.member_9;
+                            if (_e1090 != 0u) {
+                                let _e1094 = atomicAdd((&global_1.member[3u]), 1u);
                             }
-                            phi_5166_ = 4294967295u;
+                            phi_5250_ = 4294967295u;
                             break;
                         }
-                        let _e1093 = global.member_49;
-                        let _e1094 = (vec3<f32>(_e1067, dot(_e1056, _e1065), _e1070) * _e1093);
-                        phi_5158_ = (1f - (_e627 * 0.003921569f));
-                        phi_5157_ = 0u;
+                        phi_5236_ = (1f - (_e628 * 0.003921569f));
+                        phi_5235_ = 0u;
                         loop {
-                            let _e1100 = phi_5158_;
-                            let _e1102 = phi_5157_;
-                            local_5 = _e1100;
-                            if (_e1102 < _e80) {
+                            let _e1098 = phi_5236_;
+                            let _e1100 = phi_5235_;
+                            local_5 = _e1098;
+                            if (_e1100 < _e78) {
                                 continue;
                             } else {
                                 break;
                             }
                             continuing {
-                                phi_5158_ = (_e1100 * _e1100);
-                                phi_5157_ = (_e1102 + bitcast<u32>(1i));
+                                phi_5236_ = (_e1098 * _e1098);
+                                phi_5235_ = (_e1100 + bitcast<u32>(1i));
                             }
                         }
-                        let _e1108 = local_5;
-                        let _e1112 = u32(round((255f * (1f - _e1108))));
-                        let _e1115 = global.member_34;
-                        let _e1124 = (sqrt(_e1094.xz) * sqrt((2f * log(max((max(f32(_e1112), _e1115) / _e629), 1f)))));
-                        let _e1127 = all(((_e614 + _e1124) > vec2<f32>(0f, 0f)));
-                        phi_4620_ = _e1127;
-                        if _e1127 {
-                            let _e1130 = global.member_4;
-                            phi_4620_ = all(((_e614 - _e1124) < _e1130));
-                        }
-                        let _e1134 = phi_4620_;
-                        if !(_e1134) {
-                            let _e1137 = global_2.member_9;
-                            if (_e1137 != 0u) {
-                                let _e1141 = atomicAdd((&global_1.member[0u]), 1u);
+                        let _e1106 = local_5;
+                        let _e1110 = u32(round((255f * (1f - _e1106))));
+                        let _e1112 = global.member_52;
+                        phi_5244_ = _e1110;
+                        if (_e1112 != 0u) {
+                            let _e1119 = u32(round((f32(_e1110) * sqrt((_e1076 / _e1080)))));
+                            if (f32(_e1119) <= _e630) {
+                                let _e1123 = global_2.member_9;
+                                if (_e1123 != 0u) {
+                                    let _e1127 = atomicAdd((&global_1.member[2u]), 1u);
+                                }
+                                phi_5250_ = 4294967295u;
+                                break;
                             }
-                            phi_5166_ = 4294967295u;
+                            phi_5244_ = _e1119;
+                        }
+                        let _e1129 = phi_5244_;
+                        let _e1131 = global.member_49;
+                        let _e1132 = (vec3<f32>(_e1070, dot(_e1057, _e1066), _e1073) * _e1131);
+                        let _e1137 = global.member_34;
+                        let _e1146 = (sqrt(_e1132.xz) * sqrt((2f * log(max((max(f32(_e1129), _e1137) / _e630), 1f)))));
+                        let _e1149 = all(((_e615 + _e1146) > vec2<f32>(0f, 0f)));
+                        phi_4691_ = _e1149;
+                        if _e1149 {
+                            let _e1152 = global.member_4;
+                            phi_4691_ = all(((_e615 - _e1146) < _e1152));
+                        }
+                        let _e1156 = phi_4691_;
+                        if !(_e1156) {
+                            let _e1159 = global_2.member_9;
+                            if (_e1159 != 0u) {
+                                let _e1163 = atomicAdd((&global_1.member[0u]), 1u);
+                            }
+                            phi_5250_ = 4294967295u;
                             break;
                         }
-                        let _e1146 = (0.5f * (_e1094.x - _e1094.z));
-                        let _e1151 = sqrt(((_e1146 * _e1146) + (_e1094.y * _e1094.y)));
-                        let _e1154 = ((0.5f * (_e1094.x + _e1094.z)) + _e1151);
-                        if (_e1146 >= 0f) {
-                            phi_5164_ = vec2<f32>((_e1146 + _e1151), _e1094.y);
+                        let _e1168 = (0.5f * (_e1132.x - _e1132.z));
+                        let _e1173 = sqrt(((_e1168 * _e1168) + (_e1132.y * _e1132.y)));
+                        let _e1176 = ((0.5f * (_e1132.x + _e1132.z)) + _e1173);
+                        if (_e1168 >= 0f) {
+                            phi_5248_ = vec2<f32>((_e1168 + _e1173), _e1132.y);
                         } else {
-                            phi_5164_ = vec2<f32>(_e1094.y, (_e1151 - _e1146));
+                            phi_5248_ = vec2<f32>(_e1132.y, (_e1173 - _e1168));
                         }
-                        let _e1161 = phi_5164_;
-                        let _e1162 = length(_e1161);
-                        if (_e1162 > 0f) {
-                            phi_5165_ = (_e1161 / vec2(_e1162));
+                        let _e1183 = phi_5248_;
+                        let _e1184 = length(_e1183);
+                        if (_e1184 > 0f) {
+                            phi_5249_ = (_e1183 / vec2(_e1184));
                         } else {
-                            phi_5165_ = vec2<f32>(1f, 0f);
+                            phi_5249_ = vec2<f32>(1f, 0f);
                         }
-                        let _e1167 = phi_5165_;
-                        let _e1174 = global.member_5;
-                        let _e1178 = global.member_10;
-                        let _e1182 = vec2<u32>(clamp(round(((_e614 + vec2(_e1174)) * _e1178)), vec2<f32>(0f, 0f), vec2<f32>(1048575f, 1048575f)));
-                        let _e1185 = vec3<u32>(round((clamp(_e991, vec3<f32>(0f, 0f, 0f), vec3<f32>(1f, 1f, 1f)) * 1023f)));
-                        let _e1213 = global.member_45;
-                        let _e1215 = (4u * (_e1213 + _e72));
-                        global_4.member[_e1215] = ((_e1182.x | (_e1185.x << bitcast<u32>(20u))) | (_e1185.z << bitcast<u32>(30u)));
-                        global_4.member[(_e1215 + 1u)] = (_e1182.y | (_e1185.y << bitcast<u32>(20u)));
-                        global_4.member[(_e1215 + 2u)] = pack2x16float((_e1167 * min(sqrt(_e1154), 65504f)));
-                        global_4.member[(_e1215 + 3u)] = ((pack2x16float(vec2<f32>(min(sqrt(((_e1077 * (_e1093 * _e1093)) / _e1154)), 65504f), 0f)) | (_e1112 << bitcast<u32>(16u))) | ((_e1185.z >> bitcast<u32>(2u)) << bitcast<u32>(24u)));
-                        let _e1228 = global.member_9;
-                        phi_5166_ = min(u32((_e612 * f32(_e1228))), _e1228);
+                        let _e1189 = phi_5249_;
+                        let _e1196 = global.member_5;
+                        let _e1200 = global.member_10;
+                        let _e1204 = vec2<u32>(clamp(round(((_e615 + vec2(_e1196)) * _e1200)), vec2<f32>(0f, 0f), vec2<f32>(1048575f, 1048575f)));
+                        let _e1207 = vec3<u32>(round((clamp(_e992, vec3<f32>(0f, 0f, 0f), vec3<f32>(1f, 1f, 1f)) * 1023f)));
+                        let _e1235 = global.member_45;
+                        let _e1237 = (4u * (_e1235 + _e70));
+                        global_4.member[_e1237] = ((_e1204.x | (_e1207.x << bitcast<u32>(20u))) | (_e1207.z << bitcast<u32>(30u)));
+                        global_4.member[(_e1237 + 1u)] = (_e1204.y | (_e1207.y << bitcast<u32>(20u)));
+                        global_4.member[(_e1237 + 2u)] = pack2x16float((_e1189 * min(sqrt(_e1176), 65504f)));
+                        global_4.member[(_e1237 + 3u)] = ((pack2x16float(vec2<f32>(min(sqrt(((_e1080 * (_e1131 * _e1131)) / _e1176)), 65504f), 0f)) | (_e1129 << bitcast<u32>(16u))) | ((_e1207.z >> bitcast<u32>(2u)) << bitcast<u32>(24u)));
+                        let _e1250 = global.member_9;
+                        phi_5250_ = min(u32((_e613 * f32(_e1250))), _e1250);
                         break;
                     }
                 }
-                let _e1234 = phi_5166_;
-                phi_5167_ = _e1234;
+                let _e1256 = phi_5250_;
+                phi_5251_ = _e1256;
                 break;
             }
         }
-        let _e1236 = phi_5167_;
-        phi_5168_ = _e1236;
+        let _e1258 = phi_5251_;
+        phi_5252_ = _e1258;
     } else {
-        phi_5168_ = 4294967295u;
+        phi_5252_ = 4294967295u;
     }
-    let _e1238 = phi_5168_;
+    let _e1260 = phi_5252_;
     switch bitcast<i32>(0u) {
         default: {
-            let _e1241 = bitcast<u32>(param[0u]);
-            let _e1243 = global.member_45;
-            let _e1244 = (_e1243 + _e72);
-            if (_e1238 != 4294967295u) {
-                let _e1247 = global.member_41;
-                let _e1251 = global.member_40;
-                let _e1257 = atomicAdd((&global_1.member[((_e1251 + ((_e1244 / _e1247) * 256u)) + (_e1238 & 255u))]), 1u);
+            let _e1263 = bitcast<u32>(param[0u]);
+            let _e1265 = global.member_45;
+            let _e1266 = (_e1265 + _e70);
+            if (_e1260 != 4294967295u) {
+                let _e1269 = global.member_41;
+                let _e1273 = global.member_40;
+                let _e1279 = atomicAdd((&global_1.member[((_e1273 + ((_e1266 / _e1269) * 256u)) + (_e1260 & 255u))]), 1u);
             }
-            let _e1259 = global.member_39;
-            if (_e1259 == 0u) {
-                if (_e72 < (_e74 + (_e74 & 1u))) {
-                    let _e1265 = global.member_28;
-                    global_4.member[(_e1265 + _e1244)] = _e1238;
+            let _e1281 = global.member_39;
+            if (_e1281 == 0u) {
+                if (_e70 < (_e72 + (_e72 & 1u))) {
+                    let _e1287 = global.member_28;
+                    global_4.member[(_e1287 + _e1266)] = _e1260;
                 }
                 break;
             }
-            global_5[_e1241] = _e1238;
+            global_5[_e1263] = _e1260;
             workgroupBarrier();
-            let _e1271 = ((_e1241 & 1u) == 0u);
-            if select(_e1271, _e75, _e1271) {
-                let _e1274 = global.member_28;
-                let _e1281 = global_5[(_e1241 + 1u)];
-                global_4.member[(_e1274 + (_e1244 >> bitcast<u32>(1u)))] = ((_e1238 & 65535u) | (_e1281 << bitcast<u32>(16u)));
+            let _e1293 = ((_e1263 & 1u) == 0u);
+            if select(_e1293, _e73, _e1293) {
+                let _e1296 = global.member_28;
+                let _e1303 = global_5[(_e1263 + 1u)];
+                global_4.member[(_e1296 + (_e1266 >> bitcast<u32>(1u)))] = ((_e1260 & 65535u) | (_e1303 << bitcast<u32>(16u)));
             }
             break;
         }

@@ -57,14 +57,16 @@ struct type_15 {
     member_48: u32,
     member_49: f32,
     member_50: u32,
-    member_51: vec4<f32>,
-    member_52: vec4<f32>,
-    member_53: array<vec4<f32>, 3>,
-    member_54: array<vec4<u32>, 8>,
-    member_55: array<vec4<u32>, 8>,
-    member_56: array<type_11, 8>,
-    member_57: array<vec4<f32>, 128>,
-    member_58: array<vec4<f32>, 768>,
+    member_51: f32,
+    member_52: u32,
+    member_53: vec4<f32>,
+    member_54: vec4<f32>,
+    member_55: array<vec4<f32>, 3>,
+    member_56: array<vec4<u32>, 8>,
+    member_57: array<vec4<u32>, 8>,
+    member_58: array<type_11, 8>,
+    member_59: array<vec4<f32>, 128>,
+    member_60: array<vec4<f32>, 768>,
 }
 
 struct type_19 {
@@ -124,354 +126,373 @@ var<workgroup> global_5: array<u32, 64>;
 
 @compute @workgroup_size(64, 1, 1) 
 fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocation_id) param_1: vec3<u32>) {
-    var phi_1639_: bool;
-    var phi_2582_: f32;
-    var phi_2583_: f32;
-    var phi_2587_: u32;
-    var phi_2593_: u32;
-    var phi_2592_: f32;
-    var phi_2590_: u32;
+    var phi_1675_: bool;
+    var phi_2663_: f32;
+    var phi_2664_: f32;
+    var phi_2668_: u32;
+    var phi_2674_: u32;
+    var phi_2673_: f32;
+    var phi_2671_: u32;
     var local: f32;
-    var phi_2597_: bool;
-    var phi_1685_: bool;
-    var phi_2608_: f32;
-    var phi_2599_: vec2<f32>;
-    var phi_2598_: bool;
-    var phi_2147_: bool;
-    var phi_2153_: bool;
-    var phi_2625_: f32;
-    var phi_2624_: u32;
+    var phi_2678_: bool;
+    var phi_1724_: bool;
+    var phi_2689_: f32;
+    var phi_2680_: vec2<f32>;
+    var phi_2679_: bool;
+    var phi_2196_: bool;
+    var phi_2202_: bool;
+    var phi_2703_: f32;
+    var phi_2702_: u32;
     var local_1: f32;
-    var phi_2191_: bool;
-    var phi_2631_: vec2<f32>;
-    var phi_2632_: vec2<f32>;
-    var phi_2633_: u32;
-    var phi_2634_: u32;
-    var phi_2635_: u32;
+    var phi_2711_: u32;
+    var phi_2262_: bool;
+    var phi_2715_: vec2<f32>;
+    var phi_2716_: vec2<f32>;
+    var phi_2717_: u32;
+    var phi_2718_: u32;
+    var phi_2719_: u32;
 
-    let _e68 = bitcast<u32>(param_1[0u]);
-    let _e70 = global.member_48;
-    let _e71 = (_e68 < _e70);
-    if _e71 {
+    let _e66 = bitcast<u32>(param_1[0u]);
+    let _e68 = global.member_48;
+    let _e69 = (_e66 < _e68);
+    if _e69 {
         switch bitcast<i32>(0u) {
             default: {
-                let _e74 = global.member_42;
-                let _e75 = (3u * _e68);
-                let _e76 = (_e74 + _e75);
-                let _e79 = global_4.member[_e76];
-                let _e83 = global_4.member[(_e76 + 1u)];
-                let _e87 = global_4.member[(_e76 + 2u)];
-                let _e105 = global.member_51;
-                let _e108 = global.member_52;
-                let _e111 = (vec3<f32>(((vec3<u32>((_e79 & 65535u), (_e79 >> bitcast<u32>(16u)), (_e83 & 65535u)) << bitcast<vec3<u32>>(vec3<u32>(8u, 8u, 8u))) | (vec3<u32>(_e87, (_e87 >> bitcast<u32>(8u)), (_e87 >> bitcast<u32>(16u))) & vec3<u32>(255u, 255u, 255u)))) * vec3<f32>(0.00000005960465f, 0.00000005960465f, 0.00000005960465f));
-                let _e125 = (_e105.xyz + (_e108.xyz * select(select(((_e111 - vec3<f32>(0.015625f, 0.015625f, 0.015625f)) * vec3<f32>(1.032258f, 1.032258f, 1.032258f)), (vec3<f32>(1f, 1f, 1f) - (vec3<f32>(0.015625f, 0.015625f, 0.015625f) / max(_e111, vec3<f32>(0.000000029802326f, 0.000000029802326f, 0.000000029802326f)))), (_e111 < vec3<f32>(0.015625f, 0.015625f, 0.015625f))), (vec3<f32>(0.015625f, 0.015625f, 0.015625f) / max((vec3<f32>(1f, 1f, 1f) - _e111), vec3<f32>(0.000000029802326f, 0.000000029802326f, 0.000000029802326f))), (_e111 > vec3<f32>(0.984375f, 0.984375f, 0.984375f)))));
-                let _e129 = vec4<f32>(_e125.x, _e125.y, _e125.z, 1f);
-                let _e132 = global.member_53[0i];
-                let _e136 = global.member_53[1i];
-                let _e140 = global.member_53[2i];
-                let _e141 = dot(_e140, _e129);
-                let _e142 = vec3<f32>(dot(_e132, _e129), dot(_e136, _e129), _e141);
-                let _e144 = global.member_43;
-                let _e152 = (_e144 * exp2(((f32(((_e83 >> bitcast<u32>(16u)) & 255u)) * 0.125f) - 19f)));
+                let _e72 = global.member_42;
+                let _e73 = (3u * _e66);
+                let _e74 = (_e72 + _e73);
+                let _e77 = global_4.member[_e74];
+                let _e81 = global_4.member[(_e74 + 1u)];
+                let _e85 = global_4.member[(_e74 + 2u)];
+                let _e103 = global.member_53;
+                let _e106 = global.member_54;
+                let _e109 = (vec3<f32>(((vec3<u32>((_e77 & 65535u), (_e77 >> bitcast<u32>(16u)), (_e81 & 65535u)) << bitcast<vec3<u32>>(vec3<u32>(8u, 8u, 8u))) | (vec3<u32>(_e85, (_e85 >> bitcast<u32>(8u)), (_e85 >> bitcast<u32>(16u))) & vec3<u32>(255u, 255u, 255u)))) * vec3<f32>(0.00000005960465f, 0.00000005960465f, 0.00000005960465f));
+                let _e123 = (_e103.xyz + (_e106.xyz * select(select(((_e109 - vec3<f32>(0.015625f, 0.015625f, 0.015625f)) * vec3<f32>(1.032258f, 1.032258f, 1.032258f)), (vec3<f32>(1f, 1f, 1f) - (vec3<f32>(0.015625f, 0.015625f, 0.015625f) / max(_e109, vec3<f32>(0.000000029802326f, 0.000000029802326f, 0.000000029802326f)))), (_e109 < vec3<f32>(0.015625f, 0.015625f, 0.015625f))), (vec3<f32>(0.015625f, 0.015625f, 0.015625f) / max((vec3<f32>(1f, 1f, 1f) - _e109), vec3<f32>(0.000000029802326f, 0.000000029802326f, 0.000000029802326f))), (_e109 > vec3<f32>(0.984375f, 0.984375f, 0.984375f)))));
+                let _e127 = vec4<f32>(_e123.x, _e123.y, _e123.z, 1f);
+                let _e130 = global.member_55[0i];
+                let _e134 = global.member_55[1i];
+                let _e138 = global.member_55[2i];
+                let _e139 = dot(_e138, _e127);
+                let _e140 = vec3<f32>(dot(_e130, _e127), dot(_e134, _e127), _e139);
+                let _e142 = global.member_43;
+                let _e150 = (_e142 * exp2(((f32(((_e81 >> bitcast<u32>(16u)) & 255u)) * 0.125f) - 19f)));
                 switch bitcast<i32>(0u) {
                     default: {
-                        let _e155 = global.member_6;
-                        if !((_e141 >= _e155)) {
-                            let _e159 = global_2.member_9;
-                            if (_e159 != 0u) {
-                                let _e163 = atomicAdd((&global_1.member[0u]), 1u);
+                        let _e153 = global.member_6;
+                        if !((_e139 >= _e153)) {
+                            let _e157 = global_2.member_9;
+                            if (_e157 != 0u) {
+                                let _e161 = atomicAdd((&global_1.member[0u]), 1u);
                             }
-                            phi_2608_ = 0f;
-                            phi_2599_ = vec2<f32>(0f, 0f);
-                            phi_2598_ = false;
+                            phi_2689_ = 0f;
+                            phi_2680_ = vec2<f32>(0f, 0f);
+                            phi_2679_ = false;
                             break;
                         }
-                        let _e165 = global.member;
-                        let _e166 = _e142.xy;
-                        let _e168 = vec2(_e141);
-                        let _e171 = global.member_1;
-                        let _e172 = (((_e165 * _e166) / _e168) + _e171);
-                        let _e174 = global.member_5;
-                        let _e178 = all((_e172 >= vec2(-(_e174))));
-                        phi_1639_ = _e178;
-                        if _e178 {
-                            let _e180 = global.member_4;
-                            phi_1639_ = all((_e172 <= (_e180 + vec2(_e174))));
+                        let _e163 = global.member;
+                        let _e164 = _e140.xy;
+                        let _e166 = vec2(_e139);
+                        let _e169 = global.member_1;
+                        let _e170 = (((_e163 * _e164) / _e166) + _e169);
+                        let _e172 = global.member_5;
+                        let _e176 = all((_e170 >= vec2(-(_e172))));
+                        phi_1675_ = _e176;
+                        if _e176 {
+                            let _e178 = global.member_4;
+                            phi_1675_ = all((_e170 <= (_e178 + vec2(_e172))));
                         }
-                        let _e186 = phi_1639_;
-                        if !(_e186) {
-                            let _e189 = global_2.member_9;
-                            if (_e189 != 0u) {
-                                let _e193 = atomicAdd((&global_1.member[0u]), 1u);
+                        let _e184 = phi_1675_;
+                        if !(_e184) {
+                            let _e187 = global_2.member_9;
+                            if (_e187 != 0u) {
+                                let _e191 = atomicAdd((&global_1.member[0u]), 1u);
                             }
-                            phi_2608_ = 0f;
-                            phi_2599_ = _e172;
-                            phi_2598_ = false;
+                            phi_2689_ = 0f;
+                            phi_2680_ = _e170;
+                            phi_2679_ = false;
                             break;
                         }
-                        let _e195 = global.member_7;
-                        let _e198 = global.member_8;
-                        let _e199 = ((_e195 - _e141) * _e198);
-                        if (_e199 < 0f) {
-                            phi_2583_ = (0.015625f / (1f - _e199));
+                        let _e193 = global.member_7;
+                        let _e196 = global.member_8;
+                        let _e197 = ((_e193 - _e139) * _e196);
+                        if (_e197 < 0f) {
+                            phi_2664_ = (0.015625f / (1f - _e197));
                         } else {
-                            if (_e199 > 1f) {
-                                phi_2582_ = (1f - (0.015625f / _e199));
+                            if (_e197 > 1f) {
+                                phi_2663_ = (1f - (0.015625f / _e197));
                             } else {
-                                phi_2582_ = (0.015625f + (0.96875f * clamp(_e199, 0f, 1f)));
+                                phi_2663_ = (0.015625f + (0.96875f * clamp(_e197, 0f, 1f)));
                             }
-                            let _e210 = phi_2582_;
-                            phi_2583_ = _e210;
+                            let _e208 = phi_2663_;
+                            phi_2664_ = _e208;
                         }
-                        let _e212 = phi_2583_;
-                        let _e213 = (_e166 / _e168);
-                        let _e221 = global.member[0u];
-                        let _e224 = global.member[1u];
-                        let _e229 = global.member_31;
-                        let _e230 = (_e229 > 0u);
-                        phi_1685_ = _e230;
-                        if _e230 {
-                            let _e232 = global.member_34;
-                            let _e235 = global.member_29;
-                            let _e242 = global.member_49;
+                        let _e210 = phi_2664_;
+                        let _e211 = (_e164 / _e166);
+                        let _e219 = global.member[0u];
+                        let _e222 = global.member[1u];
+                        let _e227 = global.member_31;
+                        let _e228 = (_e227 > 0u);
+                        phi_1724_ = _e228;
+                        if _e228 {
+                            let _e230 = global.member_34;
+                            let _e233 = global.member_29;
+                            let _e240 = global.member_49;
+                            let _e244 = global.member_51;
                             switch bitcast<i32>(0u) {
                                 default: {
-                                    let _e249 = vec2(((sqrt((2f * log(max((max(255f, _e232) / _e235), 1f)))) * sqrt(_e242)) * ((((_e152 * length(vec3<f32>(_e213.x, _e213.y, 1f))) * max(_e221, _e224)) / _e141) + 0.5477226f)));
-                                    let _e252 = global.member_32;
-                                    let _e255 = global.member_33;
-                                    let _e263 = vec2<u32>(clamp(((((_e172 - _e249) - _e252) * _e255) - vec2<f32>(0.5f, 0.5f)), vec2<f32>(0f, 0f), vec2<f32>(191f, 191f)));
-                                    let _e265 = vec2<u32>(clamp(((((_e172 + _e249) - _e252) * _e255) + vec2<f32>(0.5f, 0.5f)), vec2<f32>(0f, 0f), vec2<f32>(191f, 191f)));
-                                    let _e272 = max((_e265.x - _e263.x), (_e265.y - _e263.y));
-                                    if (_e272 <= 3u) {
-                                        phi_2587_ = 0u;
+                                    let _e250 = vec2(((sqrt((2f * log(max((max(255f, _e230) / _e233), 1f)))) * sqrt(_e240)) * ((((_e150 * length(vec3<f32>(_e211.x, _e211.y, 1f))) * max(_e219, _e222)) / _e139) + sqrt(_e244))));
+                                    let _e253 = global.member_32;
+                                    let _e256 = global.member_33;
+                                    let _e264 = vec2<u32>(clamp(((((_e170 - _e250) - _e253) * _e256) - vec2<f32>(0.5f, 0.5f)), vec2<f32>(0f, 0f), vec2<f32>(191f, 191f)));
+                                    let _e266 = vec2<u32>(clamp(((((_e170 + _e250) - _e253) * _e256) + vec2<f32>(0.5f, 0.5f)), vec2<f32>(0f, 0f), vec2<f32>(191f, 191f)));
+                                    let _e273 = max((_e266.x - _e264.x), (_e266.y - _e264.y));
+                                    if (_e273 <= 3u) {
+                                        phi_2668_ = 0u;
                                     } else {
-                                        phi_2587_ = (bitcast<u32>(firstLeadingBit((_e272 - 1u))) - 1u);
+                                        phi_2668_ = (bitcast<u32>(firstLeadingBit((_e273 - 1u))) - 1u);
                                     }
-                                    let _e279 = phi_2587_;
-                                    if !((_e279 < 4u)) {
-                                        phi_2597_ = false;
+                                    let _e280 = phi_2668_;
+                                    if !((_e280 < 4u)) {
+                                        phi_2678_ = false;
                                         break;
                                     }
-                                    let _e289 = vec2(_e279);
-                                    let _e291 = (_e263 >> bitcast<vec2<u32>>(_e289));
-                                    let _e293 = (_e265 >> bitcast<vec2<u32>>(_e289));
-                                    let _e295 = (_e291.x & 4294967292u);
-                                    phi_2593_ = _e295;
-                                    phi_2592_ = 0f;
-                                    phi_2590_ = _e291.y;
+                                    let _e290 = vec2(_e280);
+                                    let _e292 = (_e264 >> bitcast<vec2<u32>>(_e290));
+                                    let _e294 = (_e266 >> bitcast<vec2<u32>>(_e290));
+                                    let _e296 = (_e292.x & 4294967292u);
+                                    phi_2674_ = _e296;
+                                    phi_2673_ = 0f;
+                                    phi_2671_ = _e292.y;
                                     loop {
-                                        let _e298 = phi_2593_;
-                                        let _e300 = phi_2592_;
-                                        let _e302 = phi_2590_;
-                                        local = _e300;
-                                        if (_e302 <= _e293.y) {
+                                        let _e299 = phi_2674_;
+                                        let _e301 = phi_2673_;
+                                        let _e303 = phi_2671_;
+                                        local = _e301;
+                                        if (_e303 <= _e294.y) {
                                             continue;
                                         } else {
                                             break;
                                         }
                                         continuing {
-                                            let _e307 = (vec4(f32(_e298)) + vec4<f32>(0f, 1f, 2f, 3f));
-                                            let _e325 = global_3.member[((_e229 >> bitcast<u32>(1u)) + ((((4u * (12288u - (12288u >> bitcast<u32>((2u * _e279))))) + (_e302 * (192u >> bitcast<u32>(_e279)))) + _e298) >> bitcast<u32>(2u)))];
-                                            let _e327 = unpack2x16unorm(_e325.x);
-                                            let _e329 = unpack2x16unorm(_e325.y);
-                                            let _e336 = select(select(vec4<f32>(_e327.x, _e327.y, _e329.x, _e329.y), vec4<f32>(0f, 0f, 0f, 0f), (_e307 < vec4(f32(_e291.x)))), vec4<f32>(0f, 0f, 0f, 0f), (_e307 > vec4(f32(_e293.x))));
-                                            let _e345 = (_e298 + 4u);
-                                            let _e346 = (_e345 > _e293.x);
-                                            phi_2593_ = select(_e345, _e295, _e346);
-                                            phi_2592_ = max(_e300, max(max(_e336.x, _e336.y), max(_e336.z, _e336.w)));
-                                            phi_2590_ = (_e302 + select(0u, 1u, _e346));
+                                            let _e308 = (vec4(f32(_e299)) + vec4<f32>(0f, 1f, 2f, 3f));
+                                            let _e326 = global_3.member[((_e227 >> bitcast<u32>(1u)) + ((((4u * (12288u - (12288u >> bitcast<u32>((2u * _e280))))) + (_e303 * (192u >> bitcast<u32>(_e280)))) + _e299) >> bitcast<u32>(2u)))];
+                                            let _e328 = unpack2x16unorm(_e326.x);
+                                            let _e330 = unpack2x16unorm(_e326.y);
+                                            let _e337 = select(select(vec4<f32>(_e328.x, _e328.y, _e330.x, _e330.y), vec4<f32>(0f, 0f, 0f, 0f), (_e308 < vec4(f32(_e292.x)))), vec4<f32>(0f, 0f, 0f, 0f), (_e308 > vec4(f32(_e294.x))));
+                                            let _e346 = (_e299 + 4u);
+                                            let _e347 = (_e346 > _e294.x);
+                                            phi_2674_ = select(_e346, _e296, _e347);
+                                            phi_2673_ = max(_e301, max(max(_e337.x, _e337.y), max(_e337.z, _e337.w)));
+                                            phi_2671_ = (_e303 + select(0u, 1u, _e347));
                                         }
                                     }
-                                    let _e351 = local;
-                                    phi_2597_ = ((1f - _e212) > _e351);
+                                    let _e352 = local;
+                                    phi_2678_ = ((1f - _e210) > _e352);
                                     break;
                                 }
                             }
-                            let _e354 = phi_2597_;
-                            phi_1685_ = _e354;
+                            let _e355 = phi_2678_;
+                            phi_1724_ = _e355;
                         }
-                        let _e356 = phi_1685_;
-                        if _e356 {
-                            let _e358 = global_2.member_9;
-                            if (_e358 != 0u) {
-                                let _e362 = atomicAdd((&global_1.member[1u]), 1u);
+                        let _e357 = phi_1724_;
+                        if _e357 {
+                            let _e359 = global_2.member_9;
+                            if (_e359 != 0u) {
+                                let _e363 = atomicAdd((&global_1.member[1u]), 1u);
                             }
-                            phi_2608_ = _e212;
-                            phi_2599_ = _e172;
-                            phi_2598_ = false;
+                            phi_2689_ = _e210;
+                            phi_2680_ = _e170;
+                            phi_2679_ = false;
                             break;
                         }
-                        phi_2608_ = _e212;
-                        phi_2599_ = _e172;
-                        phi_2598_ = true;
+                        phi_2689_ = _e210;
+                        phi_2680_ = _e170;
+                        phi_2679_ = true;
                         break;
                     }
                 }
-                let _e364 = phi_2608_;
-                let _e366 = phi_2599_;
-                let _e368 = phi_2598_;
-                if !(_e368) {
-                    phi_2634_ = 4294967295u;
+                let _e365 = phi_2689_;
+                let _e367 = phi_2680_;
+                let _e369 = phi_2679_;
+                if !(_e369) {
+                    phi_2718_ = 4294967295u;
                     break;
                 }
-                let _e370 = f32((_e83 >> bitcast<u32>(24u)));
-                let _e372 = global.member_29;
-                if (_e370 <= _e372) {
-                    let _e375 = global_2.member_9;
-                    if (_e375 != 0u) {
-                        let _e379 = atomicAdd((&global_1.member[2u]), 1u);
+                let _e371 = f32((_e81 >> bitcast<u32>(24u)));
+                let _e373 = global.member_29;
+                if (_e371 <= _e373) {
+                    let _e376 = global_2.member_9;
+                    if (_e376 != 0u) {
+                        let _e380 = atomicAdd((&global_1.member[2u]), 1u);
                     }
-                    phi_2634_ = 4294967295u;
+                    phi_2718_ = 4294967295u;
                     break;
                 }
-                let _e381 = global.member_14;
-                let _e384 = ((_e74 + (3u * _e381)) + _e75);
-                let _e387 = global_4.member[_e384];
-                let _e391 = global_4.member[(_e384 + 1u)];
-                let _e395 = global_4.member[(_e384 + 2u)];
-                let _e396 = vec3<u32>(_e387, _e391, _e395);
-                let _e408 = vec3<f32>(_e140.x, _e140.y, _e140.z);
-                let _e409 = (_e152 * 0.0009775171f);
-                let _e413 = ((vec3<f32>((_e396 & vec3<u32>(2047u, 2047u, 2047u))) - vec3<f32>(1023f, 1023f, 1023f)) * _e409);
-                let _e419 = ((vec3<f32>(((_e396 >> bitcast<vec3<u32>>(vec3<u32>(11u, 11u, 11u))) & vec3<u32>(2047u, 2047u, 2047u))) - vec3<f32>(1023f, 1023f, 1023f)) * _e409);
-                let _e429 = mat3x3<f32>(vec3<f32>(_e413.x, _e419.x, _e419.y), vec3<f32>(0f, _e413.y, _e413.z), vec3<f32>(0f, 0f, _e419.z));
+                let _e382 = global.member_14;
+                let _e385 = ((_e72 + (3u * _e382)) + _e73);
+                let _e388 = global_4.member[_e385];
+                let _e392 = global_4.member[(_e385 + 1u)];
+                let _e396 = global_4.member[(_e385 + 2u)];
+                let _e397 = vec3<u32>(_e388, _e392, _e396);
+                let _e409 = vec3<f32>(_e138.x, _e138.y, _e138.z);
+                let _e410 = (_e150 * 0.0009775171f);
+                let _e414 = ((vec3<f32>((_e397 & vec3<u32>(2047u, 2047u, 2047u))) - vec3<f32>(1023f, 1023f, 1023f)) * _e410);
+                let _e420 = ((vec3<f32>(((_e397 >> bitcast<vec3<u32>>(vec3<u32>(11u, 11u, 11u))) & vec3<u32>(2047u, 2047u, 2047u))) - vec3<f32>(1023f, 1023f, 1023f)) * _e410);
+                let _e430 = mat3x3<f32>(vec3<f32>(_e414.x, _e420.x, _e420.y), vec3<f32>(0f, _e414.y, _e414.z), vec3<f32>(0f, 0f, _e420.z));
                 switch bitcast<i32>(0u) {
                     default: {
-                        let _e439 = global.member_2;
-                        let _e441 = global.member_3;
-                        let _e442 = clamp((_e142.xy / vec2(_e141)), _e439, _e441);
-                        let _e445 = global.member[0u];
-                        let _e451 = (((vec3<f32>(_e132.x, _e132.y, _e132.z) - (_e408 * _e442.x)) * (_e445 / _e141)) * _e429);
-                        let _e454 = global.member[1u];
-                        let _e460 = (((vec3<f32>(_e136.x, _e136.y, _e136.z) - (_e408 * _e442.y)) * (_e454 / _e141)) * _e429);
-                        let _e462 = (dot(_e451, _e451) + 0.3f);
-                        let _e465 = (dot(_e460, _e460) + 0.3f);
-                        let _e467 = cross(_e451, _e460);
-                        let _e472 = (dot(_e467, _e467) + (0.3f * ((_e462 + _e465) - 0.3f)));
-                        let _e473 = (_e472 > 0f);
-                        phi_2147_ = _e473;
-                        if _e473 {
-                            phi_2147_ = (_e462 <= 1000000000000000000f);
-                        }
-                        let _e476 = phi_2147_;
-                        phi_2153_ = _e476;
+                        let _e440 = global.member_2;
+                        let _e442 = global.member_3;
+                        let _e443 = clamp((_e140.xy / vec2(_e139)), _e440, _e442);
+                        let _e446 = global.member[0u];
+                        let _e452 = (((vec3<f32>(_e130.x, _e130.y, _e130.z) - (_e409 * _e443.x)) * (_e446 / _e139)) * _e430);
+                        let _e455 = global.member[1u];
+                        let _e461 = (((vec3<f32>(_e134.x, _e134.y, _e134.z) - (_e409 * _e443.y)) * (_e455 / _e139)) * _e430);
+                        let _e463 = global.member_51;
+                        let _e465 = (dot(_e452, _e452) + _e463);
+                        let _e468 = (dot(_e461, _e461) + _e463);
+                        let _e470 = cross(_e452, _e461);
+                        let _e471 = dot(_e470, _e470);
+                        let _e475 = (_e471 + (_e463 * ((_e465 + _e468) - _e463)));
+                        let _e476 = (_e475 > 0f);
+                        phi_2196_ = _e476;
                         if _e476 {
-                            phi_2153_ = (_e465 <= 1000000000000000000f);
+                            phi_2196_ = (_e465 <= 1000000000000000000f);
                         }
-                        let _e479 = phi_2153_;
-                        if !(_e479) {
-                            let _e482 = global_2.member_9;
-                            if (_e482 != 0u) {
-                                let _e486 = atomicAdd((&global_1.member[3u]), 1u);
+                        let _e479 = phi_2196_;
+                        phi_2202_ = _e479;
+                        if _e479 {
+                            phi_2202_ = (_e468 <= 1000000000000000000f);
+                        }
+                        let _e482 = phi_2202_;
+                        if !(_e482) {
+                            let _e485 = global_2.member_9;
+                            if (_e485 != 0u) {
+                                let _e489 = atomicAdd((&global_1.member[3u]), 1u);
                             }
-                            phi_2633_ = 4294967295u;
+                            phi_2717_ = 4294967295u;
                             break;
                         }
-                        let _e488 = global.member_49;
-                        let _e489 = (vec3<f32>(_e462, dot(_e451, _e460), _e465) * _e488);
-                        phi_2625_ = (1f - (_e370 * 0.003921569f));
-                        phi_2624_ = 0u;
+                        phi_2703_ = (1f - (_e371 * 0.003921569f));
+                        phi_2702_ = 0u;
                         loop {
-                            let _e495 = phi_2625_;
-                            let _e497 = phi_2624_;
-                            let _e499 = global.member_47;
-                            local_1 = _e495;
-                            if (_e497 < _e499) {
+                            let _e493 = phi_2703_;
+                            let _e495 = phi_2702_;
+                            let _e497 = global.member_47;
+                            local_1 = _e493;
+                            if (_e495 < _e497) {
                                 continue;
                             } else {
                                 break;
                             }
                             continuing {
-                                phi_2625_ = (_e495 * _e495);
-                                phi_2624_ = (_e497 + bitcast<u32>(1i));
+                                phi_2703_ = (_e493 * _e493);
+                                phi_2702_ = (_e495 + bitcast<u32>(1i));
                             }
                         }
-                        let _e505 = local_1;
-                        let _e509 = u32(round((255f * (1f - _e505))));
-                        let _e512 = global.member_34;
-                        let _e521 = (sqrt(_e489.xz) * sqrt((2f * log(max((max(f32(_e509), _e512) / _e372), 1f)))));
-                        let _e524 = all(((_e366 + _e521) > vec2<f32>(0f, 0f)));
-                        phi_2191_ = _e524;
-                        if _e524 {
-                            let _e527 = global.member_4;
-                            phi_2191_ = all(((_e366 - _e521) < _e527));
-                        }
-                        let _e531 = phi_2191_;
-                        if !(_e531) {
-                            let _e534 = global_2.member_9;
-                            if (_e534 != 0u) {
-                                let _e538 = atomicAdd((&global_1.member[0u]), 1u);
+                        let _e503 = local_1;
+                        let _e507 = u32(round((255f * (1f - _e503))));
+                        let _e509 = global.member_52;
+                        phi_2711_ = _e507;
+                        if (_e509 != 0u) {
+                            let _e516 = u32(round((f32(_e507) * sqrt((_e471 / _e475)))));
+                            if (f32(_e516) <= _e373) {
+                                let _e520 = global_2.member_9;
+                                if (_e520 != 0u) {
+                                    let _e524 = atomicAdd((&global_1.member[2u]), 1u);
+                                }
+                                phi_2717_ = 4294967295u;
+                                break;
                             }
-                            phi_2633_ = 4294967295u;
+                            phi_2711_ = _e516;
+                        }
+                        let _e526 = phi_2711_;
+                        let _e528 = global.member_49;
+                        let _e529 = (vec3<f32>(_e465, dot(_e452, _e461), _e468) * _e528);
+                        let _e534 = global.member_34;
+                        let _e543 = (sqrt(_e529.xz) * sqrt((2f * log(max((max(f32(_e526), _e534) / _e373), 1f)))));
+                        let _e546 = all(((_e367 + _e543) > vec2<f32>(0f, 0f)));
+                        phi_2262_ = _e546;
+                        if _e546 {
+                            let _e549 = global.member_4;
+                            phi_2262_ = all(((_e367 - _e543) < _e549));
+                        }
+                        let _e553 = phi_2262_;
+                        if !(_e553) {
+                            let _e556 = global_2.member_9;
+                            if (_e556 != 0u) {
+                                let _e560 = atomicAdd((&global_1.member[0u]), 1u);
+                            }
+                            phi_2717_ = 4294967295u;
                             break;
                         }
-                        let _e543 = (0.5f * (_e489.x - _e489.z));
-                        let _e548 = sqrt(((_e543 * _e543) + (_e489.y * _e489.y)));
-                        let _e551 = ((0.5f * (_e489.x + _e489.z)) + _e548);
-                        if (_e543 >= 0f) {
-                            phi_2631_ = vec2<f32>((_e543 + _e548), _e489.y);
+                        let _e565 = (0.5f * (_e529.x - _e529.z));
+                        let _e570 = sqrt(((_e565 * _e565) + (_e529.y * _e529.y)));
+                        let _e573 = ((0.5f * (_e529.x + _e529.z)) + _e570);
+                        if (_e565 >= 0f) {
+                            phi_2715_ = vec2<f32>((_e565 + _e570), _e529.y);
                         } else {
-                            phi_2631_ = vec2<f32>(_e489.y, (_e548 - _e543));
+                            phi_2715_ = vec2<f32>(_e529.y, (_e570 - _e565));
                         }
-                        let _e558 = phi_2631_;
-                        let _e559 = length(_e558);
-                        if (_e559 > 0f) {
-                            phi_2632_ = (_e558 / vec2(_e559));
+                        let _e580 = phi_2715_;
+                        let _e581 = length(_e580);
+                        if (_e581 > 0f) {
+                            phi_2716_ = (_e580 / vec2(_e581));
                         } else {
-                            phi_2632_ = vec2<f32>(1f, 0f);
+                            phi_2716_ = vec2<f32>(1f, 0f);
                         }
-                        let _e564 = phi_2632_;
-                        let _e571 = global.member_5;
-                        let _e575 = global.member_10;
-                        let _e579 = vec2<u32>(clamp(round(((_e366 + vec2(_e571)) * _e575)), vec2<f32>(0f, 0f), vec2<f32>(1048575f, 1048575f)));
-                        let _e582 = vec3<u32>(round((clamp((vec3<f32>((_e396 >> bitcast<vec3<u32>>(vec3<u32>(22u, 22u, 22u)))) * vec3<f32>(0.0009775171f, 0.0009775171f, 0.0009775171f)), vec3<f32>(0f, 0f, 0f), vec3<f32>(1f, 1f, 1f)) * 1023f)));
-                        let _e610 = global.member_45;
-                        let _e612 = (4u * (_e610 + _e68));
-                        global_4.member[_e612] = ((_e579.x | (_e582.x << bitcast<u32>(20u))) | (_e582.z << bitcast<u32>(30u)));
-                        global_4.member[(_e612 + 1u)] = (_e579.y | (_e582.y << bitcast<u32>(20u)));
-                        global_4.member[(_e612 + 2u)] = pack2x16float((_e564 * min(sqrt(_e551), 65504f)));
-                        global_4.member[(_e612 + 3u)] = ((pack2x16float(vec2<f32>(min(sqrt(((_e472 * (_e488 * _e488)) / _e551)), 65504f), 0f)) | (_e509 << bitcast<u32>(16u))) | ((_e582.z >> bitcast<u32>(2u)) << bitcast<u32>(24u)));
-                        let _e625 = global.member_9;
-                        phi_2633_ = min(u32((_e364 * f32(_e625))), _e625);
+                        let _e586 = phi_2716_;
+                        let _e593 = global.member_5;
+                        let _e597 = global.member_10;
+                        let _e601 = vec2<u32>(clamp(round(((_e367 + vec2(_e593)) * _e597)), vec2<f32>(0f, 0f), vec2<f32>(1048575f, 1048575f)));
+                        let _e604 = vec3<u32>(round((clamp((vec3<f32>((_e397 >> bitcast<vec3<u32>>(vec3<u32>(22u, 22u, 22u)))) * vec3<f32>(0.0009775171f, 0.0009775171f, 0.0009775171f)), vec3<f32>(0f, 0f, 0f), vec3<f32>(1f, 1f, 1f)) * 1023f)));
+                        let _e632 = global.member_45;
+                        let _e634 = (4u * (_e632 + _e66));
+                        global_4.member[_e634] = ((_e601.x | (_e604.x << bitcast<u32>(20u))) | (_e604.z << bitcast<u32>(30u)));
+                        global_4.member[(_e634 + 1u)] = (_e601.y | (_e604.y << bitcast<u32>(20u)));
+                        global_4.member[(_e634 + 2u)] = pack2x16float((_e586 * min(sqrt(_e573), 65504f)));
+                        global_4.member[(_e634 + 3u)] = ((pack2x16float(vec2<f32>(min(sqrt(((_e475 * (_e528 * _e528)) / _e573)), 65504f), 0f)) | (_e526 << bitcast<u32>(16u))) | ((_e604.z >> bitcast<u32>(2u)) << bitcast<u32>(24u)));
+                        let _e647 = global.member_9;
+                        phi_2717_ = min(u32((_e365 * f32(_e647))), _e647);
                         break;
                     }
                 }
-                let _e631 = phi_2633_;
-                phi_2634_ = _e631;
+                let _e653 = phi_2717_;
+                phi_2718_ = _e653;
                 break;
             }
         }
-        let _e633 = phi_2634_;
-        phi_2635_ = _e633;
+        let _e655 = phi_2718_;
+        phi_2719_ = _e655;
     } else {
-        phi_2635_ = 4294967295u;
+        phi_2719_ = 4294967295u;
     }
-    let _e635 = phi_2635_;
+    let _e657 = phi_2719_;
     switch bitcast<i32>(0u) {
         default: {
-            let _e638 = bitcast<u32>(param[0u]);
-            let _e640 = global.member_45;
-            let _e641 = (_e640 + _e68);
-            if (_e635 != 4294967295u) {
-                let _e644 = global.member_41;
-                let _e648 = global.member_40;
-                let _e654 = atomicAdd((&global_1.member[((_e648 + ((_e641 / _e644) * 256u)) + (_e635 & 255u))]), 1u);
+            let _e660 = bitcast<u32>(param[0u]);
+            let _e662 = global.member_45;
+            let _e663 = (_e662 + _e66);
+            if (_e657 != 4294967295u) {
+                let _e666 = global.member_41;
+                let _e670 = global.member_40;
+                let _e676 = atomicAdd((&global_1.member[((_e670 + ((_e663 / _e666) * 256u)) + (_e657 & 255u))]), 1u);
             }
-            let _e656 = global.member_39;
-            if (_e656 == 0u) {
-                if (_e68 < (_e70 + (_e70 & 1u))) {
-                    let _e662 = global.member_28;
-                    global_4.member[(_e662 + _e641)] = _e635;
+            let _e678 = global.member_39;
+            if (_e678 == 0u) {
+                if (_e66 < (_e68 + (_e68 & 1u))) {
+                    let _e684 = global.member_28;
+                    global_4.member[(_e684 + _e663)] = _e657;
                 }
                 break;
             }
-            global_5[_e638] = _e635;
+            global_5[_e660] = _e657;
             workgroupBarrier();
-            let _e668 = ((_e638 & 1u) == 0u);
-            if select(_e668, _e71, _e668) {
-                let _e671 = global.member_28;
-                let _e678 = global_5[(_e638 + 1u)];
-                global_4.member[(_e671 + (_e641 >> bitcast<u32>(1u)))] = ((_e635 & 65535u) | (_e678 << bitcast<u32>(16u)));
+            let _e690 = ((_e660 & 1u) == 0u);
+            if select(_e690, _e69, _e690) {
+                let _e693 = global.member_28;
+                let _e700 = global_5[(_e660 + 1u)];
+                global_4.member[(_e693 + (_e663 >> bitcast<u32>(1u)))] = ((_e657 & 65535u) | (_e700 << bitcast<u32>(16u)));
             }
             break;
         }

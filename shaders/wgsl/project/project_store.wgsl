@@ -57,14 +57,16 @@ struct type_16 {
     member_48: u32,
     member_49: f32,
     member_50: u32,
-    member_51: vec4<f32>,
-    member_52: vec4<f32>,
-    member_53: array<vec4<f32>, 3>,
-    member_54: array<vec4<u32>, 8>,
-    member_55: array<vec4<u32>, 8>,
-    member_56: array<type_12, 8>,
-    member_57: array<vec4<f32>, 128>,
-    member_58: array<vec4<f32>, 768>,
+    member_51: f32,
+    member_52: u32,
+    member_53: vec4<f32>,
+    member_54: vec4<f32>,
+    member_55: array<vec4<f32>, 3>,
+    member_56: array<vec4<u32>, 8>,
+    member_57: array<vec4<u32>, 8>,
+    member_58: array<type_12, 8>,
+    member_59: array<vec4<f32>, 128>,
+    member_60: array<vec4<f32>, 768>,
 }
 
 struct type_19 {
@@ -136,627 +138,647 @@ var<storage> global_7: type_36;
 
 @compute @workgroup_size(64, 1, 1) 
 fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocation_id) param_1: vec3<u32>) {
-    var phi_3536_: bool;
-    var phi_5427_: f32;
-    var phi_5428_: f32;
-    var phi_5432_: u32;
-    var phi_5438_: u32;
-    var phi_5437_: f32;
-    var phi_5435_: u32;
+    var phi_3572_: bool;
+    var phi_5508_: f32;
+    var phi_5509_: f32;
+    var phi_5513_: u32;
+    var phi_5519_: u32;
+    var phi_5518_: f32;
+    var phi_5516_: u32;
     var local: f32;
-    var phi_5442_: bool;
-    var phi_3582_: bool;
-    var phi_5453_: f32;
-    var phi_5444_: vec2<f32>;
-    var phi_5443_: bool;
-    var phi_5463_: vec4<f32>;
-    var phi_5464_: vec4<f32>;
-    var phi_5465_: vec4<f32>;
-    var phi_5483_: vec3<f32>;
-    var phi_5485_: vec4<f32>;
-    var phi_5484_: u32;
+    var phi_5523_: bool;
+    var phi_3621_: bool;
+    var phi_5534_: f32;
+    var phi_5525_: vec2<f32>;
+    var phi_5524_: bool;
+    var phi_5544_: vec4<f32>;
+    var phi_5545_: vec4<f32>;
+    var phi_5546_: vec4<f32>;
+    var phi_5564_: vec3<f32>;
+    var phi_5566_: vec4<f32>;
+    var phi_5565_: u32;
     var local_1: vec4<f32>;
-    var phi_5500_: vec4<f32>;
-    var phi_5488_: vec3<f32>;
-    var phi_5487_: u32;
+    var phi_5581_: vec4<f32>;
+    var phi_5569_: vec3<f32>;
+    var phi_5568_: u32;
     var local_2: vec3<f32>;
-    var phi_5504_: vec3<f32>;
-    var phi_5497_: vec3<f32>;
-    var phi_5496_: u32;
+    var phi_5585_: vec3<f32>;
+    var phi_5578_: vec3<f32>;
+    var phi_5577_: u32;
     var local_3: vec3<f32>;
-    var phi_5506_: vec3<f32>;
-    var phi_5507_: vec3<f32>;
-    var phi_5509_: vec3<f32>;
-    var phi_5511_: vec3<f32>;
-    var phi_3118_: bool;
-    var phi_3132_: bool;
-    var phi_4907_: bool;
-    var phi_4913_: bool;
-    var phi_5529_: f32;
-    var phi_5528_: u32;
+    var phi_5587_: vec3<f32>;
+    var phi_5588_: vec3<f32>;
+    var phi_5590_: vec3<f32>;
+    var phi_5592_: vec3<f32>;
+    var phi_3154_: bool;
+    var phi_3168_: bool;
+    var phi_4956_: bool;
+    var phi_4962_: bool;
+    var phi_5607_: f32;
+    var phi_5606_: u32;
     var local_4: f32;
-    var phi_4951_: bool;
-    var phi_5535_: vec2<f32>;
-    var phi_5536_: vec2<f32>;
-    var phi_5537_: u32;
-    var phi_5538_: u32;
-    var phi_5539_: u32;
+    var phi_5615_: u32;
+    var phi_5022_: bool;
+    var phi_5619_: vec2<f32>;
+    var phi_5620_: vec2<f32>;
+    var phi_5621_: u32;
+    var phi_5622_: u32;
+    var phi_5623_: u32;
 
-    let _e84 = bitcast<u32>(param_1[0u]);
-    let _e86 = global.member_48;
-    let _e87 = (_e84 < _e86);
-    if _e87 {
+    let _e82 = bitcast<u32>(param_1[0u]);
+    let _e84 = global.member_48;
+    let _e85 = (_e82 < _e84);
+    if _e85 {
         switch bitcast<i32>(0u) {
             default: {
-                let _e90 = global.member_14;
-                let _e92 = global.member_47;
-                let _e94 = (_e84 << bitcast<u32>(_e92));
-                let _e98 = (4u * (_e90 + (_e94 >> bitcast<u32>(5u))));
-                let _e99 = (2u * _e94);
-                let _e102 = global_7.member[_e99];
-                let _e106 = global_7.member[(_e99 + 1u)];
-                let _e111 = global_7.member[((2u * _e90) + _e94)];
-                let _e122 = (vec2<f32>(f32(((_e111.y >> bitcast<u32>(16u)) & 31u)), f32(((_e111.y >> bitcast<u32>(21u)) & 31u))) * vec2<f32>(0.032258064f, 0.032258064f));
-                let _e126 = ((1f + (2f * _e122.x)) * 0.33333334f);
-                let _e127 = (1f - _e126);
-                let _e131 = (_e127 * (0.5f + (0.5f * _e122.y)));
-                let _e149 = global.member_11;
-                let _e152 = global.member_12;
-                let _e157 = global.member_21;
-                let _e158 = (2u * _e157);
-                let _e162 = global_3.member[(_e158 + (_e111.x & 65535u))];
-                let _e164 = unpack2x16float(_e162.x);
-                let _e176 = global_3.member[(_e158 + (_e111.x >> bitcast<u32>(16u)))];
-                let _e178 = unpack2x16float(_e176.x);
-                let _e190 = global_3.member[(_e158 + (_e111.y & 65535u))];
-                let _e192 = unpack2x16float(_e190.x);
-                let _e200 = ((((_e149.xyz + (_e152.xyz * vec3<f32>(f32((_e102.x & 65535u)), f32((_e102.x >> bitcast<u32>(16u))), f32((_e102.y & 65535u))))) + (vec3<f32>(_e164.x, _e164.y, unpack2x16float(_e162.y).x) * _e126)) + (vec3<f32>(_e178.x, _e178.y, unpack2x16float(_e176.y).x) * _e131)) + (vec3<f32>(_e192.x, _e192.y, unpack2x16float(_e190.y).x) * (_e127 - _e131)));
-                let _e204 = vec4<f32>(_e200.x, _e200.y, _e200.z, 1f);
-                let _e217 = (((_e102.y >> bitcast<u32>(16u)) | ((_e106.y >> bitcast<u32>(24u)) << bitcast<u32>(16u))) | ((_e111.y >> bitcast<u32>(26u)) << bitcast<u32>(24u)));
-                let _e229 = global.member_36;
-                let _e231 = global.member_37;
-                let _e234 = (vec3(_e229) + (vec3<f32>(f32((_e217 & 1023u)), f32(((_e217 >> bitcast<u32>(10u)) & 1023u)), f32((_e217 >> bitcast<u32>(20u)))) * _e231));
-                let _e243 = (vec4<u32>(_e106.x, (_e106.x >> bitcast<u32>(8u)), (_e106.x >> bitcast<u32>(16u)), (_e106.x >> bitcast<u32>(24u))) & vec4<u32>(255u, 255u, 255u, 255u));
-                let _e249 = (vec3<u32>(_e106.y, (_e106.y >> bitcast<u32>(8u)), (_e106.y >> bitcast<u32>(16u))) & vec3<u32>(255u, 255u, 255u));
-                let _e250 = vec3<f32>(_e249);
-                let _e262 = (vec4<f32>(_e250.x, _e250.y, _e250.z, f32((((255u - _e249.x) - _e249.y) - _e249.z))) * vec4<f32>(0.003921569f, 0.003921569f, 0.003921569f, 0.003921569f));
-                let _e265 = (3u * _e243.x);
-                let _e268 = global.member_58[_e265];
-                let _e273 = global.member_58[(_e265 + 1u)];
-                let _e278 = global.member_58[(_e265 + 2u)];
-                let _e282 = (3u * _e243.y);
-                let _e285 = global.member_58[_e282];
-                let _e291 = global.member_58[(_e282 + 1u)];
-                let _e297 = global.member_58[(_e282 + 2u)];
-                let _e302 = (3u * _e243.z);
-                let _e305 = global.member_58[_e302];
-                let _e311 = global.member_58[(_e302 + 1u)];
-                let _e317 = global.member_58[(_e302 + 2u)];
-                let _e322 = (3u * _e243.w);
-                let _e325 = global.member_58[_e322];
-                let _e327 = ((((_e268 * _e262.x) + (_e285 * _e262.y)) + (_e305 * _e262.z)) + (_e325 * _e262.w));
-                let _e331 = global.member_58[(_e322 + 1u)];
-                let _e333 = ((((_e273 * _e262.x) + (_e291 * _e262.y)) + (_e311 * _e262.z)) + (_e331 * _e262.w));
-                let _e337 = global.member_58[(_e322 + 2u)];
-                let _e339 = ((((_e278 * _e262.x) + (_e297 * _e262.y)) + (_e317 * _e262.z)) + (_e337 * _e262.w));
-                let _e342 = dot(_e339, _e204);
-                let _e343 = vec3<f32>(dot(_e327, _e204), dot(_e333, _e204), _e342);
-                let _e344 = _e327.xyz;
-                let _e345 = _e333.xyz;
-                let _e346 = _e339.xyz;
-                let _e356 = vec3<f32>(_e327.x, _e327.y, _e327.z);
-                let _e357 = vec3<f32>(_e333.x, _e333.y, _e333.z);
-                let _e358 = vec3<f32>(_e339.x, _e339.y, _e339.z);
-                let _e374 = ((1.2f * exp(min(max(max(_e234.x, _e234.y), _e234.z), 9f))) * sqrt(max(max(dot(_e344, _e344), dot(_e345, _e345)), dot(_e346, _e346))));
+                let _e88 = global.member_14;
+                let _e90 = global.member_47;
+                let _e92 = (_e82 << bitcast<u32>(_e90));
+                let _e96 = (4u * (_e88 + (_e92 >> bitcast<u32>(5u))));
+                let _e97 = (2u * _e92);
+                let _e100 = global_7.member[_e97];
+                let _e104 = global_7.member[(_e97 + 1u)];
+                let _e109 = global_7.member[((2u * _e88) + _e92)];
+                let _e120 = (vec2<f32>(f32(((_e109.y >> bitcast<u32>(16u)) & 31u)), f32(((_e109.y >> bitcast<u32>(21u)) & 31u))) * vec2<f32>(0.032258064f, 0.032258064f));
+                let _e124 = ((1f + (2f * _e120.x)) * 0.33333334f);
+                let _e125 = (1f - _e124);
+                let _e129 = (_e125 * (0.5f + (0.5f * _e120.y)));
+                let _e147 = global.member_11;
+                let _e150 = global.member_12;
+                let _e155 = global.member_21;
+                let _e156 = (2u * _e155);
+                let _e160 = global_3.member[(_e156 + (_e109.x & 65535u))];
+                let _e162 = unpack2x16float(_e160.x);
+                let _e174 = global_3.member[(_e156 + (_e109.x >> bitcast<u32>(16u)))];
+                let _e176 = unpack2x16float(_e174.x);
+                let _e188 = global_3.member[(_e156 + (_e109.y & 65535u))];
+                let _e190 = unpack2x16float(_e188.x);
+                let _e198 = ((((_e147.xyz + (_e150.xyz * vec3<f32>(f32((_e100.x & 65535u)), f32((_e100.x >> bitcast<u32>(16u))), f32((_e100.y & 65535u))))) + (vec3<f32>(_e162.x, _e162.y, unpack2x16float(_e160.y).x) * _e124)) + (vec3<f32>(_e176.x, _e176.y, unpack2x16float(_e174.y).x) * _e129)) + (vec3<f32>(_e190.x, _e190.y, unpack2x16float(_e188.y).x) * (_e125 - _e129)));
+                let _e202 = vec4<f32>(_e198.x, _e198.y, _e198.z, 1f);
+                let _e215 = (((_e100.y >> bitcast<u32>(16u)) | ((_e104.y >> bitcast<u32>(24u)) << bitcast<u32>(16u))) | ((_e109.y >> bitcast<u32>(26u)) << bitcast<u32>(24u)));
+                let _e227 = global.member_36;
+                let _e229 = global.member_37;
+                let _e232 = (vec3(_e227) + (vec3<f32>(f32((_e215 & 1023u)), f32(((_e215 >> bitcast<u32>(10u)) & 1023u)), f32((_e215 >> bitcast<u32>(20u)))) * _e229));
+                let _e241 = (vec4<u32>(_e104.x, (_e104.x >> bitcast<u32>(8u)), (_e104.x >> bitcast<u32>(16u)), (_e104.x >> bitcast<u32>(24u))) & vec4<u32>(255u, 255u, 255u, 255u));
+                let _e247 = (vec3<u32>(_e104.y, (_e104.y >> bitcast<u32>(8u)), (_e104.y >> bitcast<u32>(16u))) & vec3<u32>(255u, 255u, 255u));
+                let _e248 = vec3<f32>(_e247);
+                let _e260 = (vec4<f32>(_e248.x, _e248.y, _e248.z, f32((((255u - _e247.x) - _e247.y) - _e247.z))) * vec4<f32>(0.003921569f, 0.003921569f, 0.003921569f, 0.003921569f));
+                let _e263 = (3u * _e241.x);
+                let _e266 = global.member_60[_e263];
+                let _e271 = global.member_60[(_e263 + 1u)];
+                let _e276 = global.member_60[(_e263 + 2u)];
+                let _e280 = (3u * _e241.y);
+                let _e283 = global.member_60[_e280];
+                let _e289 = global.member_60[(_e280 + 1u)];
+                let _e295 = global.member_60[(_e280 + 2u)];
+                let _e300 = (3u * _e241.z);
+                let _e303 = global.member_60[_e300];
+                let _e309 = global.member_60[(_e300 + 1u)];
+                let _e315 = global.member_60[(_e300 + 2u)];
+                let _e320 = (3u * _e241.w);
+                let _e323 = global.member_60[_e320];
+                let _e325 = ((((_e266 * _e260.x) + (_e283 * _e260.y)) + (_e303 * _e260.z)) + (_e323 * _e260.w));
+                let _e329 = global.member_60[(_e320 + 1u)];
+                let _e331 = ((((_e271 * _e260.x) + (_e289 * _e260.y)) + (_e309 * _e260.z)) + (_e329 * _e260.w));
+                let _e335 = global.member_60[(_e320 + 2u)];
+                let _e337 = ((((_e276 * _e260.x) + (_e295 * _e260.y)) + (_e315 * _e260.z)) + (_e335 * _e260.w));
+                let _e340 = dot(_e337, _e202);
+                let _e341 = vec3<f32>(dot(_e325, _e202), dot(_e331, _e202), _e340);
+                let _e342 = _e325.xyz;
+                let _e343 = _e331.xyz;
+                let _e344 = _e337.xyz;
+                let _e354 = vec3<f32>(_e325.x, _e325.y, _e325.z);
+                let _e355 = vec3<f32>(_e331.x, _e331.y, _e331.z);
+                let _e356 = vec3<f32>(_e337.x, _e337.y, _e337.z);
+                let _e372 = ((1.2f * exp(min(max(max(_e232.x, _e232.y), _e232.z), 9f))) * sqrt(max(max(dot(_e342, _e342), dot(_e343, _e343)), dot(_e344, _e344))));
                 switch bitcast<i32>(0u) {
                     default: {
-                        let _e377 = global.member_6;
-                        if !((_e342 >= _e377)) {
-                            let _e381 = global_2.member_9;
-                            if (_e381 != 0u) {
-                                let _e385 = atomicAdd((&global_1.member[0u]), 1u);
+                        let _e375 = global.member_6;
+                        if !((_e340 >= _e375)) {
+                            let _e379 = global_2.member_9;
+                            if (_e379 != 0u) {
+                                let _e383 = atomicAdd((&global_1.member[0u]), 1u);
                             }
-                            phi_5453_ = 0f;
-                            phi_5444_ = vec2<f32>(0f, 0f);
-                            phi_5443_ = false;
+                            phi_5534_ = 0f;
+                            phi_5525_ = vec2<f32>(0f, 0f);
+                            phi_5524_ = false;
                             break;
                         }
-                        let _e387 = global.member;
-                        let _e388 = _e343.xy;
-                        let _e390 = vec2(_e342);
-                        let _e393 = global.member_1;
-                        let _e394 = (((_e387 * _e388) / _e390) + _e393);
-                        let _e396 = global.member_5;
-                        let _e400 = all((_e394 >= vec2(-(_e396))));
-                        phi_3536_ = _e400;
-                        if _e400 {
-                            let _e402 = global.member_4;
-                            phi_3536_ = all((_e394 <= (_e402 + vec2(_e396))));
+                        let _e385 = global.member;
+                        let _e386 = _e341.xy;
+                        let _e388 = vec2(_e340);
+                        let _e391 = global.member_1;
+                        let _e392 = (((_e385 * _e386) / _e388) + _e391);
+                        let _e394 = global.member_5;
+                        let _e398 = all((_e392 >= vec2(-(_e394))));
+                        phi_3572_ = _e398;
+                        if _e398 {
+                            let _e400 = global.member_4;
+                            phi_3572_ = all((_e392 <= (_e400 + vec2(_e394))));
                         }
-                        let _e408 = phi_3536_;
-                        if !(_e408) {
-                            let _e411 = global_2.member_9;
-                            if (_e411 != 0u) {
-                                let _e415 = atomicAdd((&global_1.member[0u]), 1u);
+                        let _e406 = phi_3572_;
+                        if !(_e406) {
+                            let _e409 = global_2.member_9;
+                            if (_e409 != 0u) {
+                                let _e413 = atomicAdd((&global_1.member[0u]), 1u);
                             }
-                            phi_5453_ = 0f;
-                            phi_5444_ = _e394;
-                            phi_5443_ = false;
+                            phi_5534_ = 0f;
+                            phi_5525_ = _e392;
+                            phi_5524_ = false;
                             break;
                         }
-                        let _e417 = global.member_7;
-                        let _e420 = global.member_8;
-                        let _e421 = ((_e417 - _e342) * _e420);
-                        if (_e421 < 0f) {
-                            phi_5428_ = (0.015625f / (1f - _e421));
+                        let _e415 = global.member_7;
+                        let _e418 = global.member_8;
+                        let _e419 = ((_e415 - _e340) * _e418);
+                        if (_e419 < 0f) {
+                            phi_5509_ = (0.015625f / (1f - _e419));
                         } else {
-                            if (_e421 > 1f) {
-                                phi_5427_ = (1f - (0.015625f / _e421));
+                            if (_e419 > 1f) {
+                                phi_5508_ = (1f - (0.015625f / _e419));
                             } else {
-                                phi_5427_ = (0.015625f + (0.96875f * clamp(_e421, 0f, 1f)));
+                                phi_5508_ = (0.015625f + (0.96875f * clamp(_e419, 0f, 1f)));
                             }
-                            let _e430 = phi_5427_;
-                            phi_5428_ = _e430;
+                            let _e428 = phi_5508_;
+                            phi_5509_ = _e428;
                         }
-                        let _e434 = phi_5428_;
-                        let _e435 = (_e388 / _e390);
-                        let _e443 = global.member[0u];
-                        let _e446 = global.member[1u];
-                        let _e451 = global.member_31;
-                        let _e452 = (_e451 > 0u);
-                        phi_3582_ = _e452;
-                        if _e452 {
-                            let _e454 = global.member_34;
-                            let _e457 = global.member_29;
-                            let _e464 = global.member_49;
+                        let _e432 = phi_5509_;
+                        let _e433 = (_e386 / _e388);
+                        let _e441 = global.member[0u];
+                        let _e444 = global.member[1u];
+                        let _e449 = global.member_31;
+                        let _e450 = (_e449 > 0u);
+                        phi_3621_ = _e450;
+                        if _e450 {
+                            let _e452 = global.member_34;
+                            let _e455 = global.member_29;
+                            let _e462 = global.member_49;
+                            let _e466 = global.member_51;
                             switch bitcast<i32>(0u) {
                                 default: {
-                                    let _e471 = vec2(((sqrt((2f * log(max((max(255f, _e454) / _e457), 1f)))) * sqrt(_e464)) * ((((_e374 * length(vec3<f32>(_e435.x, _e435.y, 1f))) * max(_e443, _e446)) / _e342) + 0.5477226f)));
-                                    let _e474 = global.member_32;
-                                    let _e477 = global.member_33;
-                                    let _e485 = vec2<u32>(clamp(((((_e394 - _e471) - _e474) * _e477) - vec2<f32>(0.5f, 0.5f)), vec2<f32>(0f, 0f), vec2<f32>(191f, 191f)));
-                                    let _e487 = vec2<u32>(clamp(((((_e394 + _e471) - _e474) * _e477) + vec2<f32>(0.5f, 0.5f)), vec2<f32>(0f, 0f), vec2<f32>(191f, 191f)));
-                                    let _e494 = max((_e487.x - _e485.x), (_e487.y - _e485.y));
-                                    if (_e494 <= 3u) {
-                                        phi_5432_ = 0u;
+                                    let _e472 = vec2(((sqrt((2f * log(max((max(255f, _e452) / _e455), 1f)))) * sqrt(_e462)) * ((((_e372 * length(vec3<f32>(_e433.x, _e433.y, 1f))) * max(_e441, _e444)) / _e340) + sqrt(_e466))));
+                                    let _e475 = global.member_32;
+                                    let _e478 = global.member_33;
+                                    let _e486 = vec2<u32>(clamp(((((_e392 - _e472) - _e475) * _e478) - vec2<f32>(0.5f, 0.5f)), vec2<f32>(0f, 0f), vec2<f32>(191f, 191f)));
+                                    let _e488 = vec2<u32>(clamp(((((_e392 + _e472) - _e475) * _e478) + vec2<f32>(0.5f, 0.5f)), vec2<f32>(0f, 0f), vec2<f32>(191f, 191f)));
+                                    let _e495 = max((_e488.x - _e486.x), (_e488.y - _e486.y));
+                                    if (_e495 <= 3u) {
+                                        phi_5513_ = 0u;
                                     } else {
-                                        phi_5432_ = (bitcast<u32>(firstLeadingBit((_e494 - 1u))) - 1u);
+                                        phi_5513_ = (bitcast<u32>(firstLeadingBit((_e495 - 1u))) - 1u);
                                     }
-                                    let _e501 = phi_5432_;
-                                    if !((_e501 < 4u)) {
-                                        phi_5442_ = false;
+                                    let _e502 = phi_5513_;
+                                    if !((_e502 < 4u)) {
+                                        phi_5523_ = false;
                                         break;
                                     }
-                                    let _e511 = vec2(_e501);
-                                    let _e513 = (_e485 >> bitcast<vec2<u32>>(_e511));
-                                    let _e515 = (_e487 >> bitcast<vec2<u32>>(_e511));
-                                    let _e517 = (_e513.x & 4294967292u);
-                                    phi_5438_ = _e517;
-                                    phi_5437_ = 0f;
-                                    phi_5435_ = _e513.y;
+                                    let _e512 = vec2(_e502);
+                                    let _e514 = (_e486 >> bitcast<vec2<u32>>(_e512));
+                                    let _e516 = (_e488 >> bitcast<vec2<u32>>(_e512));
+                                    let _e518 = (_e514.x & 4294967292u);
+                                    phi_5519_ = _e518;
+                                    phi_5518_ = 0f;
+                                    phi_5516_ = _e514.y;
                                     loop {
-                                        let _e520 = phi_5438_;
-                                        let _e522 = phi_5437_;
-                                        let _e524 = phi_5435_;
-                                        local = _e522;
-                                        if (_e524 <= _e515.y) {
+                                        let _e521 = phi_5519_;
+                                        let _e523 = phi_5518_;
+                                        let _e525 = phi_5516_;
+                                        local = _e523;
+                                        if (_e525 <= _e516.y) {
                                             continue;
                                         } else {
                                             break;
                                         }
                                         continuing {
-                                            let _e529 = (vec4(f32(_e520)) + vec4<f32>(0f, 1f, 2f, 3f));
-                                            let _e547 = global_3.member[((_e451 >> bitcast<u32>(1u)) + ((((4u * (12288u - (12288u >> bitcast<u32>((2u * _e501))))) + (_e524 * (192u >> bitcast<u32>(_e501)))) + _e520) >> bitcast<u32>(2u)))];
-                                            let _e549 = unpack2x16unorm(_e547.x);
-                                            let _e551 = unpack2x16unorm(_e547.y);
-                                            let _e558 = select(select(vec4<f32>(_e549.x, _e549.y, _e551.x, _e551.y), vec4<f32>(0f, 0f, 0f, 0f), (_e529 < vec4(f32(_e513.x)))), vec4<f32>(0f, 0f, 0f, 0f), (_e529 > vec4(f32(_e515.x))));
-                                            let _e567 = (_e520 + 4u);
-                                            let _e568 = (_e567 > _e515.x);
-                                            phi_5438_ = select(_e567, _e517, _e568);
-                                            phi_5437_ = max(_e522, max(max(_e558.x, _e558.y), max(_e558.z, _e558.w)));
-                                            phi_5435_ = (_e524 + select(0u, 1u, _e568));
+                                            let _e530 = (vec4(f32(_e521)) + vec4<f32>(0f, 1f, 2f, 3f));
+                                            let _e548 = global_3.member[((_e449 >> bitcast<u32>(1u)) + ((((4u * (12288u - (12288u >> bitcast<u32>((2u * _e502))))) + (_e525 * (192u >> bitcast<u32>(_e502)))) + _e521) >> bitcast<u32>(2u)))];
+                                            let _e550 = unpack2x16unorm(_e548.x);
+                                            let _e552 = unpack2x16unorm(_e548.y);
+                                            let _e559 = select(select(vec4<f32>(_e550.x, _e550.y, _e552.x, _e552.y), vec4<f32>(0f, 0f, 0f, 0f), (_e530 < vec4(f32(_e514.x)))), vec4<f32>(0f, 0f, 0f, 0f), (_e530 > vec4(f32(_e516.x))));
+                                            let _e568 = (_e521 + 4u);
+                                            let _e569 = (_e568 > _e516.x);
+                                            phi_5519_ = select(_e568, _e518, _e569);
+                                            phi_5518_ = max(_e523, max(max(_e559.x, _e559.y), max(_e559.z, _e559.w)));
+                                            phi_5516_ = (_e525 + select(0u, 1u, _e569));
                                         }
                                     }
-                                    let _e573 = local;
-                                    phi_5442_ = ((1f - _e434) > _e573);
+                                    let _e574 = local;
+                                    phi_5523_ = ((1f - _e432) > _e574);
                                     break;
                                 }
                             }
-                            let _e576 = phi_5442_;
-                            phi_3582_ = _e576;
+                            let _e577 = phi_5523_;
+                            phi_3621_ = _e577;
                         }
-                        let _e578 = phi_3582_;
-                        if _e578 {
-                            let _e580 = global_2.member_9;
-                            if (_e580 != 0u) {
-                                let _e584 = atomicAdd((&global_1.member[1u]), 1u);
+                        let _e579 = phi_3621_;
+                        if _e579 {
+                            let _e581 = global_2.member_9;
+                            if (_e581 != 0u) {
+                                let _e585 = atomicAdd((&global_1.member[1u]), 1u);
                             }
-                            phi_5453_ = _e434;
-                            phi_5444_ = _e394;
-                            phi_5443_ = false;
+                            phi_5534_ = _e432;
+                            phi_5525_ = _e392;
+                            phi_5524_ = false;
                             break;
                         }
-                        phi_5453_ = _e434;
-                        phi_5444_ = _e394;
-                        phi_5443_ = true;
+                        phi_5534_ = _e432;
+                        phi_5525_ = _e392;
+                        phi_5524_ = true;
                         break;
                     }
                 }
-                let _e586 = phi_5453_;
-                let _e588 = phi_5444_;
-                let _e590 = phi_5443_;
-                let _e591 = (3u * _e90);
-                let _e595 = global_7.member[(_e591 + _e94)];
-                let _e598 = (_e595.y >> bitcast<u32>(24u));
-                let _e612 = ((vec3<f32>(f32((_e595.x & 1023u)), f32(((_e595.x >> bitcast<u32>(10u)) & 1023u)), f32(((_e595.x >> bitcast<u32>(20u)) & 1023u))) - vec3<f32>(512f, 512f, 512f)) * vec3<f32>(0.0013888889f, 0.0013888889f, 0.0013888889f));
-                let _e616 = sqrt(max((1f - dot(_e612, _e612)), 0f));
-                let _e618 = (_e595.x >> bitcast<u32>(30u));
-                if (_e618 == 0u) {
-                    phi_5465_ = vec4<f32>(_e616, _e612.x, _e612.y, _e612.z);
+                let _e587 = phi_5534_;
+                let _e589 = phi_5525_;
+                let _e591 = phi_5524_;
+                let _e592 = (3u * _e88);
+                let _e596 = global_7.member[(_e592 + _e92)];
+                let _e599 = (_e596.y >> bitcast<u32>(24u));
+                let _e613 = ((vec3<f32>(f32((_e596.x & 1023u)), f32(((_e596.x >> bitcast<u32>(10u)) & 1023u)), f32(((_e596.x >> bitcast<u32>(20u)) & 1023u))) - vec3<f32>(512f, 512f, 512f)) * vec3<f32>(0.0013888889f, 0.0013888889f, 0.0013888889f));
+                let _e617 = sqrt(max((1f - dot(_e613, _e613)), 0f));
+                let _e619 = (_e596.x >> bitcast<u32>(30u));
+                if (_e619 == 0u) {
+                    phi_5546_ = vec4<f32>(_e617, _e613.x, _e613.y, _e613.z);
                 } else {
-                    if (_e618 == 1u) {
-                        phi_5464_ = vec4<f32>(_e612.x, _e616, _e612.y, _e612.z);
+                    if (_e619 == 1u) {
+                        phi_5545_ = vec4<f32>(_e613.x, _e617, _e613.y, _e613.z);
                     } else {
-                        if (_e618 == 2u) {
-                            phi_5463_ = vec4<f32>(_e612.x, _e612.y, _e616, _e612.z);
+                        if (_e619 == 2u) {
+                            phi_5544_ = vec4<f32>(_e613.x, _e613.y, _e617, _e613.z);
                         } else {
-                            phi_5463_ = vec4<f32>(_e612.x, _e612.y, _e612.z, _e616);
+                            phi_5544_ = vec4<f32>(_e613.x, _e613.y, _e613.z, _e617);
                         }
-                        let _e631 = phi_5463_;
-                        phi_5464_ = _e631;
+                        let _e632 = phi_5544_;
+                        phi_5545_ = _e632;
                     }
-                    let _e637 = phi_5464_;
-                    phi_5465_ = _e637;
+                    let _e638 = phi_5545_;
+                    phi_5546_ = _e638;
                 }
-                let _e643 = phi_5465_;
-                let _e647 = global.member_38;
-                let _e648 = (_e647 > 0u);
-                phi_5483_ = unpack4x8unorm(_e595.y).xyz;
-                if _e648 {
-                    let _e652 = global_7.member[(_e647 + _e94)];
-                    let _e654 = unpack2x16float(_e652.x);
-                    phi_5483_ = vec3<f32>(_e654.x, _e654.y, unpack2x16float(_e652.y).x);
+                let _e644 = phi_5546_;
+                let _e648 = global.member_38;
+                let _e649 = (_e648 > 0u);
+                phi_5564_ = unpack4x8unorm(_e596.y).xyz;
+                if _e649 {
+                    let _e653 = global_7.member[(_e648 + _e92)];
+                    let _e655 = unpack2x16float(_e653.x);
+                    phi_5564_ = vec3<f32>(_e655.x, _e655.y, unpack2x16float(_e653.y).x);
                 }
-                let _e662 = phi_5483_;
-                let _e665 = (1u << bitcast<u32>((_e94 & 31u)));
-                let _e668 = global_7.member[_e98];
-                let _e672 = global_7.member[(_e98 + 1u)];
-                let _e676 = global_7.member[(_e98 + 2u)];
-                phi_5500_ = _e643;
-                if ((_e668.x & _e665) != 0u) {
-                    let _e687 = global.member_22;
-                    let _e689 = global.member_18;
-                    let _e693 = (_e687 + ((_e672.y + bitcast<u32>(countOneBits((_e668.x & (_e665 - 1u))))) * (1u + (4u * _e689))));
-                    let _e694 = (_e693 + 1u);
-                    let _e697 = global_6.member[_e693];
-                    let _e699 = global.member_44;
-                    let _e703 = global.member_19;
-                    phi_5485_ = vec4<f32>(0f, 0f, 0f, 0f);
-                    phi_5484_ = 0u;
+                let _e663 = phi_5564_;
+                let _e666 = (1u << bitcast<u32>((_e92 & 31u)));
+                let _e669 = global_7.member[_e96];
+                let _e673 = global_7.member[(_e96 + 1u)];
+                let _e677 = global_7.member[(_e96 + 2u)];
+                phi_5581_ = _e644;
+                if ((_e669.x & _e666) != 0u) {
+                    let _e688 = global.member_22;
+                    let _e690 = global.member_18;
+                    let _e694 = (_e688 + ((_e673.y + bitcast<u32>(countOneBits((_e669.x & (_e666 - 1u))))) * (1u + (4u * _e690))));
+                    let _e695 = (_e694 + 1u);
+                    let _e698 = global_6.member[_e694];
+                    let _e700 = global.member_44;
+                    let _e704 = global.member_19;
+                    phi_5566_ = vec4<f32>(0f, 0f, 0f, 0f);
+                    phi_5565_ = 0u;
                     loop {
-                        let _e707 = phi_5485_;
-                        let _e709 = phi_5484_;
-                        let _e711 = (2u * ((_e699 + ((_e697 >> bitcast<u32>(16u)) * _e703)) + _e709));
-                        let _e714 = global_3.member[_e711];
-                        let _e718 = global_3.member[(_e711 + 1u)];
-                        let _e724 = bitcast<vec4<f32>>(vec4<u32>(_e714.x, _e714.y, _e718.x, _e718.y));
-                        let _e728 = global_6.member[(_e694 + _e709)];
-                        let _e735 = global_6.member[((_e694 + _e689) + _e709)];
-                        let _e743 = global_6.member[((_e694 + (2u * _e689)) + _e709)];
-                        let _e751 = global_6.member[((_e694 + (3u * _e689)) + _e709)];
-                        let _e755 = (_e707 + vec4<f32>(dot(unpack4x8snorm(_e728), _e724), dot(unpack4x8snorm(_e735), _e724), dot(unpack4x8snorm(_e743), _e724), dot(unpack4x8snorm(_e751), _e724)));
-                        let _e757 = (_e709 + bitcast<u32>(1i));
-                        phi_5485_ = _e755;
-                        phi_5484_ = _e757;
-                        local_1 = _e755;
-                        if (_e757 < _e689) {
+                        let _e708 = phi_5566_;
+                        let _e710 = phi_5565_;
+                        let _e712 = (2u * ((_e700 + ((_e698 >> bitcast<u32>(16u)) * _e704)) + _e710));
+                        let _e715 = global_3.member[_e712];
+                        let _e719 = global_3.member[(_e712 + 1u)];
+                        let _e725 = bitcast<vec4<f32>>(vec4<u32>(_e715.x, _e715.y, _e719.x, _e719.y));
+                        let _e729 = global_6.member[(_e695 + _e710)];
+                        let _e736 = global_6.member[((_e695 + _e690) + _e710)];
+                        let _e744 = global_6.member[((_e695 + (2u * _e690)) + _e710)];
+                        let _e752 = global_6.member[((_e695 + (3u * _e690)) + _e710)];
+                        let _e756 = (_e708 + vec4<f32>(dot(unpack4x8snorm(_e729), _e725), dot(unpack4x8snorm(_e736), _e725), dot(unpack4x8snorm(_e744), _e725), dot(unpack4x8snorm(_e752), _e725)));
+                        let _e758 = (_e710 + bitcast<u32>(1i));
+                        phi_5566_ = _e756;
+                        phi_5565_ = _e758;
+                        local_1 = _e756;
+                        if (_e758 < _e690) {
                             continue;
                         } else {
                             break;
                         }
                     }
-                    let _e763 = local_1;
-                    let _e765 = (_e643 + (_e763 * (127f * unpack2x16float(_e697).x)));
-                    phi_5500_ = select(_e643, _e765, vec4((length(_e765) >= 0.001f)));
+                    let _e764 = local_1;
+                    let _e766 = (_e644 + (_e764 * (127f * unpack2x16float(_e698).x)));
+                    phi_5581_ = select(_e644, _e766, vec4((length(_e766) >= 0.001f)));
                 }
-                let _e771 = phi_5500_;
-                phi_5504_ = _e234;
-                if ((_e668.y & _e665) != 0u) {
-                    let _e782 = global.member_23;
-                    let _e784 = global.member_18;
-                    let _e788 = (_e782 + ((_e676.x + bitcast<u32>(countOneBits((_e668.y & (_e665 - 1u))))) * (1u + (3u * _e784))));
-                    let _e789 = (_e788 + 1u);
-                    let _e792 = global_6.member[_e788];
-                    let _e794 = global.member_44;
-                    let _e798 = global.member_19;
-                    phi_5488_ = vec3<f32>(0f, 0f, 0f);
-                    phi_5487_ = 0u;
+                let _e772 = phi_5581_;
+                phi_5585_ = _e232;
+                if ((_e669.y & _e666) != 0u) {
+                    let _e783 = global.member_23;
+                    let _e785 = global.member_18;
+                    let _e789 = (_e783 + ((_e677.x + bitcast<u32>(countOneBits((_e669.y & (_e666 - 1u))))) * (1u + (3u * _e785))));
+                    let _e790 = (_e789 + 1u);
+                    let _e793 = global_6.member[_e789];
+                    let _e795 = global.member_44;
+                    let _e799 = global.member_19;
+                    phi_5569_ = vec3<f32>(0f, 0f, 0f);
+                    phi_5568_ = 0u;
                     loop {
-                        let _e802 = phi_5488_;
-                        let _e804 = phi_5487_;
-                        let _e806 = (2u * ((_e794 + ((_e792 >> bitcast<u32>(16u)) * _e798)) + _e804));
-                        let _e809 = global_3.member[_e806];
-                        let _e813 = global_3.member[(_e806 + 1u)];
-                        let _e819 = bitcast<vec4<f32>>(vec4<u32>(_e809.x, _e809.y, _e813.x, _e813.y));
-                        let _e823 = global_6.member[(_e789 + _e804)];
-                        let _e830 = global_6.member[((_e789 + _e784) + _e804)];
-                        let _e838 = global_6.member[((_e789 + (2u * _e784)) + _e804)];
-                        let _e842 = (_e802 + vec3<f32>(dot(unpack4x8snorm(_e823), _e819), dot(unpack4x8snorm(_e830), _e819), dot(unpack4x8snorm(_e838), _e819)));
-                        let _e844 = (_e804 + bitcast<u32>(1i));
-                        phi_5488_ = _e842;
-                        phi_5487_ = _e844;
-                        local_2 = _e842;
-                        if (_e844 < _e784) {
+                        let _e803 = phi_5569_;
+                        let _e805 = phi_5568_;
+                        let _e807 = (2u * ((_e795 + ((_e793 >> bitcast<u32>(16u)) * _e799)) + _e805));
+                        let _e810 = global_3.member[_e807];
+                        let _e814 = global_3.member[(_e807 + 1u)];
+                        let _e820 = bitcast<vec4<f32>>(vec4<u32>(_e810.x, _e810.y, _e814.x, _e814.y));
+                        let _e824 = global_6.member[(_e790 + _e805)];
+                        let _e831 = global_6.member[((_e790 + _e785) + _e805)];
+                        let _e839 = global_6.member[((_e790 + (2u * _e785)) + _e805)];
+                        let _e843 = (_e803 + vec3<f32>(dot(unpack4x8snorm(_e824), _e820), dot(unpack4x8snorm(_e831), _e820), dot(unpack4x8snorm(_e839), _e820)));
+                        let _e845 = (_e805 + bitcast<u32>(1i));
+                        phi_5569_ = _e843;
+                        phi_5568_ = _e845;
+                        local_2 = _e843;
+                        if (_e845 < _e785) {
                             continue;
                         } else {
                             break;
                         }
                     }
-                    let _e850 = local_2;
-                    phi_5504_ = (_e234 + (_e850 * (127f * unpack2x16float(_e792).x)));
+                    let _e851 = local_2;
+                    phi_5585_ = (_e232 + (_e851 * (127f * unpack2x16float(_e793).x)));
                 }
-                let _e854 = phi_5504_;
-                phi_5506_ = _e662;
-                if ((_e672.x & _e665) != 0u) {
-                    let _e865 = global.member_24;
-                    let _e867 = global.member_18;
-                    let _e871 = (_e865 + ((_e676.y + bitcast<u32>(countOneBits((_e672.x & (_e665 - 1u))))) * (3u + (3u * _e867))));
-                    let _e875 = global_6.member[(_e871 + 1u)];
-                    let _e876 = unpack2x16float(_e875);
-                    let _e880 = global_6.member[(_e871 + 2u)];
-                    let _e888 = (_e871 + 3u);
-                    let _e891 = global_6.member[_e871];
-                    let _e893 = global.member_44;
-                    let _e897 = global.member_19;
-                    phi_5497_ = vec3<f32>(0f, 0f, 0f);
-                    phi_5496_ = 0u;
+                let _e855 = phi_5585_;
+                phi_5587_ = _e663;
+                if ((_e673.x & _e666) != 0u) {
+                    let _e866 = global.member_24;
+                    let _e868 = global.member_18;
+                    let _e872 = (_e866 + ((_e677.y + bitcast<u32>(countOneBits((_e673.x & (_e666 - 1u))))) * (3u + (3u * _e868))));
+                    let _e876 = global_6.member[(_e872 + 1u)];
+                    let _e877 = unpack2x16float(_e876);
+                    let _e881 = global_6.member[(_e872 + 2u)];
+                    let _e889 = (_e872 + 3u);
+                    let _e892 = global_6.member[_e872];
+                    let _e894 = global.member_44;
+                    let _e898 = global.member_19;
+                    phi_5578_ = vec3<f32>(0f, 0f, 0f);
+                    phi_5577_ = 0u;
                     loop {
-                        let _e901 = phi_5497_;
-                        let _e903 = phi_5496_;
-                        let _e905 = (2u * ((_e893 + ((_e891 >> bitcast<u32>(16u)) * _e897)) + _e903));
-                        let _e908 = global_3.member[_e905];
-                        let _e912 = global_3.member[(_e905 + 1u)];
-                        let _e918 = bitcast<vec4<f32>>(vec4<u32>(_e908.x, _e908.y, _e912.x, _e912.y));
-                        let _e922 = global_6.member[(_e888 + _e903)];
-                        let _e929 = global_6.member[((_e888 + _e867) + _e903)];
-                        let _e937 = global_6.member[((_e888 + (2u * _e867)) + _e903)];
-                        let _e941 = (_e901 + vec3<f32>(dot(unpack4x8snorm(_e922), _e918), dot(unpack4x8snorm(_e929), _e918), dot(unpack4x8snorm(_e937), _e918)));
-                        let _e943 = (_e903 + bitcast<u32>(1i));
-                        phi_5497_ = _e941;
-                        phi_5496_ = _e943;
-                        local_3 = _e941;
-                        if (_e943 < _e867) {
+                        let _e902 = phi_5578_;
+                        let _e904 = phi_5577_;
+                        let _e906 = (2u * ((_e894 + ((_e892 >> bitcast<u32>(16u)) * _e898)) + _e904));
+                        let _e909 = global_3.member[_e906];
+                        let _e913 = global_3.member[(_e906 + 1u)];
+                        let _e919 = bitcast<vec4<f32>>(vec4<u32>(_e909.x, _e909.y, _e913.x, _e913.y));
+                        let _e923 = global_6.member[(_e889 + _e904)];
+                        let _e930 = global_6.member[((_e889 + _e868) + _e904)];
+                        let _e938 = global_6.member[((_e889 + (2u * _e868)) + _e904)];
+                        let _e942 = (_e902 + vec3<f32>(dot(unpack4x8snorm(_e923), _e919), dot(unpack4x8snorm(_e930), _e919), dot(unpack4x8snorm(_e938), _e919)));
+                        let _e944 = (_e904 + bitcast<u32>(1i));
+                        phi_5578_ = _e942;
+                        phi_5577_ = _e944;
+                        local_3 = _e942;
+                        if (_e944 < _e868) {
                             continue;
                         } else {
                             break;
                         }
                     }
-                    let _e949 = local_3;
-                    phi_5506_ = (select(vec3<f32>(_e876.x, _e876.y, unpack2x16float(_e880).x), _e662, vec3(_e648)) + (_e949 * (127f * unpack2x16float(_e891).x)));
+                    let _e950 = local_3;
+                    phi_5587_ = (select(vec3<f32>(_e877.x, _e877.y, unpack2x16float(_e881).x), _e663, vec3(_e649)) + (_e950 * (127f * unpack2x16float(_e892).x)));
                 }
-                let _e953 = phi_5506_;
-                let _e954 = normalize(_e771);
-                let _e959 = (_e954.z * _e954.z);
-                let _e960 = (_e954.w * _e954.w);
-                let _e964 = (_e954.y * _e954.z);
-                let _e965 = (_e954.x * _e954.w);
-                let _e968 = (_e954.y * _e954.w);
-                let _e969 = (_e954.x * _e954.z);
-                let _e974 = (_e954.y * _e954.y);
-                let _e978 = (_e954.z * _e954.w);
-                let _e979 = (_e954.x * _e954.y);
-                let _e993 = exp(min(_e854, vec3<f32>(9f, 9f, 9f)));
-                let _e1000 = mat3x3<f32>((vec3<f32>((1f - (2f * (_e959 + _e960))), (2f * (_e964 + _e965)), (2f * (_e968 - _e969))) * _e993.x), (vec3<f32>((2f * (_e964 - _e965)), (1f - (2f * (_e974 + _e960))), (2f * (_e978 + _e979))) * _e993.y), (vec3<f32>((2f * (_e968 + _e969)), (2f * (_e978 - _e979)), (1f - (2f * (_e974 + _e959)))) * _e993.z));
-                let _e1002 = (transpose(mat3x3<f32>(_e356, _e357, _e358)) * _e1000);
-                let _e1004 = global.member_42;
-                let _e1005 = (3u * _e84);
-                let _e1006 = (_e1004 + _e1005);
-                let _e1007 = transpose(_e1002);
-                let _e1017 = max(_e374, sqrt(max(max(dot(_e1007[0], _e1007[0]), dot(_e1007[1], _e1007[1])), dot(_e1007[2], _e1007[2]))));
-                let _e1019 = global.member_43;
-                let _e1030 = (all((abs(_e343) < vec3<f32>(1000000000000000000000000000000f, 1000000000000000000000000000000f, 1000000000000000000000000000000f))) && (_e1017 <= 1000000000000000000f));
-                if _e1030 {
-                    let _e1032 = global.member_51;
-                    let _e1036 = global.member_52;
-                    phi_5507_ = ((_e343 - _e1032.xyz) / _e1036.xyz);
+                let _e954 = phi_5587_;
+                let _e955 = normalize(_e772);
+                let _e960 = (_e955.z * _e955.z);
+                let _e961 = (_e955.w * _e955.w);
+                let _e965 = (_e955.y * _e955.z);
+                let _e966 = (_e955.x * _e955.w);
+                let _e969 = (_e955.y * _e955.w);
+                let _e970 = (_e955.x * _e955.z);
+                let _e975 = (_e955.y * _e955.y);
+                let _e979 = (_e955.z * _e955.w);
+                let _e980 = (_e955.x * _e955.y);
+                let _e994 = exp(min(_e855, vec3<f32>(9f, 9f, 9f)));
+                let _e1001 = mat3x3<f32>((vec3<f32>((1f - (2f * (_e960 + _e961))), (2f * (_e965 + _e966)), (2f * (_e969 - _e970))) * _e994.x), (vec3<f32>((2f * (_e965 - _e966)), (1f - (2f * (_e975 + _e961))), (2f * (_e979 + _e980))) * _e994.y), (vec3<f32>((2f * (_e969 + _e970)), (2f * (_e979 - _e980)), (1f - (2f * (_e975 + _e960)))) * _e994.z));
+                let _e1003 = (transpose(mat3x3<f32>(_e354, _e355, _e356)) * _e1001);
+                let _e1005 = global.member_42;
+                let _e1006 = (3u * _e82);
+                let _e1007 = (_e1005 + _e1006);
+                let _e1008 = transpose(_e1003);
+                let _e1018 = max(_e372, sqrt(max(max(dot(_e1008[0], _e1008[0]), dot(_e1008[1], _e1008[1])), dot(_e1008[2], _e1008[2]))));
+                let _e1020 = global.member_43;
+                let _e1031 = (all((abs(_e341) < vec3<f32>(1000000000000000000000000000000f, 1000000000000000000000000000000f, 1000000000000000000000000000000f))) && (_e1018 <= 1000000000000000000f));
+                if _e1031 {
+                    let _e1033 = global.member_53;
+                    let _e1037 = global.member_54;
+                    phi_5588_ = ((_e341 - _e1033.xyz) / _e1037.xyz);
                 } else {
-                    phi_5507_ = vec3<f32>(0f, 0f, 0f);
+                    phi_5588_ = vec3<f32>(0f, 0f, 0f);
                 }
-                let _e1040 = phi_5507_;
-                let _e1057 = vec3<u32>(round((clamp(select(select((vec3<f32>(0.015625f, 0.015625f, 0.015625f) + (clamp(_e1040, vec3<f32>(0f, 0f, 0f), vec3<f32>(1f, 1f, 1f)) * 0.96875f)), (vec3<f32>(0.015625f, 0.015625f, 0.015625f) / (vec3<f32>(1f, 1f, 1f) - min(_e1040, vec3<f32>(0f, 0f, 0f)))), (_e1040 < vec3<f32>(0f, 0f, 0f))), (vec3<f32>(1f, 1f, 1f) - (vec3<f32>(0.015625f, 0.015625f, 0.015625f) / max(_e1040, vec3<f32>(1f, 1f, 1f)))), (_e1040 > vec3<f32>(1f, 1f, 1f))), vec3<f32>(0f, 0f, 0f), vec3<f32>(1f, 1f, 1f)) * 16777215f)));
-                let _e1059 = (_e1057 >> bitcast<vec3<u32>>(vec3<u32>(8u, 8u, 8u)));
-                let _e1060 = (_e1057 & vec3<u32>(255u, 255u, 255u));
-                let _e1076 = ((_e1059.z | (u32(clamp(select(0f, ceil(((8f * log2(max((_e1017 / _e1019), 0.000000000000000000000000000001f))) + 152f)), _e1030), 0f, 255f)) << bitcast<u32>(16u))) | (select(0u, _e598, _e1030) << bitcast<u32>(24u)));
-                let _e1093 = vec3<f32>(_e1002[0].x, _e1002[1].x, _e1002[2].x);
-                let _e1100 = vec3<f32>(_e1002[0].y, _e1002[1].y, _e1002[2].y);
-                let _e1107 = vec3<f32>(_e1002[0].z, _e1002[1].z, _e1002[2].z);
-                let _e1108 = length(_e1093);
-                if (_e1108 > 0f) {
-                    phi_5509_ = (_e1093 / vec3(_e1108));
+                let _e1041 = phi_5588_;
+                let _e1058 = vec3<u32>(round((clamp(select(select((vec3<f32>(0.015625f, 0.015625f, 0.015625f) + (clamp(_e1041, vec3<f32>(0f, 0f, 0f), vec3<f32>(1f, 1f, 1f)) * 0.96875f)), (vec3<f32>(0.015625f, 0.015625f, 0.015625f) / (vec3<f32>(1f, 1f, 1f) - min(_e1041, vec3<f32>(0f, 0f, 0f)))), (_e1041 < vec3<f32>(0f, 0f, 0f))), (vec3<f32>(1f, 1f, 1f) - (vec3<f32>(0.015625f, 0.015625f, 0.015625f) / max(_e1041, vec3<f32>(1f, 1f, 1f)))), (_e1041 > vec3<f32>(1f, 1f, 1f))), vec3<f32>(0f, 0f, 0f), vec3<f32>(1f, 1f, 1f)) * 16777215f)));
+                let _e1060 = (_e1058 >> bitcast<vec3<u32>>(vec3<u32>(8u, 8u, 8u)));
+                let _e1061 = (_e1058 & vec3<u32>(255u, 255u, 255u));
+                let _e1077 = ((_e1060.z | (u32(clamp(select(0f, ceil(((8f * log2(max((_e1018 / _e1020), 0.000000000000000000000000000001f))) + 152f)), _e1031), 0f, 255f)) << bitcast<u32>(16u))) | (select(0u, _e599, _e1031) << bitcast<u32>(24u)));
+                let _e1094 = vec3<f32>(_e1003[0].x, _e1003[1].x, _e1003[2].x);
+                let _e1101 = vec3<f32>(_e1003[0].y, _e1003[1].y, _e1003[2].y);
+                let _e1108 = vec3<f32>(_e1003[0].z, _e1003[1].z, _e1003[2].z);
+                let _e1109 = length(_e1094);
+                if (_e1109 > 0f) {
+                    phi_5590_ = (_e1094 / vec3(_e1109));
                 } else {
-                    phi_5509_ = vec3<f32>(0f, 0f, 0f);
+                    phi_5590_ = vec3<f32>(0f, 0f, 0f);
                 }
-                let _e1113 = phi_5509_;
-                let _e1114 = dot(_e1100, _e1113);
-                let _e1116 = (_e1100 - (_e1113 * _e1114));
-                let _e1117 = length(_e1116);
-                if (_e1117 > 0f) {
-                    phi_5511_ = (_e1116 / vec3(_e1117));
+                let _e1114 = phi_5590_;
+                let _e1115 = dot(_e1101, _e1114);
+                let _e1117 = (_e1101 - (_e1114 * _e1115));
+                let _e1118 = length(_e1117);
+                if (_e1118 > 0f) {
+                    phi_5592_ = (_e1117 / vec3(_e1118));
                 } else {
-                    phi_5511_ = vec3<f32>(0f, 0f, 0f);
+                    phi_5592_ = vec3<f32>(0f, 0f, 0f);
                 }
-                let _e1122 = phi_5511_;
-                let _e1123 = dot(_e1107, _e1113);
-                let _e1124 = dot(_e1107, _e1122);
-                let _e1138 = (1023f / (_e1019 * exp2(((f32(((_e1076 >> bitcast<u32>(16u)) & 255u)) * 0.125f) - 19f))));
-                let _e1156 = vec3<u32>(round((clamp(_e953, vec3<f32>(0f, 0f, 0f), vec3<f32>(1f, 1f, 1f)) * 1023f)));
-                let _e1159 = ((vec3<u32>(clamp((round((vec3<f32>(_e1108, _e1117, _e1124) * _e1138)) + vec3<f32>(1023f, 1023f, 1023f)), vec3<f32>(0f, 0f, 0f), vec3<f32>(2046f, 2046f, 2046f))) | (vec3<u32>(clamp((round((vec3<f32>(_e1114, _e1123, length(((_e1107 - (_e1113 * _e1123)) - (_e1122 * _e1124)))) * _e1138)) + vec3<f32>(1023f, 1023f, 1023f)), vec3<f32>(0f, 0f, 0f), vec3<f32>(2046f, 2046f, 2046f))) << bitcast<vec3<u32>>(vec3<u32>(11u, 11u, 11u)))) | (_e1156 << bitcast<vec3<u32>>(vec3<u32>(22u, 22u, 22u))));
-                global_4.member[_e1006] = (_e1059.x | (_e1059.y << bitcast<u32>(16u)));
-                global_4.member[(_e1006 + 1u)] = _e1076;
-                global_4.member[(_e1006 + 2u)] = ((_e1060.x | (_e1060.y << bitcast<u32>(8u))) | (_e1060.z << bitcast<u32>(16u)));
-                let _e1169 = ((_e1004 + _e591) + _e1005);
-                global_4.member[_e1169] = _e1159.x;
-                global_4.member[(_e1169 + 1u)] = _e1159.y;
-                global_4.member[(_e1169 + 2u)] = _e1159.z;
-                phi_3118_ = _e590;
-                if _e590 {
-                    let _e1183 = global.member_29;
-                    phi_3118_ = (f32(_e598) <= _e1183);
+                let _e1123 = phi_5592_;
+                let _e1124 = dot(_e1108, _e1114);
+                let _e1125 = dot(_e1108, _e1123);
+                let _e1139 = (1023f / (_e1020 * exp2(((f32(((_e1077 >> bitcast<u32>(16u)) & 255u)) * 0.125f) - 19f))));
+                let _e1157 = vec3<u32>(round((clamp(_e954, vec3<f32>(0f, 0f, 0f), vec3<f32>(1f, 1f, 1f)) * 1023f)));
+                let _e1160 = ((vec3<u32>(clamp((round((vec3<f32>(_e1109, _e1118, _e1125) * _e1139)) + vec3<f32>(1023f, 1023f, 1023f)), vec3<f32>(0f, 0f, 0f), vec3<f32>(2046f, 2046f, 2046f))) | (vec3<u32>(clamp((round((vec3<f32>(_e1115, _e1124, length(((_e1108 - (_e1114 * _e1124)) - (_e1123 * _e1125)))) * _e1139)) + vec3<f32>(1023f, 1023f, 1023f)), vec3<f32>(0f, 0f, 0f), vec3<f32>(2046f, 2046f, 2046f))) << bitcast<vec3<u32>>(vec3<u32>(11u, 11u, 11u)))) | (_e1157 << bitcast<vec3<u32>>(vec3<u32>(22u, 22u, 22u))));
+                global_4.member[_e1007] = (_e1060.x | (_e1060.y << bitcast<u32>(16u)));
+                global_4.member[(_e1007 + 1u)] = _e1077;
+                global_4.member[(_e1007 + 2u)] = ((_e1061.x | (_e1061.y << bitcast<u32>(8u))) | (_e1061.z << bitcast<u32>(16u)));
+                let _e1170 = ((_e1005 + _e592) + _e1006);
+                global_4.member[_e1170] = _e1160.x;
+                global_4.member[(_e1170 + 1u)] = _e1160.y;
+                global_4.member[(_e1170 + 2u)] = _e1160.z;
+                phi_3154_ = _e591;
+                if _e591 {
+                    let _e1184 = global.member_29;
+                    phi_3154_ = (f32(_e599) <= _e1184);
                 }
-                let _e1186 = phi_3118_;
-                if _e1186 {
-                    let _e1188 = global_2.member_9;
-                    if (_e1188 != 0u) {
-                        let _e1192 = atomicAdd((&global_1.member[2u]), 1u);
+                let _e1187 = phi_3154_;
+                if _e1187 {
+                    let _e1189 = global_2.member_9;
+                    if (_e1189 != 0u) {
+                        let _e1193 = atomicAdd((&global_1.member[2u]), 1u);
                     }
                 }
-                let _e1193 = !(_e590);
-                phi_3132_ = _e1193;
-                if !(_e1193) {
-                    let _e1197 = global.member_29;
-                    phi_3132_ = (f32(_e598) <= _e1197);
+                let _e1194 = !(_e591);
+                phi_3168_ = _e1194;
+                if !(_e1194) {
+                    let _e1198 = global.member_29;
+                    phi_3168_ = (f32(_e599) <= _e1198);
                 }
-                let _e1200 = phi_3132_;
-                if _e1200 {
-                    phi_5538_ = 4294967295u;
+                let _e1201 = phi_3168_;
+                if _e1201 {
+                    phi_5622_ = 4294967295u;
                     break;
                 }
                 switch bitcast<i32>(0u) {
                     default: {
-                        let _e1206 = global.member_2;
-                        let _e1208 = global.member_3;
-                        let _e1209 = clamp((_e343.xy / vec2(_e342)), _e1206, _e1208);
-                        let _e1212 = global.member[0u];
-                        let _e1218 = (((_e356 - (_e358 * _e1209.x)) * (_e1212 / _e342)) * _e1000);
-                        let _e1221 = global.member[1u];
-                        let _e1227 = (((_e357 - (_e358 * _e1209.y)) * (_e1221 / _e342)) * _e1000);
-                        let _e1229 = (dot(_e1218, _e1218) + 0.3f);
-                        let _e1232 = (dot(_e1227, _e1227) + 0.3f);
-                        let _e1234 = cross(_e1218, _e1227);
-                        let _e1239 = (dot(_e1234, _e1234) + (0.3f * ((_e1229 + _e1232) - 0.3f)));
-                        let _e1240 = (_e1239 > 0f);
-                        phi_4907_ = _e1240;
-                        if _e1240 {
-                            phi_4907_ = (_e1229 <= 1000000000000000000f);
-                        }
-                        let _e1243 = phi_4907_;
-                        phi_4913_ = _e1243;
+                        let _e1207 = global.member_2;
+                        let _e1209 = global.member_3;
+                        let _e1210 = clamp((_e341.xy / vec2(_e340)), _e1207, _e1209);
+                        let _e1213 = global.member[0u];
+                        let _e1219 = (((_e354 - (_e356 * _e1210.x)) * (_e1213 / _e340)) * _e1001);
+                        let _e1222 = global.member[1u];
+                        let _e1228 = (((_e355 - (_e356 * _e1210.y)) * (_e1222 / _e340)) * _e1001);
+                        let _e1230 = global.member_51;
+                        let _e1232 = (dot(_e1219, _e1219) + _e1230);
+                        let _e1235 = (dot(_e1228, _e1228) + _e1230);
+                        let _e1237 = cross(_e1219, _e1228);
+                        let _e1238 = dot(_e1237, _e1237);
+                        let _e1242 = (_e1238 + (_e1230 * ((_e1232 + _e1235) - _e1230)));
+                        let _e1243 = (_e1242 > 0f);
+                        phi_4956_ = _e1243;
                         if _e1243 {
-                            phi_4913_ = (_e1232 <= 1000000000000000000f);
+                            phi_4956_ = (_e1232 <= 1000000000000000000f);
                         }
-                        let _e1246 = phi_4913_;
-                        if !(_e1246) {
-                            let _e1249 = global_2.member_9;
-                            if (_e1249 != 0u) {
-                                let _e1253 = atomicAdd((&global_1.member[3u]), 1u);
+                        let _e1246 = phi_4956_;
+                        phi_4962_ = _e1246;
+                        if _e1246 {
+                            phi_4962_ = (_e1235 <= 1000000000000000000f);
+                        }
+                        let _e1249 = phi_4962_;
+                        if !(_e1249) {
+                            let _e1252 = global_2.member_9;
+                            if (_e1252 != 0u) {
+                                let _e1256 = atomicAdd((&global_1.member[3u]), 1u);
                             }
-                            phi_5537_ = 4294967295u;
+                            phi_5621_ = 4294967295u;
                             break;
                         }
-                        let _e1255 = global.member_49;
-                        let _e1256 = (vec3<f32>(_e1229, dot(_e1218, _e1227), _e1232) * _e1255);
-                        phi_5529_ = (1f - (f32(_e598) * 0.003921569f));
-                        phi_5528_ = 0u;
+                        phi_5607_ = (1f - (f32(_e599) * 0.003921569f));
+                        phi_5606_ = 0u;
                         loop {
-                            let _e1263 = phi_5529_;
-                            let _e1265 = phi_5528_;
-                            local_4 = _e1263;
-                            if (_e1265 < _e92) {
+                            let _e1261 = phi_5607_;
+                            let _e1263 = phi_5606_;
+                            local_4 = _e1261;
+                            if (_e1263 < _e90) {
                                 continue;
                             } else {
                                 break;
                             }
                             continuing {
-                                phi_5529_ = (_e1263 * _e1263);
-                                phi_5528_ = (_e1265 + bitcast<u32>(1i));
+                                phi_5607_ = (_e1261 * _e1261);
+                                phi_5606_ = (_e1263 + bitcast<u32>(1i));
                             }
                         }
-                        let _e1271 = local_4;
-                        let _e1275 = u32(round((255f * (1f - _e1271))));
-                        let _e1278 = global.member_34;
-                        let _e1281 = global.member_29;
-                        let _e1289 = (sqrt(_e1256.xz) * sqrt((2f * log(max((max(f32(_e1275), _e1278) / _e1281), 1f)))));
-                        let _e1292 = all(((_e588 + _e1289) > vec2<f32>(0f, 0f)));
-                        phi_4951_ = _e1292;
-                        if _e1292 {
-                            let _e1295 = global.member_4;
-                            phi_4951_ = all(((_e588 - _e1289) < _e1295));
-                        }
-                        let _e1299 = phi_4951_;
-                        if !(_e1299) {
-                            let _e1302 = global_2.member_9;
-                            if (_e1302 != 0u) {
-                                let _e1306 = atomicAdd((&global_1.member[0u]), 1u);
+                        let _e1269 = local_4;
+                        let _e1273 = u32(round((255f * (1f - _e1269))));
+                        let _e1275 = global.member_52;
+                        phi_5615_ = _e1273;
+                        if (_e1275 != 0u) {
+                            let _e1282 = u32(round((f32(_e1273) * sqrt((_e1238 / _e1242)))));
+                            let _e1285 = global.member_29;
+                            if (f32(_e1282) <= _e1285) {
+                                let _e1288 = global_2.member_9;
+                                if (_e1288 != 0u) {
+                                    let _e1292 = atomicAdd((&global_1.member[2u]), 1u);
+                                }
+                                phi_5621_ = 4294967295u;
+                                break;
                             }
-                            phi_5537_ = 4294967295u;
+                            phi_5615_ = _e1282;
+                        }
+                        let _e1294 = phi_5615_;
+                        let _e1296 = global.member_49;
+                        let _e1297 = (vec3<f32>(_e1232, dot(_e1219, _e1228), _e1235) * _e1296);
+                        let _e1302 = global.member_34;
+                        let _e1305 = global.member_29;
+                        let _e1313 = (sqrt(_e1297.xz) * sqrt((2f * log(max((max(f32(_e1294), _e1302) / _e1305), 1f)))));
+                        let _e1316 = all(((_e589 + _e1313) > vec2<f32>(0f, 0f)));
+                        phi_5022_ = _e1316;
+                        if _e1316 {
+                            let _e1319 = global.member_4;
+                            phi_5022_ = all(((_e589 - _e1313) < _e1319));
+                        }
+                        let _e1323 = phi_5022_;
+                        if !(_e1323) {
+                            let _e1326 = global_2.member_9;
+                            if (_e1326 != 0u) {
+                                let _e1330 = atomicAdd((&global_1.member[0u]), 1u);
+                            }
+                            phi_5621_ = 4294967295u;
                             break;
                         }
-                        let _e1310 = (0.5f * (_e1256.x - _e1256.z));
-                        let _e1315 = sqrt(((_e1310 * _e1310) + (_e1256.y * _e1256.y)));
-                        let _e1318 = ((0.5f * (_e1256.x + _e1256.z)) + _e1315);
-                        if (_e1310 >= 0f) {
-                            phi_5535_ = vec2<f32>((_e1310 + _e1315), _e1256.y);
+                        let _e1334 = (0.5f * (_e1297.x - _e1297.z));
+                        let _e1339 = sqrt(((_e1334 * _e1334) + (_e1297.y * _e1297.y)));
+                        let _e1342 = ((0.5f * (_e1297.x + _e1297.z)) + _e1339);
+                        if (_e1334 >= 0f) {
+                            phi_5619_ = vec2<f32>((_e1334 + _e1339), _e1297.y);
                         } else {
-                            phi_5535_ = vec2<f32>(_e1256.y, (_e1315 - _e1310));
+                            phi_5619_ = vec2<f32>(_e1297.y, (_e1339 - _e1334));
                         }
-                        let _e1325 = phi_5535_;
-                        let _e1326 = length(_e1325);
-                        if (_e1326 > 0f) {
-                            phi_5536_ = (_e1325 / vec2(_e1326));
+                        let _e1349 = phi_5619_;
+                        let _e1350 = length(_e1349);
+                        if (_e1350 > 0f) {
+                            phi_5620_ = (_e1349 / vec2(_e1350));
                         } else {
-                            phi_5536_ = vec2<f32>(1f, 0f);
+                            phi_5620_ = vec2<f32>(1f, 0f);
                         }
-                        let _e1331 = phi_5536_;
-                        let _e1338 = global.member_5;
-                        let _e1342 = global.member_10;
-                        let _e1346 = vec2<u32>(clamp(round(((_e588 + vec2(_e1338)) * _e1342)), vec2<f32>(0f, 0f), vec2<f32>(1048575f, 1048575f)));
-                        let _e1374 = global.member_45;
-                        let _e1376 = (4u * (_e1374 + _e84));
-                        global_4.member[_e1376] = ((_e1346.x | (_e1156.x << bitcast<u32>(20u))) | (_e1156.z << bitcast<u32>(30u)));
-                        global_4.member[(_e1376 + 1u)] = (_e1346.y | (_e1156.y << bitcast<u32>(20u)));
-                        global_4.member[(_e1376 + 2u)] = pack2x16float((_e1331 * min(sqrt(_e1318), 65504f)));
-                        global_4.member[(_e1376 + 3u)] = ((pack2x16float(vec2<f32>(min(sqrt(((_e1239 * (_e1255 * _e1255)) / _e1318)), 65504f), 0f)) | (_e1275 << bitcast<u32>(16u))) | ((_e1156.z >> bitcast<u32>(2u)) << bitcast<u32>(24u)));
-                        let _e1389 = global.member_9;
-                        phi_5537_ = min(u32((_e586 * f32(_e1389))), _e1389);
+                        let _e1355 = phi_5620_;
+                        let _e1362 = global.member_5;
+                        let _e1366 = global.member_10;
+                        let _e1370 = vec2<u32>(clamp(round(((_e589 + vec2(_e1362)) * _e1366)), vec2<f32>(0f, 0f), vec2<f32>(1048575f, 1048575f)));
+                        let _e1398 = global.member_45;
+                        let _e1400 = (4u * (_e1398 + _e82));
+                        global_4.member[_e1400] = ((_e1370.x | (_e1157.x << bitcast<u32>(20u))) | (_e1157.z << bitcast<u32>(30u)));
+                        global_4.member[(_e1400 + 1u)] = (_e1370.y | (_e1157.y << bitcast<u32>(20u)));
+                        global_4.member[(_e1400 + 2u)] = pack2x16float((_e1355 * min(sqrt(_e1342), 65504f)));
+                        global_4.member[(_e1400 + 3u)] = ((pack2x16float(vec2<f32>(min(sqrt(((_e1242 * (_e1296 * _e1296)) / _e1342)), 65504f), 0f)) | (_e1294 << bitcast<u32>(16u))) | ((_e1157.z >> bitcast<u32>(2u)) << bitcast<u32>(24u)));
+                        let _e1413 = global.member_9;
+                        phi_5621_ = min(u32((_e587 * f32(_e1413))), _e1413);
                         break;
                     }
                 }
-                let _e1395 = phi_5537_;
-                phi_5538_ = _e1395;
+                let _e1419 = phi_5621_;
+                phi_5622_ = _e1419;
                 break;
             }
         }
-        let _e1397 = phi_5538_;
-        phi_5539_ = _e1397;
+        let _e1421 = phi_5622_;
+        phi_5623_ = _e1421;
     } else {
-        phi_5539_ = 4294967295u;
+        phi_5623_ = 4294967295u;
     }
-    let _e1399 = phi_5539_;
+    let _e1423 = phi_5623_;
     switch bitcast<i32>(0u) {
         default: {
-            let _e1402 = bitcast<u32>(param[0u]);
-            let _e1404 = global.member_45;
-            let _e1405 = (_e1404 + _e84);
-            if (_e1399 != 4294967295u) {
-                let _e1408 = global.member_41;
-                let _e1412 = global.member_40;
-                let _e1418 = atomicAdd((&global_1.member[((_e1412 + ((_e1405 / _e1408) * 256u)) + (_e1399 & 255u))]), 1u);
+            let _e1426 = bitcast<u32>(param[0u]);
+            let _e1428 = global.member_45;
+            let _e1429 = (_e1428 + _e82);
+            if (_e1423 != 4294967295u) {
+                let _e1432 = global.member_41;
+                let _e1436 = global.member_40;
+                let _e1442 = atomicAdd((&global_1.member[((_e1436 + ((_e1429 / _e1432) * 256u)) + (_e1423 & 255u))]), 1u);
             }
-            let _e1420 = global.member_39;
-            if (_e1420 == 0u) {
-                if (_e84 < (_e86 + (_e86 & 1u))) {
-                    let _e1426 = global.member_28;
-                    global_4.member[(_e1426 + _e1405)] = _e1399;
+            let _e1444 = global.member_39;
+            if (_e1444 == 0u) {
+                if (_e82 < (_e84 + (_e84 & 1u))) {
+                    let _e1450 = global.member_28;
+                    global_4.member[(_e1450 + _e1429)] = _e1423;
                 }
                 break;
             }
-            global_5[_e1402] = _e1399;
+            global_5[_e1426] = _e1423;
             workgroupBarrier();
-            let _e1432 = ((_e1402 & 1u) == 0u);
-            if select(_e1432, _e87, _e1432) {
-                let _e1435 = global.member_28;
-                let _e1442 = global_5[(_e1402 + 1u)];
-                global_4.member[(_e1435 + (_e1405 >> bitcast<u32>(1u)))] = ((_e1399 & 65535u) | (_e1442 << bitcast<u32>(16u)));
+            let _e1456 = ((_e1426 & 1u) == 0u);
+            if select(_e1456, _e85, _e1456) {
+                let _e1459 = global.member_28;
+                let _e1466 = global_5[(_e1426 + 1u)];
+                global_4.member[(_e1459 + (_e1429 >> bitcast<u32>(1u)))] = ((_e1423 & 65535u) | (_e1466 << bitcast<u32>(16u)));
             }
             break;
         }

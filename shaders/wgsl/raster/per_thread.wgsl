@@ -97,6 +97,8 @@ struct FrameBlock {
     drawn: u32,
     covariance_scale: f32,
     bin_side: u32,
+    low_pass: f32,
+    compensated: u32,
     cache_min: vec4<f32>,
     cache_size: vec4<f32>,
     camera_from_cache: array<vec4<f32>, 3>,
@@ -316,7 +318,7 @@ fn blend_row_u0028_vf4_u003b_vf4_u003b_vf4_u003b_vf4_u003b_struct_u002d_Footprin
     let _e39 = (*splat).opacity;
     let _e40 = weight;
     let _e42 = weight;
-    row_1.alpha = select(0f, (_e39 * _e40), (_e42 >= 0.00000000000000001f));
+    row_1.alpha = select(0f, (_e39 * _e40), (_e42 >= 0.00000000000000000000000000000000000075f));
     let _e47 = (*splat).deviation;
     let _e50 = (*splat).right;
     let _e53 = (*splat).right;

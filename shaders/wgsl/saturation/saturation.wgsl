@@ -80,6 +80,8 @@ struct FrameBlock {
     drawn: u32,
     covariance_scale: f32,
     bin_side: u32,
+    low_pass: f32,
+    compensated: u32,
     cache_min: vec4<f32>,
     cache_size: vec4<f32>,
     camera_from_cache: array<vec4<f32>, 3>,

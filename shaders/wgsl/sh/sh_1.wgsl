@@ -57,14 +57,16 @@ struct type_13 {
     member_48: u32,
     member_49: f32,
     member_50: u32,
-    member_51: vec4<f32>,
-    member_52: vec4<f32>,
-    member_53: array<vec4<f32>, 3>,
-    member_54: array<vec4<u32>, 8>,
-    member_55: array<vec4<u32>, 8>,
-    member_56: array<type_9, 8>,
-    member_57: array<vec4<f32>, 128>,
-    member_58: array<vec4<f32>, 768>,
+    member_51: f32,
+    member_52: u32,
+    member_53: vec4<f32>,
+    member_54: vec4<f32>,
+    member_55: array<vec4<f32>, 3>,
+    member_56: array<vec4<u32>, 8>,
+    member_57: array<vec4<u32>, 8>,
+    member_58: array<type_9, 8>,
+    member_59: array<vec4<f32>, 128>,
+    member_60: array<vec4<f32>, 768>,
 }
 
 struct type_17 {
@@ -148,11 +150,11 @@ fn main(@builtin(global_invocation_id) param: vec3<u32>) {
                     let _e83 = local[_e80];
                     let _e84 = (3u * _e83);
                     let _e86 = local_1[_e80];
-                    let _e89 = global.member_58[_e84];
+                    let _e89 = global.member_60[_e84];
                     let _e92 = local_1[_e80];
-                    let _e96 = global.member_58[(_e84 + 1u)];
+                    let _e96 = global.member_60[(_e84 + 1u)];
                     let _e99 = local_1[_e80];
-                    let _e103 = global.member_58[(_e84 + 2u)];
+                    let _e103 = global.member_60[(_e84 + 2u)];
                     phi_950_ = (_e74 + (_e103 * _e99));
                     phi_949_ = (_e76 + (_e96 * _e92));
                     phi_948_ = (_e78 + (_e89 * _e86));

@@ -57,14 +57,16 @@ struct type_13 {
     member_48: u32,
     member_49: f32,
     member_50: u32,
-    member_51: vec4<f32>,
-    member_52: vec4<f32>,
-    member_53: array<vec4<f32>, 3>,
-    member_54: array<vec4<u32>, 8>,
-    member_55: array<vec4<u32>, 8>,
-    member_56: array<type_9, 8>,
-    member_57: array<vec4<f32>, 128>,
-    member_58: array<vec4<f32>, 768>,
+    member_51: f32,
+    member_52: u32,
+    member_53: vec4<f32>,
+    member_54: vec4<f32>,
+    member_55: array<vec4<f32>, 3>,
+    member_56: array<vec4<u32>, 8>,
+    member_57: array<vec4<u32>, 8>,
+    member_58: array<type_9, 8>,
+    member_59: array<vec4<f32>, 128>,
+    member_60: array<vec4<f32>, 768>,
 }
 
 struct type_17 {
@@ -154,11 +156,11 @@ fn main(@builtin(global_invocation_id) param: vec3<u32>) {
                     let _e90 = local[_e87];
                     let _e91 = (3u * _e90);
                     let _e93 = local_1[_e87];
-                    let _e96 = global.member_58[_e91];
+                    let _e96 = global.member_60[_e91];
                     let _e99 = local_1[_e87];
-                    let _e103 = global.member_58[(_e91 + 1u)];
+                    let _e103 = global.member_60[(_e91 + 1u)];
                     let _e106 = local_1[_e87];
-                    let _e110 = global.member_58[(_e91 + 2u)];
+                    let _e110 = global.member_60[(_e91 + 2u)];
                     phi_1198_ = (_e81 + (_e110 * _e106));
                     phi_1197_ = (_e83 + (_e103 * _e99));
                     phi_1196_ = (_e85 + (_e96 * _e93));

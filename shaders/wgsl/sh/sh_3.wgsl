@@ -57,14 +57,16 @@ struct type_13 {
     member_48: u32,
     member_49: f32,
     member_50: u32,
-    member_51: vec4<f32>,
-    member_52: vec4<f32>,
-    member_53: array<vec4<f32>, 3>,
-    member_54: array<vec4<u32>, 8>,
-    member_55: array<vec4<u32>, 8>,
-    member_56: array<type_9, 8>,
-    member_57: array<vec4<f32>, 128>,
-    member_58: array<vec4<f32>, 768>,
+    member_51: f32,
+    member_52: u32,
+    member_53: vec4<f32>,
+    member_54: vec4<f32>,
+    member_55: array<vec4<f32>, 3>,
+    member_56: array<vec4<u32>, 8>,
+    member_57: array<vec4<u32>, 8>,
+    member_58: array<type_9, 8>,
+    member_59: array<vec4<f32>, 128>,
+    member_60: array<vec4<f32>, 768>,
 }
 
 struct type_17 {
@@ -154,11 +156,11 @@ fn main(@builtin(global_invocation_id) param: vec3<u32>) {
                     let _e96 = local[_e93];
                     let _e97 = (3u * _e96);
                     let _e99 = local_1[_e93];
-                    let _e102 = global.member_58[_e97];
+                    let _e102 = global.member_60[_e97];
                     let _e105 = local_1[_e93];
-                    let _e109 = global.member_58[(_e97 + 1u)];
+                    let _e109 = global.member_60[(_e97 + 1u)];
                     let _e112 = local_1[_e93];
-                    let _e116 = global.member_58[(_e97 + 2u)];
+                    let _e116 = global.member_60[(_e97 + 2u)];
                     phi_1328_ = (_e87 + (_e116 * _e112));
                     phi_1327_ = (_e89 + (_e109 * _e105));
                     phi_1326_ = (_e91 + (_e102 * _e99));

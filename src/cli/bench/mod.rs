@@ -221,7 +221,8 @@ impl Args {
 }
 
 pub fn run(args: Args) -> anyhow::Result<()> {
-    let (avatar, players) = args.source.load_players()?;
+    let (mut avatar, players) = args.source.load_players()?;
+    args.quality.filter.apply(&mut avatar);
     let player = players.first().context("there is no clip")?;
     let mut cameras = match &args.cameras {
         Some(path) => source::cameras(path, &avatar)?,

@@ -29,10 +29,11 @@ pub fn print_heading(report: &BenchReport) {
         report.size[0], report.size[1], options.raster, options.color, options.key_bits
     );
     println!(
-        "error    cutoff {:.1}/255, margin {:.1} mm, detail {}",
+        "error    cutoff {:.1}/255, margin {:.1} mm, detail {}, low-pass {}",
         255.0 * options.cutoff,
         1e3 * options.margin,
-        options.detail
+        options.detail,
+        options.filter
     );
     println!("skipped  {}", options.skip);
 }

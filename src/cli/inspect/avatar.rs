@@ -1,7 +1,7 @@
 //! The contents of an avatar, in numbers.
 
 use super::text::{Distribution, line, stated, table, thousands};
-use effigy_core::avatar::{Activation, Avatar};
+use effigy_core::avatar::{Activation, Avatar, Filter};
 use effigy_core::io::file::TensorInfo;
 use serde::Serialize;
 use std::fmt;
@@ -43,6 +43,8 @@ pub struct AvatarSummary {
     color: [Distribution; 3],
     /// Highest degree of view-dependent colour; 0 where it has none.
     harmonics: usize,
+    /// The low-pass that it was learned with.
+    filter: Filter,
     tensors: Vec<TensorInfo>,
     bytes: usize,
     /// Bytes of the file without its header.
@@ -115,6 +117,7 @@ impl AvatarSummary {
             color: [0, 1, 2]
                 .map(|k| Distribution::new(gaussians.color.iter().map(|c| c[k].to_f64()))),
             harmonics: avatar.sh.as_ref().map_or(0, |harmonics| harmonics.degree),
+            filter: avatar.filter,
             bytes: tensors.iter().map(|tensor| tensor.bytes).sum(),
             stored: tensors.iter().map(|tensor| tensor.stored).sum(),
             byte_networks: avatar.networks.in_bytes(),
@@ -271,6 +274,16 @@ impl fmt::Display for AvatarSummary {
             0 => line(f, "harmonics", "none: colours do not depend on the view")?,
             degree => line(f, "harmonics", format_args!("degree {degree}"))?,
         }
+        let compensated = if self.filter.compensated {
+            ", opacities compensated"
+        } else {
+            ""
+        };
+        line(
+            f,
+            "low-pass",
+            format_args!("{} px²{compensated}", self.filter.variance),
+        )?;
         line(f, "skeleton", format_args!("{} joints", self.joints.len()))?;
         for Chain { depth, joints } in chains(&self.joints, 0, 0) {
             writeln!(f, "{:12}{:indent$}{joints}", "", "", indent = 2 * depth)?;

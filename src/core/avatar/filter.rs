@@ -10,14 +10,13 @@ use std::{fmt, ops::RangeInclusive, str::FromStr};
 /// An avatar is learned with one filter, and looks right with that one alone: a larger variance
 /// thickens what is fine, and compensation on an avatar that was learned without it thins it.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct Filter {
     /// What is added to both diagonal entries of a projected covariance, px², within
     /// [`Filter::VARIANCES`].
     pub variance: f64,
     /// Whether the opacity is multiplied by √(det Σ / det(Σ + `variance` · I)), so that a Gaussian
     /// covers as much as without the filter, however small it is in the image: the 2D filter of
-    /// Mip-Splatting (Yu et al., CVPR 2024), "antialiased" in other programs.
+    /// Mip-Splatting (Yu et al., CVPR 2024).
     pub compensated: bool,
 }
 
@@ -26,6 +25,11 @@ impl Filter {
     pub const DEFAULT: Self = Self {
         variance: LOW_PASS,
         compensated: false,
+    };
+    /// That of programs which know one flag, "antialiased": compensated, with the variance of 3DGS.
+    pub const ANTIALIASED: Self = Self {
+        variance: LOW_PASS,
+        compensated: true,
     };
     /// Variances that may be drawn with, px². With less, a Gaussian would fall by more than f32
     /// holds over the four pixels that the tile rasterizer steps along (shaders/raster/tiles.glsl).

@@ -37,6 +37,10 @@ pub fn write_shared(
     };
     block.tile_side = TILING.tile(camera.size) as f32;
     block.bin_side = bin_side(camera.size);
+    if let Some(filter) = options.filter {
+        block.low_pass = filter.variance as f32;
+        block.compensated = filter.compensated.into();
+    }
     block.occluder_margin = options.margin as f32;
     block.pyramid_start = 0;
     if let Some(view) = plan.occluder_view

@@ -6,7 +6,7 @@ use crate::layout::PROJECT_WORKGROUPS;
 use crate::layout::{
     SORT_DIGITS, SORT_GROUP, SORT_ONESWEEP_TILE, SORT_RUNS, SORT_STATE, SORT_TILE,
 };
-use crate::{constants::ALPHA_MIN, scene::Detail};
+use crate::{avatar::Filter, constants::ALPHA_MIN, scene::Detail};
 use serde::{Deserialize, Serialize};
 
 /// The options of a renderer. [`RendererOptions::check`] says whether they are valid.
@@ -38,6 +38,9 @@ pub struct RendererOptions {
     pub margin: f64,
     /// How many of an avatar's Gaussians are drawn.
     pub detail: Detail,
+    /// The low-pass to draw with. None: the avatar's own, with which alone it looks as it was
+    /// learned.
+    pub filter: Option<Filter>,
     /// Most copies of the avatar in a scene, 1 to 256; memory grows with it.
     pub instances: usize,
     /// Count fragments, where the device can, and why Gaussians are culled. For measurements: some
@@ -66,6 +69,7 @@ impl RendererOptions {
             cutoff: ALPHA_MIN,
             margin: 0.005,
             detail: Detail::FULL,
+            filter: None,
             instances: 1,
             count: false,
         }

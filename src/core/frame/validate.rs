@@ -3,6 +3,7 @@
 
 use super::{RendererOptions, Unusable};
 use crate::{
+    avatar::Filter,
     constants::ALPHA_MIN,
     layout::PROJECT_WORKGROUPS,
     scene::{AvatarBounds, Camera, PoseShape, Posed},
@@ -53,6 +54,16 @@ impl RendererOptions {
                 "the margin behind the occluder",
                 self.margin,
                 "a number from 0 up",
+            ));
+        }
+        if let Some(filter) = self.filter
+            && !filter.is_valid()
+        {
+            let [least, most] = [Filter::VARIANCES.start(), Filter::VARIANCES.end()];
+            return Err(unusable(
+                "the low-pass filter",
+                format!("a variance of {} px²", filter.variance),
+                format!("one from {least} to {most} px²"),
             ));
         }
         Ok(())

@@ -5,6 +5,8 @@
 //! Buffers are arrays of 32-bit words, of 16-byte vectors, or of "half quads": four f16 in eight
 //! bytes, the same bytes whether a device reads them as f16 or unpacks words.
 
+#[cfg(doc)]
+use crate::avatar::Filter;
 use crate::avatar::limits;
 use bytemuck::{Pod, Zeroable};
 
@@ -248,8 +250,12 @@ pub struct FrameBlock {
     pub covariance_scale: f32,
     /// Side of the finest bins, px.
     pub bin_side: u32,
+    /// [`Filter::variance`], px².
+    pub low_pass: f32,
+    /// [`Filter::compensated`], 0 or 1.
+    pub compensated: u32,
     /// Padding.
-    pub unused: u32,
+    pub unused: [u32; 3],
     /// Lower corner of the box that positions in the pose cache are relative to, metres.
     pub cache_min: [f32; 4],
     /// Sides of that box, metres.

@@ -8,8 +8,7 @@ use super::{
 use crate::{
     avatar::limits,
     constants::{
-        ALPHA_MAX, F16_MAX, FEATURE_MAX, LOG_SCALE_MAX, LONGEST_MARGIN, LOW_PASS, ROTATION_MIN,
-        VARIANCE_MAX,
+        ALPHA_MAX, F16_MAX, FEATURE_MAX, LOG_SCALE_MAX, LONGEST_MARGIN, ROTATION_MIN, VARIANCE_MAX,
     },
 };
 
@@ -87,7 +86,6 @@ pub const MACROS: &[(&str, MacroValue)] = &[
     ("FEATURE_MAX", Float(FEATURE_MAX)),
     ("LOG_SCALE_MAX", Float(LOG_SCALE_MAX)),
     ("LONGEST_MARGIN", Float(LONGEST_MARGIN)),
-    ("LOW_PASS", Float(LOW_PASS)),
     ("ALPHA_MAX", Float(ALPHA_MAX)),
     ("ROTATION_MIN", Float(ROTATION_MIN)),
     ("VARIANCE_MAX", Float(VARIANCE_MAX)),

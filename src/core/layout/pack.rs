@@ -43,6 +43,8 @@ pub fn constants(avatar: &Avatar) -> FrameBlock {
         color_start: (rotation_words + scale_words) as u32,
         log_scale_min: scales.min as f32,
         log_scale_step: scales.step as f32,
+        low_pass: avatar.filter.variance as f32,
+        compensated: avatar.filter.compensated.into(),
         sh_color_start: if avatar.sh.is_some() {
             pairs(avatar) as u32
         } else {

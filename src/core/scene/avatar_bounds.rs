@@ -2,7 +2,7 @@
 //! frame instead of one a Gaussian.
 
 use super::{Camera, PartSet, PixelRect, detail, radius_in_sigmas};
-use crate::avatar::Avatar;
+use crate::avatar::{Avatar, Filter};
 use crate::constants::{LOG_SCALE_MAX, LONGEST_MARGIN};
 use glam::{DAffine3, DVec2, DVec3, UVec2};
 use std::ops::Range;
@@ -17,6 +17,8 @@ const RECT_MARGIN: f64 = 0.15;
 /// Minimum skin weight (0–255) for a joint to widen the avatar's bounds. Culling of parts uses all
 /// joints.
 const MIN_WEIGHT: u8 = 8;
+/// How far a Gaussian without extent reaches in the image by [`Filter::DEFAULT`], rounded up, px.
+const FILTER_REACH: f64 = 2.0;
 
 /// A part's box in canonical space, and the joints that move it.
 #[derive(Clone, Debug)]
@@ -128,6 +130,8 @@ pub struct AvatarBounds {
     parts: Vec<PartBox>,
     pose_shape: PoseShape,
     gaussians: usize,
+    /// How far a Gaussian without extent reaches in the image, px.
+    filter_reach: f64,
 }
 
 impl AvatarBounds {
@@ -149,6 +153,16 @@ impl AvatarBounds {
                 expression: avatar.inputs.expression,
             },
             gaussians: avatar.gaussians.len(),
+            filter_reach: reach_of(avatar.filter),
+        }
+    }
+
+    /// The same for an avatar that is drawn with a filter other than its own; None: its own.
+    #[must_use]
+    pub fn filtered(self, filter: Option<Filter>) -> Self {
+        Self {
+            filter_reach: filter.map_or(self.filter_reach, reach_of),
+            ..self
         }
     }
 
@@ -180,7 +194,7 @@ impl AvatarBounds {
             rect: PixelRect::EMPTY,
         };
         for part in &self.parts {
-            let projected = part.project(joints, camera, scale);
+            let projected = part.project(joints, camera, scale, self.filter_reach);
             if projected.is_outside(size) {
                 continue;
             }
@@ -222,8 +236,8 @@ impl AvatarBounds {
         let Some(mut projected) = self.project(joints, camera, MARGIN) else {
             return PixelRect::whole(camera.size);
         };
-        projected.min -= 2.0;
-        projected.max += 2.0;
+        projected.min -= self.filter_reach;
+        projected.max += self.filter_reach;
         let rect = projected.clamp(size);
         PixelRect {
             min: rect.min.min(rect.max),
@@ -350,8 +364,15 @@ impl PartBox {
         })
     }
 
-    /// The box as a camera sees it. `scale`: how much joints and camera enlarge lengths, at most.
-    fn project(&self, joints: &[DAffine3], camera: &Camera, scale: f64) -> ProjectedBox {
+    /// The box as a camera sees it. `scale`: how much joints and camera enlarge lengths, at most;
+    /// `reach`: what the low-pass adds in the image, px.
+    fn project(
+        &self,
+        joints: &[DAffine3],
+        camera: &Camera,
+        scale: f64,
+        reach: f64,
+    ) -> ProjectedBox {
         let margin = scale * (MARGIN + self.displacement + self.radius);
         let wide_margin = scale * (RECT_MARGIN + self.displacement + 2.0 * self.radius);
         let mut projected = ProjectedBox {
@@ -365,7 +386,7 @@ impl PartBox {
             projected.crosses_near |= p.z - margin < camera.near;
             projected.behind_near &= p.z + margin < camera.near;
             let at = camera.project(p);
-            let radius = |margin| projected_radius(camera, p, margin) + 2.0;
+            let radius = |margin| projected_radius(camera, p, margin) + reach;
             projected.tight.add(at, radius(margin));
             // A point nearer than its margin is wide may appear anywhere.
             let wide_radius = if p.z - wide_margin < camera.near {
@@ -377,6 +398,11 @@ impl PartBox {
         }
         projected
     }
+}
+
+/// How far a Gaussian without extent reaches in the image, px.
+fn reach_of(filter: Filter) -> f64 {
+    FILTER_REACH * (filter.variance / Filter::DEFAULT.variance).sqrt().max(1.0)
 }
 
 /// How far from a point's projection anything within `margin` metres of the point may appear, px.

@@ -12,7 +12,7 @@ use super::{
     logit,
 };
 use effigy_core::{
-    avatar::limits,
+    avatar::{Filter, limits},
     io::{
         file::FormatError,
         splats::{Splats, Up, check_count},
@@ -72,6 +72,7 @@ pub fn read(bytes: &[u8]) -> Result<Splats, FormatError> {
         degree: 0,
         harmonics: vec![],
         up: Up::TRAINED,
+        filter: Filter::DEFAULT,
     })
 }
 

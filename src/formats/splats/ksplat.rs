@@ -10,9 +10,12 @@ use super::{
     bytes::{array, f32_at, slice, u16_at, u32_at},
     logit,
 };
-use effigy_core::io::{
-    file::FormatError,
-    splats::{Splats, Up, check_count, functions_of},
+use effigy_core::{
+    avatar::Filter,
+    io::{
+        file::FormatError,
+        splats::{Splats, Up, check_count, functions_of},
+    },
 };
 use half::f16;
 
@@ -112,6 +115,7 @@ pub fn read(bytes: &[u8]) -> Result<Splats, FormatError> {
         degree,
         harmonics: Vec::with_capacity(functions_of(degree) * total),
         up: Up::TRAINED,
+        filter: Filter::DEFAULT,
     };
     let or = |at: usize, other: f32| match f32_at(header, at) {
         0.0 => other,

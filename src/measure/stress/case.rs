@@ -22,6 +22,11 @@ use serde::Serialize;
 
 /// Makes the seed of a case's options differ from that of the rest ("options!").
 const OPTIONS_SEED: u64 = 0x6f70_7469_6f6e_7321;
+/// Makes the seed of a case's filter differ from that of the rest ("filters!").
+const FILTER_SEED: u64 = 0x6669_6c74_6572_7321;
+/// The last of so many rounds of categories is drawn with random filters; the others with that of
+/// 3DGS, so that their cases stay what they were before there were filters.
+const FILTER_ROUNDS: u64 = 3;
 /// Moves of the camera that are tried to keep Gaussians off the edges of culling.
 const MAX_MOVES: usize = 100;
 
@@ -140,6 +145,20 @@ fn options(random: &mut Random, size: [u32; 2]) -> RendererOptions {
     options
 }
 
+/// A random filter, more often than not compensated; the variances at the ends of the range and
+/// those that others use are as likely as all others.
+fn filter(random: &mut Random) -> Filter {
+    let [least, most] = [*Filter::VARIANCES.start(), *Filter::VARIANCES.end()];
+    let variances = [least, Filter::DEFAULT.variance, most];
+    Filter {
+        variance: match variances.get(below(random, 2 * variances.len())) {
+            Some(&variance) => variance,
+            None => random.range(least.ln(), most.ln()).exp().clamp(least, most),
+        },
+        compensated: below(random, 4) > 0,
+    }
+}
+
 impl StressCase {
     /// The case of a seed and a number. `large` allows images of 8192 × 8192 px, which take a
     /// second or more.
@@ -148,7 +167,9 @@ impl StressCase {
         let options_random = &mut Random::new(seed ^ OPTIONS_SEED, number);
         let category = Category::of_case(number);
         if category == Category::NearPlane {
-            return Self::on_the_near_plane(random, options_random, number);
+            let mut case = Self::on_the_near_plane(random, options_random, number);
+            case.choose_filter(seed);
+            return case;
         }
         let mut draft = Draft::new(random);
         adversarial::apply(random, &mut draft, category, large);
@@ -171,8 +192,24 @@ impl StressCase {
             camera,
             options: options(options_random, camera.size),
         };
+        case.choose_filter(seed);
         case.keep_off_culling_edges();
         case
+    }
+
+    /// Sets the avatar's filter in rounds that have one, and in every second of these cases another
+    /// that the renderer overrides it with.
+    fn choose_filter(&mut self, seed: u64) {
+        if (self.number / Category::ROUND) % FILTER_ROUNDS != FILTER_ROUNDS - 1 {
+            return;
+        }
+        let random = &mut Random::new(seed ^ FILTER_SEED, self.number);
+        self.avatar.filter = filter(random);
+        if below(random, 2) == 0 {
+            self.options.filter = Some(filter(random));
+        }
+        let filter = self.scene().filter();
+        self.note += &format!("; low-pass of {filter} px²");
     }
 
     fn on_the_near_plane(random: &mut Random, options_random: &mut Random, number: u64) -> Self {
@@ -224,7 +261,7 @@ impl StressCase {
     fn keep_off_culling_edges(&mut self) {
         let (_, _, stored) = reference::stored(&self.avatar, &self.posed);
         let exact = gaussians(&self.avatar, &self.posed);
-        let filter = self.avatar.filter;
+        let filter = self.scene().filter();
         for _ in 0..MAX_MOVES {
             let camera = self.camera;
             let moved = |near: f64, by: f64| Camera {

@@ -10,6 +10,7 @@ use super::{
 use crate::error::{self, ErrorMetrics};
 use effigy::vulkan::{self, Gpu, Renderer, instance::validation_messages};
 use effigy_core::{
+    avatar::Avatar,
     frame::Skip,
     random::hash,
     reference,
@@ -213,7 +214,11 @@ impl CaseOutcome {
             self.faults.extend(beyond("from the pose cache, ", &used));
             self.used_cached = Some(used);
         }
-        let reference = reference::render(&case.avatar, &case.posed, &case.camera);
+        let drawn = Avatar {
+            filter: case.scene().filter(),
+            ..case.avatar.clone()
+        };
+        let reference = reference::render(&drawn, &case.posed, &case.camera);
         self.error = Some(error::between(&first, &reference));
         self.arithmetic = Some(error::between(&first, &bound.reference()));
         self.used = Some(used);

@@ -66,7 +66,7 @@ impl Frame {
 
     fn of_case(case: StressCase) -> Self {
         let (_, _, gaussians) = reference::stored(&case.avatar, &case.posed);
-        let splats = project::splats(&gaussians, &case.camera, case.avatar.filter, 0);
+        let splats = project::splats(&gaussians, &case.camera, case.scene().filter(), 0);
         let order = sort::order(&splats);
         Self {
             case,

@@ -9,7 +9,7 @@ use super::{
 };
 use effigy::vulkan::{self, Error, Gpu, Renderer, RendererOptions};
 use effigy_core::{
-    avatar::Avatar,
+    avatar::{Avatar, Filter},
     random::Random,
     scene::{Camera, FrameImage, Posed},
 };
@@ -88,6 +88,26 @@ fn bad_options(random: &mut Random, good: RendererOptions) -> Vec<(&'static str,
             "a margin",
             RendererOptions {
                 margin: nan,
+                ..good
+            },
+        ),
+        (
+            "a low-pass",
+            RendererOptions {
+                filter: Some(Filter {
+                    variance: nan,
+                    compensated: true,
+                }),
+                ..good
+            },
+        ),
+        (
+            "a low-pass under 0.1 px²",
+            RendererOptions {
+                filter: Some(Filter {
+                    variance: 0.09,
+                    compensated: false,
+                }),
                 ..good
             },
         ),

@@ -229,7 +229,7 @@ impl Renderer {
             control,
             pose,
             blocks,
-            extent: AvatarBounds::new(avatar),
+            extent: AvatarBounds::new(avatar).filtered(options.filter),
             needs: PartDependencies::new(avatar),
             model,
             options,

@@ -2,10 +2,15 @@
 
 use crate::common::{self, Sizes, gpu};
 use effigy::vulkan::{
-    Error, Gpu, GpuOptions, Renderer, RendererOptions, raster::ColorFormat, sort::KeyBits,
+    Error, Gpu, GpuOptions, Renderer, RendererOptions,
+    raster::{ColorFormat, TileKernel},
+    sort::KeyBits,
 };
-use effigy_core::scene::{Camera, Posed};
-use effigy_measure::error;
+use effigy_core::{
+    avatar::{Avatar, Filter},
+    scene::{Camera, Posed},
+};
+use effigy_measure::{error, stress::Rasterizer};
 use std::sync::Arc;
 
 fn compare(color: ColorFormat, key_bits: KeyBits, psnr: f64, within: f64) {
@@ -71,6 +76,58 @@ fn a_baseline_device_draws_within_the_error_budget() {
     compare_on(&device, ColorFormat::Rgba16F, KeyBits::Sixteen, 54.0, 0.999);
 }
 
+/// A small body, so that most Gaussians are under a pixel, by every rasterizer.
+fn filters_draw_the_references_image() {
+    let device = gpu::gpu();
+    let [fine, default] = [
+        Filter {
+            variance: 0.1,
+            compensated: true,
+        },
+        Filter::DEFAULT,
+    ];
+    for rasterizer in Rasterizer::ALL {
+        let mut options = gpu::options([64, 80]);
+        rasterizer.choose(&mut options);
+        if options.kernel == Some(TileKernel::Cooperative) && !device.probe.can_cooperate() {
+            continue;
+        }
+        let own = |filter| {
+            let avatar = Avatar {
+                filter,
+                ..common::avatar(1, Sizes::default())
+            };
+            gpu::frame_of(&device, avatar, 1, options)
+        };
+        let overridden = |own, by| {
+            let avatar = Avatar {
+                filter: own,
+                ..common::avatar(1, Sizes::default())
+            };
+            let options = RendererOptions {
+                filter: Some(by),
+                ..options
+            };
+            gpu::frame_of(&device, avatar, 1, options)
+        };
+        let frame = own(fine);
+        let error = error::between(&frame.image, &frame.reference.canvas.to_image());
+        println!("{}: {:?}", rasterizer.name(), error.covered);
+        assert!(
+            error.covered.pixels > 500 && error.covered.psnr_db >= 42.0,
+            "{}: {:?}",
+            rasterizer.name(),
+            error.covered
+        );
+        assert_eq!(overridden(default, fine).image, frame.image);
+        let plain = overridden(fine, default);
+        assert!(
+            error::between(&frame.image, &plain.image).covered.psnr_db < 32.0,
+            "the filter shows"
+        );
+    }
+}
+
 fn an_image_is_read_after_a_frame_and_not_before() {
     let device = gpu::gpu();
     let avatar = common::avatar(4, Sizes::default());
@@ -87,6 +144,7 @@ fn an_image_is_read_after_a_frame_and_not_before() {
 tests! {
     an_image_is_read_after_a_frame_and_not_before,
     eight_bit_images_agree_with_the_reference: smoke,
+    filters_draw_the_references_image,
     floating_point_images_agree_with_the_reference,
     a_baseline_device_draws_within_the_error_budget,
 }

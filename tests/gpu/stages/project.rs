@@ -4,7 +4,7 @@
 use crate::common::{self, Sizes, gpu};
 use effigy::vulkan::{Renderer, RendererOptions};
 use effigy_core::{
-    avatar::Avatar,
+    avatar::{Avatar, Filter},
     frame::{CullReasons, KeyBits, Skip, fixed_scale},
     io::pack::PackQuality,
     layout::{POSITION_BITS, PROJECT_WORKGROUPS, SORT_CULLED},
@@ -107,8 +107,19 @@ fn tolerance(frame: &gpu::Frame, at: usize, expected: &Splat, cached: bool) -> T
     }
 }
 
+/// By how much a splat's opacity may be off: half a step where it was compensated, and what an error
+/// e of the axes does to that. The factor is A / √(A² + k T + k²), and A, the area of the projected
+/// axes, is off by no more than 2 e √T, whose square T is.
+fn opacity_tolerance(filter: Filter, tolerance: Tolerance) -> f64 {
+    if filter.compensated {
+        0.502 / 255.0 + 2.0 * tolerance.axes / filter.variance.sqrt()
+    } else {
+        1e-6
+    }
+}
+
 /// How far a splat is from the reference's, each number as a share of what is allowed.
-fn error(got: &Unpacked, expected: &Splat, step: f64, tolerance: Tolerance) -> f64 {
+fn error(got: &Unpacked, expected: &Splat, step: f64, filter: Filter, tolerance: Tolerance) -> f64 {
     let [a, b, c] = expected.covariance;
     let size = a + c;
     let difference: f64 = got
@@ -122,7 +133,7 @@ fn error(got: &Unpacked, expected: &Splat, step: f64, tolerance: Tolerance) -> f
         got.center.distance(expected.center) / (0.75 * step + 1e-3 + tolerance.center),
         // f16 axes: 2⁻¹¹ of each, doubled by squaring.
         difference / (2e-3 * size + tolerance.axes * (2.0 * size.sqrt() + tolerance.axes)),
-        (got.opacity - expected.opacity).abs() / 1e-6,
+        (got.opacity - expected.opacity).abs() / opacity_tolerance(filter, tolerance),
         // Half a step of ten bits.
         (got.color - expected.color).abs().max_element() / (0.5 / 1023.0 + tolerance.color),
     ]
@@ -153,6 +164,13 @@ fn close_call(frame: &gpu::Frame, at: usize, cached: bool) -> bool {
     shifted(1.0) != shifted(-1.0)
 }
 
+/// Whether what compensation leaves of the opacity may round to what is too faint.
+fn may_fade(frame: &gpu::Frame, at: usize, expected: &Splat, cached: bool) -> bool {
+    let filter = frame.avatar.filter;
+    let off = opacity_tolerance(filter, tolerance(frame, at, expected, cached));
+    filter.compensated && expected.opacity - off <= 1.0 / 255.0
+}
+
 fn check(frame: &gpu::Frame) {
     check_all(frame, false);
 }
@@ -163,12 +181,14 @@ fn check_all(frame: &gpu::Frame, cached: bool) {
         let drawn = frame.gpu.keys[at] != SORT_CULLED;
         match expected {
             _ if close_call(frame, at, cached) => {}
+            Ok(expected) if !drawn && may_fade(frame, at, expected, cached) => {}
             Ok(expected) => {
                 assert!(drawn, "Gaussian {at} was culled, expected {expected:?}");
                 let error = error(
                     &unpack(frame.gpu.splats[at], &frame.camera),
                     expected,
                     step,
+                    frame.avatar.filter,
                     tolerance(frame, at, expected, cached),
                 );
                 assert!(
@@ -228,7 +248,11 @@ fn check_reasons(frame: &gpu::Frame, cached: bool) {
         *count += 1;
     }
     let close = (0..frame.reference.splats.len())
-        .filter(|&at| close_call(frame, at, false))
+        .filter(|&at| {
+            let splat = &frame.reference.splats[at];
+            let may_fade = splat.as_ref().is_ok_and(|s| may_fade(frame, at, s, false));
+            may_fade || close_call(frame, at, false)
+        })
         .count() as u64;
     for (got, expected) in [
         (got.outside, expected.outside),
@@ -401,6 +425,60 @@ fn adversarial_gaussians_and_cameras_agree_too() {
     }
 }
 
+/// Gaussians of all sizes, many of them under a pixel, with filters of the avatar and of the options.
+/// The second frame of each is drawn from the pose cache.
+fn filters_are_those_of_the_reference() {
+    let device = gpu::gpu();
+    let cases = [
+        (0.1, true, 0, [300, 200]),
+        (0.3, true, 2, [40, 30]),
+        (10.0, false, 0, [40, 30]),
+    ];
+    for (seed, (variance, compensated, level, size)) in (0..).zip(cases) {
+        let filter = Filter {
+            variance,
+            compensated,
+        };
+        let mut avatar = if seed % 2 == 0 {
+            common::avatar(seed, Sizes::default())
+        } else {
+            adversarial(seed)
+        };
+        let mut options = gpu::at_level(options(2 * seed, size), level);
+        if level == 0 {
+            avatar.filter = filter;
+        } else {
+            options.filter = Some(filter);
+        }
+        let posed = Posed::new(&avatar, &common::pose(seed, &avatar));
+        let camera = gpu::camera(&avatar, &posed, size);
+        check(&gpu::draw(
+            &device,
+            avatar.clone(),
+            posed.clone(),
+            camera,
+            options,
+        ));
+        let turned = |by: f64| Camera {
+            view: DAffine3::from_translation(DVec3::new(by, 0.0, 0.0)) * camera.view,
+            ..camera
+        };
+        let before = [turned(0.05), turned(0.02)];
+        let frame = gpu::draw_after(&device, avatar, posed, &before, camera, options);
+        assert!(frame.report.counters.cached > 0);
+        check_all(&frame, true);
+        let splats = frame.reference.splats.iter();
+        let faded = splats
+            .zip(&frame.reference.gaussians)
+            .filter(|(splat, gaussian)| match splat {
+                Ok(splat) => 255.0 * splat.opacity < 0.9 * f64::from(gaussian.opacity),
+                Err(reason) => *reason == Culled::Faint && gaussian.opacity > 1,
+            })
+            .count();
+        assert_eq!(faded > 10, compensated, "{faded} are fainter with {filter}");
+    }
+}
+
 /// The third frame of a still body draws from the pose cache that the second wrote.
 fn splats_from_the_pose_cache_agree_with_the_reference() {
     let device = gpu::gpu();
@@ -529,5 +607,6 @@ tests! {
     workgroups_of_every_size_give_the_same,
     adversarial_gaussians_and_cameras_agree_too,
     splats_from_the_pose_cache_agree_with_the_reference,
+    filters_are_those_of_the_reference,
     each_reason_to_cull_occurs_in_the_adversarial_frames: no_device,
 }

@@ -4,7 +4,7 @@
 
 use super::{bare, clip_bytes, tiny};
 use effigy_core::{
-    avatar::{Avatar, Clip},
+    avatar::{Avatar, Clip, Filter},
     io::pack::PackQuality,
 };
 use std::path::{Path, PathBuf};
@@ -40,6 +40,34 @@ fn avatars_of_version_2_are_read() {
     }
 }
 
+fn avatars_of_version_3_are_read() {
+    let filtered = |quality| {
+        let avatar = Avatar {
+            filter: Filter {
+                variance: 0.1,
+                compensated: true,
+            },
+            ..bare()
+        };
+        match quality {
+            Some(quality) => avatar.packed(quality),
+            None => avatar,
+        }
+    };
+    for (name, quality) in [
+        ("3.avatar", None),
+        ("3-small.avatar", Some(PackQuality::Small)),
+    ] {
+        let avatar = filtered(quality);
+        let write = || match quality {
+            Some(_) => avatar.to_packed_bytes().unwrap(),
+            None => avatar.to_bytes().unwrap(),
+        };
+        let read = Avatar::from_bytes(&bytes(name, write)).unwrap();
+        assert_eq!(read, avatar, "{name}");
+    }
+}
+
 fn levels_of_detail_are_read() {
     let packed = tiny().packed(PackQuality::High);
     let write = || packed.to_packed_bytes().unwrap();
@@ -55,6 +83,7 @@ fn motion_of_version_1_is_read() {
 tests! {
     avatars_of_version_1_are_read,
     avatars_of_version_2_are_read,
+    avatars_of_version_3_are_read,
     levels_of_detail_are_read,
     motion_of_version_1_is_read,
 }

@@ -2,6 +2,7 @@
 
 use super::edit::Edit;
 use super::{avatar_fault, clip_bytes, clip_fault, common, tiny, tiny_bytes};
+use effigy_core::avatar::{Avatar, Filter};
 use half::f16;
 use serde_json::{Value, json};
 
@@ -224,8 +225,8 @@ fn metadata_that_breaks_a_rule_is_named() {
         ),
         (
             "/version",
-            json!(3),
-            "`version` found 3, expected 1 or 2, the only ones this program reads",
+            json!(4),
+            "`version` found 4, expected 1 to 3, the only ones this program reads",
         ),
         (
             "/units",
@@ -454,6 +455,96 @@ fn metadata_that_breaks_a_rule_is_named() {
     }
 }
 
+fn filters_that_break_a_rule_are_named() {
+    let written = tiny_filtered();
+    let cases: &[(&str, Value, &str)] = &[
+        (
+            "/version",
+            json!(2),
+            "`version` found 2, expected 3, as there is a filter",
+        ),
+        (
+            "/filter/variance",
+            json!(0.0999),
+            "`filter` found a variance of 0.0999 px², expected one from 0.1 to 10 px²",
+        ),
+        (
+            "/filter/variance",
+            json!(10.5),
+            "`filter` found a variance of 10.5 px², expected one",
+        ),
+        (
+            "/filter/variance",
+            json!("wide"),
+            "`effigy` found invalid type: string",
+        ),
+        (
+            "/filter/compensated",
+            json!(1),
+            "`effigy` found invalid type: integer `1`, expected a boolean",
+        ),
+        (
+            "/filter",
+            json!({ "variance": 0.3 }),
+            "`effigy` found missing field `compensated`",
+        ),
+    ];
+    for (field, value, sentence) in cases {
+        let mut edit = Edit::open(&written.to_bytes().unwrap());
+        *edit.document.pointer_mut(field).expect(field) = value.clone();
+        let got = avatar_fault(&edit.bytes());
+        assert!(
+            got.strip_prefix("in metadata ")
+                .unwrap_or(&got)
+                .starts_with(sentence),
+            "{field}: {got}"
+        );
+    }
+    let drawn = |variance| {
+        let mut avatar = tiny_filtered();
+        avatar.filter.variance = variance;
+        avatar.check().map_err(|fault| fault.to_string())
+    };
+    assert_eq!(drawn(10.0), Ok(()));
+    for variance in [0.0, -0.3, f64::NAN, f64::INFINITY] {
+        let fault = drawn(variance).expect_err("no filter");
+        assert!(fault.contains(&format!("{variance} px²")), "{fault}");
+    }
+}
+
+/// Files are of the lowest version that can hold them.
+fn a_filter_is_written_where_it_is_not_that_of_3dgs() {
+    let document = |bytes: Vec<u8>| Edit::open(&bytes).document;
+    let plain = document(tiny().to_bytes().unwrap());
+    assert_eq!(plain["version"], json!(1));
+    assert_eq!(plain.get("filter"), None);
+    let filtered = tiny_filtered();
+    for bytes in [filtered.to_bytes(), filtered.to_packed_bytes()] {
+        let bytes = bytes.unwrap();
+        assert_eq!(Avatar::from_bytes(&bytes).unwrap(), filtered);
+        let written = document(bytes);
+        assert_eq!(written["version"], json!(3));
+        assert_eq!(
+            written["filter"],
+            json!({ "variance": 0.1, "compensated": true })
+        );
+    }
+    // Said, though it need not be.
+    let mut edit = Edit::open(&tiny_filtered().to_bytes().unwrap());
+    edit.document["filter"] = json!({ "variance": 0.3, "compensated": false });
+    assert_eq!(Avatar::from_bytes(&edit.bytes()).unwrap(), tiny());
+}
+
+fn tiny_filtered() -> Avatar {
+    Avatar {
+        filter: Filter {
+            variance: 0.1,
+            compensated: true,
+        },
+        ..tiny()
+    }
+}
+
 fn motion_metadata_that_breaks_a_rule_is_named() {
     let cases: &[(&str, Value, &str)] = &[
         (
@@ -526,5 +617,7 @@ tests! {
     every_tensor_must_be_there_with_its_type_and_shape,
     numbers_that_break_a_rule_are_named,
     metadata_that_breaks_a_rule_is_named,
+    filters_that_break_a_rule_are_named,
+    a_filter_is_written_where_it_is_not_that_of_3dgs,
     motion_metadata_that_breaks_a_rule_is_named,
 }

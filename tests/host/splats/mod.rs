@@ -5,7 +5,7 @@ pub mod hostile;
 pub mod written;
 
 use effigy_core::{
-    avatar::ShCoefficients,
+    avatar::{Filter, ShCoefficients},
     io::splats::{Splats, Up, functions_of},
 };
 use effigy_formats::splats::{self, Nothing, SplatFormat};
@@ -458,6 +458,31 @@ fn the_axis_can_be_said() {
     }
 }
 
+/// The flag of an `.spz` is the low-pass of other programs; other formats have none.
+fn compensated_opacities_are_a_flag_of_an_spz() {
+    let mut bytes = SPZ_4.bytes.to_vec();
+    bytes[14] |= 1;
+    let found = splats::read(&bytes, SplatFormat::Spz, &mut Nothing).unwrap();
+    let expected = Splats {
+        filter: Filter::ANTIALIASED,
+        ..SPZ_4.read()
+    };
+    assert_eq!(found.splats, expected);
+    assert_eq!(SPZ_4.read().filter, Filter::DEFAULT);
+    assert_eq!(
+        found.splats.to_avatar("fine").unwrap().filter,
+        Filter::ANTIALIASED
+    );
+    for (format, filter) in [
+        (SplatFormat::Spz, Filter::ANTIALIASED),
+        (SplatFormat::Ply, Filter::DEFAULT),
+    ] {
+        let written = splats::write(expected.clone(), format).unwrap();
+        let again = splats::read(&written, format, &mut Nothing).unwrap();
+        assert_eq!(again.splats.filter, filter, "{format:?}");
+    }
+}
+
 /// A glTF whose numbers lie in a file beside it.
 fn a_gltf_finds_its_buffers_beside_it() {
     let word = |at: usize| u32::from_le_bytes(GLB.bytes[at..at + 4].try_into().unwrap()) as usize;
@@ -493,4 +518,5 @@ tests! {
     a_gltf_finds_its_buffers_beside_it,
     what_is_left_out_is_an_assumption,
     the_axis_can_be_said,
+    compensated_opacities_are_a_flag_of_an_spz,
 }

@@ -119,7 +119,7 @@ impl Container<'_> {
             let all = if first == last {
                 format!("{first}, the only one")
             } else {
-                format!("{first} or {last}, the only ones")
+                format!("{first} to {last}, the only ones")
             };
             return Err(FormatError::metadata(
                 "version",

@@ -1,4 +1,4 @@
-//! The format of `NAME.avatar`, versions 1 and 2, and `NAME.motion`, version 1, in one place:
+//! The format of `NAME.avatar`, versions 1 to 3, and `NAME.motion`, version 1, in one place:
 //! [`AvatarHeader`] and [`ClipHeader`] are the metadata, [`AVATAR`] and [`MOTION`] the tensors. The
 //! writer, the reader's checks and `effigy inspect` all follow these tables.
 //!
@@ -14,6 +14,9 @@
 //! deflated, which `deflated` names: such a tensor is of type U8, in the file of one dimension, and
 //! holds a zlib stream of its bytes, arranged as [`Order`] says. All tensors together are at most
 //! `EXPANSION` times as long as what the file has of them.
+//!
+//! Version 3 is version 2 with a `filter`, the low-pass that the avatar was learned with, in which a
+//! program that does not know the field would draw it wrongly.
 //!
 //! Symbols: N_g `gaussians`, N_G `parts`, N_s `nodes`, N_B `basis` (a multiple of 4), J the number
 //! of `joints`, F `frames`.
@@ -34,6 +37,8 @@ pub use super::header::{AvatarHeader, ClipHeader, LevelHeader};
 pub const VERSION: u64 = 1;
 /// The version of avatar files with codes or deflated tensors.
 pub const VERSION_PACKED: u64 = 2;
+/// The version of avatar files that name a low-pass; codes and deflated tensors as in version 2.
+pub const VERSION_FILTER: u64 = 3;
 /// `format` in the document of an avatar file.
 pub const AVATAR_FORMAT: &str = "effigy.avatar";
 /// `format` in the document of a motion file.

@@ -2,7 +2,7 @@
 
 use super::coding::{Coded, LogScaleCodes};
 use super::deflate::Order;
-use crate::avatar::{Activation, LevelError};
+use crate::avatar::{Activation, Filter, LevelError};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -11,7 +11,7 @@ use std::collections::BTreeMap;
 pub struct AvatarHeader {
     /// "effigy.avatar"
     pub format: String,
-    /// 1, or 2 where there are codes or deflated tensors.
+    /// 1, or 2 where there are codes or deflated tensors, or 3 where there is a filter.
     pub version: u64,
     /// Name of the avatar.
     pub name: String,
@@ -68,6 +68,10 @@ pub struct AvatarHeader {
     /// The tensors that are deflated, and how their bytes are arranged; none in version 1.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub deflated: BTreeMap<String, Order>,
+    /// The low-pass that the avatar was learned with; absent where that is [`Filter::DEFAULT`], and
+    /// in versions 1 and 2.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub filter: Option<Filter>,
     /// Levels of detail, each with fewer Gaussians than the one before; absent without any.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub levels: Vec<LevelHeader>,

@@ -5,7 +5,9 @@ use super::coding::{self, Coded, LogScaleCodes};
 use super::deflate::Order;
 use super::document::{Document, TensorRow};
 use super::error::{FormatError, excerpt};
-use super::format::{AVATAR, AVATAR_FORMAT, MOTION, MOTION_FORMAT, VERSION, VERSION_PACKED};
+use super::format::{
+    AVATAR, AVATAR_FORMAT, MOTION, MOTION_FORMAT, VERSION, VERSION_FILTER, VERSION_PACKED,
+};
 use super::header::{AvatarHeader, ClipHeader, LevelHeader};
 use super::sets;
 use super::tensors::Tensors;
@@ -95,7 +97,7 @@ impl AvatarHeader {
     /// The document of an avatar stored in the fewest bits that hold it exactly.
     pub fn packed(avatar: &Avatar) -> Self {
         let mut packed = Self::from_model(avatar);
-        packed.version = VERSION_PACKED;
+        packed.version = packed.version.max(VERSION_PACKED);
         packed.coded = coding::exact_codes(avatar);
         if let Some(all) = coding::exact_log_scales(avatar) {
             let mut all = all.into_iter();
@@ -107,13 +109,32 @@ impl AvatarHeader {
         packed
     }
 
+    fn check_filter(&self) -> Result<(), FormatError> {
+        let Some(filter) = self.filter else {
+            return Ok(());
+        };
+        ensure(
+            self.version >= VERSION_FILTER,
+            "version",
+            self.version,
+            format_args!("{VERSION_FILTER}, as there is a filter"),
+        )?;
+        let [least, most] = [Filter::VARIANCES.start(), Filter::VARIANCES.end()];
+        ensure(
+            filter.is_valid(),
+            "filter",
+            format_args!("a variance of {} px²", filter.variance),
+            format_args!("one from {least} to {most} px²"),
+        )
+    }
+
     fn check_codes(&self) -> Result<(), FormatError> {
         let plain = self.coded.is_empty() && self.log_scales.is_none() && self.deflated.is_empty();
         ensure(
-            plain || self.version == VERSION_PACKED,
+            plain || self.version >= VERSION_PACKED,
             "version",
             self.version,
-            format_args!("{VERSION_PACKED}, as there are codes"),
+            format_args!("{VERSION_PACKED} or {VERSION_FILTER}, as there are codes"),
         )?;
         check_log_scales("log_scales", self.log_scales)
     }
@@ -164,6 +185,7 @@ impl AvatarHeader {
     /// Checks what drawing relies on. An avatar without networks, like an import, needs no basis,
     /// which files require.
     pub fn check_drawn(&self) -> Result<(), FormatError> {
+        self.check_filter()?;
         self.check_counts()?;
         self.check_levels()?;
         self.check_skeleton()?;
@@ -339,19 +361,20 @@ fn check_measured(measured: &[LevelError]) -> Result<(), FormatError> {
 impl Document for AvatarHeader {
     type Model = Avatar;
     const FORMAT: &'static str = AVATAR_FORMAT;
-    const VERSIONS: [u64; 2] = [VERSION, VERSION_PACKED];
+    const VERSIONS: [u64; 2] = [VERSION, VERSION_FILTER];
     const TENSORS: &'static [TensorRow<Self, Avatar>] = AVATAR;
 
     fn from_model(avatar: &Avatar) -> Self {
         let bounds = avatar.gaussians.bounds;
         let components = |space: &Option<Subspace>| space.as_ref().map(|space| space.sigma.len());
         let coded: Vec<Coded> = coding::matrices(avatar).collect();
+        let filter = (avatar.filter != Filter::DEFAULT).then_some(avatar.filter);
         Self {
             format: AVATAR_FORMAT.into(),
-            version: if coded.is_empty() {
-                VERSION
-            } else {
-                VERSION_PACKED
+            version: match (filter, coded.is_empty()) {
+                (Some(_), _) => VERSION_FILTER,
+                (None, false) => VERSION_PACKED,
+                (None, true) => VERSION,
             },
             name: avatar.name.clone(),
             credit: avatar.credit.clone(),
@@ -378,6 +401,7 @@ impl Document for AvatarHeader {
             coded,
             log_scales: None,
             deflated: BTreeMap::new(),
+            filter,
             levels: avatar.levels.iter().map(LevelHeader::from_level).collect(),
         }
     }
@@ -387,7 +411,7 @@ impl Document for AvatarHeader {
     }
 
     fn set_deflated(&mut self, deflated: BTreeMap<String, Order>) {
-        self.version = VERSION_PACKED;
+        self.version = self.version.max(VERSION_PACKED);
         self.deflated = deflated;
     }
 
@@ -400,6 +424,7 @@ impl Document for AvatarHeader {
         word("up", &self.up, UP)?;
         word("color_space", &self.color_space, COLOR_SPACE)?;
         self.check_codes()?;
+        self.check_filter()?;
         self.check_counts()?;
         self.check_levels()?;
         self.check_basis()?;
@@ -428,7 +453,7 @@ impl Document for AvatarHeader {
             },
             inputs: self.inputs(tensors),
             sh: None,
-            filter: Filter::DEFAULT,
+            filter: self.filter.unwrap_or_default(),
             levels: (1..self.sets())
                 .map(|set| self.level(set, tensors))
                 .collect(),

@@ -15,7 +15,7 @@ use super::{
     table::{Column, Table},
 };
 use crate::{
-    avatar::ShCoefficients,
+    avatar::{Filter, ShCoefficients},
     io::{
         file::FormatError,
         splats::{Splats, Up, functions_of},
@@ -107,6 +107,7 @@ pub fn read(bytes: &[u8], header: &PlyHeader, up: Up) -> Result<Splats, FormatEr
         degree: harmonics.degree,
         harmonics: harmonics.rows,
         up,
+        filter: Filter::DEFAULT,
     })
 }
 

@@ -1,9 +1,12 @@
 //! The vertices of a 3DGS `.ply`.
 
 use super::table::{Column, Table};
-use crate::io::{
-    file::FormatError,
-    splats::{Splats, Up, functions_of},
+use crate::{
+    avatar::Filter,
+    io::{
+        file::FormatError,
+        splats::{Splats, Up, functions_of},
+    },
 };
 
 /// The properties of a Gaussian.
@@ -88,5 +91,6 @@ pub fn read(rows: &Table, up: Up) -> Result<Splats, FormatError> {
         degree: columns.degree,
         harmonics,
         up,
+        filter: Filter::DEFAULT,
     })
 }

@@ -35,7 +35,8 @@ impl Splats {
         self.check()?;
         let (gaussians, sh) = self.gaussians();
         let canonical = self.up.rotation().inverse().to_scaled_axis();
-        Ok(scene(name, canonical.as_vec3().to_array(), gaussians, sh))
+        let canonical = canonical.as_vec3().to_array();
+        Ok(scene(name, canonical, gaussians, sh, self.filter))
     }
 
     /// The Gaussians; the spherical harmonics are None if there are none above degree 0.
@@ -102,6 +103,7 @@ pub fn scene(
     canonical: [f32; 3],
     gaussians: Gaussians,
     sh: Option<ShCoefficients>,
+    filter: Filter,
 ) -> Avatar {
     Avatar {
         name: name.into(),
@@ -127,7 +129,7 @@ pub fn scene(
         inputs: Inputs::none(),
         gaussians,
         sh,
-        filter: Filter::DEFAULT,
+        filter,
         levels: vec![],
     }
 }

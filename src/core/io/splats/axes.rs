@@ -166,6 +166,7 @@ mod tests {
             degree: 0,
             harmonics: vec![],
             up: crate::io::splats::Up::Y,
+            filter: crate::avatar::Filter::DEFAULT,
         };
         let of = |splats: &Splats| {
             let [w, x, y, z] = splats.rotation[0].map(f64::from);

@@ -6,7 +6,7 @@
 
 use super::{avatar::scene, functions_of};
 use crate::{
-    avatar::{Avatar, Bounds, Gaussians, ShCoefficients, limits},
+    avatar::{Avatar, Bounds, Filter, Gaussians, ShCoefficients, limits},
     io::file::FormatError,
 };
 use bytemuck::{AnyBitPattern, NoUninit};
@@ -24,6 +24,7 @@ struct Document {
     gaussians: usize,
     /// Highest degree of the spherical harmonics.
     degree: usize,
+    filter: Filter,
 }
 
 /// The bytes of an avatar that [`Splats::to_avatar`](super::Splats::to_avatar) has made.
@@ -40,6 +41,7 @@ pub fn to_columns(avatar: &Avatar) -> Vec<u8> {
         bounds: [gaussians.bounds.min, gaussians.bounds.max],
         gaussians: gaussians.len(),
         degree: avatar.sh.as_ref().map_or(0, |sh| sh.degree),
+        filter: avatar.filter,
     })
     .to_string();
     let mut bytes = (document.len() as u64).to_le_bytes().to_vec();
@@ -86,7 +88,13 @@ pub fn from_columns(bytes: &[u8]) -> Result<Avatar, FormatError> {
         degree: document.degree,
         coefficients,
     });
-    Ok(scene(&document.name, document.canonical, gaussians, sh))
+    Ok(scene(
+        &document.name,
+        document.canonical,
+        gaussians,
+        sh,
+        document.filter,
+    ))
 }
 
 /// Arrays that follow each other.
@@ -123,6 +131,7 @@ mod tests {
             degree,
             harmonics: (0..3 * functions).map(|k| [k as f32, 0.25, -0.5]).collect(),
             up: Up::Z,
+            filter: Filter::ANTIALIASED,
         };
         splats.to_avatar("three").expect("splats that fit")
     }

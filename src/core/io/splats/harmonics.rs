@@ -123,6 +123,7 @@ mod tests {
             degree: 3,
             harmonics: (0..15).map(|k| [0.1 * k as f32 - 0.7; 3]).collect(),
             up: Up::MinusY,
+            filter: crate::avatar::Filter::DEFAULT,
         }
     }
 

@@ -20,6 +20,8 @@ pub use harmonics::functions_of;
 pub use posed::{Uniform, from_gaussians};
 pub use up::Up;
 
+use crate::avatar::Filter;
+
 /// N Gaussians of a static scene, in the file's own axes and order. What no reader has checked,
 /// [`Self::check`] does.
 #[derive(Clone, Debug, PartialEq)]
@@ -43,6 +45,8 @@ pub struct Splats {
     pub harmonics: Vec<[f32; 3]>,
     /// The axis that points up.
     pub up: Up,
+    /// The low-pass that they were trained with.
+    pub filter: Filter,
 }
 
 impl Splats {

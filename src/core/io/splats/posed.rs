@@ -4,7 +4,10 @@
 //! in general not at right angles; the splat has the principal axes of the ellipsoid.
 
 use super::{Splats, Up, axes::principal_axes};
-use crate::{avatar::ShCoefficients, reference::Gaussian};
+use crate::{
+    avatar::{Filter, ShCoefficients},
+    reference::Gaussian,
+};
 use glam::{DQuat, DVec3};
 
 /// Makes all Gaussians balls of one size and opacity, to measure renderers with Gaussians of known
@@ -17,7 +20,8 @@ pub struct Uniform {
     pub opacity: f64,
 }
 
-/// Gaussians of the posed world, in their order. `uniform` replaces their shapes and opacities.
+/// Gaussians of the posed world, in their order, with the low-pass of 3DGS. `uniform` replaces their
+/// shapes and opacities.
 pub fn from_gaussians(gaussians: &[Gaussian], uniform: Option<Uniform>) -> Splats {
     let count = gaussians.len();
     let mut splats = Splats {
@@ -29,6 +33,7 @@ pub fn from_gaussians(gaussians: &[Gaussian], uniform: Option<Uniform>) -> Splat
         degree: 0,
         harmonics: vec![],
         up: Up::Y,
+        filter: Filter::DEFAULT,
     };
     for gaussian in gaussians {
         let (rotation, deviation, opacity) = match uniform {

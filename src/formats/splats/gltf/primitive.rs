@@ -9,9 +9,12 @@ use crate::{
     assumption::Assumption,
     splats::{found::Found, logit, plausible, spz},
 };
-use effigy_core::io::{
-    file::{FormatError, excerpt},
-    splats::{Splats, Up, functions_of},
+use effigy_core::{
+    avatar::Filter,
+    io::{
+        file::{FormatError, excerpt},
+        splats::{Splats, Up, functions_of},
+    },
 };
 
 /// Whether a primitive consists of splats.
@@ -151,5 +154,6 @@ fn plain(
         degree,
         harmonics,
         up: Up::Y,
+        filter: Filter::DEFAULT,
     })
 }

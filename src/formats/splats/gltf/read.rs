@@ -83,7 +83,7 @@ struct Part<'a> {
     place: &'a effigy_core::glam::DAffine3,
 }
 
-/// Both, with harmonics up to the higher degree.
+/// Both, with harmonics up to the higher degree, and the low-pass of the first.
 fn joined(mut first: Splats, second: Splats) -> Splats {
     let degree = first.degree.max(second.degree);
     let mut harmonics = widened(&first, degree);

@@ -10,7 +10,7 @@ use crate::splats::{
     logit, plausible,
 };
 use effigy_core::{
-    avatar::limits,
+    avatar::{Filter, limits},
     io::{
         file::FormatError,
         splats::{Splats, Up, functions_of},
@@ -155,6 +155,7 @@ fn read(meta: &[u8], files: &mut dyn Beside) -> Result<Splats, FormatError> {
         degree: 0,
         harmonics: vec![],
         up: Up::TRAINED,
+        filter: Filter::DEFAULT,
     };
     if let (Some(harmonics), Some((palette, labels))) = (&document.sh_n, &rest) {
         let palette = Texture::decode(&palette.bytes, palette.name, 1, palette_pixels)?;

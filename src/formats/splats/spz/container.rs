@@ -19,6 +19,8 @@ const HEADER: usize = 16;
 const HEADER_4: usize = 32;
 /// Highest degree of spherical harmonics in the format.
 const DEGREE: u8 = 4;
+/// The flag of splats that were trained with compensated opacities.
+pub const ANTIALIASED: u8 = 1;
 /// The flag that says that records of other vendors follow the header.
 const EXTENSIONS: u8 = 2;
 /// The record that names the file's axes, and those of the format's own.
@@ -36,6 +38,8 @@ pub struct Unpacked {
     /// Bits of a position after the point.
     pub fraction: u8,
     pub up: Up,
+    /// Whether splats were trained with compensated opacities.
+    pub antialiased: bool,
     pub position: Vec<u8>,
     pub opacity: Vec<u8>,
     pub color: Vec<u8>,
@@ -105,6 +109,7 @@ impl Header {
             degree: self.degree.into(),
             fraction: self.fraction,
             up,
+            antialiased: self.flags & ANTIALIASED != 0,
             position,
             opacity,
             color,

@@ -3,9 +3,12 @@
 use super::super::{bytes::array, found::Found, logit};
 use super::{codes, container};
 use crate::assumption::Assumption;
-use effigy_core::io::{
-    file::FormatError,
-    splats::{Splats, functions_of},
+use effigy_core::{
+    avatar::Filter,
+    io::{
+        file::FormatError,
+        splats::{Splats, functions_of},
+    },
 };
 use half::f16;
 
@@ -64,6 +67,11 @@ pub fn read(bytes: &[u8]) -> Result<Found, FormatError> {
         degree,
         harmonics,
         up: file.up,
+        filter: if file.antialiased {
+            Filter::ANTIALIASED
+        } else {
+            Filter::DEFAULT
+        },
     };
     let left_out = (file.degree > DEGREE).then(|| Assumption {
         what: "spherical harmonics",

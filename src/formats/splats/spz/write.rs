@@ -1,6 +1,10 @@
 //! Writing of version 3, which every reader since 2025 has.
 
-use super::{super::logit, codes, container::MAGIC};
+use super::{
+    super::logit,
+    codes,
+    container::{ANTIALIASED, MAGIC},
+};
 use effigy_core::io::splats::{Splats, Up, functions_of};
 use flate2::{Compression, write::GzEncoder};
 use std::io::{self, Write};
@@ -9,7 +13,8 @@ use std::io::{self, Write};
 const FRACTION: u8 = 14;
 
 /// The bytes of a file. Positions keep 14 bits after the point, fewer where that leaves too few
-/// before it; harmonics are clamped to −1 to 1 and colours to what 8 bits hold.
+/// before it; harmonics are clamped to −1 to 1 and colours to what 8 bits hold. Of
+/// the low-pass a flag says whether it is compensated.
 ///
 /// # Errors
 /// Only if compressing does.
@@ -27,7 +32,12 @@ pub fn write(splats: Splats) -> io::Result<Vec<u8>> {
     bytes.extend(MAGIC);
     bytes.extend(3u32.to_le_bytes());
     bytes.extend((count as u32).to_le_bytes());
-    bytes.extend([splats.degree as u8, fraction, 0, 0]);
+    let flags = if splats.filter.compensated {
+        ANTIALIASED
+    } else {
+        0
+    };
+    bytes.extend([splats.degree as u8, fraction, flags, 0]);
     let positions = splats.position.as_flattened().iter();
     bytes.extend(positions.flat_map(|&v| codes::fixed_code(v, fraction)));
     bytes.extend(splats.opacity.iter().map(|&v| logit::to_byte(v)));

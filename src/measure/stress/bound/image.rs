@@ -8,7 +8,7 @@ use super::{
     splats::{self, SplatInput, UncertainSplat},
 };
 use effigy_core::{
-    avatar::Avatar,
+    avatar::{Avatar, Filter},
     constants::SATURATION_CUTOFFS,
     frame::{
         FrameState, PlanInput, RendererOptions, Skip, pose_cache::PoseCache,
@@ -44,6 +44,13 @@ pub struct Scene<'a> {
     pub options: &'a RendererOptions,
     /// The camera that filled the pose cache, if skinned Gaussians come from there.
     pub cached_by: Option<&'a Camera>,
+}
+
+impl Scene<'_> {
+    /// The low-pass that is drawn with.
+    pub fn filter(&self) -> Filter {
+        self.options.filter.unwrap_or(self.avatar.filter)
+    }
 }
 
 /// Every pixel's value by the reference and how far a device's may be from it.
@@ -89,7 +96,7 @@ impl ImageBound {
             options,
             ..
         } = *scene;
-        let bounds = AvatarBounds::new(avatar);
+        let bounds = AvatarBounds::new(avatar).filtered(options.filter);
         let dependencies = PartDependencies::new(avatar);
         let has_occluder =
             rounding.skip.contains(Skip::HIDDEN) && !Occluder::new(avatar).triangles.is_empty();
@@ -124,6 +131,7 @@ impl ImageBound {
                 .map_or(PartSet::EMPTY, |instance| instance.culled_parts),
             culled: plan.instances.is_empty(),
             cache,
+            filter: scene.filter(),
             rounding,
         });
         if let Some(view) = &plan.occluder_view {

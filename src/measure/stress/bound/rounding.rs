@@ -20,9 +20,10 @@ const QUAD_COLOR_STEPS: f64 = 2048.0;
 /// share is Direct3D's, which drivers keep to.
 pub const BYTE: f64 = 0.6 / 255.0;
 /// Relative error of α by the kernels that step from pixel to pixel (`raster/per_thread.glsl`,
-/// `cooperative.glsl`): an exponential of up to 2^±60, whose argument and value are off by up to
-/// (3 + 2 · 60) ulp each, enters a row's last pixel once, its factor and bend three times.
-const STEPPED: f64 = 7.0 * 2.0 * 123.0 * F32;
+/// `cooperative.glsl`): an exponential of down to 2⁻¹²⁰, whose argument and value are off by up to
+/// (3 + 2 · 120) ulp each, enters a row's last pixel once; its factor and bend, of 2^±60 and as far
+/// off as that, three times.
+const STEPPED: f64 = 2.0 * (243.0 + 6.0 * 123.0) * F32;
 /// Relative error of α by the kernels that evaluate each pixel: a logarithm (2⁻²¹) and an
 /// exponential of up to 2⁻¹⁶ (3 + 2 · 16 ulp), whose argument is off as much.
 const EVALUATED: f64 = (8.0 + 70.0) * F32;

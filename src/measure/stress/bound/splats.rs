@@ -12,10 +12,8 @@ use super::{
     rounding::{F16, F16_NORMAL, F32, Rounding},
 };
 use effigy_core::{
-    avatar::Avatar,
-    constants::{
-        ALPHA_MAX, F16_MAX, LOG_SCALE_MAX, LONGEST_MARGIN, LOW_PASS, ROTATION_MIN, VARIANCE_MAX,
-    },
+    avatar::{Avatar, Filter},
+    constants::{ALPHA_MAX, F16_MAX, LOG_SCALE_MAX, LONGEST_MARGIN, ROTATION_MIN, VARIANCE_MAX},
     frame::{Skip, fixed_scale, pose_cache::PoseCache},
     layout::compact::Neutral,
     reference::{Gaussian, Splat, project},
@@ -47,6 +45,10 @@ const SHAPE_ROUNDINGS: f64 = 8.0;
 const FIXED_SLACK: f64 = 0.125;
 /// Error of a key, 0 to 1, beyond its step: f32 resolves no more.
 const KEY_ROUNDING: f64 = 8.0 * F32;
+/// Roundings of an opacity's compensation: of a determinant, a quotient, a root and a product.
+const COMPENSATION_ROUNDINGS: f64 = 16.0;
+/// By how much f32 may move an opacity that is rounded to 255ths, beyond its relative error.
+const OPACITY_SLACK: f64 = 1e-4;
 /// How much larger an exponent than the cutoff's is looked at: splats whose interval is wider are
 /// looked for in the whole image.
 const EXPONENT_MARGIN: f64 = 0.5;
@@ -72,6 +74,8 @@ pub struct SplatInput<'a> {
     pub culled: bool,
     /// Skinned Gaussians come from the pose cache.
     pub cache: Option<PoseCache>,
+    /// The low-pass that is drawn with.
+    pub filter: Filter,
     pub rounding: &'a Rounding,
 }
 
@@ -133,6 +137,8 @@ pub struct UncertainSplat {
     far_exponent: f64,
     alpha_error: f64,
     cutoff: f64,
+    /// Variance of the low-pass, px².
+    low_pass: f64,
     /// Nothing is known of its place and shape.
     anywhere: bool,
 }
@@ -403,7 +409,7 @@ impl SplatInput<'_> {
             color_error: rounding.color_step() + posed.as_ref().map_or(1.0, |p| p.color_error),
             reach: DVec2::INFINITY,
             occluder_radius: 0.0,
-            exact: project::project(gaussian, camera, self.avatar.filter, 0).ok(),
+            exact: project::project(gaussian, camera, self.filter, 0).ok(),
             opacity,
             opacity_error: rounding.opacity(opacity),
             direction: DVec2::X,
@@ -420,6 +426,7 @@ impl SplatInput<'_> {
             far_exponent: f64::INFINITY,
             alpha_error: rounding.alpha(),
             cutoff: rounding.cutoff,
+            low_pass: self.filter.variance,
             anywhere: true,
         };
         let Some(posed) = posed else {
@@ -489,12 +496,13 @@ impl SplatInput<'_> {
         splat.scale_error = posed.scale_error;
         let row = |axis: usize| DVec3::from(splat.columns.map(|column| column[axis]));
         let [row_x, row_y] = [row(0), row(1)];
+        let low_pass = splat.low_pass;
         let [a, b, c] = [
-            row_x.dot(row_x) + LOW_PASS,
+            row_x.dot(row_x) + low_pass,
             row_x.dot(row_y),
-            row_y.dot(row_y) + LOW_PASS,
+            row_y.dot(row_y) + low_pass,
         ];
-        let determinant = row_x.cross(row_y).length_squared() + LOW_PASS * (a + c - LOW_PASS);
+        let determinant = row_x.cross(row_y).length_squared() + low_pass * (a + c - low_pass);
         if !(determinant > 0.0 && a.is_finite() && c.is_finite() && determinant.is_finite()) {
             return false;
         }
@@ -506,6 +514,9 @@ impl SplatInput<'_> {
             return false;
         }
         splat.may_vanish |= largest * (1.0 + grows) > VARIANCE_MAX;
+        if self.filter.compensated && !splat.compensate(rounding) {
+            return false;
+        }
 
         let half = 0.5 * (a - c);
         let root = half.hypot(b);
@@ -544,7 +555,7 @@ impl SplatInput<'_> {
         }
         splat.occluder_radius = opaque
             * (posed.longest * slope.extend(1.0).length() * camera.focal.max_element().abs() / t.z
-                + LOW_PASS.sqrt());
+                + low_pass.sqrt());
         splat.anywhere = false;
         splat.shape = splat.shape();
         let relative = splat.opacity_error + splat.alpha_error;
@@ -552,7 +563,7 @@ impl SplatInput<'_> {
         let margin = 1e-5;
         splat.far_exponent = (splat.opacity * (1.0 + relative) / splat.cutoff).ln() + margin;
 
-        let exponent = (splat.opacity / splat.cutoff).ln();
+        let exponent = (splat.opacity * (1.0 + splat.opacity_error) / splat.cutoff).ln();
         // How wide the interval is at the ellipse where α is the cutoff.
         let at = splat.exponents_at_most(exponent + EXPONENT_MARGIN);
         if at < EXPONENT_MARGIN {
@@ -579,6 +590,61 @@ impl UncertainSplat {
         self.key[1] + 1.0 / f64::from(key_max) + KEY_ROUNDING >= nearer.key[0]
     }
 
+    /// Multiplies the opacity by what the filter's compensation leaves, with what errors. False if
+    /// neither a device nor the reference draws the splat.
+    fn compensate(&mut self, rounding: &Rounding) -> bool {
+        let neutral = 255.0 * self.opacity;
+        let [low, high] = self.compensation().map(|factor| neutral * factor);
+        // A device rounds to 255ths: known exactly unless rounding may go either way.
+        let low = (low - OPACITY_SLACK).round().max(0.0) / 255.0;
+        let high = (high + OPACITY_SLACK).round() / 255.0;
+        let exact = self.exact.as_ref().map_or(0.0, |splat| splat.opacity);
+        self.may_vanish |= low <= self.cutoff * (1.0 + 1e-6);
+        let high = high.max(exact);
+        if high <= self.cutoff {
+            return false;
+        }
+        let low = if exact > 0.0 { low.min(exact) } else { low };
+        self.opacity = 0.5 * (low + high);
+        self.opacity_error =
+            0.5 * (high - low) / self.opacity + 2.0 * rounding.opacity(self.opacity);
+        true
+    }
+
+    /// Least and largest factor of the opacity: with the parallelogram A of the projected axes,
+    /// det Σ' = A², and T = |m|² it is A / √(A² + k T + k²), which grows with A and falls with T.
+    fn compensation(&self) -> [f64; 2] {
+        let area = |a: DVec2, b: DVec2| a.x * b.y + a.y * b.x;
+        let columns = self.columns.map(DVec2::abs);
+        let errors: [DVec2; 3] =
+            std::array::from_fn(|k| self.column_error[k] + self.scale_error[k] * columns[k]);
+        let [mut exact, mut error] = [0.0f64; 2];
+        for [i, j] in [[0, 1], [0, 2], [1, 2]] {
+            let product = self.columns[i].perp_dot(self.columns[j]);
+            // The scales' own errors leave the angle between the axes as it is.
+            let [own_i, own_j] = [i, j].map(|k| self.column_error[k]);
+            let [scale_i, scale_j] = [i, j].map(|k| self.scale_error[k]);
+            let off = product.abs() * (scale_i + scale_j + scale_i * scale_j)
+                + area(own_i, columns[j] + errors[j])
+                + area(columns[i] + errors[i], own_j)
+                + 4.0 * F32 * area(columns[i], columns[j]);
+            exact += product * product;
+            error += off * off;
+        }
+        let [exact, error] = [exact, error].map(f64::sqrt);
+        let k = self.low_pass;
+        let factor = |sign: f64| {
+            let area = (exact + sign * error).max(0.0);
+            let squares: f64 = (0..3)
+                .map(|axis| (columns[axis] - sign * errors[axis]).max(DVec2::ZERO))
+                .map(DVec2::length_squared)
+                .sum();
+            let factor = area / (area * area + k * squares + k * k).sqrt();
+            (factor * (1.0 + sign * COMPENSATION_ROUNDINGS * F32)).min(1.0)
+        };
+        [factor(-1.0), factor(1.0)]
+    }
+
     /// An upper bound of how far exponents of at most `exponent` may be off.
     fn exponents_at_most(&self, exponent: f64) -> f64 {
         let n = (2.0 * exponent).sqrt();
@@ -591,7 +657,7 @@ impl UncertainSplat {
             + self.shift.length_squared() / (2.0 * self.shorter.powi(2))
             + n * v * error.length()
             + scale * n * n
-            + (n * error.length() + scale * n * self.longer).powi(2) / (2.0 * LOW_PASS)
+            + (n * error.length() + scale * n * self.longer).powi(2) / (2.0 * self.low_pass)
             + self.turned(n, n, along.powi(2))
             + n * (2.0 * self.evaluation(DVec2::splat(along)) + self.varying);
         own * (1.0 + (2.0 * own).min(1.0))
@@ -680,7 +746,7 @@ impl UncertainSplat {
             dual += 0.5 * (by + self.scale_error[k] * y).powi(2);
         }
         first += self.turned(along, across, d.length_squared());
-        let more = first + offset.length_squared() / (2.0 * LOW_PASS) + self.shape.shift;
+        let more = first + offset.length_squared() / (2.0 * self.low_pass) + self.shape.shift;
         let less = first + dual;
         // Errors of errors: a second error acts on what the first has left.
         let compounded = |by: f64| by * (1.0 + (2.0 * by).min(1.0));
