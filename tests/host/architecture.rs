@@ -146,6 +146,7 @@ const LAYERS: &[Layers] = &[
             "bake",
             "dataset",
             "ground_truth",
+            "levels",
             "evaluate",
             "train",
             "prune",

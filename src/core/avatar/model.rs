@@ -163,9 +163,10 @@ pub struct LevelError {
     /// PSNR of premultiplied RGB and coverage over the pixels that the avatar covers, dB; the mean
     /// over images.
     pub psnr_db: f64,
-    /// Largest relative error of a channel's mean over all images, from 0 up.
+    /// Relative error of the mean over all images of the channel where it is largest: above 0 where
+    /// the level is too light.
     pub color: f64,
-    /// Relative error of the mean coverage over all images, from 0 up.
+    /// Relative error of the mean coverage over all images: above 0 where the level covers too much.
     pub coverage: f64,
 }
 

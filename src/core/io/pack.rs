@@ -2,7 +2,7 @@
 //! [`super::file`] defines how such files store it.
 
 use super::file::format::LogScaleCodes;
-use crate::avatar::Avatar;
+use crate::avatar::{Avatar, Level};
 use crate::{constants::FEATURE_MAX, layout::compact, reference::mlp};
 use half::f16;
 
@@ -85,6 +85,11 @@ impl Avatar {
     /// The avatar after a step. Applying a step twice has no further effect.
     pub fn after(&self, step: PackStep) -> Self {
         let mut after = self.clone();
+        after.levels = self
+            .levels
+            .iter()
+            .map(|level| self.level_after(level, step))
+            .collect();
         match step {
             PackStep::Unused => after.zero_unused(),
             PackStep::Rotations => {
@@ -96,7 +101,7 @@ impl Avatar {
                 after.gaussians.rotation = self.gaussians.rotation.iter().map(unit).collect();
             }
             PackStep::LogScales => {
-                let [codes, _] = LogScaleCodes::candidates(self);
+                let [codes, _] = LogScaleCodes::candidates(&self.gaussians);
                 for s in after.gaussians.log_scale.iter_mut().flatten() {
                     *s = codes.decode(codes.encode(*s));
                 }
@@ -128,6 +133,21 @@ impl Avatar {
             }
         }
         after
+    }
+
+    /// A level after a step: what happens to an avatar's Gaussians and rows happens to its.
+    fn level_after(&self, level: &Level, step: PackStep) -> Level {
+        if matches!(step, PackStep::Weights | PackStep::Networks) {
+            return level.clone();
+        }
+        let after = self.at_level(level).after(step);
+        Level {
+            gaussians: after.gaussians,
+            rotation_rows: after.rotation_rows,
+            scale_rows: after.scale_rows,
+            color_rows: after.color_rows,
+            ..level.clone()
+        }
     }
 
     /// [`PackStep::Unused`].

@@ -9,7 +9,7 @@
 
 use crate::{
     avatar::{
-        Avatar, Matrix, Rows,
+        Avatar, Gaussians, Matrix, Rows,
         matrix::{self, Row},
     },
     constants::LOG_SCALE_MAX,
@@ -38,9 +38,14 @@ pub struct LogScales {
 impl LogScales {
     /// The finest encoding that covers all log scales of an avatar.
     pub fn from_avatar(avatar: &Avatar) -> Self {
+        Self::from_gaussians(&avatar.gaussians)
+    }
+
+    /// The finest encoding that covers all log scales of some Gaussians.
+    pub fn from_gaussians(gaussians: &Gaussians) -> Self {
         let mut low = f64::INFINITY;
         let mut high = f64::NEG_INFINITY;
-        for log_scale in avatar.gaussians.log_scale.iter().flatten() {
+        for log_scale in gaussians.log_scale.iter().flatten() {
             let log_scale = clamp(log_scale.to_f64());
             low = low.min(log_scale);
             high = high.max(log_scale);

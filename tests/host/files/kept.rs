@@ -2,7 +2,7 @@
 //! wrote it that brought the version. `EFFIGY_KEEP=1` writes those that are missing; none is ever
 //! written again.
 
-use super::{clip_bytes, tiny};
+use super::{bare, clip_bytes, tiny};
 use effigy_core::{
     avatar::{Avatar, Clip, Filter},
     io::pack::PackQuality,
@@ -24,12 +24,12 @@ fn bytes(name: &str, write: impl Fn() -> Vec<u8>) -> Vec<u8> {
 }
 
 fn avatars_of_version_1_are_read() {
-    let read = Avatar::from_bytes(&bytes("1.avatar", || tiny().to_bytes().unwrap())).unwrap();
-    assert_eq!(read, tiny());
+    let read = Avatar::from_bytes(&bytes("1.avatar", || bare().to_bytes().unwrap())).unwrap();
+    assert_eq!(read, bare());
 }
 
 fn avatars_of_version_2_are_read() {
-    let packed = |quality| tiny().packed(quality);
+    let packed = |quality| bare().packed(quality);
     for (name, quality) in [
         ("2-lossless.avatar", PackQuality::Lossless),
         ("2-small.avatar", PackQuality::Small),
@@ -47,7 +47,7 @@ fn avatars_of_version_3_are_read() {
                 variance: 0.1,
                 compensated: true,
             },
-            ..tiny()
+            ..bare()
         };
         match quality {
             Some(quality) => avatar.packed(quality),
@@ -68,6 +68,13 @@ fn avatars_of_version_3_are_read() {
     }
 }
 
+fn levels_of_detail_are_read() {
+    let packed = tiny().packed(PackQuality::High);
+    let write = || packed.to_packed_bytes().unwrap();
+    let read = Avatar::from_bytes(&bytes("2-levels.avatar", write)).unwrap();
+    assert_eq!(read, packed);
+}
+
 fn motion_of_version_1_is_read() {
     let read = Clip::from_bytes(&bytes("1.motion", clip_bytes)).unwrap();
     assert_eq!(read, Clip::from_bytes(&clip_bytes()).unwrap());
@@ -77,5 +84,6 @@ tests! {
     avatars_of_version_1_are_read,
     avatars_of_version_2_are_read,
     avatars_of_version_3_are_read,
+    levels_of_detail_are_read,
     motion_of_version_1_is_read,
 }

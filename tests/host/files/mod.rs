@@ -29,6 +29,11 @@ const TINY: Sizes = Sizes {
 };
 
 fn tiny() -> Avatar {
+    common::with_levels(bare())
+}
+
+/// Without levels of detail.
+fn bare() -> Avatar {
     common::avatar(1, TINY)
 }
 
@@ -100,7 +105,7 @@ fn sizes() -> [Sizes; 5] {
 
 fn avatars_of_every_size_read_back_the_same() {
     for (seed, sizes) in sizes().into_iter().enumerate() {
-        let avatar = common::avatar(seed as u64, sizes);
+        let avatar = common::with_levels(common::avatar(seed as u64, sizes));
         assert!(
             Avatar::from_bytes(&avatar.to_bytes().unwrap()).unwrap() == avatar,
             "{sizes:?}"
@@ -127,7 +132,7 @@ fn files_on_disk_read_back_the_same() {
 }
 
 fn extreme_but_finite_numbers_read_back_the_same() {
-    let mut avatar = tiny();
+    let mut avatar = bare();
     avatar.gaussians.log_scale[3] = [f16::MAX, f16::MIN, f16::from_bits(1)];
     avatar.gaussians.rotation[0] = [f16::ZERO, f16::from_bits(1), f16::ZERO, f16::NEG_ZERO];
     avatar.gaussians.bounds.min = [0.1, 1.0e-40, -9999.999];

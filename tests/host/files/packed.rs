@@ -7,7 +7,10 @@ use crate::common::{self, Sizes};
 use crate::memory;
 use effigy_core::{
     avatar::{Avatar, Matrix},
-    io::{file, pack::PackQuality},
+    io::{
+        file::{self, Neutral},
+        pack::PackQuality,
+    },
 };
 use half::f16;
 use serde_json::{Value, json};
@@ -18,7 +21,7 @@ pub fn packed_bytes() -> Vec<u8> {
 
 fn packed_avatars_of_every_size_read_back_the_same() {
     for (seed, sizes) in sizes().into_iter().enumerate() {
-        let plain = common::avatar(seed as u64, sizes);
+        let plain = common::with_levels(common::avatar(seed as u64, sizes));
         let mut length = plain.to_bytes().unwrap().len();
         assert!(
             Avatar::from_bytes(&plain.to_packed_bytes().unwrap()).unwrap() == plain,
@@ -269,6 +272,16 @@ fn metadata_of_codes_that_breaks_a_rule_is_named() {
         ("/log_scales/step", json!(0.0), "`log_scales` found min "),
         ("/log_scales/min", json!(1e300), "`log_scales` found min "),
         (
+            "/levels/0/log_scales",
+            json!(null),
+            "`level.0.log_scales` found 0 bits, expected 16, as the avatar has",
+        ),
+        (
+            "/levels/1/log_scales/step",
+            json!(-1.0),
+            "`level.1.log_scales` found min ",
+        ),
+        (
             "/deflated/node",
             json!("runs"),
             "`effigy` found unknown variant `runs`, expected `planes` or `deltas`",
@@ -310,6 +323,54 @@ fn a_later_programs_packed_tensors_are_ignored() {
     );
 }
 
+/// Levels add tensors and a field: a program that ignores them draws all Gaussians, so a file with
+/// levels has the version that it would have without.
+fn what_does_not_know_levels_reads_the_rest() {
+    for quality in PackQuality::ALL {
+        let avatar = tiny().packed(quality);
+        for bytes in [
+            avatar.to_bytes().unwrap(),
+            avatar.to_packed_bytes().unwrap(),
+        ] {
+            let mut edit = Edit::open(&bytes);
+            let levels = edit.document.as_object_mut().unwrap().remove("levels");
+            assert_eq!(levels.unwrap().as_array().unwrap().len(), 2);
+            let without = Avatar {
+                levels: vec![],
+                ..avatar.clone()
+            };
+            assert!(Avatar::from_bytes(&edit.bytes()).unwrap() == without);
+            let plain = Edit::open(&without.to_packed_bytes().unwrap());
+            assert!(
+                edit.document["version"] == plain.document["version"]
+                    || quality == PackQuality::Lossless
+            );
+        }
+    }
+}
+
+/// A page that has the beginning of a file shows the avatar without levels; they come last.
+fn levels_come_last() {
+    let bytes = tiny().packed(PackQuality::High).to_packed_bytes().unwrap();
+    let whole = Avatar::from_bytes(&bytes).unwrap();
+    let needed = Avatar::neutral_needs(&bytes).unwrap();
+    let Neutral::Avatar(neutral) = Avatar::neutral(&bytes[..needed], bytes.len()).unwrap() else {
+        panic!("{needed} bytes are not enough");
+    };
+    assert!(neutral.levels.is_empty() && neutral.gaussians == whole.gaussians);
+    let edit = Edit::open(&bytes);
+    let places = |of_level: bool| {
+        let all = edit.header.as_object().unwrap().iter();
+        all.filter(move |(name, _)| {
+            *name != "__metadata__" && name.starts_with("level.") == of_level
+        })
+        .map(|(_, info)| info["data_offsets"].clone())
+    };
+    let last = places(false).map(|place| place[1].as_u64()).max();
+    let first = places(true).map(|place| place[0].as_u64()).min();
+    assert!(last.is_some() && last <= first, "{last:?}, {first:?}");
+}
+
 tests! {
     packed_avatars_of_every_size_read_back_the_same,
     what_fits_no_code_reads_back_the_same,
@@ -320,4 +381,6 @@ tests! {
     metadata_of_codes_that_breaks_a_rule_is_named,
     a_matrix_without_its_steps_is_not_written,
     a_later_programs_packed_tensors_are_ignored,
+    levels_come_last,
+    what_does_not_know_levels_reads_the_rest,
 }

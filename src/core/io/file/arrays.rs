@@ -1,9 +1,12 @@
 //! Builds an avatar's arrays from tensors that passed their checks.
 
-use super::coding::{self, Coded};
+use super::coding::{self, Coded, LogScaleCodes};
 use super::header::AvatarHeader;
+use super::sets;
 use super::tensors::Tensors;
-use crate::avatar::{Bounds, Gaussians, Inputs, Layer, Matrix, Networks, Rows, Skeleton, Subspace};
+use crate::avatar::{
+    Bounds, Gaussians, Inputs, Layer, Level, Matrix, Networks, Rows, Skeleton, Subspace,
+};
 use half::f16;
 
 impl AvatarHeader {
@@ -17,79 +20,86 @@ impl AvatarHeader {
         }
     }
 
-    /// The Gaussians, decoded where they are stored as codes.
-    pub fn gaussians(&self, tensors: &Tensors) -> Gaussians {
+    /// The Gaussians of a set, decoded where they are stored as codes.
+    pub fn gaussians(&self, set: usize, tensors: &Tensors) -> Gaussians {
+        let name = |name: &str| sets::prefix(set) + name;
+        let node = if self.set(set).with_nodes == 0 {
+            vec![[0; 3]; self.set(set).gaussians]
+        } else {
+            tensors.values(&name("node"))
+        };
         Gaussians {
             bounds: Bounds {
                 min: self.bounds[0],
                 max: self.bounds[1],
             },
-            position: tensors.values("position"),
-            rotation: self.rotations(tensors),
-            log_scale: self.log_scales(tensors),
-            color: self.colors(tensors),
-            opacity: tensors.values("opacity"),
-            joint: tensors.values("joint"),
-            joint_weight: self.joint_weights(tensors),
-            node: tensors.values("node"),
+            position: tensors.values(&name("position")),
+            rotation: self.rotations(&name("rotation"), tensors),
+            log_scale: log_scales(self.set(set).log_scales, &name("log_scale"), tensors),
+            color: self.colors(&name("color"), tensors),
+            opacity: tensors.values(&name("opacity")),
+            joint: tensors.values(&name("joint")),
+            joint_weight: self.joint_weights(&name("joint_weight"), tensors),
+            node,
         }
     }
 
-    fn rotations(&self, tensors: &Tensors) -> Vec<[f16; 4]> {
+    fn rotations(&self, name: &str, tensors: &Tensors) -> Vec<[f16; 4]> {
         if !self.coded.contains(&Coded::Rotation) {
-            return tensors.values("rotation");
+            return tensors.values(name);
         }
         tensors
-            .values("rotation")
+            .values(name)
             .into_iter()
             .map(coding::rotation)
             .collect()
     }
 
-    fn log_scales(&self, tensors: &Tensors) -> Vec<[f16; 3]> {
-        match self.log_scales {
-            None => tensors.values("log_scale"),
-            Some(codes) if codes.bits == 8 => tensors
-                .values("log_scale")
-                .into_iter()
-                .map(|s: [u8; 3]| s.map(|s| codes.decode(s.into())))
-                .collect(),
-            Some(codes) => tensors
-                .values("log_scale")
-                .into_iter()
-                .map(|s: [u16; 3]| s.map(|s| codes.decode(s)))
-                .collect(),
-        }
-    }
-
-    fn colors(&self, tensors: &Tensors) -> Vec<[f16; 3]> {
+    fn colors(&self, name: &str, tensors: &Tensors) -> Vec<[f16; 3]> {
         if !self.coded.contains(&Coded::Color) {
-            return tensors.values("color");
+            return tensors.values(name);
         }
         let mut colors: Vec<[f16; 3]> = tensors
-            .values("color")
+            .values(name)
             .into_iter()
             .map(|c: [u8; 3]| c.map(coding::color))
             .collect();
         for (gaussian, color) in tensors
-            .values::<u32>("color.row")
+            .values::<u32>(&format!("{name}.row"))
             .into_iter()
-            .zip(tensors.values("color.kept"))
+            .zip(tensors.values(&format!("{name}.kept")))
         {
             colors[gaussian as usize] = color;
         }
         colors
     }
 
-    fn joint_weights(&self, tensors: &Tensors) -> Vec<[u8; 4]> {
+    fn joint_weights(&self, name: &str, tensors: &Tensors) -> Vec<[u8; 4]> {
         if !self.coded.contains(&Coded::JointWeight) {
-            return tensors.values("joint_weight");
+            return tensors.values(name);
         }
         tensors
-            .values("joint_weight")
+            .values(name)
             .into_iter()
             .map(|[a, b, c]: [u8; 3]| [a, b, c, 255 - a - b - c])
             .collect()
+    }
+
+    /// The level of a set that is not the avatar's own.
+    pub fn level(&self, set: usize, tensors: &Tensors) -> Level {
+        let name = |name: &str| sets::prefix(set) + name;
+        let bytes = |what| self.coded.contains(&what);
+        let header = &self.levels[set - 1];
+        Level {
+            gaussians: self.gaussians(set, tensors),
+            part_start: tensors.values(&name("part_start")),
+            correctives: header.correctives,
+            rotation_rows: rows(&name("rotation"), bytes(Coded::RotationBasis), tensors),
+            scale_rows: rows(&name("scale"), bytes(Coded::ScaleBasis), tensors),
+            color_rows: rows(&name("color"), bytes(Coded::ColorBasis), tensors),
+            sh: None,
+            measured: header.measured.clone(),
+        }
     }
 
     /// The networks.
@@ -127,6 +137,22 @@ impl AvatarHeader {
             pose_space: space("pose_space", self.pose_components),
             expression_space: space("expression_space", self.expression_components),
         }
+    }
+}
+
+fn log_scales(codes: Option<LogScaleCodes>, name: &str, tensors: &Tensors) -> Vec<[f16; 3]> {
+    match codes {
+        None => tensors.values(name),
+        Some(codes) if codes.bits == 8 => tensors
+            .values(name)
+            .into_iter()
+            .map(|s: [u8; 3]| s.map(|s| codes.decode(s.into())))
+            .collect(),
+        Some(codes) => tensors
+            .values(name)
+            .into_iter()
+            .map(|s: [u16; 3]| s.map(|s| codes.decode(s)))
+            .collect(),
     }
 }
 

@@ -1,7 +1,8 @@
 //! Codes: numbers in fewer bits than version 1 of the format has. Files use them only where they
 //! are exact; [`crate::io::pack`] rounds avatars so that they are.
 
-use crate::avatar::{Avatar, Matrix};
+use super::sets::GaussianSet;
+use crate::avatar::{Avatar, Gaussians, Matrix};
 use crate::layout::compact::{LogScales, decode_quaternion, encode_quaternion};
 use bytemuck::Pod;
 use half::f16;
@@ -50,10 +51,9 @@ impl LogScaleCodes {
     pub const RANGE: [[f64; 2]; 2] = [[-100.0, 100.0], [1.0 / 1024.0, 8.0]];
 
     /// The encoding that renderers use, and the finest one in bytes with the same code 0.
-    pub fn candidates(avatar: &Avatar) -> [Self; 2] {
-        let scales = LogScales::from_avatar(avatar);
-        let max_code = avatar
-            .gaussians
+    pub fn candidates(gaussians: &Gaussians) -> [Self; 2] {
+        let scales = LogScales::from_gaussians(gaussians);
+        let max_code = gaussians
             .log_scale
             .iter()
             .flatten()
@@ -147,9 +147,8 @@ pub fn steps(matrix: &Matrix) -> &[f16] {
 }
 
 /// Codes of all rotations.
-pub fn rotations(avatar: &Avatar) -> Vec<u32> {
-    avatar
-        .gaussians
+pub fn rotations(gaussians: &Gaussians) -> Vec<u32> {
+    gaussians
         .rotation
         .iter()
         .map(|&q| encode_quaternion(q.map(f64::from)).0)
@@ -163,25 +162,21 @@ pub fn rotation(word: u32) -> [f16; 4] {
 
 /// Codes of all log scales; empty without an encoding. `T`: u8 or u16.
 pub fn log_scales<T: Pod + TryFrom<u16>>(
-    avatar: &Avatar,
+    gaussians: &Gaussians,
     codes: Option<LogScaleCodes>,
 ) -> Vec<[T; 3]> {
     let Some(codes) = codes else {
         return vec![];
     };
     let code = |s: f16| T::try_from(codes.encode(s)).unwrap_or_else(|_| T::zeroed());
-    let log_scales = avatar.gaussians.log_scale.iter();
+    let log_scales = gaussians.log_scale.iter();
     log_scales.map(|&s| s.map(code)).collect()
 }
 
 /// Codes of all colours.
-pub fn colors(avatar: &Avatar) -> Vec<[u8; 3]> {
-    avatar
-        .gaussians
-        .color
-        .iter()
-        .map(|c| c.map(color_code))
-        .collect()
+pub fn colors(gaussians: &Gaussians) -> Vec<[u8; 3]> {
+    let colors = gaussians.color.iter();
+    colors.map(|c| c.map(color_code)).collect()
 }
 
 fn color_code(color: f16) -> u8 {
@@ -194,72 +189,73 @@ pub fn color(code: u8) -> f16 {
 }
 
 /// Colours of the Gaussians that have a basis row of colour, which codes would round.
-pub fn row_colors(avatar: &Avatar) -> Vec<[f16; 3]> {
-    avatar
-        .color_rows
+pub fn row_colors(set: GaussianSet) -> Vec<[f16; 3]> {
+    set.color_rows
         .gaussian
         .iter()
-        .filter_map(|&gaussian| avatar.gaussians.color.get(gaussian as usize))
+        .filter_map(|&gaussian| set.gaussians.color.get(gaussian as usize))
         .copied()
         .collect()
 }
 
 /// Joint weights except each Gaussian's last.
-pub fn joint_weights(avatar: &Avatar) -> Vec<[u8; 3]> {
-    avatar
-        .gaussians
+pub fn joint_weights(gaussians: &Gaussians) -> Vec<[u8; 3]> {
+    gaussians
         .joint_weight
         .iter()
         .map(|&[a, b, c, _]| [a, b, c])
         .collect()
 }
 
-/// The arrays of an avatar that codes represent exactly, and the shortest exact encoding of log
-/// scales. Bases and networks are included where they are bytes.
-pub fn exact_codes(avatar: &Avatar) -> (Vec<Coded>, Option<LogScaleCodes>) {
-    let g = &avatar.gaussians;
-    let has_row = |gaussian: usize| {
-        avatar
-            .color_rows
-            .gaussian
-            .binary_search(&(gaussian as u32))
-            .is_ok()
-    };
-    let color_is_exact =
-        |(at, c): (usize, &[f16; 3])| has_row(at) || c.iter().all(|&c| color(color_code(c)) == c);
-    let scale_is_exact = |codes: &LogScaleCodes| {
-        g.log_scale
-            .iter()
-            .flatten()
-            .all(|&s| codes.decode(codes.encode(s)) == s)
-    };
+/// The arrays that codes represent exactly in every set of Gaussians. Bases and networks are
+/// included where they are bytes.
+pub fn exact_codes(avatar: &Avatar) -> Vec<Coded> {
+    let all = |exact: fn(GaussianSet) -> bool| GaussianSet::all(avatar).all(exact);
     let neutral = [
-        (
-            Coded::Rotation,
-            g.rotation
-                .iter()
-                .all(|&q| rotation(encode_quaternion(q.map(f64::from)).0) == q),
-        ),
-        (Coded::Color, g.color.iter().enumerate().all(color_is_exact)),
-        (
-            Coded::JointWeight,
-            g.joint_weight
-                .iter()
-                .all(|w| w.iter().map(|&w| u32::from(w)).sum::<u32>() == 255),
-        ),
+        (Coded::Rotation, all(has_coded_rotations)),
+        (Coded::Color, all(has_coded_colors)),
+        (Coded::JointWeight, all(has_coded_weights)),
     ];
-    let coded = neutral
+    neutral
         .into_iter()
         .filter_map(|(what, exact)| exact.then_some(what))
         .chain(matrices(avatar))
+        .collect()
+}
+
+fn has_coded_rotations(set: GaussianSet) -> bool {
+    let mut rotations = set.gaussians.rotation.iter();
+    rotations.all(|&q| rotation(encode_quaternion(q.map(f64::from)).0) == q)
+}
+
+fn has_coded_colors(set: GaussianSet) -> bool {
+    let has_row = |gaussian: usize| {
+        let rows = &set.color_rows.gaussian;
+        rows.binary_search(&(gaussian as u32)).is_ok()
+    };
+    let mut colors = set.gaussians.color.iter().enumerate();
+    colors.all(|(at, c)| has_row(at) || c.iter().all(|&c| color(color_code(c)) == c))
+}
+
+fn has_coded_weights(set: GaussianSet) -> bool {
+    let mut weights = set.gaussians.joint_weight.iter();
+    weights.all(|w| w.iter().map(|&w| u32::from(w)).sum::<u32>() == 255)
+}
+
+/// The encodings of log scales of each set, of as many bits as few that are exact in all of them;
+/// None if no encoding is.
+pub fn exact_log_scales(avatar: &Avatar) -> Option<Vec<LogScaleCodes>> {
+    let candidates: Vec<[LogScaleCodes; 2]> = GaussianSet::all(avatar)
+        .map(|set| LogScaleCodes::candidates(set.gaussians))
         .collect();
-    (
-        coded,
-        LogScaleCodes::candidates(avatar)
-            .into_iter()
-            .rev()
-            .find(scale_is_exact),
-    )
+    let of_kind =
+        |kind: usize| -> Vec<LogScaleCodes> { candidates.iter().map(|both| both[kind]).collect() };
+    [of_kind(1), of_kind(0)].into_iter().find(|all| {
+        GaussianSet::all(avatar).zip(all).all(|(set, codes)| {
+            let mut log_scales = set.gaussians.log_scale.iter().flatten();
+            log_scales.all(|&s| codes.decode(codes.encode(s)) == s)
+        })
+    })
 }
 
 /// The bases and networks that are bytes.

@@ -12,6 +12,8 @@ use safetensors::Dtype;
 /// A tensor that a document requires.
 struct Required<'d, D: Document> {
     row: &'d TensorRow<D, D::Model>,
+    /// Which of the row's tensors it is.
+    index: usize,
     name: String,
     shape: Vec<usize>,
     /// How its bytes are arranged; None where they are not deflated.
@@ -84,6 +86,7 @@ fn required<D: Document>(document: &D) -> impl Iterator<Item = Required<'static,
             .copied();
         Required {
             row,
+            index: k,
             shape: (row.shape)(document, k),
             name,
             order,
@@ -96,6 +99,8 @@ struct Container<'a> {
     tensors: Tensors<'a>,
     /// Names of tensors that are replaced by zeros, whether or not the file has them yet.
     zeroed: fn(&str) -> bool,
+    /// Whether the document is shortened.
+    shortened: bool,
 }
 
 impl Container<'_> {
@@ -152,7 +157,7 @@ impl Container<'_> {
                     })?;
                 self.tensors.expanded.insert(tensor.name.clone(), bytes);
             }
-            (tensor.row.rule)(document, self.tensors.bytes(&tensor.name))
+            (tensor.row.rule)(document, tensor.index, self.tensors.bytes(&tensor.name))
                 .map_err(|bad| tensor.broken(bad))?;
         }
         Ok(())
@@ -207,7 +212,10 @@ impl Container<'_> {
 
     /// The document and the model of a file.
     fn decode<D: Document>(mut self) -> Result<D::Model, FormatError> {
-        let document: D = self.document()?;
+        let mut document: D = self.document()?;
+        if self.shortened {
+            document.shorten();
+        }
         self.check(&document)?;
         Ok(document.build(&self.tensors))
     }
@@ -267,11 +275,12 @@ pub fn decode<D: Document>(bytes: &[u8]) -> Result<D::Model, FormatError> {
     let container = Container {
         tensors: Tensors::open(bytes)?,
         zeroed: |_| false,
+        shortened: false,
     };
     container.decode::<D>()
 }
 
-/// Decodes the model in a file's beginning. Tensors that `zeroed` names are replaced by zeros; all
+/// Decodes the model in a file's beginning, with a shortened document. Tensors that `zeroed` names are replaced by zeros; all
 /// others must be there.
 pub fn decode_beginning<D: Document>(
     bytes: &[u8],
@@ -280,6 +289,7 @@ pub fn decode_beginning<D: Document>(
     let container = Container {
         tensors: Tensors::open_beginning(bytes)?,
         zeroed,
+        shortened: true,
     };
     container.decode::<D>()
 }
@@ -290,6 +300,7 @@ pub fn check_arrays<D: Document>(document: &D, model: &D::Model) -> Result<(), F
         for k in 0..(row.count)(document) {
             let tensor: Required<D> = Required {
                 row,
+                index: k,
                 name: row.name_of(k),
                 shape: (row.shape)(document, k),
                 order: None,
@@ -299,7 +310,7 @@ pub fn check_arrays<D: Document>(document: &D, model: &D::Model) -> Result<(), F
                 let expected = format!("{} of shape {:?}", row.dtype, tensor.shape);
                 return Err(tensor.fault(format!("{} bytes", bytes.len()), expected));
             }
-            (row.rule)(document, &bytes).map_err(|bad| tensor.broken(bad))?;
+            (row.rule)(document, k, &bytes).map_err(|bad| tensor.broken(bad))?;
         }
     }
     Ok(())
@@ -310,6 +321,7 @@ pub fn list<D: Document>(bytes: &[u8]) -> Result<Vec<TensorInfo>, FormatError> {
     let mut container = Container {
         tensors: Tensors::open(bytes)?,
         zeroed: |_| false,
+        shortened: false,
     };
     let document: D = container.document()?;
     container.check(&document)?;

@@ -3,6 +3,7 @@
 use super::check::Bad;
 use super::deflate::Order;
 use super::error::FormatError;
+use super::sets;
 use super::tensors::Tensors;
 use safetensors::Dtype;
 use serde::{Serialize, de::DeserializeOwned};
@@ -29,24 +30,27 @@ pub trait Document: Serialize + DeserializeOwned + 'static {
     }
     /// Records the tensors that are deflated.
     fn set_deflated(&mut self, _: BTreeMap<String, Order>) {}
+    /// Leaves out what no reader of a file's beginning needs.
+    fn shorten(&mut self) {}
     /// Checks the document itself; the tensors' shapes follow from it.
     fn check(&self) -> Result<(), FormatError>;
     /// Builds the model from tensors that passed their checks.
     fn build(self, tensors: &Tensors) -> Self::Model;
 }
 
-/// A row of a table of tensors: one tensor, or one for each layer.
+/// A row of a table of tensors: one tensor, or one for each layer or set of Gaussians.
 pub struct TensorRow<H, M> {
-    /// Name; `#` stands for the index of a layer.
+    /// Name; `#` stands for the index of a layer, and `@` at the beginning for the prefix of a set of
+    /// Gaussians.
     pub name: &'static str,
     /// Type of its numbers.
     pub dtype: Dtype,
-    /// How many tensors there are: 0, 1, or one for each layer.
+    /// How many tensors there are: 0, 1, or one for each layer or set.
     pub count: fn(&H) -> usize,
     /// Shape of the k-th tensor.
     pub shape: fn(&H, usize) -> Vec<usize>,
-    /// Checks the numbers in its bytes.
-    pub rule: fn(&H, &[u8]) -> Result<(), Bad>,
+    /// Checks the numbers in the k-th tensor's bytes.
+    pub rule: fn(&H, usize, &[u8]) -> Result<(), Bad>,
     /// The k-th tensor's bytes, from a model.
     pub bytes: for<'a> fn(&H, &'a M, usize) -> Cow<'a, [u8]>,
     /// Meaning of the numbers.
@@ -56,6 +60,9 @@ pub struct TensorRow<H, M> {
 impl<H, M> TensorRow<H, M> {
     /// Name of the k-th tensor.
     pub fn name_of(&self, k: usize) -> String {
-        self.name.replace('#', &k.to_string())
+        match self.name.strip_prefix('@') {
+            Some(name) => sets::prefix(k) + name,
+            None => self.name.replace('#', &k.to_string()),
+        }
     }
 }

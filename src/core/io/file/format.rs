@@ -24,13 +24,14 @@
 use super::check::{self, Element};
 use super::coding::{self, StoredBytes, codes, halves, steps};
 use super::document::TensorRow;
+use super::sets::GaussianSet;
 use crate::avatar::{Avatar, Clip, Subspace};
 use half::f16;
 
 pub use super::coding::{Coded, LogScaleCodes};
 pub use super::deflate::Order;
 pub use super::document::METADATA_KEY;
-pub use super::header::{AvatarHeader, ClipHeader};
+pub use super::header::{AvatarHeader, ClipHeader, LevelHeader};
 
 /// The version without codes and deflated tensors.
 pub const VERSION: u64 = 1;
@@ -63,80 +64,89 @@ macro_rules! table {
             dtype: <$type as Element>::DTYPE,
             count: |$h: &$header| { let _ = $h; $count },
             shape: |$h: &$header, $k: usize| { let _ = ($h, $k); vec![$($dim),*] },
-            rule: |$h: &$header, bytes: &[u8]| { let _ = $h; check::$rule::<$type>(bytes $(, $limit)*) },
+            rule: |$h: &$header, $k: usize, bytes: &[u8]| { let _ = ($h, $k); check::$rule::<$type>(bytes $(, $limit)*) },
             bytes: |$h: &$header, $m: &$model, $k: usize| { let _ = ($h, $k); StoredBytes::stored_bytes($data) },
             what: $what,
         },)*)*]
     };
 }
 
-/// The tensors of an avatar file. After `=` stands the array that a tensor is read into, or what
+/// A set of an avatar's Gaussians.
+fn set(avatar: &Avatar, set: usize) -> GaussianSet<'_> {
+    GaussianSet::new(avatar, set)
+}
+
+/// The tensors of an avatar file. Those whose names begin with `@` are of the avatar itself, under
+/// the name without it, and of each level, under `level.K.` and the name. After `=` stands the array that a tensor is read into, or what
 /// makes its codes of one.
 pub const AVATAR: &[TensorRow<AvatarHeader, Avatar>] = table! { h: AvatarHeader, a: Avatar, k;
+    h.sets() => {
+        "@position":       u16 [h.set(k).gaussians, 3] any() = &set(a, k).gaussians.position, "coordinates in the bounds, canonical pose";
+        "@opacity":        u8 [h.set(k).gaussians] any() = &set(a, k).gaussians.opacity, "255 is opaque";
+        "@joint":          u8 [h.set(k).gaussians, 4] below(h.joints.len()) = &set(a, k).gaussians.joint, "the joints that move a Gaussian";
+        "@node":           u16 [h.set(k).with_nodes, 3] below(h.nodes) = set(a, k).node, "the nearest nodes";
+        "@part_start":     u32 [h.parts + 1] starts(h.set(k).gaussians) = set(a, k).part_start, "part i is Gaussians start[i] to start[i + 1]";
+        "@rotation.row":   u32 [h.set(k).rotation_rows] rising(h.set(k).gaussians) = &set(a, k).rotation_rows.gaussian, "the Gaussian of each row";
+        "@scale.row":      u32 [h.set(k).scale_rows] rising(h.set(k).gaussians) = &set(a, k).scale_rows.gaussian, "the Gaussian of each row";
+        "@color.row":      u32 [h.set(k).color_rows] rising(h.set(k).gaussians) = &set(a, k).color_rows.gaussian, "the Gaussian of each row";
+    }
     1 => {
-        "position":       u16 [h.gaussians, 3] any() = &a.gaussians.position, "coordinates in the bounds, canonical pose";
-        "opacity":        u8 [h.gaussians] any() = &a.gaussians.opacity, "255 is opaque";
-        "joint":          u8 [h.gaussians, 4] below(h.joints.len()) = &a.gaussians.joint, "the joints that move a Gaussian";
-        "node":           u16 [h.gaussians, 3] below(h.nodes) = &a.gaussians.node, "the nearest nodes";
-        "part_start":     u32 [h.parts + 1] starts(h.gaussians) = &a.parts.start, "part i is Gaussians start[i] to start[i + 1]";
-        "rotation.row":   u32 [h.rotation_rows] rising(h.gaussians) = &a.rotation_rows.gaussian, "the Gaussian of each row";
-        "scale.row":      u32 [h.scale_rows] rising(h.gaussians) = &a.scale_rows.gaussian, "the Gaussian of each row";
-        "color.row":      u32 [h.color_rows] rising(h.gaussians) = &a.color_rows.gaussian, "the Gaussian of each row";
         "node.position":  u16 [h.nodes, 3] any() = &a.nodes.position, "coordinates in the bounds, canonical pose";
         "node.part":      u16 [h.nodes] below(h.parts) = &a.nodes.part, "the part whose features move the node";
         "node.offset":    f16 [h.nodes, 3] length() = &a.nodes.offset, "displacement that no pose changes, metres";
         "skeleton.rest":  f32 [h.joints.len(), 3] length() = &a.skeleton.rest, "joints in the rest pose, metres";
         "skeleton.canonical": f32 [h.joints.len(), 3] finite() = &a.skeleton.canonical, "the canonical pose, axis-angle, radians";
     }
-    h.plain(Coded::Rotation) => {
-        "rotation": f16 [h.gaussians, 4] quaternion() = &a.gaussians.rotation, "quaternion w x y z, any length but 0";
+    h.sets() * h.plain(Coded::Rotation) => {
+        "@rotation": f16 [h.set(k).gaussians, 4] quaternion() = &set(a, k).gaussians.rotation, "quaternion w x y z, any length but 0";
     }
-    h.coded(Coded::Rotation) => {
-        "rotation": u32 [h.gaussians] any() = coding::rotations(a), "quaternion of length 1: three components and which is left out";
+    h.sets() * h.coded(Coded::Rotation) => {
+        "@rotation": u32 [h.set(k).gaussians] any() = coding::rotations(set(a, k).gaussians), "quaternion of length 1: three components and which is left out";
     }
-    usize::from(h.log_scales.is_none()) => {
-        "log_scale": f16 [h.gaussians, 3] finite() = &a.gaussians.log_scale, "ln of the standard deviations, metres";
+    h.sets() * usize::from(h.log_scales.is_none()) => {
+        "@log_scale": f16 [h.set(k).gaussians, 3] finite() = &set(a, k).gaussians.log_scale, "ln of the standard deviations, metres";
     }
-    h.log_scales_of(8) => {
-        "log_scale": u8 [h.gaussians, 3] any() = coding::log_scales::<u8>(a, h.log_scales), "codes of ln of the standard deviations";
-    }
-    h.log_scales_of(16) => {
-        "log_scale": u16 [h.gaussians, 3] below(LogScaleCodes::MAX_CODE + 1) = coding::log_scales::<u16>(a, h.log_scales),
+    h.sets() * h.log_scales_of(8) => {
+        "@log_scale": u8 [h.set(k).gaussians, 3] any() = coding::log_scales::<u8>(set(a, k).gaussians, h.set(k).log_scales),
             "codes of ln of the standard deviations";
     }
-    h.plain(Coded::Color) => {
-        "color": f16 [h.gaussians, 3] finite() = &a.gaussians.color, "red, green, blue, 0 to 1";
+    h.sets() * h.log_scales_of(16) => {
+        "@log_scale": u16 [h.set(k).gaussians, 3] below(LogScaleCodes::MAX_CODE + 1)
+            = coding::log_scales::<u16>(set(a, k).gaussians, h.set(k).log_scales), "codes of ln of the standard deviations";
     }
-    h.coded(Coded::Color) => {
-        "color":      u8 [h.gaussians, 3] any() = coding::colors(a), "red, green, blue, 0 to 255";
-        "color.kept": f16 [h.color_rows, 3] finite() = coding::row_colors(a), "the same of those with a row, 0 to 1";
+    h.sets() * h.plain(Coded::Color) => {
+        "@color": f16 [h.set(k).gaussians, 3] finite() = &set(a, k).gaussians.color, "red, green, blue, 0 to 1";
     }
-    h.plain(Coded::JointWeight) => {
-        "joint_weight": u8 [h.gaussians, 4] weights() = &a.gaussians.joint_weight, "their weights, which sum to 255";
+    h.sets() * h.coded(Coded::Color) => {
+        "@color":      u8 [h.set(k).gaussians, 3] any() = coding::colors(set(a, k).gaussians), "red, green, blue, 0 to 255";
+        "@color.kept": f16 [h.set(k).color_rows, 3] finite() = coding::row_colors(set(a, k)), "the same of those with a row, 0 to 1";
     }
-    h.coded(Coded::JointWeight) => {
-        "joint_weight": u8 [h.gaussians, 3] weights_but_one() = coding::joint_weights(a), "their weights but the last, of 255";
+    h.sets() * h.plain(Coded::JointWeight) => {
+        "@joint_weight": u8 [h.set(k).gaussians, 4] weights() = &set(a, k).gaussians.joint_weight, "their weights, which sum to 255";
     }
-    h.plain(Coded::RotationBasis) => {
-        "rotation.basis": f16 [h.rotation_rows, 4, h.basis] finite() = halves(&a.rotation_rows.basis), "quaternion a unit of feature";
+    h.sets() * h.coded(Coded::JointWeight) => {
+        "@joint_weight": u8 [h.set(k).gaussians, 3] weights_but_one() = coding::joint_weights(set(a, k).gaussians), "their weights but the last, of 255";
     }
-    h.coded(Coded::RotationBasis) => {
-        "rotation.basis": i8 [h.rotation_rows, 4, h.basis] code() = codes(&a.rotation_rows.basis), "steps of quaternion a unit of feature";
-        "rotation.step":  f16 [h.rotation_rows] step() = steps(&a.rotation_rows.basis), "the step of each row";
+    h.sets() * h.plain(Coded::RotationBasis) => {
+        "@rotation.basis": f16 [h.set(k).rotation_rows, 4, h.basis] finite() = halves(&set(a, k).rotation_rows.basis), "quaternion a unit of feature";
     }
-    h.plain(Coded::ScaleBasis) => {
-        "scale.basis": f16 [h.scale_rows, 3, h.basis] finite() = halves(&a.scale_rows.basis), "log scale a unit of feature";
+    h.sets() * h.coded(Coded::RotationBasis) => {
+        "@rotation.basis": i8 [h.set(k).rotation_rows, 4, h.basis] code() = codes(&set(a, k).rotation_rows.basis), "steps of quaternion a unit of feature";
+        "@rotation.step":  f16 [h.set(k).rotation_rows] step() = steps(&set(a, k).rotation_rows.basis), "the step of each row";
     }
-    h.coded(Coded::ScaleBasis) => {
-        "scale.basis": i8 [h.scale_rows, 3, h.basis] code() = codes(&a.scale_rows.basis), "steps of log scale a unit of feature";
-        "scale.step":  f16 [h.scale_rows] step() = steps(&a.scale_rows.basis), "the step of each row";
+    h.sets() * h.plain(Coded::ScaleBasis) => {
+        "@scale.basis": f16 [h.set(k).scale_rows, 3, h.basis] finite() = halves(&set(a, k).scale_rows.basis), "log scale a unit of feature";
     }
-    h.plain(Coded::ColorBasis) => {
-        "color.basis": f16 [h.color_rows, 3, h.basis] finite() = halves(&a.color_rows.basis), "colour a unit of feature";
+    h.sets() * h.coded(Coded::ScaleBasis) => {
+        "@scale.basis": i8 [h.set(k).scale_rows, 3, h.basis] code() = codes(&set(a, k).scale_rows.basis), "steps of log scale a unit of feature";
+        "@scale.step":  f16 [h.set(k).scale_rows] step() = steps(&set(a, k).scale_rows.basis), "the step of each row";
     }
-    h.coded(Coded::ColorBasis) => {
-        "color.basis": i8 [h.color_rows, 3, h.basis] code() = codes(&a.color_rows.basis), "steps of colour a unit of feature";
-        "color.step":  f16 [h.color_rows] step() = steps(&a.color_rows.basis), "the step of each row";
+    h.sets() * h.plain(Coded::ColorBasis) => {
+        "@color.basis": f16 [h.set(k).color_rows, 3, h.basis] finite() = halves(&set(a, k).color_rows.basis), "colour a unit of feature";
+    }
+    h.sets() * h.coded(Coded::ColorBasis) => {
+        "@color.basis": i8 [h.set(k).color_rows, 3, h.basis] code() = codes(&set(a, k).color_rows.basis), "steps of colour a unit of feature";
+        "@color.step":  f16 [h.set(k).color_rows] step() = steps(&set(a, k).color_rows.basis), "the step of each row";
     }
     h.plain(Coded::NodeBasis) => {
         "node.basis": f16 [h.nodes, 3, h.basis] finite() = halves(&a.nodes.basis), "metres a unit of feature";

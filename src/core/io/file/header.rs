@@ -2,7 +2,7 @@
 
 use super::coding::{Coded, LogScaleCodes};
 use super::deflate::Order;
-use crate::avatar::{Activation, Filter};
+use crate::avatar::{Activation, Filter, LevelError};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -72,6 +72,67 @@ pub struct AvatarHeader {
     /// in versions 1 and 2.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub filter: Option<Filter>,
+    /// Levels of detail, each with fewer Gaussians than the one before; absent without any.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub levels: Vec<LevelHeader>,
+}
+
+/// What an avatar's document says of a level. Its arrays are stored as the avatar's are.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct LevelHeader {
+    /// Number of Gaussians.
+    pub gaussians: usize,
+    /// Whether networks move them. Where not, they name no nodes and have no correctives.
+    pub correctives: bool,
+    /// Number of Gaussians with a corrective of their rotation.
+    #[serde(default)]
+    pub rotation_rows: usize,
+    /// Number of Gaussians with a corrective of their scale.
+    #[serde(default)]
+    pub scale_rows: usize,
+    /// Number of Gaussians with a corrective of their colour.
+    #[serde(default)]
+    pub color_rows: usize,
+    /// Encoding of log scales, of as many bits as the avatar's; absent where they are f16.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub log_scales: Option<LogScaleCodes>,
+    /// Errors of images of this level.
+    #[serde(default)]
+    pub measured: Vec<LevelError>,
+}
+
+/// What a document says of a set.
+#[derive(Clone, Copy)]
+pub struct SetCounts {
+    /// Number of Gaussians.
+    pub gaussians: usize,
+    /// Number of them that name nodes: all or none.
+    pub with_nodes: usize,
+    /// Number of Gaussians with a corrective of their rotation.
+    pub rotation_rows: usize,
+    /// Number of Gaussians with a corrective of their scale.
+    pub scale_rows: usize,
+    /// Number of Gaussians with a corrective of their colour.
+    pub color_rows: usize,
+    /// Encoding of log scales; None where they are f16.
+    pub log_scales: Option<LogScaleCodes>,
+}
+
+impl SetCounts {
+    fn of_level(level: &LevelHeader) -> Self {
+        Self {
+            gaussians: level.gaussians,
+            with_nodes: if level.correctives {
+                level.gaussians
+            } else {
+                0
+            },
+            rotation_rows: level.rotation_rows,
+            scale_rows: level.scale_rows,
+            color_rows: level.color_rows,
+            log_scales: level.log_scales,
+        }
+    }
 }
 
 /// The document of a motion file.
@@ -101,6 +162,29 @@ pub struct ClipHeader {
 }
 
 impl AvatarHeader {
+    /// Number of sets.
+    pub fn sets(&self) -> usize {
+        1 + self.levels.len()
+    }
+
+    /// What the document says of a set.
+    ///
+    /// # Panics
+    /// When there is no such set.
+    pub fn set(&self, set: usize) -> SetCounts {
+        match set.checked_sub(1) {
+            None => SetCounts {
+                gaussians: self.gaussians,
+                with_nodes: self.gaussians,
+                rotation_rows: self.rotation_rows,
+                scale_rows: self.scale_rows,
+                color_rows: self.color_rows,
+                log_scales: self.log_scales,
+            },
+            Some(level) => SetCounts::of_level(&self.levels[level]),
+        }
+    }
+
     /// Length of θ_p.
     pub fn pose_len(&self) -> usize {
         3 * self.inputs.len()

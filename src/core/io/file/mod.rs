@@ -16,6 +16,7 @@ mod header;
 mod model_files;
 mod order;
 mod rules;
+mod sets;
 mod tensors;
 
 #[cfg(not(target_arch = "wasm32"))]

@@ -8,9 +8,10 @@ use super::{
     error::{FileError, FormatError},
     header::{AvatarHeader, ClipHeader},
     order::{self, Neutral},
+    sets,
     tensors::TensorInfo,
 };
-use crate::avatar::{Avatar, Clip, LevelError, limits};
+use crate::avatar::{Avatar, Clip, Gaussians, Level, ShCoefficients};
 use std::path::Path;
 
 /// The content of a file of either kind.
@@ -75,47 +76,29 @@ pub fn tensors_of(bytes: &[u8]) -> Result<Vec<TensorInfo>, FormatError> {
     }
 }
 
-/// Checks the errors of a level: numbers in range, rising sizes.
-fn check_measured(measured: &[LevelError]) -> Result<(), FormatError> {
-    let fault = |found, expected| Err(FormatError::metadata("measured", found, expected));
-    for error in measured {
-        let &LevelError {
-            height,
-            samples,
-            psnr_db,
-            color,
-            coverage,
-        } = error;
-        let good = height > 0.0
-            && height.is_finite()
-            && (1..=limits::SAMPLES).contains(&samples)
-            && [psnr_db, color, coverage].iter().all(|v| v.is_finite());
-        if !good {
-            return fault(
-                format!(
-                    "{psnr_db} dB, {color} and {coverage} at {height} px with {samples} samples"
-                ),
-                format!(
-                    "finite numbers, a height above 0, 1 to {} samples",
-                    limits::SAMPLES
-                ),
-            );
-        }
+/// Checks view-dependent colours of some Gaussians.
+fn check_harmonics(sh: Option<&ShCoefficients>, gaussians: &Gaussians) -> Result<(), FormatError> {
+    let Some(sh) = sh else {
+        return Ok(());
+    };
+    let fault = |found, expected| {
+        Err(FormatError::Tensor {
+            tensor: "sh".into(),
+            found,
+            expected,
+        })
+    };
+    if !(1..=3).contains(&sh.degree) {
+        return fault(format!("degree {}", sh.degree), "1 to 3".into());
     }
-    let size = |error: &LevelError| (error.height, error.samples);
-    match measured
-        .windows(2)
-        .find(|pair| size(&pair[0]) >= size(&pair[1]))
-    {
-        Some(pair) => fault(
-            format!(
-                "{} px with {} samples after {} px with {}",
-                pair[1].height, pair[1].samples, pair[0].height, pair[0].samples
-            ),
-            "rising heights, and of equal heights rising samples".into(),
-        ),
-        None => Ok(()),
+    let expected = gaussians.len() * sh.functions();
+    if sh.coefficients.len() != expected {
+        return fault(
+            format!("{} coefficients", sh.coefficients.len()),
+            format!("{expected}, {} a Gaussian", sh.functions()),
+        );
     }
+    Ok(())
 }
 
 impl Avatar {
@@ -153,83 +136,36 @@ impl Avatar {
             }
         }
         container::check_arrays(&header, self)?;
-        self.check_harmonics()?;
-        self.check_levels()
-    }
-
-    /// Checks the view-dependent colours.
-    fn check_harmonics(&self) -> Result<(), FormatError> {
-        let Some(sh) = &self.sh else {
-            return Ok(());
-        };
-        let fault = |found, expected| {
-            Err(FormatError::Tensor {
-                tensor: "sh".into(),
-                found,
-                expected,
-            })
-        };
-        if !(1..=3).contains(&sh.degree) {
-            return fault(format!("degree {}", sh.degree), "1 to 3".into());
-        }
-        let expected = self.gaussians.len() * sh.functions();
-        if sh.coefficients.len() != expected {
-            return fault(
-                format!("{} coefficients", sh.coefficients.len()),
-                format!("{expected}, {} a Gaussian", sh.functions()),
-            );
+        check_harmonics(self.sh.as_ref(), &self.gaussians)?;
+        for (index, level) in self.levels.iter().enumerate() {
+            self.check_level(level)
+                .map_err(|error| error.within(&sets::prefix(index + 1)))?;
         }
         Ok(())
     }
 
-    /// Checks that each level can be drawn in place of the avatar, and is smaller than what comes
-    /// before it.
-    fn check_levels(&self) -> Result<(), FormatError> {
-        let levels = self.levels.len();
-        if levels > limits::LEVELS {
-            let expected = format!("{} at most", limits::LEVELS);
-            return Err(FormatError::metadata("levels", levels, expected));
+    /// Checks what a file can't say of a level: that it is in the avatar's bounds, has colours of
+    /// the same kind, and names the one node that there is without correctives.
+    fn check_level(&self, level: &Level) -> Result<(), FormatError> {
+        let fault = |field: &str, [found, expected]: [String; 2]| {
+            Err(FormatError::metadata(field, found, expected))
+        };
+        let bounds = [level.gaussians.bounds, self.gaussians.bounds];
+        if bounds[0] != bounds[1] {
+            let text = bounds.map(|bounds| format!("{:?} to {:?}", bounds.min, bounds.max));
+            return fault("bounds", text);
         }
-        let mut before = self.gaussians.len();
-        for (index, level) in self.levels.iter().enumerate() {
-            let prefix = format!("level.{index}.");
-            let count = level.gaussians.len();
-            let fault = |field: &str, found: String, expected: String| {
-                Err(FormatError::metadata(field, found, expected).within(&prefix))
-            };
-            if !(1..before).contains(&count) {
-                let expected = format!("1 to {}", before.saturating_sub(1));
-                return fault("gaussians", count.to_string(), expected);
-            }
-            before = count;
-            if level.gaussians.bounds != self.gaussians.bounds {
-                let [found, expected] = [level.gaussians.bounds, self.gaussians.bounds]
-                    .map(|bounds| format!("{:?} to {:?}", bounds.min, bounds.max));
-                return fault("bounds", found, expected);
-            }
-            if level.part_start.len() != self.parts.start.len() {
-                let [found, expected] = [&level.part_start, &self.parts.start]
-                    .map(|starts| format!("{} parts", starts.len().saturating_sub(1)));
-                return fault("part_start", found, expected);
-            }
-            let [found, expected] = [&level.sh, &self.sh]
-                .map(|sh| format!("degree {}", sh.as_ref().map_or(0, |sh| sh.degree)));
-            if found != expected {
-                return fault("sh", found, expected);
-            }
-            let rows = [
-                level.rotation_rows.gaussian.len(),
-                level.scale_rows.gaussian.len(),
-                level.color_rows.gaussian.len(),
-            ];
-            if !level.correctives && rows != [0; 3] {
-                let found = format!("{} without correctives", rows.iter().sum::<usize>());
-                return fault("rows", found, "none".into());
-            }
-            check_measured(&level.measured).map_err(|error| error.within(&prefix))?;
-            self.at_level(level)
-                .check()
-                .map_err(|error| error.within(&prefix))?;
+        let degrees = [&level.sh, &self.sh].map(|sh| sh.as_ref().map_or(0, |sh| sh.degree));
+        if degrees[0] != degrees[1] {
+            return fault("sh", degrees.map(|degree| format!("degree {degree}")));
+        }
+        check_harmonics(level.sh.as_ref(), &level.gaussians)?;
+        let nodes = &level.gaussians.node;
+        let count = level.gaussians.len();
+        let named = nodes.iter().filter(|&&node| node != [0; 3]).count();
+        if !level.correctives && (nodes.len() != count || named != 0) {
+            let found = format!("{} entries, of which {named} are others", nodes.len());
+            return fault("node", [found, format!("{count} of node 0 alone")]);
         }
         Ok(())
     }
@@ -337,7 +273,7 @@ impl Clip {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::avatar::{Level, Rows};
+    use crate::avatar::{LevelError, Rows};
     use half::f16;
 
     /// A fault that `break_it` makes in the demo.
@@ -438,7 +374,7 @@ mod tests {
             ("`level.0.joint_weight`", &|level| {
                 level.gaussians.joint_weight[0] = [255; 4];
             }),
-            ("`level.0.rows` found 1 without", &|level| {
+            ("`level.0.color_rows` found 1, expected 0 to 0", &|level| {
                 still(level);
                 level.color_rows.gaussian = vec![0];
             }),

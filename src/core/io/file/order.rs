@@ -1,8 +1,9 @@
 //! The order of a file's tensors: the neutral avatar comes before its correctives, so that a page
-//! can show it while the rest is loading.
+//! can show it while the rest is loading, and levels of detail come last.
 
 use super::{
-    container::decode_beginning, error::FormatError, header::AvatarHeader, tensors::Header,
+    container::decode_beginning, error::FormatError, header::AvatarHeader, sets::LEVEL_PREFIX,
+    tensors::Header,
 };
 use crate::avatar::Avatar;
 use safetensors::tensor::{Metadata, TensorInfo, TensorView};
@@ -17,12 +18,25 @@ pub enum Neutral {
     Avatar(Box<Avatar>),
 }
 
-/// Whether a tensor belongs to the correctives.
-fn is_corrective(name: &str) -> bool {
-    name.starts_with("mlp.") || name.ends_with(".basis") || name.ends_with(".step")
+/// What a tensor is for, in the order of the file.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Purpose {
+    Neutral,
+    Corrective,
+    Level,
 }
 
-/// Serializes a safetensors file with correctives last. Apart from that, tensors with larger number
+fn purpose(name: &str) -> Purpose {
+    if name.starts_with(LEVEL_PREFIX) {
+        Purpose::Level
+    } else if name.starts_with("mlp.") || name.ends_with(".basis") || name.ends_with(".step") {
+        Purpose::Corrective
+    } else {
+        Purpose::Neutral
+    }
+}
+
+/// Serializes a safetensors file in the order of [`Purpose`]. Apart from that, tensors with larger number
 /// types come first, which is the order of the safetensors library.
 pub fn serialize(
     mut views: Vec<(String, TensorView)>,
@@ -31,8 +45,8 @@ pub fn serialize(
     let failed =
         |error: &dyn std::fmt::Display| FormatError::container(error, "tensors that fit a file");
     views.sort_by(|(a, left), (b, right)| {
-        is_corrective(a)
-            .cmp(&is_corrective(b))
+        purpose(a)
+            .cmp(&purpose(b))
             .then(right.dtype().cmp(&left.dtype()))
             .then_with(|| a.cmp(b))
     });
@@ -60,12 +74,12 @@ pub fn serialize(
     Ok(bytes)
 }
 
-/// Where in the file the last tensor ends that is not a corrective.
+/// Where in the file the last tensor of the neutral avatar ends.
 fn neutral_end(metadata: &Metadata, start: usize) -> usize {
     let tensors = metadata.tensors();
     let ends = tensors
         .iter()
-        .filter(|(name, _)| !is_corrective(name))
+        .filter(|(name, _)| purpose(name) == Purpose::Neutral)
         .map(|(_, info)| info.data_offsets.1);
     start.saturating_add(ends.max().unwrap_or(0))
 }
@@ -80,7 +94,7 @@ pub fn needs(bytes: &[u8]) -> Result<usize, FormatError> {
 }
 
 /// The avatar in the first bytes of a file that is `length` bytes long, with zeros for its
-/// correctives.
+/// correctives and without levels.
 pub fn neutral(bytes: &[u8], length: usize) -> Result<Neutral, FormatError> {
     let (metadata, start) = match Header::parse(bytes)? {
         Header::Complete { metadata, start } => (metadata, start),
@@ -100,6 +114,6 @@ pub fn neutral(bytes: &[u8], length: usize) -> Result<Neutral, FormatError> {
     if bytes.len() < end {
         return Ok(Neutral::Needs(end));
     }
-    let avatar = decode_beginning::<AvatarHeader>(bytes, is_corrective)?;
+    let avatar = decode_beginning::<AvatarHeader>(bytes, |name| purpose(name) != Purpose::Neutral)?;
     Ok(Neutral::Avatar(Box::new(avatar)))
 }

@@ -8,9 +8,10 @@ use super::error::{FormatError, excerpt};
 use super::format::{
     AVATAR, AVATAR_FORMAT, MOTION, MOTION_FORMAT, VERSION, VERSION_FILTER, VERSION_PACKED,
 };
-use super::header::{AvatarHeader, ClipHeader};
+use super::header::{AvatarHeader, ClipHeader, LevelHeader};
+use super::sets;
 use super::tensors::Tensors;
-use crate::avatar::{Avatar, Clip, Filter, Nodes, Parts, Subspace, limits};
+use crate::avatar::{Avatar, Clip, Filter, Level, LevelError, Nodes, Parts, Subspace, limits};
 use std::collections::{BTreeMap, HashSet};
 use std::fmt::Display;
 use std::ops::RangeInclusive;
@@ -74,17 +75,38 @@ fn joints(names: &[String]) -> Result<(), FormatError> {
     Ok(())
 }
 
+fn check_log_scales(field: &str, codes: Option<LogScaleCodes>) -> Result<(), FormatError> {
+    let Some(LogScaleCodes { min, step, bits }) = codes else {
+        return Ok(());
+    };
+    let [[low, high], [finest, coarsest]] = LogScaleCodes::RANGE;
+    let good = (low..=high).contains(&min)
+        && (finest..=coarsest).contains(&step)
+        && [8, 16].contains(&bits);
+    ensure(
+        good,
+        field,
+        format_args!("min {min:e}, step {step:e}, {bits} bits"),
+        format_args!(
+            "a min from {low} to {high}, a step from {finest} to {coarsest}, 8 or 16 bits"
+        ),
+    )
+}
+
 impl AvatarHeader {
     /// The document of an avatar stored in the fewest bits that hold it exactly.
     pub fn packed(avatar: &Avatar) -> Self {
-        let (coded, log_scales) = coding::exact_codes(avatar);
-        let plain = Self::from_model(avatar);
-        Self {
-            version: plain.version.max(VERSION_PACKED),
-            coded,
-            log_scales,
-            ..plain
+        let mut packed = Self::from_model(avatar);
+        packed.version = packed.version.max(VERSION_PACKED);
+        packed.coded = coding::exact_codes(avatar);
+        if let Some(all) = coding::exact_log_scales(avatar) {
+            let mut all = all.into_iter();
+            packed.log_scales = all.next();
+            for (level, codes) in packed.levels.iter_mut().zip(all) {
+                level.log_scales = Some(codes);
+            }
         }
+        packed
     }
 
     fn check_filter(&self) -> Result<(), FormatError> {
@@ -114,21 +136,7 @@ impl AvatarHeader {
             self.version,
             format_args!("{VERSION_PACKED} or {VERSION_FILTER}, as there are codes"),
         )?;
-        let Some(LogScaleCodes { min, step, bits }) = self.log_scales else {
-            return Ok(());
-        };
-        let [[low, high], [finest, coarsest]] = LogScaleCodes::RANGE;
-        let good = (low..=high).contains(&min)
-            && (finest..=coarsest).contains(&step)
-            && [8, 16].contains(&bits);
-        let expected =
-            format!("a min from {low} to {high}, a step from {finest} to {coarsest}, 8 or 16 bits");
-        ensure(
-            good,
-            "log_scales",
-            format_args!("min {min:e}, step {step:e}, {bits} bits"),
-            expected,
-        )
+        check_log_scales("log_scales", self.log_scales)
     }
 
     fn check_counts(&self) -> Result<(), FormatError> {
@@ -152,6 +160,18 @@ impl AvatarHeader {
         ensure(good, "bounds", format_args!("{min:?} to {max:?}"), expected)
     }
 
+    fn check_levels(&self) -> Result<(), FormatError> {
+        count("levels", self.levels.len(), 0..=limits::LEVELS)?;
+        let mut before = self.gaussians;
+        for (index, level) in self.levels.iter().enumerate() {
+            level
+                .check_after(before, self.log_scales)
+                .map_err(|error| error.within(&sets::prefix(index + 1)))?;
+            before = level.gaussians;
+        }
+        Ok(())
+    }
+
     fn check_basis(&self) -> Result<(), FormatError> {
         count("basis", self.basis, 4..=limits::BASIS)?;
         ensure(
@@ -167,6 +187,7 @@ impl AvatarHeader {
     pub fn check_drawn(&self) -> Result<(), FormatError> {
         self.check_filter()?;
         self.check_counts()?;
+        self.check_levels()?;
         self.check_skeleton()?;
         if self.layers() == 0 && self.basis == 0 {
             return count("expression", self.expression, 0..=limits::EXPRESSION);
@@ -260,6 +281,83 @@ impl AvatarHeader {
     }
 }
 
+impl LevelHeader {
+    fn from_level(level: &Level) -> Self {
+        Self {
+            gaussians: level.gaussians.len(),
+            correctives: level.correctives,
+            rotation_rows: level.rotation_rows.gaussian.len(),
+            scale_rows: level.scale_rows.gaussian.len(),
+            color_rows: level.color_rows.gaussian.len(),
+            log_scales: None,
+            measured: level.measured.clone(),
+        }
+    }
+
+    /// `before`: Gaussians of what is finer; `log_scales`: the avatar's own encoding.
+    fn check_after(
+        &self,
+        before: usize,
+        log_scales: Option<LogScaleCodes>,
+    ) -> Result<(), FormatError> {
+        count("gaussians", self.gaussians, 1..=before.saturating_sub(1))?;
+        let rows = if self.correctives { self.gaussians } else { 0 };
+        count("rotation_rows", self.rotation_rows, 0..=rows)?;
+        count("scale_rows", self.scale_rows, 0..=rows)?;
+        count("color_rows", self.color_rows, 0..=rows)?;
+        let bits = |codes: Option<LogScaleCodes>| codes.map_or(0, |codes| codes.bits);
+        ensure(
+            bits(self.log_scales) == bits(log_scales),
+            "log_scales",
+            format_args!("{} bits", bits(self.log_scales)),
+            format_args!("{}, as the avatar has", bits(log_scales)),
+        )?;
+        check_log_scales("log_scales", self.log_scales)?;
+        check_measured(&self.measured)
+    }
+}
+
+/// Checks the errors of a level: numbers in range, rising sizes.
+fn check_measured(measured: &[LevelError]) -> Result<(), FormatError> {
+    for error in measured {
+        let &LevelError {
+            height,
+            samples,
+            psnr_db,
+            color,
+            coverage,
+        } = error;
+        let good = height > 0.0
+            && height.is_finite()
+            && (1..=limits::SAMPLES).contains(&samples)
+            && [psnr_db, color, coverage].iter().all(|v| v.is_finite());
+        ensure(
+            good,
+            "measured",
+            format_args!(
+                "{psnr_db} dB, {color} and {coverage} at {height} px with {samples} samples"
+            ),
+            format_args!(
+                "finite numbers, a height above 0, 1 to {} samples",
+                limits::SAMPLES
+            ),
+        )?;
+    }
+    let size = |error: &LevelError| (error.height, error.samples);
+    for pair in measured.windows(2) {
+        ensure(
+            size(&pair[0]) < size(&pair[1]),
+            "measured",
+            format_args!(
+                "{} px with {} samples after {} px with {}",
+                pair[1].height, pair[1].samples, pair[0].height, pair[0].samples
+            ),
+            "rising heights, and of equal heights rising samples",
+        )?;
+    }
+    Ok(())
+}
+
 impl Document for AvatarHeader {
     type Model = Avatar;
     const FORMAT: &'static str = AVATAR_FORMAT;
@@ -304,6 +402,7 @@ impl Document for AvatarHeader {
             log_scales: None,
             deflated: BTreeMap::new(),
             filter,
+            levels: avatar.levels.iter().map(LevelHeader::from_level).collect(),
         }
     }
 
@@ -316,6 +415,10 @@ impl Document for AvatarHeader {
         self.deflated = deflated;
     }
 
+    fn shorten(&mut self) {
+        self.levels.clear();
+    }
+
     fn check(&self) -> Result<(), FormatError> {
         word("units", &self.units, UNITS)?;
         word("up", &self.up, UP)?;
@@ -323,6 +426,7 @@ impl Document for AvatarHeader {
         self.check_codes()?;
         self.check_filter()?;
         self.check_counts()?;
+        self.check_levels()?;
         self.check_basis()?;
         self.check_skeleton()?;
         self.check_networks()
@@ -332,7 +436,7 @@ impl Document for AvatarHeader {
         let bytes = |what| self.coded.contains(&what);
         Avatar {
             skeleton: self.skeleton(tensors),
-            gaussians: self.gaussians(tensors),
+            gaussians: self.gaussians(0, tensors),
             parts: Parts {
                 start: tensors.values("part_start"),
                 head: self.head_parts,
@@ -350,7 +454,9 @@ impl Document for AvatarHeader {
             inputs: self.inputs(tensors),
             sh: None,
             filter: self.filter.unwrap_or_default(),
-            levels: vec![],
+            levels: (1..self.sets())
+                .map(|set| self.level(set, tensors))
+                .collect(),
             name: self.name,
             credit: self.credit,
         }
