@@ -17,6 +17,7 @@ pub mod dataset;
 pub mod evaluate;
 pub mod fit;
 pub mod ground_truth;
+pub mod levels;
 pub mod math;
 pub mod plot;
 pub mod prune;

@@ -14,6 +14,7 @@ mod gltf_motion;
 mod governor;
 mod layout;
 mod learned;
+mod levels;
 mod memory;
 mod motion;
 mod onesweep;
@@ -58,6 +59,7 @@ fn main() -> ExitCode {
             governor,
             layout,
             learned,
+            levels,
             motion,
             motion::hostile,
             onesweep,

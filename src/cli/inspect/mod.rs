@@ -3,6 +3,7 @@
 mod avatar;
 mod capture;
 mod folder;
+mod levels;
 mod motion;
 mod text;
 
@@ -25,6 +26,8 @@ use serde::Serialize;
 use std::fmt;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+
+pub use levels::LevelSummary;
 
 #[derive(clap::Args, Debug)]
 pub struct Args {
