@@ -1,13 +1,19 @@
 //! `effigy pack`: makes an avatar's file smaller, and shows what each step saves and costs.
 
 use crate::{
-    files, options, progress,
-    source::{CaptureArgs, PoseProjection, Source},
+    files,
+    inspect::LevelSummary,
+    options, progress,
+    source::{self, CaptureArgs, PoseProjection, Source},
 };
 use anyhow::ensure;
 use clap::ValueEnum;
-use effigy_core::{avatar::Avatar, io::pack::PackQuality};
+use effigy_core::{
+    avatar::{Avatar, Level, motion::Player},
+    io::pack::PackQuality,
+};
 use effigy_formats::open;
+use effigy_learn::levels::{LevelOptions, LevelPoses, levels_of};
 use effigy_measure::packing::{self, PackingStep, Views};
 use std::{
     path::{Path, PathBuf},
@@ -27,6 +33,14 @@ pub struct Args {
     /// Clip that moves the avatar in the compared frames [default: the built-in demo clip]
     #[arg(long, value_name = "FILE")]
     motion: Option<PathBuf>,
+    /// Also make levels of detail for small images: merge Gaussians and fit them to supersampled
+    /// images of all, in the poses of --motion, or in random ones of the poses that the avatar was
+    /// trained for; takes minutes
+    #[arg(long)]
+    levels: bool,
+    /// Clip in whose poses the levels' errors are measured [default: other poses of the same kind]
+    #[arg(long, value_name = "FILE", requires = "levels")]
+    held_out: Option<PathBuf>,
     /// Frames to compare after each step, spread over the clip, each from another side; the f64
     /// reference takes seconds for each
     #[arg(long, alias = "pictures", value_name = "N", default_value_t = 4)]
@@ -77,7 +91,10 @@ pub fn run(args: Args) -> anyhow::Result<()> {
         up: None,
         project: PoseProjection::On,
     };
-    let (avatar, player) = source.load_player()?;
+    let (mut avatar, player) = source.load_player()?;
+    if args.levels {
+        avatar.levels = make_levels(&args, &avatar, &player)?;
+    }
     let views = Views {
         player: &player,
         images: args.frames,
@@ -93,6 +110,9 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     bar.finish_and_clear();
     packed.write_packed(&args.out)?;
     print(&lines);
+    for level in &packed.levels {
+        print!("{}", LevelSummary::new(level));
+    }
     println!("wrote {}", args.out.display());
     if let Some(path) = &args.avatar {
         println!(
@@ -106,6 +126,36 @@ pub fn run(args: Args) -> anyhow::Result<()> {
         files::write_json(path, &lines)?;
     }
     Ok(())
+}
+
+/// Makes the levels of detail of an avatar. `player`: the clip that moves it in compared frames.
+fn make_levels(args: &Args, avatar: &Avatar, player: &Player) -> anyhow::Result<Vec<Level>> {
+    let players = if args.motion.is_some() {
+        std::slice::from_ref(player)
+    } else {
+        &[]
+    };
+    let options = LevelOptions::default();
+    let mut poses = LevelPoses::new(avatar, players, options.seed);
+    if let Some(path) = &args.held_out {
+        let clip_options = CaptureArgs::default().clip_options(None)?;
+        let clip = source::clip(path, avatar, &clip_options)?;
+        poses.measure_in(Player::new(clip, &avatar.skeleton));
+    }
+    let bar = progress::items(0, "steps");
+    let levels = levels_of(avatar, &poses, &options, &mut |progress| {
+        bar.set_length(progress.all as u64);
+        bar.set_position(progress.done as u64);
+        bar.set_message(progress.step);
+    });
+    bar.finish_and_clear();
+    ensure!(
+        !levels.is_empty(),
+        "levels of detail need more Gaussians than the {} of `{}`",
+        avatar.gaussians.len(),
+        avatar.name
+    );
+    Ok(levels)
 }
 
 /// How long an avatar file takes to read, milliseconds: the median of five times.

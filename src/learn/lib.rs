@@ -18,6 +18,7 @@ pub mod distil;
 pub mod evaluate;
 pub mod fit;
 pub mod ground_truth;
+pub mod levels;
 pub mod math;
 pub mod plot;
 pub mod prune;

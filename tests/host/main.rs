@@ -14,6 +14,7 @@ mod gltf_motion;
 mod governor;
 mod layout;
 mod learned;
+mod levels;
 mod memory;
 mod mmlphuman;
 mod motion;
@@ -61,6 +62,7 @@ fn main() -> ExitCode {
             learned,
             mmlphuman,
             mmlphuman::hostile,
+            levels,
             motion,
             motion::hostile,
             onesweep,

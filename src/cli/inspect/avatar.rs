@@ -1,5 +1,6 @@
 //! The contents of an avatar, in numbers.
 
+use super::levels::LevelSummary;
 use super::text::{Distribution, line, stated, table, thousands};
 use effigy_core::avatar::{Activation, Avatar, Filter};
 use effigy_core::io::file::TensorInfo;
@@ -45,6 +46,7 @@ pub struct AvatarSummary {
     harmonics: usize,
     /// The low-pass that it was learned with.
     filter: Filter,
+    levels: Vec<LevelSummary>,
     tensors: Vec<TensorInfo>,
     bytes: usize,
     /// Bytes of the file without its header.
@@ -118,6 +120,7 @@ impl AvatarSummary {
                 .map(|k| Distribution::new(gaussians.color.iter().map(|c| c[k].to_f64()))),
             harmonics: avatar.sh.as_ref().map_or(0, |harmonics| harmonics.degree),
             filter: avatar.filter,
+            levels: avatar.levels.iter().map(LevelSummary::new).collect(),
             bytes: tensors.iter().map(|tensor| tensor.bytes).sum(),
             stored: tensors.iter().map(|tensor| tensor.stored).sum(),
             byte_networks: avatar.networks.in_bytes(),
@@ -284,6 +287,9 @@ impl fmt::Display for AvatarSummary {
             "low-pass",
             format_args!("{} px²{compensated}", self.filter.variance),
         )?;
+        for level in &self.levels {
+            level.fmt(f)?;
+        }
         line(f, "skeleton", format_args!("{} joints", self.joints.len()))?;
         for Chain { depth, joints } in chains(&self.joints, 0, 0) {
             writeln!(f, "{:12}{:indent$}{joints}", "", "", indent = 2 * depth)?;

@@ -4,6 +4,7 @@ mod avatar;
 mod capture;
 mod checkpoint;
 mod folder;
+mod levels;
 mod motion;
 mod text;
 
@@ -28,6 +29,8 @@ use serde::Serialize;
 use std::fmt;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+
+pub use levels::LevelSummary;
 
 #[derive(clap::Args, Debug)]
 pub struct Args {

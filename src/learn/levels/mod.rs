@@ -1,0 +1,25 @@
+//! Levels of detail: Gaussians merged, then fitted to supersampled images of the whole avatar.
+//!
+//! ```text
+//! poses ──→ views: images of the whole avatar ──────────────────────┐
+//!             ↓ what they show                                      ↓
+//! avatar ──→ merge: which Gaussians ──→ assemble: their numbers ──→ fit ──→ measure
+//!    └─→ still: without networks ──────────┘
+//! ```
+//!
+//! `splats` and `blend` draw small images in f32, with derivatives; `pose` takes all else from the
+//! f64 reference.
+
+mod assemble;
+mod blend;
+mod fit;
+mod make;
+mod measure;
+mod merge;
+mod pose;
+mod poses;
+mod splats;
+mod still;
+mod views;
+
+pub use make::{LevelOptions, LevelPoses, Progress, levels_of};
