@@ -1,7 +1,7 @@
 // Tests the page, its API (api.mjs) and files of other programs (foreign.mjs) in Chromium, from the
 // repository's root.
 // usage: node page.mjs PAGE_DIR REFERENCE.png OUT_DIR      (tools/test_web.sh makes all three)
-// REFERENCE.png is the demo at 1.3 s: `effigy render --reference --size 512x512 --time 1.3`.
+// REFERENCE.png is the demo at 1.3 s: `effigy render --reference --supersample 1 --size 512x512 --time 1.3`.
 import assert from "node:assert/strict";
 import { readFile, readdir, writeFile } from "node:fs/promises";
 import { join } from "node:path";
