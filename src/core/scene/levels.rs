@@ -33,7 +33,9 @@ impl LevelChoice {
     /// The levels of an avatar, the finest first.
     pub fn of(avatar: &Avatar) -> Vec<Self> {
         let is_near = |error: &&LevelError| {
-            error.psnr_db >= PSNR && error.color <= MEAN_ERROR && error.coverage <= MEAN_ERROR
+            error.psnr_db >= PSNR
+                && error.color.abs() <= MEAN_ERROR
+                && error.coverage.abs() <= MEAN_ERROR
         };
         let limit = |error: &LevelError| Limit {
             samples: error.samples,
@@ -51,11 +53,12 @@ impl LevelChoice {
     }
 
     /// Up to which height an avatar may be drawn from it, px, at so many samples a pixel along each
-    /// axis.
+    /// axis. What was measured at other numbers of samples says nothing of these: a level that
+    /// covers what it should at few covers too little at more.
     fn tallest(&self, samples: u32) -> f64 {
         self.limits
             .iter()
-            .filter(|limit| limit.samples <= samples)
+            .filter(|limit| limit.samples == samples)
             .map(|limit| limit.height)
             .fold(0.0, f64::max)
     }
@@ -108,6 +111,38 @@ mod tests {
         assert_eq!(choose(10.0, 1), 0);
         assert_eq!(super::choose(&[], 10.0, 4, 0), 0);
         assert_eq!(choose(f64::NAN, 4), 0);
+    }
+
+    #[test]
+    fn a_level_counts_where_it_was_measured_to_be_near() {
+        let error = |height, samples, psnr_db, color, coverage| LevelError {
+            height,
+            samples,
+            psnr_db,
+            color,
+            coverage,
+        };
+        let mut avatar = crate::demo::avatar().expect("inside the program");
+        let kept: Vec<usize> = (0..10).collect();
+        let measured = vec![
+            error(30.0, 2, 30.2, 0.038, 0.028),
+            error(30.0, 4, 36.7, -0.002, -0.003),
+            error(60.0, 2, 32.6, -0.002, -0.003),
+            error(60.0, 4, 32.5, -0.017, -0.016),
+        ];
+        avatar.levels = vec![crate::avatar::Level {
+            gaussians: avatar.gaussians.pick(&kept),
+            part_start: vec![],
+            correctives: false,
+            rotation_rows: crate::avatar::Rows::default(),
+            scale_rows: crate::avatar::Rows::default(),
+            color_rows: crate::avatar::Rows::default(),
+            sh: None,
+            measured,
+        }];
+        let levels = LevelChoice::of(&avatar);
+        let tallest = [1, 2, 4].map(|samples| levels[0].tallest(samples));
+        assert_eq!(tallest, [0.0, 60.0, 30.0]);
     }
 
     #[test]
