@@ -167,7 +167,7 @@ uint project_gaussian(uint index) {
         words[at] = first.x;
         words[at + 1u] = first.y;
         words[at + 2u] = first.z;
-        at = frame.cache_start + 3u * n + 3u * index;
+        at = frame.cache_start + 3u * (frame.drawn + index);
         words[at] = rest.x;
         words[at + 1u] = rest.y;
         words[at + 2u] = rest.z;

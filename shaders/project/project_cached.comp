@@ -29,7 +29,7 @@ uint project_gaussian(uint index) {
         count_culled(FAINT);
         return SORT_CULLED;
     }
-    at = frame.cache_start + 3u * frame.gaussians + 3u * index;
+    at = frame.cache_start + 3u * (frame.drawn + index);
     uvec3 shape = uvec3(words[at], words[at + 1u], words[at + 2u]);
     mat3 rows = mat3(frame.camera_from_cache[0].xyz, frame.camera_from_cache[1].xyz,
                      frame.camera_from_cache[2].xyz);

@@ -3,9 +3,9 @@
 
 layout(set = 0, binding = 0) uniform sampler2D atlas;
 layout(push_constant) uniform Slot {
-    vec4 shown;
-    vec2 size;
+    // From a pixel of the image, times `factor`, to the first of its texels in the atlas.
     ivec2 offset;
+    // Texels of the atlas in a pixel, each way.
     int factor;
 };
 layout(location = 0) out vec4 result;

@@ -137,7 +137,7 @@ impl Npz {
     /// `small`: what any archive may unpack to, bytes.
     ///
     /// # Errors
-    /// As [`Self::from_bytes`].
+    /// Those of [`Self::from_bytes`].
     pub fn some_from_bytes(
         bytes: &[u8],
         small: u64,

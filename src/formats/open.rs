@@ -137,7 +137,7 @@ pub fn clip(path: &Path, avatar: &Avatar, options: &ClipOptions) -> Result<Opene
 /// Reads a clip for a skeleton alone: motion of another body may push arms into the trunk.
 ///
 /// # Errors
-/// As [`clip`].
+/// Those of [`clip`].
 pub fn clip_of(
     path: &Path,
     skeleton: &Skeleton,

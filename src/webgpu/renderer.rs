@@ -325,9 +325,10 @@ impl Renderer {
     fn submit(&mut self, schedule: &Schedule, plan: &FramePlan, damage: &Damage) {
         let stages = StageDispatches {
             has_sh: self.sh.is_some(),
-            has_occluder: schedule.runs(Stage::Occluder),
-            sort: self.sort.dispatches() as u64,
-            raster: self.raster.dispatches(),
+            occluder: schedule.runs(Stage::Occluder),
+            sort: schedule.runs(Stage::Sort) * self.sort.dispatches() as u64,
+            // Quads have none without the stages before them.
+            raster: schedule.runs(Stage::Binning) * self.raster.dispatches(),
         };
         let counters = Counters {
             damaged: damage.pixels(),

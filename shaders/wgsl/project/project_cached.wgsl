@@ -128,31 +128,31 @@ var<workgroup> global_5: array<u32, 64>;
 
 @compute @workgroup_size(64, 1, 1) 
 fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocation_id) param_1: vec3<u32>) {
-    var phi_1686_: bool;
-    var phi_2683_: f32;
-    var phi_2684_: f32;
-    var phi_2688_: u32;
-    var phi_2694_: u32;
-    var phi_2693_: f32;
+    var phi_1683_: bool;
+    var phi_2680_: f32;
+    var phi_2681_: f32;
+    var phi_2685_: u32;
     var phi_2691_: u32;
+    var phi_2690_: f32;
+    var phi_2688_: u32;
     var local: f32;
-    var phi_2698_: bool;
-    var phi_1735_: bool;
-    var phi_2709_: f32;
-    var phi_2700_: vec2<f32>;
-    var phi_2699_: bool;
-    var phi_2208_: bool;
-    var phi_2214_: bool;
-    var phi_2723_: f32;
-    var phi_2722_: u32;
+    var phi_2695_: bool;
+    var phi_1732_: bool;
+    var phi_2706_: f32;
+    var phi_2697_: vec2<f32>;
+    var phi_2696_: bool;
+    var phi_2205_: bool;
+    var phi_2211_: bool;
+    var phi_2720_: f32;
+    var phi_2719_: u32;
     var local_1: f32;
-    var phi_2731_: u32;
-    var phi_2282_: bool;
-    var phi_2735_: vec2<f32>;
-    var phi_2736_: vec2<f32>;
-    var phi_2737_: u32;
-    var phi_2738_: u32;
-    var phi_2739_: u32;
+    var phi_2728_: u32;
+    var phi_2279_: bool;
+    var phi_2732_: vec2<f32>;
+    var phi_2733_: vec2<f32>;
+    var phi_2734_: u32;
+    var phi_2735_: u32;
+    var phi_2736_: u32;
 
     let _e66 = bitcast<u32>(param_1[0u]);
     let _e68 = global.member_48;
@@ -161,8 +161,7 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
         switch bitcast<i32>(0u) {
             default: {
                 let _e72 = global.member_42;
-                let _e73 = (3u * _e66);
-                let _e74 = (_e72 + _e73);
+                let _e74 = (_e72 + (3u * _e66));
                 let _e77 = global_4.member[_e74];
                 let _e81 = global_4.member[(_e74 + 1u)];
                 let _e85 = global_4.member[(_e74 + 2u)];
@@ -186,9 +185,9 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                             if (_e157 != 0u) {
                                 let _e161 = atomicAdd((&global_1.member[0u]), 1u);
                             }
-                            phi_2709_ = 0f;
-                            phi_2700_ = vec2<f32>(0f, 0f);
-                            phi_2699_ = false;
+                            phi_2706_ = 0f;
+                            phi_2697_ = vec2<f32>(0f, 0f);
+                            phi_2696_ = false;
                             break;
                         }
                         let _e163 = global.member;
@@ -198,43 +197,43 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                         let _e170 = (((_e163 * _e164) / _e166) + _e169);
                         let _e172 = global.member_5;
                         let _e176 = all((_e170 >= vec2(-(_e172))));
-                        phi_1686_ = _e176;
+                        phi_1683_ = _e176;
                         if _e176 {
                             let _e178 = global.member_4;
-                            phi_1686_ = all((_e170 <= (_e178 + vec2(_e172))));
+                            phi_1683_ = all((_e170 <= (_e178 + vec2(_e172))));
                         }
-                        let _e184 = phi_1686_;
+                        let _e184 = phi_1683_;
                         if !(_e184) {
                             let _e187 = global_2.member_9;
                             if (_e187 != 0u) {
                                 let _e191 = atomicAdd((&global_1.member[0u]), 1u);
                             }
-                            phi_2709_ = 0f;
-                            phi_2700_ = _e170;
-                            phi_2699_ = false;
+                            phi_2706_ = 0f;
+                            phi_2697_ = _e170;
+                            phi_2696_ = false;
                             break;
                         }
                         let _e193 = global.member_7;
                         let _e196 = global.member_8;
                         let _e197 = ((_e193 - _e139) * _e196);
                         if (_e197 < 0f) {
-                            phi_2684_ = (0.015625f / (1f - _e197));
+                            phi_2681_ = (0.015625f / (1f - _e197));
                         } else {
                             if (_e197 > 1f) {
-                                phi_2683_ = (1f - (0.015625f / _e197));
+                                phi_2680_ = (1f - (0.015625f / _e197));
                             } else {
-                                phi_2683_ = (0.015625f + (0.96875f * clamp(_e197, 0f, 1f)));
+                                phi_2680_ = (0.015625f + (0.96875f * clamp(_e197, 0f, 1f)));
                             }
-                            let _e208 = phi_2683_;
-                            phi_2684_ = _e208;
+                            let _e208 = phi_2680_;
+                            phi_2681_ = _e208;
                         }
-                        let _e210 = phi_2684_;
+                        let _e210 = phi_2681_;
                         let _e211 = (_e164 / _e166);
                         let _e219 = global.member[0u];
                         let _e222 = global.member[1u];
                         let _e227 = global.member_31;
                         let _e228 = (_e227 > 0u);
-                        phi_1735_ = _e228;
+                        phi_1732_ = _e228;
                         if _e228 {
                             let _e230 = global.member_34;
                             let _e233 = global.member_29;
@@ -249,26 +248,26 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                                     let _e266 = vec2<u32>(clamp(((((_e170 + _e250) - _e253) * _e256) + vec2<f32>(0.5f, 0.5f)), vec2<f32>(0f, 0f), vec2<f32>(191f, 191f)));
                                     let _e273 = max((_e266.x - _e264.x), (_e266.y - _e264.y));
                                     if (_e273 <= 3u) {
-                                        phi_2688_ = 0u;
+                                        phi_2685_ = 0u;
                                     } else {
-                                        phi_2688_ = (bitcast<u32>(firstLeadingBit((_e273 - 1u))) - 1u);
+                                        phi_2685_ = (bitcast<u32>(firstLeadingBit((_e273 - 1u))) - 1u);
                                     }
-                                    let _e280 = phi_2688_;
+                                    let _e280 = phi_2685_;
                                     if !((_e280 < 4u)) {
-                                        phi_2698_ = false;
+                                        phi_2695_ = false;
                                         break;
                                     }
                                     let _e290 = vec2(_e280);
                                     let _e292 = (_e264 >> bitcast<vec2<u32>>(_e290));
                                     let _e294 = (_e266 >> bitcast<vec2<u32>>(_e290));
                                     let _e296 = (_e292.x & 4294967292u);
-                                    phi_2694_ = _e296;
-                                    phi_2693_ = 0f;
-                                    phi_2691_ = _e292.y;
+                                    phi_2691_ = _e296;
+                                    phi_2690_ = 0f;
+                                    phi_2688_ = _e292.y;
                                     loop {
-                                        let _e299 = phi_2694_;
-                                        let _e301 = phi_2693_;
-                                        let _e303 = phi_2691_;
+                                        let _e299 = phi_2691_;
+                                        let _e301 = phi_2690_;
+                                        let _e303 = phi_2688_;
                                         local = _e301;
                                         if (_e303 <= _e294.y) {
                                             continue;
@@ -283,41 +282,41 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                                             let _e337 = select(select(vec4<f32>(_e328.x, _e328.y, _e330.x, _e330.y), vec4<f32>(0f, 0f, 0f, 0f), (_e308 < vec4(f32(_e292.x)))), vec4<f32>(0f, 0f, 0f, 0f), (_e308 > vec4(f32(_e294.x))));
                                             let _e346 = (_e299 + 4u);
                                             let _e347 = (_e346 > _e294.x);
-                                            phi_2694_ = select(_e346, _e296, _e347);
-                                            phi_2693_ = max(_e301, max(max(_e337.x, _e337.y), max(_e337.z, _e337.w)));
-                                            phi_2691_ = (_e303 + select(0u, 1u, _e347));
+                                            phi_2691_ = select(_e346, _e296, _e347);
+                                            phi_2690_ = max(_e301, max(max(_e337.x, _e337.y), max(_e337.z, _e337.w)));
+                                            phi_2688_ = (_e303 + select(0u, 1u, _e347));
                                         }
                                     }
                                     let _e352 = local;
-                                    phi_2698_ = ((1f - _e210) > _e352);
+                                    phi_2695_ = ((1f - _e210) > _e352);
                                     break;
                                 }
                             }
-                            let _e355 = phi_2698_;
-                            phi_1735_ = _e355;
+                            let _e355 = phi_2695_;
+                            phi_1732_ = _e355;
                         }
-                        let _e357 = phi_1735_;
+                        let _e357 = phi_1732_;
                         if _e357 {
                             let _e359 = global_2.member_9;
                             if (_e359 != 0u) {
                                 let _e363 = atomicAdd((&global_1.member[1u]), 1u);
                             }
-                            phi_2709_ = _e210;
-                            phi_2700_ = _e170;
-                            phi_2699_ = false;
+                            phi_2706_ = _e210;
+                            phi_2697_ = _e170;
+                            phi_2696_ = false;
                             break;
                         }
-                        phi_2709_ = _e210;
-                        phi_2700_ = _e170;
-                        phi_2699_ = true;
+                        phi_2706_ = _e210;
+                        phi_2697_ = _e170;
+                        phi_2696_ = true;
                         break;
                     }
                 }
-                let _e365 = phi_2709_;
-                let _e367 = phi_2700_;
-                let _e369 = phi_2699_;
+                let _e365 = phi_2706_;
+                let _e367 = phi_2697_;
+                let _e369 = phi_2696_;
                 if !(_e369) {
-                    phi_2738_ = 4294967295u;
+                    phi_2735_ = 4294967295u;
                     break;
                 }
                 let _e371 = f32((_e81 >> bitcast<u32>(24u)));
@@ -327,175 +326,174 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                     if (_e376 != 0u) {
                         let _e380 = atomicAdd((&global_1.member[2u]), 1u);
                     }
-                    phi_2738_ = 4294967295u;
+                    phi_2735_ = 4294967295u;
                     break;
                 }
-                let _e382 = global.member_14;
-                let _e385 = ((_e72 + (3u * _e382)) + _e73);
-                let _e388 = global_4.member[_e385];
-                let _e392 = global_4.member[(_e385 + 1u)];
-                let _e396 = global_4.member[(_e385 + 2u)];
-                let _e397 = vec3<u32>(_e388, _e392, _e396);
-                let _e409 = vec3<f32>(_e138.x, _e138.y, _e138.z);
-                let _e410 = (_e150 * 0.0009775171f);
-                let _e414 = ((vec3<f32>((_e397 & vec3<u32>(2047u, 2047u, 2047u))) - vec3<f32>(1023f, 1023f, 1023f)) * _e410);
-                let _e420 = ((vec3<f32>(((_e397 >> bitcast<vec3<u32>>(vec3<u32>(11u, 11u, 11u))) & vec3<u32>(2047u, 2047u, 2047u))) - vec3<f32>(1023f, 1023f, 1023f)) * _e410);
-                let _e430 = mat3x3<f32>(vec3<f32>(_e414.x, _e420.x, _e420.y), vec3<f32>(0f, _e414.y, _e414.z), vec3<f32>(0f, 0f, _e420.z));
+                let _e383 = (_e72 + (3u * (_e68 + _e66)));
+                let _e386 = global_4.member[_e383];
+                let _e390 = global_4.member[(_e383 + 1u)];
+                let _e394 = global_4.member[(_e383 + 2u)];
+                let _e395 = vec3<u32>(_e386, _e390, _e394);
+                let _e407 = vec3<f32>(_e138.x, _e138.y, _e138.z);
+                let _e408 = (_e150 * 0.0009775171f);
+                let _e412 = ((vec3<f32>((_e395 & vec3<u32>(2047u, 2047u, 2047u))) - vec3<f32>(1023f, 1023f, 1023f)) * _e408);
+                let _e418 = ((vec3<f32>(((_e395 >> bitcast<vec3<u32>>(vec3<u32>(11u, 11u, 11u))) & vec3<u32>(2047u, 2047u, 2047u))) - vec3<f32>(1023f, 1023f, 1023f)) * _e408);
+                let _e428 = mat3x3<f32>(vec3<f32>(_e412.x, _e418.x, _e418.y), vec3<f32>(0f, _e412.y, _e412.z), vec3<f32>(0f, 0f, _e418.z));
                 switch bitcast<i32>(0u) {
                     default: {
-                        let _e440 = global.member_2;
-                        let _e442 = global.member_3;
-                        let _e443 = clamp((_e140.xy / vec2(_e139)), _e440, _e442);
-                        let _e446 = global.member[0u];
-                        let _e452 = (((vec3<f32>(_e130.x, _e130.y, _e130.z) - (_e409 * _e443.x)) * (_e446 / _e139)) * _e430);
-                        let _e455 = global.member[1u];
-                        let _e461 = (((vec3<f32>(_e134.x, _e134.y, _e134.z) - (_e409 * _e443.y)) * (_e455 / _e139)) * _e430);
-                        let _e463 = global.member_51;
-                        let _e465 = (dot(_e452, _e452) + _e463);
-                        let _e468 = (dot(_e461, _e461) + _e463);
-                        let _e470 = cross(_e452, _e461);
-                        let _e471 = dot(_e470, _e470);
-                        let _e475 = (_e471 + (_e463 * ((_e465 + _e468) - _e463)));
-                        let _e476 = (_e475 > 0f);
-                        phi_2208_ = _e476;
-                        if _e476 {
-                            phi_2208_ = (_e465 <= 1000000000000000000f);
+                        let _e438 = global.member_2;
+                        let _e440 = global.member_3;
+                        let _e441 = clamp((_e140.xy / vec2(_e139)), _e438, _e440);
+                        let _e444 = global.member[0u];
+                        let _e450 = (((vec3<f32>(_e130.x, _e130.y, _e130.z) - (_e407 * _e441.x)) * (_e444 / _e139)) * _e428);
+                        let _e453 = global.member[1u];
+                        let _e459 = (((vec3<f32>(_e134.x, _e134.y, _e134.z) - (_e407 * _e441.y)) * (_e453 / _e139)) * _e428);
+                        let _e461 = global.member_51;
+                        let _e463 = (dot(_e450, _e450) + _e461);
+                        let _e466 = (dot(_e459, _e459) + _e461);
+                        let _e468 = cross(_e450, _e459);
+                        let _e469 = dot(_e468, _e468);
+                        let _e473 = (_e469 + (_e461 * ((_e463 + _e466) - _e461)));
+                        let _e474 = (_e473 > 0f);
+                        phi_2205_ = _e474;
+                        if _e474 {
+                            phi_2205_ = (_e463 <= 1000000000000000000f);
                         }
-                        let _e479 = phi_2208_;
-                        phi_2214_ = _e479;
-                        if _e479 {
-                            phi_2214_ = (_e468 <= 1000000000000000000f);
+                        let _e477 = phi_2205_;
+                        phi_2211_ = _e477;
+                        if _e477 {
+                            phi_2211_ = (_e466 <= 1000000000000000000f);
                         }
-                        let _e482 = phi_2214_;
-                        if !(_e482) {
-                            let _e485 = global_2.member_9;
-                            if (_e485 != 0u) {
-                                let _e489 = atomicAdd((&global_1.member[3u]), 1u);
+                        let _e480 = phi_2211_;
+                        if !(_e480) {
+                            let _e483 = global_2.member_9;
+                            if (_e483 != 0u) {
+                                let _e487 = atomicAdd((&global_1.member[3u]), 1u);
                             }
-                            phi_2737_ = 4294967295u;
+                            phi_2734_ = 4294967295u;
                             break;
                         }
-                        phi_2723_ = (1f - (_e371 * 0.003921569f));
-                        phi_2722_ = 0u;
+                        phi_2720_ = (1f - (_e371 * 0.003921569f));
+                        phi_2719_ = 0u;
                         loop {
-                            let _e493 = phi_2723_;
-                            let _e495 = phi_2722_;
-                            let _e497 = global.member_47;
-                            local_1 = _e493;
-                            if (_e495 < _e497) {
+                            let _e491 = phi_2720_;
+                            let _e493 = phi_2719_;
+                            let _e495 = global.member_47;
+                            local_1 = _e491;
+                            if (_e493 < _e495) {
                                 continue;
                             } else {
                                 break;
                             }
                             continuing {
-                                phi_2723_ = (_e493 * _e493);
-                                phi_2722_ = (_e495 + bitcast<u32>(1i));
+                                phi_2720_ = (_e491 * _e491);
+                                phi_2719_ = (_e493 + bitcast<u32>(1i));
                             }
                         }
-                        let _e503 = local_1;
-                        let _e507 = u32(round((255f * (1f - _e503))));
-                        let _e509 = global.member_52;
-                        phi_2731_ = _e507;
-                        if (_e509 != 0u) {
-                            let _e516 = u32(round((f32(_e507) * sqrt((_e471 / _e475)))));
-                            if (f32(_e516) <= _e373) {
-                                let _e520 = global_2.member_9;
-                                if (_e520 != 0u) {
-                                    let _e524 = atomicAdd((&global_1.member[2u]), 1u);
+                        let _e501 = local_1;
+                        let _e505 = u32(round((255f * (1f - _e501))));
+                        let _e507 = global.member_52;
+                        phi_2728_ = _e505;
+                        if (_e507 != 0u) {
+                            let _e514 = u32(round((f32(_e505) * sqrt((_e469 / _e473)))));
+                            if (f32(_e514) <= _e373) {
+                                let _e518 = global_2.member_9;
+                                if (_e518 != 0u) {
+                                    let _e522 = atomicAdd((&global_1.member[2u]), 1u);
                                 }
-                                phi_2737_ = 4294967295u;
+                                phi_2734_ = 4294967295u;
                                 break;
                             }
-                            phi_2731_ = _e516;
+                            phi_2728_ = _e514;
                         }
-                        let _e526 = phi_2731_;
-                        let _e528 = global.member_49;
-                        let _e529 = (vec3<f32>(_e465, dot(_e452, _e461), _e468) * _e528);
-                        let _e534 = global.member_34;
-                        let _e545 = global.member_53;
-                        let _e546 = ((sqrt(_e529.xz) * sqrt((2f * log(max((max(f32(_e526), _e534) / _e373), 1f))))) * _e545);
-                        let _e549 = global.member_54;
-                        let _e552 = all(((_e367 + _e546) > _e549.xy));
-                        phi_2282_ = _e552;
-                        if _e552 {
-                            phi_2282_ = all(((_e367 - _e546) < _e549.zw));
+                        let _e524 = phi_2728_;
+                        let _e526 = global.member_49;
+                        let _e527 = (vec3<f32>(_e463, dot(_e450, _e459), _e466) * _e526);
+                        let _e532 = global.member_34;
+                        let _e543 = global.member_53;
+                        let _e544 = ((sqrt(_e527.xz) * sqrt((2f * log(max((max(f32(_e524), _e532) / _e373), 1f))))) * _e543);
+                        let _e547 = global.member_54;
+                        let _e550 = all(((_e367 + _e544) > _e547.xy));
+                        phi_2279_ = _e550;
+                        if _e550 {
+                            phi_2279_ = all(((_e367 - _e544) < _e547.zw));
                         }
-                        let _e558 = phi_2282_;
-                        if !(_e558) {
-                            let _e561 = global_2.member_9;
-                            if (_e561 != 0u) {
-                                let _e565 = atomicAdd((&global_1.member[0u]), 1u);
+                        let _e556 = phi_2279_;
+                        if !(_e556) {
+                            let _e559 = global_2.member_9;
+                            if (_e559 != 0u) {
+                                let _e563 = atomicAdd((&global_1.member[0u]), 1u);
                             }
-                            phi_2737_ = 4294967295u;
+                            phi_2734_ = 4294967295u;
                             break;
                         }
-                        let _e570 = (0.5f * (_e529.x - _e529.z));
-                        let _e575 = sqrt(((_e570 * _e570) + (_e529.y * _e529.y)));
-                        let _e578 = ((0.5f * (_e529.x + _e529.z)) + _e575);
-                        if (_e570 >= 0f) {
-                            phi_2735_ = vec2<f32>((_e570 + _e575), _e529.y);
+                        let _e568 = (0.5f * (_e527.x - _e527.z));
+                        let _e573 = sqrt(((_e568 * _e568) + (_e527.y * _e527.y)));
+                        let _e576 = ((0.5f * (_e527.x + _e527.z)) + _e573);
+                        if (_e568 >= 0f) {
+                            phi_2732_ = vec2<f32>((_e568 + _e573), _e527.y);
                         } else {
-                            phi_2735_ = vec2<f32>(_e529.y, (_e575 - _e570));
+                            phi_2732_ = vec2<f32>(_e527.y, (_e573 - _e568));
                         }
-                        let _e585 = phi_2735_;
-                        let _e586 = length(_e585);
-                        if (_e586 > 0f) {
-                            phi_2736_ = (_e585 / vec2(_e586));
+                        let _e583 = phi_2732_;
+                        let _e584 = length(_e583);
+                        if (_e584 > 0f) {
+                            phi_2733_ = (_e583 / vec2(_e584));
                         } else {
-                            phi_2736_ = vec2<f32>(1f, 0f);
+                            phi_2733_ = vec2<f32>(1f, 0f);
                         }
-                        let _e591 = phi_2736_;
-                        let _e598 = global.member_5;
-                        let _e602 = global.member_10;
-                        let _e606 = vec2<u32>(clamp(round(((_e367 + vec2(_e598)) * _e602)), vec2<f32>(0f, 0f), vec2<f32>(1048575f, 1048575f)));
-                        let _e609 = vec3<u32>(round((clamp((vec3<f32>((_e397 >> bitcast<vec3<u32>>(vec3<u32>(22u, 22u, 22u)))) * vec3<f32>(0.0009775171f, 0.0009775171f, 0.0009775171f)), vec3<f32>(0f, 0f, 0f), vec3<f32>(1f, 1f, 1f)) * 1023f)));
-                        let _e637 = global.member_45;
-                        let _e639 = (4u * (_e637 + _e66));
-                        global_4.member[_e639] = ((_e606.x | (_e609.x << bitcast<u32>(20u))) | (_e609.z << bitcast<u32>(30u)));
-                        global_4.member[(_e639 + 1u)] = (_e606.y | (_e609.y << bitcast<u32>(20u)));
-                        global_4.member[(_e639 + 2u)] = pack2x16float((_e591 * min(sqrt(_e578), 65504f)));
-                        global_4.member[(_e639 + 3u)] = ((pack2x16float(vec2<f32>(min(sqrt(((_e475 * (_e528 * _e528)) / _e578)), 65504f), 0f)) | (_e526 << bitcast<u32>(16u))) | ((_e609.z >> bitcast<u32>(2u)) << bitcast<u32>(24u)));
-                        let _e652 = global.member_9;
-                        phi_2737_ = min(u32((_e365 * f32(_e652))), _e652);
+                        let _e589 = phi_2733_;
+                        let _e596 = global.member_5;
+                        let _e600 = global.member_10;
+                        let _e604 = vec2<u32>(clamp(round(((_e367 + vec2(_e596)) * _e600)), vec2<f32>(0f, 0f), vec2<f32>(1048575f, 1048575f)));
+                        let _e607 = vec3<u32>(round((clamp((vec3<f32>((_e395 >> bitcast<vec3<u32>>(vec3<u32>(22u, 22u, 22u)))) * vec3<f32>(0.0009775171f, 0.0009775171f, 0.0009775171f)), vec3<f32>(0f, 0f, 0f), vec3<f32>(1f, 1f, 1f)) * 1023f)));
+                        let _e635 = global.member_45;
+                        let _e637 = (4u * (_e635 + _e66));
+                        global_4.member[_e637] = ((_e604.x | (_e607.x << bitcast<u32>(20u))) | (_e607.z << bitcast<u32>(30u)));
+                        global_4.member[(_e637 + 1u)] = (_e604.y | (_e607.y << bitcast<u32>(20u)));
+                        global_4.member[(_e637 + 2u)] = pack2x16float((_e589 * min(sqrt(_e576), 65504f)));
+                        global_4.member[(_e637 + 3u)] = ((pack2x16float(vec2<f32>(min(sqrt(((_e473 * (_e526 * _e526)) / _e576)), 65504f), 0f)) | (_e524 << bitcast<u32>(16u))) | ((_e607.z >> bitcast<u32>(2u)) << bitcast<u32>(24u)));
+                        let _e650 = global.member_9;
+                        phi_2734_ = min(u32((_e365 * f32(_e650))), _e650);
                         break;
                     }
                 }
-                let _e658 = phi_2737_;
-                phi_2738_ = _e658;
+                let _e656 = phi_2734_;
+                phi_2735_ = _e656;
                 break;
             }
         }
-        let _e660 = phi_2738_;
-        phi_2739_ = _e660;
+        let _e658 = phi_2735_;
+        phi_2736_ = _e658;
     } else {
-        phi_2739_ = 4294967295u;
+        phi_2736_ = 4294967295u;
     }
-    let _e662 = phi_2739_;
+    let _e660 = phi_2736_;
     switch bitcast<i32>(0u) {
         default: {
-            let _e665 = bitcast<u32>(param[0u]);
-            let _e667 = global.member_45;
-            let _e668 = (_e667 + _e66);
-            if (_e662 != 4294967295u) {
-                let _e671 = global.member_41;
-                let _e675 = global.member_40;
-                let _e681 = atomicAdd((&global_1.member[((_e675 + ((_e668 / _e671) * 256u)) + (_e662 & 255u))]), 1u);
+            let _e663 = bitcast<u32>(param[0u]);
+            let _e665 = global.member_45;
+            let _e666 = (_e665 + _e66);
+            if (_e660 != 4294967295u) {
+                let _e669 = global.member_41;
+                let _e673 = global.member_40;
+                let _e679 = atomicAdd((&global_1.member[((_e673 + ((_e666 / _e669) * 256u)) + (_e660 & 255u))]), 1u);
             }
-            let _e683 = global.member_39;
-            if (_e683 == 0u) {
+            let _e681 = global.member_39;
+            if (_e681 == 0u) {
                 if (_e66 < (_e68 + (_e68 & 1u))) {
-                    let _e689 = global.member_28;
-                    global_4.member[(_e689 + _e668)] = _e662;
+                    let _e687 = global.member_28;
+                    global_4.member[(_e687 + _e666)] = _e660;
                 }
                 break;
             }
-            global_5[_e665] = _e662;
+            global_5[_e663] = _e660;
             workgroupBarrier();
-            let _e695 = ((_e665 & 1u) == 0u);
-            if select(_e695, _e69, _e695) {
-                let _e698 = global.member_28;
-                let _e705 = global_5[(_e665 + 1u)];
-                global_4.member[(_e698 + (_e668 >> bitcast<u32>(1u)))] = ((_e662 & 65535u) | (_e705 << bitcast<u32>(16u)));
+            let _e693 = ((_e663 & 1u) == 0u);
+            if select(_e693, _e69, _e693) {
+                let _e696 = global.member_28;
+                let _e703 = global_5[(_e663 + 1u)];
+                global_4.member[(_e696 + (_e666 >> bitcast<u32>(1u)))] = ((_e660 & 65535u) | (_e703 << bitcast<u32>(16u)));
             }
             break;
         }

@@ -391,8 +391,7 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                 let _e587 = phi_5554_;
                 let _e589 = phi_5545_;
                 let _e591 = phi_5544_;
-                let _e592 = (3u * _e88);
-                let _e596 = global_7.member[(_e592 + _e92)];
+                let _e596 = global_7.member[((3u * _e88) + _e92)];
                 let _e599 = (_e596.y >> bitcast<u32>(24u));
                 let _e613 = ((vec3<f32>(f32((_e596.x & 1023u)), f32(((_e596.x >> bitcast<u32>(10u)) & 1023u)), f32(((_e596.x >> bitcast<u32>(20u)) & 1023u))) - vec3<f32>(512f, 512f, 512f)) * vec3<f32>(0.0013888889f, 0.0013888889f, 0.0013888889f));
                 let _e617 = sqrt(max((1f - dot(_e613, _e613)), 0f));
@@ -555,8 +554,7 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                 let _e1001 = mat3x3<f32>((vec3<f32>((1f - (2f * (_e960 + _e961))), (2f * (_e965 + _e966)), (2f * (_e969 - _e970))) * _e994.x), (vec3<f32>((2f * (_e965 - _e966)), (1f - (2f * (_e975 + _e961))), (2f * (_e979 + _e980))) * _e994.y), (vec3<f32>((2f * (_e969 + _e970)), (2f * (_e979 - _e980)), (1f - (2f * (_e975 + _e960)))) * _e994.z));
                 let _e1003 = (transpose(mat3x3<f32>(_e354, _e355, _e356)) * _e1001);
                 let _e1005 = global.member_42;
-                let _e1006 = (3u * _e82);
-                let _e1007 = (_e1005 + _e1006);
+                let _e1007 = (_e1005 + (3u * _e82));
                 let _e1008 = transpose(_e1003);
                 let _e1018 = max(_e372, sqrt(max(max(dot(_e1008[0], _e1008[0]), dot(_e1008[1], _e1008[1])), dot(_e1008[2], _e1008[2]))));
                 let _e1020 = global.member_43;
@@ -600,63 +598,63 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                 global_4.member[_e1007] = (_e1060.x | (_e1060.y << bitcast<u32>(16u)));
                 global_4.member[(_e1007 + 1u)] = _e1077;
                 global_4.member[(_e1007 + 2u)] = ((_e1061.x | (_e1061.y << bitcast<u32>(8u))) | (_e1061.z << bitcast<u32>(16u)));
-                let _e1170 = ((_e1005 + _e592) + _e1006);
-                global_4.member[_e1170] = _e1160.x;
-                global_4.member[(_e1170 + 1u)] = _e1160.y;
-                global_4.member[(_e1170 + 2u)] = _e1160.z;
+                let _e1171 = (_e1005 + (3u * (_e84 + _e82)));
+                global_4.member[_e1171] = _e1160.x;
+                global_4.member[(_e1171 + 1u)] = _e1160.y;
+                global_4.member[(_e1171 + 2u)] = _e1160.z;
                 phi_3165_ = _e591;
                 if _e591 {
-                    let _e1184 = global.member_29;
-                    phi_3165_ = (f32(_e599) <= _e1184);
+                    let _e1185 = global.member_29;
+                    phi_3165_ = (f32(_e599) <= _e1185);
                 }
-                let _e1187 = phi_3165_;
-                if _e1187 {
-                    let _e1189 = global_2.member_9;
-                    if (_e1189 != 0u) {
-                        let _e1193 = atomicAdd((&global_1.member[2u]), 1u);
+                let _e1188 = phi_3165_;
+                if _e1188 {
+                    let _e1190 = global_2.member_9;
+                    if (_e1190 != 0u) {
+                        let _e1194 = atomicAdd((&global_1.member[2u]), 1u);
                     }
                 }
-                let _e1194 = !(_e591);
-                phi_3179_ = _e1194;
-                if !(_e1194) {
-                    let _e1198 = global.member_29;
-                    phi_3179_ = (f32(_e599) <= _e1198);
+                let _e1195 = !(_e591);
+                phi_3179_ = _e1195;
+                if !(_e1195) {
+                    let _e1199 = global.member_29;
+                    phi_3179_ = (f32(_e599) <= _e1199);
                 }
-                let _e1201 = phi_3179_;
-                if _e1201 {
+                let _e1202 = phi_3179_;
+                if _e1202 {
                     phi_5642_ = 4294967295u;
                     break;
                 }
                 switch bitcast<i32>(0u) {
                     default: {
-                        let _e1207 = global.member_2;
-                        let _e1209 = global.member_3;
-                        let _e1210 = clamp((_e341.xy / vec2(_e340)), _e1207, _e1209);
-                        let _e1213 = global.member[0u];
-                        let _e1219 = (((_e354 - (_e356 * _e1210.x)) * (_e1213 / _e340)) * _e1001);
-                        let _e1222 = global.member[1u];
-                        let _e1228 = (((_e355 - (_e356 * _e1210.y)) * (_e1222 / _e340)) * _e1001);
-                        let _e1230 = global.member_51;
-                        let _e1232 = (dot(_e1219, _e1219) + _e1230);
-                        let _e1235 = (dot(_e1228, _e1228) + _e1230);
-                        let _e1237 = cross(_e1219, _e1228);
-                        let _e1238 = dot(_e1237, _e1237);
-                        let _e1242 = (_e1238 + (_e1230 * ((_e1232 + _e1235) - _e1230)));
-                        let _e1243 = (_e1242 > 0f);
-                        phi_4968_ = _e1243;
-                        if _e1243 {
-                            phi_4968_ = (_e1232 <= 1000000000000000000f);
+                        let _e1208 = global.member_2;
+                        let _e1210 = global.member_3;
+                        let _e1211 = clamp((_e341.xy / vec2(_e340)), _e1208, _e1210);
+                        let _e1214 = global.member[0u];
+                        let _e1220 = (((_e354 - (_e356 * _e1211.x)) * (_e1214 / _e340)) * _e1001);
+                        let _e1223 = global.member[1u];
+                        let _e1229 = (((_e355 - (_e356 * _e1211.y)) * (_e1223 / _e340)) * _e1001);
+                        let _e1231 = global.member_51;
+                        let _e1233 = (dot(_e1220, _e1220) + _e1231);
+                        let _e1236 = (dot(_e1229, _e1229) + _e1231);
+                        let _e1238 = cross(_e1220, _e1229);
+                        let _e1239 = dot(_e1238, _e1238);
+                        let _e1243 = (_e1239 + (_e1231 * ((_e1233 + _e1236) - _e1231)));
+                        let _e1244 = (_e1243 > 0f);
+                        phi_4968_ = _e1244;
+                        if _e1244 {
+                            phi_4968_ = (_e1233 <= 1000000000000000000f);
                         }
-                        let _e1246 = phi_4968_;
-                        phi_4974_ = _e1246;
-                        if _e1246 {
-                            phi_4974_ = (_e1235 <= 1000000000000000000f);
+                        let _e1247 = phi_4968_;
+                        phi_4974_ = _e1247;
+                        if _e1247 {
+                            phi_4974_ = (_e1236 <= 1000000000000000000f);
                         }
-                        let _e1249 = phi_4974_;
-                        if !(_e1249) {
-                            let _e1252 = global_2.member_9;
-                            if (_e1252 != 0u) {
-                                let _e1256 = atomicAdd((&global_1.member[3u]), 1u);
+                        let _e1250 = phi_4974_;
+                        if !(_e1250) {
+                            let _e1253 = global_2.member_9;
+                            if (_e1253 != 0u) {
+                                let _e1257 = atomicAdd((&global_1.member[3u]), 1u);
                             }
                             phi_5641_ = 4294967295u;
                             break;
@@ -664,124 +662,124 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                         phi_5627_ = (1f - (f32(_e599) * 0.003921569f));
                         phi_5626_ = 0u;
                         loop {
-                            let _e1261 = phi_5627_;
-                            let _e1263 = phi_5626_;
-                            local_4 = _e1261;
-                            if (_e1263 < _e90) {
+                            let _e1262 = phi_5627_;
+                            let _e1264 = phi_5626_;
+                            local_4 = _e1262;
+                            if (_e1264 < _e90) {
                                 continue;
                             } else {
                                 break;
                             }
                             continuing {
-                                phi_5627_ = (_e1261 * _e1261);
-                                phi_5626_ = (_e1263 + bitcast<u32>(1i));
+                                phi_5627_ = (_e1262 * _e1262);
+                                phi_5626_ = (_e1264 + bitcast<u32>(1i));
                             }
                         }
-                        let _e1269 = local_4;
-                        let _e1273 = u32(round((255f * (1f - _e1269))));
-                        let _e1275 = global.member_52;
-                        phi_5635_ = _e1273;
-                        if (_e1275 != 0u) {
-                            let _e1282 = u32(round((f32(_e1273) * sqrt((_e1238 / _e1242)))));
-                            let _e1285 = global.member_29;
-                            if (f32(_e1282) <= _e1285) {
-                                let _e1288 = global_2.member_9;
-                                if (_e1288 != 0u) {
-                                    let _e1292 = atomicAdd((&global_1.member[2u]), 1u);
+                        let _e1270 = local_4;
+                        let _e1274 = u32(round((255f * (1f - _e1270))));
+                        let _e1276 = global.member_52;
+                        phi_5635_ = _e1274;
+                        if (_e1276 != 0u) {
+                            let _e1283 = u32(round((f32(_e1274) * sqrt((_e1239 / _e1243)))));
+                            let _e1286 = global.member_29;
+                            if (f32(_e1283) <= _e1286) {
+                                let _e1289 = global_2.member_9;
+                                if (_e1289 != 0u) {
+                                    let _e1293 = atomicAdd((&global_1.member[2u]), 1u);
                                 }
                                 phi_5641_ = 4294967295u;
                                 break;
                             }
-                            phi_5635_ = _e1282;
+                            phi_5635_ = _e1283;
                         }
-                        let _e1294 = phi_5635_;
-                        let _e1296 = global.member_49;
-                        let _e1297 = (vec3<f32>(_e1232, dot(_e1219, _e1228), _e1235) * _e1296);
-                        let _e1302 = global.member_34;
-                        let _e1305 = global.member_29;
-                        let _e1315 = global.member_53;
-                        let _e1316 = ((sqrt(_e1297.xz) * sqrt((2f * log(max((max(f32(_e1294), _e1302) / _e1305), 1f))))) * _e1315);
-                        let _e1319 = global.member_54;
-                        let _e1322 = all(((_e589 + _e1316) > _e1319.xy));
-                        phi_5042_ = _e1322;
-                        if _e1322 {
-                            phi_5042_ = all(((_e589 - _e1316) < _e1319.zw));
+                        let _e1295 = phi_5635_;
+                        let _e1297 = global.member_49;
+                        let _e1298 = (vec3<f32>(_e1233, dot(_e1220, _e1229), _e1236) * _e1297);
+                        let _e1303 = global.member_34;
+                        let _e1306 = global.member_29;
+                        let _e1316 = global.member_53;
+                        let _e1317 = ((sqrt(_e1298.xz) * sqrt((2f * log(max((max(f32(_e1295), _e1303) / _e1306), 1f))))) * _e1316);
+                        let _e1320 = global.member_54;
+                        let _e1323 = all(((_e589 + _e1317) > _e1320.xy));
+                        phi_5042_ = _e1323;
+                        if _e1323 {
+                            phi_5042_ = all(((_e589 - _e1317) < _e1320.zw));
                         }
-                        let _e1328 = phi_5042_;
-                        if !(_e1328) {
-                            let _e1331 = global_2.member_9;
-                            if (_e1331 != 0u) {
-                                let _e1335 = atomicAdd((&global_1.member[0u]), 1u);
+                        let _e1329 = phi_5042_;
+                        if !(_e1329) {
+                            let _e1332 = global_2.member_9;
+                            if (_e1332 != 0u) {
+                                let _e1336 = atomicAdd((&global_1.member[0u]), 1u);
                             }
                             phi_5641_ = 4294967295u;
                             break;
                         }
-                        let _e1339 = (0.5f * (_e1297.x - _e1297.z));
-                        let _e1344 = sqrt(((_e1339 * _e1339) + (_e1297.y * _e1297.y)));
-                        let _e1347 = ((0.5f * (_e1297.x + _e1297.z)) + _e1344);
-                        if (_e1339 >= 0f) {
-                            phi_5639_ = vec2<f32>((_e1339 + _e1344), _e1297.y);
+                        let _e1340 = (0.5f * (_e1298.x - _e1298.z));
+                        let _e1345 = sqrt(((_e1340 * _e1340) + (_e1298.y * _e1298.y)));
+                        let _e1348 = ((0.5f * (_e1298.x + _e1298.z)) + _e1345);
+                        if (_e1340 >= 0f) {
+                            phi_5639_ = vec2<f32>((_e1340 + _e1345), _e1298.y);
                         } else {
-                            phi_5639_ = vec2<f32>(_e1297.y, (_e1344 - _e1339));
+                            phi_5639_ = vec2<f32>(_e1298.y, (_e1345 - _e1340));
                         }
-                        let _e1354 = phi_5639_;
-                        let _e1355 = length(_e1354);
-                        if (_e1355 > 0f) {
-                            phi_5640_ = (_e1354 / vec2(_e1355));
+                        let _e1355 = phi_5639_;
+                        let _e1356 = length(_e1355);
+                        if (_e1356 > 0f) {
+                            phi_5640_ = (_e1355 / vec2(_e1356));
                         } else {
                             phi_5640_ = vec2<f32>(1f, 0f);
                         }
-                        let _e1360 = phi_5640_;
-                        let _e1367 = global.member_5;
-                        let _e1371 = global.member_10;
-                        let _e1375 = vec2<u32>(clamp(round(((_e589 + vec2(_e1367)) * _e1371)), vec2<f32>(0f, 0f), vec2<f32>(1048575f, 1048575f)));
-                        let _e1403 = global.member_45;
-                        let _e1405 = (4u * (_e1403 + _e82));
-                        global_4.member[_e1405] = ((_e1375.x | (_e1157.x << bitcast<u32>(20u))) | (_e1157.z << bitcast<u32>(30u)));
-                        global_4.member[(_e1405 + 1u)] = (_e1375.y | (_e1157.y << bitcast<u32>(20u)));
-                        global_4.member[(_e1405 + 2u)] = pack2x16float((_e1360 * min(sqrt(_e1347), 65504f)));
-                        global_4.member[(_e1405 + 3u)] = ((pack2x16float(vec2<f32>(min(sqrt(((_e1242 * (_e1296 * _e1296)) / _e1347)), 65504f), 0f)) | (_e1294 << bitcast<u32>(16u))) | ((_e1157.z >> bitcast<u32>(2u)) << bitcast<u32>(24u)));
-                        let _e1418 = global.member_9;
-                        phi_5641_ = min(u32((_e587 * f32(_e1418))), _e1418);
+                        let _e1361 = phi_5640_;
+                        let _e1368 = global.member_5;
+                        let _e1372 = global.member_10;
+                        let _e1376 = vec2<u32>(clamp(round(((_e589 + vec2(_e1368)) * _e1372)), vec2<f32>(0f, 0f), vec2<f32>(1048575f, 1048575f)));
+                        let _e1404 = global.member_45;
+                        let _e1406 = (4u * (_e1404 + _e82));
+                        global_4.member[_e1406] = ((_e1376.x | (_e1157.x << bitcast<u32>(20u))) | (_e1157.z << bitcast<u32>(30u)));
+                        global_4.member[(_e1406 + 1u)] = (_e1376.y | (_e1157.y << bitcast<u32>(20u)));
+                        global_4.member[(_e1406 + 2u)] = pack2x16float((_e1361 * min(sqrt(_e1348), 65504f)));
+                        global_4.member[(_e1406 + 3u)] = ((pack2x16float(vec2<f32>(min(sqrt(((_e1243 * (_e1297 * _e1297)) / _e1348)), 65504f), 0f)) | (_e1295 << bitcast<u32>(16u))) | ((_e1157.z >> bitcast<u32>(2u)) << bitcast<u32>(24u)));
+                        let _e1419 = global.member_9;
+                        phi_5641_ = min(u32((_e587 * f32(_e1419))), _e1419);
                         break;
                     }
                 }
-                let _e1424 = phi_5641_;
-                phi_5642_ = _e1424;
+                let _e1425 = phi_5641_;
+                phi_5642_ = _e1425;
                 break;
             }
         }
-        let _e1426 = phi_5642_;
-        phi_5643_ = _e1426;
+        let _e1427 = phi_5642_;
+        phi_5643_ = _e1427;
     } else {
         phi_5643_ = 4294967295u;
     }
-    let _e1428 = phi_5643_;
+    let _e1429 = phi_5643_;
     switch bitcast<i32>(0u) {
         default: {
-            let _e1431 = bitcast<u32>(param[0u]);
-            let _e1433 = global.member_45;
-            let _e1434 = (_e1433 + _e82);
-            if (_e1428 != 4294967295u) {
-                let _e1437 = global.member_41;
-                let _e1441 = global.member_40;
-                let _e1447 = atomicAdd((&global_1.member[((_e1441 + ((_e1434 / _e1437) * 256u)) + (_e1428 & 255u))]), 1u);
+            let _e1432 = bitcast<u32>(param[0u]);
+            let _e1434 = global.member_45;
+            let _e1435 = (_e1434 + _e82);
+            if (_e1429 != 4294967295u) {
+                let _e1438 = global.member_41;
+                let _e1442 = global.member_40;
+                let _e1448 = atomicAdd((&global_1.member[((_e1442 + ((_e1435 / _e1438) * 256u)) + (_e1429 & 255u))]), 1u);
             }
-            let _e1449 = global.member_39;
-            if (_e1449 == 0u) {
+            let _e1450 = global.member_39;
+            if (_e1450 == 0u) {
                 if (_e82 < (_e84 + (_e84 & 1u))) {
-                    let _e1455 = global.member_28;
-                    global_4.member[(_e1455 + _e1434)] = _e1428;
+                    let _e1456 = global.member_28;
+                    global_4.member[(_e1456 + _e1435)] = _e1429;
                 }
                 break;
             }
-            global_5[_e1431] = _e1428;
+            global_5[_e1432] = _e1429;
             workgroupBarrier();
-            let _e1461 = ((_e1431 & 1u) == 0u);
-            if select(_e1461, _e85, _e1461) {
-                let _e1464 = global.member_28;
-                let _e1471 = global_5[(_e1431 + 1u)];
-                global_4.member[(_e1464 + (_e1434 >> bitcast<u32>(1u)))] = ((_e1428 & 65535u) | (_e1471 << bitcast<u32>(16u)));
+            let _e1462 = ((_e1432 & 1u) == 0u);
+            if select(_e1462, _e85, _e1462) {
+                let _e1465 = global.member_28;
+                let _e1472 = global_5[(_e1432 + 1u)];
+                global_4.member[(_e1465 + (_e1435 >> bitcast<u32>(1u)))] = ((_e1429 & 65535u) | (_e1472 << bitcast<u32>(16u)));
             }
             break;
         }

@@ -5,7 +5,7 @@
 //! that may pass through an avatar that is drawn at its size is drawn at its size too. So slots
 //! and whatever else meets them in the image are entirely before or behind each other.
 
-use crate::scene::{AvatarBounds, Camera, PixelRect, PlaneRect, Supersampling, Visible};
+use crate::scene::{AvatarBounds, Camera, PixelRect, PlaneRect, Supersampling, Visible, levels};
 use glam::{DAffine3, UVec2};
 
 /// Slots start at multiples of this, px, so that no tile has splats of two.
@@ -18,11 +18,14 @@ const LEAST_PIXELS: u64 = 1 << 22;
 /// An avatar in view.
 #[derive(Clone, Copy, Debug)]
 pub struct Seen {
-    /// PlaneRect all that is drawn of it. None where that is not bounded; such avatars are drawn as
+    /// Encloses all that is drawn of it. None where that is not bounded; such avatars are drawn as
     /// large as they are shown.
     pub around: Option<PlaneRect>,
     /// Nearest and furthest depth, metres.
     pub depth: [f64; 2],
+    /// Longest side of its box in the image without a margin, px; infinite where it crosses the
+    /// near plane.
+    pub side: f64,
     /// How many times its size it should be drawn.
     pub factor: u32,
 }
@@ -44,7 +47,24 @@ impl Seen {
         Self {
             around: visible.around,
             depth: bounds.depth(joints, camera),
+            side,
             factor: supersampling.factor(side, before),
+        }
+    }
+
+    /// Which of the avatar's levels ([`levels`]) is drawn into a slot of a factor; 0 is the avatar
+    /// itself. `before`: the level that the last frame drew. Levels are for avatars whose size
+    /// decides how they are drawn.
+    pub fn level(
+        &self,
+        bounds: &AvatarBounds,
+        supersampling: Supersampling,
+        factor: u32,
+        before: usize,
+    ) -> usize {
+        match supersampling {
+            Supersampling::BySize => levels::choose(bounds.levels(), self.side, factor, before),
+            Supersampling::Times(_) => 0,
         }
     }
 }
@@ -333,6 +353,7 @@ mod tests {
                 max: min + IVec2::new(50, 100),
             }),
             depth: [depth, depth + 1.0],
+            side: 100.0,
             factor,
         }
     }

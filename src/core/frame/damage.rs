@@ -35,6 +35,14 @@ impl Damage {
         }
     }
 
+    /// The rectangle.
+    pub fn rect(&self) -> PixelRect {
+        PixelRect {
+            min: self.min.into(),
+            max: self.max.into(),
+        }
+    }
+
     /// Pixels of the rectangle.
     pub fn pixels(&self) -> u64 {
         (0..2)

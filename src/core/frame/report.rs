@@ -56,11 +56,6 @@ impl FrameReport {
         }
     }
 
-    /// GPU time of a stage, of all layers, ms. None where it did not run or its time is unknown.
-    pub fn stage_ms(&self, name: &str) -> Option<f64> {
-        stage_ms(&self.stages, name)
-    }
-
     /// Sum over the stages, ms.
     pub fn gpu_ms(&self) -> f64 {
         self.stages.iter().map(|(_, ms)| ms).sum()

@@ -243,9 +243,10 @@ impl Schedule {
         })
     }
 
-    /// Whether a stage runs.
-    pub fn runs(&self, stage: Stage) -> bool {
-        self.stages().any(|scheduled| scheduled.stage == stage)
+    /// How often a stage runs: once for each image that is drawn.
+    pub fn runs(&self, stage: Stage) -> u64 {
+        let runs = self.stages().filter(|scheduled| scheduled.stage == stage);
+        runs.count() as u64
     }
 
     /// All passes and barriers, in order, those of stages included.

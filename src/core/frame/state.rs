@@ -8,8 +8,8 @@ use super::{
 };
 use crate::avatar::Filter;
 use crate::scene::{
-    AvatarBounds, Camera, OccluderView, PartDependencies, PartSet, PixelRect, Posed, Supersampling,
-    Visible, detail, levels,
+    AvatarBounds, Camera, OccluderView, PartDependencies, PartSet, PixelRect, Posed, Visible,
+    detail,
 };
 
 /// An avatar in view.
@@ -116,14 +116,15 @@ pub struct PlanInput<'a, 'pose> {
     pub always_submit: bool,
 }
 
-/// Which optional stages a renderer has, and how many compute dispatches its sort and raster take.
+/// Whether a renderer has the optional stage of spherical harmonics, and the compute dispatches of a
+/// frame that are not for each avatar.
 #[derive(Clone, Copy, Debug)]
 pub struct StageDispatches {
     /// Whether colours come from spherical harmonics.
     pub has_sh: bool,
-    /// Whether the frame draws the occluder and its depth pyramid.
-    pub has_occluder: bool,
-    /// Dispatches of the sort.
+    /// Dispatches of the occluder's depth pyramids.
+    pub occluder: u64,
+    /// Dispatches of the sorts.
     pub sort: u64,
     /// Dispatches of the rasterizer.
     pub raster: u64,
@@ -144,6 +145,8 @@ struct Candidate {
     index: usize,
     /// None where visibility does not matter.
     visible: Option<Visible>,
+    /// Its place and size; None without supersampling.
+    seen: Option<Seen>,
 }
 
 impl FrameState {
@@ -181,9 +184,32 @@ impl FrameState {
                 Some(visible) if skip.contains(Skip::DAMAGE) => visible.rect,
                 _ => whole,
             });
-            candidates.push(Candidate { index, visible });
+            let seen = visible
+                .as_ref()
+                .filter(|_| options.supersampling.is_on())
+                .map(|visible| {
+                    Seen::new(
+                        bounds,
+                        &posed.joints,
+                        camera,
+                        visible,
+                        options.supersampling,
+                        self.trackers[index].factor(),
+                    )
+                });
+            candidates.push(Candidate {
+                index,
+                visible,
+                seen,
+            });
         }
-        let arrangement = self.arrange(&input, &candidates);
+        // All are measured, or none.
+        let seen: Vec<Seen> = candidates.iter().filter_map(|own| own.seen).collect();
+        let arrangement = if options.supersampling.is_on() {
+            arrange(&seen, camera.size)
+        } else {
+            Arrangement::without_slots(candidates.len())
+        };
         let mut image = Vec::with_capacity(candidates.len());
         let mut atlas = Vec::new();
         for (place, candidate) in candidates.into_iter().enumerate() {
@@ -220,7 +246,8 @@ impl FrameState {
                 }
             }
         }
-        // An occluder's depth is too coarse for the many avatars of an atlas.
+        // An occluder's depth is too coarse for the many avatars of an atlas, and its mesh follows
+        // nodes that the networks of a level don't move.
         let occluder = |instances: &[AvatarInstance]| input.has_occluder && !instances.is_empty();
         let image = Layer {
             occluder_view: occluder(&image)
@@ -238,7 +265,7 @@ impl FrameState {
         let size = arrangement.size;
         let atlas = (!atlas.is_empty()).then(|| Atlas {
             layer: Layer {
-                occluder_view: (occluder(&atlas) && atlas.len() == 1)
+                occluder_view: (occluder(&atlas) && atlas.len() == 1 && atlas[0].model == 0)
                     .then(|| OccluderView::new(size, screen_rect(&atlas, bounds))),
                 depth_range: depth_range(&atlas, bounds, camera),
                 pixels_a_gaussian: f64::INFINITY,
@@ -257,30 +284,6 @@ impl FrameState {
         }
     }
 
-    /// Where avatars in view are drawn.
-    fn arrange(&self, input: &PlanInput, candidates: &[Candidate]) -> Arrangement {
-        let supersampling = input.options.supersampling;
-        let seen = |candidate: &Candidate| {
-            let joints = &input.poses[candidate.index].joints;
-            let before = self.trackers[candidate.index].factor();
-            let visible = candidate.visible.as_ref()?;
-            Some(Seen::new(
-                input.bounds,
-                joints,
-                input.camera,
-                visible,
-                supersampling,
-                before,
-            ))
-        };
-        if !supersampling.is_on() {
-            return Arrangement::without_slots(candidates.len());
-        }
-        // Visibility is known of all where supersampling is on.
-        let seen: Vec<Seen> = candidates.iter().filter_map(seen).collect();
-        arrange(&seen, input.camera.size)
-    }
-
     /// An avatar in view, whose networks are still to be scheduled. `slot`: where it is drawn in an
     /// atlas of a size; None in the image.
     fn instance<'pose>(
@@ -294,7 +297,11 @@ impl FrameState {
         let PlanInput {
             bounds, options, ..
         } = input;
-        let Candidate { index, visible } = candidate;
+        let Candidate {
+            index,
+            visible,
+            seen,
+        } = candidate;
         let posed = input.poses[index];
         let tracker = &mut self.trackers[index];
         let visible_parts = visible
@@ -302,11 +309,9 @@ impl FrameState {
             .map(|visible| visible.parts);
         let camera = slot.map_or(*input.camera, |slot| slot.camera(input.camera, atlas_size));
         // Levels are for what is small, at several samples a pixel.
-        let model = match slot {
-            Some(slot) if options.supersampling == Supersampling::BySize => {
-                let sides = bounds.sides(&posed.joints, input.camera);
-                let height = sides.map_or(f64::INFINITY, |sides| sides.max_element());
-                levels::choose(bounds.levels(), height, slot.factor, tracker.model())
+        let model = match (slot, seen) {
+            (Some(slot), Some(seen)) => {
+                seen.level(bounds, options.supersampling, slot.factor, tracker.model())
             }
             _ => 0,
         };
@@ -396,10 +401,8 @@ impl<'a> FramePlan<'a> {
         }
         if self.redraw {
             // Project, and sh where colours depend on the view, run once an avatar.
-            let layers = self.layers().count() as u64;
-            counters.dispatches +=
-                drawn * (1 + u64::from(stages.has_sh)) + stages.raster * layers.max(1);
-            counters.dispatches += layers * (u64::from(stages.has_occluder) + stages.sort);
+            counters.dispatches += drawn * (1 + u64::from(stages.has_sh));
+            counters.dispatches += stages.occluder + stages.sort + stages.raster;
         }
         counters
     }

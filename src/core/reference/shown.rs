@@ -1,9 +1,9 @@
 //! The image that a frame should show, small avatars supersampled ([`crate::frame::atlas`]).
 
-use super::frame::{average_of, gaussians_of, render_scene};
+use super::frame::{average_of, gaussians_of, render_gaussians};
 use crate::avatar::{Avatar, Filter};
 use crate::frame::atlas::{Seen, arrange};
-use crate::scene::{AvatarBounds, Camera, FrameImage, Posed, Supersampling, levels};
+use crate::scene::{AvatarBounds, Camera, FrameImage, Posed, Supersampling};
 
 /// The image of one avatar in several poses, with `supersampling` and, if given, another low-pass
 /// than its own: as a renderer draws its first frame. What is small is drawn from the avatar's
@@ -15,11 +15,9 @@ pub fn render_shown(
     supersampling: Supersampling,
     filter: Option<Filter>,
 ) -> FrameImage {
-    let whole = |poses: &[&Posed]| match filter {
-        Some(filter) => {
-            super::render_gaussians(&gaussians_of(avatar, poses, camera), camera, filter)
-        }
-        None => render_scene(avatar, poses, camera),
+    let whole = |poses: &[&Posed]| {
+        let gaussians = gaussians_of(avatar, poses, camera);
+        render_gaussians(&gaussians, camera, filter.unwrap_or(avatar.filter))
     };
     if !supersampling.is_on() {
         return whole(poses);
@@ -42,23 +40,17 @@ pub fn render_shown(
         }
     }
     let arrangement = arrange(&seen, camera.size);
-    let of = |slot: Option<usize>| -> Vec<&Posed> {
-        let members = in_view.iter().zip(&arrangement.slot_of);
-        members
-            .filter(|(_, own)| **own == slot)
-            .map(|(posed, _)| *posed)
-            .collect()
+    let members = |slot: Option<usize>| {
+        let own = arrangement.slot_of.iter().map(move |own| *own == slot);
+        let members = in_view.iter().zip(&seen).zip(own);
+        members.filter_map(|((&posed, seen), own)| own.then_some((posed, seen)))
     };
-    let mut image = whole(&of(None));
+    let large: Vec<&Posed> = members(None).map(|(posed, _)| posed).collect();
+    let mut image = whole(&large);
     for (at, slot) in arrangement.slots.iter().enumerate() {
         let mut gaussians = Vec::new();
-        for posed in of(Some(at)) {
-            let level = match (supersampling, bounds.sides(&posed.joints, camera)) {
-                (Supersampling::BySize, Some(sides)) => {
-                    levels::choose(bounds.levels(), sides.max_element(), slot.factor, 0)
-                }
-                _ => 0,
-            };
+        for (posed, seen) in members(Some(at)) {
+            let level = seen.level(&bounds, supersampling, slot.factor, 0);
             gaussians.extend(if level == 0 {
                 gaussians_of(avatar, &[posed], camera)
             } else {

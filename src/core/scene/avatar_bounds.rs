@@ -181,7 +181,7 @@ impl AvatarBounds {
         }
     }
 
-    /// The same for an avatar that is drawn with a filter other than its own; None: its own.
+    /// These bounds where the avatar is drawn with another low-pass. None: its own.
     #[must_use]
     pub fn filtered(self, filter: Option<Filter>) -> Self {
         Self {

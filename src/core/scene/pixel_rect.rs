@@ -40,6 +40,14 @@ impl PixelRect {
             max: self.max.max(other.max),
         }
     }
+
+    /// The pixels of both; empty where there are none.
+    pub fn intersection(self, other: Self) -> Self {
+        Self {
+            min: self.min.max(other.min),
+            max: self.max.min(other.max),
+        }
+    }
 }
 
 /// An axis-aligned rectangle in the plane of an image, px from its top left corner, which may lie

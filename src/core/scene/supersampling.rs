@@ -28,9 +28,9 @@ struct SizeLimit {
 }
 
 /// How many times its size an avatar is drawn: `--supersample auto|1|2|4`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Supersampling {
-    /// As the avatar's size in the image asks for.
+    /// More times the smaller it is in the image.
     BySize,
     /// So many times each way, whatever the avatar's size: 1, 2 or 4.
     Times(u32),

@@ -123,7 +123,7 @@ impl<'p> Value<'p> {
     /// for errors.
     ///
     /// # Errors
-    /// As [`Self::numbers`], or when there are fewer rows.
+    /// Those of [`Self::numbers`]; when there are fewer rows.
     pub fn rows(self, name: &str, rows: Range<usize>) -> Result<Numbers, FormatError> {
         self.read(name, Some(rows))
     }

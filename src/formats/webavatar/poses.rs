@@ -135,7 +135,7 @@ pub fn read_poses(
 /// frames a second; None: 30.
 ///
 /// # Errors
-/// As [`read_poses`].
+/// Those of [`read_poses`].
 pub fn capture_poses(bytes: &[u8], rate: Option<f64>) -> Result<Captured, FormatError> {
     let mut assumptions = vec![Assumption {
         what: "rest pose",

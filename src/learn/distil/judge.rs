@@ -42,9 +42,9 @@ pub struct Difference {
     /// Images of all that the teacher has, harmonics of degree 1 and opacity that follows the pose
     /// included: mean PSNR within the body's box, dB. None where no image shows the body.
     pub psnr_db: Option<f64>,
-    /// The same where the teacher is drawn without harmonics of degree 1.
+    /// Mean PSNR against images of the teacher without harmonics of degree 1, dB.
     pub diffuse_db: Option<f64>,
-    /// As `psnr_db`, of the avatar without what it learned.
+    /// `psnr_db` of the avatar without what it learned.
     pub neutral_db: Option<f64>,
 }
 

@@ -21,7 +21,15 @@ use std::collections::HashMap;
 pub struct ReferenceImages<'a> {
     avatar: &'a Avatar,
     /// By scene, and by how what is small is drawn.
-    images: HashMap<(usize, String), FrameImage>,
+    images: HashMap<ImageKey, FrameImage>,
+}
+
+/// What the reference's images of a case are told apart by.
+#[derive(PartialEq, Eq, Hash)]
+struct ImageKey {
+    /// Index of the scene.
+    scene: usize,
+    supersampling: Supersampling,
 }
 
 impl<'a> ReferenceImages<'a> {
@@ -49,7 +57,10 @@ impl<'a> ReferenceImages<'a> {
         } else {
             options.supersampling
         };
-        let key = (index, supersampling.to_string());
+        let key = ImageKey {
+            scene: index,
+            supersampling,
+        };
         self.images.entry(key).or_insert_with(|| {
             let instances = scene.instances.iter();
             let poses: Vec<_> = instances.map(|instance| &instance.reference).collect();

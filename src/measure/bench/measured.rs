@@ -15,7 +15,7 @@ use crate::{
 };
 use effigy_core::{
     avatar::Avatar,
-    frame::{FrameReport, passes::Stage},
+    frame::{FrameReport, passes::Stage, report::stage_ms},
 };
 use effigy_runtime::trace::Trace;
 use std::collections::BTreeMap;
@@ -243,7 +243,7 @@ fn stage_report(stage: Stage, reports: &[FrameReport], work: &[StageWork]) -> Op
     let name = stage.name();
     let times: Vec<f64> = reports
         .iter()
-        .filter_map(|report| report.stage_ms(name))
+        .filter_map(|report| stage_ms(&report.stages, name))
         .collect();
     let work = work.iter().find(|work| work.stage == stage).copied();
     if work.is_none() && times.is_empty() {

@@ -106,7 +106,6 @@ modules! {
     RASTER_COOPERATIVE_RGBA16F = "raster/cooperative_rgba16f.comp";
     RASTER_SHARED_RGBA8 = "raster/shared_rgba8.comp";
     RASTER_SHARED_RGBA16F = "raster/shared_rgba16f.comp";
-    RESOLVE_VERTEX = "resolve/resolve.vert";
     RESOLVE_FRAGMENT = "resolve/resolve.frag";
     RATES_COPY = "rates/copy.comp";
     RATES_FILL_VERTEX = "rates/fill.vert";

@@ -2,7 +2,10 @@
 
 use crate::vulkan::memory::Slice;
 use ash::vk;
-use effigy_core::frame::{Damage, SortVariant, passes::Target};
+use effigy_core::{
+    frame::{Damage, SortVariant, passes::Target},
+    scene::PixelRect,
+};
 
 /// Inputs of the stage.
 #[derive(Clone, Copy)]
@@ -40,17 +43,21 @@ pub struct Draw<'a> {
 impl Draw<'_> {
     /// The rectangle to draw.
     pub fn area(&self) -> vk::Rect2D {
-        let [x, y] = self.damage.min;
-        let [right, bottom] = self.damage.max;
-        vk::Rect2D {
-            offset: vk::Offset2D {
-                x: x as i32,
-                y: y as i32,
-            },
-            extent: vk::Extent2D {
-                width: right - x,
-                height: bottom - y,
-            },
-        }
+        rect(self.damage.rect())
+    }
+}
+
+/// A rectangle, which must not be empty, as Vulkan has it.
+pub fn rect(pixels: PixelRect) -> vk::Rect2D {
+    let size = pixels.max - pixels.min;
+    vk::Rect2D {
+        offset: vk::Offset2D {
+            x: pixels.min.x as i32,
+            y: pixels.min.y as i32,
+        },
+        extent: vk::Extent2D {
+            width: size.x,
+            height: size.y,
+        },
     }
 }

@@ -3,7 +3,7 @@
 //! image holds go over it, the others behind it ([`effigy_core::frame::atlas`]).
 
 use super::{
-    draw::Draw,
+    draw::{Draw, rect},
     target::{FINAL_LAYOUT, READER_SCOPE, READER_STAGES, vulkan_format},
 };
 use crate::vulkan::{
@@ -27,17 +27,11 @@ use glam::IVec2;
 use std::sync::Arc;
 
 const ATLAS: vk::DescriptorType = vk::DescriptorType::COMBINED_IMAGE_SAMPLER;
-/// Corners of the two triangles of a slot.
-const CORNERS: u32 = 6;
 
 /// What `shaders/resolve` is told of a slot.
 #[repr(C)]
 #[derive(Clone, Copy, Pod, Zeroable)]
 struct Pushed {
-    /// First and last corner in the image, px.
-    shown: [f32; 4],
-    /// Width and height of the image, px.
-    size: [f32; 2],
     /// From a pixel of the image, times `factor`, to the first of its texels in the atlas.
     offset: [i32; 2],
     /// Texels of the atlas in a pixel, each way.
@@ -63,7 +57,7 @@ pub struct Resolve {
 impl Resolve {
     /// `image`: what it blends into; it must live as long as this, or until it gets another.
     pub fn new(gpu: &Arc<Gpu>, image: &Image, format: ColorFormat) -> Result<Self> {
-        let stages = vk::ShaderStageFlags::VERTEX | vk::ShaderStageFlags::FRAGMENT;
+        let stages = vk::ShaderStageFlags::FRAGMENT;
         let pushed = size_of::<Pushed>() as u32;
         let set = Set::new(gpu, "resolve", stages, &[(0, ATLAS)], pushed)?;
         let keeping = render_pass(gpu, format, vk::AttachmentLoadOp::LOAD)?;
@@ -116,17 +110,16 @@ impl Resolve {
         let raw = commands.raw();
         let point = vk::PipelineBindPoint::GRAPHICS;
         let layout = self.set.layouts.pipeline.raw();
-        let stages = vk::ShaderStageFlags::VERTEX | vk::ShaderStageFlags::FRAGMENT;
+        let stages = vk::ShaderStageFlags::FRAGMENT;
         let viewport = graphics::viewport(0.0, 0.0, width as f32, height as f32);
         // SAFETY: the command buffer is recording; every object is alive and fits the pipelines'
-        // layout and the render pass. Viewport and scissor are set before anything is drawn.
+        // layout and the render pass. Viewport and scissor are set before each draw.
         unsafe {
             device.cmd_begin_render_pass(raw, &begin, vk::SubpassContents::INLINE);
             device.cmd_set_viewport(raw, 0, &[viewport]);
-            device.cmd_set_scissor(raw, 0, &[area]);
             device.cmd_bind_descriptor_sets(raw, point, layout, 0, &[self.set.raw], &[]);
             for slot in slots {
-                let shown = slot.shown(draw.size);
+                let shown = slot.shown(draw.size).intersection(draw.damage.rect());
                 if shown.is_empty() {
                     continue;
                 }
@@ -135,17 +128,15 @@ impl Resolve {
                 } else {
                     &self.over
                 };
-                let [min, max] = [shown.min, shown.max].map(|corner| corner.as_vec2());
                 let offset: IVec2 = slot.at.as_ivec2() - slot.around.min * slot.factor as i32;
                 let pushed = Pushed {
-                    shown: [min.x, min.y, max.x, max.y],
-                    size: [width as f32, height as f32],
                     offset: offset.into(),
                     factor: slot.factor as i32,
                 };
                 device.cmd_bind_pipeline(raw, point, pipeline.raw());
                 device.cmd_push_constants(raw, layout, stages, 0, bytes_of(&pushed));
-                device.cmd_draw(raw, CORNERS, 1, 0, 0);
+                device.cmd_set_scissor(raw, 0, &[rect(shown)]);
+                device.cmd_draw(raw, 3, 1, 0, 0);
             }
             device.cmd_end_render_pass(raw);
         }
@@ -157,7 +148,7 @@ fn over() -> vk::PipelineColorBlendAttachmentState {
     blend(vk::BlendFactor::ONE, vk::BlendFactor::ONE_MINUS_SRC_ALPHA)
 }
 
-/// The same with what is drawn behind what is there: C = (1 − A) c + C.
+/// What is drawn goes behind what is there: C = (1 − A) c + C.
 fn behind() -> vk::PipelineColorBlendAttachmentState {
     blend(vk::BlendFactor::ONE_MINUS_DST_ALPHA, vk::BlendFactor::ONE)
 }
@@ -218,7 +209,7 @@ fn pipeline(
 ) -> Result<Pipeline> {
     let drawing = Drawing {
         name: "resolve",
-        vertex: &shaders::RESOLVE_VERTEX,
+        vertex: &shaders::PRESENT_VERTEX,
         fragment: Some(&shaders::RESOLVE_FRAGMENT),
         constants: &[],
         layout,

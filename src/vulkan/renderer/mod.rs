@@ -439,14 +439,10 @@ impl Renderer {
     fn record(&mut self, frame: usize, schedule: &Schedule, plan: &FramePlan, damage: &Damage) {
         let stages = StageDispatches {
             has_sh: !self.sh.is_empty(),
-            has_occluder: schedule.runs(Stage::Occluder),
-            sort: self.sort.dispatches(true) as u64,
+            occluder: schedule.runs(Stage::Occluder),
+            sort: schedule.runs(Stage::Sort) * self.sort.dispatches(true) as u64,
             // Quads have none without the stages before them.
-            raster: if schedule.runs(Stage::Binning) {
-                self.raster.dispatches()
-            } else {
-                0
-            },
+            raster: schedule.runs(Stage::Binning) * self.raster.dispatches(),
         };
         let counters = Counters {
             damaged: if plan.redraw { damage.pixels() } else { 0 },
@@ -461,10 +457,9 @@ impl Renderer {
             count: self.options.count,
         };
         // An atlas holds one frame's avatars: nothing of the frame before is of use.
-        let whole_atlas = plan.atlas.as_ref().map(|atlas| Damage {
-            min: [0; 2],
-            max: atlas.layer.size,
-            whole: true,
+        let whole_atlas = plan.atlas.as_ref().map(|atlas| {
+            let size = atlas.layer.size;
+            Damage::new(PixelRect::whole(size), None, size)
         });
         let atlas = plan.atlas.as_ref().zip(whole_atlas.as_ref());
         let executor = Executor {

@@ -75,7 +75,7 @@ impl FormatError {
         }
     }
 
-    /// The same error of a model that is stored under names that begin with `prefix`.
+    /// This error, said of a model that is stored under names that begin with `prefix`.
     pub fn within(self, prefix: &str) -> Self {
         match self {
             Self::Container { .. } => self,
