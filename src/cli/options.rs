@@ -161,6 +161,11 @@ pub struct QualityArgs {
     /// draws avatars larger that are small in the image [default: as the preset says]
     #[arg(long, value_name = "FACTOR")]
     pub supersample: Option<Supersampling>,
+    /// Most Gaussians that a frame draws, of all avatars together: where there are more, avatars
+    /// with the most a pixel are drawn coarser [default: all; of more than 16 avatars as many as
+    /// four have, with --preset exact all]
+    #[arg(long, value_name = "N")]
+    pub draw_at_most: Option<u32>,
     #[command(flatten)]
     pub filter: FilterArgs,
 }
@@ -231,6 +236,7 @@ impl QualityArgs {
             detail: self.detail.unwrap_or(preset.detail),
             supersampling: self.supersample.unwrap_or(preset.supersampling),
             filter: self.filter.filter(),
+            gaussians: self.draw_at_most.or(preset.gaussians),
             ..preset
         }
     }

@@ -17,7 +17,7 @@ use effigy_core::{
     reference,
     scene::{AvatarBounds, Camera, FrameImage, Posed, upright},
 };
-use effigy_measure::{bench::Backend, in_a_row};
+use effigy_measure::{bench::Backend, in_rows};
 use effigy_runtime::slow_start::{self, SlowStart};
 use std::{
     f64::consts::TAU,
@@ -50,8 +50,9 @@ pub struct Args {
     /// Draw from each camera of this file, a cameras.json as 3DGS writes it
     #[arg(long, value_name = "FILE", conflicts_with = "frames")]
     cameras: Option<PathBuf>,
-    /// Copies of the avatar, 1 to 64, in a row a metre apart, each at another time of the clip
-    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..=64))]
+    /// Copies of the avatar, 1 to 1024, each at another time of the clip: up to 16 in a row a metre
+    /// apart, more in rows
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..=1024))]
     count: u16,
     /// Colour behind the avatar, or `none` for a transparent image
     #[arg(long, value_name = "RRGGBB", default_value = options::BACKGROUND, value_parser = background)]
@@ -298,7 +299,7 @@ fn check_range(frames: &Range<usize>, clip: &Clip) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// `count` copies of an avatar in a row, their times spread over the clip from `seconds` on.
+/// `count` copies of an avatar in a row or several, their times spread over the clip from `seconds` on.
 fn row(avatar: &Avatar, player: &Player, seconds: f64, count: usize) -> Vec<Posed> {
     let duration = player.clip().duration();
     let pose = |number: usize| {
@@ -307,7 +308,7 @@ fn row(avatar: &Avatar, player: &Player, seconds: f64, count: usize) -> Vec<Pose
         if number > 0 && duration > 0.0 {
             time %= duration;
         }
-        Posed::new(avatar, &player.pose(time)).placed(in_a_row(number, count))
+        Posed::new(avatar, &player.pose(time)).placed(in_rows(number, count))
     };
     (0..count).map(pose).collect()
 }

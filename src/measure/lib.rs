@@ -54,9 +54,22 @@ pub fn commit() -> Option<&'static str> {
     COMMIT.get().copied()
 }
 
-/// The place of avatar `index` of `count` that stand in a row along x, a metre apart, around the
-/// origin.
-pub fn in_a_row(index: usize, count: usize) -> DAffine3 {
-    let x = index as f64 - 0.5 * count.saturating_sub(1) as f64;
-    DAffine3::from_translation(DVec3::new(x, 0.0, 0.0))
+/// Most avatars of a row.
+const ROW: usize = 16;
+/// Between rows, and between the avatars of one of several rows, metres.
+const SPACING: f64 = 1.5;
+
+/// The place of avatar `index` of `count` that stand around the origin: up to 16 in a row along x, a
+/// metre apart; more in rows of about four times as many as there are rows.
+pub fn in_rows(index: usize, count: usize) -> DAffine3 {
+    let middle = |places: usize| 0.5 * places.saturating_sub(1) as f64;
+    let place = if count <= ROW {
+        DVec3::X * (index as f64 - middle(count))
+    } else {
+        let columns = (2.0 * (count as f64).sqrt()).ceil() as usize;
+        let x = (index % columns) as f64 - middle(columns);
+        let z = (index / columns) as f64 - middle(count.div_ceil(columns));
+        SPACING * DVec3::new(x, 0.0, z)
+    };
+    DAffine3::from_translation(place)
 }

@@ -12,7 +12,7 @@ use super::{
 };
 use crate::wgsl;
 use effigy_core::{
-    frame::{KeyBits, RendererOptions, Skinning, Skip, state::padded_count},
+    frame::{KeyBits, RendererOptions, Skinning, Skip, room::Room},
     layout::{FrameBlock, POSE_CACHE_WORDS, PROJECT_WORKGROUP},
 };
 
@@ -50,9 +50,9 @@ impl Project {
         blocks: &Blocks,
         pose: &wgpu::Buffer,
         options: &RendererOptions,
+        room: Room,
     ) -> Result<Self> {
-        let count = model.constants.gaussians;
-        let capacity = options.instances as u32 * padded_count(count);
+        let capacity = room.gaussians;
         // Whether frames in which only the camera moves use the pose cache.
         let caches = options.skip.contains(Skip::SKINNING);
         let keys = KeyBits::Sixteen.bytes(u64::from(capacity));
@@ -108,10 +108,10 @@ impl Project {
         self.capacity
     }
 
-    /// Writes to a frame's block where the avatar's pose cache starts. `number`: its place in the
-    /// renderer.
-    pub fn fill_instance(&self, block: &mut FrameBlock, number: u32) {
-        block.cache_start = self.cache_start + number * POSE_CACHE_WORDS * block.gaussians;
+    /// Writes to a frame's block where the avatar's pose cache starts. `first`: its place among those
+    /// of all avatars, Gaussians.
+    pub fn fill_instance(&self, block: &mut FrameBlock, first: u32) {
+        block.cache_start = self.cache_start + POSE_CACHE_WORDS * first;
     }
 
     /// Writes to a frame's block where the buffers of all avatars start.

@@ -25,6 +25,7 @@ use effigy_core::{
         Counters, Damage, FrameReport, RendererOptions, Schedule, Skinning, Skip, Stage,
         block::{self, PoseLayout},
         pose_cache::PoseCache,
+        room::Room,
         schedule::{DeviceState, Equipment},
         state::{AvatarInstance, FramePlan, FrameState, Layer, PlanInput, StageDispatches},
         validate,
@@ -55,6 +56,7 @@ pub struct Renderer {
     pub(super) frame: Box<FrameBlock>,
     pub(super) model: Model,
     pub(super) avatar_bounds: AvatarBounds,
+    room: Room,
     pub(super) needs: PartDependencies,
     /// One an avatar.
     pub(super) pose_caches: Vec<PoseCache>,
@@ -67,6 +69,12 @@ pub struct Renderer {
     pub(super) next: usize,
     pub(super) report: FrameReport,
     pub(super) gpu: Arc<Gpu>,
+}
+
+/// The bounds of an avatar that is drawn with these options.
+fn bounds_of(avatar: &Avatar, options: &RendererOptions) -> AvatarBounds {
+    let bounds = AvatarBounds::new(avatar);
+    bounds.filtered(options.filter).without_levels()
 }
 
 /// Where an avatar's uniform block is, bytes.
@@ -97,7 +105,9 @@ impl Renderer {
         avatar.check()?;
         let model = Model::empty(gpu, avatar)?;
         let constants = &model.constants;
-        let layout = PoseLayout::new(constants, options.instances);
+        let avatar_bounds = bounds_of(avatar, &options);
+        let room = Room::new(&options, &avatar_bounds)?;
+        let layout = PoseLayout::new(constants, room);
         let pose = empty(gpu, "pose", 16 * u64::from(layout.total()), STORAGE)?;
         let control = empty(
             gpu,
@@ -106,7 +116,7 @@ impl Renderer {
             STORAGE | wgpu::BufferUsages::INDIRECT,
         )?;
         let blocks = Blocks::new(gpu, options.instances)?;
-        let project = Project::new(gpu, &model, &blocks, &pose, &options)?;
+        let project = Project::new(gpu, &model, &blocks, &pose, &options, room)?;
         let sort_inputs = SortInputs {
             keys: project.keys(),
             counts: project.counts(),
@@ -145,7 +155,8 @@ impl Renderer {
             blocks,
             settings,
             frame: model.constants.clone(),
-            avatar_bounds: AvatarBounds::new(avatar).filtered(options.filter),
+            avatar_bounds,
+            room,
             needs: PartDependencies::new(avatar),
             pose_caches: (0..options.instances)
                 .map(|_| PoseCache::default())
@@ -210,7 +221,7 @@ impl Renderer {
             return Ok(false);
         }
         self.frame.clone_from(&self.model.constants);
-        self.avatar_bounds = AvatarBounds::new(avatar).filtered(self.options.filter);
+        self.avatar_bounds = bounds_of(avatar, &self.options);
         self.needs = PartDependencies::new(avatar);
         for cache in &mut self.pose_caches {
             *cache = PoseCache::default();
@@ -294,6 +305,7 @@ impl Renderer {
             bounds: &self.avatar_bounds,
             dependencies: &self.needs,
             options: &self.options,
+            room: self.room,
             has_occluder: self.occluder.is_some(),
             always_submit: false,
         });
@@ -407,7 +419,7 @@ impl Renderer {
         number: usize,
         instance: Option<&AvatarInstance>,
     ) {
-        let pose = PoseLayout::new(&self.model.constants, self.options.instances);
+        let pose = PoseLayout::new(&self.model.constants, self.room);
         let block = &mut *self.frame;
         block::write_shared(block, &self.options, layer, camera, pose);
         self.project.fill(block);
@@ -415,7 +427,7 @@ impl Renderer {
         block.count_tile = SORT_TILE;
         if let Some(instance) = instance {
             block::write_instance(block, &self.options, instance, pose);
-            self.project.fill_instance(block, number as u32);
+            self.project.fill_instance(block, instance.cache_start);
             self.pose_caches[number].write_to(block, camera);
         }
         self.gpu.queue.write_buffer(

@@ -35,6 +35,7 @@ fn main() -> ExitCode {
             stages::saturation,
             stages::frame,
             stages::detail,
+            stages::crowd,
             stages::resolve,
             stages::skip,
             stages::scene,

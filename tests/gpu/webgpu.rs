@@ -26,7 +26,7 @@ use effigy_core::{
     reference,
     scene::{Camera, Detail, Posed},
 };
-use effigy_measure::{error, in_a_row};
+use effigy_measure::{error, in_rows};
 use glam::DVec3;
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -306,7 +306,7 @@ fn the_order_is_that_of_a_stable_sort() {
         (10, SortVariant::ReduceThenScan),
     ] {
         let poses: Vec<_> = (0..instances)
-            .map(|k| Posed::new(&avatar, &player.pose(0.3 * k as f64)).placed(in_a_row(k % 3, 3)))
+            .map(|k| Posed::new(&avatar, &player.pose(0.3 * k as f64)).placed(in_rows(k % 3, 3)))
             .collect();
         let options = RendererOptions {
             instances,

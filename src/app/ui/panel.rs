@@ -30,8 +30,10 @@ pub struct PanelFacts<'a> {
     pub stages: &'a [(&'static str, f64)],
     /// Gaussians that the last frame drew.
     pub drawn_gaussians: u64,
-    /// Avatars drawn larger than they are shown.
-    pub supersampled: u64,
+    /// Samples a pixel along each axis.
+    pub samples: u64,
+    /// The avatar's level that is drawn; 0 is the avatar itself.
+    pub level: u64,
     /// Gaussians of the avatar.
     pub gaussians: usize,
     /// Stages that the last frame skipped, because their inputs had not changed.
@@ -368,8 +370,8 @@ fn stages(ui: &mut Ui, facts: &PanelFacts) {
         grouped(facts.drawn_gaussians as usize),
         grouped(facts.gaussians)
     ));
-    if facts.supersampled > 0 {
-        ui.label("small: drawn larger, then averaged");
+    if facts.samples > 1 {
+        ui.label(detail_text(facts.samples, facts.level));
     }
 }
 
@@ -399,6 +401,16 @@ fn keys(ui: &mut Ui) {
         });
 }
 
+/// How a small avatar is drawn.
+fn detail_text(samples: u64, level: u64) -> String {
+    let drawn = format!("small: {samples} × {samples} samples a pixel");
+    if level > 0 {
+        format!("{drawn}, level {level}")
+    } else {
+        drawn
+    }
+}
+
 /// Formats a number in groups of three digits.
 fn grouped(number: usize) -> String {
     let digits = number.to_string();
@@ -415,6 +427,12 @@ fn grouped(number: usize) -> String {
 mod tests {
     use super::*;
     use crate::playback::Track;
+
+    #[test]
+    fn the_panel_says_how_small_avatars_are_drawn() {
+        assert_eq!(detail_text(2, 0), "small: 2 × 2 samples a pixel");
+        assert_eq!(detail_text(4, 3), "small: 4 × 4 samples a pixel, level 3");
+    }
 
     #[test]
     fn numbers_are_grouped_by_three_digits() {
@@ -446,7 +464,8 @@ mod tests {
             moving: true,
             stages: &[("mlp", 0.5), ("sort", 1.0)],
             drawn_gaussians: 1234,
-            supersampled: 1,
+            samples: 4,
+            level: 2,
             gaussians: 200_000,
             skipped: &["mlp"],
             device: "a device",

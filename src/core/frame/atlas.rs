@@ -7,6 +7,7 @@
 
 use crate::scene::{AvatarBounds, Camera, PixelRect, PlaneRect, Supersampling, Visible, levels};
 use glam::{DAffine3, UVec2};
+use std::collections::BinaryHeap;
 
 /// Slots start at multiples of this, px, so that no tile has splats of two.
 const ALIGNMENT: u32 = 16;
@@ -41,9 +42,7 @@ impl Seen {
         supersampling: Supersampling,
         before: u32,
     ) -> Self {
-        let side = bounds
-            .sides(joints, camera)
-            .map_or(f64::INFINITY, |sides| sides.max_element());
+        let side = bounds.longest_side(joints, camera);
         Self {
             around: visible.around,
             depth: bounds.depth(joints, camera),
@@ -150,6 +149,22 @@ impl Group {
         self.factor > 1
     }
 
+    /// Width and height that its slot takes up, px of the atlas.
+    fn room(&self) -> UVec2 {
+        let sides = self.around.map_or(UVec2::ZERO, PlaneRect::sides) * self.factor;
+        sides.map(|side| side.next_multiple_of(ALIGNMENT))
+    }
+
+    /// The pixels of its slot; 0 where it has none.
+    fn pixels(&self) -> u64 {
+        let room = self.room();
+        if self.is_small() {
+            u64::from(room.x) * u64::from(room.y)
+        } else {
+            0
+        }
+    }
+
     /// Whether some of one is as far as some of the other.
     fn passes_through(&self, other: &Self) -> bool {
         self.meets(other) && self.depth[0] < other.depth[1] && other.depth[0] < self.depth[1]
@@ -190,42 +205,71 @@ pub fn arrange(seen: &[Seen], size: [u32; 2]) -> Arrangement {
             behind: false,
         })
         .collect();
+    let mut pixels = LEAST_PIXELS.max(u64::from(size[0]) * u64::from(size[1]));
     while groups.iter().any(Group::is_small) {
-        join_small(&mut groups);
+        while join_small(&mut groups) {}
         if !settle_sides(&mut groups) {
             continue;
         }
-        match pack(&groups, seen.len(), size) {
+        if shrink(&mut groups, pixels) {
+            continue;
+        }
+        match pack(&groups, seen.len()) {
             Some(arrangement) => return arrangement,
-            None => {
-                for group in groups.iter_mut().filter(|group| group.is_small()) {
-                    group.factor /= 2;
-                }
-            }
+            // There is room, but not for rows of these shapes.
+            None => pixels = pixels / 4 * 3,
         }
     }
     Arrangement::without_slots(seen.len())
 }
 
-/// Joins small groups that may pass through each other, until none may.
-fn join_small(groups: &mut Vec<Group>) {
+/// Joins small groups that may pass through each other. Returns whether some did: they have grown,
+/// and may meet others now.
+fn join_small(groups: &mut Vec<Group>) -> bool {
+    groups.sort_by(|a, b| a.depth[0].total_cmp(&b.depth[0]));
+    let before = groups.len();
     let mut at = 0;
     while at < groups.len() {
-        let other = (at + 1..groups.len()).find(|&other| {
-            groups[at].is_small()
+        let mut other = at + 1;
+        // Those that follow begin further away.
+        while other < groups.len() && groups[other].depth[0] < groups[at].depth[1] {
+            if groups[at].is_small()
                 && groups[other].is_small()
                 && groups[at].passes_through(&groups[other])
-        });
-        match other {
-            Some(other) => {
-                let other = groups.swap_remove(other);
+            {
+                let other = groups.remove(other);
                 groups[at].join(other);
-                // The group has grown: it may meet those before it now.
-                at = 0;
+            } else {
+                other += 1;
             }
-            None => at += 1,
         }
+        at += 1;
     }
+    groups.len() < before
+}
+
+/// Draws groups half as large, those with the most pixels first, until no side is longer than an
+/// atlas's and all of them have no more than so many pixels. Returns whether one is drawn as large
+/// as it is shown from now on.
+fn shrink(groups: &mut [Group], pixels: u64) -> bool {
+    let mut largest: BinaryHeap<(u64, usize)> = groups
+        .iter()
+        .enumerate()
+        .map(|(at, group)| (group.pixels(), at))
+        .collect();
+    let mut total: u64 = groups.iter().map(Group::pixels).sum();
+    let mut is_shown = false;
+    while let Some((own, at)) = largest.pop() {
+        let group = &mut groups[at];
+        if own == 0 || (total <= pixels && group.room().max_element() <= LONGEST) {
+            continue;
+        }
+        group.factor /= 2;
+        is_shown |= !group.is_small();
+        total = total - own + group.pixels();
+        largest.push((group.pixels(), at));
+    }
+    is_shown
 }
 
 /// Says of each small group whether it lies behind the large ones that it meets. A group that is
@@ -273,8 +317,9 @@ fn settle_sides(groups: &mut [Group]) -> bool {
     settled
 }
 
-/// Places the slots of small groups in rows, the tallest first. None where they do not fit.
-fn pack(groups: &[Group], count: usize, size: [u32; 2]) -> Option<Arrangement> {
+/// Places the slots of small groups, none of which is too wide, in rows, the tallest first. None
+/// where they do not fit.
+fn pack(groups: &[Group], count: usize) -> Option<Arrangement> {
     let mut arrangement = Arrangement::without_slots(count);
     let mut small: Vec<&Group> = groups.iter().filter(|group| group.is_small()).collect();
     // Behind the image the nearest comes first, over it the furthest.
@@ -287,6 +332,7 @@ fn pack(groups: &[Group], count: usize, size: [u32; 2]) -> Option<Arrangement> {
             }
         })
     });
+    let room: Vec<UVec2> = small.iter().map(|group| group.room()).collect();
     for group in small {
         for &member in &group.members {
             arrangement.slot_of[member] = Some(arrangement.slots.len());
@@ -298,32 +344,17 @@ fn pack(groups: &[Group], count: usize, size: [u32; 2]) -> Option<Arrangement> {
             behind: group.behind,
         });
     }
-    let room = |slot: &Slot| {
-        let sides = slot.rect().max - slot.at;
-        UVec2::new(
-            sides.x.next_multiple_of(ALIGNMENT),
-            sides.y.next_multiple_of(ALIGNMENT),
-        )
-    };
-    let area: u64 = arrangement
-        .slots
-        .iter()
-        .map(|slot| u64::from(room(slot).x) * u64::from(room(slot).y))
-        .sum();
-    let pixels = LEAST_PIXELS.max(u64::from(size[0]) * u64::from(size[1]));
-    let widest = arrangement.slots.iter().map(|slot| room(slot).x).max()?;
-    let width = widest.max((area as f64).sqrt().ceil() as u32);
-    if area > pixels || width > LONGEST {
-        return None;
-    }
+    let widest = room.iter().map(|room| room.x).max()?;
+    let pixels: u64 = groups.iter().map(Group::pixels).sum();
+    let width = widest.max((pixels as f64).sqrt() as u32);
     let mut order: Vec<usize> = (0..arrangement.slots.len()).collect();
-    order.sort_by_key(|&slot| std::cmp::Reverse(room(&arrangement.slots[slot]).y));
+    order.sort_by_key(|&slot| std::cmp::Reverse(room[slot].y));
     let mut next = UVec2::ZERO;
     let mut row_height = 0;
     let mut used = UVec2::ZERO;
     for slot in order {
+        let room = room[slot];
         let slot = &mut arrangement.slots[slot];
-        let room = room(slot);
         if next.x + room.x > width {
             next = UVec2::new(0, next.y + row_height);
             row_height = 0;
@@ -464,11 +495,19 @@ mod tests {
                 })
                 .collect();
             let arranged = arrange(&all, SIZE);
-            arranged.slots.first().map(|slot| slot.factor)
+            let factors = arranged.slots.iter().map(|slot| slot.factor);
+            factors.collect::<Vec<_>>()
         };
         assert_eq!(
             [0, 1, 2, 3, 9, 12].map(factors),
-            [None, Some(4), Some(4), Some(2), Some(2), None]
+            [
+                vec![],
+                vec![4],
+                vec![4, 4],
+                vec![2, 4, 4],
+                vec![2; 9],
+                vec![2; 10]
+            ]
         );
         let unbounded = Seen {
             around: None,

@@ -3,6 +3,7 @@
 
 use super::{
     RendererOptions, Skip,
+    room::Room,
     state::{AvatarInstance, Layer},
 };
 use crate::layout::{FrameBlock, POSITION_BITS, PYRAMID_WORDS, TILING, bin_side};
@@ -16,22 +17,22 @@ use std::mem::offset_of;
 pub struct PoseLayout {
     /// Vectors of an avatar: its features, then its nodes' displacements, two nodes a vector.
     pub vectors: u32,
-    /// Avatars in the buffer.
-    pub instances: u32,
+    /// Avatars that it holds.
+    pub avatars: u32,
 }
 
 impl PoseLayout {
-    /// For so many instances of an avatar with these constants.
-    pub fn new(constants: &FrameBlock, instances: usize) -> Self {
+    /// With room for so many poses of an avatar with these constants.
+    pub fn new(constants: &FrameBlock, room: Room) -> Self {
         Self {
             vectors: constants.parts * constants.feature_quads + constants.nodes.div_ceil(2),
-            instances: instances as u32,
+            avatars: room.posed as u32,
         }
     }
 
     /// Where the depth pyramid starts: behind all avatars.
     pub fn pyramid(&self) -> u32 {
-        self.instances * self.vectors
+        self.avatars * self.vectors
     }
 
     /// Where a vector of zeros is, behind the pyramid: the displacement of nodes that nothing moves.
@@ -119,7 +120,7 @@ pub fn write_instance(
     let [min, max] = [area.min, area.max].map(|corner| corner.as_vec2());
     block.area = [min.x, min.y, max.x, max.y];
     block.area_reach = if instance.slot.is_some() { -1.0 } else { 1.0 };
-    block.feature_start = instance.index as u32 * pose.vectors;
+    block.feature_start = instance.pose_place as u32 * pose.vectors;
     // A level that networks don't move has no features, and one node, which stays in its place.
     block.node_start = if instance.correctives {
         block.feature_start + block.parts * block.feature_quads

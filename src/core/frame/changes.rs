@@ -1,6 +1,6 @@
 //! Which stages an avatar needs, from what changed since its last frame.
 
-use super::{Skip, atlas::Slot};
+use super::{Skip, atlas::Slot, room::Portion};
 use crate::scene::{Camera, PartDependencies, PartSet, Posed};
 use glam::DAffine3;
 
@@ -33,25 +33,19 @@ pub struct Changes {
 pub struct View {
     /// The camera of the image that it is drawn into.
     pub camera: Camera,
-    /// Which of the avatar's levels is drawn ([`crate::scene::levels`]); 0 is the avatar itself.
-    pub model: usize,
-    /// Level of detail ([`crate::scene::detail`]).
-    pub level: u32,
+    /// What is drawn of it.
+    pub portion: Portion,
     /// Its slot of the atlas, if it is drawn larger than it is shown.
     pub slot: Option<Slot>,
+    /// Where its pose cache starts among those of all avatars, Gaussians.
+    pub cache_start: u32,
 }
 
 /// The state of an avatar in the last image.
 #[derive(Clone, Debug)]
 struct Shown {
     joints: Vec<DAffine3>,
-    camera: Camera,
-    /// Which of the avatar's levels was drawn; 0 is the avatar itself.
-    model: usize,
-    /// Level of detail.
-    level: u32,
-    /// Its slot of the atlas, if it was drawn larger than it was shown.
-    slot: Option<Slot>,
+    view: View,
 }
 
 /// Remembers what the last frame showed of an avatar.
@@ -61,8 +55,8 @@ pub struct ChangeTracker {
     input: Option<Vec<f64>>,
     /// None before the first frame.
     shown: Option<Shown>,
-    /// Whether the pose cache holds what the last frame showed.
-    cached: bool,
+    /// Where the pose cache holds what the last frame showed, if it does.
+    cached: Option<u32>,
     /// Parts whose networks have not run since their input changed.
     stale: PartSet,
 }
@@ -72,7 +66,7 @@ impl Default for ChangeTracker {
         Self {
             input: None,
             shown: None,
-            cached: false,
+            cached: None,
             stale: PartSet::ALL,
         }
     }
@@ -81,29 +75,23 @@ impl Default for ChangeTracker {
 impl ChangeTracker {
     /// The level of detail that the last frame showed; 0 before the first.
     pub fn level(&self) -> u32 {
-        self.shown.as_ref().map_or(0, |shown| shown.level)
+        self.shown.as_ref().map_or(0, |own| own.view.portion.level)
     }
 
     /// Which of the avatar's levels the last frame drew; 0 is the avatar itself.
     pub fn model(&self) -> usize {
-        self.shown.as_ref().map_or(0, |shown| shown.model)
+        self.shown.as_ref().map_or(0, |own| own.view.portion.model)
     }
 
     /// How many times its size the last frame drew it; 1 before the first.
     pub fn factor(&self) -> u32 {
-        let slot = self.shown.as_ref().and_then(|shown| shown.slot);
+        let slot = self.shown.as_ref().and_then(|shown| shown.view.slot);
         slot.map_or(1, |slot| slot.factor)
     }
 
     /// Returns the work of the next frame, without what `skip` lets it leave out, and remembers the
     /// frame as the last one.
     pub fn update(&mut self, posed: &Posed, view: &View, skip: Skip) -> Changes {
-        let View {
-            camera,
-            model,
-            level,
-            slot,
-        } = *view;
         let input_changed = self.input.as_ref() != Some(&posed.input);
         let pose = input_changed || !skip.contains(Skip::POSE);
         let expression_only = pose && skip.contains(Skip::EXPRESSION) && self.same_body(posed);
@@ -114,15 +102,14 @@ impl ChangeTracker {
         if let Some(shown) = &self.shown {
             same_gaussians = !input_changed
                 && shown.joints == posed.joints
-                && shown.model == model
-                && shown.level == level;
+                && shown.view.portion == view.portion;
             // A slot that moves in the image may hold the same.
-            same_camera = shown.camera == camera && shown.slot == slot;
+            same_camera = shown.view.camera == view.camera && shown.view.slot == view.slot;
         }
         let redraw = pose || !skip.contains(Skip::FRAME) || !(same_gaussians && same_camera);
         let skinning = if !same_gaussians || !skip.contains(Skip::SKINNING) {
             Skinning::Compute
-        } else if self.cached {
+        } else if self.cached == Some(view.cache_start) {
             Skinning::Cached
         } else {
             Skinning::ComputeAndStore
@@ -134,12 +121,9 @@ impl ChangeTracker {
         if redraw {
             self.shown = Some(Shown {
                 joints: posed.joints.clone(),
-                camera,
-                model,
-                level,
-                slot,
+                view: *view,
             });
-            self.cached = skinning != Skinning::Compute;
+            self.note_cache(skinning, view.cache_start);
         }
         Changes {
             pose,
@@ -158,10 +142,24 @@ impl ChangeTracker {
         })
     }
 
+    /// Its networks' outputs are gone: all of them are due.
+    pub fn lose_networks(&mut self) {
+        self.stale = PartSet::ALL;
+    }
+
     /// Remembers that the frame was drawn with these changes although this avatar alone did not
     /// need it.
-    pub fn mark_drawn(&mut self, changes: &Changes) {
-        self.cached = changes.skinning != Skinning::Compute;
+    pub fn mark_drawn(&mut self, changes: &Changes, cache_start: u32) {
+        self.note_cache(changes.skinning, cache_start);
+    }
+
+    /// Remembers that a frame was drawn without it, whose avatars may have used its pose cache.
+    pub fn mark_absent(&mut self) {
+        self.cached = None;
+    }
+
+    fn note_cache(&mut self, skinning: Skinning, start: u32) {
+        self.cached = (skinning != Skinning::Compute).then_some(start);
     }
 
     /// The parts whose networks run in a frame: those whose input has changed since they ran and
@@ -230,9 +228,9 @@ mod tests {
     fn view(yaw: f64, level: u32) -> View {
         View {
             camera: camera(yaw),
-            model: 0,
-            level,
+            portion: Portion { model: 0, level },
             slot: None,
+            cache_start: 0,
         }
     }
 

@@ -19,6 +19,12 @@ pub struct Counters {
     /// Avatars drawn larger than they are shown, then averaged.
     #[serde(default)]
     pub supersampled: u64,
+    /// Samples a pixel along each axis, of the avatar that has the most; 0 where none is in view.
+    #[serde(default)]
+    pub most_samples: u64,
+    /// The coarsest level that an avatar is drawn from; 0 is the avatar itself.
+    #[serde(default)]
+    pub coarsest_level: u64,
     /// Gaussians that were not drawn: those of culled avatars, those that the level of detail
     /// skips, and those culled one by one.
     pub culled: u64,
@@ -104,6 +110,8 @@ impl Counters {
             ("culled", Some(self.culled)),
             ("skipped_by_detail", Some(self.skipped_by_detail)),
             ("supersampled", Some(self.supersampled)),
+            ("most_samples", Some(self.most_samples)),
+            ("coarsest_level", Some(self.coarsest_level)),
             ("outside", self.reasons.map(|reasons| reasons.outside)),
             ("hidden", self.reasons.map(|reasons| reasons.hidden)),
             ("faint", self.reasons.map(|reasons| reasons.faint)),
@@ -143,7 +151,7 @@ mod tests {
             ..Counters::default()
         };
         assert_eq!(counted.overdraw(), Some(2.5));
-        assert_eq!(counted.named().count(), 15);
+        assert_eq!(counted.named().count(), 17);
         assert_eq!(
             Counters {
                 reasons: Some(CullReasons::default()),
@@ -151,9 +159,9 @@ mod tests {
             }
             .named()
             .count(),
-            19
+            21
         );
-        assert_eq!(Counters::default().named().count(), 13);
+        assert_eq!(Counters::default().named().count(), 15);
         assert_eq!(
             Counters {
                 covered: Some(0),

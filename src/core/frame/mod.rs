@@ -13,6 +13,7 @@ pub mod passes;
 pub mod pose_cache;
 pub mod preset;
 pub mod report;
+pub mod room;
 pub mod schedule;
 pub mod skip;
 pub mod state;

@@ -48,8 +48,12 @@ pub struct RendererOptions {
     /// The low-pass to draw with. None: the avatar's own, with which alone it looks as it was
     /// learned.
     pub filter: Option<Filter>,
-    /// Most copies of the avatar in a scene, 1 to 256; memory grows with it.
+    /// Most copies of the avatar in a scene, 1 to 1024; memory grows with it.
     pub instances: usize,
+    /// Most Gaussians that a frame draws, of all copies together; memory grows with it, too. Where
+    /// there are more, those with the most a pixel are drawn from coarser levels ([`super::room`]).
+    /// None: all of every copy; of more than 16 copies as many as four have.
+    pub gaussians: Option<u32>,
     /// Count fragments, where the device can, and why Gaussians are culled. For measurements: some
     /// devices are slower then.
     pub count: bool,
@@ -79,6 +83,7 @@ impl RendererOptions {
             supersampling: Supersampling::BySize,
             filter: None,
             instances: 1,
+            gaussians: None,
             count: false,
         }
     }

@@ -99,6 +99,11 @@ impl Preset {
             margin,
             detail,
             supersampling,
+            // All of a crowd, whatever memory that takes.
+            gaussians: match self {
+                Self::Exact => Some(u32::MAX),
+                _ => options.gaussians,
+            },
             ..options
         }
     }

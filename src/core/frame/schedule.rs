@@ -475,7 +475,7 @@ mod tests {
     use super::*;
     use crate::{
         avatar::{Avatar, Pose},
-        frame::{FrameState, PlanInput, RendererOptions, passes::Use},
+        frame::{FrameState, PlanInput, RendererOptions, passes::Use, room::Room},
         scene::{AvatarBounds, Camera, PartDependencies, Posed, Supersampling, upright},
     };
     use glam::{DAffine3, DVec3};
@@ -530,6 +530,7 @@ mod tests {
                 bounds: &self.bounds,
                 dependencies: &self.dependencies,
                 options: &self.options,
+                room: Room::new(&self.options, &self.bounds).expect("room for all"),
                 has_occluder: equipment.occluder,
                 always_submit: true,
             });
@@ -761,6 +762,28 @@ mod tests {
                 assert_ordered(&frame);
             }
         }
+    }
+
+    /// Networks may not have moved the nodes that the occluder follows.
+    #[test]
+    fn no_occluder_is_drawn_for_a_level() {
+        let quads = every_raster()[0];
+        let mut planner = Planner::new(RendererOptions {
+            instances: 2,
+            ..RendererOptions::new(SIZE)
+        });
+        planner.bounds = AvatarBounds::new(&crate::demo::with_levels());
+        let poses = [planner.posed(0.1, -0.4), planner.posed(0.2, 0.4)];
+        let mut occluders = |poses: &[Posed], gaussians| {
+            planner.options.gaussians = Some(gaussians);
+            let frame = planner.frame(poses, 0.0, &quads);
+            frame.runs(Stage::Occluder)
+        };
+        let all = crate::demo::with_levels().gaussians.len() as u32;
+        // Both whole, one from a level, both from levels.
+        assert_eq!(occluders(&poses, 2 * all), 1);
+        assert_eq!(occluders(&poses, all + all / 4), 1);
+        assert_eq!(occluders(&poses, all), 0);
     }
 
     /// Only an avatar in view is worth it, and only one whose Gaussians are large in the image.

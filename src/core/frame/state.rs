@@ -5,11 +5,11 @@ use super::{
     ChangeTracker, Changes, Counters, RendererOptions, Skinning, Skip,
     atlas::{Arrangement, Seen, Slot, arrange},
     changes::View,
+    room::{Portion, PosePlaces, Room},
 };
 use crate::avatar::Filter;
 use crate::scene::{
     AvatarBounds, Camera, OccluderView, PartDependencies, PartSet, PixelRect, Posed, Visible,
-    detail,
 };
 
 /// An avatar in view.
@@ -22,17 +22,23 @@ pub struct AvatarInstance<'a> {
     pub camera: Camera,
     /// The part of the atlas that it must stay in; None in the image.
     pub slot: Option<PixelRect>,
-    /// Which of the avatar's levels is drawn ([`levels`]); 0 is the avatar itself.
+    /// Samples a pixel of the frame's image along each axis.
+    pub samples: u32,
+    /// Which of the avatar's levels is drawn ([`crate::scene::levels`]); 0 is the avatar itself.
     pub model: usize,
     /// Whether networks move it.
     pub correctives: bool,
-    /// Level of detail ([`detail`]).
+    /// Level of detail ([`crate::scene::detail`]).
     pub level: u32,
     /// Gaussians that are drawn.
     pub gaussians: u32,
     /// Where its splats and keys start among those of its layer's avatars. Always even, so that no
     /// 32-bit word holds 16-bit keys of two avatars.
     pub first_key: u32,
+    /// Where its pose cache starts among those of all avatars, Gaussians.
+    pub cache_start: u32,
+    /// Its place in the pose buffer, if networks move it.
+    pub pose_place: usize,
     /// Which stages it needs.
     pub changes: Changes,
     /// Parts that may be in view; None where visibility does not matter.
@@ -44,6 +50,12 @@ pub struct AvatarInstance<'a> {
 }
 
 impl AvatarInstance<'_> {
+    /// Whether the occluder, whose mesh follows the avatar's own nodes, is where it is: networks
+    /// may not have moved those of a level.
+    pub fn has_occluder(&self) -> bool {
+        self.model == 0
+    }
+
     /// Where the next avatar's splats and keys start.
     fn end_key(&self) -> u32 {
         self.first_key + padded_count(self.gaussians)
@@ -110,6 +122,8 @@ pub struct PlanInput<'a, 'pose> {
     pub dependencies: &'a PartDependencies,
     /// The renderer's options.
     pub options: &'a RendererOptions,
+    /// The renderer's room.
+    pub room: Room,
     /// Whether the renderer has an occluder mesh to draw.
     pub has_occluder: bool,
     /// Whether the frame is submitted even if nothing has changed.
@@ -135,6 +149,7 @@ pub struct StageDispatches {
 pub struct FrameState {
     /// One an avatar, in the order of the poses.
     trackers: Vec<ChangeTracker>,
+    pose_places: PosePlaces,
     /// Indices of the avatars that the last frame drew; None before the first.
     last_drawn: Option<Vec<usize>>,
 }
@@ -147,6 +162,18 @@ struct Candidate {
     visible: Option<Visible>,
     /// Its place and size; None without supersampling.
     seen: Option<Seen>,
+}
+
+/// Where an avatar in view is drawn.
+struct Place<'a> {
+    /// None in the image.
+    slot: Option<&'a Slot>,
+    /// Width and height of the atlas, px.
+    atlas_size: [u32; 2],
+    /// [`AvatarInstance::first_key`].
+    first_key: u32,
+    /// [`AvatarInstance::cache_start`].
+    cache_start: u32,
 }
 
 impl FrameState {
@@ -171,6 +198,9 @@ impl FrameState {
         };
         let mut candidates = Vec::with_capacity(poses.len());
         for (index, &posed) in poses.iter().enumerate() {
+            if skip.contains(Skip::AVATARS) && bounds.is_outside(&posed.joints, camera) {
+                continue;
+            }
             let visible = (skip.intersects(Skip::AVATARS | Skip::PARTS | Skip::DAMAGE)
                 || options.supersampling.is_on())
             .then(|| bounds.visible(&posed.joints, camera));
@@ -210,17 +240,26 @@ impl FrameState {
         } else {
             Arrangement::without_slots(candidates.len())
         };
+        let portions = self.portions(&input, &candidates, &arrangement);
         let mut image = Vec::with_capacity(candidates.len());
         let mut atlas = Vec::new();
-        for (place, candidate) in candidates.into_iter().enumerate() {
-            let slot = arrangement.slot_of[place].map(|slot| &arrangement.slots[slot]);
+        let mut cache_start = 0;
+        for (place_index, candidate) in candidates.into_iter().enumerate() {
+            let slot = arrangement.slot_of[place_index].map(|slot| &arrangement.slots[slot]);
             let instances = if slot.is_some() {
                 &mut atlas
             } else {
                 &mut image
             };
             let first_key = instances.last().map_or(0, AvatarInstance::end_key);
-            let instance = self.instance(input, candidate, slot, arrangement.size, first_key);
+            let place = Place {
+                slot,
+                atlas_size: arrangement.size,
+                first_key,
+                cache_start,
+            };
+            let instance = self.instance(input, candidate, portions[place_index], place);
+            cache_start += instance.gaussians;
             instances.push(instance);
         }
 
@@ -230,9 +269,17 @@ impl FrameState {
         let redraw = !skip.contains(Skip::FRAME)
             || others_in_view
             || image.iter().chain(&atlas).any(|own| own.changes.redraw);
+        if redraw {
+            for (index, tracker) in self.trackers.iter_mut().enumerate() {
+                if in_view.binary_search(&index).is_err() {
+                    tracker.mark_absent();
+                }
+            }
+        }
         self.last_drawn = Some(in_view);
         // A frame that is not submitted runs no networks: they stay due.
         if redraw || input.always_submit {
+            self.place_poses(image.iter_mut().chain(&mut atlas), input.room.posed);
             for instance in image.iter_mut().chain(&mut atlas) {
                 let tracker = &mut self.trackers[instance.index];
                 instance.networks = tracker.schedule_networks(
@@ -242,13 +289,13 @@ impl FrameState {
                     instance.correctives,
                 );
                 if redraw {
-                    tracker.mark_drawn(&instance.changes);
+                    tracker.mark_drawn(&instance.changes, instance.cache_start);
                 }
             }
         }
-        // An occluder's depth is too coarse for the many avatars of an atlas, and its mesh follows
-        // nodes that the networks of a level don't move.
-        let occluder = |instances: &[AvatarInstance]| input.has_occluder && !instances.is_empty();
+        let occluder = |instances: &[AvatarInstance]| {
+            input.has_occluder && instances.iter().any(AvatarInstance::has_occluder)
+        };
         let image = Layer {
             occluder_view: occluder(&image)
                 .then(|| OccluderView::new(camera.size, screen_rect(&image, bounds))),
@@ -265,7 +312,8 @@ impl FrameState {
         let size = arrangement.size;
         let atlas = (!atlas.is_empty()).then(|| Atlas {
             layer: Layer {
-                occluder_view: (occluder(&atlas) && atlas.len() == 1 && atlas[0].model == 0)
+                // Its depth is too coarse for many avatars.
+                occluder_view: (occluder(&atlas) && atlas.len() == 1)
                     .then(|| OccluderView::new(size, screen_rect(&atlas, bounds))),
                 depth_range: depth_range(&atlas, bounds, camera),
                 pixels_a_gaussian: f64::INFINITY,
@@ -284,60 +332,96 @@ impl FrameState {
         }
     }
 
-    /// An avatar in view, whose networks are still to be scheduled. `slot`: where it is drawn in an
-    /// atlas of a size; None in the image.
+    /// What is drawn of each avatar in view: at most what there is room for.
+    fn portions(
+        &self,
+        input: &PlanInput,
+        candidates: &[Candidate],
+        arrangement: &Arrangement,
+    ) -> Vec<Portion> {
+        let mut portions: Vec<Portion> = candidates
+            .iter()
+            .zip(&arrangement.slot_of)
+            .map(|(candidate, slot)| {
+                let slot = slot.map(|slot| &arrangement.slots[slot]);
+                self.portion(input, candidate, slot, arrangement.size)
+            })
+            .collect();
+        let sides = |candidate: &Candidate| match candidate.seen {
+            Some(seen) => seen.side,
+            None => input
+                .bounds
+                .longest_side(&input.poses[candidate.index].joints, input.camera),
+        };
+        let drawn = |portion: &Portion| u64::from(padded_count(portion.gaussians(input.bounds)));
+        if portions.iter().map(drawn).sum::<u64>() > input.room.gaussians.into() {
+            let sides: Vec<f64> = candidates.iter().map(sides).collect();
+            input.room.fit(&mut portions, &sides, input.bounds);
+        }
+        portions
+    }
+
+    /// What is drawn of an avatar in view where there is room.
+    fn portion(
+        &self,
+        input: &PlanInput,
+        candidate: &Candidate,
+        slot: Option<&Slot>,
+        atlas_size: [u32; 2],
+    ) -> Portion {
+        let PlanInput {
+            bounds, options, ..
+        } = input;
+        let tracker = &self.trackers[candidate.index];
+        // Levels are for what is small, at several samples a pixel.
+        if let (Some(slot), Some(seen)) = (slot, candidate.seen) {
+            let before = tracker.model();
+            let model = seen.level(bounds, options.supersampling, slot.factor, before);
+            if model > 0 {
+                return Portion { model, level: 0 };
+            }
+        }
+        let camera = slot.map_or(*input.camera, |slot| slot.camera(input.camera, atlas_size));
+        let joints = &input.poses[candidate.index].joints;
+        let pixels = || bounds.pixels(joints, &camera);
+        let before = tracker.level();
+        Portion {
+            model: 0,
+            level: options.detail.level(bounds.gaussians(), before, pixels),
+        }
+    }
+
+    /// An avatar in view, whose networks are still to be scheduled.
     fn instance<'pose>(
         &mut self,
         input: PlanInput<'_, 'pose>,
         candidate: Candidate,
-        slot: Option<&Slot>,
-        atlas_size: [u32; 2],
-        first_key: u32,
+        portion: Portion,
+        place: Place,
     ) -> AvatarInstance<'pose> {
         let PlanInput {
             bounds, options, ..
         } = input;
-        let Candidate {
-            index,
-            visible,
-            seen,
-        } = candidate;
+        let Candidate { index, visible, .. } = candidate;
+        let Place {
+            slot,
+            atlas_size,
+            first_key,
+            cache_start,
+        } = place;
+        let Portion { model, level } = portion;
         let posed = input.poses[index];
-        let tracker = &mut self.trackers[index];
         let visible_parts = visible
             .filter(|_| options.skip.contains(Skip::PARTS))
             .map(|visible| visible.parts);
         let camera = slot.map_or(*input.camera, |slot| slot.camera(input.camera, atlas_size));
-        // Levels are for what is small, at several samples a pixel.
-        let model = match (slot, seen) {
-            (Some(slot), Some(seen)) => {
-                seen.level(bounds, options.supersampling, slot.factor, tracker.model())
-            }
-            _ => 0,
-        };
-        let level = if model > 0 {
-            0
-        } else {
-            options
-                .detail
-                .level(bounds.gaussians(), tracker.level(), || {
-                    bounds.pixels(&posed.joints, &camera)
-                })
-        };
-        let (gaussians, correctives) = match model {
-            0 => (bounds.gaussians(), true),
-            model => {
-                let level = &bounds.levels()[model - 1];
-                (level.gaussians, level.correctives)
-            }
-        };
         let view = View {
             camera,
-            model,
-            level,
+            portion,
             slot: slot.copied(),
+            cache_start,
         };
-        let changes = tracker.update(posed, &view, options.skip);
+        let changes = self.trackers[index].update(posed, &view, options.skip);
         // The pose cache needs all parts: other cameras will see them.
         let culled_parts = match visible_parts {
             Some(visible) if changes.skinning != Skinning::ComputeAndStore => {
@@ -350,15 +434,37 @@ impl FrameState {
             posed,
             camera,
             slot: slot.map(Slot::rect),
+            samples: slot.map_or(1, |slot| slot.factor),
             model,
-            correctives,
+            correctives: portion.correctives(bounds),
             level,
-            gaussians: detail::gaussian_count(gaussians as u32, level),
+            gaussians: portion.gaussians(bounds),
             first_key,
+            cache_start,
+            pose_place: 0,
             changes,
             visible_parts,
             culled_parts,
             networks: PartSet::EMPTY,
+        }
+    }
+
+    /// Gives avatars that networks move their places in the pose buffer. Where one is new, all of
+    /// the avatar's networks are due.
+    fn place_poses<'own, 'pose: 'own>(
+        &mut self,
+        instances: impl Iterator<Item = &'own mut AvatarInstance<'pose>>,
+        count: usize,
+    ) {
+        let mut posed: Vec<_> = instances.filter(|own| own.correctives).collect();
+        posed.sort_unstable_by_key(|own| own.index);
+        let indices: Vec<usize> = posed.iter().map(|own| own.index).collect();
+        let places = self.pose_places.assign(&indices, count);
+        for (instance, place) in posed.into_iter().zip(places) {
+            instance.pose_place = place.number;
+            if place.is_new {
+                self.trackers[instance.index].lose_networks();
+            }
         }
     }
 }
@@ -390,6 +496,8 @@ impl<'a> FramePlan<'a> {
         for instance in self.instances() {
             counters.skipped_by_detail += u64::from(gaussians - instance.gaussians);
             counters.supersampled += u64::from(instance.slot.is_some());
+            counters.most_samples = counters.most_samples.max(instance.samples.into());
+            counters.coarsest_level = counters.coarsest_level.max(instance.model as u64);
             counters.networks += instance.networks.len() as u64;
             counters.parts_outside += instance.culled_parts.len() as u64;
             if self.redraw && instance.changes.skinning == Skinning::Cached {

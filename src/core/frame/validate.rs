@@ -9,8 +9,8 @@ use crate::{
     scene::{AvatarBounds, Camera, PoseShape, Posed},
 };
 
-/// Most avatars of a scene: their Gaussians are then fewer than a sort takes.
-const MAX_INSTANCES: usize = 256;
+/// Most avatars of a scene.
+const MAX_INSTANCES: usize = 1024;
 
 fn unusable(what: &str, found: impl ToString, expected: impl ToString) -> Unusable {
     Unusable {

@@ -150,6 +150,10 @@ pub struct PoseShape {
 #[derive(Clone, Debug)]
 pub struct AvatarBounds {
     parts: Vec<PartBox>,
+    /// Each joint's, around all that it moves.
+    joints: Vec<JointBox>,
+    /// What the longest margin of a part is, metres before skinning.
+    margin: f64,
     pose_shape: PoseShape,
     gaussians: usize,
     /// The low-pass that it is drawn with.
@@ -164,12 +168,15 @@ impl AvatarBounds {
     /// Where [`Avatar::check`] finds a fault.
     pub fn new(avatar: &Avatar) -> Self {
         let parts = avatar.parts.start.windows(2).enumerate();
+        let parts: Vec<PartBox> = parts
+            .map(|(part, pair)| (part, pair[0] as usize..pair[1] as usize))
+            .filter(|(_, range)| !range.is_empty())
+            .map(|(part, range)| PartBox::new(avatar, part, range))
+            .collect();
         Self {
-            parts: parts
-                .map(|(part, pair)| (part, pair[0] as usize..pair[1] as usize))
-                .filter(|(_, range)| !range.is_empty())
-                .map(|(part, range)| PartBox::new(avatar, part, range))
-                .collect(),
+            joints: JointBox::of(&parts),
+            margin: parts.iter().map(PartBox::margin).fold(0.0, f64::max),
+            parts,
             pose_shape: PoseShape {
                 joints: avatar.skeleton.len(),
                 inputs: 3 * avatar.inputs.joint.len() + avatar.inputs.expression,
@@ -186,6 +193,15 @@ impl AvatarBounds {
     pub fn filtered(self, filter: Option<Filter>) -> Self {
         Self {
             filter: filter.unwrap_or(self.filter),
+            ..self
+        }
+    }
+
+    /// These bounds for a renderer that draws no levels.
+    #[must_use]
+    pub fn without_levels(self) -> Self {
+        Self {
+            levels: Vec::new(),
             ..self
         }
     }
@@ -240,6 +256,47 @@ impl AvatarBounds {
         }
         visible.around = around.pixels();
         visible
+    }
+
+    /// Whether nothing of the avatar can be in the image: a test of all of it, with a wider margin
+    /// than that of its parts ([`Self::visible`]), at a twentieth of the cost.
+    pub fn is_outside(&self, joints: &[DAffine3], camera: &Camera) -> bool {
+        let scale = enlargement(joints) * enlargement(&[camera.view]);
+        let margin = scale * self.margin;
+        let reach = reach_of(self.filter);
+        let [width, height] = camera.size.map(f64::from);
+        let DVec2 { x: fx, y: fy } = camera.focal;
+        let DVec2 { x: cx, y: cy } = camera.center;
+        // Each faces into what the image shows; the last is the near plane.
+        let sides = [
+            DVec3::new(fx, 0.0, cx + reach),
+            DVec3::new(-fx, 0.0, width + reach - cx),
+            DVec3::new(0.0, fy, cy + reach),
+            DVec3::new(0.0, -fy, height + reach - cy),
+        ]
+        .map(|normal| normal / normal.length());
+        let mut outside = [true; 5];
+        for own in &self.joints {
+            let moved = camera.view * joints[own.joint];
+            for corner in corners_of(own.min, own.max) {
+                let p = moved.transform_point3(corner);
+                for (outside, side) in outside.iter_mut().zip(&sides) {
+                    *outside &= side.dot(p) < -margin;
+                }
+                outside[4] &= p.z + margin < camera.near;
+            }
+            if !outside.contains(&true) {
+                return false;
+            }
+        }
+        outside.contains(&true)
+    }
+
+    /// Longest side of a rectangle around the avatar without a margin, px; infinite where it
+    /// crosses the near plane.
+    pub fn longest_side(&self, joints: &[DAffine3], camera: &Camera) -> f64 {
+        let sides = self.sides(joints, camera);
+        sides.map_or(f64::INFINITY, DVec2::max_element)
     }
 
     /// Whether [`Self::visible`] allows for a Gaussian of a part: one beyond may be cut off.
@@ -335,7 +392,58 @@ impl AvatarBounds {
     }
 }
 
+/// The box around all that a joint moves, in canonical space.
+#[derive(Clone, Debug)]
+struct JointBox {
+    joint: usize,
+    min: DVec3,
+    max: DVec3,
+}
+
+impl JointBox {
+    /// The boxes of all joints that move some of these parts.
+    fn of(parts: &[PartBox]) -> Vec<Self> {
+        let mut boxes: Vec<Self> = Vec::new();
+        for part in parts {
+            for &joint in &part.joints {
+                let joint = usize::from(joint);
+                match boxes.iter_mut().find(|own| own.joint == joint) {
+                    Some(own) => {
+                        own.min = own.min.min(part.min);
+                        own.max = own.max.max(part.max);
+                    }
+                    None => boxes.push(Self {
+                        joint,
+                        min: part.min,
+                        max: part.max,
+                    }),
+                }
+            }
+        }
+        boxes
+    }
+}
+
+/// The corners of a box.
+fn corners_of(min: DVec3, max: DVec3) -> [DVec3; 8] {
+    std::array::from_fn(|k| {
+        let choose = |axis: usize| {
+            if k >> axis & 1 == 0 {
+                min[axis]
+            } else {
+                max[axis]
+            }
+        };
+        DVec3::new(choose(0), choose(1), choose(2))
+    })
+}
+
 impl PartBox {
+    /// What visibility allows for around the box, metres before skinning.
+    fn margin(&self) -> f64 {
+        MARGIN + self.displacement + self.radius
+    }
+
     fn new(avatar: &Avatar, part: usize, range: Range<usize>) -> Self {
         let gaussians = &avatar.gaussians;
         let longest_axis = gaussians.log_scale[range.clone()]
@@ -391,17 +499,7 @@ impl PartBox {
         joints: &'a [DAffine3],
         count: usize,
     ) -> impl Iterator<Item = DVec3> + 'a {
-        let corner = |k: usize| {
-            let choose = |axis: usize| {
-                if k >> axis & 1 == 0 {
-                    self.min[axis]
-                } else {
-                    self.max[axis]
-                }
-            };
-            DVec3::new(choose(0), choose(1), choose(2))
-        };
-        let corners: [DVec3; 8] = std::array::from_fn(corner);
+        let corners = corners_of(self.min, self.max);
         self.joints[..count].iter().flat_map(move |&joint| {
             corners.map(|corner| joints[usize::from(joint)].transform_point3(corner))
         })
@@ -416,7 +514,7 @@ impl PartBox {
         scale: f64,
         reach: f64,
     ) -> ProjectedBox {
-        let margin = scale * (MARGIN + self.displacement + self.radius);
+        let margin = scale * self.margin();
         let wide_margin = scale * (RECT_MARGIN + self.displacement + 2.0 * self.radius);
         let mut projected = ProjectedBox {
             tight: PlaneBox::EMPTY,

@@ -29,11 +29,13 @@ pub enum BenchCase {
     Far240,
     /// Four avatars in motion.
     Four,
+    /// A crowd in motion, 60 px tall.
+    Crowd,
 }
 
 impl BenchCase {
     /// Every case.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 12] = [
         Self::Full,
         Self::Camera,
         Self::Orbit,
@@ -45,6 +47,7 @@ impl BenchCase {
         Self::Far120,
         Self::Far240,
         Self::Four,
+        Self::Crowd,
     ];
 
     /// Name on the command line and in reports.
@@ -61,6 +64,7 @@ impl BenchCase {
             Self::Far120 => "far120",
             Self::Far240 => "far240",
             Self::Four => "four",
+            Self::Crowd => "crowd",
         }
     }
 
@@ -80,12 +84,17 @@ impl BenchCase {
             Self::Four => {
                 "four avatars in motion a metre apart, a slowly orbiting camera on all or one of them"
             }
+            Self::Crowd => "64 avatars in motion, each 60 px tall, a slowly orbiting camera",
         }
     }
 
     /// Number of avatars in its scenes.
     pub fn instances(self) -> usize {
-        if self == Self::Four { 4 } else { 1 }
+        match self {
+            Self::Four => 4,
+            Self::Crowd => 64,
+            _ => 1,
+        }
     }
 
     /// Whether frames follow each other at [`RATE`](super::scene::RATE), so that a pose can be held
@@ -98,7 +107,7 @@ impl BenchCase {
     pub fn tall(self) -> Option<f64> {
         match self {
             Self::Far30 => Some(30.0),
-            Self::Far => Some(60.0),
+            Self::Far | Self::Crowd => Some(60.0),
             Self::Far120 => Some(120.0),
             Self::Far240 => Some(240.0),
             _ => None,

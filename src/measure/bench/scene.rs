@@ -8,7 +8,7 @@
 
 use super::case::BenchCase;
 use crate::{
-    in_a_row,
+    in_rows,
     viewpoint::{self, FOV, PITCH},
 };
 use effigy_core::{
@@ -151,7 +151,7 @@ fn pose(case: BenchCase, inputs: &SceneInputs, frame: usize, instance: usize) ->
 
 fn posed(case: BenchCase, inputs: &SceneInputs, frame: usize, instance: usize) -> Posed {
     Posed::new(inputs.avatar, &pose(case, inputs, frame, instance))
-        .placed(in_a_row(instance, case.instances()))
+        .placed(in_rows(instance, case.instances()))
 }
 
 fn camera(case: BenchCase, inputs: &SceneInputs, bounds: &AvatarBounds, frame: usize) -> Camera {
@@ -191,11 +191,11 @@ fn camera(case: BenchCase, inputs: &SceneInputs, bounds: &AvatarBounds, frame: u
     Camera::orbit((min + max) / 2.0, yaw, PITCH, distance, FOV, inputs.size)
 }
 
-/// The instances that the camera frames. Of several, every other take frames only the first, so
-/// that the others are partly or wholly outside the image.
+/// The instances that the camera frames. Of a few, every other take frames only the first, so that
+/// the others are partly or wholly outside the image.
 fn framed_instances(case: BenchCase, frame: usize) -> Range<usize> {
     let all = case.instances();
-    if (frame / TAKE).is_multiple_of(2) {
+    if case != BenchCase::Crowd && (frame / TAKE).is_multiple_of(2) {
         0..all.div_ceil(4)
     } else {
         0..all

@@ -15,7 +15,7 @@ use crate::vulkan::{
 };
 use ash::vk;
 use effigy_core::{
-    frame::{KeyBits, RendererOptions, Skinning, Skip, SortVariant, state::padded_count},
+    frame::{KeyBits, RendererOptions, Skinning, Skip, SortVariant, room::Room},
     layout::{FrameBlock, POSE_CACHE_WORDS, PROJECT_WORKGROUP, widened_key},
 };
 use gpu_allocator::MemoryLocation;
@@ -32,8 +32,6 @@ pub struct Project {
     counted: bool,
     /// Invocations of a workgroup.
     workgroup: u32,
-    /// Gaussians of the avatar: no level has more.
-    gaussians: u32,
     layout: SplatBufferLayout,
     buffer: Buffer,
 }
@@ -93,11 +91,11 @@ impl Project {
         pose: Slice,
         variant: SortVariant,
         options: &RendererOptions,
+        room: Room,
     ) -> Result<Self> {
         let caches = options.skip.contains(Skip::SKINNING);
-        let count = model.own().constants.gaussians;
         let capacity =
-            (options.instances as u32 * padded_count(count)).next_multiple_of(CAPACITY_STEP);
+            room.gaussians.saturating_add(CAPACITY_STEP - 1) / CAPACITY_STEP * CAPACITY_STEP;
         let layout = SplatBufferLayout::new(capacity, options.keys(), variant);
         let counting = if options.count {
             [1, (layout.reasons / 4) as u32]
@@ -149,17 +147,15 @@ impl Project {
             sets,
             counted: options.count,
             workgroup,
-            gaussians: count,
             layout,
             buffer,
         })
     }
 
-    /// Writes to a frame's block where the avatar's pose cache starts. `number`: its place in the
-    /// renderer.
-    pub fn fill_instance(&self, block: &mut FrameBlock, number: u32) {
-        block.cache_start =
-            (self.layout.posed / 4) as u32 + number * POSE_CACHE_WORDS * self.gaussians;
+    /// Writes to a frame's block where the avatar's pose cache starts. `first`: its place among those
+    /// of all avatars, Gaussians.
+    pub fn fill_instance(&self, block: &mut FrameBlock, first: u32) {
+        block.cache_start = (self.layout.posed / 4) as u32 + POSE_CACHE_WORDS * first;
     }
 
     /// Writes to a frame's block where the buffers of all avatars start.

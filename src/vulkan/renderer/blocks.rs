@@ -14,6 +14,7 @@ use effigy_core::{
         RendererOptions, Skinning,
         block::{self, PoseLayout},
         pose_cache::PoseCache,
+        room::Room,
         state::{AvatarInstance, FramePlan, Layer},
     },
     layout::FrameBlock,
@@ -37,6 +38,7 @@ pub(super) struct Blocks {
 pub(super) struct BlockSources<'a> {
     pub extent: &'a AvatarBounds,
     pub options: &'a RendererOptions,
+    pub room: Room,
     pub splats: &'a Project,
     pub sort: &'a Sort,
     pub model: &'a Model,
@@ -127,13 +129,13 @@ impl Blocks {
         let block: &mut FrameBlock = from_bytes_mut(bytes);
         let set = instance.map_or(0, |instance| instance.model);
         block::write_constants(block, &sources.model.sets[set].constants);
-        let pose = PoseLayout::new(&sources.model.own().constants, sources.options.instances);
+        let pose = PoseLayout::new(&sources.model.own().constants, sources.room);
         block::write_shared(block, sources.options, layer, camera, pose);
         sources.splats.fill(block);
         block.count_tile = sources.sort.tile();
         if let Some(instance) = instance {
             block::write_instance(block, sources.options, instance, pose);
-            sources.splats.fill_instance(block, number as u32);
+            sources.splats.fill_instance(block, instance.cache_start);
             self.pose_caches[number].write_to(block, camera);
         }
     }

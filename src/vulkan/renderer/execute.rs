@@ -206,6 +206,7 @@ impl Executor<'_> {
                     .layer(target)
                     .instances
                     .iter()
+                    .filter(|instance| instance.has_occluder())
                     .map(|instance| self.block(instance.index))
                     .collect();
                 occluder.record(commands, &avatars, &view);

@@ -43,6 +43,7 @@ use effigy_core::{
         StageDispatches, Unusable,
         block::PoseLayout,
         passes::Target,
+        room::Room,
         schedule::{DeviceState, Equipment},
         state::{FrameState, PlanInput},
         validate,
@@ -97,6 +98,7 @@ pub struct Renderer {
     tuning: Option<Tuning>,
     model: Model,
     extent: AvatarBounds,
+    room: Room,
     needs: PartDependencies,
     options: RendererOptions,
     state: FrameState,
@@ -167,7 +169,9 @@ impl Renderer {
         let model = Model::new(gpu, avatar, has_occluder)?;
         let constants = &model.own().constants;
         let storage = vk::BufferUsageFlags::STORAGE_BUFFER | vk::BufferUsageFlags::TRANSFER_SRC;
-        let layout = PoseLayout::new(constants, options.instances);
+        let extent = AvatarBounds::new(avatar).filtered(options.filter);
+        let room = Room::new(&options, &extent)?;
+        let layout = PoseLayout::new(constants, room);
         // Zeros: a corner of the occluder may follow a node of a part that no frame has shown yet.
         let zeros = vec![0; 16 * layout.total() as usize];
         let pose = Buffer::with_data(gpu, "pose", &zeros, storage)?;
@@ -186,7 +190,7 @@ impl Renderer {
             }
             None => choice::without_test(gpu)?,
         };
-        let project = Project::new(gpu, &model, frame, (&pose).into(), variant, &options)?;
+        let project = Project::new(gpu, &model, frame, (&pose).into(), variant, &options, room)?;
         let sort_options = SortOptions {
             counts: Some(project.counts()),
             ..SortOptions::new(options.keys(), variant)
@@ -240,7 +244,8 @@ impl Renderer {
             control,
             pose,
             blocks,
-            extent: AvatarBounds::new(avatar).filtered(options.filter),
+            extent,
+            room,
             needs: PartDependencies::new(avatar),
             model,
             options,
@@ -370,6 +375,7 @@ impl Renderer {
             bounds: &self.extent,
             dependencies: &self.needs,
             options: &self.options,
+            room: self.room,
             has_occluder: self.occluder.is_some(),
             always_submit: presentation.is_some(),
         });
@@ -392,6 +398,7 @@ impl Renderer {
         let sources = blocks::BlockSources {
             extent: &self.extent,
             options: &self.options,
+            room: self.room,
             splats: &self.project,
             sort: &self.sort,
             model: &self.model,
@@ -577,7 +584,7 @@ impl Renderer {
     /// Waits, and copies every stage's output of the last frame to the host.
     pub fn stages(&mut self) -> Result<Stages> {
         self.finish()?;
-        let layout = PoseLayout::new(&self.model.own().constants, self.options.instances);
+        let layout = PoseLayout::new(&self.model.own().constants, self.room);
         let pyramid_start = 4 * layout.pyramid();
         let sources = stages::StageSources {
             model: &self.model,

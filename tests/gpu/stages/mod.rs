@@ -1,6 +1,7 @@
 //! The stages of a frame and whole frames against the reference. Drivers that differ only in their
 //! vector width run these alone.
 
+pub mod crowd;
 pub mod detail;
 pub mod frame;
 pub mod mlp;

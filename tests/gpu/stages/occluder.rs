@@ -5,7 +5,7 @@ use crate::common::gpu::{self, Frame};
 use effigy::vulkan::{Gpu, Renderer, RendererOptions};
 use effigy_core::{
     avatar::{Avatar, Pose},
-    frame::{FrameState, PlanInput, Skip},
+    frame::{FrameState, PlanInput, Skip, room::Room},
     layout::{OCCLUDER_SIDE, PYRAMID_LEVELS, PYRAMID_SIDE, SORT_CULLED},
     occluder::Occluder,
     reference::occluder::{self, OccluderDrawing},
@@ -70,6 +70,7 @@ impl Scene {
             bounds: &bounds,
             dependencies: &dependencies,
             options: &options,
+            room: Room::new(&options, &bounds).expect("room for one"),
             has_occluder: true,
             always_submit: true,
         });

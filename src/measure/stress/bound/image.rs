@@ -11,7 +11,7 @@ use effigy_core::{
     avatar::{Avatar, Filter},
     constants::SATURATION_CUTOFFS,
     frame::{
-        FrameState, PlanInput, RendererOptions, Skip, pose_cache::PoseCache,
+        FrameState, PlanInput, RendererOptions, Skip, pose_cache::PoseCache, room::Room,
         schedule::SATURATION_PIXELS,
     },
     occluder::Occluder,
@@ -106,6 +106,10 @@ impl ImageBound {
             bounds: &bounds,
             dependencies: &dependencies,
             options,
+            room: Room {
+                gaussians: u32::MAX,
+                posed: 1,
+            },
             has_occluder,
             always_submit: true,
         });

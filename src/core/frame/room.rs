@@ -1,0 +1,291 @@
+//! How many Gaussians a frame has room for. A crowd's buffers hold fewer than all of every avatar:
+//! where a frame would draw more, the avatars with the most Gaussians a pixel are drawn coarser.
+
+use super::{RendererOptions, Unusable, state::padded_count};
+use crate::scene::{AvatarBounds, detail};
+use std::{cmp::Ordering, collections::BinaryHeap};
+
+/// Up to so many avatars there is room for all of every one, unless options say otherwise.
+const FEW: usize = 16;
+
+/// What is drawn of an avatar.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Portion {
+    /// Which of the avatar's levels ([`crate::scene::levels`]); 0 is the avatar itself.
+    pub model: usize,
+    /// How far that is thinned out ([`detail`]).
+    pub level: u32,
+}
+
+impl Portion {
+    /// The least of an avatar.
+    fn coarsest(bounds: &AvatarBounds) -> Self {
+        Self {
+            model: bounds.levels().len(),
+            level: detail::COARSEST,
+        }
+    }
+
+    /// The next coarser. A level made for it comes before thinning out.
+    fn coarser(self, bounds: &AvatarBounds) -> Option<Self> {
+        if self.model < bounds.levels().len() {
+            Some(Self {
+                model: self.model + 1,
+                level: 0,
+            })
+        } else {
+            (self.level < detail::COARSEST).then(|| Self {
+                level: self.level + 1,
+                ..self
+            })
+        }
+    }
+
+    /// Gaussians that are drawn.
+    pub fn gaussians(self, bounds: &AvatarBounds) -> u32 {
+        let all = match self.model {
+            0 => bounds.gaussians(),
+            model => bounds.levels()[model - 1].gaussians,
+        };
+        detail::gaussian_count(all as u32, self.level)
+    }
+
+    /// Whether networks move them.
+    pub fn correctives(self, bounds: &AvatarBounds) -> bool {
+        self.model == 0 || bounds.levels()[self.model - 1].correctives
+    }
+}
+
+/// The room of a renderer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Room {
+    /// Gaussians of all avatars that a frame draws, those counted that pad them
+    /// ([`padded_count`]).
+    pub gaussians: u32,
+    /// Avatars that networks move.
+    pub posed: usize,
+}
+
+impl Room {
+    /// The room that a renderer with these options needs.
+    ///
+    /// # Errors
+    /// When [`RendererOptions::gaussians`] does not hold the coarsest of every avatar, or one
+    /// avatar as a whole.
+    pub fn new(options: &RendererOptions, bounds: &AvatarBounds) -> Result<Self, Unusable> {
+        let instances = options.instances as u64;
+        let padded = |portion: Portion| u64::from(padded_count(portion.gaussians(bounds)));
+        let whole = Portion { model: 0, level: 0 };
+        let all = instances * padded(whole);
+        let least = (instances * padded(Portion::coarsest(bounds))).max(padded(whole));
+        let gaussians = match options.gaussians {
+            Some(most) => all.min(most.into()),
+            None if options.instances > FEW => all.min((4 * padded(whole)).max(least)),
+            None => all,
+        };
+        if gaussians < least {
+            return Err(Unusable {
+                what: "the number of Gaussians of a frame".into(),
+                found: gaussians.to_string(),
+                expected: format!("at least {least}, for {instances} of these avatars"),
+            });
+        }
+        let mut moved = Some(whole);
+        let mut fewest = u64::MAX;
+        while let Some(portion) = moved {
+            if portion.correctives(bounds) {
+                fewest = fewest.min(padded(portion).max(1));
+            }
+            moved = portion.coarser(bounds);
+        }
+        // Every level of every avatar may also be thinned out.
+        let fewest = fewest.min(padded(Portion {
+            level: detail::COARSEST,
+            ..whole
+        }));
+        Ok(Self {
+            gaussians: gaussians.try_into().unwrap_or(u32::MAX),
+            posed: (gaussians / fewest.max(1)).min(instances) as usize,
+        })
+    }
+
+    /// Draws avatars coarser until they fit: always the one with the most Gaussians a pixel of its
+    /// box. `sides`: the longest side of each in the image, px.
+    pub fn fit(&self, portions: &mut [Portion], sides: &[f64], bounds: &AvatarBounds) {
+        let padded = |portion: Portion| u64::from(padded_count(portion.gaussians(bounds)));
+        let mut total: u64 = portions.iter().map(|&portion| padded(portion)).sum();
+        if total <= self.gaussians.into() {
+            return;
+        }
+        let crowded = |avatar: usize, portion: Portion| Crowded {
+            density: f64::from(portion.gaussians(bounds)) / (sides[avatar] * sides[avatar]),
+            avatar,
+        };
+        let mut densest: BinaryHeap<Crowded> = (0..portions.len())
+            .map(|avatar| crowded(avatar, portions[avatar]))
+            .collect();
+        while total > self.gaussians.into()
+            && let Some(Crowded { avatar, .. }) = densest.pop()
+        {
+            if let Some(coarser) = portions[avatar].coarser(bounds) {
+                total -= padded(portions[avatar]);
+                total += padded(coarser);
+                portions[avatar] = coarser;
+                densest.push(crowded(avatar, coarser));
+            }
+        }
+    }
+}
+
+/// An avatar by how many Gaussians it has a pixel.
+struct Crowded {
+    density: f64,
+    avatar: usize,
+}
+
+impl Ord for Crowded {
+    fn cmp(&self, other: &Self) -> Ordering {
+        let density = self.density.total_cmp(&other.density);
+        density.then(self.avatar.cmp(&other.avatar))
+    }
+}
+
+impl PartialOrd for Crowded {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl PartialEq for Crowded {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other).is_eq()
+    }
+}
+
+impl Eq for Crowded {}
+
+/// Which avatar's features and node displacements each place of the pose buffer holds.
+#[derive(Clone, Debug, Default)]
+pub struct PosePlaces {
+    owners: Vec<Option<usize>>,
+}
+
+/// A place of the pose buffer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct PosePlace {
+    /// Its number.
+    pub number: usize,
+    /// Whether it holds another avatar's, or nothing yet: all networks have to run.
+    pub is_new: bool,
+}
+
+impl PosePlaces {
+    /// Gives each of these avatars a place of `count`, at least as many: the one that it has, else
+    /// one of an avatar that is not among them.
+    pub fn assign(&mut self, avatars: &[usize], count: usize) -> Vec<PosePlace> {
+        self.owners.resize(count, None);
+        let kept: Vec<Option<usize>> = avatars
+            .iter()
+            .map(|avatar| self.owners.iter().position(|own| *own == Some(*avatar)))
+            .collect();
+        let mut is_kept = vec![false; count];
+        for &number in kept.iter().flatten() {
+            is_kept[number] = true;
+        }
+        let mut free = (0..count).filter(|&number| !is_kept[number]);
+        let mut assigned = Vec::with_capacity(avatars.len());
+        for (&avatar, kept) in avatars.iter().zip(&kept) {
+            // Avatars that were never there before take the free places in order.
+            let Some(number) = kept.or_else(|| free.next()) else {
+                break;
+            };
+            assigned.push(PosePlace {
+                number,
+                is_new: kept.is_none(),
+            });
+            self.owners[number] = Some(avatar);
+        }
+        assigned
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::demo::{self, with_levels};
+
+    fn options(instances: usize, gaussians: Option<u32>) -> RendererOptions {
+        RendererOptions {
+            instances,
+            gaussians,
+            ..RendererOptions::new([64, 64])
+        }
+    }
+
+    #[test]
+    fn there_is_room_for_all_unless_less_is_asked_for() {
+        let avatar = demo::avatar().expect("inside the program");
+        let bounds = AvatarBounds::new(&avatar);
+        let count = avatar.gaussians.len() as u32;
+        let room = |instances, gaussians| Room::new(&options(instances, gaussians), &bounds);
+        let all = room(5, None).expect("room");
+        assert_eq!((all.gaussians, all.posed), (5 * padded_count(count), 5));
+        // A crowd has what four avatars have, or the coarsest of each.
+        let crowd = room(24, None).expect("room");
+        assert_eq!((crowd.gaussians, crowd.posed), (4 * count, 24));
+        assert_eq!(room(64, None).expect("room").gaussians, 8 * count);
+        let some = room(32, Some(4 * count)).expect("room");
+        assert_eq!((some.gaussians, some.posed), (4 * count, 32));
+        let error = room(64, Some(count)).expect_err("too little");
+        assert!(error.to_string().contains(&count.to_string()), "{error}");
+        assert!(room(1, Some(count - 10)).is_err());
+    }
+
+    #[test]
+    fn the_densest_are_drawn_coarser() {
+        let bounds = AvatarBounds::new(&with_levels());
+        let count = bounds.gaussians() as u32;
+        let room = Room::new(&options(8, Some(2 * count)), &bounds).expect("room");
+        let mut portions = [Portion { model: 0, level: 0 }; 8];
+        let sides = [900.0, 100.0, 90.0, 80.0, 70.0, 60.0, 50.0, 40.0];
+        room.fit(&mut portions, &sides, &bounds);
+        let total: u32 = portions.iter().map(|own| own.gaussians(&bounds)).sum();
+        assert!(total <= 2 * count && total > count, "{portions:?}");
+        assert_eq!(portions[0], Portion { model: 0, level: 0 });
+        assert!(portions.is_sorted_by_key(|own| own.model));
+        // What fits stays.
+        let before = portions;
+        room.fit(&mut portions, &sides, &bounds);
+        assert_eq!(portions, before);
+    }
+
+    #[test]
+    fn there_is_always_a_portion_that_fits() {
+        let bounds = AvatarBounds::new(&with_levels());
+        let count = bounds.gaussians() as u32;
+        let coarsest = Portion::coarsest(&bounds).gaussians(&bounds);
+        let instances = (count / padded_count(coarsest)) as usize;
+        let room = Room::new(&options(instances, Some(count)), &bounds).expect("room");
+        let mut portions = vec![Portion { model: 0, level: 0 }; instances];
+        for side in [1000.0, 0.0, f64::INFINITY, f64::NAN] {
+            room.fit(&mut portions, &vec![side; instances], &bounds);
+            let padded = |own: &Portion| padded_count(own.gaussians(&bounds));
+            assert!(portions.iter().map(padded).sum::<u32>() <= room.gaussians);
+        }
+    }
+
+    #[test]
+    fn avatars_keep_their_places() {
+        let mut places = PosePlaces::default();
+        let mut assign = |avatars: &[usize]| -> Vec<(usize, bool)> {
+            let places = places.assign(avatars, 3);
+            places.iter().map(|own| (own.number, own.is_new)).collect()
+        };
+        assert_eq!(assign(&[7, 9]), [(0, true), (1, true)]);
+        assert_eq!(assign(&[9, 4, 7]), [(1, false), (2, true), (0, false)]);
+        assert_eq!(assign(&[5, 4]), [(0, true), (2, false)]);
+        // The places of those that are away are kept until they are needed.
+        assert_eq!(assign(&[9]), [(1, false)]);
+        assert_eq!(assign(&[1, 2, 3]), [(0, true), (1, true), (2, true)]);
+    }
+}
