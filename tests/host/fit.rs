@@ -7,7 +7,7 @@ use effigy_core::scene::Posed;
 use effigy_learn::dataset::{Dataset, DatasetWriter, FrameAttributes, Shot, frame_name};
 use effigy_learn::evaluate::{EvaluationPlan, Rendition, evaluate};
 use effigy_learn::{Budget, FitOptions, fit, prune};
-use glam::{DQuat, DVec3};
+use glam::DQuat;
 use half::f16;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
