@@ -18,7 +18,7 @@ use effigy_core::{
         file::{self, FormatError},
         pack::{PackQuality, PackStep},
     },
-    layout::pack::ModelSizes,
+    layout::{pack::ModelSizes, sh},
     reference,
     scene::{AvatarBounds, Camera, FrameImage, Posed, upright},
 };
@@ -46,7 +46,7 @@ pub struct PackingStep {
     /// Bytes of its tensors before compression: about what its arrays take in memory, except for a
     /// few that are widened there.
     pub raw: usize,
-    /// Bytes of the renderers' model.
+    /// Bytes of the renderers' model, levels included.
     pub device: usize,
     /// PSNR against the original avatar, both drawn exactly, dB. Infinite, and null in JSON, if
     /// every pixel is equal. None without views.
@@ -125,10 +125,22 @@ fn measure(
         what,
         file: file.len(),
         raw: raw_bytes(file)?,
-        device: ModelSizes::from_avatar(avatar).total() as usize,
+        device: device_bytes(avatar) as usize,
         rounded_db: psnr(avatar, views, reference::render),
         drawn_db: psnr(avatar, views, reference::render_stored),
     })
+}
+
+/// Bytes of an avatar and its levels on a device.
+fn device_bytes(avatar: &Avatar) -> u64 {
+    let own = ModelSizes::from_avatar(avatar).total() + sh::bytes(avatar);
+    let levels = avatar.levels.iter().map(|level| {
+        // All else is the avatar's.
+        let drawn = avatar.at_level(level);
+        let sizes = ModelSizes::from_avatar(&drawn);
+        sizes.gaussians + sizes.rows + sh::bytes(&drawn)
+    });
+    own + levels.sum::<u64>()
 }
 
 /// Bytes of a file's tensors before compression.
