@@ -2,13 +2,13 @@
 
 use crate::{
     files,
-    options::{self, FilterArgs, named},
+    options::{self, FilterArgs, UpArgs},
     source::{CaptureArgs, PoseProjection, Source, print_assumptions},
 };
 use anyhow::{Context, ensure};
 use effigy_core::{
     avatar::{Avatar, Filter},
-    io::splats::{Splats, Uniform, Up, from_gaussians},
+    io::splats::{Splats, Uniform, from_gaussians},
     reference::{mlp, nodes, project},
     scene::Posed,
 };
@@ -32,10 +32,8 @@ pub struct Args {
     /// Time in the clip, seconds
     #[arg(long, alias = "at", value_name = "SECONDS", default_value_t = 0.0, value_parser = options::seconds)]
     time: f64,
-    /// Axis that points up in splats [default: the file's own, else its format's: y in .spz, .glb
-    /// and .gltf, -y in others, as 3DGS trains]
-    #[arg(long, value_parser = named(Up::NAMES, Up::ALL), value_name = "AXIS", allow_hyphen_values = true)]
-    up: Option<Up>,
+    #[command(flatten)]
+    up: UpArgs,
     /// Whether the networks see the nearest pose that the avatar was trained for, within 2σ along
     /// each principal component of its training poses; off: the pose itself
     #[arg(long, value_enum, default_value_t = PoseProjection::On)]
@@ -52,7 +50,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
             "--motion is for avatars: {} has splats, which stand still",
             args.file.display()
         );
-        let found = open::splats(&args.file, args.up)?;
+        let found = open::splats(&args.file, args.up.up)?;
         print_assumptions(&args.file, &found.assumptions);
         found.splats
     } else {
@@ -101,7 +99,7 @@ fn posed_file(args: &Args) -> anyhow::Result<Splats> {
         avatar: Some(args.file.clone()),
         motion: args.motion.iter().cloned().collect(),
         capture: args.capture.clone(),
-        up: args.up,
+        up: args.up.up,
         project: args.project,
     };
     let (avatar, player) = source.load_player()?;

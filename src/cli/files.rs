@@ -37,6 +37,13 @@ pub fn write_json(path: &Path, value: &impl Serialize) -> anyhow::Result<()> {
 
 /// What an avatar that was written has, in a line.
 pub fn describe(avatar: &Avatar) -> String {
+    if avatar.is_static() {
+        let harmonics = match &avatar.sh {
+            Some(sh) => format!("spherical harmonics of degree {}", sh.degree),
+            None => "no spherical harmonics".into(),
+        };
+        return format!("{} Gaussians, {harmonics}", avatar.gaussians.len());
+    }
     let parts = &avatar.parts;
     let rows = [
         avatar.rotation_rows.gaussian.len(),

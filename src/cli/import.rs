@@ -2,7 +2,7 @@
 
 use crate::{
     distil, files,
-    options::{self, FilterArgs},
+    options::{self, FilterArgs, UpArgs},
     progress,
     source::{self, CaptureArgs, print_assumptions},
 };
@@ -22,7 +22,8 @@ const POSE_COMPONENTS: usize = 20;
 
 #[derive(clap::Args, Debug)]
 pub struct Args {
-    /// The paper's model, a .npz file, mmlphuman's checkpoint, a .pth file, or motion of any body: .bvh, .fbx, glTF, VRM, SMPL's
+    /// The paper's model, a .npz file, mmlphuman's checkpoint, a .pth file, splats: .ply, .splat,
+    /// .spz, .sog, .ksplat, .glb or .gltf, or motion of any body: .bvh, .fbx, glTF, VRM, SMPL's
     /// parameters, the paper's _poses.json
     file: PathBuf,
     /// Avatar or motion file to write
@@ -58,6 +59,8 @@ pub struct Args {
     /// What the file's colours count in
     #[arg(long, value_enum, default_value_t)]
     color_code: ColorArg,
+    #[command(flatten)]
+    up: UpArgs,
     #[command(flatten)]
     filter: FilterArgs,
     #[command(flatten)]
@@ -141,8 +144,11 @@ fn check(args: &Args, is_motion: bool) -> anyhow::Result<()> {
     );
     if is_motion {
         ensure!(
-            args.trained.is_empty() && args.poses.is_none() && args.filter.filter().is_none(),
-            "--trained, --poses and --filter are for avatars: {} is motion",
+            args.trained.is_empty()
+                && args.poses.is_none()
+                && args.filter.filter().is_none()
+                && args.up.up.is_none(),
+            "--trained, --poses, --filter and --up are for avatars: {} is motion",
             args.file.display()
         );
     } else {
@@ -152,10 +158,13 @@ fn check(args: &Args, is_motion: bool) -> anyhow::Result<()> {
             args.file.display()
         );
         ensure!(
-            !open::is_splats(&args.file),
-            "{} has splats, which are drawn as they are; `effigy convert` writes other formats",
+            args.up.up.is_none() || open::is_splats(&args.file),
+            "--up is for splats: {} has none",
             args.file.display()
         );
+        if open::is_splats(&args.file) {
+            check_still(args)?;
+        }
     }
     Ok(())
 }
@@ -176,8 +185,24 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     if let (Some(poses), Some(out)) = (&args.poses, &args.motion_out) {
         convert_clip(&args, poses, avatar, out)?;
     }
-    avatar.write(&args.out)?;
+    if avatar.is_static() {
+        // All its Gaussians have one joint and no node, which deflates to nothing.
+        avatar.write_packed(&args.out)?;
+    } else {
+        avatar.write(&args.out)?;
+    }
     println!("{}: {}", args.out.display(), files::describe(avatar));
+    Ok(())
+}
+
+/// Refuses options of learned avatars where a file has splats.
+fn check_still(args: &Args) -> anyhow::Result<()> {
+    ensure!(
+        args.trained.is_empty() && args.poses.is_none() && args.activation.is_none(),
+        "--trained, --poses and --activation are for avatars that move: {} has splats, which stand \
+         still",
+        args.file.display()
+    );
     Ok(())
 }
 
@@ -206,7 +231,7 @@ fn imported(args: &Args) -> anyhow::Result<Avatar> {
             activation: args.activation.map_or(plain.activation, Into::into),
             color: args.color_code.into(),
         },
-        ..OpenOptions::default()
+        up: args.up.up,
     };
     let bar = progress::items(0, "file");
     bar.set_message(format!("reading {}", args.file.display()));

@@ -14,6 +14,7 @@ use effigy::vulkan::{
 use effigy_core::{
     avatar::{Avatar, Filter},
     frame::Skip,
+    io::splats::Up,
     layout::PROJECT_WORKGROUPS,
     scene::{Camera, Detail, Supersampling},
 };
@@ -168,6 +169,15 @@ pub struct QualityArgs {
     pub draw_at_most: Option<u32>,
     #[command(flatten)]
     pub filter: FilterArgs,
+}
+
+/// The axis that points up in splats, where a command's only avatar may be splats.
+#[derive(clap::Args, Clone, Copy, Debug)]
+pub struct UpArgs {
+    /// Axis that points up in splats [default: the file's own, else its format's: y in .spz, .glb
+    /// and .gltf, -y in others, as 3DGS trains]
+    #[arg(long, value_parser = named(Up::NAMES, Up::ALL), value_name = "AXIS", allow_hyphen_values = true)]
+    pub up: Option<Up>,
 }
 
 /// The low-pass that Gaussians are drawn with.

@@ -3,7 +3,8 @@
 use crate::{
     files,
     inspect::LevelSummary,
-    options, progress,
+    options::{self, FilterArgs, UpArgs},
+    progress,
     source::{self, CaptureArgs, PoseProjection, Source},
 };
 use anyhow::ensure;
@@ -12,7 +13,7 @@ use effigy_core::{
     avatar::{Avatar, Level, motion::Player},
     io::pack::PackQuality,
 };
-use effigy_formats::open;
+use effigy_formats::open::{self, OpenOptions};
 use effigy_learn::levels::{LevelOptions, LevelPoses, levels_of};
 use effigy_measure::packing::{self, PackingStep, Views};
 use std::{
@@ -22,7 +23,7 @@ use std::{
 
 #[derive(clap::Args, Debug)]
 pub struct Args {
-    /// Avatar to pack [default: the built-in demo]
+    /// Avatar to pack: an .avatar file, the paper's .npz, or splats [default: the built-in demo]
     avatar: Option<PathBuf>,
     /// Avatar file to write
     #[arg(short, long, value_name = "FILE")]
@@ -35,12 +36,16 @@ pub struct Args {
     motion: Option<PathBuf>,
     /// Also make levels of detail for small images: merge Gaussians and fit them to supersampled
     /// images of all, in the poses of --motion, or in random ones of the poses that the avatar was
-    /// trained for; takes minutes
+    /// trained for; splats from all sides; takes minutes
     #[arg(long)]
     levels: bool,
     /// Clip in whose poses the levels' errors are measured [default: other poses of the same kind]
     #[arg(long, value_name = "FILE", requires = "levels")]
     held_out: Option<PathBuf>,
+    #[command(flatten)]
+    up: UpArgs,
+    #[command(flatten)]
+    filter: FilterArgs,
     /// Frames to compare after each step, spread over the clip, each from another side; the f64
     /// reference takes seconds for each
     #[arg(long, alias = "pictures", value_name = "N", default_value_t = 4)]
@@ -60,9 +65,10 @@ enum QualityArg {
     /// reads become zeros
     Lossless,
     /// Round quaternions, log scales, colours and bases as the renderers do anyway; they draw the
-    /// same images
+    /// same images. Round spherical harmonics to 256ths
     High,
-    /// Also round the networks' weights to 10 significant bits, from 11
+    /// Also round the networks' weights to 10 significant bits, from 11, and spherical harmonics to
+    /// 64ths
     Medium,
     /// Also store the networks' weights as bytes, in the device's memory too
     Small,
@@ -80,18 +86,20 @@ impl From<QualityArg> for PackQuality {
 }
 
 pub fn run(args: Args) -> anyhow::Result<()> {
-    ensure!(
-        !args.avatar.as_deref().is_some_and(open::is_splats),
-        "splats have neither networks nor bases to pack: give an .avatar file"
-    );
     let source = Source {
         avatar: args.avatar.clone(),
         motion: args.motion.iter().cloned().collect(),
         capture: CaptureArgs::default(),
-        up: None,
+        up: args.up.up,
         project: PoseProjection::On,
     };
     let (mut avatar, player) = source.load_player()?;
+    args.filter.apply(&mut avatar);
+    ensure!(
+        args.held_out.is_none() || !avatar.is_static(),
+        "`{}` has splats, which stand still: --held-out is for avatars that move",
+        avatar.name
+    );
     if args.levels {
         avatar.levels = make_levels(&args, &avatar, &player)?;
     }
@@ -158,11 +166,11 @@ fn make_levels(args: &Args, avatar: &Avatar, player: &Player) -> anyhow::Result<
     Ok(levels)
 }
 
-/// How long an avatar file takes to read, milliseconds: the median of five times.
+/// How long an avatar takes to read, milliseconds: the median of five times.
 fn reading_ms(path: &Path) -> anyhow::Result<f64> {
     let once = |_| -> anyhow::Result<f64> {
         let start = Instant::now();
-        Avatar::read(path)?;
+        open::avatar(path, &OpenOptions::default())?;
         Ok(start.elapsed().as_secs_f64() * 1e3)
     };
     let mut times = (0..5).map(once).collect::<Result<Vec<_>, _>>()?;

@@ -111,18 +111,19 @@ pub enum PoseProjection {
 }
 
 impl Source {
-    /// These arguments for another avatar, without those that do not apply to it: splats take
-    /// no clips, and nothing else takes an axis.
+    /// These arguments for another avatar, without those that do not apply to it: what stands still
+    /// takes no clips, and nothing but files of splats an axis.
     #[cfg(feature = "window")]
     pub fn for_avatar(&self, path: &Path) -> Self {
         let mut source = Self {
             avatar: Some(path.to_owned()),
             ..self.clone()
         };
-        if open::is_splats(path) {
-            source.motion.clear()
-        } else {
-            source.up = None
+        if !open::is_splats(path) {
+            source.up = None;
+        }
+        if !source.motion.is_empty() && stands_still(path) {
+            source.motion.clear();
         }
         source
     }
@@ -204,6 +205,13 @@ impl Source {
         let read = files.iter().map(|path| clip(path, avatar, &options));
         read.collect()
     }
+}
+
+/// Whether a file is an avatar in which nothing moves.
+#[cfg(feature = "window")]
+fn stands_still(path: &Path) -> bool {
+    open::is_splats(path)
+        || open::avatar(path, &OpenOptions::default()).is_ok_and(|open| open.avatar.is_static())
 }
 
 /// Reads the avatar that motion of another body is to move: the demo unless the user names one.

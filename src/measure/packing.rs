@@ -16,9 +16,9 @@ use effigy_core::{
     avatar::{Avatar, Pose, motion::Player},
     io::{
         file::{self, FormatError},
-        pack::PackQuality,
+        pack::{PackQuality, PackStep},
     },
-    layout::pack::ModelSizes,
+    layout::{pack::ModelSizes, sh},
     reference,
     scene::{AvatarBounds, Camera, FrameImage, Posed, upright},
 };
@@ -46,7 +46,7 @@ pub struct PackingStep {
     /// Bytes of its tensors before compression: about what its arrays take in memory, except for a
     /// few that are widened there.
     pub raw: usize,
-    /// Bytes of the renderers' model.
+    /// Bytes of the renderers' model, levels included.
     pub device: usize,
     /// PSNR against the original avatar, both drawn exactly, dB. Infinite, and null in JSON, if
     /// every pixel is equal. None without views.
@@ -74,7 +74,12 @@ pub fn measure_steps(
     views: &Views,
     mut progress: impl FnMut(&str, usize, usize),
 ) -> Result<(Vec<PackingStep>, Avatar), FormatError> {
-    let steps = quality.steps();
+    let steps: Vec<PackStep> = quality
+        .steps()
+        .iter()
+        .copied()
+        .filter(|step| step.applies_to(avatar))
+        .collect();
     let image_count = views.images * (steps.len() + 2);
     let mut done = 0;
     let mut references = Vec::with_capacity(views.images);
@@ -98,7 +103,7 @@ pub fn measure_steps(
         },
     ];
     let mut packed = avatar.clone();
-    for &step in steps {
+    for step in steps {
         progress(step.name(), done, image_count);
         packed = packed.after(step);
         let bytes = packed.to_packed_bytes()?;
@@ -120,10 +125,22 @@ fn measure(
         what,
         file: file.len(),
         raw: raw_bytes(file)?,
-        device: ModelSizes::from_avatar(avatar).total() as usize,
+        device: device_bytes(avatar) as usize,
         rounded_db: psnr(avatar, views, reference::render),
         drawn_db: psnr(avatar, views, reference::render_stored),
     })
+}
+
+/// Bytes of an avatar and its levels on a device.
+fn device_bytes(avatar: &Avatar) -> u64 {
+    let own = ModelSizes::from_avatar(avatar).total() + sh::bytes(avatar);
+    let levels = avatar.levels.iter().map(|level| {
+        // All else is the avatar's.
+        let drawn = avatar.at_level(level);
+        let sizes = ModelSizes::from_avatar(&drawn);
+        sizes.gaussians + sizes.rows + sh::bytes(&drawn)
+    });
+    own + levels.sum::<u64>()
 }
 
 /// Bytes of a file's tensors before compression.
@@ -223,7 +240,9 @@ mod tests {
                 lines[at].drawn_db.expect("images"),
             )
         };
-        assert_eq!(lines.len(), 2 + PackQuality::Small.steps().len());
+        // It has no spherical harmonics.
+        let steps = PackQuality::Small.steps().len() - 1;
+        assert_eq!(lines.len(), 2 + steps);
         assert!(db(0).0.is_infinite() && db(2).0.is_infinite(), "{lines:?}");
         assert!(
             lines
@@ -232,7 +251,7 @@ mod tests {
             "{lines:?}"
         );
         // Rounding that the renderers do anyway does not change the image.
-        let high = PackQuality::High.steps().len() + 1;
+        let high = PackQuality::High.steps().len();
         assert!(
             (db(high).1 - db(0).1).abs() < 1e-2 && db(high).0 > 45.0,
             "{lines:?}"

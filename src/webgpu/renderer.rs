@@ -211,14 +211,20 @@ impl Renderer {
     }
 
     /// Draws this avatar from now on, which has the Gaussians and the nodes of the one before and
-    /// may have other correctives of the same number: kernels and bindings stay. False, and nothing
-    /// has changed, where its arrays have other lengths.
+    /// may have other correctives of the same number, and other spherical harmonics of the same
+    /// degree: kernels and bindings stay, but for that of the harmonics. False, and nothing has
+    /// changed, where its arrays have other lengths.
     ///
     /// # Errors
     /// When [`Avatar::check`] finds a fault, or the device is lost.
     pub fn replace_avatar(&mut self, avatar: &Avatar) -> Result<bool> {
-        if avatar.sh.is_some() || !self.upload(avatar)? {
+        let degree = SphericalHarmonics::degree_of(avatar);
+        if degree != self.sh.as_ref().map(SphericalHarmonics::degree) || !self.upload(avatar)? {
             return Ok(false);
+        }
+        if degree.is_some() {
+            self.sh = SphericalHarmonics::new(&self.gpu, avatar, &self.model, &self.blocks)?;
+            self.gpu.check()?;
         }
         self.frame.clone_from(&self.model.constants);
         self.avatar_bounds = bounds_of(avatar, &self.options);

@@ -21,6 +21,7 @@ use effigy_core::{
 
 pub struct SphericalHarmonics {
     kernel: Kernel,
+    degree: usize,
     _coefficients: [Buffer; 2],
 }
 
@@ -55,8 +56,19 @@ impl SphericalHarmonics {
         let kernel = Kernel::new(gpu, module, if both { &bound } else { &bound[..3] });
         Ok(Some(Self {
             kernel,
+            degree: coefficients.degree,
             _coefficients: [low, high],
         }))
+    }
+
+    /// Highest degree.
+    pub fn degree(&self) -> usize {
+        self.degree
+    }
+
+    /// Highest degree of an avatar's harmonics; None for one without.
+    pub fn degree_of(avatar: &Avatar) -> Option<usize> {
+        avatar.sh.as_ref().map(|sh| sh.degree)
     }
 
     /// Reads the frame's joints and the model, writes the model's colours of the Gaussians that are

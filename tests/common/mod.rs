@@ -10,7 +10,8 @@ pub mod gpu;
 #[macro_use]
 pub mod harness;
 
-use effigy_core::avatar::*;
+use effigy_core::avatar::{harmonics::functions_of, *};
+use effigy_core::io::splats::{Splats, Up};
 use glam::{DQuat, DVec3};
 use half::f16;
 use std::f64::consts::TAU;
@@ -341,6 +342,53 @@ pub fn avatar(seed: u64, sizes: Sizes) -> Avatar {
     }
 }
 
+/// Splats in a box a metre wide: flat ones of some centimetres, with colours that change with the
+/// view as those of trained scenes do, the less the higher the degree.
+pub fn splats(seed: u64, count: usize, degree: usize) -> Splats {
+    let random = &mut Random(seed);
+    let mut splats = Splats {
+        position: vec![],
+        rotation: vec![],
+        log_scale: vec![],
+        opacity: vec![],
+        color: vec![],
+        degree,
+        harmonics: vec![],
+        up: Up::Y,
+        filter: Filter::DEFAULT,
+    };
+    for _ in 0..count {
+        let vector = |v: DVec3| v.as_vec3().to_array();
+        splats.position.push(vector(random.vector(0.5)));
+        let quaternion = std::array::from_fn(|_| random.normal() as f32);
+        splats.rotation.push(quaternion);
+        let flat = DVec3::new(-3.5, -3.8, -6.0) + random.vector(0.5);
+        splats.log_scale.push(vector(flat));
+        splats.opacity.push(random.range(-2.0, 4.0) as f32);
+        splats.color.push(vector(random.vector(1.5)));
+    }
+    if degree > 0 {
+        let sh = harmonics(seed + 1, count, degree);
+        let coefficients = sh.coefficients.into_iter();
+        splats.harmonics = coefficients.map(|c| c.map(f32::from)).collect();
+    }
+    splats
+}
+
+/// Spherical harmonics, the smaller the higher their degree.
+pub fn harmonics(seed: u64, gaussians: usize, degree: usize) -> ShCoefficients {
+    let random = &mut Random(seed);
+    let functions = functions_of(degree);
+    let mut coefficient = |at: usize| {
+        let spread = 0.15 / ((at % functions + 1) as f64).sqrt().floor();
+        std::array::from_fn(|_| f16::from_f64(spread * random.normal()))
+    };
+    ShCoefficients {
+        degree,
+        coefficients: (0..gaussians * functions).map(&mut coefficient).collect(),
+    }
+}
+
 /// The avatar with two levels of detail where it has enough Gaussians: every second Gaussian with
 /// its rows, and every fourth without correctives.
 pub fn with_levels(mut avatar: Avatar) -> Avatar {
@@ -355,7 +403,7 @@ pub fn with_levels(mut avatar: Avatar) -> Avatar {
     };
     let level = |every: usize| {
         let keep: Vec<usize> = (0..avatar.gaussians.len()).step_by(every).collect();
-        let correctives = every == 2;
+        let correctives = every == 2 && !avatar.networks.layers.is_empty();
         let mut level = Level {
             gaussians: avatar.gaussians.pick(&keep),
             part_start: avatar
@@ -368,7 +416,7 @@ pub fn with_levels(mut avatar: Avatar) -> Avatar {
             rotation_rows: every_second(&avatar.rotation_rows, correctives),
             scale_rows: every_second(&avatar.scale_rows, correctives),
             color_rows: every_second(&avatar.color_rows, correctives),
-            sh: None,
+            sh: avatar.sh.as_ref().map(|sh| sh.pick(&keep)),
             measured: measured(240.0 / every as f64).into(),
         };
         if !correctives {

@@ -530,7 +530,12 @@ fn an_avatar_is_drawn_before_its_correctives_are_there(raster: Raster) {
     let device = open();
     let (avatar, posed) = body(31, 2000);
     let small = avatar.packed(PackQuality::Small);
+    let lit = Avatar {
+        sh: Some(common::harmonics(32, avatar.gaussians.len(), 2)),
+        ..avatar.clone()
+    };
     let files = [
+        (&lit, lit.to_packed_bytes()),
         (&avatar, avatar.to_bytes()),
         (&avatar, avatar.to_packed_bytes()),
         (&small, small.to_packed_bytes()),

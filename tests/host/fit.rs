@@ -2,12 +2,12 @@
 
 use crate::common::{self, Sizes};
 use effigy_core::avatar::{Avatar, Clip, Rows};
-use effigy_core::reference;
+use effigy_core::reference::{self, nodes::displacement};
 use effigy_core::scene::Posed;
 use effigy_learn::dataset::{Dataset, DatasetWriter, FrameAttributes, Shot, frame_name};
 use effigy_learn::evaluate::{EvaluationPlan, Rendition, evaluate};
 use effigy_learn::{Budget, FitOptions, fit, prune};
-use glam::{DQuat, DVec3};
+use glam::DQuat;
 use half::f16;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
@@ -89,12 +89,7 @@ fn frame(avatar: &Avatar, posed: &Posed) -> FrameAttributes {
             k,
             e,
         )));
-        let moved: DVec3 = avatar
-            .node_weights(k)
-            .iter()
-            .zip(avatar.gaussians.node[k])
-            .map(|(&w, s)| w * nodes[usize::from(s)])
-            .sum();
+        let moved = displacement(avatar.node_weights(k), avatar.gaussians.node[k], &nodes);
         frame.offset.push(half(moved.to_array()));
     }
     frame

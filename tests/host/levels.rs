@@ -6,9 +6,11 @@ use effigy_core::{
     avatar::{Avatar, Filter, Level, LevelError, ShCoefficients, motion::Player},
     io::{
         pack::PackQuality,
+        ply_export::to_ply,
         splats::{Splats, Up},
     },
 };
+use effigy_formats::open::{self, OpenOptions};
 use effigy_learn::levels::{LevelOptions, LevelPoses, levels_of};
 use half::f16;
 use std::process::Command;
@@ -124,7 +126,7 @@ fn splats_have_levels_too() {
     let poses = LevelPoses::new(&avatar, &[], 1);
     assert_eq!(poses.training.len(), 1);
     let levels = make(&avatar, &poses, 12, 40);
-    assert_eq!(levels.len(), 2, "a 64th is too few");
+    assert_eq!(levels.len(), 2, "a 96th is too few");
     for level in &levels {
         let sh: &ShCoefficients = level.sh.as_ref().expect("as the avatar has");
         assert_eq!(sh.coefficients.len(), 3 * level.gaussians.len());
@@ -149,18 +151,114 @@ fn too_few_gaussians_have_no_levels() {
     assert!(make(&avatar, &poses, 2, 0).is_empty());
 }
 
+/// What the program prints, or its error.
+fn run(arguments: &[&str]) -> Result<String, String> {
+    let output = Command::new(common::program())
+        .args(arguments)
+        .output()
+        .expect("the program runs");
+    let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
+    if output.status.success() {
+        Ok(text(&output.stdout))
+    } else {
+        Err(text(&output.stderr))
+    }
+}
+
+/// From a `.ply` to a file with levels, in two steps or in one.
+fn splats_are_imported_and_get_levels() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let [ply, scan, two, one] = ["scene.ply", "scan.avatar", "two.avatar", "one.avatar"]
+        .map(|name| folder.path().join(name).to_str().expect("UTF-8").to_owned());
+    std::fs::write(&ply, to_ply(&common::splats(9, 5000, 1))).expect("it can be written");
+    let said = run(&["import", &ply, "--out", &scan]).expect("it succeeds");
+    assert!(
+        said.ends_with("scan.avatar: 5000 Gaussians, spherical harmonics of degree 1\n"),
+        "{said}"
+    );
+    let read = |path: &str| open::avatar(path.as_ref(), &OpenOptions::default());
+    let imported = read(&scan).expect("an avatar").avatar;
+    assert!(imported == read(&ply).expect("splats").avatar && imported.is_static());
+    let pack = |from: &str, to: &str| {
+        run(&["pack", from, "--levels", "--frames", "0", "--out", to]).expect("it succeeds")
+    };
+    let said = pack(&scan, &two);
+    assert!(
+        said.contains("spherical harmonics in 256ths") && !said.contains("networks in"),
+        "{said}"
+    );
+    pack(&ply, &one);
+    let [two_bytes, one_bytes] = [&two, &one].map(|path| std::fs::read(path).expect("a file"));
+    assert!(two_bytes == one_bytes);
+    let avatar = read(&two).expect("an avatar").avatar;
+    let counts: Vec<usize> = avatar.levels.iter().map(|l| l.gaussians.len()).collect();
+    assert_eq!(counts, [833, 208], "a 96th is too few");
+    let shown = run(&["inspect", &two]).expect("it succeeds");
+    assert!(shown.contains("degree 1"), "{shown}");
+    for level in &avatar.levels {
+        let error = tallest(level);
+        let count = level.gaussians.len();
+        assert!(
+            shown.contains(&format!("level       {count} Gaussians, without networks"))
+                && shown.contains(&format!("{:.1} dB, mean colour", error.psnr_db)),
+            "{shown}"
+        );
+        // Colours of neighbours have nothing in common.
+        assert!(error.psnr_db > 25.0, "{error:?}");
+    }
+    let plain = imported.packed(PackQuality::High).to_packed_bytes();
+    let before = plain.expect("it can be written").len();
+    let after = two_bytes.len();
+    assert!(after < before * 135 / 100, "{after} bytes after {before}");
+    let motion = folder.path().join("walk.motion");
+    let body = body();
+    common::clip(4, &body, 4)
+        .write(&motion)
+        .expect("it can be written");
+    let motion = motion.to_str().expect("UTF-8");
+    for (arguments, expected) in [
+        (
+            &["pack", &scan, "--motion", motion, "--out", &one][..],
+            "has splats, which stand still: motion is for avatars",
+        ),
+        (
+            &[
+                "pack",
+                &ply,
+                "--levels",
+                "--held-out",
+                motion,
+                "--out",
+                &one,
+            ],
+            "has splats, which stand still: --held-out is for avatars that move",
+        ),
+        (
+            &["import", &ply, "--out", &ply],
+            "does not end in .avatar, which",
+        ),
+        (
+            &["import", &ply, "--trained", motion, "--out", &one],
+            "--trained, --poses and --activation are for avatars that move",
+        ),
+        (
+            &["import", motion, "--up", "y", "--out", &one],
+            "--up is for splats",
+        ),
+        (
+            &["pack", &scan, "--up", "y", "--out", &one],
+            "--up is for splats only",
+        ),
+    ] {
+        let error = run(arguments).expect_err("it is refused");
+        assert!(error.contains(expected), "{error}");
+    }
+}
+
 fn pack_makes_levels_and_inspect_shows_them() {
     let folder = tempfile::tempdir().expect("a folder");
     let out = folder.path().join("levels.avatar");
-    let run = |arguments: &[&str]| {
-        let output = Command::new(common::program())
-            .args(arguments)
-            .output()
-            .expect("the program runs");
-        let error = String::from_utf8_lossy(&output.stderr).into_owned();
-        assert!(output.status.success(), "{error}");
-        String::from_utf8_lossy(&output.stdout).into_owned()
-    };
+    let run = |arguments: &[&str]| run(arguments).expect("it succeeds");
     let file = folder.path().join("body.avatar");
     let whole = body();
     whole.write(&file).expect("it can be written");
@@ -206,5 +304,6 @@ tests! {
     threads_do_not_change_the_result,
     splats_have_levels_too,
     too_few_gaussians_have_no_levels,
+    splats_are_imported_and_get_levels,
     pack_makes_levels_and_inspect_shows_them,
 }

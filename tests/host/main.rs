@@ -53,6 +53,7 @@ fn main() -> ExitCode {
             files::kept,
             files::packed,
             files::rules,
+            files::scans,
             fit,
             fuzz,
             gltf_motion,

@@ -3,6 +3,11 @@
 use glam::DVec3;
 use std::f64::consts::PI;
 
+/// Functions of degree 1 to `degree`.
+pub fn functions_of(degree: usize) -> usize {
+    (degree + 1).pow(2) - 1
+}
+
 /// The real spherical harmonics of degree 0 to 3 of a direction of length 1, in 3DGS's order and
 /// with its signs.
 pub fn functions(d: DVec3) -> [f64; 16] {

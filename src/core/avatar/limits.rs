@@ -7,6 +7,8 @@ pub const GAUSSIANS: usize = 2_000_000;
 pub const LEVELS: usize = 8;
 /// Samples a pixel along each axis with which a level was measured.
 pub const SAMPLES: u32 = 16;
+/// Degree of spherical harmonics.
+pub const HARMONICS: usize = 3;
 /// Parts of an avatar.
 pub const PARTS: usize = 1024;
 /// Basis functions of a part, N_B.

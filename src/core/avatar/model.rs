@@ -1,6 +1,6 @@
 //! The arrays of an avatar.
 
-use super::{Bounds, Filter, Inputs, Matrix, Skeleton};
+use super::{Bounds, Filter, Inputs, Matrix, Skeleton, harmonics::functions_of};
 use glam::DVec3;
 use half::f16;
 
@@ -100,7 +100,7 @@ impl Gaussians {
 /// View-dependent colour of 3DGS: real spherical harmonics of the direction from the camera
 /// to the Gaussian, in canonical space. They are added to the neutral colour before its corrective,
 /// and the sum is clamped to 0 from below; like every colour it is clamped to 1 before blending,
-/// which 3DGS does not do. Avatar files do not store them.
+/// which 3DGS does not do.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ShCoefficients {
     /// 1, 2 or 3; the functions of degree 0 are [`Gaussians::color`].
@@ -114,9 +114,21 @@ impl ShCoefficients {
     /// The function of degree 0, √(1 / 4π): a colour is 0.5 + this · `f_dc`.
     pub const CONSTANT: f64 = 0.282_094_791_773_878_14;
 
+    /// Those of the Gaussians of these indices, in their order.
+    ///
+    /// # Panics
+    /// When an index is not below their number.
+    pub fn pick(&self, gaussians: &[usize]) -> Self {
+        let row = |&at: &usize| &self.coefficients[at * self.functions()..][..self.functions()];
+        Self {
+            degree: self.degree,
+            coefficients: gaussians.iter().flat_map(row).copied().collect(),
+        }
+    }
+
     /// Functions from degree 1 up: coefficients of a Gaussian, each an RGB triple.
     pub fn functions(&self) -> usize {
-        (self.degree + 1).pow(2) - 1
+        functions_of(self.degree)
     }
 }
 

@@ -1,7 +1,7 @@
 //! Packing: rounds an avatar, step by step, to one that a packed file stores in fewer bits.
 //! [`super::file`] defines how such files store it.
 
-use super::file::format::LogScaleCodes;
+use super::file::format::{HarmonicCodes, LogScaleCodes};
 use crate::avatar::{Avatar, Level};
 use crate::{constants::FEATURE_MAX, layout::compact, reference::mlp};
 use half::f16;
@@ -17,8 +17,12 @@ pub enum PackStep {
     Rotations,
     /// Log scales in 10 bits.
     LogScales,
-    /// Colours in bytes, except those that a corrective is added to.
+    /// Colours in bytes, except those that a corrective is added to, or spherical harmonics.
     Colors,
+    /// Spherical harmonics, that of degree 0 among them, in 256ths.
+    Harmonics,
+    /// And in 64ths.
+    CoarseHarmonics,
     /// The other bases in bytes, with a step a row.
     Bases,
     /// Weights of the networks with 10 significant bits instead of f16's 11: the file deflates
@@ -30,6 +34,16 @@ pub enum PackStep {
 }
 
 impl PackStep {
+    /// Whether an avatar has what this step rounds.
+    pub fn applies_to(self, avatar: &Avatar) -> bool {
+        match self {
+            Self::Unused | Self::Rotations | Self::LogScales => true,
+            Self::Colors => avatar.sh.is_none(),
+            Self::Harmonics | Self::CoarseHarmonics => avatar.sh.is_some(),
+            Self::Bases | Self::Weights | Self::Networks => !avatar.networks.layers.is_empty(),
+        }
+    }
+
     /// A short description for users.
     pub fn name(self) -> &'static str {
         match self {
@@ -37,6 +51,8 @@ impl PackStep {
             Self::Rotations => "quaternions in 32 bits, their basis in bytes",
             Self::LogScales => "log scales in 10 bits",
             Self::Colors => "colours in bytes",
+            Self::Harmonics => "spherical harmonics in 256ths",
+            Self::CoarseHarmonics => "spherical harmonics in 64ths",
             Self::Bases => "the other bases in bytes",
             Self::Weights => "networks in 10 bits that count",
             Self::Networks => "networks in bytes",
@@ -49,9 +65,10 @@ impl PackStep {
 pub enum PackQuality {
     /// Images do not change.
     Lossless,
-    /// Rounds only what renderers round anyway: their images do not change.
+    /// Rounds only what renderers round anyway: their images do not change. And spherical harmonics
+    /// to 256ths, as much as they round colours without any.
     High,
-    /// Rounds the networks' weights too.
+    /// Rounds the networks' weights too, and spherical harmonics to 64ths.
     Medium,
     /// Stores networks in bytes, which take half the memory.
     Small,
@@ -63,12 +80,31 @@ impl PackQuality {
 
     /// The steps, in the order to apply them.
     pub fn steps(self) -> &'static [PackStep] {
-        use PackStep::{Bases, Colors, LogScales, Networks, Rotations, Unused, Weights};
+        use PackStep::{
+            Bases, CoarseHarmonics, Colors, Harmonics, LogScales, Networks, Rotations, Unused,
+            Weights,
+        };
         match self {
             Self::Lossless => &[Unused],
-            Self::High => &[Unused, Rotations, LogScales, Colors, Bases],
-            Self::Medium => &[Unused, Rotations, LogScales, Colors, Bases, Weights],
-            Self::Small => &[Unused, Rotations, LogScales, Colors, Bases, Networks],
+            Self::High => &[Unused, Rotations, LogScales, Colors, Harmonics, Bases],
+            Self::Medium => &[
+                Unused,
+                Rotations,
+                LogScales,
+                Colors,
+                CoarseHarmonics,
+                Bases,
+                Weights,
+            ],
+            Self::Small => &[
+                Unused,
+                Rotations,
+                LogScales,
+                Colors,
+                CoarseHarmonics,
+                Bases,
+                Networks,
+            ],
         }
     }
 }
@@ -84,6 +120,15 @@ impl Avatar {
 
     /// The avatar after a step. Applying a step twice has no further effect.
     pub fn after(&self, step: PackStep) -> Self {
+        if step.applies_to(self) {
+            self.rounded(step)
+        } else {
+            self.clone()
+        }
+    }
+
+    /// [`Self::after`] of a step that applies to it, or to the avatar that it is a level of.
+    fn rounded(&self, step: PackStep) -> Self {
         let mut after = self.clone();
         after.levels = self
             .levels
@@ -106,7 +151,10 @@ impl Avatar {
                     *s = codes.decode(codes.encode(*s));
                 }
             }
+            PackStep::Colors if self.sh.is_some() => {}
             PackStep::Colors => after.round_colors(),
+            PackStep::Harmonics => after.round_harmonics(HarmonicCodes::FINE),
+            PackStep::CoarseHarmonics => after.round_harmonics(HarmonicCodes::COARSE),
             PackStep::Bases => {
                 after.scale_rows.basis =
                     compact::matrix_of(compact::rows(&self.scale_rows, self.basis_len()));
@@ -140,12 +188,13 @@ impl Avatar {
         if matches!(step, PackStep::Weights | PackStep::Networks) {
             return level.clone();
         }
-        let after = self.at_level(level).after(step);
+        let after = self.at_level(level).rounded(step);
         Level {
             gaussians: after.gaussians,
             rotation_rows: after.rotation_rows,
             scale_rows: after.scale_rows,
             color_rows: after.color_rows,
+            sh: after.sh,
             ..level.clone()
         }
     }
@@ -186,6 +235,17 @@ impl Avatar {
             for (bias, shift) in last.bias.iter_mut().zip(shift) {
                 *bias = f16::from_f64((bias.to_f64() + shift).clamp(-FEATURE_MAX, FEATURE_MAX));
             }
+        }
+    }
+
+    /// [`PackStep::Harmonics`] or [`PackStep::CoarseHarmonics`].
+    fn round_harmonics(&mut self, codes: HarmonicCodes) {
+        let Some(sh) = &mut self.sh else {
+            return;
+        };
+        let constant = self.gaussians.color.iter_mut().flatten();
+        for coefficient in sh.coefficients.iter_mut().flatten().chain(constant) {
+            *coefficient = codes.round(*coefficient);
         }
     }
 

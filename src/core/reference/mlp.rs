@@ -22,6 +22,12 @@ pub fn features(avatar: &Avatar, input: &[f64]) -> Vec<f64> {
         .collect()
 }
 
+/// What the attributes of a Gaussian see of all parts' features: the first N_B of its part's.
+pub fn of_gaussian<'f>(avatar: &Avatar, features: &'f [f64], gaussian: usize) -> &'f [f64] {
+    let part = avatar.parts.part_of(gaussian);
+    &features[part * avatar.networks.output()..][..avatar.basis_len()]
+}
+
 /// MLP_i: linear layers with the activation between them, the last one linear. The result of each
 /// layer is clamped to ±[`FEATURE_MAX`].
 fn network(avatar: &Avatar, part: usize, input: &[f64]) -> Vec<f64> {

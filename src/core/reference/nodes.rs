@@ -23,3 +23,12 @@ pub fn nodes(avatar: &Avatar, features: &[f64]) -> Vec<DVec3> {
         })
         .collect()
 }
+
+/// δx of a point that follows three nodes: the sum of their displacements by their weights, metres.
+/// `nodes`: of all nodes.
+pub fn displacement(weights: [f64; 3], node: [u16; 3], nodes: &[DVec3]) -> DVec3 {
+    let pairs = weights.into_iter().zip(node);
+    pairs
+        .map(|(weight, s)| weight * nodes[usize::from(s)])
+        .sum()
+}

@@ -1,6 +1,7 @@
 //! Stage `occluder`: where a pose takes the occluder mesh, whether the shell around it is still
 //! opaque, and the finest level of the depth pyramid.
 
+use super::nodes::displacement;
 use super::project::skinning;
 use crate::avatar::Avatar;
 use crate::layout::{OCCLUDER_SIDE, PYRAMID_SIDE};
@@ -36,11 +37,7 @@ pub fn vertices(
         .iter()
         .map(|vertex| {
             let weights = avatar.node_weights_at(vertex.position, vertex.node);
-            let displacement: DVec3 = weights
-                .iter()
-                .zip(vertex.node)
-                .map(|(&weight, node)| weight * nodes[usize::from(node)])
-                .sum();
+            let displacement = displacement(weights, vertex.node, nodes);
             skinning_of(vertex).transform_point3(vertex.position + displacement)
         })
         .collect();

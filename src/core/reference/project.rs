@@ -2,6 +2,8 @@
 //! an ellipse in the image, or the reason why it is culled.
 
 use super::basis::{corrective, plus};
+use super::mlp;
+use super::nodes::displacement;
 use crate::avatar::{Avatar, Filter};
 use crate::constants;
 use crate::layout::compact::Neutral;
@@ -91,19 +93,12 @@ pub fn gaussians_from(
     (0..neutral.len())
         .into_par_iter()
         .map(|k| {
-            let part = avatar.parts.part_of(k);
-            let e = &features[part * avatar.networks.output()..][..avatar.basis_len()];
+            let e = mlp::of_gaussian(avatar, features, k);
 
             // δr, δs, δc = B · e (docs/model.md, step 2, the paper's first equation); x = x₀ + δx
             // (step 4).
             let own = stored(k);
-            let dx: DVec3 = own
-                .node_weights
-                .iter()
-                .zip(neutral.node[k])
-                .map(|(&w, s)| w * nodes[usize::from(s)])
-                .sum();
-            let x = avatar.position(k) + dx;
+            let x = avatar.position(k) + displacement(own.node_weights, neutral.node[k], nodes);
             // Step 5.
             let q = rotation(own.rotation, corrective(&avatar.rotation_rows, k, e));
             let log_scale = DVec3::from(plus(

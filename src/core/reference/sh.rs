@@ -2,6 +2,7 @@
 //! harmonics.
 
 use super::basis::{corrective, plus};
+use super::mlp;
 use super::project::{Gaussian, skinning};
 use crate::avatar::{Avatar, ShCoefficients, harmonics::functions};
 use crate::scene::{Camera, Posed};
@@ -67,8 +68,7 @@ pub fn apply_colors(
         .zip(&colors)
         .enumerate()
         .for_each(|(k, (gaussian, color))| {
-            let e = &features[avatar.parts.part_of(k) * avatar.networks.output()..]
-                [..avatar.basis_len()];
+            let e = mlp::of_gaussian(avatar, features, k);
             let sum = plus(color.to_array(), corrective(&avatar.color_rows, k, e));
             gaussian.color = DVec3::from(sum).clamp(DVec3::ZERO, DVec3::ONE);
         });

@@ -12,7 +12,7 @@ use crate::bake::spacing::{Dart, Dot, choose};
 use crate::bake::stretch::Stretch;
 use crate::bake::surface::{Material, Sheet, Site};
 use crate::math::color::encode_srgb;
-use crate::math::pca::pca;
+use crate::math::{pca::pca, weights::weight_bytes};
 use effigy_core::avatar::{Avatar, Bounds, Filter, Gaussians, Inputs, Nodes, Parts, Pose};
 use effigy_core::random::Random;
 use glam::{DAffine3, DMat3, DQuat, DVec3};
@@ -316,30 +316,18 @@ impl QuantisedWeights {
     }
 }
 
-/// The four largest weights as bytes that sum to 255; the largest remainders are rounded up.
-/// `weights` fall.
+/// The four largest weights as bytes that sum to 255. `weights` fall.
 pub fn quantise(weights: &[Influence]) -> QuantisedWeights {
     let largest = &weights[..weights.len().min(4)];
     let sum: f64 = largest.iter().map(|influence| influence.weight).sum();
     let share = |k: usize| {
         largest
             .get(k)
-            .map_or(0.0, |influence| 255.0 * influence.weight / sum)
+            .map_or(0.0, |influence| influence.weight / sum)
     };
-    let exact: [f64; 4] = std::array::from_fn(share);
-    let mut bytes = exact.map(|w| w.floor() as u8);
-    let mut order = [0, 1, 2, 3];
-    order.sort_by(|&a: &usize, &b| {
-        let remainder = |k: usize| exact[k].fract();
-        remainder(b).total_cmp(&remainder(a)).then(a.cmp(&b))
-    });
-    let missing = 255 - bytes.iter().map(|&b| usize::from(b)).sum::<usize>();
-    for &k in order.iter().cycle().take(missing) {
-        bytes[k] += 1;
-    }
     QuantisedWeights {
         joint: std::array::from_fn(|k| largest.get(k).map_or(0, |influence| influence.joint)),
-        weight: bytes,
+        weight: weight_bytes(std::array::from_fn(share)),
     }
 }
 

@@ -2,7 +2,7 @@
 //! opacity, from the teacher's means.
 
 use crate::distil::teacher::{AnchorFeatures, Teacher, sigmoid};
-use crate::math::sampling::evenly_spaced;
+use crate::math::{sampling::evenly_spaced, weights::weight_bytes};
 use effigy_core::avatar::{
     Activation, Avatar, Bounds, Filter, Gaussians, Inputs, Matrix, Networks, Nodes, Parts, Rows,
 };
@@ -55,14 +55,17 @@ fn skin(weights: &[f32]) -> Skin {
     };
     let all: f64 = weights.iter().map(|&w| f64::from(w.max(0.0))).sum();
     let sum: f64 = (0..4).map(own).sum();
-    let mut weight: [u8; 4] =
-        std::array::from_fn(|at| (255.0 * own(at) / sum.max(1e-12)).round() as u8);
-    // What rounding leaves goes to the largest.
-    let others: u8 = weight[1..].iter().sum();
-    weight[0] = 255 - others;
+    // Without any weight the first joint has all.
+    let share = |at: usize| {
+        if sum > 0.0 {
+            own(at) / sum
+        } else {
+            f64::from(u8::from(at == 0))
+        }
+    };
     Skin {
         joint: std::array::from_fn(|at| order.get(at).map_or(0, |&joint| joint as u8)),
-        weight,
+        weight: weight_bytes(std::array::from_fn(share)),
         lost: 1.0 - sum / all.max(1e-12),
     }
 }

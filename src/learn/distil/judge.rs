@@ -6,7 +6,7 @@ use crate::distil::teacher::{AnchorFeatures, Look, Teacher};
 use crate::evaluate::{Rendition, camera_at};
 use crate::math::sampling::evenly_spaced;
 use effigy_core::avatar::{Avatar, Pose};
-use effigy_core::reference::{self, basis::corrective, project};
+use effigy_core::reference::{self, basis::corrective, nodes::displacement, project};
 use effigy_core::scene::{AvatarBounds, Posed};
 use effigy_measure::similarity::similarity;
 use glam::{DMat3, DQuat, DVec3};
@@ -166,17 +166,12 @@ impl Judge<'_, '_, '_> {
         let features = reference::mlp::features(avatar, &input);
         let moved = reference::nodes::nodes(avatar, &features);
         let own = &avatar.gaussians;
-        let width = avatar.networks.output();
         for (gaussian, &k) in self.body.order.iter().enumerate() {
             let k = k as usize;
-            let part = avatar.parts.part_of(gaussian);
-            let e = &features[part * width..][..avatar.basis_len()];
+            let e = reference::mlp::of_gaussian(avatar, &features, gaussian);
             let weights = avatar.node_weights(gaussian);
-            let moves = weights.iter().zip(own.node[gaussian]);
-            let position = avatar.position(gaussian)
-                + moves
-                    .map(|(&w, s)| w * moved[usize::from(s)])
-                    .sum::<DVec3>();
+            let position =
+                avatar.position(gaussian) + displacement(weights, own.node[gaussian], &moved);
             sums.position += position.distance_squared(look.position[k]);
             let rotation = project::rotation(
                 own.rotation[gaussian].map(f16::to_f64),

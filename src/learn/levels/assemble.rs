@@ -1,6 +1,7 @@
 //! A level's arrays from what was merged.
 
 use super::merge::{Axes, Blob, area};
+use crate::math::weights::weight_bytes;
 use effigy_core::avatar::{Avatar, Gaussians, Level, Matrix, Rows, ShCoefficients, matrix::Row};
 use effigy_core::reference::{basis::combine, mlp, project};
 use glam::{DMat3, DQuat, DVec3};
@@ -154,19 +155,6 @@ fn largest<const N: usize, T: Copy + Ord + Default>(mut all: Vec<Weighed<T>>) ->
             _ => f64::from(u8::from(sum <= 0.0 && at == 0)),
         },
     })
-}
-
-/// Weights in bytes that sum to 255, from weights that sum to 1.
-fn weight_bytes(weights: [f64; 4]) -> [u8; 4] {
-    let exact = weights.map(|w| 255.0 * w);
-    let mut bytes = exact.map(|w| w.floor() as u8);
-    let mut order = [0, 1, 2, 3];
-    order.sort_by(|&a, &b| exact[b].fract().total_cmp(&exact[a].fract()));
-    let missing = 255 - bytes.iter().map(|&b| u32::from(b)).sum::<u32>();
-    for at in order.into_iter().cycle().take(missing as usize) {
-        bytes[at] += 1;
-    }
-    bytes
 }
 
 /// A merged Gaussian's numbers as an avatar stores them.
@@ -367,22 +355,6 @@ mod tests {
         assert_eq!(got[3], weighed(3, 0.0));
         let got: [Weighed<u8>; 2] = largest(vec![weighed(4, 0.0), weighed(2, 0.0)]);
         assert_eq!(got, [weighed(2, 1.0), weighed(4, 0.0)]);
-    }
-
-    #[test]
-    fn weights_in_bytes_sum_to_255() {
-        for weights in [
-            [1.0, 0.0, 0.0, 0.0],
-            [0.25; 4],
-            [0.4, 0.3, 0.2, 0.1],
-            [1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0, 0.0],
-        ] {
-            let bytes = weight_bytes(weights);
-            assert_eq!(bytes.iter().map(|&b| u32::from(b)).sum::<u32>(), 255);
-            let near =
-                |(&byte, weight): (&u8, f64)| (f64::from(byte) - 255.0 * weight).abs() <= 1.0;
-            assert!(bytes.iter().zip(weights).all(near), "{bytes:?}");
-        }
     }
 
     #[test]

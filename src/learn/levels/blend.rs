@@ -3,58 +3,24 @@
 
 use super::splats::{Splat, SplatGradient};
 use effigy_core::constants::{ALPHA_MAX, ALPHA_MIN};
+use effigy_core::scene::FrameImage;
 use glam::{Vec2, Vec3, Vec4};
 use std::ops::Range;
 
 /// Pixels that let less than this through are complete.
 const OPAQUE: f32 = 1e-4;
 
-/// A premultiplied image, row by row from the top left.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Picture {
-    /// Width and height, px.
-    pub size: [usize; 2],
-    /// Premultiplied RGB and coverage.
-    pub pixels: Vec<Vec4>,
-}
-
-impl Picture {
-    /// A transparent image.
-    pub fn empty(size: [usize; 2]) -> Self {
-        Self {
-            size,
-            pixels: vec![Vec4::ZERO; size[0] * size[1]],
-        }
-    }
-
-    /// The mean of each square of `side` pixels a side, which divides both sides.
-    pub fn averaged(&self, side: usize) -> Self {
-        let size = self.size.map(|length| length / side);
-        let mut small = Self::empty(size);
-        for (y, row) in self.pixels.chunks_exact(self.size[0]).enumerate() {
-            let into = &mut small.pixels[y / side * size[0]..][..size[0]];
-            for (mean, block) in into.iter_mut().zip(row.chunks_exact(side)) {
-                *mean += block.iter().sum::<Vec4>();
-            }
-        }
-        let share = 1.0 / (side * side) as f32;
-        for pixel in &mut small.pixels {
-            *pixel *= share;
-        }
-        small
-    }
-
-    /// Each pixel as a square of `side` pixels a side.
-    pub fn enlarged(&self, side: usize) -> Self {
-        let size = self.size.map(|length| length * side);
-        let pixel = |at: usize| {
-            let [x, y] = [at % size[0] / side, at / size[0] / side];
-            self.pixels[y * self.size[0] + x]
-        };
-        Self {
-            size,
-            pixels: (0..size[0] * size[1]).map(pixel).collect(),
-        }
+/// Each pixel as a square of `side` pixels a side.
+pub fn enlarged(image: &FrameImage, side: u32) -> FrameImage {
+    let size = image.size.map(|length| length * side);
+    let [width, side] = [size[0] as usize, side as usize];
+    let pixel = |at: usize| {
+        let [x, y] = [at % width / side, at / width / side];
+        image.pixels[y * (width / side) + x]
+    };
+    FrameImage {
+        size,
+        pixels: (0..width * size[1] as usize).map(pixel).collect(),
     }
 }
 
@@ -63,7 +29,7 @@ pub struct Blended {
     /// Splats, near to far, by their indices.
     order: Vec<u32>,
     /// The image.
-    pub picture: Picture,
+    pub image: FrameImage,
     /// What each pixel lets through.
     through: Vec<f32>,
     /// How many splats of the order there are up to the last that each pixel shows.
@@ -126,29 +92,26 @@ const MOST: f32 = ALPHA_MAX as f32;
 impl Blended {
     /// Draws splats into a transparent image. `seen` is called for each splat with the sum over all
     /// pixels of what it contributes.
-    pub fn new(
-        splats: &[Option<Splat>],
-        size: [usize; 2],
-        mut seen: impl FnMut(usize, f32),
-    ) -> Self {
+    pub fn new(splats: &[Option<Splat>], size: [u32; 2], mut seen: impl FnMut(usize, f32)) -> Self {
         let mut order: Vec<u32> = (0..splats.len() as u32)
             .filter(|&k| splats[k as usize].is_some())
             .collect();
         // Depths are positive, whose bits have their order; equal depths keep that of indices.
         order.sort_by_key(|&k| splats[k as usize].as_ref().map_or(0, |s| s.depth.to_bits()));
-        let mut picture = Picture::empty(size);
-        let mut through = vec![1.0; picture.pixels.len()];
-        let mut end = vec![0; picture.pixels.len()];
+        let [width, height] = size.map(|side| side as usize);
+        let mut pixels = vec![Vec4::ZERO; width * height];
+        let mut through = vec![1.0; pixels.len()];
+        let mut end = vec![0; pixels.len()];
         for (at, &k) in order.iter().enumerate() {
             let Some(splat) = &splats[k as usize] else {
                 continue;
             };
             let color = splat.color.extend(1.0);
             let mut sum = 0.0;
-            for y in rows(splat, size[1]) {
-                let span = span(splat, y, size[0]);
+            for y in rows(splat, height) {
+                let span = span(splat, y, width);
                 for x in span.columns.clone() {
-                    let pixel = y * size[0] + x;
+                    let pixel = y * width + x;
                     let before = through[pixel];
                     if before < OPAQUE {
                         continue;
@@ -157,7 +120,7 @@ impl Blended {
                     if alpha < LEAST {
                         continue;
                     }
-                    picture.pixels[pixel] += before * alpha * color;
+                    pixels[pixel] += before * alpha * color;
                     through[pixel] = before * (1.0 - alpha);
                     end[pixel] = at as u32 + 1;
                     sum += before * alpha;
@@ -167,25 +130,28 @@ impl Blended {
         }
         Self {
             order,
-            picture,
+            image: FrameImage {
+                size,
+                pixels: pixels.iter().map(Vec4::to_array).collect(),
+            },
             through,
             end,
         }
     }
 
     /// The derivative of a loss by the splats, from that by the image's pixels.
-    pub fn gradient(mut self, splats: &[Option<Splat>], by: &Picture) -> Vec<SplatGradient> {
-        let width = self.picture.size[0];
+    pub fn gradient(mut self, splats: &[Option<Splat>], by: &FrameImage) -> Vec<SplatGradient> {
+        let [width, height] = self.image.size.map(|side| side as usize);
         let mut gradients = vec![SplatGradient::default(); splats.len()];
         // What lies behind each splat, premultiplied, as if nothing were before it.
-        let mut behind = vec![Vec4::ZERO; self.picture.pixels.len()];
+        let mut behind = vec![Vec4::ZERO; self.image.pixels.len()];
         for (at, &k) in self.order.iter().enumerate().rev() {
             let Some(splat) = &splats[k as usize] else {
                 continue;
             };
             let color = splat.color.extend(1.0);
             let mut gradient = SplatGradient::default();
-            for y in rows(splat, self.picture.size[1]) {
+            for y in rows(splat, height) {
                 let span = span(splat, y, width);
                 let dy = y as f32 + 0.5 - splat.center.y;
                 for x in span.columns.clone() {
@@ -200,7 +166,7 @@ impl Blended {
                     }
                     let before = self.through[pixel] / (1.0 - alpha);
                     self.through[pixel] = before;
-                    let by_pixel = by.pixels[pixel];
+                    let by_pixel = Vec4::from(by.pixels[pixel]);
                     gradient.color += before * alpha * by_pixel.truncate();
                     let by_alpha = before * by_pixel.dot(color - behind[pixel]);
                     behind[pixel] = alpha * color + (1.0 - alpha) * behind[pixel];
@@ -230,15 +196,16 @@ impl Blended {
 
 /// The derivative, by an image's pixels, of its squared error over a background of random grey. For
 /// errors c of RGB and a of the coverage, the mean over all greys is |c − a/2|²/3 + a²/12.
-pub fn loss_gradient(picture: &Picture, truth: &Picture) -> Picture {
-    let by = |(&a, &b): (&Vec4, &Vec4)| {
-        let d = a - b;
+pub fn loss_gradient(image: &FrameImage, truth: &FrameImage) -> FrameImage {
+    let by = |(&a, &b): (&[f32; 4], &[f32; 4])| {
+        let d = Vec4::from(a) - Vec4::from(b);
         let c: Vec3 = d.truncate() - 0.5 * d.w;
-        (c * (2.0 / 3.0)).extend(d.w / 6.0 - c.element_sum() / 3.0)
+        let by = (c * (2.0 / 3.0)).extend(d.w / 6.0 - c.element_sum() / 3.0);
+        by.to_array()
     };
-    Picture {
-        size: picture.size,
-        pixels: picture.pixels.iter().zip(&truth.pixels).map(by).collect(),
+    FrameImage {
+        size: image.size,
+        pixels: image.pixels.iter().zip(&truth.pixels).map(by).collect(),
     }
 }
 
@@ -251,7 +218,7 @@ mod tests {
     use effigy_core::scene::Camera;
     use glam::{DVec3, Mat3, Quat};
 
-    const SIZE: [usize; 2] = [24, 20];
+    const SIZE: [u32; 2] = [24, 20];
 
     fn vector(random: &mut Random, low: f64, high: f64) -> Vec3 {
         let mut one = || random.range(low, high) as f32;
@@ -282,7 +249,7 @@ mod tests {
 
     fn projection(compensated: bool) -> Projection {
         let eye = DVec3::new(0.1, 0.05, 3.0);
-        let camera = Camera::look_at(eye, DVec3::ZERO, 0.25, SIZE.map(|side| side as u32));
+        let camera = Camera::look_at(eye, DVec3::ZERO, 0.25, SIZE);
         let filter = Filter {
             variance: 0.1,
             compensated,
@@ -300,11 +267,11 @@ mod tests {
     }
 
     /// The mean over all greys of what [`loss_gradient`] is the derivative of, by 64 of them.
-    fn loss(picture: &Picture, truth: &Picture) -> f64 {
+    fn loss(image: &FrameImage, truth: &FrameImage) -> f64 {
         let over = |grey: f32| -> f64 {
-            let pairs = picture.pixels.iter().zip(&truth.pixels);
+            let pairs = image.pixels.iter().zip(&truth.pixels);
             let squares = pairs.map(|(&a, &b)| {
-                let d = a - b;
+                let d = Vec4::from(a) - Vec4::from(b);
                 f64::from((d.truncate() - grey * d.w).length_squared()) / 3.0
             });
             squares.sum()
@@ -319,9 +286,9 @@ mod tests {
             let (shapes, placed) = scene(random);
             let (other, _) = scene(random);
             let projection = projection(compensated);
-            let truth = draw(&projection, &other, &placed).picture;
+            let truth = draw(&projection, &other, &placed).image;
             let blended = draw(&projection, &shapes, &placed);
-            let by = loss_gradient(&blended.picture, &truth);
+            let by = loss_gradient(&blended.image, &truth);
             let by_splat = blended.gradient(&splats(&projection, &shapes, &placed), &by);
             let mut squares = [0.0; Shape::NUMBERS];
             let mut errors = [0.0; Shape::NUMBERS];
@@ -342,7 +309,7 @@ mod tests {
                                 * Quat::from_scaled_axis(turn);
                             moved[k].turn = whole.to_scaled_axis();
                         }
-                        loss(&draw(&projection, &moved, &placed).picture, &truth)
+                        loss(&draw(&projection, &moved, &placed).image, &truth)
                     };
                     let expected = (moved(STEP) - moved(-STEP)) / f64::from(2.0 * STEP);
                     squares[n] += expected * expected;
@@ -363,24 +330,22 @@ mod tests {
     }
 
     #[test]
-    fn averages_keep_the_mean() {
+    fn averages_of_enlarged_images_are_the_images() {
         let random = &mut Random::new(5, 0);
-        let pixel = |_| vector(random, 0.0, 1.0).extend(0.5);
-        let picture = Picture {
+        let pixel = |_| vector(random, 0.0, 1.0).extend(0.5).to_array();
+        let image = FrameImage {
             size: [6, 4],
             pixels: (0..24).map(pixel).collect(),
         };
-        let small = picture.averaged(2);
-        assert_eq!(small.size, [3, 2]);
-        let mean = |p: &Picture| p.pixels.iter().sum::<Vec4>() / p.pixels.len() as f32;
-        assert!((mean(&small) - mean(&picture)).abs().max_element() < 1e-6);
-        assert_eq!(small.enlarged(3).averaged(3).size, small.size);
-        let back = small.enlarged(2).averaged(2);
-        let off = back.pixels.iter().zip(&small.pixels);
-        assert!(
-            off.map(|(a, b)| (*a - *b).abs().max_element())
-                .fold(0.0, f32::max)
-                < 1e-6
-        );
+        let large = enlarged(&image, 3);
+        assert_eq!(large.size, [18, 12]);
+        assert_eq!(large.pixels[18 * 5 + 10], image.pixels[6 + 3]);
+        let back = large.averaged(3);
+        let pairs = back
+            .pixels
+            .as_flattened()
+            .iter()
+            .zip(image.pixels.as_flattened());
+        assert!(back.size == image.size && pairs.map(|(a, b)| (a - b).abs()).all(|d| d < 1e-6));
     }
 }

@@ -1,6 +1,6 @@
 //! Fitting of a level's Gaussians to images of the whole avatar, with Adam.
 
-use super::blend::{Blended, Picture, loss_gradient};
+use super::blend::{Blended, enlarged, loss_gradient};
 use super::pose::{self, shapes};
 use super::splats::{Placed, Projection, Shape, Splat};
 use super::views::{Target, View};
@@ -124,21 +124,21 @@ fn gradients(
         .zip(placed)
         .map(|(shape, placed)| projection.splat(shape, placed))
         .collect();
-    let blended = Blended::new(&splats, camera.size.map(|side| side as usize), |_, _| ());
-    let picture = blended.picture.averaged(samples);
+    let blended = Blended::new(&splats, camera.size, |_, _| ());
+    let image = blended.image.averaged(samples as u32);
     let truth = target.truth(units);
     let covered = truth
         .pixels
         .iter()
-        .filter(|p| p.w >= 1.0 / 255.0)
+        .filter(|p| p[3] >= 1.0 / 255.0)
         .count()
         .max(1);
-    let mut by: Picture = loss_gradient(&picture, &truth);
+    let mut by = loss_gradient(&image, &truth);
     let scale = 1.0 / (covered * samples * samples) as f32;
-    for pixel in &mut by.pixels {
-        *pixel *= scale;
+    for number in by.pixels.as_flattened_mut() {
+        *number *= scale;
     }
-    let by_splat = blended.gradient(&splats, &by.enlarged(samples));
+    let by_splat = blended.gradient(&splats, &enlarged(&by, samples as u32));
     let gradient = |k: usize| match splats[k] {
         Some(_) => projection.gradient(&shapes[k], &placed[k], &by_splat[k]),
         None => [0.0; Shape::NUMBERS],

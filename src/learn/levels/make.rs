@@ -16,6 +16,9 @@ use glam::DVec3;
 /// A level has one Gaussian for so many of the avatar's. Files and memory grow by 1/4 + 1/16 + 1/64
 /// of what Gaussians take of them.
 const ONE_IN: [usize; 3] = [4, 16, 64];
+/// The same of an avatar without networks, whose file has little but its Gaussians: those of a level
+/// deflate less, since neighbours are further apart. A file grows by a third at most.
+const ONE_IN_STILL: [usize; 3] = [6, 24, 96];
 /// The height that a level of so many Gaussians is for, px: a quarter of the Gaussians serve half
 /// the height, since they are twice as large.
 const FOR_HEIGHT: f64 = 120.0;
@@ -186,7 +189,12 @@ pub fn levels_of(
     progress: &mut dyn FnMut(Progress),
 ) -> Vec<Level> {
     let whole = avatar.gaussians.len();
-    let plans: Vec<Plan> = ONE_IN
+    let one_in = if avatar.networks.layers.is_empty() {
+        ONE_IN_STILL
+    } else {
+        ONE_IN
+    };
+    let plans: Vec<Plan> = one_in
         .iter()
         .map(|one_in| Plan::new(whole / one_in))
         .filter(|plan| plan.gaussians >= FEWEST)

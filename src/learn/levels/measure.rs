@@ -1,9 +1,10 @@
 //! How far images of a level are from what they should be.
 
-use super::blend::{Blended, Picture};
+use super::blend::Blended;
 use super::views::{Target, UNIT, whole_splats};
 use effigy_core::avatar::{Avatar, LevelError};
 use effigy_core::constants::ALPHA_MIN;
+use effigy_core::scene::FrameImage;
 use glam::{DVec4, Vec4};
 use rayon::prelude::*;
 
@@ -11,16 +12,17 @@ use rayon::prelude::*;
 const MOST_DB: f64 = 100.0;
 
 /// Draws an avatar in a target's view, `units` tall with `samples` a pixel along each axis.
-pub fn draw(avatar: &Avatar, target: &Target, units: usize, samples: usize) -> Picture {
+pub fn draw(avatar: &Avatar, target: &Target, units: usize, samples: usize) -> FrameImage {
     let splats = whole_splats(avatar, &target.view, units * samples);
-    let size = target
-        .view
-        .camera_at(units * samples)
-        .size
-        .map(|side| side as usize);
+    let size = target.view.camera_at(units * samples).size;
     Blended::new(&splats, size, |_, _| ())
-        .picture
-        .averaged(samples)
+        .image
+        .averaged(samples as u32)
+}
+
+/// The sum of an image's pixels.
+fn sum_of(image: &FrameImage) -> Vec4 {
+    image.pixels.iter().copied().map(Vec4::from).sum()
 }
 
 /// The errors of an avatar's images at a size, which must not be larger than the targets'.
@@ -31,11 +33,12 @@ pub fn measure(avatar: &Avatar, targets: &[Target], units: usize, samples: usize
         expected: Vec4,
     }
     let compare = |target: &Target| {
-        let picture = draw(avatar, target, units, samples);
+        let image = draw(avatar, target, units, samples);
         let truth = target.truth(units);
         let mut squares = 0.0;
         let mut covered = 0;
-        for (&got, &expected) in picture.pixels.iter().zip(&truth.pixels) {
+        for (&got, &expected) in image.pixels.iter().zip(&truth.pixels) {
+            let [got, expected] = [got, expected].map(Vec4::from);
             if f64::from(expected.w) >= ALPHA_MIN {
                 squares += f64::from((got - expected).length_squared());
                 covered += 1;
@@ -44,8 +47,8 @@ pub fn measure(avatar: &Avatar, targets: &[Target], units: usize, samples: usize
         let mean = squares / (4 * covered.max(1)) as f64;
         Compared {
             psnr_db: (-10.0 * mean.log10()).min(MOST_DB),
-            got: picture.pixels.iter().sum(),
-            expected: truth.pixels.iter().sum(),
+            got: sum_of(&image),
+            expected: sum_of(&truth),
         }
     };
     let all: Vec<Compared> = targets.par_iter().map(compare).collect();
@@ -71,15 +74,7 @@ mod tests {
     use crate::levels::views::{self, targets};
     use effigy_core::avatar::{Level, motion::Player};
     use effigy_core::reference;
-    use effigy_core::scene::FrameImage;
     use effigy_measure::error;
-
-    fn to_image(picture: &Picture) -> FrameImage {
-        FrameImage {
-            size: picture.size.map(|side| side as u32),
-            pixels: picture.pixels.iter().map(|p| p.to_array()).collect(),
-        }
-    }
 
     fn demo() -> (Avatar, Vec<views::View>) {
         let avatar = effigy_demo::avatar().expect("inside the program");
@@ -98,17 +93,16 @@ mod tests {
                 let camera = view.camera_at(8);
                 let expected = reference::render(&avatar, &view.posed, &camera);
                 let splats = whole_splats(&avatar, view, 8);
-                let size = camera.size.map(|side| side as usize);
-                let got = Blended::new(&splats, size, |_, _| ()).picture;
+                let got = Blended::new(&splats, camera.size, |_, _| ()).image;
                 // Contributions at the cutoff may be there or not, and depths that f32 can't tell
                 // apart change places.
-                let error = error::between(&to_image(&got), &expected).covered;
+                let error = error::between(&got, &expected).covered;
                 assert!(error.psnr_db > 60.0, "{error:?} with {filter}");
-                assert!(got.pixels.iter().any(|p| p.w > 0.9));
+                assert!(got.pixels.iter().any(|p| p[3] > 0.9));
                 // The body is as tall as is asked for, and all of it is in the image.
-                let [width, height] = got.size;
+                let [width, height] = got.size.map(|side| side as usize);
                 let rows = (0..height)
-                    .filter(|y| got.pixels[y * width..][..width].iter().any(|p| p.w > 0.1));
+                    .filter(|y| got.pixels[y * width..][..width].iter().any(|p| p[3] > 0.1));
                 let rows: Vec<usize> = rows.collect();
                 assert!((60..=90).contains(&rows.len()), "{} px tall", rows.len());
                 assert!(rows[0] > 0 && rows[rows.len() - 1] + 1 < height);
@@ -138,7 +132,7 @@ mod tests {
                     .truth(6)
                     .pixels
                     .iter()
-                    .map(|p| f64::from(p.w))
+                    .map(|p| f64::from(p[3]))
                     .sum::<f64>()
             })
             .sum();

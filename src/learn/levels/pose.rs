@@ -3,7 +3,12 @@
 
 use super::splats::{Placed, Shape};
 use effigy_core::avatar::Avatar;
-use effigy_core::reference::{basis::corrective, mlp, nodes, project, sh};
+use effigy_core::reference::{
+    basis::corrective,
+    mlp,
+    nodes::{self, displacement},
+    project, sh,
+};
 use effigy_core::scene::{Camera, Posed};
 use glam::{DMat3, DVec3, Vec3};
 use rayon::prelude::*;
@@ -36,14 +41,8 @@ pub fn placed(avatar: &Avatar, posed: &Posed, camera: &Camera) -> Vec<Placed> {
     let lit = sh::colors(avatar, posed, camera);
     let gaussians = &avatar.gaussians;
     let place = |k: usize| {
-        let part = avatar.parts.part_of(k);
-        let e = &features[part * avatar.networks.output()..][..avatar.basis_len()];
-        let displacement: DVec3 = avatar
-            .node_weights(k)
-            .iter()
-            .zip(gaussians.node[k])
-            .map(|(&weight, node)| weight * nodes[usize::from(node)])
-            .sum();
+        let e = mlp::of_gaussian(avatar, &features, k);
+        let displacement = displacement(avatar.node_weights(k), gaussians.node[k], &nodes);
         let skinning =
             project::skinning(&posed.joints, gaussians.joint[k], gaussians.joint_weight[k]);
         let rotation = project::rotation(

@@ -2,7 +2,7 @@
 //! f32. What fitting a level changes are the numbers of [`Shape`]; all else comes from a pose.
 
 use effigy_core::avatar::Filter;
-use effigy_core::constants::{ALPHA_MIN, DERIVATIVE_MARGIN};
+use effigy_core::constants::ALPHA_MIN;
 use effigy_core::scene::Camera;
 use glam::{Mat3, Quat, Vec2, Vec3};
 
@@ -142,16 +142,14 @@ impl Projection {
     /// The projection of a camera.
     pub fn new(camera: &Camera, filter: Filter) -> Self {
         let size = Vec2::new(camera.size[0] as f32, camera.size[1] as f32);
-        let focal = camera.focal.as_vec2();
-        let center = camera.center.as_vec2();
-        let margin = DERIVATIVE_MARGIN as f32 * 0.5 * size / focal;
+        let [slope_min, slope_max] = camera.derivative_limits().map(|slope| slope.as_vec2());
         Self {
             rotation: camera.view.matrix3.as_mat3(),
             translation: camera.view.translation.as_vec3(),
-            focal,
-            center,
-            slope_min: -center / focal - margin,
-            slope_max: (size - center) / focal + margin,
+            focal: camera.focal.as_vec2(),
+            center: camera.center.as_vec2(),
+            slope_min,
+            slope_max,
             near: camera.near as f32,
             size,
             filter,

@@ -2,7 +2,11 @@
 
 use effigy_core::avatar::{Avatar, Inputs, Networks, Nodes, Rows};
 use effigy_core::constants::F16_MAX;
-use effigy_core::reference::{basis::corrective, mlp, nodes};
+use effigy_core::reference::{
+    basis::corrective,
+    mlp,
+    nodes::{self, displacement},
+};
 use glam::DVec3;
 use half::f16;
 use rayon::prelude::*;
@@ -29,15 +33,8 @@ pub fn still(avatar: &Avatar, inputs: &[Vec<f64>]) -> Avatar {
         let features = mlp::features(avatar, input);
         let nodes = nodes::nodes(avatar, &features);
         sums.par_iter_mut().enumerate().for_each(|(k, sums)| {
-            let part = avatar.parts.part_of(k);
-            let e = &features[part * avatar.networks.output()..][..avatar.basis_len()];
-            for (weight, node) in avatar
-                .node_weights(k)
-                .into_iter()
-                .zip(avatar.gaussians.node[k])
-            {
-                sums.position += weight * nodes[usize::from(node)];
-            }
+            let e = mlp::of_gaussian(avatar, &features, k);
+            sums.position += displacement(avatar.node_weights(k), avatar.gaussians.node[k], &nodes);
             add(&mut sums.rotation, corrective(&avatar.rotation_rows, k, e));
             add(&mut sums.log_scale, corrective(&avatar.scale_rows, k, e));
             add(&mut sums.color, corrective(&avatar.color_rows, k, e));

@@ -1,12 +1,13 @@
 //! What a level should look like: images of the whole avatar from many sides and in many poses,
 //! drawn much larger than needed and averaged.
 
-use super::blend::{Blended, Picture};
+use super::blend::Blended;
 use super::pose::{placed, shapes};
 use super::splats::{Projection, Splat};
 use effigy_core::avatar::{Avatar, Pose};
 use effigy_core::random::Random;
-use effigy_core::scene::{AvatarBounds, Camera, Posed};
+use effigy_core::scene::{AvatarBounds, Camera, FrameImage, Posed};
+use effigy_measure::viewpoint::FOV;
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
@@ -17,8 +18,6 @@ pub const UNIT: usize = 10;
 const SUPERSAMPLING: usize = 8;
 /// Images that are drawn side by side: more would take more memory.
 const BATCH: usize = 8;
-/// Vertical field of view that the distance of cameras is for, radians.
-const FOV: f64 = 35f64.to_radians();
 /// Radians above and below the horizon that cameras look from.
 const PITCHES: [f64; 2] = [-0.35, 0.7];
 
@@ -46,14 +45,14 @@ pub struct Target {
     /// The view.
     pub view: View,
     /// The avatar, `largest` units tall.
-    truth: Picture,
+    truth: FrameImage,
     largest: usize,
 }
 
 impl Target {
     /// What an image of the avatar should be at a size. `units` divides that of the largest image.
-    pub fn truth(&self, units: usize) -> Picture {
-        self.truth.averaged(self.largest / units)
+    pub fn truth(&self, units: usize) -> FrameImage {
+        self.truth.averaged((self.largest / units) as u32)
     }
 }
 
@@ -138,9 +137,9 @@ pub fn targets(
             let units = largest * SUPERSAMPLING;
             let splats = whole_splats(avatar, view, units);
             let mut own = vec![0.0; splats.len()];
-            let size = view.camera_at(units).size.map(|side| side as usize);
+            let size = view.camera_at(units).size;
             let blended = Blended::new(&splats, size, |k, sum| own[k] = sum);
-            let truth = blended.picture.averaged(SUPERSAMPLING);
+            let truth = blended.image.averaged(SUPERSAMPLING as u32);
             let target = Target {
                 view: view.clone(),
                 truth,

@@ -7,3 +7,4 @@ pub mod matrix;
 pub mod noise;
 pub mod pca;
 pub mod sampling;
+pub mod weights;

@@ -13,7 +13,7 @@ use effigy_core::{
     avatar::{Avatar, Filter},
     frame::RendererOptions,
     reference,
-    scene::{Camera, FrameImage, Posed, Supersampling},
+    scene::{AvatarBounds, Camera, FrameImage, Posed, Supersampling},
 };
 use effigy_measure::error;
 use glam::{DAffine3, DVec3};
@@ -256,7 +256,75 @@ fn levels_are_drawn_as_avatars(raster: Raster) {
     );
 }
 
+/// A level has colours of its own, which change with the view: of splats, and of a body that networks
+/// move. Two avatars at different levels, so that both sets of colours are needed in one frame.
+fn levels_have_their_own_harmonics(raster: Raster) {
+    let splats = common::splats(5, 6000, 3).to_avatar("scan").unwrap();
+    let (mut body, _) = scene(8.0, LARGE);
+    body.sh = Some(common::harmonics(6, body.gaussians.len(), 2));
+    for avatar in [splats, body] {
+        let mut avatar = common::with_levels(avatar);
+        for level in &mut avatar.levels {
+            // What is drawn with the colours of another set is far from the reference.
+            let sh = level.sh.as_mut().unwrap();
+            for coefficient in sh.coefficients.iter_mut().flatten() {
+                *coefficient = -*coefficient;
+            }
+        }
+        let height =
+            AvatarBounds::new(&avatar).bounds(&avatar.skeleton.matrices(&common::pose(1, &avatar)));
+        let middle = (height[0] + height[1]) / 2.0;
+        let tall = (height[1] - height[0]).y;
+        let camera = Camera::orbit(middle, 0.3, 0.1, 3.0 * tall, 0.7, LARGE);
+        let options = RendererOptions {
+            instances: 2,
+            ..supersampled(raster, &camera, Supersampling::BySize)
+        };
+        let mut renderer = Renderer::new(&gpu::gpu(), &avatar, options).unwrap();
+        let mut seen = vec![];
+        for (near, far) in [(6.0, 16.0), (16.0, 6.0), (6.0, 0.0), (0.0, 16.0)] {
+            let place = |away: f64, aside: f64| {
+                let at = tall * DVec3::new(aside * (1.0 + 0.2 * away), 0.0, away);
+                posed(&avatar, &camera, 2, at)
+            };
+            let poses = [place(near, -0.6), place(far, 0.6)];
+            let poses = [&poses[0], &poses[1]];
+            renderer.draw_scene(&poses, &camera, None).unwrap();
+            let image = renderer.read_image().unwrap();
+            let expected =
+                reference::render_shown(&avatar, &poses, &camera, Supersampling::BySize, None);
+            assert_near(&format!("{near} and {far} away"), &image, &expected, 44.0);
+            let own = Avatar {
+                levels: vec![],
+                ..avatar.clone()
+            };
+            let own = reference::render_shown(&own, &poses, &camera, Supersampling::BySize, None);
+            let other = error::between(&own, &expected).covered.psnr_db;
+            assert!(
+                other < 40.0,
+                "{near} and {far} away: {other} dB without levels"
+            );
+            renderer.finish().unwrap();
+            let counters = renderer.report().counters;
+            seen.push(counters.gaussians - counters.skipped_by_detail);
+        }
+        let [own, fine, coarse] = [
+            avatar.gaussians.len(),
+            avatar.levels[0].gaussians.len(),
+            avatar.levels[1].gaussians.len(),
+        ]
+        .map(|count| count as u64);
+        assert_eq!(
+            seen,
+            [fine + coarse, fine + coarse, fine + own, own + coarse]
+        );
+    }
+}
+
 tests! {
+    levels_have_their_own_harmonics[Quads],
+    levels_have_their_own_harmonics[Tiles],
+    levels_have_their_own_harmonics[SharedTiles],
     levels_are_drawn_as_avatars[Quads],
     levels_are_drawn_as_avatars[Tiles],
     levels_are_drawn_as_avatars[SharedTiles],

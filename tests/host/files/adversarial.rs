@@ -2,6 +2,7 @@
 
 use super::edit::{self, Edit};
 use super::packed::packed_bytes;
+use super::scans::packed_scan_bytes;
 use super::{avatar_fault, clip_bytes, tiny_bytes};
 use crate::common::{self, Random, Sizes};
 use crate::memory;
@@ -10,7 +11,12 @@ use proptest::prelude::*;
 use serde_json::{Value, json};
 
 fn a_file_cut_at_any_length_is_refused() {
-    for bytes in [tiny_bytes(), clip_bytes(), packed_bytes()] {
+    for bytes in [
+        tiny_bytes(),
+        clip_bytes(),
+        packed_bytes(),
+        packed_scan_bytes(),
+    ] {
         for length in 0..bytes.len() {
             let (result, peak) = memory::peak(|| {
                 (
@@ -190,21 +196,22 @@ fn file(kind: i32) -> Vec<u8> {
     match kind {
         0 => tiny_bytes(),
         1 => clip_bytes(),
-        _ => packed_bytes(),
+        2 => packed_bytes(),
+        _ => packed_scan_bytes(),
     }
 }
 
 proptest! {
     #![proptest_config(ProptestConfig { cases: 1000, failure_persistence: None, ..ProptestConfig::default() })]
 
-    fn flipped_bytes_do_no_harm(flips in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 1..20), kind in 0..3, head: bool) {
+    fn flipped_bytes_do_no_harm(flips in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 1..20), kind in 0..4, head: bool) {
         let mut bytes = file(kind);
         let end = if head { 1000 } else { bytes.len() };
         flips.iter().for_each(|(at, value)| bytes[at.index(end)] = *value);
         survives(&bytes);
     }
 
-    fn edited_headers_do_no_harm(seed: u64, edits in 1..4usize, kind in 0..3) {
+    fn edited_headers_do_no_harm(seed: u64, edits in 1..4usize, kind in 0..4) {
         let (random, mut edit) = (&mut Random(seed), Edit::open(&file(kind)));
         for _ in 0..edits {
             scramble(if random.below(2) == 0 { &mut edit.header } else { &mut edit.document }, random);

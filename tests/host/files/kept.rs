@@ -2,7 +2,7 @@
 //! wrote it that brought the version. `EFFIGY_KEEP=1` writes those that are missing; none is ever
 //! written again.
 
-use super::{bare, clip_bytes, tiny};
+use super::{bare, clip_bytes, scans::scan, tiny};
 use effigy_core::{
     avatar::{Avatar, Clip, Filter},
     io::pack::PackQuality,
@@ -68,6 +68,21 @@ fn avatars_of_version_3_are_read() {
     }
 }
 
+fn splats_of_version_4_are_read() {
+    for (name, quality) in [
+        ("4.avatar", PackQuality::Lossless),
+        ("4-high.avatar", PackQuality::High),
+    ] {
+        let avatar = scan().packed(quality);
+        let write = || match quality {
+            PackQuality::Lossless => avatar.to_bytes().unwrap(),
+            _ => avatar.to_packed_bytes().unwrap(),
+        };
+        let read = Avatar::from_bytes(&bytes(name, write)).unwrap();
+        assert_eq!(read, avatar, "{name}");
+    }
+}
+
 fn levels_of_detail_are_read() {
     let packed = tiny().packed(PackQuality::High);
     let write = || packed.to_packed_bytes().unwrap();
@@ -84,6 +99,7 @@ tests! {
     avatars_of_version_1_are_read,
     avatars_of_version_2_are_read,
     avatars_of_version_3_are_read,
+    splats_of_version_4_are_read,
     levels_of_detail_are_read,
     motion_of_version_1_is_read,
 }

@@ -6,6 +6,7 @@ mod edit;
 pub mod kept;
 pub mod packed;
 pub mod rules;
+pub mod scans;
 
 use crate::common::{self, Sizes};
 use edit::Edit;

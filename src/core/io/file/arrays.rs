@@ -5,7 +5,8 @@ use super::header::AvatarHeader;
 use super::sets;
 use super::tensors::Tensors;
 use crate::avatar::{
-    Bounds, Gaussians, Inputs, Layer, Level, Matrix, Networks, Rows, Skeleton, Subspace,
+    Bounds, Gaussians, Inputs, Layer, Level, Matrix, Networks, Rows, ShCoefficients, Skeleton,
+    Subspace,
 };
 use half::f16;
 
@@ -56,6 +57,13 @@ impl AvatarHeader {
     }
 
     fn colors(&self, name: &str, tensors: &Tensors) -> Vec<[f16; 3]> {
+        if let Some(codes) = self.harmonic_codes() {
+            return tensors
+                .values(name)
+                .into_iter()
+                .map(|c: [u16; 3]| c.map(|c| codes.decode(c)))
+                .collect();
+        }
         if !self.coded.contains(&Coded::Color) {
             return tensors.values(name);
         }
@@ -85,6 +93,22 @@ impl AvatarHeader {
             .collect()
     }
 
+    /// The spherical harmonics of a set.
+    pub fn harmonics(&self, set: usize, tensors: &Tensors) -> Option<ShCoefficients> {
+        let degree = self.harmonics?.degree;
+        let name = sets::prefix(set) + "sh";
+        // One by one: they may be most of the file.
+        let bytes = tensors.bytes(&name);
+        let code = |at: usize| bytemuck::pod_read_unaligned::<u16>(&bytes[2 * at..][..2]);
+        let codes = self.harmonic_codes();
+        let coefficient = |at| match codes {
+            None => f16::from_bits(code(at)),
+            Some(codes) => codes.decode(code(at)),
+        };
+        let gaussians = self.set(set).gaussians;
+        Some(coding::from_planes(degree, gaussians, coefficient))
+    }
+
     /// The level of a set that is not the avatar's own.
     pub fn level(&self, set: usize, tensors: &Tensors) -> Level {
         let name = |name: &str| sets::prefix(set) + name;
@@ -97,7 +121,7 @@ impl AvatarHeader {
             rotation_rows: rows(&name("rotation"), bytes(Coded::RotationBasis), tensors),
             scale_rows: rows(&name("scale"), bytes(Coded::ScaleBasis), tensors),
             color_rows: rows(&name("color"), bytes(Coded::ColorBasis), tensors),
-            sh: None,
+            sh: self.harmonics(set, tensors),
             measured: header.measured.clone(),
         }
     }

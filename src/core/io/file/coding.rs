@@ -2,7 +2,7 @@
 //! are exact; [`crate::io::pack`] rounds avatars so that they are.
 
 use super::sets::GaussianSet;
-use crate::avatar::{Avatar, Gaussians, Matrix};
+use crate::avatar::{Avatar, Gaussians, Matrix, ShCoefficients, harmonics::functions_of, limits};
 use crate::layout::compact::{LogScales, decode_quaternion, encode_quaternion};
 use bytemuck::Pod;
 use half::f16;
@@ -96,6 +96,53 @@ impl LogScaleCodes {
     }
 }
 
+/// Encoding of spherical harmonics as codes: a coefficient is a multiple n of `step`, and its code
+/// 2 n, or −2 n − 1 where n is below 0. Small coefficients then have small codes, and 0 is 0.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct HarmonicCodes {
+    /// Difference between neighbouring coefficients.
+    pub step: f64,
+}
+
+impl HarmonicCodes {
+    /// The finest that a file may have. Coefficients are off by half of it at most, about what
+    /// colours in bytes are.
+    pub const FINE: Self = Self { step: 1.0 / 256.0 };
+    /// For small files.
+    pub const COARSE: Self = Self { step: 1.0 / 64.0 };
+    /// Smallest and largest `step`.
+    pub const RANGE: [f64; 2] = [1.0 / 256.0, 1.0];
+
+    /// The nearest code; None where the coefficient is beyond the largest.
+    pub fn encode(&self, coefficient: f16) -> Option<u16> {
+        let multiple = (coefficient.to_f64() / self.step).round();
+        let code = if multiple < 0.0 {
+            -2.0 * multiple - 1.0
+        } else {
+            2.0 * multiple
+        };
+        (code <= f64::from(u16::MAX)).then_some(code as u16)
+    }
+
+    /// The coefficient of a code.
+    pub fn decode(&self, code: u16) -> f16 {
+        let half = f64::from(code >> 1);
+        let multiple = if code & 1 == 1 { -half - 1.0 } else { half };
+        f16::from_f64(multiple * self.step)
+    }
+
+    /// The nearest coefficient that has a code; the same where it is beyond the largest.
+    pub fn round(&self, coefficient: f16) -> f16 {
+        self.encode(coefficient)
+            .map_or(coefficient, |code| self.decode(code))
+    }
+
+    fn is_exact(&self, coefficients: &[[f16; 3]]) -> bool {
+        let exact = |c: &f16| self.encode(*c).is_some_and(|code| self.decode(code) == *c);
+        coefficients.iter().flatten().all(exact)
+    }
+}
+
 /// Arrays as a tensor's bytes, borrowed from the model or new.
 pub trait StoredBytes<'a> {
     fn stored_bytes(self) -> Cow<'a, [u8]>;
@@ -186,6 +233,74 @@ fn color_code(color: f16) -> u8 {
 /// The colour component of a code.
 pub fn color(code: u8) -> f16 {
     f16::from_f64(f64::from(code) / 255.0)
+}
+
+/// Codes of all colours of an avatar with spherical harmonics; empty without an encoding.
+pub fn constant_harmonics(gaussians: &Gaussians, codes: Option<HarmonicCodes>) -> Vec<[u16; 3]> {
+    let Some(codes) = codes else {
+        return vec![];
+    };
+    let code = |c: f16| codes.encode(c).unwrap_or(u16::MAX);
+    gaussians.color.iter().map(|c| c.map(code)).collect()
+}
+
+/// Coefficients of the spherical harmonics, one function after the other: shape functions, 3, N_g.
+/// Empty where there are none, or of a degree that no file may have.
+pub fn harmonics(sh: Option<&ShCoefficients>) -> Vec<f16> {
+    let Some(sh) = sh else {
+        return vec![];
+    };
+    if !(1..=limits::HARMONICS).contains(&sh.degree) {
+        return vec![];
+    }
+    let functions = sh.functions();
+    let mut planes = Vec::with_capacity(3 * sh.coefficients.len());
+    for function in 0..functions {
+        for channel in 0..3 {
+            let rows = sh.coefficients.chunks_exact(functions);
+            planes.extend(rows.map(|row| row[function][channel]));
+        }
+    }
+    planes
+}
+
+/// Codes of [`harmonics`]; empty without an encoding.
+pub fn harmonic_codes(sh: Option<&ShCoefficients>, codes: Option<HarmonicCodes>) -> Vec<u16> {
+    let Some(codes) = codes else {
+        return vec![];
+    };
+    let code = |c: f16| codes.encode(c).unwrap_or(u16::MAX);
+    harmonics(sh).into_iter().map(code).collect()
+}
+
+/// The spherical harmonics whose coefficients [`harmonics`] arranged. `coefficient`: one of them,
+/// by its index there.
+pub fn from_planes(
+    degree: usize,
+    gaussians: usize,
+    coefficient: impl Fn(usize) -> f16,
+) -> ShCoefficients {
+    let functions = functions_of(degree);
+    let row = |at: usize| {
+        let [gaussian, function] = [at / functions, at % functions];
+        std::array::from_fn(|channel| coefficient((3 * function + channel) * gaussians + gaussian))
+    };
+    ShCoefficients {
+        degree,
+        coefficients: (0..gaussians * functions).map(row).collect(),
+    }
+}
+
+/// The coarsest encoding of spherical harmonics that is exact in every set; None if no encoding is.
+pub fn exact_harmonics(avatar: &Avatar) -> Option<HarmonicCodes> {
+    [HarmonicCodes::COARSE, HarmonicCodes::FINE]
+        .into_iter()
+        .find(|codes| {
+            GaussianSet::all(avatar).all(|set| {
+                set.sh.is_some_and(|sh| codes.is_exact(&sh.coefficients))
+                    && codes.is_exact(&set.gaussians.color)
+            })
+        })
 }
 
 /// Colours of the Gaussians that have a basis row of colour, which codes would round.

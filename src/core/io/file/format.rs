@@ -1,4 +1,4 @@
-//! The format of `NAME.avatar`, versions 1 to 3, and `NAME.motion`, version 1, in one place:
+//! The format of `NAME.avatar`, versions 1 to 4, and `NAME.motion`, version 1, in one place:
 //! [`AvatarHeader`] and [`ClipHeader`] are the metadata, [`AVATAR`] and [`MOTION`] the tensors. The
 //! writer, the reader's checks and `effigy inspect` all follow these tables.
 //!
@@ -18,6 +18,9 @@
 //! Version 3 is version 2 with a `filter`, the low-pass that the avatar was learned with, in which a
 //! program that does not know the field would draw it wrongly.
 //!
+//! Version 4 is version 3 with `harmonics`, colours that depend on the view, or without networks: a
+//! scene of splats has the first and lacks the second.
+//!
 //! Symbols: N_g `gaussians`, N_G `parts`, N_s `nodes`, N_B `basis` (a multiple of 4), J the number
 //! of `joints`, F `frames`.
 
@@ -28,10 +31,10 @@ use super::sets::GaussianSet;
 use crate::avatar::{Avatar, Clip, Subspace};
 use half::f16;
 
-pub use super::coding::{Coded, LogScaleCodes};
+pub use super::coding::{Coded, HarmonicCodes, LogScaleCodes};
 pub use super::deflate::Order;
 pub use super::document::METADATA_KEY;
-pub use super::header::{AvatarHeader, ClipHeader, LevelHeader};
+pub use super::header::{AvatarHeader, ClipHeader, HarmonicsHeader, LevelHeader};
 
 /// The version without codes and deflated tensors.
 pub const VERSION: u64 = 1;
@@ -39,6 +42,9 @@ pub const VERSION: u64 = 1;
 pub const VERSION_PACKED: u64 = 2;
 /// The version of avatar files that name a low-pass; codes and deflated tensors as in version 2.
 pub const VERSION_FILTER: u64 = 3;
+/// The version of avatar files with spherical harmonics or without networks; all else as in
+/// version 3.
+pub const VERSION_SPLATS: u64 = 4;
 /// `format` in the document of an avatar file.
 pub const AVATAR_FORMAT: &str = "effigy.avatar";
 /// `format` in the document of a motion file.
@@ -114,12 +120,22 @@ pub const AVATAR: &[TensorRow<AvatarHeader, Avatar>] = table! { h: AvatarHeader,
         "@log_scale": u16 [h.set(k).gaussians, 3] below(LogScaleCodes::MAX_CODE + 1)
             = coding::log_scales::<u16>(set(a, k).gaussians, h.set(k).log_scales), "codes of ln of the standard deviations";
     }
-    h.sets() * h.plain(Coded::Color) => {
+    h.sets() * h.plain_colors() => {
         "@color": f16 [h.set(k).gaussians, 3] finite() = &set(a, k).gaussians.color, "red, green, blue, 0 to 1";
     }
     h.sets() * h.coded(Coded::Color) => {
         "@color":      u8 [h.set(k).gaussians, 3] any() = coding::colors(set(a, k).gaussians), "red, green, blue, 0 to 255";
         "@color.kept": f16 [h.set(k).color_rows, 3] finite() = coding::row_colors(set(a, k)), "the same of those with a row, 0 to 1";
+    }
+    h.sets() * h.coded_harmonics() => {
+        "@color": u16 [h.set(k).gaussians, 3] any() = coding::constant_harmonics(set(a, k).gaussians, h.harmonic_codes()),
+            "codes of red, green, blue";
+        "@sh": u16 [h.harmonic_functions(), 3, h.set(k).gaussians] any() = coding::harmonic_codes(set(a, k).sh, h.harmonic_codes()),
+            "codes of the spherical harmonics from degree 1 up";
+    }
+    h.sets() * h.plain_harmonics() => {
+        "@sh": f16 [h.harmonic_functions(), 3, h.set(k).gaussians] finite() = coding::harmonics(set(a, k).sh),
+            "spherical harmonics from degree 1 up";
     }
     h.sets() * h.plain(Coded::JointWeight) => {
         "@joint_weight": u8 [h.set(k).gaussians, 4] weights() = &set(a, k).gaussians.joint_weight, "their weights, which sum to 255";

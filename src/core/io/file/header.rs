@@ -1,8 +1,8 @@
 //! The documents in the files' headers.
 
-use super::coding::{Coded, LogScaleCodes};
+use super::coding::{Coded, HarmonicCodes, LogScaleCodes};
 use super::deflate::Order;
-use crate::avatar::{Activation, Filter, LevelError};
+use crate::avatar::{Activation, Filter, LevelError, harmonics::functions_of};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -11,7 +11,8 @@ use std::collections::BTreeMap;
 pub struct AvatarHeader {
     /// "effigy.avatar"
     pub format: String,
-    /// 1, or 2 where there are codes or deflated tensors, or 3 where there is a filter.
+    /// 1, or 2 where there are codes or deflated tensors, or 3 where there is a filter, or 4 where
+    /// there are spherical harmonics or no networks.
     pub version: u64,
     /// Name of the avatar.
     pub name: String,
@@ -32,7 +33,7 @@ pub struct AvatarHeader {
     pub head_parts: usize,
     /// Number of nodes, N_s.
     pub nodes: usize,
-    /// Basis functions of a part, N_B.
+    /// Basis functions of a part, N_B; 0 without networks.
     pub basis: usize,
     /// Number of Gaussians with a corrective of their rotation.
     pub rotation_rows: usize,
@@ -45,7 +46,8 @@ pub struct AvatarHeader {
     pub bounds: [[f32; 3]; 2],
     /// "relu" or "leaky_relu" (slope 0.01), after every layer but the last.
     pub activation: Activation,
-    /// Widths of the networks: input, hidden layers (multiples of 4), output (N_B or 2 N_B).
+    /// Widths of the networks: input, hidden layers (multiples of 4), output (N_B or 2 N_B). None
+    /// without networks, from version 4 on.
     pub widths: Vec<usize>,
     /// Names of the joints, all different.
     pub joints: Vec<String>,
@@ -72,9 +74,23 @@ pub struct AvatarHeader {
     /// in versions 1 and 2.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub filter: Option<Filter>,
+    /// Spherical harmonics, from version 4 on; absent where colours don't depend on the view.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub harmonics: Option<HarmonicsHeader>,
     /// Levels of detail, each with fewer Gaussians than the one before; absent without any.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub levels: Vec<LevelHeader>,
+}
+
+/// What an avatar's document says of its spherical harmonics, and of those of its levels.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct HarmonicsHeader {
+    /// Highest degree: 1 to 3.
+    pub degree: usize,
+    /// Encoding of the coefficients, those of degree 0 (`color`) among them; absent where they are
+    /// f16.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub codes: Option<HarmonicCodes>,
 }
 
 /// What an avatar's document says of a level. Its arrays are stored as the avatar's are.
@@ -203,6 +219,40 @@ impl AvatarHeader {
     /// Number of tensors that hold log scales as codes of so many bits: 0 or 1.
     pub fn log_scales_of(&self, bits: u32) -> usize {
         usize::from(self.log_scales.is_some_and(|codes| codes.bits == bits))
+    }
+
+    /// Functions of the spherical harmonics from degree 1 up: 0 without any.
+    pub fn harmonic_functions(&self) -> usize {
+        self.harmonics
+            .map_or(0, |harmonics| functions_of(harmonics.degree))
+    }
+
+    /// Encoding of the spherical harmonics; None where they are f16 or there are none.
+    pub fn harmonic_codes(&self) -> Option<HarmonicCodes> {
+        self.harmonics.and_then(|harmonics| harmonics.codes)
+    }
+
+    /// Number of tensors that hold spherical harmonics in f16: 0 or 1.
+    pub fn plain_harmonics(&self) -> usize {
+        usize::from(
+            self.harmonics
+                .is_some_and(|harmonics| harmonics.codes.is_none()),
+        )
+    }
+
+    /// Number of tensors that hold spherical harmonics as codes: 0 or 1.
+    pub fn coded_harmonics(&self) -> usize {
+        usize::from(self.harmonic_codes().is_some())
+    }
+
+    /// Number of tensors that hold colours in f16: 0 or 1.
+    pub fn plain_colors(&self) -> usize {
+        self.plain(Coded::Color) * (1 - self.coded_harmonics())
+    }
+
+    /// Whether there are neither networks nor what they move. Their part is 0 everywhere.
+    pub fn is_without_networks(&self) -> bool {
+        self.widths.is_empty() && self.basis == 0
     }
 
     /// Number of layers of a network.

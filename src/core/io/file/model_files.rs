@@ -11,7 +11,7 @@ use super::{
     sets,
     tensors::TensorInfo,
 };
-use crate::avatar::{Avatar, Clip, Gaussians, Level, ShCoefficients};
+use crate::avatar::{Avatar, Clip, Gaussians, Level, ShCoefficients, limits};
 use std::path::Path;
 
 /// The content of a file of either kind.
@@ -88,8 +88,9 @@ fn check_harmonics(sh: Option<&ShCoefficients>, gaussians: &Gaussians) -> Result
             expected,
         })
     };
-    if !(1..=3).contains(&sh.degree) {
-        return fault(format!("degree {}", sh.degree), "1 to 3".into());
+    if !(1..=limits::HARMONICS).contains(&sh.degree) {
+        let found = format!("degree {}", sh.degree);
+        return fault(found, format!("1 to {}", limits::HARMONICS));
     }
     let expected = gaussians.len() * sh.functions();
     if sh.coefficients.len() != expected {
@@ -135,17 +136,36 @@ impl Avatar {
                 return Err(FormatError::metadata("widths", found, width));
             }
         }
-        container::check_arrays(&header, self)?;
+        // Their lengths first: their planes can't be told apart by another.
         check_harmonics(self.sh.as_ref(), &self.gaussians)?;
+        self.check_levels(Self::check_level_harmonics)?;
+        container::check_arrays(&header, self)?;
+        self.check_levels(Self::check_level)
+    }
+
+    /// Checks each level.
+    fn check_levels(
+        &self,
+        check: impl Fn(&Self, &Level) -> Result<(), FormatError>,
+    ) -> Result<(), FormatError> {
         for (index, level) in self.levels.iter().enumerate() {
-            self.check_level(level)
-                .map_err(|error| error.within(&sets::prefix(index + 1)))?;
+            check(self, level).map_err(|error| error.within(&sets::prefix(index + 1)))?;
         }
         Ok(())
     }
 
-    /// Checks what a file can't say of a level: that it is in the avatar's bounds, has colours of
-    /// the same kind, and names the one node that there is without correctives.
+    /// Checks that a level has colours of the avatar's kind.
+    fn check_level_harmonics(&self, level: &Level) -> Result<(), FormatError> {
+        let degree = |sh: &Option<ShCoefficients>| sh.as_ref().map_or(0, |sh| sh.degree);
+        let [found, expected] = [&level.sh, &self.sh].map(|sh| format!("degree {}", degree(sh)));
+        if found != expected {
+            return Err(FormatError::metadata("sh", found, expected));
+        }
+        check_harmonics(level.sh.as_ref(), &level.gaussians)
+    }
+
+    /// Checks what a file can't say of a level: that it is in the avatar's bounds, and names the one
+    /// node that there is without correctives.
     fn check_level(&self, level: &Level) -> Result<(), FormatError> {
         let fault = |field: &str, [found, expected]: [String; 2]| {
             Err(FormatError::metadata(field, found, expected))
@@ -155,11 +175,6 @@ impl Avatar {
             let text = bounds.map(|bounds| format!("{:?} to {:?}", bounds.min, bounds.max));
             return fault("bounds", text);
         }
-        let degrees = [&level.sh, &self.sh].map(|sh| sh.as_ref().map_or(0, |sh| sh.degree));
-        if degrees[0] != degrees[1] {
-            return fault("sh", degrees.map(|degree| format!("degree {degree}")));
-        }
-        check_harmonics(level.sh.as_ref(), &level.gaussians)?;
         let nodes = &level.gaussians.node;
         let count = level.gaussians.len();
         let named = nodes.iter().filter(|&&node| node != [0; 3]).count();
@@ -180,8 +195,8 @@ impl Avatar {
         order::needs(bytes)
     }
 
-    /// The avatar without its correctives, from the beginning of a file that is `length` bytes
-    /// long: it moves with its joints alone. Its arrays have the lengths of the whole avatar's.
+    /// The avatar without its correctives and spherical harmonics, from the beginning of a file that
+    /// is `length` bytes long: it moves with its joints alone. Its arrays have the lengths of the whole avatar's.
     ///
     /// # Errors
     /// When the bytes are not the beginning of an avatar's file, or break a rule.

@@ -1,5 +1,5 @@
-//! The order of a file's tensors: the neutral avatar comes before its correctives, so that a page
-//! can show it while the rest is loading, and levels of detail come last.
+//! The order of a file's tensors: the neutral avatar comes before its correctives and spherical
+//! harmonics, so that a page can show it while the rest is loading, and levels of detail come last.
 
 use super::{
     container::decode_beginning, error::FormatError, header::AvatarHeader, sets::LEVEL_PREFIX,
@@ -14,7 +14,7 @@ use std::collections::HashMap;
 pub enum Neutral {
     /// Nothing yet: this many first bytes of the file are needed.
     Needs(usize),
-    /// The avatar without its correctives.
+    /// The avatar without its correctives, and with colours of degree 0 alone.
     Avatar(Box<Avatar>),
 }
 
@@ -29,7 +29,11 @@ enum Purpose {
 fn purpose(name: &str) -> Purpose {
     if name.starts_with(LEVEL_PREFIX) {
         Purpose::Level
-    } else if name.starts_with("mlp.") || name.ends_with(".basis") || name.ends_with(".step") {
+    } else if name == "sh"
+        || name.starts_with("mlp.")
+        || name.ends_with(".basis")
+        || name.ends_with(".step")
+    {
         Purpose::Corrective
     } else {
         Purpose::Neutral
@@ -94,7 +98,7 @@ pub fn needs(bytes: &[u8]) -> Result<usize, FormatError> {
 }
 
 /// The avatar in the first bytes of a file that is `length` bytes long, with zeros for its
-/// correctives and without levels.
+/// correctives and spherical harmonics, and without levels.
 pub fn neutral(bytes: &[u8], length: usize) -> Result<Neutral, FormatError> {
     let (metadata, start) = match Header::parse(bytes)? {
         Header::Complete { metadata, start } => (metadata, start),

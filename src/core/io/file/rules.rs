@@ -1,14 +1,15 @@
 //! The rules that documents keep, and how models become documents and documents models.
 
 use super::arrays::{basis, rows};
-use super::coding::{self, Coded, LogScaleCodes};
+use super::coding::{self, Coded, HarmonicCodes, LogScaleCodes};
 use super::deflate::Order;
 use super::document::{Document, TensorRow};
 use super::error::{FormatError, excerpt};
 use super::format::{
     AVATAR, AVATAR_FORMAT, MOTION, MOTION_FORMAT, VERSION, VERSION_FILTER, VERSION_PACKED,
+    VERSION_SPLATS,
 };
-use super::header::{AvatarHeader, ClipHeader, LevelHeader};
+use super::header::{AvatarHeader, ClipHeader, HarmonicsHeader, LevelHeader};
 use super::sets;
 use super::tensors::Tensors;
 use crate::avatar::{Avatar, Clip, Filter, Level, LevelError, Nodes, Parts, Subspace, limits};
@@ -99,6 +100,12 @@ impl AvatarHeader {
         let mut packed = Self::from_model(avatar);
         packed.version = packed.version.max(VERSION_PACKED);
         packed.coded = coding::exact_codes(avatar);
+        if let Some(harmonics) = &mut packed.harmonics {
+            harmonics.codes = coding::exact_harmonics(avatar);
+            if harmonics.codes.is_some() {
+                packed.coded.retain(|&what| what != Coded::Color);
+            }
+        }
         if let Some(all) = coding::exact_log_scales(avatar) {
             let mut all = all.into_iter();
             packed.log_scales = all.next();
@@ -117,7 +124,7 @@ impl AvatarHeader {
             self.version >= VERSION_FILTER,
             "version",
             self.version,
-            format_args!("{VERSION_FILTER}, as there is a filter"),
+            format_args!("{VERSION_FILTER} or more, as there is a filter"),
         )?;
         let [least, most] = [Filter::VARIANCES.start(), Filter::VARIANCES.end()];
         ensure(
@@ -128,13 +135,42 @@ impl AvatarHeader {
         )
     }
 
+    fn check_harmonics(&self) -> Result<(), FormatError> {
+        let Some(HarmonicsHeader { degree, codes }) = self.harmonics else {
+            return Ok(());
+        };
+        ensure(
+            self.version >= VERSION_SPLATS,
+            "version",
+            self.version,
+            format_args!("{VERSION_SPLATS}, as there are harmonics"),
+        )?;
+        count("harmonics", degree, 1..=limits::HARMONICS)?;
+        let Some(HarmonicCodes { step }) = codes else {
+            return Ok(());
+        };
+        let [finest, coarsest] = HarmonicCodes::RANGE;
+        ensure(
+            (finest..=coarsest).contains(&step),
+            "harmonics",
+            format_args!("a step of {step:e}"),
+            format_args!("one from {finest} to {coarsest}"),
+        )?;
+        ensure(
+            !self.coded.contains(&Coded::Color),
+            "coded",
+            "color",
+            "codes of `harmonics` alone",
+        )
+    }
+
     fn check_codes(&self) -> Result<(), FormatError> {
         let plain = self.coded.is_empty() && self.log_scales.is_none() && self.deflated.is_empty();
         ensure(
             plain || self.version >= VERSION_PACKED,
             "version",
             self.version,
-            format_args!("{VERSION_PACKED} or {VERSION_FILTER}, as there are codes"),
+            format_args!("{VERSION_PACKED} or more, as there are codes"),
         )?;
         check_log_scales("log_scales", self.log_scales)
     }
@@ -182,18 +218,36 @@ impl AvatarHeader {
         )
     }
 
-    /// Checks what drawing relies on. An avatar without networks, like an import, needs no basis,
-    /// which files require.
+    /// Checks what drawing relies on.
     pub fn check_drawn(&self) -> Result<(), FormatError> {
         self.check_filter()?;
+        self.check_harmonics()?;
         self.check_counts()?;
         self.check_levels()?;
         self.check_skeleton()?;
-        if self.layers() == 0 && self.basis == 0 {
-            return count("expression", self.expression, 0..=limits::EXPRESSION);
+        self.check_inputs()?;
+        if self.version >= VERSION_SPLATS && self.is_without_networks() {
+            return self.check_without_networks();
         }
         self.check_basis()?;
         self.check_networks()
+    }
+
+    /// Checks that nothing is there that networks would move.
+    fn check_without_networks(&self) -> Result<(), FormatError> {
+        count("rotation_rows", self.rotation_rows, 0..=0)?;
+        count("scale_rows", self.scale_rows, 0..=0)?;
+        count("color_rows", self.color_rows, 0..=0)?;
+        for (index, level) in self.levels.iter().enumerate() {
+            ensure(
+                !level.correctives,
+                "correctives",
+                level.correctives,
+                "false, as there are no networks",
+            )
+            .map_err(|error| error.within(&sets::prefix(index + 1)))?;
+        }
+        Ok(())
     }
 
     fn check_skeleton(&self) -> Result<(), FormatError> {
@@ -231,8 +285,21 @@ impl AvatarHeader {
         }
     }
 
-    fn check_networks(&self) -> Result<(), FormatError> {
+    fn check_inputs(&self) -> Result<(), FormatError> {
         count("expression", self.expression, 0..=limits::EXPRESSION)?;
+        count(
+            "pose_components",
+            self.pose_components.unwrap_or(0),
+            0..=limits::SUBSPACE.min(self.pose_len()),
+        )?;
+        count(
+            "expression_components",
+            self.expression_components.unwrap_or(0),
+            0..=limits::SUBSPACE.min(self.expression),
+        )
+    }
+
+    fn check_networks(&self) -> Result<(), FormatError> {
         let layers = self.widths.len().saturating_sub(1);
         let expected = format!("1 to {}: one width more than layers", limits::MLP_LAYERS);
         ensure(
@@ -267,16 +334,6 @@ impl AvatarHeader {
             "widths",
             format_args!("{output} outputs"),
             format_args!("{0} or twice {0}, as `basis` says", self.basis),
-        )?;
-        count(
-            "pose_components",
-            self.pose_components.unwrap_or(0),
-            0..=limits::SUBSPACE.min(self.pose_len()),
-        )?;
-        count(
-            "expression_components",
-            self.expression_components.unwrap_or(0),
-            0..=limits::SUBSPACE.min(self.expression),
         )
     }
 }
@@ -361,7 +418,7 @@ fn check_measured(measured: &[LevelError]) -> Result<(), FormatError> {
 impl Document for AvatarHeader {
     type Model = Avatar;
     const FORMAT: &'static str = AVATAR_FORMAT;
-    const VERSIONS: [u64; 2] = [VERSION, VERSION_FILTER];
+    const VERSIONS: [u64; 2] = [VERSION, VERSION_SPLATS];
     const TENSORS: &'static [TensorRow<Self, Avatar>] = AVATAR;
 
     fn from_model(avatar: &Avatar) -> Self {
@@ -369,12 +426,21 @@ impl Document for AvatarHeader {
         let components = |space: &Option<Subspace>| space.as_ref().map(|space| space.sigma.len());
         let coded: Vec<Coded> = coding::matrices(avatar).collect();
         let filter = (avatar.filter != Filter::DEFAULT).then_some(avatar.filter);
+        let harmonics = avatar.sh.as_ref().map(|sh| HarmonicsHeader {
+            degree: sh.degree,
+            codes: None,
+        });
+        let widths = avatar.networks.widths();
         Self {
             format: AVATAR_FORMAT.into(),
-            version: match (filter, coded.is_empty()) {
-                (Some(_), _) => VERSION_FILTER,
-                (None, false) => VERSION_PACKED,
-                (None, true) => VERSION,
+            version: if harmonics.is_some() || widths.is_empty() {
+                VERSION_SPLATS
+            } else if filter.is_some() {
+                VERSION_FILTER
+            } else if !coded.is_empty() {
+                VERSION_PACKED
+            } else {
+                VERSION
             },
             name: avatar.name.clone(),
             credit: avatar.credit.clone(),
@@ -391,7 +457,7 @@ impl Document for AvatarHeader {
             color_rows: avatar.color_rows.gaussian.len(),
             bounds: [bounds.min, bounds.max],
             activation: avatar.networks.activation,
-            widths: avatar.networks.widths(),
+            widths,
             joints: avatar.skeleton.name.clone(),
             parents: avatar.skeleton.parent.clone(),
             inputs: avatar.inputs.joint.clone(),
@@ -402,6 +468,7 @@ impl Document for AvatarHeader {
             log_scales: None,
             deflated: BTreeMap::new(),
             filter,
+            harmonics,
             levels: avatar.levels.iter().map(LevelHeader::from_level).collect(),
         }
     }
@@ -424,12 +491,7 @@ impl Document for AvatarHeader {
         word("up", &self.up, UP)?;
         word("color_space", &self.color_space, COLOR_SPACE)?;
         self.check_codes()?;
-        self.check_filter()?;
-        self.check_counts()?;
-        self.check_levels()?;
-        self.check_basis()?;
-        self.check_skeleton()?;
-        self.check_networks()
+        self.check_drawn()
     }
 
     fn build(self, tensors: &Tensors) -> Avatar {
@@ -452,7 +514,7 @@ impl Document for AvatarHeader {
                 basis: basis("node", bytes(Coded::NodeBasis), tensors),
             },
             inputs: self.inputs(tensors),
-            sh: None,
+            sh: self.harmonics(0, tensors),
             filter: self.filter.unwrap_or_default(),
             levels: (1..self.sets())
                 .map(|set| self.level(set, tensors))

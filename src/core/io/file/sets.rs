@@ -1,7 +1,7 @@
 //! The sets of Gaussians in an avatar's file: set 0 is the avatar's own, set k + 1 that of level k.
 //! All have the same tensors, those of levels under names of their own.
 
-use crate::avatar::{Avatar, Gaussians, Level, Rows};
+use crate::avatar::{Avatar, Gaussians, Level, Rows, ShCoefficients};
 
 /// Beginning of the names of a level's tensors.
 pub const LEVEL_PREFIX: &str = "level.";
@@ -29,6 +29,8 @@ pub struct GaussianSet<'a> {
     pub scale_rows: &'a Rows<3>,
     /// Correctives of the colour.
     pub color_rows: &'a Rows<3>,
+    /// Spherical harmonics.
+    pub sh: Option<&'a ShCoefficients>,
 }
 
 impl<'a> GaussianSet<'a> {
@@ -45,6 +47,7 @@ impl<'a> GaussianSet<'a> {
                 rotation_rows: &avatar.rotation_rows,
                 scale_rows: &avatar.scale_rows,
                 color_rows: &avatar.color_rows,
+                sh: avatar.sh.as_ref(),
             },
             Some(level) => Self::of_level(&avatar.levels[level]),
         }
@@ -62,6 +65,7 @@ impl<'a> GaussianSet<'a> {
             rotation_rows: &level.rotation_rows,
             scale_rows: &level.scale_rows,
             color_rows: &level.color_rows,
+            sh: level.sh.as_ref(),
         }
     }
 

@@ -1,5 +1,5 @@
-//! The avatar of splats as one run of bytes, which an `.avatar` file cannot hold: for two libraries
-//! of one page to hand each other. It is no file format, since both are always of one version.
+//! The avatar of splats as one run of bytes, for two libraries of one page to hand each other in less
+//! time than an `.avatar` file takes. It is no file format, since both are always of one version.
 //!
 //! The length of a document in 8 bytes, the document in JSON, then the Gaussians, an array after the
 //! other in this machine's order.

@@ -1,14 +1,9 @@
 //! Splats in other axes: positions, rotations and spherical harmonics turn together.
 
 use super::{Splats, Up, each};
-use crate::avatar::harmonics::functions;
+use crate::avatar::harmonics::{functions, functions_of};
 use glam::{DMat3, DQuat, DVec3};
 use std::f64::consts::PI;
-
-/// Spherical harmonics from degree 1 to `degree`.
-pub fn functions_of(degree: usize) -> usize {
-    (degree + 1).pow(2) - 1
-}
 
 /// What a rotation does to the coefficients of degree 1 to 3: row i has what each old coefficient
 /// adds to new coefficient i; 0 between degrees.

@@ -12,10 +12,10 @@ mod harmonics;
 mod posed;
 mod up;
 
+pub use crate::avatar::harmonics::functions_of;
 pub use axes::principal_axes;
 pub use check::check_count;
 pub use columns::{from_columns, to_columns};
-pub use harmonics::functions_of;
 #[cfg(not(target_arch = "wasm32"))]
 pub use posed::{Uniform, from_gaussians};
 pub use up::Up;
