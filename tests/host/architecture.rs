@@ -28,6 +28,7 @@ const LAYERS: &[Layers] = &[
         modules: &[
             "device",
             "file_list",
+            "dropped",
             "font",
             "android",
             "frame_times",
@@ -92,6 +93,7 @@ const LAYERS: &[Layers] = &[
             "render",
             "soak",
             "stress",
+            "dropped",
             "view",
         ],
     },
