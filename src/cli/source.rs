@@ -20,6 +20,7 @@ use effigy_formats::{
 use std::{
     collections::BTreeMap,
     path::{Path, PathBuf},
+    time::Instant,
 };
 
 /// The avatar and clips of every command that draws.
@@ -162,7 +163,10 @@ impl Source {
             up: self.up,
             ..OpenOptions::default()
         };
+        let began = Instant::now();
         let imported = open::avatar(path, &options)?;
+        let took = began.elapsed().as_secs_f64() * 1e3;
+        tracing::info!("read {} in {took:.1} ms", path.display());
         Ok(Imported {
             avatar: self.projected(imported.avatar),
             ..imported
@@ -301,7 +305,8 @@ pub fn check_joints(clip: &Clip, avatar: &Avatar) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// Reads a `cameras.json` as 3DGS writes it beside a .ply, in the avatar's world.
+/// Reads a `cameras.json` as 3DGS writes it beside a .ply, or mmlphuman beside its checkpoint, in the
+/// avatar's world.
 pub fn cameras(path: &Path, avatar: &Avatar) -> anyhow::Result<Vec<Camera>> {
     let rest = Pose::rest(avatar.skeleton.len(), 0);
     let world = avatar

@@ -102,6 +102,7 @@ const LAYERS: &[Layers] = &[
         modules: &[
             "constants",
             "random",
+            "each",
             "avatar",
             "occluder",
             "layout",

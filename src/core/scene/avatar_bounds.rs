@@ -4,6 +4,7 @@
 use super::{Camera, LevelChoice, PartSet, PixelRect, PlaneRect, detail, radius_in_sigmas};
 use crate::avatar::{Avatar, Filter};
 use crate::constants::{LOG_SCALE_MAX, LONGEST_MARGIN};
+use crate::each;
 use glam::{DAffine3, DVec2, DVec3, UVec2};
 use std::ops::Range;
 
@@ -163,13 +164,12 @@ impl AvatarBounds {
     /// # Panics
     /// Where [`Avatar::check`] finds a fault.
     pub fn new(avatar: &Avatar) -> Self {
-        let parts = avatar.parts.start.windows(2).enumerate();
+        let parts = each::map(avatar.parts.len(), |part| {
+            let range = avatar.parts.start[part] as usize..avatar.parts.start[part + 1] as usize;
+            (!range.is_empty()).then(|| PartBox::new(avatar, part, range))
+        });
         Self {
-            parts: parts
-                .map(|(part, pair)| (part, pair[0] as usize..pair[1] as usize))
-                .filter(|(_, range)| !range.is_empty())
-                .map(|(part, range)| PartBox::new(avatar, part, range))
-                .collect(),
+            parts: parts.into_iter().flatten().collect(),
             pose_shape: PoseShape {
                 joints: avatar.skeleton.len(),
                 inputs: 3 * avatar.inputs.joint.len() + avatar.inputs.expression,
