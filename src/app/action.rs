@@ -72,7 +72,7 @@ pub const KEYS: [(&str, &str); 14] = [
 ];
 
 /// Gestures of mouse, trackpad and fingers, and their effects.
-pub const POINTERS: [(&str, &str); 4] = [
+pub const POINTERS: [(&str, &str); 5] = [
     ("drag", "orbit: left button, one finger"),
     ("pan", "right or middle button, Shift, two fingers"),
     ("zoom", "wheel, trackpad, pinch"),
@@ -80,6 +80,7 @@ pub const POINTERS: [(&str, &str); 4] = [
         "taps",
         "double: reset the view; long: show or hide this panel",
     ),
+    ("drop files", "show an avatar or splats, play motion"),
 ];
 
 /// Keys and pointers as a help page.

@@ -6,6 +6,7 @@ use crate::{
         crash_report::{self, CrashReport},
         files, java, log, notice,
     },
+    file_list::LoadedAvatar,
     options::ViewerOptions,
     quality_control::{QualityControl, SoakOptions},
     scene::BACKGROUND,
@@ -61,7 +62,7 @@ fn show(
 ) -> anyhow::Result<()> {
     java::hide_bars(app);
     let files = files::Files::new(app, folders.first().cloned());
-    let (avatar, clips) = files.first()?;
+    let LoadedAvatar { avatar, clips } = files.first()?;
     let display = Display::of_activity(app)?;
     let first = files.opened_index();
     let message = last_crash.as_ref().map(CrashReport::summary);
@@ -92,6 +93,7 @@ fn show(
         frames: None,
         rehearse: Vec::new(),
         file_list: files.into_list(),
+        opener: None,
         first,
         folders,
         message,

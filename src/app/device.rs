@@ -6,7 +6,7 @@ use effigy::vulkan::{
     swapchain::{Surface, Target},
 };
 use raw_window_handle::{HasDisplayHandle, HasWindowHandle};
-use std::sync::Arc;
+use std::{sync::Arc, time::Instant};
 use winit::window::Window;
 
 /// A device that can present to a window.
@@ -22,10 +22,15 @@ pub struct WindowDevice {
 /// Opens the device that `options` names. If it names none, the first that can present to the
 /// window.
 pub fn open(window: &Window, options: &GpuOptions) -> anyhow::Result<WindowDevice> {
+    let began = Instant::now();
     // SAFETY: the painter, which holds all that is made of the target, holds the window too.
     let target = unsafe { Target::new(window.display_handle()?, window.window_handle()?) };
     match open_first(&target, options) {
-        Ok(device) => Ok(device),
+        Ok(device) => {
+            let took = began.elapsed().as_secs_f64() * 1e3;
+            tracing::info!("opened the device in {took:.1} ms");
+            Ok(device)
+        }
         Err(error) if has_no_window_extension(&error) => Err(Error::NoWindowExtension.into()),
         Err(error) => Err(error.into()),
     }

@@ -2,6 +2,7 @@
 
 use effigy_core::avatar::{Avatar, Clip};
 use std::{
+    path::{Path, PathBuf},
     sync::{
         Arc,
         atomic::{AtomicU64, Ordering},
@@ -17,19 +18,45 @@ pub struct LoadedAvatar {
     pub clips: Vec<Clip>,
 }
 
-/// Reads the avatar with an index.
-type Load = dyn Fn(usize) -> anyhow::Result<LoadedAvatar> + Send + Sync;
+impl LoadedAvatar {
+    /// An avatar with those of some clips that move a joint of it: with one that stands still if
+    /// there are none.
+    pub fn new(avatar: Avatar, mut clips: Vec<Clip>) -> Self {
+        clips.retain(|clip| clip.map_to(&avatar.skeleton).iter().any(Option::is_some));
+        if clips.is_empty() {
+            clips.push(Clip::still(&avatar.skeleton));
+        }
+        Self { avatar, clips }
+    }
+}
+
+/// Reads an avatar.
+type Load = dyn Fn() -> anyhow::Result<LoadedAvatar> + Send + Sync;
+
+/// An avatar of the list.
+#[derive(Clone)]
+struct Entry {
+    /// What the panel calls it.
+    name: String,
+    /// Its file, of those that were added.
+    path: Option<PathBuf>,
+    load: Arc<Load>,
+}
 
 /// Names of avatars, and how to read them. The default list is empty.
 #[derive(Clone, Default)]
 pub struct FileList {
-    /// Each avatar's name in the panel.
-    pub names: Vec<String>,
+    entries: Vec<Entry>,
     /// Index of the avatar that is shown.
     pub shown: usize,
-    load: Option<Arc<Load>>,
     /// Number of the latest request: only its avatar is delivered.
     latest_request: Arc<AtomicU64>,
+}
+
+/// What the panel calls an avatar's file.
+pub fn stem(path: &Path) -> String {
+    let stem = path.file_stem().unwrap_or_default();
+    stem.to_string_lossy().into_owned()
 }
 
 impl FileList {
@@ -37,23 +64,63 @@ impl FileList {
     pub fn new(
         names: Vec<String>,
         shown: usize,
-        load: impl Fn(usize) -> anyhow::Result<(Avatar, Vec<Clip>)> + Send + Sync + 'static,
+        load: impl Fn(usize) -> anyhow::Result<LoadedAvatar> + Send + Sync + 'static,
     ) -> Self {
-        let load = move |index| {
-            let (avatar, clips) = load(index)?;
-            Ok(LoadedAvatar { avatar, clips })
+        let load = Arc::new(load);
+        let entry = |(index, name)| {
+            let load = load.clone();
+            Entry {
+                name,
+                path: None,
+                load: Arc::new(move || load(index)),
+            }
         };
         Self {
-            names,
+            entries: names.into_iter().enumerate().map(entry).collect(),
             shown,
-            load: Some(Arc::new(load)),
             latest_request: Arc::default(),
         }
     }
 
-    /// Index of the avatar after the one that is shown; the first follows the last.
-    pub fn next(&self) -> usize {
-        (self.shown + 1) % self.names.len().max(1)
+    /// Each avatar's name in the panel.
+    pub fn names(&self) -> impl ExactSizeIterator<Item = &str> {
+        self.entries.iter().map(|entry| entry.name.as_str())
+    }
+
+    /// Adds an avatar's file, unless it was added before, and gives its index. `load` reads it
+    /// again, on a thread of its own.
+    pub fn add(
+        &mut self,
+        path: &Path,
+        load: impl Fn() -> anyhow::Result<LoadedAvatar> + Send + Sync + 'static,
+    ) -> usize {
+        let is_same = |entry: &Entry| entry.path.as_deref() == Some(path);
+        if let Some(known) = self.entries.iter().position(is_same) {
+            return known;
+        }
+        self.entries.push(Entry {
+            name: stem(path),
+            path: Some(path.to_owned()),
+            load: Arc::new(load),
+        });
+        self.entries.len() - 1
+    }
+
+    /// Index of the avatar after the one that is shown; the first follows the last. None if there
+    /// is no other.
+    pub fn next(&self) -> Option<usize> {
+        let count = self.entries.len();
+        (count > 1).then(|| (self.shown + 1) % count)
+    }
+
+    /// Number of the latest request.
+    pub fn latest_request(&self) -> u64 {
+        self.latest_request.load(Ordering::Acquire)
+    }
+
+    /// Makes a request that takes the place of the one before, and gives its number.
+    pub fn begin_request(&self) -> u64 {
+        self.latest_request.fetch_add(1, Ordering::AcqRel) + 1
     }
 
     /// Reads an avatar on another thread and passes it to `deliver` there, unless another one was
@@ -63,14 +130,11 @@ impl FileList {
         index: usize,
         deliver: impl FnOnce(anyhow::Result<LoadedAvatar>) + Send + 'static,
     ) -> Option<JoinHandle<()>> {
-        if index >= self.names.len() {
-            return None;
-        }
-        let load = self.load.clone()?;
+        let load = self.entries.get(index)?.load.clone();
+        let request = self.begin_request();
         let latest_request = self.latest_request.clone();
-        let request = latest_request.fetch_add(1, Ordering::AcqRel) + 1;
         Some(std::thread::spawn(move || {
-            let loaded = load(index);
+            let loaded = load();
             if latest_request.load(Ordering::Acquire) == request {
                 deliver(loaded);
             }
@@ -114,6 +178,32 @@ mod tests {
             receive.try_iter().flatten().collect::<Vec<_>>(),
             ["1", "1"],
             "the slow one was superseded"
+        );
+    }
+
+    #[test]
+    fn a_file_that_is_added_twice_is_listed_once() {
+        let mut files = FileList::new(vec!["first".into()], 0, |_| anyhow::bail!("listed"));
+        assert_eq!(files.next(), None);
+        let mut add = |path: &str| files.add(Path::new(path), || anyhow::bail!("added"));
+        let added = ["a/x.avatar", "b/x.avatar", "a/x.avatar"].map(&mut add);
+        assert_eq!(added, [1, 2, 1]);
+        assert_eq!(files.names().collect::<Vec<_>>(), ["first", "x", "x"]);
+        files.shown = 2;
+        assert_eq!(files.next(), Some(0));
+        let (send, receive) = mpsc::channel();
+        for index in [0, 2] {
+            let send = send.clone();
+            let deliver = move |loaded: anyhow::Result<LoadedAvatar>| {
+                send.send(loaded.err().map(|error| error.to_string()))
+                    .unwrap();
+            };
+            files.request(index, deliver).unwrap().join().unwrap();
+        }
+        drop(send);
+        assert_eq!(
+            receive.iter().flatten().collect::<Vec<_>>(),
+            ["listed", "added"]
         );
     }
 }

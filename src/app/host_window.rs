@@ -87,6 +87,13 @@ impl HostWindow {
         self.window.as_ref()
     }
 
+    /// Names the window, if there is one.
+    pub fn set_title(&self, title: &str) {
+        if let Some(window) = &self.window {
+            window.set_title(title);
+        }
+    }
+
     /// Width and height, px.
     pub fn size(&self) -> [u32; 2] {
         self.size

@@ -11,6 +11,7 @@
 //! | frame clock | `frame_clock`, `frame_sync`, [`pacing`] | when to draw the next frame |
 //! | quality | [`quality_control`], `drift_check` | at which quality to hold the frame rate |
 //! | recovery | `recovery` | whether to go on after a loss |
+//! | dropped files | [`dropped`], [`file_list`] | what to show next |
 //! | captures | `captures`, [`screenshot`] | screenshots, RenderDoc captures, the trace |
 //! | trials | `tuning` | which way to draw is fastest, for the next start |
 //!
@@ -25,6 +26,7 @@ mod android_entry;
 mod captures;
 mod device;
 mod drift_check;
+pub mod dropped;
 pub mod file_list;
 #[cfg(any(target_os = "android", test))]
 mod font;

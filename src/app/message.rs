@@ -1,6 +1,8 @@
 //! Messages from other threads to the viewer, through winit's event loop.
 
-use crate::file_list::LoadedAvatar;
+use crate::{dropped::DroppedContent, file_list::LoadedAvatar};
+use effigy_core::{avatar::Avatar, layout::PackedOccluder};
+use std::{path::PathBuf, sync::Arc};
 
 /// A message from another thread.
 pub enum Message {
@@ -13,4 +15,25 @@ pub enum Message {
         /// The avatar and its clips.
         loaded: Box<LoadedAvatar>,
     },
+    /// The occluder mesh of an avatar has been made.
+    Occluder {
+        /// The avatar.
+        avatar: Arc<Avatar>,
+        /// Its mesh.
+        mesh: Box<PackedOccluder>,
+    },
+    /// Files that were dropped on the window have been read.
+    Dropped(Box<DroppedRead>),
+}
+
+/// Files that were dropped on the window, and what was read of them.
+pub struct DroppedRead {
+    /// The files.
+    pub files: Vec<PathBuf>,
+    /// The avatar that was shown when they were dropped: clips are made for it.
+    pub shown: Arc<Avatar>,
+    /// Number of the file list's latest request when they were dropped.
+    pub request: u64,
+    /// What they hold.
+    pub content: DroppedContent,
 }

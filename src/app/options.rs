@@ -1,8 +1,8 @@
 //! Options of the viewer.
 
-use crate::{file_list::FileList, quality_control::QualityControl};
+use crate::{dropped::OpenFiles, file_list::FileList, quality_control::QualityControl};
 use effigy::vulkan::{GpuOptions, RendererOptions};
-use std::path::PathBuf;
+use std::{path::PathBuf, sync::Arc};
 
 /// Options that a viewer is started with.
 pub struct ViewerOptions {
@@ -20,6 +20,8 @@ pub struct ViewerOptions {
     pub rehearse: Vec<Rehearsal>,
     /// Avatars to choose from in the panel.
     pub file_list: FileList,
+    /// How to open files that are dropped on the window. None: they are ignored.
+    pub opener: Option<Arc<dyn OpenFiles>>,
     /// Index in `file_list` of the avatar to load and show once the viewer runs.
     pub first: Option<usize>,
     /// Folders for screenshots, in order of preference.
@@ -46,6 +48,7 @@ impl ViewerOptions {
             frames: None,
             rehearse: Vec::new(),
             file_list: FileList::default(),
+            opener: None,
             first: None,
             folders: crate::screenshot::folders(),
             message: None,

@@ -7,13 +7,15 @@ use crate::{
 use ash::vk;
 use effigy::vulkan::{
     CommandPool, Copied, During, Error, FRAMES_IN_FLIGHT, FrameReport, FrameValidator, Gpu,
-    GpuOptions, PixelCounts, PreTransform, Present, PresentFeedback, Presentation, PresentedImage,
-    Recording, Renderer, RendererOptions, Result,
+    GpuOptions, PixelCounts, PreTransform, PreparedAvatar, Present, PresentFeedback, Presentation,
+    PresentedImage, Recording, Renderer, RendererOptions, Result,
     swapchain::{Acquired, Surface, Swapchain, Target},
     tuning::Workload,
 };
 use effigy_core::{
     avatar::Avatar,
+    frame::Skip,
+    layout::PackedOccluder,
     scene::{Camera, Posed},
 };
 use effigy_runtime::governor::FrameQuality;
@@ -23,7 +25,7 @@ use egui_ash_renderer::{
 };
 use glam::Vec2;
 use raw_window_handle::{HasDisplayHandle, HasWindowHandle};
-use std::{mem::ManuallyDrop, sync::Arc};
+use std::{mem::ManuallyDrop, panic::resume_unwind, sync::Arc};
 use winit::window::Window;
 
 /// The triangles of the panel, from egui.
@@ -79,6 +81,8 @@ pub struct WindowPainter {
     validator: Option<FrameValidator>,
     /// The next frame is to be validated.
     validation_requested: bool,
+    /// The avatar's occluder mesh is missing: no first frame waits for it.
+    wants_occluder: bool,
     /// The earliest time to show the next frame, nanoseconds of the system's monotonic clock.
     show_at: Option<u64>,
     gpu: Arc<Gpu>,
@@ -99,13 +103,20 @@ impl WindowPainter {
         options: &GpuOptions,
         full_quality: RendererOptions,
     ) -> anyhow::Result<Self> {
+        // Most of a start is the driver's: the avatar is packed meanwhile.
+        let (device, prepared) = std::thread::scope(|scope| {
+            let prepared = scope.spawn(|| PreparedAvatar::without_occluder(avatar));
+            let device = device::open(window, options);
+            let prepared = prepared.join().unwrap_or_else(|panic| resume_unwind(panic));
+            (device, prepared)
+        });
         let WindowDevice {
             target,
             surface,
             gpu,
-        } = device::open(window, options)?;
+        } = device?;
         let present = Present::new(&gpu, surface.format())?;
-        let renderer = Renderer::new(&gpu, avatar, full_quality)?;
+        let renderer = Renderer::from_prepared(&gpu, &prepared?, full_quality)?;
         let drawing = drawing(&renderer, full_quality);
         // SAFETY: nothing uses it yet. Every frame leaves the image in this state, and `fit` sets
         // another after a resize.
@@ -135,6 +146,7 @@ impl WindowPainter {
             drawing,
             validator: None,
             validation_requested: false,
+            wants_occluder: full_quality.skip.contains(Skip::HIDDEN),
             show_at: None,
             gpu,
             target,
@@ -142,6 +154,20 @@ impl WindowPainter {
             fitted: [0; 2],
             stale: true,
         })
+    }
+
+    /// Leaves out what is hidden behind this mesh of the avatar, from the next frame on.
+    ///
+    /// # Errors
+    /// As [`Renderer::add_occluder`]. Frames are drawn without it then.
+    pub fn add_occluder(&mut self, mesh: &PackedOccluder) -> Result<()> {
+        self.wants_occluder = false;
+        self.renderer.add_occluder(mesh)
+    }
+
+    /// Whether an occluder mesh is to be made: true once.
+    pub fn take_occluder_request(&mut self) -> bool {
+        std::mem::take(&mut self.wants_occluder)
     }
 
     /// The device.

@@ -93,6 +93,11 @@ impl Playback {
         &self.tracks
     }
 
+    /// Adds clips behind the others.
+    pub fn add(&mut self, tracks: impl IntoIterator<Item = Track>) {
+        self.tracks.extend(tracks);
+    }
+
     /// The clip and the time in it that are shown.
     pub fn position(&self) -> ClipTime {
         ClipTime {

@@ -12,6 +12,7 @@ use effigy_core::{
     scene::{AvatarBounds, Camera, Posed, upright},
 };
 use glam::DVec3;
+use std::sync::Arc;
 
 /// Default colour behind the avatar: light grey, display-referred RGB.
 pub const BACKGROUND: [f32; 3] = BACKGROUNDS[0];
@@ -40,7 +41,7 @@ pub struct FrameContent {
 /// An avatar with its clips, seen by an orbiting camera. `clock` is always a time in seconds that
 /// never goes back.
 pub struct ViewerScene {
-    avatar: Avatar,
+    avatar: Arc<Avatar>,
     players: Vec<Player>,
     avatar_bounds: AvatarBounds,
     playback: Playback,
@@ -59,12 +60,13 @@ impl ViewerScene {
     /// The first clip plays from now on. `background`: display-referred RGB. `size`: the image's,
     /// px.
     pub fn new(
-        avatar: Avatar,
+        avatar: impl Into<Arc<Avatar>>,
         clips: Vec<Clip>,
         background: [f32; 3],
         size: [u32; 2],
         clock: f64,
     ) -> Self {
+        let avatar = avatar.into();
         let mut playback = Playback::new(clips.iter().map(Track::from).collect());
         playback.play(true, clock);
         let players: Vec<_> = clips
@@ -94,8 +96,21 @@ impl ViewerScene {
     }
 
     /// The avatar.
-    pub fn avatar(&self) -> &Avatar {
+    pub fn avatar(&self) -> &Arc<Avatar> {
         &self.avatar
+    }
+
+    /// Adds clips, and plays the first of them.
+    pub fn add_clips(&mut self, clips: Vec<Clip>, clock: f64) {
+        if clips.is_empty() {
+            return;
+        }
+        let first = self.players.len();
+        self.playback.add(clips.iter().map(Track::from));
+        let player = |clip| Player::new(clip, &self.avatar.skeleton);
+        self.players.extend(clips.into_iter().map(player));
+        self.playback.choose(first, clock);
+        self.playback.play(true, clock);
     }
 
     /// Which clip plays, and how.

@@ -4,12 +4,13 @@
 use crate::{
     action::Action,
     captures::Captures,
+    dropped::{DroppedAvatar, DroppedContent},
     file_list::LoadedAvatar,
     frame_clock::{DrawnFrame, FrameClock},
     gesture::Gesture,
     host_window::HostWindow,
     input::Input,
-    message::Message,
+    message::{DroppedRead, Message},
     options::{Loss, ViewerOptions},
     painter::WindowPainter,
     quality_control::QualityController,
@@ -20,8 +21,9 @@ use crate::{
 };
 use anyhow::Context;
 use effigy::vulkan::{Error, RendererOptions};
+use effigy_core::{avatar::Avatar, layout::PackedOccluder};
 use effigy_runtime::slow_start::SlowStart;
-use std::time::Instant;
+use std::{path::PathBuf, sync::Arc, time::Instant};
 use winit::{
     event::{KeyEvent, WindowEvent},
     event_loop::{ActiveEventLoop, EventLoopProxy},
@@ -57,6 +59,7 @@ pub struct Viewer {
     /// Shown before, until the first frame of the scene is drawn.
     previous: Option<PreviousScene>,
     captures: Captures,
+    dropped: DroppedFiles,
     /// The panel's last message.
     message: Option<String>,
     memory: MemoryUse,
@@ -70,6 +73,15 @@ struct PreviousScene {
     scene: ViewerScene,
     /// Its index in the file list.
     index: usize,
+}
+
+/// Files that were dropped on the window.
+#[derive(Default)]
+struct DroppedFiles {
+    /// Not read yet.
+    waiting: Vec<PathBuf>,
+    /// Others are being read: what was dropped first is shown first.
+    reading: bool,
 }
 
 /// GPU memory in use.
@@ -106,6 +118,7 @@ impl Viewer {
                 options.trace.take(),
                 proxy.clone(),
             ),
+            dropped: DroppedFiles::default(),
             message: options.message.take(),
             memory: MemoryUse {
                 bytes: 0,
@@ -124,10 +137,9 @@ impl Viewer {
     /// window is used again.
     pub fn open(&mut self, event_loop: &ActiveEventLoop) -> anyhow::Result<()> {
         self.clock.invalidate_all();
-        let title = format!("{} – Effigy", self.scene.avatar().name);
         let window = self.window.open(
             event_loop,
-            title,
+            title(&self.scene),
             self.options.renderer.size,
             self.options.full_screen,
         )?;
@@ -340,7 +352,11 @@ impl Viewer {
             Action::LeaveFullScreenOrQuit if self.window.leave_full_screen() => {}
             Action::LeaveFullScreenOrQuit | Action::Quit => quit(event_loop),
             Action::Avatar(index) => self.request_avatar(index),
-            Action::NextAvatar => self.request_avatar(self.options.file_list.next()),
+            Action::NextAvatar => {
+                if let Some(next) = self.options.file_list.next() {
+                    self.request_avatar(next);
+                }
+            }
             #[cfg(target_os = "android")]
             Action::Share => {
                 let report = self.options.crash_report.clone().unwrap_or_default();
@@ -382,6 +398,36 @@ impl Viewer {
                 Ok(())
             }
             Message::Loaded { index, loaded } => self.show_avatar(index, *loaded),
+            Message::Dropped(read) => self.show_dropped(*read),
+            Message::Occluder { avatar, mesh } => {
+                self.add_occluder(&avatar, &mesh);
+                Ok(())
+            }
+        }
+    }
+
+    /// Makes the shown avatar's occluder mesh on another thread.
+    fn make_occluder(&self) {
+        let proxy = self.proxy.clone();
+        let avatar = self.scene.avatar().clone();
+        let make = move || {
+            let mesh = Box::new(PackedOccluder::new(&avatar));
+            // If the window is closed already, no one is left to receive it.
+            let _ = proxy.send_event(Message::Occluder { avatar, mesh });
+        };
+        let thread = std::thread::Builder::new().name("occluder".into());
+        if let Err(error) = thread.spawn(make) {
+            tracing::warn!("nothing hidden is left out of frames: {error}");
+        }
+    }
+
+    fn add_occluder(&mut self, avatar: &Arc<Avatar>, mesh: &PackedOccluder) {
+        if Arc::ptr_eq(self.scene.avatar(), avatar)
+            && let Some(painter) = &mut self.painter
+            && let Err(error) = painter.add_occluder(mesh)
+        {
+            // Frames are right without it. A device that was lost says so with the next one.
+            tracing::warn!("nothing hidden is left out of frames: {error}");
         }
     }
 
@@ -409,6 +455,83 @@ impl Viewer {
         });
     }
 
+    /// A file was dropped on the window. Others of the same drop may follow.
+    pub fn drop_file(&mut self, path: PathBuf) {
+        if self.options.opener.is_some() {
+            self.dropped.waiting.push(path);
+        }
+    }
+
+    /// Reads files that were dropped, on another thread. What is shown stays until then.
+    pub fn open_dropped(&mut self) {
+        if self.dropped.reading || self.dropped.waiting.is_empty() {
+            return;
+        }
+        let Some(opener) = self.options.opener.clone() else {
+            return;
+        };
+        let files = std::mem::take(&mut self.dropped.waiting);
+        let shown = self.scene.avatar().clone();
+        let request = self.options.file_list.latest_request();
+        let proxy = self.proxy.clone();
+        let names = files.iter().filter_map(|path| path.file_name());
+        let names: Vec<_> = names.map(|name| name.to_string_lossy()).collect();
+        self.show_message(format!("opening {}", names.join(", ")));
+        let read = move || {
+            let content = DroppedContent::read(&files, &shown, opener.as_ref());
+            let read = DroppedRead {
+                files,
+                shown,
+                request,
+                content,
+            };
+            // If the window is closed already, no one is left to receive it.
+            let _ = proxy.send_event(Message::Dropped(Box::new(read)));
+        };
+        let thread = std::thread::Builder::new().name("dropped files".into());
+        match thread.spawn(read) {
+            Ok(_) => self.dropped.reading = true,
+            Err(error) => self.show_message(format!("the files can't be opened: {error}")),
+        }
+    }
+
+    /// Shows what was read of files that were dropped.
+    fn show_dropped(&mut self, read: DroppedRead) -> anyhow::Result<()> {
+        self.dropped.reading = false;
+        let DroppedContent {
+            avatar,
+            clips,
+            messages,
+            failed,
+        } = read.content;
+        let is_shown = Arc::ptr_eq(self.scene.avatar(), &read.shown);
+        if avatar.is_none() && !clips.is_empty() && !is_shown {
+            // Another avatar was chosen meanwhile: it is the one to move.
+            self.dropped.waiting.splice(0..0, read.files);
+            return Ok(());
+        }
+        self.message = (!messages.is_empty()).then(|| messages.join("\n"));
+        if failed && let Some(overlay) = &mut self.overlay {
+            overlay.show();
+        }
+        self.skip_rest();
+        self.clock.invalidate();
+        self.scene.add_clips(clips, self.clock.now());
+        let is_latest = self.options.file_list.latest_request() == read.request;
+        let (Some(avatar), Some(opener), true) = (avatar, &self.options.opener, is_latest) else {
+            return Ok(());
+        };
+        // An avatar that is still being read was asked for before this one.
+        self.options.file_list.begin_request();
+        let DroppedAvatar { path, loaded } = avatar;
+        let load = {
+            let (path, opener) = (path.clone(), opener.clone());
+            move || opener.avatar(&path).map(|opened| opened.content)
+        };
+        let index = self.options.file_list.add(&path, load);
+        self.show_avatar(index, loaded)
+    }
+
     /// Shows another avatar of the file list.
     fn show_avatar(&mut self, index: usize, loaded: LoadedAvatar) -> anyhow::Result<()> {
         let LoadedAvatar { avatar, clips } = loaded;
@@ -421,6 +544,7 @@ impl Viewer {
         };
         // A scene that was never drawn is nothing to go back to.
         self.previous.get_or_insert(previous);
+        self.window.set_title(&title(&self.scene));
         if let Some(quality) = &mut self.quality {
             quality.avatar_changed();
         }
@@ -587,6 +711,7 @@ impl Viewer {
             return Ok(());
         };
         let FrameContent { background, .. } = frame.content;
+        let wants_occluder = painter.take_occluder_request();
         let [width, height] = self.frame_size;
         let number = self.clock.frames();
         tracing::debug!("frame {number} at {:.3} s, {width} × {height}", frame.began);
@@ -616,7 +741,11 @@ impl Viewer {
         }
         self.captures.trace_frame(painter);
         self.clock.end_frame(&frame, painter.report());
-        self.captures.save_screenshot(painter, background)
+        self.captures.save_screenshot(painter, background)?;
+        if wants_occluder {
+            self.make_occluder();
+        }
+        Ok(())
     }
 
     /// Whether a frame should be drawn as soon as the display takes it.
@@ -767,6 +896,7 @@ impl Viewer {
         self.painter = None;
         self.scene = previous.scene;
         self.options.file_list.shown = previous.index;
+        self.window.set_title(&title(&self.scene));
         self.scene.skip_to(self.clock.now());
         self.show_message(message);
     }
@@ -805,6 +935,11 @@ impl Viewer {
         tracing::info!("drew {frames} frames in {:.1} s", self.clock.now());
         concluded
     }
+}
+
+/// The title of a window that shows a scene.
+fn title(scene: &ViewerScene) -> String {
+    format!("{} – Effigy", scene.avatar().name)
 }
 
 /// Closes the window. On Android, does what the system's back button does.

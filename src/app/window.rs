@@ -127,6 +127,7 @@ impl ApplicationHandler<Message> for Handler {
             WindowEvent::Occluded(occluded) => self.viewer.set_occluded(occluded),
             // The window is on another display, or its display is in another mode.
             WindowEvent::ScaleFactorChanged { .. } => self.viewer.update_refresh_rate(event_loop),
+            WindowEvent::DroppedFile(path) => self.viewer.drop_file(path),
             WindowEvent::Focused(focused) => self.viewer.set_focused(focused),
             WindowEvent::ModifiersChanged(modifiers) => {
                 self.viewer.set_modifiers(modifiers.state());
@@ -150,6 +151,8 @@ impl ApplicationHandler<Message> for Handler {
             event_loop.exit();
         }
         self.viewer.save_while_suspended();
+        // All files of one drop have come.
+        self.viewer.open_dropped();
         event_loop.set_control_flow(match self.viewer.wake_at() {
             Some(wake) => ControlFlow::WaitUntil(wake.max(Instant::now())),
             None => ControlFlow::Wait,

@@ -22,6 +22,8 @@ mod convert;
 mod dataset;
 mod devices;
 mod distil;
+#[cfg(feature = "window")]
+mod dropped;
 mod evaluate;
 mod export;
 mod export_ply;

@@ -47,7 +47,7 @@ pub struct Args {
     /// Clip frames to render, from A up to B, which is not included: 0..30
     #[arg(long, value_name = "A..B", value_parser = frame_range)]
     frames: Option<Range<usize>>,
-    /// Draw from each camera of this file, a cameras.json as 3DGS writes it
+    /// Draw from each camera of this file, a cameras.json as 3DGS or mmlphuman writes it
     #[arg(long, value_name = "FILE", conflicts_with = "frames")]
     cameras: Option<PathBuf>,
     /// Copies of the avatar, 1 to 1024, each at another time of the clip: up to 16 in a row a metre

@@ -14,11 +14,13 @@ use effigy_core::{
 use effigy_formats::{
     assumption::Assumption,
     open::{self, CaptureOptions, ClipOptions, OpenOptions, OpenedClip},
-    retarget::{Correction, RetargetOptions},
+    retarget::{Correction, Report, RetargetOptions},
+    webavatar::Imported,
 };
 use std::{
     collections::BTreeMap,
     path::{Path, PathBuf},
+    time::Instant,
 };
 
 /// The avatar and clips of every command that draws.
@@ -115,10 +117,12 @@ impl Source {
     /// takes no clips, and nothing but files of splats an axis.
     #[cfg(feature = "window")]
     pub fn for_avatar(&self, path: &Path) -> Self {
-        let mut source = Self {
-            avatar: Some(path.to_owned()),
-            ..self.clone()
-        };
+        let mut source = self.clone();
+        if let Some(motion) = source.avatar.replace(path.to_owned())
+            && open::is_motion(&motion)
+        {
+            source.motion.insert(0, motion);
+        }
         if !open::is_splats(path) {
             source.up = None;
         }
@@ -135,31 +139,48 @@ impl Source {
             self.up.is_none() || self.avatar.as_deref().is_some_and(open::is_splats),
             "--up is for splats only: an avatar file says which axis points up"
         );
-        let mut avatar = match &self.avatar {
-            Some(path) if open::is_checkpoint(path) => {
-                let fact = format!("{} is a training checkpoint of mmlphuman", path.display());
-                return Err(Advised::new(fact, DISTIL).into());
-            }
-            Some(path) if !open::is_motion(path) => {
-                let options = OpenOptions {
-                    up: self.up,
-                    ..OpenOptions::default()
-                };
-                let imported = open::avatar(path, &options)?;
+        let avatar = match &self.avatar {
+            Some(path) if open::is_checkpoint(path) || !open::is_motion(path) => {
+                let imported = self.read(path)?;
                 print_assumptions(path, &imported.assumptions);
                 imported.avatar
             }
-            _ => effigy_demo::avatar()?,
+            _ => self.projected(effigy_demo::avatar()?),
         };
-        if self.project == PoseProjection::Off {
-            avatar.inputs.pose_space = None;
-            avatar.inputs.expression_space = None;
-        }
         let clips = self.clips(&avatar)?;
         for clip in &clips {
             check_joints(clip, &avatar)?;
         }
         Ok((avatar, clips))
+    }
+
+    /// Reads an avatar.
+    pub fn read(&self, path: &Path) -> anyhow::Result<Imported> {
+        if open::is_checkpoint(path) {
+            let fact = format!("{} is a training checkpoint of mmlphuman", path.display());
+            return Err(Advised::new(fact, DISTIL).into());
+        }
+        let options = OpenOptions {
+            up: self.up,
+            ..OpenOptions::default()
+        };
+        let began = Instant::now();
+        let imported = open::avatar(path, &options)?;
+        let took = began.elapsed().as_secs_f64() * 1e3;
+        tracing::info!("read {} in {took:.1} ms", path.display());
+        Ok(Imported {
+            avatar: self.projected(imported.avatar),
+            ..imported
+        })
+    }
+
+    /// An avatar whose networks see what the user has asked for.
+    fn projected(&self, mut avatar: Avatar) -> Avatar {
+        if self.project == PoseProjection::Off {
+            avatar.inputs.pose_space = None;
+            avatar.inputs.expression_space = None;
+        }
+        avatar
     }
 
     /// Reads the avatar, and its clips as players. There is at least one.
@@ -179,7 +200,9 @@ impl Source {
         Ok((avatar, player))
     }
 
-    fn clips(&self, avatar: &Avatar) -> anyhow::Result<Vec<Clip>> {
+    /// Reads the clips of an avatar: those that the user names, else the poses beside it, else the
+    /// demo's.
+    pub fn clips(&self, avatar: &Avatar) -> anyhow::Result<Vec<Clip>> {
         let mut files = self.motion.clone();
         if let Some(path) = &self.avatar {
             if open::is_motion(path) {
@@ -196,11 +219,7 @@ impl Source {
             };
             return Ok(vec![clip]);
         }
-        ensure!(
-            !avatar.is_static(),
-            "`{}` has splats, which stand still: motion is for avatars",
-            avatar.name
-        );
+        check_moves(avatar)?;
         let options = self.capture.clip_options(None)?;
         let read = files.iter().map(|path| clip(path, avatar, &options));
         read.collect()
@@ -226,15 +245,31 @@ pub fn avatar_to_move(path: Option<&Path>) -> anyhow::Result<Avatar> {
 pub fn clip(path: &Path, avatar: &Avatar, options: &ClipOptions) -> anyhow::Result<Clip> {
     let opened = open_clip(path, avatar, options)?;
     if let Some(report) = &opened.report {
-        eprintln!(
-            "{} moves {} of {} joints, their bones within {:.1}° on average (`effigy inspect` lists the joints)",
-            path.display(),
-            report.driven,
-            report.all,
-            report.directions.mean
-        );
+        let follows = how_it_follows(path, report);
+        eprintln!("{follows} (`effigy inspect` lists the joints)");
     }
     Ok(opened.clip)
+}
+
+/// How well an avatar follows motion of another body.
+pub fn how_it_follows(path: &Path, report: &Report) -> String {
+    format!(
+        "{} moves {} of {} joints, their bones within {:.1}° on average",
+        path.display(),
+        report.driven,
+        report.all,
+        report.directions.mean
+    )
+}
+
+/// Refuses an avatar that stands still.
+pub fn check_moves(avatar: &Avatar) -> anyhow::Result<()> {
+    ensure!(
+        !avatar.is_static(),
+        "`{}` has splats, which stand still: motion is for avatars",
+        avatar.name
+    );
+    Ok(())
 }
 
 /// Reads a clip for an avatar, and says what its file left open.
@@ -260,7 +295,7 @@ pub fn print_assumptions(file: &Path, assumptions: &[Assumption]) {
 }
 
 /// Refuses a clip that moves no joint of the avatar.
-fn check_joints(clip: &Clip, avatar: &Avatar) -> anyhow::Result<()> {
+pub fn check_joints(clip: &Clip, avatar: &Avatar) -> anyhow::Result<()> {
     let moved = clip.map_to(&avatar.skeleton).iter().flatten().count();
     ensure!(
         moved > 0,
@@ -278,7 +313,8 @@ fn check_joints(clip: &Clip, avatar: &Avatar) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// Reads a `cameras.json` as 3DGS writes it beside a .ply, in the avatar's world.
+/// Reads a `cameras.json` as 3DGS writes it beside a .ply, or mmlphuman beside its checkpoint, in the
+/// avatar's world.
 pub fn cameras(path: &Path, avatar: &Avatar) -> anyhow::Result<Vec<Camera>> {
     let rest = Pose::rest(avatar.skeleton.len(), 0);
     let world = avatar

@@ -10,7 +10,11 @@ use crate::{
 use clap::Parser;
 #[cfg(feature = "window")]
 use effigy::vulkan::RendererOptions;
+#[cfg(feature = "window")]
+use effigy_app::file_list::{self, FileList, LoadedAvatar};
 use std::path::{Path, PathBuf};
+#[cfg(feature = "window")]
+use std::sync::Arc;
 
 #[derive(clap::Args, Debug)]
 #[cfg_attr(feature = "window", command(after_help = effigy_app::action::help()))]
@@ -91,26 +95,17 @@ pub fn run(args: Args) -> anyhow::Result<()> {
 #[cfg(feature = "window")]
 impl Args {
     /// The avatar called `name`, which is shown first, and those of `--also`.
-    fn file_list(&self, name: &str) -> effigy_app::file_list::FileList {
-        if self.also.is_empty() {
-            return Default::default();
-        }
-        let stem = |path: &PathBuf| {
-            path.file_stem()
-                .unwrap_or_default()
-                .to_string_lossy()
-                .into_owned()
-        };
-        let names = std::iter::once(name.to_owned())
-            .chain(self.also.iter().map(stem))
-            .collect();
+    fn file_list(&self, name: &str) -> FileList {
+        let also = self.also.iter().map(|path| file_list::stem(path));
+        let names = std::iter::once(name.to_owned()).chain(also).collect();
         let source = self.source.clone();
         let also = self.also.clone();
-        effigy_app::file_list::FileList::new(names, 0, move |number| {
-            match number.checked_sub(1).and_then(|number| also.get(number)) {
+        FileList::new(names, 0, move |number| {
+            let (avatar, clips) = match number.checked_sub(1).and_then(|number| also.get(number)) {
                 Some(path) => source.for_avatar(path).load(),
                 None => source.load(),
-            }
+            }?;
+            Ok(LoadedAvatar { avatar, clips })
         })
     }
 
@@ -150,6 +145,7 @@ fn show(display: effigy_app::Display, args: Args) -> anyhow::Result<()> {
         frames: args.frames,
         rehearse: args.rehearse,
         file_list,
+        opener: Some(Arc::new(args.source)),
         quality_control,
         trace: args.trace,
         ..effigy_app::ViewerOptions::new(renderer)

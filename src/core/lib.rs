@@ -1,7 +1,7 @@
 //! Avatars and frames, independent of what draws them. Modules import only modules above them in
 //! this list:
 //!
-//! - [`constants`], [`random`]: constants and random numbers
+//! - [`constants`], [`random`], `each`: constants, random numbers, work on all cores
 //! - [`avatar`]: the model as plain arrays, its skeleton, poses and clips
 //! - [`occluder`]: a coarse mesh of the body's solid inside
 //! - [`layout`]: the GPU's structs, constants and packed arrays
@@ -14,6 +14,7 @@ pub mod avatar;
 pub mod constants;
 #[cfg(test)]
 mod demo;
+mod each;
 pub mod frame;
 pub mod io;
 pub mod layout;

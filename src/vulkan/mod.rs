@@ -42,7 +42,7 @@ pub use device::{
 pub use effigy_core::frame::{FrameReport, RendererOptions, preset};
 pub use pipeline::shaders;
 pub use raster::download::Copied;
-pub use renderer::{Presentation, Renderer, Stages};
+pub use renderer::{PreparedAvatar, Presentation, Renderer, Stages};
 pub use window::{
     pre_transform::PreTransform,
     present::{Present, PresentTarget, PresentedImage},

@@ -28,6 +28,7 @@ const LAYERS: &[Layers] = &[
         modules: &[
             "device",
             "file_list",
+            "dropped",
             "font",
             "android",
             "frame_times",
@@ -92,6 +93,7 @@ const LAYERS: &[Layers] = &[
             "render",
             "soak",
             "stress",
+            "dropped",
             "view",
         ],
     },
@@ -100,6 +102,7 @@ const LAYERS: &[Layers] = &[
         modules: &[
             "constants",
             "random",
+            "each",
             "avatar",
             "occluder",
             "layout",

@@ -1,15 +1,25 @@
-//! Every reader of other programs' files on edited files, for a while: `EFFIGY_FUZZ_SECONDS` each, a
-//! fraction of one unless it is set. The files of tests/data are the corpus. A failure leaves the
-//! file that caused it in the system's folder for temporary files, and says where.
+//! Every reader on prefixes of files and on edited files: every prefix, and `EFFIGY_FUZZ_SECONDS` of
+//! edits, 100,000 at least; a few prefixes and a fraction of a second unless it is set. The files of
+//! tests/data are the corpus. A failure leaves the file that caused it in the system's folder for
+//! temporary files, and says where.
 
 use crate::memory;
-use effigy_core::{avatar::Skeleton, io::file::FormatError, random::hash};
+use effigy_core::{
+    avatar::Skeleton,
+    glam::DAffine3,
+    io::{
+        cameras,
+        file::{FileContent, FormatError},
+    },
+    random::hash,
+};
 use effigy_formats::{
     bvh,
     capture::Captured,
     fbx, gltf_motion,
     mmlphuman::Checkpoint,
     pickle::Pickle,
+    read::{self, Source},
     retarget::{self, Girth, RetargetOptions},
     smpl,
     splats::{self, Nothing, SplatFormat},
@@ -17,7 +27,8 @@ use effigy_formats::{
 };
 use std::{
     panic::{AssertUnwindSafe, catch_unwind},
-    sync::OnceLock,
+    path::Path,
+    sync::{LazyLock, OnceLock},
     time::{Duration, Instant},
 };
 
@@ -106,40 +117,86 @@ fn edited(random: &mut Random, corpus: &[&[u8]]) -> Vec<u8> {
     bytes
 }
 
-/// Reads edited files until the time is over.
-fn fuzz(name: &str, corpus: &[&[u8]], read: &dyn Fn(&[u8]) -> Result<(), FormatError>) {
-    let seconds = std::env::var("EFFIGY_FUZZ_SECONDS").ok();
-    let seconds = seconds.map_or(SECONDS, |text| text.parse().expect("a number of seconds"));
-    let end = Instant::now() + Duration::from_secs_f64(seconds);
+/// How long to read edited files of a reader, and how many there are at least.
+struct Effort {
+    seconds: f64,
+    edits: usize,
+    /// Prefixes of a file, evenly spaced.
+    prefixes: usize,
+    /// Seconds that a file may take.
+    slowest: f64,
+}
+
+impl Effort {
+    /// What the environment asks for.
+    fn asked() -> Self {
+        match std::env::var("EFFIGY_FUZZ_SECONDS") {
+            Ok(text) => Self {
+                seconds: text.parse().expect("a number of seconds"),
+                edits: 100_000,
+                prefixes: usize::MAX,
+                slowest: 1.0,
+            },
+            Err(_) => Self {
+                seconds: SECONDS,
+                edits: 1,
+                prefixes: 40,
+                slowest: SLOWEST,
+            },
+        }
+    }
+}
+
+/// Seconds that this thread has worked, where the system tells, so that other programs do not count;
+/// else seconds.
+fn seconds_of_work() -> f64 {
+    static START: LazyLock<Instant> = LazyLock::new(Instant::now);
+    let told = std::fs::read_to_string("/proc/thread-self/schedstat").ok();
+    let nanoseconds = told.and_then(|text| text.split(' ').next()?.parse::<f64>().ok());
+    nanoseconds.map_or_else(|| START.elapsed().as_secs_f64(), |told| told / 1e9)
+}
+
+type Read<'a> = &'a dyn Fn(&[u8]) -> Result<(), FormatError>;
+
+/// Reads a file, which must end soon, in little memory and without a panic. Whether it is refused.
+fn is_refused(name: &str, what: &str, bytes: &[u8], effort: &Effort, read: Read) -> bool {
+    let start = seconds_of_work();
+    let caught = catch_unwind(AssertUnwindSafe(|| memory::peak(|| read(bytes).is_err())));
+    let fault = match caught {
+        Err(_) => "it panicked".to_owned(),
+        Ok((_, peak)) if peak > 4 * bytes.len() + SMALL => format!("it took {peak} bytes"),
+        Ok(_) if seconds_of_work() - start > effort.slowest => {
+            format!("it took {} s", seconds_of_work() - start)
+        }
+        Ok((is_refused, _)) => return is_refused,
+    };
+    let file = std::env::temp_dir().join(format!("effigy-fuzz-{name}"));
+    std::fs::write(&file, bytes).expect("a folder for temporary files");
+    panic!("{name}, {what}, {}: {fault}", file.display());
+}
+
+/// Reads prefixes of the files, then edited files until the time is over.
+fn fuzz(name: &str, corpus: &[&[u8]], read: Read) {
+    let effort = Effort::asked();
+    let mut prefixes = 0;
+    for file in corpus {
+        for end in (0..file.len()).step_by(file.len().div_ceil(effort.prefixes)) {
+            is_refused(name, &format!("prefix {end}"), &file[..end], &effort, read);
+            prefixes += 1;
+        }
+    }
+    let end = Instant::now() + Duration::from_secs_f64(effort.seconds);
     let mut random = Random(hash(name.len() as u64));
     let mut refused = 0;
     let mut count = 0;
-    while Instant::now() < end {
+    while count < effort.edits || Instant::now() < end {
         let bytes = edited(&mut random, corpus);
-        let start = Instant::now();
-        let caught = catch_unwind(AssertUnwindSafe(|| memory::peak(|| read(&bytes).is_err())));
-        let fault = match caught {
-            Err(_) => Some("it panicked".to_owned()),
-            Ok((_, peak)) if peak > 4 * bytes.len() + SMALL => {
-                Some(format!("it took {peak} bytes"))
-            }
-            Ok(_) if start.elapsed().as_secs_f64() > SLOWEST => {
-                Some(format!("it took {:?}", start.elapsed()))
-            }
-            Ok((is_refused, _)) => {
-                refused += usize::from(is_refused);
-                None
-            }
-        };
-        if let Some(fault) = fault {
-            let file = std::env::temp_dir().join(format!("effigy-fuzz-{name}"));
-            std::fs::write(&file, &bytes).expect("a folder for temporary files");
-            panic!("{name}, edit {count}, {}: {fault}", file.display());
-        }
+        let what = format!("edit {count}");
+        refused += usize::from(is_refused(name, &what, &bytes, &effort, read));
         count += 1;
     }
-    assert!(count > 0 && refused > 0, "{name}: {refused} of {count}");
-    println!("{name}: {count} edited files, {refused} refused");
+    assert!(refused > 0, "{name}: {refused} of {count}");
+    println!("{name}: {prefixes} prefixes, {count} edited files, {refused} of them refused");
 }
 
 fn skeleton() -> Skeleton {
@@ -171,6 +228,73 @@ fn retarget(skeleton: &Skeleton, captured: &Captured) {
     }
 }
 
+fn edited_avatars_and_clips() {
+    let corpus: [&[u8]; 7] = [
+        include_bytes!("../data/kept/1.avatar"),
+        include_bytes!("../data/kept/1.motion"),
+        include_bytes!("../data/kept/2-levels.avatar"),
+        include_bytes!("../data/kept/2-lossless.avatar"),
+        include_bytes!("../data/kept/2-small.avatar"),
+        include_bytes!("../data/kept/3-small.avatar"),
+        include_bytes!("../data/kept/3.avatar"),
+    ];
+    fuzz("avatar", &corpus, &|bytes| {
+        if let FileContent::Avatar(avatar) = FileContent::from_bytes(bytes)? {
+            avatar.check()?;
+        }
+        Ok(())
+    });
+}
+
+fn edited_cameras() {
+    let corpus: [&[u8]; 2] = [
+        br#"[{"id": 0, "img_name": "a", "width": 640, "height": 480, "position": [0, 0, -2],
+            "rotation": [[0, -1, 0], [1, 0, 0], [0, 0, 1]], "fy": 500, "fx": 400}]"#,
+        br#"[{"cam_id": "00", "w2c": [[0, 1, 0, 0], [-1, 0, 0, 0], [0, 0, 1, 2], [0, 0, 0, 1]],
+            "K": [[400, 0, 320], [0, 500, 240], [0, 0, 1]]}]"#,
+    ];
+    fuzz("cameras", &corpus, &|bytes| {
+        let cameras = cameras::parse(bytes, DAffine3::IDENTITY)?;
+        assert!(cameras.iter().all(|camera| camera.view.is_finite()));
+        Ok(())
+    });
+}
+
+/// What tells the kinds apart, on all of them.
+fn edited_files_of_every_kind() {
+    let skeleton = skeleton();
+    let corpus: [&[u8]; 14] = [
+        include_bytes!("../data/kept/2-small.avatar"),
+        include_bytes!("../data/kept/1.motion"),
+        include_bytes!("../data/motion/nameless.bvh"),
+        include_bytes!("../data/smpl/amass_h.npz"),
+        include_bytes!("../data/smpl/wham_output.pkl"),
+        include_bytes!("../data/gltf/vrm1.vrm"),
+        include_bytes!("../data/fbx/walk.fbx"),
+        include_bytes!("../data/webavatar/wide.npz"),
+        include_bytes!("../data/webavatar/small_poses.json"),
+        include_bytes!("../data/splats/truth.ply"),
+        include_bytes!("../data/splats/small.sog"),
+        include_bytes!("../data/splats/small-2.spz"),
+        include_bytes!("../data/splats/small-2.ksplat"),
+        include_bytes!("../data/splats/packed.glb"),
+    ];
+    fuzz("any", &corpus, &|bytes| {
+        let name = Path::new("edited");
+        let source = Source {
+            bytes,
+            name,
+            beside: &mut Nothing,
+        };
+        if source.content().is_motion() {
+            let captured = read::capture(source, &Default::default())?;
+            retarget(&skeleton, &captured);
+            return Ok(());
+        }
+        read::avatar(source, &Default::default()).map(drop)
+    });
+}
+
 fn edited_bvh_files() {
     let skeleton = skeleton();
     let corpus: [&[u8]; 3] = [
@@ -186,8 +310,13 @@ fn edited_bvh_files() {
 
 fn edited_files_of_smpl() {
     let skeleton = skeleton();
-    let corpus: [&[u8]; 8] = [
+    let corpus: [&[u8]; 13] = [
         include_bytes!("../data/smpl/amass_h.npz"),
+        include_bytes!("../data/smpl/amass_x.npz"),
+        include_bytes!("../data/smpl/romp_frames.npz"),
+        include_bytes!("../data/smpl/romp_picture.npz"),
+        include_bytes!("../data/smpl/aist_5.pkl"),
+        include_bytes!("../data/smpl/hps_track_0.npy"),
         include_bytes!("../data/smpl/smpl_params.npz"),
         include_bytes!("../data/smpl/romp_video.npz"),
         include_bytes!("../data/smpl/aist_2.pkl"),
@@ -268,6 +397,7 @@ fn edited_splats() {
                 include_bytes!("../data/splats/small-2.spz"),
                 include_bytes!("../data/splats/small-4.spz"),
                 include_bytes!("../data/splats/small-v1.spz"),
+                include_bytes!("../data/splats/small-js.spz"),
             ],
         ),
         (
@@ -281,6 +411,7 @@ fn edited_splats() {
             SplatFormat::Ksplat,
             &[
                 include_bytes!("../data/splats/small-0.ksplat"),
+                include_bytes!("../data/splats/small-1.ksplat"),
                 include_bytes!("../data/splats/small-2.ksplat"),
             ],
         ),
@@ -305,6 +436,9 @@ fn edited_splats() {
 }
 
 tests! {
+    edited_avatars_and_clips,
+    edited_cameras,
+    edited_files_of_every_kind,
     edited_bvh_files,
     edited_files_of_smpl,
     edited_gltf_files,

@@ -7,6 +7,8 @@ mod common;
 mod architecture;
 mod bake;
 mod drift;
+#[cfg(feature = "window")]
+mod dropped;
 mod files;
 mod fit;
 mod fuzz;
@@ -48,6 +50,8 @@ fn main() -> ExitCode {
             architecture,
             bake,
             drift,
+            #[cfg(feature = "window")]
+            dropped,
             files,
             files::adversarial,
             files::kept,

@@ -2,7 +2,7 @@
 //! that another app opens with this one. Files of other programs are told apart by their content.
 
 use super::java;
-use crate::file_list::FileList;
+use crate::file_list::{FileList, LoadedAvatar, stem};
 use anyhow::{Context, anyhow};
 use effigy_core::{
     avatar::{Avatar, Clip},
@@ -62,14 +62,8 @@ impl Files {
     /// The avatars that the panel offers: the demo first, the file that another app has opened
     /// last.
     pub fn into_list(self) -> FileList {
-        let stem = |path: &PathBuf| {
-            path.file_stem()
-                .unwrap_or_default()
-                .to_string_lossy()
-                .into_owned()
-        };
         let mut names = vec!["demo".to_string()];
-        names.extend(self.avatars.iter().map(stem));
+        names.extend(self.avatars.iter().map(|path| stem(path)));
         if self.opened {
             names.push("opened file".into());
         }
@@ -78,18 +72,18 @@ impl Files {
 
     /// The avatar to start with: the demo, which loads at once. Motion of other programs, which takes
     /// longer, is there when it is chosen again.
-    pub fn first(&self) -> anyhow::Result<(Avatar, Vec<Clip>)> {
+    pub fn first(&self) -> anyhow::Result<LoadedAvatar> {
         let demo = self.demo()?;
         let clips = self.own_clips(&demo);
-        Ok(with_any(demo, clips))
+        Ok(LoadedAvatar::new(demo, clips))
     }
 
     /// Reads the avatar with an index in the file list.
-    fn load(&self, index: usize) -> anyhow::Result<(Avatar, Vec<Clip>)> {
+    fn load(&self, index: usize) -> anyhow::Result<LoadedAvatar> {
         if index == 0 {
             let demo = self.demo()?;
             let clips = self.clips(&demo);
-            return Ok(with_any(demo, clips));
+            return Ok(LoadedAvatar::new(demo, clips));
         }
         let Some(path) = self.avatars.get(index - 1) else {
             return self
@@ -106,11 +100,11 @@ impl Files {
         {
             clips.sort_by_key(|clip| stem != clip.name.as_str());
         }
-        Ok(with_any(avatar, clips))
+        Ok(LoadedAvatar::new(avatar, clips))
     }
 
     /// The file that another app has opened. Motion is shown with the demo.
-    fn opened(&self) -> anyhow::Result<(Avatar, Vec<Clip>)> {
+    fn opened(&self) -> anyhow::Result<LoadedAvatar> {
         let mut bytes = Vec::new();
         java::opened_file(&self.app)?.read_to_end(&mut bytes)?;
         let content = Content::of(&bytes, Path::new(OPENED));
@@ -137,7 +131,7 @@ impl Files {
             }
         };
         let clips = first.into_iter().chain(self.clips(&avatar)).collect();
-        Ok(with_any(avatar, clips))
+        Ok(LoadedAvatar::new(avatar, clips))
     }
 
     /// The demo's clip and those of Effigy's own in the folder.
@@ -218,13 +212,4 @@ fn log(assumptions: &[Assumption]) {
     for assumption in assumptions {
         tracing::info!("{assumption}");
     }
-}
-
-/// An avatar with the clips that move a joint of it: one that stands still if there are none.
-fn with_any(avatar: Avatar, mut clips: Vec<Clip>) -> (Avatar, Vec<Clip>) {
-    clips.retain(|clip| clip.map_to(&avatar.skeleton).iter().flatten().count() > 0);
-    if clips.is_empty() {
-        clips.push(Clip::still(&avatar.skeleton));
-    }
-    (avatar, clips)
 }

@@ -81,6 +81,11 @@ impl Overlay {
         self.visible
     }
 
+    /// Shows the panel.
+    pub fn show(&mut self) {
+        self.visible = true;
+    }
+
     /// Shows or hides the panel.
     pub fn toggle(&mut self) {
         self.visible = !self.visible;

@@ -128,15 +128,15 @@ pub fn show(ctx: &egui::Context, facts: &PanelFacts, actions: &mut Vec<Action>) 
 }
 
 fn avatar_list(ui: &mut Ui, files: &FileList, actions: &mut Vec<Action>) {
-    if files.names.len() < 2 {
+    if files.names().len() < 2 {
         return;
     }
-    let shown = files.names.get(files.shown).map_or("", |name| name);
+    let shown = files.names().nth(files.shown).unwrap_or_default();
     egui::ComboBox::from_id_salt("avatar")
         .selected_text(shown)
         .width(ui.available_width())
         .show_ui(ui, |ui| {
-            for (index, name) in files.names.iter().enumerate() {
+            for (index, name) in files.names().enumerate() {
                 if ui.selectable_label(index == files.shown, name).clicked() {
                     actions.push(Action::Avatar(index));
                 }

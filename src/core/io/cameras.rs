@@ -5,11 +5,15 @@
 //! camera-to-world rotation by rows in the `.ply`'s axes, the camera's own being x right, y down, z
 //! forward; focal lengths in px of an image of that size. The optical axis meets the image's
 //! centre.
+//!
+//! mmlphuman's file of that name is read too: `{cam_id, w2c, K}`, world to camera in the axes of
+//! its poses, and the camera matrix in px. It has no sizes of images: each is as large as its
+//! optical axis meets its centre, to a pixel.
 
 use super::file::{FileError, FormatError};
 use crate::scene::Camera;
 use glam::{DAffine3, DMat3, DVec2, DVec3};
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Serialize, de::IgnoredAny};
 use std::path::Path;
 
 /// Maximum number of cameras in a file.
@@ -18,6 +22,8 @@ const CAMERAS_MAX: usize = 100_000;
 const SIDE_MAX: u32 = 1 << 16;
 /// Tolerance for the dot products of the rotation's rows.
 const ORTHONORMAL: f64 = 1e-3;
+/// Largest skew of pixels, of a focal length.
+const SKEW_MAX: f64 = 1e-3;
 
 /// An entry of the file.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -88,6 +94,63 @@ impl CameraEntry {
     }
 }
 
+/// An entry of mmlphuman's file.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+struct RigEntry {
+    /// World to camera, by rows.
+    w2c: [[f64; 4]; 4],
+    /// Camera to image, px, by rows.
+    #[serde(rename = "K")]
+    intrinsics: [[f64; 3]; 3],
+}
+
+impl RigEntry {
+    /// The entry as 3DGS would write it.
+    ///
+    /// # Errors
+    /// What was found, and what was expected.
+    fn plain(&self) -> Result<CameraEntry, (String, String)> {
+        let last = self.w2c[3];
+        if last != [0.0, 0.0, 0.0, 1.0] {
+            return Err((
+                format!("the last row {last:?} of `w2c`"),
+                "0, 0, 0, 1".into(),
+            ));
+        }
+        let [[fx, skew, cx], [below, fy, cy], row] = self.intrinsics;
+        let upright = [skew, below].iter().all(|v| v.abs() <= SKEW_MAX * fx.abs());
+        if !upright || row != [0.0, 0.0, 1.0] {
+            return Err((
+                format!("the matrix `K` {:?}", self.intrinsics),
+                "focal lengths and a centre alone".into(),
+            ));
+        }
+        // Past the largest side and below 1 the cast is clamped, and the rule for sides is broken.
+        let [width, height] = [cx, cy].map(|c| (2.0 * c).round() as u32);
+        let rows = [self.w2c[0], self.w2c[1], self.w2c[2]];
+        let rotation = rows.map(|[x, y, z, _]| [x, y, z]);
+        let to_camera = DMat3::from_cols_array_2d(&rotation).transpose();
+        let moved = DVec3::from(rows.map(|row| row[3]));
+        Ok(CameraEntry {
+            id: 0,
+            img_name: String::new(),
+            width,
+            height,
+            position: (-(to_camera.transpose() * moved)).to_array(),
+            // The columns of one are the rows of its inverse.
+            rotation: to_camera.to_cols_array_2d(),
+            fx,
+            fy,
+        })
+    }
+}
+
+/// Tells the two files apart.
+#[derive(Deserialize)]
+struct AnyEntry {
+    w2c: Option<IgnoredAny>,
+}
+
 /// Reads cameras. `world` leads from the `.ply`'s axes to the world:
 /// [`crate::avatar::Skeleton::matrices`] of the root at rest.
 ///
@@ -112,10 +175,25 @@ pub fn parse(bytes: &[u8], world: DAffine3) -> Result<Vec<Camera>, FormatError> 
     let failed = |error: serde_json::Error| {
         FormatError::container(
             super::file::excerpt(&error.to_string()),
-            "cameras as 3DGS writes them",
+            "cameras as 3DGS or mmlphuman writes them",
         )
     };
-    let entries: Vec<CameraEntry> = serde_json::from_slice(bytes).map_err(failed)?;
+    let kinds: Vec<AnyEntry> = serde_json::from_slice(bytes).map_err(failed)?;
+    let is_rig = kinds.first().is_some_and(|entry| entry.w2c.is_some());
+    let entries: Vec<CameraEntry> = if is_rig {
+        let rig: Vec<RigEntry> = serde_json::from_slice(bytes).map_err(failed)?;
+        let plain = |(index, entry): (usize, &RigEntry)| {
+            entry.plain().map_err(|(found, expected)| {
+                FormatError::container(format!("{found} at camera {index}"), expected)
+            })
+        };
+        rig.iter()
+            .enumerate()
+            .map(plain)
+            .collect::<Result<_, _>>()?
+    } else {
+        serde_json::from_slice(bytes).map_err(failed)?
+    };
     if entries.is_empty() || entries.len() > CAMERAS_MAX {
         return Err(FormatError::container(
             format!("{} cameras", entries.len()),

@@ -13,6 +13,7 @@ use crate::{
         matrix::{self, Row},
     },
     constants::LOG_SCALE_MAX,
+    each,
 };
 use half::f16;
 
@@ -302,41 +303,39 @@ impl CodedRow {
                 codes: codes.collect(),
             };
         }
+        let mut values: Vec<f64> = row.iter().map(|v| v / divisor).collect();
+        let largest = values.iter().fold(0.0, |max: f64, v| max.max(v.abs()));
         // A row that exceeds f16 is scaled down as a whole, which keeps its direction.
-        let largest = row
-            .iter()
-            .fold(0.0, |max: f64, v| max.max((v / divisor).abs()));
-        let divisor = divisor * (largest / f16::MAX.to_f64()).max(1.0);
-        let scale = row_scale(row.iter().map(|v| v / divisor));
+        let excess = largest / f16::MAX.to_f64();
+        if excess > 1.0 {
+            values = row.iter().map(|v| v / (divisor * excess)).collect();
+        }
+        let scale = row_scale(values.iter().copied());
         Self {
             target,
             scale,
-            codes: row
-                .iter()
-                .map(|v| matrix::code(v / divisor, scale))
-                .collect(),
+            codes: values.iter().map(|&v| matrix::code(v, scale)).collect(),
         }
     }
 }
 
 /// Encodes the rows of log scales or of colours. `basis`: N_B.
-pub fn rows<const C: usize>(rows: &Rows<C>, basis: usize) -> impl Iterator<Item = CodedRow> {
+pub fn rows<const C: usize>(rows: &Rows<C>, basis: usize) -> Vec<CodedRow> {
     divided(rows, basis, |_| 1.0)
 }
 
 /// Encodes the rows of all nodes.
-pub fn node_rows(avatar: &Avatar) -> impl Iterator<Item = CodedRow> {
-    avatar
-        .nodes
-        .basis
-        .rows(3 * avatar.basis_len())
-        .enumerate()
-        .map(|(node, row)| CodedRow::new(node as u32, row, 1.0))
+pub fn node_rows(avatar: &Avatar) -> Vec<CodedRow> {
+    let length = 3 * avatar.basis_len();
+    let rows = avatar.nodes.basis.rows(length).len();
+    each::map(rows, |node| {
+        CodedRow::new(node as u32, avatar.nodes.basis.row(node, length), 1.0)
+    })
 }
 
 /// Encodes the rows of quaternions, divided by what [`encode_quaternion`] divides the quaternion
 /// by; normalisation cancels that. The corrective of a very short quaternion may exceed f16.
-pub fn rotation_rows(avatar: &Avatar) -> impl Iterator<Item = CodedRow> {
+pub fn rotation_rows(avatar: &Avatar) -> Vec<CodedRow> {
     divided(&avatar.rotation_rows, avatar.basis_len(), |gaussian| {
         let q = avatar.gaussians.rotation[gaussian as usize].map(f64::from);
         let length = q.iter().map(|v| v * v).sum::<f64>().sqrt();
@@ -350,15 +349,17 @@ pub fn rotation_rows(avatar: &Avatar) -> impl Iterator<Item = CodedRow> {
 fn divided<const C: usize>(
     rows: &Rows<C>,
     basis: usize,
-    divisor: impl Fn(u32) -> f64,
-) -> impl Iterator<Item = CodedRow> {
-    rows.gaussian
-        .iter()
-        .zip(rows.basis.rows(C * basis))
-        .map(move |(&gaussian, row)| CodedRow::new(gaussian, row, divisor(gaussian)))
+    divisor: impl Fn(u32) -> f64 + Sync + Send,
+) -> Vec<CodedRow> {
+    let length = C * basis;
+    let count = rows.gaussian.len().min(rows.basis.rows(length).len());
+    each::map(count, |at| {
+        let gaussian = rows.gaussian[at];
+        CodedRow::new(gaussian, rows.basis.row(at, length), divisor(gaussian))
+    })
 }
 
-fn rounded<const C: usize>(from: &Rows<C>, rows: impl Iterator<Item = CodedRow>) -> Rows<C> {
+fn rounded<const C: usize>(from: &Rows<C>, rows: Vec<CodedRow>) -> Rows<C> {
     Rows {
         gaussian: from.gaussian.clone(),
         basis: matrix_of(rows),
@@ -366,7 +367,7 @@ fn rounded<const C: usize>(from: &Rows<C>, rows: impl Iterator<Item = CodedRow>)
 }
 
 /// Collects encoded rows into a matrix.
-pub fn matrix_of(rows: impl Iterator<Item = CodedRow>) -> Matrix {
+pub fn matrix_of(rows: Vec<CodedRow>) -> Matrix {
     let mut codes = vec![];
     let mut steps = vec![];
     for row in rows {

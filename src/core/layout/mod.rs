@@ -6,9 +6,11 @@ pub mod compact;
 mod gpu;
 mod macros;
 pub mod pack;
+mod packed;
 pub mod sh;
 
 pub use binning::{TILING, TILING_WEB};
 pub use bins::{BinLayout, BinLists, bin_count, bin_side};
 pub use gpu::*;
 pub use macros::{MACROS, MacroValue};
+pub use packed::{PackedModel, PackedOccluder, PackedSet};

@@ -6,6 +6,7 @@ use super::{BLOCK_PAIRS, FrameBlock, GAUSSIAN_PAIRS, LayerLayout, OccluderCorner
 use crate::{
     avatar::{Activation, Avatar, Layer, Rows, limits, matrix},
     constants::LEAKY_SLOPE,
+    each,
     occluder::{Occluder, OccluderVertex, mesh::OPAQUE_DEPTH},
 };
 use bytemuck::Zeroable;
@@ -118,9 +119,21 @@ fn network_layer(layer: &Layer, place: &LayerLayout, part: usize, block: &mut [u
                 block[biases + neuron] = bias | u32::from(step.to_bits()) << 16;
             }
             numbers => {
-                for (k, weight) in numbers.iter().enumerate() {
+                let mut put = |k: usize, weight: f16| {
                     let at = 2 * (weights + k / 4 * layer.output + neuron) + k % 4 / 2;
-                    block[at] |= u32::from(f16::from_f64(weight).to_bits()) << (16 * (k % 2));
+                    block[at] |= u32::from(weight.to_bits()) << (16 * (k % 2));
+                };
+                match numbers {
+                    matrix::Row::Halves(halves) => {
+                        for (k, &weight) in halves.iter().enumerate() {
+                            put(k, weight);
+                        }
+                    }
+                    matrix::Row::Bytes { .. } => {
+                        for (k, weight) in numbers.iter().enumerate() {
+                            put(k, f16::from_f64(weight));
+                        }
+                    }
                 }
                 block[2 * biases + neuron / 2] |= bias << (16 * (neuron % 2));
             }
@@ -231,8 +244,12 @@ fn row_words(avatar: &Avatar) -> [usize; 3] {
 pub fn rows(avatar: &Avatar) -> Vec<u32> {
     let basis = avatar.basis_len();
     let mut data = Vec::with_capacity(row_words(avatar).iter().sum());
-    for row in compact::rotation_rows(avatar).chain(compact::rows(&avatar.scale_rows, basis)) {
-        push_row(&mut data, avatar, &row, &[]);
+    let rotations = compact::rotation_rows(avatar);
+    for row in rotations
+        .iter()
+        .chain(&compact::rows(&avatar.scale_rows, basis))
+    {
+        push_row(&mut data, avatar, row, &[]);
     }
     for row in compact::rows(&avatar.color_rows, basis) {
         let [red, green, blue] = avatar.gaussians.color[row.target as usize].map(f16::to_bits);
@@ -272,41 +289,56 @@ fn lit_pairs(avatar: &Avatar) -> usize {
     }
 }
 
-/// Packs Gaussians into pairs of words; see `shaders/common/gaussian.glsl`.
-pub fn gaussians(avatar: &Avatar, node_places: &[u16]) -> Vec<[u32; 2]> {
+/// Packs a Gaussian: position, joints and scale; nodes; rotation, colour and opacity.
+fn packed_gaussian(
+    avatar: &Avatar,
+    scales: LogScales,
+    node_places: &[u16],
+    i: usize,
+) -> [[u32; 2]; GAUSSIAN_PAIRS as usize] {
     let g = &avatar.gaussians;
-    let count = g.len();
-    let scales = LogScales::from_avatar(avatar);
-    let mut data = vec![[0; 2]; pairs(avatar) + lit_pairs(avatar)];
-    for i in 0..count {
-        let [x, y, z] = g.position[i];
-        let scale = (0..3).fold(0, |word, k| {
-            word | scales.encode(g.log_scale[i][k].to_f64()) << (10 * k)
-        });
-        let [a, b, c, _] = g.joint_weight[i];
-        let (nodes, [first, second]) = compact::node_shares(avatar, i);
-        let n = nodes.map(|node| {
-            node_places
-                .get(usize::from(node))
-                .copied()
-                .unwrap_or_default()
-        });
-        data[2 * i] = [pair(x, y), pair(z, scale as u16)];
-        data[2 * i + 1] = [
+    let [x, y, z] = g.position[i];
+    let scale = (0..3).fold(0, |word, k| {
+        word | scales.encode(g.log_scale[i][k].to_f64()) << (10 * k)
+    });
+    let [a, b, c, _] = g.joint_weight[i];
+    let (nodes, [first, second]) = compact::node_shares(avatar, i);
+    let n = nodes.map(|node| {
+        node_places
+            .get(usize::from(node))
+            .copied()
+            .unwrap_or_default()
+    });
+    let [red, green, blue] = g.color[i].map(|c| (c.to_f64().clamp(0.0, 1.0) * 255.0).round() as u8);
+    let (rotation, _) = compact::encode_quaternion(g.rotation[i].map(f64::from));
+    [
+        [pair(x, y), pair(z, scale as u16)],
+        [
             u32::from_le_bytes(g.joint[i]),
             u32::from_le_bytes([a, b, c, (scale >> 16) as u8]),
-        ];
-        data[2 * count + i] = [
+        ],
+        [
             pair(n[0], n[1]),
             u32::from(n[2]) | first << 16 | second << 21 | scale >> 24 << 26,
-        ];
-        let [red, green, blue] =
-            g.color[i].map(|c| (c.to_f64().clamp(0.0, 1.0) * 255.0).round() as u8);
-        let (rotation, _) = compact::encode_quaternion(g.rotation[i].map(f64::from));
-        data[3 * count + i] = [
+        ],
+        [
             rotation,
             u32::from_le_bytes([red, green, blue, g.opacity[i]]),
-        ];
+        ],
+    ]
+}
+
+/// Packs Gaussians into pairs of words; see `shaders/common/gaussian.glsl`.
+pub fn gaussians(avatar: &Avatar, node_places: &[u16]) -> Vec<[u32; 2]> {
+    let count = avatar.gaussians.len();
+    let scales = LogScales::from_avatar(avatar);
+    let packed = each::map(count, |i| packed_gaussian(avatar, scales, node_places, i));
+    let mut data = vec![[0; 2]; pairs(avatar) + lit_pairs(avatar)];
+    for (i, [first, second, nodes, look]) in packed.into_iter().enumerate() {
+        data[2 * i] = first;
+        data[2 * i + 1] = second;
+        data[2 * count + i] = nodes;
+        data[3 * count + i] = look;
     }
     let blocks = &mut data[GAUSSIAN_PAIRS as usize * count..pairs(avatar)];
     mark_rows(blocks, &avatar.rotation_rows, 0, 3);

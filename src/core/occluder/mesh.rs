@@ -6,7 +6,10 @@
 //! them (a skirt, an ear) are not solid and hide nothing.
 
 use super::voxels::Voxels;
-use crate::avatar::{Avatar, limits};
+use crate::{
+    avatar::{Avatar, limits},
+    each,
+};
 use glam::{DVec3, UVec3};
 use kiddo::{ImmutableKdTree, NearestNeighbour, SquaredEuclidean};
 use std::num::NonZero;
@@ -38,6 +41,8 @@ const MAX_DISTANCE: f64 = 3.0;
 /// Maximum difference in skinning of neighbours, in 255ths of a weight. Points that differ more are
 /// neighbours only in the canonical pose.
 const MAX_SKIN_DIFFERENCE: i32 = 220;
+/// Gaussians that stand for all of them, at most.
+const SAMPLE: usize = 2000;
 /// Gaussians that a vertex is averaged from.
 const NEIGHBORS: usize = 6;
 
@@ -129,10 +134,7 @@ impl Occluder {
         };
         let solid = grid.solid(&points);
         let (corners, triangles) = grid.surface(&solid);
-        let vertices: Vec<_> = corners
-            .iter()
-            .map(|&corner| shell.vertex(corner, grid.side))
-            .collect();
+        let vertices = each::map(corners.len(), |k| shell.vertex(corners[k], grid.side));
         // A corner with no Gaussian near it covers an opening: nothing is opaque there. A triangle
         // between corners that move differently spans a gap (between the legs, under an arm) that
         // some pose opens.
@@ -191,12 +193,10 @@ impl Shell<'_> {
 
     /// Whether much of the shell lets light through, by a sample.
     fn is_see_through(&self) -> bool {
-        let sample: Vec<f64> = self
-            .points
-            .iter()
-            .step_by(self.points.len().div_ceil(2000))
-            .map(|point| self.optical_depth(point))
-            .collect();
+        let step = self.points.len().div_ceil(SAMPLE);
+        let sample = each::map(self.points.len().div_ceil(step), |k| {
+            self.optical_depth(&self.points[k * step])
+        });
         let thin = sample.iter().filter(|&&depth| depth < OPAQUE_DEPTH).count();
         thin as f64 > MAX_THIN * sample.len() as f64
     }
@@ -219,7 +219,7 @@ impl Shell<'_> {
 
     /// Median distance to the nearest neighbour, over a sample, metres.
     fn spacing(&self) -> f64 {
-        let step = self.points.len().div_ceil(2000);
+        let step = self.points.len().div_ceil(SAMPLE);
         let two = const { NonZero::new(2).unwrap() };
         let nearest = |point| {
             self.tree
@@ -300,28 +300,42 @@ fn depth_times_area(opacity: f64) -> f64 {
 /// How differently two points move: the sum over all joints of the difference of their weights, 0
 /// to 510.
 fn skin_difference(a: Skin, b: Skin) -> i32 {
-    let mut difference = [0i32; limits::JOINTS];
+    // Of each joint of either, by where it is named first.
+    let mut joints = [0; 8];
+    let mut difference = [0i32; 8];
+    let mut count = 0;
+    let mut add = |joint: u8, weight: i32| {
+        let named = joints[..count].iter().position(|&known| known == joint);
+        let at = named.unwrap_or(count);
+        joints[at] = joint;
+        difference[at] += weight;
+        count = count.max(at + 1);
+    };
     for (&joint, weight) in a.joints.iter().zip(a.weights) {
-        difference[usize::from(joint)] += i32::from(weight);
+        add(joint, i32::from(weight));
     }
     for (&joint, weight) in b.joints.iter().zip(b.weights) {
-        difference[usize::from(joint)] -= i32::from(weight);
+        add(joint, -i32::from(weight));
     }
     difference.iter().map(|d| d.abs()).sum()
 }
 
 /// The four largest weights, scaled to a sum of 255.
 fn strongest(weight: &[u32; limits::JOINTS]) -> Skin {
-    let mut order: Vec<u8> = (0..=255).collect();
-    order.sort_by_key(|&joint| std::cmp::Reverse(weight[usize::from(joint)]));
-    let strongest = [order[0], order[1], order[2], order[3]];
+    // By falling weight; of equal ones the first.
+    let mut strongest = [0u8; 4];
+    for k in 0..4 {
+        let rest = (0..=255).filter(|joint| !strongest[..k].contains(joint));
+        let best = rest.rev().max_by_key(|&joint| weight[usize::from(joint)]);
+        strongest[k] = best.unwrap_or_default();
+    }
     let chosen = strongest.map(|joint| weight[usize::from(joint)]);
     let sum = chosen.iter().sum::<u32>().max(1);
     let mut scaled = chosen.map(|w| (w * 255 / sum) as u8);
     scaled[0] += 255 - scaled.iter().map(|&w| u32::from(w)).sum::<u32>().min(255) as u8;
     // A joint without weight need not exist: an avatar may have fewer than four.
     let existing = |joint: u8| match weight[usize::from(joint)] {
-        0 => order[0],
+        0 => strongest[0],
         _ => joint,
     };
     Skin {

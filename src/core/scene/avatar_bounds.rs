@@ -4,6 +4,7 @@
 use super::{Camera, LevelChoice, PartSet, PixelRect, PlaneRect, detail, radius_in_sigmas};
 use crate::avatar::{Avatar, Filter};
 use crate::constants::{LOG_SCALE_MAX, LONGEST_MARGIN};
+use crate::each;
 use glam::{DAffine3, DVec2, DVec3, UVec2};
 use std::ops::Range;
 
@@ -167,12 +168,11 @@ impl AvatarBounds {
     /// # Panics
     /// Where [`Avatar::check`] finds a fault.
     pub fn new(avatar: &Avatar) -> Self {
-        let parts = avatar.parts.start.windows(2).enumerate();
-        let parts: Vec<PartBox> = parts
-            .map(|(part, pair)| (part, pair[0] as usize..pair[1] as usize))
-            .filter(|(_, range)| !range.is_empty())
-            .map(|(part, range)| PartBox::new(avatar, part, range))
-            .collect();
+        let parts = each::map(avatar.parts.len(), |part| {
+            let range = avatar.parts.start[part] as usize..avatar.parts.start[part + 1] as usize;
+            (!range.is_empty()).then(|| PartBox::new(avatar, part, range))
+        });
+        let parts: Vec<PartBox> = parts.into_iter().flatten().collect();
         Self {
             joints: JointBox::of(&parts),
             margin: parts.iter().map(PartBox::margin).fold(0.0, f64::max),

@@ -32,10 +32,14 @@ pub fn pickle_of(bytes: &[u8]) -> Option<&[u8]> {
 /// Reads a zip of PyTorch's. Entries are stored, so that memory stays in the file.
 pub fn from_zip(bytes: &[u8]) -> Result<Built<'_>, FormatError> {
     let fault = |error: zip::result::ZipError| {
-        FormatError::container(
-            format!("a zip that can't be read: {error}"),
-            "one of PyTorch",
-        )
+        // Every zip ends with a record of this mark, and then a comment.
+        let has_end = bytes.windows(4).any(|four| four == b"PK\x05\x06");
+        let found = if has_end {
+            format!("a zip that can't be read: {error}")
+        } else {
+            "a zip without its end: the file is incomplete".into()
+        };
+        FormatError::container(found, "a NumPy .npz or a file of PyTorch")
     };
     let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(fault)?;
     let mut stored: BTreeMap<String, &[u8]> = BTreeMap::new();

@@ -32,7 +32,9 @@ pub fn is_splat(start: &[u8], length: u64) -> bool {
             && (3..6).all(|k| (0.0..=limits::LENGTH).contains(&number(k)))
             && row[28..] != [0; 4]
     };
-    length > 0 && length.is_multiple_of(ROW as u64) && rows.len() > 0 && rows.clone().all(sound)
+    // As numbers, letters make sense too.
+    let is_whole = length > 0 && length.is_multiple_of(ROW as u64) && rows.len() > 0;
+    is_whole && !start.is_ascii() && rows.clone().all(sound)
 }
 
 /// Reads the splats.

@@ -9,8 +9,7 @@ use ash::vk;
 use bytemuck::cast_slice;
 use effigy_core::{
     avatar::Avatar,
-    layout::{FrameBlock, GAUSSIAN_PAIRS, pack},
-    occluder::Occluder,
+    layout::{FrameBlock, GAUSSIAN_PAIRS, PackedModel, PackedOccluder, PackedSet},
 };
 use half::f16;
 use std::sync::Arc;
@@ -26,27 +25,22 @@ pub struct OccluderMesh {
 }
 
 impl OccluderMesh {
-    fn new(
-        gpu: &Arc<Gpu>,
-        avatar: &Avatar,
-        occluder: &Occluder,
-        node_places: &[u16],
-    ) -> Result<Self> {
-        let (corners, indices) = pack::occluder(avatar, occluder, node_places);
+    /// Uploads a mesh.
+    pub(crate) fn new(gpu: &Arc<Gpu>, occluder: &PackedOccluder) -> Result<Self> {
         Ok(Self {
             corners: Buffer::with_data(
                 gpu,
                 "occluder corners",
-                cast_slice(&corners),
+                cast_slice(&occluder.corners),
                 vk::BufferUsageFlags::STORAGE_BUFFER,
             )?,
             indices: Buffer::with_data(
                 gpu,
                 "occluder indices",
-                cast_slice(&indices),
+                cast_slice(&occluder.triangles),
                 vk::BufferUsageFlags::INDEX_BUFFER,
             )?,
-            index_count: 3 * indices.len() as u32,
+            index_count: 3 * occluder.triangles.len() as u32,
         })
     }
 }
@@ -62,17 +56,17 @@ pub struct GaussianSet {
 }
 
 impl GaussianSet {
-    fn new(gpu: &Arc<Gpu>, avatar: &Avatar, node_places: &[u16]) -> Result<Self> {
+    fn new(gpu: &Arc<Gpu>, packed: &PackedSet) -> Result<Self> {
         let storage = vk::BufferUsageFlags::STORAGE_BUFFER;
         Ok(Self {
             gaussians: Buffer::with_data(
                 gpu,
                 "gaussians",
-                cast_slice(&pack::gaussians(avatar, node_places)),
+                cast_slice(&packed.gaussians),
                 storage | vk::BufferUsageFlags::TRANSFER_SRC,
             )?,
-            rows: Buffer::with_data(gpu, "rows", cast_slice(&pack::rows(avatar)), storage)?,
-            constants: Box::new(pack::constants(avatar)),
+            rows: Buffer::with_data(gpu, "rows", cast_slice(&packed.rows), storage)?,
+            constants: packed.constants.clone(),
         })
     }
 }
@@ -97,38 +91,22 @@ pub struct Model {
 }
 
 impl Model {
-    /// `occluder`: whether frames use the occluder mesh.
-    pub(crate) fn new(gpu: &Arc<Gpu>, avatar: &Avatar, occluder: bool) -> Result<Self> {
-        let (node_places, node_starts) = pack::node_places(avatar);
-        let own = GaussianSet::new(gpu, avatar, &node_places)?;
-        let networks = pack::networks(avatar, &own.constants);
-        let mut sets = vec![own];
-        for level in &avatar.levels {
-            let places: &[u16] = if level.correctives {
-                &node_places
-            } else {
-                &[0]
-            };
-            sets.push(GaussianSet::new(gpu, &avatar.at_level(level), places)?);
-        }
-        let occluder = if occluder {
-            Occluder::new(avatar)
-        } else {
-            Occluder::default()
-        };
+    /// Uploads an avatar.
+    pub(crate) fn new(gpu: &Arc<Gpu>, avatar: &Avatar, packed: &PackedModel) -> Result<Self> {
         let storage = vk::BufferUsageFlags::STORAGE_BUFFER;
+        let buffer = |name, words: &[u32]| Buffer::with_data(gpu, name, cast_slice(words), storage);
+        let occluder = packed.occluder.clone().unwrap_or_default();
         Ok(Self {
-            networks: Buffer::with_data(gpu, "networks", cast_slice(&networks), storage)?,
-            nodes: Buffer::with_data(
-                gpu,
-                "nodes",
-                cast_slice(&pack::nodes(avatar, &node_places)),
-                storage,
-            )?,
-            node_starts: Buffer::with_data(gpu, "node starts", cast_slice(&node_starts), storage)?,
-            sets,
-            occluder: OccluderMesh::new(gpu, avatar, &occluder, &node_places)?,
-            node_places,
+            networks: buffer("networks", &packed.networks)?,
+            nodes: buffer("nodes", &packed.nodes)?,
+            node_starts: buffer("node starts", &packed.node_starts)?,
+            sets: packed
+                .sets
+                .iter()
+                .map(|set| GaussianSet::new(gpu, set))
+                .collect::<Result<_>>()?,
+            occluder: OccluderMesh::new(gpu, &occluder)?,
+            node_places: packed.node_places.clone(),
             networks_in_bytes: avatar.networks.in_bytes(),
         })
     }

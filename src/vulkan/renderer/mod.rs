@@ -3,8 +3,10 @@
 
 mod blocks;
 mod execute;
+mod prepared;
 mod stages;
 
+pub use prepared::PreparedAvatar;
 pub use stages::Stages;
 
 use super::{
@@ -20,7 +22,11 @@ use super::{
     },
     memory::Buffer,
     passes::{
-        mlp::Mlp, model::Model, occluder::OccluderPass, project::Project, sh::SphericalHarmonics,
+        mlp::Mlp,
+        model::{Model, OccluderMesh},
+        occluder::OccluderPass,
+        project::Project,
+        sh::SphericalHarmonics,
     },
     pipeline::Launch,
     raster::{
@@ -48,10 +54,11 @@ use effigy_core::{
         state::{FrameState, PlanInput},
         validate,
     },
-    layout::OccluderCorner,
+    layout::{OccluderCorner, PackedOccluder},
     scene::{AvatarBounds, Camera, Detail, FrameImage, PartDependencies, PixelRect, Posed},
 };
 use execute::Executor;
+use prepared::ms_since;
 use std::{sync::Arc, time::Instant};
 
 /// How a frame reaches a screen: what to wait for and signal, and the commands that follow the
@@ -131,45 +138,61 @@ impl Renderer {
     /// When the options can't be drawn with, [`Avatar::check`] finds a fault, the device's memory
     /// does not suffice, or it fails.
     pub fn new(gpu: &Arc<Gpu>, avatar: &Avatar, options: RendererOptions) -> Result<Self> {
-        avatar.check()?;
+        Self::from_prepared(gpu, &PreparedAvatar::new(avatar, &options)?, options)
+    }
+
+    /// [`Self::new`] for an avatar that was prepared before there was a device.
+    ///
+    /// # Errors
+    /// As [`Self::new`].
+    pub fn from_prepared(
+        gpu: &Arc<Gpu>,
+        prepared: &PreparedAvatar,
+        options: RendererOptions,
+    ) -> Result<Self> {
         if !Workload::is_open(&options) {
-            return Self::with(gpu, avatar, options);
+            return Self::with(gpu, prepared, options);
         }
         let record = Record::of_device(gpu);
-        let Some(tuning) = record.tuning(&Workload::new(avatar, &options)) else {
-            return Self::with(gpu, avatar, options);
+        let Some(tuning) = record.tuning(&Workload::new(prepared.avatar, &options)) else {
+            return Self::with(gpu, prepared, options);
         };
-        match Self::with(gpu, avatar, tuning.best.apply(options)) {
+        match Self::with(gpu, prepared, tuning.best.apply(options)) {
             Ok(renderer) => Ok(Self {
                 tuning: Some(tuning),
                 ..renderer
             }),
             Err(error) if tuning.best == tuning.safest => Err(error),
             // The safest may need less.
-            Err(error) if is_of_the_workload(&error) => Self::with(gpu, avatar, options),
+            Err(error) if is_of_the_workload(&error) => Self::with(gpu, prepared, options),
             Err(error) => {
                 record.strike_off(&tuning, &error.to_string());
                 if !device_lives(&error) {
                     return Err(error);
                 }
-                Self::with(gpu, avatar, options)
+                Self::with(gpu, prepared, options)
             }
         }
     }
 
     /// Without measurements.
-    fn with(gpu: &Arc<Gpu>, avatar: &Avatar, options: RendererOptions) -> Result<Self> {
+    fn with(gpu: &Arc<Gpu>, prepared: &PreparedAvatar, options: RendererOptions) -> Result<Self> {
         options.check()?;
+        let avatar = prepared.avatar;
         let mut options = resolved(gpu, options);
         // Where colours change with the view, poses are not cached.
         if avatar.sh.is_some() {
             options.skip -= Skip::SKINNING;
         }
-        let has_occluder = options.skip.contains(Skip::HIDDEN);
-        let model = Model::new(gpu, avatar, has_occluder)?;
+        let has_occluder = options.skip.contains(Skip::HIDDEN) && !prepared.without_occluder;
+        let began = Instant::now();
+        let packed = prepared.packed(has_occluder);
+        let model = Model::new(gpu, avatar, &packed)?;
+        tracing::info!("uploaded the avatar in {:.1} ms", ms_since(began));
+        let began = Instant::now();
         let constants = &model.own().constants;
         let storage = vk::BufferUsageFlags::STORAGE_BUFFER | vk::BufferUsageFlags::TRANSFER_SRC;
-        let extent = AvatarBounds::new(avatar).filtered(options.filter);
+        let extent = prepared.bounds.clone().filtered(options.filter);
         let room = Room::new(&options, &extent)?;
         let layout = PoseLayout::new(constants, room);
         // Zeros: a corner of the occluder may follow a node of a part that no frame has shown yet.
@@ -231,7 +254,7 @@ impl Renderer {
         if let Some(own) = SphericalHarmonics::new(gpu, avatar, model.own(), frame, launch)? {
             sh.insert(0, own);
         }
-        Ok(Self {
+        let renderer = Self {
             frames_in_flight: (0..FRAMES_IN_FLIGHT)
                 .map(|_| FrameInFlight::new(gpu))
                 .collect::<Result<_>>()?,
@@ -257,7 +280,28 @@ impl Renderer {
             next: 0,
             report: FrameReport::default(),
             gpu: gpu.clone(),
-        })
+        };
+        tracing::info!("made the kernels in {:.1} ms", ms_since(began));
+        Ok(renderer)
+    }
+
+    /// Leaves out what is hidden behind this mesh of the avatar from the next frame on. Does nothing
+    /// where options hide nothing, the mesh is empty, or there is one.
+    ///
+    /// # Errors
+    /// When the device's memory does not suffice, or it fails. Nothing has changed then.
+    pub fn add_occluder(&mut self, mesh: &PackedOccluder) -> Result<()> {
+        let is_wanted = self.options.skip.contains(Skip::HIDDEN) && self.occluder.is_none();
+        if !is_wanted || mesh.triangles.is_empty() {
+            return Ok(());
+        }
+        let mesh = OccluderMesh::new(&self.gpu, mesh)?;
+        let frame = self.blocks.slice();
+        let pose = (&self.pose).into();
+        self.occluder = Some(OccluderPass::new(&self.gpu, frame, &mesh, pose)?);
+        // No frame has used the empty one.
+        self.model.occluder = mesh;
+        Ok(())
     }
 
     /// The device that it draws on.

@@ -18,13 +18,11 @@ import types
 import numpy as np
 import torch
 
+sys.path.append("..")
+from smpl_x import PARENTS, quaternion_matrix, rotation  # noqa: E402
+
 JOINTS = 55
 HARMONIC, DEGREE_1, REACH = 0.28209479177387814, 0.4886025119029199, 0.008
-PARENTS = [
-    -1, 0, 0, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 9, 9, 12, 13, 14, 16, 17, 18, 19, 15, 15, 15,
-    20, 25, 26, 20, 28, 29, 20, 31, 32, 20, 34, 35, 20, 37, 38,
-    21, 40, 41, 21, 43, 44, 21, 46, 47, 21, 49, 50, 21, 52, 53,
-]
 SMALL = {"gaussians": 120, "anchors": 5, "nodes": 18, "frames": 80, "hidden": [24, 16, 10], "basis": 7, "node_basis": 5}
 
 
@@ -121,24 +119,6 @@ def make(random, size):
         "is_dxyz_bs": True, "is_gsparam_bs": True, "iteration": 800000,
     }
     return model
-
-
-def rotation(axis):
-    angle = np.linalg.norm(axis)
-    if angle == 0.0:
-        return np.eye(3)
-    x, y, z = axis / angle
-    cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
-    return np.eye(3) + np.sin(angle) * cross + (1 - np.cos(angle)) * cross @ cross
-
-
-def quaternion_matrix(q):
-    w, x, y, z = q / np.linalg.norm(q)
-    return np.array([
-        [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
-        [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
-        [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
-    ])
 
 
 def world_joints(joints, axes):

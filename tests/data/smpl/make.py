@@ -12,28 +12,17 @@ PyTorch writes is made by make_torch.py.
 import collections
 import json
 import pickle
+import sys
 
 import joblib
 import numpy as np
 
+sys.path.append("..")
+from smpl_x import PARENTS, rotation  # noqa: E402
+
 FRAMES = 4
-PARENTS = [
-    -1, 0, 0, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 9, 9, 12, 13, 14, 16, 17, 18, 19, 15, 15, 15,
-    20, 25, 26, 20, 28, 29, 20, 31, 32, 20, 34, 35, 20, 37, 38,
-    21, 40, 41, 21, 43, 44, 21, 46, 47, 21, 49, 50, 21, 52, 53,
-]
 BODY = list(range(22))
 HANDS = list(range(25, 55))
-
-
-def rotation(axis):
-    """The matrix of an axis times an angle."""
-    angle = np.linalg.norm(axis)
-    if angle == 0.0:
-        return np.eye(3)
-    x, y, z = axis / angle
-    cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
-    return np.eye(3) + np.sin(angle) * cross + (1 - np.cos(angle)) * cross @ cross
 
 
 def world(joints, matrices):

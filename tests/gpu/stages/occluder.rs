@@ -2,11 +2,11 @@
 //! of bodies that poses pull apart.
 
 use crate::common::gpu::{self, Frame};
-use effigy::vulkan::{Gpu, Renderer, RendererOptions};
+use effigy::vulkan::{Gpu, PreparedAvatar, Renderer, RendererOptions};
 use effigy_core::{
     avatar::{Avatar, Pose},
     frame::{FrameState, PlanInput, Skip, room::Room},
-    layout::{OCCLUDER_SIDE, PYRAMID_LEVELS, PYRAMID_SIDE, SORT_CULLED},
+    layout::{OCCLUDER_SIDE, PYRAMID_LEVELS, PYRAMID_SIDE, PackedOccluder, SORT_CULLED},
     occluder::Occluder,
     reference::occluder::{self, OccluderDrawing},
     scene::{AvatarBounds, Camera, OccluderView, PartDependencies, Posed, upright},
@@ -233,6 +233,38 @@ fn the_occluder_hides_nothing_where_the_shell_is_torn() {
     assert!(hidden > 20_000, "only {hidden} Gaussians were hidden");
 }
 
+fn an_occluder_that_comes_later_hides_as_much() {
+    let device = gpu::drawing();
+    let avatar = demo();
+    let posed = bent(&avatar, 0.0);
+    let camera = camera(&avatar, &posed, 0.3, 1.0, SIZE);
+    let expected = drawn(&device, &avatar, &posed, &camera, Skip::HIDDEN);
+    let options = RendererOptions {
+        skip: Skip::HIDDEN,
+        ..gpu::options(camera.size)
+    };
+    let prepared = PreparedAvatar::without_occluder(&avatar).expect("the demo");
+    let mut renderer = Renderer::from_prepared(&device, &prepared, options).expect("a renderer");
+    let draw = |renderer: &mut Renderer| {
+        renderer.draw(&posed, &camera, None).expect("a frame");
+        let image = renderer.read_image().expect("an image");
+        (image, renderer.report().counters.drawn)
+    };
+    let (_, all) = draw(&mut renderer);
+    assert!(
+        all > expected.count,
+        "{all} of {} Gaussians",
+        expected.count
+    );
+    for _ in 0..2 {
+        let mesh = PackedOccluder::new(&avatar);
+        renderer.add_occluder(&mesh).expect("an occluder");
+        let (image, count) = draw(&mut renderer);
+        assert_eq!(count, expected.count);
+        assert!(image == expected.image, "another image");
+    }
+}
+
 struct Drawn {
     image: effigy_core::scene::FrameImage,
     /// Gaussians that were sorted.
@@ -256,4 +288,5 @@ tests! {
     the_pyramid_is_that_of_the_reference,
     what_is_hidden_lies_behind_the_pyramid,
     the_occluder_hides_nothing_where_the_shell_is_torn,
+    an_occluder_that_comes_later_hides_as_much,
 }

@@ -105,6 +105,10 @@ fn each_fault_is_named() {
             "found an array of numbers",
         ),
         (
+            fault(&include_bytes!("../../data/smpl/amass_h.npz")[..2000]),
+            "found a zip without its end: the file is incomplete",
+        ),
+        (
             fault(b"\x80\x02}q\0X\x05\0\0\0posesK\x01s."),
             "`poses` found a number",
         ),

@@ -369,6 +369,12 @@ fn a_file_that_ends_too_soon_is_refused_wherever_it_ends() {
     }
 }
 
+fn letters_are_no_splats() {
+    let mesh = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    assert_eq!(mesh.len(), 32);
+    assert_eq!(SplatFormat::of(mesh, 32), None);
+}
+
 /// Bytes of one format read as another.
 fn no_reader_panics_over_another_format() {
     for file in FILES {
@@ -448,6 +454,7 @@ tests! {
     each_fault_is_named,
     memory_follows_from_the_file_not_from_its_word,
     a_file_that_ends_too_soon_is_refused_wherever_it_ends,
+    letters_are_no_splats,
     no_reader_panics_over_another_format,
     changed_bytes_never_panic,
     changed_contents_never_panic,

@@ -3,6 +3,7 @@
 //!
 //! The driver is the one that the environment chooses. Without Xvfb the tests are ignored.
 
+mod drag_source;
 mod session;
 
 use session::{Session, covered};
@@ -229,6 +230,59 @@ fn an_avatar_that_does_not_fit_leaves_the_one_that_is_shown() {
     session.quit();
 }
 
+fn files_that_are_dropped_are_shown_and_the_ones_before_can_be_chosen_again() {
+    let mut session = still(&["--size", "320x240"]);
+    let title = session.title();
+    let before = session.read_image();
+
+    // Motion of another body plays on the avatar that is shown.
+    session.write_file("walk.bvh", include_bytes!("../../data/motion/bandai.bvh"));
+    let frames = session.frames();
+    session.drop_files(&["walk.bvh"]);
+    session.wait_for_frames_after(frames + 3);
+    session.key(' ');
+    session.wait_for_rest();
+    let moved = session.read_image();
+    assert!(moved != before, "the motion that was dropped is not shown");
+    assert_eq!(session.title(), title);
+
+    // An avatar takes the place of the one that is shown, with the motion dropped beside it.
+    let frames = session.frames();
+    session.drop_files(&["2.motion", "other.avatar"]);
+    session.wait_for_title("test body 2 – Effigy");
+    session.wait_for_frames_after(frames);
+    session.key(' ');
+    session.wait_for_rest();
+    let other = session.read_image();
+    assert!(
+        other != moved && covered(&other, BACKGROUND) > 1000,
+        "the avatar that was dropped is not shown"
+    );
+
+    // What is no avatar leaves the picture, and says so in the panel.
+    session.write_file("letter.txt", b"Dear reader,");
+    session.drop_files(&["letter.txt"]);
+    session.wait_for_text("letter.txt");
+    session.wait_for_rest();
+    assert!(session.read_image() != other, "the panel is not shown");
+    session.key('h');
+    session.wait_for_rest();
+    assert!(session.read_image() == other, "the picture is another one");
+
+    // Splats stand still.
+    session.write_file("scan.spz", include_bytes!("../../data/splats/small-2.spz"));
+    let frames = session.frames();
+    session.drop_files(&["scan.spz"]);
+    session.wait_for_title("scan – Effigy");
+    session.wait_for_frames_after(frames);
+    session.wait_for_rest();
+    assert!(covered(&session.read_image(), BACKGROUND) > 100);
+
+    session.key('a');
+    session.wait_for_title(&title);
+    session.quit();
+}
+
 fn a_window_that_another_program_destroys_ends_the_viewer() {
     let session = start(&["--size", "200x200"]);
     session.destroy();
@@ -328,6 +382,7 @@ tests! {
     a_lost_surface_and_a_lost_device_are_made_anew,
     a_device_that_is_lost_twice_ends_the_program_with_a_clear_error,
     an_avatar_that_does_not_fit_leaves_the_one_that_is_shown,
+    files_that_are_dropped_are_shown_and_the_ones_before_can_be_chosen_again,
     a_window_that_another_program_destroys_ends_the_viewer,
     a_number_of_frames_is_drawn_and_timed,
     a_soak_in_the_window_writes_its_files_and_ends,

@@ -3,6 +3,7 @@
 //!
 //! Every wait has a limit, after which the test fails with what the program said.
 
+use super::drag_source::DragSource;
 use crate::common::{self, Sizes, harness::not_run};
 use image::RgbImage;
 use std::{
@@ -27,6 +28,11 @@ use x11rb::{
 const LIMIT: Duration = Duration::from_secs(60);
 /// Without a frame for so long, the viewer rests, seconds.
 const REST: f64 = 0.6;
+
+pub fn atom(x: &RustConnection, name: &str) -> u32 {
+    let asked = x.intern_atom(false, name.as_bytes()).unwrap();
+    asked.reply().unwrap().atom
+}
 
 /// What the program has said, line by line.
 type Log = Arc<Mutex<Vec<String>>>;
@@ -347,6 +353,31 @@ impl Session {
     pub fn destroy(&self) {
         self.x.destroy_window(self.window).unwrap();
         self.x.flush().unwrap();
+    }
+
+    /// Drops files of the session's folder on the window, as a file manager does.
+    pub fn drop_files(&mut self, names: &[&str]) {
+        let folder = self._folder.path();
+        let uri = |name: &&str| format!("file://{}\r\n", folder.join(name).display());
+        let list: String = names.iter().map(uri).collect();
+        DragSource::new(&self.x, self.root, self.window).drop_list(&list);
+    }
+
+    /// Writes a file into the session's folder.
+    pub fn write_file(&self, name: &str, bytes: &[u8]) {
+        std::fs::write(self._folder.path().join(name), bytes).unwrap();
+    }
+
+    /// The window's title.
+    pub fn title(&self) -> String {
+        let name = atom(&self.x, "_NET_WM_NAME");
+        let kind = xproto::AtomEnum::ANY;
+        let title = self.x.get_property(false, self.window, name, kind, 0, 99);
+        String::from_utf8(title.unwrap().reply().unwrap().value).unwrap()
+    }
+
+    pub fn wait_for_title(&mut self, title: &str) {
+        self.wait(title, |s| (s.title() == title).then_some(()));
     }
 
     /// What the window shows.

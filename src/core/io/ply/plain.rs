@@ -25,7 +25,7 @@ struct Columns {
 impl Columns {
     fn new(rows: &Table) -> Result<Self, FormatError> {
         let column = |name: &str| {
-            let expected = "a property of that name, as 3DGS writes it";
+            let expected = "one, as 3DGS writes it: a mesh or a point cloud has no splats";
             rows.column(name).ok_or_else(|| {
                 FormatError::container(format!("no `{name}` among the properties"), expected)
             })

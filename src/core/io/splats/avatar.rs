@@ -1,7 +1,8 @@
 //! The avatar of splats: static, with one joint, which rotates the file's axes to ours. Gaussians
 //! come in the order of a space-filling curve, so that neighbours in memory are neighbours in space.
 
-use super::{Splats, each, functions_of};
+use super::{Splats, functions_of};
+use crate::each;
 use crate::{
     avatar::{
         Activation, Avatar, Bounds, Filter, Gaussians, Inputs, Networks, Nodes, Parts, Rows,

@@ -1,6 +1,7 @@
 //! Principal axes of ellipsoids, and splats whose space is moved or stretched.
 
-use super::{Splats, each};
+use super::Splats;
+use crate::each;
 use glam::{DAffine3, DMat3, DQuat, DVec3};
 
 /// Sweeps after which the axes are orthogonal to the last bit; three or four are enough.

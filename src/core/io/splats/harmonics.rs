@@ -1,7 +1,8 @@
 //! Splats in other axes: positions, rotations and spherical harmonics turn together.
 
-use super::{Splats, Up, each};
+use super::{Splats, Up};
 use crate::avatar::harmonics::{functions, functions_of};
+use crate::each;
 use glam::{DMat3, DQuat, DVec3};
 use std::f64::consts::PI;
 

@@ -6,7 +6,6 @@ mod avatar;
 mod axes;
 mod check;
 mod columns;
-mod each;
 mod harmonics;
 #[cfg(not(target_arch = "wasm32"))]
 mod posed;
