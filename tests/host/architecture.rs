@@ -167,6 +167,7 @@ const LAYERS: &[Layers] = &[
             "viewpoint",
             "similarity",
             "report",
+            "flicker",
             "rates",
             "sorts",
             "soak",

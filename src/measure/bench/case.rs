@@ -29,11 +29,15 @@ pub enum BenchCase {
     Far240,
     /// Four avatars in motion.
     Four,
+    /// Motion in real time before an orbiting camera, with the flicker of what is drawn.
+    Flicker,
+    /// The camera moves away from a still avatar, with the flicker of what is drawn.
+    Zoom,
 }
 
 impl BenchCase {
     /// Every case.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 13] = [
         Self::Full,
         Self::Camera,
         Self::Orbit,
@@ -45,6 +49,8 @@ impl BenchCase {
         Self::Far120,
         Self::Far240,
         Self::Four,
+        Self::Flicker,
+        Self::Zoom,
     ];
 
     /// Name on the command line and in reports.
@@ -61,6 +67,8 @@ impl BenchCase {
             Self::Far120 => "far120",
             Self::Far240 => "far240",
             Self::Four => "four",
+            Self::Flicker => "flicker",
+            Self::Zoom => "zoom",
         }
     }
 
@@ -80,6 +88,8 @@ impl BenchCase {
             Self::Four => {
                 "four avatars in motion a metre apart, a slowly orbiting camera on all or one of them"
             }
+            Self::Flicker => "motion in real time, a slowly orbiting camera; what flickers",
+            Self::Zoom => "a still avatar that grows smaller, from 2000 to 20 px; what flickers",
         }
     }
 
@@ -91,7 +101,13 @@ impl BenchCase {
     /// Whether frames follow each other at [`RATE`](super::scene::RATE), so that a pose can be held
     /// for several of them.
     pub fn in_real_time(self) -> bool {
-        matches!(self, Self::Orbit | Self::Close | Self::Four) || self.tall().is_some()
+        matches!(self, Self::Orbit | Self::Close | Self::Four | Self::Flicker)
+            || self.tall().is_some()
+    }
+
+    /// Whether the flicker of its frames is measured.
+    pub fn has_flicker(self) -> bool {
+        matches!(self, Self::Flicker | Self::Zoom)
     }
 
     /// How tall the avatar is in the image, px, where the case says so.
@@ -118,7 +134,7 @@ impl BenchCase {
 
     /// Whether the case keeps its own camera even if cameras are given.
     pub fn own_camera(self) -> bool {
-        matches!(self, Self::Close | Self::Four) || self.tall().is_some()
+        matches!(self, Self::Close | Self::Four | Self::Zoom) || self.tall().is_some()
     }
 }
 
