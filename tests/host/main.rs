@@ -9,6 +9,7 @@ mod bake;
 mod drift;
 mod files;
 mod fit;
+mod flicker;
 mod fuzz;
 mod gltf_motion;
 mod governor;
@@ -54,6 +55,7 @@ fn main() -> ExitCode {
             files::packed,
             files::rules,
             fit,
+            flicker,
             fuzz,
             gltf_motion,
             gltf_motion::hostile,
