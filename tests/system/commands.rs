@@ -326,7 +326,7 @@ fn bench_measures_what_flickers() {
     let what = "small.avatar --motion small.motion --spread 0 --json out.json --csv out.csv";
     let said = works(
         folder.path(),
-        &format!("bench {what} --size 460x460 --frames 12 --case flicker,zoom"),
+        &format!("bench {what} --size 460x460 --frames 9 --case flicker,zoom"),
     );
     let report = json(&folder.path().join("out.json"));
     let cases = report["cases"].as_array().unwrap();
@@ -341,7 +341,7 @@ fn bench_measures_what_flickers() {
         for step in steps {
             let mean = |of: &str| step[of]["mean"].as_f64().unwrap();
             assert!(
-                step["compared"].as_f64() > Some(0.5)
+                step["compared"].as_f64() > Some(0.2)
                     && mean("reference") > 0.0
                     && mean("added") > 0.0
                     && (mean("drawn") - mean("reference")).abs() <= mean("added"),
@@ -364,7 +364,7 @@ fn bench_measures_what_flickers() {
     let sorted = &cases[0]["flicker"];
     assert!(
         sorted["sorting"]["psnr_db"].as_f64() > Some(20.0)
-            && sorted["steps"][0]["per_pixel"]["mean"].as_f64() > Some(0.0),
+            && sorted["steps"][0]["sorting"]["added"]["mean"].as_f64() > Some(0.0),
         "{sorted}"
     );
     // From 451 to 20 px: twice as large from 400 px on, four times from 160 px on.
@@ -386,7 +386,7 @@ fn bench_measures_what_flickers() {
     works(
         folder.path(),
         &format!(
-            "bench {what} --size 96x96 --frames 12 --rounds 1 --case flicker --sweep keys,rows"
+            "bench {what} --size 64x64 --frames 9 --rounds 1 --case flicker --sweep keys,rows"
         ),
     );
     let report = json(&folder.path().join("out.json"));

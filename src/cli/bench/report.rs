@@ -241,8 +241,9 @@ fn print_flicker(flicker: &FlickerReport) {
         print_residual("drawn", &step.drawn);
         print_residual("reference", &step.reference);
         print_residual("added", &step.added);
-        if let Some(per_pixel) = &step.per_pixel {
-            print_residual("sorted per pixel", per_pixel);
+        if let Some(sorting) = &step.sorting {
+            print_residual("sorted per pixel", &sorting.per_pixel);
+            print_residual("added by centres", &sorting.added);
         }
         println!(
             "    {:+.1} % to the mean of the reference",
@@ -276,11 +277,11 @@ fn print_residual(name: &str, residual: &Residual) {
 /// Prints what a switch between two frames changes.
 fn print_switch(pair: &PairReport) {
     let [from, to] = pair.shown;
-    let tall = pair
-        .tall
-        .map_or("near".to_owned(), |tall| format!("{tall:.0} px tall"));
+    let side = pair
+        .side
+        .map_or("near".to_owned(), |side| format!("{side:.0} px"));
     println!(
-        "  switch, frames {} to {}, {tall}: {} × {} to {} × {} Gaussians; mean {:.3}, the reference's \
+        "  switch, frames {} to {}, {side}: {} × {} to {} × {} Gaussians; mean {:.3}, the reference's \
          {:.3}, added {:.3}, {:.1} at most",
         pair.from,
         pair.to,

@@ -10,13 +10,13 @@ use super::{
     check::{CheckResult, covered_pixels},
     flicker_pairs::{FramePair, pairs},
     run::{CaseRenderer, Progress},
-    scene::BenchScene,
+    scene::{BenchScene, PosedInstance},
 };
 use crate::{
     error,
     flicker::{
         Carrying, FlickerReport, ImagePart, PairReport, Residual, ResidualMap, STEPS, Shown,
-        carrying::SurfaceFrame,
+        SortingResidual, carrying::SurfaceFrame,
     },
     flip,
     report::ErrorReport,
@@ -34,15 +34,15 @@ use std::{
 
 /// Pixels around what the reference draws: as far as FLIP's filters reach, and then some.
 const MARGIN: u32 = 16;
-/// Height up to which the truth is what the area of each pixel shows, px: larger avatars are drawn as
-/// large as they are shown.
-const SMALL: f64 = 400.0;
+/// Longest side up to which the truth is what the area of each pixel shows, px: larger avatars are
+/// drawn as large as they are shown, whatever the frames before showed.
+const SMALL: f64 = 440.0;
 /// Most times as large as the image that the truth is drawn.
 const TRUTH_FACTOR: u32 = 8;
-/// Height of an avatar that a zoom's truth is not drawn beyond, px.
-const TRUTH_TALL: f64 = 4096.0;
-/// Height of an avatar beyond which a pixel's surface needs no more than one ray, px.
-const SURFACE_TALL: f64 = 512.0;
+/// Longest side of an avatar that a zoom's truth is not drawn beyond, px.
+const TRUTH_SIDE: f64 = 4096.0;
+/// Longest side of an avatar beyond which a pixel's surface needs no more than one ray, px.
+const SURFACE_SIDE: f64 = 512.0;
 /// Frames whose Gaussians are kept: those of a take.
 const FRAMES_KEPT: usize = 4;
 
@@ -77,7 +77,7 @@ struct PairTruth {
     factor: u32,
     reference: ResidualMap,
     summary: Residual,
-    per_pixel: Option<Residual>,
+    sorting: Option<SortingResidual>,
 }
 
 /// The flicker of a setting, and its error on the way.
@@ -109,27 +109,22 @@ impl<'a> FlickerTruth<'a> {
         }
     }
 
-    /// Height of the box around the tallest avatar of a scene, px. Infinite where one crosses the
-    /// near plane.
-    fn tall(&self, scene: &BenchScene) -> f64 {
-        let tall = |joints| {
-            self.bounds
-                .sides(joints, &scene.camera)
-                .map(|sides| sides.y)
+    /// Longest side of the boxes around a scene's avatars, px. Infinite where one crosses the near
+    /// plane.
+    fn side(&self, scene: &BenchScene) -> f64 {
+        let side = |instance: &PosedInstance| {
+            let sides = self.bounds.sides(&instance.reference.joints, &scene.camera);
+            sides.map_or(f64::INFINITY, |sides| sides.max_element())
         };
-        scene
-            .instances
-            .iter()
-            .map(|instance| tall(&instance.reference.joints).unwrap_or(f64::INFINITY))
-            .fold(0.0, f64::max)
+        scene.instances.iter().map(side).fold(0.0, f64::max)
     }
 
     /// How many times its size the truth of a scene is drawn.
     fn factor(&self, scene: &BenchScene) -> u32 {
-        let tall = self.tall(scene);
+        let side = self.side(scene);
         match self.case {
-            BenchCase::Zoom => largest_factor(tall, TRUTH_TALL),
-            _ if tall <= SMALL => TRUTH_FACTOR,
+            BenchCase::Zoom => largest_factor(side, TRUTH_SIDE),
+            _ if side <= SMALL => TRUTH_FACTOR,
             _ => 1,
         }
     }
@@ -210,8 +205,8 @@ impl<'a> FlickerTruth<'a> {
             },
             rect: self.rect(&gaussians[k], &scenes[indices[k]]),
         });
-        let tall = indices.map(|index| self.tall(&scenes[index]));
-        let samples = largest_factor(tall[0].max(tall[1]), SURFACE_TALL);
+        let sides = indices.map(|index| self.side(&scenes[index]));
+        let samples = largest_factor(sides[0].max(sides[1]), SURFACE_SIDE);
         let carrying = Carrying::new(&frames[0], &frames[1], samples);
         // Both at one factor: the truth has no switches.
         let factor = self
@@ -219,16 +214,22 @@ impl<'a> FlickerTruth<'a> {
             .min(self.factor(&scenes[pair.to]));
         let images = indices.map(|index| self.image(index, &scenes[index], factor));
         let reference = carrying.residual(&images[0].part, &images[1].part, true);
-        let per_pixel = images[0]
+        let exact = images[0]
             .per_pixel
             .as_ref()
             .zip(images[1].per_pixel.as_ref());
+        let sorting = exact.map(|(earlier, later)| {
+            let exact = carrying.residual(earlier, later, true);
+            SortingResidual {
+                per_pixel: exact.summary(),
+                added: reference.added_to(&exact),
+            }
+        });
         let truth = Rc::new(PairTruth {
             factor,
             summary: reference.summary(),
             reference,
-            per_pixel: per_pixel
-                .map(|(earlier, later)| carrying.residual(earlier, later, true).summary()),
+            sorting,
             carrying,
         });
         self.pairs.insert(indices, Rc::clone(&truth));
@@ -247,11 +248,11 @@ impl<'a> FlickerTruth<'a> {
     }
 }
 
-/// The largest factor of 1, 2, 4 and 8 that makes an avatar of a height no taller than a limit, px.
-fn largest_factor(tall: f64, limit: f64) -> u32 {
+/// The largest factor of 1, 2, 4 and 8 that keeps an avatar's longest side within a limit, px.
+fn largest_factor(side: f64, limit: f64) -> u32 {
     [TRUTH_FACTOR, 4, 2]
         .into_iter()
-        .find(|&factor| f64::from(factor) * tall <= limit)
+        .find(|&factor| f64::from(factor) * side <= limit)
         .unwrap_or(1)
 }
 
@@ -336,19 +337,19 @@ pub fn measure_flicker(
         let residual = known
             .carrying
             .residual(&drawn[&pair.from], &drawn[&pair.to], true);
-        let tall = truth.tall(&scenes[pair.from]);
+        let side = truth.side(&scenes[pair.from]);
         reports.push(PairReport {
             from: pair.from,
             to: pair.to,
             weight: pair.weight,
-            tall: tall.is_finite().then_some(tall),
+            side: side.is_finite().then_some(side),
             shown: [shown[pair.from], shown[pair.to]],
             truth: known.factor,
             compared: known.carrying.compared() as f64 / known.carrying.covered().max(1) as f64,
             drawn: residual.summary(),
             reference: known.summary,
             added: residual.added_to(&known.reference),
-            per_pixel: known.per_pixel,
+            sorting: known.sorting,
         });
     }
     Ok(MeasuredFlicker {

@@ -17,7 +17,7 @@ pub mod residual;
 
 pub use carrying::Carrying;
 pub use image_part::ImagePart;
-pub use report::{FlickerReport, PairReport, Shown, StepReport};
+pub use report::{FlickerReport, PairReport, Shown, SortingResidual, StepReport};
 pub use residual::{Residual, ResidualMap};
 
 /// How many frames apart images are compared: neighbours, which show popping, and frames an eighth of

@@ -31,8 +31,18 @@ pub struct StepReport {
     pub reference: Residual,
     /// What changes in the difference between the two.
     pub added: Residual,
-    /// What changes in the reference's with every pixel sorted for itself.
-    pub per_pixel: Option<Residual>,
+    /// The reference's order, by the depth of centres, against an order of each pixel's own. Null if
+    /// that was not measured.
+    pub sorting: Option<SortingResidual>,
+}
+
+/// What sorting by the depth of centres changes from frame to frame.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct SortingResidual {
+    /// What changes in the reference's images with every pixel sorted for itself.
+    pub per_pixel: Residual,
+    /// What changes in the difference of the reference's images to those.
+    pub added: Residual,
 }
 
 impl StepReport {
@@ -60,8 +70,8 @@ pub struct PairReport {
     pub to: usize,
     /// For how many pairs of the run it stands.
     pub weight: f64,
-    /// Height of the box around the avatar in the earlier frame, px. Null where it has none.
-    pub tall: Option<f64>,
+    /// Longest side of the box around the avatar in the earlier frame, px. Null where it has none.
+    pub side: Option<f64>,
     /// How the avatar is drawn in the earlier and the later frame.
     pub shown: [Shown; 2],
     /// How many times its size the reference draws both, before it averages.
@@ -74,8 +84,9 @@ pub struct PairReport {
     pub reference: Residual,
     /// What changes in the difference between the two.
     pub added: Residual,
-    /// What changes in the reference's with every pixel sorted for itself.
-    pub per_pixel: Option<Residual>,
+    /// The reference's order, by the depth of centres, against an order of each pixel's own. Null if
+    /// that was not measured.
+    pub sorting: Option<SortingResidual>,
 }
 
 impl PairReport {
@@ -135,9 +146,12 @@ fn step_report(step: usize, pairs: &[PairReport]) -> Option<StepReport> {
         drawn: pooled(|pair| pair.drawn),
         reference: pooled(|pair| pair.reference),
         added: pooled(|pair| pair.added),
-        per_pixel: own
+        sorting: own
             .iter()
-            .all(|pair| pair.per_pixel.is_some())
-            .then(|| pooled(|pair| pair.per_pixel.unwrap_or_default())),
+            .all(|pair| pair.sorting.is_some())
+            .then(|| SortingResidual {
+                per_pixel: pooled(|pair| pair.sorting.unwrap_or_default().per_pixel),
+                added: pooled(|pair| pair.sorting.unwrap_or_default().added),
+            }),
     })
 }
