@@ -218,7 +218,7 @@ fn a_planted_pop_is_found_and_an_error_that_stays_is_none() {
     };
     let popped = carrying.residual(&part(&before), &wrong(&after, shift), true);
     let added = popped.added_to(&reference);
-    assert!((added.max - 0.25).abs() < 1e-3, "{added:?}");
+    assert!((added.max - 0.25).abs() < 1.01 / 255.0, "{added:?}");
     let expected = 9.0 * 0.25 / carrying.compared() as f64;
     assert!(
         (added.mean - expected).abs() < 1e-4,
@@ -231,7 +231,10 @@ fn a_planted_pop_is_found_and_an_error_that_stays_is_none() {
     );
     let stays = carrying.residual(&wrong(&before, [0, 0]), &wrong(&after, shift), true);
     let added = stays.added_to(&reference);
-    assert!(added.max < 1e-3, "{added:?}");
+    assert!(
+        added.max < 2.01 / 255.0 && added.mean < 0.1 * expected,
+        "{added:?}"
+    );
 }
 
 fn what_comes_from_behind_something_is_not_compared() {

@@ -1,7 +1,7 @@
 //! Which pixels of a frame show what another frame shows too, and where that was.
 
 use super::{image_part::ImagePart, residual::ResidualMap};
-use crate::{error, flip};
+use crate::flip;
 use effigy_core::{
     reference::{Carried, SurfaceView, carry},
     scene::{FrameImage, PixelRect},
@@ -100,12 +100,7 @@ impl Carrying {
             later.rect, self.rect,
             "the image is of the part that the surface was carried to"
         );
-        let shown = later
-            .image
-            .pixels
-            .iter()
-            .map(|&pixel| opaque(error::displayed(pixel)));
-        let shown: Vec<[f32; 4]> = shown.collect();
+        let shown: Vec<[f32; 4]> = later.displayed().into_iter().map(opaque).collect();
         let mut carried = shown.clone();
         let mut differences = Vec::with_capacity(self.pixels.len());
         for own in &self.pixels {

@@ -5,7 +5,8 @@
 //! another, one and seven frames later, and compared with the image there, only where both show the
 //! same surface. Here nothing has to be estimated: the reference knows how the surface moves
 //! ([`effigy_core::reference::carry`]). An image that is right has a residual too, of what really
-//! changes and of resampling; so the reference's own is measured by the same means, and set beside.
+//! changes, of resampling and of a display's 8 bits; so the reference's own is measured by the same
+//! means, and set beside.
 //!
 //! [`carrying`] finds the pixels of two frames that show the same, [`residual`] is what is left
 //! between their images there, [`report`] the numbers of many frames.
