@@ -70,6 +70,26 @@ pub struct Flip {
 /// # Panics
 /// If the sizes differ.
 pub fn between(image: &FrameImage, reference: &FrameImage) -> Flip {
+    let map = map(image, reference);
+    let mut covered = 0.0;
+    let mut pixels = 0usize;
+    for (flip, pixel) in map.iter().zip(&reference.pixels) {
+        if f64::from(pixel[3]) >= ALPHA_MIN {
+            covered += flip;
+            pixels += 1;
+        }
+    }
+    Flip {
+        covered: covered / pixels.max(1) as f64,
+        whole: map.iter().sum::<f64>() / map.len().max(1) as f64,
+    }
+}
+
+/// FLIP of every pixel of an image against a reference's, 0 to 1; row by row from the top left.
+///
+/// # Panics
+/// If the sizes differ.
+pub fn map(image: &FrameImage, reference: &FrameImage) -> Vec<f64> {
     assert_eq!(
         image.size, reference.size,
         "images of different sizes can't be compared"
@@ -79,10 +99,7 @@ pub fn between(image: &FrameImage, reference: &FrameImage) -> Flip {
     let green = lab(DVec3::Y);
     let blue = lab(DVec3::Z);
     let largest = distance(green, blue).powf(COLOR_EXPONENT);
-    let mut covered = 0.0;
-    let mut pixels = 0usize;
-    let mut whole = 0.0;
-    for k in 0..reference.pixels.len() {
+    let pixel = |k: usize| {
         let color = compress(
             distance(a.color[k], b.color[k]).powf(COLOR_EXPONENT),
             largest,
@@ -91,17 +108,12 @@ pub fn between(image: &FrameImage, reference: &FrameImage) -> Flip {
             .map(|f| (a.feature[f][k] - b.feature[f][k]).abs())
             .fold(0.0, f64::max);
         let flip = color.powf(1.0 - (feature / 2f64.sqrt()).powf(FEATURE_EXPONENT));
-        let flip = if flip.is_nan() { 1.0 } else { flip };
-        whole += flip;
-        if f64::from(reference.pixels[k][3]) >= ALPHA_MIN {
-            covered += flip;
-            pixels += 1;
-        }
-    }
-    Flip {
-        covered: covered / pixels.max(1) as f64,
-        whole: whole / reference.pixels.len().max(1) as f64,
-    }
+        if flip.is_nan() { 1.0 } else { flip }
+    };
+    (0..reference.pixels.len())
+        .into_par_iter()
+        .map(pixel)
+        .collect()
 }
 
 /// HyAB distance of two colours in CIELAB (section 4.1.2).

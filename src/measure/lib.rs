@@ -11,6 +11,7 @@
 //! - [`bytes`] computes the bytes and operations of each stage, and their minimum.
 //! - [`error`] is the error of an image: PSNR and largest error.
 //! - [`flip`] is how visible that error is.
+//! - [`flicker`] is what changes from frame to frame that should not.
 //! - [`coverage`] is whether an avatar is closed.
 //! - [`similarity`] is how similar an image is to a photo's: L1, PSNR and SSIM.
 //! - [`viewpoint`] is where avatars are seen from.
@@ -23,6 +24,7 @@ pub mod bytes;
 pub mod chart;
 pub mod coverage;
 pub mod error;
+pub mod flicker;
 pub mod flip;
 pub mod packing;
 pub mod phone_model;

@@ -170,6 +170,7 @@ const LAYERS: &[Layers] = &[
             "viewpoint",
             "similarity",
             "report",
+            "flicker",
             "rates",
             "sorts",
             "soak",

@@ -11,6 +11,7 @@ mod drift;
 mod dropped;
 mod files;
 mod fit;
+mod flicker;
 mod fuzz;
 mod gltf_motion;
 mod governor;
@@ -59,6 +60,7 @@ fn main() -> ExitCode {
             files::rules,
             files::scans,
             fit,
+            flicker,
             fuzz,
             gltf_motion,
             gltf_motion::hostile,

@@ -177,7 +177,9 @@ fn bench_writes_what_it_measured_of_every_case() {
             "far",
             "far120",
             "far240",
-            "four"
+            "four",
+            "flicker",
+            "zoom"
         ]),
         "{names:?}"
     );
@@ -198,7 +200,8 @@ fn bench_writes_what_it_measured_of_every_case() {
             case["error"]
         );
         // What is small is held against what the area of each pixel shows.
-        let least = if name.starts_with("far") { 30.0 } else { 45.0 };
+        let is_small = name.starts_with("far") || ["flicker", "zoom"].contains(&name);
+        let least = if is_small { 30.0 } else { 45.0 };
         assert!(
             case["error"]["psnr_db"].as_f64() > Some(least),
             "{name}: {}",
@@ -315,6 +318,93 @@ fn a_sweep_draws_time_against_error() {
         message.contains("`full`") && message.contains("orbit"),
         "{message}"
     );
+}
+
+fn bench_measures_what_flickers() {
+    let folder = tempfile::tempdir().unwrap();
+    common::small_files(folder.path());
+    let what = "small.avatar --motion small.motion --spread 0 --json out.json --csv out.csv";
+    let said = works(
+        folder.path(),
+        &format!("bench {what} --size 460x460 --frames 9 --case flicker,zoom"),
+    );
+    let report = json(&folder.path().join("out.json"));
+    let cases = report["cases"].as_array().unwrap();
+    for case in cases {
+        let name = &case["name"];
+        let steps = case["flicker"]["steps"].as_array().unwrap();
+        let distances: Vec<_> = steps
+            .iter()
+            .map(|step| step["step"].as_u64().unwrap())
+            .collect();
+        assert_eq!(distances, [1, 7], "{name}");
+        for step in steps {
+            let mean = |of: &str| step[of]["mean"].as_f64().unwrap();
+            assert!(
+                step["compared"].as_f64() > Some(0.2)
+                    && mean("reference") > 0.0
+                    && mean("added") > 0.0
+                    && (mean("drawn") - mean("reference")).abs() <= mean("added"),
+                "{name}: {step}"
+            );
+            let residual = &step["drawn"];
+            assert!(
+                residual["flip"].as_f64() > Some(0.0)
+                    && residual["mean"].as_f64() < residual["p999"].as_f64()
+                    && residual["p999"].as_f64() <= residual["max"].as_f64(),
+                "{name}: {residual}"
+            );
+        }
+        assert!(
+            case["error"]["psnr_db"].as_f64() > Some(20.0),
+            "{name}: {}",
+            case["error"]
+        );
+    }
+    let sorted = &cases[0]["flicker"];
+    assert!(
+        sorted["sorting"]["psnr_db"].as_f64() > Some(20.0)
+            && sorted["steps"][0]["sorting"]["added"]["mean"].as_f64() > Some(0.0),
+        "{sorted}"
+    );
+    // From 451 to 20 px: twice as large from 400 px on, four times from 160 px on.
+    let pairs = cases[1]["flicker"]["pairs"].as_array().unwrap();
+    let samples = |pair: &serde_json::Value| [0, 1].map(|k| pair["shown"][k]["samples"].as_u64());
+    let switches: Vec<_> = pairs
+        .iter()
+        .filter(|pair| pair["to"].as_u64() == pair["from"].as_u64().map(|from| from + 1))
+        .map(samples)
+        .filter(|[before, after]| before != after)
+        .collect();
+    assert_eq!(switches, [[Some(1), Some(2)], [Some(2), Some(4)]]);
+    assert!(
+        said.contains("switch, frames ") && said.contains("sorted per pixel"),
+        "{said}"
+    );
+    let table = std::fs::read_to_string(folder.path().join("out.csv")).unwrap();
+    assert!(table.contains("added_flicker_7_p999"), "{table}");
+    works(
+        folder.path(),
+        &format!(
+            "bench {what} --size 64x64 --frames 9 --rounds 1 --case flicker --sweep keys,rows"
+        ),
+    );
+    let report = json(&folder.path().join("out.json"));
+    let added = |parameter: &str, value: &str| {
+        let points = report["sweep"]["points"].as_array().unwrap();
+        let point = points
+            .iter()
+            .find(|point| point["parameter"] == parameter && point["value"] == value)
+            .unwrap_or_else(|| panic!("{parameter} {value} is missing: {points:?}"));
+        point["flicker"]["steps"][1]["added"]["mean"]
+            .as_f64()
+            .unwrap()
+    };
+    assert!(
+        added("rows", "0") > 2.0 * added("default", ""),
+        "correctives that are gone are missed by nobody"
+    );
+    assert!(added("keys", "32") > 0.0);
 }
 
 fn bench_finds_the_worst_of_many_poses_and_views() {
@@ -516,6 +606,7 @@ tests! {
     a_range_of_frames_becomes_numbered_images,
     without_a_display_the_program_renders_a_turntable,
     bench_writes_what_it_measured_of_every_case,
+    bench_measures_what_flickers,
     bench_finds_the_worst_of_many_poses_and_views,
     a_sweep_draws_time_against_error,
     an_exported_pose_is_drawn_and_measured_from_its_cameras,

@@ -15,17 +15,13 @@ use effigy_core::{frame::RendererOptions, io::cameras, scene::Camera};
 use effigy_measure::bench::{
     BenchCase, BenchTask, Parameter, RenderSetting, measured, open,
     report::SweepReport,
-    scene::RATE,
+    scene::{RATE, default_frames},
     spread::{self, SpreadInputs},
     sweep::{Sweep, run_sweep},
 };
 use effigy_runtime::trace::Trace;
 use files::{ChartFile, JsonOutput};
 use std::{path::PathBuf, str::FromStr};
-
-/// Frames that are timed in a case, and in each round of a sweep, unless the user says otherwise.
-const FRAMES: usize = 48;
-const SWEEP_FRAMES: usize = 24;
 
 #[derive(clap::Args, Debug)]
 pub struct Args {
@@ -35,8 +31,8 @@ pub struct Args {
     /// --cameras]
     #[arg(long, value_name = "WxH", value_parser = options::size)]
     size: Option<[u32; 2]>,
-    /// Scenes to draw: all, or names out of full, camera, orbit, expression, static, close, far
-    /// and four, separated by commas [default: full]
+    /// Scenes to draw: all, or names out of full, camera, orbit, expression, static, close, far30,
+    /// far, far120, far240, four, flicker and zoom, separated by commas [default: full]
     #[arg(long, value_name = "NAME,NAME", value_parser = cases)]
     case: Vec<Cases>,
     /// Vary one parameter at a time, and measure the time and error of each value: all, or names
@@ -51,7 +47,8 @@ pub struct Args {
     /// --sweep names some
     #[arg(long, value_name = "FILE", value_parser = files::chart)]
     pareto: Vec<ChartFile>,
-    /// Frames to time, spread over the clip, 1 or more [default: 48; 24 in each round of a sweep]
+    /// Frames to time, spread over the clip, 1 or more [default: 48; 24 in each round of a sweep and
+    /// for flicker; 200 for zoom]
     #[arg(long, value_name = "N")]
     frames: Option<usize>,
     /// Frames to draw first, so that what follows is typical
@@ -62,10 +59,11 @@ pub struct Args {
     views: usize,
     /// Draw from each camera of this file, a cameras.json as 3DGS or mmlphuman writes it
     ///
-    /// The cases close, far and four keep their own cameras.
+    /// The cases close, far, four and zoom keep their own cameras.
     #[arg(long, value_name = "FILE", conflicts_with = "views")]
     cameras: Option<PathBuf>,
-    /// Frames to compare with the f64 reference, which takes seconds each
+    /// Frames to compare with the f64 reference, which takes seconds each; flicker and zoom choose
+    /// which, unless it is 0
     #[arg(long, value_name = "N", default_value_t = 4)]
     check: usize,
     /// Poses of each clip to compare with nothing skipped, from --views sides and at three
@@ -236,11 +234,11 @@ pub fn run(args: Args) -> anyhow::Result<()> {
         *camera = cameras::scaled(camera, size);
     }
     let mut job = args.job(size)?;
-    let task = BenchTask {
+    let task_of = |case: BenchCase, sweep: bool| BenchTask {
         avatar: &avatar,
         player,
         cameras: &cameras,
-        frames: args.frames.unwrap_or(FRAMES),
+        frames: args.frames.unwrap_or(default_frames(case, sweep)),
         views: args.views,
         checked: args.check,
         flip: args.flip,
@@ -251,7 +249,8 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     job.setting.options = gpu.tune(&avatar, player, job.setting.options, &mut |candidate| {
         bar.set_message(format!("trying {candidate}"));
     })?;
-    let mut report = task.report(&gpu, &job.setting, std::env::args().collect());
+    let any = task_of(job.sweep_case, false);
+    let mut report = any.report(&gpu, &job.setting, std::env::args().collect());
     let mut show = |what: &str, done: usize, all: usize| {
         bar.set_length(all as u64);
         bar.set_position(done as u64);
@@ -272,6 +271,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     };
     let mut trace = traced.map(|(_, gpu)| Trace::new(gpu));
     for &case in &job.cases {
+        let task = task_of(case, false);
         let measured =
             measured::measure_case(&gpu, &task, &job.setting, case, trace.as_mut(), &mut show)?;
         if !quiet {
@@ -295,10 +295,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
         files::keep(&report, args.json.as_ref())?;
     }
     if !job.parameters.is_empty() {
-        let task = BenchTask {
-            frames: args.frames.unwrap_or(SWEEP_FRAMES),
-            ..task
-        };
+        let task = task_of(job.sweep_case, true);
         let plan = Sweep {
             case: job.sweep_case,
             parameters: &job.parameters,

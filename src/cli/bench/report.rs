@@ -3,11 +3,15 @@
 use effigy_measure::bench::{
     BenchCase,
     report::{
-        BenchReport, CaseReport, ErrorReport, SpreadReport, StageReport, SweepReport,
-        TimingSummary, ViewReport,
+        BenchReport, CaseReport, ErrorReport, FlickerReport, SpreadReport, StageReport,
+        SweepReport, TimingSummary, ViewReport,
     },
 };
-use effigy_measure::{coverage::CLOSED, error::VISIBLE};
+use effigy_measure::{
+    coverage::CLOSED,
+    error::VISIBLE,
+    flicker::{PairReport, Residual},
+};
 
 /// Prints the device, the avatar and the settings.
 pub fn print_heading(report: &BenchReport) {
@@ -62,6 +66,9 @@ pub fn print_case(case: BenchCase, report: &CaseReport) {
     }
     if let Some(error) = &report.error {
         print_error(error);
+    }
+    if let Some(flicker) = &report.flicker {
+        print_flicker(flicker);
     }
 }
 
@@ -218,6 +225,86 @@ fn print_error(error: &ErrorReport) {
     );
 }
 
+/// Prints what changes from frame to frame, in 255ths, and what each switch changes.
+fn print_flicker(flicker: &FlickerReport) {
+    println!(
+        "  {:24}{:>10}{:>10}{:>10}{:>10}   changes in /255, FLIP",
+        "flicker", "mean", "99.9 %", "worst", "FLIP"
+    );
+    for step in &flicker.steps {
+        println!(
+            "  {} pairs {} apart, {:.1} % of the covered pixels",
+            step.pairs,
+            frames(step.step),
+            100.0 * step.compared
+        );
+        print_residual("drawn", &step.drawn);
+        print_residual("reference", &step.reference);
+        print_residual("added", &step.added);
+        if let Some(sorting) = &step.sorting {
+            print_residual("sorted per pixel", &sorting.per_pixel);
+            print_residual("added by centres", &sorting.added);
+        }
+        println!(
+            "    {:+.1} % to the mean of the reference",
+            100.0 * step.excess()
+        );
+    }
+    for pair in flicker.pairs.iter().filter(|pair| pair.switches()) {
+        print_switch(pair);
+    }
+    if let Some(sorting) = &flicker.sorting {
+        println!(
+            "  sorting   the reference by centres against each pixel's own order: {}, {:.4} at most",
+            decibels(sorting.psnr_db),
+            sorting.max_error
+        );
+    }
+}
+
+fn print_residual(name: &str, residual: &Residual) {
+    let flip = residual
+        .flip
+        .map_or("–".to_owned(), |flip| format!("{flip:.4}"));
+    println!(
+        "    {name:22}{:10.3}{:10.1}{:10.1}{flip:>10}",
+        255.0 * residual.mean,
+        255.0 * residual.p999,
+        255.0 * residual.max
+    );
+}
+
+/// Prints what a switch between two frames changes.
+fn print_switch(pair: &PairReport) {
+    let [from, to] = pair.shown;
+    let side = pair
+        .side
+        .map_or("near".to_owned(), |side| format!("{side:.0} px"));
+    println!(
+        "  switch, frames {} to {}, {side}: {} × {} to {} × {} Gaussians; mean {:.3}, the reference's \
+         {:.3}, added {:.3}, {:.1} at most",
+        pair.from,
+        pair.to,
+        from.samples,
+        number(f64::from(from.gaussians)),
+        to.samples,
+        number(f64::from(to.gaussians)),
+        255.0 * pair.drawn.mean,
+        255.0 * pair.reference.mean,
+        255.0 * pair.added.mean,
+        255.0 * pair.added.max,
+    );
+}
+
+/// A number of frames in words.
+fn frames(count: usize) -> String {
+    if count == 1 {
+        "1 frame".to_owned()
+    } else {
+        format!("{count} frames")
+    }
+}
+
 /// Prints the error over poses and views.
 pub fn print_spread(spread: &SpreadReport) {
     println!(
@@ -293,7 +380,31 @@ pub fn print_sweep(sweep: &SweepReport) {
             100.0 * point.error.within_tolerance,
         );
     }
+    if sweep.points.iter().any(|point| point.flicker.is_some()) {
+        print_sweep_flicker(sweep);
+    }
     for failure in &sweep.failed {
         println!("  not measured: {failure}");
+    }
+}
+
+/// Prints the flicker of a sweep's points: mean changes in 255ths, over each distance between frames.
+fn print_sweep_flicker(sweep: &SweepReport) {
+    println!("\n  flicker, in /255: mean and added mean, 99.9 % and worst of what is added, FLIP");
+    for point in &sweep.points {
+        let name = format!("{} {}", point.parameter, point.value);
+        let steps = point.flicker.iter().flat_map(|flicker| &flicker.steps);
+        for step in steps {
+            println!(
+                "  {name:22}{:>9}{:9.3} {:>+8.2} %{:9.3}{:9.1}{:9.1}{:>9.4}",
+                frames(step.step),
+                255.0 * step.drawn.mean,
+                100.0 * step.excess(),
+                255.0 * step.added.mean,
+                255.0 * step.added.p999,
+                255.0 * step.added.max,
+                step.drawn.flip.unwrap_or_default(),
+            );
+        }
     }
 }

@@ -5,7 +5,8 @@ use super::{
     project::{Culled, Gaussian, Splat},
     raster,
     raster::Canvas,
-    sh, sort,
+    ray, sh, sort,
+    sort::Sorting,
 };
 use crate::avatar::{Avatar, Filter};
 use crate::layout::compact::Neutral;
@@ -104,11 +105,7 @@ pub fn render_scene(avatar: &Avatar, instances: &[&Posed], camera: &Camera) -> F
 }
 
 /// The Gaussians of one avatar in several poses, with the colours that the camera sees.
-pub(super) fn gaussians_of(
-    avatar: &Avatar,
-    instances: &[&Posed],
-    camera: &Camera,
-) -> Vec<Gaussian> {
+pub fn gaussians_of(avatar: &Avatar, instances: &[&Posed], camera: &Camera) -> Vec<Gaussian> {
     instances
         .iter()
         .flat_map(|posed| {
@@ -138,7 +135,7 @@ pub fn render_supersampled(
 
 /// The image of Gaussians in the posed world, drawn `factor` times as large, at least 1, with a
 /// low-pass, and averaged.
-pub(super) fn average_of(
+pub fn average_of(
     gaussians: &[Gaussian],
     camera: &Camera,
     factor: u32,
@@ -148,21 +145,7 @@ pub(super) fn average_of(
     let mut splats = project::splats(gaussians, &larger, filter, 0);
     // Only the pixels that something is drawn into take memory.
     let scale = f64::from(factor);
-    let size = UVec2::from(camera.size).as_dvec2();
-    let rect = splats
-        .iter()
-        .flatten()
-        .map(|splat| PixelRect {
-            min: ((splat.center - splat.radius) / scale)
-                .floor()
-                .clamp(DVec2::ZERO, size)
-                .as_uvec2(),
-            max: ((splat.center + splat.radius) / scale)
-                .ceil()
-                .clamp(DVec2::ZERO, size)
-                .as_uvec2(),
-        })
-        .fold(PixelRect::EMPTY, PixelRect::union);
+    let rect = drawn_rect(&splats, scale, camera.size);
     let mut image = FrameImage::empty(camera.size);
     if rect.is_empty() {
         return image;
@@ -186,10 +169,46 @@ pub(super) fn average_of(
     image
 }
 
+/// A rectangle around all pixels that splats are drawn into, in an image of a size, px, that shows
+/// what they lie in `scale` times smaller.
+pub fn drawn_rect(splats: &[Result<Splat, Culled>], scale: f64, size: [u32; 2]) -> PixelRect {
+    let size = UVec2::from(size).as_dvec2();
+    splats
+        .iter()
+        .flatten()
+        .map(|splat| PixelRect {
+            min: ((splat.center - splat.radius) / scale)
+                .floor()
+                .clamp(DVec2::ZERO, size)
+                .as_uvec2(),
+            max: ((splat.center + splat.radius) / scale)
+                .ceil()
+                .clamp(DVec2::ZERO, size)
+                .as_uvec2(),
+        })
+        .fold(PixelRect::EMPTY, PixelRect::union)
+}
+
 /// The image of Gaussians in the posed world.
 pub fn render_gaussians(gaussians: &[Gaussian], camera: &Camera, filter: Filter) -> FrameImage {
+    render_sorted(gaussians, camera, filter, Sorting::Centers)
+}
+
+/// The image of Gaussians in the posed world, blended in the order that `sorting` names.
+pub fn render_sorted(
+    gaussians: &[Gaussian],
+    camera: &Camera,
+    filter: Filter,
+    sorting: Sorting,
+) -> FrameImage {
     let splats = project::splats(gaussians, camera, filter, 0);
-    raster::raster(&splats, &sort::order(&splats), camera).to_image()
+    let canvas = match sorting {
+        Sorting::Centers => raster::raster(&splats, &sort::order(&splats), camera),
+        Sorting::PerPixel => {
+            raster::raster_per_pixel(&splats, &ray::rays(gaussians, camera, filter), camera)
+        }
+    };
+    canvas.to_image()
 }
 
 /// The avatar in the posed world, with the colours that the camera sees.

@@ -13,15 +13,20 @@ pub mod occluder;
 pub mod present;
 pub mod project;
 pub mod raster;
+pub mod ray;
 pub mod saturation;
 pub mod sh;
 pub mod shown;
 pub mod sort;
+pub mod surface;
 
 pub use frame::{
-    ReferenceFrame, render, render_gaussians, render_scene, render_stored, render_supersampled,
-    stored,
+    ReferenceFrame, average_of, drawn_rect, gaussians_of, render, render_gaussians, render_scene,
+    render_sorted, render_stored, render_supersampled, stored,
 };
 pub use project::{Culled, Gaussian, Splat};
 pub use raster::Canvas;
+pub use ray::RayGaussian;
 pub use shown::render_shown;
+pub use sort::Sorting;
+pub use surface::{Carried, SurfaceView, carry};

@@ -1,6 +1,9 @@
 //! Stage `raster` (docs/model.md, step 10): premultiplied colour and coverage of every pixel.
 
-use super::project::{Culled, Splat};
+use super::{
+    project::{Culled, Splat},
+    ray::RayGaussian,
+};
 use crate::{
     constants::{ALPHA_MAX, ALPHA_MIN},
     scene::{Camera, FrameImage},
@@ -34,35 +37,100 @@ impl Canvas {
 
 /// Blends the splats of `order` over each other, back to front.
 pub fn raster(splats: &[Result<Splat, Culled>], order: &[u32], camera: &Camera) -> Canvas {
-    let [width, height] = camera.size.map(|side| side as usize);
     let drawn: Vec<DrawnSplat> = order
         .iter()
         .filter_map(|&k| splats[k as usize].as_ref().ok())
-        .map(|s| DrawnSplat::new(s, camera))
+        .map(|splat| DrawnSplat::new(splat, camera))
         .collect();
+    in_bands(camera.size, |band, pixels| {
+        for ellipse in &drawn {
+            ellipse.each_pixel(band, |at, _, alpha| ellipse.blend(alpha, &mut pixels[at]));
+        }
+    })
+}
+
+/// Blends splats over each other, back to front by the depth at which each is densest along the ray
+/// through the pixel, so that two that pass through each other change places where they meet. At
+/// equal depth the lower index is drawn first. `rays`: one a splat, of its Gaussian.
+pub fn raster_per_pixel(
+    splats: &[Result<Splat, Culled>],
+    rays: &[RayGaussian],
+    camera: &Camera,
+) -> Canvas {
+    struct Fragment {
+        depth: f64,
+        alpha: f64,
+        splat: usize,
+    }
+    let drawn: Vec<(DrawnSplat, RayGaussian)> = splats
+        .iter()
+        .zip(rays)
+        .filter_map(|(splat, ray)| Some((DrawnSplat::new(splat.as_ref().ok()?, camera), *ray)))
+        .collect();
+    in_bands(camera.size, |band, pixels| {
+        let mut fragments: Vec<Vec<Fragment>> = Vec::new();
+        fragments.resize_with(band.pixels(), Vec::new);
+        for (splat, (ellipse, ray)) in drawn.iter().enumerate() {
+            ellipse.each_pixel(band, |at, place, alpha| {
+                fragments[at].push(Fragment {
+                    depth: ray.peak(camera.ray(place)),
+                    alpha,
+                    splat,
+                });
+            });
+        }
+        for (fragments, pixel) in fragments.iter_mut().zip(pixels) {
+            // Stable: they come in the order of their indices.
+            fragments.sort_by(|a, b| b.depth.total_cmp(&a.depth));
+            for fragment in fragments {
+                drawn[fragment.splat].0.blend(fragment.alpha, pixel);
+            }
+        }
+    })
+}
+
+/// Some rows of an image.
+pub(super) struct Band {
+    /// The rows.
+    pub(super) rows: Range<usize>,
+    /// Columns of the image.
+    width: usize,
+}
+
+impl Band {
+    /// The bands of an image of a width and height, from the top.
+    pub(super) fn of(size: [u32; 2]) -> Vec<Self> {
+        let [width, height] = size.map(|side| side as usize);
+        (0..height)
+            .step_by(BAND)
+            .map(|start| Self {
+                rows: start..(start + BAND).min(height),
+                width,
+            })
+            .collect()
+    }
+
+    /// How many pixels it has.
+    pub(super) fn pixels(&self) -> usize {
+        self.rows.len() * self.width
+    }
+}
+
+/// Draws an image band by band, in parallel. `draw` gets the pixels of a band, still empty.
+fn in_bands(size: [u32; 2], draw: impl Fn(&Band, &mut [[f64; 4]]) + Sync) -> Canvas {
+    let [width, height] = size.map(|side| side as usize);
     let mut pixels = vec![[0.0; 4]; width * height];
     pixels
-        .par_chunks_mut(width * BAND)
-        .enumerate()
-        .for_each(|(band, pixels)| {
-            let rows = band * BAND..(band * BAND + pixels.len() / width);
-            for ellipse in &drawn {
-                for y in ellipse.rows_within(&rows) {
-                    ellipse.draw_row(y, &mut pixels[(y - rows.start) * width..][..width]);
-                }
-            }
-        });
-    Canvas {
-        size: camera.size,
-        pixels,
-    }
+        .par_chunks_mut((width * BAND).max(1))
+        .zip(Band::of(size))
+        .for_each(|(pixels, band)| draw(&band, pixels));
+    Canvas { size, pixels }
 }
 
 /// How much each splat contributes to the image: the sum over all pixels of its colour's squared
 /// weight; one number a splat. If the colours of splats have independent errors, each adds this
 /// many times its own squared error to the image's.
 pub fn contributions(splats: &[Result<Splat, Culled>], order: &[u32], camera: &Camera) -> Vec<f64> {
-    let [width, height] = camera.size.map(|side| side as usize);
     let ellipse = |&k: &u32| {
         Some((
             k as usize,
@@ -70,29 +138,18 @@ pub fn contributions(splats: &[Result<Splat, Culled>], order: &[u32], camera: &C
         ))
     };
     let near_to_far: Vec<(usize, DrawnSplat)> = order.iter().rev().filter_map(ellipse).collect();
-    let band = |start: usize| {
-        let rows = start..(start + BAND).min(height);
+    let sums = |band: &Band| {
         let mut sums = vec![0.0; splats.len()];
-        let mut transmittance = vec![1.0; rows.len() * width];
+        let mut transmittance = vec![1.0; band.pixels()];
         for (k, ellipse) in &near_to_far {
-            for y in ellipse.rows_within(&rows) {
-                let row = &mut transmittance[(y - rows.start) * width..][..width];
-                for x in ellipse.columns.clone() {
-                    let alpha = ellipse.alpha(x, y);
-                    if alpha >= ALPHA_MIN {
-                        sums[*k] += (alpha * row[x]).powi(2);
-                        row[x] *= 1.0 - alpha;
-                    }
-                }
-            }
+            ellipse.each_pixel(band, |at, _, alpha| {
+                sums[*k] += (alpha * transmittance[at]).powi(2);
+                transmittance[at] *= 1.0 - alpha;
+            });
         }
         sums
     };
-    let bands: Vec<Vec<f64>> = (0..height)
-        .into_par_iter()
-        .step_by(BAND)
-        .map(band)
-        .collect();
+    let bands: Vec<Vec<f64>> = Band::of(camera.size).par_iter().map(sums).collect();
     (0..splats.len())
         .map(|k| bands.iter().map(|band| band[k]).sum())
         .collect()
@@ -134,14 +191,19 @@ impl DrawnSplat {
         }
     }
 
-    /// The rows of pixels that both the ellipse and a band have.
-    fn rows_within(&self, band: &Range<usize>) -> Range<usize> {
-        self.rows.start.max(band.start)..self.rows.end.min(band.end)
-    }
-
-    /// α at a pixel's centre.
-    fn alpha(&self, x: usize, y: usize) -> f64 {
-        self.alpha_at(DVec2::new(x as f64 + 0.5, y as f64 + 0.5))
+    /// Calls `draw` for each pixel of a band where α is at least [`ALPHA_MIN`], with the pixel's index
+    /// in the band, its centre, px, and α.
+    pub(super) fn each_pixel(&self, band: &Band, mut draw: impl FnMut(usize, DVec2, f64)) {
+        let rows = self.rows.start.max(band.rows.start)..self.rows.end.min(band.rows.end);
+        for y in rows {
+            let first = (y - band.rows.start) * band.width;
+            for x in self.columns.clone() {
+                let center = DVec2::new(x as f64 + 0.5, y as f64 + 0.5);
+                if let Some(alpha) = self.visible_alpha_at(center) {
+                    draw(first + x, center, alpha);
+                }
+            }
+        }
     }
 
     /// α at a place, px, where it is at least [`ALPHA_MIN`].
@@ -157,13 +219,8 @@ impl DrawnSplat {
         (self.opacity * power.exp()).min(ALPHA_MAX)
     }
 
-    /// Blends over one row of the image: C = α c + (1 − α) C where α is at least 1/255.
-    fn draw_row(&self, y: usize, row: &mut [[f64; 4]]) {
-        for x in self.columns.clone() {
-            let alpha = self.alpha(x, y);
-            if alpha >= ALPHA_MIN {
-                row[x] = (alpha * self.color + (1.0 - alpha) * DVec4::from(row[x])).to_array();
-            }
-        }
+    /// Blends over a pixel: C = α c + (1 − α) C.
+    fn blend(&self, alpha: f64, pixel: &mut [f64; 4]) {
+        *pixel = (alpha * self.color + (1.0 - alpha) * DVec4::from(*pixel)).to_array();
     }
 }

@@ -1,6 +1,7 @@
 //! The pinhole camera. World coordinates have y up; camera coordinates have x right, y down and z
 //! forward, the convention of images and 3DGS.
 
+use super::PixelRect;
 use glam::{DAffine3, DMat3, DVec2, DVec3};
 
 /// A pinhole camera and the size of its image.
@@ -104,6 +105,20 @@ impl Camera {
     /// Projects a point in camera coordinates into the image, px.
     pub fn project(&self, p: DVec3) -> DVec2 {
         self.focal * p.truncate() / p.z + self.center
+    }
+
+    /// The point at depth 1 that is seen at a place of the image, px, in camera coordinates.
+    pub fn ray(&self, at: DVec2) -> DVec3 {
+        ((at - self.center) / self.focal).extend(1.0)
+    }
+
+    /// The camera whose image is a part of this one's. `rect`: that part, not empty.
+    pub fn cropped(&self, rect: PixelRect) -> Self {
+        Self {
+            center: self.center - rect.min.as_dvec2(),
+            size: (rect.max - rect.min).into(),
+            ..*self
+        }
     }
 
     /// Smallest and largest x/z and y/z that the perspective's derivative is clamped to.

@@ -31,11 +31,15 @@ pub enum BenchCase {
     Four,
     /// A crowd in motion, 60 px tall.
     Crowd,
+    /// Motion in real time before an orbiting camera, with the flicker of what is drawn.
+    Flicker,
+    /// The camera moves away from a still avatar, with the flicker of what is drawn.
+    Zoom,
 }
 
 impl BenchCase {
     /// Every case.
-    pub const ALL: [Self; 12] = [
+    pub const ALL: [Self; 14] = [
         Self::Full,
         Self::Camera,
         Self::Orbit,
@@ -48,6 +52,8 @@ impl BenchCase {
         Self::Far240,
         Self::Four,
         Self::Crowd,
+        Self::Flicker,
+        Self::Zoom,
     ];
 
     /// Name on the command line and in reports.
@@ -65,6 +71,8 @@ impl BenchCase {
             Self::Far240 => "far240",
             Self::Four => "four",
             Self::Crowd => "crowd",
+            Self::Flicker => "flicker",
+            Self::Zoom => "zoom",
         }
     }
 
@@ -85,6 +93,8 @@ impl BenchCase {
                 "four avatars in motion a metre apart, a slowly orbiting camera on all or one of them"
             }
             Self::Crowd => "64 avatars in motion, each 60 px tall, a slowly orbiting camera",
+            Self::Flicker => "motion in real time, a slowly orbiting camera; what flickers",
+            Self::Zoom => "a still avatar that grows smaller, from 2000 to 20 px; what flickers",
         }
     }
 
@@ -100,7 +110,13 @@ impl BenchCase {
     /// Whether frames follow each other at [`RATE`](super::scene::RATE), so that a pose can be held
     /// for several of them.
     pub fn in_real_time(self) -> bool {
-        matches!(self, Self::Orbit | Self::Close | Self::Four) || self.tall().is_some()
+        matches!(self, Self::Orbit | Self::Close | Self::Four | Self::Flicker)
+            || self.tall().is_some()
+    }
+
+    /// Whether the flicker of its frames is measured.
+    pub fn has_flicker(self) -> bool {
+        matches!(self, Self::Flicker | Self::Zoom)
     }
 
     /// How tall the avatar is in the image, px, where the case says so.
@@ -127,7 +143,7 @@ impl BenchCase {
 
     /// Whether the case keeps its own camera even if cameras are given.
     pub fn own_camera(self) -> bool {
-        matches!(self, Self::Close | Self::Four) || self.tall().is_some()
+        matches!(self, Self::Close | Self::Four | Self::Zoom) || self.tall().is_some()
     }
 }
 

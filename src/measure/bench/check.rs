@@ -121,7 +121,8 @@ pub fn check(
     })
 }
 
-fn covered_pixels(image: &FrameImage) -> usize {
+/// Pixels with an alpha of at least 1/255.
+pub(super) fn covered_pixels(image: &FrameImage) -> usize {
     let is_covered = |pixel: &&[f32; 4]| f64::from(pixel[3]) >= ALPHA_MIN;
     image.pixels.iter().filter(is_covered).count()
 }

@@ -180,6 +180,7 @@ mod tests {
             gpu_memory_bytes: Some(1 << 40),
             gpu_memory_used_bytes: Some(3),
             error: Some(error),
+            flicker: None,
         };
         let point = SweepPoint {
             parameter: text("keys"),
@@ -191,6 +192,7 @@ mod tests {
             gpu_ms: Some(ms),
             counters,
             error,
+            flicker: None,
             on_front: true,
         };
         BenchReport {

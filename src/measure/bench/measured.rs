@@ -4,7 +4,8 @@ use super::{
     backend::{BenchDevice, DeviceMemory, Result},
     case::BenchCase,
     check::{self, CheckResult, ReferenceImages},
-    report::{CaseReport, StageReport, TimingSummary},
+    flicker::{self, FlickerTruth},
+    report::{CaseReport, FlickerReport, StageReport, TimingSummary},
     run::{self, CaseRenderer, Progress, Samples},
     scene,
     task::BenchTask,
@@ -46,16 +47,28 @@ pub fn measure_case(
     }
     let memory = gpu.memory();
     let occluder = renderer.occluder_size();
-    let indices = scene::checks(case, scenes.len(), task.checked);
-    let checked = check::check(
-        &mut renderer,
-        case,
-        &scenes,
-        &indices,
-        &mut ReferenceImages::new(task.avatar),
-        task.flip,
-        &mut |what, done, all| progress(&format!("{case}: {what}"), done, all),
-    )?;
+    let mut told =
+        |what: &str, done: usize, all: usize| progress(&format!("{case}: {what}"), done, all);
+    let (checked, flicker) = if case.has_flicker() && task.checked > 0 {
+        let filter = setting.options.filter;
+        let mut truth = FlickerTruth::new(case, task.avatar, filter, case == BenchCase::Flicker);
+        let measured =
+            flicker::measure_flicker(&mut renderer, &scenes, &mut truth, task.flip, &mut told)?;
+        (measured.checked, Some(measured.report))
+    } else {
+        let indices = scene::checks(case, scenes.len(), task.checked);
+        let mut images = ReferenceImages::new(task.avatar);
+        let checked = check::check(
+            &mut renderer,
+            case,
+            &scenes,
+            &indices,
+            &mut images,
+            task.flip,
+            &mut told,
+        )?;
+        (checked, None)
+    };
     // Counting takes time, so it is done by a renderer of its own.
     drop(renderer);
     let mut counting_renderer = CaseRenderer::new(gpu, &avatar, setting, case, true)?;
@@ -69,6 +82,7 @@ pub fn measure_case(
         samples,
         counters: counters(&counted),
         checked,
+        flicker,
         memory,
         is_timed: gpu.is_timed(),
         occluder,
@@ -85,6 +99,7 @@ struct MeasuredCase<'a> {
     samples: Samples,
     counters: BTreeMap<String, f64>,
     checked: CheckResult,
+    flicker: Option<FlickerReport>,
     memory: DeviceMemory,
     /// Whether the device has timestamps.
     is_timed: bool,
@@ -128,6 +143,7 @@ impl MeasuredCase<'_> {
             gpu_memory_bytes: Some(self.memory.allocated),
             gpu_memory_used_bytes: Some(self.memory.used),
             error: self.checked.error,
+            flicker: self.flicker,
         }
     }
 

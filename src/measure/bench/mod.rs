@@ -2,7 +2,7 @@
 //! come out.
 //!
 //! [`case`] names what is drawn, [`scene`] builds the scenes, [`run`] times them, [`check`]
-//! compares them with the reference, and [`measured`] puts a case's report together. [`spread`]
+//! compares them with the reference, [`mod@flicker`] each with the next, and [`measured`] puts a case's report together. [`spread`]
 //! compares many poses and views with nothing skipped. [`sweep`] varies the [`parameter`]s that
 //! trade time for error one at a time, [`pareto`] finds the settings on the Pareto front, and
 //! [`plot`] draws them. [`task`] says what to draw, and through which [`backend`]. [`report`] is the
@@ -12,6 +12,8 @@ pub mod backend;
 pub mod case;
 pub mod check;
 pub mod compare;
+pub mod flicker;
+pub mod flicker_pairs;
 mod label;
 pub mod measured;
 pub mod parameter;

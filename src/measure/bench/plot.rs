@@ -309,6 +309,7 @@ mod tests {
                         psnr_db,
                         ..ErrorReport::NONE
                     },
+                    flicker: None,
                     on_front,
                 }
             };

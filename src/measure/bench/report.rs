@@ -1,6 +1,9 @@
 //! The report of a benchmark. [`BenchReport`] is the whole JSON file; the fields are its keys.
 
-pub use crate::report::{DeviceReport, ErrorReport, OptionsReport, Program, Subject};
+pub use crate::{
+    flicker::FlickerReport,
+    report::{DeviceReport, ErrorReport, OptionsReport, Program, Subject},
+};
 use serde::{Deserialize, Deserializer, Serialize};
 use std::collections::BTreeMap;
 
@@ -95,6 +98,10 @@ pub struct CaseReport {
     pub gpu_memory_used_bytes: Option<u64>,
     /// Error against the f64 reference. Null if no frame was compared.
     pub error: Option<ErrorReport>,
+    /// What changes from frame to frame that should not. Null in cases that don't measure it, and in
+    /// reports from before 26 November 2026.
+    #[serde(default)]
+    pub flicker: Option<FlickerReport>,
 }
 
 /// One stage of a case. Bytes and operations are computed, not measured (see
@@ -208,6 +215,9 @@ pub struct SweepPoint {
     pub counters: BTreeMap<String, f64>,
     /// Error against the f64 reference.
     pub error: ErrorReport,
+    /// As in [`CaseReport::flicker`].
+    #[serde(default)]
+    pub flicker: Option<FlickerReport>,
     /// Whether no other point is both faster and closer to the reference.
     pub on_front: bool,
 }

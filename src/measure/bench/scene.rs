@@ -4,7 +4,7 @@
 //! [`BenchCase::Full`] jumps through the clip and around the avatar, so that no frame resembles the
 //! one before. The other moving cases run in real time at [`RATE`], as in a viewer, but in takes of
 //! [`TAKE`] frames from places spread over the clip, each from another side: so even a short run
-//! measures more than one step seen from one side.
+//! measures more than one step seen from one side. A zoom has no takes.
 
 use super::case::BenchCase;
 use crate::{
@@ -27,6 +27,11 @@ pub const TAKE: usize = 12;
 const ORBIT_STEP: f64 = TAU / 720.0;
 /// Distance from the camera to the face in a close-up, metres: a forearm.
 const FOREARM: f64 = 0.45;
+
+/// Height of the avatar in the first and last frame of a zoom, px, in an image that has room for it.
+const ZOOM: [f64; 2] = [2000.0, 20.0];
+/// Most of an image's height that it takes.
+const ZOOM_SHARE: f64 = 0.98;
 
 /// One avatar of a scene.
 #[derive(Clone, Debug)]
@@ -97,6 +102,26 @@ fn scene(case: BenchCase, inputs: &SceneInputs, bounds: &AvatarBounds, frame: us
     }
 }
 
+/// Frames of a case unless the user says otherwise. `sweep`: in each round of a sweep.
+pub fn default_frames(case: BenchCase, sweep: bool) -> usize {
+    match case {
+        BenchCase::Zoom => 200,
+        BenchCase::Flicker => 2 * TAKE,
+        _ if sweep => 24,
+        _ => 48,
+    }
+}
+
+/// How tall the avatar is in the image, px, where the case says so.
+fn tall(case: BenchCase, inputs: &SceneInputs, frame: usize) -> Option<f64> {
+    if case != BenchCase::Zoom {
+        return case.tall();
+    }
+    let [first, last] = ZOOM.map(|tall| tall.min(ZOOM_SHARE * f64::from(inputs.size[1])));
+    let share = frame as f64 / (inputs.frames.max(2) - 1) as f64;
+    Some(first * (last / first).powf(share))
+}
+
 /// Which of `frames` scenes to compare with the reference: `count` of them, spread over the run and
 /// over the views; while poses are held, at the end of the hold rather than at its start.
 pub fn checks(case: BenchCase, frames: usize, count: usize) -> Vec<usize> {
@@ -118,7 +143,9 @@ fn seconds(case: BenchCase, inputs: &SceneInputs, frame: usize) -> f64 {
     let duration = inputs.player.clip().duration();
     match case {
         BenchCase::Full => duration * frame as f64 / inputs.frames as f64,
-        BenchCase::Camera | BenchCase::Expression | BenchCase::Static => 0.5 * duration,
+        BenchCase::Camera | BenchCase::Expression | BenchCase::Static | BenchCase::Zoom => {
+            0.5 * duration
+        }
         _ => {
             let takes = inputs.frames.div_ceil(TAKE);
             let start =
@@ -159,10 +186,10 @@ fn camera(case: BenchCase, inputs: &SceneInputs, bounds: &AvatarBounds, frame: u
         return close_up(inputs, bounds, frame);
     }
     // Within a take the camera does not follow the avatar's steps.
-    let framed = if case == BenchCase::Full {
-        frame
-    } else {
-        frame - frame % TAKE
+    let framed = match case {
+        BenchCase::Full => frame,
+        BenchCase::Zoom => 0,
+        _ => frame - frame % TAKE,
     };
     let mut min = DVec3::INFINITY;
     let mut max = DVec3::NEG_INFINITY;
@@ -174,18 +201,23 @@ fn camera(case: BenchCase, inputs: &SceneInputs, bounds: &AvatarBounds, frame: u
     }
     let view = match case {
         BenchCase::Full => frame % inputs.views,
-        BenchCase::Static | BenchCase::Expression => 0,
+        BenchCase::Static | BenchCase::Expression | BenchCase::Zoom => 0,
         _ => frame / TAKE % inputs.views,
     };
-    let orbit = if case == BenchCase::Full || !case.camera_moves() {
+    let orbit = if matches!(case, BenchCase::Full | BenchCase::Zoom) || !case.camera_moves() {
         0.0
     } else {
         ORBIT_STEP * (frame % TAKE) as f64
     };
     let mut distance = Camera::framing_distance([min, max], FOV, inputs.size);
-    if let Some(tall) = case.tall() {
+    if let Some(tall) = tall(case, inputs, frame) {
         let focal = 0.5 * f64::from(inputs.size[1]) / (0.5 * FOV).tan();
-        distance = distance.max(focal * (max.y - min.y) / tall);
+        let asked = focal * (max.y - min.y) / tall;
+        distance = if case == BenchCase::Zoom {
+            asked
+        } else {
+            distance.max(asked)
+        };
     }
     let yaw = viewpoint::yaw_of_view(view, inputs.views) + orbit;
     Camera::orbit((min + max) / 2.0, yaw, PITCH, distance, FOV, inputs.size)
@@ -280,6 +312,8 @@ mod tests {
             assert_eq!(of(BenchCase::Camera), expected(false, false, true));
             assert_eq!(of(BenchCase::Expression), expected(false, true, false));
             assert_eq!(of(BenchCase::Static), expected(false, false, false));
+            assert_eq!(of(BenchCase::Flicker), expected(true, true, true));
+            assert_eq!(of(BenchCase::Zoom), expected(false, false, true));
             let still = scenes(BenchCase::Static, &inputs);
             assert!(still.iter().all(|scene| scene.instances[0].drawn.input
                 == still[0].instances[0].drawn.input
@@ -290,11 +324,13 @@ mod tests {
     #[test]
     fn far_avatars_and_close_faces_have_their_distance() {
         with_demo(12, 1, |inputs| {
+            let bounds = |scene: &BenchScene| {
+                upright(AvatarBounds::new(inputs.avatar).bounds(&scene.instances[0].drawn.joints))
+            };
+            let middle = |scene: &BenchScene| bounds(scene).into_iter().sum::<DVec3>() / 2.0;
             let height = |case| {
                 let scene = &scenes(case, &inputs)[0];
-                let [min, max] = upright(
-                    AvatarBounds::new(inputs.avatar).bounds(&scene.instances[0].drawn.joints),
-                );
+                let [min, max] = bounds(scene);
                 let middle = (min + max) / 2.0;
                 let at = |y| {
                     scene
@@ -319,6 +355,21 @@ mod tests {
                 }
             }
             assert!(height(BenchCase::Orbit) > 120.0);
+            let zoom = scenes(BenchCase::Zoom, &inputs);
+            let distances = zoom
+                .iter()
+                .map(|scene| scene.camera.eye().distance(middle(scene)));
+            let ratios: Vec<f64> = distances
+                .collect::<Vec<_>>()
+                .windows(2)
+                .map(|pair| pair[1] / pair[0])
+                .collect();
+            // 235 px at first, 20 at last, and each frame smaller than the last by one factor.
+            let ratio = (ZOOM_SHARE * 240.0 / 20.0).powf(1.0 / 11.0);
+            assert!(
+                ratios.iter().all(|own| (own - ratio).abs() < 1e-9),
+                "{ratios:?}, expected {ratio}"
+            );
             let skeleton = &inputs.avatar.skeleton;
             let head = skeleton
                 .name

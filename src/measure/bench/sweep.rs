@@ -10,6 +10,7 @@ use super::{
     backend::{BenchDevice, Result},
     case::BenchCase,
     check::{self, ReferenceImages},
+    flicker::{self, FlickerTruth},
     measured,
     parameter::{Parameter, ParameterValue},
     pareto::{Candidate, front},
@@ -53,6 +54,7 @@ pub fn run_sweep(
         task,
         sweep,
         reference_images: ReferenceImages::new(task.avatar),
+        flicker_truth: FlickerTruth::new(sweep.case, task.avatar, sweep.base.options.filter, false),
         failed: Vec::new(),
     };
     let mut groups = Vec::new();
@@ -96,6 +98,7 @@ struct SweepRun<'a> {
     task: &'a BenchTask<'a>,
     sweep: &'a Sweep<'a>,
     reference_images: ReferenceImages<'a>,
+    flicker_truth: FlickerTruth<'a>,
     /// Settings that the device can't draw with, and why.
     failed: Vec<String>,
 }
@@ -180,16 +183,29 @@ impl SweepRun<'_> {
     ) -> Result<SweepPoint> {
         let case = self.sweep.case;
         let title = format!("{} {}", entry.parameter, entry.value);
-        let indices = scene::checks(case, entry.scenes.len(), self.task.checked);
-        let checked = check::check(
-            &mut entry.renderer,
-            case,
-            &entry.scenes,
-            &indices,
-            &mut self.reference_images,
-            self.task.flip,
-            &mut |what, done, all| progress(&format!("{title}: {what}"), done, all),
-        )?;
+        let mut told =
+            |what: &str, done: usize, all: usize| progress(&format!("{title}: {what}"), done, all);
+        let (checked, flicker) = if case.has_flicker() {
+            let measured = flicker::measure_flicker(
+                &mut entry.renderer,
+                &entry.scenes,
+                &mut self.flicker_truth,
+                self.task.flip,
+                &mut told,
+            )?;
+            (measured.checked, Some(measured.report))
+        } else {
+            let checked = check::check(
+                &mut entry.renderer,
+                case,
+                &entry.scenes,
+                &scene::checks(case, entry.scenes.len(), self.task.checked),
+                &mut self.reference_images,
+                self.task.flip,
+                &mut told,
+            )?;
+            (checked, None)
+        };
         // Counting takes time, so it is done by a renderer of its own.
         drop(entry.renderer);
         let avatar = entry.setting.reduce(self.task.avatar);
@@ -217,6 +233,7 @@ impl SweepRun<'_> {
             gpu_ms: entry.is_timed.then_some(gpu_ms),
             counters: measured::counters(&counted),
             error: checked.error.unwrap_or(ErrorReport::NONE),
+            flicker,
             on_front: false,
         })
     }
@@ -306,6 +323,7 @@ mod tests {
                 psnr_db: Some(psnr_db),
                 ..ErrorReport::NONE
             },
+            flicker: None,
             on_front: false,
         }
     }

@@ -1,7 +1,7 @@
 //! A report as rows of named numbers: the contents of the CSV, and what two reports are compared
 //! by.
 
-use super::report::{BenchReport, CaseReport, ErrorReport, StageReport, SweepPoint};
+use super::report::{BenchReport, CaseReport, ErrorReport, FlickerReport, StageReport, SweepPoint};
 
 /// A named number.
 #[derive(Clone, Debug, PartialEq)]
@@ -75,6 +75,23 @@ impl TableRow {
         self.add("max_error_whole", error.max_error_whole);
         self.add_known("flip", error.flip);
     }
+
+    fn add_flicker(&mut self, flicker: &FlickerReport) {
+        for step in &flicker.steps {
+            let series = [
+                ("flicker", step.drawn),
+                ("own_flicker", step.reference),
+                ("added_flicker", step.added),
+            ];
+            for (name, residual) in series {
+                let name = |of: &str| format!("{name}_{}_{of}", step.step);
+                self.add(name("mean"), residual.mean);
+                self.add(name("p999"), residual.p999);
+                self.add(name("max"), residual.max);
+                self.add_known(name("flip"), residual.flip);
+            }
+        }
+    }
 }
 
 /// Cases first, then the sweep's points.
@@ -116,6 +133,9 @@ fn case_row(case: &CaseReport) -> TableRow {
     if let Some(error) = &case.error {
         row.add_error(error);
     }
+    if let Some(flicker) = &case.flicker {
+        row.add_flicker(flicker);
+    }
     row
 }
 
@@ -142,6 +162,9 @@ fn point_row(case: &str, point: &SweepPoint) -> TableRow {
         row.add(name, value);
     }
     row.add_error(&point.error);
+    if let Some(flicker) = &point.flicker {
+        row.add_flicker(flicker);
+    }
     row.add("on_front", f64::from(u8::from(point.on_front)));
     row
 }
