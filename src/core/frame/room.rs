@@ -109,6 +109,14 @@ impl Room {
         })
     }
 
+    /// Room for all of so many avatars, for plans that are only looked at.
+    pub fn unlimited(avatars: usize) -> Self {
+        Self {
+            gaussians: u32::MAX,
+            posed: avatars,
+        }
+    }
+
     /// Draws avatars coarser until they fit: always the one with the most Gaussians a pixel of its
     /// box. `sides`: the longest side of each in the image, px.
     pub fn fit(&self, portions: &mut [Portion], sides: &[f64], bounds: &AvatarBounds) {

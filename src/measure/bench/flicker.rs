@@ -23,7 +23,7 @@ use crate::{
 };
 use effigy_core::{
     avatar::{Avatar, Filter},
-    frame::{FrameState, PlanInput, RendererOptions},
+    frame::{FrameState, PlanInput, RendererOptions, room::Room},
     reference::{self, Gaussian, Sorting, SurfaceView},
     scene::{AvatarBounds, PartDependencies, PixelRect},
 };
@@ -274,6 +274,7 @@ fn shown(
             bounds,
             dependencies: &dependencies,
             options,
+            room: Room::unlimited(poses.len()),
             has_occluder: false,
             always_submit: false,
         });

@@ -106,10 +106,7 @@ impl ImageBound {
             bounds: &bounds,
             dependencies: &dependencies,
             options,
-            room: Room {
-                gaussians: u32::MAX,
-                posed: 1,
-            },
+            room: Room::unlimited(1),
             has_occluder,
             always_submit: true,
         });
