@@ -187,7 +187,7 @@ fn a_body_that_turns_as_a_whole_has_nearly_no_residual() {
     let error = effigy_measure::error::between(&images[0].image, &images[1].image);
     let still = 10f64.powf(-error.covered.psnr_db / 20.0);
     assert!(
-        carried.mean < 0.004 && carried.mean < 0.2 * still,
+        carried.mean < 0.004 && carried.mean < 0.3 * still,
         "{carried:?}, {still} without carrying"
     );
 }
