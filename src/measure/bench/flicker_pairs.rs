@@ -125,7 +125,7 @@ mod tests {
                 "{frames} frames"
             );
         }
-        let mut frames: Vec<usize> = pairs(BenchCase::Flicker, &vec![shown(1); 24])
+        let mut frames: Vec<usize> = pairs(BenchCase::Flicker, &[shown(1); 24])
             .iter()
             .flat_map(|pair| [pair.from, pair.to])
             .collect();
