@@ -1,6 +1,6 @@
-//! What flickers, against cases worked out by hand: surfaces are carried to where they are, a planted
-//! pop is found, and what only moves is not one. Pixels that sort for themselves differ where
-//! Gaussians pass through each other, and nowhere else.
+//! What flickers, against cases worked out by hand: surfaces are carried to where they are, a
+//! planted pop is found, and what only moves is not one. Pixels that sort for themselves differ
+//! where Gaussians pass through each other, and nowhere else.
 
 use crate::common::{self, Sizes};
 use effigy_core::{
@@ -25,7 +25,8 @@ fn camera() -> Camera {
     }
 }
 
-/// A disc, two metres away, that faces the camera before it is turned: 8 px in deviation across, 6 down.
+/// A disc, two metres away, that faces the camera before it is turned: 8 px in deviation across, 6
+/// down.
 fn disc(at: DVec3, turned: DQuat, color: DVec3, opacity: u8) -> Gaussian {
     Gaussian {
         mean: at + 2.0 * DVec3::Z,
