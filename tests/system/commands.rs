@@ -324,13 +324,18 @@ fn bench_measures_what_flickers() {
     let folder = tempfile::tempdir().unwrap();
     common::small_files(folder.path());
     let what = "small.avatar --motion small.motion --spread 0 --json out.json --csv out.csv";
-    let said = works(
-        folder.path(),
-        &format!("bench {what} --size 460x460 --frames 9 --case flicker,zoom"),
-    );
-    let report = json(&folder.path().join("out.json"));
-    let cases = report["cases"].as_array().unwrap();
-    for case in cases {
+    let measured = ["flicker --size 720x720", "zoom --size 460x460"].map(|case| {
+        let said = works(
+            folder.path(),
+            &format!("bench {what} --frames 9 --case {case}"),
+        );
+        let mut report = json(&folder.path().join("out.json"));
+        (said, report["cases"][0].take())
+    });
+    let table = std::fs::read_to_string(folder.path().join("out.csv")).unwrap();
+    assert!(table.contains("added_flicker_7_p999"), "{table}");
+    let [(said, flicker), (said_of_zoom, zoom)] = measured;
+    for case in [&flicker, &zoom] {
         let name = &case["name"];
         let steps = case["flicker"]["steps"].as_array().unwrap();
         let distances: Vec<_> = steps
@@ -338,10 +343,12 @@ fn bench_measures_what_flickers() {
             .map(|step| step["step"].as_u64().unwrap())
             .collect();
         assert_eq!(distances, [1, 7], "{name}");
+        // In so few frames a zoom shrinks the body to a tenth over 7: hardly a pixel finds back.
+        let is_far = |step: &serde_json::Value| name == "zoom" && step["step"] == 7;
         for step in steps {
             let mean = |of: &str| step[of]["mean"].as_f64().unwrap();
             assert!(
-                step["compared"].as_f64() > Some(0.2)
+                (step["compared"].as_f64() > Some(0.1) || is_far(step))
                     && mean("reference") > 0.0
                     && mean("added") > 0.0
                     && (mean("drawn") - mean("reference")).abs() <= mean("added"),
@@ -361,14 +368,14 @@ fn bench_measures_what_flickers() {
             case["error"]
         );
     }
-    let sorted = &cases[0]["flicker"];
+    let sorted = &flicker["flicker"];
     assert!(
         sorted["sorting"]["psnr_db"].as_f64() > Some(20.0)
             && sorted["steps"][0]["sorting"]["added"]["mean"].as_f64() > Some(0.0),
         "{sorted}"
     );
     // From 451 to 20 px: twice as large from 400 px on, four times from 160 px on.
-    let pairs = cases[1]["flicker"]["pairs"].as_array().unwrap();
+    let pairs = zoom["flicker"]["pairs"].as_array().unwrap();
     let samples = |pair: &serde_json::Value| [0, 1].map(|k| pair["shown"][k]["samples"].as_u64());
     let switches: Vec<_> = pairs
         .iter()
@@ -378,15 +385,13 @@ fn bench_measures_what_flickers() {
         .collect();
     assert_eq!(switches, [[Some(1), Some(2)], [Some(2), Some(4)]]);
     assert!(
-        said.contains("switch, frames ") && said.contains("sorted per pixel"),
-        "{said}"
+        said_of_zoom.contains("switch, frames ") && said.contains("sorted per pixel"),
+        "{said} {said_of_zoom}"
     );
-    let table = std::fs::read_to_string(folder.path().join("out.csv")).unwrap();
-    assert!(table.contains("added_flicker_7_p999"), "{table}");
     works(
         folder.path(),
         &format!(
-            "bench {what} --size 64x64 --frames 9 --rounds 1 --case flicker --sweep keys,rows"
+            "bench {what} --size 64x64 --frames 9 --rounds 1 --case flicker --sweep keys,pose-rate"
         ),
     );
     let report = json(&folder.path().join("out.json"));
@@ -401,8 +406,8 @@ fn bench_measures_what_flickers() {
             .unwrap()
     };
     assert!(
-        added("rows", "0") > 2.0 * added("default", ""),
-        "correctives that are gone are missed by nobody"
+        added("pose-rate", "10 Hz") > 2.0 * added("default", ""),
+        "poses that are held are seen by nobody"
     );
     assert!(added("keys", "32") > 0.0);
 }

@@ -47,8 +47,8 @@ pub struct Args {
     /// --sweep names some
     #[arg(long, value_name = "FILE", value_parser = files::chart)]
     pareto: Vec<ChartFile>,
-    /// Frames to time, spread over the clip, 1 or more [default: 48; 24 in each round of a sweep and
-    /// for flicker; 200 for zoom]
+    /// Frames to time, spread over the clip, 1 or more [default: 48; 24 in each round of a sweep
+    /// and for flicker; 200 for zoom]
     #[arg(long, value_name = "N")]
     frames: Option<usize>,
     /// Frames to draw first, so that what follows is typical

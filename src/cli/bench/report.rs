@@ -255,7 +255,7 @@ fn print_flicker(flicker: &FlickerReport) {
     }
     if let Some(sorting) = &flicker.sorting {
         println!(
-            "  sorting   the reference by centres against each pixel's own order: {}, {:.4} at most",
+            "  sorting   by centres against each pixel's own order, both the reference's: {}, {:.4} at most",
             decibels(sorting.psnr_db),
             sorting.max_error
         );
@@ -388,7 +388,8 @@ pub fn print_sweep(sweep: &SweepReport) {
     }
 }
 
-/// Prints the flicker of a sweep's points: mean changes in 255ths, over each distance between frames.
+/// Prints the flicker of a sweep's points: mean changes in 255ths, over each distance between
+/// frames.
 fn print_sweep_flicker(sweep: &SweepReport) {
     println!("\n  flicker, in /255: mean and added mean, 99.9 % and worst of what is added, FLIP");
     for point in &sweep.points {

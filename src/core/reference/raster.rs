@@ -191,8 +191,8 @@ impl DrawnSplat {
         }
     }
 
-    /// Calls `draw` for each pixel of a band where α is at least [`ALPHA_MIN`], with the pixel's index
-    /// in the band, its centre, px, and α.
+    /// Calls `draw` for each pixel of a band where α is at least [`ALPHA_MIN`], with the pixel's
+    /// index in the band, its centre, px, and α.
     pub(super) fn each_pixel(&self, band: &Band, mut draw: impl FnMut(usize, DVec2, f64)) {
         let rows = self.rows.start.max(band.rows.start)..self.rows.end.min(band.rows.end);
         for y in rows {

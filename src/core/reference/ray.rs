@@ -1,13 +1,13 @@
-//! Where a Gaussian is densest along a ray of the camera: the depth by which each pixel can sort for
-//! itself, and the point of the surface that the pixel shows of it.
+//! Where a Gaussian is densest along a ray of the camera: the depth by which each pixel can sort
+//! for itself, and the point of the surface that the pixel shows of it.
 
 use super::project::Gaussian;
 use crate::{avatar::Filter, scene::Camera};
 use glam::{DMat3, DVec3};
 
-/// A Gaussian of the posed world in camera coordinates, as wide as it is drawn: with the low-pass as a
-/// variance in space, so that one much thinner than a pixel is densest near itself for every ray
-/// that it is drawn for.
+/// A Gaussian of the posed world in camera coordinates, as wide as it is drawn: with the low-pass
+/// as a variance in space, so that one much thinner than a pixel is densest near itself for every
+/// ray that it is drawn for.
 #[derive(Clone, Copy, Debug)]
 pub struct RayGaussian {
     /// Σ⁻¹, 1/m².

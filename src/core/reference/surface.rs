@@ -1,9 +1,9 @@
-//! Where what a pixel shows lies in another frame: the front surface, carried exactly by the motion of
-//! the Gaussians that the pixel shows.
+//! Where what a pixel shows lies in another frame: the front surface, carried exactly by the motion
+//! of the Gaussians that the pixel shows.
 //!
 //! A Gaussian shows at a pixel where it is densest along the pixel's ray ([`RayGaussian::peak`]).
-//! That point moves with its Gaussian: its place along the axes, in standard deviations, stays. What
-//! a pixel shows is the mean of these points by their blending weights.
+//! That point moves with its Gaussian: its place along the axes, in standard deviations, stays.
+//! What a pixel shows is the mean of these points by their blending weights.
 
 use super::{
     project,
@@ -45,14 +45,14 @@ pub struct Carried {
     pub at: [f32; 2],
     /// Mean depth in the other frame, metres.
     pub depth_there: f32,
-    /// Root mean square distance of the places from their mean, px. It is large where one pixel shows
-    /// surfaces that part, and infinite where some of them are not before the other camera.
+    /// Root mean square distance of the places from their mean, px. It is large where one pixel
+    /// shows surfaces that part, and infinite where some of them are not before the other camera.
     pub spread: f32,
 }
 
-/// Carries what each pixel of a rectangle of a frame shows to another frame; row by row from the top
-/// left. `samples`: rays a pixel along each axis, 1, 2, 4 or 8. With more than one the surface is
-/// that of the image drawn so many times as large, and each pixel has the mean of its rays.
+/// Carries what each pixel of a rectangle of a frame shows to another frame; row by row from the
+/// top left. `samples`: rays a pixel along each axis, 1, 2, 4 or 8. With more than one the surface
+/// is that of the image drawn so many times as large, and each pixel has the mean of its rays.
 ///
 /// # Panics
 /// Where the frames have different numbers of Gaussians.
@@ -109,8 +109,8 @@ struct Surfel {
     motion: DMat3,
 }
 
-/// The Gaussians that a frame shows, near to far. `camera`: its camera, or one that sees a part of it
-/// enlarged.
+/// The Gaussians that a frame shows, near to far. `camera`: its camera, or one that sees a part of
+/// it enlarged.
 fn surfels(from: &SurfaceView, to: &SurfaceView, camera: &Camera) -> Vec<Surfel> {
     let splats = project::splats(from.gaussians, camera, from.filter, 0);
     sort::order(&splats)
@@ -158,8 +158,8 @@ struct Sum {
 }
 
 impl Sum {
-    /// Adds what a surfel shows at a place. `here`: the place in the frame's image, px; `place`: the
-    /// same in the image of `camera`.
+    /// Adds what a surfel shows at a place. `here`: the place in the frame's image, px; `place`:
+    /// the same in the image of `camera`.
     fn add(
         &mut self,
         weight: f64,

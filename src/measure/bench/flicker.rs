@@ -1,8 +1,9 @@
-//! The flicker of a case: a renderer and the case's scenes go in; what changes from frame to frame in
-//! its images, and in the reference's, comes out.
+//! The flicker of a case: a renderer and the case's scenes go in; what changes from frame to frame
+//! in its images, and in the reference's, comes out.
 //!
-//! Every frame is drawn, so that what a frame takes over from the one before counts; the reference's
-//! images, which take seconds, are of the frames of [`flicker_pairs`](super::flicker_pairs).
+//! Every frame is drawn, so that what a frame takes over from the one before counts; the
+//! reference's images, which take seconds, are of the frames of
+//! [`flicker_pairs`](super::flicker_pairs).
 
 use super::{
     backend::Result,
@@ -293,8 +294,8 @@ fn shown(
     scenes.iter().map(plan).collect()
 }
 
-/// Draws a case's scenes in order and measures what flickers. `flip`: whether to compute FLIP of the
-/// error too; that of the flicker always is.
+/// Draws a case's scenes in order and measures what flickers. `flip`: whether to compute FLIP of
+/// the error too; that of the flicker always is.
 ///
 /// # Errors
 /// When the device fails.

@@ -60,8 +60,8 @@ fn take_pairs(frames: usize, step: usize) -> Vec<FramePair> {
     pairs
 }
 
-/// Pairs all along the way, and one around each switch. A switch stands for the pairs of the run that
-/// have it between them, the others for all that have none.
+/// Pairs all along the way, and one around each switch. A switch stands for the pairs of the run
+/// that have it between them, the others for all that have none.
 fn zoom_pairs(shown: &[Shown], step: usize) -> Vec<FramePair> {
     let Some(all) = shown.len().checked_sub(step).filter(|&all| all > 0) else {
         return Vec::new();
@@ -125,7 +125,7 @@ mod tests {
                 "{frames} frames"
             );
         }
-        let mut frames: Vec<usize> = pairs(BenchCase::Flicker, &vec![shown(1); 24])
+        let mut frames: Vec<usize> = pairs(BenchCase::Flicker, &[shown(1); 24])
             .iter()
             .flat_map(|pair| [pair.from, pair.to])
             .collect();

@@ -2,11 +2,11 @@
 //! come out.
 //!
 //! [`case`] names what is drawn, [`scene`] builds the scenes, [`run`] times them, [`check`]
-//! compares them with the reference, [`mod@flicker`] each with the next, and [`measured`] puts a case's report together. [`spread`]
-//! compares many poses and views with nothing skipped. [`sweep`] varies the [`parameter`]s that
-//! trade time for error one at a time, [`pareto`] finds the settings on the Pareto front, and
-//! [`plot`] draws them. [`task`] says what to draw, and through which [`backend`]. [`report`] is the
-//! JSON, [`table`] the CSV; [`compare`] compares two reports.
+//! compares them with the reference, [`mod@flicker`] each with a later one, and [`measured`] puts a
+//! case's report together. [`spread`] compares many poses and views with nothing skipped. [`sweep`]
+//! varies the [`parameter`]s that trade time for error one at a time, [`pareto`] finds the settings
+//! on the Pareto front, and [`plot`] draws them. [`task`] says what to draw, and through which
+//! [`backend`]. [`report`] is the JSON, [`table`] the CSV; [`compare`] compares two reports.
 
 pub mod backend;
 pub mod case;

@@ -98,8 +98,8 @@ pub struct CaseReport {
     pub gpu_memory_used_bytes: Option<u64>,
     /// Error against the f64 reference. Null if no frame was compared.
     pub error: Option<ErrorReport>,
-    /// What changes from frame to frame that should not. Null in cases that don't measure it, and in
-    /// reports from before 26 November 2026.
+    /// What changes from frame to frame that should not. Null in cases that don't measure it, and
+    /// in reports from before 26 November 2026.
     #[serde(default)]
     pub flicker: Option<FlickerReport>,
 }

@@ -28,7 +28,8 @@ const ORBIT_STEP: f64 = TAU / 720.0;
 /// Distance from the camera to the face in a close-up, metres: a forearm.
 const FOREARM: f64 = 0.45;
 
-/// Height of the avatar in the first and last frame of a zoom, px, in an image that has room for it.
+/// Height of the avatar in the first and last frame of a zoom, px, in an image that has room for
+/// it.
 const ZOOM: [f64; 2] = [2000.0, 20.0];
 /// Most of an image's height that it takes.
 const ZOOM_SHARE: f64 = 0.98;

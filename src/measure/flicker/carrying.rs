@@ -7,10 +7,11 @@ use effigy_core::{
     scene::{FrameImage, PixelRect},
 };
 
-/// Coverage from which on a pixel counts as one of the surface's: the silhouette runs through pixels
-/// that are half covered, and they flicker most.
+/// Coverage from which on a pixel counts as one of the surface's: the silhouette runs through
+/// pixels that are half covered, and they flicker most.
 const COVERED: f32 = 0.5;
-/// Most that the places of what a pixel shows may differ, px: more, and it shows surfaces that part.
+/// Most that the places of what a pixel shows may differ, px: more, and it shows surfaces that
+/// part.
 const SPREAD: f32 = 0.5;
 /// Furthest from where it started that a place may come back to from the other frame, px.
 const WAY_BACK: f32 = 0.5;

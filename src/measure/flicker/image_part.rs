@@ -48,9 +48,9 @@ impl ImagePart {
         image
     }
 
-    /// RGB as a display shows it at a place of the whole image, px: a cubic through the pixels around
-    /// it (Catmull and Rom's), which blurs far less than a linear one. Beside the part there is
-    /// nothing but background.
+    /// RGB as a display shows it at a place of the whole image, px: a cubic through the pixels
+    /// around it (Catmull and Rom's), which blurs far less than a linear one. Beside the part there
+    /// is nothing but background.
     pub fn displayed_at(&self, at: [f32; 2]) -> [f64; 3] {
         // Pixel i has its centre at i + 0.5.
         let place = [0, 1].map(|axis| f64::from(at[axis]) - f64::from(self.rect.min[axis]) - 0.5);
@@ -93,8 +93,8 @@ fn rounded(pixel: [f32; 4]) -> [f64; 3] {
     error::displayed(pixel).map(|channel| (255.0 * channel).round() / 255.0)
 }
 
-/// Catmull and Rom's weights of the four pixels around a place that is a share of a pixel behind the
-/// second of them, 0 to 1.
+/// Catmull and Rom's weights of the four pixels around a place that is a share of a pixel behind
+/// the second of them, 0 to 1.
 fn weights(t: f64) -> [f64; TAPS] {
     [
         0.5 * t * (-1.0 + t * (2.0 - t)),

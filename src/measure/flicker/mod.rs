@@ -21,6 +21,6 @@ pub use image_part::ImagePart;
 pub use report::{FlickerReport, PairReport, Shown, SortingResidual, StepReport};
 pub use residual::{Residual, ResidualMap};
 
-/// How many frames apart images are compared: neighbours, which show popping, and frames an eighth of
-/// a second apart at 60 a second, which show what comes and goes more slowly.
+/// How many frames apart images are compared: neighbours, which show popping, and frames an eighth
+/// of a second apart at 60 a second, which show what comes and goes more slowly.
 pub const STEPS: [usize; 2] = [1, 7];

@@ -31,8 +31,8 @@ pub struct StepReport {
     pub reference: Residual,
     /// What changes in the difference between the two.
     pub added: Residual,
-    /// The reference's order, by the depth of centres, against an order of each pixel's own. Null if
-    /// that was not measured.
+    /// The reference's order, by the depth of centres, against an order of each pixel's own. Null
+    /// if that was not measured.
     pub sorting: Option<SortingResidual>,
 }
 
@@ -84,8 +84,8 @@ pub struct PairReport {
     pub reference: Residual,
     /// What changes in the difference between the two.
     pub added: Residual,
-    /// The reference's order, by the depth of centres, against an order of each pixel's own. Null if
-    /// that was not measured.
+    /// The reference's order, by the depth of centres, against an order of each pixel's own. Null
+    /// if that was not measured.
     pub sorting: Option<SortingResidual>,
 }
 
