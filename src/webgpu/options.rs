@@ -8,9 +8,9 @@ use super::{
 use crate::quirks::draws_triangles;
 use effigy_core::{
     avatar::Avatar,
-    frame::{KeyBits, RasterMethod, RendererOptions, Skip, SortVariant, TileKernel, state},
+    frame::{KeyBits, RasterMethod, RendererOptions, Skip, SortVariant, TileKernel, room::Room},
     layout::PROJECT_WORKGROUP,
-    scene::Supersampling,
+    scene::{AvatarBounds, Supersampling},
 };
 
 /// Options with every open choice made for a device, and without skips that this backend or the
@@ -87,20 +87,28 @@ pub fn accepted(gpu: &Gpu, avatar: &Avatar, options: RendererOptions) -> Result<
     if options.packed_words == Some(false) {
         return Err(Error::PackedWords);
     }
-    let keys =
-        options.instances as u64 * u64::from(state::padded_count(avatar.gaussians.len() as u32));
-    if keys > u64::from(sort::MAX_KEYS) {
-        return Err(Error::TooLarge {
-            what: "sort keys",
-            found: 4 * keys,
-            limit: 4 * u64::from(sort::MAX_KEYS),
-            device: gpu.name().into(),
-        });
-    }
     let mut options = resolved(gpu, options);
     // Where colours change with the view, poses are not cached.
     if avatar.sh.is_some() {
         options.skip -= Skip::SKINNING;
     }
     Ok(options)
+}
+
+/// The room of a renderer, which its sort must hold.
+///
+/// # Errors
+/// When there is too little for the avatars, or more than can be sorted.
+pub fn room(gpu: &Gpu, options: &RendererOptions, bounds: &AvatarBounds) -> Result<Room> {
+    let room = Room::new(options, bounds)?;
+    let [found, limit] = [room.gaussians, sort::MAX_KEYS].map(|keys| 4 * u64::from(keys));
+    if found > limit {
+        return Err(Error::TooLarge {
+            what: "sort keys",
+            found,
+            limit,
+            device: gpu.name().into(),
+        });
+    }
+    Ok(room)
 }

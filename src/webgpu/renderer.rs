@@ -11,7 +11,7 @@ use super::{
     mlp::Mlp,
     model::Model,
     occluder::OccluderPass,
-    options::accepted,
+    options::{accepted, room},
     owned::Buffer,
     project::Project,
     raster::{Raster, RasterInputs},
@@ -106,7 +106,7 @@ impl Renderer {
         let model = Model::empty(gpu, avatar)?;
         let constants = &model.constants;
         let avatar_bounds = bounds_of(avatar, &options);
-        let room = Room::new(&options, &avatar_bounds)?;
+        let room = room(gpu, &options, &avatar_bounds)?;
         let layout = PoseLayout::new(constants, room);
         let pose = empty(gpu, "pose", 16 * u64::from(layout.total()), STORAGE)?;
         let control = empty(

@@ -203,8 +203,8 @@ fn splats_are_imported_and_get_levels() {
                 && shown.contains(&format!("{:.1} dB, mean colour", error.psnr_db)),
             "{shown}"
         );
-        // Colours of neighbours have nothing in common.
-        assert!(error.psnr_db > 25.0, "{error:?}");
+        // Colours of neighbours have nothing in common, so a mean is far from each of them.
+        assert!(error.psnr_db > 20.0, "{error:?}");
     }
     let plain = imported.packed(PackQuality::High).to_packed_bytes();
     let before = plain.expect("it can be written").len();

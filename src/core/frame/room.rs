@@ -1,12 +1,17 @@
 //! How many Gaussians a frame has room for. A crowd's buffers hold fewer than all of every avatar:
 //! where a frame would draw more, the avatars with the most Gaussians a pixel are drawn coarser.
 
-use super::{RendererOptions, Unusable, state::padded_count};
+use super::{RendererOptions, Unusable};
 use crate::scene::{AvatarBounds, detail};
 use std::{cmp::Ordering, collections::BinaryHeap};
 
 /// Up to so many avatars there is room for all of every one, unless options say otherwise.
 const FEW: usize = 16;
+
+/// Splats and keys that an avatar takes up if it draws this many Gaussians.
+pub fn padded_count(gaussians: u32) -> u32 {
+    gaussians.next_multiple_of(2)
+}
 
 /// What is drawn of an avatar.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

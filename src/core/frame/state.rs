@@ -5,7 +5,7 @@ use super::{
     ChangeTracker, Changes, Counters, RendererOptions, Skinning, Skip,
     atlas::{Arrangement, Seen, Slot, arrange},
     changes::View,
-    room::{Portion, PosePlaces, Room},
+    room::{Portion, PosePlaces, Room, padded_count},
 };
 use crate::avatar::Filter;
 use crate::scene::{
@@ -514,11 +514,6 @@ impl<'a> FramePlan<'a> {
         }
         counters
     }
-}
-
-/// Splats and keys that an avatar takes up if it draws this many Gaussians.
-pub fn padded_count(gaussians: u32) -> u32 {
-    gaussians.next_multiple_of(2)
 }
 
 /// A rectangle around all avatars in view of a layer.
