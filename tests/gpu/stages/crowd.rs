@@ -7,7 +7,7 @@ use crate::common::{
         Raster::{self, Quads, SharedTiles, Tiles},
     },
 };
-use effigy::vulkan::Renderer;
+use effigy::vulkan::{Gpu, Renderer};
 use effigy_core::{
     avatar::Avatar,
     frame::RendererOptions,
@@ -44,13 +44,13 @@ fn posed(avatar: &Avatar, number: usize) -> Posed {
         .placed(DAffine3::from_translation(place))
 }
 
-fn options(raster: Raster) -> RendererOptions {
+fn options(gpu: &Gpu, raster: Raster) -> RendererOptions {
     RendererOptions {
         instances: AVATARS,
         gaussians: Some(ROOM),
         supersampling: Supersampling::BySize,
         count: true,
-        ..raster.options(&gpu::drawing().probe.name, SIZE)
+        ..raster.options(&gpu.probe.name, SIZE)
     }
 }
 
@@ -64,7 +64,11 @@ fn a_crowd_leaves_nothing_behind(raster: Raster) {
         .iter()
         .map(|posed| posed.clone().placed(away))
         .collect();
-    let mut renderer = Renderer::new(&gpu::gpu(), &avatar, options(raster)).unwrap();
+    let gpu = gpu::drawing();
+    // A renderer for each frame.
+    gpu.keep_pipelines();
+    let options = options(&gpu, raster);
+    let mut renderer = Renderer::new(&gpu, &avatar, options).unwrap();
     let mut cached = vec![];
     let mut networks = vec![];
     for (frame, (turned, there)) in [
@@ -97,7 +101,7 @@ fn a_crowd_leaves_nothing_behind(raster: Raster) {
             .collect();
         renderer.draw_scene(&shown, &camera, None).unwrap();
         let image = renderer.read_image().unwrap();
-        let mut fresh = Renderer::new(&gpu::gpu(), &avatar, options(raster)).unwrap();
+        let mut fresh = Renderer::new(&gpu, &avatar, options).unwrap();
         fresh.draw_scene(&shown, &camera, None).unwrap();
         let difference = error::between(&image, &fresh.read_image().unwrap());
         assert!(
@@ -122,11 +126,12 @@ fn a_crowd_leaves_nothing_behind(raster: Raster) {
 
 /// A crowd without room for the coarsest of each avatar is refused.
 fn too_little_room_is_refused() {
+    let gpu = gpu::drawing();
     let options = RendererOptions {
         gaussians: Some(900),
-        ..options(Raster::Quads)
+        ..options(&gpu, Quads)
     };
-    let error = match Renderer::new(&gpu::gpu(), &avatar(), options) {
+    let error = match Renderer::new(&gpu, &avatar(), options) {
         Ok(_) => panic!("drawn without room"),
         Err(error) => error.to_string(),
     };
