@@ -159,7 +159,7 @@ impl WindowPainter {
     /// Leaves out what is hidden behind this mesh of the avatar, from the next frame on.
     ///
     /// # Errors
-    /// As [`Renderer::add_occluder`]. Frames are drawn without it then.
+    /// Those of [`Renderer::add_occluder`]. Frames are drawn without it then.
     pub fn add_occluder(&mut self, mesh: &PackedOccluder) -> Result<()> {
         self.wants_occluder = false;
         self.renderer.add_occluder(mesh)

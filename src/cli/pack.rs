@@ -7,7 +7,7 @@ use crate::{
     progress,
     source::{self, CaptureArgs, PoseProjection, Source},
 };
-use anyhow::ensure;
+use anyhow::{bail, ensure};
 use clap::ValueEnum;
 use effigy_core::{
     avatar::{Avatar, Level, motion::Player},
@@ -86,6 +86,12 @@ impl From<QualityArg> for PackQuality {
 }
 
 pub fn run(args: Args) -> anyhow::Result<()> {
+    if let Some(path) = args.avatar.as_deref().filter(|path| open::is_motion(path)) {
+        bail!(
+            "{} is motion, expected an avatar or splats; motion goes with --motion",
+            path.display()
+        );
+    }
     let source = Source {
         avatar: args.avatar.clone(),
         motion: args.motion.iter().cloned().collect(),

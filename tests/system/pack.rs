@@ -91,7 +91,9 @@ fn what_can_not_be_packed_or_read_is_said_in_one_sentence() {
             .contains("cannot write none/a.avatar")
     );
     std::fs::write(folder.path().join("a.ply"), "ply\n").unwrap();
-    assert!(fails(folder.path(), "pack a.ply --out a.avatar").contains("give an .avatar file"));
+    assert!(fails(folder.path(), "pack a.ply --out a.avatar").contains("without `end_header`"));
+    let motion = fails(folder.path(), "pack small.motion --out a.avatar");
+    assert!(motion.contains("small.motion is motion, expected an avatar"));
     works(folder.path(), &format!("{what} --out packed.avatar"));
     let path = folder.path().join("packed.avatar");
     let mut bytes = std::fs::read(&path).unwrap();

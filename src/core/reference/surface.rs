@@ -103,7 +103,7 @@ struct Surfel {
     ray: RayGaussian,
     /// Its mean in camera coordinates, metres.
     mean: DVec3,
-    /// The same in the other frame's.
+    /// The mean in the other frame's camera coordinates, metres.
     mean_there: DVec3,
     /// From around the mean in camera coordinates to around the mean in the other frame's.
     motion: DMat3,

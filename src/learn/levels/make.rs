@@ -16,7 +16,7 @@ use glam::DVec3;
 /// A level has one Gaussian for so many of the avatar's. Files and memory grow by 1/4 + 1/16 + 1/64
 /// of what Gaussians take of them.
 const ONE_IN: [usize; 3] = [4, 16, 64];
-/// The same of an avatar without networks, whose file has little but its Gaussians: those of a level
+/// Fewer for an avatar without networks, whose file has little but its Gaussians: those of a level
 /// deflate less, since neighbours are further apart. A file grows by a third at most.
 const ONE_IN_STILL: [usize; 3] = [6, 24, 96];
 /// The height that a level of so many Gaussians is for, px: a quarter of the Gaussians serve half

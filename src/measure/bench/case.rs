@@ -29,7 +29,7 @@ pub enum BenchCase {
     Far240,
     /// Four avatars in motion.
     Four,
-    /// A crowd in motion, 60 px tall.
+    /// A crowd in motion, about 60 px tall where the image has room for all.
     Crowd,
     /// Motion in real time before an orbiting camera, with the flicker of what is drawn.
     Flicker,
@@ -92,7 +92,9 @@ impl BenchCase {
             Self::Four => {
                 "four avatars in motion a metre apart, a slowly orbiting camera on all or one of them"
             }
-            Self::Crowd => "64 avatars in motion, each 60 px tall, a slowly orbiting camera",
+            Self::Crowd => {
+                "64 avatars in motion, about 60 px tall if they fit, a slowly orbiting camera"
+            }
             Self::Flicker => "motion in real time, a slowly orbiting camera; what flickers",
             Self::Zoom => "a still avatar that grows smaller, from 2000 to 20 px; what flickers",
         }

@@ -215,7 +215,7 @@ pub struct SweepPoint {
     pub counters: BTreeMap<String, f64>,
     /// Error against the f64 reference.
     pub error: ErrorReport,
-    /// As in [`CaseReport::flicker`].
+    /// [`CaseReport::flicker`] of this point.
     #[serde(default)]
     pub flicker: Option<FlickerReport>,
     /// Whether no other point is both faster and closer to the reference.

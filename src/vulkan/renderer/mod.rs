@@ -144,7 +144,7 @@ impl Renderer {
     /// [`Self::new`] for an avatar that was prepared before there was a device.
     ///
     /// # Errors
-    /// As [`Self::new`].
+    /// Those of [`Self::new`].
     pub fn from_prepared(
         gpu: &Arc<Gpu>,
         prepared: &PreparedAvatar,

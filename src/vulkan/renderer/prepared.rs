@@ -32,7 +32,7 @@ impl<'a> PreparedAvatar<'a> {
     /// it later.
     ///
     /// # Errors
-    /// As [`Self::new`].
+    /// Those of [`Self::new`].
     pub fn without_occluder(avatar: &'a Avatar) -> Result<Self> {
         Ok(Self {
             without_occluder: true,
