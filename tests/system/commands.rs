@@ -178,6 +178,7 @@ fn bench_writes_what_it_measured_of_every_case() {
             "far120",
             "far240",
             "four",
+            "crowd",
             "flicker",
             "zoom"
         ]),
@@ -195,13 +196,18 @@ fn bench_writes_what_it_measured_of_every_case() {
         );
         assert!(
             case["gpu_memory_bytes"].as_u64() > Some(0)
-                && case["error"]["flip"].as_f64() < Some(0.1),
+                && case["error"]["flip"].as_f64() < Some(if name == "crowd" { 0.3 } else { 0.1 }),
             "{name}: {}",
             case["error"]
         );
         // What is small is held against what the area of each pixel shows.
         let is_small = name.starts_with("far") || ["flicker", "zoom"].contains(&name);
-        let least = if is_small { 30.0 } else { 45.0 };
+        let least = match name {
+            // An eighth of the Gaussians of avatars that are 8 px tall, for want of levels.
+            "crowd" => 18.0,
+            _ if is_small => 30.0,
+            _ => 45.0,
+        };
         assert!(
             case["error"]["psnr_db"].as_f64() > Some(least),
             "{name}: {}",
@@ -481,7 +487,10 @@ fn an_exported_pose_is_drawn_and_measured_from_its_cameras() {
     let said = works(folder.path(), "inspect balls.ply");
     assert!(said.contains("3.00 to 3.00 mm"), "{said}");
     let message = fails(folder.path(), "render --cameras still.ply");
-    assert!(message.contains("cameras as 3DGS writes them"), "{message}");
+    assert!(
+        message.contains("cameras as 3DGS or mmlphuman writes them"),
+        "{message}"
+    );
 }
 
 fn bad_input_is_answered_with_one_sentence() {

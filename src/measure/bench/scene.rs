@@ -349,11 +349,11 @@ mod tests {
             let height = |case| height_in(case, &inputs);
             // A crowd needs more room, and some of it stands nearer.
             let large = SceneInputs {
-                size: [1024, 1024],
+                size: [2048, 2048],
                 ..inputs
             };
             let of_the_crowd = height_in(BenchCase::Crowd, &large);
-            assert!((of_the_crowd - 60.0).abs() < 10.0, "{of_the_crowd}");
+            assert!((45.0..65.0).contains(&of_the_crowd), "{of_the_crowd}");
             for case in BenchCase::ALL {
                 let tall = case.tall().filter(|tall| *tall < 200.0);
                 if let Some(tall) = tall.filter(|_| case != BenchCase::Crowd) {
