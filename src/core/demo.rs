@@ -9,7 +9,6 @@ pub fn avatar() -> Result<Avatar, FormatError> {
 
 /// The demo with a level of a quarter, which networks move, and one of a 16th, which they don't;
 /// neither was measured.
-
 pub fn with_levels() -> Avatar {
     let mut avatar = avatar().expect("inside the program");
     let count = avatar.gaussians.len();
