@@ -299,7 +299,8 @@ fn check_range(frames: &Range<usize>, clip: &Clip) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// `count` copies of an avatar in a row or several, their times spread over the clip from `seconds` on.
+/// `count` copies of an avatar in a row or several, their times spread over the clip from `seconds`
+/// on.
 fn row(avatar: &Avatar, player: &Player, seconds: f64, count: usize) -> Vec<Posed> {
     let duration = player.clip().duration();
     let pose = |number: usize| {

@@ -32,7 +32,7 @@ pub struct Args {
     #[arg(long, value_name = "WxH", value_parser = options::size)]
     size: Option<[u32; 2]>,
     /// Scenes to draw: all, or names out of full, camera, orbit, expression, static, close, far30,
-    /// far, far120, far240, four, flicker and zoom, separated by commas [default: full]
+    /// far, far120, far240, four, crowd, flicker and zoom, separated by commas [default: full]
     #[arg(long, value_name = "NAME,NAME", value_parser = cases)]
     case: Vec<Cases>,
     /// Vary one parameter at a time, and measure the time and error of each value: all, or names
@@ -59,7 +59,7 @@ pub struct Args {
     views: usize,
     /// Draw from each camera of this file, a cameras.json as 3DGS or mmlphuman writes it
     ///
-    /// The cases close, far, four and zoom keep their own cameras.
+    /// The cases close, far, four, crowd and zoom keep their own cameras.
     #[arg(long, value_name = "FILE", conflicts_with = "views")]
     cameras: Option<PathBuf>,
     /// Frames to compare with the f64 reference, which takes seconds each; flicker and zoom choose

@@ -255,7 +255,8 @@ fn print_flicker(flicker: &FlickerReport) {
     }
     if let Some(sorting) = &flicker.sorting {
         println!(
-            "  sorting   by centres against each pixel's own order, both the reference's: {}, {:.4} at most",
+            "  sorting   by centres against each pixel's own order, both the reference's: {}, {:.4} \
+             at most",
             decibels(sorting.psnr_db),
             sorting.max_error
         );

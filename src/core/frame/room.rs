@@ -123,13 +123,19 @@ impl Room {
     }
 
     /// Draws avatars coarser until they fit: always the one with the most Gaussians a pixel of its
-    /// box. `sides`: the longest side of each in the image, px.
-    pub fn fit(&self, portions: &mut [Portion], sides: &[f64], bounds: &AvatarBounds) {
+    /// box. `side`: the longest side of one in the image, px, asked for only where they don't fit.
+    pub fn fit(
+        &self,
+        portions: &mut [Portion],
+        side: impl Fn(usize) -> f64,
+        bounds: &AvatarBounds,
+    ) {
         let padded = |portion: Portion| u64::from(padded_count(portion.gaussians(bounds)));
         let mut total: u64 = portions.iter().map(|&portion| padded(portion)).sum();
         if total <= self.gaussians.into() {
             return;
         }
+        let sides: Vec<f64> = (0..portions.len()).map(side).collect();
         let crowded = |avatar: usize, portion: Portion| Crowded {
             density: f64::from(portion.gaussians(bounds)) / (sides[avatar] * sides[avatar]),
             avatar,
@@ -261,14 +267,14 @@ mod tests {
         let room = Room::new(&options(8, Some(2 * count)), &bounds).expect("room");
         let mut portions = [Portion { model: 0, level: 0 }; 8];
         let sides = [900.0, 100.0, 90.0, 80.0, 70.0, 60.0, 50.0, 40.0];
-        room.fit(&mut portions, &sides, &bounds);
+        room.fit(&mut portions, |avatar| sides[avatar], &bounds);
         let total: u32 = portions.iter().map(|own| own.gaussians(&bounds)).sum();
         assert!(total <= 2 * count && total > count, "{portions:?}");
         assert_eq!(portions[0], Portion { model: 0, level: 0 });
         assert!(portions.is_sorted_by_key(|own| own.model));
         // What fits stays.
         let before = portions;
-        room.fit(&mut portions, &sides, &bounds);
+        room.fit(&mut portions, |avatar| sides[avatar], &bounds);
         assert_eq!(portions, before);
     }
 
@@ -281,7 +287,7 @@ mod tests {
         let room = Room::new(&options(instances, Some(count)), &bounds).expect("room");
         let mut portions = vec![Portion { model: 0, level: 0 }; instances];
         for side in [1000.0, 0.0, f64::INFINITY, f64::NAN] {
-            room.fit(&mut portions, &vec![side; instances], &bounds);
+            room.fit(&mut portions, |_| side, &bounds);
             let padded = |own: &Portion| padded_count(own.gaussians(&bounds));
             assert!(portions.iter().map(padded).sum::<u32>() <= room.gaussians);
         }

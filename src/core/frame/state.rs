@@ -130,8 +130,8 @@ pub struct PlanInput<'a, 'pose> {
     pub always_submit: bool,
 }
 
-/// Whether a renderer has the optional stage of spherical harmonics, and the compute dispatches of a
-/// frame that are not for each avatar.
+/// Whether a renderer has the optional stage of spherical harmonics, and the compute dispatches
+/// of a frame that are not for each avatar.
 #[derive(Clone, Copy, Debug)]
 pub struct StageDispatches {
     /// Whether colours come from spherical harmonics.
@@ -347,17 +347,16 @@ impl FrameState {
                 self.portion(input, candidate, slot, arrangement.size)
             })
             .collect();
-        let sides = |candidate: &Candidate| match candidate.seen {
-            Some(seen) => seen.side,
-            None => input
-                .bounds
-                .longest_side(&input.poses[candidate.index].joints, input.camera),
+        let side = |place: usize| {
+            let Candidate { index, seen, .. } = &candidates[place];
+            match seen {
+                Some(seen) => seen.side,
+                None => input
+                    .bounds
+                    .longest_side(&input.poses[*index].joints, input.camera),
+            }
         };
-        let drawn = |portion: &Portion| u64::from(padded_count(portion.gaussians(input.bounds)));
-        if portions.iter().map(drawn).sum::<u64>() > input.room.gaussians.into() {
-            let sides: Vec<f64> = candidates.iter().map(sides).collect();
-            input.room.fit(&mut portions, &sides, input.bounds);
-        }
+        input.room.fit(&mut portions, side, input.bounds);
         portions
     }
 
