@@ -15,12 +15,14 @@
 //! | `passes` | the stages from an avatar's pose to its splats |
 //! | [`raster`] | the stages from sorted splats to an image |
 //! | [`tuning`] | how to draw, chosen by measuring |
+//! | [`compute`] | what other packages compute with: kernels of their own, and buffers |
 //! | [`rates`] | bytes and fragments that a device manages in a second |
 //! | `renderer` | the frame |
 //! | [`trials`] | frames by which `tuning` measures |
 //! | `window` | from an image to a window or a screen in memory |
 
 pub(crate) mod commands;
+pub mod compute;
 pub(crate) mod device;
 pub mod memory;
 pub(crate) mod passes;

@@ -35,6 +35,8 @@ pub enum Row<'a> {
         /// The row's step.
         step: f16,
     },
+    /// Each number in f64: what is being learned, which no file holds yet.
+    Doubles(&'a [f64]),
 }
 
 impl Matrix {
@@ -191,19 +193,22 @@ impl<'a> Row<'a> {
                 codes: &codes[start..][..length],
                 step,
             },
+            Self::Doubles(numbers) => Self::Doubles(&numbers[start..][..length]),
         }
     }
 
     /// Its numbers.
     pub fn iter(self) -> impl Iterator<Item = f64> + Clone + 'a {
-        let (halves, bytes, step) = match self {
-            Self::Halves(numbers) => (numbers, [].as_slice(), 0.0),
-            Self::Bytes { codes, step } => ([].as_slice(), codes, step.to_f64()),
+        let (halves, bytes, step, doubles) = match self {
+            Self::Halves(numbers) => (numbers, [].as_slice(), 0.0, [].as_slice()),
+            Self::Bytes { codes, step } => ([].as_slice(), codes, step.to_f64(), [].as_slice()),
+            Self::Doubles(numbers) => ([].as_slice(), [].as_slice(), 0.0, numbers),
         };
         halves
             .iter()
             .map(|v| v.to_f64())
             .chain(bytes.iter().map(move |&code| f64::from(code) * step))
+            .chain(doubles.iter().copied())
     }
 
     /// Dot product with as many numbers.
@@ -218,6 +223,7 @@ impl<'a> Row<'a> {
                         .map(|(&code, x)| f64::from(code) * x)
                         .sum::<f64>()
             }
+            Self::Doubles(numbers) => numbers.iter().zip(x).map(|(v, x)| v * x).sum(),
         }
     }
 }

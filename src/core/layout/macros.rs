@@ -4,11 +4,12 @@ use super::{
     binning::{TILING, TILING_WEB},
     compact::{NODE_STEPS, QUATERNION_STEPS},
     gpu::*,
+    train::*,
 };
 use crate::{
     avatar::limits,
     constants::{
-        ALPHA_MAX, F16_MAX, FEATURE_MAX, LOG_SCALE_MAX, LONGEST_MARGIN, ROTATION_MIN, VARIANCE_MAX,
+        ALPHA_MAX, F16_MAX, FEATURE_MAX, LEAKY_SLOPE, LOG_SCALE_MAX, LONGEST_MARGIN, ROTATION_MIN, VARIANCE_MAX,
     },
 };
 
@@ -91,6 +92,17 @@ pub const MACROS: &[(&str, MacroValue)] = &[
     ("VARIANCE_MAX", Float(VARIANCE_MAX)),
     ("NODE_STEPS", Float(NODE_STEPS)),
     ("QUATERNION_STEPS", Float(QUATERNION_STEPS)),
+    ("TRAIN_WORKGROUP", Uint(TRAIN_WORKGROUP)),
+    ("TRAIN_MLP_WORKGROUP", Uint(TRAIN_MLP_WORKGROUP)),
+    ("TRAIN_FEATURES_WORKGROUP", Uint(TRAIN_FEATURES_WORKGROUP)),
+    ("TRAIN_BASES_WORKGROUP", Uint(TRAIN_BASES_WORKGROUP)),
+    ("TRAIN_BASIS", Uint(TRAIN_BASIS)),
+    ("TRAIN_WIDTH_MAX", Uint(TRAIN_WIDTH_MAX)),
+    ("TRAIN_NO_ROW", Uint(TRAIN_NO_ROW)),
+    ("TRAIN_RECORD", Uint(TRAIN_RECORD)),
+    ("TRAIN_BLOCK", Uint(TRAIN_BLOCK)),
+    ("TRAIN_FULL", Float(TRAIN_FULL)),
+    ("LEAKY_SLOPE", Float(LEAKY_SLOPE)),
 ];
 
 #[cfg(test)]

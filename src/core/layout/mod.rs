@@ -8,9 +8,11 @@ mod macros;
 pub mod pack;
 mod packed;
 pub mod sh;
+mod train;
 
 pub use binning::{TILING, TILING_WEB};
 pub use bins::{BinLayout, BinLists, bin_count, bin_side};
 pub use gpu::*;
 pub use macros::{MACROS, MacroValue};
 pub use packed::{PackedModel, PackedOccluder, PackedSet};
+pub use train::*;

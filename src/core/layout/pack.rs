@@ -129,7 +129,7 @@ fn network_layer(layer: &Layer, place: &LayerLayout, part: usize, block: &mut [u
                             put(k, weight);
                         }
                     }
-                    matrix::Row::Bytes { .. } => {
+                    matrix::Row::Bytes { .. } | matrix::Row::Doubles(_) => {
                         for (k, weight) in numbers.iter().enumerate() {
                             put(k, f16::from_f64(weight));
                         }

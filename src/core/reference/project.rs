@@ -8,7 +8,7 @@ use crate::avatar::{Avatar, Filter};
 use crate::constants;
 use crate::layout::compact::Neutral;
 use crate::scene::{Camera, Posed, detail, radius_in_sigmas};
-use glam::{DAffine3, DMat3, DQuat, DVec2, DVec3};
+use glam::{DAffine3, DMat2, DMat3, DQuat, DVec2, DVec3};
 use rayon::prelude::*;
 
 /// A Gaussian in the posed world.
@@ -98,26 +98,51 @@ pub fn gaussians_from(
             // δr, δs, δc = B · e (docs/model.md, step 2, the paper's first equation); x = x₀ + δx
             // (step 4).
             let own = stored(k);
-            let x = avatar.position(k) + displacement(own.node_weights, neutral.node[k], nodes);
-            // Step 5.
-            let q = rotation(own.rotation, corrective(&avatar.rotation_rows, k, e));
-            let log_scale = DVec3::from(plus(
-                neutral.log_scale[k].map(f64::from),
-                corrective(&avatar.scale_rows, k, e),
-            ));
-            let s = log_scale.min(DVec3::splat(constants::LOG_SCALE_MAX)).exp();
-            let c =
-                plus(own.color, corrective(&avatar.color_rows, k, e)).map(|c| c.clamp(0.0, 1.0));
-            // Steps 6 and 7.
+            let canonical = Canonical {
+                position: avatar.position(k)
+                    + displacement(own.node_weights, neutral.node[k], nodes),
+                neutral_rotation: own.rotation,
+                rotation_corrective: corrective(&avatar.rotation_rows, k, e),
+                log_scale: DVec3::from(plus(
+                    neutral.log_scale[k].map(f64::from),
+                    corrective(&avatar.scale_rows, k, e),
+                )),
+                color: DVec3::from(plus(own.color, corrective(&avatar.color_rows, k, e))),
+            };
             let g = skinning(&posed.joints, neutral.joint[k], neutral.joint_weight[k]);
-            Gaussian {
-                mean: g.transform_point3(x),
-                axes: g.matrix3 * DMat3::from_quat(q) * DMat3::from_diagonal(s),
-                color: DVec3::from(c),
-                opacity: neutral.opacity[k],
-            }
+            pose(&canonical, &g, neutral.opacity[k])
         })
         .collect()
+}
+
+/// A Gaussian in canonical space, correctives included (docs/model.md, steps 2 to 5).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Canonical {
+    /// x, metres.
+    pub position: DVec3,
+    /// q₀ as w x y z, of any length but zero.
+    pub neutral_rotation: [f64; 4],
+    /// δr.
+    pub rotation_corrective: [f64; 4],
+    /// ls₀ + δs, natural logarithm of metres.
+    pub log_scale: DVec3,
+    /// c₀ + δc, display-referred RGB, not clamped yet.
+    pub color: DVec3,
+}
+
+/// A Gaussian in the posed world (docs/model.md, steps 5 to 7). `g`: its skinning transform.
+pub fn pose(canonical: &Canonical, g: &DAffine3, opacity: u8) -> Gaussian {
+    let q = rotation(canonical.neutral_rotation, canonical.rotation_corrective);
+    let s = canonical
+        .log_scale
+        .min(DVec3::splat(constants::LOG_SCALE_MAX))
+        .exp();
+    Gaussian {
+        mean: g.transform_point3(canonical.position),
+        axes: g.matrix3 * DMat3::from_quat(q) * DMat3::from_diagonal(s),
+        color: canonical.color.clamp(DVec3::ZERO, DVec3::ONE),
+        opacity,
+    }
 }
 
 /// normalize(q₀ + δr), both as w x y z; q₀'s direction where the sum nearly vanishes.
@@ -164,15 +189,25 @@ pub fn project(
     filter: Filter,
     level: u32,
 ) -> Result<Splat, Culled> {
+    let opacity = f64::from(detail::opacity(gaussian.opacity, level));
+    // One that is invisible alone does not become visible by standing for others.
+    let drawn = radius_in_sigmas(f64::from(gaussian.opacity)).map_or(0.0, |_| opacity);
+    project_opaque(gaussian, drawn, camera, filter, level)
+}
+
+/// [`project`] of a Gaussian whose opacity is `opacity`, 0 to 255, whatever it says itself.
+pub fn project_opaque(
+    gaussian: &Gaussian,
+    opacity: f64,
+    camera: &Camera,
+    filter: Filter,
+    level: u32,
+) -> Result<Splat, Culled> {
     let t = camera.view.transform_point3(gaussian.mean);
     if t.z < camera.near {
         return Err(Culled::Behind);
     }
-    let opacity = f64::from(detail::opacity(gaussian.opacity, level));
-    // One that is invisible alone does not become visible by standing for others.
-    radius_in_sigmas(f64::from(gaussian.opacity))
-        .and(radius_in_sigmas(opacity))
-        .ok_or(Culled::Faint)?;
+    radius_in_sigmas(opacity).ok_or(Culled::Faint)?;
     let center = camera.project(t);
     let footprint = Footprint::new(camera.view.matrix3 * gaussian.axes, t, camera, filter);
     let [a, b, c] = footprint.covariance;
@@ -225,16 +260,11 @@ struct Footprint {
 
 impl Footprint {
     /// `m` is the axes and `t` the mean, both in camera coordinates.
-    ///
-    /// J is the derivative of [`Camera::project`] at `t`, with x/z and y/z kept within
-    /// [`Camera::derivative_limits`].
     fn new(m: DMat3, t: DVec3, camera: &Camera, filter: Filter) -> Self {
         let low_pass = filter.variance;
-        let [min, max] = camera.derivative_limits();
-        let slope = (t.truncate() / t.z).clamp(min, max);
-        let f = camera.focal / t.z;
-        let row_x = m.transpose() * DVec3::new(f.x, 0.0, -f.x * slope.x);
-        let row_y = m.transpose() * DVec3::new(0.0, f.y, -f.y * slope.y);
+        let FootprintRows {
+            x: row_x, y: row_y, ..
+        } = FootprintRows::new(m, t, camera);
         let covariance = [
             row_x.dot(row_x) + low_pass,
             row_x.dot(row_y),
@@ -248,4 +278,226 @@ impl Footprint {
             unfiltered,
         }
     }
+}
+
+/// The rows of J M, whose products are a covariance in the image.
+///
+/// J is the derivative of [`Camera::project`], with x/z and y/z kept within
+/// [`Camera::derivative_limits`].
+struct FootprintRows {
+    /// Mᵀ times the first row of J, px.
+    x: DVec3,
+    /// Mᵀ times the second, px.
+    y: DVec3,
+    /// The first row of J, px/m.
+    derivative_x: DVec3,
+    /// The second.
+    derivative_y: DVec3,
+    /// x/z and y/z, within the limits.
+    slope: DVec2,
+}
+
+impl FootprintRows {
+    /// `m` is the axes and `t` the mean, both in camera coordinates.
+    fn new(m: DMat3, t: DVec3, camera: &Camera) -> Self {
+        let [min, max] = camera.derivative_limits();
+        let slope = (t.truncate() / t.z).clamp(min, max);
+        let f = camera.focal / t.z;
+        let derivative_x = DVec3::new(f.x, 0.0, -f.x * slope.x);
+        let derivative_y = DVec3::new(0.0, f.y, -f.y * slope.y);
+        Self {
+            x: m.transpose() * derivative_x,
+            y: m.transpose() * derivative_y,
+            derivative_x,
+            derivative_y,
+            slope,
+        }
+    }
+}
+
+/// Derivative of a loss with respect to a [`Splat`]; per px, px² and so on.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct SplatGradient {
+    /// Of the centre.
+    pub center: DVec2,
+    /// Of Σ'⁻¹ = [[a, b], [b, c]] as [a, b, c], where b counts once.
+    pub inverse: [f64; 3],
+    /// Of the opacity.
+    pub opacity: f64,
+    /// Of the colour.
+    pub color: DVec3,
+}
+
+/// Derivative of a loss with respect to a [`Gaussian`].
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct GaussianGradient {
+    /// Of the mean, per metre.
+    pub mean: DVec3,
+    /// Of the axes, per metre.
+    pub axes: DMat3,
+    /// Of the colour.
+    pub color: DVec3,
+    /// Of the opacity from 0 to 255, before any compensation.
+    pub opacity: f64,
+}
+
+/// The derivative of [`project_opaque`] at level 0, for a Gaussian that it does not cull; zero for
+/// others.
+pub fn project_backward(
+    gaussian: &Gaussian,
+    opacity: f64,
+    camera: &Camera,
+    filter: Filter,
+    splat: &Splat,
+    gradient: &SplatGradient,
+) -> GaussianGradient {
+    let t = camera.view.transform_point3(gaussian.mean);
+    let m = camera.view.matrix3 * gaussian.axes;
+    let rows = FootprintRows::new(m, t, camera);
+    let [a, b, c] = splat.covariance;
+    let det = splat.determinant;
+    // Σ⁻¹ to Σ: ∂Σ = −Σ⁻¹ ∂(Σ⁻¹) Σ⁻¹, where ∂(Σ⁻¹) is symmetric.
+    let inverse = DMat2::from_cols(DVec2::new(c, -b), DVec2::new(-b, a)) * (1.0 / det);
+    let [of_a, of_b, of_c] = gradient.inverse;
+    let symmetric = DMat2::from_cols(DVec2::new(of_a, 0.5 * of_b), DVec2::new(0.5 * of_b, of_c));
+    let of_covariance = -(inverse * symmetric * inverse);
+    let mut of_a = of_covariance.x_axis.x;
+    let mut of_b = 2.0 * of_covariance.x_axis.y;
+    let mut of_c = of_covariance.y_axis.y;
+    let [x, y] = [rows.x, rows.y];
+    let unfiltered = x.cross(y).length_squared();
+    // Compensation: ρ = √(u / det), ∂ρ = ρ/2 (∂u / u − ∂det / det).
+    let factor = filter.opacity_factor(unfiltered, det);
+    let mut of_x = DVec3::ZERO;
+    let mut of_y = DVec3::ZERO;
+    if filter.compensated && unfiltered > 0.0 {
+        let of_log = 0.5 * gradient.opacity * opacity / 255.0 * factor;
+        let scale = 2.0 * of_log / unfiltered;
+        of_x += scale * (y.length_squared() * x - x.dot(y) * y);
+        of_y += scale * (x.length_squared() * y - x.dot(y) * x);
+        of_a -= of_log * c / det;
+        of_c -= of_log * a / det;
+        of_b += 2.0 * of_log * b / det;
+    }
+    of_x += 2.0 * of_a * x + of_b * y;
+    of_y += 2.0 * of_c * y + of_b * x;
+    // Rows of the covariance's root to the axes and the derivative of the perspective.
+    let outer = |u: DVec3, v: DVec3| DMat3::from_cols(u * v.x, u * v.y, u * v.z);
+    let of_m = outer(rows.derivative_x, of_x) + outer(rows.derivative_y, of_y);
+    let of_derivative_x = m * of_x;
+    let of_derivative_y = m * of_y;
+    let mut of_t = DVec3::ZERO;
+    for (axis, of_derivative) in [of_derivative_x, of_derivative_y].into_iter().enumerate() {
+        let f = camera.focal[axis] / t.z;
+        let slope = rows.slope[axis];
+        let of_f = of_derivative[axis] - slope * of_derivative.z;
+        of_t.z -= of_f * f / t.z;
+        if slope == t[axis] / t.z {
+            let of_slope = -f * of_derivative.z;
+            of_t[axis] += of_slope / t.z;
+            of_t.z -= of_slope * slope / t.z;
+        }
+        of_t[axis] += f * gradient.center[axis];
+        of_t.z -= f * t[axis] / t.z * gradient.center[axis];
+    }
+    let to_world = camera.view.matrix3.transpose();
+    GaussianGradient {
+        mean: to_world * of_t,
+        axes: to_world * of_m,
+        color: gradient.color,
+        opacity: gradient.opacity * factor / 255.0,
+    }
+}
+
+/// Derivative of a loss with respect to a [`Canonical`] Gaussian and its skinning transform.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CanonicalGradient {
+    /// Of x, per metre.
+    pub position: DVec3,
+    /// Of q₀ + δr, w x y z.
+    pub rotation: [f64; 4],
+    /// Of ls₀ + δs.
+    pub log_scale: DVec3,
+    /// Of c₀ + δc.
+    pub color: DVec3,
+    /// Of G.
+    pub skinning: DAffine3,
+}
+
+/// The derivative of [`pose`]. Zero where a number is clamped.
+pub fn pose_backward(
+    canonical: &Canonical,
+    g: &DAffine3,
+    gradient: &GaussianGradient,
+) -> CanonicalGradient {
+    let sum = plus(canonical.neutral_rotation, canonical.rotation_corrective);
+    let q = rotation(canonical.neutral_rotation, canonical.rotation_corrective);
+    let r = DMat3::from_quat(q);
+    let s = canonical
+        .log_scale
+        .min(DVec3::splat(constants::LOG_SCALE_MAX))
+        .exp();
+    let local = r * DMat3::from_diagonal(s);
+    let of_local = g.matrix3.transpose() * gradient.axes;
+    let of_scale = |axis: usize| {
+        if canonical.log_scale[axis] < constants::LOG_SCALE_MAX {
+            local.col(axis).dot(of_local.col(axis))
+        } else {
+            0.0
+        }
+    };
+    let of_r = of_local * DMat3::from_diagonal(s);
+    let of_q = rotation_backward(q, &of_r);
+    // Of a vector divided by its length: what is along it has no effect.
+    let length = sum.iter().map(|v| v * v).sum::<f64>().sqrt();
+    let neutral_length = canonical
+        .neutral_rotation
+        .iter()
+        .map(|v| v * v)
+        .sum::<f64>()
+        .sqrt();
+    let unit = [q.w, q.x, q.y, q.z];
+    let along: f64 = of_q.iter().zip(unit).map(|(g, q)| g * q).sum();
+    let of_sum = if length >= constants::ROTATION_MIN * neutral_length {
+        std::array::from_fn(|k| (of_q[k] - along * unit[k]) / length)
+    } else {
+        [0.0; 4]
+    };
+    let inside = |axis: usize| (0.0..=1.0).contains(&canonical.color[axis]);
+    let of_color = |axis: usize| {
+        if inside(axis) {
+            gradient.color[axis]
+        } else {
+            0.0
+        }
+    };
+    let outer = |u: DVec3, v: DVec3| DMat3::from_cols(u * v.x, u * v.y, u * v.z);
+    CanonicalGradient {
+        position: g.matrix3.transpose() * gradient.mean,
+        rotation: of_sum,
+        log_scale: DVec3::new(of_scale(0), of_scale(1), of_scale(2)),
+        color: DVec3::new(of_color(0), of_color(1), of_color(2)),
+        skinning: DAffine3::from_mat3_translation(
+            gradient.axes * local.transpose() + outer(gradient.mean, canonical.position),
+            gradient.mean,
+        ),
+    }
+}
+
+/// The derivative of the matrix of a unit quaternion, as w x y z; `r`: of the matrix.
+fn rotation_backward(q: DQuat, r: &DMat3) -> [f64; 4] {
+    let DQuat { x, y, z, w } = q;
+    let at = |row: usize, column: usize| r.col(column)[row];
+    let skew_x = at(2, 1) - at(1, 2);
+    let skew_y = at(0, 2) - at(2, 0);
+    let skew_z = at(1, 0) - at(0, 1);
+    let xy = at(1, 0) + at(0, 1);
+    let xz = at(2, 0) + at(0, 2);
+    let yz = at(2, 1) + at(1, 2);
+    [
+        2.0 * (x * skew_x + y * skew_y + z * skew_z),
+        2.0 * (w * skew_x - 2.0 * x * (at(1, 1) + at(2, 2)) + y * xy + z * xz),
+        2.0 * (w * skew_y + x * xy - 2.0 * y * (at(0, 0) + at(2, 2)) + z * yz),
+        2.0 * (w * skew_z + x * xz + y * yz - 2.0 * z * (at(0, 0) + at(1, 1))),
+    ]
 }

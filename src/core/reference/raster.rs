@@ -1,7 +1,7 @@
 //! Stage `raster` (docs/model.md, step 10): premultiplied colour and coverage of every pixel.
 
 use super::{
-    project::{Culled, Splat},
+    project::{Culled, Splat, SplatGradient},
     ray::RayGaussian,
 };
 use crate::{
@@ -37,6 +37,16 @@ impl Canvas {
 
 /// Blends the splats of `order` over each other, back to front.
 pub fn raster(splats: &[Result<Splat, Culled>], order: &[u32], camera: &Camera) -> Canvas {
+    raster_with(splats, order, camera, Cutoff::Sharp)
+}
+
+/// [`raster`] with a cutoff of one's choice.
+pub fn raster_with(
+    splats: &[Result<Splat, Culled>],
+    order: &[u32],
+    camera: &Camera,
+    cutoff: Cutoff,
+) -> Canvas {
     let drawn: Vec<DrawnSplat> = order
         .iter()
         .filter_map(|&k| splats[k as usize].as_ref().ok())
@@ -44,9 +54,124 @@ pub fn raster(splats: &[Result<Splat, Culled>], order: &[u32], camera: &Camera) 
         .collect();
     in_bands(camera.size, |band, pixels| {
         for ellipse in &drawn {
-            ellipse.each_pixel(band, |at, _, alpha| ellipse.blend(alpha, &mut pixels[at]));
+            ellipse.each_pixel(band, |at, _, alpha| {
+                ellipse.blend(cutoff.of(alpha), &mut pixels[at]);
+            });
         }
     })
+}
+
+/// How contributions under the opacity cutoff vanish.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Cutoff {
+    /// α below [`ALPHA_MIN`] is skipped (docs/model.md, step 10): the image jumps there, and its
+    /// derivative leaves the jump out.
+    Sharp,
+    /// α below [`ALPHA_MIN`] is 0 and rises from there without a jump or a kink, up to twice
+    /// [`ALPHA_MIN`]: for holding derivatives against differences.
+    Smooth,
+}
+
+impl Cutoff {
+    /// What is blended for an α of at least [`ALPHA_MIN`].
+    fn of(self, alpha: f64) -> f64 {
+        match self {
+            Self::Sharp => alpha,
+            Self::Smooth => {
+                let x = (alpha / ALPHA_MIN - 1.0).clamp(0.0, 1.0);
+                alpha * x * x * (3.0 - 2.0 * x)
+            }
+        }
+    }
+
+    /// Derivative of [`Self::of`].
+    fn slope(self, alpha: f64) -> f64 {
+        match self {
+            Self::Sharp => 1.0,
+            Self::Smooth => {
+                let x = (alpha / ALPHA_MIN - 1.0).clamp(0.0, 1.0);
+                x * x * (3.0 - 2.0 * x) + alpha * 6.0 * x * (1.0 - x) / ALPHA_MIN
+            }
+        }
+    }
+}
+
+/// The derivative of [`raster_with`]; one entry a splat. `canvas`: what it drew; `gradient`: of the
+/// loss with respect to the canvas' pixels, premultiplied RGB and coverage.
+///
+/// Front to back: with T the transmittance before a splat, s its colour times the pixel's gradient
+/// and `behind` the same of all that lies behind it, ∂α = T s − behind / (1 − α).
+pub fn raster_backward(
+    splats: &[Result<Splat, Culled>],
+    order: &[u32],
+    camera: &Camera,
+    cutoff: Cutoff,
+    canvas: &Canvas,
+    gradient: &[[f64; 4]],
+) -> Vec<SplatGradient> {
+    /// What has been seen of a pixel so far.
+    struct Seen {
+        transmittance: f64,
+        sum: f64,
+    }
+    let near_to_far: Vec<(usize, DrawnSplat)> = order
+        .iter()
+        .rev()
+        .filter_map(|&k| {
+            let splat = splats[k as usize].as_ref().ok()?;
+            Some((k as usize, DrawnSplat::new(splat, camera)))
+        })
+        .collect();
+    let of_band = |band: &Band| {
+        let first = band.rows.start * band.width;
+        let mut seen: Vec<Seen> = Vec::new();
+        seen.resize_with(band.pixels(), || Seen {
+            transmittance: 1.0,
+            sum: 0.0,
+        });
+        let mut sums = vec![SplatGradient::default(); splats.len()];
+        for (k, ellipse) in &near_to_far {
+            let [a, b, c] = ellipse.inverse;
+            let sum = &mut sums[*k];
+            ellipse.each_pixel(band, |at, place, alpha| {
+                let pixel = DVec4::from(gradient[first + at]);
+                let total = pixel.dot(DVec4::from(canvas.pixels[first + at]));
+                let seen = &mut seen[at];
+                let blended = cutoff.of(alpha);
+                let weight = blended * seen.transmittance;
+                let light = ellipse.color.dot(pixel);
+                let behind = total - seen.sum - weight * light;
+                let of_blended = seen.transmittance * light - behind / (1.0 - blended);
+                seen.sum += weight * light;
+                seen.transmittance *= 1.0 - blended;
+                sum.color += weight * pixel.truncate();
+                if alpha < ALPHA_MAX {
+                    let of_power = of_blended * cutoff.slope(alpha) * alpha;
+                    let d = place - ellipse.center;
+                    sum.opacity += of_power / ellipse.opacity;
+                    sum.center += of_power * DVec2::new(a * d.x + b * d.y, b * d.x + c * d.y);
+                    sum.inverse[0] -= 0.5 * of_power * d.x * d.x;
+                    sum.inverse[1] -= of_power * d.x * d.y;
+                    sum.inverse[2] -= 0.5 * of_power * d.y * d.y;
+                }
+            });
+        }
+        sums
+    };
+    // In the order of the bands, whatever the number of threads.
+    let bands: Vec<Vec<SplatGradient>> = Band::of(camera.size).par_iter().map(of_band).collect();
+    let mut all = vec![SplatGradient::default(); splats.len()];
+    for band in bands {
+        for (all, one) in all.iter_mut().zip(band) {
+            all.center += one.center;
+            all.opacity += one.opacity;
+            all.color += one.color;
+            for (sum, part) in all.inverse.iter_mut().zip(one.inverse) {
+                *sum += part;
+            }
+        }
+    }
+    all
 }
 
 /// Blends splats over each other, back to front by the depth at which each is densest along the ray

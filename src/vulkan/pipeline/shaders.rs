@@ -21,6 +21,15 @@ pub struct Module {
 }
 
 impl Module {
+    /// A shader of another package, which reads no half quads. `file`: below `shaders`.
+    pub const fn new(file: &'static str, spirv: &'static [u8]) -> Self {
+        Self {
+            file,
+            spirv,
+            half: None,
+        }
+    }
+
     /// SPIR-V for a device, with f16 storage buffers or without.
     pub fn spirv(&self, half_storage: bool) -> &'static [u8] {
         self.half.filter(|_| half_storage).unwrap_or(self.spirv)

@@ -47,7 +47,7 @@ pub fn choose(gpu: &Arc<Gpu>) -> Result<SortChoice> {
 /// The variant to draw the first frame with: the fastest that earlier tests found right, else one
 /// that needs neither subgroups nor look-back. Nothing is tested, so that nobody waits for it;
 /// [`choose`] tests. Fails where every variant was tested and none is right.
-pub(crate) fn without_test(gpu: &Gpu) -> Result<SortVariant> {
+pub fn without_test(gpu: &Gpu) -> Result<SortVariant> {
     if let Some(choice) = gpu.sorts.chosen.get() {
         return Ok(choice.variant);
     }

@@ -1,0 +1,48 @@
+// Stage loss of the training: L1 between the image over its background and the picture, whose alpha
+// says what a pixel shows: 255 the person, 0 what is behind it, which the background replaces; all
+// else is left out. Writes the derivative, and sums of a workgroup's rows.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+#include "train/block.glsl"
+
+layout(local_size_x = TRAIN_WORKGROUP) in;
+layout(std430, set = 0, binding = 1) readonly buffer Image { vec4 image[]; };
+// RGBA8 of all views, one after the other.
+layout(std430, set = 0, binding = 2) readonly buffer Pictures { uint pictures[]; };
+// What other losses ask of the image over its background; all zero where there is none.
+layout(std430, set = 0, binding = 3) readonly buffer Asked { vec4 asked[]; };
+layout(std430, set = 0, binding = 4) writeonly buffer OfImage { vec4 of_image[]; };
+// Of each workgroup of a view: the sum of |difference|, and of its square, of all channels.
+layout(std430, set = 0, binding = 5) writeonly buffer Sums { vec2 loss_sums[]; };
+
+shared vec2 sums[TRAIN_WORKGROUP];
+
+void main() {
+    uint thread = gl_LocalInvocationID.x;
+    uint pixel = gl_GlobalInvocationID.x;
+    uint pixels = block.image_size.x * block.image_size.y;
+    sums[thread] = vec2(0.0);
+    if (pixel < pixels) {
+        vec4 drawn = image[pixel];
+        vec4 shown = unpackUnorm4x8(pictures[VIEW * pixels + pixel]);
+        vec3 color = drawn.xyz + drawn.w * block.background.xyz;
+        vec3 truth = shown.w < 0.25 ? block.background.xyz : shown.xyz;
+        vec3 of = asked[pixel].xyz;
+        if (shown.w < 0.25 || shown.w > 0.75) {
+            vec3 difference = clamp(color, 0.0, 1.0) - truth;
+            sums[thread] = vec2(dot(abs(difference), vec3(1.0)), dot(difference, difference));
+            of += block.loss_weights.x * sign(difference);
+        }
+        // Beyond what an image holds there is no difference.
+        of *= vec3(greaterThanEqual(color, vec3(0.0))) * vec3(lessThanEqual(color, vec3(1.0)));
+        of_image[pixel] = vec4(of, dot(of, block.background.xyz));
+    }
+    barrier();
+    if (thread == 0u) {
+        vec2 sum = vec2(0.0);
+        for (uint k = 0u; k < TRAIN_WORKGROUP; ++k) {
+            sum += sums[k];
+        }
+        loss_sums[VIEW * gl_NumWorkGroups.x + gl_WorkGroupID.x] = sum;
+    }
+}

@@ -1,0 +1,20 @@
+//! Learns avatars from pictures: cameras, masks and poses in, an avatar out, with no teacher.
+//!
+//! ```text
+//! view ──→ reference: the loss and its derivative in f64
+//!      ──→ gpu: the same on Vulkan, and Adam ──→ parameters ──→ avatar
+//! ```
+//!
+//! | module | what it holds |
+//! |---|---|
+//! | [`topology`] | what training leaves as it is |
+//! | [`parameters`] | what is learned |
+//! | [`view`] | what a step looks at |
+//! | [`loss`] | what it makes small |
+//! | [`reference`] | the loss and its derivative in f64 |
+
+pub mod loss;
+pub mod parameters;
+pub mod reference;
+pub mod topology;
+pub mod view;

@@ -1,0 +1,451 @@
+//! The loss of a step and its derivative in f64: the chain of the stages of
+//! `effigy_core::reference`, each with the derivative that stands beside it.
+//!
+//! The kernels are held against this, and this against differences of the loss.
+
+use crate::loss::LossWeights;
+use crate::parameters::{BASIS, COMPONENTS, GAUSSIAN, Layout, Parameters, sigmoid};
+use crate::topology::{Rows, Topology};
+use crate::view::{Shows, View};
+use effigy_core::avatar::matrix::Row;
+use effigy_core::reference::basis::{combine, combine_backward};
+use effigy_core::reference::mlp::{Neuron, activate, activate_backward, linear, linear_backward};
+use effigy_core::reference::nodes::displacement;
+use effigy_core::reference::project::{
+    Canonical, Culled, Gaussian, GaussianGradient, Splat, pose, pose_backward, project_backward,
+    project_opaque, skinning,
+};
+use effigy_core::reference::raster::{Canvas, Cutoff, raster_backward, raster_with};
+use effigy_core::reference::sort;
+use glam::{DAffine3, DVec3};
+use rayon::prelude::*;
+
+/// All that a step's loss depends on but what is learned.
+#[derive(Clone, Copy)]
+pub struct Problem<'a> {
+    /// What stays as it is.
+    pub topology: &'a Topology,
+    /// Which Gaussians have correctives.
+    pub rows: &'a Rows,
+    /// Where what is learned lies.
+    pub layout: &'a Layout,
+    /// Weights of the losses.
+    pub weights: &'a LossWeights,
+    /// Whether there are correctives at all.
+    pub correctives: bool,
+    /// How contributions under the opacity cutoff vanish.
+    pub cutoff: Cutoff,
+}
+
+/// Everything that a view's stages found.
+pub struct Forward {
+    /// The results of each layer of each part's network.
+    pub activations: Vec<Vec<Vec<f64>>>,
+    /// Displacements of the nodes, metres.
+    pub nodes: Vec<DVec3>,
+    /// Each Gaussian in canonical space.
+    pub canonical: Vec<Canonical>,
+    /// δr, δs and δc of each Gaussian; ten numbers.
+    pub correctives: Vec<[f64; 10]>,
+    /// Its skinning transform.
+    pub skinning: Vec<DAffine3>,
+    /// Each posed.
+    pub gaussians: Vec<Gaussian>,
+    /// 0 to 255, not rounded.
+    pub opacity: Vec<f64>,
+    /// Each in the image.
+    pub splats: Vec<Result<Splat, Culled>>,
+    /// Indices into `splats`, far to near.
+    pub order: Vec<u32>,
+    /// The image.
+    pub canvas: Canvas,
+}
+
+impl Problem<'_> {
+    /// Runs the stages for a view.
+    pub fn forward(&self, p: &Parameters<f64>, view: &View) -> Forward {
+        let topology = self.topology;
+        let activations: Vec<Vec<Vec<f64>>> = (0..topology.parts())
+            .into_par_iter()
+            .map(|part| self.network(p, part, &self.entered(view, part)))
+            .collect();
+        let features = |part: usize| activations[part].last().map_or(&[][..], Vec::as_slice);
+        let nodes: Vec<DVec3> = (0..topology.nodes())
+            .map(|node| {
+                let offset = DVec3::from_slice(&p.nodes[3 * node..]);
+                if !self.correctives {
+                    return offset;
+                }
+                let e = &features(usize::from(topology.node_part[node]))[BASIS..];
+                let basis = Row::Doubles(&p.nodes[self.layout.node_basis(node)]);
+                offset + DVec3::from(combine::<3>(basis, e))
+            })
+            .collect();
+        let count = topology.gaussians.len();
+        let correctives: Vec<[f64; 10]> = (0..count)
+            .map(|k| {
+                let e = &features(usize::from(topology.gaussians[k].part))[..BASIS];
+                let mut all = [0.0; 10];
+                let mut at = 0;
+                for (attribute, components) in COMPONENTS.into_iter().enumerate() {
+                    if let Some(row) = self.row(attribute, k) {
+                        let basis = &p.bases[self.layout.row(attribute, row)];
+                        for (c, functions) in basis.chunks_exact(BASIS).enumerate() {
+                            all[at + c] = Row::Doubles(functions).dot(e);
+                        }
+                    }
+                    at += components;
+                }
+                all
+            })
+            .collect();
+        let canonical: Vec<Canonical> = (0..count)
+            .map(|k| {
+                let placed = &topology.gaussians[k];
+                let own = &p.gaussians[k * GAUSSIAN..][..GAUSSIAN];
+                let delta = &correctives[k];
+                Canonical {
+                    position: placed.position
+                        + displacement(placed.node_weight, placed.node, &nodes),
+                    neutral_rotation: std::array::from_fn(|c| own[c]),
+                    rotation_corrective: std::array::from_fn(|c| delta[c]),
+                    log_scale: DVec3::from_slice(&own[4..]) + DVec3::from_slice(&delta[4..]),
+                    color: DVec3::from_slice(&own[8..]) + DVec3::from_slice(&delta[7..]),
+                }
+            })
+            .collect();
+        let skinning: Vec<DAffine3> = topology
+            .gaussians
+            .iter()
+            .map(|placed| skinning(&view.joints, placed.joint, placed.joint_weight))
+            .collect();
+        let gaussians: Vec<Gaussian> = canonical
+            .iter()
+            .zip(&skinning)
+            .map(|(canonical, g)| pose(canonical, g, 255))
+            .collect();
+        let opacity: Vec<f64> = (0..count)
+            .map(|k| 255.0 * sigmoid(p.gaussians[k * GAUSSIAN + 7]))
+            .collect();
+        let splats: Vec<Result<Splat, Culled>> = gaussians
+            .iter()
+            .zip(&opacity)
+            .map(|(gaussian, &opacity)| {
+                project_opaque(gaussian, opacity, &view.camera, topology.filter, 0)
+            })
+            .collect();
+        let order = sort::order(&splats);
+        let canvas = raster_with(&splats, &order, &view.camera, self.cutoff);
+        Forward {
+            activations,
+            nodes,
+            canonical,
+            correctives,
+            skinning,
+            gaussians,
+            opacity,
+            splats,
+            order,
+            canvas,
+        }
+    }
+
+    /// The loss of some views: the mean over them.
+    pub fn loss(&self, p: &Parameters<f64>, views: &[View]) -> f64 {
+        let all = views.iter().map(|view| {
+            let forward = self.forward(p, view);
+            self.picture_loss(&forward.canvas, view) + self.other_losses(&forward)
+        });
+        all.sum::<f64>() / views.len() as f64
+    }
+
+    /// The derivative of [`Self::loss`] with respect to everything that is learned.
+    pub fn gradient(&self, p: &Parameters<f64>, views: &[View]) -> Parameters<f64> {
+        let mut total = Parameters::zeros(self.layout);
+        for view in views {
+            let forward = self.forward(p, view);
+            let of_canvas = self.picture_loss_backward(&forward.canvas, view);
+            self.backward(p, view, &forward, &of_canvas, &mut total);
+        }
+        for array in total.arrays_mut() {
+            for number in array.iter_mut() {
+                *number /= views.len() as f64;
+            }
+        }
+        total
+    }
+
+    /// Adds the derivative of one view's losses. `of_canvas`: of the loss with respect to its image.
+    pub fn backward(
+        &self,
+        p: &Parameters<f64>,
+        view: &View,
+        forward: &Forward,
+        of_canvas: &[[f64; 4]],
+        total: &mut Parameters<f64>,
+    ) {
+        let topology = self.topology;
+        let of_splats = raster_backward(
+            &forward.splats,
+            &forward.order,
+            &view.camera,
+            self.cutoff,
+            &forward.canvas,
+            of_canvas,
+        );
+        let count = topology.gaussians.len();
+        let numbers = 3.0 * count as f64;
+        let mut of_nodes = vec![DVec3::ZERO; topology.nodes()];
+        let mut of_features = vec![vec![0.0; 2 * BASIS]; topology.parts()];
+        for k in 0..count {
+            let placed = &topology.gaussians[k];
+            let part = usize::from(placed.part);
+            let canonical = &forward.canonical[k];
+            let of_gaussian = match &forward.splats[k] {
+                Ok(splat) => project_backward(
+                    &forward.gaussians[k],
+                    forward.opacity[k],
+                    &view.camera,
+                    topology.filter,
+                    splat,
+                    &of_splats[k],
+                ),
+                Err(_) => GaussianGradient::default(),
+            };
+            let of = pose_backward(canonical, &forward.skinning[k], &of_gaussian);
+            let mut of_log_scale = of.log_scale;
+            for (of, s) in of_log_scale
+                .as_mut()
+                .iter_mut()
+                .zip(canonical.log_scale.exp().to_array())
+            {
+                if s > self.weights.scale_above {
+                    *of += self.weights.scale * s / numbers;
+                }
+            }
+            let own = &mut total.gaussians[k * GAUSSIAN..][..GAUSSIAN];
+            let mut add = |at: usize, of: &[f64]| {
+                for (own, of) in own[at..].iter_mut().zip(of) {
+                    *own += of;
+                }
+            };
+            add(0, &of.rotation);
+            add(4, &of_log_scale.to_array());
+            let o = forward.opacity[k] / 255.0;
+            add(7, &[of_gaussian.opacity * 255.0 * o * (1.0 - o)]);
+            add(8, &of.color.to_array());
+            for (&node, &weight) in placed.node.iter().zip(&placed.node_weight) {
+                of_nodes[usize::from(node)] += weight * of.position;
+            }
+            // To the correctives, which have a loss of their own.
+            let mut of_delta: Vec<f64> = of.rotation.to_vec();
+            of_delta.extend(of_log_scale.to_array());
+            of_delta.extend(of.color.to_array());
+            let e = forward.activations[part]
+                .last()
+                .map_or(&[][..], Vec::as_slice);
+            let mut at = 0;
+            for (attribute, components) in COMPONENTS.into_iter().enumerate() {
+                let weight =
+                    self.weights.correctives[attribute] / (components as f64 * count as f64);
+                if let Some(row) = self.row(attribute, k) {
+                    let place = self.layout.row(attribute, row);
+                    for c in 0..components {
+                        let of = of_delta[at + c] + weight * sign(forward.correctives[k][at + c]);
+                        let functions = place.start + c * BASIS;
+                        for b in 0..BASIS {
+                            total.bases[functions + b] += of * e[b];
+                            of_features[part][b] += of * p.bases[functions + b];
+                        }
+                    }
+                }
+                at += components;
+            }
+        }
+        for (node, of) in of_nodes.iter().enumerate() {
+            let part = usize::from(topology.node_part[node]);
+            for c in 0..3 {
+                total.nodes[3 * node + c] += of[c];
+            }
+            if !self.correctives {
+                continue;
+            }
+            let place = self.layout.node_basis(node);
+            let e = &forward.activations[part][topology.layers() - 1][BASIS..];
+            for (at, number) in total.nodes[place.clone()].iter_mut().enumerate() {
+                *number += of[at / BASIS] * e[at % BASIS];
+            }
+            let basis = Row::Doubles(&p.nodes[place]);
+            combine_backward(basis, of.to_array(), &mut of_features[part][BASIS..]);
+        }
+        if self.correctives {
+            for (part, of_features) in of_features.iter().enumerate() {
+                self.network_backward(
+                    p,
+                    view,
+                    part,
+                    &forward.activations[part],
+                    of_features,
+                    total,
+                );
+            }
+        }
+    }
+
+    /// The row of an attribute that a Gaussian has, where there are correctives.
+    fn row(&self, attribute: usize, gaussian: usize) -> Option<usize> {
+        let row = self.rows.row(attribute, gaussian);
+        row.filter(|_| self.correctives)
+    }
+
+    /// What enters a part's network.
+    fn entered(&self, view: &View, part: usize) -> Vec<f64> {
+        let mut entered = view.input.clone();
+        if part >= self.topology.head_parts {
+            entered[self.topology.expression_start..].fill(0.0);
+        }
+        entered
+    }
+
+    /// A part's weights of a layer, a row a neuron.
+    fn weights(&self, p: &Parameters<f64>, part: usize, layer: usize) -> Vec<f64> {
+        let place = &self.layout.layers[layer];
+        let own = &p.networks[place.weights + part * place.input * place.output..];
+        (0..place.output)
+            .flat_map(|neuron| (0..place.input).map(move |i| own[i * place.output + neuron]))
+            .collect()
+    }
+
+    fn network(&self, p: &Parameters<f64>, part: usize, input: &[f64]) -> Vec<Vec<f64>> {
+        let mut results: Vec<Vec<f64>> = Vec::new();
+        for (l, place) in self.layout.layers.iter().enumerate() {
+            let weights = self.weights(p, part, l);
+            let x = results.last().map_or(input, Vec::as_slice);
+            let mut y = linear(x, place.output, |k| Neuron {
+                weight: Row::Doubles(&weights[k * place.input..][..place.input]),
+                bias: p.networks[place.biases + part * place.output + k],
+            });
+            if l + 1 < self.layout.layers.len() {
+                for y in &mut y {
+                    *y = activate(self.topology.activation, *y);
+                }
+            }
+            results.push(y);
+        }
+        results
+    }
+
+    fn network_backward(
+        &self,
+        p: &Parameters<f64>,
+        view: &View,
+        part: usize,
+        activations: &[Vec<f64>],
+        of_features: &[f64],
+        total: &mut Parameters<f64>,
+    ) {
+        let input = self.entered(view, part);
+        let mut of = of_features.to_vec();
+        for (l, place) in self.layout.layers.iter().enumerate().rev() {
+            let x = if l > 0 { &activations[l - 1] } else { &input };
+            let first = place.weights + part * place.input * place.output;
+            for (neuron, of) in of.iter().enumerate() {
+                for (i, x) in x.iter().enumerate() {
+                    total.networks[first + i * place.output + neuron] += of * x;
+                }
+                total.networks[place.biases + part * place.output + neuron] += of;
+            }
+            if l == 0 {
+                break;
+            }
+            let weights = self.weights(p, part, l);
+            of = linear_backward(&of, place.input, |k| Neuron {
+                weight: Row::Doubles(&weights[k * place.input..][..place.input]),
+                bias: 0.0,
+            });
+            for (of, &y) in of.iter_mut().zip(x) {
+                *of *= activate_backward(self.topology.activation, y);
+            }
+        }
+    }
+
+    /// Mean of |image over background − picture|, weighted.
+    fn picture_loss(&self, canvas: &Canvas, view: &View) -> f64 {
+        let sum: f64 = (0..canvas.pixels.len())
+            .map(|at| difference(canvas, view, at).map_or(0.0, |d| d.abs().element_sum()))
+            .sum();
+        self.weights.l1 * sum / (3.0 * canvas.pixels.len() as f64)
+    }
+
+    /// The derivative of the picture's loss with respect to the canvas.
+    pub fn picture_loss_backward(&self, canvas: &Canvas, view: &View) -> Vec<[f64; 4]> {
+        let weight = self.weights.l1 / (3.0 * canvas.pixels.len() as f64);
+        (0..canvas.pixels.len())
+            .map(|at| {
+                let Some(difference) = difference(canvas, view, at) else {
+                    return [0.0; 4];
+                };
+                let over = over(canvas, view, at);
+                let mut of = DVec3::ZERO;
+                for c in 0..3 {
+                    if (0.0..=1.0).contains(&over[c]) {
+                        of[c] = weight * sign(difference[c]);
+                    }
+                }
+                of.extend(-of.dot(view.background)).to_array()
+            })
+            .collect()
+    }
+
+    /// Losses of scales and correctives.
+    fn other_losses(&self, forward: &Forward) -> f64 {
+        let count = forward.canonical.len() as f64;
+        let scale: f64 = forward
+            .canonical
+            .iter()
+            .flat_map(|canonical| canonical.log_scale.exp().to_array())
+            .filter(|&s| s > self.weights.scale_above)
+            .sum();
+        let mut at = 0;
+        let mut sum = self.weights.scale * scale / (3.0 * count);
+        for (attribute, components) in COMPONENTS.into_iter().enumerate() {
+            let own = at..at + components;
+            let all: f64 = forward
+                .correctives
+                .iter()
+                .flat_map(|delta| delta[own.clone()].iter())
+                .map(|v| v.abs())
+                .sum();
+            sum += self.weights.correctives[attribute] * all / (components as f64 * count);
+            at += components;
+        }
+        sum
+    }
+}
+
+/// −1, 0 or 1.
+fn sign(x: f64) -> f64 {
+    if x == 0.0 { 0.0 } else { x.signum() }
+}
+
+/// A pixel of the image over the view's background.
+fn over(canvas: &Canvas, view: &View, at: usize) -> DVec3 {
+    let [r, g, b, coverage] = canvas.pixels[at];
+    DVec3::new(r, g, b) + (1.0 - coverage) * view.background
+}
+
+/// Image less picture at a pixel; None where the picture is unsure.
+fn difference(canvas: &Canvas, view: &View, at: usize) -> Option<DVec3> {
+    let truth = match view.picture.shows(at) {
+        Shows::Unsure => return None,
+        Shows::Background => view.background,
+        Shows::Person => {
+            let [r, g, b, _] = view.picture.pixels[at];
+            DVec3::from([r, g, b].map(|v| f64::from(v) / 255.0))
+        }
+    };
+    Some(over(canvas, view, at).clamp(DVec3::ZERO, DVec3::ONE) - truth)
+}
+
+#[cfg(test)]
+mod tests;
