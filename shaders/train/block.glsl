@@ -11,7 +11,7 @@ layout(std140, set = 0, binding = 0) uniform ViewBlock {
     // Variance of the low-pass, px²; 1 where opacities are compensated; the guard band, px.
     vec4 low_pass;
     // Weight of |difference| of one channel of a pixel; weight of a scale, and from which scale on,
-    // metres.
+    // metres; of what other losses ask.
     vec4 loss_weights;
     // Weights of |δr|, |δs|, |δc|.
     vec4 corrective_weights;

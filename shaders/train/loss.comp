@@ -9,7 +9,7 @@ layout(local_size_x = TRAIN_WORKGROUP) in;
 layout(std430, set = 0, binding = 1) readonly buffer Image { vec4 image[]; };
 // RGBA8 of all views, one after the other.
 layout(std430, set = 0, binding = 2) readonly buffer Pictures { uint pictures[]; };
-// What other losses ask of the image over its background; all zero where there is none.
+// What other losses ask of the image over its background.
 layout(std430, set = 0, binding = 3) readonly buffer Asked { vec4 asked[]; };
 layout(std430, set = 0, binding = 4) writeonly buffer OfImage { vec4 of_image[]; };
 // Of each workgroup of a view: the sum of |difference|, and of its square, of all channels.
@@ -27,7 +27,7 @@ void main() {
         vec4 shown = unpackUnorm4x8(pictures[VIEW * pixels + pixel]);
         vec3 color = drawn.xyz + drawn.w * block.background.xyz;
         vec3 truth = shown.w < 0.25 ? block.background.xyz : shown.xyz;
-        vec3 of = asked[pixel].xyz;
+        vec3 of = block.loss_weights.w * asked[pixel].xyz;
         if (shown.w < 0.25 || shown.w > 0.75) {
             vec3 difference = clamp(color, 0.0, 1.0) - truth;
             sums[thread] = vec2(dot(abs(difference), vec3(1.0)), dot(difference, difference));

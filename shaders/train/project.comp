@@ -17,6 +17,7 @@ layout(std430, set = 0, binding = 7) readonly buffer Displaced { vec4 displaced[
 layout(std430, set = 0, binding = 8) writeonly buffer Canonical { vec4 canonical[]; };
 layout(std430, set = 0, binding = 9) writeonly buffer Splats { vec4 splats[]; };
 layout(std430, set = 0, binding = 10) writeonly buffer Keys { uint keys[]; };
+layout(std430, set = 0, binding = 11) writeonly buffer SplatPairs { uvec2 splat_pairs[]; };
 #include "train/features.glsl"
 #include "train/gradient.glsl"
 #include "train/gaussian.glsl"
@@ -32,6 +33,8 @@ void main() {
     if (g >= GAUSSIANS) {
         return;
     }
+    // Who is drawn gets pairs later.
+    splat_pairs[g] = uvec2(0u);
     Placed placed = placed_at(g);
     vec4 rotation = learned[3u * g];
     vec4 scale_opacity = learned[3u * g + 1u];

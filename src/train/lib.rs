@@ -11,8 +11,12 @@
 //! | [`parameters`] | what is learned |
 //! | [`view`] | what a step looks at |
 //! | [`loss`] | what it makes small |
+//! | [`adam`] | how far a step goes |
 //! | [`reference`] | the loss and its derivative in f64 |
+//! | [`gpu`] | both on Vulkan, and the steps |
 
+pub mod adam;
+pub mod gpu;
 pub mod loss;
 pub mod parameters;
 pub mod reference;

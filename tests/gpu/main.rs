@@ -10,6 +10,7 @@ mod memory;
 mod present;
 mod rates;
 mod stages;
+mod train;
 mod tuning;
 #[cfg(feature = "webgpu")]
 mod webgpu;
@@ -40,6 +41,7 @@ fn main() -> ExitCode {
             stages::skip,
             stages::scene,
             stages::stress,
+            train,
             clocks,
             devices,
             memory,

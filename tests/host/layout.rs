@@ -220,6 +220,34 @@ fn the_frame_block_is_the_same_on_both_sides() {
     );
 }
 
+fn the_block_of_a_trained_view_is_the_same_on_both_sides() {
+    for module in effigy_train::gpu::shaders::MODULES {
+        let reflection = Reflection::new(module, false);
+        for (_, block) in reflection.variables(StorageClass::Uniform) {
+            // Vectors alone, the first of them three rows.
+            let members = size_of::<ViewBlock>() as u32 / 16 - 3;
+            let expected: Vec<usize> = (0..=members as usize)
+                .map(|member| 16 * if member == 0 { 0 } else { member + 2 })
+                .collect();
+            assert_eq!(
+                reflection.member_offsets(block),
+                expected,
+                "{}: offsets of the view's block",
+                module.file
+            );
+        }
+    }
+    let named = [
+        offset_of!(ViewBlock, lens),
+        offset_of!(ViewBlock, loss_weights),
+        offset_of!(ViewBlock, counts),
+        offset_of!(ViewBlock, sizes),
+        offset_of!(ViewBlock, network),
+        offset_of!(ViewBlock, adam_correction),
+    ];
+    assert_eq!(named, [48, 112, 144, 272, 288, 368]);
+}
+
 fn the_control_block_is_the_same_on_both_sides() {
     let expected = [
         offset_of!(Control, index_count),
@@ -323,6 +351,7 @@ fn shaders_need_no_more_than_every_device_has() {
 
 tests! {
     the_frame_block_is_the_same_on_both_sides,
+    the_block_of_a_trained_view_is_the_same_on_both_sides,
     the_control_block_is_the_same_on_both_sides,
     shaders_need_no_more_than_every_device_has,
 }

@@ -1,7 +1,7 @@
 //! The compiled shader modules match their sources and WebGPU's limits.
 
 use effigy::{
-    vulkan::shaders::{FINGERPRINTS, MODULES, fingerprint, module_fingerprint},
+    vulkan::shaders::{FINGERPRINTS, MODULES, Module, fingerprint, module_fingerprint},
     wgsl as web,
 };
 use effigy_core::layout::{self, MacroValue};
@@ -33,9 +33,15 @@ fn files(folder: &Path) -> BTreeSet<String> {
     found
 }
 
+/// The modules of the renderer, and those of the training.
+fn modules() -> impl Iterator<Item = &'static Module> {
+    let trained = effigy_train::gpu::shaders::MODULES;
+    MODULES.iter().chain(trained).copied()
+}
+
 fn spirv_matches_its_sources() {
     let recorded = fs::read_to_string(shaders().join("spv").join(FINGERPRINTS)).unwrap();
-    for module in MODULES {
+    for module in modules() {
         let source = fingerprint(&shaders(), module.file).unwrap();
         let now = module_fingerprint(source, module.compiled_modules());
         let line = format!("{} {now:016x}", module.file);
@@ -45,7 +51,7 @@ fn spirv_matches_its_sources() {
             module.file
         );
     }
-    assert_eq!(recorded.lines().count(), MODULES.len(), "modules on record");
+    assert_eq!(recorded.lines().count(), modules().count(), "modules on record");
 }
 
 fn wgsl_matches_its_sources() {
@@ -70,7 +76,7 @@ fn wgsl_matches_its_sources() {
 
 fn compiled_files_are_those_of_the_modules() {
     let mut spirv = BTreeSet::from([FINGERPRINTS.to_string()]);
-    for module in MODULES {
+    for module in modules() {
         spirv.insert(module.compiled(false));
         if module.has_half() {
             spirv.insert(module.compiled(true));

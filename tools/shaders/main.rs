@@ -4,7 +4,8 @@
 //! `cargo run --release -p effigy-shaders --features compile --bin compile-shaders [-- --check]`
 //!
 //! With `--check` nothing is written; the command fails if a stored module differs from what its
-//! source compiles to. The modules are listed in `effigy::vulkan::shaders` and `effigy::wgsl`. To
+//! source compiles to. The modules are listed in `effigy::vulkan::shaders`, `effigy::wgsl` and
+//! `effigy_train::gpu::shaders`. To
 //! add one, add its row there and create an empty file in its place, so that this program builds.
 
 mod wgsl;
@@ -115,7 +116,7 @@ impl Output {
 fn write_spirv(sources: &Sources, output: &mut Output) -> anyhow::Result<()> {
     let folder = sources.shaders.join("spv");
     let mut fingerprints = String::new();
-    for module in MODULES {
+    for module in MODULES.iter().chain(effigy_train::gpu::shaders::MODULES) {
         let mut compiled = Vec::new();
         for half in [false, true] {
             if half && !module.has_half() {

@@ -9,7 +9,8 @@ use super::{
 use crate::{
     avatar::limits,
     constants::{
-        ALPHA_MAX, F16_MAX, FEATURE_MAX, LEAKY_SLOPE, LOG_SCALE_MAX, LONGEST_MARGIN, ROTATION_MIN, VARIANCE_MAX,
+        ALPHA_MAX, F16_MAX, FEATURE_MAX, LEAKY_SLOPE, LOG_SCALE_MAX, LONGEST_MARGIN, ROTATION_MIN,
+        VARIANCE_MAX,
     },
 };
 

@@ -329,7 +329,7 @@ pub struct SplatGradient {
 }
 
 /// Derivative of a loss with respect to a [`Gaussian`].
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GaussianGradient {
     /// Of the mean, per metre.
     pub mean: DVec3,
@@ -341,8 +341,17 @@ pub struct GaussianGradient {
     pub opacity: f64,
 }
 
-/// The derivative of [`project_opaque`] at level 0, for a Gaussian that it does not cull; zero for
-/// others.
+impl GaussianGradient {
+    /// That of a Gaussian that is not drawn.
+    pub const ZERO: Self = Self {
+        mean: DVec3::ZERO,
+        axes: DMat3::ZERO,
+        color: DVec3::ZERO,
+        opacity: 0.0,
+    };
+}
+
+/// The derivative of [`project_opaque`] at level 0, for a Gaussian that it does not cull.
 pub fn project_backward(
     gaussian: &Gaussian,
     opacity: f64,

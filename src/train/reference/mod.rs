@@ -210,7 +210,7 @@ impl Problem<'_> {
                     splat,
                     &of_splats[k],
                 ),
-                Err(_) => GaussianGradient::default(),
+                Err(_) => GaussianGradient::ZERO,
             };
             let of = pose_backward(canonical, &forward.skinning[k], &of_gaussian);
             let mut of_log_scale = of.log_scale;

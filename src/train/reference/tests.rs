@@ -92,7 +92,8 @@ impl Scene {
             for number in &mut numbers[4..7] {
                 *number = random.range(0.02, 0.12).ln();
             }
-            numbers[7] = random.range(-1.0, 2.0);
+            // Some are too faint to be drawn.
+            numbers[7] = random.range(-1.0, 2.0) - if random.uniform() < 0.1 { 8.0 } else { 0.0 };
             for number in &mut numbers[8..11] {
                 *number = random.range(0.2, 0.8);
             }

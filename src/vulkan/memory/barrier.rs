@@ -33,6 +33,9 @@ impl Scope {
     pub const TRANSFER_READS: Self =
         Self::new(PipelineStageFlags::TRANSFER, AccessFlags::TRANSFER_READ);
 
+    /// Reads of the host, once the submission is over.
+    pub const HOST_READS: Self = Self::new(PipelineStageFlags::HOST, AccessFlags::HOST_READ);
+
     /// Each access must be one that some of the stages can make.
     pub(crate) const fn new(stages: PipelineStageFlags, access: AccessFlags) -> Self {
         Self { stages, access }
@@ -71,8 +74,7 @@ impl Recording<'_> {
 
     /// Makes what transfers wrote visible to the host.
     pub(crate) fn show_host(self) {
-        let host = Scope::new(PipelineStageFlags::HOST, AccessFlags::HOST_READ);
-        self.barrier(Scope::TRANSFER_WRITES, host);
+        self.barrier(Scope::TRANSFER_WRITES, Scope::HOST_READS);
     }
 
     /// Orders what is done to a colour image, and changes its layout.

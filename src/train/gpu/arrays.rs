@@ -1,0 +1,172 @@
+//! Device memory of the training.
+
+use crate::parameters::{Layout, Parameters};
+use crate::topology::{Rows, Topology};
+use bytemuck::{Pod, cast_slice};
+use effigy::vulkan::Gpu;
+use effigy::vulkan::Result;
+use effigy::vulkan::compute::{Buffer, BufferUsageFlags, MemoryLocation, Slice};
+use effigy_core::layout::TRAIN_NO_ROW;
+use std::sync::Arc;
+
+/// Storage that kernels and copies use.
+const STORAGE: BufferUsageFlags = BufferUsageFlags::from_raw(
+    BufferUsageFlags::STORAGE_BUFFER.as_raw()
+        | BufferUsageFlags::TRANSFER_SRC.as_raw()
+        | BufferUsageFlags::TRANSFER_DST.as_raw(),
+);
+
+/// A storage buffer of the device's own, of so many words.
+pub(super) fn words(gpu: &Arc<Gpu>, name: &'static str, words: usize) -> Result<Buffer> {
+    Buffer::new(
+        gpu,
+        name,
+        4 * words as u64,
+        STORAGE,
+        MemoryLocation::GpuOnly,
+    )
+}
+
+/// A storage buffer of the device's own with data.
+pub(super) fn filled<T: Pod>(gpu: &Arc<Gpu>, name: &'static str, data: &[T]) -> Result<Buffer> {
+    Buffer::with_data(gpu, name, cast_slice(data), STORAGE)
+}
+
+/// A storage buffer that the host writes for each step.
+pub(super) fn written(gpu: &Arc<Gpu>, name: &'static str, words: usize) -> Result<Buffer> {
+    Buffer::new(
+        gpu,
+        name,
+        4 * words as u64,
+        STORAGE,
+        MemoryLocation::CpuToGpu,
+    )
+}
+
+/// A storage buffer that the host reads after each step.
+pub(super) fn read(gpu: &Arc<Gpu>, name: &'static str, words: usize) -> Result<Buffer> {
+    Buffer::new(
+        gpu,
+        name,
+        4 * words as u64,
+        STORAGE,
+        MemoryLocation::GpuToCpu,
+    )
+}
+
+/// What is learned, or a number for each of it, on the device.
+pub(super) struct Learned {
+    pub gaussians: Buffer,
+    pub nodes: Buffer,
+    pub networks: Buffer,
+    pub bases: Buffer,
+    layout: Layout,
+}
+
+impl Learned {
+    pub fn new(
+        gpu: &Arc<Gpu>,
+        name: &'static str,
+        layout: &Layout,
+        numbers: &Parameters<f32>,
+    ) -> Result<Self> {
+        Ok(Self {
+            gaussians: filled(gpu, name, &numbers.gaussians)?,
+            nodes: filled(gpu, name, &numbers.nodes)?,
+            networks: filled(gpu, name, &numbers.networks)?,
+            bases: filled(gpu, name, &numbers.bases)?,
+            layout: layout.clone(),
+        })
+    }
+
+    /// The nodes' offsets and bases.
+    pub fn node_halves(&self) -> [Slice; 2] {
+        let all = Slice::from(&self.nodes);
+        let offsets = 4 * self.layout.node_bases as u64;
+        let bases = 4 * (self.layout.nodes * 3 * crate::parameters::BASIS) as u64;
+        [all.part(0, offsets), all.part(offsets, bases)]
+    }
+
+    /// Copies all of it back, and waits.
+    pub fn download(&self) -> Result<Parameters<f32>> {
+        let [gaussians, nodes, networks, bases] = self.layout.lengths();
+        let get = |buffer: &Buffer, length: usize| -> Result<Vec<f32>> {
+            Ok(bytemuck::pod_collect_to_vec(&buffer.download(4 * length)?))
+        };
+        Ok(Parameters {
+            gaussians: get(&self.gaussians, gaussians)?,
+            nodes: get(&self.nodes, nodes)?,
+            networks: get(&self.networks, networks)?,
+            bases: get(&self.bases, bases)?,
+        })
+    }
+}
+
+/// What stays as it is, on the device.
+pub(super) struct Fixed {
+    /// Three vectors a Gaussian (`shaders/train/gaussian.glsl`).
+    pub gaussians: Buffer,
+    /// Row of rotation, scale and colour of each Gaussian, and its part.
+    pub rows: Buffer,
+    /// The part of each node.
+    pub node_part: Buffer,
+    /// Where each node's followers begin.
+    pub node_starts: Buffer,
+    /// Who follows each node, and by how much.
+    pub followers: Buffer,
+    /// Gaussians and nodes of each part.
+    pub members: Buffer,
+}
+
+impl Fixed {
+    pub fn new(gpu: &Arc<Gpu>, topology: &Topology, rows: &Rows) -> Result<Self> {
+        let mut gaussians: Vec<u32> = Vec::with_capacity(12 * topology.gaussians.len());
+        let mut row_words: Vec<u32> = Vec::with_capacity(4 * topology.gaussians.len());
+        for (k, placed) in topology.gaussians.iter().enumerate() {
+            let position = placed.position.as_vec3().to_array().map(f32::to_bits);
+            let [a, b, c] = placed.node.map(u32::from);
+            gaussians.extend(position);
+            gaussians.push(a | b << 16);
+            gaussians.extend(placed.node_weight.map(|w| (w as f32).to_bits()));
+            gaussians.push(c | u32::from(placed.part) << 16);
+            gaussians.push(u32::from_le_bytes(placed.joint));
+            gaussians.push(u32::from_le_bytes(placed.joint_weight));
+            gaussians.extend([0, 0]);
+            let row = |attribute| {
+                rows.row(attribute, k)
+                    .map_or(TRAIN_NO_ROW, |row| row as u32)
+            };
+            row_words.extend([row(0), row(1), row(2), u32::from(placed.part)]);
+        }
+        let node_part: Vec<u32> = topology.node_part.iter().map(|&p| u32::from(p)).collect();
+        let node_starts = starts(topology.followers.iter().map(Vec::len));
+        let followers: Vec<u32> = topology
+            .followers
+            .iter()
+            .flatten()
+            .flat_map(|follower| [follower.gaussian, (follower.weight as f32).to_bits()])
+            .collect();
+        let mut members = topology.part_start.clone();
+        members.extend(starts(topology.part_nodes.iter().map(Vec::len)));
+        members.extend(topology.part_nodes.iter().flatten());
+        Ok(Self {
+            gaussians: filled(gpu, "placed Gaussians", &gaussians)?,
+            rows: filled(gpu, "rows", &row_words)?,
+            node_part: filled(gpu, "node parts", &node_part)?,
+            node_starts: filled(gpu, "node starts", &node_starts)?,
+            followers: filled(gpu, "followers", &followers)?,
+            members: filled(gpu, "members", &members)?,
+        })
+    }
+}
+
+/// Where each of some lists begins in all of them, and where the last ends.
+fn starts(lengths: impl Iterator<Item = usize>) -> Vec<u32> {
+    let mut all = vec![0];
+    let mut end = 0;
+    for length in lengths {
+        end += length as u32;
+        all.push(end);
+    }
+    all
+}

@@ -1,0 +1,520 @@
+//! The steps of a training on a device.
+
+use super::arrays::{Fixed, Learned, read, words, written};
+use super::block::{Place, STRIDE, StepOptions, Updates, ViewBlock};
+use super::kernels::{Binder, Inputs, Kernels, OfViews};
+use super::per_view::PerView;
+use super::tiles::{TileShape, Tiles};
+use crate::parameters::{Layout, Parameters};
+use crate::topology::{Rows, Topology};
+use crate::view::View;
+use bytemuck::{bytes_of, cast_slice};
+use effigy::vulkan::compute::{Buffer, Kernel, Recording, Scope};
+use effigy::vulkan::{Error, Gpu, Result};
+use effigy_core::layout::{TRAIN_BASES_WORKGROUP, TRAIN_BASIS, TRAIN_WIDTH_MAX, TRAIN_WORKGROUP};
+use glam::DAffine3;
+use std::sync::Arc;
+
+/// Room for pairs at first, for each Gaussian. More is made where it does not do.
+const PAIRS_A_GAUSSIAN: u32 = 4;
+/// Storage buffers that the kernel with the most of them binds.
+const STORAGE_BUFFERS: u32 = 11;
+/// Layers that the kernels know.
+const LAYERS: usize = 4;
+
+/// What a training learns, and where it stands: all that a checkpoint needs of it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TrainerState {
+    /// What is learned.
+    pub parameters: Parameters<f32>,
+    /// Adam's first moments.
+    pub first_moments: Parameters<f32>,
+    /// Adam's second moments.
+    pub second_moments: Parameters<f32>,
+    /// Steps since the start.
+    pub steps: u64,
+    /// Steps in which correctives learned.
+    pub corrective_steps: u64,
+}
+
+impl TrainerState {
+    /// The start of a training.
+    pub fn new(layout: &Layout, parameters: Parameters<f32>) -> Self {
+        Self {
+            parameters,
+            first_moments: Parameters::zeros(layout),
+            second_moments: Parameters::zeros(layout),
+            steps: 0,
+            corrective_steps: 0,
+        }
+    }
+}
+
+/// What a step found.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StepReport {
+    /// Mean of |image − picture| over all channels of all pixels of all views, before the step.
+    pub l1: f64,
+    /// Mean of its square.
+    pub squared: f64,
+    /// Most pairs of splats and tiles that a view had.
+    pub pairs: u32,
+    /// Views in which no Gaussian was seen.
+    pub empty_views: u32,
+}
+
+/// A training on a device: steps of Adam along the derivative of pictures' losses.
+///
+/// Every sum has a fixed order: equal steps give equal bits on one device.
+pub struct Trainer {
+    // Kernels go before what they are bound to.
+    kernels: Kernels,
+    project_backward: Kernel,
+    tiles: Tiles,
+    gpu: Arc<Gpu>,
+    topology: Topology,
+    layout: Layout,
+    shape: TileShape,
+    size: [u32; 2],
+    views: usize,
+    per_view: PerView,
+    inputs: Inputs,
+    of_views: OfViews,
+    fixed: Fixed,
+    parameters: Learned,
+    first_moments: Learned,
+    second_moments: Learned,
+    steps: u64,
+    corrective_steps: u64,
+}
+
+impl Trainer {
+    /// Begins or goes on with a training. `size`: of every view's image, px; `views`: most of a
+    /// step.
+    ///
+    /// # Errors
+    /// When the device has too little memory or too few bindings, or the avatar is not for it: the
+    /// networks have 2 to 4 layers of at most [`TRAIN_WIDTH_MAX`] numbers, the last of twice
+    /// [`TRAIN_BASIS`].
+    pub fn new(
+        gpu: &Arc<Gpu>,
+        topology: &Topology,
+        rows: &Rows,
+        state: &TrainerState,
+        size: [u32; 2],
+        views: usize,
+    ) -> Result<Self> {
+        check(gpu, topology)?;
+        let layout = Layout::new(topology, rows);
+        let count = layout.gaussians;
+        let pixels = size[0] as usize * size[1] as usize;
+        let widths: usize = topology.widths[1..].iter().sum();
+        let per_view = PerView::new(gpu, count as u32, pixels, views)?;
+        let inputs = Inputs {
+            joints: written(gpu, "posed joints", 12 * topology.joints * views)?,
+            inputs: written(gpu, "network inputs", topology.widths[0] * views)?,
+            pictures: written(gpu, "pictures", pixels * views)?,
+        };
+        let of_views = OfViews {
+            activations: words(gpu, "activations", widths * layout.parts * views)?,
+            of_sums: words(
+                gpu,
+                "activations' derivatives",
+                widths * layout.parts * views,
+            )?,
+            displaced: words(gpu, "displaced nodes", 4 * layout.nodes * views)?,
+            of_nodes: words(gpu, "nodes' derivatives", 4 * layout.nodes * views)?,
+            of_gaussians: words(gpu, "Gaussians' derivatives", 16 * count * views)?,
+            loss_sums: read(gpu, "loss sums", 2 * groups(pixels) as usize * views)?,
+        };
+        let fixed = Fixed::new(gpu, topology, rows)?;
+        let parameters = Learned::new(gpu, "parameters", &layout, &state.parameters)?;
+        let first_moments = Learned::new(gpu, "first moments", &layout, &state.first_moments)?;
+        let second_moments = Learned::new(gpu, "second moments", &layout, &state.second_moments)?;
+        let shape = TileShape::of(gpu);
+        let pairs = (PAIRS_A_GAUSSIAN * count as u32).max(1024);
+        let tiles = Tiles::new(gpu, &per_view, shape, pairs, size)?;
+        let binder = Binder {
+            gpu,
+            per_view: &per_view,
+        };
+        let kernels = binder.kernels(
+            &inputs,
+            &of_views,
+            &fixed,
+            [&parameters, &first_moments, &second_moments],
+            &layout,
+        )?;
+        let project_backward =
+            binder.project_backward(&inputs, &of_views, &fixed, &tiles.records)?;
+        Ok(Self {
+            kernels,
+            project_backward,
+            tiles,
+            gpu: gpu.clone(),
+            topology: topology.clone(),
+            layout,
+            shape,
+            size,
+            views,
+            per_view,
+            inputs,
+            of_views,
+            fixed,
+            parameters,
+            first_moments,
+            second_moments,
+            steps: state.steps,
+            corrective_steps: state.corrective_steps,
+        })
+    }
+
+    /// Where it stands: copies everything back, and waits.
+    pub fn state(&self) -> Result<TrainerState> {
+        Ok(TrainerState {
+            parameters: self.parameters.download()?,
+            first_moments: self.first_moments.download()?,
+            second_moments: self.second_moments.download()?,
+            steps: self.steps,
+            corrective_steps: self.corrective_steps,
+        })
+    }
+
+    /// What is learned so far.
+    pub fn parameters(&self) -> Result<Parameters<f32>> {
+        self.parameters.download()
+    }
+
+    /// Steps so far.
+    pub fn steps(&self) -> u64 {
+        self.steps
+    }
+
+    /// A step along the derivative of the views' losses. Where the pairs of a view don't fit, room
+    /// is made and the step taken again: nothing is left out.
+    ///
+    /// # Panics
+    /// When there are no views or more than the trainer was made for, or a view has another size or
+    /// avatar.
+    pub fn step(&mut self, views: &[View], options: &StepOptions) -> Result<StepReport> {
+        self.assert_fits(views);
+        loop {
+            self.write(views, options);
+            self.gpu.run("a step", |commands| {
+                self.record_pose(commands, views.len());
+                for number in 0..views.len() {
+                    self.record_forward(commands, number);
+                    commands.barrier(Scope::KERNEL, Scope::KERNEL);
+                    self.record_backward(commands, number);
+                }
+                self.record_update(commands, views.len());
+            })?;
+            if !self.make_room()? {
+                break;
+            }
+        }
+        self.finish(views, options)
+    }
+
+    /// A step with another loss. `ask` is given the number of a view and its image over its
+    /// background, RGB from 0 to 1, and says the derivative of its loss with respect to that, which
+    /// is divided by the number of views; None where it has nothing to say.
+    ///
+    /// # Panics
+    /// Where [`Self::step`] does, or what is asked has not the image's length.
+    pub fn step_asking(
+        &mut self,
+        views: &[View],
+        options: &StepOptions,
+        mut ask: impl FnMut(usize, &[[f32; 3]]) -> Option<Vec<[f32; 3]>>,
+    ) -> Result<StepReport> {
+        self.assert_fits(views);
+        self.write(views, options);
+        for (number, view) in views.iter().enumerate() {
+            // Room is made before anybody looks at an image.
+            loop {
+                self.gpu.run("a step's image", |commands| {
+                    if number == 0 {
+                        self.record_pose(commands, views.len());
+                    }
+                    self.record_forward(commands, number);
+                    commands.barrier(Scope::KERNEL_WRITES, Scope::HOST_READS);
+                })?;
+                if !self.make_room()? {
+                    break;
+                }
+                self.write(views, options);
+            }
+            if let Some(asked) = ask(number, &self.image(view)?) {
+                assert_eq!(asked.len(), self.pixels(), "what is asked of view {number}");
+                let padded: Vec<[f32; 4]> = asked.iter().map(|&[r, g, b]| [r, g, b, 0.0]).collect();
+                self.per_view.asked.upload(cast_slice(&padded))?;
+                self.write_block(views, number, options, true);
+            }
+            self.gpu.run("a step's derivative", |commands| {
+                self.record_backward(commands, number);
+            })?;
+        }
+        self.gpu.run("a step's end", |commands| {
+            self.record_update(commands, views.len());
+        })?;
+        self.finish(views, options)
+    }
+
+    /// The images of views over their backgrounds, RGB, as training sees them.
+    pub fn images(&mut self, views: &[View], options: &StepOptions) -> Result<Vec<Vec<[f32; 3]>>> {
+        loop {
+            self.write(views, options);
+            let mut images = Vec::new();
+            for (number, view) in views.iter().enumerate() {
+                self.gpu.run("an image", |commands| {
+                    if number == 0 {
+                        self.record_pose(commands, views.len());
+                    }
+                    self.record_forward(commands, number);
+                })?;
+                images.push(self.image(view)?);
+            }
+            if !self.make_room()? {
+                return Ok(images);
+            }
+        }
+    }
+
+    fn assert_fits(&self, views: &[View]) {
+        assert!(
+            (1..=self.views).contains(&views.len()),
+            "a step of {} views, made for 1 to {}",
+            views.len(),
+            self.views
+        );
+        for (number, view) in views.iter().enumerate() {
+            assert_eq!(view.camera.size, self.size, "size of view {number}");
+            assert_eq!(view.picture.size, self.size, "picture of view {number}");
+            assert_eq!(view.joints.len(), self.topology.joints, "joints");
+            assert_eq!(view.input.len(), self.topology.widths[0], "input");
+        }
+    }
+
+    fn pixels(&self) -> usize {
+        self.size[0] as usize * self.size[1] as usize
+    }
+}
+
+/// Workgroups for so many of something.
+fn groups(count: usize) -> u32 {
+    count.div_ceil(TRAIN_WORKGROUP as usize) as u32
+}
+
+/// That a device and an avatar are for training.
+fn check(gpu: &Gpu, topology: &Topology) -> Result<()> {
+    let unsupported = |missing: String| Error::Unsupported {
+        device: gpu.probe.name.clone(),
+        missing: format!("for training: {missing}"),
+    };
+    let limit = gpu.probe.limits.max_per_stage_descriptor_storage_buffers;
+    if limit < STORAGE_BUFFERS {
+        return Err(unsupported(format!(
+            "{STORAGE_BUFFERS} storage buffers in a kernel, it has {limit}"
+        )));
+    }
+    let widest = topology.widths.iter().copied().max().unwrap_or(0);
+    if !(2..=LAYERS).contains(&topology.layers()) || widest > TRAIN_WIDTH_MAX as usize {
+        return Err(unsupported(format!(
+            "networks of 2 to {LAYERS} layers of at most {TRAIN_WIDTH_MAX} numbers, found {:?}",
+            topology.widths
+        )));
+    }
+    if topology.widths[topology.layers()] != 2 * TRAIN_BASIS as usize {
+        return Err(unsupported(format!(
+            "networks with {} features, found {}",
+            2 * TRAIN_BASIS,
+            topology.widths[topology.layers()]
+        )));
+    }
+    Ok(())
+}
+
+impl Trainer {
+    /// Writes what the host knows of the views.
+    fn write(&mut self, views: &[View], options: &StepOptions) {
+        let mut joints: Vec<f32> = Vec::new();
+        let mut inputs: Vec<f32> = Vec::new();
+        let mut pictures: Vec<[u8; 4]> = Vec::new();
+        for (number, view) in views.iter().enumerate() {
+            joints.extend(view.joints.iter().flat_map(rows));
+            inputs.extend(view.input.iter().map(|&v| v as f32));
+            pictures.extend(&view.picture.pixels);
+            self.write_block(views, number, options, false);
+        }
+        put(&mut self.inputs.joints, cast_slice(&joints));
+        put(&mut self.inputs.inputs, cast_slice(&inputs));
+        put(&mut self.inputs.pictures, cast_slice(&pictures));
+        self.per_view.status.mapped().fill(0);
+    }
+
+    /// Writes a view's block. `asked`: whether another loss asks something of it.
+    fn write_block(&mut self, views: &[View], number: usize, options: &StepOptions, asked: bool) {
+        let place = Place {
+            view: number,
+            views: views.len(),
+            asked,
+        };
+        let updates = Updates {
+            main: self.steps + 1,
+            correctives: self.corrective_steps + 1,
+        };
+        let block = ViewBlock::new(
+            &self.topology,
+            &self.layout,
+            &views[number],
+            options,
+            self.tiles.tiling,
+            place,
+            updates,
+        );
+        let at = number * STRIDE as usize;
+        let bytes = bytes_of(&block);
+        self.per_view.blocks.mapped()[at..at + bytes.len()].copy_from_slice(bytes);
+    }
+
+    /// Networks and nodes of all views.
+    fn record_pose(&self, commands: Recording, views: usize) {
+        let next = || commands.barrier(Scope::KERNEL, Scope::KERNEL);
+        let parts = self.layout.parts as u32;
+        self.kernels
+            .mlp
+            .dispatch_2d(commands, 0, [parts, views as u32]);
+        next();
+        self.kernels
+            .nodes
+            .dispatch_2d(commands, 0, [groups(self.layout.nodes), views as u32]);
+        next();
+    }
+
+    /// A view's image.
+    fn record_forward(&self, commands: Recording, number: usize) {
+        let offset = (number as u64 * STRIDE) as u32;
+        let next = || commands.barrier(Scope::KERNEL, Scope::KERNEL);
+        self.kernels
+            .project
+            .dispatch(commands, offset, groups(self.layout.gaussians));
+        next();
+        self.per_view.sort.record(commands);
+        next();
+        self.tiles.record_forward(commands, offset, self.size);
+    }
+
+    /// From a view's image to the derivative of its Gaussians.
+    fn record_backward(&self, commands: Recording, number: usize) {
+        let offset = (number as u64 * STRIDE) as u32;
+        let next = || commands.barrier(Scope::KERNEL, Scope::KERNEL);
+        let pixels = self.pixels();
+        self.kernels.loss.dispatch(commands, offset, groups(pixels));
+        next();
+        self.tiles.record_backward(commands, offset, self.size);
+        next();
+        self.project_backward
+            .dispatch(commands, offset, groups(self.layout.gaussians));
+        next();
+    }
+
+    /// From the derivatives of the Gaussians of all views to a step.
+    fn record_update(&self, commands: Recording, views: usize) {
+        let next = || commands.barrier(Scope::KERNEL, Scope::KERNEL);
+        let parts = self.layout.parts as u32;
+        let of_parts = [parts, views as u32];
+        let kernels = &self.kernels;
+        let nodes = [groups(self.layout.nodes), views as u32];
+        kernels.nodes_backward.dispatch_2d(commands, 0, nodes);
+        next();
+        kernels.features_backward.dispatch_2d(commands, 0, of_parts);
+        next();
+        kernels.mlp_backward.dispatch_2d(commands, 0, of_parts);
+        next();
+        kernels
+            .adam_gaussians
+            .dispatch(commands, 0, groups(self.layout.gaussians));
+        let columns = self.layout.gaussians * TRAIN_BASIS as usize;
+        let wide = columns.div_ceil(TRAIN_BASES_WORKGROUP as usize) as u32;
+        kernels.adam_bases.dispatch(commands, 0, wide);
+        let columns = groups(self.layout.nodes * TRAIN_BASIS as usize);
+        kernels.adam_nodes.dispatch(commands, 0, columns);
+        kernels.adam_networks.dispatch(commands, 0, parts);
+        commands.barrier(Scope::KERNEL_WRITES, Scope::HOST_READS);
+    }
+
+    /// Makes room for pairs where the last submission lacked it. Whether it did.
+    fn make_room(&mut self) -> Result<bool> {
+        let needed = self.status()[0];
+        if needed <= self.tiles.tiling.pairs {
+            return Ok(false);
+        }
+        let pairs = needed.saturating_add(needed / 4);
+        tracing::debug!("room for {pairs} pairs of splats and tiles: {needed} are needed");
+        self.tiles = Tiles::new(&self.gpu, &self.per_view, self.shape, pairs, self.size)?;
+        let binder = Binder {
+            gpu: &self.gpu,
+            per_view: &self.per_view,
+        };
+        let records = &self.tiles.records;
+        self.project_backward =
+            binder.project_backward(&self.inputs, &self.of_views, &self.fixed, records)?;
+        Ok(true)
+    }
+
+    fn status(&mut self) -> [u32; 4] {
+        bytemuck::pod_read_unaligned(&self.per_view.status.mapped()[..16])
+    }
+
+    /// Counts a step, and says what it found.
+    fn finish(&mut self, views: &[View], options: &StepOptions) -> Result<StepReport> {
+        self.steps += 1;
+        self.corrective_steps += u64::from(options.correctives);
+        let [pairs, empty_views, ..] = self.status();
+        let pixels = self.pixels();
+        let count = groups(pixels) as usize * views.len();
+        let sums: &[[f32; 2]] = cast_slice(&self.of_views.loss_sums.mapped()[..8 * count]);
+        let channels = 3.0 * (pixels * views.len()) as f64;
+        let mean = |at: usize| sums.iter().map(|sum| f64::from(sum[at])).sum::<f64>() / channels;
+        Ok(StepReport {
+            l1: mean(0),
+            squared: mean(1),
+            pairs,
+            empty_views,
+        })
+    }
+
+    /// The last image over a view's background.
+    fn image(&self, view: &View) -> Result<Vec<[f32; 3]>> {
+        let pixels = self.pixels();
+        let bytes = self.per_view.image.download(16 * pixels)?;
+        let drawn: Vec<[f32; 4]> = bytemuck::pod_collect_to_vec(&bytes);
+        let behind = view.background.as_vec3().to_array();
+        Ok(drawn
+            .iter()
+            .map(|&[r, g, b, light]| {
+                let over = |v: f32, c: usize| (v + light * behind[c]).clamp(0.0, 1.0);
+                [over(r, 0), over(g, 1), over(b, 2)]
+            })
+            .collect())
+    }
+}
+
+/// Copies bytes to the start of a buffer that the host sees.
+fn put(buffer: &mut Buffer, bytes: &[u8]) {
+    buffer.mapped()[..bytes.len()].copy_from_slice(bytes);
+}
+
+/// The three rows of a transform.
+fn rows(transform: &DAffine3) -> [f32; 12] {
+    let mut all = [0.0; 12];
+    for axis in 0..3 {
+        let row = transform.matrix3.row(axis);
+        let numbers = [row.x, row.y, row.z, transform.translation[axis]];
+        for (to, from) in all[4 * axis..].iter_mut().zip(numbers) {
+            *to = from as f32;
+        }
+    }
+    all
+}

@@ -1,0 +1,467 @@
+//! Training's kernels against the derivative in f64, and what its steps promise.
+
+use crate::common::{self, Random, Sizes, gpu};
+use effigy_core::avatar::{Activation, Avatar, Filter};
+use effigy_core::reference::raster::Cutoff;
+use effigy_core::scene::{Camera, Posed};
+use effigy_train::adam::{Adam, Rates};
+use effigy_train::gpu::{StepOptions, Trainer, TrainerState};
+use effigy_train::loss::LossWeights;
+use effigy_train::parameters::{GAUSSIAN, Layout, Parameters};
+use effigy_train::reference::Problem;
+use effigy_train::topology::{Rows, Topology};
+use effigy_train::view::{Picture, View};
+use glam::DVec3;
+use std::sync::Arc;
+
+/// An avatar, and views of it whose pictures are noise: every pixel has a derivative.
+struct Scene {
+    avatar: Avatar,
+    topology: Topology,
+    rows: Rows,
+    layout: Layout,
+    start: TrainerState,
+    views: Vec<View>,
+}
+
+#[derive(Clone, Copy)]
+struct Setting {
+    filter: Filter,
+    activation: Activation,
+    size: [u32; 2],
+    views: usize,
+    /// Added to log scales.
+    larger: f32,
+}
+
+const SETTING: Setting = Setting {
+    filter: Filter::DEFAULT,
+    activation: Activation::LeakyRelu,
+    size: [50, 61],
+    views: 2,
+    larger: 0.0,
+};
+
+impl Scene {
+    fn new(seed: u64, setting: Setting) -> Self {
+        let mut avatar = common::avatar(
+            seed,
+            Sizes {
+                gaussians: 700,
+                parts: 7,
+                nodes: 60,
+                rows: 500,
+                split_features: true,
+                activation: setting.activation,
+                ..Sizes::default()
+            },
+        );
+        avatar.filter = setting.filter;
+        let topology = Topology::new(&avatar);
+        let rows = Rows::of(&avatar);
+        let layout = Layout::new(&topology, &rows);
+        let mut parameters = Parameters::of(&avatar, &layout);
+        for numbers in parameters.gaussians.chunks_exact_mut(GAUSSIAN) {
+            for scale in &mut numbers[4..7] {
+                *scale += setting.larger;
+            }
+        }
+        let random = &mut Random(seed);
+        let views = (0..setting.views)
+            .map(|number| {
+                let posed = Posed::new(&avatar, &common::pose(seed + number as u64, &avatar));
+                let middle = posed.joints[0].transform_point3(DVec3::new(0.0, 0.9, 0.0));
+                let yaw = number as f64;
+                let pixels = setting.size[0] * setting.size[1];
+                View {
+                    joints: posed.joints,
+                    input: posed.input,
+                    camera: Camera::orbit(middle, yaw, 0.1, 3.5, 0.61, setting.size),
+                    background: DVec3::new(0.2, 0.7, 0.4),
+                    picture: Arc::new(Picture {
+                        size: setting.size,
+                        pixels: (0..pixels).map(|_| noise(random)).collect(),
+                    }),
+                }
+            })
+            .collect();
+        Self {
+            start: TrainerState::new(&layout, parameters),
+            avatar,
+            topology,
+            rows,
+            layout,
+            views,
+        }
+    }
+
+    fn trainer(&self, setting: Setting) -> Trainer {
+        Trainer::new(
+            &gpu::gpu(),
+            &self.topology,
+            &self.rows,
+            &self.start,
+            setting.size,
+            setting.views,
+        )
+        .unwrap()
+    }
+
+    fn problem<'a>(&'a self, options: &'a StepOptions) -> Problem<'a> {
+        Problem {
+            topology: &self.topology,
+            rows: &self.rows,
+            layout: &self.layout,
+            weights: &options.weights,
+            correctives: options.correctives,
+            cutoff: Cutoff::Sharp,
+        }
+    }
+}
+
+/// A colour, and what the pixel shows.
+fn noise(random: &mut Random) -> [u8; 4] {
+    let shows = [0, 128, 255, 255][random.below(4)];
+    [
+        random.below(256) as u8,
+        random.below(256) as u8,
+        random.below(256) as u8,
+        shows,
+    ]
+}
+
+/// Nothing is learned, and the first moment is the derivative.
+const STILL: StepOptions = StepOptions {
+    weights: LossWeights {
+        l1: 1.0,
+        scale: 0.5,
+        scale_above: 0.01,
+        correctives: [0.002, 0.01, 0.002],
+    },
+    correctives: true,
+    rates: Rates {
+        rotation: 0.0,
+        log_scale: 0.0,
+        opacity: 0.0,
+        color: 0.0,
+        node_offset: 0.0,
+        node_basis: 0.0,
+        network: 0.0,
+        bases: [0.0; 3],
+    },
+    adam: Adam {
+        beta_1: 0.0,
+        beta_2: 0.999,
+        epsilon: 1e-15,
+        weight_decay: 0.0,
+    },
+};
+
+/// Rates at which the small avatar of the tests learns.
+const LEARNING: StepOptions = StepOptions {
+    rates: Rates {
+        rotation: 2e-3,
+        log_scale: 5e-3,
+        opacity: 5e-3,
+        color: 5e-3,
+        node_offset: 3e-4,
+        node_basis: 3e-5,
+        network: 5e-4,
+        bases: [1e-3; 3],
+    },
+    adam: Adam::DEFAULT,
+    weights: LossWeights::PAPER,
+    ..STILL
+};
+
+/// That one array of derivatives is another's, as a whole and number by number.
+#[track_caller]
+fn assert_same(what: &str, found: &[f32], expected: &[f64]) {
+    assert_eq!(found.len(), expected.len(), "{what}");
+    let dot = |a: &dyn Fn(usize) -> f64, b: &dyn Fn(usize) -> f64| {
+        (0..found.len()).map(|k| a(k) * b(k)).sum::<f64>()
+    };
+    let f = |k: usize| f64::from(found[k]);
+    let e = |k: usize| expected[k];
+    let length = dot(&e, &e).sqrt();
+    assert!(length > 0.0, "{what}: no derivative at all");
+    let cosine = dot(&f, &e) / (dot(&f, &f).sqrt() * length);
+    let off = |k: usize| f(k) - e(k);
+    let relative = dot(&off, &off).sqrt() / length;
+    let largest = expected.iter().fold(0.0, |max: f64, v| max.max(v.abs()));
+    let mass: f64 = expected.iter().map(|v| v.abs()).sum();
+    let bias = (0..found.len())
+        .map(|k| off(k) * e(k).signum())
+        .sum::<f64>()
+        / mass;
+    let wrong = (0..found.len())
+        .filter(|&k| off(k).abs() > 2e-3 * largest)
+        .count();
+    println!(
+        "{what}: cosine 1 - {:.1e}, relative {relative:.1e}, bias {bias:.1e}, {wrong} wrong of {}",
+        1.0 - cosine,
+        found.len()
+    );
+    assert!(
+        cosine >= 0.99999 && relative <= 1e-3 && bias.abs() <= 1e-3 && wrong == 0,
+        "{what}: cosine {cosine}, relative {relative}, bias {bias}, {wrong} numbers are off by more \
+         than 2/1000 of the largest"
+    );
+}
+
+#[track_caller]
+fn assert_gradients(found: &Parameters<f32>, expected: &Parameters<f64>, layout: &Layout) {
+    let kinds = [
+        ("rotation", 0..4),
+        ("log scale", 4..7),
+        ("opacity", 7..8),
+        ("colour", 8..11),
+    ];
+    for (what, columns) in kinds {
+        let pick = |k: &usize| columns.contains(&(k % GAUSSIAN));
+        let at: Vec<usize> = (0..found.gaussians.len()).filter(pick).collect();
+        let f: Vec<f32> = at.iter().map(|&k| found.gaussians[k]).collect();
+        let e: Vec<f64> = at.iter().map(|&k| expected.gaussians[k]).collect();
+        assert_same(what, &f, &e);
+    }
+    let nodes = layout.node_bases;
+    assert_same(
+        "node offsets",
+        &found.nodes[..nodes],
+        &expected.nodes[..nodes],
+    );
+    assert_same(
+        "node bases",
+        &found.nodes[nodes..],
+        &expected.nodes[nodes..],
+    );
+    for (l, layer) in layout.layers.iter().enumerate() {
+        let weights = layer.weights..layer.biases;
+        let biases = layer.biases..layer.biases + layout.parts * layer.output;
+        for (what, range) in [("weights", weights), ("biases", biases)] {
+            let what = format!("{what} of layer {l}");
+            assert_same(
+                &what,
+                &found.networks[range.clone()],
+                &expected.networks[range],
+            );
+        }
+    }
+    for (attribute, what) in ["rotation", "scale", "colour"].into_iter().enumerate() {
+        let range = layout.bases[attribute]..layout.bases[attribute + 1];
+        let what = format!("bases of {what}");
+        assert_same(&what, &found.bases[range.clone()], &expected.bases[range]);
+    }
+}
+
+fn every_gradient_is_the_references() {
+    let settings = [
+        SETTING,
+        Setting {
+            filter: Filter::ANTIALIASED,
+            activation: Activation::Relu,
+            views: 1,
+            ..SETTING
+        },
+    ];
+    for (seed, setting) in (1..).zip(settings) {
+        let scene = Scene::new(seed, setting);
+        let mut trainer = scene.trainer(setting);
+        let report = trainer.step(&scene.views, &STILL).unwrap();
+        let found = trainer.state().unwrap();
+        assert_eq!(
+            found.parameters, scene.start.parameters,
+            "nothing is learned"
+        );
+        let problem = scene.problem(&STILL);
+        let doubles = scene.start.parameters.doubles();
+        let expected = problem.gradient(&doubles, &scene.views);
+        assert_gradients(&found.first_moments, &expected, &scene.layout);
+        let weights = LossWeights {
+            scale: 0.0,
+            correctives: [0.0; 3],
+            ..STILL.weights
+        };
+        let pictures = StepOptions { weights, ..STILL };
+        let loss = scene.problem(&pictures).loss(&doubles, &scene.views);
+        assert!(
+            (report.l1 - loss).abs() < 1e-4 * loss,
+            "L1 is {}, expected {loss}",
+            report.l1
+        );
+        assert_eq!(report.empty_views, 0);
+    }
+}
+
+fn pairs_that_do_not_fit_get_room() {
+    let setting = Setting {
+        larger: 2.0,
+        ..SETTING
+    };
+    let scene = Scene::new(3, setting);
+    let mut trainer = scene.trainer(setting);
+    let report = trainer.step(&scene.views, &STILL).unwrap();
+    assert!(
+        report.pairs > 4 * 700,
+        "{} pairs fit from the start",
+        report.pairs
+    );
+    let doubles = scene.start.parameters.doubles();
+    let expected = scene.problem(&STILL).gradient(&doubles, &scene.views);
+    let found = trainer.state().unwrap();
+    assert_gradients(&found.first_moments, &expected, &scene.layout);
+    assert_eq!(trainer.steps(), 1);
+}
+
+fn equal_steps_give_equal_bits() {
+    let scene = Scene::new(4, SETTING);
+    let run = || {
+        let mut trainer = scene.trainer(SETTING);
+        for _ in 0..5 {
+            trainer.step(&scene.views, &LEARNING).unwrap();
+        }
+        trainer.state().unwrap()
+    };
+    let first = run();
+    assert!(first != scene.start && first.parameters.gaussians.iter().all(|v| v.is_finite()));
+    assert_eq!(first, run());
+    // From what a checkpoint holds too.
+    let mut half = scene.trainer(SETTING);
+    for _ in 0..2 {
+        half.step(&scene.views, &LEARNING).unwrap();
+    }
+    let state = half.state().unwrap();
+    let mut resumed = Trainer::new(
+        &gpu::gpu(),
+        &scene.topology,
+        &scene.rows,
+        &state,
+        SETTING.size,
+        SETTING.views,
+    )
+    .unwrap();
+    for _ in 0..3 {
+        resumed.step(&scene.views, &LEARNING).unwrap();
+    }
+    assert_eq!(first, resumed.state().unwrap());
+}
+
+fn another_loss_is_asked_once_a_view() {
+    let scene = Scene::new(5, SETTING);
+    let options = StepOptions {
+        weights: LossWeights {
+            l1: 0.0,
+            scale: 0.0,
+            correctives: [0.0; 3],
+            ..STILL.weights
+        },
+        ..STILL
+    };
+    let mut trainer = scene.trainer(SETTING);
+    let pixels = (SETTING.size[0] * SETTING.size[1]) as usize;
+    // Each channel has a slope of its own, the same in all pixels.
+    let slope = [1e-3f32, -2e-3, 5e-4];
+    let mut asked = Vec::new();
+    trainer
+        .step_asking(&scene.views, &options, |view, image| {
+            assert_eq!(image.len(), pixels);
+            asked.push(view);
+            Some(vec![slope; pixels])
+        })
+        .unwrap();
+    assert_eq!(asked, [0, 1]);
+    let problem = scene.problem(&options);
+    let doubles = scene.start.parameters.doubles();
+    let mut expected = Parameters::zeros(&scene.layout);
+    for view in &scene.views {
+        let forward = problem.forward(&doubles, view);
+        let of = DVec3::from(slope.map(f64::from)) / scene.views.len() as f64;
+        let of_canvas: Vec<[f64; 4]> = forward
+            .canvas
+            .pixels
+            .iter()
+            .map(|_| of.extend(-of.dot(view.background)).to_array())
+            .collect();
+        problem.backward(&doubles, view, &forward, &of_canvas, &mut expected);
+    }
+    let found = trainer.state().unwrap();
+    assert_gradients(&found.first_moments, &expected, &scene.layout);
+}
+
+fn it_learns_what_another_avatar_looks_like() {
+    let scene = Scene::new(6, SETTING);
+    let problem = scene.problem(&LEARNING);
+    let truth = scene.start.parameters.doubles();
+    let views: Vec<View> = scene
+        .views
+        .iter()
+        .map(|view| {
+            let canvas = problem.forward(&truth, view).canvas;
+            let pixels = canvas.pixels.iter().map(|&[r, g, b, a]| {
+                let byte = |v: f64| (255.0 * (v + (1.0 - a) * 0.5)).round() as u8;
+                [byte(r), byte(g), byte(b), 255]
+            });
+            View {
+                background: DVec3::splat(0.5),
+                picture: Arc::new(Picture {
+                    size: SETTING.size,
+                    pixels: pixels.collect(),
+                }),
+                ..view.clone()
+            }
+        })
+        .collect();
+    let mut start = scene.start.clone();
+    let random = &mut Random(7);
+    for numbers in start.parameters.gaussians.chunks_exact_mut(GAUSSIAN) {
+        numbers[4] += 0.3 * random.normal() as f32;
+        for color in &mut numbers[8..11] {
+            *color = 0.5;
+        }
+    }
+    let mut trainer = Trainer::new(
+        &gpu::gpu(),
+        &scene.topology,
+        &scene.rows,
+        &start,
+        SETTING.size,
+        SETTING.views,
+    )
+    .unwrap();
+    let first = trainer.step(&views, &LEARNING).unwrap();
+    let mut last = first;
+    for _ in 0..200 {
+        last = trainer.step(&views, &LEARNING).unwrap();
+    }
+    println!("L1 from {} to {}", first.l1, last.l1);
+    assert!(
+        last.l1 < 0.25 * first.l1,
+        "L1 went from {} to {} in 200 steps",
+        first.l1,
+        last.l1
+    );
+    // What files hold of it is nearly as good.
+    let mut avatar = scene.avatar.clone();
+    let learned = trainer.parameters().unwrap();
+    learned.put_into(&mut avatar, &scene.layout, &scene.rows);
+    avatar.check().unwrap();
+    let stored = Parameters::of(&avatar, &scene.layout).doubles();
+    let options = StepOptions {
+        weights: LossWeights {
+            scale: 0.0,
+            correctives: [0.0; 3],
+            ..LEARNING.weights
+        },
+        ..LEARNING
+    };
+    let loss = scene.problem(&options).loss(&stored, &views);
+    assert!(loss < 1.2 * last.l1 + 2e-3, "in a file L1 is {loss}");
+}
+
+tests! {
+    every_gradient_is_the_references,
+    pairs_that_do_not_fit_get_room,
+    equal_steps_give_equal_bits,
+    another_loss_is_asked_once_a_view,
+    it_learns_what_another_avatar_looks_like,
+}
