@@ -3,6 +3,7 @@
 
 use effigy::vulkan::shaders::{MODULES, Module};
 use effigy_core::layout::{self, Control, FrameBlock, LayerLayout};
+use effigy_train::gpu::ViewBlock;
 use rspirv::{
     dr::{self, Operand},
     spirv::{Decoration, ExecutionMode, Op, StorageClass, Word},
