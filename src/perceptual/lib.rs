@@ -28,3 +28,4 @@ pub use network::Network;
 pub use perceptual::{Features, Perceptual};
 pub use planes::{Graded, Planes};
 pub use reference::Differential;
+pub use synthetic::{direction, picture};
