@@ -24,6 +24,7 @@ need_rust
 drivers=("$@"); [ $# -gt 0 ] || drivers=(mesa25:256 swiftshader/drawing mesa25:128/stages mesa25:512/stages)
 tools/drivers.sh
 tools/fetch_assets.sh >/dev/null || echo "without the body's source files its tests are skipped" >&2
+tools/fetch_perceptual.sh >/dev/null || echo "without the weights of ST-LPIPS its tests are skipped" >&2
 
 results=$PWD/target/tests; rm -rf "$results"; mkdir -p "$results"
 export EFFIGY_TEST_RESULTS=$results/all

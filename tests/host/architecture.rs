@@ -202,6 +202,26 @@ const LAYERS: &[Layers] = &[
         ],
     },
     Layers {
+        package: "src/perceptual",
+        modules: &[
+            "error",
+            "planes",
+            "synthetic",
+            "dssim",
+            "network",
+            "maps",
+            "gemm",
+            "convolution",
+            "blur",
+            "pool",
+            "head",
+            "weights",
+            "reference",
+            "check",
+            "perceptual",
+        ],
+    },
+    Layers {
         package: "src/runtime",
         modules: &[
             "capture",

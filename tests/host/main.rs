@@ -22,6 +22,7 @@ mod memory;
 mod mmlphuman;
 mod motion;
 mod onesweep;
+mod perceptual;
 mod phone_model;
 mod ply;
 mod projection;
@@ -73,6 +74,7 @@ fn main() -> ExitCode {
             motion,
             motion::hostile,
             onesweep,
+            perceptual,
             phone_model,
             ply,
             ply::cameras,
