@@ -59,5 +59,5 @@ layout(std140, set = 0, binding = 0) uniform ViewBlock {
 #define ACTIVATIONS block.sizes.x
 #define INPUTS block.sizes.y
 #define EXPRESSION_START block.sizes.z
-#define JOINTS block.sizes.w
+#define POSED_JOINTS block.sizes.w
 #define LAYERS block.network.x

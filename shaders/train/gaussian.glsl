@@ -30,7 +30,7 @@ void skin(uint view, Placed placed, out vec4 row_x, out vec4 row_y, out vec4 row
     for (uint j = 0u; j < 4u; ++j) {
         float weight = float(placed.joint_weight >> (8u * j) & 0xffu) * (1.0 / 255.0);
         if (weight > 0.0) {
-            uint at = 3u * (view * JOINTS + (placed.joint >> (8u * j) & 0xffu));
+            uint at = 3u * (view * POSED_JOINTS + (placed.joint >> (8u * j) & 0xffu));
             row_x += weight * joints[at];
             row_y += weight * joints[at + 1u];
             row_z += weight * joints[at + 2u];

@@ -78,6 +78,7 @@ impl Scene {
                     input: posed.input,
                     camera: Camera::orbit(middle, yaw, 0.1, 3.5, 0.61, setting.size),
                     background: DVec3::new(0.2, 0.7, 0.4),
+                    whole: u64::from(pixels),
                     picture: Arc::new(Picture {
                         size: setting.size,
                         pixels: (0..pixels).map(|_| noise(random)).collect(),

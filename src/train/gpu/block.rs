@@ -108,7 +108,7 @@ impl ViewBlock {
         let DVec3 { x, y, z } = view.background;
         let weights = &options.weights;
         let views = place.views as f64;
-        let channels = 3.0 * f64::from(camera.size[0]) * f64::from(camera.size[1]);
+        let channels = 3.0 * view.whole as f64;
         let count = layout.gaussians as f64;
         let [columns, rows] = tiling.tiles(camera.size);
         let layers = |of: &dyn Fn(usize) -> usize| {

@@ -374,12 +374,12 @@ impl Problem<'_> {
         let sum: f64 = (0..canvas.pixels.len())
             .map(|at| difference(canvas, view, at).map_or(0.0, |d| d.abs().element_sum()))
             .sum();
-        self.weights.l1 * sum / (3.0 * canvas.pixels.len() as f64)
+        self.weights.l1 * sum / (3.0 * view.whole as f64)
     }
 
     /// The derivative of the picture's loss with respect to the canvas.
     pub fn picture_loss_backward(&self, canvas: &Canvas, view: &View) -> Vec<[f64; 4]> {
-        let weight = self.weights.l1 / (3.0 * canvas.pixels.len() as f64);
+        let weight = self.weights.l1 / (3.0 * view.whole as f64);
         (0..canvas.pixels.len())
             .map(|at| {
                 let Some(difference) = difference(canvas, view, at) else {

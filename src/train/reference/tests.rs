@@ -129,6 +129,7 @@ impl Scene {
                     input: (0..8).map(|_| random.normal()).collect(),
                     camera: Camera::orbit(DVec3::ZERO, yaw, 0.1, 2.0, 0.5, SIZE),
                     background: DVec3::new(0.3, 0.6, 0.2),
+                    whole: 2 * u64::from(SIZE[0] * SIZE[1]),
                     picture: Arc::new(Picture { size: SIZE, pixels }),
                 }
             })
