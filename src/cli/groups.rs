@@ -30,7 +30,9 @@ const GROUPS: [CommandGroup; 4] = [
     },
     CommandGroup {
         title: "Learn",
-        commands: &["bake", "dataset", "fit", "prune", "evaluate", "analyse"],
+        commands: &[
+            "bake", "dataset", "train", "fit", "prune", "evaluate", "analyse",
+        ],
     },
     CommandGroup {
         title: "Files",

@@ -32,6 +32,7 @@ mod fit;
 mod groups;
 mod import;
 mod inspect;
+mod interrupt;
 mod options;
 mod pack;
 mod phone_model;
@@ -43,6 +44,7 @@ pub mod source;
 mod spellings;
 mod stress;
 mod thumbnail;
+mod train;
 mod verdict;
 mod view;
 
@@ -94,6 +96,8 @@ enum Command {
     Bake(bake::Args),
     /// Make a training dataset: the look of every Gaussian in the frames of some clips
     Dataset(dataset::Args),
+    /// Learn an avatar from a capture: pictures, masks, cameras and poses
+    Train(train::Args),
     /// Learn an avatar's correctives from a dataset
     Fit(fit::FitArgs),
     /// Keep the most valuable correctives of a learned avatar, and fine-tune them
@@ -134,6 +138,7 @@ impl Command {
             Self::Devices(args) => devices::run(args),
             Self::Bake(args) => bake::run(args),
             Self::Dataset(args) => dataset::run(args),
+            Self::Train(args) => train::run(args),
             Self::Fit(args) => fit::run(args),
             Self::Prune(args) => fit::run_prune(args),
             Self::Evaluate(args) => evaluate::run(args),
@@ -205,6 +210,13 @@ pub fn main() -> ExitCode {
     let Err(error) = result else {
         return ExitCode::SUCCESS;
     };
+    if let Some(code) = error
+        .downcast_ref::<train::Ended>()
+        .map(train::Ended::exit_code)
+    {
+        eprintln!("{error:#}");
+        return ExitCode::from(code);
+    }
     eprintln!("error: {error:#}");
     if let Some(advice) = advice::for_error(&error) {
         eprintln!("help: {advice}");

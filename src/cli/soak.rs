@@ -2,7 +2,7 @@
 
 use crate::{
     advice::Advised,
-    compare, files,
+    compare, files, interrupt,
     options::{self, QualityArgs},
     progress,
     source::Source,
@@ -21,10 +21,7 @@ use effigy_runtime::{
     thermals::{Phone, Recorded, Simulated, Thermals},
     trace::Trace,
 };
-use std::{
-    path::PathBuf,
-    sync::{Arc, atomic::AtomicBool},
-};
+use std::path::PathBuf;
 
 const RATE_ADVICE: &str =
     "promise fewer frames with --fps, draw fewer pixels with --size, or leave the governor on";
@@ -99,7 +96,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     if let Some([a, b]) = args.compare.as_deref() {
         return compare::soaks(a, b);
     }
-    let stop = interrupts()?;
+    let stop = interrupt::interrupts()?;
     let (mut avatar, player) = args.source.load_player()?;
     args.quality.filter.apply(&mut avatar);
     let gpu = Gpu::new(&args.quality.gpu())?;
@@ -170,24 +167,6 @@ fn thermals(args: &Args, rate: f64) -> anyhow::Result<Thermals> {
     Ok(Thermals::Recorded(recorded.with_context(|| {
         format!("{} can't be replayed", path.display())
     })?))
-}
-
-/// A flag that the first Ctrl-C sets; the second ends the program at once. `timeout` sets it too: its
-/// second signal is the one that nobody hears.
-fn interrupts() -> anyhow::Result<Arc<AtomicBool>> {
-    let stop = Arc::new(AtomicBool::new(false));
-    #[cfg(not(any(target_arch = "wasm32", target_os = "android")))]
-    {
-        use signal_hook::{
-            consts::{SIGINT, SIGTERM},
-            flag,
-        };
-        let failed = "Ctrl-C can't be listened to";
-        flag::register_conditional_shutdown(SIGINT, 130, stop.clone()).context(failed)?;
-        flag::register(SIGINT, stop.clone()).context(failed)?;
-        flag::register(SIGTERM, stop.clone()).context(failed)?;
-    }
-    Ok(stop)
 }
 
 /// Prints a line every ten seconds, and where the governor steps.

@@ -16,9 +16,17 @@
 //! | [`gpu`] | both on Vulkan, and the steps |
 
 pub mod adam;
+pub mod asked;
+pub mod checkpoint;
+pub mod data;
 pub mod gpu;
+pub mod lock;
 pub mod loss;
 pub mod parameters;
+pub mod prune;
+pub mod recipe;
 pub mod reference;
+pub mod session;
+pub mod start;
 pub mod topology;
 pub mod view;

@@ -51,7 +51,11 @@ fn spirv_matches_its_sources() {
             module.file
         );
     }
-    assert_eq!(recorded.lines().count(), modules().count(), "modules on record");
+    assert_eq!(
+        recorded.lines().count(),
+        modules().count(),
+        "modules on record"
+    );
 }
 
 fn wgsl_matches_its_sources() {

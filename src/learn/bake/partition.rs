@@ -2,7 +2,7 @@
 
 use crate::bake::joints::is_head;
 use crate::bake::surface::Site;
-use crate::math::sampling::farthest_points;
+use crate::math::sampling::{farthest_points, morton_code};
 use glam::DVec3;
 use kiddo::{ImmutableKdTree, SquaredEuclidean};
 use rayon::prelude::*;
@@ -75,15 +75,4 @@ pub fn partition(positions: &[DVec3], sites: &[&Site], count: usize) -> Partitio
         result.start.push(result.order.len() as u32);
     }
     result
-}
-
-/// The position along a Morton curve of cells of 1 mm.
-fn morton_code(p: DVec3) -> u64 {
-    const BITS: u32 = 12;
-    let spread = |v: f64| {
-        (0..BITS)
-            .map(|bit| ((v * 1e3) as u64 >> bit & 1) << (3 * bit))
-            .sum::<u64>()
-    };
-    spread(p.x) | spread(p.y) << 1 | spread(p.z) << 2
 }

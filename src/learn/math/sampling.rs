@@ -53,3 +53,14 @@ fn index_of_largest(numbers: &[f64]) -> usize {
         )
         .1
 }
+
+/// The position along a Morton curve of cells of 1 mm. `p`: metres, no coordinate below 0.
+pub fn morton_code(p: DVec3) -> u64 {
+    const BITS: u32 = 12;
+    let spread = |v: f64| {
+        (0..BITS)
+            .map(|bit| ((v * 1e3) as u64 >> bit & 1) << (3 * bit))
+            .sum::<u64>()
+    };
+    spread(p.x) | spread(p.y) << 1 | spread(p.z) << 2
+}

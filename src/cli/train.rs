@@ -1,0 +1,268 @@
+//! `effigy train`: an avatar from pictures, masks, cameras and poses.
+
+use crate::{
+    interrupt::interrupts,
+    options::{self, DeviceArgs},
+    progress,
+};
+use anyhow::Context;
+use effigy::vulkan::Gpu;
+use effigy_capture::{Capture, CaptureOptions, tally};
+use effigy_learn::bake::Assets;
+use effigy_train::{
+    recipe::{Preset, Recipe},
+    session::{Outcome, Progress, Session, SessionOptions, training_shots},
+};
+use std::{
+    fmt,
+    path::{Path, PathBuf},
+    sync::Arc,
+    time::Duration,
+};
+
+#[derive(clap::Args, Debug)]
+pub struct Args {
+    /// Capture: a folder in the layout of THuman4 or AvatarReX (docs/training.md)
+    #[arg(required_unless_present = "show_preset")]
+    capture: Option<PathBuf>,
+    /// Avatar file to write
+    #[arg(
+        short,
+        long,
+        value_name = "FILE",
+        required_unless_present = "show_preset"
+    )]
+    out: Option<PathBuf>,
+    /// Recipe: a TOML file with every weight, rate and count
+    #[arg(long, value_name = "FILE", conflicts_with = "preset")]
+    config: Option<PathBuf>,
+    /// Recipe that comes with the program: paper or quick
+    #[arg(long, value_name = "NAME", default_value = "quick", value_parser = preset)]
+    preset: Preset,
+    /// Print a preset's recipe and end
+    #[arg(long, value_name = "NAME", value_parser = preset)]
+    show_preset: Option<Preset>,
+    /// Change a key of the recipe, such as sizes.gaussians=50000; repeat for several
+    #[arg(long, value_name = "KEY=VALUE")]
+    set: Vec<String>,
+    /// End after so many minutes in all, with the best avatar that this time allows
+    #[arg(long, value_name = "N", value_parser = minutes)]
+    minutes: Option<f64>,
+    /// Go on with the training in the folder; begin where there is none
+    #[arg(long)]
+    resume: bool,
+    /// Folder of the training: checkpoints, log, recipe [default: OUT with the ending .training]
+    #[arg(long, value_name = "DIR")]
+    folder: Option<PathBuf>,
+    /// Body model: an .npz with the arrays of SMPL-X [default: template.npz in the capture]
+    #[arg(long, value_name = "FILE")]
+    template: Option<PathBuf>,
+    /// Decode every picture first, and leave out those that can't be used
+    #[arg(long)]
+    check: bool,
+    /// Minutes from one checkpoint to the next, 0.01 to 1000
+    #[arg(long, value_name = "N", default_value = "5", value_parser = minutes)]
+    checkpoint: f64,
+    /// Folder with the weights of ST-LPIPS, which tools/fetch_perceptual.sh fills
+    #[arg(long, value_name = "DIR", default_value = Assets::DEFAULT)]
+    weights: PathBuf,
+    #[command(flatten)]
+    device: DeviceArgs,
+}
+
+fn preset(text: &str) -> Result<Preset, String> {
+    let found = Preset::ALL.into_iter().find(|preset| preset.name() == text);
+    found.ok_or_else(|| "expected paper or quick".into())
+}
+
+fn minutes(text: &str) -> Result<f64, String> {
+    options::number(text, 0.01, 100_000.0, "number of minutes")
+}
+
+/// A training that ended without an avatar, for a reason that scripts tell by the exit code.
+#[derive(Debug)]
+pub enum Ended {
+    /// Asked to; goes on with --resume.
+    Stopped {
+        /// Steps so far.
+        steps: u64,
+    },
+    /// The recipe is none: trying again does not help.
+    Recipe(String),
+}
+
+impl Ended {
+    /// 75 asks to be tried again (EX_TEMPFAIL), 2 not to.
+    pub fn exit_code(&self) -> u8 {
+        match self {
+            Self::Stopped { .. } => 75,
+            Self::Recipe(_) => 2,
+        }
+    }
+}
+
+impl fmt::Display for Ended {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Stopped { steps } => write!(
+                f,
+                "stopped after {steps} steps; the same command with --resume goes on"
+            ),
+            Self::Recipe(fault) => write!(f, "error: {fault}"),
+        }
+    }
+}
+
+impl std::error::Error for Ended {}
+
+pub fn run(args: Args) -> anyhow::Result<()> {
+    if let Some(preset) = args.show_preset {
+        print!("{}", preset.text());
+        return Ok(());
+    }
+    let (Some(folder), Some(out)) = (&args.capture, &args.out) else {
+        anyhow::bail!("a capture and --out are needed");
+    };
+    let recipe = recipe(&args)?;
+    let stop = interrupts()?;
+    let capture = read_capture(folder, &args)?;
+    let gpu = Gpu::new(&args.device.gpu())?;
+    let name = out.file_stem().unwrap_or_default().to_string_lossy();
+    let options = SessionOptions {
+        folder: args
+            .folder
+            .clone()
+            .unwrap_or_else(|| out.with_extension("training")),
+        resume: args.resume,
+        minutes: args.minutes,
+        checkpoint_every: Duration::from_secs_f64(60.0 * args.checkpoint),
+        log_every: 50,
+        perceptual_weights: args.weights.clone(),
+        name: name.into_owned(),
+        credit: String::new(),
+    };
+    let work = options.folder.clone();
+    let mut session = Session::new(&gpu, &capture, &recipe, options)?;
+    println!(
+        "{}: {} pictures, views of {} × {} px; {} Gaussians in {} parts; on {}",
+        folder.display(),
+        training_shots(&capture).len(),
+        session.view_size()[0],
+        session.view_size()[1],
+        recipe.sizes.gaussians,
+        recipe.sizes.parts,
+        gpu.probe.name
+    );
+    if session.steps() > 0 {
+        println!("going on after {} steps", session.steps());
+    }
+    let bar = progress::steps(1000);
+    let outcome = session.run(&stop, |_, now| {
+        bar.set_position((1000.0 * now.share) as u64);
+        bar.set_message(message(now));
+    })?;
+    bar.finish_and_clear();
+    match outcome {
+        Outcome::Stopped => Err(Ended::Stopped {
+            steps: session.steps(),
+        }
+        .into()),
+        Outcome::Done(avatar) => {
+            avatar.write(out)?;
+            let megabytes = std::fs::metadata(out).map_or(0.0, |file| file.len() as f64 / 1e6);
+            println!(
+                "{}: {} Gaussians, {} rows; {megabytes:.1} MB after {} steps; log and checkpoints in {}",
+                out.display(),
+                avatar.gaussians.len(),
+                avatar.rotation_rows.gaussian.len()
+                    + avatar.scale_rows.gaussian.len()
+                    + avatar.color_rows.gaussian.len(),
+                session.steps(),
+                work.display()
+            );
+            Ok(())
+        }
+    }
+}
+
+/// A line of progress: what is left, and the last losses.
+fn message(now: &Progress) -> String {
+    let left = if now.share > 0.0 {
+        now.seconds * (1.0 / now.share - 1.0)
+    } else {
+        0.0
+    };
+    let perceptual = now
+        .perceptual
+        .map_or(String::new(), |v| format!(", perceptual {v:.4}"));
+    format!(
+        "step {}, {:.1} dB{perceptual}, {:.0} min left",
+        now.steps,
+        now.psnr_db,
+        left / 60.0
+    )
+}
+
+/// The recipe that the arguments name.
+fn recipe(args: &Args) -> anyhow::Result<Recipe> {
+    let text = match &args.config {
+        Some(file) => std::fs::read_to_string(file)
+            .with_context(|| format!("{} can't be read", file.display()))?,
+        None => args.preset.text().into(),
+    };
+    let source = match &args.config {
+        Some(file) => file.display().to_string(),
+        None => format!("preset {}", args.preset.name()),
+    };
+    changed(&text, &args.set).map_err(|fault| Ended::Recipe(format!("{source}: {fault}")).into())
+}
+
+/// A recipe's text with some keys changed, read.
+fn changed(text: &str, changes: &[String]) -> Result<Recipe, String> {
+    if changes.is_empty() {
+        return Recipe::parse(text);
+    }
+    let mut all: toml::Table = text.parse().map_err(|error| format!("{error}"))?;
+    for change in changes {
+        let expected = || format!("--set {change}: expected KEY=VALUE with a key of the recipe");
+        let (key, value) = change.split_once('=').ok_or_else(expected)?;
+        let value: toml::Table = format!("value = {value}")
+            .parse()
+            .or_else(|_| format!("value = {value:?}").parse())
+            .map_err(|_: toml::de::Error| expected())?;
+        let mut path: Vec<&str> = key.trim().split('.').collect();
+        let last = path.pop().ok_or_else(expected)?;
+        let mut table = &mut all;
+        for name in path {
+            table = table
+                .get_mut(name)
+                .and_then(toml::Value::as_table_mut)
+                .ok_or_else(expected)?;
+        }
+        let place = table.get_mut(last).ok_or_else(expected)?;
+        *place = value["value"].clone();
+    }
+    let text = toml::to_string(&all).map_err(|error| error.to_string())?;
+    Recipe::parse(&text)
+}
+
+/// Opens the capture, and says what is left out.
+fn read_capture(folder: &Path, args: &Args) -> anyhow::Result<Arc<Capture>> {
+    let options = CaptureOptions {
+        template: args.template.clone(),
+    };
+    let mut capture = Capture::read_with(folder, &options)?;
+    if args.check {
+        let bar = progress::items(capture.pictures() as u64, "pictures");
+        let found = capture.check(&|done, _| bar.set_position(done as u64));
+        bar.finish_and_clear();
+        capture = capture.without(found)?;
+    }
+    for (reason, count) in tally(&capture.left_out) {
+        eprintln!("left out: {count} × {reason}");
+    }
+    for entry in &capture.left_out {
+        tracing::info!("left out: {entry}");
+    }
+    Ok(Arc::new(capture))
+}

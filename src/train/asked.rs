@@ -1,0 +1,130 @@
+//! The loss that sees pictures as people do, on a part of a view, with its derivative.
+
+use crate::recipe::{PerceptualKind, PerceptualOptions};
+use crate::view::{Shows, View};
+use effigy_core::random::Random;
+use effigy_perceptual::{Graded, Network, Perceptual, PerceptualError, Planes, dssim_and_gradient};
+use std::path::Path;
+
+/// A loss that sees pictures as people do.
+pub struct AskedLoss {
+    network: Option<Perceptual>,
+    options: PerceptualOptions,
+    seed: u64,
+}
+
+/// What it says of a view.
+pub struct Asked {
+    /// Its value, before the weight.
+    pub value: f64,
+    /// Derivative of the weighted loss with respect to each pixel of the view, RGB.
+    pub gradient: Vec<[f32; 3]>,
+}
+
+/// A part of a view: its first column and row, and its sides, px.
+struct Window {
+    first: [usize; 2],
+    size: [usize; 2],
+}
+
+impl AskedLoss {
+    /// The loss that the options name, or None where they name none. `weights`: the folder that
+    /// `tools/fetch_perceptual.sh` fills.
+    ///
+    /// # Errors
+    /// When the weights are not there, are others, or this machine computes wrongly with them.
+    pub fn new(
+        options: &PerceptualOptions,
+        weights: &Path,
+        seed: u64,
+    ) -> Result<Option<Self>, PerceptualError> {
+        let network = match options.kind {
+            PerceptualKind::None => return Ok(None),
+            PerceptualKind::Dssim => None,
+            PerceptualKind::StLpipsAlex => Some(Network::Alex),
+            PerceptualKind::StLpipsVgg => Some(Network::Vgg),
+        };
+        let network = match network {
+            Some(network) => {
+                let read = Perceptual::read(network, &weights.join(network.file_name()))?;
+                read.check()?;
+                Some(read)
+            }
+            None => None,
+        };
+        Ok(Some(Self {
+            network,
+            options: options.clone(),
+            seed,
+        }))
+    }
+
+    /// Compares a part of an image with the same part of a view's picture. `image`: RGB of every
+    /// pixel over the view's background; `place`: of the view in the training, which decides the
+    /// part. None where the view shows nobody.
+    pub fn ask(&self, view: &View, place: u64, image: &[[f32; 3]]) -> Option<Asked> {
+        let window = self.window(view, place)?;
+        let width = view.picture.size[0] as usize;
+        let at = |x: usize, y: usize| (window.first[1] + y) * width + window.first[0] + x;
+        let [columns, rows] = window.size;
+        let background = view.background.as_vec3().to_array();
+        let mut drawn = Planes::black(window.size);
+        let mut truth = Planes::black(window.size);
+        for y in 0..rows {
+            for x in 0..columns {
+                let pixel = at(x, y);
+                let own = image[pixel];
+                let shown = match view.picture.shows(pixel) {
+                    Shows::Background => background,
+                    // As the image has it: no difference, no derivative of its own.
+                    Shows::Unsure => own,
+                    Shows::Person => {
+                        let [r, g, b, _] = view.picture.pixels[pixel];
+                        [r, g, b].map(|v| f32::from(v) / 255.0)
+                    }
+                };
+                for c in 0..3 {
+                    drawn.data[(c * rows + y) * columns + x] = own[c];
+                    truth.data[(c * rows + y) * columns + x] = shown[c];
+                }
+            }
+        }
+        let Graded { value, gradient } = match &self.network {
+            Some(network) => network.value_and_gradient(&drawn, &network.features(&truth)),
+            None => dssim_and_gradient(&drawn, &truth),
+        };
+        let weight = (self.options.weight * self.options.every as f64) as f32;
+        let mut of_image = vec![[0.0; 3]; image.len()];
+        for y in 0..rows {
+            for x in 0..columns {
+                let pixel = at(x, y);
+                if view.picture.shows(pixel) != Shows::Unsure {
+                    of_image[pixel] = std::array::from_fn(|c| {
+                        weight * gradient.data[(c * rows + y) * columns + x]
+                    });
+                }
+            }
+        }
+        Some(Asked {
+            value,
+            gradient: of_image,
+        })
+    }
+
+    /// A part around a pixel of the person, as near to it as the view allows.
+    fn window(&self, view: &View, place: u64) -> Option<Window> {
+        let people: Vec<usize> = (0..view.picture.pixels.len())
+            .filter(|&pixel| view.picture.shows(pixel) == Shows::Person)
+            .collect();
+        let mut random = Random::new(self.seed ^ 0xA5CE_D105, place);
+        let middle = *people.get((random.uniform() * people.len() as f64) as usize)?;
+        let sides = view.picture.size.map(|side| side as usize);
+        let size = sides.map(|side| side.min(self.options.window as usize));
+        let middle = [middle % sides[0], middle / sides[0]];
+        let first = std::array::from_fn(|axis| {
+            let low = middle[axis].saturating_sub(size[axis] / 2);
+            low.min(sides[axis] - size[axis])
+        });
+        Some(Window { first, size })
+    }
+}

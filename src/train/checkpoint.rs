@@ -1,0 +1,323 @@
+//! Where a training stands, on disk: written beside the last one and put in its place at once, so
+//! that a kill at any moment spoils nothing.
+
+use crate::gpu::TrainerState;
+use crate::parameters::Parameters;
+use crate::topology::Rows;
+use effigy_core::io::file::{FileError, replace};
+use effigy_core::random::hash;
+use safetensors::{Dtype, SafeTensors, tensor::TensorView};
+use serde::{Deserialize, Serialize};
+use std::collections::HashMap;
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// Checkpoints that are kept.
+const KEPT: usize = 2;
+/// Version of the file.
+const VERSION: u32 = 1;
+const META: &str = "effigy";
+
+/// Where a training stands.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Checkpoint {
+    /// What is learned, and how.
+    pub state: TrainerState,
+    /// Which Gaussians have correctives.
+    pub rows: Rows,
+    /// Whether rows were pruned.
+    pub pruned: bool,
+    /// Views that were looked at: where the data is.
+    pub place: u64,
+    /// Seconds that the training has taken.
+    pub seconds: f64,
+    /// The recipe's text.
+    pub recipe: String,
+}
+
+/// What no tensor holds.
+#[derive(Deserialize, Serialize)]
+#[serde(deny_unknown_fields)]
+struct Meta {
+    version: u32,
+    steps: u64,
+    corrective_steps: u64,
+    pruned: bool,
+    place: u64,
+    seconds: f64,
+    recipe: String,
+    /// Of all tensors' bytes.
+    checksum: String,
+}
+
+const ARRAYS: [&str; 4] = ["gaussians", "nodes", "networks", "bases"];
+const KINDS: [&str; 3] = ["parameters", "first_moments", "second_moments"];
+const ROWS: [&str; 3] = ["rows.rotation", "rows.scale", "rows.color"];
+
+impl Checkpoint {
+    /// The file's name after so many steps.
+    fn name(steps: u64) -> String {
+        format!("checkpoint-{steps:09}.safetensors")
+    }
+
+    /// Writes it into a folder, and deletes all but the last two.
+    ///
+    /// # Errors
+    /// When the disk is full or the folder can't be written; what was there stays.
+    pub fn write(&self, folder: &Path) -> Result<PathBuf, FileError> {
+        let path = folder.join(Self::name(self.state.steps));
+        let failed = |cause| FileError::Write {
+            file: path.clone(),
+            cause,
+        };
+        let bytes = self.encode().map_err(failed)?;
+        replace(&path, &bytes)?;
+        let files = Self::files(folder).map_err(failed)?;
+        for old in files.iter().rev().skip(KEPT) {
+            fs::remove_file(old).map_err(failed)?;
+        }
+        Ok(path)
+    }
+
+    /// The file's bytes.
+    fn encode(&self) -> io::Result<Vec<u8>> {
+        let mut bytes: Vec<(String, Dtype, Vec<u8>)> = Vec::new();
+        let kinds = [
+            &self.state.parameters,
+            &self.state.first_moments,
+            &self.state.second_moments,
+        ];
+        for (kind, numbers) in KINDS.iter().zip(kinds) {
+            for (array, numbers) in ARRAYS.iter().zip(numbers.arrays()) {
+                let data = bytemuck::cast_slice(numbers).to_vec();
+                bytes.push((format!("{kind}.{array}"), Dtype::F32, data));
+            }
+        }
+        for (name, rows) in ROWS.iter().zip(&self.rows.gaussian) {
+            bytes.push((
+                name.to_string(),
+                Dtype::U32,
+                bytemuck::cast_slice(rows).to_vec(),
+            ));
+        }
+        let meta = Meta {
+            version: VERSION,
+            steps: self.state.steps,
+            corrective_steps: self.state.corrective_steps,
+            pruned: self.pruned,
+            place: self.place,
+            seconds: self.seconds,
+            recipe: self.recipe.clone(),
+            checksum: checksum(
+                bytes
+                    .iter()
+                    .map(|(name, _, data)| (name.as_str(), &data[..])),
+            ),
+        };
+        let text = serde_json::to_string(&meta).map_err(io::Error::other)?;
+        let views = bytes
+            .iter()
+            .map(|(name, dtype, data)| {
+                TensorView::new(*dtype, vec![data.len() / 4], data)
+                    .map(|view| (name.clone(), view))
+                    .map_err(io::Error::other)
+            })
+            .collect::<io::Result<Vec<_>>>()?;
+        let metadata = HashMap::from([(META.to_string(), text)]);
+        safetensors::serialize(views, Some(metadata)).map_err(io::Error::other)
+    }
+
+    /// The checkpoints of a folder, the oldest first.
+    ///
+    /// # Errors
+    /// When the folder can't be read.
+    pub fn files(folder: &Path) -> io::Result<Vec<PathBuf>> {
+        let mut files = Vec::new();
+        for entry in fs::read_dir(folder)? {
+            let path = entry?.path();
+            let name = path.file_name().unwrap_or_default().to_string_lossy();
+            if name.starts_with("checkpoint-") && name.ends_with(".safetensors") {
+                files.push(path);
+            }
+        }
+        files.sort();
+        Ok(files)
+    }
+
+    /// The last whole checkpoint of a folder, and what is wrong with those after it.
+    ///
+    /// # Errors
+    /// When the folder can't be read.
+    pub fn last(folder: &Path) -> io::Result<Found> {
+        let mut broken = Vec::new();
+        for path in Self::files(folder)?.into_iter().rev() {
+            match Self::read(&path) {
+                Ok(checkpoint) => {
+                    return Ok(Found {
+                        checkpoint: Some(checkpoint),
+                        broken,
+                    });
+                }
+                Err(error) => broken.push(format!("{}: {error}", path.display())),
+            }
+        }
+        Ok(Found {
+            checkpoint: None,
+            broken,
+        })
+    }
+
+    /// Reads one.
+    ///
+    /// # Errors
+    /// When it is cut, changed or of another version; the text says what was found.
+    pub fn read(path: &Path) -> Result<Self, String> {
+        let bytes = fs::read(path).map_err(|error| error.to_string())?;
+        let whole =
+            |error: safetensors::SafeTensorError| format!("not a whole checkpoint: {error}");
+        let (_, header) = SafeTensors::read_metadata(&bytes).map_err(whole)?;
+        let text = header
+            .metadata()
+            .as_ref()
+            .and_then(|all| all.get(META))
+            .ok_or("no checkpoint of a training")?;
+        let meta: Meta = serde_json::from_str(text).map_err(|error| error.to_string())?;
+        if meta.version != VERSION {
+            return Err(format!("version {}, expected {VERSION}", meta.version));
+        }
+        let tensors = SafeTensors::deserialize(&bytes).map_err(whole)?;
+        let tensor = |name: &str| -> Result<Vec<u8>, String> {
+            let tensor = tensors.tensor(name).map_err(|error| error.to_string())?;
+            Ok(tensor.data().to_vec())
+        };
+        let floats = |name: &str| -> Result<Vec<f32>, String> {
+            Ok(bytemuck::pod_collect_to_vec(&tensor(name)?))
+        };
+        let mut named: Vec<(String, Vec<u8>)> = Vec::new();
+        let numbers = |kind: &str| -> Result<Parameters<f32>, String> {
+            Ok(Parameters {
+                gaussians: floats(&format!("{kind}.gaussians"))?,
+                nodes: floats(&format!("{kind}.nodes"))?,
+                networks: floats(&format!("{kind}.networks"))?,
+                bases: floats(&format!("{kind}.bases"))?,
+            })
+        };
+        for kind in KINDS {
+            for array in ARRAYS {
+                let name = format!("{kind}.{array}");
+                named.push((name.clone(), tensor(&name)?));
+            }
+        }
+        for name in ROWS {
+            named.push((name.to_string(), tensor(name)?));
+        }
+        let found = checksum(named.iter().map(|(name, data)| (name.as_str(), &data[..])));
+        if found != meta.checksum {
+            return Err(format!("checksum {found}, expected {}", meta.checksum));
+        }
+        let rows = |name: &str| -> Result<Vec<u32>, String> {
+            Ok(bytemuck::pod_collect_to_vec(&tensor(name)?))
+        };
+        Ok(Self {
+            state: TrainerState {
+                parameters: numbers(KINDS[0])?,
+                first_moments: numbers(KINDS[1])?,
+                second_moments: numbers(KINDS[2])?,
+                steps: meta.steps,
+                corrective_steps: meta.corrective_steps,
+            },
+            rows: Rows {
+                gaussian: [rows(ROWS[0])?, rows(ROWS[1])?, rows(ROWS[2])?],
+            },
+            pruned: meta.pruned,
+            place: meta.place,
+            seconds: meta.seconds,
+            recipe: meta.recipe,
+        })
+    }
+}
+
+/// What a folder has.
+pub struct Found {
+    /// The last whole checkpoint.
+    pub checkpoint: Option<Checkpoint>,
+    /// What is wrong with later ones.
+    pub broken: Vec<String>,
+}
+
+/// A hash of named bytes, as text.
+fn checksum<'a>(named: impl Iterator<Item = (&'a str, &'a [u8])>) -> String {
+    let mut sum = 0u64;
+    for (name, bytes) in named {
+        for chunk in name.as_bytes().chunks(8).chain(bytes.chunks(8)) {
+            let mut word = [0; 8];
+            word[..chunk.len()].copy_from_slice(chunk);
+            sum = hash(sum ^ u64::from_le_bytes(word));
+        }
+    }
+    format!("{sum:016x}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn checkpoint(steps: u64) -> Checkpoint {
+        let numbers = |scale: f32| Parameters {
+            gaussians: (0..24).map(|k| scale * k as f32).collect(),
+            nodes: vec![scale; 5],
+            networks: vec![-scale; 7],
+            bases: vec![],
+        };
+        Checkpoint {
+            state: TrainerState {
+                parameters: numbers(1.0),
+                first_moments: numbers(0.5),
+                second_moments: numbers(f32::MIN_POSITIVE),
+                steps,
+                corrective_steps: 3,
+            },
+            rows: Rows {
+                gaussian: [vec![0, 1], vec![], vec![1]],
+            },
+            pruned: true,
+            place: 77,
+            seconds: 1.25,
+            recipe: "seed = 1".into(),
+        }
+    }
+
+    #[test]
+    fn it_is_read_as_it_was_written_and_two_are_kept() {
+        let folder = tempfile::tempdir().unwrap();
+        for steps in [1, 20, 300] {
+            checkpoint(steps).write(folder.path()).unwrap();
+        }
+        let files = Checkpoint::files(folder.path()).unwrap();
+        assert_eq!(files.len(), KEPT);
+        let found = Checkpoint::last(folder.path()).unwrap();
+        assert_eq!(found.checkpoint, Some(checkpoint(300)));
+        assert!(found.broken.is_empty());
+    }
+
+    #[test]
+    fn a_broken_one_gives_way_to_the_one_before() {
+        let folder = tempfile::tempdir().unwrap();
+        checkpoint(1).write(folder.path()).unwrap();
+        let last = checkpoint(2).write(folder.path()).unwrap();
+        let whole = fs::read(&last).unwrap();
+        for length in (0..whole.len()).step_by(97) {
+            fs::write(&last, &whole[..length]).unwrap();
+            let found = Checkpoint::last(folder.path()).unwrap();
+            assert_eq!(found.checkpoint, Some(checkpoint(1)), "cut at {length}");
+            assert_eq!(found.broken.len(), 1);
+        }
+        let mut changed = whole.clone();
+        let at = whole.len() - 9;
+        changed[at] ^= 1;
+        fs::write(&last, &changed).unwrap();
+        let found = Checkpoint::last(folder.path()).unwrap();
+        assert!(found.broken[0].contains("checksum"), "{:?}", found.broken);
+    }
+}

@@ -1,0 +1,342 @@
+//! The views of a training: which pictures, in which order, cut out how.
+
+use crate::view::{Picture, View};
+use effigy_capture::{Capture, CaptureError};
+use effigy_core::avatar::{Avatar, Pose};
+use effigy_core::random::{Random, hash};
+use effigy_core::scene::{Camera, PixelRect};
+use glam::{DAffine3, DVec2, DVec3, UVec2};
+use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+use std::sync::{Arc, Mutex, PoisonError};
+
+/// How pictures become views.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct DataOptions {
+    /// Half the width of the band at the mask's edge that counts for nothing, px.
+    pub band: u32,
+    /// Longest side of a view, px: larger people are looked at in parts.
+    pub window: u32,
+    /// How much larger than the template a person is in pictures, of the template's size.
+    pub margin: f64,
+    /// Memory for decoded pictures, MB.
+    pub cache_mb: usize,
+}
+
+/// A picture of the capture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Shot {
+    /// Index into the capture's cameras.
+    pub camera: usize,
+    /// Index into its frames.
+    pub frame: usize,
+}
+
+/// What a frame's pose is to an avatar.
+struct PosedFrame {
+    joints: Vec<DAffine3>,
+    input: Vec<f64>,
+}
+
+/// A decoded picture with what its pixels show.
+struct Decoded {
+    size: [u32; 2],
+    pixels: Vec<[u8; 4]>,
+}
+
+/// Pictures that stay in memory.
+struct Cache {
+    pictures: Vec<Option<Arc<Decoded>>>,
+    bytes: usize,
+}
+
+/// The views of a capture. Which view comes when depends on the seed alone.
+pub struct Views {
+    capture: Arc<Capture>,
+    options: DataOptions,
+    seed: u64,
+    /// In the capture's order.
+    shots: Vec<Shot>,
+    /// Where the template is in each shot's picture, px.
+    boxes: Vec<PixelRect>,
+    frames: Vec<PosedFrame>,
+    size: [u32; 2],
+    cache: Mutex<Cache>,
+}
+
+impl Views {
+    /// The views of some pictures. The template's box in each says what is cut out.
+    pub fn new(
+        capture: &Arc<Capture>,
+        avatar: &Avatar,
+        shots: Vec<Shot>,
+        options: &DataOptions,
+        seed: u64,
+    ) -> Self {
+        let frames: Vec<PosedFrame> = capture
+            .frames
+            .iter()
+            .map(|frame| PosedFrame {
+                joints: avatar.skeleton.matrices(&frame.pose),
+                input: avatar.inputs.unprojected(&frame.pose),
+            })
+            .collect();
+        let vertices: Vec<Vec<DVec3>> = capture
+            .frames
+            .par_iter()
+            .map(|frame| template_points(capture, &frame.pose))
+            .collect();
+        let boxes: Vec<PixelRect> = shots
+            .iter()
+            .map(|shot| {
+                let camera = &capture.cameras[shot.camera].camera;
+                box_of(&vertices[shot.frame], camera, options.margin)
+            })
+            .collect();
+        let largest = boxes
+            .iter()
+            .fold(UVec2::ONE, |all, rect| all.max(rect.max - rect.min));
+        // All views of a step have one size.
+        let side = |axis: usize| {
+            let least = shots
+                .iter()
+                .map(|shot| capture.cameras[shot.camera].camera.size[axis])
+                .min();
+            largest[axis]
+                .next_multiple_of(8)
+                .min(options.window)
+                .min(least.unwrap_or(1))
+        };
+        Self {
+            capture: capture.clone(),
+            options: options.clone(),
+            seed,
+            size: [side(0), side(1)],
+            cache: Mutex::new(Cache {
+                pictures: (0..shots.len()).map(|_| None).collect(),
+                bytes: 0,
+            }),
+            shots,
+            boxes,
+            frames,
+        }
+    }
+
+    /// Width and height of every view, px.
+    pub fn size(&self) -> [u32; 2] {
+        self.size
+    }
+
+    /// How many pictures there are.
+    pub fn len(&self) -> usize {
+        self.shots.len()
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.shots.is_empty()
+    }
+
+    /// The view that comes at a place of the training: every picture once before any comes again,
+    /// cut out at random, before a random background.
+    ///
+    /// # Errors
+    /// When its picture can't be read any more.
+    pub fn at(&self, place: u64) -> Result<View, CaptureError> {
+        let count = self.shots.len() as u64;
+        let round = place / count;
+        let shot = shuffled(place % count, count, hash(self.seed ^ hash(round)));
+        let mut random = Random::new(self.seed, place);
+        let background = DVec3::new(random.uniform(), random.uniform(), random.uniform());
+        let share = DVec2::new(random.uniform(), random.uniform());
+        self.view(shot as usize, background, share)
+    }
+
+    /// A picture before a background of one's choice, cut out around its middle.
+    ///
+    /// # Errors
+    /// When the picture can't be read any more.
+    pub fn steady(&self, shot: usize, background: DVec3) -> Result<View, CaptureError> {
+        self.view(shot, background, DVec2::splat(0.5))
+    }
+
+    fn view(&self, at: usize, background: DVec3, share: DVec2) -> Result<View, CaptureError> {
+        let shot = self.shots[at];
+        let picture = self.decoded(at)?;
+        let size = UVec2::from(self.size);
+        let whole = UVec2::from(picture.size);
+        let own = self.boxes[at];
+        // Anywhere that holds all of the person, or, of a larger one, only the person.
+        let low = own.max.saturating_sub(size).min(own.min);
+        let high = own.min.max(own.max.saturating_sub(size));
+        let range = (high - low).as_dvec2();
+        let corner = (low.as_dvec2() + share * range).round().as_uvec2();
+        let corner = corner.min(whole - size);
+        let rect = PixelRect {
+            min: corner,
+            max: corner + size,
+        };
+        let mut pixels = Vec::with_capacity((size.x * size.y) as usize);
+        for row in rect.min.y..rect.max.y {
+            let first = (row * whole.x + rect.min.x) as usize;
+            pixels.extend_from_slice(&picture.pixels[first..first + size.x as usize]);
+        }
+        let frame = &self.frames[shot.frame];
+        Ok(View {
+            joints: frame.joints.clone(),
+            input: frame.input.clone(),
+            camera: self.capture.cameras[shot.camera].camera.cropped(rect),
+            background,
+            whole: u64::from(whole.x) * u64::from(whole.y),
+            picture: Arc::new(Picture {
+                size: self.size,
+                pixels,
+            }),
+        })
+    }
+
+    fn decoded(&self, at: usize) -> Result<Arc<Decoded>, CaptureError> {
+        let cache = || self.cache.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(known) = &cache().pictures[at] {
+            return Ok(known.clone());
+        }
+        let shot = self.shots[at];
+        let picture = self.capture.picture(shot.camera, shot.frame)?;
+        let new = Arc::new(Decoded {
+            size: picture.size,
+            pixels: with_band(&picture, self.options.band),
+        });
+        let mut cache = cache();
+        let bytes = 4 * new.pixels.len();
+        if cache.pictures[at].is_none() && cache.bytes + bytes <= self.options.cache_mb << 20 {
+            cache.bytes += bytes;
+            cache.pictures[at] = Some(new.clone());
+        }
+        Ok(new)
+    }
+}
+
+/// Some of the template's vertices in a pose.
+fn template_points(capture: &Capture, pose: &Pose) -> Vec<DVec3> {
+    const MOST: usize = 2000;
+    let all = capture.template.posed(pose);
+    let step = all.len().div_ceil(MOST).max(1);
+    all.into_iter().step_by(step).collect()
+}
+
+/// The box around points in an image, larger by a margin on each side; the whole image where there
+/// is none.
+fn box_of(points: &[DVec3], camera: &Camera, margin: f64) -> PixelRect {
+    let size = DVec2::from(camera.size.map(f64::from));
+    let mut low = DVec2::INFINITY;
+    let mut high = DVec2::NEG_INFINITY;
+    for &point in points {
+        let seen = camera.view.transform_point3(point);
+        if seen.z >= camera.near {
+            let at = camera.project(seen);
+            low = low.min(at);
+            high = high.max(at);
+        }
+    }
+    let extra = margin * (high - low);
+    let min = (low - extra).clamp(DVec2::ZERO, size);
+    let max = (high + extra).clamp(DVec2::ZERO, size);
+    if !(min.cmplt(max).all()) {
+        return PixelRect {
+            min: UVec2::ZERO,
+            max: UVec2::from(camera.size),
+        };
+    }
+    PixelRect {
+        min: min.floor().as_uvec2(),
+        max: max.ceil().as_uvec2(),
+    }
+}
+
+/// The place of a number below `count` in a random order that the seed says: a small cipher of
+/// numbers, walked until it gives one below `count`.
+fn shuffled(number: u64, count: u64, seed: u64) -> u64 {
+    let half = (64 - count.max(2).saturating_sub(1).leading_zeros()).div_ceil(2);
+    let mask = (1u64 << half) - 1;
+    let mut at = number;
+    loop {
+        let [mut left, mut right] = [at >> half, at & mask];
+        for round in 0..4 {
+            let mixed = left ^ (hash(right ^ hash(seed ^ round)) & mask);
+            [left, right] = [right, mixed];
+        }
+        at = left << half | right;
+        if at < count {
+            return at;
+        }
+    }
+}
+
+/// A picture's pixels with what they show: the person, what is behind, or neither near the mask's
+/// edge.
+fn with_band(picture: &effigy_capture::Picture, band: u32) -> Vec<[u8; 4]> {
+    let [width, height] = picture.size.map(|side| side as usize);
+    let radius = band as i64;
+    let inside = |x: i64, y: i64| {
+        let clamp = |v: i64, side: usize| v.clamp(0, side as i64 - 1) as usize;
+        picture.mask[clamp(y, height) * width + clamp(x, width)] > 127
+    };
+    let disk: Vec<[i64; 2]> = (-radius..=radius)
+        .flat_map(|dy| (-radius..=radius).map(move |dx| [dx, dy]))
+        .filter(|[dx, dy]| dx * dx + dy * dy <= radius * radius)
+        .collect();
+    (0..width * height)
+        .map(|at| {
+            let [r, g, b] = picture.color[at];
+            let x = (at % width) as i64;
+            let y = (at / width) as i64;
+            let own = inside(x, y);
+            let near_edge = disk.iter().any(|[dx, dy]| inside(x + dx, y + dy) != own);
+            let shows = match own {
+                _ if near_edge => 128,
+                true => 255,
+                false => 0,
+            };
+            [r, g, b, shows]
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_round_has_every_picture_once() {
+        for count in [1, 2, 3, 7, 16, 100, 1601] {
+            for seed in [1, 2] {
+                let mut all: Vec<u64> = (0..count).map(|k| shuffled(k, count, seed)).collect();
+                assert!(count < 16 || all.windows(2).any(|pair| pair[1] < pair[0]));
+                all.sort_unstable();
+                assert_eq!(all, (0..count).collect::<Vec<_>>());
+            }
+        }
+    }
+
+    #[test]
+    fn the_edge_of_a_mask_counts_for_nothing() {
+        let size = [9, 5];
+        let picture = effigy_capture::Picture {
+            size,
+            color: vec![[10, 20, 30]; 45],
+            mask: (0..45)
+                .map(|at| if at % 9 >= 4 { 255 } else { 0 })
+                .collect(),
+        };
+        let row = |band: u32| -> Vec<u8> {
+            with_band(&picture, band)[..9]
+                .iter()
+                .map(|pixel| pixel[3])
+                .collect()
+        };
+        assert_eq!(row(0), [0, 0, 0, 0, 255, 255, 255, 255, 255]);
+        assert_eq!(row(1), [0, 0, 0, 128, 128, 255, 255, 255, 255]);
+        assert_eq!(row(2), [0, 0, 128, 128, 128, 128, 255, 255, 255]);
+    }
+}

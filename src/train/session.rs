@@ -1,0 +1,626 @@
+//! A training from start to end: steps, pruning, checkpoints, and the avatar that comes out.
+
+use crate::asked::AskedLoss;
+use crate::checkpoint::Checkpoint;
+use crate::data::{Shot, Views};
+use crate::gpu::{StepOptions, StepReport, Trainer, TrainerState};
+use crate::lock::{Lock, LockError};
+use crate::parameters::{Layout, Parameters};
+use crate::prune::{feature_covariance, keep_rows, select};
+use crate::recipe::Recipe;
+use crate::start::start;
+use crate::topology::{Rows, Topology};
+use crate::view::View;
+use effigy::vulkan::{Error as GpuError, Gpu};
+use effigy_capture::{Capture, CaptureError};
+use effigy_core::avatar::{Avatar, Pose};
+use effigy_core::io::file::{FileError, replace};
+use effigy_core::reference::mlp;
+use effigy_core::scene::Posed;
+use effigy_perceptual::PerceptualError;
+use rayon::prelude::*;
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{Receiver, sync_channel};
+use std::thread;
+use std::time::{Duration, Instant};
+
+/// The avatar that a training began with.
+const START: &str = "start.avatar";
+/// The recipe that it follows.
+const RECIPE: &str = "recipe.toml";
+/// Steps' losses.
+const LOG: &str = "log.csv";
+
+/// Why a training ended early.
+#[derive(Debug, thiserror::Error)]
+pub enum TrainError {
+    /// The device.
+    #[error(transparent)]
+    Gpu(#[from] GpuError),
+    /// The capture.
+    #[error(transparent)]
+    Capture(#[from] CaptureError),
+    /// A file.
+    #[error(transparent)]
+    File(#[from] FileError),
+    /// The folder is somebody else's.
+    #[error(transparent)]
+    Lock(#[from] LockError),
+    /// The perceptual loss.
+    #[error(transparent)]
+    Perceptual(#[from] PerceptualError),
+    /// The folder has a training.
+    #[error("{folder}: found a training after {steps} steps")]
+    Begun {
+        /// The folder.
+        folder: String,
+        /// Its steps.
+        steps: u64,
+    },
+    /// The folder's training follows another recipe.
+    #[error("{folder}: its training follows another recipe than the one asked for")]
+    OtherRecipe {
+        /// The folder.
+        folder: String,
+    },
+    /// The folder's training is of another capture.
+    #[error("{folder}: its avatar has {found}, the capture's body model {expected}")]
+    OtherCapture {
+        /// The folder.
+        folder: String,
+        /// What the avatar has.
+        found: String,
+        /// What the capture's body model has.
+        expected: String,
+    },
+    /// No picture to learn from.
+    #[error("found no picture to learn from: all are held out")]
+    NothingToLearn,
+    /// No Gaussian is in any view of the first step.
+    #[error(
+        "no Gaussian is in view of camera {camera} in frame {frame}: found no pairs of splats and tiles"
+    )]
+    NothingSeen {
+        /// The camera's name.
+        camera: String,
+        /// The frame's number.
+        frame: u32,
+    },
+    /// A loss is NaN or infinite.
+    #[error("the loss of step {step} is {loss}: the last checkpoint is before it")]
+    NotFinite {
+        /// The step.
+        step: u64,
+        /// What was found.
+        loss: f64,
+    },
+}
+
+/// What a training needs besides its recipe.
+pub struct SessionOptions {
+    /// The training's own folder: checkpoints, log, recipe.
+    pub folder: PathBuf,
+    /// Goes on with what the folder has; begins where it has nothing.
+    pub resume: bool,
+    /// Ends when the training has taken so long in all, whatever the recipe says of steps.
+    pub minutes: Option<f64>,
+    /// From one checkpoint to the next.
+    pub checkpoint_every: Duration,
+    /// From one line of the log to the next, steps.
+    pub log_every: u64,
+    /// Where the weights of the perceptual loss are.
+    pub perceptual_weights: PathBuf,
+    /// Name of the avatar.
+    pub name: String,
+    /// Where it comes from.
+    pub credit: String,
+}
+
+/// How far a training is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Progress {
+    /// Steps so far.
+    pub steps: u64,
+    /// How much of the training is over, 0 to 1.
+    pub share: f64,
+    /// Seconds that it has taken, those before an interruption included.
+    pub seconds: f64,
+    /// Whether rows were pruned.
+    pub pruned: bool,
+    /// Mean of |image − picture| of the steps since the last of these.
+    pub l1: f64,
+    /// PSNR of views against pictures of these steps, dB: of training views, while they learn.
+    pub psnr_db: f64,
+    /// The perceptual loss of the last step that had it.
+    pub perceptual: Option<f64>,
+    /// Most pairs of splats and tiles of a view.
+    pub pairs: u32,
+}
+
+/// How a training ended.
+pub enum Outcome {
+    /// With an avatar.
+    Done(Box<Avatar>),
+    /// It was asked to stop, and can go on from a checkpoint.
+    Stopped,
+}
+
+/// A training that has begun.
+pub struct Session {
+    gpu: Arc<Gpu>,
+    capture: Arc<Capture>,
+    recipe: Recipe,
+    options: SessionOptions,
+    start: Avatar,
+    topology: Topology,
+    rows: Rows,
+    trainer: Trainer,
+    views: Arc<Views>,
+    asked: Option<AskedLoss>,
+    pruned: bool,
+    place: u64,
+    /// Seconds before this session.
+    seconds: f64,
+    begun: Instant,
+    _lock: Lock,
+}
+
+/// The pictures that are learned from: those of cameras and frames that are not held out.
+pub fn training_shots(capture: &Capture) -> Vec<Shot> {
+    shots(capture, |camera, frame| !camera && !frame)
+}
+
+/// Pictures by whether their camera and their frame are held out.
+pub fn shots(capture: &Capture, takes: impl Fn(bool, bool) -> bool) -> Vec<Shot> {
+    let mut all = Vec::new();
+    for frame in 0..capture.frames.len() {
+        for camera in 0..capture.cameras.len() {
+            let held = takes(capture.cameras[camera].held, capture.frames[frame].held);
+            if held && capture.has(camera, frame) {
+                all.push(Shot { camera, frame });
+            }
+        }
+    }
+    all
+}
+
+impl Session {
+    /// Begins a training, or goes on with one.
+    ///
+    /// # Errors
+    /// When the folder is taken or has a training that is not to be gone on with, the device is not
+    /// for training, or a file can't be read or written.
+    pub fn new(
+        gpu: &Arc<Gpu>,
+        capture: &Arc<Capture>,
+        recipe: &Recipe,
+        options: SessionOptions,
+    ) -> Result<Self, TrainError> {
+        let folder = &options.folder;
+        fs::create_dir_all(folder).map_err(|cause| FileError::Write {
+            file: folder.clone(),
+            cause,
+        })?;
+        let lock = Lock::take(folder)?;
+        let found = Checkpoint::last(folder).map_err(|cause| FileError::Read {
+            file: folder.clone(),
+            cause,
+        })?;
+        for broken in &found.broken {
+            tracing::warn!("left out: {broken}");
+        }
+        if let Some(checkpoint) = &found.checkpoint {
+            if !options.resume {
+                return Err(TrainError::Begun {
+                    folder: folder.display().to_string(),
+                    steps: checkpoint.state.steps,
+                });
+            }
+            if Recipe::parse(&checkpoint.recipe).as_ref() != Ok(recipe) {
+                return Err(TrainError::OtherRecipe {
+                    folder: folder.display().to_string(),
+                });
+            }
+        }
+        let shots = training_shots(capture);
+        if shots.is_empty() {
+            return Err(TrainError::NothingToLearn);
+        }
+        let start_file = folder.join(START);
+        let start = if found.checkpoint.is_some() && start_file.exists() {
+            let avatar = Avatar::read(&start_file)?;
+            check_same(folder, &avatar, capture)?;
+            avatar
+        } else {
+            let poses = training_poses(capture);
+            let mut avatar = start(
+                &capture.template,
+                &poses,
+                &recipe.sizes,
+                recipe.filter,
+                recipe.seed,
+            );
+            avatar.name.clone_from(&options.name);
+            avatar.credit.clone_from(&options.credit);
+            avatar.write(&start_file)?;
+            replace(&folder.join(RECIPE), recipe.text().as_bytes())?;
+            // As the file holds it, so that a training that goes on has the same numbers.
+            Avatar::read(&start_file)?
+        };
+        let views = Arc::new(Views::new(
+            capture,
+            &start,
+            shots,
+            &recipe.data,
+            recipe.seed,
+        ));
+        let topology = Topology::new(&start);
+        let asked = AskedLoss::new(&recipe.perceptual, &options.perceptual_weights, recipe.seed)?;
+        let stands = match found.checkpoint {
+            Some(checkpoint) => checkpoint,
+            None => {
+                let rows = Rows::all(start.gaussians.len());
+                let layout = Layout::new(&topology, &rows);
+                let parameters = Parameters::of(&start, &layout);
+                Checkpoint {
+                    state: TrainerState::new(&layout, parameters),
+                    rows,
+                    pruned: false,
+                    place: 0,
+                    seconds: 0.0,
+                    recipe: recipe.text(),
+                }
+            }
+        };
+        let expected = Layout::new(&topology, &stands.rows).lengths();
+        if stands.state.parameters.arrays().map(<[f32]>::len) != expected {
+            return Err(TrainError::OtherCapture {
+                folder: folder.display().to_string(),
+                found: format!("{} Gaussians", start.gaussians.len()),
+                expected: "those of its checkpoint".into(),
+            });
+        }
+        let batch = recipe.schedule.batch;
+        let trainer = Trainer::new(
+            gpu,
+            &topology,
+            &stands.rows,
+            &stands.state,
+            views.size(),
+            batch,
+        )?;
+        Ok(Self {
+            gpu: gpu.clone(),
+            capture: capture.clone(),
+            recipe: recipe.clone(),
+            options,
+            start,
+            topology,
+            rows: stands.rows,
+            trainer,
+            views,
+            asked,
+            pruned: stands.pruned,
+            place: stands.place,
+            seconds: stands.seconds,
+            begun: Instant::now(),
+            _lock: lock,
+        })
+    }
+
+    /// Steps so far.
+    pub fn steps(&self) -> u64 {
+        self.trainer.steps()
+    }
+
+    /// Width and height of every view, px.
+    pub fn view_size(&self) -> [u32; 2] {
+        self.views.size()
+    }
+
+    /// The avatar as it is now.
+    ///
+    /// # Errors
+    /// When the device is lost.
+    pub fn avatar(&self) -> Result<Avatar, TrainError> {
+        let mut avatar = self.start.clone();
+        let layout = Layout::new(&self.topology, &self.rows);
+        let parameters = self.trainer.parameters()?;
+        parameters.put_into(&mut avatar, &layout, &self.rows);
+        Ok(avatar)
+    }
+
+    /// Trains until it is done or `stop` is set. `report` hears of the progress, and may look at
+    /// the training.
+    ///
+    /// # Errors
+    /// When the device, a file or the disk fails, or a loss is no number. The last checkpoint is
+    /// whole, whatever happens.
+    pub fn run(
+        &mut self,
+        stop: &AtomicBool,
+        mut report: impl FnMut(&Self, &Progress),
+    ) -> Result<Outcome, TrainError> {
+        self.begun = Instant::now();
+        let batch = self.recipe.schedule.batch as u64;
+        let views = self.views.clone();
+        let first = self.place;
+        thread::scope(|scope| {
+            // Ahead by a few steps; ends when nobody listens any more.
+            let (send, coming) = sync_channel(4);
+            scope.spawn(move || {
+                for at in (first..).step_by(batch as usize) {
+                    let step: Result<Vec<View>, CaptureError> =
+                        (at..at + batch).map(|place| views.at(place)).collect();
+                    let failed = step.is_err();
+                    if send.send(step).is_err() || failed {
+                        return;
+                    }
+                }
+            });
+            self.steps_of(&coming, stop, &mut report)
+        })
+    }
+
+    fn steps_of(
+        &mut self,
+        coming: &Receiver<Result<Vec<View>, CaptureError>>,
+        stop: &AtomicBool,
+        report: &mut impl FnMut(&Self, &Progress),
+    ) -> Result<Outcome, TrainError> {
+        let mut saved = Instant::now();
+        let mut sums = Sums::default();
+        loop {
+            let share = self.share();
+            if share >= 1.0 {
+                break;
+            }
+            if stop.load(Ordering::Relaxed) {
+                self.save()?;
+                return Ok(Outcome::Stopped);
+            }
+            if !self.pruned && share >= self.pruning_share() {
+                self.prune()?;
+            }
+            let Ok(views) = coming.recv() else { break };
+            self.step(&views?, share, &mut sums)?;
+            if self.steps().is_multiple_of(self.options.log_every) || self.steps() == 1 {
+                let progress = sums.take(self);
+                self.log(&progress)?;
+                report(self, &progress);
+            }
+            if saved.elapsed() >= self.options.checkpoint_every {
+                self.save()?;
+                saved = Instant::now();
+            }
+        }
+        if !self.pruned {
+            self.prune()?;
+        }
+        self.save()?;
+        Ok(Outcome::Done(Box::new(self.avatar()?)))
+    }
+
+    /// One step.
+    fn step(&mut self, views: &[View], share: f64, sums: &mut Sums) -> Result<(), TrainError> {
+        let recipe = &self.recipe;
+        // Of the steps before pruning.
+        let before = share / self.pruning_share().max(1e-9);
+        let options = StepOptions {
+            weights: if self.pruned {
+                recipe.loss.without_correctives()
+            } else {
+                recipe.loss
+            },
+            correctives: self.pruned || before >= recipe.schedule.neutral_share,
+            rates: recipe.rates.at(share),
+            adam: recipe.rates.adam(),
+        };
+        let asks = before >= recipe.perceptual.from_share
+            && self.steps().is_multiple_of(recipe.perceptual.every);
+        let step = self.steps() + 1;
+        let found = match &self.asked {
+            Some(asked) if asks => {
+                let place = self.place;
+                let mut value = 0.0;
+                let found = self.trainer.step_asking(views, &options, |number, image| {
+                    let said = asked.ask(&views[number], place + number as u64, image)?;
+                    value += said.value / views.len() as f64;
+                    Some(said.gradient)
+                })?;
+                sums.perceptual = Some(value);
+                found
+            }
+            _ => self.trainer.step(views, &options)?,
+        };
+        if step == 1 && found.empty_views as usize == views.len() {
+            return Err(self.nothing_seen());
+        }
+        if !found.l1.is_finite() {
+            return Err(TrainError::NotFinite {
+                step,
+                loss: found.l1,
+            });
+        }
+        sums.add(&found);
+        self.place += views.len() as u64;
+        Ok(())
+    }
+
+    /// How much of the training is over, 0 to 1.
+    fn share(&self) -> f64 {
+        match self.options.minutes {
+            Some(minutes) => self.elapsed() / (60.0 * minutes),
+            None => self.steps() as f64 / self.recipe.steps() as f64,
+        }
+    }
+
+    /// How much of it is over when rows are pruned.
+    fn pruning_share(&self) -> f64 {
+        self.recipe.schedule.iterations as f64 / self.recipe.steps() as f64
+    }
+
+    /// Seconds that it has taken.
+    fn elapsed(&self) -> f64 {
+        self.seconds + self.begun.elapsed().as_secs_f64()
+    }
+
+    /// Leaves out the basis rows whose correctives vary least over the training's poses, moments
+    /// included.
+    fn prune(&mut self) -> Result<(), TrainError> {
+        let layout = Layout::new(&self.topology, &self.rows);
+        let state = self.trainer.state()?;
+        let avatar = self.avatar()?;
+        let features: Vec<Vec<f64>> = training_poses(&self.capture)
+            .par_iter()
+            .map(|pose| {
+                let posed = Posed::with_projection(&avatar, pose, false);
+                mlp::features(&avatar, &posed.input)
+            })
+            .collect();
+        let width = avatar.networks.output();
+        let covariance = feature_covariance(&features, layout.parts, width);
+        let kept = select(
+            &state.parameters,
+            &self.topology,
+            &layout,
+            &self.rows,
+            &covariance,
+            self.recipe.prune.share,
+        );
+        let keep = |numbers| keep_rows(numbers, &layout, &self.rows, &kept);
+        let state = TrainerState {
+            parameters: keep(&state.parameters),
+            first_moments: keep(&state.first_moments),
+            second_moments: keep(&state.second_moments),
+            ..state
+        };
+        self.trainer = Trainer::new(
+            &self.gpu,
+            &self.topology,
+            &kept,
+            &state,
+            self.views.size(),
+            self.recipe.schedule.batch,
+        )?;
+        self.rows = kept;
+        self.pruned = true;
+        Ok(())
+    }
+
+    /// Writes a checkpoint.
+    fn save(&self) -> Result<(), TrainError> {
+        let checkpoint = Checkpoint {
+            state: self.trainer.state()?,
+            rows: self.rows.clone(),
+            pruned: self.pruned,
+            place: self.place,
+            seconds: self.elapsed(),
+            recipe: self.recipe.text(),
+        };
+        checkpoint.write(&self.options.folder)?;
+        Ok(())
+    }
+
+    /// Adds a line to the log.
+    fn log(&self, progress: &Progress) -> Result<(), TrainError> {
+        let file = self.options.folder.join(LOG);
+        add_line(&file, progress).map_err(|cause| {
+            TrainError::File(FileError::Write {
+                file: file.clone(),
+                cause,
+            })
+        })
+    }
+
+    fn nothing_seen(&self) -> TrainError {
+        let shot = training_shots(&self.capture)[0];
+        TrainError::NothingSeen {
+            camera: self.capture.cameras[shot.camera].name.clone(),
+            frame: self.capture.frames[shot.frame].number,
+        }
+    }
+}
+
+/// Appends a line to a log, under a header where the file is new.
+fn add_line(file: &Path, progress: &Progress) -> io::Result<()> {
+    let mut text = String::new();
+    if !file.exists() {
+        text += "step,seconds,share,pruned,l1,psnr_db,perceptual,pairs\n";
+    }
+    let perceptual = progress
+        .perceptual
+        .map_or(String::new(), |v| format!("{v:.6}"));
+    text += &format!(
+        "{},{:.2},{:.6},{},{:.7},{:.3},{perceptual},{}\n",
+        progress.steps,
+        progress.seconds,
+        progress.share,
+        u8::from(progress.pruned),
+        progress.l1,
+        progress.psnr_db,
+        progress.pairs,
+    );
+    let mut open = fs::OpenOptions::new();
+    let mut log = open.create(true).append(true).open(file)?;
+    io::Write::write_all(&mut log, text.as_bytes())
+}
+
+/// Sums over the steps since the last report.
+#[derive(Default)]
+struct Sums {
+    steps: u64,
+    l1: f64,
+    squared: f64,
+    pairs: u32,
+    perceptual: Option<f64>,
+}
+
+impl Sums {
+    fn add(&mut self, found: &StepReport) {
+        self.steps += 1;
+        self.l1 += found.l1;
+        self.squared += found.squared;
+        self.pairs = self.pairs.max(found.pairs);
+    }
+
+    /// What they say, and empties them.
+    fn take(&mut self, session: &Session) -> Progress {
+        let own = std::mem::take(self);
+        let count = own.steps.max(1) as f64;
+        Progress {
+            steps: session.steps(),
+            share: session.share(),
+            seconds: session.elapsed(),
+            pruned: session.pruned,
+            l1: own.l1 / count,
+            psnr_db: -10.0 * (own.squared / count).max(1e-12).log10(),
+            perceptual: own.perceptual,
+            pairs: own.pairs,
+        }
+    }
+}
+
+/// The poses of frames that are not held out.
+fn training_poses(capture: &Capture) -> Vec<Pose> {
+    let own = capture.frames.iter().filter(|frame| !frame.held);
+    own.map(|frame| frame.pose.clone()).collect()
+}
+
+/// That an avatar has the capture's skeleton.
+fn check_same(folder: &Path, avatar: &Avatar, capture: &Capture) -> Result<(), TrainError> {
+    let own = &avatar.skeleton;
+    let expected = &capture.template.skeleton;
+    if own == expected {
+        return Ok(());
+    }
+    Err(TrainError::OtherCapture {
+        folder: folder.display().to_string(),
+        found: format!("{} joints", own.len()),
+        expected: format!("{} joints, or the same at other places", expected.len()),
+    })
+}
