@@ -59,6 +59,26 @@ const LAYERS: &[Layers] = &[
         ],
     },
     Layers {
+        package: "src/capture",
+        modules: &[
+            "limits",
+            "left_out",
+            "error",
+            "header",
+            "lens",
+            "calibration",
+            "picture",
+            "poses",
+            "template",
+            "layouts",
+            "split",
+            "capture",
+            "check",
+            "truth",
+            "write",
+        ],
+    },
+    Layers {
         package: "src/cli",
         modules: &[
             "advice",

@@ -104,6 +104,12 @@ impl Array {
         }
     }
 
+    /// The numbers as they are, NaN and infinity among them; integers are converted.
+    pub fn numbers(&self) -> Vec<f64> {
+        let element = self.header.element;
+        self.elements().map(|bytes| element.float(bytes)).collect()
+    }
+
     /// The numbers rounded to f16.
     ///
     /// # Errors

@@ -32,6 +32,8 @@ number!(u8, "|u1");
 number!(u16, "<u2");
 number!(u32, "<u4");
 number!(f16, "<f2");
+number!(f32, "<f4");
+number!(f64, "<f8");
 
 impl NpzWriter {
     /// An archive without arrays.

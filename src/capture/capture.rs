@@ -1,0 +1,478 @@
+//! A capture's folder, and which of its pictures can be used.
+
+use crate::{
+    calibration::{Calibration, CaptureCamera, Named},
+    error::{CaptureError, fault, read_bytes},
+    header,
+    layouts::{self, Layout},
+    left_out::{LeftOut, Reason},
+    limits,
+    picture::{Fault, Picture},
+    poses::{self, Poses},
+    split::Split,
+    template::{self, Template},
+};
+use effigy_core::{
+    avatar::Pose,
+    io::file::{FileError, FormatError},
+};
+use rayon::prelude::*;
+use std::{
+    collections::{BTreeMap, HashMap, HashSet},
+    fs,
+    path::{Path, PathBuf},
+};
+
+/// Pictures that are known not to be there.
+const MISSING: &str = "missing_img_files.txt";
+
+/// A capture, opened.
+#[derive(Clone, Debug)]
+pub struct Capture {
+    /// Where it is.
+    pub folder: PathBuf,
+    /// Cameras that can be used, in the calibration's order.
+    pub cameras: Vec<CaptureCamera>,
+    /// Frames that have a pose and at least one picture, by number.
+    pub frames: Vec<CaptureFrame>,
+    /// The body model.
+    pub template: Template,
+    /// What can't be used, and why.
+    pub left_out: Vec<LeftOut>,
+    /// The files of each camera's picture of each frame: shape frames, cameras.
+    pub(crate) files: Vec<Option<Files>>,
+}
+
+/// A moment of a capture.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CaptureFrame {
+    /// Number in the pictures' names, and row of the poses.
+    pub number: u32,
+    /// Of [`Capture::template`].
+    pub pose: Pose,
+    /// Held out from training.
+    pub held: bool,
+}
+
+/// How to open a capture.
+#[derive(Clone, Debug, Default)]
+pub struct CaptureOptions {
+    /// The body model's file; None: `template.npz` in the folder.
+    pub template: Option<PathBuf>,
+}
+
+/// A picture's and its mask's file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Files {
+    pub picture: PathBuf,
+    pub mask: PathBuf,
+}
+
+impl Capture {
+    /// Opens a capture: reads cameras, poses and body model, and the sizes of all pictures and
+    /// masks. What can't be used is in [`Self::left_out`].
+    ///
+    /// # Errors
+    /// When the folder has no layout that is known, or its calibration, poses or body model can't
+    /// be read; when no frame is left.
+    pub fn read(folder: &Path) -> Result<Self, CaptureError> {
+        Self::read_with(folder, &CaptureOptions::default())
+    }
+
+    /// Opens a capture like [`Self::read`].
+    ///
+    /// # Errors
+    /// Those of [`Self::read`].
+    pub fn read_with(folder: &Path, options: &CaptureOptions) -> Result<Self, CaptureError> {
+        let layout = layouts::of(folder).ok_or_else(|| CaptureError::Layout {
+            folder: folder.into(),
+            expected: layouts::known_by(),
+        })?;
+        let calibration_file = folder.join(layout.calibration);
+        let text = read_bytes(&calibration_file, limits::TEXT)?;
+        let calibration = Calibration::parse(&calibration_file, &text)?;
+        let split = Split::read(folder)?;
+        split.check(
+            folder,
+            calibration.cameras.iter().map(|camera| &camera.name[..]),
+        )?;
+
+        let template_file = match &options.template {
+            Some(file) => file.clone(),
+            None => folder.join(template::FILE),
+        };
+        let archive = template::read(&template_file)?;
+        let poses = Poses::read(folder, archive.parent.len())?;
+        let model = archive.model(&template_file, &poses.betas)?;
+        let mut template = model.template;
+        template.expression = poses.expression();
+
+        let mut left_out = Vec::new();
+        let listed = listed(folder)?;
+        let views: Vec<View> = calibration
+            .cameras
+            .into_iter()
+            .filter_map(|named| {
+                View::find(folder, layout, named, &listed, poses.frames, &mut left_out)
+            })
+            .collect();
+
+        let mut frames = Vec::new();
+        let mut files = Vec::new();
+        for number in 0..poses.frames as u32 {
+            let row: Vec<Option<Files>> = views
+                .iter()
+                .map(|view| view.files.get(&number).cloned())
+                .collect();
+            if row.iter().all(Option::is_none) {
+                continue;
+            }
+            match poses.pose(number as usize, &model.mean_hands) {
+                Ok(pose) => {
+                    files.extend(row);
+                    frames.push(CaptureFrame {
+                        number,
+                        pose,
+                        held: split.frames.contains(&number),
+                    });
+                }
+                Err(fault) => left_out.push(LeftOut {
+                    file: folder.join(poses::FILE),
+                    camera: None,
+                    frame: Some(number),
+                    reason: Reason::Pose(fault),
+                }),
+            }
+        }
+        let cameras = views
+            .into_iter()
+            .map(|view| CaptureCamera {
+                held: split.cameras.contains(&view.camera.name),
+                ..view.camera
+            })
+            .collect();
+        let capture = Self {
+            folder: folder.into(),
+            cameras,
+            frames,
+            template,
+            left_out,
+            files,
+        };
+        capture.unless_empty()
+    }
+
+    fn unless_empty(self) -> Result<Self, CaptureError> {
+        if self.frames.is_empty() {
+            return Err(CaptureError::Empty {
+                folder: self.folder,
+                left_out: self.left_out,
+            });
+        }
+        Ok(self)
+    }
+
+    /// Whether there is a picture of a frame by a camera, both by index.
+    pub fn has(&self, camera: usize, frame: usize) -> bool {
+        self.files_of(camera, frame).is_some()
+    }
+
+    /// Pictures that can be used.
+    pub fn pictures(&self) -> usize {
+        self.files.iter().flatten().count()
+    }
+
+    pub(crate) fn files_of(&self, camera: usize, frame: usize) -> Option<&Files> {
+        if camera >= self.cameras.len() {
+            return None;
+        }
+        self.files
+            .get(frame * self.cameras.len() + camera)?
+            .as_ref()
+    }
+
+    /// Decodes a picture and its mask, without the lens's distortion. Indices into
+    /// [`Self::cameras`] and [`Self::frames`].
+    ///
+    /// # Errors
+    /// When there is none, or a file is cut or has changed its size since.
+    pub fn picture(&self, camera: usize, frame: usize) -> Result<Picture, CaptureError> {
+        let Some(files) = self.files_of(camera, frame) else {
+            return Err(CaptureError::NoPicture { camera, frame });
+        };
+        Picture::read(&files.picture, &files.mask, &self.cameras[camera]).map_err(|found| {
+            match found {
+                Fault::Picture(found) => fault(&files.picture, found),
+                Fault::Mask(found) => fault(&files.mask, found),
+            }
+        })
+    }
+
+    /// The capture without what [`Self::check`] found, which is then in [`Self::left_out`].
+    ///
+    /// # Errors
+    /// When no frame is left.
+    pub fn without(mut self, found: Vec<LeftOut>) -> Result<Self, CaptureError> {
+        let count = self.cameras.len();
+        for fault in &found {
+            let camera = fault.camera.as_ref();
+            for (at, frame) in self.frames.iter().enumerate() {
+                if fault.frame.is_some_and(|number| number != frame.number) {
+                    continue;
+                }
+                for (k, own) in self.cameras.iter().enumerate() {
+                    if camera.is_none_or(|name| *name == own.name) {
+                        self.files[at * count + k] = None;
+                    }
+                }
+            }
+        }
+        self.left_out.extend(found);
+        let seen: Vec<bool> = self
+            .files
+            .chunks(count.max(1))
+            .map(|row| row.iter().any(Option::is_some))
+            .collect();
+        let rows: Vec<Vec<Option<Files>>> = self
+            .files
+            .chunks(count.max(1))
+            .zip(&seen)
+            .filter(|(_, seen)| **seen)
+            .map(|(row, _)| row.to_vec())
+            .collect();
+        self.files = rows.concat();
+        let mut seen = seen.into_iter();
+        self.frames.retain(|_| seen.next().unwrap_or(false));
+        self.unless_empty()
+    }
+}
+
+/// A camera with its files.
+struct View {
+    camera: CaptureCamera,
+    /// By number of the frame.
+    files: BTreeMap<u32, Files>,
+}
+
+/// Files that the capture says are missing, with `/` and without the folder's own path.
+fn listed(folder: &Path) -> Result<HashSet<String>, CaptureError> {
+    let file = folder.join(MISSING);
+    if !file.exists() {
+        return Ok(HashSet::new());
+    }
+    let text = read_bytes(&file, limits::TEXT)?;
+    let lines = String::from_utf8_lossy(&text);
+    // On Windows or elsewhere, from the folder or from above it.
+    let paths = lines.lines().map(|line| line.trim().replace('\\', "/"));
+    Ok(paths.filter(|line| !line.is_empty()).collect())
+}
+
+/// Whether a list has a file; `path` is relative to the folder.
+fn is_listed(listed: &HashSet<String>, path: &str) -> bool {
+    let parts: Vec<&str> = path.split('/').collect();
+    // Lists name pictures with or without the first folder.
+    (0..parts.len().saturating_sub(1)).any(|from| listed.contains(&parts[from..].join("/")))
+}
+
+/// The pictures of a folder by number; none where there is no folder.
+fn numbered(
+    folder: &Path,
+    number: fn(&str) -> Option<u32>,
+) -> Result<BTreeMap<u32, PathBuf>, CaptureError> {
+    let mut files = BTreeMap::new();
+    let unreadable = |cause| FileError::Read {
+        file: folder.into(),
+        cause,
+    };
+    if !folder.is_dir() {
+        return Ok(files);
+    }
+    for entry in fs::read_dir(folder).map_err(unreadable)? {
+        let path = entry.map_err(unreadable)?.path();
+        let ending = path.extension().unwrap_or_default().to_string_lossy();
+        let is_picture = ["png", "jpg", "jpeg"].contains(&&*ending.to_ascii_lowercase());
+        let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+        if let Some(number) = number(&stem)
+            && is_picture
+            && files.len() < limits::FRAMES
+        {
+            files.insert(number, path);
+        }
+    }
+    Ok(files)
+}
+
+impl View {
+    /// Finds a camera's files. None, with what is wrong in `left_out`: the camera is of no use.
+    fn find(
+        folder: &Path,
+        layout: &Layout,
+        named: Named,
+        listed: &HashSet<String>,
+        poses: usize,
+        left_out: &mut Vec<LeftOut>,
+    ) -> Option<Self> {
+        let Named { name, entry } = named;
+        let mut leave_out = |file: PathBuf, frame: Option<u32>, reason| {
+            left_out.push(LeftOut {
+                file,
+                camera: Some(name.clone()),
+                frame,
+                reason,
+            });
+        };
+        let calibration = folder.join(layout.calibration);
+        let [picture_folder, mask_folder] = [(layout.pictures)(&name), (layout.masks)(&name)];
+        let read = |below: &str| numbered(&folder.join(below), layout.number);
+        let (pictures, masks) = match (read(&picture_folder), read(&mask_folder)) {
+            (Ok(pictures), Ok(masks)) => (pictures, masks),
+            (Err(error), _) | (_, Err(error)) => {
+                let fault = FormatError::container(error, "its pictures");
+                leave_out(calibration, None, Reason::Camera(fault));
+                return None;
+            }
+        };
+        let headers: Vec<Header> = pictures
+            .par_iter()
+            .map(|(number, picture)| Header::read(*number, picture, masks.get(number)))
+            .collect();
+        let size = entry.size().or_else(|| commonest(&headers));
+        // No picture at all: any size does.
+        let camera = match entry.camera(&name, size.unwrap_or([1, 1])) {
+            Ok(camera) => camera,
+            Err(fault) => {
+                leave_out(calibration, None, Reason::Camera(fault));
+                return None;
+            }
+        };
+        let expected = camera.camera.size;
+        let mut files = BTreeMap::new();
+        let relative = |path: &Path| {
+            let path = path.strip_prefix(folder).unwrap_or(path);
+            path.to_string_lossy().replace('\\', "/")
+        };
+        for header in &headers {
+            let number = header.number;
+            let picture = &pictures[&number];
+            match header.fault(expected, poses) {
+                _ if is_listed(listed, &relative(picture)) => {
+                    leave_out(picture.clone(), Some(number), Reason::Listed);
+                }
+                None => {
+                    if let Some(mask) = masks.get(&number) {
+                        files.insert(
+                            number,
+                            Files {
+                                picture: picture.clone(),
+                                mask: mask.clone(),
+                            },
+                        );
+                    }
+                }
+                Some(HeaderFault { of_mask, reason }) => {
+                    let file = match masks.get(&number) {
+                        Some(mask) if of_mask => mask.clone(),
+                        None if of_mask => like(picture, &folder.join(&mask_folder)),
+                        _ => picture.clone(),
+                    };
+                    leave_out(file, Some(number), reason);
+                }
+            }
+        }
+        // What is not there, up to the last pose.
+        for number in 0..poses as u32 {
+            if pictures.contains_key(&number) {
+                continue;
+            }
+            let file = folder
+                .join(&picture_folder)
+                .join(format!("{number:08}.png"));
+            let jpeg = file.with_extension("jpg");
+            let known = [&file, &jpeg]
+                .iter()
+                .any(|file| is_listed(listed, &relative(file)));
+            let reason = if known {
+                Reason::Listed
+            } else {
+                Reason::Missing
+            };
+            leave_out(file, Some(number), reason);
+        }
+        Some(Self { camera, files })
+    }
+}
+
+/// The mask's path where there is none.
+fn like(picture: &Path, masks: &Path) -> PathBuf {
+    masks.join(picture.file_name().unwrap_or_default())
+}
+
+/// The sizes that a picture and its mask say they have.
+struct Header {
+    number: u32,
+    picture: Result<header::Size, FormatError>,
+    /// None: there is no mask.
+    mask: Option<Result<header::Size, FormatError>>,
+}
+
+/// What is wrong with a picture or its mask.
+struct HeaderFault {
+    of_mask: bool,
+    reason: Reason,
+}
+
+impl Header {
+    fn read(number: u32, picture: &Path, mask: Option<&PathBuf>) -> Self {
+        Self {
+            number,
+            picture: header::size_of(picture),
+            mask: mask.map(|mask| header::size_of(mask)),
+        }
+    }
+
+    fn fault(&self, expected: header::Size, poses: usize) -> Option<HeaderFault> {
+        if self.number as usize >= poses {
+            return Some(HeaderFault {
+                of_mask: false,
+                reason: Reason::NoPose { poses },
+            });
+        }
+        let of = |found: &Result<header::Size, FormatError>| match found {
+            Err(fault) => Some(Reason::Unreadable(fault.clone())),
+            Ok(found) if *found != expected => Some(Reason::Size {
+                found: *found,
+                expected,
+            }),
+            Ok(_) => None,
+        };
+        if let Some(reason) = of(&self.picture) {
+            return Some(HeaderFault {
+                of_mask: false,
+                reason,
+            });
+        }
+        let reason = match &self.mask {
+            None => Some(Reason::Missing),
+            Some(mask) => of(mask),
+        };
+        reason.map(|reason| HeaderFault {
+            of_mask: true,
+            reason,
+        })
+    }
+}
+
+/// The size that most pictures have.
+fn commonest(headers: &[Header]) -> Option<header::Size> {
+    let mut counts: HashMap<header::Size, usize> = HashMap::new();
+    for size in headers
+        .iter()
+        .filter_map(|header| header.picture.as_ref().ok())
+    {
+        *counts.entry(*size).or_default() += 1;
+    }
+    counts
+        .into_iter()
+        .max_by_key(|&(size, count)| (count, size))
+        .map(|(size, _)| size)
+}

@@ -1,0 +1,169 @@
+//! The full check of a capture: every picture is decoded, and held against the pose.
+
+use crate::{
+    capture::Capture,
+    left_out::{LeftOut, Reason},
+    picture::{Fault, Picture},
+};
+use glam::{DVec2, DVec3};
+use rayon::prelude::*;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// Fewer joints in view say nothing about a mask.
+const FEWEST_JOINTS: usize = 5;
+/// A smaller share of the joints inside the mask is a fault.
+const LEAST_INSIDE: f64 = 0.3;
+/// A mask that covers more of the picture's edge is not of a person.
+const MOST_OF_EDGE: f64 = 0.5;
+
+impl Capture {
+    /// Decodes every picture and mask and returns those that can't be used: cut files, masks that
+    /// are empty or inverted or do not fit the pose, pictures and cameras that see nothing of the
+    /// body's joints. `progress` is called with the pictures done and all there are, from any
+    /// thread.
+    pub fn check(&self, progress: &(dyn Fn(usize, usize) + Sync)) -> Vec<LeftOut> {
+        let cameras = self.cameras.len();
+        let all = self.pictures();
+        let done = AtomicUsize::new(0);
+        let mut found: Vec<LeftOut> = Vec::new();
+        let joints: Vec<Vec<DVec3>> = self
+            .frames
+            .iter()
+            .map(|frame| {
+                let joints = self.template.skeleton.joints(&frame.pose);
+                joints.iter().map(|joint| joint.translation).collect()
+            })
+            .collect();
+        let mut blind = vec![false; cameras];
+        for (camera, blind) in blind.iter_mut().enumerate() {
+            let sees = |frame: &usize| !self.in_view(camera, &joints[*frame]).is_empty();
+            let mut own = (0..self.frames.len()).filter(|&frame| self.has(camera, frame));
+            let any = self
+                .frames
+                .iter()
+                .enumerate()
+                .any(|(at, _)| self.has(camera, at));
+            *blind = any && !own.any(|frame| sees(&frame));
+            if *blind {
+                found.push(LeftOut {
+                    file: self.folder.clone(),
+                    camera: Some(self.cameras[camera].name.clone()),
+                    frame: None,
+                    reason: Reason::NoBody,
+                });
+            }
+        }
+        let of_pictures: Vec<LeftOut> = (0..self.frames.len() * cameras)
+            .into_par_iter()
+            .filter_map(|at| {
+                let (frame, camera) = (at / cameras, at % cameras);
+                let files = self.files_of(camera, frame)?;
+                let own = &self.cameras[camera];
+                let read = Picture::read(&files.picture, &files.mask, own);
+                progress(done.fetch_add(1, Ordering::Relaxed) + 1, all);
+                let leave_out = |file: &std::path::Path, reason| {
+                    Some(LeftOut {
+                        file: file.into(),
+                        camera: Some(own.name.clone()),
+                        frame: Some(self.frames[frame].number),
+                        reason,
+                    })
+                };
+                match read {
+                    Err(Fault::Picture(fault)) => {
+                        leave_out(&files.picture, Reason::Unreadable(fault))
+                    }
+                    Err(Fault::Mask(fault)) => leave_out(&files.mask, Reason::Unreadable(fault)),
+                    Ok(_) if blind[camera] => None,
+                    Ok(picture) => {
+                        let places = self.in_view(camera, &joints[frame]);
+                        let reason = fault_of(&picture, &places)?;
+                        leave_out(&files.mask, reason)
+                    }
+                }
+            })
+            .collect();
+        found.extend(of_pictures);
+        found
+    }
+
+    /// Where points are in a camera's picture, px, without those outside.
+    fn in_view(&self, camera: usize, points: &[DVec3]) -> Vec<DVec2> {
+        let camera = &self.cameras[camera].camera;
+        let [width, height] = camera.size.map(f64::from);
+        let mut places = Vec::new();
+        for point in points {
+            let seen = camera.view.transform_point3(*point);
+            let place = camera.project(seen);
+            let inside = place.x >= 0.0 && place.y >= 0.0 && place.x < width && place.y < height;
+            if seen.z > camera.near && inside {
+                places.push(place);
+            }
+        }
+        places
+    }
+}
+
+/// What is wrong with a mask. `places`: of the joints, px.
+fn fault_of(picture: &Picture, places: &[DVec2]) -> Option<Reason> {
+    let [width, height] = picture.size.map(|side| side as usize);
+    let at = |x: usize, y: usize| picture.mask[y * width + x] > 0;
+    if places.is_empty() {
+        return Some(Reason::NoBody);
+    }
+    if picture.mask.iter().all(|&part| part == 0) {
+        return Some(Reason::EmptyMask);
+    }
+    let inside = places
+        .iter()
+        .filter(|p| at(p.x as usize, p.y as usize))
+        .count();
+    let sides = (0..width).flat_map(|x| [at(x, 0), at(x, height - 1)]);
+    let edge: Vec<bool> = sides
+        .chain((0..height).flat_map(|y| [at(0, y), at(width - 1, y)]))
+        .collect();
+    let covered = edge.iter().filter(|&&part| part).count() as f64;
+    let few = (inside as f64) < LEAST_INSIDE * places.len() as f64;
+    if covered > MOST_OF_EDGE * edge.len() as f64 && (few || picture.mask.iter().all(|&m| m > 0)) {
+        return Some(Reason::InvertedMask);
+    }
+    (few && places.len() >= FEWEST_JOINTS).then_some(Reason::Astray {
+        inside,
+        of: places.len(),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn fault(mask: impl Fn(f64, f64) -> bool) -> Option<Reason> {
+        let side = 20;
+        let picture = Picture {
+            size: [side; 2],
+            color: vec![[0; 3]; 400],
+            mask: (0..400)
+                .map(|at| 255 * u8::from(mask(f64::from(at % side), f64::from(at / side))))
+                .collect(),
+        };
+        let places: Vec<DVec2> = (0..6)
+            .map(|k| DVec2::new(10.0, 7.0 + f64::from(k)))
+            .collect();
+        fault_of(&picture, &places)
+    }
+
+    #[test]
+    fn masks_are_held_against_the_joints() {
+        let disc = |x: f64, y: f64| (x - 10.0).hypot(y - 10.0) < 6.0;
+        assert_eq!(fault(disc), None);
+        assert_eq!(fault(|x, y| !disc(x, y)), Some(Reason::InvertedMask));
+        assert_eq!(fault(|_, _| true), Some(Reason::InvertedMask));
+        assert_eq!(fault(|_, _| false), Some(Reason::EmptyMask));
+        let aside = |x: f64, y: f64| disc(x + 6.0, y);
+        assert!(matches!(fault(aside), None | Some(Reason::Astray { .. })));
+        assert!(matches!(
+            fault(|x, _| x < 4.0),
+            Some(Reason::Astray { inside: 0, of: 6 })
+        ));
+    }
+}

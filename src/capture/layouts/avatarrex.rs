@@ -1,0 +1,11 @@
+//! AvatarReX: a folder a camera, with the masks inside.
+
+use super::{Layout, digits};
+
+pub const LAYOUT: Layout = Layout {
+    name: "AvatarReX",
+    calibration: "calibration_full.json",
+    pictures: |camera| camera.to_owned(),
+    masks: |camera| format!("{camera}/mask/pha"),
+    number: digits,
+};

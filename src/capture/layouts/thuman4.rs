@@ -1,0 +1,11 @@
+//! THuman4.0, which is also what others' tools write of own captures.
+
+use super::{Layout, digits};
+
+pub const LAYOUT: Layout = Layout {
+    name: "THuman4",
+    calibration: "calibration.json",
+    pictures: |camera| format!("images/{camera}"),
+    masks: |camera| format!("masks/{camera}"),
+    number: digits,
+};
