@@ -33,10 +33,6 @@ const OLD: [(&str, &str); 16] = [
         "bake motion a.bvh --out a.motion --fps 30",
     ),
     (
-        "evaluate a.avatar a.dataset --pictures out",
-        "evaluate a.avatar a.dataset --images out",
-    ),
-    (
         "analyse a.dataset --out out --fits",
         "analyse a.dataset --out out --fit",
     ),
@@ -87,7 +83,6 @@ fn help_shows_no_old_spelling() {
         "--least",
         "--smallest",
         "--largest",
-        "--pictures",
         "--fits",
         "--timed",
         "--at ",

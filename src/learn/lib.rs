@@ -22,6 +22,7 @@ pub mod levels;
 pub mod math;
 pub mod plot;
 pub mod prune;
+pub mod score;
 pub mod train;
 
 pub use dataset::{Dataset, LearnError};
