@@ -45,7 +45,7 @@ pub struct CaptureArgs {
     perceptual: Option<Loss>,
     /// Folder that tools/fetch_perceptual.sh filled
     #[arg(long, value_name = "DIR", env = "EFFIGY_ASSETS", default_value = Assets::DEFAULT)]
-    assets: PathBuf,
+    weights: PathBuf,
 }
 
 /// A perceptual distance by its name.
@@ -167,7 +167,7 @@ fn perceptual(args: &CaptureArgs) -> anyhow::Result<Option<Perceptual>> {
         Some(Loss::Vgg) => Network::Vgg,
         Some(Loss::Alex) | None => Network::Alex,
     };
-    let file = args.assets.join(network.file_name());
+    let file = args.weights.join(network.file_name());
     if args.perceptual.is_none() && !file.exists() {
         eprintln!("without ST-LPIPS: tools/fetch_perceptual.sh gets its weights");
         return Ok(None);

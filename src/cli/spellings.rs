@@ -13,7 +13,7 @@ fn parse(arguments: &str) -> Result<String, clap::Error> {
 }
 
 /// Old spellings, each with the new one. CHANGELOG.md lists them.
-const OLD: [(&str, &str); 16] = [
+const OLD: [(&str, &str); 15] = [
     ("bench --keys 24", "bench --keys 22"),
     ("view --raster hulls", "view --raster quads"),
     ("render --least", "render --baseline"),
@@ -103,8 +103,9 @@ fn for_each_command(command: &mut Command, visit: &mut dyn FnMut(&mut Command)) 
 }
 
 /// Options whose meaning depends on the command.
-const OWN_MEANING: [&str; 15] = [
+const OWN_MEANING: [&str; 16] = [
     "background",
+    "cameras",
     "case",
     "compare",
     "fps",
