@@ -169,6 +169,7 @@ const LAYERS: &[Layers] = &[
             "bake",
             "dataset",
             "ground_truth",
+            "pictures",
             "levels",
             "evaluate",
             "train",

@@ -50,8 +50,32 @@ pub struct Dressed {
     pub avatar: Avatar,
 }
 
+/// A dressed body without Gaussians.
+pub struct Clothed {
+    /// The naked body.
+    pub body: Body,
+    /// The rules of its clothes.
+    pub outfit: outfit::Outfit,
+    /// Skin and garments, the innermost first.
+    pub sheets: Vec<surface::Sheet>,
+}
+
+/// Reads a body and dresses it.
+///
+/// # Errors
+/// When a source file is missing or damaged.
+pub fn clothed(assets: &Assets, shape: BodyShape) -> Result<Clothed, SourceError> {
+    let body = Body::load(assets, shape)?;
+    let outfit = outfit::Outfit::new(&body, source::masks::Masks::load(assets)?, shape);
+    Ok(Clothed {
+        sheets: outfit::sheets(&outfit, &body),
+        body,
+        outfit,
+    })
+}
+
 /// The steps that [`body()`] and [`dressed`] announce.
-pub const STEPS: u64 = 5;
+pub const STEPS: u64 = 4;
 
 /// Bakes a dressed body. Networks, pruning and PCA are fitted to the clips' poses. `announce` is
 /// called with each step that begins, [`STEPS`] in all.
@@ -79,12 +103,13 @@ pub fn dressed(
     sizes: &BakeSizes,
     announce: &dyn Fn(&'static str),
 ) -> Result<Dressed, SourceError> {
-    announce("reading the body");
-    let body = Body::load(assets, shape)?;
-    let outfit = outfit::Outfit::new(&body, source::masks::Masks::load(assets)?, shape);
+    announce("reading and dressing the body");
+    let Clothed {
+        body,
+        outfit,
+        sheets,
+    } = clothed(assets, shape)?;
     let poses = poses(clips, &body.skeleton)?;
-    announce("dressing it");
-    let sheets = outfit::sheets(&outfit, &body);
     announce("lighting it");
     let casts_shadow =
         |sheet: usize, triangle: usize| outfit.shows(&sheets[sheet].site(triangle, [1.0 / 3.0; 3]));

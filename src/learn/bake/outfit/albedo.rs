@@ -29,7 +29,8 @@ impl Outfit {
         sum / 6.0
     }
 
-    fn albedo(&self, site: &Site) -> DVec3 {
+    /// At a site; lines finer than its footprint are blurred.
+    pub fn albedo(&self, site: &Site) -> DVec3 {
         match site.material {
             Material::Skin => self.skin(site),
             Material::Eye => self.face.eye(site),
