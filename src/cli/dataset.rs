@@ -135,7 +135,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     let sizes = args.body.sizes(0)?;
     let dressed = bake::dressed(
         &args.body.assets(),
-        args.body.shape(),
+        args.body.person(),
         &clips,
         &sizes,
         &|step| tracing::info!("{step}"),
@@ -170,7 +170,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
 /// Shoots a capture of the same frames.
 fn shoot(args: &Args, clips: &[Clip], shots: &[(usize, Shot)]) -> anyhow::Result<()> {
     let start = Instant::now();
-    let clothed = bake::clothed(&args.body.assets(), args.body.shape())?;
+    let clothed = bake::clothed(&args.body.assets(), args.body.person())?;
     let skeleton = &clothed.body.skeleton;
     for clip in clips {
         let known = clip.map_to(skeleton).iter().flatten().count();

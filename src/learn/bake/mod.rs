@@ -26,15 +26,17 @@ pub mod sky_light;
 pub mod source;
 pub mod spacing;
 pub mod stretch;
+pub mod style;
 pub mod surface;
 
 pub use assemble::BakeSizes;
-pub use body::{Body, BodyShape};
+pub use body::{Body, BodyShape, Person};
 pub use clip::{CutOptions, motion};
 use effigy_core::avatar::{Avatar, Clip, Pose, Skeleton};
 use glam::DVec3;
 pub use source::Assets;
 pub use source::text::SourceError;
+pub use style::Style;
 
 /// A dressed body with all that it was made from.
 pub struct Dressed {
@@ -64,9 +66,10 @@ pub struct Clothed {
 ///
 /// # Errors
 /// When a source file is missing or damaged.
-pub fn clothed(assets: &Assets, shape: BodyShape) -> Result<Clothed, SourceError> {
-    let body = Body::load(assets, shape)?;
-    let outfit = outfit::Outfit::new(&body, source::masks::Masks::load(assets)?, shape);
+pub fn clothed(assets: &Assets, person: impl Into<Person>) -> Result<Clothed, SourceError> {
+    let person = person.into();
+    let body = Body::load(assets, person.shape)?;
+    let outfit = outfit::Outfit::new(&body, source::masks::Masks::load(assets)?, person);
     Ok(Clothed {
         sheets: outfit::sheets(&outfit, &body),
         body,
@@ -84,12 +87,12 @@ pub const STEPS: u64 = 4;
 /// When a source file is missing or damaged, or a clip is not of the body.
 pub fn body(
     assets: &Assets,
-    shape: BodyShape,
+    person: impl Into<Person>,
     clips: &[Clip],
     sizes: &BakeSizes,
     announce: &dyn Fn(&'static str),
 ) -> Result<Avatar, SourceError> {
-    Ok(dressed(assets, shape, clips, sizes, announce)?.avatar)
+    Ok(dressed(assets, person, clips, sizes, announce)?.avatar)
 }
 
 /// Bakes a dressed body like [`body()`], and returns its surfaces too.
@@ -98,7 +101,7 @@ pub fn body(
 /// When a source file is missing or damaged, or a clip is not of the body.
 pub fn dressed(
     assets: &Assets,
-    shape: BodyShape,
+    person: impl Into<Person>,
     clips: &[Clip],
     sizes: &BakeSizes,
     announce: &dyn Fn(&'static str),
@@ -108,7 +111,7 @@ pub fn dressed(
         body,
         outfit,
         sheets,
-    } = clothed(assets, shape)?;
+    } = clothed(assets, person)?;
     let poses = poses(clips, &body.skeleton)?;
     announce("lighting it");
     let casts_shadow =
