@@ -170,6 +170,7 @@ const LAYERS: &[Layers] = &[
             "bake",
             "dataset",
             "ground_truth",
+            "pictures",
             "levels",
             "evaluate",
             "score",
