@@ -2,7 +2,7 @@
 
 use crate::{
     calibration::{Calibration, CaptureCamera},
-    error::{CaptureError, content, fault, read_bytes},
+    error::{CaptureError, content, fault, read_bytes, unwritable},
     limits,
 };
 use effigy_core::{
@@ -11,7 +11,7 @@ use effigy_core::{
 };
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
-use std::path::Path;
+use std::{fs, io::ErrorKind, path::Path};
 
 /// The file's name.
 const FILE: &str = "truth.json";
@@ -101,6 +101,18 @@ impl Truth {
             });
         }
         Ok(Some(found))
+    }
+
+    /// Removes an earlier capture's file from a folder.
+    ///
+    /// # Errors
+    /// When there is one and it can't be removed.
+    pub fn remove(folder: &Path) -> Result<(), CaptureError> {
+        let file = folder.join(FILE);
+        match fs::remove_file(&file) {
+            Err(cause) if cause.kind() != ErrorKind::NotFound => Err(unwritable(&file, cause)),
+            _ => Ok(()),
+        }
     }
 
     /// Writes the file into a capture's folder.

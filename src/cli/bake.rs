@@ -7,7 +7,9 @@ use crate::{
 };
 use anyhow::{Context, ensure};
 use effigy_core::avatar::{Avatar, Clip, limits};
-use effigy_learn::bake::{self, Assets, BakeSizes, BodyShape, CutOptions, credits::MOTION_CREDIT};
+use effigy_learn::bake::{
+    self, Assets, BakeSizes, BodyShape, CutOptions, Person, credits::MOTION_CREDIT,
+};
 use std::{
     cell::Cell,
     path::{Path, PathBuf},
@@ -34,9 +36,21 @@ struct AssetArgs {
     /// Folder that tools/fetch_assets.sh filled
     #[arg(long, value_name = "DIR", env = "EFFIGY_ASSETS", default_value = Assets::DEFAULT)]
     assets: PathBuf,
-    /// Shape of the body
-    #[arg(long, value_parser = named(BodyShape::NAMES, BodyShape::ALL), default_value = "male")]
-    shape: BodyShape,
+    /// Person to make, 1 or 2: bodies, skin, hair and clothes differ
+    #[arg(long, value_name = "N", value_parser = named(Person::NAMES, Person::ALL), default_value = "1")]
+    person: Person,
+    /// Shape of the body [default: male of person 1, female of person 2]
+    #[arg(long, value_parser = named(BodyShape::NAMES, BodyShape::ALL))]
+    shape: Option<BodyShape>,
+}
+
+impl AssetArgs {
+    fn person(&self) -> Person {
+        Person {
+            shape: self.shape.unwrap_or(self.person.shape),
+            ..self.person
+        }
+    }
 }
 
 /// The body that an avatar is made of.
@@ -63,8 +77,8 @@ impl BodySource {
         Assets::new(&self.assets.assets)
     }
 
-    pub fn shape(&self) -> BodyShape {
-        self.assets.shape
+    pub fn person(&self) -> Person {
+        self.assets.person()
     }
 
     /// Counts of everything, with `rows` corrective rows. An error if there are more parts, nodes
@@ -147,10 +161,10 @@ pub fn run(args: Args) -> anyhow::Result<()> {
 fn body(args: &BodyArgs) -> anyhow::Result<()> {
     let start = Instant::now();
     let assets = args.body.assets();
-    let shape = args.body.shape();
+    let person = args.body.person();
     let sizes = args.body.sizes(args.rows)?;
     let clips = if args.motion.is_empty() {
-        vec![default_clip(&assets, shape)?]
+        vec![default_clip(&assets, person.shape)?]
     } else {
         let read = args.motion.iter().map(|path| Clip::read(path));
         read.collect::<Result<_, _>>()?
@@ -162,7 +176,7 @@ fn body(args: &BodyArgs) -> anyhow::Result<()> {
         bar.set_message(name);
         begun.set(begun.get() + 1);
     };
-    let avatar = bake::body(&assets, shape, &clips, &sizes, &step)?;
+    let avatar = bake::body(&assets, person, &clips, &sizes, &step)?;
     bar.finish_and_clear();
     avatar.write(&args.out)?;
     summarise(&avatar, &args.out, start)
@@ -209,7 +223,7 @@ fn motion(args: &MotionArgs) -> anyhow::Result<()> {
     let assets = Assets::new(&args.assets.assets);
     let skeleton = match &args.avatar {
         Some(path) => Avatar::read(path)?.skeleton,
-        None => bake::skeleton(&assets, args.assets.shape)?,
+        None => bake::skeleton(&assets, args.assets.person().shape)?,
     };
     let asset = assets.path(&args.capture.to_string_lossy());
     let capture = if !args.capture.exists() && asset.exists() {

@@ -1,11 +1,13 @@
 //! `effigy dataset`: makes a folder with the look of every Gaussian of the baked body in the frames
-//! of some clips.
+//! of some clips, or with pictures of it as a capture has them.
 
 use crate::{
     bake::BodySource,
     options::{self, count},
     progress,
 };
+use anyhow::ensure;
+use effigy_capture::CaptureFrame;
 use effigy_core::{
     avatar::{Clip, Skeleton},
     random::Random,
@@ -14,6 +16,7 @@ use effigy_learn::{
     bake,
     dataset::{DatasetWriter, Shot, plan_frames},
     ground_truth::GroundTruth,
+    pictures::{self, Flaws, PictureOptions},
 };
 use std::{
     path::{Path, PathBuf},
@@ -28,14 +31,14 @@ pub struct Args {
     /// Clips of the baked body, which `effigy bake motion` makes
     #[arg(required = true)]
     motion: Vec<PathBuf>,
-    /// Folder to write; by custom its name ends in .dataset
+    /// Folder to write; by custom its name ends in .dataset, or in .capture with --pictures
     #[arg(short, long, value_name = "DIR")]
     out: PathBuf,
     #[command(flatten)]
     body: BodySource,
-    /// Frames, 2 to 100000, evenly spaced over the clips
-    #[arg(long, value_name = "N", default_value = "300", value_parser = count(2, 100_000))]
-    frames: usize,
+    /// Frames, 2 to 100000, evenly spaced over the clips [default: 300; 100 with --pictures]
+    #[arg(long, value_name = "N", value_parser = count(2, 100_000))]
+    frames: Option<usize>,
     /// Length of a block, seconds; every fifth block of each clip is held out
     #[arg(long, value_name = "SECONDS", default_value = "1")]
     block: f64,
@@ -46,22 +49,98 @@ pub struct Args {
     /// Rays traced per vertex for ambient lighting, 16 to 10000
     #[arg(long, value_name = "N", default_value = "192", value_parser = count(16, 10_000))]
     rays: usize,
+    /// Write a capture instead: pictures, masks, cameras, poses and the naked body
+    #[arg(long)]
+    pictures: bool,
+    #[command(flatten)]
+    shooting: Shooting,
+}
+
+/// How a capture is shot.
+#[derive(clap::Args, Debug)]
+#[command(next_help_heading = "Pictures")]
+struct Shooting {
+    /// Cameras around the person, 1 to 256
+    #[arg(long, value_name = "N", default_value = "16", requires = "pictures", value_parser = count(1, 256))]
+    cameras: usize,
+    /// Width and height of the pictures, 16 to 4096 px
+    #[arg(long, value_name = "PX", default_value = "256", requires = "pictures", value_parser = count(16, 4096))]
+    size: usize,
+    /// Rays along each side of a pixel, 1 to 16
+    #[arg(long, value_name = "N", default_value = "2", requires = "pictures", value_parser = count(1, 16))]
+    samples: usize,
+    /// Make it as captures are, with errors of every kind; the options below change single ones,
+    /// or add them to a capture without errors
+    #[arg(long, requires = "pictures")]
+    as_captured: bool,
+    /// Standard deviation of the pictures' noise, of 255 [as captured: 3]
+    #[arg(long, value_name = "N", requires = "pictures", value_parser = amount)]
+    noise: Option<f64>,
+    /// Standard deviation of the cameras' exposures, stops; a third of it of their white balance
+    /// [as captured: 0.12]
+    #[arg(long, value_name = "STOPS", requires = "pictures", value_parser = amount)]
+    exposure: Option<f64>,
+    /// Standard deviation of the cameras' blur, px [as captured: 0.6]
+    #[arg(long, value_name = "PX", requires = "pictures", value_parser = amount)]
+    blur: Option<f64>,
+    /// How far the masks' edges are off, px [as captured: 1.5]
+    #[arg(long, value_name = "PX", requires = "pictures", value_parser = amount)]
+    mask_noise: Option<f64>,
+    /// How far joints are turned away from the true pose, degrees [as captured: 2]
+    #[arg(long, value_name = "DEGREES", requires = "pictures", value_parser = amount)]
+    pose_noise: Option<f64>,
+    /// How far points are off by the calibration, px [as captured: 1]
+    #[arg(long, value_name = "PX", requires = "pictures", value_parser = amount)]
+    calibration_noise: Option<f64>,
+}
+
+/// An amount of an error.
+fn amount(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(number) if (0.0..=100.0).contains(&number) => Ok(number),
+        _ => Err("a number from 0 to 100".into()),
+    }
+}
+
+impl Shooting {
+    fn flaws(&self) -> Flaws {
+        let usual = if self.as_captured {
+            Flaws::CAPTURED
+        } else {
+            Flaws::default()
+        };
+        Flaws {
+            noise: self.noise.unwrap_or(usual.noise),
+            exposure: self.exposure.unwrap_or(usual.exposure),
+            blur: self.blur.unwrap_or(usual.blur),
+            mask: self.mask_noise.unwrap_or(usual.mask),
+            pose: self.pose_noise.unwrap_or(usual.pose),
+            calibration: self.calibration_noise.unwrap_or(usual.calibration),
+        }
+    }
 }
 
 pub fn run(args: Args) -> anyhow::Result<()> {
-    let start = Instant::now();
-    let assets = args.body.assets();
-    let sizes = args.body.sizes(0)?;
     let clips = args
         .motion
         .iter()
         .map(|path| clip_by_file_name(path))
         .collect::<anyhow::Result<Vec<_>>>()?;
-    let dressed = bake::dressed(&assets, args.body.shape(), &clips, &sizes, &|step| {
-        tracing::info!("{step}")
-    })?;
+    let frames = args.frames.unwrap_or(if args.pictures { 100 } else { 300 });
+    let shots = plan_frames(&clips, frames, args.block);
+    if args.pictures {
+        return shoot(&args, &clips, &shots);
+    }
+    let start = Instant::now();
+    let sizes = args.body.sizes(0)?;
+    let dressed = bake::dressed(
+        &args.body.assets(),
+        args.body.person(),
+        &clips,
+        &sizes,
+        &|step| tracing::info!("{step}"),
+    )?;
     let truth = GroundTruth::new(&dressed, args.rays);
-    let shots = plan_frames(&clips, args.frames, args.block);
     let mut poses = poses(&clips, &shots, &dressed.avatar.skeleton);
     make_faces(&mut poses, &shots, args.faces, args.body.seed);
     let bar = progress::steps(shots.len() as u64);
@@ -83,6 +162,53 @@ pub fn run(args: Args) -> anyhow::Result<()> {
         args.out.display(),
         shots.len(),
         dressed.avatar.gaussians.len(),
+        start.elapsed().as_secs_f64()
+    );
+    Ok(())
+}
+
+/// Shoots a capture of the same frames.
+fn shoot(args: &Args, clips: &[Clip], shots: &[(usize, Shot)]) -> anyhow::Result<()> {
+    let start = Instant::now();
+    let clothed = bake::clothed(&args.body.assets(), args.body.person())?;
+    let skeleton = &clothed.body.skeleton;
+    for clip in clips {
+        let known = clip.map_to(skeleton).iter().flatten().count();
+        ensure!(known > 0, "{}: found none of the body's joints", clip.name);
+    }
+    let mut poses = poses(clips, shots, skeleton);
+    make_faces(&mut poses, shots, args.faces, args.body.seed);
+    let frames: Vec<CaptureFrame> = shots
+        .iter()
+        .enumerate()
+        .map(|(frame, (_, shot))| CaptureFrame {
+            number: frame as u32,
+            pose: poses.frame(frame),
+            held: shot.held,
+        })
+        .collect();
+    let shooting = &args.shooting;
+    let options = PictureOptions {
+        cameras: shooting.cameras,
+        size: [shooting.size as u32; 2],
+        samples: shooting.samples as u32,
+        rays: args.rays,
+        flaws: shooting.flaws(),
+        seed: args.body.seed,
+    };
+    let bar = progress::steps(frames.len() as u64);
+    let summary = pictures::shoot(&args.out, clothed, &frames, &options, &|| bar.inc(1))?;
+    bar.finish_and_clear();
+    let held = frames.iter().filter(|frame| frame.held).count();
+    println!(
+        "{}: {} pictures of {} frames by {} cameras, {held} frames and {} cameras held out; the \
+         person covers {:.1} % of them; {:.0} s",
+        args.out.display(),
+        summary.pictures,
+        frames.len(),
+        options.cameras,
+        summary.held,
+        100.0 * summary.covered,
         start.elapsed().as_secs_f64()
     );
     Ok(())

@@ -1,11 +1,13 @@
-//! `effigy evaluate`: compares images of a learned avatar with those of its dataset, as a table.
+//! `effigy evaluate`: compares images of a learned avatar with those of its dataset or of a capture,
+//! as a table.
 
 use crate::{
+    evaluate_capture::{self, CaptureArgs, Job},
     files, fit,
     options::{self, count},
     progress,
 };
-use anyhow::Context;
+use anyhow::{Context, ensure};
 use effigy_core::{
     avatar::Avatar,
     io::file::replace,
@@ -21,16 +23,23 @@ use effigy_learn::{
 };
 use std::path::{Path, PathBuf};
 
+/// A dataset has this file.
+const DATASET: &str = "dataset.json";
+
 #[derive(clap::Args, Debug)]
+#[command(allow_missing_positional = true)]
 pub struct Args {
     /// Learned avatar
-    avatar: PathBuf,
-    /// Dataset: a folder that `effigy dataset` wrote
+    #[arg(required_unless_present = "pictures")]
+    avatar: Option<PathBuf>,
+    /// Dataset: a folder that `effigy dataset` wrote; or a capture: a folder of pictures, masks,
+    /// cameras and poses
+    #[arg(value_name = "DATASET|CAPTURE")]
     dataset: PathBuf,
-    /// Width and height of the image, pixels
+    /// Of a dataset: width and height of the image, pixels
     #[arg(long, value_name = "WxH", default_value = "384x512", value_parser = options::size)]
     size: [u32; 2],
-    /// Angles around the avatar, degrees, separated by commas, one camera each; pruning looks from
+    /// Of a dataset: angles around the avatar, degrees, separated by commas, one camera each; pruning looks from
     /// other sides than these defaults
     #[arg(
         long,
@@ -40,22 +49,40 @@ pub struct Args {
         allow_negative_numbers = true
     )]
     yaw: Vec<f64>,
-    /// Frames to draw of each clip, 1 to 100000, both of those held out and of the others
+    /// Frames to draw of each clip or capture, 1 to 100000, both of those held out and of the others
     #[arg(long, value_name = "N", default_value = "12", value_parser = count(1, 100_000))]
     frames: usize,
-    /// Also write an image of each drawn frame to this folder: without correctives, with them, and
-    /// the ground truth, side by side
-    #[arg(long, alias = "pictures", value_name = "DIR")]
+    /// Also write an image of each drawn frame to this folder, side by side: of a dataset without
+    /// correctives, with them, and the ground truth; of a capture the truth, the avatar and the error
+    #[arg(long, value_name = "DIR")]
     images: Option<PathBuf>,
     /// Also write the result as JSON
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
+    #[command(flatten)]
+    of_capture: CaptureArgs,
 }
 
 pub fn run(args: Args) -> anyhow::Result<()> {
-    let avatar = Avatar::read(&args.avatar)?;
+    let (path, is_dataset) = (&args.avatar, args.dataset.join(DATASET).exists());
+    let Some(path) = path.as_ref().filter(|_| is_dataset) else {
+        ensure!(
+            !is_dataset,
+            "--pictures scores pictures of a capture; {} is a dataset",
+            args.dataset.display()
+        );
+        let job = Job {
+            avatar: args.avatar.as_deref(),
+            capture: &args.dataset,
+            frames: args.frames,
+            images: args.images.as_deref(),
+            json: args.json.as_deref(),
+        };
+        return evaluate_capture::run(&args.of_capture, &job);
+    };
+    let avatar = Avatar::read(path)?;
     let dataset = Dataset::open(&args.dataset)?;
-    fit::check_body(&avatar, &args.avatar, &dataset)?;
+    fit::check_body(&avatar, path, &dataset)?;
     let frames = frames(&dataset, args.frames);
     if let Some(folder) = &args.images {
         write_images(&dataset, &avatar, &frames, &args, folder)?;

@@ -25,6 +25,7 @@ mod distil;
 #[cfg(feature = "window")]
 mod dropped;
 mod evaluate;
+mod evaluate_capture;
 mod export;
 mod export_ply;
 mod files;
@@ -102,7 +103,7 @@ enum Command {
     Fit(fit::FitArgs),
     /// Keep the most valuable correctives of a learned avatar, and fine-tune them
     Prune(fit::PruneArgs),
-    /// Compare images of a learned avatar with those of its dataset
+    /// Compare images of a learned avatar with those of its dataset, or of a capture
     Evaluate(evaluate::Args),
     /// Make the paper's tables and curves from a dataset
     #[command(alias = "analyze")]

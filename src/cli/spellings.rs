@@ -13,7 +13,7 @@ fn parse(arguments: &str) -> Result<String, clap::Error> {
 }
 
 /// Old spellings, each with the new one. CHANGELOG.md lists them.
-const OLD: [(&str, &str); 16] = [
+const OLD: [(&str, &str); 15] = [
     ("bench --keys 24", "bench --keys 22"),
     ("view --raster hulls", "view --raster quads"),
     ("render --least", "render --baseline"),
@@ -31,10 +31,6 @@ const OLD: [(&str, &str); 16] = [
     (
         "bake motion a.bvh --out a.motion --rate 30",
         "bake motion a.bvh --out a.motion --fps 30",
-    ),
-    (
-        "evaluate a.avatar a.dataset --pictures out",
-        "evaluate a.avatar a.dataset --images out",
     ),
     (
         "analyse a.dataset --out out --fits",
@@ -87,7 +83,6 @@ fn help_shows_no_old_spelling() {
         "--least",
         "--smallest",
         "--largest",
-        "--pictures",
         "--fits",
         "--timed",
         "--at ",
@@ -108,8 +103,9 @@ fn for_each_command(command: &mut Command, visit: &mut dyn FnMut(&mut Command)) 
 }
 
 /// Options whose meaning depends on the command.
-const OWN_MEANING: [&str; 15] = [
+const OWN_MEANING: [&str; 16] = [
     "background",
+    "cameras",
     "case",
     "compare",
     "fps",

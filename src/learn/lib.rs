@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! bake: the body, clips ── ground_truth: the posed mesh, settled and lit ──→ dataset
-//!                                                                             ↓
+//!                                                 └── pictures: a capture    ↓
 //!                   fit: stage by stage, train: networks and bases, prune: rows
 //!                                                                             ↓
 //!                                          analyse ── evaluate ←───────── avatar
@@ -20,8 +20,10 @@ pub mod fit;
 pub mod ground_truth;
 pub mod levels;
 pub mod math;
+pub mod pictures;
 pub mod plot;
 pub mod prune;
+pub mod score;
 pub mod train;
 
 pub use dataset::{Dataset, LearnError};

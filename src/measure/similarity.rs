@@ -72,7 +72,8 @@ pub fn similarity(image: &FrameImage, ground_truth: &FrameImage) -> Option<Simil
             sum += error.abs();
             squares += error * error;
         }
-        ssim += mean_ssim(&a, &b, columns.len());
+        let map = ssim_map(&a, &b, columns.len());
+        ssim += map.iter().sum::<f64>() / map.len().max(1) as f64;
     }
     let count = (3 * columns.len() * rows.len()) as f64;
     Some(Similarity {
@@ -82,9 +83,9 @@ pub fn similarity(image: &FrameImage, ground_truth: &FrameImage) -> Option<Simil
     })
 }
 
-/// Mean SSIM of two planes of a width. At the edges the window is cut, and the weights inside
-/// count.
-fn mean_ssim(a: &[f64], b: &[f64], width: usize) -> f64 {
+/// SSIM around each pixel of two planes of a width. At the edges the window is cut, and the weights
+/// inside count.
+pub fn ssim_map(a: &[f64], b: &[f64], width: usize) -> Vec<f64> {
     let product = |x: &[f64], y: &[f64]| x.iter().zip(y).map(|(x, y)| x * y).collect::<Vec<_>>();
     let mean_a = blur(a, width);
     let mean_b = blur(b, width);
@@ -99,7 +100,7 @@ fn mean_ssim(a: &[f64], b: &[f64], width: usize) -> f64 {
             / ((mean_a[i] * mean_a[i] + mean_b[i] * mean_b[i] + C1)
                 * (variance_a + variance_b + C2))
     };
-    (0..a.len()).map(ssim).sum::<f64>() / a.len().max(1) as f64
+    (0..a.len()).map(ssim).collect()
 }
 
 /// A plane of a width under the window of SSIM, first across, then down.

@@ -13,7 +13,7 @@ use rayon::prelude::*;
 use std::{cell::Cell, ops::Range};
 
 /// Columns of a task, about: they and a part of the weights stay in a core's cache.
-const COLUMNS: usize = 384;
+const COLUMNS: usize = 512;
 /// Where there are fewer bands of rows than this, channels are cut into parts too.
 const TASKS: usize = 4;
 

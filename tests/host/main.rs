@@ -28,6 +28,7 @@ mod ply;
 mod projection;
 mod reference;
 mod reference_bodies;
+mod score;
 mod shaders;
 mod smpl;
 mod sources;
@@ -82,6 +83,7 @@ fn main() -> ExitCode {
             projection,
             reference,
             reference_bodies,
+            score,
             shaders,
             smpl,
             smpl::hostile,

@@ -6,6 +6,7 @@ use crate::bake::source::obj::Obj;
 use crate::bake::source::rig::{self, Bone, Influence, Influences, Place};
 use crate::bake::source::target::MorphTarget;
 use crate::bake::source::text::{self, SourceError};
+use crate::bake::style::Style;
 use effigy_core::avatar::{Pose, Skeleton};
 use glam::{DAffine3, DVec3};
 use std::path::Path;
@@ -31,6 +32,41 @@ impl BodyShape {
     pub const NAMES: [&str; 2] = ["male", "female"];
     /// Every shape.
     pub const ALL: [Self; 2] = [Self::Male, Self::Female];
+}
+
+/// A person to make: a body, and what it looks like.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Person {
+    /// The body.
+    pub shape: BodyShape,
+    /// Skin, hair and clothes.
+    pub style: &'static Style,
+}
+
+impl Person {
+    /// The names that command lines give the persons, in the order of [`Self::ALL`].
+    pub const NAMES: [&str; 2] = ["1", "2"];
+    /// Every person: one of each body.
+    pub const ALL: [Self; 2] = [
+        Self {
+            shape: BodyShape::Male,
+            style: &Style::FIRST,
+        },
+        Self {
+            shape: BodyShape::Female,
+            style: &Style::SECOND,
+        },
+    ];
+}
+
+impl From<BodyShape> for Person {
+    /// The first person's look on a body.
+    fn from(shape: BodyShape) -> Self {
+        Self {
+            shape,
+            style: &Style::FIRST,
+        }
+    }
 }
 
 /// The components of θ_e: the name of each, and the ARKit-named expression targets that it is the

@@ -26,15 +26,17 @@ pub mod sky_light;
 pub mod source;
 pub mod spacing;
 pub mod stretch;
+pub mod style;
 pub mod surface;
 
 pub use assemble::BakeSizes;
-pub use body::{Body, BodyShape};
+pub use body::{Body, BodyShape, Person};
 pub use clip::{CutOptions, motion};
 use effigy_core::avatar::{Avatar, Clip, Pose, Skeleton};
 use glam::DVec3;
 pub use source::Assets;
 pub use source::text::SourceError;
+pub use style::Style;
 
 /// A dressed body with all that it was made from.
 pub struct Dressed {
@@ -50,8 +52,33 @@ pub struct Dressed {
     pub avatar: Avatar,
 }
 
+/// A dressed body without Gaussians.
+pub struct Clothed {
+    /// The naked body.
+    pub body: Body,
+    /// The rules of its clothes.
+    pub outfit: outfit::Outfit,
+    /// Skin and garments, the innermost first.
+    pub sheets: Vec<surface::Sheet>,
+}
+
+/// Reads a body and dresses it.
+///
+/// # Errors
+/// When a source file is missing or damaged.
+pub fn clothed(assets: &Assets, person: impl Into<Person>) -> Result<Clothed, SourceError> {
+    let person = person.into();
+    let body = Body::load(assets, person.shape)?;
+    let outfit = outfit::Outfit::new(&body, source::masks::Masks::load(assets)?, person);
+    Ok(Clothed {
+        sheets: outfit::sheets(&outfit, &body),
+        body,
+        outfit,
+    })
+}
+
 /// The steps that [`body()`] and [`dressed`] announce.
-pub const STEPS: u64 = 5;
+pub const STEPS: u64 = 4;
 
 /// Bakes a dressed body. Networks, pruning and PCA are fitted to the clips' poses. `announce` is
 /// called with each step that begins, [`STEPS`] in all.
@@ -60,12 +87,12 @@ pub const STEPS: u64 = 5;
 /// When a source file is missing or damaged, or a clip is not of the body.
 pub fn body(
     assets: &Assets,
-    shape: BodyShape,
+    person: impl Into<Person>,
     clips: &[Clip],
     sizes: &BakeSizes,
     announce: &dyn Fn(&'static str),
 ) -> Result<Avatar, SourceError> {
-    Ok(dressed(assets, shape, clips, sizes, announce)?.avatar)
+    Ok(dressed(assets, person, clips, sizes, announce)?.avatar)
 }
 
 /// Bakes a dressed body like [`body()`], and returns its surfaces too.
@@ -74,17 +101,18 @@ pub fn body(
 /// When a source file is missing or damaged, or a clip is not of the body.
 pub fn dressed(
     assets: &Assets,
-    shape: BodyShape,
+    person: impl Into<Person>,
     clips: &[Clip],
     sizes: &BakeSizes,
     announce: &dyn Fn(&'static str),
 ) -> Result<Dressed, SourceError> {
-    announce("reading the body");
-    let body = Body::load(assets, shape)?;
-    let outfit = outfit::Outfit::new(&body, source::masks::Masks::load(assets)?, shape);
+    announce("reading and dressing the body");
+    let Clothed {
+        body,
+        outfit,
+        sheets,
+    } = clothed(assets, person)?;
     let poses = poses(clips, &body.skeleton)?;
-    announce("dressing it");
-    let sheets = outfit::sheets(&outfit, &body);
     announce("lighting it");
     let casts_shadow =
         |sheet: usize, triangle: usize| outfit.shows(&sheets[sheet].site(triangle, [1.0 / 3.0; 3]));

@@ -1,10 +1,10 @@
 //! All sheets of a dressed body as one triangle mesh with its neighbourhoods, and its skinned shape
 //! in a pose.
 
-use crate::bake::Dressed;
 use crate::bake::body::blend;
+use crate::bake::outfit::Outfit;
 use crate::bake::source::rig::Influences;
-use crate::bake::surface::Material;
+use crate::bake::surface::{Material, Sheet};
 use glam::{DAffine3, DMat3, DVec3};
 use rayon::prelude::*;
 use std::collections::BTreeSet;
@@ -51,7 +51,7 @@ pub struct Skinned {
 
 impl Mesh {
     /// Joins the sheets of a dressed body.
-    pub fn new(dressed: &Dressed) -> Self {
+    pub fn new(sheets: &[Sheet], outfit: &Outfit) -> Self {
         let mut mesh = Self {
             rest: Vec::new(),
             weights: Vec::new(),
@@ -63,7 +63,7 @@ impl Mesh {
             triangles_around: Vec::new(),
             sheets: Vec::new(),
         };
-        for sheet in &dressed.sheets {
+        for sheet in sheets {
             let start = SheetStart {
                 first_vertex: mesh.rest.len(),
                 first_triangle: mesh.triangles.len(),
@@ -76,7 +76,7 @@ impl Mesh {
                 mesh.material.push(sheet.material);
             }
             for (t, triangle) in sheet.triangles.iter().enumerate() {
-                if dressed.outfit.shows(&sheet.site(t, [1.0 / 3.0; 3])) {
+                if outfit.shows(&sheet.site(t, [1.0 / 3.0; 3])) {
                     mesh.visible.push(mesh.triangles.len());
                 }
                 mesh.triangles

@@ -1,6 +1,7 @@
 //! The look of each Gaussian of a dressed body in a pose. Nothing here is a formula of the pose:
 //! the body's mesh is skinned, flesh and cloth settle on it ([`cloth`]), light is ray traced
-//! against it ([`light`]), and the Gaussians' attributes are read off the surface.
+//! against it ([`light`]), together in [`settled`], and the Gaussians' attributes are read off the
+//! surface.
 //!
 //! * Position: the settled surface against the skinned one, taken back into the canonical pose
 //!   (model.md, step 4).
@@ -11,19 +12,20 @@
 pub mod cloth;
 pub mod light;
 pub mod mesh;
+pub mod settled;
 
 use crate::bake::Dressed;
 use crate::bake::surface::Material;
 use crate::dataset::FrameAttributes;
 use crate::math::color::encode_srgb;
-use cloth::Settling;
-use effigy_core::avatar::{Gaussians, Pose, Skeleton};
+use effigy_core::avatar::{Gaussians, Pose};
 use effigy_core::reference::project::skinning;
-use glam::{DAffine3, DMat3, DQuat, DVec3};
+use glam::{DMat3, DQuat, DVec3};
 use half::f16;
-use light::{RadianceSh, TracedSky, irradiance};
-use mesh::{Mesh, Skinned};
+use light::irradiance;
+use mesh::Mesh;
 use rayon::prelude::*;
+use settled::{PosedMesh, SettledBody, turned_normal};
 
 /// A larger stretch, either way, is a fold turned over, not a shape: natural logarithm.
 const MAX_STRETCH: f64 = 1.0;
@@ -43,31 +45,12 @@ struct Anchor {
 
 /// A dressed body, ready to be posed.
 pub struct GroundTruth {
-    skeleton: Skeleton,
+    body: SettledBody,
     gaussians: Gaussians,
-    to_canonical: Vec<DAffine3>,
-    mesh: Mesh,
-    settling: Settling,
-    sky: TracedSky,
     /// One a Gaussian.
     anchors: Vec<Anchor>,
     /// The vertices whose light an anchor needs.
     lit: Vec<u32>,
-}
-
-/// The mesh in one pose.
-struct PosedMesh {
-    /// Canonical to posed, one a joint.
-    joints: Vec<DAffine3>,
-    /// By linear blend skinning.
-    skinned: Skinned,
-    skinned_normals: Vec<DVec3>,
-    /// With flesh and cloth settled, and the face's expression.
-    settled: Vec<DVec3>,
-    settled_normals: Vec<DVec3>,
-    /// The deformation from the skinned to the settled shape, one a vertex.
-    gradients: Vec<DMat3>,
-    light: Vec<RadianceSh>,
 }
 
 /// One Gaussian's attributes.
@@ -84,7 +67,7 @@ struct GaussianAttributes {
 impl GroundTruth {
     /// `rays`: rays traced per vertex for its light.
     pub fn new(dressed: &Dressed, rays: usize) -> Self {
-        let mesh = Mesh::new(dressed);
+        let mesh = Mesh::new(&dressed.sheets, &dressed.outfit);
         let anchors: Vec<Anchor> = dressed
             .dots
             .par_iter()
@@ -110,12 +93,8 @@ impl GroundTruth {
         lit.sort_unstable();
         lit.dedup();
         Self {
-            skeleton: dressed.avatar.skeleton.clone(),
+            body: SettledBody::new(&dressed.body, mesh, rays),
             gaussians: dressed.avatar.gaussians.clone(),
-            to_canonical: dressed.body.to_canonical(),
-            settling: Settling::new(&mesh),
-            mesh,
-            sky: TracedSky::new(rays),
             anchors,
             lit,
         }
@@ -124,7 +103,7 @@ impl GroundTruth {
     /// The attributes of every Gaussian in a pose. Position and rotation of the hips change
     /// nothing: the light goes with them.
     pub fn frame(&self, pose: &Pose) -> FrameAttributes {
-        let posed = self.pose_mesh(pose);
+        let posed = self.body.pose(pose, &self.lit);
         let all: Vec<GaussianAttributes> = (0..self.anchors.len())
             .into_par_iter()
             .map(|k| self.gaussian(k, &posed))
@@ -135,44 +114,6 @@ impl GroundTruth {
             log_scale: all.iter().map(|g| half(g.log_scale)).collect(),
             color: all.iter().map(|g| half(g.color)).collect(),
             offset: all.iter().map(|g| half(g.offset)).collect(),
-        }
-    }
-
-    fn pose_mesh(&self, pose: &Pose) -> PosedMesh {
-        let mut pose = Pose {
-            translation: DVec3::ZERO,
-            ..pose.clone()
-        };
-        pose.rotation[0] = DVec3::ZERO;
-        let joints = self.skeleton.matrices(&pose);
-        let from_rest: Vec<DAffine3> = joints
-            .iter()
-            .zip(&self.to_canonical)
-            .map(|(posed, canonical)| *posed * *canonical)
-            .collect();
-        let skinned = self.mesh.skinned(&from_rest);
-        let mut settled = self.settling.settle(&self.mesh, &skinned.positions);
-        let expression_offset = |v: usize| {
-            let strength = |e: usize| pose.expression.get(e).copied().unwrap_or(0.0);
-            (0..10)
-                .map(|e| self.mesh.expression[v][e] * strength(e))
-                .sum::<DVec3>()
-        };
-        settled
-            .par_iter_mut()
-            .enumerate()
-            .for_each(|(v, p)| *p += skinned.turns[v] * expression_offset(v));
-        let settled_normals = self.mesh.normals(&settled);
-        PosedMesh {
-            gradients: self.mesh.gradients(&skinned.positions, &settled),
-            light: self
-                .sky
-                .light(&self.mesh, &settled, &settled_normals, &self.lit),
-            joints,
-            skinned_normals: self.mesh.normals(&skinned.positions),
-            skinned,
-            settled,
-            settled_normals,
         }
     }
 
@@ -215,18 +156,7 @@ impl GroundTruth {
     /// Display-referred. `deformation`: how the surface is turned and stretched from the rest pose.
     fn color(&self, anchor: &Anchor, deformation: DMat3, posed: &PosedMesh) -> DVec3 {
         let rest = anchor.material.light_normal().unwrap_or(anchor.normal);
-        // Normals transform by the cofactor matrix.
-        let DMat3 {
-            x_axis,
-            y_axis,
-            z_axis,
-        } = deformation;
-        let cofactors = DMat3::from_cols(
-            y_axis.cross(z_axis),
-            z_axis.cross(x_axis),
-            x_axis.cross(y_axis),
-        );
-        let normal = (cofactors * rest).normalize_or(rest);
+        let normal = turned_normal(deformation, rest);
         let light = |c: usize| {
             irradiance(&posed.light[anchor.vertex[c] as usize], normal) * anchor.barycentric[c]
         };

@@ -29,7 +29,8 @@ impl Outfit {
         sum / 6.0
     }
 
-    fn albedo(&self, site: &Site) -> DVec3 {
+    /// At a site; lines finer than its footprint are blurred.
+    pub fn albedo(&self, site: &Site) -> DVec3 {
         match site.material {
             Material::Skin => self.skin(site),
             Material::Eye => self.face.eye(site),
@@ -38,7 +39,7 @@ impl Outfit {
             Material::Hair => {
                 let coarse = noise(31, site.position * 90.0);
                 let fine = noise(32, site.position * 700.0);
-                linear(palette::HAIR) * (1.0 + 0.5 * coarse + 0.25 * fine)
+                linear(self.style.hair) * (1.0 + 0.5 * coarse + 0.25 * fine)
             }
             Material::Shirt => self.shirt(site),
             Material::Trousers => self.trousers(site),
@@ -49,8 +50,9 @@ impl Outfit {
 
     /// Bare skin, and socks between trousers and shoes.
     fn skin(&self, site: &Site) -> DVec3 {
-        if site.share(is_lower_leg) > 0.5 {
-            linear(palette::SOCKS)
+        let is_sock = self.lower_leg(site.position) > self.style.socks_top;
+        if site.share(is_lower_leg) > 0.5 && is_sock {
+            linear(self.style.socks)
         } else {
             self.face.skin(site)
         }
@@ -59,8 +61,6 @@ impl Outfit {
     /// Heather with fine stripes, which run around the arm on the sleeves, a ribbed collar and
     /// hems, and the emblem.
     fn shirt(&self, site: &Site) -> DVec3 {
-        /// Period of the stripes, metres.
-        const STRIPE: f64 = 0.015;
         /// Length of the upper arm that stripes are measured with, metres.
         const UPPER_ARM: f64 = 0.26;
         /// Half of a line of stitches' width, metres.
@@ -72,10 +72,14 @@ impl Outfit {
         } else {
             p.y
         };
-        let stripe = smoothstep(0.32, 0.22, from_middle_of_period(across_stripes / STRIPE));
+        let stripe = smoothstep(
+            0.32,
+            0.22,
+            from_middle_of_period(across_stripes / self.style.stripe),
+        );
         let thread = 0.07 * noise(41, DVec3::new(p.x * 900.0, p.y * 260.0, p.z * 900.0))
             + 0.05 * fractal_noise(42, p * 60.0);
-        let plain = linear(palette::SHIRT).lerp(linear(palette::SHIRT_STRIPE), stripe);
+        let plain = linear(self.style.shirt).lerp(linear(self.style.shirt_stripe), stripe);
         let mut color = plain * (1.0 + thread);
 
         let collar = self.above_neckline(p);
@@ -85,7 +89,7 @@ impl Outfit {
             FAR
         };
         let rib = smoothstep(-0.020, -0.018, collar).max(smoothstep(0.016, 0.014, hem));
-        color = color.lerp(linear(palette::SHIRT_RIB) * (1.0 + 0.8 * thread), rib);
+        color = color.lerp(linear(self.style.shirt_rib) * (1.0 + 0.8 * thread), rib);
         // Stitches just outside the ribs, and a soft shade where the sleeve is sewn on.
         let stitches = site
             .line(collar + 0.0205, STITCH)
@@ -122,8 +126,8 @@ impl Outfit {
             * smoothstep(0.2, 0.9, site.normal.z);
         let worn = 0.55 * thigh + 0.35 * knee;
         let mut color =
-            linear(palette::DENIM).lerp(linear(palette::DENIM_WORN), worn) * (1.0 + twill);
-        let thread = linear(palette::DENIM_THREAD);
+            linear(self.style.denim).lerp(linear(self.style.denim_worn), worn) * (1.0 + twill);
+        let thread = linear(self.style.denim_thread);
         for seam in self.seam_distances(site) {
             color *= 1.0 - 0.45 * site.line(seam, 0.0016);
             let dash = if site.footprint > STITCH_FOOTPRINT {
@@ -214,14 +218,14 @@ impl Outfit {
             };
         }
         let weave = 0.12 * noise(65, p * 500.0);
-        let mut color = linear(palette::CANVAS) * (1.0 + weave);
+        let mut color = linear(self.style.canvas) * (1.0 + weave);
         color = color.lerp(rubber, smoothstep(TOE_CAP[0], TOE_CAP[1], forward));
         // Feet point a little outwards.
         let from_middle = (p.x - ankle.x - 0.21 * forward * p.x.signum()).abs();
         let tongue = smoothstep(0.027, 0.024, from_middle)
             * smoothstep(0.02, 0.03, forward)
             * smoothstep(0.148, 0.145, forward);
-        color = color.lerp(linear(palette::TONGUE) * (1.0 + weave), tongue);
+        color = color.lerp(linear(self.style.tongue) * (1.0 + weave), tongue);
         let lace = smoothstep(0.26, 0.18, from_middle_of_period(forward / LACE))
             * tongue
             * smoothstep(0.130, 0.125, forward);

@@ -1,9 +1,10 @@
 //! The head: where its hair, brows, lips, iris and skin tones are.
 
-use crate::bake::body::{Body, BodyShape};
+use crate::bake::body::{Body, BodyShape, Person};
 use crate::bake::joints::{is_hand, is_head};
 use crate::bake::outfit::palette;
 use crate::bake::source::masks::Masks;
+use crate::bake::style::Style;
 use crate::bake::surface::{Material, Sheet, Site};
 use crate::math::color::linear;
 use crate::math::noise::{fractal_noise, smoothstep};
@@ -14,6 +15,7 @@ use glam::{DVec2, DVec3};
 pub struct Face {
     masks: Masks,
     shape: BodyShape,
+    style: &'static Style,
     /// The left eye's centre; the right one mirrors it.
     eye: DVec3,
     /// Height of the crown.
@@ -24,7 +26,7 @@ pub struct Face {
 
 impl Face {
     /// Measures a body's head.
-    pub fn new(body: &Body, masks: Masks, shape: BodyShape) -> Self {
+    pub fn new(body: &Body, masks: Masks, person: Person) -> Self {
         let neck = body.joint("Neck");
         let top = body
             .obj
@@ -40,7 +42,8 @@ impl Face {
         ));
         Self {
             masks,
-            shape,
+            shape: person.shape,
+            style: person.style,
             eye,
             top,
             neck,
@@ -158,7 +161,7 @@ impl Face {
         let p = site.position;
         let blotches = 0.05 * fractal_noise(11, p * 22.0);
         let pores = 0.03 * fractal_noise(12, p * 180.0);
-        let mut color = linear(palette::SKIN) * (1.0 + blotches + pores);
+        let mut color = linear(self.style.skin) * (1.0 + blotches + pores);
         color *= DVec3::new(
             1.0,
             1.0 - 0.03 * fractal_noise(13, p * 40.0),
@@ -180,14 +183,14 @@ impl Face {
         color *= 1.0 - 0.22 * lids * smoothstep(-0.006, 0.004, d.y);
         let lips = smoothstep(0.25, 0.75, self.masks.lips.at(site.uv));
         let lip_color = match self.shape {
-            BodyShape::Male => linear(palette::LIPS_MALE),
-            BodyShape::Female => linear(palette::LIPS_FEMALE),
+            BodyShape::Male => linear(self.style.lips[0]),
+            BodyShape::Female => linear(self.style.lips[1]),
         };
         let lip_creases = 1.0 + 0.08 * fractal_noise(16, p * 300.0);
         color = color.lerp(lip_color * lip_creases, 0.85 * lips);
         let mouth = smoothstep(0.4, 0.8, self.masks.mouth.at(site.uv));
         color = color.lerp(linear(palette::MOUTH), mouth);
-        let hair = linear(palette::HAIR);
+        let hair = linear(self.style.hair);
         color = color.lerp(hair * 0.85, 0.92 * self.brow(p, d));
         color.lerp(
             hair * 0.7,
@@ -244,8 +247,8 @@ impl Face {
         let radius = DVec2::new(d.x + 0.0004, d.y).length() * 1e3;
         let spoke_point = DVec3::new(d.y.atan2(d.x) * 9.0, radius * 0.5, side);
         let spokes = 1.0 + 0.45 * fractal_noise(19, spoke_point);
-        let iris = linear(palette::IRIS_OUTER)
-            .lerp(linear(palette::IRIS_INNER), smoothstep(3.9, 2.2, radius))
+        let iris = linear(self.style.iris_outer)
+            .lerp(linear(self.style.iris_inner), smoothstep(3.9, 2.2, radius))
             * spokes;
         let rim = 0.5 * smoothstep(8.0, 12.0, radius);
         let mut color = linear(palette::SCLERA).lerp(linear(palette::SCLERA_RIM), rim);

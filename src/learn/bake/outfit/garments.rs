@@ -1,21 +1,18 @@
 //! The limits of each garment, the visible part of each sheet, and how many Gaussians it deserves.
 
-use crate::bake::body::{Body, BodyShape};
+use crate::bake::body::{Body, Person};
 use crate::bake::joints::{is_arm, is_foot, is_hand, is_head};
 use crate::bake::outfit::emblem;
 use crate::bake::outfit::face::Face;
 use crate::bake::outfit::shoe;
 use crate::bake::source::masks::Masks;
+use crate::bake::style::Style;
 use crate::bake::surface::{Material, Site};
 use crate::math::noise::smoothstep;
 use glam::{DVec2, DVec3};
 
-/// How much of the upper arm the sleeve covers.
-const SLEEVE: f64 = 0.60;
 /// Length of the upper arm that sleeves are measured with, metres.
 const UPPER_ARM: f64 = 0.28;
-/// How far down the lower leg, knee to ankle, the trousers reach.
-const HEM: f64 = 0.97;
 /// Length of the lower leg that hems are measured with, metres.
 const LOWER_LEG: f64 = 0.42;
 /// Half of the belt's height, metres.
@@ -26,6 +23,8 @@ const EMBLEM_HEIGHT: f64 = 0.035;
 /// Landmarks of the body that the garments depend on.
 #[derive(Clone, Debug)]
 pub struct Outfit {
+    /// Its cut and colours.
+    pub style: &'static Style,
     /// Face and hair.
     pub face: Face,
     /// Left, right; so are the other pairs.
@@ -59,7 +58,7 @@ pub fn side(p: DVec3) -> usize {
 
 impl Outfit {
     /// Measures a body.
-    pub fn new(body: &Body, masks: Masks, shape: BodyShape) -> Self {
+    pub fn new(body: &Body, masks: Masks, person: Person) -> Self {
         let pair = |name: &str| {
             [
                 body.joint(&format!("Left{name}")),
@@ -69,7 +68,8 @@ impl Outfit {
         let hips = body.joint("LeftUpLeg").y;
         let spine = body.joint("Spine1").y;
         Self {
-            face: Face::new(body, masks, shape),
+            style: person.style,
+            face: Face::new(body, masks, person),
             shoulder: pair("Arm"),
             elbow: pair("ForeArm"),
             hip: pair("UpLeg"),
@@ -95,12 +95,12 @@ impl Outfit {
 
     /// Distance from the sleeve's hem up the arm, metres; below 0 on the bare arm.
     pub fn above_sleeve_hem(&self, p: DVec3) -> f64 {
-        (SLEEVE - self.upper_arm(p)) * UPPER_ARM
+        (self.style.sleeve - self.upper_arm(p)) * UPPER_ARM
     }
 
     /// Distance from the trousers' hem up the leg, metres; below 0 on the ankle.
     pub fn above_trouser_hem(&self, p: DVec3) -> f64 {
-        (HEM - self.lower_leg(p)) * LOWER_LEG
+        (self.style.hem - self.lower_leg(p)) * LOWER_LEG
     }
 
     /// How far a point is inside the neckline, metres; below 0 on the shirt. The neckline is a ring

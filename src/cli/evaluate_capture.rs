@@ -1,0 +1,256 @@
+//! `effigy evaluate` of a capture: an avatar, or another program's pictures, against what cameras
+//! saw.
+
+use crate::{
+    files,
+    options::{self, count, named},
+    progress,
+};
+use anyhow::{Context, bail, ensure};
+use effigy_capture::Capture;
+use effigy_core::{avatar::Avatar, io::file::replace, scene::FrameImage};
+use effigy_learn::{
+    bake::Assets,
+    evaluate::side_by_side,
+    score::{
+        Candidate, Compared, Ground, Means, Region, Report, Scorer, ViewChoice, ViewScore, choose,
+    },
+};
+use effigy_perceptual::{Network, Perceptual, Planes};
+use std::path::{Path, PathBuf};
+
+/// An error of so much, 0 to 1, is white in maps of errors.
+const WHITE: f32 = 0.3;
+
+/// What only captures take.
+#[derive(clap::Args, Debug, PartialEq)]
+pub struct CaptureArgs {
+    /// Of a capture: score these pictures of another program in place of an avatar's; the folder
+    /// has CAMERA/00000000.png, as large as the capture's and without a lens's distortion, with
+    /// alpha or over --background
+    #[arg(long, value_name = "DIR", conflicts_with = "avatar")]
+    pub pictures: Option<PathBuf>,
+    /// Of a capture: cameras of each kind, held out or not, 1 to 1000
+    #[arg(long, value_name = "N", default_value = "4", value_parser = count(1, 1000))]
+    cameras: usize,
+    /// Of a capture: also compare pictures that training saw
+    #[arg(long)]
+    training: bool,
+    /// Of a capture: `truth` puts the picture's own background under the avatar, a colour of six
+    /// hexadecimal digits lies under both
+    #[arg(long, value_name = "truth|RRGGBB", default_value = "truth", value_parser = ground)]
+    background: Ground,
+    /// Of a capture: the network of ST-LPIPS [default: alex, or none without its weights]
+    #[arg(long, value_parser = named(["alex", "vgg", "none"], [Loss::Alex, Loss::Vgg, Loss::None]))]
+    perceptual: Option<Loss>,
+    /// Folder that tools/fetch_perceptual.sh filled
+    #[arg(long, value_name = "DIR", env = "EFFIGY_ASSETS", default_value = Assets::DEFAULT)]
+    weights: PathBuf,
+}
+
+/// A perceptual distance by its name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Loss {
+    Alex,
+    Vgg,
+    None,
+}
+
+/// What is compared, and where the result goes.
+pub struct Job<'a> {
+    pub avatar: Option<&'a Path>,
+    pub capture: &'a Path,
+    /// Frames of each kind.
+    pub frames: usize,
+    pub images: Option<&'a Path>,
+    pub json: Option<&'a Path>,
+}
+
+fn ground(text: &str) -> Result<Ground, String> {
+    if text == "truth" {
+        return Ok(Ground::Truth);
+    }
+    Ok(Ground::Color(options::color(text)?))
+}
+
+pub fn run(args: &CaptureArgs, job: &Job) -> anyhow::Result<()> {
+    let capture = Capture::read(job.capture)?;
+    let avatar = match job.avatar {
+        Some(path) => Some(fitting(path, &capture)?),
+        None => None,
+    };
+    let candidate = match (&avatar, &args.pictures) {
+        (Some(avatar), _) => Candidate::Avatar(avatar),
+        (None, Some(folder)) => Candidate::Pictures(folder),
+        (None, None) => bail!("neither an avatar nor --pictures: there is nothing to evaluate"),
+    };
+    let perceptual = perceptual(args)?;
+    let scorer = Scorer::new(&capture, candidate, args.background, perceptual.as_ref());
+    let is_held = capture.cameras.iter().any(|camera| camera.held)
+        || capture.frames.iter().any(|frame| frame.held);
+    if !is_held {
+        eprintln!("nothing is held out: all pictures count as training's (split.json names some)");
+    }
+    let views = choose(
+        &capture,
+        &ViewChoice {
+            cameras: args.cameras,
+            frames: job.frames,
+            training: args.training || !is_held,
+        },
+    );
+    ensure!(
+        !views.is_empty(),
+        "{}: no picture of a held-out camera or frame; --training compares the others",
+        job.capture.display()
+    );
+    if let Some(folder) = job.images {
+        files::create_folder(folder)?;
+    }
+    let bar = progress::items(views.len() as u64, "pictures");
+    let mut scores = Vec::new();
+    let mut left_out = 0;
+    for &view in &views {
+        // Another program may not have drawn all of them.
+        match scorer.compare(view) {
+            Ok(Some(compared)) => {
+                let score = scorer.named(view, &compared);
+                if let Some(folder) = job.images {
+                    write_image(folder, &score, &compared)?;
+                }
+                scores.push(score);
+            }
+            Ok(None) => left_out += 1,
+            Err(error) => {
+                left_out += 1;
+                bar.println(error.to_string());
+            }
+        }
+        bar.inc(1);
+    }
+    bar.finish_and_clear();
+    ensure!(
+        !scores.is_empty(),
+        "no picture could be compared: {left_out} are left out"
+    );
+    let report = Report::new(scorer.protocol(), scores);
+    print!("{}", table(&report));
+    if left_out > 0 {
+        println!("{left_out} of {} pictures are left out", views.len());
+    }
+    if let Some(path) = job.json {
+        replace(path, serde_json::to_string_pretty(&report)?.as_bytes())?;
+    }
+    Ok(())
+}
+
+/// Reads an avatar and refuses one with another skeleton.
+fn fitting(path: &Path, capture: &Capture) -> anyhow::Result<Avatar> {
+    let avatar = Avatar::read(path)?;
+    let own = &capture.template.skeleton;
+    ensure!(
+        avatar.skeleton.name == own.name && avatar.skeleton.parent == own.parent,
+        "{}: found a skeleton of {} joints from {}, expected the capture's: {} from {}",
+        path.display(),
+        avatar.skeleton.len(),
+        avatar.skeleton.name.first().map_or("", String::as_str),
+        own.len(),
+        own.name.first().map_or("", String::as_str)
+    );
+    Ok(avatar)
+}
+
+/// The network that was asked for, checked.
+fn perceptual(args: &CaptureArgs) -> anyhow::Result<Option<Perceptual>> {
+    let network = match args.perceptual {
+        Some(Loss::None) => return Ok(None),
+        Some(Loss::Vgg) => Network::Vgg,
+        Some(Loss::Alex) | None => Network::Alex,
+    };
+    let file = args.weights.join(network.file_name());
+    if args.perceptual.is_none() && !file.exists() {
+        eprintln!("without ST-LPIPS: tools/fetch_perceptual.sh gets its weights");
+        return Ok(None);
+    }
+    let perceptual = Perceptual::read(network, &file)
+        .context("tools/fetch_perceptual.sh gets the weights of ST-LPIPS")?;
+    perceptual.check()?;
+    Ok(Some(perceptual))
+}
+
+/// Truth, candidate and error side by side.
+fn write_image(folder: &Path, score: &ViewScore, compared: &Compared) -> anyhow::Result<()> {
+    let row = [
+        image(&compared.truth),
+        image(&compared.image),
+        image(&errors(&compared.truth, &compared.image)),
+    ];
+    let path = folder.join(format!("{}-{:08}.png", score.camera, score.frame));
+    side_by_side(&row)
+        .over([0.0; 3])
+        .save(&path)
+        .with_context(|| format!("{} can't be written", path.display()))
+}
+
+fn image(planes: &Planes) -> FrameImage {
+    let mut image = FrameImage::empty(planes.size.map(|side| side as u32));
+    let plane = image.pixels.len();
+    for (at, pixel) in image.pixels.iter_mut().enumerate() {
+        let color = |channel: usize| planes.data[channel * plane + at];
+        *pixel = [color(0), color(1), color(2), 1.0];
+    }
+    image
+}
+
+/// The largest error of a pixel's channels: black, red, yellow, and white from [`WHITE`].
+fn errors(truth: &Planes, image: &Planes) -> Planes {
+    let plane = truth.size[0] * truth.size[1];
+    let mut errors = Planes::black(truth.size);
+    for at in 0..plane {
+        let error = |channel: usize| {
+            let at = channel * plane + at;
+            (truth.data[at] - image.data[at]).abs()
+        };
+        let error = error(0).max(error(1)).max(error(2)) / WHITE;
+        for channel in 0..3 {
+            errors.data[channel * plane + at] = (3.0 * error - channel as f32).clamp(0.0, 1.0);
+        }
+    }
+    errors
+}
+
+/// The protocol, then a line for each group and region.
+fn table(report: &Report) -> String {
+    let protocol = &report.protocol;
+    let perceptual = protocol.perceptual.as_deref().unwrap_or("ST-LPIPS");
+    let mut text = format!(
+        "inside {}; behind the person: {}; poses {}\n{:28}{:8}{:>9}{:>10}{:>9}{:>10}{:>18}\n",
+        protocol.area,
+        protocol.background,
+        protocol.poses,
+        "group",
+        "region",
+        "pictures",
+        "PSNR, dB",
+        "SSIM",
+        "L1",
+        perceptual
+    );
+    for group in &report.groups {
+        text += &line(group.name, "whole", &group.whole);
+        for region in Region::ALL {
+            if let Some(means) = group.regions.get(&region) {
+                text += &line("", region.name(), means);
+            }
+        }
+    }
+    text
+}
+
+fn line(group: &str, region: &str, means: &Means) -> String {
+    let distance = means.st_lpips.map_or("-".into(), |d| format!("{d:.4}"));
+    format!(
+        "{group:28}{region:8}{:>9}{:>10.2}{:>9.4}{:>10.5}{distance:>18}\n",
+        means.pictures, means.psnr_db, means.ssim, means.l1
+    )
+}

@@ -1,0 +1,132 @@
+//! Shooting a capture: every frame by every camera.
+
+use crate::bake::Clothed;
+use crate::pictures::flaws::{CameraLook, Flaws};
+use crate::pictures::rig::{RigOptions, rig};
+use crate::pictures::scene::Studio;
+use crate::pictures::template::template;
+use effigy_capture::{
+    CaptureCamera, CaptureError, CaptureFrame, CaptureWriter, Truth, TruthCamera,
+};
+use effigy_core::random::{Random, hash};
+use glam::DVec3;
+use rayon::prelude::*;
+use std::path::Path;
+
+/// How a capture is shot.
+#[derive(Clone, Debug)]
+pub struct PictureOptions {
+    /// Number of cameras, at least 1.
+    pub cameras: usize,
+    /// Width and height of the pictures, px.
+    pub size: [u32; 2],
+    /// Rays a pixel along each side, at least 1.
+    pub samples: u32,
+    /// Rays traced per vertex for its light.
+    pub rays: usize,
+    /// What is off.
+    pub flaws: Flaws,
+    /// Of all random numbers.
+    pub seed: u64,
+}
+
+/// What was shot.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Summary {
+    /// Pictures written.
+    pub pictures: usize,
+    /// The share of their pixels that is the person.
+    pub covered: f64,
+    /// Held-out cameras.
+    pub held: usize,
+}
+
+/// Shoots a person in the frames' poses, which are true, into a folder. `frames`: by number, from
+/// 0 on. `progress` is called after each frame.
+///
+/// # Errors
+/// When a file can't be written.
+pub fn shoot(
+    folder: &Path,
+    clothed: Clothed,
+    frames: &[CaptureFrame],
+    options: &PictureOptions,
+    progress: &dyn Fn(),
+) -> Result<Summary, CaptureError> {
+    let PictureOptions { flaws, seed, .. } = *options;
+    let template = template(&clothed.body);
+    let studio = Studio::new(clothed, options.rays);
+    let points: Vec<DVec3> = frames
+        .par_iter()
+        .flat_map_iter(|frame| studio.outline(&frame.pose))
+        .collect();
+    let cameras = rig(
+        &points,
+        &RigOptions {
+            cameras: options.cameras,
+            size: options.size,
+            seed,
+        },
+    );
+    let calibrated: Vec<CaptureCamera> = (0..cameras.len())
+        .map(|at| flaws.calibrated(&cameras[at], at, seed))
+        .collect();
+    let looks: Vec<CameraLook> = (0..cameras.len()).map(|at| flaws.look(at, seed)).collect();
+    let writer = CaptureWriter::new(folder, &calibrated, &template)?;
+    let mut covered = 0.0;
+    for frame in frames {
+        let scene = studio.scene(&frame.pose);
+        let shares: Vec<f64> = (0..cameras.len())
+            .into_par_iter()
+            .map(|at| {
+                let stream = hash(seed ^ hash(u64::from(frame.number) << 16 | at as u64));
+                let mut image = scene.picture(&cameras[at].camera, options.samples, stream);
+                let share = image.coverage.iter().map(|&c| f64::from(c)).sum::<f64>();
+                let share = share / image.coverage.len().max(1) as f64;
+                flaws.shoot(&mut image, &looks[at], stream);
+                let mut random = Random::new(stream, 0x401);
+                let noise = flaws.noise / 255.0;
+                let picture = image.encode(|| match noise {
+                    0.0 => 0.0,
+                    _ => noise * random.normal(),
+                });
+                writer.write(at, frame.number, &picture)?;
+                Ok(share)
+            })
+            .collect::<Result<_, CaptureError>>()?;
+        covered += shares.iter().sum::<f64>();
+        progress();
+    }
+    let found: Vec<CaptureFrame> = frames
+        .iter()
+        .enumerate()
+        .map(|(at, frame)| CaptureFrame {
+            pose: flaws.tracked(&frame.pose, at, seed),
+            ..frame.clone()
+        })
+        .collect();
+    let pictures = frames.len() * cameras.len();
+    let held = cameras.iter().filter(|camera| camera.held).count();
+    if flaws.is_none() {
+        Truth::remove(folder)?;
+    } else {
+        let own = cameras.into_iter().zip(&looks);
+        let truth = Truth {
+            cameras: own
+                .map(|(camera, look)| TruthCamera {
+                    camera,
+                    gain: look.gain.to_array(),
+                    blur: look.blur,
+                })
+                .collect(),
+            poses: frames.iter().map(|frame| frame.pose.clone()).collect(),
+        };
+        truth.write(folder)?;
+    }
+    writer.finish(&found)?;
+    Ok(Summary {
+        pictures,
+        covered: covered / pictures.max(1) as f64,
+        held,
+    })
+}
