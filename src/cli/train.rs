@@ -10,8 +10,9 @@ use effigy::vulkan::Gpu;
 use effigy_capture::{Capture, CaptureOptions, tally};
 use effigy_learn::bake::Assets;
 use effigy_train::{
+    data::training_shots,
     recipe::{Preset, Recipe},
-    session::{Outcome, Progress, Session, SessionOptions, training_shots},
+    session::{Outcome, Progress, Session, SessionOptions},
 };
 use std::{
     fmt,

@@ -22,6 +22,9 @@ pub struct DataOptions {
     pub margin: f64,
     /// Memory for decoded pictures, MB.
     pub cache_mb: usize,
+    /// Frames whose pose differs from the last one's by less are left out: the mean of what the
+    /// networks see, radians.
+    pub duplicate: f64,
 }
 
 /// A picture of the capture.
@@ -31,6 +34,25 @@ pub struct Shot {
     pub camera: usize,
     /// Index into its frames.
     pub frame: usize,
+}
+
+/// The pictures that are learned from: those of cameras and frames that are not held out.
+pub fn training_shots(capture: &Capture) -> Vec<Shot> {
+    shots(capture, |camera, frame| !camera && !frame)
+}
+
+/// Pictures by whether their camera and their frame are held out.
+pub fn shots(capture: &Capture, takes: impl Fn(bool, bool) -> bool) -> Vec<Shot> {
+    let mut all = Vec::new();
+    for frame in 0..capture.frames.len() {
+        for camera in 0..capture.cameras.len() {
+            let held = takes(capture.cameras[camera].held, capture.frames[frame].held);
+            if held && capture.has(camera, frame) {
+                all.push(Shot { camera, frame });
+            }
+        }
+    }
+    all
 }
 
 /// What a frame's pose is to an avatar.
@@ -66,13 +88,15 @@ pub struct Views {
 }
 
 impl Views {
-    /// The views of some pictures. The template's box in each says what is cut out.
+    /// The views of some pictures. The template's box in each says what is cut out. `size`: of
+    /// every view, px, at most that of every picture; None: what the largest box needs.
     pub fn new(
         capture: &Arc<Capture>,
         avatar: &Avatar,
         shots: Vec<Shot>,
         options: &DataOptions,
         seed: u64,
+        size: Option<[u32; 2]>,
     ) -> Self {
         let frames: Vec<PosedFrame> = capture
             .frames
@@ -112,7 +136,7 @@ impl Views {
             capture: capture.clone(),
             options: options.clone(),
             seed,
-            size: [side(0), side(1)],
+            size: size.unwrap_or_else(|| [side(0), side(1)]),
             cache: Mutex::new(Cache {
                 pictures: (0..shots.len()).map(|_| None).collect(),
                 bytes: 0,
@@ -126,6 +150,11 @@ impl Views {
     /// Width and height of every view, px.
     pub fn size(&self) -> [u32; 2] {
         self.size
+    }
+
+    /// The pictures.
+    pub fn shots(&self) -> &[Shot] {
+        &self.shots
     }
 
     /// How many pictures there are.

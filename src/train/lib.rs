@@ -30,3 +30,4 @@ pub mod session;
 pub mod start;
 pub mod topology;
 pub mod view;
+pub mod watch;

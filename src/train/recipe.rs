@@ -281,7 +281,8 @@ impl Recipe {
         within("data.band", self.data.band, 0..=32)?;
         within("data.window", self.data.window, 32..=8192)?;
         within("data.margin", self.data.margin, 0.0..=2.0)?;
-        within("data.cache_mb", self.data.cache_mb, 0..=1_000_000)
+        within("data.cache_mb", self.data.cache_mb, 0..=1_000_000)?;
+        within("data.duplicate", self.data.duplicate, 0.0..=1.0)
     }
 }
 

@@ -1,8 +1,9 @@
 //! A training from start to end: steps, pruning, checkpoints, and the avatar that comes out.
 
+use crate::adam::Rates;
 use crate::asked::AskedLoss;
 use crate::checkpoint::Checkpoint;
-use crate::data::{Shot, Views};
+use crate::data::{Shot, Views, training_shots};
 use crate::gpu::{StepOptions, StepReport, Trainer, TrainerState};
 use crate::lock::{Lock, LockError};
 use crate::parameters::{Layout, Parameters};
@@ -11,6 +12,7 @@ use crate::recipe::Recipe;
 use crate::start::start;
 use crate::topology::{Rows, Topology};
 use crate::view::View;
+use crate::watch::{self, Seen, Watched, watched_shots};
 use effigy::vulkan::{Error as GpuError, Gpu};
 use effigy_capture::{Capture, CaptureError};
 use effigy_core::avatar::{Avatar, Pose};
@@ -18,6 +20,7 @@ use effigy_core::io::file::{FileError, replace};
 use effigy_core::reference::mlp;
 use effigy_core::scene::Posed;
 use effigy_perceptual::PerceptualError;
+use glam::DVec3;
 use rayon::prelude::*;
 use std::fs;
 use std::io;
@@ -160,6 +163,7 @@ pub struct Session {
     rows: Rows,
     trainer: Trainer,
     views: Arc<Views>,
+    watched: Watched,
     asked: Option<AskedLoss>,
     pruned: bool,
     place: u64,
@@ -169,23 +173,31 @@ pub struct Session {
     _lock: Lock,
 }
 
-/// The pictures that are learned from: those of cameras and frames that are not held out.
-pub fn training_shots(capture: &Capture) -> Vec<Shot> {
-    shots(capture, |camera, frame| !camera && !frame)
-}
-
-/// Pictures by whether their camera and their frame are held out.
-pub fn shots(capture: &Capture, takes: impl Fn(bool, bool) -> bool) -> Vec<Shot> {
-    let mut all = Vec::new();
-    for frame in 0..capture.frames.len() {
-        for camera in 0..capture.cameras.len() {
-            let held = takes(capture.cameras[camera].held, capture.frames[frame].held);
-            if held && capture.has(camera, frame) {
-                all.push(Shot { camera, frame });
+/// [`training_shots`] without frames that are nearly the same as the last one that stays.
+fn distinct_shots(capture: &Capture, avatar: &Avatar, least: f64) -> Vec<Shot> {
+    let mut last: Option<Vec<f64>> = None;
+    let stays: Vec<bool> = capture
+        .frames
+        .iter()
+        .map(|frame| {
+            if frame.held {
+                return true;
             }
-        }
-    }
-    all
+            let own = avatar.inputs.unprojected(&frame.pose);
+            let change = last.as_ref().map(|last| {
+                let sum: f64 = own.iter().zip(last).map(|(a, b)| (a - b).abs()).sum();
+                sum / own.len().max(1) as f64
+            });
+            let stays = change.is_none_or(|change| change >= least);
+            if stays {
+                last = Some(own);
+            }
+            stays
+        })
+        .collect();
+    let mut shots = training_shots(capture);
+    shots.retain(|shot| stays[shot.frame]);
+    shots
 }
 
 impl Session {
@@ -226,8 +238,7 @@ impl Session {
                 });
             }
         }
-        let shots = training_shots(capture);
-        if shots.is_empty() {
+        if training_shots(capture).is_empty() {
             return Err(TrainError::NothingToLearn);
         }
         let start_file = folder.join(START);
@@ -251,13 +262,11 @@ impl Session {
             // As the file holds it, so that a training that goes on has the same numbers.
             Avatar::read(&start_file)?
         };
-        let views = Arc::new(Views::new(
-            capture,
-            &start,
-            shots,
-            &recipe.data,
-            recipe.seed,
-        ));
+        let learned = distinct_shots(capture, &start, recipe.data.duplicate);
+        let of_shots =
+            |shots, size| Views::new(capture, &start, shots, &recipe.data, recipe.seed, size);
+        let views = Arc::new(of_shots(learned, None));
+        let watched = Watched::new(of_shots(watched_shots(capture), Some(views.size())));
         let topology = Topology::new(&start);
         let asked = AskedLoss::new(&recipe.perceptual, &options.perceptual_weights, recipe.seed)?;
         let stands = match found.checkpoint {
@@ -303,6 +312,7 @@ impl Session {
             rows: stands.rows,
             trainer,
             views,
+            watched,
             asked,
             pruned: stands.pruned,
             place: stands.place,
@@ -374,6 +384,7 @@ impl Session {
     ) -> Result<Outcome, TrainError> {
         let mut saved = Instant::now();
         let mut sums = Sums::default();
+        let first = self.steps();
         loop {
             let share = self.share();
             if share >= 1.0 {
@@ -393,8 +404,13 @@ impl Session {
                 self.log(&progress)?;
                 report(self, &progress);
             }
+            if self.steps() == first + 1 {
+                // Drivers compile kernels in the first step, which is no part of the training.
+                self.begun = Instant::now();
+            }
             if saved.elapsed() >= self.options.checkpoint_every {
                 self.save()?;
+                self.watch()?;
                 saved = Instant::now();
             }
         }
@@ -402,7 +418,38 @@ impl Session {
             self.prune()?;
         }
         self.save()?;
+        self.watch()?;
+        self.chart()?;
         Ok(Outcome::Done(Box::new(self.avatar()?)))
+    }
+
+    /// Looks at views that are not learned from: their PSNR goes into a log of its own, and an
+    /// image of them beside their pictures.
+    fn watch(&mut self) -> Result<(), TrainError> {
+        let options = StepOptions {
+            weights: self.recipe.loss,
+            correctives: true,
+            rates: Rates::default(),
+            adam: self.recipe.rates.adam(),
+        };
+        let mut seen = Vec::new();
+        for number in 0..self.watched.views.len() {
+            let view = self.watched.views.steady(number, DVec3::splat(0.5))?;
+            let image = self
+                .trainer
+                .images(std::slice::from_ref(&view), &options)?
+                .remove(0);
+            seen.push(Seen { view, image });
+        }
+        let steps = self.steps();
+        self.watched.write(&self.options.folder, steps, &seen)?;
+        Ok(())
+    }
+
+    /// The chart of both logs.
+    fn chart(&self) -> Result<(), TrainError> {
+        watch::chart(&self.options.folder)?;
+        Ok(())
     }
 
     /// One step.

@@ -1,0 +1,178 @@
+//! What a training looks like from outside: views that it does not learn from, beside their
+//! pictures, and a chart.
+
+use crate::data::{Shot, Views, shots, training_shots};
+use crate::view::{Shows, View};
+use effigy_capture::Capture;
+use effigy_core::io::file::{FileError, replace};
+use effigy_learn::plot::{self, Plot, PlotLine};
+use image::{ImageFormat, RgbImage};
+use std::fs;
+use std::io::{self, Cursor};
+use std::path::Path;
+
+/// Views that are watched, at most.
+const WATCHED: usize = 4;
+/// PSNR of watched views.
+const LOG: &str = "watched.csv";
+/// PSNR over the steps.
+const CHART: &str = "training.svg";
+/// How strong errors are shown.
+const ERROR_SCALE: f32 = 4.0;
+
+/// Views that are not learned from, or, where none is held out, some that are.
+pub struct Watched {
+    /// They.
+    pub views: Views,
+}
+
+/// A view, and its image.
+pub struct Seen {
+    /// The view.
+    pub view: View,
+    /// RGB of every pixel over the view's background.
+    pub image: Vec<[f32; 3]>,
+}
+
+/// A few pictures that are held out, evenly spaced; of the training's where there is none.
+pub fn watched_shots(capture: &Capture) -> Vec<Shot> {
+    let mut all = shots(capture, |camera, frame| camera || frame);
+    if all.is_empty() {
+        all = training_shots(capture);
+    }
+    let count = WATCHED.min(all.len());
+    (0..count)
+        .map(|k| all[(2 * k + 1) * all.len() / (2 * count)])
+        .collect()
+}
+
+impl Seen {
+    /// The mean squared error over what the picture is sure of, and over how many channels.
+    fn squared_error(&self) -> (f64, usize) {
+        let mut sum = 0.0;
+        let mut channels = 0;
+        for (pixel, own) in self.image.iter().enumerate() {
+            if self.view.picture.shows(pixel) == Shows::Person {
+                let [r, g, b, _] = self.view.picture.pixels[pixel];
+                for (own, truth) in own.iter().zip([r, g, b]) {
+                    sum += f64::from(own - f32::from(truth) / 255.0).powi(2);
+                    channels += 1;
+                }
+            }
+        }
+        (sum, channels)
+    }
+}
+
+impl Watched {
+    /// Watches some views.
+    pub fn new(views: Views) -> Self {
+        Self { views }
+    }
+
+    /// Adds a line to the log, and writes an image: of each view its picture, what is drawn, and
+    /// the error, four times as strong.
+    ///
+    /// # Errors
+    /// When a file can't be written.
+    pub fn write(&self, folder: &Path, steps: u64, seen: &[Seen]) -> Result<(), FileError> {
+        let (sum, channels) = seen
+            .iter()
+            .map(Seen::squared_error)
+            .fold((0.0, 0), |(sum, count), (own, channels)| {
+                (sum + own, count + channels)
+            });
+        let psnr = -10.0 * (sum / channels.max(1) as f64).max(1e-12).log10();
+        let log = folder.join(LOG);
+        let failed = |cause| FileError::Write {
+            file: log.clone(),
+            cause,
+        };
+        let known = match fs::read_to_string(&log) {
+            Ok(known) => known,
+            Err(error) if error.kind() == io::ErrorKind::NotFound => "step,psnr_db\n".into(),
+            Err(cause) => return Err(failed(cause)),
+        };
+        replace(&log, format!("{known}{steps},{psnr:.3}\n").as_bytes())?;
+        let file = folder.join(format!("watched-{steps:09}.png"));
+        let mut bytes = Cursor::new(Vec::new());
+        sheet(self.views.size(), seen)
+            .write_to(&mut bytes, ImageFormat::Png)
+            .map_err(|error| failed(io::Error::other(error)))?;
+        replace(&file, bytes.get_ref())
+    }
+}
+
+/// A row for each view: picture, image, error.
+fn sheet(size: [u32; 2], seen: &[Seen]) -> RgbImage {
+    let [width, height] = size;
+    let mut sheet = RgbImage::new(3 * width, height * seen.len() as u32);
+    for (row, one) in (0..).zip(seen) {
+        for (pixel, own) in one.image.iter().enumerate() {
+            let x = pixel as u32 % width;
+            let y = pixel as u32 / width + row * height;
+            let [r, g, b, _] = one.view.picture.pixels[pixel];
+            let truth = match one.view.picture.shows(pixel) {
+                Shows::Background => [128; 3],
+                _ => [r, g, b],
+            };
+            let byte = |v: f32| (255.0 * v.clamp(0.0, 1.0)).round() as u8;
+            let error: [u8; 3] = std::array::from_fn(|c| {
+                byte(ERROR_SCALE * (own[c] - f32::from(truth[c]) / 255.0).abs())
+            });
+            sheet.put_pixel(x, y, image::Rgb(truth));
+            sheet.put_pixel(x + width, y, image::Rgb(own.map(byte)));
+            sheet.put_pixel(x + 2 * width, y, image::Rgb(error));
+        }
+    }
+    sheet
+}
+
+/// Draws both logs of a training's folder as a chart.
+///
+/// # Errors
+/// When a log can't be read or the chart not be written.
+pub fn chart(folder: &Path) -> Result<(), FileError> {
+    let points = |name: &str, column: &str| -> Result<Vec<(f64, f64)>, FileError> {
+        let file = folder.join(name);
+        let text = fs::read_to_string(&file).map_err(|cause| FileError::Read {
+            file: file.clone(),
+            cause,
+        })?;
+        let mut lines = text.lines().map(|line| line.split(',').collect::<Vec<_>>());
+        let head = lines.next().unwrap_or_default();
+        let at = head.iter().position(|name| *name == column).unwrap_or(0);
+        let number = |line: &Vec<&str>, at: usize| line.get(at)?.parse::<f64>().ok();
+        Ok(lines
+            .filter_map(|line| Some((number(&line, 0)?, number(&line, at)?)))
+            .collect())
+    };
+    let line = |name: &str, points| PlotLine {
+        name: name.into(),
+        points,
+    };
+    let plot = Plot {
+        title: "PSNR while it learns",
+        x: "steps",
+        y: "dB",
+        log: false,
+        lines: vec![
+            line(
+                "pictures it learns from, whole views",
+                points("log.csv", "psnr_db")?,
+            ),
+            line(
+                "watched pictures, the person alone",
+                points(LOG, "psnr_db")?,
+            ),
+        ],
+    };
+    let file = folder.join(CHART);
+    match plot::svg(&plot) {
+        Ok(text) => replace(&file, text.as_bytes()),
+        Err(error) => Err(FileError::Write {
+            file,
+            cause: io::Error::other(error),
+        }),
+    }
+}
