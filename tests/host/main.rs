@@ -6,6 +6,7 @@
 mod common;
 mod architecture;
 mod bake;
+mod capture;
 mod drift;
 #[cfg(feature = "window")]
 mod dropped;
@@ -52,6 +53,8 @@ fn main() -> ExitCode {
         modules![
             architecture,
             bake,
+            capture,
+            capture::hostile,
             drift,
             #[cfg(feature = "window")]
             dropped,

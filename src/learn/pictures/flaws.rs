@@ -1,6 +1,7 @@
 //! What captures have and renderings don't: sensors, lenses, mattes, trackers and calibrations that
 //! are a little off. Amounts of 0 change nothing.
 
+use crate::math::noise::noise as smooth_noise;
 use crate::pictures::image::LinearImage;
 use effigy_capture::CaptureCamera;
 use effigy_core::{avatar::Pose, random::Random};
@@ -69,7 +70,7 @@ impl Flaws {
         }
     }
 
-    /// A camera as a calibration finds it. `distance`: of the person, metres.
+    /// A camera as a calibration finds it. `index`: its own.
     pub fn calibrated(&self, camera: &CaptureCamera, index: usize, seed: u64) -> CaptureCamera {
         let mut found = camera.clone();
         if self.calibration == 0.0 {
@@ -146,8 +147,8 @@ fn wave(image: &mut LinearImage, by: f64, stream: u64) {
     let mut random = Random::new(stream, 0x3A5);
     let offset = DVec3::new(random.range(0.0, 1e3), random.range(0.0, 1e3), 0.0);
     let noise = |place: DVec3| {
-        // Noise is about within ±0.5.
-        (2.0 * by * crate::math::noise::noise(77, place)).clamp(-by, by)
+        // Noise is mostly within ±0.5.
+        (2.0 * by * smooth_noise(77, place)).clamp(-by, by)
     };
     for y in 0..height {
         for x in 0..width {

@@ -70,17 +70,23 @@ fn one(
     camera.view.matrix3 = far.view.matrix3;
     camera.focal *= 1.0 + spread(FOCAL_SPREAD);
     camera.center += size * DVec2::new(spread(CENTER_SPREAD), spread(CENTER_SPREAD));
-    // A point at x to the side and z behind the target is inside where x ≤ slope (distance + z).
+    // A point at x to the side of the target and z behind it is inside where it is at most
+    // slope (distance + z) from the axis. A step aside by `shift` makes both sides fit as well.
     let low = (camera.center - MARGIN * size) / camera.focal;
     let high = (size - camera.center - MARGIN * size) / camera.focal;
+    let mut beyond = [DVec2::NEG_INFINITY; 2];
     let mut distance = camera.near;
     for point in points {
         let seen = camera.view.matrix3 * (*point - target);
         let side = seen.truncate();
-        let needed = (side / high).max(-side / low).max_element() - seen.z;
-        distance = distance.max(needed).max(2.0 * camera.near - seen.z);
+        beyond[0] = beyond[0].max(-side / low - seen.z);
+        beyond[1] = beyond[1].max(side / high - seen.z);
+        distance = distance.max(2.0 * camera.near - seen.z);
     }
+    let shift = (beyond[1] - beyond[0]) / (1.0 / high + 1.0 / low);
+    distance = distance.max((beyond[1] - shift / high).max_element());
     camera.view.translation = camera.view.matrix3 * -target + distance * DVec3::Z;
+    camera.view.translation -= shift.extend(0.0);
     camera
 }
 
@@ -114,10 +120,10 @@ mod tests {
                 let low = places.iter().fold(DVec2::ONE, |low, p| low.min(*p));
                 let high = places.iter().fold(DVec2::ZERO, |high, p| high.max(*p));
                 assert!(low.min_element() > 0.055 && high.max_element() < 0.945);
-                // One side is touched.
-                let nearest = low.min(1.0 - high).min_element();
-                assert!((nearest - MARGIN).abs() < 1e-6, "{nearest}");
-                assert!(camera.eye().y > 0.2, "{}", camera.eye());
+                // Two opposite sides are touched.
+                let touched = low.max(1.0 - high).min_element();
+                assert!((touched - MARGIN).abs() < 1e-6, "{touched}");
+                assert!(camera.eye().y > 0.1, "{}", camera.eye());
             }
         }
     }

@@ -1,8 +1,9 @@
 //! The posed mesh as cameras see it: rays through every pixel.
 
+use crate::bake::Clothed;
+use crate::bake::body::blend;
 use crate::bake::outfit::Outfit;
 use crate::bake::surface::{Sheet, Site};
-use crate::bake::{Clothed, outfit};
 use crate::ground_truth::light::irradiance;
 use crate::ground_truth::mesh::Mesh;
 use crate::ground_truth::settled::{PosedMesh, SettledBody, turned_normal};
@@ -140,7 +141,7 @@ impl Studio {
             .iter()
             .step_by(EVERY)
             .map(|&v| {
-                let matrix = crate::bake::body::blend(&joints, &mesh.weights[v as usize]);
+                let matrix = blend(&joints, &mesh.weights[v as usize]);
                 matrix.transform_point3(mesh.rest[v as usize])
             })
             .collect()
@@ -302,7 +303,7 @@ impl Scene<'_> {
 
     /// The light that leaves the surface against a ray's direction, linear RGB.
     fn shade(&self, hit: &Hit, along: DVec3, footprint: f64) -> DVec3 {
-        let outfit: &outfit::Outfit = &self.studio.outfit;
+        let outfit = &self.studio.outfit;
         let mut site = self.site(hit, footprint);
         let rest = match site.material.light_normal() {
             Some(normal) => normal,

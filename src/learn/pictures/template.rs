@@ -2,7 +2,7 @@
 
 use crate::bake::body::{Body, EXPRESSIONS};
 use crate::bake::joints::is_head;
-use crate::bake::source::rig::BODY;
+use crate::bake::source::rig::{self, BODY};
 use crate::bake::surface::{Material, Sheet};
 use effigy_capture::{Influence, Template};
 
@@ -34,7 +34,7 @@ pub fn template(body: &Body) -> Template {
         }
         for vertex in &sheet.vertices {
             template.vertices.push(vertex.position);
-            let influence = |own: &crate::bake::source::rig::Influence| Influence {
+            let influence = |own: &rig::Influence| Influence {
                 joint: own.joint,
                 weight: own.weight as f32,
             };
