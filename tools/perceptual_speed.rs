@@ -4,7 +4,8 @@
 //! machine that others use.
 //!
 //! ```sh
-//! cargo run --release -p effigy-perceptual --example perceptual-speed -- [alex|vgg|dssim] [ROUNDS [SIDE...]]
+//! cargo run --release -p effigy-perceptual --example perceptual-speed -- \
+//!     [alex|vgg|dssim] [ROUNDS [SIDE...]]
 //! ```
 
 use effigy_perceptual::{Network, Perceptual, Planes, dssim_and_gradient};

@@ -1,5 +1,5 @@
-//! `effigy evaluate`: compares images of a learned avatar with those of its dataset or of a capture,
-//! as a table.
+//! `effigy evaluate`: compares images of a learned avatar with those of its dataset or of a
+//! capture, as a table.
 
 use crate::{
     evaluate_capture::{self, CaptureArgs, Job},
@@ -39,8 +39,8 @@ pub struct Args {
     /// Of a dataset: width and height of the image, pixels
     #[arg(long, value_name = "WxH", default_value = "384x512", value_parser = options::size)]
     size: [u32; 2],
-    /// Of a dataset: angles around the avatar, degrees, separated by commas, one camera each; pruning looks from
-    /// other sides than these defaults
+    /// Of a dataset: angles around the avatar, degrees, separated by commas, one camera each;
+    /// pruning looks from other sides than these defaults
     #[arg(
         long,
         value_name = "DEGREES",
@@ -49,11 +49,11 @@ pub struct Args {
         allow_negative_numbers = true
     )]
     yaw: Vec<f64>,
-    /// Frames to draw of each clip or capture, 1 to 100000, both of those held out and of the others
+    /// Frames to draw of each clip or capture, 1 to 100000, of those held out and of the others
     #[arg(long, value_name = "N", default_value = "12", value_parser = count(1, 100_000))]
     frames: usize,
     /// Also write an image of each drawn frame to this folder, side by side: of a dataset without
-    /// correctives, with them, and the ground truth; of a capture the truth, the avatar and the error
+    /// correctives, with them, and the ground truth; of a capture truth, avatar and error
     #[arg(long, value_name = "DIR")]
     images: Option<PathBuf>,
     /// Also write the result as JSON

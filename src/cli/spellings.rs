@@ -103,7 +103,7 @@ fn for_each_command(command: &mut Command, visit: &mut dyn FnMut(&mut Command)) 
 }
 
 /// Options whose meaning depends on the command.
-const OWN_MEANING: [&str; 16] = [
+const OWN_MEANING: [&str; 17] = [
     "background",
     "cameras",
     "case",
@@ -116,6 +116,7 @@ const OWN_MEANING: [&str; 16] = [
     "motion",
     "out",
     "parts",
+    "pictures",
     "rows",
     "size",
     "sort",

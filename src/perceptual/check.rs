@@ -11,8 +11,8 @@ use crate::{
 
 /// Width and height of the built-in pictures, px.
 const SIZE: [usize; 2] = [32, 32];
-/// How far the distance may be off, of itself, and the derivative, of what it usually is: f32 puts a
-/// few numbers on the other side of 0, or makes another pixel the greatest.
+/// How far the distance may be off, of itself, and the derivative, of what it usually is: f32 puts
+/// a few numbers on the other side of 0, or makes another pixel the greatest.
 const VALUE_TOLERANCE: f64 = 1e-4;
 const SLOPE_TOLERANCE: f64 = 5e-3;
 

@@ -69,9 +69,9 @@ fn color_of(picture: &Picture, at: usize) -> [f32; 3] {
     picture.color[at].map(|c| f32::from(c) / 255.0)
 }
 
-/// What lies behind the person at each pixel: the picture itself away from the mask, and the nearest
-/// pixel of that kind elsewhere, in steps along rows and columns. At the mask's edge pixels show
-/// something of the person: the avatar over them would be there twice. Mid grey where the mask
+/// What lies behind the person at each pixel: the picture itself away from the mask, and the
+/// nearest pixel of that kind elsewhere, in steps along rows and columns. At the mask's edge pixels
+/// show something of the person: the avatar over them would be there twice. Mid grey where the mask
 /// leaves nothing.
 fn background(picture: &Picture) -> Vec<[f32; 3]> {
     let [width, height] = picture.size.map(|side| side as usize);
