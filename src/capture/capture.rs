@@ -92,7 +92,7 @@ impl Capture {
         let text = read_bytes(&calibration_file, limits::TEXT)?;
         let calibration = Calibration::parse(&calibration_file, &text)?;
         let split = Split::read(folder)?;
-        split.check(
+        split.expect_names(
             folder,
             calibration.cameras.iter().map(|camera| &camera.name[..]),
         )?;

@@ -1,12 +1,15 @@
 //! Pictures and masks: decoding, taking out the lens's distortion, writing.
 
-use crate::{calibration::CaptureCamera, lens, limits};
+use crate::{calibration::CaptureCamera, error::read_bytes, lens, limits};
 use effigy_core::io::file::FormatError;
 use image::{
     DynamicImage, ExtendedColorType, ImageEncoder, ImageReader,
     codecs::png::{CompressionType, FilterType, PngEncoder},
 };
-use std::{fs::File, io, io::BufReader, path::Path};
+use std::{
+    io::{self, Cursor},
+    path::Path,
+};
 
 /// Above this a mask's pixel is the person.
 pub const MASK_THRESHOLD: u8 = 128;
@@ -31,8 +34,11 @@ pub struct Pixels<const C: usize> {
 
 fn decode(path: &Path) -> Result<DynamicImage, FormatError> {
     let fault = |found: String| FormatError::container(found, "a whole PNG or JPEG");
-    let file = File::open(path).map_err(|error| fault(error.to_string()))?;
-    let mut reader = ImageReader::new(BufReader::new(file))
+    let bytes = read_bytes(path, limits::IMAGE).map_err(|error| fault(error.to_string()))?;
+    if is_cut(&bytes) {
+        return Err(fault("a JPEG without its end".into()));
+    }
+    let mut reader = ImageReader::new(Cursor::new(&bytes))
         .with_guessed_format()
         .map_err(|error| fault(error.to_string()))?;
     let mut most = image::Limits::default();
@@ -41,6 +47,14 @@ fn decode(path: &Path) -> Result<DynamicImage, FormatError> {
     most.max_alloc = Some(16 * limits::PIXELS);
     reader.limits(most);
     reader.decode().map_err(|error| fault(error.to_string()))
+}
+
+/// Whether a JPEG ends before it says so; its decoder would fill in grey.
+fn is_cut(bytes: &[u8]) -> bool {
+    let last = |marker: u8| bytes.windows(2).rposition(|pair| pair == [0xFF, marker]);
+    // Neither mark is found in compressed numbers.
+    let [begins, ends] = [last(0xDA), last(0xD9)];
+    bytes.starts_with(&[0xFF, 0xD8]) && (begins.is_none() || ends < begins)
 }
 
 /// Decodes a picture's colours. Alpha is ignored.

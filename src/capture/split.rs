@@ -38,7 +38,7 @@ impl Split {
     }
 
     /// Fails where it names a camera that the calibration lacks.
-    pub fn check<'a>(
+    pub fn expect_names<'a>(
         &self,
         folder: &Path,
         names: impl Iterator<Item = &'a str> + Clone,

@@ -1,6 +1,6 @@
 //! AvatarReX: a folder a camera, with the masks inside.
 
-use super::{Layout, digits};
+use super::layout::{Layout, digits};
 
 pub const LAYOUT: Layout = Layout {
     name: "AvatarReX",

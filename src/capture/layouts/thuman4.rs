@@ -1,6 +1,6 @@
 //! THuman4.0, which is also what others' tools write of own captures.
 
-use super::{Layout, digits};
+use super::layout::{Layout, digits};
 
 pub const LAYOUT: Layout = Layout {
     name: "THuman4",
