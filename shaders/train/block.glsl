@@ -8,7 +8,8 @@ layout(std140, set = 0, binding = 0) uniform ViewBlock {
     vec4 slopes;
     // RGB behind the avatar; the near plane, metres.
     vec4 background;
-    // Variance of the low-pass, px²; 1 where opacities are compensated; the guard band, px.
+    // Variance of the low-pass, px²; 1 where opacities are compensated; the guard band, px; the
+    // slope of hidden layers below 0.
     vec4 low_pass;
     // Weight of |difference| of one channel of a pixel; weight of a scale, and from which scale on,
     // metres; of what other losses ask.
@@ -33,7 +34,7 @@ layout(std140, set = 0, binding = 0) uniform ViewBlock {
     // Activations of a part, numbers that enter a network, where the expression begins in them,
     // joints.
     uvec4 sizes;
-    // Layers, 1 for leaky ReLU, where the scales' and the colours' bases begin, numbers.
+    // Layers, none, where the scales' and the colours' bases begin, numbers.
     uvec4 network;
     // Rates of Adam: rotation, log scale, opacity, colour.
     vec4 rates_gaussian;

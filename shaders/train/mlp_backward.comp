@@ -37,8 +37,7 @@ void main() {
                     sum += of_outputs[neuron] * networks[weights + i * neurons + neuron];
                 }
                 // The activation's result has the sign of what entered it.
-                float negative = block.network.y != 0u ? LEAKY_SLOPE : 0.0;
-                found[r] = sum * (activations[before + i] > 0.0 ? 1.0 : negative);
+                found[r] = sum * (activations[before + i] > 0.0 ? 1.0 : block.low_pass.w);
                 of_sums[before + i] = found[r];
             }
         }

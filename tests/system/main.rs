@@ -9,6 +9,7 @@ mod pack;
 mod soak;
 mod splats;
 mod trace;
+mod train;
 #[cfg(all(feature = "window", target_os = "linux"))]
 mod window;
 
@@ -26,6 +27,7 @@ fn main() -> ExitCode {
             soak,
             splats,
             trace,
+            train,
             #[cfg(all(feature = "window", target_os = "linux"))]
             window,
         ],

@@ -9,7 +9,7 @@ use super::{
 use crate::{
     avatar::limits,
     constants::{
-        ALPHA_MAX, F16_MAX, FEATURE_MAX, LEAKY_SLOPE, LOG_SCALE_MAX, LONGEST_MARGIN, ROTATION_MIN,
+        ALPHA_MAX, F16_MAX, FEATURE_MAX, LOG_SCALE_MAX, LONGEST_MARGIN, ROTATION_MIN,
         VARIANCE_MAX,
     },
 };
@@ -103,7 +103,6 @@ pub const MACROS: &[(&str, MacroValue)] = &[
     ("TRAIN_RECORD", Uint(TRAIN_RECORD)),
     ("TRAIN_BLOCK", Uint(TRAIN_BLOCK)),
     ("TRAIN_FULL", Float(TRAIN_FULL)),
-    ("LEAKY_SLOPE", Float(LEAKY_SLOPE)),
 ];
 
 #[cfg(test)]

@@ -7,6 +7,7 @@ use crate::topology::Topology;
 use crate::view::View;
 use bytemuck::{Pod, Zeroable};
 use effigy_core::avatar::Activation;
+use effigy_core::constants::LEAKY_SLOPE;
 use glam::DVec3;
 
 /// The mirror of `ViewBlock` in `shaders/train/block.glsl`, which says what each member is.
@@ -146,7 +147,10 @@ impl ViewBlock {
                 topology.filter.variance,
                 f64::from(u8::from(topology.filter.compensated)),
                 camera.guard(),
-                0.0,
+                match topology.activation {
+                    Activation::Relu => 0.0,
+                    Activation::LeakyRelu => LEAKY_SLOPE,
+                },
             ]),
             loss_weights: floats([
                 weights.l1 / (channels * views),
@@ -186,7 +190,7 @@ impl ViewBlock {
             ],
             network: [
                 topology.layers() as u32,
-                u32::from(topology.activation == Activation::LeakyRelu),
+                0,
                 layout.bases[1] as u32,
                 layout.bases[2] as u32,
             ],

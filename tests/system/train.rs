@@ -1,0 +1,169 @@
+//! `effigy train` as its users run it: begun, stopped, gone on with, refused.
+
+use crate::common::{self, gpu};
+use effigy_core::avatar::Avatar;
+use std::{
+    fs,
+    path::Path,
+    process::{Child, Command, Output, Stdio},
+    time::{Duration, Instant},
+};
+
+/// A recipe that takes seconds, with every loss in it.
+const TINY: &str = "--set sizes.gaussians=400 --set sizes.parts=4 --set sizes.nodes=40 --set sizes.hidden=16 \
+                    --set schedule.iterations=150 --set schedule.fine_tune=50 --set perceptual.kind=dssim \
+                    --set perceptual.every=8 --set perceptual.window=32";
+
+fn capture() -> String {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/data/capture");
+    folder.canonicalize().unwrap().display().to_string()
+}
+
+fn train(folder: &Path, arguments: &str) -> Command {
+    let mut command = Command::new(common::program());
+    command
+        .arg("train")
+        .arg(capture())
+        .args(arguments.split_whitespace())
+        .current_dir(folder);
+    command
+}
+
+fn errors(output: &Output) -> String {
+    String::from_utf8_lossy(&output.stderr).into_owned()
+}
+
+fn ends(mut command: Command) -> Output {
+    let output = command.output().unwrap();
+    assert!(
+        !errors(&output).contains("validation:"),
+        "{}",
+        errors(&output)
+    );
+    output
+}
+
+/// Waits until a training has logged its first step.
+fn wait_for_a_step(training: &Path, child: &mut Child) {
+    let start = Instant::now();
+    while !training.join("log.csv").exists() {
+        assert!(child.try_wait().unwrap().is_none(), "it ended too early");
+        assert!(start.elapsed() < Duration::from_secs(200), "no step");
+        std::thread::sleep(Duration::from_millis(20));
+    }
+}
+
+fn a_stopped_training_goes_on_to_the_same_bits() {
+    gpu::gpu();
+    let folder = tempfile::tempdir().unwrap();
+    let here = folder.path();
+    let whole = ends(train(here, &format!("--out whole.avatar {TINY}")));
+    assert!(whole.status.success(), "{}", errors(&whole));
+    let avatar = Avatar::read(&here.join("whole.avatar")).unwrap();
+    assert_eq!(avatar.gaussians.len(), 400);
+    assert_eq!(
+        avatar.rotation_rows.gaussian.len(),
+        100,
+        "a quarter keeps rows"
+    );
+    assert!(avatar.filter.compensated && avatar.inputs.pose_space.is_some());
+    for file in ["recipe.toml", "training.svg", "watched.csv", "log.csv"] {
+        assert!(here.join("whole.training").join(file).exists(), "{file}");
+    }
+    assert!(!here.join("whole.training/lock.json").exists());
+
+    let arguments = format!("--out parts.avatar {TINY}");
+    let mut child = train(here, &arguments)
+        .stdout(Stdio::null())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let training = here.join("parts.training");
+    wait_for_a_step(&training, &mut child);
+    // Meanwhile the folder is taken.
+    let second = ends(train(here, &arguments));
+    assert!(
+        !second.status.success() && errors(&second).contains("is training there"),
+        "{}",
+        errors(&second)
+    );
+    let killed = Command::new("kill")
+        .arg(child.id().to_string())
+        .status()
+        .unwrap();
+    assert!(killed.success());
+    let stopped = child.wait_with_output().unwrap();
+    assert_eq!(stopped.status.code(), Some(75), "{}", errors(&stopped));
+    assert!(
+        errors(&stopped).contains("--resume"),
+        "{}",
+        errors(&stopped)
+    );
+    assert!(!here.join("parts.avatar").exists());
+    let again = ends(train(here, &arguments));
+    assert!(
+        errors(&again).contains("found a training after"),
+        "{}",
+        errors(&again)
+    );
+    let other = ends(train(here, &format!("{arguments} --resume --set seed=2")));
+    assert!(
+        errors(&other).contains("another recipe"),
+        "{}",
+        errors(&other)
+    );
+    let resumed = ends(train(here, &format!("{arguments} --resume")));
+    assert!(resumed.status.success(), "{}", errors(&resumed));
+    // But for the name, which is the file's.
+    let mut parts = Avatar::read(&here.join("parts.avatar")).unwrap();
+    parts.name.clone_from(&avatar.name);
+    assert!(parts == avatar, "it is another avatar");
+}
+
+fn recipes_that_are_none_are_refused_before_anything_else() {
+    let folder = tempfile::tempdir().unwrap();
+    let here = folder.path();
+    for (arguments, expected) in [
+        (
+            "--out a.avatar --set sizes.gaussian=5",
+            "--set sizes.gaussian=5",
+        ),
+        (
+            "--out a.avatar --set schedule.batch=0",
+            "schedule.batch is 0, expected 1 to 64",
+        ),
+        ("--out a.avatar --set rates.color=nan", "rates.color is NaN"),
+        ("--out a.avatar --config r.toml", "missing field"),
+    ] {
+        fs::write(here.join("r.toml"), "seed = 1\n").unwrap();
+        let output = ends(train(here, arguments));
+        assert_eq!(output.status.code(), Some(2), "{}", errors(&output));
+        assert!(errors(&output).contains(expected), "{}", errors(&output));
+        assert!(!here.join("a.training").exists());
+    }
+    let shown = ends({
+        let mut command = Command::new(common::program());
+        command
+            .args(["train", "--show-preset", "paper"])
+            .current_dir(here);
+        command
+    });
+    assert!(String::from_utf8_lossy(&shown.stdout).contains("gaussians = 200000"));
+}
+
+fn captures_that_are_none_are_named() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut command = Command::new(common::program());
+    command
+        .args(["train", "nowhere", "--out", "a.avatar"])
+        .current_dir(folder.path());
+    let output = ends(command);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(errors(&output).contains("nowhere"), "{}", errors(&output));
+}
+
+tests! {
+    a_stopped_training_goes_on_to_the_same_bits,
+    recipes_that_are_none_are_refused_before_anything_else,
+    captures_that_are_none_are_named,
+}
