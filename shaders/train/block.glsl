@@ -8,6 +8,8 @@ layout(std140, set = 0, binding = 0) uniform ViewBlock {
     vec4 slopes;
     // RGB behind the avatar; the near plane, metres.
     vec4 background;
+    // What the camera multiplies the avatar's light by: exposure and white balance.
+    vec4 gain;
     // Variance of the low-pass, px²; 1 where opacities are compensated; the guard band, px; the
     // slope of hidden layers below 0.
     vec4 low_pass;

@@ -1,6 +1,7 @@
 //! Where a training stands, on disk: written beside the last one and put in its place at once, so
 //! that a kill at any moment spoils nothing.
 
+use crate::exposure::Exposure;
 use crate::gpu::TrainerState;
 use crate::parameters::Parameters;
 use crate::topology::Rows;
@@ -30,6 +31,8 @@ pub struct Checkpoint {
     pub pruned: bool,
     /// Views that were looked at: where the data is.
     pub place: u64,
+    /// Exposure and white balance of the cameras.
+    pub exposure: Exposure,
     /// Seconds that the training has taken.
     pub seconds: f64,
     /// The recipe's text.
@@ -45,6 +48,7 @@ struct Meta {
     corrective_steps: u64,
     pruned: bool,
     place: u64,
+    exposure: Exposure,
     seconds: f64,
     recipe: String,
     /// Of all tensors' bytes.
@@ -107,6 +111,7 @@ impl Checkpoint {
             corrective_steps: self.state.corrective_steps,
             pruned: self.pruned,
             place: self.place,
+            exposure: self.exposure.clone(),
             seconds: self.seconds,
             recipe: self.recipe.clone(),
             checksum: checksum(
@@ -232,6 +237,7 @@ impl Checkpoint {
             },
             pruned: meta.pruned,
             place: meta.place,
+            exposure: meta.exposure,
             seconds: meta.seconds,
             recipe: meta.recipe,
         })
@@ -283,6 +289,7 @@ mod tests {
             },
             pruned: true,
             place: 77,
+            exposure: Exposure::new(2),
             seconds: 1.25,
             recipe: "seed = 1".into(),
         }

@@ -167,19 +167,24 @@ impl Views {
         self.shots.is_empty()
     }
 
-    /// The view that comes at a place of the training: every picture once before any comes again,
-    /// cut out at random, before a random background.
+    /// The number of the picture that comes at a place of the training: every one once before any
+    /// comes again.
+    pub fn shot_at(&self, place: u64) -> usize {
+        let count = self.shots.len() as u64;
+        let round = place / count;
+        shuffled(place % count, count, hash(self.seed ^ hash(round))) as usize
+    }
+
+    /// The view that comes at a place of the training, cut out at random, before a random
+    /// background.
     ///
     /// # Errors
     /// When its picture can't be read any more.
     pub fn at(&self, place: u64) -> Result<View, CaptureError> {
-        let count = self.shots.len() as u64;
-        let round = place / count;
-        let shot = shuffled(place % count, count, hash(self.seed ^ hash(round)));
         let mut random = Random::new(self.seed, place);
         let background = DVec3::new(random.uniform(), random.uniform(), random.uniform());
         let share = DVec2::new(random.uniform(), random.uniform());
-        self.view(shot as usize, background, share)
+        self.view(self.shot_at(place), background, share)
     }
 
     /// A picture before a background of one's choice, cut out around its middle.
@@ -217,6 +222,7 @@ impl Views {
             input: frame.input.clone(),
             camera: self.capture.cameras[shot.camera].camera.cropped(rect),
             background,
+            gain: DVec3::ONE,
             whole: u64::from(whole.x) * u64::from(whole.y),
             picture: Arc::new(Picture {
                 size: self.size,

@@ -19,6 +19,7 @@ pub mod adam;
 pub mod asked;
 pub mod checkpoint;
 pub mod data;
+pub mod exposure;
 pub mod gpu;
 pub mod lock;
 pub mod loss;

@@ -100,6 +100,8 @@ pub struct RateOptions {
     pub scale_basis: f64,
     /// Of basis rows of colour.
     pub color_basis: f64,
+    /// Of the logarithms of the cameras' gains; 0: all are 1.
+    pub exposure: f64,
     /// What is left of the nodes' offsets' rate at the end.
     pub node_offset_end: f64,
     /// What is left of the others at the end, but for those of basis rows.
@@ -270,6 +272,7 @@ impl Recipe {
             ("rates.rotation_basis", rates.rotation_basis),
             ("rates.scale_basis", rates.scale_basis),
             ("rates.color_basis", rates.color_basis),
+            ("rates.exposure", rates.exposure),
             ("rates.node_offset_end", rates.node_offset_end),
             ("rates.end", rates.end),
             ("rates.basis_end", rates.basis_end),

@@ -4,6 +4,7 @@ use crate::adam::Rates;
 use crate::asked::AskedLoss;
 use crate::checkpoint::Checkpoint;
 use crate::data::{Shot, Views, training_shots};
+use crate::exposure::Exposure;
 use crate::gpu::{StepOptions, StepReport, Trainer, TrainerState};
 use crate::lock::{Lock, LockError};
 use crate::parameters::{Layout, Parameters};
@@ -165,6 +166,7 @@ pub struct Session {
     views: Arc<Views>,
     watched: Watched,
     asked: Option<AskedLoss>,
+    exposure: Exposure,
     pruned: bool,
     place: u64,
     /// Seconds before this session.
@@ -280,17 +282,22 @@ impl Session {
                     rows,
                     pruned: false,
                     place: 0,
+                    exposure: Exposure::new(capture.cameras.len()),
                     seconds: 0.0,
                     recipe: recipe.text(),
                 }
             }
         };
         let expected = Layout::new(&topology, &stands.rows).lengths();
-        if stands.state.parameters.arrays().map(<[f32]>::len) != expected {
+        let numbers = stands.state.parameters.arrays().map(<[f32]>::len);
+        if numbers != expected || stands.exposure.cameras() != capture.cameras.len() {
             return Err(TrainError::OtherCapture {
                 folder: folder.display().to_string(),
                 found: format!("{} Gaussians", start.gaussians.len()),
-                expected: "those of its checkpoint".into(),
+                expected: format!(
+                    "its checkpoint's numbers and {} cameras",
+                    stands.exposure.cameras()
+                ),
             });
         }
         let batch = recipe.schedule.batch;
@@ -314,6 +321,7 @@ impl Session {
             views,
             watched,
             asked,
+            exposure: stands.exposure,
             pruned: stands.pruned,
             place: stands.place,
             seconds: stands.seconds,
@@ -398,7 +406,7 @@ impl Session {
                 self.prune()?;
             }
             let Ok(views) = coming.recv() else { break };
-            self.step(&views?, share, &mut sums)?;
+            self.step(views?, share, &mut sums)?;
             if self.steps().is_multiple_of(self.options.log_every) || self.steps() == 1 {
                 let progress = sums.take(self);
                 self.log(&progress)?;
@@ -453,8 +461,21 @@ impl Session {
     }
 
     /// One step.
-    fn step(&mut self, views: &[View], share: f64, sums: &mut Sums) -> Result<(), TrainError> {
+    fn step(
+        &mut self,
+        mut views: Vec<View>,
+        share: f64,
+        sums: &mut Sums,
+    ) -> Result<(), TrainError> {
         let recipe = &self.recipe;
+        let cameras: Vec<usize> = (self.place..)
+            .take(views.len())
+            .map(|place| self.views.shots()[self.views.shot_at(place)].camera)
+            .collect();
+        for (view, &camera) in views.iter_mut().zip(&cameras) {
+            view.gain = self.exposure.gain(camera);
+        }
+        let views = &views[..];
         // Of the steps before pruning.
         let before = share / self.pruning_share().max(1e-9);
         let options = StepOptions {
@@ -492,6 +513,14 @@ impl Session {
                 step,
                 loss: found.l1,
             });
+        }
+        let rate = recipe.rates.exposure * recipe.rates.end.powf(share);
+        if rate > 0.0 {
+            for (number, &camera) in cameras.iter().enumerate() {
+                let gradient = self.trainer.gain_gradient(number);
+                self.exposure.learn(camera, gradient, rate, &options.adam);
+            }
+            self.exposure.center();
         }
         sums.add(&found);
         self.place += views.len() as u64;
@@ -566,6 +595,7 @@ impl Session {
             rows: self.rows.clone(),
             pruned: self.pruned,
             place: self.place,
+            exposure: self.exposure.clone(),
             seconds: self.elapsed(),
             recipe: self.recipe.text(),
         };

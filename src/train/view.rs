@@ -46,6 +46,9 @@ pub struct View {
     pub camera: Camera,
     /// RGB behind the avatar, 0 to 1.
     pub background: DVec3,
+    /// What the camera multiplies the avatar's light by, RGB: its exposure and white balance. 1
+    /// where nothing is known of it.
+    pub gain: DVec3,
     /// Pixels of the whole picture that this is a part of: losses are means over those, so that
     /// cutting away what is empty does not change their balance.
     pub whole: u64,

@@ -78,6 +78,7 @@ impl Scene {
                     input: posed.input,
                     camera: Camera::orbit(middle, yaw, 0.1, 3.5, 0.61, setting.size),
                     background: DVec3::new(0.2, 0.7, 0.4),
+                    gain: DVec3::new(1.1, 0.85, 0.95),
                     whole: u64::from(pixels),
                     picture: Arc::new(Picture {
                         size: setting.size,
@@ -291,6 +292,15 @@ fn every_gradient_is_the_references() {
             report.l1
         );
         assert_eq!(report.empty_views, 0);
+        for (number, view) in scene.views.iter().enumerate() {
+            let canvas = problem.forward(&doubles, view).canvas;
+            let expected = problem.gain_gradient(&canvas, view) / scene.views.len() as f64;
+            let found = DVec3::from(trainer.gain_gradient(number));
+            assert!(
+                found.distance(expected) < 1e-4 * expected.length(),
+                "of the gain: {found}, expected {expected}"
+            );
+        }
     }
 }
 
@@ -348,7 +358,11 @@ fn equal_steps_give_equal_bits() {
 }
 
 fn another_loss_is_asked_once_a_view() {
-    let scene = Scene::new(5, SETTING);
+    let mut scene = Scene::new(5, SETTING);
+    for view in &mut scene.views {
+        // No pixel is lighter than an image holds.
+        view.gain = DVec3::new(0.9, 0.8, 1.0);
+    }
     let options = StepOptions {
         weights: LossWeights {
             l1: 0.0,
@@ -381,7 +395,7 @@ fn another_loss_is_asked_once_a_view() {
             .canvas
             .pixels
             .iter()
-            .map(|_| of.extend(-of.dot(view.background)).to_array())
+            .map(|_| (view.gain * of).extend(-of.dot(view.background)).to_array())
             .collect();
         problem.backward(&doubles, view, &forward, &of_canvas, &mut expected);
     }
@@ -403,6 +417,7 @@ fn it_learns_what_another_avatar_looks_like() {
                 [byte(r), byte(g), byte(b), 255]
             });
             View {
+                gain: DVec3::ONE,
                 background: DVec3::splat(0.5),
                 picture: Arc::new(Picture {
                     size: SETTING.size,

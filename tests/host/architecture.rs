@@ -215,6 +215,7 @@ const LAYERS: &[Layers] = &[
             "parameters",
             "view",
             "data",
+            "exposure",
             "gpu",
             "lock",
             "prune",

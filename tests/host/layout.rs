@@ -246,7 +246,7 @@ fn the_block_of_a_trained_view_is_the_same_on_both_sides() {
         offset_of!(ViewBlock, network),
         offset_of!(ViewBlock, adam_correction),
     ];
-    assert_eq!(named, [48, 112, 144, 272, 288, 368]);
+    assert_eq!(named, [48, 128, 160, 288, 304, 384]);
 }
 
 fn the_control_block_is_the_same_on_both_sides() {

@@ -9,8 +9,7 @@ use super::{
 use crate::{
     avatar::limits,
     constants::{
-        ALPHA_MAX, F16_MAX, FEATURE_MAX, LOG_SCALE_MAX, LONGEST_MARGIN, ROTATION_MIN,
-        VARIANCE_MAX,
+        ALPHA_MAX, F16_MAX, FEATURE_MAX, LOG_SCALE_MAX, LONGEST_MARGIN, ROTATION_MIN, VARIANCE_MAX,
     },
 };
 
@@ -102,6 +101,7 @@ pub const MACROS: &[(&str, MacroValue)] = &[
     ("TRAIN_NO_ROW", Uint(TRAIN_NO_ROW)),
     ("TRAIN_RECORD", Uint(TRAIN_RECORD)),
     ("TRAIN_BLOCK", Uint(TRAIN_BLOCK)),
+    ("TRAIN_LOSS_SUMS", Uint(TRAIN_LOSS_SUMS)),
     ("TRAIN_FULL", Float(TRAIN_FULL)),
 ];
 

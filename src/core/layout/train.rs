@@ -16,6 +16,8 @@ pub const TRAIN_WIDTH_MAX: u32 = 128;
 pub const TRAIN_NO_ROW: u32 = u32::MAX;
 /// Numbers of the derivative of a splat: colour (3), opacity, centre (2), Σ⁻¹ (3).
 pub const TRAIN_RECORD: u32 = 9;
+/// Sums of a workgroup of pixels: |difference|, its square, derivative of the gain (3).
+pub const TRAIN_LOSS_SUMS: u32 = 5;
 /// Splats whose pairs with tiles are counted together.
 pub const TRAIN_BLOCK: u32 = 256;
 /// A pixel that lets less light through is full: nothing behind it is blended.

@@ -19,6 +19,7 @@ pub struct ViewBlock {
     pub lens: [f32; 4],
     pub slopes: [f32; 4],
     pub background: [f32; 4],
+    pub gain: [f32; 4],
     pub low_pass: [f32; 4],
     pub loss_weights: [f32; 4],
     pub corrective_weights: [f32; 4],
@@ -143,6 +144,7 @@ impl ViewBlock {
             ]),
             slopes: floats([low.x, low.y, high.x, high.y]),
             background: floats([x, y, z, camera.near]),
+            gain: floats([view.gain.x, view.gain.y, view.gain.z, 0.0]),
             low_pass: floats([
                 topology.filter.variance,
                 f64::from(u8::from(topology.filter.compensated)),

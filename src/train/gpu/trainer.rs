@@ -11,8 +11,11 @@ use crate::view::View;
 use bytemuck::{bytes_of, cast_slice};
 use effigy::vulkan::compute::{Buffer, Kernel, Recording, Scope};
 use effigy::vulkan::{Error, Gpu, Result};
-use effigy_core::layout::{TRAIN_BASES_WORKGROUP, TRAIN_BASIS, TRAIN_WIDTH_MAX, TRAIN_WORKGROUP};
+use effigy_core::layout::{
+    TRAIN_BASES_WORKGROUP, TRAIN_BASIS, TRAIN_LOSS_SUMS, TRAIN_WIDTH_MAX, TRAIN_WORKGROUP,
+};
 use glam::DAffine3;
+use std::ops::Range;
 use std::sync::Arc;
 
 /// Room for pairs at first, for each Gaussian. More is made where it does not do.
@@ -21,6 +24,9 @@ const PAIRS_A_GAUSSIAN: u32 = 4;
 const STORAGE_BUFFERS: u32 = 11;
 /// Layers that the kernels know.
 const LAYERS: usize = 4;
+
+/// Sums of a workgroup of pixels.
+const LOSS_SUMS: usize = TRAIN_LOSS_SUMS as usize;
 
 /// What a training learns, and where it stands: all that a checkpoint needs of it.
 #[derive(Clone, Debug, PartialEq)]
@@ -49,6 +55,9 @@ impl TrainerState {
         }
     }
 }
+
+/// |difference|, its square, and the derivative of the gain.
+type LossSums = [f32; LOSS_SUMS];
 
 /// What a step found.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -125,7 +134,11 @@ impl Trainer {
             displaced: words(gpu, "displaced nodes", 4 * layout.nodes * views)?,
             of_nodes: words(gpu, "nodes' derivatives", 4 * layout.nodes * views)?,
             of_gaussians: words(gpu, "Gaussians' derivatives", 16 * count * views)?,
-            loss_sums: read(gpu, "loss sums", 2 * groups(pixels) as usize * views)?,
+            loss_sums: read(
+                gpu,
+                "loss sums",
+                LOSS_SUMS * groups(pixels) as usize * views,
+            )?,
         };
         let fixed = Fixed::new(gpu, topology, rows)?;
         let parameters = Learned::new(gpu, "parameters", &layout, &state.parameters)?;
@@ -473,16 +486,30 @@ impl Trainer {
         self.corrective_steps += u64::from(options.correctives);
         let [pairs, empty_views, ..] = self.status();
         let pixels = self.pixels();
-        let count = groups(pixels) as usize * views.len();
-        let sums: &[[f32; 2]] = cast_slice(&self.of_views.loss_sums.mapped()[..8 * count]);
         let channels = 3.0 * (pixels * views.len()) as f64;
-        let mean = |at: usize| sums.iter().map(|sum| f64::from(sum[at])).sum::<f64>() / channels;
+        let mean = |sums: &[LossSums], at: usize| {
+            sums.iter().map(|sum| f64::from(sum[at])).sum::<f64>() / channels
+        };
+        let sums = self.loss_sums(0..views.len());
         Ok(StepReport {
-            l1: mean(0),
-            squared: mean(1),
+            l1: mean(sums, 0),
+            squared: mean(sums, 1),
             pairs,
             empty_views,
         })
+    }
+
+    /// The derivative of the last step's loss with respect to the gain of one of its views, RGB.
+    pub fn gain_gradient(&mut self, view: usize) -> [f64; 3] {
+        let sums = self.loss_sums(view..view + 1);
+        std::array::from_fn(|c| sums.iter().map(|sum| f64::from(sum[2 + c])).sum())
+    }
+
+    /// What the workgroups of some views of the last step found.
+    fn loss_sums(&mut self, views: Range<usize>) -> &[LossSums] {
+        let size = groups(self.pixels()) as usize * size_of::<LossSums>();
+        let range = views.start * size..views.end * size;
+        cast_slice(&self.of_views.loss_sums.mapped()[range])
     }
 
     /// The last image over a view's background.
@@ -491,10 +518,11 @@ impl Trainer {
         let bytes = self.per_view.image.download(16 * pixels)?;
         let drawn: Vec<[f32; 4]> = bytemuck::pod_collect_to_vec(&bytes);
         let behind = view.background.as_vec3().to_array();
+        let gain = view.gain.as_vec3().to_array();
         Ok(drawn
             .iter()
             .map(|&[r, g, b, light]| {
-                let over = |v: f32, c: usize| (v + light * behind[c]).clamp(0.0, 1.0);
+                let over = |v: f32, c: usize| (gain[c] * v + light * behind[c]).clamp(0.0, 1.0);
                 [over(r, 0), over(g, 1), over(b, 2)]
             })
             .collect())

@@ -392,9 +392,20 @@ impl Problem<'_> {
                         of[c] = weight * sign(difference[c]);
                     }
                 }
-                of.extend(-of.dot(view.background)).to_array()
+                let of_canvas = view.gain * of;
+                of_canvas.extend(-of.dot(view.background)).to_array()
             })
             .collect()
+    }
+
+    /// The derivative of the picture's loss with respect to the view's gain, RGB.
+    pub fn gain_gradient(&self, canvas: &Canvas, view: &View) -> DVec3 {
+        let of_canvas = self.picture_loss_backward(canvas, view);
+        let pairs = of_canvas.iter().zip(&canvas.pixels);
+        let sum: DVec3 = pairs
+            .map(|(of, pixel)| DVec3::from_slice(of) * DVec3::from_slice(pixel))
+            .sum();
+        sum / view.gain
     }
 
     /// Losses of scales and correctives.
@@ -431,7 +442,7 @@ fn sign(x: f64) -> f64 {
 /// A pixel of the image over the view's background.
 fn over(canvas: &Canvas, view: &View, at: usize) -> DVec3 {
     let [r, g, b, coverage] = canvas.pixels[at];
-    DVec3::new(r, g, b) + (1.0 - coverage) * view.background
+    view.gain * DVec3::new(r, g, b) + (1.0 - coverage) * view.background
 }
 
 /// Image less picture at a pixel; None where the picture is unsure.

@@ -129,6 +129,7 @@ impl Scene {
                     input: (0..8).map(|_| random.normal()).collect(),
                     camera: Camera::orbit(DVec3::ZERO, yaw, 0.1, 2.0, 0.5, SIZE),
                     background: DVec3::new(0.3, 0.6, 0.2),
+                    gain: DVec3::new(1.1, 0.9, 0.95),
                     whole: 2 * u64::from(SIZE[0] * SIZE[1]),
                     picture: Arc::new(Picture { size: SIZE, pixels }),
                 }
@@ -266,4 +267,25 @@ fn without_correctives_only_neutral_numbers_have_a_derivative() {
         (found - expected).abs() < 1e-5 * expected.abs(),
         "{found}, expected {expected}"
     );
+}
+
+#[test]
+fn a_gain_has_the_slope_of_the_loss() {
+    let scene = Scene::new(6, Filter::DEFAULT);
+    let problem = scene.problem(&WEIGHTS);
+    let view = &scene.views[0];
+    let forward = problem.forward(&scene.parameters, view);
+    let found = problem.gain_gradient(&forward.canvas, view);
+    for channel in 0..3 {
+        let at = |h: f64| {
+            let mut moved = view.clone();
+            moved.gain[channel] += h;
+            problem.loss(&scene.parameters, &[moved])
+        };
+        let expected = (at(1e-6) - at(-1e-6)) / 2e-6;
+        assert!(
+            (found[channel] - expected).abs() < 1e-5 * expected.abs().max(1e-3),
+            "{found}, expected {expected} in channel {channel}"
+        );
+    }
 }

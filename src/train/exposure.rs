@@ -1,0 +1,91 @@
+//! Exposure and white balance of each camera: three gains, learned with the avatar.
+
+use crate::adam::Adam;
+use glam::DVec3;
+use serde::{Deserialize, Serialize};
+
+/// The gains of all cameras, as logarithms, and Adam's moments of them.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Exposure {
+    log_gain: Vec<[f64; 3]>,
+    first_moments: Vec<[f64; 3]>,
+    second_moments: Vec<[f64; 3]>,
+    /// Updates of each camera.
+    updates: Vec<u64>,
+}
+
+impl Exposure {
+    /// Gains of 1.
+    pub fn new(cameras: usize) -> Self {
+        Self {
+            log_gain: vec![[0.0; 3]; cameras],
+            first_moments: vec![[0.0; 3]; cameras],
+            second_moments: vec![[0.0; 3]; cameras],
+            updates: vec![0; cameras],
+        }
+    }
+
+    /// How many cameras it is of.
+    pub fn cameras(&self) -> usize {
+        self.log_gain.len()
+    }
+
+    /// A camera's gains, RGB.
+    pub fn gain(&self, camera: usize) -> DVec3 {
+        DVec3::from(self.log_gain[camera]).exp()
+    }
+
+    /// A step of Adam for a camera. `gradient`: of the loss with respect to its gains.
+    pub fn learn(&mut self, camera: usize, gradient: [f64; 3], rate: f64, adam: &Adam) {
+        let gain = self.gain(camera);
+        self.updates[camera] += 1;
+        let correction = adam.correction(self.updates[camera]);
+        for c in 0..3 {
+            let of = gradient[c] * gain[c];
+            let m = &mut self.first_moments[camera][c];
+            *m = adam.beta_1 * *m + (1.0 - adam.beta_1) * of;
+            let v = &mut self.second_moments[camera][c];
+            *v = adam.beta_2 * *v + (1.0 - adam.beta_2) * of * of;
+            let change = *m * correction[0] / ((*v * correction[1]).sqrt() + adam.epsilon);
+            self.log_gain[camera][c] -= rate * change;
+        }
+    }
+
+    /// Makes the mean of all cameras' logarithms 0: a gain of all is a colour of the avatar.
+    pub fn center(&mut self) {
+        let count = self.log_gain.len().max(1) as f64;
+        for c in 0..3 {
+            let mean = self.log_gain.iter().map(|gain| gain[c]).sum::<f64>() / count;
+            for gain in &mut self.log_gain {
+                gain[c] -= mean;
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn gains_are_found_up_to_one_that_all_share() {
+        let truth = [[1.2, 1.0, 0.9], [0.8, 1.0, 1.1], [1.0, 1.0, 1.0]];
+        let mut exposure = Exposure::new(3);
+        for step in 0..3000 {
+            let camera = step % 3;
+            let gain = exposure.gain(camera);
+            // Of (gain − truth)² / 2.
+            let gradient = std::array::from_fn(|c| gain[c] - truth[camera][c]);
+            exposure.learn(camera, gradient, 0.005, &Adam::DEFAULT);
+            exposure.center();
+        }
+        let ratio = exposure.gain(0) / exposure.gain(1);
+        assert!(
+            ratio.distance(DVec3::new(1.5, 1.0, 0.9 / 1.1)) < 0.05,
+            "{ratio}"
+        );
+        let product = exposure.gain(0) * exposure.gain(1) * exposure.gain(2);
+        assert!(product.distance(DVec3::ONE) < 1e-9);
+    }
+}
