@@ -8,7 +8,7 @@ layout(std430, set = 0, binding = 1) readonly buffer Status { uint status[]; };
 layout(std430, set = 0, binding = 2) readonly buffer OfNodes { vec4 of_nodes[]; };
 layout(std430, set = 0, binding = 3) readonly buffer Activations { float activations[]; };
 layout(std430, set = 0, binding = 4) readonly buffer Parts { uint node_part[]; };
-// Offsets and, from NODES * 3 rounded up on, bases: `first_base` says where.
+// Offsets and, from BASES_START on, bases.
 layout(std430, set = 0, binding = 5) buffer Numbers { float numbers[]; };
 layout(std430, set = 0, binding = 6) buffer FirstMoments { float first_moments[]; };
 layout(std430, set = 0, binding = 7) buffer SecondMoments { float second_moments[]; };

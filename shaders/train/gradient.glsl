@@ -1,7 +1,7 @@
 // How the derivative of a Gaussian's attributes lies in memory, four vectors each:
 // 0: rotation, w x y z. 1: log scale, and the logit of the opacity. 2: colour, and the signs of the
 // correctives, two bits a number (sign_bits). 3: position in canonical space.
-// Those of attributes are without the weights on correctives: gradient_of_corrective adds them.
+// Those of attributes are without the weights on correctives, which train/corrective.glsl adds.
 uint gradient_at(uint view, uint gaussian) {
     return 4u * (view * GAUSSIANS + gaussian);
 }

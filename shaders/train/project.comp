@@ -10,11 +10,13 @@ layout(std430, set = 0, binding = 2) readonly buffer Fixed { uvec4 fixed_words[]
 layout(std430, set = 0, binding = 3) readonly buffer Bases { float bases[]; };
 layout(std430, set = 0, binding = 4) readonly buffer Rows { uvec4 rows[]; };
 layout(std430, set = 0, binding = 5) readonly buffer Activations { float activations[]; };
-// Of the view: joints, three rows each; behind them the nodes' displacements.
+// Of all views: joints, three rows each.
 layout(std430, set = 0, binding = 6) readonly buffer Joints { vec4 joints[]; };
 layout(std430, set = 0, binding = 7) readonly buffer Displaced { vec4 displaced[]; };
 // For the way back, four vectors each, like train/gradient.glsl: the attributes with correctives.
 layout(std430, set = 0, binding = 8) writeonly buffer Canonical { vec4 canonical[]; };
+// Three vectors a splat: centre and half the sides of its box, px; Σ⁻¹ and opacity; colour and
+// depth.
 layout(std430, set = 0, binding = 9) writeonly buffer Splats { vec4 splats[]; };
 layout(std430, set = 0, binding = 10) writeonly buffer Keys { uint keys[]; };
 layout(std430, set = 0, binding = 11) writeonly buffer SplatPairs { uvec2 splat_pairs[]; };
@@ -22,8 +24,6 @@ layout(std430, set = 0, binding = 11) writeonly buffer SplatPairs { uvec2 splat_
 #include "train/gradient.glsl"
 #include "train/gaussian.glsl"
 
-// Three vectors a splat: centre and half the sides of its box, px; Σ⁻¹ and opacity; colour and
-// depth.
 void write_culled(uint g) {
     keys[g] = SORT_CULLED;
 }
@@ -127,7 +127,7 @@ void main() {
     float det = unfiltered + low_pass * (a + c - low_pass);
     vec2 center = block.lens.xy * t.xy / t.z + block.lens.zw;
     vec2 size = vec2(block.image_size.xy);
-    if (!(det > 0.0 && max(a, c) <= VARIANCE_MAX) || any(isnan(color)) || any(isinf(color)) ||
+    if (!(det > 0.0 && max(a, c) <= VARIANCE_MAX) || !all(lessThanEqual(abs(color), vec3(FEATURE_MAX))) ||
         !all(greaterThanEqual(center, vec2(-block.low_pass.z))) ||
         !all(lessThanEqual(center, size + block.low_pass.z))) {
         write_culled(g);

@@ -29,7 +29,8 @@ void main() {
     uint total = 0u;
     for (uint k = 0u; k < TRAIN_WORKGROUP; ++k) {
         next += k < thread ? sums[k] : 0u;
-        total += sums[k];
+        // A sum that overflows is no sum that fits.
+        total = min(total, 0x7fffffffu) + min(sums[k], 0x7fffffffu);
     }
     for (uint at = first; at < end; ++at) {
         uint own = blocks[at];

@@ -3,20 +3,20 @@
 use anyhow::Context;
 use std::sync::{Arc, atomic::AtomicBool};
 
-/// A flag that the first Ctrl-C sets; the second ends the program at once. `timeout` sets it too: its
-/// second signal is the one that nobody hears.
+/// A flag that Ctrl-C, SIGTERM and a closed terminal set. A second Ctrl-C ends the program at once.
 pub fn interrupts() -> anyhow::Result<Arc<AtomicBool>> {
     let stop = Arc::new(AtomicBool::new(false));
     #[cfg(not(any(target_arch = "wasm32", target_os = "android")))]
     {
         use signal_hook::{
-            consts::{SIGINT, SIGTERM},
+            consts::{SIGHUP, SIGINT, SIGTERM},
             flag,
         };
         let failed = "Ctrl-C can't be listened to";
         flag::register_conditional_shutdown(SIGINT, 130, stop.clone()).context(failed)?;
         flag::register(SIGINT, stop.clone()).context(failed)?;
         flag::register(SIGTERM, stop.clone()).context(failed)?;
+        flag::register(SIGHUP, stop.clone()).context(failed)?;
     }
     Ok(stop)
 }

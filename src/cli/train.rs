@@ -10,9 +10,8 @@ use effigy::vulkan::Gpu;
 use effigy_capture::{Capture, CaptureOptions, tally};
 use effigy_learn::bake::Assets;
 use effigy_train::{
-    data::training_shots,
     recipe::{Preset, Recipe},
-    session::{Outcome, Progress, Session, SessionOptions},
+    session::{Outcome, Plan, Progress, Session, SessionOptions},
 };
 use std::{
     fmt,
@@ -23,7 +22,7 @@ use std::{
 
 #[derive(clap::Args, Debug)]
 pub struct Args {
-    /// Capture: a folder in the layout of THuman4 or AvatarReX (docs/training.md)
+    /// Capture: a folder in the layout of THuman4 or AvatarReX (docs/captures.md)
     #[arg(required_unless_present = "show_preset")]
     capture: Option<PathBuf>,
     /// Avatar file to write
@@ -125,6 +124,10 @@ pub fn run(args: Args) -> anyhow::Result<()> {
         anyhow::bail!("a capture and --out are needed");
     };
     let recipe = recipe(&args)?;
+    let above = out.parent().filter(|above| !above.as_os_str().is_empty());
+    if let Some(above) = above.filter(|above| !above.is_dir()) {
+        anyhow::bail!("{}: no such folder to write the avatar to", above.display());
+    }
     let stop = interrupts()?;
     let capture = read_capture(folder, &args)?;
     let gpu = Gpu::new(&args.device.gpu())?;
@@ -143,20 +146,23 @@ pub fn run(args: Args) -> anyhow::Result<()> {
         credit: String::new(),
     };
     let work = options.folder.clone();
-    let mut session = Session::new(&gpu, &capture, &recipe, options)?;
-    println!(
-        "{}: {} pictures, views of {} × {} px; {} Gaussians in {} parts; on {}",
-        folder.display(),
-        training_shots(&capture).len(),
-        session.view_size()[0],
-        session.view_size()[1],
-        recipe.sizes.gaussians,
-        recipe.sizes.parts,
-        gpu.probe.name
-    );
-    if session.steps() > 0 {
-        println!("going on after {} steps", session.steps());
-    }
+    let announce = |plan: &Plan| {
+        println!(
+            "{}: {} pictures, views of {} × {} px; {} Gaussians in {} parts; {:.0} MB on {}",
+            folder.display(),
+            plan.pictures,
+            plan.view_size[0],
+            plan.view_size[1],
+            recipe.sizes.gaussians,
+            recipe.sizes.parts,
+            plan.memory_bytes as f64 / 1e6,
+            gpu.probe.name
+        );
+        if plan.steps > 0 {
+            println!("going on after {} steps", plan.steps);
+        }
+    };
+    let mut session = Session::new(&gpu, &capture, &recipe, options, announce)?;
     let bar = progress::steps(1000);
     let outcome = session.run(&stop, |_, now| {
         bar.set_position((1000.0 * now.share) as u64);

@@ -35,12 +35,16 @@ pub struct Checkpoint {
     pub exposure: Exposure,
     /// Seconds that the training has taken.
     pub seconds: f64,
+    /// What it learns from: a name of the capture's cameras, frames and pictures.
+    pub data: String,
+    /// Minutes that it may take in all, where time decides.
+    pub minutes: Option<f64>,
     /// The recipe's text.
     pub recipe: String,
 }
 
 /// What no tensor holds.
-#[derive(Deserialize, Serialize)]
+#[derive(Clone, Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]
 struct Meta {
     version: u32,
@@ -50,8 +54,10 @@ struct Meta {
     place: u64,
     exposure: Exposure,
     seconds: f64,
+    data: String,
+    minutes: Option<f64>,
     recipe: String,
-    /// Of all tensors' bytes.
+    /// Of all else, in the order of the file.
     checksum: String,
 }
 
@@ -78,6 +84,7 @@ impl Checkpoint {
         let bytes = self.encode().map_err(failed)?;
         replace(&path, &bytes)?;
         let files = Self::files(folder).map_err(failed)?;
+        // What is broken is no checkpoint: see `set_aside`.
         for old in files.iter().rev().skip(KEPT) {
             fs::remove_file(old).map_err(failed)?;
         }
@@ -113,12 +120,18 @@ impl Checkpoint {
             place: self.place,
             exposure: self.exposure.clone(),
             seconds: self.seconds,
+            data: self.data.clone(),
+            minutes: self.minutes,
             recipe: self.recipe.clone(),
-            checksum: checksum(
+            checksum: String::new(),
+        };
+        let meta = Meta {
+            checksum: meta.checksum(
                 bytes
                     .iter()
                     .map(|(name, _, data)| (name.as_str(), &data[..])),
             ),
+            ..meta
         };
         let text = serde_json::to_string(&meta).map_err(io::Error::other)?;
         let views = bytes
@@ -164,7 +177,7 @@ impl Checkpoint {
                         broken,
                     });
                 }
-                Err(error) => broken.push(format!("{}: {error}", path.display())),
+                Err(error) => broken.push(Broken { path, error }),
             }
         }
         Ok(Found {
@@ -217,18 +230,24 @@ impl Checkpoint {
         for name in ROWS {
             named.push((name.to_string(), tensor(name)?));
         }
-        let found = checksum(named.iter().map(|(name, data)| (name.as_str(), &data[..])));
+        let found = meta.checksum(named.iter().map(|(name, data)| (name.as_str(), &data[..])));
         if found != meta.checksum {
             return Err(format!("checksum {found}, expected {}", meta.checksum));
         }
         let rows = |name: &str| -> Result<Vec<u32>, String> {
             Ok(bytemuck::pod_collect_to_vec(&tensor(name)?))
         };
+        let lengths = |numbers: &Parameters<f32>| numbers.arrays().map(<[f32]>::len);
+        let [parameters, first_moments, second_moments] =
+            [numbers(KINDS[0])?, numbers(KINDS[1])?, numbers(KINDS[2])?];
+        if [&first_moments, &second_moments].map(lengths) != [lengths(&parameters); 2] {
+            return Err("moments of another number than the parameters".into());
+        }
         Ok(Self {
             state: TrainerState {
-                parameters: numbers(KINDS[0])?,
-                first_moments: numbers(KINDS[1])?,
-                second_moments: numbers(KINDS[2])?,
+                parameters,
+                first_moments,
+                second_moments,
                 steps: meta.steps,
                 corrective_steps: meta.corrective_steps,
             },
@@ -239,6 +258,8 @@ impl Checkpoint {
             place: meta.place,
             exposure: meta.exposure,
             seconds: meta.seconds,
+            data: meta.data,
+            minutes: meta.minutes,
             recipe: meta.recipe,
         })
     }
@@ -248,8 +269,51 @@ impl Checkpoint {
 pub struct Found {
     /// The last whole checkpoint.
     pub checkpoint: Option<Checkpoint>,
-    /// What is wrong with later ones.
-    pub broken: Vec<String>,
+    /// Later ones that are not whole.
+    pub broken: Vec<Broken>,
+}
+
+/// A checkpoint that is not whole.
+pub struct Broken {
+    /// The file.
+    pub path: PathBuf,
+    /// What is wrong.
+    pub error: String,
+}
+
+impl Broken {
+    /// Gives it another ending, so that it counts as no checkpoint any more.
+    ///
+    /// # Errors
+    /// When it can't be renamed.
+    pub fn set_aside(&self) -> io::Result<()> {
+        fs::rename(&self.path, self.path.with_extension("broken"))
+    }
+}
+
+/// Deletes what kills left of checkpoints that were being written.
+pub fn remove_parts(folder: &Path) -> io::Result<()> {
+    for entry in fs::read_dir(folder)? {
+        let path = entry?.path();
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        if name.starts_with(".checkpoint-") && name.ends_with(".part") {
+            fs::remove_file(&path)?;
+        }
+    }
+    Ok(())
+}
+
+impl Meta {
+    /// A hash of everything but itself and of named bytes, as text.
+    fn checksum<'a>(&self, named: impl Iterator<Item = (&'a str, &'a [u8])>) -> String {
+        let all = checksum(named);
+        let bare = Self {
+            checksum: String::new(),
+            ..self.clone()
+        };
+        let text = serde_json::to_string(&bare).unwrap_or_default();
+        checksum([(META, text.as_bytes()), (META, all.as_bytes())].into_iter())
+    }
 }
 
 /// A hash of named bytes, as text.
@@ -291,6 +355,8 @@ mod tests {
             place: 77,
             exposure: Exposure::new(2),
             seconds: 1.25,
+            data: "of two cameras".into(),
+            minutes: Some(0.1),
             recipe: "seed = 1".into(),
         }
     }
@@ -325,6 +391,10 @@ mod tests {
         changed[at] ^= 1;
         fs::write(&last, &changed).unwrap();
         let found = Checkpoint::last(folder.path()).unwrap();
-        assert!(found.broken[0].contains("checksum"), "{:?}", found.broken);
+        assert!(found.broken[0].error.contains("checksum"));
+        found.broken[0].set_aside().unwrap();
+        let kept = checkpoint(3).write(folder.path()).unwrap();
+        assert!(kept.exists());
+        assert_eq!(Checkpoint::files(folder.path()).unwrap().len(), 2);
     }
 }

@@ -8,7 +8,7 @@ use effigy_core::scene::{Camera, PixelRect};
 use glam::{DAffine3, DVec2, DVec3, UVec2};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// How pictures become views.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -67,8 +67,18 @@ struct Decoded {
     pixels: Vec<[u8; 4]>,
 }
 
+/// A view, and which picture it is of.
+pub struct Looked {
+    /// The view.
+    pub view: View,
+    /// Its picture.
+    pub shot: Shot,
+}
+
 /// Pictures that stay in memory.
 struct Cache {
+    /// Which can't be read.
+    broken: Vec<bool>,
     pictures: Vec<Option<Arc<Decoded>>>,
     bytes: usize,
 }
@@ -138,6 +148,7 @@ impl Views {
             seed,
             size: size.unwrap_or_else(|| [side(0), side(1)]),
             cache: Mutex::new(Cache {
+                broken: vec![false; shots.len()],
                 pictures: (0..shots.len()).map(|_| None).collect(),
                 bytes: 0,
             }),
@@ -150,6 +161,21 @@ impl Views {
     /// Width and height of every view, px.
     pub fn size(&self) -> [u32; 2] {
         self.size
+    }
+
+    /// A name of what is learned from, which other pictures, cameras or frames change.
+    pub fn name(&self) -> String {
+        let mut sum = hash(u64::from(self.size[0]) << 32 | u64::from(self.size[1]));
+        let mut add = |number: u64| sum = hash(sum ^ number);
+        for shot in &self.shots {
+            let name = &self.capture.cameras[shot.camera].name;
+            name.bytes().for_each(|byte| add(u64::from(byte)));
+            add(u64::from(self.capture.frames[shot.frame].number) | 1 << 32);
+        }
+        for frame in &self.frames {
+            frame.input.iter().for_each(|v| add(v.to_bits()));
+        }
+        format!("{} pictures, {sum:016x}", self.shots.len())
     }
 
     /// The pictures.
@@ -176,15 +202,38 @@ impl Views {
     }
 
     /// The view that comes at a place of the training, cut out at random, before a random
-    /// background.
+    /// background. Where its picture can't be read, the next that can stands in for it.
     ///
     /// # Errors
-    /// When its picture can't be read any more.
-    pub fn at(&self, place: u64) -> Result<View, CaptureError> {
+    /// When no picture can be read any more.
+    pub fn at(&self, place: u64) -> Result<Looked, CaptureError> {
         let mut random = Random::new(self.seed, place);
         let background = DVec3::new(random.uniform(), random.uniform(), random.uniform());
         let share = DVec2::new(random.uniform(), random.uniform());
-        self.view(self.shot_at(place), background, share)
+        let first = self.shot_at(place);
+        let mut fault = None;
+        for shot in (first..self.shots.len()).chain(0..first) {
+            match self.view(shot, background, share) {
+                Ok(view) => {
+                    return Ok(Looked {
+                        view,
+                        shot: self.shots[shot],
+                    });
+                }
+                Err(error) => {
+                    if !self.cache().broken[shot] {
+                        tracing::warn!("left out: {error}");
+                    }
+                    self.cache().broken[shot] = true;
+                    fault.get_or_insert(error);
+                }
+            }
+        }
+        // There is at least one shot: without any there is no training.
+        Err(fault.unwrap_or(CaptureError::NoPicture {
+            camera: 0,
+            frame: 0,
+        }))
     }
 
     /// A picture before a background of one's choice, cut out around its middle.
@@ -231,9 +280,12 @@ impl Views {
         })
     }
 
+    fn cache(&self) -> MutexGuard<'_, Cache> {
+        self.cache.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
     fn decoded(&self, at: usize) -> Result<Arc<Decoded>, CaptureError> {
-        let cache = || self.cache.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(known) = &cache().pictures[at] {
+        if let Some(known) = &self.cache().pictures[at] {
             return Ok(known.clone());
         }
         let shot = self.shots[at];
@@ -242,7 +294,7 @@ impl Views {
             size: picture.size,
             pixels: with_band(&picture, self.options.band),
         });
-        let mut cache = cache();
+        let mut cache = self.cache();
         let bytes = 4 * new.pixels.len();
         if cache.pictures[at].is_none() && cache.bytes + bytes <= self.options.cache_mb << 20 {
             cache.bytes += bytes;

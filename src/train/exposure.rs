@@ -52,13 +52,19 @@ impl Exposure {
         }
     }
 
-    /// Makes the mean of all cameras' logarithms 0: a gain of all is a colour of the avatar.
+    /// Makes the mean of the logarithms 0, over all cameras that learn: a gain of all is a colour of
+    /// the avatar.
     pub fn center(&mut self) {
-        let count = self.log_gain.len().max(1) as f64;
+        let learned = self.updates.iter().filter(|&&updates| updates > 0).count();
         for c in 0..3 {
-            let mean = self.log_gain.iter().map(|gain| gain[c]).sum::<f64>() / count;
-            for gain in &mut self.log_gain {
-                gain[c] -= mean;
+            let pairs = self.log_gain.iter().zip(&self.updates);
+            let own = pairs.filter(|(_, updates)| **updates > 0);
+            let sum: f64 = own.map(|(gain, _)| gain[c]).sum();
+            let mean = sum / learned.max(1) as f64;
+            for (gain, &updates) in self.log_gain.iter_mut().zip(&self.updates) {
+                if updates > 0 {
+                    gain[c] -= mean;
+                }
             }
         }
     }
@@ -71,7 +77,8 @@ mod tests {
     #[test]
     fn gains_are_found_up_to_one_that_all_share() {
         let truth = [[1.2, 1.0, 0.9], [0.8, 1.0, 1.1], [1.0, 1.0, 1.0]];
-        let mut exposure = Exposure::new(3);
+        // The last is held out.
+        let mut exposure = Exposure::new(4);
         for step in 0..3000 {
             let camera = step % 3;
             let gain = exposure.gain(camera);
@@ -87,5 +94,6 @@ mod tests {
         );
         let product = exposure.gain(0) * exposure.gain(1) * exposure.gain(2);
         assert!(product.distance(DVec3::ONE) < 1e-9);
+        assert_eq!(exposure.gain(3), DVec3::ONE);
     }
 }

@@ -12,11 +12,18 @@
 //! | [`view`] | what a step looks at |
 //! | [`loss`] | what it makes small |
 //! | [`adam`] | how far a step goes |
+//! | [`exposure`] | gains of cameras |
+//! | [`perceptual`] | the loss that sees pictures as people do |
+//! | [`recipe`] | every weight, rate and count |
+//! | [`data`] | which pictures, in which order |
+//! | [`start`] | the avatar that a training begins with |
+//! | [`prune`] | which basis rows stay |
+//! | [`checkpoint`], [`lock`], [`watch`] | a training's folder |
+//! | [`session`] | a training from start to end |
 //! | [`reference`] | the loss and its derivative in f64 |
 //! | [`gpu`] | both on Vulkan, and the steps |
 
 pub mod adam;
-pub mod asked;
 pub mod checkpoint;
 pub mod data;
 pub mod exposure;
@@ -24,6 +31,7 @@ pub mod gpu;
 pub mod lock;
 pub mod loss;
 pub mod parameters;
+pub mod perceptual;
 pub mod prune;
 pub mod recipe;
 pub mod reference;

@@ -1,9 +1,8 @@
 //! One training a folder: a file that says who works there, renewed while it does.
 
-use effigy_core::io::file::replace;
 use serde::{Deserialize, Serialize};
-use std::fs;
-use std::io;
+use std::fs::{self, File};
+use std::io::{self, Seek, Write};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -22,7 +21,7 @@ pub struct Worker {
     pub pid: u32,
     /// Its machine.
     pub host: String,
-    /// How many have worked here, this one included.
+    /// How many have worked here since the last that ended in order, this one included.
     pub attempt: u32,
     /// Seconds since 1970 of its last sign of life.
     pub heartbeat: u64,
@@ -51,12 +50,15 @@ pub enum LockError {
     },
 }
 
-/// A folder that nobody else trains in, for as long as this lives.
+/// A folder that nobody else trains in, for as long as this lives: its lock is held open, which
+/// processes of this machine see at once, and renewed, which those of others see.
 pub struct Lock {
-    file: PathBuf,
+    path: PathBuf,
+    /// Held by the system for as long as it is open.
+    _held: File,
     stop: Arc<AtomicBool>,
     heart: Option<JoinHandle<()>>,
-    /// How many have worked here, this one included.
+    /// How many have worked here since the last that ended in order, this one included.
     pub attempt: u32,
 }
 
@@ -64,52 +66,45 @@ impl Lock {
     /// Takes a folder.
     ///
     /// # Errors
-    /// When somebody works there who has given a sign of life within half a minute, or the folder
-    /// can't be written.
+    /// When somebody works there, on this machine or, by a sign of life within half a minute,
+    /// elsewhere, or the folder can't be written.
     pub fn take(folder: &Path) -> Result<Self, LockError> {
-        let file = folder.join("lock.json");
+        let path = folder.join("lock.json");
         let failed = |cause: io::Error| LockError::Io {
-            file: file.display().to_string(),
+            file: path.display().to_string(),
             cause,
         };
-        let mut attempt = 1;
-        match fs::read(&file) {
-            Ok(bytes) => {
-                if let Ok(worker) = serde_json::from_slice::<Worker>(&bytes) {
-                    let seconds = now().saturating_sub(worker.heartbeat);
-                    let ended = worker.host == host() && !is_alive(worker.pid);
-                    if !ended && seconds < GONE.as_secs() {
-                        return Err(LockError::Taken {
-                            folder: folder.display().to_string(),
-                            worker,
-                            seconds,
-                        });
-                    }
-                    attempt = worker.attempt + 1;
-                }
-                fs::remove_file(&file).map_err(failed)?;
-            }
-            Err(error) if error.kind() == io::ErrorKind::NotFound => {}
-            Err(error) => return Err(failed(error)),
-        }
-        let worker = move || Worker {
-            pid: std::process::id(),
-            host: host(),
-            attempt,
-            heartbeat: now(),
-        };
-        let text = move || serde_json::to_vec(&worker()).unwrap_or_default();
-        // Of two that come at once one makes the file.
         let mut open = fs::OpenOptions::new();
-        let mut new = open
+        let mut held = open
+            .read(true)
             .write(true)
-            .create_new(true)
-            .open(&file)
+            .create(true)
+            .truncate(false)
+            .open(&path)
             .map_err(failed)?;
-        io::Write::write_all(&mut new, &text()).map_err(failed)?;
+        let mut text = Vec::new();
+        io::Read::read_to_end(&mut held, &mut text).map_err(failed)?;
+        let known = serde_json::from_slice::<Worker>(&text).ok();
+        let mut attempt = 1;
+        let taken = held.try_lock().is_err();
+        if let Some(worker) = &known {
+            attempt = worker.attempt.saturating_add(1);
+        }
+        let here = known.as_ref().is_none_or(|worker| worker.host == host());
+        let seconds = known
+            .as_ref()
+            .map_or(0, |worker| now().abs_diff(worker.heartbeat));
+        if taken || !here && seconds < GONE.as_secs() {
+            return Err(LockError::Taken {
+                folder: folder.display().to_string(),
+                worker: known.unwrap_or_else(|| Worker::here(0)),
+                seconds,
+            });
+        }
+        write(&mut held, attempt).map_err(failed)?;
         let stop = Arc::new(AtomicBool::new(false));
         let stopped = stop.clone();
-        let path = file.clone();
+        let mut beating = held.try_clone().map_err(failed)?;
         let heart = std::thread::spawn(move || {
             let step = Duration::from_millis(100);
             let mut waited = Duration::ZERO;
@@ -119,12 +114,13 @@ impl Lock {
                 if waited >= BEAT {
                     waited = Duration::ZERO;
                     // A disk that is full now may not be at the next beat.
-                    let _ = replace(&path, &text());
+                    write(&mut beating, attempt).ok();
                 }
             }
         });
         Ok(Self {
-            file,
+            path,
+            _held: held,
             stop,
             heart: Some(heart),
             attempt,
@@ -136,10 +132,31 @@ impl Drop for Lock {
     fn drop(&mut self) {
         self.stop.store(true, Ordering::Relaxed);
         if let Some(heart) = self.heart.take() {
-            let _ = heart.join();
+            heart.join().ok();
         }
-        let _ = fs::remove_file(&self.file);
+        // A file that stays is taken over by who comes next.
+        fs::remove_file(&self.path).ok();
     }
+}
+
+impl Worker {
+    /// This process.
+    fn here(attempt: u32) -> Self {
+        Self {
+            pid: std::process::id(),
+            host: host(),
+            attempt,
+            heartbeat: now(),
+        }
+    }
+}
+
+/// Writes a sign of life.
+fn write(file: &mut File, attempt: u32) -> io::Result<()> {
+    let text = serde_json::to_vec(&Worker::here(attempt))?;
+    file.rewind()?;
+    file.write_all(&text)?;
+    file.set_len(text.len() as u64)
 }
 
 fn now() -> u64 {
@@ -151,11 +168,6 @@ fn now() -> u64 {
 fn host() -> String {
     let name = fs::read_to_string("/proc/sys/kernel/hostname");
     name.map_or_else(|_| String::new(), |name| name.trim().to_string())
-}
-
-/// Whether a process of this machine runs; where the system does not say, it may.
-fn is_alive(pid: u32) -> bool {
-    !Path::new("/proc/self").exists() || Path::new(&format!("/proc/{pid}")).exists()
 }
 
 #[cfg(test)]

@@ -91,3 +91,36 @@ pub fn keep_rows(
         ..numbers.clone()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn covariance_is_that_of_the_attributes_half() {
+        let pose = |a: f64| {
+            let mut features = vec![0.0; 2 * 2 * BASIS];
+            features[0] = a;
+            features[1] = -2.0 * a;
+            features[BASIS] = 100.0 * a;
+            features
+        };
+        let covariance = feature_covariance(&[pose(1.0), pose(-1.0)], 2, 2 * BASIS);
+        assert_eq!(covariance.len(), 2 * BASIS * BASIS);
+        assert_eq!(covariance[..2], [1.0, -2.0]);
+        assert_eq!(covariance[BASIS..BASIS + 2], [-2.0, 4.0]);
+        assert!(covariance[BASIS * BASIS..].iter().all(|&v| v == 0.0));
+    }
+
+    #[test]
+    fn what_varies_most_is_not_what_is_largest() {
+        // The second feature never moves: large weights on it vary nothing.
+        let mut c = vec![0.0; BASIS * BASIS];
+        c[0] = 4.0;
+        let mut still = vec![0.0f32; BASIS];
+        still[1] = 10.0;
+        let mut moving = vec![0.0f32; BASIS];
+        moving[0] = 0.5;
+        assert_eq!((quadratic(&still, &c), quadratic(&moving, &c)), (0.0, 1.0));
+    }
+}

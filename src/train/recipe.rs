@@ -217,7 +217,7 @@ impl Recipe {
         }
         let rate = 0.0..=1.0;
         let share = 0.0..=1.0;
-        within("sizes.gaussians", self.sizes.gaussians, 16..=2_000_000)?;
+        within("sizes.gaussians", self.sizes.gaussians, 16..=1_000_000)?;
         within("sizes.parts", self.sizes.parts, 1..=1024)?;
         within("sizes.nodes", self.sizes.nodes, 3..=65_536)?;
         within("sizes.hidden", self.sizes.hidden, 1..=128)?;
@@ -282,7 +282,7 @@ impl Recipe {
         }
         within("prune.share", self.prune.share, share)?;
         within("data.band", self.data.band, 0..=32)?;
-        within("data.window", self.data.window, 32..=8192)?;
+        within("data.window", self.data.window, 32..=2040)?;
         within("data.margin", self.data.margin, 0.0..=2.0)?;
         within("data.cache_mb", self.data.cache_mb, 0..=1_000_000)?;
         within("data.duplicate", self.data.duplicate, 0.0..=1.0)

@@ -1,13 +1,13 @@
 //! A training from start to end: steps, pruning, checkpoints, and the avatar that comes out.
 
 use crate::adam::Rates;
-use crate::asked::AskedLoss;
-use crate::checkpoint::Checkpoint;
-use crate::data::{Shot, Views, training_shots};
+use crate::checkpoint::{Checkpoint, remove_parts};
+use crate::data::{Looked, Shot, Views, training_shots};
 use crate::exposure::Exposure;
-use crate::gpu::{StepOptions, StepReport, Trainer, TrainerState};
+use crate::gpu::{StepOptions, StepReport, Trainer, TrainerState, memory_bytes};
 use crate::lock::{Lock, LockError};
 use crate::parameters::{Layout, Parameters};
+use crate::perceptual::AskedLoss;
 use crate::prune::{feature_covariance, keep_rows, select};
 use crate::recipe::Recipe;
 use crate::start::start;
@@ -18,6 +18,7 @@ use effigy::vulkan::{Error as GpuError, Gpu};
 use effigy_capture::{Capture, CaptureError};
 use effigy_core::avatar::{Avatar, Pose};
 use effigy_core::io::file::{FileError, replace};
+use effigy_core::layout::TRAIN_WIDTH_MAX;
 use effigy_core::reference::mlp;
 use effigy_core::scene::Posed;
 use effigy_perceptual::PerceptualError;
@@ -38,6 +39,11 @@ const START: &str = "start.avatar";
 const RECIPE: &str = "recipe.toml";
 /// Steps' losses.
 const LOG: &str = "log.csv";
+
+/// Smallest side of a view, px.
+const LEAST_SIDE: u32 = 32;
+/// Views without anybody at the start of a training that are too many.
+const BLIND: u64 = 16;
 
 /// Why a training ended early.
 #[derive(Debug, thiserror::Error)]
@@ -65,14 +71,24 @@ pub enum TrainError {
         /// Its steps.
         steps: u64,
     },
+    /// No checkpoint of the folder is whole.
+    #[error("{file}: {fault}; no other checkpoint is whole")]
+    Broken {
+        /// The last one.
+        file: String,
+        /// What is wrong with it.
+        fault: String,
+    },
     /// The folder's training follows another recipe.
-    #[error("{folder}: its training follows another recipe than the one asked for")]
+    #[error(
+        "{folder}: its training follows another recipe, or takes another time, than what is asked for"
+    )]
     OtherRecipe {
         /// The folder.
         folder: String,
     },
     /// The folder's training is of another capture.
-    #[error("{folder}: its avatar has {found}, the capture's body model {expected}")]
+    #[error("{folder}: its training has {found}, the capture {expected}")]
     OtherCapture {
         /// The folder.
         folder: String,
@@ -84,9 +100,34 @@ pub enum TrainError {
     /// No picture to learn from.
     #[error("found no picture to learn from: all are held out")]
     NothingToLearn,
-    /// No Gaussian is in any view of the first step.
+    /// A view is too small for the perceptual loss, or for anything to be learned.
+    #[error("views of {} × {} px, expected at least {LEAST_SIDE} of each", size[0], size[1])]
+    SmallViews {
+        /// Width and height, px.
+        size: [u32; 2],
+    },
+    /// The body model has more inputs than networks take.
+    #[error("the body model gives networks {found} numbers, at most {TRAIN_WIDTH_MAX} fit")]
+    Inputs {
+        /// What it gives.
+        found: usize,
+    },
+    /// A number that is learned is NaN or infinite.
     #[error(
-        "no Gaussian is in view of camera {camera} in frame {frame}: found no pairs of splats and tiles"
+        "step {step} left {count} numbers that are NaN or infinite: the last checkpoint is before it"
+    )]
+    Spoiled {
+        /// The step.
+        step: u64,
+        /// How many.
+        count: usize,
+    },
+    /// What loads pictures ended by itself.
+    #[error("the thread that loads pictures ended")]
+    LoaderEnded,
+    /// No Gaussian is in the views of the first steps.
+    #[error(
+        "no Gaussian is in view of camera {camera} in frame {frame}, nor in the {BLIND} views before"
     )]
     NothingSeen {
         /// The camera's name.
@@ -145,6 +186,19 @@ pub struct Progress {
     pub pairs: u32,
 }
 
+/// What a training is about to ask of the device.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Plan {
+    /// Pictures that it learns from.
+    pub pictures: usize,
+    /// Width and height of every view, px.
+    pub view_size: [u32; 2],
+    /// Device memory, bytes.
+    pub memory_bytes: u64,
+    /// Steps that were taken before.
+    pub steps: u64,
+}
+
 /// How a training ended.
 pub enum Outcome {
     /// With an avatar.
@@ -169,6 +223,8 @@ pub struct Session {
     exposure: Exposure,
     pruned: bool,
     place: u64,
+    /// Views without anybody, as long as there was no other.
+    blind: Option<u64>,
     /// Seconds before this session.
     seconds: f64,
     begun: Instant,
@@ -203,7 +259,8 @@ fn distinct_shots(capture: &Capture, avatar: &Avatar, least: f64) -> Vec<Shot> {
 }
 
 impl Session {
-    /// Begins a training, or goes on with one.
+    /// Begins a training, or goes on with one. `announce` hears what it will ask of the device
+    /// before it does.
     ///
     /// # Errors
     /// When the folder is taken or has a training that is not to be gone on with, the device is not
@@ -213,6 +270,7 @@ impl Session {
         capture: &Arc<Capture>,
         recipe: &Recipe,
         options: SessionOptions,
+        announce: impl FnOnce(&Plan),
     ) -> Result<Self, TrainError> {
         let folder = &options.folder;
         fs::create_dir_all(folder).map_err(|cause| FileError::Write {
@@ -224,8 +282,22 @@ impl Session {
             file: folder.clone(),
             cause,
         })?;
+        remove_parts(folder).map_err(|cause| FileError::Write {
+            file: folder.clone(),
+            cause,
+        })?;
         for broken in &found.broken {
-            tracing::warn!("left out: {broken}");
+            tracing::warn!("{}: {}", broken.path.display(), broken.error);
+            if found.checkpoint.is_none() {
+                return Err(TrainError::Broken {
+                    file: broken.path.display().to_string(),
+                    fault: broken.error.clone(),
+                });
+            }
+            broken.set_aside().map_err(|cause| FileError::Write {
+                file: broken.path.clone(),
+                cause,
+            })?;
         }
         if let Some(checkpoint) = &found.checkpoint {
             if !options.resume {
@@ -234,7 +306,8 @@ impl Session {
                     steps: checkpoint.state.steps,
                 });
             }
-            if Recipe::parse(&checkpoint.recipe).as_ref() != Ok(recipe) {
+            let other_time = checkpoint.minutes != options.minutes;
+            if other_time || Recipe::parse(&checkpoint.recipe).as_ref() != Ok(recipe) {
                 return Err(TrainError::OtherRecipe {
                     folder: folder.display().to_string(),
                 });
@@ -268,7 +341,16 @@ impl Session {
         let of_shots =
             |shots, size| Views::new(capture, &start, shots, &recipe.data, recipe.seed, size);
         let views = Arc::new(of_shots(learned, None));
-        let watched = Watched::new(of_shots(watched_shots(capture), Some(views.size())));
+        if views.size().iter().any(|&side| side < LEAST_SIDE) {
+            return Err(TrainError::SmallViews { size: views.size() });
+        }
+        if start.inputs.len() > TRAIN_WIDTH_MAX as usize {
+            return Err(TrainError::Inputs {
+                found: start.inputs.len(),
+            });
+        }
+        let watched_shots = watched_shots(capture, views.size());
+        let watched = Watched::new(of_shots(watched_shots, Some(views.size())));
         let topology = Topology::new(&start);
         let asked = AskedLoss::new(&recipe.perceptual, &options.perceptual_weights, recipe.seed)?;
         let stands = match found.checkpoint {
@@ -284,23 +366,31 @@ impl Session {
                     place: 0,
                     exposure: Exposure::new(capture.cameras.len()),
                     seconds: 0.0,
+                    data: views.name(),
+                    minutes: options.minutes,
                     recipe: recipe.text(),
                 }
             }
         };
         let expected = Layout::new(&topology, &stands.rows).lengths();
         let numbers = stands.state.parameters.arrays().map(<[f32]>::len);
-        if numbers != expected || stands.exposure.cameras() != capture.cameras.len() {
+        if numbers != expected
+            || stands.data != views.name()
+            || stands.exposure.cameras() != capture.cameras.len()
+        {
             return Err(TrainError::OtherCapture {
                 folder: folder.display().to_string(),
-                found: format!("{} Gaussians", start.gaussians.len()),
-                expected: format!(
-                    "its checkpoint's numbers and {} cameras",
-                    stands.exposure.cameras()
-                ),
+                found: format!("{} Gaussians, and {}", start.gaussians.len(), stands.data),
+                expected: views.name(),
             });
         }
         let batch = recipe.schedule.batch;
+        announce(&Plan {
+            pictures: views.len(),
+            view_size: views.size(),
+            memory_bytes: memory_bytes(&topology, &stands.rows, views.size(), batch),
+            steps: stands.state.steps,
+        });
         let trainer = Trainer::new(
             gpu,
             &topology,
@@ -309,7 +399,7 @@ impl Session {
             views.size(),
             batch,
         )?;
-        Ok(Self {
+        let session = Self {
             gpu: gpu.clone(),
             capture: capture.clone(),
             recipe: recipe.clone(),
@@ -324,20 +414,18 @@ impl Session {
             exposure: stands.exposure,
             pruned: stands.pruned,
             place: stands.place,
+            blind: Some(0),
             seconds: stands.seconds,
             begun: Instant::now(),
             _lock: lock,
-        })
+        };
+        session.cut_logs()?;
+        Ok(session)
     }
 
     /// Steps so far.
     pub fn steps(&self) -> u64 {
         self.trainer.steps()
-    }
-
-    /// Width and height of every view, px.
-    pub fn view_size(&self) -> [u32; 2] {
-        self.views.size()
     }
 
     /// The avatar as it is now.
@@ -372,21 +460,28 @@ impl Session {
             let (send, coming) = sync_channel(4);
             scope.spawn(move || {
                 for at in (first..).step_by(batch as usize) {
-                    let step: Result<Vec<View>, CaptureError> =
-                        (at..at + batch).map(|place| views.at(place)).collect();
+                    let step: Result<Vec<Looked>, CaptureError> = (at..at + batch)
+                        .into_par_iter()
+                        .map(|place| views.at(place))
+                        .collect();
                     let failed = step.is_err();
                     if send.send(step).is_err() || failed {
                         return;
                     }
                 }
             });
-            self.steps_of(&coming, stop, &mut report)
+            let outcome = self.steps_of(&coming, stop, &mut report);
+            if let Err(TrainError::Capture(_) | TrainError::File(_)) = &outcome {
+                // What was learned since the last checkpoint is right.
+                self.save()?;
+            }
+            outcome
         })
     }
 
     fn steps_of(
         &mut self,
-        coming: &Receiver<Result<Vec<View>, CaptureError>>,
+        coming: &Receiver<Result<Vec<Looked>, CaptureError>>,
         stop: &AtomicBool,
         report: &mut impl FnMut(&Self, &Progress),
     ) -> Result<Outcome, TrainError> {
@@ -405,8 +500,8 @@ impl Session {
             if !self.pruned && share >= self.pruning_share() {
                 self.prune()?;
             }
-            let Ok(views) = coming.recv() else { break };
-            self.step(views?, share, &mut sums)?;
+            let looked = coming.recv().map_err(|_| TrainError::LoaderEnded)??;
+            self.step(looked, share, &mut sums)?;
             if self.steps().is_multiple_of(self.options.log_every) || self.steps() == 1 {
                 let progress = sums.take(self);
                 self.log(&progress)?;
@@ -426,9 +521,12 @@ impl Session {
             self.prune()?;
         }
         self.save()?;
-        self.watch()?;
-        self.chart()?;
-        Ok(Outcome::Done(Box::new(self.avatar()?)))
+        let avatar = self.avatar()?;
+        // The avatar does not depend on what is only looked at.
+        if let Err(error) = self.watch().and_then(|()| self.chart()) {
+            tracing::warn!("{error}");
+        }
+        Ok(Outcome::Done(Box::new(avatar)))
     }
 
     /// Looks at views that are not learned from: their PSNR goes into a log of its own, and an
@@ -436,7 +534,7 @@ impl Session {
     fn watch(&mut self) -> Result<(), TrainError> {
         let options = StepOptions {
             weights: self.recipe.loss,
-            correctives: true,
+            correctives: self.corrects(self.share()),
             rates: Rates::default(),
             adam: self.recipe.rates.adam(),
         };
@@ -461,20 +559,17 @@ impl Session {
     }
 
     /// One step.
-    fn step(
-        &mut self,
-        mut views: Vec<View>,
-        share: f64,
-        sums: &mut Sums,
-    ) -> Result<(), TrainError> {
+    fn step(&mut self, looked: Vec<Looked>, share: f64, sums: &mut Sums) -> Result<(), TrainError> {
+        let corrects = self.corrects(share);
         let recipe = &self.recipe;
-        let cameras: Vec<usize> = (self.place..)
-            .take(views.len())
-            .map(|place| self.views.shots()[self.views.shot_at(place)].camera)
+        let shots: Vec<Shot> = looked.iter().map(|looked| looked.shot).collect();
+        let views: Vec<View> = looked
+            .into_iter()
+            .map(|looked| View {
+                gain: self.exposure.gain(looked.shot.camera),
+                ..looked.view
+            })
             .collect();
-        for (view, &camera) in views.iter_mut().zip(&cameras) {
-            view.gain = self.exposure.gain(camera);
-        }
         let views = &views[..];
         // Of the steps before pruning.
         let before = share / self.pruning_share().max(1e-9);
@@ -484,7 +579,7 @@ impl Session {
             } else {
                 recipe.loss
             },
-            correctives: self.pruned || before >= recipe.schedule.neutral_share,
+            correctives: corrects,
             rates: recipe.rates.at(share),
             adam: recipe.rates.adam(),
         };
@@ -505,8 +600,14 @@ impl Session {
             }
             _ => self.trainer.step(views, &options)?,
         };
-        if step == 1 && found.empty_views as usize == views.len() {
-            return Err(self.nothing_seen());
+        self.blind = match self.blind {
+            Some(blind) if found.empty_views as usize == views.len() => {
+                Some(blind + views.len() as u64)
+            }
+            _ => None,
+        };
+        if self.blind.is_some_and(|blind| blind > BLIND) {
+            return Err(self.nothing_seen(shots[0]));
         }
         if !found.l1.is_finite() {
             return Err(TrainError::NotFinite {
@@ -516,15 +617,22 @@ impl Session {
         }
         let rate = recipe.rates.exposure * recipe.rates.end.powf(share);
         if rate > 0.0 {
-            for (number, &camera) in cameras.iter().enumerate() {
+            for (number, shot) in shots.iter().enumerate() {
                 let gradient = self.trainer.gain_gradient(number);
-                self.exposure.learn(camera, gradient, rate, &options.adam);
+                self.exposure
+                    .learn(shot.camera, gradient, rate, &options.adam);
             }
             self.exposure.center();
         }
         sums.add(&found);
         self.place += views.len() as u64;
         Ok(())
+    }
+
+    /// Whether correctives learn when a share of the training is over.
+    fn corrects(&self, share: f64) -> bool {
+        let before = share / self.pruning_share().max(1e-9);
+        self.pruned || before >= self.recipe.schedule.neutral_share
     }
 
     /// How much of the training is over, 0 to 1.
@@ -590,13 +698,32 @@ impl Session {
 
     /// Writes a checkpoint.
     fn save(&self) -> Result<(), TrainError> {
+        let state = self.trainer.state()?;
+        let all = [
+            &state.parameters,
+            &state.first_moments,
+            &state.second_moments,
+        ];
+        let count = all
+            .iter()
+            .flat_map(|numbers| numbers.arrays())
+            .map(|array| array.iter().filter(|v| !v.is_finite()).count())
+            .sum();
+        if count > 0 {
+            return Err(TrainError::Spoiled {
+                step: self.steps(),
+                count,
+            });
+        }
         let checkpoint = Checkpoint {
-            state: self.trainer.state()?,
+            state,
             rows: self.rows.clone(),
             pruned: self.pruned,
             place: self.place,
             exposure: self.exposure.clone(),
             seconds: self.elapsed(),
+            data: self.views.name(),
+            minutes: self.options.minutes,
             recipe: self.recipe.text(),
         };
         checkpoint.write(&self.options.folder)?;
@@ -614,8 +741,31 @@ impl Session {
         })
     }
 
-    fn nothing_seen(&self) -> TrainError {
-        let shot = training_shots(&self.capture)[0];
+    /// Cuts the logs to the steps of the checkpoint: what came after it comes again.
+    fn cut_logs(&self) -> Result<(), TrainError> {
+        for name in [LOG, watch::LOG] {
+            let file = self.options.folder.join(name);
+            let Ok(text) = fs::read_to_string(&file) else {
+                continue;
+            };
+            let stays = |line: &&str| {
+                let step = line
+                    .split(',')
+                    .next()
+                    .and_then(|step| step.parse::<u64>().ok());
+                step.is_none_or(|step| step <= self.steps())
+            };
+            let kept: String = text
+                .lines()
+                .filter(stays)
+                .map(|line| format!("{line}\n"))
+                .collect();
+            replace(&file, kept.as_bytes())?;
+        }
+        Ok(())
+    }
+
+    fn nothing_seen(&self, shot: Shot) -> TrainError {
         TrainError::NothingSeen {
             camera: self.capture.cameras[shot.camera].name.clone(),
             frame: self.capture.frames[shot.frame].number,

@@ -93,7 +93,7 @@ pub fn start(
         credit: String::new(),
         skeleton: template.skeleton.clone(),
         gaussians: gaussians(&points, &positions, bounds, &node_places, sizes),
-        networks: networks(sizes, inputs.len(), seed),
+        networks: networks(sizes, parts.start.len() - 1, inputs.len(), seed),
         rotation_rows: Rows {
             gaussian: rows(),
             basis: repeated(&shared, 4 * points.len()).into(),
@@ -346,7 +346,7 @@ fn inputs(template: &Template, poses: &[Pose]) -> Inputs {
 }
 
 /// Networks as PyTorch begins them: uniform within ±1/√n of n inputs.
-fn networks(sizes: &Sizes, input: usize, seed: u64) -> Networks {
+fn networks(sizes: &Sizes, parts: usize, input: usize, seed: u64) -> Networks {
     let hidden = sizes.hidden;
     let widths = [input, hidden, hidden, hidden, 2 * TRAIN_BASIS as usize];
     let layer = |l: usize| {
@@ -361,8 +361,8 @@ fn networks(sizes: &Sizes, input: usize, seed: u64) -> Networks {
         Layer {
             input,
             output,
-            weight: numbers(sizes.parts * input * output).into(),
-            bias: numbers(sizes.parts * output),
+            weight: numbers(parts * input * output).into(),
+            bias: numbers(parts * output),
         }
     };
     Networks {
@@ -385,4 +385,144 @@ fn repeated(row: &[f16], times: usize) -> Vec<f16> {
         .cycle()
         .take(row.len() * times)
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use effigy_core::avatar::Skeleton;
+
+    /// A tube of two joints, the upper of which is the head.
+    fn tube() -> Template {
+        const SIDES: u32 = 12;
+        const RINGS: u32 = 9;
+        let mut vertices = Vec::new();
+        let mut weights = Vec::new();
+        for ring in 0..RINGS {
+            let y = 0.2 * f64::from(ring);
+            for side in 0..SIDES {
+                let angle = f64::from(side) * std::f64::consts::TAU / f64::from(SIDES);
+                vertices.push(DVec3::new(0.2 * angle.cos(), y, 0.2 * angle.sin()));
+                let upper = (y as f32 - 0.7).clamp(0.0, 0.2) / 0.2;
+                let both = [(0, 1.0 - upper), (1, upper)];
+                let own = both.into_iter().filter(|(_, weight)| *weight > 0.0);
+                weights.push(
+                    own.map(|(joint, weight)| Influence { joint, weight })
+                        .collect(),
+                );
+            }
+        }
+        let mut triangles = Vec::new();
+        for ring in 0..RINGS - 1 {
+            for side in 0..SIDES {
+                let next = (side + 1) % SIDES;
+                let [a, b] = [ring * SIDES + side, ring * SIDES + next];
+                triangles.push([a, a + SIDES, b]);
+                triangles.push([b, a + SIDES, b + SIDES]);
+            }
+        }
+        Template {
+            skeleton: Skeleton {
+                name: vec!["root".into(), "head".into()],
+                parent: vec![None, Some(0)],
+                rest: vec![[0.0; 3], [0.0, 0.8, 0.0]],
+                canonical: vec![[0.0; 3], [0.0, 0.0, 0.3]],
+            },
+            vertices,
+            triangles,
+            weights,
+            input_joints: vec![1],
+            head_joints: vec![1],
+            expression: 2,
+        }
+    }
+
+    fn sizes() -> Sizes {
+        Sizes {
+            gaussians: 900,
+            parts: 6,
+            nodes: 80,
+            hidden: 8,
+            head_density: 3.0,
+            opacity: 0.8,
+            thickness: 0.3,
+        }
+    }
+
+    fn poses() -> Vec<Pose> {
+        (0..9)
+            .map(|k| {
+                let mut pose = Pose::rest(2, 2);
+                pose.rotation[1].x = 0.1 * f64::from(k);
+                pose.expression[0] = f64::from(k % 2);
+                pose
+            })
+            .collect()
+    }
+
+    #[test]
+    fn gaussians_stand_evenly_on_the_template_and_the_head_comes_first() {
+        let avatar = start(&tube(), &poses(), &sizes(), Filter::ANTIALIASED, 3);
+        avatar.check().unwrap();
+        assert_eq!(avatar.gaussians.len(), 900);
+        assert_eq!((avatar.parts.len(), avatar.nodes.len()), (6, 80));
+        assert!(
+            (1..6).contains(&avatar.parts.head),
+            "{} parts of the head",
+            avatar.parts.head
+        );
+        let places: Vec<[f64; 3]> = (0..900).map(|k| avatar.position(k).to_array()).collect();
+        let tree: ImmutableKdTree<f64, 3> = ImmutableKdTree::new_from_slice(&places);
+        let two = NonZero::new(2).unwrap();
+        let on_head = |k: usize| avatar.gaussians.joint[k][0] == 1;
+        let apart = |head: bool| {
+            let own: Vec<f64> = (0..900)
+                .filter(|&k| on_head(k) == head)
+                .map(|k| {
+                    tree.nearest_n::<SquaredEuclidean>(&places[k], two)[1]
+                        .distance
+                        .sqrt()
+                })
+                .collect();
+            own.iter().sum::<f64>() / own.len() as f64
+        };
+        // Three times as dense: √3 as near.
+        let ratio = apart(false) / apart(true);
+        assert!(
+            (1.4..2.1).contains(&ratio),
+            "{ratio} times as far apart off the head"
+        );
+        let upper = (0..900).filter(|&k| on_head(k)).count();
+        assert!(upper > 500, "{upper} on the head");
+        // A Gaussian's third axis is across the surface, which is round.
+        for k in (0..900).filter(|&k| !on_head(k)).step_by(37) {
+            let [w, x, y, z] = avatar.gaussians.rotation[k].map(f64::from);
+            let across = DQuat::from_xyzw(x, y, z, w) * DVec3::Z;
+            let [px, _, pz] = places[k];
+            let out = DVec3::new(px, 0.0, pz).normalize();
+            assert!(across.dot(out).abs() > 0.9, "{across} at {out}");
+        }
+        let space = avatar.inputs.pose_space.as_ref().unwrap();
+        assert_eq!(space.sigma.len(), 1, "one direction varies");
+    }
+
+    #[test]
+    fn equal_seeds_give_equal_avatars() {
+        let make = |seed| start(&tube(), &poses(), &sizes(), Filter::DEFAULT, seed);
+        assert!(make(5) == make(5) && make(5) != make(6));
+    }
+
+    #[test]
+    fn more_parts_and_nodes_than_gaussians_are_as_many_as_there_can_be() {
+        let few = Sizes {
+            gaussians: 16,
+            parts: 40,
+            nodes: 50,
+            ..sizes()
+        };
+        let avatar = start(&tube(), &poses(), &few, Filter::DEFAULT, 1);
+        avatar.check().unwrap();
+        assert!(avatar.parts.len() <= 16 && avatar.nodes.len() <= 16);
+        assert_eq!(avatar.networks.layers[0].bias.len(), 8 * avatar.parts.len());
+    }
 }

@@ -14,7 +14,7 @@ use std::path::Path;
 /// Views that are watched, at most.
 const WATCHED: usize = 4;
 /// PSNR of watched views.
-const LOG: &str = "watched.csv";
+pub const LOG: &str = "watched.csv";
 /// PSNR over the steps.
 const CHART: &str = "training.svg";
 /// How strong errors are shown.
@@ -34,12 +34,17 @@ pub struct Seen {
     pub image: Vec<[f32; 3]>,
 }
 
-/// A few pictures that are held out, evenly spaced; of the training's where there is none.
-pub fn watched_shots(capture: &Capture) -> Vec<Shot> {
+/// A few pictures that are held out, evenly spaced; of the training's where there is none. `size`:
+/// of the views, which smaller pictures have no room for.
+pub fn watched_shots(capture: &Capture, size: [u32; 2]) -> Vec<Shot> {
     let mut all = shots(capture, |camera, frame| camera || frame);
     if all.is_empty() {
         all = training_shots(capture);
     }
+    all.retain(|shot| {
+        let own = capture.cameras[shot.camera].camera.size;
+        own[0] >= size[0] && own[1] >= size[1]
+    });
     let count = WATCHED.min(all.len());
     (0..count)
         .map(|k| all[(2 * k + 1) * all.len() / (2 * count)])

@@ -5,7 +5,7 @@ use effigy_core::avatar::{Activation, Avatar, Filter};
 use effigy_core::reference::raster::Cutoff;
 use effigy_core::scene::{Camera, Posed};
 use effigy_train::adam::{Adam, Rates};
-use effigy_train::gpu::{StepOptions, Trainer, TrainerState};
+use effigy_train::gpu::{StepOptions, TileShape, Trainer, TrainerState};
 use effigy_train::loss::LossWeights;
 use effigy_train::parameters::{GAUSSIAN, Layout, Parameters};
 use effigy_train::reference::Problem;
@@ -98,13 +98,20 @@ impl Scene {
     }
 
     fn trainer(&self, setting: Setting) -> Trainer {
-        Trainer::new(
-            &gpu::gpu(),
+        self.shaped(setting, TileShape::of(&gpu::gpu()))
+    }
+
+    fn shaped(&self, setting: Setting, shape: TileShape) -> Trainer {
+        let device = gpu::gpu();
+        let Setting { size, views, .. } = setting;
+        Trainer::with_shape(
+            &device,
             &self.topology,
             &self.rows,
             &self.start,
-            setting.size,
-            setting.views,
+            size,
+            views,
+            shape,
         )
         .unwrap()
     }
@@ -304,6 +311,126 @@ fn every_gradient_is_the_references() {
     }
 }
 
+fn tiles_of_gpus_give_the_same_gradients() {
+    let scene = Scene::new(8, SETTING);
+    let mut trainer = scene.shaped(SETTING, TileShape::GPU);
+    trainer.step(&scene.views, &STILL).unwrap();
+    let found = trainer.state().unwrap();
+    let doubles = scene.start.parameters.doubles();
+    let expected = scene.problem(&STILL).gradient(&doubles, &scene.views);
+    assert_gradients(&found.first_moments, &expected, &scene.layout);
+}
+
+fn only_neutral_numbers_learn_without_correctives() {
+    let scene = Scene::new(9, SETTING);
+    let options = StepOptions {
+        correctives: false,
+        ..STILL
+    };
+    let mut trainer = scene.trainer(SETTING);
+    trainer.step(&scene.views, &options).unwrap();
+    let found = trainer.state().unwrap();
+    assert_eq!((found.steps, found.corrective_steps), (1, 0));
+    let moments = &found.first_moments;
+    assert!(
+        moments
+            .networks
+            .iter()
+            .chain(&moments.bases)
+            .all(|&v| v == 0.0)
+    );
+    let doubles = scene.start.parameters.doubles();
+    let expected = scene.problem(&options).gradient(&doubles, &scene.views);
+    let offsets = ..scene.layout.node_bases;
+    assert_same(
+        "node offsets",
+        &moments.nodes[offsets],
+        &expected.nodes[offsets],
+    );
+    let neutral = |k: &usize| k % GAUSSIAN < 11;
+    let at: Vec<usize> = (0..moments.gaussians.len()).filter(neutral).collect();
+    let found: Vec<f32> = at.iter().map(|&k| moments.gaussians[k]).collect();
+    let expected: Vec<f64> = at.iter().map(|&k| expected.gaussians[k]).collect();
+    assert_same("neutral numbers", &found, &expected);
+}
+
+/// Every kind of number goes by a rate of its own, from its own moments.
+fn adam_steps_by_each_rate() {
+    let scene = Scene::new(10, SETTING);
+    let options = StepOptions {
+        rates: Rates {
+            rotation: 1e-3,
+            log_scale: 2e-3,
+            opacity: 3e-3,
+            color: 4e-3,
+            node_offset: 5e-4,
+            node_basis: 6e-4,
+            network: 7e-4,
+            bases: [8e-4, 9e-4, 1.1e-3],
+        },
+        adam: Adam {
+            weight_decay: 0.5,
+            ..Adam::DEFAULT
+        },
+        ..STILL
+    };
+    let mut trainer = scene.trainer(SETTING);
+    for _ in 0..2 {
+        trainer.step(&scene.views, &options).unwrap();
+    }
+    let before = trainer.state().unwrap();
+    trainer.step(&scene.views, &options).unwrap();
+    let after = trainer.state().unwrap();
+    let [main_1, main_2] = options.adam.correction(3);
+    let layout = &scene.layout;
+    let rates = &options.rates;
+    let rate = |array: usize, at: usize| -> (f64, f64) {
+        match array {
+            0 => match at % GAUSSIAN {
+                0..4 => (rates.rotation, 0.0),
+                4..7 => (rates.log_scale, 0.0),
+                7 => (rates.opacity, 0.0),
+                8..11 => (rates.color, 0.0),
+                _ => (0.0, 0.0),
+            },
+            1 if at < layout.node_bases => (rates.node_offset, 0.0),
+            1 => (rates.node_basis, 0.0),
+            2 => (rates.network, options.adam.weight_decay),
+            _ => {
+                let kind = (1..3).filter(|&kind| at >= layout.bases[kind]).count();
+                (rates.bases[kind], 0.0)
+            }
+        }
+    };
+    for array in 0..4 {
+        let [p, q, m, v, m0] = [
+            before.parameters.arrays()[array],
+            after.parameters.arrays()[array],
+            after.first_moments.arrays()[array],
+            after.second_moments.arrays()[array],
+            before.first_moments.arrays()[array],
+        ];
+        let mut learned = 0;
+        for at in 0..p.len() {
+            let (rate, decay) = rate(array, at);
+            let [p, q, m, v] = [p[at], q[at], m[at], v[at]].map(f64::from);
+            let change = m * main_1 / ((v * main_2).sqrt() + 1e-15);
+            let expected = p - rate * (change + decay * p);
+            assert!(
+                (q - expected).abs() < 1e-6 * p.abs().max(1.0) + 1e-3 * rate,
+                "number {at} of array {array}: from {p} to {q}, expected {expected}"
+            );
+            // The second moment is of the same derivative as the first.
+            let gradient = (m - 0.9 * f64::from(m0[at])) / 0.1;
+            learned += usize::from(gradient.abs() > 0.0);
+        }
+        assert!(
+            learned > p.len() / 4,
+            "{learned} numbers of array {array} learn"
+        );
+    }
+}
+
 fn pairs_that_do_not_fit_get_room() {
     let setting = Setting {
         larger: 2.0,
@@ -476,6 +603,9 @@ fn it_learns_what_another_avatar_looks_like() {
 
 tests! {
     every_gradient_is_the_references,
+    tiles_of_gpus_give_the_same_gradients,
+    only_neutral_numbers_learn_without_correctives,
+    adam_steps_by_each_rate,
     pairs_that_do_not_fit_get_room,
     equal_steps_give_equal_bits,
     another_loss_is_asked_once_a_view,

@@ -221,7 +221,7 @@ const LAYERS: &[Layers] = &[
             "prune",
             "start",
             "recipe",
-            "asked",
+            "perceptual",
             "checkpoint",
             "reference",
             "watch",

@@ -19,4 +19,5 @@ mod tiles;
 mod trainer;
 
 pub use block::{StepOptions, ViewBlock};
-pub use trainer::{StepReport, Trainer, TrainerState};
+pub use tiles::TileShape;
+pub use trainer::{StepReport, Trainer, TrainerState, memory_bytes};

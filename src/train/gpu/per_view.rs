@@ -27,7 +27,7 @@ pub(super) struct PerView {
 }
 
 impl PerView {
-    /// The blocks of all views.
+    /// The block of the first view; others follow at offsets.
     pub fn uniform(&self) -> Slice {
         Slice::from(&self.blocks).part(0, STRIDE)
     }

@@ -12,9 +12,10 @@ use effigy_core::frame::KeyBits;
 use effigy_core::layout::{Control, TRAIN_BLOCK, TRAIN_RECORD, TRAIN_WORKGROUP};
 use std::sync::Arc;
 
-/// How the kernels of a tile are launched.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct TileShape {
+/// How the kernels of a tile are launched. Every shape gives the same image and derivative, but for
+/// the order of sums.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct TileShape {
     /// Side of a tile, px.
     pub side: u32,
     /// Invocations of a tile's workgroup.
@@ -24,21 +25,25 @@ pub(super) struct TileShape {
 }
 
 impl TileShape {
-    /// For a device. On CPU drivers a workgroup is as wide as a vector, so that it has nothing to
-    /// wait for; GPUs want many threads, and share at most 16 KB.
+    /// For CPU drivers: a workgroup is as wide as a vector, so that it has nothing to wait for.
+    pub const CPU: Self = Self {
+        side: 8,
+        workgroup: 8,
+        batches: [32, 32],
+    };
+    /// For GPUs: many threads, and at most 16 KB that they share.
+    pub const GPU: Self = Self {
+        side: 16,
+        workgroup: 64,
+        batches: [32, 4],
+    };
+
+    /// The one for a device.
     pub fn of(gpu: &Gpu) -> Self {
         if gpu.probe.is_cpu() {
-            Self {
-                side: 8,
-                workgroup: 8,
-                batches: [32, 32],
-            }
+            Self::CPU
         } else {
-            Self {
-                side: 16,
-                workgroup: 64,
-                batches: [32, 4],
-            }
+            Self::GPU
         }
     }
 }
@@ -80,7 +85,7 @@ impl Tiles {
         let pair_keys = words(gpu, "pair keys", pairs as usize)?;
         let pair_gaussians = words(gpu, "pair Gaussians", pairs as usize)?;
         let range_words = words(gpu, "tile ranges", (columns * rows) as usize + 1)?;
-        let records = words(gpu, "pair records", (TRAIN_RECORD * pairs) as usize)?;
+        let records = words(gpu, "pair records", TRAIN_RECORD as usize * pairs as usize)?;
         let control = words(gpu, "pair control", size_of::<Control>() / 4)?;
         let options = SortOptions::new(KeyBits::TwentyTwo, without_test(gpu)?);
         // SAFETY: both buffers live as long as the sort, and `Gpu::run` waits for each submission.

@@ -12,7 +12,8 @@ use bytemuck::{bytes_of, cast_slice};
 use effigy::vulkan::compute::{Buffer, Kernel, Recording, Scope};
 use effigy::vulkan::{Error, Gpu, Result};
 use effigy_core::layout::{
-    TRAIN_BASES_WORKGROUP, TRAIN_BASIS, TRAIN_LOSS_SUMS, TRAIN_WIDTH_MAX, TRAIN_WORKGROUP,
+    TRAIN_BASES_WORKGROUP, TRAIN_BASIS, TRAIN_LOSS_SUMS, TRAIN_RECORD, TRAIN_WIDTH_MAX,
+    TRAIN_WORKGROUP,
 };
 use glam::DAffine3;
 use std::ops::Range;
@@ -99,7 +100,7 @@ pub struct Trainer {
 
 impl Trainer {
     /// Begins or goes on with a training. `size`: of every view's image, px; `views`: most of a
-    /// step.
+    /// step. Tiles have the shape for the device.
     ///
     /// # Errors
     /// When the device has too little memory or too few bindings, or the avatar is not for it: the
@@ -113,7 +114,23 @@ impl Trainer {
         size: [u32; 2],
         views: usize,
     ) -> Result<Self> {
-        check(gpu, topology)?;
+        Self::with_shape(gpu, topology, rows, state, size, views, TileShape::of(gpu))
+    }
+
+    /// [`Self::new`] with tiles of a shape of one's choice.
+    ///
+    /// # Errors
+    /// Those of [`Self::new`].
+    pub fn with_shape(
+        gpu: &Arc<Gpu>,
+        topology: &Topology,
+        rows: &Rows,
+        state: &TrainerState,
+        size: [u32; 2],
+        views: usize,
+        shape: TileShape,
+    ) -> Result<Self> {
+        check(gpu, topology, size)?;
         let layout = Layout::new(topology, rows);
         let count = layout.gaussians;
         let pixels = size[0] as usize * size[1] as usize;
@@ -144,7 +161,6 @@ impl Trainer {
         let parameters = Learned::new(gpu, "parameters", &layout, &state.parameters)?;
         let first_moments = Learned::new(gpu, "first moments", &layout, &state.first_moments)?;
         let second_moments = Learned::new(gpu, "second moments", &layout, &state.second_moments)?;
-        let shape = TileShape::of(gpu);
         let pairs = (PAIRS_A_GAUSSIAN * count as u32).max(1024);
         let tiles = Tiles::new(gpu, &per_view, shape, pairs, size)?;
         let binder = Binder {
@@ -214,6 +230,7 @@ impl Trainer {
         loop {
             self.write(views, options);
             self.gpu.run("a step", |commands| {
+                Self::record_start(commands);
                 self.record_pose(commands, views.len());
                 for number in 0..views.len() {
                     self.record_forward(commands, number);
@@ -247,6 +264,7 @@ impl Trainer {
             // Room is made before anybody looks at an image.
             loop {
                 self.gpu.run("a step's image", |commands| {
+                    Self::record_start(commands);
                     if number == 0 {
                         self.record_pose(commands, views.len());
                     }
@@ -265,10 +283,12 @@ impl Trainer {
                 self.write_block(views, number, options, true);
             }
             self.gpu.run("a step's derivative", |commands| {
+                Self::record_start(commands);
                 self.record_backward(commands, number);
             })?;
         }
         self.gpu.run("a step's end", |commands| {
+            Self::record_start(commands);
             self.record_update(commands, views.len());
         })?;
         self.finish(views, options)
@@ -281,10 +301,12 @@ impl Trainer {
             let mut images = Vec::new();
             for (number, view) in views.iter().enumerate() {
                 self.gpu.run("an image", |commands| {
+                    Self::record_start(commands);
                     if number == 0 {
                         self.record_pose(commands, views.len());
                     }
                     self.record_forward(commands, number);
+                    commands.barrier(Scope::KERNEL_WRITES, Scope::HOST_READS);
                 })?;
                 images.push(self.image(view)?);
             }
@@ -319,8 +341,31 @@ fn groups(count: usize) -> u32 {
     count.div_ceil(TRAIN_WORKGROUP as usize) as u32
 }
 
-/// That a device and an avatar are for training.
-fn check(gpu: &Gpu, topology: &Topology) -> Result<()> {
+/// Device memory of a training, bytes, before room is made for views with many pairs. `size`: of
+/// every view, px; `views`: of a step.
+pub fn memory_bytes(topology: &Topology, rows: &Rows, size: [u32; 2], views: usize) -> u64 {
+    let layout = Layout::new(topology, rows);
+    let pixels = size[0] as usize * size[1] as usize;
+    let learned: usize = layout.lengths().iter().sum();
+    let widths: usize = topology.widths[1..].iter().sum();
+    let pairs = (PAIRS_A_GAUSSIAN as usize * layout.gaussians).max(1024);
+    // Words, by what they are of.
+    let of_gaussian = 12 + 4 + 6 + 16 + 12 + 2 + 8 + 16 * views;
+    let of_node = 8 * views + 2;
+    let of_part = 2 * widths * views;
+    let of_pixel = 12 + views;
+    let of_pair = 2 + TRAIN_RECORD as usize + 3;
+    let words = 3 * learned
+        + of_gaussian * layout.gaussians
+        + of_node * layout.nodes
+        + of_part * layout.parts
+        + of_pixel * pixels
+        + of_pair * pairs;
+    4 * words as u64
+}
+
+/// That a device, an avatar and the size of its views are for training.
+fn check(gpu: &Gpu, topology: &Topology, size: [u32; 2]) -> Result<()> {
     let unsupported = |missing: String| Error::Unsupported {
         device: gpu.probe.name.clone(),
         missing: format!("for training: {missing}"),
@@ -329,6 +374,17 @@ fn check(gpu: &Gpu, topology: &Topology) -> Result<()> {
     if limit < STORAGE_BUFFERS {
         return Err(unsupported(format!(
             "{STORAGE_BUFFERS} storage buffers in a kernel, it has {limit}"
+        )));
+    }
+    // Workgroups of a dispatch, of the kernels that have the most of them.
+    let pixels = size[0] as usize * size[1] as usize;
+    let columns = topology.gaussians.len() * TRAIN_BASIS as usize;
+    let most =
+        u64::from(groups(pixels).max(columns.div_ceil(TRAIN_BASES_WORKGROUP as usize) as u32));
+    let limit = u64::from(gpu.probe.limits.max_compute_work_group_count[0]);
+    if most > limit {
+        return Err(unsupported(format!(
+            "{most} workgroups in a dispatch, it has {limit}: fewer Gaussians or smaller views"
         )));
     }
     let widest = topology.widths.iter().copied().max().unwrap_or(0);
@@ -389,6 +445,12 @@ impl Trainer {
         let at = number * STRIDE as usize;
         let bytes = bytes_of(&block);
         self.per_view.blocks.mapped()[at..at + bytes.len()].copy_from_slice(bytes);
+    }
+
+    /// Makes what earlier submissions wrote visible to the kernels of this one.
+    fn record_start(commands: Recording) {
+        commands.barrier(Scope::KERNEL_WRITES, Scope::KERNEL);
+        commands.barrier(Scope::TRANSFER_WRITES, Scope::KERNEL);
     }
 
     /// Networks and nodes of all views.
@@ -465,14 +527,15 @@ impl Trainer {
         }
         let pairs = needed.saturating_add(needed / 4);
         tracing::debug!("room for {pairs} pairs of splats and tiles: {needed} are needed");
-        self.tiles = Tiles::new(&self.gpu, &self.per_view, self.shape, pairs, self.size)?;
+        let tiles = Tiles::new(&self.gpu, &self.per_view, self.shape, pairs, self.size)?;
         let binder = Binder {
             gpu: &self.gpu,
             per_view: &self.per_view,
         };
-        let records = &self.tiles.records;
+        // Both or none: a kernel must not outlive what it is bound to.
         self.project_backward =
-            binder.project_backward(&self.inputs, &self.of_views, &self.fixed, records)?;
+            binder.project_backward(&self.inputs, &self.of_views, &self.fixed, &tiles.records)?;
+        self.tiles = tiles;
         Ok(true)
     }
 

@@ -128,3 +128,79 @@ impl AskedLoss {
         Some(Window { first, size })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::view::Picture;
+    use effigy_core::scene::Camera;
+    use glam::DVec3;
+    use std::sync::Arc;
+
+    #[test]
+    fn it_is_the_slope_of_the_weighted_loss_and_none_where_nobody_is() {
+        let size = [40, 50];
+        let count = 2000;
+        let mut random = Random::new(3, 0);
+        let options = PerceptualOptions {
+            kind: PerceptualKind::Dssim,
+            weight: 0.1,
+            every: 4,
+            window: 32,
+            from_share: 0.0,
+        };
+        let asked = AskedLoss::new(&options, Path::new(""), 1).unwrap().unwrap();
+        let mut view = View {
+            joints: vec![],
+            input: vec![],
+            camera: Camera::look_at(DVec3::Z, DVec3::ZERO, 0.5, size),
+            background: DVec3::splat(0.3),
+            gain: DVec3::ONE,
+            whole: count,
+            picture: Arc::new(Picture {
+                size,
+                pixels: (0..count)
+                    .map(|at| {
+                        let shows = [0, 128, 255, 255][at as usize % 4];
+                        [(random.bits() >> 56) as u8, 90, (at % 250) as u8, shows]
+                    })
+                    .collect(),
+            }),
+        };
+        let image: Vec<[f32; 3]> = (0..count)
+            .map(|_| [random.uniform() as f32, 0.4, random.uniform() as f32])
+            .collect();
+        let found = asked.ask(&view, 7, &image).unwrap();
+        assert!(found.gradient.iter().flatten().all(|v| v.is_finite()));
+        let direction: Vec<[f32; 3]> = (0..count)
+            .map(|at| {
+                let sure = view.picture.shows(at as usize) != Shows::Unsure;
+                [0; 3].map(|_| if sure { random.normal() as f32 } else { 0.0 })
+            })
+            .collect();
+        let along = |h: f32| {
+            let moved: Vec<[f32; 3]> = image
+                .iter()
+                .zip(&direction)
+                .map(|(v, d)| std::array::from_fn(|c| v[c] + h * d[c]))
+                .collect();
+            asked.ask(&view, 7, &moved).unwrap().value
+        };
+        let expected = 0.1 * 4.0 * (along(2e-3) - along(-2e-3)) / 4e-3;
+        let slope: f64 = found
+            .gradient
+            .iter()
+            .zip(&direction)
+            .map(|(g, d)| (0..3).map(|c| f64::from(g[c] * d[c])).sum::<f64>())
+            .sum();
+        assert!(
+            (slope - expected).abs() < 0.02 * expected.abs(),
+            "{slope}, expected {expected}"
+        );
+        view.picture = Arc::new(Picture {
+            size,
+            pixels: vec![[0; 4]; count as usize],
+        });
+        assert!(asked.ask(&view, 7, &image).is_none());
+    }
+}
