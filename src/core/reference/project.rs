@@ -4,7 +4,7 @@
 use super::basis::{corrective, plus};
 use super::mlp;
 use super::nodes::displacement;
-use crate::avatar::{Avatar, Filter};
+use crate::avatar::{Avatar, LowPass};
 use crate::constants;
 use crate::layout::compact::Neutral;
 use crate::scene::{Camera, Posed, detail, radius_in_sigmas};
@@ -147,12 +147,13 @@ pub fn skinning(joints: &[DAffine3], joint: [u8; 4], weight: [u8; 4]) -> DAffine
 pub fn splats(
     gaussians: &[Gaussian],
     camera: &Camera,
-    filter: Filter,
+    low_pass: impl Into<LowPass>,
     level: u32,
 ) -> Vec<Result<Splat, Culled>> {
+    let low_pass = low_pass.into();
     gaussians
         .par_iter()
-        .map(|gaussian| project(gaussian, camera, filter, level))
+        .map(|gaussian| project(gaussian, camera, low_pass, level))
         .collect()
 }
 
@@ -161,9 +162,10 @@ pub fn splats(
 pub fn project(
     gaussian: &Gaussian,
     camera: &Camera,
-    filter: Filter,
+    low_pass: impl Into<LowPass>,
     level: u32,
 ) -> Result<Splat, Culled> {
+    let low_pass = low_pass.into();
     let t = camera.view.transform_point3(gaussian.mean);
     if t.z < camera.near {
         return Err(Culled::Behind);
@@ -174,7 +176,7 @@ pub fn project(
         .and(radius_in_sigmas(opacity))
         .ok_or(Culled::Faint)?;
     let center = camera.project(t);
-    let footprint = Footprint::new(camera.view.matrix3 * gaussian.axes, t, camera, filter);
+    let footprint = Footprint::new(camera.view.matrix3 * gaussian.axes, t, camera, low_pass);
     let [a, b, c] = footprint.covariance;
     let valid_shape = footprint.determinant > 0.0 && a.max(c) <= constants::VARIANCE_MAX;
     if !(t.is_finite()
@@ -194,7 +196,7 @@ pub fn project(
         return Err(Culled::Guard);
     }
     // What a level enlarges covariances by leaves the ratio of their determinants as it is.
-    let opacity = opacity * filter.opacity_factor(footprint.unfiltered, footprint.determinant);
+    let opacity = opacity * low_pass.opacity_factor(footprint.unfiltered, footprint.determinant);
     let sigmas = radius_in_sigmas(opacity).ok_or(Culled::Faint)?;
     let spread = detail::covariance_scale(level);
     let covariance = footprint.covariance.map(|v| spread * v);
@@ -228,8 +230,8 @@ impl Footprint {
     ///
     /// J is the derivative of [`Camera::project`] at `t`, with x/z and y/z kept within
     /// [`Camera::derivative_limits`].
-    fn new(m: DMat3, t: DVec3, camera: &Camera, filter: Filter) -> Self {
-        let low_pass = filter.variance;
+    fn new(m: DMat3, t: DVec3, camera: &Camera, low_pass: LowPass) -> Self {
+        let low_pass = low_pass.variance;
         let [min, max] = camera.derivative_limits();
         let slope = (t.truncate() / t.z).clamp(min, max);
         let f = camera.focal / t.z;
