@@ -70,12 +70,17 @@ impl Small {
 /// some height. `side`: of the avatar in the image, px.
 fn levels(random: &mut Random, avatar: &Avatar, side: f64) -> Vec<Level> {
     let count = avatar.gaussians.len();
+    let mut fewest = count;
     let mut every = 1;
     (0..1 + below(random, LEVELS))
         .filter_map(|_| {
             every += 1 + below(random, 8);
             let height = (side * HEIGHTS[below(random, HEIGHTS.len())]).clamp(1e-3, 1e5);
-            (every < count).then(|| level(avatar, every, below(random, 2) == 0, height))
+            let correctives = below(random, 2) == 0;
+            // Each level has fewer than the one before.
+            let is_coarser = count.div_ceil(every) < fewest;
+            fewest = fewest.min(count.div_ceil(every));
+            is_coarser.then(|| level(avatar, every, correctives, height))
         })
         .collect()
 }
