@@ -61,7 +61,7 @@ layout(std140, set = 0, binding = 0) uniform FrameBlock {
     float covariance_scale;
     uint bin_side;
     float low_pass;
-    uint compensated;
+    float compensation;
     float area_reach;
     vec4 area;
     vec4 cache_min;

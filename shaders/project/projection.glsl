@@ -117,8 +117,10 @@ uint write_splat(uint index, vec3 p, vec2 center, float key, mat3 rows, mat3 axe
         return SORT_CULLED;
     }
     opacity = detail_opacity(opacity);
-    if (frame.compensated != 0u) {
-        opacity = uint(round(float(opacity) * sqrt(unfiltered / determinant)));
+    if (frame.compensation > 0.0) {
+        float kept = sqrt(unfiltered / determinant);
+        kept = (1.0 - frame.compensation) + frame.compensation * kept;
+        opacity = uint(round(float(opacity) * kept));
         if (float(opacity) <= frame.cutoff) {
             count_culled(FAINT);
             return SORT_CULLED;

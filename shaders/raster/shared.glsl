@@ -3,6 +3,7 @@
 #define REGION SHARED_REGION
 #define STEP 1u
 #include "raster/batches.glsl"
+#include "raster/filled.glsl"
 
 struct Samples {
     // Colour, in 1023rds, and how much of what lies behind shows.
@@ -31,9 +32,10 @@ void blend(inout Samples samples, uint k, vec2 first) {
 
 #include "raster/batches_main.glsl"
 
-void store(uvec2 at, vec4 pixel) {
+void store(uvec2 at, vec4 pixel, bool open) {
     if (all(lessThan(at, uvec2(frame.size)))) {
-        imageStore(image, ivec2(at), vec4(pixel.rgb / 1023.0, 1.0 - pixel.a));
+        pixel = filled(pixel, open);
+        imageStore(image, ivec2(at), vec4(pixel.rgb / 1023.0, pixel.a));
     }
 }
 
@@ -47,10 +49,10 @@ void main() {
     samples.pixels = vec4[](clear, clear, clear, clear);
     blend_bin(samples, corner, vec2(first) + 0.5);
     first += corner;
-    store(first, samples.pixels[0]);
-    store(first + uvec2(1u, 0u), samples.pixels[1]);
-    store(first + uvec2(0u, 1u), samples.pixels[2]);
-    store(first + uvec2(1u, 1u), samples.pixels[3]);
+    store(first, samples.pixels[0], samples.open);
+    store(first + uvec2(1u, 0u), samples.pixels[1], samples.open);
+    store(first + uvec2(0u, 1u), samples.pixels[2], samples.open);
+    store(first + uvec2(1u, 1u), samples.pixels[3], samples.open);
     if (COUNTED && samples.evaluated > 0u) {
         atomicAdd(control.fragments, samples.evaluated);
     }

@@ -1,12 +1,14 @@
 //! `effigy compare`: two files of `effigy bench --json`, or of `effigy soak`, against each other.
 
-use crate::files;
+use crate::files::{self, ChartFile};
 use anyhow::{Context, ensure};
 use effigy_measure::{
     bench::{
-        self,
+        self, BenchReport,
         compare::{BenchNumber, Change},
+        sizes::{self, NamedReport},
     },
+    report::chart_title,
     soak,
 };
 use std::path::{Path, PathBuf};
@@ -20,6 +22,10 @@ pub struct Args {
     /// Leave out what differs by less than this, per cent; not for soaks
     #[arg(long, value_name = "PERCENT", default_value_t = 0.0)]
     above: f64,
+    /// Also chart error and time against the avatar's size, of the cases in which it has a height,
+    /// to an .svg or a .png; each line is named as its file is; not for soaks
+    #[arg(long, value_name = "FILE", value_parser = files::chart)]
+    chart: Option<ChartFile>,
 }
 
 pub fn run(args: Args) -> anyhow::Result<()> {
@@ -31,7 +37,8 @@ pub fn run(args: Args) -> anyhow::Result<()> {
         bench::compare::read(text).with_context(|| format!("{} can't be compared", path.display()))
     };
     let [a, b] = &texts;
-    let comparison = bench::compare::compare(&parse(&args.a, a)?, &parse(&args.b, b)?);
+    let [a, b] = [parse(&args.a, a)?, parse(&args.b, b)?];
+    let comparison = bench::compare::compare(&a, &b);
     ensure!(
         !comparison.lines.is_empty(),
         "the two have no case in common: {}",
@@ -62,6 +69,28 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     }
     for row in &comparison.alone {
         println!("not compared: {row}");
+    }
+    match &args.chart {
+        Some(file) => write_chart(file, [(&args.a, &a), (&args.b, &b)]),
+        None => Ok(()),
+    }
+}
+
+/// Charts measurements, each with the file that it was read from.
+fn write_chart(file: &ChartFile, measured: [(&PathBuf, &BenchReport); 2]) -> anyhow::Result<()> {
+    let names = measured.map(|(path, _)| {
+        let name = path.file_stem().unwrap_or_default();
+        name.to_string_lossy().into_owned()
+    });
+    let reports: [NamedReport; 2] = std::array::from_fn(|k| NamedReport {
+        name: &names[k],
+        report: measured[k].1,
+    });
+    let first = measured[0].1;
+    let title = chart_title(&first.avatar, first.size, &first.device);
+    match file {
+        ChartFile::Svg(path) => files::write(path, sizes::svg(&reports, &title)?.as_bytes())?,
+        ChartFile::Png(path) => files::write(path, &sizes::png(&reports, &title)?)?,
     }
     Ok(())
 }

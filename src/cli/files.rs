@@ -91,6 +91,28 @@ pub fn json_path(text: &str) -> Result<PathBuf, String> {
     }
 }
 
+/// A chart to write.
+#[derive(Clone, Debug)]
+pub enum ChartFile {
+    Svg(PathBuf),
+    Png(PathBuf),
+}
+
+/// Reads the name of a chart; its ending chooses the format.
+pub fn chart(text: &str) -> Result<ChartFile, String> {
+    let path = PathBuf::from(text);
+    let ending = path
+        .extension()
+        .unwrap_or_default()
+        .to_string_lossy()
+        .to_ascii_lowercase();
+    match ending.as_str() {
+        "svg" => Ok(ChartFile::Svg(path)),
+        "png" => Ok(ChartFile::Png(path)),
+        _ => Err(format!("`{text}` ends in neither .svg nor .png")),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

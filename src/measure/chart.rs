@@ -144,6 +144,8 @@ pub struct Axes<'a> {
     pub text_height: u32,
     /// Numbers along y, at most. None leaves it to the drawing library, as for the next.
     pub y_label_count: Option<usize>,
+    /// How a number along x is written.
+    pub x_label: Option<&'a dyn Fn(&f64) -> String>,
     /// How a number along y is written.
     pub y_label: Option<&'a dyn Fn(&f64) -> String>,
 }
@@ -167,6 +169,9 @@ impl Axes<'_> {
         }
         if let Some(count) = self.y_label_count {
             mesh.y_labels(count);
+        }
+        if let Some(label) = self.x_label {
+            mesh.x_label_formatter(label);
         }
         if let Some(label) = self.y_label {
             mesh.y_label_formatter(label);

@@ -164,7 +164,7 @@ fn the_frame_block_is_the_same_on_both_sides() {
         offset_of!(FrameBlock, covariance_scale),
         offset_of!(FrameBlock, bin_side),
         offset_of!(FrameBlock, low_pass),
-        offset_of!(FrameBlock, compensated),
+        offset_of!(FrameBlock, compensation),
         offset_of!(FrameBlock, area_reach),
         offset_of!(FrameBlock, area),
         offset_of!(FrameBlock, cache_min),

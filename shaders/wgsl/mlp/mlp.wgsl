@@ -66,7 +66,7 @@ struct type_20 {
     member_49: f32,
     member_50: u32,
     member_51: f32,
-    member_52: u32,
+    member_52: f32,
     member_53: f32,
     member_54: vec4<f32>,
     member_55: vec4<f32>,

@@ -80,7 +80,7 @@ struct FrameBlock {
     covariance_scale: f32,
     bin_side: u32,
     low_pass: f32,
-    compensated: u32,
+    compensation: f32,
     area_reach: f32,
     area: vec4<f32>,
     cache_min: vec4<f32>,
@@ -172,22 +172,53 @@ var<private> gl_WorkGroupID_1: vec3<u32>;
 @group(0) @binding(2) 
 var<storage, read_write> unnamed_3: ControlBuffer;
 
-fn store_u0028_vu2_u003b_vf4_u003b(at: ptr<function, vec2<u32>>, pixel: ptr<function, vec4<f32>>) {
-    let _e7 = (*at);
-    let _e9 = frame.size;
-    if all((_e7 < vec2<u32>(_e9))) {
-        let _e13 = (*at);
-        let _e15 = (*pixel);
-        let _e18 = (_e15.xyz / vec3(1023f));
-        let _e20 = (*pixel)[3u];
-        textureStore(image, bitcast<vec2<i32>>(_e13), vec4<f32>(_e18.x, _e18.y, _e18.z, (1f - _e20)));
+fn filled_u0028_vf4_u003b_b1_u003b(pixel: ptr<function, vec4<f32>>, open: ptr<function, bool>) -> vec4<f32> {
+    var covered: f32;
+    var local: vec4<f32>;
+
+    let _e7 = (*pixel)[3u];
+    covered = (1f - _e7);
+    let _e9 = (*open);
+    if _e9 {
+        let _e10 = (*pixel);
+        let _e11 = _e10.xyz;
+        let _e12 = covered;
+        local = vec4<f32>(_e11.x, _e11.y, _e11.z, _e12);
+    } else {
+        let _e17 = (*pixel);
+        let _e19 = covered;
+        let _e21 = (_e17.xyz / vec3(_e19));
+        local = vec4<f32>(_e21.x, _e21.y, _e21.z, 1f);
+    }
+    let _e26 = local;
+    return _e26;
+}
+
+fn store_u0028_vu2_u003b_vf4_u003b_b1_u003b(at: ptr<function, vec2<u32>>, pixel_1: ptr<function, vec4<f32>>, open_1: ptr<function, bool>) {
+    var param_16: vec4<f32>;
+    var param_17: bool;
+
+    let _e9 = (*at);
+    let _e11 = frame.size;
+    if all((_e9 < vec2<u32>(_e11))) {
+        let _e15 = (*pixel_1);
+        param_16 = _e15;
+        let _e16 = (*open_1);
+        param_17 = _e16;
+        let _e17 = filled_u0028_vf4_u003b_b1_u003b((&param_16), (&param_17));
+        (*pixel_1) = _e17;
+        let _e18 = (*at);
+        let _e20 = (*pixel_1);
+        let _e23 = (_e20.xyz / vec3(1023f));
+        let _e25 = (*pixel_1)[3u];
+        textureStore(image, bitcast<vec2<i32>>(_e18), vec4<f32>(_e23.x, _e23.y, _e23.z, _e25));
     }
     return;
 }
 
 fn opacity_at_u0028_vf2_u003b_f1_u003b(deviation: ptr<function, vec2<f32>>, exponent: ptr<function, f32>) -> f32 {
     var power: f32;
-    var local: f32;
+    var local_1: f32;
 
     let _e7 = (*exponent);
     let _e8 = (*deviation);
@@ -197,33 +228,33 @@ fn opacity_at_u0028_vf2_u003b_f1_u003b(deviation: ptr<function, vec2<f32>>, expo
     let _e14 = settings.cutoff_exponent;
     if (_e12 >= _e14) {
         let _e16 = power;
-        local = min(0.99f, exp2(_e16));
+        local_1 = min(0.99f, exp2(_e16));
     } else {
-        local = 0f;
+        local_1 = 0f;
     }
-    let _e19 = local;
+    let _e19 = local_1;
     return _e19;
 }
 
-fn blend_pixel_u0028_vf4_u003b_vf2_u003b_f1_u003b_vf3_u003b(pixel_1: ptr<function, vec4<f32>>, deviation_1: ptr<function, vec2<f32>>, exponent_1: ptr<function, f32>, color: ptr<function, vec3<f32>>) {
+fn blend_pixel_u0028_vf4_u003b_vf2_u003b_f1_u003b_vf3_u003b(pixel_2: ptr<function, vec4<f32>>, deviation_1: ptr<function, vec2<f32>>, exponent_1: ptr<function, f32>, color: ptr<function, vec3<f32>>) {
     var share: f32;
-    var param_12: vec2<f32>;
-    var param_13: f32;
+    var param_18: vec2<f32>;
+    var param_19: f32;
 
     let _e8 = (*deviation_1);
-    param_12 = _e8;
+    param_18 = _e8;
     let _e9 = (*exponent_1);
-    param_13 = _e9;
-    let _e10 = opacity_at_u0028_vf2_u003b_f1_u003b((&param_12), (&param_13));
-    let _e12 = (*pixel_1)[3u];
+    param_19 = _e9;
+    let _e10 = opacity_at_u0028_vf2_u003b_f1_u003b((&param_18), (&param_19));
+    let _e12 = (*pixel_2)[3u];
     share = (_e10 * _e12);
-    let _e14 = (*pixel_1);
+    let _e14 = (*pixel_2);
     let _e16 = share;
     let _e17 = (*color);
     let _e19 = (_e14.xyz + (_e17 * _e16));
-    let _e21 = (*pixel_1)[3u];
+    let _e21 = (*pixel_2)[3u];
     let _e22 = share;
-    (*pixel_1) = vec4<f32>(_e19.x, _e19.y, _e19.z, (_e21 - _e22));
+    (*pixel_2) = vec4<f32>(_e19.x, _e19.y, _e19.z, (_e21 - _e22));
     return;
 }
 
@@ -263,32 +294,32 @@ fn see_u0028_u1_u003b_vf2_u003b(k: ptr<function, u32>, first_1: ptr<function, ve
 
 fn blend_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u11_u003b_u1_u003b_vf2_u003b(samples_1: ptr<function, Samples>, k_1: ptr<function, u32>, first_2: ptr<function, vec2<f32>>) {
     var seen_1: Seen;
-    var param_14: u32;
-    var param_15: vec2<f32>;
+    var param_20: u32;
+    var param_21: vec2<f32>;
     var color_1: vec3<f32>;
     var right: vec2<f32>;
-    var param_16: vec4<f32>;
-    var param_17: vec2<f32>;
-    var param_18: f32;
-    var param_19: vec3<f32>;
-    var param_20: vec4<f32>;
-    var param_21: vec2<f32>;
-    var param_22: f32;
-    var param_23: vec3<f32>;
-    var param_24: vec4<f32>;
-    var param_25: vec2<f32>;
-    var param_26: f32;
-    var param_27: vec3<f32>;
-    var param_28: vec4<f32>;
-    var param_29: vec2<f32>;
-    var param_30: f32;
-    var param_31: vec3<f32>;
+    var param_22: vec4<f32>;
+    var param_23: vec2<f32>;
+    var param_24: f32;
+    var param_25: vec3<f32>;
+    var param_26: vec4<f32>;
+    var param_27: vec2<f32>;
+    var param_28: f32;
+    var param_29: vec3<f32>;
+    var param_30: vec4<f32>;
+    var param_31: vec2<f32>;
+    var param_32: f32;
+    var param_33: vec3<f32>;
+    var param_34: vec4<f32>;
+    var param_35: vec2<f32>;
+    var param_36: f32;
+    var param_37: vec3<f32>;
 
     let _e34 = (*k_1);
-    param_14 = _e34;
+    param_20 = _e34;
     let _e35 = (*first_2);
-    param_15 = _e35;
-    let _e36 = see_u0028_u1_u003b_vf2_u003b((&param_14), (&param_15));
+    param_21 = _e35;
+    let _e36 = see_u0028_u1_u003b_vf2_u003b((&param_20), (&param_21));
     seen_1 = _e36;
     let _e38 = seen_1.color;
     let _e42 = seen_1.color;
@@ -298,50 +329,50 @@ fn blend_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u11_u
     let _e56 = seen_1.right;
     right = (_e54 + _e56);
     let _e60 = (*samples_1).pixels[0i];
-    param_16 = _e60;
+    param_22 = _e60;
     let _e62 = seen_1.deviation;
-    param_17 = _e62;
+    param_23 = _e62;
     let _e64 = seen_1.exponent;
-    param_18 = _e64;
+    param_24 = _e64;
     let _e65 = color_1;
-    param_19 = _e65;
-    blend_pixel_u0028_vf4_u003b_vf2_u003b_f1_u003b_vf3_u003b((&param_16), (&param_17), (&param_18), (&param_19));
-    let _e66 = param_16;
+    param_25 = _e65;
+    blend_pixel_u0028_vf4_u003b_vf2_u003b_f1_u003b_vf3_u003b((&param_22), (&param_23), (&param_24), (&param_25));
+    let _e66 = param_22;
     (*samples_1).pixels[0i] = _e66;
     let _e71 = (*samples_1).pixels[1i];
-    param_20 = _e71;
+    param_26 = _e71;
     let _e72 = right;
-    param_21 = _e72;
+    param_27 = _e72;
     let _e74 = seen_1.exponent;
-    param_22 = _e74;
+    param_28 = _e74;
     let _e75 = color_1;
-    param_23 = _e75;
-    blend_pixel_u0028_vf4_u003b_vf2_u003b_f1_u003b_vf3_u003b((&param_20), (&param_21), (&param_22), (&param_23));
-    let _e76 = param_20;
+    param_29 = _e75;
+    blend_pixel_u0028_vf4_u003b_vf2_u003b_f1_u003b_vf3_u003b((&param_26), (&param_27), (&param_28), (&param_29));
+    let _e76 = param_26;
     (*samples_1).pixels[1i] = _e76;
     let _e80 = seen_1.deviation;
     let _e82 = seen_1.down;
     let _e86 = (*samples_1).pixels[2i];
-    param_24 = _e86;
-    param_25 = (_e80 + _e82);
+    param_30 = _e86;
+    param_31 = (_e80 + _e82);
     let _e88 = seen_1.exponent;
-    param_26 = _e88;
+    param_32 = _e88;
     let _e89 = color_1;
-    param_27 = _e89;
-    blend_pixel_u0028_vf4_u003b_vf2_u003b_f1_u003b_vf3_u003b((&param_24), (&param_25), (&param_26), (&param_27));
-    let _e90 = param_24;
+    param_33 = _e89;
+    blend_pixel_u0028_vf4_u003b_vf2_u003b_f1_u003b_vf3_u003b((&param_30), (&param_31), (&param_32), (&param_33));
+    let _e90 = param_30;
     (*samples_1).pixels[2i] = _e90;
     let _e93 = right;
     let _e95 = seen_1.down;
     let _e99 = (*samples_1).pixels[3i];
-    param_28 = _e99;
-    param_29 = (_e93 + _e95);
+    param_34 = _e99;
+    param_35 = (_e93 + _e95);
     let _e101 = seen_1.exponent;
-    param_30 = _e101;
+    param_36 = _e101;
     let _e102 = color_1;
-    param_31 = _e102;
-    blend_pixel_u0028_vf4_u003b_vf2_u003b_f1_u003b_vf3_u003b((&param_28), (&param_29), (&param_30), (&param_31));
-    let _e103 = param_28;
+    param_37 = _e102;
+    blend_pixel_u0028_vf4_u003b_vf2_u003b_f1_u003b_vf3_u003b((&param_34), (&param_35), (&param_36), (&param_37));
+    let _e103 = param_34;
     (*samples_1).pixels[3i] = _e103;
     let _e109 = (*samples_1).pixels[0i][3u];
     let _e113 = (*samples_1).pixels[1i][3u];
@@ -404,14 +435,14 @@ fn fixed_center_u0028_vu4_u003b(words: ptr<function, vec4<u32>>) -> vec2<f32> {
 
 fn unpack_splat_u0028_vu4_u003b(words_1: ptr<function, vec4<u32>>) -> Splat {
     var splat: Splat;
-    var param_32: vec4<u32>;
+    var param_38: vec4<u32>;
     var blue: u32;
     var red: u32;
     var green: u32;
 
     let _e18 = (*words_1);
-    param_32 = _e18;
-    let _e19 = fixed_center_u0028_vu4_u003b((&param_32));
+    param_38 = _e18;
+    let _e19 = fixed_center_u0028_vu4_u003b((&param_38));
     let _e21 = frame.fixed_scale;
     let _e25 = frame.guard;
     splat.center = ((_e19 / vec2(_e21)) - vec2(_e25));
@@ -438,7 +469,7 @@ fn unpack_splat_u0028_vu4_u003b(words_1: ptr<function, vec4<u32>>) -> Splat {
 
 fn load_u0028_u1_u003b_u1_u003b_vf2_u003b(thread: ptr<function, u32>, i: ptr<function, u32>, corner_1: ptr<function, vec2<f32>>) {
     var splat_1: Splat;
-    var param_33: vec4<u32>;
+    var param_39: vec4<u32>;
     var inverse: f32;
     var along: vec2<f32>;
     var across: vec2<f32>;
@@ -451,17 +482,17 @@ fn load_u0028_u1_u003b_u1_u003b_vf2_u003b(thread: ptr<function, u32>, i: ptr<fun
     var quarter: u32;
     var low_1: vec2<f32>;
     var high_1: vec2<f32>;
-    var param_34: f32;
-    var param_35: f32;
-    var param_36: f32;
-    var param_37: vec2<f32>;
-    var param_38: vec2<f32>;
+    var param_40: f32;
+    var param_41: f32;
+    var param_42: f32;
+    var param_43: vec2<f32>;
+    var param_44: vec2<f32>;
     var color_2: vec3<u32>;
 
     let _e46 = (*i);
     let _e49 = unnamed.splats[_e46];
-    param_33 = _e49;
-    let _e50 = unpack_splat_u0028_vu4_u003b((&param_33));
+    param_39 = _e49;
+    let _e50 = unpack_splat_u0028_vu4_u003b((&param_39));
     splat_1 = _e50;
     let _e52 = splat_1.axis;
     let _e54 = splat_1.axis;
@@ -512,16 +543,16 @@ fn load_u0028_u1_u003b_u1_u003b_vf2_u003b(thread: ptr<function, u32>, i: ptr<fun
             let _e144 = high_1;
             high_1 = (_e144 - vec2((0.5f - _e142)));
             let _e147 = a_1;
-            param_34 = _e147;
+            param_40 = _e147;
             let _e148 = b_1;
-            param_35 = _e148;
+            param_41 = _e148;
             let _e149 = c_1;
-            param_36 = _e149;
+            param_42 = _e149;
             let _e150 = low_1;
-            param_37 = _e150;
+            param_43 = _e150;
             let _e151 = high_1;
-            param_38 = _e151;
-            let _e152 = nearest_u0028_f1_u003b_f1_u003b_f1_u003b_vf2_u003b_vf2_u003b((&param_34), (&param_35), (&param_36), (&param_37), (&param_38));
+            param_44 = _e151;
+            let _e152 = nearest_u0028_f1_u003b_f1_u003b_f1_u003b_vf2_u003b_vf2_u003b((&param_40), (&param_41), (&param_42), (&param_43), (&param_44));
             let _e153 = exponent_2;
             let _e155 = settings.cutoff_exponent;
             if !((_e152 > ((_e153 - _e155) + 0.00390625f))) {
@@ -578,20 +609,20 @@ fn blend_bin_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u
     var shift_1: u32;
     var at_1: vec2<u32>;
     var bin: u32;
-    var param_39: u32;
+    var param_45: u32;
     var end: u32;
     var from_1: u32;
     var i_1: u32;
-    var local_1: u32;
-    var param_40: u32;
-    var param_41: u32;
-    var param_42: vec2<f32>;
+    var local_2: u32;
+    var param_46: u32;
+    var param_47: u32;
+    var param_48: vec2<f32>;
     var word: u32;
     var hits: u32;
     var k_2: u32;
-    var param_43: Samples;
-    var param_44: u32;
-    var param_45: vec2<f32>;
+    var param_49: Samples;
+    var param_50: u32;
+    var param_51: vec2<f32>;
 
     let _e38 = gl_LocalInvocationIndex_1;
     thread_1 = _e38;
@@ -605,8 +636,8 @@ fn blend_bin_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u
     at_1 = (_e44 / vec2((_e46 << bitcast<u32>(_e47))));
     let _e53 = at_1[1u];
     let _e54 = shift_1;
-    param_39 = _e54;
-    let _e55 = bins_of_u0028_u1_u003b((&param_39));
+    param_45 = _e54;
+    let _e55 = bins_of_u0028_u1_u003b((&param_45));
     let _e59 = at_1[0u];
     bin = ((_e53 * _e55.x) + _e59);
     let _e62 = settings.starts_start;
@@ -644,11 +675,11 @@ fn blend_bin_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u
                 let _e95 = thread_1;
                 let _e99 = unnamed_2.sorted[(_e94 + _e95)];
                 let _e103 = unnamed_1.bins[(_e93 + _e99)];
-                local_1 = _e103;
+                local_2 = _e103;
             } else {
-                local_1 = 0u;
+                local_2 = 0u;
             }
-            let _e104 = local_1;
+            let _e104 = local_2;
             i_1 = _e104;
             let _e105 = from_1;
             let _e106 = thread_1;
@@ -656,11 +687,11 @@ fn blend_bin_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u
             if ((_e105 + _e106) < _e108) {
                 let _e110 = (*corner_2);
                 let _e112 = thread_1;
-                param_40 = _e112;
+                param_46 = _e112;
                 let _e113 = i_1;
-                param_41 = _e113;
-                param_42 = vec2<f32>(_e110);
-                load_u0028_u1_u003b_u1_u003b_vf2_u003b((&param_40), (&param_41), (&param_42));
+                param_47 = _e113;
+                param_48 = vec2<f32>(_e110);
+                load_u0028_u1_u003b_u1_u003b_vf2_u003b((&param_46), (&param_47), (&param_48));
             }
             workgroupBarrier();
             let _e114 = workgroupUniformLoad((&batch_open));
@@ -687,12 +718,12 @@ fn blend_bin_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u
                             let _e136 = word;
                             let _e138 = k_2;
                             let _e140 = (*samples_2);
-                            param_43 = _e140;
-                            param_44 = ((32u * _e136) + _e138);
+                            param_49 = _e140;
+                            param_50 = ((32u * _e136) + _e138);
                             let _e141 = (*first_3);
-                            param_45 = _e141;
-                            blend_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u11_u003b_u1_u003b_vf2_u003b((&param_43), (&param_44), (&param_45));
-                            let _e142 = param_43;
+                            param_51 = _e141;
+                            blend_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u11_u003b_u1_u003b_vf2_u003b((&param_49), (&param_50), (&param_51));
+                            let _e142 = param_49;
                             (*samples_2) = _e142;
                             continue;
                         } else {
@@ -742,67 +773,79 @@ fn main(@builtin(local_invocation_index) gl_LocalInvocationIndex: u32, @builtin(
     var param_3: vec2<f32>;
     var param_4: vec2<u32>;
     var param_5: vec4<f32>;
-    var param_6: vec2<u32>;
-    var param_7: vec4<f32>;
-    var param_8: vec2<u32>;
-    var param_9: vec4<f32>;
+    var param_6: bool;
+    var param_7: vec2<u32>;
+    var param_8: vec4<f32>;
+    var param_9: bool;
     var param_10: vec2<u32>;
     var param_11: vec4<f32>;
-    var phi_1018_: bool;
+    var param_12: bool;
+    var param_13: vec2<u32>;
+    var param_14: vec4<f32>;
+    var param_15: bool;
+    var phi_1068_: bool;
 
     gl_LocalInvocationIndex_1 = gl_LocalInvocationIndex;
     gl_WorkGroupID_1 = gl_WorkGroupID;
-    let _e33 = settings.first_region;
-    corner = ((_e33 + bitcast<vec3<u32>>(gl_WorkGroupID).xy) * vec2(16u));
+    let _e37 = settings.first_region;
+    corner = ((_e37 + bitcast<vec3<u32>>(gl_WorkGroupID).xy) * vec2(16u));
     param = bitcast<u32>(gl_LocalInvocationIndex);
-    let _e40 = place_of_u0028_u1_u003b((&param));
-    first = (vec2(2u) * _e40);
+    let _e44 = place_of_u0028_u1_u003b((&param));
+    first = (vec2(2u) * _e44);
     samples.open = true;
     samples.evaluated = 0u;
     samples.pixels = array<vec4<f32>, 4>(vec4<f32>(0f, 0f, 0f, 1f), vec4<f32>(0f, 0f, 0f, 1f), vec4<f32>(0f, 0f, 0f, 1f), vec4<f32>(0f, 0f, 0f, 1f));
-    let _e46 = first;
-    let _e50 = samples;
-    param_1 = _e50;
-    let _e51 = corner;
-    param_2 = _e51;
-    param_3 = (vec2<f32>(_e46) + vec2(0.5f));
+    let _e50 = first;
+    let _e54 = samples;
+    param_1 = _e54;
+    let _e55 = corner;
+    param_2 = _e55;
+    param_3 = (vec2<f32>(_e50) + vec2(0.5f));
     blend_bin_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u11_u003b_vu2_u003b_vf2_u003b((&param_1), (&param_2), (&param_3));
-    let _e52 = param_1;
-    samples = _e52;
-    let _e53 = corner;
-    let _e54 = first;
-    first = (_e54 + _e53);
-    let _e56 = first;
-    param_4 = _e56;
-    let _e59 = samples.pixels[0i];
-    param_5 = _e59;
-    store_u0028_vu2_u003b_vf4_u003b((&param_4), (&param_5));
+    let _e56 = param_1;
+    samples = _e56;
+    let _e57 = corner;
+    let _e58 = first;
+    first = (_e58 + _e57);
     let _e60 = first;
-    param_6 = (_e60 + vec2<u32>(1u, 0u));
-    let _e64 = samples.pixels[1i];
-    param_7 = _e64;
-    store_u0028_vu2_u003b_vf4_u003b((&param_6), (&param_7));
-    let _e65 = first;
-    param_8 = (_e65 + vec2<u32>(0u, 1u));
-    let _e69 = samples.pixels[2i];
-    param_9 = _e69;
-    store_u0028_vu2_u003b_vf4_u003b((&param_8), (&param_9));
-    let _e70 = first;
-    param_10 = (_e70 + vec2<u32>(1u, 1u));
-    let _e74 = samples.pixels[3i];
-    param_11 = _e74;
-    store_u0028_vu2_u003b_vf4_u003b((&param_10), (&param_11));
-    let _e76 = settings.counted;
-    let _e77 = (_e76 != 0u);
-    phi_1018_ = _e77;
-    if _e77 {
-        let _e79 = samples.evaluated;
-        phi_1018_ = (_e79 > 0u);
+    param_4 = _e60;
+    let _e63 = samples.pixels[0i];
+    param_5 = _e63;
+    let _e65 = samples.open;
+    param_6 = _e65;
+    store_u0028_vu2_u003b_vf4_u003b_b1_u003b((&param_4), (&param_5), (&param_6));
+    let _e66 = first;
+    param_7 = (_e66 + vec2<u32>(1u, 0u));
+    let _e70 = samples.pixels[1i];
+    param_8 = _e70;
+    let _e72 = samples.open;
+    param_9 = _e72;
+    store_u0028_vu2_u003b_vf4_u003b_b1_u003b((&param_7), (&param_8), (&param_9));
+    let _e73 = first;
+    param_10 = (_e73 + vec2<u32>(0u, 1u));
+    let _e77 = samples.pixels[2i];
+    param_11 = _e77;
+    let _e79 = samples.open;
+    param_12 = _e79;
+    store_u0028_vu2_u003b_vf4_u003b_b1_u003b((&param_10), (&param_11), (&param_12));
+    let _e80 = first;
+    param_13 = (_e80 + vec2<u32>(1u, 1u));
+    let _e84 = samples.pixels[3i];
+    param_14 = _e84;
+    let _e86 = samples.open;
+    param_15 = _e86;
+    store_u0028_vu2_u003b_vf4_u003b_b1_u003b((&param_13), (&param_14), (&param_15));
+    let _e88 = settings.counted;
+    let _e89 = (_e88 != 0u);
+    phi_1068_ = _e89;
+    if _e89 {
+        let _e91 = samples.evaluated;
+        phi_1068_ = (_e91 > 0u);
     }
-    let _e82 = phi_1018_;
-    if _e82 {
-        let _e86 = samples.evaluated;
-        let _e87 = atomicAdd((&unnamed_3.control.fragments), _e86);
+    let _e94 = phi_1068_;
+    if _e94 {
+        let _e98 = samples.evaluated;
+        let _e99 = atomicAdd((&unnamed_3.control.fragments), _e98);
     }
     return;
 }

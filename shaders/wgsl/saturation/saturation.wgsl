@@ -81,7 +81,7 @@ struct FrameBlock {
     covariance_scale: f32,
     bin_side: u32,
     low_pass: f32,
-    compensated: u32,
+    compensation: f32,
     area_reach: f32,
     area: vec4<f32>,
     cache_min: vec4<f32>,

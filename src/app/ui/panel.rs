@@ -403,7 +403,7 @@ fn keys(ui: &mut Ui) {
 
 /// How a small avatar is drawn.
 fn detail_text(samples: u64, level: u64) -> String {
-    let drawn = format!("small: {samples} × {samples} samples a pixel");
+    let drawn = format!("small: up to {samples} × {samples} samples a pixel");
     if level > 0 {
         format!("{drawn}, level {level}")
     } else {
@@ -430,8 +430,11 @@ mod tests {
 
     #[test]
     fn the_panel_says_how_small_avatars_are_drawn() {
-        assert_eq!(detail_text(2, 0), "small: 2 × 2 samples a pixel");
-        assert_eq!(detail_text(4, 3), "small: 4 × 4 samples a pixel, level 3");
+        assert_eq!(detail_text(2, 0), "small: up to 2 × 2 samples a pixel");
+        assert_eq!(
+            detail_text(4, 3),
+            "small: up to 4 × 4 samples a pixel, level 3"
+        );
     }
 
     #[test]

@@ -1,11 +1,15 @@
 //! The files that a benchmark writes: JSON, CSV, and the chart of a sweep.
 
-use crate::files;
+use crate::files::{self, ChartFile};
 use effigy_measure::{
     bench::{BenchReport, plot, table},
     report::chart_title,
 };
-use std::path::{Path, PathBuf};
+use image::{ImageFormat, RgbImage};
+use std::{
+    io::Cursor,
+    path::{Path, PathBuf},
+};
 
 /// Where JSON goes.
 #[derive(Clone, Debug)]
@@ -31,26 +35,19 @@ pub fn json(text: &str) -> Result<JsonOutput, String> {
         .map_err(|error| format!("{error}; for the standard output write `--json -`"))
 }
 
-/// A chart to draw.
-#[derive(Clone, Debug)]
-pub enum ChartFile {
-    Svg(PathBuf),
-    Png(PathBuf),
+/// Reads the name of a .png.
+pub fn png(text: &str) -> Result<PathBuf, String> {
+    match files::chart(text)? {
+        ChartFile::Png(path) => Ok(path),
+        ChartFile::Svg(_) => Err(format!("`{text}` does not end in .png")),
+    }
 }
 
-/// Reads the name of a chart; its ending chooses the format.
-pub fn chart(text: &str) -> Result<ChartFile, String> {
-    let path = PathBuf::from(text);
-    let ending = path
-        .extension()
-        .unwrap_or_default()
-        .to_string_lossy()
-        .to_ascii_lowercase();
-    match ending.as_str() {
-        "svg" => Ok(ChartFile::Svg(path)),
-        "png" => Ok(ChartFile::Png(path)),
-        _ => Err(format!("`{text}` ends in neither .svg nor .png")),
-    }
+/// Writes an image as a .png.
+pub fn save_png(path: &Path, image: &RgbImage) -> anyhow::Result<()> {
+    let mut bytes = Cursor::new(Vec::new());
+    image.write_to(&mut bytes, ImageFormat::Png)?;
+    files::write(path, bytes.into_inner())
 }
 
 /// Writes what is measured so far, if JSON goes to a file: it is not lost if the program is stopped.

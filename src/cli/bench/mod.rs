@@ -6,6 +6,7 @@ mod report;
 
 use crate::{
     backend::BackendArg,
+    files::ChartFile,
     options::{self, QualityArgs},
     progress,
     source::{self, Source},
@@ -17,10 +18,11 @@ use effigy_measure::bench::{
     report::SweepReport,
     scene::{RATE, default_frames},
     spread::{self, SpreadInputs},
+    strip,
     sweep::{Sweep, run_sweep},
 };
 use effigy_runtime::trace::Trace;
-use files::{ChartFile, JsonOutput};
+use files::JsonOutput;
 use std::{path::PathBuf, str::FromStr};
 
 #[derive(clap::Args, Debug)]
@@ -32,7 +34,8 @@ pub struct Args {
     #[arg(long, value_name = "WxH", value_parser = options::size)]
     size: Option<[u32; 2]>,
     /// Scenes to draw: all, or names out of full, camera, orbit, expression, static, close, far30,
-    /// far, far120, far240, four, crowd, flicker and zoom, separated by commas [default: full]
+    /// far, far120, far240, far480, four, crowd, flicker and zoom, separated by commas
+    /// [default: full]
     #[arg(long, value_name = "NAME,NAME", value_parser = cases)]
     case: Vec<Cases>,
     /// Vary one parameter at a time, and measure the time and error of each value: all, or names
@@ -45,7 +48,7 @@ pub struct Args {
     rounds: usize,
     /// Plot a sweep's times against its errors, to an .svg or a .png; sweeps all parameters unless
     /// --sweep names some
-    #[arg(long, value_name = "FILE", value_parser = files::chart)]
+    #[arg(long, value_name = "FILE", value_parser = crate::files::chart)]
     pareto: Vec<ChartFile>,
     /// Frames to time, spread over the clip, 1 or more [default: 48; 24 in each round of a sweep
     /// and for flicker; 200 for zoom]
@@ -91,6 +94,10 @@ pub struct Args {
     /// Also write a timeline of host and device, a .json for ui.perfetto.dev
     #[arg(long, value_name = "FILE", value_parser = crate::files::json_path)]
     trace: Option<PathBuf>,
+    /// Also draw the avatar of each case that has a height as large as it is shown, as these options
+    /// draw it, and as it should look, enlarged one above the other, into a .png
+    #[arg(long, value_name = "FILE", value_parser = files::png)]
+    strip: Option<PathBuf>,
     /// Graphics API to draw with
     #[arg(long, value_enum, default_value_t = BackendArg::Vulkan)]
     backend: BackendArg,
@@ -311,6 +318,11 @@ pub fn run(args: Args) -> anyhow::Result<()> {
         };
         run_sweep(&gpu, &task, &plan, &mut show, &mut keep)?;
         kept?;
+    }
+    if let Some(path) = &args.strip {
+        let task = task_of(job.sweep_case, false);
+        let strip = strip::strip(&gpu, &task, &job.setting, &job.cases, &mut show)?;
+        files::save_png(path, &strip)?;
     }
     bar.finish_and_clear();
     if let (Some((path, gpu)), Some(trace)) = (traced, &trace) {

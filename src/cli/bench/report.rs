@@ -282,7 +282,7 @@ fn print_switch(pair: &PairReport) {
         .side
         .map_or("near".to_owned(), |side| format!("{side:.0} px"));
     println!(
-        "  switch, frames {} to {}, {side}: {} × {} to {} × {} Gaussians; mean {:.3}, the reference's \
+        "  switch, frames {} to {}, {side}: {:.2} × {} to {:.2} × {} Gaussians; mean {:.3}, the reference's \
          {:.3}, added {:.3}, {:.1} at most",
         pair.from,
         pair.to,

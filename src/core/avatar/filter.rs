@@ -46,13 +46,38 @@ impl Filter {
         Self::VARIANCES.contains(&self.variance)
     }
 
+    /// What lies between this filter and another. `share`: of the other, 0 to 1.
+    pub fn towards(self, other: Self, share: f64) -> LowPass {
+        let [from, to] = [self, other].map(LowPass::from);
+        LowPass {
+            variance: (1.0 - share) * from.variance + share * to.variance,
+            compensation: (1.0 - share) * from.compensation + share * to.compensation,
+        }
+    }
+}
+
+/// What an image is drawn with: a filter, or what lies between two of them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LowPass {
+    /// As [`Filter::variance`], px².
+    pub variance: f64,
+    /// How much of [`Filter::compensated`] there is, 0 to 1.
+    pub compensation: f64,
+}
+
+impl LowPass {
     /// Factor on the opacity of a Gaussian. `unfiltered` and `filtered`: the determinants of its
     /// projected covariance without and with the filter, px⁴.
     pub fn opacity_factor(&self, unfiltered: f64, filtered: f64) -> f64 {
-        if self.compensated {
-            (unfiltered / filtered).sqrt()
-        } else {
-            1.0
+        1.0 - self.compensation + self.compensation * (unfiltered / filtered).sqrt()
+    }
+}
+
+impl From<Filter> for LowPass {
+    fn from(filter: Filter) -> Self {
+        Self {
+            variance: filter.variance,
+            compensation: if filter.compensated { 1.0 } else { 0.0 },
         }
     }
 }

@@ -19,7 +19,7 @@ pub mod prune;
 pub mod skeleton;
 
 pub use bounds::Bounds;
-pub use filter::Filter;
+pub use filter::{Filter, LowPass};
 pub use inputs::{Inputs, Subspace};
 pub use matrix::Matrix;
 pub use model::{

@@ -7,12 +7,13 @@
 
 use crate::scene::{AvatarBounds, Camera, PixelRect, PlaneRect, Supersampling, Visible, levels};
 use glam::{DAffine3, UVec2};
-use std::collections::BinaryHeap;
 
 /// Slots start at multiples of this, px, so that no tile has splats of two.
 const ALIGNMENT: u32 = 16;
 /// Longest side of an atlas, px: the least that a Vulkan device may have.
 const LONGEST: u32 = 4096;
+/// How often the range is halved in which the most that a slot may have is looked for.
+const HALVINGS: usize = 32;
 /// Pixels that an atlas may have where the image has fewer.
 const LEAST_PIXELS: u64 = 1 << 22;
 
@@ -27,27 +28,25 @@ pub struct Seen {
     /// Longest side of its box in the image without a margin, px; infinite where it crosses the
     /// near plane.
     pub side: f64,
-    /// How many times its size it should be drawn.
-    pub factor: u32,
+    /// How many times its size it should be drawn, at least 1.
+    pub factor: f64,
 }
 
 impl Seen {
-    /// An avatar that `visible` says is in view of a camera. `joints`: its pose's. `before`: how
-    /// many times its size the last frame drew it, 1 before the first.
+    /// An avatar that `visible` says is in view of a camera. `joints`: its pose's.
     pub fn new(
         bounds: &AvatarBounds,
         joints: &[DAffine3],
         camera: &Camera,
         visible: &Visible,
         supersampling: Supersampling,
-        before: u32,
     ) -> Self {
         let side = bounds.longest_side(joints, camera);
         Self {
             around: visible.around,
             depth: bounds.depth(joints, camera),
             side,
-            factor: supersampling.factor(side, before),
+            factor: supersampling.factor(side),
         }
     }
 
@@ -58,7 +57,7 @@ impl Seen {
         &self,
         bounds: &AvatarBounds,
         supersampling: Supersampling,
-        factor: u32,
+        factor: f64,
         before: usize,
     ) -> usize {
         match supersampling {
@@ -73,8 +72,8 @@ impl Seen {
 pub struct Slot {
     /// The part of the image's plane that it holds, px of the image.
     pub around: PlaneRect,
-    /// Pixels of the atlas in a pixel of the image, each way.
-    pub factor: u32,
+    /// Pixels of the atlas in a pixel of the image, each way; above 1.
+    pub factor: f64,
     /// Column and row in the atlas of its first pixel.
     pub at: UVec2,
     /// Whether it is blended behind what the image holds, not over it.
@@ -86,7 +85,7 @@ impl Slot {
     pub fn rect(&self) -> PixelRect {
         PixelRect {
             min: self.at,
-            max: self.at + self.around.sides() * self.factor,
+            max: self.at + texels(self.around.sides(), self.factor),
         }
     }
 
@@ -97,7 +96,7 @@ impl Slot {
 
     /// The camera that sees the image's plane as its slot holds it. `size`: the atlas's.
     pub fn camera(&self, camera: &Camera, size: [u32; 2]) -> Camera {
-        let factor = f64::from(self.factor);
+        let factor = self.factor;
         Camera {
             focal: factor * camera.focal,
             center: factor * (camera.center - self.around.min.as_dvec2()) + self.at.as_dvec2(),
@@ -105,6 +104,11 @@ impl Slot {
             ..*camera
         }
     }
+}
+
+/// Width and height of what holds an image of some sides, px, drawn so many times as large.
+fn texels(sides: UVec2, factor: f64) -> UVec2 {
+    (factor * sides.as_dvec2()).ceil().as_uvec2()
 }
 
 /// Where avatars are drawn.
@@ -133,7 +137,7 @@ struct Group {
     members: Vec<usize>,
     around: Option<PlaneRect>,
     depth: [f64; 2],
-    factor: u32,
+    factor: f64,
     behind: bool,
 }
 
@@ -146,23 +150,32 @@ impl Group {
     }
 
     fn is_small(&self) -> bool {
-        self.factor > 1
+        self.factor > 1.0
     }
 
-    /// Width and height that its slot takes up, px of the atlas.
-    fn room(&self) -> UVec2 {
-        let sides = self.around.map_or(UVec2::ZERO, PlaneRect::sides) * self.factor;
-        sides.map(|side| side.next_multiple_of(ALIGNMENT))
+    /// Width and height that its slot takes up, drawn so many times as large, px of the atlas.
+    fn room(&self, factor: f64) -> UVec2 {
+        let sides = self.around.map_or(UVec2::ZERO, PlaneRect::sides);
+        texels(sides, factor).map(|side| side.next_multiple_of(ALIGNMENT))
     }
 
-    /// The pixels of its slot; 0 where it has none.
-    fn pixels(&self) -> u64 {
-        let room = self.room();
-        if self.is_small() {
+    /// The pixels of its slot at a factor; 0 where it needs none.
+    fn pixels(&self, factor: f64) -> u64 {
+        let room = self.room(factor);
+        if factor > 1.0 {
             u64::from(room.x) * u64::from(room.y)
         } else {
             0
         }
+    }
+
+    /// Its factor where a slot may show no more than `most` pixels.
+    fn factor_within(&self, most: f64) -> f64 {
+        let sides = self.around.map_or(UVec2::ONE, PlaneRect::sides).as_dvec2();
+        // Rounding must not make a side longer than the longest.
+        let longest = f64::from(LONGEST - 1) / sides.max_element();
+        let factor = self.factor.min(longest);
+        factor.min((most / sides.element_product()).sqrt()).max(1.0)
     }
 
     /// Whether some of one is as far as some of the other.
@@ -200,7 +213,7 @@ pub fn arrange(seen: &[Seen], size: [u32; 2]) -> Arrangement {
             factor: if seen.around.is_some() {
                 seen.factor
             } else {
-                1
+                1.0
             },
             behind: false,
         })
@@ -248,26 +261,33 @@ fn join_small(groups: &mut Vec<Group>) -> bool {
     groups.len() < before
 }
 
-/// Draws groups half as large, those with the most pixels first, until no side is longer than an
-/// atlas's and all of them have no more than so many pixels. Returns whether one is drawn as large
-/// as it is shown from now on.
+/// Draws groups less large until no side is longer than an atlas's and all of them have no more than
+/// so many pixels: those with the most alike, so that none of them changes by a step as others come
+/// and go. Returns whether one is drawn as large as it is shown from now on.
 fn shrink(groups: &mut [Group], pixels: u64) -> bool {
-    let mut largest: BinaryHeap<(u64, usize)> = groups
-        .iter()
-        .enumerate()
-        .map(|(at, group)| (group.pixels(), at))
-        .collect();
-    let mut total: u64 = groups.iter().map(Group::pixels).sum();
-    let mut is_shown = false;
-    while let Some((own, at)) = largest.pop() {
-        let group = &mut groups[at];
-        if own == 0 || (total <= pixels && group.room().max_element() <= LONGEST) {
-            continue;
+    let small = || groups.iter().filter(|group| group.is_small());
+    let fits = |most: f64| {
+        let own = |group: &Group| group.pixels(group.factor_within(most));
+        small().map(own).sum::<u64>() <= pixels
+    };
+    // All that a slot may have, then what is known to fit and what is not.
+    let mut most = f64::from(LONGEST) * f64::from(LONGEST);
+    if !fits(most) {
+        let mut least = 0.0;
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (least + most);
+            if fits(middle) {
+                least = middle;
+            } else {
+                most = middle;
+            }
         }
-        group.factor /= 2;
+        most = least;
+    }
+    let mut is_shown = false;
+    for group in groups.iter_mut().filter(|group| group.is_small()) {
+        group.factor = group.factor_within(most);
         is_shown |= !group.is_small();
-        total = total - own + group.pixels();
-        largest.push((group.pixels(), at));
     }
     is_shown
 }
@@ -297,7 +317,7 @@ fn settle_sides(groups: &mut [Group]) -> bool {
         });
         groups[at].behind = behind;
         if !apart {
-            groups[at].factor = 1;
+            groups[at].factor = 1.0;
             settled = false;
         }
     }
@@ -310,7 +330,7 @@ fn settle_sides(groups: &mut [Group]) -> bool {
                 && other.is_behind(&groups[at])
         };
         if groups[at].is_small() && groups[at].behind && groups.iter().any(covers) {
-            groups[at].factor = 1;
+            groups[at].factor = 1.0;
             settled = false;
         }
     }
@@ -332,7 +352,7 @@ fn pack(groups: &[Group], count: usize) -> Option<Arrangement> {
             }
         })
     });
-    let room: Vec<UVec2> = small.iter().map(|group| group.room()).collect();
+    let room: Vec<UVec2> = small.iter().map(|group| group.room(group.factor)).collect();
     for group in small {
         for &member in &group.members {
             arrangement.slot_of[member] = Some(arrangement.slots.len());
@@ -345,7 +365,10 @@ fn pack(groups: &[Group], count: usize) -> Option<Arrangement> {
         });
     }
     let widest = room.iter().map(|room| room.x).max()?;
-    let pixels: u64 = groups.iter().map(Group::pixels).sum();
+    let pixels: u64 = room
+        .iter()
+        .map(|room| u64::from(room.x) * u64::from(room.y))
+        .sum();
     let width = widest.max((pixels as f64).sqrt() as u32);
     let mut order: Vec<usize> = (0..arrangement.slots.len()).collect();
     order.sort_by_key(|&slot| std::cmp::Reverse(room[slot].y));
@@ -376,7 +399,7 @@ mod tests {
     const SIZE: [u32; 2] = [1000, 800];
 
     /// An avatar of 50 × 100 px at a place, a metre deep.
-    fn seen(x: i32, y: i32, depth: f64, factor: u32) -> Seen {
+    fn seen(x: i32, y: i32, depth: f64, factor: f64) -> Seen {
         let min = IVec2::new(x, y);
         Seen {
             around: Some(PlaneRect {
@@ -396,7 +419,7 @@ mod tests {
                 min: IVec2::new(300, 0),
                 max: IVec2::new(700, 800),
             }),
-            ..seen(0, 0, depth, 1)
+            ..seen(0, 0, depth, 1.0)
         }
     }
 
@@ -408,10 +431,10 @@ mod tests {
     fn avatars_that_may_pass_through_each_other_share_a_slot() {
         // The third stands behind the first two, the fourth apart.
         let all = [
-            seen(10, 10, 5.0, 4),
-            seen(40, 30, 5.5, 2),
-            seen(20, 10, 9.0, 4),
-            seen(500, 10, 5.0, 4),
+            seen(10, 10, 5.0, 4.0),
+            seen(40, 30, 5.5, 2.0),
+            seen(20, 10, 9.0, 4.0),
+            seen(500, 10, 5.0, 4.0),
         ];
         let arranged = arrange(&all, SIZE);
         let [a, b, c, d] = arranged.slot_of[..] else {
@@ -419,7 +442,7 @@ mod tests {
         };
         assert!(a == b && a != c && c != d && a != d && arranged.slots.len() == 3);
         let shared = arranged.slots[a.expect("in a slot")];
-        assert_eq!(shared.factor, 2);
+        assert_eq!(shared.factor, 2.0);
         assert_eq!(shared.around.sides(), UVec2::new(80, 120));
         // Over what the image holds the furthest comes first.
         assert!(c < a);
@@ -433,7 +456,7 @@ mod tests {
                     90 * (k % 11) - 20,
                     110 * (k / 11) - 30,
                     5.0 + f64::from(k),
-                    4,
+                    4.0,
                 )
             })
             .collect();
@@ -454,25 +477,28 @@ mod tests {
 
     #[test]
     fn small_avatars_are_before_or_behind_large_ones() {
-        let before = arrange(&[large(5.0), seen(400, 100, 2.0, 4)], SIZE);
+        let before = arrange(&[large(5.0), seen(400, 100, 2.0, 4.0)], SIZE);
         assert!(before.slot_of == [None, Some(0)] && !before.slots[0].behind);
-        let behind = arrange(&[seen(400, 100, 9.0, 4), large(5.0)], SIZE);
+        let behind = arrange(&[seen(400, 100, 9.0, 4.0), large(5.0)], SIZE);
         assert!(behind.slot_of == [Some(0), None] && behind.slots[0].behind);
         // Inside the large one, between two of them, and beside one at its depth.
-        assert_eq!(slots(&[large(5.0), seen(400, 100, 5.5, 4)]), [None, None]);
-        let between = [large(5.0), seen(400, 100, 7.0, 4), large(9.0)];
+        assert_eq!(slots(&[large(5.0), seen(400, 100, 5.5, 4.0)]), [None, None]);
+        let between = [large(5.0), seen(400, 100, 7.0, 4.0), large(9.0)];
         assert_eq!(slots(&between), [None, None, None]);
-        assert_eq!(slots(&[large(5.0), seen(0, 100, 5.5, 4)]), [None, Some(0)]);
+        assert_eq!(
+            slots(&[large(5.0), seen(0, 100, 5.5, 4.0)]),
+            [None, Some(0)]
+        );
     }
 
     #[test]
     fn what_is_behind_comes_before_what_is_before() {
         let all = [
             large(5.0),
-            seen(400, 100, 1.0, 4),
-            seen(420, 100, 2.5, 4),
-            seen(400, 100, 20.0, 4),
-            seen(420, 100, 10.0, 4),
+            seen(400, 100, 1.0, 4.0),
+            seen(420, 100, 2.5, 4.0),
+            seen(400, 100, 20.0, 4.0),
+            seen(420, 100, 10.0, 4.0),
         ];
         // Behind the image the nearest comes first, over it the furthest.
         assert_eq!(slots(&all), [None, Some(3), Some(2), Some(1), Some(0)]);
@@ -485,7 +511,7 @@ mod tests {
                 min: IVec2::new(0, 0),
                 max: IVec2::new(1000, 100),
             }),
-            ..seen(0, 0, 5.0, 4)
+            ..seen(0, 0, 5.0, 4.0)
         };
         let factors = |count: usize| {
             let all: Vec<Seen> = (0..count)
@@ -498,17 +524,26 @@ mod tests {
             let factors = arranged.slots.iter().map(|slot| slot.factor);
             factors.collect::<Vec<_>>()
         };
-        assert_eq!(
-            [0, 1, 2, 3, 9, 12].map(factors),
-            [
-                vec![],
-                vec![4],
-                vec![4, 4],
-                vec![2, 4, 4],
-                vec![2; 9],
-                vec![2; 10]
-            ]
-        );
+        assert_eq!([0, 1, 2].map(factors), [vec![], vec![4.0], vec![4.0; 2]]);
+        // All alike, as large as there is room for.
+        for (count, near) in [(3, 3.6), (9, 2.1), (12, 1.8)] {
+            let factors = factors(count);
+            let wrong = |factor: &&f64| **factor > near + 0.1 || **factor < near - 0.1;
+            assert_eq!(factors.len(), count);
+            assert_eq!(factors.iter().find(wrong), None, "{factors:?}");
+        }
+        // None is worth a slot.
+        assert!(factors(60).is_empty());
+        // One that is too long alone.
+        let long = Seen {
+            around: Some(PlaneRect {
+                min: IVec2::new(-1000, 0),
+                max: IVec2::new(2000, 10),
+            }),
+            ..wide
+        };
+        let arranged = arrange(&[long], SIZE);
+        assert!(arranged.size[0] <= LONGEST && arranged.slots[0].factor > 1.3);
         let unbounded = Seen {
             around: None,
             ..wide
@@ -519,13 +554,13 @@ mod tests {
     #[test]
     fn a_slots_camera_sees_its_part_of_the_plane() {
         let camera = Camera::orbit(glam::DVec3::ZERO, 0.3, 0.1, 4.0, 0.7, SIZE);
-        let arranged = arrange(&[seen(100, 40, 5.0, 4), seen(600, 40, 5.0, 2)], SIZE);
+        let arranged = arrange(&[seen(100, 40, 5.0, 4.0), seen(600, 40, 5.0, 2.0)], SIZE);
         for slot in &arranged.slots {
             let own = slot.camera(&camera, arranged.size);
             let p = glam::DVec3::new(0.3, -0.2, 3.0);
             let in_image = camera.project(p) - slot.around.min.as_dvec2();
             let in_slot = own.project(p) - slot.at.as_dvec2();
-            assert!((in_slot - f64::from(slot.factor) * in_image).length() < 1e-9);
+            assert!((in_slot - slot.factor * in_image).length() < 1e-9);
         }
     }
 }

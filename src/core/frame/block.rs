@@ -80,8 +80,6 @@ pub fn write_shared(
     };
     block.tile_side = TILING.tile(layer.size) as f32;
     block.bin_side = bin_side(layer.size);
-    block.low_pass = layer.filter.variance as f32;
-    block.compensated = layer.filter.compensated.into();
     block.occluder_margin = options.margin as f32;
     block.pyramid_start = 0;
     if let Some(view) = layer.occluder_view
@@ -120,6 +118,8 @@ pub fn write_instance(
     let [min, max] = [area.min, area.max].map(|corner| corner.as_vec2());
     block.area = [min.x, min.y, max.x, max.y];
     block.area_reach = if instance.slot.is_some() { -1.0 } else { 1.0 };
+    block.low_pass = instance.low_pass.variance as f32;
+    block.compensation = instance.low_pass.compensation as f32;
     block.feature_start = instance.pose_place as u32 * pose.vectors;
     // A level that networks don't move has no features, and one node, which stays in its place.
     block.node_start = if instance.correctives {

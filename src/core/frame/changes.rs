@@ -83,12 +83,6 @@ impl ChangeTracker {
         self.shown.as_ref().map_or(0, |own| own.view.portion.model)
     }
 
-    /// How many times its size the last frame drew it; 1 before the first.
-    pub fn factor(&self) -> u32 {
-        let slot = self.shown.as_ref().and_then(|shown| shown.view.slot);
-        slot.map_or(1, |slot| slot.factor)
-    }
-
     /// Returns the work of the next frame, without what `skip` lets it leave out, and remembers the
     /// frame as the last one.
     pub fn update(&mut self, posed: &Posed, view: &View, skip: Skip) -> Changes {

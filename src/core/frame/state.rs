@@ -7,9 +7,10 @@ use super::{
     changes::View,
     room::{Portion, PosePlaces, Room, padded_count},
 };
-use crate::avatar::Filter;
+use crate::avatar::LowPass;
 use crate::scene::{
     AvatarBounds, Camera, OccluderView, PartDependencies, PartSet, PixelRect, Posed, Visible,
+    supersampling::low_pass,
 };
 
 /// An avatar in view.
@@ -22,8 +23,10 @@ pub struct AvatarInstance<'a> {
     pub camera: Camera,
     /// The part of the atlas that it must stay in; None in the image.
     pub slot: Option<PixelRect>,
-    /// Samples a pixel of the frame's image along each axis.
-    pub samples: u32,
+    /// Samples a pixel of the frame's image along each axis, at least 1.
+    pub samples: f64,
+    /// The low-pass that it is drawn with.
+    pub low_pass: LowPass,
     /// Which of the avatar's levels is drawn ([`crate::scene::levels`]); 0 is the avatar itself.
     pub model: usize,
     /// Whether networks move it.
@@ -68,8 +71,6 @@ pub struct Layer<'a> {
     pub instances: Vec<AvatarInstance<'a>>,
     /// Width and height of the image, px.
     pub size: [u32; 2],
-    /// The low-pass that it is drawn with.
-    pub filter: Filter,
     /// Nearest and furthest expected depth along the camera's axis, metres.
     pub depth_range: [f64; 2],
     /// The view of the occluder pass. None where there is no occluder or nothing in view.
@@ -224,7 +225,6 @@ impl FrameState {
                         camera,
                         visible,
                         options.supersampling,
-                        self.trackers[index].factor(),
                     )
                 });
             candidates.push(Candidate {
@@ -307,7 +307,6 @@ impl FrameState {
             },
             instances: image,
             size: camera.size,
-            filter: bounds.filter(),
         };
         let size = arrangement.size;
         let atlas = (!atlas.is_empty()).then(|| Atlas {
@@ -319,7 +318,6 @@ impl FrameState {
                 pixels_a_gaussian: f64::INFINITY,
                 instances: atlas,
                 size,
-                filter: options.filter.unwrap_or(Filter::SUPERSAMPLED),
             },
             slots: arrangement.slots,
         });
@@ -414,6 +412,7 @@ impl FrameState {
             .filter(|_| options.skip.contains(Skip::PARTS))
             .map(|visible| visible.parts);
         let camera = slot.map_or(*input.camera, |slot| slot.camera(input.camera, atlas_size));
+        let samples = slot.map_or(1.0, |slot| slot.factor);
         let view = View {
             camera,
             portion,
@@ -433,7 +432,8 @@ impl FrameState {
             posed,
             camera,
             slot: slot.map(Slot::rect),
-            samples: slot.map_or(1, |slot| slot.factor),
+            samples,
+            low_pass: low_pass(bounds.filter(), options.filter, samples),
             model,
             correctives: portion.correctives(bounds),
             level,
@@ -495,7 +495,7 @@ impl<'a> FramePlan<'a> {
         for instance in self.instances() {
             counters.skipped_by_detail += u64::from(gaussians - instance.gaussians);
             counters.supersampled += u64::from(instance.slot.is_some());
-            counters.most_samples = counters.most_samples.max(instance.samples.into());
+            counters.most_samples = counters.most_samples.max(instance.samples.ceil() as u64);
             counters.coarsest_level = counters.coarsest_level.max(instance.model as u64);
             counters.networks += instance.networks.len() as u64;
             counters.parts_outside += instance.culled_parts.len() as u64;

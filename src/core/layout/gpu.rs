@@ -6,7 +6,7 @@
 //! bytes, the same bytes whether a device reads them as f16 or unpacks words.
 
 #[cfg(doc)]
-use crate::avatar::Filter;
+use crate::avatar::LowPass;
 use crate::avatar::limits;
 use bytemuck::{Pod, Zeroable};
 
@@ -250,10 +250,10 @@ pub struct FrameBlock {
     pub covariance_scale: f32,
     /// Side of the finest bins, px.
     pub bin_side: u32,
-    /// [`Filter::variance`], px².
+    /// [`LowPass::variance`], px².
     pub low_pass: f32,
-    /// [`Filter::compensated`], 0 or 1.
-    pub compensated: u32,
+    /// [`LowPass::compensation`].
+    pub compensation: f32,
     /// How much of a splat must be within `area`: 1 any of it, −1 all of it.
     pub area_reach: f32,
     /// Padding.

@@ -45,7 +45,7 @@ pub fn constants(avatar: &Avatar) -> FrameBlock {
         log_scale_min: scales.min as f32,
         log_scale_step: scales.step as f32,
         low_pass: avatar.filter.variance as f32,
-        compensated: avatar.filter.compensated.into(),
+        compensation: if avatar.filter.compensated { 1.0 } else { 0.0 },
         sh_color_start: if avatar.sh.is_some() {
             pairs(avatar) as u32
         } else {

@@ -8,7 +8,7 @@ use super::{
     ray, sh, sort,
     sort::Sorting,
 };
-use crate::avatar::{Avatar, Filter};
+use crate::avatar::{Avatar, Filter, LowPass};
 use crate::layout::compact::Neutral;
 use crate::scene::{Camera, FrameImage, PixelRect, Posed, detail::COARSEST};
 use glam::{DVec2, DVec3, UVec2};
@@ -190,22 +190,27 @@ pub fn drawn_rect(splats: &[Result<Splat, Culled>], scale: f64, size: [u32; 2]) 
 }
 
 /// The image of Gaussians in the posed world.
-pub fn render_gaussians(gaussians: &[Gaussian], camera: &Camera, filter: Filter) -> FrameImage {
-    render_sorted(gaussians, camera, filter, Sorting::Centers)
+pub fn render_gaussians(
+    gaussians: &[Gaussian],
+    camera: &Camera,
+    low_pass: impl Into<LowPass>,
+) -> FrameImage {
+    render_sorted(gaussians, camera, low_pass, Sorting::Centers)
 }
 
 /// The image of Gaussians in the posed world, blended in the order that `sorting` names.
 pub fn render_sorted(
     gaussians: &[Gaussian],
     camera: &Camera,
-    filter: Filter,
+    low_pass: impl Into<LowPass>,
     sorting: Sorting,
 ) -> FrameImage {
-    let splats = project::splats(gaussians, camera, filter, 0);
+    let low_pass = low_pass.into();
+    let splats = project::splats(gaussians, camera, low_pass, 0);
     let canvas = match sorting {
         Sorting::Centers => raster::raster(&splats, &sort::order(&splats), camera),
         Sorting::PerPixel => {
-            raster::raster_per_pixel(&splats, &ray::rays(gaussians, camera, filter), camera)
+            raster::raster_per_pixel(&splats, &ray::rays(gaussians, camera, low_pass), camera)
         }
     };
     canvas.to_image()

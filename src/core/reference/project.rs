@@ -4,7 +4,7 @@
 use super::basis::{corrective, plus};
 use super::mlp;
 use super::nodes::displacement;
-use crate::avatar::{Avatar, Filter};
+use crate::avatar::{Avatar, LowPass};
 use crate::constants;
 use crate::layout::compact::Neutral;
 use crate::scene::{Camera, Posed, detail, radius_in_sigmas};
@@ -172,12 +172,13 @@ pub fn skinning(joints: &[DAffine3], joint: [u8; 4], weight: [u8; 4]) -> DAffine
 pub fn splats(
     gaussians: &[Gaussian],
     camera: &Camera,
-    filter: Filter,
+    low_pass: impl Into<LowPass>,
     level: u32,
 ) -> Vec<Result<Splat, Culled>> {
+    let low_pass = low_pass.into();
     gaussians
         .par_iter()
-        .map(|gaussian| project(gaussian, camera, filter, level))
+        .map(|gaussian| project(gaussian, camera, low_pass, level))
         .collect()
 }
 
@@ -186,13 +187,13 @@ pub fn splats(
 pub fn project(
     gaussian: &Gaussian,
     camera: &Camera,
-    filter: Filter,
+    low_pass: impl Into<LowPass>,
     level: u32,
 ) -> Result<Splat, Culled> {
     let opacity = f64::from(detail::opacity(gaussian.opacity, level));
     // One that is invisible alone does not become visible by standing for others.
     let drawn = radius_in_sigmas(f64::from(gaussian.opacity)).map_or(0.0, |_| opacity);
-    project_opaque(gaussian, drawn, camera, filter, level)
+    project_opaque(gaussian, drawn, camera, low_pass, level)
 }
 
 /// [`project`] of a Gaussian whose opacity is `opacity`, 0 to 255, whatever it says itself.
@@ -200,16 +201,17 @@ pub fn project_opaque(
     gaussian: &Gaussian,
     opacity: f64,
     camera: &Camera,
-    filter: Filter,
+    low_pass: impl Into<LowPass>,
     level: u32,
 ) -> Result<Splat, Culled> {
+    let low_pass = low_pass.into();
     let t = camera.view.transform_point3(gaussian.mean);
     if t.z < camera.near {
         return Err(Culled::Behind);
     }
     radius_in_sigmas(opacity).ok_or(Culled::Faint)?;
     let center = camera.project(t);
-    let footprint = Footprint::new(camera.view.matrix3 * gaussian.axes, t, camera, filter);
+    let footprint = Footprint::new(camera.view.matrix3 * gaussian.axes, t, camera, low_pass);
     let [a, b, c] = footprint.covariance;
     let valid_shape = footprint.determinant > 0.0 && a.max(c) <= constants::VARIANCE_MAX;
     if !(t.is_finite()
@@ -229,7 +231,7 @@ pub fn project_opaque(
         return Err(Culled::Guard);
     }
     // What a level enlarges covariances by leaves the ratio of their determinants as it is.
-    let opacity = opacity * filter.opacity_factor(footprint.unfiltered, footprint.determinant);
+    let opacity = opacity * low_pass.opacity_factor(footprint.unfiltered, footprint.determinant);
     let sigmas = radius_in_sigmas(opacity).ok_or(Culled::Faint)?;
     let spread = detail::covariance_scale(level);
     let covariance = footprint.covariance.map(|v| spread * v);
@@ -260,8 +262,8 @@ struct Footprint {
 
 impl Footprint {
     /// `m` is the axes and `t` the mean, both in camera coordinates.
-    fn new(m: DMat3, t: DVec3, camera: &Camera, filter: Filter) -> Self {
-        let low_pass = filter.variance;
+    fn new(m: DMat3, t: DVec3, camera: &Camera, low_pass: LowPass) -> Self {
+        let low_pass = low_pass.variance;
         let FootprintRows {
             x: row_x, y: row_y, ..
         } = FootprintRows::new(m, t, camera);
@@ -356,10 +358,11 @@ pub fn project_backward(
     gaussian: &Gaussian,
     opacity: f64,
     camera: &Camera,
-    filter: Filter,
+    low_pass: impl Into<LowPass>,
     splat: &Splat,
     gradient: &SplatGradient,
 ) -> GaussianGradient {
+    let low_pass = low_pass.into();
     let t = camera.view.transform_point3(gaussian.mean);
     let m = camera.view.matrix3 * gaussian.axes;
     let rows = FootprintRows::new(m, t, camera);
@@ -375,12 +378,13 @@ pub fn project_backward(
     let mut of_c = of_covariance.y_axis.y;
     let [x, y] = [rows.x, rows.y];
     let unfiltered = x.cross(y).length_squared();
-    // Compensation: ρ = √(u / det), ∂ρ = ρ/2 (∂u / u − ∂det / det).
-    let factor = filter.opacity_factor(unfiltered, det);
+    // Compensation: with ρ = √(u / det), ∂ρ = ρ/2 (∂u / u − ∂det / det).
+    let factor = low_pass.opacity_factor(unfiltered, det);
+    let compensated = low_pass.compensation * (unfiltered / det).sqrt();
     let mut of_x = DVec3::ZERO;
     let mut of_y = DVec3::ZERO;
-    if filter.compensated && unfiltered > 0.0 {
-        let of_log = 0.5 * gradient.opacity * opacity / 255.0 * factor;
+    if compensated > 0.0 {
+        let of_log = 0.5 * gradient.opacity * opacity / 255.0 * compensated;
         let scale = 2.0 * of_log / unfiltered;
         of_x += scale * (y.length_squared() * x - x.dot(y) * y);
         of_y += scale * (x.length_squared() * y - x.dot(y) * x);

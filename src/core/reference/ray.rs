@@ -2,7 +2,7 @@
 //! for itself, and the point of the surface that the pixel shows of it.
 
 use super::project::Gaussian;
-use crate::{avatar::Filter, scene::Camera};
+use crate::{avatar::LowPass, scene::Camera};
 use glam::{DMat3, DVec3};
 
 /// A Gaussian of the posed world in camera coordinates, as wide as it is drawn: with the low-pass
@@ -20,12 +20,12 @@ pub struct RayGaussian {
 
 impl RayGaussian {
     /// A Gaussian as a camera sees it with a low-pass.
-    pub fn new(gaussian: &Gaussian, camera: &Camera, filter: Filter) -> Self {
+    pub fn new(gaussian: &Gaussian, camera: &Camera, low_pass: LowPass) -> Self {
         let mean = camera.view.transform_point3(gaussian.mean);
         let axes = camera.view.matrix3 * gaussian.axes;
         let pixel = mean.z / camera.focal;
         let low_pass =
-            filter.variance * DVec3::new(pixel.x * pixel.x, pixel.y * pixel.y, pixel.x * pixel.y);
+            low_pass.variance * DVec3::new(pixel.x * pixel.x, pixel.y * pixel.y, pixel.x * pixel.y);
         let covariance = axes * axes.transpose() + DMat3::from_diagonal(low_pass);
         let precision = covariance.inverse();
         Self {
@@ -48,9 +48,9 @@ impl RayGaussian {
 }
 
 /// Each Gaussian as a camera sees it with a low-pass, in their order.
-pub fn rays(gaussians: &[Gaussian], camera: &Camera, filter: Filter) -> Vec<RayGaussian> {
+pub fn rays(gaussians: &[Gaussian], camera: &Camera, low_pass: LowPass) -> Vec<RayGaussian> {
     gaussians
         .iter()
-        .map(|gaussian| RayGaussian::new(gaussian, camera, filter))
+        .map(|gaussian| RayGaussian::new(gaussian, camera, low_pass))
         .collect()
 }

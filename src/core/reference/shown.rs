@@ -1,9 +1,11 @@
 //! The image that a frame should show, small avatars supersampled ([`crate::frame::atlas`]).
 
-use super::frame::{average_of, gaussians_of, render_gaussians};
-use crate::avatar::{Avatar, Filter};
-use crate::frame::atlas::{Seen, arrange};
-use crate::scene::{AvatarBounds, Camera, FrameImage, Posed, Supersampling};
+use super::frame::{gaussians_of, render_gaussians};
+use super::project::Gaussian;
+use crate::avatar::{Avatar, Filter, LowPass};
+use crate::frame::atlas::{Seen, Slot, arrange};
+use crate::scene::{AvatarBounds, Camera, FrameImage, Posed, Supersampling, supersampling};
+use glam::UVec2;
 
 /// The image of one avatar in several poses, with `supersampling` and, if given, another low-pass
 /// than its own: as a renderer draws its first frame. What is small is drawn from the avatar's
@@ -23,6 +25,7 @@ pub fn render_shown(
         return whole(poses);
     }
     let bounds = AvatarBounds::new(avatar).filtered(filter);
+    let low_pass = |factor| supersampling::low_pass(avatar.filter, filter, factor);
     let mut in_view = Vec::new();
     let mut seen = Vec::new();
     for &posed in poses {
@@ -34,7 +37,6 @@ pub fn render_shown(
                 camera,
                 &visible,
                 supersampling,
-                1,
             ));
             in_view.push(posed);
         }
@@ -58,13 +60,40 @@ pub fn render_shown(
                 gaussians_of(&level, &[posed], camera)
             });
         }
-        let filter = filter.unwrap_or(Filter::SUPERSAMPLED);
-        let average = average_of(&gaussians, camera, slot.factor, filter);
+        let average = slot_image(&gaussians, camera, slot, low_pass(slot.factor));
         image = if slot.behind {
             image.blended_over(&average)
         } else {
             average.blended_over(&image)
         };
+    }
+    image
+}
+
+/// What a slot adds to the image of a camera: Gaussians of the posed world, drawn as large as its
+/// factor says, and averaged over each pixel's area.
+pub fn slot_image(
+    gaussians: &[Gaussian],
+    camera: &Camera,
+    slot: &Slot,
+    low_pass: LowPass,
+) -> FrameImage {
+    let alone = Slot {
+        at: UVec2::ZERO,
+        ..*slot
+    };
+    let own = alone.camera(camera, alone.rect().max.into());
+    let average = render_gaussians(gaussians, &own, low_pass)
+        .resampled(slot.factor, slot.around.sides().into());
+    let mut image = FrameImage::empty(camera.size);
+    let shown = slot.shown(camera.size);
+    let width = (shown.max.x - shown.min.x) as usize;
+    for row in shown.min.y..shown.max.y {
+        // Where in the slot's own image the row begins.
+        let from = UVec2::new(shown.min.x, row).as_ivec2() - slot.around.min;
+        let from = from.y as usize * average.size[0] as usize + from.x as usize;
+        let to = row as usize * camera.size[0] as usize + shown.min.x as usize;
+        image.pixels[to..to + width].copy_from_slice(&average.pixels[from..from + width]);
     }
     image
 }

@@ -122,7 +122,7 @@ fn surfels(from: &SurfaceView, to: &SurfaceView, camera: &Camera) -> Vec<Surfel>
             let other = &to.gaussians[k];
             Some(Surfel {
                 ellipse: DrawnSplat::new(splats[k].as_ref().ok()?, camera),
-                ray: RayGaussian::new(own, camera, from.filter),
+                ray: RayGaussian::new(own, camera, from.filter.into()),
                 mean: camera.view.transform_point3(own.mean),
                 mean_there: to.camera.view.transform_point3(other.mean),
                 motion: to.camera.view.matrix3

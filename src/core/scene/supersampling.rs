@@ -2,30 +2,17 @@
 //! averaged. The errors of small images are at silhouettes and in coverage, which no filter of
 //! single Gaussians repairs (docs/experiments/046).
 
+use crate::avatar::{Filter, LowPass};
 use std::{fmt, str::FromStr};
 
-/// Factors that avatars may be drawn at, largest first, and the longest side of an avatar's box
-/// that each is for, px.
-const FACTORS: [SizeLimit; 2] = [
-    SizeLimit {
-        factor: 4,
-        side: 160.0,
-    },
-    SizeLimit {
-        factor: 2,
-        side: 400.0,
-    },
-];
-/// Hysteresis: an avatar that grows keeps its factor up to this many times the limit, so that one
-/// who walks back and forth doesn't switch.
-const HYSTERESIS: f64 = 1.1;
-
-/// A factor, and up to which size it is for.
-struct SizeLimit {
-    factor: u32,
-    /// Longest side of an avatar's box, px.
-    side: f64,
-}
+/// Longest side that an avatar's box is drawn with, px, as far as factors allow: the less of the image
+/// it takes up, the larger it is drawn, without steps that could be seen (docs/experiments/051).
+const DRAWN_SIDE: f64 = 640.0;
+/// The most times that an avatar is drawn as large as it is shown.
+const LARGEST: f64 = 4.0;
+/// From this factor on the mean over a pixel filters, and [`Filter::SUPERSAMPLED`] is all that is
+/// needed beside it.
+const FILTERED: f64 = 2.0;
 
 /// How many times its size an avatar is drawn: `--supersample auto|1|2|4`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -45,24 +32,23 @@ impl Supersampling {
         self != Self::OFF
     }
 
-    /// How many times its size an avatar is drawn whose box in the image has this longest side, px.
-    /// `before`: as the last frame drew it, 1 before the first.
-    pub fn factor(self, side: f64, before: u32) -> u32 {
+    /// How many times its size an avatar is drawn whose box in the image has this longest side, px:
+    /// 1 to 4. It has no steps, so that none are seen while an avatar grows.
+    pub fn factor(self, side: f64) -> f64 {
         match self {
-            Self::Times(factor) => factor,
-            Self::BySize => FACTORS
-                .iter()
-                .find(|limit| {
-                    let keeps = if limit.factor <= before {
-                        HYSTERESIS
-                    } else {
-                        1.0
-                    };
-                    side <= keeps * limit.side
-                })
-                .map_or(1, |limit| limit.factor),
+            Self::Times(factor) => factor.into(),
+            // NaN is drawn as large as it is shown.
+            Self::BySize => (DRAWN_SIDE / side).max(1.0).min(LARGEST),
         }
     }
+}
+
+/// The low-pass of what is drawn so many times, at least once, as large as it is shown. `own`: the
+/// avatar's; `asked`: the one that all is to be drawn with, if any.
+pub fn low_pass(own: Filter, asked: Option<Filter>, factor: f64) -> LowPass {
+    let share = (factor - 1.0) / (FILTERED - 1.0);
+    let larger = asked.unwrap_or(Filter::SUPERSAMPLED);
+    asked.unwrap_or(own).towards(larger, share.min(1.0))
 }
 
 impl FromStr for Supersampling {
@@ -96,21 +82,33 @@ mod tests {
 
     #[test]
     fn the_smaller_the_more_samples() {
-        let factors = [10.0, 160.0, 161.0, 400.0, 401.0, 4000.0, f64::INFINITY]
-            .map(|side| Supersampling::BySize.factor(side, 1));
-        assert_eq!(factors, [4, 4, 2, 2, 1, 1, 1]);
-        assert_eq!(Supersampling::BySize.factor(f64::NAN, 1), 1);
-        assert_eq!(Supersampling::Times(2).factor(10.0, 4), 2);
+        let factors = [10.0, 160.0, 256.0, 400.0, 640.0, 4000.0, f64::INFINITY]
+            .map(|side| Supersampling::BySize.factor(side));
+        assert_eq!(factors, [4.0, 4.0, 2.5, 1.6, 1.0, 1.0, 1.0]);
+        assert_eq!(Supersampling::BySize.factor(f64::NAN), 1.0);
+        assert_eq!(Supersampling::BySize.factor(0.0), 4.0);
+        assert_eq!(Supersampling::Times(2).factor(10.0), 2.0);
     }
 
+    /// Neither the factor nor the low-pass changes by steps.
     #[test]
-    fn a_factor_stays_until_it_is_left_behind() {
-        let mut before = 1;
-        let walk = [150.0, 165.0, 180.0, 165.0, 430.0, 450.0, 430.0].map(|side| {
-            before = Supersampling::BySize.factor(side, before);
-            before
-        });
-        assert_eq!(walk, [4, 4, 2, 2, 2, 1, 1]);
+    fn a_growing_avatar_is_drawn_without_steps() {
+        let own = Filter::DEFAULT;
+        let drawn = |side: f64| {
+            let factor = Supersampling::BySize.factor(side);
+            let low_pass = low_pass(own, None, factor);
+            [factor, low_pass.variance, low_pass.compensation]
+        };
+        let mut before = drawn(20.0);
+        assert_eq!(before, [4.0, 0.1, 1.0]);
+        for step in 1..=1000 {
+            let own = drawn(20.0 * 50f64.powf(f64::from(step) / 1000.0));
+            for (own, before) in own.into_iter().zip(before) {
+                assert!((own - before).abs() < 0.02, "{own} after {before}");
+            }
+            before = own;
+        }
+        assert_eq!(before, [1.0, own.variance, 0.0]);
     }
 
     #[test]

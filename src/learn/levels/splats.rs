@@ -1,7 +1,7 @@
 //! Projection of Gaussians into small images, with its derivatives: docs/model.md, steps 5 to 8, in
 //! f32. What fitting a level changes are the numbers of [`Shape`]; all else comes from a pose.
 
-use effigy_core::avatar::Filter;
+use effigy_core::avatar::{Filter, LowPass};
 use effigy_core::constants::ALPHA_MIN;
 use effigy_core::scene::Camera;
 use glam::{Mat3, Quat, Vec2, Vec3};
@@ -185,8 +185,7 @@ impl Projection {
         let k = self.filter.variance as f32;
         let smooth = [sharp[0] + k, sharp[1], sharp[2] + k];
         let smooth_determinant = sharp_determinant + k * (sharp[0] + sharp[2] + k);
-        let compensation = self
-            .filter
+        let compensation = LowPass::from(self.filter)
             .opacity_factor(sharp_determinant.into(), smooth_determinant.into())
             as f32;
         Some(Steps {

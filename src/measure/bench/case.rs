@@ -27,6 +27,8 @@ pub enum BenchCase {
     Far120,
     /// Motion in real time, 240 px tall.
     Far240,
+    /// Motion in real time, 480 px tall.
+    Far480,
     /// Four avatars in motion.
     Four,
     /// A crowd in motion, about 60 px tall where the image has room for all.
@@ -39,7 +41,7 @@ pub enum BenchCase {
 
 impl BenchCase {
     /// Every case.
-    pub const ALL: [Self; 14] = [
+    pub const ALL: [Self; 15] = [
         Self::Full,
         Self::Camera,
         Self::Orbit,
@@ -50,6 +52,7 @@ impl BenchCase {
         Self::Far,
         Self::Far120,
         Self::Far240,
+        Self::Far480,
         Self::Four,
         Self::Crowd,
         Self::Flicker,
@@ -69,6 +72,7 @@ impl BenchCase {
             Self::Far => "far",
             Self::Far120 => "far120",
             Self::Far240 => "far240",
+            Self::Far480 => "far480",
             Self::Four => "four",
             Self::Crowd => "crowd",
             Self::Flicker => "flicker",
@@ -89,6 +93,7 @@ impl BenchCase {
             Self::Far => "motion in real time, the avatar 60 px tall",
             Self::Far120 => "motion in real time, the avatar 120 px tall",
             Self::Far240 => "motion in real time, the avatar 240 px tall",
+            Self::Far480 => "motion in real time, the avatar 480 px tall",
             Self::Four => {
                 "four avatars in motion a metre apart, a slowly orbiting camera on all or one of them"
             }
@@ -128,6 +133,7 @@ impl BenchCase {
             Self::Far | Self::Crowd => Some(60.0),
             Self::Far120 => Some(120.0),
             Self::Far240 => Some(240.0),
+            Self::Far480 => Some(480.0),
             _ => None,
         }
     }

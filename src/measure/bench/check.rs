@@ -44,7 +44,7 @@ impl<'a> ReferenceImages<'a> {
     /// The image of a scene, with the clip's pose even while another is held: what the area of each
     /// pixel shows where the case says so ([`BenchCase::truth_factor`]), else what a renderer with
     /// these options should draw.
-    fn image(
+    pub(super) fn image(
         &mut self,
         index: usize,
         scene: &BenchScene,

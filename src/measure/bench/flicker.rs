@@ -284,7 +284,7 @@ fn shown(
                 .atlas
                 .as_ref()
                 .and_then(|atlas| atlas.slots.first())
-                .map_or(1, |slot| slot.factor),
+                .map_or(1.0, |slot| slot.factor),
             gaussians: plan.instances().map(|own| own.gaussians).sum(),
         }
     };

@@ -69,10 +69,10 @@ fn zoom_pairs(shown: &[Shown], step: usize) -> Vec<FramePair> {
     let switches = |from: usize| {
         shown[from..=from + step]
             .windows(2)
-            .any(|two| two[0] != two[1])
+            .any(|two| two[0].switches_to(&two[1]))
     };
     let mut pairs: Vec<FramePair> = Vec::new();
-    for at in (1..shown.len()).filter(|&at| shown[at - 1] != shown[at]) {
+    for at in (1..shown.len()).filter(|&at| shown[at - 1].switches_to(&shown[at])) {
         let from = at.saturating_sub(step.div_ceil(2)).min(all - 1);
         if pairs.iter().all(|pair| pair.from != from) {
             pairs.push(FramePair {
@@ -100,7 +100,7 @@ fn zoom_pairs(shown: &[Shown], step: usize) -> Vec<FramePair> {
 mod tests {
     use super::*;
 
-    fn shown(samples: u32) -> Shown {
+    fn shown(samples: f64) -> Shown {
         Shown {
             samples,
             gaussians: 100,
@@ -110,7 +110,7 @@ mod tests {
     #[test]
     fn takes_are_compared_within_themselves() {
         for frames in [1, 2, 3, 7, 8, 12, 13, 24, 31] {
-            let pairs = pairs(BenchCase::Flicker, &vec![shown(1); frames]);
+            let pairs = pairs(BenchCase::Flicker, &vec![shown(1.0); frames]);
             for pair in &pairs {
                 assert!(
                     pair.from < pair.to && pair.to < frames,
@@ -125,7 +125,7 @@ mod tests {
                 "{frames} frames"
             );
         }
-        let mut frames: Vec<usize> = pairs(BenchCase::Flicker, &[shown(1); 24])
+        let mut frames: Vec<usize> = pairs(BenchCase::Flicker, &[shown(1.0); 24])
             .iter()
             .flat_map(|pair| [pair.from, pair.to])
             .collect();
@@ -136,10 +136,10 @@ mod tests {
 
     #[test]
     fn a_zoom_has_a_pair_at_every_switch_and_counts_it_once() {
-        let mut run = vec![shown(1); 200];
-        run[70..].fill(shown(2));
-        run[120..].fill(shown(4));
-        run[199] = shown(8);
+        let mut run = vec![shown(1.0); 200];
+        run[70..].fill(shown(2.0));
+        run[120..].fill(shown(4.0));
+        run[199] = shown(8.0);
         let pairs = pairs(BenchCase::Zoom, &run);
         for step in STEPS {
             let own: Vec<&FramePair> = pairs.iter().filter(|p| p.to - p.from == step).collect();

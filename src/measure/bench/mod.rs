@@ -5,7 +5,8 @@
 //! compares them with the reference, [`mod@flicker`] each with a later one, and [`measured`] puts a
 //! case's report together. [`spread`] compares many poses and views with nothing skipped. [`sweep`]
 //! varies the [`parameter`]s that trade time for error one at a time, [`pareto`] finds the settings
-//! on the Pareto front, and [`plot`] draws them. [`task`] says what to draw, and through which
+//! on the Pareto front, and [`plot`] draws them. [`sizes`] charts error and time against the avatar's
+//! size, [`strip`] shows it at each. [`task`] says what to draw, and through which
 //! [`backend`]. [`report`] is the JSON, [`table`] the CSV; [`compare`] compares two reports.
 
 pub mod backend;
@@ -22,7 +23,9 @@ pub mod plot;
 pub mod report;
 pub mod run;
 pub mod scene;
+pub mod sizes;
 pub mod spread;
+pub mod strip;
 pub mod sweep;
 pub mod table;
 pub mod task;

@@ -92,7 +92,7 @@ pub struct PairReport {
 impl PairReport {
     /// Whether the avatar is drawn in another way in the later frame.
     pub fn switches(&self) -> bool {
-        self.shown[0] != self.shown[1]
+        self.shown[0].switches_to(&self.shown[1])
     }
 
     /// How many frames apart they are.
@@ -101,13 +101,29 @@ impl PairReport {
     }
 }
 
+/// The most by which samples may grow from frame to frame where an avatar grows as a whole.
+const SMOOTH: f64 = 1.25;
+
 /// How an avatar is drawn: at so many times its size, from so many Gaussians.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Shown {
-    /// Samples a pixel along each axis.
-    pub samples: u32,
+    /// Samples a pixel along each axis, at least 1.
+    pub samples: f64,
     /// Gaussians of the level that is drawn.
     pub gaussians: u32,
+}
+
+impl Shown {
+    /// Whether something may be seen to change between an avatar that is drawn so and the same one
+    /// drawn otherwise: another level, or the first samples beyond one. More or less of them are no
+    /// switch, as long as they change a little at a time.
+    pub fn switches_to(&self, other: &Self) -> bool {
+        let [few, many] = [
+            self.samples.min(other.samples),
+            self.samples.max(other.samples),
+        ];
+        self.gaussians != other.gaussians || (few <= 1.0 && many > 1.0) || many > SMOOTH * few
+    }
 }
 
 impl FlickerReport {

@@ -132,6 +132,7 @@ fn draw_steps<B: DrawingBackend>(
         text_height: TEXT_HEIGHT,
         y_label_count: Some(report.ladder.len().min(12)),
         y_label: Some(&|step| format!("{step:.0}")),
+        ..Axes::default()
     };
     axes.draw(&mut chart)?;
     if report.each.iter().any(|second| second.headroom.is_some()) {

@@ -2,7 +2,9 @@
 //! Nothing else decides about it, so that a number replays it anywhere, except on devices that
 //! can't draw triangles.
 
-use super::{adversarial, body::below, bound::Scene, category::Category, draft::Draft};
+use super::{
+    adversarial, body::below, bound::Scene, category::Category, draft::Draft, small::Small,
+};
 use effigy::vulkan::{
     RendererOptions,
     probe::Probe,
@@ -24,6 +26,11 @@ use serde::Serialize;
 const OPTIONS_SEED: u64 = 0x6f70_7469_6f6e_7321;
 /// Makes the seed of a case's filter differ from that of the rest ("filters!").
 const FILTER_SEED: u64 = 0x6669_6c74_6572_7321;
+/// Makes the seed of a case's size differ from that of the rest ("smallish").
+const SMALL_SEED: u64 = 0x736d_616c_6c69_7368;
+/// The last of so many rounds of categories is drawn small; the others as large as they are shown,
+/// so that their cases stay what they were before anything else was.
+const SMALL_ROUNDS: u64 = 4;
 /// The last of so many rounds of categories is drawn with random filters; the others with that of
 /// 3DGS, so that their cases stay what they were before there were filters.
 const FILTER_ROUNDS: u64 = 3;
@@ -193,9 +200,22 @@ impl StressCase {
             camera,
             options: options(options_random, camera.size),
         };
+        case.choose_size(seed);
         case.choose_filter(seed);
         case.keep_off_culling_edges();
         case
+    }
+
+    /// Draws it small in rounds that are.
+    fn choose_size(&mut self, seed: u64) {
+        if (self.number / Category::ROUND) % SMALL_ROUNDS == SMALL_ROUNDS - 1 {
+            let random = &mut Random::new(seed ^ SMALL_SEED, self.number);
+            let small = Small::random(random, &self.avatar, &self.posed, &self.camera);
+            self.options.supersampling = small.supersampling;
+            self.camera = small.camera;
+            self.avatar.levels = small.levels;
+            self.note += &small.note;
+        }
     }
 
     /// Sets the avatar's filter in rounds that have one, and in every second of these cases another
@@ -245,6 +265,7 @@ impl StressCase {
     pub fn for_device(mut self, probe: &Probe) -> Self {
         let options = &mut self.options;
         if !probe.draws_triangles() {
+            options.supersampling = Supersampling::OFF;
             options.method = Some(RasterMethod::Tiles);
             options.skip -= Skip::HIDDEN | Skip::DEPTH;
         }

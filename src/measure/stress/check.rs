@@ -10,7 +10,6 @@ use super::{
 use crate::error::{self, ErrorMetrics};
 use effigy::vulkan::{self, Gpu, Renderer, instance::validation_messages};
 use effigy_core::{
-    avatar::Avatar,
     frame::Skip,
     random::hash,
     reference,
@@ -214,11 +213,13 @@ impl CaseOutcome {
             self.faults.extend(beyond("from the pose cache, ", &used));
             self.used_cached = Some(used);
         }
-        let drawn = Avatar {
-            filter: case.scene().filter(),
-            ..case.avatar.clone()
-        };
-        let reference = reference::render(&drawn, &case.posed, &case.camera);
+        let reference = reference::render_shown(
+            &case.avatar,
+            &[&case.posed],
+            &case.camera,
+            case.options.supersampling,
+            case.options.filter,
+        );
         self.error = Some(error::between(&first, &reference));
         self.arithmetic = Some(error::between(&first, &bound.reference()));
         self.used = Some(used);

@@ -8,7 +8,7 @@ use super::{
 use effigy_core::{
     frame::{ColorFormat, KeyBits, Skip},
     reference::{self, Culled, Splat, project, raster, sort},
-    scene::{AvatarBounds, Camera, FrameImage},
+    scene::{AvatarBounds, Camera, FrameImage, Supersampling},
 };
 use glam::DVec2;
 
@@ -64,7 +64,8 @@ impl Frame {
         Self::of_case(case)
     }
 
-    fn of_case(case: StressCase) -> Self {
+    fn of_case(mut case: StressCase) -> Self {
+        case.options.supersampling = Supersampling::OFF;
         let (_, _, gaussians) = reference::stored(&case.avatar, &case.posed);
         let splats = project::splats(&gaussians, &case.camera, case.scene().filter(), 0);
         let order = sort::order(&splats);

@@ -7,7 +7,7 @@
 //! holds it, computed from the model and, where a case allows it, from the pose cache. A case
 //! follows from the seed and its number alone.
 //!
-//! A `draft` of a `body` is made hard by `adversarial`, becomes a `case`, and is drawn and compared
+//! A `draft` of a `body` is made hard by `adversarial`, becomes a `case`, some of them `small`, and is drawn and compared
 //! by `check`, with the bounds of `bound`; broken inputs are tried by `refusal`.
 
 mod adversarial;
@@ -22,6 +22,7 @@ mod faults;
 mod refusal;
 mod report;
 mod run;
+mod small;
 
 pub use bound::{BoundUse, ImageBound, Rounding, Scene};
 pub use case::{Rasterizer, StressCase};

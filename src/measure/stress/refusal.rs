@@ -9,11 +9,12 @@ use super::{
 };
 use effigy::vulkan::{self, Error, Gpu, Renderer, RendererOptions};
 use effigy_core::{
-    avatar::{Avatar, Filter},
+    avatar::{Avatar, Filter, Level, LevelError},
     random::Random,
     scene::{Camera, FrameImage, Posed},
 };
 use glam::DVec2;
+use half::f16;
 use std::sync::Arc;
 
 /// Breaks every input of a case, and draws the case itself before and after. Returns these two
@@ -27,6 +28,13 @@ pub fn run(
     faults: &mut Vec<String>,
 ) -> vulkan::Result<[FrameImage; 2]> {
     let random = &mut Random::new(case.number, 0x7265_6675_7365_6421);
+    for (what, avatar) in bad_levels(&case.avatar) {
+        expect_refusal(
+            what,
+            Renderer::new(gpu, &avatar, case.options).map(drop),
+            faults,
+        )?;
+    }
     for (what, options) in bad_options(random, case.options) {
         expect_refusal(
             what,
@@ -56,10 +64,69 @@ fn expect_refusal(
 ) -> vulkan::Result<()> {
     match result {
         Ok(()) => faults.push(format!("{what} that can't be drawn was accepted")),
-        Err(Error::Unusable(_)) => {}
+        Err(Error::Unusable(_) | Error::Avatar(_) | Error::ImageSize { .. }) => {}
         Err(error) => return Err(error),
     }
     Ok(())
+}
+
+/// The avatar with one thing broken each in a level of its own Gaussians.
+fn bad_levels(good: &Avatar) -> Vec<(&'static str, Avatar)> {
+    let with = |break_it: &dyn Fn(&mut Level)| {
+        let mut level = Level {
+            gaussians: good.gaussians.clone(),
+            part_start: good.parts.start.clone(),
+            correctives: true,
+            rotation_rows: good.rotation_rows.clone(),
+            scale_rows: good.scale_rows.clone(),
+            color_rows: good.color_rows.clone(),
+            sh: good.sh.clone(),
+            measured: vec![],
+        };
+        break_it(&mut level);
+        Avatar {
+            levels: vec![level],
+            ..good.clone()
+        }
+    };
+    let first = |level: &mut Level, value: f16| level.gaussians.log_scale[0][1] = value;
+    vec![
+        (
+            "a level without Gaussians",
+            with(&|level| level.gaussians = level.gaussians.pick(&[])),
+        ),
+        (
+            "a level whose parts end before its Gaussians",
+            with(&|level| *level.part_start.last_mut().expect("an end") -= 1),
+        ),
+        (
+            "a level whose rows are of other Gaussians",
+            with(&|level| {
+                let row = level.gaussians.len() as u32;
+                level.color_rows.gaussian.push(row);
+            }),
+        ),
+        (
+            "a level with a scale that is NaN",
+            with(&|level| first(level, f16::NAN)),
+        ),
+        (
+            "a level with an infinite scale",
+            with(&|level| first(level, f16::INFINITY)),
+        ),
+        (
+            "a level's error at a height that is NaN",
+            with(&|level| {
+                level.measured = vec![LevelError {
+                    height: f64::NAN,
+                    samples: 2,
+                    psnr_db: 40.0,
+                    color: 0.0,
+                    coverage: 0.0,
+                }];
+            }),
+        ),
+    ]
 }
 
 /// Options with one number broken each.
@@ -81,6 +148,20 @@ fn bad_options(random: &mut Random, good: RendererOptions) -> Vec<(&'static str,
             "an opacity cutoff below 1/255",
             RendererOptions {
                 cutoff: 0.001,
+                ..good
+            },
+        ),
+        (
+            "an image of no height",
+            RendererOptions {
+                size: [good.size[0], 0],
+                ..good
+            },
+        ),
+        (
+            "an image of 100,000 px",
+            RendererOptions {
+                size: [100_000, good.size[1]],
                 ..good
             },
         ),

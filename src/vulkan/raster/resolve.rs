@@ -23,7 +23,6 @@ use crate::vulkan::{
 use ash::vk;
 use bytemuck::{Pod, Zeroable, bytes_of};
 use effigy_core::frame::{ColorFormat, atlas::Slot};
-use glam::IVec2;
 use std::sync::Arc;
 
 const ATLAS: vk::DescriptorType = vk::DescriptorType::COMBINED_IMAGE_SAMPLER;
@@ -32,10 +31,12 @@ const ATLAS: vk::DescriptorType = vk::DescriptorType::COMBINED_IMAGE_SAMPLER;
 #[repr(C)]
 #[derive(Clone, Copy, Pod, Zeroable)]
 struct Pushed {
-    /// From a pixel of the image, times `factor`, to the first of its texels in the atlas.
-    offset: [i32; 2],
+    /// Column and row in the image of the first pixel that the slot holds.
+    shown: [i32; 2],
+    /// Column and row in the atlas of its first texel.
+    first: [i32; 2],
     /// Texels of the atlas in a pixel, each way.
-    factor: i32,
+    factor: f32,
 }
 
 /// What averages the atlas into the image.
@@ -128,10 +129,10 @@ impl Resolve {
                 } else {
                     &self.over
                 };
-                let offset: IVec2 = slot.at.as_ivec2() - slot.around.min * slot.factor as i32;
                 let pushed = Pushed {
-                    offset: offset.into(),
-                    factor: slot.factor as i32,
+                    shown: slot.around.min.into(),
+                    first: slot.at.as_ivec2().into(),
+                    factor: slot.factor as f32,
                 };
                 device.cmd_bind_pipeline(raw, point, pipeline.raw());
                 device.cmd_push_constants(raw, layout, stages, 0, bytes_of(&pushed));

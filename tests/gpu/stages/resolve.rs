@@ -165,6 +165,61 @@ fn small_avatars_that_touch_are_sorted_together(raster: Raster) {
     assert_near("three avatars", &image, &expected, 48.0);
 }
 
+/// A camera that shows a posed avatar with this longest side, px.
+fn camera_at(avatar: &Avatar, posed: &Posed, side: f64) -> Camera {
+    let bounds = AvatarBounds::new(avatar);
+    let camera = |distance: f64| {
+        let middle = DVec3::new(0.0, 0.9, 0.0);
+        Camera::orbit(middle, 0.3, 0.1, distance, 0.7, LARGE)
+    };
+    let [mut near, mut far] = [1.0, 100.0];
+    for _ in 0..60 {
+        let between = 0.5 * (near + far);
+        if bounds.longest_side(&posed.joints, &camera(between)) > side {
+            near = between;
+        } else {
+            far = between;
+        }
+    }
+    camera(far)
+}
+
+/// Factors between whole ones, with a low-pass between the avatar's own and that of what is drawn
+/// larger: each pixel is the mean over its area.
+fn any_factor_is_averaged_by_area(raster: Raster) {
+    let (avatar, camera) = scene(8.0, LARGE);
+    let posed = posed(&avatar, &camera, 3, DVec3::new(0.05, 0.02, 0.0));
+    let options = supersampled(raster, &camera, Supersampling::BySize);
+    for side in [233.0, 411.0, 615.0] {
+        let camera = camera_at(&avatar, &posed, side);
+        let (image, report) = drawn(&avatar, &[&posed], &camera, options);
+        assert_eq!(report.counters.supersampled, 1, "{side} px");
+        let expected =
+            reference::render_shown(&avatar, &[&posed], &camera, Supersampling::BySize, None);
+        assert_near(&format!("{side} px"), &image, &expected, 48.0);
+        let largest = error::between(&image, &expected).covered.max_error;
+        assert!(largest <= 0.06, "{side} px: {largest}");
+    }
+}
+
+/// An avatar that grows beyond what is drawn larger than it is shown looks as it did before, and as
+/// the model says from then on.
+fn no_switch_is_seen(raster: Raster) {
+    let (avatar, camera) = scene(8.0, LARGE);
+    let posed = posed(&avatar, &camera, 3, DVec3::new(0.05, 0.02, 0.0));
+    let options = supersampled(raster, &camera, Supersampling::BySize);
+    let [small, large] = [639.99, 640.01].map(|side| {
+        let camera = camera_at(&avatar, &posed, side);
+        drawn(&avatar, &[&posed], &camera, options)
+    });
+    let supersampled = [&small, &large].map(|(_, report)| report.counters.supersampled);
+    assert_eq!(supersampled, [1, 0]);
+    assert_near("across the switch", &small.0, &large.0, 50.0);
+    let camera = camera_at(&avatar, &posed, 640.01);
+    let own = reference::render(&avatar, &posed, &camera);
+    assert_near("as large as shown", &large.0, &own, 50.0);
+}
+
 /// From near to far and back, out of the image and in again, the whole image each time as one that
 /// knows no other frame: nothing of an earlier frame stays.
 fn frames_leave_nothing_behind(raster: Raster) {
@@ -215,6 +270,10 @@ fn levels_are_drawn_as_avatars(raster: Raster) {
         &avatar.at_level(&avatar.levels[0]),
         &avatar.at_level(&avatar.levels[1]),
     ];
+    let whole = Avatar {
+        levels: vec![],
+        ..avatar.clone()
+    };
     let options = supersampled(raster, &camera, Supersampling::BySize);
     let mut renderer = Renderer::new(&gpu::gpu(), &avatar, options).unwrap();
     let mut seen = vec![];
@@ -232,10 +291,9 @@ fn levels_are_drawn_as_avatars(raster: Raster) {
         let posed = posed(&avatar, &camera, seed, DVec3::new(0.2, 0.1, away));
         renderer.draw(&posed, &camera, None).unwrap();
         let image = renderer.read_image().unwrap();
-        let drawn = if level == 0 { &avatar } else { own[level - 1] };
-        let factor = if away > 5.0 { 4 } else { 2 };
+        let drawn = if level == 0 { &whole } else { own[level - 1] };
         let expected =
-            reference::render_supersampled(drawn, &[&posed], &camera, factor, Filter::SUPERSAMPLED);
+            reference::render_shown(drawn, &[&posed], &camera, Supersampling::BySize, None);
         assert_near(
             &format!("level {level}, {away} m away"),
             &image,
@@ -322,6 +380,12 @@ fn levels_have_their_own_harmonics(raster: Raster) {
 }
 
 tests! {
+    any_factor_is_averaged_by_area[Quads],
+    any_factor_is_averaged_by_area[Tiles],
+    any_factor_is_averaged_by_area[SharedTiles],
+    no_switch_is_seen[Quads],
+    no_switch_is_seen[Tiles],
+    no_switch_is_seen[SharedTiles],
     levels_have_their_own_harmonics[Quads],
     levels_have_their_own_harmonics[Tiles],
     levels_have_their_own_harmonics[SharedTiles],

@@ -4,21 +4,21 @@ use super::{
     features,
     occluded::{Occluded, OccludedInput},
     pixel::{Layer, Ordered, PixelBound},
-    rounding::Rounding,
+    rounding::{F32, Rounding},
     splats::{self, SplatInput, UncertainSplat},
 };
 use effigy_core::{
     avatar::{Avatar, Filter},
     constants::SATURATION_CUTOFFS,
     frame::{
-        FrameState, PlanInput, RendererOptions, Skip, pose_cache::PoseCache, room::Room,
-        schedule::SATURATION_PIXELS,
+        FrameState, PlanInput, RendererOptions, Skip, atlas::Slot, pose_cache::PoseCache,
+        room::Room, schedule::SATURATION_PIXELS,
     },
     occluder::Occluder,
     reference,
     scene::{AvatarBounds, Camera, FrameImage, PartDependencies, PartSet, PixelRect, Posed},
 };
-use glam::{DVec2, DVec3, UVec2};
+use glam::{DVec2, DVec3, IVec2, UVec2};
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -28,6 +28,8 @@ use serde::Serialize;
 pub const SLACK: f64 = 1.01;
 /// Errors no larger than this are none: the images that are compared are f32.
 const NOTHING: f64 = 4.0 * f32::EPSILON as f64;
+/// Roundings of f32 in a mean of up to 5 × 5 texels, and of the images that bounds are averaged in.
+const AVERAGE_ROUNDINGS: f64 = 64.0;
 /// A bound of at most this sees a fault of a tenth of a channel.
 const TIGHT: f64 = 0.05;
 
@@ -110,6 +112,17 @@ impl ImageBound {
             has_occluder,
             always_submit: true,
         });
+        // One avatar has one layer: the image, or an atlas that is averaged into it.
+        let layer = match &plan.atlas {
+            Some(atlas) => &atlas.layer,
+            None => &plan.image,
+        };
+        let instance = layer.instances.first();
+        let level = instance
+            .and_then(|instance| instance.model.checked_sub(1))
+            .map(|level| avatar.at_level(&avatar.levels[level]));
+        let avatar = level.as_ref().unwrap_or(avatar);
+        let camera = instance.map_or(camera, |instance| &instance.camera);
         let (stored, _, gaussians) = reference::stored(avatar, posed);
         let features = features::features(&stored, posed);
         let nodes = features::nodes(&stored, &features);
@@ -125,18 +138,14 @@ impl ImageBound {
             nodes: &nodes,
             gaussians: &gaussians,
             bounds: &bounds,
-            depth_range: plan.image.depth_range,
-            culled_parts: plan
-                .image
-                .instances
-                .first()
-                .map_or(PartSet::EMPTY, |instance| instance.culled_parts),
-            culled: plan.image.instances.is_empty(),
+            depth_range: layer.depth_range,
+            culled_parts: instance.map_or(PartSet::EMPTY, |instance| instance.culled_parts),
+            culled: instance.is_none(),
             cache,
-            filter: scene.filter(),
+            low_pass: instance.map_or(scene.filter().into(), |instance| instance.low_pass),
             rounding,
         });
-        if let Some(view) = &plan.image.occluder_view {
+        if let Some(view) = &layer.occluder_view {
             let nodes: Vec<DVec3> = nodes
                 .iter()
                 .map(|node| DVec3::from(features::values(*node)))
@@ -147,7 +156,7 @@ impl ImageBound {
                 camera,
                 nodes: &nodes,
                 view,
-                depth_range: plan.image.depth_range,
+                depth_range: layer.depth_range,
                 margin: rounding.margin,
             });
             if let Some(occluded) = occluded {
@@ -156,10 +165,68 @@ impl ImageBound {
                 }
             }
         }
+        if let Some(slot) = plan.atlas.as_ref().and_then(|atlas| atlas.slots.first()) {
+            // What is not all inside its slot is cut off.
+            let [min, max] = [slot.rect().min, slot.rect().max].map(|at| at.as_dvec2());
+            for splat in &mut splats {
+                let inside = (splat.center - splat.reach).cmpgt(min).all()
+                    && (splat.center + splat.reach).cmplt(max).all();
+                splat.may_vanish |= !inside;
+            }
+            let whole = PixelRect::whole(layer.size);
+            return Self::of_splats(splats, layer.size, rounding, whole, false).averaged(
+                slot,
+                scene.camera.size,
+                plan.drawn_rect,
+                rounding,
+            );
+        }
         let tested = rounding.quads()
             && rounding.skip.contains(Skip::DEPTH)
-            && plan.image.pixels_a_gaussian >= SATURATION_PIXELS;
+            && layer.pixels_a_gaussian >= SATURATION_PIXELS;
         Self::of_splats(splats, camera.size, rounding, plan.drawn_rect, tested)
+    }
+
+    /// The bound of an image of a size whose pixels are means over this one, an atlas with a single
+    /// slot. Beyond `drawn` a device may leave the image empty.
+    fn averaged(&self, slot: &Slot, size: [u32; 2], drawn: PixelRect, rounding: &Rounding) -> Self {
+        let mean = |of: fn(&PixelBound) -> [f64; 4]| {
+            let atlas = FrameImage {
+                size: self.size,
+                pixels: self
+                    .pixels
+                    .iter()
+                    .map(|pixel| of(pixel).map(|v| v as f32))
+                    .collect(),
+            };
+            atlas.resampled(slot.factor, slot.around.sides().into())
+        };
+        let value = mean(|pixel| pixel.value);
+        let below = mean(|pixel| pixel.below);
+        let above = mean(|pixel| pixel.above);
+        let mut pixels = vec![PixelBound::default(); size[0] as usize * size[1] as usize];
+        let shown = slot.shown(size);
+        for y in shown.min.y..shown.max.y {
+            for x in shown.min.x..shown.max.x {
+                let at = IVec2::new(x as i32, y as i32) - slot.around.min;
+                let at = at.y as usize * value.size[0] as usize + at.x as usize;
+                let pixel = &mut pixels[y as usize * size[0] as usize + x as usize];
+                for channel in 0..4 {
+                    let exact = f64::from(value.pixels[at][channel]);
+                    let [below, above] =
+                        [&below, &above].map(|off| f64::from(off.pixels[at][channel]));
+                    let rounded = rounding.stored(exact + above) + AVERAGE_ROUNDINGS * F32;
+                    pixel.value[channel] = exact;
+                    pixel.above[channel] = above + rounded;
+                    pixel.below[channel] = if contains(drawn, [x as usize, y as usize]) {
+                        below + rounded
+                    } else {
+                        exact
+                    };
+                }
+            }
+        }
+        Self { size, pixels }
     }
 
     /// The bound of splats. `drawn`: where they are drawn; `tested`: against the saturation depth.

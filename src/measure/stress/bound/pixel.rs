@@ -10,7 +10,8 @@
 //! 3. The order becomes the device's, by swaps of neighbours. Each pair that ends up swapped is
 //!    swapped once, which changes the value by T' α₁' α₂' (c₂ − c₁). Only pairs whose keys may be
 //!    equal or swapped are counted, with the largest T' that splats surely before both leave.
-//! 4. Splats behind a saturated pixel are left out: at most what transmittance is left.
+//! 4. Splats behind a saturated pixel are left out: at most what transmittance is left. Tiles put
+//!    the mean of what is before them in their place: at most as much more.
 //! 5. Layers and values are rounded to the image's format; an error of a layer shows as much as
 //!    what lies before it lets through.
 
@@ -158,7 +159,12 @@ impl Ordered {
         }
         if let Some(lost) = lost {
             for channel in 0..4 {
-                bound.below[channel] += lost * self.brightest(layers, channel);
+                let most = lost * self.brightest(layers, channel);
+                bound.below[channel] += most;
+                // Tiles show more of what they have blended in its place.
+                if !rounding.quads() {
+                    bound.above[channel] += most;
+                }
             }
         }
         let sums = 4.0 * F32 * (layers.len() as f64 + 4.0);

@@ -12,7 +12,7 @@ use super::{
     rounding::{F16, F16_NORMAL, F32, Rounding},
 };
 use effigy_core::{
-    avatar::{Avatar, Filter},
+    avatar::{Avatar, LowPass},
     constants::{ALPHA_MAX, F16_MAX, LOG_SCALE_MAX, LONGEST_MARGIN, ROTATION_MIN, VARIANCE_MAX},
     frame::{Skip, fixed_scale, pose_cache::PoseCache},
     layout::compact::Neutral,
@@ -75,7 +75,7 @@ pub struct SplatInput<'a> {
     /// Skinned Gaussians come from the pose cache.
     pub cache: Option<PoseCache>,
     /// The low-pass that is drawn with.
-    pub filter: Filter,
+    pub low_pass: LowPass,
     pub rounding: &'a Rounding,
 }
 
@@ -409,7 +409,7 @@ impl SplatInput<'_> {
             color_error: rounding.color_step() + posed.as_ref().map_or(1.0, |p| p.color_error),
             reach: DVec2::INFINITY,
             occluder_radius: 0.0,
-            exact: project::project(gaussian, camera, self.filter, 0).ok(),
+            exact: project::project(gaussian, camera, self.low_pass, 0).ok(),
             opacity,
             opacity_error: rounding.opacity(opacity),
             direction: DVec2::X,
@@ -426,7 +426,7 @@ impl SplatInput<'_> {
             far_exponent: f64::INFINITY,
             alpha_error: rounding.alpha(),
             cutoff: rounding.cutoff,
-            low_pass: self.filter.variance,
+            low_pass: self.low_pass.variance,
             anywhere: true,
         };
         let Some(posed) = posed else {
@@ -514,7 +514,7 @@ impl SplatInput<'_> {
             return false;
         }
         splat.may_vanish |= largest * (1.0 + grows) > VARIANCE_MAX;
-        if self.filter.compensated && !splat.compensate(rounding) {
+        if !splat.compensate(rounding, self.low_pass.compensation) {
             return false;
         }
 
@@ -592,9 +592,14 @@ impl UncertainSplat {
 
     /// Multiplies the opacity by what the filter's compensation leaves, with what errors. False if
     /// neither a device nor the reference draws the splat.
-    fn compensate(&mut self, rounding: &Rounding) -> bool {
+    fn compensate(&mut self, rounding: &Rounding, share: f64) -> bool {
+        if share == 0.0 {
+            return true;
+        }
         let neutral = 255.0 * self.opacity;
-        let [low, high] = self.compensation().map(|factor| neutral * factor);
+        let [low, high] = self
+            .compensation()
+            .map(|factor| neutral * (1.0 - share + share * factor));
         // A device rounds to 255ths: known exactly unless rounding may go either way.
         let low = (low - OPACITY_SLACK).round().max(0.0) / 255.0;
         let high = (high + OPACITY_SLACK).round() / 255.0;
