@@ -165,7 +165,19 @@ pub fn project(
     low_pass: impl Into<LowPass>,
     level: u32,
 ) -> Result<Splat, Culled> {
-    let low_pass = low_pass.into();
+    let limits = camera.derivative_limits();
+    project_within(gaussian, camera, limits, low_pass.into(), level)
+}
+
+/// [`project`] with the derivative's limits of another camera ([`Camera::derivative_limits`]): the
+/// frame's, where `camera` sees a slot of an atlas.
+pub fn project_within(
+    gaussian: &Gaussian,
+    camera: &Camera,
+    limits: [DVec2; 2],
+    low_pass: LowPass,
+    level: u32,
+) -> Result<Splat, Culled> {
     let t = camera.view.transform_point3(gaussian.mean);
     if t.z < camera.near {
         return Err(Culled::Behind);
@@ -176,7 +188,8 @@ pub fn project(
         .and(radius_in_sigmas(opacity))
         .ok_or(Culled::Faint)?;
     let center = camera.project(t);
-    let footprint = Footprint::new(camera.view.matrix3 * gaussian.axes, t, camera, low_pass);
+    let axes = camera.view.matrix3 * gaussian.axes;
+    let footprint = Footprint::new(axes, t, camera, limits, low_pass);
     let [a, b, c] = footprint.covariance;
     let valid_shape = footprint.determinant > 0.0 && a.max(c) <= constants::VARIANCE_MAX;
     if !(t.is_finite()
@@ -229,10 +242,9 @@ impl Footprint {
     /// `m` is the axes and `t` the mean, both in camera coordinates.
     ///
     /// J is the derivative of [`Camera::project`] at `t`, with x/z and y/z kept within
-    /// [`Camera::derivative_limits`].
-    fn new(m: DMat3, t: DVec3, camera: &Camera, low_pass: LowPass) -> Self {
+    /// `limits`.
+    fn new(m: DMat3, t: DVec3, camera: &Camera, [min, max]: [DVec2; 2], low_pass: LowPass) -> Self {
         let low_pass = low_pass.variance;
-        let [min, max] = camera.derivative_limits();
         let slope = (t.truncate() / t.z).clamp(min, max);
         let f = camera.focal / t.z;
         let row_x = m.transpose() * DVec3::new(f.x, 0.0, -f.x * slope.x);
