@@ -190,28 +190,53 @@ pub fn project(
     low_pass: impl Into<LowPass>,
     level: u32,
 ) -> Result<Splat, Culled> {
+    let limits = camera.derivative_limits();
+    project_within(gaussian, camera, limits, low_pass.into(), level)
+}
+
+/// [`project`] with the derivative's limits of another camera ([`Camera::derivative_limits`]): the
+/// frame's, where `camera` sees a slot of an atlas.
+pub fn project_within(
+    gaussian: &Gaussian,
+    camera: &Camera,
+    limits: [DVec2; 2],
+    low_pass: LowPass,
+    level: u32,
+) -> Result<Splat, Culled> {
     let opacity = f64::from(detail::opacity(gaussian.opacity, level));
     // One that is invisible alone does not become visible by standing for others.
     let drawn = radius_in_sigmas(f64::from(gaussian.opacity)).map_or(0.0, |_| opacity);
-    project_opaque(gaussian, drawn, camera, low_pass, level)
+    projected(gaussian, drawn, camera, limits, low_pass, level)
 }
 
-/// [`project`] of a Gaussian whose opacity is `opacity`, 0 to 255, whatever it says itself.
+/// [`project`] at level 0 of a Gaussian whose opacity is `opacity`, 0 to 255, whatever it says
+/// itself.
 pub fn project_opaque(
     gaussian: &Gaussian,
     opacity: f64,
     camera: &Camera,
     low_pass: impl Into<LowPass>,
+) -> Result<Splat, Culled> {
+    let limits = camera.derivative_limits();
+    projected(gaussian, opacity, camera, limits, low_pass.into(), 0)
+}
+
+fn projected(
+    gaussian: &Gaussian,
+    opacity: f64,
+    camera: &Camera,
+    limits: [DVec2; 2],
+    low_pass: LowPass,
     level: u32,
 ) -> Result<Splat, Culled> {
-    let low_pass = low_pass.into();
     let t = camera.view.transform_point3(gaussian.mean);
     if t.z < camera.near {
         return Err(Culled::Behind);
     }
     radius_in_sigmas(opacity).ok_or(Culled::Faint)?;
     let center = camera.project(t);
-    let footprint = Footprint::new(camera.view.matrix3 * gaussian.axes, t, camera, low_pass);
+    let axes = camera.view.matrix3 * gaussian.axes;
+    let footprint = Footprint::new(axes, t, camera, limits, low_pass);
     let [a, b, c] = footprint.covariance;
     let valid_shape = footprint.determinant > 0.0 && a.max(c) <= constants::VARIANCE_MAX;
     if !(t.is_finite()
@@ -262,11 +287,11 @@ struct Footprint {
 
 impl Footprint {
     /// `m` is the axes and `t` the mean, both in camera coordinates.
-    fn new(m: DMat3, t: DVec3, camera: &Camera, low_pass: LowPass) -> Self {
+    fn new(m: DMat3, t: DVec3, camera: &Camera, limits: [DVec2; 2], low_pass: LowPass) -> Self {
         let low_pass = low_pass.variance;
         let FootprintRows {
             x: row_x, y: row_y, ..
-        } = FootprintRows::new(m, t, camera);
+        } = FootprintRows::new(m, t, camera, limits);
         let covariance = [
             row_x.dot(row_x) + low_pass,
             row_x.dot(row_y),
@@ -284,8 +309,7 @@ impl Footprint {
 
 /// The rows of J M, whose products are a covariance in the image.
 ///
-/// J is the derivative of [`Camera::project`], with x/z and y/z kept within
-/// [`Camera::derivative_limits`].
+/// J is the derivative of [`Camera::project`], with x/z and y/z kept within limits.
 struct FootprintRows {
     /// Mᵀ times the first row of J, px.
     x: DVec3,
@@ -301,8 +325,7 @@ struct FootprintRows {
 
 impl FootprintRows {
     /// `m` is the axes and `t` the mean, both in camera coordinates.
-    fn new(m: DMat3, t: DVec3, camera: &Camera) -> Self {
-        let [min, max] = camera.derivative_limits();
+    fn new(m: DMat3, t: DVec3, camera: &Camera, [min, max]: [DVec2; 2]) -> Self {
         let slope = (t.truncate() / t.z).clamp(min, max);
         let f = camera.focal / t.z;
         let derivative_x = DVec3::new(f.x, 0.0, -f.x * slope.x);
@@ -353,7 +376,7 @@ impl GaussianGradient {
     };
 }
 
-/// The derivative of [`project_opaque`] at level 0, for a Gaussian that it does not cull.
+/// The derivative of [`project_opaque`], for a Gaussian that it does not cull.
 pub fn project_backward(
     gaussian: &Gaussian,
     opacity: f64,
@@ -365,7 +388,7 @@ pub fn project_backward(
     let low_pass = low_pass.into();
     let t = camera.view.transform_point3(gaussian.mean);
     let m = camera.view.matrix3 * gaussian.axes;
-    let rows = FootprintRows::new(m, t, camera);
+    let rows = FootprintRows::new(m, t, camera, camera.derivative_limits());
     let [a, b, c] = splat.covariance;
     let det = splat.determinant;
     // Σ⁻¹ to Σ: ∂Σ = −Σ⁻¹ ∂(Σ⁻¹) Σ⁻¹, where ∂(Σ⁻¹) is symmetric.

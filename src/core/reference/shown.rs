@@ -1,11 +1,13 @@
 //! The image that a frame should show, small avatars supersampled ([`crate::frame::atlas`]).
 
 use super::frame::{gaussians_of, render_gaussians};
-use super::project::Gaussian;
+use super::project::{Gaussian, project_within};
+use super::{raster::raster, sort::order};
 use crate::avatar::{Avatar, Filter, LowPass};
 use crate::frame::atlas::{Seen, Slot, arrange};
 use crate::scene::{AvatarBounds, Camera, FrameImage, Posed, Supersampling, supersampling};
 use glam::UVec2;
+use rayon::prelude::*;
 
 /// The image of one avatar in several poses, with `supersampling` and, if given, another low-pass
 /// than its own: as a renderer draws its first frame. What is small is drawn from the avatar's
@@ -83,8 +85,13 @@ pub fn slot_image(
         ..*slot
     };
     let own = alone.camera(camera, alone.rect().max.into());
-    let average = render_gaussians(gaussians, &own, low_pass)
-        .resampled(slot.factor, slot.around.sides().into());
+    let limits = camera.derivative_limits();
+    let splats: Vec<_> = gaussians
+        .par_iter()
+        .map(|gaussian| project_within(gaussian, &own, limits, low_pass, 0))
+        .collect();
+    let drawn = raster(&splats, &order(&splats), &own).to_image();
+    let average = drawn.resampled(slot.factor, slot.around.sides().into());
     let mut image = FrameImage::empty(camera.size);
     let shown = slot.shown(camera.size);
     let width = (shown.max.x - shown.min.x) as usize;

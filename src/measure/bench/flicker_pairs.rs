@@ -137,9 +137,13 @@ mod tests {
     #[test]
     fn a_zoom_has_a_pair_at_every_switch_and_counts_it_once() {
         let mut run = vec![shown(1.0); 200];
-        run[70..].fill(shown(2.0));
-        run[120..].fill(shown(4.0));
-        run[199] = shown(8.0);
+        let level = |samples: f64, gaussians| Shown { samples, gaussians };
+        // More and more samples, which are no switch but where they begin; then other levels.
+        for (at, own) in run.iter_mut().enumerate().skip(70) {
+            *own = level(1.0 + 0.02 * (at - 69) as f64, 100);
+        }
+        run[120..].fill(level(4.0, 50));
+        run[199] = level(4.0, 25);
         let pairs = pairs(BenchCase::Zoom, &run);
         for step in STEPS {
             let own: Vec<&FramePair> = pairs.iter().filter(|p| p.to - p.from == step).collect();

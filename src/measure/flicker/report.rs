@@ -101,9 +101,6 @@ impl PairReport {
     }
 }
 
-/// The most by which samples may grow from frame to frame where an avatar grows as a whole.
-const SMOOTH: f64 = 1.25;
-
 /// How an avatar is drawn: at so many times its size, from so many Gaussians.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Shown {
@@ -116,13 +113,9 @@ pub struct Shown {
 impl Shown {
     /// Whether something may be seen to change between an avatar that is drawn so and the same one
     /// drawn otherwise: another level, or the first samples beyond one. More or less of them are no
-    /// switch, as long as they change a little at a time.
+    /// switch: they change as the avatar's size does.
     pub fn switches_to(&self, other: &Self) -> bool {
-        let [few, many] = [
-            self.samples.min(other.samples),
-            self.samples.max(other.samples),
-        ];
-        self.gaussians != other.gaussians || (few <= 1.0 && many > 1.0) || many > SMOOTH * few
+        self.gaussians != other.gaussians || (self.samples > 1.0) != (other.samples > 1.0)
     }
 }
 

@@ -131,7 +131,7 @@ impl Problem<'_> {
             .iter()
             .zip(&opacity)
             .map(|(gaussian, &opacity)| {
-                project_opaque(gaussian, opacity, &view.camera, topology.filter, 0)
+                project_opaque(gaussian, opacity, &view.camera, topology.filter)
             })
             .collect();
         let order = sort::order(&splats);

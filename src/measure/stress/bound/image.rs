@@ -134,6 +134,7 @@ impl ImageBound {
             stored: &stored,
             posed,
             camera,
+            limits: scene.camera.derivative_limits(),
             features: &features,
             nodes: &nodes,
             gaussians: &gaussians,

@@ -61,6 +61,8 @@ pub struct SplatInput<'a> {
     pub stored: &'a Avatar,
     pub posed: &'a Posed,
     pub camera: &'a Camera,
+    /// [`Camera::derivative_limits`] of the frame's camera.
+    pub limits: [DVec2; 2],
     pub features: &'a Uncertain,
     pub nodes: &'a [[UncertainSum; 3]],
     /// The stored avatar in the posed world.
@@ -409,7 +411,7 @@ impl SplatInput<'_> {
             color_error: rounding.color_step() + posed.as_ref().map_or(1.0, |p| p.color_error),
             reach: DVec2::INFINITY,
             occluder_radius: 0.0,
-            exact: project::project(gaussian, camera, self.low_pass, 0).ok(),
+            exact: project::project_within(gaussian, camera, self.limits, self.low_pass, 0).ok(),
             opacity,
             opacity_error: rounding.opacity(opacity),
             direction: DVec2::X,
@@ -477,7 +479,7 @@ impl SplatInput<'_> {
         }
         splat.may_vanish |= (outside + projected).max_element() >= 0.0;
 
-        let [min, max] = camera.derivative_limits();
+        let [min, max] = self.limits;
         let clamped = slope.clamp(min, max);
         let clamp_error = DVec2::select(
             slope.cmpge(min - slope_error) & slope.cmple(max + slope_error),
