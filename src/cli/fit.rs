@@ -77,7 +77,8 @@ pub struct PruneArgs {
     training: TrainingArgs,
 }
 
-fn checkpoint(text: &str) -> Result<f64, String> {
+/// A time between checkpoints, seconds.
+pub fn checkpoint(text: &str) -> Result<f64, String> {
     options::number(text, 0.0, 1e6, "number of seconds")
 }
 

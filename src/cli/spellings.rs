@@ -103,7 +103,7 @@ fn for_each_command(command: &mut Command, visit: &mut dyn FnMut(&mut Command)) 
 }
 
 /// Options whose meaning depends on the command.
-const OWN_MEANING: [&str; 17] = [
+const OWN_MEANING: [&str; 20] = [
     "background",
     "cameras",
     "case",
@@ -113,11 +113,14 @@ const OWN_MEANING: [&str; 17] = [
     "help",
     "json",
     "keys",
+    "minutes",
     "motion",
     "out",
     "parts",
+    "person",
     "pictures",
     "rows",
+    "samples",
     "size",
     "sort",
     "yaw",

@@ -1,6 +1,7 @@
 //! `effigy train`: an avatar from pictures, masks, cameras and poses.
 
 use crate::{
+    fit,
     interrupt::interrupts,
     options::{self, DeviceArgs},
     progress,
@@ -23,25 +24,25 @@ use std::{
 #[derive(clap::Args, Debug)]
 pub struct Args {
     /// Capture: a folder in the layout of THuman4 or AvatarReX (docs/captures.md)
-    #[arg(required_unless_present = "show_preset")]
+    #[arg(required_unless_present = "show_recipe")]
     capture: Option<PathBuf>,
     /// Avatar file to write
     #[arg(
         short,
         long,
         value_name = "FILE",
-        required_unless_present = "show_preset"
+        required_unless_present = "show_recipe"
     )]
     out: Option<PathBuf>,
     /// Recipe: a TOML file with every weight, rate and count
-    #[arg(long, value_name = "FILE", conflicts_with = "preset")]
+    #[arg(long, value_name = "FILE", conflicts_with = "recipe")]
     config: Option<PathBuf>,
     /// Recipe that comes with the program: paper or quick
     #[arg(long, value_name = "NAME", default_value = "quick", value_parser = preset)]
-    preset: Preset,
-    /// Print a preset's recipe and end
+    recipe: Preset,
+    /// Print such a recipe, to start one from, and end
     #[arg(long, value_name = "NAME", value_parser = preset)]
-    show_preset: Option<Preset>,
+    show_recipe: Option<Preset>,
     /// Change a key of the recipe, such as sizes.gaussians=50000; repeat for several
     #[arg(long, value_name = "KEY=VALUE")]
     set: Vec<String>,
@@ -59,11 +60,11 @@ pub struct Args {
     template: Option<PathBuf>,
     /// Decode every picture first, and leave out those that can't be used
     #[arg(long)]
-    check: bool,
-    /// Minutes from one checkpoint to the next, 0.01 to 1000
-    #[arg(long, value_name = "N", default_value = "5", value_parser = minutes)]
+    check_pictures: bool,
+    /// Time between checkpoints, seconds, 0 to 1000000; an interrupted run continues from the last
+    #[arg(long, value_name = "SECONDS", default_value = "300", value_parser = fit::checkpoint)]
     checkpoint: f64,
-    /// Folder with the weights of ST-LPIPS, which tools/fetch_perceptual.sh fills
+    /// Folder that tools/fetch_perceptual.sh filled
     #[arg(long, value_name = "DIR", default_value = Assets::DEFAULT)]
     weights: PathBuf,
     #[command(flatten)]
@@ -116,7 +117,7 @@ impl fmt::Display for Ended {
 impl std::error::Error for Ended {}
 
 pub fn run(args: Args) -> anyhow::Result<()> {
-    if let Some(preset) = args.show_preset {
+    if let Some(preset) = args.show_recipe {
         print!("{}", preset.text());
         return Ok(());
     }
@@ -139,7 +140,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
             .unwrap_or_else(|| out.with_extension("training")),
         resume: args.resume,
         minutes: args.minutes,
-        checkpoint_every: Duration::from_secs_f64(60.0 * args.checkpoint),
+        checkpoint_every: Duration::from_secs_f64(args.checkpoint),
         log_every: 50,
         perceptual_weights: args.weights.clone(),
         name: name.into_owned(),
@@ -215,11 +216,11 @@ fn recipe(args: &Args) -> anyhow::Result<Recipe> {
     let text = match &args.config {
         Some(file) => std::fs::read_to_string(file)
             .with_context(|| format!("{} can't be read", file.display()))?,
-        None => args.preset.text().into(),
+        None => args.recipe.text().into(),
     };
     let source = match &args.config {
         Some(file) => file.display().to_string(),
-        None => format!("preset {}", args.preset.name()),
+        None => format!("recipe {}", args.recipe.name()),
     };
     changed(&text, &args.set).map_err(|fault| Ended::Recipe(format!("{source}: {fault}")).into())
 }
@@ -259,7 +260,7 @@ fn read_capture(folder: &Path, args: &Args) -> anyhow::Result<Arc<Capture>> {
         template: args.template.clone(),
     };
     let mut capture = Capture::read_with(folder, &options)?;
-    if args.check {
+    if args.check_pictures {
         let bar = progress::items(capture.pictures() as u64, "pictures");
         let found = capture.check(&|done, _| bar.set_position(done as u64));
         bar.finish_and_clear();

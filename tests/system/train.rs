@@ -144,7 +144,7 @@ fn recipes_that_are_none_are_refused_before_anything_else() {
     let shown = ends({
         let mut command = Command::new(common::program());
         command
-            .args(["train", "--show-preset", "paper"])
+            .args(["train", "--show-recipe", "paper"])
             .current_dir(here);
         command
     });
