@@ -113,8 +113,8 @@ mod tests {
 
     #[test]
     fn charts_are_svg_or_png() {
-        assert!(matches!(chart("a.svg"), Ok(ChartFile::Svg(_))));
-        assert!(matches!(chart("a.PNG"), Ok(ChartFile::Png(_))));
-        assert!(chart("front").is_err());
+        assert!(matches!(files::chart("a.svg"), Ok(ChartFile::Svg(_))));
+        assert!(matches!(files::chart("a.PNG"), Ok(ChartFile::Png(_))));
+        assert!(files::chart("front").is_err());
     }
 }

@@ -37,8 +37,8 @@ impl Supersampling {
     pub fn factor(self, side: f64) -> f64 {
         match self {
             Self::Times(factor) => factor.into(),
-            // NaN is drawn as large as it is shown.
-            Self::BySize => (DRAWN_SIDE / side).max(1.0).min(LARGEST),
+            Self::BySize if side.is_nan() => 1.0,
+            Self::BySize => (DRAWN_SIDE / side).clamp(1.0, LARGEST),
         }
     }
 }
