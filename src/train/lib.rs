@@ -20,7 +20,7 @@
 //! | [`prune`] | which basis rows stay |
 //! | [`checkpoint`], [`lock`], [`watch`] | a training's folder |
 //! | [`session`] | a training from start to end |
-//! | [`reference`] | the loss and its derivative in f64 |
+//! | [`mod@reference`] | the loss and its derivative in f64 |
 //! | [`gpu`] | both on Vulkan, and the steps |
 
 pub mod adam;

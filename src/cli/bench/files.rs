@@ -102,7 +102,6 @@ pub fn write(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::files::chart;
 
     #[test]
     fn json_is_a_json_file_or_the_standard_output() {

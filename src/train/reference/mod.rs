@@ -197,8 +197,7 @@ impl Problem<'_> {
         let numbers = 3.0 * count as f64;
         let mut of_nodes = vec![DVec3::ZERO; topology.nodes()];
         let mut of_features = vec![vec![0.0; 2 * BASIS]; topology.parts()];
-        for k in 0..count {
-            let placed = &topology.gaussians[k];
+        for (k, placed) in topology.gaussians.iter().enumerate() {
             let part = usize::from(placed.part);
             let canonical = &forward.canonical[k];
             let of_gaussian = match &forward.splats[k] {
