@@ -1,9 +1,9 @@
 //! One training a folder: a file that says who works there, renewed while it does.
 
 use serde::{Deserialize, Serialize};
-use std::fs::{self, File};
+use std::fs::{self, File, TryLockError};
 use std::io::{self, Seek, Write};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread::JoinHandle;
@@ -53,9 +53,8 @@ pub enum LockError {
 /// A folder that nobody else trains in, for as long as this lives: its lock is held open, which
 /// processes of this machine see at once, and renewed, which those of others see.
 pub struct Lock {
-    path: PathBuf,
     /// Held by the system for as long as it is open.
-    _held: File,
+    held: File,
     stop: Arc<AtomicBool>,
     heart: Option<JoinHandle<()>>,
     /// How many have worked here since the last that ended in order, this one included.
@@ -86,7 +85,10 @@ impl Lock {
         io::Read::read_to_end(&mut held, &mut text).map_err(failed)?;
         let known = serde_json::from_slice::<Worker>(&text).ok();
         let mut attempt = 1;
-        let taken = held.try_lock().is_err();
+        // Where the system can't lock files, signs of life have to do.
+        let locking = held.try_lock();
+        let taken = matches!(locking, Err(TryLockError::WouldBlock));
+        let locks = locking.is_ok();
         if let Some(worker) = &known {
             attempt = worker.attempt.saturating_add(1);
         }
@@ -94,7 +96,8 @@ impl Lock {
         let seconds = known
             .as_ref()
             .map_or(0, |worker| now().abs_diff(worker.heartbeat));
-        if taken || !here && seconds < GONE.as_secs() {
+        let trusted = here && locks;
+        if taken || known.is_some() && !trusted && seconds < GONE.as_secs() {
             return Err(LockError::Taken {
                 folder: folder.display().to_string(),
                 worker: known.unwrap_or_else(|| Worker::here(0)),
@@ -119,8 +122,7 @@ impl Lock {
             }
         });
         Ok(Self {
-            path,
-            _held: held,
+            held,
             stop,
             heart: Some(heart),
             attempt,
@@ -134,8 +136,8 @@ impl Drop for Lock {
         if let Some(heart) = self.heart.take() {
             heart.join().ok();
         }
-        // A file that stays is taken over by who comes next.
-        fs::remove_file(&self.path).ok();
+        // Emptied, not removed: who has it open already would lock what is no lock any more.
+        self.held.set_len(0).ok();
     }
 }
 

@@ -70,7 +70,7 @@ pub enum PerceptualKind {
     StLpipsAlex,
     /// ST-LPIPS with VGG.
     StLpipsVgg,
-    /// (1 − SSIM) / 2, which needs no weights.
+    /// 1 − SSIM, which needs no weights.
     Dssim,
     /// None.
     None,

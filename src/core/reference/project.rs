@@ -140,7 +140,8 @@ pub fn pose(canonical: &Canonical, g: &DAffine3, opacity: u8) -> Gaussian {
     Gaussian {
         mean: g.transform_point3(canonical.position),
         axes: g.matrix3 * DMat3::from_quat(q) * DMat3::from_diagonal(s),
-        color: canonical.color.clamp(DVec3::ZERO, DVec3::ONE),
+        // Written so that NaN stays NaN.
+        color: DVec3::from(canonical.color.to_array().map(|c| c.clamp(0.0, 1.0))),
         opacity,
     }
 }
