@@ -231,7 +231,8 @@ fn bench_writes_what_it_measured_of_every_case() {
         );
     }
     let count = |case: usize, name: &str| cases[case]["counters"][name].as_f64().unwrap();
-    for case in [0, 5, 10] {
+    let four = names.iter().position(|name| *name == "four").unwrap();
+    for case in [0, 5, four] {
         let reasons: f64 = ["outside", "hidden", "faint", "degenerate"]
             .iter()
             .map(|name| count(case, name))
@@ -243,7 +244,7 @@ fn bench_writes_what_it_measured_of_every_case() {
             "{reasons} and {whole} in whole avatars"
         );
     }
-    assert_eq!([count(0, "avatars"), count(10, "avatars")], [1.0, 4.0]);
+    assert_eq!([count(0, "avatars"), count(four, "avatars")], [1.0, 4.0]);
     assert_eq!(
         [ran(1, "mlp"), ran(1, "project")],
         [0.0, 1.0],
@@ -449,7 +450,9 @@ fn bench_finds_the_worst_of_many_poses_and_views() {
     assert_eq!(default["worst"]["clip"], "test clip 6");
     // Colours that are rounded, contributions that are cut, fewer Gaussians: `low` shows.
     let (_, low) = spread("--spread 3 --preset low");
-    assert!(low["worst"]["psnr_db"].as_f64().unwrap() < worst - 3.0);
+    let low = low["worst"]["psnr_db"].as_f64().unwrap();
+    println!("worst of 6 views: {worst} dB, with the preset low {low} dB");
+    assert!(low < worst - 3.0, "{low} dB, the default {worst}");
     let (said, none) = spread("--spread 0");
     assert!(none.is_null() && !said.contains("spread:"));
 }
