@@ -571,8 +571,7 @@ impl Session {
             })
             .collect();
         let views = &views[..];
-        // Of the steps before pruning.
-        let before = share / self.pruning_share().max(1e-9);
+        let before = self.before_pruning(share);
         let options = StepOptions {
             weights: if self.pruned {
                 recipe.loss.without_correctives()
@@ -631,8 +630,12 @@ impl Session {
 
     /// Whether correctives learn when a share of the training is over.
     fn corrects(&self, share: f64) -> bool {
-        let before = share / self.pruning_share().max(1e-9);
-        self.pruned || before >= self.recipe.schedule.neutral_share
+        self.pruned || self.before_pruning(share) >= self.recipe.schedule.neutral_share
+    }
+
+    /// How much of what goes before pruning is over when a share of the training is.
+    fn before_pruning(&self, share: f64) -> f64 {
+        share / self.pruning_share().max(1e-9)
     }
 
     /// How much of the training is over, 0 to 1.

@@ -8,9 +8,9 @@ use effigy_core::avatar::{
 };
 use effigy_core::layout::TRAIN_BASIS;
 use effigy_core::random::Random;
+use effigy_learn::bake::partition::divide;
 use effigy_learn::bake::spacing::{Dart, choose};
 use effigy_learn::math::pca::pca;
-use effigy_learn::math::sampling::{farthest_points, morton_code};
 use effigy_learn::math::weights::weight_bytes;
 use glam::{DMat3, DQuat, DVec3};
 use half::f16;
@@ -73,7 +73,9 @@ pub fn start(
 ) -> Avatar {
     let points = spread(template, sizes, seed);
     let positions: Vec<DVec3> = points.iter().map(|point| point.position).collect();
-    let parts = Partition::new(&points, &positions, sizes.parts);
+    let parts = divide(&positions, sizes.parts, |own| {
+        2 * own.iter().filter(|&&k| points[k].on_head).count() > own.len()
+    });
     let points: Vec<&Point> = parts.order.iter().map(|&k| &points[k]).collect();
     let positions: Vec<DVec3> = points.iter().map(|point| point.position).collect();
     let part_of = |k: usize| parts.start.partition_point(|&start| start as usize <= k) - 1;
@@ -223,50 +225,6 @@ fn blended(template: &Template, triangle: &[u32; 3], weights: [f64; 3]) -> Vec<I
 fn head_share(template: &Template, influences: &[Influence]) -> f32 {
     let is_head = |influence: &&Influence| template.head_joints.contains(&influence.joint);
     influences.iter().filter(is_head).map(|i| i.weight).sum()
-}
-
-/// Points divided into parts, those of the head first.
-struct Partition {
-    /// The old index of each point.
-    order: Vec<usize>,
-    start: Vec<u32>,
-    head: usize,
-}
-
-impl Partition {
-    /// Around points that are as far from each other as can be; inside a part along a Morton curve.
-    fn new(points: &[Point], positions: &[DVec3], count: usize) -> Self {
-        let seeds: Vec<[f64; 3]> = farthest_points(positions, count)
-            .iter()
-            .map(|seed| seed.to_array())
-            .collect();
-        let tree: ImmutableKdTree<f64, 3> = ImmutableKdTree::new_from_slice(&seeds);
-        let nearest: Vec<usize> = positions
-            .par_iter()
-            .map(|p| tree.nearest_one::<SquaredEuclidean>(&p.to_array()).item as usize)
-            .collect();
-        let mut members: Vec<Vec<usize>> = vec![Vec::new(); seeds.len()];
-        for (k, &part) in nearest.iter().enumerate() {
-            members[part].push(k);
-        }
-        let is_head =
-            |own: &Vec<usize>| 2 * own.iter().filter(|&&k| points[k].on_head).count() > own.len();
-        let (mut ordered, others): (Vec<_>, Vec<_>) = members.into_iter().partition(is_head);
-        let head = ordered.len();
-        ordered.extend(others);
-        let low = positions.iter().copied().fold(DVec3::INFINITY, DVec3::min);
-        let mut all = Self {
-            order: Vec::with_capacity(positions.len()),
-            start: vec![0],
-            head,
-        };
-        for mut own in ordered {
-            own.sort_by_key(|&k| (morton_code(positions[k] - low), k));
-            all.order.extend(own);
-            all.start.push(all.order.len() as u32);
-        }
-        all
-    }
 }
 
 fn gaussians(

@@ -419,7 +419,6 @@ pub fn project_backward(
     of_x += 2.0 * of_a * x + of_b * y;
     of_y += 2.0 * of_c * y + of_b * x;
     // Rows of the covariance's root to the axes and the derivative of the perspective.
-    let outer = |u: DVec3, v: DVec3| DMat3::from_cols(u * v.x, u * v.y, u * v.z);
     let of_m = outer(rows.derivative_x, of_x) + outer(rows.derivative_y, of_y);
     let of_derivative_x = m * of_x;
     let of_derivative_y = m * of_y;
@@ -508,7 +507,6 @@ pub fn pose_backward(
             0.0
         }
     };
-    let outer = |u: DVec3, v: DVec3| DMat3::from_cols(u * v.x, u * v.y, u * v.z);
     CanonicalGradient {
         position: g.matrix3.transpose() * gradient.mean,
         rotation: of_sum,
@@ -519,6 +517,11 @@ pub fn pose_backward(
             gradient.mean,
         ),
     }
+}
+
+/// u vᵀ.
+fn outer(u: DVec3, v: DVec3) -> DMat3 {
+    DMat3::from_cols(u * v.x, u * v.y, u * v.z)
 }
 
 /// The derivative of the matrix of a unit quaternion, as w x y z; `r`: of the matrix.

@@ -30,9 +30,24 @@ impl Partition {
     }
 }
 
-/// Divides points into `count` parts around seeds that are as far from each other as can be, every
-/// point into its nearest seed's part. `sites` are the points in the rest pose.
+/// Divides points into `count` parts ([`divide`]). `sites` are the points in the rest pose.
 pub fn partition(positions: &[DVec3], sites: &[&Site], count: usize) -> Partition {
+    let has_expression = |i: &usize| {
+        let displacements = &sites[*i].expression;
+        displacements
+            .iter()
+            .any(|d| d.length() > EXPRESSION_THRESHOLD)
+    };
+    let is_on_head = |i: &&usize| sites[**i].share(is_head) > 0.5;
+    divide(positions, count, |list| {
+        list.iter().any(has_expression) || 2 * list.iter().filter(is_on_head).count() > list.len()
+    })
+}
+
+/// Divides points into `count` parts, at most as many as there are points, around seeds that are as
+/// far from each other as can be, every point into its nearest seed's part. `is_head`: whether a
+/// part of these points sees the expression.
+pub fn divide(positions: &[DVec3], count: usize, is_head: impl Fn(&[usize]) -> bool) -> Partition {
     let seeds: Vec<[f64; 3]> = farthest_points(positions, count)
         .iter()
         .map(|seed| seed.to_array())
@@ -46,17 +61,8 @@ pub fn partition(positions: &[DVec3], sites: &[&Site], count: usize) -> Partitio
     for (i, &part) in nearest.iter().enumerate() {
         members[part].push(i);
     }
-
-    let has_expression = |i: &usize| {
-        let displacements = &sites[*i].expression;
-        displacements
-            .iter()
-            .any(|d| d.length() > EXPRESSION_THRESHOLD)
-    };
-    let is_on_head = |i: &&usize| sites[**i].share(is_head) > 0.5;
-    let (mut parts, other_parts): (Vec<_>, Vec<_>) = members.into_iter().partition(|list| {
-        list.iter().any(has_expression) || 2 * list.iter().filter(is_on_head).count() > list.len()
-    });
+    let (mut parts, other_parts): (Vec<_>, Vec<_>) =
+        members.into_iter().partition(|list| is_head(list));
     let head = parts.len();
     parts.extend(other_parts);
 
