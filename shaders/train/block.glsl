@@ -6,8 +6,8 @@ layout(std140, set = 0, binding = 0) uniform ViewBlock {
     vec4 lens;
     // Smallest x/z, y/z and largest x/z, y/z of the perspective's derivative.
     vec4 slopes;
-    // RGB behind the avatar; the near plane, metres.
-    vec4 background;
+    // The near plane, metres.
+    vec4 near;
     // What the camera multiplies the avatar's light by: exposure and white balance.
     vec4 gain;
     // Variance of the low-pass, px²; 1 where opacities are compensated; the guard band, px; the

@@ -1,6 +1,6 @@
-// Stage loss of the training: L1 between the image over its background and the picture, whose alpha
-// says what a pixel shows: 255 the person, 0 what is behind it, which the background replaces; all
-// else is left out. Writes the derivative, and sums of a workgroup's rows.
+// Stage loss of the training: L1 between the image over what is behind the avatar and the picture,
+// where the picture's alpha says that something is known of it. Writes the derivative, and sums of
+// a workgroup's rows.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #include "train/block.glsl"
@@ -9,12 +9,14 @@ layout(local_size_x = TRAIN_WORKGROUP) in;
 layout(std430, set = 0, binding = 1) readonly buffer Image { vec4 image[]; };
 // RGBA8 of all views, one after the other.
 layout(std430, set = 0, binding = 2) readonly buffer Pictures { uint pictures[]; };
-// What other losses ask of the image over its background.
-layout(std430, set = 0, binding = 3) readonly buffer Asked { vec4 asked[]; };
-layout(std430, set = 0, binding = 4) writeonly buffer OfImage { vec4 of_image[]; };
+// The same of what is behind the avatar.
+layout(std430, set = 0, binding = 3) readonly buffer Behind { uint behind[]; };
+// What other losses ask of the image over what is behind the avatar.
+layout(std430, set = 0, binding = 4) readonly buffer Asked { vec4 asked[]; };
+layout(std430, set = 0, binding = 5) writeonly buffer OfImage { vec4 of_image[]; };
 // Of each workgroup of a view: the sum of |difference|, and of its square, of all channels; the
 // derivative of the gain.
-layout(std430, set = 0, binding = 5) writeonly buffer Sums { float loss_sums[]; };
+layout(std430, set = 0, binding = 6) writeonly buffer Sums { float loss_sums[]; };
 
 shared vec2 sums[TRAIN_WORKGROUP];
 shared vec3 of_gain[TRAIN_WORKGROUP];
@@ -28,18 +30,18 @@ void main() {
     if (pixel < pixels) {
         vec4 drawn = image[pixel];
         vec4 shown = unpackUnorm4x8(pictures[VIEW * pixels + pixel]);
-        vec3 color = block.gain.xyz * drawn.xyz + drawn.w * block.background.xyz;
-        vec3 truth = shown.w < 0.25 ? block.background.xyz : shown.xyz;
+        vec3 background = unpackUnorm4x8(behind[VIEW * pixels + pixel]).xyz;
+        vec3 color = block.gain.xyz * drawn.xyz + drawn.w * background;
         vec3 of = block.loss_weights.w * asked[pixel].xyz;
-        if (shown.w < 0.25 || shown.w > 0.75) {
-            vec3 difference = clamp(color, 0.0, 1.0) - truth;
+        if (shown.w > 0.1) {
+            vec3 difference = clamp(color, 0.0, 1.0) - shown.xyz;
             sums[thread] = vec2(dot(abs(difference), vec3(1.0)), dot(difference, difference));
             of += block.loss_weights.x * sign(difference);
         }
         // Beyond what an image holds there is no difference.
         of *= vec3(greaterThanEqual(color, vec3(0.0))) * vec3(lessThanEqual(color, vec3(1.0)));
         of_gain[thread] = of * drawn.xyz;
-        of_image[pixel] = vec4(block.gain.xyz * of, dot(of, block.background.xyz));
+        of_image[pixel] = vec4(block.gain.xyz * of, dot(of, background));
     }
     barrier();
     if (thread == 0u) {

@@ -110,7 +110,7 @@ void main() {
     vec3 t = view_matrix() * mean + view_offset();
     float opacity = 1.0 / (1.0 + exp(-scale_opacity.w));
     // Compared so that NaN fails.
-    if (!(t.z >= block.background.w && opacity * 255.0 > 1.0)) {
+    if (!(t.z >= block.near.x && opacity * 255.0 > 1.0)) {
         write_culled(g);
         return;
     }

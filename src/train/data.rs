@@ -1,6 +1,6 @@
 //! The views of a training: which pictures, in which order, cut out how.
 
-use crate::view::{Picture, View};
+use crate::view::{Picture, Shows, View};
 use effigy_capture::{Capture, CaptureError};
 use effigy_core::avatar::{Avatar, Pose};
 use effigy_core::random::{Random, hash};
@@ -14,7 +14,8 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct DataOptions {
-    /// Half the width of the band at the mask's edge that counts for nothing, px.
+    /// Half the width of the band at the mask's edge in which masks are not believed, px: there the
+    /// avatar is compared over what is behind the person in the picture itself.
     pub band: u32,
     /// Longest side of a view, px: larger people are looked at in parts.
     pub window: u32,
@@ -64,7 +65,15 @@ struct PosedFrame {
 /// A decoded picture with what its pixels show.
 struct Decoded {
     size: [u32; 2],
+    /// RGB and a [`Shows`].
     pixels: Vec<[u8; 4]>,
+    edges: Vec<EdgePixel>,
+}
+
+/// A pixel of the mask's edge, and what is behind the person there.
+struct EdgePixel {
+    pixel: u32,
+    behind: [u8; 3],
 }
 
 /// A view, and which picture it is of.
@@ -208,7 +217,7 @@ impl Views {
     /// When no picture can be read any more.
     pub fn at(&self, place: u64) -> Result<Looked, CaptureError> {
         let mut random = Random::new(self.seed, place);
-        let background = DVec3::new(random.uniform(), random.uniform(), random.uniform());
+        let background = [(); 3].map(|()| (255.0 * random.uniform()).round() as u8);
         let share = DVec2::new(random.uniform(), random.uniform());
         let first = self.shot_at(place);
         let mut fault = None;
@@ -240,11 +249,11 @@ impl Views {
     ///
     /// # Errors
     /// When the picture can't be read any more.
-    pub fn steady(&self, shot: usize, background: DVec3) -> Result<View, CaptureError> {
+    pub fn steady(&self, shot: usize, background: [u8; 3]) -> Result<View, CaptureError> {
         self.view(shot, background, DVec2::splat(0.5))
     }
 
-    fn view(&self, at: usize, background: DVec3, share: DVec2) -> Result<View, CaptureError> {
+    fn view(&self, at: usize, background: [u8; 3], share: DVec2) -> Result<View, CaptureError> {
         let shot = self.shots[at];
         let picture = self.decoded(at)?;
         let size = UVec2::from(self.size);
@@ -260,23 +269,14 @@ impl Views {
             min: corner,
             max: corner + size,
         };
-        let mut pixels = Vec::with_capacity((size.x * size.y) as usize);
-        for row in rect.min.y..rect.max.y {
-            let first = (row * whole.x + rect.min.x) as usize;
-            pixels.extend_from_slice(&picture.pixels[first..first + size.x as usize]);
-        }
         let frame = &self.frames[shot.frame];
         Ok(View {
             joints: frame.joints.clone(),
             input: frame.input.clone(),
             camera: self.capture.cameras[shot.camera].camera.cropped(rect),
-            background,
             gain: DVec3::ONE,
             whole: u64::from(whole.x) * u64::from(whole.y),
-            picture: Arc::new(Picture {
-                size: self.size,
-                pixels,
-            }),
+            picture: Arc::new(picture.cut(rect, background)),
         })
     }
 
@@ -290,12 +290,9 @@ impl Views {
         }
         let shot = self.shots[at];
         let picture = self.capture.picture(shot.camera, shot.frame)?;
-        let new = Arc::new(Decoded {
-            size: picture.size,
-            pixels: with_band(&picture, self.options.band),
-        });
+        let new = Arc::new(Decoded::new(&picture, self.options.band));
         let mut cache = self.cache();
-        let bytes = 4 * new.pixels.len();
+        let bytes = size_of_val(&new.pixels[..]) + size_of_val(&new.edges[..]);
         if cache.pictures[at].is_none() && cache.bytes + bytes <= self.options.cache_mb << 20 {
             cache.bytes += bytes;
             cache.pictures[at] = Some(new.clone());
@@ -360,34 +357,74 @@ fn shuffled(number: u64, count: u64, seed: u64) -> u64 {
     }
 }
 
-/// A picture's pixels with what they show: the person, what is behind, or neither near the mask's
-/// edge.
-fn with_band(picture: &effigy_capture::Picture, band: u32) -> Vec<[u8; 4]> {
-    let [width, height] = picture.size.map(|side| side as usize);
-    let radius = band as i64;
-    let inside = |x: i64, y: i64| {
-        let clamp = |v: i64, side: usize| v.clamp(0, side as i64 - 1) as usize;
-        picture.mask[clamp(y, height) * width + clamp(x, width)] > 127
-    };
-    let disk: Vec<[i64; 2]> = (-radius..=radius)
-        .flat_map(|dy| (-radius..=radius).map(move |dx| [dx, dy]))
-        .filter(|[dx, dy]| dx * dx + dy * dy <= radius * radius)
-        .collect();
-    (0..width * height)
-        .map(|at| {
-            let [r, g, b] = picture.color[at];
-            let x = (at % width) as i64;
-            let y = (at / width) as i64;
-            let own = inside(x, y);
-            let near_edge = disk.iter().any(|[dx, dy]| inside(x + dx, y + dy) != own);
-            let shows = match own {
-                _ if near_edge => 128,
-                true => 255,
-                false => 0,
-            };
-            [r, g, b, shows]
-        })
-        .collect()
+impl Decoded {
+    /// A picture with a band around the mask's edge. Where nothing is known of what is behind the
+    /// person, nothing is known of the band.
+    fn new(picture: &effigy_capture::Picture, band: u32) -> Self {
+        let near = picture.near_edge(band);
+        let behind = if near.contains(&true) {
+            picture.behind(band + 1)
+        } else {
+            None
+        };
+        let mut edges = Vec::new();
+        let pixels = (0..near.len())
+            .map(|at| {
+                let [r, g, b] = picture.color[at];
+                let shows = match &behind {
+                    Some(behind) if near[at] => {
+                        edges.push(EdgePixel {
+                            pixel: at as u32,
+                            behind: behind[at],
+                        });
+                        Shows::Edge
+                    }
+                    None if near[at] => Shows::Unknown,
+                    _ if picture.is_person(at) => Shows::Person,
+                    _ => Shows::Background,
+                };
+                [r, g, b, shows as u8]
+            })
+            .collect();
+        Self {
+            size: picture.size,
+            pixels,
+            edges,
+        }
+    }
+
+    /// A part of it, with a colour in place of the background. `rect`: inside the picture.
+    fn cut(&self, rect: PixelRect, background: [u8; 3]) -> Picture {
+        let [r, g, b] = background;
+        let whole = self.size[0];
+        let size = rect.max - rect.min;
+        let mut pixels = Vec::with_capacity((size.x * size.y) as usize);
+        for row in rect.min.y..rect.max.y {
+            let first = (row * whole + rect.min.x) as usize;
+            let own = &self.pixels[first..first + size.x as usize];
+            pixels.extend(own.iter().map(|&pixel| {
+                if pixel[3] == Shows::Background as u8 {
+                    [r, g, b, pixel[3]]
+                } else {
+                    pixel
+                }
+            }));
+        }
+        let mut behind = vec![[r, g, b, 0]; pixels.len()];
+        for edge in &self.edges {
+            let at = UVec2::new(edge.pixel % whole, edge.pixel / whole);
+            if at.cmpge(rect.min).all() && at.cmplt(rect.max).all() {
+                let [r, g, b] = edge.behind;
+                let at = at - rect.min;
+                behind[(at.y * size.x + at.x) as usize] = [r, g, b, 0];
+            }
+        }
+        Picture {
+            size: size.into(),
+            pixels,
+            behind,
+        }
+    }
 }
 
 #[cfg(test)]
@@ -406,24 +443,45 @@ mod tests {
         }
     }
 
-    #[test]
-    fn the_edge_of_a_mask_counts_for_nothing() {
-        let size = [9, 5];
-        let picture = effigy_capture::Picture {
-            size,
-            color: vec![[10, 20, 30]; 45],
+    fn row() -> effigy_capture::Picture {
+        effigy_capture::Picture {
+            size: [9, 5],
+            color: (0..45).map(|at| [at % 9 * 10, 20, 30]).collect(),
             mask: (0..45)
                 .map(|at| if at % 9 >= 4 { 255 } else { 0 })
                 .collect(),
+        }
+    }
+
+    #[test]
+    fn at_the_edge_of_a_mask_the_picture_has_its_own_background() {
+        let rect = PixelRect {
+            min: UVec2::new(1, 0),
+            max: UVec2::new(7, 1),
         };
-        let row = |band: u32| -> Vec<u8> {
-            with_band(&picture, band)[..9]
-                .iter()
-                .map(|pixel| pixel[3])
-                .collect()
+        let shown = |band: u32| {
+            let cut = Decoded::new(&row(), band).cut(rect, [1, 2, 3]);
+            let shows: Vec<Shows> = (0..6).map(|at| cut.shows(at)).collect();
+            (cut, shows)
         };
-        assert_eq!(row(0), [0, 0, 0, 0, 255, 255, 255, 255, 255]);
-        assert_eq!(row(1), [0, 0, 0, 128, 128, 255, 255, 255, 255]);
-        assert_eq!(row(2), [0, 0, 128, 128, 128, 128, 255, 255, 255]);
+        use Shows::{Background, Edge, Person};
+        let (cut, shows) = shown(0);
+        assert_eq!(
+            shows,
+            [Background, Background, Background, Person, Person, Person]
+        );
+        assert_eq!(cut.pixels[2], [1, 2, 3, 85]);
+        assert_eq!(cut.pixels[3], [40, 20, 30, 255]);
+        assert!(cut.behind.iter().all(|&pixel| pixel == [1, 2, 3, 0]));
+        let (cut, shows) = shown(1);
+        assert_eq!(shows, [Background, Background, Edge, Edge, Person, Person]);
+        // Two pixels from the mask it is sure to be the background's own.
+        assert_eq!(cut.pixels[2], [30, 20, 30, 170]);
+        let behind: Vec<u8> = cut.behind.iter().map(|pixel| pixel[0]).collect();
+        assert_eq!(behind, [1, 1, 20, 20, 1, 1]);
+        let (_, shows) = shown(2);
+        assert_eq!(shows, [Background, Edge, Edge, Edge, Edge, Person]);
+        // Nothing is seen that is not the person or near it.
+        assert!(shown(4).1.contains(&Shows::Unknown));
     }
 }

@@ -67,7 +67,6 @@ impl AskedLoss {
         let width = view.picture.size[0] as usize;
         let at = |x: usize, y: usize| (window.first[1] + y) * width + window.first[0] + x;
         let [columns, rows] = window.size;
-        let background = view.background.as_vec3().to_array();
         let mut drawn = Planes::black(window.size);
         let mut truth = Planes::black(window.size);
         for y in 0..rows {
@@ -75,13 +74,9 @@ impl AskedLoss {
                 let pixel = at(x, y);
                 let own = image[pixel];
                 let shown = match view.picture.shows(pixel) {
-                    Shows::Background => background,
                     // As the image has it: no difference, no derivative of its own.
-                    Shows::Unsure => own,
-                    Shows::Person => {
-                        let [r, g, b, _] = view.picture.pixels[pixel];
-                        [r, g, b].map(|v| f32::from(v) / 255.0)
-                    }
+                    Shows::Unknown => own,
+                    _ => view.picture.color(pixel).as_vec3().to_array(),
                 };
                 for c in 0..3 {
                     drawn.data[(c * rows + y) * columns + x] = own[c];
@@ -98,7 +93,7 @@ impl AskedLoss {
         for y in 0..rows {
             for x in 0..columns {
                 let pixel = at(x, y);
-                if view.picture.shows(pixel) != Shows::Unsure {
+                if view.picture.shows(pixel) != Shows::Unknown {
                     of_image[pixel] = std::array::from_fn(|c| {
                         weight * gradient.data[(c * rows + y) * columns + x]
                     });
@@ -154,17 +149,17 @@ mod tests {
             joints: vec![],
             input: vec![],
             camera: Camera::look_at(DVec3::Z, DVec3::ZERO, 0.5, size),
-            background: DVec3::splat(0.3),
             gain: DVec3::ONE,
             whole: count,
             picture: Arc::new(Picture {
                 size,
                 pixels: (0..count)
                     .map(|at| {
-                        let shows = [0, 128, 255, 255][at as usize % 4];
+                        let shows = [0, 85, 170, 255][at as usize % 4];
                         [(random.bits() >> 56) as u8, 90, (at % 250) as u8, shows]
                     })
                     .collect(),
+                behind: vec![[77; 4]; count as usize],
             }),
         };
         let image: Vec<[f32; 3]> = (0..count)
@@ -174,7 +169,7 @@ mod tests {
         assert!(found.gradient.iter().flatten().all(|v| v.is_finite()));
         let direction: Vec<[f32; 3]> = (0..count)
             .map(|at| {
-                let sure = view.picture.shows(at as usize) != Shows::Unsure;
+                let sure = view.picture.shows(at as usize) != Shows::Unknown;
                 [0; 3].map(|_| if sure { random.normal() as f32 } else { 0.0 })
             })
             .collect();
@@ -200,6 +195,7 @@ mod tests {
         view.picture = Arc::new(Picture {
             size,
             pixels: vec![[0; 4]; count as usize],
+            behind: vec![[0; 4]; count as usize],
         });
         assert!(asked.ask(&view, 7, &image).is_none());
     }

@@ -22,7 +22,6 @@ use effigy_core::layout::TRAIN_WIDTH_MAX;
 use effigy_core::reference::mlp;
 use effigy_core::scene::Posed;
 use effigy_perceptual::PerceptualError;
-use glam::DVec3;
 use rayon::prelude::*;
 use std::fs;
 use std::io;
@@ -540,7 +539,7 @@ impl Session {
         };
         let mut seen = Vec::new();
         for number in 0..self.watched.views.len() {
-            let view = self.watched.views.steady(number, DVec3::splat(0.5))?;
+            let view = self.watched.views.steady(number, [128; 3])?;
             let image = self
                 .trainer
                 .images(std::slice::from_ref(&view), &options)?

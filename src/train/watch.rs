@@ -117,10 +117,7 @@ fn sheet(size: [u32; 2], seen: &[Seen]) -> RgbImage {
             let x = pixel as u32 % width;
             let y = pixel as u32 / width + row * height;
             let [r, g, b, _] = one.view.picture.pixels[pixel];
-            let truth = match one.view.picture.shows(pixel) {
-                Shows::Background => [128; 3],
-                _ => [r, g, b],
-            };
+            let truth = [r, g, b];
             let byte = |v: f32| (255.0 * v.clamp(0.0, 1.0)).round() as u8;
             let error: [u8; 3] = std::array::from_fn(|c| {
                 byte(ERROR_SCALE * (own[c] - f32::from(truth[c]) / 255.0).abs())

@@ -77,12 +77,12 @@ impl Scene {
                     joints: posed.joints,
                     input: posed.input,
                     camera: Camera::orbit(middle, yaw, 0.1, 3.5, 0.61, setting.size),
-                    background: DVec3::new(0.2, 0.7, 0.4),
                     gain: DVec3::new(1.1, 0.85, 0.95),
                     whole: u64::from(pixels),
                     picture: Arc::new(Picture {
                         size: setting.size,
                         pixels: (0..pixels).map(|_| noise(random)).collect(),
+                        behind: (0..pixels).map(|_| noise(random)).collect(),
                     }),
                 }
             })
@@ -130,7 +130,7 @@ impl Scene {
 
 /// A colour, and what the pixel shows.
 fn noise(random: &mut Random) -> [u8; 4] {
-    let shows = [0, 128, 255, 255][random.below(4)];
+    let shows = [0, 85, 170, 255][random.below(4)];
     [
         random.below(256) as u8,
         random.below(256) as u8,
@@ -522,7 +522,11 @@ fn another_loss_is_asked_once_a_view() {
             .canvas
             .pixels
             .iter()
-            .map(|_| (view.gain * of).extend(-of.dot(view.background)).to_array())
+            .enumerate()
+            .map(|(at, _)| {
+                let behind = view.picture.background(at);
+                (view.gain * of).extend(-of.dot(behind)).to_array()
+            })
             .collect();
         problem.backward(&doubles, view, &forward, &of_canvas, &mut expected);
     }
@@ -540,15 +544,15 @@ fn it_learns_what_another_avatar_looks_like() {
         .map(|view| {
             let canvas = problem.forward(&truth, view).canvas;
             let pixels = canvas.pixels.iter().map(|&[r, g, b, a]| {
-                let byte = |v: f64| (255.0 * (v + (1.0 - a) * 0.5)).round() as u8;
+                let byte = |v: f64| (255.0 * v + (1.0 - a) * 128.0).round() as u8;
                 [byte(r), byte(g), byte(b), 255]
             });
             View {
                 gain: DVec3::ONE,
-                background: DVec3::splat(0.5),
                 picture: Arc::new(Picture {
                     size: SETTING.size,
                     pixels: pixels.collect(),
+                    behind: vec![[128; 4]; canvas.pixels.len()],
                 }),
                 ..view.clone()
             }

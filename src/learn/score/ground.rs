@@ -3,10 +3,9 @@
 use effigy_capture::Picture;
 use effigy_core::scene::{FrameImage, PixelRect};
 use effigy_perceptual::Planes;
-use std::collections::VecDeque;
 
 /// Pixels so near to the mask may show something of the person.
-const EDGE: usize = 3;
+const EDGE: u32 = 3;
 
 /// What both pictures are composited over.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -69,44 +68,16 @@ fn color_of(picture: &Picture, at: usize) -> [f32; 3] {
     picture.color[at].map(|c| f32::from(c) / 255.0)
 }
 
-/// What lies behind the person at each pixel: the picture itself away from the mask, and the
-/// nearest pixel of that kind elsewhere, in steps along rows and columns. At the mask's edge pixels
-/// show something of the person: the avatar over them would be there twice. Mid grey where the mask
-/// leaves nothing.
+/// What lies behind the person at each pixel; mid grey where the mask leaves nothing. The avatar over
+/// pixels that show something of the person would be there twice.
 fn background(picture: &Picture) -> Vec<[f32; 3]> {
-    let [width, height] = picture.size.map(|side| side as usize);
-    let near = |at: usize| {
-        let (x, y) = (at % width, at / width);
-        let rows = y.saturating_sub(EDGE)..(y + EDGE + 1).min(height);
-        let columns = x.saturating_sub(EDGE)..(x + EDGE + 1).min(width);
-        rows.clone()
-            .any(|y| columns.clone().any(|x| picture.mask[y * width + x] > 0))
-    };
-    let mut found = vec![None; picture.mask.len()];
-    let mut next = VecDeque::new();
-    for (at, found) in found.iter_mut().enumerate() {
-        if !near(at) {
-            *found = Some(color_of(picture, at));
-            next.push_back(at);
-        }
+    match picture.behind(EDGE + 1) {
+        Some(behind) => behind
+            .into_iter()
+            .map(|color| color.map(|c| f32::from(c) / 255.0))
+            .collect(),
+        None => vec![[0.5; 3]; picture.mask.len()],
     }
-    while let Some(at) = next.pop_front() {
-        let (x, y) = (at % width, at / width);
-        let around = [
-            (y > 0).then(|| at - width),
-            (x > 0).then(|| at - 1),
-            (x + 1 < width).then(|| at + 1),
-            (y + 1 < height).then(|| at + width),
-        ];
-        for other in around.into_iter().flatten() {
-            if found[other].is_none() {
-                found[other] = found[at];
-                next.push_back(other);
-            }
-        }
-    }
-    let color = |own: Option<[f32; 3]>| own.unwrap_or([0.5; 3]);
-    found.into_iter().map(color).collect()
 }
 
 /// The pixels of a part of a picture of the size `size`, row by row. `color`: of a pixel's index.

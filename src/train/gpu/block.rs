@@ -8,7 +8,6 @@ use crate::view::View;
 use bytemuck::{Pod, Zeroable};
 use effigy_core::avatar::Activation;
 use effigy_core::constants::LEAKY_SLOPE;
-use glam::DVec3;
 
 /// The mirror of `ViewBlock` in `shaders/train/block.glsl`, which says what each member is.
 #[repr(C)]
@@ -18,7 +17,7 @@ pub struct ViewBlock {
     pub view_rows: [[f32; 4]; 3],
     pub lens: [f32; 4],
     pub slopes: [f32; 4],
-    pub background: [f32; 4],
+    pub near: [f32; 4],
     pub gain: [f32; 4],
     pub low_pass: [f32; 4],
     pub loss_weights: [f32; 4],
@@ -107,7 +106,6 @@ impl ViewBlock {
             floats([row.x, row.y, row.z, camera.view.translation[axis]])
         };
         let [low, high] = camera.derivative_limits();
-        let DVec3 { x, y, z } = view.background;
         let weights = &options.weights;
         let views = place.views as f64;
         let channels = 3.0 * view.whole as f64;
@@ -143,7 +141,7 @@ impl ViewBlock {
                 camera.center.y,
             ]),
             slopes: floats([low.x, low.y, high.x, high.y]),
-            background: floats([x, y, z, camera.near]),
+            near: floats([camera.near, 0.0, 0.0, 0.0]),
             gain: floats([view.gain.x, view.gain.y, view.gain.z, 0.0]),
             low_pass: floats([
                 topology.filter.variance,

@@ -13,6 +13,7 @@ pub(super) struct Inputs {
     pub joints: Buffer,
     pub inputs: Buffer,
     pub pictures: Buffer,
+    pub behind: Buffer,
 }
 
 /// What is kept of every view of a step.
@@ -135,6 +136,7 @@ impl Binder<'_> {
                 &[
                     (&own.image).into(),
                     (&inputs.pictures).into(),
+                    (&inputs.behind).into(),
                     (&own.asked).into(),
                     (&own.of_image).into(),
                     (&of_views.loss_sums).into(),

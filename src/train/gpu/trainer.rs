@@ -140,6 +140,7 @@ impl Trainer {
             joints: written(gpu, "posed joints", 12 * topology.joints * views)?,
             inputs: written(gpu, "network inputs", topology.widths[0] * views)?,
             pictures: written(gpu, "pictures", pixels * views)?,
+            behind: written(gpu, "backgrounds", pixels * views)?,
         };
         let of_views = OfViews {
             activations: words(gpu, "activations", widths * layout.parts * views)?,
@@ -353,7 +354,7 @@ pub fn memory_bytes(topology: &Topology, rows: &Rows, size: [u32; 2], views: usi
     let of_gaussian = 12 + 4 + 6 + 16 + 12 + 2 + 8 + 16 * views;
     let of_node = 8 * views + 2;
     let of_part = 2 * widths * views;
-    let of_pixel = 12 + views;
+    let of_pixel = 12 + 2 * views;
     let of_pair = 2 + TRAIN_RECORD as usize + 3;
     let words = 3 * learned
         + of_gaussian * layout.gaussians
@@ -410,15 +411,18 @@ impl Trainer {
         let mut joints: Vec<f32> = Vec::new();
         let mut inputs: Vec<f32> = Vec::new();
         let mut pictures: Vec<[u8; 4]> = Vec::new();
+        let mut behind: Vec<[u8; 4]> = Vec::new();
         for (number, view) in views.iter().enumerate() {
             joints.extend(view.joints.iter().flat_map(rows));
             inputs.extend(view.input.iter().map(|&v| v as f32));
             pictures.extend(&view.picture.pixels);
+            behind.extend(&view.picture.behind);
             self.write_block(views, number, options, false);
         }
         put(&mut self.inputs.joints, cast_slice(&joints));
         put(&mut self.inputs.inputs, cast_slice(&inputs));
         put(&mut self.inputs.pictures, cast_slice(&pictures));
+        put(&mut self.inputs.behind, cast_slice(&behind));
         self.per_view.status.mapped().fill(0);
     }
 
@@ -575,16 +579,17 @@ impl Trainer {
         cast_slice(&self.of_views.loss_sums.mapped()[range])
     }
 
-    /// The last image over a view's background.
+    /// The last image over what is behind the avatar in a view.
     fn image(&self, view: &View) -> Result<Vec<[f32; 3]>> {
         let pixels = self.pixels();
         let bytes = self.per_view.image.download(16 * pixels)?;
         let drawn: Vec<[f32; 4]> = bytemuck::pod_collect_to_vec(&bytes);
-        let behind = view.background.as_vec3().to_array();
         let gain = view.gain.as_vec3().to_array();
         Ok(drawn
             .iter()
-            .map(|&[r, g, b, light]| {
+            .zip(&view.picture.behind)
+            .map(|(&[r, g, b, light], behind)| {
+                let behind = behind.map(|v| f32::from(v) / 255.0);
                 let over = |v: f32, c: usize| (gain[c] * v + light * behind[c]).clamp(0.0, 1.0);
                 [over(r, 0), over(g, 1), over(b, 2)]
             })

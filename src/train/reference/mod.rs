@@ -392,7 +392,8 @@ impl Problem<'_> {
                     }
                 }
                 let of_canvas = view.gain * of;
-                of_canvas.extend(-of.dot(view.background)).to_array()
+                let behind = view.picture.background(at);
+                of_canvas.extend(-of.dot(behind)).to_array()
             })
             .collect()
     }
@@ -438,23 +439,19 @@ fn sign(x: f64) -> f64 {
     if x == 0.0 { 0.0 } else { x.signum() }
 }
 
-/// A pixel of the image over the view's background.
+/// A pixel of the image over what is behind the avatar.
 fn over(canvas: &Canvas, view: &View, at: usize) -> DVec3 {
     let [r, g, b, coverage] = canvas.pixels[at];
-    view.gain * DVec3::new(r, g, b) + (1.0 - coverage) * view.background
+    view.gain * DVec3::new(r, g, b) + (1.0 - coverage) * view.picture.background(at)
 }
 
-/// Image less picture at a pixel; None where the picture is unsure.
+/// Image less picture at a pixel; None where nothing is known of the picture.
 fn difference(canvas: &Canvas, view: &View, at: usize) -> Option<DVec3> {
-    let truth = match view.picture.shows(at) {
-        Shows::Unsure => return None,
-        Shows::Background => view.background,
-        Shows::Person => {
-            let [r, g, b, _] = view.picture.pixels[at];
-            DVec3::from([r, g, b].map(|v| f64::from(v) / 255.0))
-        }
-    };
-    Some(over(canvas, view, at).clamp(DVec3::ZERO, DVec3::ONE) - truth)
+    if view.picture.shows(at) == Shows::Unknown {
+        return None;
+    }
+    let over = over(canvas, view, at).clamp(DVec3::ZERO, DVec3::ONE);
+    Some(over - view.picture.color(at))
 }
 
 #[cfg(test)]

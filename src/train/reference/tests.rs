@@ -113,9 +113,12 @@ impl Scene {
                 let pixels = (0..SIZE[0] * SIZE[1])
                     .map(|at| {
                         let color = [0; 3].map(|_| (random.bits() >> 56) as u8);
-                        let alpha = [0, 128, 255, 255][at as usize % 4];
+                        let alpha = [0, 85, 170, 255][at as usize % 4];
                         [color[0], color[1], color[2], alpha]
                     })
+                    .collect();
+                let behind = (0..SIZE[0] * SIZE[1])
+                    .map(|at| [77, 153, (at % 100) as u8, 0])
                     .collect();
                 View {
                     joints: (0..JOINTS)
@@ -128,10 +131,13 @@ impl Scene {
                         .collect(),
                     input: (0..8).map(|_| random.normal()).collect(),
                     camera: Camera::orbit(DVec3::ZERO, yaw, 0.1, 2.0, 0.5, SIZE),
-                    background: DVec3::new(0.3, 0.6, 0.2),
                     gain: DVec3::new(1.1, 0.9, 0.95),
                     whole: 2 * u64::from(SIZE[0] * SIZE[1]),
-                    picture: Arc::new(Picture { size: SIZE, pixels }),
+                    picture: Arc::new(Picture {
+                        size: SIZE,
+                        pixels,
+                        behind,
+                    }),
                 }
             })
             .collect();
