@@ -36,7 +36,7 @@ layout(std140, set = 0, binding = 0) uniform ViewBlock {
     // Activations of a part, numbers that enter a network, where the expression begins in them,
     // joints.
     uvec4 sizes;
-    // Layers, none, where the scales' and the colours' bases begin, numbers.
+    // Layers, 1 where the derivative of joints is asked for, where the scales' and the colours' bases begin, numbers.
     uvec4 network;
     // Rates of Adam: rotation, log scale, opacity, colour.
     vec4 rates_gaussian;
@@ -64,3 +64,4 @@ layout(std140, set = 0, binding = 0) uniform ViewBlock {
 #define EXPRESSION_START block.sizes.z
 #define POSED_JOINTS block.sizes.w
 #define LAYERS block.network.x
+#define ASKS_JOINTS (block.network.y != 0u)

@@ -14,6 +14,8 @@ layout(std430, set = 0, binding = 4) readonly buffer SplatPairs { uvec2 splat_pa
 // Of each pair: colour, opacity, centre, Σ⁻¹.
 layout(std430, set = 0, binding = 5) readonly buffer Records { float records[]; };
 layout(std430, set = 0, binding = 6) writeonly buffer OfGaussians { vec4 of_gaussians[]; };
+// Of this view's skinning transforms, three rows each, where they are asked for.
+layout(std430, set = 0, binding = 7) writeonly buffer OfSkinning { vec4 of_skinning[]; };
 #include "train/gradient.glsl"
 #include "train/gaussian.glsl"
 
@@ -39,6 +41,11 @@ void main() {
         of_gaussians[at + 1u] = vec4(of_log_scale, 0.0);
         of_gaussians[at + 2u] = vec4(vec3(0.0), color_signs.w);
         of_gaussians[at + 3u] = vec4(0.0);
+        if (ASKS_JOINTS) {
+            for (uint row = 0u; row < 3u; ++row) {
+                of_skinning[3u * g + row] = vec4(0.0);
+            }
+        }
         return;
     }
     float of[TRAIN_RECORD];
@@ -152,4 +159,11 @@ void main() {
     of_gaussians[at + 1u] = vec4(of_log_scale, of[3] * factor * opacity * (1.0 - opacity));
     of_gaussians[at + 2u] = vec4(of_color, color_signs.w);
     of_gaussians[at + 3u] = vec4(transpose(g3) * of_mean, 0.0);
+    if (ASKS_JOINTS) {
+        mat3 of_linear = of_axes * transpose(local) + outerProduct(of_mean, position.xyz);
+        for (uint row = 0u; row < 3u; ++row) {
+            of_skinning[3u * g + row] =
+                vec4(of_linear[0][row], of_linear[1][row], of_linear[2][row], of_mean[row]);
+        }
+    }
 }

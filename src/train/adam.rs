@@ -1,5 +1,7 @@
 //! How far a step goes.
 
+use serde::{Deserialize, Serialize};
+
 /// Rates of Adam, one for each kind of number.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Rates {
@@ -47,5 +49,78 @@ impl Adam {
     pub fn correction(&self, t: u64) -> [f64; 2] {
         let power = i32::try_from(t.max(1)).unwrap_or(i32::MAX);
         [self.beta_1, self.beta_2].map(|beta| 1.0 / (1.0 - beta.powi(power)))
+    }
+}
+
+/// Adam's moments of items that learn on the host, each of so many numbers and in steps of its own.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Moments {
+    width: usize,
+    /// Item after item.
+    pub first: Vec<f64>,
+    /// Item after item.
+    pub second: Vec<f64>,
+    /// Steps of each item.
+    pub updates: Vec<u64>,
+}
+
+impl Moments {
+    /// Of items that have not learned yet. `width`: numbers of each, at least 1.
+    pub fn new(items: usize, width: usize) -> Self {
+        Self {
+            width,
+            first: vec![0.0; items * width],
+            second: vec![0.0; items * width],
+            updates: vec![0; items],
+        }
+    }
+
+    /// From arrays of a checkpoint; None where their lengths don't fit each other.
+    pub fn from_arrays(first: Vec<f64>, second: Vec<f64>, updates: Vec<u64>) -> Option<Self> {
+        let width = first.len() / updates.len().max(1);
+        let fits = first.len() == second.len() && first.len() == width * updates.len();
+        fits.then_some(Self {
+            width,
+            first,
+            second,
+            updates,
+        })
+    }
+
+    /// Numbers of an item.
+    pub fn width(&self) -> usize {
+        self.width
+    }
+
+    /// Items.
+    pub fn items(&self) -> usize {
+        self.updates.len()
+    }
+
+    /// Steps of an item.
+    pub fn updates(&self, item: usize) -> u64 {
+        self.updates[item]
+    }
+
+    /// Counts a step of an item. What its numbers go against, a rate of 1 being about a unit each.
+    ///
+    /// # Panics
+    /// When the gradient has not [`Self::width`] numbers.
+    pub fn direction(&mut self, item: usize, gradient: &[f64], adam: &Adam) -> Vec<f64> {
+        assert_eq!(gradient.len(), self.width, "numbers of an item");
+        self.updates[item] += 1;
+        let correction = adam.correction(self.updates[item]);
+        let first = self.first[item * self.width..].iter_mut();
+        let second = self.second[item * self.width..].iter_mut();
+        gradient
+            .iter()
+            .zip(first.zip(second))
+            .map(|(of, (m, v))| {
+                *m = adam.beta_1 * *m + (1.0 - adam.beta_1) * of;
+                *v = adam.beta_2 * *v + (1.0 - adam.beta_2) * of * of;
+                *m * correction[0] / ((*v * correction[1]).sqrt() + adam.epsilon)
+            })
+            .collect()
     }
 }

@@ -4,6 +4,7 @@
 use crate::exposure::Exposure;
 use crate::gpu::TrainerState;
 use crate::parameters::Parameters;
+use crate::refine::{Items, Refinement};
 use crate::topology::Rows;
 use effigy_core::io::file::{FileError, replace};
 use effigy_core::random::hash;
@@ -17,7 +18,7 @@ use std::path::{Path, PathBuf};
 /// Checkpoints that are kept.
 const KEPT: usize = 2;
 /// Version of the file.
-const VERSION: u32 = 1;
+const VERSION: u32 = 2;
 const META: &str = "effigy";
 
 /// Where a training stands.
@@ -33,6 +34,8 @@ pub struct Checkpoint {
     pub place: u64,
     /// Exposure and white balance of the cameras.
     pub exposure: Exposure,
+    /// Poses and cameras.
+    pub refinement: Refinement,
     /// Seconds that the training has taken.
     pub seconds: f64,
     /// What it learns from: a name of the capture's cameras, frames and pictures.
@@ -64,6 +67,8 @@ struct Meta {
 const ARRAYS: [&str; 4] = ["gaussians", "nodes", "networks", "bases"];
 const KINDS: [&str; 3] = ["parameters", "first_moments", "second_moments"];
 const ROWS: [&str; 3] = ["rows.rotation", "rows.scale", "rows.color"];
+const ITEMS: [&str; 2] = ["poses", "cameras"];
+const OF_ITEMS: [&str; 4] = ["values", "first_moments", "second_moments", "updates"];
 
 impl Checkpoint {
     /// The file's name after so many steps.
@@ -112,6 +117,18 @@ impl Checkpoint {
                 bytemuck::cast_slice(rows).to_vec(),
             ));
         }
+        for (kind, items) in ITEMS.iter().zip(self.refinement.items()) {
+            let moments = &items.moments;
+            let all: [(Dtype, &[u8]); 4] = [
+                (Dtype::F64, bytemuck::cast_slice(&items.values)),
+                (Dtype::F64, bytemuck::cast_slice(&moments.first)),
+                (Dtype::F64, bytemuck::cast_slice(&moments.second)),
+                (Dtype::U64, bytemuck::cast_slice(&moments.updates)),
+            ];
+            for (what, (dtype, data)) in OF_ITEMS.iter().zip(all) {
+                bytes.push((format!("{kind}.{what}"), dtype, data.to_vec()));
+            }
+        }
         let meta = Meta {
             version: VERSION,
             steps: self.state.steps,
@@ -137,7 +154,7 @@ impl Checkpoint {
         let views = bytes
             .iter()
             .map(|(name, dtype, data)| {
-                TensorView::new(*dtype, vec![data.len() / 4], data)
+                TensorView::new(*dtype, vec![8 * data.len() / dtype.bitsize()], data)
                     .map(|view| (name.clone(), view))
                     .map_err(io::Error::other)
             })
@@ -230,6 +247,12 @@ impl Checkpoint {
         for name in ROWS {
             named.push((name.to_string(), tensor(name)?));
         }
+        for kind in ITEMS {
+            for what in OF_ITEMS {
+                let name = format!("{kind}.{what}");
+                named.push((name.clone(), tensor(&name)?));
+            }
+        }
         let found = meta.checksum(named.iter().map(|(name, data)| (name.as_str(), &data[..])));
         if found != meta.checksum {
             return Err(format!("checksum {found}, expected {}", meta.checksum));
@@ -243,6 +266,22 @@ impl Checkpoint {
         if [&first_moments, &second_moments].map(lengths) != [lengths(&parameters); 2] {
             return Err("moments of another number than the parameters".into());
         }
+        let items = |kind: &str| -> Result<Items, String> {
+            let doubles = |what: &str| -> Result<Vec<f64>, String> {
+                Ok(bytemuck::pod_collect_to_vec(&tensor(&format!(
+                    "{kind}.{what}"
+                ))?))
+            };
+            let updates = bytemuck::pod_collect_to_vec(&tensor(&format!("{kind}.updates"))?);
+            Items::from_arrays(
+                doubles("values")?,
+                doubles("first_moments")?,
+                doubles("second_moments")?,
+                updates,
+            )
+            .ok_or_else(|| format!("{kind} and moments of another number"))
+        };
+        let [poses, cameras] = [items(ITEMS[0])?, items(ITEMS[1])?];
         Ok(Self {
             state: TrainerState {
                 parameters,
@@ -257,6 +296,7 @@ impl Checkpoint {
             pruned: meta.pruned,
             place: meta.place,
             exposure: meta.exposure,
+            refinement: Refinement { poses, cameras },
             seconds: meta.seconds,
             data: meta.data,
             minutes: meta.minutes,
@@ -354,6 +394,11 @@ mod tests {
             pruned: true,
             place: 77,
             exposure: Exposure::new(2),
+            refinement: Refinement {
+                poses: Items::from_arrays(vec![0.1; 12], vec![0.2; 12], vec![0.3; 12], vec![4, 5])
+                    .unwrap(),
+                cameras: Items::from_arrays(vec![], vec![], vec![], vec![]).unwrap(),
+            },
             seconds: 1.25,
             data: "of two cameras".into(),
             minutes: Some(0.1),

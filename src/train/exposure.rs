@@ -1,6 +1,6 @@
 //! Exposure and white balance of each camera: three gains, learned with the avatar.
 
-use crate::adam::Adam;
+use crate::adam::{Adam, Moments};
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
@@ -9,10 +9,7 @@ use serde::{Deserialize, Serialize};
 #[serde(deny_unknown_fields)]
 pub struct Exposure {
     log_gain: Vec<[f64; 3]>,
-    first_moments: Vec<[f64; 3]>,
-    second_moments: Vec<[f64; 3]>,
-    /// Updates of each camera.
-    updates: Vec<u64>,
+    moments: Moments,
 }
 
 impl Exposure {
@@ -20,9 +17,7 @@ impl Exposure {
     pub fn new(cameras: usize) -> Self {
         Self {
             log_gain: vec![[0.0; 3]; cameras],
-            first_moments: vec![[0.0; 3]; cameras],
-            second_moments: vec![[0.0; 3]; cameras],
-            updates: vec![0; cameras],
+            moments: Moments::new(cameras, 3),
         }
     }
 
@@ -39,32 +34,24 @@ impl Exposure {
     /// A step of Adam for a camera. `gradient`: of the loss with respect to its gains.
     pub fn learn(&mut self, camera: usize, gradient: [f64; 3], rate: f64, adam: &Adam) {
         let gain = self.gain(camera);
-        self.updates[camera] += 1;
-        let correction = adam.correction(self.updates[camera]);
-        for c in 0..3 {
-            let of = gradient[c] * gain[c];
-            let m = &mut self.first_moments[camera][c];
-            *m = adam.beta_1 * *m + (1.0 - adam.beta_1) * of;
-            let v = &mut self.second_moments[camera][c];
-            *v = adam.beta_2 * *v + (1.0 - adam.beta_2) * of * of;
-            let change = *m * correction[0] / ((*v * correction[1]).sqrt() + adam.epsilon);
-            self.log_gain[camera][c] -= rate * change;
+        let of: [f64; 3] = std::array::from_fn(|c| gradient[c] * gain[c]);
+        let change = self.moments.direction(camera, &of, adam);
+        for (own, change) in self.log_gain[camera].iter_mut().zip(change) {
+            *own -= rate * change;
         }
     }
 
     /// Makes the mean of the logarithms 0, over all cameras that learn: a gain of all is a colour of
     /// the avatar.
     pub fn center(&mut self) {
-        let learned = self.updates.iter().filter(|&&updates| updates > 0).count();
+        let learned: Vec<usize> = (0..self.cameras())
+            .filter(|&camera| self.moments.updates(camera) > 0)
+            .collect();
         for c in 0..3 {
-            let pairs = self.log_gain.iter().zip(&self.updates);
-            let own = pairs.filter(|(_, updates)| **updates > 0);
-            let sum: f64 = own.map(|(gain, _)| gain[c]).sum();
-            let mean = sum / learned.max(1) as f64;
-            for (gain, &updates) in self.log_gain.iter_mut().zip(&self.updates) {
-                if updates > 0 {
-                    gain[c] -= mean;
-                }
+            let sum: f64 = learned.iter().map(|&camera| self.log_gain[camera][c]).sum();
+            let mean = sum / learned.len().max(1) as f64;
+            for &camera in &learned {
+                self.log_gain[camera][c] -= mean;
             }
         }
     }

@@ -35,6 +35,7 @@ pub mod perceptual;
 pub mod prune;
 pub mod recipe;
 pub mod reference;
+pub mod refine;
 pub mod session;
 pub mod start;
 pub mod topology;

@@ -3,6 +3,7 @@
 use crate::adam::{Adam, Rates};
 use crate::data::DataOptions;
 use crate::loss::LossWeights;
+use crate::refine::RefineRates;
 use crate::start::Sizes;
 use effigy_core::avatar::Filter;
 use serde::{Deserialize, Serialize};
@@ -102,6 +103,10 @@ pub struct RateOptions {
     pub color_basis: f64,
     /// Of the logarithms of the cameras' gains; 0: all are 1.
     pub exposure: f64,
+    /// Of poses, radians and metres, once correctives learn; 0: as the capture has them.
+    pub pose: f64,
+    /// Of where cameras are and look, metres and radians, likewise.
+    pub camera: f64,
     /// What is left of the nodes' offsets' rate at the end.
     pub node_offset_end: f64,
     /// What is left of the others at the end, but for those of basis rows.
@@ -127,6 +132,15 @@ impl RateOptions {
             node_basis: self.node_basis * other,
             network: self.network * other,
             bases: [self.rotation_basis, self.scale_basis, self.color_basis].map(|r| r * basis),
+        }
+    }
+
+    /// Those of poses and cameras.
+    pub fn refine_at(&self, progress: f64) -> RefineRates {
+        let left = self.end.powf(progress.clamp(0.0, 1.0));
+        RefineRates {
+            pose: self.pose * left,
+            camera: self.camera * left,
         }
     }
 
@@ -273,6 +287,8 @@ impl Recipe {
             ("rates.scale_basis", rates.scale_basis),
             ("rates.color_basis", rates.color_basis),
             ("rates.exposure", rates.exposure),
+            ("rates.pose", rates.pose),
+            ("rates.camera", rates.camera),
             ("rates.node_offset_end", rates.node_offset_end),
             ("rates.end", rates.end),
             ("rates.basis_end", rates.basis_end),

@@ -1,6 +1,6 @@
 //! A training from start to end: steps, pruning, checkpoints, and the avatar that comes out.
 
-use crate::adam::Rates;
+use crate::adam::{Adam, Rates};
 use crate::checkpoint::{Checkpoint, remove_parts};
 use crate::data::{Looked, Shot, Views, training_shots};
 use crate::exposure::Exposure;
@@ -10,6 +10,7 @@ use crate::parameters::{Layout, Parameters};
 use crate::perceptual::AskedLoss;
 use crate::prune::{feature_covariance, keep_rows, select};
 use crate::recipe::Recipe;
+use crate::refine::{RefineRates, Refinement, SeenFrom};
 use crate::start::start;
 use crate::topology::{Rows, Topology};
 use crate::view::View;
@@ -20,7 +21,7 @@ use effigy_core::avatar::{Avatar, Pose};
 use effigy_core::io::file::{FileError, replace};
 use effigy_core::layout::TRAIN_WIDTH_MAX;
 use effigy_core::reference::mlp;
-use effigy_core::scene::Posed;
+use effigy_core::scene::{Camera, Posed};
 use effigy_perceptual::PerceptualError;
 use rayon::prelude::*;
 use std::fs;
@@ -220,6 +221,7 @@ pub struct Session {
     watched: Watched,
     asked: Option<AskedLoss>,
     exposure: Exposure,
+    refinement: Refinement,
     pruned: bool,
     place: u64,
     /// Views without anybody, as long as there was no other.
@@ -364,6 +366,7 @@ impl Session {
                     pruned: false,
                     place: 0,
                     exposure: Exposure::new(capture.cameras.len()),
+                    refinement: Refinement::new(capture),
                     seconds: 0.0,
                     data: views.name(),
                     minutes: options.minutes,
@@ -376,6 +379,7 @@ impl Session {
         if numbers != expected
             || stands.data != views.name()
             || stands.exposure.cameras() != capture.cameras.len()
+            || !stands.refinement.fits(&Refinement::new(capture))
         {
             return Err(TrainError::OtherCapture {
                 folder: folder.display().to_string(),
@@ -411,6 +415,7 @@ impl Session {
             watched,
             asked,
             exposure: stands.exposure,
+            refinement: stands.refinement,
             pruned: stands.pruned,
             place: stands.place,
             blind: Some(0),
@@ -534,12 +539,17 @@ impl Session {
         let options = StepOptions {
             weights: self.recipe.loss,
             correctives: self.corrects(self.share()),
+            joints: false,
             rates: Rates::default(),
             adam: self.recipe.rates.adam(),
         };
         let mut seen = Vec::new();
         for number in 0..self.watched.views.len() {
             let view = self.watched.views.steady(number, [128; 3])?;
+            let view = self.refined(Looked {
+                view,
+                shot: self.watched.views.shots()[number],
+            });
             let image = self
                 .trainer
                 .images(std::slice::from_ref(&view), &options)?
@@ -564,13 +574,11 @@ impl Session {
         let shots: Vec<Shot> = looked.iter().map(|looked| looked.shot).collect();
         let views: Vec<View> = looked
             .into_iter()
-            .map(|looked| View {
-                gain: self.exposure.gain(looked.shot.camera),
-                ..looked.view
-            })
+            .map(|looked| self.refined(looked))
             .collect();
         let views = &views[..];
         let before = self.before_pruning(share);
+        let refine = recipe.rates.refine_at(share);
         let options = StepOptions {
             weights: if self.pruned {
                 recipe.loss.without_correctives()
@@ -578,6 +586,7 @@ impl Session {
                 recipe.loss
             },
             correctives: corrects,
+            joints: corrects && refine.any(),
             rates: recipe.rates.at(share),
             adam: recipe.rates.adam(),
         };
@@ -622,9 +631,74 @@ impl Session {
             }
             self.exposure.center();
         }
+        if options.joints {
+            for (number, shot) in shots.iter().enumerate() {
+                self.refine(number, *shot, refine, &options.adam);
+            }
+        }
         sums.add(&found);
-        self.place += views.len() as u64;
+        self.place += shots.len() as u64;
         Ok(())
+    }
+
+    /// A view with what is known by now of its pose and its camera.
+    fn refined(&self, looked: Looked) -> View {
+        let Looked { view, shot } = looked;
+        let mut view = View {
+            gain: self.exposure.gain(shot.camera),
+            ..view
+        };
+        if self.recipe.rates.pose > 0.0 {
+            let pose = self.pose(shot.frame);
+            view.joints = self.start.skeleton.matrices(&pose);
+            view.input = self.start.inputs.unprojected(&pose);
+        }
+        if self.recipe.rates.camera > 0.0 {
+            view.camera = self.refinement.camera(shot.camera, &view.camera);
+        }
+        view
+    }
+
+    /// The pose of a frame, as it is known by now.
+    fn pose(&self, frame: usize) -> Pose {
+        self.refinement
+            .pose(frame, &self.capture.frames[frame].pose)
+    }
+
+    /// Poses and cameras learn from a view of the last step.
+    fn refine(&mut self, number: usize, shot: Shot, rates: RefineRates, adam: &Adam) {
+        let pose = self.pose(shot.frame);
+        let skeleton = &self.start.skeleton;
+        let gradient = skeleton.matrices_backward(&pose, &self.trainer.joints_gradient(number));
+        if rates.camera > 0.0 {
+            let seen = SeenFrom {
+                skeleton,
+                pose: &pose,
+                gradient: &gradient,
+            };
+            let given: Vec<&Camera> = self.capture.cameras.iter().map(|own| &own.camera).collect();
+            self.refinement
+                .learn_camera(shot.camera, given[shot.camera], seen, rates.camera, adam);
+            self.refinement.center(&given);
+        }
+        if rates.pose > 0.0 {
+            self.refinement
+                .learn_pose(shot.frame, &gradient, rates.pose, adam);
+        }
+    }
+
+    /// Poses of frames that are not held out, as they are known by now.
+    fn poses(&self) -> Vec<Pose> {
+        let own = self.capture.frames.iter().enumerate();
+        own.filter(|(_, frame)| !frame.held)
+            .map(|(at, _)| self.pose(at))
+            .collect()
+    }
+
+    /// How far joints are turned from what the capture says, the mean and the most, radians. None
+    /// where poses did not learn.
+    pub fn turned_joints(&self) -> Option<[f64; 2]> {
+        self.refinement.turned_from(&self.capture)
     }
 
     /// Whether correctives learn when a share of the training is over.
@@ -661,7 +735,8 @@ impl Session {
         let layout = Layout::new(&self.topology, &self.rows);
         let state = self.trainer.state()?;
         let avatar = self.avatar()?;
-        let features: Vec<Vec<f64>> = training_poses(&self.capture)
+        let features: Vec<Vec<f64>> = self
+            .poses()
             .par_iter()
             .map(|pose| {
                 let posed = Posed::with_projection(&avatar, pose, false);
@@ -723,6 +798,7 @@ impl Session {
             pruned: self.pruned,
             place: self.place,
             exposure: self.exposure.clone(),
+            refinement: self.refinement.clone(),
             seconds: self.elapsed(),
             data: self.views.name(),
             minutes: self.options.minutes,

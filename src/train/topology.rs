@@ -21,12 +21,12 @@ pub struct Placed {
     pub joint_weight: [u8; 4],
 }
 
-/// A Gaussian that follows a node.
+/// A Gaussian that follows a node or a joint.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Follower {
     /// Its index.
     pub gaussian: u32,
-    /// The node's weight.
+    /// The node's or joint's weight.
     pub weight: f64,
 }
 
@@ -134,6 +134,22 @@ impl Topology {
             joints: avatar.skeleton.len(),
             filter: avatar.filter,
         }
+    }
+
+    /// The Gaussians that each joint moves.
+    pub fn moved(&self) -> Vec<Vec<Follower>> {
+        let mut all = vec![Vec::new(); self.joints];
+        for (k, placed) in self.gaussians.iter().enumerate() {
+            for (&joint, &weight) in placed.joint.iter().zip(&placed.joint_weight) {
+                if weight > 0 {
+                    all[usize::from(joint)].push(Follower {
+                        gaussian: k as u32,
+                        weight: f64::from(weight) / 255.0,
+                    });
+                }
+            }
+        }
+        all
     }
 
     /// N_G.

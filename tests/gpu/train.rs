@@ -148,6 +148,7 @@ const STILL: StepOptions = StepOptions {
         correctives: [0.002, 0.01, 0.002],
     },
     correctives: true,
+    joints: true,
     rates: Rates {
         rotation: 0.0,
         log_scale: 0.0,
@@ -302,6 +303,21 @@ fn every_gradient_is_the_references() {
         for (number, view) in scene.views.iter().enumerate() {
             let canvas = problem.forward(&doubles, view).canvas;
             let expected = problem.gain_gradient(&canvas, view) / scene.views.len() as f64;
+            let of_canvas = problem.picture_loss_backward(&canvas, view);
+            let forward = problem.forward(&doubles, view);
+            let expected_joints: Vec<f64> = problem
+                .joints_gradient(view, &forward, &of_canvas)
+                .iter()
+                .flat_map(|joint| joint.to_cols_array())
+                .map(|v| v / scene.views.len() as f64)
+                .collect();
+            let found_joints: Vec<f32> = trainer
+                .joints_gradient(number)
+                .iter()
+                .flat_map(|joint| joint.to_cols_array())
+                .map(|v| v as f32)
+                .collect();
+            assert_same("joints", &found_joints, &expected_joints);
             let found = DVec3::from(trainer.gain_gradient(number));
             assert!(
                 found.distance(expected) < 1e-4 * expected.length(),

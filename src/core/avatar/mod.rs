@@ -28,4 +28,4 @@ pub use model::{
 };
 pub use motion::Clip;
 pub use pose::Pose;
-pub use skeleton::Skeleton;
+pub use skeleton::{PoseGradient, Skeleton};

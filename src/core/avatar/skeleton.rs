@@ -1,7 +1,7 @@
 //! Joints and forward kinematics, in f64 and shared by every backend.
 
 use super::Pose;
-use glam::{DAffine3, DQuat, DVec3};
+use glam::{DAffine3, DMat3, DQuat, DVec3};
 
 /// A tree of joints. A joint's parent has a smaller index.
 #[derive(Clone, Debug, PartialEq)]
@@ -67,6 +67,65 @@ impl Skeleton {
             .map(|(posed, canonical)| *posed * canonical.inverse())
             .collect()
     }
+
+    /// The derivative of [`Self::matrices`]. `gradient`: of a loss with respect to each number of
+    /// each matrix, laid out like it.
+    ///
+    /// A joint that turns by ω about its own position p moves all that hangs on it: with L, T the
+    /// linear part and the translation of such a matrix and M, f their derivatives, the loss
+    /// changes by ω · (Σ_c L_c × M_c + (T − p) × f), summed over those matrices.
+    ///
+    /// # Panics
+    /// When there is not one matrix a joint.
+    pub fn matrices_backward(&self, pose: &Pose, gradient: &[DAffine3]) -> PoseGradient {
+        assert_eq!(gradient.len(), self.len(), "a matrix a joint");
+        let world = self.joints(pose);
+        let matrices = self.matrices(pose);
+        // About the origin, and as forces are summed: of a joint and all that hangs on it.
+        let mut torque: Vec<DVec3> = matrices
+            .iter()
+            .zip(gradient)
+            .map(|(own, of)| {
+                moment(&own.matrix3, &of.matrix3) + own.translation.cross(of.translation)
+            })
+            .collect();
+        let mut force: Vec<DVec3> = gradient.iter().map(|of| of.translation).collect();
+        for joint in (0..self.len()).rev() {
+            if let Some(parent) = self.parent[joint] {
+                let own = [torque[joint], force[joint]];
+                torque[usize::from(parent)] += own[0];
+                force[usize::from(parent)] += own[1];
+            }
+        }
+        let rotation = (0..self.len())
+            .map(|joint| {
+                let about = torque[joint] - world[joint].translation.cross(force[joint]);
+                match self.parent[joint] {
+                    Some(parent) => world[usize::from(parent)].matrix3.transpose() * about,
+                    None => about,
+                }
+            })
+            .collect();
+        PoseGradient {
+            rotation,
+            translation: force.first().copied().unwrap_or_default(),
+        }
+    }
+}
+
+/// The derivative of a loss with respect to a pose.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PoseGradient {
+    /// Of a turn of each joint in its parent's coordinates, after its own rotation: of ω in
+    /// exp(ω) R, radians, at ω = 0.
+    pub rotation: Vec<DVec3>,
+    /// Of the translation, metres.
+    pub translation: DVec3,
+}
+
+/// Σ_c L_c × M_c over columns.
+fn moment(l: &DMat3, m: &DMat3) -> DVec3 {
+    (0..3).map(|c| l.col(c).cross(m.col(c))).sum()
 }
 
 #[cfg(test)]
@@ -88,6 +147,75 @@ mod tests {
         pose.rotation[1] = DVec3::new(0.0, 0.0, std::f64::consts::FRAC_PI_2);
         let hand = arm().matrices(&pose)[1].transform_point3(DVec3::new(2.0, 1.0, 0.0));
         assert!(hand.distance(DVec3::new(1.0, 2.0, 0.0)) < 1e-12, "{hand}");
+    }
+
+    #[test]
+    fn its_derivative_is_the_slope_of_differences() {
+        let skeleton = Skeleton {
+            name: vec!["a".into(), "b".into(), "c".into(), "d".into()],
+            parent: vec![None, Some(0), Some(1), Some(0)],
+            rest: vec![
+                [0.1, 1.0, 0.2],
+                [0.9, 1.1, 0.0],
+                [1.5, 0.8, 0.3],
+                [-0.7, 1.2, 0.1],
+            ],
+            canonical: vec![[0.1, 0.2, 0.3], [0.0, 0.5, -0.2], [0.4, 0.0, 0.1], [0.0; 3]],
+        };
+        let number = |k: usize| (1.7 * k as f64 + 0.3).sin();
+        let vector = |k: usize| DVec3::new(number(k), number(k + 1), number(k + 2));
+        let mut pose = Pose::rest(4, 0);
+        for (joint, rotation) in pose.rotation.iter_mut().enumerate() {
+            *rotation = 0.8 * vector(5 * joint);
+        }
+        pose.translation = vector(40);
+        let weights: Vec<DAffine3> = (0..4)
+            .map(|joint| {
+                DAffine3::from_cols(
+                    vector(50 + 12 * joint),
+                    vector(53 + 12 * joint),
+                    vector(56 + 12 * joint),
+                    vector(59 + 12 * joint),
+                )
+            })
+            .collect();
+        let loss = |pose: &Pose| -> f64 {
+            let pairs = skeleton.matrices(pose).into_iter().zip(&weights);
+            pairs
+                .map(|(own, of)| {
+                    let linear: f64 = (0..3)
+                        .map(|c| own.matrix3.col(c).dot(of.matrix3.col(c)))
+                        .sum();
+                    linear + own.translation.dot(of.translation)
+                })
+                .sum()
+        };
+        let found = skeleton.matrices_backward(&pose, &weights);
+        let step = 1e-5;
+        let slope =
+            |moved: &dyn Fn(f64) -> Pose| (loss(&moved(step)) - loss(&moved(-step))) / (2.0 * step);
+        for axis in [DVec3::X, DVec3::Y, DVec3::Z] {
+            for joint in 0..4 {
+                let expected = slope(&|h| {
+                    let mut moved = pose.clone();
+                    let turned = DQuat::from_scaled_axis(h * axis)
+                        * DQuat::from_scaled_axis(pose.rotation[joint]);
+                    moved.rotation[joint] = turned.to_scaled_axis();
+                    moved
+                });
+                let own = found.rotation[joint].dot(axis);
+                assert!(
+                    (own - expected).abs() < 1e-8,
+                    "joint {joint}: {own}, {expected}"
+                );
+            }
+            let expected = slope(&|h| {
+                let mut moved = pose.clone();
+                moved.translation += h * axis;
+                moved
+            });
+            assert!((found.translation.dot(axis) - expected).abs() < 1e-8);
+        }
     }
 
     #[test]

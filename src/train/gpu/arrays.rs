@@ -1,7 +1,7 @@
 //! Device memory of the training.
 
 use crate::parameters::{Layout, Parameters};
-use crate::topology::{Rows, Topology};
+use crate::topology::{Follower, Rows, Topology};
 use bytemuck::{Pod, cast_slice};
 use effigy::vulkan::Gpu;
 use effigy::vulkan::Result;
@@ -116,6 +116,10 @@ pub(super) struct Fixed {
     pub followers: Buffer,
     /// Gaussians and nodes of each part.
     pub members: Buffer,
+    /// Where each joint's Gaussians begin.
+    pub joint_starts: Buffer,
+    /// Whom each joint moves, and by how much.
+    pub moved: Buffer,
 }
 
 impl Fixed {
@@ -140,12 +144,12 @@ impl Fixed {
         }
         let node_part: Vec<u32> = topology.node_part.iter().map(|&p| u32::from(p)).collect();
         let node_starts = starts(topology.followers.iter().map(Vec::len));
-        let followers: Vec<u32> = topology
-            .followers
-            .iter()
-            .flatten()
-            .flat_map(|follower| [follower.gaussian, (follower.weight as f32).to_bits()])
-            .collect();
+        let followers = follower_words(&topology.followers);
+        let moved = topology.moved();
+        let joint_starts = starts(moved.iter().map(Vec::len));
+        // A buffer has at least one word.
+        let mut moved = follower_words(&moved);
+        moved.extend([0, 0]);
         let mut members = topology.part_start.clone();
         members.extend(starts(topology.part_nodes.iter().map(Vec::len)));
         members.extend(topology.part_nodes.iter().flatten());
@@ -156,8 +160,19 @@ impl Fixed {
             node_starts: filled(gpu, "node starts", &node_starts)?,
             followers: filled(gpu, "followers", &followers)?,
             members: filled(gpu, "members", &members)?,
+            joint_starts: filled(gpu, "joint starts", &joint_starts)?,
+            moved: filled(gpu, "moved Gaussians", &moved)?,
         })
     }
+}
+
+/// Two words each, list after list.
+fn follower_words(lists: &[Vec<Follower>]) -> Vec<u32> {
+    lists
+        .iter()
+        .flatten()
+        .flat_map(|follower| [follower.gaussian, (follower.weight as f32).to_bits()])
+        .collect()
 }
 
 /// Where each of some lists begins in all of them, and where the last ends.

@@ -50,6 +50,8 @@ pub struct StepOptions {
     pub weights: LossWeights,
     /// Whether there are correctives, and whether they learn.
     pub correctives: bool,
+    /// Whether the derivative of the joints' transforms is asked for.
+    pub joints: bool,
     /// Rates of Adam.
     pub rates: Rates,
     /// Adam's constants.
@@ -190,7 +192,7 @@ impl ViewBlock {
             ],
             network: [
                 topology.layers() as u32,
-                0,
+                u32::from(options.joints),
                 layout.bases[1] as u32,
                 layout.bases[2] as u32,
             ],

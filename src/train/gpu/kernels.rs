@@ -23,6 +23,7 @@ pub(super) struct OfViews {
     pub displaced: Buffer,
     pub of_nodes: Buffer,
     pub of_gaussians: Buffer,
+    pub of_joints: Buffer,
     pub loss_sums: Buffer,
 }
 
@@ -32,6 +33,7 @@ pub(super) struct Kernels {
     pub nodes: Kernel,
     pub project: Kernel,
     pub loss: Kernel,
+    pub joints_backward: Kernel,
     pub nodes_backward: Kernel,
     pub features_backward: Kernel,
     pub mlp_backward: Kernel,
@@ -78,6 +80,7 @@ impl Binder<'_> {
                 (&self.per_view.splat_pairs).into(),
                 records.into(),
                 (&of_views.of_gaussians).into(),
+                (&self.per_view.of_skinning).into(),
             ],
             &[],
         )
@@ -140,6 +143,16 @@ impl Binder<'_> {
                     (&own.asked).into(),
                     (&own.of_image).into(),
                     (&of_views.loss_sums).into(),
+                ],
+                &[],
+            )?,
+            joints_backward: self.kernel(
+                &shaders::JOINTS_BACKWARD,
+                &[
+                    (&fixed.joint_starts).into(),
+                    (&fixed.moved).into(),
+                    (&own.of_skinning).into(),
+                    (&of_views.of_joints).into(),
                 ],
                 &[],
             )?,

@@ -24,6 +24,7 @@ pub(super) struct PerView {
     pub canonical: Buffer,
     pub keys: Buffer,
     pub asked: Buffer,
+    pub of_skinning: Buffer,
 }
 
 impl PerView {
@@ -61,6 +62,7 @@ impl PerView {
             sort,
             canonical: words(gpu, "canonical Gaussians", 16 * count)?,
             keys,
+            of_skinning: words(gpu, "skinning derivatives", 12 * count)?,
             asked: filled(gpu, "asked of the image", &vec![0.0f32; 4 * pixels])?,
         })
     }

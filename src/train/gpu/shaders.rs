@@ -29,6 +29,7 @@ modules! {
     LOSS = "train/loss.comp";
     RASTER_BACKWARD = "train/raster_backward.comp";
     PROJECT_BACKWARD = "train/project_backward.comp";
+    JOINTS_BACKWARD = "train/joints_backward.comp";
     NODES_BACKWARD = "train/nodes_backward.comp";
     FEATURES_BACKWARD = "train/features_backward.comp";
     MLP_BACKWARD = "train/mlp_backward.comp";

@@ -15,7 +15,7 @@ use effigy_core::layout::{
     TRAIN_BASES_WORKGROUP, TRAIN_BASIS, TRAIN_LOSS_SUMS, TRAIN_RECORD, TRAIN_WIDTH_MAX,
     TRAIN_WORKGROUP,
 };
-use glam::DAffine3;
+use glam::{DAffine3, DVec3};
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -152,6 +152,7 @@ impl Trainer {
             displaced: words(gpu, "displaced nodes", 4 * layout.nodes * views)?,
             of_nodes: words(gpu, "nodes' derivatives", 4 * layout.nodes * views)?,
             of_gaussians: words(gpu, "Gaussians' derivatives", 16 * count * views)?,
+            of_joints: read(gpu, "joints' derivatives", 12 * topology.joints * views)?,
             loss_sums: read(
                 gpu,
                 "loss sums",
@@ -236,7 +237,7 @@ impl Trainer {
                 for number in 0..views.len() {
                     self.record_forward(commands, number);
                     commands.barrier(Scope::KERNEL, Scope::KERNEL);
-                    self.record_backward(commands, number);
+                    self.record_backward(commands, number, options.joints);
                 }
                 self.record_update(commands, views.len());
             })?;
@@ -245,6 +246,30 @@ impl Trainer {
             }
         }
         self.finish(views, options)
+    }
+
+    /// Looks at views as [`Self::step`] does, derivatives included, and learns nothing.
+    ///
+    /// # Panics
+    /// Those of [`Self::step`].
+    pub fn look(&mut self, views: &[View], options: &StepOptions) -> Result<StepReport> {
+        self.assert_fits(views);
+        loop {
+            self.write(views, options);
+            self.gpu.run("a look", |commands| {
+                Self::record_start(commands);
+                self.record_pose(commands, views.len());
+                for number in 0..views.len() {
+                    self.record_forward(commands, number);
+                    commands.barrier(Scope::KERNEL, Scope::KERNEL);
+                    self.record_backward(commands, number, options.joints);
+                }
+                commands.barrier(Scope::KERNEL_WRITES, Scope::HOST_READS);
+            })?;
+            if !self.make_room()? {
+                return Ok(self.report(views));
+            }
+        }
     }
 
     /// A step with another loss. `ask` is given the number of a view and its image over its
@@ -285,7 +310,7 @@ impl Trainer {
             }
             self.gpu.run("a step's derivative", |commands| {
                 Self::record_start(commands);
-                self.record_backward(commands, number);
+                self.record_backward(commands, number, options.joints);
             })?;
         }
         self.gpu.run("a step's end", |commands| {
@@ -351,7 +376,7 @@ pub fn memory_bytes(topology: &Topology, rows: &Rows, size: [u32; 2], views: usi
     let widths: usize = topology.widths[1..].iter().sum();
     let pairs = (PAIRS_A_GAUSSIAN as usize * layout.gaussians).max(1024);
     // Words, by what they are of.
-    let of_gaussian = 12 + 4 + 6 + 16 + 12 + 2 + 8 + 16 * views;
+    let of_gaussian = 12 + 4 + 6 + 8 + 16 + 12 + 12 + 2 + 8 + 16 * views;
     let of_node = 8 * views + 2;
     let of_part = 2 * widths * views;
     let of_pixel = 12 + 2 * views;
@@ -485,7 +510,7 @@ impl Trainer {
     }
 
     /// From a view's image to the derivative of its Gaussians.
-    fn record_backward(&self, commands: Recording, number: usize) {
+    fn record_backward(&self, commands: Recording, number: usize, joints: bool) {
         let offset = (number as u64 * STRIDE) as u32;
         let next = || commands.barrier(Scope::KERNEL, Scope::KERNEL);
         let pixels = self.pixels();
@@ -496,6 +521,13 @@ impl Trainer {
         self.project_backward
             .dispatch(commands, offset, groups(self.layout.gaussians));
         next();
+        if joints {
+            let joints = self.topology.joints as u32;
+            self.kernels
+                .joints_backward
+                .dispatch(commands, offset, joints);
+            commands.barrier(Scope::KERNEL_WRITES, Scope::HOST_READS);
+        }
     }
 
     /// From the derivatives of the Gaussians of all views to a step.
@@ -551,6 +583,11 @@ impl Trainer {
     fn finish(&mut self, views: &[View], options: &StepOptions) -> Result<StepReport> {
         self.steps += 1;
         self.corrective_steps += u64::from(options.correctives);
+        Ok(self.report(views))
+    }
+
+    /// What was found of some views.
+    fn report(&mut self, views: &[View]) -> StepReport {
         let [pairs, empty_views, ..] = self.status();
         let pixels = self.pixels();
         let channels = 3.0 * (pixels * views.len()) as f64;
@@ -558,12 +595,27 @@ impl Trainer {
             sums.iter().map(|sum| f64::from(sum[at])).sum::<f64>() / channels
         };
         let sums = self.loss_sums(0..views.len());
-        Ok(StepReport {
+        StepReport {
             l1: mean(sums, 0),
             squared: mean(sums, 1),
             pairs,
             empty_views,
-        })
+        }
+    }
+
+    /// The derivative of the last step's loss with respect to G of each joint of one of its views,
+    /// where [`StepOptions::joints`] asked for it. What networks make of another pose is no part of
+    /// it.
+    pub fn joints_gradient(&mut self, view: usize) -> Vec<DAffine3> {
+        let joints = self.topology.joints;
+        let rows: &[[f32; 4]] = cast_slice(self.of_views.of_joints.mapped());
+        rows[3 * joints * view..3 * joints * (view + 1)]
+            .chunks_exact(3)
+            .map(|rows| {
+                let column = |c: usize| DVec3::from_array([0, 1, 2].map(|r| f64::from(rows[r][c])));
+                DAffine3::from_cols(column(0), column(1), column(2), column(3))
+            })
+            .collect()
     }
 
     /// The derivative of the last step's loss with respect to the gain of one of its views, RGB.

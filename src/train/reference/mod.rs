@@ -185,14 +185,7 @@ impl Problem<'_> {
         total: &mut Parameters<f64>,
     ) {
         let topology = self.topology;
-        let of_splats = raster_backward(
-            &forward.splats,
-            &forward.order,
-            &view.camera,
-            self.cutoff,
-            &forward.canvas,
-            of_canvas,
-        );
+        let of_gaussians = self.of_gaussians(view, forward, of_canvas);
         let count = topology.gaussians.len();
         let numbers = 3.0 * count as f64;
         let mut of_nodes = vec![DVec3::ZERO; topology.nodes()];
@@ -200,18 +193,8 @@ impl Problem<'_> {
         for (k, placed) in topology.gaussians.iter().enumerate() {
             let part = usize::from(placed.part);
             let canonical = &forward.canonical[k];
-            let of_gaussian = match &forward.splats[k] {
-                Ok(splat) => project_backward(
-                    &forward.gaussians[k],
-                    forward.opacity[k],
-                    &view.camera,
-                    topology.filter,
-                    splat,
-                    &of_splats[k],
-                ),
-                Err(_) => GaussianGradient::ZERO,
-            };
-            let of = pose_backward(canonical, &forward.skinning[k], &of_gaussian);
+            let of_gaussian = &of_gaussians[k];
+            let of = pose_backward(canonical, &forward.skinning[k], of_gaussian);
             let mut of_log_scale = of.log_scale;
             for (of, s) in of_log_scale
                 .as_mut()
@@ -289,6 +272,62 @@ impl Problem<'_> {
                 );
             }
         }
+    }
+
+    /// The derivative of a loss of the image with respect to each posed Gaussian.
+    fn of_gaussians(
+        &self,
+        view: &View,
+        forward: &Forward,
+        of_canvas: &[[f64; 4]],
+    ) -> Vec<GaussianGradient> {
+        let of_splats = raster_backward(
+            &forward.splats,
+            &forward.order,
+            &view.camera,
+            self.cutoff,
+            &forward.canvas,
+            of_canvas,
+        );
+        (0..of_splats.len())
+            .map(|k| match &forward.splats[k] {
+                Ok(splat) => project_backward(
+                    &forward.gaussians[k],
+                    forward.opacity[k],
+                    &view.camera,
+                    self.topology.filter,
+                    splat,
+                    &of_splats[k],
+                ),
+                Err(_) => GaussianGradient::ZERO,
+            })
+            .collect()
+    }
+
+    /// The derivative of a loss of the image with respect to G of each joint. What the networks
+    /// make of another pose is no part of it.
+    pub fn joints_gradient(
+        &self,
+        view: &View,
+        forward: &Forward,
+        of_canvas: &[[f64; 4]],
+    ) -> Vec<DAffine3> {
+        let mut joints = vec![DAffine3::ZERO; self.topology.joints];
+        let of_gaussians = self.of_gaussians(view, forward, of_canvas);
+        for (k, placed) in self.topology.gaussians.iter().enumerate() {
+            let of = pose_backward(
+                &forward.canonical[k],
+                &forward.skinning[k],
+                &of_gaussians[k],
+            );
+            for (&joint, &weight) in placed.joint.iter().zip(&placed.joint_weight) {
+                let own = &mut joints[usize::from(joint)];
+                let weight = f64::from(weight) / 255.0;
+                own.matrix3 += of.skinning.matrix3 * weight;
+                own.translation += of.skinning.translation * weight;
+            }
+        }
+        joints
     }
 
     /// The row of an attribute that a Gaussian has, where there are correctives.

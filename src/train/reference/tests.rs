@@ -9,6 +9,7 @@ use effigy_core::scene::Camera;
 use std::sync::Arc;
 
 const SIZE: [u32; 2] = [24, 20];
+const JOINTS: usize = 3;
 
 /// A few Gaussians that overlap in front of a camera.
 struct Scene {
@@ -24,7 +25,6 @@ impl Scene {
         const GAUSSIANS: usize = 30;
         const PARTS: usize = 3;
         const NODES: usize = 7;
-        const JOINTS: usize = 3;
         let mut random = Random::new(seed, 0);
         let position = |random: &mut Random| {
             DVec3::new(
@@ -292,6 +292,47 @@ fn a_gain_has_the_slope_of_the_loss() {
         assert!(
             (found[channel] - expected).abs() < 1e-5 * expected.abs().max(1e-3),
             "{found}, expected {expected} in channel {channel}"
+        );
+    }
+}
+
+#[test]
+fn joints_have_the_slope_of_differences() {
+    let scene = Scene::new(5, Filter::ANTIALIASED);
+    let problem = scene.problem(&WEIGHTS);
+    let view = &scene.views[0];
+    let forward = problem.forward(&scene.parameters, view);
+    let of_canvas = problem.picture_loss_backward(&forward.canvas, view);
+    let found = problem.joints_gradient(view, &forward, &of_canvas);
+    let mut random = Random::new(77, 0);
+    for _ in 0..4 {
+        let direction: Vec<[f64; 12]> = (0..JOINTS)
+            .map(|_| [(); 12].map(|()| random.normal()))
+            .collect();
+        let at = |h: f64| {
+            let mut moved = view.clone();
+            for (joint, along) in moved.joints.iter_mut().zip(&direction) {
+                let mut own = joint.to_cols_array();
+                for (own, along) in own.iter_mut().zip(along) {
+                    *own += h * along;
+                }
+                *joint = DAffine3::from_cols_array(&own);
+            }
+            problem.picture_loss(&problem.forward(&scene.parameters, &moved).canvas, &moved)
+        };
+        let step = 1e-6;
+        let expected = (at(step) - at(-step)) / (2.0 * step);
+        let slope: f64 = found
+            .iter()
+            .zip(&direction)
+            .map(|(of, along)| {
+                let of = of.to_cols_array();
+                of.iter().zip(along).map(|(a, b)| a * b).sum::<f64>()
+            })
+            .sum();
+        assert!(
+            (slope - expected).abs() < 1e-5 * expected.abs(),
+            "{slope}, expected {expected}"
         );
     }
 }
