@@ -3,21 +3,30 @@
 
 use crate::{
     files,
-    options::{self, count, named},
+    options::{self, DeviceArgs, count, named},
     progress,
 };
 use anyhow::{Context, bail, ensure};
+use effigy::vulkan::Gpu;
 use effigy_capture::Capture;
 use effigy_core::{avatar::Avatar, io::file::replace, scene::FrameImage};
 use effigy_learn::{
     bake::Assets,
     evaluate::side_by_side,
     score::{
-        Candidate, Compared, Ground, Means, Region, Report, Scorer, ViewChoice, ViewScore, choose,
+        Candidate, Compared, Ground, Means, Region, Report, Scorer, View, ViewChoice, ViewScore,
+        choose,
     },
 };
 use effigy_perceptual::{Network, Perceptual, Planes};
-use std::path::{Path, PathBuf};
+use effigy_train::{
+    recipe::Preset,
+    refit::{REFITTED, refit},
+};
+use std::{
+    path::{Path, PathBuf},
+    sync::Arc,
+};
 
 /// An error of so much, 0 to 1, is white in maps of errors.
 const WHITE: f32 = 0.3;
@@ -40,12 +49,19 @@ pub struct CaptureArgs {
     /// hexadecimal digits lies under both
     #[arg(long, value_name = "truth|RRGGBB", default_value = "truth", value_parser = ground)]
     background: Ground,
+    /// Of a capture: fit the poses of the compared frames to their pictures first, those of cameras
+    /// that are not held out, with the avatar as it is. Its numbers can't be set beside those of
+    /// poses as given
+    #[arg(long, requires = "avatar")]
+    refit: bool,
     /// Of a capture: the network of ST-LPIPS [default: alex, or none without its weights]
     #[arg(long, value_parser = named(["alex", "vgg", "none"], [Loss::Alex, Loss::Vgg, Loss::None]))]
     perceptual: Option<Loss>,
     /// Folder that tools/fetch_perceptual.sh filled
     #[arg(long, value_name = "DIR", env = "EFFIGY_ASSETS", default_value = Assets::DEFAULT)]
     weights: PathBuf,
+    #[command(flatten)]
+    device: DeviceArgs,
 }
 
 /// A perceptual distance by its name.
@@ -74,7 +90,7 @@ fn ground(text: &str) -> Result<Ground, String> {
 }
 
 pub fn run(args: &CaptureArgs, job: &Job) -> anyhow::Result<()> {
-    let capture = Capture::read(job.capture)?;
+    let mut capture = Capture::read(job.capture)?;
     let avatar = match job.avatar {
         Some(path) => Some(fitting(path, &capture)?),
         None => None,
@@ -85,7 +101,6 @@ pub fn run(args: &CaptureArgs, job: &Job) -> anyhow::Result<()> {
         (None, None) => bail!("neither an avatar nor --pictures: there is nothing to evaluate"),
     };
     let perceptual = perceptual(args)?;
-    let scorer = Scorer::new(&capture, candidate, args.background, perceptual.as_ref());
     let is_held = capture.cameras.iter().any(|camera| camera.held)
         || capture.frames.iter().any(|frame| frame.held);
     if !is_held {
@@ -107,6 +122,15 @@ pub fn run(args: &CaptureArgs, job: &Job) -> anyhow::Result<()> {
     if let Some(folder) = job.images {
         files::create_folder(folder)?;
     }
+    let poses = match &avatar {
+        Some(avatar) if args.refit => {
+            capture = refitted(capture, avatar, &views, args)?;
+            REFITTED
+        }
+        _ => "as given",
+    };
+    let scorer =
+        Scorer::new(&capture, candidate, args.background, perceptual.as_ref()).with_poses(poses);
     let bar = progress::items(views.len() as u64, "pictures");
     let mut scores = Vec::new();
     let mut left_out = 0;
@@ -142,6 +166,31 @@ pub fn run(args: &CaptureArgs, job: &Job) -> anyhow::Result<()> {
         replace(path, serde_json::to_string_pretty(&report)?.as_bytes())?;
     }
     Ok(())
+}
+
+/// The capture with poses of the frames of some views that fit their pictures.
+fn refitted(
+    capture: Capture,
+    avatar: &Avatar,
+    views: &[View],
+    args: &CaptureArgs,
+) -> anyhow::Result<Capture> {
+    let mut frames: Vec<usize> = views.iter().map(|view| view.frame).collect();
+    frames.sort_unstable();
+    frames.dedup();
+    let gpu = Gpu::new(&args.device.gpu())?;
+    let capture = Arc::new(capture);
+    let data = Preset::Quick.recipe().data;
+    let bar = progress::items(frames.len() as u64, "poses");
+    let poses = refit(&gpu, avatar, &capture, &frames, &data, |done| {
+        bar.set_position(done as u64);
+    })?;
+    bar.finish_and_clear();
+    let mut capture = Arc::unwrap_or_clone(capture);
+    for (&frame, pose) in frames.iter().zip(poses) {
+        capture.frames[frame].pose = pose;
+    }
+    Ok(capture)
 }
 
 /// Reads an avatar and refuses one with another skeleton.

@@ -99,7 +99,7 @@ impl CameraArgs {
 }
 
 /// Which GPU a command runs on.
-#[derive(clap::Args, Clone, Debug)]
+#[derive(clap::Args, Clone, Debug, PartialEq)]
 pub struct DeviceArgs {
     /// GPU: part of its name, or its number in `effigy devices` [default: the first that can
     /// serve]

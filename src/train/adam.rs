@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 /// Rates of Adam, one for each kind of number.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rates {
     /// Of quaternions.
     pub rotation: f64,
@@ -21,6 +21,20 @@ pub struct Rates {
     pub network: f64,
     /// Of the basis rows of rotation, scale and colour.
     pub bases: [f64; 3],
+}
+
+impl Rates {
+    /// Nothing learns.
+    pub const NONE: Self = Self {
+        rotation: 0.0,
+        log_scale: 0.0,
+        opacity: 0.0,
+        color: 0.0,
+        node_offset: 0.0,
+        node_basis: 0.0,
+        network: 0.0,
+        bases: [0.0; 3],
+    };
 }
 
 /// Adam's constants.

@@ -36,6 +36,7 @@ pub mod prune;
 pub mod recipe;
 pub mod reference;
 pub mod refine;
+pub mod refit;
 pub mod session;
 pub mod start;
 pub mod topology;

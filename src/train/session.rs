@@ -540,7 +540,7 @@ impl Session {
             weights: self.recipe.loss,
             correctives: self.corrects(self.share()),
             joints: false,
-            rates: Rates::default(),
+            rates: Rates::NONE,
             adam: self.recipe.rates.adam(),
         };
         let mut seen = Vec::new();

@@ -149,16 +149,7 @@ const STILL: StepOptions = StepOptions {
     },
     correctives: true,
     joints: true,
-    rates: Rates {
-        rotation: 0.0,
-        log_scale: 0.0,
-        opacity: 0.0,
-        color: 0.0,
-        node_offset: 0.0,
-        node_basis: 0.0,
-        network: 0.0,
-        bases: [0.0; 3],
-    },
+    rates: Rates::NONE,
     adam: Adam {
         beta_1: 0.0,
         beta_2: 0.999,

@@ -68,7 +68,7 @@ impl Scorer<'_> {
         Protocol {
             area: "the smallest box around the truth's mask",
             background: self.ground.describe(),
-            poses: "as given",
+            poses: self.poses,
             perceptual: self
                 .perceptual
                 .map(|perceptual| format!("ST-LPIPS ({})", perceptual.network().name())),

@@ -58,6 +58,8 @@ pub struct Scorer<'a> {
     pub perceptual: Option<&'a Perceptual>,
     /// Region of each of the body model's vertices.
     regions: Vec<Region>,
+    /// Where the capture's poses come from.
+    pub(super) poses: &'static str,
 }
 
 /// What came out for a view.
@@ -82,12 +84,18 @@ impl<'a> Scorer<'a> {
         perceptual: Option<&'a Perceptual>,
     ) -> Self {
         Self {
+            poses: "as given",
             capture,
             candidate,
             ground,
             perceptual,
             regions: regions_of(&capture.template),
         }
+    }
+
+    /// With a word on where the capture's poses come from.
+    pub fn with_poses(self, poses: &'static str) -> Self {
+        Self { poses, ..self }
     }
 
     /// Compares a view. None: its mask is empty.

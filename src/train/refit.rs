@@ -1,0 +1,148 @@
+//! Poses that fit pictures best with the avatar as it is: what a comparison needs where a capture's
+//! poses are off.
+
+use crate::adam::{Adam, Rates};
+use crate::data::{DataOptions, Views, shots};
+use crate::gpu::{StepOptions, Trainer, TrainerState};
+use crate::loss::LossWeights;
+use crate::parameters::{Layout, Parameters};
+use crate::refine::Refinement;
+use crate::session::TrainError;
+use crate::topology::{Rows, Topology};
+use crate::view::View;
+use effigy::vulkan::Gpu;
+use effigy_capture::Capture;
+use effigy_core::avatar::{Avatar, Pose};
+use effigy_core::random::Random;
+use std::sync::Arc;
+
+/// Steps of a frame's pose.
+const STEPS: u32 = 60;
+/// Pictures of a step, at most.
+const PICTURES: usize = 4;
+/// How far the first step goes, radians and metres.
+const RATE: f64 = 8e-3;
+/// What is left of it at the end.
+const END: f64 = 0.05;
+
+/// Fits the poses of some frames to the pictures that cameras took of them which are not held out,
+/// by the same loss as training's. The avatar stays as it is. A frame without such pictures keeps
+/// its pose. `done` hears of every frame.
+///
+/// # Errors
+/// When the device is lost or not for training, or pictures can't be read.
+pub fn refit(
+    gpu: &Arc<Gpu>,
+    avatar: &Avatar,
+    capture: &Arc<Capture>,
+    frames: &[usize],
+    data: &DataOptions,
+    mut done: impl FnMut(usize),
+) -> Result<Vec<Pose>, TrainError> {
+    let mut refinement = Refinement::new(capture);
+    let mut seen = shots(capture, |camera, _| !camera);
+    seen.retain(|shot| frames.contains(&shot.frame));
+    if !seen.is_empty() {
+        let views = Views::new(capture, avatar, seen, data, 1, None);
+        let topology = Topology::new(avatar);
+        let rows = Rows::of(avatar);
+        let layout = Layout::new(&topology, &rows);
+        let state = TrainerState::new(&layout, Parameters::of(avatar, &layout));
+        let mut trainer = Trainer::new(gpu, &topology, &rows, &state, views.size(), PICTURES)?;
+        for (at, &frame) in frames.iter().enumerate() {
+            let of_frame: Vec<usize> = (0..views.len())
+                .filter(|&shot| views.shots()[shot].frame == frame)
+                .collect();
+            let mut random = Random::new(1, frame as u64);
+            for step in 0..STEPS {
+                let chosen = some(&of_frame, &mut random);
+                if chosen.is_empty() {
+                    break;
+                }
+                let pose = refinement.pose(frame, &capture.frames[frame].pose);
+                let looked = chosen
+                    .iter()
+                    .map(|&shot| posed(avatar, &views, shot, &pose, &mut random))
+                    .collect::<Result<Vec<View>, TrainError>>()?;
+                trainer.look(&looked, &OPTIONS)?;
+                let mut joints = trainer.joints_gradient(0);
+                for view in 1..looked.len() {
+                    for (sum, own) in joints.iter_mut().zip(trainer.joints_gradient(view)) {
+                        sum.matrix3 += own.matrix3;
+                        sum.translation += own.translation;
+                    }
+                }
+                let gradient = avatar.skeleton.matrices_backward(&pose, &joints);
+                let rate = RATE * END.powf(f64::from(step) / f64::from(STEPS));
+                refinement.learn_pose(frame, &gradient, rate, &Adam::DEFAULT);
+            }
+            done(at + 1);
+        }
+    }
+    Ok(frames
+        .iter()
+        .map(|&frame| refinement.pose(frame, &capture.frames[frame].pose))
+        .collect())
+}
+
+/// Pictures alone count, and nothing is learned.
+const OPTIONS: StepOptions = StepOptions {
+    weights: LossWeights {
+        l1: 1.0,
+        scale: 0.0,
+        scale_above: 1.0,
+        correctives: [0.0; 3],
+    },
+    correctives: true,
+    joints: true,
+    rates: Rates::NONE,
+    adam: Adam::DEFAULT,
+};
+
+/// A few of some, none twice.
+fn some(all: &[usize], random: &mut Random) -> Vec<usize> {
+    let mut rest = all.to_vec();
+    let count = PICTURES.min(rest.len());
+    (0..count)
+        .map(|_| rest.swap_remove((random.uniform() * rest.len() as f64) as usize))
+        .collect()
+}
+
+/// A view of a shot with the avatar in a pose, before a random background.
+fn posed(
+    avatar: &Avatar,
+    views: &Views,
+    shot: usize,
+    pose: &Pose,
+    random: &mut Random,
+) -> Result<View, TrainError> {
+    let background = [(); 3].map(|()| (255.0 * random.uniform()).round() as u8);
+    let view = views.steady(shot, background)?;
+    Ok(View {
+        joints: avatar.skeleton.matrices(pose),
+        input: avatar.inputs.from_pose(pose),
+        ..view
+    })
+}
+
+/// Which pictures [`refit`] may look at for a frame, for what says how numbers were found.
+pub const REFITTED: &str = "fitted to the frame's pictures of cameras that are not held out, with \
+                            the avatar as it is";
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn some_are_chosen_and_none_twice() {
+        let mut random = Random::new(4, 0);
+        for count in 0..7 {
+            let all: Vec<usize> = (0..count).map(|k| 10 * k).collect();
+            let mut chosen = some(&all, &mut random);
+            chosen.sort_unstable();
+            chosen.dedup();
+            assert_eq!(chosen.len(), count.min(PICTURES));
+            assert!(chosen.iter().all(|shot| all.contains(shot)));
+        }
+    }
+}
