@@ -24,6 +24,9 @@ layout(std140, set = 0, binding = 0) uniform ViewBlock {
     uvec4 image_size;
     // Which view this is, how many there are, room for pairs, 1 where correctives are on.
     uvec4 batch;
+    // The band of the image whose pairs are made: its first row of tiles, the first after it, 1
+    // where it is the view's first band, 1 where it is the last.
+    uvec4 band;
     // Numbers that enter each layer.
     uvec4 layer_inputs;
     // Numbers that leave each layer.

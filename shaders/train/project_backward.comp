@@ -16,12 +16,35 @@ layout(std430, set = 0, binding = 5) readonly buffer Records { float records[]; 
 layout(std430, set = 0, binding = 6) writeonly buffer OfGaussians { vec4 of_gaussians[]; };
 // Of this view's skinning transforms, three rows each, where they are asked for.
 layout(std430, set = 0, binding = 7) writeonly buffer OfSkinning { vec4 of_skinning[]; };
+// Of each Gaussian, where a view has several bands: sums over pairs, and 1 where there are any.
+layout(std430, set = 0, binding = 8) buffer OfSplats { float of_splats[]; };
 #include "train/gradient.glsl"
 #include "train/gaussian.glsl"
 
 void main() {
     uint g = gl_GlobalInvocationID.x;
     if (g >= GAUSSIANS) {
+        return;
+    }
+    uvec2 pairs = splat_pairs[g];
+    float of[TRAIN_RECORD];
+    uint sums = (TRAIN_RECORD + 1u) * g;
+    bool is_first = block.band.z != 0u;
+    for (uint c = 0u; c < TRAIN_RECORD; ++c) {
+        of[c] = is_first ? 0.0 : of_splats[sums + c];
+    }
+    for (uint pair = pairs.x; pair < pairs.x + pairs.y; ++pair) {
+        for (uint c = 0u; c < TRAIN_RECORD; ++c) {
+            of[c] += records[TRAIN_RECORD * pair + c];
+        }
+    }
+    bool is_seen = pairs.y > 0u || (!is_first && of_splats[sums + TRAIN_RECORD] > 0.0);
+    if (block.band.w == 0u) {
+        // Another band adds to it.
+        for (uint c = 0u; c < TRAIN_RECORD; ++c) {
+            of_splats[sums + c] = of[c];
+        }
+        of_splats[sums + TRAIN_RECORD] = float(is_seen);
         return;
     }
     uint at = gradient_at(VIEW, g);
@@ -35,8 +58,7 @@ void main() {
     for (uint k = 0u; k < 3u; ++k) {
         of_log_scale[k] = s[k] > block.loss_weights.z ? block.loss_weights.y * s[k] : 0.0;
     }
-    uvec2 pairs = splat_pairs[g];
-    if (pairs.y == 0u) {
+    if (!is_seen) {
         of_gaussians[at] = vec4(0.0);
         of_gaussians[at + 1u] = vec4(of_log_scale, 0.0);
         of_gaussians[at + 2u] = vec4(vec3(0.0), color_signs.w);
@@ -47,15 +69,6 @@ void main() {
             }
         }
         return;
-    }
-    float of[TRAIN_RECORD];
-    for (uint c = 0u; c < TRAIN_RECORD; ++c) {
-        of[c] = 0.0;
-    }
-    for (uint pair = pairs.x; pair < pairs.x + pairs.y; ++pair) {
-        for (uint c = 0u; c < TRAIN_RECORD; ++c) {
-            of[c] += records[TRAIN_RECORD * pair + c];
-        }
     }
     vec2 of_center = vec2(of[4], of[5]);
 

@@ -15,7 +15,7 @@ void main() {
     uint thread = gl_LocalInvocationID.x;
     uint tile = gl_WorkGroupID.y * block.image_size.z + gl_WorkGroupID.x;
     uint column = gl_WorkGroupID.x * TILE + thread % TILE;
-    uint row = gl_WorkGroupID.y * TILE + thread / TILE;
+    uint row = (block.band.x + gl_WorkGroupID.y) * TILE + thread / TILE;
     vec2 first = vec2(column, row) + 0.5;
     vec4 pixels[PIXELS];
     for (uint p = 0u; p < PIXELS; ++p) {

@@ -23,7 +23,7 @@ void main() {
     uint width = gl_WorkGroupSize.x;
     uint tile = gl_WorkGroupID.y * block.image_size.z + gl_WorkGroupID.x;
     uint column = gl_WorkGroupID.x * TILE + thread % TILE;
-    uint row = gl_WorkGroupID.y * TILE + thread / TILE;
+    uint row = (block.band.x + gl_WorkGroupID.y) * TILE + thread / TILE;
     vec2 first = vec2(column, row) + 0.5;
     // Of each pixel: the derivative of its colour, what is still behind, and the light left.
     vec3 of_pixel[PIXELS];

@@ -1,4 +1,4 @@
-// Writes the pairs of each block: the tile as a key, the Gaussian beside it. A Gaussian's pairs lie
+// Writes the pairs of each block: the tile of the band as a key, the Gaussian beside it. A Gaussian's pairs lie
 // next to each other, so that what the tiles find out about it can be summed in order.
 #version 450
 #extension GL_GOOGLE_include_directive : require
@@ -29,9 +29,8 @@ void main() {
     }
     sums[thread] = sum;
     barrier();
-    if (pair_control.key_count == 0u) {
-        return;
-    }
+    // None at all, or more than fit.
+    bool is_empty = pair_control.key_count == 0u;
     uint next = blocks[gl_WorkGroupID.x];
     for (uint k = 0u; k < thread; ++k) {
         next += sums[k];
@@ -39,11 +38,15 @@ void main() {
     for (uint k = 0u; k < TRAIN_BLOCK / TRAIN_WORKGROUP; ++k) {
         if (first + k < control.visible_count) {
             uint g = order[first + k];
+            if (is_empty) {
+                splat_pairs[g] = uvec2(0u);
+                continue;
+            }
             Box box = tiles_of(splats[3u * g]);
             splat_pairs[g] = uvec2(next, count_of(box));
-            for (uint y = box.low.y; y <= box.high.y; ++y) {
-                for (uint x = box.low.x; x <= box.high.x; ++x) {
-                    pair_keys[next] = y * block.image_size.z + x;
+            for (uint y = box.low.y; y < box.end.y; ++y) {
+                for (uint x = box.low.x; x < box.end.x; ++x) {
+                    pair_keys[next] = (y - block.band.x) * block.image_size.z + x;
                     pair_gaussians[next] = g;
                     ++next;
                 }

@@ -1,4 +1,4 @@
-// Finds where each tile's pairs begin in the sorted order, by bisection.
+// Finds where the pairs of each tile of the band begin in the sorted order, by bisection.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #include "train/block.glsl"
@@ -12,7 +12,7 @@ layout(std430, set = 0, binding = 4) writeonly buffer Ranges { uint ranges[]; };
 
 void main() {
     uint tile = gl_GlobalInvocationID.x;
-    if (tile > block.image_size.z * block.image_size.w) {
+    if (tile > block.image_size.z * (block.band.y - block.band.x)) {
         return;
     }
     uint low = 0u, high = pair_control.key_count;

@@ -458,6 +458,52 @@ fn pairs_that_do_not_fit_get_room() {
     assert_eq!(trainer.steps(), 1);
 }
 
+fn pairs_that_no_buffer_holds_are_drawn_in_bands() {
+    let setting = Setting {
+        larger: 1.0,
+        ..SETTING
+    };
+    let scene = Scene::new(3, setting);
+    let own = TileShape::of(&gpu::gpu());
+    let mut whole = scene.shaped(setting, own);
+    let all = whole.step(&scene.views, &STILL).unwrap();
+    let shape = TileShape {
+        most_pairs: all.pairs / 2,
+        ..own
+    };
+    let mut trainer = scene.shaped(setting, shape);
+    let report = trainer.step(&scene.views, &STILL).unwrap();
+    assert!(
+        report.pairs <= shape.most_pairs,
+        "{} pairs, and {} in bands",
+        all.pairs,
+        report.pairs
+    );
+    assert_eq!((report.l1, report.empty_views), (all.l1, all.empty_views));
+    let doubles = scene.start.parameters.doubles();
+    let expected = scene.problem(&STILL).gradient(&doubles, &scene.views);
+    let found = trainer.state().unwrap();
+    assert_gradients(&found.first_moments, &expected, &scene.layout);
+    // Sums have the same order.
+    assert!(trainer.state().unwrap() == whole.state().unwrap());
+    let asked = |trainer: &mut Trainer| {
+        let slope = |_: usize, image: &[[f32; 3]]| Some(vec![[1e-3; 3]; image.len()]);
+        trainer.step_asking(&scene.views, &LEARNING, slope).unwrap();
+        trainer.state().unwrap()
+    };
+    assert!(asked(&mut trainer) == asked(&mut whole));
+    // A row of tiles is the least.
+    let mut none = scene.shaped(
+        setting,
+        TileShape {
+            most_pairs: 10,
+            ..own
+        },
+    );
+    let error = none.step(&scene.views, &STILL).unwrap_err().to_string();
+    assert!(error.contains("room for 10"), "{error}");
+}
+
 fn equal_steps_give_equal_bits() {
     let scene = Scene::new(4, SETTING);
     let run = || {
@@ -618,6 +664,7 @@ tests! {
     only_neutral_numbers_learn_without_correctives,
     adam_steps_by_each_rate,
     pairs_that_do_not_fit_get_room,
+    pairs_that_no_buffer_holds_are_drawn_in_bands,
     equal_steps_give_equal_bits,
     another_loss_is_asked_once_a_view,
     it_learns_what_another_avatar_looks_like,

@@ -8,6 +8,7 @@ use crate::view::View;
 use bytemuck::{Pod, Zeroable};
 use effigy_core::avatar::Activation;
 use effigy_core::constants::LEAKY_SLOPE;
+use std::ops::Range;
 
 /// The mirror of `ViewBlock` in `shaders/train/block.glsl`, which says what each member is.
 #[repr(C)]
@@ -25,6 +26,7 @@ pub struct ViewBlock {
     pub counts: [u32; 4],
     pub image_size: [u32; 4],
     pub batch: [u32; 4],
+    pub band: [u32; 4],
     pub layer_inputs: [u32; 4],
     pub layer_outputs: [u32; 4],
     pub layer_weights: [u32; 4],
@@ -63,21 +65,36 @@ pub struct StepOptions {
 pub(super) struct Tiling {
     /// Side of a tile, px.
     pub side: u32,
-    /// Room for pairs.
+    /// Room for the pairs of a band.
     pub pairs: u32,
+    /// Bands of rows of tiles, one after the other where the pairs of all don't fit; at most
+    /// [`MOST_BANDS`] and as many as there are rows.
+    pub bands: u32,
 }
+
+/// Bands that a view may have.
+pub(super) const MOST_BANDS: u32 = 64;
 
 impl Tiling {
     /// Columns and rows of tiles of an image.
     pub fn tiles(&self, size: [u32; 2]) -> [u32; 2] {
         size.map(|side| side.div_ceil(self.side))
     }
+
+    /// The rows of tiles of a band of an image.
+    pub fn rows(&self, size: [u32; 2], band: u32) -> Range<u32> {
+        let [_, rows] = self.tiles(size);
+        let first = |band: u32| (u64::from(band) * u64::from(rows) / u64::from(self.bands)) as u32;
+        first(band)..first(band + 1)
+    }
 }
 
-/// Which of a step's views it is, of how many, and whether another loss asks something of it.
+/// Which of a step's views it is, of how many, which band of it, and whether another loss asks
+/// something of it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Place {
     pub view: usize,
+    pub band: u32,
     pub views: usize,
     pub asked: bool,
 }
@@ -113,6 +130,7 @@ impl ViewBlock {
         let channels = 3.0 * view.whole as f64;
         let count = layout.gaussians as f64;
         let [columns, rows] = tiling.tiles(camera.size);
+        let band = tiling.rows(camera.size, place.band);
         let layers = |of: &dyn Fn(usize) -> usize| {
             std::array::from_fn(|l| {
                 if l < topology.layers() {
@@ -178,6 +196,12 @@ impl ViewBlock {
                 place.views as u32,
                 tiling.pairs,
                 u32::from(options.correctives),
+            ],
+            band: [
+                band.start,
+                band.end,
+                u32::from(place.band == 0),
+                u32::from(place.band + 1 == tiling.bands),
             ],
             layer_inputs: layers(&|l| topology.widths[l]),
             layer_outputs: layers(&|l| topology.widths[l + 1]),

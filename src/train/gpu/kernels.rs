@@ -3,6 +3,7 @@
 use super::arrays::{Fixed, Learned};
 use super::per_view::PerView;
 use super::shaders;
+use super::tiles::Tiles;
 use crate::parameters::Layout;
 use effigy::vulkan::compute::{Buffer, Kernel, Launch, Module, Resources, Slice};
 use effigy::vulkan::{Gpu, Result};
@@ -69,7 +70,7 @@ impl Binder<'_> {
         inputs: &Inputs,
         of_views: &OfViews,
         fixed: &Fixed,
-        records: &Buffer,
+        tiles: &Tiles,
     ) -> Result<Kernel> {
         self.kernel(
             &shaders::PROJECT_BACKWARD,
@@ -78,9 +79,10 @@ impl Binder<'_> {
                 (&inputs.joints).into(),
                 (&self.per_view.canonical).into(),
                 (&self.per_view.splat_pairs).into(),
-                records.into(),
+                (&tiles.records).into(),
                 (&of_views.of_gaussians).into(),
                 (&self.per_view.of_skinning).into(),
+                (&tiles.of_splats).into(),
             ],
             &[],
         )

@@ -1,7 +1,7 @@
 //! What the stages of one view share.
 
 use super::arrays::{filled, read, words};
-use super::block::STRIDE;
+use super::block::{MOST_BANDS, STRIDE};
 use effigy::vulkan::compute::{
     Buffer, BufferUsageFlags, MemoryLocation, Slice, Sort, SortOptions, without_test,
 };
@@ -28,7 +28,7 @@ pub(super) struct PerView {
 }
 
 impl PerView {
-    /// The block of the first view; others follow at offsets.
+    /// The block of the first band of the first view; others follow at offsets.
     pub fn uniform(&self) -> Slice {
         Slice::from(&self.blocks).part(0, STRIDE)
     }
@@ -49,7 +49,7 @@ impl PerView {
             blocks: Buffer::new(
                 gpu,
                 "view blocks",
-                STRIDE * views as u64,
+                STRIDE * u64::from(MOST_BANDS) * views as u64,
                 BufferUsageFlags::UNIFORM_BUFFER,
                 MemoryLocation::CpuToGpu,
             )?,

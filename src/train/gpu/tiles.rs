@@ -22,6 +22,8 @@ pub struct TileShape {
     pub workgroup: u32,
     /// Pairs of a batch forward, and backward, where each pair needs shared memory.
     pub batches: [u32; 2],
+    /// Room for pairs at most: what is more is drawn in bands. A device's buffers may hold fewer.
+    pub most_pairs: u32,
 }
 
 impl TileShape {
@@ -30,12 +32,14 @@ impl TileShape {
         side: 8,
         workgroup: 8,
         batches: [32, 32],
+        most_pairs: u32::MAX,
     };
     /// For GPUs: many threads, and at most 16 KB that they share.
     pub const GPU: Self = Self {
         side: 16,
         workgroup: 64,
         batches: [32, 4],
+        most_pairs: u32::MAX,
     };
 
     /// The one for a device.
@@ -48,8 +52,8 @@ impl TileShape {
     }
 }
 
-/// Pairs of splats and tiles, and the kernels that make and use them. Made again with more room
-/// where a view's pairs don't fit.
+/// Pairs of splats and tiles, and the kernels that make and use them. Made again with more room, or
+/// more bands, where a view's pairs don't fit.
 pub(super) struct Tiles {
     count: Kernel,
     scan: Kernel,
@@ -59,6 +63,8 @@ pub(super) struct Tiles {
     raster: Kernel,
     raster_backward: Kernel,
     pub records: Buffer,
+    /// Sums over the bands so far, of each Gaussian.
+    pub of_splats: Buffer,
     pub tiling: Tiling,
     blocks: u32,
     // What kernels and sort use.
@@ -71,13 +77,10 @@ impl Tiles {
         gpu: &Arc<Gpu>,
         own: &PerView,
         shape: TileShape,
-        pairs: u32,
+        tiling: Tiling,
         size: [u32; 2],
     ) -> Result<Self> {
-        let tiling = Tiling {
-            side: shape.side,
-            pairs,
-        };
+        let pairs = tiling.pairs;
         let [columns, rows] = tiling.tiles(size);
         let gaussians = own.gaussians;
         let blocks = gaussians.div_ceil(TRAIN_BLOCK).max(1);
@@ -86,6 +89,12 @@ impl Tiles {
         let pair_gaussians = words(gpu, "pair Gaussians", pairs as usize)?;
         let range_words = words(gpu, "tile ranges", (columns * rows) as usize + 1)?;
         let records = words(gpu, "pair records", TRAIN_RECORD as usize * pairs as usize)?;
+        let of_bands = (TRAIN_RECORD as usize + 1) * gaussians as usize;
+        let of_splats = words(
+            gpu,
+            "splats' derivatives",
+            if tiling.bands > 1 { of_bands } else { 1 },
+        )?;
         let control = words(gpu, "pair control", size_of::<Control>() / 4)?;
         let options = SortOptions::new(KeyBits::TwentyTwo, without_test(gpu)?);
         // SAFETY: both buffers live as long as the sort, and `Gpu::run` waits for each submission.
@@ -175,6 +184,7 @@ impl Tiles {
             )?,
             sort,
             records,
+            of_splats,
             tiling,
             blocks,
             _control: control,
@@ -182,10 +192,11 @@ impl Tiles {
         })
     }
 
-    /// Sorted splats to an image. Ends with the image's writes.
-    pub fn record_forward(&self, commands: Recording, offset: u32, size: [u32; 2]) {
+    /// Sorted splats to the pairs of a band, by tile. Ends with what [`Self::record_image`] reads.
+    pub fn record_pairs(&self, commands: Recording, offset: u32, size: [u32; 2], band: u32) {
         let next = || commands.barrier(Scope::KERNEL, Scope::KERNEL);
-        let [columns, rows] = self.tiling.tiles(size);
+        let [columns, _] = self.tiling.tiles(size);
+        let rows = self.tiling.rows(size, band).len() as u32;
         self.count.dispatch(commands, offset, self.blocks);
         next();
         self.scan.dispatch(commands, offset, 1);
@@ -198,12 +209,23 @@ impl Tiles {
         self.ranges
             .dispatch(commands, offset, tiles.div_ceil(TRAIN_WORKGROUP));
         next();
-        self.raster.dispatch_2d(commands, offset, [columns, rows]);
     }
 
-    /// The image's derivative to records of pairs.
-    pub fn record_backward(&self, commands: Recording, offset: u32, size: [u32; 2]) {
+    /// A band's pairs to its part of the image.
+    pub fn record_image(&self, commands: Recording, offset: u32, size: [u32; 2], band: u32) {
+        self.raster
+            .dispatch_2d(commands, offset, self.tiles_of(size, band));
+    }
+
+    /// The image's derivative to records of a band's pairs.
+    pub fn record_backward(&self, commands: Recording, offset: u32, size: [u32; 2], band: u32) {
         self.raster_backward
-            .dispatch_2d(commands, offset, self.tiling.tiles(size));
+            .dispatch_2d(commands, offset, self.tiles_of(size, band));
+    }
+
+    /// Columns and rows of tiles of a band.
+    fn tiles_of(&self, size: [u32; 2], band: u32) -> [u32; 2] {
+        let [columns, _] = self.tiling.tiles(size);
+        [columns, self.tiling.rows(size, band).len() as u32]
     }
 }

@@ -1,7 +1,7 @@
 //! The steps of a training on a device.
 
 use super::arrays::{Fixed, Learned, read, words, written};
-use super::block::{Place, STRIDE, StepOptions, Updates, ViewBlock};
+use super::block::{MOST_BANDS, Place, STRIDE, StepOptions, Tiling, Updates, ViewBlock};
 use super::kernels::{Binder, Inputs, Kernels, OfViews};
 use super::per_view::PerView;
 use super::tiles::{TileShape, Tiles};
@@ -67,7 +67,7 @@ pub struct StepReport {
     pub l1: f64,
     /// Mean of its square.
     pub squared: f64,
-    /// Most pairs of splats and tiles that a view had.
+    /// Most pairs of splats and tiles that a band of a view had.
     pub pairs: u32,
     /// Views in which no Gaussian was seen.
     pub empty_views: u32,
@@ -163,8 +163,14 @@ impl Trainer {
         let parameters = Learned::new(gpu, "parameters", &layout, &state.parameters)?;
         let first_moments = Learned::new(gpu, "first moments", &layout, &state.first_moments)?;
         let second_moments = Learned::new(gpu, "second moments", &layout, &state.second_moments)?;
-        let pairs = (PAIRS_A_GAUSSIAN * count as u32).max(1024);
-        let tiles = Tiles::new(gpu, &per_view, shape, pairs, size)?;
+        let tiling = Tiling {
+            side: shape.side,
+            pairs: (PAIRS_A_GAUSSIAN * count as u32)
+                .max(1024)
+                .min(most_pairs(gpu, shape)),
+            bands: 1,
+        };
+        let tiles = Tiles::new(gpu, &per_view, shape, tiling, size)?;
         let binder = Binder {
             gpu,
             per_view: &per_view,
@@ -176,8 +182,7 @@ impl Trainer {
             [&parameters, &first_moments, &second_moments],
             &layout,
         )?;
-        let project_backward =
-            binder.project_backward(&inputs, &of_views, &fixed, &tiles.records)?;
+        let project_backward = binder.project_backward(&inputs, &of_views, &fixed, &tiles)?;
         Ok(Self {
             kernels,
             project_backward,
@@ -362,6 +367,18 @@ impl Trainer {
     }
 }
 
+/// Pairs that there can be room for.
+fn most_pairs(gpu: &Gpu, shape: TileShape) -> u32 {
+    let record = 4 * TRAIN_RECORD;
+    let limit = gpu.probe.limits.max_storage_buffer_range / record;
+    shape.most_pairs.min(limit)
+}
+
+/// Where the block of a band of a view begins, bytes.
+fn offset_of(number: usize, band: u32) -> u32 {
+    (number as u32 * MOST_BANDS + band) * STRIDE as u32
+}
+
 /// Workgroups for so many of something.
 fn groups(count: usize) -> u32 {
     count.div_ceil(TRAIN_WORKGROUP as usize) as u32
@@ -451,29 +468,32 @@ impl Trainer {
         self.per_view.status.mapped().fill(0);
     }
 
-    /// Writes a view's block. `asked`: whether another loss asks something of it.
+    /// Writes the blocks of a view's bands. `asked`: whether another loss asks something of it.
     fn write_block(&mut self, views: &[View], number: usize, options: &StepOptions, asked: bool) {
-        let place = Place {
-            view: number,
-            views: views.len(),
-            asked,
-        };
         let updates = Updates {
             main: self.steps + 1,
             correctives: self.corrective_steps + 1,
         };
-        let block = ViewBlock::new(
-            &self.topology,
-            &self.layout,
-            &views[number],
-            options,
-            self.tiles.tiling,
-            place,
-            updates,
-        );
-        let at = number * STRIDE as usize;
-        let bytes = bytes_of(&block);
-        self.per_view.blocks.mapped()[at..at + bytes.len()].copy_from_slice(bytes);
+        for band in 0..self.tiles.tiling.bands {
+            let place = Place {
+                view: number,
+                band,
+                views: views.len(),
+                asked,
+            };
+            let block = ViewBlock::new(
+                &self.topology,
+                &self.layout,
+                &views[number],
+                options,
+                self.tiles.tiling,
+                place,
+                updates,
+            );
+            let at = offset_of(number, band) as usize;
+            let bytes = bytes_of(&block);
+            self.per_view.blocks.mapped()[at..at + bytes.len()].copy_from_slice(bytes);
+        }
     }
 
     /// Makes what earlier submissions wrote visible to the kernels of this one.
@@ -496,9 +516,10 @@ impl Trainer {
         next();
     }
 
-    /// A view's image.
+    /// A view's image, the last band first: the pairs of the first are there when the way back
+    /// begins.
     fn record_forward(&self, commands: Recording, number: usize) {
-        let offset = (number as u64 * STRIDE) as u32;
+        let offset = offset_of(number, 0);
         let next = || commands.barrier(Scope::KERNEL, Scope::KERNEL);
         self.kernels
             .project
@@ -506,21 +527,35 @@ impl Trainer {
         next();
         self.per_view.sort.record(commands);
         next();
-        self.tiles.record_forward(commands, offset, self.size);
+        for band in (0..self.tiles.tiling.bands).rev() {
+            let offset = offset_of(number, band);
+            self.tiles.record_pairs(commands, offset, self.size, band);
+            self.tiles.record_image(commands, offset, self.size, band);
+            if band > 0 {
+                next();
+            }
+        }
     }
 
     /// From a view's image to the derivative of its Gaussians.
     fn record_backward(&self, commands: Recording, number: usize, joints: bool) {
-        let offset = (number as u64 * STRIDE) as u32;
+        let offset = offset_of(number, 0);
         let next = || commands.barrier(Scope::KERNEL, Scope::KERNEL);
         let pixels = self.pixels();
         self.kernels.loss.dispatch(commands, offset, groups(pixels));
         next();
-        self.tiles.record_backward(commands, offset, self.size);
-        next();
-        self.project_backward
-            .dispatch(commands, offset, groups(self.layout.gaussians));
-        next();
+        for band in 0..self.tiles.tiling.bands {
+            let offset = offset_of(number, band);
+            if band > 0 {
+                self.tiles.record_pairs(commands, offset, self.size, band);
+            }
+            self.tiles
+                .record_backward(commands, offset, self.size, band);
+            next();
+            self.project_backward
+                .dispatch(commands, offset, groups(self.layout.gaussians));
+            next();
+        }
         if joints {
             let joints = self.topology.joints as u32;
             self.kernels
@@ -555,22 +590,53 @@ impl Trainer {
         commands.barrier(Scope::KERNEL_WRITES, Scope::HOST_READS);
     }
 
-    /// Makes room for pairs where the last submission lacked it. Whether it did.
+    /// Makes room for pairs where the last submission lacked it, or cuts views into more bands where
+    /// no buffer holds more. Whether it did.
     fn make_room(&mut self) -> Result<bool> {
         let needed = self.status()[0];
-        if needed <= self.tiles.tiling.pairs {
+        let now = self.tiles.tiling;
+        if needed <= now.pairs {
             return Ok(false);
         }
-        let pairs = needed.saturating_add(needed / 4);
-        tracing::debug!("room for {pairs} pairs of splats and tiles: {needed} are needed");
-        let tiles = Tiles::new(&self.gpu, &self.per_view, self.shape, pairs, self.size)?;
+        let most = most_pairs(&self.gpu, self.shape);
+        let [_, rows] = now.tiles(self.size);
+        let with_spare = needed.saturating_add(needed / 4);
+        let tiling = if with_spare <= most {
+            Tiling {
+                pairs: with_spare,
+                ..now
+            }
+        } else {
+            let bands = now.bands.saturating_mul(with_spare.div_ceil(most));
+            Tiling {
+                pairs: most,
+                bands: bands.min(rows).min(MOST_BANDS),
+                ..now
+            }
+        };
+        if tiling.pairs == now.pairs && tiling.bands == now.bands {
+            return Err(Error::Unsupported {
+                device: self.gpu.probe.name.clone(),
+                missing: format!(
+                    "for training: {needed} pairs of splats and tiles in one of {} bands of a \
+                     view, it has room for {most}: fewer Gaussians or smaller views",
+                    now.bands
+                ),
+            });
+        }
+        tracing::debug!(
+            "{needed} pairs of splats and tiles: room for {} in each of {} bands",
+            tiling.pairs,
+            tiling.bands
+        );
+        let tiles = Tiles::new(&self.gpu, &self.per_view, self.shape, tiling, self.size)?;
         let binder = Binder {
             gpu: &self.gpu,
             per_view: &self.per_view,
         };
         // Both or none: a kernel must not outlive what it is bound to.
         self.project_backward =
-            binder.project_backward(&self.inputs, &self.of_views, &self.fixed, &tiles.records)?;
+            binder.project_backward(&self.inputs, &self.of_views, &self.fixed, &tiles)?;
         self.tiles = tiles;
         Ok(true)
     }
