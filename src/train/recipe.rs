@@ -157,8 +157,22 @@ impl RateOptions {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct PruneOptions {
+    /// How rows are chosen.
+    pub by: PruneBy,
     /// Rows that stay, of the Gaussians, for each attribute.
     pub share: f64,
+    /// Pictures that are looked at where they choose.
+    pub pictures: usize,
+}
+
+/// How rows that stay are chosen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum PruneBy {
+    /// As many of each attribute, those that vary most over the training's poses.
+    Variance,
+    /// As many in all, those that change its pictures most.
+    Pictures,
 }
 
 /// A recipe that comes with the program.
@@ -297,6 +311,7 @@ impl Recipe {
             within(what, found, rate.clone())?;
         }
         within("prune.share", self.prune.share, share)?;
+        within("prune.pictures", self.prune.pictures, 1..=100_000)?;
         within("data.band", self.data.band, 0..=32)?;
         within("data.window", self.data.window, 32..=2040)?;
         within("data.margin", self.data.margin, 0.0..=2.0)?;

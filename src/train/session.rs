@@ -6,10 +6,11 @@ use crate::data::{Looked, Shot, Views, training_shots};
 use crate::exposure::Exposure;
 use crate::gpu::{StepOptions, StepReport, Trainer, TrainerState, memory_bytes};
 use crate::lock::{Lock, LockError};
+use crate::loss::LossWeights;
 use crate::parameters::{Layout, Parameters};
 use crate::perceptual::AskedLoss;
-use crate::prune::{feature_covariance, keep_rows, select};
-use crate::recipe::Recipe;
+use crate::prune::{Pruning, Sensitivity, feature_covariance, keep_rows};
+use crate::recipe::{PruneBy, Recipe};
 use crate::refine::{RefineRates, Refinement, SeenFrom};
 use crate::start::start;
 use crate::topology::{Rows, Topology};
@@ -729,10 +730,13 @@ impl Session {
         self.seconds + self.begun.elapsed().as_secs_f64()
     }
 
-    /// Leaves out the basis rows whose correctives vary least over the training's poses, moments
-    /// included.
+    /// Leaves out the basis rows that are worth least, moments included.
     fn prune(&mut self) -> Result<(), TrainError> {
         let layout = Layout::new(&self.topology, &self.rows);
+        let sensitivity = match self.recipe.prune.by {
+            PruneBy::Variance => Sensitivity::new(0),
+            PruneBy::Pictures => self.sensitivity()?,
+        };
         let state = self.trainer.state()?;
         let avatar = self.avatar()?;
         let features: Vec<Vec<f64>> = self
@@ -745,14 +749,18 @@ impl Session {
             .collect();
         let width = avatar.networks.output();
         let covariance = feature_covariance(&features, layout.parts, width);
-        let kept = select(
-            &state.parameters,
-            &self.topology,
-            &layout,
-            &self.rows,
-            &covariance,
-            self.recipe.prune.share,
-        );
+        let pruning = Pruning {
+            parameters: &state.parameters,
+            topology: &self.topology,
+            layout: &layout,
+            rows: &self.rows,
+            covariance: &covariance,
+        };
+        let share = self.recipe.prune.share;
+        let kept = match self.recipe.prune.by {
+            PruneBy::Variance => pruning.by_variance(share),
+            PruneBy::Pictures => pruning.by_pictures(share, &sensitivity),
+        };
         let keep = |numbers| keep_rows(numbers, &layout, &self.rows, &kept);
         let state = TrainerState {
             parameters: keep(&state.parameters),
@@ -771,6 +779,33 @@ impl Session {
         self.rows = kept;
         self.pruned = true;
         Ok(())
+    }
+
+    /// How much pictures depend on each Gaussian's attributes, from some that are evenly spaced.
+    fn sensitivity(&mut self) -> Result<Sensitivity, TrainError> {
+        let options = StepOptions {
+            weights: LossWeights {
+                scale: 0.0,
+                ..self.recipe.loss.without_correctives()
+            },
+            correctives: true,
+            joints: false,
+            rates: Rates::NONE,
+            adam: self.recipe.rates.adam(),
+        };
+        let count = self.recipe.prune.pictures.min(self.views.len());
+        let mut found = Sensitivity::new(self.topology.gaussians.len());
+        for k in 0..count {
+            let number = (2 * k + 1) * self.views.len() / (2 * count);
+            let view = self.views.steady(number, [128; 3])?;
+            let view = self.refined(Looked {
+                view,
+                shot: self.views.shots()[number],
+            });
+            self.trainer.look(&[view], &options)?;
+            found.add(&self.trainer.attribute_gradients()?);
+        }
+        Ok(found)
     }
 
     /// Writes a checkpoint.

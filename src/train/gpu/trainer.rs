@@ -684,6 +684,22 @@ impl Trainer {
             .collect()
     }
 
+    /// The derivative of the last step's loss with respect to the rotation, log scale and colour of
+    /// each Gaussian, in its first view: ten numbers each. Those of correctives are the same, but
+    /// for the losses of correctives themselves.
+    pub fn attribute_gradients(&self) -> Result<Vec<[f32; 10]>> {
+        let bytes = self
+            .of_views
+            .of_gaussians
+            .download(64 * self.layout.gaussians)?;
+        let rows: Vec<[f32; 16]> = bytemuck::pod_collect_to_vec(&bytes);
+        let place = |k: usize| if k < 7 { k } else { k + 1 };
+        Ok(rows
+            .iter()
+            .map(|row| std::array::from_fn(|k| row[place(k)]))
+            .collect())
+    }
+
     /// The derivative of the last step's loss with respect to the gain of one of its views, RGB.
     pub fn gain_gradient(&mut self, view: usize) -> [f64; 3] {
         let sums = self.loss_sums(view..view + 1);
