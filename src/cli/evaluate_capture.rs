@@ -5,6 +5,7 @@ use crate::{
     files,
     options::{self, DeviceArgs, count, named},
     progress,
+    source::PoseProjection,
 };
 use anyhow::{Context, bail, ensure};
 use effigy::vulkan::Gpu;
@@ -14,8 +15,8 @@ use effigy_learn::{
     bake::Assets,
     evaluate::side_by_side,
     score::{
-        Candidate, Compared, Ground, Means, Region, Report, Scorer, View, ViewChoice, ViewScore,
-        choose,
+        AS_GIVEN, Candidate, Compared, Ground, Means, Region, Report, Scorer, View, ViewChoice,
+        ViewScore, choose,
     },
 };
 use effigy_perceptual::{Network, Perceptual, Planes};
@@ -54,6 +55,10 @@ pub struct CaptureArgs {
     /// poses as given
     #[arg(long, requires = "avatar")]
     refit: bool,
+    /// Whether the networks see the nearest pose that the avatar was trained for, within 2σ along
+    /// each principal component of its training poses; off: the pose itself
+    #[arg(long, value_enum, default_value_t = PoseProjection::On)]
+    project: PoseProjection,
     /// Of a capture: the network of ST-LPIPS [default: alex, or none without its weights]
     #[arg(long, value_parser = named(["alex", "vgg", "none"], [Loss::Alex, Loss::Vgg, Loss::None]))]
     perceptual: Option<Loss>,
@@ -92,7 +97,7 @@ fn ground(text: &str) -> Result<Ground, String> {
 pub fn run(args: &CaptureArgs, job: &Job) -> anyhow::Result<()> {
     let mut capture = Capture::read(job.capture)?;
     let avatar = match job.avatar {
-        Some(path) => Some(fitting(path, &capture)?),
+        Some(path) => Some(args.project.apply(fitting(path, &capture)?)),
         None => None,
     };
     let candidate = match (&avatar, &args.pictures) {
@@ -127,7 +132,11 @@ pub fn run(args: &CaptureArgs, job: &Job) -> anyhow::Result<()> {
             capture = refitted(capture, avatar, &views, args)?;
             REFITTED
         }
-        _ => "as given",
+        _ => AS_GIVEN,
+    };
+    let poses = match args.project {
+        PoseProjection::On => poses.into(),
+        PoseProjection::Off => format!("{poses}, not projected"),
     };
     let scorer =
         Scorer::new(&capture, candidate, args.background, perceptual.as_ref()).with_poses(poses);

@@ -112,6 +112,17 @@ pub enum PoseProjection {
     Off,
 }
 
+impl PoseProjection {
+    /// An avatar whose networks see what the user has asked for.
+    pub fn apply(self, mut avatar: Avatar) -> Avatar {
+        if self == Self::Off {
+            avatar.inputs.pose_space = None;
+            avatar.inputs.expression_space = None;
+        }
+        avatar
+    }
+}
+
 impl Source {
     /// These arguments for another avatar, without those that do not apply to it: what stands still
     /// takes no clips, and nothing but files of splats an axis.
@@ -145,7 +156,7 @@ impl Source {
                 print_assumptions(path, &imported.assumptions);
                 imported.avatar
             }
-            _ => self.projected(effigy_demo::avatar()?),
+            _ => self.project.apply(effigy_demo::avatar()?),
         };
         let clips = self.clips(&avatar)?;
         for clip in &clips {
@@ -169,18 +180,9 @@ impl Source {
         let took = began.elapsed().as_secs_f64() * 1e3;
         tracing::info!("read {} in {took:.1} ms", path.display());
         Ok(Imported {
-            avatar: self.projected(imported.avatar),
+            avatar: self.project.apply(imported.avatar),
             ..imported
         })
-    }
-
-    /// An avatar whose networks see what the user has asked for.
-    fn projected(&self, mut avatar: Avatar) -> Avatar {
-        if self.project == PoseProjection::Off {
-            avatar.inputs.pose_space = None;
-            avatar.inputs.expression_space = None;
-        }
-        avatar
     }
 
     /// Reads the avatar, and its clips as players. There is at least one.

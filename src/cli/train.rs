@@ -188,6 +188,14 @@ pub fn run(args: Args) -> anyhow::Result<()> {
                 session.steps(),
                 work.display()
             );
+            if let Some([mean, most]) = session.turned_joints() {
+                println!(
+                    "poses refined: joints are turned by {:.2}° on average, {:.1}° at most; {}",
+                    mean.to_degrees(),
+                    most.to_degrees(),
+                    work.join("poses.motion").display()
+                );
+            }
             Ok(())
         }
     }

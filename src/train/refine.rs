@@ -111,17 +111,23 @@ impl Refinement {
     /// Poses and cameras as a capture has them.
     pub fn new(capture: &Capture) -> Self {
         let joints = capture.template.skeleton.len();
-        let mut poses = Items::new(capture.frames.len(), 3 * joints + 3);
-        for (at, frame) in capture.frames.iter().enumerate() {
+        let poses: Vec<&Pose> = capture.frames.iter().map(|frame| &frame.pose).collect();
+        Self::of(joints, &poses, capture.cameras.len())
+    }
+
+    /// Of poses of so many joints, and so many cameras.
+    pub fn of(joints: usize, given: &[&Pose], cameras: usize) -> Self {
+        let mut poses = Items::new(given.len(), 3 * joints + 3);
+        for (at, pose) in given.iter().enumerate() {
             let own = poses.item_mut(at);
-            for (to, rotation) in own.chunks_exact_mut(3).zip(&frame.pose.rotation) {
+            for (to, rotation) in own.chunks_exact_mut(3).zip(&pose.rotation) {
                 to.copy_from_slice(&rotation.to_array());
             }
-            own[3 * joints..].copy_from_slice(&frame.pose.translation.to_array());
+            own[3 * joints..].copy_from_slice(&pose.translation.to_array());
         }
         Self {
             poses,
-            cameras: Items::new(capture.cameras.len(), CAMERA),
+            cameras: Items::new(cameras, CAMERA),
         }
     }
 

@@ -18,12 +18,13 @@ use crate::view::View;
 use crate::watch::{self, Seen, Watched, watched_shots};
 use effigy::vulkan::{Error as GpuError, Gpu};
 use effigy_capture::{Capture, CaptureError};
-use effigy_core::avatar::{Avatar, Pose};
+use effigy_core::avatar::{Avatar, Clip, Pose};
 use effigy_core::io::file::{FileError, replace};
 use effigy_core::layout::TRAIN_WIDTH_MAX;
 use effigy_core::reference::mlp;
 use effigy_core::scene::{Camera, Posed};
 use effigy_perceptual::PerceptualError;
+use glam::DVec3;
 use rayon::prelude::*;
 use std::fs;
 use std::io;
@@ -38,6 +39,10 @@ use std::time::{Duration, Instant};
 const START: &str = "start.avatar";
 /// The recipe that it follows.
 const RECIPE: &str = "recipe.toml";
+/// The poses that were learned, as a clip.
+const POSES: &str = "poses.motion";
+/// Frames a second of that clip.
+const CLIP_RATE: f64 = 30.0;
 /// Steps' losses.
 const LOG: &str = "log.csv";
 
@@ -527,6 +532,9 @@ impl Session {
         }
         self.save()?;
         let avatar = self.avatar()?;
+        if self.recipe.rates.pose > 0.0 {
+            self.clip().write(&self.options.folder.join(POSES))?;
+        }
         // The avatar does not depend on what is only looked at.
         if let Err(error) = self.watch().and_then(|()| self.chart()) {
             tracing::warn!("{error}");
@@ -694,6 +702,37 @@ impl Session {
         own.filter(|(_, frame)| !frame.held)
             .map(|(at, _)| self.pose(at))
             .collect()
+    }
+
+    /// The poses of all frames as they are known by now, as a clip. A capture has no rate: it gets
+    /// [`CLIP_RATE`].
+    fn clip(&self) -> Clip {
+        let skeleton = &self.start.skeleton;
+        let poses: Vec<Pose> = (0..self.capture.frames.len())
+            .map(|frame| self.pose(frame))
+            .collect();
+        let expression_len = poses.iter().map(|pose| pose.expression.len()).max();
+        let expression_len = expression_len.unwrap_or(0);
+        let floats = |v: &DVec3| v.as_vec3().to_array();
+        Clip {
+            name: self.options.name.clone(),
+            credit: self.options.credit.clone(),
+            rate: CLIP_RATE,
+            joint: skeleton.name.clone(),
+            rotation: poses
+                .iter()
+                .flat_map(|pose| pose.rotation.iter().map(floats))
+                .collect(),
+            translation: poses.iter().map(|pose| floats(&pose.translation)).collect(),
+            expression: poses
+                .iter()
+                .flat_map(|pose| {
+                    let own = pose.expression.iter().map(|&v| v as f32);
+                    own.chain(std::iter::repeat(0.0)).take(expression_len)
+                })
+                .collect(),
+            expression_len,
+        }
     }
 
     /// How far joints are turned from what the capture says, the mean and the most, radians. None

@@ -1,7 +1,7 @@
 //! Training's kernels against the derivative in f64, and what its steps promise.
 
 use crate::common::{self, Random, Sizes, gpu};
-use effigy_core::avatar::{Activation, Avatar, Filter};
+use effigy_core::avatar::{Activation, Avatar, Filter, Pose};
 use effigy_core::reference::raster::Cutoff;
 use effigy_core::scene::{Camera, Posed};
 use effigy_train::adam::{Adam, Rates};
@@ -9,9 +9,10 @@ use effigy_train::gpu::{StepOptions, TileShape, Trainer, TrainerState};
 use effigy_train::loss::LossWeights;
 use effigy_train::parameters::{GAUSSIAN, Layout, Parameters};
 use effigy_train::reference::Problem;
+use effigy_train::refine::Refinement;
 use effigy_train::topology::{Rows, Topology};
 use effigy_train::view::{Picture, View};
-use glam::DVec3;
+use glam::{DAffine3, DVec3};
 use std::sync::Arc;
 
 /// An avatar, and views of it whose pictures are noise: every pixel has a derivative.
@@ -438,6 +439,87 @@ fn adam_steps_by_each_rate() {
     }
 }
 
+fn a_pose_that_is_off_is_found_by_its_pictures() {
+    let setting = Setting {
+        views: 3,
+        ..SETTING
+    };
+    let scene = Scene::new(11, setting);
+    let options = StepOptions {
+        weights: LossWeights {
+            l1: 1.0,
+            scale: 0.0,
+            scale_above: 1.0,
+            correctives: [0.0; 3],
+        },
+        ..STILL
+    };
+    let problem = scene.problem(&options);
+    let numbers = scene.start.parameters.doubles();
+    let truth = common::pose(11, &scene.avatar);
+    let posed = |pose: &Pose, view: &View| View {
+        joints: scene.avatar.skeleton.matrices(pose),
+        input: scene.avatar.inputs.unprojected(&truth),
+        gain: DVec3::ONE,
+        ..view.clone()
+    };
+    let pictures: Vec<View> = scene
+        .views
+        .iter()
+        .map(|view| {
+            let view = posed(&truth, view);
+            let pixels = problem.forward(&numbers, &view).canvas.pixels;
+            let byte = |v: f64, a: f64| (255.0 * v + (1.0 - a) * 128.0).round() as u8;
+            View {
+                picture: Arc::new(Picture {
+                    size: setting.size,
+                    behind: vec![[128; 4]; pixels.len()],
+                    pixels: pixels
+                        .iter()
+                        .map(|&[r, g, b, a]| [byte(r, a), byte(g, a), byte(b, a), 255])
+                        .collect(),
+                }),
+                ..view
+            }
+        })
+        .collect();
+    let mut off = truth.clone();
+    off.translation += DVec3::new(0.02, -0.03, 0.01);
+    for rotation in off.rotation.iter_mut().take(3) {
+        *rotation += DVec3::new(0.08, -0.1, 0.06);
+    }
+    let mut trainer = scene.trainer(setting);
+    let joints = scene.avatar.skeleton.len();
+    let mut refinement = Refinement::of(joints, &[&off], 0);
+    let mut losses = Vec::new();
+    for step in 0..120 {
+        let pose = refinement.pose(0, &off);
+        let looked: Vec<View> = pictures.iter().map(|view| posed(&pose, view)).collect();
+        losses.push(trainer.look(&looked, &options).unwrap().l1);
+        let gradient = (0..looked.len())
+            .map(|view| trainer.joints_gradient(view))
+            .reduce(|a, b| {
+                let pairs = a.into_iter().zip(b);
+                let sum = pairs.map(|(a, b)| DAffine3 {
+                    matrix3: a.matrix3 + b.matrix3,
+                    translation: a.translation + b.translation,
+                });
+                sum.collect()
+            })
+            .unwrap();
+        let gradient = scene.avatar.skeleton.matrices_backward(&pose, &gradient);
+        let rate = 1e-2 * 0.02f64.powf(f64::from(step) / 120.0);
+        refinement.learn_pose(0, &gradient, rate, &Adam::DEFAULT);
+    }
+    let (first, last) = (losses[0], losses[losses.len() - 1]);
+    println!("L1 from {first} to {last}");
+    assert!(last < 0.1 * first, "L1 went from {first} to {last}");
+    let far = |pose: &Pose| pose.translation.distance(truth.translation);
+    let left = far(&refinement.pose(0, &off));
+    assert!(left < 0.1 * far(&off), "the body is {left} m off");
+    assert_eq!(trainer.steps(), 0, "nothing else is learned");
+}
+
 fn pairs_that_do_not_fit_get_room() {
     let setting = Setting {
         larger: 2.0,
@@ -663,6 +745,7 @@ tests! {
     tiles_of_gpus_give_the_same_gradients,
     only_neutral_numbers_learn_without_correctives,
     adam_steps_by_each_rate,
+    a_pose_that_is_off_is_found_by_its_pictures,
     pairs_that_do_not_fit_get_room,
     pairs_that_no_buffer_holds_are_drawn_in_bands,
     equal_steps_give_equal_bits,

@@ -1,7 +1,7 @@
 //! `effigy train` as its users run it: begun, stopped, gone on with, refused.
 
 use crate::common::{self, gpu};
-use effigy_core::avatar::Avatar;
+use effigy_core::avatar::{Avatar, Clip};
 use std::{
     fs,
     path::Path,
@@ -12,7 +12,8 @@ use std::{
 /// A recipe that takes seconds, with every loss in it.
 const TINY: &str = "--set sizes.gaussians=400 --set sizes.parts=4 --set sizes.nodes=40 --set sizes.hidden=16 \
                     --set schedule.iterations=150 --set schedule.fine_tune=50 --set perceptual.kind=dssim \
-                    --set perceptual.every=8 --set perceptual.window=32";
+                    --set perceptual.every=8 --set perceptual.window=32 --set rates.pose=1e-4 \
+                    --set rates.camera=1e-5 --set rates.exposure=1e-4 --set prune.by=pictures";
 
 fn capture() -> String {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/data/capture");
@@ -61,11 +62,12 @@ fn a_stopped_training_goes_on_to_the_same_bits() {
     assert!(whole.status.success(), "{}", errors(&whole));
     let avatar = Avatar::read(&here.join("whole.avatar")).unwrap();
     assert_eq!(avatar.gaussians.len(), 400);
-    assert_eq!(
-        avatar.rotation_rows.gaussian.len(),
-        100,
-        "a quarter keeps rows"
-    );
+    let kept = avatar.rotation_rows.gaussian.len()
+        + avatar.scale_rows.gaussian.len()
+        + avatar.color_rows.gaussian.len();
+    assert_eq!(kept, 300, "a quarter of the rows stays");
+    let poses = Clip::read(&here.join("whole.training/poses.motion")).unwrap();
+    assert_eq!(poses.joint, avatar.skeleton.name);
     assert!(avatar.filter.compensated && avatar.inputs.pose_space.is_some());
     for file in ["recipe.toml", "training.svg", "watched.csv", "log.csv"] {
         assert!(here.join("whole.training").join(file).exists(), "{file}");

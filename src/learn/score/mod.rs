@@ -18,5 +18,5 @@ pub use ground::Ground;
 pub use metrics::{Means, Metrics};
 pub use regions::{Region, regions_of};
 pub use report::{Group, Protocol, Report, ViewScore};
-pub use view::{Candidate, Compared, ScoreError, Scorer};
+pub use view::{AS_GIVEN, Candidate, Compared, ScoreError, Scorer};
 pub use views::{View, ViewChoice, choose};

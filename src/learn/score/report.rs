@@ -18,7 +18,7 @@ pub struct Protocol {
     /// What lies behind the person, in both pictures.
     pub background: String,
     /// Of the capture, or fitted to its pictures with the avatar frozen.
-    pub poses: &'static str,
+    pub poses: String,
     /// The perceptual distance's name; None: there is none.
     pub perceptual: Option<String>,
     /// What the regions are from.
@@ -68,7 +68,7 @@ impl Scorer<'_> {
         Protocol {
             area: "the smallest box around the truth's mask",
             background: self.ground.describe(),
-            poses: self.poses,
+            poses: self.poses.clone(),
             perceptual: self
                 .perceptual
                 .map(|perceptual| format!("ST-LPIPS ({})", perceptual.network().name())),

@@ -59,7 +59,7 @@ pub struct Scorer<'a> {
     /// Region of each of the body model's vertices.
     regions: Vec<Region>,
     /// Where the capture's poses come from.
-    pub(super) poses: &'static str,
+    pub(super) poses: String,
 }
 
 /// What came out for a view.
@@ -75,6 +75,9 @@ pub struct Compared {
     pub image: Planes,
 }
 
+/// Poses that are the capture's.
+pub const AS_GIVEN: &str = "as given";
+
 impl<'a> Scorer<'a> {
     /// Prepares comparisons.
     pub fn new(
@@ -84,7 +87,7 @@ impl<'a> Scorer<'a> {
         perceptual: Option<&'a Perceptual>,
     ) -> Self {
         Self {
-            poses: "as given",
+            poses: AS_GIVEN.into(),
             capture,
             candidate,
             ground,
@@ -94,7 +97,7 @@ impl<'a> Scorer<'a> {
     }
 
     /// With a word on where the capture's poses come from.
-    pub fn with_poses(self, poses: &'static str) -> Self {
+    pub fn with_poses(self, poses: String) -> Self {
         Self { poses, ..self }
     }
 
