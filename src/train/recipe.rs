@@ -45,6 +45,8 @@ pub struct Schedule {
     pub batch: usize,
     /// Steps before correctives learn, of those before pruning.
     pub neutral_share: f64,
+    /// Steps before poses and cameras learn, of those before pruning.
+    pub refine_share: f64,
 }
 
 /// A loss that sees pictures as people do.
@@ -103,7 +105,7 @@ pub struct RateOptions {
     pub color_basis: f64,
     /// Of the logarithms of the cameras' gains; 0: all are 1.
     pub exposure: f64,
-    /// Of poses, radians and metres, once correctives learn; 0: as the capture has them.
+    /// Of poses, radians and metres; 0: as the capture has them.
     pub pose: f64,
     /// Of where cameras are and look, metres and radians, likewise.
     pub camera: f64,
@@ -267,6 +269,11 @@ impl Recipe {
         within(
             "schedule.neutral_share",
             self.schedule.neutral_share,
+            share.clone(),
+        )?;
+        within(
+            "schedule.refine_share",
+            self.schedule.refine_share,
             share.clone(),
         )?;
         let weights = &self.loss;

@@ -595,7 +595,7 @@ impl Session {
                 recipe.loss
             },
             correctives: corrects,
-            joints: corrects && refine.any(),
+            joints: before >= recipe.schedule.refine_share && refine.any(),
             rates: recipe.rates.at(share),
             adam: recipe.rates.adam(),
         };
