@@ -2,7 +2,7 @@
 //! saw.
 
 use crate::{
-    files,
+    evaluate_video, files,
     options::{self, DeviceArgs, count, named},
     progress,
     source::PoseProjection,
@@ -40,6 +40,10 @@ pub struct CaptureArgs {
     /// alpha or over --background
     #[arg(long, value_name = "DIR", conflicts_with = "avatar")]
     pub pictures: Option<PathBuf>,
+    /// Of a capture: also write every frame of the first held-out camera as an animated PNG: truth,
+    /// avatar, error
+    #[arg(long, value_name = "FILE")]
+    video: Option<PathBuf>,
     /// Of a capture: cameras of each kind, held out or not, 1 to 1000
     #[arg(long, value_name = "N", default_value = "4", value_parser = count(1, 1000))]
     cameras: usize,
@@ -166,6 +170,9 @@ pub fn run(args: &CaptureArgs, job: &Job) -> anyhow::Result<()> {
         !scores.is_empty(),
         "no picture could be compared: {left_out} are left out"
     );
+    if let Some(path) = &args.video {
+        evaluate_video::write(path, &capture, &scorer, errors)?;
+    }
     let report = Report::new(scorer.protocol(), scores);
     print!("{}", table(&report));
     if left_out > 0 {

@@ -26,6 +26,7 @@ mod distil;
 mod dropped;
 mod evaluate;
 mod evaluate_capture;
+mod evaluate_video;
 mod export;
 mod export_ply;
 mod files;

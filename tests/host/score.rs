@@ -311,6 +311,8 @@ fn the_command_prints_the_protocol_and_writes_numbers_and_images() {
         &json,
         "--images",
         &images,
+        "--video",
+        &path("video.png"),
         "--training",
     ]);
     for expected in [
@@ -321,6 +323,11 @@ fn the_command_prints_the_protocol_and_writes_numbers_and_images() {
     ] {
         assert!(text.contains(expected), "{expected}: {text}");
     }
+    let video = std::fs::File::open(path("video.png")).expect("a video");
+    let decoder = png::Decoder::new(std::io::BufReader::new(video));
+    let reader = decoder.read_info().expect("a PNG");
+    let frames = reader.info().animation_control().expect("animated");
+    assert_eq!(frames.num_frames, 2);
     let json = std::fs::read_to_string(json).expect("numbers");
     let json: serde_json::Value = serde_json::from_str(&json).expect("JSON");
     assert_eq!(json["groups"].as_array().map(Vec::len), Some(4));

@@ -69,7 +69,9 @@ pub struct Compared {
     pub whole: Metrics,
     /// Over the pixels of each region that is in view, inside the mask.
     pub regions: BTreeMap<Region, Metrics>,
-    /// The truth and the candidate over the ground, the mask's box and some pixels around it.
+    /// The part of the picture that the next two are of: the mask's box and some pixels around it.
+    pub rect: PixelRect,
+    /// The truth and the candidate over the ground.
     pub truth: Planes,
     /// As `truth`.
     pub image: Planes,
@@ -130,6 +132,7 @@ impl<'a> Scorer<'a> {
         Ok(Some(Compared {
             whole,
             regions,
+            rect: around,
             truth,
             image,
         }))
