@@ -216,6 +216,7 @@ const LAYERS: &[Layers] = &[
             "view",
             "data",
             "exposure",
+            "refine",
             "gpu",
             "lock",
             "prune",
@@ -226,6 +227,7 @@ const LAYERS: &[Layers] = &[
             "reference",
             "watch",
             "session",
+            "refit",
         ],
     },
     Layers {
