@@ -88,7 +88,10 @@ impl AskedLoss {
             Some(network) => network.value_and_gradient(&drawn, &network.features(&truth)),
             None => dssim_and_gradient(&drawn, &truth),
         };
-        let weight = (self.options.weight * self.options.every as f64) as f32;
+        // The part stands for the view, and what is cut away around it shows nobody: the mean over
+        // the whole picture, as of L1.
+        let of_whole = image.len() as f64 / view.whole as f64;
+        let weight = (self.options.weight * self.options.every as f64 * of_whole) as f32;
         let mut of_image = vec![[0.0; 3]; image.len()];
         for y in 0..rows {
             for x in 0..columns {

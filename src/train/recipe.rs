@@ -57,7 +57,8 @@ pub struct PerceptualOptions {
     pub kind: PerceptualKind,
     /// Its weight.
     pub weight: f64,
-    /// Steps from one that has it to the next. Its weight there is as many times as large.
+    /// Steps from one that has it to the next. Its weight there is as many times as large, which
+    /// makes Adam careful: rather a small part often than a large one seldom.
     pub every: u64,
     /// Side of the part of a view that it sees, px.
     pub window: u32,
