@@ -2,6 +2,7 @@
 // its pixels are full. Writes premultiplied RGB, and what light comes through.
 #version 450
 #extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_control_flow_attributes : require
 #include "train/block.glsl"
 #include "train/raster.glsl"
 
@@ -47,9 +48,9 @@ void main() {
                 continue;
             }
             uvec2 rows = rows_of(center_radius, first.y - 0.5);
-            for (uint p = rows.x; p < rows.y; ++p) {
+            [[unroll]] for (uint p = 0u; p < PIXELS; ++p) {
                 float alpha = alpha_at(shape, vec2(dx, first.y + float(p * STEP) - center_radius.y));
-                if (alpha >= 1.0 / 255.0 && pixels[p].w >= FULL) {
+                if (p >= rows.x && p < rows.y && alpha >= 1.0 / 255.0 && pixels[p].w >= FULL) {
                     alpha = min(alpha, ALPHA_MAX);
                     pixels[p].xyz += alpha * pixels[p].w * color;
                     pixels[p].w *= 1.0 - alpha;

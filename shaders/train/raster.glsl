@@ -1,5 +1,5 @@
 // What blending and its derivative share. A workgroup a tile; an invocation has every so many rows
-// of a column, so that rows that a splat does not reach cost nothing.
+// of a column.
 layout(local_size_x_id = 1, local_size_x = 8) in;
 layout(constant_id = 0) const uint TILE = 8u;
 // Pairs between two looks at whether the tile is full.
@@ -14,6 +14,8 @@ shared uint is_open;
 #define FULL TRAIN_FULL
 
 // Rows of an invocation's pixels that a splat reaches: from x to before y. `first`: its first row.
+// Loops over pixels are unrolled, and rows that it does not reach masked: an array whose index is
+// known when it runs lies in memory, which costs more.
 uvec2 rows_of(vec4 center_radius, float first) {
     vec2 ends = (center_radius.y + vec2(-1.0, 1.0) * center_radius.w - 0.5 - first) / float(STEP);
     float low = clamp(ceil(ends.x), 0.0, float(PIXELS));

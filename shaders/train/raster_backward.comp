@@ -4,6 +4,7 @@
 // a fixed order through shared memory: no atomics, no subgroups, the same bits on every run.
 #version 450
 #extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_control_flow_attributes : require
 #include "train/block.glsl"
 #include "train/raster.glsl"
 
@@ -70,10 +71,10 @@ void main() {
             uvec2 rows = abs(dx) > center_radius.z ? uvec2(0u) : rows_of(center_radius, first.y - 0.5);
             vec3 of_color = vec3(0.0);
             float of_power = 0.0, of_power_y = 0.0, of_power_yy = 0.0;
-            for (uint p = rows.x; p < rows.y; ++p) {
+            [[unroll]] for (uint p = 0u; p < PIXELS; ++p) {
                 float dy = first.y + float(p * STEP) - center_radius.y;
                 float raw = alpha_at(shape, vec2(dx, dy));
-                if (raw >= 1.0 / 255.0 && light[p] >= FULL) {
+                if (p >= rows.x && p < rows.y && raw >= 1.0 / 255.0 && light[p] >= FULL) {
                     float alpha = min(raw, ALPHA_MAX);
                     float weight = alpha * light[p];
                     float shine = dot(color, of_pixel[p]);
