@@ -35,6 +35,7 @@ const LAYERS: &[Layers] = &[
             "gesture",
             "host_window",
             "message",
+            "live",
             "orbit",
             "pacing",
             "playback",
