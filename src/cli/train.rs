@@ -11,6 +11,7 @@ use effigy::vulkan::Gpu;
 use effigy_capture::{Capture, CaptureOptions, tally};
 use effigy_learn::bake::Assets;
 use effigy_train::{
+    preflight,
     recipe::{Preset, Recipe},
     session::{Outcome, Plan, Progress, Session, SessionOptions},
 };
@@ -140,6 +141,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
             .unwrap_or_else(|| out.with_extension("training")),
         resume: args.resume,
         minutes: args.minutes,
+        check: preflight::is_due(&recipe, args.minutes),
         checkpoint_every: Duration::from_secs_f64(args.checkpoint),
         log_every: 50,
         perceptual_weights: args.weights.clone(),
@@ -161,6 +163,9 @@ pub fn run(args: Args) -> anyhow::Result<()> {
         );
         if plan.steps > 0 {
             println!("going on after {} steps", plan.steps);
+        }
+        if plan.check {
+            println!("checking first that every input moves a pixel");
         }
     };
     let mut session = Session::new(&gpu, &capture, &recipe, options, announce)?;

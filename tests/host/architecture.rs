@@ -226,6 +226,7 @@ const LAYERS: &[Layers] = &[
             "checkpoint",
             "reference",
             "watch",
+            "preflight",
             "session",
         ],
     },
