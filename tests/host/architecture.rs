@@ -118,6 +118,7 @@ const LAYERS: &[Layers] = &[
             "stress",
             "dropped",
             "view",
+            "live",
             "train",
         ],
     },
