@@ -368,6 +368,7 @@ impl Session {
         let watched = Watched::new(of_shots(watched_shots, Some(views.size())));
         let topology = Topology::new(&start);
         let asked = AskedLoss::new(&recipe.perceptual, &options.perceptual_weights, recipe.seed)?;
+        let check = options.check && found.checkpoint.is_none();
         let stands = match found.checkpoint {
             Some(checkpoint) => checkpoint,
             None => {
@@ -400,7 +401,6 @@ impl Session {
             });
         }
         let batch = recipe.schedule.batch;
-        let check = options.check && stands.state.steps == 0;
         announce(&Plan {
             pictures: views.len(),
             view_size: views.size(),
