@@ -12,6 +12,7 @@
 //! | quality | [`quality_control`], `drift_check` | at which quality to hold the frame rate |
 //! | recovery | `recovery` | whether to go on after a loss |
 //! | dropped files | [`dropped`], [`file_list`] | what to show next |
+//! | live avatar | [`live`] | what the avatar is by now |
 //! | captures | `captures`, [`screenshot`] | screenshots, RenderDoc captures, the trace |
 //! | trials | `tuning` | which way to draw is fastest, for the next start |
 //!
@@ -36,6 +37,7 @@ pub mod frame_times;
 pub mod gesture;
 mod host_window;
 mod input;
+pub mod live;
 mod message;
 pub mod options;
 pub mod orbit;

@@ -24,6 +24,15 @@ pub enum Message {
     },
     /// Files that were dropped on the window have been read.
     Dropped(Box<DroppedRead>),
+    /// A newer state of the avatar that is shown.
+    Newer {
+        /// The avatar.
+        avatar: Arc<Avatar>,
+        /// Dropped when it is taken.
+        until_taken: Arc<()>,
+    },
+    /// Nobody is left who makes newer ones.
+    Close,
 }
 
 /// Files that were dropped on the window, and what was read of them.

@@ -14,6 +14,9 @@ pub struct ViewerOptions {
     pub full_screen: bool,
     /// Colour behind the avatar: display-referred RGB, 0 to 1.
     pub background: [f32; 3],
+    /// Another thread of the program makes the avatar: [`Display::live`](crate::Display::live). It
+    /// starts paused and no ways to draw are timed, since both would take the device from it.
+    pub live: bool,
     /// Draw continuously, and quit after this many frames.
     pub frames: Option<u32>,
     /// Losses to simulate, for tests: no driver loses anything on demand.
@@ -45,6 +48,7 @@ impl ViewerOptions {
             renderer,
             full_screen: false,
             background: [0.85, 0.87, 0.89],
+            live: false,
             frames: None,
             rehearse: Vec::new(),
             file_list: FileList::default(),

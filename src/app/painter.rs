@@ -156,6 +156,26 @@ impl WindowPainter {
         })
     }
 
+    /// Draws another avatar from the next frame on, at full quality. Waits for submitted frames; on
+    /// an error the last avatar stays.
+    ///
+    /// # Errors
+    /// Those of [`Renderer::from_prepared`], and when a check of the avatar finds a fault.
+    pub fn replace_avatar(&mut self, avatar: &Avatar) -> Result<()> {
+        let prepared = PreparedAvatar::without_occluder(avatar)?;
+        self.renderer.finish()?;
+        let options = self.full_quality();
+        let renderer = Renderer::from_prepared(&self.gpu, &prepared, options)?;
+        self.validator = None;
+        // SAFETY: every frame is done. Every frame leaves the image in this state, and the next
+        // resize sets another.
+        unsafe { self.present.set_image(renderer.raster().image()) };
+        self.renderer = renderer;
+        self.drawing = drawing(&self.renderer, self.full_quality);
+        self.wants_occluder = self.full_quality.skip.contains(Skip::HIDDEN);
+        Ok(())
+    }
+
     /// Leaves out what is hidden behind this mesh of the avatar, from the next frame on.
     ///
     /// # Errors

@@ -100,6 +100,19 @@ impl ViewerScene {
         &self.avatar
     }
 
+    /// Shows another state of the avatar: the clips, the place in them and the view stay. Joints
+    /// may have other names and places.
+    pub fn replace_avatar(&mut self, avatar: Arc<Avatar>) {
+        if avatar.skeleton != self.avatar.skeleton {
+            for player in &mut self.players {
+                *player = Player::new(player.clip().clone(), &avatar.skeleton);
+            }
+        }
+        self.posed = pose(&avatar, &self.players, self.position);
+        self.avatar_bounds = AvatarBounds::new(&avatar);
+        self.avatar = avatar;
+    }
+
     /// Adds clips, and plays the first of them.
     pub fn add_clips(&mut self, clips: Vec<Clip>, clock: f64) {
         if clips.is_empty() {

@@ -100,8 +100,12 @@ impl Viewer {
     ) -> Self {
         let size = options.renderer.size;
         let LoadedAvatar { avatar, clips } = loaded;
+        let mut scene = ViewerScene::new(avatar, clips, options.background, size, 0.0);
+        if options.live {
+            scene.act(Action::PlayOrPause, 0.0, size);
+        }
         Self {
-            scene: ViewerScene::new(avatar, clips, options.background, size, 0.0),
+            scene,
             painter: None,
             overlay: None,
             window: HostWindow::new(size),
@@ -391,7 +395,11 @@ impl Viewer {
     // Messages and avatars.
 
     /// Receives a message from another thread.
-    pub fn receive(&mut self, message: Message) -> anyhow::Result<()> {
+    pub fn receive(
+        &mut self,
+        event_loop: &ActiveEventLoop,
+        message: Message,
+    ) -> anyhow::Result<()> {
         match message {
             Message::Text(text) => {
                 self.show_message(text);
@@ -401,6 +409,11 @@ impl Viewer {
             Message::Dropped(read) => self.show_dropped(*read),
             Message::Occluder { avatar, mesh } => {
                 self.add_occluder(&avatar, &mesh);
+                Ok(())
+            }
+            Message::Newer { avatar, .. } => self.show_newer(avatar),
+            Message::Close => {
+                event_loop.exit();
                 Ok(())
             }
         }
@@ -555,6 +568,34 @@ impl Viewer {
         if had_device && !self.window.is_suspended() {
             return self.open_device_or_recover();
         }
+        Ok(())
+    }
+
+    /// Shows a newer state of the avatar. Where it can't be drawn, the last one stays.
+    fn show_newer(&mut self, avatar: Arc<Avatar>) -> anyhow::Result<()> {
+        let began = Instant::now();
+        let replaced = match &mut self.painter {
+            Some(painter) => painter.replace_avatar(&avatar),
+            None => Ok(()),
+        };
+        match replaced {
+            Ok(()) => {}
+            Err(error @ (Error::DeviceLost(_) | Error::Timeout { .. })) => {
+                return self.recover(error.into());
+            }
+            Err(error) => {
+                tracing::warn!("the newer avatar can't be shown: {error}");
+                self.show_message(format!("the newer avatar can't be shown: {error}"));
+                return Ok(());
+            }
+        }
+        self.scene.replace_avatar(avatar);
+        if let Some(quality) = &mut self.quality {
+            quality.avatar_changed();
+        }
+        self.clock.invalidate_all();
+        let took = began.elapsed().as_secs_f64() * 1e3;
+        tracing::debug!("a newer avatar, in {took:.0} ms");
         Ok(())
     }
 
@@ -725,7 +766,7 @@ impl Viewer {
                 .quality
                 .as_ref()
                 .is_some_and(QualityController::is_soaking);
-            if self.options.frames.is_none() && !is_soaking {
+            if self.options.frames.is_none() && !self.options.live && !is_soaking {
                 self.trials = BackgroundTrials::start(&self.options.gpu, painter, &self.scene);
             }
         }

@@ -1,6 +1,9 @@
 //! Opens a window on a display and passes its events to the viewer.
 
-use crate::{file_list::LoadedAvatar, message::Message, options::ViewerOptions, viewer::Viewer};
+use crate::{
+    file_list::LoadedAvatar, live::LiveAvatar, message::Message, options::ViewerOptions,
+    viewer::Viewer,
+};
 use anyhow::Context;
 use effigy_core::avatar::{Avatar, Clip};
 use std::time::Instant;
@@ -39,6 +42,11 @@ impl Display {
             anyhow::anyhow!("there is no display to open a window on")
         })?;
         Ok(Self(event_loop))
+    }
+
+    /// The way to the window for newer states of the avatar that it will show.
+    pub fn live(&self) -> LiveAvatar {
+        LiveAvatar::new(self.0.create_proxy())
     }
 
     /// Shows an avatar until its window is closed.
@@ -108,7 +116,7 @@ impl ApplicationHandler<Message> for Handler {
     }
 
     fn user_event(&mut self, event_loop: &ActiveEventLoop, message: Message) {
-        let received = self.viewer.receive(message);
+        let received = self.viewer.receive(event_loop, message);
         self.check(received, event_loop);
     }
 

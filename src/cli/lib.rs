@@ -35,6 +35,8 @@ mod groups;
 mod import;
 mod inspect;
 mod interrupt;
+#[cfg(feature = "window")]
+mod live;
 mod options;
 mod pack;
 mod phone_model;

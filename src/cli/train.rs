@@ -1,5 +1,7 @@
 //! `effigy train`: an avatar from pictures, masks, cameras and poses.
 
+#[cfg(feature = "window")]
+use crate::live;
 use crate::{
     fit,
     interrupt::interrupts,
@@ -11,15 +13,21 @@ use effigy::vulkan::Gpu;
 use effigy_capture::{Capture, CaptureOptions, tally};
 use effigy_learn::bake::Assets;
 use effigy_train::{
+    preflight,
     recipe::{Preset, Recipe},
     session::{Outcome, Plan, Progress, Session, SessionOptions},
 };
 use std::{
     fmt,
     path::{Path, PathBuf},
-    sync::Arc,
+    sync::{Arc, atomic::AtomicBool},
     time::Duration,
 };
+
+/// From one state of the avatar in the window to the next: each stops the training for as long as
+/// its numbers take to copy.
+#[cfg(feature = "window")]
+const VIEW_EVERY: Duration = Duration::from_secs(4);
 
 #[derive(clap::Args, Debug)]
 pub struct Args {
@@ -61,6 +69,14 @@ pub struct Args {
     /// Decode every picture first, and leave out those that can't be used
     #[arg(long)]
     check_pictures: bool,
+    /// Show the avatar in a window while it is learned, in the capture's poses; Space plays them.
+    /// Closing it does not end the training
+    #[arg(long)]
+    view: bool,
+    /// With --view, clip that moves the avatar besides: a .motion file, or motion of any body; N
+    /// goes to the next. Repeat for several
+    #[arg(long, value_name = "FILE", requires = "view")]
+    motion: Vec<PathBuf>,
     /// Time between checkpoints, seconds, 0 to 1000000; an interrupted run continues from the last
     #[arg(long, value_name = "SECONDS", default_value = "300", value_parser = fit::checkpoint)]
     checkpoint: f64,
@@ -140,6 +156,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
             .unwrap_or_else(|| out.with_extension("training")),
         resume: args.resume,
         minutes: args.minutes,
+        check: preflight::is_due(&recipe, args.minutes),
         checkpoint_every: Duration::from_secs_f64(args.checkpoint),
         log_every: 50,
         perceptual_weights: args.weights.clone(),
@@ -162,14 +179,12 @@ pub fn run(args: Args) -> anyhow::Result<()> {
         if plan.steps > 0 {
             println!("going on after {} steps", plan.steps);
         }
+        if plan.check {
+            println!("checking first that every input moves a pixel");
+        }
     };
     let mut session = Session::new(&gpu, &capture, &recipe, options, announce)?;
-    let bar = progress::steps(1000);
-    let outcome = session.run(&stop, |_, now| {
-        bar.set_position((1000.0 * now.share) as u64);
-        bar.set_message(message(now));
-    })?;
-    bar.finish_and_clear();
+    let outcome = learn(&mut session, &stop, &capture, &args)?;
     match outcome {
         Outcome::Stopped => Err(Ended::Stopped {
             steps: session.steps(),
@@ -199,6 +214,76 @@ pub fn run(args: Args) -> anyhow::Result<()> {
             Ok(())
         }
     }
+}
+
+/// Trains, with a window beside where one is asked for and can be opened.
+fn learn(
+    session: &mut Session,
+    stop: &AtomicBool,
+    capture: &Capture,
+    args: &Args,
+) -> anyhow::Result<Outcome> {
+    let window = window(session, capture, args)?;
+    let bar = progress::steps(1000);
+    let report = |now: &Progress| {
+        bar.set_position((1000.0 * now.share) as u64);
+        bar.set_message(message(now));
+    };
+    let outcome = match window {
+        #[cfg(feature = "window")]
+        Some(window) => window.beside(&bar, |live| {
+            let mut shown = std::time::Instant::now();
+            session.run(stop, |session, now| {
+                report(now);
+                if live.is_ready() && shown.elapsed() >= VIEW_EVERY {
+                    match session.avatar() {
+                        Ok(avatar) => live.show(avatar),
+                        // The next step says the same, and ends the training.
+                        Err(error) => tracing::debug!("not shown: {error}"),
+                    }
+                    shown = std::time::Instant::now();
+                }
+            })
+        }),
+        _ => session.run(stop, |_, now| report(now)),
+    };
+    bar.finish_and_clear();
+    Ok(outcome?)
+}
+
+/// The window that is asked for. Without a display the training has none, and says so: it may have
+/// been started to run for a night.
+#[cfg(feature = "window")]
+fn window(
+    session: &Session,
+    capture: &Capture,
+    args: &Args,
+) -> anyhow::Result<Option<live::Window>> {
+    if !args.view {
+        return Ok(None);
+    }
+    let avatar = session.avatar()?;
+    let clips = live::clips(&args.motion, capture, &avatar)?;
+    Ok(match effigy_app::Display::open() {
+        Ok(display) => Some(live::Window {
+            display,
+            avatar,
+            clips,
+            gpu: args.device.gpu(),
+        }),
+        Err(error) => {
+            eprintln!("{error}: training without it");
+            None
+        }
+    })
+}
+
+#[cfg(not(feature = "window"))]
+fn window(_: &Session, _: &Capture, args: &Args) -> anyhow::Result<Option<()>> {
+    if args.view {
+        eprintln!("this program was built without its window: training without it");
+    }
+    Ok(None)
 }
 
 /// A line of progress: what is left, and the last losses.

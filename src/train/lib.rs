@@ -19,6 +19,7 @@
 //! | [`start`] | the avatar that a training begins with |
 //! | [`prune`] | which basis rows stay |
 //! | [`checkpoint`], [`lock`], [`watch`] | a training's folder |
+//! | [`preflight`] | what is looked at before a long training |
 //! | [`session`] | a training from start to end |
 //! | [`mod@reference`] | the loss and its derivative in f64 |
 //! | [`gpu`] | both on Vulkan, and the steps |
@@ -32,6 +33,7 @@ pub mod lock;
 pub mod loss;
 pub mod parameters;
 pub mod perceptual;
+pub mod preflight;
 pub mod prune;
 pub mod recipe;
 pub mod reference;

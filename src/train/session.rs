@@ -9,6 +9,7 @@ use crate::lock::{Lock, LockError};
 use crate::loss::LossWeights;
 use crate::parameters::{Layout, Parameters};
 use crate::perceptual::AskedLoss;
+use crate::preflight::{self, PreflightError, Subject};
 use crate::prune::{Pruning, Sensitivity, feature_covariance, keep_rows};
 use crate::recipe::{PruneBy, Recipe};
 use crate::refine::{RefineRates, Refinement, SeenFrom};
@@ -128,6 +129,15 @@ pub enum TrainError {
         /// How many.
         count: usize,
     },
+    /// There was no check before the training.
+    #[error(transparent)]
+    Preflight(#[from] PreflightError),
+    /// The check before the training found that something moves nothing.
+    #[error("the check before the training found: {}", faults.join("; "))]
+    Idle {
+        /// What it found and what it expected.
+        faults: Vec<String>,
+    },
     /// What loads pictures ended by itself.
     #[error("the thread that loads pictures ended")]
     LoaderEnded,
@@ -159,6 +169,9 @@ pub struct SessionOptions {
     pub resume: bool,
     /// Ends when the training has taken so long in all, whatever the recipe says of steps.
     pub minutes: Option<f64>,
+    /// Checks first that every input moves some pixel and some derivative ([`preflight::check`]), but
+    /// not where it goes on.
+    pub check: bool,
     /// From one checkpoint to the next.
     pub checkpoint_every: Duration,
     /// From one line of the log to the next, steps.
@@ -203,6 +216,8 @@ pub struct Plan {
     pub memory_bytes: u64,
     /// Steps that were taken before.
     pub steps: u64,
+    /// Whether it is checked first, for up to half a minute.
+    pub check: bool,
 }
 
 /// How a training ended.
@@ -360,6 +375,7 @@ impl Session {
         let watched = Watched::new(of_shots(watched_shots, Some(views.size())));
         let topology = Topology::new(&start);
         let asked = AskedLoss::new(&recipe.perceptual, &options.perceptual_weights, recipe.seed)?;
+        let check = options.check && found.checkpoint.is_none();
         let stands = match found.checkpoint {
             Some(checkpoint) => checkpoint,
             None => {
@@ -399,7 +415,30 @@ impl Session {
             view_size: views.size(),
             memory_bytes: memory_bytes(&topology, &stands.rows, views.size(), batch),
             steps: stands.state.steps,
+            check,
         });
+        if check {
+            let began = Instant::now();
+            // Its memory is free again before the training's is asked for.
+            let found = preflight::check(&Subject {
+                gpu,
+                capture,
+                recipe,
+                start: &start,
+                topology: &topology,
+                views: &views,
+                asked: asked.as_ref(),
+            })?;
+            tracing::info!("checked in {:.1} s", began.elapsed().as_secs_f64());
+            for warning in &found.warnings {
+                tracing::warn!("{warning}");
+            }
+            if !found.faults.is_empty() {
+                return Err(TrainError::Idle {
+                    faults: found.faults,
+                });
+            }
+        }
         let trainer = Trainer::new(
             gpu,
             &topology,

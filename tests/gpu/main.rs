@@ -7,6 +7,7 @@ mod common;
 mod clocks;
 mod devices;
 mod memory;
+mod preflight;
 mod present;
 mod rates;
 mod stages;
@@ -42,6 +43,7 @@ fn main() -> ExitCode {
             stages::scene,
             stages::stress,
             train,
+            preflight,
             clocks,
             devices,
             memory,

@@ -8,7 +8,12 @@ use effigy_app::{
     playback::{ClipTime, Playback, Repeat, SPEED, Track},
     scene::ViewerScene,
 };
-use glam::DVec2;
+use effigy_core::{
+    avatar::{Avatar, motion::Player},
+    scene::Posed,
+};
+use glam::{DVec2, DVec3};
+use std::sync::Arc;
 
 fn playing(durations: &[f64], repeat: Repeat) -> Playback {
     let track = |(i, &duration)| Track {
@@ -237,6 +242,55 @@ fn the_view_follows_the_avatar_until_following_is_off() {
     assert!(here == there, "the camera stands still");
 }
 
+fn a_newer_state_of_the_avatar_keeps_view_clip_time_and_options() {
+    let mut scene = scene();
+    scene.act(Action::Background([0.1, 0.2, 0.3]), 0.0, SIZE);
+    scene.act(Action::Next(1), 0.0, SIZE);
+    scene.gesture(
+        &Gesture {
+            orbit: DVec2::new(200.0, 30.0),
+            ..Gesture::default()
+        },
+        SIZE,
+    );
+    (0..200).for_each(|frame| {
+        scene.advance(0.01 * f64::from(frame), SIZE);
+    });
+    let shown = scene.advance(1.25, SIZE);
+    let joints = scene.posed().joints.clone();
+    let mut newer = Avatar::clone(scene.avatar());
+    newer.gaussians.color[0] = [half::f16::ONE; 3];
+    let newer = Arc::new(newer);
+    scene.replace_avatar(newer.clone());
+    assert!(Arc::ptr_eq(scene.avatar(), &newer));
+    assert!(scene.playback().is_playing() && scene.posed().joints == joints);
+    assert_eq!(scene.advance(1.25, SIZE), shown);
+    assert_eq!(scene.advance(1.5, SIZE).position.time, 1.5);
+    // Paused, it stands where it stood.
+    scene.act(Action::PlayOrPause, 1.5, SIZE);
+    let paused = scene.advance(1.5, SIZE);
+    scene.replace_avatar(newer);
+    assert!(!scene.is_moving());
+    assert_eq!(scene.advance(9.0, SIZE), paused);
+}
+
+fn a_newer_state_may_have_joints_elsewhere_and_in_another_order() {
+    let mut scene = scene();
+    scene.advance(0.7, SIZE);
+    let mut newer = Avatar::clone(scene.avatar());
+    let last = newer.skeleton.len() - 1;
+    newer.skeleton.rest[last][1] += 0.1;
+    newer.skeleton.name[last] = "another".into();
+    scene.replace_avatar(Arc::new(newer));
+    let clip = scene.player().unwrap().clip().clone();
+    let expected = Player::new(clip, &scene.avatar().skeleton).pose(0.7);
+    assert_eq!(expected.rotation[last], DVec3::ZERO, "no clip moves it");
+    assert_eq!(
+        scene.posed().joints,
+        Posed::new(scene.avatar(), &expected).joints
+    );
+}
+
 fn backgrounds_go_round_and_stay_within_their_range() {
     let mut scene = scene();
     let mut seen = Vec::new();
@@ -263,5 +317,7 @@ tests! {
     a_held_pose_stays_while_the_view_moves_and_falls_behind_nothing,
     a_gesture_after_a_long_rest_glides_and_does_not_jump,
     the_view_follows_the_avatar_until_following_is_off,
+    a_newer_state_of_the_avatar_keeps_view_clip_time_and_options,
+    a_newer_state_may_have_joints_elsewhere_and_in_another_order,
     backgrounds_go_round_and_stay_within_their_range,
 }

@@ -1,6 +1,7 @@
 //! `effigy train` as its users run it: begun, stopped, gone on with, refused.
 
 use crate::common::{self, gpu};
+use effigy_capture::{Capture, CaptureCamera, CaptureWriter};
 use effigy_core::avatar::{Avatar, Clip};
 use std::{
     fs,
@@ -10,12 +11,12 @@ use std::{
 };
 
 /// A recipe that takes seconds, with every loss in it.
-const TINY: &str = "--set sizes.gaussians=400 --set sizes.parts=4 --set sizes.nodes=40 --set sizes.hidden=16 \
+pub const TINY: &str = "--set sizes.gaussians=400 --set sizes.parts=4 --set sizes.nodes=40 --set sizes.hidden=16 \
                     --set schedule.iterations=150 --set schedule.fine_tune=50 --set perceptual.kind=dssim \
                     --set perceptual.every=8 --set perceptual.window=32 --set rates.pose=1e-4 \
                     --set rates.camera=1e-5 --set rates.exposure=1e-4 --set prune.by=pictures";
 
-fn capture() -> String {
+pub fn capture() -> String {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/data/capture");
     folder.canonicalize().unwrap().display().to_string()
 }
@@ -42,6 +43,79 @@ fn ends(mut command: Command) -> Output {
         errors(&output)
     );
     output
+}
+
+/// The capture, but for a joint that no vertex follows and an expression that never moves.
+fn stiff_capture(folder: &Path) {
+    let mut capture = Capture::read(Path::new(&capture())).unwrap();
+    let elbow = 18;
+    for own in &mut capture.template.weights {
+        own.retain(|influence| influence.joint != elbow);
+        let sum: f32 = own.iter().map(|influence| influence.weight).sum();
+        own.iter_mut().for_each(|influence| influence.weight /= sum);
+    }
+    let cameras: Vec<_> = capture
+        .cameras
+        .clone()
+        .into_iter()
+        .map(|camera| CaptureCamera {
+            // Pictures are read without it.
+            distortion: [0.0; 5],
+            ..camera
+        })
+        .collect();
+    let mut frames = capture.frames.clone();
+    let writer = CaptureWriter::new(folder, &cameras, &capture.template).unwrap();
+    for (at, frame) in frames.iter_mut().enumerate() {
+        frame.pose.expression[7] = 0.5;
+        for camera in 0..cameras.len() {
+            if capture.has(camera, at) {
+                let picture = capture.picture(camera, at).unwrap();
+                writer.write(camera, frame.number, &picture).unwrap();
+            }
+        }
+    }
+    writer.finish(&frames).unwrap();
+}
+
+fn a_long_training_names_first_what_moves_nothing() {
+    gpu::gpu();
+    let folder = tempfile::tempdir().unwrap();
+    let here = folder.path();
+    stiff_capture(&here.join("stiff"));
+    let mut command = Command::new(common::program());
+    command
+        .args(["train", "stiff", "--out", "stiff.avatar"])
+        .args(TINY.split_whitespace())
+        .args(["--set", "schedule.iterations=1000000"])
+        .current_dir(here);
+    let mut child = command
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    wait_for_a_step(&here.join("stiff.training"), &mut child);
+    Command::new("kill")
+        .arg(child.id().to_string())
+        .status()
+        .unwrap();
+    let stopped = child.wait_with_output().unwrap();
+    let said = errors(&stopped);
+    assert_eq!(stopped.status.code(), Some(75), "{said}");
+    let elbow = Capture::read(Path::new(&capture()))
+        .unwrap()
+        .template
+        .skeleton
+        .name[18]
+        .clone();
+    let names = |part: &str, name: &str| {
+        said.lines()
+            .any(|line| line.contains(part) && line.contains(name))
+    };
+    assert!(names("no vertex", &format!("`{elbow}`")), "{said}");
+    assert!(names("never change", "expression 7"), "{said}");
+    let printed = String::from_utf8_lossy(&stopped.stdout);
+    assert!(printed.contains("checking first"), "{printed}");
 }
 
 /// Waits until a training has logged its first step.
@@ -166,6 +240,7 @@ fn captures_that_are_none_are_named() {
 }
 
 tests! {
+    a_long_training_names_first_what_moves_nothing,
     a_stopped_training_goes_on_to_the_same_bits,
     recipes_that_are_none_are_refused_before_anything_else,
     captures_that_are_none_are_named,

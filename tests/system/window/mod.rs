@@ -6,6 +6,7 @@
 mod drag_source;
 mod session;
 
+use crate::{common::gpu, train};
 use session::{Session, covered};
 
 /// The background that the tests ask for, and its pixels in a window.
@@ -363,6 +364,55 @@ fn a_capture_without_renderdoc_says_how_to_attach_it() {
     session.quit();
 }
 
+/// A training of a capture with a window, of seconds.
+fn training(capture: &str) -> Vec<&str> {
+    let words = ["train", capture, "--out", "live.avatar", "--view"];
+    let recipe = train::TINY.split_whitespace();
+    words.into_iter().chain(recipe).collect()
+}
+
+fn a_training_shows_what_it_has_learned_and_outlives_its_window() {
+    let capture = train::capture();
+    let long = ["--set", "schedule.iterations=1000000"];
+    let mut session = Session::run(&[&training(&capture)[..], &long].concat());
+    session.key('h');
+    session.wait_for_text("a newer avatar");
+    session.wait_for_rest();
+    // It stands still, so that only what is learned changes the image.
+    let before = session.read_image();
+    let changed = (0..600).any(|_| {
+        session.sleep(0.1);
+        session.read_image() != before
+    });
+    assert!(changed, "nothing newer is shown");
+    session.key('q');
+    session.wait_for_text("the training goes on");
+    session.sleep(0.5);
+    session.terminate();
+    let (success, text) = session.wait_for_end();
+    assert!(
+        !success && text.contains("stopped after") && text.contains("exit status: 75"),
+        "{text}"
+    );
+}
+
+fn a_training_that_ends_closes_its_window() {
+    let capture = train::capture();
+    let session = Session::run(&training(&capture));
+    let (success, text) = session.wait_for_end();
+    assert!(
+        success && text.contains("log and checkpoints in") && !text.contains("goes on"),
+        "{text}"
+    );
+}
+
+fn without_a_display_a_training_has_no_window() {
+    gpu::gpu();
+    let capture = train::capture();
+    let (success, text) = session::without_display(&training(&capture));
+    assert!(success && text.contains("training without it"), "{text}");
+}
+
 fn without_a_display_the_viewer_says_what_to_do() {
     let (success, text) = session::without_display(&["view"]);
     assert!(!success && text.contains("effigy render"), "{text}");
@@ -388,6 +438,9 @@ tests! {
     a_soak_in_the_window_writes_its_files_and_ends,
     a_soak_whose_window_is_closed_keeps_its_results,
     a_capture_without_renderdoc_says_how_to_attach_it,
+    a_training_shows_what_it_has_learned_and_outlives_its_window,
+    a_training_that_ends_closes_its_window,
+    without_a_display_a_training_has_no_window,
     without_a_display_the_viewer_says_what_to_do: no_device,
     without_a_display_and_arguments_images_are_rendered,
 }

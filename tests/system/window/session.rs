@@ -107,19 +107,17 @@ fn files(folder: &Path) {
 impl Session {
     /// Starts `effigy view` with these arguments, and waits for its first frame.
     pub fn start(arguments: &[&str]) -> Self {
+        let motion = ["--motion", "1.motion", "--motion", "2.motion"];
+        Self::run(&[&["view", "body.avatar"], &motion[..], arguments].concat())
+    }
+
+    /// Starts `effigy` with these arguments, and waits for its window's first frame.
+    pub fn run(arguments: &[&str]) -> Self {
         common::gpu::drawing();
         let (xvfb, display) = xvfb();
         let folder = tempfile::tempdir().unwrap();
         files(folder.path());
         let mut program = Command::new(common::program())
-            .args([
-                "view",
-                "body.avatar",
-                "--motion",
-                "1.motion",
-                "--motion",
-                "2.motion",
-            ])
             .args(arguments)
             .current_dir(folder.path())
             .env("DISPLAY", &display)
@@ -411,6 +409,12 @@ impl Session {
         self.key('q');
         let (success, text) = self.wait_for_end();
         assert!(success, "{text}");
+    }
+
+    /// Asks the program to end, as systems do.
+    pub fn terminate(&self) {
+        let id = self.program.id().to_string();
+        Command::new("kill").arg(id).status().unwrap();
     }
 
     /// Waits for the program's end: whether it succeeded, and all it said. No validation message
