@@ -13,9 +13,10 @@ use effigy::vulkan::Gpu;
 use effigy_capture::{Capture, CaptureOptions, tally};
 use effigy_learn::bake::Assets;
 use effigy_train::{
+    log::Progress,
     preflight,
     recipe::{Preset, Recipe},
-    session::{Outcome, Plan, Progress, Session, SessionOptions},
+    session::{Outcome, Plan, Session, SessionOptions},
 };
 use std::{
     fmt,

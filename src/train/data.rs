@@ -42,6 +42,34 @@ pub fn training_shots(capture: &Capture) -> Vec<Shot> {
     shots(capture, |camera, frame| !camera && !frame)
 }
 
+/// [`training_shots`] without frames whose pose differs from the last one that stays by less than so
+/// much: the mean of what an avatar's networks see, radians.
+pub fn distinct_shots(capture: &Capture, avatar: &Avatar, least: f64) -> Vec<Shot> {
+    let mut last: Option<Vec<f64>> = None;
+    let stays: Vec<bool> = capture
+        .frames
+        .iter()
+        .map(|frame| {
+            if frame.held {
+                return true;
+            }
+            let own = avatar.inputs.unprojected(&frame.pose);
+            let change = last.as_ref().map(|last| {
+                let sum: f64 = own.iter().zip(last).map(|(a, b)| (a - b).abs()).sum();
+                sum / own.len().max(1) as f64
+            });
+            let stays = change.is_none_or(|change| change >= least);
+            if stays {
+                last = Some(own);
+            }
+            stays
+        })
+        .collect();
+    let mut shots = training_shots(capture);
+    shots.retain(|shot| stays[shot.frame]);
+    shots
+}
+
 /// Pictures by whether their camera and their frame are held out.
 pub fn shots(capture: &Capture, takes: impl Fn(bool, bool) -> bool) -> Vec<Shot> {
     let mut all = Vec::new();

@@ -12,24 +12,27 @@
 //! | [`view`] | what a step looks at |
 //! | [`loss`] | what it makes small |
 //! | [`adam`] | how far a step goes |
-//! | [`exposure`] | gains of cameras |
+//! | [`exposure`], [`refine`] | gains of cameras; their motion, and poses |
 //! | [`perceptual`] | the loss that sees pictures as people do |
 //! | [`recipe`] | every weight, rate and count |
 //! | [`data`] | which pictures, in which order |
 //! | [`start`] | the avatar that a training begins with |
 //! | [`prune`] | which basis rows stay |
-//! | [`checkpoint`], [`lock`], [`watch`] | a training's folder |
+//! | [`checkpoint`], [`lock`], [`mod@log`], [`watch`] | a training's folder |
 //! | [`preflight`] | what is looked at before a long training |
-//! | [`session`] | a training from start to end |
+//! | [`session`], [`error`] | a training from start to end |
+//! | [`refit`] | poses that fit an avatar as it is |
 //! | [`mod@reference`] | the loss and its derivative in f64 |
 //! | [`gpu`] | both on Vulkan, and the steps |
 
 pub mod adam;
 pub mod checkpoint;
 pub mod data;
+pub mod error;
 pub mod exposure;
 pub mod gpu;
 pub mod lock;
+pub mod log;
 pub mod loss;
 pub mod parameters;
 pub mod perceptual;

@@ -2,12 +2,14 @@
 
 use crate::adam::{Adam, Moments};
 use effigy_capture::Capture;
-use effigy_core::avatar::{Pose, PoseGradient, Skeleton};
+use effigy_core::avatar::{Clip, Pose, PoseGradient, Skeleton};
 use effigy_core::scene::Camera;
 use glam::{DAffine3, DQuat, DVec3};
 
 /// Numbers of a camera: how far it is turned and moved.
 const CAMERA: usize = 6;
+/// Frames a second of clips of poses.
+const CLIP_RATE: f64 = 30.0;
 
 /// A list of items that learn, each of so many numbers.
 #[derive(Clone, Debug, PartialEq)]
@@ -243,6 +245,35 @@ impl Refinement {
                 DVec3::from_slice(&own[3..]) - view.matrix3 * (mean[1] + mean[0].cross(eye));
             own[..3].copy_from_slice(&turn.to_array());
             own[3..].copy_from_slice(&shift.to_array());
+        }
+    }
+
+    /// The poses of all frames, as a clip. A capture has no rate: it gets [`CLIP_RATE`].
+    pub fn clip(&self, capture: &Capture, name: &str) -> Clip {
+        let frames = capture.frames.iter().enumerate();
+        let poses: Vec<Pose> = frames
+            .map(|(at, frame)| self.pose(at, &frame.pose))
+            .collect();
+        let longest = poses.iter().map(|pose| pose.expression.len()).max();
+        let expression_len = longest.unwrap_or(0);
+        let floats = |v: &DVec3| v.as_vec3().to_array();
+        let expression = |pose: &Pose| {
+            let mut own: Vec<f32> = pose.expression.iter().map(|&v| v as f32).collect();
+            own.resize(expression_len, 0.0);
+            own
+        };
+        Clip {
+            name: name.into(),
+            credit: String::new(),
+            rate: CLIP_RATE,
+            joint: capture.template.skeleton.name.clone(),
+            rotation: poses
+                .iter()
+                .flat_map(|pose| pose.rotation.iter().map(floats))
+                .collect(),
+            translation: poses.iter().map(|pose| floats(&pose.translation)).collect(),
+            expression: poses.iter().flat_map(expression).collect(),
+            expression_len,
         }
     }
 

@@ -3,11 +3,11 @@
 
 use crate::adam::{Adam, Rates};
 use crate::data::{DataOptions, Views, shots};
+use crate::error::TrainError;
 use crate::gpu::{StepOptions, Trainer, TrainerState};
 use crate::loss::LossWeights;
 use crate::parameters::{Layout, Parameters};
 use crate::refine::Refinement;
-use crate::session::TrainError;
 use crate::topology::{Rows, Topology};
 use crate::view::View;
 use effigy::vulkan::Gpu;

@@ -2,14 +2,16 @@
 
 use crate::adam::{Adam, Rates};
 use crate::checkpoint::{Checkpoint, remove_parts};
-use crate::data::{Looked, Shot, Views, training_shots};
+use crate::data::{Looked, Shot, Views, distinct_shots, training_shots};
+use crate::error::{BLIND, LEAST_SIDE, TrainError};
 use crate::exposure::Exposure;
-use crate::gpu::{StepOptions, StepReport, Trainer, TrainerState, memory_bytes};
-use crate::lock::{Lock, LockError};
+use crate::gpu::{StepOptions, Trainer, TrainerState, memory_bytes};
+use crate::lock::Lock;
+use crate::log::{self, Now, Progress, Sums};
 use crate::loss::LossWeights;
 use crate::parameters::{Layout, Parameters};
 use crate::perceptual::AskedLoss;
-use crate::preflight::{self, PreflightError, Subject};
+use crate::preflight::{self, Subject};
 use crate::prune::{Pruning, Sensitivity, feature_covariance, keep_rows};
 use crate::recipe::{PruneBy, Recipe};
 use crate::refine::{RefineRates, Refinement, SeenFrom};
@@ -17,18 +19,15 @@ use crate::start::start;
 use crate::topology::{Rows, Topology};
 use crate::view::View;
 use crate::watch::{self, Seen, Watched, watched_shots};
-use effigy::vulkan::{Error as GpuError, Gpu};
+use effigy::vulkan::Gpu;
 use effigy_capture::{Capture, CaptureError};
-use effigy_core::avatar::{Avatar, Clip, Pose};
+use effigy_core::avatar::{Avatar, Pose};
 use effigy_core::io::file::{FileError, replace};
 use effigy_core::layout::TRAIN_WIDTH_MAX;
 use effigy_core::reference::mlp;
 use effigy_core::scene::{Camera, Posed};
-use effigy_perceptual::PerceptualError;
-use glam::DVec3;
 use rayon::prelude::*;
 use std::fs;
-use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -42,124 +41,6 @@ const START: &str = "start.avatar";
 const RECIPE: &str = "recipe.toml";
 /// The poses that were learned, as a clip.
 const POSES: &str = "poses.motion";
-/// Frames a second of that clip.
-const CLIP_RATE: f64 = 30.0;
-/// Steps' losses.
-const LOG: &str = "log.csv";
-
-/// Smallest side of a view, px.
-const LEAST_SIDE: u32 = 32;
-/// Views without anybody at the start of a training that are too many.
-const BLIND: u64 = 16;
-
-/// Why a training ended early.
-#[derive(Debug, thiserror::Error)]
-pub enum TrainError {
-    /// The device.
-    #[error(transparent)]
-    Gpu(#[from] GpuError),
-    /// The capture.
-    #[error(transparent)]
-    Capture(#[from] CaptureError),
-    /// A file.
-    #[error(transparent)]
-    File(#[from] FileError),
-    /// The folder is somebody else's.
-    #[error(transparent)]
-    Lock(#[from] LockError),
-    /// The perceptual loss.
-    #[error(transparent)]
-    Perceptual(#[from] PerceptualError),
-    /// The folder has a training.
-    #[error("{folder}: found a training after {steps} steps")]
-    Begun {
-        /// The folder.
-        folder: String,
-        /// Its steps.
-        steps: u64,
-    },
-    /// No checkpoint of the folder is whole.
-    #[error("{file}: {fault}; no other checkpoint is whole")]
-    Broken {
-        /// The last one.
-        file: String,
-        /// What is wrong with it.
-        fault: String,
-    },
-    /// The folder's training follows another recipe.
-    #[error(
-        "{folder}: its training follows another recipe, or takes another time, than what is asked for"
-    )]
-    OtherRecipe {
-        /// The folder.
-        folder: String,
-    },
-    /// The folder's training is of another capture.
-    #[error("{folder}: its training has {found}, the capture {expected}")]
-    OtherCapture {
-        /// The folder.
-        folder: String,
-        /// What the avatar has.
-        found: String,
-        /// What the capture's body model has.
-        expected: String,
-    },
-    /// No picture to learn from.
-    #[error("found no picture to learn from: all are held out")]
-    NothingToLearn,
-    /// A view is too small for the perceptual loss, or for anything to be learned.
-    #[error("views of {} × {} px, expected at least {LEAST_SIDE} of each", size[0], size[1])]
-    SmallViews {
-        /// Width and height, px.
-        size: [u32; 2],
-    },
-    /// The body model has more inputs than networks take.
-    #[error("the body model gives networks {found} numbers, at most {TRAIN_WIDTH_MAX} fit")]
-    Inputs {
-        /// What it gives.
-        found: usize,
-    },
-    /// A number that is learned is NaN or infinite.
-    #[error(
-        "step {step} left {count} numbers that are NaN or infinite: the last checkpoint is before it"
-    )]
-    Spoiled {
-        /// The step.
-        step: u64,
-        /// How many.
-        count: usize,
-    },
-    /// There was no check before the training.
-    #[error(transparent)]
-    Preflight(#[from] PreflightError),
-    /// The check before the training found that something moves nothing.
-    #[error("the check before the training found: {}", faults.join("; "))]
-    Idle {
-        /// What it found and what it expected.
-        faults: Vec<String>,
-    },
-    /// What loads pictures ended by itself.
-    #[error("the thread that loads pictures ended")]
-    LoaderEnded,
-    /// No Gaussian is in the views of the first steps.
-    #[error(
-        "no Gaussian is in view of camera {camera} in frame {frame}, nor in the {BLIND} views before"
-    )]
-    NothingSeen {
-        /// The camera's name.
-        camera: String,
-        /// The frame's number.
-        frame: u32,
-    },
-    /// A loss is NaN or infinite.
-    #[error("the loss of step {step} is {loss}: the last checkpoint is before it")]
-    NotFinite {
-        /// The step.
-        step: u64,
-        /// What was found.
-        loss: f64,
-    },
-}
 
 /// What a training needs besides its recipe.
 pub struct SessionOptions {
@@ -182,27 +63,6 @@ pub struct SessionOptions {
     pub name: String,
     /// Where it comes from.
     pub credit: String,
-}
-
-/// How far a training is.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Progress {
-    /// Steps so far.
-    pub steps: u64,
-    /// How much of the training is over, 0 to 1.
-    pub share: f64,
-    /// Seconds that it has taken, those before an interruption included.
-    pub seconds: f64,
-    /// Whether rows were pruned.
-    pub pruned: bool,
-    /// Mean of |image − picture| of the steps since the last of these.
-    pub l1: f64,
-    /// PSNR of views against pictures of these steps, dB: of training views, while they learn.
-    pub psnr_db: f64,
-    /// The perceptual loss of the last step that had it.
-    pub perceptual: Option<f64>,
-    /// Most pairs of splats and tiles of a view.
-    pub pairs: u32,
 }
 
 /// What a training is about to ask of the device.
@@ -251,33 +111,6 @@ pub struct Session {
     seconds: f64,
     begun: Instant,
     _lock: Lock,
-}
-
-/// [`training_shots`] without frames that are nearly the same as the last one that stays.
-fn distinct_shots(capture: &Capture, avatar: &Avatar, least: f64) -> Vec<Shot> {
-    let mut last: Option<Vec<f64>> = None;
-    let stays: Vec<bool> = capture
-        .frames
-        .iter()
-        .map(|frame| {
-            if frame.held {
-                return true;
-            }
-            let own = avatar.inputs.unprojected(&frame.pose);
-            let change = last.as_ref().map(|last| {
-                let sum: f64 = own.iter().zip(last).map(|(a, b)| (a - b).abs()).sum();
-                sum / own.len().max(1) as f64
-            });
-            let stays = change.is_none_or(|change| change >= least);
-            if stays {
-                last = Some(own);
-            }
-            stays
-        })
-        .collect();
-    let mut shots = training_shots(capture);
-    shots.retain(|shot| stays[shot.frame]);
-    shots
 }
 
 impl Session {
@@ -468,8 +301,20 @@ impl Session {
             begun: Instant::now(),
             _lock: lock,
         };
-        session.cut_logs()?;
+        for name in [log::LOG, watch::LOG] {
+            log::cut(&session.options.folder, name, session.steps())?;
+        }
         Ok(session)
+    }
+
+    /// Where it is.
+    fn now(&self) -> Now {
+        Now {
+            steps: self.steps(),
+            share: self.share(),
+            seconds: self.elapsed(),
+            pruned: self.pruned,
+        }
     }
 
     /// Steps so far.
@@ -552,8 +397,8 @@ impl Session {
             let looked = coming.recv().map_err(|_| TrainError::LoaderEnded)??;
             self.step(looked, share, &mut sums)?;
             if self.steps().is_multiple_of(self.options.log_every) || self.steps() == 1 {
-                let progress = sums.take(self);
-                self.log(&progress)?;
+                let progress = sums.take(self.now());
+                log::add(&self.options.folder, &progress)?;
                 report(self, &progress);
             }
             if self.steps() == first + 1 {
@@ -572,7 +417,8 @@ impl Session {
         self.save()?;
         let avatar = self.avatar()?;
         if self.recipe.rates.pose > 0.0 {
-            self.clip().write(&self.options.folder.join(POSES))?;
+            let clip = self.refinement.clip(&self.capture, &self.options.name);
+            clip.write(&self.options.folder.join(POSES))?;
         }
         // The avatar does not depend on what is only looked at.
         if let Err(error) = self.watch().and_then(|()| self.chart()) {
@@ -743,37 +589,6 @@ impl Session {
             .collect()
     }
 
-    /// The poses of all frames as they are known by now, as a clip. A capture has no rate: it gets
-    /// [`CLIP_RATE`].
-    fn clip(&self) -> Clip {
-        let skeleton = &self.start.skeleton;
-        let poses: Vec<Pose> = (0..self.capture.frames.len())
-            .map(|frame| self.pose(frame))
-            .collect();
-        let expression_len = poses.iter().map(|pose| pose.expression.len()).max();
-        let expression_len = expression_len.unwrap_or(0);
-        let floats = |v: &DVec3| v.as_vec3().to_array();
-        Clip {
-            name: self.options.name.clone(),
-            credit: self.options.credit.clone(),
-            rate: CLIP_RATE,
-            joint: skeleton.name.clone(),
-            rotation: poses
-                .iter()
-                .flat_map(|pose| pose.rotation.iter().map(floats))
-                .collect(),
-            translation: poses.iter().map(|pose| floats(&pose.translation)).collect(),
-            expression: poses
-                .iter()
-                .flat_map(|pose| {
-                    let own = pose.expression.iter().map(|&v| v as f32);
-                    own.chain(std::iter::repeat(0.0)).take(expression_len)
-                })
-                .collect(),
-            expression_len,
-        }
-    }
-
     /// How far joints are turned from what the capture says, the mean and the most, radians. None
     /// where poses did not learn.
     pub fn turned_joints(&self) -> Option<[f64; 2]> {
@@ -921,104 +736,10 @@ impl Session {
         Ok(())
     }
 
-    /// Adds a line to the log.
-    fn log(&self, progress: &Progress) -> Result<(), TrainError> {
-        let file = self.options.folder.join(LOG);
-        add_line(&file, progress).map_err(|cause| {
-            TrainError::File(FileError::Write {
-                file: file.clone(),
-                cause,
-            })
-        })
-    }
-
-    /// Cuts the logs to the steps of the checkpoint: what came after it comes again.
-    fn cut_logs(&self) -> Result<(), TrainError> {
-        for name in [LOG, watch::LOG] {
-            let file = self.options.folder.join(name);
-            let Ok(text) = fs::read_to_string(&file) else {
-                continue;
-            };
-            let stays = |line: &&str| {
-                let step = line
-                    .split(',')
-                    .next()
-                    .and_then(|step| step.parse::<u64>().ok());
-                step.is_none_or(|step| step <= self.steps())
-            };
-            let kept: String = text
-                .lines()
-                .filter(stays)
-                .map(|line| format!("{line}\n"))
-                .collect();
-            replace(&file, kept.as_bytes())?;
-        }
-        Ok(())
-    }
-
     fn nothing_seen(&self, shot: Shot) -> TrainError {
         TrainError::NothingSeen {
             camera: self.capture.cameras[shot.camera].name.clone(),
             frame: self.capture.frames[shot.frame].number,
-        }
-    }
-}
-
-/// Appends a line to a log, under a header where the file is new.
-fn add_line(file: &Path, progress: &Progress) -> io::Result<()> {
-    let mut text = String::new();
-    if !file.exists() {
-        text += "step,seconds,share,pruned,l1,psnr_db,perceptual,pairs\n";
-    }
-    let perceptual = progress
-        .perceptual
-        .map_or(String::new(), |v| format!("{v:.6}"));
-    text += &format!(
-        "{},{:.2},{:.6},{},{:.7},{:.3},{perceptual},{}\n",
-        progress.steps,
-        progress.seconds,
-        progress.share,
-        u8::from(progress.pruned),
-        progress.l1,
-        progress.psnr_db,
-        progress.pairs,
-    );
-    let mut open = fs::OpenOptions::new();
-    let mut log = open.create(true).append(true).open(file)?;
-    io::Write::write_all(&mut log, text.as_bytes())
-}
-
-/// Sums over the steps since the last report.
-#[derive(Default)]
-struct Sums {
-    steps: u64,
-    l1: f64,
-    squared: f64,
-    pairs: u32,
-    perceptual: Option<f64>,
-}
-
-impl Sums {
-    fn add(&mut self, found: &StepReport) {
-        self.steps += 1;
-        self.l1 += found.l1;
-        self.squared += found.squared;
-        self.pairs = self.pairs.max(found.pairs);
-    }
-
-    /// What they say, and empties them.
-    fn take(&mut self, session: &Session) -> Progress {
-        let own = std::mem::take(self);
-        let count = own.steps.max(1) as f64;
-        Progress {
-            steps: session.steps(),
-            share: session.share(),
-            seconds: session.elapsed(),
-            pruned: session.pruned,
-            l1: own.l1 / count,
-            psnr_db: -10.0 * (own.squared / count).max(1e-12).log10(),
-            perceptual: own.perceptual,
-            pairs: own.pairs,
         }
     }
 }
