@@ -118,23 +118,34 @@ impl Moments {
     }
 
     /// Counts a step of an item. What its numbers go against, a rate of 1 being about a unit each.
+    /// `floor`: how much of the item's root mean square is added to each number's own; above 0,
+    /// numbers that hardly matter, whose derivatives are noise, hardly move.
     ///
     /// # Panics
     /// When the gradient has not [`Self::width`] numbers.
-    pub fn direction(&mut self, item: usize, gradient: &[f64], adam: &Adam) -> Vec<f64> {
+    pub fn direction(
+        &mut self,
+        item: usize,
+        gradient: &[f64],
+        floor: f64,
+        adam: &Adam,
+    ) -> Vec<f64> {
         assert_eq!(gradient.len(), self.width, "numbers of an item");
         self.updates[item] += 1;
         let correction = adam.correction(self.updates[item]);
-        let first = self.first[item * self.width..].iter_mut();
-        let second = self.second[item * self.width..].iter_mut();
-        gradient
+        let own = item * self.width..(item + 1) * self.width;
+        let first = &mut self.first[own.clone()];
+        let second = &mut self.second[own];
+        for (of, (m, v)) in gradient.iter().zip(first.iter_mut().zip(second.iter_mut())) {
+            *m = adam.beta_1 * *m + (1.0 - adam.beta_1) * of;
+            *v = adam.beta_2 * *v + (1.0 - adam.beta_2) * of * of;
+        }
+        let mean = second.iter().sum::<f64>() / self.width.max(1) as f64;
+        let added = floor * (mean * correction[1]).sqrt() + adam.epsilon;
+        first
             .iter()
-            .zip(first.zip(second))
-            .map(|(of, (m, v))| {
-                *m = adam.beta_1 * *m + (1.0 - adam.beta_1) * of;
-                *v = adam.beta_2 * *v + (1.0 - adam.beta_2) * of * of;
-                *m * correction[0] / ((*v * correction[1]).sqrt() + adam.epsilon)
-            })
+            .zip(second.iter())
+            .map(|(m, v)| m * correction[0] / ((v * correction[1]).sqrt() + added))
             .collect()
     }
 }

@@ -35,7 +35,7 @@ impl Exposure {
     pub fn learn(&mut self, camera: usize, gradient: [f64; 3], rate: f64, adam: &Adam) {
         let gain = self.gain(camera);
         let of: [f64; 3] = std::array::from_fn(|c| gradient[c] * gain[c]);
-        let change = self.moments.direction(camera, &of, adam);
+        let change = self.moments.direction(camera, &of, 0.0, adam);
         for (own, change) in self.log_gain[camera].iter_mut().zip(change) {
             *own -= rate * change;
         }

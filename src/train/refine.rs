@@ -8,6 +8,8 @@ use glam::{DAffine3, DQuat, DVec3};
 
 /// Numbers of a camera: how far it is turned and moved.
 const CAMERA: usize = 6;
+/// [`Moments::direction`]'s floor for poses: fingers of a few pixels drifted by 1.5° without one.
+const POSE_FLOOR: f64 = 0.2;
 /// Frames a second of clips of poses.
 const CLIP_RATE: f64 = 30.0;
 
@@ -176,7 +178,7 @@ impl Refinement {
     pub fn learn_pose(&mut self, frame: usize, gradient: &PoseGradient, rate: f64, adam: &Adam) {
         let mut of: Vec<f64> = gradient.rotation.iter().flat_map(DVec3::to_array).collect();
         of.extend(gradient.translation.to_array());
-        let change = self.poses.moments.direction(frame, &of, adam);
+        let change = self.poses.moments.direction(frame, &of, POSE_FLOOR, adam);
         let own = self.poses.item_mut(frame);
         let joints = own.len() / 3 - 1;
         for (at, (own, change)) in own
@@ -209,7 +211,7 @@ impl Refinement {
         let of = camera_gradient(&view, seen)
             .map(|of| of.to_array())
             .concat();
-        let change = self.cameras.moments.direction(camera, &of, adam);
+        let change = self.cameras.moments.direction(camera, &of, 0.0, adam);
         let own = self.cameras.item_mut(camera);
         let by = -rate * DVec3::from_slice(&change);
         let turn = turned(by, DVec3::from_slice(own));
