@@ -4,10 +4,9 @@
 //! alive: a quarter opaque, coloured at random, with bases that are not small. Nothing of it is
 //! kept, and no random number of the training is used up.
 
-use crate::adam::{Adam, Rates};
+use crate::adam::Adam;
 use crate::data::Views;
 use crate::gpu::{StepOptions, Trainer, TrainerState};
-use crate::loss::LossWeights;
 use crate::parameters::{GAUSSIAN, Layout, Parameters, logit};
 use crate::perceptual::AskedLoss;
 use crate::recipe::Recipe;
@@ -52,28 +51,15 @@ const STILL: f64 = 1e-6;
 const AVATAR_STREAM: u64 = 3 << 32;
 const INPUT_STREAM: u64 = 4 << 32;
 
-/// The derivative is what a step leaves in the first moment; no number changes.
-const NO_STEP: (Rates, Adam) = (
-    Rates::NONE,
-    Adam {
+/// The derivative is what a step leaves in the first moment; no number changes. The picture's loss
+/// alone counts: others have derivatives where no pixel has.
+const OPTIONS: StepOptions = StepOptions {
+    adam: Adam {
         beta_1: 0.0,
         weight_decay: 0.0,
         ..Adam::DEFAULT
     },
-);
-
-/// The picture's loss alone: others have derivatives where no pixel has.
-const OPTIONS: StepOptions = StepOptions {
-    weights: LossWeights {
-        l1: 1.0,
-        scale: 0.0,
-        scale_above: 0.0,
-        correctives: [0.0; 3],
-    },
-    correctives: true,
-    joints: false,
-    rates: NO_STEP.0,
-    adam: NO_STEP.1,
+    ..StepOptions::LOOK
 };
 
 /// Whether a training is so long that the check costs little of it.

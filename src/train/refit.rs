@@ -1,11 +1,10 @@
 //! Poses that fit pictures best with the avatar as it is: what a comparison needs where a capture's
 //! poses are off.
 
-use crate::adam::{Adam, Rates};
+use crate::adam::Adam;
 use crate::data::{DataOptions, Views, shots};
 use crate::error::TrainError;
 use crate::gpu::{StepOptions, Trainer, TrainerState};
-use crate::loss::LossWeights;
 use crate::parameters::{Layout, Parameters};
 use crate::refine::Refinement;
 use crate::topology::{Rows, Topology};
@@ -39,6 +38,10 @@ pub fn refit(
     data: &DataOptions,
     mut done: impl FnMut(usize),
 ) -> Result<Vec<Pose>, TrainError> {
+    let options = StepOptions {
+        joints: true,
+        ..StepOptions::LOOK
+    };
     let mut refinement = Refinement::new(capture);
     let mut seen = shots(capture, |camera, _| !camera);
     seen.retain(|shot| frames.contains(&shot.frame));
@@ -64,7 +67,7 @@ pub fn refit(
                     .iter()
                     .map(|&shot| posed(avatar, &views, shot, &pose, &mut random))
                     .collect::<Result<Vec<View>, TrainError>>()?;
-                trainer.look(&looked, &OPTIONS)?;
+                trainer.look(&looked, &options)?;
                 let mut joints = trainer.joints_gradient(0);
                 for view in 1..looked.len() {
                     for (sum, own) in joints.iter_mut().zip(trainer.joints_gradient(view)) {
@@ -84,20 +87,6 @@ pub fn refit(
         .map(|&frame| refinement.pose(frame, &capture.frames[frame].pose))
         .collect())
 }
-
-/// Pictures alone count, and nothing is learned.
-const OPTIONS: StepOptions = StepOptions {
-    weights: LossWeights {
-        l1: 1.0,
-        scale: 0.0,
-        scale_above: 1.0,
-        correctives: [0.0; 3],
-    },
-    correctives: true,
-    joints: true,
-    rates: Rates::NONE,
-    adam: Adam::DEFAULT,
-};
 
 /// A few of some, none twice.
 fn some(all: &[usize], random: &mut Random) -> Vec<usize> {

@@ -8,7 +8,6 @@ use crate::exposure::Exposure;
 use crate::gpu::{StepOptions, Trainer, TrainerState, memory_bytes};
 use crate::lock::Lock;
 use crate::log::{self, Now, Progress, Sums};
-use crate::loss::LossWeights;
 use crate::parameters::{Layout, Parameters};
 use crate::perceptual::AskedLoss;
 use crate::preflight::{self, Subject};
@@ -676,16 +675,6 @@ impl Session {
 
     /// How much pictures depend on each Gaussian's attributes, from some that are evenly spaced.
     fn sensitivity(&mut self) -> Result<Sensitivity, TrainError> {
-        let options = StepOptions {
-            weights: LossWeights {
-                scale: 0.0,
-                ..self.recipe.loss.without_correctives()
-            },
-            correctives: true,
-            joints: false,
-            rates: Rates::NONE,
-            adam: self.recipe.rates.adam(),
-        };
         let count = self.recipe.prune.pictures.min(self.views.len());
         let mut found = Sensitivity::new(self.topology.gaussians.len());
         for k in 0..count {
@@ -695,7 +684,7 @@ impl Session {
                 view,
                 shot: self.views.shots()[number],
             });
-            self.trainer.look(&[view], &options)?;
+            self.trainer.look(&[view], &StepOptions::LOOK)?;
             found.add(&self.trainer.attribute_gradients()?);
         }
         Ok(found)
@@ -713,7 +702,14 @@ impl Session {
             .iter()
             .flat_map(|numbers| numbers.arrays())
             .map(|array| array.iter().filter(|v| !v.is_finite()).count())
-            .sum();
+            .sum::<usize>();
+        let refined = self.refinement.items().map(|items| &items.values);
+        let count = count
+            + refined
+                .into_iter()
+                .flatten()
+                .filter(|v| !v.is_finite())
+                .count();
         if count > 0 {
             return Err(TrainError::Spoiled {
                 step: self.steps(),

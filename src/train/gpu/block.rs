@@ -60,6 +60,22 @@ pub struct StepOptions {
     pub adam: Adam,
 }
 
+impl StepOptions {
+    /// Pictures alone count, and nothing is learned.
+    pub const LOOK: Self = Self {
+        weights: LossWeights {
+            l1: 1.0,
+            scale: 0.0,
+            scale_above: 0.0,
+            correctives: [0.0; 3],
+        },
+        correctives: true,
+        joints: false,
+        rates: Rates::NONE,
+        adam: Adam::DEFAULT,
+    };
+}
+
 /// How the image is cut, and how much room there is for pairs.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Tiling {

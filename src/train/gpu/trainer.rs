@@ -238,12 +238,7 @@ impl Trainer {
             self.write(views, options);
             self.gpu.run("a step", |commands| {
                 Self::record_start(commands);
-                self.record_pose(commands, views.len());
-                for number in 0..views.len() {
-                    self.record_forward(commands, number);
-                    commands.barrier(Scope::KERNEL, Scope::KERNEL);
-                    self.record_backward(commands, number, options.joints);
-                }
+                self.record_views(commands, views.len(), options.joints);
                 self.record_update(commands, views.len());
             })?;
             if !self.make_room()? {
@@ -263,12 +258,7 @@ impl Trainer {
             self.write(views, options);
             self.gpu.run("a look", |commands| {
                 Self::record_start(commands);
-                self.record_pose(commands, views.len());
-                for number in 0..views.len() {
-                    self.record_forward(commands, number);
-                    commands.barrier(Scope::KERNEL, Scope::KERNEL);
-                    self.record_backward(commands, number, options.joints);
-                }
+                self.record_views(commands, views.len(), options.joints);
                 commands.barrier(Scope::KERNEL_WRITES, Scope::HOST_READS);
             })?;
             if !self.make_room()? {
@@ -493,6 +483,16 @@ impl Trainer {
             let at = offset_of(number, band) as usize;
             let bytes = bytes_of(&block);
             self.per_view.blocks.mapped()[at..at + bytes.len()].copy_from_slice(bytes);
+        }
+    }
+
+    /// From poses to the derivative of the Gaussians of so many views.
+    fn record_views(&self, commands: Recording, views: usize, joints: bool) {
+        self.record_pose(commands, views);
+        for number in 0..views {
+            self.record_forward(commands, number);
+            commands.barrier(Scope::KERNEL, Scope::KERNEL);
+            self.record_backward(commands, number, joints);
         }
     }
 
