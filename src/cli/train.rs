@@ -12,10 +12,11 @@ use anyhow::Context;
 use effigy::vulkan::Gpu;
 use effigy_capture::{Capture, CaptureOptions, tally};
 use effigy_learn::bake::Assets;
+use effigy_perceptual::Network;
 use effigy_train::{
     log::Progress,
     preflight,
-    recipe::{Preset, Recipe},
+    recipe::{PerceptualKind, Preset, Recipe},
     session::{Outcome, Plan, Session, SessionOptions},
 };
 use std::{
@@ -141,7 +142,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     let (Some(folder), Some(out)) = (&args.capture, &args.out) else {
         anyhow::bail!("a capture and --out are needed");
     };
-    let recipe = recipe(&args)?;
+    let recipe = with_known_weights(recipe(&args)?, &args);
     let above = out.parent().filter(|above| !above.as_os_str().is_empty());
     if let Some(above) = above.filter(|above| !above.is_dir()) {
         anyhow::bail!("{}: no such folder to write the avatar to", above.display());
@@ -317,6 +318,28 @@ fn recipe(args: &Args) -> anyhow::Result<Recipe> {
         None => format!("recipe {}", args.recipe.name()),
     };
     changed(&text, &args.set).map_err(|fault| Ended::Recipe(format!("{source}: {fault}")).into())
+}
+
+/// The recipe with D-SSIM in place of ST-LPIPS where nobody asked for that and its weights are not
+/// there.
+fn with_known_weights(mut recipe: Recipe, args: &Args) -> Recipe {
+    let is_asked_for = args.config.is_some()
+        || args
+            .set
+            .iter()
+            .any(|change| change.trim_start().starts_with("perceptual.kind"));
+    let file = match recipe.perceptual.kind {
+        PerceptualKind::StLpipsAlex => Network::Alex.file_name(),
+        PerceptualKind::StLpipsVgg => Network::Vgg.file_name(),
+        PerceptualKind::Dssim | PerceptualKind::None => return recipe,
+    };
+    if !is_asked_for && !args.weights.join(file).exists() {
+        eprintln!(
+            "without ST-LPIPS, whose weights tools/fetch_perceptual.sh gets: D-SSIM stands in for it"
+        );
+        recipe.perceptual.kind = PerceptualKind::Dssim;
+    }
+    recipe
 }
 
 /// A recipe's text with some keys changed, read.

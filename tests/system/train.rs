@@ -197,6 +197,30 @@ fn a_stopped_training_goes_on_to_the_same_bits() {
     assert!(parts == avatar, "it is another avatar");
 }
 
+fn without_its_weights_d_ssim_stands_in_for_st_lpips() {
+    gpu::gpu();
+    let folder = tempfile::tempdir().unwrap();
+    let here = folder.path();
+    let short = TINY
+        .replace("iterations=150", "iterations=3")
+        .replace("fine_tune=50", "fine_tune=1")
+        .replace("--set perceptual.kind=dssim", "--weights nowhere");
+    let output = ends(train(here, &format!("--out a.avatar {short}")));
+    assert!(output.status.success(), "{}", errors(&output));
+    assert!(
+        errors(&output).contains("D-SSIM stands in for it"),
+        "{}",
+        errors(&output)
+    );
+    let kind = "--set perceptual.kind=st-lpips-alex";
+    let output = ends(train(here, &format!("--out b.avatar {short} {kind}")));
+    assert!(
+        !output.status.success() && errors(&output).contains("alex_shift_tolerant.pth"),
+        "{}",
+        errors(&output)
+    );
+}
+
 fn recipes_that_are_none_are_refused_before_anything_else() {
     let folder = tempfile::tempdir().unwrap();
     let here = folder.path();
@@ -241,6 +265,7 @@ fn captures_that_are_none_are_named() {
 
 tests! {
     a_long_training_names_first_what_moves_nothing,
+    without_its_weights_d_ssim_stands_in_for_st_lpips,
     a_stopped_training_goes_on_to_the_same_bits,
     recipes_that_are_none_are_refused_before_anything_else,
     captures_that_are_none_are_named,
