@@ -170,9 +170,6 @@ pub fn run(args: &CaptureArgs, job: &Job) -> anyhow::Result<()> {
         !scores.is_empty(),
         "no picture could be compared: {left_out} are left out"
     );
-    if let Some(path) = &args.video {
-        evaluate_video::write(path, &capture, &scorer, errors)?;
-    }
     let report = Report::new(scorer.protocol(), scores);
     print!("{}", table(&report));
     if left_out > 0 {
@@ -180,6 +177,9 @@ pub fn run(args: &CaptureArgs, job: &Job) -> anyhow::Result<()> {
     }
     if let Some(path) = job.json {
         replace(path, serde_json::to_string_pretty(&report)?.as_bytes())?;
+    }
+    if let Some(path) = &args.video {
+        evaluate_video::write(path, &scorer, errors)?;
     }
     Ok(())
 }
@@ -192,6 +192,13 @@ fn refitted(
     args: &CaptureArgs,
 ) -> anyhow::Result<Capture> {
     let mut frames: Vec<usize> = views.iter().map(|view| view.frame).collect();
+    if args.video.is_some() {
+        frames.extend(
+            evaluate_video::views(&capture)
+                .iter()
+                .map(|view| view.frame),
+        );
+    }
     frames.sort_unstable();
     frames.dedup();
     let gpu = Gpu::new(&args.device.gpu())?;
@@ -203,8 +210,18 @@ fn refitted(
     })?;
     bar.finish_and_clear();
     let mut capture = Arc::unwrap_or_clone(capture);
+    let left = poses.iter().filter(|pose| pose.is_none()).count();
+    if left > 0 {
+        eprintln!(
+            "{left} of {} frames have no picture of a camera that is not held out: their poses are \
+             as given",
+            frames.len()
+        );
+    }
     for (&frame, pose) in frames.iter().zip(poses) {
-        capture.frames[frame].pose = pose;
+        if let Some(pose) = pose {
+            capture.frames[frame].pose = pose;
+        }
     }
     Ok(capture)
 }

@@ -5,7 +5,7 @@ use crate::progress;
 use anyhow::{Context, ensure};
 use effigy_capture::Capture;
 use effigy_core::{io::file::replace, scene::PixelRect};
-use effigy_learn::score::{Compared, Scorer, View};
+use effigy_learn::score::{Scorer, View};
 use effigy_perceptual::Planes;
 use std::path::Path;
 
@@ -14,70 +14,80 @@ const FRAMES_A_SECOND: u16 = 10;
 /// Around what is compared, 0 to 255.
 const GREY: u8 = 64;
 
-/// Writes the frames of the first camera that is held out, or of the first where none is, in their
-/// order. `error`: of a truth and an image.
+/// The views of the first camera that is held out, or of the first where none is, in their order.
+pub fn views(capture: &Capture) -> Vec<View> {
+    let held = capture.cameras.iter().position(|camera| camera.held);
+    let camera = held.unwrap_or(0);
+    (0..capture.frames.len())
+        .filter(|&frame| capture.has(camera, frame))
+        .map(|frame| View { camera, frame })
+        .collect()
+}
+
+/// Writes [`views`]. `error`: of a truth and an image. A view that can't be compared is grey.
 pub fn write(
     path: &Path,
-    capture: &Capture,
     scorer: &Scorer,
     error: impl Fn(&Planes, &Planes) -> Planes,
 ) -> anyhow::Result<()> {
-    let held = capture.cameras.iter().position(|camera| camera.held);
-    let camera = held.unwrap_or(0);
-    let frames: Vec<usize> = (0..capture.frames.len())
-        .filter(|&frame| capture.has(camera, frame))
-        .collect();
-    let bar = progress::items(frames.len() as u64, "frames");
-    let mut all: Vec<Compared> = Vec::new();
-    for frame in frames {
-        match scorer.compare(View { camera, frame }) {
-            Ok(compared) => all.extend(compared),
-            Err(error) => bar.println(error.to_string()),
+    let mut part = PixelRect::EMPTY;
+    let mut views = views(scorer.capture);
+    // A picture is held at a time: a clip may be long.
+    views.retain(|&view| match scorer.rect(view) {
+        Ok(Some(rect)) => {
+            part.min = part.min.min(rect.min);
+            part.max = part.max.max(rect.max);
+            true
         }
-        bar.inc(1);
-    }
-    bar.finish_and_clear();
-    let name = &capture.cameras[camera].name;
+        _ => false,
+    });
     ensure!(
-        !all.is_empty(),
-        "{}: camera {name} has no frame that can be compared",
+        !views.is_empty(),
+        "{}: no frame of the camera shows anybody",
         path.display()
     );
-    let part = all.iter().fold(PixelRect::EMPTY, |part, own| PixelRect {
-        min: part.min.min(own.rect.min),
-        max: part.max.max(own.rect.max),
-    });
-    let bytes = animation(&all, part, error)
+    let bytes = animation(&views, part, scorer, error)
         .with_context(|| format!("{} can't be made", path.display()))?;
     replace(path, &bytes)?;
-    println!("{}: {} frames of {name}", path.display(), all.len());
+    let name = &scorer.capture.cameras[views[0].camera].name;
+    println!("{}: {} frames of {name}", path.display(), views.len());
     Ok(())
 }
 
 /// The animation of a part of the picture.
 fn animation(
-    all: &[Compared],
+    views: &[View],
     part: PixelRect,
+    scorer: &Scorer,
     error: impl Fn(&Planes, &Planes) -> Planes,
 ) -> Result<Vec<u8>, png::EncodingError> {
     let [width, height] = (part.max - part.min).to_array();
     let mut bytes = Vec::new();
     let mut encoder = png::Encoder::new(&mut bytes, 3 * width, height);
     encoder.set_color(png::ColorType::Rgb);
-    encoder.set_animated(all.len() as u32, 0)?;
+    encoder.set_animated(views.len() as u32, 0)?;
     encoder.set_frame_delay(1, FRAMES_A_SECOND)?;
     let mut writer = encoder.write_header()?;
-    for own in all {
-        let errors = error(&own.truth, &own.image);
-        let mut pixels = vec![GREY; (9 * width * height) as usize];
-        let corner = own.rect.min - part.min;
-        for (column, planes) in (0..).zip([&own.truth, &own.image, &errors]) {
-            let first = [column * width + corner.x, corner.y].map(|v| v as usize);
-            put(&mut pixels, 3 * width as usize, first, planes);
+    let bar = progress::items(views.len() as u64, "frames");
+    for &view in views {
+        let mut pixels = vec![GREY; 9 * width as usize * height as usize];
+        match scorer.compare(view) {
+            Ok(Some(own)) => {
+                let errors = error(&own.truth, &own.image);
+                let corner = own.rect.min - part.min;
+                for (column, planes) in (0..).zip([&own.truth, &own.image, &errors]) {
+                    let first = [column * width + corner.x, corner.y].map(|v| v as usize);
+                    put(&mut pixels, 3 * width as usize, first, planes);
+                }
+            }
+            Ok(None) => {}
+            Err(error) => bar.println(error.to_string()),
         }
         writer.write_image_data(&pixels)?;
+        bar.inc(1);
     }
     writer.finish()?;
+    bar.finish_and_clear();
     Ok(bytes)
 }
 

@@ -17,7 +17,7 @@ use effigy_train::{
     log::Progress,
     preflight,
     recipe::{PerceptualKind, Preset, Recipe},
-    session::{Outcome, Plan, Session, SessionOptions},
+    session::{Outcome, POSES, Plan, RECIPE, Session, SessionOptions},
 };
 use std::{
     fmt,
@@ -142,7 +142,11 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     let (Some(folder), Some(out)) = (&args.capture, &args.out) else {
         anyhow::bail!("a capture and --out are needed");
     };
-    let recipe = with_known_weights(recipe(&args)?, &args);
+    let work = args
+        .folder
+        .clone()
+        .unwrap_or_else(|| out.with_extension("training"));
+    let recipe = with_known_weights(recipe(&args)?, &args, &work);
     let above = out.parent().filter(|above| !above.as_os_str().is_empty());
     if let Some(above) = above.filter(|above| !above.is_dir()) {
         anyhow::bail!("{}: no such folder to write the avatar to", above.display());
@@ -152,10 +156,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
     let gpu = Gpu::new(&args.device.gpu())?;
     let name = out.file_stem().unwrap_or_default().to_string_lossy();
     let options = SessionOptions {
-        folder: args
-            .folder
-            .clone()
-            .unwrap_or_else(|| out.with_extension("training")),
+        folder: work.clone(),
         resume: args.resume,
         minutes: args.minutes,
         check: preflight::is_due(&recipe, args.minutes),
@@ -165,7 +166,6 @@ pub fn run(args: Args) -> anyhow::Result<()> {
         name: name.into_owned(),
         credit: String::new(),
     };
-    let work = options.folder.clone();
     let announce = |plan: &Plan| {
         println!(
             "{}: {} pictures, views of {} × {} px; {} Gaussians in {} parts; {:.0} MB on {}",
@@ -210,7 +210,7 @@ pub fn run(args: Args) -> anyhow::Result<()> {
                     "poses refined: joints are turned by {:.2}° on average, {:.1}° at most; {}",
                     mean.to_degrees(),
                     most.to_degrees(),
-                    work.join("poses.motion").display()
+                    work.join(POSES).display()
                 );
             }
             Ok(())
@@ -321,8 +321,8 @@ fn recipe(args: &Args) -> anyhow::Result<Recipe> {
 }
 
 /// The recipe with D-SSIM in place of ST-LPIPS where nobody asked for that and its weights are not
-/// there.
-fn with_known_weights(mut recipe: Recipe, args: &Args) -> Recipe {
+/// there. A training that goes on keeps what it began with, whatever is there by now.
+fn with_known_weights(mut recipe: Recipe, args: &Args, work: &Path) -> Recipe {
     let is_asked_for = args.config.is_some()
         || args
             .set
@@ -333,7 +333,14 @@ fn with_known_weights(mut recipe: Recipe, args: &Args) -> Recipe {
         PerceptualKind::StLpipsVgg => Network::Vgg.file_name(),
         PerceptualKind::Dssim | PerceptualKind::None => return recipe,
     };
-    if !is_asked_for && !args.weights.join(file).exists() {
+    if is_asked_for {
+        return recipe;
+    }
+    let begun = std::fs::read_to_string(work.join(RECIPE)).ok();
+    let begun = begun.and_then(|text| Recipe::parse(&text).ok());
+    if let Some(begun) = begun.filter(|_| args.resume) {
+        recipe.perceptual.kind = begun.perceptual.kind;
+    } else if !args.weights.join(file).exists() {
         eprintln!(
             "without ST-LPIPS, whose weights tools/fetch_perceptual.sh gets: D-SSIM stands in for it"
         );

@@ -117,6 +117,11 @@ impl Moments {
         self.updates[item]
     }
 
+    /// Both moments of every number.
+    pub fn numbers(&self) -> impl Iterator<Item = f64> {
+        self.first.iter().chain(&self.second).copied()
+    }
+
     /// Counts a step of an item. What its numbers go against, a rate of 1 being about a unit each.
     /// `floor`: how much of the item's root mean square is added to each number's own; above 0,
     /// numbers that hardly matter, whose derivatives are noise, hardly move.

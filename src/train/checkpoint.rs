@@ -64,6 +64,12 @@ struct Meta {
     checksum: String,
 }
 
+/// What of it every version has.
+#[derive(Deserialize)]
+struct Version {
+    version: u32,
+}
+
 const ARRAYS: [&str; 4] = ["gaussians", "nodes", "networks", "bases"];
 const KINDS: [&str; 3] = ["parameters", "first_moments", "second_moments"];
 const ROWS: [&str; 3] = ["rows.rotation", "rows.scale", "rows.color"];
@@ -217,10 +223,11 @@ impl Checkpoint {
             .as_ref()
             .and_then(|all| all.get(META))
             .ok_or("no checkpoint of a training")?;
-        let meta: Meta = serde_json::from_str(text).map_err(|error| error.to_string())?;
-        if meta.version != VERSION {
-            return Err(format!("version {}, expected {VERSION}", meta.version));
+        let Version { version } = serde_json::from_str(text).map_err(|error| error.to_string())?;
+        if version != VERSION {
+            return Err(format!("version {version}, expected {VERSION}"));
         }
+        let meta: Meta = serde_json::from_str(text).map_err(|error| error.to_string())?;
         let tensors = SafeTensors::deserialize(&bytes).map_err(whole)?;
         let tensor = |name: &str| -> Result<Vec<u8>, String> {
             let tensor = tensors.tensor(name).map_err(|error| error.to_string())?;

@@ -247,7 +247,25 @@ impl Views {
         let mut random = Random::new(self.seed, place);
         let background = [(); 3].map(|()| (255.0 * random.uniform()).round() as u8);
         let share = DVec2::new(random.uniform(), random.uniform());
-        let first = self.shot_at(place);
+        self.readable(self.shot_at(place), background, share)
+    }
+
+    /// A picture before a background of one's choice, cut out around its middle. Where it can't be
+    /// read, the next that can stands in for it.
+    ///
+    /// # Errors
+    /// When no picture can be read any more.
+    pub fn steady(&self, shot: usize, background: [u8; 3]) -> Result<Looked, CaptureError> {
+        self.readable(shot, background, DVec2::splat(0.5))
+    }
+
+    /// The first picture from one on that can be read.
+    fn readable(
+        &self,
+        first: usize,
+        background: [u8; 3],
+        share: DVec2,
+    ) -> Result<Looked, CaptureError> {
         let mut fault = None;
         for shot in (first..self.shots.len()).chain(0..first) {
             match self.view(shot, background, share) {
@@ -271,14 +289,6 @@ impl Views {
             camera: 0,
             frame: 0,
         }))
-    }
-
-    /// A picture before a background of one's choice, cut out around its middle.
-    ///
-    /// # Errors
-    /// When the picture can't be read any more.
-    pub fn steady(&self, shot: usize, background: [u8; 3]) -> Result<View, CaptureError> {
-        self.view(shot, background, DVec2::splat(0.5))
     }
 
     fn view(&self, at: usize, background: [u8; 3], share: DVec2) -> Result<View, CaptureError> {

@@ -21,6 +21,12 @@ impl Exposure {
         }
     }
 
+    /// All numbers that a step changes.
+    pub fn numbers(&self) -> impl Iterator<Item = f64> {
+        let gains = self.log_gain.iter().flatten().copied();
+        gains.chain(self.moments.numbers())
+    }
+
     /// How many cameras it is of.
     pub fn cameras(&self) -> usize {
         self.log_gain.len()

@@ -99,8 +99,8 @@ impl Pruning<'_> {
         }
     }
 
-    /// As many rows in all as [`Self::by_variance`] keeps, of any attribute: those without which the
-    /// loss of pictures would rise most, Σ_c F_c b_c C b_cᵀ with the sensitivity F of the number.
+    /// As many rows in all as [`Self::by_variance`] keeps, of any attribute: those whose change over
+    /// poses changes the loss of pictures most, Σ_c F_c b_c C b_cᵀ with the sensitivity F of the number.
     pub fn by_pictures(&self, share: f64, sensitivity: &Sensitivity) -> Rows {
         let keep = COMPONENTS.len() * (share * self.layout.gaussians as f64).round() as usize;
         let mut all = Vec::new();

@@ -92,18 +92,34 @@ impl Items {
     }
 }
 
-/// The derivative of a view's loss with respect to a turn and a shift of its camera, after its view
-/// matrix: a camera that moves is all of the person that moves the other way.
-fn camera_gradient(view: &DAffine3, seen: SeenFrom) -> [DVec3; 2] {
-    let rest = seen.skeleton.rest.first().copied().unwrap_or_default();
-    let root = DVec3::from(rest.map(f64::from)) + seen.pose.translation;
-    let about_root = seen.gradient.rotation.first().copied().unwrap_or_default();
-    let force = seen.gradient.translation;
-    let eye = view.inverse().translation;
-    [
-        view.matrix3 * (about_root + (root - eye).cross(force)),
-        view.matrix3 * force,
-    ]
+/// The derivative of a loss with respect to a camera's motion after its view matrix.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct CameraGradient {
+    /// Of a turn, radians.
+    pub turn: DVec3,
+    /// Of a shift, metres.
+    pub shift: DVec3,
+}
+
+impl CameraGradient {
+    /// Adds that of another view.
+    pub fn add(&mut self, other: &Self) {
+        self.turn += other.turn;
+        self.shift += other.shift;
+    }
+
+    /// Of a camera with a view matrix: one that moves is all of the person that moves the other way.
+    fn new(view: &DAffine3, seen: SeenFrom) -> Self {
+        let rest = seen.skeleton.rest.first().copied().unwrap_or_default();
+        let root = DVec3::from(rest.map(f64::from)) + seen.pose.translation;
+        let about_root = seen.gradient.rotation.first().copied().unwrap_or_default();
+        let force = seen.gradient.translation;
+        let eye = view.inverse().translation;
+        Self {
+            turn: view.matrix3 * (about_root + (root - eye).cross(force)),
+            shift: view.matrix3 * force,
+        }
+    }
 }
 
 /// A turn after another, both axis-angle.
@@ -138,6 +154,13 @@ impl Refinement {
     /// Everything that learns.
     pub fn items(&self) -> [&Items; 2] {
         [&self.poses, &self.cameras]
+    }
+
+    /// All numbers that a step changes.
+    pub fn numbers(&self) -> impl Iterator<Item = f64> {
+        self.items()
+            .into_iter()
+            .flat_map(|items| items.values.iter().copied().chain(items.moments.numbers()))
     }
 
     /// Whether it has as many frames, joints and cameras as another.
@@ -197,20 +220,21 @@ impl Refinement {
         }
     }
 
-    /// A step of Adam for a camera. `given`: as the capture has it; `seen`: in the view that it
-    /// took.
+    /// The derivative of a view's loss with respect to its camera's motion. `given`: the camera as
+    /// the capture has it; `seen`: in that view.
+    pub fn camera_gradient(&self, camera: usize, given: &Camera, seen: SeenFrom) -> CameraGradient {
+        CameraGradient::new(&self.camera(camera, given).view, seen)
+    }
+
+    /// A step of Adam for a camera.
     pub fn learn_camera(
         &mut self,
         camera: usize,
-        given: &Camera,
-        seen: SeenFrom,
+        gradient: &CameraGradient,
         rate: f64,
         adam: &Adam,
     ) {
-        let view = self.camera(camera, given).view;
-        let of = camera_gradient(&view, seen)
-            .map(|of| of.to_array())
-            .concat();
+        let of = [gradient.turn.to_array(), gradient.shift.to_array()].concat();
         let change = self.cameras.moments.direction(camera, &of, 0.0, adam);
         let own = self.cameras.item_mut(camera);
         let by = -rate * DVec3::from_slice(&change);
@@ -373,7 +397,7 @@ mod tests {
         let (_, joints) = loss(&pose, &view, truth);
         let skeleton = skeleton();
         let gradient = skeleton.matrices_backward(&pose, &joints);
-        let [of_turn, of_shift] = camera_gradient(
+        let found = CameraGradient::new(
             &view,
             SeenFrom {
                 skeleton: &skeleton,
@@ -387,9 +411,9 @@ mod tests {
         };
         for axis in [DVec3::X, DVec3::Y, DVec3::Z] {
             let turn = slope(&|h| DAffine3::from_quat(DQuat::from_scaled_axis(h * axis)));
-            assert!((of_turn.dot(axis) - turn).abs() < 1e-7);
+            assert!((found.turn.dot(axis) - turn).abs() < 1e-7);
             let shift = slope(&|h| DAffine3::from_translation(h * axis));
-            assert!((of_shift.dot(axis) - shift).abs() < 1e-7);
+            assert!((found.shift.dot(axis) - shift).abs() < 1e-7);
         }
     }
 
@@ -441,7 +465,8 @@ mod tests {
                 gradient: &gradient,
             };
             let rate = 2e-3 * 0.01f64.powf(step as f64 / 6000.0);
-            own.learn_camera(k, given[k], seen, rate, &Adam::DEFAULT);
+            let gradient = own.camera_gradient(k, given[k], seen);
+            own.learn_camera(k, &gradient, rate, &Adam::DEFAULT);
         }
         let far = |own: &Refinement, world: &DAffine3| -> f64 {
             let points = |k: usize| {

@@ -25,8 +25,8 @@ const RATE: f64 = 8e-3;
 const END: f64 = 0.05;
 
 /// Fits the poses of some frames to the pictures that cameras took of them which are not held out,
-/// by the same loss as training's. The avatar stays as it is. A frame without such pictures keeps
-/// its pose. `done` hears of every frame.
+/// by the same loss as training's. The avatar stays as it is. None for a frame without such
+/// pictures. `done` hears of every frame.
 ///
 /// # Errors
 /// When the device is lost or not for training, or pictures can't be read.
@@ -37,7 +37,7 @@ pub fn refit(
     frames: &[usize],
     data: &DataOptions,
     mut done: impl FnMut(usize),
-) -> Result<Vec<Pose>, TrainError> {
+) -> Result<Vec<Option<Pose>>, TrainError> {
     let options = StepOptions {
         joints: true,
         ..StepOptions::LOOK
@@ -59,14 +59,23 @@ pub fn refit(
             let mut random = Random::new(1, frame as u64);
             for step in 0..STEPS {
                 let chosen = some(&of_frame, &mut random);
-                if chosen.is_empty() {
-                    break;
-                }
                 let pose = refinement.pose(frame, &capture.frames[frame].pose);
-                let looked = chosen
-                    .iter()
-                    .map(|&shot| posed(avatar, &views, shot, &pose, &mut random))
-                    .collect::<Result<Vec<View>, TrainError>>()?;
+                let mut looked = Vec::new();
+                for shot in chosen {
+                    let background = [(); 3].map(|()| (255.0 * random.uniform()).round() as u8);
+                    let found = views.steady(shot, background)?;
+                    // Another stands in for a picture that can't be read: not of this frame.
+                    if found.shot.frame == frame {
+                        looked.push(View {
+                            joints: avatar.skeleton.matrices(&pose),
+                            input: avatar.inputs.from_pose(&pose),
+                            ..found.view
+                        });
+                    }
+                }
+                if looked.is_empty() {
+                    continue;
+                }
                 trainer.look(&looked, &options)?;
                 let mut joints = trainer.joints_gradient(0);
                 for view in 1..looked.len() {
@@ -84,7 +93,10 @@ pub fn refit(
     }
     Ok(frames
         .iter()
-        .map(|&frame| refinement.pose(frame, &capture.frames[frame].pose))
+        .map(|&frame| {
+            let is_fitted = refinement.poses.moments.updates(frame) > 0;
+            is_fitted.then(|| refinement.pose(frame, &capture.frames[frame].pose))
+        })
         .collect())
 }
 
@@ -95,23 +107,6 @@ fn some(all: &[usize], random: &mut Random) -> Vec<usize> {
     (0..count)
         .map(|_| rest.swap_remove((random.uniform() * rest.len() as f64) as usize))
         .collect()
-}
-
-/// A view of a shot with the avatar in a pose, before a random background.
-fn posed(
-    avatar: &Avatar,
-    views: &Views,
-    shot: usize,
-    pose: &Pose,
-    random: &mut Random,
-) -> Result<View, TrainError> {
-    let background = [(); 3].map(|()| (255.0 * random.uniform()).round() as u8);
-    let view = views.steady(shot, background)?;
-    Ok(View {
-        joints: avatar.skeleton.matrices(pose),
-        input: avatar.inputs.from_pose(pose),
-        ..view
-    })
 }
 
 /// Which pictures [`refit`] may look at for a frame, for what says how numbers were found.

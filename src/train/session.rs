@@ -13,19 +13,21 @@ use crate::perceptual::AskedLoss;
 use crate::preflight::{self, Subject};
 use crate::prune::{Pruning, Sensitivity, feature_covariance, keep_rows};
 use crate::recipe::{PruneBy, Recipe};
-use crate::refine::{RefineRates, Refinement, SeenFrom};
+use crate::refine::{CameraGradient, RefineRates, Refinement, SeenFrom};
 use crate::start::start;
 use crate::topology::{Rows, Topology};
 use crate::view::View;
 use crate::watch::{self, Seen, Watched, watched_shots};
 use effigy::vulkan::Gpu;
 use effigy_capture::{Capture, CaptureError};
-use effigy_core::avatar::{Avatar, Pose};
+use effigy_core::avatar::{Avatar, Pose, PoseGradient};
 use effigy_core::io::file::{FileError, replace};
 use effigy_core::layout::TRAIN_WIDTH_MAX;
 use effigy_core::reference::mlp;
 use effigy_core::scene::{Camera, Posed};
 use rayon::prelude::*;
+use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -37,9 +39,9 @@ use std::time::{Duration, Instant};
 /// The avatar that a training began with.
 const START: &str = "start.avatar";
 /// The recipe that it follows.
-const RECIPE: &str = "recipe.toml";
+pub const RECIPE: &str = "recipe.toml";
 /// The poses that were learned, as a clip.
-const POSES: &str = "poses.motion";
+pub const POSES: &str = "poses.motion";
 
 /// What a training needs besides its recipe.
 pub struct SessionOptions {
@@ -75,7 +77,7 @@ pub struct Plan {
     pub memory_bytes: u64,
     /// Steps that were taken before.
     pub steps: u64,
-    /// Whether it is checked first, for up to half a minute.
+    /// Whether it is checked first.
     pub check: bool,
 }
 
@@ -438,11 +440,8 @@ impl Session {
         };
         let mut seen = Vec::new();
         for number in 0..self.watched.views.len() {
-            let view = self.watched.views.steady(number, [128; 3])?;
-            let view = self.refined(Looked {
-                view,
-                shot: self.watched.views.shots()[number],
-            });
+            let looked = self.watched.views.steady(number, [128; 3])?;
+            let view = self.refined(looked);
             let image = self
                 .trainer
                 .images(std::slice::from_ref(&view), &options)?
@@ -525,9 +524,7 @@ impl Session {
             self.exposure.center();
         }
         if options.joints {
-            for (number, shot) in shots.iter().enumerate() {
-                self.refine(number, *shot, refine, &options.adam);
-            }
+            self.refine(&shots, refine, &options.adam);
         }
         sums.add(&found);
         self.place += shots.len() as u64;
@@ -558,25 +555,43 @@ impl Session {
             .pose(frame, &self.capture.frames[frame].pose)
     }
 
-    /// Poses and cameras learn from a view of the last step.
-    fn refine(&mut self, number: usize, shot: Shot, rates: RefineRates, adam: &Adam) {
-        let pose = self.pose(shot.frame);
+    /// Poses and cameras learn from the views of the last step, each once: frames and cameras that
+    /// several views share from the sum.
+    fn refine(&mut self, shots: &[Shot], rates: RefineRates, adam: &Adam) {
         let skeleton = &self.start.skeleton;
-        let gradient = skeleton.matrices_backward(&pose, &self.trainer.joints_gradient(number));
-        if rates.camera > 0.0 {
+        let mut poses: BTreeMap<usize, PoseGradient> = BTreeMap::new();
+        let mut cameras: BTreeMap<usize, CameraGradient> = BTreeMap::new();
+        for (number, shot) in shots.iter().enumerate() {
+            let pose = self.pose(shot.frame);
+            let own = skeleton.matrices_backward(&pose, &self.trainer.joints_gradient(number));
+            let given = &self.capture.cameras[shot.camera].camera;
             let seen = SeenFrom {
                 skeleton,
                 pose: &pose,
-                gradient: &gradient,
+                gradient: &own,
             };
+            let of_camera = self.refinement.camera_gradient(shot.camera, given, seen);
+            cameras.entry(shot.camera).or_default().add(&of_camera);
+            match poses.entry(shot.frame) {
+                Entry::Occupied(mut sum) => sum.get_mut().add(&own),
+                Entry::Vacant(place) => {
+                    place.insert(own);
+                }
+            }
+        }
+        if rates.camera > 0.0 {
+            for (camera, gradient) in &cameras {
+                self.refinement
+                    .learn_camera(*camera, gradient, rates.camera, adam);
+            }
             let given: Vec<&Camera> = self.capture.cameras.iter().map(|own| &own.camera).collect();
-            self.refinement
-                .learn_camera(shot.camera, given[shot.camera], seen, rates.camera, adam);
             self.refinement.center(&given);
         }
         if rates.pose > 0.0 {
-            self.refinement
-                .learn_pose(shot.frame, &gradient, rates.pose, adam);
+            for (frame, gradient) in &poses {
+                self.refinement
+                    .learn_pose(*frame, gradient, rates.pose, adam);
+            }
         }
     }
 
@@ -679,11 +694,8 @@ impl Session {
         let mut found = Sensitivity::new(self.topology.gaussians.len());
         for k in 0..count {
             let number = (2 * k + 1) * self.views.len() / (2 * count);
-            let view = self.views.steady(number, [128; 3])?;
-            let view = self.refined(Looked {
-                view,
-                shot: self.views.shots()[number],
-            });
+            let looked = self.views.steady(number, [128; 3])?;
+            let view = self.refined(looked);
             self.trainer.look(&[view], &StepOptions::LOOK)?;
             found.add(&self.trainer.attribute_gradients()?);
         }
@@ -703,13 +715,8 @@ impl Session {
             .flat_map(|numbers| numbers.arrays())
             .map(|array| array.iter().filter(|v| !v.is_finite()).count())
             .sum::<usize>();
-        let refined = self.refinement.items().map(|items| &items.values);
-        let count = count
-            + refined
-                .into_iter()
-                .flatten()
-                .filter(|v| !v.is_finite())
-                .count();
+        let on_host = self.refinement.numbers().chain(self.exposure.numbers());
+        let count = count + on_host.filter(|v| !v.is_finite()).count();
         if count > 0 {
             return Err(TrainError::Spoiled {
                 step: self.steps(),

@@ -242,11 +242,12 @@ fn the_block_of_a_trained_view_is_the_same_on_both_sides() {
         offset_of!(ViewBlock, lens),
         offset_of!(ViewBlock, loss_weights),
         offset_of!(ViewBlock, counts),
+        offset_of!(ViewBlock, band),
         offset_of!(ViewBlock, sizes),
         offset_of!(ViewBlock, network),
         offset_of!(ViewBlock, adam_correction),
     ];
-    assert_eq!(named, [48, 128, 160, 288, 304, 384]);
+    assert_eq!(named, [48, 128, 160, 208, 304, 320, 400]);
 }
 
 fn the_control_block_is_the_same_on_both_sides() {

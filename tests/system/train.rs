@@ -212,6 +212,13 @@ fn without_its_weights_d_ssim_stands_in_for_st_lpips() {
         "{}",
         errors(&output)
     );
+    // Weights that came since don't make it another training.
+    let weights = folder.path().join("nowhere");
+    fs::create_dir(&weights).unwrap();
+    fs::write(weights.join("alex_shift_tolerant.pth"), "").unwrap();
+    let output = ends(train(here, &format!("--out a.avatar {short} --resume")));
+    assert!(output.status.success(), "{}", errors(&output));
+    fs::remove_dir_all(&weights).unwrap();
     let kind = "--set perceptual.kind=st-lpips-alex";
     let output = ends(train(here, &format!("--out b.avatar {short} {kind}")));
     assert!(

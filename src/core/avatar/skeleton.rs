@@ -123,6 +123,16 @@ pub struct PoseGradient {
     pub translation: DVec3,
 }
 
+impl PoseGradient {
+    /// Adds that of another loss, with respect to the same pose.
+    pub fn add(&mut self, other: &Self) {
+        for (own, other) in self.rotation.iter_mut().zip(&other.rotation) {
+            *own += *other;
+        }
+        self.translation += other.translation;
+    }
+}
+
 /// Σ_c L_c × M_c over columns.
 fn moment(l: &DMat3, m: &DMat3) -> DVec3 {
     (0..3).map(|c| l.col(c).cross(m.col(c))).sum()

@@ -103,6 +103,16 @@ impl<'a> Scorer<'a> {
         Self { poses, ..self }
     }
 
+    /// The part of a view's picture that is compared, and some pixels around it. None: its mask is
+    /// empty.
+    ///
+    /// # Errors
+    /// When the truth can't be read.
+    pub fn rect(&self, view: View) -> Result<Option<PixelRect>, ScoreError> {
+        let picture = self.capture.picture(view.camera, view.frame)?;
+        Ok(mask_box(&picture).map(|own| grown(own, MARGIN, picture.size)))
+    }
+
     /// Compares a view. None: its mask is empty.
     ///
     /// # Errors
