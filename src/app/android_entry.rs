@@ -92,6 +92,7 @@ fn show(
         background: BACKGROUND,
         frames: None,
         rehearse: Vec::new(),
+        live: false,
         file_list: files.into_list(),
         opener: None,
         first,
