@@ -84,6 +84,11 @@ pub fn shots(capture: &Capture, takes: impl Fn(bool, bool) -> bool) -> Vec<Shot>
     all
 }
 
+/// A colour for a background.
+pub fn random_color(random: &mut Random) -> [u8; 3] {
+    [(); 3].map(|()| (255.0 * random.uniform()).round() as u8)
+}
+
 /// What a frame's pose is to an avatar.
 struct PosedFrame {
     joints: Vec<DAffine3>,
@@ -245,7 +250,7 @@ impl Views {
     /// When no picture can be read any more.
     pub fn at(&self, place: u64) -> Result<Looked, CaptureError> {
         let mut random = Random::new(self.seed, place);
-        let background = [(); 3].map(|()| (255.0 * random.uniform()).round() as u8);
+        let background = random_color(&mut random);
         let share = DVec2::new(random.uniform(), random.uniform());
         self.readable(self.shot_at(place), background, share)
     }

@@ -196,18 +196,6 @@ impl Trial {
 /// Every joint that Gaussians follow, and every input that reaches a network.
 fn trials(subject: &Subject) -> Vec<Trial> {
     let topology = subject.topology;
-    let mut followers: Vec<Vec<u32>> = vec![Vec::new(); topology.joints];
-    for (number, placed) in topology.gaussians.iter().enumerate() {
-        let own: BTreeSet<u8> = placed
-            .joint
-            .into_iter()
-            .zip(placed.joint_weight)
-            .filter_map(|(joint, weight)| (weight > 0).then_some(joint))
-            .collect();
-        for joint in own {
-            followers[usize::from(joint)].push(number as u32);
-        }
-    }
     let trial = |change, name, moves| Trial {
         change,
         name,
@@ -215,10 +203,16 @@ fn trials(subject: &Subject) -> Vec<Trial> {
         tries: 0,
         moved: false,
     };
-    let joints = followers.into_iter().enumerate().map(|(joint, moves)| {
-        let name = joint_name(&subject.capture.template, joint);
-        trial(Change::Turn(joint), format!("joint {name}"), moves)
-    });
+    let joints = topology
+        .moved()
+        .into_iter()
+        .enumerate()
+        .map(|(joint, moved)| {
+            let mut moves: Vec<u32> = moved.iter().map(|follower| follower.gaussian).collect();
+            moves.dedup();
+            let name = joint_name(&subject.capture.template, joint);
+            trial(Change::Turn(joint), format!("joint {name}"), moves)
+        });
     let of_head = topology.part_start[topology.head_parts];
     let inputs = (0..topology.widths[0]).map(|input| {
         let reached = if input < topology.expression_start {
@@ -257,9 +251,9 @@ struct Look<'a> {
     trials: Vec<Trial>,
     /// Of every kind of number that is learned, the largest derivative; NaN where one is no number.
     kinds: Vec<(String, f64)>,
-    /// The same of the weights that each input has in the first layer.
+    /// Of the weights that each input has in the first layer, likewise.
     inputs: Vec<f64>,
-    /// The same of the cameras' gains.
+    /// Of the cameras' gains, RGB, likewise.
     gain: [f64; 3],
     /// What the perceptual loss says of an image, and of another.
     asked: Option<Answer>,

@@ -87,7 +87,7 @@ pub struct Pruning<'a> {
 }
 
 impl Pruning<'_> {
-    /// As many rows for each attribute, `share` of the Gaussians: those whose corrective B e varies
+    /// Keeps for each attribute `share` of the Gaussians' rows: those whose corrective B e varies
     /// most, Σ_c b_c C b_cᵀ with the covariance C of their part's features.
     pub fn by_variance(&self, share: f64) -> Rows {
         let keep = (share * self.layout.gaussians as f64).round() as usize;
@@ -99,7 +99,7 @@ impl Pruning<'_> {
         }
     }
 
-    /// As many rows in all as [`Self::by_variance`] keeps, of any attribute: those whose change over
+    /// Keeps in all the number of rows of [`Self::by_variance`], of any attribute: those whose change over
     /// poses changes the loss of pictures most, Σ_c F_c b_c C b_cᵀ with the sensitivity F of the number.
     pub fn by_pictures(&self, share: f64, sensitivity: &Sensitivity) -> Rows {
         let keep = COMPONENTS.len() * (share * self.layout.gaussians as f64).round() as usize;

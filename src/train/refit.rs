@@ -2,7 +2,7 @@
 //! poses are off.
 
 use crate::adam::Adam;
-use crate::data::{DataOptions, Views, shots};
+use crate::data::{DataOptions, Views, random_color, shots};
 use crate::error::TrainError;
 use crate::gpu::{StepOptions, Trainer, TrainerState};
 use crate::parameters::{Layout, Parameters};
@@ -60,15 +60,16 @@ pub fn refit(
             for step in 0..STEPS {
                 let chosen = some(&of_frame, &mut random);
                 let pose = refinement.pose(frame, &capture.frames[frame].pose);
+                let joints = avatar.skeleton.matrices(&pose);
+                let input = avatar.inputs.from_pose(&pose);
                 let mut looked = Vec::new();
                 for shot in chosen {
-                    let background = [(); 3].map(|()| (255.0 * random.uniform()).round() as u8);
-                    let found = views.steady(shot, background)?;
+                    let found = views.steady(shot, random_color(&mut random))?;
                     // Another stands in for a picture that can't be read: not of this frame.
                     if found.shot.frame == frame {
                         looked.push(View {
-                            joints: avatar.skeleton.matrices(&pose),
-                            input: avatar.inputs.from_pose(&pose),
+                            joints: joints.clone(),
+                            input: input.clone(),
                             ..found.view
                         });
                     }
@@ -77,14 +78,14 @@ pub fn refit(
                     continue;
                 }
                 trainer.look(&looked, &options)?;
-                let mut joints = trainer.joints_gradient(0);
+                let mut of = |view| {
+                    let joints = trainer.joints_gradient(view);
+                    avatar.skeleton.matrices_backward(&pose, &joints)
+                };
+                let mut gradient = of(0);
                 for view in 1..looked.len() {
-                    for (sum, own) in joints.iter_mut().zip(trainer.joints_gradient(view)) {
-                        sum.matrix3 += own.matrix3;
-                        sum.translation += own.translation;
-                    }
+                    gradient.add(&of(view));
                 }
-                let gradient = avatar.skeleton.matrices_backward(&pose, &joints);
                 let rate = RATE * END.powf(f64::from(step) / f64::from(STEPS));
                 refinement.learn_pose(frame, &gradient, rate, &Adam::DEFAULT);
             }

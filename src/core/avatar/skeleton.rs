@@ -57,11 +57,16 @@ impl Skeleton {
     /// G_j = A_j(pose) A_j(canonical)⁻¹: canonical space to world, for each joint (docs/model.md,
     /// step 6).
     pub fn matrices(&self, pose: &Pose) -> Vec<DAffine3> {
+        self.against_canonical(&self.joints(pose))
+    }
+
+    /// [`Self::matrices`] of joints that are posed already.
+    fn against_canonical(&self, posed: &[DAffine3]) -> Vec<DAffine3> {
         let canonical = self.world(
             |j| DQuat::from_scaled_axis(DVec3::from(self.canonical[j].map(f64::from))),
             DVec3::ZERO,
         );
-        self.joints(pose)
+        posed
             .iter()
             .zip(&canonical)
             .map(|(posed, canonical)| *posed * canonical.inverse())
@@ -80,7 +85,7 @@ impl Skeleton {
     pub fn matrices_backward(&self, pose: &Pose, gradient: &[DAffine3]) -> PoseGradient {
         assert_eq!(gradient.len(), self.len(), "a matrix a joint");
         let world = self.joints(pose);
-        let matrices = self.matrices(pose);
+        let matrices = self.against_canonical(&world);
         // About the origin, and as forces are summed: of a joint and all that hangs on it.
         let mut torque: Vec<DVec3> = matrices
             .iter()

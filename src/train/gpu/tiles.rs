@@ -195,8 +195,7 @@ impl Tiles {
     /// Sorted splats to the pairs of a band, by tile. Ends with what [`Self::record_image`] reads.
     pub fn record_pairs(&self, commands: Recording, offset: u32, size: [u32; 2], band: u32) {
         let next = || commands.barrier(Scope::KERNEL, Scope::KERNEL);
-        let [columns, _] = self.tiling.tiles(size);
-        let rows = self.tiling.rows(size, band).len() as u32;
+        let [columns, rows] = self.tiles_of(size, band);
         self.count.dispatch(commands, offset, self.blocks);
         next();
         self.scan.dispatch(commands, offset, 1);
