@@ -69,9 +69,6 @@ const OTHER_DEVICE: &str =
 /// Advice where a driver can't draw triangles.
 pub const NO_TRIANGLES: &str =
     "set LP_NATIVE_VECTOR_WIDTH=256, or use `--raster tiles` and no window";
-/// Advice where a checkpoint stands in place of an avatar.
-pub const DISTIL: &str =
-    "`effigy import CHECKPOINT --out NAME.avatar` makes an avatar of it, in minutes";
 const SMALLER_AVATAR: &str =
     "use an avatar with fewer Gaussians or basis rows, or another device with --device";
 

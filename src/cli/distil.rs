@@ -7,20 +7,17 @@ use crate::{
     source::print_assumptions,
 };
 use anyhow::ensure;
-use effigy_core::avatar::{Avatar, Clip, Pose, Skeleton, limits};
+use effigy_core::avatar::{Clip, Pose, Skeleton, limits};
 use effigy_formats::{
     mmlphuman::{Checkpoint, Options},
     open::{self, ClipOptions},
 };
 use effigy_learn::{
     Budget,
-    distil::{Difference, DistilOptions, Likeness, SampleOptions, distil},
+    distil::{Difference, DistilOptions, Distilled, Likeness, SampleOptions, distil},
 };
 use glam::DVec3;
-use std::{
-    path::{Path, PathBuf},
-    time::Instant,
-};
+use std::path::{Path, PathBuf};
 
 /// How to distil, where the user says.
 #[derive(clap::Args, Clone, Copy, Debug, Default, PartialEq)]
@@ -113,8 +110,8 @@ pub struct Job<'a> {
     pub options: Options,
 }
 
-/// Distils an avatar, and says how like the checkpoint it is.
-pub fn run(args: &DistilArgs, job: &Job) -> anyhow::Result<Avatar> {
+/// Distils an avatar.
+pub fn run(args: &DistilArgs, job: &Job) -> anyhow::Result<Distilled> {
     let basis = args.basis.unwrap_or(16);
     ensure!(
         basis.is_multiple_of(4),
@@ -125,7 +122,7 @@ pub fn run(args: &DistilArgs, job: &Job) -> anyhow::Result<Avatar> {
     })?
 }
 
-fn fit(args: &DistilArgs, job: &Job, checkpoint: &Checkpoint) -> anyhow::Result<Avatar> {
+fn fit(args: &DistilArgs, job: &Job, checkpoint: &Checkpoint) -> anyhow::Result<Distilled> {
     print_assumptions(job.file, &checkpoint.assumptions);
     let mut trained = Vec::new();
     for path in job.trained {
@@ -139,7 +136,6 @@ fn fit(args: &DistilArgs, job: &Job, checkpoint: &Checkpoint) -> anyhow::Result<
         job.file.display()
     );
     let options = args.options(checkpoint.len());
-    let start = Instant::now();
     let bar = progress::steps(options.epochs as u64);
     let name = job.file.file_stem().unwrap_or_default().to_string_lossy();
     let distilled = distil(checkpoint, &name, &trained, &options, &|done, what| {
@@ -147,11 +143,7 @@ fn fit(args: &DistilArgs, job: &Job, checkpoint: &Checkpoint) -> anyhow::Result<
         bar.set_message(what.to_owned());
     });
     bar.finish_and_clear();
-    let distilled =
-        distilled.map_err(|error| anyhow::anyhow!("{}: {error}", job.file.display()))?;
-    print(&distilled.likeness, all);
-    println!("distilled in {:.0} s", start.elapsed().as_secs_f64());
-    Ok(distilled.avatar)
+    distilled.map_err(|error| anyhow::anyhow!("{}: {error}", job.file.display()))
 }
 
 /// The poses of a clip, in a skeleton's order of joints.
@@ -168,13 +160,12 @@ fn poses(clip: &Clip, skeleton: &Skeleton) -> Vec<Pose> {
     (0..clip.frames()).map(pose).collect()
 }
 
-/// Says how like the checkpoint the avatar is, and what is left out.
-fn print(likeness: &Likeness, poses: usize) {
-    println!("of {poses} training poses; root mean square differences from the checkpoint:");
+/// How like the checkpoint an avatar is, and what is left out: a line each.
+pub fn likeness(likeness: &Likeness) -> String {
     let row = |name: &str, own: &Difference, left: f64| {
         let decibels = |found: Option<f64>| found.map_or("–".into(), |db| format!("{db:.1}"));
-        println!(
-            "  {name}: {:.2} mm, scale {:.1} %, colour {:.1} of 255, images {} dB ({} from those without view-dependent colour; {} without correctives); {:.1} % of the variance left",
+        format!(
+            "  {name}: {:.2} mm, scale {:.1} %, colour {:.1} of 255, images {} dB ({} from those without view-dependent colour; {} without correctives); {:.1} % of the variance left\n",
             1e3 * own.position,
             100.0 * own.log_scale,
             255.0 * own.color,
@@ -182,15 +173,17 @@ fn print(likeness: &Likeness, poses: usize) {
             decibels(own.diffuse_db),
             decibels(own.neutral_db),
             100.0 * left,
-        );
+        )
     };
     let [learned, held] = likeness.unexplained;
-    row("poses that it learned", &likeness.learned, learned);
-    row("poses that were held out", &likeness.held, held);
-    println!(
+    let left_out = format!(
         "left out: view-dependent colour (rms {:.1} of 255), opacity that follows the pose (rms {:.1} of 255), {:.1} % of the joints' weights, beyond four a Gaussian",
         255.0 * likeness.harmonics_lost,
         255.0 * likeness.opacity_lost,
         100.0 * likeness.skin_lost
     );
+    "root mean square differences from the checkpoint:\n".to_owned()
+        + &row("poses that it learned", &likeness.learned, learned)
+        + &row("poses that were held out", &likeness.held, held)
+        + &left_out
 }

@@ -15,7 +15,10 @@ use effigy_formats::{
     webavatar::{self, ColorCode},
 };
 use effigy_learn::math::pca::pca;
-use std::path::{Path, PathBuf};
+use std::{
+    path::{Path, PathBuf},
+    time::Instant,
+};
 
 /// Principal components of the training poses that the paper's avatars have.
 const POSE_COMPONENTS: usize = 20;
@@ -220,7 +223,11 @@ fn distilled(args: &Args) -> anyhow::Result<Avatar> {
         clips: &args.clip_options()?,
         options,
     };
-    distil::run(&args.distil, &job)
+    let start = Instant::now();
+    let distilled = distil::run(&args.distil, &job)?;
+    println!("{}", distil::likeness(&distilled.likeness));
+    println!("distilled in {:.0} s", start.elapsed().as_secs_f64());
+    Ok(distilled.avatar)
 }
 
 /// Reads the paper's model, or another avatar.

@@ -35,6 +35,7 @@ mod groups;
 mod import;
 mod inspect;
 mod interrupt;
+mod kept;
 #[cfg(feature = "window")]
 mod live;
 mod options;

@@ -1,10 +1,7 @@
 //! Where a command's avatar and clips come from: files that the user names, else the demo inside
 //! the program.
 
-use crate::{
-    advice::{Advised, DISTIL},
-    options::named,
-};
+use crate::{kept, options::named};
 use anyhow::{Context, ensure};
 use effigy_core::{
     avatar::{Avatar, Clip, Pose, motion::Player},
@@ -26,9 +23,9 @@ use std::{
 /// The avatar and clips of every command that draws.
 #[derive(clap::Args, Clone, Debug)]
 pub struct Source {
-    /// Avatar to draw: an .avatar file, the paper's .npz, or splats, which stand still: .ply,
-    /// .splat, .spz, .sog, .ksplat, .glb or .gltf. Motion of any body moves the demo [default: the
-    /// built-in demo]
+    /// Avatar to draw: an .avatar file, the paper's .npz, mmlphuman's checkpoint (.pth, to which one
+    /// is fitted first), or splats, which stand still: .ply, .splat, .spz, .sog, .ksplat, .glb or
+    /// .gltf. Motion of any body moves the demo [default: the built-in demo]
     pub avatar: Option<PathBuf>,
     /// Clip that moves the avatar: a .motion file, or motion of any body (.bvh, .fbx, glTF, VRM,
     /// SMPL's parameters, the paper's _poses.json); repeat for several [default: the poses beside
@@ -167,16 +164,16 @@ impl Source {
 
     /// Reads an avatar.
     pub fn read(&self, path: &Path) -> anyhow::Result<Imported> {
-        if open::is_checkpoint(path) {
-            let fact = format!("{} is a training checkpoint of mmlphuman", path.display());
-            return Err(Advised::new(fact, DISTIL).into());
-        }
         let options = OpenOptions {
             up: self.up,
             ..OpenOptions::default()
         };
         let began = Instant::now();
-        let imported = open::avatar(path, &options)?;
+        let imported = if open::is_checkpoint(path) {
+            kept::avatar(path)?
+        } else {
+            open::avatar(path, &options)?
+        };
         let took = began.elapsed().as_secs_f64() * 1e3;
         tracing::info!("read {} in {took:.1} ms", path.display());
         Ok(Imported {

@@ -4,6 +4,7 @@
 //! temporary files, and says where.
 
 use crate::memory;
+use crate::work::seconds_of_work;
 use effigy_core::{
     avatar::Skeleton,
     glam::DAffine3,
@@ -28,7 +29,7 @@ use effigy_formats::{
 use std::{
     panic::{AssertUnwindSafe, catch_unwind},
     path::Path,
-    sync::{LazyLock, OnceLock},
+    sync::OnceLock,
     time::{Duration, Instant},
 };
 
@@ -145,15 +146,6 @@ impl Effort {
             },
         }
     }
-}
-
-/// Seconds that this thread has worked, where the system tells, so that other programs do not count;
-/// else seconds.
-fn seconds_of_work() -> f64 {
-    static START: LazyLock<Instant> = LazyLock::new(Instant::now);
-    let told = std::fs::read_to_string("/proc/thread-self/schedstat").ok();
-    let nanoseconds = told.and_then(|text| text.split(' ').next()?.parse::<f64>().ok());
-    nanoseconds.map_or_else(|| START.elapsed().as_secs_f64(), |told| told / 1e9)
 }
 
 type Read<'a> = &'a dyn Fn(&[u8]) -> Result<(), FormatError>;

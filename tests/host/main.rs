@@ -16,6 +16,7 @@ mod flicker;
 mod fuzz;
 mod gltf_motion;
 mod governor;
+mod large;
 mod layout;
 mod learned;
 mod levels;
@@ -39,6 +40,7 @@ mod thermals;
 #[cfg(feature = "window")]
 mod viewer;
 mod webavatar;
+mod work;
 
 use crate::common::harness::{self, Group};
 use std::process::ExitCode;
@@ -71,6 +73,7 @@ fn main() -> ExitCode {
             gltf_motion::hostile,
             governor,
             layout,
+            large,
             learned,
             mmlphuman,
             mmlphuman::hostile,

@@ -5,6 +5,7 @@
 mod common;
 mod commands;
 mod motion;
+mod opened;
 mod pack;
 mod soak;
 mod splats;
@@ -23,6 +24,7 @@ fn main() -> ExitCode {
         modules![
             commands,
             motion,
+            opened,
             pack,
             soak,
             splats,

@@ -60,6 +60,12 @@ impl FolderSummary {
             files,
         })
     }
+
+    /// The files that are listed, in a folder.
+    pub fn paths(&self, folder: &Path) -> Vec<PathBuf> {
+        let files = self.files.iter();
+        files.map(|file| folder.join(&file.name)).collect()
+    }
 }
 
 /// The files of a folder and of those in it; links to folders are not followed.

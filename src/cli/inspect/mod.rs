@@ -6,17 +6,18 @@ mod checkpoint;
 mod folder;
 mod levels;
 mod motion;
+mod sheet;
 mod text;
 
 use crate::{
     source::{CaptureArgs, avatar_to_move, open_clip, print_assumptions},
-    thumbnail,
+    thumbnail::Thumbnails,
 };
 use anyhow::{Context, bail, ensure};
 use avatar::AvatarSummary;
 use capture::{CaptureSummary, ComparisonSummary};
 use checkpoint::CheckpointSummary;
-use effigy_core::avatar::{Avatar, Clip, motion::Player};
+use effigy_core::avatar::Avatar;
 use effigy_core::io::file::{FileContent, FileError, tensors};
 use effigy_formats::{
     content::Content,
@@ -24,6 +25,7 @@ use effigy_formats::{
     retarget,
 };
 use folder::FolderSummary;
+use image::RgbaImage;
 use motion::MotionSummary;
 use serde::Serialize;
 use std::fmt;
@@ -46,7 +48,8 @@ pub struct Args {
     avatar: Option<PathBuf>,
     #[command(flatten)]
     capture: CaptureArgs,
-    /// Write a picture of it too: the avatar, or one that the motion moves, half way through
+    /// Write a picture of it too: the avatar, or one that the motion moves, half way through; of a
+    /// folder one of each file, in the list's order, eight a row
     #[arg(long, value_name = "FILE")]
     png: Option<PathBuf>,
     /// Print JSON
@@ -57,30 +60,39 @@ pub struct Args {
 pub fn run(args: Args) -> anyhow::Result<()> {
     let Some(file) = &args.file else {
         let demo = effigy_demo::avatar()?;
-        args.draw(&demo, &effigy_demo::clip()?)?;
+        if let Some(out) = &args.png {
+            save(&args.thumbnails()?.demo()?, out)?;
+        }
         return print(&AvatarSummary::new(&demo, demo.tensors()), args.json);
     };
     if file.is_dir() {
-        let alone = args.png.is_none() && args.against.is_none();
         ensure!(
-            alone,
-            "--png and --against are for a file, not for a folder"
+            args.against.is_none(),
+            "--against is for a file, not for a folder"
         );
-        return print(&FolderSummary::new(file)?, args.json);
+        let summary = FolderSummary::new(file)?;
+        if let Some(out) = &args.png {
+            sheet::write(&args.thumbnails()?, &summary.paths(file), out)?;
+        }
+        return print(&summary, args.json);
     }
     if let Some(against) = &args.against {
         return compare(&args, file, against);
     }
+    summarise(&args, file)?;
+    if let Some(out) = &args.png {
+        save(&args.thumbnails()?.of(file)?, out)?;
+    }
+    Ok(())
+}
+
+/// Says what a file contains.
+fn summarise(args: &Args, file: &Path) -> anyhow::Result<()> {
     let content = open::content(file);
     if content.is_motion() {
-        return inspect_capture(&args, file);
+        return inspect_capture(args, file);
     }
     if content == Content::Checkpoint {
-        ensure!(
-            args.png.is_none(),
-            "--png draws avatars: {} is a checkpoint, of which `effigy import` makes one",
-            file.display()
-        );
         let summary = open::checkpoint(file, &Default::default(), |checkpoint| {
             print_assumptions(file, &checkpoint.assumptions);
             CheckpointSummary::new(&checkpoint)
@@ -91,17 +103,14 @@ pub fn run(args: Args) -> anyhow::Result<()> {
         let imported = open::avatar(file, &OpenOptions::default())?;
         print_assumptions(file, &imported.assumptions);
         let avatar = imported.avatar;
-        args.draw(&avatar, &Clip::still(&avatar.skeleton))?;
         return print(&AvatarSummary::new(&avatar, avatar.tensors()), args.json);
     }
-    inspect_own(&args, file)
+    inspect_own(args, file)
 }
 
 fn inspect_capture(args: &Args, file: &Path) -> anyhow::Result<()> {
-    let moved = args.moved()?;
     let options = args.capture.clip_options(None)?;
-    let opened = open_clip(file, &moved, &options)?;
-    args.draw(&moved, &opened.clip)?;
+    let opened = open_clip(file, &args.moved()?, &options)?;
     let (Some(capture), Some(report)) = (&opened.capture, &opened.report) else {
         // The poses of an avatar like this one are its clip as they are.
         return print(&MotionSummary::new(&opened.clip), args.json);
@@ -114,31 +123,30 @@ fn inspect_own(args: &Args, file: &Path) -> anyhow::Result<()> {
     let content = read_own(file)?;
     let tensors = tensors(file)?;
     match content {
-        FileContent::Avatar(avatar) => {
-            args.draw(&avatar, &Clip::still(&avatar.skeleton))?;
-            print(&AvatarSummary::new(&avatar, tensors), args.json)
-        }
-        FileContent::Clip(clip) => {
-            args.draw(&args.moved()?, &clip)?;
-            print(&MotionSummary::new(&clip), args.json)
-        }
+        FileContent::Avatar(avatar) => print(&AvatarSummary::new(&avatar, tensors), args.json),
+        FileContent::Clip(clip) => print(&MotionSummary::new(&clip), args.json),
     }
 }
 
 impl Args {
-    /// Writes the picture, if one is wanted: an avatar half way through a clip.
-    fn draw(&self, avatar: &Avatar, clip: &Clip) -> anyhow::Result<()> {
-        let Some(out) = &self.png else {
-            return Ok(());
-        };
-        let player = Player::new(clip.clone(), &avatar.skeleton);
-        thumbnail::write(avatar, &player.pose(clip.duration() / 2.0), out)
+    /// What draws small pictures of files.
+    fn thumbnails(&self) -> anyhow::Result<Thumbnails> {
+        Ok(Thumbnails {
+            moved: self.moved()?,
+            clips: self.capture.clip_options(None)?,
+        })
     }
 
     /// The avatar that motion of another body is to move.
     fn moved(&self) -> anyhow::Result<Avatar> {
         avatar_to_move(self.avatar.as_deref())
     }
+}
+
+fn save(picture: &RgbaImage, out: &Path) -> anyhow::Result<()> {
+    picture
+        .save_with_format(out, image::ImageFormat::Png)
+        .with_context(|| format!("{} can't be written", out.display()))
 }
 
 /// Reads a file of Effigy's own; an error says what another file seems to be.

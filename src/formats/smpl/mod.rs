@@ -54,6 +54,18 @@ pub fn average_joints() -> Vec<CaptureJoint> {
 /// ROMP's arrays of objects.
 const ROMP: [&str; 2] = ["results", "sequence_results"];
 
+/// The error of an archive without poses. Body models have the same ending.
+fn no_motion(names: &[String]) -> FormatError {
+    let is_body = names.iter().any(|name| name == "v_template");
+    let found = if is_body {
+        "SMPL's body model, which has a shape and no motion".to_owned()
+    } else {
+        let shown: Vec<&str> = names.iter().map(String::as_str).take(8).collect();
+        format!("{} arrays: {}", names.len(), shown.join(", "))
+    };
+    FormatError::container(found, recognise::EXPECTED)
+}
+
 /// Reads the motion of a person. Told apart by content, as the module lists.
 ///
 /// # Errors
@@ -71,6 +83,13 @@ pub fn from_bytes(bytes: &[u8], options: &Options) -> Result<Captured, FormatErr
         // PyTorch's zips hold no arrays of NumPy's.
         match npz::names(bytes) {
             Ok(names) if names.iter().any(|name| ROMP.contains(&&name[..])) => romp(bytes, person)?,
+            Ok(names)
+                if !names
+                    .iter()
+                    .any(|name| recognise::NAMES.contains(&&name[..])) =>
+            {
+                return Err(no_motion(&names));
+            }
             Ok(_) => {
                 let wanted = |name: &str| recognise::NAMES.contains(&name);
                 let arrays = Npz::some_from_bytes(bytes, SMALL, wanted)?;

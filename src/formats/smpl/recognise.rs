@@ -54,6 +54,10 @@ pub const NAMES: [&str; 28] = [
     "fps",
 ];
 
+/// What a file with motion has.
+pub const EXPECTED: &str =
+    "SMPL's parameters: poses, or body_pose and global_orient, or what ROMP, WHAM or TRAM write";
+
 /// Whether arrays are a person's motion.
 pub fn is_motion(fields: &Fields) -> bool {
     ["poses", "smpl_poses", "pose_world", "pose", "body_pose"]
@@ -122,10 +126,7 @@ pub fn recognise(fields: &mut Fields) -> Result<Track, FormatError> {
     if fields.has("poses") {
         return amass(fields);
     }
-    Err(FormatError::container(
-        fields.describe(),
-        "SMPL's parameters: poses, or body_pose and global_orient, or what ROMP, WHAM or TRAM write",
-    ))
+    Err(FormatError::container(fields.describe(), EXPECTED))
 }
 
 fn amass(fields: &mut Fields) -> Result<Track, FormatError> {

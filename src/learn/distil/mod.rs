@@ -24,7 +24,7 @@ mod solve;
 mod students;
 mod teacher;
 
-pub use body::Body;
+pub use body::{Body, plain_inputs};
 pub use judge::{Difference, Likeness};
 pub use samples::SampleOptions;
 pub use students::{DistilOptions, Distilled, distil};

@@ -36,7 +36,7 @@ pub enum FileError {
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum FormatError {
     /// The container: the header or its length.
-    #[error("found {found}, expected {expected}")]
+    #[error("found {}, expected {expected}", cut(.found))]
     Container {
         /// The value found.
         found: String,
@@ -44,7 +44,7 @@ pub enum FormatError {
         expected: String,
     },
     /// A field of the document in the header.
-    #[error("in metadata `{field}` found {found}, expected {expected}")]
+    #[error("in metadata `{}` found {}, expected {expected}", cut(.field), cut(.found))]
     Metadata {
         /// Name of the field.
         field: String,
@@ -54,7 +54,7 @@ pub enum FormatError {
         expected: String,
     },
     /// The type, shape or numbers of a tensor.
-    #[error("in tensor `{tensor}` found {found}, expected {expected}")]
+    #[error("in tensor `{}` found {}, expected {expected}", cut(.tensor), cut(.found))]
     Tensor {
         /// Name of the tensor.
         tensor: String,
@@ -107,6 +107,15 @@ impl FormatError {
             expected: expected.to_string(),
         }
     }
+}
+
+/// A text that has names of a file in it, which may be megabytes long.
+fn cut(text: &str) -> &str {
+    let end = text
+        .char_indices()
+        .nth(300)
+        .map_or(text.len(), |(at, _)| at);
+    &text[..end]
 }
 
 /// The beginning of a text from a file, on one line, for messages.
