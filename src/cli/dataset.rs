@@ -92,6 +92,10 @@ struct Shooting {
     /// How far points are off by the calibration, px [as captured: 1]
     #[arg(long, value_name = "PX", requires = "pictures", value_parser = amount)]
     calibration_noise: Option<f64>,
+    /// How far the body model's joints are from the person's, each in its parent, mm
+    /// [as captured: 0]
+    #[arg(long, value_name = "MM", requires = "pictures", value_parser = amount)]
+    bone_noise: Option<f64>,
 }
 
 /// An amount of an error.
@@ -116,6 +120,7 @@ impl Shooting {
             mask: self.mask_noise.unwrap_or(usual.mask),
             pose: self.pose_noise.unwrap_or(usual.pose),
             calibration: self.calibration_noise.unwrap_or(usual.calibration),
+            bone: self.bone_noise.unwrap_or(usual.bone),
         }
     }
 }

@@ -213,6 +213,14 @@ pub fn run(args: Args) -> anyhow::Result<()> {
                     work.join(POSES).display()
                 );
             }
+            if let Some([mean, most]) = session.moved_bones() {
+                println!(
+                    "bones refined: joints moved in their parents by {:.1} mm on average, {:.1} mm at \
+                     most",
+                    1e3 * mean,
+                    1e3 * most
+                );
+            }
             Ok(())
         }
     }

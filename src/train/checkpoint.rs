@@ -18,7 +18,7 @@ use std::path::{Path, PathBuf};
 /// Checkpoints that are kept.
 const KEPT: usize = 2;
 /// Version of the file.
-const VERSION: u32 = 2;
+const VERSION: u32 = 3;
 const META: &str = "effigy";
 
 /// Where a training stands.
@@ -34,7 +34,7 @@ pub struct Checkpoint {
     pub place: u64,
     /// Exposure and white balance of the cameras.
     pub exposure: Exposure,
-    /// Poses and cameras.
+    /// Poses, cameras and bones.
     pub refinement: Refinement,
     /// Seconds that the training has taken.
     pub seconds: f64,
@@ -73,7 +73,7 @@ struct Version {
 const ARRAYS: [&str; 4] = ["gaussians", "nodes", "networks", "bases"];
 const KINDS: [&str; 3] = ["parameters", "first_moments", "second_moments"];
 const ROWS: [&str; 3] = ["rows.rotation", "rows.scale", "rows.color"];
-const ITEMS: [&str; 2] = ["poses", "cameras"];
+const ITEMS: [&str; 3] = ["poses", "cameras", "bones"];
 const OF_ITEMS: [&str; 4] = ["values", "first_moments", "second_moments", "updates"];
 
 impl Checkpoint {
@@ -288,7 +288,7 @@ impl Checkpoint {
             )
             .ok_or_else(|| format!("{kind} and moments of another number"))
         };
-        let [poses, cameras] = [items(ITEMS[0])?, items(ITEMS[1])?];
+        let [poses, cameras, bones] = [items(ITEMS[0])?, items(ITEMS[1])?, items(ITEMS[2])?];
         Ok(Self {
             state: TrainerState {
                 parameters,
@@ -303,7 +303,11 @@ impl Checkpoint {
             pruned: meta.pruned,
             place: meta.place,
             exposure: meta.exposure,
-            refinement: Refinement { poses, cameras },
+            refinement: Refinement {
+                poses,
+                cameras,
+                bones,
+            },
             seconds: meta.seconds,
             data: meta.data,
             minutes: meta.minutes,
@@ -405,6 +409,8 @@ mod tests {
                 poses: Items::from_arrays(vec![0.1; 12], vec![0.2; 12], vec![0.3; 12], vec![4, 5])
                     .unwrap(),
                 cameras: Items::from_arrays(vec![], vec![], vec![], vec![]).unwrap(),
+                bones: Items::from_arrays(vec![0.4; 3], vec![0.5; 3], vec![0.6; 3], vec![9])
+                    .unwrap(),
             },
             seconds: 1.25,
             data: "of two cameras".into(),

@@ -45,7 +45,7 @@ pub struct Schedule {
     pub batch: usize,
     /// Steps before correctives learn, of those before pruning.
     pub neutral_share: f64,
-    /// Steps before poses and cameras learn, of those before pruning.
+    /// Steps before poses, cameras and bones learn, of those before pruning.
     pub refine_share: f64,
 }
 
@@ -110,6 +110,8 @@ pub struct RateOptions {
     pub pose: f64,
     /// Of where cameras are and look, metres and radians, likewise.
     pub camera: f64,
+    /// Of where joints are in their parents, metres, likewise.
+    pub bone: f64,
     /// What is left of the nodes' offsets' rate at the end.
     pub node_offset_end: f64,
     /// What is left of the others at the end, but for those of basis rows.
@@ -138,12 +140,13 @@ impl RateOptions {
         }
     }
 
-    /// Those of poses and cameras.
+    /// Those of poses, cameras and bones.
     pub fn refine_at(&self, progress: f64) -> RefineRates {
         let left = self.end.powf(progress.clamp(0.0, 1.0));
         RefineRates {
             pose: self.pose * left,
             camera: self.camera * left,
+            bone: self.bone * left,
         }
     }
 
@@ -311,6 +314,7 @@ impl Recipe {
             ("rates.exposure", rates.exposure),
             ("rates.pose", rates.pose),
             ("rates.camera", rates.camera),
+            ("rates.bone", rates.bone),
             ("rates.node_offset_end", rates.node_offset_end),
             ("rates.end", rates.end),
             ("rates.basis_end", rates.basis_end),

@@ -1,4 +1,4 @@
-//! Poses and cameras that are learned with the avatar: a capture's are off by a little.
+//! Poses, cameras and bones that are learned with the avatar: a capture's are off by a little.
 
 use crate::adam::{Adam, Moments};
 use effigy_capture::Capture;
@@ -9,7 +9,7 @@ use glam::{DAffine3, DQuat, DVec3};
 /// Numbers of a camera: how far it is turned and moved.
 const CAMERA: usize = 6;
 /// [`Moments::direction`]'s floor for poses: fingers of a few pixels drifted by 1.5° without one.
-const POSE_FLOOR: f64 = 0.2;
+const POSE_FLOOR: f64 = 0.02;
 /// Frames a second of clips of poses.
 const CLIP_RATE: f64 = 30.0;
 
@@ -22,7 +22,8 @@ pub struct Items {
     pub moments: Moments,
 }
 
-/// The poses of a capture's frames and the positions of its cameras, as they are known by now.
+/// The poses of a capture's frames, the positions of its cameras and the lengths of its person's
+/// bones, as they are known by now.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Refinement {
     /// Of each frame: a vector a joint, its axis-angle rotation, radians; the translation, metres.
@@ -30,15 +31,19 @@ pub struct Refinement {
     /// Of each camera, in its own coordinates and after its view matrix: an axis-angle rotation,
     /// radians, and a translation, metres.
     pub cameras: Items,
+    /// Of each joint: how far it is from where the body model has it in its parent, metres.
+    pub bones: Items,
 }
 
-/// How far poses and cameras go in a step.
+/// How far poses, cameras and bones go in a step.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct RefineRates {
     /// Of poses, radians and metres.
     pub pose: f64,
     /// Of cameras, radians and metres.
     pub camera: f64,
+    /// Of bones, metres.
+    pub bone: f64,
 }
 
 /// A pose that a camera saw.
@@ -55,7 +60,7 @@ pub struct SeenFrom<'a> {
 impl RefineRates {
     /// Whether anything of it learns.
     pub fn any(&self) -> bool {
-        self.pose > 0.0 || self.camera > 0.0
+        self.pose > 0.0 || self.camera > 0.0 || self.bone > 0.0
     }
 }
 
@@ -148,12 +153,13 @@ impl Refinement {
         Self {
             poses,
             cameras: Items::new(cameras, CAMERA),
+            bones: Items::new(joints, 3),
         }
     }
 
     /// Everything that learns.
-    pub fn items(&self) -> [&Items; 2] {
-        [&self.poses, &self.cameras]
+    pub fn items(&self) -> [&Items; 3] {
+        [&self.poses, &self.cameras, &self.bones]
     }
 
     /// All numbers that a step changes.
@@ -170,6 +176,25 @@ impl Refinement {
                 .map(|items| [items.values.len(), items.moments.items()])
         };
         shape(self) == shape(other)
+    }
+
+    /// The skeleton with bones as they are known by now. `given`: the body model's.
+    pub fn skeleton(&self, given: &Skeleton) -> Skeleton {
+        let bones = self.bones.values.chunks_exact(3).map(DVec3::from_slice);
+        given.with_bones(&bones.collect::<Vec<_>>())
+    }
+
+    /// A step of Adam for all bones, along the derivative of a loss with respect to the poses of its
+    /// views, summed.
+    pub fn learn_bones(&mut self, gradient: &PoseGradient, rate: f64, adam: &Adam) {
+        // The root's place is the poses' translation.
+        for (joint, of) in gradient.bone.iter().enumerate().skip(1) {
+            let of = of.to_array();
+            let change = self.bones.moments.direction(joint, &of, 0.0, adam);
+            for (own, change) in self.bones.item_mut(joint).iter_mut().zip(change) {
+                *own -= rate * change;
+            }
+        }
     }
 
     /// The pose of a frame. `given`: the capture's, whose expression stays as it is.
@@ -303,6 +328,19 @@ impl Refinement {
         }
     }
 
+    /// How far joints are from where the body model has them in their parents, metres: the mean and
+    /// the most. None where no bone learned.
+    pub fn bones_moved(&self) -> Option<[f64; 2]> {
+        let learned =
+            (0..self.bones.moments.items()).filter(|&j| self.bones.moments.updates(j) > 0);
+        let moved: Vec<f64> = learned
+            .map(|joint| DVec3::from_slice(self.bones.item(joint)).length())
+            .collect();
+        let mean = moved.iter().sum::<f64>() / moved.len() as f64;
+        let most = moved.iter().copied().reduce(f64::max)?;
+        Some([mean, most])
+    }
+
     /// How far joints that were looked at are turned from what the capture says, radians: the mean
     /// and the most. None where no pose learned.
     pub fn turned_from(&self, capture: &Capture) -> Option<[f64; 2]> {
@@ -387,6 +425,7 @@ mod tests {
         Refinement {
             poses: Items::new(frames, 12),
             cameras: Items::new(cameras, CAMERA),
+            bones: Items::new(3, 3),
         }
     }
 
@@ -438,6 +477,42 @@ mod tests {
         assert!(last < 1e-3 * first, "{first} to {last}");
         // Nobody looked at the other frame.
         assert_eq!(own.pose(0, &truth).rotation, [DVec3::ZERO; 3]);
+    }
+
+    #[test]
+    fn bones_that_are_off_find_back() {
+        let off = [
+            DVec3::ZERO,
+            DVec3::new(0.03, -0.01, 0.02),
+            DVec3::new(-0.04, 0.0, 0.01),
+        ];
+        let truth = skeleton().with_bones(&off);
+        let mut own = refinement(0, 0);
+        for step in 0..3000 {
+            let pose = pose(0.37 * f64::from(step));
+            let view = camera(f64::from(step)).view;
+            let now = own.skeleton(&skeleton());
+            let shown = |skeleton: &Skeleton| {
+                let joints = skeleton.matrices(&pose);
+                [0, 1, 2]
+                    .map(|j: usize| view.transform_point3(joints[j].transform_point3(POINTS[j])))
+            };
+            let (expected, found) = (shown(&truth), shown(&now));
+            let joints: Vec<DAffine3> = (0..3)
+                .map(|j| {
+                    let of = view.matrix3.transpose() * (found[j] - expected[j]);
+                    let columns = POINTS[j].to_array().map(|x| of * x);
+                    DAffine3::from_cols(columns[0], columns[1], columns[2], of)
+                })
+                .collect();
+            let gradient = now.matrices_backward(&pose, &joints);
+            let rate = 2e-3 * 0.01f64.powf(f64::from(step) / 3000.0);
+            own.learn_bones(&gradient, rate, &Adam::DEFAULT);
+        }
+        for (joint, off) in off.iter().enumerate() {
+            let found = DVec3::from_slice(own.bones.item(joint));
+            assert!(found.distance(*off) < 1e-3, "{joint}: {found}, {off}");
+        }
     }
 
     #[test]

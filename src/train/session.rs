@@ -20,7 +20,7 @@ use crate::view::View;
 use crate::watch::{self, Seen, Watched, watched_shots};
 use effigy::vulkan::Gpu;
 use effigy_capture::{Capture, CaptureError};
-use effigy_core::avatar::{Avatar, Pose, PoseGradient};
+use effigy_core::avatar::{Avatar, Pose, PoseGradient, Skeleton};
 use effigy_core::io::file::{FileError, replace};
 use effigy_core::layout::TRAIN_WIDTH_MAX;
 use effigy_core::reference::mlp;
@@ -262,6 +262,7 @@ impl Session {
                 topology: &topology,
                 views: &views,
                 asked: asked.as_ref(),
+                patience: preflight::PATIENCE,
             })?;
             tracing::info!("checked in {:.1} s", began.elapsed().as_secs_f64());
             for warning in &found.warnings {
@@ -332,6 +333,7 @@ impl Session {
         let layout = Layout::new(&self.topology, &self.rows);
         let parameters = self.trainer.parameters()?;
         parameters.put_into(&mut avatar, &layout, &self.rows);
+        avatar.skeleton = self.skeleton();
         Ok(avatar)
     }
 
@@ -531,16 +533,17 @@ impl Session {
         Ok(())
     }
 
-    /// A view with what is known by now of its pose and its camera.
+    /// A view with what is known by now of its pose, its camera and the person's bones.
     fn refined(&self, looked: Looked) -> View {
         let Looked { view, shot } = looked;
         let mut view = View {
             gain: self.exposure.gain(shot.camera),
             ..view
         };
-        if self.recipe.rates.pose > 0.0 {
+        let rates = &self.recipe.rates;
+        if rates.pose > 0.0 || rates.bone > 0.0 {
             let pose = self.pose(shot.frame);
-            view.joints = self.start.skeleton.matrices(&pose);
+            view.joints = self.skeleton().matrices(&pose);
             view.input = self.start.inputs.unprojected(&pose);
         }
         if self.recipe.rates.camera > 0.0 {
@@ -549,16 +552,21 @@ impl Session {
         view
     }
 
+    /// The person's skeleton, as it is known by now.
+    fn skeleton(&self) -> Skeleton {
+        self.refinement.skeleton(&self.start.skeleton)
+    }
+
     /// The pose of a frame, as it is known by now.
     fn pose(&self, frame: usize) -> Pose {
         self.refinement
             .pose(frame, &self.capture.frames[frame].pose)
     }
 
-    /// Poses and cameras learn from the views of the last step, each once: frames and cameras that
-    /// several views share from the sum.
+    /// Poses, cameras and bones learn from the views of the last step, each once: frames and cameras
+    /// that several views share from the sum.
     fn refine(&mut self, shots: &[Shot], rates: RefineRates, adam: &Adam) {
-        let skeleton = &self.start.skeleton;
+        let skeleton = &self.skeleton();
         let mut poses: BTreeMap<usize, PoseGradient> = BTreeMap::new();
         let mut cameras: BTreeMap<usize, CameraGradient> = BTreeMap::new();
         for (number, shot) in shots.iter().enumerate() {
@@ -587,6 +595,14 @@ impl Session {
             let given: Vec<&Camera> = self.capture.cameras.iter().map(|own| &own.camera).collect();
             self.refinement.center(&given);
         }
+        if rates.bone > 0.0
+            && let Some(sum) = poses.values().cloned().reduce(|mut sum, own| {
+                sum.add(&own);
+                sum
+            })
+        {
+            self.refinement.learn_bones(&sum, rates.bone, adam);
+        }
         if rates.pose > 0.0 {
             for (frame, gradient) in &poses {
                 self.refinement
@@ -607,6 +623,12 @@ impl Session {
     /// where poses did not learn.
     pub fn turned_joints(&self) -> Option<[f64; 2]> {
         self.refinement.turned_from(&self.capture)
+    }
+
+    /// How far joints are in their parents from where the body model has them, the mean and the most,
+    /// metres. None where bones did not learn.
+    pub fn moved_bones(&self) -> Option<[f64; 2]> {
+        self.refinement.bones_moved()
     }
 
     /// Whether correctives learn when a share of the training is over.

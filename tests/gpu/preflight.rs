@@ -52,6 +52,15 @@ fn first(capture: &Capture, recipe: &Recipe) -> Avatar {
 }
 
 fn check(capture: Capture, recipe: &Recipe, start: &Avatar) -> Findings {
+    check_within(Duration::from_secs(600), capture, recipe, start)
+}
+
+fn check_within(
+    patience: Duration,
+    capture: Capture,
+    recipe: &Recipe,
+    start: &Avatar,
+) -> Findings {
     let capture = Arc::new(capture);
     let shots = training_shots(&capture);
     let asked = AskedLoss::new(&recipe.perceptual, Path::new(""), 1).unwrap();
@@ -62,6 +71,7 @@ fn check(capture: Capture, recipe: &Recipe, start: &Avatar) -> Findings {
         topology: &Topology::new(start),
         views: &Views::new(&capture, start, shots, &recipe.data, 1, None),
         asked: asked.as_ref(),
+        patience,
         capture: &capture,
     })
     .unwrap()
@@ -127,6 +137,20 @@ fn a_path_that_is_dead_is_a_fault() {
     assert!(!says(&found.faults, "turned by", ""), "{:?}", found.faults);
 }
 
+fn what_there_was_no_time_for_is_named() {
+    let recipe = recipe();
+    let capture = capture();
+    let joint = capture.template.skeleton.name[1].clone();
+    let mut start = first(&capture, &recipe);
+    let last = start.networks.layers.last_mut().unwrap();
+    last.weight = vec![half::f16::ZERO; last.bias.len() * last.input].into();
+    let found = check_within(Duration::ZERO, capture, &recipe, &start);
+    let warnings = &found.warnings;
+    assert!(says(warnings, "there was no look", &joint), "{warnings:?}");
+    // The path is dead, but who has hardly looked can't know.
+    assert_eq!(found.faults, [""; 0]);
+}
+
 fn a_training_is_the_same_with_and_without_a_check() {
     let folder = tempfile::tempdir().unwrap();
     let capture = Arc::new(capture());
@@ -160,5 +184,6 @@ tests! {
     a_capture_in_which_all_moves_has_no_faults,
     what_a_capture_does_not_move_is_named,
     a_path_that_is_dead_is_a_fault,
+    what_there_was_no_time_for_is_named,
     a_training_is_the_same_with_and_without_a_check,
 }

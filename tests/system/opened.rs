@@ -72,7 +72,11 @@ fn a_folder_has_a_picture_of_each_file() {
     effigy(folder, &["inspect", "files", "--png", "all.png"]);
     let sheet = image::open(folder.join("all.png")).unwrap().to_rgb8();
     let side = sheet.height();
-    assert_eq!(sheet.width(), 4 * side, "three files that are drawn, and a broken one");
+    assert_eq!(
+        sheet.width(),
+        4 * side,
+        "three files that are drawn, and a broken one"
+    );
     let is_plain = |at: u32| {
         let corner = *sheet.get_pixel(at * side, 0);
         let mut cell = (0..side * side).map(|k| sheet.get_pixel(at * side + k % side, k / side));

@@ -14,7 +14,7 @@ use std::{
 pub const TINY: &str = "--set sizes.gaussians=400 --set sizes.parts=4 --set sizes.nodes=40 --set sizes.hidden=16 \
                     --set schedule.iterations=150 --set schedule.fine_tune=50 --set perceptual.kind=dssim \
                     --set perceptual.every=8 --set perceptual.window=32 --set rates.pose=1e-4 \
-                    --set rates.camera=1e-5 --set rates.exposure=1e-4 --set prune.by=pictures";
+                    --set rates.camera=1e-5 --set rates.bone=1e-5 --set rates.exposure=1e-4 --set prune.by=pictures";
 
 pub fn capture() -> String {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/data/capture");

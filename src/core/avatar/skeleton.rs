@@ -57,20 +57,15 @@ impl Skeleton {
     /// G_j = A_j(pose) A_j(canonical)⁻¹: canonical space to world, for each joint (docs/model.md,
     /// step 6).
     pub fn matrices(&self, pose: &Pose) -> Vec<DAffine3> {
-        self.against_canonical(&self.joints(pose))
+        against(&self.joints(pose), &self.canonical_joints())
     }
 
-    /// [`Self::matrices`] of joints that are posed already.
-    fn against_canonical(&self, posed: &[DAffine3]) -> Vec<DAffine3> {
-        let canonical = self.world(
+    /// Joint coordinates to canonical space, for each joint.
+    fn canonical_joints(&self) -> Vec<DAffine3> {
+        self.world(
             |j| DQuat::from_scaled_axis(DVec3::from(self.canonical[j].map(f64::from))),
             DVec3::ZERO,
-        );
-        posed
-            .iter()
-            .zip(&canonical)
-            .map(|(posed, canonical)| *posed * canonical.inverse())
-            .collect()
+        )
     }
 
     /// The derivative of [`Self::matrices`]. `gradient`: of a loss with respect to each number of
@@ -78,14 +73,17 @@ impl Skeleton {
     ///
     /// A joint that turns by ω about its own position p moves all that hangs on it: with L, T the
     /// linear part and the translation of such a matrix and M, f their derivatives, the loss
-    /// changes by ω · (Σ_c L_c × M_c + (T − p) × f), summed over those matrices.
+    /// changes by ω · (Σ_c L_c × M_c + (T − p) × f), summed over those matrices. A joint that moves
+    /// by δ in its parent, in both poses, moves each of them by R δ − L R₀ δ, with the parent's
+    /// rotations R in the pose and R₀ in the canonical one.
     ///
     /// # Panics
     /// When there is not one matrix a joint.
     pub fn matrices_backward(&self, pose: &Pose, gradient: &[DAffine3]) -> PoseGradient {
         assert_eq!(gradient.len(), self.len(), "a matrix a joint");
         let world = self.joints(pose);
-        let matrices = self.against_canonical(&world);
+        let canonical = self.canonical_joints();
+        let matrices = against(&world, &canonical);
         // About the origin, and as forces are summed: of a joint and all that hangs on it.
         let mut torque: Vec<DVec3> = matrices
             .iter()
@@ -95,11 +93,18 @@ impl Skeleton {
             })
             .collect();
         let mut force: Vec<DVec3> = gradient.iter().map(|of| of.translation).collect();
+        // Against canonical points that move.
+        let mut drag: Vec<DVec3> = matrices
+            .iter()
+            .zip(gradient)
+            .map(|(own, of)| own.matrix3.transpose() * of.translation)
+            .collect();
         for joint in (0..self.len()).rev() {
             if let Some(parent) = self.parent[joint] {
-                let own = [torque[joint], force[joint]];
+                let own = [torque[joint], force[joint], drag[joint]];
                 torque[usize::from(parent)] += own[0];
                 force[usize::from(parent)] += own[1];
+                drag[usize::from(parent)] += own[2];
             }
         }
         let rotation = (0..self.len())
@@ -111,11 +116,44 @@ impl Skeleton {
                 }
             })
             .collect();
+        let bone = (0..self.len())
+            .map(|joint| {
+                self.parent[joint].map_or(DVec3::ZERO, |parent| {
+                    let turned = |joints: &[DAffine3]| joints[usize::from(parent)].matrix3;
+                    turned(&world).transpose() * force[joint]
+                        - turned(&canonical).transpose() * drag[joint]
+                })
+            })
+            .collect();
         PoseGradient {
             rotation,
             translation: force.first().copied().unwrap_or_default(),
+            bone,
         }
     }
+
+    /// This skeleton with joints that are elsewhere in their parents. `bone`: by how much, metres in
+    /// the rest pose; the root stays.
+    pub fn with_bones(&self, bone: &[DVec3]) -> Self {
+        let mut moved = vec![DVec3::ZERO; self.len()];
+        let mut own = self.clone();
+        for joint in 0..self.len() {
+            if let Some(parent) = self.parent[joint] {
+                moved[joint] = moved[usize::from(parent)] + bone[joint];
+                let rest = DVec3::from(self.rest[joint].map(f64::from)) + moved[joint];
+                own.rest[joint] = rest.as_vec3().to_array();
+            }
+        }
+        own
+    }
+}
+
+/// Joints to world, of each against where the canonical pose has it.
+fn against(posed: &[DAffine3], canonical: &[DAffine3]) -> Vec<DAffine3> {
+    let pairs = posed.iter().zip(canonical);
+    pairs
+        .map(|(posed, canonical)| *posed * canonical.inverse())
+        .collect()
 }
 
 /// The derivative of a loss with respect to a pose.
@@ -126,12 +164,15 @@ pub struct PoseGradient {
     pub rotation: Vec<DVec3>,
     /// Of the translation, metres.
     pub translation: DVec3,
+    /// Of where each joint is in its parent in the rest pose, metres; 0 of the root.
+    pub bone: Vec<DVec3>,
 }
 
 impl PoseGradient {
     /// Adds that of another loss, with respect to the same pose.
     pub fn add(&mut self, other: &Self) {
-        for (own, other) in self.rotation.iter_mut().zip(&other.rotation) {
+        let pairs = self.rotation.iter_mut().zip(&other.rotation);
+        for (own, other) in pairs.chain(self.bone.iter_mut().zip(&other.bone)) {
             *own += *other;
         }
         self.translation += other.translation;
@@ -194,7 +235,7 @@ mod tests {
                 )
             })
             .collect();
-        let loss = |pose: &Pose| -> f64 {
+        let loss_of = |skeleton: &Skeleton, pose: &Pose| -> f64 {
             let pairs = skeleton.matrices(pose).into_iter().zip(&weights);
             pairs
                 .map(|(own, of)| {
@@ -205,6 +246,7 @@ mod tests {
                 })
                 .sum()
         };
+        let loss = |pose: &Pose| loss_of(&skeleton, pose);
         let found = skeleton.matrices_backward(&pose, &weights);
         let step = 1e-5;
         let slope =
@@ -230,6 +272,22 @@ mod tests {
                 moved
             });
             assert!((found.translation.dot(axis) - expected).abs() < 1e-8);
+            for joint in 1..4 {
+                // Rest positions are f32: a step that they hold.
+                let step = 1.0 / 64.0;
+                let moved = |by: f64| {
+                    let mut bone = vec![DVec3::ZERO; 4];
+                    bone[joint] = by * axis;
+                    loss_of(&skeleton.with_bones(&bone), &pose)
+                };
+                let expected = (moved(step) - moved(-step)) / (2.0 * step);
+                let own = found.bone[joint].dot(axis);
+                // The loss is linear in it.
+                assert!(
+                    (own - expected).abs() < 1e-4,
+                    "bone {joint}: {own}, {expected}"
+                );
+            }
         }
     }
 

@@ -4,7 +4,10 @@
 use crate::math::noise::noise as smooth_noise;
 use crate::pictures::image::LinearImage;
 use effigy_capture::CaptureCamera;
-use effigy_core::{avatar::Pose, random::Random};
+use effigy_core::{
+    avatar::{Pose, Skeleton},
+    random::Random,
+};
 use glam::{DAffine3, DQuat, DVec2, DVec3};
 
 /// How far a capture is from what was there.
@@ -22,6 +25,9 @@ pub struct Flaws {
     pub pose: f64,
     /// How far points of the person are off by a camera's calibration, root mean square, px.
     pub calibration: f64,
+    /// Root mean square of how far joints of the body model are from the person's, mm: a shape that
+    /// was fitted to somebody else.
+    pub bone: f64,
 }
 
 /// What a camera does to its pictures.
@@ -37,6 +43,7 @@ pub struct CameraLook {
 const GAIN: u64 = 0x6A1;
 const CALIBRATION: u64 = 0xCA1 << 16;
 const POSE: u64 = 0x905 << 32;
+const BONE: u64 = 0xB0E << 40;
 
 /// Joints whose poses trackers find: the body's, without fingers.
 const TRACKED: usize = 22;
@@ -52,6 +59,7 @@ impl Flaws {
         mask: 1.5,
         pose: 2.0,
         calibration: 1.0,
+        bone: 0.0,
     };
 
     /// Whether all is as it was.
@@ -102,6 +110,19 @@ impl Flaws {
             *turn = turned.normalize().to_scaled_axis();
         }
         found
+    }
+
+    /// The joints of the body model: fingers, toes and face move with the joint that carries them.
+    pub fn fitted(&self, skeleton: &Skeleton, seed: u64) -> Skeleton {
+        let mut random = Random::new(seed, BONE);
+        let mut normal = || self.bone * 1e-3 / 3f64.sqrt() * random.normal();
+        let bones: Vec<DVec3> = (0..skeleton.len())
+            .map(|joint| match joint {
+                0..TRACKED => DVec3::new(normal(), normal(), normal()),
+                _ => DVec3::ZERO,
+            })
+            .collect();
+        skeleton.with_bones(&bones)
     }
 
     /// Puts a camera's look and the mask's errors on a picture. `stream`: another for each picture.

@@ -54,7 +54,8 @@ pub fn shoot(
     progress: &dyn Fn(),
 ) -> Result<Summary, CaptureError> {
     let PictureOptions { flaws, seed, .. } = *options;
-    let template = template(&clothed.body);
+    let mut template = template(&clothed.body);
+    template.skeleton = flaws.fitted(&template.skeleton, seed);
     let studio = Studio::new(clothed, options.rays);
     let points: Vec<DVec3> = frames
         .par_iter()
