@@ -158,6 +158,10 @@ full() {
   # With optimised readers, which are fast enough for 100,000 files; one of them may take a second then.
   EFFIGY_FUZZ_SECONDS=60 EFFIGY_TEST_SECONDS=3600 cargo --config 'profile.dev.package.effigy-formats.opt-level=2' test \
     --quiet --workspace --features webgpu --test host -- fuzz::
+  step "hostile files of 48 MB"
+  EFFIGY_LARGE_MB=48 EFFIGY_TEST_SECONDS=3600 cargo --config 'profile.dev.package."*".opt-level=2' \
+    --config 'profile.dev.package.effigy-formats.opt-level=2' test \
+    --quiet --workspace --features webgpu --test host -- large::
   step "2,000 stress cases"
   (use_driver mesa25:256; effigy stress --cases 2000 --seed 7)
   step "soak"

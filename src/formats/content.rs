@@ -5,7 +5,7 @@ use crate::{
     splats::{self, SplatFormat},
     webavatar,
 };
-use std::{io::Cursor, path::Path};
+use std::path::Path;
 
 /// What a file is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -71,9 +71,9 @@ impl Content {
     }
 
     fn of_zip(bytes: &[u8]) -> Self {
-        if splats::is_sog(Cursor::new(bytes)) {
+        if splats::is_sog(bytes) {
             Self::Splats(SplatFormat::Sog)
-        } else if npz::lists(Cursor::new(bytes), webavatar::POSITIONS) {
+        } else if npz::lists(bytes, webavatar::POSITIONS) {
             Self::Model
         } else if mmlphuman::is_checkpoint(bytes) {
             Self::Checkpoint

@@ -12,13 +12,10 @@ pub use array::Array;
 pub(crate) use element::{Element, Kind};
 pub use write::{NpzWriter, Number};
 
-use crate::fault::tensor;
+use crate::{fault::tensor, zip_file};
 use effigy_core::io::file::{FormatError, excerpt};
-use std::{
-    collections::BTreeMap,
-    io::{Cursor, Read, Seek},
-};
-use zip::{ZipArchive, result::ZipError};
+use std::{collections::BTreeMap, io::Read};
+use zip::result::ZipError;
 
 /// How many times its own size an archive may unpack to, beside [`MAX_SMALL`]: real arrays of
 /// numbers deflate to half at best.
@@ -32,8 +29,8 @@ pub fn is_zip(bytes: &[u8]) -> bool {
 }
 
 /// Whether a file is an archive with an array of this name.
-pub fn lists(file: impl Read + Seek, name: &str) -> bool {
-    let archive = ZipArchive::new(file);
+pub fn lists(bytes: &[u8], name: &str) -> bool {
+    let archive = zip_file::open(bytes);
     archive.is_ok_and(|archive| archive.index_for_name(&format!("{name}.npy")).is_some())
 }
 
@@ -42,7 +39,7 @@ pub fn lists(file: impl Read + Seek, name: &str) -> bool {
 /// # Errors
 /// When the bytes are no zip, or hold something else than arrays.
 pub fn names(bytes: &[u8]) -> Result<Vec<String>, FormatError> {
-    let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(unreadable)?;
+    let mut archive = zip_file::open(bytes).map_err(unreadable)?;
     let mut names = Vec::new();
     for index in 0..archive.len() {
         let entry = archive.by_index_raw(index).map_err(unreadable)?;
@@ -61,7 +58,7 @@ pub fn members(
     small: u64,
     wanted: impl Fn(&str) -> bool,
 ) -> Result<BTreeMap<String, Vec<u8>>, FormatError> {
-    let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(unreadable)?;
+    let mut archive = zip_file::open(bytes).map_err(unreadable)?;
     let limit = (MAX_GROWTH * bytes.len() as u64).max(small);
     let mut left = limit;
     let mut members = BTreeMap::new();

@@ -387,13 +387,18 @@ impl Look<'_> {
         let is_late = self.is_late();
         if !unseen.is_empty() {
             let what = if is_late {
-                format!("in {:.0} s there was no look at these", self.subject.patience.as_secs_f64())
+                format!(
+                    "in {:.0} s there was no look at these",
+                    self.subject.patience.as_secs_f64()
+                )
             } else {
                 format!(
                     "none of {MOST_VIEWS} views shows what these move, and little can be learned of it"
                 )
             };
-            findings.warnings.push(format!("{what}: {}", unseen.join(", ")));
+            findings
+                .warnings
+                .push(format!("{what}: {}", unseen.join(", ")));
         }
         for trial in self.trials.iter().filter(|trial| !trial.moved) {
             let how = match trial.change {

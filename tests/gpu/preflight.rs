@@ -55,12 +55,7 @@ fn check(capture: Capture, recipe: &Recipe, start: &Avatar) -> Findings {
     check_within(Duration::from_secs(600), capture, recipe, start)
 }
 
-fn check_within(
-    patience: Duration,
-    capture: Capture,
-    recipe: &Recipe,
-    start: &Avatar,
-) -> Findings {
+fn check_within(patience: Duration, capture: Capture, recipe: &Recipe, start: &Avatar) -> Findings {
     let capture = Arc::new(capture);
     let shots = training_shots(&capture);
     let asked = AskedLoss::new(&recipe.perceptual, Path::new(""), 1).unwrap();

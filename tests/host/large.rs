@@ -162,7 +162,7 @@ fn texts_that_go_on_and_on() {
     .concat();
     let gltf = br#"{"asset":{"version":"2.0"},"#;
     let of_gltf = |list: &str| [&gltf[..], format!("\"{list}\":[{{}}").as_bytes()].concat();
-    let texts: [(&str, Vec<u8>); 30] = [
+    let texts: [(&str, Vec<u8>); 34] = [
         ("bvh nested", filled(root, joint, b"", &scale)),
         ("bvh of leaves", filled(root, leaf, b"}\nMOTION\nFrames: 1\nFrame Time: 0.1\n", &scale)),
         ("bvh of numbers", filled(&frames, b"0 1 2 3 4 5\n", b"", &scale)),
@@ -176,6 +176,22 @@ fn texts_that_go_on_and_on() {
         ("empty poses", filled(b"[{}", b",{}", b"]", &scale)),
         ("poses without numbers", filled(br#"[{"frame_id":0,"pose":[],"Th":[],"Rh":[]}"#, br#",{"frame_id":0,"pose":[],"Th":[],"Rh":[]}"#, b"]", &scale)),
         ("poses of numbers", filled(br#"[{"frame_id":0,"pose":[0"#, b",0", b"]}]", &scale)),
+        (
+            "poses of a long turn",
+            filled(br#"[{"frame_id":0,"pose":[],"Th":[0,0,0],"Rh":[0"#, b",0", b"]", &scale),
+        ),
+        (
+            "poses of long rows",
+            filled(br#"[{"frame_id":0,"pose":[],"Th":[0,0,0],"Rh":[[0"#, b",0", b"]", &scale),
+        ),
+        (
+            "poses of a long name",
+            filled(br#"[{"frame_id":[0"#, b",0", b"]", &scale),
+        ),
+        (
+            "poses of expressions",
+            filled(br#"[{"frame_id":0,"pose":[],"Th":[0,0,0],"Rh":[0,0,0],"expression":[0"#, b",0", b"]", &scale),
+        ),
         ("a string", filled(b"[\"", b"a", b"\"]", &scale)),
         ("escapes", filled(b"[\"", b"\\u0041", b"\"]", &scale)),
         ("gltf nodes", filled(&of_gltf("nodes"), b",{}", b"]}", &scale)),

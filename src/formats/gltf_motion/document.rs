@@ -1,14 +1,9 @@
 //! The parts of glTF's JSON that motion needs. Everything else is passed over: meshes, materials
 //! and pictures may break any rule.
 
-use serde::{
-    Deserialize, Deserializer,
-    de::{Error, IgnoredAny, SeqAccess, Visitor},
-};
-use std::{borrow::Cow, fmt, marker::PhantomData};
-
-/// Most entries of any list of the document.
-const MAX_ENTRIES: usize = 1 << 16;
+use crate::json::bounded;
+use serde::{Deserialize, de::IgnoredAny};
+use std::borrow::Cow;
 
 #[derive(Deserialize)]
 pub struct Document<'a> {
@@ -236,34 +231,4 @@ pub struct Humanoid1 {
 #[derive(Deserialize)]
 pub struct Bone1 {
     pub node: u32,
-}
-
-/// A list of at most [`MAX_ENTRIES`]: entries take more memory than their text.
-fn bounded<'de, D, T>(deserializer: D) -> Result<Vec<T>, D::Error>
-where
-    D: Deserializer<'de>,
-    T: Deserialize<'de>,
-{
-    struct List<T>(PhantomData<T>);
-
-    impl<'de, T: Deserialize<'de>> Visitor<'de> for List<T> {
-        type Value = Vec<T>;
-
-        fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
-            write!(f, "a list of at most {MAX_ENTRIES} entries")
-        }
-
-        fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Vec<T>, A::Error> {
-            let mut entries = vec![];
-            while let Some(entry) = list.next_element()? {
-                if entries.len() == MAX_ENTRIES {
-                    return Err(A::Error::invalid_length(MAX_ENTRIES + 1, &self));
-                }
-                entries.push(entry);
-            }
-            Ok(entries)
-        }
-    }
-
-    deserializer.deserialize_seq(List(PhantomData))
 }

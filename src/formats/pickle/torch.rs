@@ -2,9 +2,10 @@
 //! a row.
 
 use super::{machine::Machine, node::Built};
+use crate::zip_file;
 use effigy_core::io::file::{FormatError, excerpt};
-use std::{borrow::Cow, collections::BTreeMap, io::Cursor};
-use zip::{CompressionMethod, ZipArchive};
+use std::{borrow::Cow, collections::BTreeMap};
+use zip::CompressionMethod;
 
 /// The start of what PyTorch wrote before 1.6: protocol 2, then the integer 0x1950a86a20f9469cfc6c.
 const LEGACY: &[u8] = b"\x80\x02\x8a\x0al\xfc\x9cF\xf9 j\xa8P\x19.";
@@ -16,7 +17,7 @@ pub fn is_legacy(bytes: &[u8]) -> bool {
 
 /// The pickle of a zip of PyTorch's; None where there is none.
 pub fn pickle_of(bytes: &[u8]) -> Option<&[u8]> {
-    let mut archive = ZipArchive::new(Cursor::new(bytes)).ok()?;
+    let mut archive = zip_file::open(bytes).ok()?;
     let is_pickle = |name: &Cow<str>| {
         name.split_once('/')
             .is_some_and(|(_, name)| name == "data.pkl")
@@ -41,7 +42,7 @@ pub fn from_zip(bytes: &[u8]) -> Result<Built<'_>, FormatError> {
         };
         FormatError::container(found, "a NumPy .npz or a file of PyTorch")
     };
-    let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(fault)?;
+    let mut archive = zip_file::open(bytes).map_err(fault)?;
     let mut stored: BTreeMap<String, &[u8]> = BTreeMap::new();
     let mut pickle = None;
     for index in 0..archive.len() {

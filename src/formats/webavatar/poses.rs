@@ -5,6 +5,7 @@ use super::skeleton::smpl_x;
 use crate::{
     assumption::Assumption,
     capture::{Capture, Captured, LocalPose, check_size},
+    json::bounded,
     smpl,
     smpl_joints::SMPL_X,
 };
@@ -13,31 +14,98 @@ use effigy_core::{
     io::file::FormatError,
 };
 use glam::{DMat3, DQuat, DVec3};
-use serde::{Deserialize, Serialize};
-use serde_json::Value;
+use serde::{
+    Deserialize, Deserializer, Serialize,
+    de::{Error, IgnoredAny, SeqAccess, Visitor, value::SeqAccessDeserializer},
+};
+use std::fmt;
 
 /// Frames a second where nobody says.
 pub const POSES_RATE: f64 = 30.0;
 
 #[derive(Serialize, Deserialize)]
 struct Frame {
-    frame_id: Value,
+    /// Whatever it is: frames follow one another.
+    #[serde(deserialize_with = "any")]
+    frame_id: usize,
     /// Axis-angle, radians; shape J, 3.
+    #[serde(deserialize_with = "bounded")]
     pose: Vec<f64>,
     #[serde(rename = "Th")]
     translation: [f64; 3],
     #[serde(rename = "Rh")]
     rotation: Turn,
     #[serde(default)]
-    expression: Option<Vec<f32>>,
+    expression: Option<Expression>,
+}
+
+/// The weights of an expression.
+#[derive(Serialize, Deserialize)]
+#[serde(transparent)]
+struct Expression {
+    #[serde(deserialize_with = "bounded")]
+    weights: Vec<f32>,
+}
+
+fn any<'de, D: Deserializer<'de>>(deserializer: D) -> Result<usize, D::Error> {
+    IgnoredAny::deserialize(deserializer).map(|_| 0)
 }
 
 /// A rotation, as rows of a matrix or as an axis times an angle.
-#[derive(Serialize, Deserialize)]
+#[derive(Serialize)]
 #[serde(untagged)]
 enum Turn {
     Matrix([[f64; 3]; 3]),
     Axis([f64; 3]),
+}
+
+/// A number, or a row of three.
+enum Entry {
+    Number(f64),
+    Row([f64; 3]),
+}
+
+// Serde's own way to tell them apart reads whatever there is first, however long.
+impl<'de> Deserialize<'de> for Entry {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Either;
+
+        impl<'de> Visitor<'de> for Either {
+            type Value = Entry;
+
+            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+                f.write_str("a number, or three")
+            }
+
+            fn visit_f64<E: Error>(self, number: f64) -> Result<Entry, E> {
+                Ok(Entry::Number(number))
+            }
+
+            fn visit_i64<E: Error>(self, number: i64) -> Result<Entry, E> {
+                Ok(Entry::Number(number as f64))
+            }
+
+            fn visit_u64<E: Error>(self, number: u64) -> Result<Entry, E> {
+                Ok(Entry::Number(number as f64))
+            }
+
+            fn visit_seq<A: SeqAccess<'de>>(self, list: A) -> Result<Entry, A::Error> {
+                <[f64; 3]>::deserialize(SeqAccessDeserializer::new(list)).map(Entry::Row)
+            }
+        }
+
+        deserializer.deserialize_any(Either)
+    }
+}
+
+impl<'de> Deserialize<'de> for Turn {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        match <[Entry; 3]>::deserialize(deserializer)? {
+            [Entry::Number(x), Entry::Number(y), Entry::Number(z)] => Ok(Self::Axis([x, y, z])),
+            [Entry::Row(x), Entry::Row(y), Entry::Row(z)] => Ok(Self::Matrix([x, y, z])),
+            _ => Err(D::Error::custom("numbers beside rows of a rotation")),
+        }
+    }
 }
 
 impl Turn {
@@ -74,7 +142,7 @@ pub fn read_poses(
     }
     // Frames without an expression have a neutral one.
     let given = frames.iter().find_map(|frame| frame.expression.as_ref());
-    let expression_len = given.map_or(0, Vec::len);
+    let expression_len = given.map_or(0, |own| own.weights.len());
     let root = skeleton
         .rest
         .first()
@@ -96,7 +164,8 @@ pub fn read_poses(
             let found = format!("{} numbers", frame.pose.len());
             return Err(FormatError::metadata(&field("pose"), found, 3 * joints));
         }
-        let expression = frame.expression.as_deref().unwrap_or_default();
+        let given = frame.expression.as_ref();
+        let expression = given.map_or(&[][..], |own| &own.weights[..]);
         if !expression.is_empty() && expression.len() != expression_len {
             let found = format!("{} numbers", expression.len());
             return Err(FormatError::metadata(
@@ -197,15 +266,16 @@ pub fn write_poses(clip: &Clip) -> String {
         let pose = clip.frame(at);
         let rotation = |place: &Option<usize>| place.map_or(DVec3::ZERO, |k| pose.rotation[k]);
         Frame {
-            frame_id: at.into(),
+            frame_id: at,
             pose: places
                 .iter()
                 .flat_map(|place| rotation(place).to_array())
                 .collect(),
             translation: pose.translation.to_array(),
             rotation: Turn::Matrix(DMat3::IDENTITY.to_cols_array_2d()),
-            expression: (clip.expression_len > 0)
-                .then(|| pose.expression.iter().map(|&e| e as f32).collect()),
+            expression: (clip.expression_len > 0).then(|| Expression {
+                weights: pose.expression.iter().map(|&e| e as f32).collect(),
+            }),
         }
     };
     let frames: Vec<Frame> = (0..clip.frames()).map(frame).collect();

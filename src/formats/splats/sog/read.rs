@@ -5,9 +5,12 @@ use super::{
     document::{self, Document, Extremes, Harmonics, codebook, wrong},
     texture::{Texture, most_bytes},
 };
-use crate::splats::{
-    beside::{Beside, limited, missing},
-    logit, plausible,
+use crate::{
+    splats::{
+        beside::{Beside, limited, missing},
+        logit, plausible,
+    },
+    zip_file::{self, ZipFile},
 };
 use effigy_core::{
     avatar::{Filter, limits},
@@ -16,11 +19,7 @@ use effigy_core::{
         splats::{Splats, Up, functions_of},
     },
 };
-use std::{
-    f32::consts::FRAC_1_SQRT_2,
-    io::{Cursor, Read, Seek},
-};
-use zip::ZipArchive;
+use std::{f32::consts::FRAC_1_SQRT_2, io::Read};
 
 /// Palette entries, at most: indices have 16 bits.
 const PALETTE: u64 = 1 << 16;
@@ -37,7 +36,7 @@ const GROWTH: u64 = 2;
 
 /// The files of a zip.
 struct Archive<'a> {
-    zip: ZipArchive<Cursor<&'a [u8]>>,
+    zip: ZipFile<'a>,
     /// Bytes that may still be unpacked.
     left: u64,
 }
@@ -53,8 +52,8 @@ impl Beside for Archive<'_> {
 }
 
 /// Whether a zip is a SOG: it has a document of that name.
-pub fn is_sog(zip: impl Read + Seek) -> bool {
-    ZipArchive::new(zip).is_ok_and(|archive| archive.index_for_name(META).is_some())
+pub fn is_sog(bytes: &[u8]) -> bool {
+    zip_file::open(bytes).is_ok_and(|archive| archive.index_for_name(META).is_some())
 }
 
 /// Reads a `.sog`.
@@ -62,7 +61,7 @@ pub fn is_sog(zip: impl Read + Seek) -> bool {
 /// # Errors
 /// When the bytes are no zip or hold no SOG.
 pub fn in_archive(bytes: &[u8]) -> Result<Splats, FormatError> {
-    let zip = ZipArchive::new(Cursor::new(bytes)).map_err(|error| {
+    let zip = zip_file::open(bytes).map_err(|error| {
         FormatError::container(format!("a zip that can't be read: {error}"), "a .sog")
     })?;
     let left = SMALL.max(GROWTH * bytes.len() as u64);
