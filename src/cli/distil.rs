@@ -132,7 +132,8 @@ fn fit(args: &DistilArgs, job: &Job, checkpoint: &Checkpoint) -> anyhow::Result<
     let all = checkpoint.poses.len() + trained.len();
     ensure!(
         all >= MIN_FRAMES,
-        "{}: found {all} training poses, expected at least {MIN_FRAMES}: --trained reads some",
+        "{}: found {all} training poses, expected at least {MIN_FRAMES}: `effigy import --trained` \
+         reads some",
         job.file.display()
     );
     let options = args.options(checkpoint.len());

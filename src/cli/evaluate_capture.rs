@@ -160,7 +160,7 @@ pub fn run(args: &CaptureArgs, job: &Job) -> anyhow::Result<()> {
             Ok(None) => left_out += 1,
             Err(error) => {
                 left_out += 1;
-                bar.println(error.to_string());
+                progress::say(&bar, format_args!("{error}"));
             }
         }
         bar.inc(1);

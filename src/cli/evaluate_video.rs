@@ -81,7 +81,7 @@ fn animation(
                 }
             }
             Ok(None) => {}
-            Err(error) => bar.println(error.to_string()),
+            Err(error) => progress::say(&bar, format_args!("{error}")),
         }
         writer.write_image_data(&pixels)?;
         bar.inc(1);

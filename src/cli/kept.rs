@@ -4,16 +4,18 @@
 use crate::distil::{self, DistilArgs, Job};
 use anyhow::Context;
 use effigy::vulkan::cache;
-use effigy_core::{avatar::Avatar, io::file::write_whole};
+use effigy_core::{avatar::Avatar, io::file::write_whole, random::hash};
 use effigy_formats::{mmlphuman, open::ClipOptions, webavatar::Imported};
 use std::{
     fs,
-    hash::{DefaultHasher, Hash, Hasher},
     path::{Path, PathBuf},
+    time::{SystemTime, UNIX_EPOCH},
 };
 
 /// Changes with how avatars are distilled, which makes those that are kept worthless.
-const VERSION: u32 = 1;
+const VERSION: u64 = 1;
+/// Avatars that are kept, the newest: each has some 20 MB.
+const KEPT: usize = 16;
 
 /// Where the avatar of a checkpoint is kept.
 struct Place {
@@ -30,11 +32,13 @@ impl Place {
         let folder = cache::folder()?.join("distilled");
         let whole = fs::canonicalize(checkpoint).ok()?;
         let about = whole.metadata().ok()?;
-        let state = (VERSION, about.len(), about.modified().ok()?);
+        let changed = about.modified().ok()?.duration_since(UNIX_EPOCH).ok()?;
+        let state = [VERSION, about.len(), changed.as_nanos() as u64];
+        let state = state.map(u64::to_le_bytes);
         Some(Self {
             folder,
-            path: format!("{:016x}-", hashed(&whole)),
-            file: format!("{:016x}.avatar", hashed(&state)),
+            path: format!("{:016x}-", hashed(whole.as_os_str().as_encoded_bytes())),
+            file: format!("{:016x}.avatar", hashed(state.as_flattened())),
         })
     }
 
@@ -42,24 +46,32 @@ impl Place {
         self.folder.join(format!("{}{}", self.path, self.file))
     }
 
-    /// Keeps an avatar, and none of what was at its path before.
+    /// Keeps an avatar, and none of what was at its path before or was made long ago.
     fn keep(&self, avatar: &Avatar) -> anyhow::Result<()> {
         let file = self.avatar();
         fs::create_dir_all(&self.folder)?;
+        let mut others: Vec<(SystemTime, PathBuf)> = Vec::new();
         for entry in fs::read_dir(&self.folder)?.flatten() {
             if entry.file_name().to_string_lossy().starts_with(&self.path) {
                 // What can't be removed takes room and does no harm.
                 let _ = fs::remove_file(entry.path());
+            } else if let Ok(changed) = entry.metadata().and_then(|about| about.modified()) {
+                others.push((changed, entry.path()));
             }
+        }
+        others.sort();
+        for (_, old) in others.iter().rev().skip(KEPT - 1) {
+            let _ = fs::remove_file(old);
         }
         write_whole(&file, &avatar.to_bytes()?).with_context(|| file.display().to_string())
     }
 }
 
-fn hashed(what: &impl Hash) -> u64 {
-    let mut hasher = DefaultHasher::new();
-    what.hash(&mut hasher);
-    hasher.finish()
+/// The same in every build: files are found by it.
+fn hashed(bytes: &[u8]) -> u64 {
+    bytes
+        .iter()
+        .fold(0, |sum, &byte| hash(sum ^ u64::from(byte)))
 }
 
 /// The avatar of a checkpoint: the one that was kept, else one that is distilled now as `effigy

@@ -23,7 +23,8 @@ use std::{
 
 #[derive(clap::Args, Debug)]
 pub struct Args {
-    /// Avatar to pack: an .avatar file, the paper's .npz, or splats [default: the built-in demo]
+    /// Avatar to pack: an .avatar file, the paper's .npz, mmlphuman's
+    /// checkpoint, or splats [default: the built-in demo]
     avatar: Option<PathBuf>,
     /// Avatar file to write
     #[arg(short, long, value_name = "FILE")]
@@ -128,10 +129,12 @@ pub fn run(args: Args) -> anyhow::Result<()> {
         print!("{}", LevelSummary::new(level));
     }
     println!("wrote {}", args.out.display());
-    if let Some(path) = &args.avatar {
+    println!("reading it takes {:.0} ms", reading_ms(&args.out)?);
+    // What is fitted to a checkpoint is not read from it.
+    let read = args.avatar.as_ref();
+    if let Some(path) = read.filter(|path| !open::is_checkpoint(path)) {
         println!(
-            "reading takes {:.0} ms, reading {} {:.0} ms",
-            reading_ms(&args.out)?,
+            "reading {} takes {:.0} ms",
             path.display(),
             reading_ms(path)?
         );

@@ -1,6 +1,7 @@
 //! Progress bars of long jobs.
 
 use indicatif::{ProgressBar, ProgressStyle};
+use std::fmt::Arguments;
 
 fn bar(length: u64, template: &str) -> ProgressBar {
     // A template that indicatif can't read costs its layout, not the job.
@@ -15,6 +16,12 @@ pub fn items(length: u64, unit: &str) -> ProgressBar {
         length,
         &format!("{{bar:40}} {{pos}}/{{len}} {unit}, {{eta}} left {{msg}}"),
     )
+}
+
+/// Says something beside a bar, whether it is shown or not: indicatif itself is silent where there
+/// is no terminal.
+pub fn say(bar: &ProgressBar, text: Arguments) {
+    bar.suspend(|| eprintln!("{text}"));
 }
 
 /// The candidate that is tried while the ways to draw are timed.

@@ -169,11 +169,7 @@ impl Source {
             ..OpenOptions::default()
         };
         let began = Instant::now();
-        let imported = if open::is_checkpoint(path) {
-            kept::avatar(path)?
-        } else {
-            open::avatar(path, &options)?
-        };
+        let imported = opened(path, &options)?;
         let took = began.elapsed().as_secs_f64() * 1e3;
         tracing::info!("read {} in {took:.1} ms", path.display());
         Ok(Imported {
@@ -235,9 +231,17 @@ fn stands_still(path: &Path) -> bool {
 /// Reads the avatar that motion of another body is to move: the demo unless the user names one.
 pub fn avatar_to_move(path: Option<&Path>) -> anyhow::Result<Avatar> {
     Ok(match path {
-        Some(path) => open::avatar(path, &OpenOptions::default())?.avatar,
+        Some(path) => opened(path, &OpenOptions::default())?.avatar,
         None => effigy_demo::avatar()?,
     })
+}
+
+/// Reads an avatar of any kind.
+fn opened(path: &Path, options: &OpenOptions) -> anyhow::Result<Imported> {
+    if open::is_checkpoint(path) {
+        return kept::avatar(path);
+    }
+    Ok(open::avatar(path, options)?)
 }
 
 /// Reads a clip for an avatar, and says what its file left open and how it was made.

@@ -1,5 +1,4 @@
-//! Lists of JSON that may not be longer than they make sense: numbers take more memory than their
-//! text.
+//! Lists of JSON with a limit: as numbers they take more memory than as text.
 
 use serde::{
     Deserialize, Deserializer,

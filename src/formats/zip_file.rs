@@ -1,6 +1,6 @@
 //! Opening of zips whose directory is worth reading.
 
-use std::io::Cursor;
+use std::{io::Cursor, ops::Range};
 use zip::{
     ZipArchive,
     result::{ZipError, ZipResult},
@@ -8,13 +8,28 @@ use zip::{
 
 /// Members of an archive: a checkpoint has some hundred. Each costs time and memory before anything
 /// of it is read.
-const MAX_MEMBERS: usize = 10_000;
-/// The mark of the record at an archive's end.
-const END: &[u8] = b"PK\x05\x06";
-/// Where that record has the number of all members, 16 bits.
-const COUNT: usize = 10;
-/// The record with the longest comment.
-const LONGEST_END: usize = 22 + 0xffff;
+const MAX_MEMBERS: u64 = 10_000;
+/// The record with the longest comment, with what comes before it in large archives.
+const LONGEST_END: usize = 22 + 0xffff + 128;
+
+/// A record at an archive's end that has the number of all members.
+struct EndRecord {
+    mark: &'static [u8],
+    /// Where the number is, and how many bytes it has.
+    count: Range<usize>,
+}
+
+const RECORDS: [EndRecord; 2] = [
+    EndRecord {
+        mark: b"PK\x05\x06",
+        count: 10..12,
+    },
+    // Of zip64.
+    EndRecord {
+        mark: b"PK\x06\x06",
+        count: 32..40,
+    },
+];
 
 /// A zip in memory.
 pub type ZipFile<'a> = ZipArchive<Cursor<&'a [u8]>>;
@@ -24,22 +39,74 @@ pub type ZipFile<'a> = ZipArchive<Cursor<&'a [u8]>>;
 /// # Errors
 /// When the bytes are none, or it has too many members.
 pub fn open(bytes: &[u8]) -> ZipResult<ZipFile<'_>> {
-    let end = &bytes[bytes.len().saturating_sub(LONGEST_END)..];
-    let record = end.windows(END.len()).rposition(|four| four == END);
-    let count = record.and_then(|at| end.get(at + COUNT..at + COUNT + 2));
-    // More than 16 bits hold are told elsewhere, and are too many.
-    if count
-        .is_some_and(|count| usize::from(u16::from_le_bytes([count[0], count[1]])) > MAX_MEMBERS)
-    {
-        return Err(ZipError::InvalidArchive(
-            format!("more than {MAX_MEMBERS} members").into(),
-        ));
+    let too_many = || ZipError::InvalidArchive(format!("more than {MAX_MEMBERS} members").into());
+    if promises(bytes) > MAX_MEMBERS {
+        return Err(too_many());
     }
     let archive = ZipArchive::new(Cursor::new(bytes))?;
-    if archive.len() > MAX_MEMBERS {
-        return Err(ZipError::InvalidArchive(
-            format!("more than {MAX_MEMBERS} members").into(),
-        ));
+    if archive.len() as u64 > MAX_MEMBERS {
+        return Err(too_many());
     }
     Ok(archive)
+}
+
+/// The most members that any record at the end speaks of: which of them a reader believes is its
+/// own business.
+fn promises(bytes: &[u8]) -> u64 {
+    let end = &bytes[bytes.len().saturating_sub(LONGEST_END)..];
+    let mut most = 0;
+    for (at, four) in end.windows(4).enumerate() {
+        for record in RECORDS.iter().filter(|record| record.mark == four) {
+            let count = end[at..].get(record.count.clone()).unwrap_or_default();
+            let count = count
+                .iter()
+                .rev()
+                .fold(0, |sum, &byte| sum << 8 | u64::from(byte));
+            most = most.max(count);
+        }
+    }
+    most
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::io::Write;
+    use zip::{ZipWriter, write::SimpleFileOptions};
+
+    fn small() -> Vec<u8> {
+        let mut writer = ZipWriter::new(Cursor::new(Vec::new()));
+        writer
+            .start_file("a", SimpleFileOptions::default())
+            .unwrap();
+        writer.write_all(b"a").unwrap();
+        writer.finish().unwrap().into_inner()
+    }
+
+    #[test]
+    fn archives_that_speak_of_too_many_members_are_refused() {
+        assert_eq!(open(&small()).unwrap().len(), 1);
+        let refused = |bytes: &[u8]| match open(bytes) {
+            Ok(_) => "nothing".to_owned(),
+            Err(error) => error.to_string(),
+        };
+        let mut many = small();
+        let end = many.len() - 22;
+        many[end + 10..end + 12].fill(0xff);
+        assert!(refused(&many).contains("10000 members"));
+        // Another record before the last one.
+        let mut two = many.clone();
+        two.extend_from_slice(&small()[end..]);
+        assert!(refused(&two).contains("10000 members"));
+        let mut large = small();
+        let record = [
+            &b"PK\x06\x06"[..],
+            &[0; 28],
+            &1_000_000u64.to_le_bytes(),
+            &[0; 16],
+        ]
+        .concat();
+        large.splice(end..end, record);
+        assert!(refused(&large).contains("10000 members"));
+    }
 }

@@ -36,7 +36,8 @@ const TRIES: usize = 3;
 /// Equal numbers give equal bits, so that any difference is one; less than this is no use.
 const SEEN: f32 = 1e-6;
 
-/// What a check may take: on a CPU driver a view of the paper's sizes takes half a minute.
+/// What a check may take after its first derivative: on a CPU driver a view of the paper's sizes
+/// takes half a minute.
 pub const PATIENCE: Duration = Duration::from_secs(30);
 
 /// How far a joint turns, degrees, and about what: no bone's axis.
@@ -140,13 +141,14 @@ pub fn check(subject: &Subject) -> Result<Findings, PreflightError> {
         inputs: vec![0.0; subject.topology.widths[0]],
         gain: [0.0; 3],
         asked: None,
-        began: Instant::now(),
+        began: None,
+        broke_off: false,
         layout,
         subject,
     };
     for place in 0..MOST_VIEWS {
         let is_enough = look.trials.iter().all(Trial::is_over) && look.sees_all_inputs();
-        if place >= VIEWS && is_enough || place > 0 && look.is_late() {
+        if place >= VIEWS && is_enough || look.broke_off {
             break;
         }
         look.at(place)?;
@@ -264,7 +266,10 @@ struct Look<'a> {
     gain: [f64; 3],
     /// What the perceptual loss says of an image, and of another.
     asked: Option<Answer>,
-    began: Instant,
+    /// When the first derivative was there: kernels were compiled for it.
+    began: Option<Instant>,
+    /// It took too long.
+    broke_off: bool,
 }
 
 /// What the perceptual loss says of an image.
@@ -278,9 +283,11 @@ struct Answer {
 }
 
 impl Look<'_> {
-    /// Whether it has taken too long.
-    fn is_late(&self) -> bool {
-        self.began.elapsed() >= self.subject.patience
+    /// Whether it has taken too long, after a view or an image of one.
+    fn is_late(&mut self) -> bool {
+        let began = *self.began.get_or_insert_with(Instant::now);
+        self.broke_off |= began.elapsed() >= self.subject.patience;
+        self.broke_off
     }
 
     /// Looks at the view that comes at a place of the training.
@@ -299,7 +306,7 @@ impl Look<'_> {
         let image = self.image(view)?;
         for number in due {
             if self.is_late() {
-                break;
+                return Ok(());
             }
             let changed = self.changed(view, pose, self.trials[number].change);
             let other = self.image(&changed)?;
@@ -381,16 +388,16 @@ impl Look<'_> {
         let unseen: Vec<&str> = self
             .trials
             .iter()
-            .filter(|trial| !trial.moved && trial.tries == 0)
+            .filter(|trial| {
+                !trial.moved && (trial.tries == 0 || self.broke_off && !trial.is_over())
+            })
             .map(|trial| trial.name.as_str())
             .collect();
-        let is_late = self.is_late();
+        let broke_off = self.broke_off;
         if !unseen.is_empty() {
-            let what = if is_late {
-                format!(
-                    "in {:.0} s there was no look at these",
-                    self.subject.patience.as_secs_f64()
-                )
+            let what = if broke_off {
+                let seconds = self.subject.patience.as_secs_f64();
+                format!("in {seconds:.0} s there was no look at these, or too few")
             } else {
                 format!(
                     "none of {MOST_VIEWS} views shows what these move, and little can be learned of it"
@@ -406,7 +413,7 @@ impl Look<'_> {
                 Change::Input(_) => format!("{NUDGE} larger"),
             };
             // Few tries prove nothing.
-            if trial.tries > 0 && (!is_late || trial.is_over()) {
+            if trial.tries > 0 && (!broke_off || trial.is_over()) {
                 findings.faults.push(format!(
                     "{}, {how}, moved no pixel of {} views that show its Gaussians, expected some",
                     trial.name, trial.tries
@@ -428,9 +435,18 @@ impl Look<'_> {
                 channels.map(|(name, slope)| (format!("the cameras' gain of {name}"), slope)),
             );
         }
-        if is_late {
+        if broke_off {
             // One that is 0 may be of what no view has shown yet.
-            slopes.retain(|(_, slope)| slope.is_nan());
+            let (flat, rest): (Vec<_>, Vec<_>) =
+                slopes.into_iter().partition(|(_, slope)| *slope == 0.0);
+            slopes = rest;
+            if !flat.is_empty() {
+                let names: Vec<String> = flat.into_iter().map(|(name, _)| name).collect();
+                findings.warnings.push(format!(
+                    "no derivative was found by then of {}",
+                    names.join(", ")
+                ));
+            }
         }
         findings.faults.extend(of_slopes(&slopes));
         findings.faults.extend(self.asked.and_then(of_answer));

@@ -9,7 +9,7 @@ use glam::{DAffine3, DQuat, DVec3};
 /// Numbers of a camera: how far it is turned and moved.
 const CAMERA: usize = 6;
 /// [`Moments::direction`]'s floor for poses: fingers of a few pixels drifted by 1.5° without one.
-const POSE_FLOOR: f64 = 0.02;
+const POSE_FLOOR: f64 = 0.2;
 /// Frames a second of clips of poses.
 const CLIP_RATE: f64 = 30.0;
 
@@ -187,7 +187,8 @@ impl Refinement {
     /// A step of Adam for all bones, along the derivative of a loss with respect to the poses of its
     /// views, summed.
     pub fn learn_bones(&mut self, gradient: &PoseGradient, rate: f64, adam: &Adam) {
-        // The root's place is the poses' translation.
+        // The root's place is the poses' translation. No floor, unlike poses: all frames' views speak
+        // of a bone, so that what is left of noise in a finger's is small.
         for (joint, of) in gradient.bone.iter().enumerate().skip(1) {
             let of = of.to_array();
             let change = self.bones.moments.direction(joint, &of, 0.0, adam);

@@ -31,7 +31,8 @@ pub struct ImportedMotion {
 /// What a file of another program is: "avatar", "motion" or "unknown". `name`: the file's.
 pub fn kind(bytes: &[u8], name: &str) -> &'static str {
     let content = Content::of(bytes, Path::new(name));
-    if content.is_avatar() {
+    // Reading a checkpoint says what becomes an avatar of it.
+    if content.is_avatar() || content == Content::Checkpoint {
         "avatar"
     } else if content.is_motion() {
         "motion"

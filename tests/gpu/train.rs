@@ -1,7 +1,7 @@
 //! Training's kernels against the derivative in f64, and what its steps promise.
 
 use crate::common::{self, Random, Sizes, gpu};
-use effigy_core::avatar::{Activation, Avatar, Filter, Pose};
+use effigy_core::avatar::{Activation, Avatar, Filter, Pose, Skeleton};
 use effigy_core::reference::raster::Cutoff;
 use effigy_core::scene::{Camera, Posed};
 use effigy_train::adam::{Adam, Rates};
@@ -439,13 +439,9 @@ fn adam_steps_by_each_rate() {
     }
 }
 
-fn a_pose_that_is_off_is_found_by_its_pictures() {
-    let setting = Setting {
-        views: 3,
-        ..SETTING
-    };
-    let scene = Scene::new(11, setting);
-    let options = StepOptions {
+/// What finds poses and bones: the picture's loss alone.
+fn look() -> StepOptions {
+    StepOptions {
         weights: LossWeights {
             l1: 1.0,
             scale: 0.0,
@@ -453,36 +449,99 @@ fn a_pose_that_is_off_is_found_by_its_pictures() {
             correctives: [0.0; 3],
         },
         ..STILL
-    };
-    let problem = scene.problem(&options);
-    let numbers = scene.start.parameters.doubles();
-    let truth = common::pose(11, &scene.avatar);
-    let posed = |pose: &Pose, view: &View| View {
-        joints: scene.avatar.skeleton.matrices(pose),
-        input: scene.avatar.inputs.unprojected(&truth),
+    }
+}
+
+/// A view of an avatar whose joints are elsewhere.
+fn posed(scene: &Scene, skeleton: &Skeleton, pose: &Pose, seen: &Pose, view: &View) -> View {
+    View {
+        joints: skeleton.matrices(pose),
+        input: scene.avatar.inputs.unprojected(seen),
         gain: DVec3::ONE,
         ..view.clone()
+    }
+}
+
+/// The scene's views with pictures of a pose.
+fn pictures(scene: &Scene, size: [u32; 2], truth: &Pose) -> Vec<View> {
+    let problem = scene.problem(&look());
+    let numbers = scene.start.parameters.doubles();
+    let views = scene.views.iter().map(|view| {
+        let view = posed(scene, &scene.avatar.skeleton, truth, truth, view);
+        let pixels = problem.forward(&numbers, &view).canvas.pixels;
+        let byte = |v: f64, a: f64| (255.0 * v + (1.0 - a) * 128.0).round() as u8;
+        View {
+            picture: Arc::new(Picture {
+                size,
+                behind: vec![[128; 4]; pixels.len()],
+                pixels: pixels
+                    .iter()
+                    .map(|&[r, g, b, a]| [byte(r, a), byte(g, a), byte(b, a), 255])
+                    .collect(),
+            }),
+            ..view
+        }
+    });
+    views.collect()
+}
+
+/// The derivative of the last look with respect to the joints, summed over its views.
+fn joints_gradient(trainer: &Trainer, views: usize) -> Vec<DAffine3> {
+    let all = (0..views).map(|view| trainer.joints_gradient(view));
+    let sum = all.reduce(|a, b| {
+        let pairs = a.into_iter().zip(b);
+        let sum = pairs.map(|(a, b)| DAffine3 {
+            matrix3: a.matrix3 + b.matrix3,
+            translation: a.translation + b.translation,
+        });
+        sum.collect()
+    });
+    sum.unwrap()
+}
+
+fn bones_that_are_off_are_found_by_pictures() {
+    let setting = Setting {
+        views: 3,
+        ..SETTING
     };
-    let pictures: Vec<View> = scene
-        .views
-        .iter()
-        .map(|view| {
-            let view = posed(&truth, view);
-            let pixels = problem.forward(&numbers, &view).canvas.pixels;
-            let byte = |v: f64, a: f64| (255.0 * v + (1.0 - a) * 128.0).round() as u8;
-            View {
-                picture: Arc::new(Picture {
-                    size: setting.size,
-                    behind: vec![[128; 4]; pixels.len()],
-                    pixels: pixels
-                        .iter()
-                        .map(|&[r, g, b, a]| [byte(r, a), byte(g, a), byte(b, a), 255])
-                        .collect(),
-                }),
-                ..view
-            }
-        })
-        .collect();
+    let scene = Scene::new(11, setting);
+    let pose = common::pose(11, &scene.avatar);
+    let pictures = pictures(&scene, setting.size, &pose);
+    let truth = &scene.avatar.skeleton;
+    let by = |joint: usize| match joint {
+        0 => DVec3::ZERO,
+        _ => 0.03 * DVec3::new((joint as f64).sin(), (2.0 * joint as f64).cos(), 0.5),
+    };
+    let off = truth.with_bones(&(0..truth.len()).map(by).collect::<Vec<_>>());
+    let mut trainer = scene.trainer(setting);
+    let mut refinement = Refinement::of(truth.len(), &[&pose], 0);
+    let mut losses = Vec::new();
+    for step in 0..120 {
+        let own = refinement.skeleton(&off);
+        let looked: Vec<View> = pictures
+            .iter()
+            .map(|view| posed(&scene, &own, &pose, &pose, view))
+            .collect();
+        losses.push(trainer.look(&looked, &look()).unwrap().l1);
+        let gradient = own.matrices_backward(&pose, &joints_gradient(&trainer, looked.len()));
+        let rate = 5e-3 * 0.02f64.powf(f64::from(step) / 120.0);
+        refinement.learn_bones(&gradient, rate, &Adam::DEFAULT);
+    }
+    let (first, last) = (losses[0], losses[losses.len() - 1]);
+    println!("L1 from {first} to {last}");
+    assert!(last < 0.2 * first, "L1 went from {first} to {last}");
+}
+
+fn a_pose_that_is_off_is_found_by_its_pictures() {
+    let setting = Setting {
+        views: 3,
+        ..SETTING
+    };
+    let scene = Scene::new(11, setting);
+    let options = look();
+    let truth = common::pose(11, &scene.avatar);
+    let pictures = pictures(&scene, setting.size, &truth);
+    let skeleton = &scene.avatar.skeleton;
     let mut off = truth.clone();
     off.translation += DVec3::new(0.02, -0.03, 0.01);
     for rotation in off.rotation.iter_mut().take(3) {
@@ -494,20 +553,13 @@ fn a_pose_that_is_off_is_found_by_its_pictures() {
     let mut losses = Vec::new();
     for step in 0..120 {
         let pose = refinement.pose(0, &off);
-        let looked: Vec<View> = pictures.iter().map(|view| posed(&pose, view)).collect();
+        let looked: Vec<View> = pictures
+            .iter()
+            .map(|view| posed(&scene, skeleton, &pose, &truth, view))
+            .collect();
         losses.push(trainer.look(&looked, &options).unwrap().l1);
-        let gradient = (0..looked.len())
-            .map(|view| trainer.joints_gradient(view))
-            .reduce(|a, b| {
-                let pairs = a.into_iter().zip(b);
-                let sum = pairs.map(|(a, b)| DAffine3 {
-                    matrix3: a.matrix3 + b.matrix3,
-                    translation: a.translation + b.translation,
-                });
-                sum.collect()
-            })
-            .unwrap();
-        let gradient = scene.avatar.skeleton.matrices_backward(&pose, &gradient);
+        let gradient = joints_gradient(&trainer, looked.len());
+        let gradient = skeleton.matrices_backward(&pose, &gradient);
         let rate = 1e-2 * 0.02f64.powf(f64::from(step) / 120.0);
         refinement.learn_pose(0, &gradient, rate, &Adam::DEFAULT);
     }
@@ -746,6 +798,7 @@ tests! {
     only_neutral_numbers_learn_without_correctives,
     adam_steps_by_each_rate,
     a_pose_that_is_off_is_found_by_its_pictures,
+    bones_that_are_off_are_found_by_pictures,
     pairs_that_do_not_fit_get_room,
     pairs_that_no_buffer_holds_are_drawn_in_bands,
     equal_steps_give_equal_bits,

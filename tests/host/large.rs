@@ -162,7 +162,21 @@ fn texts_that_go_on_and_on() {
     .concat();
     let gltf = br#"{"asset":{"version":"2.0"},"#;
     let of_gltf = |list: &str| [&gltf[..], format!("\"{list}\":[{{}}").as_bytes()].concat();
-    let texts: [(&str, Vec<u8>); 34] = [
+    let pose = |rest: &str| {
+        let zeros = vec!["0"; 165].join(",");
+        format!(r#",{{"frame_id":0,"pose":[{zeros}],"Th":[0,0,0],"Rh":[0,0,0]{rest}}}"#)
+    };
+    let poses = |over: &str| {
+        filled(
+            &[b"[", &over.as_bytes()[1..]].concat(),
+            over.as_bytes(),
+            b"]",
+            &scale,
+        )
+    };
+    let texts: [(&str, Vec<u8>); 36] = [
+        ("poses", poses(&pose(""))),
+        ("poses with expressions", poses(&pose(r#","expression":[0,0,0,0,0,0,0,0,0,0]"#))),
         ("bvh nested", filled(root, joint, b"", &scale)),
         ("bvh of leaves", filled(root, leaf, b"}\nMOTION\nFrames: 1\nFrame Time: 0.1\n", &scale)),
         ("bvh of numbers", filled(&frames, b"0 1 2 3 4 5\n", b"", &scale)),
@@ -214,11 +228,13 @@ fn texts_that_go_on_and_on() {
         .iter()
         .map(|(what, bytes)| fault(what, bytes, &scale, read))
         .collect();
+    let camera = br#",{"width":9,"height":9,"position":[0,0,0],"rotation":[[1,0,0],[0,1,0],[0,0,1]],"fx":9,"fy":9}"#;
     for (what, over) in [
         ("cameras of nothing", &b",{}"[..]),
         ("cameras of lists", b",[]"),
+        ("cameras", camera),
     ] {
-        let bytes = filled(b"[{}", over, b"]", &scale);
+        let bytes = filled(&[b"[", &camera[1..]].concat(), over, b"]", &scale);
         let read = |bytes: &[u8]| cameras::parse(bytes, DAffine3::IDENTITY).map(drop);
         faults.push(fault(what, &bytes, &scale, read));
     }
@@ -273,7 +289,7 @@ fn archives_of_many_and_of_much() {
     let scale = Scale::asked();
     // What a member takes of the file without content: its own record and the directory's.
     let many = scale.bytes / 130;
-    let inner = archive(1, ".npy", &vec![0; 1 << 20], CompressionMethod::Deflated);
+    let inner = archive(1, ".npy", &vec![0; 6 << 20], CompressionMethod::Deflated);
     let stored = CompressionMethod::Stored;
     let deflated = CompressionMethod::Deflated;
     let zeros = vec![0; 16 * scale.bytes];
@@ -283,7 +299,12 @@ fn archives_of_many_and_of_much() {
         ("many of torch", archive(many, "/data.pkl", b"", stored)),
         (
             "nested",
-            archive(scale.bytes / inner.len(), ".npz", &inner, stored),
+            archive(
+                (scale.bytes / inner.len()).min(9_999),
+                ".npz",
+                &inner,
+                stored,
+            ),
         ),
         ("a bomb", archive(1, ".npy", &zeros, deflated)),
         ("forty bombs", archive(40, ".npy", &zeros, deflated)),

@@ -65,7 +65,7 @@ fn pack_writes_smaller_files_and_says_what_they_cost() {
         let written = std::fs::metadata(at("packed.avatar")).unwrap().len();
         assert_eq!(json[lines - 1]["file"], written);
         assert!(
-            written < length && table.contains("reading takes "),
+            written < length && table.contains("reading it takes "),
             "{quality}: {written} bytes after {length}: {table}"
         );
         length = written;

@@ -113,7 +113,8 @@ impl Files {
             name: Path::new(OPENED),
             beside: &mut Nothing,
         };
-        let (avatar, first) = if content.is_avatar() {
+        // Reading a checkpoint says what becomes an avatar of it.
+        let (avatar, first) = if content.is_avatar() || content == Content::Checkpoint {
             let imported = read::avatar(source, &OpenOptions::default())?;
             log(&imported.assumptions);
             (imported.avatar, None)

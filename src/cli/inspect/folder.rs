@@ -34,6 +34,8 @@ pub struct FolderSummary {
 /// A file.
 #[derive(Serialize)]
 struct Entry {
+    #[serde(skip)]
+    path: PathBuf,
     name: String,
     kind: &'static str,
     bytes: u64,
@@ -61,10 +63,9 @@ impl FolderSummary {
         })
     }
 
-    /// The files that are listed, in a folder.
-    pub fn paths(&self, folder: &Path) -> Vec<PathBuf> {
-        let files = self.files.iter();
-        files.map(|file| folder.join(&file.name)).collect()
+    /// The files that are listed.
+    pub fn paths(&self) -> impl Iterator<Item = &Path> {
+        self.files.iter().map(|file| file.path.as_path())
     }
 }
 
@@ -95,6 +96,7 @@ impl Entry {
             None => own(path)?,
         };
         Some(Self {
+            path: path.to_owned(),
             name: path
                 .strip_prefix(folder)
                 .unwrap_or(path)

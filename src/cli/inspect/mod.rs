@@ -72,7 +72,8 @@ pub fn run(args: Args) -> anyhow::Result<()> {
         );
         let summary = FolderSummary::new(file)?;
         if let Some(out) = &args.png {
-            sheet::write(&args.thumbnails()?, &summary.paths(file), out)?;
+            let files: Vec<&Path> = summary.paths().collect();
+            sheet::write(&args.thumbnails()?, &files, out)?;
         }
         return print(&summary, args.json);
     }

@@ -6,7 +6,7 @@ use crate::{
 };
 use anyhow::ensure;
 use image::{RgbaImage, imageops};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// Pictures of a row.
 const COLUMNS: u32 = 8;
@@ -19,7 +19,7 @@ const EMPTY: [u8; 4] = [64, 64, 64, 255];
 
 /// Writes a sheet of files' pictures in their order. What can't be drawn leaves its place empty, and
 /// is said to.
-pub fn write(thumbnails: &Thumbnails, files: &[PathBuf], out: &Path) -> anyhow::Result<()> {
+pub fn write(thumbnails: &Thumbnails, files: &[&Path], out: &Path) -> anyhow::Result<()> {
     ensure!(!files.is_empty(), "there is nothing to draw for --png");
     let drawn = &files[..files.len().min(MOST)];
     if drawn.len() < files.len() {
@@ -38,7 +38,7 @@ pub fn write(thumbnails: &Thumbnails, files: &[PathBuf], out: &Path) -> anyhow::
                 let corner = [at % COLUMNS * side[0], at / COLUMNS * side[1]];
                 imageops::replace(&mut sheet, &picture, corner[0].into(), corner[1].into());
             }
-            Err(error) => bar.println(format!("{error:#}")),
+            Err(error) => progress::say(&bar, format_args!("{error:#}")),
         }
         bar.inc(1);
     }

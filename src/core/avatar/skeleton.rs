@@ -134,6 +134,9 @@ impl Skeleton {
 
     /// This skeleton with joints that are elsewhere in their parents. `bone`: by how much, metres in
     /// the rest pose; the root stays.
+    ///
+    /// # Panics
+    /// When there is not one a joint.
     pub fn with_bones(&self, bone: &[DVec3]) -> Self {
         let mut moved = vec![DVec3::ZERO; self.len()];
         let mut own = self.clone();

@@ -30,7 +30,7 @@ use crate::{
     pickle::Pickle,
 };
 use body::Family;
-use effigy_core::io::file::FormatError;
+use effigy_core::io::file::{FormatError, excerpt};
 use fields::Fields;
 
 /// What a file leaves open.
@@ -60,7 +60,7 @@ fn no_motion(names: &[String]) -> FormatError {
     let found = if is_body {
         "SMPL's body model, which has a shape and no motion".to_owned()
     } else {
-        let shown: Vec<&str> = names.iter().map(String::as_str).take(8).collect();
+        let shown: Vec<String> = names.iter().take(8).map(|name| excerpt(name)).collect();
         format!("{} arrays: {}", names.len(), shown.join(", "))
     };
     FormatError::container(found, recognise::EXPECTED)

@@ -22,6 +22,10 @@ use std::fmt;
 
 /// Frames a second where nobody says.
 pub const POSES_RATE: f64 = 30.0;
+/// Bytes of text that a joint's three numbers take at least, with their commas.
+const LEAST_TEXT: usize = 6;
+/// Numbers of the neutral expressions of frames before the first that has one.
+const MAX_NEUTRAL: usize = 1 << 22;
 
 #[derive(Serialize, Deserialize)]
 struct Frame {
@@ -123,6 +127,95 @@ impl Turn {
     }
 }
 
+/// The frames of a file, joined as they are read: as text they are shorter.
+struct Frames<'a> {
+    /// Of the root joint at rest.
+    root: DVec3,
+    clip: &'a mut Clip,
+    /// What is wrong with a frame.
+    fault: Option<FormatError>,
+}
+
+impl Frames<'_> {
+    fn add(&mut self, frame: &Frame) -> Result<(), FormatError> {
+        let clip = &mut *self.clip;
+        let at = clip.translation.len();
+        let field = |name: &str| format!("[{at}].{name}");
+        let numbers = 3 * clip.joint.len();
+        if frame.pose.len() != numbers {
+            let found = format!("{} numbers", frame.pose.len());
+            return Err(FormatError::metadata(&field("pose"), found, numbers));
+        }
+        let expression = frame.expression.as_ref();
+        let expression = expression.map_or(&[][..], |own| &own.weights[..]);
+        if clip.expression_len == 0 && !expression.is_empty() {
+            // Frames without an expression have a neutral one.
+            clip.expression_len = expression.len();
+            clip.expression = vec![0.0; self.room(at, expression.len())?];
+            return self.add(frame);
+        }
+        if !expression.is_empty() && expression.len() != clip.expression_len {
+            let found = format!("{} numbers", expression.len());
+            return Err(FormatError::metadata(
+                &field("expression"),
+                found,
+                clip.expression_len,
+            ));
+        }
+        let Some(turn) = frame.rotation.quaternion() else {
+            return Err(FormatError::metadata(
+                &field("Rh"),
+                "a matrix",
+                "a rotation",
+            ));
+        };
+        let rotations = frame.pose.chunks_exact(3);
+        let mut rotations: Vec<DVec3> = rotations.map(DVec3::from_slice).collect();
+        let hips = turn * DQuat::from_scaled_axis(rotations[0]);
+        rotations[0] = hips.to_scaled_axis();
+        // Rh and Th act on the posed body: on the root joint, which is at rest where it is.
+        let translation = turn * self.root + DVec3::from(frame.translation) - self.root;
+        clip.rotation
+            .extend(rotations.iter().map(|r| r.as_vec3().to_array()));
+        clip.translation.push(translation.as_vec3().to_array());
+        let start = clip.expression.len();
+        clip.expression.extend(expression);
+        clip.expression.resize(start + clip.expression_len, 0.0);
+        Ok(())
+    }
+
+    /// Numbers of the expressions of the frames that had none. All of the file may be one.
+    fn room(&self, frames: usize, expression: usize) -> Result<usize, FormatError> {
+        let numbers = frames * expression;
+        if numbers > MAX_NEUTRAL {
+            return Err(FormatError::metadata(
+                &format!("[{frames}].expression"),
+                format!("{expression} numbers after {frames} frames without"),
+                format!("at most {MAX_NEUTRAL} in all"),
+            ));
+        }
+        Ok(numbers)
+    }
+}
+
+impl<'de> Visitor<'de> for &mut Frames<'_> {
+    type Value = ();
+
+    fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str("a list of frames")
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<(), A::Error> {
+        while let Some(frame) = list.next_element()? {
+            if let Err(fault) = self.add(&frame) {
+                self.fault = Some(fault);
+                return Err(A::Error::custom("a frame"));
+            }
+        }
+        Ok(())
+    }
+}
+
 /// Reads a clip for an avatar of SMPL-X's skeleton. `rate`: frames a second, which the file does
 /// not say.
 ///
@@ -134,69 +227,37 @@ pub fn read_poses(
     skeleton: &Skeleton,
     rate: f64,
 ) -> Result<Clip, FormatError> {
-    let frames: Vec<Frame> = serde_json::from_slice(bytes).map_err(|error| {
-        FormatError::container(error, "a list of poses: frame_id, pose, Th, Rh")
-    })?;
-    if frames.is_empty() {
-        return Err(FormatError::container("no pose", "at least one"));
-    }
-    // Frames without an expression have a neutral one.
-    let given = frames.iter().find_map(|frame| frame.expression.as_ref());
-    let expression_len = given.map_or(0, |own| own.weights.len());
-    let root = skeleton
-        .rest
-        .first()
-        .map_or(DVec3::ZERO, |rest| DVec3::from(rest.map(f64::from)));
+    let rest = skeleton.rest.first();
     let joints = SMPL_X.len();
+    let most = bytes.len() / (LEAST_TEXT * joints) + 1;
     let mut clip = Clip {
         name: name.into(),
         credit: String::new(),
         rate,
         joint: SMPL_X.iter().map(|joint| joint.name.into()).collect(),
-        rotation: Vec::with_capacity(frames.len() * joints),
-        translation: Vec::with_capacity(frames.len()),
+        rotation: Vec::with_capacity(most * joints),
+        translation: Vec::with_capacity(most),
         expression: vec![],
-        expression_len,
+        expression_len: 0,
     };
-    for (at, frame) in frames.iter().enumerate() {
-        let field = |name: &str| format!("[{at}].{name}");
-        if frame.pose.len() != 3 * joints {
-            let found = format!("{} numbers", frame.pose.len());
-            return Err(FormatError::metadata(&field("pose"), found, 3 * joints));
-        }
-        let given = frame.expression.as_ref();
-        let expression = given.map_or(&[][..], |own| &own.weights[..]);
-        if !expression.is_empty() && expression.len() != expression_len {
-            let found = format!("{} numbers", expression.len());
-            return Err(FormatError::metadata(
-                &field("expression"),
-                found,
-                expression_len,
-            ));
-        }
-        let Some(turn) = frame.rotation.quaternion() else {
-            return Err(FormatError::metadata(
-                &field("Rh"),
-                "a matrix",
-                "a rotation",
-            ));
-        };
-        let rotations = frame.pose.chunks_exact(3);
-        let rotations = rotations.map(|r| DVec3::new(r[0], r[1], r[2]));
-        let mut rotations: Vec<DVec3> = rotations.collect();
-        let hips = turn * DQuat::from_scaled_axis(rotations[0]);
-        rotations[0] = hips.to_scaled_axis();
-        // Rh and Th act on the posed body: on the root joint, which is at rest where it is.
-        let translation = turn * root + DVec3::from(frame.translation) - root;
-        clip.rotation
-            .extend(rotations.iter().map(|r| r.as_vec3().to_array()));
-        clip.translation.push(translation.as_vec3().to_array());
-        let start = clip.expression.len();
-        clip.expression.extend(expression);
-        clip.expression.resize(start + expression_len, 0.0);
+    let mut frames = Frames {
+        root: rest.map_or(DVec3::ZERO, |rest| DVec3::from(rest.map(f64::from))),
+        clip: &mut clip,
+        fault: None,
+    };
+    let mut text = serde_json::Deserializer::from_slice(bytes);
+    let read = text.deserialize_seq(&mut frames);
+    if let Some(fault) = frames.fault {
+        return Err(fault);
+    }
+    read.and_then(|()| text.end()).map_err(|error| {
+        FormatError::container(error, "a list of poses: frame_id, pose, Th, Rh")
+    })?;
+    if clip.translation.is_empty() {
+        return Err(FormatError::container("no pose", "at least one"));
     }
     // The same rules as for a clip of Effigy's own.
-    clip.to_bytes()?;
+    clip.check()?;
     Ok(clip)
 }
 
@@ -227,7 +288,8 @@ pub fn capture_poses(bytes: &[u8], rate: Option<f64>) -> Result<Captured, Format
     let rest = rest.iter().map(|place| place.as_vec3().to_array());
     let skeleton = smpl_x(rest.collect());
     let clip = read_poses(bytes, "", &skeleton, rate.unwrap_or(POSES_RATE))?;
-    check_size(clip.frames(), joints.len(), bytes.len())?;
+    // The clip is there as well.
+    check_size(clip.frames(), 3 * joints.len() / 2, bytes.len())?;
     let local = clip.rotation.iter().enumerate().map(|(at, axis)| {
         let joint = at % joints.len();
         let moved = clip.translation[at / joints.len()].map(f64::from);

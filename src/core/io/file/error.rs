@@ -109,20 +109,21 @@ impl FormatError {
     }
 }
 
-/// A text that has names of a file in it, which may be megabytes long.
-fn cut(text: &str) -> &str {
-    let end = text
-        .char_indices()
-        .nth(300)
-        .map_or(text.len(), |(at, _)| at);
-    &text[..end]
+/// A part of a message, which may have names of a file in it, megabytes long.
+fn cut(text: &str) -> String {
+    beginning(text, 300)
 }
 
 /// The beginning of a text from a file, on one line, for messages.
 pub fn excerpt(text: &str) -> String {
+    beginning(text, 100)
+}
+
+/// At most so many characters, none of which a terminal would obey.
+fn beginning(text: &str, characters: usize) -> String {
     let line: String = text
         .chars()
-        .take(100)
+        .take(characters)
         .map(|c| if c.is_control() { ' ' } else { c })
         .collect();
     if line.len() < text.len() {

@@ -246,6 +246,14 @@ impl Avatar {
 }
 
 impl Clip {
+    /// Checks every rule of [`super::format`].
+    ///
+    /// # Errors
+    /// When one is broken; names it.
+    pub fn check(&self) -> Result<(), FormatError> {
+        check_arrays(&ClipHeader::from_model(self), self)
+    }
+
     /// Reads a motion file. Every rule in [`super::format`] is checked before memory is taken for
     /// the clip.
     ///
