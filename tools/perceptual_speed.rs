@@ -5,7 +5,7 @@
 //!
 //! ```sh
 //! cargo run --release -p effigy-perceptual --example perceptual-speed -- \
-//!     [alex|vgg|dssim] [ROUNDS [SIDE...]]
+//!     [alex|vgg|lpips-alex|lpips-vgg|dssim] [ROUNDS [SIDE...]]
 //! ```
 
 use effigy_perceptual::{Network, Perceptual, Planes, dssim_and_gradient};
@@ -19,35 +19,39 @@ fn main() {
         Some(sides) if !sides.is_empty() => sides.to_vec(),
         _ => vec![64, 128, 256],
     };
-    let names = ["alex", "vgg", "dssim"];
+    let networks = [
+        Network::Alex,
+        Network::Vgg,
+        Network::LpipsAlex,
+        Network::LpipsVgg,
+    ];
     let asked = |name: &str| {
-        let is_name = |argument: &String| names.contains(&argument.as_str());
+        let is_name = |argument: &String| argument.parse::<usize>().is_err();
         !arguments.iter().any(is_name) || arguments.iter().any(|argument| argument == name)
     };
     println!(
-        "{:8}{:>6}{:>14}{:>11}{:>19}{:>10}{:>17}",
+        "{:11}{:>6}{:>14}{:>11}{:>19}{:>10}{:>17}",
         "loss", "side", "features, ms", "value, ms", "with gradient, ms", "GFLOP/s", "a CPU second"
     );
-    for network in [Network::Alex, Network::Vgg] {
+    for network in networks {
         if !asked(network.name()) {
             continue;
         }
         let start = Instant::now();
         let folder = env::var("EFFIGY_ASSETS").unwrap_or("target/assets".into());
-        let perceptual =
-            match Perceptual::read(network, &Path::new(&folder).join(network.file_name())) {
-                Ok(perceptual) => perceptual,
-                Err(error) => {
-                    println!("random weights: {error}");
-                    Perceptual::random(network, 1)
-                }
-            };
+        let perceptual = match Perceptual::read(network, Path::new(&folder)) {
+            Ok(perceptual) => perceptual,
+            Err(error) => {
+                println!("random weights: {error}");
+                Perceptual::random(network, 1)
+            }
+        };
         let read = start.elapsed().as_secs_f64();
         let start = Instant::now();
         let checked = perceptual.check();
         let check = start.elapsed().as_secs_f64();
         println!(
-            "{:8}read in {:.0} ms, checked in {:.0} ms: {}",
+            "{:11}read in {:.0} ms, checked in {:.0} ms: {}",
             network.name(),
             1e3 * read,
             1e3 * check,
@@ -70,7 +74,7 @@ fn main() {
             let processor = (processor_seconds() - before) / rounds as f64;
             let billions = 2e-9 * network.operations([side; 2]);
             println!(
-                "{:8}{side:>6}{:>14.1}{:>11.1}{:>19.1}{:>10.0}{:>17.0}",
+                "{:11}{side:>6}{:>14.1}{:>11.1}{:>19.1}{:>10.0}{:>17.0}",
                 network.name(),
                 1e3 * seen,
                 1e3 * value,
@@ -85,7 +89,7 @@ fn main() {
         let graded = best(rounds, || {
             black_box(dssim_and_gradient(&image, &target));
         });
-        println!("{:8}{side:>6}{:>44.1}", "dssim", 1e3 * graded);
+        println!("{:11}{side:>6}{:>44.1}", "dssim", 1e3 * graded);
     }
 }
 

@@ -63,8 +63,9 @@ pub struct CaptureArgs {
     /// each principal component of its training poses; off: the pose itself
     #[arg(long, value_enum, default_value_t = PoseProjection::On)]
     project: PoseProjection,
-    /// Of a capture: the network of ST-LPIPS [default: alex, or none without its weights]
-    #[arg(long, value_parser = named(["alex", "vgg", "none"], [Loss::Alex, Loss::Vgg, Loss::None]))]
+    /// Of a capture: ST-LPIPS by its network, alex or vgg, or LPIPS [default: alex, or none without
+    /// its weights]
+    #[arg(long, value_parser = named(LOSS_NAMES, LOSSES))]
     perceptual: Option<Loss>,
     /// Folder that tools/fetch_perceptual.sh filled
     #[arg(long, value_name = "DIR", env = "EFFIGY_ASSETS", default_value = Assets::DEFAULT)]
@@ -76,10 +77,18 @@ pub struct CaptureArgs {
 /// A perceptual distance by its name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Loss {
-    Alex,
-    Vgg,
+    Of(Network),
     None,
 }
+
+const LOSS_NAMES: [&str; 5] = ["alex", "vgg", "lpips-alex", "lpips-vgg", "none"];
+const LOSSES: [Loss; 5] = [
+    Loss::Of(Network::Alex),
+    Loss::Of(Network::Vgg),
+    Loss::Of(Network::LpipsAlex),
+    Loss::Of(Network::LpipsVgg),
+    Loss::None,
+];
 
 /// What is compared, and where the result goes.
 pub struct Job<'a> {
@@ -246,16 +255,14 @@ fn fitting(path: &Path, capture: &Capture) -> anyhow::Result<Avatar> {
 fn perceptual(args: &CaptureArgs) -> anyhow::Result<Option<Perceptual>> {
     let network = match args.perceptual {
         Some(Loss::None) => return Ok(None),
-        Some(Loss::Vgg) => Network::Vgg,
-        Some(Loss::Alex) | None => Network::Alex,
+        Some(Loss::Of(network)) => network,
+        None => Network::Alex,
     };
-    let file = args.weights.join(network.file_name());
-    if args.perceptual.is_none() && !file.exists() {
+    if args.perceptual.is_none() && network.missing(&args.weights).is_some() {
         eprintln!("without ST-LPIPS: tools/fetch_perceptual.sh gets its weights");
         return Ok(None);
     }
-    let perceptual = Perceptual::read(network, &file)
-        .context("tools/fetch_perceptual.sh gets the weights of ST-LPIPS")?;
+    let perceptual = Perceptual::read(network, &args.weights)?;
     perceptual.check()?;
     Ok(Some(perceptual))
 }
@@ -330,7 +337,8 @@ fn table(report: &Report) -> String {
 }
 
 fn line(group: &str, region: &str, means: &Means) -> String {
-    let distance = means.st_lpips.map_or("-".into(), |d| format!("{d:.4}"));
+    let distance = means.st_lpips.or(means.lpips);
+    let distance = distance.map_or("-".into(), |d| format!("{d:.4}"));
     format!(
         "{group:28}{region:8}{:>9}{:>10.2}{:>9.4}{:>10.5}{distance:>18}\n",
         means.pictures, means.psnr_db, means.ssim, means.l1

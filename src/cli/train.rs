@@ -336,9 +336,11 @@ fn with_known_weights(mut recipe: Recipe, args: &Args, work: &Path) -> Recipe {
             .set
             .iter()
             .any(|change| change.trim_start().starts_with("perceptual.kind"));
-    let file = match recipe.perceptual.kind {
-        PerceptualKind::StLpipsAlex => Network::Alex.file_name(),
-        PerceptualKind::StLpipsVgg => Network::Vgg.file_name(),
+    let network = match recipe.perceptual.kind {
+        PerceptualKind::StLpipsAlex => Network::Alex,
+        PerceptualKind::StLpipsVgg => Network::Vgg,
+        // LPIPS is in no preset: who asks for it brings its weights.
+        PerceptualKind::LpipsAlex | PerceptualKind::LpipsVgg => return recipe,
         PerceptualKind::Dssim | PerceptualKind::None => return recipe,
     };
     if is_asked_for {
@@ -348,7 +350,7 @@ fn with_known_weights(mut recipe: Recipe, args: &Args, work: &Path) -> Recipe {
     let begun = begun.and_then(|text| Recipe::parse(&text).ok());
     if let Some(begun) = begun.filter(|_| args.resume) {
         recipe.perceptual.kind = begun.perceptual.kind;
-    } else if !args.weights.join(file).exists() {
+    } else if network.missing(&args.weights).is_some() {
         eprintln!(
             "without ST-LPIPS, whose weights tools/fetch_perceptual.sh gets: D-SSIM stands in for it"
         );

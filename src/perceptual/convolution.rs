@@ -1,5 +1,5 @@
-//! Convolutions with stride 1 and their gradient with respect to what they read, as products of
-//! matrices: a column for each pixel, a row for each number under the window.
+//! Convolutions and their gradient with respect to what they read, as products of matrices: a
+//! column for each pixel that is written, a row for each number under the window.
 //!
 //! The work is cut into tasks by the shape alone and never by the number of threads, and parts of a
 //! sum are added in their order: the same bits come out on every run.
@@ -7,7 +7,7 @@
 use crate::{
     gemm::{Matrix, multiply},
     maps::Maps,
-    network::Shape,
+    network::{Shape, Step},
 };
 use rayon::prelude::*;
 use std::{cell::Cell, ops::Range};
@@ -65,13 +65,9 @@ impl Convolution {
         }
     }
 
-    fn written(&self, read: [usize; 2]) -> [usize; 2] {
-        read.map(|side| side + 2 * self.shape.pad + 1 - self.shape.window)
-    }
-
     /// What it writes for feature maps. `rectify`: negative numbers become 0.
     pub fn forward(&self, input: &Maps, rectify: bool) -> Maps {
-        let size = self.written(input.size);
+        let size = input.size.map(|side| Step::Convolve(self.shape).side(side));
         let fan = self.shape.fan();
         let tasks = tasks(size, self.shape.to);
         let tiles: Vec<Vec<f32>> = tasks
@@ -116,14 +112,20 @@ impl Convolution {
     /// `read`: the size of the former.
     pub fn backward(&self, gradient: &Maps, read: [usize; 2]) -> Maps {
         let size = gradient.size;
-        let Shape { window, pad, .. } = self.shape;
+        let Shape {
+            window,
+            pad,
+            stride,
+            ..
+        } = self.shape;
         let fan = self.shape.fan();
         let plane = gradient.plane();
         let under = window * window;
         let tasks = tasks(size, self.shape.from);
         // Each task has rows of its own: those that its windows reach.
         let reach = |task: &Task| {
-            task.rows.start.saturating_sub(pad)..(task.rows.end + window - 1 - pad).min(read[1])
+            let last = stride * (task.rows.end - 1) + window - pad;
+            (stride * task.rows.start).saturating_sub(pad)..last.min(read[1])
         };
         let bands: Vec<Vec<f32>> = tasks
             .par_iter()
@@ -177,7 +179,7 @@ impl Convolution {
 
     /// Columns of what it reads for some rows of what it writes, of the size `size`.
     fn gather(&self, input: &Maps, size: [usize; 2], rows: &Range<usize>, columns: &mut [f32]) {
-        let window = self.shape.window;
+        let Shape { window, stride, .. } = self.shape;
         let [width, height] = input.size;
         let mut of_rows = columns.chunks_exact_mut(size[0]);
         for plane in input.data.chunks_exact(width * height) {
@@ -185,13 +187,21 @@ impl Convolution {
                 let [out, from] = self.overlap(size[0], width, across);
                 for (y, into) in rows.clone().zip(of_rows.by_ref()) {
                     // Above the first row and below the last one are zeros.
-                    let row = (y + down).checked_sub(self.shape.pad);
+                    let row = (stride * y + down).checked_sub(self.shape.pad);
                     let Some(row) = row.filter(|&row| row < height) else {
                         into.fill(0.0);
                         continue;
                     };
                     into[..out.start].fill(0.0);
-                    into[out.clone()].copy_from_slice(&plane[row * width..][from.clone()]);
+                    let numbers = &plane[row * width..][from.clone()];
+                    if stride == 1 {
+                        into[out.clone()].copy_from_slice(numbers);
+                    } else {
+                        let numbers = numbers.iter().step_by(stride);
+                        for (into, number) in into[out.clone()].iter_mut().zip(numbers) {
+                            *into = *number;
+                        }
+                    }
                     into[out.end..].fill(0.0);
                 }
             }
@@ -208,31 +218,43 @@ impl Convolution {
         reach: &Range<usize>,
         width: usize,
     ) {
-        let window = self.shape.window;
+        let Shape { window, stride, .. } = self.shape;
         let mut of_rows = columns.chunks_exact(written);
         for (down, across) in (0..window).flat_map(|y| (0..window).map(move |x| (y, x))) {
             let [out, from] = self.overlap(written, width, across);
             for (y, numbers) in rows.clone().zip(of_rows.by_ref()) {
-                let row = (y + down).checked_sub(self.shape.pad);
+                let row = (stride * y + down).checked_sub(self.shape.pad);
                 let Some(row) = row.filter(|row| reach.contains(row)) else {
                     continue;
                 };
                 let into = &mut band[(row - reach.start) * width..][from.clone()];
-                for (into, number) in into.iter_mut().zip(&numbers[out.clone()]) {
-                    *into += number;
+                let numbers = &numbers[out.clone()];
+                if stride == 1 {
+                    for (into, number) in into.iter_mut().zip(numbers) {
+                        *into += number;
+                    }
+                } else {
+                    for (into, number) in into.iter_mut().step_by(stride).zip(numbers) {
+                        *into += number;
+                    }
                 }
             }
         }
     }
 
     /// The pixels of a row that is written under which a number of the window lies in the row that
-    /// is read, and the pixels there.
+    /// is read, and the pixels there from the first such to the last.
     fn overlap(&self, written: usize, read: usize, across: usize) -> [Range<usize>; 2] {
-        let pad = self.shape.pad;
-        let start = pad.saturating_sub(across).min(written);
-        let end = (read + pad).saturating_sub(across).clamp(start, written);
-        let first = (start + across).saturating_sub(pad);
-        [start..end, first..first + end - start]
+        let Shape { pad, stride, .. } = self.shape;
+        let start = pad.saturating_sub(across).div_ceil(stride).min(written);
+        let end = (read + pad).saturating_sub(across).div_ceil(stride);
+        let end = end.clamp(start, written);
+        let first = (stride * start + across).saturating_sub(pad);
+        let count = end - start;
+        [
+            start..end,
+            first..first + (stride * count).saturating_sub(stride - 1),
+        ]
     }
 }
 

@@ -1,6 +1,7 @@
-//! What can go wrong with the networks of ST-LPIPS.
+//! What can go wrong with the networks.
 
 use effigy_core::io::file::FileError;
+use std::path::PathBuf;
 
 /// Why a network can't be used.
 #[derive(Debug, thiserror::Error)]
@@ -8,13 +9,21 @@ pub enum PerceptualError {
     /// The file can't be read, or holds something else than the network's weights.
     #[error(transparent)]
     File(#[from] FileError),
+    /// A file is not there.
+    #[error("{measure}: cannot read {}: no such file. It is {origin}", file.display())]
+    Missing {
+        /// What is worked out.
+        measure: &'static str,
+        /// Where it should be.
+        file: PathBuf,
+        /// Where it is from.
+        origin: &'static str,
+    },
     /// The network computes something else than it should on this machine.
-    #[error(
-        "ST-LPIPS ({network}): {what} of the built-in pictures is {found}, expected {expected}"
-    )]
+    #[error("{measure}: {what} of the built-in pictures is {found}, expected {expected}")]
     Wrong {
-        /// The network's name.
-        network: &'static str,
+        /// What is worked out.
+        measure: &'static str,
         /// What was worked out.
         what: &'static str,
         /// The number found.

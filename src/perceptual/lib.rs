@@ -1,10 +1,11 @@
 //! Losses that see pictures as people do, with their gradients: ST-LPIPS, a perceptual distance
-//! that forgives a pixel's shift and punishes blur, and D-SSIM, which needs no weights.
+//! that forgives a pixel's shift and punishes blur, LPIPS, the one of papers, for those who bring
+//! its weights, and D-SSIM, which needs none.
 //!
-//! ST-LPIPS compares what a convolutional network sees in two pictures. Its weights are frozen, so
-//! that there is one gradient alone, with respect to the picture; everything is worked out here in
-//! f32 on the CPU, with the same bits on every run and for any number of threads. It is never the
-//! LPIPS of papers: its numbers can't be compared with those.
+//! ST-LPIPS and LPIPS compare what a convolutional network sees in two pictures. Its weights are
+//! frozen, so that there is one gradient alone, with respect to the picture; everything is worked
+//! out here in f32 on the CPU, with the same bits on every run and for any number of threads. The
+//! numbers of one can't be compared with those of the other.
 
 mod blur;
 mod check;
@@ -20,11 +21,12 @@ mod planes;
 mod pool;
 mod reference;
 mod synthetic;
+mod thin;
 mod weights;
 
 pub use dssim::{dssim, dssim_and_gradient};
 pub use error::PerceptualError;
-pub use network::Network;
+pub use network::{Network, WeightFile};
 pub use perceptual::{Features, Perceptual};
 pub use planes::{Graded, Planes};
 pub use reference::Differential;

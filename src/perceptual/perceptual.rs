@@ -1,4 +1,5 @@
-//! ST-LPIPS: the distance between two pictures, and its gradient with respect to the first.
+//! ST-LPIPS and LPIPS: the distance between two pictures, and its gradient with respect to the
+//! first.
 
 use crate::{
     blur,
@@ -10,6 +11,7 @@ use crate::{
     planes::{Graded, Planes},
     pool,
     reference::{self, Differential},
+    thin,
     weights::{self, Weights},
 };
 use rayon::prelude::*;
@@ -20,7 +22,7 @@ use std::path::Path;
 pub struct Perceptual {
     network: Network,
     weights: Weights,
-    /// What is known of its distances; None for weights that were made here.
+    /// What is known of its distances; None for LPIPS and for weights that were made here.
     known: Option<Known>,
 }
 
@@ -53,16 +55,24 @@ struct Trace {
 }
 
 impl Perceptual {
-    /// Reads the weights of a network from the file that `tools/fetch_perceptual.sh` gets.
+    /// Reads the weights of a network from the folder that `tools/fetch_perceptual.sh` fills, and
+    /// in which the user puts torchvision's file for LPIPS.
     ///
     /// # Errors
-    /// When the file can't be read or is another one: a name, a shape or the sum of all magnitudes
-    /// is not what it should be.
-    pub fn read(network: Network, file: &Path) -> Result<Self, PerceptualError> {
+    /// When a file is missing, can't be read or is another one: a name, a shape or the sum of all
+    /// magnitudes is not what it should be. Of torchvision's the sum is not known.
+    pub fn read(network: Network, folder: &Path) -> Result<Self, PerceptualError> {
+        if let Some(file) = network.missing(folder) {
+            return Err(PerceptualError::Missing {
+                measure: network.title(),
+                file: folder.join(file.name),
+                origin: file.origin,
+            });
+        }
         Ok(Self {
             network,
-            weights: weights::read(network, file)?,
-            known: Some(check::published(network)),
+            weights: weights::read(network, network.files(), folder)?,
+            known: check::published(network),
         })
     }
 
@@ -87,8 +97,9 @@ impl Perceptual {
     }
 
     /// Whether this machine works out what it should: the distance of two built-in pictures and a
-    /// derivative of it, against numbers that another program found or, for random weights, against
-    /// this package's in f64. To be called once before distances are relied on. Takes 20 ms to 1 s.
+    /// derivative of it, against numbers that another program found or, for LPIPS and random
+    /// weights, against this package's in f64. To be called once before distances are relied on.
+    /// Takes 20 ms to 4 s.
     ///
     /// # Errors
     /// When one of the two is wrong, with both numbers.
@@ -228,6 +239,7 @@ impl Perceptual {
                         None
                     }
                     Step::Pool(window) => Some(pool::forward(&maps, *window)),
+                    Step::Thin(step) => Some(thin::forward(&maps, *step)),
                     Step::Blur => Some(blur::forward(&maps)),
                 };
                 if let Some(next) = next {
@@ -283,6 +295,7 @@ impl Perceptual {
                         .next()
                         .map(|convolution| convolution.backward(&current, input.size)),
                     Step::Pool(window) => Some(pool::backward(&current, input, maps, *window)),
+                    Step::Thin(step) => Some(thin::backward(&current, input.size, *step)),
                     Step::Blur => Some(blur::backward(&current, input.size)),
                     Step::Rectify => None,
                 };
@@ -298,6 +311,13 @@ mod tests {
     use super::*;
     use crate::synthetic::{direction, picture};
     use serde::Deserialize;
+
+    const ALL: [Network; 4] = [
+        Network::Alex,
+        Network::Vgg,
+        Network::LpipsAlex,
+        Network::LpipsVgg,
+    ];
 
     /// What tests/data/perceptual/make.py found.
     #[derive(Deserialize)]
@@ -333,7 +353,7 @@ mod tests {
     fn values_and_slopes_are_those_of_another_program() {
         let text = include_str!("../../tests/data/perceptual/values.json");
         let found: Found = serde_json::from_str(text).expect("values.json is what make.py writes");
-        for network in [Network::Alex, Network::Vgg] {
+        for network in ALL {
             let perceptual = Perceptual::random(network, 5);
             let rows = found
                 .rows
@@ -378,7 +398,12 @@ mod tests {
 
     #[test]
     fn the_gradient_is_what_central_differences_in_f64_find() {
-        for (network, size) in [(Network::Alex, [24, 27]), (Network::Vgg, [20, 18])] {
+        for (network, size) in [
+            (Network::Alex, [24, 27]),
+            (Network::Vgg, [20, 18]),
+            (Network::LpipsAlex, [37, 42]),
+            (Network::LpipsVgg, [21, 18]),
+        ] {
             let perceptual = Perceptual::random(network, 11);
             let (image, target) = (picture(0, size), picture(1, size));
             let features = perceptual.features(&target);
@@ -411,25 +436,27 @@ mod tests {
 
     #[test]
     fn the_same_bits_come_out_for_any_number_of_threads() {
-        let size = [50, 41];
-        let perceptual = Perceptual::random(Network::Alex, 2);
-        let graded = |threads| {
-            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
-            pool.expect("threads").install(|| {
-                let features = perceptual.features(&picture(1, size));
-                perceptual.value_and_gradient(&picture(0, size), &features)
-            })
-        };
-        let one = graded(1);
-        assert!(one.value > 0.0 && one.gradient.data.iter().all(|n| n.is_finite()));
-        for threads in [2, 3, 7] {
-            assert_eq!(graded(threads), one, "{threads} threads");
+        // Large enough that convolutions have more than one band of rows.
+        for (network, size) in [(Network::Alex, [50, 41]), (Network::LpipsAlex, [131, 145])] {
+            let perceptual = Perceptual::random(network, 2);
+            let graded = |threads| {
+                let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+                pool.expect("threads").install(|| {
+                    let features = perceptual.features(&picture(1, size));
+                    perceptual.value_and_gradient(&picture(0, size), &features)
+                })
+            };
+            let one = graded(1);
+            assert!(one.value > 0.0 && one.gradient.data.iter().all(|n| n.is_finite()));
+            for threads in [2, 3, 7] {
+                assert_eq!(graded(threads), one, "{threads} threads");
+            }
         }
     }
 
     #[test]
     fn a_picture_is_at_no_distance_from_itself_and_black_ones_have_a_gradient() {
-        for network in [Network::Alex, Network::Vgg] {
+        for network in ALL {
             let perceptual = Perceptual::random(network, 3);
             let side = network.smallest_side() as usize;
             let image = picture(0, [side; 2]);
@@ -445,7 +472,7 @@ mod tests {
 
     #[test]
     fn the_check_passes_with_random_weights() {
-        for network in [Network::Alex, Network::Vgg] {
+        for network in ALL {
             let checked = Perceptual::random(network, 7).check();
             assert!(checked.is_ok(), "{checked:?}");
         }

@@ -1,4 +1,4 @@
-//! ST-LPIPS in f64 on one thread, in plain loops, with its derivative along a direction by the
+//! Distances in f64 on one thread, in plain loops, with their derivative along a direction by the
 //! rules of derivatives forward: what the rest is held against.
 
 use crate::{
@@ -115,6 +115,7 @@ fn layers(
                     maps
                 }
                 Step::Pool(window) => pooled(&maps, *window),
+                Step::Thin(step) => thinned(&maps, *step),
                 Step::Blur => blurred(&maps),
             };
         }
@@ -140,14 +141,16 @@ fn convolved(convolution: &Convolution, maps: &Dual) -> Dual {
                     };
                     let weight = f64::from(weight);
                     // Pixels that are written for which this weight meets the picture.
-                    let first = shape.pad.saturating_sub(across);
-                    let last = (maps.size[0] + shape.pad - across).min(size[0]);
+                    let first = shape.pad.saturating_sub(across).div_ceil(shape.stride);
+                    let last = (maps.size[0] + shape.pad - across).div_ceil(shape.stride);
+                    let last = last.min(size[0]);
                     for y in 0..size[1] {
-                        let row = (y + down).wrapping_sub(shape.pad);
+                        let row = (shape.stride * y + down).wrapping_sub(shape.pad);
                         if row >= maps.size[1] || first >= last {
                             continue;
                         }
-                        let read = maps.at(from, [first + across - shape.pad, row]);
+                        let column = shape.stride * first + across - shape.pad;
+                        let read = maps.at(from, [column, row]);
                         let write = output.at(to, [first, y]);
                         let count = last - first;
                         for (into, of) in [
@@ -155,7 +158,8 @@ fn convolved(convolution: &Convolution, maps: &Dual) -> Dual {
                             (&mut output.slope, &maps.slope),
                         ] {
                             let into = &mut into[write..write + count];
-                            for (into, of) in into.iter_mut().zip(&of[read..read + count]) {
+                            let of = of[read..].iter().step_by(shape.stride);
+                            for (into, of) in into.iter_mut().zip(of) {
                                 *into += weight * of;
                             }
                         }
@@ -182,6 +186,20 @@ fn pooled(maps: &Dual, window: usize) -> Dual {
             let at = output.at(channel, [x, y]);
             output.value[at] = maps.value[best];
             output.slope[at] = maps.slope[best];
+        }
+    }
+    output
+}
+
+fn thinned(maps: &Dual, step: usize) -> Dual {
+    let size = maps.size.map(|side| side.div_ceil(step));
+    let mut output = Dual::zeros(maps.channels, size);
+    for channel in 0..maps.channels {
+        for (y, x) in (0..size[1]).flat_map(|y| (0..size[0]).map(move |x| (y, x))) {
+            let from = maps.at(channel, [step * x, step * y]);
+            let at = output.at(channel, [x, y]);
+            output.value[at] = maps.value[from];
+            output.slope[at] = maps.slope[from];
         }
     }
     output

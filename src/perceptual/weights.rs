@@ -1,9 +1,10 @@
-//! Weights of a network: from the file of the package `stlpips-pytorch`, or made for tests.
+//! Weights of a network: from the files of the packages `stlpips-pytorch`, `lpips` and torchvision,
+//! or made for tests.
 
 use crate::{
     convolution::Convolution,
     error::PerceptualError,
-    network::{LAYERS, Network},
+    network::{LAYERS, Network, Parts, WeightFile},
 };
 use effigy_core::{
     io::file::{FileError, FormatError},
@@ -12,8 +13,8 @@ use effigy_core::{
 use effigy_formats::pickle::{Pickle, Value};
 use std::{fs, io::Read, path::Path};
 
-/// Files may be this large, bytes: VGG's has 59 MB.
-const MAX_BYTES: u64 = 128 << 20;
+/// Files may be this large, bytes: torchvision's VGG16 has 553 MB.
+const MAX_BYTES: u64 = 640 << 20;
 /// How far the sum of all magnitudes may be from what it should be, of itself.
 const SUM_TOLERANCE: f64 = 1e-6;
 /// Streams of random numbers of the heads follow on those of convolutions.
@@ -28,38 +29,45 @@ pub struct Weights {
     pub heads: [Vec<f32>; LAYERS],
 }
 
-/// The sum of the magnitudes of all numbers of the published file.
-fn expected_sum(network: Network) -> f64 {
-    match network {
-        Network::Alex => 31_828.961_92,
-        Network::Vgg => 283_299.600_4,
-    }
-}
-
-/// Reads the published file of a network.
-pub fn read(network: Network, path: &Path) -> Result<Weights, PerceptualError> {
-    let unreadable = |cause| FileError::Read {
-        file: path.to_owned(),
-        cause,
+/// Reads files of a network that lie in a folder.
+pub fn read(
+    network: Network,
+    files: &[WeightFile],
+    folder: &Path,
+) -> Result<Weights, PerceptualError> {
+    let mut weights = Weights {
+        convolutions: Vec::new(),
+        heads: [const { Vec::new() }; LAYERS],
     };
-    let file = fs::File::open(path).map_err(unreadable)?;
-    let mut bytes = Vec::new();
-    file.take(MAX_BYTES + 1)
-        .read_to_end(&mut bytes)
-        .map_err(unreadable)?;
-    let weights = from_bytes(network, &bytes).map_err(|fault| FileError::Content {
-        file: path.to_owned(),
-        fault,
-    })?;
+    for file in files {
+        let path = folder.join(file.name);
+        let unreadable = |cause| FileError::Read {
+            file: path.clone(),
+            cause,
+        };
+        let mut bytes = Vec::new();
+        let opened = fs::File::open(&path).map_err(unreadable)?;
+        opened
+            .take(MAX_BYTES + 1)
+            .read_to_end(&mut bytes)
+            .map_err(unreadable)?;
+        take(network, file, &bytes, &mut weights)
+            .map_err(|fault| FileError::Content { file: path, fault })?;
+    }
     Ok(weights)
 }
 
-/// Reads the bytes of a file.
-pub fn from_bytes(network: Network, bytes: &[u8]) -> Result<Weights, FormatError> {
+/// Takes what a file has of a network's weights from its bytes.
+fn take(
+    network: Network,
+    file: &WeightFile,
+    bytes: &[u8],
+    weights: &mut Weights,
+) -> Result<(), FormatError> {
     if bytes.len() as u64 > MAX_BYTES {
         return Err(FormatError::container(
             format!("more than {MAX_BYTES} bytes"),
-            format!("{} of stlpips-pytorch 0.0.2", network.file_name()),
+            format!("{} {}", file.name, file.origin),
         ));
     }
     let pickle = Pickle::from_bytes(bytes)?;
@@ -68,45 +76,44 @@ pub fn from_bytes(network: Network, bytes: &[u8]) -> Result<Weights, FormatError
         sum: 0.0,
     };
     // The shift and scale of colours are the same in all versions: they are constants here.
-    for (name, expected) in [("shift", crate::head::SHIFT), ("scale", crate::head::SCALE)] {
+    let colors = [("shift", crate::head::SHIFT), ("scale", crate::head::SCALE)];
+    for (name, expected) in colors.iter().filter(|_| file.parts == Parts::All) {
         let name = format!("scaling_layer.{name}");
         let found = reader.numbers(&name, &[1, 3, 1, 1])?;
         if found
             .iter()
-            .zip(&expected)
+            .zip(expected)
             .any(|(a, b)| (a - b).abs() > 1e-6)
         {
             return Err(tensor(&name, format!("{found:?}"), format!("{expected:?}")));
         }
     }
-    let mut convolutions = Vec::new();
-    for shape in network.convolutions() {
-        let sides = [shape.to, shape.from, shape.window, shape.window];
-        let weight = reader.numbers(&format!("{}.weight", shape.name), &sides)?;
-        let bias = reader.numbers(&format!("{}.bias", shape.name), &[shape.to])?;
-        convolutions.push(Convolution::new(shape, weight, bias));
+    if file.parts != Parts::Heads {
+        for shape in network.convolutions() {
+            let sides = [shape.to, shape.from, shape.window, shape.window];
+            let weight = reader.numbers(&format!("{}.weight", shape.name), &sides)?;
+            let bias = reader.numbers(&format!("{}.bias", shape.name), &[shape.to])?;
+            let convolution = Convolution::new(shape, weight, bias);
+            weights.convolutions.push(convolution);
+        }
     }
-    let widths = network.widths();
-    let mut heads = [const { Vec::new() }; LAYERS];
-    for (layer, head) in heads.iter_mut().enumerate() {
-        let name = format!("lin{layer}.model.1.weight");
-        *head = reader.numbers(&name, &[1, widths[layer], 1, 1])?;
+    if file.parts != Parts::Trunk {
+        let widths = network.widths();
+        for (layer, head) in weights.heads.iter_mut().enumerate() {
+            let name = format!("lin{layer}.model.1.weight");
+            *head = reader.numbers(&name, &[1, widths[layer], 1, 1])?;
+        }
     }
     reader.blurs()?;
-    let expected = expected_sum(network);
-    if (reader.sum - expected).abs() > SUM_TOLERANCE * expected {
+    if let Some(expected) = file.sum
+        && (reader.sum - expected).abs() > SUM_TOLERANCE * expected
+    {
         return Err(FormatError::container(
             format!("weights whose magnitudes add up to {}", reader.sum),
-            format!(
-                "{expected}, as in {} of stlpips-pytorch 0.0.2",
-                network.file_name()
-            ),
+            format!("{expected}, as in {} {}", file.name, file.origin),
         ));
     }
-    Ok(Weights {
-        convolutions,
-        heads,
-    })
+    Ok(())
 }
 
 fn tensor(name: &str, found: impl ToString, expected: impl ToString) -> FormatError {
@@ -194,5 +201,170 @@ pub fn random(network: Network, seed: u64) -> Weights {
     Weights {
         convolutions,
         heads,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Perceptual;
+
+    /// A tensor of a file.
+    struct Tensor<'a> {
+        name: String,
+        shape: Vec<usize>,
+        numbers: &'a [f32],
+    }
+
+    /// Appends text as a pickle has it.
+    fn push_text(bytes: &mut Vec<u8>, text: &str) {
+        bytes.push(b'X');
+        bytes.extend((text.len() as u32).to_le_bytes());
+        bytes.extend(text.as_bytes());
+    }
+
+    /// Appends a tuple of integers.
+    fn push_sizes(bytes: &mut Vec<u8>, sizes: &[usize]) {
+        bytes.push(b'(');
+        for &size in sizes {
+            bytes.push(b'J');
+            bytes.extend((size as u32).to_le_bytes());
+        }
+        bytes.push(b't');
+    }
+
+    /// A file as PyTorch 0.1 wrote it: pickles in a row, the memory of tensors behind them.
+    fn saved(tensors: &[Tensor]) -> Vec<u8> {
+        let mut bytes = b"\x80\x02\x8a\x0al\xfc\x9cF\xf9 j\xa8P\x19.".to_vec();
+        bytes.extend(b"\x80\x02M\xe9\x03.\x80\x02}.\x80\x02}");
+        for (key, tensor) in tensors.iter().enumerate() {
+            push_text(&mut bytes, &tensor.name);
+            bytes.extend(b"ctorch._utils\n_rebuild_tensor\n((");
+            push_text(&mut bytes, "storage");
+            bytes.extend(b"ctorch\nFloatStorage\n");
+            push_text(&mut bytes, &key.to_string());
+            push_text(&mut bytes, "cpu");
+            bytes.push(b'J');
+            bytes.extend((tensor.numbers.len() as u32).to_le_bytes());
+            bytes.extend(b"NtQK\0");
+            push_sizes(&mut bytes, &tensor.shape);
+            let stride = |axis: usize| tensor.shape[axis + 1..].iter().product();
+            let strides: Vec<usize> = (0..tensor.shape.len()).map(stride).collect();
+            push_sizes(&mut bytes, &strides);
+            bytes.extend(b"tRs");
+        }
+        bytes.extend(b".\x80\x02]");
+        for key in 0..tensors.len() {
+            push_text(&mut bytes, &key.to_string());
+            bytes.push(b'a');
+        }
+        bytes.push(b'.');
+        for tensor in tensors {
+            bytes.extend((tensor.numbers.len() as u64).to_le_bytes());
+            bytes.extend(
+                tensor
+                    .numbers
+                    .iter()
+                    .flat_map(|number| number.to_le_bytes()),
+            );
+        }
+        bytes
+    }
+
+    /// What torchvision's file has of some weights, and something that is not needed.
+    fn trunk(weights: &Weights) -> Vec<u8> {
+        let mut tensors = vec![Tensor {
+            name: "classifier.6.bias".into(),
+            shape: vec![2],
+            numbers: &[f32::NAN; 2],
+        }];
+        for convolution in &weights.convolutions {
+            let shape = convolution.shape;
+            tensors.push(Tensor {
+                name: format!("{}.weight", shape.name),
+                shape: vec![shape.to, shape.from, shape.window, shape.window],
+                numbers: &convolution.weight,
+            });
+            tensors.push(Tensor {
+                name: format!("{}.bias", shape.name),
+                shape: vec![shape.to],
+                numbers: &convolution.bias,
+            });
+        }
+        saved(&tensors)
+    }
+
+    /// What the file of the package `lpips` has of some weights.
+    fn heads(weights: &Weights) -> Vec<u8> {
+        let heads = weights.heads.iter().enumerate();
+        let tensors: Vec<Tensor> = heads
+            .map(|(layer, head)| Tensor {
+                name: format!("lin{layer}.model.1.weight"),
+                shape: vec![1, head.len(), 1, 1],
+                numbers: head,
+            })
+            .collect();
+        saved(&tensors)
+    }
+
+    #[test]
+    fn files_of_lpips_are_read_and_others_named() {
+        let network = Network::LpipsAlex;
+        let folder = tempfile::tempdir().expect("a folder");
+        let made = random(network, 9);
+        let [of_heads, of_trunk] = [0, 1].map(|at| network.files()[at]);
+        let write = |file: WeightFile, bytes: &[u8]| {
+            fs::write(folder.path().join(file.name), bytes).expect("a file can be written");
+        };
+        let error = |result: Result<Weights, PerceptualError>| {
+            result.expect_err("another file").to_string()
+        };
+        let asked = || Perceptual::read(network, folder.path()).map(|_| made.clone());
+        let missing = error(asked());
+        assert!(missing.contains("lpips_alex.pth"), "{missing}");
+        assert!(missing.contains("tools/fetch_perceptual.sh"), "{missing}");
+        write(of_heads, &heads(&made));
+        let missing = error(asked());
+        assert!(missing.starts_with("LPIPS (alex)"), "{missing}");
+        assert!(
+            missing.contains("models/alexnet-owt-7be5be79.pth"),
+            "{missing}"
+        );
+        write(of_trunk, &trunk(&made));
+        // Heads whose sum is another one, as those of version 0.0.
+        let other = error(asked());
+        assert!(other.contains("lpips_alex.pth"), "{other}");
+        assert!(other.contains("expected 105.275"), "{other}");
+
+        let unsummed = [
+            WeightFile {
+                sum: None,
+                ..of_heads
+            },
+            of_trunk,
+        ];
+        let read_again = || read(network, &unsummed, folder.path());
+        let found = read_again().expect("what was written");
+        let pairs = found.convolutions.iter().zip(&made.convolutions);
+        assert_eq!(found.convolutions.len(), made.convolutions.len());
+        for (found, made) in pairs {
+            assert!(found.weight == made.weight && found.bias == made.bias);
+        }
+        assert_eq!(found.heads, made.heads);
+
+        let mut spoiled = made.clone();
+        spoiled.convolutions[2].bias[7] = f32::NAN;
+        write(of_trunk, &trunk(&spoiled));
+        let spoiled = error(read_again());
+        assert!(spoiled.contains("features.6.bias"), "{spoiled}");
+        assert!(spoiled.contains("NaN at 7"), "{spoiled}");
+        let bytes = trunk(&made);
+        write(of_trunk, &bytes[..bytes.len() - 1]);
+        let cut = error(read_again());
+        assert!(cut.contains("alexnet-owt-7be5be79.pth"), "{cut}");
+        write(of_trunk, &trunk(&random(Network::LpipsVgg, 9)));
+        let vgg = error(read_again());
+        assert!(vgg.contains("features.0.weight"), "{vgg}");
+        assert!(vgg.contains("[64, 3, 11, 11]"), "{vgg}");
     }
 }

@@ -29,7 +29,7 @@ struct Window {
 
 impl AskedLoss {
     /// The loss that the options name, or None where they name none. `weights`: the folder that
-    /// `tools/fetch_perceptual.sh` fills.
+    /// `tools/fetch_perceptual.sh` fills, and in which the user puts torchvision's file for LPIPS.
     ///
     /// # Errors
     /// When the weights are not there, are others, or this machine computes wrongly with them.
@@ -43,10 +43,12 @@ impl AskedLoss {
             PerceptualKind::Dssim => None,
             PerceptualKind::StLpipsAlex => Some(Network::Alex),
             PerceptualKind::StLpipsVgg => Some(Network::Vgg),
+            PerceptualKind::LpipsAlex => Some(Network::LpipsAlex),
+            PerceptualKind::LpipsVgg => Some(Network::LpipsVgg),
         };
         let network = match network {
             Some(network) => {
-                let read = Perceptual::read(network, &weights.join(network.file_name()))?;
+                let read = Perceptual::read(network, weights)?;
                 read.check()?;
                 Some(read)
             }

@@ -74,6 +74,10 @@ pub enum PerceptualKind {
     StLpipsAlex,
     /// ST-LPIPS with VGG.
     StLpipsVgg,
+    /// LPIPS with AlexNet.
+    LpipsAlex,
+    /// LPIPS with VGG.
+    LpipsVgg,
     /// 1 − SSIM, which needs no weights.
     Dssim,
     /// None.

@@ -249,6 +249,7 @@ const LAYERS: &[Layers] = &[
             "convolution",
             "blur",
             "pool",
+            "thin",
             "head",
             "weights",
             "reference",

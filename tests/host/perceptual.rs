@@ -24,17 +24,15 @@ struct Row {
     slope: f64,
 }
 
-/// The file of a network. Ends the test where it isn't there.
+/// The folder with the weights of a network. Ends the test where they are not there.
 fn weights(network: Network) -> PathBuf {
     let folder = std::env::var("EFFIGY_ASSETS")
         .unwrap_or_else(|_| effigy_learn::bake::Assets::DEFAULT.into());
-    let path = std::path::absolute(&folder)
-        .expect("the folder has a name")
-        .join(network.file_name());
-    if !path.exists() {
+    let path = std::path::absolute(&folder).expect("the folder has a name");
+    if let Some(file) = network.missing(&path) {
         not_run(format!(
             "no {} in {folder}: run tools/fetch_perceptual.sh or set EFFIGY_ASSETS",
-            network.file_name()
+            file.name
         ));
     }
     path
@@ -115,21 +113,21 @@ fn it_forgives_a_shift_and_punishes_blur() {
 
 fn wrong_files_say_what_was_found() {
     let folder = tempfile::tempdir().expect("a folder");
-    let read = |name: &str, bytes: &[u8]| {
-        let path = folder.path().join(name);
+    let path = folder.path().join(Network::Alex.files()[0].name);
+    let read = |bytes: &[u8]| {
         fs::write(&path, bytes).expect("a file can be written");
-        let read = Perceptual::read(Network::Alex, &path);
+        let read = Perceptual::read(Network::Alex, folder.path());
         read.expect_err("no weights").to_string()
     };
-    let missing = Perceptual::read(Network::Alex, &folder.path().join("none"));
+    let missing = Perceptual::read(Network::Alex, folder.path());
     let missing = missing.expect_err("no file").to_string();
-    assert!(missing.contains("cannot read"), "{missing}");
+    assert!(missing.contains("tools/fetch_perceptual.sh"), "{missing}");
     for bytes in [&b""[..], b"weights", b"\x80\x02.", b"PK\x03\x04"] {
-        let error = read("short.pth", bytes);
+        let error = read(bytes);
         assert!(error.contains("found"), "{error}");
     }
     // A dictionary of another network.
-    let error = read("other.pth", b"\x80\x02}X\x04\x00\x00\x00nameK\x01s.");
+    let error = read(b"\x80\x02}X\x04\x00\x00\x00nameK\x01s.");
     assert!(
         error.contains("scaling_layer.shift") && error.contains("a dictionary of name"),
         "{error}"
@@ -137,12 +135,13 @@ fn wrong_files_say_what_was_found() {
 }
 
 fn spoiled_files_are_refused() {
-    let bytes = fs::read(weights(Network::Alex)).expect("the file can be read");
+    let name = |network: Network| network.files()[0].name;
+    let bytes = fs::read(weights(Network::Alex).join(name(Network::Alex)));
+    let bytes = bytes.expect("the file can be read");
     let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("spoiled.pth");
     let read = |network, bytes: &[u8]| {
-        fs::write(&path, bytes).expect("a file can be written");
-        let read = Perceptual::read(network, &path);
+        fs::write(folder.path().join(name(network)), bytes).expect("a file can be written");
+        let read = Perceptual::read(network, folder.path());
         read.expect_err("spoiled weights").to_string()
     };
     for length in [bytes.len() - 1, bytes.len() / 2, 3000, 200, 15] {

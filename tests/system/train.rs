@@ -219,13 +219,18 @@ fn without_its_weights_d_ssim_stands_in_for_st_lpips() {
     let output = ends(train(here, &format!("--out a.avatar {short} --resume")));
     assert!(output.status.success(), "{}", errors(&output));
     fs::remove_dir_all(&weights).unwrap();
-    let kind = "--set perceptual.kind=st-lpips-alex";
-    let output = ends(train(here, &format!("--out b.avatar {short} {kind}")));
-    assert!(
-        !output.status.success() && errors(&output).contains("alex_shift_tolerant.pth"),
-        "{}",
-        errors(&output)
-    );
+    for (kind, file) in [
+        ("st-lpips-alex", "alex_shift_tolerant.pth"),
+        ("lpips-alex", "lpips_alex.pth"),
+    ] {
+        let kind = format!("--set perceptual.kind={kind}");
+        let output = ends(train(here, &format!("--out b.avatar {short} {kind}")));
+        assert!(
+            !output.status.success() && errors(&output).contains(file),
+            "{}",
+            errors(&output)
+        );
+    }
 }
 
 fn recipes_that_are_none_are_refused_before_anything_else() {

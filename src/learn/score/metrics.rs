@@ -20,6 +20,8 @@ pub struct Metrics {
     pub l1: f64,
     /// ST-LPIPS; None where it was not asked for, or the box is too small for it.
     pub st_lpips: Option<f64>,
+    /// LPIPS; None as for ST-LPIPS.
+    pub lpips: Option<f64>,
 }
 
 /// The mean of some pictures.
@@ -35,28 +37,35 @@ pub struct Means {
     pub l1: f64,
     /// Mean ST-LPIPS of the pictures that have one.
     pub st_lpips: Option<f64>,
+    /// Mean LPIPS of the pictures that have one.
+    pub lpips: Option<f64>,
 }
 
 impl Means {
     /// The mean of some pictures; None without any.
     pub fn of<'a>(all: impl Iterator<Item = &'a Metrics>) -> Option<Self> {
         let mut sum = Self::default();
-        let mut perceptual = Vec::new();
+        let (mut st_lpips, mut lpips) = (Vec::new(), Vec::new());
         for metrics in all {
             sum.pictures += 1;
             sum.psnr_db += metrics.psnr_db;
             sum.ssim += metrics.ssim;
             sum.l1 += metrics.l1;
-            perceptual.extend(metrics.st_lpips);
+            st_lpips.extend(metrics.st_lpips);
+            lpips.extend(metrics.lpips);
         }
         let count = sum.pictures as f64;
-        let distances = perceptual.len() as f64;
+        let mean = |distances: &[f64]| {
+            let count = distances.len() as f64;
+            (count > 0.0).then(|| distances.iter().sum::<f64>() / count)
+        };
         (sum.pictures > 0).then(|| Self {
             pictures: sum.pictures,
             psnr_db: sum.psnr_db / count,
             ssim: sum.ssim / count,
             l1: sum.l1 / count,
-            st_lpips: (distances > 0.0).then(|| perceptual.iter().sum::<f64>() / distances),
+            st_lpips: mean(&st_lpips),
+            lpips: mean(&lpips),
         })
     }
 }
@@ -87,7 +96,7 @@ impl<'a> Pair<'a> {
         Self { image, truth, ssim }
     }
 
-    /// The numbers over some pixels, by index, without ST-LPIPS. None: there are none.
+    /// The numbers over some pixels, by index, without a perceptual distance. None: there are none.
     pub fn over(&self, pixels: impl Iterator<Item = usize>) -> Option<Metrics> {
         let plane = self.ssim.len();
         let mut count = 0;
@@ -108,15 +117,23 @@ impl<'a> Pair<'a> {
             ssim: ssim / f64::from(count),
             l1: sum / numbers,
             st_lpips: None,
+            lpips: None,
         })
     }
 }
 
-/// The ST-LPIPS of two pictures; None where a side is too small for the network.
-pub fn st_lpips(perceptual: &Perceptual, image: &Planes, truth: &Planes) -> Option<f64> {
-    let smallest = perceptual.network().smallest_side() as usize;
-    let fits = image.size.iter().all(|&side| side >= smallest);
-    fits.then(|| perceptual.value(image, &perceptual.features(truth)))
+impl Metrics {
+    /// Adds the network's distance of two pictures; none where a side is too small for it.
+    pub fn see(&mut self, perceptual: &Perceptual, image: &Planes, truth: &Planes) {
+        let smallest = perceptual.network().smallest_side() as usize;
+        let fits = image.size.iter().all(|&side| side >= smallest);
+        let distance = fits.then(|| perceptual.value(image, &perceptual.features(truth)));
+        if perceptual.network().is_lpips() {
+            self.lpips = distance;
+        } else {
+            self.st_lpips = distance;
+        }
+    }
 }
 
 #[cfg(test)]

@@ -71,7 +71,7 @@ impl Scorer<'_> {
             poses: self.poses.clone(),
             perceptual: self
                 .perceptual
-                .map(|perceptual| format!("ST-LPIPS ({})", perceptual.network().name())),
+                .map(|perceptual| perceptual.network().title().to_owned()),
             regions: "the body model's joints that move what is seen most, inside the truth's mask",
         }
     }

@@ -2,7 +2,7 @@
 
 use super::{
     ground::Ground,
-    metrics::{FEWEST_PIXELS, Metrics, Pair, st_lpips},
+    metrics::{FEWEST_PIXELS, Metrics, Pair},
     rasterise::nearest_vertices,
     regions::{Region, regions_of},
     views::View,
@@ -20,7 +20,7 @@ use std::{collections::BTreeMap, io, path::Path, path::PathBuf};
 
 /// Around the mask's box in images that are written, px.
 const MARGIN: u32 = 8;
-/// A region's box for ST-LPIPS is at least so large, px.
+/// A region's box for perceptual distances is at least so large, px.
 const REGION_BOX: u32 = 32;
 /// Pictures of other programs may have sides of so many pixels.
 const MAX_SIDE: u32 = 16384;
@@ -54,7 +54,7 @@ pub struct Scorer<'a> {
     pub candidate: Candidate<'a>,
     /// What lies behind the person.
     pub ground: Ground,
-    /// Gives ST-LPIPS.
+    /// Gives ST-LPIPS or LPIPS.
     pub perceptual: Option<&'a Perceptual>,
     /// Region of each of the body model's vertices.
     regions: Vec<Region>,
@@ -135,9 +135,9 @@ impl<'a> Scorer<'a> {
         let Some(mut whole) = pair.over(0..own[0].size[0] * own[0].size[1]) else {
             return Ok(None);
         };
-        whole.st_lpips = self
-            .perceptual
-            .and_then(|perceptual| st_lpips(perceptual, &own[0], &own[1]));
+        if let Some(perceptual) = self.perceptual {
+            whole.see(perceptual, &own[0], &own[1]);
+        }
         let regions = self.regions(view, &picture, mask_box, &pair, &[&image, &truth], around);
         Ok(Some(Compared {
             whole,
@@ -211,10 +211,10 @@ impl<'a> Scorer<'a> {
             }
             let size = (around.max - around.min).to_array();
             let rect = at_least(rect, REGION_BOX, size);
-            metrics.st_lpips = self.perceptual.and_then(|perceptual| {
+            if let Some(perceptual) = self.perceptual {
                 let [image, truth] = pictures.map(|planes| crop(planes, rect));
-                st_lpips(perceptual, &image, &truth)
-            });
+                metrics.see(perceptual, &image, &truth);
+            }
             found.insert(region, metrics);
         }
         found

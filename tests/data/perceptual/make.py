@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""Values of ST-LPIPS, worked out apart from Effigy in f64 with NumPy, into values.json beside this file.
+"""Values of ST-LPIPS and LPIPS, worked out apart from Effigy in f64 with NumPy, into values.json beside this file.
 
     python3 make.py FOLDER [PICTURES]
 
-FOLDER holds alex_shift_tolerant.pth and vgg_shift_tolerant.pth, as tools/fetch_perceptual.sh puts them there.
+FOLDER holds alex_shift_tolerant.pth, vgg_shift_tolerant.pth, lpips_alex.pth and lpips_vgg.pth, as
+tools/fetch_perceptual.sh puts them there. LPIPS's values are with random weights: torchvision's are not fetched.
 PICTURES may hold ex_ref.png, ex_p0.png and ex_p1.png of github.com/abhijay9/ShiftTolerant-LPIPS (imgs/): then the
 published values are compared as well. Nothing of them is written.
 """
@@ -17,7 +18,8 @@ from pathlib import Path
 import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 
-# What each slice does, in order: a convolution (name, padding), "relu", a maximum (window), "blur".
+# What each slice does, in order: a convolution (name, padding, and the stride where it is not 1), "relu", a maximum
+# (window), "blur", "half" (every second row and column).
 ALEX = [
     [("net.slice1.0", 2), "blur", "relu"],
     [3, "blur", ("net.slice2.5", 2), "relu"],
@@ -32,7 +34,21 @@ VGG = [
     [2, "blur", ("net.slice4.20", 1), "relu", ("net.slice4.22", 1), "relu", ("net.slice4.24", 1), "relu"],
     [2, "blur", ("net.slice5.28", 1), "relu", ("net.slice5.30", 1), "relu", ("net.slice5.32", 1), "relu"],
 ]
-NETWORKS = {"alex": ALEX, "vgg": VGG}
+LPIPS_ALEX = [
+    [("features.0", 2, 4), "relu"],
+    [3, "half", ("features.3", 2), "relu"],
+    [3, "half", ("features.6", 1), "relu"],
+    [("features.8", 1), "relu"],
+    [("features.10", 1), "relu"],
+]
+LPIPS_VGG = [
+    [("features.0", 1), "relu", ("features.2", 1), "relu"],
+    [2, "half", ("features.5", 1), "relu", ("features.7", 1), "relu"],
+    [2, "half", ("features.10", 1), "relu", ("features.12", 1), "relu", ("features.14", 1), "relu"],
+    [2, "half", ("features.17", 1), "relu", ("features.19", 1), "relu", ("features.21", 1), "relu"],
+    [2, "half", ("features.24", 1), "relu", ("features.26", 1), "relu", ("features.28", 1), "relu"],
+]
+NETWORKS = {"alex": ALEX, "vgg": VGG, "lpips-alex": LPIPS_ALEX, "lpips-vgg": LPIPS_VGG}
 SHIFT = np.array([-0.030, -0.088, -0.188], "f4").astype("f8").reshape(3, 1, 1)
 SCALE = np.array([0.458, 0.448, 0.450], "f4").astype("f8").reshape(3, 1, 1)
 
@@ -96,11 +112,12 @@ def uniform(seed, stream, count):
 def shapes(network):
     """Of every convolution, in order: name, (out, in, window, window)."""
     found, channels = [], 3
-    widths = {"alex": [64, 192, 384, 256, 256], "vgg": [64, 128, 256, 512, 512]}[network]
+    is_alex = network.endswith("alex")
+    widths = [64, 192, 384, 256, 256] if is_alex else [64, 128, 256, 512, 512]
     for index, steps in enumerate(NETWORKS[network]):
         for step in steps:
             if isinstance(step, tuple):
-                window = {"net.slice1.0": 11, "net.slice2.5": 5}.get(step[0], 3) if network == "alex" else 3
+                window = {0: 11, 1: 5}.get(index, 3) if is_alex else 3
                 found.append((step[0], (widths[index], channels, window, window)))
                 channels = widths[index]
     return found, widths
@@ -160,6 +177,8 @@ class Forward:
             return np.maximum(value, 0), np.where(value > 0, slope, 0)
         if step == "blur":
             return blurred(value), blurred(slope)
+        if step == "half":
+            return value[:, ::2, ::2], slope[:, ::2, ::2]
         if isinstance(step, int):
             windows = lambda a: sliding_window_view(a, (step, step), (1, 2)).reshape(
                 a.shape[0], a.shape[1] - step + 1, a.shape[2] - step + 1, -1
@@ -168,12 +187,14 @@ class Forward:
             best = seen.argmax(-1)[..., None]
             take = lambda a: np.take_along_axis(a, best, -1)[..., 0]
             return take(seen), take(windows(slope))
-        name, pad = step
+        name, pad, stride = (*step, 1)[:3]
         weight = self.weights[name + ".weight"]
         bias = self.weights[name + ".bias"].reshape(-1, 1, 1)
         apply = lambda a: np.tensordot(
             weight,
-            sliding_window_view(np.pad(a, ((0, 0), (pad, pad), (pad, pad))), weight.shape[2:], (1, 2)),
+            sliding_window_view(np.pad(a, ((0, 0), (pad, pad), (pad, pad))), weight.shape[2:], (1, 2))[
+                :, ::stride, ::stride
+            ],
             ((1, 2, 3), (0, 3, 4)),
         )
         return apply(value) + bias, apply(slope)
@@ -220,7 +241,11 @@ def main():
     folder = Path(sys.argv[1])
     found = []
     sums = {}
-    for network in NETWORKS:
+    for network in ["lpips-alex", "lpips-vgg"]:
+        heads = read(folder / f"{network.replace('-', '_')}.pth")
+        sums[network] = float(sum(np.abs(value.astype(np.float64)).sum() for value in heads.values()))
+        print(network, "sum of |w| of the heads", sums[network], {name: value.shape for name, value in heads.items()})
+    for network in ["alex", "vgg"]:
         smallest = {"alex": 21, "vgg": 18}[network]
         weights = read(folder / f"{network}_shift_tolerant.pth")
         sums[network] = float(sum(np.abs(value.astype(np.float64)).sum() for value in weights.values()))
@@ -235,6 +260,8 @@ def main():
         found += rows(network, "random 5", Forward(network, made(network, 5)), [[32, 32], [33, 24]])
         if len(sys.argv) > 2 and not sys.argv[2].startswith("-"):
             published(network, trained, Path(sys.argv[2]))
+    for network in ["lpips-alex", "lpips-vgg"]:
+        found += rows(network, "random 5", Forward(network, made(network, 5)), [[32, 32], [47, 38]])
     text = json.dumps({"sums": sums, "rows": found}, indent=1)
     (Path(__file__).parent / "values.json").write_text(text + "\n")
 
