@@ -1,9 +1,9 @@
 //! `effigy convert`: writes splats, or an avatar in one pose, as a splat file of another program.
 
 use crate::{
-    files,
+    files::{self, print_assumptions},
     options::{self, FilterArgs, UpArgs},
-    source::{CaptureArgs, PoseProjection, Source, print_assumptions},
+    source::{CaptureArgs, PoseProjection, Source},
 };
 use anyhow::{Context, ensure};
 use effigy_core::{

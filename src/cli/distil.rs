@@ -1,10 +1,10 @@
 //! The part of `effigy import` that distils an avatar from mmlphuman's checkpoint.
 
 use crate::{
+    files::print_assumptions,
     fit::MIN_FRAMES,
     options::{self, count},
     progress,
-    source::print_assumptions,
 };
 use anyhow::ensure;
 use effigy_core::avatar::{Clip, Pose, Skeleton, limits};

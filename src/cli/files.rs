@@ -2,6 +2,7 @@
 
 use anyhow::Context;
 use effigy_core::avatar::Avatar;
+use effigy_formats::assumption::Assumption;
 use serde::Serialize;
 use std::{
     fs, io,
@@ -147,5 +148,16 @@ mod tests {
     fn only_names_of_json_files_are_taken() {
         assert_eq!(json_path("out/a.JSON"), Ok(PathBuf::from("out/a.JSON")));
         assert!(json_path("body.avatar").is_err_and(|error| error.contains("body.avatar")));
+    }
+}
+
+/// Says what a file left open, and who can say otherwise.
+pub fn print_assumptions(file: &Path, assumptions: &[Assumption]) {
+    if assumptions.is_empty() {
+        return;
+    }
+    eprintln!("{} leaves some things open; taken:", file.display());
+    for assumption in assumptions {
+        eprintln!("  {assumption}");
     }
 }

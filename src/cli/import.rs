@@ -4,7 +4,7 @@ use crate::{
     distil, files,
     options::{self, FilterArgs, UpArgs},
     progress,
-    source::{self, CaptureArgs, print_assumptions},
+    source::{self, CaptureArgs},
 };
 use anyhow::{Context, ensure};
 use clap::ValueEnum;
@@ -244,7 +244,7 @@ fn imported(args: &Args) -> anyhow::Result<Avatar> {
     bar.set_message(format!("reading {}", args.file.display()));
     let mut imported = open::avatar(&args.file, &options)?;
     bar.finish_and_clear();
-    print_assumptions(&args.file, &imported.assumptions);
+    files::print_assumptions(&args.file, &imported.assumptions);
     if !args.trained.is_empty() {
         project_onto(&mut imported.avatar, &args.trained, &args.clip_options()?)?;
     }

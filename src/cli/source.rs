@@ -1,7 +1,7 @@
 //! Where a command's avatar and clips come from: files that the user names, else the demo inside
 //! the program.
 
-use crate::{kept, options::named};
+use crate::{files::print_assumptions, kept, options::named};
 use anyhow::{Context, ensure};
 use effigy_core::{
     avatar::{Avatar, Clip, Pose, motion::Player},
@@ -9,7 +9,6 @@ use effigy_core::{
     scene::Camera,
 };
 use effigy_formats::{
-    assumption::Assumption,
     open::{self, CaptureOptions, ClipOptions, OpenOptions, OpenedClip},
     retarget::{Correction, Report, RetargetOptions},
     webavatar::Imported,
@@ -284,17 +283,6 @@ pub fn open_clip(
     let opened = open::clip(path, avatar, options)?;
     print_assumptions(path, &opened.assumptions);
     Ok(opened)
-}
-
-/// Says what a file left open, and who can say otherwise.
-pub fn print_assumptions(file: &Path, assumptions: &[Assumption]) {
-    if assumptions.is_empty() {
-        return;
-    }
-    eprintln!("{} leaves some things open; taken:", file.display());
-    for assumption in assumptions {
-        eprintln!("  {assumption}");
-    }
 }
 
 /// Refuses a clip that moves no joint of the avatar.

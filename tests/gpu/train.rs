@@ -464,7 +464,8 @@ fn posed(scene: &Scene, skeleton: &Skeleton, pose: &Pose, seen: &Pose, view: &Vi
 
 /// The scene's views with pictures of a pose.
 fn pictures(scene: &Scene, size: [u32; 2], truth: &Pose) -> Vec<View> {
-    let problem = scene.problem(&look());
+    let options = look();
+    let problem = scene.problem(&options);
     let numbers = scene.start.parameters.doubles();
     let views = scene.views.iter().map(|view| {
         let view = posed(scene, &scene.avatar.skeleton, truth, truth, view);
@@ -486,7 +487,7 @@ fn pictures(scene: &Scene, size: [u32; 2], truth: &Pose) -> Vec<View> {
 }
 
 /// The derivative of the last look with respect to the joints, summed over its views.
-fn joints_gradient(trainer: &Trainer, views: usize) -> Vec<DAffine3> {
+fn joints_gradient(trainer: &mut Trainer, views: usize) -> Vec<DAffine3> {
     let all = (0..views).map(|view| trainer.joints_gradient(view));
     let sum = all.reduce(|a, b| {
         let pairs = a.into_iter().zip(b);
@@ -523,7 +524,7 @@ fn bones_that_are_off_are_found_by_pictures() {
             .map(|view| posed(&scene, &own, &pose, &pose, view))
             .collect();
         losses.push(trainer.look(&looked, &look()).unwrap().l1);
-        let gradient = own.matrices_backward(&pose, &joints_gradient(&trainer, looked.len()));
+        let gradient = own.matrices_backward(&pose, &joints_gradient(&mut trainer, looked.len()));
         let rate = 5e-3 * 0.02f64.powf(f64::from(step) / 120.0);
         refinement.learn_bones(&gradient, rate, &Adam::DEFAULT);
     }
@@ -558,7 +559,7 @@ fn a_pose_that_is_off_is_found_by_its_pictures() {
             .map(|view| posed(&scene, skeleton, &pose, &truth, view))
             .collect();
         losses.push(trainer.look(&looked, &options).unwrap().l1);
-        let gradient = joints_gradient(&trainer, looked.len());
+        let gradient = joints_gradient(&mut trainer, looked.len());
         let gradient = skeleton.matrices_backward(&pose, &gradient);
         let rate = 1e-2 * 0.02f64.powf(f64::from(step) / 120.0);
         refinement.learn_pose(0, &gradient, rate, &Adam::DEFAULT);

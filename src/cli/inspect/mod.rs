@@ -10,8 +10,9 @@ mod sheet;
 mod text;
 
 use crate::{
-    source::{CaptureArgs, avatar_to_move, open_clip, print_assumptions},
-    thumbnail::Thumbnails,
+    files::print_assumptions,
+    source::{CaptureArgs, avatar_to_move, open_clip},
+    thumbnail::{Thumbnails, save},
 };
 use anyhow::{Context, bail, ensure};
 use avatar::AvatarSummary;
@@ -25,7 +26,6 @@ use effigy_formats::{
     retarget,
 };
 use folder::FolderSummary;
-use image::RgbaImage;
 use motion::MotionSummary;
 use serde::Serialize;
 use std::fmt;
@@ -142,12 +142,6 @@ impl Args {
     fn moved(&self) -> anyhow::Result<Avatar> {
         avatar_to_move(self.avatar.as_deref())
     }
-}
-
-fn save(picture: &RgbaImage, out: &Path) -> anyhow::Result<()> {
-    picture
-        .save_with_format(out, image::ImageFormat::Png)
-        .with_context(|| format!("{} can't be written", out.display()))
 }
 
 /// Reads a file of Effigy's own; an error says what another file seems to be.

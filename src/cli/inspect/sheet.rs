@@ -2,7 +2,7 @@
 
 use crate::{
     progress,
-    thumbnail::{SIZE, Thumbnails},
+    thumbnail::{SIZE, Thumbnails, save},
 };
 use anyhow::ensure;
 use image::{RgbaImage, imageops};
@@ -43,5 +43,5 @@ pub fn write(thumbnails: &Thumbnails, files: &[&Path], out: &Path) -> anyhow::Re
         bar.inc(1);
     }
     bar.finish_and_clear();
-    super::save(&sheet, out)
+    save(&sheet, out)
 }

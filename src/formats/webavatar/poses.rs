@@ -151,7 +151,7 @@ impl Frames<'_> {
         if clip.expression_len == 0 && !expression.is_empty() {
             // Frames without an expression have a neutral one.
             clip.expression_len = expression.len();
-            clip.expression = vec![0.0; self.room(at, expression.len())?];
+            clip.expression = vec![0.0; neutral(at, expression.len())?];
             return self.add(frame);
         }
         if !expression.is_empty() && expression.len() != clip.expression_len {
@@ -183,19 +183,19 @@ impl Frames<'_> {
         clip.expression.resize(start + clip.expression_len, 0.0);
         Ok(())
     }
+}
 
-    /// Numbers of the expressions of the frames that had none. All of the file may be one.
-    fn room(&self, frames: usize, expression: usize) -> Result<usize, FormatError> {
-        let numbers = frames * expression;
-        if numbers > MAX_NEUTRAL {
-            return Err(FormatError::metadata(
-                &format!("[{frames}].expression"),
-                format!("{expression} numbers after {frames} frames without"),
-                format!("at most {MAX_NEUTRAL} in all"),
-            ));
-        }
-        Ok(numbers)
+/// Numbers of the expressions of the frames that had none: all of a file may be one that comes late.
+fn neutral(frames: usize, expression: usize) -> Result<usize, FormatError> {
+    let numbers = frames * expression;
+    if numbers > MAX_NEUTRAL {
+        return Err(FormatError::metadata(
+            &format!("[{frames}].expression"),
+            format!("{expression} numbers after {frames} frames without"),
+            format!("at most {MAX_NEUTRAL} in all"),
+        ));
     }
+    Ok(numbers)
 }
 
 impl<'de> Visitor<'de> for &mut Frames<'_> {

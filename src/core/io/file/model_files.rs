@@ -251,7 +251,7 @@ impl Clip {
     /// # Errors
     /// When one is broken; names it.
     pub fn check(&self) -> Result<(), FormatError> {
-        check_arrays(&ClipHeader::from_model(self), self)
+        container::check_arrays(&ClipHeader::from_model(self), self)
     }
 
     /// Reads a motion file. Every rule in [`super::format`] is checked before memory is taken for
