@@ -4,7 +4,8 @@
 //! thread, one test at a time, so that a worker opens its device once, a crash or a hang costs one
 //! test, and whatever a validation layer says belongs to the test that ran.
 //!
-//! - `EFFIGY_TEST_SECONDS`: a worker is killed when a test takes longer (default 300).
+//! - `EFFIGY_TEST_SECONDS`: a worker is killed when a test takes longer (default 300), one of
+//!   `tests/slow.txt` three times as long.
 //! - `EFFIGY_NO_GPU=1`: leave out tests that need a Vulkan device; otherwise they fail without one.
 //! - `EFFIGY_TEST_ONLY`: `device` or `no-device` tests only, `quick` ones (of no-device, what is
 //!   not in `tests/slow.txt`), or `smoke` tests.
@@ -28,6 +29,8 @@ use std::{
     time::{Duration, Instant},
 };
 
+/// What tests of `tests/slow.txt` may take, of the time after which another is taken to hang.
+const SLOW_TIMES: u64 = 3;
 /// Tests may take this long, in seconds, unless they are listed in `tests/slow.txt`.
 const SLOW: f64 = 20.0;
 /// A worker that starts or ends may take this long.
@@ -308,7 +311,13 @@ impl Context {
         } else {
             self.worker()?
         };
-        let limit = Duration::from_secs(self.seconds);
+        // They begin first, when everything else that starts up begins too.
+        let times = if self.slow.contains(&selected.name) {
+            SLOW_TIMES
+        } else {
+            1
+        };
+        let limit = Duration::from_secs(times * self.seconds);
         let answer = worker.ask(&selected.name, limit)?;
         if self.print {
             eprint!("{}", worker.said());

@@ -3,6 +3,7 @@
 use crate::common::{self, gpu};
 use effigy_capture::{Capture, CaptureCamera, CaptureWriter};
 use effigy_core::avatar::{Avatar, Clip};
+use serde_json::Value;
 use std::{
     fs,
     path::Path,
@@ -275,7 +276,57 @@ fn captures_that_are_none_are_named() {
     assert!(errors(&output).contains("nowhere"), "{}", errors(&output));
 }
 
+/// PSNR of an avatar at held-out cameras, dB.
+fn held_out_db(here: &Path, avatar: &str) -> f64 {
+    let mut command = Command::new(common::program());
+    command
+        .args(["evaluate", avatar, "person.capture", "--frames", "4"])
+        .args(["--perceptual", "none", "--json", "scores.json"])
+        .current_dir(here);
+    let output = ends(command);
+    assert!(output.status.success(), "{}", errors(&output));
+    let text = fs::read_to_string(here.join("scores.json")).unwrap();
+    let scores: Value = serde_json::from_str(&text).unwrap();
+    let groups = scores["groups"].as_array().unwrap();
+    let of_cameras = groups
+        .iter()
+        .find(|group| group["name"] == "held-out cameras")
+        .unwrap();
+    of_cameras["whole"]["psnr_db"].as_f64().unwrap()
+}
+
+/// From a body and a motion over pictures to an avatar that looks like the person where no camera
+/// of the training stood.
+fn a_person_is_learned_from_pictures() {
+    gpu::gpu();
+    let assets = common::assets();
+    let folder = tempfile::tempdir().unwrap();
+    let here = folder.path();
+    for arguments in [
+        format!("bake motion 01_01.bvh --assets {assets} --rate 30 --out clip.motion"),
+        format!(
+            "dataset clip.motion --assets {assets} --pictures --cameras 8 --frames 16 --size 96 \
+             --samples 1 --rays 16 --out person.capture"
+        ),
+        "train person.capture --out person.avatar --set sizes.gaussians=3000 --set sizes.parts=16 \
+         --set sizes.nodes=300 --set sizes.hidden=32 --set schedule.iterations=700 \
+         --set schedule.fine_tune=300 --set perceptual.kind=dssim --set perceptual.every=8"
+            .into(),
+    ] {
+        let mut command = Command::new(common::program());
+        command.args(arguments.split_whitespace()).current_dir(here);
+        let output = ends(command);
+        assert!(output.status.success(), "{}", errors(&output));
+    }
+    let first = held_out_db(here, "person.training/start.avatar");
+    let last = held_out_db(here, "person.avatar");
+    println!("held-out cameras: from {first:.1} to {last:.1} dB");
+    assert!(last > first + 5.0, "{first} to {last} dB");
+    assert!(last > 19.5, "{last} dB");
+}
+
 tests! {
+    a_person_is_learned_from_pictures,
     a_long_training_names_first_what_moves_nothing,
     without_its_weights_d_ssim_stands_in_for_st_lpips,
     a_stopped_training_goes_on_to_the_same_bits,
