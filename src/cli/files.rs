@@ -114,6 +114,17 @@ pub fn chart(text: &str) -> Result<ChartFile, String> {
     }
 }
 
+/// Says what a file left open, and who can say otherwise.
+pub fn print_assumptions(file: &Path, assumptions: &[Assumption]) {
+    if assumptions.is_empty() {
+        return;
+    }
+    eprintln!("{} leaves some things open; taken:", file.display());
+    for assumption in assumptions {
+        eprintln!("  {assumption}");
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -148,16 +159,5 @@ mod tests {
     fn only_names_of_json_files_are_taken() {
         assert_eq!(json_path("out/a.JSON"), Ok(PathBuf::from("out/a.JSON")));
         assert!(json_path("body.avatar").is_err_and(|error| error.contains("body.avatar")));
-    }
-}
-
-/// Says what a file left open, and who can say otherwise.
-pub fn print_assumptions(file: &Path, assumptions: &[Assumption]) {
-    if assumptions.is_empty() {
-        return;
-    }
-    eprintln!("{} leaves some things open; taken:", file.display());
-    for assumption in assumptions {
-        eprintln!("  {assumption}");
     }
 }
