@@ -5,7 +5,11 @@ use crate::distil::{self, DistilArgs, Job};
 use anyhow::Context;
 use effigy::vulkan::cache;
 use effigy_core::{avatar::Avatar, io::file::write_whole, random::hash};
-use effigy_formats::{mmlphuman, open::ClipOptions, webavatar::Imported};
+use effigy_formats::{
+    mmlphuman,
+    open::{self, ClipOptions},
+    webavatar::Imported,
+};
 use std::{
     fs,
     path::{Path, PathBuf},
@@ -77,14 +81,21 @@ fn hashed(bytes: &[u8]) -> u64 {
 /// The avatar of a checkpoint: the one that was kept, else one that is distilled now as `effigy
 /// import` does it unless told otherwise.
 pub fn avatar(checkpoint: &Path) -> anyhow::Result<Imported> {
+    let job = Job {
+        file: checkpoint,
+        trained: &[],
+        clips: &ClipOptions::default(),
+        options: mmlphuman::Options::default(),
+    };
     let place = Place::of(checkpoint);
     if let Some(place) = &place {
         // One that is cut or from a later version is distilled again.
         if let Ok(avatar) = Avatar::read(&place.avatar()) {
             tracing::info!("distilled before: {}", place.avatar().display());
+            let taken = open::checkpoint(checkpoint, &job.options, |own| own.assumptions)?;
             return Ok(Imported {
                 avatar,
-                assumptions: vec![],
+                assumptions: taken,
             });
         }
     }
@@ -93,12 +104,6 @@ pub fn avatar(checkpoint: &Path) -> anyhow::Result<Imported> {
          minutes",
         checkpoint.display()
     );
-    let job = Job {
-        file: checkpoint,
-        trained: &[],
-        clips: &ClipOptions::default(),
-        options: mmlphuman::Options::default(),
-    };
     let distilled = distil::run(&DistilArgs::default(), &job)?;
     eprintln!("{}", distil::likeness(&distilled.likeness));
     if let Some(place) = &place
@@ -108,6 +113,7 @@ pub fn avatar(checkpoint: &Path) -> anyhow::Result<Imported> {
     }
     Ok(Imported {
         avatar: distilled.avatar,
+        // What the file left open was said when it was fitted.
         assumptions: vec![],
     })
 }

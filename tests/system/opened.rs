@@ -28,7 +28,13 @@ fn effigy(folder: &Path, arguments: &[&str]) -> Output {
 fn fits(folder: &Path, image: &str) -> bool {
     let arguments = ["render", "a.pth", "--size", "96x128", "--out", image];
     let output = effigy(folder, &arguments);
-    String::from_utf8_lossy(&output.stderr).contains("an avatar is fitted to it, once")
+    let said = String::from_utf8_lossy(&output.stderr);
+    // Also when the avatar is there already.
+    assert!(
+        said.contains("canonical pose: hips turned outwards"),
+        "{said}"
+    );
+    said.contains("an avatar is fitted to it, once")
 }
 
 fn a_checkpoint_is_drawn_and_fitted_once() {
@@ -69,7 +75,12 @@ fn a_folder_has_a_picture_of_each_file() {
     ] {
         fs::write(files.join(name), bytes).unwrap();
     }
-    effigy(folder, &["inspect", "files", "--png", "all.png"]);
+    let output = effigy(folder, &["inspect", "files", "--png", "all.png"]);
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert!(
+        said.contains("e.avatar"),
+        "what can't be drawn is said to: {said}"
+    );
     let sheet = image::open(folder.join("all.png")).unwrap().to_rgb8();
     let side = sheet.height();
     assert_eq!(
