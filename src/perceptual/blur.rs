@@ -2,7 +2,6 @@
 //! 2, after two mirrored pixels were added to each side.
 
 use crate::{maps::Maps, network::Step};
-use rayon::prelude::*;
 
 /// The three pixels of a line under the window of a written one, mirrored at the ends. They count
 /// 1, 2 and 1.
@@ -23,53 +22,41 @@ fn under(at: usize, length: usize) -> [usize; 3] {
 pub fn forward(input: &Maps) -> Maps {
     let [width, height] = input.size;
     let size = input.size.map(|side| Step::Blur.side(side));
-    let mut output = Maps::zeros(input.channels, size);
-    let plane = output.plane();
-    output
-        .data
-        .par_chunks_exact_mut(plane)
-        .zip(input.data.par_chunks_exact(width * height))
-        .for_each(|(output, input)| {
-            let mut line = vec![0.0f32; width];
-            for (y, output) in output.chunks_exact_mut(size[0]).enumerate() {
-                let [a, b, c] = under(y, height).map(|row| &input[row * width..][..width]);
-                for (((line, a), b), c) in line.iter_mut().zip(a).zip(b).zip(c) {
-                    *line = (a + 2.0 * b + c) * (1.0 / 16.0);
-                }
-                for (x, output) in output.iter_mut().enumerate() {
-                    let [a, b, c] = under(x, width).map(|column| line[column]);
-                    *output = a + 2.0 * b + c;
-                }
+    input.mapped(size, |output, input| {
+        let mut line = vec![0.0f32; width];
+        for (y, output) in output.chunks_exact_mut(size[0]).enumerate() {
+            let [a, b, c] = under(y, height).map(|row| &input[row * width..][..width]);
+            for (((line, a), b), c) in line.iter_mut().zip(a).zip(b).zip(c) {
+                *line = (a + 2.0 * b + c) * (1.0 / 16.0);
             }
-        });
-    output
+            for (x, output) in output.iter_mut().enumerate() {
+                let [a, b, c] = under(x, width).map(|column| line[column]);
+                *output = a + 2.0 * b + c;
+            }
+        }
+    })
 }
 
 /// The gradient with respect to what was read. `read`: its size.
 pub fn backward(gradient: &Maps, read: [usize; 2]) -> Maps {
     let [width, height] = read;
     let size = gradient.size;
-    let mut into = Maps::zeros(gradient.channels, read);
-    into.data
-        .par_chunks_exact_mut(width * height)
-        .zip(gradient.data.par_chunks_exact(size[0] * size[1]))
-        .for_each(|(into, gradient)| {
-            let mut line = vec![0.0f32; width];
-            for (y, gradient) in gradient.chunks_exact(size[0]).enumerate() {
-                line.fill(0.0);
-                for (x, gradient) in gradient.iter().enumerate() {
-                    let gradient = gradient * (1.0 / 16.0);
-                    for (column, share) in under(x, width).into_iter().zip([1.0, 2.0, 1.0]) {
-                        line[column] += share * gradient;
-                    }
-                }
-                for (row, share) in under(y, height).into_iter().zip([1.0, 2.0, 1.0]) {
-                    let into = &mut into[row * width..][..width];
-                    for (into, line) in into.iter_mut().zip(&line) {
-                        *into += share * line;
-                    }
+    gradient.mapped(read, |into, gradient| {
+        let mut line = vec![0.0f32; width];
+        for (y, gradient) in gradient.chunks_exact(size[0]).enumerate() {
+            line.fill(0.0);
+            for (x, gradient) in gradient.iter().enumerate() {
+                let gradient = gradient * (1.0 / 16.0);
+                for (column, share) in under(x, width).into_iter().zip([1.0, 2.0, 1.0]) {
+                    line[column] += share * gradient;
                 }
             }
-        });
-    into
+            for (row, share) in under(y, height).into_iter().zip([1.0, 2.0, 1.0]) {
+                let into = &mut into[row * width..][..width];
+                for (into, line) in into.iter_mut().zip(&line) {
+                    *into += share * line;
+                }
+            }
+        }
+    })
 }

@@ -7,33 +7,26 @@ use rayon::prelude::*;
 pub fn forward(input: &Maps, window: usize) -> Maps {
     let [width, height] = input.size;
     let size = [width + 1 - window, height + 1 - window];
-    let mut output = Maps::zeros(input.channels, size);
-    let plane = output.plane();
-    output
-        .data
-        .par_chunks_exact_mut(plane)
-        .zip(input.data.par_chunks_exact(width * height))
-        .for_each(|(output, input)| {
-            let mut greatest = vec![0.0f32; width];
-            for (y, output) in output.chunks_exact_mut(size[0]).enumerate() {
-                greatest.copy_from_slice(&input[y * width..][..width]);
-                for row in input[(y + 1) * width..]
-                    .chunks_exact(width)
-                    .take(window - 1)
-                {
-                    for (greatest, number) in greatest.iter_mut().zip(row) {
-                        *greatest = greatest.max(*number);
-                    }
-                }
-                output.copy_from_slice(&greatest[..size[0]]);
-                for across in 1..window {
-                    for (output, number) in output.iter_mut().zip(&greatest[across..]) {
-                        *output = output.max(*number);
-                    }
+    input.mapped(size, |output, input| {
+        let mut greatest = vec![0.0f32; width];
+        for (y, output) in output.chunks_exact_mut(size[0]).enumerate() {
+            greatest.copy_from_slice(&input[y * width..][..width]);
+            for row in input[(y + 1) * width..]
+                .chunks_exact(width)
+                .take(window - 1)
+            {
+                for (greatest, number) in greatest.iter_mut().zip(row) {
+                    *greatest = greatest.max(*number);
                 }
             }
-        });
-    output
+            output.copy_from_slice(&greatest[..size[0]]);
+            for across in 1..window {
+                for (output, number) in output.iter_mut().zip(&greatest[across..]) {
+                    *output = output.max(*number);
+                }
+            }
+        }
+    })
 }
 
 /// The gradient with respect to what was read: a window's goes to the first of its pixels, row by

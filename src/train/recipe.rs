@@ -181,7 +181,7 @@ pub struct PruneOptions {
 pub enum PruneBy {
     /// As many of each attribute, those that vary most over the training's poses.
     Variance,
-    /// As many in all, those whose change over poses changes its pictures most.
+    /// Those whose change over poses changes its pictures most, as many over all attributes.
     Pictures,
 }
 
