@@ -157,16 +157,20 @@ impl WindowPainter {
     }
 
     /// Draws another avatar from the next frame on, at full quality. Waits for submitted frames; on
-    /// an error the last avatar stays.
+    /// an error that is not the device's the last avatar stays. One as large as the last takes its
+    /// place without new kernels.
     ///
     /// # Errors
     /// Those of [`Renderer::from_prepared`], and when a check of the avatar finds a fault.
     pub fn replace_avatar(&mut self, avatar: &Avatar) -> Result<()> {
         let prepared = PreparedAvatar::without_occluder(avatar)?;
+        self.validator = None;
+        if self.renderer.replace_avatar(&prepared)? {
+            return self.set_quality(&FrameQuality::FULL);
+        }
         self.renderer.finish()?;
         let options = self.full_quality();
         let renderer = Renderer::from_prepared(&self.gpu, &prepared, options)?;
-        self.validator = None;
         // SAFETY: every frame is done. Every frame leaves the image in this state, and the next
         // resize sets another.
         unsafe { self.present.set_image(renderer.raster().image()) };

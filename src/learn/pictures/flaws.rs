@@ -240,6 +240,47 @@ mod tests {
     }
 
     #[test]
+    fn joints_of_the_body_model_are_off_by_what_was_asked_for() {
+        let count = TRACKED + 3;
+        let skeleton = Skeleton {
+            name: (0..count).map(|joint| joint.to_string()).collect(),
+            parent: (0..count)
+                .map(|joint| joint.checked_sub(1).map(|parent| parent as u8))
+                .collect(),
+            rest: (0..count).map(|joint| [0.1 * joint as f32; 3]).collect(),
+            canonical: vec![[0.0; 3]; count],
+        };
+        assert_eq!(Flaws::default().fitted(&skeleton, 7), skeleton);
+        let flaws = Flaws {
+            bone: 15.0,
+            ..Flaws::default()
+        };
+        assert!(!flaws.is_none());
+        let mut squares = 0.0;
+        let mut least = f64::MAX;
+        for seed in 0..50 {
+            let fitted = flaws.fitted(&skeleton, seed);
+            assert_eq!(fitted.rest[0], skeleton.rest[0], "the root stays");
+            let moved = |joint: usize| {
+                let place = |own: &Skeleton| glam::Vec3::from(own.rest[joint]).as_dvec3();
+                1e3 * (place(&fitted) - place(&skeleton))
+            };
+            for joint in 1..count {
+                let bone = (moved(joint) - moved(joint - 1)).length();
+                if joint < TRACKED {
+                    squares += bone * bone;
+                    least = least.min(bone);
+                } else {
+                    assert!(bone < 1e-3, "a finger is {bone} mm off in its hand");
+                }
+            }
+        }
+        let rms = f64::sqrt(squares / (50 * (TRACKED - 1)) as f64);
+        assert!((rms - 15.0).abs() < 0.8, "{rms} mm");
+        assert!(least > 0.0);
+    }
+
+    #[test]
     fn a_mask_moves_by_no_more_than_asked_for() {
         let mut image = LinearImage::empty([64, 64]);
         for (at, part) in image.coverage.iter_mut().enumerate() {

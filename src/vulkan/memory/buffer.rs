@@ -11,6 +11,9 @@ use ash::vk::{self, AccessFlags, PipelineStageFlags};
 use gpu_allocator::MemoryLocation;
 use std::sync::Arc;
 
+/// The smallest buffer, bytes.
+const LEAST: u64 = 16;
+
 /// A buffer and its memory.
 pub struct Buffer {
     // The buffer goes before the memory that it is bound to.
@@ -67,7 +70,7 @@ impl From<&Buffer> for Slice {
 }
 
 impl Buffer {
-    /// `size` is rounded up to at least 16 bytes: Vulkan has no empty buffers, avatars have empty
+    /// `size` is rounded up to at least [`LEAST`]: Vulkan has no empty buffers, avatars have empty
     /// arrays.
     pub fn new(
         gpu: &Arc<Gpu>,
@@ -76,7 +79,7 @@ impl Buffer {
         usage: vk::BufferUsageFlags,
         location: MemoryLocation,
     ) -> Result<Self> {
-        let size = size.max(16);
+        let size = size.max(LEAST);
         let limit = u64::from(gpu.probe.limits.max_storage_buffer_range);
         if usage.contains(vk::BufferUsageFlags::STORAGE_BUFFER) && size > limit {
             return Err(Error::TooLarge {
@@ -173,6 +176,11 @@ impl Buffer {
             })?;
         }
         Ok(())
+    }
+
+    /// Whether a buffer made for this data would have this one's size.
+    pub(crate) fn holds_exactly(&self, data: &[u8]) -> bool {
+        self.size == (data.len() as u64).max(LEAST)
     }
 
     /// That so many bytes are inside the buffer.

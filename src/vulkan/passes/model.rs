@@ -69,6 +69,19 @@ impl GaussianSet {
             constants: packed.constants.clone(),
         })
     }
+
+    /// Whether packed Gaussians and rows take as many bytes as these.
+    fn fits(&self, packed: &PackedSet) -> bool {
+        self.gaussians.holds_exactly(cast_slice(&packed.gaussians))
+            && self.rows.holds_exactly(cast_slice(&packed.rows))
+    }
+
+    fn replace(&mut self, packed: &PackedSet) -> Result<()> {
+        self.gaussians.upload(cast_slice(&packed.gaussians))?;
+        self.rows.upload(cast_slice(&packed.rows))?;
+        self.constants.clone_from(&packed.constants);
+        Ok(())
+    }
 }
 
 /// The model in device memory, read-only.
@@ -109,6 +122,37 @@ impl Model {
             node_places: packed.node_places.clone(),
             networks_in_bytes: avatar.networks.in_bytes(),
         })
+    }
+
+    /// Fills the buffers with another avatar, which has no occluder mesh here. False, and nothing has
+    /// changed, where its arrays have other lengths. No submitted work may use them.
+    pub(crate) fn replace(&mut self, avatar: &Avatar, packed: &PackedModel) -> Result<bool> {
+        let shared = [
+            (&self.networks, &packed.networks),
+            (&self.nodes, &packed.nodes),
+            (&self.node_starts, &packed.node_starts),
+        ];
+        let fits = self.networks_in_bytes == avatar.networks.in_bytes()
+            && self.sets.len() == packed.sets.len()
+            && shared
+                .iter()
+                .all(|(buffer, words)| buffer.holds_exactly(cast_slice(words)))
+            && self
+                .sets
+                .iter()
+                .zip(&packed.sets)
+                .all(|(set, packed)| set.fits(packed));
+        if !fits {
+            return Ok(false);
+        }
+        for (buffer, words) in shared {
+            buffer.upload(cast_slice(words))?;
+        }
+        for (set, packed) in self.sets.iter_mut().zip(&packed.sets) {
+            set.replace(packed)?;
+        }
+        self.node_places.clone_from(&packed.node_places);
+        Ok(true)
     }
 
     /// The avatar's own Gaussians.

@@ -67,6 +67,11 @@ impl Blocks {
         })
     }
 
+    /// No cached pose holds any more.
+    pub fn forget_poses(&mut self) {
+        self.pose_caches.fill_with(PoseCache::default);
+    }
+
     /// The first block. Kernels bind it with a dynamic offset, which selects another.
     pub fn slice(&self) -> Slice {
         Slice {

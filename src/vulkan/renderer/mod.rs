@@ -304,6 +304,42 @@ impl Renderer {
         Ok(())
     }
 
+    /// Draws this avatar from now on, which has the lengths of the one before in every array, the same
+    /// bounds in what they ask room for, and no spherical harmonics: kernels, bindings and image stay.
+    /// Waits for submitted frames. False, and nothing has changed, where it needs a renderer of its
+    /// own, as where hidden Gaussians are left out behind the last one's occluder mesh.
+    ///
+    /// # Errors
+    /// When the device fails: draw nothing more with this renderer then.
+    pub fn replace_avatar(&mut self, prepared: &PreparedAvatar) -> Result<bool> {
+        let avatar = prepared.avatar;
+        let extent = prepared.bounds.clone().filtered(self.options.filter);
+        let has_sh = !self.sh.is_empty() || avatar.sh.is_some();
+        let packed = prepared.packed(false);
+        let poses = [
+            self.model.own().constants.as_ref(),
+            &packed.sets[0].constants,
+        ]
+        .map(|constants| PoseLayout::new(constants, self.room).total());
+        if self.occluder.is_some()
+            || has_sh
+            || poses[0] != poses[1]
+            || Room::new(&self.options, &extent)? != self.room
+        {
+            return Ok(false);
+        }
+        self.finish()?;
+        if !self.model.replace(avatar, &packed)? {
+            return Ok(false);
+        }
+        self.extent = extent;
+        self.needs = PartDependencies::new(avatar);
+        self.blocks.forget_poses();
+        self.has_image = false;
+        self.forget();
+        Ok(true)
+    }
+
     /// The device that it draws on.
     pub fn gpu(&self) -> &Arc<Gpu> {
         &self.gpu

@@ -2,12 +2,13 @@
 
 use crate::common::{self, Sizes, gpu};
 use effigy::vulkan::{
-    Error, Gpu, GpuOptions, Renderer, RendererOptions,
+    Error, Gpu, GpuOptions, PreparedAvatar, Renderer, RendererOptions,
     raster::{ColorFormat, RasterMethod, TileKernel},
     sort::KeyBits,
 };
 use effigy_core::{
     avatar::{Avatar, Filter},
+    frame::Skip,
     scene::{Camera, Posed},
 };
 use effigy_measure::{error, stress::Rasterizer};
@@ -144,7 +145,53 @@ fn an_image_is_read_after_a_frame_and_not_before() {
     assert!(matches!(renderer.read_image(), Err(Error::NothingDrawn)));
 }
 
+/// Another avatar of the same size takes its place without new kernels, cached poses included; of one
+/// that needs other buffers it is said, and nothing changes.
+fn an_avatar_takes_the_place_of_another() {
+    let device = gpu::gpu();
+    let unhidden = RendererOptions {
+        skip: Skip::all() - Skip::HIDDEN,
+        ..gpu::options([160, 200])
+    };
+    let [first, second] = [7, 8].map(|seed| common::avatar(seed, Sizes::default()));
+    let other = common::avatar(
+        8,
+        Sizes {
+            rows: 299,
+            ..Sizes::default()
+        },
+    );
+    let posed = Posed::new(&first, &common::pose(7, &first));
+    let near = gpu::camera(&first, &posed, [160, 200]);
+    let far = Camera {
+        focal: 0.9 * near.focal,
+        ..near
+    };
+    let mut renderer = Renderer::new(&device, &first, unhidden).unwrap();
+    // The second frame stores the pose, the third draws what is stored.
+    for camera in [&near, &far, &near] {
+        renderer.draw(&posed, camera, None).unwrap();
+    }
+    let shown = renderer.read_image().unwrap();
+    let prepare = |avatar| PreparedAvatar::new(avatar, &unhidden).unwrap();
+    assert!(!renderer.replace_avatar(&prepare(&other)).unwrap());
+    assert_eq!(renderer.read_image().unwrap(), shown);
+    assert!(renderer.replace_avatar(&prepare(&second)).unwrap());
+    assert!(matches!(renderer.read_image(), Err(Error::NothingDrawn)));
+    let posed = Posed::new(&second, &common::pose(7, &second));
+    let mut own = Renderer::new(&device, &second, unhidden).unwrap();
+    for camera in [&near, &far, &near] {
+        for renderer in [&mut renderer, &mut own] {
+            renderer.draw(&posed, camera, None).unwrap();
+        }
+        let found = renderer.read_image().unwrap();
+        assert_eq!(found, own.read_image().unwrap());
+        assert!(error::between(&found, &shown).covered.psnr_db < 40.0);
+    }
+}
+
 tests! {
+    an_avatar_takes_the_place_of_another,
     an_image_is_read_after_a_frame_and_not_before,
     eight_bit_images_agree_with_the_reference: smoke,
     filters_draw_the_references_image,

@@ -263,6 +263,8 @@ fn an_occluder_that_comes_later_hides_as_much() {
         assert_eq!(count, expected.count);
         assert!(image == expected.image, "another image");
     }
+    // The mesh is this avatar's: another one needs a renderer of its own.
+    assert!(!renderer.replace_avatar(&prepared).expect("the device"));
 }
 
 struct Drawn {
