@@ -43,6 +43,9 @@ pub const RECIPE: &str = "recipe.toml";
 /// The poses that were learned, as a clip.
 pub const POSES: &str = "poses.motion";
 
+/// What holds of every session that goes on.
+const TRAINS: &str = "a session without a trainer has ended";
+
 /// What a training needs besides its recipe.
 pub struct SessionOptions {
     /// The training's own folder: checkpoints, log, recipe.
@@ -98,7 +101,8 @@ pub struct Session {
     start: Avatar,
     topology: Topology,
     rows: Rows,
-    trainer: Trainer,
+    /// None where pruning found no room for its successor: the session has ended then.
+    trainer: Option<Trainer>,
     views: Arc<Views>,
     watched: Watched,
     asked: Option<AskedLoss>,
@@ -290,7 +294,7 @@ impl Session {
             start,
             topology,
             rows: stands.rows,
-            trainer,
+            trainer: Some(trainer),
             views,
             watched,
             asked,
@@ -309,6 +313,14 @@ impl Session {
         Ok(session)
     }
 
+    fn trainer(&self) -> &Trainer {
+        self.trainer.as_ref().expect(TRAINS)
+    }
+
+    fn trainer_mut(&mut self) -> &mut Trainer {
+        self.trainer.as_mut().expect(TRAINS)
+    }
+
     /// Where it is.
     fn now(&self) -> Now {
         Now {
@@ -321,7 +333,7 @@ impl Session {
 
     /// Steps so far.
     pub fn steps(&self) -> u64 {
-        self.trainer.steps()
+        self.trainer().steps()
     }
 
     /// The avatar as it is now.
@@ -331,7 +343,7 @@ impl Session {
     pub fn avatar(&self) -> Result<Avatar, TrainError> {
         let mut avatar = self.start.clone();
         let layout = Layout::new(&self.topology, &self.rows);
-        let parameters = self.trainer.parameters()?;
+        let parameters = self.trainer().parameters()?;
         parameters.put_into(&mut avatar, &layout, &self.rows);
         avatar.skeleton = self.skeleton();
         Ok(avatar)
@@ -445,7 +457,7 @@ impl Session {
             let looked = self.watched.views.steady(number, [128; 3])?;
             let view = self.refined(looked);
             let image = self
-                .trainer
+                .trainer_mut()
                 .images(std::slice::from_ref(&view), &options)?
                 .remove(0);
             seen.push(Seen { view, image });
@@ -487,11 +499,12 @@ impl Session {
         let asks = before >= recipe.perceptual.from_share
             && self.steps().is_multiple_of(recipe.perceptual.every);
         let step = self.steps() + 1;
+        let trainer = self.trainer.as_mut().expect(TRAINS);
         let found = match &self.asked {
             Some(asked) if asks => {
                 let place = self.place;
                 let mut value = 0.0;
-                let found = self.trainer.step_asking(views, &options, |number, image| {
+                let found = trainer.step_asking(views, &options, |number, image| {
                     let said = asked.ask(&views[number], place + number as u64, image)?;
                     value += said.value / views.len() as f64;
                     Some(said.gradient)
@@ -499,7 +512,7 @@ impl Session {
                 sums.perceptual = Some(value);
                 found
             }
-            _ => self.trainer.step(views, &options)?,
+            _ => trainer.step(views, &options)?,
         };
         self.blind = match self.blind {
             Some(blind) if found.empty_views as usize == views.len() => {
@@ -519,7 +532,7 @@ impl Session {
         let rate = recipe.rates.exposure * recipe.rates.end.powf(share);
         if rate > 0.0 {
             for (number, shot) in shots.iter().enumerate() {
-                let gradient = self.trainer.gain_gradient(number);
+                let gradient = self.trainer_mut().gain_gradient(number);
                 self.exposure
                     .learn(shot.camera, gradient, rate, &options.adam);
             }
@@ -571,7 +584,7 @@ impl Session {
         let mut cameras: BTreeMap<usize, CameraGradient> = BTreeMap::new();
         for (number, shot) in shots.iter().enumerate() {
             let pose = self.pose(shot.frame);
-            let own = skeleton.matrices_backward(&pose, &self.trainer.joints_gradient(number));
+            let own = skeleton.matrices_backward(&pose, &self.trainer_mut().joints_gradient(number));
             let given = &self.capture.cameras[shot.camera].camera;
             let seen = SeenFrom {
                 skeleton,
@@ -661,12 +674,13 @@ impl Session {
 
     /// Leaves out the basis rows that are worth least, moments included.
     fn prune(&mut self) -> Result<(), TrainError> {
+        self.save()?;
         let layout = Layout::new(&self.topology, &self.rows);
         let sensitivity = match self.recipe.prune.by {
             PruneBy::Variance => Sensitivity::new(0),
             PruneBy::Pictures => self.sensitivity()?,
         };
-        let state = self.trainer.state()?;
+        let state = self.trainer().state()?;
         let avatar = self.avatar()?;
         let features: Vec<Vec<f64>> = self
             .poses()
@@ -697,14 +711,17 @@ impl Session {
             second_moments: keep(&state.second_moments),
             ..state
         };
-        self.trainer = Trainer::new(
+        // Its memory is free before that of its successor is asked for. Should that fail, the
+        // checkpoint goes on from here.
+        self.trainer = None;
+        self.trainer = Some(Trainer::new(
             &self.gpu,
             &self.topology,
             &kept,
             &state,
             self.views.size(),
             self.recipe.schedule.batch,
-        )?;
+        )?);
         self.rows = kept;
         self.pruned = true;
         Ok(())
@@ -718,15 +735,16 @@ impl Session {
             let number = (2 * k + 1) * self.views.len() / (2 * count);
             let looked = self.views.steady(number, [128; 3])?;
             let view = self.refined(looked);
-            self.trainer.look(&[view], &StepOptions::LOOK)?;
-            found.add(&self.trainer.attribute_gradients()?);
+            let trainer = self.trainer_mut();
+            trainer.look(&[view], &StepOptions::LOOK)?;
+            found.add(&trainer.attribute_gradients()?);
         }
         Ok(found)
     }
 
     /// Writes a checkpoint.
     fn save(&self) -> Result<(), TrainError> {
-        let state = self.trainer.state()?;
+        let state = self.trainer().state()?;
         let all = [
             &state.parameters,
             &state.first_moments,
