@@ -69,6 +69,11 @@ pub struct Files {
 }
 
 impl Capture {
+    /// Name of the layout of a folder; None where it is no capture.
+    pub fn layout(folder: &Path) -> Option<&'static str> {
+        layouts::of(folder).map(|layout| layout.name)
+    }
+
     /// Opens a capture: reads cameras, poses and body model, and the sizes of all pictures and
     /// masks. What can't be used is in [`Self::left_out`].
     ///

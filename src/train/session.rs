@@ -584,7 +584,8 @@ impl Session {
         let mut cameras: BTreeMap<usize, CameraGradient> = BTreeMap::new();
         for (number, shot) in shots.iter().enumerate() {
             let pose = self.pose(shot.frame);
-            let own = skeleton.matrices_backward(&pose, &self.trainer_mut().joints_gradient(number));
+            let own =
+                skeleton.matrices_backward(&pose, &self.trainer_mut().joints_gradient(number));
             let given = &self.capture.cameras[shot.camera].camera;
             let seen = SeenFrom {
                 skeleton,

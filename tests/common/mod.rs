@@ -396,7 +396,7 @@ pub fn with_levels(mut avatar: Avatar) -> Avatar {
         [2, 4].map(|samples| LevelError {
             height,
             samples,
-            psnr_db: 30.0 + f64::from(samples),
+            psnr_db: 34.0 + f64::from(samples),
             color: 0.004,
             coverage: 0.0025,
         })

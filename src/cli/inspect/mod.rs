@@ -6,6 +6,7 @@ mod checkpoint;
 mod folder;
 mod levels;
 mod motion;
+mod pictures;
 mod sheet;
 mod text;
 
@@ -27,6 +28,7 @@ use effigy_formats::{
 };
 use folder::FolderSummary;
 use motion::MotionSummary;
+use pictures::PicturesSummary;
 use serde::Serialize;
 use std::fmt;
 use std::io::{self, Write};
@@ -36,8 +38,8 @@ pub use levels::LevelSummary;
 
 #[derive(clap::Args, Debug)]
 pub struct Args {
-    /// Avatar or motion file, of Effigy or of any program that it reads, or a folder of them
-    /// [default: the built-in demo avatar]
+    /// Avatar or motion file, of Effigy or of any program that it reads, a folder of them, or a
+    /// capture of pictures [default: the built-in demo avatar]
     file: Option<PathBuf>,
     /// Motion capture that the motion file was made of: says how well it follows
     #[arg(long, value_name = "FILE", requires = "file")]
@@ -70,6 +72,10 @@ pub fn run(args: Args) -> anyhow::Result<()> {
             args.against.is_none(),
             "--against is for a file, not for a folder"
         );
+        if let Some(capture) = PicturesSummary::new(file)? {
+            ensure!(args.png.is_none(), "--png draws no capture of pictures");
+            return print(&capture, args.json);
+        }
         let summary = FolderSummary::new(file)?;
         if let Some(out) = &args.png {
             let files: Vec<&Path> = summary.paths().collect();

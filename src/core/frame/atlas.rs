@@ -5,7 +5,10 @@
 //! that may pass through an avatar that is drawn at its size is drawn at its size too. So slots
 //! and whatever else meets them in the image are entirely before or behind each other.
 
-use crate::scene::{AvatarBounds, Camera, PixelRect, PlaneRect, Supersampling, Visible, levels};
+use crate::scene::{
+    AvatarBounds, Camera, PixelRect, PlaneRect, Supersampling, Visible,
+    levels::{self, LevelAndSamples},
+};
 use glam::{DAffine3, UVec2};
 
 /// Slots start at multiples of this, px, so that no tile has splats of two.
@@ -16,6 +19,9 @@ const LONGEST: u32 = 4096;
 const HALVINGS: usize = 32;
 /// Pixels that an atlas may have where the image has fewer.
 const LEAST_PIXELS: u64 = 1 << 22;
+/// Up to so many small avatars an atlas may have all its pixels. With more there are fewer, down to a
+/// quarter: a crowd's time goes into its pixels, and few samples do for it (docs/experiments/050).
+const FEW: usize = 16;
 
 /// An avatar in view.
 #[derive(Clone, Copy, Debug)]
@@ -30,30 +36,41 @@ pub struct Seen {
     pub side: f64,
     /// How many times its size it should be drawn, at least 1.
     pub factor: f64,
+    /// Which of the avatar's levels ([`levels`]) is drawn with that factor; 0 is the avatar itself.
+    pub level: usize,
 }
 
 impl Seen {
-    /// An avatar that `visible` says is in view of a camera. `joints`: its pose's.
+    /// An avatar that `visible` says is in view of a camera. `joints`: its pose's. `before`: the
+    /// level that the last frame drew. Levels are for avatars whose size decides how they are drawn.
     pub fn new(
         bounds: &AvatarBounds,
         joints: &[DAffine3],
         camera: &Camera,
         visible: &Visible,
         supersampling: Supersampling,
+        before: usize,
     ) -> Self {
         let side = bounds.longest_side(joints, camera);
+        let most = supersampling.factor(side);
+        let chosen = match supersampling {
+            Supersampling::BySize => levels::choose(bounds.levels(), side, most, before),
+            Supersampling::Times(_) => LevelAndSamples {
+                level: 0,
+                samples: most,
+            },
+        };
         Self {
             around: visible.around,
             depth: bounds.depth(joints, camera),
             side,
-            factor: supersampling.factor(side),
+            factor: chosen.samples,
+            level: chosen.level,
         }
     }
 
-    /// Which of the avatar's levels ([`levels`]) is drawn into a slot of a factor; 0 is the avatar
-    /// itself. `before`: the level that the last frame drew. Levels are for avatars whose size
-    /// decides how they are drawn.
-    pub fn level(
+    /// The level that is drawn into a slot of a factor, which avatars with less large ones may share.
+    pub fn level_in(
         &self,
         bounds: &AvatarBounds,
         supersampling: Supersampling,
@@ -61,8 +78,10 @@ impl Seen {
         before: usize,
     ) -> usize {
         match supersampling {
-            Supersampling::BySize => levels::choose(bounds.levels(), self.side, factor, before),
-            Supersampling::Times(_) => 0,
+            Supersampling::BySize if factor != self.factor => {
+                levels::choose_with(bounds.levels(), self.side, factor, before)
+            }
+            _ => self.level,
         }
     }
 }
@@ -218,7 +237,8 @@ pub fn arrange(seen: &[Seen], size: [u32; 2]) -> Arrangement {
             behind: false,
         })
         .collect();
-    let mut pixels = LEAST_PIXELS.max(u64::from(size[0]) * u64::from(size[1]));
+    let small = groups.iter().filter(|group| group.is_small()).count();
+    let mut pixels = most_pixels(size, small);
     while groups.iter().any(Group::is_small) {
         while join_small(&mut groups) {}
         if !settle_sides(&mut groups) {
@@ -234,6 +254,12 @@ pub fn arrange(seen: &[Seen], size: [u32; 2]) -> Arrangement {
         }
     }
     Arrangement::without_slots(seen.len())
+}
+
+/// Pixels that an atlas may have for so many small avatars in an image of a size.
+fn most_pixels(size: [u32; 2], small: usize) -> u64 {
+    let all = LEAST_PIXELS.max(u64::from(size[0]) * u64::from(size[1]));
+    (all * FEW as u64 / small.max(1) as u64).clamp(all / 4, all)
 }
 
 /// Joins small groups that may pass through each other. Returns whether some did: they have grown,
@@ -409,6 +435,7 @@ mod tests {
             depth: [depth, depth + 1.0],
             side: 100.0,
             factor,
+            level: 0,
         }
     }
 
@@ -549,6 +576,18 @@ mod tests {
             ..wide
         };
         assert_eq!(slots(&[unbounded]), [None]);
+    }
+
+    #[test]
+    fn a_crowd_has_fewer_pixels_and_no_steps() {
+        let pixels = |small| most_pixels(SIZE, small);
+        assert_eq!([0, 1, 16].map(pixels), [LEAST_PIXELS; 3]);
+        assert_eq!([64, 1000].map(pixels), [LEAST_PIXELS / 4; 2]);
+        for small in 16..64 {
+            let share = pixels(small + 1) as f64 / pixels(small) as f64;
+            assert!((0.94..1.0).contains(&share), "{small}: {share}");
+        }
+        assert_eq!(most_pixels([4096, 4096], 64), 1 << 22);
     }
 
     #[test]

@@ -225,6 +225,7 @@ impl FrameState {
                         camera,
                         visible,
                         options.supersampling,
+                        self.near_model(index, options),
                     )
                 });
             candidates.push(Candidate {
@@ -358,6 +359,12 @@ impl FrameState {
         portions
     }
 
+    /// The level that was near enough for an avatar in the last frame.
+    fn near_model(&self, index: usize, options: &RendererOptions) -> usize {
+        let drawn = self.trackers[index].model();
+        drawn.saturating_sub(options.detail.coarser)
+    }
+
     /// What is drawn of an avatar in view where there is room.
     fn portion(
         &self,
@@ -372,8 +379,9 @@ impl FrameState {
         let tracker = &self.trackers[candidate.index];
         // Levels are for what is small, at several samples a pixel.
         if let (Some(slot), Some(seen)) = (slot, candidate.seen) {
-            let before = tracker.model();
-            let model = seen.level(bounds, options.supersampling, slot.factor, before);
+            let before = self.near_model(candidate.index, options);
+            let near = seen.level_in(bounds, options.supersampling, slot.factor, before);
+            let model = (near + options.detail.coarser).min(bounds.levels().len());
             if model > 0 {
                 return Portion { model, level: 0 };
             }

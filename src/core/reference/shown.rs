@@ -39,6 +39,7 @@ pub fn render_shown(
                 camera,
                 &visible,
                 supersampling,
+                0,
             ));
             in_view.push(posed);
         }
@@ -54,7 +55,7 @@ pub fn render_shown(
     for (at, slot) in arrangement.slots.iter().enumerate() {
         let mut gaussians = Vec::new();
         for (posed, seen) in members(Some(at)) {
-            let level = seen.level(&bounds, supersampling, slot.factor, 0);
+            let level = seen.level_in(&bounds, supersampling, slot.factor, 0);
             gaussians.extend(if level == 0 {
                 gaussians_of(avatar, &[posed], camera)
             } else {

@@ -29,6 +29,9 @@ pub struct Detail {
     pub finest: u32,
     /// Whether small avatars are drawn at coarser levels.
     pub auto: bool,
+    /// By how many of the file's own levels ([`levels`](super::levels)) small avatars are drawn coarser
+    /// than is near enough.
+    pub coarser: usize,
 }
 
 impl Detail {
@@ -36,11 +39,13 @@ impl Detail {
     pub const FULL: Self = Self {
         finest: 0,
         auto: false,
+        coarser: 0,
     };
     /// The level follows the avatar's size.
     pub const AUTO: Self = Self {
         finest: 0,
         auto: true,
+        coarser: 0,
     };
 
     /// Restricts the choice to this level or coarser ones.
@@ -86,7 +91,7 @@ impl FromStr for Detail {
         let level = |level| {
             Ok(Self {
                 finest: level,
-                auto: false,
+                ..Self::FULL
             })
         };
         match text {
@@ -103,8 +108,8 @@ impl FromStr for Detail {
 }
 
 impl fmt::Display for Detail {
-    /// Writes text that [`FromStr`] parses, except that automatic levels from a finest one on,
-    /// which the governor sets, are written as `auto from 1/2`.
+    /// Writes text that [`FromStr`] parses, except for what the governor sets: automatic levels from
+    /// a finest one on are written as `auto from 1/2`, coarser ones of the file as `+1 level`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let of = 1u32 << self.finest.min(COARSEST);
         match (self.auto, self.finest) {
@@ -112,6 +117,11 @@ impl fmt::Display for Detail {
             (true, 0) => write!(f, "auto"),
             (false, _) => write!(f, "1/{of}"),
             (true, _) => write!(f, "auto from 1/{of}"),
+        }?;
+        match self.coarser {
+            0 => Ok(()),
+            1 => write!(f, " +1 level"),
+            levels => write!(f, " +{levels} levels"),
         }
     }
 }

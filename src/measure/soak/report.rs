@@ -88,6 +88,9 @@ pub struct LadderStep {
     pub hold: u32,
     /// Factor of the opacity cutoff.
     pub cutoff: f64,
+    /// By how many levels small avatars are drawn coarser; 0 in reports from before there was that.
+    #[serde(default)]
+    pub coarser: usize,
     /// Level of detail; 0 in reports from before there were any.
     #[serde(default)]
     pub level: u32,
@@ -101,6 +104,7 @@ impl From<&Rung> for LadderStep {
             scale,
             hold,
             cutoff,
+            coarser,
             level,
             refreshes,
         } = rung.quality;
@@ -109,6 +113,7 @@ impl From<&Rung> for LadderStep {
             scale,
             hold,
             cutoff,
+            coarser,
             level,
             refreshes,
         }

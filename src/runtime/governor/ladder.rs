@@ -21,6 +21,8 @@ pub struct FrameQuality {
     /// Factor of the opacity cutoff, at least 1: fainter Gaussians, and the faint rims of others,
     /// are skipped.
     pub cutoff: f64,
+    /// By how many of the file's levels small avatars are drawn coarser than is near enough.
+    pub coarser: usize,
     /// The finest level of detail that may be drawn; 0 is full detail.
     pub level: u32,
     /// Refreshes of the display that each frame is shown for, at least 1.
@@ -33,6 +35,7 @@ impl FrameQuality {
         scale: 1.0,
         hold: 1,
         cutoff: 1.0,
+        coarser: 0,
         level: 0,
         refreshes: 1,
     };
@@ -49,7 +52,10 @@ impl FrameQuality {
 
     /// The level of detail to draw with, from that of the options.
     pub fn detail(&self, options: &RendererOptions) -> Detail {
-        options.detail.at_least(self.level)
+        Detail {
+            coarser: options.detail.coarser + self.coarser,
+            ..options.detail.at_least(self.level)
+        }
     }
 }
 
@@ -73,11 +79,13 @@ impl Ladder {
     pub fn new(rate: f64) -> Self {
         // Each list ends with halving the display's rate.
         const FOR_HIGH_RATES: &[Concession] = &[
+            Concession::Coarser(1),
             Concession::Scale(0.9),
             Concession::Scale(0.8),
             Concession::Hold,
             Concession::Scale(0.7),
             Concession::Cutoff(2.0),
+            Concession::Coarser(2),
             Concession::Scale(0.6),
             Concession::Cutoff(4.0),
             Concession::Level(1),
@@ -85,10 +93,12 @@ impl Ladder {
             Concession::Refresh,
         ];
         const FOR_OTHER_RATES: &[Concession] = &[
+            Concession::Coarser(1),
             Concession::Scale(0.9),
             Concession::Scale(0.8),
             Concession::Cutoff(2.0),
             Concession::Scale(0.7),
+            Concession::Coarser(2),
             Concession::Scale(0.6),
             Concession::Cutoff(4.0),
             Concession::Level(1),
@@ -140,6 +150,10 @@ enum Concession {
     Hold,
     /// Multiplies the opacity cutoff by this.
     Cutoff(f64),
+    /// Draws small avatars from a level that is coarser by so many than what is near enough. Comes
+    /// first: those under 640 px are drawn as if they were as large as that, so that a smaller image
+    /// saves next to nothing of them, and a level more than half (docs/experiments/057).
+    Coarser(usize),
     /// Draws at this level of detail or a coarser one.
     Level(u32),
     /// Shows each frame for two refreshes.
@@ -152,6 +166,7 @@ impl Concession {
             Self::Scale(scale) => quality.scale = scale,
             Self::Hold => quality.hold = 2,
             Self::Cutoff(factor) => quality.cutoff = factor,
+            Self::Coarser(levels) => quality.coarser = levels,
             Self::Level(level) => quality.level = level,
             Self::Refresh => {
                 quality.refreshes = 2;
@@ -166,6 +181,7 @@ impl Concession {
             Self::Scale(scale) => format!("scale {scale}"),
             Self::Hold => format!("pose {:.0} Hz", rate / 2.0),
             Self::Cutoff(factor) => format!("cutoff {factor}/255"),
+            Self::Coarser(levels) => format!("small +{levels} level"),
             Self::Level(level) => format!("detail {}", Detail::FULL.at_least(level)),
             Self::Refresh => format!("display {:.0} Hz", rate / 2.0),
         }
@@ -177,7 +193,9 @@ impl Concession {
 /// Pixels cost three quarters of a frame, Gaussians and networks the rest (2048² against 1024², see
 /// docs/benchmarks.md). Holding a pose saves the frame where the camera is still, and its networks
 /// where it moves. Drawing half of the Gaussians saves 0.3 of a frame (docs/experiments/015), and
-/// nothing where the avatar is so small that no more of them are drawn anyway.
+/// nothing where the avatar is so small that no more of them are drawn anyway. Coarser levels of the
+/// file save much of a small avatar and nothing of a large one: next to nothing is expected, so that
+/// a heavy load goes further down at once.
 fn cost(quality: &FrameQuality) -> f64 {
     let thin = 0.72f64.powi(quality.level as i32);
     let pixels = thin * (0.25 + 0.75 * quality.scale * quality.scale);
@@ -187,7 +205,8 @@ fn cost(quality: &FrameQuality) -> f64 {
         _ => 1.0,
     };
     let held = if quality.hold > 1 { 0.75 } else { 1.0 };
-    pixels * faint * held / f64::from(quality.refreshes)
+    let coarser = 0.98f64.powi(quality.coarser as i32);
+    pixels * coarser * faint * held / f64::from(quality.refreshes)
 }
 
 #[cfg(test)]

@@ -13,7 +13,7 @@ use effigy_core::{
     avatar::{Avatar, Filter},
     frame::RendererOptions,
     reference,
-    scene::{AvatarBounds, Camera, FrameImage, Posed, Supersampling},
+    scene::{AvatarBounds, Camera, Detail, FrameImage, Posed, Supersampling},
 };
 use effigy_measure::error;
 use glam::{DAffine3, DVec3};
@@ -312,6 +312,33 @@ fn levels_are_drawn_as_avatars(raster: Raster) {
         [false, false, true, true, false, false, true, false, true],
         "{seen:?}"
     );
+    // A governor asks for one level coarser than is near enough, and takes that back.
+    let posed = posed(&avatar, &camera, 6, DVec3::new(0.2, 0.1, 2.0));
+    for (coarser, drawn) in [
+        (0, &whole),
+        (1, own[0]),
+        (2, own[1]),
+        (9, own[1]),
+        (0, &whole),
+    ] {
+        let detail = Detail {
+            coarser,
+            ..options.detail
+        };
+        renderer
+            .adjust(options.size, options.cutoff, detail)
+            .unwrap();
+        renderer.draw(&posed, &camera, None).unwrap();
+        let image = renderer.read_image().unwrap();
+        let expected =
+            reference::render_shown(drawn, &[&posed], &camera, Supersampling::BySize, None);
+        assert_near(
+            &format!("{coarser} levels coarser"),
+            &image,
+            &expected,
+            44.0,
+        );
+    }
 }
 
 /// A level has colours of its own, which change with the view: of splats, and of a body that networks

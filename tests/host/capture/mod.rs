@@ -12,7 +12,7 @@ use effigy_learn::{
 };
 use glam::{DVec2, DVec3};
 use serde::Deserialize;
-use std::{fs, path::Path};
+use std::{fs, path::Path, process::Command};
 
 const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/data/capture");
 /// Joints that the pictures show in red, green and blue.
@@ -253,7 +253,50 @@ fn captures_with_flaws_keep_the_truth_apart() {
     );
 }
 
+/// What a capture has, before anybody trains for a night: also what of it is no use, by file.
+fn inspect_says_what_a_capture_has() {
+    let folder = tempfile::tempdir().unwrap();
+    copied(folder.path(), str::to_owned);
+    fs::remove_file(folder.path().join("masks/cam01/00000002.jpg")).unwrap();
+    fs::write(
+        folder.path().join("split.json"),
+        r#"{"cameras": ["cam01"], "frames": [1]}"#,
+    )
+    .unwrap();
+    let inspect = |arguments: &[&str]| {
+        let output = Command::new(common::program())
+            .arg("inspect")
+            .arg(folder.path())
+            .args(arguments)
+            .output()
+            .unwrap();
+        let text = [output.stdout, output.stderr].map(|text| String::from_utf8(text).unwrap());
+        (output.status.success(), text.concat())
+    };
+    let (is_good, text) = inspect(&["--json"]);
+    assert!(is_good, "{text}");
+    let found: serde_json::Value = serde_json::from_str(&text).unwrap();
+    assert_eq!(
+        [&found["pictures"], &found["learned"], &found["held_frames"]],
+        [5, 2, 1]
+    );
+    assert_eq!(found["held_cameras"], serde_json::json!(["cam01"]));
+    assert_eq!(found["left_out"]["missing"], 1);
+    let (is_good, text) = inspect(&[]);
+    assert!(is_good && text.contains("1 × missing"), "{text}");
+    assert!(
+        text.contains("00000002") && text.contains("cam01"),
+        "{text}"
+    );
+    let (is_good, text) = inspect(&["--png", "a.png"]);
+    assert!(!is_good && text.contains("--png"), "{text}");
+    fs::remove_file(folder.path().join("template.npz")).unwrap();
+    let (is_good, text) = inspect(&[]);
+    assert!(!is_good && text.contains("template.npz"), "{text}");
+}
+
 tests! {
+    inspect_says_what_a_capture_has,
     smpl_xs_parameters_are_read_as_smpl_x_means_them,
     pictures_are_undistorted_to_where_cameras_see_joints,
     avatarrexs_names_are_known,

@@ -1,0 +1,154 @@
+//! What a capture of pictures has that a training would learn from.
+
+use super::text::{line, thousands};
+use effigy_capture::{Capture, tally};
+use serde::Serialize;
+use std::{collections::BTreeMap, fmt, path::Path};
+
+/// Faults that are written out, of those that leave something out; the others are counted.
+const NAMED: usize = 8;
+
+/// A capture's counts, and what of it can't be used.
+#[derive(Serialize)]
+pub struct PicturesSummary {
+    kind: &'static str,
+    layout: &'static str,
+    cameras: usize,
+    held_cameras: Vec<String>,
+    /// Widths and heights of pictures, px, with the number of cameras that have them.
+    sizes: Vec<Size>,
+    frames: usize,
+    held_frames: usize,
+    pictures: usize,
+    /// Those of cameras and frames that are not held out.
+    learned: usize,
+    joints: usize,
+    vertices: usize,
+    /// Numbers of the expression.
+    expression: usize,
+    /// How often something is left out for each reason.
+    left_out: BTreeMap<&'static str, usize>,
+    faults: Vec<String>,
+}
+
+#[derive(Serialize)]
+struct Size {
+    width: u32,
+    height: u32,
+    cameras: usize,
+}
+
+impl PicturesSummary {
+    /// None: the folder is no capture.
+    pub fn new(folder: &Path) -> anyhow::Result<Option<Self>> {
+        let Some(layout) = Capture::layout(folder) else {
+            return Ok(None);
+        };
+        let capture = Capture::read(folder)?;
+        let mut sizes: BTreeMap<[u32; 2], usize> = BTreeMap::new();
+        for own in &capture.cameras {
+            *sizes.entry(own.camera.size).or_default() += 1;
+        }
+        let held = capture.cameras.iter().filter(|own| own.held);
+        let learned = (0..capture.cameras.len())
+            .flat_map(|camera| (0..capture.frames.len()).map(move |frame| (camera, frame)))
+            .filter(|&(camera, frame)| {
+                let is_held = capture.cameras[camera].held || capture.frames[frame].held;
+                !is_held && capture.has(camera, frame)
+            });
+        Ok(Some(Self {
+            kind: "capture of pictures",
+            layout,
+            cameras: capture.cameras.len(),
+            held_cameras: held.map(|own| own.name.clone()).collect(),
+            sizes: sizes
+                .into_iter()
+                .map(|([width, height], cameras)| Size {
+                    width,
+                    height,
+                    cameras,
+                })
+                .collect(),
+            frames: capture.frames.len(),
+            held_frames: capture.frames.iter().filter(|frame| frame.held).count(),
+            pictures: capture.pictures(),
+            learned: learned.count(),
+            joints: capture.template.skeleton.len(),
+            vertices: capture.template.vertices.len(),
+            expression: capture.template.expression,
+            left_out: tally(&capture.left_out),
+            faults: capture
+                .left_out
+                .iter()
+                .take(NAMED)
+                .map(|fault| fault.to_string())
+                .collect(),
+        }))
+    }
+}
+
+impl fmt::Display for PicturesSummary {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        line(
+            f,
+            "capture",
+            format_args!(
+                "of pictures, laid out as {}; `effigy train` learns an avatar from it",
+                self.layout
+            ),
+        )?;
+        let held = match &self.held_cameras[..] {
+            [] => "none held out".into(),
+            names => format!("held out: {}", names.join(", ")),
+        };
+        line(f, "cameras", format_args!("{}; {held}", self.cameras))?;
+        for Size {
+            width,
+            height,
+            cameras,
+        } in &self.sizes
+        {
+            let text = format_args!("{width} × {height} px, of {cameras} cameras");
+            line(f, "size", text)?;
+        }
+        line(
+            f,
+            "frames",
+            format_args!(
+                "{}, {} of them held out",
+                thousands(self.frames),
+                thousands(self.held_frames)
+            ),
+        )?;
+        line(
+            f,
+            "pictures",
+            format_args!(
+                "{}, {} of them to learn from",
+                thousands(self.pictures),
+                thousands(self.learned)
+            ),
+        )?;
+        line(
+            f,
+            "body model",
+            format_args!(
+                "{} joints, {} vertices, {} numbers of expression",
+                self.joints,
+                thousands(self.vertices),
+                self.expression
+            ),
+        )?;
+        for (reason, count) in &self.left_out {
+            line(f, "left out", format_args!("{count} × {reason}"))?;
+        }
+        for fault in &self.faults {
+            line(f, "", fault)?;
+        }
+        let unnamed = self.left_out.values().sum::<usize>() - self.faults.len();
+        if unnamed > 0 {
+            line(f, "", format_args!("and {} more", thousands(unnamed)))?;
+        }
+        Ok(())
+    }
+}
