@@ -202,6 +202,40 @@ fn a_sudden_load_costs_few_frames_and_is_given_back() {
     );
 }
 
+/// Small avatars are drawn as if they were 640 px: a smaller image saves nothing of them, and coarser
+/// levels do. One that comes near walks the other ladder, as far down as it was.
+fn small_avatars_keep_their_resolution() {
+    let mut governor = Governor::new(RATE);
+    let mut now = 0.0;
+    let mut drive = |small: bool, work: f64, seconds: f64| {
+        let until = now + seconds;
+        while now < until {
+            let quality = governor.quality();
+            let gained = if small {
+                0.42f64.powi(quality.coarser as i32)
+            } else {
+                pixels(&quality)
+            };
+            now += f64::from(quality.refreshes) / RATE;
+            governor.note_sizes(small);
+            governor.add_frame(Sample {
+                seconds: now,
+                busy_ms: Some(1e3 * work * gained / RATE),
+                dropped: 0,
+            });
+        }
+        governor.quality()
+    };
+    let held = drive(true, 2.0, 30.0);
+    assert_eq!((held.scale, held.refreshes), (1.0, 1));
+    assert_eq!(held.coarser, 1, "{held:?}");
+    let near = drive(false, 2.0, 30.0);
+    assert!(near.coarser == 0 && near.scale < 0.9, "{near:?}");
+    let far = drive(true, 5.0, 30.0);
+    assert_eq!((far.scale, far.coarser), (1.0, 2), "{far:?}");
+    assert_eq!(drive(true, 0.3, 1000.0), FrameQuality::FULL);
+}
+
 fn a_load_between_two_rungs_settles() {
     for tenth in 0..12 {
         let work = 0.7 + 0.1 * f64::from(tenth);
@@ -393,6 +427,7 @@ fn simulated_heat_lowers_clock_and_rate_until_a_governor_acts() {
 }
 
 tests! {
+    small_avatars_keep_their_resolution,
     the_papers_phone_throttles_when_nothing_governs_it,
     the_promised_rate_is_held_on_the_papers_phone,
     quality_comes_back_when_the_air_cools_and_when_the_work_is_less,

@@ -390,9 +390,12 @@ impl FrameState {
         let joints = &input.poses[candidate.index].joints;
         let pixels = || bounds.pixels(joints, &camera);
         let before = tracker.level();
+        // Without levels in the file, each coarser one is half of the Gaussians.
+        let coarser = slot.map_or(0, |_| options.detail.coarser as u32);
+        let detail = options.detail.at_least(coarser);
         Portion {
             model: 0,
-            level: options.detail.level(bounds.gaussians(), before, pixels),
+            level: detail.level(bounds.gaussians(), before, pixels),
         }
     }
 

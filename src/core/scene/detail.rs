@@ -29,8 +29,8 @@ pub struct Detail {
     pub finest: u32,
     /// Whether small avatars are drawn at coarser levels.
     pub auto: bool,
-    /// By how many of the file's own levels ([`levels`](super::levels)) small avatars are drawn coarser
-    /// than is near enough.
+    /// By how many levels avatars that are drawn larger than they are shown are coarser than is near
+    /// enough: of the file's own ([`levels`](super::levels)), else of these.
     pub coarser: usize,
 }
 

@@ -184,7 +184,11 @@ pub(super) mod tests {
             simulated_heat: false,
             planned_seconds: 60.0,
             lasted_seconds: 60.0,
-            ladder: Ladder::new(60.0).rungs().iter().map(Into::into).collect(),
+            ladder: Ladder::new(60.0, false)
+                .rungs()
+                .iter()
+                .map(Into::into)
+                .collect(),
             frames: 3600,
             fps: 60.0,
             late: 0,

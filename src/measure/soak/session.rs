@@ -249,6 +249,10 @@ impl Session {
     pub fn add_counters(&mut self, counters: &Counters) {
         let degenerate = counters.reasons.map(|reasons| reasons.degenerate);
         self.totals.broken_gaussians = self.totals.broken_gaussians.max(degenerate);
+        let drawn = counters.avatars - counters.avatars_culled;
+        if drawn > 0 {
+            self.governor.note_sizes(counters.supersampled == drawn);
+        }
     }
 
     /// Adds the check of an image.

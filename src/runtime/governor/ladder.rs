@@ -21,7 +21,7 @@ pub struct FrameQuality {
     /// Factor of the opacity cutoff, at least 1: fainter Gaussians, and the faint rims of others,
     /// are skipped.
     pub cutoff: f64,
-    /// By how many of the file's levels small avatars are drawn coarser than is near enough.
+    /// By how many levels small avatars are drawn coarser than is near enough.
     pub coarser: usize,
     /// The finest level of detail that may be drawn; 0 is full detail.
     pub level: u32,
@@ -75,17 +75,25 @@ pub struct Rung {
 pub struct Ladder(Vec<Rung>);
 
 impl Ladder {
-    /// The ladder for a promised rate, frames a second.
-    pub fn new(rate: f64) -> Self {
+    /// The ladder for a promised rate, frames a second. `small`: whether every avatar is drawn
+    /// larger than it is shown, as if it were 640 px: a smaller image saves next to nothing of those,
+    /// and a coarser level more than half (docs/experiments/057).
+    pub fn new(rate: f64, small: bool) -> Self {
         // Each list ends with halving the display's rate.
-        const FOR_HIGH_RATES: &[Concession] = &[
+        const FOR_SMALL: &[Concession] = &[
+            Concession::Cutoff(2.0),
             Concession::Coarser(1),
+            Concession::Hold,
+            Concession::Cutoff(4.0),
+            Concession::Coarser(2),
+            Concession::Refresh,
+        ];
+        const FOR_HIGH_RATES: &[Concession] = &[
             Concession::Scale(0.9),
             Concession::Scale(0.8),
             Concession::Hold,
             Concession::Scale(0.7),
             Concession::Cutoff(2.0),
-            Concession::Coarser(2),
             Concession::Scale(0.6),
             Concession::Cutoff(4.0),
             Concession::Level(1),
@@ -93,12 +101,10 @@ impl Ladder {
             Concession::Refresh,
         ];
         const FOR_OTHER_RATES: &[Concession] = &[
-            Concession::Coarser(1),
             Concession::Scale(0.9),
             Concession::Scale(0.8),
             Concession::Cutoff(2.0),
             Concession::Scale(0.7),
-            Concession::Coarser(2),
             Concession::Scale(0.6),
             Concession::Cutoff(4.0),
             Concession::Level(1),
@@ -106,12 +112,17 @@ impl Ladder {
             Concession::Hold,
             Concession::Refresh,
         ];
-        let concessions = if rate >= 1.5 * SMOOTH {
+        let concessions = if small {
+            FOR_SMALL
+        } else if rate >= 1.5 * SMOOTH {
             FOR_HIGH_RATES
-        } else if rate >= 2.0 * MOVING {
-            FOR_OTHER_RATES
         } else {
-            &FOR_OTHER_RATES[..FOR_OTHER_RATES.len() - 1]
+            FOR_OTHER_RATES
+        };
+        let concessions = if rate >= 2.0 * MOVING {
+            concessions
+        } else {
+            &concessions[..concessions.len() - 1]
         };
         let mut quality = FrameQuality::FULL;
         let mut rungs = vec![Rung {
@@ -150,9 +161,7 @@ enum Concession {
     Hold,
     /// Multiplies the opacity cutoff by this.
     Cutoff(f64),
-    /// Draws small avatars from a level that is coarser by so many than what is near enough. Comes
-    /// first: those under 640 px are drawn as if they were as large as that, so that a smaller image
-    /// saves next to nothing of them, and a level more than half (docs/experiments/057).
+    /// Draws small avatars from a level that is coarser by so many than what is near enough.
     Coarser(usize),
     /// Draws at this level of detail or a coarser one.
     Level(u32),
@@ -181,7 +190,7 @@ impl Concession {
             Self::Scale(scale) => format!("scale {scale}"),
             Self::Hold => format!("pose {:.0} Hz", rate / 2.0),
             Self::Cutoff(factor) => format!("cutoff {factor}/255"),
-            Self::Coarser(levels) => format!("small +{levels} level"),
+            Self::Coarser(levels) => format!("{levels} coarser"),
             Self::Level(level) => format!("detail {}", Detail::FULL.at_least(level)),
             Self::Refresh => format!("display {:.0} Hz", rate / 2.0),
         }
@@ -193,9 +202,9 @@ impl Concession {
 /// Pixels cost three quarters of a frame, Gaussians and networks the rest (2048² against 1024², see
 /// docs/benchmarks.md). Holding a pose saves the frame where the camera is still, and its networks
 /// where it moves. Drawing half of the Gaussians saves 0.3 of a frame (docs/experiments/015), and
-/// nothing where the avatar is so small that no more of them are drawn anyway. Coarser levels of the
-/// file save much of a small avatar and nothing of a large one: next to nothing is expected, so that
-/// a heavy load goes further down at once.
+/// nothing where the avatar is so small that no more of them are drawn anyway. A coarser level of the
+/// file has a quarter of the Gaussians, and takes 0.4 of the time where it is all that is drawn
+/// (docs/experiments/057).
 fn cost(quality: &FrameQuality) -> f64 {
     let thin = 0.72f64.powi(quality.level as i32);
     let pixels = thin * (0.25 + 0.75 * quality.scale * quality.scale);
@@ -205,7 +214,7 @@ fn cost(quality: &FrameQuality) -> f64 {
         _ => 1.0,
     };
     let held = if quality.hold > 1 { 0.75 } else { 1.0 };
-    let coarser = 0.98f64.powi(quality.coarser as i32);
+    let coarser = 0.45f64.powi(quality.coarser as i32);
     pixels * coarser * faint * held / f64::from(quality.refreshes)
 }
 
@@ -215,8 +224,12 @@ mod tests {
 
     #[test]
     fn every_rung_costs_less_than_the_one_above() {
-        for rate in [5.0, 24.0, 48.0, 60.0, 90.0, 120.0, 144.0] {
-            let ladder = Ladder::new(rate);
+        let rates = [5.0, 24.0, 48.0, 60.0, 90.0, 120.0, 144.0];
+        for (rate, small) in rates
+            .into_iter()
+            .flat_map(|rate| [(rate, false), (rate, true)])
+        {
+            let ladder = Ladder::new(rate, small);
             assert_eq!(ladder.rungs()[0].quality, FrameQuality::FULL);
             for pair in ladder.rungs().windows(2) {
                 assert!(

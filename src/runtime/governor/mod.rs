@@ -66,6 +66,9 @@ struct Window {
     /// GPU time of all frames for which it is known, ms, and their number.
     busy_ms: f64,
     timed_frames: u32,
+    /// Frames of which it is known how avatars were drawn, and those in which all of them were small.
+    known_frames: u32,
+    small_frames: u32,
 }
 
 /// Why to step down.
@@ -89,6 +92,9 @@ impl Reason {
 #[derive(Clone, Debug)]
 pub struct Governor {
     ladder: Ladder,
+    /// Whether it is the ladder of small avatars.
+    is_small: bool,
+    rate: f64,
     /// Time from one refresh to the next, ms.
     refresh_ms: f64,
     rung: usize,
@@ -110,7 +116,9 @@ impl Governor {
     /// A governor for a promised rate, frames a second, at full quality.
     pub fn new(rate: f64) -> Self {
         Self {
-            ladder: Ladder::new(rate),
+            ladder: Ladder::new(rate, false),
+            is_small: false,
+            rate,
             refresh_ms: 1e3 / rate,
             rung: 0,
             window: Window::default(),
@@ -129,6 +137,8 @@ impl Governor {
         *self = Self {
             heat: std::mem::take(&mut self.heat),
             changed_at: self.changed_at,
+            ladder: Ladder::new(rate, self.is_small),
+            is_small: self.is_small,
             ..Self::new(rate)
         };
     }
@@ -152,6 +162,13 @@ impl Governor {
     /// is on the clock of [`Sample::seconds`].
     pub fn add_headroom(&mut self, seconds: f64, headroom: f64) {
         self.heat.add_reading(seconds, headroom);
+    }
+
+    /// Says of a frame whether all its avatars are drawn larger than they are shown: from a window on
+    /// in which all frames say so, the governor walks the ladder of [small](Ladder::new) avatars.
+    pub fn note_sizes(&mut self, small: bool) {
+        self.window.known_frames += 1;
+        self.window.small_frames += u32::from(small);
     }
 
     /// Leaves out a time in which no frame was wanted.
@@ -183,8 +200,13 @@ impl Governor {
         self.decide(&window, sample.seconds)
     }
 
-    /// Judges a full window of frames. True if the rung has changed.
+    /// Judges a full window of frames. True if the quality has changed.
     fn decide(&mut self, window: &Window, now: f64) -> bool {
+        let is_small = window.small_frames > 0;
+        let is_sure = [0, window.known_frames].contains(&window.small_frames);
+        if window.known_frames > 0 && is_sure && is_small != self.is_small {
+            return self.change_ladder(is_small, now);
+        }
         let frame_ms = self.refresh_ms * f64::from(self.quality().refreshes);
         let load = (window.timed_frames > 0)
             .then(|| window.busy_ms / f64::from(window.timed_frames) / frame_ms);
@@ -258,6 +280,18 @@ impl Governor {
         }
         self.set_rung(target, now);
         true
+    }
+
+    /// Goes on at the first rung of the other ladder that costs no more than this one.
+    fn change_ladder(&mut self, is_small: bool, now: f64) -> bool {
+        let before = self.ladder.rungs()[self.rung].clone();
+        self.is_small = is_small;
+        self.ladder = Ladder::new(self.rate, is_small);
+        let rungs = self.ladder.rungs();
+        let rung = rungs.iter().position(|rung| rung.cost <= before.cost);
+        self.calm_since = None;
+        self.set_rung(rung.unwrap_or(self.ladder.lowest()), now);
+        self.quality() != before.quality
     }
 
     fn climb(&mut self, now: f64) {
