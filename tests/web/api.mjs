@@ -110,12 +110,13 @@ export const api = {
       for (const options of [{ supersample: 3 }, { detail: "none" }]) {
         refused.push(await failure(Effigy.create(document.createElement("canvas"), options)));
       }
+      // Counts are of a frame that the device has finished, at most two frames old.
       const seen = async (of) => {
-        await of.screenshot();
-        // Counts are of a frame that the device has finished.
-        await new Promise((resolve) => setTimeout(resolve, 300));
-        of.camera = { yaw: of.camera.yaw + 0.01 };
-        await of.screenshot();
+        for (let k = 0; k < 4; ++k) {
+          of.camera = { yaw: of.camera.yaw + 0.01 };
+          await event("frame", of);
+          await new Promise((resolve) => setTimeout(resolve, 300));
+        }
         const { counters, options } = of.statistics;
         return {
           supersampled: counters.supersampled,
