@@ -7,7 +7,7 @@ use crate::{
 use effigy::webgpu::Error;
 use effigy_core::{
     avatar::{Avatar, Clip},
-    frame::RendererOptions,
+    frame::{RendererOptions, report::stage_ms},
     io::{
         file::{FileContent, Neutral},
         splats,
@@ -411,10 +411,11 @@ impl AvatarCanvas {
             return "{}".into();
         };
         let report = renderer.report();
+        // Of both layers, where small avatars have one of their own.
         let stages: serde_json::Map<_, _> = report
             .stages
             .iter()
-            .map(|&(name, ms)| (name.to_owned(), ms.into()))
+            .map(|&(name, _)| (name.to_owned(), stage_ms(&report.stages, name).into()))
             .collect();
         let counters: serde_json::Map<_, _> = report
             .counters

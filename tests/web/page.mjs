@@ -132,6 +132,7 @@ const tests = {
       await page.click("#numbers");
       await waitForFrames(page, 3);
       assert.match(await page.textContent("#overlay"), expected);
+      await page.click("#numbers");
       await page.screenshot({ path: join(out, query ? "large.png" : "small.png") });
     }
     const page = await openPage("?supersample=3");
