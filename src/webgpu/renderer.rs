@@ -204,13 +204,18 @@ impl Renderer {
     /// on: for a renderer that was made of the avatar without them, so that a page's first frame
     /// does not wait for what it can do without. No kernel is compiled unless a level has longer
     /// arrays than the avatar. False, and nothing has changed, where there are none, they are there
-    /// already, or the buffers have no room for as many avatars as may be drawn from them.
+    /// already, the avatar is another, or the buffers have no room for as many as may be drawn from
+    /// levels.
     ///
     /// # Errors
-    /// When the device is lost or out of memory.
+    /// When [`Avatar::check`] finds a fault, or the device is lost or out of memory.
     pub fn add_levels(&mut self, avatar: &Avatar) -> Result<bool> {
+        if avatar.levels.is_empty() || self.model.sets() > 1 || !self.model.fits(avatar) {
+            return Ok(false);
+        }
+        avatar.check()?;
         let bounds = bounds_of(avatar, &self.options);
-        if avatar.levels.is_empty() || self.model.sets() > 1 || !self.has_room(&bounds)? {
+        if !self.has_room(&bounds)? {
             return Ok(false);
         }
         let levels = model::levels(avatar);

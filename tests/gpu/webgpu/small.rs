@@ -164,6 +164,10 @@ fn levels_may_come_after_the_first_frame(raster: Raster) {
             [&without, &avatar].map(|avatar| shown(&mut Renderer::make(avatar, options)));
         assert!(own.1 == 0 && of_level.1 == level);
         assert!(shown(&mut renderer) == own);
+        let mut broken = avatar.clone();
+        broken.levels[1].gaussians.joint[7] = [255; 4];
+        assert!(renderer.add_levels(&broken).is_err());
+        assert!(shown(&mut renderer) == own);
         assert_eq!(renderer.add_levels(&avatar), Ok(true));
         assert!(shown(&mut renderer) == of_level);
         assert_eq!(renderer.add_levels(&avatar), Ok(false));
