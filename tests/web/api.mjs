@@ -102,7 +102,7 @@ export const api = {
     assert.ok(/5 times/.test(found.error) && found.restored === 3, JSON.stringify(found));
     return page;
   },
-  async "a small avatar is drawn larger, and from a level of its file, unless options say otherwise"() {
+  async "a small avatar is drawn larger, from a level of its file, unless options say otherwise"() {
     const page = await openBare();
     const found = await page.evaluate(async () => {
       const { Effigy } = await import("./effigy.js");
@@ -147,7 +147,15 @@ export const api = {
       const other = await Effigy.create(canvas, { supersample: 1, detail: "1/2" });
       await other.loadAvatar("data/kept/2-levels.avatar");
       other.camera = small;
-      return { refused, first, near, again, after, other: await seen(other), covered: covered(image) };
+      return {
+        refused,
+        first,
+        near,
+        again,
+        after,
+        other: await seen(other),
+        covered: covered(image),
+      };
     });
     assert.deepEqual(found.refused, ["RangeError", "RangeError"], JSON.stringify(found));
     for (const small of [found.first, found.again, found.after]) {
