@@ -90,6 +90,7 @@ modules! {
     QUADS_FRAGMENT = "raster/quads_fragment", "raster/quads.frag", &[];
     RASTER = "raster/per_thread", "raster/per_thread_rgba8.comp", &[];
     RASTER_SHARED = "raster/shared", "raster/shared_rgba8.comp", &[];
+    RESOLVE_FRAGMENT = "resolve/resolve", "resolve/resolve.frag", &[];
     PRESENT_VERTEX = "present/present_vertex", "present/present.vert", &[];
     PRESENT_FRAGMENT = "present/present_fragment", "present/present.frag", &[];
 }

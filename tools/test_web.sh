@@ -13,8 +13,7 @@ need 'command -v npm' npm
 [ $# -gt 0 ] || tools/web.sh "$page"
 mkdir -p "$out"
 [ -d "$out/node_modules/playwright-core" ] || npm install --prefix "$out" --no-save --no-package-lock --no-audit --no-fund playwright-core@1.65.1 >/dev/null
-# As large as it is shown: WebGPU supersamples nothing.
-effigy render --reference --supersample 1 --size 512x512 --time 1.3 --out "$out/reference.png"
+effigy render --reference --size 512x512 --time 1.3 --out "$out/reference.png"
 cp tests/web/*.mjs "$out/"
 timeout -k 10 1500 node "$out/page.mjs" "$page" "$out/reference.png" "$out"
 [ -z "${ONLY:-}" ] || exit 0

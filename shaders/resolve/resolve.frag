@@ -1,8 +1,14 @@
 // The mean of the atlas over the area of a pixel, premultiplied.
 #version 450
+#extension GL_GOOGLE_include_directive : require
+#include "common/platform.glsl"
 
-layout(set = 0, binding = 0) uniform sampler2D atlas;
+layout(set = 0, binding = 0) uniform IMAGE_2D atlas;
+#ifdef WEB
+layout(std140, set = 0, binding = 1) uniform Slot {
+#else
 layout(push_constant) uniform Slot {
+#endif
     // Column and row in the image of the first pixel that the slot holds.
     ivec2 shown;
     // Column and row in the atlas of its first texel.

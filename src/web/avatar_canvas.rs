@@ -7,12 +7,12 @@ use crate::{
 use effigy::webgpu::Error;
 use effigy_core::{
     avatar::{Avatar, Clip},
-    frame::RendererOptions,
+    frame::{RendererOptions, report::stage_ms},
     io::{
         file::{FileContent, Neutral},
         splats,
     },
-    scene::{Camera, Posed},
+    scene::{Camera, Detail, Posed, Supersampling},
 };
 use glam::DVec3;
 use std::sync::Arc;
@@ -50,10 +50,31 @@ enum Previous {
     Avatar(Box<DrawableAvatar>),
 }
 
+/// What a page may choose of how avatars are drawn.
+#[wasm_bindgen]
+#[derive(Clone, Copy)]
+pub struct DrawingOptions {
+    supersampling: Supersampling,
+    detail: Detail,
+}
+
+#[wasm_bindgen]
+impl DrawingOptions {
+    /// Takes the words of the command's `--supersample` and `--detail`.
+    #[wasm_bindgen(constructor)]
+    pub fn new(supersample: &str, detail: &str) -> Result<Self, JsValue> {
+        Ok(Self {
+            supersampling: supersample.parse().map_err(js_range_error)?,
+            detail: detail.parse().map_err(js_range_error)?,
+        })
+    }
+}
+
 /// An avatar on a canvas.
 #[wasm_bindgen]
 pub struct AvatarCanvas {
     surface: CanvasSurface,
+    drawing: DrawingOptions,
     shown: Option<DrawableAvatar>,
     previous: Previous,
     viewpoint: Viewpoint,
@@ -87,7 +108,7 @@ pub enum Drawn {
 impl AvatarCanvas {
     /// An empty canvas.
     #[wasm_bindgen(constructor)]
-    pub fn new(surface: CanvasSurface) -> Self {
+    pub fn new(surface: CanvasSurface, drawing: DrawingOptions) -> Self {
         let viewpoint = Viewpoint {
             target: DVec3::Y,
             yaw: 0.35,
@@ -100,6 +121,7 @@ impl AvatarCanvas {
         surface.configure(size);
         Self {
             surface,
+            drawing,
             shown: None,
             previous: Previous::Dropped,
             viewpoint,
@@ -112,21 +134,21 @@ impl AvatarCanvas {
     /// Prepares the avatar of a file, given all its bytes. The one that is shown stays.
     pub fn prepare(&self, bytes: &[u8]) -> Result<PreparedAvatar, JsValue> {
         let avatar = Avatar::from_bytes(bytes).map_err(js_error)?;
-        self.surface.candidate(avatar).map_err(js_error)
+        self.candidate(avatar)
     }
 
     /// Prepares splats, given what the library that reads them hands over. The avatar that is shown
     /// stays.
     pub fn prepare_splats(&self, columns: &[u8]) -> Result<PreparedAvatar, JsValue> {
         let avatar = splats::from_columns(columns).map_err(js_error)?;
-        self.surface.candidate(avatar).map_err(js_error)
+        self.candidate(avatar)
     }
 
     /// Prepares the avatar of a file of `length` bytes without its correctives, given the beginning
     /// of the file. The one that is shown stays.
     pub fn prepare_neutral(&self, bytes: &[u8], length: usize) -> Result<PreparedAvatar, JsValue> {
         match Avatar::neutral(bytes, length).map_err(js_error)? {
-            Neutral::Avatar(avatar) => self.surface.candidate(*avatar).map_err(js_error),
+            Neutral::Avatar(avatar) => self.candidate(*avatar),
             Neutral::Needs(needs) => Err(js_error(format!("{needs} bytes are needed"))),
         }
     }
@@ -149,12 +171,14 @@ impl AvatarCanvas {
         Ok(true)
     }
 
-    /// Adds the correctives of the avatar that is shown. `bytes`: all of its file.
+    /// Adds the correctives of the avatar that is shown; its levels of detail come with
+    /// [`Self::add_levels`]. `bytes`: all of its file.
     pub fn complete(&mut self, bytes: &[u8]) -> Result<(), JsValue> {
-        let avatar = Avatar::from_bytes(bytes).map_err(js_error)?;
+        let mut avatar = Avatar::from_bytes(bytes).map_err(js_error)?;
         let Some(shown) = &mut self.shown else {
             return Ok(());
         };
+        let levels = std::mem::take(&mut avatar.levels);
         match shown.renderer.replace_avatar(&avatar) {
             Ok(false) => {
                 return Err(js_error(
@@ -166,6 +190,7 @@ impl AvatarCanvas {
             Err(error) => return Err(js_error(error)),
         }
         shown.avatar = avatar;
+        shown.levels = levels;
         self.previous = Previous::Dropped;
         self.stale = true;
         Ok(())
@@ -181,7 +206,8 @@ impl AvatarCanvas {
         self.shown = None;
         if let Previous::Avatar(mut drawable) = previous {
             if !Arc::ptr_eq(drawable.renderer.gpu(), &self.surface.gpu) {
-                upload_again(&mut drawable, &self.surface, self.size).map_err(js_error)?;
+                self.upload_again(&mut drawable, &self.surface)
+                    .map_err(js_error)?;
             }
             self.fit(&mut drawable).map_err(js_error)?;
             self.shown = Some(*drawable);
@@ -281,6 +307,7 @@ impl AvatarCanvas {
             renderer,
             present,
             motion,
+            ..
         }) = &mut self.shown
         else {
             return Ok(Drawn::Nothing);
@@ -341,6 +368,16 @@ impl AvatarCanvas {
         renderer.add_occluder(avatar).map_err(js_error)
     }
 
+    /// Draws small images of the avatar from its levels of detail, in the frames from now on. It
+    /// takes a share of the upload of the avatar: call it once its first frame was drawn, and after
+    /// [`Self::complete`]. Without effect where there are none.
+    pub fn add_levels(&mut self) -> Result<(), JsValue> {
+        match &mut self.shown {
+            Some(shown) => shown.add_levels().map_err(js_error),
+            None => Ok(()),
+        }
+    }
+
     /// Whether the device is lost. Then nothing is drawn before [`Self::replace_device`].
     pub fn is_lost(&self) -> bool {
         matches!(self.surface.gpu.check(), Err(Error::DeviceLost(_)))
@@ -349,11 +386,13 @@ impl AvatarCanvas {
     /// Draws with another device from now on, and uploads the avatar to it.
     pub fn replace_device(&mut self, surface: CanvasSurface) -> Result<(), JsValue> {
         surface.configure(self.size);
-        if let Some(drawable) = &mut self.shown
-            && let Err(error) = upload_again(drawable, &surface, self.size)
-        {
-            surface.close();
-            return Err(js_error(error));
+        if let Some(mut drawable) = self.shown.take() {
+            let uploaded = self.upload_again(&mut drawable, &surface);
+            self.shown = Some(drawable);
+            if let Err(error) = uploaded {
+                surface.close();
+                return Err(js_error(error));
+            }
         }
         self.surface = surface;
         self.stale = true;
@@ -372,10 +411,11 @@ impl AvatarCanvas {
             return "{}".into();
         };
         let report = renderer.report();
+        // Of both layers, where small avatars have one of their own.
         let stages: serde_json::Map<_, _> = report
             .stages
             .iter()
-            .map(|&(name, ms)| (name.to_owned(), ms.into()))
+            .map(|&(name, _)| (name.to_owned(), stage_ms(&report.stages, name).into()))
             .collect();
         let counters: serde_json::Map<_, _> = report
             .counters
@@ -395,6 +435,34 @@ impl AvatarCanvas {
 }
 
 impl AvatarCanvas {
+    /// What renderers draw frames of the canvas's size with.
+    fn options(&self) -> RendererOptions {
+        RendererOptions {
+            supersampling: self.drawing.supersampling,
+            detail: self.drawing.detail,
+            ..RendererOptions::new(self.size)
+        }
+    }
+
+    /// Prepares an avatar. The one that is shown stays.
+    fn candidate(&self, avatar: Avatar) -> Result<PreparedAvatar, JsValue> {
+        let candidate = self.surface.candidate(avatar, self.options());
+        candidate.map_err(js_error)
+    }
+
+    /// Uploads an avatar to another device.
+    fn upload_again(
+        &self,
+        drawable: &mut DrawableAvatar,
+        surface: &CanvasSurface,
+    ) -> Result<(), Error> {
+        drawable.complete_avatar();
+        let renderer = surface.renderer(&drawable.avatar, self.options())?;
+        drawable.present = surface.present(&renderer)?;
+        drawable.renderer = renderer;
+        Ok(())
+    }
+
     /// Gives a renderer the size of the canvas.
     fn fit(&self, drawable: &mut DrawableAvatar) -> Result<(), Error> {
         if drawable.renderer.options().size != self.size {
@@ -416,6 +484,7 @@ impl AvatarCanvas {
             "cutoff": options.cutoff,
             "margin": options.margin,
             "detail": options.detail.to_string(),
+            "supersample": options.supersampling.to_string(),
             "storage": "words",
             "rows": 1.0,
             "hold": 1,
@@ -503,16 +572,4 @@ impl AvatarCanvas {
 #[wasm_bindgen]
 pub fn is_motion(bytes: &[u8]) -> Result<bool, JsValue> {
     FileContent::is_clip(bytes).map_err(js_error)
-}
-
-/// Uploads an avatar to another device, for frames of `size` px.
-fn upload_again(
-    drawable: &mut DrawableAvatar,
-    surface: &CanvasSurface,
-    size: [u32; 2],
-) -> Result<(), Error> {
-    let renderer = surface.renderer(&drawable.avatar, size)?;
-    drawable.present = surface.present(&renderer)?;
-    drawable.renderer = renderer;
-    Ok(())
 }

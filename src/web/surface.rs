@@ -2,7 +2,10 @@
 
 use crate::motion::Motion;
 use effigy::webgpu::{Error, Gpu, Renderer, present::Present};
-use effigy_core::{avatar::Avatar, frame::RendererOptions};
+use effigy_core::{
+    avatar::{Avatar, Level},
+    frame::RendererOptions,
+};
 use std::{pin::Pin, sync::Arc};
 use wasm_bindgen::prelude::*;
 use wasm_bindgen_futures::future_to_promise;
@@ -12,12 +15,30 @@ use web_sys::HtmlCanvasElement;
 pub struct DrawableAvatar {
     /// The avatar.
     pub avatar: Avatar,
+    /// Its levels of detail, until the renderer has them: the first frame does not wait for them.
+    pub levels: Vec<Level>,
     /// Draws it into an image.
     pub renderer: Renderer,
     /// Draws the image over a background on the canvas.
     pub present: Present,
     /// Its clips and its pose.
     pub motion: Motion,
+}
+
+impl DrawableAvatar {
+    /// Draws small images from the levels of detail from now on.
+    pub fn add_levels(&mut self) -> Result<(), Error> {
+        self.complete_avatar();
+        self.renderer.add_levels(&self.avatar)?;
+        Ok(())
+    }
+
+    /// Gives the avatar the levels that the renderer has not got yet.
+    pub fn complete_avatar(&mut self) {
+        if !self.levels.is_empty() {
+            self.avatar.levels = std::mem::take(&mut self.levels);
+        }
+    }
 }
 
 /// A canvas with a device that draws on it.
@@ -111,9 +132,9 @@ impl CanvasSurface {
         }
     }
 
-    /// A renderer with an avatar, for frames of `size` px.
-    pub fn renderer(&self, avatar: &Avatar, size: [u32; 2]) -> Result<Renderer, Error> {
-        Renderer::new(&self.gpu, avatar, RendererOptions::new(size))
+    /// A renderer with an avatar.
+    pub fn renderer(&self, avatar: &Avatar, options: RendererOptions) -> Result<Renderer, Error> {
+        Renderer::new(&self.gpu, avatar, options)
     }
 
     /// The stage that draws a renderer's image on the canvas.
@@ -122,9 +143,14 @@ impl CanvasSurface {
     }
 
     /// Allocates buffers for an avatar, and creates the stages that draw it.
-    pub fn candidate(&self, avatar: Avatar) -> Result<PreparedAvatar, Error> {
+    pub fn candidate(
+        &self,
+        mut avatar: Avatar,
+        options: RendererOptions,
+    ) -> Result<PreparedAvatar, Error> {
+        let levels = std::mem::take(&mut avatar.levels);
         let errors = self.gpu.watch();
-        let allocated = self.allocate(&avatar);
+        let allocated = self.allocate(&avatar, options);
         // Ended even if this failed: the device's error scopes are a stack.
         let errors = Box::pin(errors.end());
         let (renderer, present) = allocated?;
@@ -133,6 +159,7 @@ impl CanvasSurface {
             gpu: self.gpu.clone(),
             drawable: DrawableAvatar {
                 avatar,
+                levels,
                 renderer,
                 present,
                 motion,
@@ -141,8 +168,11 @@ impl CanvasSurface {
         })
     }
 
-    fn allocate(&self, avatar: &Avatar) -> Result<(Renderer, Present), Error> {
-        let options = RendererOptions::new(self.size());
+    fn allocate(
+        &self,
+        avatar: &Avatar,
+        options: RendererOptions,
+    ) -> Result<(Renderer, Present), Error> {
         let renderer = Renderer::empty(&self.gpu, avatar, options)?;
         let present = self.present(&renderer)?;
         Ok((renderer, present))

@@ -14,20 +14,32 @@ pub const STORAGE: BufferUsages = BufferUsages::STORAGE
 
 /// A buffer of at least some bytes, zeros.
 pub fn empty(gpu: &Gpu, name: &'static str, size: u64, usage: BufferUsages) -> Result<Buffer> {
+    partly_bound(gpu, name, size, size, usage)
+}
+
+/// A buffer of at least some bytes, zeros, of which no binding has more than `bound`.
+pub fn partly_bound(
+    gpu: &Gpu,
+    name: &'static str,
+    size: u64,
+    bound: u64,
+    usage: BufferUsages,
+) -> Result<Buffer> {
     let limits = gpu.device.limits();
-    let bound = if usage.contains(BufferUsages::STORAGE) {
+    let binding = if usage.contains(BufferUsages::STORAGE) {
         limits.max_storage_buffer_binding_size
     } else {
         limits.max_buffer_size
     };
-    let limit = bound.min(limits.max_buffer_size);
-    if size > limit {
-        return Err(Error::TooLarge {
-            what: name,
-            found: size,
-            limit,
-            device: gpu.name().into(),
-        });
+    for (found, limit) in [(bound, binding), (size, limits.max_buffer_size)] {
+        if found > limit {
+            return Err(Error::TooLarge {
+                what: name,
+                found,
+                limit,
+                device: gpu.name().into(),
+            });
+        }
     }
     let size = size.next_multiple_of(4).max(16);
     Ok(Owned(gpu.device.create_buffer(&wgpu::BufferDescriptor {

@@ -4,18 +4,19 @@
 use super::{
     device::Gpu,
     frame_in_flight::{FrameInFlight, Writes},
+    kernel::{Blocks, block_offset},
     mlp::Mlp,
     occluder::OccluderPass,
     project::Project,
-    raster::Raster,
+    raster::{Draw, Raster},
     sh::SphericalHarmonics,
     sort::Sort,
 };
 use bytemuck::bytes_of;
 use effigy_core::{
     frame::{
-        Damage, Schedule,
-        passes::Pass,
+        FramePlan, Layer, Schedule,
+        passes::{Pass, Target},
         schedule::{ScheduledStage, Step},
     },
     layout::{Control, QUADS_PER_INSTANCE},
@@ -34,12 +35,21 @@ pub struct Executor<'a> {
     pub sort: &'a Sort,
     pub raster: &'a Raster,
     pub control: &'a wgpu::Buffer,
-    /// Where an avatar's uniform block is, bytes.
-    pub block: fn(usize) -> u32,
-    /// Those of the avatars in view.
-    pub blocks: &'a [u32],
-    /// The rectangle to draw.
-    pub damage: &'a Damage,
+    pub blocks: &'a Blocks,
+    pub plan: &'a FramePlan<'a>,
+    /// The draw into the frame's image.
+    pub image: Draw<'a>,
+    /// The draw into the atlas, if there is one.
+    pub atlas: Option<Draw<'a>>,
+}
+
+/// Counts before anything is sorted.
+pub fn control(key_count: u32) -> Control {
+    Control {
+        index_count: 6 * QUADS_PER_INSTANCE,
+        key_count,
+        ..Control::default()
+    }
 }
 
 /// What WebGPU runs a stage's pass in.
@@ -83,14 +93,23 @@ impl Executor<'_> {
         encoder: &mut wgpu::CommandEncoder,
         schedule: &Schedule,
     ) {
+        let mut is_second = false;
         for step in &schedule.steps {
             match step {
                 Step::Skip(stage, _) => in_flight.skip(*stage),
-                Step::Command(command) => {
-                    if let Some(pass) = command.pass() {
-                        self.encode(encoder, pass);
+                Step::Command(command) => match command.pass() {
+                    // It stands between the layers.
+                    Some(Pass::KeepCounts) => {
+                        in_flight.keep_counts(encoder, self.control, self.project);
+                        self.blocks.second_settings(encoder);
+                        is_second = true;
                     }
-                }
+                    Some(Pass::SetKeyCount { .. }) if is_second => {
+                        self.blocks.second_control(encoder, self.control);
+                    }
+                    Some(pass) => self.encode(encoder, pass),
+                    None => {}
+                },
                 Step::Stage(stage) => self.stage(in_flight, encoder, stage),
             }
         }
@@ -128,32 +147,36 @@ impl Executor<'_> {
         }
     }
 
-    /// The block with the image's size. An empty image has a size too: the first block's.
-    fn image_block(&self) -> u32 {
-        match self.blocks.first() {
-            Some(block) => *block,
-            None => (self.block)(0),
+    /// The draw into a layer's image.
+    fn draw(&self, target: Target) -> &Draw<'_> {
+        match target {
+            Target::Atlas => self.atlas.as_ref().expect(SCHEDULED),
+            Target::Image => &self.image,
+        }
+    }
+
+    /// The avatars of a layer.
+    fn layer(&self, target: Target) -> &Layer<'_> {
+        match target {
+            Target::Atlas => &self.plan.atlas.as_ref().expect(SCHEDULED).layer,
+            Target::Image => &self.plan.image,
         }
     }
 
     fn encode(&self, encoder: &mut wgpu::CommandEncoder, pass: &Pass) {
         match *pass {
             Pass::SetKeyCount { keys } => {
-                let control = Control {
-                    index_count: 6 * QUADS_PER_INSTANCE,
-                    key_count: keys,
-                    ..Control::default()
-                };
                 // Before all that the encoder holds, and after the frames before.
                 self.gpu
                     .queue
-                    .write_buffer(self.control, 0, bytes_of(&control));
+                    .write_buffer(self.control, 0, bytes_of(&control(keys)));
             }
             Pass::ClearCounts => self.project.clear(encoder),
             Pass::ClearTileLists => self.raster.clear_tile_lists(encoder),
             // The counts are copied where the frame is submitted.
-            Pass::KeepCounts | Pass::ReadCounts => {}
-            Pass::Mlp { .. }
+            Pass::ReadCounts => {}
+            Pass::KeepCounts
+            | Pass::Mlp { .. }
             | Pass::Sh { .. }
             | Pass::Occluder { .. }
             | Pass::Project { .. }
@@ -175,18 +198,30 @@ impl Executor<'_> {
         writes: Writes,
     ) {
         match pass {
-            Pass::Occluder { .. } => {
+            Pass::Occluder { target, .. } => {
                 let occluder = self.occluder.expect(SCHEDULED);
-                occluder.record(in_flight, encoder, self.blocks, writes);
+                let frames: Vec<u32> = self
+                    .layer(*target)
+                    .instances
+                    .iter()
+                    .filter(|instance| instance.has_occluder())
+                    .map(|instance| block_offset(instance.index))
+                    .collect();
+                occluder.record(in_flight, encoder, &frames, writes);
             }
-            Pass::Bin { .. } => {
-                let block = self.image_block();
-                self.raster.record_bins(in_flight, encoder, block, writes);
+            Pass::Bin { target } => {
+                let draw = self.draw(*target);
+                self.raster.record_bins(in_flight, encoder, draw, writes);
             }
-            Pass::RasterQuads { tested, .. } => {
-                let block = self.image_block();
+            Pass::RasterQuads { tested, target } => {
+                let draw = self.draw(*target);
                 self.raster
-                    .record_quads(in_flight, encoder, block, self.control, *tested, writes);
+                    .record_quads(in_flight, encoder, draw, self.control, *tested, writes);
+            }
+            Pass::Resolve { clear } => {
+                let slots = &self.plan.atlas.as_ref().expect(SCHEDULED).slots;
+                self.raster
+                    .record_resolve(in_flight, encoder, &self.image, slots, *clear, writes);
             }
             _ => unreachable!("{pass:?} has no passes of its own: `place` says so"),
         }
@@ -195,34 +230,34 @@ impl Executor<'_> {
     fn dispatch(&self, compute: &mut wgpu::ComputePass, pass: &Pass) {
         match *pass {
             Pass::Mlp { instance, parts } => {
-                self.mlp.record(compute, (self.block)(instance), parts);
+                self.mlp.record(compute, block_offset(instance), parts);
             }
             Pass::Sh {
                 instance,
+                model,
                 gaussians,
-                ..
             } => {
                 let sh = self.sh.expect(SCHEDULED);
-                sh.record(compute, (self.block)(instance), gaussians);
+                sh.record(compute, block_offset(instance), model, gaussians);
             }
             Pass::Project {
                 instance,
+                model,
                 gaussians,
                 skinning,
-                ..
             } => {
-                let block = (self.block)(instance);
-                self.project.record(compute, block, gaussians, skinning);
+                let block = block_offset(instance);
+                self.project
+                    .record(compute, block, model, gaussians, skinning);
             }
             Pass::Sort => self.sort.record(compute),
-            Pass::Binning { .. } => self.raster.record_binning(compute, self.image_block()),
-            Pass::Saturation => {
-                let block = self.image_block();
-                self.raster.record_saturation(compute, block, self.damage);
+            Pass::Binning { target } => {
+                let block = self.draw(target).block;
+                self.raster.record_binning(compute, block);
             }
-            Pass::RasterTiles { .. } => {
-                let block = self.image_block();
-                self.raster.record_tiles(compute, block, self.damage);
+            Pass::Saturation => self.raster.record_saturation(compute, &self.image),
+            Pass::RasterTiles { target, .. } => {
+                self.raster.record_tiles(compute, self.draw(target));
             }
             _ => unreachable!("{pass:?} is no kernel: `place` says so"),
         }

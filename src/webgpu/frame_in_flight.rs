@@ -20,10 +20,14 @@ use wgpu::{BufferUsages, MapMode};
 
 /// Frames that may be under way at once.
 pub const FRAMES_IN_FLIGHT: usize = 2;
-/// Bytes of the counts, before the timestamps.
-const COUNTS: u64 = size_of::<Control>() as u64 + REASONS;
+/// Images that a frame draws avatars into: the atlas, and its own.
+const LAYERS: usize = 2;
+/// Bytes of a layer's counts.
+const LAYER_COUNTS: u64 = size_of::<Control>() as u64 + REASONS;
+/// Bytes of all layers' counts, before the timestamps.
+const COUNTS: u64 = LAYERS as u64 * LAYER_COUNTS;
 /// Timestamps of a frame: one before its first stage, and one after each.
-const BORDERS: u32 = STAGES.len() as u32 + 1;
+const BORDERS: u32 = (LAYERS * STAGES.len()) as u32 + 1;
 /// Bytes of all that is read back.
 const SIZE: u64 = COUNTS + 8 * BORDERS as u64;
 
@@ -47,6 +51,8 @@ pub struct FrameInFlight {
     counted: bool,
     /// Whether the control counts samples of the saturation depth, not fragments.
     samples: bool,
+    /// Layers whose counts were copied.
+    kept_layers: u64,
     marked: Vec<&'static str>,
     skipped: Vec<&'static str>,
 }
@@ -79,7 +85,8 @@ impl FrameInFlight {
             known: Counters::default(),
             counted: false,
             samples: false,
-            marked: Vec::with_capacity(STAGES.len()),
+            kept_layers: 0,
+            marked: Vec::with_capacity(LAYERS * STAGES.len()),
             skipped: Vec::with_capacity(STAGES.len()),
         })
     }
@@ -117,14 +124,25 @@ impl FrameInFlight {
 
     fn report(&self, bytes: &[u8]) -> FrameReport {
         let (counts, ticks) = bytes.split_at(COUNTS as usize);
-        let (control, reasons) = counts.split_at(size_of::<Control>());
-        let control: Control = bytemuck::pod_read_unaligned(control);
+        // Sums over the layers.
+        let mut control = Control::default();
+        let mut reasons = [0; 4];
+        let layers = counts.chunks_exact(LAYER_COUNTS as usize);
+        for layer in layers.take(self.kept_layers as usize) {
+            let (own, culled) = layer.split_at(size_of::<Control>());
+            let own: Control = bytemuck::pod_read_unaligned(own);
+            control.visible_count += own.visible_count;
+            control.fragments += own.fragments;
+            let culled: [u32; 4] = bytemuck::pod_read_unaligned(culled);
+            for (sum, count) in reasons.iter_mut().zip(culled) {
+                *sum += count;
+            }
+        }
         let evaluated =
             (self.counted && control.fragments > 0).then_some(u64::from(control.fragments));
         let counters = self.known.with_device_counts(
             &control,
-            self.counted
-                .then_some(bytemuck::pod_read_unaligned(reasons)),
+            self.counted.then_some(reasons),
             evaluated.filter(|_| !self.samples),
             evaluated.filter(|_| self.samples),
         );
@@ -150,6 +168,7 @@ impl FrameInFlight {
         self.known = known;
         self.counted = counted;
         self.samples = false;
+        self.kept_layers = 0;
         self.marked.clear();
         self.skipped.clear();
     }
@@ -207,6 +226,24 @@ impl FrameInFlight {
         writes.iter().any(Option::is_some).then_some(&**set)
     }
 
+    /// Copies a layer's counts, before those of another replace them.
+    pub fn keep_counts(
+        &mut self,
+        encoder: &mut wgpu::CommandEncoder,
+        control: &wgpu::Buffer,
+        splats: &Project,
+    ) {
+        let start = self.kept_layers * LAYER_COUNTS;
+        self.kept_layers += 1;
+        let size = size_of::<Control>() as u64;
+        let mut copy = |from: &wgpu::Buffer, offset, to, size| {
+            encoder.copy_buffer_to_buffer(from, offset, &self.staging, to, size);
+        };
+        copy(control, 0, start, size);
+        let reasons = splats.reasons();
+        copy(reasons.buffer, reasons.offset, start + size, REASONS);
+    }
+
     /// Copies the frame's counts, submits it, and has them mapped when it is done.
     pub fn submit(
         &mut self,
@@ -215,10 +252,7 @@ impl FrameInFlight {
         control: &wgpu::Buffer,
         splats: &Project,
     ) {
-        let size = size_of::<Control>() as u64;
-        encoder.copy_buffer_to_buffer(control, 0, &self.staging, 0, size);
-        let reasons = splats.reasons();
-        encoder.copy_buffer_to_buffer(reasons.buffer, reasons.offset, &self.staging, size, REASONS);
+        self.keep_counts(&mut encoder, control, splats);
         if let Some((set, resolved)) = self.queries.as_ref().filter(|_| !self.marked.is_empty()) {
             let borders = self.marked.len() as u32 + 1;
             encoder.resolve_query_set(set, 0..borders, resolved, 0);

@@ -1,25 +1,33 @@
 //! Bindings and compute pipelines.
 
-use super::{buffer::Slice, device::Gpu, owned::Buffer};
+use super::{
+    buffer::{Slice, empty},
+    device::Gpu,
+    error::Result,
+    owned::Buffer,
+};
 use crate::wgsl::{IMAGE_FORMAT, WgslModule};
-use effigy_core::layout::{FrameBlock, SettingsBlock};
+use bytemuck::bytes_of;
+use effigy_core::layout::{Control, FrameBlock, SettingsBlock};
 use std::sync::OnceLock;
 use wgpu::{
     BindGroupEntry, BindGroupLayoutEntry, BindingResource, BindingType, BufferBinding,
-    BufferBindingType, ShaderStages, StorageTextureAccess, TextureFormat, TextureSampleType,
-    TextureViewDimension,
+    BufferBindingType, BufferUsages, ShaderStages, StorageTextureAccess, TextureFormat,
+    TextureSampleType, TextureViewDimension,
 };
 
 /// Bytes from one avatar's uniform block to the next.
-pub const FRAME_STRIDE: u64 = (size_of::<FrameBlock>() as u64).next_multiple_of(256);
+const FRAME_STRIDE: u64 = (size_of::<FrameBlock>() as u64).next_multiple_of(256);
+const SETTINGS_SIZE: u64 = size_of::<SettingsBlock>() as u64;
+const CONTROL_SIZE: u64 = size_of::<Control>() as u64;
 /// Binding of the settings: `shaders/common/settings.glsl`.
 const SETTINGS: u32 = 7;
 
 /// A resource that a shader sees at a binding.
 #[derive(Clone, Copy)]
 pub enum Bound<'a> {
-    /// The blocks of all avatars, of which a dispatch names one by its offset.
-    Frame(&'a wgpu::Buffer),
+    /// Blocks of so many bytes, of which a dispatch or a draw names one by its offset.
+    Block(&'a wgpu::Buffer, u64),
     Uniform(&'a wgpu::Buffer),
     Read(Slice<'a>),
     Write(Slice<'a>),
@@ -36,7 +44,7 @@ impl<'a> Bound<'a> {
             min_binding_size: None,
         };
         match self {
-            Self::Frame(_) => buffer(BufferBindingType::Uniform, true),
+            Self::Block(..) => buffer(BufferBindingType::Uniform, true),
             Self::Uniform(_) => buffer(BufferBindingType::Uniform, false),
             Self::Read(_) => buffer(BufferBindingType::Storage { read_only: true }, false),
             Self::Write(_) => buffer(BufferBindingType::Storage { read_only: false }, false),
@@ -62,7 +70,7 @@ impl<'a> Bound<'a> {
             })
         };
         match self {
-            Self::Frame(buffer) => range(buffer, 0, size_of::<FrameBlock>() as u64),
+            Self::Block(buffer, size) => range(buffer, 0, size),
             Self::Uniform(buffer) => buffer.as_entire_binding(),
             Self::Read(slice) | Self::Write(slice) => {
                 range(slice.buffer, slice.offset, slice.size.next_multiple_of(4))
@@ -72,32 +80,59 @@ impl<'a> Bound<'a> {
     }
 }
 
+/// Where an avatar's uniform block is, bytes.
+pub fn block_offset(number: usize) -> u32 {
+    (number as u64 * FRAME_STRIDE) as u32
+}
+
 /// The uniform buffers that the stages share.
 pub struct Blocks {
     /// One [`FrameBlock`] an avatar, [`FRAME_STRIDE`] apart.
     pub frames: Buffer,
     /// One [`SettingsBlock`].
     pub settings: Buffer,
+    /// Settings and control of a frame's second layer. What the queue writes, it writes before all
+    /// that an encoder holds: between two layers these are copied.
+    second: Buffer,
 }
 
 impl Blocks {
     /// For as many avatars.
-    pub fn new(gpu: &Gpu, instances: usize) -> super::error::Result<Self> {
-        let uniform = wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST;
+    pub fn new(gpu: &Gpu, instances: usize) -> Result<Self> {
+        let uniform = BufferUsages::UNIFORM | BufferUsages::COPY_DST;
+        let copied = BufferUsages::COPY_SRC | BufferUsages::COPY_DST;
+        // One more for an image without avatars.
+        let frames = (instances as u64 + 1) * FRAME_STRIDE;
         Ok(Self {
-            frames: super::buffer::empty(gpu, "frames", instances as u64 * FRAME_STRIDE, uniform)?,
-            settings: super::buffer::empty(
-                gpu,
-                "settings",
-                size_of::<SettingsBlock>() as u64,
-                uniform,
-            )?,
+            frames: empty(gpu, "frames", frames, uniform)?,
+            settings: empty(gpu, "settings", SETTINGS_SIZE, uniform)?,
+            second: empty(gpu, "second layer", SETTINGS_SIZE + CONTROL_SIZE, copied)?,
         })
+    }
+
+    /// Writes what the second layer of the next frame gets.
+    pub fn write_second(&self, gpu: &Gpu, settings: &SettingsBlock, control: &Control) {
+        gpu.queue.write_buffer(&self.second, 0, bytes_of(settings));
+        gpu.queue
+            .write_buffer(&self.second, SETTINGS_SIZE, bytes_of(control));
+    }
+
+    /// Gives the second layer its settings.
+    pub fn second_settings(&self, encoder: &mut wgpu::CommandEncoder) {
+        encoder.copy_buffer_to_buffer(&self.second, 0, &self.settings, 0, SETTINGS_SIZE);
+    }
+
+    /// Gives the second layer its control.
+    pub fn second_control(&self, encoder: &mut wgpu::CommandEncoder, control: &wgpu::Buffer) {
+        encoder.copy_buffer_to_buffer(&self.second, SETTINGS_SIZE, control, 0, CONTROL_SIZE);
     }
 
     /// Binding 0: the ring of frame blocks.
     pub fn frame(&self) -> (u32, Bound<'_>) {
-        (0, Bound::Frame(&self.frames))
+        (
+            0,
+            Bound::Block(&self.frames, size_of::<FrameBlock>() as u64),
+        )
     }
 
     /// The binding of the settings block.
@@ -111,12 +146,12 @@ pub fn settings(buffer: &wgpu::Buffer) -> (u32, Bound<'_>) {
     (SETTINGS, Bound::Uniform(buffer))
 }
 
-/// The bind group of a shader.
+/// The bind groups of a shader, for resources of the same kinds that take turns.
 pub struct Bindings {
     pub layout: wgpu::BindGroupLayout,
-    group: wgpu::BindGroup,
-    /// Whether a dispatch names a frame's block.
-    framed: bool,
+    groups: Vec<wgpu::BindGroup>,
+    /// Whether a dispatch or a draw names a block.
+    is_named: bool,
 }
 
 impl Bindings {
@@ -137,16 +172,21 @@ impl Bindings {
         let group = group(gpu, &layout, bound);
         Self {
             layout,
-            group,
-            framed: bound
+            groups: vec![group],
+            is_named: bound
                 .iter()
-                .any(|(_, bound)| matches!(bound, Bound::Frame(_))),
+                .any(|(_, bound)| matches!(bound, Bound::Block(..))),
         }
     }
 
-    /// Binds other resources of these kinds.
-    pub fn set(&mut self, gpu: &Gpu, bound: &[(u32, Bound)]) {
-        self.group = group(gpu, &self.layout, bound);
+    /// Binds other resources of these kinds. `turn`: instead of which; the next number adds them to
+    /// those that take turns.
+    pub fn set(&mut self, gpu: &Gpu, turn: usize, bound: &[(u32, Bound)]) {
+        let group = group(gpu, &self.layout, bound);
+        match self.groups.get_mut(turn) {
+            Some(own) => *own = group,
+            None => self.groups.push(group),
+        }
     }
 
     pub fn pipeline_layout(&self, gpu: &Gpu) -> wgpu::PipelineLayout {
@@ -159,12 +199,14 @@ impl Bindings {
             })
     }
 
-    pub fn bind_compute(&self, pass: &mut wgpu::ComputePass, frame: u32) {
-        pass.set_bind_group(0, &self.group, &[frame][..usize::from(self.framed)]);
+    pub fn bind_compute(&self, pass: &mut wgpu::ComputePass, turn: usize, block: u32) {
+        let blocks = &[block][..usize::from(self.is_named)];
+        pass.set_bind_group(0, &self.groups[turn], blocks);
     }
 
-    pub fn bind_draw(&self, pass: &mut wgpu::RenderPass, frame: u32) {
-        pass.set_bind_group(0, &self.group, &[frame][..usize::from(self.framed)]);
+    pub fn bind_draw(&self, pass: &mut wgpu::RenderPass, block: u32) {
+        let blocks = &[block][..usize::from(self.is_named)];
+        pass.set_bind_group(0, &self.groups[0], blocks);
     }
 }
 
@@ -220,30 +262,41 @@ pub fn module(gpu: &Gpu, module: &WgslModule, bound: &[(u32, Bound)]) -> wgpu::S
 /// A compute pipeline and what it is bound to.
 pub struct Kernel {
     pipeline: OnceLock<wgpu::ComputePipeline>,
-    pub bindings: Bindings,
+    bindings: Bindings,
     device: wgpu::Device,
     layout: wgpu::PipelineLayout,
-    name: &'static str,
+    shader: &'static WgslModule,
     source: String,
 }
 
 impl Kernel {
-    pub fn new(gpu: &Gpu, shader: &WgslModule, bound: &[(u32, Bound)]) -> Self {
+    pub fn new(gpu: &Gpu, shader: &'static WgslModule, bound: &[(u32, Bound)]) -> Self {
         let new = Self::when_needed(gpu, shader, bound);
         new.pipeline();
         new
     }
 
     /// Compiled by the first dispatch: for what the first frame does without.
-    pub fn when_needed(gpu: &Gpu, shader: &WgslModule, bound: &[(u32, Bound)]) -> Self {
+    pub fn when_needed(gpu: &Gpu, shader: &'static WgslModule, bound: &[(u32, Bound)]) -> Self {
         let bindings = Bindings::new(gpu, ShaderStages::COMPUTE, bound);
         Self {
             pipeline: OnceLock::new(),
             layout: bindings.pipeline_layout(gpu),
             bindings,
             device: gpu.device.clone(),
-            name: shader.name,
+            shader,
             source: source(shader, bound),
+        }
+    }
+
+    /// Binds other resources, as [`Bindings::set`]. Where their arrays have other lengths the next
+    /// dispatch compiles it again: all that take turns must have the same.
+    pub fn set(&mut self, gpu: &Gpu, turn: usize, bound: &[(u32, Bound)]) {
+        self.bindings.set(gpu, turn, bound);
+        let source = source(self.shader, bound);
+        if source != self.source {
+            self.source = source;
+            self.pipeline = OnceLock::new();
         }
     }
 
@@ -251,9 +304,9 @@ impl Kernel {
         self.pipeline.get_or_init(|| {
             self.device
                 .create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
-                    label: Some(self.name),
+                    label: Some(self.shader.name),
                     layout: Some(&self.layout),
-                    module: &create_module(&self.device, self.name, &self.source),
+                    module: &create_module(&self.device, self.shader.name, &self.source),
                     entry_point: None,
                     compilation_options: wgpu::PipelineCompilationOptions {
                         zero_initialize_workgroup_memory: false,
@@ -264,13 +317,24 @@ impl Kernel {
         })
     }
 
-    /// `frame`: where in the frames' buffer the block is, bytes.
-    pub fn dispatch(&self, pass: &mut wgpu::ComputePass, frame: u32, [x, y]: [u32; 2]) {
+    /// `block`: where in the frames' buffer the block is, bytes.
+    pub fn dispatch(&self, pass: &mut wgpu::ComputePass, block: u32, groups: [u32; 2]) {
+        self.dispatch_turn(pass, 0, block, groups);
+    }
+
+    /// Dispatches with the resources whose turn it is.
+    pub fn dispatch_turn(
+        &self,
+        pass: &mut wgpu::ComputePass,
+        turn: usize,
+        block: u32,
+        [x, y]: [u32; 2],
+    ) {
         if x == 0 || y == 0 {
             return;
         }
         pass.set_pipeline(self.pipeline());
-        self.bindings.bind_compute(pass, frame);
+        self.bindings.bind_compute(pass, turn, block);
         pass.dispatch_workgroups(x, y, 1);
     }
 }

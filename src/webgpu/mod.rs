@@ -27,6 +27,7 @@ pub mod readback;
 pub mod renderer;
 mod sh;
 mod sort;
+mod stacked;
 
 pub use device::Gpu;
 pub use error::{Error, Result};

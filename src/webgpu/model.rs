@@ -1,11 +1,12 @@
 //! An avatar on the device: its buffers, empty at first and then filled, and the constant part of
-//! the uniform block.
+//! the uniform blocks.
 
 use super::{
     buffer::{STORAGE, empty},
     device::Gpu,
     error::Result,
     owned::Buffer,
+    stacked::Stacked,
 };
 use bytemuck::cast_slice;
 use effigy_core::{
@@ -23,42 +24,61 @@ pub struct Model {
     pub nodes: Buffer,
     /// Each part's first node, and their number.
     pub node_starts: Buffer,
-    /// The Gaussians in canonical pose.
-    pub gaussians: Buffer,
-    /// Basis rows of the correctives.
-    pub rows: Buffer,
-    /// The sizes that the buffers were made for.
-    sizes: ModelSizes,
+    /// The Gaussians in canonical pose: the avatar's own, then those of its levels.
+    pub gaussians: Stacked,
+    /// Basis rows of their correctives.
+    pub rows: Stacked,
+    /// The sizes that the buffers were made for: the avatar's, then its levels'.
+    sizes: Vec<ModelSizes>,
     /// Where each of the avatar's nodes is among those of the device, which are in the order of
     /// their parts.
     pub node_places: Vec<u16>,
-    /// The uniform block with all that no frame changes.
-    pub constants: Box<FrameBlock>,
+    /// The uniform blocks with all that no frame changes: the avatar's, then its levels'.
+    constants: Vec<Box<FrameBlock>>,
     /// Whether the networks' weights are bytes.
     pub networks_in_bytes: bool,
+}
+
+/// An avatar's levels, as the avatars that they are drawn as.
+pub fn levels(avatar: &Avatar) -> Vec<Avatar> {
+    let levels = avatar.levels.iter();
+    levels.map(|level| avatar.at_level(level)).collect()
 }
 
 impl Model {
     /// Empty buffers for an avatar. Kernels can be bound to them, and compiled, before they are
     /// filled.
-    pub fn empty(gpu: &Gpu, avatar: &Avatar) -> Result<Self> {
-        let sizes = ModelSizes::from_avatar(avatar);
+    pub fn empty(gpu: &Gpu, avatar: &Avatar, levels: &[Avatar]) -> Result<Self> {
+        let all = || std::iter::once(avatar).chain(levels);
+        let sizes: Vec<_> = all().map(ModelSizes::from_avatar).collect();
+        let own = sizes[0];
+        let [gaussians, rows] = stacks(gpu, &sizes)?;
         Ok(Self {
-            networks: empty(gpu, "networks", sizes.networks, STORAGE)?,
-            nodes: empty(gpu, "nodes", sizes.nodes, STORAGE)?,
-            node_starts: empty(gpu, "node starts", sizes.node_starts, STORAGE)?,
-            gaussians: empty(gpu, "gaussians", sizes.gaussians, STORAGE)?,
-            rows: empty(gpu, "rows", sizes.rows, STORAGE)?,
+            networks: empty(gpu, "networks", own.networks, STORAGE)?,
+            nodes: empty(gpu, "nodes", own.nodes, STORAGE)?,
+            node_starts: empty(gpu, "node starts", own.node_starts, STORAGE)?,
+            gaussians,
+            rows,
             sizes,
             node_places: pack::node_places(avatar).0,
-            constants: Box::new(pack::constants(avatar)),
+            constants: all().map(|set| Box::new(pack::constants(set))).collect(),
             networks_in_bytes: avatar.networks.in_bytes(),
         })
     }
 
-    /// Uploads an avatar; false, and nothing has changed, where its arrays have other lengths.
-    pub fn fill(&mut self, gpu: &Gpu, avatar: &Avatar) -> bool {
-        let constants = pack::constants(avatar);
+    /// Sets of Gaussians: the avatar's own and its levels'.
+    pub fn sets(&self) -> usize {
+        self.sizes.len()
+    }
+
+    /// The uniform block with all that no frame changes, of a set; 0 is the avatar's own.
+    pub fn constants(&self, set: usize) -> &FrameBlock {
+        &self.constants[set]
+    }
+
+    /// Whether an avatar's arrays have the lengths of the one that this was made for, its levels
+    /// aside.
+    pub fn fits(&self, avatar: &Avatar) -> bool {
         let shape = |of: &FrameBlock| {
             [
                 of.gaussians,
@@ -68,29 +88,85 @@ impl Model {
                 of.feature_quads,
             ]
         };
-        let same = shape(&constants) == shape(&self.constants)
-            && avatar.networks.in_bytes() == self.networks_in_bytes;
-        if !same || ModelSizes::from_avatar(avatar) != self.sizes {
-            return false;
+        shape(&pack::constants(avatar)) == shape(self.constants(0))
+            && avatar.networks.in_bytes() == self.networks_in_bytes
+            && ModelSizes::from_avatar(avatar) == self.sizes[0]
+    }
+
+    /// Whether levels' arrays have the lengths of those that this was made for.
+    pub fn fits_levels(&self, levels: &[Avatar]) -> bool {
+        let sizes = levels.iter().map(ModelSizes::from_avatar);
+        sizes.eq(self.sizes[1..].iter().copied())
+    }
+
+    /// Makes room for these levels in place of those before, and keeps the avatar's own Gaussians.
+    /// Whatever is bound to [`Self::gaussians`] and [`Self::rows`] must be bound again.
+    pub fn make_room(&mut self, gpu: &Gpu, levels: &[Avatar]) -> Result<()> {
+        let own = self.sizes[0];
+        let mut sizes = vec![own];
+        sizes.extend(levels.iter().map(ModelSizes::from_avatar));
+        let [gaussians, rows] = stacks(gpu, &sizes)?;
+        let mut encoder = gpu.device.create_command_encoder(&Default::default());
+        gaussians.copy_first(&mut encoder, &self.gaussians, own.gaussians);
+        rows.copy_first(&mut encoder, &self.rows, own.rows);
+        gpu.queue.submit([encoder.finish()]);
+        self.gaussians = gaussians;
+        self.rows = rows;
+        self.sizes = sizes;
+        self.constants.truncate(1);
+        for level in levels {
+            self.constants.push(Box::new(pack::constants(level)));
         }
-        *self.constants = constants;
+        Ok(())
+    }
+
+    /// Uploads an avatar that fits, without its levels.
+    pub fn fill(&mut self, gpu: &Gpu, avatar: &Avatar) {
+        *self.constants[0] = pack::constants(avatar);
         let (places, starts) = pack::node_places(avatar);
         self.node_places = places;
         let write = |buffer: &wgpu::Buffer, data: &[u8]| gpu.queue.write_buffer(buffer, 0, data);
         write(
             &self.networks,
-            cast_slice(&pack::networks(avatar, &self.constants)),
+            cast_slice(&pack::networks(avatar, &self.constants[0])),
         );
         write(
             &self.nodes,
             cast_slice(&pack::nodes(avatar, &self.node_places)),
         );
         write(&self.node_starts, cast_slice(&starts));
-        write(
-            &self.gaussians,
-            cast_slice(&pack::gaussians(avatar, &self.node_places)),
-        );
-        write(&self.rows, cast_slice(&pack::rows(avatar)));
-        true
+        self.write_set(gpu, 0, avatar, &self.node_places);
     }
+
+    /// Uploads levels that fit, of the avatar that was uploaded.
+    pub fn fill_levels(&mut self, gpu: &Gpu, avatar: &Avatar, levels: &[Avatar]) {
+        for (index, (level, drawn)) in avatar.levels.iter().zip(levels).enumerate() {
+            *self.constants[index + 1] = pack::constants(drawn);
+            // Without correctives there is one node, which stays in its place.
+            let places: &[u16] = if level.correctives {
+                &self.node_places
+            } else {
+                &[0]
+            };
+            self.write_set(gpu, index + 1, drawn, places);
+        }
+    }
+
+    fn write_set(&self, gpu: &Gpu, set: usize, avatar: &Avatar, node_places: &[u16]) {
+        let gaussians = pack::gaussians(avatar, node_places);
+        self.gaussians.write(gpu, set, cast_slice(&gaussians));
+        self.rows.write(gpu, set, cast_slice(&pack::rows(avatar)));
+    }
+}
+
+/// Room for Gaussians, and for rows, of sets of these sizes.
+fn stacks(gpu: &Gpu, sizes: &[ModelSizes]) -> Result<[Stacked; 2]> {
+    let stack = |name, size: fn(&ModelSizes) -> u64| {
+        let sizes: Vec<u64> = sizes.iter().map(size).collect();
+        Stacked::empty(gpu, name, &sizes)
+    };
+    Ok([
+        stack("gaussians", |sizes| sizes.gaussians)?,
+        stack("rows", |sizes| sizes.rows)?,
+    ])
 }

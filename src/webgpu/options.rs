@@ -25,10 +25,10 @@ pub fn resolved(gpu: &Gpu, options: RendererOptions) -> RendererOptions {
     } else {
         Skip::empty()
     };
-    let hidden = if draws_triangles(gpu.name()) {
-        Skip::empty()
+    let (hidden, supersampling) = if draws_triangles(gpu.name()) {
+        (Skip::empty(), options.supersampling)
     } else {
-        Skip::HIDDEN | Skip::DEPTH
+        (Skip::HIDDEN | Skip::DEPTH, Supersampling::OFF)
     };
     // As with Vulkan, whose own choice is measured: on CPU drivers the depth test costs more than
     // it saves (docs/experiments/038).
@@ -57,7 +57,7 @@ pub fn resolved(gpu: &Gpu, options: RendererOptions) -> RendererOptions {
         sort: Some(sort),
         packed_words: Some(true),
         workgroup: Some(PROJECT_WORKGROUP),
-        supersampling: Supersampling::OFF,
+        supersampling,
         skip,
         ..options
     }

@@ -54,7 +54,7 @@ impl Present {
 
     /// Shows this image from now on.
     pub fn set_image(&mut self, gpu: &Gpu, image: &wgpu::TextureView) {
-        self.bindings.set(gpu, &bound(image, &self.background));
+        self.bindings.set(gpu, 0, &bound(image, &self.background));
     }
 
     /// Draws the image over a background, display-referred RGB.

@@ -70,18 +70,7 @@ impl Project {
             COUNTS_AT + sort::counts_size(capacity, sort::variant(options)),
             STORAGE,
         )?;
-        let after = [
-            (4, Bound::Write((&buffer).into())),
-            (6, Bound::Write((&counts).into())),
-            blocks.frame(),
-            blocks.settings(),
-        ];
-        let model_and_pose = [
-            (1, Bound::Read((&model.gaussians).into())),
-            (2, Bound::Read((&model.rows).into())),
-            (3, Bound::Read(pose.into())),
-        ];
-        let all = [&model_and_pose[..], &after].concat();
+        let all = model_bindings(model, 0, blocks, pose, [&buffer, &counts]);
         let cached = [
             (1, Bound::Read(pose.into())),
             (2, Bound::Write((&buffer).into())),
@@ -93,14 +82,28 @@ impl Project {
             store: Kernel::when_needed(gpu, &wgsl::PROJECT_STORE, &all),
             cached: Kernel::when_needed(gpu, &wgsl::PROJECT_CACHED, &cached),
         };
-        Ok(Self {
+        let mut new = Self {
             compute: Kernel::new(gpu, &wgsl::PROJECT, &all),
             caching: caches.then(caching),
             capacity,
             cache_start: (posed / 4) as u32,
             buffer,
             counts,
-        })
+        };
+        new.bind(gpu, model, blocks, pose);
+        Ok(new)
+    }
+
+    /// Reads these sets of Gaussians from now on.
+    pub fn bind(&mut self, gpu: &Gpu, model: &Model, blocks: &Blocks, pose: &wgpu::Buffer) {
+        for set in 0..model.sets() {
+            let written = [&self.buffer, &self.counts];
+            let bound = model_bindings(model, set, blocks, pose, written);
+            self.compute.set(gpu, set, &bound);
+            if let Some(caching) = &mut self.caching {
+                caching.store.set(gpu, set, &bound);
+            }
+        }
     }
 
     /// The most Gaussians of all avatars together.
@@ -163,21 +166,44 @@ impl Project {
     }
 
     /// Projects one avatar, of which the first `gaussians` are drawn. `block`: offset of its
-    /// uniform block, bytes.
+    /// uniform block, bytes. `model`: which of the avatar's levels; 0 is the avatar itself.
     pub fn record(
         &self,
         pass: &mut wgpu::ComputePass,
         block: u32,
+        model: usize,
         gaussians: u32,
         skinning: Skinning,
     ) {
-        let kernel = match (skinning, &self.caching) {
-            (Skinning::ComputeAndStore, Some(caching)) => &caching.store,
-            (Skinning::Cached, Some(caching)) => &caching.cached,
-            _ => &self.compute,
+        let (kernel, turn) = match (skinning, &self.caching) {
+            (Skinning::ComputeAndStore, Some(caching)) => (&caching.store, model),
+            // Nothing of the model is read.
+            (Skinning::Cached, Some(caching)) => (&caching.cached, 0),
+            _ => (&self.compute, model),
         };
-        kernel.dispatch(pass, block, [gaussians.div_ceil(PROJECT_WORKGROUP), 1]);
+        let groups = [gaussians.div_ceil(PROJECT_WORKGROUP), 1];
+        kernel.dispatch_turn(pass, turn, block, groups);
     }
+}
+
+/// What kernels that read a set of Gaussians are bound to. `written`: splats and counts.
+fn model_bindings<'a>(
+    model: &'a Model,
+    set: usize,
+    blocks: &'a Blocks,
+    pose: &'a wgpu::Buffer,
+    written: [&'a Buffer; 2],
+) -> [(u32, Bound<'a>); 7] {
+    let [splats, counts] = written;
+    [
+        (1, Bound::Read(model.gaussians.set(set))),
+        (2, Bound::Read(model.rows.set(set))),
+        (3, Bound::Read(pose.into())),
+        (4, Bound::Write(splats.into())),
+        (6, Bound::Write(counts.into())),
+        blocks.frame(),
+        blocks.settings(),
+    ]
 }
 
 /// Where the keys of `count` Gaussians start, in bytes.

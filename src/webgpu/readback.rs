@@ -81,7 +81,7 @@ impl Renderer {
     pub fn stages(&mut self) -> Result<Stages> {
         self.finish()?;
         let download = |slice| buffer::download(&self.gpu, slice);
-        let constants = &self.model.constants;
+        let constants = self.model.constants(0);
         let features = 16 * (constants.parts * constants.feature_quads) as usize;
         let pose = download((&self.pose).into())?;
         let nodes: Vec<[f16; 4]> =

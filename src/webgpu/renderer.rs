@@ -5,16 +5,16 @@ use super::{
     buffer::{STORAGE, empty},
     device::Gpu,
     error::Result,
-    execute::Executor,
+    execute::{Executor, control},
     frame_in_flight::{FRAMES_IN_FLIGHT, FrameInFlight},
-    kernel::{Blocks, FRAME_STRIDE},
+    kernel::{Blocks, block_offset},
     mlp::Mlp,
-    model::Model,
+    model::{self, Model},
     occluder::OccluderPass,
     options::{accepted, room},
     owned::Buffer,
     project::Project,
-    raster::{Raster, RasterInputs},
+    raster::{Draw, Raster, RasterInputs},
     sh::SphericalHarmonics,
     sort::{self, Sort, SortInputs},
 };
@@ -24,6 +24,7 @@ use effigy_core::{
     frame::{
         Counters, Damage, FrameReport, RendererOptions, Schedule, Skinning, Skip, Stage,
         block::{self, PoseLayout},
+        passes::Target,
         pose_cache::PoseCache,
         room::Room,
         schedule::{DeviceState, Equipment},
@@ -53,7 +54,7 @@ pub struct Renderer {
     pub(super) blocks: Blocks,
     settings: SettingsBlock,
     /// What is written to an avatar's block.
-    pub(super) frame: Box<FrameBlock>,
+    frame: Box<FrameBlock>,
     pub(super) model: Model,
     pub(super) avatar_bounds: AvatarBounds,
     room: Room,
@@ -73,13 +74,21 @@ pub struct Renderer {
 
 /// The bounds of an avatar that is drawn with these options.
 fn bounds_of(avatar: &Avatar, options: &RendererOptions) -> AvatarBounds {
-    let bounds = AvatarBounds::new(avatar);
-    bounds.filtered(options.filter).without_levels()
+    AvatarBounds::new(avatar).filtered(options.filter)
 }
 
-/// Where an avatar's uniform block is, bytes.
-fn block_offset(number: usize) -> u32 {
-    (number as u64 * FRAME_STRIDE) as u32
+fn raster_inputs<'a>(
+    project: &'a Project,
+    sort: &'a Sort,
+    control: &'a wgpu::Buffer,
+) -> RasterInputs<'a> {
+    RasterInputs {
+        order: sort.order(),
+        splats: project.all(),
+        keys: project.keys(),
+        control,
+        capacity: project.capacity(),
+    }
 }
 
 impl Renderer {
@@ -103,11 +112,11 @@ impl Renderer {
     pub fn empty(gpu: &Arc<Gpu>, avatar: &Avatar, options: RendererOptions) -> Result<Self> {
         let options = accepted(gpu, avatar, options)?;
         avatar.check()?;
-        let model = Model::empty(gpu, avatar)?;
-        let constants = &model.constants;
+        let levels = model::levels(avatar);
+        let model = Model::empty(gpu, avatar, &levels)?;
         let avatar_bounds = bounds_of(avatar, &options);
         let room = room(gpu, &options, &avatar_bounds)?;
-        let layout = PoseLayout::new(constants, room);
+        let layout = PoseLayout::new(model.constants(0), room);
         let pose = empty(gpu, "pose", 16 * u64::from(layout.total()), STORAGE)?;
         let control = empty(
             gpu,
@@ -126,16 +135,10 @@ impl Renderer {
         };
         let variant = sort::variant(&options);
         let sort = Sort::new(gpu, blocks.settings(), sort_inputs, variant)?;
-        let inputs = RasterInputs {
-            order: sort.order(),
-            splats: project.all(),
-            keys: project.keys(),
-            control: &control,
-            capacity: project.capacity(),
-        };
+        let inputs = raster_inputs(&project, &sort, &control);
         let raster = Raster::new(gpu, &blocks, inputs, &options)?;
         let mlp = Mlp::new(gpu, &model, &blocks, &pose);
-        let sh = SphericalHarmonics::new(gpu, avatar, &model, &blocks)?;
+        let sh = SphericalHarmonics::new(gpu, avatar, &levels, &model, &blocks)?;
         let mut settings = SettingsBlock::default();
         sort.fill(&mut settings);
         raster.fill(&mut settings, &options, project.capacity());
@@ -154,7 +157,7 @@ impl Renderer {
             pose,
             blocks,
             settings,
-            frame: model.constants.clone(),
+            frame: Box::new(*model.constants(0)),
             avatar_bounds,
             room,
             needs: PartDependencies::new(avatar),
@@ -187,11 +190,67 @@ impl Renderer {
 
     /// [`Self::upload`] of an avatar that was checked.
     fn write(&mut self, avatar: &Avatar) -> Result<bool> {
-        if !self.model.fill(&self.gpu, avatar) {
+        let levels = model::levels(avatar);
+        if !self.model.fits(avatar) || !self.model.fits_levels(&levels) {
             return Ok(false);
         }
+        self.model.fill(&self.gpu, avatar);
+        self.model.fill_levels(&self.gpu, avatar, &levels);
         self.gpu.check()?;
         Ok(true)
+    }
+
+    /// Draws small images of the avatar that was uploaded from its levels, too, from the next frame
+    /// on: for a renderer that was made of the avatar without them, so that a page's first frame
+    /// does not wait for what it can do without. No kernel is compiled unless a level has longer
+    /// arrays than the avatar. False, and nothing has changed, where there are none, they are there
+    /// already, the avatar is another, or the buffers have no room for as many as may be drawn from
+    /// levels.
+    ///
+    /// # Errors
+    /// When [`Avatar::check`] finds a fault, or the device is lost or out of memory.
+    pub fn add_levels(&mut self, avatar: &Avatar) -> Result<bool> {
+        if avatar.levels.is_empty() || self.model.sets() > 1 || !self.model.fits(avatar) {
+            return Ok(false);
+        }
+        avatar.check()?;
+        let bounds = bounds_of(avatar, &self.options);
+        if !self.has_room(&bounds)? {
+            return Ok(false);
+        }
+        let levels = model::levels(avatar);
+        self.make_room(&levels)?;
+        self.model.fill_levels(&self.gpu, avatar, &levels);
+        if let Some(sh) = &mut self.sh {
+            sh.replace(&self.gpu, avatar, &levels, &self.model, &self.blocks)?;
+        }
+        self.show_anew(avatar, bounds);
+        self.gpu.check()?;
+        Ok(true)
+    }
+
+    /// Whether the buffers hold all that frames of an avatar with these bounds may draw.
+    fn has_room(&self, bounds: &AvatarBounds) -> Result<bool> {
+        let room = Room::new(&self.options, bounds)?;
+        Ok(room.gaussians <= self.room.gaussians && room.posed <= self.room.posed)
+    }
+
+    /// Makes room for these levels in place of those before. The harmonics must be replaced, too.
+    fn make_room(&mut self, levels: &[Avatar]) -> Result<()> {
+        self.model.make_room(&self.gpu, levels)?;
+        self.project
+            .bind(&self.gpu, &self.model, &self.blocks, &self.pose);
+        Ok(())
+    }
+
+    /// Has the next frame compute and draw all of an avatar.
+    fn show_anew(&mut self, avatar: &Avatar, bounds: AvatarBounds) {
+        self.avatar_bounds = bounds;
+        self.needs = PartDependencies::new(avatar);
+        for cache in &mut self.pose_caches {
+            *cache = PoseCache::default();
+        }
+        self.state = FrameState::default();
     }
 
     /// Makes the occluder of the avatar that was uploaded, which takes about as long as the upload:
@@ -211,28 +270,33 @@ impl Renderer {
     }
 
     /// Draws this avatar from now on, which has the Gaussians and the nodes of the one before and
-    /// may have other correctives of the same number, and other spherical harmonics of the same
-    /// degree: kernels and bindings stay, but for that of the harmonics. False, and nothing has
-    /// changed, where its arrays have other lengths.
+    /// may have other correctives of the same number, other spherical harmonics of the same degree
+    /// and any levels: kernels stay, as with [`Self::add_levels`]. False, and nothing has changed,
+    /// where its arrays have other lengths.
     ///
     /// # Errors
     /// When [`Avatar::check`] finds a fault, or the device is lost.
     pub fn replace_avatar(&mut self, avatar: &Avatar) -> Result<bool> {
+        avatar.check()?;
+        let bounds = bounds_of(avatar, &self.options);
         let degree = SphericalHarmonics::degree_of(avatar);
-        if degree != self.sh.as_ref().map(SphericalHarmonics::degree) || !self.upload(avatar)? {
+        if degree != self.sh.as_ref().map(SphericalHarmonics::degree)
+            || !self.model.fits(avatar)
+            || !self.has_room(&bounds)?
+        {
             return Ok(false);
         }
-        if degree.is_some() {
-            self.sh = SphericalHarmonics::new(&self.gpu, avatar, &self.model, &self.blocks)?;
-            self.gpu.check()?;
+        let levels = model::levels(avatar);
+        if !self.model.fits_levels(&levels) {
+            self.make_room(&levels)?;
         }
-        self.frame.clone_from(&self.model.constants);
-        self.avatar_bounds = bounds_of(avatar, &self.options);
-        self.needs = PartDependencies::new(avatar);
-        for cache in &mut self.pose_caches {
-            *cache = PoseCache::default();
+        self.model.fill(&self.gpu, avatar);
+        self.model.fill_levels(&self.gpu, avatar, &levels);
+        if let Some(sh) = &mut self.sh {
+            sh.replace(&self.gpu, avatar, &levels, &self.model, &self.blocks)?;
         }
-        self.state = FrameState::default();
+        self.show_anew(avatar, bounds);
+        self.gpu.check()?;
         Ok(true)
     }
 
@@ -305,7 +369,10 @@ impl Renderer {
         if !self.ready() {
             return Ok(false);
         }
-        let plan = self.state.plan(PlanInput {
+        // Should anything below fail, nothing of this frame counts as drawn.
+        let mut state = std::mem::take(&mut self.state);
+        let damaged = self.damaged.take();
+        let plan = state.plan(PlanInput {
             poses,
             camera,
             bounds: &self.avatar_bounds,
@@ -316,17 +383,34 @@ impl Renderer {
             always_submit: false,
         });
         if !plan.redraw {
+            self.state = state;
+            self.damaged = damaged;
             self.report = FrameReport::idle(&self.equipment());
             return Ok(false);
         }
-        let damage = Damage::new(plan.drawn_rect, self.damaged, self.options.size);
-        self.damaged = Some(plan.drawn_rect);
+        if let Some(atlas) = &plan.atlas {
+            let Self {
+                gpu,
+                raster,
+                blocks,
+                project,
+                sort,
+                control,
+                ..
+            } = self;
+            let inputs = raster_inputs(project, sort, control);
+            raster.make_atlas(gpu, blocks, inputs, atlas.layer.size)?;
+            raster.write_slots(gpu, &atlas.slots);
+        }
+        let damage = Damage::new(plan.drawn_rect, damaged, self.options.size);
         let device_state = DeviceState {
             key_count: self.key_count,
         };
         let schedule = Schedule::new(&plan, &self.equipment(), device_state);
         self.write_frame(&schedule, &plan, camera, &damage);
         self.submit(&schedule, &plan, &damage);
+        self.state = state;
+        self.damaged = Some(plan.drawn_rect);
         self.next = (self.next + 1) % FRAMES_IN_FLIGHT;
         Ok(true)
     }
@@ -350,12 +434,22 @@ impl Renderer {
         };
         let counters = Counters {
             damaged: damage.pixels(),
-            ..plan.counters(self.model.constants.gaussians, &stages)
+            ..plan.counters(self.model.constants(0).gaussians, &stages)
         };
-        let blocks: Vec<u32> = plan
-            .instances()
-            .map(|instance| block_offset(instance.index))
-            .collect();
+        // An empty image has a block of its own.
+        let own = self.options.instances;
+        let draw = |layer: &Layer, target, damage| Draw {
+            target,
+            size: layer.size,
+            block: block_offset(layer.instances.first().map_or(own, |first| first.index)),
+            damage,
+        };
+        // An atlas holds one frame's avatars: nothing of the frame before is of use.
+        let whole_atlas = plan.atlas.as_ref().map(|atlas| {
+            let size = atlas.layer.size;
+            Damage::new(PixelRect::whole(size), None, size)
+        });
+        let atlas = plan.atlas.as_ref().zip(whole_atlas.as_ref());
         let executor = Executor {
             gpu: &self.gpu,
             mlp: &self.mlp,
@@ -365,9 +459,10 @@ impl Renderer {
             sort: &self.sort,
             raster: &self.raster,
             control: &self.control,
-            block: block_offset,
-            blocks: &blocks,
-            damage,
+            blocks: &self.blocks,
+            plan,
+            image: draw(&plan.image, Target::Image, damage),
+            atlas: atlas.map(|(atlas, damage)| draw(&atlas.layer, Target::Atlas, damage)),
         };
         let mut encoder = self
             .gpu
@@ -390,16 +485,29 @@ impl Renderer {
         camera: &Camera,
         damage: &Damage,
     ) {
-        let settings = SettingsBlock {
+        let image = SettingsBlock {
             key_count: schedule.key_count,
             first_region: self.raster.first_region(damage),
             ..self.settings
         };
-        if self.key_count.is_none() || self.settings != settings {
-            self.settings = settings;
+        let first = match &plan.atlas {
+            Some(atlas) => SettingsBlock {
+                key_count: atlas.layer.key_count(),
+                first_region: [0; 2],
+                ..self.settings
+            },
+            None => image,
+        };
+        if self.key_count.is_none() || self.settings != first {
+            self.settings = first;
             self.gpu
                 .queue
-                .write_buffer(&self.blocks.settings, 0, bytes_of(&settings));
+                .write_buffer(&self.blocks.settings, 0, bytes_of(&first));
+        }
+        if plan.layers().count() > 1 {
+            self.settings = image;
+            self.blocks
+                .write_second(&self.gpu, &image, &control(image.key_count));
         }
         for instance in plan
             .instances()
@@ -408,25 +516,23 @@ impl Renderer {
             self.pose_caches[instance.index] =
                 PoseCache::new(&self.avatar_bounds, instance.posed, camera);
         }
-        // A frame without avatars has a size too.
-        let layer = &plan.image;
-        if layer.instances.is_empty() {
-            self.write_block(layer, camera, 0, None);
+        for layer in plan.layers() {
+            for instance in &layer.instances {
+                self.write_block(layer, camera, Some(instance));
+            }
         }
-        for instance in &layer.instances {
-            self.write_block(layer, camera, instance.index, Some(instance));
+        // An image without avatars has a size too.
+        if plan.image.instances.is_empty() {
+            self.write_block(&plan.image, camera, None);
         }
     }
 
-    fn write_block(
-        &mut self,
-        layer: &Layer,
-        camera: &Camera,
-        number: usize,
-        instance: Option<&AvatarInstance>,
-    ) {
-        let pose = PoseLayout::new(&self.model.constants, self.room);
+    fn write_block(&mut self, layer: &Layer, camera: &Camera, instance: Option<&AvatarInstance>) {
+        let number = instance.map_or(self.options.instances, |instance| instance.index);
+        let set = instance.map_or(0, |instance| instance.model);
+        let pose = PoseLayout::new(self.model.constants(0), self.room);
         let block = &mut *self.frame;
+        block::write_constants(block, self.model.constants(set));
         block::write_shared(block, &self.options, layer, camera, pose);
         self.project.fill(block);
         block.tile_side = TILING_WEB.tile(layer.size) as f32;
@@ -456,13 +562,7 @@ impl Renderer {
             blocks,
             ..
         } = self;
-        let inputs = RasterInputs {
-            order: sort.order(),
-            splats: project.all(),
-            keys: project.keys(),
-            control,
-            capacity: project.capacity(),
-        };
+        let inputs = raster_inputs(project, sort, control);
         raster.resize(&self.gpu, blocks, inputs, size)?;
         self.options.size = size;
         self.state = FrameState::default();

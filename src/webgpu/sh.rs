@@ -2,63 +2,84 @@
 //! avatars whose colours depend on that.
 
 use super::{
-    buffer::{STORAGE, filled},
     device::Gpu,
     error::Result,
     kernel::{Blocks, Bound, Kernel},
     model::Model,
-    owned::Buffer,
+    stacked::Stacked,
 };
 use crate::wgsl;
 use bytemuck::cast_slice;
 use effigy_core::{
-    avatar::Avatar,
+    avatar::{Avatar, ShCoefficients},
     layout::{
         SH_WORKGROUP,
         sh::{SPLIT, groups, planes},
     },
 };
+use std::ops::Range;
 
 pub struct SphericalHarmonics {
     kernel: Kernel,
     degree: usize,
-    _coefficients: [Buffer; 2],
+    coefficients: Coefficients,
+}
+
+/// The coefficients of the avatar and of its levels.
+struct Coefficients {
+    low: Stacked,
+    high: Stacked,
 }
 
 impl SphericalHarmonics {
     /// Writes to the colours in `model`. None for an avatar without harmonics.
-    pub fn new(gpu: &Gpu, avatar: &Avatar, model: &Model, blocks: &Blocks) -> Result<Option<Self>> {
-        let Some(coefficients) = &avatar.sh else {
+    pub fn new(
+        gpu: &Gpu,
+        avatar: &Avatar,
+        levels: &[Avatar],
+        model: &Model,
+        blocks: &Blocks,
+    ) -> Result<Option<Self>> {
+        let Some(harmonics) = &avatar.sh else {
             return Ok(None);
         };
-        let groups = groups(coefficients.degree);
-        let buffer = |name, range| {
-            filled(
-                gpu,
-                name,
-                cast_slice(&planes(avatar, coefficients, range)),
-                STORAGE,
-            )
+        let degree = harmonics.degree;
+        let coefficients = Coefficients::new(gpu, degree, avatar, levels)?;
+        let module = match degree {
+            0 | 1 => &wgsl::SH_1,
+            2 => &wgsl::SH_2,
+            _ => &wgsl::SH_3,
         };
-        let low = buffer("low harmonics", 0..groups.min(SPLIT))?;
-        let high = buffer("high harmonics", SPLIT..groups.max(SPLIT))?;
-        let (module, both) = match coefficients.degree {
-            0 | 1 => (&wgsl::SH_1, false),
-            2 => (&wgsl::SH_2, true),
-            _ => (&wgsl::SH_3, true),
+        let bound = coefficients.bindings(0, degree, model, blocks);
+        let mut new = Self {
+            kernel: Kernel::new(gpu, module, &bound),
+            degree,
+            coefficients,
         };
-        let bound = [
-            blocks.frame(),
-            (1, Bound::Write((&model.gaussians).into())),
-            (2, Bound::Read((&low).into())),
-            (3, Bound::Read((&high).into())),
-        ];
-        let kernel = Kernel::new(gpu, module, if both { &bound } else { &bound[..3] });
-        Ok(Some(Self {
-            kernel,
-            degree: coefficients.degree,
-            _coefficients: [low, high],
-        }))
+        new.bind(gpu, model, blocks);
+        Ok(Some(new))
+    }
+
+    /// Draws this avatar and these levels from now on, whose harmonics have the degree of those
+    /// before.
+    pub fn replace(
+        &mut self,
+        gpu: &Gpu,
+        avatar: &Avatar,
+        levels: &[Avatar],
+        model: &Model,
+        blocks: &Blocks,
+    ) -> Result<()> {
+        self.coefficients = Coefficients::new(gpu, self.degree, avatar, levels)?;
+        self.bind(gpu, model, blocks);
+        Ok(())
+    }
+
+    fn bind(&mut self, gpu: &Gpu, model: &Model, blocks: &Blocks) {
+        for set in 0..model.sets() {
+            let bound = self.coefficients.bindings(set, self.degree, model, blocks);
+            self.kernel.set(gpu, set, &bound);
+        }
     }
 
     /// Highest degree.
@@ -72,9 +93,55 @@ impl SphericalHarmonics {
     }
 
     /// Reads the frame's joints and the model, writes the model's colours of the Gaussians that are
-    /// drawn.
-    pub fn record(&self, pass: &mut wgpu::ComputePass, block: u32, gaussians: u32) {
-        self.kernel
-            .dispatch(pass, block, [gaussians.div_ceil(SH_WORKGROUP), 1]);
+    /// drawn. `model`: which of the avatar's levels; 0 is the avatar itself.
+    pub fn record(&self, pass: &mut wgpu::ComputePass, block: u32, model: usize, gaussians: u32) {
+        let groups = [gaussians.div_ceil(SH_WORKGROUP), 1];
+        self.kernel.dispatch_turn(pass, model, block, groups);
+    }
+}
+
+impl Coefficients {
+    fn new(gpu: &Gpu, degree: usize, avatar: &Avatar, levels: &[Avatar]) -> Result<Self> {
+        let groups = groups(degree);
+        let stack = |name, range: Range<usize>| -> Result<Stacked> {
+            let pack = |set: &Avatar| {
+                // A level has colours of its avatar's kind.
+                let packed = |sh: &ShCoefficients| planes(set, sh, range.clone());
+                set.sh.as_ref().map(packed).unwrap_or_default()
+            };
+            let packed: Vec<_> = std::iter::once(avatar).chain(levels).map(pack).collect();
+            let sizes: Vec<u64> = packed
+                .iter()
+                .map(|set| size_of_val(&set[..]) as u64)
+                .collect();
+            let stack = Stacked::empty(gpu, name, &sizes)?;
+            for (set, data) in packed.iter().enumerate() {
+                stack.write(gpu, set, cast_slice(data));
+            }
+            Ok(stack)
+        };
+        Ok(Self {
+            low: stack("low harmonics", 0..groups.min(SPLIT))?,
+            high: stack("high harmonics", SPLIT..groups.max(SPLIT))?,
+        })
+    }
+
+    /// What the kernel is bound to for a set. The first degree has no high coefficients.
+    fn bindings<'a>(
+        &'a self,
+        set: usize,
+        degree: usize,
+        model: &'a Model,
+        blocks: &'a Blocks,
+    ) -> Vec<(u32, Bound<'a>)> {
+        let mut bound = vec![
+            blocks.frame(),
+            (1, Bound::Write(model.gaussians.set(set))),
+            (2, Bound::Read(self.low.set(set))),
+        ];
+        if degree > 1 {
+            bound.push((3, Bound::Read(self.high.set(set))));
+        }
+        bound
     }
 }

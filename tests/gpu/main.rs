@@ -10,6 +10,8 @@ mod memory;
 mod preflight;
 mod present;
 mod rates;
+#[macro_use]
+mod small;
 mod stages;
 mod train;
 mod tuning;
@@ -52,6 +54,8 @@ fn main() -> ExitCode {
             rates,
             #[cfg(feature = "webgpu")]
             webgpu,
+            #[cfg(feature = "webgpu")]
+            webgpu::small,
         ],
     )
 }

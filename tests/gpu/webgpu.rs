@@ -1,6 +1,8 @@
 //! The WebGPU backend, natively: its stages and images against the reference and against the
 //! Vulkan backend.
 
+pub mod small;
+
 use crate::{
     common::{
         self, Sizes,
@@ -31,7 +33,7 @@ use glam::DVec3;
 use std::sync::{Arc, Mutex, PoisonError};
 
 /// The device that tests of this process share.
-fn open() -> Arc<Gpu> {
+pub fn open() -> Arc<Gpu> {
     static SHARED: Mutex<Option<Arc<Gpu>>> = Mutex::new(None);
     let mut shared = SHARED.lock().unwrap_or_else(PoisonError::into_inner);
     let gpu = shared.get_or_insert_with(own);
@@ -614,7 +616,7 @@ fn the_occluder_may_come_after_the_first_frame() {
 }
 
 /// What as much of a file holds as is needed for that.
-fn neutral(file: &[u8]) -> Avatar {
+pub fn neutral(file: &[u8]) -> Avatar {
     let needs = |bytes: &[u8]| match Avatar::neutral(bytes, file.len()) {
         Ok(Neutral::Needs(bytes)) => bytes,
         other => panic!("{other:?}"),

@@ -102,6 +102,77 @@ export const api = {
     assert.ok(/5 times/.test(found.error) && found.restored === 3, JSON.stringify(found));
     return page;
   },
+  async "a small avatar is drawn larger, from a level of its file, unless options say otherwise"() {
+    const page = await openBare();
+    const found = await page.evaluate(async () => {
+      const { Effigy } = await import("./effigy.js");
+      const refused = [];
+      for (const options of [{ supersample: 3 }, { detail: "none" }]) {
+        refused.push(await failure(Effigy.create(document.createElement("canvas"), options)));
+      }
+      // Counts are of a frame that the device has finished, at most two frames old.
+      const seen = async (of) => {
+        for (let k = 0; k < 4; ++k) {
+          of.camera = { yaw: of.camera.yaw + 0.01 };
+          await event("frame", of);
+          await new Promise((resolve) => setTimeout(resolve, 300));
+        }
+        const { counters, options } = of.statistics;
+        return {
+          supersampled: counters.supersampled,
+          samples: counters.most_samples,
+          level: counters.coarsest_level,
+          skipped: counters.skipped_by_detail,
+          option: options.supersample,
+        };
+      };
+      const large = { distance: 0.5 };
+      const small = { distance: 20 };
+      await effigy.loadAvatar("data/kept/2-levels.avatar");
+      effigy.camera = small;
+      const first = await seen(effigy);
+      const image = await pixels(await effigy.screenshot());
+      effigy.camera = large;
+      const near = await seen(effigy);
+      effigy.camera = small;
+      const again = await seen(effigy);
+      // The levels are drawn with another device, too.
+      const restored = event("restored");
+      effigy.loseDevice();
+      await restored;
+      const after = await seen(effigy);
+      const canvas = document.createElement("canvas");
+      canvas.style = "width: 200px; height: 260px";
+      document.body.append(canvas);
+      const other = await Effigy.create(canvas, { supersample: 1, detail: "1/2" });
+      await other.loadAvatar("data/kept/2-levels.avatar");
+      other.camera = small;
+      return {
+        refused,
+        first,
+        near,
+        again,
+        after,
+        other: await seen(other),
+        covered: covered(image),
+      };
+    });
+    assert.deepEqual(found.refused, ["RangeError", "RangeError"], JSON.stringify(found));
+    for (const small of [found.first, found.again, found.after]) {
+      assert.ok(
+        small.supersampled === 1 && small.samples === 4 && small.level > 0 && small.skipped > 0,
+        JSON.stringify(found),
+      );
+    }
+    assert.deepEqual([found.near.supersampled, found.near.level], [0, 0], JSON.stringify(found));
+    assert.deepEqual(
+      [found.other.supersampled, found.other.option, found.other.skipped > 0],
+      [0, "1", true],
+      JSON.stringify(found),
+    );
+    assert.ok(found.covered > 0, JSON.stringify(found));
+    return page;
+  },
   async "invalid numbers are refused, and playback goes on"() {
     const page = await openMoving();
     const found = await page.evaluate(() => {

@@ -96,7 +96,8 @@ export const foreign = {
     await drop(page, data("webavatar/small.npz"));
     await page.waitForFunction(() => effigy.description.gaussians === 160);
     assert.equal(await page.evaluate(() => effigy.description.joints.length), 55);
-    assert.ok((await picture(page)).covered > 500);
+    // Its Gaussians are smaller than a pixel: as many of them as their area covers.
+    assert.ok((await picture(page)).covered > 250);
     await page.waitForSelector("#notes:not([hidden])");
     assert.match(await page.textContent("#notes-list"), /small\.npz: hidden layers: /);
     await page.click("#notes-close");

@@ -1,7 +1,7 @@
 // Tests the page, its API (api.mjs) and files of other programs (foreign.mjs) in Chromium, from the
 // repository's root.
 // usage: node page.mjs PAGE_DIR REFERENCE.png OUT_DIR      (tools/test_web.sh makes all three)
-// REFERENCE.png is the demo at 1.3 s: `effigy render --reference --supersample 1 --size 512x512 --time 1.3`.
+// REFERENCE.png is the demo at 1.3 s: `effigy render --reference --size 512x512 --time 1.3`.
 import assert from "node:assert/strict";
 import { readFile, readdir, writeFile } from "node:fs/promises";
 import { join } from "node:path";
@@ -121,6 +121,23 @@ const tests = {
     const { covered, psnr } = await decibels(page, "reference.png");
     console.log(`  ${psnr.toFixed(2)} dB over ${covered} covered pixels`);
     assert.ok(covered > 20_000 && psnr >= 48, `${psnr} dB`);
+    return page;
+  },
+  async "numbers say how a small avatar is drawn, and the address that it is not drawn larger"() {
+    for (const [query, expected] of [
+      ["", /small: up to \d × \d samples a pixel/],
+      ["?supersample=1&detail=1/4", /drawn$/],
+    ]) {
+      const page = await openMoving(query, { width: 300, height: 300 });
+      await page.click("#numbers");
+      await waitForFrames(page, 3);
+      assert.match(await page.textContent("#overlay"), expected);
+      await page.click("#numbers");
+      await page.screenshot({ path: join(out, query ? "large.png" : "small.png") });
+    }
+    const page = await openPage("?supersample=3");
+    await page.waitForSelector("#message:not([hidden])");
+    assert.match(await page.textContent("#text"), /write auto, 1, 2 or 4/);
     return page;
   },
   async "the canvas follows the window's size"() {

@@ -42,8 +42,7 @@ pub struct RendererOptions {
     pub margin: f64,
     /// How many of an avatar's Gaussians are drawn.
     pub detail: Detail,
-    /// How many times its size an avatar is drawn, before it is averaged. WebGPU draws everything
-    /// as large as it is shown.
+    /// How many times its size an avatar is drawn, before it is averaged.
     pub supersampling: Supersampling,
     /// The low-pass to draw with. None: the avatar's own, with which alone it looks as it was
     /// learned.

@@ -197,15 +197,6 @@ impl AvatarBounds {
         }
     }
 
-    /// These bounds for a renderer that draws no levels.
-    #[must_use]
-    pub fn without_levels(self) -> Self {
-        Self {
-            levels: Vec::new(),
-            ..self
-        }
-    }
-
     /// The shape that a pose of this avatar must have.
     pub fn pose_shape(&self) -> PoseShape {
         self.pose_shape

@@ -28,6 +28,18 @@ export interface Options {
   camera?: Partial<Camera>;
   /** Most pixels of the canvas for one of the page's, a side; 2 by default. */
   maxPixelRatio?: number;
+  /**
+   * How many times its size an avatar is drawn, before it is averaged: `--supersample` of the
+   * command. With "auto", the default, an avatar under 640 px is drawn as if it had that many, at
+   * most 4 times as large, and from a level of detail of its file where nothing is lost by that. 1
+   * draws it as large as it is shown, too thick and flickering. Another value is a RangeError.
+   */
+  supersample?: "auto" | 1 | 2 | 4;
+  /**
+   * How many of the Gaussians are drawn where no level of detail of the file is: `--detail` of the
+   * command. Less than "full", the default, is faster and shows. Another value is a RangeError.
+   */
+  detail?: "full" | "1/2" | "1/4" | "1/8" | "auto";
 }
 
 export interface LoadOptions {
@@ -89,6 +101,11 @@ export interface Statistics {
   raster?: string;
   /** GPU time of each stage, ms; empty if the browser does not report it. */
   stages?: Record<string, number>;
+  /**
+   * Counts of a frame at most two frames old: `gaussians` of the avatar, `drawn` of them,
+   * `supersampled` avatars, their `most_samples` a pixel along each axis, the `coarsest_level` that
+   * one is drawn from (0 is the avatar itself), and more.
+   */
   counters?: Record<string, number>;
   /** The renderer's options, in the form of the reports of `effigy bench`. */
   options?: Record<string, string | number>;

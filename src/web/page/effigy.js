@@ -7,7 +7,7 @@
 import { DEFAULT_CAMERA, checkedCamera, fitCanvas, framing } from "./camera.js";
 import { DeviceRecovery } from "./device_recovery.js";
 import { readBytes } from "./download.js";
-import { AvatarCanvas, Drawn } from "./effigy_core.js";
+import { AvatarCanvas, DrawingOptions, Drawn } from "./effigy_core.js";
 import { fileName, importMotion, isOwn, kindOf } from "./foreign.js";
 import { FrameTimes } from "./frame_times.js";
 import { Loader } from "./loader.js";
@@ -50,8 +50,8 @@ export class Effigy extends EventTarget {
   #description = {};
   /** The ticket of the avatar that is shown; 0 if there is none. */
   #shownTicket = 0;
-  /** The ticket of the last avatar that was told to hide what lies behind it. */
-  #occludedTicket = 0;
+  /** The ticket of the last avatar that was given what its first frame did without. */
+  #completedTicket = 0;
   #playback = new Playback();
   /** When the last live pose came, ms; 0 if a clip is shown. */
   #livePoseAt = 0;
@@ -103,15 +103,17 @@ export class Effigy extends EventTarget {
     effigy.#maxPixelRatio = checkedNumber("maxPixelRatio", options.maxPixelRatio ?? 2, 0.01, 16);
     effigy.#camera = checkedCamera({ ...DEFAULT_CAMERA, ...options.camera });
     await loadModule();
-    effigy.#start(await openSurface(canvas));
+    const { supersample = "auto", detail = "full" } = options;
+    const drawing = new DrawingOptions(String(supersample), String(detail));
+    effigy.#start(await openSurface(canvas), drawing);
     return effigy;
   }
 
-  #start(surface) {
+  #start(surface, drawing) {
     this.#maxSide = surface.max_side();
     this.#fittedView();
     this.#deviceRecovery = new DeviceRecovery(this.#canvas, () => this.#recoverIfLost());
-    this.#view = new AvatarCanvas(this.#deviceRecovery.watch(surface));
+    this.#view = new AvatarCanvas(this.#deviceRecovery.watch(surface), drawing);
     this.#applyCamera();
     this.#visibility = new Visibility(this.#canvas, {
       onVisibility: () => this.#visibilityChanged(),
@@ -200,6 +202,7 @@ export class Effigy extends EventTarget {
   #avatarCompleted() {
     this.#describe();
     this.#changed();
+    this.#later(() => this.#view.add_levels());
   }
 
   #fileImported(name, notes) {
@@ -424,7 +427,7 @@ export class Effigy extends EventTarget {
     if (drawn === Drawn.Frame) {
       this.#frameTimes.frameDrawn(now);
       if (this.#screenshots.areWanted) this.#screenshots.take(this.#canvas);
-      if (this.#shownTicket !== this.#occludedTicket) this.#occludeLater();
+      if (this.#shownTicket !== this.#completedTicket) this.#completeLater();
       this.dispatchEvent(this.#frameEvent);
     } else if (drawn === Drawn.Nothing) {
       this.#frameTimes.startPause();
@@ -434,13 +437,23 @@ export class Effigy extends EventTarget {
     if (!this.#frameRequest) this.#frameTimes.rest();
   }
 
-  /** Lets an avatar hide what lies behind it, while the device draws its first frame. */
-  #occludeLater() {
-    this.#occludedTicket = this.#shownTicket;
+  /**
+   * Lets an avatar hide what lies behind it, and gives it its levels of detail, while the device
+   * draws its first frame.
+   */
+  #completeLater() {
+    this.#completedTicket = this.#shownTicket;
+    this.#later(() => this.#view.add_occluder());
+    this.#later(() => this.#view.add_levels());
+  }
+
+  /** Calls the module once what waits has been done. */
+  #later(act) {
     setTimeout(() => {
       if (!this.#canDraw()) return;
       try {
-        this.#call(() => this.#view.add_occluder());
+        this.#call(act);
+        this.#requestFrame();
       } catch (error) {
         if (moduleFailure() || !this.#recoverIfLost()) this.#fail(error);
       }

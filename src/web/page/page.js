@@ -197,6 +197,11 @@ function statisticsText() {
     lines.push(`${stage.padEnd(10)}${milliseconds(time).padStart(10)}`);
   }
   lines.push(`${counters.gaussians ?? 0} Gaussians, ${counters.drawn ?? 0} drawn`);
+  const { supersampled, most_samples: samples, coarsest_level: level } = counters;
+  if (supersampled) {
+    const ofLevel = level > 0 ? `, level ${level}` : "";
+    lines.push(`small: up to ${samples} × ${samples} samples a pixel${ofLevel}`);
+  }
   return lines.join("\n");
 }
 
@@ -253,7 +258,11 @@ async function main() {
     return;
   }
   try {
-    effigy = await Effigy.create(element("canvas"));
+    const options = {};
+    for (const name of ["supersample", "detail"]) {
+      if (query.has(name)) options[name] = query.get(name);
+    }
+    effigy = await Effigy.create(element("canvas"), options);
   } catch (error) {
     if (error instanceof Unsupported) {
       showUnsupported(error.message);

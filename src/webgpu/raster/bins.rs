@@ -11,7 +11,7 @@ use super::{
         owned::Buffer,
         sort::{self, Sort, SortInputs},
     },
-    inputs::RasterInputs,
+    inputs::{Draw, RasterInputs},
 };
 use crate::wgsl;
 use bytemuck::bytes_of;
@@ -149,16 +149,15 @@ impl Bins {
         4 + self.sort.dispatches() as u64
     }
 
-    /// Makes the lists of an image of a size, px, clears the marks, and zeroes the control's count
-    /// of fragments. `block`: where a uniform block with the image's size is, bytes.
+    /// Makes the lists of a layer, clears the marks, and zeroes the control's count of fragments.
     pub fn record(
         &self,
         in_flight: &FrameInFlight,
         encoder: &mut wgpu::CommandEncoder,
-        block: u32,
-        size: [u32; 2],
+        draw: &Draw,
         [begin, end]: Writes,
     ) {
+        let block = draw.block;
         encoder.clear_buffer(&self.marks, 0, None);
         let blocks = [self.layout.blocks, 1];
         {
@@ -174,7 +173,7 @@ impl Bins {
         encoder.copy_buffer_to_buffer(&self.buffer, from, &self.settings, to, 4);
         let mut pass = in_flight.pass(encoder, Stage::Binning, [None, end]);
         self.sort.record(&mut pass);
-        let bins = bin_count(size);
+        let bins = bin_count(draw.size);
         let groups = [(bins + 1).div_ceil(BIN_WORKGROUP), 1];
         self.starts.dispatch(&mut pass, block, groups);
     }

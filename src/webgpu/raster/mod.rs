@@ -1,14 +1,15 @@
 //! The `raster` stage: splats in drawing order go in, an image comes out (model.md, step 10). Two
-//! ways, as [`RasterMethod`] says.
+//! ways, as [`RasterMethod`] says. And `resolve`, for what is drawn larger than it is shown.
 
 mod bins;
 mod inputs;
 mod quads;
+mod resolve;
 mod runs;
 mod saturation;
 mod tiles;
 
-pub use inputs::RasterInputs;
+pub use inputs::{Draw, RasterInputs};
 
 use super::{
     device::Gpu,
@@ -20,13 +21,21 @@ use super::{
 };
 use bins::Bins;
 use effigy_core::{
-    frame::{ColorFormat, Damage, RasterMethod, RendererOptions, Skip, TileKernel},
+    frame::{
+        ColorFormat, Damage, RasterMethod, RendererOptions, Skip, TileKernel, atlas::Slot,
+        passes::Target,
+    },
     layout::{SATURATION_REGION, SettingsBlock, TILING_WEB},
 };
 use quads::{QuadFrame, Quads};
+use resolve::{Resolve, SlotsFrame};
 use saturation::Saturation;
 use tiles::Tiles;
 use wgpu::{TextureFormat, TextureUsages, TextureView};
+
+/// Sides of atlases are multiples of this, px, so that a crowd that comes nearer does not make a new
+/// one in each frame.
+const ATLAS_STEP: u32 = 256;
 
 /// One way to draw, as [`RasterMethod`] says.
 enum Way {
@@ -34,11 +43,28 @@ enum Way {
     Tiles(Box<Tiles>),
 }
 
+/// The image of avatars that are drawn larger than they are shown, and what averages it.
+struct Atlas {
+    image: Texture,
+    view: TextureView,
+    resolve: Resolve,
+}
+
+impl Atlas {
+    fn size(&self) -> [u32; 2] {
+        [self.image.width(), self.image.height()]
+    }
+}
+
 pub struct Raster {
     way: Way,
     format: ColorFormat,
     image: Texture,
     view: TextureView,
+    /// None until a frame has an avatar that is drawn larger than it is shown.
+    atlas: Option<Atlas>,
+    /// The most slots of an atlas: one an avatar.
+    slots: usize,
 }
 
 impl Raster {
@@ -69,6 +95,8 @@ impl Raster {
             format,
             image,
             view,
+            atlas: None,
+            slots: options.instances,
         })
     }
 
@@ -179,11 +207,60 @@ impl Raster {
         let view = image.create_view(&Default::default());
         match &mut self.way {
             Way::Quads(quads) => quads.resize(gpu, blocks, inputs, size),
-            Way::Tiles(tiles) => tiles.set_image(gpu, blocks, inputs, &view),
+            Way::Tiles(tiles) => tiles.set_image(gpu, blocks, inputs, Target::Image, &view),
         }
         self.image = image;
         self.view = view;
         Ok(())
+    }
+
+    /// Makes an atlas of at least a size, px, and what averages it, where there is none. On failure
+    /// the one before stays.
+    pub fn make_atlas(
+        &mut self,
+        gpu: &Gpu,
+        blocks: &Blocks,
+        inputs: RasterInputs,
+        size: [u32; 2],
+    ) -> Result<()> {
+        let before = self.atlas.as_ref().map_or([0; 2], Atlas::size);
+        let grown = [0, 1].map(|axis| size[axis].next_multiple_of(ATLAS_STEP).max(before[axis]));
+        if grown == before {
+            return Ok(());
+        }
+        let image = create_image(gpu, self.format, grown)?;
+        let view = image.create_view(&Default::default());
+        let resolve = match self.atlas.take() {
+            Some(mut atlas) => {
+                atlas.resolve.set_atlas(gpu, &view);
+                atlas.resolve
+            }
+            None => Resolve::new(gpu, &view, wgpu_format(self.format), self.slots)?,
+        };
+        if let Way::Tiles(tiles) = &mut self.way {
+            tiles.set_image(gpu, blocks, inputs, Target::Atlas, &view);
+        }
+        self.atlas = Some(Atlas {
+            image,
+            view,
+            resolve,
+        });
+        Ok(())
+    }
+
+    /// Says where the slots of the next frame's atlas are, which must have been made.
+    pub fn write_slots(&self, gpu: &Gpu, slots: &[Slot]) {
+        if let Some(atlas) = &self.atlas {
+            atlas.resolve.write(gpu, slots);
+        }
+    }
+
+    /// What a layer is drawn to.
+    fn target(&self, target: Target) -> &TextureView {
+        match (target, &self.atlas) {
+            (Target::Atlas, Some(atlas)) => &atlas.view,
+            _ => &self.view,
+        }
     }
 
     /// Empties the tiles' lists, if there are any.
@@ -204,34 +281,32 @@ impl Raster {
         }
     }
 
-    /// Makes the lists of bins, if there are any. `block`: where a uniform block with the image's
-    /// size is, bytes. `writes`: its timestamps.
+    /// Makes the lists of bins, if there are any. `writes`: its timestamps.
     pub fn record_bins(
         &self,
         in_flight: &FrameInFlight,
         encoder: &mut wgpu::CommandEncoder,
-        block: u32,
+        draw: &Draw,
         writes: Writes,
     ) {
         if let Some(bins) = self.bins() {
-            let size = [self.image.width(), self.image.height()];
-            bins.record(in_flight, encoder, block, size, writes);
+            bins.record(in_flight, encoder, draw, writes);
         }
     }
 
     /// Finds the saturation depth, if quads are tested against it.
-    pub fn record_saturation(&self, pass: &mut wgpu::ComputePass, block: u32, damage: &Damage) {
+    pub fn record_saturation(&self, pass: &mut wgpu::ComputePass, draw: &Draw) {
         if let Way::Quads(quads) = &self.way
             && let Some(saturation) = quads.saturation()
         {
-            saturation.record(pass, block, damage);
+            saturation.record(pass, draw);
         }
     }
 
     /// Blends the lists of the damage rectangle.
-    pub fn record_tiles(&self, pass: &mut wgpu::ComputePass, block: u32, damage: &Damage) {
+    pub fn record_tiles(&self, pass: &mut wgpu::ComputePass, draw: &Draw) {
         if let Way::Tiles(tiles) = &self.way {
-            tiles.record(pass, block, damage);
+            tiles.record(pass, draw);
         }
     }
 
@@ -240,19 +315,40 @@ impl Raster {
         &self,
         in_flight: &FrameInFlight,
         encoder: &mut wgpu::CommandEncoder,
-        block: u32,
+        draw: &Draw,
         control: &wgpu::Buffer,
         tested: bool,
         writes: Writes,
     ) {
         if let Way::Quads(quads) = &self.way {
             let frame = QuadFrame {
-                image: &self.view,
-                block,
+                image: self.target(draw.target),
+                draw,
                 control,
                 tested,
             };
             quads.record(in_flight, encoder, &frame, writes);
+        }
+    }
+
+    /// Averages slots of the atlas into the image; see [`Resolve::record`].
+    pub fn record_resolve(
+        &self,
+        in_flight: &FrameInFlight,
+        encoder: &mut wgpu::CommandEncoder,
+        draw: &Draw,
+        slots: &[Slot],
+        clear: bool,
+        writes: Writes,
+    ) {
+        if let Some(atlas) = &self.atlas {
+            let frame = SlotsFrame {
+                image: &self.view,
+                draw,
+                slots,
+                clear,
+            };
+            atlas.resolve.record(in_flight, encoder, &frame, writes);
         }
     }
 }

@@ -10,7 +10,7 @@ use super::{
         kernel::{Bindings, Blocks, Bound},
         owned::Buffer,
     },
-    inputs::RasterInputs,
+    inputs::{Draw, RasterInputs},
     saturation::Saturation,
 };
 use crate::wgsl;
@@ -24,17 +24,16 @@ use wgpu::{
 };
 
 /// What draws quads.
-struct Draw {
+struct QuadPipeline {
     bindings: Bindings,
     pipeline: wgpu::RenderPipeline,
 }
 
-/// What a frame draws quads with.
+/// What a layer's quads are drawn with.
 pub struct QuadFrame<'a> {
-    /// What they are drawn to.
+    /// What they are drawn to, in its upper left corner.
     pub image: &'a TextureView,
-    /// Where a uniform block with the image's size is, bytes.
-    pub block: u32,
+    pub draw: &'a Draw<'a>,
     /// Holds the arguments of the draw.
     pub control: &'a wgpu::Buffer,
     /// Whether the frame found the saturation depth, behind which nothing is drawn.
@@ -43,9 +42,9 @@ pub struct QuadFrame<'a> {
 
 pub struct Quads {
     /// Draws every fragment.
-    all: Draw,
+    all: QuadPipeline,
     /// Draws those that the saturation depth leaves. None where no frame tests depth.
-    tested: Option<Box<(Saturation, Draw)>>,
+    tested: Option<Box<(Saturation, QuadPipeline)>>,
     indices: Buffer,
 }
 
@@ -67,13 +66,13 @@ impl Quads {
         )?;
         let tested = if options.skip.contains(Skip::DEPTH) {
             let saturation = Saturation::new(gpu, blocks, inputs, format, options.size)?;
-            let draw = Draw::new(gpu, blocks, inputs, format, Some(&saturation))?;
-            Some(Box::new((saturation, draw)))
+            let tested = QuadPipeline::new(gpu, blocks, inputs, format, Some(&saturation))?;
+            Some(Box::new((saturation, tested)))
         } else {
             None
         };
         Ok(Self {
-            all: Draw::new(gpu, blocks, inputs, format, None)?,
+            all: QuadPipeline::new(gpu, blocks, inputs, format, None)?,
             tested,
             indices,
         })
@@ -123,21 +122,24 @@ impl Quads {
             timestamp_writes: in_flight.draw_writes(writes),
             ..Default::default()
         });
-        let draw = match tested {
+        let quads = match tested {
             Some(tested) => {
                 tested.0.draw(&mut pass);
                 &tested.1
             }
             None => &self.all,
         };
-        pass.set_pipeline(&draw.pipeline);
-        draw.bindings.bind_draw(&mut pass, frame.block);
+        let [width, height] = frame.draw.size;
+        pass.set_viewport(0.0, 0.0, width as f32, height as f32, 0.0, 1.0);
+        pass.set_scissor_rect(0, 0, width, height);
+        pass.set_pipeline(&quads.pipeline);
+        quads.bindings.bind_draw(&mut pass, frame.draw.block);
         pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint16);
         pass.draw_indexed_indirect(frame.control, 0);
     }
 }
 
-impl Draw {
+impl QuadPipeline {
     fn new(
         gpu: &Gpu,
         blocks: &Blocks,

@@ -11,12 +11,12 @@ use super::{
         owned::Texture,
     },
     bins::Bins,
-    inputs::RasterInputs,
+    inputs::{Draw, RasterInputs},
 };
 use crate::wgsl;
 use effigy_core::{
     constants::SATURATION_CUTOFFS,
-    frame::{Damage, RendererOptions},
+    frame::RendererOptions,
     layout::{SATURATION_REGION, SettingsBlock},
 };
 use wgpu::{ShaderStages, TextureFormat, TextureUsages, TextureView};
@@ -97,8 +97,8 @@ impl Saturation {
     pub fn resize(&mut self, gpu: &Gpu, blocks: &Blocks, inputs: RasterInputs, size: [u32; 2]) {
         let images = Images::new(gpu, size);
         let bound = kernel_bindings(blocks, inputs, &self.bins, &images);
-        self.kernel.bindings.set(gpu, &bound);
-        self.triangle.set(gpu, &triangle_bindings(&images));
+        self.kernel.set(gpu, 0, &bound);
+        self.triangle.set(gpu, 0, &triangle_bindings(&images));
         self.images = images;
     }
 
@@ -119,10 +119,10 @@ impl Saturation {
     }
 
     /// Finds the depth of each sample. Reads the lists.
-    pub fn record(&self, pass: &mut wgpu::ComputePass, block: u32, damage: &Damage) {
-        let [first, end] = damage.regions(SATURATION_REGION);
-        self.kernel
-            .dispatch(pass, block, [end[0] - first[0], end[1] - first[1]]);
+    pub fn record(&self, pass: &mut wgpu::ComputePass, draw: &Draw) {
+        let [first, end] = draw.damage.regions(SATURATION_REGION);
+        let groups = [end[0] - first[0], end[1] - first[1]];
+        self.kernel.dispatch(pass, draw.block, groups);
     }
 
     /// Writes the depths to [`Self::depth`], which the pass must have cleared to the furthest.

@@ -7,12 +7,12 @@ use super::{
         kernel::{Blocks, Bound, Kernel},
     },
     bins::Bins,
-    inputs::RasterInputs,
+    inputs::{Draw, RasterInputs},
     runs::Runs,
 };
 use crate::wgsl;
 use effigy_core::{
-    frame::{Damage, TileKernel},
+    frame::{TileKernel, passes::Target},
     layout::{RASTER_REGION, SHARED_REGION},
 };
 use wgpu::{TextureFormat, TextureView};
@@ -25,6 +25,7 @@ enum Lists {
 
 pub struct Tiles {
     lists: Lists,
+    /// Draws to the image, or in turn to the atlas.
     raster: Kernel,
     kernel: TileKernel,
     format: TextureFormat,
@@ -88,12 +89,13 @@ impl Tiles {
         }
     }
 
-    /// Draws to another image from now on, of the same format.
+    /// Draws to another image or atlas from now on, of the same format.
     pub fn set_image(
         &mut self,
         gpu: &Gpu,
         blocks: &Blocks,
         inputs: RasterInputs,
+        target: Target,
         image: &TextureView,
     ) {
         let bound = bindings(
@@ -102,14 +104,23 @@ impl Tiles {
             &self.lists,
             Bound::FrameImage(image, self.format),
         );
-        self.raster.bindings.set(gpu, &bound);
+        self.raster.set(gpu, turn(target), &bound);
     }
 
     /// Blends the lists of the regions in the damage rectangle.
-    pub fn record(&self, pass: &mut wgpu::ComputePass, block: u32, damage: &Damage) {
-        let [first, end] = damage.regions(self.region());
+    pub fn record(&self, pass: &mut wgpu::ComputePass, draw: &Draw) {
+        let [first, end] = draw.damage.regions(self.region());
+        let groups = [end[0] - first[0], end[1] - first[1]];
         self.raster
-            .dispatch(pass, block, [end[0] - first[0], end[1] - first[1]]);
+            .dispatch_turn(pass, turn(draw.target), draw.block, groups);
+    }
+}
+
+/// Which of the kernel's resources hold an image. The one that every renderer has comes first.
+fn turn(target: Target) -> usize {
+    match target {
+        Target::Image => 0,
+        Target::Atlas => 1,
     }
 }
 

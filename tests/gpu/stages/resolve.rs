@@ -1,324 +1,77 @@
-//! Avatars that are drawn larger than they are shown, against the reference's average; and which
-//! avatars go before and behind which.
+//! The `resolve` stage: avatars that are drawn larger than they are shown, with Vulkan.
 
-use crate::common::{
-    self, Sizes,
-    gpu::{
+use crate::{
+    common::{
         self,
-        Raster::{self, Quads, SharedTiles, TestedQuads, Tiles},
-    },
-};
-use effigy::vulkan::{FrameReport, Renderer};
-use effigy_core::{
-    avatar::{Avatar, Filter},
-    frame::RendererOptions,
-    reference,
-    scene::{AvatarBounds, Camera, Detail, FrameImage, Posed, Supersampling},
-};
-use effigy_measure::error;
-use glam::{DAffine3, DVec3};
-
-const SIZE: [u32; 2] = [320, 240];
-/// An image in which an avatar may be large.
-const LARGE: [u32; 2] = [640, 560];
-
-/// A small avatar, and a camera that sees it from a distance in metres.
-fn scene(distance: f64, size: [u32; 2]) -> (Avatar, Camera) {
-    let avatar = common::avatar(
-        4,
-        Sizes {
-            gaussians: 3001,
-            ..Sizes::default()
+        gpu::{
+            self,
+            Raster::{self, Quads, SharedTiles, TestedQuads, Tiles},
         },
-    );
-    let camera = Camera::orbit(DVec3::new(0.0, 0.9, 0.0), 0.3, 0.1, distance, 0.7, size);
-    (avatar, camera)
-}
+    },
+    small::{LARGE, Renders, assert_near, posed, scene, supersampled},
+};
+use effigy::vulkan::Renderer;
+use effigy_core::{
+    avatar::Avatar,
+    frame::{FrameReport, RendererOptions},
+    reference,
+    scene::{Camera, Detail, FrameImage, Posed, Supersampling},
+};
+use glam::DVec3;
 
-/// In a pose, at a place in the camera's axes: to the right, up and away from it, metres.
-fn posed(avatar: &Avatar, camera: &Camera, seed: u64, place: DVec3) -> Posed {
-    let axes = camera.view.matrix3.transpose();
-    let world = place.x * axes.x_axis - place.y * axes.y_axis + place.z * axes.z_axis;
-    Posed::new(avatar, &common::pose(seed, avatar)).placed(DAffine3::from_translation(world))
-}
+impl Renders for Renderer {
+    fn device() -> String {
+        gpu::drawing().probe.name.clone()
+    }
 
-/// What a renderer draws of some avatars, the second time: the first frame makes the atlas.
-fn drawn(
-    avatar: &Avatar,
-    poses: &[&Posed],
-    camera: &Camera,
-    options: RendererOptions,
-) -> (FrameImage, FrameReport) {
-    let options = RendererOptions {
-        instances: poses.len(),
-        count: true,
-        ..options
-    };
-    let mut renderer = Renderer::new(&gpu::gpu(), avatar, options).unwrap();
-    let aside = Camera {
-        center: camera.center + 9.0,
-        ..*camera
-    };
-    renderer.draw_scene(poses, &aside, None).unwrap();
-    renderer.draw_scene(poses, camera, None).unwrap();
-    let image = renderer.read_image().unwrap();
-    renderer.finish().unwrap();
-    (image, renderer.report().clone())
-}
+    fn make(avatar: &Avatar, options: RendererOptions) -> Self {
+        Self::new(&gpu::gpu(), avatar, options).unwrap()
+    }
 
-fn supersampled(raster: Raster, camera: &Camera, factor: Supersampling) -> RendererOptions {
-    RendererOptions {
-        supersampling: factor,
-        ..raster.options(&gpu::drawing().probe.name, camera.size)
+    fn draw_all(&mut self, poses: &[&Posed], camera: &Camera) {
+        self.draw_scene(poses, camera, None).unwrap();
+    }
+
+    fn image(&mut self) -> FrameImage {
+        let image = self.read_image().unwrap();
+        self.finish().unwrap();
+        image
+    }
+
+    fn report(&self) -> FrameReport {
+        Self::report(self).clone()
     }
 }
 
-fn assert_near(what: &str, image: &FrameImage, expected: &FrameImage, psnr: f64) {
-    let error = error::between(image, expected).covered;
-    assert!(
-        error.pixels > 100 && error.psnr_db >= psnr,
-        "{what}: {error:?}"
-    );
+check_with! {
+    Renderer:
+    a_small_avatar_is_its_own_average,
+    small_avatars_go_before_and_behind_large_ones,
+    small_avatars_that_touch_are_sorted_together,
+    any_factor_is_averaged_by_area,
+    no_switch_is_seen,
+    frames_leave_nothing_behind,
+    levels_are_drawn_as_avatars,
+    levels_have_their_own_harmonics,
 }
 
-/// In the middle, and where the image cuts it off.
-fn a_small_avatar_is_its_own_average(raster: Raster) {
-    let (avatar, camera) = scene(9.0, SIZE);
-    for (factor, place) in [
-        (4, DVec3::ZERO),
-        (2, DVec3::new(0.3, 0.2, 0.0)),
-        (4, DVec3::new(4.2, 0.4, 0.0)),
-        (2, DVec3::new(-4.0, 3.0, 0.0)),
-    ] {
-        let posed = posed(&avatar, &camera, 3, place);
-        let options = supersampled(raster, &camera, Supersampling::Times(factor));
-        let (image, report) = drawn(&avatar, &[&posed], &camera, options);
-        let expected = reference::render_supersampled(
-            &avatar,
-            &[&posed],
-            &camera,
-            factor,
-            Filter::SUPERSAMPLED,
-        );
-        let what = format!("{factor} times at {place}");
-        assert_near(&what, &image, &expected, 48.0);
-        assert_eq!(report.counters.supersampled, 1);
-        assert!(report.counters.drawn > 0 && report.counters.fragments != Some(0));
-        // As large as it is shown it is another image.
-        let once = reference::render(&avatar, &posed, &camera);
-        assert!(error::between(&image, &once).covered.psnr_db < 40.0);
-    }
-}
-
-/// One near avatar, one far before it, and one far behind; in any order of poses.
-fn small_avatars_go_before_and_behind_large_ones(raster: Raster) {
-    let (avatar, camera) = scene(2.6, LARGE);
-    let near = posed(&avatar, &camera, 1, DVec3::ZERO);
-    // A doll on the left before the near one, and a giant's distance behind it on the right.
-    let at = camera
-        .view
-        .inverse()
-        .transform_point3(DVec3::new(-0.1, 0.1, 1.2));
-    let to = DAffine3::from_translation(at - DVec3::new(0.0, 0.9 * 0.1, 0.0));
-    let doll = posed(&avatar, &camera, 2, DVec3::ZERO)
-        .placed(to * DAffine3::from_scale(DVec3::splat(0.1)));
-    let far = posed(&avatar, &camera, 3, DVec3::new(1.0, 0.5, 12.0));
-    let options = supersampled(raster, &camera, Supersampling::BySize);
-    let large = reference::render(&avatar, &near, &camera);
-    let average = |posed: &Posed| {
-        let factor = 4;
-        reference::render_supersampled(&avatar, &[posed], &camera, factor, Filter::SUPERSAMPLED)
-    };
-    let expected = average(&doll)
-        .blended_over(&large)
-        .blended_over(&average(&far));
-    for poses in [
-        [&near, &doll, &far],
-        [&far, &near, &doll],
-        [&doll, &far, &near],
-    ] {
-        let (image, report) = drawn(&avatar, &poses, &camera, options);
-        assert_eq!(report.counters.supersampled, 2);
-        assert_near("three avatars", &image, &expected, 46.0);
-        let stages: Vec<_> = report.stages.iter().map(|stage| stage.0).collect();
-        if !stages.is_empty() {
-            let sorts = stages.iter().filter(|stage| **stage == "sort").count();
-            assert!(sorts == 2 && stages.ends_with(&["resolve"]), "{stages:?}");
-        }
-    }
-}
-
-/// Two that may pass through each other are sorted together; a third stands apart.
-fn small_avatars_that_touch_are_sorted_together(raster: Raster) {
-    let (avatar, camera) = scene(10.0, SIZE);
-    let poses = [
-        posed(&avatar, &camera, 1, DVec3::ZERO),
-        posed(&avatar, &camera, 2, DVec3::new(0.3, 0.0, 0.1)),
-        posed(&avatar, &camera, 3, DVec3::new(2.5, 0.0, 0.0)),
-    ];
-    let poses = poses.each_ref();
-    let options = supersampled(raster, &camera, Supersampling::Times(4));
-    let (image, report) = drawn(&avatar, &poses, &camera, options);
-    let expected =
-        reference::render_supersampled(&avatar, &poses, &camera, 4, Filter::SUPERSAMPLED);
-    assert_eq!(report.counters.supersampled, 3);
-    assert_near("three avatars", &image, &expected, 48.0);
-}
-
-/// A camera that shows a posed avatar with this longest side, px.
-fn camera_at(avatar: &Avatar, posed: &Posed, side: f64) -> Camera {
-    let bounds = AvatarBounds::new(avatar);
-    let camera = |distance: f64| {
-        let middle = DVec3::new(0.0, 0.9, 0.0);
-        Camera::orbit(middle, 0.3, 0.1, distance, 0.7, LARGE)
-    };
-    let [mut near, mut far] = [1.0, 100.0];
-    for _ in 0..60 {
-        let between = 0.5 * (near + far);
-        if bounds.longest_side(&posed.joints, &camera(between)) > side {
-            near = between;
-        } else {
-            far = between;
-        }
-    }
-    camera(far)
-}
-
-/// Factors between whole ones, with a low-pass between the avatar's own and that of what is drawn
-/// larger: each pixel is the mean over its area.
-fn any_factor_is_averaged_by_area(raster: Raster) {
+/// A governor asks for one level coarser than is near enough, and takes that back.
+fn coarser_levels_are_drawn_where_asked_for(raster: Raster) {
     let (avatar, camera) = scene(8.0, LARGE);
-    let posed = posed(&avatar, &camera, 3, DVec3::new(0.05, 0.02, 0.0));
-    let options = supersampled(raster, &camera, Supersampling::BySize);
-    for side in [233.0, 411.0, 615.0] {
-        let camera = camera_at(&avatar, &posed, side);
-        let (image, report) = drawn(&avatar, &[&posed], &camera, options);
-        assert_eq!(report.counters.supersampled, 1, "{side} px");
-        let expected =
-            reference::render_shown(&avatar, &[&posed], &camera, Supersampling::BySize, None);
-        assert_near(&format!("{side} px"), &image, &expected, 48.0);
-        let largest = error::between(&image, &expected).covered.max_error;
-        assert!(largest <= 0.06, "{side} px: {largest}");
-    }
-}
-
-/// An avatar that grows beyond what is drawn larger than it is shown looks as it did before, and as
-/// the model says from then on.
-fn no_switch_is_seen(raster: Raster) {
-    let (avatar, camera) = scene(8.0, LARGE);
-    let posed = posed(&avatar, &camera, 3, DVec3::new(0.05, 0.02, 0.0));
-    let options = supersampled(raster, &camera, Supersampling::BySize);
-    let [small, large] = [639.99, 640.01].map(|side| {
-        let camera = camera_at(&avatar, &posed, side);
-        drawn(&avatar, &[&posed], &camera, options)
-    });
-    let supersampled = [&small, &large].map(|(_, report)| report.counters.supersampled);
-    assert_eq!(supersampled, [1, 0]);
-    assert_near("across the switch", &small.0, &large.0, 50.0);
-    let camera = camera_at(&avatar, &posed, 640.01);
-    let own = reference::render(&avatar, &posed, &camera);
-    assert_near("as large as shown", &large.0, &own, 50.0);
-}
-
-/// From near to far and back, out of the image and in again, the whole image each time as one that
-/// knows no other frame: nothing of an earlier frame stays.
-fn frames_leave_nothing_behind(raster: Raster) {
-    let (avatar, camera) = scene(8.0, LARGE);
-    let options = RendererOptions {
-        instances: 2,
-        ..supersampled(raster, &camera, Supersampling::BySize)
-    };
-    let mut renderer = Renderer::new(&gpu::gpu(), &avatar, options).unwrap();
-    let near = DVec3::new(-0.5, 0.0, -6.0);
-    let far = DVec3::new(1.0, 0.4, 6.0);
-    let gone = DVec3::new(0.0, 0.0, -400.0);
-    let mut factors = vec![];
-    for places in [
-        [far, gone],
-        [near, far],
-        [near, gone],
-        [gone, gone],
-        [far, far + DVec3::X],
-        [far, far + DVec3::X],
-        [near, far],
-    ] {
-        let poses = places.map(|place| posed(&avatar, &camera, 5, place));
-        renderer
-            .draw_scene(&poses.each_ref(), &camera, None)
-            .unwrap();
-        let image = renderer.read_image().unwrap();
-        let mut fresh = Renderer::new(&gpu::gpu(), &avatar, options).unwrap();
-        fresh.draw_scene(&poses.each_ref(), &camera, None).unwrap();
-        let difference = error::between(&image, &fresh.read_image().unwrap());
-        assert!(
-            difference.whole.max_error <= 0.02,
-            "{places:?}: {:?}",
-            difference.whole
-        );
-        factors.push(renderer.report().counters.supersampled);
-    }
-    assert_eq!(factors, [1, 1, 0, 0, 2, 0, 1]);
-}
-
-/// Levels are drawn as the avatars that they are while an avatar comes nearer. Networks run only
-/// for those that they move, also after frames that did without them.
-fn levels_are_drawn_as_avatars(raster: Raster) {
-    let (avatar, camera) = scene(8.0, LARGE);
-    // Up to 120 and 60 px.
     let avatar = common::with_levels(avatar);
-    let own = [
-        &avatar.at_level(&avatar.levels[0]),
-        &avatar.at_level(&avatar.levels[1]),
-    ];
+    let [first, second] = [0, 1].map(|level: usize| avatar.at_level(&avatar.levels[level]));
     let whole = Avatar {
         levels: vec![],
         ..avatar.clone()
     };
-    let options = supersampled(raster, &camera, Supersampling::BySize);
+    let options = supersampled::<Renderer>(raster, &camera, Supersampling::BySize);
     let mut renderer = Renderer::new(&gpu::gpu(), &avatar, options).unwrap();
-    let mut seen = vec![];
-    for (seed, away, level) in [
-        (1, 28.0, 2),
-        (2, 26.0, 2),
-        (2, 12.0, 1),
-        (3, 11.0, 1),
-        (3, 30.0, 2),
-        (3, 2.0, 0),
-        (4, 2.0, 0),
-        (5, 30.0, 2),
-        (5, 2.0, 0),
-    ] {
-        let posed = posed(&avatar, &camera, seed, DVec3::new(0.2, 0.1, away));
-        renderer.draw(&posed, &camera, None).unwrap();
-        let image = renderer.read_image().unwrap();
-        let drawn = if level == 0 { &whole } else { own[level - 1] };
-        let expected =
-            reference::render_shown(drawn, &[&posed], &camera, Supersampling::BySize, None);
-        assert_near(
-            &format!("level {level}, {away} m away"),
-            &image,
-            &expected,
-            44.0,
-        );
-        renderer.finish().unwrap();
-        let counters = renderer.report().counters;
-        let gaussians = counters.gaussians - counters.skipped_by_detail;
-        assert_eq!(gaussians as usize, drawn.gaussians.len());
-        seen.push((level, counters.networks > 0));
-    }
-    let ran: Vec<_> = seen.iter().map(|(_, ran)| *ran).collect();
-    assert_eq!(
-        ran,
-        [false, false, true, true, false, false, true, false, true],
-        "{seen:?}"
-    );
-    // A governor asks for one level coarser than is near enough, and takes that back.
     let posed = posed(&avatar, &camera, 6, DVec3::new(0.2, 0.1, 2.0));
     for (coarser, drawn) in [
         (0, &whole),
-        (1, own[0]),
-        (2, own[1]),
-        (9, own[1]),
+        (1, &first),
+        (2, &second),
+        (9, &second),
         (0, &whole),
     ] {
         let detail = Detail {
@@ -341,72 +94,9 @@ fn levels_are_drawn_as_avatars(raster: Raster) {
     }
 }
 
-/// A level has colours of its own, which change with the view: of splats, and of a body that networks
-/// move. Two avatars at different levels, so that both sets of colours are needed in one frame.
-fn levels_have_their_own_harmonics(raster: Raster) {
-    let splats = common::splats(5, 6000, 3).to_avatar("scan").unwrap();
-    let (mut body, _) = scene(8.0, LARGE);
-    body.sh = Some(common::harmonics(6, body.gaussians.len(), 2));
-    for avatar in [splats, body] {
-        let mut avatar = common::with_levels(avatar);
-        for level in &mut avatar.levels {
-            // What is drawn with the colours of another set is far from the reference.
-            let sh = level.sh.as_mut().unwrap();
-            for coefficient in sh.coefficients.iter_mut().flatten() {
-                *coefficient = -*coefficient;
-            }
-        }
-        let height =
-            AvatarBounds::new(&avatar).bounds(&avatar.skeleton.matrices(&common::pose(1, &avatar)));
-        let middle = (height[0] + height[1]) / 2.0;
-        let tall = (height[1] - height[0]).y;
-        let camera = Camera::orbit(middle, 0.3, 0.1, 3.0 * tall, 0.7, LARGE);
-        let options = RendererOptions {
-            instances: 2,
-            ..supersampled(raster, &camera, Supersampling::BySize)
-        };
-        let mut renderer = Renderer::new(&gpu::gpu(), &avatar, options).unwrap();
-        let mut seen = vec![];
-        for (near, far) in [(6.0, 16.0), (16.0, 6.0), (6.0, 0.0), (0.0, 16.0)] {
-            let place = |away: f64, aside: f64| {
-                let at = tall * DVec3::new(aside * (1.0 + 0.2 * away), 0.0, away);
-                posed(&avatar, &camera, 2, at)
-            };
-            let poses = [place(near, -0.6), place(far, 0.6)];
-            let poses = [&poses[0], &poses[1]];
-            renderer.draw_scene(&poses, &camera, None).unwrap();
-            let image = renderer.read_image().unwrap();
-            let expected =
-                reference::render_shown(&avatar, &poses, &camera, Supersampling::BySize, None);
-            assert_near(&format!("{near} and {far} away"), &image, &expected, 44.0);
-            let own = Avatar {
-                levels: vec![],
-                ..avatar.clone()
-            };
-            let own = reference::render_shown(&own, &poses, &camera, Supersampling::BySize, None);
-            let other = error::between(&own, &expected).covered.psnr_db;
-            assert!(
-                other < 40.0,
-                "{near} and {far} away: {other} dB without levels"
-            );
-            renderer.finish().unwrap();
-            let counters = renderer.report().counters;
-            seen.push(counters.gaussians - counters.skipped_by_detail);
-        }
-        let [own, fine, coarse] = [
-            avatar.gaussians.len(),
-            avatar.levels[0].gaussians.len(),
-            avatar.levels[1].gaussians.len(),
-        ]
-        .map(|count| count as u64);
-        assert_eq!(
-            seen,
-            [fine + coarse, fine + coarse, fine + own, own + coarse]
-        );
-    }
-}
-
 tests! {
+    coarser_levels_are_drawn_where_asked_for[Quads],
+    coarser_levels_are_drawn_where_asked_for[Tiles],
     any_factor_is_averaged_by_area[Quads],
     any_factor_is_averaged_by_area[Tiles],
     any_factor_is_averaged_by_area[SharedTiles],
