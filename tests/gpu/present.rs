@@ -87,7 +87,7 @@ fn every_rung_is_drawn_as_if_it_was_made_for_it(method: RasterMethod) {
     let mut renderer = Renderer::new(&device, &avatar, options).unwrap();
     let camera = gpu::camera(&avatar, &posed, screen);
     let held = device.memory().0;
-    let ladder = Ladder::new(120.0, false);
+    let ladder = Ladder::new(120.0);
     // Down, and up again at once: what one rung leaves must not show in another.
     for rung in ladder.rungs().iter().chain(&ladder.rungs()[..1]) {
         let (size, cutoff, detail) = (

@@ -202,38 +202,81 @@ fn a_sudden_load_costs_few_frames_and_is_given_back() {
     );
 }
 
-/// Small avatars are drawn as if they were 640 px: a smaller image saves nothing of them, and coarser
-/// levels do. One that comes near walks the other ladder, as far down as it was.
-fn small_avatars_keep_their_resolution() {
-    let mut governor = Governor::new(RATE);
-    let mut now = 0.0;
-    let mut drive = |small: bool, work: f64, seconds: f64| {
-        let until = now + seconds;
-        while now < until {
-            let quality = governor.quality();
-            let gained = if small {
-                0.42f64.powi(quality.coarser as i32)
-            } else {
-                pixels(&quality)
-            };
-            now += f64::from(quality.refreshes) / RATE;
-            governor.note_sizes(small);
-            governor.add_frame(Sample {
-                seconds: now,
-                busy_ms: Some(1e3 * work * gained / RATE),
-                dropped: 0,
-            });
+/// Draws an avatar of a side at full quality, px, for some seconds, as a device would of which small
+/// avatars cost what their level does. Returns the qualities it was drawn with, each once.
+fn drawn(
+    governor: &mut Governor,
+    now: &mut f64,
+    side: f64,
+    work: f64,
+    seconds: f64,
+) -> Vec<FrameQuality> {
+    let mut qualities = vec![governor.quality()];
+    let until = *now + seconds;
+    while *now < until {
+        let quality = governor.quality();
+        if qualities.last() != Some(&quality) {
+            qualities.push(quality);
         }
-        governor.quality()
+        // What is small is drawn as if it were 640 px: a smaller image gains nothing.
+        let gained = if side * quality.scale < 640.0 {
+            0.42f64.powi(quality.coarser as i32)
+        } else {
+            pixels(&quality)
+        };
+        *now += f64::from(quality.refreshes) / RATE;
+        // As counted in the frame's image, and taken back to full quality.
+        governor.note_side((side * quality.scale).ceil() / quality.scale);
+        governor.add_frame(Sample {
+            seconds: *now,
+            busy_ms: Some(1e3 * work * gained / RATE),
+            dropped: 0,
+        });
+    }
+    qualities
+}
+
+/// A smaller image saves nothing of small avatars, and coarser levels do. One that comes near walks
+/// the other path, as far down as it was.
+fn small_avatars_keep_their_resolution() {
+    let (mut governor, mut now) = (Governor::new(RATE), 0.0);
+    let mut draw = |side, work, seconds| {
+        let all = drawn(&mut governor, &mut now, side, work, seconds);
+        all[all.len() - 1]
     };
-    let held = drive(true, 2.0, 30.0);
+    let held = draw(300.0, 2.0, 30.0);
     assert_eq!((held.scale, held.refreshes), (1.0, 1));
     assert_eq!(held.coarser, 1, "{held:?}");
-    let near = drive(false, 2.0, 30.0);
+    let near = draw(1500.0, 2.0, 30.0);
     assert!(near.coarser == 0 && near.scale < 0.9, "{near:?}");
-    let far = drive(true, 5.0, 30.0);
+    let far = draw(300.0, 5.0, 30.0);
     assert_eq!((far.scale, far.coarser), (1.0, 2), "{far:?}");
-    assert_eq!(drive(true, 0.3, 1000.0), FrameQuality::FULL);
+    assert_eq!(draw(300.0, 0.3, 1000.0), FrameQuality::FULL);
+}
+
+/// A lower resolution makes no avatar small, whatever its size: the governor settles on one path, and
+/// comes back when there is less to do.
+fn a_lower_resolution_makes_no_avatar_small() {
+    for side in [500.0, 570.0, 630.0, 645.0, 700.0, 900.0, 1200.0, 2000.0] {
+        for work in [1.1, 1.6, 2.5] {
+            let (mut governor, mut now) = (Governor::new(RATE), 0.0);
+            drawn(&mut governor, &mut now, side, work, 60.0);
+            let settled = drawn(&mut governor, &mut now, side, work, 60.0);
+            // What is tried and taken back, not a walk to and fro between the paths.
+            assert!(settled.len() <= 8, "{side} px, work {work}: {settled:?}");
+            for quality in settled {
+                let small = quality.scale == 1.0 && quality.level == 0;
+                let large =
+                    quality.coarser == 0 && (quality.scale * side >= 640.0 || quality.scale == 1.0);
+                assert!(
+                    if side < 560.0 { small } else { large },
+                    "{side} px: {quality:?}"
+                );
+            }
+            drawn(&mut governor, &mut now, side, 0.2, 2000.0);
+            assert_eq!(governor.quality(), FrameQuality::FULL, "{side} px");
+        }
+    }
 }
 
 fn a_load_between_two_rungs_settles() {
@@ -288,7 +331,7 @@ fn headroom_is_followed_down_and_up_however_it_is_reported() {
             .filter(|pair| pair[1].1 > pair[0].1)
             .map(|pair| pair[1].0 - pair[0].0)
             .collect();
-        let lowest = governor.ladder().lowest();
+        let lowest = governor.ladder().path(false).len() - 1;
         assert!(
             run.steps
                 .first()
@@ -339,7 +382,7 @@ proptest! {
             let rungs = drive(&mut governor, 1, at as f64, Some(busy), dropped, Some(headroom));
             for pair in std::iter::once(&before).chain(&rungs).collect::<Vec<_>>().windows(2) {
                 let (from, to) = (*pair[0], *pair[1]);
-                prop_assert!(to <= governor.ladder().lowest());
+                prop_assert!(to < governor.ladder().path(false).len());
                 prop_assert!(from <= to + 1, "climbs from {from} to {to}");
                 if to > from {
                     last_down = at as f64;
@@ -364,7 +407,7 @@ proptest! {
     fn late_frames_alone_are_enough(dropped in 4u32..60) {
         let mut governor = Governor::new(RATE);
         drive(&mut governor, 60, 0.0, None, dropped, None);
-        prop_assert_eq!(governor.rung(), governor.ladder().lowest());
+        prop_assert!(governor.is_at_last());
         drive(&mut governor, 1200, 60.0, None, 0, None);
         prop_assert_eq!(governor.rung(), 0);
     }
@@ -428,6 +471,7 @@ fn simulated_heat_lowers_clock_and_rate_until_a_governor_acts() {
 
 tests! {
     small_avatars_keep_their_resolution,
+    a_lower_resolution_makes_no_avatar_small,
     the_papers_phone_throttles_when_nothing_governs_it,
     the_promised_rate_is_held_on_the_papers_phone,
     quality_comes_back_when_the_air_cools_and_when_the_work_is_less,

@@ -7,7 +7,7 @@
 
 use crate::scene::{
     AvatarBounds, Camera, PixelRect, PlaneRect, Supersampling, Visible,
-    levels::{self, LevelAndSamples},
+    levels::{self, ChosenLevel},
 };
 use glam::{DAffine3, UVec2};
 
@@ -34,15 +34,16 @@ pub struct Seen {
     /// Longest side of its box in the image without a margin, px; infinite where it crosses the
     /// near plane.
     pub side: f64,
-    /// How many times its size it should be drawn, at least 1.
-    pub factor: f64,
-    /// Which of the avatar's levels ([`levels`]) is drawn with that factor; 0 is the avatar itself.
-    pub level: usize,
+    /// How many times its size it may be drawn for its size, at least 1.
+    pub most: f64,
+    /// What is drawn of it alone, and how many times its size that should be.
+    pub chosen: ChosenLevel,
 }
 
 impl Seen {
     /// An avatar that `visible` says is in view of a camera. `joints`: its pose's. `before`: the
-    /// level that the last frame drew. Levels are for avatars whose size decides how they are drawn.
+    /// level that was near enough in the last frame; `coarser`: by how many it is to be coarser
+    /// ([`levels::choose`]). Levels are for avatars whose size decides how they are drawn.
     pub fn new(
         bounds: &AvatarBounds,
         joints: &[DAffine3],
@@ -50,12 +51,16 @@ impl Seen {
         visible: &Visible,
         supersampling: Supersampling,
         before: usize,
+        coarser: usize,
     ) -> Self {
         let side = bounds.longest_side(joints, camera);
         let most = supersampling.factor(side);
         let chosen = match supersampling {
-            Supersampling::BySize => levels::choose(bounds.levels(), side, most, before),
-            Supersampling::Times(_) => LevelAndSamples {
+            Supersampling::BySize if most > 1.0 => {
+                levels::choose(bounds.levels(), side, most, before, coarser)
+            }
+            _ => ChosenLevel {
+                near: 0,
                 level: 0,
                 samples: most,
             },
@@ -64,24 +69,26 @@ impl Seen {
             around: visible.around,
             depth: bounds.depth(joints, camera),
             side,
-            factor: chosen.samples,
-            level: chosen.level,
+            most,
+            chosen,
         }
     }
 
-    /// The level that is drawn into a slot of a factor, which avatars with less large ones may share.
-    pub fn level_in(
+    /// What is drawn into a slot of a factor, which may be another than its own: less where there is
+    /// little room, more where it shares the slot with others.
+    pub fn chosen_for(
         &self,
         bounds: &AvatarBounds,
         supersampling: Supersampling,
         factor: f64,
         before: usize,
-    ) -> usize {
+        coarser: usize,
+    ) -> ChosenLevel {
         match supersampling {
-            Supersampling::BySize if factor != self.factor => {
-                levels::choose_with(bounds.levels(), self.side, factor, before)
+            Supersampling::BySize if factor != self.chosen.samples => {
+                levels::choose_with(bounds.levels(), self.side, factor, before, coarser)
             }
-            _ => self.level,
+            _ => self.chosen,
         }
     }
 }
@@ -157,6 +164,8 @@ struct Group {
     around: Option<PlaneRect>,
     depth: [f64; 2],
     factor: f64,
+    /// The least of its members' for their sizes.
+    most: f64,
     behind: bool,
 }
 
@@ -216,7 +225,10 @@ impl Group {
             self.depth[0].min(other.depth[0]),
             self.depth[1].max(other.depth[1]),
         ];
-        self.factor = self.factor.min(other.factor);
+        // Whatever level one of them has alone: samples of a group follow sizes alone, so that they
+        // do not jump where a member's level changes.
+        self.most = self.most.min(other.most);
+        self.factor = self.most;
     }
 }
 
@@ -230,7 +242,12 @@ pub fn arrange(seen: &[Seen], size: [u32; 2]) -> Arrangement {
             around: seen.around,
             depth: seen.depth,
             factor: if seen.around.is_some() {
-                seen.factor
+                seen.chosen.samples
+            } else {
+                1.0
+            },
+            most: if seen.around.is_some() {
+                seen.most
             } else {
                 1.0
             },
@@ -434,8 +451,12 @@ mod tests {
             }),
             depth: [depth, depth + 1.0],
             side: 100.0,
-            factor,
-            level: 0,
+            most: factor,
+            chosen: ChosenLevel {
+                near: 0,
+                level: 0,
+                samples: factor,
+            },
         }
     }
 

@@ -35,6 +35,8 @@ pub struct View {
     pub camera: Camera,
     /// What is drawn of it.
     pub portion: Portion,
+    /// The coarsest of its levels by which nothing is lost.
+    pub near: usize,
     /// Its slot of the atlas, if it is drawn larger than it is shown.
     pub slot: Option<Slot>,
     /// Where its pose cache starts among those of all avatars, Gaussians.
@@ -78,9 +80,9 @@ impl ChangeTracker {
         self.shown.as_ref().map_or(0, |own| own.view.portion.level)
     }
 
-    /// Which of the avatar's levels the last frame drew; 0 is the avatar itself.
-    pub fn model(&self) -> usize {
-        self.shown.as_ref().map_or(0, |own| own.view.portion.model)
+    /// Which of the avatar's levels was near enough in the last frame; 0 is the avatar itself.
+    pub fn near(&self) -> usize {
+        self.shown.as_ref().map_or(0, |own| own.view.near)
     }
 
     /// Returns the work of the next frame, without what `skip` lets it leave out, and remembers the
@@ -223,6 +225,7 @@ mod tests {
         View {
             camera: camera(yaw),
             portion: Portion { model: 0, level },
+            near: 0,
             slot: None,
             cache_start: 0,
         }

@@ -25,6 +25,10 @@ pub struct Counters {
     /// The coarsest level that an avatar is drawn from; 0 is the avatar itself.
     #[serde(default)]
     pub coarsest_level: u64,
+    /// Longest side of the box around the largest avatar in view, px of the image; 0 where sizes
+    /// decide nothing. No count: reports don't have it.
+    #[serde(skip)]
+    pub longest_side: u64,
     /// Gaussians that were not drawn: those of culled avatars, those that the level of detail
     /// skips, and those culled one by one.
     pub culled: u64,

@@ -27,6 +27,9 @@ pub struct AvatarInstance<'a> {
     pub samples: f64,
     /// The low-pass that it is drawn with.
     pub low_pass: LowPass,
+    /// Longest side of its box in the frame's image, px; infinite where it crosses the near plane, 0
+    /// where sizes decide nothing.
+    pub side: f64,
     /// Which of the avatar's levels is drawn ([`crate::scene::levels`]); 0 is the avatar itself.
     pub model: usize,
     /// Whether networks move it.
@@ -163,6 +166,8 @@ struct Candidate {
     visible: Option<Visible>,
     /// Its place and size; None without supersampling.
     seen: Option<Seen>,
+    /// The coarsest of its levels by which nothing is lost.
+    near: usize,
 }
 
 /// Where an avatar in view is drawn.
@@ -225,13 +230,15 @@ impl FrameState {
                         camera,
                         visible,
                         options.supersampling,
-                        self.near_model(index, options),
+                        self.trackers[index].near(),
+                        options.detail.coarser,
                     )
                 });
             candidates.push(Candidate {
                 index,
                 visible,
                 seen,
+                near: 0,
             });
         }
         // All are measured, or none.
@@ -241,7 +248,7 @@ impl FrameState {
         } else {
             Arrangement::without_slots(candidates.len())
         };
-        let portions = self.portions(&input, &candidates, &arrangement);
+        let portions = self.portions(&input, &mut candidates, &arrangement);
         let mut image = Vec::with_capacity(candidates.len());
         let mut atlas = Vec::new();
         let mut cache_start = 0;
@@ -335,11 +342,11 @@ impl FrameState {
     fn portions(
         &self,
         input: &PlanInput,
-        candidates: &[Candidate],
+        candidates: &mut [Candidate],
         arrangement: &Arrangement,
     ) -> Vec<Portion> {
         let mut portions: Vec<Portion> = candidates
-            .iter()
+            .iter_mut()
             .zip(&arrangement.slot_of)
             .map(|(candidate, slot)| {
                 let slot = slot.map(|slot| &arrangement.slots[slot]);
@@ -359,17 +366,11 @@ impl FrameState {
         portions
     }
 
-    /// The level that was near enough for an avatar in the last frame.
-    fn near_model(&self, index: usize, options: &RendererOptions) -> usize {
-        let drawn = self.trackers[index].model();
-        drawn.saturating_sub(options.detail.coarser)
-    }
-
-    /// What is drawn of an avatar in view where there is room.
+    /// What is drawn of an avatar in view where there is room. Notes which level was near enough.
     fn portion(
         &self,
         input: &PlanInput,
-        candidate: &Candidate,
+        candidate: &mut Candidate,
         slot: Option<&Slot>,
         atlas_size: [u32; 2],
     ) -> Portion {
@@ -379,11 +380,20 @@ impl FrameState {
         let tracker = &self.trackers[candidate.index];
         // Levels are for what is small, at several samples a pixel.
         if let (Some(slot), Some(seen)) = (slot, candidate.seen) {
-            let before = self.near_model(candidate.index, options);
-            let near = seen.level_in(bounds, options.supersampling, slot.factor, before);
-            let model = (near + options.detail.coarser).min(bounds.levels().len());
-            if model > 0 {
-                return Portion { model, level: 0 };
+            let coarser = options.detail.coarser;
+            let chosen = seen.chosen_for(
+                bounds,
+                options.supersampling,
+                slot.factor,
+                tracker.near(),
+                coarser,
+            );
+            candidate.near = chosen.near;
+            if chosen.level > 0 {
+                return Portion {
+                    model: chosen.level,
+                    level: 0,
+                };
             }
         }
         let camera = slot.map_or(*input.camera, |slot| slot.camera(input.camera, atlas_size));
@@ -410,7 +420,12 @@ impl FrameState {
         let PlanInput {
             bounds, options, ..
         } = input;
-        let Candidate { index, visible, .. } = candidate;
+        let Candidate {
+            index,
+            visible,
+            seen,
+            near,
+        } = candidate;
         let Place {
             slot,
             atlas_size,
@@ -427,6 +442,7 @@ impl FrameState {
         let view = View {
             camera,
             portion,
+            near,
             slot: slot.copied(),
             cache_start,
         };
@@ -445,6 +461,7 @@ impl FrameState {
             slot: slot.map(Slot::rect),
             samples,
             low_pass: low_pass(bounds.filter(), options.filter, samples),
+            side: seen.map_or(0.0, |seen| seen.side),
             model,
             correctives: portion.correctives(bounds),
             level,
@@ -506,6 +523,7 @@ impl<'a> FramePlan<'a> {
         for instance in self.instances() {
             counters.skipped_by_detail += u64::from(gaussians - instance.gaussians);
             counters.supersampled += u64::from(instance.slot.is_some());
+            counters.longest_side = counters.longest_side.max(instance.side.ceil() as u64);
             counters.most_samples = counters.most_samples.max(instance.samples.ceil() as u64);
             counters.coarsest_level = counters.coarsest_level.max(instance.model as u64);
             counters.networks += instance.networks.len() as u64;

@@ -40,6 +40,7 @@ pub fn render_shown(
                 &visible,
                 supersampling,
                 0,
+                0,
             ));
             in_view.push(posed);
         }
@@ -55,7 +56,9 @@ pub fn render_shown(
     for (at, slot) in arrangement.slots.iter().enumerate() {
         let mut gaussians = Vec::new();
         for (posed, seen) in members(Some(at)) {
-            let level = seen.level_in(&bounds, supersampling, slot.factor, 0);
+            let level = seen
+                .chosen_for(&bounds, supersampling, slot.factor, 0, 0)
+                .level;
             gaussians.extend(if level == 0 {
                 gaussians_of(avatar, &[posed], camera)
             } else {

@@ -20,6 +20,8 @@ const MEAN_ERROR: f64 = 0.01;
 /// Hysteresis: an avatar that grows keeps its level up to this many times the height that the level
 /// is for.
 const HYSTERESIS: f64 = 1.05;
+/// With fewer samples than this a level is drawn with a low-pass that it was not measured with.
+const FEWEST: f64 = 2.0;
 /// How often the range is halved in which a level's number of samples is looked for.
 const HALVINGS: usize = 20;
 
@@ -43,10 +45,12 @@ struct MeasuredHeight {
     errors: Vec<LevelError>,
 }
 
-/// What is drawn of an avatar.
+/// What is drawn of an avatar. Of levels 0 is the avatar itself, then its own follow, the finest first.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct LevelAndSamples {
-    /// 0 is the avatar itself, then its levels follow, the finest first.
+pub struct ChosenLevel {
+    /// The coarsest by which nothing is lost.
+    pub near: usize,
+    /// The one that is drawn.
     pub level: usize,
     /// Samples a pixel along each axis.
     pub samples: f64,
@@ -68,27 +72,54 @@ impl LevelChoice {
 
     /// How far images of so tall an avatar, px, with so many samples are from what they should be.
     /// Between what was measured, errors follow the logarithm of the height and the width of a sample.
-    /// Avatars smaller than that are as the smallest; None for larger ones, and for more or fewer
-    /// samples, of which nothing is known.
+    /// Avatars smaller than that are as the smallest; None for larger ones. With fewer samples than
+    /// were measured an avatar is as one that is drawn as tall with the fewest; of more samples nothing
+    /// is known.
     fn error(&self, height: f64, samples: f64) -> Option<Error> {
-        let above = self.measured.iter().find(|own| own.height >= height)?;
-        let below = self.measured.iter().rfind(|own| own.height <= height);
+        if samples < FEWEST {
+            return self.error(height * samples / FEWEST, FEWEST);
+        }
+        let fewest = self.range(height)?[0];
+        if samples < fewest {
+            return self.error(height * samples / fewest, fewest);
+        }
+        let [below, above] = self.around(height)?;
         let own = above.error(samples)?;
-        let Some(below) = below.filter(|below| below.height < above.height) else {
+        if below.height >= height {
             return Some(own);
-        };
+        }
         let share = (height / below.height).ln() / (above.height / below.height).ln();
         Some(below.error(samples)?.towards(own, share))
+    }
+
+    /// What was measured next below a height and next above it, px; the same where one is missing
+    /// below, or where it was measured.
+    fn around(&self, height: f64) -> Option<[&MeasuredHeight; 2]> {
+        let above = self.measured.iter().find(|own| own.height >= height)?;
+        let below = self.measured.iter().rfind(|own| own.height <= height);
+        Some([below.unwrap_or(above), above])
+    }
+
+    /// The fewest and the most samples of which something is known at a height, px; at least
+    /// [`FEWEST`].
+    fn range(&self, height: f64) -> Option<[f64; 2]> {
+        let [below, above] = self.around(height)?.map(|own| {
+            let samples = |error: Option<&LevelError>| error.map(|own| f64::from(own.samples));
+            Some([samples(own.errors.first())?, samples(own.errors.last())?])
+        });
+        let [below, above] = [below?, above?];
+        let fewest = below[0].max(above[0]).max(FEWEST);
+        let most = below[1].min(above[1]);
+        (fewest <= most).then_some([fewest, most])
     }
 
     /// With how many samples, at most `most`, the mean of so tall an avatar, px, is nearest to right.
     /// None where nothing was measured.
     fn samples(&self, height: f64, most: f64) -> Option<f64> {
-        let measured = self.measured.iter().find(|own| own.height >= height)?;
-        let fewest = f64::from(measured.errors.first()?.samples);
-        let most = most.min(f64::from(measured.errors.last()?.samples));
+        let [fewest, known] = self.range(height)?;
+        let most = most.min(known);
         let excess = |samples| Some(self.error(height, samples)?.means.iter().sum::<f64>());
-        if excess(most)? >= 0.0 {
+        if most <= fewest || excess(most)? >= 0.0 {
             return Some(most);
         }
         // The fewer samples, the fatter it is.
@@ -107,11 +138,16 @@ impl LevelChoice {
         Some(fat)
     }
 
-    /// Whether nothing is lost by it where so tall an avatar, px, is drawn with so many samples.
-    fn is_near(&self, height: f64, samples: f64) -> bool {
-        let least = PSNR + DOUBLING * (height / BASE_HEIGHT).max(1.0).log2();
-        self.error(height, samples)
-            .is_some_and(|error| error.is_near(least))
+    /// Whether avatars as small as this, px, were measured.
+    fn is_measured_at(&self, height: f64) -> bool {
+        self.measured
+            .first()
+            .is_some_and(|own| own.height <= height)
+    }
+
+    /// The tallest avatar of which something is known, px.
+    fn tallest(&self) -> f64 {
+        self.measured.last().map_or(0.0, |own| own.height)
     }
 }
 
@@ -176,44 +212,89 @@ impl Error {
         }
     }
 
-    /// Whether nothing is lost by it. What is too fat would be fatter with more Gaussians.
-    fn is_near(self, psnr: f64) -> bool {
-        let least = self.means[0].min(self.means[1]);
-        least >= -MEAN_ERROR && (self.psnr >= psnr || least > MEAN_ERROR)
+    /// The lesser of both means: what is missing of it where it is below 0.
+    fn least_mean(self) -> f64 {
+        self.means[0].min(self.means[1])
     }
 }
 
 /// What is drawn of an avatar that is so tall in the image, px, with at most so many samples a pixel:
-/// the coarsest level by which nothing is lost. `before`: the level that the last frame drew.
-pub fn choose(levels: &[LevelChoice], height: f64, most: f64, before: usize) -> LevelAndSamples {
-    coarsest(levels, height, before, |level, height| {
+/// the coarsest level by which nothing is lost, or one that is `coarser` by so many. `before`: the
+/// level by which nothing was lost in the last frame.
+pub fn choose(
+    levels: &[LevelChoice],
+    height: f64,
+    most: f64,
+    before: usize,
+    coarser: usize,
+) -> ChosenLevel {
+    let near = coarsest(levels, height, before, |level, height| {
         level.samples(height, most)
-    })
-    .unwrap_or(LevelAndSamples {
-        level: 0,
-        samples: most,
-    })
+    });
+    let level = (near + coarser).min(levels.len());
+    let samples = match level.checked_sub(1).map(|at| &levels[at]) {
+        // Beyond what is known of a level it is drawn as where it is the tallest.
+        Some(own) => own.samples(height.min(own.tallest()), most),
+        None => None,
+    };
+    ChosenLevel {
+        near,
+        level,
+        samples: samples.unwrap_or(most),
+    }
 }
 
 /// [`choose`] where so many samples are given.
-pub fn choose_with(levels: &[LevelChoice], height: f64, samples: f64, before: usize) -> usize {
-    coarsest(levels, height, before, |_, _| Some(samples)).map_or(0, |found| found.level)
+pub fn choose_with(
+    levels: &[LevelChoice],
+    height: f64,
+    samples: f64,
+    before: usize,
+    coarser: usize,
+) -> ChosenLevel {
+    let near = coarsest(levels, height, before, |_, _| Some(samples));
+    ChosenLevel {
+        near,
+        level: (near + coarser).min(levels.len()),
+        samples,
+    }
 }
 
-/// `samples`: those of a level at a height, px.
+/// The coarsest level by which nothing is lost; 0 where there is none. `samples`: those of a level at a
+/// height, px.
 fn coarsest(
     levels: &[LevelChoice],
     height: f64,
     before: usize,
     samples: impl Fn(&LevelChoice, f64) -> Option<f64>,
-) -> Option<LevelAndSamples> {
-    (1..=levels.len()).rev().find_map(|level| {
-        let keeps = if level <= before { HYSTERESIS } else { 1.0 };
+) -> usize {
+    let error = |own: &LevelChoice, height: f64| own.error(height, samples(own, height)?);
+    let is_near = |level: usize| {
         let own = &levels[level - 1];
-        let samples = samples(own, height / keeps)?;
-        own.is_near(height / keeps, samples)
-            .then_some(LevelAndSamples { level, samples })
-    })
+        // An avatar that grows keeps its level for a while.
+        let keeps = if level <= before { HYSTERESIS } else { 1.0 };
+        let height = height / keeps;
+        let Some(found) = error(own, height) else {
+            return false;
+        };
+        let psnr = PSNR + DOUBLING * (height / BASE_HEIGHT).max(1.0).log2();
+        if found.least_mean() < -MEAN_ERROR {
+            return false;
+        }
+        if found.psnr >= psnr {
+            return true;
+        }
+        // What is too fat would be fatter with more Gaussians, unless it is known that it is not.
+        match level.checked_sub(2).map(|finer| &levels[finer]) {
+            Some(finer) if finer.is_measured_at(height) => {
+                let finer = error(finer, height);
+                found.least_mean() > 0.0 && finer.is_some_and(|finer| finer.psnr <= found.psnr)
+            }
+            _ => found.least_mean() > MEAN_ERROR,
+        }
+    };
+    let found = (1..=levels.len()).rev().find(|&level| is_near(level));
+    found.unwrap_or(0)
 }
 
 #[cfg(test)]
@@ -256,14 +337,12 @@ mod tests {
     #[test]
     fn the_coarsest_level_that_is_near_enough_is_drawn() {
         let levels = body();
-        let choose = |height, most| choose(&levels, height, most, 0).level;
+        let choose = |height, most| choose(&levels, height, most, 0, 0).level;
         assert_eq!(
             [5.0, 20.0, 60.0, 61.0, 120.0, 121.0, 240.0, 241.0].map(|height| choose(height, 4.0)),
             [3, 3, 3, 2, 2, 1, 1, 0]
         );
-        // Of fewer than two samples nothing is known.
-        assert_eq!(choose(60.0, 1.9), 0);
-        assert_eq!(super::choose(&[], 10.0, 4.0, 0).samples, 4.0);
+        assert_eq!(super::choose(&[], 10.0, 4.0, 0, 0).samples, 4.0);
         assert_eq!(
             [f64::NAN, f64::INFINITY].map(|height| choose(height, 4.0)),
             [0, 0]
@@ -276,7 +355,7 @@ mod tests {
         let levels = body();
         let mut height = 30.0;
         while height < 240.0 {
-            let chosen = choose(&levels, height, 4.0, 0);
+            let chosen = choose(&levels, height, 4.0, 0, 0);
             let error = levels[chosen.level - 1]
                 .error(height, chosen.samples)
                 .expect("it was measured");
@@ -292,19 +371,102 @@ mod tests {
         }
         // Smaller ones are too fat with any level: least so with the coarsest and most samples.
         assert_eq!(
-            choose(&levels, 10.0, 4.0, 0),
-            LevelAndSamples {
+            choose(&levels, 10.0, 4.0, 0, 0),
+            ChosenLevel {
+                near: 3,
                 level: 3,
                 samples: 4.0
             }
         );
     }
 
+    /// A governor's coarser level has its own samples, and does not change what is near enough.
+    #[test]
+    fn a_coarser_level_is_drawn_at_its_own_size() {
+        let levels = body();
+        for (height, near, level, samples) in [
+            (110.0, 2, 3, 2.0),
+            (61.0, 2, 3, 2.0),
+            (180.0, 1, 2, 2.0),
+            (50.0, 3, 3, 2.35),
+        ] {
+            let chosen = choose(&levels, height, 4.0, 0, 1);
+            assert_eq!((chosen.near, chosen.level), (near, level), "{height} px");
+            assert!(
+                (chosen.samples - samples).abs() < 0.06,
+                "{height} px: {chosen:?}"
+            );
+        }
+        let large = choose(&levels, 500.0, 1.28, 0, 1);
+        assert_eq!((large.near, large.level, large.samples), (0, 1, 1.28));
+    }
+
+    /// Where nothing changes the second frame has what the first had.
+    #[test]
+    fn a_still_avatar_is_drawn_alike() {
+        let levels = body();
+        for coarser in [0, 1, 5] {
+            for step in 0..300 {
+                let height = 10.0 * 1.012f64.powi(step);
+                let first = choose(&levels, height, 4.0, 0, coarser);
+                assert_eq!(choose(&levels, height, 4.0, first.near, coarser), first);
+            }
+        }
+    }
+
+    /// A bad fit that is a little too fat does not pass for a level, nor do samples below two, and
+    /// heights may have been measured with other samples.
+    #[test]
+    fn what_files_say_is_not_taken_for_more() {
+        let error = |height, samples, psnr_db, color| LevelError {
+            height,
+            samples,
+            psnr_db,
+            color,
+            coverage: color,
+        };
+        let of = |gaussians, errors: &[LevelError]| LevelChoice {
+            gaussians,
+            correctives: false,
+            measured: by_height(errors),
+        };
+        let good = of(
+            400,
+            &[error(60.0, 2, 40.0, 0.02), error(60.0, 4, 40.0, 0.0)],
+        );
+        let bad = of(
+            100,
+            &[error(60.0, 2, 20.0, 0.03), error(60.0, 4, 20.0, 0.011)],
+        );
+        assert_eq!(choose(&[good.clone(), bad], 60.0, 4.0, 0, 0).level, 1);
+        let ones = of(
+            100,
+            &[error(60.0, 1, 40.0, 0.0), error(60.0, 4, 40.0, -0.03)],
+        );
+        let chosen = choose(&[ones], 60.0, 4.0, 0, 0);
+        assert!(chosen.samples >= 2.0, "{chosen:?}");
+        let unequal = of(
+            100,
+            &[
+                error(40.0, 4, 40.0, 0.0),
+                error(60.0, 2, 40.0, 0.02),
+                error(60.0, 4, 40.0, 0.0),
+            ],
+        );
+        assert_eq!(choose(&[unequal], 50.0, 4.0, 0, 0).level, 1);
+    }
+
     #[test]
     fn where_samples_are_given_the_level_follows_them() {
         let levels = body();
-        let at = |samples| choose_with(&levels, 60.0, samples, 0);
-        assert_eq!([4.0, 2.6, 2.4, 2.0, 1.5].map(at), [2, 2, 3, 3, 0]);
+        let at = |height, samples| choose_with(&levels, height, samples, 0, 0).level;
+        assert_eq!(
+            [4.0, 2.6, 2.4, 2.0].map(|samples| at(60.0, samples)),
+            [2, 2, 3, 3]
+        );
+        // Drawn less large than any measurement, the coarsest that fits the size it is drawn with.
+        assert_eq!([1.5, 1.1].map(|samples| at(60.0, samples)), [3, 3]);
+        assert_eq!([1.6, 1.2].map(|samples| at(100.0, samples)), [2, 3]);
     }
 
     #[test]
@@ -319,10 +481,12 @@ mod tests {
             })),
             ..level(10, 1.0, 0.0)
         };
-        let near = |psnr| [60.0, 85.0, 120.0].map(|height| level(psnr).is_near(height, 4.0));
-        assert_eq!(near(31.0), [false; 3]);
-        assert_eq!(near(34.0), [true, true, false]);
-        assert_eq!(near(36.0), [true; 3]);
+        let near = |psnr| {
+            [60.0, 85.0, 120.0].map(|height| choose_with(&[level(psnr)], height, 4.0, 0, 0).level)
+        };
+        assert_eq!(near(31.0), [0; 3]);
+        assert_eq!(near(34.0), [1, 1, 0]);
+        assert_eq!(near(36.0), [1; 3]);
     }
 
     #[test]
@@ -330,7 +494,7 @@ mod tests {
         let levels = body();
         let mut before = 0;
         let walk = [59.0, 62.0, 64.0, 62.0, 122.0, 130.0, 122.0].map(|height| {
-            before = choose(&levels, height, 4.0, before).level;
+            before = choose(&levels, height, 4.0, before, 0).near;
             before
         });
         assert_eq!(walk, [3, 3, 2, 2, 2, 1, 1]);

@@ -119,19 +119,26 @@ pub fn held_rate(report: &SoakReport, limits: &SoakLimits) -> bool {
     report.dropped_share <= limits.dropped && !halved
 }
 
+/// Whether the governor had nothing left to give up: a path of the ladder ends with it, or where the
+/// next rung, the first of another path, has something back.
+fn is_last(report: &SoakReport) -> bool {
+    let from = |rung: usize| report.ladder.get(rung);
+    let pair = from(report.lowest_rung).zip(from(report.lowest_rung + 1));
+    pair.is_none_or(|(own, next)| next.scale > own.scale || next.refreshes < own.refreshes)
+}
+
 fn rate_fault(report: &SoakReport, limits: &SoakLimits) -> Option<String> {
     if held_rate(report, limits) {
         return None;
     }
-    let last = report.ladder.len().saturating_sub(1);
     let rung = report.lowest_rung;
     let reason = if !report.governed {
         "the governor is off".to_owned()
-    } else if rung >= last {
+    } else if is_last(report) {
         "the governor is at its last step".to_owned()
     } else {
         format!(
-            "the governor went to step {rung} of {last}, where the device has time left: something else holds frames up"
+            "the governor went to step {rung}, where the device has time left: something else holds frames up"
         )
     };
     Some(format!(
@@ -184,11 +191,7 @@ pub(super) mod tests {
             simulated_heat: false,
             planned_seconds: 60.0,
             lasted_seconds: 60.0,
-            ladder: Ladder::new(60.0, false)
-                .rungs()
-                .iter()
-                .map(Into::into)
-                .collect(),
+            ladder: Ladder::new(60.0).rungs().iter().map(Into::into).collect(),
             frames: 3600,
             fps: 60.0,
             late: 0,

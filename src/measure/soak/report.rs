@@ -82,7 +82,7 @@ pub struct SoakReport {
 pub struct LadderStep {
     /// Name of the rung, after what it gives up.
     pub name: String,
-    /// This and the next four: see [`FrameQuality`].
+    /// This and the next five: see [`FrameQuality`].
     pub scale: f64,
     /// Frames that each pose is held for.
     pub hold: u32,

@@ -235,7 +235,11 @@ impl Session {
         let changed = stepped && self.settings.governed;
         if changed {
             self.totals.changes += 1;
-            self.totals.lowest_rung = self.totals.lowest_rung.max(self.governor.rung());
+            let rungs = self.governor.ladder().rungs();
+            let [lowest, now] = [self.totals.lowest_rung, self.governor.rung()];
+            if rungs[now].cost < rungs[lowest].cost {
+                self.totals.lowest_rung = now;
+            }
             let refreshes = f64::from(self.quality().refreshes);
             self.cadence.set_period(refreshes / self.settings.rate);
         }
@@ -249,9 +253,11 @@ impl Session {
     pub fn add_counters(&mut self, counters: &Counters) {
         let degenerate = counters.reasons.map(|reasons| reasons.degenerate);
         self.totals.broken_gaussians = self.totals.broken_gaussians.max(degenerate);
-        let drawn = counters.avatars - counters.avatars_culled;
-        if drawn > 0 {
-            self.governor.note_sizes(counters.supersampled == drawn);
+        if counters.longest_side > 0 {
+            // A lower resolution must not make an avatar small.
+            let scale = self.quality().scale;
+            self.governor
+                .note_side(counters.longest_side as f64 / scale);
         }
     }
 

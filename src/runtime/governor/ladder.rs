@@ -70,15 +70,20 @@ pub struct Rung {
     pub cost: f64,
 }
 
-/// Rungs from full quality down. There is at least one.
+/// Rungs from full quality down, on two paths: that of large avatars, and that of small ones, which
+/// are drawn as if they were 640 px. A smaller image saves next to nothing of those, and a coarser
+/// level more than half (docs/experiments/057).
 #[derive(Clone, Debug, PartialEq)]
-pub struct Ladder(Vec<Rung>);
+pub struct Ladder {
+    /// Full quality, the other rungs for large avatars, then those for small ones.
+    rungs: Vec<Rung>,
+    /// Index of the first for small avatars.
+    small: usize,
+}
 
 impl Ladder {
-    /// The ladder for a promised rate, frames a second. `small`: whether every avatar is drawn
-    /// larger than it is shown, as if it were 640 px: a smaller image saves next to nothing of those,
-    /// and a coarser level more than half (docs/experiments/057).
-    pub fn new(rate: f64, small: bool) -> Self {
+    /// The ladder for a promised rate, frames a second.
+    pub fn new(rate: f64) -> Self {
         // Each list ends with halving the display's rate.
         const FOR_SMALL: &[Concession] = &[
             Concession::Cutoff(2.0),
@@ -112,43 +117,50 @@ impl Ladder {
             Concession::Hold,
             Concession::Refresh,
         ];
-        let concessions = if small {
-            FOR_SMALL
-        } else if rate >= 1.5 * SMOOTH {
+        let for_large = if rate >= 1.5 * SMOOTH {
             FOR_HIGH_RATES
         } else {
             FOR_OTHER_RATES
         };
-        let concessions = if rate >= 2.0 * MOVING {
-            concessions
-        } else {
-            &concessions[..concessions.len() - 1]
-        };
-        let mut quality = FrameQuality::FULL;
         let mut rungs = vec![Rung {
             name: "full".into(),
-            quality,
+            quality: FrameQuality::FULL,
             cost: 1.0,
         }];
-        for concession in concessions {
-            concession.apply(&mut quality);
-            rungs.push(Rung {
-                name: concession.name(rate),
-                quality,
-                cost: cost(&quality),
-            });
+        let mut small = 0;
+        for concessions in [for_large, FOR_SMALL] {
+            let count = if rate >= 2.0 * MOVING {
+                concessions.len()
+            } else {
+                concessions.len() - 1
+            };
+            small = rungs.len();
+            let mut quality = FrameQuality::FULL;
+            for concession in &concessions[..count] {
+                concession.apply(&mut quality);
+                rungs.push(Rung {
+                    name: concession.name(rate),
+                    quality,
+                    cost: cost(&quality),
+                });
+            }
         }
-        Self(rungs)
+        Self { rungs, small }
     }
 
-    /// All rungs, full quality first.
+    /// All rungs: full quality, those for large avatars, those for small ones.
     pub fn rungs(&self) -> &[Rung] {
-        &self.0
+        &self.rungs
     }
 
-    /// Index of the last rung.
-    pub fn lowest(&self) -> usize {
-        self.0.len() - 1
+    /// Indices of the rungs of a path, full quality first. There is at least one more.
+    pub fn path(&self, small: bool) -> Vec<usize> {
+        let own = if small {
+            self.small..self.rungs.len()
+        } else {
+            1..self.small
+        };
+        std::iter::once(0).chain(own).collect()
     }
 }
 
@@ -229,16 +241,21 @@ mod tests {
             .into_iter()
             .flat_map(|rate| [(rate, false), (rate, true)])
         {
-            let ladder = Ladder::new(rate, small);
+            let ladder = Ladder::new(rate);
+            let path: Vec<&Rung> = ladder
+                .path(small)
+                .into_iter()
+                .map(|rung| &ladder.rungs()[rung])
+                .collect();
             assert_eq!(ladder.rungs()[0].quality, FrameQuality::FULL);
-            for pair in ladder.rungs().windows(2) {
+            for pair in path.windows(2) {
                 assert!(
                     pair[1].cost < pair[0].cost && pair[1].quality != pair[0].quality,
                     "{rate}: {pair:?}"
                 );
             }
             assert_eq!(
-                ladder.rungs().last().map(|rung| rung.quality.refreshes),
+                path.last().map(|rung| rung.quality.refreshes),
                 Some(if rate >= 48.0 { 2 } else { 1 })
             );
         }

@@ -43,6 +43,12 @@ const TRIAL_WAITS: f64 = 6.0;
 /// A step down this soon after a climb takes the climb back, seconds: for load, and for heat.
 const TAKEN_BACK_FOR_LOAD: f64 = 60.0;
 const TAKEN_BACK_FOR_HEAT: f64 = 300.0;
+/// Avatars whose longest side is below the first are drawn larger than they are shown, px. One that was
+/// not small has to be below the second to be.
+const SMALL: f64 = 640.0;
+const BECOMES_SMALL: f64 = 560.0;
+/// Shares of the full resolution that are the least where avatars are not much larger than that.
+const LEAST_SCALES: [f64; 6] = [0.5, 0.6, 0.7, 0.8, 0.9, 1.0];
 /// Rungs that one step goes down at most.
 const MAX_RUNGS_DOWN: usize = 3;
 
@@ -69,6 +75,8 @@ struct Window {
     /// Frames of which it is known how avatars were drawn, and those in which all of them were small.
     known_frames: u32,
     small_frames: u32,
+    /// The longest side at full quality, px.
+    side: f64,
 }
 
 /// Why to step down.
@@ -92,12 +100,15 @@ impl Reason {
 #[derive(Clone, Debug)]
 pub struct Governor {
     ladder: Ladder,
-    /// Whether it is the ladder of small avatars.
+    /// Whether it walks the path of small avatars.
     is_small: bool,
-    rate: f64,
+    /// The least resolution, as a share of the full one, that still saves something: where an avatar
+    /// becomes small it no longer does.
+    least_scale: f64,
     /// Time from one refresh to the next, ms.
     refresh_ms: f64,
-    rung: usize,
+    /// Steps down the path; 0 is full quality.
+    step: usize,
     window: Window,
     /// Windows still to be ignored.
     ignored_windows: u32,
@@ -116,11 +127,11 @@ impl Governor {
     /// A governor for a promised rate, frames a second, at full quality.
     pub fn new(rate: f64) -> Self {
         Self {
-            ladder: Ladder::new(rate, false),
+            ladder: Ladder::new(rate),
             is_small: false,
-            rate,
+            least_scale: 0.0,
             refresh_ms: 1e3 / rate,
-            rung: 0,
+            step: 0,
             window: Window::default(),
             ignored_windows: IGNORED_WINDOWS,
             heat: HeatTrend::default(),
@@ -137,8 +148,8 @@ impl Governor {
         *self = Self {
             heat: std::mem::take(&mut self.heat),
             changed_at: self.changed_at,
-            ladder: Ladder::new(rate, self.is_small),
             is_small: self.is_small,
+            least_scale: self.least_scale,
             ..Self::new(rate)
         };
     }
@@ -148,14 +159,31 @@ impl Governor {
         &self.ladder
     }
 
-    /// Index of the current rung; 0 is full quality.
+    /// Index of the current rung in the ladder; 0 is full quality.
     pub fn rung(&self) -> usize {
-        self.rung
+        self.ladder.path(self.is_small)[self.step]
+    }
+
+    /// Whether nothing is left to give up.
+    pub fn is_at_last(&self) -> bool {
+        self.step + 1 == self.ladder.path(self.is_small).len()
     }
 
     /// The quality to draw the next frame at.
     pub fn quality(&self) -> FrameQuality {
-        self.ladder.rungs()[self.rung].quality
+        let quality = self.ladder.rungs()[self.rung()].quality;
+        FrameQuality {
+            scale: quality.scale.max(self.least_scale),
+            ..quality
+        }
+    }
+
+    /// The rungs of the path that it walks.
+    fn path(&self) -> Vec<&Rung> {
+        let path = self.ladder.path(self.is_small);
+        path.into_iter()
+            .map(|rung| &self.ladder.rungs()[rung])
+            .collect()
     }
 
     /// Adds a reading of thermal headroom: 0 is cool, at 1 the system lowers the clock. `seconds`
@@ -164,11 +192,14 @@ impl Governor {
         self.heat.add_reading(seconds, headroom);
     }
 
-    /// Says of a frame whether all its avatars are drawn larger than they are shown: from a window on
-    /// in which all frames say so, the governor walks the ladder of [small](Ladder::new) avatars.
-    pub fn note_sizes(&mut self, small: bool) {
+    /// Says how large the largest avatar of a frame would be at full quality: its longest side, px.
+    /// From a window on in which all frames say that it is small, the governor walks the path of
+    /// [small](Ladder) avatars.
+    pub fn note_side(&mut self, side: f64) {
+        let limit = if self.is_small { SMALL } else { BECOMES_SMALL };
         self.window.known_frames += 1;
-        self.window.small_frames += u32::from(small);
+        self.window.side = self.window.side.max(side);
+        self.window.small_frames += u32::from(side < limit);
     }
 
     /// Leaves out a time in which no frame was wanted.
@@ -205,7 +236,11 @@ impl Governor {
         let is_small = window.small_frames > 0;
         let is_sure = [0, window.known_frames].contains(&window.small_frames);
         if window.known_frames > 0 && is_sure && is_small != self.is_small {
-            return self.change_ladder(is_small, now);
+            return self.change_path(is_small, now);
+        }
+        if window.known_frames > 0 && self.change_least_scale(window.side) {
+            self.set_step(self.step, now);
+            return true;
         }
         let frame_ms = self.refresh_ms * f64::from(self.quality().refreshes);
         let load = (window.timed_frames > 0)
@@ -235,7 +270,7 @@ impl Governor {
         }
         let is_cool = headroom.is_none_or(|headroom| headroom <= COOL)
             && forecast.is_none_or(|forecast| forecast <= COOL);
-        if !is_cool || is_late || self.rung == 0 {
+        if !is_cool || is_late || self.step == 0 {
             self.calm_since = None;
             return false;
         }
@@ -250,27 +285,27 @@ impl Governor {
 
     /// How many rungs to go down so that a load becomes easy.
     fn rungs_down(&self, load: Option<f64>) -> usize {
-        let rungs = self.ladder.rungs();
-        let cost = rungs[self.rung].cost;
-        let below = &rungs[self.rung + 1..];
+        let rungs = self.path();
+        let cost = rungs[self.step].cost;
+        let below = &rungs[self.step + 1..];
         let below = &below[..below.len().min(MAX_RUNGS_DOWN)];
-        let is_easy = |rung: &Rung| load.is_none_or(|load| load * rung.cost / cost <= EASY_LOAD);
+        let is_easy = |rung: &&Rung| load.is_none_or(|load| load * rung.cost / cost <= EASY_LOAD);
         let first_easy = below.iter().position(is_easy).map(|index| index + 1);
         first_easy.unwrap_or(below.len()).max(1)
     }
 
     /// Whether the rung above is expected to fit. Must not be called on the first rung.
     fn fits_above(&self, load: Option<f64>) -> bool {
-        let rungs = self.ladder.rungs();
-        let above = rungs[self.rung - 1].cost;
-        let current = rungs[self.rung].cost;
+        let rungs = self.path();
+        let above = rungs[self.step - 1].cost;
+        let current = rungs[self.step].cost;
         load.is_some_and(|load| load * above / current <= MAX_LOAD_AFTER_CLIMB)
     }
 
     fn step_down(&mut self, rungs: usize, reason: Reason, now: f64) -> bool {
         self.calm_since = None;
-        let target = (self.rung + rungs).min(self.ladder.lowest());
-        if target == self.rung {
+        let target = (self.step + rungs).min(self.path().len() - 1);
+        if target == self.step {
             return false;
         }
         if let Some(climbed_at) = self.climbed_at.take()
@@ -278,30 +313,42 @@ impl Governor {
         {
             self.wait = (2.0 * self.wait).min(MAX_WAIT);
         }
-        self.set_rung(target, now);
+        self.set_step(target, now);
         true
     }
 
-    /// Goes on at the first rung of the other ladder that costs no more than this one.
-    fn change_ladder(&mut self, is_small: bool, now: f64) -> bool {
-        let before = self.ladder.rungs()[self.rung].clone();
+    /// Sets the least resolution for avatars of a side, px. True if the quality has changed.
+    fn change_least_scale(&mut self, side: f64) -> bool {
+        let before = self.quality();
+        let least = |side: f64| {
+            let saves = LEAST_SCALES.into_iter().find(|scale| scale * side >= SMALL);
+            saves.unwrap_or(1.0)
+        };
+        // A lower one only where the avatar is well above it, so that it does not come and go.
+        self.least_scale = least(side).max(self.least_scale.min(least(side / 1.1)));
+        self.quality() != before
+    }
+
+    /// Goes on at the first rung of the other path that costs no more than this one.
+    fn change_path(&mut self, is_small: bool, now: f64) -> bool {
+        let before = self.ladder.rungs()[self.rung()].clone();
         self.is_small = is_small;
-        self.ladder = Ladder::new(self.rate, is_small);
-        let rungs = self.ladder.rungs();
-        let rung = rungs.iter().position(|rung| rung.cost <= before.cost);
+        let path = self.path();
+        let step = path.iter().position(|rung| rung.cost <= before.cost);
+        let step = step.unwrap_or(path.len() - 1);
         self.calm_since = None;
-        self.set_rung(rung.unwrap_or(self.ladder.lowest()), now);
+        self.set_step(step, now);
         self.quality() != before.quality
     }
 
     fn climb(&mut self, now: f64) {
         self.climbed_at = Some(now);
         self.calm_since = None;
-        self.set_rung(self.rung - 1, now);
+        self.set_step(self.step - 1, now);
     }
 
-    fn set_rung(&mut self, rung: usize, now: f64) {
-        self.rung = rung;
+    fn set_step(&mut self, step: usize, now: f64) {
+        self.step = step;
         self.changed_at = now;
         self.ignored_windows = IGNORED_WINDOWS;
         self.heat.reset_slope();
