@@ -157,20 +157,23 @@ impl WindowPainter {
     }
 
     /// Draws another avatar from the next frame on, at full quality. Waits for submitted frames; on
-    /// an error that is not the device's the last avatar stays. One as large as the last takes its
+    /// an error the last avatar stays. One as large as the last takes its
     /// place without new kernels.
     ///
     /// # Errors
     /// Those of [`Renderer::from_prepared`], and when a check of the avatar finds a fault.
     pub fn replace_avatar(&mut self, avatar: &Avatar) -> Result<()> {
         let prepared = PreparedAvatar::without_occluder(avatar)?;
-        self.validator = None;
+        // Before what frames under way use goes.
+        self.renderer.finish()?;
         if self.renderer.replace_avatar(&prepared)? {
+            self.validator = None;
+            self.wants_occluder = self.full_quality.skip.contains(Skip::HIDDEN);
             return self.set_quality(&FrameQuality::FULL);
         }
-        self.renderer.finish()?;
         let options = self.full_quality();
         let renderer = Renderer::from_prepared(&self.gpu, &prepared, options)?;
+        self.validator = None;
         // SAFETY: every frame is done. Every frame leaves the image in this state, and the next
         // resize sets another.
         unsafe { self.present.set_image(renderer.raster().image()) };

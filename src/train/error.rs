@@ -99,6 +99,9 @@ pub enum TrainError {
         /// What it found and what it expected.
         faults: Vec<String>,
     },
+    /// The training ended before, since the device had no memory for what was left after pruning.
+    #[error("the training has ended; it goes on from its last checkpoint")]
+    Ended,
     /// What loads pictures ended by itself.
     #[error("the thread that loads pictures ended")]
     LoaderEnded,

@@ -43,9 +43,6 @@ pub const RECIPE: &str = "recipe.toml";
 /// The poses that were learned, as a clip.
 pub const POSES: &str = "poses.motion";
 
-/// What holds of every session that goes on.
-const TRAINS: &str = "a session without a trainer has ended";
-
 /// What a training needs besides its recipe.
 pub struct SessionOptions {
     /// The training's own folder: checkpoints, log, recipe.
@@ -103,6 +100,8 @@ pub struct Session {
     rows: Rows,
     /// None where pruning found no room for its successor: the session has ended then.
     trainer: Option<Trainer>,
+    /// Steps when it ended so.
+    ended_at: u64,
     views: Arc<Views>,
     watched: Watched,
     asked: Option<AskedLoss>,
@@ -295,6 +294,7 @@ impl Session {
             topology,
             rows: stands.rows,
             trainer: Some(trainer),
+            ended_at: 0,
             views,
             watched,
             asked,
@@ -313,12 +313,12 @@ impl Session {
         Ok(session)
     }
 
-    fn trainer(&self) -> &Trainer {
-        self.trainer.as_ref().expect(TRAINS)
+    fn trainer(&self) -> Result<&Trainer, TrainError> {
+        self.trainer.as_ref().ok_or(TrainError::Ended)
     }
 
-    fn trainer_mut(&mut self) -> &mut Trainer {
-        self.trainer.as_mut().expect(TRAINS)
+    fn trainer_mut(&mut self) -> Result<&mut Trainer, TrainError> {
+        self.trainer.as_mut().ok_or(TrainError::Ended)
     }
 
     /// Where it is.
@@ -333,7 +333,7 @@ impl Session {
 
     /// Steps so far.
     pub fn steps(&self) -> u64 {
-        self.trainer().steps()
+        self.trainer.as_ref().map_or(self.ended_at, Trainer::steps)
     }
 
     /// The avatar as it is now.
@@ -343,7 +343,7 @@ impl Session {
     pub fn avatar(&self) -> Result<Avatar, TrainError> {
         let mut avatar = self.start.clone();
         let layout = Layout::new(&self.topology, &self.rows);
-        let parameters = self.trainer().parameters()?;
+        let parameters = self.trainer()?.parameters()?;
         parameters.put_into(&mut avatar, &layout, &self.rows);
         avatar.skeleton = self.skeleton();
         Ok(avatar)
@@ -457,7 +457,7 @@ impl Session {
             let looked = self.watched.views.steady(number, [128; 3])?;
             let view = self.refined(looked);
             let image = self
-                .trainer_mut()
+                .trainer_mut()?
                 .images(std::slice::from_ref(&view), &options)?
                 .remove(0);
             seen.push(Seen { view, image });
@@ -499,7 +499,7 @@ impl Session {
         let asks = before >= recipe.perceptual.from_share
             && self.steps().is_multiple_of(recipe.perceptual.every);
         let step = self.steps() + 1;
-        let trainer = self.trainer.as_mut().expect(TRAINS);
+        let trainer = self.trainer.as_mut().ok_or(TrainError::Ended)?;
         let found = match &self.asked {
             Some(asked) if asks => {
                 let place = self.place;
@@ -532,14 +532,14 @@ impl Session {
         let rate = recipe.rates.exposure * recipe.rates.end.powf(share);
         if rate > 0.0 {
             for (number, shot) in shots.iter().enumerate() {
-                let gradient = self.trainer_mut().gain_gradient(number);
+                let gradient = self.trainer_mut()?.gain_gradient(number);
                 self.exposure
                     .learn(shot.camera, gradient, rate, &options.adam);
             }
             self.exposure.center();
         }
         if options.joints {
-            self.refine(&shots, refine, &options.adam);
+            self.refine(&shots, refine, &options.adam)?;
         }
         sums.add(&found);
         self.place += shots.len() as u64;
@@ -578,14 +578,19 @@ impl Session {
 
     /// Poses, cameras and bones learn from the views of the last step, each once: frames and cameras
     /// that several views share from the sum.
-    fn refine(&mut self, shots: &[Shot], rates: RefineRates, adam: &Adam) {
+    fn refine(
+        &mut self,
+        shots: &[Shot],
+        rates: RefineRates,
+        adam: &Adam,
+    ) -> Result<(), TrainError> {
         let skeleton = &self.skeleton();
         let mut poses: BTreeMap<usize, PoseGradient> = BTreeMap::new();
         let mut cameras: BTreeMap<usize, CameraGradient> = BTreeMap::new();
         for (number, shot) in shots.iter().enumerate() {
             let pose = self.pose(shot.frame);
             let own =
-                skeleton.matrices_backward(&pose, &self.trainer_mut().joints_gradient(number));
+                skeleton.matrices_backward(&pose, &self.trainer_mut()?.joints_gradient(number));
             let given = &self.capture.cameras[shot.camera].camera;
             let seen = SeenFrom {
                 skeleton,
@@ -623,6 +628,7 @@ impl Session {
                     .learn_pose(*frame, gradient, rates.pose, adam);
             }
         }
+        Ok(())
     }
 
     /// Poses of frames that are not held out, as they are known by now.
@@ -681,7 +687,7 @@ impl Session {
             PruneBy::Variance => Sensitivity::new(0),
             PruneBy::Pictures => self.sensitivity()?,
         };
-        let state = self.trainer().state()?;
+        let state = self.trainer()?.state()?;
         let avatar = self.avatar()?;
         let features: Vec<Vec<f64>> = self
             .poses()
@@ -714,6 +720,7 @@ impl Session {
         };
         // Its memory is free before that of its successor is asked for. Should that fail, the
         // checkpoint goes on from here.
+        self.ended_at = self.steps();
         self.trainer = None;
         self.trainer = Some(Trainer::new(
             &self.gpu,
@@ -736,7 +743,7 @@ impl Session {
             let number = (2 * k + 1) * self.views.len() / (2 * count);
             let looked = self.views.steady(number, [128; 3])?;
             let view = self.refined(looked);
-            let trainer = self.trainer_mut();
+            let trainer = self.trainer_mut()?;
             trainer.look(&[view], &StepOptions::LOOK)?;
             found.add(&trainer.attribute_gradients()?);
         }
@@ -745,7 +752,7 @@ impl Session {
 
     /// Writes a checkpoint.
     fn save(&self) -> Result<(), TrainError> {
-        let state = self.trainer().state()?;
+        let state = self.trainer()?.state()?;
         let all = [
             &state.parameters,
             &state.first_moments,

@@ -29,8 +29,15 @@ impl DrawableAvatar {
     /// Draws small images from the levels of detail from now on.
     pub fn add_levels(&mut self) -> Result<(), Error> {
         self.complete_avatar();
-        self.renderer.add_levels(&self.avatar)?;
-        Ok(())
+        match self.renderer.add_levels(&self.avatar) {
+            Ok(_) => Ok(()),
+            Err(error @ Error::DeviceLost(_)) => Err(error),
+            Err(error) => {
+                // It is drawn without them, also by a device that comes after this one.
+                self.avatar.levels.clear();
+                Err(error)
+            }
+        }
     }
 
     /// Gives the avatar the levels that the renderer has not got yet.

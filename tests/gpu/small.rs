@@ -326,6 +326,36 @@ pub fn levels_are_drawn_as_avatars<R: Renders>(raster: Raster) {
     );
 }
 
+/// A level that is fat at 2 samples and thin at 4 is drawn with those between at which its mean is
+/// right, and a still frame of it is not drawn again.
+pub fn levels_have_samples_of_their_own<R: Renders>(raster: Raster) {
+    let (avatar, camera) = scene(8.0, LARGE);
+    let mut avatar = common::with_levels(avatar);
+    for level in &mut avatar.levels {
+        for measured in &mut level.measured {
+            let fat = if measured.samples == 2 { 0.02 } else { -0.02 };
+            measured.color = fat;
+            measured.coverage = fat;
+        }
+    }
+    let options = supersampled::<R>(raster, &camera, Supersampling::BySize);
+    let mut renderer = R::make(&avatar, options);
+    for (away, level) in [(12.0, 1), (28.0, 2)] {
+        let posed = posed(&avatar, &camera, 3, DVec3::new(0.2, 0.1, away));
+        renderer.draw_all(&[&posed], &camera);
+        let image = renderer.image();
+        let counters = renderer.report().counters;
+        // Half way between 1/2 and 1/4: 2.67.
+        assert_eq!((counters.coarsest_level, counters.most_samples), (level, 3));
+        let expected =
+            reference::render_shown(&avatar, &[&posed], &camera, Supersampling::BySize, None);
+        assert_near(&format!("level {level}"), &image, &expected, 44.0);
+        renderer.draw_all(&[&posed], &camera);
+        assert!(renderer.image() == image, "a still frame has changed");
+        assert_eq!(renderer.report().counters.submitted, 0, "{away} m away");
+    }
+}
+
 /// A level has colours of its own, which change with the view: of splats, and of a body that networks
 /// move. Two avatars at different levels, so that both sets of colours are needed in one frame.
 pub fn levels_have_their_own_harmonics<R: Renders>(raster: Raster) {

@@ -44,6 +44,10 @@ pub struct Args {
     /// Motion capture that the motion file was made of: says how well it follows
     #[arg(long, value_name = "FILE", requires = "file")]
     against: Option<PathBuf>,
+    /// Body model of a capture of pictures: an .npz with the arrays of SMPL-X [default: template.npz
+    /// in the capture]
+    #[arg(long, value_name = "FILE", requires = "file")]
+    template: Option<PathBuf>,
     /// Avatar that motion of another body is to move [default: the built-in demo; of `bake motion`
     /// the assets' body]
     #[arg(long, value_name = "FILE")]
@@ -72,11 +76,19 @@ pub fn run(args: Args) -> anyhow::Result<()> {
             args.against.is_none(),
             "--against is for a file, not for a folder"
         );
-        if let Some(capture) = PicturesSummary::new(file)? {
+        let capture = PicturesSummary::new(file, args.template.as_deref());
+        if let Ok(Some(capture)) = &capture {
             ensure!(args.png.is_none(), "--png draws no capture of pictures");
-            return print(&capture, args.json);
+            return print(capture, args.json);
         }
         let summary = FolderSummary::new(file)?;
+        if let Err(error) = capture {
+            // A folder of other files may have a calibration among them.
+            if summary.paths().next().is_none() {
+                return Err(error);
+            }
+            eprintln!("no capture of pictures: {error:#}");
+        }
         if let Some(out) = &args.png {
             let files: Vec<&Path> = summary.paths().collect();
             sheet::write(&args.thumbnails()?, &files, out)?;

@@ -1,7 +1,7 @@
 //! What a capture of pictures has that a training would learn from.
 
 use super::text::{line, thousands};
-use effigy_capture::{Capture, tally};
+use effigy_capture::{Capture, CaptureOptions, tally};
 use serde::Serialize;
 use std::{collections::BTreeMap, fmt, path::Path};
 
@@ -39,12 +39,15 @@ struct Size {
 }
 
 impl PicturesSummary {
-    /// None: the folder is no capture.
-    pub fn new(folder: &Path) -> anyhow::Result<Option<Self>> {
+    /// None: the folder is no capture. `template`: its body model, if that lies elsewhere.
+    pub fn new(folder: &Path, template: Option<&Path>) -> anyhow::Result<Option<Self>> {
         let Some(layout) = Capture::layout(folder) else {
             return Ok(None);
         };
-        let capture = Capture::read(folder)?;
+        let options = CaptureOptions {
+            template: template.map(Path::to_owned),
+        };
+        let capture = Capture::read_with(folder, &options)?;
         let mut sizes: BTreeMap<[u32; 2], usize> = BTreeMap::new();
         for own in &capture.cameras {
             *sizes.entry(own.camera.size).or_default() += 1;

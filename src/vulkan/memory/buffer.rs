@@ -69,6 +69,45 @@ impl From<&Buffer> for Slice {
     }
 }
 
+/// Data for the start of a buffer of the device's own.
+pub(crate) struct Upload<'a> {
+    pub to: &'a Buffer,
+    pub data: &'a [u8],
+}
+
+/// Copies data to buffers at once, and waits. What may fail but for the device itself, making room to
+/// copy from, comes before anything is written.
+///
+/// # Panics
+/// When data is longer than its buffer.
+pub(crate) fn upload_all(gpu: &Arc<Gpu>, uploads: &[Upload]) -> Result<()> {
+    let size: usize = uploads.iter().map(|upload| upload.data.len()).sum();
+    let usage = vk::BufferUsageFlags::TRANSFER_SRC;
+    let location = MemoryLocation::CpuToGpu;
+    let mut staging = Buffer::new(gpu, "staging", size as u64, usage, location)?;
+    let mut start = 0;
+    for upload in uploads {
+        upload.to.assert_holds(upload.data.len());
+        staging.mapped()[start..][..upload.data.len()].copy_from_slice(upload.data);
+        start += upload.data.len();
+    }
+    gpu.run("an upload", |commands| {
+        let mut start = 0;
+        for upload in uploads.iter().filter(|upload| !upload.data.is_empty()) {
+            let region = vk::BufferCopy {
+                src_offset: start,
+                dst_offset: 0,
+                size: upload.data.len() as u64,
+            };
+            start += region.size;
+            let [from, to] = [staging.raw(), upload.to.raw()];
+            // SAFETY: both buffers are alive; the region is inside both, as asserted above; `run`
+            // waits.
+            unsafe { gpu.raw.cmd_copy_buffer(commands.raw(), from, to, &[region]) };
+        }
+    })
+}
+
 impl Buffer {
     /// `size` is rounded up to at least [`LEAST`]: Vulkan has no empty buffers, avatars have empty
     /// arrays.

@@ -3,7 +3,7 @@
 
 use crate::vulkan::{
     device::{error::Result, gpu::Gpu},
-    memory::Buffer,
+    memory::{Buffer, Upload, upload_all},
 };
 use ash::vk;
 use bytemuck::cast_slice;
@@ -76,11 +76,17 @@ impl GaussianSet {
             && self.rows.holds_exactly(cast_slice(&packed.rows))
     }
 
-    fn replace(&mut self, packed: &PackedSet) -> Result<()> {
-        self.gaussians.upload(cast_slice(&packed.gaussians))?;
-        self.rows.upload(cast_slice(&packed.rows))?;
-        self.constants.clone_from(&packed.constants);
-        Ok(())
+    fn uploads<'a>(&'a self, packed: &'a PackedSet) -> [Upload<'a>; 2] {
+        [
+            Upload {
+                to: &self.gaussians,
+                data: cast_slice(&packed.gaussians),
+            },
+            Upload {
+                to: &self.rows,
+                data: cast_slice(&packed.rows),
+            },
+        ]
     }
 }
 
@@ -125,8 +131,14 @@ impl Model {
     }
 
     /// Fills the buffers with another avatar, which has no occluder mesh here. False, and nothing has
-    /// changed, where its arrays have other lengths. No submitted work may use them.
-    pub(crate) fn replace(&mut self, avatar: &Avatar, packed: &PackedModel) -> Result<bool> {
+    /// changed, where its arrays have other lengths; nor on an error that is not the device's loss. No
+    /// submitted work may use them.
+    pub(crate) fn replace(
+        &mut self,
+        gpu: &Arc<Gpu>,
+        avatar: &Avatar,
+        packed: &PackedModel,
+    ) -> Result<bool> {
         let shared = [
             (&self.networks, &packed.networks),
             (&self.nodes, &packed.nodes),
@@ -145,11 +157,19 @@ impl Model {
         if !fits {
             return Ok(false);
         }
-        for (buffer, words) in shared {
-            buffer.upload(cast_slice(words))?;
+        let mut uploads: Vec<Upload> = shared
+            .into_iter()
+            .map(|(to, words)| Upload {
+                to,
+                data: cast_slice(words),
+            })
+            .collect();
+        for (set, packed) in self.sets.iter().zip(&packed.sets) {
+            uploads.extend(set.uploads(packed));
         }
+        upload_all(gpu, &uploads)?;
         for (set, packed) in self.sets.iter_mut().zip(&packed.sets) {
-            set.replace(packed)?;
+            set.constants.clone_from(&packed.constants);
         }
         self.node_places.clone_from(&packed.node_places);
         Ok(true)

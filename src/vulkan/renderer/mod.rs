@@ -310,7 +310,7 @@ impl Renderer {
     /// own, as where hidden Gaussians are left out behind the last one's occluder mesh.
     ///
     /// # Errors
-    /// When the device fails: draw nothing more with this renderer then.
+    /// When the device fails, or its memory does not suffice: nothing has changed then.
     pub fn replace_avatar(&mut self, prepared: &PreparedAvatar) -> Result<bool> {
         let avatar = prepared.avatar;
         let extent = prepared.bounds.clone().filtered(self.options.filter);
@@ -329,7 +329,7 @@ impl Renderer {
             return Ok(false);
         }
         self.finish()?;
-        if !self.model.replace(avatar, &packed)? {
+        if !self.model.replace(&self.gpu, avatar, &packed)? {
             return Ok(false);
         }
         self.extent = extent;

@@ -447,7 +447,7 @@ export class Effigy extends EventTarget {
     this.#later(() => this.#view.add_levels());
   }
 
-  /** Calls the module once what waits has been done. */
+  /** Calls the module once what waits has been done, for what frames can do without. */
   #later(act) {
     setTimeout(() => {
       if (!this.#canDraw()) return;
@@ -455,7 +455,8 @@ export class Effigy extends EventTarget {
         this.#call(act);
         this.#requestFrame();
       } catch (error) {
-        if (moduleFailure() || !this.#recoverIfLost()) this.#fail(error);
+        if (moduleFailure()) this.#fail(error);
+        else if (!this.#recoverIfLost()) console.warn(`Effigy draws without it: ${error.message}`);
       }
     });
   }

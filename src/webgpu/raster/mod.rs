@@ -214,8 +214,9 @@ impl Raster {
         Ok(())
     }
 
-    /// Makes an atlas of at least a size, px, and what averages it, where there is none. On failure
-    /// the one before stays.
+    /// Makes an atlas of at least a size, px, and what averages it, where there is none. A device
+    /// that has no memory for it says so with [`Gpu::check`], in browsers later: then nothing more
+    /// can be drawn with this.
     pub fn make_atlas(
         &mut self,
         gpu: &Gpu,

@@ -58,6 +58,7 @@ check_with! {
     no_switch_is_seen,
     frames_leave_nothing_behind,
     levels_are_drawn_as_avatars,
+    levels_have_samples_of_their_own,
     levels_have_their_own_harmonics,
 }
 
@@ -274,6 +275,8 @@ tests! {
     no_switch_is_seen[Quads],
     no_switch_is_seen[Tiles],
     levels_have_their_own_harmonics[Tiles],
+    levels_have_samples_of_their_own[Quads],
+    levels_have_samples_of_their_own[Tiles],
     levels_are_drawn_as_avatars[Quads],
     levels_are_drawn_as_avatars[Tiles],
     levels_are_drawn_as_avatars[SharedTiles],

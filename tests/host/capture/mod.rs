@@ -290,9 +290,15 @@ fn inspect_says_what_a_capture_has() {
     );
     let (is_good, text) = inspect(&["--png", "a.png"]);
     assert!(!is_good && text.contains("--png"), "{text}");
-    fs::remove_file(folder.path().join("template.npz")).unwrap();
-    let (is_good, text) = inspect(&[]);
-    assert!(!is_good && text.contains("template.npz"), "{text}");
+    let template = folder.path().join("template.npz");
+    let elsewhere = tempfile::tempdir().unwrap();
+    let moved = elsewhere.path().join("body.npz");
+    fs::rename(&template, &moved).unwrap();
+    // The parameters of poses are motion: a folder of files, then.
+    let (_, text) = inspect(&[]);
+    assert!(text.contains("template.npz"), "{text}");
+    let (is_good, text) = inspect(&["--template", moved.to_str().unwrap()]);
+    assert!(is_good && text.contains("1 × missing"), "{text}");
 }
 
 tests! {
