@@ -225,10 +225,10 @@ impl Group {
             self.depth[0].min(other.depth[0]),
             self.depth[1].max(other.depth[1]),
         ];
-        // Whatever level one of them has alone: samples of a group follow sizes alone, so that they
-        // do not jump where a member's level changes.
+        // As many samples as the one that needs most of them: finer levels do for the others. With
+        // fewer some would be too fat.
         self.most = self.most.min(other.most);
-        self.factor = self.most;
+        self.factor = self.factor.max(other.factor).min(self.most);
     }
 }
 

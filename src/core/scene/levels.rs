@@ -15,8 +15,9 @@ const PSNR: f64 = 32.0;
 const BASE_HEIGHT: f64 = 60.0;
 /// dB.
 const DOUBLING: f64 = 3.0;
-/// And where neither mean colour nor coverage were less than they should be by more than this.
-const MEAN_ERROR: f64 = 0.01;
+/// And where neither mean colour nor coverage were less than they should be by more than this: 1 % is
+/// the aim, and poses that were not measured come on top.
+const MEAN_ERROR: f64 = 0.006;
 /// Hysteresis: an avatar that grows keeps its level up to this many times the height that the level
 /// is for.
 const HYSTERESIS: f64 = 1.05;
@@ -461,7 +462,7 @@ mod tests {
         let levels = body();
         let at = |height, samples| choose_with(&levels, height, samples, 0, 0).level;
         assert_eq!(
-            [4.0, 2.6, 2.4, 2.0].map(|samples| at(60.0, samples)),
+            [4.0, 2.6, 2.2, 2.0].map(|samples| at(60.0, samples)),
             [2, 2, 3, 3]
         );
         // Drawn less large than any measurement, the coarsest that fits the size it is drawn with.
