@@ -44,8 +44,7 @@ pub struct Args {
     /// Motion capture that the motion file was made of: says how well it follows
     #[arg(long, value_name = "FILE", requires = "file")]
     against: Option<PathBuf>,
-    /// Body model of a capture of pictures: an .npz with the arrays of SMPL-X [default: template.npz
-    /// in the capture]
+    /// Body model: an .npz with the arrays of SMPL-X [default: template.npz in the capture]
     #[arg(long, value_name = "FILE", requires = "file")]
     template: Option<PathBuf>,
     /// Avatar that motion of another body is to move [default: the built-in demo; of `bake motion`
