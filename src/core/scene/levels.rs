@@ -115,10 +115,14 @@ impl LevelChoice {
     }
 
     /// With how many samples, at most `most`, the mean of so tall an avatar, px, is nearest to right.
-    /// None where nothing was measured.
+    /// None where nothing was measured, and for avatars so large that they have fewer than
+    /// [`FEWEST`].
     fn samples(&self, height: f64, most: f64) -> Option<f64> {
         let [fewest, known] = self.range(height)?;
         let most = most.min(known);
+        if most < FEWEST {
+            return None;
+        }
         let excess = |samples| Some(self.error(height, samples)?.means.iter().sum::<f64>());
         if most <= fewest || excess(most)? >= 0.0 {
             return Some(most);
