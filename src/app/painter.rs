@@ -157,8 +157,8 @@ impl WindowPainter {
     }
 
     /// Draws another avatar from the next frame on, at full quality. Waits for submitted frames; on
-    /// an error the last avatar stays. One as large as the last takes its
-    /// place without new kernels.
+    /// an error the last avatar stays. One as large as the last takes its place without new
+    /// kernels.
     ///
     /// # Errors
     /// Those of [`Renderer::from_prepared`], and when a check of the avatar finds a fault.

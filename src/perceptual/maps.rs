@@ -21,8 +21,8 @@ impl Maps {
         }
     }
 
-    /// Maps of another size, a plane from each of these. `write` fills one, which is zeros, from the
-    /// one that it is made of.
+    /// Maps of another size, a plane from each of these. `write` fills one, which is zeros, from
+    /// the one that it is made of.
     pub fn mapped(&self, size: [usize; 2], write: impl Fn(&mut [f32], &[f32]) + Sync) -> Self {
         let mut new = Self::zeros(self.channels, size);
         let plane = new.plane();

@@ -681,13 +681,12 @@ impl Session {
 
     /// Leaves out the basis rows that are worth least, moments included.
     fn prune(&mut self) -> Result<(), TrainError> {
-        self.save()?;
+        let state = self.save()?;
         let layout = Layout::new(&self.topology, &self.rows);
         let sensitivity = match self.recipe.prune.by {
             PruneBy::Variance => Sensitivity::new(0),
             PruneBy::Pictures => self.sensitivity()?,
         };
-        let state = self.trainer()?.state()?;
         let avatar = self.avatar()?;
         let features: Vec<Vec<f64>> = self
             .poses()
@@ -750,8 +749,8 @@ impl Session {
         Ok(found)
     }
 
-    /// Writes a checkpoint.
-    fn save(&self) -> Result<(), TrainError> {
+    /// Writes a checkpoint, and says what it has of the trainer.
+    fn save(&self) -> Result<TrainerState, TrainError> {
         let state = self.trainer()?.state()?;
         let all = [
             &state.parameters,
@@ -784,7 +783,7 @@ impl Session {
             recipe: self.recipe.text(),
         };
         checkpoint.write(&self.options.folder)?;
-        Ok(())
+        Ok(checkpoint.state)
     }
 
     fn nothing_seen(&self, shot: Shot) -> TrainError {

@@ -15,7 +15,7 @@ use super::{
 use bytemuck::bytes_of;
 use effigy_core::{
     frame::{
-        FramePlan, Layer, Schedule,
+        FramePlan, Schedule,
         passes::{Pass, Target},
         schedule::{ScheduledStage, Step},
     },
@@ -155,14 +155,6 @@ impl Executor<'_> {
         }
     }
 
-    /// The avatars of a layer.
-    fn layer(&self, target: Target) -> &Layer<'_> {
-        match target {
-            Target::Atlas => &self.plan.atlas.as_ref().expect(SCHEDULED).layer,
-            Target::Image => &self.plan.image,
-        }
-    }
-
     fn encode(&self, encoder: &mut wgpu::CommandEncoder, pass: &Pass) {
         match *pass {
             Pass::SetKeyCount { keys } => {
@@ -201,7 +193,9 @@ impl Executor<'_> {
             Pass::Occluder { target, .. } => {
                 let occluder = self.occluder.expect(SCHEDULED);
                 let frames: Vec<u32> = self
+                    .plan
                     .layer(*target)
+                    .expect(SCHEDULED)
                     .instances
                     .iter()
                     .filter(|instance| instance.has_occluder())

@@ -100,8 +100,9 @@ impl Model {
     }
 
     /// Makes room for these levels in place of those before, and keeps the avatar's own Gaussians.
-    /// Whatever is bound to [`Self::gaussians`] and [`Self::rows`] must be bound again. A device that
-    /// has no memory for them says so with [`Gpu::check`]: then nothing more can be drawn with this.
+    /// Whatever is bound to [`Self::gaussians`] and [`Self::rows`] must be bound again. A device
+    /// that has no memory for them says so with [`Gpu::check`]: then nothing more can be drawn with
+    /// this.
     pub fn make_room(&mut self, gpu: &Gpu, levels: &[Avatar]) -> Result<()> {
         let own = self.sizes[0];
         let mut sizes = vec![own];

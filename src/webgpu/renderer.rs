@@ -444,11 +444,7 @@ impl Renderer {
             block: block_offset(layer.instances.first().map_or(own, |first| first.index)),
             damage,
         };
-        // An atlas holds one frame's avatars: nothing of the frame before is of use.
-        let whole_atlas = plan.atlas.as_ref().map(|atlas| {
-            let size = atlas.layer.size;
-            Damage::new(PixelRect::whole(size), None, size)
-        });
+        let whole_atlas = plan.atlas.as_ref().map(|atlas| atlas.damage());
         let atlas = plan.atlas.as_ref().zip(whole_atlas.as_ref());
         let executor = Executor {
             gpu: &self.gpu,

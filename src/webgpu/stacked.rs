@@ -1,4 +1,5 @@
-//! The same array of every set of Gaussians, an avatar's own and its levels', in one buffer.
+//! An array that every set of Gaussians has, an avatar's own and each of its levels', in one
+//! buffer.
 
 use super::{
     buffer::{STORAGE, Slice, partly_bound},

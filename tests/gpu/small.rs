@@ -22,8 +22,22 @@ pub trait Renders: Sized {
     fn report(&self) -> FrameReport;
 }
 
-/// Tests of a backend: `check_with!(RENDERER: NAME, ...)`.
+/// These tests as those of a backend, by the type of its renderer.
 macro_rules! check_with {
+    ($renderer:ty) => {
+        check_with! {
+            $renderer:
+            a_small_avatar_is_its_own_average,
+            small_avatars_go_before_and_behind_large_ones,
+            small_avatars_that_touch_are_sorted_together,
+            any_factor_is_averaged_by_area,
+            no_switch_is_seen,
+            frames_leave_nothing_behind,
+            levels_are_drawn_as_avatars,
+            levels_have_samples_of_their_own,
+            levels_have_their_own_harmonics,
+        }
+    };
     ($renderer:ty: $($name:ident),+ $(,)?) => {
         $(fn $name(raster: Raster) {
             $crate::small::$name::<$renderer>(raster);
@@ -278,7 +292,7 @@ pub fn frames_leave_nothing_behind<R: Renders>(raster: Raster) {
 pub fn levels_are_drawn_as_avatars<R: Renders>(raster: Raster) {
     let (avatar, camera) = scene(8.0, LARGE);
     // Up to 120 and 60 px.
-    let avatar = common::with_levels(avatar);
+    let avatar = common::with_near_levels(avatar);
     let own = [
         &avatar.at_level(&avatar.levels[0]),
         &avatar.at_level(&avatar.levels[1]),
@@ -330,7 +344,7 @@ pub fn levels_are_drawn_as_avatars<R: Renders>(raster: Raster) {
 /// right, and a still frame of it is not drawn again.
 pub fn levels_have_samples_of_their_own<R: Renders>(raster: Raster) {
     let (avatar, camera) = scene(8.0, LARGE);
-    let mut avatar = common::with_levels(avatar);
+    let mut avatar = common::with_near_levels(avatar);
     for level in &mut avatar.levels {
         for measured in &mut level.measured {
             let fat = if measured.samples == 2 { 0.02 } else { -0.02 };
@@ -356,14 +370,15 @@ pub fn levels_have_samples_of_their_own<R: Renders>(raster: Raster) {
     }
 }
 
-/// A level has colours of its own, which change with the view: of splats, and of a body that networks
-/// move. Two avatars at different levels, so that both sets of colours are needed in one frame.
+/// A level has colours of its own, which change with the view: of splats, and of a body that
+/// networks move. Two avatars at different levels, so that both sets of colours are needed in one
+/// frame.
 pub fn levels_have_their_own_harmonics<R: Renders>(raster: Raster) {
     let splats = common::splats(5, 6000, 3).to_avatar("scan").unwrap();
     let (mut body, _) = scene(8.0, LARGE);
     body.sh = Some(common::harmonics(6, body.gaussians.len(), 2));
     for avatar in [splats, body] {
-        let mut avatar = common::with_levels(avatar);
+        let mut avatar = common::with_near_levels(avatar);
         for level in &mut avatar.levels {
             // What is drawn with the colours of another set is far from the reference.
             let sh = level.sh.as_mut().unwrap();

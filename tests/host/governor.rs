@@ -202,8 +202,8 @@ fn a_sudden_load_costs_few_frames_and_is_given_back() {
     );
 }
 
-/// Draws an avatar of a side at full quality, px, for some seconds, as a device would of which small
-/// avatars cost what their level does. Returns the qualities it was drawn with, each once.
+/// Draws an avatar of a side at full quality, px, for some seconds, as a device would of which
+/// small avatars cost what their level does. Returns the qualities it was drawn with, each once.
 fn drawn(
     governor: &mut Governor,
     now: &mut f64,
@@ -254,8 +254,8 @@ fn small_avatars_keep_their_resolution() {
     assert_eq!(draw(300.0, 0.3, 1000.0), FrameQuality::FULL);
 }
 
-/// A lower resolution makes no avatar small, whatever its size: the governor settles on one path, and
-/// comes back when there is less to do.
+/// A lower resolution makes no avatar small, whatever its size: the governor settles on one path,
+/// and comes back when there is less to do.
 fn a_lower_resolution_makes_no_avatar_small() {
     for side in [500.0, 570.0, 630.0, 645.0, 700.0, 900.0, 1200.0, 2000.0] {
         for work in [1.1, 1.6, 2.5] {

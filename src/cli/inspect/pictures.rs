@@ -2,6 +2,7 @@
 
 use super::text::{line, thousands};
 use effigy_capture::{Capture, CaptureOptions, tally};
+use effigy_train::data::training_shots;
 use serde::Serialize;
 use std::{collections::BTreeMap, fmt, path::Path};
 
@@ -53,12 +54,6 @@ impl PicturesSummary {
             *sizes.entry(own.camera.size).or_default() += 1;
         }
         let held = capture.cameras.iter().filter(|own| own.held);
-        let learned = (0..capture.cameras.len())
-            .flat_map(|camera| (0..capture.frames.len()).map(move |frame| (camera, frame)))
-            .filter(|&(camera, frame)| {
-                let is_held = capture.cameras[camera].held || capture.frames[frame].held;
-                !is_held && capture.has(camera, frame)
-            });
         Ok(Some(Self {
             kind: "capture of pictures",
             layout,
@@ -75,7 +70,7 @@ impl PicturesSummary {
             frames: capture.frames.len(),
             held_frames: capture.frames.iter().filter(|frame| frame.held).count(),
             pictures: capture.pictures(),
-            learned: learned.count(),
+            learned: training_shots(&capture).len(),
             joints: capture.template.skeleton.len(),
             vertices: capture.template.vertices.len(),
             expression: capture.template.expression,

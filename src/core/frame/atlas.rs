@@ -5,6 +5,7 @@
 //! that may pass through an avatar that is drawn at its size is drawn at its size too. So slots
 //! and whatever else meets them in the image are entirely before or behind each other.
 
+use super::room::FEW;
 use crate::scene::{
     AvatarBounds, Camera, PixelRect, PlaneRect, Supersampling, Visible,
     levels::{self, ChosenLevel},
@@ -19,9 +20,17 @@ const LONGEST: u32 = 4096;
 const HALVINGS: usize = 32;
 /// Pixels that an atlas may have where the image has fewer.
 const LEAST_PIXELS: u64 = 1 << 22;
-/// Up to so many small avatars an atlas may have all its pixels. With more there are fewer, down to a
-/// quarter: a crowd's time goes into its pixels, and few samples do for it (docs/experiments/050).
-const FEW: usize = 16;
+
+/// By what an avatar's level is chosen, besides its size.
+#[derive(Clone, Copy, Debug)]
+pub struct LevelInput {
+    /// Levels are for avatars whose size decides how they are drawn.
+    pub supersampling: Supersampling,
+    /// The level that was near enough in the last frame.
+    pub before: usize,
+    /// By how many it is to be coarser ([`levels::choose`]).
+    pub coarser: usize,
+}
 
 /// An avatar in view.
 #[derive(Clone, Copy, Debug)]
@@ -38,26 +47,24 @@ pub struct Seen {
     pub most: f64,
     /// What is drawn of it alone, and how many times its size that should be.
     pub chosen: ChosenLevel,
+    /// By what that was chosen.
+    pub input: LevelInput,
 }
 
 impl Seen {
-    /// An avatar that `visible` says is in view of a camera. `joints`: its pose's. `before`: the
-    /// level that was near enough in the last frame; `coarser`: by how many it is to be coarser
-    /// ([`levels::choose`]). Levels are for avatars whose size decides how they are drawn.
+    /// An avatar that `visible` says is in view of a camera. `joints`: its pose's.
     pub fn new(
         bounds: &AvatarBounds,
         joints: &[DAffine3],
         camera: &Camera,
         visible: &Visible,
-        supersampling: Supersampling,
-        before: usize,
-        coarser: usize,
+        input: LevelInput,
     ) -> Self {
         let side = bounds.longest_side(joints, camera);
-        let most = supersampling.factor(side);
-        let chosen = match supersampling {
+        let most = input.supersampling.factor(side);
+        let chosen = match input.supersampling {
             Supersampling::BySize if most > 1.0 => {
-                levels::choose(bounds.levels(), side, most, before, coarser)
+                levels::choose(bounds.levels(), side, most, input.before, input.coarser)
             }
             _ => ChosenLevel {
                 near: 0,
@@ -71,19 +78,18 @@ impl Seen {
             side,
             most,
             chosen,
+            input,
         }
     }
 
-    /// What is drawn into a slot of a factor, which may be another than its own: less where there is
-    /// little room, more where it shares the slot with others.
-    pub fn chosen_for(
-        &self,
-        bounds: &AvatarBounds,
-        supersampling: Supersampling,
-        factor: f64,
-        before: usize,
-        coarser: usize,
-    ) -> ChosenLevel {
+    /// What is drawn into a slot of a factor, which may be another than its own: less where there
+    /// is little room, more where it shares the slot with others.
+    pub fn chosen_for(&self, bounds: &AvatarBounds, factor: f64) -> ChosenLevel {
+        let LevelInput {
+            supersampling,
+            before,
+            coarser,
+        } = self.input;
         match supersampling {
             Supersampling::BySize if factor != self.chosen.samples => {
                 levels::choose_with(bounds.levels(), self.side, factor, before, coarser)
@@ -273,7 +279,9 @@ pub fn arrange(seen: &[Seen], size: [u32; 2]) -> Arrangement {
     Arrangement::without_slots(seen.len())
 }
 
-/// Pixels that an atlas may have for so many small avatars in an image of a size.
+/// Pixels that an atlas may have for so many small avatars in an image of a size. A crowd has
+/// fewer, down to a quarter: its time goes into pixels, and few samples do for it
+/// (docs/experiments/050).
 fn most_pixels(size: [u32; 2], small: usize) -> u64 {
     let all = LEAST_PIXELS.max(u64::from(size[0]) * u64::from(size[1]));
     (all * FEW as u64 / small.max(1) as u64).clamp(all / 4, all)
@@ -456,6 +464,11 @@ mod tests {
                 near: 0,
                 level: 0,
                 samples: factor,
+            },
+            input: LevelInput {
+                supersampling: Supersampling::BySize,
+                before: 0,
+                coarser: 0,
             },
         }
     }

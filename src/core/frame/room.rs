@@ -5,8 +5,9 @@ use super::{RendererOptions, Unusable};
 use crate::scene::{AvatarBounds, detail};
 use std::{cmp::Ordering, collections::BinaryHeap};
 
-/// Up to so many avatars there is room for all of every one, unless options say otherwise.
-const FEW: usize = 16;
+/// More avatars than this are a crowd: up to so many there is room for all of every one, unless
+/// options say otherwise, and an atlas may have all its pixels.
+pub(super) const FEW: usize = 16;
 
 /// Splats and keys that an avatar takes up if it draws this many Gaussians.
 pub fn padded_count(gaussians: u32) -> u32 {

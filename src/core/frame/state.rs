@@ -3,8 +3,10 @@
 
 use super::{
     ChangeTracker, Changes, Counters, RendererOptions, Skinning, Skip,
-    atlas::{Arrangement, Seen, Slot, arrange},
+    atlas::{Arrangement, LevelInput, Seen, Slot, arrange},
     changes::View,
+    damage::Damage,
+    passes::Target,
     room::{Portion, PosePlaces, Room, padded_count},
 };
 use crate::avatar::LowPass;
@@ -27,8 +29,8 @@ pub struct AvatarInstance<'a> {
     pub samples: f64,
     /// The low-pass that it is drawn with.
     pub low_pass: LowPass,
-    /// Longest side of its box in the frame's image, px; infinite where it crosses the near plane, 0
-    /// where sizes decide nothing.
+    /// Longest side of its box in the frame's image, px; infinite where it crosses the near plane,
+    /// 0 where sizes decide nothing.
     pub side: f64,
     /// Which of the avatar's levels is drawn ([`crate::scene::levels`]); 0 is the avatar itself.
     pub model: usize,
@@ -229,9 +231,11 @@ impl FrameState {
                         &posed.joints,
                         camera,
                         visible,
-                        options.supersampling,
-                        self.trackers[index].near(),
-                        options.detail.coarser,
+                        LevelInput {
+                            supersampling: options.supersampling,
+                            before: self.trackers[index].near(),
+                            coarser: options.detail.coarser,
+                        },
                     )
                 });
             candidates.push(Candidate {
@@ -380,14 +384,7 @@ impl FrameState {
         let tracker = &self.trackers[candidate.index];
         // Levels are for what is small, at several samples a pixel.
         if let (Some(slot), Some(seen)) = (slot, candidate.seen) {
-            let coarser = options.detail.coarser;
-            let chosen = seen.chosen_for(
-                bounds,
-                options.supersampling,
-                slot.factor,
-                tracker.near(),
-                coarser,
-            );
+            let chosen = seen.chosen_for(bounds, slot.factor);
             candidate.near = chosen.near;
             if chosen.level > 0 {
                 return Portion {
@@ -496,7 +493,23 @@ impl FrameState {
     }
 }
 
+impl Atlas<'_> {
+    /// It holds one frame's avatars: nothing of the frame before is of use.
+    pub fn damage(&self) -> Damage {
+        let size = self.layer.size;
+        Damage::new(PixelRect::whole(size), None, size)
+    }
+}
+
 impl<'a> FramePlan<'a> {
+    /// The avatars that are drawn into a target; None where the frame has no atlas.
+    pub fn layer(&self, target: Target) -> Option<&Layer<'a>> {
+        match target {
+            Target::Atlas => self.atlas.as_ref().map(|atlas| &atlas.layer),
+            Target::Image => Some(&self.image),
+        }
+    }
+
     /// The layers that have avatars, in the order in which they are drawn.
     pub fn layers(&self) -> impl Iterator<Item = &Layer<'a>> {
         let atlas = self.atlas.as_ref().map(|atlas| &atlas.layer);

@@ -4,7 +4,7 @@ use super::frame::{gaussians_of, render_gaussians};
 use super::project::{Gaussian, project_within};
 use super::{raster::raster, sort::order};
 use crate::avatar::{Avatar, Filter, LowPass};
-use crate::frame::atlas::{Seen, Slot, arrange};
+use crate::frame::atlas::{LevelInput, Seen, Slot, arrange};
 use crate::scene::{AvatarBounds, Camera, FrameImage, Posed, Supersampling, supersampling};
 use glam::UVec2;
 use rayon::prelude::*;
@@ -38,9 +38,11 @@ pub fn render_shown(
                 &posed.joints,
                 camera,
                 &visible,
-                supersampling,
-                0,
-                0,
+                LevelInput {
+                    supersampling,
+                    before: 0,
+                    coarser: 0,
+                },
             ));
             in_view.push(posed);
         }
@@ -56,9 +58,7 @@ pub fn render_shown(
     for (at, slot) in arrangement.slots.iter().enumerate() {
         let mut gaussians = Vec::new();
         for (posed, seen) in members(Some(at)) {
-            let level = seen
-                .chosen_for(&bounds, supersampling, slot.factor, 0, 0)
-                .level;
+            let level = seen.chosen_for(&bounds, slot.factor).level;
             gaussians.extend(if level == 0 {
                 gaussians_of(avatar, &[posed], camera)
             } else {

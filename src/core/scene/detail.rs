@@ -29,8 +29,8 @@ pub struct Detail {
     pub finest: u32,
     /// Whether small avatars are drawn at coarser levels.
     pub auto: bool,
-    /// By how many levels avatars that are drawn larger than they are shown are coarser than is near
-    /// enough: of the file's own ([`levels`](super::levels)), else of these.
+    /// By how many levels avatars that are drawn larger than they are shown are coarser than is
+    /// near enough: of the file's own ([`levels`](super::levels)), else of these.
     pub coarser: usize,
 }
 
@@ -108,8 +108,8 @@ impl FromStr for Detail {
 }
 
 impl fmt::Display for Detail {
-    /// Writes text that [`FromStr`] parses, except for what the governor sets: automatic levels from
-    /// a finest one on are written as `auto from 1/2`, coarser ones of the file as `+1 level`.
+    /// Writes text that [`FromStr`] parses, except for what the governor sets: automatic levels
+    /// from a finest one on are written as `auto from 1/2`, coarser ones of the file as `+1 level`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let of = 1u32 << self.finest.min(COARSEST);
         match (self.auto, self.finest) {

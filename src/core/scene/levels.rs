@@ -1,22 +1,22 @@
-//! Which of an avatar's levels a small image of it is drawn from, and with how many samples: the level
-//! with the fewest Gaussians of which it was measured that nothing is lost by it.
+//! Which of an avatar's levels a small image of it is drawn from, and with how many samples: the
+//! level with the fewest Gaussians of which it was measured that nothing is lost by it.
 //!
-//! A level has a size at which its mean colour and coverage are right. Drawn smaller it is too fat, for
-//! each Gaussian is enlarged by the low-pass; drawn larger it is too thin, since the low-pass no longer
-//! closes what is open between Gaussians. So as an avatar shrinks, samples make up for it, until a
-//! coarser level takes over where both are right.
+//! A level has a size at which its mean colour and coverage are right. Drawn smaller it is too fat,
+//! for each Gaussian is enlarged by the low-pass; drawn larger it is too thin, since the low-pass
+//! no longer closes what is open between Gaussians. So as an avatar shrinks, samples make up for
+//! it, until a coarser level takes over where both are right.
 
 use crate::avatar::{Avatar, LevelError};
 
-/// A level is drawn where images of it were measured to be at least this near to the truth, dB, of an
-/// avatar of [`BASE_HEIGHT`] or less; of larger ones [`DOUBLING`] more for each doubling.
+/// A level is drawn where images of it were measured to be at least this near to the truth, dB, of
+/// an avatar of [`BASE_HEIGHT`] or less; of larger ones [`DOUBLING`] more for each doubling.
 const PSNR: f64 = 32.0;
 /// px.
 const BASE_HEIGHT: f64 = 60.0;
 /// dB.
 const DOUBLING: f64 = 3.0;
-/// And where neither mean colour nor coverage were less than they should be by more than this: 1 % is
-/// the aim, and poses that were not measured come on top.
+/// And where neither mean colour nor coverage were less than they should be by more than this: 1 %
+/// is the aim, and poses that were not measured come on top.
 const MEAN_ERROR: f64 = 0.006;
 /// Hysteresis: an avatar that grows keeps its level up to this many times the height that the level
 /// is for.
@@ -46,7 +46,8 @@ struct MeasuredHeight {
     errors: Vec<LevelError>,
 }
 
-/// What is drawn of an avatar. Of levels 0 is the avatar itself, then its own follow, the finest first.
+/// What is drawn of an avatar. Of levels 0 is the avatar itself, then its own follow, the finest
+/// first.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ChosenLevel {
     /// The coarsest by which nothing is lost.
@@ -72,10 +73,10 @@ impl LevelChoice {
     }
 
     /// How far images of so tall an avatar, px, with so many samples are from what they should be.
-    /// Between what was measured, errors follow the logarithm of the height and the width of a sample.
-    /// Avatars smaller than that are as the smallest; None for larger ones. With fewer samples than
-    /// were measured an avatar is as one that is drawn as tall with the fewest; of more samples nothing
-    /// is known.
+    /// Between what was measured, errors follow the logarithm of the height and the width of a
+    /// sample. Avatars smaller than that are as the smallest; None for larger ones. With fewer
+    /// samples than were measured an avatar is as one that is drawn as tall with the fewest; of
+    /// more samples nothing is known.
     fn error(&self, height: f64, samples: f64) -> Option<Error> {
         if samples < FEWEST {
             return self.error(height * samples / FEWEST, FEWEST);
@@ -114,8 +115,8 @@ impl LevelChoice {
         (fewest <= most).then_some([fewest, most])
     }
 
-    /// With how many samples, at most `most`, the mean of so tall an avatar, px, is nearest to right.
-    /// None where nothing was measured, and for avatars so large that they have fewer than
+    /// With how many samples, at most `most`, the mean of so tall an avatar, px, is nearest to
+    /// right. None where nothing was measured, and for avatars so large that they have fewer than
     /// [`FEWEST`].
     fn samples(&self, height: f64, most: f64) -> Option<f64> {
         let [fewest, known] = self.range(height)?;
@@ -223,9 +224,9 @@ impl Error {
     }
 }
 
-/// What is drawn of an avatar that is so tall in the image, px, with at most so many samples a pixel:
-/// the coarsest level by which nothing is lost, or one that is `coarser` by so many. `before`: the
-/// level by which nothing was lost in the last frame.
+/// What is drawn of an avatar that is so tall in the image, px, with at most so many samples a
+/// pixel: the coarsest level by which nothing is lost, or one that is `coarser` by so many.
+/// `before`: the level by which nothing was lost in the last frame.
 pub fn choose(
     levels: &[LevelChoice],
     height: f64,
@@ -265,8 +266,8 @@ pub fn choose_with(
     }
 }
 
-/// The coarsest level by which nothing is lost; 0 where there is none. `samples`: those of a level at a
-/// height, px.
+/// The coarsest level by which nothing is lost; 0 where there is none. `samples`: those of a level
+/// at a height, px.
 fn coarsest(
     levels: &[LevelChoice],
     height: f64,
@@ -306,7 +307,8 @@ fn coarsest(
 mod tests {
     use super::*;
 
-    /// A level that is right where it is drawn so tall, px, and is measured up to so large an avatar.
+    /// A level that is right where it is drawn so tall, px, and is measured up to so large an
+    /// avatar.
     fn level(gaussians: usize, right: f64, tallest: f64) -> LevelChoice {
         let error = |height: f64, samples: u32| {
             // By a tenth of a doubling in size the mean changes by 0.3 %.

@@ -7,7 +7,7 @@ use std::{fmt, str::FromStr};
 
 /// Longest side that an avatar's box is drawn with, px, as far as factors allow: the less of the image
 /// it takes up, the larger it is drawn, without steps that could be seen (docs/experiments/051).
-const DRAWN_SIDE: f64 = 640.0;
+pub const DRAWN_SIDE: f64 = 640.0;
 /// The most times that an avatar is drawn as large as it is shown.
 const LARGEST: f64 = 4.0;
 /// From this factor on the mean over a pixel filters, and [`Filter::SUPERSAMPLED`] is all that is

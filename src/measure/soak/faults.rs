@@ -119,8 +119,8 @@ pub fn held_rate(report: &SoakReport, limits: &SoakLimits) -> bool {
     report.dropped_share <= limits.dropped && !halved
 }
 
-/// Whether the governor had nothing left to give up: a path of the ladder ends with it, or where the
-/// next rung, the first of another path, has something back.
+/// Whether the governor had nothing left to give up: a path of the ladder ends with it, or where
+/// the next rung, the first of another path, has something back.
 fn is_last(report: &SoakReport) -> bool {
     let from = |rung: usize| report.ladder.get(rung);
     let pair = from(report.lowest_rung).zip(from(report.lowest_rung + 1));

@@ -153,14 +153,23 @@ impl Ladder {
         &self.rungs
     }
 
+    /// Index of the rung so many steps down a path; 0 is full quality, which both begin with.
+    pub fn rung(&self, small: bool, step: usize) -> usize {
+        if small && step > 0 {
+            self.small + step - 1
+        } else {
+            step
+        }
+    }
+
     /// Indices of the rungs of a path, full quality first. There is at least one more.
     pub fn path(&self, small: bool) -> Vec<usize> {
-        let own = if small {
-            self.small..self.rungs.len()
+        let below = if small {
+            self.rungs.len() - self.small
         } else {
-            1..self.small
+            self.small - 1
         };
-        std::iter::once(0).chain(own).collect()
+        (0..=below).map(|step| self.rung(small, step)).collect()
     }
 }
 
@@ -214,8 +223,8 @@ impl Concession {
 /// Pixels cost three quarters of a frame, Gaussians and networks the rest (2048² against 1024², see
 /// docs/benchmarks.md). Holding a pose saves the frame where the camera is still, and its networks
 /// where it moves. Drawing half of the Gaussians saves 0.3 of a frame (docs/experiments/015), and
-/// nothing where the avatar is so small that no more of them are drawn anyway. A coarser level of the
-/// file has a quarter of the Gaussians, and takes 0.4 of the time where it is all that is drawn
+/// nothing where the avatar is so small that no more of them are drawn anyway. A coarser level of
+/// the file has a quarter of the Gaussians, and takes 0.4 of the time where it is all that is drawn
 /// (docs/experiments/057).
 fn cost(quality: &FrameQuality) -> f64 {
     let thin = 0.72f64.powi(quality.level as i32);

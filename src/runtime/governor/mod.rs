@@ -12,6 +12,7 @@ mod ladder;
 
 pub use ladder::{FrameQuality, Ladder, Rung};
 
+use effigy_core::scene::supersampling::DRAWN_SIDE;
 use heat::HeatTrend;
 
 /// A decision needs frames of at least this time, seconds, and at least this many.
@@ -43,12 +44,10 @@ const TRIAL_WAITS: f64 = 6.0;
 /// A step down this soon after a climb takes the climb back, seconds: for load, and for heat.
 const TAKEN_BACK_FOR_LOAD: f64 = 60.0;
 const TAKEN_BACK_FOR_HEAT: f64 = 300.0;
-/// Avatars whose longest side is below the first are drawn larger than they are shown, px. One that was
-/// not small has to be below the second to be.
-const SMALL: f64 = 640.0;
+/// Avatars whose longest side is below the first are drawn larger than they are shown, px. One that
+/// was not small has to be below the second to be.
+const SMALL: f64 = DRAWN_SIDE;
 const BECOMES_SMALL: f64 = 560.0;
-/// Shares of the full resolution that are the least where avatars are not much larger than that.
-const LEAST_SCALES: [f64; 6] = [0.5, 0.6, 0.7, 0.8, 0.9, 1.0];
 /// Rungs that one step goes down at most.
 const MAX_RUNGS_DOWN: usize = 3;
 
@@ -72,7 +71,8 @@ struct Window {
     /// GPU time of all frames for which it is known, ms, and their number.
     busy_ms: f64,
     timed_frames: u32,
-    /// Frames of which it is known how avatars were drawn, and those in which all of them were small.
+    /// Frames of which it is known how avatars were drawn, and those in which all of them were
+    /// small.
     known_frames: u32,
     small_frames: u32,
     /// The longest side at full quality, px.
@@ -102,8 +102,8 @@ pub struct Governor {
     ladder: Ladder,
     /// Whether it walks the path of small avatars.
     is_small: bool,
-    /// The least resolution, as a share of the full one, that still saves something: where an avatar
-    /// becomes small it no longer does.
+    /// The least resolution, as a share of the full one, that still saves something: where an
+    /// avatar becomes small it no longer does.
     least_scale: f64,
     /// Time from one refresh to the next, ms.
     refresh_ms: f64,
@@ -161,7 +161,7 @@ impl Governor {
 
     /// Index of the current rung in the ladder; 0 is full quality.
     pub fn rung(&self) -> usize {
-        self.ladder.path(self.is_small)[self.step]
+        self.ladder.rung(self.is_small, self.step)
     }
 
     /// Whether nothing is left to give up.
@@ -320,9 +320,10 @@ impl Governor {
     /// Sets the least resolution for avatars of a side, px. True if the quality has changed.
     fn change_least_scale(&mut self, side: f64) -> bool {
         let before = self.quality();
+        let scales = || self.ladder.rungs().iter().map(|rung| rung.quality.scale);
         let least = |side: f64| {
-            let saves = LEAST_SCALES.into_iter().find(|scale| scale * side >= SMALL);
-            saves.unwrap_or(1.0)
+            let saving = scales().filter(|scale| scale * side >= SMALL);
+            saving.fold(1.0, f64::min)
         };
         // A lower one only where the avatar is well above it, so that it does not come and go.
         self.least_scale = least(side).max(self.least_scale.min(least(side / 1.1)));
@@ -331,14 +332,15 @@ impl Governor {
 
     /// Goes on at the first rung of the other path that costs no more than this one.
     fn change_path(&mut self, is_small: bool, now: f64) -> bool {
-        let before = self.ladder.rungs()[self.rung()].clone();
+        let before = self.quality();
+        let cost = self.ladder.rungs()[self.rung()].cost;
         self.is_small = is_small;
         let path = self.path();
-        let step = path.iter().position(|rung| rung.cost <= before.cost);
+        let step = path.iter().position(|rung| rung.cost <= cost);
         let step = step.unwrap_or(path.len() - 1);
         self.calm_since = None;
         self.set_step(step, now);
-        self.quality() != before.quality
+        self.quality() != before
     }
 
     fn climb(&mut self, now: f64) {

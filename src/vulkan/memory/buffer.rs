@@ -75,8 +75,15 @@ pub(crate) struct Upload<'a> {
     pub data: &'a [u8],
 }
 
-/// Copies data to buffers at once, and waits. What may fail but for the device itself, making room to
-/// copy from, comes before anything is written.
+impl Upload<'_> {
+    /// Whether a buffer made for this data would have that one's size.
+    pub fn fills(&self) -> bool {
+        self.to.size == (self.data.len() as u64).max(LEAST)
+    }
+}
+
+/// Copies data to buffers at once, and waits. What may fail but for the device itself, making room
+/// to copy from, comes before anything is written.
 ///
 /// # Panics
 /// When data is longer than its buffer.
@@ -215,11 +222,6 @@ impl Buffer {
             })?;
         }
         Ok(())
-    }
-
-    /// Whether a buffer made for this data would have this one's size.
-    pub(crate) fn holds_exactly(&self, data: &[u8]) -> bool {
-        self.size == (data.len() as u64).max(LEAST)
     }
 
     /// That so many bytes are inside the buffer.

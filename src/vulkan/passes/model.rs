@@ -70,12 +70,6 @@ impl GaussianSet {
         })
     }
 
-    /// Whether packed Gaussians and rows take as many bytes as these.
-    fn fits(&self, packed: &PackedSet) -> bool {
-        self.gaussians.holds_exactly(cast_slice(&packed.gaussians))
-            && self.rows.holds_exactly(cast_slice(&packed.rows))
-    }
-
     fn uploads<'a>(&'a self, packed: &'a PackedSet) -> [Upload<'a>; 2] {
         [
             Upload {
@@ -130,42 +124,32 @@ impl Model {
         })
     }
 
-    /// Fills the buffers with another avatar, which has no occluder mesh here. False, and nothing has
-    /// changed, where its arrays have other lengths; nor on an error that is not the device's loss. No
-    /// submitted work may use them.
+    /// Fills the buffers with another avatar, which has no occluder mesh here. False, and nothing
+    /// has changed, where its arrays have other lengths; nor on an error that is not the device's
+    /// loss. No submitted work may use them.
     pub(crate) fn replace(
         &mut self,
         gpu: &Arc<Gpu>,
         avatar: &Avatar,
         packed: &PackedModel,
     ) -> Result<bool> {
-        let shared = [
-            (&self.networks, &packed.networks),
-            (&self.nodes, &packed.nodes),
-            (&self.node_starts, &packed.node_starts),
+        let upload = |to, words| Upload {
+            to,
+            data: cast_slice(words),
+        };
+        let mut uploads = vec![
+            upload(&self.networks, &packed.networks),
+            upload(&self.nodes, &packed.nodes),
+            upload(&self.node_starts, &packed.node_starts),
         ];
-        let fits = self.networks_in_bytes == avatar.networks.in_bytes()
-            && self.sets.len() == packed.sets.len()
-            && shared
-                .iter()
-                .all(|(buffer, words)| buffer.holds_exactly(cast_slice(words)))
-            && self
-                .sets
-                .iter()
-                .zip(&packed.sets)
-                .all(|(set, packed)| set.fits(packed));
-        if !fits {
-            return Ok(false);
-        }
-        let mut uploads: Vec<Upload> = shared
-            .into_iter()
-            .map(|(to, words)| Upload {
-                to,
-                data: cast_slice(words),
-            })
-            .collect();
         for (set, packed) in self.sets.iter().zip(&packed.sets) {
             uploads.extend(set.uploads(packed));
+        }
+        let fits = self.networks_in_bytes == avatar.networks.in_bytes()
+            && self.sets.len() == packed.sets.len()
+            && uploads.iter().all(Upload::fills);
+        if !fits {
+            return Ok(false);
         }
         upload_all(gpu, &uploads)?;
         for (set, packed) in self.sets.iter_mut().zip(&packed.sets) {

@@ -11,7 +11,7 @@ use crate::vulkan::{
 };
 use ash::vk::{AccessFlags, PipelineStageFlags};
 use effigy_core::frame::{
-    FramePlan, Layer, RasterMethod, Schedule,
+    FramePlan, RasterMethod, Schedule,
     passes::{Pass, PipelineStages, Stage, Target},
     schedule::{Command, Step},
 };
@@ -158,14 +158,6 @@ impl Executor<'_> {
         }
     }
 
-    /// The avatars of a layer.
-    fn layer(&self, target: Target) -> &Layer<'_> {
-        match target {
-            Target::Atlas => &self.plan.atlas.as_ref().expect(SCHEDULED).layer,
-            Target::Image => &self.plan.image,
-        }
-    }
-
     fn record(&self, commands: Recording, command: &Command) {
         match command {
             Command::Barrier(barrier) => {
@@ -203,7 +195,9 @@ impl Executor<'_> {
             Pass::Occluder { view, target } => {
                 let occluder = self.occluder.expect(SCHEDULED);
                 let avatars: Vec<u32> = self
+                    .plan
                     .layer(target)
+                    .expect(SCHEDULED)
                     .instances
                     .iter()
                     .filter(|instance| instance.has_occluder())

@@ -304,10 +304,11 @@ impl Renderer {
         Ok(())
     }
 
-    /// Draws this avatar from now on, which has the lengths of the one before in every array, the same
-    /// bounds in what they ask room for, and no spherical harmonics: kernels, bindings and image stay.
-    /// Waits for submitted frames. False, and nothing has changed, where it needs a renderer of its
-    /// own, as where hidden Gaussians are left out behind the last one's occluder mesh.
+    /// Draws this avatar from now on, which has the lengths of the one before in every array, the
+    /// same bounds in what they ask room for, and no spherical harmonics: kernels, bindings and
+    /// image stay. Waits for submitted frames. False, and nothing has changed, where it needs a
+    /// renderer of its own, as where hidden Gaussians are left out behind the last one's occluder
+    /// mesh.
     ///
     /// # Errors
     /// When the device fails, or its memory does not suffice: nothing has changed then.
@@ -543,11 +544,7 @@ impl Renderer {
             damage,
             count: self.options.count,
         };
-        // An atlas holds one frame's avatars: nothing of the frame before is of use.
-        let whole_atlas = plan.atlas.as_ref().map(|atlas| {
-            let size = atlas.layer.size;
-            Damage::new(PixelRect::whole(size), None, size)
-        });
+        let whole_atlas = plan.atlas.as_ref().map(|atlas| atlas.damage());
         let atlas = plan.atlas.as_ref().zip(whole_atlas.as_ref());
         let executor = Executor {
             mlp: &self.mlp,

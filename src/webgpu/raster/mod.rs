@@ -33,8 +33,8 @@ use saturation::Saturation;
 use tiles::Tiles;
 use wgpu::{TextureFormat, TextureUsages, TextureView};
 
-/// Sides of atlases are multiples of this, px, so that a crowd that comes nearer does not make a new
-/// one in each frame.
+/// Sides of atlases are multiples of this, px, so that a crowd that comes nearer does not make a
+/// new one in each frame.
 const ATLAS_STEP: u32 = 256;
 
 /// One way to draw, as [`RasterMethod`] says.

@@ -169,7 +169,7 @@ fn bound<'a>(atlas: &'a TextureView, slots: &'a wgpu::Buffer) -> [(u32, Bound<'a
     [(0, Bound::Texture(atlas)), (1, Bound::Block(slots, size))]
 }
 
-/// The same for colour and coverage.
+/// Factors of colour and of coverage alike.
 fn blend(src_factor: BlendFactor, dst_factor: BlendFactor) -> BlendState {
     let both = BlendComponent {
         src_factor,

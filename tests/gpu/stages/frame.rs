@@ -145,8 +145,8 @@ fn an_image_is_read_after_a_frame_and_not_before() {
     assert!(matches!(renderer.read_image(), Err(Error::NothingDrawn)));
 }
 
-/// Another avatar of the same size takes its place without new kernels, cached poses included; of one
-/// that needs other buffers it is said, and nothing changes.
+/// Another avatar of the same size takes its place without new kernels, cached poses included; of
+/// one that needs other buffers it is said, and nothing changes.
 fn an_avatar_takes_the_place_of_another() {
     let device = gpu::gpu();
     let unhidden = RendererOptions {

@@ -43,23 +43,12 @@ impl Renders for Renderer {
     }
 }
 
-check_with! {
-    Renderer:
-    a_small_avatar_is_its_own_average,
-    small_avatars_go_before_and_behind_large_ones,
-    small_avatars_that_touch_are_sorted_together,
-    any_factor_is_averaged_by_area,
-    no_switch_is_seen,
-    frames_leave_nothing_behind,
-    levels_are_drawn_as_avatars,
-    levels_have_samples_of_their_own,
-    levels_have_their_own_harmonics,
-}
+check_with!(Renderer);
 
 /// A governor asks for one level coarser than is near enough, and takes that back.
 fn coarser_levels_are_drawn_where_asked_for(raster: Raster) {
     let (avatar, camera) = scene(8.0, LARGE);
-    let avatar = common::with_levels(avatar);
+    let avatar = common::with_near_levels(avatar);
     let [first, second] = [0, 1].map(|level: usize| avatar.at_level(&avatar.levels[level]));
     let whole = Avatar {
         levels: vec![],

@@ -49,23 +49,12 @@ impl Renders for Renderer {
     }
 }
 
-check_with! {
-    Renderer:
-    a_small_avatar_is_its_own_average,
-    small_avatars_go_before_and_behind_large_ones,
-    small_avatars_that_touch_are_sorted_together,
-    any_factor_is_averaged_by_area,
-    no_switch_is_seen,
-    frames_leave_nothing_behind,
-    levels_are_drawn_as_avatars,
-    levels_have_samples_of_their_own,
-    levels_have_their_own_harmonics,
-}
+check_with!(Renderer);
 
 /// One alone; then with one that is large, before and behind it, and one that shares its slot.
 fn small_avatars_are_those_of_the_vulkan_backend(raster: Raster) {
     let (avatar, camera) = scene(2.6, LARGE);
-    let avatar = common::with_levels(avatar);
+    let avatar = common::with_near_levels(avatar);
     let options = RendererOptions {
         key_bits: Some(KeyBits::Sixteen),
         instances: 3,
@@ -131,8 +120,8 @@ impl Both {
     }
 }
 
-/// A file whose levels come last: the neutral avatar, then all of it without its levels, then those.
-/// Each image is that of a renderer that was made for as much.
+/// A file whose levels come last: the neutral avatar, then all of it without its levels, then
+/// those. Each image is that of a renderer that was made for as much.
 fn levels_may_come_after_the_first_frame(raster: Raster) {
     let (own, camera) = scene(30.0, LARGE);
     let lit = Avatar {
@@ -145,7 +134,7 @@ fn levels_may_come_after_the_first_frame(raster: Raster) {
     for (avatar, away, level) in [(&own, 0.0, 2), (&lit, 0.0, 2), (&bare, -12.0, 1)] {
         let posed = posed(&own, &camera, 2, DVec3::new(0.1, 0.0, away));
         let avatar = Avatar {
-            levels: common::with_levels(if avatar.sh.is_some() { &lit } else { &own }.clone())
+            levels: common::with_near_levels(if avatar.sh.is_some() { &lit } else { &own }.clone())
                 .levels,
             ..avatar.clone()
         };
@@ -184,7 +173,7 @@ fn levels_may_come_after_the_first_frame(raster: Raster) {
 /// it, comes near, leaves it and comes again, beside one that is large or alone.
 fn only_boxes_around_small_avatars_are_drawn(raster: Raster) {
     let (avatar, camera) = scene(2.6, LARGE);
-    let avatar = common::with_levels(avatar);
+    let avatar = common::with_near_levels(avatar);
     let near = DVec3::new(-0.6, 0.0, 0.0);
     let gone = DVec3::new(0.0, 0.0, -400.0);
     let frames = [

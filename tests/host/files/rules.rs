@@ -419,7 +419,7 @@ fn metadata_that_breaks_a_rule_is_named() {
         (
             "/levels/0/measured/0/height",
             json!(-60),
-            "`level.0.measured` found 36 dB, 0.004 and 0.0025 at -60 px with 2 samples, expected finite numbers",
+            "`level.0.measured` found 32 dB, 0.004 and 0.0025 at -60 px with 2 samples, expected finite numbers",
         ),
         (
             "/levels/0/measured/1/samples",
