@@ -1,13 +1,24 @@
-//! Hundreds of frames of new poses at changing sizes, cutoffs and levels hold the memory that the
-//! first ones took.
+//! Memory: hundreds of frames hold what the first ones took, and what only some frames need is
+//! taken by those.
 
-use crate::common::{self, Sizes, gpu, harness::not_run};
-use effigy::vulkan::{Gpu, Renderer};
-use effigy_core::{
-    constants::ALPHA_MIN,
-    scene::{Detail, Posed},
+use crate::common::{
+    self, Sizes,
+    gpu::{
+        self,
+        Raster::{self, Quads, SharedTiles, TestedQuads, Tiles},
+    },
+    harness::not_run,
 };
-use effigy_measure::soak::memory::resident_bytes;
+use effigy::vulkan::{Gpu, Renderer, RendererOptions};
+use effigy_core::{
+    avatar::Pose,
+    constants::ALPHA_MIN,
+    frame::Skip,
+    layout::{BINNING_BLOCK, POSE_CACHE_WORDS, TILING},
+    scene::{Camera, Detail, FrameImage, Posed},
+};
+use effigy_measure::{error, soak::memory::resident_bytes};
+use glam::DVec3;
 
 /// What `read` gives after a warm-up, and after 800 more frames.
 fn before_and_after<T>(device: &std::sync::Arc<Gpu>, read: impl Fn() -> T) -> [T; 2] {
@@ -66,7 +77,102 @@ fn the_processs_memory_does_not_grow_with_frames() {
     );
 }
 
+/// Poses get a cache with the first frame in which only the camera moved, not before, and all that
+/// reads splats reads those beside it then.
+fn the_pose_cache_takes_memory_once_it_is_used(raster: Raster) {
+    let device = gpu::gpu();
+    let gaussians = 5000;
+    let avatar = common::avatar(
+        4,
+        Sizes {
+            gaussians,
+            ..Sizes::default()
+        },
+    );
+    let size = [200, 240];
+    let options = raster.options(&device.probe.name, size);
+    let poses = [1, 2, 2, 2, 3, 3].map(|seed| Posed::new(&avatar, &common::pose(seed, &avatar)));
+    let camera = |frame: usize| {
+        let yaw = 0.3 * frame as f64;
+        Camera::orbit(DVec3::Y, yaw, 0.1, 3.0, 0.8, size)
+    };
+    let images = |skip: Skip| -> Vec<(FrameImage, u64)> {
+        let options = RendererOptions { skip, ..options };
+        let mut renderer = Renderer::new(&device, &avatar, options).unwrap();
+        let mut draw = |frame: usize| {
+            renderer.draw(&poses[frame], &camera(frame), None).unwrap();
+            (renderer.read_image().unwrap(), device.memory().0)
+        };
+        (0..poses.len()).map(&mut draw).collect()
+    };
+    let cached = images(options.skip | Skip::SKINNING);
+    let cache = 4 * u64::from(POSE_CACHE_WORDS) * gaussians as u64;
+    let before = cached[0].1;
+    assert_eq!(cached[1].1, before, "a frame in motion takes memory");
+    for (frame, (_, memory)) in cached.iter().enumerate().skip(2) {
+        let gained = memory - before;
+        assert!(
+            (cache..2 * cache).contains(&gained),
+            "frame {frame}: {gained} bytes for a cache of {cache}"
+        );
+    }
+    let computed = images(options.skip - Skip::SKINNING);
+    assert!(computed.iter().all(|(_, memory)| *memory < before + cache));
+    for (frame, (a, b)) in cached.iter().zip(&computed).enumerate() {
+        // The first frame of a still pose fills the cache, and draws what it computes itself.
+        let is_cached = frame == 3;
+        let difference = error::between(&a.0, &b.0).covered;
+        assert!(
+            a.0 == b.0 || is_cached && difference.psnr_db > 50.0,
+            "image {frame}: {difference:?}"
+        );
+    }
+}
+
+/// Where a frame's lists of tiles ask for all the blocks that there are, those after it have more,
+/// and the same image.
+fn tile_lists_grow_with_what_frames_ask_for() {
+    let device = gpu::gpu();
+    let avatar = common::splats(5, 110_000, 0).to_avatar("scan").unwrap();
+    let size = [400, 400];
+    let options = Tiles.options(&device.probe.name, size);
+    let options = RendererOptions {
+        skip: options.skip - Skip::SKINNING,
+        ..options
+    };
+    let rest = Pose::rest(avatar.skeleton.len(), avatar.inputs.expression);
+    let posed = Posed::new(&avatar, &rest);
+    let draw = |renderer: &mut Renderer, frame: usize| {
+        let camera = Camera::orbit(DVec3::ZERO, 0.1 * frame as f64, 0.0, 2.2, 0.8, size);
+        renderer.draw(&posed, &camera, None).unwrap();
+        renderer.finish().unwrap();
+    };
+    let mut renderer = Renderer::new(&device, &avatar, options).unwrap();
+    draw(&mut renderer, 0);
+    let before = device.memory().0;
+    (1..5).for_each(|frame| draw(&mut renderer, frame));
+    let image = renderer.read_image().unwrap();
+    let capacity = avatar.gaussians.len() as u32;
+    let [first, most] = [TILING.first_blocks(capacity), TILING.most_blocks(capacity)];
+    let gained = device.memory().0 - before;
+    let expected = 4 * u64::from(BINNING_BLOCK) * u64::from(most - first);
+    assert!(
+        (expected / 2..2 * expected).contains(&gained),
+        "{gained} bytes, where {expected} make room for {most} blocks instead of {first}"
+    );
+    drop(renderer);
+    let mut fresh = Renderer::new(&device, &avatar, options).unwrap();
+    draw(&mut fresh, 4);
+    let difference = error::between(&image, &fresh.read_image().unwrap());
+    assert!(difference.covered.psnr_db > 60.0, "{difference:?}");
+}
+
 tests! {
     the_devices_memory_does_not_grow_with_frames,
     the_processs_memory_does_not_grow_with_frames: own_process,
+    the_pose_cache_takes_memory_once_it_is_used[Quads]: own_process,
+    the_pose_cache_takes_memory_once_it_is_used[TestedQuads]: own_process,
+    the_pose_cache_takes_memory_once_it_is_used[Tiles]: own_process,
+    the_pose_cache_takes_memory_once_it_is_used[SharedTiles]: own_process,
+    tile_lists_grow_with_what_frames_ask_for: own_process,
 }

@@ -381,6 +381,8 @@ impl Pass {
             Self::KeepCounts | Self::ReadCounts => vec![
                 read(Control, Stages::TRANSFER),
                 read(Counts, Stages::TRANSFER),
+                // How many blocks the lists asked for.
+                read(TileLists, Stages::TRANSFER),
             ],
         }
     }

@@ -522,6 +522,13 @@ impl<'a> FramePlan<'a> {
         self.layers().flat_map(|layer| &layer.instances)
     }
 
+    /// Whether the frame fills the pose cache of an avatar.
+    pub fn stores_poses(&self) -> bool {
+        let mut instances = self.instances();
+        self.redraw
+            && instances.any(|instance| instance.changes.skinning == Skinning::ComputeAndStore)
+    }
+
     /// The counts that are known before the frame is drawn. `gaussians`: how many one avatar has.
     pub fn counters(&self, gaussians: u32, stages: &StageDispatches) -> Counters {
         let avatars = self.avatar_count as u64;

@@ -23,10 +23,13 @@ pub struct Tiling {
     pub tiles_per_side: u32,
     /// Side of the smallest tile, px.
     pub min_tile: u32,
-    /// Blocks of the tiles' lists to allocate for each splat. A 200K body 2000 px high uses one for
-    /// every second splat with tiles of 16 px.
+    /// The most blocks of the tiles' lists for each splat.
     pub blocks_per_splat: u32,
 }
+
+/// List blocks to begin with, for scenes whose splats may need more. With tiles of 16 px a 200K body
+/// 2000 px high uses 81,000 to 91,000.
+const FIRST_BLOCKS: u32 = 96 << 10;
 
 impl Tiling {
     /// Side of a tile in an image of a size, px: the smallest power of two with which
@@ -51,31 +54,65 @@ impl Tiling {
         self.first_tile(TILE_LEVELS - 1) + 1
     }
 
-    /// List blocks for this many splats: those that all levels but the last share, and the total.
-    pub fn blocks(self, capacity: u32) -> [u32; 2] {
-        let shared = capacity
+    /// The most list blocks for this many splats that all levels but the last share. With fewer,
+    /// more splats go to larger tiles.
+    pub fn most_blocks(self, capacity: u32) -> u32 {
+        capacity
             .saturating_mul(self.blocks_per_splat)
-            .saturating_add(4096);
-        let last_level = BINNING_RUNS * capacity.div_ceil(BINNING_RUNS).div_ceil(BINNING_BLOCK - 1);
-        [shared, shared.saturating_add(last_level)]
+            .saturating_add(4096)
     }
 
-    /// Bytes of the lists' heads and counts, and of all with the blocks that follow them
-    /// (`shaders/common/tiles.glsl`).
-    pub fn bytes(self, capacity: u32) -> [u64; 2] {
+    /// Shared list blocks to begin with.
+    pub fn first_blocks(self, capacity: u32) -> u32 {
+        self.most_blocks(capacity).min(FIRST_BLOCKS)
+    }
+
+    /// Shared list blocks for the frames that follow one that asked for `asked`, where there were
+    /// `blocks`: a quarter as many again if they were all but used up. None where there are enough,
+    /// or there can't be more.
+    pub fn more_blocks(self, capacity: u32, blocks: u32, asked: u32) -> Option<u32> {
+        let most = self.most_blocks(capacity);
+        let more = blocks.saturating_add(blocks / 4).min(most);
+        (asked > blocks - blocks / 16 && blocks < most).then_some(more)
+    }
+
+    /// Bytes of the lists' heads and counts (`shaders/common/tiles.glsl`).
+    pub fn head_bytes(self) -> u64 {
         let tiles = u64::from(self.tiles());
-        let heads = 4 * (1 + tiles + tiles * u64::from(BINNING_RUNS));
-        let [_, blocks] = self.blocks(capacity);
-        [
-            heads,
-            heads + 4 * u64::from(BINNING_BLOCK) * u64::from(blocks),
-        ]
+        4 * (1 + tiles + tiles * u64::from(BINNING_RUNS))
+    }
+
+    /// Bytes of the lists of this many splats, with `blocks` shared blocks and those of the last
+    /// level.
+    pub fn bytes(self, capacity: u32, blocks: u32) -> u64 {
+        let last_level = BINNING_RUNS * capacity.div_ceil(BINNING_RUNS).div_ceil(BINNING_BLOCK - 1);
+        let blocks = u64::from(blocks) + u64::from(last_level);
+        self.head_bytes() + 4 * u64::from(BINNING_BLOCK) * blocks
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::{TILING, TILING_WEB};
+
+    #[test]
+    fn blocks_grow_where_they_are_all_but_used_up() {
+        let most = TILING.most_blocks(200_000);
+        let mut blocks = TILING.first_blocks(200_000);
+        assert_eq!(TILING.more_blocks(200_000, blocks, blocks / 2), None);
+        let mut steps = 0;
+        while let Some(more) = TILING.more_blocks(200_000, blocks, u32::MAX) {
+            assert!(more > blocks && more <= most);
+            blocks = more;
+            steps += 1;
+        }
+        assert_eq!(blocks, most);
+        assert!(steps > 0);
+        // A small avatar has all that it may use from the start.
+        let few = TILING.first_blocks(1000);
+        assert_eq!(few, TILING.most_blocks(1000));
+        assert_eq!(TILING.more_blocks(1000, few, u32::MAX), None);
+    }
 
     #[test]
     fn tiles_are_as_small_as_their_maximum_number_allows() {

@@ -86,7 +86,7 @@ pub fn measure_case(
         memory,
         is_timed: gpu.is_timed(),
         occluder,
-        tile_head_bytes: gpu.tiling().bytes(0)[0],
+        tile_head_bytes: gpu.tiling().head_bytes(),
     };
     Ok(measured.report())
 }

@@ -12,6 +12,7 @@ use crate::vulkan::{
     memory::{Buffer, Slice},
 };
 use ash::vk;
+use bytemuck::{Pod, Zeroable};
 use effigy_core::{
     frame::{
         Counters,
@@ -20,7 +21,7 @@ use effigy_core::{
     layout::Control,
 };
 use gpu_allocator::MemoryLocation;
-use std::{ffi::CString, sync::Arc, time::Instant};
+use std::{ffi::CString, mem::offset_of, sync::Arc, time::Instant};
 
 /// Frames that may be under way at once.
 pub const FRAMES_IN_FLIGHT: usize = 2;
@@ -30,7 +31,28 @@ const LAYERS: usize = 2;
 /// Timestamps of a frame: one before its first stage, and one after each, of each layer.
 const BORDERS: usize = LAYERS * STAGES.len() + 1;
 /// Bytes of the counts of a layer.
-const LAYER_COUNTS: u64 = size_of::<Control>() as u64 + REASONS;
+const LAYER_COUNTS: u64 = size_of::<LayerCounts>() as u64;
+
+/// The counts of a layer, as the device copies them. What was not counted holds anything.
+#[repr(C)]
+#[derive(Clone, Copy, Pod, Zeroable)]
+struct LayerCounts {
+    control: Control,
+    reasons: [u32; REASONS as usize / 4],
+    list_blocks: u32,
+}
+
+/// Where a layer's kernels leave their counts. What it holds must stay alive until the frame that
+/// copies them is finished or dropped.
+#[derive(Clone, Copy)]
+pub struct CountSources {
+    /// The control.
+    pub control: Slice,
+    /// How many Gaussians were culled for each reason, where they are counted.
+    pub reasons: Option<Slice>,
+    /// How many blocks the tiles' lists asked for, where there are such lists.
+    pub list_blocks: Option<Slice>,
+}
 
 /// What a frame waits for and signals.
 #[derive(Clone, Copy)]
@@ -91,6 +113,10 @@ pub struct FrameInFlight {
     /// What was known of the frame before it was drawn.
     known: Counters,
     reasons: bool,
+    /// Whether list blocks were counted.
+    has_lists: bool,
+    /// [`Self::list_blocks`].
+    list_blocks: u32,
     /// The frame's counts, copied here by the device.
     counts: Buffer,
     /// Stages of the frame under way, each with a timestamp after it.
@@ -142,6 +168,8 @@ impl FrameInFlight {
             samples: false,
             known: Counters::default(),
             reasons: false,
+            has_lists: false,
+            list_blocks: 0,
             counts,
             marked: Vec::with_capacity(STAGES.len()),
             skipped: Vec::with_capacity(STAGES.len()),
@@ -160,16 +188,17 @@ impl FrameInFlight {
         self.pending = false;
         let mut control = Control::default();
         let mut reasons = [0; REASONS as usize / 4];
+        self.list_blocks = 0;
         let counts = self.counts.mapped().chunks_exact(LAYER_COUNTS as usize);
         for layer in counts.take(self.kept_layers as usize) {
-            let (own, own_reasons) = layer.split_at(size_of::<Control>());
-            let own: Control = bytemuck::pod_read_unaligned(own);
-            control.visible_count += own.visible_count;
-            control.fragments += own.fragments;
-            let own_reasons: [u32; REASONS as usize / 4] =
-                bytemuck::pod_read_unaligned(own_reasons);
-            // Nothing writes them where they are not counted.
-            for (sum, own) in reasons.iter_mut().zip(own_reasons) {
+            let own: LayerCounts = bytemuck::pod_read_unaligned(layer);
+            control.visible_count += own.control.visible_count;
+            control.fragments += own.control.fragments;
+            // Nothing writes what is not counted.
+            if self.has_lists {
+                self.list_blocks = self.list_blocks.max(own.list_blocks);
+            }
+            for (sum, own) in reasons.iter_mut().zip(own.reasons) {
                 *sum += if self.reasons { own } else { 0 };
             }
         }
@@ -208,6 +237,11 @@ impl FrameInFlight {
             times.ticks.push([began, ended]);
         }
         Ok(times)
+    }
+
+    /// The most blocks that the tiles' lists of a layer of the last finished frame asked for.
+    pub fn list_blocks(&self) -> u32 {
+        self.list_blocks
     }
 
     /// Starts recording a frame. [`Self::finish`] must have returned.
@@ -368,56 +402,52 @@ impl FrameInFlight {
         }
     }
 
-    /// Adds a layer's counts to the frame's: a transfer. `reasons` as for [`Self::submit`].
+    /// Adds a layer's counts to the frame's: a transfer.
     ///
     /// # Safety
     /// It must be recording outside a render pass, with at most one layer kept before, and the
-    /// buffers must stay alive until this frame is finished or dropped.
-    pub unsafe fn keep_counts(&mut self, control: &Buffer, reasons: Option<Slice>) {
+    /// sources must stay alive until this frame is finished or dropped.
+    pub unsafe fn keep_counts(&mut self, sources: CountSources) {
         let start = self.kept_layers * LAYER_COUNTS;
         self.kept_layers += 1;
-        let size = size_of::<Control>() as u64;
-        let copy = |from: vk::Buffer, region: vk::BufferCopy| {
+        let copy = |from: Slice, at: usize| {
+            let region = vk::BufferCopy {
+                src_offset: from.offset,
+                dst_offset: start + at as u64,
+                size: from.size,
+            };
             let to = self.counts.raw();
             // SAFETY: the command buffer is recording, as the caller promises; both buffers are
             // alive and hold the region.
             unsafe {
                 self.gpu
                     .raw
-                    .cmd_copy_buffer(self.commands, from, to, &[region])
+                    .cmd_copy_buffer(self.commands, from.buffer, to, &[region])
             };
         };
-        let region = vk::BufferCopy {
-            src_offset: 0,
-            dst_offset: start,
-            size,
-        };
-        copy(control.raw(), region);
-        if let Some(reasons) = reasons {
-            let region = vk::BufferCopy {
-                src_offset: reasons.offset,
-                dst_offset: start + size,
-                size: reasons.size,
-            };
-            copy(reasons.buffer, region);
+        let control = sources.control.part(0, size_of::<Control>() as u64);
+        copy(control, offset_of!(LayerCounts, control));
+        if let Some(reasons) = sources.reasons {
+            copy(reasons, offset_of!(LayerCounts, reasons));
+        }
+        if let Some(list_blocks) = sources.list_blocks {
+            copy(list_blocks, offset_of!(LayerCounts, list_blocks));
         }
     }
 
-    /// Copies the frame's counts, ends recording and submits. `reasons`: numbers of Gaussians
-    /// culled for each reason, where they were counted.
+    /// Copies the frame's counts, ends recording and submits.
     ///
     /// # Safety
-    /// It must be recording. All that was recorded since [`Self::begin`], the buffers and the
+    /// It must be recording. All that was recorded since [`Self::begin`], the sources and the
     /// semaphores must stay alive until this frame is finished or dropped. Something must signal
     /// the one semaphore, and nothing else use the other.
     pub unsafe fn submit(
         &mut self,
-        control: &Buffer,
-        reasons: Option<Slice>,
+        sources: CountSources,
         semaphores: Option<Semaphores>,
     ) -> Result<()> {
         // SAFETY: the caller promises that it is recording and that the buffers stay alive.
-        unsafe { self.keep_counts(control, reasons) };
+        unsafe { self.keep_counts(sources) };
         let device = &self.gpu.raw;
         self.recording().show_host();
         // SAFETY: the command buffer is recording, and the fence is free: its last frame is done.
@@ -443,7 +473,8 @@ impl FrameInFlight {
         // SAFETY: commands and fence are ready; the caller promises that the semaphores are, and
         // that all of it stays alive until the fence is waited for.
         unsafe { self.gpu.submit(&[work], &self.fence) }?;
-        self.reasons = reasons.is_some();
+        self.reasons = sources.reasons.is_some();
+        self.has_lists = sources.list_blocks.is_some();
         self.pending = true;
         Ok(())
     }

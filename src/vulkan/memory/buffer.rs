@@ -59,6 +59,33 @@ impl Slice {
     }
 }
 
+/// A buffer in place of another: what bound a part of the one binds that part of the other, and what
+/// bound it whole binds the other whole.
+#[derive(Clone, Copy)]
+pub(crate) struct Replacement {
+    /// The whole buffer before.
+    pub old: Slice,
+    /// The whole buffer now.
+    pub new: Slice,
+}
+
+impl Replacement {
+    /// What takes the place of a slice. None where it is of another buffer.
+    pub fn of(&self, slice: Slice) -> Option<Slice> {
+        let is_whole = slice.offset == 0 && slice.size == self.old.size;
+        (slice.buffer == self.old.buffer).then_some(Slice {
+            buffer: self.new.buffer,
+            size: if is_whole { self.new.size } else { slice.size },
+            ..slice
+        })
+    }
+
+    /// Puts what takes the place of a slice there.
+    pub fn apply(&self, slice: &mut Slice) {
+        *slice = self.of(*slice).unwrap_or(*slice);
+    }
+}
+
 impl From<&Buffer> for Slice {
     fn from(buffer: &Buffer) -> Self {
         Self {

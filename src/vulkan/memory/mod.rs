@@ -9,7 +9,7 @@ mod image;
 pub(crate) use barrier::LayoutChange;
 pub use barrier::Scope;
 pub use buffer::{Buffer, Slice};
-pub(crate) use buffer::{Upload, upload_all};
+pub(crate) use buffer::{Replacement, Upload, upload_all};
 pub(crate) use copy::{copy_image, image_bytes};
 #[cfg(feature = "window")]
 pub(crate) use image::COLOR;

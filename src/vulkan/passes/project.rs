@@ -2,14 +2,14 @@
 //! (model.md, steps 2 and 4 to 8).
 //!
 //! While only the camera moves, posed Gaussians come from a cache: the first such frame stores
-//! them, in its camera's space, and those after it only project them.
-//! `shaders/project/pose_cache.glsl` has the 24 bytes of a Gaussian.
+//! them, in its camera's space, and those after it only project them. There is no cache until a
+//! frame stores something. `shaders/project/pose_cache.glsl` has the 24 bytes of a Gaussian.
 
 use super::model::{GaussianSet, Model};
 use crate::vulkan::{
     commands::control::REASONS,
     device::{error::Result, gpu::Gpu, recording::Recording},
-    memory::{Buffer, Slice},
+    memory::{Buffer, Replacement, Slice},
     pipeline::{Kernel, Launch, Resources, shaders},
     sort::counts_size,
 };
@@ -33,7 +33,9 @@ pub struct Project {
     /// Invocations of a workgroup.
     workgroup: u32,
     layout: SplatBufferLayout,
+    /// Splats, keys, the sort's counts, reasons, and the pose cache once there is one.
     buffer: Buffer,
+    has_cache: bool,
 }
 
 /// The kernels that project a set of Gaussians.
@@ -62,7 +64,7 @@ struct SplatBufferLayout {
     counts: [u64; 2],
     /// Where reasons are counted.
     reasons: u64,
-    /// Where the posed Gaussians start.
+    /// Where the posed Gaussians start: the end while there is no cache.
     posed: u64,
 }
 
@@ -78,6 +80,11 @@ impl SplatBufferLayout {
             reasons,
             posed: reasons + 256,
         }
+    }
+
+    /// Bytes of the buffer with a pose cache.
+    fn with_cache(&self) -> u64 {
+        self.posed + 4 * u64::from(POSE_CACHE_WORDS) * self.count
     }
 }
 
@@ -102,16 +109,7 @@ impl Project {
         } else {
             [0, 0]
         };
-        let usage = vk::BufferUsageFlags::STORAGE_BUFFER
-            | vk::BufferUsageFlags::TRANSFER_SRC
-            | vk::BufferUsageFlags::TRANSFER_DST;
-        let cache_size = if caches {
-            4 * u64::from(POSE_CACHE_WORDS) * layout.count
-        } else {
-            0
-        };
-        let size = layout.posed + cache_size;
-        let buffer = Buffer::new(gpu, "splats", size, usage, MemoryLocation::GpuOnly)?;
+        let buffer = splat_buffer(gpu, layout.posed)?;
         let workgroup = options.workgroup.unwrap_or(PROJECT_WORKGROUP);
         let kernel = |module, stores: u32, storage: &[Slice]| {
             let resources = Resources {
@@ -149,7 +147,38 @@ impl Project {
             workgroup,
             layout,
             buffer,
+            has_cache: false,
         })
+    }
+
+    /// Whether there is memory for the pose cache.
+    pub fn has_cache(&self) -> bool {
+        self.has_cache
+    }
+
+    /// Makes room for the pose cache in another buffer, for who binds the one before to bind in its
+    /// place. On failure all stays as it is.
+    ///
+    /// # Safety
+    /// No submitted work may use the stage. What binds the buffer must bind the new one before it
+    /// is used again.
+    pub unsafe fn make_cache(&mut self, gpu: &Arc<Gpu>) -> Result<Replacement> {
+        let buffer = splat_buffer(gpu, self.layout.with_cache())?;
+        let replacement = Replacement {
+            old: (&self.buffer).into(),
+            new: (&buffer).into(),
+        };
+        for set in &mut self.sets {
+            let caching = set.caching.iter_mut();
+            let caching = caching.flat_map(|kernels| [&mut kernels.store, &mut kernels.cached]);
+            for kernel in caching.chain([&mut set.compute]) {
+                // SAFETY: no work uses it, as the caller promises; this keeps the new buffer.
+                unsafe { kernel.replace(replacement) };
+            }
+        }
+        self.buffer = buffer;
+        self.has_cache = true;
+        Ok(replacement)
     }
 
     /// Writes to a frame's block where the avatar's pose cache starts. `first`: its place among those
@@ -170,7 +199,8 @@ impl Project {
         self.layout.count as u32
     }
 
-    /// The whole buffer: splats, keys, the sort's counts, reasons and pose cache.
+    /// The whole buffer: splats, keys, the sort's counts, reasons, and the pose cache once there is
+    /// one.
     pub fn whole_buffer(&self) -> Slice {
         (&self.buffer).into()
     }
@@ -253,6 +283,13 @@ impl Project {
         };
         kernel.dispatch(commands, frame, drawn.div_ceil(self.workgroup));
     }
+}
+
+fn splat_buffer(gpu: &Arc<Gpu>, size: u64) -> Result<Buffer> {
+    let usage = vk::BufferUsageFlags::STORAGE_BUFFER
+        | vk::BufferUsageFlags::TRANSFER_SRC
+        | vk::BufferUsageFlags::TRANSFER_DST;
+    Buffer::new(gpu, "splats", size, usage, MemoryLocation::GpuOnly)
 }
 
 /// Where the keys of `count` Gaussians start, in bytes.

@@ -7,7 +7,7 @@
 use super::set::Set;
 use crate::vulkan::{
     device::{error::Result, gpu::Gpu, kept_pipelines::Layouts, recording::Recording},
-    memory::Slice,
+    memory::{Replacement, Slice},
 };
 use ash::vk;
 use std::sync::Arc;
@@ -58,8 +58,8 @@ pub(crate) struct Bindings {
     set: Set,
     /// Whether there is a frame block.
     uniform: bool,
-    /// How many storage buffers there are.
-    storage: u32,
+    /// The storage buffers, at bindings 1 and up.
+    storage: Vec<Slice>,
     /// Number of the image's binding, where there is one, and what it is.
     image: Option<(u32, BoundImage)>,
 }
@@ -91,7 +91,7 @@ impl Bindings {
             gpu: gpu.clone(),
             set: Set::new(gpu, name, stages, &kinds, 0)?,
             uniform: uniform.is_some(),
-            storage: count,
+            storage: storage.to_vec(),
             image: image.map(|image| (count + 1, image)),
         };
         if let Some(uniform) = uniform {
@@ -118,10 +118,23 @@ impl Bindings {
     /// [`PipelineKey`]: crate::vulkan::device::kept_pipelines::PipelineKey
     pub fn shape(&self) -> [u32; 3] {
         let image = self.image.map_or(u32::MAX, |(_, image)| image as u32);
-        [u32::from(self.uniform), self.storage, image]
+        [u32::from(self.uniform), self.storage.len() as u32, image]
     }
 
-    /// The set must not be in use, so this is for new ones only.
+    /// Binds the one buffer wherever the other was bound.
+    ///
+    /// # Safety
+    /// No submitted work may use the set, and the new buffer must outlive what will.
+    pub unsafe fn replace(&mut self, replacement: Replacement) {
+        for at in 0..self.storage.len() {
+            if let Some(new) = replacement.of(self.storage[at]) {
+                self.storage[at] = new;
+                self.set_buffer(at as u32 + 1, STORAGE, new);
+            }
+        }
+    }
+
+    /// The set must not be in use.
     fn set_buffer(&self, binding: u32, kind: vk::DescriptorType, slice: Slice) {
         let info = [vk::DescriptorBufferInfo {
             buffer: slice.buffer,
@@ -133,7 +146,7 @@ impl Bindings {
             .dst_binding(binding)
             .descriptor_type(kind)
             .buffer_info(&info);
-        // SAFETY: the set is new, and the buffer alive.
+        // SAFETY: the set is not in use, and the buffer alive.
         unsafe { self.gpu.raw.update_descriptor_sets(&[write], &[]) };
     }
 

@@ -5,12 +5,15 @@ use super::{
     module::{flags, list, shader_module, specialization_entries, take_over},
     shaders::Module,
 };
-use crate::vulkan::device::{
-    error::{During, Result},
-    gpu::Gpu,
-    handle::Pipeline,
-    kept_pipelines::{PipelineKey, SharedPipeline},
-    recording::Recording,
+use crate::vulkan::{
+    device::{
+        error::{During, Result},
+        gpu::Gpu,
+        handle::Pipeline,
+        kept_pipelines::{PipelineKey, SharedPipeline},
+        recording::Recording,
+    },
+    memory::Replacement,
 };
 use ash::vk;
 use bytemuck::cast_slice;
@@ -77,6 +80,15 @@ impl Kernel {
     pub unsafe fn set_image(&self, sampler: vk::Sampler, image_view: vk::ImageView) {
         // SAFETY: the caller promises what the function asks for.
         unsafe { self.bindings.set_image(sampler, image_view) };
+    }
+
+    /// Binds the one buffer wherever the other was bound.
+    ///
+    /// # Safety
+    /// No submitted work may use the kernel, and the new buffer must outlive what will.
+    pub(crate) unsafe fn replace(&mut self, replacement: Replacement) {
+        // SAFETY: the caller promises what the function asks for.
+        unsafe { self.bindings.replace(replacement) };
     }
 
     /// Runs `groups` workgroups; none for 0. `offset`: where in the ring the frame's block is,

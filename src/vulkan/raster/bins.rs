@@ -4,7 +4,7 @@
 use super::draw::RasterInputs;
 use crate::vulkan::{
     device::{error::Result, gpu::Gpu, recording::Recording},
-    memory::{Buffer, Scope, Slice},
+    memory::{Buffer, Replacement, Scope, Slice},
     pipeline::{
         Kernel, Launch, Resources,
         shaders::{self, Module},
@@ -70,6 +70,17 @@ impl Bins {
             margin,
             buffer,
         })
+    }
+
+    /// Reads splats in the one buffer that it read in the other.
+    ///
+    /// # Safety
+    /// No submitted work may use the kernels, and the new buffer must outlive what will.
+    pub unsafe fn replace(&mut self, replacement: Replacement) {
+        for kernel in [&mut self.count, &mut self.pairs] {
+            // SAFETY: the caller promises what the function asks for.
+            unsafe { kernel.replace(replacement) };
+        }
     }
 
     /// Specialization constants of a kernel that reads the lists: three of its own, then where the

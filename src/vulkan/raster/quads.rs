@@ -13,7 +13,7 @@ use crate::vulkan::{
         handle::{Framebuffer, Pipeline, RenderPass},
         recording::Recording,
     },
-    memory::{Buffer, DEPTH_FORMAT, Image, Scope},
+    memory::{Buffer, DEPTH_FORMAT, Image, Replacement, Scope},
     pipeline::{
         Resources,
         bindings::Bindings,
@@ -165,6 +165,20 @@ impl Quads {
         }
         self.pipeline = untested;
         Ok(())
+    }
+
+    /// Reads splats in the one buffer that it read in the other.
+    ///
+    /// # Safety
+    /// No submitted work may draw with it, and the new buffer must outlive what will.
+    pub unsafe fn replace(&mut self, replacement: Replacement) {
+        // SAFETY: the caller promises what the functions ask for.
+        unsafe {
+            self.bindings.replace(replacement);
+            if let Some(test) = &mut self.test {
+                test.saturation.replace(replacement);
+            }
+        }
     }
 
     pub fn image(&self) -> &Image {

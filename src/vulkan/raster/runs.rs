@@ -4,7 +4,7 @@
 use super::draw::RasterInputs;
 use crate::vulkan::{
     device::{error::Result, gpu::Gpu, recording::Recording},
-    memory::{Buffer, Slice},
+    memory::{Buffer, Replacement, Slice},
     pipeline::{Kernel, Launch, Resources, shaders},
 };
 use ash::vk;
@@ -45,21 +45,20 @@ impl TileLists {
 /// The kernel that makes the lists, and their memory.
 pub struct Runs {
     binning: Kernel,
+    /// The most splats.
+    capacity: u32,
+    /// Blocks that all levels but the last share.
+    blocks: u32,
+    /// Whether the device had no memory for more of them.
+    is_largest: bool,
     buffer: Buffer,
 }
 
 impl Runs {
     pub fn new(gpu: &Arc<Gpu>, inputs: &RasterInputs) -> Result<Self> {
-        let usage = vk::BufferUsageFlags::STORAGE_BUFFER
-            | vk::BufferUsageFlags::TRANSFER_SRC
-            | vk::BufferUsageFlags::TRANSFER_DST;
-        let buffer = Buffer::new(
-            gpu,
-            "tile lists",
-            TILING.bytes(inputs.capacity)[1],
-            usage,
-            MemoryLocation::GpuOnly,
-        )?;
+        let capacity = inputs.capacity;
+        let blocks = TILING.first_blocks(capacity);
+        let buffer = list_buffer(gpu, capacity, blocks)?;
         let resources = Resources {
             uniform: Some(inputs.frame),
             storage: &[
@@ -70,12 +69,68 @@ impl Runs {
             ],
             image: None,
         };
-        let blocks = [TILING.blocks(inputs.capacity)[0]];
         let launch = Launch::default();
         Ok(Self {
-            binning: Kernel::new(gpu, &shaders::BINNING, &blocks, resources, launch)?,
+            binning: Kernel::new(gpu, &shaders::BINNING, &[blocks], resources, launch)?,
+            capacity,
+            blocks,
+            is_largest: false,
             buffer,
         })
+    }
+
+    /// Where a frame says how many blocks its lists asked for.
+    pub fn asked(&self) -> Slice {
+        self.storage().part(0, 4)
+    }
+
+    /// Whether a frame that asked for so many blocks should have had more.
+    pub fn lacks_blocks(&self, asked: u32) -> bool {
+        let more = TILING.more_blocks(self.capacity, self.blocks, asked);
+        more.is_some() && !self.is_largest
+    }
+
+    /// Makes lists with room for what [`Self::lacks_blocks`] saw, for who binds those before to
+    /// bind in their place. None where they stay: for want of memory, which costs time alone, since
+    /// larger tiles take the splats.
+    ///
+    /// # Safety
+    /// No submitted work may use the lists. What binds them must bind the new ones before they are
+    /// used again.
+    pub unsafe fn grow(&mut self, gpu: &Arc<Gpu>, asked: u32) -> Option<Replacement> {
+        let blocks = TILING.more_blocks(self.capacity, self.blocks, asked)?;
+        let grown = list_buffer(gpu, self.capacity, blocks).and_then(|buffer| {
+            // SAFETY: no work uses the kernel, as the caller promises.
+            unsafe { self.binning.specialize(&[blocks], Launch::default()) }?;
+            Ok(buffer)
+        });
+        let buffer = match grown {
+            Ok(buffer) => buffer,
+            Err(error) => {
+                tracing::warn!("tile lists stay at {} blocks: {error}", self.blocks);
+                self.is_largest = true;
+                return None;
+            }
+        };
+        tracing::debug!("tile lists grow from {} to {blocks} blocks", self.blocks);
+        let replacement = Replacement {
+            old: (&self.buffer).into(),
+            new: (&buffer).into(),
+        };
+        // SAFETY: no work uses the kernel, as the caller promises; this keeps the new buffer.
+        unsafe { self.binning.replace(replacement) };
+        self.buffer = buffer;
+        self.blocks = blocks;
+        Some(replacement)
+    }
+
+    /// Reads splats in the one buffer that it read in the other.
+    ///
+    /// # Safety
+    /// No submitted work may use the kernel, and the new buffer must outlive what will.
+    pub unsafe fn replace(&mut self, replacement: Replacement) {
+        // SAFETY: the caller promises what the function asks for.
+        unsafe { self.binning.replace(replacement) };
     }
 
     pub fn storage(&self) -> Slice {
@@ -85,7 +140,7 @@ impl Runs {
     /// Empties the lists; a transfer.
     pub fn clear(&self, commands: Recording) {
         let heads = Slice {
-            size: TILING.bytes(0)[0],
+            size: TILING.head_bytes(),
             ..(&self.buffer).into()
         };
         // SAFETY: the part lies in the buffer, which is alive.
@@ -131,4 +186,12 @@ impl Runs {
             tiles: (0..tiles).map(tile).collect(),
         })
     }
+}
+
+fn list_buffer(gpu: &Arc<Gpu>, capacity: u32, blocks: u32) -> Result<Buffer> {
+    let usage = vk::BufferUsageFlags::STORAGE_BUFFER
+        | vk::BufferUsageFlags::TRANSFER_SRC
+        | vk::BufferUsageFlags::TRANSFER_DST;
+    let size = TILING.bytes(capacity, blocks);
+    Buffer::new(gpu, "tile lists", size, usage, MemoryLocation::GpuOnly)
 }

@@ -13,7 +13,7 @@ use crate::vulkan::{
         handle::{Pipeline, RenderPass, Sampler},
         recording::Recording,
     },
-    memory::{Image, LayoutChange, Scope, Slice, image_bytes},
+    memory::{Image, LayoutChange, Replacement, Scope, Slice, image_bytes},
     pipeline::{
         BoundImage, Kernel, Launch, Resources,
         bindings::Bindings,
@@ -112,6 +112,18 @@ impl Saturation {
         let constants = self.bins.constants(constants(options));
         // SAFETY: the caller promises that no work uses the kernel.
         unsafe { self.kernel.specialize(&constants, LAUNCH) }
+    }
+
+    /// Reads splats in the one buffer that it read in the other.
+    ///
+    /// # Safety
+    /// No submitted work may use the stage, and the new buffer must outlive what will.
+    pub unsafe fn replace(&mut self, replacement: Replacement) {
+        // SAFETY: the caller promises what the functions ask for.
+        unsafe {
+            self.bins.replace(replacement);
+            self.kernel.replace(replacement);
+        }
     }
 
     /// The buffer with the marks of splats that are seen somewhere.

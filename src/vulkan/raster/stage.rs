@@ -19,7 +19,7 @@ use crate::{
             gpu::Gpu,
             recording::Recording,
         },
-        memory::Image,
+        memory::{Image, Replacement, Slice},
     },
 };
 use effigy_core::{
@@ -133,6 +133,40 @@ impl Raster {
         match &self.method {
             Method::Quads(quads) => quads.saturation().map(Saturation::bins),
             Method::Tiles(tiles) => tiles.bins(),
+        }
+    }
+
+    /// Reads splats in the one buffer that it read in the other.
+    ///
+    /// # Safety
+    /// No submitted work may draw with it, and the new buffer must outlive what will.
+    pub(crate) unsafe fn replace(&mut self, replacement: Replacement) {
+        match &mut self.method {
+            // SAFETY: the caller promises what the function asks for.
+            Method::Quads(quads) => unsafe { quads.replace(replacement) },
+            // SAFETY: the caller promises what the function asks for.
+            Method::Tiles(tiles) => unsafe { tiles.replace(replacement) },
+        }
+    }
+
+    /// Where a frame says how many blocks its tiles' lists asked for, if there are any.
+    pub(crate) fn list_blocks(&self) -> Option<Slice> {
+        self.runs().map(Runs::asked)
+    }
+
+    /// Whether a frame whose tiles' lists asked for so many blocks should have had more.
+    pub(crate) fn lacks_blocks(&self, asked: u32) -> bool {
+        self.runs().is_some_and(|runs| runs.lacks_blocks(asked))
+    }
+
+    /// Gives the tiles' lists more blocks, after a frame that asked for `asked`.
+    ///
+    /// # Safety
+    /// No submitted work may draw with it.
+    pub(crate) unsafe fn grow_lists(&mut self, asked: u32) {
+        if let Method::Tiles(tiles) = &mut self.method {
+            // SAFETY: the caller promises that no work draws with it.
+            unsafe { tiles.grow_lists(asked) };
         }
     }
 

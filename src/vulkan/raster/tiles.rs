@@ -10,7 +10,7 @@ use super::{
 };
 use crate::vulkan::{
     device::{error::Result, gpu::Gpu, recording::Recording},
-    memory::{Image, LayoutChange, Scope},
+    memory::{Image, LayoutChange, Replacement, Scope},
     pipeline::{BoundImage, Kernel, Launch, Resources, shaders},
 };
 use ash::vk::{self, AccessFlags, ImageLayout};
@@ -166,6 +166,45 @@ impl Tiles {
         }
         self.options = *options;
         Ok(())
+    }
+
+    /// Reads splats in the one buffer that it read in the other.
+    ///
+    /// # Safety
+    /// No submitted work may draw with it, and the new buffer must outlive what will.
+    pub unsafe fn replace(&mut self, replacement: Replacement) {
+        replacement.apply(&mut self.inputs.splats);
+        // SAFETY: the caller promises what the functions ask for.
+        unsafe {
+            match &mut self.lists {
+                Lists::Runs(runs) => runs.replace(replacement),
+                Lists::Bins(bins) => bins.replace(replacement),
+            }
+            self.bind(replacement);
+        }
+    }
+
+    /// Gives the lists of tiles more blocks, after a frame that asked for `asked`.
+    ///
+    /// # Safety
+    /// No submitted work may draw with it.
+    pub unsafe fn grow_lists(&mut self, asked: u32) {
+        if let Lists::Runs(runs) = &mut self.lists
+            // SAFETY: the caller promises that no work uses them, and the kernels bind the new ones.
+            && let Some(replacement) = unsafe { runs.grow(&self.gpu, asked) }
+        {
+            // SAFETY: the caller promises that no work uses them; the lists keep the new buffer.
+            unsafe { self.bind(replacement) };
+        }
+    }
+
+    /// # Safety
+    /// No submitted work may use the kernels, and the new buffer must outlive what will.
+    unsafe fn bind(&mut self, replacement: Replacement) {
+        for target in std::iter::once(&mut self.target).chain(&mut self.atlas) {
+            // SAFETY: the caller promises what the function asks for.
+            unsafe { target.kernel.replace(replacement) };
+        }
     }
 
     /// The lists of tiles, if the kernel walks those.

@@ -2,7 +2,10 @@
 
 use super::blocks::Blocks;
 use crate::vulkan::{
-    commands::{control::set_control, frame_in_flight::FrameInFlight},
+    commands::{
+        control::set_control,
+        frame_in_flight::{CountSources, FrameInFlight},
+    },
     device::recording::Recording,
     memory::{Buffer, Scope},
     passes::{mlp::Mlp, occluder::OccluderPass, project::Project, sh::SphericalHarmonics},
@@ -96,6 +99,7 @@ pub(super) struct Executor<'a> {
     pub sort: &'a Sort,
     pub raster: &'a Raster,
     pub control: &'a Buffer,
+    pub counts: CountSources,
     pub blocks: &'a Blocks,
     pub plan: &'a FramePlan<'a>,
     /// Index of the frame in flight.
@@ -114,9 +118,9 @@ impl Executor<'_> {
             match step {
                 Step::Skip(stage, _) => in_flight.skip(stage.name()),
                 Step::Command(Command::Run(Pass::KeepCounts)) => {
-                    // SAFETY: the frame is recording; the renderer drops both buffers after the
+                    // SAFETY: the frame is recording; the renderer drops the buffers after the
                     // frames in flight.
-                    unsafe { in_flight.keep_counts(self.control, self.project.reasons()) };
+                    unsafe { in_flight.keep_counts(self.counts) };
                 }
                 Step::Command(command) => {
                     in_flight.record(|commands| self.record(commands, command));

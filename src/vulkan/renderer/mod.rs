@@ -13,7 +13,7 @@ use super::{
     commands::{
         FRAMES_IN_FLIGHT, FrameReport, Semaphores,
         control::control,
-        frame_in_flight::{FrameInFlight, HostMarks},
+        frame_in_flight::{CountSources, FrameInFlight, HostMarks},
     },
     device::{
         error::{Error, Result},
@@ -444,6 +444,12 @@ impl Renderer {
         }
         drop(waiting);
         let waited = Instant::now();
+        let asked = self.frames_in_flight[frame].list_blocks();
+        if self.raster.lacks_blocks(asked) {
+            self.finish()?;
+            // SAFETY: every frame is done.
+            unsafe { self.raster.grow_lists(asked) };
+        }
         // Should anything below fail, nothing of this frame counts as drawn.
         let mut state = std::mem::take(&mut self.state);
         let before = FrameBefore {
@@ -475,6 +481,10 @@ impl Renderer {
             // SAFETY: every frame is done.
             unsafe { self.raster.make_atlas(atlas.layer.size) }?;
         }
+        if plan.stores_poses() && !self.project.has_cache() && !self.make_pose_cache()? {
+            // Planned anew, and nothing is stored.
+            return self.draw_scene(poses, camera, presentation);
+        }
         let recording = section(c"record");
         let sources = blocks::BlockSources {
             extent: &self.extent,
@@ -500,12 +510,11 @@ impl Renderer {
         drop(recording);
         let recorded = Instant::now();
         let _submitting = section(c"submit");
+        let counts = self.count_sources();
         // SAFETY: the frame is recording. What the stages use is dropped or changed only after
         // waiting for the frames in flight; the maker of the presentation promised it for the
         // presentation's objects and semaphores.
-        unsafe {
-            self.frames_in_flight[frame].submit(&self.control, self.project.reasons(), semaphores)
-        }?;
+        unsafe { self.frames_in_flight[frame].submit(counts, semaphores) }?;
         self.frames_in_flight[frame].timed(HostMarks {
             began,
             waited,
@@ -554,6 +563,7 @@ impl Renderer {
             sort: &self.sort,
             raster: &self.raster,
             control: &self.control,
+            counts: self.count_sources(),
             blocks: &self.blocks,
             plan,
             frame,
@@ -563,6 +573,38 @@ impl Renderer {
         let in_flight = &mut self.frames_in_flight[frame];
         in_flight.note(counters);
         executor.execute(in_flight, schedule);
+    }
+
+    /// Where frames leave their counts.
+    fn count_sources(&self) -> CountSources {
+        CountSources {
+            control: (&self.control).into(),
+            reasons: self.project.reasons(),
+            list_blocks: self.raster.list_blocks(),
+        }
+    }
+
+    /// Makes the memory of the pose cache, after waiting for submitted frames. Where the device has
+    /// none left, no pose is cached from now on: false.
+    fn make_pose_cache(&mut self) -> Result<bool> {
+        self.finish()?;
+        // SAFETY: every frame is done, and all that binds the buffer gets the new one below.
+        let replacement = match unsafe { self.project.make_cache(&self.gpu) } {
+            Ok(replacement) => replacement,
+            Err(error) if device_lives(&error) => {
+                tracing::warn!("poses are not cached: {error}");
+                self.options.skip -= Skip::SKINNING;
+                return Ok(false);
+            }
+            Err(error) => return Err(error),
+        };
+        // SAFETY: every frame is done; the stage before keeps the new buffer, which is laid out as
+        // the old one was.
+        unsafe {
+            self.sort.replace(replacement);
+            self.raster.replace(replacement);
+        }
+        Ok(true)
     }
 
     /// Waits for every submitted frame.

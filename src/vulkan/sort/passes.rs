@@ -3,14 +3,14 @@
 use super::options::SortOptions;
 use crate::vulkan::{
     device::{error::Result, gpu::Gpu, recording::Recording},
-    memory::{Buffer, Scope, Slice},
+    memory::{Buffer, Replacement, Scope, Slice},
     pipeline::{
         Kernel, Launch, Resources,
         shaders::{self, Module},
     },
 };
 use effigy_core::{
-    frame::{KeyBits, SortVariant},
+    frame::SortVariant,
     layout::{MAX_SUMMED_TILES, SORT_GROUP},
 };
 use std::sync::Arc;
@@ -36,7 +36,6 @@ pub struct SortSize {
 #[derive(Clone, Copy)]
 pub struct SortBuffers {
     pub keys: Slice,
-    pub order: Slice,
     pub counts: Slice,
     pub control: Slice,
 }
@@ -84,44 +83,50 @@ impl SortSize {
             .map_or(24, |pass| 32 - bits.bits_left(pass))
     }
 
-    /// Bytes of the buffers between passes, which passes write and read in turn.
-    pub fn between(&self) -> Vec<u64> {
-        let bytes = |pass: u32| {
-            u64::from(self.capacity)
-                * if self.forms(pass)[1] == Form::Packed {
-                    4
-                } else {
-                    8
-                }
+    /// Bytes that a pass writes.
+    fn written(&self, pass: u32) -> u64 {
+        let entry = match self.forms(pass)[1] {
+            Form::Packed | Form::Values => 4,
+            _ => 8,
         };
-        match self.options.bits {
-            KeyBits::Sixteen => vec![bytes(0)],
-            KeyBits::TwentyTwo | KeyBits::ThirtyTwo => vec![bytes(0), bytes(1)],
-        }
+        entry * u64::from(self.capacity)
     }
 
-    /// `between`: buffers of the lengths of [`Self::between`].
+    /// Bytes of the two buffers that passes write in turn: the first pass the first, the last pass
+    /// [`Self::last`].
+    pub fn written_in_turn(&self) -> [u64; 2] {
+        let passes = self.options.bits.passes();
+        let largest = |first| {
+            (first..passes)
+                .step_by(2)
+                .map(|pass| self.written(pass))
+                .max()
+        };
+        [0, 1].map(|first| largest(first).unwrap_or_default())
+    }
+
+    /// The buffer that the last pass writes: the order is there.
+    pub fn last(&self) -> usize {
+        (self.options.bits.passes() as usize - 1) % 2
+    }
+
+    /// `in_turn`: buffers of the lengths of [`Self::written_in_turn`].
     pub fn passes(
         &self,
         gpu: &Arc<Gpu>,
         buffers: SortBuffers,
-        between: &[Buffer],
+        in_turn: &[Buffer; 2],
     ) -> Result<Vec<SortPass>> {
-        let count = self.options.bits.passes();
-        let entries = |pass: u32| Slice::from(&between[pass as usize % between.len()]);
+        let entries = |pass: u32| Slice::from(&in_turn[pass as usize % 2]);
         let mut passes = Vec::new();
-        for pass in 0..count {
+        for pass in 0..self.options.bits.passes() {
             let from = if pass == 0 {
                 buffers.keys
             } else {
                 entries(pass - 1)
             };
-            let to = if pass + 1 == count {
-                buffers.order
-            } else {
-                entries(pass)
-            };
-            passes.push(self.pass(gpu, pass, [from, buffers.counts, buffers.control, to])?);
+            let storage = [from, buffers.counts, buffers.control, entries(pass)];
+            passes.push(self.pass(gpu, pass, storage)?);
         }
         Ok(passes)
     }
@@ -196,6 +201,23 @@ impl SortSize {
 impl SortPass {
     pub fn dispatches(&self) -> usize {
         1 + usize::from(self.count.is_some()) + 2 * usize::from(self.scan.is_some())
+    }
+
+    /// Binds the one buffer wherever the other was bound.
+    ///
+    /// # Safety
+    /// No submitted work may use the pass, and the new buffer must outlive what will.
+    pub unsafe fn replace(&mut self, replacement: Replacement) {
+        let scans = self.scan.iter_mut().flatten();
+        for kernel in self
+            .count
+            .iter_mut()
+            .chain(scans)
+            .chain([&mut self.scatter])
+        {
+            // SAFETY: the caller promises what the function asks for.
+            unsafe { kernel.replace(replacement) };
+        }
     }
 
     /// `counted`: whether the counts are there already.

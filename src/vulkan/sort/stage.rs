@@ -10,7 +10,7 @@ use crate::vulkan::{
         gpu::Gpu,
         recording::Recording,
     },
-    memory::{Buffer, Scope, Slice},
+    memory::{Buffer, Replacement, Scope, Slice},
 };
 use ash::vk;
 use effigy_core::{
@@ -26,10 +26,12 @@ pub struct Sort {
     tiles: u32,
     variant: SortVariant,
     counts: Slice,
-    order: Buffer,
-    /// Kept alive for the kernels: the entries between passes, and the counts where they are the
-    /// sort's own.
-    scratch: Vec<Buffer>,
+    /// The counts, where they are the sort's own.
+    own_counts: Option<Buffer>,
+    /// What passes write in turn: entries, and then the order.
+    in_turn: [Buffer; 2],
+    /// Which of those has the order.
+    last: usize,
 }
 
 impl Sort {
@@ -77,45 +79,53 @@ impl Sort {
                 | vk::BufferUsageFlags::TRANSFER_DST;
             Buffer::new(gpu, name, size, usage, MemoryLocation::GpuOnly)
         };
-        let order = storage("order", 4 * u64::from(capacity))?;
-        let mut scratch = Vec::new();
-        let counts = match options.counts {
-            Some(counts) => counts,
-            None => {
-                scratch.push(storage("sort counts", counts_size(capacity, variant))?);
-                (&scratch[0]).into()
-            }
+        let own_counts = match options.counts {
+            Some(_) => None,
+            None => Some(storage("sort counts", counts_size(capacity, variant))?),
         };
+        let counts = options.counts.or(own_counts.as_ref().map(Slice::from));
+        let counts = counts.expect("the caller's, or its own");
         let sort_size = passes::SortSize {
             capacity,
             tiles,
             options,
         };
-        let mut between = Vec::new();
-        for bytes in sort_size.between() {
-            between.push(storage("sort entries", bytes)?);
-        }
+        let [first, second] = sort_size.written_in_turn();
+        let in_turn = [
+            storage("sort entries", first)?,
+            storage("sort entries", second)?,
+        ];
         let buffers = passes::SortBuffers {
             keys,
-            order: (&order).into(),
             counts,
             control: control.into(),
         };
-        let passes = sort_size.passes(gpu, buffers, &between)?;
-        scratch.extend(between);
         Ok(Self {
-            passes,
+            passes: sort_size.passes(gpu, buffers, &in_turn)?,
             tiles: sort_size.tiles,
             variant,
             counts,
-            order,
-            scratch,
+            own_counts,
+            in_turn,
+            last: sort_size.last(),
         })
+    }
+
+    /// Reads keys and counts in one buffer that it read in the other.
+    ///
+    /// # Safety
+    /// No submitted work may use the sort. For the new buffer holds what [`Self::new`] asks.
+    pub(crate) unsafe fn replace(&mut self, replacement: Replacement) {
+        replacement.apply(&mut self.counts);
+        for pass in &mut self.passes {
+            // SAFETY: the caller promises what the function asks for.
+            unsafe { pass.replace(replacement) };
+        }
     }
 
     /// The indices of the visible keys, lowest key first, equal keys in index order.
     pub fn order(&self) -> Slice {
-        (&self.order).into()
+        (&self.in_turn[self.last]).into()
     }
 
     /// The variant that it was made with.
@@ -143,24 +153,21 @@ impl Sort {
 
     /// Bytes of device memory that are the sort's own.
     pub fn memory(&self) -> u64 {
-        self.order.size + self.scratch.iter().map(|buffer| buffer.size).sum::<u64>()
+        let own = self.in_turn.iter().chain(&self.own_counts);
+        own.map(|buffer| buffer.size).sum()
     }
 
     /// The first `count` indices, for tests.
     pub fn download(&self, count: u32) -> Result<Vec<u32>> {
         Ok(bytemuck::pod_collect_to_vec(
-            &self.order.download(4 * count as usize)?,
+            &self.in_turn[self.last].download(4 * count as usize)?,
         ))
     }
 
     /// How often a workgroup of OneSweep counted another's tile in the last sort, for tests. None
     /// where the counts are the caller's.
     pub fn fallbacks(&self) -> Result<Option<u32>> {
-        let Some(own) = self
-            .scratch
-            .first()
-            .filter(|own| own.raw() == self.counts.buffer)
-        else {
+        let Some(own) = &self.own_counts else {
             return Ok(None);
         };
         let at = 4 * (self.tiles * SORT_DIGITS + SORT_FALLBACKS) as usize;

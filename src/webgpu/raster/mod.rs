@@ -109,7 +109,7 @@ impl Raster {
         } else {
             0.0
         };
-        settings.blocks = TILING_WEB.blocks(capacity)[0];
+        settings.blocks = TILING_WEB.most_blocks(capacity);
         settings.counted = options.count.into();
         match &self.way {
             Way::Quads(_) => Saturation::fill(settings, options, capacity),

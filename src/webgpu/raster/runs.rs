@@ -22,7 +22,7 @@ pub struct Runs {
 
 impl Runs {
     pub fn new(gpu: &Gpu, blocks: &Blocks, inputs: RasterInputs) -> Result<Self> {
-        let size = TILING_WEB.bytes(inputs.capacity)[1];
+        let size = TILING_WEB.bytes(inputs.capacity, TILING_WEB.most_blocks(inputs.capacity));
         let lists = empty(gpu, "tile lists", size, STORAGE)?;
         let bound = [
             blocks.frame(),
@@ -45,7 +45,7 @@ impl Runs {
 
     /// Empties the lists.
     pub fn clear(&self, encoder: &mut wgpu::CommandEncoder) {
-        encoder.clear_buffer(&self.lists, 0, Some(TILING_WEB.bytes(0)[0]));
+        encoder.clear_buffer(&self.lists, 0, Some(TILING_WEB.head_bytes()));
     }
 
     /// Writes splats to the lists of the tiles that they meet.
