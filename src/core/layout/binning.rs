@@ -27,10 +27,6 @@ pub struct Tiling {
     pub blocks_per_splat: u32,
 }
 
-/// List blocks to begin with, for scenes whose splats may need more. With tiles of 16 px a 200K body
-/// 2000 px high uses 81,000 to 91,000.
-const FIRST_BLOCKS: u32 = 96 << 10;
-
 impl Tiling {
     /// Side of a tile in an image of a size, px: the smallest power of two with which
     /// [`Self::tiles_per_side`] is not exceeded.
@@ -62,18 +58,26 @@ impl Tiling {
             .saturating_add(4096)
     }
 
-    /// Shared list blocks to begin with.
-    pub fn first_blocks(self, capacity: u32) -> u32 {
-        self.most_blocks(capacity).min(FIRST_BLOCKS)
+    /// Shared list blocks that suffice where splats are those of bodies: with tiles of 16 px one of
+    /// 200,000 Gaussians and 2000 px asks for 92,000, four of them for 219,000.
+    pub fn few_blocks(self, capacity: u32) -> u32 {
+        let few = 4096 + capacity / 4 + (capacity / 2).min(80_000);
+        few.min(self.most_blocks(capacity))
     }
 
     /// Shared list blocks for the frames that follow one that asked for `asked`, where there were
-    /// `blocks`: a quarter as many again if they were all but used up. None where there are enough,
-    /// or there can't be more.
-    pub fn more_blocks(self, capacity: u32, blocks: u32, asked: u32) -> Option<u32> {
-        let most = self.most_blocks(capacity);
-        let more = blocks.saturating_add(blocks / 4).min(most);
-        (asked > blocks - blocks / 16 && blocks < most).then_some(more)
+    /// `blocks`: the most once they are all but used up, since what finds none costs much time; few
+    /// while half of those would do. None where nothing changes.
+    pub fn other_blocks(self, capacity: u32, blocks: u32, asked: u32) -> Option<u32> {
+        let [few, most] = [self.few_blocks(capacity), self.most_blocks(capacity)];
+        let other = if asked > blocks / 8 * 7 {
+            most
+        } else if asked < few / 4 * 3 {
+            few
+        } else {
+            blocks
+        };
+        (other != blocks).then_some(other)
     }
 
     /// Bytes of the lists' heads and counts (`shaders/common/tiles.glsl`).
@@ -96,22 +100,18 @@ mod tests {
     use super::{TILING, TILING_WEB};
 
     #[test]
-    fn blocks_grow_where_they_are_all_but_used_up() {
-        let most = TILING.most_blocks(200_000);
-        let mut blocks = TILING.first_blocks(200_000);
-        assert_eq!(TILING.more_blocks(200_000, blocks, blocks / 2), None);
-        let mut steps = 0;
-        while let Some(more) = TILING.more_blocks(200_000, blocks, u32::MAX) {
-            assert!(more > blocks && more <= most);
-            blocks = more;
-            steps += 1;
-        }
-        assert_eq!(blocks, most);
-        assert!(steps > 0);
-        // A small avatar has all that it may use from the start.
-        let few = TILING.first_blocks(1000);
-        assert_eq!(few, TILING.most_blocks(1000));
-        assert_eq!(TILING.more_blocks(1000, few, u32::MAX), None);
+    fn blocks_are_few_where_frames_ask_for_few() {
+        let [few, most] = [TILING.few_blocks(200_000), TILING.most_blocks(200_000)];
+        let other = |blocks, asked| TILING.other_blocks(200_000, blocks, asked);
+        assert_eq!(other(most, 92_000), Some(few));
+        assert_eq!(other(few, 92_000), None);
+        assert_eq!(other(few, few), Some(most));
+        // Between the two nothing swings.
+        assert_eq!(other(most, few / 8 * 7), None);
+        assert_eq!(other(few, few / 8 * 7), None);
+        assert_eq!(other(most, u32::MAX), None);
+        // Four bodies.
+        assert!(TILING.few_blocks(800_000) / 8 * 7 > 219_000);
     }
 
     #[test]

@@ -115,8 +115,8 @@ pub struct FrameInFlight {
     reasons: bool,
     /// Whether list blocks were counted.
     has_lists: bool,
-    /// [`Self::list_blocks`].
-    list_blocks: u32,
+    /// [`Self::take_list_blocks`].
+    list_blocks: Option<u32>,
     /// The frame's counts, copied here by the device.
     counts: Buffer,
     /// Stages of the frame under way, each with a timestamp after it.
@@ -169,7 +169,7 @@ impl FrameInFlight {
             known: Counters::default(),
             reasons: false,
             has_lists: false,
-            list_blocks: 0,
+            list_blocks: None,
             counts,
             marked: Vec::with_capacity(STAGES.len()),
             skipped: Vec::with_capacity(STAGES.len()),
@@ -188,7 +188,7 @@ impl FrameInFlight {
         self.pending = false;
         let mut control = Control::default();
         let mut reasons = [0; REASONS as usize / 4];
-        self.list_blocks = 0;
+        self.list_blocks = None;
         let counts = self.counts.mapped().chunks_exact(LAYER_COUNTS as usize);
         for layer in counts.take(self.kept_layers as usize) {
             let own: LayerCounts = bytemuck::pod_read_unaligned(layer);
@@ -196,7 +196,7 @@ impl FrameInFlight {
             control.fragments += own.control.fragments;
             // Nothing writes what is not counted.
             if self.has_lists {
-                self.list_blocks = self.list_blocks.max(own.list_blocks);
+                self.list_blocks = self.list_blocks.max(Some(own.list_blocks));
             }
             for (sum, own) in reasons.iter_mut().zip(own.reasons) {
                 *sum += if self.reasons { own } else { 0 };
@@ -239,9 +239,10 @@ impl FrameInFlight {
         Ok(times)
     }
 
-    /// The most blocks that the tiles' lists of a layer of the last finished frame asked for.
-    pub fn list_blocks(&self) -> u32 {
-        self.list_blocks
+    /// The most blocks that the tiles' lists of a layer of the last finished frame asked for: once
+    /// for a frame, None where there were no lists.
+    pub fn take_list_blocks(&mut self) -> Option<u32> {
+        self.list_blocks.take()
     }
 
     /// Starts recording a frame. [`Self::finish`] must have returned.

@@ -49,15 +49,15 @@ pub struct Runs {
     capacity: u32,
     /// Blocks that all levels but the last share.
     blocks: u32,
-    /// Whether the device had no memory for more of them.
-    is_largest: bool,
+    /// Whether the device had no memory for others.
+    is_fixed: bool,
     buffer: Buffer,
 }
 
 impl Runs {
     pub fn new(gpu: &Arc<Gpu>, inputs: &RasterInputs) -> Result<Self> {
         let capacity = inputs.capacity;
-        let blocks = TILING.first_blocks(capacity);
+        let blocks = TILING.most_blocks(capacity);
         let buffer = list_buffer(gpu, capacity, blocks)?;
         let resources = Resources {
             uniform: Some(inputs.frame),
@@ -74,7 +74,7 @@ impl Runs {
             binning: Kernel::new(gpu, &shaders::BINNING, &[blocks], resources, launch)?,
             capacity,
             blocks,
-            is_largest: false,
+            is_fixed: false,
             buffer,
         })
     }
@@ -84,35 +84,35 @@ impl Runs {
         self.storage().part(0, 4)
     }
 
-    /// Whether a frame that asked for so many blocks should have had more.
-    pub fn lacks_blocks(&self, asked: u32) -> bool {
-        let more = TILING.more_blocks(self.capacity, self.blocks, asked);
-        more.is_some() && !self.is_largest
+    /// Whether frames after one that asked for so many blocks should have another number of them.
+    pub fn should_resize(&self, asked: u32) -> bool {
+        let other = TILING.other_blocks(self.capacity, self.blocks, asked);
+        other.is_some() && !self.is_fixed
     }
 
-    /// Makes lists with room for what [`Self::lacks_blocks`] saw, for who binds those before to
-    /// bind in their place. None where they stay: for want of memory, which costs time alone, since
-    /// larger tiles take the splats.
+    /// Makes lists with the number of blocks that [`Self::should_resize`] meant, for who binds those
+    /// before to bind in their place. None where they stay: for want of memory, which costs time
+    /// alone, since larger tiles take the splats.
     ///
     /// # Safety
     /// No submitted work may use the lists. What binds them must bind the new ones before they are
     /// used again.
-    pub unsafe fn grow(&mut self, gpu: &Arc<Gpu>, asked: u32) -> Option<Replacement> {
-        let blocks = TILING.more_blocks(self.capacity, self.blocks, asked)?;
-        let grown = list_buffer(gpu, self.capacity, blocks).and_then(|buffer| {
+    pub unsafe fn resize(&mut self, gpu: &Arc<Gpu>, asked: u32) -> Option<Replacement> {
+        let blocks = TILING.other_blocks(self.capacity, self.blocks, asked)?;
+        let resized = list_buffer(gpu, self.capacity, blocks).and_then(|buffer| {
             // SAFETY: no work uses the kernel, as the caller promises.
             unsafe { self.binning.specialize(&[blocks], Launch::default()) }?;
             Ok(buffer)
         });
-        let buffer = match grown {
+        let buffer = match resized {
             Ok(buffer) => buffer,
             Err(error) => {
                 tracing::warn!("tile lists stay at {} blocks: {error}", self.blocks);
-                self.is_largest = true;
+                self.is_fixed = true;
                 return None;
             }
         };
-        tracing::debug!("tile lists grow from {} to {blocks} blocks", self.blocks);
+        tracing::debug!("tile lists go from {} to {blocks} blocks", self.blocks);
         let replacement = Replacement {
             old: (&self.buffer).into(),
             new: (&buffer).into(),

@@ -154,19 +154,20 @@ impl Raster {
         self.runs().map(Runs::asked)
     }
 
-    /// Whether a frame whose tiles' lists asked for so many blocks should have had more.
-    pub(crate) fn lacks_blocks(&self, asked: u32) -> bool {
-        self.runs().is_some_and(|runs| runs.lacks_blocks(asked))
+    /// Whether the tiles' lists should have another number of blocks, after a frame that asked for
+    /// `asked`.
+    pub(crate) fn should_resize_lists(&self, asked: u32) -> bool {
+        self.runs().is_some_and(|runs| runs.should_resize(asked))
     }
 
-    /// Gives the tiles' lists more blocks, after a frame that asked for `asked`.
+    /// Gives the tiles' lists as many blocks as frames need after one that asked for `asked`.
     ///
     /// # Safety
     /// No submitted work may draw with it.
-    pub(crate) unsafe fn grow_lists(&mut self, asked: u32) {
+    pub(crate) unsafe fn resize_lists(&mut self, asked: u32) {
         if let Method::Tiles(tiles) = &mut self.method {
             // SAFETY: the caller promises that no work draws with it.
-            unsafe { tiles.grow_lists(asked) };
+            unsafe { tiles.resize_lists(asked) };
         }
     }
 

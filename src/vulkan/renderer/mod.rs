@@ -444,11 +444,12 @@ impl Renderer {
         }
         drop(waiting);
         let waited = Instant::now();
-        let asked = self.frames_in_flight[frame].list_blocks();
-        if self.raster.lacks_blocks(asked) {
+        if let Some(asked) = self.frames_in_flight[frame].take_list_blocks()
+            && self.raster.should_resize_lists(asked)
+        {
             self.finish()?;
             // SAFETY: every frame is done.
-            unsafe { self.raster.grow_lists(asked) };
+            unsafe { self.raster.resize_lists(asked) };
         }
         // Should anything below fail, nothing of this frame counts as drawn.
         let mut state = std::mem::take(&mut self.state);
