@@ -32,6 +32,7 @@ PARAMETER(2, bool, COUNTED, false)
 #include "common/bins.glsl"
 #ifdef MARKS
 #include "common/key_at.glsl"
+#include "common/saturation.glsl"
 #endif
 
 // √(½ log₂ e): in standard deviations times this, a Gaussian is 2^−|deviation|².
@@ -40,11 +41,11 @@ const float DEVIATION_UNIT = 0.84932180;
 const float EXPONENT_SLACK = 1.0 / 256.0;
 
 // The batch: of each splat the centre, in px from the region's corner; the matrix from px to
-// deviations; the exponent of its opacity, and its colour, 10 bits a channel.
+// deviations; the exponent of its opacity, and its colour, 10 bits a channel. With MARKS it has the
+// splat's word (common/saturation.glsl) in place of the colour.
 shared vec4 batch_place[RASTER_WORKGROUP];
 shared vec4 batch_shape[RASTER_WORKGROUP];
 #ifdef MARKS
-shared uint batch_key[RASTER_WORKGROUP];
 // Whether an invocation that was not saturated came to the splat.
 shared uint batch_seen[RASTER_WORKGROUP];
 #endif
@@ -62,7 +63,7 @@ struct Seen {
     vec2 right;
     vec2 down;
     float exponent;
-    uint color;
+    uint word;
 };
 
 // Smallest |deviation|² in a rectangle, of a deviation whose square is a x² + 2 b x y + c y². `low`
@@ -105,13 +106,14 @@ void load(uint thread, uint i, vec2 corner) {
     if (!meets) {
         return;
     }
-    uvec3 color = uvec3(round(splat.color * 1023.0));
-    batch_place[thread] = vec4(center, along);
-    batch_shape[thread] = vec4(across, exponent,
-                               uintBitsToFloat(color.r | color.g << 10u | color.b << 20u));
 #ifdef MARKS
-    batch_key[thread] = key_at(i);
+    uint word = saturated_word(1.0 - float(key_at(i)) / float(frame.key_max), splat.color);
+#else
+    uvec3 color = uvec3(round(splat.color * 1023.0));
+    uint word = color.r | color.g << 10u | color.b << 20u;
 #endif
+    batch_place[thread] = vec4(center, along);
+    batch_shape[thread] = vec4(across, exponent, uintBitsToFloat(word));
 }
 
 // `first`: an invocation's first sample, px from the region's corner.
@@ -123,7 +125,7 @@ Seen see(uint k, vec2 first) {
     seen.right = float(STEP) * vec2(place.z, shape.x);
     seen.down = float(STEP) * vec2(place.w, shape.y);
     seen.exponent = shape.z;
-    seen.color = floatBitsToUint(shape.w);
+    seen.word = floatBitsToUint(shape.w);
     return seen;
 }
 

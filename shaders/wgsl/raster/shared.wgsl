@@ -11,7 +11,7 @@ struct Seen {
     right: vec2<f32>,
     down: vec2<f32>,
     exponent: f32,
-    color: u32,
+    word: u32,
 }
 
 struct Samples {
@@ -287,7 +287,7 @@ fn see_u0028_u1_u003b_vf2_u003b(k: ptr<function, u32>, first_1: ptr<function, ve
     let _e48 = shape[2u];
     seen.exponent = _e48;
     let _e51 = shape[3u];
-    seen.color = bitcast<u32>(_e51);
+    seen.word = bitcast<u32>(_e51);
     let _e54 = seen;
     return _e54;
 }
@@ -321,9 +321,9 @@ fn blend_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u11_u
     param_21 = _e35;
     let _e36 = see_u0028_u1_u003b_vf2_u003b((&param_20), (&param_21));
     seen_1 = _e36;
-    let _e38 = seen_1.color;
-    let _e42 = seen_1.color;
-    let _e48 = seen_1.color;
+    let _e38 = seen_1.word;
+    let _e42 = seen_1.word;
+    let _e48 = seen_1.word;
     color_1 = vec3<f32>(f32((_e38 & 1023u)), f32(((_e42 >> bitcast<u32>(10u)) & 1023u)), f32((_e48 >> bitcast<u32>(20u))));
     let _e54 = seen_1.deviation;
     let _e56 = seen_1.right;
@@ -488,78 +488,79 @@ fn load_u0028_u1_u003b_u1_u003b_vf2_u003b(thread: ptr<function, u32>, i: ptr<fun
     var param_43: vec2<f32>;
     var param_44: vec2<f32>;
     var color_2: vec3<u32>;
+    var word: u32;
 
-    let _e46 = (*i);
-    let _e49 = unnamed.splats[_e46];
-    param_39 = _e49;
-    let _e50 = unpack_splat_u0028_vu4_u003b((&param_39));
-    splat_1 = _e50;
-    let _e52 = splat_1.axis;
-    let _e54 = splat_1.axis;
-    inverse = (1f / dot(_e52, _e54));
-    let _e57 = inverse;
-    let _e60 = splat_1.axis;
-    along = (_e60 * (0.8493218f * _e57));
-    let _e62 = inverse;
-    let _e66 = splat_1.shorter;
-    let _e70 = splat_1.axis[1u];
-    let _e74 = splat_1.axis[0u];
-    across = (vec2<f32>(-(_e70), _e74) * ((0.8493218f * sqrt(_e62)) / _e66));
-    let _e78 = splat_1.opacity;
-    exponent_2 = log2((f32(_e78) / 255f));
-    let _e83 = splat_1.center;
-    let _e84 = (*corner_1);
-    center = (_e83 - _e84);
-    let _e87 = along[0u];
-    let _e89 = along[0u];
-    let _e92 = across[0u];
-    let _e94 = across[0u];
-    a_1 = ((_e87 * _e89) + (_e92 * _e94));
-    let _e98 = along[0u];
-    let _e100 = along[1u];
-    let _e103 = across[0u];
-    let _e105 = across[1u];
-    b_1 = ((_e98 * _e100) + (_e103 * _e105));
-    let _e109 = along[1u];
-    let _e111 = along[1u];
-    let _e114 = across[1u];
-    let _e116 = across[1u];
-    c_1 = ((_e109 * _e111) + (_e114 * _e116));
+    let _e47 = (*i);
+    let _e50 = unnamed.splats[_e47];
+    param_39 = _e50;
+    let _e51 = unpack_splat_u0028_vu4_u003b((&param_39));
+    splat_1 = _e51;
+    let _e53 = splat_1.axis;
+    let _e55 = splat_1.axis;
+    inverse = (1f / dot(_e53, _e55));
+    let _e58 = inverse;
+    let _e61 = splat_1.axis;
+    along = (_e61 * (0.8493218f * _e58));
+    let _e63 = inverse;
+    let _e67 = splat_1.shorter;
+    let _e71 = splat_1.axis[1u];
+    let _e75 = splat_1.axis[0u];
+    across = (vec2<f32>(-(_e71), _e75) * ((0.8493218f * sqrt(_e63)) / _e67));
+    let _e79 = splat_1.opacity;
+    exponent_2 = log2((f32(_e79) / 255f));
+    let _e84 = splat_1.center;
+    let _e85 = (*corner_1);
+    center = (_e84 - _e85);
+    let _e88 = along[0u];
+    let _e90 = along[0u];
+    let _e93 = across[0u];
+    let _e95 = across[0u];
+    a_1 = ((_e88 * _e90) + (_e93 * _e95));
+    let _e99 = along[0u];
+    let _e101 = along[1u];
+    let _e104 = across[0u];
+    let _e106 = across[1u];
+    b_1 = ((_e99 * _e101) + (_e104 * _e106));
+    let _e110 = along[1u];
+    let _e112 = along[1u];
+    let _e115 = across[1u];
+    let _e117 = across[1u];
+    c_1 = ((_e110 * _e112) + (_e115 * _e117));
     meets = false;
     quarter = 0u;
     loop {
-        let _e119 = quarter;
-        if (_e119 < 4u) {
-            let _e121 = quarter;
-            let _e124 = quarter;
-            let _e130 = center;
-            low_1 = ((vec2<f32>(f32((_e121 & 1u)), f32((_e124 >> bitcast<u32>(1u)))) * 8f) - _e130);
-            let _e132 = low_1;
-            high_1 = (_e132 + vec2(8f));
-            let _e136 = settings.bin_margin;
-            let _e138 = low_1;
-            low_1 = (_e138 + vec2((0.5f - _e136)));
-            let _e142 = settings.bin_margin;
-            let _e144 = high_1;
-            high_1 = (_e144 - vec2((0.5f - _e142)));
-            let _e147 = a_1;
-            param_40 = _e147;
-            let _e148 = b_1;
-            param_41 = _e148;
-            let _e149 = c_1;
-            param_42 = _e149;
-            let _e150 = low_1;
-            param_43 = _e150;
-            let _e151 = high_1;
-            param_44 = _e151;
-            let _e152 = nearest_u0028_f1_u003b_f1_u003b_f1_u003b_vf2_u003b_vf2_u003b((&param_40), (&param_41), (&param_42), (&param_43), (&param_44));
-            let _e153 = exponent_2;
-            let _e155 = settings.cutoff_exponent;
-            if !((_e152 > ((_e153 - _e155) + 0.00390625f))) {
-                let _e160 = quarter;
-                let _e162 = (*thread);
-                let _e167 = (*thread);
-                let _e171 = atomicOr((&batch_hits[((_e160 * 2u) + (_e162 >> bitcast<u32>(5u)))]), (1u << bitcast<u32>((_e167 & 31u))));
+        let _e120 = quarter;
+        if (_e120 < 4u) {
+            let _e122 = quarter;
+            let _e125 = quarter;
+            let _e131 = center;
+            low_1 = ((vec2<f32>(f32((_e122 & 1u)), f32((_e125 >> bitcast<u32>(1u)))) * 8f) - _e131);
+            let _e133 = low_1;
+            high_1 = (_e133 + vec2(8f));
+            let _e137 = settings.bin_margin;
+            let _e139 = low_1;
+            low_1 = (_e139 + vec2((0.5f - _e137)));
+            let _e143 = settings.bin_margin;
+            let _e145 = high_1;
+            high_1 = (_e145 - vec2((0.5f - _e143)));
+            let _e148 = a_1;
+            param_40 = _e148;
+            let _e149 = b_1;
+            param_41 = _e149;
+            let _e150 = c_1;
+            param_42 = _e150;
+            let _e151 = low_1;
+            param_43 = _e151;
+            let _e152 = high_1;
+            param_44 = _e152;
+            let _e153 = nearest_u0028_f1_u003b_f1_u003b_f1_u003b_vf2_u003b_vf2_u003b((&param_40), (&param_41), (&param_42), (&param_43), (&param_44));
+            let _e154 = exponent_2;
+            let _e156 = settings.cutoff_exponent;
+            if !((_e153 > ((_e154 - _e156) + 0.00390625f))) {
+                let _e161 = quarter;
+                let _e163 = (*thread);
+                let _e168 = (*thread);
+                let _e172 = atomicOr((&batch_hits[((_e161 * 2u) + (_e163 >> bitcast<u32>(5u)))]), (1u << bitcast<u32>((_e168 & 31u))));
                 meets = true;
             }
             continue;
@@ -567,27 +568,29 @@ fn load_u0028_u1_u003b_u1_u003b_vf2_u003b(thread: ptr<function, u32>, i: ptr<fun
             break;
         }
         continuing {
-            let _e172 = quarter;
-            quarter = (_e172 + bitcast<u32>(1i));
+            let _e173 = quarter;
+            quarter = (_e173 + bitcast<u32>(1i));
         }
     }
-    let _e175 = meets;
-    if !(_e175) {
+    let _e176 = meets;
+    if !(_e176) {
         return;
     }
-    let _e178 = splat_1.color;
-    color_2 = vec3<u32>(round((_e178 * 1023f)));
-    let _e182 = (*thread);
-    let _e183 = center;
-    let _e184 = along;
-    batch_place[_e182] = vec4<f32>(_e183.x, _e183.y, _e184.x, _e184.y);
-    let _e191 = (*thread);
-    let _e192 = across;
-    let _e193 = exponent_2;
-    let _e195 = color_2[0u];
-    let _e197 = color_2[1u];
-    let _e202 = color_2[2u];
-    batch_shape[_e191] = vec4<f32>(_e192.x, _e192.y, _e193, bitcast<f32>(((_e195 | (_e197 << bitcast<u32>(10u))) | (_e202 << bitcast<u32>(20u)))));
+    let _e179 = splat_1.color;
+    color_2 = vec3<u32>(round((_e179 * 1023f)));
+    let _e184 = color_2[0u];
+    let _e186 = color_2[1u];
+    let _e191 = color_2[2u];
+    word = ((_e184 | (_e186 << bitcast<u32>(10u))) | (_e191 << bitcast<u32>(20u)));
+    let _e195 = (*thread);
+    let _e196 = center;
+    let _e197 = along;
+    batch_place[_e195] = vec4<f32>(_e196.x, _e196.y, _e197.x, _e197.y);
+    let _e204 = (*thread);
+    let _e205 = across;
+    let _e206 = exponent_2;
+    let _e207 = word;
+    batch_shape[_e204] = vec4<f32>(_e205.x, _e205.y, _e206, bitcast<f32>(_e207));
     return;
 }
 
@@ -617,7 +620,7 @@ fn blend_bin_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u
     var param_46: u32;
     var param_47: u32;
     var param_48: vec2<f32>;
-    var word: u32;
+    var word_1: u32;
     var hits: u32;
     var k_2: u32;
     var param_49: Samples;
@@ -698,12 +701,12 @@ fn blend_bin_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u
             if (_e114 == 0u) {
                 break;
             }
-            word = 0u;
+            word_1 = 0u;
             loop {
-                let _e116 = word;
+                let _e116 = word_1;
                 if (_e116 < 2u) {
                     let _e118 = quarter_1;
-                    let _e120 = word;
+                    let _e120 = word_1;
                     let _e123 = atomicLoad((&batch_hits[((_e118 * 2u) + _e120)]));
                     hits = _e123;
                     loop {
@@ -715,7 +718,7 @@ fn blend_bin_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u
                             let _e132 = hits;
                             let _e134 = hits;
                             hits = (_e134 & (_e132 - 1u));
-                            let _e136 = word;
+                            let _e136 = word_1;
                             let _e138 = k_2;
                             let _e140 = (*samples_2);
                             param_49 = _e140;
@@ -735,8 +738,8 @@ fn blend_bin_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u
                     break;
                 }
                 continuing {
-                    let _e143 = word;
-                    word = (_e143 + bitcast<u32>(1i));
+                    let _e143 = word_1;
+                    word_1 = (_e143 + bitcast<u32>(1i));
                 }
             }
             workgroupBarrier();
@@ -783,7 +786,7 @@ fn main(@builtin(local_invocation_index) gl_LocalInvocationIndex: u32, @builtin(
     var param_13: vec2<u32>;
     var param_14: vec4<f32>;
     var param_15: bool;
-    var phi_1068_: bool;
+    var phi_1070_: bool;
 
     gl_LocalInvocationIndex_1 = gl_LocalInvocationIndex;
     gl_WorkGroupID_1 = gl_WorkGroupID;
@@ -837,12 +840,12 @@ fn main(@builtin(local_invocation_index) gl_LocalInvocationIndex: u32, @builtin(
     store_u0028_vu2_u003b_vf4_u003b_b1_u003b((&param_13), (&param_14), (&param_15));
     let _e88 = settings.counted;
     let _e89 = (_e88 != 0u);
-    phi_1068_ = _e89;
+    phi_1070_ = _e89;
     if _e89 {
         let _e91 = samples.evaluated;
-        phi_1068_ = (_e91 > 0u);
+        phi_1070_ = (_e91 > 0u);
     }
-    let _e94 = phi_1068_;
+    let _e94 = phi_1070_;
     if _e94 {
         let _e98 = samples.evaluated;
         let _e99 = atomicAdd((&unnamed_3.control.fragments), _e98);

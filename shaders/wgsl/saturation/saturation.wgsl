@@ -11,12 +11,12 @@ struct Seen {
     right: vec2<f32>,
     down: vec2<f32>,
     exponent: f32,
-    color: u32,
+    word: u32,
 }
 
 struct Samples {
     light: array<f32, 4>,
-    key: array<u32, 4>,
+    word: array<u32, 4>,
     open: bool,
     evaluated: u32,
 }
@@ -169,7 +169,6 @@ var<uniform> settings: SettingsBlock;
 var<workgroup> batch_hits: array<atomic<u32>, 8>;
 var<workgroup> batch_place: array<vec4<f32>, 64>;
 var<workgroup> batch_shape: array<vec4<f32>, 64>;
-var<workgroup> batch_key: array<u32, 64>;
 var<private> gl_LocalInvocationIndex_1: u32;
 @group(0) @binding(4) 
 var<storage> unnamed_1: Bins_1;
@@ -180,28 +179,18 @@ var<storage> unnamed_2: Sorted_1;
 @group(0) @binding(6) 
 var<storage, read_write> unnamed_3: Marks_1;
 @group(0) @binding(5) 
-var depths: texture_storage_2d<r32float,write>;
+var saturated: texture_storage_2d<r32uint,write>;
 var<private> gl_WorkGroupID_1: vec3<u32>;
 @group(0) @binding(2) 
 var<storage, read_write> unnamed_4: ControlBuffer;
 
-fn depth_of_u0028_u1_u003b(key: ptr<function, u32>) -> f32 {
-    let _e4 = (*key);
-    let _e7 = frame.key_max;
-    return min(((1f - (f32(_e4) / f32(_e7))) + 0.000015259022f), 1f);
-}
-
-fn store_u0028_vu2_u003b_u1_u003b(at: ptr<function, vec2<u32>>, key_1: ptr<function, u32>) {
-    var param_12: u32;
-
-    let _e4 = (*at);
-    let _e5 = textureDimensions(depths);
-    if all((_e4 < bitcast<vec2<u32>>(vec2<i32>(_e5)))) {
-        let _e10 = (*at);
-        let _e12 = (*key_1);
-        param_12 = _e12;
-        let _e13 = depth_of_u0028_u1_u003b((&param_12));
-        textureStore(depths, bitcast<vec2<i32>>(_e10), vec4(_e13));
+fn store_u0028_vu2_u003b_u1_u003b(at: ptr<function, vec2<u32>>, word: ptr<function, u32>) {
+    let _e3 = (*at);
+    let _e4 = textureDimensions(saturated);
+    if all((_e3 < bitcast<vec2<u32>>(vec2<i32>(_e4)))) {
+        let _e9 = (*at);
+        let _e11 = (*word);
+        textureStore(saturated, bitcast<vec2<i32>>(_e9), vec4(_e11));
     }
     return;
 }
@@ -226,33 +215,33 @@ fn opacity_at_u0028_vf2_u003b_f1_u003b(deviation: ptr<function, vec2<f32>>, expo
     return _e19;
 }
 
-fn blend_sample_u0028_f1_u003b_u1_u003b_vf2_u003b_f1_u003b_u1_u003b(light: ptr<function, f32>, key_2: ptr<function, u32>, deviation_1: ptr<function, vec2<f32>>, exponent_1: ptr<function, f32>, own: ptr<function, u32>) {
+fn blend_sample_u0028_f1_u003b_u1_u003b_vf2_u003b_f1_u003b_u1_u003b(light: ptr<function, f32>, word_1: ptr<function, u32>, deviation_1: ptr<function, vec2<f32>>, exponent_1: ptr<function, f32>, own: ptr<function, u32>) {
     var behind: f32;
-    var param_13: vec2<f32>;
-    var param_14: f32;
-    var phi_672_: bool;
+    var param_12: vec2<f32>;
+    var param_13: f32;
+    var phi_695_: bool;
 
     let _e9 = (*light);
     let _e10 = (*light);
     let _e11 = (*deviation_1);
-    param_13 = _e11;
+    param_12 = _e11;
     let _e12 = (*exponent_1);
-    param_14 = _e12;
-    let _e13 = opacity_at_u0028_vf2_u003b_f1_u003b((&param_13), (&param_14));
+    param_13 = _e12;
+    let _e13 = opacity_at_u0028_vf2_u003b_f1_u003b((&param_12), (&param_13));
     behind = (_e9 - (_e10 * _e13));
     let _e16 = (*light);
     let _e18 = settings.saturation;
     let _e19 = (_e16 >= _e18);
-    phi_672_ = _e19;
+    phi_695_ = _e19;
     if _e19 {
         let _e20 = behind;
         let _e22 = settings.saturation;
-        phi_672_ = (_e20 < _e22);
+        phi_695_ = (_e20 < _e22);
     }
-    let _e25 = phi_672_;
+    let _e25 = phi_695_;
     let _e26 = (*own);
-    let _e27 = (*key_2);
-    (*key_2) = select(_e27, _e26, _e25);
+    let _e27 = (*word_1);
+    (*word_1) = select(_e27, _e26, _e25);
     let _e29 = behind;
     (*light) = _e29;
     return;
@@ -287,125 +276,133 @@ fn see_u0028_u1_u003b_vf2_u003b(k: ptr<function, u32>, first_1: ptr<function, ve
     let _e48 = shape[2u];
     seen.exponent = _e48;
     let _e51 = shape[3u];
-    seen.color = bitcast<u32>(_e51);
+    seen.word = bitcast<u32>(_e51);
     let _e54 = seen;
     return _e54;
 }
 
 fn blend_u0028_struct_u002d_Samples_u002d_f1_u005b_4_u005d_u002d_u1_u005b_4_u005d_u002d_b1_u002d_u11_u003b_u1_u003b_vf2_u003b(samples_1: ptr<function, Samples>, k_1: ptr<function, u32>, first_2: ptr<function, vec2<f32>>) {
     var seen_1: Seen;
-    var param_15: u32;
-    var param_16: vec2<f32>;
-    var own_1: u32;
+    var param_14: u32;
+    var param_15: vec2<f32>;
     var right: vec2<f32>;
-    var param_17: f32;
-    var param_18: u32;
-    var param_19: vec2<f32>;
-    var param_20: f32;
-    var param_21: u32;
-    var param_22: f32;
-    var param_23: u32;
-    var param_24: vec2<f32>;
-    var param_25: f32;
-    var param_26: u32;
-    var param_27: f32;
-    var param_28: u32;
-    var param_29: vec2<f32>;
-    var param_30: f32;
-    var param_31: u32;
-    var param_32: f32;
-    var param_33: u32;
-    var param_34: vec2<f32>;
-    var param_35: f32;
-    var param_36: u32;
+    var param_16: f32;
+    var param_17: u32;
+    var param_18: vec2<f32>;
+    var param_19: f32;
+    var param_20: u32;
+    var param_21: f32;
+    var param_22: u32;
+    var param_23: vec2<f32>;
+    var param_24: f32;
+    var param_25: u32;
+    var param_26: f32;
+    var param_27: u32;
+    var param_28: vec2<f32>;
+    var param_29: f32;
+    var param_30: u32;
+    var param_31: f32;
+    var param_32: u32;
+    var param_33: vec2<f32>;
+    var param_34: f32;
+    var param_35: u32;
 
-    let _e35 = (*k_1);
-    param_15 = _e35;
-    let _e36 = (*first_2);
-    param_16 = _e36;
-    let _e37 = see_u0028_u1_u003b_vf2_u003b((&param_15), (&param_16));
-    seen_1 = _e37;
-    let _e38 = (*k_1);
-    let _e40 = batch_key[_e38];
-    own_1 = _e40;
-    let _e42 = seen_1.deviation;
-    let _e44 = seen_1.right;
-    right = (_e42 + _e44);
-    let _e48 = (*samples_1).light[0i];
-    param_17 = _e48;
-    let _e51 = (*samples_1).key[0i];
-    param_18 = _e51;
-    let _e53 = seen_1.deviation;
-    param_19 = _e53;
-    let _e55 = seen_1.exponent;
-    param_20 = _e55;
-    let _e56 = own_1;
-    param_21 = _e56;
-    blend_sample_u0028_f1_u003b_u1_u003b_vf2_u003b_f1_u003b_u1_u003b((&param_17), (&param_18), (&param_19), (&param_20), (&param_21));
-    let _e57 = param_17;
-    (*samples_1).light[0i] = _e57;
-    let _e60 = param_18;
-    (*samples_1).key[0i] = _e60;
-    let _e65 = (*samples_1).light[1i];
-    param_22 = _e65;
-    let _e68 = (*samples_1).key[1i];
-    param_23 = _e68;
-    let _e69 = right;
-    param_24 = _e69;
-    let _e71 = seen_1.exponent;
-    param_25 = _e71;
-    let _e72 = own_1;
-    param_26 = _e72;
-    blend_sample_u0028_f1_u003b_u1_u003b_vf2_u003b_f1_u003b_u1_u003b((&param_22), (&param_23), (&param_24), (&param_25), (&param_26));
+    let _e33 = (*k_1);
+    param_14 = _e33;
+    let _e34 = (*first_2);
+    param_15 = _e34;
+    let _e35 = see_u0028_u1_u003b_vf2_u003b((&param_14), (&param_15));
+    seen_1 = _e35;
+    let _e37 = seen_1.deviation;
+    let _e39 = seen_1.right;
+    right = (_e37 + _e39);
+    let _e43 = (*samples_1).light[0i];
+    param_16 = _e43;
+    let _e46 = (*samples_1).word[0i];
+    param_17 = _e46;
+    let _e48 = seen_1.deviation;
+    param_18 = _e48;
+    let _e50 = seen_1.exponent;
+    param_19 = _e50;
+    let _e52 = seen_1.word;
+    param_20 = _e52;
+    blend_sample_u0028_f1_u003b_u1_u003b_vf2_u003b_f1_u003b_u1_u003b((&param_16), (&param_17), (&param_18), (&param_19), (&param_20));
+    let _e53 = param_16;
+    (*samples_1).light[0i] = _e53;
+    let _e56 = param_17;
+    (*samples_1).word[0i] = _e56;
+    let _e61 = (*samples_1).light[1i];
+    param_21 = _e61;
+    let _e64 = (*samples_1).word[1i];
+    param_22 = _e64;
+    let _e65 = right;
+    param_23 = _e65;
+    let _e67 = seen_1.exponent;
+    param_24 = _e67;
+    let _e69 = seen_1.word;
+    param_25 = _e69;
+    blend_sample_u0028_f1_u003b_u1_u003b_vf2_u003b_f1_u003b_u1_u003b((&param_21), (&param_22), (&param_23), (&param_24), (&param_25));
+    let _e70 = param_21;
+    (*samples_1).light[1i] = _e70;
     let _e73 = param_22;
-    (*samples_1).light[1i] = _e73;
-    let _e76 = param_23;
-    (*samples_1).key[1i] = _e76;
-    let _e80 = seen_1.deviation;
-    let _e82 = seen_1.down;
-    let _e86 = (*samples_1).light[2i];
+    (*samples_1).word[1i] = _e73;
+    let _e77 = seen_1.deviation;
+    let _e79 = seen_1.down;
+    let _e83 = (*samples_1).light[2i];
+    param_26 = _e83;
+    let _e86 = (*samples_1).word[2i];
     param_27 = _e86;
-    let _e89 = (*samples_1).key[2i];
-    param_28 = _e89;
-    param_29 = (_e80 + _e82);
-    let _e91 = seen_1.exponent;
-    param_30 = _e91;
-    let _e92 = own_1;
-    param_31 = _e92;
-    blend_sample_u0028_f1_u003b_u1_u003b_vf2_u003b_f1_u003b_u1_u003b((&param_27), (&param_28), (&param_29), (&param_30), (&param_31));
-    let _e93 = param_27;
-    (*samples_1).light[2i] = _e93;
-    let _e96 = param_28;
-    (*samples_1).key[2i] = _e96;
-    let _e99 = right;
-    let _e101 = seen_1.down;
-    let _e105 = (*samples_1).light[3i];
-    param_32 = _e105;
-    let _e108 = (*samples_1).key[3i];
-    param_33 = _e108;
-    param_34 = (_e99 + _e101);
-    let _e110 = seen_1.exponent;
+    param_28 = (_e77 + _e79);
+    let _e88 = seen_1.exponent;
+    param_29 = _e88;
+    let _e90 = seen_1.word;
+    param_30 = _e90;
+    blend_sample_u0028_f1_u003b_u1_u003b_vf2_u003b_f1_u003b_u1_u003b((&param_26), (&param_27), (&param_28), (&param_29), (&param_30));
+    let _e91 = param_26;
+    (*samples_1).light[2i] = _e91;
+    let _e94 = param_27;
+    (*samples_1).word[2i] = _e94;
+    let _e97 = right;
+    let _e99 = seen_1.down;
+    let _e103 = (*samples_1).light[3i];
+    param_31 = _e103;
+    let _e106 = (*samples_1).word[3i];
+    param_32 = _e106;
+    param_33 = (_e97 + _e99);
+    let _e108 = seen_1.exponent;
+    param_34 = _e108;
+    let _e110 = seen_1.word;
     param_35 = _e110;
-    let _e111 = own_1;
-    param_36 = _e111;
-    blend_sample_u0028_f1_u003b_u1_u003b_vf2_u003b_f1_u003b_u1_u003b((&param_32), (&param_33), (&param_34), (&param_35), (&param_36));
-    let _e112 = param_32;
-    (*samples_1).light[3i] = _e112;
-    let _e115 = param_33;
-    (*samples_1).key[3i] = _e115;
-    let _e120 = (*samples_1).light[0i];
-    let _e123 = (*samples_1).light[1i];
-    let _e127 = (*samples_1).light[2i];
-    let _e130 = (*samples_1).light[3i];
-    let _e134 = settings.saturation;
-    (*samples_1).open = (max(max(_e120, _e123), max(_e127, _e130)) >= _e134);
-    let _e138 = (*samples_1).evaluated;
-    (*samples_1).evaluated = (_e138 + 4u);
+    blend_sample_u0028_f1_u003b_u1_u003b_vf2_u003b_f1_u003b_u1_u003b((&param_31), (&param_32), (&param_33), (&param_34), (&param_35));
+    let _e111 = param_31;
+    (*samples_1).light[3i] = _e111;
+    let _e114 = param_32;
+    (*samples_1).word[3i] = _e114;
+    let _e119 = (*samples_1).light[0i];
+    let _e122 = (*samples_1).light[1i];
+    let _e126 = (*samples_1).light[2i];
+    let _e129 = (*samples_1).light[3i];
+    let _e133 = settings.saturation;
+    (*samples_1).open = (max(max(_e119, _e122), max(_e126, _e129)) >= _e133);
+    let _e137 = (*samples_1).evaluated;
+    (*samples_1).evaluated = (_e137 + 4u);
     return;
 }
 
+fn saturated_word_u0028_f1_u003b_vf3_u003b(depth: ptr<function, f32>, color: ptr<function, vec3<f32>>) -> u32 {
+    var rgb: vec3<u32>;
+
+    let _e13 = (*color);
+    rgb = vec3<u32>(round((_e13 * vec3<f32>(31f, 63f, 31f))));
+    let _e17 = (*depth);
+    let _e25 = rgb[0u];
+    let _e30 = rgb[1u];
+    let _e35 = rgb[2u];
+    return ((((min(u32(((_e17 * 65535f) + 1.5f)), 65535u) << bitcast<u32>(16u)) | (_e25 << bitcast<u32>(11u))) | (_e30 << bitcast<u32>(5u))) | _e35);
+}
+
 fn key_at_u0028_u1_u003b(i: ptr<function, u32>) -> u32 {
-    var word: u32;
+    var word_2: u32;
     var local_1: u32;
     var keys: u32;
     var local_2: u32;
@@ -420,9 +417,9 @@ fn key_at_u0028_u1_u003b(i: ptr<function, u32>) -> u32 {
         local_1 = _e21;
     }
     let _e22 = local_1;
-    word = (_e14 + _e22);
-    let _e24 = word;
-    let _e27 = word;
+    word_2 = (_e14 + _e22);
+    let _e24 = word_2;
+    let _e27 = word_2;
     let _e32 = unnamed.splats[(_e24 >> bitcast<u32>(2u))][(_e27 & 3u)];
     keys = _e32;
     let _e34 = frame.half_keys;
@@ -488,14 +485,14 @@ fn fixed_center_u0028_vu4_u003b(words: ptr<function, vec4<u32>>) -> vec2<f32> {
 
 fn unpack_splat_u0028_vu4_u003b(words_1: ptr<function, vec4<u32>>) -> Splat {
     var splat: Splat;
-    var param_37: vec4<u32>;
+    var param_36: vec4<u32>;
     var blue: u32;
     var red: u32;
     var green: u32;
 
     let _e18 = (*words_1);
-    param_37 = _e18;
-    let _e19 = fixed_center_u0028_vu4_u003b((&param_37));
+    param_36 = _e18;
+    let _e19 = fixed_center_u0028_vu4_u003b((&param_36));
     let _e21 = frame.fixed_scale;
     let _e25 = frame.guard;
     splat.center = ((_e19 / vec2(_e21)) - vec2(_e25));
@@ -522,7 +519,7 @@ fn unpack_splat_u0028_vu4_u003b(words_1: ptr<function, vec4<u32>>) -> Splat {
 
 fn load_u0028_u1_u003b_u1_u003b_vf2_u003b(thread: ptr<function, u32>, i_1: ptr<function, u32>, corner: ptr<function, vec2<f32>>) {
     var splat_1: Splat;
-    var param_38: vec4<u32>;
+    var param_37: vec4<u32>;
     var inverse: f32;
     var along: vec2<f32>;
     var across: vec2<f32>;
@@ -535,85 +532,87 @@ fn load_u0028_u1_u003b_u1_u003b_vf2_u003b(thread: ptr<function, u32>, i_1: ptr<f
     var quarter: u32;
     var low_1: vec2<f32>;
     var high_1: vec2<f32>;
+    var param_38: f32;
     var param_39: f32;
     var param_40: f32;
-    var param_41: f32;
+    var param_41: vec2<f32>;
     var param_42: vec2<f32>;
-    var param_43: vec2<f32>;
-    var color: vec3<u32>;
-    var param_44: u32;
+    var word_3: u32;
+    var param_43: u32;
+    var param_44: f32;
+    var param_45: vec3<f32>;
 
-    let _e48 = (*i_1);
-    let _e51 = unnamed.splats[_e48];
-    param_38 = _e51;
-    let _e52 = unpack_splat_u0028_vu4_u003b((&param_38));
-    splat_1 = _e52;
-    let _e54 = splat_1.axis;
-    let _e56 = splat_1.axis;
-    inverse = (1f / dot(_e54, _e56));
-    let _e59 = inverse;
-    let _e62 = splat_1.axis;
-    along = (_e62 * (0.8493218f * _e59));
-    let _e64 = inverse;
-    let _e68 = splat_1.shorter;
-    let _e72 = splat_1.axis[1u];
-    let _e76 = splat_1.axis[0u];
-    across = (vec2<f32>(-(_e72), _e76) * ((0.8493218f * sqrt(_e64)) / _e68));
-    let _e80 = splat_1.opacity;
-    exponent_2 = log2((f32(_e80) / 255f));
-    let _e85 = splat_1.center;
-    let _e86 = (*corner);
-    center = (_e85 - _e86);
-    let _e89 = along[0u];
-    let _e91 = along[0u];
-    let _e94 = across[0u];
-    let _e96 = across[0u];
-    a_1 = ((_e89 * _e91) + (_e94 * _e96));
-    let _e100 = along[0u];
-    let _e102 = along[1u];
-    let _e105 = across[0u];
-    let _e107 = across[1u];
-    b_1 = ((_e100 * _e102) + (_e105 * _e107));
-    let _e111 = along[1u];
-    let _e113 = along[1u];
-    let _e116 = across[1u];
-    let _e118 = across[1u];
-    c_1 = ((_e111 * _e113) + (_e116 * _e118));
+    let _e47 = (*i_1);
+    let _e50 = unnamed.splats[_e47];
+    param_37 = _e50;
+    let _e51 = unpack_splat_u0028_vu4_u003b((&param_37));
+    splat_1 = _e51;
+    let _e53 = splat_1.axis;
+    let _e55 = splat_1.axis;
+    inverse = (1f / dot(_e53, _e55));
+    let _e58 = inverse;
+    let _e61 = splat_1.axis;
+    along = (_e61 * (0.8493218f * _e58));
+    let _e63 = inverse;
+    let _e67 = splat_1.shorter;
+    let _e71 = splat_1.axis[1u];
+    let _e75 = splat_1.axis[0u];
+    across = (vec2<f32>(-(_e71), _e75) * ((0.8493218f * sqrt(_e63)) / _e67));
+    let _e79 = splat_1.opacity;
+    exponent_2 = log2((f32(_e79) / 255f));
+    let _e84 = splat_1.center;
+    let _e85 = (*corner);
+    center = (_e84 - _e85);
+    let _e88 = along[0u];
+    let _e90 = along[0u];
+    let _e93 = across[0u];
+    let _e95 = across[0u];
+    a_1 = ((_e88 * _e90) + (_e93 * _e95));
+    let _e99 = along[0u];
+    let _e101 = along[1u];
+    let _e104 = across[0u];
+    let _e106 = across[1u];
+    b_1 = ((_e99 * _e101) + (_e104 * _e106));
+    let _e110 = along[1u];
+    let _e112 = along[1u];
+    let _e115 = across[1u];
+    let _e117 = across[1u];
+    c_1 = ((_e110 * _e112) + (_e115 * _e117));
     meets = false;
     quarter = 0u;
     loop {
-        let _e121 = quarter;
-        if (_e121 < 4u) {
-            let _e123 = quarter;
-            let _e126 = quarter;
-            let _e132 = center;
-            low_1 = ((vec2<f32>(f32((_e123 & 1u)), f32((_e126 >> bitcast<u32>(1u)))) * 16f) - _e132);
-            let _e134 = low_1;
-            high_1 = (_e134 + vec2(16f));
-            let _e138 = settings.bin_margin;
-            let _e140 = low_1;
-            low_1 = (_e140 + vec2((0.5f - _e138)));
-            let _e144 = settings.bin_margin;
-            let _e146 = high_1;
-            high_1 = (_e146 - vec2((0.5f - _e144)));
-            let _e149 = a_1;
+        let _e120 = quarter;
+        if (_e120 < 4u) {
+            let _e122 = quarter;
+            let _e125 = quarter;
+            let _e131 = center;
+            low_1 = ((vec2<f32>(f32((_e122 & 1u)), f32((_e125 >> bitcast<u32>(1u)))) * 16f) - _e131);
+            let _e133 = low_1;
+            high_1 = (_e133 + vec2(16f));
+            let _e137 = settings.bin_margin;
+            let _e139 = low_1;
+            low_1 = (_e139 + vec2((0.5f - _e137)));
+            let _e143 = settings.bin_margin;
+            let _e145 = high_1;
+            high_1 = (_e145 - vec2((0.5f - _e143)));
+            let _e148 = a_1;
+            param_38 = _e148;
+            let _e149 = b_1;
             param_39 = _e149;
-            let _e150 = b_1;
+            let _e150 = c_1;
             param_40 = _e150;
-            let _e151 = c_1;
+            let _e151 = low_1;
             param_41 = _e151;
-            let _e152 = low_1;
+            let _e152 = high_1;
             param_42 = _e152;
-            let _e153 = high_1;
-            param_43 = _e153;
-            let _e154 = nearest_u0028_f1_u003b_f1_u003b_f1_u003b_vf2_u003b_vf2_u003b((&param_39), (&param_40), (&param_41), (&param_42), (&param_43));
-            let _e155 = exponent_2;
-            let _e157 = settings.cutoff_exponent;
-            if !((_e154 > ((_e155 - _e157) + 0.00390625f))) {
-                let _e162 = quarter;
-                let _e164 = (*thread);
-                let _e169 = (*thread);
-                let _e173 = atomicOr((&batch_hits[((_e162 * 2u) + (_e164 >> bitcast<u32>(5u)))]), (1u << bitcast<u32>((_e169 & 31u))));
+            let _e153 = nearest_u0028_f1_u003b_f1_u003b_f1_u003b_vf2_u003b_vf2_u003b((&param_38), (&param_39), (&param_40), (&param_41), (&param_42));
+            let _e154 = exponent_2;
+            let _e156 = settings.cutoff_exponent;
+            if !((_e153 > ((_e154 - _e156) + 0.00390625f))) {
+                let _e161 = quarter;
+                let _e163 = (*thread);
+                let _e168 = (*thread);
+                let _e172 = atomicOr((&batch_hits[((_e161 * 2u) + (_e163 >> bitcast<u32>(5u)))]), (1u << bitcast<u32>((_e168 & 31u))));
                 meets = true;
             }
             continue;
@@ -621,32 +620,32 @@ fn load_u0028_u1_u003b_u1_u003b_vf2_u003b(thread: ptr<function, u32>, i_1: ptr<f
             break;
         }
         continuing {
-            let _e174 = quarter;
-            quarter = (_e174 + bitcast<u32>(1i));
+            let _e173 = quarter;
+            quarter = (_e173 + bitcast<u32>(1i));
         }
     }
-    let _e177 = meets;
-    if !(_e177) {
+    let _e176 = meets;
+    if !(_e176) {
         return;
     }
-    let _e180 = splat_1.color;
-    color = vec3<u32>(round((_e180 * 1023f)));
-    let _e184 = (*thread);
-    let _e185 = center;
-    let _e186 = along;
-    batch_place[_e184] = vec4<f32>(_e185.x, _e185.y, _e186.x, _e186.y);
-    let _e193 = (*thread);
-    let _e194 = across;
-    let _e195 = exponent_2;
-    let _e197 = color[0u];
-    let _e199 = color[1u];
-    let _e204 = color[2u];
-    batch_shape[_e193] = vec4<f32>(_e194.x, _e194.y, _e195, bitcast<f32>(((_e197 | (_e199 << bitcast<u32>(10u))) | (_e204 << bitcast<u32>(20u)))));
-    let _e213 = (*thread);
-    let _e214 = (*i_1);
-    param_44 = _e214;
-    let _e215 = key_at_u0028_u1_u003b((&param_44));
-    batch_key[_e213] = _e215;
+    let _e178 = (*i_1);
+    param_43 = _e178;
+    let _e179 = key_at_u0028_u1_u003b((&param_43));
+    let _e182 = frame.key_max;
+    param_44 = (1f - (f32(_e179) / f32(_e182)));
+    let _e187 = splat_1.color;
+    param_45 = _e187;
+    let _e188 = saturated_word_u0028_f1_u003b_vf3_u003b((&param_44), (&param_45));
+    word_3 = _e188;
+    let _e189 = (*thread);
+    let _e190 = center;
+    let _e191 = along;
+    batch_place[_e189] = vec4<f32>(_e190.x, _e190.y, _e191.x, _e191.y);
+    let _e198 = (*thread);
+    let _e199 = across;
+    let _e200 = exponent_2;
+    let _e201 = word_3;
+    batch_shape[_e198] = vec4<f32>(_e199.x, _e199.y, _e200, bitcast<f32>(_e201));
     return;
 }
 
@@ -668,20 +667,20 @@ fn blend_bin_u0028_struct_u002d_Samples_u002d_f1_u005b_4_u005d_u002d_u1_u005b_4_
     var shift_1: u32;
     var at_1: vec2<u32>;
     var bin: u32;
-    var param_45: u32;
+    var param_46: u32;
     var end: u32;
     var from_1: u32;
     var i_2: u32;
     var local_3: u32;
-    var param_46: u32;
     var param_47: u32;
-    var param_48: vec2<f32>;
-    var word_1: u32;
+    var param_48: u32;
+    var param_49: vec2<f32>;
+    var word_4: u32;
     var hits: u32;
     var k_2: u32;
-    var param_49: Samples;
-    var param_50: u32;
-    var param_51: vec2<f32>;
+    var param_50: Samples;
+    var param_51: u32;
+    var param_52: vec2<f32>;
 
     let _e42 = gl_LocalInvocationIndex_1;
     thread_1 = _e42;
@@ -695,8 +694,8 @@ fn blend_bin_u0028_struct_u002d_Samples_u002d_f1_u005b_4_u005d_u002d_u1_u005b_4_
     at_1 = (_e48 / vec2((_e50 << bitcast<u32>(_e51))));
     let _e57 = at_1[1u];
     let _e58 = shift_1;
-    param_45 = _e58;
-    let _e59 = bins_of_u0028_u1_u003b((&param_45));
+    param_46 = _e58;
+    let _e59 = bins_of_u0028_u1_u003b((&param_46));
     let _e63 = at_1[0u];
     bin = ((_e57 * _e59.x) + _e63);
     let _e66 = settings.starts_start;
@@ -748,23 +747,23 @@ fn blend_bin_u0028_struct_u002d_Samples_u002d_f1_u005b_4_u005d_u002d_u1_u005b_4_
             if ((_e111 + _e112) < _e114) {
                 let _e116 = (*corner_1);
                 let _e118 = thread_1;
-                param_46 = _e118;
+                param_47 = _e118;
                 let _e119 = i_2;
-                param_47 = _e119;
-                param_48 = vec2<f32>(_e116);
-                load_u0028_u1_u003b_u1_u003b_vf2_u003b((&param_46), (&param_47), (&param_48));
+                param_48 = _e119;
+                param_49 = vec2<f32>(_e116);
+                load_u0028_u1_u003b_u1_u003b_vf2_u003b((&param_47), (&param_48), (&param_49));
             }
             workgroupBarrier();
             let _e120 = workgroupUniformLoad((&batch_open));
             if (_e120 == 0u) {
                 break;
             }
-            word_1 = 0u;
+            word_4 = 0u;
             loop {
-                let _e122 = word_1;
+                let _e122 = word_4;
                 if (_e122 < 2u) {
                     let _e124 = quarter_1;
-                    let _e126 = word_1;
+                    let _e126 = word_4;
                     let _e129 = atomicLoad((&batch_hits[((_e124 * 2u) + _e126)]));
                     hits = _e129;
                     loop {
@@ -776,18 +775,18 @@ fn blend_bin_u0028_struct_u002d_Samples_u002d_f1_u005b_4_u005d_u002d_u1_u005b_4_
                             let _e138 = hits;
                             let _e140 = hits;
                             hits = (_e140 & (_e138 - 1u));
-                            let _e142 = word_1;
+                            let _e142 = word_4;
                             let _e144 = k_2;
                             batch_seen[((32u * _e142) + _e144)] = 1u;
-                            let _e147 = word_1;
+                            let _e147 = word_4;
                             let _e149 = k_2;
                             let _e151 = (*samples_2);
-                            param_49 = _e151;
-                            param_50 = ((32u * _e147) + _e149);
+                            param_50 = _e151;
+                            param_51 = ((32u * _e147) + _e149);
                             let _e152 = (*first_3);
-                            param_51 = _e152;
-                            blend_u0028_struct_u002d_Samples_u002d_f1_u005b_4_u005d_u002d_u1_u005b_4_u005d_u002d_b1_u002d_u11_u003b_u1_u003b_vf2_u003b((&param_49), (&param_50), (&param_51));
-                            let _e153 = param_49;
+                            param_52 = _e152;
+                            blend_u0028_struct_u002d_Samples_u002d_f1_u005b_4_u005d_u002d_u1_u005b_4_u005d_u002d_b1_u002d_u11_u003b_u1_u003b_vf2_u003b((&param_50), (&param_51), (&param_52));
+                            let _e153 = param_50;
                             (*samples_2) = _e153;
                             continue;
                         } else {
@@ -799,8 +798,8 @@ fn blend_bin_u0028_struct_u002d_Samples_u002d_f1_u005b_4_u005d_u002d_u1_u005b_4_
                     break;
                 }
                 continuing {
-                    let _e154 = word_1;
-                    word_1 = (_e154 + bitcast<u32>(1i));
+                    let _e154 = word_4;
+                    word_4 = (_e154 + bitcast<u32>(1i));
                 }
             }
             workgroupBarrier();
@@ -850,7 +849,7 @@ fn main(@builtin(local_invocation_index) gl_LocalInvocationIndex: u32, @builtin(
     var param_9: u32;
     var param_10: vec2<u32>;
     var param_11: u32;
-    var phi_1124_: bool;
+    var phi_1135_: bool;
 
     gl_LocalInvocationIndex_1 = gl_LocalInvocationIndex;
     gl_WorkGroupID_1 = gl_WorkGroupID;
@@ -862,7 +861,7 @@ fn main(@builtin(local_invocation_index) gl_LocalInvocationIndex: u32, @builtin(
     samples.open = true;
     samples.evaluated = 0u;
     samples.light = array<f32, 4>(1f, 1f, 1f, 1f);
-    samples.key = array<u32, 4>(0u, 0u, 0u, 0u);
+    samples.word = array<u32, 4>(4294901760u, 4294901760u, 4294901760u, 4294901760u);
     let _e48 = region;
     let _e51 = first;
     let _e56 = samples;
@@ -877,32 +876,32 @@ fn main(@builtin(local_invocation_index) gl_LocalInvocationIndex: u32, @builtin(
     first = (_e61 + (_e58 * vec2(16u)));
     let _e63 = first;
     param_4 = _e63;
-    let _e66 = samples.key[0i];
+    let _e66 = samples.word[0i];
     param_5 = _e66;
     store_u0028_vu2_u003b_u1_u003b((&param_4), (&param_5));
     let _e67 = first;
     param_6 = (_e67 + vec2<u32>(1u, 0u));
-    let _e71 = samples.key[1i];
+    let _e71 = samples.word[1i];
     param_7 = _e71;
     store_u0028_vu2_u003b_u1_u003b((&param_6), (&param_7));
     let _e72 = first;
     param_8 = (_e72 + vec2<u32>(0u, 1u));
-    let _e76 = samples.key[2i];
+    let _e76 = samples.word[2i];
     param_9 = _e76;
     store_u0028_vu2_u003b_u1_u003b((&param_8), (&param_9));
     let _e77 = first;
     param_10 = (_e77 + vec2<u32>(1u, 1u));
-    let _e81 = samples.key[3i];
+    let _e81 = samples.word[3i];
     param_11 = _e81;
     store_u0028_vu2_u003b_u1_u003b((&param_10), (&param_11));
     let _e83 = settings.counted;
     let _e84 = (_e83 != 0u);
-    phi_1124_ = _e84;
+    phi_1135_ = _e84;
     if _e84 {
         let _e86 = samples.evaluated;
-        phi_1124_ = (_e86 > 0u);
+        phi_1135_ = (_e86 > 0u);
     }
-    let _e89 = phi_1124_;
+    let _e89 = phi_1135_;
     if _e89 {
         let _e93 = samples.evaluated;
         let _e94 = atomicAdd((&unnamed_4.control.fragments), _e93);
