@@ -166,7 +166,7 @@ var<uniform> frame: FrameBlock;
 var<storage> unnamed: Splats_1;
 @group(0) @binding(7) 
 var<uniform> settings: SettingsBlock;
-var<workgroup> batch_hits: array<atomic<u32>, 8>;
+var<workgroup> batch_hits: array<atomic<u32>, 128>;
 var<workgroup> batch_place: array<vec4<f32>, 64>;
 var<workgroup> batch_shape: array<vec4<f32>, 64>;
 var<private> gl_LocalInvocationIndex_1: u32;
@@ -219,7 +219,7 @@ fn blend_sample_u0028_f1_u003b_u1_u003b_vf2_u003b_f1_u003b_u1_u003b(light: ptr<f
     var behind: f32;
     var param_12: vec2<f32>;
     var param_13: f32;
-    var phi_695_: bool;
+    var phi_758_: bool;
 
     let _e9 = (*light);
     let _e10 = (*light);
@@ -232,13 +232,13 @@ fn blend_sample_u0028_f1_u003b_u1_u003b_vf2_u003b_f1_u003b_u1_u003b(light: ptr<f
     let _e16 = (*light);
     let _e18 = settings.saturation;
     let _e19 = (_e16 >= _e18);
-    phi_695_ = _e19;
+    phi_758_ = _e19;
     if _e19 {
         let _e20 = behind;
         let _e22 = settings.saturation;
-        phi_695_ = (_e20 < _e22);
+        phi_758_ = (_e20 < _e22);
     }
-    let _e25 = phi_695_;
+    let _e25 = phi_758_;
     let _e26 = (*own);
     let _e27 = (*word_1);
     (*word_1) = select(_e27, _e26, _e25);
@@ -389,6 +389,39 @@ fn blend_u0028_struct_u002d_Samples_u002d_f1_u005b_4_u005d_u002d_u1_u005b_4_u005
     return;
 }
 
+fn hits_of_u0028_vu2_u003b_u1_u003b(invocation: ptr<function, vec2<u32>>, word_2: ptr<function, u32>) -> u32 {
+    var hits: u32;
+    var k_2: u32;
+    var bits: u32;
+
+    hits = 0u;
+    k_2 = 0u;
+    loop {
+        let _e12 = k_2;
+        if (_e12 < 8u) {
+            let _e15 = (*invocation)[1u];
+            let _e17 = (*word_2);
+            let _e20 = k_2;
+            let _e23 = atomicLoad((&batch_hits[(((_e15 * 16u) + (8u * _e17)) + _e20)]));
+            bits = _e23;
+            let _e24 = bits;
+            let _e26 = (*invocation)[0u];
+            let _e30 = k_2;
+            let _e33 = hits;
+            hits = (_e33 | (((_e24 >> bitcast<u32>(_e26)) & 16843009u) << bitcast<u32>(_e30)));
+            continue;
+        } else {
+            break;
+        }
+        continuing {
+            let _e35 = k_2;
+            k_2 = (_e35 + bitcast<u32>(1i));
+        }
+    }
+    let _e38 = hits;
+    return _e38;
+}
+
 fn saturated_word_u0028_f1_u003b_vf3_u003b(depth: ptr<function, f32>, color: ptr<function, vec3<f32>>) -> u32 {
     var rgb: vec3<u32>;
 
@@ -402,7 +435,7 @@ fn saturated_word_u0028_f1_u003b_vf3_u003b(depth: ptr<function, f32>, color: ptr
 }
 
 fn key_at_u0028_u1_u003b(i: ptr<function, u32>) -> u32 {
-    var word_2: u32;
+    var word_3: u32;
     var local_1: u32;
     var keys: u32;
     var local_2: u32;
@@ -417,9 +450,9 @@ fn key_at_u0028_u1_u003b(i: ptr<function, u32>) -> u32 {
         local_1 = _e21;
     }
     let _e22 = local_1;
-    word_2 = (_e14 + _e22);
-    let _e24 = word_2;
-    let _e27 = word_2;
+    word_3 = (_e14 + _e22);
+    let _e24 = word_3;
+    let _e27 = word_3;
     let _e32 = unnamed.splats[(_e24 >> bitcast<u32>(2u))][(_e27 & 3u)];
     keys = _e32;
     let _e34 = frame.half_keys;
@@ -433,49 +466,6 @@ fn key_at_u0028_u1_u003b(i: ptr<function, u32>) -> u32 {
     }
     let _e44 = local_2;
     return _e44;
-}
-
-fn nearest_u0028_f1_u003b_f1_u003b_f1_u003b_vf2_u003b_vf2_u003b(a: ptr<function, f32>, b: ptr<function, f32>, c: ptr<function, f32>, low: ptr<function, vec2<f32>>, high: ptr<function, vec2<f32>>) -> f32 {
-    var side: vec2<f32>;
-    var p: vec2<f32>;
-    var q: vec2<f32>;
-
-    let _e12 = (*low);
-    let _e13 = (*high);
-    side = clamp(vec2<f32>(0f, 0f), _e12, _e13);
-    let _e16 = side[0u];
-    let _e17 = (*b);
-    let _e20 = side[0u];
-    let _e22 = (*c);
-    let _e25 = (*low)[1u];
-    let _e27 = (*high)[1u];
-    p = vec2<f32>(_e16, clamp(((-(_e17) * _e20) / _e22), _e25, _e27));
-    let _e30 = (*b);
-    let _e33 = side[1u];
-    let _e35 = (*a);
-    let _e38 = (*low)[0u];
-    let _e40 = (*high)[0u];
-    let _e43 = side[1u];
-    q = vec2<f32>(clamp(((-(_e30) * _e33) / _e35), _e38, _e40), _e43);
-    let _e45 = (*a);
-    let _e47 = p[0u];
-    let _e50 = p[0u];
-    let _e52 = (*b);
-    let _e55 = p[0u];
-    let _e58 = p[1u];
-    let _e61 = (*c);
-    let _e63 = p[1u];
-    let _e66 = p[1u];
-    let _e69 = (*a);
-    let _e71 = q[0u];
-    let _e74 = q[0u];
-    let _e76 = (*b);
-    let _e79 = q[0u];
-    let _e82 = q[1u];
-    let _e85 = (*c);
-    let _e87 = q[1u];
-    let _e90 = q[1u];
-    return min(((((_e45 * _e47) * _e50) + (((2f * _e52) * _e55) * _e58)) + ((_e61 * _e63) * _e66)), ((((_e69 * _e71) * _e74) + (((2f * _e76) * _e79) * _e82)) + ((_e85 * _e87) * _e90)));
 }
 
 fn fixed_center_u0028_vu4_u003b(words: ptr<function, vec4<u32>>) -> vec2<f32> {
@@ -525,94 +515,167 @@ fn load_u0028_u1_u003b_u1_u003b_vf2_u003b(thread: ptr<function, u32>, i_1: ptr<f
     var across: vec2<f32>;
     var exponent_2: f32;
     var center: vec2<f32>;
-    var a_1: f32;
-    var b_1: f32;
-    var c_1: f32;
+    var a: f32;
+    var b: f32;
+    var c: f32;
+    var determinant_: f32;
+    var most: f32;
+    var turn: f32;
+    var place_1: u32;
     var meets: bool;
-    var quarter: u32;
-    var low_1: vec2<f32>;
-    var high_1: vec2<f32>;
-    var param_38: f32;
+    var row: u32;
+    var top: f32;
+    var bottom: f32;
+    var at_1: vec2<f32>;
+    var squared: vec2<f32>;
+    var reach: vec2<f32>;
+    var ends: vec2<f32>;
+    var low: f32;
+    var high: f32;
+    var from_1: u32;
+    var local_3: u32;
+    var end: u32;
+    var local_4: u32;
+    var bits_1: u32;
+    var word_4: u32;
+    var param_38: u32;
     var param_39: f32;
-    var param_40: f32;
-    var param_41: vec2<f32>;
-    var param_42: vec2<f32>;
-    var word_3: u32;
-    var param_43: u32;
-    var param_44: f32;
-    var param_45: vec3<f32>;
+    var param_40: vec3<f32>;
+    var phi_561_: bool;
 
-    let _e47 = (*i_1);
-    let _e50 = unnamed.splats[_e47];
-    param_37 = _e50;
-    let _e51 = unpack_splat_u0028_vu4_u003b((&param_37));
-    splat_1 = _e51;
-    let _e53 = splat_1.axis;
-    let _e55 = splat_1.axis;
-    inverse = (1f / dot(_e53, _e55));
-    let _e58 = inverse;
-    let _e61 = splat_1.axis;
-    along = (_e61 * (0.8493218f * _e58));
-    let _e63 = inverse;
-    let _e67 = splat_1.shorter;
-    let _e71 = splat_1.axis[1u];
-    let _e75 = splat_1.axis[0u];
-    across = (vec2<f32>(-(_e71), _e75) * ((0.8493218f * sqrt(_e63)) / _e67));
-    let _e79 = splat_1.opacity;
-    exponent_2 = log2((f32(_e79) / 255f));
-    let _e84 = splat_1.center;
-    let _e85 = (*corner);
-    center = (_e84 - _e85);
-    let _e88 = along[0u];
-    let _e90 = along[0u];
-    let _e93 = across[0u];
-    let _e95 = across[0u];
-    a_1 = ((_e88 * _e90) + (_e93 * _e95));
-    let _e99 = along[0u];
-    let _e101 = along[1u];
-    let _e104 = across[0u];
-    let _e106 = across[1u];
-    b_1 = ((_e99 * _e101) + (_e104 * _e106));
-    let _e110 = along[1u];
-    let _e112 = along[1u];
-    let _e115 = across[1u];
-    let _e117 = across[1u];
-    c_1 = ((_e110 * _e112) + (_e115 * _e117));
+    let _e62 = (*i_1);
+    let _e65 = unnamed.splats[_e62];
+    param_37 = _e65;
+    let _e66 = unpack_splat_u0028_vu4_u003b((&param_37));
+    splat_1 = _e66;
+    let _e68 = splat_1.axis;
+    let _e70 = splat_1.axis;
+    inverse = (1f / dot(_e68, _e70));
+    let _e73 = inverse;
+    let _e76 = splat_1.axis;
+    along = (_e76 * (0.8493218f * _e73));
+    let _e78 = inverse;
+    let _e82 = splat_1.shorter;
+    let _e86 = splat_1.axis[1u];
+    let _e90 = splat_1.axis[0u];
+    across = (vec2<f32>(-(_e86), _e90) * ((0.8493218f * sqrt(_e78)) / _e82));
+    let _e94 = splat_1.opacity;
+    exponent_2 = log2((f32(_e94) / 255f));
+    let _e99 = splat_1.center;
+    let _e100 = (*corner);
+    center = (_e99 - _e100);
+    let _e103 = along[0u];
+    let _e105 = along[0u];
+    let _e108 = across[0u];
+    let _e110 = across[0u];
+    a = ((_e103 * _e105) + (_e108 * _e110));
+    let _e114 = along[0u];
+    let _e116 = along[1u];
+    let _e119 = across[0u];
+    let _e121 = across[1u];
+    b = ((_e114 * _e116) + (_e119 * _e121));
+    let _e125 = along[1u];
+    let _e127 = along[1u];
+    let _e130 = across[1u];
+    let _e132 = across[1u];
+    c = ((_e125 * _e127) + (_e130 * _e132));
+    let _e135 = along;
+    let _e136 = along;
+    let _e138 = across;
+    let _e139 = across;
+    determinant_ = (dot(_e135, _e136) * dot(_e138, _e139));
+    let _e142 = exponent_2;
+    let _e144 = settings.cutoff_exponent;
+    most = ((_e142 - _e144) + 0.00390625f);
+    let _e147 = most;
+    if (_e147 < 0f) {
+        return;
+    }
+    let _e149 = b;
+    let _e151 = most;
+    let _e152 = c;
+    let _e153 = determinant_;
+    turn = (-(_e149) * sqrt((_e151 / (_e152 * _e153))));
+    let _e158 = (*thread);
+    let _e162 = (*thread);
+    place_1 = (((_e158 >> bitcast<u32>(5u)) * 8u) + (_e162 & 7u));
     meets = false;
-    quarter = 0u;
+    row = 0u;
     loop {
-        let _e120 = quarter;
-        if (_e120 < 4u) {
-            let _e122 = quarter;
-            let _e125 = quarter;
-            let _e131 = center;
-            low_1 = ((vec2<f32>(f32((_e122 & 1u)), f32((_e125 >> bitcast<u32>(1u)))) * 16f) - _e131);
-            let _e133 = low_1;
-            high_1 = (_e133 + vec2(16f));
-            let _e137 = settings.bin_margin;
-            let _e139 = low_1;
-            low_1 = (_e139 + vec2((0.5f - _e137)));
-            let _e143 = settings.bin_margin;
-            let _e145 = high_1;
-            high_1 = (_e145 - vec2((0.5f - _e143)));
-            let _e148 = a_1;
-            param_38 = _e148;
-            let _e149 = b_1;
-            param_39 = _e149;
-            let _e150 = c_1;
-            param_40 = _e150;
-            let _e151 = low_1;
-            param_41 = _e151;
-            let _e152 = high_1;
-            param_42 = _e152;
-            let _e153 = nearest_u0028_f1_u003b_f1_u003b_f1_u003b_vf2_u003b_vf2_u003b((&param_38), (&param_39), (&param_40), (&param_41), (&param_42));
-            let _e154 = exponent_2;
-            let _e156 = settings.cutoff_exponent;
-            if !((_e153 > ((_e154 - _e156) + 0.00390625f))) {
-                let _e161 = quarter;
-                let _e163 = (*thread);
-                let _e168 = (*thread);
-                let _e172 = atomicOr((&batch_hits[((_e161 * 2u) + (_e163 >> bitcast<u32>(5u)))]), (1u << bitcast<u32>((_e168 & 31u))));
+        let _e165 = row;
+        if (_e165 < 8u) {
+            let _e167 = row;
+            let _e172 = settings.bin_margin;
+            let _e175 = center[1u];
+            top = ((((4f * f32(_e167)) + 0.5f) - _e172) - _e175);
+            let _e177 = top;
+            let _e181 = settings.bin_margin;
+            bottom = (((_e177 + 4f) - 1f) + (2f * _e181));
+            let _e184 = turn;
+            let _e186 = top;
+            let _e187 = bottom;
+            let _e189 = turn;
+            let _e190 = top;
+            let _e191 = bottom;
+            at_1 = vec2<f32>(clamp(-(_e184), _e186, _e187), clamp(_e189, _e190, _e191));
+            let _e194 = a;
+            let _e195 = most;
+            let _e197 = determinant_;
+            let _e198 = at_1;
+            let _e200 = at_1;
+            squared = (vec2((_e194 * _e195)) - ((_e198 * _e197) * _e200));
+            let _e204 = squared;
+            reach = sqrt(max(_e204, vec2(0f)));
+            let _e208 = b;
+            let _e210 = at_1;
+            let _e213 = reach[0u];
+            let _e216 = reach[1u];
+            let _e219 = a;
+            let _e223 = center[0u];
+            ends = ((((_e210 * -(_e208)) + vec2<f32>(-(_e213), _e216)) / vec2(_e219)) + vec2(_e223));
+            let _e227 = ends[0u];
+            let _e230 = settings.bin_margin;
+            low = ((((_e227 + 0.5f) - _e230) / 4f) - 1f);
+            let _e235 = ends[1u];
+            let _e238 = settings.bin_margin;
+            high = (((_e235 - 0.5f) + _e238) / 4f);
+            let _e241 = low;
+            if (_e241 > 0f) {
+                let _e243 = low;
+                local_3 = u32(ceil(min(_e243, 8f)));
+            } else {
+                local_3 = 0u;
+            }
+            let _e247 = local_3;
+            from_1 = _e247;
+            let _e248 = high;
+            if (_e248 < 8f) {
+                let _e250 = high;
+                local_4 = u32((floor(max(_e250, -1f)) + 1f));
+            } else {
+                local_4 = 8u;
+            }
+            let _e255 = local_4;
+            end = _e255;
+            let _e256 = from_1;
+            let _e257 = end;
+            let _e258 = (_e256 < _e257);
+            phi_561_ = _e258;
+            if _e258 {
+                let _e260 = squared[0u];
+                let _e262 = squared[1u];
+                phi_561_ = !((max(_e260, _e262) < 0f));
+            }
+            let _e267 = phi_561_;
+            if _e267 {
+                let _e268 = end;
+                let _e271 = from_1;
+                bits_1 = ((1u << bitcast<u32>(_e268)) - (1u << bitcast<u32>(_e271)));
+                let _e275 = row;
+                let _e277 = place_1;
+                let _e280 = bits_1;
+                let _e281 = (*thread);
+                let _e285 = atomicOr((&batch_hits[((_e275 * 16u) + _e277)]), (_e280 << bitcast<u32>((_e281 & 24u))));
                 meets = true;
             }
             continue;
@@ -620,206 +683,45 @@ fn load_u0028_u1_u003b_u1_u003b_vf2_u003b(thread: ptr<function, u32>, i_1: ptr<f
             break;
         }
         continuing {
-            let _e173 = quarter;
-            quarter = (_e173 + bitcast<u32>(1i));
+            let _e286 = row;
+            row = (_e286 + bitcast<u32>(1i));
         }
     }
-    let _e176 = meets;
-    if !(_e176) {
+    let _e289 = meets;
+    if !(_e289) {
         return;
     }
-    let _e178 = (*i_1);
-    param_43 = _e178;
-    let _e179 = key_at_u0028_u1_u003b((&param_43));
-    let _e182 = frame.key_max;
-    param_44 = (1f - (f32(_e179) / f32(_e182)));
-    let _e187 = splat_1.color;
-    param_45 = _e187;
-    let _e188 = saturated_word_u0028_f1_u003b_vf3_u003b((&param_44), (&param_45));
-    word_3 = _e188;
-    let _e189 = (*thread);
-    let _e190 = center;
-    let _e191 = along;
-    batch_place[_e189] = vec4<f32>(_e190.x, _e190.y, _e191.x, _e191.y);
-    let _e198 = (*thread);
-    let _e199 = across;
-    let _e200 = exponent_2;
-    let _e201 = word_3;
-    batch_shape[_e198] = vec4<f32>(_e199.x, _e199.y, _e200, bitcast<f32>(_e201));
+    let _e291 = (*i_1);
+    param_38 = _e291;
+    let _e292 = key_at_u0028_u1_u003b((&param_38));
+    let _e295 = frame.key_max;
+    param_39 = (1f - (f32(_e292) / f32(_e295)));
+    let _e300 = splat_1.color;
+    param_40 = _e300;
+    let _e301 = saturated_word_u0028_f1_u003b_vf3_u003b((&param_39), (&param_40));
+    word_4 = _e301;
+    let _e302 = (*thread);
+    let _e303 = center;
+    let _e304 = along;
+    batch_place[_e302] = vec4<f32>(_e303.x, _e303.y, _e304.x, _e304.y);
+    let _e311 = (*thread);
+    let _e312 = across;
+    let _e313 = exponent_2;
+    let _e314 = word_4;
+    batch_shape[_e311] = vec4<f32>(_e312.x, _e312.y, _e313, bitcast<f32>(_e314));
     return;
 }
 
 fn bins_of_u0028_u1_u003b(shift: ptr<function, u32>) -> vec2<u32> {
-    var side_1: u32;
+    var side: u32;
 
     let _e5 = frame.bin_side;
     let _e6 = (*shift);
-    side_1 = (_e5 << bitcast<u32>(_e6));
+    side = (_e5 << bitcast<u32>(_e6));
     let _e10 = frame.size;
-    let _e12 = side_1;
-    let _e17 = side_1;
+    let _e12 = side;
+    let _e17 = side;
     return (((vec2<u32>(_e10) + vec2(_e12)) - vec2(1u)) / vec2(_e17));
-}
-
-fn blend_bin_u0028_struct_u002d_Samples_u002d_f1_u005b_4_u005d_u002d_u1_u005b_4_u005d_u002d_b1_u002d_u11_u003b_vu2_u003b_vf2_u003b(samples_2: ptr<function, Samples>, corner_1: ptr<function, vec2<u32>>, first_3: ptr<function, vec2<f32>>) {
-    var thread_1: u32;
-    var quarter_1: u32;
-    var shift_1: u32;
-    var at_1: vec2<u32>;
-    var bin: u32;
-    var param_46: u32;
-    var end: u32;
-    var from_1: u32;
-    var i_2: u32;
-    var local_3: u32;
-    var param_47: u32;
-    var param_48: u32;
-    var param_49: vec2<f32>;
-    var word_4: u32;
-    var hits: u32;
-    var k_2: u32;
-    var param_50: Samples;
-    var param_51: u32;
-    var param_52: vec2<f32>;
-
-    let _e42 = gl_LocalInvocationIndex_1;
-    thread_1 = _e42;
-    let _e43 = thread_1;
-    quarter_1 = (_e43 / 16u);
-    let _e47 = unnamed_1.bins[8i];
-    shift_1 = _e47;
-    let _e48 = (*corner_1);
-    let _e50 = frame.bin_side;
-    let _e51 = shift_1;
-    at_1 = (_e48 / vec2((_e50 << bitcast<u32>(_e51))));
-    let _e57 = at_1[1u];
-    let _e58 = shift_1;
-    param_46 = _e58;
-    let _e59 = bins_of_u0028_u1_u003b((&param_46));
-    let _e63 = at_1[0u];
-    bin = ((_e57 * _e59.x) + _e63);
-    let _e66 = settings.starts_start;
-    let _e67 = bin;
-    let _e72 = unnamed_1.bins[((_e66 + _e67) + 1u)];
-    end = _e72;
-    let _e74 = settings.starts_start;
-    let _e75 = bin;
-    let _e79 = unnamed_1.bins[(_e74 + _e75)];
-    from_1 = _e79;
-    loop {
-        let _e80 = from_1;
-        let _e81 = end;
-        if (_e80 < _e81) {
-            let _e83 = thread_1;
-            batch_seen[_e83] = 0u;
-            let _e85 = thread_1;
-            if (_e85 < 8u) {
-                let _e87 = thread_1;
-                atomicStore((&batch_hits[_e87]), 0u);
-            }
-            let _e89 = thread_1;
-            if (_e89 == 0u) {
-                batch_open = 0u;
-            }
-            workgroupBarrier();
-            let _e92 = (*samples_2).open;
-            if _e92 {
-                batch_open = 1u;
-            }
-            let _e93 = from_1;
-            let _e94 = thread_1;
-            let _e96 = end;
-            if ((_e93 + _e94) < _e96) {
-                let _e99 = settings.pairs_start;
-                let _e100 = from_1;
-                let _e101 = thread_1;
-                let _e105 = unnamed_2.sorted[(_e100 + _e101)];
-                let _e109 = unnamed_1.bins[(_e99 + _e105)];
-                local_3 = _e109;
-            } else {
-                local_3 = 0u;
-            }
-            let _e110 = local_3;
-            i_2 = _e110;
-            let _e111 = from_1;
-            let _e112 = thread_1;
-            let _e114 = end;
-            if ((_e111 + _e112) < _e114) {
-                let _e116 = (*corner_1);
-                let _e118 = thread_1;
-                param_47 = _e118;
-                let _e119 = i_2;
-                param_48 = _e119;
-                param_49 = vec2<f32>(_e116);
-                load_u0028_u1_u003b_u1_u003b_vf2_u003b((&param_47), (&param_48), (&param_49));
-            }
-            workgroupBarrier();
-            let _e120 = workgroupUniformLoad((&batch_open));
-            if (_e120 == 0u) {
-                break;
-            }
-            word_4 = 0u;
-            loop {
-                let _e122 = word_4;
-                if (_e122 < 2u) {
-                    let _e124 = quarter_1;
-                    let _e126 = word_4;
-                    let _e129 = atomicLoad((&batch_hits[((_e124 * 2u) + _e126)]));
-                    hits = _e129;
-                    loop {
-                        let _e130 = hits;
-                        let _e133 = (*samples_2).open;
-                        if ((_e130 != 0u) && _e133) {
-                            let _e135 = hits;
-                            k_2 = bitcast<u32>(firstTrailingBit(_e135));
-                            let _e138 = hits;
-                            let _e140 = hits;
-                            hits = (_e140 & (_e138 - 1u));
-                            let _e142 = word_4;
-                            let _e144 = k_2;
-                            batch_seen[((32u * _e142) + _e144)] = 1u;
-                            let _e147 = word_4;
-                            let _e149 = k_2;
-                            let _e151 = (*samples_2);
-                            param_50 = _e151;
-                            param_51 = ((32u * _e147) + _e149);
-                            let _e152 = (*first_3);
-                            param_52 = _e152;
-                            blend_u0028_struct_u002d_Samples_u002d_f1_u005b_4_u005d_u002d_u1_u005b_4_u005d_u002d_b1_u002d_u11_u003b_u1_u003b_vf2_u003b((&param_50), (&param_51), (&param_52));
-                            let _e153 = param_50;
-                            (*samples_2) = _e153;
-                            continue;
-                        } else {
-                            break;
-                        }
-                    }
-                    continue;
-                } else {
-                    break;
-                }
-                continuing {
-                    let _e154 = word_4;
-                    word_4 = (_e154 + bitcast<u32>(1i));
-                }
-            }
-            workgroupBarrier();
-            let _e157 = thread_1;
-            let _e159 = batch_seen[_e157];
-            if (_e159 != 0u) {
-                let _e161 = i_2;
-                let _e166 = i_2;
-                let _e170 = atomicOr((&unnamed_3.marks[(_e161 >> bitcast<u32>(5u))]), (1u << bitcast<u32>((_e166 & 31u))));
-            }
-            continue;
-        } else {
-            break;
-        }
-        continuing {
-            let _e171 = from_1;
-            from_1 = (_e171 + 64u);
-        }
-    }
-    return;
 }
 
 fn place_of_u0028_u1_u003b(index: ptr<function, u32>) -> vec2<u32> {
@@ -830,6 +732,187 @@ fn place_of_u0028_u1_u003b(index: ptr<function, u32>) -> vec2<u32> {
     let _e21 = (*index);
     let _e26 = (*index);
     return vec2<u32>((((_e5 & 1u) | ((_e7 >> bitcast<u32>(1u)) & 2u)) | ((_e12 >> bitcast<u32>(2u)) & 4u)), ((((_e17 >> bitcast<u32>(1u)) & 1u) | ((_e21 >> bitcast<u32>(2u)) & 2u)) | ((_e26 >> bitcast<u32>(3u)) & 4u)));
+}
+
+fn blend_bin_u0028_struct_u002d_Samples_u002d_f1_u005b_4_u005d_u002d_u1_u005b_4_u005d_u002d_b1_u002d_u11_u003b_vu2_u003b_vf2_u003b(samples_2: ptr<function, Samples>, corner_1: ptr<function, vec2<u32>>, first_3: ptr<function, vec2<f32>>) {
+    var thread_1: u32;
+    var place_2: vec2<u32>;
+    var param_41: u32;
+    var shift_1: u32;
+    var at_2: vec2<u32>;
+    var bin: u32;
+    var param_42: u32;
+    var end_1: u32;
+    var from_2: u32;
+    var k_3: u32;
+    var i_2: u32;
+    var local_5: u32;
+    var param_43: u32;
+    var param_44: u32;
+    var param_45: vec2<f32>;
+    var word_5: u32;
+    var hits_1: u32;
+    var param_46: vec2<u32>;
+    var param_47: u32;
+    var k_4: u32;
+    var param_48: Samples;
+    var param_49: u32;
+    var param_50: vec2<f32>;
+
+    let _e45 = gl_LocalInvocationIndex_1;
+    thread_1 = _e45;
+    let _e46 = thread_1;
+    param_41 = _e46;
+    let _e47 = place_of_u0028_u1_u003b((&param_41));
+    place_2 = _e47;
+    let _e50 = unnamed_1.bins[8i];
+    shift_1 = _e50;
+    let _e51 = (*corner_1);
+    let _e53 = frame.bin_side;
+    let _e54 = shift_1;
+    at_2 = (_e51 / vec2((_e53 << bitcast<u32>(_e54))));
+    let _e60 = at_2[1u];
+    let _e61 = shift_1;
+    param_42 = _e61;
+    let _e62 = bins_of_u0028_u1_u003b((&param_42));
+    let _e66 = at_2[0u];
+    bin = ((_e60 * _e62.x) + _e66);
+    let _e69 = settings.starts_start;
+    let _e70 = bin;
+    let _e75 = unnamed_1.bins[((_e69 + _e70) + 1u)];
+    end_1 = _e75;
+    let _e77 = settings.starts_start;
+    let _e78 = bin;
+    let _e82 = unnamed_1.bins[(_e77 + _e78)];
+    from_2 = _e82;
+    loop {
+        let _e83 = from_2;
+        let _e84 = end_1;
+        if (_e83 < _e84) {
+            let _e86 = thread_1;
+            batch_seen[_e86] = 0u;
+            let _e88 = thread_1;
+            k_3 = _e88;
+            loop {
+                let _e89 = k_3;
+                if (_e89 < 128u) {
+                    let _e91 = k_3;
+                    atomicStore((&batch_hits[_e91]), 0u);
+                    continue;
+                } else {
+                    break;
+                }
+                continuing {
+                    let _e93 = k_3;
+                    k_3 = (_e93 + 64u);
+                }
+            }
+            let _e95 = thread_1;
+            if (_e95 == 0u) {
+                batch_open = 0u;
+            }
+            workgroupBarrier();
+            let _e98 = (*samples_2).open;
+            if _e98 {
+                batch_open = 1u;
+            }
+            let _e99 = from_2;
+            let _e100 = thread_1;
+            let _e102 = end_1;
+            if ((_e99 + _e100) < _e102) {
+                let _e105 = settings.pairs_start;
+                let _e106 = from_2;
+                let _e107 = thread_1;
+                let _e111 = unnamed_2.sorted[(_e106 + _e107)];
+                let _e115 = unnamed_1.bins[(_e105 + _e111)];
+                local_5 = _e115;
+            } else {
+                local_5 = 0u;
+            }
+            let _e116 = local_5;
+            i_2 = _e116;
+            let _e117 = from_2;
+            let _e118 = thread_1;
+            let _e120 = end_1;
+            if ((_e117 + _e118) < _e120) {
+                let _e122 = (*corner_1);
+                let _e124 = thread_1;
+                param_43 = _e124;
+                let _e125 = i_2;
+                param_44 = _e125;
+                param_45 = vec2<f32>(_e122);
+                load_u0028_u1_u003b_u1_u003b_vf2_u003b((&param_43), (&param_44), (&param_45));
+            }
+            workgroupBarrier();
+            let _e126 = workgroupUniformLoad((&batch_open));
+            if (_e126 == 0u) {
+                break;
+            }
+            word_5 = 0u;
+            loop {
+                let _e128 = word_5;
+                let _e131 = (*samples_2).open;
+                if ((_e128 < 2u) && _e131) {
+                    let _e133 = place_2;
+                    param_46 = _e133;
+                    let _e134 = word_5;
+                    param_47 = _e134;
+                    let _e135 = hits_of_u0028_vu2_u003b_u1_u003b((&param_46), (&param_47));
+                    hits_1 = _e135;
+                    loop {
+                        let _e136 = hits_1;
+                        let _e139 = (*samples_2).open;
+                        if ((_e136 != 0u) && _e139) {
+                            let _e141 = hits_1;
+                            k_4 = bitcast<u32>(firstTrailingBit(_e141));
+                            let _e144 = hits_1;
+                            let _e146 = hits_1;
+                            hits_1 = (_e146 & (_e144 - 1u));
+                            let _e148 = word_5;
+                            let _e150 = k_4;
+                            batch_seen[((32u * _e148) + _e150)] = 1u;
+                            let _e153 = word_5;
+                            let _e155 = k_4;
+                            let _e157 = (*samples_2);
+                            param_48 = _e157;
+                            param_49 = ((32u * _e153) + _e155);
+                            let _e158 = (*first_3);
+                            param_50 = _e158;
+                            blend_u0028_struct_u002d_Samples_u002d_f1_u005b_4_u005d_u002d_u1_u005b_4_u005d_u002d_b1_u002d_u11_u003b_u1_u003b_vf2_u003b((&param_48), (&param_49), (&param_50));
+                            let _e159 = param_48;
+                            (*samples_2) = _e159;
+                            continue;
+                        } else {
+                            break;
+                        }
+                    }
+                    continue;
+                } else {
+                    break;
+                }
+                continuing {
+                    let _e160 = word_5;
+                    word_5 = (_e160 + bitcast<u32>(1i));
+                }
+            }
+            workgroupBarrier();
+            let _e163 = thread_1;
+            let _e165 = batch_seen[_e163];
+            if (_e165 != 0u) {
+                let _e167 = i_2;
+                let _e172 = i_2;
+                let _e176 = atomicOr((&unnamed_3.marks[(_e167 >> bitcast<u32>(5u))]), (1u << bitcast<u32>((_e172 & 31u))));
+            }
+            continue;
+        } else {
+            break;
+        }
+        continuing {
+            let _e177 = from_2;
+            from_2 = (_e177 + 64u);
+        }
+    }
+    return;
 }
 
 @compute @workgroup_size(64, 1, 1) 
@@ -849,7 +932,7 @@ fn main(@builtin(local_invocation_index) gl_LocalInvocationIndex: u32, @builtin(
     var param_9: u32;
     var param_10: vec2<u32>;
     var param_11: u32;
-    var phi_1135_: bool;
+    var phi_1209_: bool;
 
     gl_LocalInvocationIndex_1 = gl_LocalInvocationIndex;
     gl_WorkGroupID_1 = gl_WorkGroupID;
@@ -896,12 +979,12 @@ fn main(@builtin(local_invocation_index) gl_LocalInvocationIndex: u32, @builtin(
     store_u0028_vu2_u003b_u1_u003b((&param_10), (&param_11));
     let _e83 = settings.counted;
     let _e84 = (_e83 != 0u);
-    phi_1135_ = _e84;
+    phi_1209_ = _e84;
     if _e84 {
         let _e86 = samples.evaluated;
-        phi_1135_ = (_e86 > 0u);
+        phi_1209_ = (_e86 > 0u);
     }
-    let _e89 = phi_1135_;
+    let _e89 = phi_1209_;
     if _e89 {
         let _e93 = samples.evaluated;
         let _e94 = atomicAdd((&unnamed_4.control.fragments), _e93);
