@@ -12,6 +12,7 @@
 #define WORKGROUP(id, size) layout(local_size_x = size) in;
 #define WORKGROUP_SIZE(size) size
 #define IMAGE_2D texture2D
+#define UIMAGE_2D utexture2D
 #define EARLY_FRAGMENT_TESTS
 // WGSL has no such word and needs none.
 #define COHERENT
@@ -23,6 +24,7 @@
 #define WORKGROUP(id, size) layout(local_size_x_id = id, local_size_x = size) in;
 #define WORKGROUP_SIZE(size) gl_WorkGroupSize.x
 #define IMAGE_2D sampler2D
+#define UIMAGE_2D usampler2D
 #define EARLY_FRAGMENT_TESTS layout(early_fragment_tests) in;
 #define COHERENT coherent
 #define TILES_PER_SIDE TILES_PER_SIDE_VULKAN

@@ -1,7 +1,7 @@
 // A bin's list, walked by a workgroup in batches of a splat an invocation: each invocation reads
-// one, tests its ellipse against the workgroup's region, and leaves what meets it in shared memory,
-// where all find it. For GPUs: `saturation` and the shared-memory kernel of `raster` are built on
-// it. It needs no subgroups.
+// one, tests its ellipse against the samples of each invocation, and leaves what meets some in
+// shared memory, where all find it. For GPUs: `saturation` and the shared-memory kernel of `raster`
+// are built on it. It needs no subgroups.
 //
 // The including shader declares what it writes before this file, and defines REGION, the side of
 // the region that a workgroup draws, px; STEP, the distance of its samples, px; and MARKS if splats
@@ -32,6 +32,7 @@ PARAMETER(2, bool, COUNTED, false)
 #include "common/bins.glsl"
 #ifdef MARKS
 #include "common/key_at.glsl"
+#include "common/saturation.glsl"
 #endif
 
 // √(½ log₂ e): in standard deviations times this, a Gaussian is 2^−|deviation|².
@@ -40,17 +41,20 @@ const float DEVIATION_UNIT = 0.84932180;
 const float EXPONENT_SLACK = 1.0 / 256.0;
 
 // The batch: of each splat the centre, in px from the region's corner; the matrix from px to
-// deviations; the exponent of its opacity, and its colour, 10 bits a channel.
+// deviations; the exponent of its opacity, and its colour, 10 bits a channel. With MARKS it has the
+// splat's word (common/saturation.glsl) in place of the colour.
 shared vec4 batch_place[RASTER_WORKGROUP];
 shared vec4 batch_shape[RASTER_WORKGROUP];
 #ifdef MARKS
-shared uint batch_key[RASTER_WORKGROUP];
 // Whether an invocation that was not saturated came to the splat.
 shared uint batch_seen[RASTER_WORKGROUP];
 #endif
-// A bit for each splat of the batch that meets a quarter of the region; a row of words a quarter.
-const uint HIT_WORDS = RASTER_WORKGROUP / 32u;
-shared uint batch_hits[4u * HIT_WORDS];
+// Of each row of invocations, which splats of the batch meet which of them: a byte a splat, a bit
+// an invocation. Splats k, k + 8, k + 16 and k + 24 share a word, so that the bits of 32 splats for
+// an invocation are those of 8 words, masked and shifted (hits_of).
+const uint SIDE = 8u;
+const uint HIT_WORDS = RASTER_WORKGROUP / 4u;
+shared uint batch_hits[SIDE * HIT_WORDS];
 // Whether some invocation has a sample that is not saturated. It is no array: on WebGPU a read of it
 // is one that all invocations make together (tools/shaders/wgsl.rs).
 shared uint batch_open;
@@ -62,19 +66,8 @@ struct Seen {
     vec2 right;
     vec2 down;
     float exponent;
-    uint color;
+    uint word;
 };
-
-// Smallest |deviation|² in a rectangle, of a deviation whose square is a x² + 2 b x y + c y². `low`
-// and `high`: the rectangle's corners as seen from the centre, px.
-float nearest(float a, float b, float c, vec2 low, vec2 high) {
-    // On the side that faces the centre, from the left or right and from above or below.
-    vec2 side = clamp(vec2(0.0), low, high);
-    vec2 p = vec2(side.x, clamp(-b * side.x / c, low.y, high.y));
-    vec2 q = vec2(clamp(-b * side.y / a, low.x, high.x), side.y);
-    return min(a * p.x * p.x + 2.0 * b * p.x * p.y + c * p.y * p.y,
-               a * q.x * q.x + 2.0 * b * q.x * q.y + c * q.y * q.y);
-}
 
 // Puts a splat into the batch if it meets the region whose corner is at `corner`, px.
 void load(uint thread, uint i, vec2 corner) {
@@ -85,33 +78,61 @@ void load(uint thread, uint i, vec2 corner) {
                   vec2(-splat.axis.y, splat.axis.x);
     float exponent = log2(float(splat.opacity) / 255.0);
     vec2 center = splat.center - corner;
+    // |deviation|² is a x² + 2 b x y + c y², and `most` on the ellipse.
     float a = along.x * along.x + across.x * across.x;
     float b = along.x * along.y + across.x * across.y;
     float c = along.y * along.y + across.y * across.y;
+    float determinant = dot(along, along) * dot(across, across);
+    float most = exponent - CUTOFF_EXPONENT + EXPONENT_SLACK;
+    if (most < 0.0) {
+        return;
+    }
+    // How far below the centre the ellipse reaches furthest to the right; to the left it is above.
+    float turn = -b * sqrt(most / (c * determinant));
+    uint place = (thread >> 5u) * 8u + (thread & 7u);
     bool meets = false;
     // Unrolled, it takes more registers than blending.
-    [[dont_unroll]] for (uint quarter = 0u; quarter < 4u; ++quarter) {
-        const float side = 0.5 * float(REGION);
-        vec2 low = side * vec2(quarter & 1u, quarter >> 1u) - center;
-        vec2 high = low + side;
-        low += 0.5 - MARGIN;
-        high -= 0.5 - MARGIN;
-        // Written so that a splat is kept where a number is NaN.
-        if (!(nearest(a, b, c, low, high) > exponent - CUTOFF_EXPONENT + EXPONENT_SLACK)) {
-            atomicOr(batch_hits[quarter * HIT_WORDS + (thread >> 5u)], 1u << (thread & 31u));
+    [[dont_unroll]] for (uint row = 0u; row < SIDE; ++row) {
+        const float side = float(REGION / SIDE);
+        // The row's samples, seen from the centre, and where in it the ellipse is widest.
+        float top = side * float(row) + 0.5 - MARGIN - center.y;
+        float bottom = top + side - 1.0 + 2.0 * MARGIN;
+        vec2 at = vec2(clamp(-turn, top, bottom), clamp(turn, top, bottom));
+        vec2 squared = a * most - determinant * at * at;
+        vec2 reach = sqrt(max(squared, 0.0));
+        vec2 ends = (-b * at + vec2(-reach.x, reach.y)) / a + center.x;
+        // The first invocation that it meets, and one past the last. Written so that a splat is
+        // kept where a number is NaN.
+        float low = (ends.x + 0.5 - MARGIN) / side - 1.0, high = (ends.y - 0.5 + MARGIN) / side;
+        uint from = low > 0.0 ? uint(ceil(min(low, float(SIDE)))) : 0u;
+        uint end = high < float(SIDE) ? uint(floor(max(high, -1.0)) + 1.0) : SIDE;
+        if (from < end && !(max(squared.x, squared.y) < 0.0)) {
+            uint bits = (1u << end) - (1u << from);
+            atomicOr(batch_hits[row * HIT_WORDS + place], bits << (thread & 24u));
             meets = true;
         }
     }
     if (!meets) {
         return;
     }
-    uvec3 color = uvec3(round(splat.color * 1023.0));
-    batch_place[thread] = vec4(center, along);
-    batch_shape[thread] = vec4(across, exponent,
-                               uintBitsToFloat(color.r | color.g << 10u | color.b << 20u));
 #ifdef MARKS
-    batch_key[thread] = key_at(i);
+    uint word = saturated_word(1.0 - float(key_at(i)) / float(frame.key_max), splat.color);
+#else
+    uvec3 color = uvec3(round(splat.color * 1023.0));
+    uint word = color.r | color.g << 10u | color.b << 20u;
 #endif
+    batch_place[thread] = vec4(center, along);
+    batch_shape[thread] = vec4(across, exponent, uintBitsToFloat(word));
+}
+
+// The splats of the batch, from 32 `word` on, that meet the samples of an invocation.
+uint hits_of(uvec2 invocation, uint word) {
+    uint hits = 0u;
+    for (uint k = 0u; k < 8u; ++k) {
+        uint bits = batch_hits[invocation.y * HIT_WORDS + 8u * word + k];
+        hits |= (bits >> invocation.x & 0x01010101u) << k;
+    }
+    return hits;
 }
 
 // `first`: an invocation's first sample, px from the region's corner.
@@ -123,7 +144,7 @@ Seen see(uint k, vec2 first) {
     seen.right = float(STEP) * vec2(place.z, shape.x);
     seen.down = float(STEP) * vec2(place.w, shape.y);
     seen.exponent = shape.z;
-    seen.color = floatBitsToUint(shape.w);
+    seen.word = floatBitsToUint(shape.w);
     return seen;
 }
 

@@ -8,7 +8,7 @@
 // saturated.
 void blend_bin(inout Samples samples, uvec2 corner, vec2 first) {
     uint thread = gl_LocalInvocationIndex;
-    uint quarter = thread / (RASTER_WORKGROUP / 4u);
+    uvec2 place = place_of(thread);
     uint shift = bins[BIN_SHIFT_AT];
     uvec2 at = corner / (frame.bin_side << shift);
     uint bin = at.y * bins_of(shift).x + at.x;
@@ -17,8 +17,8 @@ void blend_bin(inout Samples samples, uvec2 corner, vec2 first) {
 #ifdef MARKS
         batch_seen[thread] = 0u;
 #endif
-        if (thread < 4u * HIT_WORDS) {
-            batch_hits[thread] = 0u;
+        for (uint k = thread; k < SIDE * HIT_WORDS; k += RASTER_WORKGROUP) {
+            batch_hits[k] = 0u;
         }
         if (thread == 0u) {
             batch_open = 0u;
@@ -35,8 +35,8 @@ void blend_bin(inout Samples samples, uvec2 corner, vec2 first) {
         if (batch_open == 0u) {
             break;
         }
-        for (uint word = 0u; word < HIT_WORDS; ++word) {
-            uint hits = batch_hits[quarter * HIT_WORDS + word];
+        for (uint word = 0u; word < RASTER_WORKGROUP / 32u && samples.open; ++word) {
+            uint hits = hits_of(place, word);
             while (hits != 0u && samples.open) {
                 uint k = uint(findLSB(hits));
                 hits &= hits - 1u;

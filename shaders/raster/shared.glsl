@@ -19,7 +19,7 @@ void blend_pixel(inout vec4 pixel, vec2 deviation, float exponent, vec3 color) {
 
 void blend(inout Samples samples, uint k, vec2 first) {
     Seen seen = see(k, first);
-    vec3 color = vec3(seen.color & 1023u, seen.color >> 10u & 1023u, seen.color >> 20u);
+    vec3 color = vec3(seen.word & 1023u, seen.word >> 10u & 1023u, seen.word >> 20u);
     vec2 right = seen.deviation + seen.right;
     blend_pixel(samples.pixels[0], seen.deviation, seen.exponent, color);
     blend_pixel(samples.pixels[1], right, seen.exponent, color);

@@ -1,11 +1,10 @@
-// The saturation depth: at each sample, which is the corner of four pixels, the depth of the splat
-// with which the sample is saturated. What lies further back shows by less than SATURATION there.
-// Every second pixel has a sample in x and y. Depth is 1 less the key that splats are sorted by, as
-// the quads have it; 1 where a sample is never saturated.
+// The saturation depth: at each sample, which is the corner of four pixels, depth and colour of the
+// splat with which the sample is saturated. What lies further back shows by less than SATURATION
+// there. Every second pixel has a sample in x and y. common/saturation.glsl has a sample's word.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require
-layout(set = 0, binding = 5, r32f) writeonly uniform image2D depths;
+layout(set = 0, binding = 5, r32ui) writeonly uniform uimage2D saturated;
 #define REGION SATURATION_REGION
 #define STEP 2u
 #define MARKS
@@ -14,26 +13,26 @@ layout(set = 0, binding = 5, r32f) writeonly uniform image2D depths;
 struct Samples {
     // How much of what lies behind shows.
     float light[4];
-    // The key with which each sample was saturated; 0, the furthest, until then.
-    uint key[4];
+    // The word of the splat with which each sample was saturated; NEVER_SATURATED until then.
+    uint word[4];
     bool open;
     uint evaluated;
 };
 
-void blend_sample(inout float light, inout uint key, vec2 deviation, float exponent, uint own) {
+void blend_sample(inout float light, inout uint word, vec2 deviation, float exponent, uint own) {
     float behind = light - light * opacity_at(deviation, exponent);
-    key = light >= SATURATION && behind < SATURATION ? own : key;
+    word = light >= SATURATION && behind < SATURATION ? own : word;
     light = behind;
 }
 
 void blend(inout Samples samples, uint k, vec2 first) {
     Seen seen = see(k, first);
-    uint own = batch_key[k];
     vec2 right = seen.deviation + seen.right;
-    blend_sample(samples.light[0], samples.key[0], seen.deviation, seen.exponent, own);
-    blend_sample(samples.light[1], samples.key[1], right, seen.exponent, own);
-    blend_sample(samples.light[2], samples.key[2], seen.deviation + seen.down, seen.exponent, own);
-    blend_sample(samples.light[3], samples.key[3], right + seen.down, seen.exponent, own);
+    blend_sample(samples.light[0], samples.word[0], seen.deviation, seen.exponent, seen.word);
+    blend_sample(samples.light[1], samples.word[1], right, seen.exponent, seen.word);
+    blend_sample(samples.light[2], samples.word[2], seen.deviation + seen.down, seen.exponent,
+                 seen.word);
+    blend_sample(samples.light[3], samples.word[3], right + seen.down, seen.exponent, seen.word);
     samples.open = max(max(samples.light[0], samples.light[1]),
                        max(samples.light[2], samples.light[3])) >= SATURATION;
     samples.evaluated += 4u;
@@ -41,14 +40,9 @@ void blend(inout Samples samples, uint k, vec2 first) {
 
 #include "raster/batches_main.glsl"
 
-// A step of the 16-bit depth test further than the key says, so that rounding culls nothing.
-float depth_of(uint key) {
-    return min(1.0 - float(key) / float(frame.key_max) + 1.0 / 65535.0, 1.0);
-}
-
-void store(uvec2 at, uint key) {
-    if (all(lessThan(at, imageSize(depths)))) {
-        imageStore(depths, ivec2(at), vec4(depth_of(key)));
+void store(uvec2 at, uint word) {
+    if (all(lessThan(at, imageSize(saturated)))) {
+        imageStore(saturated, ivec2(at), uvec4(word));
     }
 }
 
@@ -59,13 +53,14 @@ void main() {
     samples.open = true;
     samples.evaluated = 0u;
     samples.light = float[](1.0, 1.0, 1.0, 1.0);
-    samples.key = uint[](0u, 0u, 0u, 0u);
+    samples.word =
+        uint[](NEVER_SATURATED, NEVER_SATURATED, NEVER_SATURATED, NEVER_SATURATED);
     blend_bin(samples, region * REGION, float(STEP) * (vec2(first) + 0.5));
     first += region * (REGION / STEP);
-    store(first, samples.key[0]);
-    store(first + uvec2(1u, 0u), samples.key[1]);
-    store(first + uvec2(0u, 1u), samples.key[2]);
-    store(first + uvec2(1u, 1u), samples.key[3]);
+    store(first, samples.word[0]);
+    store(first + uvec2(1u, 0u), samples.word[1]);
+    store(first + uvec2(0u, 1u), samples.word[2]);
+    store(first + uvec2(1u, 1u), samples.word[3]);
     if (COUNTED && samples.evaluated > 0u) {
         atomicAdd(control.fragments, samples.evaluated);
     }

@@ -5,9 +5,11 @@
 pub const LOW_PASS: f64 = 0.3;
 /// Contributions below this opacity are skipped (docs/model.md, step 10).
 pub const ALPHA_MIN: f64 = 1.0 / 255.0;
-/// The saturation depth is where what lies behind shows by less than this many times the opacity
-/// cutoff (docs/experiments/038).
-pub const SATURATION_CUTOFFS: f64 = 2.0;
+/// The saturation depth is where what lies behind shows by less than this. Pixels are filled with
+/// the colour of what lies there, so that it may be well above the cutoff (docs/experiments/058).
+pub fn saturation_light(cutoff: f64) -> f64 {
+    (8.0 * ALPHA_MIN).max(2.0 * cutoff)
+}
 /// No single Gaussian covers more of a pixel than this (docs/model.md, step 10).
 pub const ALPHA_MAX: f64 = 0.99;
 /// Where the perspective's derivative is clamped: this fraction of the half field of view outside

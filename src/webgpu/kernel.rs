@@ -32,6 +32,8 @@ pub enum Bound<'a> {
     Read(Slice<'a>),
     Write(Slice<'a>),
     Texture(&'a wgpu::TextureView),
+    /// A texture of unsigned integers.
+    Words(&'a wgpu::TextureView),
     /// An image that is written, and its format.
     FrameImage(&'a wgpu::TextureView, TextureFormat),
 }
@@ -43,16 +45,18 @@ impl<'a> Bound<'a> {
             has_dynamic_offset: dynamic,
             min_binding_size: None,
         };
+        let texture = |sample_type| BindingType::Texture {
+            sample_type,
+            view_dimension: TextureViewDimension::D2,
+            multisampled: false,
+        };
         match self {
             Self::Block(..) => buffer(BufferBindingType::Uniform, true),
             Self::Uniform(_) => buffer(BufferBindingType::Uniform, false),
             Self::Read(_) => buffer(BufferBindingType::Storage { read_only: true }, false),
             Self::Write(_) => buffer(BufferBindingType::Storage { read_only: false }, false),
-            Self::Texture(_) => BindingType::Texture {
-                sample_type: TextureSampleType::Float { filterable: false },
-                view_dimension: TextureViewDimension::D2,
-                multisampled: false,
-            },
+            Self::Texture(_) => texture(TextureSampleType::Float { filterable: false }),
+            Self::Words(_) => texture(TextureSampleType::Uint),
             Self::FrameImage(_, format) => BindingType::StorageTexture {
                 access: StorageTextureAccess::WriteOnly,
                 format,
@@ -75,7 +79,9 @@ impl<'a> Bound<'a> {
             Self::Read(slice) | Self::Write(slice) => {
                 range(slice.buffer, slice.offset, slice.size.next_multiple_of(4))
             }
-            Self::Texture(view) | Self::FrameImage(view, _) => BindingResource::TextureView(view),
+            Self::Texture(view) | Self::Words(view) | Self::FrameImage(view, _) => {
+                BindingResource::TextureView(view)
+            }
         }
     }
 }

@@ -52,12 +52,13 @@ impl Renderer {
         download::read_image(&self.gpu, &self.raster)
     }
 
-    /// Waits, and copies the saturation depth of each sample of the last frame to the host, row by
-    /// row. None where quads are not tested against it.
+    /// Waits, and copies the saturation depth of each sample of the last frame and the colour there
+    /// to the host, row by row: words of `shaders/common/saturation.glsl`. None where quads are not
+    /// tested against it.
     ///
     /// # Errors
     /// When the device is lost or hangs.
-    pub fn saturation_depths(&mut self) -> Result<Option<Vec<f32>>> {
+    pub fn saturation_samples(&mut self) -> Result<Option<Vec<u32>>> {
         self.finish()?;
         let read = |samples| download::texels(&self.gpu, samples, 4);
         let bytes = self.raster.samples().map(read).transpose()?;

@@ -11,7 +11,7 @@ struct Seen {
     right: vec2<f32>,
     down: vec2<f32>,
     exponent: f32,
-    color: u32,
+    word: u32,
 }
 
 struct Samples {
@@ -157,7 +157,7 @@ var<uniform> frame: FrameBlock;
 var<storage> unnamed: Splats_1;
 @group(0) @binding(7) 
 var<uniform> settings: SettingsBlock;
-var<workgroup> batch_hits: array<atomic<u32>, 8>;
+var<workgroup> batch_hits: array<atomic<u32>, 128>;
 var<workgroup> batch_place: array<vec4<f32>, 64>;
 var<workgroup> batch_shape: array<vec4<f32>, 64>;
 var<private> gl_LocalInvocationIndex_1: u32;
@@ -287,7 +287,7 @@ fn see_u0028_u1_u003b_vf2_u003b(k: ptr<function, u32>, first_1: ptr<function, ve
     let _e48 = shape[2u];
     seen.exponent = _e48;
     let _e51 = shape[3u];
-    seen.color = bitcast<u32>(_e51);
+    seen.word = bitcast<u32>(_e51);
     let _e54 = seen;
     return _e54;
 }
@@ -321,9 +321,9 @@ fn blend_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u11_u
     param_21 = _e35;
     let _e36 = see_u0028_u1_u003b_vf2_u003b((&param_20), (&param_21));
     seen_1 = _e36;
-    let _e38 = seen_1.color;
-    let _e42 = seen_1.color;
-    let _e48 = seen_1.color;
+    let _e38 = seen_1.word;
+    let _e42 = seen_1.word;
+    let _e48 = seen_1.word;
     color_1 = vec3<f32>(f32((_e38 & 1023u)), f32(((_e42 >> bitcast<u32>(10u)) & 1023u)), f32((_e48 >> bitcast<u32>(20u))));
     let _e54 = seen_1.deviation;
     let _e56 = seen_1.right;
@@ -385,47 +385,37 @@ fn blend_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u11_u
     return;
 }
 
-fn nearest_u0028_f1_u003b_f1_u003b_f1_u003b_vf2_u003b_vf2_u003b(a: ptr<function, f32>, b: ptr<function, f32>, c: ptr<function, f32>, low: ptr<function, vec2<f32>>, high: ptr<function, vec2<f32>>) -> f32 {
-    var side: vec2<f32>;
-    var p: vec2<f32>;
-    var q: vec2<f32>;
+fn hits_of_u0028_vu2_u003b_u1_u003b(invocation: ptr<function, vec2<u32>>, word: ptr<function, u32>) -> u32 {
+    var hits: u32;
+    var k_2: u32;
+    var bits: u32;
 
-    let _e12 = (*low);
-    let _e13 = (*high);
-    side = clamp(vec2<f32>(0f, 0f), _e12, _e13);
-    let _e16 = side[0u];
-    let _e17 = (*b);
-    let _e20 = side[0u];
-    let _e22 = (*c);
-    let _e25 = (*low)[1u];
-    let _e27 = (*high)[1u];
-    p = vec2<f32>(_e16, clamp(((-(_e17) * _e20) / _e22), _e25, _e27));
-    let _e30 = (*b);
-    let _e33 = side[1u];
-    let _e35 = (*a);
-    let _e38 = (*low)[0u];
-    let _e40 = (*high)[0u];
-    let _e43 = side[1u];
-    q = vec2<f32>(clamp(((-(_e30) * _e33) / _e35), _e38, _e40), _e43);
-    let _e45 = (*a);
-    let _e47 = p[0u];
-    let _e50 = p[0u];
-    let _e52 = (*b);
-    let _e55 = p[0u];
-    let _e58 = p[1u];
-    let _e61 = (*c);
-    let _e63 = p[1u];
-    let _e66 = p[1u];
-    let _e69 = (*a);
-    let _e71 = q[0u];
-    let _e74 = q[0u];
-    let _e76 = (*b);
-    let _e79 = q[0u];
-    let _e82 = q[1u];
-    let _e85 = (*c);
-    let _e87 = q[1u];
-    let _e90 = q[1u];
-    return min(((((_e45 * _e47) * _e50) + (((2f * _e52) * _e55) * _e58)) + ((_e61 * _e63) * _e66)), ((((_e69 * _e71) * _e74) + (((2f * _e76) * _e79) * _e82)) + ((_e85 * _e87) * _e90)));
+    hits = 0u;
+    k_2 = 0u;
+    loop {
+        let _e12 = k_2;
+        if (_e12 < 8u) {
+            let _e15 = (*invocation)[1u];
+            let _e17 = (*word);
+            let _e20 = k_2;
+            let _e23 = atomicLoad((&batch_hits[(((_e15 * 16u) + (8u * _e17)) + _e20)]));
+            bits = _e23;
+            let _e24 = bits;
+            let _e26 = (*invocation)[0u];
+            let _e30 = k_2;
+            let _e33 = hits;
+            hits = (_e33 | (((_e24 >> bitcast<u32>(_e26)) & 16843009u) << bitcast<u32>(_e30)));
+            continue;
+        } else {
+            break;
+        }
+        continuing {
+            let _e35 = k_2;
+            k_2 = (_e35 + bitcast<u32>(1i));
+        }
+    }
+    let _e38 = hits;
+    return _e38;
 }
 
 fn fixed_center_u0028_vu4_u003b(words: ptr<function, vec4<u32>>) -> vec2<f32> {
@@ -475,91 +465,165 @@ fn load_u0028_u1_u003b_u1_u003b_vf2_u003b(thread: ptr<function, u32>, i: ptr<fun
     var across: vec2<f32>;
     var exponent_2: f32;
     var center: vec2<f32>;
-    var a_1: f32;
-    var b_1: f32;
-    var c_1: f32;
+    var a: f32;
+    var b: f32;
+    var c: f32;
+    var determinant_: f32;
+    var most: f32;
+    var turn: f32;
+    var place_1: u32;
     var meets: bool;
-    var quarter: u32;
-    var low_1: vec2<f32>;
-    var high_1: vec2<f32>;
-    var param_40: f32;
-    var param_41: f32;
-    var param_42: f32;
-    var param_43: vec2<f32>;
-    var param_44: vec2<f32>;
+    var row: u32;
+    var top: f32;
+    var bottom: f32;
+    var at_1: vec2<f32>;
+    var squared: vec2<f32>;
+    var reach: vec2<f32>;
+    var ends: vec2<f32>;
+    var low: f32;
+    var high: f32;
+    var from_1: u32;
+    var local_2: u32;
+    var end: u32;
+    var local_3: u32;
+    var bits_1: u32;
     var color_2: vec3<u32>;
+    var word_1: u32;
+    var phi_481_: bool;
 
-    let _e46 = (*i);
-    let _e49 = unnamed.splats[_e46];
-    param_39 = _e49;
-    let _e50 = unpack_splat_u0028_vu4_u003b((&param_39));
-    splat_1 = _e50;
-    let _e52 = splat_1.axis;
-    let _e54 = splat_1.axis;
-    inverse = (1f / dot(_e52, _e54));
-    let _e57 = inverse;
-    let _e60 = splat_1.axis;
-    along = (_e60 * (0.8493218f * _e57));
-    let _e62 = inverse;
-    let _e66 = splat_1.shorter;
-    let _e70 = splat_1.axis[1u];
-    let _e74 = splat_1.axis[0u];
-    across = (vec2<f32>(-(_e70), _e74) * ((0.8493218f * sqrt(_e62)) / _e66));
-    let _e78 = splat_1.opacity;
-    exponent_2 = log2((f32(_e78) / 255f));
-    let _e83 = splat_1.center;
-    let _e84 = (*corner_1);
-    center = (_e83 - _e84);
-    let _e87 = along[0u];
-    let _e89 = along[0u];
-    let _e92 = across[0u];
-    let _e94 = across[0u];
-    a_1 = ((_e87 * _e89) + (_e92 * _e94));
-    let _e98 = along[0u];
-    let _e100 = along[1u];
-    let _e103 = across[0u];
-    let _e105 = across[1u];
-    b_1 = ((_e98 * _e100) + (_e103 * _e105));
-    let _e109 = along[1u];
-    let _e111 = along[1u];
-    let _e114 = across[1u];
-    let _e116 = across[1u];
-    c_1 = ((_e109 * _e111) + (_e114 * _e116));
+    let _e62 = (*i);
+    let _e65 = unnamed.splats[_e62];
+    param_39 = _e65;
+    let _e66 = unpack_splat_u0028_vu4_u003b((&param_39));
+    splat_1 = _e66;
+    let _e68 = splat_1.axis;
+    let _e70 = splat_1.axis;
+    inverse = (1f / dot(_e68, _e70));
+    let _e73 = inverse;
+    let _e76 = splat_1.axis;
+    along = (_e76 * (0.8493218f * _e73));
+    let _e78 = inverse;
+    let _e82 = splat_1.shorter;
+    let _e86 = splat_1.axis[1u];
+    let _e90 = splat_1.axis[0u];
+    across = (vec2<f32>(-(_e86), _e90) * ((0.8493218f * sqrt(_e78)) / _e82));
+    let _e94 = splat_1.opacity;
+    exponent_2 = log2((f32(_e94) / 255f));
+    let _e99 = splat_1.center;
+    let _e100 = (*corner_1);
+    center = (_e99 - _e100);
+    let _e103 = along[0u];
+    let _e105 = along[0u];
+    let _e108 = across[0u];
+    let _e110 = across[0u];
+    a = ((_e103 * _e105) + (_e108 * _e110));
+    let _e114 = along[0u];
+    let _e116 = along[1u];
+    let _e119 = across[0u];
+    let _e121 = across[1u];
+    b = ((_e114 * _e116) + (_e119 * _e121));
+    let _e125 = along[1u];
+    let _e127 = along[1u];
+    let _e130 = across[1u];
+    let _e132 = across[1u];
+    c = ((_e125 * _e127) + (_e130 * _e132));
+    let _e135 = along;
+    let _e136 = along;
+    let _e138 = across;
+    let _e139 = across;
+    determinant_ = (dot(_e135, _e136) * dot(_e138, _e139));
+    let _e142 = exponent_2;
+    let _e144 = settings.cutoff_exponent;
+    most = ((_e142 - _e144) + 0.00390625f);
+    let _e147 = most;
+    if (_e147 < 0f) {
+        return;
+    }
+    let _e149 = b;
+    let _e151 = most;
+    let _e152 = c;
+    let _e153 = determinant_;
+    turn = (-(_e149) * sqrt((_e151 / (_e152 * _e153))));
+    let _e158 = (*thread);
+    let _e162 = (*thread);
+    place_1 = (((_e158 >> bitcast<u32>(5u)) * 8u) + (_e162 & 7u));
     meets = false;
-    quarter = 0u;
+    row = 0u;
     loop {
-        let _e119 = quarter;
-        if (_e119 < 4u) {
-            let _e121 = quarter;
-            let _e124 = quarter;
-            let _e130 = center;
-            low_1 = ((vec2<f32>(f32((_e121 & 1u)), f32((_e124 >> bitcast<u32>(1u)))) * 8f) - _e130);
-            let _e132 = low_1;
-            high_1 = (_e132 + vec2(8f));
-            let _e136 = settings.bin_margin;
-            let _e138 = low_1;
-            low_1 = (_e138 + vec2((0.5f - _e136)));
-            let _e142 = settings.bin_margin;
-            let _e144 = high_1;
-            high_1 = (_e144 - vec2((0.5f - _e142)));
-            let _e147 = a_1;
-            param_40 = _e147;
-            let _e148 = b_1;
-            param_41 = _e148;
-            let _e149 = c_1;
-            param_42 = _e149;
-            let _e150 = low_1;
-            param_43 = _e150;
-            let _e151 = high_1;
-            param_44 = _e151;
-            let _e152 = nearest_u0028_f1_u003b_f1_u003b_f1_u003b_vf2_u003b_vf2_u003b((&param_40), (&param_41), (&param_42), (&param_43), (&param_44));
-            let _e153 = exponent_2;
-            let _e155 = settings.cutoff_exponent;
-            if !((_e152 > ((_e153 - _e155) + 0.00390625f))) {
-                let _e160 = quarter;
-                let _e162 = (*thread);
-                let _e167 = (*thread);
-                let _e171 = atomicOr((&batch_hits[((_e160 * 2u) + (_e162 >> bitcast<u32>(5u)))]), (1u << bitcast<u32>((_e167 & 31u))));
+        let _e165 = row;
+        if (_e165 < 8u) {
+            let _e167 = row;
+            let _e172 = settings.bin_margin;
+            let _e175 = center[1u];
+            top = ((((2f * f32(_e167)) + 0.5f) - _e172) - _e175);
+            let _e177 = top;
+            let _e181 = settings.bin_margin;
+            bottom = (((_e177 + 2f) - 1f) + (2f * _e181));
+            let _e184 = turn;
+            let _e186 = top;
+            let _e187 = bottom;
+            let _e189 = turn;
+            let _e190 = top;
+            let _e191 = bottom;
+            at_1 = vec2<f32>(clamp(-(_e184), _e186, _e187), clamp(_e189, _e190, _e191));
+            let _e194 = a;
+            let _e195 = most;
+            let _e197 = determinant_;
+            let _e198 = at_1;
+            let _e200 = at_1;
+            squared = (vec2((_e194 * _e195)) - ((_e198 * _e197) * _e200));
+            let _e204 = squared;
+            reach = sqrt(max(_e204, vec2(0f)));
+            let _e208 = b;
+            let _e210 = at_1;
+            let _e213 = reach[0u];
+            let _e216 = reach[1u];
+            let _e219 = a;
+            let _e223 = center[0u];
+            ends = ((((_e210 * -(_e208)) + vec2<f32>(-(_e213), _e216)) / vec2(_e219)) + vec2(_e223));
+            let _e227 = ends[0u];
+            let _e230 = settings.bin_margin;
+            low = ((((_e227 + 0.5f) - _e230) / 2f) - 1f);
+            let _e235 = ends[1u];
+            let _e238 = settings.bin_margin;
+            high = (((_e235 - 0.5f) + _e238) / 2f);
+            let _e241 = low;
+            if (_e241 > 0f) {
+                let _e243 = low;
+                local_2 = u32(ceil(min(_e243, 8f)));
+            } else {
+                local_2 = 0u;
+            }
+            let _e247 = local_2;
+            from_1 = _e247;
+            let _e248 = high;
+            if (_e248 < 8f) {
+                let _e250 = high;
+                local_3 = u32((floor(max(_e250, -1f)) + 1f));
+            } else {
+                local_3 = 8u;
+            }
+            let _e255 = local_3;
+            end = _e255;
+            let _e256 = from_1;
+            let _e257 = end;
+            let _e258 = (_e256 < _e257);
+            phi_481_ = _e258;
+            if _e258 {
+                let _e260 = squared[0u];
+                let _e262 = squared[1u];
+                phi_481_ = !((max(_e260, _e262) < 0f));
+            }
+            let _e267 = phi_481_;
+            if _e267 {
+                let _e268 = end;
+                let _e271 = from_1;
+                bits_1 = ((1u << bitcast<u32>(_e268)) - (1u << bitcast<u32>(_e271)));
+                let _e275 = row;
+                let _e277 = place_1;
+                let _e280 = bits_1;
+                let _e281 = (*thread);
+                let _e285 = atomicOr((&batch_hits[((_e275 * 16u) + _e277)]), (_e280 << bitcast<u32>((_e281 & 24u))));
                 meets = true;
             }
             continue;
@@ -567,189 +631,42 @@ fn load_u0028_u1_u003b_u1_u003b_vf2_u003b(thread: ptr<function, u32>, i: ptr<fun
             break;
         }
         continuing {
-            let _e172 = quarter;
-            quarter = (_e172 + bitcast<u32>(1i));
+            let _e286 = row;
+            row = (_e286 + bitcast<u32>(1i));
         }
     }
-    let _e175 = meets;
-    if !(_e175) {
+    let _e289 = meets;
+    if !(_e289) {
         return;
     }
-    let _e178 = splat_1.color;
-    color_2 = vec3<u32>(round((_e178 * 1023f)));
-    let _e182 = (*thread);
-    let _e183 = center;
-    let _e184 = along;
-    batch_place[_e182] = vec4<f32>(_e183.x, _e183.y, _e184.x, _e184.y);
-    let _e191 = (*thread);
-    let _e192 = across;
-    let _e193 = exponent_2;
-    let _e195 = color_2[0u];
-    let _e197 = color_2[1u];
-    let _e202 = color_2[2u];
-    batch_shape[_e191] = vec4<f32>(_e192.x, _e192.y, _e193, bitcast<f32>(((_e195 | (_e197 << bitcast<u32>(10u))) | (_e202 << bitcast<u32>(20u)))));
+    let _e292 = splat_1.color;
+    color_2 = vec3<u32>(round((_e292 * 1023f)));
+    let _e297 = color_2[0u];
+    let _e299 = color_2[1u];
+    let _e304 = color_2[2u];
+    word_1 = ((_e297 | (_e299 << bitcast<u32>(10u))) | (_e304 << bitcast<u32>(20u)));
+    let _e308 = (*thread);
+    let _e309 = center;
+    let _e310 = along;
+    batch_place[_e308] = vec4<f32>(_e309.x, _e309.y, _e310.x, _e310.y);
+    let _e317 = (*thread);
+    let _e318 = across;
+    let _e319 = exponent_2;
+    let _e320 = word_1;
+    batch_shape[_e317] = vec4<f32>(_e318.x, _e318.y, _e319, bitcast<f32>(_e320));
     return;
 }
 
 fn bins_of_u0028_u1_u003b(shift: ptr<function, u32>) -> vec2<u32> {
-    var side_1: u32;
+    var side: u32;
 
     let _e5 = frame.bin_side;
     let _e6 = (*shift);
-    side_1 = (_e5 << bitcast<u32>(_e6));
+    side = (_e5 << bitcast<u32>(_e6));
     let _e10 = frame.size;
-    let _e12 = side_1;
-    let _e17 = side_1;
+    let _e12 = side;
+    let _e17 = side;
     return (((vec2<u32>(_e10) + vec2(_e12)) - vec2(1u)) / vec2(_e17));
-}
-
-fn blend_bin_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u11_u003b_vu2_u003b_vf2_u003b(samples_2: ptr<function, Samples>, corner_2: ptr<function, vec2<u32>>, first_3: ptr<function, vec2<f32>>) {
-    var thread_1: u32;
-    var quarter_1: u32;
-    var shift_1: u32;
-    var at_1: vec2<u32>;
-    var bin: u32;
-    var param_45: u32;
-    var end: u32;
-    var from_1: u32;
-    var i_1: u32;
-    var local_2: u32;
-    var param_46: u32;
-    var param_47: u32;
-    var param_48: vec2<f32>;
-    var word: u32;
-    var hits: u32;
-    var k_2: u32;
-    var param_49: Samples;
-    var param_50: u32;
-    var param_51: vec2<f32>;
-
-    let _e38 = gl_LocalInvocationIndex_1;
-    thread_1 = _e38;
-    let _e39 = thread_1;
-    quarter_1 = (_e39 / 16u);
-    let _e43 = unnamed_1.bins[8i];
-    shift_1 = _e43;
-    let _e44 = (*corner_2);
-    let _e46 = frame.bin_side;
-    let _e47 = shift_1;
-    at_1 = (_e44 / vec2((_e46 << bitcast<u32>(_e47))));
-    let _e53 = at_1[1u];
-    let _e54 = shift_1;
-    param_45 = _e54;
-    let _e55 = bins_of_u0028_u1_u003b((&param_45));
-    let _e59 = at_1[0u];
-    bin = ((_e53 * _e55.x) + _e59);
-    let _e62 = settings.starts_start;
-    let _e63 = bin;
-    let _e68 = unnamed_1.bins[((_e62 + _e63) + 1u)];
-    end = _e68;
-    let _e70 = settings.starts_start;
-    let _e71 = bin;
-    let _e75 = unnamed_1.bins[(_e70 + _e71)];
-    from_1 = _e75;
-    loop {
-        let _e76 = from_1;
-        let _e77 = end;
-        if (_e76 < _e77) {
-            let _e79 = thread_1;
-            if (_e79 < 8u) {
-                let _e81 = thread_1;
-                atomicStore((&batch_hits[_e81]), 0u);
-            }
-            let _e83 = thread_1;
-            if (_e83 == 0u) {
-                batch_open = 0u;
-            }
-            workgroupBarrier();
-            let _e86 = (*samples_2).open;
-            if _e86 {
-                batch_open = 1u;
-            }
-            let _e87 = from_1;
-            let _e88 = thread_1;
-            let _e90 = end;
-            if ((_e87 + _e88) < _e90) {
-                let _e93 = settings.pairs_start;
-                let _e94 = from_1;
-                let _e95 = thread_1;
-                let _e99 = unnamed_2.sorted[(_e94 + _e95)];
-                let _e103 = unnamed_1.bins[(_e93 + _e99)];
-                local_2 = _e103;
-            } else {
-                local_2 = 0u;
-            }
-            let _e104 = local_2;
-            i_1 = _e104;
-            let _e105 = from_1;
-            let _e106 = thread_1;
-            let _e108 = end;
-            if ((_e105 + _e106) < _e108) {
-                let _e110 = (*corner_2);
-                let _e112 = thread_1;
-                param_46 = _e112;
-                let _e113 = i_1;
-                param_47 = _e113;
-                param_48 = vec2<f32>(_e110);
-                load_u0028_u1_u003b_u1_u003b_vf2_u003b((&param_46), (&param_47), (&param_48));
-            }
-            workgroupBarrier();
-            let _e114 = workgroupUniformLoad((&batch_open));
-            if (_e114 == 0u) {
-                break;
-            }
-            word = 0u;
-            loop {
-                let _e116 = word;
-                if (_e116 < 2u) {
-                    let _e118 = quarter_1;
-                    let _e120 = word;
-                    let _e123 = atomicLoad((&batch_hits[((_e118 * 2u) + _e120)]));
-                    hits = _e123;
-                    loop {
-                        let _e124 = hits;
-                        let _e127 = (*samples_2).open;
-                        if ((_e124 != 0u) && _e127) {
-                            let _e129 = hits;
-                            k_2 = bitcast<u32>(firstTrailingBit(_e129));
-                            let _e132 = hits;
-                            let _e134 = hits;
-                            hits = (_e134 & (_e132 - 1u));
-                            let _e136 = word;
-                            let _e138 = k_2;
-                            let _e140 = (*samples_2);
-                            param_49 = _e140;
-                            param_50 = ((32u * _e136) + _e138);
-                            let _e141 = (*first_3);
-                            param_51 = _e141;
-                            blend_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u11_u003b_u1_u003b_vf2_u003b((&param_49), (&param_50), (&param_51));
-                            let _e142 = param_49;
-                            (*samples_2) = _e142;
-                            continue;
-                        } else {
-                            break;
-                        }
-                    }
-                    continue;
-                } else {
-                    break;
-                }
-                continuing {
-                    let _e143 = word;
-                    word = (_e143 + bitcast<u32>(1i));
-                }
-            }
-            workgroupBarrier();
-            continue;
-        } else {
-            break;
-        }
-        continuing {
-            let _e146 = from_1;
-            from_1 = (_e146 + 64u);
-        }
-    }
-    return;
 }
 
 fn place_of_u0028_u1_u003b(index: ptr<function, u32>) -> vec2<u32> {
@@ -760,6 +677,175 @@ fn place_of_u0028_u1_u003b(index: ptr<function, u32>) -> vec2<u32> {
     let _e21 = (*index);
     let _e26 = (*index);
     return vec2<u32>((((_e5 & 1u) | ((_e7 >> bitcast<u32>(1u)) & 2u)) | ((_e12 >> bitcast<u32>(2u)) & 4u)), ((((_e17 >> bitcast<u32>(1u)) & 1u) | ((_e21 >> bitcast<u32>(2u)) & 2u)) | ((_e26 >> bitcast<u32>(3u)) & 4u)));
+}
+
+fn blend_bin_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u11_u003b_vu2_u003b_vf2_u003b(samples_2: ptr<function, Samples>, corner_2: ptr<function, vec2<u32>>, first_3: ptr<function, vec2<f32>>) {
+    var thread_1: u32;
+    var place_2: vec2<u32>;
+    var param_40: u32;
+    var shift_1: u32;
+    var at_2: vec2<u32>;
+    var bin: u32;
+    var param_41: u32;
+    var end_1: u32;
+    var from_2: u32;
+    var k_3: u32;
+    var i_1: u32;
+    var local_4: u32;
+    var param_42: u32;
+    var param_43: u32;
+    var param_44: vec2<f32>;
+    var word_2: u32;
+    var hits_1: u32;
+    var param_45: vec2<u32>;
+    var param_46: u32;
+    var k_4: u32;
+    var param_47: Samples;
+    var param_48: u32;
+    var param_49: vec2<f32>;
+
+    let _e41 = gl_LocalInvocationIndex_1;
+    thread_1 = _e41;
+    let _e42 = thread_1;
+    param_40 = _e42;
+    let _e43 = place_of_u0028_u1_u003b((&param_40));
+    place_2 = _e43;
+    let _e46 = unnamed_1.bins[8i];
+    shift_1 = _e46;
+    let _e47 = (*corner_2);
+    let _e49 = frame.bin_side;
+    let _e50 = shift_1;
+    at_2 = (_e47 / vec2((_e49 << bitcast<u32>(_e50))));
+    let _e56 = at_2[1u];
+    let _e57 = shift_1;
+    param_41 = _e57;
+    let _e58 = bins_of_u0028_u1_u003b((&param_41));
+    let _e62 = at_2[0u];
+    bin = ((_e56 * _e58.x) + _e62);
+    let _e65 = settings.starts_start;
+    let _e66 = bin;
+    let _e71 = unnamed_1.bins[((_e65 + _e66) + 1u)];
+    end_1 = _e71;
+    let _e73 = settings.starts_start;
+    let _e74 = bin;
+    let _e78 = unnamed_1.bins[(_e73 + _e74)];
+    from_2 = _e78;
+    loop {
+        let _e79 = from_2;
+        let _e80 = end_1;
+        if (_e79 < _e80) {
+            let _e82 = thread_1;
+            k_3 = _e82;
+            loop {
+                let _e83 = k_3;
+                if (_e83 < 128u) {
+                    let _e85 = k_3;
+                    atomicStore((&batch_hits[_e85]), 0u);
+                    continue;
+                } else {
+                    break;
+                }
+                continuing {
+                    let _e87 = k_3;
+                    k_3 = (_e87 + 64u);
+                }
+            }
+            let _e89 = thread_1;
+            if (_e89 == 0u) {
+                batch_open = 0u;
+            }
+            workgroupBarrier();
+            let _e92 = (*samples_2).open;
+            if _e92 {
+                batch_open = 1u;
+            }
+            let _e93 = from_2;
+            let _e94 = thread_1;
+            let _e96 = end_1;
+            if ((_e93 + _e94) < _e96) {
+                let _e99 = settings.pairs_start;
+                let _e100 = from_2;
+                let _e101 = thread_1;
+                let _e105 = unnamed_2.sorted[(_e100 + _e101)];
+                let _e109 = unnamed_1.bins[(_e99 + _e105)];
+                local_4 = _e109;
+            } else {
+                local_4 = 0u;
+            }
+            let _e110 = local_4;
+            i_1 = _e110;
+            let _e111 = from_2;
+            let _e112 = thread_1;
+            let _e114 = end_1;
+            if ((_e111 + _e112) < _e114) {
+                let _e116 = (*corner_2);
+                let _e118 = thread_1;
+                param_42 = _e118;
+                let _e119 = i_1;
+                param_43 = _e119;
+                param_44 = vec2<f32>(_e116);
+                load_u0028_u1_u003b_u1_u003b_vf2_u003b((&param_42), (&param_43), (&param_44));
+            }
+            workgroupBarrier();
+            let _e120 = workgroupUniformLoad((&batch_open));
+            if (_e120 == 0u) {
+                break;
+            }
+            word_2 = 0u;
+            loop {
+                let _e122 = word_2;
+                let _e125 = (*samples_2).open;
+                if ((_e122 < 2u) && _e125) {
+                    let _e127 = place_2;
+                    param_45 = _e127;
+                    let _e128 = word_2;
+                    param_46 = _e128;
+                    let _e129 = hits_of_u0028_vu2_u003b_u1_u003b((&param_45), (&param_46));
+                    hits_1 = _e129;
+                    loop {
+                        let _e130 = hits_1;
+                        let _e133 = (*samples_2).open;
+                        if ((_e130 != 0u) && _e133) {
+                            let _e135 = hits_1;
+                            k_4 = bitcast<u32>(firstTrailingBit(_e135));
+                            let _e138 = hits_1;
+                            let _e140 = hits_1;
+                            hits_1 = (_e140 & (_e138 - 1u));
+                            let _e142 = word_2;
+                            let _e144 = k_4;
+                            let _e146 = (*samples_2);
+                            param_47 = _e146;
+                            param_48 = ((32u * _e142) + _e144);
+                            let _e147 = (*first_3);
+                            param_49 = _e147;
+                            blend_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u11_u003b_u1_u003b_vf2_u003b((&param_47), (&param_48), (&param_49));
+                            let _e148 = param_47;
+                            (*samples_2) = _e148;
+                            continue;
+                        } else {
+                            break;
+                        }
+                    }
+                    continue;
+                } else {
+                    break;
+                }
+                continuing {
+                    let _e149 = word_2;
+                    word_2 = (_e149 + bitcast<u32>(1i));
+                }
+            }
+            workgroupBarrier();
+            continue;
+        } else {
+            break;
+        }
+        continuing {
+            let _e152 = from_2;
+            from_2 = (_e152 + 64u);
+        }
+    }
+    return;
 }
 
 @compute @workgroup_size(64, 1, 1) 
@@ -783,7 +869,7 @@ fn main(@builtin(local_invocation_index) gl_LocalInvocationIndex: u32, @builtin(
     var param_13: vec2<u32>;
     var param_14: vec4<f32>;
     var param_15: bool;
-    var phi_1068_: bool;
+    var phi_1142_: bool;
 
     gl_LocalInvocationIndex_1 = gl_LocalInvocationIndex;
     gl_WorkGroupID_1 = gl_WorkGroupID;
@@ -837,12 +923,12 @@ fn main(@builtin(local_invocation_index) gl_LocalInvocationIndex: u32, @builtin(
     store_u0028_vu2_u003b_vf4_u003b_b1_u003b((&param_13), (&param_14), (&param_15));
     let _e88 = settings.counted;
     let _e89 = (_e88 != 0u);
-    phi_1068_ = _e89;
+    phi_1142_ = _e89;
     if _e89 {
         let _e91 = samples.evaluated;
-        phi_1068_ = (_e91 > 0u);
+        phi_1142_ = (_e91 > 0u);
     }
-    let _e94 = phi_1068_;
+    let _e94 = phi_1142_;
     if _e94 {
         let _e98 = samples.evaluated;
         let _e99 = atomicAdd((&unnamed_3.control.fragments), _e98);

@@ -1,6 +1,7 @@
 //! The `saturation` stage, which the quads' depth test needs: order, splats and bins go in, an
-//! image of depths comes out, a sample for every second pixel in x and y. Behind a sample's depth
-//! nothing shows. [`SaturationDepth`] writes it to the depth attachment of the quads.
+//! image of depths and colours comes out, a sample for every second pixel in x and y. Behind a
+//! sample's depth hardly anything shows. [`SaturationDepth`] writes it to the depth attachment of
+//! the quads, and the colour to the image under them.
 
 use super::{
     bins::Bins,
@@ -22,13 +23,11 @@ use crate::vulkan::{
     },
 };
 use ash::vk;
-use effigy_core::{
-    constants::SATURATION_CUTOFFS, frame::RendererOptions, layout::SATURATION_REGION,
-};
+use effigy_core::{constants::saturation_light, frame::RendererOptions, layout::SATURATION_REGION};
 use std::sync::Arc;
 
 /// Every device can write and sample it.
-const FORMAT: vk::Format = vk::Format::R32_SFLOAT;
+const FORMAT: vk::Format = vk::Format::R32_UINT;
 
 /// How far outside a region a pixel may lie of which one of the four nearest samples is the
 /// region's, px.
@@ -156,14 +155,15 @@ impl Saturation {
             .dispatch_within(commands, draw.frame, first, end);
     }
 
-    /// The samples of the last frame, row by row, read back for tests.
-    pub fn download(&self) -> Result<Vec<f32>> {
+    /// The samples of the last frame as words of `common/saturation.glsl`, row by row, read back for
+    /// tests.
+    pub fn download(&self) -> Result<Vec<u32>> {
         let layout = vk::ImageLayout::GENERAL;
         let bytes = image_bytes(&self.gpu, &self.image, layout, self.image.size(), 4)?;
         Ok(bytemuck::pod_collect_to_vec(&bytes))
     }
 
-    /// Writes the depths to the depth attachment.
+    /// Writes the depths to the depth attachment, and the colours to the image.
     ///
     /// # Safety
     /// The commands must be inside the render pass, with viewport and scissor set, and after
@@ -188,18 +188,16 @@ const LAUNCH: Launch = Launch {
     packed_words: false,
 };
 
-/// Specialization constants of the kernel. A pixel takes the furthest of four samples, so what it
-/// leaves out shows by less than the threshold of a sample, which may be twice the cutoff: counted
-/// in f64, 55.7 dB on the 200K body and 0.03 at most (docs/experiments/038).
+/// Specialization constants of the kernel.
 fn constants(options: &RendererOptions) -> [u32; 3] {
     [
         (options.cutoff.log2() as f32).to_bits(),
-        ((SATURATION_CUTOFFS * options.cutoff) as f32).to_bits(),
+        (saturation_light(options.cutoff) as f32).to_bits(),
         options.count.into(),
     ]
 }
 
-/// A triangle over the whole image that writes the samples as depth.
+/// A triangle over the whole image that writes the samples as depth, and colours.
 struct SaturationDepth {
     bindings: Bindings,
     pipeline: Pipeline,
@@ -218,13 +216,7 @@ impl SaturationDepth {
         let info = vk::SamplerCreateInfo::default()
             .address_mode_u(edge)
             .address_mode_v(edge);
-        // The colour attachment stays as it is.
-        let keep = vk::PipelineColorBlendAttachmentState::default()
-            .blend_enable(true)
-            .src_color_blend_factor(vk::BlendFactor::ZERO)
-            .dst_color_blend_factor(vk::BlendFactor::ONE)
-            .src_alpha_blend_factor(vk::BlendFactor::ZERO)
-            .dst_alpha_blend_factor(vk::BlendFactor::ONE);
+        let replace = vk::PipelineColorBlendAttachmentState::default();
         let drawing = Drawing {
             name: "saturation depth",
             vertex: &shaders::PRESENT_VERTEX,
@@ -232,7 +224,7 @@ impl SaturationDepth {
             constants: &[],
             layout: bindings.layout(),
             render_pass: render_pass.raw(),
-            blend: Some(keep),
+            blend: Some(replace),
             depth: Depth::Write,
             cull: vk::CullModeFlags::NONE,
         };

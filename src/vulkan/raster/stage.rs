@@ -222,9 +222,9 @@ impl Raster {
             .transpose()
     }
 
-    /// The saturation depth of each sample of the last frame, row by row, read back for tests. None
-    /// without the stage.
-    pub fn saturation_depths(&self) -> Result<Option<Vec<f32>>> {
+    /// The saturation depth of each sample of the last frame and the colour there, row by row, read
+    /// back for tests: words of `shaders/common/saturation.glsl`. None without the stage.
+    pub fn saturation_samples(&self) -> Result<Option<Vec<u32>>> {
         match &self.method {
             Method::Quads(quads) => quads.saturation().map(Saturation::download).transpose(),
             Method::Tiles(_) => Ok(None),

@@ -122,6 +122,12 @@ impl Quads {
             timestamp_writes: in_flight.draw_writes(writes),
             ..Default::default()
         });
+        let [width, height] = frame.draw.size;
+        pass.set_viewport(0.0, 0.0, width as f32, height as f32, 0.0, 1.0);
+        // The samples outside are another frame's.
+        let area = frame.draw.damage.rect();
+        let sides = area.max - area.min;
+        pass.set_scissor_rect(area.min.x, area.min.y, sides.x, sides.y);
         let quads = match tested {
             Some(tested) => {
                 tested.0.draw(&mut pass);
@@ -129,9 +135,6 @@ impl Quads {
             }
             None => &self.all,
         };
-        let [width, height] = frame.draw.size;
-        pass.set_viewport(0.0, 0.0, width as f32, height as f32, 0.0, 1.0);
-        pass.set_scissor_rect(0, 0, width, height);
         pass.set_pipeline(&quads.pipeline);
         quads.bindings.bind_draw(&mut pass, frame.draw.block);
         pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint16);

@@ -1,6 +1,7 @@
 //! The `saturation` stage, which the quads' depth test needs: splats and bins go in, an image of
-//! depths comes out, a sample for every second pixel in x and y. Behind a sample's depth nothing
-//! shows. A triangle over the whole image writes it to the depth image of the quads.
+//! depths and colours comes out, a sample for every second pixel in x and y. Behind a sample's
+//! depth hardly anything shows. A triangle over the whole image writes it to the depth image of the
+//! quads, and the colour to the image under them.
 
 use super::{
     super::{
@@ -15,14 +16,14 @@ use super::{
 };
 use crate::wgsl;
 use effigy_core::{
-    constants::SATURATION_CUTOFFS,
+    constants::saturation_light,
     frame::RendererOptions,
     layout::{SATURATION_REGION, SettingsBlock},
 };
 use wgpu::{ShaderStages, TextureFormat, TextureUsages, TextureView};
 
 /// Every device can write and read it.
-const FORMAT: TextureFormat = TextureFormat::R32Float;
+const FORMAT: TextureFormat = TextureFormat::R32Uint;
 
 /// How far outside a region a pixel may lie of which one of the four nearest samples is the
 /// region's, px.
@@ -68,11 +69,10 @@ impl Saturation {
             bound: &bound,
             vertex: &wgsl::PRESENT_VERTEX,
             fragment: &wgsl::SATURATION_DEPTH,
-            // The image stays as it is.
             target: wgpu::ColorTargetState {
                 format,
                 blend: None,
-                write_mask: wgpu::ColorWrites::empty(),
+                write_mask: wgpu::ColorWrites::ALL,
             },
             depth: Some(depth_test(true)),
         };
@@ -85,11 +85,9 @@ impl Saturation {
         })
     }
 
-    /// Writes what its shaders read to the settings block. A pixel takes the furthest of four
-    /// samples, so what it leaves out shows by less than the threshold of a sample, which may be
-    /// twice the cutoff (docs/experiments/038).
+    /// Writes what its shaders read to the settings block.
     pub fn fill(settings: &mut SettingsBlock, options: &RendererOptions, capacity: u32) {
-        settings.saturation = (SATURATION_CUTOFFS * options.cutoff) as f32;
+        settings.saturation = saturation_light(options.cutoff) as f32;
         Bins::fill(settings, capacity, MARGIN);
     }
 
@@ -125,7 +123,8 @@ impl Saturation {
         self.kernel.dispatch(pass, draw.block, groups);
     }
 
-    /// Writes the depths to [`Self::depth`], which the pass must have cleared to the furthest.
+    /// Writes the depths to [`Self::depth`], which the pass must have cleared to the furthest, and
+    /// the colours to the image.
     pub fn draw(&self, pass: &mut wgpu::RenderPass) {
         pass.set_pipeline(&self.pipeline);
         self.triangle.bind_draw(pass, 0);
@@ -170,5 +169,5 @@ fn kernel_bindings<'a>(
 }
 
 fn triangle_bindings(images: &Images) -> [(u32, Bound<'_>); 1] {
-    [(1, Bound::Texture(&images.sampled))]
+    [(1, Bound::Words(&images.sampled))]
 }

@@ -8,7 +8,7 @@ use effigy::vulkan::{
 };
 use effigy_core::{
     avatar::{Avatar, motion::Player},
-    constants::ALPHA_MIN,
+    constants::{ALPHA_MIN, saturation_light},
     frame::Skip,
     reference::{ReferenceFrame, saturation},
     scene::{AvatarBounds, Camera, Posed},
@@ -19,8 +19,8 @@ pub struct Sampled<'a> {
     pub avatar: &'a Avatar,
     pub posed: &'a Posed,
     pub camera: Camera,
-    /// The depth of each sample, row by row.
-    pub found: Vec<f32>,
+    /// The word of each sample, row by row.
+    pub found: Vec<u32>,
     /// What the depths come from: the key of each splat, of so many bits, and the drawing order.
     pub keys: &'a [u32],
     pub key_bits: KeyBits,
@@ -34,12 +34,13 @@ impl Sampled<'_> {
     pub fn check(self) {
         let reference = ReferenceFrame::new(self.avatar, self.posed, &self.camera);
         let depth = |splat: Option<u32>| {
-            splat.map_or(1.0, |splat| {
+            splat.map_or(65535.0, |splat| {
                 let key = f64::from(self.keys[splat as usize]);
-                (1.0 - key / f64::from(self.key_bits.largest()) + 1.0 / 65535.0).min(1.0)
+                let depth = 1.0 - key / f64::from(self.key_bits.largest());
+                ((65535.0 * depth).round() + 1.0).min(65535.0)
             })
         };
-        let threshold = 2.0 * ALPHA_MIN;
+        let threshold = saturation_light(ALPHA_MIN);
         let [nearest, furthest] = [1.1, 1.0 / 1.1].map(|factor| {
             let threshold = factor * threshold;
             saturation::saturating(&reference.splats, self.order, &self.camera, threshold)
@@ -49,10 +50,11 @@ impl Sampled<'_> {
         let mut wrong = Vec::new();
         for (at, &found) in self.found.iter().enumerate() {
             let [low, high] = [nearest[at], furthest[at]].map(depth);
-            if !(low - 1e-6..=high + 1e-6).contains(&f64::from(found)) {
+            // Of halves either may be rounded up.
+            if !(low - 1.0..=high + 1.0).contains(&f64::from(found >> 16)) {
                 wrong.push((at, found, low, high));
             }
-            saturated += usize::from(high < 1.0);
+            saturated += usize::from(high < 65535.0);
         }
         // Where a splat of 1/255 or little more counts for one and not the other, a sample may be
         // saturated by a neighbour in the order.
@@ -97,7 +99,7 @@ fn samples_are_saturated_where_the_references_are(key_bits: KeyBits) {
         let mut renderer = Renderer::new(&device, &avatar, options).unwrap();
         renderer.draw(&posed, &camera, None).unwrap();
         renderer.finish().unwrap();
-        let found = renderer.raster().saturation_depths().unwrap().unwrap();
+        let found = renderer.raster().saturation_samples().unwrap().unwrap();
         let stages = renderer.stages().unwrap();
         let sampled = Sampled {
             avatar: &avatar,

@@ -195,7 +195,7 @@ fn samples_are_saturated_where_the_references_are() {
     for (posed, camera, options) in frames {
         let mut renderer = Renderer::new(&device, &avatar, options).unwrap();
         renderer.draw(&posed, &camera).unwrap();
-        let found = renderer.saturation_depths().unwrap().unwrap();
+        let found = renderer.saturation_samples().unwrap().unwrap();
         let stages = renderer.stages().unwrap();
         let sampled = Sampled {
             avatar: &avatar,

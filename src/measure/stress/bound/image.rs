@@ -9,7 +9,7 @@ use super::{
 };
 use effigy_core::{
     avatar::{Avatar, Filter},
-    constants::SATURATION_CUTOFFS,
+    constants::saturation_light,
     frame::{
         FrameState, PlanInput, RendererOptions, Skip, atlas::Slot, pose_cache::PoseCache,
         room::Room, schedule::SATURATION_PIXELS,
@@ -401,9 +401,9 @@ impl SaturatedKeys {
                 };
                 let mut layers = Vec::new();
                 row.find_layers(ordered, &mut layers);
-                layers.into_iter().map(|layers| {
-                    ordered.saturated_key(&layers, SATURATION_CUTOFFS * rounding.cutoff)
-                })
+                layers
+                    .into_iter()
+                    .map(|layers| ordered.saturated_key(&layers, saturation_light(rounding.cutoff)))
             })
             .collect();
         Self {

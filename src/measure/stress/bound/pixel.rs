@@ -103,7 +103,7 @@ impl Ordered {
     }
 
     /// Blends a pixel's layers, nearest first. Of what has a key below `lost_below` a device may
-    /// leave out all that lies behind some depth.
+    /// leave out all that lies behind some depth, and with quads show any colour in its place.
     pub fn blend(&self, layers: &mut [Layer], rounding: &Rounding, lost_below: f64) -> PixelBound {
         if rounding.quads() {
             quantize(layers, rounding);
@@ -157,14 +157,17 @@ impl Ordered {
             bound.above[channel] += color_error * weight.min(1.0);
             bound.below[channel] += color_error * weight.min(1.0);
         }
+        // Quads are blended over such a colour also where nothing lies behind that depth.
+        if rounding.quads() && lost_below > 0.0 {
+            lost = lost.or(Some(light));
+        }
         if let Some(lost) = lost {
             for channel in 0..4 {
                 let most = lost * self.brightest(layers, channel);
                 bound.below[channel] += most;
-                // Tiles show more of what they have blended in its place.
-                if !rounding.quads() {
-                    bound.above[channel] += most;
-                }
+                // In its place tiles show more of what they have blended, quads the colour of a
+                // splat at one of the samples around.
+                bound.above[channel] += if rounding.quads() { lost } else { most };
             }
         }
         let sums = 4.0 * F32 * (layers.len() as f64 + 4.0);
