@@ -5,10 +5,14 @@
 //   word 2: longer axis, one standard deviation, px, two f16
 //   word 3: length of the shorter axis, px, f16; opacity (8 bits); high 8 bits of blue
 
-// Radius of a splat in standard deviations: where its opacity falls to the cutoff.
-float radius_of(uint opacity) {
-    return sqrt(2.0 * log(max(max(float(opacity), frame.quad_opacity) / frame.cutoff, 1.0)));
+// How far a splat of an opacity, of 255, shows, in standard deviations: to where it falls to the
+// cutoff.
+float visible_radius(float opacity) {
+    return sqrt(2.0 * log(max(opacity / frame.cutoff, 1.0)));
 }
+
+// How far it is drawn.
+float radius_of(uint opacity) { return visible_radius(max(float(opacity), frame.quad_opacity)); }
 
 // `covariance`: xx, xy, yy in px². `determinant`: of the covariance, computed without cancellation.
 uvec4 pack_splat(vec2 center, vec3 covariance, float determinant, vec3 color, uint opacity) {

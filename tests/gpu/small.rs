@@ -4,12 +4,13 @@
 use crate::common::{self, Sizes, gpu::Raster};
 use effigy_core::{
     avatar::{Avatar, Filter},
-    frame::{FrameReport, RendererOptions},
+    frame::{FrameReport, RendererOptions, Skip},
     reference,
     scene::{AvatarBounds, Camera, FrameImage, Posed, Supersampling},
 };
 use effigy_measure::error;
 use glam::{DAffine3, DVec3};
+use half::f16;
 
 /// A renderer of either backend.
 pub trait Renders: Sized {
@@ -33,6 +34,7 @@ macro_rules! check_with {
             any_factor_is_averaged_by_area,
             no_switch_is_seen,
             frames_leave_nothing_behind,
+            what_faint_saves_cuts_nothing_off,
             levels_are_drawn_as_avatars,
             levels_have_samples_of_their_own,
             levels_have_their_own_harmonics,
@@ -108,6 +110,24 @@ pub fn assert_near(what: &str, image: &FrameImage, expected: &FrameImage, psnr: 
         error.pixels > 100 && error.psnr_db >= psnr,
         "{what}: {error:?}"
     );
+}
+
+/// Faint Gaussians that networks move to the edges of their slot: those whose visible part is all
+/// inside are drawn, whether or not quads are only as large as that.
+pub fn what_faint_saves_cuts_nothing_off<R: Renders>(raster: Raster) {
+    let (mut avatar, camera) = scene(9.0, SIZE);
+    avatar.gaussians.opacity.fill(30);
+    avatar.gaussians.log_scale.fill([f16::from_f64(-3.0); 3]);
+    for number in avatar.nodes.basis.halves_mut() {
+        *number = f16::from_f64(200.0 * number.to_f64());
+    }
+    let posed = posed(&avatar, &camera, 3, DVec3::ZERO);
+    let options = supersampled::<R>(raster, &camera, Supersampling::Times(2));
+    let [with, without] = [Skip::all(), Skip::all() - Skip::FAINT].map(|skip| {
+        let options = RendererOptions { skip, ..options };
+        drawn::<R>(&avatar, &[&posed], &camera, options).0
+    });
+    assert_near("without faint", &without, &with, 50.0);
 }
 
 /// In the middle, and where the image cuts it off.

@@ -140,51 +140,51 @@ var<storage> global_7: type_36;
 
 @compute @workgroup_size(64, 1, 1) 
 fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocation_id) param_1: vec3<u32>) {
-    var phi_5190_: u32;
-    var phi_5189_: bool;
-    var phi_3150_: bool;
+    var phi_5201_: u32;
+    var phi_5200_: bool;
+    var phi_3159_: bool;
     var local: bool;
-    var phi_3558_: bool;
-    var phi_5192_: f32;
-    var phi_5193_: f32;
-    var phi_5197_: u32;
-    var phi_5203_: u32;
-    var phi_5202_: f32;
-    var phi_5200_: u32;
+    var phi_3567_: bool;
+    var phi_5203_: f32;
+    var phi_5204_: f32;
+    var phi_5208_: u32;
+    var phi_5214_: u32;
+    var phi_5213_: f32;
+    var phi_5211_: u32;
     var local_1: f32;
-    var phi_5207_: bool;
-    var phi_3607_: bool;
-    var phi_5218_: f32;
-    var phi_5209_: vec2<f32>;
-    var phi_5208_: bool;
-    var phi_5228_: vec4<f32>;
-    var phi_5229_: vec4<f32>;
-    var phi_5230_: vec4<f32>;
-    var phi_5248_: vec3<f32>;
-    var phi_5250_: vec4<f32>;
-    var phi_5249_: u32;
+    var phi_5218_: bool;
+    var phi_3616_: bool;
+    var phi_5229_: f32;
+    var phi_5220_: vec2<f32>;
+    var phi_5219_: bool;
+    var phi_5239_: vec4<f32>;
+    var phi_5240_: vec4<f32>;
+    var phi_5241_: vec4<f32>;
+    var phi_5259_: vec3<f32>;
+    var phi_5261_: vec4<f32>;
+    var phi_5260_: u32;
     var local_2: vec4<f32>;
-    var phi_5265_: vec4<f32>;
-    var phi_5253_: vec3<f32>;
-    var phi_5252_: u32;
+    var phi_5276_: vec4<f32>;
+    var phi_5264_: vec3<f32>;
+    var phi_5263_: u32;
     var local_3: vec3<f32>;
-    var phi_5269_: vec3<f32>;
-    var phi_5262_: vec3<f32>;
-    var phi_5261_: u32;
+    var phi_5280_: vec3<f32>;
+    var phi_5273_: vec3<f32>;
+    var phi_5272_: u32;
     var local_4: vec3<f32>;
-    var phi_5271_: vec3<f32>;
-    var phi_4648_: bool;
-    var phi_4654_: bool;
-    var phi_5276_: f32;
-    var phi_5275_: u32;
+    var phi_5282_: vec3<f32>;
+    var phi_4662_: bool;
+    var phi_4668_: bool;
+    var phi_5287_: f32;
+    var phi_5286_: u32;
     var local_5: f32;
-    var phi_5284_: u32;
-    var phi_4731_: bool;
-    var phi_5288_: vec2<f32>;
-    var phi_5289_: vec2<f32>;
-    var phi_5290_: u32;
-    var phi_5291_: u32;
-    var phi_5292_: u32;
+    var phi_5295_: u32;
+    var phi_4746_: bool;
+    var phi_5299_: vec2<f32>;
+    var phi_5300_: vec2<f32>;
+    var phi_5301_: u32;
+    var phi_5302_: u32;
+    var phi_5303_: u32;
 
     let _e70 = bitcast<u32>(param_1[0u]);
     let _e72 = global.member_48;
@@ -197,17 +197,17 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                 let _e80 = (_e70 << bitcast<u32>(_e78));
                 let _e84 = (4u * (_e76 + (_e80 >> bitcast<u32>(5u))));
                 let _e89 = global_7.member[(_e84 + 3u)][0u];
-                phi_5190_ = (_e89 & 65535u);
-                phi_5189_ = true;
+                phi_5201_ = (_e89 & 65535u);
+                phi_5200_ = true;
                 loop {
-                    let _e92 = phi_5190_;
-                    let _e94 = phi_5189_;
+                    let _e92 = phi_5201_;
+                    let _e94 = phi_5200_;
                     local = _e94;
-                    phi_3150_ = _e94;
+                    phi_3159_ = _e94;
                     if _e94 {
-                        phi_3150_ = (_e92 <= (_e89 >> bitcast<u32>(16u)));
+                        phi_3159_ = (_e92 <= (_e89 >> bitcast<u32>(16u)));
                     }
-                    let _e99 = phi_3150_;
+                    let _e99 = phi_3159_;
                     if _e99 {
                         continue;
                     } else {
@@ -215,8 +215,8 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                     }
                     continuing {
                         let _e108 = global.member_59[(_e92 >> bitcast<u32>(7u))][((_e92 >> bitcast<u32>(5u)) & 3u)];
-                        phi_5190_ = (_e92 + bitcast<u32>(1i));
-                        phi_5189_ = (((_e108 >> bitcast<u32>((_e92 & 31u))) & 1u) != 0u);
+                        phi_5201_ = (_e92 + bitcast<u32>(1i));
+                        phi_5200_ = (((_e108 >> bitcast<u32>((_e92 & 31u))) & 1u) != 0u);
                     }
                 }
                 let _e117 = local;
@@ -225,7 +225,7 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                     if (_e119 != 0u) {
                         let _e123 = atomicAdd((&global_1.member[0u]), 1u);
                     }
-                    phi_5291_ = 4294967295u;
+                    phi_5302_ = 4294967295u;
                     break;
                 }
                 let _e124 = (2u * _e80);
@@ -289,9 +289,9 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                             if (_e405 != 0u) {
                                 let _e409 = atomicAdd((&global_1.member[0u]), 1u);
                             }
-                            phi_5218_ = 0f;
-                            phi_5209_ = vec2<f32>(0f, 0f);
-                            phi_5208_ = false;
+                            phi_5229_ = 0f;
+                            phi_5220_ = vec2<f32>(0f, 0f);
+                            phi_5219_ = false;
                             break;
                         }
                         let _e411 = global.member;
@@ -301,43 +301,43 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                         let _e418 = (((_e411 * _e412) / _e414) + _e417);
                         let _e420 = global.member_5;
                         let _e424 = all((_e418 >= vec2(-(_e420))));
-                        phi_3558_ = _e424;
+                        phi_3567_ = _e424;
                         if _e424 {
                             let _e426 = global.member_4;
-                            phi_3558_ = all((_e418 <= (_e426 + vec2(_e420))));
+                            phi_3567_ = all((_e418 <= (_e426 + vec2(_e420))));
                         }
-                        let _e432 = phi_3558_;
+                        let _e432 = phi_3567_;
                         if !(_e432) {
                             let _e435 = global_2.member_9;
                             if (_e435 != 0u) {
                                 let _e439 = atomicAdd((&global_1.member[0u]), 1u);
                             }
-                            phi_5218_ = 0f;
-                            phi_5209_ = _e418;
-                            phi_5208_ = false;
+                            phi_5229_ = 0f;
+                            phi_5220_ = _e418;
+                            phi_5219_ = false;
                             break;
                         }
                         let _e441 = global.member_7;
                         let _e444 = global.member_8;
                         let _e445 = ((_e441 - _e367) * _e444);
                         if (_e445 < 0f) {
-                            phi_5193_ = (0.015625f / (1f - _e445));
+                            phi_5204_ = (0.015625f / (1f - _e445));
                         } else {
                             if (_e445 > 1f) {
-                                phi_5192_ = (1f - (0.015625f / _e445));
+                                phi_5203_ = (1f - (0.015625f / _e445));
                             } else {
-                                phi_5192_ = (0.015625f + (0.96875f * clamp(_e445, 0f, 1f)));
+                                phi_5203_ = (0.015625f + (0.96875f * clamp(_e445, 0f, 1f)));
                             }
-                            let _e454 = phi_5192_;
-                            phi_5193_ = _e454;
+                            let _e454 = phi_5203_;
+                            phi_5204_ = _e454;
                         }
-                        let _e458 = phi_5193_;
+                        let _e458 = phi_5204_;
                         let _e459 = (_e412 / _e414);
                         let _e467 = global.member[0u];
                         let _e470 = global.member[1u];
                         let _e475 = global.member_31;
                         let _e476 = (_e475 > 0u);
-                        phi_3607_ = _e476;
+                        phi_3616_ = _e476;
                         if _e476 {
                             let _e478 = global.member_34;
                             let _e481 = global.member_29;
@@ -352,26 +352,26 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                                     let _e514 = vec2<u32>(clamp(((((_e418 + _e498) - _e501) * _e504) + vec2<f32>(0.5f, 0.5f)), vec2<f32>(0f, 0f), vec2<f32>(191f, 191f)));
                                     let _e521 = max((_e514.x - _e512.x), (_e514.y - _e512.y));
                                     if (_e521 <= 3u) {
-                                        phi_5197_ = 0u;
+                                        phi_5208_ = 0u;
                                     } else {
-                                        phi_5197_ = (bitcast<u32>(firstLeadingBit((_e521 - 1u))) - 1u);
+                                        phi_5208_ = (bitcast<u32>(firstLeadingBit((_e521 - 1u))) - 1u);
                                     }
-                                    let _e528 = phi_5197_;
+                                    let _e528 = phi_5208_;
                                     if !((_e528 < 4u)) {
-                                        phi_5207_ = false;
+                                        phi_5218_ = false;
                                         break;
                                     }
                                     let _e538 = vec2(_e528);
                                     let _e540 = (_e512 >> bitcast<vec2<u32>>(_e538));
                                     let _e542 = (_e514 >> bitcast<vec2<u32>>(_e538));
                                     let _e544 = (_e540.x & 4294967292u);
-                                    phi_5203_ = _e544;
-                                    phi_5202_ = 0f;
-                                    phi_5200_ = _e540.y;
+                                    phi_5214_ = _e544;
+                                    phi_5213_ = 0f;
+                                    phi_5211_ = _e540.y;
                                     loop {
-                                        let _e547 = phi_5203_;
-                                        let _e549 = phi_5202_;
-                                        let _e551 = phi_5200_;
+                                        let _e547 = phi_5214_;
+                                        let _e549 = phi_5213_;
+                                        let _e551 = phi_5211_;
                                         local_1 = _e549;
                                         if (_e551 <= _e542.y) {
                                             continue;
@@ -386,41 +386,41 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                                             let _e585 = select(select(vec4<f32>(_e576.x, _e576.y, _e578.x, _e578.y), vec4<f32>(0f, 0f, 0f, 0f), (_e556 < vec4(f32(_e540.x)))), vec4<f32>(0f, 0f, 0f, 0f), (_e556 > vec4(f32(_e542.x))));
                                             let _e594 = (_e547 + 4u);
                                             let _e595 = (_e594 > _e542.x);
-                                            phi_5203_ = select(_e594, _e544, _e595);
-                                            phi_5202_ = max(_e549, max(max(_e585.x, _e585.y), max(_e585.z, _e585.w)));
-                                            phi_5200_ = (_e551 + select(0u, 1u, _e595));
+                                            phi_5214_ = select(_e594, _e544, _e595);
+                                            phi_5213_ = max(_e549, max(max(_e585.x, _e585.y), max(_e585.z, _e585.w)));
+                                            phi_5211_ = (_e551 + select(0u, 1u, _e595));
                                         }
                                     }
                                     let _e600 = local_1;
-                                    phi_5207_ = ((1f - _e458) > _e600);
+                                    phi_5218_ = ((1f - _e458) > _e600);
                                     break;
                                 }
                             }
-                            let _e603 = phi_5207_;
-                            phi_3607_ = _e603;
+                            let _e603 = phi_5218_;
+                            phi_3616_ = _e603;
                         }
-                        let _e605 = phi_3607_;
+                        let _e605 = phi_3616_;
                         if _e605 {
                             let _e607 = global_2.member_9;
                             if (_e607 != 0u) {
                                 let _e611 = atomicAdd((&global_1.member[1u]), 1u);
                             }
-                            phi_5218_ = _e458;
-                            phi_5209_ = _e418;
-                            phi_5208_ = false;
+                            phi_5229_ = _e458;
+                            phi_5220_ = _e418;
+                            phi_5219_ = false;
                             break;
                         }
-                        phi_5218_ = _e458;
-                        phi_5209_ = _e418;
-                        phi_5208_ = true;
+                        phi_5229_ = _e458;
+                        phi_5220_ = _e418;
+                        phi_5219_ = true;
                         break;
                     }
                 }
-                let _e613 = phi_5218_;
-                let _e615 = phi_5209_;
-                let _e617 = phi_5208_;
+                let _e613 = phi_5229_;
+                let _e615 = phi_5220_;
+                let _e617 = phi_5219_;
                 if (true && !(_e617)) {
-                    phi_5291_ = 4294967295u;
+                    phi_5302_ = 4294967295u;
                     break;
                 }
                 let _e624 = global_7.member[((3u * _e76) + _e80)];
@@ -431,44 +431,44 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                     if (_e633 != 0u) {
                         let _e637 = atomicAdd((&global_1.member[2u]), 1u);
                     }
-                    phi_5291_ = 4294967295u;
+                    phi_5302_ = 4294967295u;
                     break;
                 }
                 let _e651 = ((vec3<f32>(f32((_e624.x & 1023u)), f32(((_e624.x >> bitcast<u32>(10u)) & 1023u)), f32(((_e624.x >> bitcast<u32>(20u)) & 1023u))) - vec3<f32>(512f, 512f, 512f)) * vec3<f32>(0.0013888889f, 0.0013888889f, 0.0013888889f));
                 let _e655 = sqrt(max((1f - dot(_e651, _e651)), 0f));
                 let _e657 = (_e624.x >> bitcast<u32>(30u));
                 if (_e657 == 0u) {
-                    phi_5230_ = vec4<f32>(_e655, _e651.x, _e651.y, _e651.z);
+                    phi_5241_ = vec4<f32>(_e655, _e651.x, _e651.y, _e651.z);
                 } else {
                     if (_e657 == 1u) {
-                        phi_5229_ = vec4<f32>(_e651.x, _e655, _e651.y, _e651.z);
+                        phi_5240_ = vec4<f32>(_e651.x, _e655, _e651.y, _e651.z);
                     } else {
                         if (_e657 == 2u) {
-                            phi_5228_ = vec4<f32>(_e651.x, _e651.y, _e655, _e651.z);
+                            phi_5239_ = vec4<f32>(_e651.x, _e651.y, _e655, _e651.z);
                         } else {
-                            phi_5228_ = vec4<f32>(_e651.x, _e651.y, _e651.z, _e655);
+                            phi_5239_ = vec4<f32>(_e651.x, _e651.y, _e651.z, _e655);
                         }
-                        let _e670 = phi_5228_;
-                        phi_5229_ = _e670;
+                        let _e670 = phi_5239_;
+                        phi_5240_ = _e670;
                     }
-                    let _e676 = phi_5229_;
-                    phi_5230_ = _e676;
+                    let _e676 = phi_5240_;
+                    phi_5241_ = _e676;
                 }
-                let _e682 = phi_5230_;
+                let _e682 = phi_5241_;
                 let _e686 = global.member_38;
                 let _e687 = (_e686 > 0u);
-                phi_5248_ = unpack4x8unorm(_e624.y).xyz;
+                phi_5259_ = unpack4x8unorm(_e624.y).xyz;
                 if _e687 {
                     let _e691 = global_7.member[(_e686 + _e80)];
                     let _e693 = unpack2x16float(_e691.x);
-                    phi_5248_ = vec3<f32>(_e693.x, _e693.y, unpack2x16float(_e691.y).x);
+                    phi_5259_ = vec3<f32>(_e693.x, _e693.y, unpack2x16float(_e691.y).x);
                 }
-                let _e701 = phi_5248_;
+                let _e701 = phi_5259_;
                 let _e704 = (1u << bitcast<u32>((_e80 & 31u)));
                 let _e707 = global_7.member[_e84];
                 let _e711 = global_7.member[(_e84 + 1u)];
                 let _e715 = global_7.member[(_e84 + 2u)];
-                phi_5265_ = _e682;
+                phi_5276_ = _e682;
                 if ((_e707.x & _e704) != 0u) {
                     let _e726 = global.member_22;
                     let _e728 = global.member_18;
@@ -477,11 +477,11 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                     let _e736 = global_6.member[_e732];
                     let _e738 = global.member_44;
                     let _e742 = global.member_19;
-                    phi_5250_ = vec4<f32>(0f, 0f, 0f, 0f);
-                    phi_5249_ = 0u;
+                    phi_5261_ = vec4<f32>(0f, 0f, 0f, 0f);
+                    phi_5260_ = 0u;
                     loop {
-                        let _e746 = phi_5250_;
-                        let _e748 = phi_5249_;
+                        let _e746 = phi_5261_;
+                        let _e748 = phi_5260_;
                         let _e750 = (2u * ((_e738 + ((_e736 >> bitcast<u32>(16u)) * _e742)) + _e748));
                         let _e753 = global_3.member[_e750];
                         let _e757 = global_3.member[(_e750 + 1u)];
@@ -492,8 +492,8 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                         let _e790 = global_6.member[((_e733 + (3u * _e728)) + _e748)];
                         let _e794 = (_e746 + vec4<f32>(dot(unpack4x8snorm(_e767), _e763), dot(unpack4x8snorm(_e774), _e763), dot(unpack4x8snorm(_e782), _e763), dot(unpack4x8snorm(_e790), _e763)));
                         let _e796 = (_e748 + bitcast<u32>(1i));
-                        phi_5250_ = _e794;
-                        phi_5249_ = _e796;
+                        phi_5261_ = _e794;
+                        phi_5260_ = _e796;
                         local_2 = _e794;
                         if (_e796 < _e728) {
                             continue;
@@ -503,10 +503,10 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                     }
                     let _e802 = local_2;
                     let _e804 = (_e682 + (_e802 * (127f * unpack2x16float(_e736).x)));
-                    phi_5265_ = select(_e682, _e804, vec4((length(_e804) >= 0.001f)));
+                    phi_5276_ = select(_e682, _e804, vec4((length(_e804) >= 0.001f)));
                 }
-                let _e810 = phi_5265_;
-                phi_5269_ = _e259;
+                let _e810 = phi_5276_;
+                phi_5280_ = _e259;
                 if ((_e707.y & _e704) != 0u) {
                     let _e821 = global.member_23;
                     let _e823 = global.member_18;
@@ -515,11 +515,11 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                     let _e831 = global_6.member[_e827];
                     let _e833 = global.member_44;
                     let _e837 = global.member_19;
-                    phi_5253_ = vec3<f32>(0f, 0f, 0f);
-                    phi_5252_ = 0u;
+                    phi_5264_ = vec3<f32>(0f, 0f, 0f);
+                    phi_5263_ = 0u;
                     loop {
-                        let _e841 = phi_5253_;
-                        let _e843 = phi_5252_;
+                        let _e841 = phi_5264_;
+                        let _e843 = phi_5263_;
                         let _e845 = (2u * ((_e833 + ((_e831 >> bitcast<u32>(16u)) * _e837)) + _e843));
                         let _e848 = global_3.member[_e845];
                         let _e852 = global_3.member[(_e845 + 1u)];
@@ -529,8 +529,8 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                         let _e877 = global_6.member[((_e828 + (2u * _e823)) + _e843)];
                         let _e881 = (_e841 + vec3<f32>(dot(unpack4x8snorm(_e862), _e858), dot(unpack4x8snorm(_e869), _e858), dot(unpack4x8snorm(_e877), _e858)));
                         let _e883 = (_e843 + bitcast<u32>(1i));
-                        phi_5253_ = _e881;
-                        phi_5252_ = _e883;
+                        phi_5264_ = _e881;
+                        phi_5263_ = _e883;
                         local_3 = _e881;
                         if (_e883 < _e823) {
                             continue;
@@ -539,10 +539,10 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                         }
                     }
                     let _e889 = local_3;
-                    phi_5269_ = (_e259 + (_e889 * (127f * unpack2x16float(_e831).x)));
+                    phi_5280_ = (_e259 + (_e889 * (127f * unpack2x16float(_e831).x)));
                 }
-                let _e893 = phi_5269_;
-                phi_5271_ = _e701;
+                let _e893 = phi_5280_;
+                phi_5282_ = _e701;
                 if ((_e711.x & _e704) != 0u) {
                     let _e904 = global.member_24;
                     let _e906 = global.member_18;
@@ -554,11 +554,11 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                     let _e930 = global_6.member[_e910];
                     let _e932 = global.member_44;
                     let _e936 = global.member_19;
-                    phi_5262_ = vec3<f32>(0f, 0f, 0f);
-                    phi_5261_ = 0u;
+                    phi_5273_ = vec3<f32>(0f, 0f, 0f);
+                    phi_5272_ = 0u;
                     loop {
-                        let _e940 = phi_5262_;
-                        let _e942 = phi_5261_;
+                        let _e940 = phi_5273_;
+                        let _e942 = phi_5272_;
                         let _e944 = (2u * ((_e932 + ((_e930 >> bitcast<u32>(16u)) * _e936)) + _e942));
                         let _e947 = global_3.member[_e944];
                         let _e951 = global_3.member[(_e944 + 1u)];
@@ -568,8 +568,8 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                         let _e976 = global_6.member[((_e927 + (2u * _e906)) + _e942)];
                         let _e980 = (_e940 + vec3<f32>(dot(unpack4x8snorm(_e961), _e957), dot(unpack4x8snorm(_e968), _e957), dot(unpack4x8snorm(_e976), _e957)));
                         let _e982 = (_e942 + bitcast<u32>(1i));
-                        phi_5262_ = _e980;
-                        phi_5261_ = _e982;
+                        phi_5273_ = _e980;
+                        phi_5272_ = _e982;
                         local_4 = _e980;
                         if (_e982 < _e906) {
                             continue;
@@ -578,9 +578,9 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                         }
                     }
                     let _e988 = local_4;
-                    phi_5271_ = (select(vec3<f32>(_e915.x, _e915.y, unpack2x16float(_e919).x), _e701, vec3(_e687)) + (_e988 * (127f * unpack2x16float(_e930).x)));
+                    phi_5282_ = (select(vec3<f32>(_e915.x, _e915.y, unpack2x16float(_e919).x), _e701, vec3(_e687)) + (_e988 * (127f * unpack2x16float(_e930).x)));
                 }
-                let _e992 = phi_5271_;
+                let _e992 = phi_5282_;
                 let _e993 = normalize(_e810);
                 let _e998 = (_e993.z * _e993.z);
                 let _e999 = (_e993.w * _e993.w);
@@ -609,29 +609,29 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                         let _e1076 = dot(_e1075, _e1075);
                         let _e1080 = (_e1076 + (_e1068 * ((_e1070 + _e1073) - _e1068)));
                         let _e1081 = (_e1080 > 0f);
-                        phi_4648_ = _e1081;
+                        phi_4662_ = _e1081;
                         if _e1081 {
-                            phi_4648_ = (_e1070 <= 1000000000000000000f);
+                            phi_4662_ = (_e1070 <= 1000000000000000000f);
                         }
-                        let _e1084 = phi_4648_;
-                        phi_4654_ = _e1084;
+                        let _e1084 = phi_4662_;
+                        phi_4668_ = _e1084;
                         if _e1084 {
-                            phi_4654_ = (_e1073 <= 1000000000000000000f);
+                            phi_4668_ = (_e1073 <= 1000000000000000000f);
                         }
-                        let _e1087 = phi_4654_;
+                        let _e1087 = phi_4668_;
                         if !(_e1087) {
                             let _e1090 = global_2.member_9;
                             if (_e1090 != 0u) {
                                 let _e1094 = atomicAdd((&global_1.member[3u]), 1u);
                             }
-                            phi_5290_ = 4294967295u;
+                            phi_5301_ = 4294967295u;
                             break;
                         }
-                        phi_5276_ = (1f - (_e628 * 0.003921569f));
-                        phi_5275_ = 0u;
+                        phi_5287_ = (1f - (_e628 * 0.003921569f));
+                        phi_5286_ = 0u;
                         loop {
-                            let _e1098 = phi_5276_;
-                            let _e1100 = phi_5275_;
+                            let _e1098 = phi_5287_;
+                            let _e1100 = phi_5286_;
                             local_5 = _e1098;
                             if (_e1100 < _e78) {
                                 continue;
@@ -639,14 +639,14 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                                 break;
                             }
                             continuing {
-                                phi_5276_ = (_e1098 * _e1098);
-                                phi_5275_ = (_e1100 + bitcast<u32>(1i));
+                                phi_5287_ = (_e1098 * _e1098);
+                                phi_5286_ = (_e1100 + bitcast<u32>(1i));
                             }
                         }
                         let _e1106 = local_5;
                         let _e1110 = u32(round((255f * (1f - _e1106))));
                         let _e1112 = global.member_52;
-                        phi_5284_ = _e1110;
+                        phi_5295_ = _e1110;
                         if (_e1112 > 0f) {
                             let _e1122 = u32(round((f32(_e1110) * ((1f - _e1112) + (_e1112 * sqrt((_e1076 / _e1080)))))));
                             if (f32(_e1122) <= _e630) {
@@ -654,99 +654,98 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                                 if (_e1126 != 0u) {
                                     let _e1130 = atomicAdd((&global_1.member[2u]), 1u);
                                 }
-                                phi_5290_ = 4294967295u;
+                                phi_5301_ = 4294967295u;
                                 break;
                             }
-                            phi_5284_ = _e1122;
+                            phi_5295_ = _e1122;
                         }
-                        let _e1132 = phi_5284_;
+                        let _e1132 = phi_5295_;
                         let _e1134 = global.member_49;
                         let _e1135 = (vec3<f32>(_e1070, dot(_e1057, _e1066), _e1073) * _e1134);
-                        let _e1140 = global.member_34;
-                        let _e1151 = global.member_53;
-                        let _e1152 = ((sqrt(_e1135.xz) * sqrt((2f * log(max((max(f32(_e1132), _e1140) / _e630), 1f))))) * _e1151);
-                        let _e1155 = global.member_54;
-                        let _e1158 = all(((_e615 + _e1152) > _e1155.xy));
-                        phi_4731_ = _e1158;
-                        if _e1158 {
-                            phi_4731_ = all(((_e615 - _e1152) < _e1155.zw));
+                        let _e1148 = global.member_53;
+                        let _e1149 = ((sqrt(_e1135.xz) * sqrt((2f * log(max((f32(_e1132) / _e630), 1f))))) * _e1148);
+                        let _e1152 = global.member_54;
+                        let _e1155 = all(((_e615 + _e1149) > _e1152.xy));
+                        phi_4746_ = _e1155;
+                        if _e1155 {
+                            phi_4746_ = all(((_e615 - _e1149) < _e1152.zw));
                         }
-                        let _e1164 = phi_4731_;
-                        if !(_e1164) {
-                            let _e1167 = global_2.member_9;
-                            if (_e1167 != 0u) {
-                                let _e1171 = atomicAdd((&global_1.member[0u]), 1u);
+                        let _e1161 = phi_4746_;
+                        if !(_e1161) {
+                            let _e1164 = global_2.member_9;
+                            if (_e1164 != 0u) {
+                                let _e1168 = atomicAdd((&global_1.member[0u]), 1u);
                             }
-                            phi_5290_ = 4294967295u;
+                            phi_5301_ = 4294967295u;
                             break;
                         }
-                        let _e1176 = (0.5f * (_e1135.x - _e1135.z));
-                        let _e1181 = sqrt(((_e1176 * _e1176) + (_e1135.y * _e1135.y)));
-                        let _e1184 = ((0.5f * (_e1135.x + _e1135.z)) + _e1181);
-                        if (_e1176 >= 0f) {
-                            phi_5288_ = vec2<f32>((_e1176 + _e1181), _e1135.y);
+                        let _e1173 = (0.5f * (_e1135.x - _e1135.z));
+                        let _e1178 = sqrt(((_e1173 * _e1173) + (_e1135.y * _e1135.y)));
+                        let _e1181 = ((0.5f * (_e1135.x + _e1135.z)) + _e1178);
+                        if (_e1173 >= 0f) {
+                            phi_5299_ = vec2<f32>((_e1173 + _e1178), _e1135.y);
                         } else {
-                            phi_5288_ = vec2<f32>(_e1135.y, (_e1181 - _e1176));
+                            phi_5299_ = vec2<f32>(_e1135.y, (_e1178 - _e1173));
                         }
-                        let _e1191 = phi_5288_;
-                        let _e1192 = length(_e1191);
-                        if (_e1192 > 0f) {
-                            phi_5289_ = (_e1191 / vec2(_e1192));
+                        let _e1188 = phi_5299_;
+                        let _e1189 = length(_e1188);
+                        if (_e1189 > 0f) {
+                            phi_5300_ = (_e1188 / vec2(_e1189));
                         } else {
-                            phi_5289_ = vec2<f32>(1f, 0f);
+                            phi_5300_ = vec2<f32>(1f, 0f);
                         }
-                        let _e1197 = phi_5289_;
-                        let _e1204 = global.member_5;
-                        let _e1208 = global.member_10;
-                        let _e1212 = vec2<u32>(clamp(round(((_e615 + vec2(_e1204)) * _e1208)), vec2<f32>(0f, 0f), vec2<f32>(1048575f, 1048575f)));
-                        let _e1215 = vec3<u32>(round((clamp(_e992, vec3<f32>(0f, 0f, 0f), vec3<f32>(1f, 1f, 1f)) * 1023f)));
-                        let _e1243 = global.member_45;
-                        let _e1245 = (4u * (_e1243 + _e70));
-                        global_4.member[_e1245] = ((_e1212.x | (_e1215.x << bitcast<u32>(20u))) | (_e1215.z << bitcast<u32>(30u)));
-                        global_4.member[(_e1245 + 1u)] = (_e1212.y | (_e1215.y << bitcast<u32>(20u)));
-                        global_4.member[(_e1245 + 2u)] = pack2x16float((_e1197 * min(sqrt(_e1184), 65504f)));
-                        global_4.member[(_e1245 + 3u)] = ((pack2x16float(vec2<f32>(min(sqrt(((_e1080 * (_e1134 * _e1134)) / _e1184)), 65504f), 0f)) | (_e1132 << bitcast<u32>(16u))) | ((_e1215.z >> bitcast<u32>(2u)) << bitcast<u32>(24u)));
-                        let _e1258 = global.member_9;
-                        phi_5290_ = min(u32((_e613 * f32(_e1258))), _e1258);
+                        let _e1194 = phi_5300_;
+                        let _e1201 = global.member_5;
+                        let _e1205 = global.member_10;
+                        let _e1209 = vec2<u32>(clamp(round(((_e615 + vec2(_e1201)) * _e1205)), vec2<f32>(0f, 0f), vec2<f32>(1048575f, 1048575f)));
+                        let _e1212 = vec3<u32>(round((clamp(_e992, vec3<f32>(0f, 0f, 0f), vec3<f32>(1f, 1f, 1f)) * 1023f)));
+                        let _e1240 = global.member_45;
+                        let _e1242 = (4u * (_e1240 + _e70));
+                        global_4.member[_e1242] = ((_e1209.x | (_e1212.x << bitcast<u32>(20u))) | (_e1212.z << bitcast<u32>(30u)));
+                        global_4.member[(_e1242 + 1u)] = (_e1209.y | (_e1212.y << bitcast<u32>(20u)));
+                        global_4.member[(_e1242 + 2u)] = pack2x16float((_e1194 * min(sqrt(_e1181), 65504f)));
+                        global_4.member[(_e1242 + 3u)] = ((pack2x16float(vec2<f32>(min(sqrt(((_e1080 * (_e1134 * _e1134)) / _e1181)), 65504f), 0f)) | (_e1132 << bitcast<u32>(16u))) | ((_e1212.z >> bitcast<u32>(2u)) << bitcast<u32>(24u)));
+                        let _e1255 = global.member_9;
+                        phi_5301_ = min(u32((_e613 * f32(_e1255))), _e1255);
                         break;
                     }
                 }
-                let _e1264 = phi_5290_;
-                phi_5291_ = _e1264;
+                let _e1261 = phi_5301_;
+                phi_5302_ = _e1261;
                 break;
             }
         }
-        let _e1266 = phi_5291_;
-        phi_5292_ = _e1266;
+        let _e1263 = phi_5302_;
+        phi_5303_ = _e1263;
     } else {
-        phi_5292_ = 4294967295u;
+        phi_5303_ = 4294967295u;
     }
-    let _e1268 = phi_5292_;
+    let _e1265 = phi_5303_;
     switch bitcast<i32>(0u) {
         default: {
-            let _e1271 = bitcast<u32>(param[0u]);
-            let _e1273 = global.member_45;
-            let _e1274 = (_e1273 + _e70);
-            if (_e1268 != 4294967295u) {
-                let _e1277 = global.member_41;
-                let _e1281 = global.member_40;
-                let _e1287 = atomicAdd((&global_1.member[((_e1281 + ((_e1274 / _e1277) * 256u)) + (_e1268 & 255u))]), 1u);
+            let _e1268 = bitcast<u32>(param[0u]);
+            let _e1270 = global.member_45;
+            let _e1271 = (_e1270 + _e70);
+            if (_e1265 != 4294967295u) {
+                let _e1274 = global.member_41;
+                let _e1278 = global.member_40;
+                let _e1284 = atomicAdd((&global_1.member[((_e1278 + ((_e1271 / _e1274) * 256u)) + (_e1265 & 255u))]), 1u);
             }
-            let _e1289 = global.member_39;
-            if (_e1289 == 0u) {
+            let _e1286 = global.member_39;
+            if (_e1286 == 0u) {
                 if (_e70 < (_e72 + (_e72 & 1u))) {
-                    let _e1295 = global.member_28;
-                    global_4.member[(_e1295 + _e1274)] = _e1268;
+                    let _e1292 = global.member_28;
+                    global_4.member[(_e1292 + _e1271)] = _e1265;
                 }
                 break;
             }
-            global_5[_e1271] = _e1268;
+            global_5[_e1268] = _e1265;
             workgroupBarrier();
-            let _e1301 = ((_e1271 & 1u) == 0u);
-            if select(_e1301, _e73, _e1301) {
-                let _e1304 = global.member_28;
-                let _e1311 = global_5[(_e1271 + 1u)];
-                global_4.member[(_e1304 + (_e1274 >> bitcast<u32>(1u)))] = ((_e1268 & 65535u) | (_e1311 << bitcast<u32>(16u)));
+            let _e1298 = ((_e1268 & 1u) == 0u);
+            if select(_e1298, _e73, _e1298) {
+                let _e1301 = global.member_28;
+                let _e1308 = global_5[(_e1268 + 1u)];
+                global_4.member[(_e1301 + (_e1271 >> bitcast<u32>(1u)))] = ((_e1265 & 65535u) | (_e1308 << bitcast<u32>(16u)));
             }
             break;
         }

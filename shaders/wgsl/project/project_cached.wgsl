@@ -128,31 +128,31 @@ var<workgroup> global_5: array<u32, 64>;
 
 @compute @workgroup_size(64, 1, 1) 
 fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocation_id) param_1: vec3<u32>) {
-    var phi_1693_: bool;
-    var phi_2700_: f32;
-    var phi_2701_: f32;
-    var phi_2705_: u32;
-    var phi_2711_: u32;
-    var phi_2710_: f32;
-    var phi_2708_: u32;
+    var phi_1702_: bool;
+    var phi_2711_: f32;
+    var phi_2712_: f32;
+    var phi_2716_: u32;
+    var phi_2722_: u32;
+    var phi_2721_: f32;
+    var phi_2719_: u32;
     var local: f32;
-    var phi_2715_: bool;
-    var phi_1742_: bool;
-    var phi_2726_: f32;
-    var phi_2717_: vec2<f32>;
-    var phi_2716_: bool;
-    var phi_2216_: bool;
-    var phi_2222_: bool;
-    var phi_2740_: f32;
-    var phi_2739_: u32;
+    var phi_2726_: bool;
+    var phi_1751_: bool;
+    var phi_2737_: f32;
+    var phi_2728_: vec2<f32>;
+    var phi_2727_: bool;
+    var phi_2230_: bool;
+    var phi_2236_: bool;
+    var phi_2751_: f32;
+    var phi_2750_: u32;
     var local_1: f32;
-    var phi_2748_: u32;
-    var phi_2299_: bool;
-    var phi_2752_: vec2<f32>;
-    var phi_2753_: vec2<f32>;
-    var phi_2754_: u32;
-    var phi_2755_: u32;
-    var phi_2756_: u32;
+    var phi_2759_: u32;
+    var phi_2314_: bool;
+    var phi_2763_: vec2<f32>;
+    var phi_2764_: vec2<f32>;
+    var phi_2765_: u32;
+    var phi_2766_: u32;
+    var phi_2767_: u32;
 
     let _e66 = bitcast<u32>(param_1[0u]);
     let _e68 = global.member_48;
@@ -185,9 +185,9 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                             if (_e157 != 0u) {
                                 let _e161 = atomicAdd((&global_1.member[0u]), 1u);
                             }
-                            phi_2726_ = 0f;
-                            phi_2717_ = vec2<f32>(0f, 0f);
-                            phi_2716_ = false;
+                            phi_2737_ = 0f;
+                            phi_2728_ = vec2<f32>(0f, 0f);
+                            phi_2727_ = false;
                             break;
                         }
                         let _e163 = global.member;
@@ -197,43 +197,43 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                         let _e170 = (((_e163 * _e164) / _e166) + _e169);
                         let _e172 = global.member_5;
                         let _e176 = all((_e170 >= vec2(-(_e172))));
-                        phi_1693_ = _e176;
+                        phi_1702_ = _e176;
                         if _e176 {
                             let _e178 = global.member_4;
-                            phi_1693_ = all((_e170 <= (_e178 + vec2(_e172))));
+                            phi_1702_ = all((_e170 <= (_e178 + vec2(_e172))));
                         }
-                        let _e184 = phi_1693_;
+                        let _e184 = phi_1702_;
                         if !(_e184) {
                             let _e187 = global_2.member_9;
                             if (_e187 != 0u) {
                                 let _e191 = atomicAdd((&global_1.member[0u]), 1u);
                             }
-                            phi_2726_ = 0f;
-                            phi_2717_ = _e170;
-                            phi_2716_ = false;
+                            phi_2737_ = 0f;
+                            phi_2728_ = _e170;
+                            phi_2727_ = false;
                             break;
                         }
                         let _e193 = global.member_7;
                         let _e196 = global.member_8;
                         let _e197 = ((_e193 - _e139) * _e196);
                         if (_e197 < 0f) {
-                            phi_2701_ = (0.015625f / (1f - _e197));
+                            phi_2712_ = (0.015625f / (1f - _e197));
                         } else {
                             if (_e197 > 1f) {
-                                phi_2700_ = (1f - (0.015625f / _e197));
+                                phi_2711_ = (1f - (0.015625f / _e197));
                             } else {
-                                phi_2700_ = (0.015625f + (0.96875f * clamp(_e197, 0f, 1f)));
+                                phi_2711_ = (0.015625f + (0.96875f * clamp(_e197, 0f, 1f)));
                             }
-                            let _e208 = phi_2700_;
-                            phi_2701_ = _e208;
+                            let _e208 = phi_2711_;
+                            phi_2712_ = _e208;
                         }
-                        let _e210 = phi_2701_;
+                        let _e210 = phi_2712_;
                         let _e211 = (_e164 / _e166);
                         let _e219 = global.member[0u];
                         let _e222 = global.member[1u];
                         let _e227 = global.member_31;
                         let _e228 = (_e227 > 0u);
-                        phi_1742_ = _e228;
+                        phi_1751_ = _e228;
                         if _e228 {
                             let _e230 = global.member_34;
                             let _e233 = global.member_29;
@@ -248,26 +248,26 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                                     let _e266 = vec2<u32>(clamp(((((_e170 + _e250) - _e253) * _e256) + vec2<f32>(0.5f, 0.5f)), vec2<f32>(0f, 0f), vec2<f32>(191f, 191f)));
                                     let _e273 = max((_e266.x - _e264.x), (_e266.y - _e264.y));
                                     if (_e273 <= 3u) {
-                                        phi_2705_ = 0u;
+                                        phi_2716_ = 0u;
                                     } else {
-                                        phi_2705_ = (bitcast<u32>(firstLeadingBit((_e273 - 1u))) - 1u);
+                                        phi_2716_ = (bitcast<u32>(firstLeadingBit((_e273 - 1u))) - 1u);
                                     }
-                                    let _e280 = phi_2705_;
+                                    let _e280 = phi_2716_;
                                     if !((_e280 < 4u)) {
-                                        phi_2715_ = false;
+                                        phi_2726_ = false;
                                         break;
                                     }
                                     let _e290 = vec2(_e280);
                                     let _e292 = (_e264 >> bitcast<vec2<u32>>(_e290));
                                     let _e294 = (_e266 >> bitcast<vec2<u32>>(_e290));
                                     let _e296 = (_e292.x & 4294967292u);
-                                    phi_2711_ = _e296;
-                                    phi_2710_ = 0f;
-                                    phi_2708_ = _e292.y;
+                                    phi_2722_ = _e296;
+                                    phi_2721_ = 0f;
+                                    phi_2719_ = _e292.y;
                                     loop {
-                                        let _e299 = phi_2711_;
-                                        let _e301 = phi_2710_;
-                                        let _e303 = phi_2708_;
+                                        let _e299 = phi_2722_;
+                                        let _e301 = phi_2721_;
+                                        let _e303 = phi_2719_;
                                         local = _e301;
                                         if (_e303 <= _e294.y) {
                                             continue;
@@ -282,41 +282,41 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                                             let _e337 = select(select(vec4<f32>(_e328.x, _e328.y, _e330.x, _e330.y), vec4<f32>(0f, 0f, 0f, 0f), (_e308 < vec4(f32(_e292.x)))), vec4<f32>(0f, 0f, 0f, 0f), (_e308 > vec4(f32(_e294.x))));
                                             let _e346 = (_e299 + 4u);
                                             let _e347 = (_e346 > _e294.x);
-                                            phi_2711_ = select(_e346, _e296, _e347);
-                                            phi_2710_ = max(_e301, max(max(_e337.x, _e337.y), max(_e337.z, _e337.w)));
-                                            phi_2708_ = (_e303 + select(0u, 1u, _e347));
+                                            phi_2722_ = select(_e346, _e296, _e347);
+                                            phi_2721_ = max(_e301, max(max(_e337.x, _e337.y), max(_e337.z, _e337.w)));
+                                            phi_2719_ = (_e303 + select(0u, 1u, _e347));
                                         }
                                     }
                                     let _e352 = local;
-                                    phi_2715_ = ((1f - _e210) > _e352);
+                                    phi_2726_ = ((1f - _e210) > _e352);
                                     break;
                                 }
                             }
-                            let _e355 = phi_2715_;
-                            phi_1742_ = _e355;
+                            let _e355 = phi_2726_;
+                            phi_1751_ = _e355;
                         }
-                        let _e357 = phi_1742_;
+                        let _e357 = phi_1751_;
                         if _e357 {
                             let _e359 = global_2.member_9;
                             if (_e359 != 0u) {
                                 let _e363 = atomicAdd((&global_1.member[1u]), 1u);
                             }
-                            phi_2726_ = _e210;
-                            phi_2717_ = _e170;
-                            phi_2716_ = false;
+                            phi_2737_ = _e210;
+                            phi_2728_ = _e170;
+                            phi_2727_ = false;
                             break;
                         }
-                        phi_2726_ = _e210;
-                        phi_2717_ = _e170;
-                        phi_2716_ = true;
+                        phi_2737_ = _e210;
+                        phi_2728_ = _e170;
+                        phi_2727_ = true;
                         break;
                     }
                 }
-                let _e365 = phi_2726_;
-                let _e367 = phi_2717_;
-                let _e369 = phi_2716_;
+                let _e365 = phi_2737_;
+                let _e367 = phi_2728_;
+                let _e369 = phi_2727_;
                 if !(_e369) {
-                    phi_2755_ = 4294967295u;
+                    phi_2766_ = 4294967295u;
                     break;
                 }
                 let _e371 = f32((_e81 >> bitcast<u32>(24u)));
@@ -326,7 +326,7 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                     if (_e376 != 0u) {
                         let _e380 = atomicAdd((&global_1.member[2u]), 1u);
                     }
-                    phi_2755_ = 4294967295u;
+                    phi_2766_ = 4294967295u;
                     break;
                 }
                 let _e383 = (_e72 + (3u * (_e68 + _e66)));
@@ -355,29 +355,29 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                         let _e469 = dot(_e468, _e468);
                         let _e473 = (_e469 + (_e461 * ((_e463 + _e466) - _e461)));
                         let _e474 = (_e473 > 0f);
-                        phi_2216_ = _e474;
+                        phi_2230_ = _e474;
                         if _e474 {
-                            phi_2216_ = (_e463 <= 1000000000000000000f);
+                            phi_2230_ = (_e463 <= 1000000000000000000f);
                         }
-                        let _e477 = phi_2216_;
-                        phi_2222_ = _e477;
+                        let _e477 = phi_2230_;
+                        phi_2236_ = _e477;
                         if _e477 {
-                            phi_2222_ = (_e466 <= 1000000000000000000f);
+                            phi_2236_ = (_e466 <= 1000000000000000000f);
                         }
-                        let _e480 = phi_2222_;
+                        let _e480 = phi_2236_;
                         if !(_e480) {
                             let _e483 = global_2.member_9;
                             if (_e483 != 0u) {
                                 let _e487 = atomicAdd((&global_1.member[3u]), 1u);
                             }
-                            phi_2754_ = 4294967295u;
+                            phi_2765_ = 4294967295u;
                             break;
                         }
-                        phi_2740_ = (1f - (_e371 * 0.003921569f));
-                        phi_2739_ = 0u;
+                        phi_2751_ = (1f - (_e371 * 0.003921569f));
+                        phi_2750_ = 0u;
                         loop {
-                            let _e491 = phi_2740_;
-                            let _e493 = phi_2739_;
+                            let _e491 = phi_2751_;
+                            let _e493 = phi_2750_;
                             let _e495 = global.member_47;
                             local_1 = _e491;
                             if (_e493 < _e495) {
@@ -386,14 +386,14 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                                 break;
                             }
                             continuing {
-                                phi_2740_ = (_e491 * _e491);
-                                phi_2739_ = (_e493 + bitcast<u32>(1i));
+                                phi_2751_ = (_e491 * _e491);
+                                phi_2750_ = (_e493 + bitcast<u32>(1i));
                             }
                         }
                         let _e501 = local_1;
                         let _e505 = u32(round((255f * (1f - _e501))));
                         let _e507 = global.member_52;
-                        phi_2748_ = _e505;
+                        phi_2759_ = _e505;
                         if (_e507 > 0f) {
                             let _e517 = u32(round((f32(_e505) * ((1f - _e507) + (_e507 * sqrt((_e469 / _e473)))))));
                             if (f32(_e517) <= _e373) {
@@ -401,99 +401,98 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                                 if (_e521 != 0u) {
                                     let _e525 = atomicAdd((&global_1.member[2u]), 1u);
                                 }
-                                phi_2754_ = 4294967295u;
+                                phi_2765_ = 4294967295u;
                                 break;
                             }
-                            phi_2748_ = _e517;
+                            phi_2759_ = _e517;
                         }
-                        let _e527 = phi_2748_;
+                        let _e527 = phi_2759_;
                         let _e529 = global.member_49;
                         let _e530 = (vec3<f32>(_e463, dot(_e450, _e459), _e466) * _e529);
-                        let _e535 = global.member_34;
-                        let _e546 = global.member_53;
-                        let _e547 = ((sqrt(_e530.xz) * sqrt((2f * log(max((max(f32(_e527), _e535) / _e373), 1f))))) * _e546);
-                        let _e550 = global.member_54;
-                        let _e553 = all(((_e367 + _e547) > _e550.xy));
-                        phi_2299_ = _e553;
-                        if _e553 {
-                            phi_2299_ = all(((_e367 - _e547) < _e550.zw));
+                        let _e543 = global.member_53;
+                        let _e544 = ((sqrt(_e530.xz) * sqrt((2f * log(max((f32(_e527) / _e373), 1f))))) * _e543);
+                        let _e547 = global.member_54;
+                        let _e550 = all(((_e367 + _e544) > _e547.xy));
+                        phi_2314_ = _e550;
+                        if _e550 {
+                            phi_2314_ = all(((_e367 - _e544) < _e547.zw));
                         }
-                        let _e559 = phi_2299_;
-                        if !(_e559) {
-                            let _e562 = global_2.member_9;
-                            if (_e562 != 0u) {
-                                let _e566 = atomicAdd((&global_1.member[0u]), 1u);
+                        let _e556 = phi_2314_;
+                        if !(_e556) {
+                            let _e559 = global_2.member_9;
+                            if (_e559 != 0u) {
+                                let _e563 = atomicAdd((&global_1.member[0u]), 1u);
                             }
-                            phi_2754_ = 4294967295u;
+                            phi_2765_ = 4294967295u;
                             break;
                         }
-                        let _e571 = (0.5f * (_e530.x - _e530.z));
-                        let _e576 = sqrt(((_e571 * _e571) + (_e530.y * _e530.y)));
-                        let _e579 = ((0.5f * (_e530.x + _e530.z)) + _e576);
-                        if (_e571 >= 0f) {
-                            phi_2752_ = vec2<f32>((_e571 + _e576), _e530.y);
+                        let _e568 = (0.5f * (_e530.x - _e530.z));
+                        let _e573 = sqrt(((_e568 * _e568) + (_e530.y * _e530.y)));
+                        let _e576 = ((0.5f * (_e530.x + _e530.z)) + _e573);
+                        if (_e568 >= 0f) {
+                            phi_2763_ = vec2<f32>((_e568 + _e573), _e530.y);
                         } else {
-                            phi_2752_ = vec2<f32>(_e530.y, (_e576 - _e571));
+                            phi_2763_ = vec2<f32>(_e530.y, (_e573 - _e568));
                         }
-                        let _e586 = phi_2752_;
-                        let _e587 = length(_e586);
-                        if (_e587 > 0f) {
-                            phi_2753_ = (_e586 / vec2(_e587));
+                        let _e583 = phi_2763_;
+                        let _e584 = length(_e583);
+                        if (_e584 > 0f) {
+                            phi_2764_ = (_e583 / vec2(_e584));
                         } else {
-                            phi_2753_ = vec2<f32>(1f, 0f);
+                            phi_2764_ = vec2<f32>(1f, 0f);
                         }
-                        let _e592 = phi_2753_;
-                        let _e599 = global.member_5;
-                        let _e603 = global.member_10;
-                        let _e607 = vec2<u32>(clamp(round(((_e367 + vec2(_e599)) * _e603)), vec2<f32>(0f, 0f), vec2<f32>(1048575f, 1048575f)));
-                        let _e610 = vec3<u32>(round((clamp((vec3<f32>((_e395 >> bitcast<vec3<u32>>(vec3<u32>(22u, 22u, 22u)))) * vec3<f32>(0.0009775171f, 0.0009775171f, 0.0009775171f)), vec3<f32>(0f, 0f, 0f), vec3<f32>(1f, 1f, 1f)) * 1023f)));
-                        let _e638 = global.member_45;
-                        let _e640 = (4u * (_e638 + _e66));
-                        global_4.member[_e640] = ((_e607.x | (_e610.x << bitcast<u32>(20u))) | (_e610.z << bitcast<u32>(30u)));
-                        global_4.member[(_e640 + 1u)] = (_e607.y | (_e610.y << bitcast<u32>(20u)));
-                        global_4.member[(_e640 + 2u)] = pack2x16float((_e592 * min(sqrt(_e579), 65504f)));
-                        global_4.member[(_e640 + 3u)] = ((pack2x16float(vec2<f32>(min(sqrt(((_e473 * (_e529 * _e529)) / _e579)), 65504f), 0f)) | (_e527 << bitcast<u32>(16u))) | ((_e610.z >> bitcast<u32>(2u)) << bitcast<u32>(24u)));
-                        let _e653 = global.member_9;
-                        phi_2754_ = min(u32((_e365 * f32(_e653))), _e653);
+                        let _e589 = phi_2764_;
+                        let _e596 = global.member_5;
+                        let _e600 = global.member_10;
+                        let _e604 = vec2<u32>(clamp(round(((_e367 + vec2(_e596)) * _e600)), vec2<f32>(0f, 0f), vec2<f32>(1048575f, 1048575f)));
+                        let _e607 = vec3<u32>(round((clamp((vec3<f32>((_e395 >> bitcast<vec3<u32>>(vec3<u32>(22u, 22u, 22u)))) * vec3<f32>(0.0009775171f, 0.0009775171f, 0.0009775171f)), vec3<f32>(0f, 0f, 0f), vec3<f32>(1f, 1f, 1f)) * 1023f)));
+                        let _e635 = global.member_45;
+                        let _e637 = (4u * (_e635 + _e66));
+                        global_4.member[_e637] = ((_e604.x | (_e607.x << bitcast<u32>(20u))) | (_e607.z << bitcast<u32>(30u)));
+                        global_4.member[(_e637 + 1u)] = (_e604.y | (_e607.y << bitcast<u32>(20u)));
+                        global_4.member[(_e637 + 2u)] = pack2x16float((_e589 * min(sqrt(_e576), 65504f)));
+                        global_4.member[(_e637 + 3u)] = ((pack2x16float(vec2<f32>(min(sqrt(((_e473 * (_e529 * _e529)) / _e576)), 65504f), 0f)) | (_e527 << bitcast<u32>(16u))) | ((_e607.z >> bitcast<u32>(2u)) << bitcast<u32>(24u)));
+                        let _e650 = global.member_9;
+                        phi_2765_ = min(u32((_e365 * f32(_e650))), _e650);
                         break;
                     }
                 }
-                let _e659 = phi_2754_;
-                phi_2755_ = _e659;
+                let _e656 = phi_2765_;
+                phi_2766_ = _e656;
                 break;
             }
         }
-        let _e661 = phi_2755_;
-        phi_2756_ = _e661;
+        let _e658 = phi_2766_;
+        phi_2767_ = _e658;
     } else {
-        phi_2756_ = 4294967295u;
+        phi_2767_ = 4294967295u;
     }
-    let _e663 = phi_2756_;
+    let _e660 = phi_2767_;
     switch bitcast<i32>(0u) {
         default: {
-            let _e666 = bitcast<u32>(param[0u]);
-            let _e668 = global.member_45;
-            let _e669 = (_e668 + _e66);
-            if (_e663 != 4294967295u) {
-                let _e672 = global.member_41;
-                let _e676 = global.member_40;
-                let _e682 = atomicAdd((&global_1.member[((_e676 + ((_e669 / _e672) * 256u)) + (_e663 & 255u))]), 1u);
+            let _e663 = bitcast<u32>(param[0u]);
+            let _e665 = global.member_45;
+            let _e666 = (_e665 + _e66);
+            if (_e660 != 4294967295u) {
+                let _e669 = global.member_41;
+                let _e673 = global.member_40;
+                let _e679 = atomicAdd((&global_1.member[((_e673 + ((_e666 / _e669) * 256u)) + (_e660 & 255u))]), 1u);
             }
-            let _e684 = global.member_39;
-            if (_e684 == 0u) {
+            let _e681 = global.member_39;
+            if (_e681 == 0u) {
                 if (_e66 < (_e68 + (_e68 & 1u))) {
-                    let _e690 = global.member_28;
-                    global_4.member[(_e690 + _e669)] = _e663;
+                    let _e687 = global.member_28;
+                    global_4.member[(_e687 + _e666)] = _e660;
                 }
                 break;
             }
-            global_5[_e666] = _e663;
+            global_5[_e663] = _e660;
             workgroupBarrier();
-            let _e696 = ((_e666 & 1u) == 0u);
-            if select(_e696, _e69, _e696) {
-                let _e699 = global.member_28;
-                let _e706 = global_5[(_e666 + 1u)];
-                global_4.member[(_e699 + (_e669 >> bitcast<u32>(1u)))] = ((_e663 & 65535u) | (_e706 << bitcast<u32>(16u)));
+            let _e693 = ((_e663 & 1u) == 0u);
+            if select(_e693, _e69, _e693) {
+                let _e696 = global.member_28;
+                let _e703 = global_5[(_e663 + 1u)];
+                global_4.member[(_e696 + (_e666 >> bitcast<u32>(1u)))] = ((_e660 & 65535u) | (_e703 << bitcast<u32>(16u)));
             }
             break;
         }

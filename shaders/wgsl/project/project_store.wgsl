@@ -140,52 +140,52 @@ var<storage> global_7: type_36;
 
 @compute @workgroup_size(64, 1, 1) 
 fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocation_id) param_1: vec3<u32>) {
-    var phi_3593_: bool;
-    var phi_5548_: f32;
-    var phi_5549_: f32;
-    var phi_5553_: u32;
-    var phi_5559_: u32;
-    var phi_5558_: f32;
-    var phi_5556_: u32;
+    var phi_3602_: bool;
+    var phi_5559_: f32;
+    var phi_5560_: f32;
+    var phi_5564_: u32;
+    var phi_5570_: u32;
+    var phi_5569_: f32;
+    var phi_5567_: u32;
     var local: f32;
-    var phi_5563_: bool;
-    var phi_3642_: bool;
-    var phi_5574_: f32;
-    var phi_5565_: vec2<f32>;
-    var phi_5564_: bool;
-    var phi_5584_: vec4<f32>;
-    var phi_5585_: vec4<f32>;
-    var phi_5586_: vec4<f32>;
-    var phi_5604_: vec3<f32>;
-    var phi_5606_: vec4<f32>;
-    var phi_5605_: u32;
+    var phi_5574_: bool;
+    var phi_3651_: bool;
+    var phi_5585_: f32;
+    var phi_5576_: vec2<f32>;
+    var phi_5575_: bool;
+    var phi_5595_: vec4<f32>;
+    var phi_5596_: vec4<f32>;
+    var phi_5597_: vec4<f32>;
+    var phi_5615_: vec3<f32>;
+    var phi_5617_: vec4<f32>;
+    var phi_5616_: u32;
     var local_1: vec4<f32>;
-    var phi_5621_: vec4<f32>;
-    var phi_5609_: vec3<f32>;
-    var phi_5608_: u32;
+    var phi_5632_: vec4<f32>;
+    var phi_5620_: vec3<f32>;
+    var phi_5619_: u32;
     var local_2: vec3<f32>;
-    var phi_5625_: vec3<f32>;
-    var phi_5618_: vec3<f32>;
-    var phi_5617_: u32;
+    var phi_5636_: vec3<f32>;
+    var phi_5629_: vec3<f32>;
+    var phi_5628_: u32;
     var local_3: vec3<f32>;
-    var phi_5627_: vec3<f32>;
-    var phi_5628_: vec3<f32>;
-    var phi_5630_: vec3<f32>;
-    var phi_5632_: vec3<f32>;
-    var phi_3175_: bool;
-    var phi_3189_: bool;
-    var phi_4979_: bool;
-    var phi_4985_: bool;
-    var phi_5647_: f32;
-    var phi_5646_: u32;
+    var phi_5638_: vec3<f32>;
+    var phi_5639_: vec3<f32>;
+    var phi_5641_: vec3<f32>;
+    var phi_5643_: vec3<f32>;
+    var phi_3184_: bool;
+    var phi_3198_: bool;
+    var phi_4993_: bool;
+    var phi_4999_: bool;
+    var phi_5658_: f32;
+    var phi_5657_: u32;
     var local_4: f32;
-    var phi_5655_: u32;
-    var phi_5062_: bool;
-    var phi_5659_: vec2<f32>;
-    var phi_5660_: vec2<f32>;
-    var phi_5661_: u32;
-    var phi_5662_: u32;
-    var phi_5663_: u32;
+    var phi_5666_: u32;
+    var phi_5077_: bool;
+    var phi_5670_: vec2<f32>;
+    var phi_5671_: vec2<f32>;
+    var phi_5672_: u32;
+    var phi_5673_: u32;
+    var phi_5674_: u32;
 
     let _e82 = bitcast<u32>(param_1[0u]);
     let _e84 = global.member_48;
@@ -261,9 +261,9 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                             if (_e379 != 0u) {
                                 let _e383 = atomicAdd((&global_1.member[0u]), 1u);
                             }
-                            phi_5574_ = 0f;
-                            phi_5565_ = vec2<f32>(0f, 0f);
-                            phi_5564_ = false;
+                            phi_5585_ = 0f;
+                            phi_5576_ = vec2<f32>(0f, 0f);
+                            phi_5575_ = false;
                             break;
                         }
                         let _e385 = global.member;
@@ -273,43 +273,43 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                         let _e392 = (((_e385 * _e386) / _e388) + _e391);
                         let _e394 = global.member_5;
                         let _e398 = all((_e392 >= vec2(-(_e394))));
-                        phi_3593_ = _e398;
+                        phi_3602_ = _e398;
                         if _e398 {
                             let _e400 = global.member_4;
-                            phi_3593_ = all((_e392 <= (_e400 + vec2(_e394))));
+                            phi_3602_ = all((_e392 <= (_e400 + vec2(_e394))));
                         }
-                        let _e406 = phi_3593_;
+                        let _e406 = phi_3602_;
                         if !(_e406) {
                             let _e409 = global_2.member_9;
                             if (_e409 != 0u) {
                                 let _e413 = atomicAdd((&global_1.member[0u]), 1u);
                             }
-                            phi_5574_ = 0f;
-                            phi_5565_ = _e392;
-                            phi_5564_ = false;
+                            phi_5585_ = 0f;
+                            phi_5576_ = _e392;
+                            phi_5575_ = false;
                             break;
                         }
                         let _e415 = global.member_7;
                         let _e418 = global.member_8;
                         let _e419 = ((_e415 - _e340) * _e418);
                         if (_e419 < 0f) {
-                            phi_5549_ = (0.015625f / (1f - _e419));
+                            phi_5560_ = (0.015625f / (1f - _e419));
                         } else {
                             if (_e419 > 1f) {
-                                phi_5548_ = (1f - (0.015625f / _e419));
+                                phi_5559_ = (1f - (0.015625f / _e419));
                             } else {
-                                phi_5548_ = (0.015625f + (0.96875f * clamp(_e419, 0f, 1f)));
+                                phi_5559_ = (0.015625f + (0.96875f * clamp(_e419, 0f, 1f)));
                             }
-                            let _e428 = phi_5548_;
-                            phi_5549_ = _e428;
+                            let _e428 = phi_5559_;
+                            phi_5560_ = _e428;
                         }
-                        let _e432 = phi_5549_;
+                        let _e432 = phi_5560_;
                         let _e433 = (_e386 / _e388);
                         let _e441 = global.member[0u];
                         let _e444 = global.member[1u];
                         let _e449 = global.member_31;
                         let _e450 = (_e449 > 0u);
-                        phi_3642_ = _e450;
+                        phi_3651_ = _e450;
                         if _e450 {
                             let _e452 = global.member_34;
                             let _e455 = global.member_29;
@@ -324,26 +324,26 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                                     let _e488 = vec2<u32>(clamp(((((_e392 + _e472) - _e475) * _e478) + vec2<f32>(0.5f, 0.5f)), vec2<f32>(0f, 0f), vec2<f32>(191f, 191f)));
                                     let _e495 = max((_e488.x - _e486.x), (_e488.y - _e486.y));
                                     if (_e495 <= 3u) {
-                                        phi_5553_ = 0u;
+                                        phi_5564_ = 0u;
                                     } else {
-                                        phi_5553_ = (bitcast<u32>(firstLeadingBit((_e495 - 1u))) - 1u);
+                                        phi_5564_ = (bitcast<u32>(firstLeadingBit((_e495 - 1u))) - 1u);
                                     }
-                                    let _e502 = phi_5553_;
+                                    let _e502 = phi_5564_;
                                     if !((_e502 < 4u)) {
-                                        phi_5563_ = false;
+                                        phi_5574_ = false;
                                         break;
                                     }
                                     let _e512 = vec2(_e502);
                                     let _e514 = (_e486 >> bitcast<vec2<u32>>(_e512));
                                     let _e516 = (_e488 >> bitcast<vec2<u32>>(_e512));
                                     let _e518 = (_e514.x & 4294967292u);
-                                    phi_5559_ = _e518;
-                                    phi_5558_ = 0f;
-                                    phi_5556_ = _e514.y;
+                                    phi_5570_ = _e518;
+                                    phi_5569_ = 0f;
+                                    phi_5567_ = _e514.y;
                                     loop {
-                                        let _e521 = phi_5559_;
-                                        let _e523 = phi_5558_;
-                                        let _e525 = phi_5556_;
+                                        let _e521 = phi_5570_;
+                                        let _e523 = phi_5569_;
+                                        let _e525 = phi_5567_;
                                         local = _e523;
                                         if (_e525 <= _e516.y) {
                                             continue;
@@ -358,76 +358,76 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                                             let _e559 = select(select(vec4<f32>(_e550.x, _e550.y, _e552.x, _e552.y), vec4<f32>(0f, 0f, 0f, 0f), (_e530 < vec4(f32(_e514.x)))), vec4<f32>(0f, 0f, 0f, 0f), (_e530 > vec4(f32(_e516.x))));
                                             let _e568 = (_e521 + 4u);
                                             let _e569 = (_e568 > _e516.x);
-                                            phi_5559_ = select(_e568, _e518, _e569);
-                                            phi_5558_ = max(_e523, max(max(_e559.x, _e559.y), max(_e559.z, _e559.w)));
-                                            phi_5556_ = (_e525 + select(0u, 1u, _e569));
+                                            phi_5570_ = select(_e568, _e518, _e569);
+                                            phi_5569_ = max(_e523, max(max(_e559.x, _e559.y), max(_e559.z, _e559.w)));
+                                            phi_5567_ = (_e525 + select(0u, 1u, _e569));
                                         }
                                     }
                                     let _e574 = local;
-                                    phi_5563_ = ((1f - _e432) > _e574);
+                                    phi_5574_ = ((1f - _e432) > _e574);
                                     break;
                                 }
                             }
-                            let _e577 = phi_5563_;
-                            phi_3642_ = _e577;
+                            let _e577 = phi_5574_;
+                            phi_3651_ = _e577;
                         }
-                        let _e579 = phi_3642_;
+                        let _e579 = phi_3651_;
                         if _e579 {
                             let _e581 = global_2.member_9;
                             if (_e581 != 0u) {
                                 let _e585 = atomicAdd((&global_1.member[1u]), 1u);
                             }
-                            phi_5574_ = _e432;
-                            phi_5565_ = _e392;
-                            phi_5564_ = false;
+                            phi_5585_ = _e432;
+                            phi_5576_ = _e392;
+                            phi_5575_ = false;
                             break;
                         }
-                        phi_5574_ = _e432;
-                        phi_5565_ = _e392;
-                        phi_5564_ = true;
+                        phi_5585_ = _e432;
+                        phi_5576_ = _e392;
+                        phi_5575_ = true;
                         break;
                     }
                 }
-                let _e587 = phi_5574_;
-                let _e589 = phi_5565_;
-                let _e591 = phi_5564_;
+                let _e587 = phi_5585_;
+                let _e589 = phi_5576_;
+                let _e591 = phi_5575_;
                 let _e596 = global_7.member[((3u * _e88) + _e92)];
                 let _e599 = (_e596.y >> bitcast<u32>(24u));
                 let _e613 = ((vec3<f32>(f32((_e596.x & 1023u)), f32(((_e596.x >> bitcast<u32>(10u)) & 1023u)), f32(((_e596.x >> bitcast<u32>(20u)) & 1023u))) - vec3<f32>(512f, 512f, 512f)) * vec3<f32>(0.0013888889f, 0.0013888889f, 0.0013888889f));
                 let _e617 = sqrt(max((1f - dot(_e613, _e613)), 0f));
                 let _e619 = (_e596.x >> bitcast<u32>(30u));
                 if (_e619 == 0u) {
-                    phi_5586_ = vec4<f32>(_e617, _e613.x, _e613.y, _e613.z);
+                    phi_5597_ = vec4<f32>(_e617, _e613.x, _e613.y, _e613.z);
                 } else {
                     if (_e619 == 1u) {
-                        phi_5585_ = vec4<f32>(_e613.x, _e617, _e613.y, _e613.z);
+                        phi_5596_ = vec4<f32>(_e613.x, _e617, _e613.y, _e613.z);
                     } else {
                         if (_e619 == 2u) {
-                            phi_5584_ = vec4<f32>(_e613.x, _e613.y, _e617, _e613.z);
+                            phi_5595_ = vec4<f32>(_e613.x, _e613.y, _e617, _e613.z);
                         } else {
-                            phi_5584_ = vec4<f32>(_e613.x, _e613.y, _e613.z, _e617);
+                            phi_5595_ = vec4<f32>(_e613.x, _e613.y, _e613.z, _e617);
                         }
-                        let _e632 = phi_5584_;
-                        phi_5585_ = _e632;
+                        let _e632 = phi_5595_;
+                        phi_5596_ = _e632;
                     }
-                    let _e638 = phi_5585_;
-                    phi_5586_ = _e638;
+                    let _e638 = phi_5596_;
+                    phi_5597_ = _e638;
                 }
-                let _e644 = phi_5586_;
+                let _e644 = phi_5597_;
                 let _e648 = global.member_38;
                 let _e649 = (_e648 > 0u);
-                phi_5604_ = unpack4x8unorm(_e596.y).xyz;
+                phi_5615_ = unpack4x8unorm(_e596.y).xyz;
                 if _e649 {
                     let _e653 = global_7.member[(_e648 + _e92)];
                     let _e655 = unpack2x16float(_e653.x);
-                    phi_5604_ = vec3<f32>(_e655.x, _e655.y, unpack2x16float(_e653.y).x);
+                    phi_5615_ = vec3<f32>(_e655.x, _e655.y, unpack2x16float(_e653.y).x);
                 }
-                let _e663 = phi_5604_;
+                let _e663 = phi_5615_;
                 let _e666 = (1u << bitcast<u32>((_e92 & 31u)));
                 let _e669 = global_7.member[_e96];
                 let _e673 = global_7.member[(_e96 + 1u)];
                 let _e677 = global_7.member[(_e96 + 2u)];
-                phi_5621_ = _e644;
+                phi_5632_ = _e644;
                 if ((_e669.x & _e666) != 0u) {
                     let _e688 = global.member_22;
                     let _e690 = global.member_18;
@@ -436,11 +436,11 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                     let _e698 = global_6.member[_e694];
                     let _e700 = global.member_44;
                     let _e704 = global.member_19;
-                    phi_5606_ = vec4<f32>(0f, 0f, 0f, 0f);
-                    phi_5605_ = 0u;
+                    phi_5617_ = vec4<f32>(0f, 0f, 0f, 0f);
+                    phi_5616_ = 0u;
                     loop {
-                        let _e708 = phi_5606_;
-                        let _e710 = phi_5605_;
+                        let _e708 = phi_5617_;
+                        let _e710 = phi_5616_;
                         let _e712 = (2u * ((_e700 + ((_e698 >> bitcast<u32>(16u)) * _e704)) + _e710));
                         let _e715 = global_3.member[_e712];
                         let _e719 = global_3.member[(_e712 + 1u)];
@@ -451,8 +451,8 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                         let _e752 = global_6.member[((_e695 + (3u * _e690)) + _e710)];
                         let _e756 = (_e708 + vec4<f32>(dot(unpack4x8snorm(_e729), _e725), dot(unpack4x8snorm(_e736), _e725), dot(unpack4x8snorm(_e744), _e725), dot(unpack4x8snorm(_e752), _e725)));
                         let _e758 = (_e710 + bitcast<u32>(1i));
-                        phi_5606_ = _e756;
-                        phi_5605_ = _e758;
+                        phi_5617_ = _e756;
+                        phi_5616_ = _e758;
                         local_1 = _e756;
                         if (_e758 < _e690) {
                             continue;
@@ -462,10 +462,10 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                     }
                     let _e764 = local_1;
                     let _e766 = (_e644 + (_e764 * (127f * unpack2x16float(_e698).x)));
-                    phi_5621_ = select(_e644, _e766, vec4((length(_e766) >= 0.001f)));
+                    phi_5632_ = select(_e644, _e766, vec4((length(_e766) >= 0.001f)));
                 }
-                let _e772 = phi_5621_;
-                phi_5625_ = _e232;
+                let _e772 = phi_5632_;
+                phi_5636_ = _e232;
                 if ((_e669.y & _e666) != 0u) {
                     let _e783 = global.member_23;
                     let _e785 = global.member_18;
@@ -474,11 +474,11 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                     let _e793 = global_6.member[_e789];
                     let _e795 = global.member_44;
                     let _e799 = global.member_19;
-                    phi_5609_ = vec3<f32>(0f, 0f, 0f);
-                    phi_5608_ = 0u;
+                    phi_5620_ = vec3<f32>(0f, 0f, 0f);
+                    phi_5619_ = 0u;
                     loop {
-                        let _e803 = phi_5609_;
-                        let _e805 = phi_5608_;
+                        let _e803 = phi_5620_;
+                        let _e805 = phi_5619_;
                         let _e807 = (2u * ((_e795 + ((_e793 >> bitcast<u32>(16u)) * _e799)) + _e805));
                         let _e810 = global_3.member[_e807];
                         let _e814 = global_3.member[(_e807 + 1u)];
@@ -488,8 +488,8 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                         let _e839 = global_6.member[((_e790 + (2u * _e785)) + _e805)];
                         let _e843 = (_e803 + vec3<f32>(dot(unpack4x8snorm(_e824), _e820), dot(unpack4x8snorm(_e831), _e820), dot(unpack4x8snorm(_e839), _e820)));
                         let _e845 = (_e805 + bitcast<u32>(1i));
-                        phi_5609_ = _e843;
-                        phi_5608_ = _e845;
+                        phi_5620_ = _e843;
+                        phi_5619_ = _e845;
                         local_2 = _e843;
                         if (_e845 < _e785) {
                             continue;
@@ -498,10 +498,10 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                         }
                     }
                     let _e851 = local_2;
-                    phi_5625_ = (_e232 + (_e851 * (127f * unpack2x16float(_e793).x)));
+                    phi_5636_ = (_e232 + (_e851 * (127f * unpack2x16float(_e793).x)));
                 }
-                let _e855 = phi_5625_;
-                phi_5627_ = _e663;
+                let _e855 = phi_5636_;
+                phi_5638_ = _e663;
                 if ((_e673.x & _e666) != 0u) {
                     let _e866 = global.member_24;
                     let _e868 = global.member_18;
@@ -513,11 +513,11 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                     let _e892 = global_6.member[_e872];
                     let _e894 = global.member_44;
                     let _e898 = global.member_19;
-                    phi_5618_ = vec3<f32>(0f, 0f, 0f);
-                    phi_5617_ = 0u;
+                    phi_5629_ = vec3<f32>(0f, 0f, 0f);
+                    phi_5628_ = 0u;
                     loop {
-                        let _e902 = phi_5618_;
-                        let _e904 = phi_5617_;
+                        let _e902 = phi_5629_;
+                        let _e904 = phi_5628_;
                         let _e906 = (2u * ((_e894 + ((_e892 >> bitcast<u32>(16u)) * _e898)) + _e904));
                         let _e909 = global_3.member[_e906];
                         let _e913 = global_3.member[(_e906 + 1u)];
@@ -527,8 +527,8 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                         let _e938 = global_6.member[((_e889 + (2u * _e868)) + _e904)];
                         let _e942 = (_e902 + vec3<f32>(dot(unpack4x8snorm(_e923), _e919), dot(unpack4x8snorm(_e930), _e919), dot(unpack4x8snorm(_e938), _e919)));
                         let _e944 = (_e904 + bitcast<u32>(1i));
-                        phi_5618_ = _e942;
-                        phi_5617_ = _e944;
+                        phi_5629_ = _e942;
+                        phi_5628_ = _e944;
                         local_3 = _e942;
                         if (_e944 < _e868) {
                             continue;
@@ -537,9 +537,9 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                         }
                     }
                     let _e950 = local_3;
-                    phi_5627_ = (select(vec3<f32>(_e877.x, _e877.y, unpack2x16float(_e881).x), _e663, vec3(_e649)) + (_e950 * (127f * unpack2x16float(_e892).x)));
+                    phi_5638_ = (select(vec3<f32>(_e877.x, _e877.y, unpack2x16float(_e881).x), _e663, vec3(_e649)) + (_e950 * (127f * unpack2x16float(_e892).x)));
                 }
-                let _e954 = phi_5627_;
+                let _e954 = phi_5638_;
                 let _e955 = normalize(_e772);
                 let _e960 = (_e955.z * _e955.z);
                 let _e961 = (_e955.w * _e955.w);
@@ -562,11 +562,11 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                 if _e1031 {
                     let _e1033 = global.member_55;
                     let _e1037 = global.member_56;
-                    phi_5628_ = ((_e341 - _e1033.xyz) / _e1037.xyz);
+                    phi_5639_ = ((_e341 - _e1033.xyz) / _e1037.xyz);
                 } else {
-                    phi_5628_ = vec3<f32>(0f, 0f, 0f);
+                    phi_5639_ = vec3<f32>(0f, 0f, 0f);
                 }
-                let _e1041 = phi_5628_;
+                let _e1041 = phi_5639_;
                 let _e1058 = vec3<u32>(round((clamp(select(select((vec3<f32>(0.015625f, 0.015625f, 0.015625f) + (clamp(_e1041, vec3<f32>(0f, 0f, 0f), vec3<f32>(1f, 1f, 1f)) * 0.96875f)), (vec3<f32>(0.015625f, 0.015625f, 0.015625f) / (vec3<f32>(1f, 1f, 1f) - min(_e1041, vec3<f32>(0f, 0f, 0f)))), (_e1041 < vec3<f32>(0f, 0f, 0f))), (vec3<f32>(1f, 1f, 1f) - (vec3<f32>(0.015625f, 0.015625f, 0.015625f) / max(_e1041, vec3<f32>(1f, 1f, 1f)))), (_e1041 > vec3<f32>(1f, 1f, 1f))), vec3<f32>(0f, 0f, 0f), vec3<f32>(1f, 1f, 1f)) * 16777215f)));
                 let _e1060 = (_e1058 >> bitcast<vec3<u32>>(vec3<u32>(8u, 8u, 8u)));
                 let _e1061 = (_e1058 & vec3<u32>(255u, 255u, 255u));
@@ -576,20 +576,20 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                 let _e1108 = vec3<f32>(_e1003[0].z, _e1003[1].z, _e1003[2].z);
                 let _e1109 = length(_e1094);
                 if (_e1109 > 0f) {
-                    phi_5630_ = (_e1094 / vec3(_e1109));
+                    phi_5641_ = (_e1094 / vec3(_e1109));
                 } else {
-                    phi_5630_ = vec3<f32>(0f, 0f, 0f);
+                    phi_5641_ = vec3<f32>(0f, 0f, 0f);
                 }
-                let _e1114 = phi_5630_;
+                let _e1114 = phi_5641_;
                 let _e1115 = dot(_e1101, _e1114);
                 let _e1117 = (_e1101 - (_e1114 * _e1115));
                 let _e1118 = length(_e1117);
                 if (_e1118 > 0f) {
-                    phi_5632_ = (_e1117 / vec3(_e1118));
+                    phi_5643_ = (_e1117 / vec3(_e1118));
                 } else {
-                    phi_5632_ = vec3<f32>(0f, 0f, 0f);
+                    phi_5643_ = vec3<f32>(0f, 0f, 0f);
                 }
-                let _e1123 = phi_5632_;
+                let _e1123 = phi_5643_;
                 let _e1124 = dot(_e1108, _e1114);
                 let _e1125 = dot(_e1108, _e1123);
                 let _e1139 = (1023f / (_e1020 * exp2(((f32(((_e1077 >> bitcast<u32>(16u)) & 255u)) * 0.125f) - 19f))));
@@ -602,12 +602,12 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                 global_4.member[_e1171] = _e1160.x;
                 global_4.member[(_e1171 + 1u)] = _e1160.y;
                 global_4.member[(_e1171 + 2u)] = _e1160.z;
-                phi_3175_ = _e591;
+                phi_3184_ = _e591;
                 if _e591 {
                     let _e1185 = global.member_29;
-                    phi_3175_ = (f32(_e599) <= _e1185);
+                    phi_3184_ = (f32(_e599) <= _e1185);
                 }
-                let _e1188 = phi_3175_;
+                let _e1188 = phi_3184_;
                 if _e1188 {
                     let _e1190 = global_2.member_9;
                     if (_e1190 != 0u) {
@@ -615,14 +615,14 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                     }
                 }
                 let _e1195 = !(_e591);
-                phi_3189_ = _e1195;
+                phi_3198_ = _e1195;
                 if !(_e1195) {
                     let _e1199 = global.member_29;
-                    phi_3189_ = (f32(_e599) <= _e1199);
+                    phi_3198_ = (f32(_e599) <= _e1199);
                 }
-                let _e1202 = phi_3189_;
+                let _e1202 = phi_3198_;
                 if _e1202 {
-                    phi_5662_ = 4294967295u;
+                    phi_5673_ = 4294967295u;
                     break;
                 }
                 switch bitcast<i32>(0u) {
@@ -641,29 +641,29 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                         let _e1239 = dot(_e1238, _e1238);
                         let _e1243 = (_e1239 + (_e1231 * ((_e1233 + _e1236) - _e1231)));
                         let _e1244 = (_e1243 > 0f);
-                        phi_4979_ = _e1244;
+                        phi_4993_ = _e1244;
                         if _e1244 {
-                            phi_4979_ = (_e1233 <= 1000000000000000000f);
+                            phi_4993_ = (_e1233 <= 1000000000000000000f);
                         }
-                        let _e1247 = phi_4979_;
-                        phi_4985_ = _e1247;
+                        let _e1247 = phi_4993_;
+                        phi_4999_ = _e1247;
                         if _e1247 {
-                            phi_4985_ = (_e1236 <= 1000000000000000000f);
+                            phi_4999_ = (_e1236 <= 1000000000000000000f);
                         }
-                        let _e1250 = phi_4985_;
+                        let _e1250 = phi_4999_;
                         if !(_e1250) {
                             let _e1253 = global_2.member_9;
                             if (_e1253 != 0u) {
                                 let _e1257 = atomicAdd((&global_1.member[3u]), 1u);
                             }
-                            phi_5661_ = 4294967295u;
+                            phi_5672_ = 4294967295u;
                             break;
                         }
-                        phi_5647_ = (1f - (f32(_e599) * 0.003921569f));
-                        phi_5646_ = 0u;
+                        phi_5658_ = (1f - (f32(_e599) * 0.003921569f));
+                        phi_5657_ = 0u;
                         loop {
-                            let _e1262 = phi_5647_;
-                            let _e1264 = phi_5646_;
+                            let _e1262 = phi_5658_;
+                            let _e1264 = phi_5657_;
                             local_4 = _e1262;
                             if (_e1264 < _e90) {
                                 continue;
@@ -671,14 +671,14 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                                 break;
                             }
                             continuing {
-                                phi_5647_ = (_e1262 * _e1262);
-                                phi_5646_ = (_e1264 + bitcast<u32>(1i));
+                                phi_5658_ = (_e1262 * _e1262);
+                                phi_5657_ = (_e1264 + bitcast<u32>(1i));
                             }
                         }
                         let _e1270 = local_4;
                         let _e1274 = u32(round((255f * (1f - _e1270))));
                         let _e1276 = global.member_52;
-                        phi_5655_ = _e1274;
+                        phi_5666_ = _e1274;
                         if (_e1276 > 0f) {
                             let _e1286 = u32(round((f32(_e1274) * ((1f - _e1276) + (_e1276 * sqrt((_e1239 / _e1243)))))));
                             let _e1289 = global.member_29;
@@ -687,99 +687,98 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocati
                                 if (_e1292 != 0u) {
                                     let _e1296 = atomicAdd((&global_1.member[2u]), 1u);
                                 }
-                                phi_5661_ = 4294967295u;
+                                phi_5672_ = 4294967295u;
                                 break;
                             }
-                            phi_5655_ = _e1286;
+                            phi_5666_ = _e1286;
                         }
-                        let _e1298 = phi_5655_;
+                        let _e1298 = phi_5666_;
                         let _e1300 = global.member_49;
                         let _e1301 = (vec3<f32>(_e1233, dot(_e1220, _e1229), _e1236) * _e1300);
-                        let _e1306 = global.member_34;
-                        let _e1309 = global.member_29;
-                        let _e1319 = global.member_53;
-                        let _e1320 = ((sqrt(_e1301.xz) * sqrt((2f * log(max((max(f32(_e1298), _e1306) / _e1309), 1f))))) * _e1319);
-                        let _e1323 = global.member_54;
-                        let _e1326 = all(((_e589 + _e1320) > _e1323.xy));
-                        phi_5062_ = _e1326;
-                        if _e1326 {
-                            phi_5062_ = all(((_e589 - _e1320) < _e1323.zw));
+                        let _e1306 = global.member_29;
+                        let _e1316 = global.member_53;
+                        let _e1317 = ((sqrt(_e1301.xz) * sqrt((2f * log(max((f32(_e1298) / _e1306), 1f))))) * _e1316);
+                        let _e1320 = global.member_54;
+                        let _e1323 = all(((_e589 + _e1317) > _e1320.xy));
+                        phi_5077_ = _e1323;
+                        if _e1323 {
+                            phi_5077_ = all(((_e589 - _e1317) < _e1320.zw));
                         }
-                        let _e1332 = phi_5062_;
-                        if !(_e1332) {
-                            let _e1335 = global_2.member_9;
-                            if (_e1335 != 0u) {
-                                let _e1339 = atomicAdd((&global_1.member[0u]), 1u);
+                        let _e1329 = phi_5077_;
+                        if !(_e1329) {
+                            let _e1332 = global_2.member_9;
+                            if (_e1332 != 0u) {
+                                let _e1336 = atomicAdd((&global_1.member[0u]), 1u);
                             }
-                            phi_5661_ = 4294967295u;
+                            phi_5672_ = 4294967295u;
                             break;
                         }
-                        let _e1343 = (0.5f * (_e1301.x - _e1301.z));
-                        let _e1348 = sqrt(((_e1343 * _e1343) + (_e1301.y * _e1301.y)));
-                        let _e1351 = ((0.5f * (_e1301.x + _e1301.z)) + _e1348);
-                        if (_e1343 >= 0f) {
-                            phi_5659_ = vec2<f32>((_e1343 + _e1348), _e1301.y);
+                        let _e1340 = (0.5f * (_e1301.x - _e1301.z));
+                        let _e1345 = sqrt(((_e1340 * _e1340) + (_e1301.y * _e1301.y)));
+                        let _e1348 = ((0.5f * (_e1301.x + _e1301.z)) + _e1345);
+                        if (_e1340 >= 0f) {
+                            phi_5670_ = vec2<f32>((_e1340 + _e1345), _e1301.y);
                         } else {
-                            phi_5659_ = vec2<f32>(_e1301.y, (_e1348 - _e1343));
+                            phi_5670_ = vec2<f32>(_e1301.y, (_e1345 - _e1340));
                         }
-                        let _e1358 = phi_5659_;
-                        let _e1359 = length(_e1358);
-                        if (_e1359 > 0f) {
-                            phi_5660_ = (_e1358 / vec2(_e1359));
+                        let _e1355 = phi_5670_;
+                        let _e1356 = length(_e1355);
+                        if (_e1356 > 0f) {
+                            phi_5671_ = (_e1355 / vec2(_e1356));
                         } else {
-                            phi_5660_ = vec2<f32>(1f, 0f);
+                            phi_5671_ = vec2<f32>(1f, 0f);
                         }
-                        let _e1364 = phi_5660_;
-                        let _e1371 = global.member_5;
-                        let _e1375 = global.member_10;
-                        let _e1379 = vec2<u32>(clamp(round(((_e589 + vec2(_e1371)) * _e1375)), vec2<f32>(0f, 0f), vec2<f32>(1048575f, 1048575f)));
-                        let _e1407 = global.member_45;
-                        let _e1409 = (4u * (_e1407 + _e82));
-                        global_4.member[_e1409] = ((_e1379.x | (_e1157.x << bitcast<u32>(20u))) | (_e1157.z << bitcast<u32>(30u)));
-                        global_4.member[(_e1409 + 1u)] = (_e1379.y | (_e1157.y << bitcast<u32>(20u)));
-                        global_4.member[(_e1409 + 2u)] = pack2x16float((_e1364 * min(sqrt(_e1351), 65504f)));
-                        global_4.member[(_e1409 + 3u)] = ((pack2x16float(vec2<f32>(min(sqrt(((_e1243 * (_e1300 * _e1300)) / _e1351)), 65504f), 0f)) | (_e1298 << bitcast<u32>(16u))) | ((_e1157.z >> bitcast<u32>(2u)) << bitcast<u32>(24u)));
-                        let _e1422 = global.member_9;
-                        phi_5661_ = min(u32((_e587 * f32(_e1422))), _e1422);
+                        let _e1361 = phi_5671_;
+                        let _e1368 = global.member_5;
+                        let _e1372 = global.member_10;
+                        let _e1376 = vec2<u32>(clamp(round(((_e589 + vec2(_e1368)) * _e1372)), vec2<f32>(0f, 0f), vec2<f32>(1048575f, 1048575f)));
+                        let _e1404 = global.member_45;
+                        let _e1406 = (4u * (_e1404 + _e82));
+                        global_4.member[_e1406] = ((_e1376.x | (_e1157.x << bitcast<u32>(20u))) | (_e1157.z << bitcast<u32>(30u)));
+                        global_4.member[(_e1406 + 1u)] = (_e1376.y | (_e1157.y << bitcast<u32>(20u)));
+                        global_4.member[(_e1406 + 2u)] = pack2x16float((_e1361 * min(sqrt(_e1348), 65504f)));
+                        global_4.member[(_e1406 + 3u)] = ((pack2x16float(vec2<f32>(min(sqrt(((_e1243 * (_e1300 * _e1300)) / _e1348)), 65504f), 0f)) | (_e1298 << bitcast<u32>(16u))) | ((_e1157.z >> bitcast<u32>(2u)) << bitcast<u32>(24u)));
+                        let _e1419 = global.member_9;
+                        phi_5672_ = min(u32((_e587 * f32(_e1419))), _e1419);
                         break;
                     }
                 }
-                let _e1428 = phi_5661_;
-                phi_5662_ = _e1428;
+                let _e1425 = phi_5672_;
+                phi_5673_ = _e1425;
                 break;
             }
         }
-        let _e1430 = phi_5662_;
-        phi_5663_ = _e1430;
+        let _e1427 = phi_5673_;
+        phi_5674_ = _e1427;
     } else {
-        phi_5663_ = 4294967295u;
+        phi_5674_ = 4294967295u;
     }
-    let _e1432 = phi_5663_;
+    let _e1429 = phi_5674_;
     switch bitcast<i32>(0u) {
         default: {
-            let _e1435 = bitcast<u32>(param[0u]);
-            let _e1437 = global.member_45;
-            let _e1438 = (_e1437 + _e82);
-            if (_e1432 != 4294967295u) {
-                let _e1441 = global.member_41;
-                let _e1445 = global.member_40;
-                let _e1451 = atomicAdd((&global_1.member[((_e1445 + ((_e1438 / _e1441) * 256u)) + (_e1432 & 255u))]), 1u);
+            let _e1432 = bitcast<u32>(param[0u]);
+            let _e1434 = global.member_45;
+            let _e1435 = (_e1434 + _e82);
+            if (_e1429 != 4294967295u) {
+                let _e1438 = global.member_41;
+                let _e1442 = global.member_40;
+                let _e1448 = atomicAdd((&global_1.member[((_e1442 + ((_e1435 / _e1438) * 256u)) + (_e1429 & 255u))]), 1u);
             }
-            let _e1453 = global.member_39;
-            if (_e1453 == 0u) {
+            let _e1450 = global.member_39;
+            if (_e1450 == 0u) {
                 if (_e82 < (_e84 + (_e84 & 1u))) {
-                    let _e1459 = global.member_28;
-                    global_4.member[(_e1459 + _e1438)] = _e1432;
+                    let _e1456 = global.member_28;
+                    global_4.member[(_e1456 + _e1435)] = _e1429;
                 }
                 break;
             }
-            global_5[_e1435] = _e1432;
+            global_5[_e1432] = _e1429;
             workgroupBarrier();
-            let _e1465 = ((_e1435 & 1u) == 0u);
-            if select(_e1465, _e85, _e1465) {
-                let _e1468 = global.member_28;
-                let _e1475 = global_5[(_e1435 + 1u)];
-                global_4.member[(_e1468 + (_e1438 >> bitcast<u32>(1u)))] = ((_e1432 & 65535u) | (_e1475 << bitcast<u32>(16u)));
+            let _e1462 = ((_e1432 & 1u) == 0u);
+            if select(_e1462, _e85, _e1462) {
+                let _e1465 = global.member_28;
+                let _e1472 = global_5[(_e1432 + 1u)];
+                global_4.member[(_e1465 + (_e1435 >> bitcast<u32>(1u)))] = ((_e1429 & 65535u) | (_e1472 << bitcast<u32>(16u)));
             }
             break;
         }
