@@ -278,6 +278,8 @@ tests! {
     small_avatars_go_before_and_behind_large_ones[SharedTiles],
     small_avatars_that_touch_are_sorted_together[Quads],
     small_avatars_that_touch_are_sorted_together[Tiles],
+    frames_show_the_same_whatever_came_before[Tiles],
+    frames_show_the_same_whatever_came_before[SharedTiles],
     what_faint_saves_cuts_nothing_off[Quads],
     what_faint_saves_cuts_nothing_off[Tiles],
     what_faint_saves_cuts_nothing_off[SharedTiles],
