@@ -5,10 +5,14 @@
 //   word 2: longer axis, one standard deviation, px, two f16
 //   word 3: length of the shorter axis, px, f16; opacity (8 bits); high 8 bits of blue
 
-// Radius of a splat in standard deviations: where its opacity falls to the cutoff.
-float radius_of(uint opacity) {
-    return sqrt(2.0 * log(max(max(float(opacity), frame.quad_opacity) / frame.cutoff, 1.0)));
+// How far a splat of an opacity, of 255, shows, in standard deviations: to where it falls to the
+// cutoff.
+float visible_radius(float opacity) {
+    return sqrt(2.0 * log(max(opacity / frame.cutoff, 1.0)));
 }
+
+// How far it is drawn.
+float radius_of(uint opacity) { return visible_radius(max(float(opacity), frame.quad_opacity)); }
 
 // `covariance`: xx, xy, yy in px². `determinant`: of the covariance, computed without cancellation.
 uvec4 pack_splat(vec2 center, vec3 covariance, float determinant, vec3 color, uint opacity) {
@@ -17,8 +21,9 @@ uvec4 pack_splat(vec2 center, vec3 covariance, float determinant, vec3 color, ui
     float longer = 0.5 * (covariance.x + covariance.z) + root;
     vec2 direction = half_difference >= 0.0 ? vec2(half_difference + root, covariance.y)
                                             : vec2(covariance.y, root - half_difference);
-    float size = length(direction);
-    direction = size > 0.0 ? direction / size : vec2(1.0, 0.0);
+    // If f32 can't tell its axes apart it is round, and any direction serves. The squares of what
+    // is left of the difference would be too small for f32: the direction's length would not be 1.
+    direction = root > 1e-8 * longer ? normalize(direction) : vec2(1.0, 0.0);
     // The length is clamped to what f16 holds, not each component: the direction stays.
     vec2 axis = min(sqrt(longer), F16_MAX) * direction;
     float shorter = sqrt(determinant / longer);

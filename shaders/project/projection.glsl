@@ -128,7 +128,8 @@ uint write_splat(uint index, vec3 p, vec2 center, float key, mat3 rows, mat3 axe
     }
     covariance *= frame.covariance_scale;
     determinant *= frame.covariance_scale * frame.covariance_scale;
-    vec2 half_sides = radius_of(opacity) * sqrt(covariance.xz);
+    // What shows decides, not what is drawn for it: in an atlas a splat is cut off by this.
+    vec2 half_sides = visible_radius(float(opacity)) * sqrt(covariance.xz);
     vec2 reach = frame.area_reach * half_sides;
     if (!(all(greaterThan(center + reach, frame.area.xy)) &&
           all(lessThan(center - reach, frame.area.zw)))) {

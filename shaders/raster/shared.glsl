@@ -43,11 +43,13 @@ void main() {
     uvec2 corner = (FIRST_REGION + gl_WorkGroupID.xy) * REGION;
     uvec2 first = 2u * place_of(gl_LocalInvocationIndex);
     Samples samples;
-    samples.open = true;
+    bool drawn = is_drawn(corner);
+    samples.open = drawn;
     samples.evaluated = 0u;
     const vec4 clear = vec4(0.0, 0.0, 0.0, 1.0);
     samples.pixels = vec4[](clear, clear, clear, clear);
     blend_bin(samples, corner, vec2(first) + 0.5);
+    samples.open = samples.open || !drawn;
     first += corner;
     store(first, samples.pixels[0], samples.open);
     store(first + uvec2(1u, 0u), samples.pixels[1], samples.open);

@@ -17,15 +17,18 @@ void store_row(uvec2 at, uvec2 size, vec4 a, vec4 b, vec4 c, vec4 d, bool open) 
 
 void main() {
     uint index = index_in_workgroup();
-    uvec2 first = (FIRST_REGION + gl_WorkGroupID.xy) * RASTER_REGION + SIDE * place_of(index);
+    uvec2 corner = (FIRST_REGION + gl_WorkGroupID.xy) * RASTER_REGION;
+    uvec2 first = corner + SIDE * place_of(index);
     Square square;
-    square.open = true;
+    bool drawn = is_drawn(corner);
+    square.open = drawn;
     square.fragments = 0u;
     square.middle = vec2(first) + 0.5 * float(SIDE);
     const vec4 clear = vec4(0.0, 0.0, 0.0, 1.0);
     square.pixels = vec4[](clear, clear, clear, clear, clear, clear, clear, clear,
                            clear, clear, clear, clear, clear, clear, clear, clear);
     blend_tiles(square, uvec2(square.middle / frame.tile_side));
+    square.open = square.open || !drawn;
     uvec2 size = uvec2(frame.size);
     store_row(first, size,
               square.pixels[0], square.pixels[1], square.pixels[2], square.pixels[3],

@@ -483,7 +483,7 @@ impl Renderer {
     ) {
         let image = SettingsBlock {
             key_count: schedule.key_count,
-            first_region: self.raster.first_region(damage),
+            first_region: self.raster.first_region(damage, self.options.size),
             ..self.settings
         };
         let first = match &plan.atlas {
@@ -534,7 +534,7 @@ impl Renderer {
         block.tile_side = TILING_WEB.tile(layer.size) as f32;
         block.count_tile = SORT_TILE;
         if let Some(instance) = instance {
-            block::write_instance(block, &self.options, instance, pose);
+            block::write_instance(block, &self.options, layer, instance, pose);
             self.project.fill_instance(block, instance.cache_start);
             self.pose_caches[number].write_to(block, camera);
         }

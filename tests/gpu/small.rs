@@ -4,12 +4,14 @@
 use crate::common::{self, Sizes, gpu::Raster};
 use effigy_core::{
     avatar::{Avatar, Filter},
-    frame::{FrameReport, RendererOptions},
+    frame::{FrameReport, RendererOptions, Skip},
+    layout::RASTER_REGION,
     reference,
     scene::{AvatarBounds, Camera, FrameImage, Posed, Supersampling},
 };
 use effigy_measure::error;
 use glam::{DAffine3, DVec3};
+use half::f16;
 
 /// A renderer of either backend.
 pub trait Renders: Sized {
@@ -33,6 +35,8 @@ macro_rules! check_with {
             any_factor_is_averaged_by_area,
             no_switch_is_seen,
             frames_leave_nothing_behind,
+            what_faint_saves_cuts_nothing_off,
+            frames_show_the_same_whatever_came_before,
             levels_are_drawn_as_avatars,
             levels_have_samples_of_their_own,
             levels_have_their_own_harmonics,
@@ -108,6 +112,24 @@ pub fn assert_near(what: &str, image: &FrameImage, expected: &FrameImage, psnr: 
         error.pixels > 100 && error.psnr_db >= psnr,
         "{what}: {error:?}"
     );
+}
+
+/// Faint Gaussians that networks move to the edges of their slot: those whose visible part is all
+/// inside are drawn, whether or not quads are only as large as that.
+pub fn what_faint_saves_cuts_nothing_off<R: Renders>(raster: Raster) {
+    let (mut avatar, camera) = scene(9.0, SIZE);
+    avatar.gaussians.opacity.fill(30);
+    avatar.gaussians.log_scale.fill([f16::from_f64(-3.0); 3]);
+    for number in avatar.nodes.basis.halves_mut() {
+        *number = f16::from_f64(200.0 * number.to_f64());
+    }
+    let posed = posed(&avatar, &camera, 3, DVec3::ZERO);
+    let options = supersampled::<R>(raster, &camera, Supersampling::Times(2));
+    let [with, without] = [Skip::all(), Skip::all() - Skip::FAINT].map(|skip| {
+        let options = RendererOptions { skip, ..options };
+        drawn::<R>(&avatar, &[&posed], &camera, options).0
+    });
+    assert_near("without faint", &without, &with, 50.0);
 }
 
 /// In the middle, and where the image cuts it off.
@@ -285,6 +307,51 @@ pub fn frames_leave_nothing_behind<R: Renders>(raster: Raster) {
         factors.push(renderer.report().counters.supersampled);
     }
     assert_eq!(factors, [1, 1, 0, 0, 2, 0, 1]);
+}
+
+/// Networks move Gaussians by metres, out of the box around the avatar. What of them is beyond is
+/// cut off, in the first frame as in others. The box begins where a region does, so that samples of
+/// the saturation depth before it decide about its first pixels.
+pub fn frames_show_the_same_whatever_came_before<R: Renders>(raster: Raster) {
+    let (mut avatar, mut camera) = scene(6.0, LARGE);
+    for number in avatar.nodes.basis.halves_mut() {
+        *number = f16::from_f64(500.0 * number.to_f64());
+    }
+    avatar.gaussians.opacity.fill(255);
+    avatar.gaussians.log_scale.fill([f16::from_f64(-3.0); 3]);
+    let options = supersampled::<R>(raster, &camera, Supersampling::OFF);
+    let whole = RendererOptions {
+        skip: options.skip - Skip::DAMAGE,
+        ..options
+    };
+    let still = posed(&avatar, &camera, 5, DVec3::ZERO);
+    let visible = AvatarBounds::new(&avatar).visible(&still.joints, &camera);
+    camera.center -= (visible.rect.min % RASTER_REGION).as_dvec2();
+    let [image, all] = [options, whole].map(|options| {
+        let mut renderer = R::make(&avatar, options);
+        renderer.draw_all(&[&still], &camera);
+        let first = renderer.image();
+        // All around it is cleared, and what is to its left.
+        for away in [-5.0, 12.0] {
+            let other = posed(&avatar, &camera, 6, DVec3::new(-0.5, 0.0, away));
+            renderer.draw_all(&[&other], &camera);
+        }
+        renderer.draw_all(&[&still], &camera);
+        assert!(renderer.image() == first, "it depends on what was before");
+        first
+    });
+    assert!(image != all, "nothing is beyond the box");
+    // Nobody knows how far inputs beyond all that is learned move them: the box is not used.
+    let mut wild = still;
+    for number in &mut wild.input {
+        *number *= 1000.0;
+    }
+    let [image, all] = [options, whole].map(|options| {
+        let mut renderer = R::make(&avatar, options);
+        renderer.draw_all(&[&wild], &camera);
+        renderer.image()
+    });
+    assert!(image == all, "wild inputs are cut off");
 }
 
 /// Levels are drawn as the avatars that they are while an avatar comes nearer. Networks run only

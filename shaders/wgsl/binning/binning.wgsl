@@ -152,16 +152,16 @@ var<storage> unnamed_2: Order_1;
 var<storage> unnamed_3: Splats_1;
 
 fn needs_block_u0028_u1_u003b(head_1: ptr<function, u32>) -> bool {
-    var phi_242_: bool;
+    var phi_251_: bool;
 
     let _e3 = (*head_1);
     let _e4 = (_e3 == 0u);
-    phi_242_ = _e4;
+    phi_251_ = _e4;
     if !(_e4) {
         let _e6 = (*head_1);
-        phi_242_ = ((_e6 & 7u) == 7u);
+        phi_251_ = ((_e6 & 7u) == 7u);
     }
-    let _e10 = phi_242_;
+    let _e10 = phi_251_;
     return _e10;
 }
 
@@ -227,11 +227,20 @@ fn half_box_u0028_struct_u002d_Splat_u002d_vf2_u002d_vf2_u002d_f1_u002d_vf3_u002
     return (sqrt(((_e14 * _e16) + ((_e22.yx * (_e18 * _e19)) * _e26.yx))) * _e12);
 }
 
-fn radius_of_u0028_u1_u003b(opacity: ptr<function, u32>) -> f32 {
+fn visible_radius_u0028_f1_u003b(opacity: ptr<function, f32>) -> f32 {
     let _e4 = (*opacity);
-    let _e7 = frame.quad_opacity;
-    let _e10 = frame.cutoff;
-    return sqrt((2f * log(max((max(f32(_e4), _e7) / _e10), 1f))));
+    let _e6 = frame.cutoff;
+    return sqrt((2f * log(max((_e4 / _e6), 1f))));
+}
+
+fn radius_of_u0028_u1_u003b(opacity_1: ptr<function, u32>) -> f32 {
+    var param_25: f32;
+
+    let _e3 = (*opacity_1);
+    let _e6 = frame.quad_opacity;
+    param_25 = max(f32(_e3), _e6);
+    let _e8 = visible_radius_u0028_f1_u003b((&param_25));
+    return _e8;
 }
 
 fn fixed_center_u0028_vu4_u003b(words: ptr<function, vec4<u32>>) -> vec2<f32> {
@@ -241,14 +250,14 @@ fn fixed_center_u0028_vu4_u003b(words: ptr<function, vec4<u32>>) -> vec2<f32> {
 
 fn unpack_splat_u0028_vu4_u003b(words_1: ptr<function, vec4<u32>>) -> Splat {
     var splat_3: Splat;
-    var param_25: vec4<u32>;
+    var param_26: vec4<u32>;
     var blue: u32;
     var red: u32;
     var green: u32;
 
     let _e18 = (*words_1);
-    param_25 = _e18;
-    let _e19 = fixed_center_u0028_vu4_u003b((&param_25));
+    param_26 = _e18;
+    let _e19 = fixed_center_u0028_vu4_u003b((&param_26));
     let _e21 = frame.fixed_scale;
     let _e25 = frame.guard;
     splat_3.center = ((_e19 / vec2(_e21)) - vec2(_e25));

@@ -141,12 +141,12 @@ var<storage, read_write> global_6: type_30;
 
 @compute @workgroup_size(128, 1, 1) 
 fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) param_1: vec3<u32>) {
-    var phi_785_: u32;
-    var phi_786_: u32;
-    var phi_572_: bool;
-    var phi_788_: u32;
-    var phi_791_: u32;
-    var phi_787_: u32;
+    var phi_799_: u32;
+    var phi_800_: u32;
+    var phi_581_: bool;
+    var phi_802_: u32;
+    var phi_805_: u32;
+    var phi_801_: u32;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -157,9 +157,9 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
             if (_e27 >= _e30) {
                 break;
             }
-            phi_785_ = _e24;
+            phi_799_ = _e24;
             loop {
-                let _e33 = phi_785_;
+                let _e33 = phi_799_;
                 if (_e33 < 10u) {
                     continue;
                 } else {
@@ -167,13 +167,13 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                 }
                 continuing {
                     atomicStore((&global_5[_e33]), 0u);
-                    phi_785_ = (_e33 + 128u);
+                    phi_799_ = (_e33 + 128u);
                 }
             }
             workgroupBarrier();
-            phi_786_ = (_e27 + _e24);
+            phi_800_ = (_e27 + _e24);
             loop {
-                let _e42 = phi_786_;
+                let _e42 = phi_800_;
                 if (_e42 < min(((_e26 + 1u) * 256u), _e30)) {
                     let _e48 = global_1.member[((_e30 - 1u) - _e42)];
                     let _e51 = global_3.member[_e48];
@@ -195,30 +195,30 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                     let _e109 = vec2<f32>(((((vec2<u32>(_e102) + _e104) - vec2<u32>(1u, 1u)) / _e104) - vec2<u32>(1u, 1u)));
                     let _e111 = vec2(f32(_e100));
                     let _e119 = all((_e97 < _e102));
-                    phi_572_ = _e119;
+                    phi_581_ = _e119;
                     if _e119 {
-                        phi_572_ = all((_e98 > vec2<f32>(0f, 0f)));
+                        phi_581_ = all((_e98 > vec2<f32>(0f, 0f)));
                     }
-                    let _e123 = phi_572_;
-                    phi_788_ = 0u;
+                    let _e123 = phi_581_;
+                    phi_802_ = 0u;
                     loop {
-                        let _e126 = phi_788_;
+                        let _e126 = phi_802_;
                         if (_e126 < 10u) {
                             let _e129 = vec2(_e126);
                             let _e135 = (((vec2<u32>(clamp((_e98 / _e111), vec2<f32>(0f, 0f), _e109)) >> bitcast<vec2<u32>>(_e129)) - (vec2<u32>(clamp((_e97 / _e111), vec2<f32>(0f, 0f), _e109)) >> bitcast<vec2<u32>>(_e129))) + vec2<u32>(1u, 1u));
                             if !(_e123) {
-                                phi_791_ = 0u;
+                                phi_805_ = 0u;
                             } else {
-                                phi_791_ = (_e135.x * _e135.y);
+                                phi_805_ = (_e135.x * _e135.y);
                             }
-                            let _e140 = phi_791_;
+                            let _e140 = phi_805_;
                             let _e141 = atomicAdd((&global_5[_e126]), _e140);
                             continue;
                         } else {
                             break;
                         }
                         continuing {
-                            phi_788_ = (_e126 + bitcast<u32>(1i));
+                            phi_802_ = (_e126 + bitcast<u32>(1i));
                         }
                     }
                     continue;
@@ -226,13 +226,13 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                     break;
                 }
                 continuing {
-                    phi_786_ = (_e42 + 128u);
+                    phi_800_ = (_e42 + 128u);
                 }
             }
             workgroupBarrier();
-            phi_787_ = _e24;
+            phi_801_ = _e24;
             loop {
-                let _e146 = phi_787_;
+                let _e146 = phi_801_;
                 if (_e146 < 10u) {
                     continue;
                 } else {
@@ -242,7 +242,7 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                     let _e149 = global_4.member_11;
                     let _e154 = atomicLoad((&global_5[_e146]));
                     global_6.member[((_e149 + (_e26 * 10u)) + _e146)] = (_e154 + (_e154 & 1u));
-                    phi_787_ = (_e146 + 128u);
+                    phi_801_ = (_e146 + 128u);
                 }
             }
             break;

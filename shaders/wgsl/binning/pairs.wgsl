@@ -151,35 +151,35 @@ var<storage, read_write> global_10: type_32;
 @compute @workgroup_size(128, 1, 1) 
 fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) param_1: vec3<u32>) {
     var local: array<u32, 2>;
-    var phi_1234_: u32;
-    var phi_801_: bool;
-    var phi_1261_: u32;
-    var phi_1265_: u32;
-    var phi_1235_: u32;
-    var phi_1255_: u32;
-    var phi_1259_: u32;
-    var phi_1256_: u32;
-    var phi_1236_: u32;
-    var phi_1238_: u32;
-    var phi_1237_: u32;
+    var phi_1248_: u32;
+    var phi_810_: bool;
+    var phi_1275_: u32;
+    var phi_1279_: u32;
+    var phi_1249_: u32;
+    var phi_1269_: u32;
+    var phi_1273_: u32;
+    var phi_1270_: u32;
+    var phi_1250_: u32;
+    var phi_1252_: u32;
+    var phi_1251_: u32;
     var local_1: u32;
     var local_2: u32;
-    var phi_1239_: u32;
+    var phi_1253_: u32;
     var local_3: u32;
     var local_4: u32;
     var local_5: u32;
-    var phi_1242_: u32;
-    var phi_1241_: u32;
-    var phi_1247_: u32;
-    var phi_1246_: u32;
+    var phi_1256_: u32;
+    var phi_1255_: u32;
+    var phi_1261_: u32;
+    var phi_1260_: u32;
     var local_6: u32;
     var local_7: u32;
-    var phi_1248_: u32;
+    var phi_1262_: u32;
     var local_8: u32;
     var local_9: u32;
     var local_10: u32;
-    var phi_1251_: u32;
-    var phi_1250_: u32;
+    var phi_1265_: u32;
+    var phi_1264_: u32;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -191,13 +191,13 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                 break;
             }
             let _e43 = global_9.member[8i];
-            phi_1234_ = _e33;
+            phi_1248_ = _e33;
             loop {
-                let _e45 = phi_1234_;
+                let _e45 = phi_1248_;
                 if (_e45 < 256u) {
                     let _e47 = (_e36 + _e45);
                     global_6[_e45] = 1u;
-                    phi_1265_ = 0u;
+                    phi_1279_ = 0u;
                     if (_e47 < _e39) {
                         let _e54 = global_1.member[((_e39 - 1u) - _e47)];
                         let _e57 = global_3.member[_e54];
@@ -220,65 +220,65 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                         let _e117 = vec2(f32(_e106));
                         let _e123 = vec2<u32>(clamp((_e104 / _e117), vec2<f32>(0f, 0f), _e115));
                         let _e125 = all((_e103 < _e108));
-                        phi_801_ = _e125;
+                        phi_810_ = _e125;
                         if _e125 {
-                            phi_801_ = all((_e104 > vec2<f32>(0f, 0f)));
+                            phi_810_ = all((_e104 > vec2<f32>(0f, 0f)));
                         }
-                        let _e129 = phi_801_;
+                        let _e129 = phi_810_;
                         let _e131 = vec2(_e43);
                         let _e135 = (vec2<u32>(clamp((_e103 / _e117), vec2<f32>(0f, 0f), _e115)) >> bitcast<vec2<u32>>(_e131));
                         let _e137 = (((_e123 >> bitcast<vec2<u32>>(_e131)) - _e135) + vec2<u32>(1u, 1u));
                         if !(_e129) {
-                            phi_1261_ = 0u;
+                            phi_1275_ = 0u;
                         } else {
-                            phi_1261_ = (_e137.x * _e137.y);
+                            phi_1275_ = (_e137.x * _e137.y);
                         }
-                        let _e142 = phi_1261_;
+                        let _e142 = phi_1275_;
                         global_8[_e45] = _e54;
                         global_7[_e45] = (_e135.x | (_e135.y << bitcast<u32>(16u)));
                         global_6[_e45] = (((_e123.x >> bitcast<u32>(_e43)) - _e135.x) + 1u);
-                        phi_1265_ = _e142;
+                        phi_1279_ = _e142;
                     }
-                    let _e156 = phi_1265_;
+                    let _e156 = phi_1279_;
                     global_5[_e45] = _e156;
                     continue;
                 } else {
                     break;
                 }
                 continuing {
-                    phi_1234_ = (_e45 + 128u);
+                    phi_1248_ = (_e45 + 128u);
                 }
             }
             workgroupBarrier();
-            phi_1235_ = 1u;
+            phi_1249_ = 1u;
             loop {
-                let _e160 = phi_1235_;
+                let _e160 = phi_1249_;
                 if (_e160 < 256u) {
-                    phi_1255_ = 0u;
+                    phi_1269_ = 0u;
                     loop {
-                        let _e163 = phi_1255_;
+                        let _e163 = phi_1269_;
                         if (_e163 < 2u) {
                             let _e166 = ((_e163 * 128u) + _e33);
                             if (_e166 >= _e160) {
                                 let _e170 = global_5[(_e166 - _e160)];
-                                phi_1259_ = _e170;
+                                phi_1273_ = _e170;
                             } else {
-                                phi_1259_ = 0u;
+                                phi_1273_ = 0u;
                             }
-                            let _e172 = phi_1259_;
+                            let _e172 = phi_1273_;
                             local[_e163] = _e172;
                             continue;
                         } else {
                             break;
                         }
                         continuing {
-                            phi_1255_ = (_e163 + bitcast<u32>(1i));
+                            phi_1269_ = (_e163 + bitcast<u32>(1i));
                         }
                     }
                     workgroupBarrier();
-                    phi_1256_ = 0u;
+                    phi_1270_ = 0u;
                     loop {
-                        let _e177 = phi_1256_;
+                        let _e177 = phi_1270_;
                         if (_e177 < 2u) {
                             continue;
                         } else {
@@ -288,7 +288,7 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                             let _e182 = local[_e177];
                             let _e184 = global_5[((_e177 * 128u) + _e33)];
                             global_5[((_e177 * 128u) + _e33)] = (_e184 + _e182);
-                            phi_1256_ = (_e177 + bitcast<u32>(1i));
+                            phi_1270_ = (_e177 + bitcast<u32>(1i));
                         }
                     }
                     workgroupBarrier();
@@ -297,7 +297,7 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                     break;
                 }
                 continuing {
-                    phi_1235_ = (_e160 * 2u);
+                    phi_1249_ = (_e160 * 2u);
                 }
             }
             let _e190 = global.member_50;
@@ -306,23 +306,23 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
             let _e202 = global_4.member_11;
             let _e207 = global_9.member[(_e202 + (_e35 * 10u))];
             let _e209 = global_5[255i];
-            phi_1236_ = (2u * _e33);
+            phi_1250_ = (2u * _e33);
             loop {
-                let _e214 = phi_1236_;
+                let _e214 = phi_1250_;
                 if (_e214 < (_e209 + (_e209 & 1u))) {
                     switch bitcast<i32>(0u) {
                         default: {
                             let _e217 = global_5[255i];
                             if (_e214 >= _e217) {
-                                phi_1242_ = 65535u;
-                                phi_1241_ = 0u;
+                                phi_1256_ = 65535u;
+                                phi_1255_ = 0u;
                                 break;
                             }
-                            phi_1238_ = 0u;
-                            phi_1237_ = 128u;
+                            phi_1252_ = 0u;
+                            phi_1251_ = 128u;
                             loop {
-                                let _e220 = phi_1238_;
-                                let _e222 = phi_1237_;
+                                let _e220 = phi_1252_;
+                                let _e222 = phi_1251_;
                                 local_1 = _e220;
                                 local_2 = _e220;
                                 local_3 = _e220;
@@ -335,19 +335,19 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                                 }
                                 continuing {
                                     let _e227 = global_5[((_e220 + _e222) - 1u)];
-                                    phi_1238_ = (_e220 + select(0u, _e222, (_e227 <= _e214)));
-                                    phi_1237_ = (_e222 / 2u);
+                                    phi_1252_ = (_e220 + select(0u, _e222, (_e227 <= _e214)));
+                                    phi_1251_ = (_e222 / 2u);
                                 }
                             }
                             let _e233 = local_1;
                             if (_e233 > 0u) {
                                 let _e236 = local_2;
                                 let _e239 = global_5[(_e236 - 1u)];
-                                phi_1239_ = _e239;
+                                phi_1253_ = _e239;
                             } else {
-                                phi_1239_ = 0u;
+                                phi_1253_ = 0u;
                             }
-                            let _e241 = phi_1239_;
+                            let _e241 = phi_1253_;
                             let _e242 = (_e214 - _e241);
                             let _e244 = local_3;
                             let _e246 = global_6[_e244];
@@ -358,27 +358,27 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                             let _e257 = global_7[_e249];
                             let _e264 = local_5;
                             let _e266 = global_8[_e264];
-                            phi_1242_ = ((((_e257 >> bitcast<u32>(16u)) + _e247) * (((vec2<u32>(_e194) + _e196) - vec2<u32>(1u, 1u)) / _e196).x) + (((_e251 & 65535u) + _e242) - (_e247 * _e254)));
-                            phi_1241_ = _e266;
+                            phi_1256_ = ((((_e257 >> bitcast<u32>(16u)) + _e247) * (((vec2<u32>(_e194) + _e196) - vec2<u32>(1u, 1u)) / _e196).x) + (((_e251 & 65535u) + _e242) - (_e247 * _e254)));
+                            phi_1255_ = _e266;
                             break;
                         }
                     }
-                    let _e268 = phi_1242_;
-                    let _e270 = phi_1241_;
+                    let _e268 = phi_1256_;
+                    let _e270 = phi_1255_;
                     let _e271 = (_e214 + 1u);
                     switch bitcast<i32>(0u) {
                         default: {
                             let _e273 = global_5[255i];
                             if (_e271 >= _e273) {
-                                phi_1251_ = 65535u;
-                                phi_1250_ = 0u;
+                                phi_1265_ = 65535u;
+                                phi_1264_ = 0u;
                                 break;
                             }
-                            phi_1247_ = 0u;
-                            phi_1246_ = 128u;
+                            phi_1261_ = 0u;
+                            phi_1260_ = 128u;
                             loop {
-                                let _e276 = phi_1247_;
-                                let _e278 = phi_1246_;
+                                let _e276 = phi_1261_;
+                                let _e278 = phi_1260_;
                                 local_6 = _e276;
                                 local_7 = _e276;
                                 local_8 = _e276;
@@ -391,19 +391,19 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                                 }
                                 continuing {
                                     let _e283 = global_5[((_e276 + _e278) - 1u)];
-                                    phi_1247_ = (_e276 + select(0u, _e278, (_e283 <= _e271)));
-                                    phi_1246_ = (_e278 / 2u);
+                                    phi_1261_ = (_e276 + select(0u, _e278, (_e283 <= _e271)));
+                                    phi_1260_ = (_e278 / 2u);
                                 }
                             }
                             let _e289 = local_6;
                             if (_e289 > 0u) {
                                 let _e292 = local_7;
                                 let _e295 = global_5[(_e292 - 1u)];
-                                phi_1248_ = _e295;
+                                phi_1262_ = _e295;
                             } else {
-                                phi_1248_ = 0u;
+                                phi_1262_ = 0u;
                             }
-                            let _e297 = phi_1248_;
+                            let _e297 = phi_1262_;
                             let _e298 = (_e271 - _e297);
                             let _e300 = local_8;
                             let _e302 = global_6[_e300];
@@ -414,13 +414,13 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                             let _e313 = global_7[_e305];
                             let _e320 = local_10;
                             let _e322 = global_8[_e320];
-                            phi_1251_ = ((((_e313 >> bitcast<u32>(16u)) + _e303) * (((vec2<u32>(_e194) + _e196) - vec2<u32>(1u, 1u)) / _e196).x) + (((_e307 & 65535u) + _e298) - (_e303 * _e310)));
-                            phi_1250_ = _e322;
+                            phi_1265_ = ((((_e313 >> bitcast<u32>(16u)) + _e303) * (((vec2<u32>(_e194) + _e196) - vec2<u32>(1u, 1u)) / _e196).x) + (((_e307 & 65535u) + _e298) - (_e303 * _e310)));
+                            phi_1264_ = _e322;
                             break;
                         }
                     }
-                    let _e324 = phi_1251_;
-                    let _e326 = phi_1250_;
+                    let _e324 = phi_1265_;
+                    let _e326 = phi_1264_;
                     let _e328 = global_4.member_13;
                     let _e330 = ((_e328 + _e207) + _e214);
                     global_9.member[_e330] = _e270;
@@ -431,7 +431,7 @@ fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(workgroup_id) p
                     break;
                 }
                 continuing {
-                    phi_1236_ = (_e214 + 256u);
+                    phi_1250_ = (_e214 + 256u);
                 }
             }
             break;

@@ -140,613 +140,611 @@ var<storage> global_7: type_36;
 
 @compute @workgroup_size(64, 1, 1) 
 fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocation_id) param_1: vec3<u32>) {
-    var phi_5190_: u32;
-    var phi_5189_: bool;
-    var phi_3150_: bool;
+    var phi_5196_: u32;
+    var phi_5195_: bool;
+    var phi_3157_: bool;
     var local: bool;
-    var phi_3558_: bool;
-    var phi_5192_: f32;
-    var phi_5193_: f32;
-    var phi_5197_: u32;
+    var phi_3565_: bool;
+    var phi_5198_: f32;
+    var phi_5199_: f32;
     var phi_5203_: u32;
-    var phi_5202_: f32;
-    var phi_5200_: u32;
+    var phi_5209_: u32;
+    var phi_5208_: f32;
+    var phi_5206_: u32;
     var local_1: f32;
-    var phi_5207_: bool;
-    var phi_3607_: bool;
-    var phi_5218_: f32;
-    var phi_5209_: vec2<f32>;
-    var phi_5208_: bool;
-    var phi_5228_: vec4<f32>;
-    var phi_5229_: vec4<f32>;
-    var phi_5230_: vec4<f32>;
-    var phi_5248_: vec3<f32>;
-    var phi_5250_: vec4<f32>;
-    var phi_5249_: u32;
+    var phi_5213_: bool;
+    var phi_3614_: bool;
+    var phi_5224_: f32;
+    var phi_5215_: vec2<f32>;
+    var phi_5214_: bool;
+    var phi_5234_: vec4<f32>;
+    var phi_5235_: vec4<f32>;
+    var phi_5236_: vec4<f32>;
+    var phi_5254_: vec3<f32>;
+    var phi_5256_: vec4<f32>;
+    var phi_5255_: u32;
     var local_2: vec4<f32>;
-    var phi_5265_: vec4<f32>;
-    var phi_5253_: vec3<f32>;
-    var phi_5252_: u32;
+    var phi_5271_: vec4<f32>;
+    var phi_5259_: vec3<f32>;
+    var phi_5258_: u32;
     var local_3: vec3<f32>;
-    var phi_5269_: vec3<f32>;
-    var phi_5262_: vec3<f32>;
-    var phi_5261_: u32;
+    var phi_5275_: vec3<f32>;
+    var phi_5268_: vec3<f32>;
+    var phi_5267_: u32;
     var local_4: vec3<f32>;
-    var phi_5271_: vec3<f32>;
-    var phi_4648_: bool;
-    var phi_4654_: bool;
-    var phi_5276_: f32;
-    var phi_5275_: u32;
+    var phi_5277_: vec3<f32>;
+    var phi_4660_: bool;
+    var phi_4666_: bool;
+    var phi_5282_: f32;
+    var phi_5281_: u32;
     var local_5: f32;
-    var phi_5284_: u32;
-    var phi_4731_: bool;
-    var phi_5288_: vec2<f32>;
-    var phi_5289_: vec2<f32>;
     var phi_5290_: u32;
-    var phi_5291_: u32;
-    var phi_5292_: u32;
+    var phi_4744_: bool;
+    var phi_5294_: vec2<f32>;
+    var phi_5295_: vec2<f32>;
+    var phi_5296_: u32;
+    var phi_5297_: u32;
+    var phi_5298_: u32;
 
-    let _e70 = bitcast<u32>(param_1[0u]);
-    let _e72 = global.member_48;
-    let _e73 = (_e70 < _e72);
-    if _e73 {
+    let _e71 = bitcast<u32>(param_1[0u]);
+    let _e73 = global.member_48;
+    let _e74 = (_e71 < _e73);
+    if _e74 {
         switch bitcast<i32>(0u) {
             default: {
-                let _e76 = global.member_14;
-                let _e78 = global.member_47;
-                let _e80 = (_e70 << bitcast<u32>(_e78));
-                let _e84 = (4u * (_e76 + (_e80 >> bitcast<u32>(5u))));
-                let _e89 = global_7.member[(_e84 + 3u)][0u];
-                phi_5190_ = (_e89 & 65535u);
-                phi_5189_ = true;
+                let _e77 = global.member_14;
+                let _e79 = global.member_47;
+                let _e81 = (_e71 << bitcast<u32>(_e79));
+                let _e85 = (4u * (_e77 + (_e81 >> bitcast<u32>(5u))));
+                let _e90 = global_7.member[(_e85 + 3u)][0u];
+                phi_5196_ = (_e90 & 65535u);
+                phi_5195_ = true;
                 loop {
-                    let _e92 = phi_5190_;
-                    let _e94 = phi_5189_;
-                    local = _e94;
-                    phi_3150_ = _e94;
-                    if _e94 {
-                        phi_3150_ = (_e92 <= (_e89 >> bitcast<u32>(16u)));
+                    let _e93 = phi_5196_;
+                    let _e95 = phi_5195_;
+                    local = _e95;
+                    phi_3157_ = _e95;
+                    if _e95 {
+                        phi_3157_ = (_e93 <= (_e90 >> bitcast<u32>(16u)));
                     }
-                    let _e99 = phi_3150_;
-                    if _e99 {
+                    let _e100 = phi_3157_;
+                    if _e100 {
                         continue;
                     } else {
                         break;
                     }
                     continuing {
-                        let _e108 = global.member_59[(_e92 >> bitcast<u32>(7u))][((_e92 >> bitcast<u32>(5u)) & 3u)];
-                        phi_5190_ = (_e92 + bitcast<u32>(1i));
-                        phi_5189_ = (((_e108 >> bitcast<u32>((_e92 & 31u))) & 1u) != 0u);
+                        let _e109 = global.member_59[(_e93 >> bitcast<u32>(7u))][((_e93 >> bitcast<u32>(5u)) & 3u)];
+                        phi_5196_ = (_e93 + bitcast<u32>(1i));
+                        phi_5195_ = (((_e109 >> bitcast<u32>((_e93 & 31u))) & 1u) != 0u);
                     }
                 }
-                let _e117 = local;
-                if _e117 {
-                    let _e119 = global_2.member_9;
-                    if (_e119 != 0u) {
-                        let _e123 = atomicAdd((&global_1.member[0u]), 1u);
+                let _e118 = local;
+                if _e118 {
+                    let _e120 = global_2.member_9;
+                    if (_e120 != 0u) {
+                        let _e124 = atomicAdd((&global_1.member[0u]), 1u);
                     }
-                    phi_5291_ = 4294967295u;
+                    phi_5297_ = 4294967295u;
                     break;
                 }
-                let _e124 = (2u * _e80);
-                let _e127 = global_7.member[_e124];
-                let _e131 = global_7.member[(_e124 + 1u)];
-                let _e136 = global_7.member[((2u * _e76) + _e80)];
-                let _e147 = (vec2<f32>(f32(((_e136.y >> bitcast<u32>(16u)) & 31u)), f32(((_e136.y >> bitcast<u32>(21u)) & 31u))) * vec2<f32>(0.032258064f, 0.032258064f));
-                let _e151 = ((1f + (2f * _e147.x)) * 0.33333334f);
-                let _e152 = (1f - _e151);
-                let _e156 = (_e152 * (0.5f + (0.5f * _e147.y)));
-                let _e174 = global.member_11;
-                let _e177 = global.member_12;
-                let _e182 = global.member_21;
-                let _e183 = (2u * _e182);
-                let _e187 = global_3.member[(_e183 + (_e136.x & 65535u))];
-                let _e189 = unpack2x16float(_e187.x);
-                let _e201 = global_3.member[(_e183 + (_e136.x >> bitcast<u32>(16u)))];
-                let _e203 = unpack2x16float(_e201.x);
-                let _e215 = global_3.member[(_e183 + (_e136.y & 65535u))];
-                let _e217 = unpack2x16float(_e215.x);
-                let _e225 = ((((_e174.xyz + (_e177.xyz * vec3<f32>(f32((_e127.x & 65535u)), f32((_e127.x >> bitcast<u32>(16u))), f32((_e127.y & 65535u))))) + (vec3<f32>(_e189.x, _e189.y, unpack2x16float(_e187.y).x) * _e151)) + (vec3<f32>(_e203.x, _e203.y, unpack2x16float(_e201.y).x) * _e156)) + (vec3<f32>(_e217.x, _e217.y, unpack2x16float(_e215.y).x) * (_e152 - _e156)));
-                let _e229 = vec4<f32>(_e225.x, _e225.y, _e225.z, 1f);
-                let _e242 = (((_e127.y >> bitcast<u32>(16u)) | ((_e131.y >> bitcast<u32>(24u)) << bitcast<u32>(16u))) | ((_e136.y >> bitcast<u32>(26u)) << bitcast<u32>(24u)));
-                let _e254 = global.member_36;
-                let _e256 = global.member_37;
-                let _e259 = (vec3(_e254) + (vec3<f32>(f32((_e242 & 1023u)), f32(((_e242 >> bitcast<u32>(10u)) & 1023u)), f32((_e242 >> bitcast<u32>(20u)))) * _e256));
-                let _e268 = (vec4<u32>(_e131.x, (_e131.x >> bitcast<u32>(8u)), (_e131.x >> bitcast<u32>(16u)), (_e131.x >> bitcast<u32>(24u))) & vec4<u32>(255u, 255u, 255u, 255u));
-                let _e274 = (vec3<u32>(_e131.y, (_e131.y >> bitcast<u32>(8u)), (_e131.y >> bitcast<u32>(16u))) & vec3<u32>(255u, 255u, 255u));
-                let _e275 = vec3<f32>(_e274);
-                let _e287 = (vec4<f32>(_e275.x, _e275.y, _e275.z, f32((((255u - _e274.x) - _e274.y) - _e274.z))) * vec4<f32>(0.003921569f, 0.003921569f, 0.003921569f, 0.003921569f));
-                let _e290 = (3u * _e268.x);
-                let _e293 = global.member_62[_e290];
-                let _e298 = global.member_62[(_e290 + 1u)];
-                let _e303 = global.member_62[(_e290 + 2u)];
-                let _e307 = (3u * _e268.y);
-                let _e310 = global.member_62[_e307];
-                let _e316 = global.member_62[(_e307 + 1u)];
-                let _e322 = global.member_62[(_e307 + 2u)];
-                let _e327 = (3u * _e268.z);
-                let _e330 = global.member_62[_e327];
-                let _e336 = global.member_62[(_e327 + 1u)];
-                let _e342 = global.member_62[(_e327 + 2u)];
-                let _e347 = (3u * _e268.w);
-                let _e350 = global.member_62[_e347];
-                let _e352 = ((((_e293 * _e287.x) + (_e310 * _e287.y)) + (_e330 * _e287.z)) + (_e350 * _e287.w));
-                let _e356 = global.member_62[(_e347 + 1u)];
-                let _e358 = ((((_e298 * _e287.x) + (_e316 * _e287.y)) + (_e336 * _e287.z)) + (_e356 * _e287.w));
-                let _e362 = global.member_62[(_e347 + 2u)];
-                let _e364 = ((((_e303 * _e287.x) + (_e322 * _e287.y)) + (_e342 * _e287.z)) + (_e362 * _e287.w));
-                let _e367 = dot(_e364, _e229);
-                let _e368 = vec3<f32>(dot(_e352, _e229), dot(_e358, _e229), _e367);
-                let _e369 = _e352.xyz;
-                let _e370 = _e358.xyz;
-                let _e371 = _e364.xyz;
-                let _e383 = vec3<f32>(_e364.x, _e364.y, _e364.z);
+                let _e125 = (2u * _e81);
+                let _e128 = global_7.member[_e125];
+                let _e132 = global_7.member[(_e125 + 1u)];
+                let _e137 = global_7.member[((2u * _e77) + _e81)];
+                let _e148 = (vec2<f32>(f32(((_e137.y >> bitcast<u32>(16u)) & 31u)), f32(((_e137.y >> bitcast<u32>(21u)) & 31u))) * vec2<f32>(0.032258064f, 0.032258064f));
+                let _e152 = ((1f + (2f * _e148.x)) * 0.33333334f);
+                let _e153 = (1f - _e152);
+                let _e157 = (_e153 * (0.5f + (0.5f * _e148.y)));
+                let _e175 = global.member_11;
+                let _e178 = global.member_12;
+                let _e183 = global.member_21;
+                let _e184 = (2u * _e183);
+                let _e188 = global_3.member[(_e184 + (_e137.x & 65535u))];
+                let _e190 = unpack2x16float(_e188.x);
+                let _e202 = global_3.member[(_e184 + (_e137.x >> bitcast<u32>(16u)))];
+                let _e204 = unpack2x16float(_e202.x);
+                let _e216 = global_3.member[(_e184 + (_e137.y & 65535u))];
+                let _e218 = unpack2x16float(_e216.x);
+                let _e226 = ((((_e175.xyz + (_e178.xyz * vec3<f32>(f32((_e128.x & 65535u)), f32((_e128.x >> bitcast<u32>(16u))), f32((_e128.y & 65535u))))) + (vec3<f32>(_e190.x, _e190.y, unpack2x16float(_e188.y).x) * _e152)) + (vec3<f32>(_e204.x, _e204.y, unpack2x16float(_e202.y).x) * _e157)) + (vec3<f32>(_e218.x, _e218.y, unpack2x16float(_e216.y).x) * (_e153 - _e157)));
+                let _e230 = vec4<f32>(_e226.x, _e226.y, _e226.z, 1f);
+                let _e243 = (((_e128.y >> bitcast<u32>(16u)) | ((_e132.y >> bitcast<u32>(24u)) << bitcast<u32>(16u))) | ((_e137.y >> bitcast<u32>(26u)) << bitcast<u32>(24u)));
+                let _e255 = global.member_36;
+                let _e257 = global.member_37;
+                let _e260 = (vec3(_e255) + (vec3<f32>(f32((_e243 & 1023u)), f32(((_e243 >> bitcast<u32>(10u)) & 1023u)), f32((_e243 >> bitcast<u32>(20u)))) * _e257));
+                let _e269 = (vec4<u32>(_e132.x, (_e132.x >> bitcast<u32>(8u)), (_e132.x >> bitcast<u32>(16u)), (_e132.x >> bitcast<u32>(24u))) & vec4<u32>(255u, 255u, 255u, 255u));
+                let _e275 = (vec3<u32>(_e132.y, (_e132.y >> bitcast<u32>(8u)), (_e132.y >> bitcast<u32>(16u))) & vec3<u32>(255u, 255u, 255u));
+                let _e276 = vec3<f32>(_e275);
+                let _e288 = (vec4<f32>(_e276.x, _e276.y, _e276.z, f32((((255u - _e275.x) - _e275.y) - _e275.z))) * vec4<f32>(0.003921569f, 0.003921569f, 0.003921569f, 0.003921569f));
+                let _e291 = (3u * _e269.x);
+                let _e294 = global.member_62[_e291];
+                let _e299 = global.member_62[(_e291 + 1u)];
+                let _e304 = global.member_62[(_e291 + 2u)];
+                let _e308 = (3u * _e269.y);
+                let _e311 = global.member_62[_e308];
+                let _e317 = global.member_62[(_e308 + 1u)];
+                let _e323 = global.member_62[(_e308 + 2u)];
+                let _e328 = (3u * _e269.z);
+                let _e331 = global.member_62[_e328];
+                let _e337 = global.member_62[(_e328 + 1u)];
+                let _e343 = global.member_62[(_e328 + 2u)];
+                let _e348 = (3u * _e269.w);
+                let _e351 = global.member_62[_e348];
+                let _e353 = ((((_e294 * _e288.x) + (_e311 * _e288.y)) + (_e331 * _e288.z)) + (_e351 * _e288.w));
+                let _e357 = global.member_62[(_e348 + 1u)];
+                let _e359 = ((((_e299 * _e288.x) + (_e317 * _e288.y)) + (_e337 * _e288.z)) + (_e357 * _e288.w));
+                let _e363 = global.member_62[(_e348 + 2u)];
+                let _e365 = ((((_e304 * _e288.x) + (_e323 * _e288.y)) + (_e343 * _e288.z)) + (_e363 * _e288.w));
+                let _e368 = dot(_e365, _e230);
+                let _e369 = vec3<f32>(dot(_e353, _e230), dot(_e359, _e230), _e368);
+                let _e370 = _e353.xyz;
+                let _e371 = _e359.xyz;
+                let _e372 = _e365.xyz;
+                let _e384 = vec3<f32>(_e365.x, _e365.y, _e365.z);
                 switch bitcast<i32>(0u) {
                     default: {
-                        let _e401 = global.member_6;
-                        if !((_e367 >= _e401)) {
-                            let _e405 = global_2.member_9;
-                            if (_e405 != 0u) {
-                                let _e409 = atomicAdd((&global_1.member[0u]), 1u);
+                        let _e402 = global.member_6;
+                        if !((_e368 >= _e402)) {
+                            let _e406 = global_2.member_9;
+                            if (_e406 != 0u) {
+                                let _e410 = atomicAdd((&global_1.member[0u]), 1u);
                             }
-                            phi_5218_ = 0f;
-                            phi_5209_ = vec2<f32>(0f, 0f);
-                            phi_5208_ = false;
+                            phi_5224_ = 0f;
+                            phi_5215_ = vec2<f32>(0f, 0f);
+                            phi_5214_ = false;
                             break;
                         }
-                        let _e411 = global.member;
-                        let _e412 = _e368.xy;
-                        let _e414 = vec2(_e367);
-                        let _e417 = global.member_1;
-                        let _e418 = (((_e411 * _e412) / _e414) + _e417);
-                        let _e420 = global.member_5;
-                        let _e424 = all((_e418 >= vec2(-(_e420))));
-                        phi_3558_ = _e424;
-                        if _e424 {
-                            let _e426 = global.member_4;
-                            phi_3558_ = all((_e418 <= (_e426 + vec2(_e420))));
+                        let _e412 = global.member;
+                        let _e413 = _e369.xy;
+                        let _e415 = vec2(_e368);
+                        let _e418 = global.member_1;
+                        let _e419 = (((_e412 * _e413) / _e415) + _e418);
+                        let _e421 = global.member_5;
+                        let _e425 = all((_e419 >= vec2(-(_e421))));
+                        phi_3565_ = _e425;
+                        if _e425 {
+                            let _e427 = global.member_4;
+                            phi_3565_ = all((_e419 <= (_e427 + vec2(_e421))));
                         }
-                        let _e432 = phi_3558_;
-                        if !(_e432) {
-                            let _e435 = global_2.member_9;
-                            if (_e435 != 0u) {
-                                let _e439 = atomicAdd((&global_1.member[0u]), 1u);
+                        let _e433 = phi_3565_;
+                        if !(_e433) {
+                            let _e436 = global_2.member_9;
+                            if (_e436 != 0u) {
+                                let _e440 = atomicAdd((&global_1.member[0u]), 1u);
                             }
-                            phi_5218_ = 0f;
-                            phi_5209_ = _e418;
-                            phi_5208_ = false;
+                            phi_5224_ = 0f;
+                            phi_5215_ = _e419;
+                            phi_5214_ = false;
                             break;
                         }
-                        let _e441 = global.member_7;
-                        let _e444 = global.member_8;
-                        let _e445 = ((_e441 - _e367) * _e444);
-                        if (_e445 < 0f) {
-                            phi_5193_ = (0.015625f / (1f - _e445));
+                        let _e442 = global.member_7;
+                        let _e445 = global.member_8;
+                        let _e446 = ((_e442 - _e368) * _e445);
+                        if (_e446 < 0f) {
+                            phi_5199_ = (0.015625f / (1f - _e446));
                         } else {
-                            if (_e445 > 1f) {
-                                phi_5192_ = (1f - (0.015625f / _e445));
+                            if (_e446 > 1f) {
+                                phi_5198_ = (1f - (0.015625f / _e446));
                             } else {
-                                phi_5192_ = (0.015625f + (0.96875f * clamp(_e445, 0f, 1f)));
+                                phi_5198_ = (0.015625f + (0.96875f * clamp(_e446, 0f, 1f)));
                             }
-                            let _e454 = phi_5192_;
-                            phi_5193_ = _e454;
+                            let _e455 = phi_5198_;
+                            phi_5199_ = _e455;
                         }
-                        let _e458 = phi_5193_;
-                        let _e459 = (_e412 / _e414);
-                        let _e467 = global.member[0u];
-                        let _e470 = global.member[1u];
-                        let _e475 = global.member_31;
-                        let _e476 = (_e475 > 0u);
-                        phi_3607_ = _e476;
-                        if _e476 {
-                            let _e478 = global.member_34;
-                            let _e481 = global.member_29;
-                            let _e488 = global.member_49;
-                            let _e492 = global.member_51;
+                        let _e459 = phi_5199_;
+                        let _e460 = (_e413 / _e415);
+                        let _e468 = global.member[0u];
+                        let _e471 = global.member[1u];
+                        let _e476 = global.member_31;
+                        let _e477 = (_e476 > 0u);
+                        phi_3614_ = _e477;
+                        if _e477 {
+                            let _e479 = global.member_34;
+                            let _e482 = global.member_29;
+                            let _e489 = global.member_49;
+                            let _e493 = global.member_51;
                             switch bitcast<i32>(0u) {
                                 default: {
-                                    let _e498 = vec2(((sqrt((2f * log(max((max(255f, _e478) / _e481), 1f)))) * sqrt(_e488)) * ((((((1.2f * exp(min(max(max(_e259.x, _e259.y), _e259.z), 9f))) * sqrt(max(max(dot(_e369, _e369), dot(_e370, _e370)), dot(_e371, _e371)))) * length(vec3<f32>(_e459.x, _e459.y, 1f))) * max(_e467, _e470)) / _e367) + sqrt(_e492))));
-                                    let _e501 = global.member_32;
-                                    let _e504 = global.member_33;
-                                    let _e512 = vec2<u32>(clamp(((((_e418 - _e498) - _e501) * _e504) - vec2<f32>(0.5f, 0.5f)), vec2<f32>(0f, 0f), vec2<f32>(191f, 191f)));
-                                    let _e514 = vec2<u32>(clamp(((((_e418 + _e498) - _e501) * _e504) + vec2<f32>(0.5f, 0.5f)), vec2<f32>(0f, 0f), vec2<f32>(191f, 191f)));
-                                    let _e521 = max((_e514.x - _e512.x), (_e514.y - _e512.y));
-                                    if (_e521 <= 3u) {
-                                        phi_5197_ = 0u;
+                                    let _e499 = vec2(((sqrt((2f * log(max((max(255f, _e479) / _e482), 1f)))) * sqrt(_e489)) * ((((((1.2f * exp(min(max(max(_e260.x, _e260.y), _e260.z), 9f))) * sqrt(max(max(dot(_e370, _e370), dot(_e371, _e371)), dot(_e372, _e372)))) * length(vec3<f32>(_e460.x, _e460.y, 1f))) * max(_e468, _e471)) / _e368) + sqrt(_e493))));
+                                    let _e502 = global.member_32;
+                                    let _e505 = global.member_33;
+                                    let _e513 = vec2<u32>(clamp(((((_e419 - _e499) - _e502) * _e505) - vec2<f32>(0.5f, 0.5f)), vec2<f32>(0f, 0f), vec2<f32>(191f, 191f)));
+                                    let _e515 = vec2<u32>(clamp(((((_e419 + _e499) - _e502) * _e505) + vec2<f32>(0.5f, 0.5f)), vec2<f32>(0f, 0f), vec2<f32>(191f, 191f)));
+                                    let _e522 = max((_e515.x - _e513.x), (_e515.y - _e513.y));
+                                    if (_e522 <= 3u) {
+                                        phi_5203_ = 0u;
                                     } else {
-                                        phi_5197_ = (bitcast<u32>(firstLeadingBit((_e521 - 1u))) - 1u);
+                                        phi_5203_ = (bitcast<u32>(firstLeadingBit((_e522 - 1u))) - 1u);
                                     }
-                                    let _e528 = phi_5197_;
-                                    if !((_e528 < 4u)) {
-                                        phi_5207_ = false;
+                                    let _e529 = phi_5203_;
+                                    if !((_e529 < 4u)) {
+                                        phi_5213_ = false;
                                         break;
                                     }
-                                    let _e538 = vec2(_e528);
-                                    let _e540 = (_e512 >> bitcast<vec2<u32>>(_e538));
-                                    let _e542 = (_e514 >> bitcast<vec2<u32>>(_e538));
-                                    let _e544 = (_e540.x & 4294967292u);
-                                    phi_5203_ = _e544;
-                                    phi_5202_ = 0f;
-                                    phi_5200_ = _e540.y;
+                                    let _e539 = vec2(_e529);
+                                    let _e541 = (_e513 >> bitcast<vec2<u32>>(_e539));
+                                    let _e543 = (_e515 >> bitcast<vec2<u32>>(_e539));
+                                    let _e545 = (_e541.x & 4294967292u);
+                                    phi_5209_ = _e545;
+                                    phi_5208_ = 0f;
+                                    phi_5206_ = _e541.y;
                                     loop {
-                                        let _e547 = phi_5203_;
-                                        let _e549 = phi_5202_;
-                                        let _e551 = phi_5200_;
-                                        local_1 = _e549;
-                                        if (_e551 <= _e542.y) {
+                                        let _e548 = phi_5209_;
+                                        let _e550 = phi_5208_;
+                                        let _e552 = phi_5206_;
+                                        local_1 = _e550;
+                                        if (_e552 <= _e543.y) {
                                             continue;
                                         } else {
                                             break;
                                         }
                                         continuing {
-                                            let _e556 = (vec4(f32(_e547)) + vec4<f32>(0f, 1f, 2f, 3f));
-                                            let _e574 = global_3.member[((_e475 >> bitcast<u32>(1u)) + ((((4u * (12288u - (12288u >> bitcast<u32>((2u * _e528))))) + (_e551 * (192u >> bitcast<u32>(_e528)))) + _e547) >> bitcast<u32>(2u)))];
-                                            let _e576 = unpack2x16unorm(_e574.x);
-                                            let _e578 = unpack2x16unorm(_e574.y);
-                                            let _e585 = select(select(vec4<f32>(_e576.x, _e576.y, _e578.x, _e578.y), vec4<f32>(0f, 0f, 0f, 0f), (_e556 < vec4(f32(_e540.x)))), vec4<f32>(0f, 0f, 0f, 0f), (_e556 > vec4(f32(_e542.x))));
-                                            let _e594 = (_e547 + 4u);
-                                            let _e595 = (_e594 > _e542.x);
-                                            phi_5203_ = select(_e594, _e544, _e595);
-                                            phi_5202_ = max(_e549, max(max(_e585.x, _e585.y), max(_e585.z, _e585.w)));
-                                            phi_5200_ = (_e551 + select(0u, 1u, _e595));
+                                            let _e557 = (vec4(f32(_e548)) + vec4<f32>(0f, 1f, 2f, 3f));
+                                            let _e575 = global_3.member[((_e476 >> bitcast<u32>(1u)) + ((((4u * (12288u - (12288u >> bitcast<u32>((2u * _e529))))) + (_e552 * (192u >> bitcast<u32>(_e529)))) + _e548) >> bitcast<u32>(2u)))];
+                                            let _e577 = unpack2x16unorm(_e575.x);
+                                            let _e579 = unpack2x16unorm(_e575.y);
+                                            let _e586 = select(select(vec4<f32>(_e577.x, _e577.y, _e579.x, _e579.y), vec4<f32>(0f, 0f, 0f, 0f), (_e557 < vec4(f32(_e541.x)))), vec4<f32>(0f, 0f, 0f, 0f), (_e557 > vec4(f32(_e543.x))));
+                                            let _e595 = (_e548 + 4u);
+                                            let _e596 = (_e595 > _e543.x);
+                                            phi_5209_ = select(_e595, _e545, _e596);
+                                            phi_5208_ = max(_e550, max(max(_e586.x, _e586.y), max(_e586.z, _e586.w)));
+                                            phi_5206_ = (_e552 + select(0u, 1u, _e596));
                                         }
                                     }
-                                    let _e600 = local_1;
-                                    phi_5207_ = ((1f - _e458) > _e600);
+                                    let _e601 = local_1;
+                                    phi_5213_ = ((1f - _e459) > _e601);
                                     break;
                                 }
                             }
-                            let _e603 = phi_5207_;
-                            phi_3607_ = _e603;
+                            let _e604 = phi_5213_;
+                            phi_3614_ = _e604;
                         }
-                        let _e605 = phi_3607_;
-                        if _e605 {
-                            let _e607 = global_2.member_9;
-                            if (_e607 != 0u) {
-                                let _e611 = atomicAdd((&global_1.member[1u]), 1u);
+                        let _e606 = phi_3614_;
+                        if _e606 {
+                            let _e608 = global_2.member_9;
+                            if (_e608 != 0u) {
+                                let _e612 = atomicAdd((&global_1.member[1u]), 1u);
                             }
-                            phi_5218_ = _e458;
-                            phi_5209_ = _e418;
-                            phi_5208_ = false;
+                            phi_5224_ = _e459;
+                            phi_5215_ = _e419;
+                            phi_5214_ = false;
                             break;
                         }
-                        phi_5218_ = _e458;
-                        phi_5209_ = _e418;
-                        phi_5208_ = true;
+                        phi_5224_ = _e459;
+                        phi_5215_ = _e419;
+                        phi_5214_ = true;
                         break;
                     }
                 }
-                let _e613 = phi_5218_;
-                let _e615 = phi_5209_;
-                let _e617 = phi_5208_;
-                if (true && !(_e617)) {
-                    phi_5291_ = 4294967295u;
+                let _e614 = phi_5224_;
+                let _e616 = phi_5215_;
+                let _e618 = phi_5214_;
+                if (true && !(_e618)) {
+                    phi_5297_ = 4294967295u;
                     break;
                 }
-                let _e624 = global_7.member[((3u * _e76) + _e80)];
-                let _e628 = f32((_e624.y >> bitcast<u32>(24u)));
-                let _e630 = global.member_29;
-                if (_e628 <= _e630) {
-                    let _e633 = global_2.member_9;
-                    if (_e633 != 0u) {
-                        let _e637 = atomicAdd((&global_1.member[2u]), 1u);
+                let _e625 = global_7.member[((3u * _e77) + _e81)];
+                let _e629 = f32((_e625.y >> bitcast<u32>(24u)));
+                let _e631 = global.member_29;
+                if (_e629 <= _e631) {
+                    let _e634 = global_2.member_9;
+                    if (_e634 != 0u) {
+                        let _e638 = atomicAdd((&global_1.member[2u]), 1u);
                     }
-                    phi_5291_ = 4294967295u;
+                    phi_5297_ = 4294967295u;
                     break;
                 }
-                let _e651 = ((vec3<f32>(f32((_e624.x & 1023u)), f32(((_e624.x >> bitcast<u32>(10u)) & 1023u)), f32(((_e624.x >> bitcast<u32>(20u)) & 1023u))) - vec3<f32>(512f, 512f, 512f)) * vec3<f32>(0.0013888889f, 0.0013888889f, 0.0013888889f));
-                let _e655 = sqrt(max((1f - dot(_e651, _e651)), 0f));
-                let _e657 = (_e624.x >> bitcast<u32>(30u));
-                if (_e657 == 0u) {
-                    phi_5230_ = vec4<f32>(_e655, _e651.x, _e651.y, _e651.z);
+                let _e652 = ((vec3<f32>(f32((_e625.x & 1023u)), f32(((_e625.x >> bitcast<u32>(10u)) & 1023u)), f32(((_e625.x >> bitcast<u32>(20u)) & 1023u))) - vec3<f32>(512f, 512f, 512f)) * vec3<f32>(0.0013888889f, 0.0013888889f, 0.0013888889f));
+                let _e656 = sqrt(max((1f - dot(_e652, _e652)), 0f));
+                let _e658 = (_e625.x >> bitcast<u32>(30u));
+                if (_e658 == 0u) {
+                    phi_5236_ = vec4<f32>(_e656, _e652.x, _e652.y, _e652.z);
                 } else {
-                    if (_e657 == 1u) {
-                        phi_5229_ = vec4<f32>(_e651.x, _e655, _e651.y, _e651.z);
+                    if (_e658 == 1u) {
+                        phi_5235_ = vec4<f32>(_e652.x, _e656, _e652.y, _e652.z);
                     } else {
-                        if (_e657 == 2u) {
-                            phi_5228_ = vec4<f32>(_e651.x, _e651.y, _e655, _e651.z);
+                        if (_e658 == 2u) {
+                            phi_5234_ = vec4<f32>(_e652.x, _e652.y, _e656, _e652.z);
                         } else {
-                            phi_5228_ = vec4<f32>(_e651.x, _e651.y, _e651.z, _e655);
+                            phi_5234_ = vec4<f32>(_e652.x, _e652.y, _e652.z, _e656);
                         }
-                        let _e670 = phi_5228_;
-                        phi_5229_ = _e670;
+                        let _e671 = phi_5234_;
+                        phi_5235_ = _e671;
                     }
-                    let _e676 = phi_5229_;
-                    phi_5230_ = _e676;
+                    let _e677 = phi_5235_;
+                    phi_5236_ = _e677;
                 }
-                let _e682 = phi_5230_;
-                let _e686 = global.member_38;
-                let _e687 = (_e686 > 0u);
-                phi_5248_ = unpack4x8unorm(_e624.y).xyz;
-                if _e687 {
-                    let _e691 = global_7.member[(_e686 + _e80)];
-                    let _e693 = unpack2x16float(_e691.x);
-                    phi_5248_ = vec3<f32>(_e693.x, _e693.y, unpack2x16float(_e691.y).x);
+                let _e683 = phi_5236_;
+                let _e687 = global.member_38;
+                let _e688 = (_e687 > 0u);
+                phi_5254_ = unpack4x8unorm(_e625.y).xyz;
+                if _e688 {
+                    let _e692 = global_7.member[(_e687 + _e81)];
+                    let _e694 = unpack2x16float(_e692.x);
+                    phi_5254_ = vec3<f32>(_e694.x, _e694.y, unpack2x16float(_e692.y).x);
                 }
-                let _e701 = phi_5248_;
-                let _e704 = (1u << bitcast<u32>((_e80 & 31u)));
-                let _e707 = global_7.member[_e84];
-                let _e711 = global_7.member[(_e84 + 1u)];
-                let _e715 = global_7.member[(_e84 + 2u)];
-                phi_5265_ = _e682;
-                if ((_e707.x & _e704) != 0u) {
-                    let _e726 = global.member_22;
-                    let _e728 = global.member_18;
-                    let _e732 = (_e726 + ((_e711.y + bitcast<u32>(countOneBits((_e707.x & (_e704 - 1u))))) * (1u + (4u * _e728))));
-                    let _e733 = (_e732 + 1u);
-                    let _e736 = global_6.member[_e732];
-                    let _e738 = global.member_44;
-                    let _e742 = global.member_19;
-                    phi_5250_ = vec4<f32>(0f, 0f, 0f, 0f);
-                    phi_5249_ = 0u;
+                let _e702 = phi_5254_;
+                let _e705 = (1u << bitcast<u32>((_e81 & 31u)));
+                let _e708 = global_7.member[_e85];
+                let _e712 = global_7.member[(_e85 + 1u)];
+                let _e716 = global_7.member[(_e85 + 2u)];
+                phi_5271_ = _e683;
+                if ((_e708.x & _e705) != 0u) {
+                    let _e727 = global.member_22;
+                    let _e729 = global.member_18;
+                    let _e733 = (_e727 + ((_e712.y + bitcast<u32>(countOneBits((_e708.x & (_e705 - 1u))))) * (1u + (4u * _e729))));
+                    let _e734 = (_e733 + 1u);
+                    let _e737 = global_6.member[_e733];
+                    let _e739 = global.member_44;
+                    let _e743 = global.member_19;
+                    phi_5256_ = vec4<f32>(0f, 0f, 0f, 0f);
+                    phi_5255_ = 0u;
                     loop {
-                        let _e746 = phi_5250_;
-                        let _e748 = phi_5249_;
-                        let _e750 = (2u * ((_e738 + ((_e736 >> bitcast<u32>(16u)) * _e742)) + _e748));
-                        let _e753 = global_3.member[_e750];
-                        let _e757 = global_3.member[(_e750 + 1u)];
-                        let _e763 = bitcast<vec4<f32>>(vec4<u32>(_e753.x, _e753.y, _e757.x, _e757.y));
-                        let _e767 = global_6.member[(_e733 + _e748)];
-                        let _e774 = global_6.member[((_e733 + _e728) + _e748)];
-                        let _e782 = global_6.member[((_e733 + (2u * _e728)) + _e748)];
-                        let _e790 = global_6.member[((_e733 + (3u * _e728)) + _e748)];
-                        let _e794 = (_e746 + vec4<f32>(dot(unpack4x8snorm(_e767), _e763), dot(unpack4x8snorm(_e774), _e763), dot(unpack4x8snorm(_e782), _e763), dot(unpack4x8snorm(_e790), _e763)));
-                        let _e796 = (_e748 + bitcast<u32>(1i));
-                        phi_5250_ = _e794;
-                        phi_5249_ = _e796;
-                        local_2 = _e794;
-                        if (_e796 < _e728) {
+                        let _e747 = phi_5256_;
+                        let _e749 = phi_5255_;
+                        let _e751 = (2u * ((_e739 + ((_e737 >> bitcast<u32>(16u)) * _e743)) + _e749));
+                        let _e754 = global_3.member[_e751];
+                        let _e758 = global_3.member[(_e751 + 1u)];
+                        let _e764 = bitcast<vec4<f32>>(vec4<u32>(_e754.x, _e754.y, _e758.x, _e758.y));
+                        let _e768 = global_6.member[(_e734 + _e749)];
+                        let _e775 = global_6.member[((_e734 + _e729) + _e749)];
+                        let _e783 = global_6.member[((_e734 + (2u * _e729)) + _e749)];
+                        let _e791 = global_6.member[((_e734 + (3u * _e729)) + _e749)];
+                        let _e795 = (_e747 + vec4<f32>(dot(unpack4x8snorm(_e768), _e764), dot(unpack4x8snorm(_e775), _e764), dot(unpack4x8snorm(_e783), _e764), dot(unpack4x8snorm(_e791), _e764)));
+                        let _e797 = (_e749 + bitcast<u32>(1i));
+                        phi_5256_ = _e795;
+                        phi_5255_ = _e797;
+                        local_2 = _e795;
+                        if (_e797 < _e729) {
                             continue;
                         } else {
                             break;
                         }
                     }
-                    let _e802 = local_2;
-                    let _e804 = (_e682 + (_e802 * (127f * unpack2x16float(_e736).x)));
-                    phi_5265_ = select(_e682, _e804, vec4((length(_e804) >= 0.001f)));
+                    let _e803 = local_2;
+                    let _e805 = (_e683 + (_e803 * (127f * unpack2x16float(_e737).x)));
+                    phi_5271_ = select(_e683, _e805, vec4((length(_e805) >= 0.001f)));
                 }
-                let _e810 = phi_5265_;
-                phi_5269_ = _e259;
-                if ((_e707.y & _e704) != 0u) {
-                    let _e821 = global.member_23;
-                    let _e823 = global.member_18;
-                    let _e827 = (_e821 + ((_e715.x + bitcast<u32>(countOneBits((_e707.y & (_e704 - 1u))))) * (1u + (3u * _e823))));
-                    let _e828 = (_e827 + 1u);
-                    let _e831 = global_6.member[_e827];
-                    let _e833 = global.member_44;
-                    let _e837 = global.member_19;
-                    phi_5253_ = vec3<f32>(0f, 0f, 0f);
-                    phi_5252_ = 0u;
+                let _e811 = phi_5271_;
+                phi_5275_ = _e260;
+                if ((_e708.y & _e705) != 0u) {
+                    let _e822 = global.member_23;
+                    let _e824 = global.member_18;
+                    let _e828 = (_e822 + ((_e716.x + bitcast<u32>(countOneBits((_e708.y & (_e705 - 1u))))) * (1u + (3u * _e824))));
+                    let _e829 = (_e828 + 1u);
+                    let _e832 = global_6.member[_e828];
+                    let _e834 = global.member_44;
+                    let _e838 = global.member_19;
+                    phi_5259_ = vec3<f32>(0f, 0f, 0f);
+                    phi_5258_ = 0u;
                     loop {
-                        let _e841 = phi_5253_;
-                        let _e843 = phi_5252_;
-                        let _e845 = (2u * ((_e833 + ((_e831 >> bitcast<u32>(16u)) * _e837)) + _e843));
-                        let _e848 = global_3.member[_e845];
-                        let _e852 = global_3.member[(_e845 + 1u)];
-                        let _e858 = bitcast<vec4<f32>>(vec4<u32>(_e848.x, _e848.y, _e852.x, _e852.y));
-                        let _e862 = global_6.member[(_e828 + _e843)];
-                        let _e869 = global_6.member[((_e828 + _e823) + _e843)];
-                        let _e877 = global_6.member[((_e828 + (2u * _e823)) + _e843)];
-                        let _e881 = (_e841 + vec3<f32>(dot(unpack4x8snorm(_e862), _e858), dot(unpack4x8snorm(_e869), _e858), dot(unpack4x8snorm(_e877), _e858)));
-                        let _e883 = (_e843 + bitcast<u32>(1i));
-                        phi_5253_ = _e881;
-                        phi_5252_ = _e883;
-                        local_3 = _e881;
-                        if (_e883 < _e823) {
+                        let _e842 = phi_5259_;
+                        let _e844 = phi_5258_;
+                        let _e846 = (2u * ((_e834 + ((_e832 >> bitcast<u32>(16u)) * _e838)) + _e844));
+                        let _e849 = global_3.member[_e846];
+                        let _e853 = global_3.member[(_e846 + 1u)];
+                        let _e859 = bitcast<vec4<f32>>(vec4<u32>(_e849.x, _e849.y, _e853.x, _e853.y));
+                        let _e863 = global_6.member[(_e829 + _e844)];
+                        let _e870 = global_6.member[((_e829 + _e824) + _e844)];
+                        let _e878 = global_6.member[((_e829 + (2u * _e824)) + _e844)];
+                        let _e882 = (_e842 + vec3<f32>(dot(unpack4x8snorm(_e863), _e859), dot(unpack4x8snorm(_e870), _e859), dot(unpack4x8snorm(_e878), _e859)));
+                        let _e884 = (_e844 + bitcast<u32>(1i));
+                        phi_5259_ = _e882;
+                        phi_5258_ = _e884;
+                        local_3 = _e882;
+                        if (_e884 < _e824) {
                             continue;
                         } else {
                             break;
                         }
                     }
-                    let _e889 = local_3;
-                    phi_5269_ = (_e259 + (_e889 * (127f * unpack2x16float(_e831).x)));
+                    let _e890 = local_3;
+                    phi_5275_ = (_e260 + (_e890 * (127f * unpack2x16float(_e832).x)));
                 }
-                let _e893 = phi_5269_;
-                phi_5271_ = _e701;
-                if ((_e711.x & _e704) != 0u) {
-                    let _e904 = global.member_24;
-                    let _e906 = global.member_18;
-                    let _e910 = (_e904 + ((_e715.y + bitcast<u32>(countOneBits((_e711.x & (_e704 - 1u))))) * (3u + (3u * _e906))));
-                    let _e914 = global_6.member[(_e910 + 1u)];
-                    let _e915 = unpack2x16float(_e914);
-                    let _e919 = global_6.member[(_e910 + 2u)];
-                    let _e927 = (_e910 + 3u);
-                    let _e930 = global_6.member[_e910];
-                    let _e932 = global.member_44;
-                    let _e936 = global.member_19;
-                    phi_5262_ = vec3<f32>(0f, 0f, 0f);
-                    phi_5261_ = 0u;
+                let _e894 = phi_5275_;
+                phi_5277_ = _e702;
+                if ((_e712.x & _e705) != 0u) {
+                    let _e905 = global.member_24;
+                    let _e907 = global.member_18;
+                    let _e911 = (_e905 + ((_e716.y + bitcast<u32>(countOneBits((_e712.x & (_e705 - 1u))))) * (3u + (3u * _e907))));
+                    let _e915 = global_6.member[(_e911 + 1u)];
+                    let _e916 = unpack2x16float(_e915);
+                    let _e920 = global_6.member[(_e911 + 2u)];
+                    let _e928 = (_e911 + 3u);
+                    let _e931 = global_6.member[_e911];
+                    let _e933 = global.member_44;
+                    let _e937 = global.member_19;
+                    phi_5268_ = vec3<f32>(0f, 0f, 0f);
+                    phi_5267_ = 0u;
                     loop {
-                        let _e940 = phi_5262_;
-                        let _e942 = phi_5261_;
-                        let _e944 = (2u * ((_e932 + ((_e930 >> bitcast<u32>(16u)) * _e936)) + _e942));
-                        let _e947 = global_3.member[_e944];
-                        let _e951 = global_3.member[(_e944 + 1u)];
-                        let _e957 = bitcast<vec4<f32>>(vec4<u32>(_e947.x, _e947.y, _e951.x, _e951.y));
-                        let _e961 = global_6.member[(_e927 + _e942)];
-                        let _e968 = global_6.member[((_e927 + _e906) + _e942)];
-                        let _e976 = global_6.member[((_e927 + (2u * _e906)) + _e942)];
-                        let _e980 = (_e940 + vec3<f32>(dot(unpack4x8snorm(_e961), _e957), dot(unpack4x8snorm(_e968), _e957), dot(unpack4x8snorm(_e976), _e957)));
-                        let _e982 = (_e942 + bitcast<u32>(1i));
-                        phi_5262_ = _e980;
-                        phi_5261_ = _e982;
-                        local_4 = _e980;
-                        if (_e982 < _e906) {
+                        let _e941 = phi_5268_;
+                        let _e943 = phi_5267_;
+                        let _e945 = (2u * ((_e933 + ((_e931 >> bitcast<u32>(16u)) * _e937)) + _e943));
+                        let _e948 = global_3.member[_e945];
+                        let _e952 = global_3.member[(_e945 + 1u)];
+                        let _e958 = bitcast<vec4<f32>>(vec4<u32>(_e948.x, _e948.y, _e952.x, _e952.y));
+                        let _e962 = global_6.member[(_e928 + _e943)];
+                        let _e969 = global_6.member[((_e928 + _e907) + _e943)];
+                        let _e977 = global_6.member[((_e928 + (2u * _e907)) + _e943)];
+                        let _e981 = (_e941 + vec3<f32>(dot(unpack4x8snorm(_e962), _e958), dot(unpack4x8snorm(_e969), _e958), dot(unpack4x8snorm(_e977), _e958)));
+                        let _e983 = (_e943 + bitcast<u32>(1i));
+                        phi_5268_ = _e981;
+                        phi_5267_ = _e983;
+                        local_4 = _e981;
+                        if (_e983 < _e907) {
                             continue;
                         } else {
                             break;
                         }
                     }
-                    let _e988 = local_4;
-                    phi_5271_ = (select(vec3<f32>(_e915.x, _e915.y, unpack2x16float(_e919).x), _e701, vec3(_e687)) + (_e988 * (127f * unpack2x16float(_e930).x)));
+                    let _e989 = local_4;
+                    phi_5277_ = (select(vec3<f32>(_e916.x, _e916.y, unpack2x16float(_e920).x), _e702, vec3(_e688)) + (_e989 * (127f * unpack2x16float(_e931).x)));
                 }
-                let _e992 = phi_5271_;
-                let _e993 = normalize(_e810);
-                let _e998 = (_e993.z * _e993.z);
-                let _e999 = (_e993.w * _e993.w);
-                let _e1003 = (_e993.y * _e993.z);
-                let _e1004 = (_e993.x * _e993.w);
-                let _e1007 = (_e993.y * _e993.w);
-                let _e1008 = (_e993.x * _e993.z);
-                let _e1013 = (_e993.y * _e993.y);
-                let _e1017 = (_e993.z * _e993.w);
-                let _e1018 = (_e993.x * _e993.y);
-                let _e1032 = exp(min(_e893, vec3<f32>(9f, 9f, 9f)));
-                let _e1039 = mat3x3<f32>((vec3<f32>((1f - (2f * (_e998 + _e999))), (2f * (_e1003 + _e1004)), (2f * (_e1007 - _e1008))) * _e1032.x), (vec3<f32>((2f * (_e1003 - _e1004)), (1f - (2f * (_e1013 + _e999))), (2f * (_e1017 + _e1018))) * _e1032.y), (vec3<f32>((2f * (_e1007 + _e1008)), (2f * (_e1017 - _e1018)), (1f - (2f * (_e1013 + _e998)))) * _e1032.z));
+                let _e993 = phi_5277_;
+                let _e994 = normalize(_e811);
+                let _e999 = (_e994.z * _e994.z);
+                let _e1000 = (_e994.w * _e994.w);
+                let _e1004 = (_e994.y * _e994.z);
+                let _e1005 = (_e994.x * _e994.w);
+                let _e1008 = (_e994.y * _e994.w);
+                let _e1009 = (_e994.x * _e994.z);
+                let _e1014 = (_e994.y * _e994.y);
+                let _e1018 = (_e994.z * _e994.w);
+                let _e1019 = (_e994.x * _e994.y);
+                let _e1033 = exp(min(_e894, vec3<f32>(9f, 9f, 9f)));
+                let _e1040 = mat3x3<f32>((vec3<f32>((1f - (2f * (_e999 + _e1000))), (2f * (_e1004 + _e1005)), (2f * (_e1008 - _e1009))) * _e1033.x), (vec3<f32>((2f * (_e1004 - _e1005)), (1f - (2f * (_e1014 + _e1000))), (2f * (_e1018 + _e1019))) * _e1033.y), (vec3<f32>((2f * (_e1008 + _e1009)), (2f * (_e1018 - _e1019)), (1f - (2f * (_e1014 + _e999)))) * _e1033.z));
                 switch bitcast<i32>(0u) {
                     default: {
-                        let _e1045 = global.member_2;
-                        let _e1047 = global.member_3;
-                        let _e1048 = clamp((_e368.xy / vec2(_e367)), _e1045, _e1047);
-                        let _e1051 = global.member[0u];
-                        let _e1057 = (((vec3<f32>(_e352.x, _e352.y, _e352.z) - (_e383 * _e1048.x)) * (_e1051 / _e367)) * _e1039);
-                        let _e1060 = global.member[1u];
-                        let _e1066 = (((vec3<f32>(_e358.x, _e358.y, _e358.z) - (_e383 * _e1048.y)) * (_e1060 / _e367)) * _e1039);
-                        let _e1068 = global.member_51;
-                        let _e1070 = (dot(_e1057, _e1057) + _e1068);
-                        let _e1073 = (dot(_e1066, _e1066) + _e1068);
-                        let _e1075 = cross(_e1057, _e1066);
-                        let _e1076 = dot(_e1075, _e1075);
-                        let _e1080 = (_e1076 + (_e1068 * ((_e1070 + _e1073) - _e1068)));
-                        let _e1081 = (_e1080 > 0f);
-                        phi_4648_ = _e1081;
-                        if _e1081 {
-                            phi_4648_ = (_e1070 <= 1000000000000000000f);
+                        let _e1046 = global.member_2;
+                        let _e1048 = global.member_3;
+                        let _e1049 = clamp((_e369.xy / vec2(_e368)), _e1046, _e1048);
+                        let _e1052 = global.member[0u];
+                        let _e1058 = (((vec3<f32>(_e353.x, _e353.y, _e353.z) - (_e384 * _e1049.x)) * (_e1052 / _e368)) * _e1040);
+                        let _e1061 = global.member[1u];
+                        let _e1067 = (((vec3<f32>(_e359.x, _e359.y, _e359.z) - (_e384 * _e1049.y)) * (_e1061 / _e368)) * _e1040);
+                        let _e1069 = global.member_51;
+                        let _e1071 = (dot(_e1058, _e1058) + _e1069);
+                        let _e1074 = (dot(_e1067, _e1067) + _e1069);
+                        let _e1076 = cross(_e1058, _e1067);
+                        let _e1077 = dot(_e1076, _e1076);
+                        let _e1081 = (_e1077 + (_e1069 * ((_e1071 + _e1074) - _e1069)));
+                        let _e1082 = (_e1081 > 0f);
+                        phi_4660_ = _e1082;
+                        if _e1082 {
+                            phi_4660_ = (_e1071 <= 1000000000000000000f);
                         }
-                        let _e1084 = phi_4648_;
-                        phi_4654_ = _e1084;
-                        if _e1084 {
-                            phi_4654_ = (_e1073 <= 1000000000000000000f);
+                        let _e1085 = phi_4660_;
+                        phi_4666_ = _e1085;
+                        if _e1085 {
+                            phi_4666_ = (_e1074 <= 1000000000000000000f);
                         }
-                        let _e1087 = phi_4654_;
-                        if !(_e1087) {
-                            let _e1090 = global_2.member_9;
-                            if (_e1090 != 0u) {
-                                let _e1094 = atomicAdd((&global_1.member[3u]), 1u);
+                        let _e1088 = phi_4666_;
+                        if !(_e1088) {
+                            let _e1091 = global_2.member_9;
+                            if (_e1091 != 0u) {
+                                let _e1095 = atomicAdd((&global_1.member[3u]), 1u);
                             }
-                            phi_5290_ = 4294967295u;
+                            phi_5296_ = 4294967295u;
                             break;
                         }
-                        phi_5276_ = (1f - (_e628 * 0.003921569f));
-                        phi_5275_ = 0u;
+                        phi_5282_ = (1f - (_e629 * 0.003921569f));
+                        phi_5281_ = 0u;
                         loop {
-                            let _e1098 = phi_5276_;
-                            let _e1100 = phi_5275_;
-                            local_5 = _e1098;
-                            if (_e1100 < _e78) {
+                            let _e1099 = phi_5282_;
+                            let _e1101 = phi_5281_;
+                            local_5 = _e1099;
+                            if (_e1101 < _e79) {
                                 continue;
                             } else {
                                 break;
                             }
                             continuing {
-                                phi_5276_ = (_e1098 * _e1098);
-                                phi_5275_ = (_e1100 + bitcast<u32>(1i));
+                                phi_5282_ = (_e1099 * _e1099);
+                                phi_5281_ = (_e1101 + bitcast<u32>(1i));
                             }
                         }
-                        let _e1106 = local_5;
-                        let _e1110 = u32(round((255f * (1f - _e1106))));
-                        let _e1112 = global.member_52;
-                        phi_5284_ = _e1110;
-                        if (_e1112 > 0f) {
-                            let _e1122 = u32(round((f32(_e1110) * ((1f - _e1112) + (_e1112 * sqrt((_e1076 / _e1080)))))));
-                            if (f32(_e1122) <= _e630) {
-                                let _e1126 = global_2.member_9;
-                                if (_e1126 != 0u) {
-                                    let _e1130 = atomicAdd((&global_1.member[2u]), 1u);
+                        let _e1107 = local_5;
+                        let _e1111 = u32(round((255f * (1f - _e1107))));
+                        let _e1113 = global.member_52;
+                        phi_5290_ = _e1111;
+                        if (_e1113 > 0f) {
+                            let _e1123 = u32(round((f32(_e1111) * ((1f - _e1113) + (_e1113 * sqrt((_e1077 / _e1081)))))));
+                            if (f32(_e1123) <= _e631) {
+                                let _e1127 = global_2.member_9;
+                                if (_e1127 != 0u) {
+                                    let _e1131 = atomicAdd((&global_1.member[2u]), 1u);
                                 }
-                                phi_5290_ = 4294967295u;
+                                phi_5296_ = 4294967295u;
                                 break;
                             }
-                            phi_5284_ = _e1122;
+                            phi_5290_ = _e1123;
                         }
-                        let _e1132 = phi_5284_;
-                        let _e1134 = global.member_49;
-                        let _e1135 = (vec3<f32>(_e1070, dot(_e1057, _e1066), _e1073) * _e1134);
-                        let _e1140 = global.member_34;
-                        let _e1151 = global.member_53;
-                        let _e1152 = ((sqrt(_e1135.xz) * sqrt((2f * log(max((max(f32(_e1132), _e1140) / _e630), 1f))))) * _e1151);
-                        let _e1155 = global.member_54;
-                        let _e1158 = all(((_e615 + _e1152) > _e1155.xy));
-                        phi_4731_ = _e1158;
-                        if _e1158 {
-                            phi_4731_ = all(((_e615 - _e1152) < _e1155.zw));
+                        let _e1133 = phi_5290_;
+                        let _e1135 = global.member_49;
+                        let _e1136 = (vec3<f32>(_e1071, dot(_e1058, _e1067), _e1074) * _e1135);
+                        let _e1149 = global.member_53;
+                        let _e1150 = ((sqrt(_e1136.xz) * sqrt((2f * log(max((f32(_e1133) / _e631), 1f))))) * _e1149);
+                        let _e1153 = global.member_54;
+                        let _e1156 = all(((_e616 + _e1150) > _e1153.xy));
+                        phi_4744_ = _e1156;
+                        if _e1156 {
+                            phi_4744_ = all(((_e616 - _e1150) < _e1153.zw));
                         }
-                        let _e1164 = phi_4731_;
-                        if !(_e1164) {
-                            let _e1167 = global_2.member_9;
-                            if (_e1167 != 0u) {
-                                let _e1171 = atomicAdd((&global_1.member[0u]), 1u);
+                        let _e1162 = phi_4744_;
+                        if !(_e1162) {
+                            let _e1165 = global_2.member_9;
+                            if (_e1165 != 0u) {
+                                let _e1169 = atomicAdd((&global_1.member[0u]), 1u);
                             }
-                            phi_5290_ = 4294967295u;
+                            phi_5296_ = 4294967295u;
                             break;
                         }
-                        let _e1176 = (0.5f * (_e1135.x - _e1135.z));
-                        let _e1181 = sqrt(((_e1176 * _e1176) + (_e1135.y * _e1135.y)));
-                        let _e1184 = ((0.5f * (_e1135.x + _e1135.z)) + _e1181);
-                        if (_e1176 >= 0f) {
-                            phi_5288_ = vec2<f32>((_e1176 + _e1181), _e1135.y);
+                        let _e1174 = (0.5f * (_e1136.x - _e1136.z));
+                        let _e1179 = sqrt(((_e1174 * _e1174) + (_e1136.y * _e1136.y)));
+                        let _e1182 = ((0.5f * (_e1136.x + _e1136.z)) + _e1179);
+                        if (_e1174 >= 0f) {
+                            phi_5294_ = vec2<f32>((_e1174 + _e1179), _e1136.y);
                         } else {
-                            phi_5288_ = vec2<f32>(_e1135.y, (_e1181 - _e1176));
+                            phi_5294_ = vec2<f32>(_e1136.y, (_e1179 - _e1174));
                         }
-                        let _e1191 = phi_5288_;
-                        let _e1192 = length(_e1191);
-                        if (_e1192 > 0f) {
-                            phi_5289_ = (_e1191 / vec2(_e1192));
+                        let _e1189 = phi_5294_;
+                        if (_e1179 > (0.00000001f * _e1182)) {
+                            phi_5295_ = normalize(_e1189);
                         } else {
-                            phi_5289_ = vec2<f32>(1f, 0f);
+                            phi_5295_ = vec2<f32>(1f, 0f);
                         }
-                        let _e1197 = phi_5289_;
-                        let _e1204 = global.member_5;
-                        let _e1208 = global.member_10;
-                        let _e1212 = vec2<u32>(clamp(round(((_e615 + vec2(_e1204)) * _e1208)), vec2<f32>(0f, 0f), vec2<f32>(1048575f, 1048575f)));
-                        let _e1215 = vec3<u32>(round((clamp(_e992, vec3<f32>(0f, 0f, 0f), vec3<f32>(1f, 1f, 1f)) * 1023f)));
-                        let _e1243 = global.member_45;
-                        let _e1245 = (4u * (_e1243 + _e70));
-                        global_4.member[_e1245] = ((_e1212.x | (_e1215.x << bitcast<u32>(20u))) | (_e1215.z << bitcast<u32>(30u)));
-                        global_4.member[(_e1245 + 1u)] = (_e1212.y | (_e1215.y << bitcast<u32>(20u)));
-                        global_4.member[(_e1245 + 2u)] = pack2x16float((_e1197 * min(sqrt(_e1184), 65504f)));
-                        global_4.member[(_e1245 + 3u)] = ((pack2x16float(vec2<f32>(min(sqrt(((_e1080 * (_e1134 * _e1134)) / _e1184)), 65504f), 0f)) | (_e1132 << bitcast<u32>(16u))) | ((_e1215.z >> bitcast<u32>(2u)) << bitcast<u32>(24u)));
-                        let _e1258 = global.member_9;
-                        phi_5290_ = min(u32((_e613 * f32(_e1258))), _e1258);
+                        let _e1194 = phi_5295_;
+                        let _e1201 = global.member_5;
+                        let _e1205 = global.member_10;
+                        let _e1209 = vec2<u32>(clamp(round(((_e616 + vec2(_e1201)) * _e1205)), vec2<f32>(0f, 0f), vec2<f32>(1048575f, 1048575f)));
+                        let _e1212 = vec3<u32>(round((clamp(_e993, vec3<f32>(0f, 0f, 0f), vec3<f32>(1f, 1f, 1f)) * 1023f)));
+                        let _e1240 = global.member_45;
+                        let _e1242 = (4u * (_e1240 + _e71));
+                        global_4.member[_e1242] = ((_e1209.x | (_e1212.x << bitcast<u32>(20u))) | (_e1212.z << bitcast<u32>(30u)));
+                        global_4.member[(_e1242 + 1u)] = (_e1209.y | (_e1212.y << bitcast<u32>(20u)));
+                        global_4.member[(_e1242 + 2u)] = pack2x16float((_e1194 * min(sqrt(_e1182), 65504f)));
+                        global_4.member[(_e1242 + 3u)] = ((pack2x16float(vec2<f32>(min(sqrt(((_e1081 * (_e1135 * _e1135)) / _e1182)), 65504f), 0f)) | (_e1133 << bitcast<u32>(16u))) | ((_e1212.z >> bitcast<u32>(2u)) << bitcast<u32>(24u)));
+                        let _e1255 = global.member_9;
+                        phi_5296_ = min(u32((_e614 * f32(_e1255))), _e1255);
                         break;
                     }
                 }
-                let _e1264 = phi_5290_;
-                phi_5291_ = _e1264;
+                let _e1261 = phi_5296_;
+                phi_5297_ = _e1261;
                 break;
             }
         }
-        let _e1266 = phi_5291_;
-        phi_5292_ = _e1266;
+        let _e1263 = phi_5297_;
+        phi_5298_ = _e1263;
     } else {
-        phi_5292_ = 4294967295u;
+        phi_5298_ = 4294967295u;
     }
-    let _e1268 = phi_5292_;
+    let _e1265 = phi_5298_;
     switch bitcast<i32>(0u) {
         default: {
-            let _e1271 = bitcast<u32>(param[0u]);
-            let _e1273 = global.member_45;
-            let _e1274 = (_e1273 + _e70);
-            if (_e1268 != 4294967295u) {
-                let _e1277 = global.member_41;
-                let _e1281 = global.member_40;
-                let _e1287 = atomicAdd((&global_1.member[((_e1281 + ((_e1274 / _e1277) * 256u)) + (_e1268 & 255u))]), 1u);
+            let _e1268 = bitcast<u32>(param[0u]);
+            let _e1270 = global.member_45;
+            let _e1271 = (_e1270 + _e71);
+            if (_e1265 != 4294967295u) {
+                let _e1274 = global.member_41;
+                let _e1278 = global.member_40;
+                let _e1284 = atomicAdd((&global_1.member[((_e1278 + ((_e1271 / _e1274) * 256u)) + (_e1265 & 255u))]), 1u);
             }
-            let _e1289 = global.member_39;
-            if (_e1289 == 0u) {
-                if (_e70 < (_e72 + (_e72 & 1u))) {
-                    let _e1295 = global.member_28;
-                    global_4.member[(_e1295 + _e1274)] = _e1268;
+            let _e1286 = global.member_39;
+            if (_e1286 == 0u) {
+                if (_e71 < (_e73 + (_e73 & 1u))) {
+                    let _e1292 = global.member_28;
+                    global_4.member[(_e1292 + _e1271)] = _e1265;
                 }
                 break;
             }
-            global_5[_e1271] = _e1268;
+            global_5[_e1268] = _e1265;
             workgroupBarrier();
-            let _e1301 = ((_e1271 & 1u) == 0u);
-            if select(_e1301, _e73, _e1301) {
-                let _e1304 = global.member_28;
-                let _e1311 = global_5[(_e1271 + 1u)];
-                global_4.member[(_e1304 + (_e1274 >> bitcast<u32>(1u)))] = ((_e1268 & 65535u) | (_e1311 << bitcast<u32>(16u)));
+            let _e1298 = ((_e1268 & 1u) == 0u);
+            if select(_e1298, _e74, _e1298) {
+                let _e1301 = global.member_28;
+                let _e1308 = global_5[(_e1268 + 1u)];
+                global_4.member[(_e1301 + (_e1271 >> bitcast<u32>(1u)))] = ((_e1265 & 65535u) | (_e1308 << bitcast<u32>(16u)));
             }
             break;
         }

@@ -128,372 +128,370 @@ var<workgroup> global_5: array<u32, 64>;
 
 @compute @workgroup_size(64, 1, 1) 
 fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocation_id) param_1: vec3<u32>) {
-    var phi_1693_: bool;
-    var phi_2700_: f32;
-    var phi_2701_: f32;
-    var phi_2705_: u32;
+    var phi_1700_: bool;
+    var phi_2706_: f32;
+    var phi_2707_: f32;
     var phi_2711_: u32;
-    var phi_2710_: f32;
-    var phi_2708_: u32;
+    var phi_2717_: u32;
+    var phi_2716_: f32;
+    var phi_2714_: u32;
     var local: f32;
-    var phi_2715_: bool;
-    var phi_1742_: bool;
-    var phi_2726_: f32;
-    var phi_2717_: vec2<f32>;
-    var phi_2716_: bool;
-    var phi_2216_: bool;
-    var phi_2222_: bool;
-    var phi_2740_: f32;
-    var phi_2739_: u32;
+    var phi_2721_: bool;
+    var phi_1749_: bool;
+    var phi_2732_: f32;
+    var phi_2723_: vec2<f32>;
+    var phi_2722_: bool;
+    var phi_2228_: bool;
+    var phi_2234_: bool;
+    var phi_2746_: f32;
+    var phi_2745_: u32;
     var local_1: f32;
-    var phi_2748_: u32;
-    var phi_2299_: bool;
-    var phi_2752_: vec2<f32>;
-    var phi_2753_: vec2<f32>;
     var phi_2754_: u32;
-    var phi_2755_: u32;
-    var phi_2756_: u32;
+    var phi_2312_: bool;
+    var phi_2758_: vec2<f32>;
+    var phi_2759_: vec2<f32>;
+    var phi_2760_: u32;
+    var phi_2761_: u32;
+    var phi_2762_: u32;
 
-    let _e66 = bitcast<u32>(param_1[0u]);
-    let _e68 = global.member_48;
-    let _e69 = (_e66 < _e68);
-    if _e69 {
+    let _e67 = bitcast<u32>(param_1[0u]);
+    let _e69 = global.member_48;
+    let _e70 = (_e67 < _e69);
+    if _e70 {
         switch bitcast<i32>(0u) {
             default: {
-                let _e72 = global.member_42;
-                let _e74 = (_e72 + (3u * _e66));
-                let _e77 = global_4.member[_e74];
-                let _e81 = global_4.member[(_e74 + 1u)];
-                let _e85 = global_4.member[(_e74 + 2u)];
-                let _e103 = global.member_55;
-                let _e106 = global.member_56;
-                let _e109 = (vec3<f32>(((vec3<u32>((_e77 & 65535u), (_e77 >> bitcast<u32>(16u)), (_e81 & 65535u)) << bitcast<vec3<u32>>(vec3<u32>(8u, 8u, 8u))) | (vec3<u32>(_e85, (_e85 >> bitcast<u32>(8u)), (_e85 >> bitcast<u32>(16u))) & vec3<u32>(255u, 255u, 255u)))) * vec3<f32>(0.00000005960465f, 0.00000005960465f, 0.00000005960465f));
-                let _e123 = (_e103.xyz + (_e106.xyz * select(select(((_e109 - vec3<f32>(0.015625f, 0.015625f, 0.015625f)) * vec3<f32>(1.032258f, 1.032258f, 1.032258f)), (vec3<f32>(1f, 1f, 1f) - (vec3<f32>(0.015625f, 0.015625f, 0.015625f) / max(_e109, vec3<f32>(0.000000029802326f, 0.000000029802326f, 0.000000029802326f)))), (_e109 < vec3<f32>(0.015625f, 0.015625f, 0.015625f))), (vec3<f32>(0.015625f, 0.015625f, 0.015625f) / max((vec3<f32>(1f, 1f, 1f) - _e109), vec3<f32>(0.000000029802326f, 0.000000029802326f, 0.000000029802326f))), (_e109 > vec3<f32>(0.984375f, 0.984375f, 0.984375f)))));
-                let _e127 = vec4<f32>(_e123.x, _e123.y, _e123.z, 1f);
-                let _e130 = global.member_57[0i];
-                let _e134 = global.member_57[1i];
-                let _e138 = global.member_57[2i];
-                let _e139 = dot(_e138, _e127);
-                let _e140 = vec3<f32>(dot(_e130, _e127), dot(_e134, _e127), _e139);
-                let _e142 = global.member_43;
-                let _e150 = (_e142 * exp2(((f32(((_e81 >> bitcast<u32>(16u)) & 255u)) * 0.125f) - 19f)));
+                let _e73 = global.member_42;
+                let _e75 = (_e73 + (3u * _e67));
+                let _e78 = global_4.member[_e75];
+                let _e82 = global_4.member[(_e75 + 1u)];
+                let _e86 = global_4.member[(_e75 + 2u)];
+                let _e104 = global.member_55;
+                let _e107 = global.member_56;
+                let _e110 = (vec3<f32>(((vec3<u32>((_e78 & 65535u), (_e78 >> bitcast<u32>(16u)), (_e82 & 65535u)) << bitcast<vec3<u32>>(vec3<u32>(8u, 8u, 8u))) | (vec3<u32>(_e86, (_e86 >> bitcast<u32>(8u)), (_e86 >> bitcast<u32>(16u))) & vec3<u32>(255u, 255u, 255u)))) * vec3<f32>(0.00000005960465f, 0.00000005960465f, 0.00000005960465f));
+                let _e124 = (_e104.xyz + (_e107.xyz * select(select(((_e110 - vec3<f32>(0.015625f, 0.015625f, 0.015625f)) * vec3<f32>(1.032258f, 1.032258f, 1.032258f)), (vec3<f32>(1f, 1f, 1f) - (vec3<f32>(0.015625f, 0.015625f, 0.015625f) / max(_e110, vec3<f32>(0.000000029802326f, 0.000000029802326f, 0.000000029802326f)))), (_e110 < vec3<f32>(0.015625f, 0.015625f, 0.015625f))), (vec3<f32>(0.015625f, 0.015625f, 0.015625f) / max((vec3<f32>(1f, 1f, 1f) - _e110), vec3<f32>(0.000000029802326f, 0.000000029802326f, 0.000000029802326f))), (_e110 > vec3<f32>(0.984375f, 0.984375f, 0.984375f)))));
+                let _e128 = vec4<f32>(_e124.x, _e124.y, _e124.z, 1f);
+                let _e131 = global.member_57[0i];
+                let _e135 = global.member_57[1i];
+                let _e139 = global.member_57[2i];
+                let _e140 = dot(_e139, _e128);
+                let _e141 = vec3<f32>(dot(_e131, _e128), dot(_e135, _e128), _e140);
+                let _e143 = global.member_43;
+                let _e151 = (_e143 * exp2(((f32(((_e82 >> bitcast<u32>(16u)) & 255u)) * 0.125f) - 19f)));
                 switch bitcast<i32>(0u) {
                     default: {
-                        let _e153 = global.member_6;
-                        if !((_e139 >= _e153)) {
-                            let _e157 = global_2.member_9;
-                            if (_e157 != 0u) {
-                                let _e161 = atomicAdd((&global_1.member[0u]), 1u);
+                        let _e154 = global.member_6;
+                        if !((_e140 >= _e154)) {
+                            let _e158 = global_2.member_9;
+                            if (_e158 != 0u) {
+                                let _e162 = atomicAdd((&global_1.member[0u]), 1u);
                             }
-                            phi_2726_ = 0f;
-                            phi_2717_ = vec2<f32>(0f, 0f);
-                            phi_2716_ = false;
+                            phi_2732_ = 0f;
+                            phi_2723_ = vec2<f32>(0f, 0f);
+                            phi_2722_ = false;
                             break;
                         }
-                        let _e163 = global.member;
-                        let _e164 = _e140.xy;
-                        let _e166 = vec2(_e139);
-                        let _e169 = global.member_1;
-                        let _e170 = (((_e163 * _e164) / _e166) + _e169);
-                        let _e172 = global.member_5;
-                        let _e176 = all((_e170 >= vec2(-(_e172))));
-                        phi_1693_ = _e176;
-                        if _e176 {
-                            let _e178 = global.member_4;
-                            phi_1693_ = all((_e170 <= (_e178 + vec2(_e172))));
+                        let _e164 = global.member;
+                        let _e165 = _e141.xy;
+                        let _e167 = vec2(_e140);
+                        let _e170 = global.member_1;
+                        let _e171 = (((_e164 * _e165) / _e167) + _e170);
+                        let _e173 = global.member_5;
+                        let _e177 = all((_e171 >= vec2(-(_e173))));
+                        phi_1700_ = _e177;
+                        if _e177 {
+                            let _e179 = global.member_4;
+                            phi_1700_ = all((_e171 <= (_e179 + vec2(_e173))));
                         }
-                        let _e184 = phi_1693_;
-                        if !(_e184) {
-                            let _e187 = global_2.member_9;
-                            if (_e187 != 0u) {
-                                let _e191 = atomicAdd((&global_1.member[0u]), 1u);
+                        let _e185 = phi_1700_;
+                        if !(_e185) {
+                            let _e188 = global_2.member_9;
+                            if (_e188 != 0u) {
+                                let _e192 = atomicAdd((&global_1.member[0u]), 1u);
                             }
-                            phi_2726_ = 0f;
-                            phi_2717_ = _e170;
-                            phi_2716_ = false;
+                            phi_2732_ = 0f;
+                            phi_2723_ = _e171;
+                            phi_2722_ = false;
                             break;
                         }
-                        let _e193 = global.member_7;
-                        let _e196 = global.member_8;
-                        let _e197 = ((_e193 - _e139) * _e196);
-                        if (_e197 < 0f) {
-                            phi_2701_ = (0.015625f / (1f - _e197));
+                        let _e194 = global.member_7;
+                        let _e197 = global.member_8;
+                        let _e198 = ((_e194 - _e140) * _e197);
+                        if (_e198 < 0f) {
+                            phi_2707_ = (0.015625f / (1f - _e198));
                         } else {
-                            if (_e197 > 1f) {
-                                phi_2700_ = (1f - (0.015625f / _e197));
+                            if (_e198 > 1f) {
+                                phi_2706_ = (1f - (0.015625f / _e198));
                             } else {
-                                phi_2700_ = (0.015625f + (0.96875f * clamp(_e197, 0f, 1f)));
+                                phi_2706_ = (0.015625f + (0.96875f * clamp(_e198, 0f, 1f)));
                             }
-                            let _e208 = phi_2700_;
-                            phi_2701_ = _e208;
+                            let _e209 = phi_2706_;
+                            phi_2707_ = _e209;
                         }
-                        let _e210 = phi_2701_;
-                        let _e211 = (_e164 / _e166);
-                        let _e219 = global.member[0u];
-                        let _e222 = global.member[1u];
-                        let _e227 = global.member_31;
-                        let _e228 = (_e227 > 0u);
-                        phi_1742_ = _e228;
-                        if _e228 {
-                            let _e230 = global.member_34;
-                            let _e233 = global.member_29;
-                            let _e240 = global.member_49;
-                            let _e244 = global.member_51;
+                        let _e211 = phi_2707_;
+                        let _e212 = (_e165 / _e167);
+                        let _e220 = global.member[0u];
+                        let _e223 = global.member[1u];
+                        let _e228 = global.member_31;
+                        let _e229 = (_e228 > 0u);
+                        phi_1749_ = _e229;
+                        if _e229 {
+                            let _e231 = global.member_34;
+                            let _e234 = global.member_29;
+                            let _e241 = global.member_49;
+                            let _e245 = global.member_51;
                             switch bitcast<i32>(0u) {
                                 default: {
-                                    let _e250 = vec2(((sqrt((2f * log(max((max(255f, _e230) / _e233), 1f)))) * sqrt(_e240)) * ((((_e150 * length(vec3<f32>(_e211.x, _e211.y, 1f))) * max(_e219, _e222)) / _e139) + sqrt(_e244))));
-                                    let _e253 = global.member_32;
-                                    let _e256 = global.member_33;
-                                    let _e264 = vec2<u32>(clamp(((((_e170 - _e250) - _e253) * _e256) - vec2<f32>(0.5f, 0.5f)), vec2<f32>(0f, 0f), vec2<f32>(191f, 191f)));
-                                    let _e266 = vec2<u32>(clamp(((((_e170 + _e250) - _e253) * _e256) + vec2<f32>(0.5f, 0.5f)), vec2<f32>(0f, 0f), vec2<f32>(191f, 191f)));
-                                    let _e273 = max((_e266.x - _e264.x), (_e266.y - _e264.y));
-                                    if (_e273 <= 3u) {
-                                        phi_2705_ = 0u;
+                                    let _e251 = vec2(((sqrt((2f * log(max((max(255f, _e231) / _e234), 1f)))) * sqrt(_e241)) * ((((_e151 * length(vec3<f32>(_e212.x, _e212.y, 1f))) * max(_e220, _e223)) / _e140) + sqrt(_e245))));
+                                    let _e254 = global.member_32;
+                                    let _e257 = global.member_33;
+                                    let _e265 = vec2<u32>(clamp(((((_e171 - _e251) - _e254) * _e257) - vec2<f32>(0.5f, 0.5f)), vec2<f32>(0f, 0f), vec2<f32>(191f, 191f)));
+                                    let _e267 = vec2<u32>(clamp(((((_e171 + _e251) - _e254) * _e257) + vec2<f32>(0.5f, 0.5f)), vec2<f32>(0f, 0f), vec2<f32>(191f, 191f)));
+                                    let _e274 = max((_e267.x - _e265.x), (_e267.y - _e265.y));
+                                    if (_e274 <= 3u) {
+                                        phi_2711_ = 0u;
                                     } else {
-                                        phi_2705_ = (bitcast<u32>(firstLeadingBit((_e273 - 1u))) - 1u);
+                                        phi_2711_ = (bitcast<u32>(firstLeadingBit((_e274 - 1u))) - 1u);
                                     }
-                                    let _e280 = phi_2705_;
-                                    if !((_e280 < 4u)) {
-                                        phi_2715_ = false;
+                                    let _e281 = phi_2711_;
+                                    if !((_e281 < 4u)) {
+                                        phi_2721_ = false;
                                         break;
                                     }
-                                    let _e290 = vec2(_e280);
-                                    let _e292 = (_e264 >> bitcast<vec2<u32>>(_e290));
-                                    let _e294 = (_e266 >> bitcast<vec2<u32>>(_e290));
-                                    let _e296 = (_e292.x & 4294967292u);
-                                    phi_2711_ = _e296;
-                                    phi_2710_ = 0f;
-                                    phi_2708_ = _e292.y;
+                                    let _e291 = vec2(_e281);
+                                    let _e293 = (_e265 >> bitcast<vec2<u32>>(_e291));
+                                    let _e295 = (_e267 >> bitcast<vec2<u32>>(_e291));
+                                    let _e297 = (_e293.x & 4294967292u);
+                                    phi_2717_ = _e297;
+                                    phi_2716_ = 0f;
+                                    phi_2714_ = _e293.y;
                                     loop {
-                                        let _e299 = phi_2711_;
-                                        let _e301 = phi_2710_;
-                                        let _e303 = phi_2708_;
-                                        local = _e301;
-                                        if (_e303 <= _e294.y) {
+                                        let _e300 = phi_2717_;
+                                        let _e302 = phi_2716_;
+                                        let _e304 = phi_2714_;
+                                        local = _e302;
+                                        if (_e304 <= _e295.y) {
                                             continue;
                                         } else {
                                             break;
                                         }
                                         continuing {
-                                            let _e308 = (vec4(f32(_e299)) + vec4<f32>(0f, 1f, 2f, 3f));
-                                            let _e326 = global_3.member[((_e227 >> bitcast<u32>(1u)) + ((((4u * (12288u - (12288u >> bitcast<u32>((2u * _e280))))) + (_e303 * (192u >> bitcast<u32>(_e280)))) + _e299) >> bitcast<u32>(2u)))];
-                                            let _e328 = unpack2x16unorm(_e326.x);
-                                            let _e330 = unpack2x16unorm(_e326.y);
-                                            let _e337 = select(select(vec4<f32>(_e328.x, _e328.y, _e330.x, _e330.y), vec4<f32>(0f, 0f, 0f, 0f), (_e308 < vec4(f32(_e292.x)))), vec4<f32>(0f, 0f, 0f, 0f), (_e308 > vec4(f32(_e294.x))));
-                                            let _e346 = (_e299 + 4u);
-                                            let _e347 = (_e346 > _e294.x);
-                                            phi_2711_ = select(_e346, _e296, _e347);
-                                            phi_2710_ = max(_e301, max(max(_e337.x, _e337.y), max(_e337.z, _e337.w)));
-                                            phi_2708_ = (_e303 + select(0u, 1u, _e347));
+                                            let _e309 = (vec4(f32(_e300)) + vec4<f32>(0f, 1f, 2f, 3f));
+                                            let _e327 = global_3.member[((_e228 >> bitcast<u32>(1u)) + ((((4u * (12288u - (12288u >> bitcast<u32>((2u * _e281))))) + (_e304 * (192u >> bitcast<u32>(_e281)))) + _e300) >> bitcast<u32>(2u)))];
+                                            let _e329 = unpack2x16unorm(_e327.x);
+                                            let _e331 = unpack2x16unorm(_e327.y);
+                                            let _e338 = select(select(vec4<f32>(_e329.x, _e329.y, _e331.x, _e331.y), vec4<f32>(0f, 0f, 0f, 0f), (_e309 < vec4(f32(_e293.x)))), vec4<f32>(0f, 0f, 0f, 0f), (_e309 > vec4(f32(_e295.x))));
+                                            let _e347 = (_e300 + 4u);
+                                            let _e348 = (_e347 > _e295.x);
+                                            phi_2717_ = select(_e347, _e297, _e348);
+                                            phi_2716_ = max(_e302, max(max(_e338.x, _e338.y), max(_e338.z, _e338.w)));
+                                            phi_2714_ = (_e304 + select(0u, 1u, _e348));
                                         }
                                     }
-                                    let _e352 = local;
-                                    phi_2715_ = ((1f - _e210) > _e352);
+                                    let _e353 = local;
+                                    phi_2721_ = ((1f - _e211) > _e353);
                                     break;
                                 }
                             }
-                            let _e355 = phi_2715_;
-                            phi_1742_ = _e355;
+                            let _e356 = phi_2721_;
+                            phi_1749_ = _e356;
                         }
-                        let _e357 = phi_1742_;
-                        if _e357 {
-                            let _e359 = global_2.member_9;
-                            if (_e359 != 0u) {
-                                let _e363 = atomicAdd((&global_1.member[1u]), 1u);
+                        let _e358 = phi_1749_;
+                        if _e358 {
+                            let _e360 = global_2.member_9;
+                            if (_e360 != 0u) {
+                                let _e364 = atomicAdd((&global_1.member[1u]), 1u);
                             }
-                            phi_2726_ = _e210;
-                            phi_2717_ = _e170;
-                            phi_2716_ = false;
+                            phi_2732_ = _e211;
+                            phi_2723_ = _e171;
+                            phi_2722_ = false;
                             break;
                         }
-                        phi_2726_ = _e210;
-                        phi_2717_ = _e170;
-                        phi_2716_ = true;
+                        phi_2732_ = _e211;
+                        phi_2723_ = _e171;
+                        phi_2722_ = true;
                         break;
                     }
                 }
-                let _e365 = phi_2726_;
-                let _e367 = phi_2717_;
-                let _e369 = phi_2716_;
-                if !(_e369) {
-                    phi_2755_ = 4294967295u;
+                let _e366 = phi_2732_;
+                let _e368 = phi_2723_;
+                let _e370 = phi_2722_;
+                if !(_e370) {
+                    phi_2761_ = 4294967295u;
                     break;
                 }
-                let _e371 = f32((_e81 >> bitcast<u32>(24u)));
-                let _e373 = global.member_29;
-                if (_e371 <= _e373) {
-                    let _e376 = global_2.member_9;
-                    if (_e376 != 0u) {
-                        let _e380 = atomicAdd((&global_1.member[2u]), 1u);
+                let _e372 = f32((_e82 >> bitcast<u32>(24u)));
+                let _e374 = global.member_29;
+                if (_e372 <= _e374) {
+                    let _e377 = global_2.member_9;
+                    if (_e377 != 0u) {
+                        let _e381 = atomicAdd((&global_1.member[2u]), 1u);
                     }
-                    phi_2755_ = 4294967295u;
+                    phi_2761_ = 4294967295u;
                     break;
                 }
-                let _e383 = (_e72 + (3u * (_e68 + _e66)));
-                let _e386 = global_4.member[_e383];
-                let _e390 = global_4.member[(_e383 + 1u)];
-                let _e394 = global_4.member[(_e383 + 2u)];
-                let _e395 = vec3<u32>(_e386, _e390, _e394);
-                let _e407 = vec3<f32>(_e138.x, _e138.y, _e138.z);
-                let _e408 = (_e150 * 0.0009775171f);
-                let _e412 = ((vec3<f32>((_e395 & vec3<u32>(2047u, 2047u, 2047u))) - vec3<f32>(1023f, 1023f, 1023f)) * _e408);
-                let _e418 = ((vec3<f32>(((_e395 >> bitcast<vec3<u32>>(vec3<u32>(11u, 11u, 11u))) & vec3<u32>(2047u, 2047u, 2047u))) - vec3<f32>(1023f, 1023f, 1023f)) * _e408);
-                let _e428 = mat3x3<f32>(vec3<f32>(_e412.x, _e418.x, _e418.y), vec3<f32>(0f, _e412.y, _e412.z), vec3<f32>(0f, 0f, _e418.z));
+                let _e384 = (_e73 + (3u * (_e69 + _e67)));
+                let _e387 = global_4.member[_e384];
+                let _e391 = global_4.member[(_e384 + 1u)];
+                let _e395 = global_4.member[(_e384 + 2u)];
+                let _e396 = vec3<u32>(_e387, _e391, _e395);
+                let _e408 = vec3<f32>(_e139.x, _e139.y, _e139.z);
+                let _e409 = (_e151 * 0.0009775171f);
+                let _e413 = ((vec3<f32>((_e396 & vec3<u32>(2047u, 2047u, 2047u))) - vec3<f32>(1023f, 1023f, 1023f)) * _e409);
+                let _e419 = ((vec3<f32>(((_e396 >> bitcast<vec3<u32>>(vec3<u32>(11u, 11u, 11u))) & vec3<u32>(2047u, 2047u, 2047u))) - vec3<f32>(1023f, 1023f, 1023f)) * _e409);
+                let _e429 = mat3x3<f32>(vec3<f32>(_e413.x, _e419.x, _e419.y), vec3<f32>(0f, _e413.y, _e413.z), vec3<f32>(0f, 0f, _e419.z));
                 switch bitcast<i32>(0u) {
                     default: {
-                        let _e438 = global.member_2;
-                        let _e440 = global.member_3;
-                        let _e441 = clamp((_e140.xy / vec2(_e139)), _e438, _e440);
-                        let _e444 = global.member[0u];
-                        let _e450 = (((vec3<f32>(_e130.x, _e130.y, _e130.z) - (_e407 * _e441.x)) * (_e444 / _e139)) * _e428);
-                        let _e453 = global.member[1u];
-                        let _e459 = (((vec3<f32>(_e134.x, _e134.y, _e134.z) - (_e407 * _e441.y)) * (_e453 / _e139)) * _e428);
-                        let _e461 = global.member_51;
-                        let _e463 = (dot(_e450, _e450) + _e461);
-                        let _e466 = (dot(_e459, _e459) + _e461);
-                        let _e468 = cross(_e450, _e459);
-                        let _e469 = dot(_e468, _e468);
-                        let _e473 = (_e469 + (_e461 * ((_e463 + _e466) - _e461)));
-                        let _e474 = (_e473 > 0f);
-                        phi_2216_ = _e474;
-                        if _e474 {
-                            phi_2216_ = (_e463 <= 1000000000000000000f);
+                        let _e439 = global.member_2;
+                        let _e441 = global.member_3;
+                        let _e442 = clamp((_e141.xy / vec2(_e140)), _e439, _e441);
+                        let _e445 = global.member[0u];
+                        let _e451 = (((vec3<f32>(_e131.x, _e131.y, _e131.z) - (_e408 * _e442.x)) * (_e445 / _e140)) * _e429);
+                        let _e454 = global.member[1u];
+                        let _e460 = (((vec3<f32>(_e135.x, _e135.y, _e135.z) - (_e408 * _e442.y)) * (_e454 / _e140)) * _e429);
+                        let _e462 = global.member_51;
+                        let _e464 = (dot(_e451, _e451) + _e462);
+                        let _e467 = (dot(_e460, _e460) + _e462);
+                        let _e469 = cross(_e451, _e460);
+                        let _e470 = dot(_e469, _e469);
+                        let _e474 = (_e470 + (_e462 * ((_e464 + _e467) - _e462)));
+                        let _e475 = (_e474 > 0f);
+                        phi_2228_ = _e475;
+                        if _e475 {
+                            phi_2228_ = (_e464 <= 1000000000000000000f);
                         }
-                        let _e477 = phi_2216_;
-                        phi_2222_ = _e477;
-                        if _e477 {
-                            phi_2222_ = (_e466 <= 1000000000000000000f);
+                        let _e478 = phi_2228_;
+                        phi_2234_ = _e478;
+                        if _e478 {
+                            phi_2234_ = (_e467 <= 1000000000000000000f);
                         }
-                        let _e480 = phi_2222_;
-                        if !(_e480) {
-                            let _e483 = global_2.member_9;
-                            if (_e483 != 0u) {
-                                let _e487 = atomicAdd((&global_1.member[3u]), 1u);
+                        let _e481 = phi_2234_;
+                        if !(_e481) {
+                            let _e484 = global_2.member_9;
+                            if (_e484 != 0u) {
+                                let _e488 = atomicAdd((&global_1.member[3u]), 1u);
                             }
-                            phi_2754_ = 4294967295u;
+                            phi_2760_ = 4294967295u;
                             break;
                         }
-                        phi_2740_ = (1f - (_e371 * 0.003921569f));
-                        phi_2739_ = 0u;
+                        phi_2746_ = (1f - (_e372 * 0.003921569f));
+                        phi_2745_ = 0u;
                         loop {
-                            let _e491 = phi_2740_;
-                            let _e493 = phi_2739_;
-                            let _e495 = global.member_47;
-                            local_1 = _e491;
-                            if (_e493 < _e495) {
+                            let _e492 = phi_2746_;
+                            let _e494 = phi_2745_;
+                            let _e496 = global.member_47;
+                            local_1 = _e492;
+                            if (_e494 < _e496) {
                                 continue;
                             } else {
                                 break;
                             }
                             continuing {
-                                phi_2740_ = (_e491 * _e491);
-                                phi_2739_ = (_e493 + bitcast<u32>(1i));
+                                phi_2746_ = (_e492 * _e492);
+                                phi_2745_ = (_e494 + bitcast<u32>(1i));
                             }
                         }
-                        let _e501 = local_1;
-                        let _e505 = u32(round((255f * (1f - _e501))));
-                        let _e507 = global.member_52;
-                        phi_2748_ = _e505;
-                        if (_e507 > 0f) {
-                            let _e517 = u32(round((f32(_e505) * ((1f - _e507) + (_e507 * sqrt((_e469 / _e473)))))));
-                            if (f32(_e517) <= _e373) {
-                                let _e521 = global_2.member_9;
-                                if (_e521 != 0u) {
-                                    let _e525 = atomicAdd((&global_1.member[2u]), 1u);
+                        let _e502 = local_1;
+                        let _e506 = u32(round((255f * (1f - _e502))));
+                        let _e508 = global.member_52;
+                        phi_2754_ = _e506;
+                        if (_e508 > 0f) {
+                            let _e518 = u32(round((f32(_e506) * ((1f - _e508) + (_e508 * sqrt((_e470 / _e474)))))));
+                            if (f32(_e518) <= _e374) {
+                                let _e522 = global_2.member_9;
+                                if (_e522 != 0u) {
+                                    let _e526 = atomicAdd((&global_1.member[2u]), 1u);
                                 }
-                                phi_2754_ = 4294967295u;
+                                phi_2760_ = 4294967295u;
                                 break;
                             }
-                            phi_2748_ = _e517;
+                            phi_2754_ = _e518;
                         }
-                        let _e527 = phi_2748_;
-                        let _e529 = global.member_49;
-                        let _e530 = (vec3<f32>(_e463, dot(_e450, _e459), _e466) * _e529);
-                        let _e535 = global.member_34;
-                        let _e546 = global.member_53;
-                        let _e547 = ((sqrt(_e530.xz) * sqrt((2f * log(max((max(f32(_e527), _e535) / _e373), 1f))))) * _e546);
-                        let _e550 = global.member_54;
-                        let _e553 = all(((_e367 + _e547) > _e550.xy));
-                        phi_2299_ = _e553;
-                        if _e553 {
-                            phi_2299_ = all(((_e367 - _e547) < _e550.zw));
+                        let _e528 = phi_2754_;
+                        let _e530 = global.member_49;
+                        let _e531 = (vec3<f32>(_e464, dot(_e451, _e460), _e467) * _e530);
+                        let _e544 = global.member_53;
+                        let _e545 = ((sqrt(_e531.xz) * sqrt((2f * log(max((f32(_e528) / _e374), 1f))))) * _e544);
+                        let _e548 = global.member_54;
+                        let _e551 = all(((_e368 + _e545) > _e548.xy));
+                        phi_2312_ = _e551;
+                        if _e551 {
+                            phi_2312_ = all(((_e368 - _e545) < _e548.zw));
                         }
-                        let _e559 = phi_2299_;
-                        if !(_e559) {
-                            let _e562 = global_2.member_9;
-                            if (_e562 != 0u) {
-                                let _e566 = atomicAdd((&global_1.member[0u]), 1u);
+                        let _e557 = phi_2312_;
+                        if !(_e557) {
+                            let _e560 = global_2.member_9;
+                            if (_e560 != 0u) {
+                                let _e564 = atomicAdd((&global_1.member[0u]), 1u);
                             }
-                            phi_2754_ = 4294967295u;
+                            phi_2760_ = 4294967295u;
                             break;
                         }
-                        let _e571 = (0.5f * (_e530.x - _e530.z));
-                        let _e576 = sqrt(((_e571 * _e571) + (_e530.y * _e530.y)));
-                        let _e579 = ((0.5f * (_e530.x + _e530.z)) + _e576);
-                        if (_e571 >= 0f) {
-                            phi_2752_ = vec2<f32>((_e571 + _e576), _e530.y);
+                        let _e569 = (0.5f * (_e531.x - _e531.z));
+                        let _e574 = sqrt(((_e569 * _e569) + (_e531.y * _e531.y)));
+                        let _e577 = ((0.5f * (_e531.x + _e531.z)) + _e574);
+                        if (_e569 >= 0f) {
+                            phi_2758_ = vec2<f32>((_e569 + _e574), _e531.y);
                         } else {
-                            phi_2752_ = vec2<f32>(_e530.y, (_e576 - _e571));
+                            phi_2758_ = vec2<f32>(_e531.y, (_e574 - _e569));
                         }
-                        let _e586 = phi_2752_;
-                        let _e587 = length(_e586);
-                        if (_e587 > 0f) {
-                            phi_2753_ = (_e586 / vec2(_e587));
+                        let _e584 = phi_2758_;
+                        if (_e574 > (0.00000001f * _e577)) {
+                            phi_2759_ = normalize(_e584);
                         } else {
-                            phi_2753_ = vec2<f32>(1f, 0f);
+                            phi_2759_ = vec2<f32>(1f, 0f);
                         }
-                        let _e592 = phi_2753_;
-                        let _e599 = global.member_5;
-                        let _e603 = global.member_10;
-                        let _e607 = vec2<u32>(clamp(round(((_e367 + vec2(_e599)) * _e603)), vec2<f32>(0f, 0f), vec2<f32>(1048575f, 1048575f)));
-                        let _e610 = vec3<u32>(round((clamp((vec3<f32>((_e395 >> bitcast<vec3<u32>>(vec3<u32>(22u, 22u, 22u)))) * vec3<f32>(0.0009775171f, 0.0009775171f, 0.0009775171f)), vec3<f32>(0f, 0f, 0f), vec3<f32>(1f, 1f, 1f)) * 1023f)));
-                        let _e638 = global.member_45;
-                        let _e640 = (4u * (_e638 + _e66));
-                        global_4.member[_e640] = ((_e607.x | (_e610.x << bitcast<u32>(20u))) | (_e610.z << bitcast<u32>(30u)));
-                        global_4.member[(_e640 + 1u)] = (_e607.y | (_e610.y << bitcast<u32>(20u)));
-                        global_4.member[(_e640 + 2u)] = pack2x16float((_e592 * min(sqrt(_e579), 65504f)));
-                        global_4.member[(_e640 + 3u)] = ((pack2x16float(vec2<f32>(min(sqrt(((_e473 * (_e529 * _e529)) / _e579)), 65504f), 0f)) | (_e527 << bitcast<u32>(16u))) | ((_e610.z >> bitcast<u32>(2u)) << bitcast<u32>(24u)));
-                        let _e653 = global.member_9;
-                        phi_2754_ = min(u32((_e365 * f32(_e653))), _e653);
+                        let _e589 = phi_2759_;
+                        let _e596 = global.member_5;
+                        let _e600 = global.member_10;
+                        let _e604 = vec2<u32>(clamp(round(((_e368 + vec2(_e596)) * _e600)), vec2<f32>(0f, 0f), vec2<f32>(1048575f, 1048575f)));
+                        let _e607 = vec3<u32>(round((clamp((vec3<f32>((_e396 >> bitcast<vec3<u32>>(vec3<u32>(22u, 22u, 22u)))) * vec3<f32>(0.0009775171f, 0.0009775171f, 0.0009775171f)), vec3<f32>(0f, 0f, 0f), vec3<f32>(1f, 1f, 1f)) * 1023f)));
+                        let _e635 = global.member_45;
+                        let _e637 = (4u * (_e635 + _e67));
+                        global_4.member[_e637] = ((_e604.x | (_e607.x << bitcast<u32>(20u))) | (_e607.z << bitcast<u32>(30u)));
+                        global_4.member[(_e637 + 1u)] = (_e604.y | (_e607.y << bitcast<u32>(20u)));
+                        global_4.member[(_e637 + 2u)] = pack2x16float((_e589 * min(sqrt(_e577), 65504f)));
+                        global_4.member[(_e637 + 3u)] = ((pack2x16float(vec2<f32>(min(sqrt(((_e474 * (_e530 * _e530)) / _e577)), 65504f), 0f)) | (_e528 << bitcast<u32>(16u))) | ((_e607.z >> bitcast<u32>(2u)) << bitcast<u32>(24u)));
+                        let _e650 = global.member_9;
+                        phi_2760_ = min(u32((_e366 * f32(_e650))), _e650);
                         break;
                     }
                 }
-                let _e659 = phi_2754_;
-                phi_2755_ = _e659;
+                let _e656 = phi_2760_;
+                phi_2761_ = _e656;
                 break;
             }
         }
-        let _e661 = phi_2755_;
-        phi_2756_ = _e661;
+        let _e658 = phi_2761_;
+        phi_2762_ = _e658;
     } else {
-        phi_2756_ = 4294967295u;
+        phi_2762_ = 4294967295u;
     }
-    let _e663 = phi_2756_;
+    let _e660 = phi_2762_;
     switch bitcast<i32>(0u) {
         default: {
-            let _e666 = bitcast<u32>(param[0u]);
-            let _e668 = global.member_45;
-            let _e669 = (_e668 + _e66);
-            if (_e663 != 4294967295u) {
-                let _e672 = global.member_41;
-                let _e676 = global.member_40;
-                let _e682 = atomicAdd((&global_1.member[((_e676 + ((_e669 / _e672) * 256u)) + (_e663 & 255u))]), 1u);
+            let _e663 = bitcast<u32>(param[0u]);
+            let _e665 = global.member_45;
+            let _e666 = (_e665 + _e67);
+            if (_e660 != 4294967295u) {
+                let _e669 = global.member_41;
+                let _e673 = global.member_40;
+                let _e679 = atomicAdd((&global_1.member[((_e673 + ((_e666 / _e669) * 256u)) + (_e660 & 255u))]), 1u);
             }
-            let _e684 = global.member_39;
-            if (_e684 == 0u) {
-                if (_e66 < (_e68 + (_e68 & 1u))) {
-                    let _e690 = global.member_28;
-                    global_4.member[(_e690 + _e669)] = _e663;
+            let _e681 = global.member_39;
+            if (_e681 == 0u) {
+                if (_e67 < (_e69 + (_e69 & 1u))) {
+                    let _e687 = global.member_28;
+                    global_4.member[(_e687 + _e666)] = _e660;
                 }
                 break;
             }
-            global_5[_e666] = _e663;
+            global_5[_e663] = _e660;
             workgroupBarrier();
-            let _e696 = ((_e666 & 1u) == 0u);
-            if select(_e696, _e69, _e696) {
-                let _e699 = global.member_28;
-                let _e706 = global_5[(_e666 + 1u)];
-                global_4.member[(_e699 + (_e669 >> bitcast<u32>(1u)))] = ((_e663 & 65535u) | (_e706 << bitcast<u32>(16u)));
+            let _e693 = ((_e663 & 1u) == 0u);
+            if select(_e693, _e70, _e693) {
+                let _e696 = global.member_28;
+                let _e703 = global_5[(_e663 + 1u)];
+                global_4.member[(_e696 + (_e666 >> bitcast<u32>(1u)))] = ((_e660 & 65535u) | (_e703 << bitcast<u32>(16u)));
             }
             break;
         }

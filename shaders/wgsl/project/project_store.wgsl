@@ -140,646 +140,644 @@ var<storage> global_7: type_36;
 
 @compute @workgroup_size(64, 1, 1) 
 fn main(@builtin(local_invocation_id) param: vec3<u32>, @builtin(global_invocation_id) param_1: vec3<u32>) {
-    var phi_3593_: bool;
-    var phi_5548_: f32;
-    var phi_5549_: f32;
-    var phi_5553_: u32;
+    var phi_3600_: bool;
+    var phi_5554_: f32;
+    var phi_5555_: f32;
     var phi_5559_: u32;
-    var phi_5558_: f32;
-    var phi_5556_: u32;
+    var phi_5565_: u32;
+    var phi_5564_: f32;
+    var phi_5562_: u32;
     var local: f32;
-    var phi_5563_: bool;
-    var phi_3642_: bool;
-    var phi_5574_: f32;
-    var phi_5565_: vec2<f32>;
-    var phi_5564_: bool;
-    var phi_5584_: vec4<f32>;
-    var phi_5585_: vec4<f32>;
-    var phi_5586_: vec4<f32>;
-    var phi_5604_: vec3<f32>;
-    var phi_5606_: vec4<f32>;
-    var phi_5605_: u32;
+    var phi_5569_: bool;
+    var phi_3649_: bool;
+    var phi_5580_: f32;
+    var phi_5571_: vec2<f32>;
+    var phi_5570_: bool;
+    var phi_5590_: vec4<f32>;
+    var phi_5591_: vec4<f32>;
+    var phi_5592_: vec4<f32>;
+    var phi_5610_: vec3<f32>;
+    var phi_5612_: vec4<f32>;
+    var phi_5611_: u32;
     var local_1: vec4<f32>;
-    var phi_5621_: vec4<f32>;
-    var phi_5609_: vec3<f32>;
-    var phi_5608_: u32;
+    var phi_5627_: vec4<f32>;
+    var phi_5615_: vec3<f32>;
+    var phi_5614_: u32;
     var local_2: vec3<f32>;
-    var phi_5625_: vec3<f32>;
-    var phi_5618_: vec3<f32>;
-    var phi_5617_: u32;
+    var phi_5631_: vec3<f32>;
+    var phi_5624_: vec3<f32>;
+    var phi_5623_: u32;
     var local_3: vec3<f32>;
-    var phi_5627_: vec3<f32>;
-    var phi_5628_: vec3<f32>;
-    var phi_5630_: vec3<f32>;
-    var phi_5632_: vec3<f32>;
-    var phi_3175_: bool;
-    var phi_3189_: bool;
-    var phi_4979_: bool;
-    var phi_4985_: bool;
-    var phi_5647_: f32;
-    var phi_5646_: u32;
+    var phi_5633_: vec3<f32>;
+    var phi_5634_: vec3<f32>;
+    var phi_5636_: vec3<f32>;
+    var phi_5638_: vec3<f32>;
+    var phi_3182_: bool;
+    var phi_3196_: bool;
+    var phi_4991_: bool;
+    var phi_4997_: bool;
+    var phi_5653_: f32;
+    var phi_5652_: u32;
     var local_4: f32;
-    var phi_5655_: u32;
-    var phi_5062_: bool;
-    var phi_5659_: vec2<f32>;
-    var phi_5660_: vec2<f32>;
     var phi_5661_: u32;
-    var phi_5662_: u32;
-    var phi_5663_: u32;
+    var phi_5075_: bool;
+    var phi_5665_: vec2<f32>;
+    var phi_5666_: vec2<f32>;
+    var phi_5667_: u32;
+    var phi_5668_: u32;
+    var phi_5669_: u32;
 
-    let _e82 = bitcast<u32>(param_1[0u]);
-    let _e84 = global.member_48;
-    let _e85 = (_e82 < _e84);
-    if _e85 {
+    let _e83 = bitcast<u32>(param_1[0u]);
+    let _e85 = global.member_48;
+    let _e86 = (_e83 < _e85);
+    if _e86 {
         switch bitcast<i32>(0u) {
             default: {
-                let _e88 = global.member_14;
-                let _e90 = global.member_47;
-                let _e92 = (_e82 << bitcast<u32>(_e90));
-                let _e96 = (4u * (_e88 + (_e92 >> bitcast<u32>(5u))));
-                let _e97 = (2u * _e92);
-                let _e100 = global_7.member[_e97];
-                let _e104 = global_7.member[(_e97 + 1u)];
-                let _e109 = global_7.member[((2u * _e88) + _e92)];
-                let _e120 = (vec2<f32>(f32(((_e109.y >> bitcast<u32>(16u)) & 31u)), f32(((_e109.y >> bitcast<u32>(21u)) & 31u))) * vec2<f32>(0.032258064f, 0.032258064f));
-                let _e124 = ((1f + (2f * _e120.x)) * 0.33333334f);
-                let _e125 = (1f - _e124);
-                let _e129 = (_e125 * (0.5f + (0.5f * _e120.y)));
-                let _e147 = global.member_11;
-                let _e150 = global.member_12;
-                let _e155 = global.member_21;
-                let _e156 = (2u * _e155);
-                let _e160 = global_3.member[(_e156 + (_e109.x & 65535u))];
-                let _e162 = unpack2x16float(_e160.x);
-                let _e174 = global_3.member[(_e156 + (_e109.x >> bitcast<u32>(16u)))];
-                let _e176 = unpack2x16float(_e174.x);
-                let _e188 = global_3.member[(_e156 + (_e109.y & 65535u))];
-                let _e190 = unpack2x16float(_e188.x);
-                let _e198 = ((((_e147.xyz + (_e150.xyz * vec3<f32>(f32((_e100.x & 65535u)), f32((_e100.x >> bitcast<u32>(16u))), f32((_e100.y & 65535u))))) + (vec3<f32>(_e162.x, _e162.y, unpack2x16float(_e160.y).x) * _e124)) + (vec3<f32>(_e176.x, _e176.y, unpack2x16float(_e174.y).x) * _e129)) + (vec3<f32>(_e190.x, _e190.y, unpack2x16float(_e188.y).x) * (_e125 - _e129)));
-                let _e202 = vec4<f32>(_e198.x, _e198.y, _e198.z, 1f);
-                let _e215 = (((_e100.y >> bitcast<u32>(16u)) | ((_e104.y >> bitcast<u32>(24u)) << bitcast<u32>(16u))) | ((_e109.y >> bitcast<u32>(26u)) << bitcast<u32>(24u)));
-                let _e227 = global.member_36;
-                let _e229 = global.member_37;
-                let _e232 = (vec3(_e227) + (vec3<f32>(f32((_e215 & 1023u)), f32(((_e215 >> bitcast<u32>(10u)) & 1023u)), f32((_e215 >> bitcast<u32>(20u)))) * _e229));
-                let _e241 = (vec4<u32>(_e104.x, (_e104.x >> bitcast<u32>(8u)), (_e104.x >> bitcast<u32>(16u)), (_e104.x >> bitcast<u32>(24u))) & vec4<u32>(255u, 255u, 255u, 255u));
-                let _e247 = (vec3<u32>(_e104.y, (_e104.y >> bitcast<u32>(8u)), (_e104.y >> bitcast<u32>(16u))) & vec3<u32>(255u, 255u, 255u));
-                let _e248 = vec3<f32>(_e247);
-                let _e260 = (vec4<f32>(_e248.x, _e248.y, _e248.z, f32((((255u - _e247.x) - _e247.y) - _e247.z))) * vec4<f32>(0.003921569f, 0.003921569f, 0.003921569f, 0.003921569f));
-                let _e263 = (3u * _e241.x);
-                let _e266 = global.member_62[_e263];
-                let _e271 = global.member_62[(_e263 + 1u)];
-                let _e276 = global.member_62[(_e263 + 2u)];
-                let _e280 = (3u * _e241.y);
-                let _e283 = global.member_62[_e280];
-                let _e289 = global.member_62[(_e280 + 1u)];
-                let _e295 = global.member_62[(_e280 + 2u)];
-                let _e300 = (3u * _e241.z);
-                let _e303 = global.member_62[_e300];
-                let _e309 = global.member_62[(_e300 + 1u)];
-                let _e315 = global.member_62[(_e300 + 2u)];
-                let _e320 = (3u * _e241.w);
-                let _e323 = global.member_62[_e320];
-                let _e325 = ((((_e266 * _e260.x) + (_e283 * _e260.y)) + (_e303 * _e260.z)) + (_e323 * _e260.w));
-                let _e329 = global.member_62[(_e320 + 1u)];
-                let _e331 = ((((_e271 * _e260.x) + (_e289 * _e260.y)) + (_e309 * _e260.z)) + (_e329 * _e260.w));
-                let _e335 = global.member_62[(_e320 + 2u)];
-                let _e337 = ((((_e276 * _e260.x) + (_e295 * _e260.y)) + (_e315 * _e260.z)) + (_e335 * _e260.w));
-                let _e340 = dot(_e337, _e202);
-                let _e341 = vec3<f32>(dot(_e325, _e202), dot(_e331, _e202), _e340);
-                let _e342 = _e325.xyz;
-                let _e343 = _e331.xyz;
-                let _e344 = _e337.xyz;
-                let _e354 = vec3<f32>(_e325.x, _e325.y, _e325.z);
-                let _e355 = vec3<f32>(_e331.x, _e331.y, _e331.z);
-                let _e356 = vec3<f32>(_e337.x, _e337.y, _e337.z);
-                let _e372 = ((1.2f * exp(min(max(max(_e232.x, _e232.y), _e232.z), 9f))) * sqrt(max(max(dot(_e342, _e342), dot(_e343, _e343)), dot(_e344, _e344))));
+                let _e89 = global.member_14;
+                let _e91 = global.member_47;
+                let _e93 = (_e83 << bitcast<u32>(_e91));
+                let _e97 = (4u * (_e89 + (_e93 >> bitcast<u32>(5u))));
+                let _e98 = (2u * _e93);
+                let _e101 = global_7.member[_e98];
+                let _e105 = global_7.member[(_e98 + 1u)];
+                let _e110 = global_7.member[((2u * _e89) + _e93)];
+                let _e121 = (vec2<f32>(f32(((_e110.y >> bitcast<u32>(16u)) & 31u)), f32(((_e110.y >> bitcast<u32>(21u)) & 31u))) * vec2<f32>(0.032258064f, 0.032258064f));
+                let _e125 = ((1f + (2f * _e121.x)) * 0.33333334f);
+                let _e126 = (1f - _e125);
+                let _e130 = (_e126 * (0.5f + (0.5f * _e121.y)));
+                let _e148 = global.member_11;
+                let _e151 = global.member_12;
+                let _e156 = global.member_21;
+                let _e157 = (2u * _e156);
+                let _e161 = global_3.member[(_e157 + (_e110.x & 65535u))];
+                let _e163 = unpack2x16float(_e161.x);
+                let _e175 = global_3.member[(_e157 + (_e110.x >> bitcast<u32>(16u)))];
+                let _e177 = unpack2x16float(_e175.x);
+                let _e189 = global_3.member[(_e157 + (_e110.y & 65535u))];
+                let _e191 = unpack2x16float(_e189.x);
+                let _e199 = ((((_e148.xyz + (_e151.xyz * vec3<f32>(f32((_e101.x & 65535u)), f32((_e101.x >> bitcast<u32>(16u))), f32((_e101.y & 65535u))))) + (vec3<f32>(_e163.x, _e163.y, unpack2x16float(_e161.y).x) * _e125)) + (vec3<f32>(_e177.x, _e177.y, unpack2x16float(_e175.y).x) * _e130)) + (vec3<f32>(_e191.x, _e191.y, unpack2x16float(_e189.y).x) * (_e126 - _e130)));
+                let _e203 = vec4<f32>(_e199.x, _e199.y, _e199.z, 1f);
+                let _e216 = (((_e101.y >> bitcast<u32>(16u)) | ((_e105.y >> bitcast<u32>(24u)) << bitcast<u32>(16u))) | ((_e110.y >> bitcast<u32>(26u)) << bitcast<u32>(24u)));
+                let _e228 = global.member_36;
+                let _e230 = global.member_37;
+                let _e233 = (vec3(_e228) + (vec3<f32>(f32((_e216 & 1023u)), f32(((_e216 >> bitcast<u32>(10u)) & 1023u)), f32((_e216 >> bitcast<u32>(20u)))) * _e230));
+                let _e242 = (vec4<u32>(_e105.x, (_e105.x >> bitcast<u32>(8u)), (_e105.x >> bitcast<u32>(16u)), (_e105.x >> bitcast<u32>(24u))) & vec4<u32>(255u, 255u, 255u, 255u));
+                let _e248 = (vec3<u32>(_e105.y, (_e105.y >> bitcast<u32>(8u)), (_e105.y >> bitcast<u32>(16u))) & vec3<u32>(255u, 255u, 255u));
+                let _e249 = vec3<f32>(_e248);
+                let _e261 = (vec4<f32>(_e249.x, _e249.y, _e249.z, f32((((255u - _e248.x) - _e248.y) - _e248.z))) * vec4<f32>(0.003921569f, 0.003921569f, 0.003921569f, 0.003921569f));
+                let _e264 = (3u * _e242.x);
+                let _e267 = global.member_62[_e264];
+                let _e272 = global.member_62[(_e264 + 1u)];
+                let _e277 = global.member_62[(_e264 + 2u)];
+                let _e281 = (3u * _e242.y);
+                let _e284 = global.member_62[_e281];
+                let _e290 = global.member_62[(_e281 + 1u)];
+                let _e296 = global.member_62[(_e281 + 2u)];
+                let _e301 = (3u * _e242.z);
+                let _e304 = global.member_62[_e301];
+                let _e310 = global.member_62[(_e301 + 1u)];
+                let _e316 = global.member_62[(_e301 + 2u)];
+                let _e321 = (3u * _e242.w);
+                let _e324 = global.member_62[_e321];
+                let _e326 = ((((_e267 * _e261.x) + (_e284 * _e261.y)) + (_e304 * _e261.z)) + (_e324 * _e261.w));
+                let _e330 = global.member_62[(_e321 + 1u)];
+                let _e332 = ((((_e272 * _e261.x) + (_e290 * _e261.y)) + (_e310 * _e261.z)) + (_e330 * _e261.w));
+                let _e336 = global.member_62[(_e321 + 2u)];
+                let _e338 = ((((_e277 * _e261.x) + (_e296 * _e261.y)) + (_e316 * _e261.z)) + (_e336 * _e261.w));
+                let _e341 = dot(_e338, _e203);
+                let _e342 = vec3<f32>(dot(_e326, _e203), dot(_e332, _e203), _e341);
+                let _e343 = _e326.xyz;
+                let _e344 = _e332.xyz;
+                let _e345 = _e338.xyz;
+                let _e355 = vec3<f32>(_e326.x, _e326.y, _e326.z);
+                let _e356 = vec3<f32>(_e332.x, _e332.y, _e332.z);
+                let _e357 = vec3<f32>(_e338.x, _e338.y, _e338.z);
+                let _e373 = ((1.2f * exp(min(max(max(_e233.x, _e233.y), _e233.z), 9f))) * sqrt(max(max(dot(_e343, _e343), dot(_e344, _e344)), dot(_e345, _e345))));
                 switch bitcast<i32>(0u) {
                     default: {
-                        let _e375 = global.member_6;
-                        if !((_e340 >= _e375)) {
-                            let _e379 = global_2.member_9;
-                            if (_e379 != 0u) {
-                                let _e383 = atomicAdd((&global_1.member[0u]), 1u);
+                        let _e376 = global.member_6;
+                        if !((_e341 >= _e376)) {
+                            let _e380 = global_2.member_9;
+                            if (_e380 != 0u) {
+                                let _e384 = atomicAdd((&global_1.member[0u]), 1u);
                             }
-                            phi_5574_ = 0f;
-                            phi_5565_ = vec2<f32>(0f, 0f);
-                            phi_5564_ = false;
+                            phi_5580_ = 0f;
+                            phi_5571_ = vec2<f32>(0f, 0f);
+                            phi_5570_ = false;
                             break;
                         }
-                        let _e385 = global.member;
-                        let _e386 = _e341.xy;
-                        let _e388 = vec2(_e340);
-                        let _e391 = global.member_1;
-                        let _e392 = (((_e385 * _e386) / _e388) + _e391);
-                        let _e394 = global.member_5;
-                        let _e398 = all((_e392 >= vec2(-(_e394))));
-                        phi_3593_ = _e398;
-                        if _e398 {
-                            let _e400 = global.member_4;
-                            phi_3593_ = all((_e392 <= (_e400 + vec2(_e394))));
+                        let _e386 = global.member;
+                        let _e387 = _e342.xy;
+                        let _e389 = vec2(_e341);
+                        let _e392 = global.member_1;
+                        let _e393 = (((_e386 * _e387) / _e389) + _e392);
+                        let _e395 = global.member_5;
+                        let _e399 = all((_e393 >= vec2(-(_e395))));
+                        phi_3600_ = _e399;
+                        if _e399 {
+                            let _e401 = global.member_4;
+                            phi_3600_ = all((_e393 <= (_e401 + vec2(_e395))));
                         }
-                        let _e406 = phi_3593_;
-                        if !(_e406) {
-                            let _e409 = global_2.member_9;
-                            if (_e409 != 0u) {
-                                let _e413 = atomicAdd((&global_1.member[0u]), 1u);
+                        let _e407 = phi_3600_;
+                        if !(_e407) {
+                            let _e410 = global_2.member_9;
+                            if (_e410 != 0u) {
+                                let _e414 = atomicAdd((&global_1.member[0u]), 1u);
                             }
-                            phi_5574_ = 0f;
-                            phi_5565_ = _e392;
-                            phi_5564_ = false;
+                            phi_5580_ = 0f;
+                            phi_5571_ = _e393;
+                            phi_5570_ = false;
                             break;
                         }
-                        let _e415 = global.member_7;
-                        let _e418 = global.member_8;
-                        let _e419 = ((_e415 - _e340) * _e418);
-                        if (_e419 < 0f) {
-                            phi_5549_ = (0.015625f / (1f - _e419));
+                        let _e416 = global.member_7;
+                        let _e419 = global.member_8;
+                        let _e420 = ((_e416 - _e341) * _e419);
+                        if (_e420 < 0f) {
+                            phi_5555_ = (0.015625f / (1f - _e420));
                         } else {
-                            if (_e419 > 1f) {
-                                phi_5548_ = (1f - (0.015625f / _e419));
+                            if (_e420 > 1f) {
+                                phi_5554_ = (1f - (0.015625f / _e420));
                             } else {
-                                phi_5548_ = (0.015625f + (0.96875f * clamp(_e419, 0f, 1f)));
+                                phi_5554_ = (0.015625f + (0.96875f * clamp(_e420, 0f, 1f)));
                             }
-                            let _e428 = phi_5548_;
-                            phi_5549_ = _e428;
+                            let _e429 = phi_5554_;
+                            phi_5555_ = _e429;
                         }
-                        let _e432 = phi_5549_;
-                        let _e433 = (_e386 / _e388);
-                        let _e441 = global.member[0u];
-                        let _e444 = global.member[1u];
-                        let _e449 = global.member_31;
-                        let _e450 = (_e449 > 0u);
-                        phi_3642_ = _e450;
-                        if _e450 {
-                            let _e452 = global.member_34;
-                            let _e455 = global.member_29;
-                            let _e462 = global.member_49;
-                            let _e466 = global.member_51;
+                        let _e433 = phi_5555_;
+                        let _e434 = (_e387 / _e389);
+                        let _e442 = global.member[0u];
+                        let _e445 = global.member[1u];
+                        let _e450 = global.member_31;
+                        let _e451 = (_e450 > 0u);
+                        phi_3649_ = _e451;
+                        if _e451 {
+                            let _e453 = global.member_34;
+                            let _e456 = global.member_29;
+                            let _e463 = global.member_49;
+                            let _e467 = global.member_51;
                             switch bitcast<i32>(0u) {
                                 default: {
-                                    let _e472 = vec2(((sqrt((2f * log(max((max(255f, _e452) / _e455), 1f)))) * sqrt(_e462)) * ((((_e372 * length(vec3<f32>(_e433.x, _e433.y, 1f))) * max(_e441, _e444)) / _e340) + sqrt(_e466))));
-                                    let _e475 = global.member_32;
-                                    let _e478 = global.member_33;
-                                    let _e486 = vec2<u32>(clamp(((((_e392 - _e472) - _e475) * _e478) - vec2<f32>(0.5f, 0.5f)), vec2<f32>(0f, 0f), vec2<f32>(191f, 191f)));
-                                    let _e488 = vec2<u32>(clamp(((((_e392 + _e472) - _e475) * _e478) + vec2<f32>(0.5f, 0.5f)), vec2<f32>(0f, 0f), vec2<f32>(191f, 191f)));
-                                    let _e495 = max((_e488.x - _e486.x), (_e488.y - _e486.y));
-                                    if (_e495 <= 3u) {
-                                        phi_5553_ = 0u;
+                                    let _e473 = vec2(((sqrt((2f * log(max((max(255f, _e453) / _e456), 1f)))) * sqrt(_e463)) * ((((_e373 * length(vec3<f32>(_e434.x, _e434.y, 1f))) * max(_e442, _e445)) / _e341) + sqrt(_e467))));
+                                    let _e476 = global.member_32;
+                                    let _e479 = global.member_33;
+                                    let _e487 = vec2<u32>(clamp(((((_e393 - _e473) - _e476) * _e479) - vec2<f32>(0.5f, 0.5f)), vec2<f32>(0f, 0f), vec2<f32>(191f, 191f)));
+                                    let _e489 = vec2<u32>(clamp(((((_e393 + _e473) - _e476) * _e479) + vec2<f32>(0.5f, 0.5f)), vec2<f32>(0f, 0f), vec2<f32>(191f, 191f)));
+                                    let _e496 = max((_e489.x - _e487.x), (_e489.y - _e487.y));
+                                    if (_e496 <= 3u) {
+                                        phi_5559_ = 0u;
                                     } else {
-                                        phi_5553_ = (bitcast<u32>(firstLeadingBit((_e495 - 1u))) - 1u);
+                                        phi_5559_ = (bitcast<u32>(firstLeadingBit((_e496 - 1u))) - 1u);
                                     }
-                                    let _e502 = phi_5553_;
-                                    if !((_e502 < 4u)) {
-                                        phi_5563_ = false;
+                                    let _e503 = phi_5559_;
+                                    if !((_e503 < 4u)) {
+                                        phi_5569_ = false;
                                         break;
                                     }
-                                    let _e512 = vec2(_e502);
-                                    let _e514 = (_e486 >> bitcast<vec2<u32>>(_e512));
-                                    let _e516 = (_e488 >> bitcast<vec2<u32>>(_e512));
-                                    let _e518 = (_e514.x & 4294967292u);
-                                    phi_5559_ = _e518;
-                                    phi_5558_ = 0f;
-                                    phi_5556_ = _e514.y;
+                                    let _e513 = vec2(_e503);
+                                    let _e515 = (_e487 >> bitcast<vec2<u32>>(_e513));
+                                    let _e517 = (_e489 >> bitcast<vec2<u32>>(_e513));
+                                    let _e519 = (_e515.x & 4294967292u);
+                                    phi_5565_ = _e519;
+                                    phi_5564_ = 0f;
+                                    phi_5562_ = _e515.y;
                                     loop {
-                                        let _e521 = phi_5559_;
-                                        let _e523 = phi_5558_;
-                                        let _e525 = phi_5556_;
-                                        local = _e523;
-                                        if (_e525 <= _e516.y) {
+                                        let _e522 = phi_5565_;
+                                        let _e524 = phi_5564_;
+                                        let _e526 = phi_5562_;
+                                        local = _e524;
+                                        if (_e526 <= _e517.y) {
                                             continue;
                                         } else {
                                             break;
                                         }
                                         continuing {
-                                            let _e530 = (vec4(f32(_e521)) + vec4<f32>(0f, 1f, 2f, 3f));
-                                            let _e548 = global_3.member[((_e449 >> bitcast<u32>(1u)) + ((((4u * (12288u - (12288u >> bitcast<u32>((2u * _e502))))) + (_e525 * (192u >> bitcast<u32>(_e502)))) + _e521) >> bitcast<u32>(2u)))];
-                                            let _e550 = unpack2x16unorm(_e548.x);
-                                            let _e552 = unpack2x16unorm(_e548.y);
-                                            let _e559 = select(select(vec4<f32>(_e550.x, _e550.y, _e552.x, _e552.y), vec4<f32>(0f, 0f, 0f, 0f), (_e530 < vec4(f32(_e514.x)))), vec4<f32>(0f, 0f, 0f, 0f), (_e530 > vec4(f32(_e516.x))));
-                                            let _e568 = (_e521 + 4u);
-                                            let _e569 = (_e568 > _e516.x);
-                                            phi_5559_ = select(_e568, _e518, _e569);
-                                            phi_5558_ = max(_e523, max(max(_e559.x, _e559.y), max(_e559.z, _e559.w)));
-                                            phi_5556_ = (_e525 + select(0u, 1u, _e569));
+                                            let _e531 = (vec4(f32(_e522)) + vec4<f32>(0f, 1f, 2f, 3f));
+                                            let _e549 = global_3.member[((_e450 >> bitcast<u32>(1u)) + ((((4u * (12288u - (12288u >> bitcast<u32>((2u * _e503))))) + (_e526 * (192u >> bitcast<u32>(_e503)))) + _e522) >> bitcast<u32>(2u)))];
+                                            let _e551 = unpack2x16unorm(_e549.x);
+                                            let _e553 = unpack2x16unorm(_e549.y);
+                                            let _e560 = select(select(vec4<f32>(_e551.x, _e551.y, _e553.x, _e553.y), vec4<f32>(0f, 0f, 0f, 0f), (_e531 < vec4(f32(_e515.x)))), vec4<f32>(0f, 0f, 0f, 0f), (_e531 > vec4(f32(_e517.x))));
+                                            let _e569 = (_e522 + 4u);
+                                            let _e570 = (_e569 > _e517.x);
+                                            phi_5565_ = select(_e569, _e519, _e570);
+                                            phi_5564_ = max(_e524, max(max(_e560.x, _e560.y), max(_e560.z, _e560.w)));
+                                            phi_5562_ = (_e526 + select(0u, 1u, _e570));
                                         }
                                     }
-                                    let _e574 = local;
-                                    phi_5563_ = ((1f - _e432) > _e574);
+                                    let _e575 = local;
+                                    phi_5569_ = ((1f - _e433) > _e575);
                                     break;
                                 }
                             }
-                            let _e577 = phi_5563_;
-                            phi_3642_ = _e577;
+                            let _e578 = phi_5569_;
+                            phi_3649_ = _e578;
                         }
-                        let _e579 = phi_3642_;
-                        if _e579 {
-                            let _e581 = global_2.member_9;
-                            if (_e581 != 0u) {
-                                let _e585 = atomicAdd((&global_1.member[1u]), 1u);
+                        let _e580 = phi_3649_;
+                        if _e580 {
+                            let _e582 = global_2.member_9;
+                            if (_e582 != 0u) {
+                                let _e586 = atomicAdd((&global_1.member[1u]), 1u);
                             }
-                            phi_5574_ = _e432;
-                            phi_5565_ = _e392;
-                            phi_5564_ = false;
+                            phi_5580_ = _e433;
+                            phi_5571_ = _e393;
+                            phi_5570_ = false;
                             break;
                         }
-                        phi_5574_ = _e432;
-                        phi_5565_ = _e392;
-                        phi_5564_ = true;
+                        phi_5580_ = _e433;
+                        phi_5571_ = _e393;
+                        phi_5570_ = true;
                         break;
                     }
                 }
-                let _e587 = phi_5574_;
-                let _e589 = phi_5565_;
-                let _e591 = phi_5564_;
-                let _e596 = global_7.member[((3u * _e88) + _e92)];
-                let _e599 = (_e596.y >> bitcast<u32>(24u));
-                let _e613 = ((vec3<f32>(f32((_e596.x & 1023u)), f32(((_e596.x >> bitcast<u32>(10u)) & 1023u)), f32(((_e596.x >> bitcast<u32>(20u)) & 1023u))) - vec3<f32>(512f, 512f, 512f)) * vec3<f32>(0.0013888889f, 0.0013888889f, 0.0013888889f));
-                let _e617 = sqrt(max((1f - dot(_e613, _e613)), 0f));
-                let _e619 = (_e596.x >> bitcast<u32>(30u));
-                if (_e619 == 0u) {
-                    phi_5586_ = vec4<f32>(_e617, _e613.x, _e613.y, _e613.z);
+                let _e588 = phi_5580_;
+                let _e590 = phi_5571_;
+                let _e592 = phi_5570_;
+                let _e597 = global_7.member[((3u * _e89) + _e93)];
+                let _e600 = (_e597.y >> bitcast<u32>(24u));
+                let _e614 = ((vec3<f32>(f32((_e597.x & 1023u)), f32(((_e597.x >> bitcast<u32>(10u)) & 1023u)), f32(((_e597.x >> bitcast<u32>(20u)) & 1023u))) - vec3<f32>(512f, 512f, 512f)) * vec3<f32>(0.0013888889f, 0.0013888889f, 0.0013888889f));
+                let _e618 = sqrt(max((1f - dot(_e614, _e614)), 0f));
+                let _e620 = (_e597.x >> bitcast<u32>(30u));
+                if (_e620 == 0u) {
+                    phi_5592_ = vec4<f32>(_e618, _e614.x, _e614.y, _e614.z);
                 } else {
-                    if (_e619 == 1u) {
-                        phi_5585_ = vec4<f32>(_e613.x, _e617, _e613.y, _e613.z);
+                    if (_e620 == 1u) {
+                        phi_5591_ = vec4<f32>(_e614.x, _e618, _e614.y, _e614.z);
                     } else {
-                        if (_e619 == 2u) {
-                            phi_5584_ = vec4<f32>(_e613.x, _e613.y, _e617, _e613.z);
+                        if (_e620 == 2u) {
+                            phi_5590_ = vec4<f32>(_e614.x, _e614.y, _e618, _e614.z);
                         } else {
-                            phi_5584_ = vec4<f32>(_e613.x, _e613.y, _e613.z, _e617);
+                            phi_5590_ = vec4<f32>(_e614.x, _e614.y, _e614.z, _e618);
                         }
-                        let _e632 = phi_5584_;
-                        phi_5585_ = _e632;
+                        let _e633 = phi_5590_;
+                        phi_5591_ = _e633;
                     }
-                    let _e638 = phi_5585_;
-                    phi_5586_ = _e638;
+                    let _e639 = phi_5591_;
+                    phi_5592_ = _e639;
                 }
-                let _e644 = phi_5586_;
-                let _e648 = global.member_38;
-                let _e649 = (_e648 > 0u);
-                phi_5604_ = unpack4x8unorm(_e596.y).xyz;
-                if _e649 {
-                    let _e653 = global_7.member[(_e648 + _e92)];
-                    let _e655 = unpack2x16float(_e653.x);
-                    phi_5604_ = vec3<f32>(_e655.x, _e655.y, unpack2x16float(_e653.y).x);
+                let _e645 = phi_5592_;
+                let _e649 = global.member_38;
+                let _e650 = (_e649 > 0u);
+                phi_5610_ = unpack4x8unorm(_e597.y).xyz;
+                if _e650 {
+                    let _e654 = global_7.member[(_e649 + _e93)];
+                    let _e656 = unpack2x16float(_e654.x);
+                    phi_5610_ = vec3<f32>(_e656.x, _e656.y, unpack2x16float(_e654.y).x);
                 }
-                let _e663 = phi_5604_;
-                let _e666 = (1u << bitcast<u32>((_e92 & 31u)));
-                let _e669 = global_7.member[_e96];
-                let _e673 = global_7.member[(_e96 + 1u)];
-                let _e677 = global_7.member[(_e96 + 2u)];
-                phi_5621_ = _e644;
-                if ((_e669.x & _e666) != 0u) {
-                    let _e688 = global.member_22;
-                    let _e690 = global.member_18;
-                    let _e694 = (_e688 + ((_e673.y + bitcast<u32>(countOneBits((_e669.x & (_e666 - 1u))))) * (1u + (4u * _e690))));
-                    let _e695 = (_e694 + 1u);
-                    let _e698 = global_6.member[_e694];
-                    let _e700 = global.member_44;
-                    let _e704 = global.member_19;
-                    phi_5606_ = vec4<f32>(0f, 0f, 0f, 0f);
-                    phi_5605_ = 0u;
+                let _e664 = phi_5610_;
+                let _e667 = (1u << bitcast<u32>((_e93 & 31u)));
+                let _e670 = global_7.member[_e97];
+                let _e674 = global_7.member[(_e97 + 1u)];
+                let _e678 = global_7.member[(_e97 + 2u)];
+                phi_5627_ = _e645;
+                if ((_e670.x & _e667) != 0u) {
+                    let _e689 = global.member_22;
+                    let _e691 = global.member_18;
+                    let _e695 = (_e689 + ((_e674.y + bitcast<u32>(countOneBits((_e670.x & (_e667 - 1u))))) * (1u + (4u * _e691))));
+                    let _e696 = (_e695 + 1u);
+                    let _e699 = global_6.member[_e695];
+                    let _e701 = global.member_44;
+                    let _e705 = global.member_19;
+                    phi_5612_ = vec4<f32>(0f, 0f, 0f, 0f);
+                    phi_5611_ = 0u;
                     loop {
-                        let _e708 = phi_5606_;
-                        let _e710 = phi_5605_;
-                        let _e712 = (2u * ((_e700 + ((_e698 >> bitcast<u32>(16u)) * _e704)) + _e710));
-                        let _e715 = global_3.member[_e712];
-                        let _e719 = global_3.member[(_e712 + 1u)];
-                        let _e725 = bitcast<vec4<f32>>(vec4<u32>(_e715.x, _e715.y, _e719.x, _e719.y));
-                        let _e729 = global_6.member[(_e695 + _e710)];
-                        let _e736 = global_6.member[((_e695 + _e690) + _e710)];
-                        let _e744 = global_6.member[((_e695 + (2u * _e690)) + _e710)];
-                        let _e752 = global_6.member[((_e695 + (3u * _e690)) + _e710)];
-                        let _e756 = (_e708 + vec4<f32>(dot(unpack4x8snorm(_e729), _e725), dot(unpack4x8snorm(_e736), _e725), dot(unpack4x8snorm(_e744), _e725), dot(unpack4x8snorm(_e752), _e725)));
-                        let _e758 = (_e710 + bitcast<u32>(1i));
-                        phi_5606_ = _e756;
-                        phi_5605_ = _e758;
-                        local_1 = _e756;
-                        if (_e758 < _e690) {
+                        let _e709 = phi_5612_;
+                        let _e711 = phi_5611_;
+                        let _e713 = (2u * ((_e701 + ((_e699 >> bitcast<u32>(16u)) * _e705)) + _e711));
+                        let _e716 = global_3.member[_e713];
+                        let _e720 = global_3.member[(_e713 + 1u)];
+                        let _e726 = bitcast<vec4<f32>>(vec4<u32>(_e716.x, _e716.y, _e720.x, _e720.y));
+                        let _e730 = global_6.member[(_e696 + _e711)];
+                        let _e737 = global_6.member[((_e696 + _e691) + _e711)];
+                        let _e745 = global_6.member[((_e696 + (2u * _e691)) + _e711)];
+                        let _e753 = global_6.member[((_e696 + (3u * _e691)) + _e711)];
+                        let _e757 = (_e709 + vec4<f32>(dot(unpack4x8snorm(_e730), _e726), dot(unpack4x8snorm(_e737), _e726), dot(unpack4x8snorm(_e745), _e726), dot(unpack4x8snorm(_e753), _e726)));
+                        let _e759 = (_e711 + bitcast<u32>(1i));
+                        phi_5612_ = _e757;
+                        phi_5611_ = _e759;
+                        local_1 = _e757;
+                        if (_e759 < _e691) {
                             continue;
                         } else {
                             break;
                         }
                     }
-                    let _e764 = local_1;
-                    let _e766 = (_e644 + (_e764 * (127f * unpack2x16float(_e698).x)));
-                    phi_5621_ = select(_e644, _e766, vec4((length(_e766) >= 0.001f)));
+                    let _e765 = local_1;
+                    let _e767 = (_e645 + (_e765 * (127f * unpack2x16float(_e699).x)));
+                    phi_5627_ = select(_e645, _e767, vec4((length(_e767) >= 0.001f)));
                 }
-                let _e772 = phi_5621_;
-                phi_5625_ = _e232;
-                if ((_e669.y & _e666) != 0u) {
-                    let _e783 = global.member_23;
-                    let _e785 = global.member_18;
-                    let _e789 = (_e783 + ((_e677.x + bitcast<u32>(countOneBits((_e669.y & (_e666 - 1u))))) * (1u + (3u * _e785))));
-                    let _e790 = (_e789 + 1u);
-                    let _e793 = global_6.member[_e789];
-                    let _e795 = global.member_44;
-                    let _e799 = global.member_19;
-                    phi_5609_ = vec3<f32>(0f, 0f, 0f);
-                    phi_5608_ = 0u;
+                let _e773 = phi_5627_;
+                phi_5631_ = _e233;
+                if ((_e670.y & _e667) != 0u) {
+                    let _e784 = global.member_23;
+                    let _e786 = global.member_18;
+                    let _e790 = (_e784 + ((_e678.x + bitcast<u32>(countOneBits((_e670.y & (_e667 - 1u))))) * (1u + (3u * _e786))));
+                    let _e791 = (_e790 + 1u);
+                    let _e794 = global_6.member[_e790];
+                    let _e796 = global.member_44;
+                    let _e800 = global.member_19;
+                    phi_5615_ = vec3<f32>(0f, 0f, 0f);
+                    phi_5614_ = 0u;
                     loop {
-                        let _e803 = phi_5609_;
-                        let _e805 = phi_5608_;
-                        let _e807 = (2u * ((_e795 + ((_e793 >> bitcast<u32>(16u)) * _e799)) + _e805));
-                        let _e810 = global_3.member[_e807];
-                        let _e814 = global_3.member[(_e807 + 1u)];
-                        let _e820 = bitcast<vec4<f32>>(vec4<u32>(_e810.x, _e810.y, _e814.x, _e814.y));
-                        let _e824 = global_6.member[(_e790 + _e805)];
-                        let _e831 = global_6.member[((_e790 + _e785) + _e805)];
-                        let _e839 = global_6.member[((_e790 + (2u * _e785)) + _e805)];
-                        let _e843 = (_e803 + vec3<f32>(dot(unpack4x8snorm(_e824), _e820), dot(unpack4x8snorm(_e831), _e820), dot(unpack4x8snorm(_e839), _e820)));
-                        let _e845 = (_e805 + bitcast<u32>(1i));
-                        phi_5609_ = _e843;
-                        phi_5608_ = _e845;
-                        local_2 = _e843;
-                        if (_e845 < _e785) {
+                        let _e804 = phi_5615_;
+                        let _e806 = phi_5614_;
+                        let _e808 = (2u * ((_e796 + ((_e794 >> bitcast<u32>(16u)) * _e800)) + _e806));
+                        let _e811 = global_3.member[_e808];
+                        let _e815 = global_3.member[(_e808 + 1u)];
+                        let _e821 = bitcast<vec4<f32>>(vec4<u32>(_e811.x, _e811.y, _e815.x, _e815.y));
+                        let _e825 = global_6.member[(_e791 + _e806)];
+                        let _e832 = global_6.member[((_e791 + _e786) + _e806)];
+                        let _e840 = global_6.member[((_e791 + (2u * _e786)) + _e806)];
+                        let _e844 = (_e804 + vec3<f32>(dot(unpack4x8snorm(_e825), _e821), dot(unpack4x8snorm(_e832), _e821), dot(unpack4x8snorm(_e840), _e821)));
+                        let _e846 = (_e806 + bitcast<u32>(1i));
+                        phi_5615_ = _e844;
+                        phi_5614_ = _e846;
+                        local_2 = _e844;
+                        if (_e846 < _e786) {
                             continue;
                         } else {
                             break;
                         }
                     }
-                    let _e851 = local_2;
-                    phi_5625_ = (_e232 + (_e851 * (127f * unpack2x16float(_e793).x)));
+                    let _e852 = local_2;
+                    phi_5631_ = (_e233 + (_e852 * (127f * unpack2x16float(_e794).x)));
                 }
-                let _e855 = phi_5625_;
-                phi_5627_ = _e663;
-                if ((_e673.x & _e666) != 0u) {
-                    let _e866 = global.member_24;
-                    let _e868 = global.member_18;
-                    let _e872 = (_e866 + ((_e677.y + bitcast<u32>(countOneBits((_e673.x & (_e666 - 1u))))) * (3u + (3u * _e868))));
-                    let _e876 = global_6.member[(_e872 + 1u)];
-                    let _e877 = unpack2x16float(_e876);
-                    let _e881 = global_6.member[(_e872 + 2u)];
-                    let _e889 = (_e872 + 3u);
-                    let _e892 = global_6.member[_e872];
-                    let _e894 = global.member_44;
-                    let _e898 = global.member_19;
-                    phi_5618_ = vec3<f32>(0f, 0f, 0f);
-                    phi_5617_ = 0u;
+                let _e856 = phi_5631_;
+                phi_5633_ = _e664;
+                if ((_e674.x & _e667) != 0u) {
+                    let _e867 = global.member_24;
+                    let _e869 = global.member_18;
+                    let _e873 = (_e867 + ((_e678.y + bitcast<u32>(countOneBits((_e674.x & (_e667 - 1u))))) * (3u + (3u * _e869))));
+                    let _e877 = global_6.member[(_e873 + 1u)];
+                    let _e878 = unpack2x16float(_e877);
+                    let _e882 = global_6.member[(_e873 + 2u)];
+                    let _e890 = (_e873 + 3u);
+                    let _e893 = global_6.member[_e873];
+                    let _e895 = global.member_44;
+                    let _e899 = global.member_19;
+                    phi_5624_ = vec3<f32>(0f, 0f, 0f);
+                    phi_5623_ = 0u;
                     loop {
-                        let _e902 = phi_5618_;
-                        let _e904 = phi_5617_;
-                        let _e906 = (2u * ((_e894 + ((_e892 >> bitcast<u32>(16u)) * _e898)) + _e904));
-                        let _e909 = global_3.member[_e906];
-                        let _e913 = global_3.member[(_e906 + 1u)];
-                        let _e919 = bitcast<vec4<f32>>(vec4<u32>(_e909.x, _e909.y, _e913.x, _e913.y));
-                        let _e923 = global_6.member[(_e889 + _e904)];
-                        let _e930 = global_6.member[((_e889 + _e868) + _e904)];
-                        let _e938 = global_6.member[((_e889 + (2u * _e868)) + _e904)];
-                        let _e942 = (_e902 + vec3<f32>(dot(unpack4x8snorm(_e923), _e919), dot(unpack4x8snorm(_e930), _e919), dot(unpack4x8snorm(_e938), _e919)));
-                        let _e944 = (_e904 + bitcast<u32>(1i));
-                        phi_5618_ = _e942;
-                        phi_5617_ = _e944;
-                        local_3 = _e942;
-                        if (_e944 < _e868) {
+                        let _e903 = phi_5624_;
+                        let _e905 = phi_5623_;
+                        let _e907 = (2u * ((_e895 + ((_e893 >> bitcast<u32>(16u)) * _e899)) + _e905));
+                        let _e910 = global_3.member[_e907];
+                        let _e914 = global_3.member[(_e907 + 1u)];
+                        let _e920 = bitcast<vec4<f32>>(vec4<u32>(_e910.x, _e910.y, _e914.x, _e914.y));
+                        let _e924 = global_6.member[(_e890 + _e905)];
+                        let _e931 = global_6.member[((_e890 + _e869) + _e905)];
+                        let _e939 = global_6.member[((_e890 + (2u * _e869)) + _e905)];
+                        let _e943 = (_e903 + vec3<f32>(dot(unpack4x8snorm(_e924), _e920), dot(unpack4x8snorm(_e931), _e920), dot(unpack4x8snorm(_e939), _e920)));
+                        let _e945 = (_e905 + bitcast<u32>(1i));
+                        phi_5624_ = _e943;
+                        phi_5623_ = _e945;
+                        local_3 = _e943;
+                        if (_e945 < _e869) {
                             continue;
                         } else {
                             break;
                         }
                     }
-                    let _e950 = local_3;
-                    phi_5627_ = (select(vec3<f32>(_e877.x, _e877.y, unpack2x16float(_e881).x), _e663, vec3(_e649)) + (_e950 * (127f * unpack2x16float(_e892).x)));
+                    let _e951 = local_3;
+                    phi_5633_ = (select(vec3<f32>(_e878.x, _e878.y, unpack2x16float(_e882).x), _e664, vec3(_e650)) + (_e951 * (127f * unpack2x16float(_e893).x)));
                 }
-                let _e954 = phi_5627_;
-                let _e955 = normalize(_e772);
-                let _e960 = (_e955.z * _e955.z);
-                let _e961 = (_e955.w * _e955.w);
-                let _e965 = (_e955.y * _e955.z);
-                let _e966 = (_e955.x * _e955.w);
-                let _e969 = (_e955.y * _e955.w);
-                let _e970 = (_e955.x * _e955.z);
-                let _e975 = (_e955.y * _e955.y);
-                let _e979 = (_e955.z * _e955.w);
-                let _e980 = (_e955.x * _e955.y);
-                let _e994 = exp(min(_e855, vec3<f32>(9f, 9f, 9f)));
-                let _e1001 = mat3x3<f32>((vec3<f32>((1f - (2f * (_e960 + _e961))), (2f * (_e965 + _e966)), (2f * (_e969 - _e970))) * _e994.x), (vec3<f32>((2f * (_e965 - _e966)), (1f - (2f * (_e975 + _e961))), (2f * (_e979 + _e980))) * _e994.y), (vec3<f32>((2f * (_e969 + _e970)), (2f * (_e979 - _e980)), (1f - (2f * (_e975 + _e960)))) * _e994.z));
-                let _e1003 = (transpose(mat3x3<f32>(_e354, _e355, _e356)) * _e1001);
-                let _e1005 = global.member_42;
-                let _e1007 = (_e1005 + (3u * _e82));
-                let _e1008 = transpose(_e1003);
-                let _e1018 = max(_e372, sqrt(max(max(dot(_e1008[0], _e1008[0]), dot(_e1008[1], _e1008[1])), dot(_e1008[2], _e1008[2]))));
-                let _e1020 = global.member_43;
-                let _e1031 = (all((abs(_e341) < vec3<f32>(1000000000000000000000000000000f, 1000000000000000000000000000000f, 1000000000000000000000000000000f))) && (_e1018 <= 1000000000000000000f));
-                if _e1031 {
-                    let _e1033 = global.member_55;
-                    let _e1037 = global.member_56;
-                    phi_5628_ = ((_e341 - _e1033.xyz) / _e1037.xyz);
+                let _e955 = phi_5633_;
+                let _e956 = normalize(_e773);
+                let _e961 = (_e956.z * _e956.z);
+                let _e962 = (_e956.w * _e956.w);
+                let _e966 = (_e956.y * _e956.z);
+                let _e967 = (_e956.x * _e956.w);
+                let _e970 = (_e956.y * _e956.w);
+                let _e971 = (_e956.x * _e956.z);
+                let _e976 = (_e956.y * _e956.y);
+                let _e980 = (_e956.z * _e956.w);
+                let _e981 = (_e956.x * _e956.y);
+                let _e995 = exp(min(_e856, vec3<f32>(9f, 9f, 9f)));
+                let _e1002 = mat3x3<f32>((vec3<f32>((1f - (2f * (_e961 + _e962))), (2f * (_e966 + _e967)), (2f * (_e970 - _e971))) * _e995.x), (vec3<f32>((2f * (_e966 - _e967)), (1f - (2f * (_e976 + _e962))), (2f * (_e980 + _e981))) * _e995.y), (vec3<f32>((2f * (_e970 + _e971)), (2f * (_e980 - _e981)), (1f - (2f * (_e976 + _e961)))) * _e995.z));
+                let _e1004 = (transpose(mat3x3<f32>(_e355, _e356, _e357)) * _e1002);
+                let _e1006 = global.member_42;
+                let _e1008 = (_e1006 + (3u * _e83));
+                let _e1009 = transpose(_e1004);
+                let _e1019 = max(_e373, sqrt(max(max(dot(_e1009[0], _e1009[0]), dot(_e1009[1], _e1009[1])), dot(_e1009[2], _e1009[2]))));
+                let _e1021 = global.member_43;
+                let _e1032 = (all((abs(_e342) < vec3<f32>(1000000000000000000000000000000f, 1000000000000000000000000000000f, 1000000000000000000000000000000f))) && (_e1019 <= 1000000000000000000f));
+                if _e1032 {
+                    let _e1034 = global.member_55;
+                    let _e1038 = global.member_56;
+                    phi_5634_ = ((_e342 - _e1034.xyz) / _e1038.xyz);
                 } else {
-                    phi_5628_ = vec3<f32>(0f, 0f, 0f);
+                    phi_5634_ = vec3<f32>(0f, 0f, 0f);
                 }
-                let _e1041 = phi_5628_;
-                let _e1058 = vec3<u32>(round((clamp(select(select((vec3<f32>(0.015625f, 0.015625f, 0.015625f) + (clamp(_e1041, vec3<f32>(0f, 0f, 0f), vec3<f32>(1f, 1f, 1f)) * 0.96875f)), (vec3<f32>(0.015625f, 0.015625f, 0.015625f) / (vec3<f32>(1f, 1f, 1f) - min(_e1041, vec3<f32>(0f, 0f, 0f)))), (_e1041 < vec3<f32>(0f, 0f, 0f))), (vec3<f32>(1f, 1f, 1f) - (vec3<f32>(0.015625f, 0.015625f, 0.015625f) / max(_e1041, vec3<f32>(1f, 1f, 1f)))), (_e1041 > vec3<f32>(1f, 1f, 1f))), vec3<f32>(0f, 0f, 0f), vec3<f32>(1f, 1f, 1f)) * 16777215f)));
-                let _e1060 = (_e1058 >> bitcast<vec3<u32>>(vec3<u32>(8u, 8u, 8u)));
-                let _e1061 = (_e1058 & vec3<u32>(255u, 255u, 255u));
-                let _e1077 = ((_e1060.z | (u32(clamp(select(0f, ceil(((8f * log2(max((_e1018 / _e1020), 0.000000000000000000000000000001f))) + 152f)), _e1031), 0f, 255f)) << bitcast<u32>(16u))) | (select(0u, _e599, _e1031) << bitcast<u32>(24u)));
-                let _e1094 = vec3<f32>(_e1003[0].x, _e1003[1].x, _e1003[2].x);
-                let _e1101 = vec3<f32>(_e1003[0].y, _e1003[1].y, _e1003[2].y);
-                let _e1108 = vec3<f32>(_e1003[0].z, _e1003[1].z, _e1003[2].z);
-                let _e1109 = length(_e1094);
-                if (_e1109 > 0f) {
-                    phi_5630_ = (_e1094 / vec3(_e1109));
+                let _e1042 = phi_5634_;
+                let _e1059 = vec3<u32>(round((clamp(select(select((vec3<f32>(0.015625f, 0.015625f, 0.015625f) + (clamp(_e1042, vec3<f32>(0f, 0f, 0f), vec3<f32>(1f, 1f, 1f)) * 0.96875f)), (vec3<f32>(0.015625f, 0.015625f, 0.015625f) / (vec3<f32>(1f, 1f, 1f) - min(_e1042, vec3<f32>(0f, 0f, 0f)))), (_e1042 < vec3<f32>(0f, 0f, 0f))), (vec3<f32>(1f, 1f, 1f) - (vec3<f32>(0.015625f, 0.015625f, 0.015625f) / max(_e1042, vec3<f32>(1f, 1f, 1f)))), (_e1042 > vec3<f32>(1f, 1f, 1f))), vec3<f32>(0f, 0f, 0f), vec3<f32>(1f, 1f, 1f)) * 16777215f)));
+                let _e1061 = (_e1059 >> bitcast<vec3<u32>>(vec3<u32>(8u, 8u, 8u)));
+                let _e1062 = (_e1059 & vec3<u32>(255u, 255u, 255u));
+                let _e1078 = ((_e1061.z | (u32(clamp(select(0f, ceil(((8f * log2(max((_e1019 / _e1021), 0.000000000000000000000000000001f))) + 152f)), _e1032), 0f, 255f)) << bitcast<u32>(16u))) | (select(0u, _e600, _e1032) << bitcast<u32>(24u)));
+                let _e1095 = vec3<f32>(_e1004[0].x, _e1004[1].x, _e1004[2].x);
+                let _e1102 = vec3<f32>(_e1004[0].y, _e1004[1].y, _e1004[2].y);
+                let _e1109 = vec3<f32>(_e1004[0].z, _e1004[1].z, _e1004[2].z);
+                let _e1110 = length(_e1095);
+                if (_e1110 > 0f) {
+                    phi_5636_ = (_e1095 / vec3(_e1110));
                 } else {
-                    phi_5630_ = vec3<f32>(0f, 0f, 0f);
+                    phi_5636_ = vec3<f32>(0f, 0f, 0f);
                 }
-                let _e1114 = phi_5630_;
-                let _e1115 = dot(_e1101, _e1114);
-                let _e1117 = (_e1101 - (_e1114 * _e1115));
-                let _e1118 = length(_e1117);
-                if (_e1118 > 0f) {
-                    phi_5632_ = (_e1117 / vec3(_e1118));
+                let _e1115 = phi_5636_;
+                let _e1116 = dot(_e1102, _e1115);
+                let _e1118 = (_e1102 - (_e1115 * _e1116));
+                let _e1119 = length(_e1118);
+                if (_e1119 > 0f) {
+                    phi_5638_ = (_e1118 / vec3(_e1119));
                 } else {
-                    phi_5632_ = vec3<f32>(0f, 0f, 0f);
+                    phi_5638_ = vec3<f32>(0f, 0f, 0f);
                 }
-                let _e1123 = phi_5632_;
-                let _e1124 = dot(_e1108, _e1114);
-                let _e1125 = dot(_e1108, _e1123);
-                let _e1139 = (1023f / (_e1020 * exp2(((f32(((_e1077 >> bitcast<u32>(16u)) & 255u)) * 0.125f) - 19f))));
-                let _e1157 = vec3<u32>(round((clamp(_e954, vec3<f32>(0f, 0f, 0f), vec3<f32>(1f, 1f, 1f)) * 1023f)));
-                let _e1160 = ((vec3<u32>(clamp((round((vec3<f32>(_e1109, _e1118, _e1125) * _e1139)) + vec3<f32>(1023f, 1023f, 1023f)), vec3<f32>(0f, 0f, 0f), vec3<f32>(2046f, 2046f, 2046f))) | (vec3<u32>(clamp((round((vec3<f32>(_e1115, _e1124, length(((_e1108 - (_e1114 * _e1124)) - (_e1123 * _e1125)))) * _e1139)) + vec3<f32>(1023f, 1023f, 1023f)), vec3<f32>(0f, 0f, 0f), vec3<f32>(2046f, 2046f, 2046f))) << bitcast<vec3<u32>>(vec3<u32>(11u, 11u, 11u)))) | (_e1157 << bitcast<vec3<u32>>(vec3<u32>(22u, 22u, 22u))));
-                global_4.member[_e1007] = (_e1060.x | (_e1060.y << bitcast<u32>(16u)));
-                global_4.member[(_e1007 + 1u)] = _e1077;
-                global_4.member[(_e1007 + 2u)] = ((_e1061.x | (_e1061.y << bitcast<u32>(8u))) | (_e1061.z << bitcast<u32>(16u)));
-                let _e1171 = (_e1005 + (3u * (_e84 + _e82)));
-                global_4.member[_e1171] = _e1160.x;
-                global_4.member[(_e1171 + 1u)] = _e1160.y;
-                global_4.member[(_e1171 + 2u)] = _e1160.z;
-                phi_3175_ = _e591;
-                if _e591 {
-                    let _e1185 = global.member_29;
-                    phi_3175_ = (f32(_e599) <= _e1185);
+                let _e1124 = phi_5638_;
+                let _e1125 = dot(_e1109, _e1115);
+                let _e1126 = dot(_e1109, _e1124);
+                let _e1140 = (1023f / (_e1021 * exp2(((f32(((_e1078 >> bitcast<u32>(16u)) & 255u)) * 0.125f) - 19f))));
+                let _e1158 = vec3<u32>(round((clamp(_e955, vec3<f32>(0f, 0f, 0f), vec3<f32>(1f, 1f, 1f)) * 1023f)));
+                let _e1161 = ((vec3<u32>(clamp((round((vec3<f32>(_e1110, _e1119, _e1126) * _e1140)) + vec3<f32>(1023f, 1023f, 1023f)), vec3<f32>(0f, 0f, 0f), vec3<f32>(2046f, 2046f, 2046f))) | (vec3<u32>(clamp((round((vec3<f32>(_e1116, _e1125, length(((_e1109 - (_e1115 * _e1125)) - (_e1124 * _e1126)))) * _e1140)) + vec3<f32>(1023f, 1023f, 1023f)), vec3<f32>(0f, 0f, 0f), vec3<f32>(2046f, 2046f, 2046f))) << bitcast<vec3<u32>>(vec3<u32>(11u, 11u, 11u)))) | (_e1158 << bitcast<vec3<u32>>(vec3<u32>(22u, 22u, 22u))));
+                global_4.member[_e1008] = (_e1061.x | (_e1061.y << bitcast<u32>(16u)));
+                global_4.member[(_e1008 + 1u)] = _e1078;
+                global_4.member[(_e1008 + 2u)] = ((_e1062.x | (_e1062.y << bitcast<u32>(8u))) | (_e1062.z << bitcast<u32>(16u)));
+                let _e1172 = (_e1006 + (3u * (_e85 + _e83)));
+                global_4.member[_e1172] = _e1161.x;
+                global_4.member[(_e1172 + 1u)] = _e1161.y;
+                global_4.member[(_e1172 + 2u)] = _e1161.z;
+                phi_3182_ = _e592;
+                if _e592 {
+                    let _e1186 = global.member_29;
+                    phi_3182_ = (f32(_e600) <= _e1186);
                 }
-                let _e1188 = phi_3175_;
-                if _e1188 {
-                    let _e1190 = global_2.member_9;
-                    if (_e1190 != 0u) {
-                        let _e1194 = atomicAdd((&global_1.member[2u]), 1u);
+                let _e1189 = phi_3182_;
+                if _e1189 {
+                    let _e1191 = global_2.member_9;
+                    if (_e1191 != 0u) {
+                        let _e1195 = atomicAdd((&global_1.member[2u]), 1u);
                     }
                 }
-                let _e1195 = !(_e591);
-                phi_3189_ = _e1195;
-                if !(_e1195) {
-                    let _e1199 = global.member_29;
-                    phi_3189_ = (f32(_e599) <= _e1199);
+                let _e1196 = !(_e592);
+                phi_3196_ = _e1196;
+                if !(_e1196) {
+                    let _e1200 = global.member_29;
+                    phi_3196_ = (f32(_e600) <= _e1200);
                 }
-                let _e1202 = phi_3189_;
-                if _e1202 {
-                    phi_5662_ = 4294967295u;
+                let _e1203 = phi_3196_;
+                if _e1203 {
+                    phi_5668_ = 4294967295u;
                     break;
                 }
                 switch bitcast<i32>(0u) {
                     default: {
-                        let _e1208 = global.member_2;
-                        let _e1210 = global.member_3;
-                        let _e1211 = clamp((_e341.xy / vec2(_e340)), _e1208, _e1210);
-                        let _e1214 = global.member[0u];
-                        let _e1220 = (((_e354 - (_e356 * _e1211.x)) * (_e1214 / _e340)) * _e1001);
-                        let _e1223 = global.member[1u];
-                        let _e1229 = (((_e355 - (_e356 * _e1211.y)) * (_e1223 / _e340)) * _e1001);
-                        let _e1231 = global.member_51;
-                        let _e1233 = (dot(_e1220, _e1220) + _e1231);
-                        let _e1236 = (dot(_e1229, _e1229) + _e1231);
-                        let _e1238 = cross(_e1220, _e1229);
-                        let _e1239 = dot(_e1238, _e1238);
-                        let _e1243 = (_e1239 + (_e1231 * ((_e1233 + _e1236) - _e1231)));
-                        let _e1244 = (_e1243 > 0f);
-                        phi_4979_ = _e1244;
-                        if _e1244 {
-                            phi_4979_ = (_e1233 <= 1000000000000000000f);
+                        let _e1209 = global.member_2;
+                        let _e1211 = global.member_3;
+                        let _e1212 = clamp((_e342.xy / vec2(_e341)), _e1209, _e1211);
+                        let _e1215 = global.member[0u];
+                        let _e1221 = (((_e355 - (_e357 * _e1212.x)) * (_e1215 / _e341)) * _e1002);
+                        let _e1224 = global.member[1u];
+                        let _e1230 = (((_e356 - (_e357 * _e1212.y)) * (_e1224 / _e341)) * _e1002);
+                        let _e1232 = global.member_51;
+                        let _e1234 = (dot(_e1221, _e1221) + _e1232);
+                        let _e1237 = (dot(_e1230, _e1230) + _e1232);
+                        let _e1239 = cross(_e1221, _e1230);
+                        let _e1240 = dot(_e1239, _e1239);
+                        let _e1244 = (_e1240 + (_e1232 * ((_e1234 + _e1237) - _e1232)));
+                        let _e1245 = (_e1244 > 0f);
+                        phi_4991_ = _e1245;
+                        if _e1245 {
+                            phi_4991_ = (_e1234 <= 1000000000000000000f);
                         }
-                        let _e1247 = phi_4979_;
-                        phi_4985_ = _e1247;
-                        if _e1247 {
-                            phi_4985_ = (_e1236 <= 1000000000000000000f);
+                        let _e1248 = phi_4991_;
+                        phi_4997_ = _e1248;
+                        if _e1248 {
+                            phi_4997_ = (_e1237 <= 1000000000000000000f);
                         }
-                        let _e1250 = phi_4985_;
-                        if !(_e1250) {
-                            let _e1253 = global_2.member_9;
-                            if (_e1253 != 0u) {
-                                let _e1257 = atomicAdd((&global_1.member[3u]), 1u);
+                        let _e1251 = phi_4997_;
+                        if !(_e1251) {
+                            let _e1254 = global_2.member_9;
+                            if (_e1254 != 0u) {
+                                let _e1258 = atomicAdd((&global_1.member[3u]), 1u);
                             }
-                            phi_5661_ = 4294967295u;
+                            phi_5667_ = 4294967295u;
                             break;
                         }
-                        phi_5647_ = (1f - (f32(_e599) * 0.003921569f));
-                        phi_5646_ = 0u;
+                        phi_5653_ = (1f - (f32(_e600) * 0.003921569f));
+                        phi_5652_ = 0u;
                         loop {
-                            let _e1262 = phi_5647_;
-                            let _e1264 = phi_5646_;
-                            local_4 = _e1262;
-                            if (_e1264 < _e90) {
+                            let _e1263 = phi_5653_;
+                            let _e1265 = phi_5652_;
+                            local_4 = _e1263;
+                            if (_e1265 < _e91) {
                                 continue;
                             } else {
                                 break;
                             }
                             continuing {
-                                phi_5647_ = (_e1262 * _e1262);
-                                phi_5646_ = (_e1264 + bitcast<u32>(1i));
+                                phi_5653_ = (_e1263 * _e1263);
+                                phi_5652_ = (_e1265 + bitcast<u32>(1i));
                             }
                         }
-                        let _e1270 = local_4;
-                        let _e1274 = u32(round((255f * (1f - _e1270))));
-                        let _e1276 = global.member_52;
-                        phi_5655_ = _e1274;
-                        if (_e1276 > 0f) {
-                            let _e1286 = u32(round((f32(_e1274) * ((1f - _e1276) + (_e1276 * sqrt((_e1239 / _e1243)))))));
-                            let _e1289 = global.member_29;
-                            if (f32(_e1286) <= _e1289) {
-                                let _e1292 = global_2.member_9;
-                                if (_e1292 != 0u) {
-                                    let _e1296 = atomicAdd((&global_1.member[2u]), 1u);
+                        let _e1271 = local_4;
+                        let _e1275 = u32(round((255f * (1f - _e1271))));
+                        let _e1277 = global.member_52;
+                        phi_5661_ = _e1275;
+                        if (_e1277 > 0f) {
+                            let _e1287 = u32(round((f32(_e1275) * ((1f - _e1277) + (_e1277 * sqrt((_e1240 / _e1244)))))));
+                            let _e1290 = global.member_29;
+                            if (f32(_e1287) <= _e1290) {
+                                let _e1293 = global_2.member_9;
+                                if (_e1293 != 0u) {
+                                    let _e1297 = atomicAdd((&global_1.member[2u]), 1u);
                                 }
-                                phi_5661_ = 4294967295u;
+                                phi_5667_ = 4294967295u;
                                 break;
                             }
-                            phi_5655_ = _e1286;
+                            phi_5661_ = _e1287;
                         }
-                        let _e1298 = phi_5655_;
-                        let _e1300 = global.member_49;
-                        let _e1301 = (vec3<f32>(_e1233, dot(_e1220, _e1229), _e1236) * _e1300);
-                        let _e1306 = global.member_34;
-                        let _e1309 = global.member_29;
-                        let _e1319 = global.member_53;
-                        let _e1320 = ((sqrt(_e1301.xz) * sqrt((2f * log(max((max(f32(_e1298), _e1306) / _e1309), 1f))))) * _e1319);
-                        let _e1323 = global.member_54;
-                        let _e1326 = all(((_e589 + _e1320) > _e1323.xy));
-                        phi_5062_ = _e1326;
-                        if _e1326 {
-                            phi_5062_ = all(((_e589 - _e1320) < _e1323.zw));
+                        let _e1299 = phi_5661_;
+                        let _e1301 = global.member_49;
+                        let _e1302 = (vec3<f32>(_e1234, dot(_e1221, _e1230), _e1237) * _e1301);
+                        let _e1307 = global.member_29;
+                        let _e1317 = global.member_53;
+                        let _e1318 = ((sqrt(_e1302.xz) * sqrt((2f * log(max((f32(_e1299) / _e1307), 1f))))) * _e1317);
+                        let _e1321 = global.member_54;
+                        let _e1324 = all(((_e590 + _e1318) > _e1321.xy));
+                        phi_5075_ = _e1324;
+                        if _e1324 {
+                            phi_5075_ = all(((_e590 - _e1318) < _e1321.zw));
                         }
-                        let _e1332 = phi_5062_;
-                        if !(_e1332) {
-                            let _e1335 = global_2.member_9;
-                            if (_e1335 != 0u) {
-                                let _e1339 = atomicAdd((&global_1.member[0u]), 1u);
+                        let _e1330 = phi_5075_;
+                        if !(_e1330) {
+                            let _e1333 = global_2.member_9;
+                            if (_e1333 != 0u) {
+                                let _e1337 = atomicAdd((&global_1.member[0u]), 1u);
                             }
-                            phi_5661_ = 4294967295u;
+                            phi_5667_ = 4294967295u;
                             break;
                         }
-                        let _e1343 = (0.5f * (_e1301.x - _e1301.z));
-                        let _e1348 = sqrt(((_e1343 * _e1343) + (_e1301.y * _e1301.y)));
-                        let _e1351 = ((0.5f * (_e1301.x + _e1301.z)) + _e1348);
-                        if (_e1343 >= 0f) {
-                            phi_5659_ = vec2<f32>((_e1343 + _e1348), _e1301.y);
+                        let _e1341 = (0.5f * (_e1302.x - _e1302.z));
+                        let _e1346 = sqrt(((_e1341 * _e1341) + (_e1302.y * _e1302.y)));
+                        let _e1349 = ((0.5f * (_e1302.x + _e1302.z)) + _e1346);
+                        if (_e1341 >= 0f) {
+                            phi_5665_ = vec2<f32>((_e1341 + _e1346), _e1302.y);
                         } else {
-                            phi_5659_ = vec2<f32>(_e1301.y, (_e1348 - _e1343));
+                            phi_5665_ = vec2<f32>(_e1302.y, (_e1346 - _e1341));
                         }
-                        let _e1358 = phi_5659_;
-                        let _e1359 = length(_e1358);
-                        if (_e1359 > 0f) {
-                            phi_5660_ = (_e1358 / vec2(_e1359));
+                        let _e1356 = phi_5665_;
+                        if (_e1346 > (0.00000001f * _e1349)) {
+                            phi_5666_ = normalize(_e1356);
                         } else {
-                            phi_5660_ = vec2<f32>(1f, 0f);
+                            phi_5666_ = vec2<f32>(1f, 0f);
                         }
-                        let _e1364 = phi_5660_;
-                        let _e1371 = global.member_5;
-                        let _e1375 = global.member_10;
-                        let _e1379 = vec2<u32>(clamp(round(((_e589 + vec2(_e1371)) * _e1375)), vec2<f32>(0f, 0f), vec2<f32>(1048575f, 1048575f)));
-                        let _e1407 = global.member_45;
-                        let _e1409 = (4u * (_e1407 + _e82));
-                        global_4.member[_e1409] = ((_e1379.x | (_e1157.x << bitcast<u32>(20u))) | (_e1157.z << bitcast<u32>(30u)));
-                        global_4.member[(_e1409 + 1u)] = (_e1379.y | (_e1157.y << bitcast<u32>(20u)));
-                        global_4.member[(_e1409 + 2u)] = pack2x16float((_e1364 * min(sqrt(_e1351), 65504f)));
-                        global_4.member[(_e1409 + 3u)] = ((pack2x16float(vec2<f32>(min(sqrt(((_e1243 * (_e1300 * _e1300)) / _e1351)), 65504f), 0f)) | (_e1298 << bitcast<u32>(16u))) | ((_e1157.z >> bitcast<u32>(2u)) << bitcast<u32>(24u)));
-                        let _e1422 = global.member_9;
-                        phi_5661_ = min(u32((_e587 * f32(_e1422))), _e1422);
+                        let _e1361 = phi_5666_;
+                        let _e1368 = global.member_5;
+                        let _e1372 = global.member_10;
+                        let _e1376 = vec2<u32>(clamp(round(((_e590 + vec2(_e1368)) * _e1372)), vec2<f32>(0f, 0f), vec2<f32>(1048575f, 1048575f)));
+                        let _e1404 = global.member_45;
+                        let _e1406 = (4u * (_e1404 + _e83));
+                        global_4.member[_e1406] = ((_e1376.x | (_e1158.x << bitcast<u32>(20u))) | (_e1158.z << bitcast<u32>(30u)));
+                        global_4.member[(_e1406 + 1u)] = (_e1376.y | (_e1158.y << bitcast<u32>(20u)));
+                        global_4.member[(_e1406 + 2u)] = pack2x16float((_e1361 * min(sqrt(_e1349), 65504f)));
+                        global_4.member[(_e1406 + 3u)] = ((pack2x16float(vec2<f32>(min(sqrt(((_e1244 * (_e1301 * _e1301)) / _e1349)), 65504f), 0f)) | (_e1299 << bitcast<u32>(16u))) | ((_e1158.z >> bitcast<u32>(2u)) << bitcast<u32>(24u)));
+                        let _e1419 = global.member_9;
+                        phi_5667_ = min(u32((_e588 * f32(_e1419))), _e1419);
                         break;
                     }
                 }
-                let _e1428 = phi_5661_;
-                phi_5662_ = _e1428;
+                let _e1425 = phi_5667_;
+                phi_5668_ = _e1425;
                 break;
             }
         }
-        let _e1430 = phi_5662_;
-        phi_5663_ = _e1430;
+        let _e1427 = phi_5668_;
+        phi_5669_ = _e1427;
     } else {
-        phi_5663_ = 4294967295u;
+        phi_5669_ = 4294967295u;
     }
-    let _e1432 = phi_5663_;
+    let _e1429 = phi_5669_;
     switch bitcast<i32>(0u) {
         default: {
-            let _e1435 = bitcast<u32>(param[0u]);
-            let _e1437 = global.member_45;
-            let _e1438 = (_e1437 + _e82);
-            if (_e1432 != 4294967295u) {
-                let _e1441 = global.member_41;
-                let _e1445 = global.member_40;
-                let _e1451 = atomicAdd((&global_1.member[((_e1445 + ((_e1438 / _e1441) * 256u)) + (_e1432 & 255u))]), 1u);
+            let _e1432 = bitcast<u32>(param[0u]);
+            let _e1434 = global.member_45;
+            let _e1435 = (_e1434 + _e83);
+            if (_e1429 != 4294967295u) {
+                let _e1438 = global.member_41;
+                let _e1442 = global.member_40;
+                let _e1448 = atomicAdd((&global_1.member[((_e1442 + ((_e1435 / _e1438) * 256u)) + (_e1429 & 255u))]), 1u);
             }
-            let _e1453 = global.member_39;
-            if (_e1453 == 0u) {
-                if (_e82 < (_e84 + (_e84 & 1u))) {
-                    let _e1459 = global.member_28;
-                    global_4.member[(_e1459 + _e1438)] = _e1432;
+            let _e1450 = global.member_39;
+            if (_e1450 == 0u) {
+                if (_e83 < (_e85 + (_e85 & 1u))) {
+                    let _e1456 = global.member_28;
+                    global_4.member[(_e1456 + _e1435)] = _e1429;
                 }
                 break;
             }
-            global_5[_e1435] = _e1432;
+            global_5[_e1432] = _e1429;
             workgroupBarrier();
-            let _e1465 = ((_e1435 & 1u) == 0u);
-            if select(_e1465, _e85, _e1465) {
-                let _e1468 = global.member_28;
-                let _e1475 = global_5[(_e1435 + 1u)];
-                global_4.member[(_e1468 + (_e1438 >> bitcast<u32>(1u)))] = ((_e1432 & 65535u) | (_e1475 << bitcast<u32>(16u)));
+            let _e1462 = ((_e1432 & 1u) == 0u);
+            if select(_e1462, _e86, _e1462) {
+                let _e1465 = global.member_28;
+                let _e1472 = global_5[(_e1432 + 1u)];
+                global_4.member[(_e1465 + (_e1435 >> bitcast<u32>(1u)))] = ((_e1429 & 65535u) | (_e1472 << bitcast<u32>(16u)));
             }
             break;
         }

@@ -195,17 +195,17 @@ fn filled_u0028_vf4_u003b_b1_u003b(pixel: ptr<function, vec4<f32>>, open: ptr<fu
 }
 
 fn store_u0028_vu2_u003b_vf4_u003b_b1_u003b(at: ptr<function, vec2<u32>>, pixel_1: ptr<function, vec4<f32>>, open_1: ptr<function, bool>) {
-    var param_16: vec4<f32>;
-    var param_17: bool;
+    var param_17: vec4<f32>;
+    var param_18: bool;
 
     let _e9 = (*at);
     let _e11 = frame.size;
     if all((_e9 < vec2<u32>(_e11))) {
         let _e15 = (*pixel_1);
-        param_16 = _e15;
+        param_17 = _e15;
         let _e16 = (*open_1);
-        param_17 = _e16;
-        let _e17 = filled_u0028_vf4_u003b_b1_u003b((&param_16), (&param_17));
+        param_18 = _e16;
+        let _e17 = filled_u0028_vf4_u003b_b1_u003b((&param_17), (&param_18));
         (*pixel_1) = _e17;
         let _e18 = (*at);
         let _e20 = (*pixel_1);
@@ -238,14 +238,14 @@ fn opacity_at_u0028_vf2_u003b_f1_u003b(deviation: ptr<function, vec2<f32>>, expo
 
 fn blend_pixel_u0028_vf4_u003b_vf2_u003b_f1_u003b_vf3_u003b(pixel_2: ptr<function, vec4<f32>>, deviation_1: ptr<function, vec2<f32>>, exponent_1: ptr<function, f32>, color: ptr<function, vec3<f32>>) {
     var share: f32;
-    var param_18: vec2<f32>;
-    var param_19: f32;
+    var param_19: vec2<f32>;
+    var param_20: f32;
 
     let _e8 = (*deviation_1);
-    param_18 = _e8;
+    param_19 = _e8;
     let _e9 = (*exponent_1);
-    param_19 = _e9;
-    let _e10 = opacity_at_u0028_vf2_u003b_f1_u003b((&param_18), (&param_19));
+    param_20 = _e9;
+    let _e10 = opacity_at_u0028_vf2_u003b_f1_u003b((&param_19), (&param_20));
     let _e12 = (*pixel_2)[3u];
     share = (_e10 * _e12);
     let _e14 = (*pixel_2);
@@ -294,32 +294,32 @@ fn see_u0028_u1_u003b_vf2_u003b(k: ptr<function, u32>, first_1: ptr<function, ve
 
 fn blend_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u11_u003b_u1_u003b_vf2_u003b(samples_1: ptr<function, Samples>, k_1: ptr<function, u32>, first_2: ptr<function, vec2<f32>>) {
     var seen_1: Seen;
-    var param_20: u32;
-    var param_21: vec2<f32>;
+    var param_21: u32;
+    var param_22: vec2<f32>;
     var color_1: vec3<f32>;
     var right: vec2<f32>;
-    var param_22: vec4<f32>;
-    var param_23: vec2<f32>;
-    var param_24: f32;
-    var param_25: vec3<f32>;
-    var param_26: vec4<f32>;
-    var param_27: vec2<f32>;
-    var param_28: f32;
-    var param_29: vec3<f32>;
-    var param_30: vec4<f32>;
-    var param_31: vec2<f32>;
-    var param_32: f32;
-    var param_33: vec3<f32>;
-    var param_34: vec4<f32>;
-    var param_35: vec2<f32>;
-    var param_36: f32;
-    var param_37: vec3<f32>;
+    var param_23: vec4<f32>;
+    var param_24: vec2<f32>;
+    var param_25: f32;
+    var param_26: vec3<f32>;
+    var param_27: vec4<f32>;
+    var param_28: vec2<f32>;
+    var param_29: f32;
+    var param_30: vec3<f32>;
+    var param_31: vec4<f32>;
+    var param_32: vec2<f32>;
+    var param_33: f32;
+    var param_34: vec3<f32>;
+    var param_35: vec4<f32>;
+    var param_36: vec2<f32>;
+    var param_37: f32;
+    var param_38: vec3<f32>;
 
     let _e34 = (*k_1);
-    param_20 = _e34;
+    param_21 = _e34;
     let _e35 = (*first_2);
-    param_21 = _e35;
-    let _e36 = see_u0028_u1_u003b_vf2_u003b((&param_20), (&param_21));
+    param_22 = _e35;
+    let _e36 = see_u0028_u1_u003b_vf2_u003b((&param_21), (&param_22));
     seen_1 = _e36;
     let _e38 = seen_1.word;
     let _e42 = seen_1.word;
@@ -329,50 +329,50 @@ fn blend_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u11_u
     let _e56 = seen_1.right;
     right = (_e54 + _e56);
     let _e60 = (*samples_1).pixels[0i];
-    param_22 = _e60;
+    param_23 = _e60;
     let _e62 = seen_1.deviation;
-    param_23 = _e62;
+    param_24 = _e62;
     let _e64 = seen_1.exponent;
-    param_24 = _e64;
+    param_25 = _e64;
     let _e65 = color_1;
-    param_25 = _e65;
-    blend_pixel_u0028_vf4_u003b_vf2_u003b_f1_u003b_vf3_u003b((&param_22), (&param_23), (&param_24), (&param_25));
-    let _e66 = param_22;
+    param_26 = _e65;
+    blend_pixel_u0028_vf4_u003b_vf2_u003b_f1_u003b_vf3_u003b((&param_23), (&param_24), (&param_25), (&param_26));
+    let _e66 = param_23;
     (*samples_1).pixels[0i] = _e66;
     let _e71 = (*samples_1).pixels[1i];
-    param_26 = _e71;
+    param_27 = _e71;
     let _e72 = right;
-    param_27 = _e72;
+    param_28 = _e72;
     let _e74 = seen_1.exponent;
-    param_28 = _e74;
+    param_29 = _e74;
     let _e75 = color_1;
-    param_29 = _e75;
-    blend_pixel_u0028_vf4_u003b_vf2_u003b_f1_u003b_vf3_u003b((&param_26), (&param_27), (&param_28), (&param_29));
-    let _e76 = param_26;
+    param_30 = _e75;
+    blend_pixel_u0028_vf4_u003b_vf2_u003b_f1_u003b_vf3_u003b((&param_27), (&param_28), (&param_29), (&param_30));
+    let _e76 = param_27;
     (*samples_1).pixels[1i] = _e76;
     let _e80 = seen_1.deviation;
     let _e82 = seen_1.down;
     let _e86 = (*samples_1).pixels[2i];
-    param_30 = _e86;
-    param_31 = (_e80 + _e82);
+    param_31 = _e86;
+    param_32 = (_e80 + _e82);
     let _e88 = seen_1.exponent;
-    param_32 = _e88;
+    param_33 = _e88;
     let _e89 = color_1;
-    param_33 = _e89;
-    blend_pixel_u0028_vf4_u003b_vf2_u003b_f1_u003b_vf3_u003b((&param_30), (&param_31), (&param_32), (&param_33));
-    let _e90 = param_30;
+    param_34 = _e89;
+    blend_pixel_u0028_vf4_u003b_vf2_u003b_f1_u003b_vf3_u003b((&param_31), (&param_32), (&param_33), (&param_34));
+    let _e90 = param_31;
     (*samples_1).pixels[2i] = _e90;
     let _e93 = right;
     let _e95 = seen_1.down;
     let _e99 = (*samples_1).pixels[3i];
-    param_34 = _e99;
-    param_35 = (_e93 + _e95);
+    param_35 = _e99;
+    param_36 = (_e93 + _e95);
     let _e101 = seen_1.exponent;
-    param_36 = _e101;
+    param_37 = _e101;
     let _e102 = color_1;
-    param_37 = _e102;
-    blend_pixel_u0028_vf4_u003b_vf2_u003b_f1_u003b_vf3_u003b((&param_34), (&param_35), (&param_36), (&param_37));
-    let _e103 = param_34;
+    param_38 = _e102;
+    blend_pixel_u0028_vf4_u003b_vf2_u003b_f1_u003b_vf3_u003b((&param_35), (&param_36), (&param_37), (&param_38));
+    let _e103 = param_35;
     (*samples_1).pixels[3i] = _e103;
     let _e109 = (*samples_1).pixels[0i][3u];
     let _e113 = (*samples_1).pixels[1i][3u];
@@ -425,14 +425,14 @@ fn fixed_center_u0028_vu4_u003b(words: ptr<function, vec4<u32>>) -> vec2<f32> {
 
 fn unpack_splat_u0028_vu4_u003b(words_1: ptr<function, vec4<u32>>) -> Splat {
     var splat: Splat;
-    var param_38: vec4<u32>;
+    var param_39: vec4<u32>;
     var blue: u32;
     var red: u32;
     var green: u32;
 
     let _e18 = (*words_1);
-    param_38 = _e18;
-    let _e19 = fixed_center_u0028_vu4_u003b((&param_38));
+    param_39 = _e18;
+    let _e19 = fixed_center_u0028_vu4_u003b((&param_39));
     let _e21 = frame.fixed_scale;
     let _e25 = frame.guard;
     splat.center = ((_e19 / vec2(_e21)) - vec2(_e25));
@@ -459,7 +459,7 @@ fn unpack_splat_u0028_vu4_u003b(words_1: ptr<function, vec4<u32>>) -> Splat {
 
 fn load_u0028_u1_u003b_u1_u003b_vf2_u003b(thread: ptr<function, u32>, i: ptr<function, u32>, corner_1: ptr<function, vec2<f32>>) {
     var splat_1: Splat;
-    var param_39: vec4<u32>;
+    var param_40: vec4<u32>;
     var inverse: f32;
     var along: vec2<f32>;
     var across: vec2<f32>;
@@ -489,12 +489,12 @@ fn load_u0028_u1_u003b_u1_u003b_vf2_u003b(thread: ptr<function, u32>, i: ptr<fun
     var bits_1: u32;
     var color_2: vec3<u32>;
     var word_1: u32;
-    var phi_481_: bool;
+    var phi_485_: bool;
 
     let _e62 = (*i);
     let _e65 = unnamed.splats[_e62];
-    param_39 = _e65;
-    let _e66 = unpack_splat_u0028_vu4_u003b((&param_39));
+    param_40 = _e65;
+    let _e66 = unpack_splat_u0028_vu4_u003b((&param_40));
     splat_1 = _e66;
     let _e68 = splat_1.axis;
     let _e70 = splat_1.axis;
@@ -608,13 +608,13 @@ fn load_u0028_u1_u003b_u1_u003b_vf2_u003b(thread: ptr<function, u32>, i: ptr<fun
             let _e256 = from_1;
             let _e257 = end;
             let _e258 = (_e256 < _e257);
-            phi_481_ = _e258;
+            phi_485_ = _e258;
             if _e258 {
                 let _e260 = squared[0u];
                 let _e262 = squared[1u];
-                phi_481_ = !((max(_e260, _e262) < 0f));
+                phi_485_ = !((max(_e260, _e262) < 0f));
             }
-            let _e267 = phi_481_;
+            let _e267 = phi_485_;
             if _e267 {
                 let _e268 = end;
                 let _e271 = from_1;
@@ -682,33 +682,33 @@ fn place_of_u0028_u1_u003b(index: ptr<function, u32>) -> vec2<u32> {
 fn blend_bin_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u11_u003b_vu2_u003b_vf2_u003b(samples_2: ptr<function, Samples>, corner_2: ptr<function, vec2<u32>>, first_3: ptr<function, vec2<f32>>) {
     var thread_1: u32;
     var place_2: vec2<u32>;
-    var param_40: u32;
+    var param_41: u32;
     var shift_1: u32;
     var at_2: vec2<u32>;
     var bin: u32;
-    var param_41: u32;
+    var param_42: u32;
     var end_1: u32;
     var from_2: u32;
     var k_3: u32;
     var i_1: u32;
     var local_4: u32;
-    var param_42: u32;
     var param_43: u32;
-    var param_44: vec2<f32>;
+    var param_44: u32;
+    var param_45: vec2<f32>;
     var word_2: u32;
     var hits_1: u32;
-    var param_45: vec2<u32>;
-    var param_46: u32;
+    var param_46: vec2<u32>;
+    var param_47: u32;
     var k_4: u32;
-    var param_47: Samples;
-    var param_48: u32;
-    var param_49: vec2<f32>;
+    var param_48: Samples;
+    var param_49: u32;
+    var param_50: vec2<f32>;
 
     let _e41 = gl_LocalInvocationIndex_1;
     thread_1 = _e41;
     let _e42 = thread_1;
-    param_40 = _e42;
-    let _e43 = place_of_u0028_u1_u003b((&param_40));
+    param_41 = _e42;
+    let _e43 = place_of_u0028_u1_u003b((&param_41));
     place_2 = _e43;
     let _e46 = unnamed_1.bins[8i];
     shift_1 = _e46;
@@ -718,8 +718,8 @@ fn blend_bin_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u
     at_2 = (_e47 / vec2((_e49 << bitcast<u32>(_e50))));
     let _e56 = at_2[1u];
     let _e57 = shift_1;
-    param_41 = _e57;
-    let _e58 = bins_of_u0028_u1_u003b((&param_41));
+    param_42 = _e57;
+    let _e58 = bins_of_u0028_u1_u003b((&param_42));
     let _e62 = at_2[0u];
     bin = ((_e56 * _e58.x) + _e62);
     let _e65 = settings.starts_start;
@@ -780,11 +780,11 @@ fn blend_bin_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u
             if ((_e111 + _e112) < _e114) {
                 let _e116 = (*corner_2);
                 let _e118 = thread_1;
-                param_42 = _e118;
+                param_43 = _e118;
                 let _e119 = i_1;
-                param_43 = _e119;
-                param_44 = vec2<f32>(_e116);
-                load_u0028_u1_u003b_u1_u003b_vf2_u003b((&param_42), (&param_43), (&param_44));
+                param_44 = _e119;
+                param_45 = vec2<f32>(_e116);
+                load_u0028_u1_u003b_u1_u003b_vf2_u003b((&param_43), (&param_44), (&param_45));
             }
             workgroupBarrier();
             let _e120 = workgroupUniformLoad((&batch_open));
@@ -797,10 +797,10 @@ fn blend_bin_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u
                 let _e125 = (*samples_2).open;
                 if ((_e122 < 2u) && _e125) {
                     let _e127 = place_2;
-                    param_45 = _e127;
+                    param_46 = _e127;
                     let _e128 = word_2;
-                    param_46 = _e128;
-                    let _e129 = hits_of_u0028_vu2_u003b_u1_u003b((&param_45), (&param_46));
+                    param_47 = _e128;
+                    let _e129 = hits_of_u0028_vu2_u003b_u1_u003b((&param_46), (&param_47));
                     hits_1 = _e129;
                     loop {
                         let _e130 = hits_1;
@@ -814,12 +814,12 @@ fn blend_bin_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u
                             let _e142 = word_2;
                             let _e144 = k_4;
                             let _e146 = (*samples_2);
-                            param_47 = _e146;
-                            param_48 = ((32u * _e142) + _e144);
+                            param_48 = _e146;
+                            param_49 = ((32u * _e142) + _e144);
                             let _e147 = (*first_3);
-                            param_49 = _e147;
-                            blend_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u11_u003b_u1_u003b_vf2_u003b((&param_47), (&param_48), (&param_49));
-                            let _e148 = param_47;
+                            param_50 = _e147;
+                            blend_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u11_u003b_u1_u003b_vf2_u003b((&param_48), (&param_49), (&param_50));
+                            let _e148 = param_48;
                             (*samples_2) = _e148;
                             continue;
                         } else {
@@ -848,90 +848,127 @@ fn blend_bin_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u
     return;
 }
 
+fn is_drawn_u0028_vu2_u003b(corner_3: ptr<function, vec2<u32>>) -> bool {
+    var at_3: vec2<f32>;
+    var phi_849_: bool;
+    var phi_850_: bool;
+
+    let _e4 = (*corner_3);
+    at_3 = vec2<f32>(_e4);
+    let _e7 = frame.area_reach;
+    let _e8 = (_e7 < 0f);
+    phi_850_ = _e8;
+    if !(_e8) {
+        let _e10 = at_3;
+        let _e12 = frame.area;
+        let _e15 = all((_e10 >= _e12.xy));
+        phi_849_ = _e15;
+        if _e15 {
+            let _e16 = at_3;
+            let _e18 = frame.area;
+            phi_849_ = all((_e16 < _e18.zw));
+        }
+        let _e23 = phi_849_;
+        phi_850_ = _e23;
+    }
+    let _e25 = phi_850_;
+    return _e25;
+}
+
 @compute @workgroup_size(64, 1, 1) 
 fn main(@builtin(local_invocation_index) gl_LocalInvocationIndex: u32, @builtin(workgroup_id) gl_WorkGroupID: vec3<u32>) {
     var corner: vec2<u32>;
     var first: vec2<u32>;
     var param: u32;
+    var drawn: bool;
+    var param_1: vec2<u32>;
     var samples: Samples;
-    var param_1: Samples;
-    var param_2: vec2<u32>;
-    var param_3: vec2<f32>;
-    var param_4: vec2<u32>;
-    var param_5: vec4<f32>;
-    var param_6: bool;
-    var param_7: vec2<u32>;
-    var param_8: vec4<f32>;
-    var param_9: bool;
-    var param_10: vec2<u32>;
-    var param_11: vec4<f32>;
-    var param_12: bool;
-    var param_13: vec2<u32>;
-    var param_14: vec4<f32>;
-    var param_15: bool;
-    var phi_1142_: bool;
+    var param_2: Samples;
+    var param_3: vec2<u32>;
+    var param_4: vec2<f32>;
+    var param_5: vec2<u32>;
+    var param_6: vec4<f32>;
+    var param_7: bool;
+    var param_8: vec2<u32>;
+    var param_9: vec4<f32>;
+    var param_10: bool;
+    var param_11: vec2<u32>;
+    var param_12: vec4<f32>;
+    var param_13: bool;
+    var param_14: vec2<u32>;
+    var param_15: vec4<f32>;
+    var param_16: bool;
+    var phi_1187_: bool;
 
     gl_LocalInvocationIndex_1 = gl_LocalInvocationIndex;
     gl_WorkGroupID_1 = gl_WorkGroupID;
-    let _e37 = settings.first_region;
-    corner = ((_e37 + bitcast<vec3<u32>>(gl_WorkGroupID).xy) * vec2(16u));
+    let _e38 = settings.first_region;
+    corner = ((_e38 + bitcast<vec3<u32>>(gl_WorkGroupID).xy) * vec2(16u));
     param = bitcast<u32>(gl_LocalInvocationIndex);
-    let _e44 = place_of_u0028_u1_u003b((&param));
-    first = (vec2(2u) * _e44);
-    samples.open = true;
+    let _e45 = place_of_u0028_u1_u003b((&param));
+    first = (vec2(2u) * _e45);
+    let _e48 = corner;
+    param_1 = _e48;
+    let _e49 = is_drawn_u0028_vu2_u003b((&param_1));
+    drawn = _e49;
+    let _e50 = drawn;
+    samples.open = _e50;
     samples.evaluated = 0u;
     samples.pixels = array<vec4<f32>, 4>(vec4<f32>(0f, 0f, 0f, 1f), vec4<f32>(0f, 0f, 0f, 1f), vec4<f32>(0f, 0f, 0f, 1f), vec4<f32>(0f, 0f, 0f, 1f));
-    let _e50 = first;
-    let _e54 = samples;
-    param_1 = _e54;
-    let _e55 = corner;
-    param_2 = _e55;
-    param_3 = (vec2<f32>(_e50) + vec2(0.5f));
-    blend_bin_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u11_u003b_vu2_u003b_vf2_u003b((&param_1), (&param_2), (&param_3));
-    let _e56 = param_1;
-    samples = _e56;
-    let _e57 = corner;
-    let _e58 = first;
-    first = (_e58 + _e57);
-    let _e60 = first;
-    param_4 = _e60;
-    let _e63 = samples.pixels[0i];
-    param_5 = _e63;
-    let _e65 = samples.open;
-    param_6 = _e65;
-    store_u0028_vu2_u003b_vf4_u003b_b1_u003b((&param_4), (&param_5), (&param_6));
-    let _e66 = first;
-    param_7 = (_e66 + vec2<u32>(1u, 0u));
-    let _e70 = samples.pixels[1i];
-    param_8 = _e70;
-    let _e72 = samples.open;
-    param_9 = _e72;
-    store_u0028_vu2_u003b_vf4_u003b_b1_u003b((&param_7), (&param_8), (&param_9));
-    let _e73 = first;
-    param_10 = (_e73 + vec2<u32>(0u, 1u));
-    let _e77 = samples.pixels[2i];
-    param_11 = _e77;
-    let _e79 = samples.open;
-    param_12 = _e79;
-    store_u0028_vu2_u003b_vf4_u003b_b1_u003b((&param_10), (&param_11), (&param_12));
-    let _e80 = first;
-    param_13 = (_e80 + vec2<u32>(1u, 1u));
-    let _e84 = samples.pixels[3i];
-    param_14 = _e84;
-    let _e86 = samples.open;
-    param_15 = _e86;
-    store_u0028_vu2_u003b_vf4_u003b_b1_u003b((&param_13), (&param_14), (&param_15));
-    let _e88 = settings.counted;
-    let _e89 = (_e88 != 0u);
-    phi_1142_ = _e89;
-    if _e89 {
-        let _e91 = samples.evaluated;
-        phi_1142_ = (_e91 > 0u);
+    let _e54 = first;
+    let _e58 = samples;
+    param_2 = _e58;
+    let _e59 = corner;
+    param_3 = _e59;
+    param_4 = (vec2<f32>(_e54) + vec2(0.5f));
+    blend_bin_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u11_u003b_vu2_u003b_vf2_u003b((&param_2), (&param_3), (&param_4));
+    let _e60 = param_2;
+    samples = _e60;
+    let _e62 = samples.open;
+    let _e63 = drawn;
+    samples.open = (_e62 || !(_e63));
+    let _e67 = corner;
+    let _e68 = first;
+    first = (_e68 + _e67);
+    let _e70 = first;
+    param_5 = _e70;
+    let _e73 = samples.pixels[0i];
+    param_6 = _e73;
+    let _e75 = samples.open;
+    param_7 = _e75;
+    store_u0028_vu2_u003b_vf4_u003b_b1_u003b((&param_5), (&param_6), (&param_7));
+    let _e76 = first;
+    param_8 = (_e76 + vec2<u32>(1u, 0u));
+    let _e80 = samples.pixels[1i];
+    param_9 = _e80;
+    let _e82 = samples.open;
+    param_10 = _e82;
+    store_u0028_vu2_u003b_vf4_u003b_b1_u003b((&param_8), (&param_9), (&param_10));
+    let _e83 = first;
+    param_11 = (_e83 + vec2<u32>(0u, 1u));
+    let _e87 = samples.pixels[2i];
+    param_12 = _e87;
+    let _e89 = samples.open;
+    param_13 = _e89;
+    store_u0028_vu2_u003b_vf4_u003b_b1_u003b((&param_11), (&param_12), (&param_13));
+    let _e90 = first;
+    param_14 = (_e90 + vec2<u32>(1u, 1u));
+    let _e94 = samples.pixels[3i];
+    param_15 = _e94;
+    let _e96 = samples.open;
+    param_16 = _e96;
+    store_u0028_vu2_u003b_vf4_u003b_b1_u003b((&param_14), (&param_15), (&param_16));
+    let _e98 = settings.counted;
+    let _e99 = (_e98 != 0u);
+    phi_1187_ = _e99;
+    if _e99 {
+        let _e101 = samples.evaluated;
+        phi_1187_ = (_e101 > 0u);
     }
-    let _e94 = phi_1142_;
-    if _e94 {
-        let _e98 = samples.evaluated;
-        let _e99 = atomicAdd((&unnamed_3.control.fragments), _e98);
+    let _e104 = phi_1187_;
+    if _e104 {
+        let _e108 = samples.evaluated;
+        let _e109 = atomicAdd((&unnamed_3.control.fragments), _e108);
     }
     return;
 }

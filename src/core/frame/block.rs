@@ -7,7 +7,7 @@ use super::{
     state::{AvatarInstance, Layer},
 };
 use crate::layout::{FrameBlock, POSITION_BITS, PYRAMID_WORDS, TILING, bin_side};
-use crate::scene::{Camera, PixelRect, camera::guard, detail};
+use crate::scene::{Camera, camera::guard, detail};
 use bytemuck::{bytes_of, bytes_of_mut};
 use glam::DAffine3;
 use std::mem::offset_of;
@@ -102,10 +102,11 @@ pub fn write_shared(
     .map(|value| value as f32);
 }
 
-/// Writes what belongs to one avatar. `block` must hold the model's constants.
+/// Writes what belongs to one avatar of a layer. `block` must hold the model's constants.
 pub fn write_instance(
     block: &mut FrameBlock,
     options: &RendererOptions,
+    layer: &Layer,
     instance: &AvatarInstance,
     pose: PoseLayout,
 ) {
@@ -114,7 +115,7 @@ pub fn write_instance(
     block.focal = camera.focal.as_vec2().to_array();
     block.center = camera.center.as_vec2().to_array();
     // In the image a splat is drawn if some of it is inside, in an atlas if all of it is.
-    let area = instance.slot.unwrap_or(PixelRect::whole(camera.size));
+    let area = instance.slot.unwrap_or(layer.drawn);
     let [min, max] = [area.min, area.max].map(|corner| corner.as_vec2());
     block.area = [min.x, min.y, max.x, max.y];
     block.area_reach = if instance.slot.is_some() { -1.0 } else { 1.0 };

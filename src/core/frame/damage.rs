@@ -4,7 +4,7 @@ use crate::layout::RASTER_REGION;
 use crate::scene::PixelRect;
 use glam::UVec2;
 
-/// The pixels that a frame draws: whole regions of [`RASTER_REGION`] px, cut off at the image's
+/// The pixels that a frame clears: whole regions of [`RASTER_REGION`] px, cut off at the image's
 /// edges, and at least one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Damage {
@@ -14,6 +14,22 @@ pub struct Damage {
     pub max: [u32; 2],
     /// Whether all of the image is cleared, since its content is unknown or all of it is drawn.
     pub whole: bool,
+    /// Where splats are drawn, by tiles in whole regions; the rest is only cleared. Otherwise what
+    /// networks move further than the box around an avatar allows for would show wherever something
+    /// was before. Never empty.
+    pub drawn: PixelRect,
+}
+
+/// The whole regions around a part of an image, at least one.
+pub fn regions_around(rect: PixelRect, size: [u32; 2]) -> PixelRect {
+    let whole = PixelRect::whole(size);
+    let min = rect.min.min(whole.max - 1) / RASTER_REGION * RASTER_REGION;
+    let max = rect
+        .max
+        .max(min + 1)
+        .map(|side| side.next_multiple_of(RASTER_REGION))
+        .min(whole.max);
+    PixelRect { min, max }
 }
 
 impl Damage {
@@ -21,17 +37,16 @@ impl Damage {
     /// something; None if that is unknown. `size`: the image's, at least 1.
     pub fn new(now: PixelRect, before: Option<PixelRect>, size: [u32; 2]) -> Self {
         let whole = PixelRect::whole(size);
-        let rect = now.union(before.unwrap_or(whole));
-        let min = rect.min.min(whole.max - 1) / RASTER_REGION * RASTER_REGION;
-        let max = rect
-            .max
-            .max(min + 1)
-            .map(|side| side.next_multiple_of(RASTER_REGION))
-            .min(whole.max);
+        let rect = regions_around(now.union(before.unwrap_or(whole)), size);
         Self {
-            min: min.into(),
-            max: max.into(),
-            whole: before.is_none() || (min == UVec2::ZERO && max == whole.max),
+            min: rect.min.into(),
+            max: rect.max.into(),
+            whole: before.is_none() || rect == whole,
+            drawn: if now.is_empty() {
+                regions_around(now, size)
+            } else {
+                now
+            },
         }
     }
 
@@ -48,6 +63,17 @@ impl Damage {
         (0..2)
             .map(|axis| u64::from(self.max[axis] - self.min[axis]))
             .product()
+    }
+
+    /// Column and row of the first region of a side, px, and one past those of the last, of all
+    /// that the pixels that are drawn look at up to a pixel beyond them: samples of the saturation
+    /// depth.
+    pub fn sampled_regions(&self, side: u32, size: [u32; 2]) -> [[u32; 2]; 2] {
+        let first = self.drawn.min.saturating_sub(UVec2::ONE) / side;
+        let end = (self.drawn.max + 1)
+            .min(size.into())
+            .map(|pixel| pixel.div_ceil(side));
+        [first.into(), end.into()]
     }
 
     /// Column and row of the first region of a side, px, and one past those of the last. The side
@@ -81,7 +107,8 @@ mod tests {
             Damage {
                 min: [0, 0],
                 max: SIZE,
-                whole: true
+                whole: true,
+                drawn: rect([40, 33], [41, 34]),
             }
         );
     }
@@ -103,7 +130,8 @@ mod tests {
             Damage {
                 min: REGION,
                 max: REGION.map(|side| 2 * side),
-                whole: false
+                whole: false,
+                drawn: new,
             }
         );
         let both = Damage::new(rect([1, 1], [2, 2]), Some(rect(REGION, SIZE)), SIZE);
@@ -112,9 +140,22 @@ mod tests {
             Damage {
                 min: [0, 0],
                 max: SIZE,
-                whole: true
+                whole: true,
+                drawn: rect([1, 1], [2, 2]),
             }
         );
         assert_eq!(both.pixels(), u64::from(SIZE[0] * SIZE[1]));
+    }
+
+    #[test]
+    fn drawn_pixels_have_all_their_samples() {
+        let sampled = |min, max| {
+            let drawn = rect(min, max);
+            Damage::new(drawn, Some(drawn), SIZE).sampled_regions(RASTER_REGION, SIZE)
+        };
+        let [width, height] = SIZE.map(|side| side.div_ceil(RASTER_REGION));
+        assert_eq!(sampled([1, 1], [31, 31]), [[0, 0], [1, 1]]);
+        assert_eq!(sampled([32, 33], [63, 64]), [[0, 1], [2, 3]]);
+        assert_eq!(sampled([0, 0], SIZE), [[0, 0], [width, height]]);
     }
 }

@@ -5,7 +5,7 @@ use super::{
     ChangeTracker, Changes, Counters, RendererOptions, Skinning, Skip,
     atlas::{Arrangement, LevelInput, Seen, Slot, arrange},
     changes::View,
-    damage::Damage,
+    damage::{Damage, regions_around},
     passes::Target,
     room::{Portion, PosePlaces, Room, padded_count},
 };
@@ -76,6 +76,9 @@ pub struct Layer<'a> {
     pub instances: Vec<AvatarInstance<'a>>,
     /// Width and height of the image, px.
     pub size: [u32; 2],
+    /// The regions of the image in which splats are drawn: those around [`FramePlan::drawn_rect`],
+    /// all of an atlas.
+    pub drawn: PixelRect,
     /// Nearest and furthest expected depth along the camera's axis, metres.
     pub depth_range: [f64; 2],
     /// The view of the occluder pass. None where there is no occluder or nothing in view.
@@ -110,8 +113,9 @@ pub struct FramePlan<'a> {
     pub redraw: bool,
     /// Avatars in the scene, in view or not.
     pub avatar_count: usize,
-    /// A rectangle of the image around all that is drawn, except correctives beyond what
-    /// [`AvatarBounds::visible`] allows for; the whole image without [`Skip::DAMAGE`].
+    /// A rectangle of the image around all that is drawn; the whole image without
+    /// [`Skip::DAMAGE`]. What correctives move further than [`AvatarBounds::visible`] allows for is
+    /// cut off there, in every frame alike; by tiles at the regions around it.
     pub drawn_rect: PixelRect,
 }
 
@@ -219,7 +223,11 @@ impl FrameState {
                 continue;
             }
             drawn_rect = drawn_rect.union(match &visible {
-                Some(visible) if skip.contains(Skip::DAMAGE) => visible.rect,
+                Some(visible)
+                    if skip.contains(Skip::DAMAGE) && bounds.has_margin_for(&posed.input) =>
+                {
+                    visible.rect
+                }
                 _ => whole,
             });
             let seen = visible
@@ -319,6 +327,7 @@ impl FrameState {
             },
             instances: image,
             size: camera.size,
+            drawn: regions_around(drawn_rect, camera.size),
         };
         let size = arrangement.size;
         let atlas = (!atlas.is_empty()).then(|| Atlas {
@@ -330,6 +339,7 @@ impl FrameState {
                 pixels_a_gaussian: f64::INFINITY,
                 instances: atlas,
                 size,
+                drawn: PixelRect::whole(size),
             },
             slots: arrangement.slots,
         });

@@ -13,8 +13,11 @@ use std::ops::Range;
 const MARGIN: f64 = 0.05;
 /// Margin around visible parts for [`Visible::rect`], metres: several times what learned
 /// correctives move nodes by (the demo's by 5 cm in its own clip, by 11 where every input is at its
-/// furthest). What a model's correctives move further is cut off.
+/// furthest). What a model's correctives move further is cut off, in every frame alike.
 const RECT_MARGIN: f64 = 0.15;
+/// Larger inputs are none that correctives are learned for: joint angles are up to π, expressions a
+/// few standard deviations. Of how far they move nodes no margin says anything.
+const INPUT_MAX: f64 = 10.0;
 /// Coordinates in the plane of the image beyond this, px, belong to nothing that is drawn.
 const PLANE_MAX: f64 = 1e6;
 /// Minimum skin weight (0–255) for a joint to widen the avatar's bounds. Culling of parts uses all
@@ -247,6 +250,11 @@ impl AvatarBounds {
         }
         visible.around = around.pixels();
         visible
+    }
+
+    /// Whether [`Visible::rect`] has a margin for what networks make of these inputs.
+    pub fn has_margin_for(&self, input: &[f64]) -> bool {
+        input.iter().all(|number| number.abs() <= INPUT_MAX)
     }
 
     /// Whether nothing of the avatar can be in the image: a test of all of it, with a wider margin

@@ -34,14 +34,14 @@ pub struct Draw<'a> {
     pub frame: u32,
     /// The control: holds the arguments of the indirect draw.
     pub control: vk::Buffer,
-    /// The rectangle to draw.
+    /// The rectangles to clear and to draw.
     pub damage: &'a Damage,
     /// Whether to count fragments.
     pub count: bool,
 }
 
 impl Draw<'_> {
-    /// The rectangle to draw.
+    /// The rectangle to clear.
     pub fn area(&self) -> vk::Rect2D {
         rect(self.damage.rect())
     }

@@ -2,7 +2,7 @@
 //! off-screen image.
 
 use super::{
-    draw::{Draw, RasterInputs},
+    draw::{Draw, RasterInputs, rect},
     saturation::Saturation,
     target::{FINAL_LAYOUT, READER_SCOPE, READER_STAGES, check_size, forget, vulkan_format},
 };
@@ -198,8 +198,8 @@ impl Quads {
         self.test.as_ref().map(|test| &test.saturation)
     }
 
-    /// Clears the damage rectangle, and draws the control's splats there; graphics. `tested`:
-    /// whether [`Self::saturation`] found this frame's depths.
+    /// Clears the damage rectangle, and draws the control's splats in what is drawn of it;
+    /// graphics. `tested`: whether [`Self::saturation`] found this frame's depths.
     pub fn record(&self, commands: Recording, draw: &Draw, tested: bool) {
         let target = match (draw.target, &self.atlas) {
             (Target::Atlas, Some(atlas)) => atlas,
@@ -225,7 +225,7 @@ impl Quads {
         unsafe {
             device.cmd_begin_render_pass(raw, &begin, vk::SubpassContents::INLINE);
             device.cmd_set_viewport(raw, 0, &[viewport]);
-            device.cmd_set_scissor(raw, 0, &[area]);
+            device.cmd_set_scissor(raw, 0, &[rect(draw.damage.drawn)]);
             let test = self.test.as_ref().filter(|_| tested);
             if let Some(test) = test {
                 test.saturation.draw(commands);

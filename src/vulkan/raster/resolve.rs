@@ -120,7 +120,7 @@ impl Resolve {
             device.cmd_set_viewport(raw, 0, &[viewport]);
             device.cmd_bind_descriptor_sets(raw, point, layout, 0, &[self.set.raw], &[]);
             for slot in slots {
-                let shown = slot.shown(draw.size).intersection(draw.damage.rect());
+                let shown = slot.shown(draw.size).intersection(draw.damage.drawn);
                 if shown.is_empty() {
                     continue;
                 }

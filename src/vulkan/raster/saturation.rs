@@ -135,8 +135,8 @@ impl Saturation {
         &self.bins
     }
 
-    /// Finds the depth of each sample in the damage rectangle. Reads the output of `binning`;
-    /// compute.
+    /// Finds the depth of each sample that a pixel looks at which is drawn. Reads the output of
+    /// `binning`; compute.
     pub fn record(&self, commands: Recording, draw: &Draw) {
         // The samples of the frame before are of no use.
         let begin = LayoutChange {
@@ -150,7 +150,7 @@ impl Saturation {
         };
         // SAFETY: the image is alive.
         unsafe { commands.change_layout(self.image.raw(), begin) };
-        let [first, end] = draw.damage.regions(SATURATION_REGION);
+        let [first, end] = draw.damage.sampled_regions(SATURATION_REGION, draw.size);
         self.kernel
             .dispatch_within(commands, draw.frame, first, end);
     }

@@ -139,7 +139,7 @@ impl Blocks {
         sources.splats.fill(block);
         block.count_tile = sources.sort.tile();
         if let Some(instance) = instance {
-            block::write_instance(block, sources.options, instance, pose);
+            block::write_instance(block, sources.options, layer, instance, pose);
             sources.splats.fill_instance(block, instance.cache_start);
             self.pose_caches[number].write_to(block, camera);
         }

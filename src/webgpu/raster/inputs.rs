@@ -27,6 +27,6 @@ pub struct Draw<'a> {
     pub size: [u32; 2],
     /// Where the uniform block with that size is, bytes.
     pub block: u32,
-    /// The rectangle to draw.
+    /// The rectangles to clear and to draw.
     pub damage: &'a Damage,
 }

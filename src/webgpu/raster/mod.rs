@@ -186,13 +186,13 @@ impl Raster {
         }
     }
 
-    /// Column and row of the first region that a frame draws.
-    pub fn first_region(&self, damage: &Damage) -> [u32; 2] {
-        let side = match &self.way {
-            Way::Quads(_) => SATURATION_REGION,
-            Way::Tiles(tiles) => tiles.region(),
-        };
-        damage.regions(side)[0]
+    /// Column and row of the first region that a frame draws into an image of a size, or has
+    /// samples of.
+    pub fn first_region(&self, damage: &Damage, size: [u32; 2]) -> [u32; 2] {
+        match &self.way {
+            Way::Quads(_) => damage.sampled_regions(SATURATION_REGION, size)[0],
+            Way::Tiles(tiles) => damage.regions(tiles.region())[0],
+        }
     }
 
     /// Changes the image's size. On failure the old image stays.

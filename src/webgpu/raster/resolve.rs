@@ -146,7 +146,7 @@ impl Resolve {
             ..Default::default()
         });
         for (index, slot) in frame.slots.iter().enumerate() {
-            let shown = slot.shown(draw.size).intersection(draw.damage.rect());
+            let shown = slot.shown(draw.size).intersection(draw.damage.drawn);
             if shown.is_empty() {
                 continue;
             }

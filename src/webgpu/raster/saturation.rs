@@ -116,9 +116,9 @@ impl Saturation {
         &self.images.samples
     }
 
-    /// Finds the depth of each sample. Reads the lists.
+    /// Finds the depth of each sample that a pixel looks at which is drawn. Reads the lists.
     pub fn record(&self, pass: &mut wgpu::ComputePass, draw: &Draw) {
-        let [first, end] = draw.damage.regions(SATURATION_REGION);
+        let [first, end] = draw.damage.sampled_regions(SATURATION_REGION, draw.size);
         let groups = [end[0] - first[0], end[1] - first[1]];
         self.kernel.dispatch(pass, draw.block, groups);
     }

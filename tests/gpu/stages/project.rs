@@ -479,6 +479,39 @@ fn filters_are_those_of_the_reference() {
     }
 }
 
+/// Gaussians so small that the low-pass is all there is of them: what is left of the difference
+/// between their axes has squares that f32 can't hold, and must not change how long the axes are.
+fn gaussians_of_no_size_are_as_large_as_the_low_pass() {
+    let mut avatar = common::avatar(2, Sizes::default());
+    avatar.gaussians.log_scale.fill([f16::from_f64(-16.0); 3]);
+    let posed = Posed::new(&avatar, &common::pose(2, &avatar));
+    let low_pass = avatar.filter.variance;
+    let size = [300, 200];
+    for distance in [100.0, 300.0, 1000.0, 3000.0] {
+        let camera = Camera::orbit(DVec3::Y, 0.3, 0.1, distance, 0.7, size);
+        let frame = gpu::draw(
+            &gpu::gpu(),
+            avatar.clone(),
+            posed.clone(),
+            camera,
+            options(0, size),
+        );
+        let drawn =
+            (0..frame.reference.splats.len()).filter(|&at| frame.gpu.keys[at] != SORT_CULLED);
+        let drawn: Vec<usize> = drawn.collect();
+        assert!(drawn.len() > 1000, "{} are drawn", drawn.len());
+        for at in drawn {
+            let [a, b, c] = unpack(frame.gpu.splats[at], &frame.camera).covariance;
+            let off = (a - low_pass).abs().max(b.abs()).max((c - low_pass).abs());
+            // Twice a step of f16 of each length, which is 2⁻¹⁰ of it.
+            assert!(
+                off <= 0.004 * low_pass,
+                "Gaussian {at} has [{a}, {b}, {c}] for {low_pass} px² at {distance} m"
+            );
+        }
+    }
+}
+
 /// The third frame of a still body draws from the pose cache that the second wrote.
 fn splats_from_the_pose_cache_agree_with_the_reference() {
     let device = gpu::gpu();
@@ -607,6 +640,7 @@ tests! {
     workgroups_of_every_size_give_the_same,
     adversarial_gaussians_and_cameras_agree_too,
     splats_from_the_pose_cache_agree_with_the_reference,
+    gaussians_of_no_size_are_as_large_as_the_low_pass,
     filters_are_those_of_the_reference,
     each_reason_to_cull_occurs_in_the_adversarial_frames: no_device,
 }
