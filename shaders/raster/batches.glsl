@@ -1,7 +1,7 @@
 // A bin's list, walked by a workgroup in batches of a splat an invocation: each invocation reads
-// one, tests its ellipse against the samples of each invocation, and leaves what meets some in
-// shared memory, where all find it. For GPUs: `saturation` and the shared-memory kernel of `raster`
-// are built on it. It needs no subgroups.
+// one, tests its ellipse against the region's parts, and leaves what meets some in shared memory,
+// where all find it. For GPUs: `saturation` and the shared-memory kernel of `raster` are built on
+// it. It needs no subgroups.
 //
 // The including shader declares what it writes before this file, and defines REGION, the side of
 // the region that a workgroup draws, px; STEP, the distance of its samples, px; and MARKS if splats
@@ -30,6 +30,7 @@ PARAMETER(1, float, SATURATION, 1.0 / 255.0)
 // Whether evaluated samples are counted.
 PARAMETER(2, bool, COUNTED, false)
 #include "common/bins.glsl"
+#include "raster/place.glsl"
 #ifdef MARKS
 #include "common/key_at.glsl"
 #include "common/saturation.glsl"
@@ -49,12 +50,6 @@ shared vec4 batch_shape[RASTER_WORKGROUP];
 // Whether an invocation that was not saturated came to the splat.
 shared uint batch_seen[RASTER_WORKGROUP];
 #endif
-// Of each row of invocations, which splats of the batch meet which of them: a byte a splat, a bit
-// an invocation. Splats k, k + 8, k + 16 and k + 24 share a word, so that the bits of 32 splats for
-// an invocation are those of 8 words, masked and shifted (hits_of).
-const uint SIDE = 8u;
-const uint HIT_WORDS = RASTER_WORKGROUP / 4u;
-shared uint batch_hits[SIDE * HIT_WORDS];
 // Whether some invocation has a sample that is not saturated. It is no array: on WebGPU a read of it
 // is one that all invocations make together (tools/shaders/wgsl.rs).
 shared uint batch_open;
@@ -69,6 +64,24 @@ struct Seen {
     uint word;
 };
 
+// Where a splat shows: a x² + 2 b x y + c y² is |deviation|², and `most` at its edge.
+struct Ellipse {
+    // Px from the region's corner.
+    vec2 center;
+    float a;
+    float b;
+    float c;
+    // a c − b², without cancellation.
+    float determinant;
+    float most;
+};
+
+#ifdef MARKS
+#include "raster/hits_rows.glsl"
+#else
+#include "raster/hits_quarters.glsl"
+#endif
+
 // Puts a splat into the batch if it meets the region whose corner is at `corner`, px.
 void load(uint thread, uint i, vec2 corner) {
     Splat splat = unpack_splat(splats[i]);
@@ -77,42 +90,14 @@ void load(uint thread, uint i, vec2 corner) {
     vec2 across = DEVIATION_UNIT * sqrt(inverse) / splat.shorter *
                   vec2(-splat.axis.y, splat.axis.x);
     float exponent = log2(float(splat.opacity) / 255.0);
-    vec2 center = splat.center - corner;
-    // |deviation|² is a x² + 2 b x y + c y², and `most` on the ellipse.
-    float a = along.x * along.x + across.x * across.x;
-    float b = along.x * along.y + across.x * across.y;
-    float c = along.y * along.y + across.y * across.y;
-    float determinant = dot(along, along) * dot(across, across);
-    float most = exponent - CUTOFF_EXPONENT + EXPONENT_SLACK;
-    if (most < 0.0) {
-        return;
-    }
-    // How far below the centre the ellipse reaches furthest to the right; to the left it is above.
-    float turn = -b * sqrt(most / (c * determinant));
-    uint place = (thread >> 5u) * 8u + (thread & 7u);
-    bool meets = false;
-    // Unrolled, it takes more registers than blending.
-    [[dont_unroll]] for (uint row = 0u; row < SIDE; ++row) {
-        const float side = float(REGION / SIDE);
-        // The row's samples, seen from the centre, and where in it the ellipse is widest.
-        float top = side * float(row) + 0.5 - MARGIN - center.y;
-        float bottom = top + side - 1.0 + 2.0 * MARGIN;
-        vec2 at = vec2(clamp(-turn, top, bottom), clamp(turn, top, bottom));
-        vec2 squared = a * most - determinant * at * at;
-        vec2 reach = sqrt(max(squared, 0.0));
-        vec2 ends = (-b * at + vec2(-reach.x, reach.y)) / a + center.x;
-        // The first invocation that it meets, and one past the last. Written so that a splat is
-        // kept where a number is NaN.
-        float low = (ends.x + 0.5 - MARGIN) / side - 1.0, high = (ends.y - 0.5 + MARGIN) / side;
-        uint from = low > 0.0 ? uint(ceil(min(low, float(SIDE)))) : 0u;
-        uint end = high < float(SIDE) ? uint(floor(max(high, -1.0)) + 1.0) : SIDE;
-        if (from < end && !(max(squared.x, squared.y) < 0.0)) {
-            uint bits = (1u << end) - (1u << from);
-            atomicOr(batch_hits[row * HIT_WORDS + place], bits << (thread & 24u));
-            meets = true;
-        }
-    }
-    if (!meets) {
+    Ellipse ellipse;
+    ellipse.center = splat.center - corner;
+    ellipse.a = along.x * along.x + across.x * across.x;
+    ellipse.b = along.x * along.y + across.x * across.y;
+    ellipse.c = along.y * along.y + across.y * across.y;
+    ellipse.determinant = dot(along, along) * dot(across, across);
+    ellipse.most = exponent - CUTOFF_EXPONENT + EXPONENT_SLACK;
+    if (ellipse.most < 0.0 || !note_hits(thread, ellipse)) {
         return;
     }
 #ifdef MARKS
@@ -121,18 +106,8 @@ void load(uint thread, uint i, vec2 corner) {
     uvec3 color = uvec3(round(splat.color * 1023.0));
     uint word = color.r | color.g << 10u | color.b << 20u;
 #endif
-    batch_place[thread] = vec4(center, along);
+    batch_place[thread] = vec4(ellipse.center, along);
     batch_shape[thread] = vec4(across, exponent, uintBitsToFloat(word));
-}
-
-// The splats of the batch, from 32 `word` on, that meet the samples of an invocation.
-uint hits_of(uvec2 invocation, uint word) {
-    uint hits = 0u;
-    for (uint k = 0u; k < 8u; ++k) {
-        uint bits = batch_hits[invocation.y * HIT_WORDS + 8u * word + k];
-        hits |= (bits >> invocation.x & 0x01010101u) << k;
-    }
-    return hits;
 }
 
 // `first`: an invocation's first sample, px from the region's corner.

@@ -2,13 +2,10 @@
 // its samples, with `bool open`, whether some are not saturated; and `blend(samples, k, first)`,
 // which puts splat k of the batch behind them.
 
-#include "raster/place.glsl"
-
 // Blends all splats that meet the region at `corner`, px, near to far, until all samples are
 // saturated.
 void blend_bin(inout Samples samples, uvec2 corner, vec2 first) {
     uint thread = gl_LocalInvocationIndex;
-    uvec2 place = place_of(thread);
     uint shift = bins[BIN_SHIFT_AT];
     uvec2 at = corner / (frame.bin_side << shift);
     uint bin = at.y * bins_of(shift).x + at.x;
@@ -17,7 +14,7 @@ void blend_bin(inout Samples samples, uvec2 corner, vec2 first) {
 #ifdef MARKS
         batch_seen[thread] = 0u;
 #endif
-        for (uint k = thread; k < SIDE * HIT_WORDS; k += RASTER_WORKGROUP) {
+        for (uint k = thread; k < HIT_WORDS; k += RASTER_WORKGROUP) {
             batch_hits[k] = 0u;
         }
         if (thread == 0u) {
@@ -36,7 +33,7 @@ void blend_bin(inout Samples samples, uvec2 corner, vec2 first) {
             break;
         }
         for (uint word = 0u; word < RASTER_WORKGROUP / 32u && samples.open; ++word) {
-            uint hits = hits_of(place, word);
+            uint hits = hits_of(thread, word);
             while (hits != 0u && samples.open) {
                 uint k = uint(findLSB(hits));
                 hits &= hits - 1u;

@@ -6,6 +6,15 @@ struct Splat {
     opacity: u32,
 }
 
+struct Ellipse {
+    center: vec2<f32>,
+    a: f32,
+    b: f32,
+    c: f32,
+    determinant: f32,
+    most: f32,
+}
+
 struct Seen {
     deviation: vec2<f32>,
     right: vec2<f32>,
@@ -93,10 +102,6 @@ struct FrameBlock {
     joint: array<vec4<f32>, 768>,
 }
 
-struct Splats {
-    splats: array<vec4<u32>>,
-}
-
 struct SettingsBlock {
     cutoff_exponent: f32,
     quad_exponent: f32,
@@ -114,6 +119,10 @@ struct SettingsBlock {
     pairs_start: u32,
     pair_capacity: u32,
     bin_margin: f32,
+}
+
+struct Splats {
+    splats: array<vec4<u32>>,
 }
 
 struct Bins {
@@ -153,11 +162,11 @@ struct Sorted_1 {
 
 @group(0) @binding(0) 
 var<uniform> frame: FrameBlock;
-@group(0) @binding(1) 
-var<storage> unnamed: Splats_1;
 @group(0) @binding(7) 
 var<uniform> settings: SettingsBlock;
-var<workgroup> batch_hits: array<atomic<u32>, 128>;
+var<workgroup> batch_hits: array<atomic<u32>, 8>;
+@group(0) @binding(1) 
+var<storage> unnamed: Splats_1;
 var<workgroup> batch_place: array<vec4<f32>, 64>;
 var<workgroup> batch_shape: array<vec4<f32>, 64>;
 var<private> gl_LocalInvocationIndex_1: u32;
@@ -385,37 +394,108 @@ fn blend_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u11_u
     return;
 }
 
-fn hits_of_u0028_vu2_u003b_u1_u003b(invocation: ptr<function, vec2<u32>>, word: ptr<function, u32>) -> u32 {
-    var hits: u32;
-    var k_2: u32;
-    var bits: u32;
+fn hits_of_u0028_u1_u003b_u1_u003b(thread: ptr<function, u32>, word: ptr<function, u32>) -> u32 {
+    var quarter: u32;
 
-    hits = 0u;
-    k_2 = 0u;
+    let _e6 = (*thread);
+    quarter = (_e6 / 16u);
+    let _e8 = quarter;
+    let _e10 = (*word);
+    let _e13 = atomicLoad((&batch_hits[((_e8 * 2u) + _e10)]));
+    return _e13;
+}
+
+fn nearest_u0028_struct_u002d_Ellipse_u002d_vf2_u002d_f1_u002d_f1_u002d_f1_u002d_f1_u002d_f11_u003b_vf2_u003b_vf2_u003b(e: ptr<function, Ellipse>, low: ptr<function, vec2<f32>>, high: ptr<function, vec2<f32>>) -> f32 {
+    var side: vec2<f32>;
+    var p: vec2<f32>;
+    var q: vec2<f32>;
+
+    let _e10 = (*low);
+    let _e11 = (*high);
+    side = clamp(vec2<f32>(0f, 0f), _e10, _e11);
+    let _e14 = side[0u];
+    let _e16 = (*e).b;
+    let _e19 = side[0u];
+    let _e22 = (*e).c;
+    let _e25 = (*low)[1u];
+    let _e27 = (*high)[1u];
+    p = vec2<f32>(_e14, clamp(((-(_e16) * _e19) / _e22), _e25, _e27));
+    let _e31 = (*e).b;
+    let _e34 = side[1u];
+    let _e37 = (*e).a;
+    let _e40 = (*low)[0u];
+    let _e42 = (*high)[0u];
+    let _e45 = side[1u];
+    q = vec2<f32>(clamp(((-(_e31) * _e34) / _e37), _e40, _e42), _e45);
+    let _e48 = (*e).a;
+    let _e50 = p[0u];
+    let _e53 = p[0u];
+    let _e56 = (*e).b;
+    let _e59 = p[0u];
+    let _e62 = p[1u];
+    let _e66 = (*e).c;
+    let _e68 = p[1u];
+    let _e71 = p[1u];
+    let _e75 = (*e).a;
+    let _e77 = q[0u];
+    let _e80 = q[0u];
+    let _e83 = (*e).b;
+    let _e86 = q[0u];
+    let _e89 = q[1u];
+    let _e93 = (*e).c;
+    let _e95 = q[1u];
+    let _e98 = q[1u];
+    return min(((((_e48 * _e50) * _e53) + (((2f * _e56) * _e59) * _e62)) + ((_e66 * _e68) * _e71)), ((((_e75 * _e77) * _e80) + (((2f * _e83) * _e86) * _e89)) + ((_e93 * _e95) * _e98)));
+}
+
+fn note_hits_u0028_u1_u003b_struct_u002d_Ellipse_u002d_vf2_u002d_f1_u002d_f1_u002d_f1_u002d_f1_u002d_f11_u003b(k_2: ptr<function, u32>, e_1: ptr<function, Ellipse>) -> bool {
+    var meets: bool;
+    var quarter_1: u32;
+    var low_1: vec2<f32>;
+    var high_1: vec2<f32>;
+    var param_39: Ellipse;
+    var param_40: vec2<f32>;
+    var param_41: vec2<f32>;
+
+    meets = false;
+    quarter_1 = 0u;
     loop {
-        let _e12 = k_2;
-        if (_e12 < 8u) {
-            let _e15 = (*invocation)[1u];
-            let _e17 = (*word);
-            let _e20 = k_2;
-            let _e23 = atomicLoad((&batch_hits[(((_e15 * 16u) + (8u * _e17)) + _e20)]));
-            bits = _e23;
-            let _e24 = bits;
-            let _e26 = (*invocation)[0u];
-            let _e30 = k_2;
-            let _e33 = hits;
-            hits = (_e33 | (((_e24 >> bitcast<u32>(_e26)) & 16843009u) << bitcast<u32>(_e30)));
+        let _e22 = quarter_1;
+        if (_e22 < 4u) {
+            let _e24 = quarter_1;
+            let _e27 = quarter_1;
+            let _e34 = (*e_1).center;
+            low_1 = ((vec2<f32>(f32((_e24 & 1u)), f32((_e27 >> bitcast<u32>(1u)))) * 8f) - _e34);
+            let _e36 = low_1;
+            high_1 = (_e36 + vec2(8f));
+            let _e39 = low_1;
+            let _e43 = settings.bin_margin;
+            let _e46 = high_1;
+            let _e50 = settings.bin_margin;
+            let _e53 = (*e_1);
+            param_39 = _e53;
+            param_40 = ((_e39 + vec2(0.5f)) - vec2(_e43));
+            param_41 = ((_e46 - vec2(0.5f)) + vec2(_e50));
+            let _e54 = nearest_u0028_struct_u002d_Ellipse_u002d_vf2_u002d_f1_u002d_f1_u002d_f1_u002d_f1_u002d_f11_u003b_vf2_u003b_vf2_u003b((&param_39), (&param_40), (&param_41));
+            let _e56 = (*e_1).most;
+            if !((_e54 > _e56)) {
+                let _e59 = quarter_1;
+                let _e61 = (*k_2);
+                let _e66 = (*k_2);
+                let _e70 = atomicOr((&batch_hits[((_e59 * 2u) + (_e61 >> bitcast<u32>(5u)))]), (1u << bitcast<u32>((_e66 & 31u))));
+                meets = true;
+            }
             continue;
         } else {
             break;
         }
         continuing {
-            let _e35 = k_2;
-            k_2 = (_e35 + bitcast<u32>(1i));
+            let _e71 = quarter_1;
+            quarter_1 = (_e71 + bitcast<u32>(1i));
         }
     }
-    let _e38 = hits;
-    return _e38;
+    let _e74 = meets;
+    return _e74;
 }
 
 fn fixed_center_u0028_vu4_u003b(words: ptr<function, vec4<u32>>) -> vec2<f32> {
@@ -425,14 +505,14 @@ fn fixed_center_u0028_vu4_u003b(words: ptr<function, vec4<u32>>) -> vec2<f32> {
 
 fn unpack_splat_u0028_vu4_u003b(words_1: ptr<function, vec4<u32>>) -> Splat {
     var splat: Splat;
-    var param_39: vec4<u32>;
+    var param_42: vec4<u32>;
     var blue: u32;
     var red: u32;
     var green: u32;
 
     let _e18 = (*words_1);
-    param_39 = _e18;
-    let _e19 = fixed_center_u0028_vu4_u003b((&param_39));
+    param_42 = _e18;
+    let _e19 = fixed_center_u0028_vu4_u003b((&param_42));
     let _e21 = frame.fixed_scale;
     let _e25 = frame.guard;
     splat.center = ((_e19 / vec2(_e21)) - vec2(_e25));
@@ -457,370 +537,245 @@ fn unpack_splat_u0028_vu4_u003b(words_1: ptr<function, vec4<u32>>) -> Splat {
     return _e75;
 }
 
-fn load_u0028_u1_u003b_u1_u003b_vf2_u003b(thread: ptr<function, u32>, i: ptr<function, u32>, corner_1: ptr<function, vec2<f32>>) {
+fn load_u0028_u1_u003b_u1_u003b_vf2_u003b(thread_1: ptr<function, u32>, i: ptr<function, u32>, corner_1: ptr<function, vec2<f32>>) {
     var splat_1: Splat;
-    var param_40: vec4<u32>;
+    var param_43: vec4<u32>;
     var inverse: f32;
     var along: vec2<f32>;
     var across: vec2<f32>;
     var exponent_2: f32;
-    var center: vec2<f32>;
-    var a: f32;
-    var b: f32;
-    var c: f32;
-    var determinant_: f32;
-    var most: f32;
-    var turn: f32;
-    var place_1: u32;
-    var meets: bool;
-    var row: u32;
-    var top: f32;
-    var bottom: f32;
-    var at_1: vec2<f32>;
-    var squared: vec2<f32>;
-    var reach: vec2<f32>;
-    var ends: vec2<f32>;
-    var low: f32;
-    var high: f32;
-    var from_1: u32;
-    var local_2: u32;
-    var end: u32;
-    var local_3: u32;
-    var bits_1: u32;
+    var ellipse: Ellipse;
+    var param_44: u32;
+    var param_45: Ellipse;
     var color_2: vec3<u32>;
     var word_1: u32;
-    var phi_485_: bool;
+    var phi_594_: bool;
 
-    let _e62 = (*i);
-    let _e65 = unnamed.splats[_e62];
-    param_40 = _e65;
-    let _e66 = unpack_splat_u0028_vu4_u003b((&param_40));
-    splat_1 = _e66;
-    let _e68 = splat_1.axis;
-    let _e70 = splat_1.axis;
-    inverse = (1f / dot(_e68, _e70));
-    let _e73 = inverse;
-    let _e76 = splat_1.axis;
-    along = (_e76 * (0.8493218f * _e73));
-    let _e78 = inverse;
-    let _e82 = splat_1.shorter;
-    let _e86 = splat_1.axis[1u];
-    let _e90 = splat_1.axis[0u];
-    across = (vec2<f32>(-(_e86), _e90) * ((0.8493218f * sqrt(_e78)) / _e82));
-    let _e94 = splat_1.opacity;
-    exponent_2 = log2((f32(_e94) / 255f));
-    let _e99 = splat_1.center;
-    let _e100 = (*corner_1);
-    center = (_e99 - _e100);
-    let _e103 = along[0u];
-    let _e105 = along[0u];
-    let _e108 = across[0u];
-    let _e110 = across[0u];
-    a = ((_e103 * _e105) + (_e108 * _e110));
-    let _e114 = along[0u];
-    let _e116 = along[1u];
-    let _e119 = across[0u];
-    let _e121 = across[1u];
-    b = ((_e114 * _e116) + (_e119 * _e121));
-    let _e125 = along[1u];
-    let _e127 = along[1u];
-    let _e130 = across[1u];
-    let _e132 = across[1u];
-    c = ((_e125 * _e127) + (_e130 * _e132));
-    let _e135 = along;
-    let _e136 = along;
-    let _e138 = across;
-    let _e139 = across;
-    determinant_ = (dot(_e135, _e136) * dot(_e138, _e139));
-    let _e142 = exponent_2;
-    let _e144 = settings.cutoff_exponent;
-    most = ((_e142 - _e144) + 0.00390625f);
-    let _e147 = most;
-    if (_e147 < 0f) {
+    let _e29 = (*i);
+    let _e32 = unnamed.splats[_e29];
+    param_43 = _e32;
+    let _e33 = unpack_splat_u0028_vu4_u003b((&param_43));
+    splat_1 = _e33;
+    let _e35 = splat_1.axis;
+    let _e37 = splat_1.axis;
+    inverse = (1f / dot(_e35, _e37));
+    let _e40 = inverse;
+    let _e43 = splat_1.axis;
+    along = (_e43 * (0.8493218f * _e40));
+    let _e45 = inverse;
+    let _e49 = splat_1.shorter;
+    let _e53 = splat_1.axis[1u];
+    let _e57 = splat_1.axis[0u];
+    across = (vec2<f32>(-(_e53), _e57) * ((0.8493218f * sqrt(_e45)) / _e49));
+    let _e61 = splat_1.opacity;
+    exponent_2 = log2((f32(_e61) / 255f));
+    let _e66 = splat_1.center;
+    let _e67 = (*corner_1);
+    ellipse.center = (_e66 - _e67);
+    let _e71 = along[0u];
+    let _e73 = along[0u];
+    let _e76 = across[0u];
+    let _e78 = across[0u];
+    ellipse.a = ((_e71 * _e73) + (_e76 * _e78));
+    let _e83 = along[0u];
+    let _e85 = along[1u];
+    let _e88 = across[0u];
+    let _e90 = across[1u];
+    ellipse.b = ((_e83 * _e85) + (_e88 * _e90));
+    let _e95 = along[1u];
+    let _e97 = along[1u];
+    let _e100 = across[1u];
+    let _e102 = across[1u];
+    ellipse.c = ((_e95 * _e97) + (_e100 * _e102));
+    let _e106 = along;
+    let _e107 = along;
+    let _e109 = across;
+    let _e110 = across;
+    ellipse.determinant = (dot(_e106, _e107) * dot(_e109, _e110));
+    let _e114 = exponent_2;
+    let _e116 = settings.cutoff_exponent;
+    ellipse.most = ((_e114 - _e116) + 0.00390625f);
+    let _e121 = ellipse.most;
+    let _e122 = (_e121 < 0f);
+    phi_594_ = _e122;
+    if !(_e122) {
+        let _e124 = (*thread_1);
+        param_44 = _e124;
+        let _e125 = ellipse;
+        param_45 = _e125;
+        let _e126 = note_hits_u0028_u1_u003b_struct_u002d_Ellipse_u002d_vf2_u002d_f1_u002d_f1_u002d_f1_u002d_f1_u002d_f11_u003b((&param_44), (&param_45));
+        phi_594_ = !(_e126);
+    }
+    let _e129 = phi_594_;
+    if _e129 {
         return;
     }
-    let _e149 = b;
-    let _e151 = most;
-    let _e152 = c;
-    let _e153 = determinant_;
-    turn = (-(_e149) * sqrt((_e151 / (_e152 * _e153))));
-    let _e158 = (*thread);
-    let _e162 = (*thread);
-    place_1 = (((_e158 >> bitcast<u32>(5u)) * 8u) + (_e162 & 7u));
-    meets = false;
-    row = 0u;
-    loop {
-        let _e165 = row;
-        if (_e165 < 8u) {
-            let _e167 = row;
-            let _e172 = settings.bin_margin;
-            let _e175 = center[1u];
-            top = ((((2f * f32(_e167)) + 0.5f) - _e172) - _e175);
-            let _e177 = top;
-            let _e181 = settings.bin_margin;
-            bottom = (((_e177 + 2f) - 1f) + (2f * _e181));
-            let _e184 = turn;
-            let _e186 = top;
-            let _e187 = bottom;
-            let _e189 = turn;
-            let _e190 = top;
-            let _e191 = bottom;
-            at_1 = vec2<f32>(clamp(-(_e184), _e186, _e187), clamp(_e189, _e190, _e191));
-            let _e194 = a;
-            let _e195 = most;
-            let _e197 = determinant_;
-            let _e198 = at_1;
-            let _e200 = at_1;
-            squared = (vec2((_e194 * _e195)) - ((_e198 * _e197) * _e200));
-            let _e204 = squared;
-            reach = sqrt(max(_e204, vec2(0f)));
-            let _e208 = b;
-            let _e210 = at_1;
-            let _e213 = reach[0u];
-            let _e216 = reach[1u];
-            let _e219 = a;
-            let _e223 = center[0u];
-            ends = ((((_e210 * -(_e208)) + vec2<f32>(-(_e213), _e216)) / vec2(_e219)) + vec2(_e223));
-            let _e227 = ends[0u];
-            let _e230 = settings.bin_margin;
-            low = ((((_e227 + 0.5f) - _e230) / 2f) - 1f);
-            let _e235 = ends[1u];
-            let _e238 = settings.bin_margin;
-            high = (((_e235 - 0.5f) + _e238) / 2f);
-            let _e241 = low;
-            if (_e241 > 0f) {
-                let _e243 = low;
-                local_2 = u32(ceil(min(_e243, 8f)));
-            } else {
-                local_2 = 0u;
-            }
-            let _e247 = local_2;
-            from_1 = _e247;
-            let _e248 = high;
-            if (_e248 < 8f) {
-                let _e250 = high;
-                local_3 = u32((floor(max(_e250, -1f)) + 1f));
-            } else {
-                local_3 = 8u;
-            }
-            let _e255 = local_3;
-            end = _e255;
-            let _e256 = from_1;
-            let _e257 = end;
-            let _e258 = (_e256 < _e257);
-            phi_485_ = _e258;
-            if _e258 {
-                let _e260 = squared[0u];
-                let _e262 = squared[1u];
-                phi_485_ = !((max(_e260, _e262) < 0f));
-            }
-            let _e267 = phi_485_;
-            if _e267 {
-                let _e268 = end;
-                let _e271 = from_1;
-                bits_1 = ((1u << bitcast<u32>(_e268)) - (1u << bitcast<u32>(_e271)));
-                let _e275 = row;
-                let _e277 = place_1;
-                let _e280 = bits_1;
-                let _e281 = (*thread);
-                let _e285 = atomicOr((&batch_hits[((_e275 * 16u) + _e277)]), (_e280 << bitcast<u32>((_e281 & 24u))));
-                meets = true;
-            }
-            continue;
-        } else {
-            break;
-        }
-        continuing {
-            let _e286 = row;
-            row = (_e286 + bitcast<u32>(1i));
-        }
-    }
-    let _e289 = meets;
-    if !(_e289) {
-        return;
-    }
-    let _e292 = splat_1.color;
-    color_2 = vec3<u32>(round((_e292 * 1023f)));
-    let _e297 = color_2[0u];
-    let _e299 = color_2[1u];
-    let _e304 = color_2[2u];
-    word_1 = ((_e297 | (_e299 << bitcast<u32>(10u))) | (_e304 << bitcast<u32>(20u)));
-    let _e308 = (*thread);
-    let _e309 = center;
-    let _e310 = along;
-    batch_place[_e308] = vec4<f32>(_e309.x, _e309.y, _e310.x, _e310.y);
-    let _e317 = (*thread);
-    let _e318 = across;
-    let _e319 = exponent_2;
-    let _e320 = word_1;
-    batch_shape[_e317] = vec4<f32>(_e318.x, _e318.y, _e319, bitcast<f32>(_e320));
+    let _e131 = splat_1.color;
+    color_2 = vec3<u32>(round((_e131 * 1023f)));
+    let _e136 = color_2[0u];
+    let _e138 = color_2[1u];
+    let _e143 = color_2[2u];
+    word_1 = ((_e136 | (_e138 << bitcast<u32>(10u))) | (_e143 << bitcast<u32>(20u)));
+    let _e147 = (*thread_1);
+    let _e149 = ellipse.center;
+    let _e150 = along;
+    batch_place[_e147] = vec4<f32>(_e149.x, _e149.y, _e150.x, _e150.y);
+    let _e157 = (*thread_1);
+    let _e158 = across;
+    let _e159 = exponent_2;
+    let _e160 = word_1;
+    batch_shape[_e157] = vec4<f32>(_e158.x, _e158.y, _e159, bitcast<f32>(_e160));
     return;
 }
 
 fn bins_of_u0028_u1_u003b(shift: ptr<function, u32>) -> vec2<u32> {
-    var side: u32;
+    var side_1: u32;
 
     let _e5 = frame.bin_side;
     let _e6 = (*shift);
-    side = (_e5 << bitcast<u32>(_e6));
+    side_1 = (_e5 << bitcast<u32>(_e6));
     let _e10 = frame.size;
-    let _e12 = side;
-    let _e17 = side;
+    let _e12 = side_1;
+    let _e17 = side_1;
     return (((vec2<u32>(_e10) + vec2(_e12)) - vec2(1u)) / vec2(_e17));
 }
 
-fn place_of_u0028_u1_u003b(index: ptr<function, u32>) -> vec2<u32> {
-    let _e5 = (*index);
-    let _e7 = (*index);
-    let _e12 = (*index);
-    let _e17 = (*index);
-    let _e21 = (*index);
-    let _e26 = (*index);
-    return vec2<u32>((((_e5 & 1u) | ((_e7 >> bitcast<u32>(1u)) & 2u)) | ((_e12 >> bitcast<u32>(2u)) & 4u)), ((((_e17 >> bitcast<u32>(1u)) & 1u) | ((_e21 >> bitcast<u32>(2u)) & 2u)) | ((_e26 >> bitcast<u32>(3u)) & 4u)));
-}
-
 fn blend_bin_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u11_u003b_vu2_u003b_vf2_u003b(samples_2: ptr<function, Samples>, corner_2: ptr<function, vec2<u32>>, first_3: ptr<function, vec2<f32>>) {
-    var thread_1: u32;
-    var place_2: vec2<u32>;
-    var param_41: u32;
+    var thread_2: u32;
     var shift_1: u32;
-    var at_2: vec2<u32>;
+    var at_1: vec2<u32>;
     var bin: u32;
-    var param_42: u32;
-    var end_1: u32;
-    var from_2: u32;
+    var param_46: u32;
+    var end: u32;
+    var from_1: u32;
     var k_3: u32;
     var i_1: u32;
-    var local_4: u32;
-    var param_43: u32;
-    var param_44: u32;
-    var param_45: vec2<f32>;
-    var word_2: u32;
-    var hits_1: u32;
-    var param_46: vec2<u32>;
+    var local_2: u32;
     var param_47: u32;
+    var param_48: u32;
+    var param_49: vec2<f32>;
+    var word_2: u32;
+    var hits: u32;
+    var param_50: u32;
+    var param_51: u32;
     var k_4: u32;
-    var param_48: Samples;
-    var param_49: u32;
-    var param_50: vec2<f32>;
+    var param_52: Samples;
+    var param_53: u32;
+    var param_54: vec2<f32>;
 
-    let _e41 = gl_LocalInvocationIndex_1;
-    thread_1 = _e41;
-    let _e42 = thread_1;
-    param_41 = _e42;
-    let _e43 = place_of_u0028_u1_u003b((&param_41));
-    place_2 = _e43;
-    let _e46 = unnamed_1.bins[8i];
-    shift_1 = _e46;
-    let _e47 = (*corner_2);
-    let _e49 = frame.bin_side;
-    let _e50 = shift_1;
-    at_2 = (_e47 / vec2((_e49 << bitcast<u32>(_e50))));
-    let _e56 = at_2[1u];
-    let _e57 = shift_1;
-    param_42 = _e57;
-    let _e58 = bins_of_u0028_u1_u003b((&param_42));
-    let _e62 = at_2[0u];
-    bin = ((_e56 * _e58.x) + _e62);
-    let _e65 = settings.starts_start;
-    let _e66 = bin;
-    let _e71 = unnamed_1.bins[((_e65 + _e66) + 1u)];
-    end_1 = _e71;
-    let _e73 = settings.starts_start;
-    let _e74 = bin;
-    let _e78 = unnamed_1.bins[(_e73 + _e74)];
-    from_2 = _e78;
+    let _e39 = gl_LocalInvocationIndex_1;
+    thread_2 = _e39;
+    let _e42 = unnamed_1.bins[8i];
+    shift_1 = _e42;
+    let _e43 = (*corner_2);
+    let _e45 = frame.bin_side;
+    let _e46 = shift_1;
+    at_1 = (_e43 / vec2((_e45 << bitcast<u32>(_e46))));
+    let _e52 = at_1[1u];
+    let _e53 = shift_1;
+    param_46 = _e53;
+    let _e54 = bins_of_u0028_u1_u003b((&param_46));
+    let _e58 = at_1[0u];
+    bin = ((_e52 * _e54.x) + _e58);
+    let _e61 = settings.starts_start;
+    let _e62 = bin;
+    let _e67 = unnamed_1.bins[((_e61 + _e62) + 1u)];
+    end = _e67;
+    let _e69 = settings.starts_start;
+    let _e70 = bin;
+    let _e74 = unnamed_1.bins[(_e69 + _e70)];
+    from_1 = _e74;
     loop {
-        let _e79 = from_2;
-        let _e80 = end_1;
-        if (_e79 < _e80) {
-            let _e82 = thread_1;
-            k_3 = _e82;
+        let _e75 = from_1;
+        let _e76 = end;
+        if (_e75 < _e76) {
+            let _e78 = thread_2;
+            k_3 = _e78;
             loop {
-                let _e83 = k_3;
-                if (_e83 < 128u) {
-                    let _e85 = k_3;
-                    atomicStore((&batch_hits[_e85]), 0u);
+                let _e79 = k_3;
+                if (_e79 < 8u) {
+                    let _e81 = k_3;
+                    atomicStore((&batch_hits[_e81]), 0u);
                     continue;
                 } else {
                     break;
                 }
                 continuing {
-                    let _e87 = k_3;
-                    k_3 = (_e87 + 64u);
+                    let _e83 = k_3;
+                    k_3 = (_e83 + 64u);
                 }
             }
-            let _e89 = thread_1;
-            if (_e89 == 0u) {
+            let _e85 = thread_2;
+            if (_e85 == 0u) {
                 batch_open = 0u;
             }
             workgroupBarrier();
-            let _e92 = (*samples_2).open;
-            if _e92 {
+            let _e88 = (*samples_2).open;
+            if _e88 {
                 batch_open = 1u;
             }
-            let _e93 = from_2;
-            let _e94 = thread_1;
-            let _e96 = end_1;
-            if ((_e93 + _e94) < _e96) {
-                let _e99 = settings.pairs_start;
-                let _e100 = from_2;
-                let _e101 = thread_1;
-                let _e105 = unnamed_2.sorted[(_e100 + _e101)];
-                let _e109 = unnamed_1.bins[(_e99 + _e105)];
-                local_4 = _e109;
+            let _e89 = from_1;
+            let _e90 = thread_2;
+            let _e92 = end;
+            if ((_e89 + _e90) < _e92) {
+                let _e95 = settings.pairs_start;
+                let _e96 = from_1;
+                let _e97 = thread_2;
+                let _e101 = unnamed_2.sorted[(_e96 + _e97)];
+                let _e105 = unnamed_1.bins[(_e95 + _e101)];
+                local_2 = _e105;
             } else {
-                local_4 = 0u;
+                local_2 = 0u;
             }
-            let _e110 = local_4;
-            i_1 = _e110;
-            let _e111 = from_2;
-            let _e112 = thread_1;
-            let _e114 = end_1;
-            if ((_e111 + _e112) < _e114) {
-                let _e116 = (*corner_2);
-                let _e118 = thread_1;
-                param_43 = _e118;
-                let _e119 = i_1;
-                param_44 = _e119;
-                param_45 = vec2<f32>(_e116);
-                load_u0028_u1_u003b_u1_u003b_vf2_u003b((&param_43), (&param_44), (&param_45));
+            let _e106 = local_2;
+            i_1 = _e106;
+            let _e107 = from_1;
+            let _e108 = thread_2;
+            let _e110 = end;
+            if ((_e107 + _e108) < _e110) {
+                let _e112 = (*corner_2);
+                let _e114 = thread_2;
+                param_47 = _e114;
+                let _e115 = i_1;
+                param_48 = _e115;
+                param_49 = vec2<f32>(_e112);
+                load_u0028_u1_u003b_u1_u003b_vf2_u003b((&param_47), (&param_48), (&param_49));
             }
             workgroupBarrier();
-            let _e120 = workgroupUniformLoad((&batch_open));
-            if (_e120 == 0u) {
+            let _e116 = workgroupUniformLoad((&batch_open));
+            if (_e116 == 0u) {
                 break;
             }
             word_2 = 0u;
             loop {
-                let _e122 = word_2;
-                let _e125 = (*samples_2).open;
-                if ((_e122 < 2u) && _e125) {
-                    let _e127 = place_2;
-                    param_46 = _e127;
-                    let _e128 = word_2;
-                    param_47 = _e128;
-                    let _e129 = hits_of_u0028_vu2_u003b_u1_u003b((&param_46), (&param_47));
-                    hits_1 = _e129;
+                let _e118 = word_2;
+                let _e121 = (*samples_2).open;
+                if ((_e118 < 2u) && _e121) {
+                    let _e123 = thread_2;
+                    param_50 = _e123;
+                    let _e124 = word_2;
+                    param_51 = _e124;
+                    let _e125 = hits_of_u0028_u1_u003b_u1_u003b((&param_50), (&param_51));
+                    hits = _e125;
                     loop {
-                        let _e130 = hits_1;
-                        let _e133 = (*samples_2).open;
-                        if ((_e130 != 0u) && _e133) {
-                            let _e135 = hits_1;
-                            k_4 = bitcast<u32>(firstTrailingBit(_e135));
-                            let _e138 = hits_1;
-                            let _e140 = hits_1;
-                            hits_1 = (_e140 & (_e138 - 1u));
-                            let _e142 = word_2;
-                            let _e144 = k_4;
-                            let _e146 = (*samples_2);
-                            param_48 = _e146;
-                            param_49 = ((32u * _e142) + _e144);
-                            let _e147 = (*first_3);
-                            param_50 = _e147;
-                            blend_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u11_u003b_u1_u003b_vf2_u003b((&param_48), (&param_49), (&param_50));
-                            let _e148 = param_48;
-                            (*samples_2) = _e148;
+                        let _e126 = hits;
+                        let _e129 = (*samples_2).open;
+                        if ((_e126 != 0u) && _e129) {
+                            let _e131 = hits;
+                            k_4 = bitcast<u32>(firstTrailingBit(_e131));
+                            let _e134 = hits;
+                            let _e136 = hits;
+                            hits = (_e136 & (_e134 - 1u));
+                            let _e138 = word_2;
+                            let _e140 = k_4;
+                            let _e142 = (*samples_2);
+                            param_52 = _e142;
+                            param_53 = ((32u * _e138) + _e140);
+                            let _e143 = (*first_3);
+                            param_54 = _e143;
+                            blend_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u11_u003b_u1_u003b_vf2_u003b((&param_52), (&param_53), (&param_54));
+                            let _e144 = param_52;
+                            (*samples_2) = _e144;
                             continue;
                         } else {
                             break;
@@ -831,8 +786,8 @@ fn blend_bin_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u
                     break;
                 }
                 continuing {
-                    let _e149 = word_2;
-                    word_2 = (_e149 + bitcast<u32>(1i));
+                    let _e145 = word_2;
+                    word_2 = (_e145 + bitcast<u32>(1i));
                 }
             }
             workgroupBarrier();
@@ -841,38 +796,48 @@ fn blend_bin_u0028_struct_u002d_Samples_u002d_vf4_u005b_4_u005d_u002d_b1_u002d_u
             break;
         }
         continuing {
-            let _e152 = from_2;
-            from_2 = (_e152 + 64u);
+            let _e148 = from_1;
+            from_1 = (_e148 + 64u);
         }
     }
     return;
 }
 
 fn is_drawn_u0028_vu2_u003b(corner_3: ptr<function, vec2<u32>>) -> bool {
-    var at_3: vec2<f32>;
-    var phi_849_: bool;
-    var phi_850_: bool;
+    var at_2: vec2<f32>;
+    var phi_261_: bool;
+    var phi_262_: bool;
 
     let _e4 = (*corner_3);
-    at_3 = vec2<f32>(_e4);
+    at_2 = vec2<f32>(_e4);
     let _e7 = frame.area_reach;
     let _e8 = (_e7 < 0f);
-    phi_850_ = _e8;
+    phi_262_ = _e8;
     if !(_e8) {
-        let _e10 = at_3;
+        let _e10 = at_2;
         let _e12 = frame.area;
         let _e15 = all((_e10 >= _e12.xy));
-        phi_849_ = _e15;
+        phi_261_ = _e15;
         if _e15 {
-            let _e16 = at_3;
+            let _e16 = at_2;
             let _e18 = frame.area;
-            phi_849_ = all((_e16 < _e18.zw));
+            phi_261_ = all((_e16 < _e18.zw));
         }
-        let _e23 = phi_849_;
-        phi_850_ = _e23;
+        let _e23 = phi_261_;
+        phi_262_ = _e23;
     }
-    let _e25 = phi_850_;
+    let _e25 = phi_262_;
     return _e25;
+}
+
+fn place_of_u0028_u1_u003b(index: ptr<function, u32>) -> vec2<u32> {
+    let _e5 = (*index);
+    let _e7 = (*index);
+    let _e12 = (*index);
+    let _e17 = (*index);
+    let _e21 = (*index);
+    let _e26 = (*index);
+    return vec2<u32>((((_e5 & 1u) | ((_e7 >> bitcast<u32>(1u)) & 2u)) | ((_e12 >> bitcast<u32>(2u)) & 4u)), ((((_e17 >> bitcast<u32>(1u)) & 1u) | ((_e21 >> bitcast<u32>(2u)) & 2u)) | ((_e26 >> bitcast<u32>(3u)) & 4u)));
 }
 
 @compute @workgroup_size(64, 1, 1) 
@@ -898,7 +863,7 @@ fn main(@builtin(local_invocation_index) gl_LocalInvocationIndex: u32, @builtin(
     var param_14: vec2<u32>;
     var param_15: vec4<f32>;
     var param_16: bool;
-    var phi_1187_: bool;
+    var phi_1176_: bool;
 
     gl_LocalInvocationIndex_1 = gl_LocalInvocationIndex;
     gl_WorkGroupID_1 = gl_WorkGroupID;
@@ -960,12 +925,12 @@ fn main(@builtin(local_invocation_index) gl_LocalInvocationIndex: u32, @builtin(
     store_u0028_vu2_u003b_vf4_u003b_b1_u003b((&param_14), (&param_15), (&param_16));
     let _e98 = settings.counted;
     let _e99 = (_e98 != 0u);
-    phi_1187_ = _e99;
+    phi_1176_ = _e99;
     if _e99 {
         let _e101 = samples.evaluated;
-        phi_1187_ = (_e101 > 0u);
+        phi_1176_ = (_e101 > 0u);
     }
-    let _e104 = phi_1187_;
+    let _e104 = phi_1176_;
     if _e104 {
         let _e108 = samples.evaluated;
         let _e109 = atomicAdd((&unnamed_3.control.fragments), _e108);

@@ -6,6 +6,15 @@ struct Splat {
     opacity: u32,
 }
 
+struct Ellipse {
+    center: vec2<f32>,
+    a: f32,
+    b: f32,
+    c: f32,
+    determinant: f32,
+    most: f32,
+}
+
 struct Seen {
     deviation: vec2<f32>,
     right: vec2<f32>,
@@ -219,7 +228,7 @@ fn blend_sample_u0028_f1_u003b_u1_u003b_vf2_u003b_f1_u003b_u1_u003b(light: ptr<f
     var behind: f32;
     var param_12: vec2<f32>;
     var param_13: f32;
-    var phi_758_: bool;
+    var phi_860_: bool;
 
     let _e9 = (*light);
     let _e10 = (*light);
@@ -232,13 +241,13 @@ fn blend_sample_u0028_f1_u003b_u1_u003b_vf2_u003b_f1_u003b_u1_u003b(light: ptr<f
     let _e16 = (*light);
     let _e18 = settings.saturation;
     let _e19 = (_e16 >= _e18);
-    phi_758_ = _e19;
+    phi_860_ = _e19;
     if _e19 {
         let _e20 = behind;
         let _e22 = settings.saturation;
-        phi_758_ = (_e20 < _e22);
+        phi_860_ = (_e20 < _e22);
     }
-    let _e25 = phi_758_;
+    let _e25 = phi_860_;
     let _e26 = (*own);
     let _e27 = (*word_1);
     (*word_1) = select(_e27, _e26, _e25);
@@ -389,37 +398,53 @@ fn blend_u0028_struct_u002d_Samples_u002d_f1_u005b_4_u005d_u002d_u1_u005b_4_u005
     return;
 }
 
-fn hits_of_u0028_vu2_u003b_u1_u003b(invocation: ptr<function, vec2<u32>>, word_2: ptr<function, u32>) -> u32 {
+fn place_of_u0028_u1_u003b(index: ptr<function, u32>) -> vec2<u32> {
+    let _e5 = (*index);
+    let _e7 = (*index);
+    let _e12 = (*index);
+    let _e17 = (*index);
+    let _e21 = (*index);
+    let _e26 = (*index);
+    return vec2<u32>((((_e5 & 1u) | ((_e7 >> bitcast<u32>(1u)) & 2u)) | ((_e12 >> bitcast<u32>(2u)) & 4u)), ((((_e17 >> bitcast<u32>(1u)) & 1u) | ((_e21 >> bitcast<u32>(2u)) & 2u)) | ((_e26 >> bitcast<u32>(3u)) & 4u)));
+}
+
+fn hits_of_u0028_u1_u003b_u1_u003b(thread: ptr<function, u32>, word_2: ptr<function, u32>) -> u32 {
+    var place_1: vec2<u32>;
+    var param_36: u32;
     var hits: u32;
     var k_2: u32;
     var bits: u32;
 
+    let _e14 = (*thread);
+    param_36 = _e14;
+    let _e15 = place_of_u0028_u1_u003b((&param_36));
+    place_1 = _e15;
     hits = 0u;
     k_2 = 0u;
     loop {
-        let _e12 = k_2;
-        if (_e12 < 8u) {
-            let _e15 = (*invocation)[1u];
-            let _e17 = (*word_2);
-            let _e20 = k_2;
-            let _e23 = atomicLoad((&batch_hits[(((_e15 * 16u) + (8u * _e17)) + _e20)]));
-            bits = _e23;
-            let _e24 = bits;
-            let _e26 = (*invocation)[0u];
-            let _e30 = k_2;
-            let _e33 = hits;
-            hits = (_e33 | (((_e24 >> bitcast<u32>(_e26)) & 16843009u) << bitcast<u32>(_e30)));
+        let _e16 = k_2;
+        if (_e16 < 8u) {
+            let _e19 = place_1[1u];
+            let _e21 = (*word_2);
+            let _e24 = k_2;
+            let _e27 = atomicLoad((&batch_hits[(((_e19 * 16u) + (8u * _e21)) + _e24)]));
+            bits = _e27;
+            let _e28 = bits;
+            let _e30 = place_1[0u];
+            let _e34 = k_2;
+            let _e37 = hits;
+            hits = (_e37 | (((_e28 >> bitcast<u32>(_e30)) & 16843009u) << bitcast<u32>(_e34)));
             continue;
         } else {
             break;
         }
         continuing {
-            let _e35 = k_2;
-            k_2 = (_e35 + bitcast<u32>(1i));
+            let _e39 = k_2;
+            k_2 = (_e39 + bitcast<u32>(1i));
         }
     }
-    let _e38 = hits;
-    return _e38;
+    let _e42 = hits;
+    return _e42;
 }
 
 fn saturated_word_u0028_f1_u003b_vf3_u003b(depth: ptr<function, f32>, color: ptr<function, vec3<f32>>) -> u32 {
@@ -468,6 +493,160 @@ fn key_at_u0028_u1_u003b(i: ptr<function, u32>) -> u32 {
     return _e44;
 }
 
+fn intervals_u0028_f1_u003b_f1_u003b_f1_u003b(low: ptr<function, f32>, high: ptr<function, f32>, side: ptr<function, f32>) -> vec2<u32> {
+    var first_3: f32;
+    var last: f32;
+    var local_3: u32;
+    var local_4: u32;
+
+    let _e15 = (*low);
+    let _e18 = settings.bin_margin;
+    let _e20 = (*side);
+    first_3 = ((((_e15 + 0.5f) - _e18) / _e20) - 1f);
+    let _e23 = (*high);
+    let _e26 = settings.bin_margin;
+    let _e28 = (*side);
+    last = (((_e23 - 0.5f) + _e26) / _e28);
+    let _e30 = first_3;
+    if (_e30 > 0f) {
+        let _e32 = first_3;
+        local_3 = u32(ceil(min(_e32, 8f)));
+    } else {
+        local_3 = 0u;
+    }
+    let _e36 = local_3;
+    let _e37 = last;
+    if (_e37 < 8f) {
+        let _e39 = last;
+        local_4 = u32((floor(max(_e39, -1f)) + 1f));
+    } else {
+        local_4 = 8u;
+    }
+    let _e44 = local_4;
+    return vec2<u32>(_e36, _e44);
+}
+
+fn note_hits_u0028_u1_u003b_struct_u002d_Ellipse_u002d_vf2_u002d_f1_u002d_f1_u002d_f1_u002d_f1_u002d_f11_u003b(k_3: ptr<function, u32>, e: ptr<function, Ellipse>) -> bool {
+    var turn: f32;
+    var height: f32;
+    var rows: vec2<u32>;
+    var param_37: f32;
+    var param_38: f32;
+    var param_39: f32;
+    var place_2: u32;
+    var meets: bool;
+    var row: u32;
+    var top: f32;
+    var bottom: f32;
+    var at_1: vec2<f32>;
+    var squared: vec2<f32>;
+    var reach: vec2<f32>;
+    var ends: vec2<f32>;
+    var met: vec2<u32>;
+    var param_40: f32;
+    var param_41: f32;
+    var param_42: f32;
+    var bits_1: u32;
+    var phi_543_: bool;
+
+    let _e40 = (*e).b;
+    let _e43 = (*e).most;
+    let _e45 = (*e).c;
+    let _e47 = (*e).determinant;
+    turn = (-(_e40) * sqrt((_e43 / (_e45 * _e47))));
+    let _e53 = (*e).a;
+    let _e55 = (*e).most;
+    let _e58 = (*e).determinant;
+    height = sqrt(((_e53 * _e55) / _e58));
+    let _e63 = (*e).center[1u];
+    let _e64 = height;
+    let _e68 = (*e).center[1u];
+    let _e69 = height;
+    param_37 = (_e63 - _e64);
+    param_38 = (_e68 + _e69);
+    param_39 = 4f;
+    let _e71 = intervals_u0028_f1_u003b_f1_u003b_f1_u003b((&param_37), (&param_38), (&param_39));
+    rows = _e71;
+    let _e72 = (*k_3);
+    let _e76 = (*k_3);
+    place_2 = (((_e72 >> bitcast<u32>(5u)) * 8u) + (_e76 & 7u));
+    meets = false;
+    let _e80 = rows[0u];
+    row = _e80;
+    loop {
+        let _e81 = row;
+        let _e83 = rows[1u];
+        if (_e81 < _e83) {
+            let _e85 = row;
+            let _e90 = settings.bin_margin;
+            let _e94 = (*e).center[1u];
+            top = ((((4f * f32(_e85)) + 0.5f) - _e90) - _e94);
+            let _e96 = top;
+            let _e100 = settings.bin_margin;
+            bottom = (((_e96 + 4f) - 1f) + (2f * _e100));
+            let _e103 = turn;
+            let _e105 = top;
+            let _e106 = bottom;
+            let _e108 = turn;
+            let _e109 = top;
+            let _e110 = bottom;
+            at_1 = vec2<f32>(clamp(-(_e103), _e105, _e106), clamp(_e108, _e109, _e110));
+            let _e114 = (*e).a;
+            let _e116 = (*e).most;
+            let _e119 = (*e).determinant;
+            let _e120 = at_1;
+            let _e122 = at_1;
+            squared = (vec2((_e114 * _e116)) - ((_e120 * _e119) * _e122));
+            let _e126 = squared;
+            reach = sqrt(max(_e126, vec2(0f)));
+            let _e131 = (*e).b;
+            let _e133 = at_1;
+            let _e136 = reach[0u];
+            let _e139 = reach[1u];
+            let _e143 = (*e).a;
+            let _e148 = (*e).center[0u];
+            ends = ((((_e133 * -(_e131)) + vec2<f32>(-(_e136), _e139)) / vec2(_e143)) + vec2(_e148));
+            let _e152 = ends[0u];
+            param_40 = _e152;
+            let _e154 = ends[1u];
+            param_41 = _e154;
+            param_42 = 4f;
+            let _e155 = intervals_u0028_f1_u003b_f1_u003b_f1_u003b((&param_40), (&param_41), (&param_42));
+            met = _e155;
+            let _e157 = met[0u];
+            let _e159 = met[1u];
+            let _e160 = (_e157 < _e159);
+            phi_543_ = _e160;
+            if _e160 {
+                let _e162 = squared[0u];
+                let _e164 = squared[1u];
+                phi_543_ = !((max(_e162, _e164) < 0f));
+            }
+            let _e169 = phi_543_;
+            if _e169 {
+                let _e171 = met[1u];
+                let _e175 = met[0u];
+                bits_1 = ((1u << bitcast<u32>(_e171)) - (1u << bitcast<u32>(_e175)));
+                let _e179 = row;
+                let _e181 = place_2;
+                let _e184 = bits_1;
+                let _e185 = (*k_3);
+                let _e189 = atomicOr((&batch_hits[((_e179 * 16u) + _e181)]), (_e184 << bitcast<u32>((_e185 & 24u))));
+                meets = true;
+            }
+            continue;
+        } else {
+            break;
+        }
+        continuing {
+            let _e190 = row;
+            row = (_e190 + bitcast<u32>(1i));
+        }
+    }
+    let _e193 = meets;
+    return _e193;
+}
+
 fn fixed_center_u0028_vu4_u003b(words: ptr<function, vec4<u32>>) -> vec2<f32> {
     let _e2 = (*words);
     return vec2<f32>((_e2.xy & vec2(1048575u)));
@@ -475,14 +654,14 @@ fn fixed_center_u0028_vu4_u003b(words: ptr<function, vec4<u32>>) -> vec2<f32> {
 
 fn unpack_splat_u0028_vu4_u003b(words_1: ptr<function, vec4<u32>>) -> Splat {
     var splat: Splat;
-    var param_36: vec4<u32>;
+    var param_43: vec4<u32>;
     var blue: u32;
     var red: u32;
     var green: u32;
 
     let _e18 = (*words_1);
-    param_36 = _e18;
-    let _e19 = fixed_center_u0028_vu4_u003b((&param_36));
+    param_43 = _e18;
+    let _e19 = fixed_center_u0028_vu4_u003b((&param_43));
     let _e21 = frame.fixed_scale;
     let _e25 = frame.guard;
     splat.center = ((_e19 / vec2(_e21)) - vec2(_e25));
@@ -507,380 +686,255 @@ fn unpack_splat_u0028_vu4_u003b(words_1: ptr<function, vec4<u32>>) -> Splat {
     return _e75;
 }
 
-fn load_u0028_u1_u003b_u1_u003b_vf2_u003b(thread: ptr<function, u32>, i_1: ptr<function, u32>, corner: ptr<function, vec2<f32>>) {
+fn load_u0028_u1_u003b_u1_u003b_vf2_u003b(thread_1: ptr<function, u32>, i_1: ptr<function, u32>, corner: ptr<function, vec2<f32>>) {
     var splat_1: Splat;
-    var param_37: vec4<u32>;
+    var param_44: vec4<u32>;
     var inverse: f32;
     var along: vec2<f32>;
     var across: vec2<f32>;
     var exponent_2: f32;
-    var center: vec2<f32>;
-    var a: f32;
-    var b: f32;
-    var c: f32;
-    var determinant_: f32;
-    var most: f32;
-    var turn: f32;
-    var place_1: u32;
-    var meets: bool;
-    var row: u32;
-    var top: f32;
-    var bottom: f32;
-    var at_1: vec2<f32>;
-    var squared: vec2<f32>;
-    var reach: vec2<f32>;
-    var ends: vec2<f32>;
-    var low: f32;
-    var high: f32;
-    var from_1: u32;
-    var local_3: u32;
-    var end: u32;
-    var local_4: u32;
-    var bits_1: u32;
+    var ellipse: Ellipse;
+    var param_45: u32;
+    var param_46: Ellipse;
     var word_4: u32;
-    var param_38: u32;
-    var param_39: f32;
-    var param_40: vec3<f32>;
-    var phi_561_: bool;
+    var param_47: u32;
+    var param_48: f32;
+    var param_49: vec3<f32>;
+    var phi_724_: bool;
 
-    let _e62 = (*i_1);
-    let _e65 = unnamed.splats[_e62];
-    param_37 = _e65;
-    let _e66 = unpack_splat_u0028_vu4_u003b((&param_37));
-    splat_1 = _e66;
-    let _e68 = splat_1.axis;
-    let _e70 = splat_1.axis;
-    inverse = (1f / dot(_e68, _e70));
-    let _e73 = inverse;
-    let _e76 = splat_1.axis;
-    along = (_e76 * (0.8493218f * _e73));
-    let _e78 = inverse;
-    let _e82 = splat_1.shorter;
-    let _e86 = splat_1.axis[1u];
-    let _e90 = splat_1.axis[0u];
-    across = (vec2<f32>(-(_e86), _e90) * ((0.8493218f * sqrt(_e78)) / _e82));
-    let _e94 = splat_1.opacity;
-    exponent_2 = log2((f32(_e94) / 255f));
-    let _e99 = splat_1.center;
-    let _e100 = (*corner);
-    center = (_e99 - _e100);
-    let _e103 = along[0u];
-    let _e105 = along[0u];
-    let _e108 = across[0u];
-    let _e110 = across[0u];
-    a = ((_e103 * _e105) + (_e108 * _e110));
-    let _e114 = along[0u];
-    let _e116 = along[1u];
-    let _e119 = across[0u];
-    let _e121 = across[1u];
-    b = ((_e114 * _e116) + (_e119 * _e121));
-    let _e125 = along[1u];
-    let _e127 = along[1u];
-    let _e130 = across[1u];
-    let _e132 = across[1u];
-    c = ((_e125 * _e127) + (_e130 * _e132));
-    let _e135 = along;
-    let _e136 = along;
-    let _e138 = across;
-    let _e139 = across;
-    determinant_ = (dot(_e135, _e136) * dot(_e138, _e139));
-    let _e142 = exponent_2;
-    let _e144 = settings.cutoff_exponent;
-    most = ((_e142 - _e144) + 0.00390625f);
-    let _e147 = most;
-    if (_e147 < 0f) {
+    let _e28 = (*i_1);
+    let _e31 = unnamed.splats[_e28];
+    param_44 = _e31;
+    let _e32 = unpack_splat_u0028_vu4_u003b((&param_44));
+    splat_1 = _e32;
+    let _e34 = splat_1.axis;
+    let _e36 = splat_1.axis;
+    inverse = (1f / dot(_e34, _e36));
+    let _e39 = inverse;
+    let _e42 = splat_1.axis;
+    along = (_e42 * (0.8493218f * _e39));
+    let _e44 = inverse;
+    let _e48 = splat_1.shorter;
+    let _e52 = splat_1.axis[1u];
+    let _e56 = splat_1.axis[0u];
+    across = (vec2<f32>(-(_e52), _e56) * ((0.8493218f * sqrt(_e44)) / _e48));
+    let _e60 = splat_1.opacity;
+    exponent_2 = log2((f32(_e60) / 255f));
+    let _e65 = splat_1.center;
+    let _e66 = (*corner);
+    ellipse.center = (_e65 - _e66);
+    let _e70 = along[0u];
+    let _e72 = along[0u];
+    let _e75 = across[0u];
+    let _e77 = across[0u];
+    ellipse.a = ((_e70 * _e72) + (_e75 * _e77));
+    let _e82 = along[0u];
+    let _e84 = along[1u];
+    let _e87 = across[0u];
+    let _e89 = across[1u];
+    ellipse.b = ((_e82 * _e84) + (_e87 * _e89));
+    let _e94 = along[1u];
+    let _e96 = along[1u];
+    let _e99 = across[1u];
+    let _e101 = across[1u];
+    ellipse.c = ((_e94 * _e96) + (_e99 * _e101));
+    let _e105 = along;
+    let _e106 = along;
+    let _e108 = across;
+    let _e109 = across;
+    ellipse.determinant = (dot(_e105, _e106) * dot(_e108, _e109));
+    let _e113 = exponent_2;
+    let _e115 = settings.cutoff_exponent;
+    ellipse.most = ((_e113 - _e115) + 0.00390625f);
+    let _e120 = ellipse.most;
+    let _e121 = (_e120 < 0f);
+    phi_724_ = _e121;
+    if !(_e121) {
+        let _e123 = (*thread_1);
+        param_45 = _e123;
+        let _e124 = ellipse;
+        param_46 = _e124;
+        let _e125 = note_hits_u0028_u1_u003b_struct_u002d_Ellipse_u002d_vf2_u002d_f1_u002d_f1_u002d_f1_u002d_f1_u002d_f11_u003b((&param_45), (&param_46));
+        phi_724_ = !(_e125);
+    }
+    let _e128 = phi_724_;
+    if _e128 {
         return;
     }
-    let _e149 = b;
-    let _e151 = most;
-    let _e152 = c;
-    let _e153 = determinant_;
-    turn = (-(_e149) * sqrt((_e151 / (_e152 * _e153))));
-    let _e158 = (*thread);
-    let _e162 = (*thread);
-    place_1 = (((_e158 >> bitcast<u32>(5u)) * 8u) + (_e162 & 7u));
-    meets = false;
-    row = 0u;
-    loop {
-        let _e165 = row;
-        if (_e165 < 8u) {
-            let _e167 = row;
-            let _e172 = settings.bin_margin;
-            let _e175 = center[1u];
-            top = ((((4f * f32(_e167)) + 0.5f) - _e172) - _e175);
-            let _e177 = top;
-            let _e181 = settings.bin_margin;
-            bottom = (((_e177 + 4f) - 1f) + (2f * _e181));
-            let _e184 = turn;
-            let _e186 = top;
-            let _e187 = bottom;
-            let _e189 = turn;
-            let _e190 = top;
-            let _e191 = bottom;
-            at_1 = vec2<f32>(clamp(-(_e184), _e186, _e187), clamp(_e189, _e190, _e191));
-            let _e194 = a;
-            let _e195 = most;
-            let _e197 = determinant_;
-            let _e198 = at_1;
-            let _e200 = at_1;
-            squared = (vec2((_e194 * _e195)) - ((_e198 * _e197) * _e200));
-            let _e204 = squared;
-            reach = sqrt(max(_e204, vec2(0f)));
-            let _e208 = b;
-            let _e210 = at_1;
-            let _e213 = reach[0u];
-            let _e216 = reach[1u];
-            let _e219 = a;
-            let _e223 = center[0u];
-            ends = ((((_e210 * -(_e208)) + vec2<f32>(-(_e213), _e216)) / vec2(_e219)) + vec2(_e223));
-            let _e227 = ends[0u];
-            let _e230 = settings.bin_margin;
-            low = ((((_e227 + 0.5f) - _e230) / 4f) - 1f);
-            let _e235 = ends[1u];
-            let _e238 = settings.bin_margin;
-            high = (((_e235 - 0.5f) + _e238) / 4f);
-            let _e241 = low;
-            if (_e241 > 0f) {
-                let _e243 = low;
-                local_3 = u32(ceil(min(_e243, 8f)));
-            } else {
-                local_3 = 0u;
-            }
-            let _e247 = local_3;
-            from_1 = _e247;
-            let _e248 = high;
-            if (_e248 < 8f) {
-                let _e250 = high;
-                local_4 = u32((floor(max(_e250, -1f)) + 1f));
-            } else {
-                local_4 = 8u;
-            }
-            let _e255 = local_4;
-            end = _e255;
-            let _e256 = from_1;
-            let _e257 = end;
-            let _e258 = (_e256 < _e257);
-            phi_561_ = _e258;
-            if _e258 {
-                let _e260 = squared[0u];
-                let _e262 = squared[1u];
-                phi_561_ = !((max(_e260, _e262) < 0f));
-            }
-            let _e267 = phi_561_;
-            if _e267 {
-                let _e268 = end;
-                let _e271 = from_1;
-                bits_1 = ((1u << bitcast<u32>(_e268)) - (1u << bitcast<u32>(_e271)));
-                let _e275 = row;
-                let _e277 = place_1;
-                let _e280 = bits_1;
-                let _e281 = (*thread);
-                let _e285 = atomicOr((&batch_hits[((_e275 * 16u) + _e277)]), (_e280 << bitcast<u32>((_e281 & 24u))));
-                meets = true;
-            }
-            continue;
-        } else {
-            break;
-        }
-        continuing {
-            let _e286 = row;
-            row = (_e286 + bitcast<u32>(1i));
-        }
-    }
-    let _e289 = meets;
-    if !(_e289) {
-        return;
-    }
-    let _e291 = (*i_1);
-    param_38 = _e291;
-    let _e292 = key_at_u0028_u1_u003b((&param_38));
-    let _e295 = frame.key_max;
-    param_39 = (1f - (f32(_e292) / f32(_e295)));
-    let _e300 = splat_1.color;
-    param_40 = _e300;
-    let _e301 = saturated_word_u0028_f1_u003b_vf3_u003b((&param_39), (&param_40));
-    word_4 = _e301;
-    let _e302 = (*thread);
-    let _e303 = center;
-    let _e304 = along;
-    batch_place[_e302] = vec4<f32>(_e303.x, _e303.y, _e304.x, _e304.y);
-    let _e311 = (*thread);
-    let _e312 = across;
-    let _e313 = exponent_2;
-    let _e314 = word_4;
-    batch_shape[_e311] = vec4<f32>(_e312.x, _e312.y, _e313, bitcast<f32>(_e314));
+    let _e129 = (*i_1);
+    param_47 = _e129;
+    let _e130 = key_at_u0028_u1_u003b((&param_47));
+    let _e133 = frame.key_max;
+    param_48 = (1f - (f32(_e130) / f32(_e133)));
+    let _e138 = splat_1.color;
+    param_49 = _e138;
+    let _e139 = saturated_word_u0028_f1_u003b_vf3_u003b((&param_48), (&param_49));
+    word_4 = _e139;
+    let _e140 = (*thread_1);
+    let _e142 = ellipse.center;
+    let _e143 = along;
+    batch_place[_e140] = vec4<f32>(_e142.x, _e142.y, _e143.x, _e143.y);
+    let _e150 = (*thread_1);
+    let _e151 = across;
+    let _e152 = exponent_2;
+    let _e153 = word_4;
+    batch_shape[_e150] = vec4<f32>(_e151.x, _e151.y, _e152, bitcast<f32>(_e153));
     return;
 }
 
 fn bins_of_u0028_u1_u003b(shift: ptr<function, u32>) -> vec2<u32> {
-    var side: u32;
+    var side_1: u32;
 
     let _e5 = frame.bin_side;
     let _e6 = (*shift);
-    side = (_e5 << bitcast<u32>(_e6));
+    side_1 = (_e5 << bitcast<u32>(_e6));
     let _e10 = frame.size;
-    let _e12 = side;
-    let _e17 = side;
+    let _e12 = side_1;
+    let _e17 = side_1;
     return (((vec2<u32>(_e10) + vec2(_e12)) - vec2(1u)) / vec2(_e17));
 }
 
-fn place_of_u0028_u1_u003b(index: ptr<function, u32>) -> vec2<u32> {
-    let _e5 = (*index);
-    let _e7 = (*index);
-    let _e12 = (*index);
-    let _e17 = (*index);
-    let _e21 = (*index);
-    let _e26 = (*index);
-    return vec2<u32>((((_e5 & 1u) | ((_e7 >> bitcast<u32>(1u)) & 2u)) | ((_e12 >> bitcast<u32>(2u)) & 4u)), ((((_e17 >> bitcast<u32>(1u)) & 1u) | ((_e21 >> bitcast<u32>(2u)) & 2u)) | ((_e26 >> bitcast<u32>(3u)) & 4u)));
-}
-
-fn blend_bin_u0028_struct_u002d_Samples_u002d_f1_u005b_4_u005d_u002d_u1_u005b_4_u005d_u002d_b1_u002d_u11_u003b_vu2_u003b_vf2_u003b(samples_2: ptr<function, Samples>, corner_1: ptr<function, vec2<u32>>, first_3: ptr<function, vec2<f32>>) {
-    var thread_1: u32;
-    var place_2: vec2<u32>;
-    var param_41: u32;
+fn blend_bin_u0028_struct_u002d_Samples_u002d_f1_u005b_4_u005d_u002d_u1_u005b_4_u005d_u002d_b1_u002d_u11_u003b_vu2_u003b_vf2_u003b(samples_2: ptr<function, Samples>, corner_1: ptr<function, vec2<u32>>, first_4: ptr<function, vec2<f32>>) {
+    var thread_2: u32;
     var shift_1: u32;
     var at_2: vec2<u32>;
     var bin: u32;
-    var param_42: u32;
-    var end_1: u32;
-    var from_2: u32;
-    var k_3: u32;
+    var param_50: u32;
+    var end: u32;
+    var from_1: u32;
+    var k_4: u32;
     var i_2: u32;
     var local_5: u32;
-    var param_43: u32;
-    var param_44: u32;
-    var param_45: vec2<f32>;
+    var param_51: u32;
+    var param_52: u32;
+    var param_53: vec2<f32>;
     var word_5: u32;
     var hits_1: u32;
-    var param_46: vec2<u32>;
-    var param_47: u32;
-    var k_4: u32;
-    var param_48: Samples;
-    var param_49: u32;
-    var param_50: vec2<f32>;
+    var param_54: u32;
+    var param_55: u32;
+    var k_5: u32;
+    var param_56: Samples;
+    var param_57: u32;
+    var param_58: vec2<f32>;
 
-    let _e45 = gl_LocalInvocationIndex_1;
-    thread_1 = _e45;
-    let _e46 = thread_1;
-    param_41 = _e46;
-    let _e47 = place_of_u0028_u1_u003b((&param_41));
-    place_2 = _e47;
-    let _e50 = unnamed_1.bins[8i];
-    shift_1 = _e50;
-    let _e51 = (*corner_1);
-    let _e53 = frame.bin_side;
-    let _e54 = shift_1;
-    at_2 = (_e51 / vec2((_e53 << bitcast<u32>(_e54))));
-    let _e60 = at_2[1u];
-    let _e61 = shift_1;
-    param_42 = _e61;
-    let _e62 = bins_of_u0028_u1_u003b((&param_42));
-    let _e66 = at_2[0u];
-    bin = ((_e60 * _e62.x) + _e66);
-    let _e69 = settings.starts_start;
-    let _e70 = bin;
-    let _e75 = unnamed_1.bins[((_e69 + _e70) + 1u)];
-    end_1 = _e75;
-    let _e77 = settings.starts_start;
-    let _e78 = bin;
-    let _e82 = unnamed_1.bins[(_e77 + _e78)];
-    from_2 = _e82;
+    let _e43 = gl_LocalInvocationIndex_1;
+    thread_2 = _e43;
+    let _e46 = unnamed_1.bins[8i];
+    shift_1 = _e46;
+    let _e47 = (*corner_1);
+    let _e49 = frame.bin_side;
+    let _e50 = shift_1;
+    at_2 = (_e47 / vec2((_e49 << bitcast<u32>(_e50))));
+    let _e56 = at_2[1u];
+    let _e57 = shift_1;
+    param_50 = _e57;
+    let _e58 = bins_of_u0028_u1_u003b((&param_50));
+    let _e62 = at_2[0u];
+    bin = ((_e56 * _e58.x) + _e62);
+    let _e65 = settings.starts_start;
+    let _e66 = bin;
+    let _e71 = unnamed_1.bins[((_e65 + _e66) + 1u)];
+    end = _e71;
+    let _e73 = settings.starts_start;
+    let _e74 = bin;
+    let _e78 = unnamed_1.bins[(_e73 + _e74)];
+    from_1 = _e78;
     loop {
-        let _e83 = from_2;
-        let _e84 = end_1;
-        if (_e83 < _e84) {
-            let _e86 = thread_1;
-            batch_seen[_e86] = 0u;
-            let _e88 = thread_1;
-            k_3 = _e88;
+        let _e79 = from_1;
+        let _e80 = end;
+        if (_e79 < _e80) {
+            let _e82 = thread_2;
+            batch_seen[_e82] = 0u;
+            let _e84 = thread_2;
+            k_4 = _e84;
             loop {
-                let _e89 = k_3;
-                if (_e89 < 128u) {
-                    let _e91 = k_3;
-                    atomicStore((&batch_hits[_e91]), 0u);
+                let _e85 = k_4;
+                if (_e85 < 128u) {
+                    let _e87 = k_4;
+                    atomicStore((&batch_hits[_e87]), 0u);
                     continue;
                 } else {
                     break;
                 }
                 continuing {
-                    let _e93 = k_3;
-                    k_3 = (_e93 + 64u);
+                    let _e89 = k_4;
+                    k_4 = (_e89 + 64u);
                 }
             }
-            let _e95 = thread_1;
-            if (_e95 == 0u) {
+            let _e91 = thread_2;
+            if (_e91 == 0u) {
                 batch_open = 0u;
             }
             workgroupBarrier();
-            let _e98 = (*samples_2).open;
-            if _e98 {
+            let _e94 = (*samples_2).open;
+            if _e94 {
                 batch_open = 1u;
             }
-            let _e99 = from_2;
-            let _e100 = thread_1;
-            let _e102 = end_1;
-            if ((_e99 + _e100) < _e102) {
-                let _e105 = settings.pairs_start;
-                let _e106 = from_2;
-                let _e107 = thread_1;
-                let _e111 = unnamed_2.sorted[(_e106 + _e107)];
-                let _e115 = unnamed_1.bins[(_e105 + _e111)];
-                local_5 = _e115;
+            let _e95 = from_1;
+            let _e96 = thread_2;
+            let _e98 = end;
+            if ((_e95 + _e96) < _e98) {
+                let _e101 = settings.pairs_start;
+                let _e102 = from_1;
+                let _e103 = thread_2;
+                let _e107 = unnamed_2.sorted[(_e102 + _e103)];
+                let _e111 = unnamed_1.bins[(_e101 + _e107)];
+                local_5 = _e111;
             } else {
                 local_5 = 0u;
             }
-            let _e116 = local_5;
-            i_2 = _e116;
-            let _e117 = from_2;
-            let _e118 = thread_1;
-            let _e120 = end_1;
-            if ((_e117 + _e118) < _e120) {
-                let _e122 = (*corner_1);
-                let _e124 = thread_1;
-                param_43 = _e124;
-                let _e125 = i_2;
-                param_44 = _e125;
-                param_45 = vec2<f32>(_e122);
-                load_u0028_u1_u003b_u1_u003b_vf2_u003b((&param_43), (&param_44), (&param_45));
+            let _e112 = local_5;
+            i_2 = _e112;
+            let _e113 = from_1;
+            let _e114 = thread_2;
+            let _e116 = end;
+            if ((_e113 + _e114) < _e116) {
+                let _e118 = (*corner_1);
+                let _e120 = thread_2;
+                param_51 = _e120;
+                let _e121 = i_2;
+                param_52 = _e121;
+                param_53 = vec2<f32>(_e118);
+                load_u0028_u1_u003b_u1_u003b_vf2_u003b((&param_51), (&param_52), (&param_53));
             }
             workgroupBarrier();
-            let _e126 = workgroupUniformLoad((&batch_open));
-            if (_e126 == 0u) {
+            let _e122 = workgroupUniformLoad((&batch_open));
+            if (_e122 == 0u) {
                 break;
             }
             word_5 = 0u;
             loop {
-                let _e128 = word_5;
-                let _e131 = (*samples_2).open;
-                if ((_e128 < 2u) && _e131) {
-                    let _e133 = place_2;
-                    param_46 = _e133;
-                    let _e134 = word_5;
-                    param_47 = _e134;
-                    let _e135 = hits_of_u0028_vu2_u003b_u1_u003b((&param_46), (&param_47));
-                    hits_1 = _e135;
+                let _e124 = word_5;
+                let _e127 = (*samples_2).open;
+                if ((_e124 < 2u) && _e127) {
+                    let _e129 = thread_2;
+                    param_54 = _e129;
+                    let _e130 = word_5;
+                    param_55 = _e130;
+                    let _e131 = hits_of_u0028_u1_u003b_u1_u003b((&param_54), (&param_55));
+                    hits_1 = _e131;
                     loop {
-                        let _e136 = hits_1;
-                        let _e139 = (*samples_2).open;
-                        if ((_e136 != 0u) && _e139) {
-                            let _e141 = hits_1;
-                            k_4 = bitcast<u32>(firstTrailingBit(_e141));
-                            let _e144 = hits_1;
-                            let _e146 = hits_1;
-                            hits_1 = (_e146 & (_e144 - 1u));
-                            let _e148 = word_5;
-                            let _e150 = k_4;
-                            batch_seen[((32u * _e148) + _e150)] = 1u;
-                            let _e153 = word_5;
-                            let _e155 = k_4;
-                            let _e157 = (*samples_2);
-                            param_48 = _e157;
-                            param_49 = ((32u * _e153) + _e155);
-                            let _e158 = (*first_3);
-                            param_50 = _e158;
-                            blend_u0028_struct_u002d_Samples_u002d_f1_u005b_4_u005d_u002d_u1_u005b_4_u005d_u002d_b1_u002d_u11_u003b_u1_u003b_vf2_u003b((&param_48), (&param_49), (&param_50));
-                            let _e159 = param_48;
-                            (*samples_2) = _e159;
+                        let _e132 = hits_1;
+                        let _e135 = (*samples_2).open;
+                        if ((_e132 != 0u) && _e135) {
+                            let _e137 = hits_1;
+                            k_5 = bitcast<u32>(firstTrailingBit(_e137));
+                            let _e140 = hits_1;
+                            let _e142 = hits_1;
+                            hits_1 = (_e142 & (_e140 - 1u));
+                            let _e144 = word_5;
+                            let _e146 = k_5;
+                            batch_seen[((32u * _e144) + _e146)] = 1u;
+                            let _e149 = word_5;
+                            let _e151 = k_5;
+                            let _e153 = (*samples_2);
+                            param_56 = _e153;
+                            param_57 = ((32u * _e149) + _e151);
+                            let _e154 = (*first_4);
+                            param_58 = _e154;
+                            blend_u0028_struct_u002d_Samples_u002d_f1_u005b_4_u005d_u002d_u1_u005b_4_u005d_u002d_b1_u002d_u11_u003b_u1_u003b_vf2_u003b((&param_56), (&param_57), (&param_58));
+                            let _e155 = param_56;
+                            (*samples_2) = _e155;
                             continue;
                         } else {
                             break;
@@ -891,25 +945,25 @@ fn blend_bin_u0028_struct_u002d_Samples_u002d_f1_u005b_4_u005d_u002d_u1_u005b_4_
                     break;
                 }
                 continuing {
-                    let _e160 = word_5;
-                    word_5 = (_e160 + bitcast<u32>(1i));
+                    let _e156 = word_5;
+                    word_5 = (_e156 + bitcast<u32>(1i));
                 }
             }
             workgroupBarrier();
-            let _e163 = thread_1;
-            let _e165 = batch_seen[_e163];
-            if (_e165 != 0u) {
-                let _e167 = i_2;
-                let _e172 = i_2;
-                let _e176 = atomicOr((&unnamed_3.marks[(_e167 >> bitcast<u32>(5u))]), (1u << bitcast<u32>((_e172 & 31u))));
+            let _e159 = thread_2;
+            let _e161 = batch_seen[_e159];
+            if (_e161 != 0u) {
+                let _e163 = i_2;
+                let _e168 = i_2;
+                let _e172 = atomicOr((&unnamed_3.marks[(_e163 >> bitcast<u32>(5u))]), (1u << bitcast<u32>((_e168 & 31u))));
             }
             continue;
         } else {
             break;
         }
         continuing {
-            let _e177 = from_2;
-            from_2 = (_e177 + 64u);
+            let _e173 = from_1;
+            from_1 = (_e173 + 64u);
         }
     }
     return;
@@ -932,7 +986,7 @@ fn main(@builtin(local_invocation_index) gl_LocalInvocationIndex: u32, @builtin(
     var param_9: u32;
     var param_10: vec2<u32>;
     var param_11: u32;
-    var phi_1209_: bool;
+    var phi_1283_: bool;
 
     gl_LocalInvocationIndex_1 = gl_LocalInvocationIndex;
     gl_WorkGroupID_1 = gl_WorkGroupID;
@@ -979,12 +1033,12 @@ fn main(@builtin(local_invocation_index) gl_LocalInvocationIndex: u32, @builtin(
     store_u0028_vu2_u003b_u1_u003b((&param_10), (&param_11));
     let _e83 = settings.counted;
     let _e84 = (_e83 != 0u);
-    phi_1209_ = _e84;
+    phi_1283_ = _e84;
     if _e84 {
         let _e86 = samples.evaluated;
-        phi_1209_ = (_e86 > 0u);
+        phi_1283_ = (_e86 > 0u);
     }
-    let _e89 = phi_1209_;
+    let _e89 = phi_1283_;
     if _e89 {
         let _e93 = samples.evaluated;
         let _e94 = atomicAdd((&unnamed_4.control.fragments), _e93);
