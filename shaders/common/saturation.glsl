@@ -5,15 +5,17 @@
 
 // At the furthest depth, which hides nothing.
 const uint NEVER_SATURATED = 0xffff0000u;
+// The largest numbers of red, green and blue.
+const uvec3 COLOR_MAX = uvec3(31u, 63u, 31u);
 
 // A step further than the depth says, so that rounding culls nothing.
 uint saturated_word(float depth, vec3 color) {
-    uvec3 rgb = uvec3(round(color * vec3(31.0, 63.0, 31.0)));
+    uvec3 rgb = uvec3(round(color * vec3(COLOR_MAX)));
     return min(uint(depth * 65535.0 + 1.5), 65535u) << 16u | rgb.r << 11u | rgb.g << 5u | rgb.b;
 }
 
 float saturated_depth(uint word) { return float(word >> 16u) / 65535.0; }
 
 vec3 saturated_color(uint word) {
-    return vec3(word >> 11u & 31u, word >> 5u & 63u, word & 31u) / vec3(31.0, 63.0, 31.0);
+    return vec3(uvec3(word >> 11u, word >> 5u, word) & COLOR_MAX) / vec3(COLOR_MAX);
 }

@@ -10,27 +10,27 @@ var<private> global_2: f32 = 0f;
 var<private> global_3: vec4<f32>;
 
 fn function_() {
-    var phi_190_: vec4<f32>;
+    var phi_184_: vec4<f32>;
 
-    let _e23 = textureDimensions(global, 0i);
-    let _e26 = global_1;
-    let _e30 = ((vec2<i32>(_e26.xy) + vec2<i32>(1i, 1i)) / vec2<i32>(2i, 2i));
-    let _e32 = max((_e30 - vec2<i32>(1i, 1i)), vec2<i32>(0i, 0i));
-    let _e33 = min(_e30, (vec2<i32>(_e23) - vec2<i32>(1i, 1i)));
-    let _e34 = textureLoad(global, _e32, 0i);
-    let _e39 = textureLoad(global, vec2<i32>(_e33.x, _e32.y), 0i);
-    let _e44 = textureLoad(global, vec2<i32>(_e32.x, _e33.y), 0i);
-    let _e46 = textureLoad(global, _e33, 0i);
-    let _e50 = max(max(_e34.x, _e39.x), max(_e44.x, _e46.x));
-    global_2 = (f32((_e50 >> bitcast<u32>(16u))) * 0.000015259022f);
-    if (_e50 < 4294901760u) {
-        let _e67 = (vec3<f32>(f32(((_e50 >> bitcast<u32>(11u)) & 31u)), f32(((_e50 >> bitcast<u32>(5u)) & 63u)), f32((_e50 & 31u))) * vec3<f32>(0.032258064f, 0.015873017f, 0.032258064f));
-        phi_190_ = vec4<f32>(_e67.x, _e67.y, _e67.z, 1f);
+    let _e24 = textureDimensions(global, 0i);
+    let _e27 = global_1;
+    let _e31 = ((vec2<i32>(_e27.xy) + vec2<i32>(1i, 1i)) / vec2<i32>(2i, 2i));
+    let _e33 = max((_e31 - vec2<i32>(1i, 1i)), vec2<i32>(0i, 0i));
+    let _e34 = min(_e31, (vec2<i32>(_e24) - vec2<i32>(1i, 1i)));
+    let _e35 = textureLoad(global, _e33, 0i);
+    let _e40 = textureLoad(global, vec2<i32>(_e34.x, _e33.y), 0i);
+    let _e45 = textureLoad(global, vec2<i32>(_e33.x, _e34.y), 0i);
+    let _e47 = textureLoad(global, _e34, 0i);
+    let _e51 = max(max(_e35.x, _e40.x), max(_e45.x, _e47.x));
+    global_2 = (f32((_e51 >> bitcast<u32>(16u))) * 0.000015259022f);
+    if (_e51 < 4294901760u) {
+        let _e64 = (vec3<f32>((vec3<u32>((_e51 >> bitcast<u32>(11u)), (_e51 >> bitcast<u32>(5u)), _e51) & vec3<u32>(31u, 63u, 31u))) * vec3<f32>(0.032258064f, 0.015873017f, 0.032258064f));
+        phi_184_ = vec4<f32>(_e64.x, _e64.y, _e64.z, 1f);
     } else {
-        phi_190_ = vec4<f32>(0f, 0f, 0f, 0f);
+        phi_184_ = vec4<f32>(0f, 0f, 0f, 0f);
     }
-    let _e73 = phi_190_;
-    global_3 = _e73;
+    let _e70 = phi_184_;
+    global_3 = _e70;
     return;
 }
 
