@@ -125,7 +125,7 @@ impl Quads {
         let [width, height] = frame.draw.size;
         pass.set_viewport(0.0, 0.0, width as f32, height as f32, 0.0, 1.0);
         // The samples outside are another frame's.
-        let area = frame.draw.damage.rect();
+        let area = frame.draw.damage.drawn;
         let sides = area.max - area.min;
         pass.set_scissor_rect(area.min.x, area.min.y, sides.x, sides.y);
         let quads = match tested {
