@@ -27,6 +27,9 @@ pub struct Tiling {
     pub blocks_per_splat: u32,
 }
 
+/// Shared list blocks that are worth waiting for other lists: half a megabyte.
+const BLOCKS_WORTH: u32 = 1 << 14;
+
 impl Tiling {
     /// Side of a tile in an image of a size, px: the smallest power of two with which
     /// [`Self::tiles_per_side`] is not exceeded.
@@ -59,10 +62,16 @@ impl Tiling {
     }
 
     /// Shared list blocks that suffice where splats are those of bodies: with tiles of 16 px one of
-    /// 200,000 Gaussians and 2000 px asks for 92,000, four of them for 219,000.
+    /// 200,000 Gaussians and 2000 px asks for 92,000, four of them for 219,000. The most where that
+    /// is hardly more.
     pub fn few_blocks(self, capacity: u32) -> u32 {
+        let most = self.most_blocks(capacity);
         let few = 4096 + capacity / 4 + (capacity / 2).min(80_000);
-        few.min(self.most_blocks(capacity))
+        if most.saturating_sub(few) < BLOCKS_WORTH {
+            most
+        } else {
+            few
+        }
     }
 
     /// Shared list blocks for the frames that follow one that asked for `asked`, where there were
@@ -110,6 +119,7 @@ mod tests {
         assert_eq!(other(most, few / 8 * 7), None);
         assert_eq!(other(few, few / 8 * 7), None);
         assert_eq!(other(most, u32::MAX), None);
+        assert_eq!(TILING.few_blocks(5000), TILING.most_blocks(5000));
         // Four bodies.
         assert!(TILING.few_blocks(800_000) / 8 * 7 > 219_000);
     }
