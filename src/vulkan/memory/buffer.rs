@@ -59,8 +59,8 @@ impl Slice {
     }
 }
 
-/// A buffer in place of another: what bound a part of the one binds that part of the other, and what
-/// bound it whole binds the other whole.
+/// A buffer in place of another: what bound a part of the one binds that part of the other, and
+/// what bound it whole binds the other whole.
 #[derive(Clone, Copy)]
 pub(crate) struct Replacement {
     /// The whole buffer before.

@@ -84,21 +84,21 @@ impl Runs {
         self.storage().part(0, 4)
     }
 
-    /// Whether frames after one that asked for so many blocks should have another number of them.
-    pub fn should_resize(&self, asked: u32) -> bool {
+    /// How many blocks frames should have after one that asked for so many. None where nothing
+    /// changes.
+    pub fn other_blocks(&self, asked: u32) -> Option<u32> {
         let other = TILING.other_blocks(self.capacity, self.blocks, asked);
-        other.is_some() && !self.is_fixed
+        other.filter(|_| !self.is_fixed)
     }
 
-    /// Makes lists with the number of blocks that [`Self::should_resize`] meant, for who binds those
-    /// before to bind in their place. None where they stay: for want of memory, which costs time
-    /// alone, since larger tiles take the splats.
+    /// Makes lists with another number of blocks, for who binds those before to bind in their
+    /// place. None where they stay for want of memory, which costs time alone, since larger tiles
+    /// take the splats.
     ///
     /// # Safety
     /// No submitted work may use the lists. What binds them must bind the new ones before they are
     /// used again.
-    pub unsafe fn resize(&mut self, gpu: &Arc<Gpu>, asked: u32) -> Option<Replacement> {
-        let blocks = TILING.other_blocks(self.capacity, self.blocks, asked)?;
+    pub unsafe fn resize(&mut self, gpu: &Arc<Gpu>, blocks: u32) -> Option<Replacement> {
         let resized = list_buffer(gpu, self.capacity, blocks).and_then(|buffer| {
             // SAFETY: no work uses the kernel, as the caller promises.
             unsafe { self.binning.specialize(&[blocks], Launch::default()) }?;

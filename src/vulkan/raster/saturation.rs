@@ -155,8 +155,8 @@ impl Saturation {
             .dispatch_within(commands, draw.frame, first, end);
     }
 
-    /// The samples of the last frame as words of `common/saturation.glsl`, row by row, read back for
-    /// tests.
+    /// The samples of the last frame as words of `common/saturation.glsl`, row by row, read back
+    /// for tests.
     pub fn download(&self) -> Result<Vec<u32>> {
         let layout = vk::ImageLayout::GENERAL;
         let bytes = image_bytes(&self.gpu, &self.image, layout, self.image.size(), 4)?;

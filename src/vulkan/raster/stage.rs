@@ -154,20 +154,20 @@ impl Raster {
         self.runs().map(Runs::asked)
     }
 
-    /// Whether the tiles' lists should have another number of blocks, after a frame that asked for
-    /// `asked`.
-    pub(crate) fn should_resize_lists(&self, asked: u32) -> bool {
-        self.runs().is_some_and(|runs| runs.should_resize(asked))
+    /// How many blocks the tiles' lists should have after a frame that asked for so many. None
+    /// where nothing changes.
+    pub(crate) fn other_blocks(&self, asked: u32) -> Option<u32> {
+        self.runs().and_then(|runs| runs.other_blocks(asked))
     }
 
-    /// Gives the tiles' lists as many blocks as frames need after one that asked for `asked`.
+    /// Gives the tiles' lists another number of blocks.
     ///
     /// # Safety
     /// No submitted work may draw with it.
-    pub(crate) unsafe fn resize_lists(&mut self, asked: u32) {
+    pub(crate) unsafe fn resize_lists(&mut self, blocks: u32) {
         if let Method::Tiles(tiles) = &mut self.method {
             // SAFETY: the caller promises that no work draws with it.
-            unsafe { tiles.resize_lists(asked) };
+            unsafe { tiles.resize_lists(blocks) };
         }
     }
 

@@ -184,14 +184,14 @@ impl Tiles {
         }
     }
 
-    /// Gives the lists of tiles as many blocks as frames need after one that asked for `asked`.
+    /// Gives the lists of tiles another number of blocks.
     ///
     /// # Safety
     /// No submitted work may draw with it.
-    pub unsafe fn resize_lists(&mut self, asked: u32) {
+    pub unsafe fn resize_lists(&mut self, blocks: u32) {
         if let Lists::Runs(runs) = &mut self.lists
-            // SAFETY: the caller promises that no work uses them, and the kernels bind the new ones.
-            && let Some(replacement) = unsafe { runs.resize(&self.gpu, asked) }
+            // SAFETY: the caller promises that no work uses them; the kernels bind the new ones.
+            && let Some(replacement) = unsafe { runs.resize(&self.gpu, blocks) }
         {
             // SAFETY: the caller promises that no work uses them; the lists keep the new buffer.
             unsafe { self.bind(replacement) };

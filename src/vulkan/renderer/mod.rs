@@ -445,11 +445,11 @@ impl Renderer {
         drop(waiting);
         let waited = Instant::now();
         if let Some(asked) = self.frames_in_flight[frame].take_list_blocks()
-            && self.raster.should_resize_lists(asked)
+            && let Some(blocks) = self.raster.other_blocks(asked)
         {
             self.finish()?;
             // SAFETY: every frame is done.
-            unsafe { self.raster.resize_lists(asked) };
+            unsafe { self.raster.resize_lists(blocks) };
         }
         // Should anything below fail, nothing of this frame counts as drawn.
         let mut state = std::mem::take(&mut self.state);

@@ -15,9 +15,9 @@
 //! All give the same order on any device that does what Vulkan says, at any subgroup size, and none
 //! can hang: see `choice`, which finds out what a device really does.
 //!
-//! **Storage**, for capacity n: two buffers that passes write in turn, of which one ends up with the
-//! order, 8n bytes (keys of 16 or 22 bits) or 16n (32), more where an index leaves too few bits of a
-//! word ([`KeyBits::packs_before`]): 12n with 22 bits above 2¹⁸ keys; and the counts,
+//! **Storage**, for capacity n: two buffers that passes write in turn, of which one ends up with
+//! the order, 8n bytes (keys of 16 or 22 bits) or 16n (32), more where an index leaves too few bits
+//! of a word ([`KeyBits::packs_before`]): 12n with 22 bits above 2¹⁸ keys; and the counts,
 //! [`counts_size`], which the caller may provide inside a buffer of its own, so that a kernel that
 //! makes keys can count them too without one more binding (`shaders/sort/first_counts.glsl`). Every
 //! kernel binds at most 4 storage buffers and shares at most 16 KB.

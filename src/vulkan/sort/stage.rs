@@ -79,12 +79,14 @@ impl Sort {
                 | vk::BufferUsageFlags::TRANSFER_DST;
             Buffer::new(gpu, name, size, usage, MemoryLocation::GpuOnly)
         };
-        let own_counts = match options.counts {
-            Some(_) => None,
-            None => Some(storage("sort counts", counts_size(capacity, variant))?),
+        let mut own_counts = None;
+        let counts = match options.counts {
+            Some(counts) => counts,
+            None => {
+                let own = storage("sort counts", counts_size(capacity, variant))?;
+                (&*own_counts.insert(own)).into()
+            }
         };
-        let counts = options.counts.or(own_counts.as_ref().map(Slice::from));
-        let counts = counts.expect("the caller's, or its own");
         let sort_size = passes::SortSize {
             capacity,
             tiles,
